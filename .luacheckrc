@@ -1,0 +1,15 @@
+-- The core is checked against what Lua 5.1 to 5.4 and LuaJIT have in common ("min"). It proves at
+-- the same time that the core never names `love`; only the files listed as exceptions may.
+std = "min"
+max_line_length = 100
+exclude_files = { "build", "lua_modules", ".luarocks", "node_modules" }
+
+files["physics/draw.lua"] = { std = "min+love" }
+files["physics/tiled.lua"] = { std = "min+love" }
+files["spec"] = { std = "min+busted" }
+files["bench"] = { std = "luajit+love" }
+files["examples"] = { std = "luajit+love" }
+-- conf.lua and main.lua define the callbacks of LÖVE: that is what they are for.
+files["examples/conf.lua"] = { std = "luajit+love", globals = { "love" } }
+files["examples/main.lua"] = { std = "luajit+love", globals = { "love" } }
+files["examples/script.lua"] = { std = "luajit+love", globals = { "love" } }

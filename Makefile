@@ -1,0 +1,30 @@
+# The commands of this project. Each one sets up what it needs first (scripts/setup.sh).
+
+.PHONY: help setup test lint rock examples demo ci clean
+
+help: ## shows this list
+	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-9s %s\n", $$1, $$2 }' Makefile
+
+setup: ## installs what the other targets need (Debian, Ubuntu)
+	@bash scripts/setup.sh
+
+test: setup ## runs the specs on every Lua: LuaJIT with and without JIT, 5.1 to 5.4
+	@bash scripts/test.sh
+
+lint: setup ## luacheck and StyLua
+	@bash scripts/lint.sh
+
+rock: setup ## installs the rock into lua_modules/ and runs it from another folder
+	@bash scripts/rock.sh
+
+examples: setup ## plays every example without a display, leaves pictures in build/pictures/
+	@bash scripts/examples.sh
+
+demo: setup ## opens the examples in LÖVE
+	@bash scripts/demo.sh
+
+ci: ## everything, as the continuous integration does it
+	@bash .ci/run
+
+clean: ## removes what the other targets built
+	rm -rf build lua_modules

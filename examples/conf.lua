@@ -1,0 +1,29 @@
+-- LÖVE reads this before it opens the window.
+
+local script = require("script")
+
+script.read(arg or {})
+
+function love.conf(t)
+  t.identity = "physics-lua-examples"
+  t.version = "11.4"
+  t.window.title = "physics.lua"
+  t.window.width = 960
+  t.window.height = 640
+  t.window.vsync = script.isOn and 0 or 1
+  -- The library is pure Lua: it needs neither love.physics nor anything else of LÖVE.
+  t.modules.physics = false
+  t.modules.audio = false
+  t.modules.sound = false
+  t.modules.joystick = false
+  t.modules.touch = false
+  t.modules.video = false
+end
+
+if script.isOn then
+  -- LÖVE shows errors on a blue screen and waits for a key that nobody will press here.
+  function love.errorhandler(message)
+    io.stderr:write(debug.traceback(tostring(message), 2), "\n")
+    os.exit(1)
+  end
+end

@@ -1,0 +1,72 @@
+-- Step 7: bumping.
+
+local hand = require("lessons.hand")
+local look = require("look")
+local physics = require("physics")
+
+local lesson = {
+  title = "Bumping",
+  text = [[
+Now that the side is known, the boxes are moved apart until they are flush. Who has to move?
+
+Push the first: box a goes back all the way, b stands like a wall.
+
+Push both: each one goes half of the way. A crate that is pushed gives way, and the pusher gets
+slower.
+
+Drag a into b and switch with space. What is static never gives way, and then the other one goes
+the whole way in both modes.]],
+  keys = { { "space", "push first or both" } },
+}
+
+local mode = "both"
+local a, b, wall
+
+function lesson.code()
+  return ([[
+local side = physics.checkCollision(a, b)
+-- "right": a ran into the left side of b
+-- a.x = b.x - a.width, or half of it for each
+
+physics.bump(a, b, "%s")]]):format(mode)
+end
+
+function lesson.load()
+  a = { x = 60, y = 150, width = 100, height = 90, color = "orange" }
+  b = { x = 230, y = 130, width = 110, height = 130, color = "sky" }
+  wall = { x = 444, y = 20, width = 40, height = 350, static = true, color = "slate" }
+  hand.take({ a, b })
+end
+
+function lesson.keypressed(key)
+  if key == "space" then
+    mode = mode == "both" and "first" or "both"
+  end
+end
+
+function lesson.update()
+  physics.bump(a, b, mode)
+  physics.bump(b, wall, mode)
+  physics.bump(a, wall, mode)
+end
+
+function lesson.draw()
+  for _, box in ipairs({ wall, b, a }) do
+    look.box(box.x, box.y, box.width, box.height, box.color)
+  end
+  hand.label(a, "a")
+  hand.label(b, "b")
+  hand.draw()
+  look.color("silver")
+  look.text("push = ", 24, 424, 18)
+  look.color("yellow")
+  look.text('"' .. mode .. '"', 96, 424, 18)
+  look.color("silver")
+  look.text(("a.x = %.1f    b.x = %.1f"):format(a.x, b.x), 24, 454, 16)
+end
+
+function lesson.report()
+  return ("a=%.2f b=%.2f"):format(a.x, b.x)
+end
+
+return lesson

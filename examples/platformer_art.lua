@@ -1,0 +1,314 @@
+-- How the platformer looks. Reads the objects of its world and changes none of them.
+
+local drawWorld = require("physics.draw").draw
+local look = require("look")
+
+local art = {}
+
+local SIGNS = {
+  { 4.5, 7, "run and jump" },
+  { 10.5, 6.4, "hold the key: jump higher" },
+  { 26, 7.6, "push the crate\nto get up there" },
+  { 42, 9, "land on their heads" },
+  { 57, 10, "a spring!" },
+  { 80.5, 9, "crates are for fun" },
+}
+local SIGN_TILE = 40
+local PARTICLE_GRAVITY = 900
+
+local world, player, state
+local camera, particles, squash, wasOnGround, clock
+
+function art.load(gameWorld, gamePlayer, gameState)
+  world, player, state = gameWorld, gamePlayer, gameState
+  camera, squash, wasOnGround, clock, particles = 0, 0, true, 0, {}
+  -- Grass grows on tiles that have no tile above.
+  local filled = {}
+  for _, tile in ipairs(world.objects.tiles) do
+    filled[tile.x .. " " .. tile.y] = true
+  end
+  for _, tile in ipairs(world.objects.tiles) do
+    tile.hasGrass = not filled[tile.x .. " " .. tile.y - tile.height]
+  end
+end
+
+--- Throws some sparks from the middle of an object.
+function art.burst(object, color, count)
+  for i = 1, count do
+    local angle = i / count * 2 * math.pi
+    local speed = 90 + love.math.noise(i * 1.7, clock) * 190
+    particles[#particles + 1] = {
+      x = object.x + object.width / 2,
+      y = object.y + object.height / 2,
+      vx = math.cos(angle) * speed,
+      vy = math.sin(angle) * speed - 120,
+      left = 0.7,
+      color = color,
+    }
+  end
+end
+
+-- Sparks are not in the world: what touches nothing needs no physics.
+local function updateParticles(dt)
+  for i = #particles, 1, -1 do
+    local spark = particles[i]
+    spark.left = spark.left - dt
+    spark.vy = spark.vy + PARTICLE_GRAVITY * dt
+    spark.x, spark.y = spark.x + spark.vx * dt, spark.y + spark.vy * dt
+    if spark.left <= 0 then
+      table.remove(particles, i)
+    end
+  end
+end
+
+function art.update(dt)
+  clock = clock + dt
+  updateParticles(dt)
+  local width = love.graphics.getWidth()
+  local target = player.x + player.width / 2 + player.facing * 70 - width / 2
+  target = math.max(0, math.min(state.width - width, target))
+  camera = camera + (target - camera) * math.min(1, 6 * dt)
+
+  local onGround = player.touching.bottom
+  if onGround and not wasOnGround then
+    squash = 0.32
+  end
+  wasOnGround = onGround
+  squash = squash - squash * math.min(1, 12 * dt)
+end
+
+-- ----------------------------------------------------------------------------------- background --
+
+-- A row of hills; `depth` 0 is infinitely far away, 1 moves like the level.
+local function drawHills(depth, base, height, length, color)
+  look.color(color)
+  local points = { 0, 640 }
+  for x = 0, 960, 24 do
+    local place = (x + camera * depth) / length
+    points[#points + 1] = x
+    points[#points + 1] = base - love.math.noise(place, depth * 50) * height
+  end
+  points[#points + 1], points[#points + 2] = 960, 640
+  for i = 3, #points - 4, 2 do
+    local x1, y1, x2, y2 = points[i], points[i + 1], points[i + 2], points[i + 3]
+    love.graphics.polygon("fill", x1, y1, x2, y2, x2, 640, x1, 640)
+  end
+end
+
+local function drawBackground()
+  look.sky("navy", "plum", "orange")
+  look.color("white", 0.5)
+  for i = 1, 40 do
+    local x = (love.math.noise(i * 3.1) * 1400 - camera * 0.03) % 960
+    love.graphics.circle("fill", x, love.math.noise(i * 7.7) * 260, 0.6 + i % 3 * 0.4)
+  end
+  for i, radius in ipairs({ 120, 90, 64 }) do
+    look.color("yellow", 0.12 + i * 0.14)
+    love.graphics.circle("fill", 700 - camera * 0.05, 330, radius)
+  end
+  drawHills(0.15, 520, 230, 190, "plum")
+  drawHills(0.3, 580, 200, 150, "navy")
+  drawHills(0.5, 640, 190, 120, "night")
+end
+
+-- -------------------------------------------------------------------------------------- objects --
+
+local draw = {}
+
+function draw.tiles(tile)
+  look.color("dusk")
+  love.graphics.rectangle("fill", tile.x, tile.y, tile.width, tile.height)
+  look.color("slate", 0.35)
+  local shift = (tile.x * 7 + tile.y * 3) % 22
+  love.graphics.rectangle("fill", tile.x + shift, tile.y + 18, 10, 4, 2)
+  love.graphics.rectangle("fill", tile.x + 24 - shift / 2, tile.y + 30, 6, 4, 2)
+  if tile.hasGrass then
+    look.color("green")
+    love.graphics.rectangle("fill", tile.x, tile.y, tile.width, 10)
+    for x = 0, tile.width - 8, 8 do
+      love.graphics.circle("fill", tile.x + x + 4, tile.y + 10, 4)
+    end
+    look.color("lime")
+    love.graphics.rectangle("fill", tile.x, tile.y, tile.width, 3)
+  end
+end
+
+function draw.bricks(brick)
+  look.box(brick.x, brick.y, brick.width, brick.height, "red")
+  look.color("plum", 0.7)
+  love.graphics.rectangle("fill", brick.x, brick.y + 19, brick.width, 3)
+  love.graphics.rectangle("fill", brick.x + 18, brick.y + 4, 3, 15)
+  love.graphics.rectangle("fill", brick.x + 8, brick.y + 22, 3, 16)
+  love.graphics.rectangle("fill", brick.x + 29, brick.y + 22, 3, 16)
+end
+
+function draw.crates(crate)
+  local x, y, size = crate.x, crate.y, crate.width
+  look.box(x, y, size, size, "orange")
+  look.color("red", 0.8)
+  love.graphics.setLineWidth(4)
+  love.graphics.line(x + 7, y + 7, x + size - 7, y + size - 7)
+  love.graphics.line(x + 7, y + size - 7, x + size - 7, y + 7)
+  love.graphics.rectangle("line", x + 3, y + 3, size - 6, size - 6, 3)
+end
+
+function draw.coins(coin)
+  local x, y = coin.x + coin.width / 2, coin.y + coin.height / 2
+  local turn = math.abs(math.cos(clock * 3 + coin.x * 0.01))
+  y = y + math.sin(clock * 4 + coin.x * 0.02) * 2
+  look.color("orange")
+  love.graphics.ellipse("fill", x, y + 1, 2 + 8 * turn, 11)
+  look.color("yellow")
+  love.graphics.ellipse("fill", x, y, 1 + 8 * turn, 10)
+  look.color("white", 0.8)
+  love.graphics.ellipse("fill", x - 2 * turn, y - 3, 2 * turn, 3)
+end
+
+function draw.enemies(enemy)
+  local x, y, width, height = enemy.x, enemy.y, enemy.width, enemy.height
+  local bob = math.sin(clock * 9 + x * 0.05) * 1.5
+  look.color("night", 0.3)
+  love.graphics.ellipse("fill", x + width / 2, y + height, width * 0.55, 4)
+  look.color("night")
+  love.graphics.rectangle("fill", x + 5, y + height - 6, 9, 6, 2)
+  love.graphics.rectangle("fill", x + width - 14, y + height - 6, 9, 6, 2)
+  look.color("blue")
+  love.graphics.rectangle("fill", x, y + bob, width, height - 4 - bob, 11)
+  look.color("sky")
+  love.graphics.rectangle("fill", x + 5, y + 3 + bob, width - 10, 5, 3)
+  look.eyes(x, y + bob + 2, width, height, enemy.direction, 0.3)
+end
+
+function draw.spikes(spikes)
+  local bottom = spikes.y + spikes.height
+  for i = 0, 2 do
+    local x = spikes.x - 6 + i * 13.3
+    look.color("silver")
+    love.graphics.polygon("fill", x, bottom, x + 6.7, bottom - 26, x + 13.3, bottom)
+    look.color("slate")
+    love.graphics.polygon("fill", x + 6.7, bottom, x + 6.7, bottom - 26, x + 13.3, bottom)
+  end
+end
+
+function draw.springs(spring)
+  local since = clock - (spring.pressedAt or -1)
+  local press = since < 0.25 and math.sin(since / 0.25 * math.pi) * 9 or 0
+  look.color("slate")
+  love.graphics.rectangle("fill", spring.x + 5, spring.y + 12, 26, 6, 2)
+  look.color("silver")
+  love.graphics.rectangle("fill", spring.x + 9, spring.y + 4 - press, 18, 9 + press)
+  look.box(spring.x, spring.y - press, spring.width, 7, "yellow")
+end
+
+function draw.flags(flag)
+  local x, y = flag.x + 4, flag.y
+  look.color("silver")
+  love.graphics.rectangle("fill", x, y, 5, flag.height, 2)
+  local color = flag.reached and "lime" or "yellow"
+  for i = 0, 5 do
+    local wave = math.sin(clock * 5 - i * 0.8) * i * 0.7
+    look.color(color, 1 - i % 2 * 0.12)
+    love.graphics.rectangle("fill", x - 8 - i * 8, y + 5 + wave + i * 1.5, 8.5, 30 - i * 3)
+  end
+end
+
+function draw.players()
+  if not player.active and state.deadFor then
+    return
+  end
+  local x, y, width, height = player.x, player.y, player.width, player.height
+  local stretch = math.min(0.2, math.abs(player.vy) / 6000) - squash
+  local drawnWidth, drawnHeight = width * (1 - stretch * 0.7), height * (1 + stretch)
+  local left, top = x + (width - drawnWidth) / 2, y + height - drawnHeight
+  if player.touching.bottom then
+    look.color("night", 0.3)
+    love.graphics.ellipse("fill", x + width / 2, y + height, width * 0.65, 4)
+  end
+  local step = player.touching.bottom and math.sin(player.x * 0.12) * 4 or 3
+  look.color("plum")
+  love.graphics.rectangle("fill", left + 3 + step, y + height - 7, 8, 7, 2)
+  love.graphics.rectangle("fill", left + drawnWidth - 11 - step, y + height - 7, 8, 7, 2)
+  look.color("orange")
+  love.graphics.rectangle("fill", left, top, drawnWidth, drawnHeight - 4, 8)
+  look.color("yellow")
+  love.graphics.rectangle("fill", left, top + drawnHeight * 0.56, drawnWidth, 6)
+  local lookY = math.max(-1, math.min(1, player.vy / 500))
+  look.eyes(left, top, drawnWidth, drawnHeight, player.facing, lookY)
+end
+
+local LAYERS = {
+  "flags",
+  "spikes",
+  "springs",
+  "tiles",
+  "bricks",
+  "coins",
+  "crates",
+  "enemies",
+  "players",
+}
+
+local function drawLevel()
+  local left, right = camera - 100, camera + 1060
+  for _, layer in ipairs(LAYERS) do
+    for _, object in ipairs(world.objects[layer]) do
+      if object.x < right and object.x + object.width > left then
+        draw[layer](object)
+      end
+    end
+  end
+  for _, spark in ipairs(particles) do
+    look.color(spark.color, spark.left / 0.7)
+    love.graphics.rectangle("fill", spark.x - 3, spark.y - 3, 6, 6, 2)
+  end
+end
+
+local function drawSigns()
+  for _, sign in ipairs(SIGNS) do
+    look.color("white", 0.85)
+    look.text(sign[3], sign[1] * SIGN_TILE - 110, sign[2] * SIGN_TILE, 15, 220, "center")
+  end
+end
+
+local function drawStatus()
+  look.panel(16, 14, 244, 40)
+  look.color("yellow")
+  love.graphics.circle("fill", 38, 34, 9)
+  look.color("white")
+  look.text(("%d / %d"):format(state.coins, state.coinsInLevel), 54, 24, 16)
+  look.color("silver")
+  look.text(("tries %d"):format(state.deaths + 1), 128, 24, 16)
+  look.text(("%.1f s"):format(state.wonAt or state.time), 200, 24, 16)
+  if state.won then
+    look.panel(290, 210, 380, 120)
+    look.color("lime")
+    look.text("You made it!", 290, 230, 34, 380, "center")
+    look.color("white")
+    local text = "%d of %d coins in %.1f s"
+    text = text:format(state.coins, state.coinsInLevel, state.wonAt)
+    look.text(text, 290, 284, 17, 380, "center")
+  end
+  look.panel(0, 606, 960, 40)
+  look.keys({
+    { "left", "right", "run" },
+    { "space", "jump" },
+    { "r", "again" },
+    { "p", "what the physics sees" },
+    { "esc", "menu" },
+  }, 16, 611)
+end
+
+function art.draw()
+  drawBackground()
+  love.graphics.push()
+  love.graphics.translate(-math.floor(camera), 0)
+  drawLevel()
+  drawSigns()
+  if state.showPhysics then
+    drawWorld(world, { alpha = 0.8, velocity = true })
+  end
+  love.graphics.pop()
+  drawStatus()
+end
+
+return art

@@ -1,0 +1,114 @@
+-- Plays an example without a player, for tests and pictures:
+--
+--   love examples --example=platformer --frames=300 --shot=/tmp/shot.png
+--                 --keys="right:10-200,space:40-60,return:70"
+--
+-- Every frame lasts exactly 1/60 s, so that a run can be repeated. At the end the picture is
+-- written, the example's report is printed, and LÖVE quits with 0; an error quits with 1.
+
+local input = require("input")
+
+local STEP = 1 / 60
+local STEPS_PER_PICTURE = 4 -- drawing takes longest: not every frame is drawn
+
+local script = { isOn = false, frame = 0, frames = 60, keys = {} }
+
+local function readKeys(text)
+  local keys = {}
+  for part in text:gmatch("[^,]+") do
+    local key, first, last = part:match("^(.+):(%d+)%-(%d+)$")
+    if not key then
+      key, first = part:match("^(.+):(%d+)$")
+    end
+    if not key then
+      error('--keys: expected "key:first-last" or "key:frame", got "' .. part .. '"')
+    end
+    keys[#keys + 1] = { key = key, first = tonumber(first), last = tonumber(last or first) }
+  end
+  return keys
+end
+
+local OPTIONS = {
+  example = function(value)
+    script.example = value
+  end,
+  frames = function(value)
+    script.frames = tonumber(value) or error("--frames: expected a number, got " .. value)
+  end,
+  shot = function(value)
+    script.shot = value
+  end,
+  keys = function(value)
+    script.keys = readKeys(value)
+  end,
+}
+
+--- Reads the command line. Without any of the options above the examples are played by hand.
+function script.read(arguments)
+  for _, argument in ipairs(arguments) do
+    local name, value = argument:match("^%-%-(%w+)=(.*)$")
+    if name then
+      local set = OPTIONS[name] or error("unknown option " .. argument)
+      script.isOn = true
+      set(value)
+    end
+  end
+end
+
+-- Holds and presses the keys of this frame.
+local function press()
+  input.held = {}
+  for _, span in ipairs(script.keys) do
+    if script.frame >= span.first and script.frame <= span.last then
+      input.held[span.key] = true
+      if script.frame == span.first then
+        love.keypressed(span.key)
+      end
+    end
+  end
+end
+
+-- How many colours a picture has, from a grid of samples: an empty one would be no proof.
+local function countColors(image)
+  local seen, count = {}, 0
+  for y = 0, image:getHeight() - 1, 3 do
+    for x = 0, image:getWidth() - 1, 3 do
+      local red, green, blue = image:getPixel(x, y)
+      local color = ("%.2f %.2f %.2f"):format(red, green, blue)
+      if not seen[color] then
+        seen[color], count = true, count + 1
+      end
+    end
+  end
+  return count
+end
+
+local function finish(report)
+  love.graphics.captureScreenshot(function(image)
+    print(report .. " colors=" .. countColors(image))
+    if script.shot then
+      local file = assert(io.open(script.shot, "wb"))
+      file:write(image:encode("png"):getString())
+      file:close()
+    end
+    love.event.quit(0)
+  end)
+end
+
+--- Runs some frames of the script. `update(dt)` advances the example, `report()` returns a line
+--- that says how far it got.
+function script.update(update, report)
+  for _ = 1, STEPS_PER_PICTURE do
+    if script.frame == script.frames then
+      return
+    end
+    script.frame = script.frame + 1
+    press()
+    update(STEP)
+  end
+  if script.frame == script.frames then
+    finish(report())
+  end
+end
+
+return script

@@ -1,0 +1,111 @@
+-- "Making a Simple 2D Physics Engine", a tutorial from which this library grew, in ten steps to
+-- play with. This file turns the pages; each step is one file in lessons/.
+
+local hand = require("lessons.hand")
+local look = require("look")
+
+local tutorial = {}
+
+local LESSONS = {
+  "objects",
+  "inside",
+  "overlap",
+  "side_by_shape",
+  "side_by_middles",
+  "side_by_opposites",
+  "bump",
+  "forces",
+  "masks",
+  "optimize",
+}
+local SCENE_X, SCENE_Y, SCENE_WIDTH, SCENE_HEIGHT = 444, 84, 484, 496
+local TEXT_X, TEXT_WIDTH = 32, 384
+local CODE_SIZE, CODE_LINE = 13, 19
+
+local page = 1
+local lesson
+
+local function open(number)
+  page = number
+  lesson = require("lessons." .. LESSONS[page])
+  hand.release()
+  lesson.load()
+end
+
+function tutorial.load()
+  open(1)
+end
+
+function tutorial.update(dt)
+  hand.update(dt, SCENE_X, SCENE_Y)
+  lesson.update(dt)
+end
+
+function tutorial.keypressed(key, isRepeat)
+  if (key == "right" or key == "pagedown") and page < #LESSONS then
+    open(page + 1)
+  elseif (key == "left" or key == "pageup") and page > 1 then
+    open(page - 1)
+  elseif key == "tab" then
+    hand.choose()
+  elseif key == "r" then
+    open(page)
+  elseif lesson.keypressed and not isRepeat then
+    lesson.keypressed(key)
+  end
+end
+
+-- The texts are broken into lines to suit the editor. Only an empty line or a dash begins a new one.
+local function reflow(text)
+  return (text:gsub("\n\n", "\0"):gsub("\n([^-])", " %1"):gsub("%z", "\n\n"))
+end
+
+local function drawCode()
+  local code = type(lesson.code) == "function" and lesson.code() or lesson.code
+  local _, breaks = code:gsub("\n", "")
+  local height = (breaks + 1) * CODE_LINE + 20
+  local y = SCENE_Y + SCENE_HEIGHT - height
+  look.panel(TEXT_X, y, TEXT_WIDTH, height)
+  look.color("yellow")
+  look.text(code, TEXT_X + 14, y + 10, CODE_SIZE)
+end
+
+local function drawPages()
+  for i = 1, #LESSONS do
+    look.color(i == page and "sky" or "slate")
+    love.graphics.circle("fill", 700 + i * 22, 44, i == page and 7 or 4)
+  end
+end
+
+function tutorial.draw()
+  look.sky("night", "navy")
+  look.color("sky")
+  look.text(tostring(page), TEXT_X, 26, 30)
+  look.color("white")
+  look.text(lesson.title, TEXT_X + 48, 28, 26)
+  look.color("white", 0.9)
+  look.text(reflow(lesson.text), TEXT_X, SCENE_Y + 4, 15, TEXT_WIDTH)
+  drawCode()
+  drawPages()
+
+  look.panel(SCENE_X, SCENE_Y, SCENE_WIDTH, SCENE_HEIGHT)
+  love.graphics.push()
+  love.graphics.setScissor(SCENE_X, SCENE_Y, SCENE_WIDTH, SCENE_HEIGHT)
+  love.graphics.translate(SCENE_X, SCENE_Y)
+  lesson.draw()
+  love.graphics.setScissor()
+  love.graphics.pop()
+
+  local x = look.keys({ { "left", "right", "page" } }, TEXT_X, 596)
+  x = look.keys(lesson.keys or {}, x, 596)
+  if hand.isBusy() then
+    x = look.keys({ { "mouse", "w", "a", "s", "d", "move" }, { "tab", "next box" } }, x, 596)
+  end
+  look.keys({ { "esc", "menu" } }, x, 596)
+end
+
+function tutorial.report()
+  return ("tutorial: page=%d %s"):format(page, lesson.report and lesson.report() or "")
+end
+
+return tutorial

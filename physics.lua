@@ -1,0 +1,97 @@
+--- physics.lua: boxes that move and bump, for LÖVE and every Lua.
+--
+-- The game's own tables are the objects. The library reads `x, y, width, height, vx, vy, …` from the
+-- tables in `objects` and writes `x, y, vx, vy, touching` back. Coordinates are LÖVE's: x to the
+-- right, y down, x and y the top-left corner, pixels and seconds.
+--
+--   local physics = require "physics"
+--   physics.load { gravity = 800 }
+--   physics.add("tiles", { x = 0, y = 560, width = 800, height = 40, static = true })
+--   local player = physics.add("players", { x = 40, y = 40, width = 24, height = 32 })
+--   physics.update(dt)
+--
+-- This file is only the door: constructors, the default world, the pure functions, the version.
+
+local path = ...
+local check = require(path .. ".check")
+local pure = require(path .. ".pure")
+local world = require(path .. ".world")
+
+local physics = {
+  _VERSION = "0.1.0",
+  _DESCRIPTION = "2D physics for boxes: exact contact, no seams, no tunnelling, pure Lua",
+  _LICENSE = "MIT",
+}
+
+local default = world.new(nil, "physics")
+
+--- Returns a new, independent world.
+---
+--- Errors: an unknown setting; a value that cannot be used.
+---@param settings table? see the README for all settings and their defaults
+---@return physics.World
+function physics.newWorld(settings)
+  return (world.new(settings, "newWorld(settings)"))
+end
+
+--- Makes the default world anew, empty, with these settings.
+---
+--- Errors: an unknown setting; a value that cannot be used.
+---@param settings table?
+function physics.load(settings)
+  default = world.new(settings, "load(settings)")
+end
+
+-- Every method of a world is a function of the default world, too.
+for name, method in pairs(world.methods) do
+  if type(method) == "function" then
+    physics[name] = function(...)
+      return method(default, ...)
+    end
+  end
+end
+
+--- Draws the default world (LÖVE only). See physics/draw.lua for the options.
+---@param options table?
+function physics.draw(options)
+  return require(path .. ".draw").draw(default, options)
+end
+
+physics.inside = pure.inside
+physics.side = pure.side
+physics.checkCollision = pure.checkCollision
+physics.bump = pure.bump
+
+--- Defines the global names of the tutorial: `objects`, `physics_load`, `physics_update`,
+--- `checkCollision`, `inside` and `bump`. `physics_update` reads the global `objects` anew each
+--- time, since the tutorial assigns it. Without this call the library sets no global.
+function physics.globals()
+  local globals = _G
+  globals.objects = default.objects
+  globals.physics_load = function(settings)
+    physics.load(settings)
+    if type(globals.objects) == "table" then
+      default.objects = globals.objects
+    else
+      globals.objects = default.objects
+    end
+  end
+  globals.physics_update = function(dt)
+    default.objects = globals.objects
+    default:update(dt)
+  end
+  globals.checkCollision = pure.checkCollision
+  globals.inside = pure.inside
+  globals.bump = pure.bump
+end
+
+-- `physics.objects`, `physics.gravity`, `physics.stats`, `physics.onBegin`, … are the default
+-- world's.
+return setmetatable(physics, {
+  __index = function(_, name)
+    return default[name]
+  end,
+  __newindex = function(_, name, value)
+    default[name] = value
+  end,
+})

@@ -1,0 +1,33 @@
+--- Beginning of a step for one object: its path is where it stands, nothing has touched it yet.
+
+local begin = {}
+
+--- Resets the step columns of those in awakeList that have not begun this step.
+function begin.run(b)
+  local list, first, last = b.awakeList, b.begun + 1, b.awakeCount
+  local position, from, to, time = b.position, b.from, b.to, b.time
+  for n = first, last do
+    local i = list[n]
+    local k = 2 * i
+    from[k], to[k] = position[k], position[k]
+    from[k + 1], to[k + 1] = position[k + 1], position[k + 1]
+    time[i] = 0
+  end
+  local heldLow, heldHigh, weld, weldNext = b.heldLow, b.heldHigh, b.weld, b.weldNext
+  for n = first, last do
+    for k = 2 * list[n], 2 * list[n] + 1 do
+      heldLow[k], heldHigh[k], weld[k], weldNext[k] = false, false, 0, 0
+    end
+  end
+  local pressedLow, pressedHigh, stuck, grip = b.pressedLow, b.pressedHigh, b.stuck, b.grip
+  for n = first, last do
+    local i = list[n]
+    stuck[i], grip[i] = false, 0
+    for k = 2 * i, 2 * i + 1 do
+      pressedLow[k], pressedHigh[k] = false, false
+    end
+  end
+  b.begun = last
+end
+
+return begin

@@ -1,0 +1,221 @@
+--- A hierarchical grid in a hash table of fixed arrays.
+--
+-- An object stands in exactly one cell: the one that holds the top-left corner of its fat box, on
+-- the first level whose cells are at least as large as the box. Each level doubles the cell. A
+-- query looks, on every level in use, at the cells from one before the rectangle to its end: no
+-- object that meets the rectangle can start elsewhere. Cells are lists in a fixed number of
+-- buckets, so empty ones cost nothing and leave nothing behind.
+-- Source: M. Teschner et al., "Optimized Spatial Hashing for Collision Detection of Deformable
+-- Objects" (2003), for the hash; T. Ulrich, "Loose Octrees", for one cell per object and level.
+
+local grid = {}
+grid.__index = grid
+
+local floor, max, min = math.floor, math.max, math.min
+
+local DEFAULT_CELL = 32
+local LEVELS = 48
+local FIRST_BUCKETS = 64
+-- Cells further out share the outermost one, so that the arithmetic stays exact.
+local FAR = 67108864
+
+local function clear(heads, count)
+  for bucket = 1, count do
+    heads[bucket] = 0
+  end
+end
+
+--- Returns an empty grid over the columns `b`; `cellSize` in px, default 32.
+function grid.new(b, cellSize)
+  local self = setmetatable({
+    bodies = b,
+    cell = cellSize or DEFAULT_CELL,
+    count = 0,
+    list = {},
+    placeOf = {},
+    buckets = FIRST_BUCKETS,
+    heads = {},
+    -- by slot
+    next = {},
+    previous = {},
+    bucket = {},
+    level = {},
+    cellX = {},
+    cellY = {},
+    -- by level
+    members = {},
+    highest = 0,
+  }, grid)
+  clear(self.heads, self.buckets)
+  for level = 0, LEVELS do
+    self.members[level] = 0
+  end
+  return self
+end
+
+local function cellAt(coordinate, cell)
+  return max(-FAR, min(FAR, floor(coordinate / cell)))
+end
+
+local function hash(cellX, cellY, level, buckets)
+  local h = cellX * 73856093 + cellY * 19349663 + level * 83492791
+  return h - floor(h / buckets) * buckets + 1
+end
+
+local function levelFor(self, size)
+  local level, cell = 0, self.cell
+  while cell < size and level < LEVELS do
+    level, cell = level + 1, cell * 2
+  end
+  return level, cell
+end
+
+local function file(self, i, level, cellX, cellY)
+  local bucket = hash(cellX, cellY, level, self.buckets)
+  local heads = self.heads
+  local first = heads[bucket]
+  self.next[i], self.previous[i], self.bucket[i] = first, 0, bucket
+  if first ~= 0 then
+    self.previous[first] = i
+  end
+  heads[bucket] = i
+  self.level[i], self.cellX[i], self.cellY[i] = level, cellX, cellY
+  self.members[level] = self.members[level] + 1
+  if level > self.highest then
+    self.highest = level
+  end
+end
+
+local function unfile(self, i)
+  local before, after = self.previous[i], self.next[i]
+  if before == 0 then
+    self.heads[self.bucket[i]] = after
+  else
+    self.next[before] = after
+  end
+  if after ~= 0 then
+    self.previous[after] = before
+  end
+  local level = self.level[i]
+  self.members[level] = self.members[level] - 1
+  while self.highest > 0 and self.members[self.highest] == 0 do
+    self.highest = self.highest - 1
+  end
+end
+
+local function place(self, i)
+  local b = self.bodies
+  local fatLow, fatHigh = b.fatLow, b.fatHigh
+  local k = 2 * i
+  local left, top = fatLow[k], fatLow[k + 1]
+  local level, cell = levelFor(self, max(fatHigh[k] - left, fatHigh[k + 1] - top))
+  return level, cellAt(left, cell), cellAt(top, cell)
+end
+
+local function grow(self)
+  for n = 1, self.count do
+    unfile(self, self.list[n])
+  end
+  self.buckets = self.buckets * 4
+  clear(self.heads, self.buckets)
+  for n = 1, self.count do
+    local i = self.list[n]
+    file(self, i, place(self, i))
+  end
+end
+
+function grid:insert(i)
+  self.count = self.count + 1
+  self.list[self.count] = i
+  self.placeOf[i] = self.count
+  file(self, i, place(self, i))
+  if self.count > self.buckets then
+    grow(self)
+  end
+end
+
+function grid:remove(i)
+  unfile(self, i)
+  local at, last = self.placeOf[i], self.list[self.count]
+  self.list[at] = last
+  self.placeOf[last] = at
+  self.list[self.count] = nil
+  self.count = self.count - 1
+end
+
+--- The fat box of an object has changed.
+function grid:update(i)
+  local level, cellX, cellY = place(self, i)
+  if level ~= self.level[i] or cellX ~= self.cellX[i] or cellY ~= self.cellY[i] then
+    unfile(self, i)
+    file(self, i, level, cellX, cellY)
+  end
+end
+
+-- Looks at all objects: cheaper than at more cells than there are objects.
+local function queryAll(self, left, top, right, bottom, out)
+  local b, list = self.bodies, self.list
+  local fatLow, fatHigh = b.fatLow, b.fatHigh
+  local n = 0
+  for at = 1, self.count do
+    local i = list[at]
+    local k = 2 * i
+    if
+      fatLow[k] <= right
+      and fatHigh[k] >= left
+      and fatLow[k + 1] <= bottom
+      and fatHigh[k + 1] >= top
+    then
+      n = n + 1
+      out[n] = i
+    end
+  end
+  return n
+end
+
+local function queryCell(self, level, cellX, cellY, left, top, right, bottom, out, n)
+  local b = self.bodies
+  local fatLow, fatHigh, nextInBucket = b.fatLow, b.fatHigh, self.next
+  local i = self.heads[hash(cellX, cellY, level, self.buckets)]
+  while i ~= 0 do
+    local k = 2 * i
+    if
+      fatLow[k] <= right
+      and fatHigh[k] >= left
+      and fatLow[k + 1] <= bottom
+      and fatHigh[k + 1] >= top
+      and self.cellX[i] == cellX
+      and self.cellY[i] == cellY
+      and self.level[i] == level
+    then
+      n = n + 1
+      out[n] = i
+    end
+    i = nextInBucket[i]
+  end
+  return n
+end
+
+--- Writes the slots of all objects whose fat boxes meet the rectangle into `out`; returns how many.
+function grid:query(left, top, right, bottom, out)
+  local n, cell, looked = 0, self.cell, 0
+  for level = 0, self.highest do
+    if self.members[level] > 0 then
+      local firstX, lastX = cellAt(left - cell, cell), cellAt(right, cell)
+      local firstY, lastY = cellAt(top - cell, cell), cellAt(bottom, cell)
+      looked = looked + (lastX - firstX + 1) * (lastY - firstY + 1)
+      if looked > 16 + self.count then
+        return queryAll(self, left, top, right, bottom, out)
+      end
+      for cellY = firstY, lastY do
+        for cellX = firstX, lastX do
+          n = queryCell(self, level, cellX, cellY, left, top, right, bottom, out, n)
+        end
+      end
+    end
+    cell = cell * 2
+  end
+  return n
+end
+
+return grid

@@ -1,0 +1,361 @@
+--- Step 1, collect: finds new and removed objects, checks the fields and reads them.
+--
+-- Reads the game's tables; writes the field columns (position, velocity, size, ...), `moved` for
+-- objects whose place, size or filter the game changed, and wakes whatever was written to. A static
+-- object is read once. Nothing of the game's is written here, so a refusal leaves it as it was.
+
+local here = (...):match("^(.*)%.[^.]+$")
+local check = require(here .. ".check")
+local columns = require(here .. ".columns")
+local detect = require(here .. ".detect")
+local events = require(here .. ".events")
+local rest = require(here .. ".rest")
+local roster = require(here .. ".roster")
+
+local collect = {}
+
+local HUGE = math.huge
+local STATIC, KINEMATIC, DYNAMIC = columns.STATIC, columns.KINEMATIC, columns.DYNAMIC
+
+local function orDefault(value, default)
+  if value == nil then
+    return default
+  end
+  return value
+end
+
+-- The mask of an object as one number: a bit for each group it refuses, by the place of the group
+-- in the world's list of names. Changes inside the same table are seen by it.
+local function maskBits(b, mask)
+  local bits, bit = 0, 1
+  local names = b.groupNames
+  for n = 1, #names do
+    if mask[names[n]] == false then
+      bits = bits + bit
+    end
+    bit = bit * 2
+  end
+  return bits
+end
+
+local function nameGroup(b, name)
+  if not b.groupNumber[name] then
+    b.groupNames[#b.groupNames + 1] = name
+    b.groupNumber[name] = #b.groupNames
+  end
+end
+
+local function markMoved(b, i)
+  if not b.moved[i] then
+    b.moved[i] = true
+    b.movedCount = b.movedCount + 1
+    b.movedList[b.movedCount] = i
+  end
+end
+
+-- Gravity that acts on an object, and where its "down" is: along the stronger axis, y in a tie.
+local function readPull(b, i)
+  local k = 2 * i
+  local gx, gy = b.ownGravityX[i], b.ownGravity[i]
+  if gx == false then
+    gx = b.gravityX
+  end
+  if gy == false then
+    gy = b.gravity
+  end
+  if b.kind[i] ~= DYNAMIC then
+    gx, gy = 0, 0
+  end
+  local vertical = gx * gx <= gy * gy
+  b.pull[k], b.pull[k + 1] = gx, gy
+  b.down[k] = vertical and 0 or (gx > 0 and 1 or -1)
+  b.down[k + 1] = vertical and (gy > 0 and 1 or gy < 0 and -1 or 0) or 0
+end
+
+local function kindOf(object)
+  return object.static and STATIC or object.kinematic and KINEMATIC or DYNAMIC
+end
+
+local function readFilter(b, i, object)
+  b.active[i] = object.active ~= false
+  b.sensor[i] = object.sensor == true
+  b.pushable[i] = object.pushable ~= false
+  b.oneWay[i] = object.oneWay or false
+  b.carry[i] = object.carry ~= false
+  b.canCollide[i] = object.canCollide or false
+  b.mask[i] = object.mask or false
+  b.maskBits[i] = object.mask and maskBits(b, object.mask) or 0
+end
+
+local function readMaterial(b, i, object)
+  local mass = orDefault(object.mass, 1)
+  b.mass[i] = mass
+  b.inverseMass[i] = b.kind[i] == DYNAMIC and 1 / mass or 0
+  b.ownGravity[i] = orDefault(object.gravity, false)
+  b.ownGravityX[i] = orDefault(object.gravityX, false)
+  b.friction[i] = orDefault(object.friction, b.kind[i] == DYNAMIC and 0 or -1)
+  b.restitution[i] = orDefault(object.restitution, 0)
+  b.airFriction[i] = orDefault(object.airFriction, 0)
+  b.drag[i] = orDefault(object.drag, 0)
+  b.surfaceSpeed[i] = orDefault(object.surfaceSpeed, 0)
+  b.nudge[i] = orDefault(object.nudge, 0)
+  b.maxSpeed[i] = orDefault(object.maxSpeed, HUGE)
+  b.limit[2 * i] = orDefault(object.maxSpeedX, HUGE)
+  b.limit[2 * i + 1] = orDefault(object.maxSpeedY, HUGE)
+  b.push[2 * i] = orDefault(object.ax, 0)
+  b.push[2 * i + 1] = orDefault(object.ay, 0)
+  readPull(b, i)
+end
+
+local function readMotion(b, i, object, isNew)
+  local k = 2 * i
+  -- Adding 0.0 makes floats of the integers of Lua 5.3 and later, which would wrap.
+  local x, y = object.x + 0.0, object.y + 0.0
+  b.size[k], b.size[k + 1] = object.width + 0.0, object.height + 0.0
+  b.velocity[k], b.velocity[k + 1] = orDefault(object.vx, 0) + 0.0, orDefault(object.vy, 0) + 0.0
+  b.written[k], b.written[k + 1] = x, y
+  if isNew or b.kind[i] ~= KINEMATIC then
+    b.position[k], b.position[k + 1] = x, y
+  end
+  if b.kind[i] == STATIC then
+    b.velocity[k], b.velocity[k + 1] = 0, 0
+  end
+end
+
+-- Reads all fields, which must have been checked.
+local function readAll(b, i, object, isNew)
+  readFilter(b, i, object)
+  readMaterial(b, i, object)
+  readMotion(b, i, object, isNew)
+end
+
+local function settle(b, i)
+  local k = 2 * i
+  b.from[k], b.from[k + 1] = b.position[k], b.position[k + 1]
+  b.to[k], b.to[k + 1] = b.position[k], b.position[k + 1]
+  b.speed[k], b.speed[k + 1], b.accel[k], b.accel[k + 1] = 0, 0, 0, 0
+  b.time[i] = 0
+end
+
+--- Returns the table that will be `touching` of an object; `publish` hands it over.
+function collect.newTouching()
+  return { top = false, bottom = false, left = false, right = false }
+end
+
+local function enter(b, object, record, key)
+  local i = columns.claim(b)
+  b.slotOf[object] = i
+  b.object[i], b.group[i], b.groupName[i], b.key[i] = object, record, record.name, key
+  nameGroup(b, record.name)
+  b.kind[i] = kindOf(object)
+  readAll(b, i, object, true)
+  settle(b, i)
+  b.fresh[i] = true
+  b.quiet[i] = false
+  if b.kind[i] == DYNAMIC then
+    b.touching[i] = b.roster.given[object] or collect.newTouching()
+  end
+  markMoved(b, i)
+  rest.wake(b, i)
+  b.newcomers = true
+  return i
+end
+
+local function leave(b, i)
+  local object = b.object[i]
+  rest.wakeNeighbours(b, i)
+  events.endContacts(b, i)
+  detect.remove(b, i)
+  rest.drop(b, i)
+  local touching = b.touching[i]
+  if touching then
+    touching.top, touching.bottom, touching.left, touching.right = false, false, false, false
+  end
+  b.slotOf[object] = nil
+  columns.release(b, i)
+  b.newcomers = true
+end
+
+local function rename(b, i, record)
+  b.group[i], b.groupName[i] = record, record.name
+  nameGroup(b, record.name)
+  detect.refilter(b, i)
+  markMoved(b, i)
+  rest.wake(b, i)
+end
+
+-- Everything that is not static, in slots; the order does not matter.
+local function listMovers(b)
+  local n, kind, movers = 0, b.kind, b.movers
+  for i = 1, b.slots do
+    if kind[i] > STATIC then
+      n = n + 1
+      movers[n] = i
+    end
+  end
+  for old = n + 1, b.moverCount do
+    movers[old] = nil
+  end
+  b.moverCount = n
+end
+
+-- Checks and reads an object again after some of its fields changed.
+local function reread(b, i)
+  local object = b.object[i]
+  check.object(object, roster.place(b.group[i], b.key[i]))
+  local kind = b.kind[i] == STATIC and STATIC or (object.kinematic and KINEMATIC or DYNAMIC)
+  local isNew = kind ~= b.kind[i]
+  if isNew then
+    b.kind[i] = kind
+    b.touching[i] = kind == DYNAMIC and collect.newTouching() or false
+  end
+  rest.wakeNeighbours(b, i)
+  readAll(b, i, object, isNew)
+  events.endForbidden(b, i)
+  detect.refilter(b, i)
+  markMoved(b, i)
+  rest.wake(b, i)
+end
+
+-- The four loops below compare what the game's tables say with the columns, a few fields each: a
+-- long loop body with many live values compiles badly.
+
+local function compareMotion(b)
+  local movers, objects = b.movers, b.object
+  local velocity, size, written = b.velocity, b.size, b.written
+  for n = 1, b.moverCount do
+    local i = movers[n]
+    local object, k = objects[i], 2 * i
+    if
+      object.x ~= written[k]
+      or object.y ~= written[k + 1]
+      or object.width ~= size[k]
+      or object.height ~= size[k + 1]
+    then
+      reread(b, i)
+    end
+    local vx, vy = object.vx, object.vy
+    if vx == nil then
+      vx = 0
+    end
+    if vy == nil then
+      vy = 0
+    end
+    if vx ~= velocity[k] or vy ~= velocity[k + 1] then
+      if type(vx) ~= "number" or type(vy) ~= "number" or vx - vx ~= 0 or vy - vy ~= 0 then
+        check.object(object, roster.place(b.group[i], b.key[i]))
+      end
+      velocity[k], velocity[k + 1] = vx + 0.0, vy + 0.0
+      rest.wake(b, i)
+    end
+  end
+end
+
+local function compareFilters(b)
+  local movers, objects = b.movers, b.object
+  local active, sensor, pushable, kind = b.active, b.sensor, b.pushable, b.kind
+  local oneWay, canCollide, mask, bits = b.oneWay, b.canCollide, b.mask, b.maskBits
+  for n = 1, b.moverCount do
+    local i = movers[n]
+    local object = objects[i]
+    local its = object.mask or false
+    if
+      orDefault(object.active, true) ~= active[i]
+      or (object.sensor or false) ~= sensor[i]
+      or orDefault(object.pushable, true) ~= pushable[i]
+      or (object.oneWay or false) ~= oneWay[i]
+      or (object.canCollide or false) ~= canCollide[i]
+      or (object.kinematic or false) ~= (kind[i] == KINEMATIC)
+      or its ~= mask[i]
+      or (its and maskBits(b, its) ~= bits[i])
+    then
+      reread(b, i)
+    end
+  end
+end
+
+local function compareMaterials(b)
+  local movers, objects = b.movers, b.object
+  local mass, friction, restitution = b.mass, b.friction, b.restitution
+  local ownGravity, ownGravityX, push, kind = b.ownGravity, b.ownGravityX, b.push, b.kind
+  for n = 1, b.moverCount do
+    local i = movers[n]
+    local object = objects[i]
+    if
+      orDefault(object.mass, 1) ~= mass[i]
+      or orDefault(object.friction, kind[i] == DYNAMIC and 0 or -1) ~= friction[i]
+      or orDefault(object.restitution, 0) ~= restitution[i]
+      or orDefault(object.gravity, false) ~= ownGravity[i]
+      or orDefault(object.gravityX, false) ~= ownGravityX[i]
+      or orDefault(object.ax, 0) ~= push[2 * i]
+      or orDefault(object.ay, 0) ~= push[2 * i + 1]
+    then
+      reread(b, i)
+    end
+  end
+end
+
+local function compareLimits(b)
+  local movers, objects = b.movers, b.object
+  local airFriction, drag, maxSpeed, limit = b.airFriction, b.drag, b.maxSpeed, b.limit
+  local carry, surfaceSpeed, nudge = b.carry, b.surfaceSpeed, b.nudge
+  for n = 1, b.moverCount do
+    local i = movers[n]
+    local object = objects[i]
+    if
+      orDefault(object.airFriction, 0) ~= airFriction[i]
+      or orDefault(object.drag, 0) ~= drag[i]
+      or orDefault(object.maxSpeed, HUGE) ~= maxSpeed[i]
+      or orDefault(object.maxSpeedX, HUGE) ~= limit[2 * i]
+      or orDefault(object.maxSpeedY, HUGE) ~= limit[2 * i + 1]
+      or orDefault(object.carry, true) ~= carry[i]
+      or orDefault(object.surfaceSpeed, 0) ~= surfaceSpeed[i]
+      or orDefault(object.nudge, 0) ~= nudge[i]
+    then
+      reread(b, i)
+    end
+  end
+end
+
+--- Reads a world's tables: `objects` is the game's table of groups.
+--- Errors: a group, key or field that cannot be used; an object in two places. Nothing has changed
+--- for the game then, and the next call starts anew.
+function collect.run(b, objects)
+  roster.update(b, b.roster, objects, enter, leave, rename)
+  if b.newcomers then
+    listMovers(b)
+    b.newcomers = false
+  end
+  compareMotion(b)
+  compareFilters(b)
+  compareMaterials(b)
+  compareLimits(b)
+end
+
+--- Reads an object again, also its `static` field. It must be in the world.
+function collect.refresh(b, i)
+  local object = b.object[i]
+  check.object(object, roster.place(b.group[i], b.key[i]))
+  rest.wakeNeighbours(b, i)
+  b.kind[i] = kindOf(object)
+  b.touching[i] = b.kind[i] == DYNAMIC and (b.touching[i] or collect.newTouching()) or false
+  readAll(b, i, object, true)
+  settle(b, i)
+  events.endForbidden(b, i)
+  detect.refilter(b, i)
+  markMoved(b, i)
+  rest.wake(b, i)
+  b.newcomers = true
+end
+
+--- The gravity of the world has changed.
+function collect.newGravity(b)
+  for i = 1, b.slots do
+    if b.kind[i] == DYNAMIC then
+      readPull(b, i)
+    end
+  end
+  rest.wakeAll(b)
+end
+
+return collect

@@ -1,0 +1,274 @@
+--- The memory of a world: one array ("column") per property, one index ("slot") per object.
+--
+-- Every step of the simulation reads and writes these columns and nothing else; the game's tables
+-- are read in `collect` and written in `publish`. Columns that hold a value for each axis are
+-- interleaved: `column[2 * slot]` is x and `column[2 * slot + 1]` is y, so that one function serves
+-- both axes. Pairs of neighbours have columns of their own; each pair hangs in the lists of both of
+-- its objects by two half-edges (`2 * pair - 1` and `2 * pair`).
+--
+-- No column is ever shared between worlds: callbacks may step another world.
+
+local columns = {}
+
+columns.STATIC, columns.KINEMATIC, columns.DYNAMIC = 1, 2, 3
+
+--- How far apart two edges may be and still count as touching, px.
+columns.EPSILON = 1e-6
+
+local HUGE = math.huge
+
+-- Values of a fresh slot. `false` in a numeric column means "the field is not set".
+local SLOT = {
+  -- who it is
+  object = false,
+  group = false, -- the record of its group (see collect)
+  groupName = false,
+  key = false,
+  rank = 0, -- place in the order of the world
+  kind = 0,
+  touching = false, -- the table published as object.touching
+  -- fields of the object, defaults filled in
+  active = true,
+  sensor = false,
+  pushable = true,
+  mass = 1,
+  inverseMass = 0,
+  ownGravity = false,
+  ownGravityX = false,
+  friction = -1, -- -1: not set
+  restitution = 0,
+  airFriction = 0,
+  drag = 0,
+  maxSpeed = HUGE,
+  mask = false,
+  maskBits = 0, -- what the mask said when it was last read
+  oneWay = false,
+  carry = true,
+  surfaceSpeed = 0,
+  nudge = 0,
+  canCollide = false,
+  -- rest
+  awake = false,
+  awakeAt = 0, -- place in the list of who is awake
+  quiet = false, -- its last step changed nothing
+  visited = 0,
+  -- the step
+  moved = false, -- placed, resized or filtered anew by the game: its overlaps must be parted
+  inside = false, -- the last step left it inside another
+  fresh = false, -- in its first step
+  time = 0, -- fraction of the step at which its present path begins
+  stuck = false, -- friction holds it to something that does not slide
+  grip = 0, -- impulse that its hold can still take over
+  stickiness = 0, -- friction coefficient of that hold
+  changedMark = 0,
+  support = 0, -- slot of what it stands on, 0: nothing
+  carrier = 0, -- slot of what carries it, through all that it stands on, 0: nothing
+  -- broad phase
+  placed = 0, -- 0: not in the broad phase, 1: its neighbours must be looked up, 2: they are known
+  head = 0, -- first half-edge
+  mark = 0,
+}
+
+local AXIS = {
+  position = 0, -- where the game sees it
+  velocity = 0,
+  size = 0,
+  push = 0, -- ax, ay
+  limit = HUGE, -- maxSpeedX, maxSpeedY
+  pull = 0, -- gravity that acts on it
+  down = 0, -- -1, 0, 1: where its gravity points, on its stronger axis only
+  written = 0, -- kinematic: position asked for by the game
+  way = 0, -- how far it goes in this step by itself, px
+  from = 0, -- start of the present path
+  to = 0, -- where it will be at the end of the step
+  speed = 0, -- velocity at the end of the step, absolute
+  accel = 0, -- acceleration during the step
+  carried = 0, -- velocity of its carrier in this step
+  heldLow = false, -- cannot give way towards smaller coordinates
+  heldHigh = false,
+  pressedLow = false, -- something rested against this side in this step
+  pressedHigh = false,
+  weld = 0, -- welded group on this axis (slot of its leader), 0: none
+  weldNext = 0,
+  weldMass = 0, -- at the leader
+  fatLow = 0, -- box with margin for which the neighbours are known
+  fatHigh = 0,
+}
+
+local PAIR = {
+  pairA = 0,
+  pairB = 0,
+  contact = 0, -- side of pairA that is in contact (see SIDES), 0: none
+  hit = 0, -- side of pairA that was first hit in this step, 0: none
+  hitSpeed = 0,
+  met = 0, -- how often it was resolved in this step
+  passing = false, -- lets pass for this step (canCollide, dropThrough)
+  event = 0, -- its event in the queue
+  wedged = 0, -- 1 + code of the meeting along which two that are left inside each other may part
+  overlapping = false, -- was left inside each other at the end of the last step
+}
+
+local HALF = { other = 0, next = 0, previous = 0 }
+
+--- Sides are numbers inside: left, right, top, bottom are 1 to 4, so that the side on `axis` is
+--- `2 * axis + 1` (low) or `2 * axis + 2` (high).
+columns.SIDES = { "left", "right", "top", "bottom" }
+columns.OPPOSITE = { 2, 1, 4, 3 }
+
+local function addColumns(b, defaults, first)
+  for name in pairs(defaults) do
+    local column = {}
+    for i = 1, first - 1 do
+      column[i] = defaults[name]
+    end
+    b[name] = column
+  end
+end
+
+--- Returns the empty columns of a world.
+function columns.new()
+  local b = {
+    slots = 0, -- highest slot ever used
+    free = {}, -- slots to use again
+    freeCount = 0,
+    count = 0, -- objects in the world
+    slotOf = {}, -- object -> slot
+    pairSlots = 0,
+    freePairs = {},
+    freePairCount = 0,
+    pairCount = 0,
+    movers = {}, -- slots of everything that is not static
+    moverCount = 0,
+    awakeList = {}, -- slots that take part in this step
+    awakeCount = 0,
+    island = {}, -- scratch of rest
+    changed = {}, -- scratch of resolve and meet
+    changedCount = 0,
+    changeStamp = 0,
+    found = {}, -- scratch of detect
+    strays = {},
+    groupNames = {},
+    groupNumber = {},
+    movedList = {},
+    movedCount = 0,
+    begun = 0, -- places of awakeList that have begun this step
+    predicted = 0, -- places of awakeList that have a path
+    stamp = 0,
+    contactCount = 0,
+    resolved = 0, -- contacts resolved in the last step
+    partWork = {
+      round = 0,
+      far = 1e18, -- more than any overlap is deep
+      count = 0,
+      movedCount = 0,
+      stamp = {},
+      pairs = {},
+      depth = {},
+      first = {},
+      second = {},
+      moved = {},
+      ways = {},
+    },
+  }
+  addColumns(b, SLOT, 1)
+  addColumns(b, AXIS, 2)
+  addColumns(b, PAIR, 1)
+  addColumns(b, HALF, 1)
+  return b
+end
+
+--- Takes a slot for a new object and returns it, all columns at their defaults.
+function columns.claim(b)
+  local i = b.free[b.freeCount]
+  if i then
+    b.free[b.freeCount] = nil
+    b.freeCount = b.freeCount - 1
+  else
+    i = b.slots + 1
+    b.slots = i
+  end
+  for name, default in pairs(SLOT) do
+    b[name][i] = default
+  end
+  for name, default in pairs(AXIS) do
+    b[name][2 * i], b[name][2 * i + 1] = default, default
+  end
+  b.count = b.count + 1
+  return i
+end
+
+--- Gives a slot back. Its pairs must have been unlinked.
+function columns.release(b, i)
+  b.object[i], b.group[i], b.touching[i], b.mask[i], b.canCollide[i] =
+    false, false, false, false, false
+  b.kind[i] = 0
+  b.awake[i] = false
+  b.freeCount = b.freeCount + 1
+  b.free[b.freeCount] = i
+  b.count = b.count - 1
+end
+
+local function hang(b, half, i, other)
+  local head = b.head[i]
+  b.other[half], b.next[half], b.previous[half] = other, head, 0
+  if head ~= 0 then
+    b.previous[head] = half
+  end
+  b.head[i] = half
+end
+
+local function unhang(b, half, i)
+  local before, after = b.previous[half], b.next[half]
+  if before == 0 then
+    b.head[i] = after
+  else
+    b.next[before] = after
+  end
+  if after ~= 0 then
+    b.previous[after] = before
+  end
+end
+
+--- Makes two objects neighbours and returns the pair. They must not be neighbours yet.
+function columns.link(b, i, j)
+  local p
+  if b.freePairCount > 0 then
+    p = b.freePairs[b.freePairCount]
+    b.freePairCount = b.freePairCount - 1
+  else
+    p = b.pairSlots + 1
+    b.pairSlots = p
+  end
+  b.pairA[p], b.pairB[p] = i, j
+  b.contact[p], b.hit[p], b.hitSpeed[p], b.met[p] = 0, 0, 0, 0
+  b.passing[p], b.overlapping[p] = false, false
+  b.event[p], b.wedged[p] = 0, 0
+  hang(b, 2 * p - 1, i, j)
+  hang(b, 2 * p, j, i)
+  b.pairCount = b.pairCount + 1
+  return p
+end
+
+--- Takes two neighbours apart. A contact of theirs must have been ended.
+function columns.unlink(b, p)
+  unhang(b, 2 * p - 1, b.pairA[p])
+  unhang(b, 2 * p, b.pairB[p])
+  b.pairA[p], b.pairB[p], b.event[p] = 0, 0, 0
+  b.freePairCount = b.freePairCount + 1
+  b.freePairs[b.freePairCount] = p
+  b.pairCount = b.pairCount - 1
+end
+
+--- Returns the pair of two neighbours, or nil.
+function columns.pairOf(b, i, j)
+  local other, nextHalf = b.other, b.next
+  local half = b.head[i]
+  while half ~= 0 do
+    if other[half] == j then
+      return (half + half % 2) / 2
+    end
+    half = nextHalf[half]
+  end
+end
+
+return columns

@@ -1,0 +1,199 @@
+--- Events: what the game is told after a step, when nothing is half done.
+--
+-- They wait in a list of their own, as objects and not as slots, because callbacks may do anything,
+-- remove objects included. An error in a callback leaves the rest in the list for the next update.
+
+local here = (...):match("^(.*)%.[^.]+$")
+local columns = require(here .. ".columns")
+local filter = require(here .. ".filter")
+local sort = require(here .. ".sort")
+
+local events = {}
+
+local SIDES, OPPOSITE = columns.SIDES, columns.OPPOSITE
+
+-- Kinds, in the order in which the events of one pair are told.
+local END, BEGIN, STAY, LEFT, CRUSH = 1, 2, 3, 4, 5
+
+--- Returns an empty list of events.
+function events.new()
+  return {
+    count = 0, -- noted
+    told = 0, -- of these
+    order = {},
+    kind = {},
+    rankA = {},
+    rankB = {},
+    kindAndNumber = {},
+    a = {},
+    b = {},
+    c = {},
+    side = {},
+    speed = {},
+  }
+end
+
+-- Adds an event of the objects in slots i and j, of which the first in the order of the world is
+-- told as `a`; `side` is that of i.
+local function add(b, kind, i, j, side, speed)
+  local e = b.events
+  if b.rank[j] < b.rank[i] then
+    i, j, side = j, i, OPPOSITE[side]
+  end
+  local n = e.count + 1
+  e.count = n
+  e.order[n] = n
+  e.kind[n], e.kindAndNumber[n] = kind, n
+  e.rankA[n], e.rankB[n] = b.rank[i], b.rank[j]
+  e.a[n], e.b[n], e.c[n] = b.object[i], b.object[j], false
+  e.side[n], e.speed[n] = side, speed
+end
+
+--- Notes that a contact of pair p has begun on `side` of the pair's first.
+function events.begin(b, p, side, speed)
+  add(b, BEGIN, b.pairA[p], b.pairB[p], side, speed)
+end
+
+--- Notes that a contact has ended.
+function events.finish(b, p, side)
+  add(b, END, b.pairA[p], b.pairB[p], side, 0)
+end
+
+--- Notes that pair p touched and parted within the step.
+function events.bounce(b, p, side, speed)
+  add(b, BEGIN, b.pairA[p], b.pairB[p], side, speed)
+  add(b, LEFT, b.pairA[p], b.pairB[p], side, 0)
+end
+
+--- Notes that a contact goes on, if anybody wants to know.
+function events.stay(b, p, side)
+  local i, j = b.pairA[p], b.pairB[p]
+  if b.world.onStay or b.object[i].onStay or b.object[j].onStay then
+    add(b, STAY, i, j, side, 0)
+  end
+end
+
+--- Notes that slot i is held between j and k on an axis ("x" or "y").
+function events.crush(b, i, j, k, axis)
+  local e = b.events
+  local n = e.count + 1
+  e.count = n
+  e.order[n] = n
+  e.kind[n], e.kindAndNumber[n] = CRUSH, n
+  e.rankA[n], e.rankB[n] = b.rank[i], b.rank[j]
+  e.a[n], e.b[n], e.c[n] = b.object[i], b.object[j], b.object[k]
+  e.side[n], e.speed[n] = axis, 0
+end
+
+local function endContact(b, p)
+  if b.contact[p] ~= 0 then
+    events.finish(b, p, b.contact[p])
+    b.contact[p] = 0
+    b.contactCount = b.contactCount - 1
+  end
+end
+
+--- Ends all contacts of a slot: it leaves the world.
+function events.endContacts(b, i)
+  local half = b.head[i]
+  while half ~= 0 do
+    endContact(b, (half + half % 2) / 2)
+    half = b.next[half]
+  end
+end
+
+--- Ends the contacts of a slot with whoever it can no longer meet.
+function events.endForbidden(b, i)
+  local half = b.head[i]
+  while half ~= 0 do
+    if not filter.allows(b, i, b.other[half]) then
+      endContact(b, (half + half % 2) / 2)
+    end
+    half = b.next[half]
+  end
+end
+
+local function tellBegin(world, a, b, side, speed)
+  if a.onBegin then
+    a.onBegin(a, b, SIDES[side], speed)
+  end
+  if b.onBegin then
+    b.onBegin(b, a, SIDES[OPPOSITE[side]], speed)
+  end
+  if world.onBegin then
+    world.onBegin(a, b, SIDES[side], speed)
+  end
+end
+
+local function tellStay(world, a, b, side)
+  if a.onStay then
+    a.onStay(a, b, SIDES[side])
+  end
+  if b.onStay then
+    b.onStay(b, a, SIDES[OPPOSITE[side]])
+  end
+  if world.onStay then
+    world.onStay(a, b, SIDES[side])
+  end
+end
+
+local function tellEnd(world, a, b, side)
+  if a.onEnd then
+    a.onEnd(a, b, SIDES[side])
+  end
+  if b.onEnd then
+    b.onEnd(b, a, SIDES[OPPOSITE[side]])
+  end
+  if world.onEnd then
+    world.onEnd(a, b, SIDES[side])
+  end
+end
+
+local function tellCrush(world, object, a, b, axis)
+  if object.onCrush then
+    object.onCrush(object, a, b, axis)
+  end
+  if world.onCrush then
+    world.onCrush(object, a, b, axis)
+  end
+end
+
+local function tell(world, e, n)
+  local kind, a, b, side = e.kind[n], e.a[n], e.b[n], e.side[n]
+  if kind == BEGIN then
+    tellBegin(world, a, b, side, e.speed[n])
+  elseif kind == STAY then
+    tellStay(world, a, b, side)
+  elseif kind == CRUSH then
+    tellCrush(world, a, b, e.c[n], side)
+  else
+    tellEnd(world, a, b, side)
+  end
+end
+
+local function forget(e)
+  for n = 1, e.count do
+    e.a[n], e.b[n], e.c[n] = false, false, false
+  end
+  e.count, e.told = 0, 0
+end
+
+--- Tells the game all that was noted, pairs in the order of the world. An error of a callback passes
+--- through; what was not told then is told by the next call.
+function events.tell(b)
+  local e = b.events
+  if e.count == 0 then
+    return
+  end
+  if e.told == 0 then
+    sort.by(e.order, e.count, e.rankA, e.rankB, e.kindAndNumber)
+  end
+  local world = b.world
+  while e.told < e.count do
+    e.told = e.told + 1
+    tell(world, e, e.order[e.told])
+  end
+  forget(e)
+end
+
+return events

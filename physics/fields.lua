@@ -1,0 +1,439 @@
+--- Every object field and every setting, once. Checks, documentation and editor types are made from
+--- these lists; a field that is not here does not exist.
+---
+--- An entry has `name`, `type` and `meaning` (one sentence), and where they apply:
+---   default   the value that `nil` stands for; `absent` says it in words where it is no constant
+---   unit      "px", "px/s", "px/s²", "1/s", "s"
+---   min, above, max   range of a number: >= min, > above, <= max
+---   values    the strings that are allowed
+---   required  true: has no default
+---   written   true: the library writes it; what the game put there is not read
+---   runtime   true (settings): a plain field of the world, may change between two updates
+---   signature parameters of a function
+---
+--- Types: "number" (finite), "boolean", "string" (one of `values`), "function",
+---   "mask" (group name -> boolean), "masks" (group name -> mask), "names" (list of group names),
+---   "sides" (side -> object or false).
+
+---@class physics.Field
+---@field name string
+---@field type string
+---@field meaning string
+---@field default any
+---@field absent string?
+---@field unit string?
+---@field min number?
+---@field above number?
+---@field max number?
+---@field values string[]?
+---@field required boolean?
+---@field written boolean?
+---@field runtime boolean?
+---@field signature string?
+
+local SIDES = { "top", "bottom", "left", "right" }
+
+local fields = {}
+
+---@type physics.Field[]
+fields.objects = {
+  {
+    name = "x",
+    type = "number",
+    required = true,
+    unit = "px",
+    meaning = "The left edge.",
+  },
+  {
+    name = "y",
+    type = "number",
+    required = true,
+    unit = "px",
+    meaning = "The top edge; y grows downwards.",
+  },
+  {
+    name = "width",
+    type = "number",
+    required = true,
+    unit = "px",
+    above = 0,
+    meaning = "The size along x; may change at run time.",
+  },
+  {
+    name = "height",
+    type = "number",
+    required = true,
+    unit = "px",
+    above = 0,
+    meaning = "The size along y; may change at run time.",
+  },
+  {
+    name = "vx",
+    type = "number",
+    default = 0,
+    unit = "px/s",
+    meaning = "The velocity along x; relative to what carries it, for a rider.",
+  },
+  {
+    name = "vy",
+    type = "number",
+    default = 0,
+    unit = "px/s",
+    meaning = "The velocity along y, downwards; relative to what carries it, for a rider.",
+  },
+  {
+    name = "ax",
+    type = "number",
+    default = 0,
+    unit = "px/s²",
+    meaning = "A constant acceleration along x: an engine, wind, a magnet.",
+  },
+  {
+    name = "ay",
+    type = "number",
+    default = 0,
+    unit = "px/s²",
+    meaning = "A constant acceleration along y, on top of gravity.",
+  },
+  {
+    name = "static",
+    type = "boolean",
+    default = false,
+    meaning = "It never moves; read once when it is first seen, `refresh` reads it again.",
+  },
+  {
+    name = "kinematic",
+    type = "boolean",
+    default = false,
+    meaning = "It moves by its own velocity or by the game writing x and y, pushes, is never pushed"
+      .. " and feels no gravity.",
+  },
+  {
+    name = "active",
+    type = "boolean",
+    default = true,
+    meaning = "`false` takes it out: no motion, no contacts, no queries.",
+  },
+  {
+    name = "sensor",
+    type = "boolean",
+    default = false,
+    meaning = "It reports contacts, is never bumped and bumps nobody.",
+  },
+  {
+    name = "pushable",
+    type = "boolean",
+    default = true,
+    meaning = "`false`: other objects cannot push it, walls still stop it.",
+  },
+  {
+    name = "mass",
+    type = "number",
+    default = 1,
+    above = 0,
+    meaning = "Its weight in the sharing of pushes and momentum; only ratios matter.",
+  },
+  {
+    name = "gravity",
+    type = "number",
+    absent = "the world's",
+    unit = "px/s²",
+    meaning = "Replaces the world's downward gravity for this object; 0 floats.",
+  },
+  {
+    name = "gravityX",
+    type = "number",
+    absent = "the world's",
+    unit = "px/s²",
+    meaning = "Replaces the world's sideways gravity for this object.",
+  },
+  {
+    name = "friction",
+    type = "number",
+    default = 0,
+    absent = "0; static and kinematic: the other object's",
+    min = 0,
+    meaning = "The Coulomb coefficient of rubbing; a pair uses the square root of the product.",
+  },
+  {
+    name = "restitution",
+    type = "number",
+    default = 0,
+    min = 0,
+    max = 1,
+    meaning = "The bounciness, 0 none, 1 all of it; a pair uses the larger one.",
+  },
+  {
+    name = "airFriction",
+    type = "number",
+    default = 0,
+    unit = "1/s",
+    min = 0,
+    meaning = "Damping: the speed falls as e^(-k t), the same at any frame rate.",
+  },
+  {
+    name = "drag",
+    type = "number",
+    default = 0,
+    unit = "px/s²",
+    min = 0,
+    meaning = "A constant deceleration towards 0, as on a floor seen from above.",
+  },
+  {
+    name = "maxSpeed",
+    type = "number",
+    absent = "none",
+    unit = "px/s",
+    min = 0,
+    meaning = "The limit of the speed, that is of the length of the velocity.",
+  },
+  {
+    name = "maxSpeedX",
+    type = "number",
+    absent = "none",
+    unit = "px/s",
+    min = 0,
+    meaning = "The limit of the speed along x, in both directions.",
+  },
+  {
+    name = "maxSpeedY",
+    type = "number",
+    absent = "none",
+    unit = "px/s",
+    min = 0,
+    meaning = "The limit of the speed along y, in both directions.",
+  },
+  {
+    name = "mask",
+    type = "mask",
+    absent = "collides with every group",
+    meaning = "`mask[group] = false` passes through that group; either side of a pair may refuse.",
+  },
+  {
+    name = "oneWay",
+    type = "string",
+    values = SIDES,
+    absent = "none: solid all around",
+    meaning = "The one side that is solid; the others let everything through.",
+  },
+  {
+    name = "carry",
+    type = "boolean",
+    default = true,
+    meaning = "A kinematic object takes its riders along; `false`: it slides away under them.",
+  },
+  {
+    name = "surfaceSpeed",
+    type = "number",
+    default = 0,
+    unit = "px/s",
+    meaning = "A conveyor: what stands on it is moved along x at this speed.",
+  },
+  {
+    name = "nudge",
+    type = "number",
+    default = 0,
+    unit = "px",
+    min = 0,
+    meaning = "Corner correction: a hit that misses by at most this much slides around the corner,"
+      .. " never on the side that gravity presses.",
+  },
+  {
+    name = "touching",
+    type = "sides",
+    written = true,
+    meaning = "What a dynamic object touches: top, bottom, left and right, each the other object or"
+      .. " false.",
+  },
+  {
+    name = "onBegin",
+    type = "function",
+    signature = "(self, other, side, speed)",
+    absent = "none",
+    meaning = "Called once when a contact starts; side is the side of self that was hit, speed the"
+      .. " approach speed in px/s.",
+  },
+  {
+    name = "onStay",
+    type = "function",
+    signature = "(self, other, side)",
+    absent = "none",
+    meaning = "Called at every further step of a contact.",
+  },
+  {
+    name = "onEnd",
+    type = "function",
+    signature = "(self, other, side)",
+    absent = "none",
+    meaning = "Called once when a contact ends, also when one of the two is removed or"
+      .. " deactivated.",
+  },
+  {
+    name = "onCrush",
+    type = "function",
+    signature = "(self, a, b, axis)",
+    absent = "none",
+    meaning = "Called once when self is held between a and b, which cannot give way; axis is"
+      .. ' "x" or "y".',
+  },
+  {
+    name = "canCollide",
+    type = "function",
+    signature = "(self, other, side)",
+    absent = "always",
+    meaning = "Asked before a contact: `false` lets the pair pass through for this step; it must"
+      .. " not change the world.",
+  },
+}
+
+---@type physics.Field[]
+fields.settings = {
+  {
+    name = "gravity",
+    type = "number",
+    default = 9.81 * 64,
+    unit = "px/s²",
+    runtime = true,
+    meaning = "The downward acceleration of everything that moves, for 64 px to the metre.",
+  },
+  {
+    name = "gravityX",
+    type = "number",
+    default = 0,
+    unit = "px/s²",
+    runtime = true,
+    meaning = "The sideways acceleration of everything that moves.",
+  },
+  {
+    name = "push",
+    type = "string",
+    values = { "both", "first" },
+    default = "both",
+    runtime = true,
+    meaning = "Who gives way: both of a pair by inverse mass, or only the object that ran into the"
+      .. " other.",
+  },
+  {
+    name = "masks",
+    type = "masks",
+    absent = "every group collides with every group",
+    runtime = true,
+    meaning = "Groups that pass through each other: `masks = { bullets = { players = false } }`.",
+  },
+  {
+    name = "sideBySide",
+    type = "boolean",
+    default = false,
+    runtime = true,
+    meaning = "Whether flush neighbours that never pressed each other count as colliding, in"
+      .. " events, `checkCollision` and queries.",
+  },
+  {
+    name = "broadphase",
+    type = "string",
+    values = { "auto", "pairs", "grid" },
+    default = "auto",
+    runtime = true,
+    meaning = "How pairs that may meet are found; all give the same result to the bit.",
+  },
+  {
+    name = "cellSize",
+    type = "number",
+    absent = "from the sizes of the objects",
+    unit = "px",
+    above = 0,
+    runtime = true,
+    meaning = "The width and height of a grid cell.",
+  },
+  {
+    name = "timestep",
+    type = "number",
+    absent = "none: a step is as long as dt",
+    unit = "s",
+    above = 0,
+    max = 0.25,
+    runtime = true,
+    meaning = "A fixed step: `update` saves up dt and makes as many of them as fit.",
+  },
+  {
+    name = "maxStep",
+    type = "number",
+    default = 1 / 30,
+    unit = "s",
+    above = 0,
+    max = 0.25,
+    runtime = true,
+    meaning = "The longest single step; a longer dt is split.",
+  },
+  {
+    name = "order",
+    type = "names",
+    absent = "numbers ascending, then strings",
+    runtime = true,
+    meaning = "Group names from first to last; those that are not listed follow in usual order.",
+  },
+  {
+    name = "rest",
+    type = "boolean",
+    default = true,
+    runtime = true,
+    meaning = "Whether objects whose step would change nothing are skipped; the result is the same"
+      .. " to the bit.",
+  },
+  {
+    name = "onBegin",
+    type = "function",
+    signature = "(a, b, side, speed)",
+    absent = "none",
+    runtime = true,
+    meaning = "Called once when a contact starts, a before b in order; side is the side of a.",
+  },
+  {
+    name = "onStay",
+    type = "function",
+    signature = "(a, b, side)",
+    absent = "none",
+    runtime = true,
+    meaning = "Called at every further step of a contact.",
+  },
+  {
+    name = "onEnd",
+    type = "function",
+    signature = "(a, b, side)",
+    absent = "none",
+    runtime = true,
+    meaning = "Called once when a contact ends.",
+  },
+  {
+    name = "onCrush",
+    type = "function",
+    signature = "(object, a, b, axis)",
+    absent = "none",
+    runtime = true,
+    meaning = "Called once when an object is held between a and b, which cannot give way.",
+  },
+  {
+    name = "canCollide",
+    type = "function",
+    signature = "(a, b, side)",
+    absent = "always",
+    runtime = true,
+    meaning = "Asked before every contact: `false` lets the pair pass through for this step; it"
+      .. " must not change the world.",
+  },
+}
+
+---@param list physics.Field[]
+---@return table<string, physics.Field>
+local function byName(list)
+  local names = {}
+  for i = 1, #list do
+    names[list[i].name] = list[i]
+  end
+  return names
+end
+
+fields.objectByName = byName(fields.objects)
+fields.settingByName = byName(fields.settings)
+
+return fields

@@ -1,0 +1,49 @@
+--- Which objects can meet at all: kinds, `active`, sensors and masks.
+
+local here = (...):match("^(.*)%.[^.]+$")
+local columns = require(here .. ".columns")
+
+local filter = {}
+
+local DYNAMIC, STATIC = columns.DYNAMIC, columns.STATIC
+
+local function refuses(b, i, j)
+  local mask = b.mask[i]
+  if mask and mask[b.groupName[j]] == false then
+    return true
+  end
+  local group = b.masks and b.masks[b.groupName[i]]
+  return group and group[b.groupName[j]] == false
+end
+
+--- Returns why two objects never meet (a word for `explain`), or nil if they can.
+function filter.reason(b, i, j)
+  local kindI, kindJ = b.kind[i], b.kind[j]
+  if not (b.active[i] and b.active[j]) then
+    return "inactive"
+  end
+  if kindI ~= DYNAMIC and kindJ ~= DYNAMIC then
+    if kindI == STATIC and kindJ == STATIC or not (b.sensor[i] or b.sensor[j]) then
+      return "immovable"
+    end
+  end
+  if refuses(b, i, j) or refuses(b, j, i) then
+    return "mask"
+  end
+end
+
+--- Returns whether two objects can meet.
+function filter.allows(b, i, j)
+  return filter.reason(b, i, j) == nil
+end
+
+--- Returns whether an object can be in the way of another: it is solid for it on every side.
+function filter.blocks(b, i, j)
+  return b.kind[j] ~= DYNAMIC
+    and not b.sensor[i]
+    and not b.sensor[j]
+    and not b.oneWay[j]
+    and filter.allows(b, i, j)
+end
+
+return filter

@@ -1,0 +1,158 @@
+--- Step 6, meet: friction. Coulomb's law with the impulse of the contact.
+--
+-- An impact rubs at its moment, a weight during the time that is left. On the side where gravity
+-- presses, what sticks to something that does not slide holds what stands on it, as far as its own
+-- hold bears: the weight above presses it on, too. So a stack of boxes stops as a whole.
+
+local here = (...):match("^(.*)%.[^.]+$")
+local columns = require(here .. ".columns")
+
+local friction = {}
+
+local DYNAMIC = columns.DYNAMIC
+local sqrt = math.sqrt
+-- px/s below which two surfaces do not move against each other; rounding of v + a·dt - a·dt.
+local STILL = 1e-9
+
+--- Returns the coefficient of a pair: √(a·b); without one of its own (negative) a static or
+--- kinematic object takes the other's.
+function friction.coefficient(b, i, j)
+  local one, other = b.friction[i], b.friction[j]
+  if one < 0 then
+    one = other
+  end
+  if other < 0 then
+    other = one
+  end
+  if one <= 0 or other <= 0 then
+    return 0
+  end
+  return one == other and one or sqrt(one * other)
+end
+
+-- Slides at a relative speed that would be `u` at the end of the time left, under a relative
+-- acceleration `a`, against an impact that takes up to `impact` px/s at once and a weight that takes
+-- up to `weight` px/s over the time. Returns the relative speed at the end and the relative way.
+local function slide(u, a, tau, impact, weight)
+  local v = u - a * tau
+  if v > -STILL and v < STILL then
+    v = 0
+  end
+  if v > impact then
+    v = v - impact
+  elseif v < -impact then
+    v = v + impact
+  else
+    v = 0
+  end
+  if tau <= 0 then
+    return v, 0
+  end
+  local hold = weight / tau
+  if v == 0 then
+    if a <= hold and a >= -hold then
+      return 0, 0
+    end
+    local stop = (a > 0 and a - hold or a + hold) * tau
+    return stop, stop * 0.5 * tau
+  end
+  local brake = v > 0 and hold - a or hold + a
+  local speed = v > 0 and v or -v
+  if brake * tau >= speed then
+    return 0, v * 0.5 * (speed / brake)
+  end
+  local stop = v > 0 and v - brake * tau or v + brake * tau
+  return stop, (v + stop) * 0.5 * tau
+end
+
+-- Changes speed and way of k against `other` by what friction took off.
+local function shift(b, k, dSpeed, dWay)
+  b.speed[k] = b.speed[k] + dSpeed
+  b.to[k] = b.to[k] + dWay
+end
+
+-- Speed of the surface of `low` along kw: its own and, along x, that of its belt.
+local function surface(b, low, kw)
+  local v = b.speed[kw]
+  if b.surfaceSpeed[low] ~= 0 and kw == 2 * low then
+    v = v + b.surfaceSpeed[low]
+  end
+  return v
+end
+
+-- `up` rubs on `low`, which does not slide; returns false if the hold of `low` does not bear it.
+local function rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau)
+  local grounded = b.inverseMass[low] == 0
+  local w, floorSpeed = b.inverseMass[up], surface(b, low, kw)
+  local u, a = b.speed[ku] - floorSpeed, b.accel[ku] - b.accel[kw]
+  local limit = mu * jn
+  local stop, way = slide(u, a, tau, limit * w * share, limit * w * (1 - share))
+  local used = (u > stop and u - stop or stop - u) / w
+  if not grounded then
+    b.grip[low] = b.grip[low] + b.stickiness[low] * jn
+    if used > b.grip[low] then
+      return false
+    end
+    b.grip[low] = b.grip[low] - used
+  end
+  if stop == 0 then
+    b.stuck[up], b.stickiness[up] = true, mu
+    local bearing = limit
+    if not grounded and b.grip[low] + used < limit then
+      bearing = b.grip[low] + used
+    end
+    b.grip[up] = bearing - used
+    b.speed[ku], b.accel[ku] = floorSpeed, b.accel[kw]
+    if way == 0 then
+      -- A kinematic object's path began with the step, that of a dynamic one at this moment.
+      local left = b.kind[low] == DYNAMIC and 1 or 1 - b.time[up]
+      local belt = (floorSpeed - b.speed[kw]) * tau
+      b.to[ku] = b.from[ku] + (b.to[kw] - b.from[kw]) * left + belt
+      return true
+    end
+  else
+    b.speed[ku] = b.speed[ku] + (stop - u)
+  end
+  local free = (u - a * tau + u) * 0.5 * tau
+  b.to[ku] = b.to[ku] + (way - free)
+  return true
+end
+
+local function rubBoth(b, lo, hi, kl, kh, mu, jn, share, tau)
+  local wl, wh = b.inverseMass[lo], b.inverseMass[hi]
+  local w = wl + wh
+  if w == 0 then
+    return
+  end
+  local u, a = b.speed[kl] - b.speed[kh], b.accel[kl] - b.accel[kh]
+  local limit = mu * jn * w
+  local stop, way = slide(u, a, tau, limit * share, limit * (1 - share))
+  local dSpeed, dWay = stop - u, way - (u - a * tau + u) * 0.5 * tau
+  shift(b, kl, dSpeed * wl / w, dWay * wl / w)
+  shift(b, kh, -dSpeed * wh / w, -dWay * wh / w)
+end
+
+--- Rubs two that have just met on `axis`, `lo` with the smaller coordinate: `jn` is the impulse of
+--- the contact, `share` the part of it that was an impact, `tau` the time left in s. Both paths must
+--- begin at this moment.
+function friction.rub(b, lo, hi, axis, jn, share, tau)
+  local mu = friction.coefficient(b, lo, hi)
+  if mu == 0 or jn <= 0 then
+    return
+  end
+  local kl, kh = 2 * lo + axis, 2 * hi + axis
+  local tl, th = 2 * lo + 1 - axis, 2 * hi + 1 - axis
+  local up, low, ku, kw = 0, 0, 0, 0
+  if b.down[kl] > 0 then
+    up, low, ku, kw = lo, hi, tl, th
+  elseif b.down[kh] < 0 then
+    up, low, ku, kw = hi, lo, th, tl
+  end
+  local steady = up ~= 0 and (b.inverseMass[low] == 0 or b.stuck[low])
+  if steady and rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau) then
+    return
+  end
+  rubBoth(b, lo, hi, tl, th, mu, jn, share, tau)
+end
+
+return friction

@@ -1,0 +1,57 @@
+--- Step 4, move: the path of every object in this step, if nothing is in the way.
+--
+-- Reads from, velocity, written, speed, way, carrier; writes to, speed, accel, carried. From here to
+-- `publish` all velocities are absolute: what carries an object is added here and taken off there.
+
+local here = (...):match("^(.*)%.[^.]+$")
+local columns = require(here .. ".columns")
+
+local move = {}
+
+local KINEMATIC, DYNAMIC = columns.KINEMATIC, columns.DYNAMIC
+
+-- Kinematic objects go where the game wrote them to be, and on by their own velocity.
+local function moveKinematic(b, i, dt)
+  local from, to, speed = b.from, b.to, b.speed
+  for k = 2 * i, 2 * i + 1 do
+    local v = b.velocity[k]
+    to[k] = b.written[k] + v * dt
+    speed[k] = v + (b.written[k] - from[k]) / dt
+    b.accel[k] = 0
+  end
+end
+
+-- The velocity of what carries an object, this step.
+local function readCarrier(b, i)
+  local c, k, carried = b.carrier[i], 2 * i, b.carried
+  if c == 0 then
+    carried[k], carried[k + 1] = 0, 0
+  else
+    carried[k], carried[k + 1] = b.speed[2 * c] + b.surfaceSpeed[c], b.speed[2 * c + 1]
+  end
+end
+
+--- Computes the paths of those in awakeList from `first` to `last`.
+function move.run(b, dt, first, last)
+  local list, kind = b.awakeList, b.kind
+  for n = first, last do
+    if kind[list[n]] == KINEMATIC then
+      moveKinematic(b, list[n], dt)
+    end
+  end
+  local from, to, way, accel = b.from, b.to, b.way, b.accel
+  local velocity, speed, carried = b.velocity, b.speed, b.carried
+  for n = first, last do
+    local i = list[n]
+    if kind[i] == DYNAMIC then
+      readCarrier(b, i)
+      for k = 2 * i, 2 * i + 1 do
+        to[k] = from[k] + way[k] + carried[k] * dt
+        accel[k] = (speed[k] - velocity[k]) / dt
+        speed[k] = speed[k] + carried[k]
+      end
+    end
+  end
+end
+
+return move

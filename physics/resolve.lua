@@ -1,0 +1,272 @@
+--- Step 6, meet: push and restitution of one pair at its moment.
+--
+-- A contact changes where both will be at the end of the step, their speeds there, and lets their
+-- paths begin anew. Who cannot give way on that side (static, kinematic, not pushable, or held by
+-- one that cannot) stays, and the other takes the whole push; so what rests is flush to the bit,
+-- because its coordinate is assigned, not corrected.
+--
+-- Reads from, to, speed, accel, time, inverseMass, pushable, restitution; writes from, to, speed,
+-- accel, time, heldLow, heldHigh, pressedLow, pressedHigh, met, hit, hitSpeed and `changed`.
+
+local here = (...):match("^(.*)%.[^.]+$")
+local columns = require(here .. ".columns")
+local friction = require(here .. ".friction")
+local weld = require(here .. ".weld")
+
+local resolve = {}
+
+local sqrt, max = math.sqrt, math.max
+local DYNAMIC = columns.DYNAMIC
+
+-- Hits of one pair in one step after which it bounces no more, is welded, is left alone.
+local BOUNCES, WELDS, PATIENCE = 4, 3, 32
+
+-- Begins the path of a dynamic object anew at time t.
+local function advance(b, i, t)
+  local start = b.time[i]
+  if b.kind[i] ~= DYNAMIC or t <= start then
+    return
+  end
+  local share = (t - start) / (1 - start)
+  local from, to, k = b.from, b.to, 2 * i
+  from[k] = from[k] + (to[k] - from[k]) * share
+  from[k + 1] = from[k + 1] + (to[k + 1] - from[k + 1]) * share
+  b.time[i] = t
+end
+
+local function change(b, i)
+  if b.kind[i] == DYNAMIC and b.changedMark[i] ~= b.changeStamp then
+    b.changedMark[i] = b.changeStamp
+    b.changedCount = b.changedCount + 1
+    b.changed[b.changedCount] = i
+  end
+end
+
+-- Inverse masses for a push between `lo` and `hi`; 0: cannot give way.
+local function weights(b, lo, hi, kl, kh)
+  local wl, wh = b.inverseMass[lo], b.inverseMass[hi]
+  local groupL, groupH = b.weld[kl], b.weld[kh]
+  if groupL ~= groupH then
+    if groupL ~= 0 then
+      wl = 1 / b.weldMass[groupL]
+    end
+    if groupH ~= 0 then
+      wh = 1 / b.weldMass[groupH]
+    end
+  end
+  if b.heldLow[kl] or (not b.pushable[lo] and b.pushable[hi]) then
+    wl = 0
+  end
+  if b.heldHigh[kh] or (not b.pushable[hi] and b.pushable[lo]) then
+    wh = 0
+  end
+  if wl > 0 and wh > 0 and not b.pushable[lo] and not b.pushable[hi] then
+    -- Neither pushes the other: who comes up from behind stops, two that meet head-on both stop.
+    if b.speed[kh] >= 0 then
+      wh = 0
+    elseif b.speed[kl] <= 0 then
+      wl = 0
+    else
+      return 0, 0, true
+    end
+  end
+  return wl, wh
+end
+
+-- Moves the end of the paths by dl and dh; `anchor` says whose coordinate the other's is assigned
+-- from if they end flush.
+local function place(b, kl, kh, dl, dh, flush)
+  local to, size = b.to, b.size
+  if not flush then
+    to[kl], to[kh] = to[kl] - dl, to[kh] + dh
+  elseif dh == 0 then
+    to[kl] = to[kh] - size[kl]
+  elseif dl == 0 then
+    to[kh] = to[kl] + size[kl]
+  else
+    to[kl] = to[kl] - dl
+    to[kh] = to[kl] + size[kl]
+  end
+end
+
+-- Shares of a push: by weight, or all to the one that ran into the other.
+local function shares(b, lo, hi, kl, kh, wl, wh)
+  if b.pushFirst and wl > 0 and wh > 0 then
+    local towards, against = b.to[kl] - b.from[kl], b.from[kh] - b.to[kh]
+    if towards > against or (towards == against and b.rank[lo] < b.rank[hi]) then
+      return 1, 0
+    end
+    return 0, 1
+  end
+  return wl / (wl + wh), wh / (wl + wh)
+end
+
+local function setSpeeds(b, kl, kh, wl, wh, dv, common)
+  local speed = b.speed
+  local share = wl / (wl + wh)
+  if not common then
+    speed[kl], speed[kh] = speed[kl] - dv * share, speed[kh] + dv * (1 - share)
+  elseif wl == 0 then
+    speed[kh] = speed[kl]
+  elseif wh == 0 then
+    speed[kl] = speed[kh]
+  else
+    local v = speed[kl] - dv * share
+    speed[kl], speed[kh] = v, v
+  end
+end
+
+local function shareAccel(b, kl, kh, wl, wh)
+  local accel = b.accel
+  if wl == 0 then
+    accel[kh] = accel[kl]
+  elseif wh == 0 then
+    accel[kl] = accel[kh]
+  else
+    local common = (accel[kl] * wh + accel[kh] * wl) / (wl + wh)
+    accel[kl], accel[kh] = common, common
+  end
+end
+
+-- What two that rest against each other now do together.
+local function lean(b, lo, hi, kl, kh, wl, wh)
+  shareAccel(b, kl, kh, wl, wh)
+  if b.kind[lo] == DYNAMIC then
+    b.pressedHigh[kl] = true
+    if wh == 0 then
+      weld.hold(b, kl, false, true)
+    end
+  end
+  if b.kind[hi] == DYNAMIC then
+    b.pressedLow[kh] = true
+    if wl == 0 then
+      weld.hold(b, kh, true, false)
+    end
+  end
+end
+
+-- Lets all that is welded to k follow it.
+local function dragAlong(b, k, dWay, t)
+  local member = b.weldNext[k]
+  while member ~= k and member ~= 0 do
+    local i = (member - member % 2) / 2
+    advance(b, i, t)
+    b.to[member] = b.to[member] + dWay
+    b.speed[member], b.accel[member] = b.speed[k], b.accel[k]
+    change(b, i)
+    member = b.weldNext[member]
+  end
+end
+
+-- Two that neither can be pushed nor push run into each other head-on.
+local function stopBoth(b, lo, hi, kl, kh)
+  b.to[kh] = b.from[kh]
+  b.to[kl] = b.to[kh] - b.size[kl]
+  b.speed[kl], b.speed[kh], b.accel[kl], b.accel[kh] = 0, 0, 0, 0
+  b.pressedHigh[kl], b.pressedLow[kh] = true, true
+  change(b, lo)
+  change(b, hi)
+end
+
+-- Approach speed at the moment of contact and the time left after it, from what the paths will have
+-- become at the end of the step: overlap o, closing speed v, closing acceleration a.
+local function impact(o, v, a, left)
+  local square = v * v - 2 * a * o
+  local u = square > 0 and sqrt(square) or 0
+  if v <= 0 and a >= 0 then
+    u = 0
+  end
+  local tau = left
+  if v + u > 0 then
+    tau = 2 * o / (v + u)
+    tau = tau < left and tau or left
+  end
+  return u, tau
+end
+
+-- Gap and closing speed at the end of the step after the impact.
+local function rebound(restitution, u, a, tau)
+  if restitution > 0 then
+    local gap = restitution * u * tau - a * tau * tau * 0.5
+    local v = a * tau - restitution * u
+    if gap >= 0 and v < 0 then
+      return gap, v
+    end
+  elseif a < 0 then
+    return -a * tau * tau * 0.5, a * tau
+  end
+  return 0, 0
+end
+
+local function noteHit(b, p, lo, axis, u)
+  if b.met[p] == 0 then
+    b.hit[p] = 2 * axis + (b.pairA[p] == lo and 2 or 1)
+    b.hitSpeed[p] = u
+  end
+  b.met[p] = b.met[p] + 1
+end
+
+--- Resolves pair p, which meets on `axis` at time t (0..1 of a step of dt s), `lo` being the one with
+--- the smaller coordinate. Lists whose path changed in b.changed[1..b.changedCount].
+function resolve.run(b, p, lo, hi, axis, t, dt)
+  local kl, kh = 2 * lo + axis, 2 * hi + axis
+  if b.met[p] >= PATIENCE then
+    return
+  end
+  advance(b, lo, t)
+  advance(b, hi, t)
+  local wl, wh, headOn = weights(b, lo, hi, kl, kh)
+  local speed, accel, to = b.speed, b.accel, b.to
+  local o = to[kl] + b.size[kl] - to[kh]
+  local v, a = speed[kl] - speed[kh], accel[kl] - accel[kh]
+  local u, tau = impact(o, v, a, (1 - t) * dt)
+  noteHit(b, p, lo, axis, u)
+  if headOn then
+    return stopBoth(b, lo, hi, kl, kh)
+  elseif wl == 0 and wh == 0 then
+    return -- crushed: nobody can give way
+  end
+
+  local restitution = max(b.restitution[lo], b.restitution[hi])
+  if u <= 2 * a * dt or b.met[p] > BOUNCES then
+    restitution = 0
+  end
+  local gap, vEnd = rebound(restitution, u, a, tau)
+  local flush = gap == 0 and vEnd == 0
+  local shareL, shareH = shares(b, lo, hi, kl, kh, wl, wh)
+  local oldL, oldH = to[kl], to[kh]
+  place(b, kl, kh, (o + gap) * shareL, (o + gap) * shareH, flush)
+  local dv = v - vEnd
+  if dv > 0 then
+    setSpeeds(b, kl, kh, wl, wh, dv, vEnd == 0)
+    -- A hit from the side breaks the hold of friction.
+    b.stuck[lo] = b.stuck[lo] and b.down[kl] ~= 0
+    b.stuck[hi] = b.stuck[hi] and b.down[kh] ~= 0
+  end
+  if flush then
+    lean(b, lo, hi, kl, kh, wl, wh)
+    if b.met[p] >= WELDS and b.kind[lo] == DYNAMIC and b.kind[hi] == DYNAMIC then
+      weld.join(b, kl, kh)
+    end
+  end
+  change(b, lo)
+  change(b, hi)
+  if b.weld[kl] ~= b.weld[kh] then
+    dragAlong(b, kl, to[kl] - oldL, t)
+    dragAlong(b, kh, to[kh] - oldH, t)
+  end
+  if dv > 0 then
+    local share = u * (1 + restitution) / dv
+    friction.rub(b, lo, hi, axis, dv / (wl + wh), share < 1 and share or 1, tau)
+  end
+end
+
+--- Notes that a sensor was met, which changes nobody's path.
+function resolve.sense(b, p, lo, hi, axis, t, dt)
+  local kl, kh = 2 * lo + axis, 2 * hi + axis
+  local o = b.to[kl] + b.size[kl] - b.to[kh]
+  local v, a = b.speed[kl] - b.speed[kh], b.accel[kl] - b.accel[kh]
+  noteHit(b, p, lo, axis, (impact(o, v, a, (1 - t) * dt)))
+end
+
+return resolve

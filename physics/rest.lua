@@ -1,0 +1,144 @@
+--- The rest cache: who sleeps is not computed.
+--
+-- Objects whose fat boxes meet, directly or through others, form an island. An island in which the
+-- last step changed no bit and nobody has any speed would repeat that step for ever: its movers
+-- fall asleep together, and stand as obstacles that do not move. Whatever could make a difference
+-- wakes the whole island before it can be noticed: a field that the game wrote, a new or lost
+-- neighbour, a moving kinematic object, a path that comes near. So this changes no result.
+--
+-- A kinematic object sleeps alone: as long as it stands, it is nothing but a wall.
+
+local here = (...):match("^(.*)%.[^.]+$")
+local columns = require(here .. ".columns")
+
+local rest = {}
+
+local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
+
+local function rouse(b, i)
+  local n = b.awakeCount + 1
+  b.awakeCount = n
+  b.awakeList[n] = i
+  b.awakeAt[i] = n
+  b.awake[i] = true
+  b.quiet[i] = false
+end
+
+-- Wakes the sleeping dynamic neighbours of everybody in awakeList from place `from` on: the list
+-- itself is the queue of the flood.
+local function flood(b, from)
+  local list, kind, awake = b.awakeList, b.kind, b.awake
+  local head, other, nextHalf = b.head, b.other, b.next
+  local n = from
+  while n <= b.awakeCount do
+    local half = head[list[n]]
+    while half ~= 0 do
+      local j = other[half]
+      if kind[j] == DYNAMIC and not awake[j] then
+        rouse(b, j)
+      end
+      half = nextHalf[half]
+    end
+    n = n + 1
+  end
+end
+
+--- Wakes an object and, if it slept, its island.
+function rest.wake(b, i)
+  if b.kind[i] == STATIC or not b.active[i] then
+    return
+  end
+  b.quiet[i] = false
+  if not b.awake[i] then
+    local from = b.awakeCount + 1
+    rouse(b, i)
+    flood(b, from)
+  end
+end
+
+--- Wakes all neighbours of an object, which may be static.
+function rest.wakeNeighbours(b, i)
+  local half = b.head[i]
+  while half ~= 0 do
+    local j = b.other[half]
+    if b.kind[j] == DYNAMIC then
+      rest.wake(b, j)
+    end
+    half = b.next[half]
+  end
+end
+
+--- Wakes everybody: a setting has changed.
+function rest.wakeAll(b)
+  for n = 1, b.moverCount do
+    local i = b.movers[n]
+    if b.kind[i] ~= STATIC then
+      rest.wake(b, i)
+    end
+  end
+end
+
+--- Takes an object out of the list of who is awake.
+function rest.drop(b, i)
+  if b.awake[i] then
+    local at, last = b.awakeAt[i], b.awakeList[b.awakeCount]
+    b.awakeList[at] = last
+    b.awakeAt[last] = at
+    b.awakeCount = b.awakeCount - 1
+    b.awake[i] = false
+  end
+end
+
+-- Gathers the island of an awake dynamic object behind `b.island`; returns its size and whether
+-- all of it may sleep.
+local function gather(b, i, stamp)
+  local island, kind, awake, quiet, visited = b.island, b.kind, b.awake, b.quiet, b.visited
+  local head, other, nextHalf = b.head, b.other, b.next
+  local count, n, calm = 1, 1, true
+  island[1] = i
+  visited[i] = stamp
+  while n <= count do
+    local member = island[n]
+    calm = calm and quiet[member]
+    local half = head[member]
+    while half ~= 0 do
+      local j = other[half]
+      if kind[j] ~= STATIC and awake[j] then
+        if kind[j] ~= DYNAMIC then
+          calm = calm and quiet[j]
+        elseif visited[j] ~= stamp then
+          visited[j] = stamp
+          count = count + 1
+          island[count] = j
+        end
+      end
+      half = nextHalf[half]
+    end
+    n = n + 1
+  end
+  return count, calm
+end
+
+--- Puts to sleep every island that is calm.
+function rest.settle(b)
+  b.stamp = b.stamp + 1
+  local stamp, list, kind, quiet, visited = b.stamp, b.awakeList, b.kind, b.quiet, b.visited
+  for n = b.awakeCount, 1, -1 do
+    local i = list[n]
+    -- Sleepers are dropped from the list, which may bring others to this place.
+    if i and n <= b.awakeCount and quiet[i] and visited[i] ~= stamp then
+      if kind[i] ~= DYNAMIC then
+        rest.drop(b, i)
+      else
+        local count, calm = gather(b, i, stamp)
+        if calm then
+          for m = 1, count do
+            rest.drop(b, b.island[m])
+          end
+        end
+      end
+    end
+  end
+end
+
+return rest

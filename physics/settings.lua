@@ -1,0 +1,148 @@
+--- The settings of a world: plain fields that the game may change between two updates. What
+--- depends on them is brought up to date at the beginning of a step.
+
+local here = (...):match("^(.*)%.[^.]+$")
+local check = require(here .. ".check")
+local collect = require(here .. ".collect")
+local detect = require(here .. ".detect")
+local events = require(here .. ".events")
+local everybody = require(here .. ".broadphase.pairs")
+local fields = require(here .. ".fields")
+local grid = require(here .. ".broadphase.grid")
+local rest = require(here .. ".rest")
+
+local settings = {}
+
+local BROADPHASES = { auto = grid, grid = grid, pairs = everybody }
+
+-- What a change of a setting asks for.
+local effects = {}
+
+local function newGravity(self, b)
+  b.gravityX, b.gravity = self.gravityX, self.gravity
+  -- Which axis counts as "down" for the order of simultaneous contacts.
+  local vertical = b.gravityX * b.gravityX <= b.gravity * b.gravity
+  b.downAxis = vertical and 1 or 0
+  b.downSign = (vertical and b.gravity or b.gravityX) < 0 and -1 or 1
+  collect.newGravity(b)
+end
+
+local function newBroadphase(self, b)
+  local old = b.broadphase
+  local new = BROADPHASES[self.broadphase].new(b, self.cellSize)
+  b.broadphase = new
+  for n = 1, old and old.count or 0 do
+    new:insert(old.list[n])
+  end
+end
+
+effects.gravity, effects.gravityX = newGravity, newGravity
+effects.broadphase, effects.cellSize = newBroadphase, newBroadphase
+
+function effects.push(self, b)
+  b.pushFirst = self.push == "first"
+  rest.wakeAll(b)
+end
+
+function effects.sideBySide(self, b)
+  b.sideBySide = self.sideBySide
+  rest.wakeAll(b)
+end
+
+function effects.rest(self, b)
+  b.rest = self.rest
+  rest.wakeAll(b)
+end
+
+function effects.canCollide(self, b)
+  b.worldCanCollide = self.canCollide or false
+  rest.wakeAll(b)
+end
+
+function effects.order(self, b)
+  b.roster.order = self.order or {}
+  b.roster.reorder = true
+end
+
+function effects.masks(self, b)
+  b.masks = self.masks or false
+  rest.wakeAll(b)
+  for i = 1, b.slots do
+    if b.kind[i] ~= 0 then
+      events.endForbidden(b, i)
+    end
+  end
+  detect.refilterAll(b)
+  rest.wakeAll(b)
+end
+
+-- The masks as one text, since the game may change them inside the same table. Rare: most worlds
+-- have none, and those that do have few groups.
+local function describeMasks(masks, names)
+  if not masks then
+    return ""
+  end
+  local text = {}
+  for m = 1, #names do
+    local group = masks[names[m]]
+    for n = 1, #names do
+      text[#text + 1] = group and group[names[n]] == false and "0" or "1"
+    end
+  end
+  return table.concat(text)
+end
+
+--- Gives a new world its settings: those given, defaults for the rest.
+function settings.fill(self, given)
+  local b = self._bodies
+  for _, field in ipairs(fields.settings) do
+    local value = given and given[field.name]
+    if value == nil then
+      value = field.default
+    end
+    self[field.name] = value
+  end
+  b.gravityX, b.gravity = self.gravityX, self.gravity
+  b.applied = {}
+  b.masksText = ""
+  settings.apply(self)
+end
+
+--- Checks the settings that changed since the last step and puts them into effect.
+--- Errors: a value that cannot be used; nothing has changed then.
+function settings.apply(self)
+  local b, list = self._bodies, fields.settings
+  local applied = b.applied
+  local changed = false
+  for n = 1, #list do
+    local name = list[n].name
+    local value = self[name]
+    if value ~= applied[name] then
+      check.setting(name, value)
+      changed = true
+    end
+  end
+  if self.masks then
+    check.setting("masks", self.masks)
+    local text = describeMasks(self.masks, b.groupNames)
+    if text ~= b.masksText then
+      b.masksText = text
+      effects.masks(self, b)
+    end
+  end
+  if not changed then
+    return
+  end
+  for n = 1, #list do
+    local name = list[n].name
+    local value = self[name]
+    if value ~= applied[name] then
+      applied[name] = value
+      if effects[name] then
+        effects[name](self, b)
+      end
+    end
+  end
+end
+
+return settings

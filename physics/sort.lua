@@ -1,0 +1,45 @@
+--- Sorts a list by columns, in place and without garbage. (`table.sort` leaves a compiled trace and
+--- wants a closure; its order of equals is its own.)
+
+local sort = {}
+
+-- x comes before y: smaller first, column by column.
+local function before(x, y, first, second, third)
+  if first[x] ~= first[y] then
+    return first[x] < first[y]
+  end
+  if second[x] ~= second[y] then
+    return second[x] < second[y]
+  end
+  return third[x] < third[y]
+end
+
+local function sink(list, root, count, first, second, third)
+  local value = list[root]
+  local child = 2 * root
+  while child <= count do
+    if child < count and before(list[child], list[child + 1], first, second, third) then
+      child = child + 1
+    end
+    if not before(value, list[child], first, second, third) then
+      break
+    end
+    list[root] = list[child]
+    root, child = child, 2 * child
+  end
+  list[root] = value
+end
+
+--- Sorts `list[1..count]` by `first[x]`, then `second[x]`, then `third[x]`, ascending (heapsort:
+--- J. W. J. Williams, 1964). No two should be equal in all three.
+function sort.by(list, count, first, second, third)
+  for root = (count - count % 2) / 2, 1, -1 do
+    sink(list, root, count, first, second, third)
+  end
+  for last = count, 2, -1 do
+    list[1], list[last] = list[last], list[1]
+    sink(list, 1, last - 1, first, second, third)
+  end
+end
+
+return sort

@@ -1,0 +1,49 @@
+--- Welding: objects that ran into each other again and again within one step go on as one.
+--
+-- Two boxes that push a third settle their speeds in infinitely many hits within a finite time.
+-- After the third hit of a pair without a bounce it is taken as one body along that axis until the
+-- step ends, which is where the series leads to. Groups are rings: `weldNext` leads from member to
+-- member, `weld` names the leader (an interleaved index, as everything here), which knows the mass.
+
+local weld = {}
+
+local function rename(b, k, leader)
+  local first = k
+  repeat
+    b.weld[k] = leader
+    k = b.weldNext[k]
+  until k == first
+end
+
+local function found(b, k)
+  if b.weld[k] == 0 then
+    b.weld[k], b.weldNext[k] = k, k
+    b.weldMass[k] = b.mass[(k - k % 2) / 2]
+  end
+  return b.weld[k]
+end
+
+--- Marks all welded to k (and k) as held on the low or high side.
+function weld.hold(b, k, heldLow, heldHigh)
+  local first = k
+  repeat
+    b.heldLow[k] = b.heldLow[k] or heldLow
+    b.heldHigh[k] = b.heldHigh[k] or heldHigh
+    k = b.weldNext[k]
+  until k == first or k == 0
+end
+
+--- Joins the groups of two.
+function weld.join(b, kl, kh)
+  local one, other = found(b, kl), found(b, kh)
+  if one == other then
+    return
+  end
+  b.weldMass[one] = b.weldMass[one] + b.weldMass[other]
+  rename(b, other, one)
+  -- Two rings become one when two members swap whom they lead to.
+  b.weldNext[kl], b.weldNext[kh] = b.weldNext[kh], b.weldNext[kl]
+  weld.hold(b, kl, b.heldLow[kl] or b.heldLow[kh], b.heldHigh[kl] or b.heldHigh[kh])
+end
+
+return weld

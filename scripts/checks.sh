@@ -1,0 +1,38 @@
+# Sourced by the scripts that check something. Each check is a command that succeeds or not; a
+# script ends with `finish`, whose last line is "N passed, N failed". .ci/run adds those lines up.
+
+cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
+mkdir -p build
+
+passed=0
+failed=0
+
+# check WHAT COMMAND...: runs the command and counts it. Its output is shown only when it fails.
+check() {
+  local what=$1 log=build/check.log
+  shift
+  if "$@" >"$log" 2>&1 </dev/null; then
+    passed=$((passed + 1))
+    echo "ok      $what"
+  else
+    failed=$((failed + 1))
+    echo "FAILED  $what"
+    sed 's/^/        /' "$log"
+  fi
+}
+
+# refuses COMMAND...: succeeds when the command fails. For checks of the checks themselves.
+refuses() { ! "$@"; }
+
+finish() {
+  echo "$passed passed, $failed failed"
+  [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
+}
+
+# The Lua files of the project, as far as they exist.
+lua_sources() {
+  local place
+  for place in physics.lua physics spec examples bench; do
+    [ ! -e "$place" ] || echo "$place"
+  done
+}

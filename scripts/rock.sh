@@ -1,0 +1,50 @@
+#!/usr/bin/env bash
+# Installs the rock into lua_modules/, then uses it from a folder that knows nothing else of the
+# project. The same for the library copied into a game's own folder.
+set -uo pipefail
+. "$(dirname "$0")/checks.sh"
+
+rockspec=$(ls rockspec/*.rockspec)
+tree=$PWD/lua_modules
+version=$(luarocks config lua_version)
+elsewhere=$(mktemp -d)
+trap 'rm -rf "$elsewhere"' EXIT
+
+rm -rf "$tree"
+check "the rockspec is valid" luarocks lint "$rockspec"
+check "luarocks make installs it" luarocks --tree "$tree" make "$rockspec"
+
+# Prints what the script must find: the box has fallen onto the floor and lies flush on it.
+cat >"$elsewhere/game.lua" <<'LUA'
+local name = ...
+local physics = require(name)
+local world = physics.newWorld({ gravity = 800 })
+world:add("tiles", { x = 0, y = 100, width = 200, height = 16, static = true })
+local box = world:add("boxes", { x = 20, y = 0, width = 16, height = 16 })
+for _ = 1, 120 do
+  world:update(1 / 60)
+end
+assert(box.y == 84 and box.vy == 0, "the box is at y = " .. box.y .. ", not on the floor")
+assert(box.touching.bottom, "the box does not touch the floor")
+LUA
+
+# LUA_PATH has no ";;" at its end: nothing of this machine but the given folder can be found.
+plays() {
+  local lua=$1 path=$2 name=$3
+  (cd "$elsewhere" && env -u LUA_PATH_5_2 -u LUA_PATH_5_3 -u LUA_PATH_5_4 LUA_PATH="$path" \
+    "$lua" game.lua "$name")
+}
+installed="$tree/share/lua/$version/?.lua"
+copied="$elsewhere/?.lua"
+for lua in luajit lua5.1 lua5.2 lua5.3 lua5.4; do
+  check "the installed rock runs from another folder on $lua" plays "$lua" "$installed" physics
+done
+
+mkdir -p "$elsewhere/lib" && cp -r physics.lua physics "$elsewhere/lib/"
+for lua in luajit lua5.1 lua5.2 lua5.3 lua5.4; do
+  check "require \"lib.physics\" works from a copied folder on $lua" \
+    plays "$lua" "$copied" lib.physics
+done
+check "nothing is found without them" refuses plays luajit "$elsewhere/none/?.lua" physics
+
+finish

@@ -1,0 +1,79 @@
+#!/usr/bin/env bash
+# Installs what the other scripts call, from the packages of Debian or Ubuntu. Asks nothing, and
+# touches neither the network nor the system when everything is there.
+set -euo pipefail
+
+# command it provides : Debian packages
+needs="
+love:love
+luarocks:luarocks
+busted:lua-busted
+luacheck:lua-check
+luajit:luajit
+lua5.1:lua5.1
+luac5.1:lua5.1
+lua5.2:lua5.2
+lua5.3:lua5.3
+lua5.4:lua5.4
+Xvfb:xvfb
+xvfb-run:xvfb
+xauth:xauth
+npx:nodejs npm
+"
+
+missing=""
+packages=""
+while IFS=: read -r name package; do
+  [ -n "$name" ] || continue
+  command -v "$name" >/dev/null 2>&1 && continue
+  missing="$missing $name"
+  packages="$packages $package"
+done <<<"$needs"
+
+if [ -z "$missing" ]; then
+  exit 0
+fi
+echo "setup: not found:$missing"
+
+if ! command -v apt-get >/dev/null 2>&1; then
+  cat >&2 <<MESSAGE
+setup: this installs by itself on Debian and Ubuntu only. Here, please install by hand:
+  LÖVE 11.x                    https://love2d.org
+  LuaJIT, Lua 5.1 5.2 5.3 5.4  as the commands luajit, lua5.1, luac5.1, lua5.2, lua5.3, lua5.4
+  LuaRocks                     https://luarocks.org
+  busted and luacheck          luarocks install busted; luarocks install luacheck
+  Node.js with npx             https://nodejs.org (it brings StyLua, the formatter)
+  Xvfb, xvfb-run and xauth     for the examples without a display
+What the game itself needs is only LÖVE: \`love examples\` runs without any of the others,
+and \`busted\` alone runs the specs on LuaJIT.
+MESSAGE
+  exit 1
+fi
+
+# shellcheck disable=SC2086 # one word per package is meant
+packages=$(printf '%s\n' $packages | sort -u | tr '\n' ' ')
+as_root=""
+if [ "$(id -u)" -ne 0 ]; then
+  # -n: sudo must not ask for a password, a build has nobody who could answer.
+  if ! command -v sudo >/dev/null 2>&1 || ! sudo -n true 2>/dev/null; then
+    cat >&2 <<MESSAGE
+setup: installing needs root, and sudo is not there or asks for a password. Please run this once:
+  sudo apt-get update && sudo apt-get install -y --no-install-recommends $packages
+MESSAGE
+    exit 1
+  fi
+  as_root="sudo -n"
+fi
+
+echo "setup: installing $packages"
+apt() { $as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq "$@" </dev/null; }
+apt update
+# shellcheck disable=SC2086
+apt install -y --no-install-recommends $packages
+
+for name in $missing; do
+  if ! command -v "$name" >/dev/null 2>&1; then
+    echo "setup: $name is still not found after installing $packages" >&2
+    exit 1
+  fi
+done

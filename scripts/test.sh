@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# Runs the specs on every Lua. Counts each spec on each of them as one check.
+set -uo pipefail
+. "$(dirname "$0")/checks.sh"
+
+# what the interpreter calls itself (scripts/interpreter.lua compares) : command
+interpreters="
+LuaJIT:luajit
+LuaJIT -joff:luajit -joff
+Lua 5.1:lua5.1
+Lua 5.2:lua5.2
+Lua 5.3:lua5.3
+Lua 5.4:lua5.4
+"
+logs=build/test
+rm -rf "$logs" && mkdir -p "$logs"
+
+# The library must stay loadable by plain Lua 5.1, love.js has nothing newer.
+while read -r file; do
+  check "Lua 5.1 syntax: $file" luac5.1 -p "$file"
+done < <(find physics.lua physics spec -name '*.lua' | sort)
+
+run_specs() {
+  local name=$1 command=$2
+  local started=$SECONDS
+  PHYSICS_LUA=$name busted --lua="$command" --output=plainTerminal \
+    --helper=scripts/interpreter.lua </dev/null >"$logs/$name.log" 2>&1
+  echo "$? $((SECONDS - started))" >"$logs/$name.status"
+}
+export -f run_specs
+export logs
+
+# Two at a time on a machine with two cores: they share nothing but the files they read.
+jobs=${JOBS:-$(getconf _NPROCESSORS_ONLN)}
+printf '%s' "$interpreters" | sed '/^$/d' | tr '\n' '\0' |
+  xargs -0 -P "$jobs" -I{} bash -c 'run_specs "${1%%:*}" "${1#*:}"' _ {}
+
+while IFS=: read -r name _; do
+  [ -n "$name" ] || continue
+  read -r code seconds <"$logs/$name.status"
+  summary=$(grep -E '^[0-9]+ success(es)? / [0-9]+ failures? / [0-9]+ errors? / [0-9]+ pending' \
+    "$logs/$name.log" | tail -n 1)
+  read -r good _ _ bad _ _ broken _ _ pending _ <<<"${summary:-0 - - 0 - - 0 - - 0 -}"
+  # A run that dies, or that finds no spec, leaves no number that would count: it fails as a whole.
+  if [ "$good" -eq 0 ] || { [ "$code" -ne 0 ] && [ $((bad + broken)) -eq 0 ]; }; then
+    broken=$((broken + 1))
+  fi
+  passed=$((passed + good))
+  failed=$((failed + bad + broken))
+  if [ $((bad + broken)) -gt 0 ]; then
+    echo "FAILED  specs on $name: $good passed, $((bad + broken)) failed (${seconds} s)"
+    tail -n 200 "$logs/$name.log" | sed 's/^/        /'
+  else
+    echo "ok      specs on $name: $good passed, $pending pending (${seconds} s)"
+  fi
+done <<<"$interpreters"
+
+finish

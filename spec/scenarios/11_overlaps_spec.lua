@@ -1,0 +1,199 @@
+--- What begins inside something else leaves by the smallest way that is free.
+
+local overlap = require "spec.support.overlap"
+local scene = require "spec.support.scene"
+local variants = require "spec.support.variants"
+
+local TURNED = { turn = variants.TURNS }
+local EVERYWHERE = { rate = variants.RATES, turn = variants.TURNS }
+
+describe("a body inside a floor of tiles", function()
+  --      +--+
+  --   +--|  |---+---+
+  --   |  +--+   |   |
+  --   +---+---+---+---+
+  for _, row in ipairs {
+    -- width, depth, x
+    { 14, 4, 50 }, -- on one tile
+    { 14, 12, 50 },
+    { 16, 4, 50 }, -- over a seam: 14 px on one tile, 2 px on the next
+    { 16, 12, 50 },
+    { 24, 12, 44.5 },
+  } do
+    local width, depth, x = row[1], row[2], row[3]
+    it(("(11) %g wide, %g px deep, comes up on it"):format(width, depth), function()
+      scene.each(EVERYWHERE, function(run)
+        local description = scene.tiles({}, 20, 0, 100, 16, 16, 16, 0)
+        local body = { name = "body", x = x, y = 76 + depth, width = width, height = 24 }
+        description[#description + 1] = { "players", body }
+        body = run:build(description).body
+        for _ in run:steps(1) do
+          run:near("x", body.x, x)
+          run:check(body.y >= 76 - 1e-6, "was thrown up, to %.9g", body.y)
+        end
+        run:at(body, x, 76)
+        run:still(body)
+        run:touches(body, "bottom")
+      end)
+    end)
+  end
+end)
+
+describe("a body inside a big block", function()
+  --   +-----------+
+  --   |        +--|+
+  --   |        +--|+   10 px deep
+  --   |           |
+  --   +-----------+
+  it("(11) leaves by the near side and by no other", function()
+    scene.each(TURNED, function(run)
+      local named = run:build {
+        gravity = 0,
+        { "tiles", { name = "block", x = 0, y = 0, width = 100, height = 100, static = true } },
+        { "boxes", { name = "box", x = 90, y = 40, width = 16, height = 16, vy = 60 } },
+      }
+      for i = 1, 5 do
+        run:step(1 / 60)
+        run:at(named.box, 100, 40 + i)
+      end
+    end)
+  end)
+
+  --   +-----------+
+  --   |   +--+    |   vx = -60
+  --   |   +--+    |   ways out: left 36, top and bottom 40, right 44
+  --   +-----------+
+  it("(11) stays or leaves by the smallest way", function()
+    scene.each(EVERYWHERE, function(run)
+      local named = run:build {
+        gravity = 0,
+        { "tiles", { x = 0, y = 0, width = 64, height = 64, static = true } },
+        { "boxes", { name = "box", x = 20, y = 24, width = 16, height = 16, vx = -60 } },
+      }
+      for time in run:steps(0.5) do
+        local x = named.box.x
+        local stays = math.abs(x - 20) <= 1
+        local left = x <= -16 + 1e-6 and x >= -16 - 60 * time - 1e-6
+        run:check(stays or left, "should stay or leave to the left, is at %.9g", x)
+        run:near("y", named.box.y, 24)
+      end
+    end)
+  end)
+
+  --  +------+------+
+  --  |      |      |
+  --  |   +--+--+   |   12 px deep in both; the ways to the right (10 px, out of the first) and
+  --  +---|  |  |---+   to the left (6 px, out of the second) end in the other one
+  --      +-----+
+  it("does not leave into another block", function()
+    scene.each(EVERYWHERE, function(run)
+      local named = run:build {
+        gravity = 0,
+        { "tiles", { x = 0, y = 0, width = 40, height = 100, static = true } },
+        { "tiles", { x = 40, y = 0, width = 40, height = 100, static = true } },
+        { "boxes", { name = "box", x = 30, y = 88, width = 16, height = 16 } },
+      }
+      run:step(1 / 60)
+      run:at(named.box, 30, 100)
+      run:still(named.box)
+    end)
+  end)
+end)
+
+describe("boxes on the very same spot", function()
+  local function heap(count, fields)
+    local description = { gravity = 0 }
+    for i = 1, count do
+      local box = { name = "box" .. i, x = 50, y = 50, width = 16, height = 16 }
+      for key, value in pairs(fields or {}) do box[key] = value end
+      description[i] = { "boxes", box }
+    end
+    return description
+  end
+
+  it("(11) part, never further than the overlap", function()
+    scene.each(EVERYWHERE, function(run)
+      local named = run:build(heap(2))
+      local deepest = overlap.checker(run.all)
+      for _ in run:steps(0.5) do
+        local depth = deepest()
+        run:check(depth <= 1e-6, "still overlap by %.3g", depth)
+        for _, view in pairs(named) do
+          local dx, dy = math.abs(view.x - 50), math.abs(view.y - 50)
+          run:check(dx + dy <= 16 + 1e-6, "%s was thrown %g px", view.name, dx + dy)
+          run:still(view)
+        end
+      end
+    end)
+  end)
+
+  it("(11) part by half each when both give way", function()
+    scene.each({ push = { "both" }, turn = variants.TURNS }, function(run)
+      local named = run:build(heap(2))
+      run:step(1 / 60)
+      for _, view in pairs(named) do
+        local far = math.max(math.abs(view.x - 50), math.abs(view.y - 50))
+        run:near(view.name .. ": way", far, 8)
+      end
+    end)
+  end)
+
+  for _, count in ipairs { 3, 5, 10 } do
+    it(("(11) part, %d of them, and stay finite"):format(count), function()
+      scene.each(TURNED, function(run)
+        local named = run:build(heap(count))
+        local deepest = overlap.checker(run.all)
+        run:play(2)
+        local depth = deepest()
+        run:check(depth <= 1e-6, "still overlap by %.3g", depth)
+        for _, view in pairs(named) do
+          run:check(math.abs(view.x - 50) <= 16 * count, "%s: x is %g", view.name, view.x)
+          run:check(math.abs(view.y - 50) <= 16 * count, "%s: y is %g", view.name, view.y)
+          run:still(view)
+        end
+      end)
+    end)
+  end
+
+  it("on a floor part and come to rest on it", function()
+    scene.each(EVERYWHERE, function(run)
+      local description = heap(4)
+      description.gravity = 800
+      local floor = { name = "floor", x = -200, y = 66, width = 600, height = 32, static = true }
+      description[5] = { "tiles", floor }
+      local named = run:build(description)
+      local deepest = overlap.checker(run.all)
+      run:play(3)
+      local depth = deepest()
+      run:check(depth <= 1e-6, "still overlap by %.3g", depth)
+      for _, view in pairs(named) do
+        if not view.static then
+          run:still(view)
+          local rows = (50 - view.y) / 16
+          run:near(view.name .. ": height in boxes", rows, math.floor(rows + 0.5))
+        end
+      end
+    end)
+  end)
+end)
+
+describe("a body between two walls that are too narrow", function()
+  --   +--+    +--+
+  --   |  +----+  |    20 px of room for 24 px
+  --   |  |    |  |
+  it("stays finite and comes to rest", function()
+    scene.each(EVERYWHERE, function(run)
+      local named = run:build {
+        { "tiles", { x = 0, y = 0, width = 40, height = 200, static = true } },
+        { "tiles", { x = 60, y = 0, width = 40, height = 200, static = true } },
+        { "tiles", { x = 0, y = 200, width = 100, height = 16, static = true } },
+        { "boxes", { name = "box", x = 38, y = 80, width = 24, height = 24 } },
+      }
+      for _ in run:steps(3) do
+        run:check(named.box.x == named.box.x and named.box.y == named.box.y, "is nowhere")
+        run:check(math.abs(named.box.vx) <= 3000 and math.abs(named.box.vy) <= 3000, "is too fast")
+        run:check(math.abs(named.box.x - 38) <= 24, "was thrown out to x = %g", named.box.x)
+      end
+    end)
+  end)
+end)

@@ -1,0 +1,181 @@
+--- Momentum is kept, energy never grows.
+
+local newRandom = require("spec.support.random").new
+local scene = require "spec.support.scene"
+local variants = require "spec.support.variants"
+
+local EVERYWHERE = { rate = variants.RATES, turn = variants.TURNS }
+
+--- Momentum along both axes and kinetic energy of the dynamic objects of a list.
+local function sums(objects)
+  local px, py, energy = 0, 0, 0
+  for i = 1, #objects do
+    local object = objects[i]
+    if not object.static then
+      local mass = object.mass or 1
+      px, py = px + mass * object.vx, py + mass * object.vy
+      energy = energy + mass * (object.vx * object.vx + object.vy * object.vy) / 2
+    end
+  end
+  return px, py, energy
+end
+
+--- Four walls around a room, each 50 px thick.
+local function room(description, width, height)
+  local walls = {
+    { -50, -50, 50, height + 100 },
+    { width, -50, 50, height + 100 },
+    { -50, -50, width + 100, 50 },
+    { -50, height, width + 100, 50 },
+  }
+  for _, wall in ipairs(walls) do
+    local x, y, w, h = wall[1], wall[2], wall[3], wall[4]
+    local object = { x = x, y = y, width = w, height = h, static = true, restitution = 1 }
+    description[#description + 1] = { "walls", object }
+  end
+  return description
+end
+
+--- `count` balls on a raster in a room of 800 × 600 px, with seeded speeds, sizes and masses.
+local function balls(count, seed)
+  local random = newRandom(seed)
+  local description = room({ gravity = 0 }, 800, 600)
+  for i = 0, count - 1 do
+    local column, row = i % 20, math.floor(i / 20)
+    description[#description + 1] = {
+      "balls",
+      {
+        x = 10 + 39 * column + random:between(0, 10),
+        y = 10 + 58 * row + random:between(0, 20),
+        width = random:between(6, 16),
+        height = random:between(6, 16),
+        vx = random:between(-200, 200),
+        vy = random:between(-200, 200),
+        mass = random:between(0.5, 4.5),
+        restitution = 1,
+      },
+    }
+  end
+  return description
+end
+
+describe("momentum", function()
+  --   +---+        +-+
+  --   | 2 | 100 -> |1|
+  --   +---+        +-+
+  for _, row in ipairs {
+    -- restitution, masses, speeds before, speeds after
+    { 1, 2, 1, 100, 0, 100 / 3, 400 / 3 },
+    { 0, 2, 1, 100, 0, 200 / 3, 200 / 3 },
+    { 0.5, 2, 1, 100, 0, 50, 100 },
+    { 1, 1, 1, 100, 0, 0, 100 },
+    { 1, 1, 1000, 100, 0, 100 * (1 - 1000) / 1001, 200 / 1001 },
+    { 1, 1000, 1, 100, 0, 100 * 999 / 1001, 200 * 1000 / 1001 },
+    { 0, 1, 3, 100, -20, 10, 10 },
+    { 1, 1, 3, 100, 20, -20, 60 },
+  } do
+    local restitution, massA, massB, beforeA, beforeB = row[1], row[2], row[3], row[4], row[5]
+    local name = "(12) is kept, m %g at %g px/s into m %g at %g px/s, restitution %g"
+    it(name:format(massA, beforeA, massB, beforeB, restitution), function()
+      scene.each(EVERYWHERE, function(run)
+        local a = { name = "a", x = 0, y = 0, width = 16, height = 16, vx = beforeA, mass = massA }
+        local b = { name = "b", x = 40, y = 4, width = 16, height = 16, vx = beforeB, mass = massB }
+        a.restitution = restitution
+        local named = run:build { gravity = 0, { "boxes", a }, { "boxes", b } }
+        run:play(1)
+        run:near("vx of a", named.a.vx, row[6])
+        run:near("vx of b", named.b.vx, row[7])
+        run:same("vy of a", named.a.vy, 0)
+        run:same("vy of b", named.b.vy, 0)
+        if run.push == "both" then
+          -- both meet at their moment and go on from there
+          local moment = 24 / (beforeA - beforeB)
+          run:near("x of a", named.a.x, beforeA * moment + row[6] * (1 - moment))
+          run:near("x of b", named.b.x, 40 + beforeB * moment + row[7] * (1 - moment))
+        end
+      end)
+    end)
+  end
+
+  --   +-+ -> +-++-++-++-+
+  --   +-+    +-++-++-++-+   Newton's cradle: only the last one leaves
+  it("passes through a row of equal boxes", function()
+    scene.each({ push = { "both" }, rate = variants.RATES, turn = variants.TURNS }, function(run)
+      local description = { gravity = 0 }
+      for i = 1, 5 do
+        local x = i == 1 and -30 or 16 * i
+        local box = { name = "box" .. i, x = x, y = 0, width = 16, height = 16, restitution = 1 }
+        box.vx = i == 1 and 120 or 0
+        description[i] = { "boxes", box }
+      end
+      local named = run:build(description)
+      run:play(1)
+      for i = 1, 4 do run:near("vx of box " .. i, named["box" .. i].vx, 0) end
+      run:near("vx of box 5", named.box5.vx, 120)
+      run:at(named.box1, 16, 0)
+      run:at(named.box5, 80 + 120 * (1 - 46 / 120), 0)
+    end)
+  end)
+end)
+
+describe("a closed box of bouncing boxes", function()
+  it("(12) keeps its energy for 60 s; momentum changes only at walls", function()
+    local levels = {
+      shift = { 0 },
+      order = { "forward" },
+      broadphase = { "grid" },
+      push = { "both" },
+    }
+    scene.each(levels, function(run)
+      run:build(balls(200, 3))
+      local walled
+      run.world.onBegin = function(a, b) walled = walled or a.static or b.static end
+      local px, py, before = sums(run.all)
+      for _ in run:steps(60) do
+        local nowX, nowY, energy = sums(run.all)
+        if not walled then
+          run:near("momentum along x", nowX, px, 1e-6)
+          run:near("momentum along y", nowY, py, 1e-6)
+        end
+        px, py, walled = nowX, nowY, false
+        run:near("energy", energy / before, 1, 0.01)
+      end
+      for _, object in ipairs(run.all) do
+        if not object.static then
+          run:check(object.x >= -1e-6 and object.x + object.width <= 800 + 1e-6, "left the room")
+          run:check(object.y >= -1e-6 and object.y + object.height <= 600 + 1e-6, "left the room")
+        end
+      end
+    end)
+  end)
+
+  it("keeps its energy for 5 s however it is played", function()
+    local levels = { rate = { 30, 60, "irregular" }, shift = { 0, 1 / 3, 100000.3 } }
+    scene.each(levels, function(run)
+      run:build(balls(60, 5))
+      local _, _, before = sums(run.all)
+      for _ in run:steps(5) do
+        local _, _, energy = sums(run.all)
+        run:near("energy", energy / before, 1, 1e-9)
+      end
+    end)
+  end)
+
+  it("loses energy, never gains any, with restitution below 1", function()
+    local levels = { rate = { 30, 60, "irregular" }, shift = { 0, 1 / 3, 100000.3 } }
+    scene.each(levels, function(run)
+      local description = balls(60, 9)
+      for i, entry in ipairs(description) do
+        entry[2].restitution = entry[2].restitution and (i % 4) / 4
+        entry[2].friction = (i % 3) / 4
+      end
+      run:build(description)
+      local _, _, last = sums(run.all)
+      for _ in run:steps(5) do
+        local _, _, energy = sums(run.all)
+        run:check(energy <= last * (1 + 1e-9), "energy rose from %.9g to %.9g", last, energy)
+        last = energy
+      end
+    end)
+  end)
+end)

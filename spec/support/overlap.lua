@@ -1,0 +1,67 @@
+--- How deep the objects of a scene stand in each other.
+
+local overlap = {}
+
+--- Depth of the overlap of two boxes, px; negative: they are apart.
+function overlap.depth(a, b)
+  local x = math.min(a.x + a.width, b.x + b.width) - math.max(a.x, b.x)
+  local y = math.min(a.y + a.height, b.y + b.height) - math.max(a.y, b.y)
+  return math.min(x, y)
+end
+
+local function isSolid(object)
+  return object.active ~= false and not object.sensor and not object.oneWay
+end
+
+local function isFixed(object)
+  return object.static or object.kinematic
+end
+
+--- The solid objects among `objects`, from left to right.
+--- An insertion sort of a list kept from the last call: hardly anything moved since.
+local function fromLeft(objects, list)
+  if #list ~= #objects then
+    for i = 1, #objects do list[i] = objects[i] end
+    for i = #list, #objects + 1, -1 do list[i] = nil end
+    table.sort(list, function(a, b) return a.x < b.x end)
+  end
+  for i = 2, #list do
+    local object, x, j = list[i], list[i].x, i - 1
+    while j >= 1 and list[j].x > x do
+      list[j + 1] = list[j]
+      j = j - 1
+    end
+    list[j + 1] = object
+  end
+  return list
+end
+
+--- Makes a function that finds the largest overlap of any two of a list of objects, at least one of
+--- them dynamic. Sensors, one-ways and inactive objects do not count; masks are not looked at.
+---@param objects table[]
+---@return fun(): number, table?, table? largest overlap in px (0: none) and the two objects
+function overlap.checker(objects)
+  local list = {}
+  return function()
+    fromLeft(objects, list)
+    local deepest, first, second = 0, nil, nil
+    for i = 1, #list do
+      local a = list[i]
+      local right = a.x + a.width
+      local j = i + 1
+      while isSolid(a) and list[j] and list[j].x < right do
+        local b = list[j]
+        if isSolid(b) and not (isFixed(a) and isFixed(b)) then
+          local depth = overlap.depth(a, b)
+          if depth > deepest then
+            deepest, first, second = depth, a, b
+          end
+        end
+        j = j + 1
+      end
+    end
+    return deepest, first, second
+  end
+end
+
+return overlap

@@ -1,0 +1,360 @@
+--- Scenes for the scenario specs. A scene is data:
+---
+---     local SCENE = {
+---       gravity = 800,                                     -- any setting of newWorld
+---       { "tiles", { x = 0, y = 100, width = 800, height = 16, static = true } },
+---       { "players", { name = "body", x = 0, y = 76, width = 14, height = 24, vx = 200 } },
+---     }
+---
+--- and a row plays it in every variant (see spec/support/variants.lua):
+---
+---     scene.each({ rate = variants.RATES }, function(run)
+---       local body = run:build(SCENE).body
+---       for time in run:steps(2) do run:near("x", body.x, 200 * time) end
+---     end)
+---
+--- `body` is a *view* of the object in the world: it is read and written in the coordinates of the
+--- scene, whatever the variant shifted and turned. `body.raw` is the object itself.
+
+local physics = require "physics"
+local fail = require("busted").fail
+local newRandom = require("spec.support.random").new
+local turn = require "spec.support.turn"
+local variants = require "spec.support.variants"
+
+local scene = {}
+
+local Run = {}
+Run.__index = Run
+
+local TOLERANCE = 1e-6
+local SIDES = { "top", "bottom", "left", "right" }
+
+-- Views ------------------------------------------------------------------------------------------
+
+local View = {}
+
+--- The box of an object as the scene has it.
+local function boxOf(run, raw)
+  local x, y = raw.x - run.shift, raw.y - run.shift
+  return turn.box(turn.back(run.turn), x, y, raw.width, raw.height)
+end
+
+--- `touching` as the scene has it: views under the scene's sides.
+local function touchingOf(run, raw)
+  local result = {}
+  for side, other in pairs(raw.touching) do
+    result[turn.side(turn.back(run.turn), side)] = run.views[other] or other
+  end
+  return result
+end
+
+function View.__index(view, key)
+  local run, raw = rawget(view, "run"), rawget(view, "raw")
+  if key == "x" or key == "y" or key == "width" or key == "height" then
+    local x, y, width, height = boxOf(run, raw)
+    return key == "x" and x or key == "y" and y or key == "width" and width or height
+  elseif key == "vx" or key == "vy" then
+    local vx, vy = turn.vector(turn.back(run.turn), raw.vx or 0, raw.vy or 0)
+    return key == "vx" and vx or vy
+  elseif key == "touching" then
+    return touchingOf(run, raw)
+  end
+  return raw[key]
+end
+
+--- Writes one number of a pair and leaves the bits of the other one alone.
+local function writeOne(run, raw, isX, nameX, nameY, turnedX, turnedY)
+  if isX == (run.turn % 2 == 0) then
+    raw[nameX] = turnedX
+  else
+    raw[nameY] = turnedY
+  end
+end
+
+function View.__newindex(view, key, value)
+  local run, raw = rawget(view, "run"), rawget(view, "raw")
+  if key == "x" or key == "y" then
+    local x, y, width, height = boxOf(run, raw)
+    if key == "x" then x = value else y = value end
+    x, y = turn.box(run.turn, x, y, width, height)
+    writeOne(run, raw, key == "x", "x", "y", x + run.shift, y + run.shift)
+  elseif key == "vx" or key == "vy" then
+    local vx, vy = turn.vector(run.turn, value, value)
+    writeOne(run, raw, key == "vx", "vx", "vy", vx, vy)
+  else
+    raw[key] = value
+  end
+end
+
+-- Building ---------------------------------------------------------------------------------------
+
+--- Turns two fields that form a vector, if one of them is there.
+local function turnPair(count, object, nameX, nameY)
+  if object[nameX] or object[nameY] then
+    object[nameX], object[nameY] = turn.vector(count, object[nameX] or 0, object[nameY] or 0)
+  end
+end
+
+--- The object that a scene describes, shifted and turned.
+local function place(run, description)
+  local object = {}
+  for key, value in pairs(description) do object[key] = value end
+  local x, y, width, height =
+    turn.box(run.turn, object.x, object.y, object.width, object.height)
+  object.x, object.y, object.width, object.height = x + run.shift, y + run.shift, width, height
+  turnPair(run.turn, object, "vx", "vy")
+  turnPair(run.turn, object, "ax", "ay")
+  turnPair(run.turn, object, "gravityX", "gravity")
+  if run.turn % 2 == 1 then
+    object.maxSpeedX, object.maxSpeedY = object.maxSpeedY, object.maxSpeedX
+  end
+  if object.oneWay then object.oneWay = turn.side(run.turn, object.oneWay) end
+  return object
+end
+
+--- The names of the groups of a scene, last to first.
+local function groupsBackward(description)
+  local names, seen = {}, {}
+  for _, entry in ipairs(description) do
+    if not seen[entry[1]] then names[#names + 1] = entry[1] end
+    seen[entry[1]] = true
+  end
+  table.sort(names, function(a, b) return a > b end)
+  return names
+end
+
+--- The settings of a scene in this variant; a scene falls at 800 px/s² unless it says otherwise.
+local function settingsOf(run, description)
+  local settings = { broadphase = run.broadphase, push = run.push }
+  if run.order == "backward" then settings.order = groupsBackward(description) end
+  for key, value in pairs(description) do
+    if type(key) == "string" then settings[key] = value end
+  end
+  settings.gravityX, settings.gravity =
+    turn.vector(run.turn, settings.gravityX or 0, settings.gravity or 800)
+  return settings
+end
+
+--- The entries of a scene in the variant's order of insertion.
+local function inOrder(run, description)
+  local entries = {}
+  for i = 1, #description do entries[i] = description[i] end
+  if run.order == "shuffled" then return newRandom(7):shuffled(entries) end
+  if run.order == "backward" then
+    for i = 1, math.floor(#entries / 2) do
+      local j = #entries + 1 - i
+      entries[i], entries[j] = entries[j], entries[i]
+    end
+  end
+  return entries
+end
+
+--- Adds one object to the world of the run.
+---@return table view
+function Run:add(group, description)
+  local raw = place(self, description)
+  local view = setmetatable({ raw = raw, run = self }, View)
+  self.views[raw] = view
+  if raw.name then self.named[raw.name] = view end
+  self.world:add(group, raw)
+  return view
+end
+
+--- Makes the world of a scene.
+---@return table named views of the objects that have a name
+function Run:build(description)
+  self.time = 0
+  self.views, self.named, self.all = {}, {}, {}
+  self.world = physics.newWorld(settingsOf(self, description))
+  for _, entry in ipairs(inOrder(self, description)) do
+    self.all[#self.all + 1] = self:add(entry[1], entry[2]).raw
+  end
+  return self.named
+end
+
+-- Playing ----------------------------------------------------------------------------------------
+
+--- The list of steps that fill some seconds at the rate of the variant.
+--- Irregular: between 1/240 and 1/30 s, now and then a hitch of up to 0.1 s.
+---@param seconds number
+---@param rate number|"irregular" steps per second
+---@return number[] list of dt
+function scene.times(seconds, rate)
+  local list = {}
+  if rate ~= "irregular" then
+    local count = math.floor(seconds * rate + 0.5)
+    if math.abs(count - seconds * rate) > 1e-6 then error("not a whole number of steps", 3) end
+    for i = 1, count do list[i] = 1 / rate end
+    return list
+  end
+  local random, left = newRandom(11), seconds
+  while left > 0 do
+    local dt = random:between(1 / 240, 1 / 30)
+    if random:chance(0.05) then dt = random:between(1 / 30, 0.1) end
+    if left - dt < 1 / 240 then dt = left end
+    list[#list + 1] = dt
+    left = left - dt
+  end
+  return list
+end
+
+--- Updates the world once.
+function Run:step(dt)
+  self.world:update(dt)
+  self.time = self.time + dt
+end
+
+--- Updates the world for some seconds: `for time, dt in run:steps(2, before) do … end`, the body
+--- runs after each step, `before` (optional) before it.
+function Run:steps(seconds, before)
+  local list, i, start = scene.times(seconds, self.rate), 0, self.time
+  return function()
+    i = i + 1
+    if not list[i] then return nil end
+    if before then before() end
+    self:step(list[i])
+    return self.time - start, list[i]
+  end
+end
+
+--- The same without a look at each step.
+function Run:play(seconds, before)
+  for _ in self:steps(seconds, before) do end
+end
+
+--- Counts the events of an object from now on.
+---@return table log begins, stays, ends, crushes: numbers; sides: begins by side; speed: the last
+function Run:listen(view)
+  local log = { begins = 0, stays = 0, ends = 0, crushes = 0, sides = {} }
+  for _, side in ipairs(SIDES) do log.sides[side] = 0 end
+  local raw = view.raw
+  function raw.onBegin(_, _, side, speed)
+    log.begins, log.speed = log.begins + 1, speed
+    side = turn.side(turn.back(self.turn), side)
+    log.sides[side] = log.sides[side] + 1
+  end
+  function raw.onStay() log.stays = log.stays + 1 end
+  function raw.onEnd() log.ends = log.ends + 1 end
+  function raw.onCrush() log.crushes = log.crushes + 1 end
+  return log
+end
+
+--- Counts the events of the world from now on: each pair once.
+---@return table log begins, ends: numbers
+function Run:listenToWorld()
+  local log = { begins = 0, ends = 0 }
+  self.world.onBegin = function() log.begins = log.begins + 1 end
+  self.world.onEnd = function() log.ends = log.ends + 1 end
+  return log
+end
+
+-- Checking ---------------------------------------------------------------------------------------
+
+local function stop(run, message, level)
+  error(("after %.6g s: %s"):format(run.time or 0, message), level + 1)
+end
+
+--- Fails unless a condition holds.
+function Run:check(condition, message, ...)
+  if not condition then stop(self, message:format(...), 2) end
+end
+
+--- Fails unless a number is the expected one, at most `tolerance` (1e-6) off.
+function Run:near(what, actual, expected, tolerance)
+  if math.abs(actual - expected) <= (tolerance or TOLERANCE) then return end -- false for NaN
+  local message = "%s should be %.17g, is %.17g (%.3g off)"
+  stop(self, message:format(what, expected, actual, actual - expected), 2)
+end
+
+--- Fails unless two values are the same, numbers to the bit.
+function Run:same(what, actual, expected)
+  if actual == expected then return end
+  local format = type(actual) == "number" and "%.17g" or "%s"
+  local is = format:format(type(actual) == "number" and actual or tostring(actual))
+  stop(self, ("%s should be %s, is %s"):format(what, tostring(expected), is), 2)
+end
+
+--- Fails unless a view is at a place, at most `tolerance` (1e-6 px) off.
+function Run:at(view, x, y, tolerance)
+  local reach = tolerance or TOLERANCE
+  if math.abs(view.x - x) <= reach and math.abs(view.y - y) <= reach then return end
+  local message = "%s should be at (%.9g, %.9g), is at (%.9g, %.9g), v (%.6g, %.6g)"
+  local name = view.name or "object"
+  stop(self, message:format(name, x, y, view.x, view.y, view.vx, view.vy), 2)
+end
+
+--- Fails unless a view rests: velocity exactly 0.
+function Run:still(view)
+  if view.vx == 0 and view.vy == 0 then return end
+  local name = view.name or "object"
+  stop(self, ("%s should be still, moves at (%.9g, %.9g)"):format(name, view.vx, view.vy), 2)
+end
+
+--- Fails unless `view` touches something on the sides listed, and on no other.
+function Run:touches(view, ...)
+  local expected, touching = {}, view.touching
+  for _, side in ipairs { ... } do expected[side] = true end
+  for _, side in ipairs(SIDES) do
+    local is = touching[side] ~= false
+    if is ~= (expected[side] == true) then
+      is = is and "touches" or "should touch"
+      stop(self, ("%s %s something on the %s"):format(view.name or "object", is, side), 2)
+    end
+  end
+end
+
+--- Fails unless `a` has its `side` exactly on `b`, to the bit.
+function Run:flush(a, b, side)
+  local me, other = a.raw, b.raw
+  local pressed = turn.side(self.turn, side)
+  local axis = (pressed == "left" or pressed == "right") and "x" or "y"
+  local size = axis == "x" and "width" or "height"
+  local expected
+  if pressed == "bottom" or pressed == "right" then
+    expected = other[axis] - me[size]
+  else
+    expected = other[axis] + other[size]
+  end
+  if me[axis] == expected then return end
+  local message = "%s should be flush with its %s: raw %s should be %.17g, is %.17g"
+  stop(self, message:format(a.name or "object", side, axis, expected, me[axis]), 2)
+end
+
+--- A run in one variant.
+function scene.run(variant)
+  local run = setmetatable({}, Run)
+  for key, value in pairs(variant) do run[key] = value end
+  return run
+end
+
+--- Plays a row in every variant of a selection; the failure names the variants that failed.
+---@param levels table? see variants.select
+---@param play fun(run: table)
+function scene.each(levels, play)
+  local selection, failures, messages = variants.select(levels), 0, {}
+  for _, variant in ipairs(selection) do
+    local ok, message = pcall(play, scene.run(variant))
+    if not ok then
+      failures = failures + 1
+      messages[failures] = ("[%s] %s"):format(variant.name, tostring(message))
+    end
+  end
+  if failures > 0 then
+    local head = ("%d of %d variants fail:\n"):format(failures, #selection)
+    fail(head .. table.concat(messages, "\n", 1, math.min(failures, 3)), 2)
+  end
+end
+
+--- Adds a row of static tiles to a list of entries: `count` boxes of one size, `dx, dy` apart.
+function scene.tiles(list, count, x, y, width, height, dx, dy)
+  for i = 0, count - 1 do
+    list[#list + 1] = {
+      "tiles",
+      { x = x + dx * i, y = y + dy * i, width = width, height = height, static = true },
+    }
+  end
+  return list
+end
+
+return scene

@@ -1,0 +1,262 @@
+--- Random plays for the property specs. A script is data, made from a seed before anything moves: a
+--- first set of objects, and for each step a dt and what the game writes before it. So the same
+--- script can be played in worlds with different settings, and the bits compared.
+
+local physics = require "physics"
+local newRandom = require("spec.support.random").new
+
+local script = {}
+
+local GROUPS = { "boxes", "crates", "players" }
+local ROOM = 400 -- px, inner width and height of the room
+
+-- Making -----------------------------------------------------------------------------------------
+
+--- A room: floor of tiles, walls, some blocks inside.
+local function makeStatics(random, list)
+  for i = 0, 24 do
+    list[#list + 1] = { "tiles", { x = 16 * i, y = ROOM, width = 16, height = 16, static = true } }
+  end
+  local walls = {
+    { -32, -ROOM, 32, 2 * ROOM + 32 },
+    { ROOM, -ROOM, 32, 2 * ROOM + 32 },
+    { -32, -ROOM - 32, ROOM + 64, 32 },
+  }
+  for _, wall in ipairs(walls) do
+    local x, y, width, height = wall[1], wall[2], wall[3], wall[4]
+    local object = { x = x, y = y, width = width, height = height, static = true }
+    object.friction = random:chance(0.5) and random:between(0, 1) or nil
+    list[#list + 1] = { "walls", object }
+  end
+  for i = 0, 3 do
+    local x, y = 100 * i + random:between(0, 50), random:between(200, 340)
+    local block = { x = x, y = y, width = random:between(8, 50), height = random:between(8, 30) }
+    block.static = true
+    list[#list + 1] = { "blocks", block }
+  end
+end
+
+--- A dynamic box with random fields, at a place of a raster so that nothing overlaps at first.
+local function makeBox(random, x, y)
+  local box = {
+    x = x,
+    y = y,
+    width = random:between(4, 20),
+    height = random:between(4, 20),
+    vx = random:between(-150, 150),
+    vy = random:between(-100, 100),
+  }
+  if random:chance(0.5) then box.friction = random:between(0, 1) end
+  if random:chance(0.4) then box.restitution = random:pick { 0.25, 0.5, 0.9, 1 } end
+  if random:chance(0.4) then box.mass = random:between(0.25, 8) end
+  if random:chance(0.1) then box.gravity = random:pick { 0, -300, 1200 } end
+  if random:chance(0.1) then box.airFriction = random:between(0, 2) end
+  if random:chance(0.1) then box.drag = random:between(0, 100) end
+  if random:chance(0.1) then box.maxSpeed = random:between(50, 400) end
+  if random:chance(0.1) then box.pushable = false end
+  if random:chance(0.1) then box.mask = { crates = false } end
+  return box
+end
+
+--- A platform, a one-way or a sensor.
+local function makeSpecial(random, x, y)
+  local special = { x = x, y = y, width = random:between(20, 70), height = random:between(4, 12) }
+  local kind = random:integer(1, 4)
+  if kind == 1 then
+    special.kinematic, special.vx, special.vy = true, random:between(-80, 80), 0
+  elseif kind == 2 then
+    special.kinematic, special.vx, special.vy = true, 0, random:between(-40, 40)
+  elseif kind == 3 then
+    special.static, special.oneWay = true, random:pick { "top", "bottom", "left", "right" }
+  else
+    special.static, special.sensor = true, true
+  end
+  return special
+end
+
+--- What the game writes to an object that is there.
+local function makeWrite(random, index)
+  local kind = random:integer(1, 9)
+  if kind <= 3 then
+    local fields = { vx = random:between(-400, 400), vy = random:between(-400, 400) }
+    return { "write", index, fields }
+  elseif kind == 4 then
+    local fields = { x = random:between(0, ROOM - 20), y = random:between(0, 180) }
+    return { "write", index, fields }
+  elseif kind == 5 then
+    return { "write", index, { width = random:between(4, 20), height = random:between(4, 20) } }
+  elseif kind == 6 then
+    return { "write", index, { friction = random:between(0, 1) } }
+  elseif kind == 7 then
+    return { "write", index, { active = random:chance(0.5) } }
+  elseif kind == 8 then
+    return { "write", index, { mask = random:chance(0.5) and { boxes = false } or {} } }
+  end
+  return { "remove", index }
+end
+
+--- Makes a script.
+---@param seed integer
+---@param options table steps: integer; boxes: integer; writes: number, share of the steps in which
+---  the game writes something; specials: boolean, with platforms, one-ways and sensors
+function script.new(seed, options)
+  local random = newRandom(seed)
+  local list = {}
+  makeStatics(random, list)
+  local firstMover = #list + 1
+  for i = 0, options.boxes - 1 do
+    local x = 24 * (i % 16) + random:between(0, 3)
+    local y = 160 - 24 * math.floor(i / 16) + random:between(0, 3)
+    list[#list + 1] = { random:pick(GROUPS), makeBox(random, x, y) }
+  end
+  if options.specials then
+    for i = 0, 4 do
+      list[#list + 1] = { "specials", makeSpecial(random, 80 * i, random:between(190, 380)) }
+    end
+  end
+  local result = { objects = list, steps = {}, gravity = random:pick { 0, 400, 800, 800, 800 } }
+  local count = #list
+  for i = 1, options.steps do
+    local step = { dt = random:pick { 1 / 60, 1 / 60, 1 / 60, 1 / 30, 1 / 144, 0.05 } }
+    if random:chance(options.writes) then
+      step[1] = makeWrite(random, random:integer(firstMover, count))
+      if random:chance(0.1) then
+        count = count + 1
+        local box = makeBox(random, random:between(0, ROOM - 20), random:between(0, 150))
+        step[2] = { "add", random:pick(GROUPS), box }
+      end
+    end
+    result.steps[i] = step
+  end
+  return result
+end
+
+-- Playing ----------------------------------------------------------------------------------------
+
+local Player = {}
+Player.__index = Player
+
+local function copyOf(object)
+  local copy = {}
+  for key, value in pairs(object) do copy[key] = value end
+  return copy
+end
+
+--- Ways of putting an object into a world: each fills the keys 1, 2, 3 … of its group.
+script.inserts = {
+  add = function(world, group, object) world:add(group, object) end,
+  insert = function(world, group, object)
+    world.objects[group] = world.objects[group] or {}
+    table.insert(world.objects[group], object)
+  end,
+  assign = function(world, group, object)
+    local list = {}
+    for key, other in pairs(world.objects[group] or {}) do list[key] = other end
+    list[#list + 1] = object
+    world.objects[group] = list
+  end,
+}
+
+function Player:add(group, description)
+  local object = copyOf(description)
+  self.count = self.count + 1
+  self.list[self.count] = object
+  self.indexOf[object] = self.count
+  self.insert(self.world, group, object)
+end
+
+--- Writes every event as a line, so that two runs can be compared.
+local function listen(player)
+  local told = player.told
+  for _, name in ipairs { "onBegin", "onStay", "onEnd", "onCrush" } do
+    player.world[name] = function(a, b, c)
+      local first, second = tostring(player.indexOf[a]), tostring(player.indexOf[b])
+      local third = tostring(player.indexOf[c] or c)
+      told[#told + 1] = ("%s %s %s %s"):format(name, first, second, third)
+    end
+  end
+end
+
+--- Begins to play a script.
+---@param settings table? of newWorld; gravity comes from the script
+---@param insert function? one of script.inserts, add unless given
+---@param prepare function? gets the world before anything is in it
+function script.play(self, settings, insert, prepare)
+  local all = { gravity = self.gravity }
+  for key, value in pairs(settings or {}) do all[key] = value end
+  local player = setmetatable({ script = self, step = 0, count = 0 }, Player)
+  player.world = physics.newWorld(all)
+  player.list, player.indexOf, player.told = {}, {}, {}
+  player.insert = insert or script.inserts.add
+  if prepare then prepare(player.world) end
+  listen(player)
+  for _, entry in ipairs(self.objects) do player:add(entry[1], entry[2]) end
+  return player
+end
+
+local function act(player, action)
+  if action[1] == "add" then return player:add(action[2], action[3]) end
+  local object = player.list[action[2]]
+  if not object then return end -- removed before
+  if action[1] == "remove" then
+    player.world:remove(object)
+    player.list[action[2]] = false
+  else
+    for field, value in pairs(action[3]) do
+      object[field] = type(value) == "table" and copyOf(value) or value
+    end
+  end
+end
+
+--- Plays the next step; false after the last.
+function Player:next()
+  self.step = self.step + 1
+  local step = self.script.steps[self.step]
+  if not step then return false end
+  for i = 1, #step do act(self, step[i]) end
+  for i = #self.told, 1, -1 do self.told[i] = nil end
+  self.world:update(step.dt)
+  return true
+end
+
+local FIELDS = { "x", "y", "vx", "vy" }
+local SIDES = { "top", "bottom", "left", "right" }
+
+--- The first difference between two players after the same step, in words, or nil.
+function script.difference(a, b)
+  for i = 1, a.count do
+    local one, other = a.list[i], b.list[i]
+    for _, field in ipairs(one and FIELDS or {}) do
+      if one[field] ~= other[field] then
+        local text = "object %d: %s is %.17g and %.17g"
+        return text:format(i, field, one[field], other[field])
+      end
+    end
+    for _, side in ipairs(one and one.touching and SIDES or {}) do
+      local mine, others = a.indexOf[one.touching[side]], b.indexOf[other.touching[side]]
+      if mine ~= others then
+        local text = "object %d: touching.%s is %s and %s"
+        return text:format(i, side, tostring(mine), tostring(others))
+      end
+    end
+  end
+  for i = 1, math.max(#a.told, #b.told) do
+    if a.told[i] ~= b.told[i] then
+      return ("event %d is %s and %s"):format(i, tostring(a.told[i]), tostring(b.told[i]))
+    end
+  end
+end
+
+--- Plays a script in two worlds, step by step.
+---@return string? difference the first one, nil: the same to the bit
+function script.compare(self, settingsA, settingsB, insertA, insertB)
+  local a = script.play(self, settingsA, insertA)
+  local b = script.play(self, settingsB, insertB)
+  while a:next() do
+    b:next()
+    local text = script.difference(a, b)
+    if text then return ("step %d: %s"):format(a.step, text) end
+  end
+end
+
+return script
