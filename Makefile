@@ -1,6 +1,7 @@
 # The commands of this project. Each one sets up what it needs first (scripts/setup.sh).
 
-.PHONY: help setup test lint rock examples demo ci clean
+SHELL := bash
+.PHONY: help setup test lint format rock examples demo ci clean
 
 help: ## shows this list
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-9s %s\n", $$1, $$2 }' Makefile
@@ -13,6 +14,9 @@ test: setup ## runs the specs on every Lua: LuaJIT with and without JIT, 5.1 to 
 
 lint: setup ## luacheck and StyLua
 	@bash scripts/lint.sh
+
+format: setup ## lets StyLua rewrite the sources
+	@. scripts/checks.sh && bash scripts/stylua.sh $$(lua_sources)
 
 rock: setup ## installs the rock into lua_modules/ and runs it from another folder
 	@bash scripts/rock.sh

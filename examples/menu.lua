@@ -22,7 +22,7 @@ function menu.load()
   random = love.math.newRandomGenerator(2)
   untilNext = 0
   world = physics.newWorld({ gravity = 700 })
-  world:add("walls", { x = 540, y = 600, width = 400, height = 40, static = true })
+  world:add("walls", { x = 540, y = 600, width = 420, height = 40, static = true })
   world:add("walls", { x = 540, y = -400, width = 20, height = 1000, static = true })
   world:add("walls", { x = 940, y = -400, width = 20, height = 1000, static = true })
 end

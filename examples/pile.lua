@@ -1,6 +1,5 @@
 -- Many boxes dropped on each other, with the numbers that say what it costs.
 
-local input = require("input")
 local look = require("look")
 local physics = require("physics")
 
@@ -12,7 +11,7 @@ local CELL = 23 -- px, room for one box when they are dropped
 local FIRST, STEP, MOST = 600, 100, 1500 -- boxes
 local COLORS = { "red", "orange", "yellow", "lime", "green", "cyan", "sky", "blue" }
 local HISTORY = 200 -- updates in the graph
-local GRAPH_TOP = 8 -- ms, the upper end of the graph
+local GRAPH_TOP = 4 -- ms, the upper end of the graph
 
 local world, random
 local times, average -- ms per update: the last ones, and smoothed
@@ -84,8 +83,7 @@ local function fewer()
 end
 
 function pile.keypressed(key, isRepeat)
-  local shifted = input.isDown("lshift", "rshift")
-  if key == "+" or key == "kp+" or (key == "=" and shifted) or key == "up" then
+  if key == "+" or key == "kp+" or key == "=" or key == "up" then
     more()
   elseif key == "-" or key == "kp-" or key == "down" then
     fewer()

@@ -9,7 +9,7 @@ local SIGNS = {
   { 4.5, 7, "run and jump" },
   { 10.5, 6.4, "hold the key: jump higher" },
   { 26, 7.6, "push the crate\nto get up there" },
-  { 42, 9, "land on their heads" },
+  { 43, 7.6, "land on their heads" },
   { 57, 10, "a spring!" },
   { 80.5, 9, "crates are for fun" },
 }
@@ -83,7 +83,7 @@ end
 local function drawHills(depth, base, height, length, color)
   look.color(color)
   local points = { 0, 640 }
-  for x = 0, 960, 24 do
+  for x = 0, 960, 12 do
     local place = (x + camera * depth) / length
     points[#points + 1] = x
     points[#points + 1] = base - love.math.noise(place, depth * 50) * height
@@ -102,10 +102,13 @@ local function drawBackground()
     local x = (love.math.noise(i * 3.1) * 1400 - camera * 0.03) % 960
     love.graphics.circle("fill", x, love.math.noise(i * 7.7) * 260, 0.6 + i % 3 * 0.4)
   end
-  for i, radius in ipairs({ 120, 90, 64 }) do
-    look.color("yellow", 0.12 + i * 0.14)
-    love.graphics.circle("fill", 700 - camera * 0.05, 330, radius)
+  -- The sun: many thin discs make a soft glow around a bright one.
+  for i = 1, 16 do
+    look.color("orange", 0.05)
+    love.graphics.circle("fill", 700 - camera * 0.05, 330, 190 - i * 8)
   end
+  look.color("yellow", 0.9)
+  love.graphics.circle("fill", 700 - camera * 0.05, 330, 58)
   drawHills(0.15, 520, 230, 190, "plum")
   drawHills(0.3, 580, 200, 150, "navy")
   drawHills(0.5, 640, 190, 120, "night")
@@ -265,8 +268,12 @@ end
 
 local function drawSigns()
   for _, sign in ipairs(SIGNS) do
-    look.color("white", 0.85)
-    look.text(sign[3], sign[1] * SIGN_TILE - 110, sign[2] * SIGN_TILE, 15, 220, "center")
+    local x, y = sign[1] * SIGN_TILE, sign[2] * SIGN_TILE
+    local _, breaks = sign[3]:gsub("\n", "")
+    look.color("night", 0.55)
+    love.graphics.rectangle("fill", x - 105, y - 5, 210, 29 + breaks * 18, 8)
+    look.color("white", 0.9)
+    look.text(sign[3], x - 105, y, 15, 210, "center")
   end
 end
 

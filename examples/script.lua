@@ -9,7 +9,7 @@
 local input = require("input")
 
 local STEP = 1 / 60
-local STEPS_PER_PICTURE = 4 -- drawing takes longest: not every frame is drawn
+local STEPS_PER_PICTURE = 10 -- drawing takes longest: not every frame is drawn
 
 local script = { isOn = false, frame = 0, frames = 60, keys = {} }
 
@@ -98,15 +98,16 @@ end
 --- Runs some frames of the script. `update(dt)` advances the example, `report()` returns a line
 --- that says how far it got.
 function script.update(update, report)
-  for _ = 1, STEPS_PER_PICTURE do
-    if script.frame == script.frames then
-      return
-    end
+  if script.frame >= script.frames then
+    return -- the picture is taken at the end of this frame
+  end
+  local last = math.min(script.frame + STEPS_PER_PICTURE, script.frames)
+  while script.frame < last do
     script.frame = script.frame + 1
     press()
     update(STEP)
   end
-  if script.frame == script.frames then
+  if last == script.frames then
     finish(report())
   end
 end

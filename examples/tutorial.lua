@@ -20,7 +20,7 @@ local LESSONS = {
 }
 local SCENE_X, SCENE_Y, SCENE_WIDTH, SCENE_HEIGHT = 444, 84, 484, 496
 local TEXT_X, TEXT_WIDTH = 32, 384
-local CODE_SIZE, CODE_LINE = 13, 19
+local TEXT_SIZE, CODE_SIZE, CODE_LINE = 16, 14, 21
 
 local page = 1
 local lesson
@@ -55,19 +55,28 @@ function tutorial.keypressed(key, isRepeat)
   end
 end
 
--- The texts are broken into lines to suit the editor. Only an empty line or a dash begins a new one.
+-- The texts are broken into lines to suit the editor; only an empty line or a dash means a new one.
 local function reflow(text)
   return (text:gsub("\n\n", "\0"):gsub("\n([^-])", " %1"):gsub("%z", "\n\n"))
 end
 
 local function drawCode()
   local code = type(lesson.code) == "function" and lesson.code() or lesson.code
-  local _, breaks = code:gsub("\n", "")
-  local height = (breaks + 1) * CODE_LINE + 20
+  local _, lines = (code .. "\n"):gsub("\n", "")
+  local height = lines * CODE_LINE + 22
   local y = SCENE_Y + SCENE_HEIGHT - height
   look.panel(TEXT_X, y, TEXT_WIDTH, height)
-  look.color("yellow")
-  look.text(code, TEXT_X + 14, y + 10, CODE_SIZE)
+  y = y + 11
+  for line in (code .. "\n"):gmatch("([^\n]*)\n") do
+    local words, comment = line:match("^(.-)(%-%-.*)$")
+    look.color("yellow")
+    local font = look.text(words or line, TEXT_X + 14, y, CODE_SIZE)
+    if comment then
+      look.color("silver")
+      look.text(comment, TEXT_X + 14 + font:getWidth(words), y, CODE_SIZE)
+    end
+    y = y + CODE_LINE
+  end
 end
 
 local function drawPages()
@@ -82,9 +91,9 @@ function tutorial.draw()
   look.color("sky")
   look.text(tostring(page), TEXT_X, 26, 30)
   look.color("white")
-  look.text(lesson.title, TEXT_X + 48, 28, 26)
+  look.text(lesson.title, TEXT_X + (page < 10 and 36 or 54), 28, 26)
   look.color("white", 0.9)
-  look.text(reflow(lesson.text), TEXT_X, SCENE_Y + 4, 15, TEXT_WIDTH)
+  look.text(reflow(lesson.text), TEXT_X, SCENE_Y + 2, TEXT_SIZE, TEXT_WIDTH)
   drawCode()
   drawPages()
 

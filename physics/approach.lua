@@ -9,11 +9,14 @@ local columns = require(here .. ".columns")
 
 local approach = {}
 
-local EPSILON = columns.EPSILON
+local EPSILON, NO_EVENT = columns.EPSILON, columns.NO_EVENT
+local max, min = math.max, math.min
 -- Two axes that close within this fraction of the step close together: a vertical hit.
 local TIE = 1e-9
 -- px/s below which two do not move against each other.
 local STILL = 1e-9
+-- Keeps 0 / 0 out of a path that ends as it begins.
+local TINY = 1e-300
 
 --- Kinds of meeting, in the order in which simultaneous ones are resolved.
 approach.FACE, approach.CORNER, approach.DEEP = 0, 1, 2
@@ -32,10 +35,16 @@ function approach.decode(code)
   return (rest - axis) / 2, axis, low == 1
 end
 
+--- The same meeting, told with the two of the pair exchanged.
+function approach.mirrored(code)
+  return code % 2 == 0 and code + 1 or code - 1
+end
+
 -- By how much the paths overlap on an axis at the end of the step. Both ways to round are asked, so
 -- that a box that was put flush against the other, from either side, does not overlap it.
-local function endOverlap(low, size, high)
-  local forward, backward = low + size - high, low - (high - size)
+local function endOverlap(b, low, high)
+  local atLow, size, atHigh = b.to[low], b.size[low], b.to[high]
+  local forward, backward = atLow + size - atHigh, atLow - (atHigh - size)
   return forward < backward and forward or backward
 end
 
@@ -45,56 +54,143 @@ local function gapAt(r, sizeA, sizeB)
   return after > before and after or before
 end
 
--- Where in the rest of the step two shrunk boxes begin and cease to overlap on an axis, for a gap at
--- its start and its end (measured on the side where they are apart).
-local function slab(gap, gapEnd, depth)
-  gap, gapEnd = gap + 2 * EPSILON, gapEnd + 2 * EPSILON
-  local closing = gap - gapEnd
-  if closing <= 0 or gapEnd >= 0 then
-    return 2, 2
-  end
-  return gap / closing, (gap + depth - 4 * EPSILON) / closing
+-- The tests go in stages, each a loop of its own over a short list, because a long loop body with
+-- many branches makes LuaJIT compile every way through it. Between the stages the numbers of a pair
+-- wait in b.relative, four a pair: the position of the other relative to the object, x and y, where
+-- the later of the two paths begins, and x and y at the end of the step.
+
+-- >= 0 if two stay clear of each other on one axis: apart now, and at the end on the same side.
+-- No branches, so that it is one piece of code for all.
+local function clearance(r, rEnd, size, sizeOther, clear)
+  return max(
+    min(r - size + EPSILON, rEnd - size - clear),
+    min(-r - sizeOther + EPSILON, -rEnd - sizeOther - clear)
+  )
 end
 
--- Where the boxes themselves, not shrunk, close on an axis.
-local function closes(gap, gapEnd)
-  return gap > 0 and gap / (gap - gapEnd) or 0
+--- Lists the pairs of object i that may meet on the present paths, behind b.near and b.relative, and
+--- forgets the events of all its pairs. Returns how many there are. At the `first` look, a pair of
+--- two who are awake is left to its first half-edge.
+function approach.gather(b, i, first)
+  local from, to, size, time = b.from, b.to, b.size, b.time
+  local other, nextHalf, event, near, relative = b.other, b.next, b.event, b.near, b.relative
+  -- With push = "first" also those that are only flush.
+  local clear = b.pushFirst and EPSILON or 0
+  local awake, k, count, half = b.awake, 2 * i, 0, b.head[i]
+  while half ~= 0 do
+    local j = other[half]
+    local m, p = 2 * j, (half + half % 2) / 2
+    event[p] = NO_EVENT
+    local start = max(time[i], time[j])
+    local mine = (start - time[i]) / max(1 - time[i], TINY)
+    local its = (start - time[j]) / max(1 - time[j], TINY)
+    local x = from[m] + (to[m] - from[m]) * its - (from[k] + (to[k] - from[k]) * mine)
+    local y = from[m + 1]
+      + (to[m + 1] - from[m + 1]) * its
+      - (from[k + 1] + (to[k + 1] - from[k + 1]) * mine)
+    local endX, endY = to[m] - to[k], to[m + 1] - to[k + 1]
+    if
+      max(
+        clearance(x, endX, size[k], size[m], clear),
+        clearance(y, endY, size[k + 1], size[m + 1], clear)
+      ) < 0
+      and not (first and half % 2 == 0 and awake[j])
+    then
+      local at = 4 * count
+      relative[at + 1], relative[at + 2] = x, y
+      relative[at + 3], relative[at + 4] = endX, endY
+      count = count + 1
+      near[count] = half
+    end
+    half = nextHalf[half]
+  end
+  return count
+end
+
+-- The gap on an axis at the beginning and, on the same side, at the end; whether the object itself
+-- is the low one. `at` is where the pair's numbers begin in b.relative.
+local function gaps(b, at, ka, kc, axis)
+  local r, rEnd = b.relative[at + axis + 1], b.relative[at + axis + 3]
+  local after, before = r - b.size[ka + axis], -r - b.size[kc + axis]
+  if after >= before then
+    return after, rEnd - b.size[ka + axis], true
+  end
+  return before, -rEnd - b.size[kc + axis], false
+end
+
+-- Where in the rest of the step two slightly shrunk boxes begin to overlap on an axis, and where
+-- they cease to.
+local function enters(b, at, ka, kc, axis)
+  local gap, gapEnd = gaps(b, at, ka, kc, axis)
+  gap, gapEnd = gap + 2 * EPSILON, gapEnd + 2 * EPSILON
+  if gapEnd >= 0 or gap <= gapEnd then
+    return 2
+  end
+  return gap / (gap - gapEnd)
+end
+
+local function leaves(b, at, ka, kc, axis)
+  local gap, gapEnd = gaps(b, at, ka, kc, axis)
+  local depth = b.size[ka + axis] + b.size[kc + axis] - 4 * EPSILON
+  return (gap + 2 * EPSILON + depth) / (gap - gapEnd)
 end
 
 -- Apart on both axes. Whether they meet at all is asked of slightly shrunk boxes, so that one that
--- slides past flush does not.
-local function meetCorner(b, ka, kc, gapX, endX, aLowX, gapY, endY, aLowY)
-  local size = b.size
-  local inX, outX = slab(gapX, endX, size[ka] + size[kc])
-  local inY, outY = slab(gapY, endY, size[ka + 1] + size[kc + 1])
-  if inX > 1 or inY > 1 or inX >= outY or inY >= outX then
+-- slides past flush does not; where, of the boxes themselves.
+local function meetCorner(b, at, ka, kc)
+  local inX, inY = enters(b, at, ka, kc, 0), enters(b, at, ka, kc, 1)
+  if inX > 1 or inY > 1 or inX >= leaves(b, at, ka, kc, 1) or inY >= leaves(b, at, ka, kc, 0) then
     return nil
   end
-  if inY >= inX - TIE then
-    if -endY > EPSILON then
-      return closes(gapY, endY), approach.code(approach.CORNER, 1, not aLowY)
-    end
-  elseif -endX > EPSILON then
-    return closes(gapX, endX), approach.code(approach.CORNER, 0, not aLowX)
+  local axis = inY > inX and 1 or 0
+  if inY - inX <= TIE and inX - inY <= TIE then
+    axis = b.downAxis -- a tie: along gravity
   end
+  local gap, gapEnd, aLow = gaps(b, at, ka, kc, axis)
+  if -gapEnd <= EPSILON then
+    return nil
+  end
+  return gap > 0 and gap / (gap - gapEnd) or 0, approach.code(approach.CORNER, axis, not aLow)
+end
+
+-- Apart on one axis only, on which they close.
+local function meetFace(b, at, ka, kc, axis)
+  local gap, _, aLow = gaps(b, at, ka, kc, axis)
+  local low, high = ka + axis, kc + axis
+  if not aLow then
+    low, high = high, low
+  end
+  local overlap = endOverlap(b, low, high)
+  if overlap <= 0 then
+    -- Flush now and at the end, but with speed left against each other: a push that was taken by
+    -- one of them alone (push = "first").
+    local closes = gap <= EPSILON and overlap > -EPSILON and b.speed[low] - b.speed[high] > STILL
+    if not (b.pushFirst and closes) then
+      return nil
+    end
+    overlap = 0
+  end
+  local share = gap > EPSILON and gap / (gap + overlap) or 0
+  local r = b.relative[at + 2 - axis]
+  r = r + (b.relative[at + 4 - axis] - r) * share
+  if gapAt(r, b.size[ka + 1 - axis], b.size[kc + 1 - axis]) >= -EPSILON then
+    return nil -- past each other by then
+  end
+  return share, approach.code(approach.FACE, axis, not aLow)
 end
 
 local SIDE_CODES = { right = { 0, false }, left = { 0, true }, bottom = { 1, false }, top = { 1, true } }
 
--- Two that are inside each other: they part along the axis on which they were apart before the
--- step, else by the opposite-sides rule. Rare.
-local function meetDeep(b, ka, kc)
-  local position, size, to = b.position, b.size, b.to
+-- Inside each other: they part along the axis on which they were apart before they came there, else
+-- by the opposite-sides rule. Rare.
+local function meetDeep(b, p, ka, kc)
+  local from, size, to = b.from, b.size, b.to
   local axis, secondIsLow
-  for try = 0, 1 do
-    local r = position[kc + try] - position[ka + try]
-    if gapAt(r, size[ka + try], size[kc + try]) >= -EPSILON then
-      axis, secondIsLow = try, r < 0
-      break
-    end
-  end
-  if not axis then
-    local from = b.from
+  if b.wedged[p] ~= 0 then
+    local _
+    _, axis, secondIsLow = approach.decode(b.wedged[p] - 1)
+    secondIsLow = secondIsLow == (b.pairA[p] * 2 == ka)
+  else
     local side = SIDE_CODES[aabb.side(
       from[ka],
       from[ka + 1],
@@ -111,86 +207,41 @@ local function meetDeep(b, ka, kc)
   if secondIsLow then
     low, high = high, low
   end
-  if endOverlap(to[low], size[low], to[high]) > 0 then
-    return 0, approach.code(approach.DEEP, axis, secondIsLow)
+  if endOverlap(b, low, high) <= 0 then
+    return nil
   end
+  return 0, approach.code(approach.DEEP, axis, secondIsLow)
 end
 
--- Apart on one axis only (`axis`), on which they close from `gap` to an overlap.
-local function meetFace(b, ka, kc, axis, gap, aLow, rOther, endOther)
-  local size, to = b.size, b.to
-  local low, high = ka + axis, kc + axis
-  if not aLow then
-    low, high = high, low
+local function meet(b, at, p, ka, kc)
+  local isOverX = gaps(b, at, ka, kc, 0) < -EPSILON
+  local isOverY = gaps(b, at, ka, kc, 1) < -EPSILON
+  if isOverX and isOverY then
+    return meetDeep(b, p, ka, kc)
+  elseif isOverX then
+    return meetFace(b, at, ka, kc, 1)
+  elseif isOverY then
+    return meetFace(b, at, ka, kc, 0)
   end
-  local overlap = endOverlap(to[low], size[low], to[high])
-  if overlap <= 0 then
-    -- Flush now and at the end, but with speed left against each other: a push that was taken by
-    -- one of them alone (push = "first").
-    local closes = gap <= EPSILON and overlap > -EPSILON and b.speed[low] - b.speed[high] > STILL
-    if not closes then
-      return nil
-    end
-    overlap = 0
-  end
-  local share = 0
-  if gap > EPSILON then
-    share = gap / (gap + overlap)
-  end
-  local other = 1 - axis
-  local r = rOther + (endOther - rOther) * share
-  if gapAt(r, size[ka + other], size[kc + other]) >= -EPSILON then
-    return nil
-  end
-  return share, approach.code(approach.FACE, axis, not aLow)
+  return meetCorner(b, at, ka, kc)
 end
 
---- Returns where in the step (0..1) the objects `a` and `c` meet and the code of the meeting, or
---- nil.
-function approach.test(b, a, c)
-  local from, to, size, time = b.from, b.to, b.size, b.time
-  local ka, kc = 2 * a, 2 * c
-  local ax, ay, cx, cy = from[ka], from[ka + 1], from[kc], from[kc + 1]
-  local timeA, timeC = time[a], time[c]
-  local start = timeA
-  if timeA < timeC then
-    start = timeC
-    local share = (timeC - timeA) / (1 - timeA)
-    ax, ay = ax + (to[ka] - ax) * share, ay + (to[ka + 1] - ay) * share
-  elseif timeC < timeA then
-    local share = (timeA - timeC) / (1 - timeC)
-    cx, cy = cx + (to[kc] - cx) * share, cy + (to[kc + 1] - cy) * share
-  end
-
-  local rx, endX = cx - ax, to[kc] - to[ka]
-  local aLowX = rx - size[ka] >= -rx - size[kc]
-  local gapX = aLowX and rx - size[ka] or -rx - size[kc]
-  local gapEndX = aLowX and endX - size[ka] or -endX - size[kc]
-  if gapX >= -EPSILON and gapEndX >= 0 then
-    return nil
-  end
-  local ry, endY = cy - ay, to[kc + 1] - to[ka + 1]
-  local aLowY = ry - size[ka + 1] >= -ry - size[kc + 1]
-  local gapY = aLowY and ry - size[ka + 1] or -ry - size[kc + 1]
-  local gapEndY = aLowY and endY - size[ka + 1] or -endY - size[kc + 1]
-  if gapY >= -EPSILON and gapEndY >= 0 then
-    return nil
-  end
-
-  local share, code
-  if gapX >= -EPSILON then
-    if gapY >= -EPSILON then
-      share, code = meetCorner(b, ka, kc, gapX, gapEndX, aLowX, gapY, gapEndY, aLowY)
-    else
-      share, code = meetFace(b, ka, kc, 0, gapX, aLowX, ry, endY)
+--- Computes when and how the `count` pairs gathered for object i meet: writes the pair into b.near,
+--- the moment (0..1 of the step) into b.nearTime and the code of the meeting into b.nearCode; the
+--- code is -1 for those that do not.
+function approach.run(b, i, count)
+  local near, nearTime, nearCode, time, other = b.near, b.nearTime, b.nearCode, b.time, b.other
+  for n = 1, count do
+    local half = near[n]
+    local j, p = other[half], (half + half % 2) / 2
+    local share, code = meet(b, 4 * n - 4, p, 2 * i, 2 * j)
+    near[n], nearCode[n] = p, -1
+    if share then
+      local start = max(time[i], time[j])
+      nearTime[n] = start + (1 - start) * share
+      -- The code is about the pair's own first and second.
+      nearCode[n] = half % 2 == 1 and code or approach.mirrored(code)
     end
-  elseif gapY >= -EPSILON then
-    share, code = meetFace(b, ka, kc, 1, gapY, aLowY, rx, endX)
-  else
-    share, code = meetDeep(b, ka, kc)
-  end
-  if share then
-    return start + (1 - start) * share, code
   end
 end
 

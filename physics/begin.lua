@@ -15,17 +15,19 @@ function begin.run(b)
   end
   local heldLow, heldHigh, weld, weldNext = b.heldLow, b.heldHigh, b.weld, b.weldNext
   for n = first, last do
-    for k = 2 * list[n], 2 * list[n] + 1 do
-      heldLow[k], heldHigh[k], weld[k], weldNext[k] = false, false, 0, 0
-    end
+    local k = 2 * list[n]
+    heldLow[k], heldHigh[k], weld[k], weldNext[k] = false, false, 0, 0
+    k = k + 1
+    heldLow[k], heldHigh[k], weld[k], weldNext[k] = false, false, 0, 0
   end
   local pressedLow, pressedHigh, stuck, grip = b.pressedLow, b.pressedHigh, b.stuck, b.grip
+  local buried = b.buried
   for n = first, last do
     local i = list[n]
-    stuck[i], grip[i] = false, 0
-    for k = 2 * i, 2 * i + 1 do
-      pressedLow[k], pressedHigh[k] = false, false
-    end
+    local k = 2 * i
+    stuck[i], grip[i], buried[i] = false, 0, false
+    pressedLow[k], pressedHigh[k] = false, false
+    pressedLow[k + 1], pressedHigh[k + 1] = false, false
   end
   b.begun = last
 end

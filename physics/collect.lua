@@ -83,6 +83,7 @@ local function readFilter(b, i, object)
   b.oneWay[i] = object.oneWay or false
   b.carry[i] = object.carry ~= false
   b.canCollide[i] = object.canCollide or false
+  b.hears[i] = object.onStay or false
   b.mask[i] = object.mask or false
   b.maskBits[i] = object.mask and maskBits(b, object.mask) or 0
 end
@@ -254,7 +255,7 @@ end
 local function compareFilters(b)
   local movers, objects = b.movers, b.object
   local active, sensor, pushable, kind = b.active, b.sensor, b.pushable, b.kind
-  local oneWay, canCollide, mask, bits = b.oneWay, b.canCollide, b.mask, b.maskBits
+  local hears, oneWay, canCollide, mask, bits = b.hears, b.oneWay, b.canCollide, b.mask, b.maskBits
   for n = 1, b.moverCount do
     local i = movers[n]
     local object = objects[i]
@@ -265,6 +266,7 @@ local function compareFilters(b)
       or orDefault(object.pushable, true) ~= pushable[i]
       or (object.oneWay or false) ~= oneWay[i]
       or (object.canCollide or false) ~= canCollide[i]
+      or (object.onStay or false) ~= hears[i]
       or (object.kinematic or false) ~= (kind[i] == KINEMATIC)
       or its ~= mask[i]
       or (its and maskBits(b, its) ~= bits[i])

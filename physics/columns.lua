@@ -15,6 +15,9 @@ columns.STATIC, columns.KINEMATIC, columns.DYNAMIC = 1, 2, 3
 --- How far apart two edges may be and still count as touching, px.
 columns.EPSILON = 1e-6
 
+--- Value of `event` for a pair that has none in the queue.
+columns.NO_EVENT = -1
+
 local HUGE = math.huge
 
 -- Values of a fresh slot. `false` in a numeric column means "the field is not set".
@@ -51,10 +54,13 @@ local SLOT = {
   awake = false,
   awakeAt = 0, -- place in the list of who is awake
   quiet = false, -- its last step changed nothing
+  heard = false, -- somebody is told of its contacts at every step
+  hears = false, -- its onStay
   visited = 0,
   -- the step
   moved = false, -- placed, resized or filtered anew by the game: its overlaps must be parted
   inside = false, -- the last step left it inside another
+  buried = false, -- inside something immovable, with no way out
   fresh = false, -- in its first step
   time = 0, -- fraction of the step at which its present path begins
   stuck = false, -- friction holds it to something that does not slide
@@ -103,7 +109,7 @@ local PAIR = {
   hitSpeed = 0,
   met = 0, -- how often it was resolved in this step
   passing = false, -- lets pass for this step (canCollide, dropThrough)
-  event = 0, -- its event in the queue
+  event = columns.NO_EVENT, -- its event in the queue
   wedged = 0, -- 1 + code of the meeting along which two that are left inside each other may part
   overlapping = false, -- was left inside each other at the end of the last step
 }
@@ -145,6 +151,13 @@ function columns.new()
     changed = {}, -- scratch of resolve and meet
     changedCount = 0,
     changeStamp = 0,
+    relative = { 0, 0, 0, 0 }, -- scratch of approach
+    near = {}, -- scratch of meet
+    nearTime = {},
+    nearCode = {},
+    touchBest = {}, -- scratch of publish: by 4 * slot + side
+    touchWidth = {},
+    touchPairs = {},
     found = {}, -- scratch of detect
     strays = {},
     groupNames = {},
@@ -242,7 +255,7 @@ function columns.link(b, i, j)
   b.pairA[p], b.pairB[p] = i, j
   b.contact[p], b.hit[p], b.hitSpeed[p], b.met[p] = 0, 0, 0, 0
   b.passing[p], b.overlapping[p] = false, false
-  b.event[p], b.wedged[p] = 0, 0
+  b.event[p], b.wedged[p] = columns.NO_EVENT, 0
   hang(b, 2 * p - 1, i, j)
   hang(b, 2 * p, j, i)
   b.pairCount = b.pairCount + 1
@@ -253,7 +266,7 @@ end
 function columns.unlink(b, p)
   unhang(b, 2 * p - 1, b.pairA[p])
   unhang(b, 2 * p, b.pairB[p])
-  b.pairA[p], b.pairB[p], b.event[p] = 0, 0, 0
+  b.pairA[p], b.pairB[p], b.event[p] = 0, 0, columns.NO_EVENT
   b.freePairCount = b.freePairCount + 1
   b.freePairs[b.freePairCount] = p
   b.pairCount = b.pairCount - 1

@@ -82,10 +82,12 @@ end
 local function fatten(b, i)
   local from, to, size, fatLow, fatHigh = b.from, b.to, b.size, b.fatLow, b.fatHigh
   local margin = b.kind[i] == STATIC and STATIC_MARGIN or MARGIN
-  for k = 2 * i, 2 * i + 1 do
-    fatLow[k] = min(from[k], to[k]) - margin
-    fatHigh[k] = max(from[k], to[k]) + size[k] + margin
-  end
+  local k = 2 * i
+  fatLow[k] = min(from[k], to[k]) - margin
+  fatHigh[k] = max(from[k], to[k]) + size[k] + margin
+  k = k + 1
+  fatLow[k] = min(from[k], to[k]) - margin
+  fatHigh[k] = max(from[k], to[k]) + size[k] + margin
 end
 
 local function hasLeft(b, i)

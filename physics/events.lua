@@ -65,11 +65,13 @@ function events.bounce(b, p, side, speed)
   add(b, LEFT, b.pairA[p], b.pairB[p], side, 0)
 end
 
---- Notes that a contact goes on, if anybody wants to know.
+--- Notes that a contact goes on, if anybody wants to know. Who is listened to at every step cannot
+--- sleep.
 function events.stay(b, p, side)
   local i, j = b.pairA[p], b.pairB[p]
   if b.world.onStay or b.object[i].onStay or b.object[j].onStay then
     add(b, STAY, i, j, side, 0)
+    b.heard[i], b.heard[j] = true, true
   end
 end
 

@@ -6,6 +6,7 @@
 
 local here = (...):match("^(.*)%.[^.]+$")
 local columns = require(here .. ".columns")
+local weld = require(here .. ".weld")
 
 local friction = {}
 
@@ -65,10 +66,19 @@ local function slide(u, a, tau, impact, weight)
   return stop, (v + stop) * 0.5 * tau
 end
 
--- Changes speed and way of k against `other` by what friction took off.
-local function shift(b, k, dSpeed, dWay)
+-- Inverse mass of slot i on the axis of k: that of all that is welded to it there.
+local function inverseMass(b, i, k)
+  if b.weld[k] ~= 0 then
+    return weld.inverseMass(b, k)
+  end
+  return b.inverseMass[i]
+end
+
+-- Changes speed and way of k, and of all that is welded to it, by what friction took off.
+local function shift(b, k, dSpeed, dWay, t)
   b.speed[k] = b.speed[k] + dSpeed
   b.to[k] = b.to[k] + dWay
+  weld.follow(b, k, dWay, t)
 end
 
 -- Speed of the surface of `low` along kw: its own and, along x, that of its belt.
@@ -81,9 +91,9 @@ local function surface(b, low, kw)
 end
 
 -- `up` rubs on `low`, which does not slide; returns false if the hold of `low` does not bear it.
-local function rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau)
+local function rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau, t)
   local grounded = b.inverseMass[low] == 0
-  local w, floorSpeed = b.inverseMass[up], surface(b, low, kw)
+  local w, floorSpeed = inverseMass(b, up, ku), surface(b, low, kw)
   local u, a = b.speed[ku] - floorSpeed, b.accel[ku] - b.accel[kw]
   local limit = mu * jn
   local stop, way = slide(u, a, tau, limit * w * share, limit * w * (1 - share))
@@ -103,23 +113,27 @@ local function rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau)
     end
     b.grip[up] = bearing - used
     b.speed[ku], b.accel[ku] = floorSpeed, b.accel[kw]
-    if way == 0 then
-      -- A kinematic object's path began with the step, that of a dynamic one at this moment.
-      local left = b.kind[low] == DYNAMIC and 1 or 1 - b.time[up]
-      local belt = (floorSpeed - b.speed[kw]) * tau
-      b.to[ku] = b.from[ku] + (b.to[kw] - b.from[kw]) * left + belt
-      return true
-    end
   else
     b.speed[ku] = b.speed[ku] + (stop - u)
   end
-  local free = (u - a * tau + u) * 0.5 * tau
-  b.to[ku] = b.to[ku] + (way - free)
+  local before = b.to[ku]
+  if stop == 0 and way == 0 then
+    -- A kinematic object's path began with the step, that of a dynamic one at this moment.
+    local left = b.kind[low] == DYNAMIC and 1 or 1 - b.time[up]
+    local belt = (floorSpeed - b.speed[kw]) * tau
+    b.to[ku] = b.from[ku] + (b.to[kw] - b.from[kw]) * left + belt
+  else
+    b.to[ku] = before + (way - (u - a * tau + u) * 0.5 * tau)
+  end
+  weld.follow(b, ku, b.to[ku] - before, t)
   return true
 end
 
-local function rubBoth(b, lo, hi, kl, kh, mu, jn, share, tau)
-  local wl, wh = b.inverseMass[lo], b.inverseMass[hi]
+local function rubBoth(b, lo, hi, kl, kh, mu, jn, share, tau, t)
+  if b.weld[kl] ~= 0 and b.weld[kl] == b.weld[kh] then
+    return
+  end
+  local wl, wh = inverseMass(b, lo, kl), inverseMass(b, hi, kh)
   local w = wl + wh
   if w == 0 then
     return
@@ -128,14 +142,14 @@ local function rubBoth(b, lo, hi, kl, kh, mu, jn, share, tau)
   local limit = mu * jn * w
   local stop, way = slide(u, a, tau, limit * share, limit * (1 - share))
   local dSpeed, dWay = stop - u, way - (u - a * tau + u) * 0.5 * tau
-  shift(b, kl, dSpeed * wl / w, dWay * wl / w)
-  shift(b, kh, -dSpeed * wh / w, -dWay * wh / w)
+  shift(b, kl, dSpeed * wl / w, dWay * wl / w, t)
+  shift(b, kh, -dSpeed * wh / w, -dWay * wh / w, t)
 end
 
 --- Rubs two that have just met on `axis`, `lo` with the smaller coordinate: `jn` is the impulse of
---- the contact, `share` the part of it that was an impact, `tau` the time left in s. Both paths must
---- begin at this moment.
-function friction.rub(b, lo, hi, axis, jn, share, tau)
+--- the contact, `share` the part of it that was an impact, `tau` the time left in s, t the moment
+--- (0..1). Both paths must begin at this moment.
+function friction.rub(b, lo, hi, axis, jn, share, tau, t)
   local mu = friction.coefficient(b, lo, hi)
   if mu == 0 or jn <= 0 then
     return
@@ -149,10 +163,10 @@ function friction.rub(b, lo, hi, axis, jn, share, tau)
     up, low, ku, kw = hi, lo, th, tl
   end
   local steady = up ~= 0 and (b.inverseMass[low] == 0 or b.stuck[low])
-  if steady and rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau) then
+  if steady and rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau, t) then
     return
   end
-  rubBoth(b, lo, hi, tl, th, mu, jn, share, tau)
+  rubBoth(b, lo, hi, tl, th, mu, jn, share, tau, t)
 end
 
 return friction

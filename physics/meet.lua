@@ -11,6 +11,8 @@ local approach = require(here .. ".approach")
 local ask = require(here .. ".ask")
 local columns = require(here .. ".columns")
 local detect = require(here .. ".detect")
+local interpreted = require(here .. ".interpreted")
+local path = require(here .. ".path")
 local predict = require(here .. ".predict")
 local queue = require(here .. ".queue")
 local resolve = require(here .. ".resolve")
@@ -24,80 +26,98 @@ local CORNER = approach.CORNER
 -- Moments closer than this part of a step are simultaneous.
 local MOMENTS = 1e9
 local MOST_MET = 63
+local NONE = columns.NO_EVENT
 
 -- How firmly the one that supports a pair stands: what cannot give way first, then by how far down
--- it is (along gravity), so that a stack is resolved from the floor up.
+-- it is (along gravity), so that a stack is resolved from the floor up. Across gravity it is the
+-- right-hand one as gravity sees it, so that a scene may be turned.
 local function supportOf(b, low, high, kl, kh, axis)
   if b.kind[low] ~= DYNAMIC or b.kind[high] ~= DYNAMIC or b.heldLow[kl] or b.heldHigh[kh] then
     return huge
   end
-  if axis == b.downAxis and b.downSign < 0 then
+  if b.orientation[axis] < 0 then
     return -b.from[kl]
   end
   return b.from[kh] + b.size[kh]
 end
 
--- Computes when pair p meets and puts that into the queue.
-local function schedule(b, p)
-  b.event[p] = 0
-  if b.passing[p] then
-    return
-  end
-  local one, other = b.pairA[p], b.pairB[p]
-  local isSensor = b.sensor[one] or b.sensor[other]
-  if isSensor and b.met[p] > 0 then
-    return
-  end
-  local t, code = approach.test(b, one, other, p)
-  if not t then
-    return
-  end
-  local kind, axis, otherIsLow = approach.decode(code)
-  local low, high = one, other
-  if otherIsLow then
-    low, high = other, one
-  end
+local function isSensed(b, p)
+  return b.sensor[b.pairA[p]] or b.sensor[b.pairB[p]]
+end
+
+-- What decides the order of events: moment, kind, how often the pair was resolved, axis, as one
+-- whole number.
+local function keyOf(b, p, t, kind, axis)
   local moment = floor(t * MOMENTS + 0.5)
   if kind == CORNER then
     moment = moment + 2
   end
   local met = b.met[p]
   local key = ((moment * 4 + kind) * 64 + (met < MOST_MET and met or MOST_MET)) * 2
-  if axis ~= b.downAxis then
-    key = key + 1
+  return axis == b.downAxis and key or key + 1
+end
+
+local function enqueue(b, p, t, code)
+  if b.passing[p] or (b.met[p] > 0 and isSensed(b, p)) then
+    return
+  end
+  local kind, axis, otherIsLow = approach.decode(code)
+  local one, other = b.pairA[p], b.pairB[p]
+  local low, high = one, other
+  if otherIsLow then
+    low, high = other, one
   end
   local support = supportOf(b, low, high, 2 * low + axis, 2 * high + axis, axis)
-  b.event[p] = queue.push(b.queue, key, support, b.rank[low], b.rank[high], p, code, t)
+  local first, second = b.rank[one], b.rank[other]
+  if second < first then
+    first, second = second, first
+  end
+  local key = keyOf(b, p, t, kind, axis)
+  b.event[p] = queue.push(b.queue, key, support, first, second, p, code, t)
 end
 
-local function scheduleAll(b, i)
-  local half, nextHalf = b.head[i], b.next
-  while half ~= 0 do
-    schedule(b, (half + half % 2) / 2)
-    half = nextHalf[half]
+local function enqueueAll(b, count)
+  local near, nearTime, nearCode = b.near, b.nearTime, b.nearCode
+  for n = 1, count do
+    if nearCode[n] >= 0 then
+      enqueue(b, near[n], nearTime[n], nearCode[n])
+    end
   end
 end
 
--- First look at the pairs of those in awakeList from `first` on. A pair of two who are awake is
--- looked at from its first half-edge only.
-local function scheduleNew(b, first)
-  local list, head, nextHalf, other, awake = b.awakeList, b.head, b.next, b.other, b.awake
+-- Computes when object i meets its neighbours and puts that into the queue.
+local scheduleAll = interpreted(function(b, i, first)
+  local count = approach.gather(b, i, first)
+  if count > 0 then
+    approach.run(b, i, count)
+    enqueueAll(b, count)
+  end
+end)
+
+local function resetPairs(b, first)
+  local list, head, nextHalf = b.awakeList, b.head, b.next
+  local met, hit, passing = b.met, b.hit, b.passing
   for n = first, b.awakeCount do
     local half = head[list[n]]
     while half ~= 0 do
-      if half % 2 == 1 or not awake[other[half]] then
-        local p = (half + half % 2) / 2
-        b.met[p], b.hit[p], b.passing[p] = 0, 0, false
-        schedule(b, p)
-      end
+      local p = (half + half % 2) / 2
+      met[p], hit[p], passing[p] = 0, 0, false
       half = nextHalf[half]
     end
   end
 end
 
+-- First look at the pairs of those in awakeList from `first` on.
+local scheduleNew = interpreted(function(b, first)
+  resetPairs(b, first)
+  for n = first, b.awakeCount do
+    scheduleAll(b, b.awakeList[n], true)
+  end
+end)
+
 -- Looks again at everybody whose path has changed; a path that leaves its fat box may find new
 -- neighbours and wake them.
-local function followChanged(b, dt)
+local followChanged = interpreted(function(b, dt)
   for n = 1, b.changedCount do
     local i = b.changed[n]
     detect.follow(b, i)
@@ -108,11 +128,11 @@ local function followChanged(b, dt)
     scheduleNew(b, woken)
   end
   for n = 1, b.changedCount do
-    scheduleAll(b, b.changed[n])
+    scheduleAll(b, b.changed[n], false)
   end
-end
+end)
 
-local function happen(b, p, code, t, dt)
+local happen = interpreted(function(b, p, code, t, dt)
   local _, axis, otherIsLow = approach.decode(code)
   local low, high = b.pairA[p], b.pairB[p]
   if otherIsLow then
@@ -126,29 +146,28 @@ local function happen(b, p, code, t, dt)
     resolve.sense(b, p, low, high, axis, t, dt)
     return
   end
-  b.changedCount = 0
-  b.changeStamp = b.changeStamp + 1
+  path.startChanges(b)
   resolve.run(b, p, low, high, axis, t, dt)
   followChanged(b, dt)
-end
+end)
 
 --- Resolves all contacts of a step of dt s.
-function meet.run(b, dt)
+meet.run = interpreted(function(b, dt)
   local q, event = b.queue, b.event
   queue.clear(q)
   scheduleNew(b, 1)
   local id = queue.pop(q)
   local resolved = 0
   while id do
-    local p = q.pair[id]
+    local p, code, t = queue.read(q, id)
     if event[p] == id then
-      event[p] = 0
+      event[p] = NONE
       resolved = resolved + 1
-      happen(b, p, q.code[id], q.time[id], dt)
+      happen(b, p, code, t, dt)
     end
     id = queue.pop(q)
   end
   b.resolved = resolved
-end
+end)
 
 return meet

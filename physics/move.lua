@@ -31,24 +31,42 @@ local function readCarrier(b, i)
   end
 end
 
+-- Who is inside something immovable and has no way out stays there, and gives way to nobody.
+local function bury(b, i)
+  for k = 2 * i, 2 * i + 1 do
+    b.to[k], b.speed[k], b.accel[k] = b.from[k], 0, 0
+    b.heldLow[k], b.heldHigh[k] = true, true
+  end
+end
+
+-- The path of a dynamic object on the axis of k.
+local function moveAlong(b, k, dt)
+  local speed, carried = b.speed[k], b.carried[k]
+  b.to[k] = b.from[k] + b.way[k] + carried * dt
+  b.accel[k] = (speed - b.velocity[k]) / dt
+  b.speed[k] = speed + carried
+end
+
 --- Computes the paths of those in awakeList from `first` to `last`.
 function move.run(b, dt, first, last)
-  local list, kind = b.awakeList, b.kind
+  local list, kind, buried = b.awakeList, b.kind, b.buried
   for n = first, last do
     if kind[list[n]] == KINEMATIC then
       moveKinematic(b, list[n], dt)
     end
   end
-  local from, to, way, accel = b.from, b.to, b.way, b.accel
-  local velocity, speed, carried = b.velocity, b.speed, b.carried
+  for n = first, last do
+    if kind[list[n]] == DYNAMIC then
+      readCarrier(b, list[n])
+    end
+  end
   for n = first, last do
     local i = list[n]
     if kind[i] == DYNAMIC then
-      readCarrier(b, i)
-      for k = 2 * i, 2 * i + 1 do
-        to[k] = from[k] + way[k] + carried[k] * dt
-        accel[k] = (speed[k] - velocity[k]) / dt
-        speed[k] = speed[k] + carried[k]
+      moveAlong(b, 2 * i, dt)
+      moveAlong(b, 2 * i + 1, dt)
+      if buried[i] then
+        bury(b, i)
       end
     end
   end

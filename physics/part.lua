@@ -3,6 +3,7 @@
 -- Who was placed by the game or was left inside another is moved out by the smallest way that is
 -- free: intersection rectangle, then the opposite-sides rule. A way that would end inside another
 -- immovable object is none, or a box that stands deep in a floor of tiles would be thrown sideways.
+-- Who finds no way out of something immovable is `buried`: it stays where it is.
 -- Two that were squeezed into each other (`wedged`) are left to `meet`: they part as they came.
 --
 -- Reads and writes from, to, position.
@@ -19,6 +20,7 @@ local sort = require(here .. ".sort")
 
 local part = {}
 
+local huge = math.huge
 local EPSILON, DYNAMIC = columns.EPSILON, columns.DYNAMIC
 local ROUNDS = 8
 
@@ -167,6 +169,23 @@ local function leave(b, i, j, exit, way)
   return true
 end
 
+-- Closes the ways out on which the first would pass right through the second: if it sticks out on
+-- some sides, only those are ways out; if it is wholly inside, all are.
+local function closePassages(b, i, j, ways)
+  local from, size = b.from, b.size
+  local ki, kj = 2 * i, 2 * j
+  local left = from[kj] - from[ki] > EPSILON
+  local right = from[ki] + size[ki] - from[kj] - size[kj] > EPSILON
+  local top = from[kj + 1] - from[ki + 1] > EPSILON
+  local bottom = from[ki + 1] + size[ki + 1] - from[kj + 1] - size[kj + 1] > EPSILON
+  if left or right or top or bottom then
+    ways[1] = top and ways[1] or huge
+    ways[2] = bottom and ways[2] or huge
+    ways[3] = right and ways[3] or huge
+    ways[4] = left and ways[4] or huge
+  end
+end
+
 local function separate(b, p)
   local i, j = b.pairA[p], b.pairB[p]
   if b.kind[i] ~= DYNAMIC or (b.kind[j] == DYNAMIC and b.rank[j] < b.rank[i]) then
@@ -193,7 +212,7 @@ local function separate(b, p)
       from[ki + axis] <= from[kj + axis] and j or i, axis) then
     return
   end
-  -- Ways are never longer than the boxes are together, so taken ones are marked by a longer one.
+  closePassages(b, i, j, ways)
   for _ = 1, 4 do
     local exit = 1
     for other = 2, 4 do
@@ -201,11 +220,15 @@ local function separate(b, p)
         exit = other
       end
     end
+    if ways[exit] == huge then
+      break
+    end
     if leave(b, i, j, exit, ways[exit]) then
       return
     end
-    ways[exit] = math.huge
+    ways[exit] = huge
   end
+  b.buried[i] = b.buried[i] or b.kind[j] ~= DYNAMIC
 end
 
 local function startRound(b)

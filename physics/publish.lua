@@ -12,7 +12,8 @@ local events = require(here .. ".events")
 local publish = {}
 
 local KINEMATIC, DYNAMIC = columns.KINEMATIC, columns.DYNAMIC
-local EPSILON = columns.EPSILON
+local EPSILON, OPPOSITE = columns.EPSILON, columns.OPPOSITE
+local max, min = math.max, math.min
 local SIDE_NUMBER = { left = 1, right = 2, top = 3, bottom = 4 }
 local MOST_CHAINED = 256 -- riders on riders; also ends a ring of supports
 
@@ -129,8 +130,21 @@ local function sensorContact(b, p, i, j)
   )]
 end
 
+local function gapAt(b, k, m)
+  local r = b.to[m] - b.to[k]
+  return max(r - b.size[k], -r - b.size[m])
+end
+
 local function updateContact(b, p)
   local i, j = b.pairA[p], b.pairB[p]
+  if
+    b.contact[p] == 0
+    and b.hit[p] == 0
+    and max(gapAt(b, 2 * i, 2 * j), gapAt(b, 2 * i + 1, 2 * j + 1)) > EPSILON
+  then
+    b.overlapping[p], b.wedged[p] = false, 0
+    return -- most neighbours do not touch
+  end
   local now
   if b.sensor[i] or b.sensor[j] then
     now = sensorContact(b, p, i, j)
@@ -157,59 +171,71 @@ local function updateContact(b, p)
   b.contact[p] = now
 end
 
+-- Updates all pairs of whoever took part, and lists those in contact behind b.touchPairs.
 local function updateContacts(b)
   local list, head, nextHalf, other, awake = b.awakeList, b.head, b.next, b.other, b.awake
+  local contact, touchPairs, count = b.contact, b.touchPairs, 0
   for n = 1, b.awakeCount do
     local half = head[list[n]]
     while half ~= 0 do
       if half % 2 == 1 or not awake[other[half]] then
-        updateContact(b, (half + half % 2) / 2)
+        local p = (half + half % 2) / 2
+        updateContact(b, p)
+        if contact[p] ~= 0 then
+          count = count + 1
+          touchPairs[count] = p
+        end
       end
       half = nextHalf[half]
     end
   end
-end
-
--- Whether neighbour j, over a common edge of this width, is a better answer than the best so far.
-local function isWider(b, width, j, bestWidth, best)
-  return best == 0
-    or width > bestWidth + EPSILON
-    or (width >= bestWidth - EPSILON and b.rank[j] < b.rank[best])
+  return count
 end
 
 local function commonEdge(b, i, j, axis)
   local ki, kj = 2 * i + axis, 2 * j + axis
   local to, size = b.to, b.size
-  local low = to[ki] > to[kj] and to[ki] or to[kj]
-  local highI, highJ = to[ki] + size[ki], to[kj] + size[kj]
-  return (highI < highJ and highI or highJ) - low
+  return min(to[ki] + size[ki], to[kj] + size[kj]) - max(to[ki], to[kj])
 end
 
--- The neighbour with the widest common edge on a side of i, 0: none.
-local function neighbourOn(b, i, side)
-  local best, bestWidth = 0, 0
-  local half = b.head[i]
-  while half ~= 0 do
-    local p, j = (half + half % 2) / 2, b.other[half]
-    local contact = b.contact[p]
-    if contact ~= 0 and half % 2 == 0 then
-      contact = columns.OPPOSITE[contact]
-    end
-    if contact == side and not b.sensor[i] and not b.sensor[j] then
+-- Offers j as what i touches on a side: the widest common edge wins, ties in order.
+local function offer(b, i, side, j, width)
+  local at = 4 * i + side
+  local best, bestWidth = b.touchBest[at], b.touchWidth[at]
+  if
+    best == 0
+    or width > bestWidth + EPSILON
+    or (width >= bestWidth - EPSILON and b.rank[j] < b.rank[best])
+  then
+    b.touchBest[at], b.touchWidth[at] = j, width
+  end
+end
+
+-- Finds what everybody touches, from the pairs in contact.
+local function findTouching(b, count)
+  local list, best, touchPairs = b.awakeList, b.touchBest, b.touchPairs
+  for n = 1, b.awakeCount do
+    local at = 4 * list[n]
+    best[at + 1], best[at + 2], best[at + 3], best[at + 4] = 0, 0, 0, 0
+  end
+  for n = 1, count do
+    local p = touchPairs[n]
+    local i, j, side = b.pairA[p], b.pairB[p], b.contact[p]
+    if not (b.sensor[i] or b.sensor[j]) then
       local width = commonEdge(b, i, j, side > 2 and 0 or 1)
-      if isWider(b, width, j, bestWidth, best) then
-        best, bestWidth = j, width
+      if b.awake[i] then
+        offer(b, i, side, j, width)
+      end
+      if b.awake[j] then
+        offer(b, j, OPPOSITE[side], i, width)
       end
     end
-    half = b.next[half]
   end
-  return best
 end
 
 local function publishTouching(b, i)
-  local object, touching = b.object[i], b.touching[i]
-  local left, right = neighbourOn(b, i, 1), neighbourOn(b, i, 2)
-  local top, bottom = neighbourOn(b, i, 3), neighbourOn(b, i, 4)
+  local object, touching, best, at = b.object[i], b.touching[i], b.touchBest, 4 * i
+  local left, right, top, bottom = best[at + 1], best[at + 2], best[at + 3], best[at + 4]
   touching.left = left ~= 0 and b.object[left]
   touching.right = right ~= 0 and b.object[right]
   touching.top = top ~= 0 and b.object[top]
@@ -271,6 +297,11 @@ local function ownVelocity(b, i, k, carrier)
   return v - c
 end
 
+-- Whether the next step may differ from this one although nothing moves.
+local function hasNews(b, i)
+  return b.fresh[i] or b.moved[i] or b.heard[i] or b.inside[i]
+end
+
 local function publishDynamic(b, i)
   local object, k = b.object[i], 2 * i
   local carrier = carrierOf(b, i)
@@ -279,7 +310,7 @@ local function publishDynamic(b, i)
   b.carrier[i] = carrier
   local still = x == b.position[k] and y == b.position[k + 1]
   local steady = vx == b.velocity[k] and vy == b.velocity[k + 1]
-  b.quiet[i] = still and steady and vx == 0 and vy == 0 and not b.fresh[i] and not b.moved[i]
+  b.quiet[i] = still and steady and vx == 0 and vy == 0 and not hasNews(b, i)
   if not still then
     object.x, object.y = x, y
     b.position[k], b.position[k + 1] = x, y
@@ -298,8 +329,7 @@ local function publishKinematic(b, i)
     and y == b.position[k + 1]
     and b.velocity[k] == 0
     and b.velocity[k + 1] == 0
-    and not b.fresh[i]
-    and not b.moved[i]
+    and not hasNews(b, i)
   if x ~= object.x or y ~= object.y then
     object.x, object.y = x, y
   end
@@ -327,11 +357,11 @@ end
 
 --- Publishes what the step has brought, for everybody who took part in it.
 function publish.run(b)
-  local list, kind, inside = b.awakeList, b.kind, b.inside
+  local list, kind, inside, heard = b.awakeList, b.kind, b.inside, b.heard
   for n = 1, b.awakeCount do
-    inside[list[n]] = false
+    inside[list[n]], heard[list[n]] = false, false
   end
-  updateContacts(b)
+  findTouching(b, updateContacts(b))
   for n = 1, b.awakeCount do
     if kind[list[n]] == DYNAMIC then
       publishTouching(b, list[n])

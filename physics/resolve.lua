@@ -11,54 +11,41 @@
 local here = (...):match("^(.*)%.[^.]+$")
 local columns = require(here .. ".columns")
 local friction = require(here .. ".friction")
+local path = require(here .. ".path")
 local weld = require(here .. ".weld")
 
 local resolve = {}
 
 local sqrt, max = math.sqrt, math.max
+local advance, change = path.advance, path.change
 local DYNAMIC = columns.DYNAMIC
 
 -- Hits of one pair in one step after which it bounces no more, is welded, is left alone.
 local BOUNCES, WELDS, PATIENCE = 4, 3, 32
-
--- Begins the path of a dynamic object anew at time t.
-local function advance(b, i, t)
-  local start = b.time[i]
-  if b.kind[i] ~= DYNAMIC or t <= start then
-    return
-  end
-  local share = (t - start) / (1 - start)
-  local from, to, k = b.from, b.to, 2 * i
-  from[k] = from[k] + (to[k] - from[k]) * share
-  from[k + 1] = from[k + 1] + (to[k + 1] - from[k + 1]) * share
-  b.time[i] = t
-end
-
-local function change(b, i)
-  if b.kind[i] == DYNAMIC and b.changedMark[i] ~= b.changeStamp then
-    b.changedMark[i] = b.changeStamp
-    b.changedCount = b.changedCount + 1
-    b.changed[b.changedCount] = i
-  end
-end
+-- px/s² below which two accelerate alike.
+local EVEN = 1e-6
 
 -- Inverse masses for a push between `lo` and `hi`; 0: cannot give way.
 local function weights(b, lo, hi, kl, kh)
   local wl, wh = b.inverseMass[lo], b.inverseMass[hi]
-  local groupL, groupH = b.weld[kl], b.weld[kh]
-  if groupL ~= groupH then
-    if groupL ~= 0 then
-      wl = 1 / b.weldMass[groupL]
-    end
-    if groupH ~= 0 then
-      wh = 1 / b.weldMass[groupH]
-    end
+  if b.weld[kl] ~= 0 then
+    wl = weld.inverseMass(b, kl)
   end
-  if b.heldLow[kl] or (not b.pushable[lo] and b.pushable[hi]) then
+  if b.weld[kh] ~= 0 then
+    wh = weld.inverseMass(b, kh)
+  end
+  if b.heldLow[kl] then
     wl = 0
   end
-  if b.heldHigh[kh] or (not b.pushable[hi] and b.pushable[lo]) then
+  if b.heldHigh[kh] then
     wh = 0
+  end
+  if b.pushable[lo] ~= b.pushable[hi] and b.kind[lo] == DYNAMIC and b.kind[hi] == DYNAMIC then
+    if b.pushable[lo] then
+      wh = 0
+    else
+      wl = 0
+    end
   end
   if wl > 0 and wh > 0 and not b.pushable[lo] and not b.pushable[hi] then
     -- Neither pushes the other: who comes up from behind stops, two that meet head-on both stop.
@@ -145,17 +132,16 @@ local function lean(b, lo, hi, kl, kh, wl, wh)
   end
 end
 
--- Lets all that is welded to k follow it.
-local function dragAlong(b, k, dWay, t)
-  local member = b.weldNext[k]
-  while member ~= k and member ~= 0 do
-    local i = (member - member % 2) / 2
-    advance(b, i, t)
-    b.to[member] = b.to[member] + dWay
-    b.speed[member], b.accel[member] = b.speed[k], b.accel[k]
-    change(b, i)
-    member = b.weldNext[member]
+-- Two of one welded group differ by rounding only: one follows the other.
+local function rejoin(b, lo, hi, kl, kh)
+  if b.heldHigh[kh] then
+    b.to[kl], b.speed[kl] = b.to[kh] - b.size[kl], b.speed[kh]
+    change(b, lo)
+  else
+    b.to[kh], b.speed[kh] = b.to[kl] + b.size[kl], b.speed[kl]
+    change(b, hi)
   end
+  b.pressedHigh[kl], b.pressedLow[kh] = true, true
 end
 
 -- Two that neither can be pushed nor push run into each other head-on.
@@ -192,7 +178,7 @@ local function rebound(restitution, u, a, tau)
     if gap >= 0 and v < 0 then
       return gap, v
     end
-  elseif a < 0 then
+  elseif a < -EVEN then
     return -a * tau * tau * 0.5, a * tau
   end
   return 0, 0
@@ -215,6 +201,10 @@ function resolve.run(b, p, lo, hi, axis, t, dt)
   end
   advance(b, lo, t)
   advance(b, hi, t)
+  if b.weld[kl] ~= 0 and b.weld[kl] == b.weld[kh] then
+    b.met[p] = b.met[p] + 1
+    return rejoin(b, lo, hi, kl, kh)
+  end
   local wl, wh, headOn = weights(b, lo, hi, kl, kh)
   local speed, accel, to = b.speed, b.accel, b.to
   local o = to[kl] + b.size[kl] - to[kh]
@@ -245,19 +235,17 @@ function resolve.run(b, p, lo, hi, axis, t, dt)
   end
   if flush then
     lean(b, lo, hi, kl, kh, wl, wh)
-    if b.met[p] >= WELDS and b.kind[lo] == DYNAMIC and b.kind[hi] == DYNAMIC then
-      weld.join(b, kl, kh)
-    end
   end
   change(b, lo)
   change(b, hi)
-  if b.weld[kl] ~= b.weld[kh] then
-    dragAlong(b, kl, to[kl] - oldL, t)
-    dragAlong(b, kh, to[kh] - oldH, t)
+  weld.follow(b, kl, to[kl] - oldL, t)
+  weld.follow(b, kh, to[kh] - oldH, t)
+  if flush and b.met[p] >= WELDS and b.kind[lo] == DYNAMIC and b.kind[hi] == DYNAMIC then
+    weld.join(b, kl, kh)
   end
   if dv > 0 then
     local share = u * (1 + restitution) / dv
-    friction.rub(b, lo, hi, axis, dv / (wl + wh), share < 1 and share or 1, tau)
+    friction.rub(b, lo, hi, axis, dv / (wl + wh), share < 1 and share or 1, tau, t)
   end
 end
 

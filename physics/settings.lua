@@ -23,7 +23,9 @@ local function newGravity(self, b)
   -- Which axis counts as "down" for the order of simultaneous contacts.
   local vertical = b.gravityX * b.gravityX <= b.gravity * b.gravity
   b.downAxis = vertical and 1 or 0
-  b.downSign = (vertical and b.gravity or b.gravityX) < 0 and -1 or 1
+  local down = (vertical and b.gravity or b.gravityX) < 0 and -1 or 1
+  b.orientation[b.downAxis] = down
+  b.orientation[1 - b.downAxis] = vertical and down or -down
   collect.newGravity(b)
 end
 
@@ -51,6 +53,10 @@ end
 
 function effects.rest(self, b)
   b.rest = self.rest
+  rest.wakeAll(b)
+end
+
+function effects.onStay(_, b)
   rest.wakeAll(b)
 end
 
@@ -105,6 +111,7 @@ function settings.fill(self, given)
   b.gravityX, b.gravity = self.gravityX, self.gravity
   b.applied = {}
   b.masksText = ""
+  b.orientation = {}
   settings.apply(self)
 end
 

@@ -5,6 +5,9 @@
 -- step ends, which is where the series leads to. Groups are rings: `weldNext` leads from member to
 -- member, `weld` names the leader (an interleaved index, as everything here), which knows the mass.
 
+local here = (...):match("^(.*)%.[^.]+$")
+local path = require(here .. ".path")
+
 local weld = {}
 
 local function rename(b, k, leader)
@@ -31,6 +34,24 @@ function weld.hold(b, k, heldLow, heldHigh)
     b.heldHigh[k] = b.heldHigh[k] or heldHigh
     k = b.weldNext[k]
   until k == first or k == 0
+end
+
+--- Returns the inverse mass of the group of k, which must have one.
+function weld.inverseMass(b, k)
+  return 1 / b.weldMass[b.weld[k]]
+end
+
+--- Lets all that is welded to k follow it at time t: its speed, and dWay px further.
+function weld.follow(b, k, dWay, t)
+  local member = b.weldNext[k]
+  while member ~= k and member ~= 0 do
+    local i = (member - member % 2) / 2
+    path.advance(b, i, t)
+    b.to[member] = b.to[member] + dWay
+    b.speed[member], b.accel[member] = b.speed[k], b.accel[k]
+    path.change(b, i)
+    member = b.weldNext[member]
+  end
 end
 
 --- Joins the groups of two.

@@ -17,7 +17,8 @@ check() {
   else
     failed=$((failed + 1))
     echo "FAILED  $what"
-    sed 's/^/        /' "$log"
+    head -n 60 "$log" | sed 's/^/        /'
+    [ "$(wc -l <"$log")" -le 60 ] || echo "        ... and $(($(wc -l <"$log") - 60)) lines more"
   fi
 }
 
@@ -32,7 +33,7 @@ finish() {
 # The Lua files of the project, as far as they exist.
 lua_sources() {
   local place
-  for place in physics.lua physics spec examples bench; do
+  for place in physics.lua physics spec examples bench scripts; do
     [ ! -e "$place" ] || echo "$place"
   done
 }

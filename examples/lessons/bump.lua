@@ -66,7 +66,7 @@ function lesson.draw()
 end
 
 function lesson.report()
-  return ("a=%.2f b=%.2f"):format(a.x, b.x)
+  return ("a=%d gap=%s"):format(a.x, b.x - a.x - a.width)
 end
 
 return lesson

@@ -15,11 +15,11 @@ too. A speed limit just cuts it off.
 The four boxes start alike with every space. All numbers are per second, not per frame: at 30
 and at 144 frames a second the boxes come equally far.]],
   code = [[
-world.gravity = 800            -- px/s², for everyone
-box.gravity = 0                 -- its own
-box.friction = 0.35            -- of its weight, on a floor
-box.airFriction = 1.2          -- e^(-1.2) is left after 1 s
-box.maxSpeedX = 120          -- px/s]],
+world.gravity = 800  -- px/s², for everyone
+box.gravity = 0  -- its own
+box.friction = 0.35  -- of its weight, on a floor
+box.airFriction = 1.2  -- e^(-1.2) is left after 1 s
+box.maxSpeedX = 120  -- px/s]],
   keys = { { "space", "start again" } },
 }
 

@@ -90,10 +90,10 @@ function hand.draw()
   end
 end
 
---- Writes a name in the middle of a box.
+--- Writes a name into the corner of a box.
 function hand.label(box, name)
   look.color("night")
-  look.text(name, box.x, box.y + box.height / 2 - 10, 16, box.width, "center")
+  look.text(name, box.x + 12, box.y + 9, 18)
 end
 
 return hand

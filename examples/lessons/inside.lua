@@ -17,7 +17,7 @@ corner lies in anything.]],
   code = [[
 function inside(x1, y1, w1, h1, x2, y2, w2, h2)
   return x1 >= x2 and x1 + w1 < x2 + w2
-     and y1 >= y2 and y1 + h1 < y2 + h2
+    and y1 >= y2 and y1 + h1 < y2 + h2
 end
 
 inside(a.x, a.y, 0, 0, b.x, b.y, b.width, b.height)]],
@@ -68,8 +68,12 @@ end
 local function drawAnswer(text, yes, y)
   look.color("silver")
   look.text(text, 24, y, 16)
-  look.color(yes and "lime" or "red")
+  look.color(yes and "lime" or "orange")
   look.text(yes and "yes" or "no", 400, y, 16)
+end
+
+function lesson.report()
+  return "overlap=" .. tostring(physics.checkCollision(a, b) and true)
 end
 
 function lesson.draw()

@@ -12,7 +12,8 @@ Three switches decide what an object has to do with the others.
 A mask names the groups that it passes through: the ghost falls through clouds, and stands on
 the floor.
 
-What is static never moves and is never pushed. After changing that by hand, tell the world.
+What is static never moves and is never pushed. It is read only once, so tell the world
+after changing it by hand.
 
 What is not active is out of the game, until it is switched on again: the trapdoor opens.]],
   keys = { { "1", "2", "3", "switch" } },
@@ -29,7 +30,8 @@ function lesson.code()
 ghost.mask = { clouds = %s }
 block.static = %s
 world:refresh(block)
-door.active = %s]]
+door.active = %s
+world:refresh(door)]]
   return text:format(tostring(not isMasked), tostring(isStatic), tostring(isActive))
 end
 
@@ -71,6 +73,7 @@ function lesson.keypressed(key)
   elseif key == "3" then
     isActive = not isActive
     door.active = isActive
+    world:refresh(door)
   end
 end
 
@@ -96,6 +99,14 @@ function lesson.draw()
   end
   look.eyes(ghost.x, ghost.y, ghost.width, ghost.height, 0, 0)
   hand.draw()
+end
+
+function lesson.report()
+  local lowest = 0
+  for _, box in ipairs(world.objects.boxes) do
+    lowest = math.max(lowest, box.y + box.height)
+  end
+  return ("ghost=%s block=%s lowest=%s"):format(ghost.y + 44, block.y + 40, lowest)
 end
 
 return lesson

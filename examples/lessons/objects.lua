@@ -27,7 +27,7 @@ objects = {
   enemies = { spike = enemy, cannon = enemy },
 }
 table.insert(objects.boxes, box)
-world:add("boxes", box)   -- the same]]
+world:add("boxes", box)  -- the same]]
 
 local SINGLE = [[
 objects = {

@@ -23,7 +23,7 @@ function love.draw()
   physics.draw({ velocity = true, touching = true })
 end
 
-world.stats.pairs    -- pairs looked at in the last step]],
+world.stats.pairs  -- looked at in the last step]],
   keys = { { "space", "draw" }, { "return", "kick" } },
 }
 

@@ -15,10 +15,9 @@ If it has a width and a height, the boxes overlap, whatever their sizes and howe
 A width of exactly 0 means side by side: they touch and share nothing. Whether that counts is
 your choice. Space switches it; drag a until it snaps to b.]],
   code = [[
-local left   = math.max(a.x, b.x)
-local top    = math.max(a.y, b.y)
-local width  = math.min(a.x + a.width, b.x + b.width) - left
-local height = math.min(a.y + a.height, b.y + b.height) - top
+local left = math.max(a.x, b.x)
+local right = math.min(a.x + a.width, b.x + b.width)
+local width = right - left
 
 physics.checkCollision(a, b, sideBySide)]],
   keys = { { "space", "side by side counts" } },
@@ -69,6 +68,10 @@ local function drawShared()
   look.text(("width %.0f, height %.0f"):format(width, height), 24, 396, 16)
 end
 
+function lesson.report()
+  return "side=" .. tostring(physics.checkCollision(a, b, sideBySide))
+end
+
 function lesson.draw()
   look.box(a.x, a.y, a.width, a.height, "orange", 0.9)
   look.box(b.x, b.y, b.width, b.height, "sky", 0.75)
@@ -78,7 +81,7 @@ function lesson.draw()
   drawShared()
   local side = physics.checkCollision(a, b, sideBySide)
   look.text("sideBySide = " .. tostring(sideBySide), 24, 424, 16)
-  look.color(side and "lime" or "red")
+  look.color(side and "lime" or "orange")
   look.text("checkCollision: " .. tostring(side and '"' .. side .. '"' or false), 24, 452, 16)
 end
 

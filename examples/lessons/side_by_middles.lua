@@ -25,15 +25,16 @@ end]],
   load = sides.load,
   update = sides.update,
   keypressed = sides.keypressed,
+  report = sides.report,
 }
 
 local function drawMiddles(a, b)
   local dx, dy = sides.middles()
   local x, y = b.x + b.width / 2, b.y + b.height / 2
   love.graphics.setLineWidth(3)
-  look.color(math.abs(dx) > math.abs(dy) and "lime" or "red")
+  look.color(math.abs(dx) > math.abs(dy) and "lime" or "orange")
   love.graphics.line(x, y, x + dx, y)
-  look.color(math.abs(dx) > math.abs(dy) and "red" or "lime")
+  look.color(math.abs(dx) > math.abs(dy) and "orange" or "lime")
   love.graphics.line(x + dx, y, x + dx, y + dy)
   look.color("white")
   love.graphics.line(x, y, x + dx, y + dy)

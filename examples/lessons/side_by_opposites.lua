@@ -16,30 +16,32 @@ The last case beats it too: after one long step the box is more than half-way th
 at a single moment can tell where it came from. That is why the library's update looks at the
 path.]],
   code = [[
-local right  = a.x + a.width - b.x
-local left   = b.x + b.width - a.x
+local right = a.x + a.width - b.x
+local left = b.x + b.width - a.x
 local bottom = a.y + a.height - b.y
-local top    = b.y + b.height - a.y
+local top = b.y + b.height - a.y
 -- the smallest one is the side
 physics.side(a, b)]],
   keys = sides.keys,
   load = sides.load,
   update = sides.update,
   keypressed = sides.keypressed,
+  report = sides.report,
 }
 
 -- Draws one distance, beside the boxes; `isBest` marks the smallest.
 local function drawDistance(name, distance, isBest, x1, y1, x2, y2)
-  look.color(isBest and "lime" or "red")
+  look.color(isBest and "lime" or "orange")
   love.graphics.setLineWidth(isBest and 4 or 2)
   love.graphics.line(x1, y1, x2, y2)
   love.graphics.circle("fill", x1, y1, 4)
   love.graphics.circle("fill", x2, y2, 4)
+  look.color(isBest and "lime" or "white")
   local text = ("%s %.0f"):format(name, distance)
   if y1 == y2 then
     look.text(text, math.max(0, math.min(384, (x1 + x2) / 2 - 50)), y1 + 4, 14, 100, "center")
   else
-    look.text(text, x1 + 8, math.max(y1, y2) - 14, 14)
+    look.text(text, x1 + 9, math.min(y1, y2) - 4, 14)
   end
 end
 

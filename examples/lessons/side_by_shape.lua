@@ -24,6 +24,7 @@ end]],
   load = sides.load,
   update = sides.update,
   keypressed = sides.keypressed,
+  report = sides.report,
 }
 
 local function drawShape()

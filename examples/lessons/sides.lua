@@ -6,7 +6,7 @@ local physics = require("physics")
 
 local sides = {}
 
--- Box a always fell from above onto b, so the right answer is "bottom". x, y, width, height of each.
+-- Box a always fell from above onto b: "bottom" is the right answer. Numbers: x, y, width, height.
 local CASES = {
   { "a box lands on a wide one", { 200, 96, 80, 80 }, { 80, 158, 320, 60 } },
   { "a box lands beside the middle", { 60, 100, 84, 84 }, { 50, 174, 390, 20 } },
@@ -104,13 +104,13 @@ local function drawVerdict(name, side, x, isShown)
   look.color("silver")
   look.text(name, x, 394, 13, 142, "center")
   if isUntouched then
-    look.color(isRight and "lime" or "red")
+    look.color(isRight and "lime" or "orange")
   else
     look.color("white")
   end
   look.text(side, x, 416, 24, 142, "center")
   if isUntouched then
-    look.text(isRight and "right" or "wrong", x, 452, 13, 142, "center")
+    look.text(isRight and "is right" or "is wrong", x, 452, 13, 142, "center")
   end
 end
 
@@ -144,6 +144,12 @@ function sides.draw(shown, drawWay)
   drawVerdict("shape of the overlap", sides.byShape(), 16, shown == "shape")
   drawVerdict("middle to middle", sides.byMiddles(), 171, shown == "middles")
   drawVerdict("opposite sides", sides.byOpposites(), 326, shown == "opposites")
+end
+
+--- Returns the three verdicts in one line.
+function sides.report()
+  local text = "shape=%s middles=%s opposites=%s"
+  return text:format(sides.byShape(), sides.byMiddles(), sides.byOpposites())
 end
 
 sides.keys = { { "space", "next case" } }

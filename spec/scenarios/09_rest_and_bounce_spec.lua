@@ -70,7 +70,7 @@ describe("a falling box", function()
       local log = run:listen(named.box)
       local peaks, before, rising = {}, 0, false
       for _ in run:steps(2) do
-        if rising and named.box.y > before then peaks[#peaks + 1] = before end
+        if rising and named.box.y >= before then peaks[#peaks + 1] = before end
         rising = named.box.y < before
         before = named.box.y
       end

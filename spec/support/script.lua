@@ -37,7 +37,7 @@ local function makeStatics(random, list)
 end
 
 --- A dynamic box with random fields, at a place of a raster so that nothing overlaps at first.
-local function makeBox(random, x, y)
+local function makeBox(random, x, y, options)
   local box = {
     x = x,
     y = y,
@@ -53,8 +53,8 @@ local function makeBox(random, x, y)
   if random:chance(0.1) then box.airFriction = random:between(0, 2) end
   if random:chance(0.1) then box.drag = random:between(0, 100) end
   if random:chance(0.1) then box.maxSpeed = random:between(50, 400) end
-  if random:chance(0.1) then box.pushable = false end
-  if random:chance(0.1) then box.mask = { crates = false } end
+  if random:chance(0.1) and not options.pushable then box.pushable = false end
+  if random:chance(0.1) and options.specials then box.mask = { crates = false } end
   return box
 end
 
@@ -98,7 +98,8 @@ end
 --- Makes a script.
 ---@param seed integer
 ---@param options table steps: integer; boxes: integer; writes: number, share of the steps in which
----  the game writes something; specials: boolean, with platforms, one-ways and sensors
+---  the game writes something; specials: boolean, with platforms, one-ways, sensors and masks;
+---  pushable: boolean, nothing that cannot be pushed
 function script.new(seed, options)
   local random = newRandom(seed)
   local list = {}
@@ -107,7 +108,7 @@ function script.new(seed, options)
   for i = 0, options.boxes - 1 do
     local x = 24 * (i % 16) + random:between(0, 3)
     local y = 160 - 24 * math.floor(i / 16) + random:between(0, 3)
-    list[#list + 1] = { random:pick(GROUPS), makeBox(random, x, y) }
+    list[#list + 1] = { random:pick(GROUPS), makeBox(random, x, y, options) }
   end
   if options.specials then
     for i = 0, 4 do
@@ -122,7 +123,8 @@ function script.new(seed, options)
       step[1] = makeWrite(random, random:integer(firstMover, count))
       if random:chance(0.1) then
         count = count + 1
-        local box = makeBox(random, random:between(0, ROOM - 20), random:between(0, 150))
+        local x, y = random:between(0, ROOM - 20), random:between(0, 150)
+        local box = makeBox(random, x, y, options)
         step[2] = { "add", random:pick(GROUPS), box }
       end
     end
@@ -222,40 +224,63 @@ end
 local FIELDS = { "x", "y", "vx", "vy" }
 local SIDES = { "top", "bottom", "left", "right" }
 
---- The first difference between two players after the same step, in words, or nil.
-function script.difference(a, b)
-  for i = 1, a.count do
-    local one, other = a.list[i], b.list[i]
-    for _, field in ipairs(one and FIELDS or {}) do
-      if one[field] ~= other[field] then
-        local text = "object %d: %s is %.17g and %.17g"
-        return text:format(i, field, one[field], other[field])
-      end
+--- What can be seen of the world after a step: place, speed and neighbours of every object.
+local function frameOf(player)
+  local values, told = {}, {}
+  for i = 1, player.count do
+    local object = player.list[i]
+    local touching = object and object.touching
+    for _, field in ipairs(object and FIELDS or {}) do
+      values[#values + 1] = object[field] or false
     end
-    for _, side in ipairs(one and one.touching and SIDES or {}) do
-      local mine, others = a.indexOf[one.touching[side]], b.indexOf[other.touching[side]]
-      if mine ~= others then
-        local text = "object %d: touching.%s is %s and %s"
-        return text:format(i, side, tostring(mine), tostring(others))
-      end
+    for _, side in ipairs(touching and SIDES or {}) do
+      values[#values + 1] = player.indexOf[touching[side]] or false
     end
   end
-  for i = 1, math.max(#a.told, #b.told) do
-    if a.told[i] ~= b.told[i] then
-      return ("event %d is %s and %s"):format(i, tostring(a.told[i]), tostring(b.told[i]))
+  for i = 1, #player.told do told[i] = player.told[i] end
+  return { values = values, told = told }
+end
+
+--- Plays a script to the end and notes everything.
+---@return table[] track one frame for each step
+function script.track(self, settings, insert)
+  local player, track = script.play(self, settings, insert), {}
+  while player:next() do track[player.step] = frameOf(player) end
+  return track
+end
+
+--- Where frame value number `at` comes from, in words.
+local function nameOf(player, at)
+  local count = 0
+  for i = 1, player.count do
+    local object = player.list[i]
+    local size = object and #FIELDS + (object.touching and #SIDES or 0) or 0
+    if at <= count + size then
+      local name = FIELDS[at - count] or "touching." .. SIDES[at - count - #FIELDS]
+      return ("object %d: %s"):format(i, name)
     end
+    count = count + size
   end
 end
 
---- Plays a script in two worlds, step by step.
----@return string? difference the first one, nil: the same to the bit
-function script.compare(self, settingsA, settingsB, insertA, insertB)
-  local a = script.play(self, settingsA, insertA)
-  local b = script.play(self, settingsB, insertB)
-  while a:next() do
-    b:next()
-    local text = script.difference(a, b)
-    if text then return ("step %d: %s"):format(a.step, text) end
+local function write(value)
+  return type(value) == "number" and ("%.17g"):format(value) or tostring(value)
+end
+
+--- The first difference between a player after a step and the track of another, in words; nil: none.
+function script.difference(track, player)
+  local expected, found = track[player.step], frameOf(player)
+  for at = 1, math.max(#expected.values, #found.values) do
+    local a, b = expected.values[at], found.values[at]
+    if a ~= b then
+      return ("step %d: %s is %s and %s"):format(player.step, nameOf(player, at), write(a), write(b))
+    end
+  end
+  for i = 1, math.max(#expected.told, #found.told) do
+    local a, b = expected.told[i], found.told[i]
+    if a ~= b then
+      return ("step %d: event %d is %s and %s"):format(player.step, i, tostring(a), tostring(b))
+    end
   end
 end
 

@@ -1,0 +1,38 @@
+--- Paths inside a step: from the place `from` at `time` (0..1) in a straight line to `to` at its end.
+
+local here = (...):match("^(.*)%.[^.]+$")
+local columns = require(here .. ".columns")
+
+local path = {}
+
+local DYNAMIC = columns.DYNAMIC
+
+--- Begins the path of a dynamic object anew where it is at time t.
+function path.advance(b, i, t)
+  local start = b.time[i]
+  if b.kind[i] ~= DYNAMIC or t <= start then
+    return
+  end
+  local share = (t - start) / (1 - start)
+  local from, to, k = b.from, b.to, 2 * i
+  from[k] = from[k] + (to[k] - from[k]) * share
+  from[k + 1] = from[k + 1] + (to[k + 1] - from[k + 1]) * share
+  b.time[i] = t
+end
+
+--- Begins a new list of whose path has changed.
+function path.startChanges(b)
+  b.changedCount = 0
+  b.changeStamp = b.changeStamp + 1
+end
+
+--- Notes that the path of an object has changed.
+function path.change(b, i)
+  if b.kind[i] == DYNAMIC and b.changedMark[i] ~= b.changeStamp then
+    b.changedMark[i] = b.changeStamp
+    b.changedCount = b.changedCount + 1
+    b.changed[b.changedCount] = i
+  end
+end
+
+return path
