@@ -80,7 +80,9 @@ function approach.gather(b, i, first)
   while half ~= 0 do
     local j = other[half]
     local m, p = 2 * j, (half + half % 2) / 2
-    event[p] = NO_EVENT
+    if not first then
+      event[p] = NO_EVENT
+    end
     local start = max(time[i], time[j])
     local mine = (start - time[i]) / max(1 - time[i], TINY)
     local its = (start - time[j]) / max(1 - time[j], TINY)

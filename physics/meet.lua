@@ -96,12 +96,12 @@ end)
 
 local function resetPairs(b, first)
   local list, head, nextHalf = b.awakeList, b.head, b.next
-  local met, hit, passing = b.met, b.hit, b.passing
+  local met, hit, passing, event = b.met, b.hit, b.passing, b.event
   for n = first, b.awakeCount do
     local half = head[list[n]]
     while half ~= 0 do
       local p = (half + half % 2) / 2
-      met[p], hit[p], passing[p] = 0, 0, false
+      met[p], hit[p], passing[p], event[p] = 0, 0, false, NONE
       half = nextHalf[half]
     end
   end
