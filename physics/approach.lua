@@ -163,11 +163,13 @@ local function meetFace(b, at, ka, kc, axis)
     low, high = high, low
   end
   local overlap = endOverlap(b, low, high)
+  if overlap <= EPSILON and b.speed[low] - b.speed[high] <= STILL then
+    return nil -- side by side, apart from rounding
+  end
   if overlap <= 0 then
     -- Flush now and at the end, but with speed left against each other: a push that was taken by
     -- one of them alone (push = "first").
-    local closes = gap <= EPSILON and overlap > -EPSILON and b.speed[low] - b.speed[high] > STILL
-    if not (b.pushFirst and closes) then
+    if not (b.pushFirst and gap <= EPSILON and overlap > -EPSILON) then
       return nil
     end
     overlap = 0

@@ -6,7 +6,7 @@ set -uo pipefail
 # what the interpreter calls itself (scripts/interpreter.lua compares) : command
 interpreters="
 LuaJIT:luajit
-LuaJIT -joff:luajit -joff
+LuaJIT -joff:scripts/luajit-joff
 Lua 5.1:lua5.1
 Lua 5.2:lua5.2
 Lua 5.3:lua5.3
@@ -19,6 +19,10 @@ rm -rf "$logs" && mkdir -p "$logs"
 while read -r file; do
   check "Lua 5.1 syntax: $file" luac5.1 -p "$file"
 done < <(find physics.lua physics spec -name '*.lua' | sort)
+
+# Each run below says which interpreter it wants; a run on another one has to be noticed.
+wrong_lua() { PHYSICS_LUA="LuaJIT -joff" busted --lua=luajit --helper=scripts/interpreter.lua; }
+check "specs on the wrong interpreter are refused" refuses wrong_lua
 
 run_specs() {
   local name=$1 command=$2

@@ -80,10 +80,10 @@ describe("the same scene goes the same way, to the bit,", function()
     end)
   end
 
-  for name, insert in pairs(script.inserts) do
+  for _, name in ipairs { "add", "insert", "assign" } do
     it("put in by " .. name, function()
       for seed = 1, 6 do
-        local player = script.play(script.new(seed, QUIET), nil, insert)
+        local player = script.play(script.new(seed, QUIET), nil, script.inserts[name])
         checkSame(seed, trackOf(seed, QUIET), player)
       end
     end)

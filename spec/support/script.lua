@@ -263,23 +263,27 @@ local function nameOf(player, at)
   end
 end
 
-local function write(value)
-  return type(value) == "number" and ("%.17g"):format(value) or tostring(value)
+--- The words for two values that should be the same.
+local function both(a, b)
+  local function write(value)
+    return type(value) == "number" and ("%.17g"):format(value) or tostring(value)
+  end
+  return write(a) .. " and " .. write(b)
 end
 
---- The first difference between a player after a step and the track of another, in words; nil: none.
+--- The first difference between a player after a step and the track of another, in words, or nil.
 function script.difference(track, player)
   local expected, found = track[player.step], frameOf(player)
   for at = 1, math.max(#expected.values, #found.values) do
     local a, b = expected.values[at], found.values[at]
     if a ~= b then
-      return ("step %d: %s is %s and %s"):format(player.step, nameOf(player, at), write(a), write(b))
+      return ("step %d: %s is %s"):format(player.step, nameOf(player, at), both(a, b))
     end
   end
   for i = 1, math.max(#expected.told, #found.told) do
     local a, b = expected.told[i], found.told[i]
     if a ~= b then
-      return ("step %d: event %d is %s and %s"):format(player.step, i, tostring(a), tostring(b))
+      return ("step %d: event %d is %s"):format(player.step, i, both(a, b))
     end
   end
 end
