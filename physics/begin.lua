@@ -20,6 +20,13 @@ function begin.run(b)
     k = k + 1
     heldLow[k], heldHigh[k], weld[k], weldNext[k] = false, false, 0, 0
   end
+  local holderLow, holderHigh, crushed = b.holderLow, b.holderHigh, b.crushed
+  for n = first, last do
+    local k = 2 * list[n]
+    holderLow[k], holderHigh[k], crushed[k] = 0, 0, false
+    k = k + 1
+    holderLow[k], holderHigh[k], crushed[k] = 0, 0, false
+  end
   local pressedLow, pressedHigh, stuck, grip = b.pressedLow, b.pressedHigh, b.stuck, b.grip
   local buried = b.buried
   for n = first, last do

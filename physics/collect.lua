@@ -5,6 +5,7 @@
 -- object is read once. Nothing of the game's is written here, so a refusal leaves it as it was.
 
 local here = (...):match("^(.*)%.[^.]+$")
+local carrier = require(here .. ".carrier")
 local check = require(here .. ".check")
 local columns = require(here .. ".columns")
 local detect = require(here .. ".detect")
@@ -164,6 +165,7 @@ end
 
 local function leave(b, i)
   local object = b.object[i]
+  carrier.forget(b, i)
   rest.wakeNeighbours(b, i)
   events.endContacts(b, i)
   detect.remove(b, i)
@@ -206,6 +208,9 @@ local function reread(b, i)
   check.object(object, roster.place(b.group[i], b.key[i]))
   local kind = b.kind[i] == STATIC and STATIC or (object.kinematic and KINEMATIC or DYNAMIC)
   local isNew = kind ~= b.kind[i]
+  if isNew or object.active == false then
+    carrier.forget(b, i)
+  end
   if isNew then
     b.kind[i] = kind
     b.touching[i] = kind == DYNAMIC and collect.newTouching() or false
@@ -339,6 +344,7 @@ function collect.refresh(b, i)
   local object = b.object[i]
   check.object(object, roster.place(b.group[i], b.key[i]))
   rest.wakeNeighbours(b, i)
+  carrier.forget(b, i)
   b.kind[i] = kindOf(object)
   b.touching[i] = b.kind[i] == DYNAMIC and (b.touching[i] or collect.newTouching()) or false
   readAll(b, i, object, true)

@@ -92,6 +92,12 @@ local AXIS = {
   carried = 0, -- velocity of its carrier in this step
   heldLow = false, -- cannot give way towards smaller coordinates
   heldHigh = false,
+  holderLow = 0, -- slot of who holds it there
+  holderHigh = 0,
+  crushed = false, -- in this step, between crushLow and crushHigh
+  wasCrushed = false, -- in the step before
+  crushLow = 0,
+  crushHigh = 0,
   pressedLow = false, -- something rested against this side in this step
   pressedHigh = false,
   weld = 0, -- welded group on this axis (slot of its leader), 0: none
@@ -111,6 +117,7 @@ local PAIR = {
   passing = false, -- lets pass for this step (canCollide, dropThrough)
   event = columns.NO_EVENT, -- its event in the queue
   wedged = 0, -- 1 + code of the meeting along which two that are left inside each other may part
+  dropping = false, -- falls through (dropThrough) until the two are apart
   overlapping = false, -- was left inside each other at the end of the last step
 }
 
@@ -148,6 +155,9 @@ function columns.new()
     awakeList = {}, -- slots that take part in this step
     awakeCount = 0,
     island = {}, -- scratch of rest
+    stack = {}, -- scratch of crush
+    lost = {}, -- slots whose carrier went away since the last step
+    lostCount = 0,
     changed = {}, -- scratch of resolve and meet
     changedCount = 0,
     changeStamp = 0,
@@ -255,7 +265,7 @@ function columns.link(b, i, j)
   b.pairA[p], b.pairB[p] = i, j
   b.contact[p], b.hit[p], b.hitSpeed[p], b.met[p] = 0, 0, 0, 0
   b.passing[p], b.overlapping[p] = false, false
-  b.event[p], b.wedged[p] = columns.NO_EVENT, 0
+  b.event[p], b.wedged[p], b.dropping[p] = columns.NO_EVENT, 0, false
   hang(b, 2 * p - 1, i, j)
   hang(b, 2 * p, j, i)
   b.pairCount = b.pairCount + 1

@@ -12,6 +12,8 @@ local ask = require(here .. ".ask")
 local columns = require(here .. ".columns")
 local detect = require(here .. ".detect")
 local interpreted = require(here .. ".interpreted")
+local nudge = require(here .. ".nudge")
+local oneway = require(here .. ".oneway")
 local path = require(here .. ".path")
 local predict = require(here .. ".predict")
 local queue = require(here .. ".queue")
@@ -133,10 +135,13 @@ local followChanged = interpreted(function(b, dt)
 end)
 
 local happen = interpreted(function(b, p, code, t, dt)
-  local _, axis, otherIsLow = approach.decode(code)
+  local kind, axis, otherIsLow = approach.decode(code)
   local low, high = b.pairA[p], b.pairB[p]
   if otherIsLow then
     low, high = high, low
+  end
+  if b.dropping[p] or oneway.lets(b, low, high, 2 * axis + 2, kind) then
+    return
   end
   if not ask.permits(b, p, low, high, axis) then
     b.passing[p] = true
@@ -147,7 +152,9 @@ local happen = interpreted(function(b, p, code, t, dt)
     return
   end
   path.startChanges(b)
-  resolve.run(b, p, low, high, axis, t, dt)
+  if not (nudge.try(b, low, high, axis, true, t) or nudge.try(b, high, low, axis, false, t)) then
+    resolve.run(b, p, low, high, axis, t, dt)
+  end
   followChanged(b, dt)
 end)
 

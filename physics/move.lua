@@ -4,6 +4,7 @@
 -- `publish` all velocities are absolute: what carries an object is added here and taken off there.
 
 local here = (...):match("^(.*)%.[^.]+$")
+local carrier = require(here .. ".carrier")
 local columns = require(here .. ".columns")
 
 local move = {}
@@ -27,7 +28,7 @@ local function readCarrier(b, i)
   if c == 0 then
     carried[k], carried[k + 1] = 0, 0
   else
-    carried[k], carried[k + 1] = b.speed[2 * c] + b.surfaceSpeed[c], b.speed[2 * c + 1]
+    carried[k], carried[k + 1] = carrier.velocity(b, c)
   end
 end
 

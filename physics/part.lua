@@ -82,8 +82,8 @@ local function considerAll(b, i)
   end
 end
 
--- Whether slot i at (x, y) would be inside something immovable.
-local function isInside(b, i, x, y)
+--- Returns whether slot i at (x, y) would be inside something immovable.
+function part.isInside(b, i, x, y)
   local found, w, h = b.found, b.size[2 * i], b.size[2 * i + 1]
   local n = b.broadphase:query(x, y, x + w, y + h, found)
   local from, size = b.from, b.size
@@ -125,7 +125,7 @@ local function canGo(b, i, axis, way)
     return false
   end
   local x, y = b.from[2 * i], b.from[2 * i + 1]
-  return not isInside(b, i, x + (axis == 0 and way or 0), y + (axis == 1 and way or 0))
+  return not part.isInside(b, i, x + (axis == 0 and way or 0), y + (axis == 1 and way or 0))
 end
 
 -- Shares of the way for i and j: by mass, whoever is in the way of nobody immovable.

@@ -6,16 +6,18 @@
 local here = (...):match("^(.*)%.[^.]+$")
 local aabb = require(here .. ".aabb")
 local approach = require(here .. ".approach")
+local carrier = require(here .. ".carrier")
 local columns = require(here .. ".columns")
+local crush = require(here .. ".crush")
 local events = require(here .. ".events")
+local oneway = require(here .. ".oneway")
 
 local publish = {}
 
-local KINEMATIC, DYNAMIC = columns.KINEMATIC, columns.DYNAMIC
+local DYNAMIC = columns.DYNAMIC
 local EPSILON, OPPOSITE = columns.EPSILON, columns.OPPOSITE
 local max, min = math.max, math.min
 local SIDE_NUMBER = { left = 1, right = 2, top = 3, bottom = 4 }
-local MOST_CHAINED = 256 -- riders on riders; also ends a ring of supports
 
 -- Gap on an axis at the end of the step (negative: overlap) and whether the first is the low one.
 local function gapAtEnd(b, ka, kc)
@@ -97,7 +99,11 @@ local function solidContact(b, p, i, j)
     return b.wedged[p] ~= 0 and wedgedSide(b, p) or 0
   end
   b.wedged[p] = 0
-  if side == 0 or b.passing[p] then
+  if side == 0 then
+    b.dropping[p] = false
+    return 0
+  end
+  if b.passing[p] or b.dropping[p] or oneway.lets(b, i, j, side, approach.FACE) then
     return 0
   end
   if b.contact[p] == side or b.hit[p] == side or b.sideBySide or isPressed(b, i, j, side) then
@@ -142,7 +148,7 @@ local function updateContact(b, p)
     and b.hit[p] == 0
     and max(gapAt(b, 2 * i, 2 * j), gapAt(b, 2 * i + 1, 2 * j + 1)) > EPSILON
   then
-    b.overlapping[p], b.wedged[p] = false, 0
+    b.overlapping[p], b.wedged[p], b.dropping[p] = false, 0, false
     return -- most neighbours do not touch
   end
   local now
@@ -251,52 +257,6 @@ local function publishTouching(b, i)
     or 0
 end
 
--- What carries an object: the kinematic one or the belt at the end of the chain it stands on.
-local function carrierOf(b, i)
-  local below = b.support[i]
-  for _ = 1, MOST_CHAINED do
-    if below == 0 then
-      return 0
-    elseif b.kind[below] == KINEMATIC then
-      return (b.carry[below] or b.surfaceSpeed[below] ~= 0) and below or 0
-    elseif b.kind[below] ~= DYNAMIC then
-      return b.surfaceSpeed[below] ~= 0 and below or 0
-    end
-    below = b.support[below]
-  end
-  return 0
-end
-
--- The part of v that its carrier (c) gave it: as far as both point the same way.
-local function given(v, c)
-  if v * c <= 0 then
-    return 0
-  end
-  if c > 0 then
-    return v < c and v or c
-  end
-  return v > c and v or c
-end
-
--- The velocity an object shows: relative to what carries it.
-local function ownVelocity(b, i, k, carrier)
-  local v = b.speed[k]
-  if carrier == 0 then
-    return v
-  end
-  local c = 0
-  if b.kind[carrier] == KINEMATIC and b.carry[carrier] then
-    c = b.speed[k - 2 * i + 2 * carrier]
-  end
-  if k == 2 * i then
-    c = c + b.surfaceSpeed[carrier]
-  end
-  if carrier ~= b.carrier[i] or b.pressedLow[k] or b.pressedHigh[k] then
-    return v - given(v, c)
-  end
-  return v - c
-end
-
 -- Whether the next step may differ from this one although nothing moves.
 local function hasNews(b, i)
   return b.fresh[i] or b.moved[i] or b.heard[i] or b.inside[i]
@@ -304,10 +264,15 @@ end
 
 local function publishDynamic(b, i)
   local object, k = b.object[i], 2 * i
-  local carrier = carrierOf(b, i)
   local x, y = b.to[k], b.to[k + 1]
-  local vx, vy = ownVelocity(b, i, k, carrier), ownVelocity(b, i, k + 1, carrier)
-  b.carrier[i] = carrier
+  local vx, vy = b.speed[k], b.speed[k + 1]
+  local c = carrier.find(b, i)
+  if c ~= 0 then
+    local cx, cy = carrier.velocity(b, c)
+    vx = carrier.ownVelocity(b, k, cx, c ~= b.carrier[i])
+    vy = carrier.ownVelocity(b, k + 1, cy, c ~= b.carrier[i])
+  end
+  b.carrier[i] = c
   local still = x == b.position[k] and y == b.position[k + 1]
   local steady = vx == b.velocity[k] and vy == b.velocity[k + 1]
   b.quiet[i] = still and steady and vx == 0 and vy == 0 and not hasNews(b, i)
@@ -365,6 +330,7 @@ function publish.run(b)
   for n = 1, b.awakeCount do
     if kind[list[n]] == DYNAMIC then
       publishTouching(b, list[n])
+      crush.tell(b, list[n])
     end
   end
   for n = 1, b.awakeCount do

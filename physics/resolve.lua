@@ -10,6 +10,7 @@
 
 local here = (...):match("^(.*)%.[^.]+$")
 local columns = require(here .. ".columns")
+local crush = require(here .. ".crush")
 local friction = require(here .. ".friction")
 local path = require(here .. ".path")
 local weld = require(here .. ".weld")
@@ -122,12 +123,14 @@ local function lean(b, lo, hi, kl, kh, wl, wh)
     b.pressedHigh[kl] = true
     if wh == 0 then
       weld.hold(b, kl, false, true)
+      b.holderHigh[kl] = hi
     end
   end
   if b.kind[hi] == DYNAMIC then
     b.pressedLow[kh] = true
     if wl == 0 then
       weld.hold(b, kh, true, false)
+      b.holderLow[kh] = lo
     end
   end
 end
@@ -214,7 +217,7 @@ function resolve.run(b, p, lo, hi, axis, t, dt)
   if headOn then
     return stopBoth(b, lo, hi, kl, kh)
   elseif wl == 0 and wh == 0 then
-    return -- crushed: nobody can give way
+    return crush.note(b, lo, hi, axis)
   end
 
   local restitution = max(b.restitution[lo], b.restitution[hi])

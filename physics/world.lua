@@ -2,12 +2,14 @@
 
 local here = (...):match("^(.*)%.[^.]+$")
 local begin = require(here .. ".begin")
+local carrier = require(here .. ".carrier")
 local check = require(here .. ".check")
 local collect = require(here .. ".collect")
 local columns = require(here .. ".columns")
 local detect = require(here .. ".detect")
 local events = require(here .. ".events")
 local meet = require(here .. ".meet")
+local oneway = require(here .. ".oneway")
 local part = require(here .. ".part")
 local predict = require(here .. ".predict")
 local publish = require(here .. ".publish")
@@ -50,6 +52,7 @@ local function step(self, dt)
   local b = self._bodies
   settings.apply(self)
   collect.run(b, self.objects)
+  carrier.dismount(b)
 
   b.begun, b.predicted = 0, 0
   begin.run(b)
@@ -242,6 +245,28 @@ function World:refresh(object)
   elseif not whereIs(self, object) then
     check.fail("world:refresh(object): the object is not in the world, got " .. check.show(object))
   end
+end
+
+--- Lets an object fall through the one-way objects it stands on. It passes them until it is clear
+--- of them.
+---
+--- Errors: no table; an object that is not in the world.
+---@param object table
+---@return boolean dropped false: it stands on none
+function World:dropThrough(object)
+  checkSelf(self, "dropThrough(object)")
+  local b = self._bodies
+  checkIdle(b, "dropThrough(object)")
+  check.table(object, "object", "world:dropThrough(object)")
+  local slot = b.slotOf[object]
+  if not slot and not whereIs(self, object) then
+    check.fail("world:dropThrough(object): the object is not in the world, got a stranger")
+  end
+  if not slot or not oneway.drop(b, slot) then
+    return false
+  end
+  rest.wake(b, slot)
+  return true
 end
 
 --- Returns where to draw an object between two fixed steps (`timestep`): on the way from its last

@@ -5,6 +5,7 @@ set -euo pipefail
 
 # command it provides : Debian packages
 needs="
+make:make
 love:love
 luarocks:luarocks
 busted:lua-busted

@@ -98,6 +98,27 @@ describe("pushing", function()
     end)
   end)
 
+  --     +--+
+  --     |U |    cannot be pushed
+  --   +-+--+
+  --   |  |
+  --  ---------
+  for _, pushable in ipairs { true, false } do
+    local name = pushable and "a box on the floor" or "another such box"
+    it("a box that cannot be pushed comes to rest on " .. name, function()
+      scene.each(EVERYWHERE, function(run)
+        local floor = { name = "floor", x = -200, y = 116, width = 800, height = 32, static = true }
+        local low = { name = "low", x = 0, y = 100, width = 16, height = 16, pushable = pushable }
+        local upper = { name = "U", x = 4, y = 50, width = 16, height = 16, pushable = false }
+        local named = run:build { { "tiles", floor }, { "boxes", low }, { "boxes", upper } }
+        for _ in run:steps(1) do run:at(named.low, 0, 100) end
+        run:at(named.U, 4, 84)
+        run:flush(named.U, named.low, "bottom")
+        run:still(named.U)
+      end)
+    end)
+  end
+
   it("begins one contact a pair and ends none", function()
     scene.each({ turn = variants.TURNS }, function(run)
       local named = run:build(row(3))

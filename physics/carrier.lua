@@ -1,0 +1,97 @@
+--- Riders: what carries an object, and how fast.
+--
+-- A kinematic object carries what stands on it, and what stands on that; a belt (`surfaceSpeed`)
+-- moves along x what stands on it. The velocity of the carrier is added to the rider's path in
+-- `move` and taken off in `publish`, so a rider's own velocity is relative to what carries it.
+
+local here = (...):match("^(.*)%.[^.]+$")
+local columns = require(here .. ".columns")
+
+local carrier = {}
+
+local KINEMATIC, DYNAMIC = columns.KINEMATIC, columns.DYNAMIC
+local MOST_CHAINED = 256 -- riders on riders; also ends a ring of supports
+
+--- Returns the velocity, x and y, that slot c gives to its riders in this step.
+function carrier.velocity(b, c)
+  if b.kind[c] == KINEMATIC and b.carry[c] then
+    return b.speed[2 * c] + b.surfaceSpeed[c], b.speed[2 * c + 1]
+  end
+  return b.surfaceSpeed[c], 0
+end
+
+local function carries(b, c)
+  return b.surfaceSpeed[c] ~= 0 or (b.kind[c] == KINEMATIC and b.carry[c])
+end
+
+--- Returns what carries slot i: the carrier at the end of the chain it stands on, 0: nothing.
+function carrier.find(b, i)
+  local below = b.support[i]
+  for _ = 1, MOST_CHAINED do
+    if below == 0 then
+      return 0
+    elseif b.kind[below] ~= DYNAMIC then
+      return carries(b, below) and below or 0
+    elseif b.surfaceSpeed[below] ~= 0 then
+      return below
+    end
+    below = b.support[below]
+  end
+  return 0
+end
+
+-- The part of v that its carrier (c) gave it: as far as both point the same way.
+local function given(v, c)
+  if v * c <= 0 then
+    return 0
+  end
+  if c > 0 then
+    return v < c and v or c
+  end
+  return v > c and v or c
+end
+
+--- Returns the velocity along k that an object shows: relative to what carries it (c px/s). On the
+--- first step on a carrier, and while something holds it back, only what the carrier gave is off.
+function carrier.ownVelocity(b, k, c, isNew)
+  local v = b.speed[k]
+  if isNew or b.pressedLow[k] or b.pressedHigh[k] then
+    return v - given(v, c)
+  end
+  return v - c
+end
+
+--- Marks the riders of a slot that goes away, ceases to carry or to be in their way.
+function carrier.forget(b, c)
+  if b.kind[c] == DYNAMIC and b.surfaceSpeed[c] == 0 then
+    return
+  end
+  for n = 1, b.moverCount do
+    local i = b.movers[n]
+    if b.carrier[i] == c then
+      b.carrier[i] = 0
+      b.lostCount = b.lostCount + 1
+      b.lost[b.lostCount] = i
+    end
+    if b.support[i] == c then
+      b.support[i] = 0
+    end
+  end
+end
+
+--- Gives those who lost their carrier between two steps its velocity to keep.
+function carrier.dismount(b)
+  for n = 1, b.lostCount do
+    local i = b.lost[n]
+    if b.kind[i] == DYNAMIC then
+      local object, k = b.object[i], 2 * i
+      b.velocity[k] = b.velocity[k] + b.carried[k]
+      b.velocity[k + 1] = b.velocity[k + 1] + b.carried[k + 1]
+      b.carried[k], b.carried[k + 1] = 0, 0
+      object.vx, object.vy = b.velocity[k], b.velocity[k + 1]
+    end
+  end
+  b.lostCount = 0
+end
+
+return carrier

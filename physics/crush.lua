@@ -1,0 +1,96 @@
+--- Crushed: held between two that cannot give way, on one axis.
+--
+-- The object stays where it overlaps its neighbours the least, a single one in the middle, and is free again as soon
+-- as there is room. How it came there is remembered with the pair (`wedged`), so that it can only
+-- leave along the same axis and is never squeezed out sideways.
+
+local here = (...):match("^(.*)%.[^.]+$")
+local columns = require(here .. ".columns")
+local events = require(here .. ".events")
+local path = require(here .. ".path")
+
+local crush = {}
+
+local DYNAMIC = columns.DYNAMIC
+local MOST_STACKED = 256
+
+-- The end of the chain of those who hold each other, on one side of slot i: the first that cannot
+-- be pushed at all. `holder` says who holds an object there.
+local function endOf(b, i, axis, holder)
+  for _ = 1, MOST_STACKED do
+    local by = holder[2 * i + axis]
+    if b.kind[i] ~= DYNAMIC or by == 0 then
+      return i
+    end
+    i = by
+  end
+  return i
+end
+
+-- Lists the members of the chain from `low` (excluded) up to `lo`, then from `hi` to `high`
+-- (excluded), in b.stack; returns how many and the sum of their sizes.
+local function list(b, lo, hi, low, high, axis)
+  local stack, count, sum = b.stack, 0, 0
+  local i = lo
+  while i ~= low do
+    count, sum = count + 1, sum + b.size[2 * i + axis]
+    stack[count] = i
+    i = b.holderLow[2 * i + axis]
+  end
+  for n = 1, (count - count % 2) / 2 do
+    stack[n], stack[count + 1 - n] = stack[count + 1 - n], stack[n]
+  end
+  i = hi
+  while i ~= high do
+    count, sum = count + 1, sum + b.size[2 * i + axis]
+    stack[count] = i
+    i = b.holderHigh[2 * i + axis]
+  end
+  return count, sum
+end
+
+local function put(b, i, k, at, v)
+  if b.to[k] ~= at or b.speed[k] ~= v then
+    b.to[k], b.speed[k], b.accel[k] = at, v, 0
+    path.change(b, i)
+  end
+end
+
+--- Notes that `lo` and `hi`, neither of which can give way, are pressed together on `axis`. All that
+--- is held between two ends overlaps its neighbours by the same small amount.
+function crush.note(b, lo, hi, axis)
+  local low, high = endOf(b, lo, axis, b.holderLow), endOf(b, hi, axis, b.holderHigh)
+  local count, sum = list(b, lo, hi, low, high, axis)
+  if count == 0 then
+    return
+  end
+  local kl, kh = 2 * low + axis, 2 * high + axis
+  local at = b.to[kl] + b.size[kl]
+  local overlap = (at + sum - b.to[kh]) / (count + 1)
+  if overlap <= columns.EPSILON then
+    return -- there is room after all, the next step finds it
+  end
+  local v = (b.speed[kl] + b.speed[kh]) * 0.5
+  for n = 1, count do
+    local i = b.stack[n]
+    local k = 2 * i + axis
+    b.crushed[k] = true
+    b.crushLow[k] = n > 1 and b.stack[n - 1] or low
+    b.crushHigh[k] = n < count and b.stack[n + 1] or high
+    put(b, i, k, at - overlap, v)
+    at = b.to[k] + b.size[k]
+  end
+end
+
+--- Tells whoever began to be crushed in this step.
+function crush.tell(b, i)
+  for axis = 0, 1 do
+    local k = 2 * i + axis
+    if b.crushed[k] and not b.wasCrushed[k] then
+      events.crush(b, i, b.crushLow[k], b.crushHigh[k], axis == 0 and "x" or "y")
+    end
+    b.wasCrushed[k] = b.crushed[k]
+  end
+end
+
+return crush

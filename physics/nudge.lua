@@ -1,0 +1,55 @@
+--- Corner correction: a hit that misses by a few pixels slides around the corner.
+
+local here = (...):match("^(.*)%.[^.]+$")
+local columns = require(here .. ".columns")
+local part = require(here .. ".part")
+local path = require(here .. ".path")
+
+local nudge = {}
+
+local DYNAMIC = columns.DYNAMIC
+
+-- Where slot i is on k at time t.
+local function at(b, i, k, t)
+  local left = 1 - b.time[i]
+  if left <= 0 then
+    return b.from[k]
+  end
+  return b.from[k] + (b.to[k] - b.from[k]) * ((t - b.time[i]) / left)
+end
+
+-- How far, and to which side, i must go along the other axis to pass j at time t.
+local function detour(b, i, j, axis, t)
+  local ki, kj = 2 * i + 1 - axis, 2 * j + 1 - axis
+  local its, mine = at(b, j, kj, t), at(b, i, ki, t)
+  local low, high = its - b.size[ki] - mine, its + b.size[kj] - mine
+  return -low < high and low or high
+end
+
+--- Moves slot i past the corner of the immovable slot j, which it hits on `axis` at time t, if it
+--- misses by no more than its `nudge` and the place beside is free; returns whether it did. Never on
+--- the side that gravity presses.
+function nudge.try(b, i, j, axis, iIsLow, t)
+  if b.nudge[i] == 0 or b.kind[i] ~= DYNAMIC or b.kind[j] == DYNAMIC then
+    return false
+  end
+  if b.down[2 * i + axis] == (iIsLow and 1 or -1) then
+    return false
+  end
+  local way = detour(b, i, j, axis, t)
+  if way > b.nudge[i] or way < -b.nudge[i] then
+    return false
+  end
+  local x, y = at(b, i, 2 * i, t), at(b, i, 2 * i + 1, t)
+  x, y = x + (axis == 1 and way or 0), y + (axis == 0 and way or 0)
+  if part.isInside(b, i, x, y) then
+    return false
+  end
+  path.advance(b, i, t)
+  local k = 2 * i + 1 - axis
+  b.from[k], b.to[k] = b.from[k] + way, b.to[k] + way
+  path.change(b, i)
+  return true
+end
+
+return nudge

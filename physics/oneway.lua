@@ -1,0 +1,41 @@
+--- One-way objects: solid on one side, open on the others.
+
+local here = (...):match("^(.*)%.[^.]+$")
+local approach = require(here .. ".approach")
+local columns = require(here .. ".columns")
+
+local oneway = {}
+
+-- The side of an object as in columns.SIDES.
+local SIDE = { left = 1, right = 2, top = 3, bottom = 4 }
+
+-- Whether slot i is open where it was hit: on `side` of it.
+local function isOpen(b, i, side)
+  local solid = b.oneWay[i]
+  return solid and SIDE[solid] ~= side
+end
+
+--- Returns whether two that meet on `side` of i pass through each other there. `kind` is that of the
+--- meeting: who is inside a one-way already always passes.
+function oneway.lets(b, i, j, side, kind)
+  if not (b.oneWay[i] or b.oneWay[j]) then
+    return false
+  end
+  return kind == approach.DEEP or isOpen(b, i, side) or isOpen(b, j, columns.OPPOSITE[side])
+end
+
+--- Lets slot i fall through the one-way objects it stands on; returns whether there were any.
+function oneway.drop(b, i)
+  local half, any = b.head[i], false
+  while half ~= 0 do
+    local p, j = (half + half % 2) / 2, b.other[half]
+    if b.contact[p] ~= 0 and b.oneWay[j] then
+      b.dropping[p] = true
+      any = true
+    end
+    half = b.next[half]
+  end
+  return any
+end
+
+return oneway
