@@ -2,7 +2,19 @@
 
 local script = require("script")
 
-script.read(arg or {})
+local isReadable, problem = pcall(script.read, arg or {})
+
+if script.isOn then
+  -- LÖVE shows errors on a blue screen and waits for a key that nobody will press here.
+  function love.errorhandler(message)
+    io.stderr:write(debug.traceback(tostring(message), 2), "\n")
+    os.exit(1)
+  end
+end
+if not isReadable then
+  io.stderr:write(problem, "\n")
+  os.exit(1)
+end
 
 function love.conf(t)
   t.identity = "physics-lua-examples"
@@ -18,12 +30,4 @@ function love.conf(t)
   t.modules.joystick = false
   t.modules.touch = false
   t.modules.video = false
-end
-
-if script.isOn then
-  -- LÖVE shows errors on a blue screen and waits for a key that nobody will press here.
-  function love.errorhandler(message)
-    io.stderr:write(debug.traceback(tostring(message), 2), "\n")
-    os.exit(1)
-  end
 end

@@ -43,13 +43,13 @@ local OPTIONS = {
   end,
 }
 
---- Reads the command line. Without any of the options above the examples are played by hand.
+--- Reads the command line. Without an option the examples are played by hand.
 function script.read(arguments)
   for _, argument in ipairs(arguments) do
     local name, value = argument:match("^%-%-(%w+)=(.*)$")
     if name then
-      local set = OPTIONS[name] or error("unknown option " .. argument)
       script.isOn = true
+      local set = OPTIONS[name] or error("unknown option " .. argument)
       set(value)
     end
   end

@@ -328,6 +328,23 @@ local function describe(path, field, value)
   return TYPES[field.type].describe(path, field, value)
 end
 
+--- Returns whether a value fits an entry of `fields.lua`; nil does not.
+---@param field physics.Field
+---@param value any
+---@return boolean
+check.accepts = isAccepted
+
+--- Checks one value against an entry of `fields.lua`.
+--- Errors: it does not fit, nil included.
+---@param field physics.Field
+---@param value any
+---@param path string how the place of the value is written
+function check.value(field, value, path)
+  if not isAccepted(field, value) then
+    fail(describe(path, field, value))
+  end
+end
+
 -- Objects ----------------------------------------------------------------------------------------
 
 local function isBad(field, value)

@@ -12,6 +12,7 @@ local detect = require(here .. ".detect")
 local events = require(here .. ".events")
 local rest = require(here .. ".rest")
 local roster = require(here .. ".roster")
+local view = require(here .. ".view")
 
 local collect = {}
 
@@ -159,6 +160,7 @@ local function enter(b, object, record, key)
   end
   markMoved(b, i)
   rest.wake(b, i)
+  view.refresh(b, object)
   b.newcomers = true
   return i
 end
@@ -291,6 +293,7 @@ local function compareMaterials(b)
     if
       orDefault(object.mass, 1) ~= mass[i]
       or orDefault(object.friction, kind[i] == DYNAMIC and 0 or -1) ~= friction[i]
+      or object.friction == -1 -- in the columns that is "not set", from the game it is refused
       or orDefault(object.restitution, 0) ~= restitution[i]
       or orDefault(object.gravity, false) ~= ownGravity[i]
       or orDefault(object.gravityX, false) ~= ownGravityX[i]
@@ -309,12 +312,16 @@ local function compareLimits(b)
   for n = 1, b.moverCount do
     local i = movers[n]
     local object = objects[i]
+    local top, topX, topY = object.maxSpeed, object.maxSpeedX, object.maxSpeedY
     if
       orDefault(object.airFriction, 0) ~= airFriction[i]
       or orDefault(object.drag, 0) ~= drag[i]
-      or orDefault(object.maxSpeed, HUGE) ~= maxSpeed[i]
-      or orDefault(object.maxSpeedX, HUGE) ~= limit[2 * i]
-      or orDefault(object.maxSpeedY, HUGE) ~= limit[2 * i + 1]
+      or orDefault(top, HUGE) ~= maxSpeed[i]
+      or orDefault(topX, HUGE) ~= limit[2 * i]
+      or orDefault(topY, HUGE) ~= limit[2 * i + 1]
+      or top == HUGE -- in the columns that is "no limit", from the game it is refused
+      or topX == HUGE
+      or topY == HUGE
       or orDefault(object.carry, true) ~= carry[i]
       or orDefault(object.surfaceSpeed, 0) ~= surfaceSpeed[i]
       or orDefault(object.nudge, 0) ~= nudge[i]
@@ -353,6 +360,7 @@ function collect.refresh(b, i)
   detect.refilter(b, i)
   markMoved(b, i)
   rest.wake(b, i)
+  view.refresh(b, object)
   b.newcomers = true
 end
 

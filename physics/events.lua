@@ -4,6 +4,7 @@
 -- remove objects included. An error in a callback leaves the rest in the list for the next update.
 
 local here = (...):match("^(.*)%.[^.]+$")
+local check = require(here .. ".check")
 local columns = require(here .. ".columns")
 local filter = require(here .. ".filter")
 local sort = require(here .. ".sort")
@@ -160,6 +161,26 @@ local function tellCrush(world, object, a, b, axis)
   end
 end
 
+local CALLBACKS = {
+  [END] = "onEnd",
+  [BEGIN] = "onBegin",
+  [STAY] = "onStay",
+  [LEFT] = "onEnd",
+  [CRUSH] = "onCrush",
+}
+
+-- Callbacks are read when they are called: a field may have turned bad since the object was read.
+local function checkCallback(b, owner, name)
+  local callback = owner[name]
+  if callback and type(callback) ~= "function" then
+    local slot = b.slotOf[owner]
+    local place = owner == b.world and "world"
+      or slot and check.place(b.group[slot].name, not b.group[slot].direct and b.key[slot] or nil)
+      or "removed object"
+    check.fail(place .. "." .. name .. " must be a function, got " .. check.show(callback))
+  end
+end
+
 local function tell(world, e, n)
   local kind, a, b, side = e.kind[n], e.a[n], e.b[n], e.side[n]
   if kind == BEGIN then
@@ -192,6 +213,13 @@ function events.tell(b)
   end
   local world = b.world
   while e.told < e.count do
+    local n = e.order[e.told + 1]
+    local name = CALLBACKS[e.kind[n]]
+    checkCallback(b, e.a[n], name)
+    if e.kind[n] ~= CRUSH then
+      checkCallback(b, e.b[n], name)
+    end
+    checkCallback(b, world, name)
     e.told = e.told + 1
     tell(world, e, e.order[e.told])
   end

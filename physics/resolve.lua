@@ -21,8 +21,9 @@ local sqrt, max = math.sqrt, math.max
 local advance, change = path.advance, path.change
 local DYNAMIC = columns.DYNAMIC
 
--- Hits of one pair in one step after which it bounces no more, is welded, is left alone.
-local BOUNCES, WELDS, PATIENCE = 4, 3, 32
+-- Hits of one pair in one step after which it bounces no more, does not even leave by its own
+-- acceleration, is left alone; hits without a bounce after which it is welded.
+local BOUNCES, LEAVES, PATIENCE, WELDS = 4, 8, 32, 3
 -- px/s² below which two accelerate alike.
 local EVEN = 1e-6
 
@@ -224,7 +225,10 @@ function resolve.run(b, p, lo, hi, axis, t, dt)
   if u <= 2 * a * dt or b.met[p] > BOUNCES then
     restitution = 0
   end
-  local gap, vEnd = rebound(restitution, u, a, tau)
+  local gap, vEnd = 0, 0
+  if b.met[p] <= LEAVES then
+    gap, vEnd = rebound(restitution, u, a, tau)
+  end
   local flush = gap == 0 and vEnd == 0
   local shareL, shareH = shares(b, lo, hi, kl, kh, wl, wh)
   local oldL, oldH = to[kl], to[kh]

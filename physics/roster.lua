@@ -154,18 +154,22 @@ function roster.place(record, key)
   return check.place(record.name, key)
 end
 
+local function checkGroup(name, source)
+  if type(source) ~= "table" then
+    check.fail(
+      check.place(name)
+        .. " must be a group (a table of objects) or an object, got "
+        .. check.show(source)
+    )
+  end
+  return source
+end
+
 -- Returns the records of all groups in order, old ones where the table is the same.
 local function readGroups(self, objects)
   local groups, byName = {}, {}
   for index, name in ipairs(sortedNames(self, objects)) do
-    local source = objects[name]
-    if type(source) ~= "table" then
-      check.fail(
-        check.place(name)
-          .. " must be a group (a table of objects) or an object, got "
-          .. check.show(source)
-      )
-    end
+    local source = checkGroup(name, objects[name])
     local record = self.byName[name]
     if not record or record.source ~= source then
       record = newRecord(name, source)
@@ -352,6 +356,45 @@ function roster.update(b, self, objects, enter, leave, rename)
     self.given[object], self.groupGiven[object] = nil, nil
   end
   return true
+end
+
+--- Returns whether the game's tables differ from what was seen last. Changes nothing.
+function roster.hasChanged(self, objects)
+  if type(objects) ~= "table" or self.source ~= objects or haveGroupsChanged(self, objects) then
+    return true
+  end
+  for n = 1, self.groupCount do
+    local record = self.groups[n]
+    if record.stale or not isUnchanged(record) then
+      return true
+    end
+  end
+  return false
+end
+
+--- Returns the game's tables as the next `update` would read them: records in order, the members in
+--- `newList` and `newKeys`. Changes nothing.
+--- Errors: as `update`.
+function roster.look(b, self, objects)
+  if type(objects) ~= "table" then
+    check.fail("objects must be a table of groups, got " .. check.show(objects))
+  end
+  local records, found = {}, {}
+  for index, name in ipairs(sortedNames(self, objects)) do
+    local record = newRecord(name, checkGroup(name, objects[name]))
+    records[index] = record
+    readMembers(record)
+    for n, object in ipairs(record.newList) do
+      local here_ = roster.place(record, record.newKeys[n])
+      if found[object] then
+        failTwice(object, found[object], here_)
+      elseif not b.slotOf[object] then
+        check.object(object, here_)
+      end
+      found[object] = here_
+    end
+  end
+  return records
 end
 
 --- Returns the key under which an object stands in its group's table now, or nil.

@@ -47,7 +47,8 @@ local function checkIdle(b, call)
   end
 end
 
---- One step of dt seconds: the building of this library, room by room.
+--- One step of dt seconds: the building of this library, room by room. Its events are told by the
+--- caller, once the time of the step is booked.
 local function step(self, dt)
   local b = self._bodies
   settings.apply(self)
@@ -68,7 +69,6 @@ local function step(self, dt)
   local stats = self.stats
   stats.objects, stats.movers, stats.resting = b.count, b.moverCount, b.moverCount - b.awakeCount
   stats.pairs, stats.contacts, stats.events = b.pairCount, b.contactCount, b.resolved
-  events.tell(b)
 end
 
 -- Steps of equal length that are at most `maxStep` long.
@@ -79,17 +79,20 @@ local function split(self, dt)
   end
   for _ = 1, steps do
     step(self, dt / steps)
+    events.tell(self._bodies)
   end
 end
 
--- As many fixed steps as fit into what is saved up.
+-- As many fixed steps as fit into what is saved up. A refused step has used up no time, and none of
+-- a refused dt is saved.
 local function stepFixed(self, dt)
   local timestep = self.timestep
-  self._saved = self._saved + dt
-  while self._saved >= timestep * (1 - ROUNDING) do
-    self._saved = self._saved - timestep
+  while self._saved + dt >= timestep * (1 - ROUNDING) do
     step(self, timestep)
+    self._saved, dt = self._saved + dt - timestep, 0
+    events.tell(self._bodies)
   end
+  self._saved = self._saved + dt
   local alpha = self._saved / timestep
   self.alpha = alpha > 0 and alpha or 0
 end

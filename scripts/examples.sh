@@ -91,9 +91,16 @@ for picture in "$pictures"/*.png; do
   check "$name: the picture is not empty" at_least "$name" colors 20
 done
 
-# An example that fails has to be seen here.
-check "an example that does not exist fails" refuses in_love --example=nothing --frames=5
-check "an unknown option fails" refuses in_love --examples=pile
+# An example that fails has to be seen here, at once and not when the time is over.
+fails() {
+  in_love "$@"
+  local code=$?
+  echo "the exit code is $code, expected 1"
+  [ "$code" -eq 1 ]
+}
+check "an example that does not exist fails" fails --example=nothing --frames=5
+check "an unknown option fails" fails --examples=pile
+check "keys that cannot be read fail" fails --example=pile --keys=right
 
 echo "The pictures are in ${pictures#"$PWD"/}/"
 finish

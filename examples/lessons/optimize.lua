@@ -24,7 +24,7 @@ function love.draw()
 end
 
 world.stats.pairs  -- looked at in the last step]],
-  keys = { { "space", "draw" }, { "return", "kick" } },
+  keys = { { "space", "draw" }, { "enter", "kick" } },
 }
 
 local TILE = 22

@@ -1,0 +1,394 @@
+--- What questions see: the game's tables as they are now, not as the last step left them.
+--
+-- A question must not touch the columns of the simulation: what the game writes and takes back
+-- before the next update has never happened. So questions have columns of their own, with the same
+-- names, an own list of who is in the world (a roster) and an own grid. Worlds that never ask have
+-- none of this.
+--
+-- Finding every change takes a look at every object, which the first question after a step does.
+-- Those that follow compare the number of objects in each group, look at whoever they find nearby,
+-- and in a world of up to `FEW` objects again at everybody. What a later question in a larger world
+-- may miss until the next update: an object that the game has, after the first question, moved by
+-- more than `MARGIN`, or put into a group of the same size by assignment. `add`, `remove`, `move` and
+-- `refresh` tell it at once.
+--
+-- Reads of the core only which objects are static and where those are: they are read once.
+
+local here = (...):match("^(.*)%.[^.]+$")
+local check = require(here .. ".check")
+local columns = require(here .. ".columns")
+local grid = require(here .. ".broadphase.grid")
+local roster = require(here .. ".roster")
+
+local view = {}
+
+local STATIC, KINEMATIC, DYNAMIC = columns.STATIC, columns.KINEMATIC, columns.DYNAMIC
+
+-- Kind of an object that the core has read anew.
+local UNREAD = 0
+-- px around an object in which it may move without being filed anew.
+local MARGIN = 8
+-- So many can be looked at in a few microseconds.
+local FEW = 128
+
+local SLOT = { "object", "group", "groupName", "key", "rank", "kind", "live", "listed" }
+local FIELD = { "active", "sensor", "oneWay", "mask" }
+local AXIS = { "position", "size", "fatLow", "fatHigh" }
+local SCRATCH = { "entry", "mark" }
+
+local function new()
+  local v = {
+    slots = 0,
+    count = 0,
+    free = {},
+    slotOf = {},
+    movers = {}, -- slots of those whose fields may change: everybody but the static the core knows
+    moverCount = 0,
+    lengths = {}, -- of the groups' tables, by place of the group
+    roster = roster.new(),
+    order = false,
+    masks = false,
+    fresh = false, -- everybody was looked at since the last step
+    stamp = 0,
+    pool = {}, -- lists nobody uses
+  }
+  for _, names in ipairs({ SLOT, FIELD, AXIS, SCRATCH }) do
+    for _, name in ipairs(names) do
+      v[name] = {}
+    end
+  end
+  v.grid = grid.new(v)
+  return v
+end
+
+-- Reading ------------------------------------------------------------------------------------------
+
+local function kindOf(b, object)
+  local slot = b.slotOf[object]
+  local isStatic = object.static
+  if slot then
+    isStatic = b.kind[slot] == STATIC
+  end
+  return isStatic and STATIC or object.kinematic and KINEMATIC or DYNAMIC
+end
+
+local function isNumber(value)
+  return type(value) == "number" and value - value == 0
+end
+
+local function complain(v, i)
+  check.object(v.object[i], roster.place(v.group[i], v.key[i]))
+end
+
+--- Reads where an object is now. Errors: a place, size or `active` that cannot be used.
+function view.look(v, i)
+  if not v.live[i] then
+    return
+  end
+  local object, position, size, k = v.object[i], v.position, v.size, 2 * i
+  local x, y, width, height = object.x, object.y, object.width, object.height
+  if not (isNumber(x) and isNumber(y) and isNumber(width) and isNumber(height)) then
+    complain(v, i)
+  end
+  local active = object.active
+  if width <= 0 or height <= 0 or (active ~= nil and type(active) ~= "boolean") then
+    complain(v, i)
+  end
+  v.active[i] = active ~= false
+  -- Adding 0.0 makes floats of the integers of Lua 5.3 and later, which would wrap.
+  position[k], position[k + 1] = x + 0.0, y + 0.0
+  size[k], size[k + 1] = width + 0.0, height + 0.0
+end
+
+--- Reads what an object can meet. Errors: a field that cannot be used.
+function view.lookAtFilter(v, i)
+  if v.live[i] then
+    complain(v, i)
+    local object = v.object[i]
+    v.sensor[i], v.oneWay[i] = object.sensor == true, object.oneWay or false
+    v.mask[i] = object.mask or false
+    v.kind[i] = kindOf(v.bodies, object)
+  end
+end
+
+-- A static object is where the core read it.
+local function readStatic(v, b, i)
+  local slot = b.slotOf[v.object[i]]
+  local k, m = 2 * i, 2 * slot
+  v.position[k], v.position[k + 1] = b.position[m], b.position[m + 1]
+  v.size[k], v.size[k + 1] = b.size[m], b.size[m + 1]
+  for _, name in ipairs(FIELD) do
+    v[name][i] = b[name][slot]
+  end
+  v.kind[i], v.live[i] = STATIC, false
+end
+
+local function readAny(v, b, i)
+  local object = v.object[i]
+  local slot = b.slotOf[object]
+  if slot and b.kind[slot] == STATIC then
+    readStatic(v, b, i)
+  else
+    v.live[i] = true
+    v.kind[i] = kindOf(b, object)
+    view.look(v, i)
+  end
+end
+
+-- The grid -----------------------------------------------------------------------------------------
+
+local function hasLeft(v, i)
+  local position, size, fatLow, fatHigh, k = v.position, v.size, v.fatLow, v.fatHigh, 2 * i
+  return position[k] < fatLow[k]
+    or position[k + 1] < fatLow[k + 1]
+    or position[k] + size[k] > fatHigh[k]
+    or position[k + 1] + size[k + 1] > fatHigh[k + 1]
+end
+
+local function fatten(v, i)
+  local position, size, margin = v.position, v.size, v.live[i] and MARGIN or 0
+  for k = 2 * i, 2 * i + 1 do
+    v.fatLow[k], v.fatHigh[k] = position[k] - margin, position[k] + size[k] + margin
+  end
+end
+
+--- Looks at an object and files it anew if it has left its place.
+function view.follow(v, i)
+  view.look(v, i)
+  if hasLeft(v, i) then
+    fatten(v, i)
+    v.grid:update(i)
+  end
+end
+
+local function lookAtMovers(v)
+  local movers = v.movers
+  for n = 1, v.moverCount do
+    view.follow(v, movers[n])
+  end
+end
+
+local function list(v, i)
+  if v.live[i] and not v.listed[i] then
+    v.moverCount = v.moverCount + 1
+    v.movers[v.moverCount] = i
+    v.listed[i] = v.moverCount
+  end
+end
+
+local function unlist(v, i)
+  local at = v.listed[i]
+  if at then
+    local last = v.movers[v.moverCount]
+    v.movers[at], v.listed[last] = last, at
+    v.movers[v.moverCount] = nil
+    v.moverCount = v.moverCount - 1
+    v.listed[i] = false
+  end
+end
+
+-- Who is there -------------------------------------------------------------------------------------
+
+local function enter(v, object, record, key)
+  local i = v.free[#v.free]
+  if i then
+    v.free[#v.free] = nil
+  else
+    i = v.slots + 1
+    v.slots = i
+  end
+  v.count = v.count + 1
+  v.slotOf[object] = i
+  v.object[i], v.group[i], v.groupName[i], v.key[i] = object, record, record.name, key
+  v.listed[i], v.entry[i], v.mark[i], v.rank[i] = false, 0, 0, 0
+  v.active[i], v.sensor[i], v.oneWay[i], v.mask[i] = true, false, false, false
+  readAny(v, v.bodies, i)
+  fatten(v, i)
+  v.grid:insert(i)
+  list(v, i)
+  return i
+end
+
+local function leave(v, i)
+  v.grid:remove(i)
+  unlist(v, i)
+  v.slotOf[v.object[i]] = nil
+  v.object[i], v.group[i], v.mask[i] = false, false, false
+  v.free[#v.free + 1] = i
+  v.count = v.count - 1
+end
+
+local function rename(v, i, record)
+  v.group[i], v.groupName[i] = record, record.name
+end
+
+local function lookAtGroups(v, world)
+  local r = v.roster
+  if world.order ~= v.order then
+    check.setting("order", world.order)
+    v.order = world.order
+    r.order, r.reorder = world.order or {}, true
+  end
+  roster.update(v, r, world.objects, enter, leave, rename)
+  for n = 1, r.groupCount do
+    v.lengths[n] = #r.groups[n].source
+  end
+end
+
+-- Whether no group seems to have changed, in a world too large for looking at everybody.
+local function seemsUnchanged(v, world)
+  local r, objects = v.roster, world.objects
+  if v.count <= FEW or r.source ~= objects or world.order ~= v.order then
+    return false
+  end
+  for n = 1, r.groupCount do
+    local record = r.groups[n]
+    if objects[record.name] ~= record.source or #record.source ~= v.lengths[n] then
+      return false
+    end
+  end
+  return true
+end
+
+-- Static objects are live until the core has read them.
+local function settle(v)
+  local movers, kind = v.movers, v.kind
+  for n = v.moverCount, 1, -1 do
+    local i = movers[n]
+    if kind[i] <= STATIC then
+      readAny(v, v.bodies, i)
+      if not v.live[i] then
+        unlist(v, i)
+        fatten(v, i)
+        v.grid:update(i)
+      end
+    end
+  end
+end
+
+local function lookAtEverybody(v, world)
+  lookAtGroups(v, world)
+  settle(v)
+  lookAtMovers(v)
+  v.fresh = true
+end
+
+--- Returns the view of a world, up to date.
+--- Errors: as in an update, a group, key or field that cannot be used.
+function view.of(world)
+  local b = world._bodies
+  local v = b.view
+  if not v then
+    v = new()
+    v.bodies = b
+    b.view = v
+  end
+  v.masks = world.masks or false
+  if not v.fresh then
+    lookAtEverybody(v, world)
+    return v
+  end
+  if not seemsUnchanged(v, world) then
+    lookAtGroups(v, world)
+  end
+  if v.moverCount <= FEW then
+    lookAtMovers(v)
+  end
+  return v
+end
+
+--- The core has made a step: everybody is looked at before the next question.
+function view.outdate(b)
+  if b.view then
+    b.view.fresh = false
+  end
+end
+
+--- The core has read an object anew, also what it reads only once.
+function view.refresh(b, object)
+  local v = b.view
+  local i = v and v.slotOf[object]
+  if i then
+    v.live[i], v.kind[i] = true, UNREAD
+    list(v, i)
+    v.fresh = false
+  end
+end
+
+--- Returns the slot of an object; it may have been put in without `add` since everybody was looked
+--- at. nil: it is not in the world.
+function view.find(v, world, object)
+  local i = v.slotOf[object]
+  if not i or not view.isThere(v, i) then
+    lookAtGroups(v, world)
+    i = v.slotOf[object]
+  end
+  if i then
+    view.follow(v, i)
+  end
+  return i
+end
+
+--- Returns whether an object still stands where it was seen.
+function view.isThere(v, i)
+  local record = v.group[i]
+  return record.direct or record.source[v.key[i]] == v.object[i]
+end
+
+-- Whoever a question is about to see is looked at; false: somebody is gone.
+local function lookAtFound(v, found, count)
+  local live = v.live
+  for n = 1, count do
+    local i = found[n]
+    if not view.isThere(v, i) then
+      return false
+    end
+    if live[i] then
+      view.look(v, i)
+    end
+  end
+  return true
+end
+
+--- Writes the slots of all who may be in a rectangle into `found`, where they are now; returns how
+--- many.
+function view.near(v, world, left, top, right, bottom, found)
+  local count = v.grid:query(left, top, right, bottom, found)
+  if not lookAtFound(v, found, count) then
+    lookAtGroups(v, world)
+    count = v.grid:query(left, top, right, bottom, found)
+    lookAtFound(v, found, count)
+  end
+  return count
+end
+
+--- The same for all who may be on a line.
+function view.along(v, world, x1, y1, x2, y2, found)
+  local count = v.grid:ray(x1, y1, x2, y2, found)
+  if not lookAtFound(v, found, count) then
+    lookAtGroups(v, world)
+    count = v.grid:ray(x1, y1, x2, y2, found)
+    lookAtFound(v, found, count)
+  end
+  return count
+end
+
+--- Returns a list to work with. Filters may ask questions of their own, so each question takes one
+--- and gives it back; one that fails on the way leaves its list to the garbage collector.
+function view.take(v)
+  local pool = v.pool
+  local n = #pool
+  local found = pool[n]
+  if found then
+    pool[n] = nil
+    return found
+  end
+  return {}
+end
+
+--- Takes a list back.
+function view.give(v, found)
+  v.pool[#v.pool + 1] = found
+end
+
+return view

@@ -1,0 +1,794 @@
+--- Bad input: what is refused and in which words, that the game's own line is blamed, and that a
+--- refused call has changed nothing: repair the value, and the game goes on as if it had never been.
+
+local physics = require("physics")
+
+local NAN, INF = 0 / 0, math.huge
+local DT = 1 / 60
+local NAMES = { "floor", "box", "sleeper", "lift", "gate" }
+
+-- Scenes ------------------------------------------------------------------------------------------
+
+--- One object of each kind, after a few steps.
+---
+---                 box      lift ->
+---      sleeper     |        ====       gate (sensor)
+---     ====== floor v =======================
+local function newScene(settings)
+  local scene = {
+    world = physics.newWorld(settings or { gravity = 800 }),
+    floor = { x = 0, y = 200, width = 400, height = 16, static = true },
+    box = { x = 100, y = 150, width = 16, height = 16, vx = 30, restitution = 0.5 },
+    sleeper = { x = 20, y = 184, width = 16, height = 16 },
+    lift = { x = 160, y = 140, width = 64, height = 8, kinematic = true, vx = 20 },
+    gate = { x = 300, y = 150, width = 8, height = 50, static = true, sensor = true },
+  }
+  scene.world:add("floors", scene.floor)
+  scene.world:add("boxes", scene.box)
+  scene.world:add("boxes", scene.sleeper)
+  scene.world:add("lifts", scene.lift)
+  scene.world:add("gates", scene.gate)
+  for _ = 1, 5 do
+    scene.world:update(DT)
+  end
+  return scene
+end
+
+local function show(value)
+  return type(value) == "number" and ("%.17g"):format(value) or tostring(value)
+end
+
+--- All fields of all objects as one text.
+local function snapshot(scene)
+  local lines = {}
+  for _, name in ipairs(NAMES) do
+    for key, value in pairs(scene[name]) do
+      lines[#lines + 1] = name .. "." .. tostring(key) .. "=" .. show(value)
+    end
+    for side, other in pairs(scene[name].touching or {}) do
+      lines[#lines + 1] = name .. ".touching." .. side .. "=" .. tostring(other)
+    end
+  end
+  table.sort(lines)
+  return table.concat(lines, "\n")
+end
+
+--- Where everything is and how fast, to the bit.
+local function state(scene)
+  local lines = {}
+  for _, name in ipairs(NAMES) do
+    local object = scene[name]
+    local row = { name, show(object.x), show(object.y), show(object.vx), show(object.vy) }
+    for _, side in ipairs({ "top", "bottom", "left", "right" }) do
+      row[#row + 1] = tostring(object.touching and object.touching[side] and side)
+    end
+    lines[#lines + 1] = table.concat(row, " ")
+  end
+  return table.concat(lines, "\n")
+end
+
+-- Refusals ----------------------------------------------------------------------------------------
+
+--- Runs a call that must be refused: with exactly this message, and blaming a line of the call.
+local function refuses(expected, call)
+  local ok, message = pcall(call)
+  assert.is_false(ok, "it was not refused: " .. expected)
+  local line, text = message:match("bad_input_spec%.lua:(%d+): physics: (.*)$")
+  assert.truthy(line, "blames somebody else: " .. tostring(message))
+  assert.equal(expected, text)
+  local info = debug.getinfo(call, "S")
+  line = tonumber(line)
+  assert.is_true(line >= info.linedefined and line <= info.lastlinedefined, "blames line " .. line)
+end
+
+--- Fails unless two scenes go on the same way, to the bit.
+local function checkGoesOn(scene, twin, steps)
+  for i = 1, steps do
+    scene.world:update(DT)
+    twin.world:update(DT)
+    if i % 10 == 1 or i == steps then
+      assert.equal(state(twin), state(scene))
+    end
+  end
+end
+
+--- Spoils a scene; the next step must be refused and change nothing; repairs it, and it must go on
+--- like a twin to which all that never happened.
+local function refusesStep(expected, spoil, repair, settings)
+  local scene, twin = newScene(settings), newScene(settings)
+  spoil(scene)
+  local before = snapshot(scene)
+  for _ = 1, 2 do
+    refuses(expected, function()
+      scene.world:update(DT)
+    end)
+    assert.equal(before, snapshot(scene))
+  end
+  repair(scene)
+  checkGoesOn(scene, twin, 21)
+end
+
+-- Fields ------------------------------------------------------------------------------------------
+
+local function with(list, ...)
+  local result = {}
+  for _, value in ipairs(list) do
+    result[#result + 1] = value
+  end
+  for _, value in ipairs({ ... }) do
+    result[#result + 1] = value
+  end
+  return result
+end
+
+local ANY = { "12", true, {}, NAN, INF, -INF }
+local POSITIVE = with(ANY, 0, -1)
+local NOT_NEGATIVE = with(ANY, -1)
+local SHARE = with(ANY, -0.1, 1.1)
+local SWITCH = { 1, "yes", {}, NAN }
+local CALLBACK = { 1, "print", true, {} }
+local SIDE = { 1, "north", "Top", true, {} }
+local SIDES = '"top", "bottom", "left" or "right"'
+
+-- name, what is refused, what is expected
+local FIELDS = {
+  { "x", ANY, "a number", required = true },
+  { "y", ANY, "a number", required = true },
+  { "width", POSITIVE, "a number > 0", required = true },
+  { "height", POSITIVE, "a number > 0", required = true },
+  { "vx", ANY, "a number" },
+  { "vy", ANY, "a number" },
+  { "ax", ANY, "a number" },
+  { "ay", ANY, "a number" },
+  { "static", SWITCH, "true or false", once = true },
+  { "kinematic", SWITCH, "true or false" },
+  { "active", SWITCH, "true or false" },
+  { "sensor", SWITCH, "true or false" },
+  { "pushable", SWITCH, "true or false" },
+  { "mass", POSITIVE, "a number > 0" },
+  { "gravity", ANY, "a number" },
+  { "gravityX", ANY, "a number" },
+  { "friction", NOT_NEGATIVE, "a number >= 0" },
+  { "restitution", SHARE, "a number in 0..1" },
+  { "airFriction", NOT_NEGATIVE, "a number >= 0" },
+  { "drag", NOT_NEGATIVE, "a number >= 0" },
+  { "maxSpeed", NOT_NEGATIVE, "a number >= 0" },
+  { "maxSpeedX", NOT_NEGATIVE, "a number >= 0" },
+  { "maxSpeedY", NOT_NEGATIVE, "a number >= 0" },
+  { "mask", { 1, "boxes", true }, "a table { [group] = false }" },
+  { "oneWay", SIDE, SIDES },
+  { "carry", SWITCH, "true or false" },
+  { "surfaceSpeed", ANY, "a number" },
+  { "nudge", NOT_NEGATIVE, "a number >= 0" },
+  { "onBegin", CALLBACK, "a function", told = true },
+  { "onStay", CALLBACK, "a function" },
+  { "onEnd", CALLBACK, "a function", told = true },
+  { "onCrush", CALLBACK, "a function", told = true },
+  { "canCollide", CALLBACK, "a function" },
+}
+
+local function shown(value)
+  if type(value) == "string" then
+    return '"' .. value .. '"'
+  elseif type(value) ~= "number" then
+    return type(value) == "boolean" and tostring(value) or type(value)
+  elseif value ~= value then
+    return "nan"
+  end
+  return value == INF and "inf" or value == -INF and "-inf" or ("%.14g"):format(value)
+end
+
+local function messageFor(place, name, expected, value)
+  if value == INF or value == -INF then
+    expected = expected:gsub("^a number", "a finite number")
+  end
+  return place .. "." .. name .. " must be " .. expected .. ", got " .. shown(value)
+end
+
+--- Puts a value into a field for one refused step.
+local function refusesLater(who, place, name, expected, value)
+  local old
+  refusesStep(messageFor(place, name, expected, value), function(scene)
+    old = scene[who][name]
+    scene[who][name] = value
+  end, function(scene)
+    scene[who][name] = old
+  end)
+end
+
+local function newBox(name, value)
+  local box = { x = 50, y = 50, width = 16, height = 16 }
+  if name then
+    box[name] = value
+  end
+  return box
+end
+
+local function refusesAdd(name, expected, value)
+  local scene = newScene()
+  local box = newBox(name, value)
+  refuses(messageFor("objects.boxes[3]", name, expected, value), function()
+    scene.world:add("boxes", box)
+  end)
+  refuses(messageFor("objects.crates[1]", name, expected, value), function()
+    scene.world:add("crates", box)
+  end)
+  assert.equal(2, #scene.world.objects.boxes)
+  assert.is_nil(scene.world.objects.crates)
+  assert.is_nil(box.touching)
+end
+
+local function refusesNew(name, expected, value)
+  refusesStep(messageFor("objects.boxes[3]", name, expected, value), function(scene)
+    scene.world.objects.boxes[3] = newBox(name, value)
+  end, function(scene)
+    scene.world.objects.boxes[3] = nil
+  end)
+  refusesStep(messageFor("objects.player", name, expected, value), function(scene)
+    scene.world.objects.player = newBox(name, value)
+  end, function(scene)
+    scene.world.objects.player = nil
+  end)
+end
+
+local function refusesRefresh(name, expected, value)
+  local scene, twin = newScene(), newScene()
+  local old = scene.floor[name]
+  scene.floor[name] = value
+  local before = snapshot(scene)
+  refuses(messageFor("objects.floors[1]", name, expected, value), function()
+    scene.world:refresh(scene.floor)
+  end)
+  assert.equal(before, snapshot(scene))
+  scene.floor[name] = old
+  checkGoesOn(scene, twin, 11)
+end
+
+local function checkValue(row, value)
+  local name, expected = row[1], row[3]
+  refusesAdd(name, expected, value)
+  refusesNew(name, expected, value)
+  refusesRefresh(name, expected, value)
+  if not (row.once or row.told) then
+    refusesLater("box", "objects.boxes[1]", name, expected, value)
+    refusesLater("sleeper", "objects.boxes[2]", name, expected, value)
+    refusesLater("lift", "objects.lifts[1]", name, expected, value)
+  end
+end
+
+describe("the field", function()
+  for _, row in ipairs(FIELDS) do
+    describe(row[1], function()
+      for _, value in ipairs(row[2]) do
+        it("refuses " .. shown(value) .. ", at first and later", function()
+          checkValue(row, value)
+        end)
+      end
+
+      if row.required then
+        it("may not be missing, at first and later", function()
+          checkValue(row, nil)
+        end)
+      end
+    end)
+  end
+
+  it("mask refuses what is no group, and what is no answer", function()
+    local expected = "objects.boxes[1].mask.lifts must be true or false, got 0"
+    refusesStep(expected, function(scene)
+      scene.box.mask = { lifts = 0 }
+    end, function(scene)
+      scene.box.mask = nil
+    end)
+    expected = "objects.boxes[1].mask must have group names as keys, got true"
+    refusesStep(expected, function(scene)
+      scene.box.mask = { [true] = false }
+    end, function(scene)
+      scene.box.mask = nil
+    end)
+  end)
+
+  for _, row in ipairs(FIELDS) do
+    if row.told and row[1] ~= "onCrush" then
+      it(row[1] .. " that turns bad is refused when it would be called, and not lost", function()
+        local world, told = physics.newWorld({ gravity = 0 }), 0
+        local wall = world:add("walls", { x = 20, y = 0, width = 4, height = 16, static = true })
+        local box = world:add("boxes", { x = 0, y = 0, width = 16, height = 16, vx = 960 })
+        wall[row[1]] = function()
+          told = told + 1
+        end
+        box.vx = 0
+        world:update(DT)
+        box[row[1]], box.vx = "bang", 960
+        refuses("objects.boxes[1]." .. row[1] .. ' must be a function, got "bang"', function()
+          world:update(DT)
+          box.vx = -960
+          world:update(DT)
+        end)
+        assert.equal(0, told)
+        box[row[1]] = nil
+        world:update(DT)
+        assert.equal(1, told)
+      end)
+    end
+  end
+end)
+
+-- Places ------------------------------------------------------------------------------------------
+
+describe("the table of objects", function()
+  -- what, message, spoil, repair
+  for _, row in ipairs({
+    {
+      "a group that is a number",
+      "objects.coins must be a group (a table of objects) or an object, got 5",
+      function(scene)
+        scene.world.objects.coins = 5
+      end,
+      function(scene)
+        scene.world.objects.coins = nil
+      end,
+    },
+    {
+      "a group under a boolean",
+      "objects has a key that is neither a number nor a string, got true",
+      function(scene)
+        scene.world.objects[true] = {}
+      end,
+      function(scene)
+        scene.world.objects[true] = nil
+      end,
+    },
+    {
+      "a group under a table",
+      "objects has a key that is neither a number nor a string, got table",
+      function(scene)
+        scene.world.objects[NAMES] = {}
+      end,
+      function(scene)
+        scene.world.objects[NAMES] = nil
+      end,
+    },
+    {
+      "an object under a table",
+      "objects.boxes has a key that is neither a number nor a string, got table",
+      function(scene)
+        scene.world.objects.boxes[NAMES] = newBox()
+      end,
+      function(scene)
+        scene.world.objects.boxes[NAMES] = nil
+      end,
+    },
+    {
+      "an object under a boolean",
+      "objects.boxes has a key that is neither a number nor a string, got false",
+      function(scene)
+        scene.world.objects.boxes[false] = newBox()
+      end,
+      function(scene)
+        scene.world.objects.boxes[false] = nil
+      end,
+    },
+    {
+      "a member that is a text",
+      'objects.boxes[3] must be an object (a table), got "crate"',
+      function(scene)
+        scene.world.objects.boxes[3] = "crate"
+      end,
+      function(scene)
+        scene.world.objects.boxes[3] = nil
+      end,
+    },
+    {
+      "a named member that is a function",
+      "objects.boxes.hit must be an object (a table), got function",
+      function(scene)
+        scene.world.objects.boxes.hit = print
+      end,
+      function(scene)
+        scene.world.objects.boxes.hit = nil
+      end,
+    },
+    {
+      "an object twice in its group",
+      "objects.boxes[3] is the same object as objects.boxes[1]: an object stands in one place, "
+        .. "table was found in two",
+      function(scene)
+        scene.world.objects.boxes[3] = scene.box
+      end,
+      function(scene)
+        scene.world.objects.boxes[3] = nil
+      end,
+    },
+    {
+      "an object in two groups",
+      "objects.coins.first is the same object as objects.boxes[2]: an object stands in one place, "
+        .. "table was found in two",
+      function(scene)
+        scene.world.objects.coins = { first = scene.sleeper }
+      end,
+      function(scene)
+        scene.world.objects.coins = nil
+      end,
+    },
+    {
+      "an object in a group and directly",
+      "objects.player is the same object as objects.lifts[1]: an object stands in one place, "
+        .. "table was found in two",
+      function(scene)
+        scene.world.objects.player = scene.lift
+      end,
+      function(scene)
+        scene.world.objects.player = nil
+      end,
+    },
+    {
+      "a new object in two places",
+      "objects.player is the same object as objects.boxes[3]: an object stands in one place, "
+        .. "table was found in two",
+      function(scene)
+        scene.world.objects.player = newBox()
+        scene.world.objects.boxes[3] = scene.world.objects.player
+      end,
+      function(scene)
+        scene.world.objects.player, scene.world.objects.boxes[3] = nil, nil
+      end,
+    },
+    {
+      "no table of objects",
+      "objects must be a table of groups, got 7",
+      function(scene)
+        scene.objects, scene.world.objects = scene.world.objects, 7
+      end,
+      function(scene)
+        scene.world.objects = scene.objects
+      end,
+    },
+  }) do
+    it("refuses " .. row[1], function()
+      refusesStep(row[2], row[3], row[4])
+    end)
+  end
+
+  it("is told by the first that is wrong, and nothing new enters before all is right", function()
+    local scene = newScene()
+    local good, bad = newBox(), newBox("mass", 0)
+    scene.world.objects.boxes[3], scene.world.objects.boxes[4] = good, bad
+    refuses("objects.boxes[4].mass must be a number > 0, got 0", function()
+      scene.world:update(DT)
+    end)
+    assert.is_nil(good.touching)
+    bad.mass = 2
+    scene.world:update(DT)
+    assert.is_table(good.touching)
+    assert.equal(6, scene.world.stats.objects - 1)
+  end)
+end)
+
+-- Settings ----------------------------------------------------------------------------------------
+
+-- name, value, what is expected
+local SETTINGS = {
+  { "gravity", "x", "must be a number" },
+  { "gravity", NAN, "must be a number" },
+  { "gravity", INF, "must be a finite number" },
+  { "gravityX", {}, "must be a number" },
+  { "gravityX", -INF, "must be a finite number" },
+  { "push", "third", 'must be "both" or "first"' },
+  { "push", true, 'must be "both" or "first"' },
+  { "masks", "boxes", "must be a table { [group] = { [group] = false } }" },
+  { "sideBySide", 1, "must be true or false" },
+  { "broadphase", "tree", 'must be "auto", "pairs" or "grid"' },
+  { "cellSize", 0, "must be a number > 0" },
+  { "cellSize", -32, "must be a number > 0" },
+  { "timestep", 0, "must be a number > 0 and <= 0.25" },
+  { "timestep", 1, "must be a number > 0 and <= 0.25" },
+  { "maxStep", 0, "must be a number > 0 and <= 0.25" },
+  { "maxStep", NAN, "must be a number > 0 and <= 0.25" },
+  { "order", "boxes", "must be a list of group names" },
+  { "rest", "off", "must be true or false" },
+  { "onBegin", 1, "must be a function" },
+  { "onStay", {}, "must be a function" },
+  { "onEnd", "x", "must be a function" },
+  { "onCrush", true, "must be a function" },
+  { "canCollide", 1, "must be a function" },
+}
+
+describe("the setting", function()
+  for _, row in ipairs(SETTINGS) do
+    local name, value, expected = row[1], row[2], row[3] .. ", got " .. shown(row[2])
+
+    it(name .. " refuses " .. shown(value) .. ", at first and later", function()
+      refuses("newWorld(settings): " .. name .. " " .. expected, function()
+        physics.newWorld({ [name] = value })
+      end)
+      refuses("load(settings): " .. name .. " " .. expected, function()
+        physics.load({ [name] = value })
+      end)
+      local old
+      refusesStep("world." .. name .. " " .. expected, function(scene)
+        old = scene.world[name]
+        scene.world[name] = value
+      end, function(scene)
+        scene.world[name] = old
+      end)
+    end)
+  end
+
+  it("gravity may not be taken away", function()
+    refusesStep("world.gravity must be a number, got nil", function(scene)
+      scene.world.gravity = nil
+    end, function(scene)
+      scene.world.gravity = 800
+    end)
+  end)
+
+  it("masks refuses what is wrong deep inside, also when it turns wrong in place", function()
+    refuses("newWorld(settings): masks.boxes.lifts must be true or false, got 1", function()
+      physics.newWorld({ masks = { boxes = { lifts = 1 } } })
+    end)
+    local settings = { gravity = 800, masks = { boxes = { gates = false } } }
+    refusesStep("world.masks.boxes.gates must be true or false, got 0", function(scene)
+      scene.world.masks.boxes.gates = 0
+    end, function(scene)
+      scene.world.masks.boxes.gates = false
+    end, settings)
+  end)
+
+  it("order refuses what is no name, and a name twice", function()
+    refuses("newWorld(settings): order[2] must be a group name, got true", function()
+      physics.newWorld({ order = { "boxes", true } })
+    end)
+    refuses(
+      'newWorld(settings): order must name each group once, got "boxes" at [1] and [3]',
+      function()
+        physics.newWorld({ order = { "boxes", "lifts", "boxes" } })
+      end
+    )
+  end)
+
+  it("that nobody knows is refused, with a guess", function()
+    local ok, message = pcall(function()
+      physics.newWorld({ gravty = 5 })
+    end)
+    assert.is_false(ok)
+    assert.truthy(message:find("bad_input_spec.lua:", 1, true))
+    local expected =
+      'newWorld(settings): unknown setting "gravty" (did you mean "gravity"?); the settings are '
+    assert.truthy(message:find(expected, 1, true))
+    ok, message = pcall(physics.load, { [1] = 800 })
+    assert.is_false(ok)
+    assert.truthy(message:find("load(settings): unknown setting 1; the settings are", 1, true))
+  end)
+
+  it("list must be a table", function()
+    refuses("newWorld(settings): settings must be a table, got 800", function()
+      physics.newWorld(800)
+    end)
+  end)
+
+  it("refused by load leaves the default world as it was", function()
+    physics.load({ gravity = 5 })
+    local objects = physics.objects
+    pcall(physics.load, { gravity = "x" })
+    assert.equal(objects, physics.objects)
+    assert.equal(5, physics.gravity)
+    physics.load()
+  end)
+end)
+
+-- Calls -------------------------------------------------------------------------------------------
+
+describe("update", function()
+  for _, row in ipairs({
+    { "nothing", nil, "a number >= 0, got nil" },
+    { "a text", "0.1", 'a number >= 0, got "0.1"' },
+    { "true", true, "a number >= 0, got true" },
+    { "a table", {}, "a number >= 0, got table" },
+    { "NaN", NAN, "a number >= 0, got nan" },
+    { "a negative dt", -1, "a number >= 0, got -1" },
+    { "infinity", INF, "a finite number >= 0, got inf" },
+    { "minus infinity", -INF, "a finite number >= 0, got -inf" },
+  }) do
+    it("refuses " .. row[1], function()
+      local scene = newScene()
+      local before = snapshot(scene)
+      refuses("world:update(dt): dt must be " .. row[3], function()
+        scene.world:update(row[2])
+      end)
+      refuses("world:update(dt): dt must be " .. row[3], function()
+        physics.update(row[2])
+      end)
+      assert.equal(before, snapshot(scene))
+    end)
+  end
+
+  it("with a fixed step loses no time over a refused value", function()
+    local settings = { gravity = 800, timestep = DT }
+    for _, dt in ipairs({ DT, 2.5 * DT }) do
+      local scene, twin = newScene(settings), newScene(settings)
+      scene.box.width = -1
+      for _ = 1, 4 do
+        pcall(scene.world.update, scene.world, dt)
+      end
+      scene.box.width = 16
+      for _ = 1, 20 do
+        scene.world:update(dt)
+        twin.world:update(dt)
+        assert.equal(state(twin), state(scene))
+      end
+    end
+  end)
+end)
+
+describe("add", function()
+  for _, row in ipairs({
+    { "no group", nil, "group must be a string or a number, got nil" },
+    { "a group that is a table", {}, "group must be a string or a number, got table" },
+    { "a group that is true", true, "group must be a string or a number, got true" },
+    { "a group that is NaN", NAN, "group must be a string or a number, got nan" },
+  }) do
+    it("refuses " .. row[1], function()
+      local world = physics.newWorld()
+      refuses("world:add(group, object): " .. row[3], function()
+        world:add(row[2], newBox())
+      end)
+      assert.is_nil(next(world.objects))
+    end)
+  end
+
+  it("refuses what is no object", function()
+    local world = physics.newWorld()
+    refuses("world:add(group, object): object must be a table, got nil", function()
+      world:add("boxes")
+    end)
+    refuses('world:add(group, object): object must be a table, got "box"', function()
+      world:add("boxes", "box")
+    end)
+    assert.is_nil(next(world.objects))
+  end)
+
+  it("refuses an object that stands in the world, seen or not", function()
+    local world = physics.newWorld()
+    local box = world:add("boxes", newBox())
+    for _ = 1, 2 do
+      refuses(
+        "world:add(group, object): the object already stands at objects.boxes[1]",
+        function()
+          world:add("crates", box)
+        end
+      )
+      assert.is_nil(world.objects.crates)
+      world:update(DT)
+    end
+    world.objects.player = newBox()
+    world:update(DT)
+    refuses("world:add(group, object): the object already stands at objects.player", function()
+      world:add("boxes", world.objects.player)
+    end)
+  end)
+
+  it("refuses a group that is none", function()
+    local world = physics.newWorld()
+    world.objects.player, world.objects.coins = newBox(), 5
+    refuses(
+      "world:add(group, object): objects.player is not a group, got an object",
+      function()
+        world:add("player", newBox())
+      end
+    )
+    refuses("world:add(group, object): objects.coins is not a group, got 5", function()
+      world:add("coins", newBox())
+    end)
+    world.objects = 5
+    refuses("objects must be a table of groups, got 5", function()
+      world:add("boxes", newBox())
+    end)
+  end)
+end)
+
+describe("remove and refresh", function()
+  it("refuse what is no table", function()
+    local world = physics.newWorld()
+    refuses("world:remove(object): object must be a table, got nil", function()
+      world:remove()
+    end)
+    refuses("world:refresh(object): object must be a table, got 1", function()
+      world:refresh(1)
+    end)
+    refuses("world:interpolate(object): object must be a table, got nil", function()
+      world:interpolate()
+    end)
+  end)
+
+  it("a stranger cannot be refreshed", function()
+    refuses("world:refresh(object): the object is not in the world, got table", function()
+      physics.newWorld():refresh(newBox())
+    end)
+  end)
+end)
+
+describe("every method of a world", function()
+  it("says so when it is called with a dot instead of a colon", function()
+    local names = {}
+    for name, method in pairs(getmetatable(physics.newWorld()).__index) do
+      if type(method) == "function" then
+        names[#names + 1] = name
+      end
+    end
+    table.sort(names)
+    for _, name in ipairs(names) do
+      local world = physics.newWorld()
+      for _, wrong in ipairs({ DT, "boxes", {} }) do
+        local ok, message = pcall(function()
+          world[name](wrong, newBox())
+        end)
+        assert.is_false(ok, name)
+        local words = "must be called with a colon on a world, got " .. shown(wrong)
+        assert.truthy(message:find(words, 1, true), name .. ": " .. message)
+        assert.truthy(message:find("physics: world:" .. name .. "(", 1, true), message)
+        assert.truthy(message:find("bad_input_spec.lua:", 1, true), message)
+      end
+    end
+  end)
+end)
+
+-- canCollide --------------------------------------------------------------------------------------
+
+describe("from inside canCollide", function()
+  for _, row in ipairs({
+    {
+      "update(dt)",
+      function(scene)
+        scene.world:update(DT)
+      end,
+    },
+    {
+      "add(group, object)",
+      function(scene)
+        scene.world:add("boxes", newBox())
+      end,
+    },
+    {
+      "remove(object)",
+      function(scene)
+        scene.world:remove(scene.lift)
+      end,
+    },
+    {
+      "refresh(object)",
+      function(scene)
+        scene.world:refresh(scene.floor)
+      end,
+    },
+  }) do
+    it(row[1] .. " is refused", function()
+      for _, who in ipairs({ "sleeper", "floor", "world" }) do
+        local function make()
+          local scene = newScene({ gravity = 800, rest = false })
+          scene[who].canCollide = function()
+            return true
+          end
+          scene.world:refresh(scene.floor)
+          return scene
+        end
+        local scene, twin = make(), make()
+        local works = scene[who].canCollide
+        scene[who].canCollide = function()
+          row[2](scene)
+        end
+        scene.world:refresh(scene.floor)
+        local before = snapshot(scene)
+        local ok, message = pcall(scene.world.update, scene.world, DT)
+        assert.is_false(ok)
+        local words = "physics: world:" .. row[1] .. " cannot be called from inside canCollide"
+        assert.truthy(message:find(words, 1, true), message)
+        assert.truthy(message:find("bad_input_spec.lua:", 1, true))
+        assert.equal(before, snapshot(scene))
+        scene[who].canCollide = works
+        scene.world:refresh(scene.floor)
+        checkGoesOn(scene, twin, 11)
+      end
+    end)
+  end
+end)

@@ -1,0 +1,799 @@
+--- Worlds: who is in them, how they come and go, and what may change at run time.
+
+local physics = require("physics")
+
+local DT = 1 / 60
+
+local function newBox(x, y, changes)
+  local box = { x = x, y = y, width = 16, height = 16 }
+  for name, value in pairs(changes or {}) do
+    box[name] = value
+  end
+  return box
+end
+
+local function newFloor(y)
+  return { x = -200, y = y or 100, width = 800, height = 16, static = true }
+end
+
+local function play(world, steps)
+  for _ = 1, steps or 60 do
+    world:update(DT)
+  end
+end
+
+--- The order of some objects in a world, as a text of their names: the order in which the contacts
+--- with a sensor that holds them all are told.
+local function orderOf(world)
+  local sensor = { x = -1000, y = -1000, width = 4000, height = 4000, static = true, sensor = true }
+  local text = ""
+  sensor.onBegin = function(_, other)
+    text = text .. other.name
+  end
+  world.objects.zzz = { sensor }
+  world:update(DT)
+  world.objects.zzz = nil
+  world:update(DT)
+  return text
+end
+
+local function named(name, number)
+  return { name = name, x = 20 * number, y = 0, width = 8, height = 8, gravity = 0 }
+end
+
+describe("objects", function()
+  local world
+
+  before_each(function()
+    world = physics.newWorld({ gravity = 800 })
+  end)
+
+  it("stand in groups under numbers and names, or directly in the table", function()
+    world.objects.tiles = { newFloor() }
+    world.objects.boxes = { newBox(0, 50), newBox(30, 50) }
+    world.objects.enemies = { spike = newBox(60, 50), [7] = newBox(90, 50), [-2] = newBox(120, 50) }
+    world.objects.player = newBox(150, 50)
+    world.objects[3] = newBox(180, 50)
+    world.objects[4] = { newBox(210, 50) }
+    play(world)
+    assert.equal(9, world.stats.objects)
+    for _, box in ipairs({
+      world.objects.boxes[1],
+      world.objects.boxes[2],
+      world.objects.enemies.spike,
+      world.objects.enemies[7],
+      world.objects.enemies[-2],
+      world.objects.player,
+      world.objects[3],
+      world.objects[4][1],
+    }) do
+      assert.equal(84, box.y)
+      assert.equal(world.objects.tiles[1], box.touching.bottom)
+    end
+  end)
+
+  it("are ordered by group and key, numbers before strings, whatever came first", function()
+    world.gravity = 0
+    world.objects.b = { x = named("3", 1), [2.5] = named("2", 2), [-1] = named("1", 3) }
+    world.objects.c = named("4", 4)
+    world.objects.a = { named("0", 5) }
+    world.objects[2] = { named("B", 6) }
+    world.objects[-1] = named("A", 7)
+    assert.equal("AB01234", orderOf(world))
+  end)
+
+  it("follow the setting order, also when it is changed", function()
+    world.gravity, world.order = 0, { "c", "a" }
+    world.objects.a = { named("a", 1), named("A", 2) }
+    world.objects.b = { named("b", 3) }
+    world.objects.c = { named("c", 4) }
+    assert.equal("caAb", orderOf(world))
+    world.order = { "b", "nobody", "c" }
+    assert.equal("bcaA", orderOf(world))
+    world.order = nil
+    assert.equal("aAbc", orderOf(world))
+  end)
+
+  it("may be put in and taken out with plain Lua", function()
+    local boxes = {}
+    world.objects.boxes = boxes
+    table.insert(boxes, newBox(0, 0))
+    table.insert(boxes, newBox(40, 0))
+    world:update(DT)
+    assert.equal(2, world.stats.objects)
+    assert.is_false(boxes[2].touching.bottom)
+    local first = table.remove(boxes, 1)
+    local y = first.y
+    boxes.late = newBox(80, 0)
+    world:update(DT)
+    assert.equal(2, world.stats.objects)
+    assert.equal(y, first.y)
+    boxes[1] = nil
+    world:update(DT)
+    assert.equal(1, world.stats.objects)
+    boxes[9] = first
+    boxes.late = nil
+    world:update(DT)
+    assert.is_true(first.y > y)
+    assert.equal(1, world.stats.objects)
+  end)
+
+  it("are seen whatever the table went through before", function()
+    -- Numbers and names share the slots that are free in the hash part of a Lua table.
+    for count = 1, 40 do
+      for number = 1, 3 do
+        local group = {}
+        for n = 1, count do
+          group["name" .. n] = newBox(20 * n, 0)
+        end
+        world.objects.group = group
+        world:update(DT)
+        for n = 1, count do
+          group["name" .. n] = nil
+        end
+        for n = 1, number do
+          group[n] = newBox(20 * n, 0)
+        end
+        world:update(DT)
+        assert.equal(number, world.stats.objects)
+        for n = 1, 3 do
+          group["late" .. n] = newBox(20 * n, 40)
+          world:update(DT)
+          assert.equal(number + n, world.stats.objects)
+        end
+      end
+    end
+  end)
+
+  it("may be filtered into a new group, the whole table may be replaced", function()
+    local floor = world:add("tiles", newFloor())
+    local boxes = { newBox(0, 84), newBox(40, 84), newBox(80, 84) }
+    world.objects.boxes = boxes
+    play(world, 5)
+    local ends = 0
+    for _, box in ipairs(boxes) do
+      box.onEnd = function()
+        ends = ends + 1
+      end
+    end
+    world.objects.boxes = { boxes[3], boxes[1] }
+    play(world, 5)
+    assert.equal(3, world.stats.objects)
+    assert.equal(1, ends)
+    world.objects = { things = { boxes[1], floor } }
+    play(world, 5)
+    assert.equal(2, world.stats.objects)
+    assert.equal(2, ends)
+    assert.equal(84, boxes[1].y)
+    assert.equal(floor, boxes[1].touching.bottom)
+  end)
+
+  it("may move to another group, and meet its masks from then on", function()
+    world.masks = { ghosts = { tiles = false } }
+    world:add("tiles", newFloor())
+    local box = world:add("boxes", newBox(0, 84))
+    local ends = 0
+    box.onEnd = function()
+      ends = ends + 1
+    end
+    play(world, 5)
+    assert.equal(84, box.y)
+    world.objects.boxes[1] = nil
+    world.objects.ghosts = { box }
+    play(world, 30)
+    assert.is_true(box.y > 110)
+    assert.equal(1, ends)
+    assert.is_false(box.touching.bottom)
+  end)
+
+  it("may be class instances, in groups that are class instances, too", function()
+    local Box = { width = 16, height = 16, friction = 0.5 }
+    Box.__index = Box
+    -- Two boxes are equal for the game, if they have the same name.
+    function Box.__eq(a, b)
+      return a.name == b.name
+    end
+    local Group = {}
+    Group.__index = Group
+    function Group.count(self)
+      return #self
+    end
+    local first = setmetatable({ x = 0, y = 84, name = "box" }, Box)
+    local second = setmetatable({ x = 100, y = 0, name = "box" }, Box)
+    world:add("tiles", newFloor())
+    world.objects.boxes = setmetatable({ first }, Group)
+    play(world, 10)
+    assert.equal(84, first.y)
+    assert.equal(1, world.objects.boxes:count())
+    world.objects.boxes[1] = second
+    play(world)
+    assert.equal(84, second.y)
+    assert.is_nil(rawget(second, "width"))
+    world:add("boxes", first)
+    assert.is_true(world:remove(second))
+    assert.equal(first, world.objects.boxes[1])
+    assert.is_true(rawequal(first, world.objects.boxes[1]))
+  end)
+
+  it("may be in a group with defaults for what is missing", function()
+    local group = setmetatable({}, {
+      __index = function()
+        return newBox(0, 0)
+      end,
+    })
+    rawset(group, 1, newBox(0, 0))
+    world.objects.boxes = group
+    world:update(DT)
+    assert.equal(1, world.stats.objects)
+  end)
+
+  it("an empty table becomes an object when it is filled", function()
+    world.objects.player = {}
+    world:update(DT)
+    assert.equal(0, world.stats.objects)
+    local player = world.objects.player
+    player.x, player.y, player.width, player.height = 0, 0, 16, 16
+    world:update(DT)
+    assert.equal(1, world.stats.objects)
+    assert.is_true(player.vy > 0)
+  end)
+
+  it("that are not active, or not there, cost the others nothing", function()
+    world:add("tiles", newFloor())
+    local box = world:add("boxes", newBox(0, 84))
+    world.objects.empty = {}
+    play(world, 5)
+    assert.equal(84, box.y)
+    assert.equal(2, world.stats.objects)
+  end)
+end)
+
+describe("touching", function()
+  it("is there at once with add, at the first update with plain Lua, also of dt 0", function()
+    local world = physics.newWorld()
+    local box = world:add("boxes", newBox(0, 0))
+    local touching = box.touching
+    assert.same({ top = false, bottom = false, left = false, right = false }, touching)
+    local other = newBox(40, 0)
+    table.insert(world.objects.boxes, other)
+    world:update(0)
+    assert.same({ top = false, bottom = false, left = false, right = false }, other.touching)
+    world:update(DT)
+    assert.equal(touching, box.touching)
+  end)
+
+  it("belongs to dynamic objects only", function()
+    local world = physics.newWorld()
+    local floor = world:add("tiles", newFloor())
+    local lift = world:add("lifts", newBox(0, 0, { kinematic = true }))
+    play(world, 2)
+    assert.is_nil(floor.touching)
+    assert.is_nil(lift.touching)
+  end)
+
+  it("is put back when the game takes it away, and names nobody who has left", function()
+    local world = physics.newWorld()
+    local floor = world:add("tiles", newFloor())
+    local box = world:add("boxes", newBox(0, 84))
+    play(world, 3)
+    assert.equal(floor, box.touching.bottom)
+    world:remove(box)
+    world:update(DT)
+    assert.is_false(box.touching.bottom)
+    box.touching = nil
+    world:add("boxes", box)
+    play(world, 3)
+    assert.equal(floor, box.touching.bottom)
+  end)
+
+  it("is the neighbour with the widest common edge, the first of equals", function()
+    local world = physics.newWorld()
+    local narrow = world:add("tiles", { x = 0, y = 16, width = 6, height = 8, static = true })
+    local wide = world:add("tiles", { x = 6, y = 16, width = 40, height = 8, static = true })
+    local box = world:add("boxes", newBox(0, 0))
+    play(world, 2)
+    assert.equal(wide, box.touching.bottom)
+    box.x = -2
+    play(world, 2)
+    assert.equal(wide, box.touching.bottom)
+    box.x = -4 -- 6 px each
+    play(world, 2)
+    assert.equal(narrow, box.touching.bottom)
+  end)
+end)
+
+describe("add, remove and refresh", function()
+  local world
+
+  before_each(function()
+    world = physics.newWorld({ gravity = 800 })
+  end)
+
+  it("add puts an object at the end of its group and returns it", function()
+    local box = newBox(0, 0)
+    assert.equal(box, world:add("boxes", box))
+    assert.equal(box, world.objects.boxes[1])
+    world.objects.boxes.named = newBox(20, 0)
+    local last = world:add("boxes", newBox(40, 0))
+    assert.equal(last, world.objects.boxes[2])
+    world:add(5, newBox(60, 0))
+    world:update(DT)
+    assert.equal(4, world.stats.objects)
+  end)
+
+  it("remove takes it out once, from wherever it stands", function()
+    local boxes = {}
+    for n = 1, 3 do
+      boxes[n] = world:add("boxes", newBox(20 * n, 0))
+    end
+    world.objects.boxes.named = newBox(100, 0)
+    world.objects.player = newBox(140, 0)
+    world:update(DT)
+    assert.is_true(world:remove(boxes[2]))
+    assert.is_false(world:remove(boxes[2]))
+    assert.equal(boxes[3], world.objects.boxes[2])
+    assert.is_true(world:remove(world.objects.boxes.named))
+    assert.is_nil(world.objects.boxes.named)
+    assert.is_true(world:remove(world.objects.player))
+    assert.is_nil(world.objects.player)
+    world:update(DT)
+    assert.equal(2, world.stats.objects)
+    assert.is_false(world:remove(newBox(0, 0)))
+  end)
+
+  it("remove takes out what was not seen yet, however it came", function()
+    local added = world:add("boxes", newBox(0, 0))
+    assert.is_true(world:remove(added))
+    assert.is_nil(world.objects.boxes[1])
+    local inserted, direct = newBox(20, 0), newBox(40, 0)
+    table.insert(world.objects.boxes, inserted)
+    world.objects.player = direct
+    assert.is_true(world:remove(inserted))
+    assert.is_true(world:remove(direct))
+    assert.is_nil(world.objects.boxes[1])
+    assert.is_nil(world.objects.player)
+    world:update(DT)
+    assert.equal(0, world.stats.objects)
+  end)
+
+  it("remove finds an object whose group was replaced, or that changed group", function()
+    local boxes = { newBox(0, 0), newBox(20, 0), newBox(40, 0) }
+    world.objects.boxes = { boxes[1], boxes[2], boxes[3] }
+    world:update(DT)
+    world.objects.boxes = { boxes[2], boxes[3] }
+    assert.is_true(world:remove(boxes[2]))
+    assert.equal(boxes[3], world.objects.boxes[1])
+    world.objects.crates = { boxes[3] }
+    world.objects.boxes[1] = nil
+    assert.is_true(world:remove(boxes[3]))
+    assert.is_nil(world.objects.crates[1])
+    assert.is_false(world:remove(boxes[1]))
+  end)
+
+  it("a removed object may be added again, also before the next update", function()
+    local floor = world:add("tiles", newFloor())
+    local box = world:add("boxes", newBox(0, 84))
+    play(world, 3)
+    world:remove(box)
+    world:add("crates", box)
+    play(world, 3)
+    assert.equal(2, world.stats.objects)
+    assert.equal(84, box.y)
+    assert.equal(floor, box.touching.bottom)
+    world:remove(box)
+    world:update(DT)
+    world:add("boxes", box)
+    play(world, 3)
+    assert.equal(floor, box.touching.bottom)
+    assert.equal(box, world.objects.boxes[1])
+  end)
+
+  it("remove lets fall what stood on it", function()
+    local floor = world:add("tiles", newFloor())
+    local lower = world:add("boxes", newBox(0, 84))
+    local upper = world:add("boxes", newBox(0, 68))
+    play(world, 60)
+    world:remove(lower)
+    play(world, 60)
+    assert.equal(84, upper.y)
+    assert.equal(floor, upper.touching.bottom)
+    world:remove(floor)
+    play(world, 10)
+    assert.is_true(upper.y > 84)
+  end)
+
+  it("refresh makes a static object dynamic and back", function()
+    world:add("tiles", newFloor())
+    local box = world:add("boxes", newBox(0, 0, { static = true }))
+    play(world, 10)
+    box.static = nil
+    play(world, 10)
+    assert.equal(0, box.y)
+    world:refresh(box)
+    play(world, 60)
+    assert.equal(84, box.y)
+    assert.truthy(box.touching.bottom)
+    local upper = world:add("boxes", newBox(0, 40))
+    box.static = true
+    world:refresh(box)
+    assert.is_false(box.touching.bottom)
+    play(world, 60)
+    assert.equal(68, upper.y)
+    box.vx = 100
+    play(world, 10)
+    assert.equal(0, box.x)
+  end)
+
+  it("refresh reads all of a static object anew, and wakes who rests there", function()
+    local floor = world:add("tiles", newFloor())
+    local box = world:add("boxes", newBox(0, 84))
+    play(world, 30)
+    floor.y = 150
+    play(world, 30)
+    assert.equal(84, box.y)
+    world:refresh(floor)
+    play(world, 60)
+    assert.equal(134, box.y)
+    floor.active = false
+    world:refresh(floor)
+    play(world, 30)
+    assert.is_true(box.y > 140)
+  end)
+
+  it("refresh of an object that was not seen yet does nothing", function()
+    local box = world:add("boxes", newBox(0, 0))
+    world:refresh(box)
+    local inserted = newBox(40, 0)
+    table.insert(world.objects.boxes, inserted)
+    world:refresh(inserted)
+    play(world, 1)
+    assert.equal(2, world.stats.objects)
+  end)
+end)
+
+describe("at run time", function()
+  local world, floor, box
+
+  before_each(function()
+    world = physics.newWorld({ gravity = 800 })
+    floor = world:add("tiles", newFloor())
+    box = world:add("boxes", newBox(0, 84))
+    play(world, 5)
+  end)
+
+  it("vx and vy become numbers", function()
+    assert.equal(0, box.vx)
+    assert.equal(0, box.vy)
+    box.vx, box.vy = nil, nil
+    play(world, 1)
+    assert.equal(0, box.vx)
+    assert.equal(0, box.vy)
+  end)
+
+  it("an object may be switched off and on", function()
+    box.active = false
+    play(world, 1)
+    assert.is_false(box.touching.bottom)
+    box.y = 20
+    play(world, 30)
+    assert.equal(20, box.y)
+    box.active = nil
+    play(world, 60)
+    assert.equal(84, box.y)
+    assert.equal(floor, box.touching.bottom)
+  end)
+
+  it("an object may grow, shrink and jump elsewhere", function()
+    box.height = 24
+    box.y = 76
+    play(world, 5)
+    assert.equal(76, box.y)
+    assert.equal(floor, box.touching.bottom)
+    box.height = 8
+    play(world, 30)
+    assert.equal(92, box.y)
+    box.width = 32
+    play(world, 5)
+    assert.equal(92, box.y)
+    box.x, box.y = 300, -50
+    play(world, 1)
+    assert.is_false(box.touching.bottom)
+    assert.equal(300, box.x)
+    play(world, 60)
+    assert.equal(92, box.y)
+    box.height = 20 -- into the floor: it leaves upwards
+    play(world, 5)
+    assert.equal(80, box.y)
+  end)
+
+  it("a kinematic object may become dynamic and back", function()
+    local lift = world:add("lifts", newBox(100, 20, { kinematic = true, vx = 60 }))
+    play(world, 60)
+    assert.near(160, lift.x, 1e-9)
+    assert.equal(20, lift.y)
+    lift.kinematic, lift.vx = nil, 0
+    play(world, 60)
+    assert.equal(84, lift.y)
+    assert.equal(floor, lift.touching.bottom)
+    lift.kinematic, lift.vy = true, -60
+    play(world, 60)
+    assert.near(24, lift.y, 1e-9)
+    assert.is_false(lift.touching.bottom)
+  end)
+
+  it("a mask may be set, changed in place and taken away", function()
+    local ends = 0
+    box.onEnd = function()
+      ends = ends + 1
+    end
+    box.mask = { tiles = true }
+    play(world, 5)
+    assert.equal(84, box.y)
+    box.mask.tiles = false
+    play(world, 30)
+    assert.is_true(box.y > 100)
+    assert.equal(1, ends)
+    box.y, box.vy = 20, 0
+    box.mask.tiles = nil
+    play(world, 60)
+    assert.equal(84, box.y)
+  end)
+
+  it("a mask counts among many groups, too", function()
+    for n = 1, 80 do
+      world.objects["a" .. n] = newBox(1000 + 20 * n, 0, { gravity = 0 })
+    end
+    play(world, 2)
+    box.mask = {}
+    for n = 1, 80 do
+      box.mask["a" .. n] = false
+    end
+    play(world, 2)
+    box.mask.a1 = nil
+    box.x, box.y = 1020, -40
+    play(world, 60)
+    assert.equal(world.objects.a1, box.touching.bottom)
+    box.mask.tiles, box.mask.a1 = false, false
+    play(world, 30)
+    assert.is_false(box.touching.bottom)
+    assert.is_true(box.y > 20)
+  end)
+
+  it("masks may be set for whole groups, in one direction or the other", function()
+    world.masks = { boxes = { tiles = false } }
+    play(world, 30)
+    assert.is_true(box.y > 100)
+    box.y, box.vy = 0, 0
+    world.masks.boxes.tiles = true
+    play(world, 60)
+    assert.equal(84, box.y)
+    world.masks.tiles = { boxes = false }
+    play(world, 30)
+    assert.is_true(box.y > 100)
+    box.y, box.vy = 0, 0
+    world.masks = nil
+    play(world, 60)
+    assert.equal(84, box.y)
+  end)
+
+  it("a solid may become a sensor and back", function()
+    local crate = world:add("crates", newBox(0, 60))
+    play(world, 30)
+    assert.equal(68, crate.y)
+    crate.sensor = true
+    play(world, 30)
+    assert.is_true(crate.y > 100)
+    crate.sensor, crate.y, crate.vy = false, 40, 0
+    play(world, 60)
+    assert.equal(68, crate.y)
+    assert.equal(box, crate.touching.bottom)
+  end)
+
+  it("gravity may be an object's own, upwards, sideways or none", function()
+    local up = world:add("boxes", newBox(100, 0, { gravity = -800 }))
+    local none = world:add("boxes", newBox(150, 0, { gravity = 0 }))
+    local aside = world:add("boxes", newBox(200, 0, { gravity = 0, gravityX = 80 }))
+    play(world, 30)
+    assert.near(-100, up.y, 1e-9)
+    assert.equal(0, none.y)
+    assert.near(210, aside.x, 1e-9)
+    assert.equal(0, aside.y)
+    none.gravity = nil
+    play(world, 60)
+    assert.equal(84, none.y)
+  end)
+
+  it("a dt of 0 reads the tables and moves nothing", function()
+    box.vx = 50
+    local late = newBox(40, 0)
+    table.insert(world.objects.boxes, late)
+    world:update(0)
+    assert.equal(0, box.x)
+    assert.equal(0, late.y)
+    assert.equal(50, box.vx)
+    late.width = -1
+    assert.has_error(function()
+      world:update(0)
+    end)
+  end)
+
+  it("a dt above maxStep is split, above 0.25 s cut", function()
+    local a = physics.newWorld({ gravity = 0, maxStep = 0.1 })
+    local stays = 0
+    a.onStay = function()
+      stays = stays + 1
+    end
+    a:add("walls", { x = 16, y = 0, width = 8, height = 16, static = true })
+    local pushed = a:add("boxes", newBox(0, 0, { ax = 100 }))
+    a:update(0.1)
+    assert.equal(0, stays)
+    a:update(0.25)
+    assert.equal(3, stays)
+    a:remove(pushed)
+    local fast = a:add("boxes", newBox(100, 0, { vx = 100 }))
+    a:update(60)
+    assert.near(125, fast.x, 1e-9)
+  end)
+end)
+
+describe("two worlds", function()
+  it("know nothing of each other", function()
+    local one, other = physics.newWorld({ gravity = 800 }), physics.newWorld({ gravity = 0 })
+    one:add("tiles", newFloor())
+    local first = one:add("boxes", newBox(0, 0))
+    local second = other:add("boxes", newBox(0, 0))
+    for _ = 1, 60 do
+      one:update(DT)
+      other:update(DT)
+    end
+    assert.equal(84, first.y)
+    assert.equal(0, second.y)
+    assert.equal(2, one.stats.objects)
+    assert.equal(1, other.stats.objects)
+  end)
+
+  it("may be stepped from each other's callbacks", function()
+    local function make()
+      local world = physics.newWorld({ gravity = 800 })
+      world:add("tiles", newFloor())
+      return world, world:add("boxes", newBox(0, 0, { restitution = 0.5 }))
+    end
+    local outer, box = make()
+    local inner, innerBox = make()
+    local twin, twinBox = make()
+    box.onBegin = function()
+      inner:update(DT)
+    end
+    box.onEnd = box.onBegin
+    local calls = 0
+    inner.canCollide = function()
+      calls = calls + 1
+      return true
+    end
+    for _ = 1, 120 do
+      outer:update(DT)
+      twin:update(DT)
+      assert.equal(twinBox.y, box.y)
+    end
+    assert.is_true(innerBox.y > 0)
+    outer.canCollide = function()
+      inner:update(DT)
+    end
+    box.y = 0
+    for _ = 1, 200 do
+      outer:update(DT)
+    end
+    assert.equal(84, innerBox.y)
+    assert.is_true(calls > 0)
+  end)
+end)
+
+describe("the default world", function()
+  before_each(function()
+    physics.load({ gravity = 800 })
+  end)
+
+  after_each(function()
+    physics.load()
+  end)
+
+  it("is behind the functions and the fields of the module", function()
+    physics.objects.tiles = { newFloor() }
+    local box = physics.add("boxes", newBox(0, 60))
+    local begins = 0
+    physics.onBegin = function()
+      begins = begins + 1
+    end
+    for _ = 1, 60 do
+      physics.update(DT)
+    end
+    assert.equal(84, box.y)
+    assert.equal(1, begins)
+    assert.equal(2, physics.stats.objects)
+    physics.gravity = 0
+    box.y = 0
+    physics.update(DT)
+    assert.equal(0, box.y)
+    assert.equal(0, physics.gravity)
+    assert.is_true(physics.remove(box))
+  end)
+
+  it("is made anew, and empty, by load", function()
+    physics.add("boxes", newBox(0, 0))
+    physics.gravity = 5
+    physics.load()
+    assert.is_nil(next(physics.objects))
+    assert.near(627.84, physics.gravity, 1e-9)
+    assert.equal("both", physics.push)
+  end)
+
+  it("is not touched by other worlds", function()
+    local world = physics.newWorld({ gravity = 1 })
+    world:add("boxes", newBox(0, 0))
+    assert.is_nil(next(physics.objects))
+    assert.equal(800, physics.gravity)
+  end)
+
+  it("has every method of a world as a function", function()
+    for name, method in pairs(getmetatable(physics.newWorld()).__index) do
+      if type(method) == "function" then
+        assert.is_function(rawget(physics, name), name)
+      end
+    end
+  end)
+end)
+
+describe("the library in a folder of the game", function()
+  -- The interpreter that runs this spec, with its arguments.
+  local function interpreter()
+    local args, first = rawget(_G, "arg"), 0
+    while args[first - 1] do
+      first = first - 1
+    end
+    return args[first]
+  end
+
+  local function run(command)
+    local pipe = assert(io.popen(command .. " 2>&1"))
+    local output = pipe:read("*a")
+    pipe:close()
+    return output
+  end
+
+  local function write(path, text)
+    local file = assert(io.open(path, "wb"))
+    file:write(text)
+    file:close()
+  end
+
+  it("works as lib.physics, blames the game, sets no global and needs nothing else", function()
+    local folder = os.tmpname()
+    os.remove(folder)
+    run(("mkdir -p '%s/lib' && cp -r physics.lua physics '%s/lib'"):format(folder, folder))
+    write(
+      folder .. "/main.lua",
+      [[
+        local before = {}
+        for name in pairs(_G) do before[name] = true end
+        local physics = require "lib.physics"
+        physics.load { gravity = 800 }
+        physics.add("tiles", { x = 0, y = 100, width = 100, height = 10, static = true })
+        local box = physics.add("boxes", { x = 0, y = 0, width = 16, height = 16 })
+        for _ = 1, 60 do physics.update(1 / 60) end
+        assert(box.y == 84 and box.touching.bottom)
+        physics.globals()
+        objects, physics_load, physics_update, checkCollision, inside, bump = nil
+        for name in pairs(_G) do assert(before[name], name) end
+        for name in pairs(package.loaded) do
+          assert(name ~= "physics" and not name:find("^physics%."), name)
+        end
+        local ok, message = pcall(function() physics.update(-1) end)
+        assert(message:find("^%.?/?main.lua:%d+: physics: world:update"), message)
+        print("it works")
+      ]]
+    )
+    local output = run(("cd '%s' && '%s' main.lua"):format(folder, interpreter()))
+    run(("rm -r '%s'"):format(folder))
+    assert.equal("it works\n", output)
+  end)
+end)
