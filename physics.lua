@@ -1,8 +1,8 @@
 --- physics.lua: boxes that move and bump, for LÖVE and every Lua.
 --
--- The game's own tables are the objects. The library reads `x, y, width, height, vx, vy, …` from the
--- tables in `objects` and writes `x, y, vx, vy, touching` back. Coordinates are LÖVE's: x to the
--- right, y down, x and y the top-left corner, pixels and seconds.
+-- The game's own tables are the objects. The library reads `x, y, width, height, vx, vy, …` from
+-- the tables in `objects` and writes `x, y, vx, vy, touching` back. Coordinates are LÖVE's: x to
+-- the right, y down, x and y the top-left corner, pixels and seconds.
 --
 --   local physics = require "physics"
 --   physics.load { gravity = 800 }
@@ -13,7 +13,6 @@
 -- This file is only the door: constructors, the default world, the pure functions, the version.
 
 local path = ...
-local check = require(path .. ".check")
 local pure = require(path .. ".pure")
 local world = require(path .. ".world")
 

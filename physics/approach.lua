@@ -93,9 +93,10 @@ function approach.gather(b, i, first)
     local endX, endY = to[m] - to[k], to[m + 1] - to[k + 1]
     if
       max(
-        clearance(x, endX, size[k], size[m], clear),
-        clearance(y, endY, size[k + 1], size[m + 1], clear)
-      ) < 0
+          clearance(x, endX, size[k], size[m], clear),
+          clearance(y, endY, size[k + 1], size[m + 1], clear)
+        )
+        < 0
       and not (first and half % 2 == 0 and awake[j])
     then
       local at = 4 * count
@@ -183,12 +184,13 @@ local function meetFace(b, at, ka, kc, axis)
   return share, approach.code(approach.FACE, axis, not aLow)
 end
 
-local SIDE_CODES = { right = { 0, false }, left = { 0, true }, bottom = { 1, false }, top = { 1, true } }
+local SIDE_CODES =
+  { right = { 0, false }, left = { 0, true }, bottom = { 1, false }, top = { 1, true } }
 
 -- Inside each other: they part along the axis on which they were apart before they came there, else
 -- by the opposite-sides rule. Rare.
 local function meetDeep(b, p, ka, kc)
-  local from, size, to = b.from, b.size, b.to
+  local from, size = b.from, b.size
   local axis, secondIsLow
   if b.wedged[p] ~= 0 then
     local _

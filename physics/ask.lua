@@ -19,7 +19,7 @@ end
 
 --- Returns whether a pair may collide on `axis`; asks each side, then the world. An error in the
 --- game's function passes through, and the step is given up with nothing changed.
-function ask.permits(b, p, low, high, axis)
+function ask.permits(b, low, high, axis)
   local world = b.worldCanCollide
   if not (world or b.canCollide[low] or b.canCollide[high]) then
     return true

@@ -7,14 +7,19 @@ local filter = {}
 
 local DYNAMIC, STATIC = columns.DYNAMIC, columns.STATIC
 
-local function refuses(b, i, j)
+--- Returns "mask" or "masks" if an object refuses another by its own mask or by the world's.
+function filter.refusal(b, i, j)
   local mask = b.mask[i]
   if mask and mask[b.groupName[j]] == false then
-    return true
+    return "mask"
   end
   local group = b.masks and b.masks[b.groupName[i]]
-  return group and group[b.groupName[j]] == false
+  if group and group[b.groupName[j]] == false then
+    return "masks"
+  end
 end
+
+local refusal = filter.refusal
 
 --- Returns why two objects never meet (a word for `explain`), or nil if they can.
 function filter.reason(b, i, j)
@@ -27,7 +32,7 @@ function filter.reason(b, i, j)
       return "immovable"
     end
   end
-  if refuses(b, i, j) or refuses(b, j, i) then
+  if refusal(b, i, j) or refusal(b, j, i) then
     return "mask"
   end
 end

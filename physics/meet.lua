@@ -143,7 +143,7 @@ local happen = interpreted(function(b, p, code, t, dt)
   if b.dropping[p] or oneway.lets(b, low, high, 2 * axis + 2, kind) then
     return
   end
-  if not ask.permits(b, p, low, high, axis) then
+  if not ask.permits(b, low, high, axis) then
     b.passing[p] = true
     return
   end

@@ -159,12 +159,22 @@ local function leave(b, i, j, exit, way)
   end
   local ki, kj = 2 * i + axis, 2 * j + axis
   if share < 1 then
-    shift(b, j, axis, -sign * way * (1 - share), share == 0 and
-      (sign < 0 and b.from[ki] + b.size[ki] or b.from[ki] - b.size[kj]) or nil)
+    shift(
+      b,
+      j,
+      axis,
+      -sign * way * (1 - share),
+      share == 0 and (sign < 0 and b.from[ki] + b.size[ki] or b.from[ki] - b.size[kj]) or nil
+    )
   end
   if share > 0 then
-    shift(b, i, axis, sign * way * share,
-      sign < 0 and b.from[kj] - b.size[ki] or b.from[kj] + b.size[kj])
+    shift(
+      b,
+      i,
+      axis,
+      sign * way * share,
+      sign < 0 and b.from[kj] - b.size[ki] or b.from[kj] + b.size[kj]
+    )
   end
   return true
 end
@@ -208,8 +218,14 @@ local function separate(b, p)
     size[kj + 1]
   )
   local axis = height < width and 1 or 0
-  if not ask.permits(b, p, from[ki + axis] <= from[kj + axis] and i or j,
-      from[ki + axis] <= from[kj + axis] and j or i, axis) then
+  if
+    not ask.permits(
+      b,
+      from[ki + axis] <= from[kj + axis] and i or j,
+      from[ki + axis] <= from[kj + axis] and j or i,
+      axis
+    )
+  then
     return
   end
   closePassages(b, i, j, ways)

@@ -56,9 +56,7 @@ end
 
 local function checkKey(key, path)
   if type(key) ~= "number" and type(key) ~= "string" then
-    check.fail(
-      path .. " has a key that is neither a number nor a string, got " .. check.show(key)
-    )
+    check.fail(path .. " has a key that is neither a number nor a string, got " .. check.show(key))
   end
 end
 
