@@ -68,9 +68,9 @@ local function clearance(r, rEnd, size, sizeOther, clear)
   )
 end
 
---- Lists the pairs of object i that may meet on the present paths, behind b.near and b.relative, and
---- forgets the events of all its pairs. Returns how many there are. At the `first` look, a pair of
---- two who are awake is left to its first half-edge.
+--- Lists the pairs of object i that may meet on the present paths, behind b.near and b.relative,
+--- and forgets the events of all its pairs. Returns how many there are. At the `first` look, a pair
+--- of two who are awake is left to its first half-edge.
 function approach.gather(b, i, first)
   local from, to, size, time = b.from, b.to, b.size, b.time
   local other, nextHalf, event, near, relative = b.other, b.next, b.event, b.near, b.relative

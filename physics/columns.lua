@@ -177,6 +177,7 @@ function columns.new()
     begun = 0, -- places of awakeList that have begun this step
     predicted = 0, -- places of awakeList that have a path
     stamp = 0,
+    view = false, -- what questions see (see view)
     contactCount = 0,
     resolved = 0, -- contacts resolved in the last step
     partWork = {

@@ -1,8 +1,8 @@
 --- Crushed: held between two that cannot give way, on one axis.
 --
--- The object stays where it overlaps its neighbours the least, a single one in the middle, and is free again as soon
--- as there is room. How it came there is remembered with the pair (`wedged`), so that it can only
--- leave along the same axis and is never squeezed out sideways.
+-- The object stays where it overlaps its neighbours the least, a single one in the middle, and is
+-- free again as soon as there is room. How it came there is remembered with the pair (`wedged`),
+-- so that it can only leave along the same axis and is never squeezed out sideways.
 
 local here = (...):match("^(.*)%.[^.]+$")
 local columns = require(here .. ".columns")
@@ -56,8 +56,8 @@ local function put(b, i, k, at, v)
   end
 end
 
---- Notes that `lo` and `hi`, neither of which can give way, are pressed together on `axis`. All that
---- is held between two ends overlaps its neighbours by the same small amount.
+--- Notes that `lo` and `hi`, neither of which can give way, are pressed together on `axis`. All
+--- that is held between two ends overlaps its neighbours by the same small amount.
 function crush.note(b, lo, hi, axis)
   local low, high = endOf(b, lo, axis, b.holderLow), endOf(b, hi, axis, b.holderHigh)
   local count, sum = list(b, lo, hi, low, high, axis)

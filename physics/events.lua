@@ -201,8 +201,8 @@ local function forget(e)
   e.count, e.told = 0, 0
 end
 
---- Tells the game all that was noted, pairs in the order of the world. An error of a callback passes
---- through; what was not told then is told by the next call.
+--- Tells the game all that was noted, pairs in the order of the world. An error of a callback
+--- passes through; what was not told then is told by the next call.
 function events.tell(b)
   local e = b.events
   if e.count == 0 then

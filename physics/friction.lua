@@ -32,8 +32,9 @@ function friction.coefficient(b, i, j)
 end
 
 -- Slides at a relative speed that would be `u` at the end of the time left, under a relative
--- acceleration `a`, against an impact that takes up to `impact` px/s at once and a weight that takes
--- up to `weight` px/s over the time. Returns the relative speed at the end and the relative way.
+-- acceleration `a`, against an impact that takes up to `impact` px/s at once and a weight that
+-- takes up to `weight` px/s over the time. Returns the relative speed at the end and the relative
+-- way.
 local function slide(u, a, tau, impact, weight)
   local v = u - a * tau
   if v > -STILL and v < STILL then

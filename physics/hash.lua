@@ -11,7 +11,7 @@ local state = require(here .. ".state")
 
 local hash = {}
 
-local floor = math.floor
+local floor, max = math.floor, math.max
 
 local PRIME_A, PRIME_B = 8388593.0, 8388587.0 -- the two largest below 2^23
 local FACTOR_A, FACTOR_B = 131071.0, 99991.0 -- products with them stay below 2^41
@@ -162,7 +162,8 @@ function hash.of(out)
     end
   end
   mixMemory(sum, out)
-  return floor(sum.a * PRIME_B + sum.b)
+  mix(sum, 0)
+  return floor(max(sum.a, 0) * PRIME_B + max(sum.b, 0))
 end
 
 --- Returns the number of the present state of a world.

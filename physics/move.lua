@@ -1,7 +1,8 @@
 --- Step 4, move: the path of every object in this step, if nothing is in the way.
 --
--- Reads from, velocity, written, speed, way, carrier; writes to, speed, accel, carried. From here to
--- `publish` all velocities are absolute: what carries an object is added here and taken off there.
+-- Reads from, velocity, written, speed, way, carrier; writes to, speed, accel, carried. From here
+-- to `publish` all velocities are absolute: what carries an object is added here and taken off
+-- there.
 
 local here = (...):match("^(.*)%.[^.]+$")
 local carrier = require(here .. ".carrier")

@@ -27,8 +27,8 @@ local function detour(b, i, j, axis, t)
 end
 
 --- Moves slot i past the corner of the immovable slot j, which it hits on `axis` at time t, if it
---- misses by no more than its `nudge` and the place beside is free; returns whether it did. Never on
---- the side that gravity presses.
+--- misses by no more than its `nudge` and the place beside is free; returns whether it did. Never
+--- on the side that gravity presses.
 function nudge.try(b, i, j, axis, iIsLow, t)
   if b.nudge[i] == 0 or b.kind[i] ~= DYNAMIC or b.kind[j] == DYNAMIC then
     return false

@@ -15,8 +15,8 @@ local function isOpen(b, i, side)
   return solid and SIDE[solid] ~= side
 end
 
---- Returns whether two that meet on `side` of i pass through each other there. `kind` is that of the
---- meeting: who is inside a one-way already always passes.
+--- Returns whether two that meet on `side` of i pass through each other there. `kind` is that of
+--- the meeting: who is inside a one-way already always passes.
 function oneway.lets(b, i, j, side, kind)
   if not (b.oneWay[i] or b.oneWay[j]) then
     return false

@@ -1,4 +1,5 @@
---- Paths inside a step: from the place `from` at `time` (0..1) in a straight line to `to` at its end.
+--- Paths inside a step: from the place `from` at `time` (0..1) in a straight line to `to` at its
+--- end.
 
 local here = (...):match("^(.*)%.[^.]+$")
 local columns = require(here .. ".columns")

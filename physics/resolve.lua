@@ -43,10 +43,11 @@ local function weights(b, lo, hi, kl, kh)
     wh = 0
   end
   if b.pushable[lo] ~= b.pushable[hi] and b.kind[lo] == DYNAMIC and b.kind[hi] == DYNAMIC then
+    -- One that is held counts as a wall even for whoever cannot be pushed.
     if b.pushable[lo] then
-      wh = 0
+      wh = wl > 0 and 0 or wh
     else
-      wl = 0
+      wl = wh > 0 and 0 or wl
     end
   end
   if wl > 0 and wh > 0 and not b.pushable[lo] and not b.pushable[hi] then
@@ -196,8 +197,8 @@ local function noteHit(b, p, lo, axis, u)
   b.met[p] = b.met[p] + 1
 end
 
---- Resolves pair p, which meets on `axis` at time t (0..1 of a step of dt s), `lo` being the one with
---- the smaller coordinate. Lists whose path changed in b.changed[1..b.changedCount].
+--- Resolves pair p, which meets on `axis` at time t (0..1 of a step of dt s), `lo` being the one
+--- with the smaller coordinate. Lists whose path changed in b.changed[1..b.changedCount].
 function resolve.run(b, p, lo, hi, axis, t, dt)
   local kl, kh = 2 * lo + axis, 2 * hi + axis
   if b.met[p] >= PATIENCE then

@@ -39,6 +39,12 @@ local HUGE = math.huge
 --- Layout of a state; another one cannot be read.
 state.VERSION = 1
 
+-- `wedged` of a pair whose two are exchanged.
+local MIRRORED = {}
+for code = 0, 11 do
+  MIRRORED[1 + code] = 1 + approach.mirrored(code)
+end
+
 -- Columns that outlive a step. Whoever adds one to columns.lua adds it here, too.
 
 --- By slot: name and type.
@@ -52,15 +58,7 @@ state.POINTS = { { "position", "written" }, { "last", "position" } }
 --- the two of the pair are exchanged.
 state.PAIRS = {
   { "contact", 0, columns.OPPOSITE },
-  {
-    "wedged",
-    0,
-    setmetatable({}, {
-      __index = function(_, code)
-        return 1 + approach.mirrored(code - 1)
-      end,
-    }),
-  },
+  { "wedged", 0, MIRRORED },
   { "overlapping", false, { [true] = true } },
 }
 

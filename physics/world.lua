@@ -2,21 +2,26 @@
 
 local here = (...):match("^(.*)%.[^.]+$")
 local begin = require(here .. ".begin")
+local bounds = require(here .. ".bounds")
 local carrier = require(here .. ".carrier")
 local check = require(here .. ".check")
 local collect = require(here .. ".collect")
 local columns = require(here .. ".columns")
 local detect = require(here .. ".detect")
 local events = require(here .. ".events")
+local explain = require(here .. ".explain")
 local meet = require(here .. ".meet")
 local oneway = require(here .. ".oneway")
 local part = require(here .. ".part")
 local predict = require(here .. ".predict")
 local publish = require(here .. ".publish")
+local query = require(here .. ".query")
 local queue = require(here .. ".queue")
 local rest = require(here .. ".rest")
 local roster = require(here .. ".roster")
 local settings = require(here .. ".settings")
+local slide = require(here .. ".slide")
+local view = require(here .. ".view")
 
 --- An independent world: a table of groups of objects, settings as plain fields, and the steps.
 ---@class physics.World
@@ -65,6 +70,7 @@ local function step(self, dt)
   if b.rest then
     rest.settle(b)
   end
+  view.outdate(b)
 
   local stats = self.stats
   stats.objects, stats.movers, stats.resting = b.count, b.moverCount, b.moverCount - b.awakeCount
@@ -292,6 +298,348 @@ function World:interpolate(object)
     object.y - (b.position[k + 1] - b.last[k + 1]) * behind
 end
 
+-- Questions ---------------------------------------------------------------------------------------
+--
+-- They see the tables as they are now, objects added since the last update included, removed ones
+-- not; they change nothing, and may be asked anywhere, also inside callbacks and filters. In worlds
+-- of more than 128 objects the first question after an update looks at everybody, later ones only
+-- nearby: see physics/view.lua for what they may miss.
+--
+-- Who is not active is not found; sensors are. `filter` is a group name, a list of them, or a
+-- function(object) whose result is taken as yes or no; it must not change the world. `out` is a list
+-- to fill instead of a new one; then nothing is left to the garbage collector.
+
+local function checkQuestion(self, call, filter, out)
+  checkSelf(self, call)
+  check.filter(filter, "world:" .. call)
+  if out ~= nil then
+    check.table(out, "out", "world:" .. call)
+  end
+  if type(self.sideBySide) ~= "boolean" then
+    check.setting("sideBySide", self.sideBySide)
+  end
+  if self.masks then
+    check.setting("masks", self.masks)
+  end
+end
+
+local function checkPoint(x, y, where)
+  check.number(x, "x", where)
+  check.number(y, "y", where)
+end
+
+local function checkLine(x1, y1, x2, y2, where)
+  check.number(x1, "x1", where)
+  check.number(y1, "y1", where)
+  check.number(x2, "x2", where)
+  check.number(y2, "y2", where)
+end
+
+local function failMissing(call, object, name)
+  name = name or "the object"
+  check.fail("world:" .. call .. ": " .. name .. " is not in the world, got " .. check.show(object))
+end
+
+--- Finds everybody at a point. The left and top edges of an object belong to it, the right and
+--- bottom ones do not, so a point on a seam belongs to one tile.
+---
+--- Errors: no finite number; no filter; `out` is no table.
+---@param x number px
+---@param y number px
+---@param filter physics.Filter? default everybody
+---@param out table[]? list to fill, default a new one
+---@return table[] objects in the order of the world
+---@return integer count
+function World:queryPoint(x, y, filter, out)
+  local call = "queryPoint(x, y)"
+  checkQuestion(self, call, filter, out)
+  checkPoint(x, y, "world:queryPoint(x, y)")
+  local found, count = query.point(self, x + 0.0, y + 0.0, filter, out)
+  return found, count
+end
+
+--- Finds everybody who overlaps a rectangle by more than 1e-6 px; with the setting `sideBySide` also
+--- who is flush with it.
+---
+--- Errors: no finite number; a size <= 0; no filter; `out` is no table.
+---@param x number px, left edge
+---@param y number px, top edge
+---@param w number px, > 0
+---@param h number px, > 0
+---@param filter physics.Filter? default everybody
+---@param out table[]? list to fill, default a new one
+---@return table[] objects in the order of the world
+---@return integer count
+function World:queryRect(x, y, w, h, filter, out)
+  checkQuestion(self, "queryRect(x, y, w, h)", filter, out)
+  local where = "world:queryRect(x, y, w, h)"
+  checkPoint(x, y, where)
+  check.positive(w, "w", where)
+  check.positive(h, "h", where)
+  local found, count = query.rectangle(self, x + 0.0, y + 0.0, w + 0.0, h + 0.0, filter, out)
+  return found, count
+end
+
+--- Finds everybody on the line from (x1, y1) to (x2, y2), as `raycast` would hit them.
+---
+--- Errors: no finite number; no filter; `out` is no table.
+---@param x1 number px
+---@param y1 number px
+---@param x2 number px
+---@param y2 number px
+---@param filter physics.Filter? default everybody
+---@param out table[]? list to fill, default a new one
+---@return table[] objects nearest first, ties in the order of the world
+---@return integer count
+function World:querySegment(x1, y1, x2, y2, filter, out)
+  checkQuestion(self, "querySegment(x1, y1, x2, y2)", filter, out)
+  checkLine(x1, y1, x2, y2, "world:querySegment(x1, y1, x2, y2)")
+  local found, count = query.segment(self, x1 + 0.0, y1 + 0.0, x2 + 0.0, y2 + 0.0, filter, out)
+  return found, count
+end
+
+--- Finds the first object on the line from (x1, y1) to (x2, y2).
+---
+---     starts inside an object     hits it at fraction 0, normal 0, 0
+---     starts on an edge           hits at fraction 0 with its normal if it goes in, else not
+---     ends on an edge             hits at fraction 1
+---     runs along an edge          hits whom the edge belongs to: the one below it or to its right,
+---                                 so no ray slips between two tiles (to a millionth of a pixel)
+---     meets a corner              of one object: no hit if it only grazes it; the normal is along
+---                                 gravity, or that of the wall if a neighbour covers the other edge
+---     has no length               hits who is there, as queryPoint, fraction 0, normal 0, 0
+---
+--- Source: slab method; the grid is walked in strips (see physics/broadphase/grid.lua).
+---
+--- Errors: no finite number; no filter.
+---@param x1 number px
+---@param y1 number px
+---@param x2 number px
+---@param y2 number px
+---@param filter physics.Filter? default everybody
+---@return table? object nil: the line is free, and nothing else is returned
+---@return number x px, where it is hit
+---@return number y px
+---@return number nx normal of the side that is hit: -1, 0, 1
+---@return number ny
+---@return number fraction of the line, 0..1
+function World:raycast(x1, y1, x2, y2, filter)
+  checkQuestion(self, "raycast(x1, y1, x2, y2)", filter)
+  checkLine(x1, y1, x2, y2, "world:raycast(x1, y1, x2, y2)")
+  local object, x, y, nx, ny, fraction =
+    query.raycast(self, x1 + 0.0, y1 + 0.0, x2 + 0.0, y2 + 0.0, filter)
+  if object then
+    return object, x, y, nx, ny, fraction
+  end
+end
+
+--- Finds what would stop an object on its way by (dx, dy): solids that its mask, theirs and the
+--- world's do not let pass, one-ways on their solid side; not sensors. `canCollide` is not asked.
+--- Who overlaps it already is hit at fraction 0 with the normal 0, 0; who is flush beside its way is
+--- not. Nothing moves.
+---
+--- Errors: no table; an object that is not in the world; no finite number; no filter.
+---@param object table
+---@param dx number px
+---@param dy number px
+---@param filter physics.Filter? default everybody
+---@return table? other nil: the way is free, and nothing else is returned
+---@return number x px, where `object` would be then, flush
+---@return number y px
+---@return number nx normal of the side that is hit: -1, 0, 1
+---@return number ny
+---@return number fraction of the way, 0..1
+function World:sweep(object, dx, dy, filter)
+  local where = "world:sweep(object, dx, dy)"
+  checkQuestion(self, "sweep(object, dx, dy)", filter)
+  check.table(object, "object", where)
+  check.number(dx, "dx", where)
+  check.number(dy, "dy", where)
+  local other, x, y, nx, ny, fraction = query.sweep(self, object, dx + 0.0, dy + 0.0, filter)
+  if other then
+    return other, x, y, nx, ny, fraction
+  elseif x == false then
+    failMissing("sweep(object, dx, dy)", object)
+  end
+end
+
+--- Finds the object nearest to a point; ties in the order of the world.
+---
+--- Errors: no finite number; a radius < 0; no filter.
+---@param x number px
+---@param y number px
+---@param radius number px, >= 0: how far it looks
+---@param filter physics.Filter? default everybody
+---@return table? object nil: there is none
+---@return number distance px, from the point to the edge, 0: inside
+function World:nearest(x, y, radius, filter)
+  local where = "world:nearest(x, y, radius)"
+  checkQuestion(self, "nearest(x, y, radius)", filter)
+  checkPoint(x, y, where)
+  check.number(radius, "radius", where, 0)
+  local object, distance = query.nearest(self, x + 0.0, y + 0.0, radius + 0.0, filter)
+  if object then
+    return object, distance
+  end
+end
+
+--- Finds everybody who overlaps an object by more than 1e-6 px, whatever the masks say; with the
+--- setting `sideBySide` also who is flush with it. An object that is not active overlaps nobody.
+---
+--- Errors: no table; an object that is not in the world; no filter; `out` is no table.
+---@param object table
+---@param filter physics.Filter? default everybody
+---@param out table[]? list to fill, default a new one
+---@return table[] objects in the order of the world, without `object`
+---@return integer count
+function World:overlapping(object, filter, out)
+  checkQuestion(self, "overlapping(object)", filter, out)
+  check.table(object, "object", "world:overlapping(object)")
+  local found, count = query.overlapping(self, object, filter, out)
+  if not found then
+    failMissing("overlapping(object)", object)
+  end
+  return found, count
+end
+
+--- Returns the side of `a` at which it is in contact with `b`: the contact of which `onBegin` told
+--- and `onEnd` has not, unless the game has taken the two apart since. With the setting `sideBySide`
+--- who is flush is in contact.
+---
+--- Errors: no table; an object that is not in the world.
+---@param a table
+---@param b table
+---@return "left"|"right"|"top"|"bottom"|nil side of `a`, nil: no contact
+function World:touching(a, b)
+  checkQuestion(self, "touching(a, b)")
+  check.table(a, "a", "world:touching(a, b)")
+  check.table(b, "b", "world:touching(a, b)")
+  local side, missing = explain.touching(self, a, b)
+  if missing then
+    failMissing("touching(a, b)", missing == "a" and a or b, missing)
+  end
+  return side
+end
+
+--- Says in one sentence why two objects do or do not collide: for debugging, its words may change.
+---
+--- Errors: no table.
+---@param a table
+---@param b table
+---@return string sentence
+function World:explain(a, b)
+  checkQuestion(self, "explain(a, b)")
+  check.table(a, "a", "world:explain(a, b)")
+  check.table(b, "b", "world:explain(a, b)")
+  local sentence = explain.run(self, a, b)
+  return sentence
+end
+
+-- Moving by hand ----------------------------------------------------------------------------------
+
+---@alias physics.Filter string|number|(string|number)[]|fun(object: table): any
+---@alias physics.Response "slide"|"touch"|"cross"|"bounce"
+---@class physics.Hit
+---@field other table who was met
+---@field side "left"|"right"|"top"|"bottom" side of the object that moved
+---@field x number px, where the object was then
+---@field y number px
+---@field nx number normal of the side of `other`: -1, 0, 1
+---@field ny number
+---@field fraction number of the way asked for, 0..1
+---@field response physics.Response what came of it
+
+--- Moves one object to (x, y) now, with collisions and without physics: it writes `object.x` and
+--- `object.y`, pushes nobody and changes no velocity. Any kind of object is in its way; masks,
+--- `active` and `oneWay` hold as in a step, `canCollide` is not asked. It never ends inside a solid,
+--- unless it was inside that one before: who overlaps it from the beginning is reported and crossed.
+---
+---     "slide"    goes on along the side that it hit (default)
+---     "touch"    stays where it hit
+---     "cross"    goes through
+---     "bounce"   goes on mirrored
+---
+--- Sensors are crossed whatever the response. A function(object, other) says for each hit one of
+--- these names (nil: "slide"), or false: `other` is not there; it must not change the world.
+--- An object that is not active moves without any collision. After 64 hits the way ends.
+--- Source: the responses are those of bump.lua (E. García Cota).
+---
+--- Errors: no table; an object that is not in the world; a static one; no finite number; an unknown
+--- response; called from inside `canCollide`. Nothing has moved then.
+---@param object table dynamic or kinematic
+---@param x number px, left edge where it should go
+---@param y number px, top edge
+---@param response physics.Response|fun(object: table, other: table): physics.Response|false|nil|nil
+---@param out physics.Hit[]? list of an earlier call, to be filled anew
+---@return number x px, where it is now
+---@return number y px
+---@return physics.Hit[] hits in the order in which they happened
+---@return integer count
+function World:move(object, x, y, response, out)
+  local call, where = "move(object, x, y)", "world:move(object, x, y)"
+  checkQuestion(self, call, nil, out)
+  checkIdle(self._bodies, call)
+  check.table(object, "object", where)
+  checkPoint(x, y, where)
+  slide.check(response, where)
+  local atX, atY, hits, count = slide.run(self, object, x, y, response, out, where)
+  if atX == nil then
+    failMissing(call, object)
+  elseif atX == false then
+    check.fail(where .. ": object must not be static (write x, y and call world:refresh(object))")
+  end
+  return atX, atY, hits, count
+end
+
+local PUSHED = { "vx", "vy", "mass" }
+
+--- Pushes a dynamic object: its velocity changes by the impulse divided by its mass.
+---
+--- Errors: no table; an object that is not in the world, or not dynamic; no finite number; a field
+--- that cannot be used; called from inside `canCollide`.
+---@param object table
+---@param ix number px/s times mass
+---@param iy number
+function World:impulse(object, ix, iy)
+  local call, where = "impulse(object, ix, iy)", "world:impulse(object, ix, iy)"
+  checkSelf(self, call)
+  checkIdle(self._bodies, call)
+  check.table(object, "object", where)
+  check.number(ix, "ix", where)
+  check.number(iy, "iy", where)
+  if not whereIs(self, object) then
+    failMissing(call, object)
+  elseif object.static or object.kinematic then
+    local kind = object.static and "static" or "kinematic"
+    check.fail(where .. ": object must be dynamic, got a " .. kind .. " one")
+  end
+  check.fields(object, where .. ": object", PUSHED)
+  local mass = object.mass or 1
+  object.vx, object.vy = (object.vx or 0) + ix / mass, (object.vy or 0) + iy / mass
+end
+
+--- Puts four static walls around a rectangle, the group `bounds` (`objects.bounds.top`, `.bottom`,
+--- `.left`, `.right`; they may be given `friction` and so on before the next update). Called again,
+--- it replaces them; without arguments it takes them away.
+---
+--- Errors: no finite number; a size <= 0; the game has put something else under one of these names;
+--- called from inside `canCollide`.
+---@param x number? px, inner left edge; nil: no bounds
+---@param y number? px, inner top edge
+---@param w number? px, > 0
+---@param h number? px, > 0
+function World:setBounds(x, y, w, h)
+  local call, where = "setBounds(x, y, w, h)", "world:setBounds(x, y, w, h)"
+  checkSelf(self, call)
+  checkIdle(self._bodies, call)
+  if x ~= nil or y ~= nil or w ~= nil or h ~= nil then
+    checkPoint(x, y, where)
+    check.positive(w, "w", where)
+    check.positive(h, "h", where)
+  end
+  self._walls = bounds.set(self.objects, self._walls, x, y, w, h)
+end
+
 ---@class physics.Stats
 ---@field objects integer objects in the world
 ---@field movers integer of these, not static
@@ -318,6 +666,7 @@ function world.new(given, where)
     alpha = 0,
     _bodies = b,
     _saved = 0,
+    _walls = {},
   }, World)
   b.world = self
   settings.fill(self, given)

@@ -1,0 +1,528 @@
+--- Puts a state back (see state.lua).
+--
+-- First the game's tables are made what they were when the library read them last, and read; then
+-- the library remembers what it remembered; then whatever the game had written since is written
+-- again. The next step finds everything as it was.
+
+local here = (...):match("^(.*)%.[^.]+$")
+local collect = require(here .. ".collect")
+local columns = require(here .. ".columns")
+local detect = require(here .. ".detect")
+local fields = require(here .. ".fields")
+local rest = require(here .. ".rest")
+local settings = require(here .. ".settings")
+local state = require(here .. ".state")
+local verify = require(here .. ".verify")
+local view = require(here .. ".view")
+
+local restore = {}
+
+local STATIC, KINEMATIC, DYNAMIC = columns.STATIC, columns.KINEMATIC, columns.DYNAMIC
+local HUGE = math.huge
+
+-- Which table is which object --------------------------------------------------------------------
+
+-- The object that stands at a place now, or nil.
+local function standing(world, group, direct, key)
+  local members = world.objects[group]
+  if type(members) ~= "table" then
+    return nil
+  end
+  local isDirect = type(members.width) == "number"
+  local object = nil
+  if direct then
+    object = isDirect and members
+  elseif not isDirect then
+    object = members[key]
+  end
+  return type(object) == "table" and object or nil
+end
+
+local function take(objects, taken, n, object)
+  if object and not objects[n] and not taken[object] then
+    objects[n], taken[object] = object, true
+  end
+end
+
+-- The objects of a state that came from elsewhere: whoever stands at the same place.
+local function matchByPlace(world, st)
+  local objects, taken = {}, {}
+  for _, group in ipairs(st.tables or {}) do
+    for m, n in ipairs(group.objects) do
+      take(objects, taken, n, standing(world, group.name, group.direct, group.keys[m]))
+    end
+  end
+  local n = 0
+  for _, group in ipairs(st.groups) do
+    for m = 1, group.count do
+      n = n + 1
+      local key = group.keys and group.keys[m] or m
+      if not st.tables then
+        take(objects, taken, n, standing(world, group.name, group.direct, key))
+      end
+    end
+  end
+  for m = 1, st.count do
+    objects[m] = objects[m] or {}
+  end
+  return objects
+end
+
+-- Returns the objects by number, and their masks if this world has saved the state itself.
+local function match(world, st)
+  local tables = world._bodies.tablesOf and world._bodies.tablesOf[st]
+  if tables and #tables.objects == st.count then
+    return tables.objects, tables.masks
+  end
+  return matchByPlace(world, st), {}
+end
+
+-- Fields -----------------------------------------------------------------------------------------
+
+local function write(object, name, value)
+  if object[name] ~= value then
+    object[name] = value
+  end
+end
+
+local function maskOf(list)
+  local mask = {}
+  for at = 1, #list, 2 do
+    mask[list[at]] = list[at + 1]
+  end
+  return mask
+end
+
+local function isSameMask(mask, other)
+  for group, collides in next, mask do
+    if other[group] ~= collides then
+      return false
+    end
+  end
+  for group in next, other do
+    if mask[group] == nil then
+      return false
+    end
+  end
+  return true
+end
+
+-- Writes a mask: into the table it was, if that is known.
+local function writeMask(object, list, known)
+  local wanted, mask = maskOf(list), known or object.mask
+  if type(mask) == "table" and isSameMask(wanted, mask) then
+    wanted = mask
+  elseif known then
+    for group in next, known do
+      known[group] = nil
+    end
+    for group, collides in next, wanted do
+      known[group] = collides
+    end
+    wanted = known
+  end
+  write(object, "mask", wanted)
+end
+
+-- Writes a sparse list of values; who is not in it has no value.
+local function writeSparse(objects, masks, name, list)
+  local at, isMask = 1, name == "mask"
+  for n = 1, #objects do
+    local object = objects[n]
+    if list[at] ~= n then
+      write(object, name, nil)
+    elseif isMask then
+      writeMask(object, list[at + 1], masks[n])
+      at = at + 2
+    else
+      write(object, name, list[at + 1])
+      at = at + 2
+    end
+  end
+end
+
+local function writeDense(objects, name, list)
+  for n = 1, #objects do
+    write(objects[n], name, list[n] or nil)
+  end
+end
+
+-- Writes the fields as they were when the state was saved; with `only`, just those.
+local function writeFields(st, objects, masks, only)
+  for _, entry in ipairs(state.DENSE) do
+    local name = entry[1]
+    if not only or only[name] then
+      writeDense(objects, name, st[name])
+    end
+  end
+  for _, entry in ipairs(state.SPARSE) do
+    local name = entry[1]
+    if not only or only[name] then
+      writeSparse(objects, masks, name, st.fields[name])
+    end
+  end
+end
+
+-- Writes what the library had read where that was something else; returns the names of the fields.
+local function writeRead(st, objects)
+  local names, any = {}, false
+  for name, list in next, st.read do
+    local isBoolean = fields.objectByName[name] and fields.objectByName[name].type == "boolean"
+    for at = 1, #list, 2 do
+      local value = list[at + 1]
+      if name == "mask" and value then
+        value = maskOf(value)
+      elseif value == false and not isBoolean then
+        value = nil
+      end
+      objects[list[at]][name] = value
+      names[name], any = true, true
+    end
+  end
+  return any and names
+end
+
+-- Tables -----------------------------------------------------------------------------------------
+
+local function emptyGroups(objects)
+  for name, members in next, objects do
+    if type(members) ~= "table" or type(members.width) == "number" then
+      objects[name] = nil
+    else
+      for key in next, members do
+        members[key] = nil
+      end
+    end
+  end
+end
+
+-- The table of a group to be filled; one object's own table is never a group.
+local function groupIn(objects, name)
+  local members = objects[name]
+  if members == nil then
+    members = {}
+    objects[name] = members
+  end
+  return members
+end
+
+-- Puts the objects where they were when the library looked last.
+local function placeKnown(world, st, objects)
+  emptyGroups(world.objects)
+  local n = 0
+  for _, group in ipairs(st.groups) do
+    if group.direct then
+      n = n + 1
+      world.objects[group.name] = objects[n]
+    else
+      local members = groupIn(world.objects, group.name)
+      for m = 1, group.count do
+        n = n + 1
+        members[group.keys and group.keys[m] or m] = objects[n]
+      end
+    end
+  end
+end
+
+-- Gives an object that was added since then the `touching` that `add` had given it.
+local function giveTouching(b, object, group)
+  if not object.static and not object.kinematic then
+    local touching = type(object.touching) == "table" and object.touching or collect.newTouching()
+    touching.left, touching.right, touching.top, touching.bottom = false, false, false, false
+    object.touching = touching
+    b.roster.given[object], b.roster.groupGiven[object] = touching, group
+  end
+end
+
+-- Puts the objects where the game had put them since.
+local function placeNow(world, st, objects)
+  if not st.tables then
+    return
+  end
+  emptyGroups(world.objects)
+  for _, group in ipairs(st.tables) do
+    local members = not group.direct and groupIn(world.objects, group.name)
+    for m, n in ipairs(group.objects) do
+      if members then
+        members[group.keys[m]] = objects[n]
+      else
+        world.objects[group.name] = objects[n]
+      end
+      if n > st.known then
+        giveTouching(world._bodies, objects[n], group.name)
+      end
+    end
+  end
+end
+
+-- The library's memory ---------------------------------------------------------------------------
+
+-- Forgets all events and, without a word, all contacts.
+local function forget(b)
+  local e = b.events
+  for n = 1, e.count do
+    e.a[n], e.b[n], e.c[n] = false, false, false
+  end
+  e.count, e.told = 0, 0
+  for p = 1, b.pairSlots do
+    for _, entry in ipairs(state.PAIRS) do
+      b[entry[1]][p] = entry[2]
+    end
+  end
+  b.contactCount = 0
+end
+
+local function kindOf(object)
+  return object.static and STATIC or object.kinematic and KINEMATIC or DYNAMIC
+end
+
+-- Whether the columns hold what is in an object, as far as `update` would not notice.
+local function isRead(b, i, object)
+  if b.kind[i] ~= kindOf(object) then
+    return false
+  elseif b.kind[i] ~= STATIC then
+    return true
+  end
+  for _, entry in ipairs(state.DENSE) do
+    local value = object[entry[1]]
+    if entry[2] ~= "velocity" and value ~= b[entry[2]][2 * i + entry[3]] then
+      return false
+    end
+  end
+  for _, entry in ipairs(state.SPARSE) do
+    if entry[2] then
+      local value, at = object[entry[1]], entry[4] and 2 * i + entry[4] or i
+      if value == nil then
+        value = entry[3]
+      end
+      if value ~= b[entry[2]][at] then
+        return false
+      end
+    end
+  end
+  return (object.friction or -1) == b.friction[i] and not object.mask and not b.mask[i]
+end
+
+-- Reads all that `collect` would take for read already.
+local function readAgain(b, objects, known)
+  for n = 1, known do
+    local slot = b.slotOf[objects[n]]
+    if slot and not isRead(b, slot, objects[n]) then
+      collect.refresh(b, slot)
+    end
+  end
+end
+
+-- Everybody stands where it is, has no past and is awake.
+local function settle(b, objects, known)
+  for n = 1, known do
+    local i = b.slotOf[objects[n]]
+    local k = 2 * i
+    for axis = k, k + 1 do
+      b.position[axis] = b.written[axis]
+    end
+    for _, entry in ipairs(state.SLOTS) do
+      b[entry[1]][i] = entry[2] == "boolean" and false or 0
+    end
+    for _, name in ipairs(state.LINKS) do
+      b[name][i] = 0
+    end
+    b.fresh[i] = false
+    rest.wake(b, i)
+  end
+  b.movedCount = 0
+end
+
+local function rememberSlots(b, st, slots)
+  for _, entry in ipairs(state.POINTS) do
+    local list, column, usual = st.memory[entry[1]], b[entry[1]], b[entry[2]]
+    for n = 1, st.known do
+      local k = 2 * slots[n]
+      column[k], column[k + 1] = usual[k], usual[k + 1]
+    end
+    for at = 1, #list, 3 do
+      local k = 2 * slots[list[at]]
+      column[k], column[k + 1] = list[at + 1], list[at + 2]
+    end
+  end
+  for _, entry in ipairs(state.SLOTS) do
+    local list = st.memory[entry[1]]
+    for at = 1, #list, 2 do
+      b[entry[1]][slots[list[at]]] = list[at + 1]
+    end
+  end
+  for _, name in ipairs(state.LINKS) do
+    local list = st.memory[name]
+    for at = 1, #list, 2 do
+      b[name][slots[list[at]]] = slots[list[at + 1]]
+    end
+  end
+  for n = 1, st.known do
+    if b.moved[slots[n]] then
+      b.movedCount = b.movedCount + 1
+      b.movedList[b.movedCount] = slots[n]
+    end
+  end
+end
+
+-- Where everybody is, as an obstacle and for the broad phase.
+local function stand(b, st, slots)
+  for n = 1, st.known do
+    local i = slots[n]
+    for k = 2 * i, 2 * i + 1 do
+      b.from[k], b.to[k], b.speed[k], b.accel[k] = b.position[k], b.position[k], 0, 0
+    end
+    b.time[i] = 0
+  end
+  for n = 1, st.known do
+    detect.follow(b, slots[n])
+  end
+end
+
+local function rememberContacts(b, st, slots)
+  local list, PAIRS = st.contacts, state.PAIRS
+  local step = 2 + #PAIRS
+  for at = 1, #list, step do
+    local i, j = slots[list[at]], slots[list[at + 1]]
+    local p = columns.pairOf(b, i, j) or columns.link(b, i, j)
+    for c = 1, #PAIRS do
+      local entry, value = PAIRS[c], list[at + 1 + c]
+      if b.pairA[p] ~= i and value ~= entry[2] then
+        value = entry[3][value]
+      end
+      b[entry[1]][p] = value
+    end
+    if b.contact[p] ~= 0 then
+      b.contactCount = b.contactCount + 1
+    end
+  end
+end
+
+local function rememberTouching(b, st, objects, slots)
+  for n = 1, st.known do
+    local i, object = slots[n], objects[n]
+    if b.kind[i] == DYNAMIC then
+      local touching = object.touching
+      if type(touching) ~= "table" then
+        touching = b.touching[i]
+        object.touching = touching
+      end
+      b.touching[i] = touching
+      touching.left, touching.right, touching.top, touching.bottom = false, false, false, false
+    end
+  end
+  local list = st.touching
+  for at = 1, #list, 5 do
+    local t = b.touching[slots[list[at]]]
+    if t then
+      t.left, t.right = objects[list[at + 1]] or false, objects[list[at + 2]] or false
+      t.top, t.bottom = objects[list[at + 3]] or false, objects[list[at + 4]] or false
+    end
+  end
+end
+
+local function rememberEvents(b, st, objects)
+  local e, list, EVENT = b.events, st.events, state.EVENT
+  local n = 0
+  for at = 1, #list, 3 + #EVENT do
+    n = n + 1
+    e.order[n], e.kindAndNumber[n] = n, n
+    e.a[n], e.b[n] = objects[list[at]], objects[list[at + 1]]
+    e.c[n] = objects[list[at + 2]] or false
+    for m = 1, #EVENT do
+      e[EVENT[m]][n] = list[at + 2 + m]
+    end
+  end
+  e.count, e.told = n, 0
+end
+
+local function remember(b, st, objects)
+  local slots = {}
+  for n = 1, st.known do
+    slots[n] = b.slotOf[objects[n]]
+  end
+  settle(b, objects, st.known)
+  rememberSlots(b, st, slots)
+  stand(b, st, slots)
+  rememberContacts(b, st, slots)
+  rememberTouching(b, st, objects, slots)
+  rememberEvents(b, st, objects)
+end
+
+-- The world --------------------------------------------------------------------------------------
+
+local function nameGroups(b, names)
+  for name in next, b.groupNumber do
+    b.groupNumber[name] = nil
+  end
+  for n = 1, math.max(#names, #b.groupNames) do
+    b.groupNames[n] = names[n]
+    if names[n] ~= nil then
+      b.groupNumber[names[n]] = n
+    end
+  end
+end
+
+local function masksOf(list)
+  local masks = {}
+  for at = 1, #list, 3 do
+    local group = masks[list[at]] or {}
+    masks[list[at]] = group
+    group[list[at + 1]] = list[at + 2]
+  end
+  return masks
+end
+
+local function isSameOrder(order, other)
+  for n = 1, math.max(#order, #other) do
+    if order[n] ~= other[n] then
+      return false
+    end
+  end
+  return true
+end
+
+-- A list or table of the world that already says the same stays the same table.
+local function restoreSettings(world, saved)
+  for _, name in ipairs(state.SETTINGS) do
+    world[name] = saved[name]
+  end
+  world.masks = saved.masks and masksOf(saved.masks)
+  if not saved.order then
+    world.order = nil
+  elseif not world.order or not isSameOrder(saved.order, world.order) then
+    world.order = { unpack(saved.order) }
+  end
+  settings.apply(world)
+  -- Whatever the masks were before, they are applied anew by the next step.
+  world._bodies.masksText = false
+end
+
+--- Makes a world what it was when `st` was saved.
+--- Errors: a state that cannot be used; nothing has changed then.
+function restore.world(world, st)
+  verify.state(st)
+  local b = world._bodies
+  if type(world.objects) ~= "table" then
+    world.objects = {}
+  end
+  local objects, masks = match(world, st)
+  forget(b)
+  nameGroups(b, st.names)
+  restoreSettings(world, st.settings)
+  writeFields(st, objects, masks)
+  local unread = writeRead(st, objects)
+  placeKnown(world, st, objects)
+  readAgain(b, objects, st.known)
+  collect.run(b, world.objects)
+  remember(b, st, objects)
+  if unread then
+    writeFields(st, objects, masks, unread)
+  end
+  placeNow(world, st, objects)
+  world._saved = st.saved
+  world.alpha = world.timestep and st.saved / world.timestep or 0
+  view.outdate(b)
+end
+
+return restore
