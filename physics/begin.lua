@@ -39,4 +39,13 @@ function begin.run(b)
   b.begun = last
 end
 
+--- Notes where everybody is before a fixed step.
+function begin.keepPlaces(b)
+  local movers, position, last = b.movers, b.position, b.last
+  for n = 1, b.moverCount do
+    local k = 2 * movers[n]
+    last[k], last[k + 1] = position[k], position[k + 1]
+  end
+end
+
 return begin

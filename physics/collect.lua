@@ -26,18 +26,24 @@ local function orDefault(value, default)
   return value
 end
 
--- The mask of an object as one number: a bit for each group it refuses, by the place of the group
--- in the world's list of names. Changes inside the same table are seen by it.
-local function maskBits(b, mask)
-  local bits, bit = 0, 1
+-- What a mask says of each group, by the place of the group in the world's list of names: changes
+-- inside the same table are seen by it.
+local function readMask(b, mask)
+  local names, seen = b.groupNames, {}
+  for n = 1, #names do
+    seen[n] = mask[names[n]] == false
+  end
+  return seen
+end
+
+local function hasMaskChanged(b, mask, seen)
   local names = b.groupNames
   for n = 1, #names do
-    if mask[names[n]] == false then
-      bits = bits + bit
+    if (mask[names[n]] == false) ~= (seen[n] or false) then
+      return true
     end
-    bit = bit * 2
   end
-  return bits
+  return false
 end
 
 local function nameGroup(b, name)
@@ -87,7 +93,7 @@ local function readFilter(b, i, object)
   b.canCollide[i] = object.canCollide or false
   b.hears[i] = object.onStay or false
   b.mask[i] = object.mask or false
-  b.maskBits[i] = object.mask and maskBits(b, object.mask) or 0
+  b.maskSeen[i] = object.mask and readMask(b, object.mask) or false
 end
 
 local function readMaterial(b, i, object)
@@ -119,6 +125,7 @@ local function readMotion(b, i, object, isNew)
   b.written[k], b.written[k + 1] = x, y
   if isNew or b.kind[i] ~= KINEMATIC then
     b.position[k], b.position[k + 1] = x, y
+    b.last[k], b.last[k + 1] = x, y
   end
   if b.kind[i] == STATIC then
     b.velocity[k], b.velocity[k + 1] = 0, 0
@@ -165,6 +172,13 @@ local function enter(b, object, record, key)
   return i
 end
 
+-- What an object touched, it touches no more: it leaves, is switched off or cannot be pushed now.
+local function clearTouching(touching)
+  if touching then
+    touching.top, touching.bottom, touching.left, touching.right = false, false, false, false
+  end
+end
+
 local function leave(b, i)
   local object = b.object[i]
   carrier.forget(b, i)
@@ -172,10 +186,7 @@ local function leave(b, i)
   events.endContacts(b, i)
   detect.remove(b, i)
   rest.drop(b, i)
-  local touching = b.touching[i]
-  if touching then
-    touching.top, touching.bottom, touching.left, touching.right = false, false, false, false
-  end
+  clearTouching(b.touching[i])
   b.slotOf[object] = nil
   columns.release(b, i)
   b.newcomers = true
@@ -184,6 +195,8 @@ end
 local function rename(b, i, record)
   b.group[i], b.groupName[i] = record, record.name
   nameGroup(b, record.name)
+  rest.wakeNeighbours(b, i)
+  events.endForbidden(b, i)
   detect.refilter(b, i)
   markMoved(b, i)
   rest.wake(b, i)
@@ -215,10 +228,14 @@ local function reread(b, i)
   end
   if isNew then
     b.kind[i] = kind
+    clearTouching(b.touching[i])
     b.touching[i] = kind == DYNAMIC and collect.newTouching() or false
   end
   rest.wakeNeighbours(b, i)
   readAll(b, i, object, isNew)
+  if not b.active[i] then
+    clearTouching(b.touching[i])
+  end
   events.endForbidden(b, i)
   detect.refilter(b, i)
   markMoved(b, i)
@@ -230,7 +247,7 @@ end
 
 local function compareMotion(b)
   local movers, objects = b.movers, b.object
-  local velocity, size, written = b.velocity, b.size, b.written
+  local velocity, size, written, kind = b.velocity, b.size, b.written, b.kind
   for n = 1, b.moverCount do
     local i = movers[n]
     local object, k = objects[i], 2 * i
@@ -243,11 +260,11 @@ local function compareMotion(b)
       reread(b, i)
     end
     local vx, vy = object.vx, object.vy
-    if vx == nil then
-      vx = 0
-    end
-    if vy == nil then
-      vy = 0
+    if vx == nil or vy == nil then
+      vx, vy = vx or 0, vy or 0
+      if kind[i] == DYNAMIC then
+        rest.wake(b, i) -- `publish` makes numbers of them
+      end
     end
     if vx ~= velocity[k] or vy ~= velocity[k + 1] then
       if type(vx) ~= "number" or type(vy) ~= "number" or vx - vx ~= 0 or vy - vy ~= 0 then
@@ -262,7 +279,7 @@ end
 local function compareFilters(b)
   local movers, objects = b.movers, b.object
   local active, sensor, pushable, kind = b.active, b.sensor, b.pushable, b.kind
-  local hears, oneWay, canCollide, mask, bits = b.hears, b.oneWay, b.canCollide, b.mask, b.maskBits
+  local hears, oneWay, canCollide, mask, seen = b.hears, b.oneWay, b.canCollide, b.mask, b.maskSeen
   for n = 1, b.moverCount do
     local i = movers[n]
     local object = objects[i]
@@ -276,7 +293,7 @@ local function compareFilters(b)
       or (object.onStay or false) ~= hears[i]
       or (object.kinematic or false) ~= (kind[i] == KINEMATIC)
       or its ~= mask[i]
-      or (its and maskBits(b, its) ~= bits[i])
+      or (its and hasMaskChanged(b, its, seen[i]))
     then
       reread(b, i)
     end
@@ -346,6 +363,17 @@ function collect.run(b, objects)
   compareLimits(b)
 end
 
+--- Gives those who are new their `touching`, for an update that makes no step.
+function collect.giveTouching(b)
+  for n = 1, b.movedCount do
+    local i = b.movedList[n]
+    local object, touching = b.object[i], b.touching[i]
+    if object and touching and object.touching ~= touching then
+      object.touching = touching
+    end
+  end
+end
+
 --- Reads an object again, also its `static` field. It must be in the world.
 function collect.refresh(b, i)
   local object = b.object[i]
@@ -353,8 +381,16 @@ function collect.refresh(b, i)
   rest.wakeNeighbours(b, i)
   carrier.forget(b, i)
   b.kind[i] = kindOf(object)
-  b.touching[i] = b.kind[i] == DYNAMIC and (b.touching[i] or collect.newTouching()) or false
+  if b.kind[i] ~= DYNAMIC then
+    clearTouching(b.touching[i])
+    b.touching[i] = false
+  elseif not b.touching[i] then
+    b.touching[i] = collect.newTouching()
+  end
   readAll(b, i, object, true)
+  if not b.active[i] then
+    clearTouching(b.touching[i])
+  end
   settle(b, i)
   events.endForbidden(b, i)
   detect.refilter(b, i)

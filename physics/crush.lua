@@ -49,6 +49,12 @@ local function list(b, lo, hi, low, high, axis)
   return count, sum
 end
 
+-- From now on nobody can push a member, whoever meets it next in this step.
+local function hold(b, k, low, high)
+  b.crushed[k], b.crushLow[k], b.crushHigh[k] = true, low, high
+  b.heldLow[k], b.heldHigh[k], b.holderLow[k], b.holderHigh[k] = true, true, low, high
+end
+
 local function put(b, i, k, at, v)
   if b.to[k] ~= at or b.speed[k] ~= v then
     b.to[k], b.speed[k], b.accel[k] = at, v, 0
@@ -74,9 +80,7 @@ function crush.note(b, lo, hi, axis)
   for n = 1, count do
     local i = b.stack[n]
     local k = 2 * i + axis
-    b.crushed[k] = true
-    b.crushLow[k] = n > 1 and b.stack[n - 1] or low
-    b.crushHigh[k] = n < count and b.stack[n + 1] or high
+    hold(b, k, n > 1 and b.stack[n - 1] or low, n < count and b.stack[n + 1] or high)
     put(b, i, k, at - overlap, v)
     at = b.to[k] + b.size[k]
   end

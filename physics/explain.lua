@@ -53,8 +53,7 @@ end
 -- Gaps on both axes, negative where they overlap.
 local function gapsOf(v, i, j)
   local p, s, k, m = v.position, v.size, 2 * i, 2 * j
-  local width, height =
-    aabb.overlap(p[k], p[k + 1], s[k], s[k + 1], p[m], p[m + 1], s[m], s[m + 1])
+  local width, height = aabb.overlap(p[k], p[k + 1], s[k], s[k + 1], p[m], p[m + 1], s[m], s[m + 1])
   return -width, -height
 end
 
@@ -152,8 +151,8 @@ function explain.run(world, a, b)
 end
 
 --- Returns the side of a at which it is in contact with b, or nil. A contact is what the last step
---- left (see publish), as long as the game has not taken the two apart since; with `sideBySide` it is
---- whoever is flush. Two that are not in the world: nil, and which one is missing.
+--- left (see publish), as long as the game has not taken the two apart since; with `sideBySide` it
+--- is whoever is flush. Two that are not in the world: nil, and which one is missing.
 function explain.touching(world, a, b)
   local v, core = view.of(world), world._bodies
   local i, j = view.find(v, world, a), view.find(v, world, b)

@@ -122,13 +122,18 @@ local function mixGroups(sum, out)
 end
 
 local function mixMemory(sum, out)
-  for _, entry in ipairs(state.SLOTS) do
-    mixList(sum, out.memory[entry[1]])
+  for _, name in ipairs(state.FLAGS) do
+    mixList(sum, out.memory[name])
   end
   for _, name in ipairs(state.LINKS) do
     mixList(sum, out.memory[name])
   end
-  mixList(sum, out.memory.position)
+  for _, entry in ipairs(state.POINTS) do
+    if entry[1] ~= "last" then
+      mixList(sum, out.memory[entry[1]])
+    end
+  end
+  mixList(sum, out.memory.lost)
   mixList(sum, out.touching)
   mixList(sum, out.contacts)
   mixList(sum, out.events)

@@ -12,15 +12,25 @@ local move = {}
 
 local KINEMATIC, DYNAMIC = columns.KINEMATIC, columns.DYNAMIC
 
--- Kinematic objects go where the game wrote them to be, and on by their own velocity.
-local function moveKinematic(b, i, dt)
-  local from, to, speed = b.from, b.to, b.speed
-  for k = 2 * i, 2 * i + 1 do
-    local v = b.velocity[k]
-    to[k] = b.written[k] + v * dt
-    speed[k] = v + (b.written[k] - from[k]) / dt
-    b.accel[k] = 0
+-- Kinematic objects go where the game wrote them to be, and on by their own velocity. If the update
+-- has several steps, the written way is spread over those that remain, so that nobody is hit by a
+-- platform that hurries ahead and then waits.
+local function moveKinematicAlong(b, k, dt)
+  local v, behind = b.velocity[k], b.written[k] - b.from[k] + b.behind[k]
+  if b.remaining > 1 then
+    b.way[k] = behind / b.remaining
+    b.to[k] = b.from[k] + b.way[k] + v * dt
+  else
+    b.way[k] = behind
+    b.to[k] = b.written[k] + b.behind[k] + v * dt
   end
+  b.speed[k] = v + b.way[k] / dt
+  b.accel[k] = 0
+end
+
+local function moveKinematic(b, i, dt)
+  moveKinematicAlong(b, 2 * i, dt)
+  moveKinematicAlong(b, 2 * i + 1, dt)
 end
 
 -- The velocity of what carries an object, this step.

@@ -17,8 +17,8 @@ local MOMENTS = 1e9
 --- Reads whom an object can meet. Errors: a field that cannot be used.
 obstacle.look = view.lookAtFilter
 
---- Returns whether slot j takes part in the way of slot i: two objects, both active, no mask between
---- them. Any kind can be in the way of any other: nothing is pushed here.
+--- Returns whether slot j takes part in the way of slot i: two of them, both active, no mask
+--- between. Any kind can be in the way of any other: nothing is pushed here.
 function obstacle.isMet(v, i, j)
   if i == j or not v.active[j] then
     return false
@@ -53,7 +53,8 @@ end
 --- nil if they overlap from the beginning.
 function obstacle.meet(v, i, j, x, y, toX, toY)
   local position, size, k, m = v.position, v.size, 2 * i, 2 * j
-  local w, h, ox, oy, ow, oh = size[k], size[k + 1], position[m], position[m + 1], size[m], size[m + 1]
+  local w, h, ox, oy, ow, oh =
+    size[k], size[k + 1], position[m], position[m + 1], size[m], size[m + 1]
   if sweep.overlap(x, y, w, h, ox, oy, ow, oh) then
     if v.oneWay[i] or v.oneWay[j] then
       return nil -- on its way through

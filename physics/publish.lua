@@ -290,10 +290,14 @@ end
 local function publishKinematic(b, i)
   local object, k = b.object[i], 2 * i
   local x, y = b.to[k], b.to[k + 1]
+  b.behind[k] = b.written[k] - b.position[k] + b.behind[k] - b.way[k]
+  b.behind[k + 1] = b.written[k + 1] - b.position[k + 1] + b.behind[k + 1] - b.way[k + 1]
   b.quiet[i] = x == b.position[k]
     and y == b.position[k + 1]
     and b.velocity[k] == 0
     and b.velocity[k + 1] == 0
+    and b.behind[k] == 0
+    and b.behind[k + 1] == 0
     and not hasNews(b, i)
   if x ~= object.x or y ~= object.y then
     object.x, object.y = x, y

@@ -11,22 +11,24 @@
 local here = (...):match("^(.*)%.[^.]+$")
 local aabb = require(here .. ".aabb")
 local columns = require(here .. ".columns")
+local interpreted = require(here .. ".interpreted")
 local obstacle = require(here .. ".obstacle")
 local sort = require(here .. ".sort")
-local sweep = require(here .. ".sweep")
 local view = require(here .. ".view")
 
 local query = {}
 
 local EPSILON = columns.EPSILON
-local max, min, sqrt, huge = math.max, math.min, math.sqrt, math.huge
+local max, min, sqrt = math.max, math.min, math.sqrt
 local TIE = 1e-9
+-- px that a line goes on an axis on which it does not go.
+local TINY = 1e-300
 -- px of a ray that are looked at first; each further piece is twice as long.
 local FIRST_PIECE = 128
 -- px around a point in which the nearest is looked for first.
 local FIRST_RADIUS = 64
 
--- Filters and results ------------------------------------------------------------------------------
+-- Filters and results -----------------------------------------------------------------------------
 
 -- Whether a filter that is no function lets an object pass; one that is a function is asked later.
 local function isNamed(v, i, filter)
@@ -42,6 +44,20 @@ local function isNamed(v, i, filter)
     end
   end
   return false
+end
+
+local function keepNamed(v, found, count, filter)
+  if filter == nil or type(filter) == "function" then
+    return count
+  end
+  local n = 0
+  for m = 1, count do
+    if isNamed(v, found[m], filter) then
+      n = n + 1
+      found[n] = found[m]
+    end
+  end
+  return n
 end
 
 local function accepts(v, i, filter)
@@ -89,7 +105,7 @@ local function pick(v, found, count, filter)
   return count > 0 and best or nil
 end
 
--- Points and rectangles ----------------------------------------------------------------------------
+-- Points and rectangles ---------------------------------------------------------------------------
 
 --- Everybody around a point. Left and top edges belong to an object, right and bottom ones do not.
 function query.point(world, x, y, filter, out)
@@ -111,7 +127,7 @@ function query.point(world, x, y, filter, out)
 end
 
 -- Everybody but slot `but` in a rectangle, in order.
-local function inRectangle(v, world, x, y, w, h, but, filter, out)
+local inRectangle = interpreted(function(v, world, x, y, w, h, but, filter, out)
   local found = view.take(v)
   -- Flush is flush to a millionth of a pixel, on either side.
   local depth = world.sideBySide and -EPSILON or EPSILON
@@ -131,7 +147,7 @@ local function inRectangle(v, world, x, y, w, h, but, filter, out)
   end
   sort.by(found, n, v.rank, v.rank, v.rank)
   return publish(v, found, n, filter, out)
-end
+end)
 
 --- Everybody who overlaps a rectangle.
 function query.rectangle(world, x, y, w, h, filter, out)
@@ -151,50 +167,39 @@ function query.overlapping(world, object, filter, out)
   return inRectangle(v, world, p[k], p[k + 1], s[k], s[k + 1], i, filter, out)
 end
 
--- Lines --------------------------------------------------------------------------------------------
+-- Lines -------------------------------------------------------------------------------------------
 
--- Where on a line (p + d * share) an axis of a box begins and ends. A line along an edge belongs to
--- the box below it or to its right, so that it slips through no seam; flush is flush to a millionth.
-local function slab(p, d, low, high)
-  if d == 0 then
-    if p >= low - EPSILON and p < high - EPSILON then
-      return -huge, huge
-    end
-    return huge, -huge
-  end
-  local a, b = (low - p) / d, (high - p) / d
-  if d > 0 then
-    return a, b
-  end
-  return b, a
+-- Where a line is told to begin on an axis, and how far it goes. A line along an edge belongs to the
+-- box below it or to its right, so that it slips through no seam; to a millionth of a pixel.
+local function begins(p, d)
+  return d == 0 and p + EPSILON or p, d == 0 and TINY or d
 end
 
--- Where a line enters a box, on each axis; and whether it does at all.
-local function enters(v, i, x1, y1, dx, dy)
+-- Where a line from (x, y) by (dx, dy), as `begins` tells it, enters a box on each axis, and whether
+-- it does at all. No branches, so that it is one piece of code for all.
+local function enters(v, i, x, y, dx, dy)
   local position, size, k = v.position, v.size, 2 * i
-  local left, top = position[k], position[k + 1]
-  if dx == 0 and dy == 0 then
-    return 0, 0, aabb.inside(x1, y1, 0, 0, left, top, size[k], size[k + 1])
-  end
-  local inX, outX = slab(x1, dx, left, left + size[k])
-  local inY, outY = slab(y1, dy, top, top + size[k + 1])
-  local entry, exit = max(inX, inY), min(outX, outY)
+  local left, top = position[k] - x, position[k + 1] - y
+  local right, bottom = position[k] + size[k] - x, position[k + 1] + size[k + 1] - y
+  local a, b, c, d = left / dx, right / dx, top / dy, bottom / dy
+  local inX, inY = min(a, b), min(c, d)
+  local entry, exit = max(inX, inY), min(max(a, b), max(c, d))
   return inX, inY, entry < exit and exit > 0 and entry <= 1
 end
 
 -- Keeps of `found` who is hit by the line after `from` and up to `to`, with its `entry`; returns how
 -- many. Who is hit at the very beginning is hit after any `from` < 0.
-local function keepHit(v, found, count, x1, y1, dx, dy, from, to, filter)
-  local n, entry = 0, v.entry
+local function keepHit(v, found, count, x1, y1, x2, y2, from, to)
+  local n, entry, active = 0, v.entry, v.active
+  local x, dx = begins(x1, x2 - x1)
+  local y, dy = begins(y1, y2 - y1)
   for m = 1, count do
     local i = found[m]
-    if v.active[i] and isNamed(v, i, filter) then
-      local inX, inY, isHit = enters(v, i, x1, y1, dx, dy)
-      local at = max(inX, inY, 0)
-      if isHit and at > from and at <= to then
-        n = n + 1
-        found[n], entry[i] = i, at
-      end
+    local inX, inY, isHit = enters(v, i, x, y, dx, dy)
+    local at = max(inX, inY, 0)
+    if isHit and at > from and at <= to and active[i] then
+      n = n + 1
+      found[n], entry[i] = i, at
     end
   end
   return n
@@ -204,8 +209,8 @@ end
 function query.segment(world, x1, y1, x2, y2, filter, out)
   local v = view.of(world)
   local found = view.take(v)
-  local n = view.along(v, world, x1, y1, x2, y2, found)
-  n = keepHit(v, found, n, x1, y1, x2 - x1, y2 - y1, -1, 1, filter)
+  local n = keepNamed(v, found, view.along(v, world, x1, y1, x2, y2, found), filter)
+  n = keepHit(v, found, n, x1, y1, x2, y2, -1, 1)
   sort.by(found, n, v.entry, v.rank, v.rank)
   return publish(v, found, n, filter, out)
 end
@@ -252,12 +257,15 @@ end
 
 -- What a ray is told about the object it hits.
 local function describeHit(v, world, i, x1, y1, dx, dy, filter)
-  local inX, inY = enters(v, i, x1, y1, dx, dy)
+  local x0, slopeX = begins(x1, dx)
+  local y0, slopeY = begins(y1, dy)
+  local inX, inY = enters(v, i, x0, y0, slopeX, slopeY)
+  inX, inY = dx == 0 and -1 or inX, dy == 0 and -1 or inY
   local at = max(inX, inY)
-  if at < 0 or (dx == 0 and dy == 0) then
+  if at < 0 then
     return v.object[i], x1, y1, 0, 0, 0
   end
-  at = at > 0 and at or 0
+  at = at > 0 and at or 0 -- no negative zero
   local k, x, y = 2 * i, x1 + dx * at, y1 + dy * at
   local axis = inY > inX and 1 or 0
   if inX - inY <= TIE and inY - inX <= TIE then
@@ -273,19 +281,19 @@ end
 
 --- The first on a line: object, x, y, nx, ny, fraction. The line is looked at in pieces, so that a
 --- hit nearby costs little, however long the line is.
-function query.raycast(world, x1, y1, x2, y2, filter)
+query.raycast = interpreted(function(world, x1, y1, x2, y2, filter)
   local v = view.of(world)
   local found = view.take(v)
   local dx, dy = x2 - x1, y2 - y1
   local length = max(dx, -dx, dy, -dy)
   local from, piece = -1, FIRST_PIECE
-  local done, hit = 0, nil
+  local done, hit = 0
   repeat
     local to = done + piece < length and (done + piece) / length or 1
     local start = from > 0 and from or 0
     local endX, endY = x1 + dx * to, y1 + dy * to
     local n = view.along(v, world, x1 + dx * start, y1 + dy * start, endX, endY, found)
-    n = keepHit(v, found, n, x1, y1, dx, dy, from, to, filter)
+    n = keepHit(v, found, keepNamed(v, found, n, filter), x1, y1, x2, y2, from, to)
     hit = pick(v, found, n, filter)
     from, done, piece = to, done + piece, piece * 2
   until hit or to == 1
@@ -293,9 +301,9 @@ function query.raycast(world, x1, y1, x2, y2, filter)
   if hit then
     return describeHit(v, world, hit, x1, y1, dx, dy, filter)
   end
-end
+end)
 
--- Near ---------------------------------------------------------------------------------------------
+-- Near --------------------------------------------------------------------------------------------
 
 -- The square of the distance of a point from an object.
 local function distanceTo(v, i, x, y)
@@ -311,7 +319,7 @@ end
 function query.nearest(world, x, y, radius, filter)
   local v = view.of(world)
   local found = view.take(v)
-  local reach, last, hit = min(FIRST_RADIUS, radius), -1, nil
+  local reach, last, hit = min(FIRST_RADIUS, radius), -1
   repeat
     local count, n = view.near(v, world, x - reach, y - reach, x + reach, y + reach, found), 0
     for m = 1, count do
@@ -334,7 +342,7 @@ function query.nearest(world, x, y, radius, filter)
   end
 end
 
--- In the way ---------------------------------------------------------------------------------------
+-- In the way --------------------------------------------------------------------------------------
 
 -- Keeps of `found` who stops an object on its way; writes when into `entry`.
 local function keepStopping(v, found, count, i, toX, toY, filter)

@@ -321,8 +321,8 @@ local function settle(b, objects, known)
     for axis = k, k + 1 do
       b.position[axis] = b.written[axis]
     end
-    for _, entry in ipairs(state.SLOTS) do
-      b[entry[1]][i] = entry[2] == "boolean" and false or 0
+    for _, name in ipairs(state.FLAGS) do
+      b[name][i] = false
     end
     for _, name in ipairs(state.LINKS) do
       b[name][i] = 0
@@ -330,25 +330,32 @@ local function settle(b, objects, known)
     b.fresh[i] = false
     rest.wake(b, i)
   end
-  b.movedCount = 0
+  b.movedCount, b.lostCount = 0, 0
 end
 
-local function rememberSlots(b, st, slots)
+local function rememberPoints(b, st, slots)
   for _, entry in ipairs(state.POINTS) do
-    local list, column, usual = st.memory[entry[1]], b[entry[1]], b[entry[2]]
+    local list, column, usual = st.memory[entry[1]], b[entry[1]], entry[2]
+    local model = b[usual]
     for n = 1, st.known do
       local k = 2 * slots[n]
-      column[k], column[k + 1] = usual[k], usual[k + 1]
+      column[k], column[k + 1] = usual, usual
+      if model then
+        column[k], column[k + 1] = model[k], model[k + 1]
+      end
     end
     for at = 1, #list, 3 do
       local k = 2 * slots[list[at]]
       column[k], column[k + 1] = list[at + 1], list[at + 2]
     end
   end
-  for _, entry in ipairs(state.SLOTS) do
-    local list = st.memory[entry[1]]
-    for at = 1, #list, 2 do
-      b[entry[1]][slots[list[at]]] = list[at + 1]
+end
+
+local function rememberSlots(b, st, slots)
+  for _, name in ipairs(state.FLAGS) do
+    local list = st.memory[name]
+    for at = 1, #list do
+      b[name][slots[list[at]]] = true
     end
   end
   for _, name in ipairs(state.LINKS) do
@@ -363,6 +370,10 @@ local function rememberSlots(b, st, slots)
       b.movedList[b.movedCount] = slots[n]
     end
   end
+  for at, n in ipairs(st.memory.lost) do
+    b.lost[at] = slots[n]
+  end
+  b.lostCount = #st.memory.lost
 end
 
 -- Where everybody is, as an obstacle and for the broad phase.
@@ -442,6 +453,7 @@ local function remember(b, st, objects)
     slots[n] = b.slotOf[objects[n]]
   end
   settle(b, objects, st.known)
+  rememberPoints(b, st, slots)
   rememberSlots(b, st, slots)
   stand(b, st, slots)
   rememberContacts(b, st, slots)
@@ -491,7 +503,10 @@ local function restoreSettings(world, saved)
   if not saved.order then
     world.order = nil
   elseif not world.order or not isSameOrder(saved.order, world.order) then
-    world.order = { unpack(saved.order) }
+    world.order = {}
+    for n, name in ipairs(saved.order) do
+      world.order[n] = name
+    end
   end
   settings.apply(world)
   -- Whatever the masks were before, they are applied anew by the next step.
@@ -520,6 +535,10 @@ function restore.world(world, st)
     writeFields(st, objects, masks, unread)
   end
   placeNow(world, st, objects)
+  world._walls = {}
+  for side, n in next, st.walls do
+    world._walls[side] = objects[n]
+  end
   world._saved = st.saved
   world.alpha = world.timestep and st.saved / world.timestep or 0
   view.outdate(b)

@@ -14,6 +14,7 @@ local roster = {}
 
 local sort = table.sort
 local GROUP_SPAN = 4294967296 -- ranks per group
+local FEW = 64 -- objects of a group that are counted each time
 
 local function comesBefore(a, b)
   local numberA, numberB = type(a) == "number", type(b) == "number"
@@ -25,7 +26,8 @@ end
 
 --- Returns an empty roster. `groups` are the records in order: a record is
 --- `{ name, source, direct, index, list, keys, count, plain, stale }`, where `source` is the game's
---- table (the object itself if `direct`), and `plain` says that the keys are just 1 to `count`.
+--- table (the object itself if `direct`), `plain` says that the keys are just 1 to `count`, and
+--- `mixed` that they once were others.
 function roster.new()
   return {
     source = false,
@@ -68,7 +70,8 @@ local function countKeys(source)
   return n
 end
 
--- True if the group still holds what was read last. Numbered objects cost one comparison each.
+-- True if the group still holds what was read last. Numbered objects cost one comparison each; a
+-- raw one, since the objects of a game may be "equal" by a metamethod.
 local function isUnchanged(record)
   if record.direct then
     return true
@@ -77,21 +80,21 @@ local function isUnchanged(record)
   if not record.plain then
     local keys = record.keys
     for n = 1, count do
-      if source[keys[n]] ~= list[n] then
+      if not rawequal(source[keys[n]], list[n]) then
         return false
       end
     end
     return countKeys(source) == count
   end
   for n = 1, count do
-    if source[n] ~= list[n] then
+    if not rawequal(source[n], list[n]) then
       return false
     end
   end
-  if count == 0 then
-    return next(source) == nil
+  if count <= FEW or record.mixed then
+    return countKeys(source) == count
   end
-  -- Keys beyond the last number follow it, unless the numbers were not inserted in order.
+  -- Keys beyond the last number follow it in the table, unless that has room left from others.
   return next(source, count) == nil or countKeys(source) == count
 end
 
@@ -140,6 +143,7 @@ local function newRecord(name, source)
     keys = {},
     count = 0,
     plain = true,
+    mixed = false,
     stale = true,
   }
 end
@@ -180,7 +184,7 @@ end
 -- Returns the keys of a group in order, and whether they are just 1 to their number.
 local function readKeys(record)
   local source, keys, n = record.source, {}, 0
-  while source[n + 1] ~= nil do
+  while rawget(source, n + 1) ~= nil do
     n = n + 1
     keys[n] = n
   end
@@ -198,6 +202,9 @@ end
 
 -- Reads the members of a record into `record.newList`, `record.newKeys`; changes nothing else.
 local function readMembers(record)
+  if record.count == 0 then
+    record.direct = isObject(record.source) -- it may have been filled since it was first seen
+  end
   if record.direct then
     record.newList, record.newKeys, record.newPlain = { record.source }, { 1 }, true
     return
@@ -205,7 +212,7 @@ local function readMembers(record)
   local keys, plain = readKeys(record)
   local list = {}
   for n = 1, #keys do
-    local object = record.source[keys[n]]
+    local object = rawget(record.source, keys[n])
     if type(object) ~= "table" then
       check.fail(
         check.place(record.name, keys[n])
@@ -216,6 +223,7 @@ local function readMembers(record)
     list[n] = object
   end
   record.newList, record.newKeys, record.newPlain = list, keys, plain
+  record.mixed = record.mixed or not plain
 end
 
 local function failTwice(object, first, second)
@@ -397,11 +405,11 @@ end
 
 --- Returns the key under which an object stands in its group's table now, or nil.
 function roster.find(source, object, hint)
-  if hint ~= nil and source[hint] == object then
+  if hint ~= nil and rawequal(source[hint], object) then
     return hint
   end
   for key, value in next, source do
-    if value == object then
+    if rawequal(value, object) then
       return key
     end
   end

@@ -47,7 +47,7 @@ local function respond(journey, object, other, isSolid)
   return response
 end
 
--- Hits -----------------------------------------------------------------------------------------------
+-- Hits --------------------------------------------------------------------------------------------
 
 -- The table for the next hit: one that stands in the list already, or was there at an earlier call.
 local function nextHit(journey)
@@ -82,7 +82,7 @@ local function note(journey, other, side, x, y, share, response)
   hit.response = response
 end
 
--- Legs -----------------------------------------------------------------------------------------------
+-- Legs --------------------------------------------------------------------------------------------
 
 local function findNear(v, journey)
   local x, y, toX, toY, k = journey.x, journey.y, journey.toX, journey.toY, 2 * journey.slot
@@ -94,16 +94,8 @@ end
 -- By how much the object would have two edges in common with j, at a place next to it.
 local function commonEdge(v, i, j, x, y)
   local position, size, k, m = v.position, v.size, 2 * i, 2 * j
-  local width, height = aabb.overlap(
-    x,
-    y,
-    size[k],
-    size[k + 1],
-    position[m],
-    position[m + 1],
-    size[m],
-    size[m + 1]
-  )
+  local width, height =
+    aabb.overlap(x, y, size[k], size[k + 1], position[m], position[m + 1], size[m], size[m + 1])
   return max(width, height)
 end
 
@@ -203,7 +195,7 @@ local function walk(v, journey)
   return false
 end
 
--- Journeys -------------------------------------------------------------------------------------------
+-- Journeys ----------------------------------------------------------------------------------------
 
 -- A journey that nobody is on; one that fails on the way is left to the garbage collector.
 local function takeJourney(v)
@@ -225,7 +217,7 @@ local function giveJourney(v, journey)
   v.journeys[#v.journeys + 1] = journey
 end
 
---- Moves an object towards (x, y). Returns where it ends, the hits and their number; nil: the object
+--- Moves an object towards (x, y). Returns where it ends, the hits and their number; nil: it
 --- is not in the world; false: it is static.
 function slide.run(world, object, x, y, response, hits, where)
   local v = view.of(world)

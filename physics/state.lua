@@ -16,7 +16,8 @@
 --   fields        name -> sparse: value. The other fields, where they are set
 --   read          name -> sparse: value, false if not set. What the library has read, where the game
 --                 has written something else since
---   memory        column -> sparse: value (see SLOTS, LINKS, POINTS)
+--   memory        column -> sparse: value (see LINKS, POINTS); or just objects (see FLAGS; `lost`)
+--   walls         side -> object: what setBounds has put
 --   touching      sparse: object (0: none) at the left, right, top, bottom
 --   contacts      first, second, and a value for each of PAIRS, for each pair that has one
 --   events        three objects (0: none) and the values of EVENT each: what is still to be told
@@ -47,19 +48,25 @@ end
 
 -- Columns that outlive a step. Whoever adds one to columns.lua adds it here, too.
 
---- By slot: name and type.
-state.SLOTS = { { "moved", "boolean" }, { "inside", "boolean" } }
+--- By slot: whether it is so.
+state.FLAGS = { "moved", "inside" }
 --- By slot: a slot, 0 for none.
 state.LINKS = { "support", "carrier" }
---- By slot and axis: name, and the column whose value it usually has. The second is for drawing
+--- By slot and axis: name, and its usual value, or the column that has it. `last` is for drawing
 --- alone, in worlds with a `timestep`.
-state.POINTS = { { "position", "written" }, { "last", "position" } }
+state.POINTS = {
+  { "position", "written" },
+  { "last", "position" },
+  { "carried", 0 },
+  { "wasCrushed", false },
+}
 --- By pair: name, value of a pair that has nothing to remember, and what becomes of another value if
 --- the two of the pair are exchanged.
 state.PAIRS = {
   { "contact", 0, columns.OPPOSITE },
   { "wedged", 0, MIRRORED },
   { "overlapping", false, { [true] = true } },
+  { "dropping", false, { [true] = true } },
 }
 
 --- Fields that every object has an entry for: name, column, axis, and what the column holds if the
@@ -354,27 +361,24 @@ end
 
 -- The mask as the library has read it, as far as it refuses somebody.
 local function listRead(b, slot)
-  local list, bits = {}, b.maskBits[slot]
-  for _, name in ipairs(b.groupNames) do
-    if bits % 2 == 1 then
-      list[#list + 1] = name
+  local list, names, seen = {}, b.groupNames, b.maskSeen[slot]
+  for n = 1, #names do
+    if seen[n] then
+      list[#list + 1] = names[n]
       list[#list + 1] = false
     end
-    bits = (bits - bits % 2) / 2
   end
   return list
 end
 
--- The same as in `collect`: a bit for each group that a mask refuses.
-local function maskBits(b, mask)
-  local bits, bit = 0, 1
-  for _, name in ipairs(b.groupNames) do
-    if mask[name] == false then
-      bits = bits + bit
+local function isMaskRead(b, slot, mask)
+  local names, seen = b.groupNames, b.maskSeen[slot]
+  for n = 1, #names do
+    if (mask[names[n]] == false) ~= (seen[n] or false) then
+      return false
     end
-    bit = bit * 2
   end
-  return bits
+  return true
 end
 
 local function saveMasks(b, out, work)
@@ -387,7 +391,7 @@ local function saveMasks(b, out, work)
         if not check.accepts(fields.objectByName.mask, mask) then
           checkWritten(b, slot)
         end
-        isRead = b.maskBits[slot] == maskBits(b, mask)
+        isRead = isMaskRead(b, slot, mask)
       end
       if not isRead then
         noteRead(b, out, "mask", n, slot, b.mask[slot] and listRead(b, slot))
@@ -423,16 +427,15 @@ end
 
 -- Memory -----------------------------------------------------------------------------------------
 
-local function saveSlots(b, out, work)
+local function saveFlags(b, out, work)
   local slots = work.slots
-  for m = 1, #state.SLOTS do
-    local name = state.SLOTS[m][1]
+  for m = 1, #state.FLAGS do
+    local name = state.FLAGS[m]
     local list, column, at = listIn(out.memory, name), b[name], 0
     for n = 1, out.known do
-      local value = column[slots[n]]
-      if value and value ~= 0 then
-        list[at + 1], list[at + 2] = n, value
-        at = at + 2
+      if column[slots[n]] then
+        at = at + 1
+        list[at] = n
       end
     end
     cut(list, at)
@@ -458,17 +461,53 @@ end
 local function savePoints(b, out, work)
   local slots = work.slots
   for m = 1, #state.POINTS do
-    local name = state.POINTS[m][1]
-    local list, column, usual, at = listIn(out.memory, name), b[name], b[state.POINTS[m][2]], 0
+    local name, usual = state.POINTS[m][1], state.POINTS[m][2]
+    local list, column, model, at = listIn(out.memory, name), b[name], b[usual], 0
     local isWanted = name ~= "last" or b.world.timestep
     for n = 1, isWanted and out.known or 0 do
       local k = 2 * slots[n]
-      if column[k] ~= usual[k] or column[k + 1] ~= usual[k + 1] then
+      local x, y = usual, usual
+      if model then
+        x, y = model[k], model[k + 1]
+      end
+      if column[k] ~= x or column[k + 1] ~= y then
         list[at + 1], list[at + 2], list[at + 3] = n, column[k], column[k + 1]
         at = at + 3
       end
     end
     cut(list, at)
+  end
+end
+
+-- Riders that have lost their carrier since the last step.
+local function saveLost(b, out, work)
+  local list = listIn(out.memory, "lost")
+  local count = 0
+  for n = 1, b.lostCount do
+    local i = b.lost[n]
+    if b.kind[i] == DYNAMIC then
+      count = count + 1
+      list[count] = work.numbers[i]
+    end
+  end
+  cut(list, count)
+  table.sort(list)
+end
+
+-- The walls that `setBounds` has put.
+local function saveWalls(world, out, work)
+  local walls = listIn(out, "walls")
+  for side in next, walls do
+    walls[side] = nil
+  end
+  if next(world._walls) ~= nil then
+    for n = 1, out.count do
+      for side, wall in next, world._walls do
+        if work.objects[n] == wall then
+          walls[side] = n
+        end
+      end
+    end
   end
 end
 
@@ -605,9 +644,11 @@ function state.fill(world, out)
   saveTables(b, world.objects, out, work)
   saveFields(b, out, work)
   listIn(out, "memory")
-  saveSlots(b, out, work)
+  saveFlags(b, out, work)
   saveLinks(b, out, work)
   savePoints(b, out, work)
+  saveLost(b, out, work)
+  saveWalls(world, out, work)
   saveTouching(b, out, work)
   saveContacts(b, out, work)
   saveEvents(b, out, work)

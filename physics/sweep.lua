@@ -61,7 +61,8 @@ local function meetFace(at, size, to, other, otherSize, atB, sizeB, toB, otherB,
   return share, isLow
 end
 
--- The part of the way on which two slightly shrunk boxes overlap on an axis on which they are apart.
+-- The part of the way on which two slightly shrunk boxes overlap on an axis on which they are still
+-- apart.
 local function span(at, size, to, other, otherSize)
   local gap, isLow = gapOf(at, size, other, otherSize)
   local gapEnd = gapAgain(to, size, other, otherSize, isLow) + 2 * EPSILON
@@ -82,9 +83,9 @@ local function shareOn(at, size, to, other, otherSize)
   return gap > 0 and gap / (gap + overlap) or 0, isLow
 end
 
---- Returns when a box on its way from (x, y) to (toX, toY) meets another box that it does not overlap
---- yet: the share of the way, the axis (0: x, 1: y), whether the moving box is the one with the
---- smaller coordinate, and the kind of meeting; nil: never.
+--- Returns when a box on its way from (x, y) to (toX, toY) meets another one that it does not
+--- overlap yet: the share of the way, the axis (0: x, 1: y), whether the moving box is the one with
+--- the smaller coordinate, and the kind of meeting; nil: never.
 ---@param downAxis integer 0 or 1: the axis that counts if both close together
 function sweep.meet(x, y, w, h, toX, toY, ox, oy, ow, oh, downAxis)
   local share, isLow

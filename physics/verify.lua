@@ -264,21 +264,26 @@ end
 
 -- Memory -----------------------------------------------------------------------------------------
 
-local OF_TYPE = { boolean = BOOLEAN, number = NUMBER }
-
 local function needMemory(st)
   local memory, object = needTable(st.memory, "state.memory"), objectKind(1, st.known)
-  for _, entry in ipairs(state.SLOTS) do
-    needSparse(memory[entry[1]], "state.memory." .. entry[1], { object, OF_TYPE[entry[2]] })
+  for _, name in ipairs(state.FLAGS) do
+    needSparse(memory[name], "state.memory." .. name, { object })
   end
+  needSparse(memory.lost, "state.memory.lost", { object })
   for _, name in ipairs(state.LINKS) do
     needSparse(memory[name], "state.memory." .. name, { object, object })
   end
   for _, entry in ipairs(state.POINTS) do
-    needSparse(memory[entry[1]], "state.memory." .. entry[1], { object, NUMBER, NUMBER })
+    local kind = type(entry[2]) == "boolean" and BOOLEAN or NUMBER
+    needSparse(memory[entry[1]], "state.memory." .. entry[1], { object, kind, kind })
   end
   local none = objectKind(0, st.known)
   needSparse(st.touching, "state.touching", { object, none, none, none, none })
+  for side, n in next, needTable(st.walls, "state.walls") do
+    if type(side) ~= "string" or not isCount(n, st.count) or n < 1 then
+      refuse("state.walls." .. show(side), "an integer in 1.." .. st.count, n)
+    end
+  end
 end
 
 -- A value of a pair that it has by default, or that has a counterpart.

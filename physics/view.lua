@@ -9,8 +9,8 @@
 -- Those that follow compare the number of objects in each group, look at whoever they find nearby,
 -- and in a world of up to `FEW` objects again at everybody. What a later question in a larger world
 -- may miss until the next update: an object that the game has, after the first question, moved by
--- more than `MARGIN`, or put into a group of the same size by assignment. `add`, `remove`, `move` and
--- `refresh` tell it at once.
+-- more than `MARGIN`, or put into a group of the same size by assignment. `add`, `remove`, `move`
+-- and `refresh` tell it at once.
 --
 -- Reads of the core only which objects are static and where those are: they are read once.
 
@@ -61,7 +61,7 @@ local function new()
   return v
 end
 
--- Reading ------------------------------------------------------------------------------------------
+-- Reading -----------------------------------------------------------------------------------------
 
 local function kindOf(b, object)
   local slot = b.slotOf[object]
@@ -102,13 +102,16 @@ end
 
 --- Reads what an object can meet. Errors: a field that cannot be used.
 function view.lookAtFilter(v, i)
-  if v.live[i] then
-    complain(v, i)
-    local object = v.object[i]
-    v.sensor[i], v.oneWay[i] = object.sensor == true, object.oneWay or false
-    v.mask[i] = object.mask or false
-    v.kind[i] = kindOf(v.bodies, object)
+  if not v.live[i] then
+    return
   end
+  local object = v.object[i]
+  local sensor, oneWay, mask = object.sensor or false, object.oneWay or false, object.mask or false
+  if sensor ~= v.sensor[i] or oneWay ~= v.oneWay[i] or mask ~= v.mask[i] then
+    complain(v, i)
+    v.sensor[i], v.oneWay[i], v.mask[i] = sensor, oneWay, mask
+  end
+  v.kind[i] = kindOf(v.bodies, object)
 end
 
 -- A static object is where the core read it.
@@ -135,7 +138,7 @@ local function readAny(v, b, i)
   end
 end
 
--- The grid -----------------------------------------------------------------------------------------
+-- The grid ----------------------------------------------------------------------------------------
 
 local function hasLeft(v, i)
   local position, size, fatLow, fatHigh, k = v.position, v.size, v.fatLow, v.fatHigh, 2 * i
@@ -187,7 +190,7 @@ local function unlist(v, i)
   end
 end
 
--- Who is there -------------------------------------------------------------------------------------
+-- Who is there ------------------------------------------------------------------------------------
 
 local function enter(v, object, record, key)
   local i = v.free[#v.free]

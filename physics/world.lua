@@ -10,6 +10,7 @@ local columns = require(here .. ".columns")
 local detect = require(here .. ".detect")
 local events = require(here .. ".events")
 local explain = require(here .. ".explain")
+local hash = require(here .. ".hash")
 local meet = require(here .. ".meet")
 local oneway = require(here .. ".oneway")
 local part = require(here .. ".part")
@@ -18,9 +19,11 @@ local publish = require(here .. ".publish")
 local query = require(here .. ".query")
 local queue = require(here .. ".queue")
 local rest = require(here .. ".rest")
+local restore = require(here .. ".restore")
 local roster = require(here .. ".roster")
 local settings = require(here .. ".settings")
 local slide = require(here .. ".slide")
+local state = require(here .. ".state")
 local view = require(here .. ".view")
 
 --- An independent world: a table of groups of objects, settings as plain fields, and the steps.
@@ -31,7 +34,7 @@ local view = require(here .. ".view")
 local World = {}
 World.__index = World
 
-local ceil = math.ceil
+local ceil, floor, max = math.ceil, math.floor, math.max
 
 -- Longest time that one update makes up for, s.
 local LONGEST = 0.25
@@ -83,7 +86,8 @@ local function split(self, dt)
   if steps < 1 then
     steps = 1
   end
-  for _ = 1, steps do
+  for remaining = steps, 1, -1 do
+    self._bodies.remaining = remaining
     step(self, dt / steps)
     events.tell(self._bodies)
   end
@@ -93,9 +97,12 @@ end
 -- a refused dt is saved.
 local function stepFixed(self, dt)
   local timestep = self.timestep
+  self._bodies.remaining = max(1, floor((self._saved + dt) / timestep + ROUNDING))
   while self._saved + dt >= timestep * (1 - ROUNDING) do
+    begin.keepPlaces(self._bodies)
     step(self, timestep)
     self._saved, dt = self._saved + dt - timestep, 0
+    self._bodies.remaining = max(1, self._bodies.remaining - 1)
     events.tell(self._bodies)
   end
   self._saved = self._saved + dt
@@ -119,6 +126,7 @@ function World:update(dt)
   if dt == 0 then
     settings.apply(self)
     collect.run(b, self.objects)
+    collect.giveTouching(b)
     events.tell(b)
     return
   end
@@ -132,9 +140,6 @@ function World:update(dt)
 end
 
 local function groupFor(self, group)
-  if type(self.objects) ~= "table" then
-    check.fail("objects must be a table of groups, got " .. check.show(self.objects))
-  end
   local members = self.objects[group]
   if members == nil then
     members = {}
@@ -150,17 +155,19 @@ local function groupFor(self, group)
   return members
 end
 
--- Where an object stands now: the table that holds it and its key in there; nil: nowhere.
+-- Where an object stands now: the table that holds it, its key in there, and the name of its group
+-- (and the key again if it does not stand directly in `objects`). Looks where it was last and where
+-- it was added; nil: not there.
 local function whereIs(self, object)
   local b = self._bodies
   local slot = b.slotOf[object]
   if slot then
     local record = b.group[slot]
     if record.direct then
-      if self.objects[record.name] == object then
+      if rawequal(self.objects[record.name], object) then
         return self.objects, record.name, record.name
       end
-    elseif self.objects[record.name] == record.source then
+    elseif rawequal(self.objects[record.name], record.source) then
       local key = roster.find(record.source, object, b.key[slot])
       if key ~= nil then
         return record.source, key, record.name, key
@@ -174,6 +181,30 @@ local function whereIs(self, object)
     if key ~= nil then
       return members, key, group, key
     end
+  end
+end
+
+-- The same, but looks everywhere: the game may have put it elsewhere since the last step.
+local function search(self, object)
+  local members, key, name = whereIs(self, object)
+  if members then
+    return members, key, name
+  end
+  for group, value in next, self.objects do
+    if rawequal(value, object) then
+      return self.objects, group, group
+    elseif type(value) == "table" and type(value.width) ~= "number" then
+      key = roster.find(value, object)
+      if key ~= nil then
+        return value, key, group
+      end
+    end
+  end
+end
+
+local function checkObjects(self)
+  if type(self.objects) ~= "table" then
+    check.fail("objects must be a table of groups, got " .. check.show(self.objects))
   end
 end
 
@@ -192,17 +223,14 @@ function World:add(group, object)
   checkIdle(self._bodies, "add(group, object)")
   check.group(group, "world:add(group, object)")
   check.table(object, "object", "world:add(group, object)")
-  local known = type(self.objects) == "table" and self.objects[group]
+  checkObjects(self)
+  local known = self.objects[group]
   local n = type(known) == "table" and #known or 0
   check.object(object, check.place(group, n + 1))
   local given = self._bodies.roster
-  if type(self.objects) == "table" then
-    local table_, _, name, key = whereIs(self, object)
-    if table_ then
-      check.fail(
-        "world:add(group, object): the object already stands at " .. check.place(name, key)
-      )
-    end
+  local found, _, name, key = whereIs(self, object)
+  if found then
+    check.fail("world:add(group, object): the object already stands at " .. check.place(name, key))
   end
   local members = groupFor(self, group)
   members[#members + 1] = object
@@ -224,7 +252,8 @@ function World:remove(object)
   checkSelf(self, "remove(object)")
   checkIdle(self._bodies, "remove(object)")
   check.table(object, "object", "world:remove(object)")
-  local members, key = whereIs(self, object)
+  checkObjects(self)
+  local members, key = search(self, object)
   if not members then
     return false
   end
@@ -248,10 +277,11 @@ function World:refresh(object)
   local b = self._bodies
   checkIdle(b, "refresh(object)")
   check.table(object, "object", "world:refresh(object)")
+  checkObjects(self)
   local slot = b.slotOf[object]
   if slot then
     collect.refresh(b, slot)
-  elseif not whereIs(self, object) then
+  elseif not search(self, object) then
     check.fail("world:refresh(object): the object is not in the world, got " .. check.show(object))
   end
 end
@@ -278,8 +308,78 @@ function World:dropThrough(object)
   return true
 end
 
---- Returns where to draw an object between two fixed steps (`timestep`): on the way from its last
---- position to the present one, by `alpha`.
+-- State -------------------------------------------------------------------------------------------
+
+--- Returns all that a future step depends on, as a plain table of numbers, strings, booleans and
+--- tables that any serializer can write: no functions, no cycles, no infinities. Restored, the run
+--- goes on to the bit, also in another process and on another Lua. Saving changes nothing.
+---
+--- It holds the objects with the fields that the library knows, the settings that change results,
+--- contacts, riders, saved-up time, and events that a failed callback has left behind. It does not
+--- hold functions (callbacks, `canCollide`), fields of the game's own, `broadphase`, `cellSize` and
+--- `rest`.
+---
+--- The best place is right before `update`, when the input of the step has been written. Inside a
+--- callback it holds what is still to be told; the event that is being told counts as told.
+---
+--- Errors: something that `update` would refuse; called from inside `canCollide`; no table.
+---@param out table? a state of this world that is not needed any more, to be filled anew: in a
+---  steady scene nothing is left to the garbage collector then
+---@return table state
+function World:save(out)
+  checkSelf(self, "save()")
+  checkIdle(self._bodies, "save()")
+  if out ~= nil then
+    check.table(out, "out", "world:save(out)")
+  end
+  local saved = state.save(self, out)
+  return saved
+end
+
+--- Makes this world what it was when the state was saved. No event is told for the jump itself.
+---
+--- Objects that have been added since leave their groups, those that have left come back, all get
+--- their fields again. If this world has saved the state itself, and it is still the same table,
+--- they are the very tables that they were, so the game's references, callbacks and own fields stay
+--- with them. A state from elsewhere (a file, the network, another world) goes to whoever stands
+--- under the same group and key, and to new plain tables where nobody does. The tables of groups
+--- stay the same; groups that are not in the state are emptied. Fields of the game's own are not
+--- touched.
+---
+--- Errors: no state, one of another version, or one that is damaged; called from inside
+--- `canCollide`. Nothing has changed then.
+---@param saved table what `save` returned, or a copy
+function World:restore(saved)
+  checkSelf(self, "restore(state)")
+  checkIdle(self._bodies, "restore(state)")
+  restore.world(self, saved)
+end
+
+--- Returns a number over all that `save` holds, a whole one in 0..10^14, the same on every Lua: two
+--- worlds with the same number go on the same (to one in 10^13). For replays and for finding out
+--- when two players' worlds have parted.
+---
+--- Errors: something that `update` would refuse; called from inside `canCollide`.
+---@return number
+function World:hash()
+  checkSelf(self, "hash()")
+  checkIdle(self._bodies, "hash()")
+  local number = hash.world(self)
+  return number
+end
+
+-- One coordinate between two fixed steps; `now` is what the game's table says.
+local function between(b, slot, k, now, alpha)
+  -- Where the game has put a dynamic object, there it is; a kinematic one goes there.
+  if b.kind[slot] == columns.DYNAMIC and now ~= b.written[k] then
+    return now
+  end
+  return b.position[k] - (b.position[k] - b.last[k]) * (1 - alpha)
+end
+
+--- Returns where to draw an object between two fixed steps (`timestep`): on the way from where it
+--- was before the last step to where it is now, by `alpha`. Who is new, static, not active, or was
+--- put somewhere by the game is drawn where it is; without `timestep` everybody is.
 ---
 --- Errors: no table.
 ---@param object table
@@ -290,12 +390,12 @@ function World:interpolate(object)
   check.table(object, "object", "world:interpolate(object)")
   local b = self._bodies
   local slot = b.slotOf[object]
-  if not slot or not self.timestep then
+  if not slot or not self.timestep or not b.active[slot] or b.kind[slot] == columns.STATIC then
     return object.x, object.y
   end
-  local k, behind = 2 * slot, 1 - self.alpha
-  return object.x - (b.position[k] - b.last[k]) * behind,
-    object.y - (b.position[k + 1] - b.last[k + 1]) * behind
+  local k = 2 * slot
+  return between(b, slot, k, object.x, self.alpha),
+    between(b, slot, k + 1, object.y, self.alpha)
 end
 
 -- Questions ---------------------------------------------------------------------------------------
@@ -306,8 +406,8 @@ end
 -- nearby: see physics/view.lua for what they may miss.
 --
 -- Who is not active is not found; sensors are. `filter` is a group name, a list of them, or a
--- function(object) whose result is taken as yes or no; it must not change the world. `out` is a list
--- to fill instead of a new one; then nothing is left to the garbage collector.
+-- function(object) whose result is taken as yes or no; it must not change the world. `out` is a
+-- list to fill instead of a new one; then nothing is left to the garbage collector.
 
 local function checkQuestion(self, call, filter, out)
   checkSelf(self, call)
@@ -358,8 +458,8 @@ function World:queryPoint(x, y, filter, out)
   return found, count
 end
 
---- Finds everybody who overlaps a rectangle by more than 1e-6 px; with the setting `sideBySide` also
---- who is flush with it.
+--- Finds everybody who overlaps a rectangle by more than 1e-6 px; with the setting `sideBySide`
+--- also who is flush with it.
 ---
 --- Errors: no finite number; a size <= 0; no filter; `out` is no table.
 ---@param x number px, left edge
@@ -406,7 +506,7 @@ end
 ---     runs along an edge          hits whom the edge belongs to: the one below it or to its right,
 ---                                 so no ray slips between two tiles (to a millionth of a pixel)
 ---     meets a corner              of one object: no hit if it only grazes it; the normal is along
----                                 gravity, or that of the wall if a neighbour covers the other edge
+---                                 gravity, or that of the wall if a neighbour covers the other one
 ---     has no length               hits who is there, as queryPoint, fraction 0, normal 0, 0
 ---
 --- Source: slab method; the grid is walked in strips (see physics/broadphase/grid.lua).
@@ -435,8 +535,8 @@ end
 
 --- Finds what would stop an object on its way by (dx, dy): solids that its mask, theirs and the
 --- world's do not let pass, one-ways on their solid side; not sensors. `canCollide` is not asked.
---- Who overlaps it already is hit at fraction 0 with the normal 0, 0; who is flush beside its way is
---- not. Nothing moves.
+--- Who overlaps it already is hit at fraction 0 with the normal 0, 0; who is flush beside its way
+--- is not. Nothing moves.
 ---
 --- Errors: no table; an object that is not in the world; no finite number; no filter.
 ---@param object table
@@ -503,8 +603,8 @@ function World:overlapping(object, filter, out)
 end
 
 --- Returns the side of `a` at which it is in contact with `b`: the contact of which `onBegin` told
---- and `onEnd` has not, unless the game has taken the two apart since. With the setting `sideBySide`
---- who is flush is in contact.
+--- and `onEnd` has not, unless the game has taken the two apart since. With the setting
+--- `sideBySide` who is flush is in contact.
 ---
 --- Errors: no table; an object that is not in the world.
 ---@param a table
@@ -551,8 +651,9 @@ end
 
 --- Moves one object to (x, y) now, with collisions and without physics: it writes `object.x` and
 --- `object.y`, pushes nobody and changes no velocity. Any kind of object is in its way; masks,
---- `active` and `oneWay` hold as in a step, `canCollide` is not asked. It never ends inside a solid,
---- unless it was inside that one before: who overlaps it from the beginning is reported and crossed.
+--- `active` and `oneWay` hold as in a step, `canCollide` is not asked. It never ends inside a
+--- solid, unless it was inside that one before: who overlaps it from the beginning is reported and
+--- crossed.
 ---
 ---     "slide"    goes on along the side that it hit (default)
 ---     "touch"    stays where it hit

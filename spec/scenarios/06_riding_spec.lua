@@ -96,7 +96,7 @@ describe("riding", function()
         scene.each(i <= 5 and EVERYWHERE or SOME, function(run)
           local named, log = settled(run)
           named.platform.vx, named.platform.vy = vx, vy
-          for time in run:steps(2) do
+          for time in run:steps(i <= 4 and 2 or 1) do
             run:at(named.platform, 100 + vx * time, 400 + vy * time)
             run:at(named.rider, 120 + vx * time, 376 + vy * time)
             rides(run, named.rider, named.platform, 20)
@@ -142,7 +142,7 @@ describe("riding", function()
           local named, log = settled(run)
           local lift = named.platform
           local function write(time, dt) lift.vx, lift.vy = row[2](time - dt / 2) end
-          for _ in driven(run, 2, write) do rides(run, named.rider, lift, 20) end
+          for _ in driven(run, 1, write) do rides(run, named.rider, lift, 20) end
           neverFlickered(run, log)
         end)
       end)
@@ -185,7 +185,7 @@ describe("riding", function()
             local x, y = row[2](time)
             lift.x, lift.y = 100 + x, 400 + y
           end
-          for time in driven(run, 2, write) do
+          for time in driven(run, 1, write) do
             local x, y = row[2](time)
             run:at(lift, 100 + x, 400 + y)
             rides(run, named.rider, lift, 20)
@@ -196,7 +196,7 @@ describe("riding", function()
     end
 
     it("and moves by a velocity as well does both", function()
-      scene.each(EVERYWHERE, function(run)
+      scene.each(SOME, function(run)
         local named, log = settled(run)
         local lift = named.platform
         lift.vx, lift.vy = 30, 25
@@ -211,7 +211,7 @@ describe("riding", function()
     end)
 
     it("and then leaves alone stands still with its rider", function()
-      scene.each(EVERYWHERE, function(run)
+      scene.each(SOME, function(run)
         local named = settled(run)
         local lift = named.platform
         for time in driven(run, 2, function(time)
@@ -301,7 +301,7 @@ describe("riding", function()
     end
 
     it("three high go along when the platform turns round at every step", function()
-      scene.each(EVERYWHERE, function(run)
+      scene.each(SOME, function(run)
         local named, log = settled(run, chain())
         local sign, lift = 1, named.platform
         for _ in driven(run, 0.5, function()
@@ -317,7 +317,7 @@ describe("riding", function()
     end)
 
     it("walks on it as on a floor", function()
-      scene.each(EVERYWHERE, function(run)
+      scene.each(SOME, function(run)
         local named = settled(run, { platform(), rider(), rider { name = "top", y = 352 } })
         named.platform.vx, named.platform.vy = 60, 90
         for time in run:steps(1, function() named.top.vx = 10 end) do
@@ -331,7 +331,7 @@ describe("riding", function()
 
     --- the lower one goes away: the upper one falls to the platform and has its velocity all along
     it("falls to the platform when the lower one is removed", function()
-      scene.each(EVERYWHERE, function(run)
+      scene.each(SOME, function(run)
         local named = settled(run, { platform(), rider(), rider { name = "top", y = 352 } })
         named.platform.vx = 60
         run:play(0.5)
@@ -378,7 +378,7 @@ describe("riding", function()
     end)
 
     it("the rider goes along again when the platform comes back", function()
-      scene.each(EVERYWHERE, function(run)
+      scene.each(SOME, function(run)
         local named = settled(run, { platform(), rider(), tile("wall", 260, 300, 16, 100) })
         named.platform.vx = 60
         run:play(2.5)
@@ -393,7 +393,7 @@ describe("riding", function()
     end)
 
     it("the rider's rider is held back with it", function()
-      scene.each(EVERYWHERE, function(run)
+      scene.each(SOME, function(run)
         local named = settled(run, {
           platform(),
           rider(),
@@ -411,10 +411,10 @@ describe("riding", function()
     end)
 
     it("on the way down a lift does not pull who leans on it off the wall", function()
-      scene.each(EVERYWHERE, function(run)
+      scene.each(SOME, function(run)
         local named, log = settled(run, { platform(), rider(), tile("wall", 136, 300, 16, 100) })
         named.platform.vy = 60
-        for time in run:steps(0.7, function() named.rider.vx = 100 end) do
+        for time in run:steps(2 / 3, function() named.rider.vx = 100 end) do
           run:near("y", named.rider.y, 376 + 60 * time)
           run:flush(named.rider, named.platform, "bottom")
           run:same("vy", named.rider.vy, 0)
@@ -431,7 +431,7 @@ describe("riding", function()
     --  |w|  | |
     --     +-----+   the platform stands
     it("that moves pushes the rider off", function()
-      scene.each(EVERYWHERE, function(run)
+      scene.each(SOME, function(run)
         local wall = { name = "wall", x = 40, y = 300, width = 16, height = 100, kinematic = true }
         local named = settled(run, { platform(), rider(), { "walls", wall } })
         named.wall.vx = 60
@@ -457,12 +457,12 @@ describe("riding", function()
         named.platform.vx = 60
         run:play(2)
         named.rider.vy = -400
-        for time in run:steps(0.9) do
+        for time in run:steps(5 / 6) do
           run:at(named.rider, 240 + 60 * time, 376 - 400 * time + 400 * time * time)
           run:same("vx", named.rider.vx, 60)
           run:check(not support(run, named.rider), "should be in the air")
         end
-        run:play(0.1)
+        run:play(1 / 6)
         run:near("x", named.rider.x, 300)
         run:play(0.5)
         rides(run, named.rider, named.platform, 20)
@@ -472,18 +472,18 @@ describe("riding", function()
     for _, row in ipairs { { 0, -60 }, { 0, 60 }, { 60, -60 }, { -80, 500 }, { 60, -300 } } do
       local vx, vy = row[1], row[2]
       it(("who jumps straight up on a lift at (%g, %g) lands at rest"):format(vx, vy), function()
-        scene.each(EVERYWHERE, function(run)
+        scene.each(SOME, function(run)
           local named, log = settled(run)
           named.platform.vx, named.platform.vy = vx, vy
           run:play(0.5)
           local x, y = named.rider.x, named.rider.y
           named.rider.vy = -400
-          for time in run:steps(0.9) do -- in free flight, 400 px/s faster than the lift
+          for time in run:steps(5 / 6) do -- in free flight, 400 px/s faster than the lift
             local up = vy - 400
             run:at(named.rider, x + vx * time, y + up * time + 400 * time * time)
             run:near("vy", named.rider.vy, up + 800 * time)
           end
-          run:play(0.2)
+          run:play(1 / 3)
           for _ in run:steps(0.5) do rides(run, named.rider, named.platform, 20) end
           run:same("begins", log.begins, 2)
           run:same("ends", log.ends, 1)
@@ -493,7 +493,7 @@ describe("riding", function()
 
     for _, vx in ipairs { 200, -200, 61 } do
       it(("who walks off at %g px/s keeps the platform's velocity"):format(vx), function()
-        scene.each(EVERYWHERE, function(run)
+        scene.each(SOME, function(run)
           local named = settled(run)
           named.platform.vx = 60
           named.rider.vx = vx
@@ -515,7 +515,7 @@ describe("riding", function()
     end
 
     it("who walks off a sinking lift keeps its fall", function()
-      scene.each(EVERYWHERE, function(run)
+      scene.each(SOME, function(run)
         local named = settled(run)
         named.platform.vy = 300
         named.rider.vx = 200
@@ -538,7 +538,7 @@ describe("riding", function()
     for _, row in ipairs { { 0, 0 }, { 30, 0 }, { 60, 0 }, { 100, 40 }, { -50, -50 } } do
       local before, after = row[1], row[2]
       it(("who lands with vx = %g has vx = %g there"):format(before, after), function()
-        scene.each(EVERYWHERE, function(run)
+        scene.each(SOME, function(run)
           local named = run:build {
             platform { x = 0, width = 400, vx = 60 },
             rider { x = 150, y = 350, vx = before },
@@ -561,7 +561,7 @@ describe("riding", function()
 
     for _, vy in ipairs { -60, 60, 300, -1000 } do
       it(("who lands on a lift at %g px/s rides it at once"):format(vy), function()
-        scene.each(EVERYWHERE, function(run)
+        scene.each(SOME, function(run)
           local named = run:build { platform { vy = vy }, rider { y = 340 } }
           local log, landed = run:listen(named.rider), false
           for _ in run:steps(0.5) do
@@ -575,7 +575,7 @@ describe("riding", function()
     end
 
     it("who changes from one platform to another has the other's velocity", function()
-      scene.each(EVERYWHERE, function(run)
+      scene.each(SOME, function(run)
         local named = settled(run, {
           platform(),
           platform { name = "next", x = 164, width = 300 },
@@ -589,7 +589,7 @@ describe("riding", function()
     end)
 
     it("a seam between two that move alike is none", function()
-      scene.each(EVERYWHERE, function(run)
+      scene.each(SOME, function(run)
         local named, log = settled(run, {
           platform { vx = 60, vy = 30 },
           platform { name = "next", x = 164, vx = 60, vy = 30 },
@@ -628,7 +628,7 @@ describe("riding", function()
       masked = function(_, view) view.mask = { players = false } end,
     } do
       it(name .. ", the rider keeps its velocity", function()
-        scene.each(EVERYWHERE, function(run)
+        scene.each(SOME, function(run)
           local named, log = settled(run)
           named.platform.vx = 60
           run:play(1)
@@ -640,7 +640,7 @@ describe("riding", function()
     end
 
     it("the rider's rider keeps its velocity, too", function()
-      scene.each(EVERYWHERE, function(run)
+      scene.each(SOME, function(run)
         local named = settled(run, { platform(), rider(), rider { name = "top", y = 352 } })
         named.platform.vx = 60
         run:play(1)
@@ -655,7 +655,7 @@ describe("riding", function()
     end)
 
     it("and was falling, the rider keeps its fall", function()
-      scene.each(EVERYWHERE, function(run)
+      scene.each(SOME, function(run)
         local named = settled(run)
         named.platform.vy = 200
         run:play(1)
@@ -668,7 +668,7 @@ describe("riding", function()
     end)
 
     it("turned into a dynamic object, both fall on side by side", function()
-      scene.each(EVERYWHERE, function(run)
+      scene.each(SOME, function(run)
         local named = settled(run)
         named.platform.vx = 60
         run:play(1)
@@ -682,7 +682,7 @@ describe("riding", function()
     end)
 
     it("no more than its `carry`, the rider slides on beside it", function()
-      scene.each(EVERYWHERE, function(run)
+      scene.each(SOME, function(run)
         local named, log = settled(run)
         named.platform.vx = 60
         run:play(1)
@@ -697,7 +697,7 @@ describe("riding", function()
     end)
 
     it("turned static, the rider slides on over it", function()
-      scene.each(EVERYWHERE, function(run)
+      scene.each(SOME, function(run)
         local named = settled(run)
         named.platform.vx = 20
         run:play(1)
@@ -711,7 +711,7 @@ describe("riding", function()
     end)
 
     it("under a rider that is removed, it and its other rider go on", function()
-      scene.each(EVERYWHERE, function(run)
+      scene.each(SOME, function(run)
         local named, log = settled(run, { platform(), rider(), rider { name = "other", x = 140 } })
         local other = run:listen(named.other)
         named.platform.vx, named.platform.vy = 60, -60
@@ -726,7 +726,7 @@ describe("riding", function()
 
   describe("with carry = false", function()
     it("the platform slides away under who stands on it", function()
-      scene.each(EVERYWHERE, function(run)
+      scene.each(SOME, function(run)
         local named, log = settled(run, { platform { x = 0, width = 200, carry = false }, rider() })
         named.platform.vx = 60
         for _ in run:steps(1) do
@@ -738,7 +738,7 @@ describe("riding", function()
     end)
 
     it("the platform lifts who stands on it", function()
-      scene.each(EVERYWHERE, function(run)
+      scene.each(SOME, function(run)
         local named, log = settled(run, { platform { carry = false }, rider() })
         named.platform.vy = -60
         for time in run:steps(1) do
@@ -750,13 +750,13 @@ describe("riding", function()
     end)
 
     it("the platform drags who stands on it by friction only", function()
-      scene.each(EVERYWHERE, function(run)
+      scene.each(SOME, function(run)
         local named = settled(run, {
           platform { x = 0, width = 400, carry = false },
           rider { friction = 0.5 },
         })
         named.platform.vx = 100
-        for time in run:steps(0.2) do run:near("vx", named.rider.vx, 400 * time, 1e-6) end
+        for time in run:steps(1 / 6) do run:near("vx", named.rider.vx, 400 * time, 1e-6) end
         run:play(0.5)
         run:near("vx", named.rider.vx, 100)
       end)
@@ -923,7 +923,7 @@ describe("riding", function()
     --   +-----+
     --      ^
     it("a rider is carried up through a one-way, and stands on it on the way back", function()
-      scene.each(EVERYWHERE, function(run)
+      scene.each(SOME, function(run)
         local way = tile("way", 90, 343.3, 100, 8)
         way[2].oneWay = "top"
         local named, log = settled(run, { platform(), rider(), way })
@@ -949,7 +949,7 @@ describe("riding", function()
     --          --------+
     --                  |  ledge
     it("a platform pushes a box off a ledge", function()
-      scene.each(EVERYWHERE, function(run)
+      scene.each(SOME, function(run)
         local named = settled(run, {
           platform { y = 392 }, -- a bar above the ledge, 100 .. 164
           rider { x = 200 },
@@ -968,7 +968,7 @@ describe("riding", function()
     end)
 
     it("a lift takes its rider past a wall of tiles without a snag", function()
-      scene.each(EVERYWHERE, function(run)
+      scene.each(SOME, function(run)
         local description = scene.tiles({ platform(), rider() }, 30, 136, 0, 16, 13, 0, 13)
         local named, log = settled(run, description)
         named.platform.x = 72 -- ends at the wall, too; its rider stays where it is
@@ -987,7 +987,7 @@ describe("riding", function()
     end)
 
     it("a lift under a loose box in a shaft carries it up to the bit", function()
-      scene.each(EVERYWHERE, function(run)
+      scene.each(SOME, function(run)
         local named = settled(run, {
           platform { x = 104 },
           rider(),
@@ -1005,7 +1005,7 @@ describe("riding", function()
     end)
 
     it("a lift that comes up under who stands on a floor takes it over", function()
-      scene.each(EVERYWHERE, function(run)
+      scene.each(SOME, function(run)
         local named = settled(run, {
           platform { y = 430.5 },
           rider { x = 90 },

@@ -1,0 +1,816 @@
+--- Events: what the game is told, by whom, in which order, and what its callbacks may do.
+
+local physics = require("physics")
+
+local DT = 1 / 60
+
+local function newBox(x, y, changes)
+  local box = { x = x, y = y, width = 16, height = 16 }
+  for name, value in pairs(changes or {}) do
+    box[name] = value
+  end
+  return box
+end
+
+local function newWall(x, y, width, height)
+  return { x = x, y = y, width = width, height = height, static = true }
+end
+
+local function play(world, steps)
+  for _ = 1, steps or 60 do
+    world:update(DT)
+  end
+end
+
+--- Counts the events of an object.
+local function listen(object)
+  local log = { begins = 0, stays = 0, ends = 0 }
+  function object.onBegin(_, other, side, speed)
+    log.begins, log.other, log.side, log.speed = log.begins + 1, other, side, speed
+  end
+  function object.onStay(_, other, side)
+    log.stays, log.other, log.side = log.stays + 1, other, side
+  end
+  function object.onEnd(_, other, side)
+    log.ends, log.other, log.side = log.ends + 1, other, side
+  end
+  return log
+end
+
+local function checkLog(log, begins, ends)
+  assert.equal(begins, log.begins, "begins")
+  assert.equal(ends, log.ends, "ends")
+end
+
+describe("a contact", function()
+  local world
+
+  before_each(function()
+    world = physics.newWorld({ gravity = 0 })
+  end)
+
+  --    side of the box, where it comes from, its speed
+  for _, row in ipairs({
+    { "right", "left", 0, 100, 120, 0 },
+    { "left", "right", 200, 100, -120, 0 },
+    { "bottom", "top", 100, 0, 0, 120 },
+    { "top", "bottom", 100, 200, 0, -120 },
+  }) do
+    it("is told with the side of self that was hit and the speed, " .. row[1], function()
+      local wall = world:add("walls", newWall(100, 100, 16, 16))
+      local box = world:add("boxes", newBox(row[3], row[4], { vx = row[5], vy = row[6] }))
+      local ofBox, ofWall = listen(box), listen(wall)
+      play(world)
+      for _, log in ipairs({ ofBox, ofWall }) do
+        assert.equal(1, log.begins)
+        assert.near(120, log.speed, 1e-9)
+      end
+      assert.equal(wall, ofBox.other)
+      assert.equal(box, ofWall.other)
+      assert.equal(row[1], ofBox.side)
+      assert.equal(row[2], ofWall.side)
+    end)
+  end
+
+  it("is told to both, then to the world: begin, then stay at every step, then end", function()
+    local wall = world:add("walls", newWall(17, 0, 16, 16))
+    local box = world:add("boxes", newBox(0, 0, { vx = 60 }))
+    local lines = {}
+    local function note(who, what)
+      return function(a, b, side, speed)
+        local other = type(b) == "table" and (b == box and "box" or "wall") or "?"
+        local first = a == box and "box" or "wall"
+        lines[#lines + 1] = ("%s %s: %s %s %s %s"):format(
+          who,
+          what,
+          first,
+          other,
+          side,
+          speed and math.floor(speed + 0.5) or "-"
+        )
+      end
+    end
+    for _, what in ipairs({ "onBegin", "onStay", "onEnd" }) do
+      box[what], wall[what], world[what] = note("box", what), note("wall", what), note("world", what)
+    end
+    play(world, 3)
+    box.vx = -60
+    play(world, 3)
+    assert.same({
+      "box onBegin: box wall right 60",
+      "wall onBegin: wall box left 60",
+      "world onBegin: box wall right 60",
+      "box onStay: box wall right -",
+      "wall onStay: wall box left -",
+      "world onStay: box wall right -",
+      "box onStay: box wall right -",
+      "wall onStay: wall box left -",
+      "world onStay: box wall right -",
+      "box onEnd: box wall right -",
+      "wall onEnd: wall box left -",
+      "world onEnd: box wall right -",
+    }, lines)
+  end)
+
+  it("is told in the order of the world, whatever was met first", function()
+    world.order = { "late", "early" }
+    local lines = {}
+    function world.onBegin(a, b)
+      lines[#lines + 1] = a.name .. b.name
+    end
+    for n = 1, 3 do
+      local y = 40 * n
+      world:add("late", newBox(0, y, { name = "b" .. n, vx = 3000 - 700 * n }))
+      world:add("early", newBox(20, y, { name = "w" .. n, static = true }))
+    end
+    world:update(DT)
+    assert.same({ "b1w1", "b2w2", "b3w3" }, lines)
+  end)
+
+  it("of two that move has the speed of both", function()
+    local a = world:add("boxes", newBox(0, 0, { vx = 100 }))
+    local b = world:add("boxes", newBox(50, 0, { vx = -300 }))
+    local log = listen(b)
+    play(world)
+    assert.near(400, log.speed, 1e-9)
+    assert.equal("left", log.side)
+    assert.equal(a, log.other)
+  end)
+end)
+
+describe("the life of a contact", function()
+  local world, floor
+
+  before_each(function()
+    world = physics.newWorld({ gravity = 800 })
+    floor = world:add("tiles", newWall(-200, 100, 800, 16))
+  end)
+
+  it("lasts while standing, also when nobody computes it any more", function()
+    local box = world:add("boxes", newBox(0, 84))
+    local log = listen(box)
+    box.onStay = nil
+    play(world, 300)
+    checkLog(log, 1, 0)
+    assert.equal(2, world.stats.objects)
+    assert.equal(1, world.stats.resting)
+  end)
+
+  it("is told at every step, also of one that rests", function()
+    for _, who in ipairs({ "box", "floor", "world" }) do
+      local box = world:add("boxes", newBox(0, 84))
+      local owner = who == "box" and box or who == "floor" and floor or world
+      play(world, 60)
+      local stays = 0
+      owner.onStay = function()
+        stays = stays + 1
+      end
+      world:refresh(floor)
+      play(world, 100)
+      assert.equal(100, stays, who)
+      owner.onStay = nil
+      world:remove(box)
+      world:update(DT)
+    end
+  end)
+
+  it("lasts while leaning on a wall after the push has ended", function()
+    local wall = world:add("walls", newWall(100, 0, 16, 100))
+    local box = world:add("boxes", newBox(60, 84))
+    box.vx = 100
+    play(world, 1)
+    local log = listen(box)
+    for _ = 1, 60 do
+      box.vx = 100
+      world:update(DT)
+    end
+    checkLog(log, 1, 0)
+    play(world, 300)
+    checkLog(log, 1, 0)
+    assert.equal(wall, box.touching.right)
+    box.vx = -10
+    play(world, 3)
+    checkLog(log, 1, 1)
+    assert.equal("right", log.side)
+    assert.is_false(box.touching.right)
+  end)
+
+  it("goes from tile to tile without a gap", function()
+    world:remove(floor)
+    for n = 0, 20 do
+      world:add("floor", newWall(16 * n, 100, 16, 16))
+    end
+    local box = world:add("boxes", newBox(0, 84, { vx = 100 }))
+    local touched = 0
+    box.onBegin = function(_, _, side)
+      assert.equal("bottom", side)
+      touched = touched + 1
+    end
+    box.onEnd = function()
+      touched = touched - 1
+    end
+    for _ = 1, 120 do
+      world:update(DT)
+      assert.is_true(touched == 1 or touched == 2)
+      assert.truthy(box.touching.bottom)
+      assert.equal(100, box.vx)
+    end
+  end)
+
+  it("begins and ends in its step when it bounces", function()
+    local box = world:add("boxes", newBox(0, 0, { restitution = 1 }))
+    local log = listen(box)
+    for _ = 1, 240 do
+      world:update(DT)
+      assert.equal(log.begins, log.ends)
+    end
+    assert.equal(0, log.stays)
+    assert.is_true(log.begins >= 4)
+    assert.near(math.sqrt(2 * 800 * 84), log.speed, 1e-6)
+  end)
+
+  it("does not begin for neighbours that never pressed each other, but for sideBySide", function()
+    local wall = world:add("walls", newWall(16, 0, 16, 100))
+    local box = world:add("boxes", newBox(0, 84))
+    local log = listen(wall)
+    play(world, 10)
+    checkLog(log, 0, 0)
+    assert.is_false(box.touching.right)
+    world.sideBySide = true
+    play(world, 10)
+    checkLog(log, 1, 0)
+    assert.equal("left", log.side)
+    assert.equal(wall, box.touching.right)
+  end)
+end)
+
+describe("a contact ends exactly once", function()
+  local world, floor, box, ofBox, ofFloor, told
+
+  before_each(function()
+    world = physics.newWorld({ gravity = 800 })
+    floor = world:add("tiles", newWall(-200, 100, 800, 16))
+    box = world:add("boxes", newBox(0, 84))
+    ofBox, ofFloor, told = listen(box), listen(floor), 0
+    box.onStay, floor.onStay = nil, nil
+    world:refresh(floor)
+    play(world, 60)
+    function world.onEnd()
+      told = told + 1
+    end
+  end)
+
+  for _, row in ipairs({
+    {
+      "removed",
+      function()
+        world:remove(box)
+      end,
+    },
+    {
+      "removed with plain Lua",
+      function()
+        world.objects.boxes[1] = nil
+      end,
+    },
+    {
+      "left without floor",
+      function()
+        world:remove(floor)
+      end,
+    },
+    {
+      "switched off",
+      function()
+        box.active = false
+      end,
+    },
+    {
+      "left by a floor that is switched off",
+      function()
+        floor.active = false
+        world:refresh(floor)
+      end,
+    },
+    {
+      "masked",
+      function()
+        box.mask = { tiles = false }
+      end,
+    },
+    {
+      "masked by the floor",
+      function()
+        floor.mask = { boxes = false }
+        world:refresh(floor)
+      end,
+    },
+    {
+      "masked by the world",
+      function()
+        world.masks = { tiles = { boxes = false } }
+      end,
+    },
+    {
+      "put elsewhere",
+      function()
+        box.x, box.y = 2000, -500
+      end,
+    },
+    {
+      "made small",
+      function()
+        box.height = 4
+      end,
+    },
+    {
+      "let through by canCollide",
+      function()
+        box.canCollide = function()
+          return false
+        end
+      end,
+    },
+    {
+      "let through by the world",
+      function()
+        world.canCollide = function()
+          return false
+        end
+      end,
+    },
+    {
+      "made part of another world",
+      function()
+        world:remove(box)
+        physics.newWorld():add("boxes", box)
+      end,
+    },
+  }) do
+    it("for a box that is " .. row[1], function()
+      row[2]()
+      play(world, 1)
+      if row[1] == "made small" then
+        play(world, 10)
+        checkLog(ofBox, 2, 1) -- it has fallen, and stands again
+        return
+      end
+      checkLog(ofBox, 1, 1)
+      checkLog(ofFloor, 1, 1)
+      assert.equal("bottom", ofBox.side)
+      assert.equal(1, told)
+      if row[1] ~= "made part of another world" then
+        assert.is_false(box.touching.bottom)
+      end
+      play(world, 5)
+      checkLog(ofBox, 1, 1)
+      assert.equal(1, told)
+    end)
+  end
+
+  it("also when it is switched off and removed", function()
+    box.active = false
+    play(world, 2)
+    world:remove(box)
+    play(world, 2)
+    checkLog(ofBox, 1, 1)
+  end)
+
+  it("and begins anew when it comes back", function()
+    box.active = false
+    play(world, 2)
+    box.active = true
+    play(world, 2)
+    checkLog(ofBox, 2, 1)
+    world:remove(box)
+    play(world, 1)
+    world:add("boxes", box)
+    play(world, 1)
+    checkLog(ofBox, 3, 2)
+  end)
+end)
+
+describe("a sensor", function()
+  local world
+
+  before_each(function()
+    world = physics.newWorld({ gravity = 0 })
+  end)
+
+  local function newSensor(x, y, width, height, changes)
+    local sensor = { x = x, y = y, width = width, height = height, sensor = true, static = true }
+    for name, value in pairs(changes or {}) do
+      sensor[name] = value
+    end
+    return world:add("sensors", sensor)
+  end
+
+  it("tells who comes, stays and goes, and stops nobody", function()
+    local sensor = newSensor(100, -50, 50, 200)
+    local box = world:add("boxes", newBox(0, 0, { vx = 600 }))
+    local ofSensor, ofBox = listen(sensor), listen(box)
+    for n = 1, 60 do
+      world:update(DT)
+      assert.near(10 * n, box.x, 1e-9)
+      assert.is_false(box.touching.right)
+    end
+    checkLog(ofSensor, 1, 1)
+    checkLog(ofBox, 1, 1)
+    assert.equal("left", ofSensor.side)
+    assert.equal("right", ofBox.side)
+    assert.equal(5, ofSensor.stays)
+  end)
+
+  it("sees who crosses it in one step", function()
+    for _, y in ipairs({ -5000, -333.3, -40 }) do
+      local sensor = newSensor(-50, 0, 100, 2)
+      local bullet = world:add("bullets", { x = 0, y = y, width = 4, height = 4, vy = -y * 120 })
+      local log = listen(sensor)
+      play(world, 2)
+      checkLog(log, 1, 1)
+      assert.equal("top", log.side)
+      assert.near(-y * 120, log.speed, 1e-6)
+      world:remove(bullet)
+      world:remove(sensor)
+    end
+  end)
+
+  it("is told whoever is in it when it appears", function()
+    local box = world:add("boxes", newBox(0, 0))
+    play(world, 10)
+    local sensor = newSensor(8, -10, 50, 50)
+    local log = listen(sensor)
+    play(world, 10)
+    checkLog(log, 1, 0)
+    assert.equal(box, log.other)
+    assert.equal(9, log.stays)
+    sensor.active = false
+    world:refresh(sensor)
+    play(world, 1)
+    checkLog(log, 1, 1)
+  end)
+
+  it("does not see who is only flush", function()
+    local log = listen(newSensor(16, 0, 16, 16))
+    local box = world:add("boxes", newBox(0, 0))
+    play(world, 5)
+    checkLog(log, 0, 0)
+    box.x = 0.01
+    play(world, 5)
+    checkLog(log, 1, 0)
+  end)
+
+  it("sees another sensor, if one of them can move", function()
+    local fixed = newSensor(100, 0, 16, 16)
+    newSensor(100, 0, 16, 16)
+    local moving = newSensor(0, 0, 16, 16, { static = false, vx = 600 })
+    local ofFixed, ofMoving = listen(fixed), listen(moving)
+    play(world, 30)
+    checkLog(ofFixed, 1, 1)
+    checkLog(ofMoving, 2, 2)
+  end)
+
+  it("sees kinematic objects, and may be one", function()
+    local fixed = newSensor(100, 0, 16, 16)
+    local log = listen(fixed)
+    world:add("lifts", newBox(0, 0, { kinematic = true, vx = 600 }))
+    play(world, 30)
+    checkLog(log, 1, 1)
+    local moving = newSensor(100, 200, 16, 16, { static = false, kinematic = true, vx = 600 })
+    local other = listen(moving)
+    local box = world:add("boxes", newBox(200, 200))
+    play(world, 30)
+    checkLog(other, 1, 1)
+    assert.equal(200, box.x)
+  end)
+
+  it("falls through the floor if it is dynamic", function()
+    world.gravity = 800
+    local floor = world:add("tiles", newWall(-100, 50, 200, 16))
+    local ball = newSensor(0, 0, 16, 16, { static = false })
+    local log = listen(floor)
+    play(world, 60)
+    assert.is_true(ball.y > 100)
+    checkLog(log, 1, 1)
+  end)
+
+  it("respects masks", function()
+    local log = listen(newSensor(50, 0, 16, 16, { mask = { boxes = false } }))
+    world:add("boxes", newBox(0, 0, { vx = 600 }))
+    world:add("crates", newBox(0, 0, { vx = 300, mask = { boxes = false } }))
+    play(world, 60)
+    checkLog(log, 1, 1)
+  end)
+end)
+
+describe("a callback", function()
+  local world, floor
+
+  before_each(function()
+    world = physics.newWorld({ gravity = 800 })
+    floor = world:add("tiles", newWall(-200, 100, 800, 16))
+  end)
+
+  it("may be set and taken away at any time", function()
+    local box = world:add("boxes", newBox(0, 0, { restitution = 1 }))
+    local begins = 0
+    play(world, 30)
+    box.onBegin = function()
+      begins = begins + 1
+    end
+    play(world, 100)
+    assert.is_true(begins > 0)
+    box.onBegin, begins = nil, 0
+    play(world, 100)
+    assert.equal(0, begins)
+    floor.onBegin = function() -- of a static object, too
+      begins = begins + 1
+    end
+    play(world, 100)
+    assert.is_true(begins > 0)
+  end)
+
+  it("may remove self, the other, or whoever has not been told yet", function()
+    local told = 0
+    local boxes = {}
+    for n = 1, 6 do
+      boxes[n] = world:add("boxes", newBox(30 * n, 80))
+      boxes[n].onBegin = function(self, other)
+        told = told + 1
+        assert.equal(floor, other)
+        assert.equal(boxes[n], self)
+        world:remove(boxes[1])
+        world:remove(boxes[n])
+        world:remove(boxes[6])
+      end
+    end
+    play(world, 10)
+    assert.equal(6, told)
+    assert.equal(1, world.stats.objects)
+    boxes[1] = world:add("boxes", newBox(0, 80))
+    boxes[1].onBegin = function(_, other)
+      world:remove(other)
+    end
+    play(world, 60)
+    assert.is_true(boxes[1].y > 200)
+  end)
+
+  it("may add, move, resize and change anything", function()
+    local first = world:add("boxes", newBox(0, 40))
+    local second = world:add("boxes", newBox(60, 0))
+    local third
+    first.onBegin = function(self)
+      third = third or world:add("boxes", newBox(200, 40))
+      self.x, self.y = 300, 50
+      second.width, second.vx, second.gravity = 32, 60, 0
+      world.gravity = 400
+    end
+    play(world, 10)
+    assert.is_nil(third)
+    play(world, 30)
+    assert.equal(4, world.stats.objects)
+    assert.equal(300, first.x)
+    assert.equal(60, second.vx)
+    play(world, 200)
+    assert.equal(84, third.y)
+    assert.equal(84, first.y)
+    assert.equal(0, second.vy - second.vy)
+  end)
+
+  it("may put the velocity that it wants, and it counts from the next step on", function()
+    local box = world:add("boxes", newBox(0, 80))
+    box.onBegin = function(self)
+      self.vy = -400
+    end
+    local highest = 100
+    for _ = 1, 120 do
+      world:update(DT)
+      highest = math.min(highest, box.y)
+    end
+    assert.near(84 - 100, highest, 0.2)
+  end)
+
+  it("that fails leaves the world whole, and the others are told at the next update", function()
+    local lines = {}
+    local boxes = {}
+    for n = 1, 3 do
+      boxes[n] = world:add("boxes", newBox(30 * n, 83.9))
+      boxes[n].onBegin = function()
+        lines[#lines + 1] = "begin" .. n
+        if n == 2 then
+          error("oops")
+        end
+      end
+    end
+    local failed
+    for _ = 1, 5 do
+      local before = #lines
+      local ok, message = pcall(world.update, world, DT)
+      if not ok then
+        assert.truthy(message:find("events_spec.lua:%d+: oops"))
+        assert.is_nil(failed)
+        assert.equal(2, #lines - before)
+        failed = true
+      end
+    end
+    assert.is_true(failed)
+    assert.same({ "begin1", "begin2", "begin3" }, lines)
+    for n = 1, 3 do
+      assert.equal(84, boxes[n].y)
+      assert.equal(floor, boxes[n].touching.bottom)
+    end
+  end)
+
+  it("may call update itself", function()
+    local box = world:add("boxes", newBox(0, 60))
+    local deep = 0
+    box.onBegin = function()
+      deep = deep + 1
+      world:update(DT)
+    end
+    play(world, 60)
+    assert.equal(1, deep)
+    assert.equal(84, box.y)
+  end)
+end)
+
+describe("canCollide", function()
+  local world, floor, box
+
+  before_each(function()
+    world = physics.newWorld({ gravity = 800 })
+    floor = world:add("tiles", newWall(-200, 100, 800, 16))
+    box = world:add("boxes", newBox(0, 60))
+  end)
+
+  it("is asked with self, the other and the side of self; of the world with both", function()
+    local lines = {}
+    local function note(who)
+      return function(self, other, side)
+        local first, second = self == box and "box" or "floor", other == box and "box" or "floor"
+        lines[who] = ("%s %s %s"):format(first, second, side)
+        return true
+      end
+    end
+    box.canCollide, floor.canCollide, world.canCollide = note("box"), note("floor"), note("world")
+    play(world, 60)
+    assert.same({
+      box = "box floor bottom",
+      floor = "floor box top",
+      world = "box floor bottom",
+    }, lines)
+    assert.equal(84, box.y)
+  end)
+
+  it("says no with false and nothing else", function()
+    box.canCollide = function() end
+    play(world, 60)
+    assert.equal(84, box.y)
+    box.canCollide = function()
+      return false
+    end
+    play(world, 30)
+    assert.is_true(box.y > 100)
+  end)
+
+  it("lets pass for this step only", function()
+    local log, passes = listen(box), 1
+    box.onStay = nil
+    box.vy, box.y = 600, 75 -- 10 px a step: it is inside the floor then
+    box.canCollide = function()
+      passes = passes - 1
+      return passes < 0
+    end
+    world:update(DT)
+    assert.is_true(box.y > 84.5)
+    assert.is_false(box.touching.bottom)
+    checkLog(log, 0, 0)
+    world:update(DT)
+    assert.equal(84, box.y)
+    play(world, 5)
+    checkLog(log, 1, 0)
+  end)
+
+  it("is asked by those who rest, too: it may say something else today", function()
+    local open = false
+    box.canCollide = function()
+      return not open
+    end
+    play(world, 200)
+    assert.equal(84, box.y)
+    open = true
+    play(world, 30)
+    assert.is_true(box.y > 100)
+    box.canCollide, box.y, box.vy = nil, 60, 0
+    open = false
+    world.canCollide = function()
+      return not open
+    end
+    play(world, 200)
+    assert.equal(84, box.y)
+    open = true
+    play(world, 30)
+    assert.is_true(box.y > 100)
+  end)
+
+  it("is asked about sensors, too", function()
+    local sensor = world:add("sensors", newWall(-50, 70, 200, 4))
+    sensor.sensor = true
+    local log = listen(sensor)
+    sensor.canCollide = function()
+      return false
+    end
+    play(world, 60)
+    checkLog(log, 0, 0)
+    sensor.canCollide = nil
+    world:refresh(sensor)
+    box.y, box.vy = 40, 0
+    play(world, 60)
+    assert.equal(1, log.begins)
+  end)
+
+  it("makes a gate that lets through from one side", function()
+    local gate = world:add("gates", newWall(100, 0, 8, 100))
+    gate.canCollide = function(_, _, side)
+      return side ~= "left"
+    end
+    box.y = 84
+    for _ = 1, 60 do
+      box.vx = 200
+      world:update(DT)
+    end
+    assert.is_true(box.x > 108)
+    for _ = 1, 200 do
+      box.vx = -200
+      world:update(DT)
+    end
+    assert.equal(108, box.x)
+    assert.equal(gate, box.touching.left)
+  end)
+
+  it("that fails leaves the world as it was before the step", function()
+    play(world, 10)
+    local other = world:add("boxes", newBox(100, 0, { vx = 50 }))
+    play(world, 1)
+    local twin = physics.newWorld({ gravity = 800 })
+    twin:add("tiles", newWall(-200, 100, 800, 16))
+    local twinBox = twin:add("boxes", newBox(0, 60))
+    play(twin, 10)
+    local twinOther = twin:add("boxes", newBox(100, 0, { vx = 50 }))
+    play(twin, 1)
+    local fails = 0
+    for _ = 1, 60 do
+      box.canCollide = function()
+        error("oops")
+      end
+      local x, y, vx, vy = box.x, box.y, box.vx, box.vy
+      local otherX, otherY = other.x, other.y
+      local ok, message = pcall(world.update, world, DT)
+      if not ok then
+        fails = fails + 1
+        assert.truthy(message:find("events_spec.lua:%d+: oops"))
+        assert.same({ x, y, vx, vy, otherX, otherY }, {
+          box.x,
+          box.y,
+          box.vx,
+          box.vy,
+          other.x,
+          other.y,
+        })
+        box.canCollide = nil
+        world:update(DT)
+      end
+      twin:update(DT)
+      assert.equal(twinBox.y, box.y)
+      assert.equal(twinOther.y, other.y)
+      assert.equal(twinOther.x, other.x)
+    end
+    assert.is_true(fails > 0)
+  end)
+end)
+
+describe("onCrush", function()
+  it("is told to the object and to the world, once", function()
+    local world = physics.newWorld({ gravity = 0 })
+    local left = world:add("presses", newWall(0, 0, 16, 64))
+    local right = world:add("presses", {
+      x = 48,
+      y = 0,
+      width = 16,
+      height = 64,
+      kinematic = true,
+      vx = -60,
+    })
+    local box = world:add("boxes", newBox(20, 20))
+    local lines = {}
+    local function note(object, a, b, axis)
+      assert.equal(box, object)
+      assert.is_true(a == left and b == right or a == right and b == left)
+      lines[#lines + 1] = axis
+    end
+    box.onCrush, world.onCrush = note, note
+    play(world, 40)
+    assert.same({ "x", "x" }, lines)
+    assert.is_true(box.vx - box.vx == 0)
+  end)
+end)

@@ -1,0 +1,453 @@
+--- Crushing: held between two that cannot give way.
+
+local scene = require "spec.support.scene"
+local turn = require "spec.support.turn"
+local variants = require "spec.support.variants"
+
+local EVERYWHERE = { rate = variants.RATES, turn = variants.TURNS }
+-- For the relatives of another row: 16 variants.
+local SOME = { shift = { 0, 1 / 3, 100000.3 }, rate = { 60, 30, "irregular" } }
+SOME.order, SOME.turn = { "forward", "shuffled" }, variants.TURNS
+local abs = math.abs
+
+local FLOOR = { "tiles", { name = "floor", x = -200, y = 116, width = 800, height = 32, static = true } }
+
+local function box(name, x, y, fields)
+  local object = { name = name, x = x, y = y, width = 16, height = 16 }
+  for key, value in pairs(fields or {}) do object[key] = value end
+  return { "boxes", object }
+end
+
+local function wall(name, x, y, width, height, vx, vy)
+  local object = { name = name, x = x, y = y, width = width, height = height, kinematic = true }
+  object.vx, object.vy = vx, vy
+  return { "walls", object }
+end
+
+--- Row 8's scene: two walls that meet at x = 100 after 1.2 s, `count` boxes in the middle.
+local function between(count, fields)
+  local half = 8 * count
+  local description = {
+    FLOOR,
+    wall("L", 60 - (half - 8), 52, 16, 64, 20, 0),
+    wall("R", 124 + (half - 8), 52, 16, 64, -20, 0),
+  }
+  for i = 1, count do
+    local x = 100 - half + 16 * (i - 1)
+    description[#description + 1] = box("box" .. i, x, 100, fields)
+  end
+  return description
+end
+
+--- Counts who is crushed, and between whom, from now on.
+local function watch(run, view)
+  local log = { count = 0 }
+  view.raw.onCrush = function(_, a, b, axis)
+    log.count = log.count + 1
+    if run.turn % 2 == 1 then axis = axis == "x" and "y" or "x" end
+    log.a, log.b, log.axis = run.views[a], run.views[b], axis
+  end
+  return log
+end
+
+--- Fails unless an object was crushed `count` times, the last time between these two.
+local function crushed(run, log, count, one, other, axis)
+  run:same("onCrush", log.count, count)
+  run:same("axis", log.axis, axis)
+  local found = log.a == one and log.b == other or log.a == other and log.b == one
+  run:check(found, "should be crushed by others than %s and %s", log.a.name, log.b.name)
+end
+
+local function finite(run, view, limit)
+  run:check(abs(view.vx) <= limit + 1e-6, "vx is %.9g", view.vx)
+  run:check(abs(view.vy) <= limit + 1e-6, "vy is %.9g", view.vy)
+end
+
+describe("crushing", function()
+  --   |L|  +-+  |R|
+  --   |L|->+-+<-|R|
+  --   -------------
+  describe("between two walls", function()
+    it("(8) tells once, at the step after they have met it", function()
+      scene.each({ turn = variants.TURNS }, function(run)
+        local named = run:build(between(1))
+        local log = watch(run, named.box1)
+        for time in run:steps(1) do
+          local step = math.floor(time * 60 + 0.5)
+          run:same("onCrush at step " .. step, log.count, step >= 49 and 1 or 0)
+          run:near("x", named.box1.x, 92, 0.34)
+          run:near("y", named.box1.y, 100)
+          finite(run, named.box1, 20)
+        end
+        crushed(run, log, 1, named.L, named.R, "x")
+      end)
+    end)
+
+    it("(8) holds it in the middle and lets go when they back off", function()
+      scene.each(EVERYWHERE, function(run)
+        local named = run:build(between(1))
+        local log = watch(run, named.box1)
+        for _ in run:steps(1.5) do
+          run:at(named.box1, 92, 100)
+          finite(run, named.box1, 20)
+        end
+        run:near("L.x", named.L.x, 90)
+        named.L.vx, named.R.vx = -20, 20
+        for time in run:steps(1.5) do
+          run:at(named.box1, 92, 100)
+          finite(run, named.box1, 20)
+          if time > 0.71 then run:same("vx", named.box1.vx, 0) end
+        end
+        crushed(run, log, 1, named.L, named.R, "x")
+        named.box1.vx = 10
+        local x = named.box1.x
+        for time in run:steps(0.5) do run:at(named.box1, x + 10 * time, 100) end
+        run:touches(named.box1, "bottom")
+      end)
+    end)
+
+    it("(8) tells again after it has been free", function()
+      scene.each(EVERYWHERE, function(run)
+        local named = run:build(between(1))
+        local log = watch(run, named.box1)
+        for i = 1, 3 do
+          named.L.vx, named.R.vx = 20, -20
+          run:play(1)
+          crushed(run, log, i, named.L, named.R, "x")
+          named.L.vx, named.R.vx = -20, 20
+          run:play(1)
+          run:at(named.box1, 92, 100)
+          run:still(named.box1)
+        end
+      end)
+    end)
+
+    for _, count in ipairs { 2, 3 } do
+      it(("%d boxes share the overlap and are told once each"):format(count), function()
+        scene.each(EVERYWHERE, function(run)
+          local named = run:build(between(count))
+          local logs, views = {}, { [0] = named.L, [count + 1] = named.R }
+          for i = 1, count do
+            views[i] = named["box" .. i]
+            logs[i] = watch(run, views[i])
+          end
+          for time in run:steps(1) do
+            local deep = math.max(0, 2 * (20 * time - 16))
+            for i = 1, count do
+              run:near("y", views[i].y, 100)
+              finite(run, views[i], 20)
+              local left = named.L.x + 16 + 16 * (i - 1) - i * deep / (count + 1)
+              if deep > 0 then run:near("x of " .. i, views[i].x, left, 1e-6) end
+            end
+          end
+          for i = 1, count do crushed(run, logs[i], 1, views[i - 1], views[i + 1], "x") end
+          named.L.vx, named.R.vx = -20, 20
+          run:play(1)
+          for i = 1, count do
+            run:at(views[i], 100 - 8 * count + 16 * (i - 1), 100)
+            run:still(views[i])
+          end
+        end)
+      end)
+    end
+
+    it("one of which stands still, that one counts, too", function()
+      scene.each(SOME, function(run)
+        local named = run:build {
+          FLOOR,
+          wall("L", 60, 52, 16, 64, 20, 0),
+          { "tiles", { name = "post", x = 124, y = 52, width = 16, height = 64, static = true } },
+          box("box1", 92, 100),
+        }
+        local log = watch(run, named.box1)
+        for time in run:steps(2) do
+          local x = math.max(92, 76 + 20 * time)
+          if x > 108 then x = (76 + 20 * time + 108) / 2 end
+          run:at(named.box1, x, 100)
+          finite(run, named.box1, 20)
+        end
+        crushed(run, log, 1, named.L, named.post, "x")
+      end)
+    end)
+
+    it("that the game places, the same", function()
+      scene.each(SOME, function(run)
+        local description = between(1)
+        description[2][2].vx, description[3][2].vx = 0, 0
+        local named = run:build(description)
+        local log = watch(run, named.box1)
+        for time in run:steps(1, function()
+          named.L.x, named.R.x = named.L.x + 0.5, named.R.x - 0.5
+        end) do
+          run:near("x", named.box1.x, 92)
+          run:near("y", named.box1.y, 100)
+          run:check(abs(named.box1.vx) < 1e4 and time > 0, "vx is %.9g", named.box1.vx)
+        end
+        run:check(log.count <= 1, "onCrush %d times", log.count)
+      end)
+    end)
+
+    it("that pass right through each other leaves it where it is", function()
+      scene.each(SOME, function(run)
+        local named = run:build(between(1))
+        local log = watch(run, named.box1)
+        for _ in run:steps(5) do
+          run:at(named.box1, 92, 100)
+          finite(run, named.box1, 20)
+        end
+        run:same("onCrush", log.count, 1)
+        run:still(named.box1)
+      end)
+    end)
+
+    for _, fields in ipairs {
+      { restitution = 1 },
+      { mass = 1000 },
+      { friction = 1 },
+      { pushable = false },
+      { ax = 3000 },
+      { gravity = 0, gravityX = 0 },
+    } do
+      local name, value = next(fields)
+      it(("is no throw with %s = %s"):format(name, tostring(value)), function()
+        scene.each(SOME, function(run)
+          local named = run:build(between(1, fields))
+          local log = watch(run, named.box1)
+          run:play(1)
+          run:same("onCrush", log.count, 1)
+          for _ in run:steps(1 / 6) do
+            run:at(named.box1, 92, 100)
+            finite(run, named.box1, 20)
+          end
+        end)
+      end)
+    end
+
+    for _, speed in ipairs { 600, 6000 } do
+      it(("at %g px/s is no throw"):format(speed), function()
+        scene.each(SOME, function(run)
+          local named = run:build {
+            FLOOR,
+            wall("L", 92 - 16 - 100, 52, 16, 64, speed, 0),
+            wall("R", 108 + 100, 52, 16, 64, -speed, 0),
+            box("box1", 92, 100),
+          }
+          local log = watch(run, named.box1)
+          for _ in run:steps(1 / 3) do
+            run:near("y", named.box1.y, 100)
+            run:check(named.box1.x >= -24 and named.box1.x <= 208, "is at %.9g", named.box1.x)
+            finite(run, named.box1, speed)
+          end
+          run:check(log.count <= 1, "onCrush %d times", log.count)
+        end)
+      end)
+    end
+
+    it("disturbs nobody else", function()
+      scene.each(SOME, function(run)
+        local description = between(1)
+        description[#description + 1] = box("rider", 92, 84)
+        description[#description + 1] = box("near", 160, 100)
+        description[#description + 1] = box("far", -50, 100)
+        local named = run:build(description)
+        run:play(1 / 6)
+        local near, far = run:listen(named.near), run:listen(named.far)
+        for _ in run:steps(2 / 3) do
+          run:at(named.near, 160, 100)
+          run:at(named.far, -50, 100)
+          run:at(named.rider, 92, 84)
+          run:still(named.near)
+          run:still(named.far)
+        end
+        run:same("events", near.begins + near.ends + far.begins + far.ends, 0)
+      end)
+    end)
+  end)
+
+  --   ------------- ceiling, its lower side at y = 16
+  --       +-+
+  --       +-+
+  --     +=====+     lift
+  describe("between a lift and a ceiling", function()
+    --- `count` boxes on a lift, `gap` px below the ceiling.
+    local function stack(count, gap)
+      local top = 16 + gap + 16 * count
+      local description = {
+        { "tiles", { name = "ceiling", x = 0, y = 0, width = 200, height = 16, static = true } },
+        wall("lift", 80, top, 40, 8, 0, 0),
+        box("bystander", 400, 0, { gravity = 0, gravityX = 0 }),
+      }
+      for i = 1, count do
+        description[#description + 1] = box("box" .. i, 92 + i, gap + 16 * i)
+      end
+      return description
+    end
+
+    for _, count in ipairs { 1, 2, 3 } do
+      for vy, gap in pairs { [-60] = 30, [-600] = 90 } do
+        it(("(8) %d on each other, lift at %g px/s"):format(count, vy), function()
+          scene.each(EVERYWHERE, function(run)
+            local named = run:build(stack(count, gap))
+            run:play(1 / 6)
+            named.lift.vy = vy
+            local logs, views = {}, { [0] = named.ceiling, [count + 1] = named.lift }
+            for i = 1, count do
+              views[i] = named["box" .. i]
+              logs[i] = watch(run, views[i])
+            end
+            local seconds = vy == -60 and 2 / 3 or 1 / 6 -- 10 px too far
+            local wasCrushed = false
+            for time in run:steps(seconds) do
+              local deep = -gap - vy * time
+              for i = 1, count do
+                run:near("x", views[i].x, 92 + i)
+                finite(run, views[i], -vy)
+                if deep > 1e-3 then
+                  run:near("y", views[i].y, 16 + 16 * (i - 1) - i * deep / (count + 1), 1e-6)
+                end
+              end
+              wasCrushed = wasCrushed or deep > 1e-3
+            end
+            run:check(wasCrushed, "should have been crushed")
+            for i = 1, count do crushed(run, logs[i], 1, views[i - 1], views[i + 1], "y") end
+            named.lift.vy = -vy
+            for _ in run:steps(seconds) do
+              for i = 1, count do
+                run:near("x on the way back", views[i].x, 92 + i)
+                finite(run, views[i], -vy + 400)
+              end
+            end
+            named.lift.vy = 0
+            run:play(0.5)
+            for i = 1, count do
+              run:at(views[i], 92 + i, gap + 16 * i)
+              run:still(views[i])
+            end
+            run:at(named.bystander, 400, 0)
+          end)
+        end)
+      end
+    end
+
+    it("a lift that stops in time crushes nobody", function()
+      scene.each(SOME, function(run)
+        local named = run:build(stack(2, 30))
+        run:play(1 / 6)
+        local log = watch(run, named.box1)
+        named.lift.vy = -60
+        run:play(0.5)
+        named.lift.vy = 0
+        for _ in run:steps(0.5) do
+          run:at(named.box1, 93, 16)
+          run:at(named.box2, 94, 32)
+          run:still(named.box1)
+          run:still(named.box2)
+        end
+        run:same("onCrush", log.count, 0)
+      end)
+    end)
+  end)
+
+  --     +=====+  press
+  --       +-+ v
+  --       +-+
+  --   -------------
+  describe("by a press on a floor", function()
+    for _, count in ipairs { 1, 2, 3 } do
+      it(("holds %d, whatever gravity is"):format(count), function()
+        for _, gravity in ipairs { 800, 0, -800 } do
+          scene.each(gravity == 800 and EVERYWHERE or SOME, function(run)
+            local description = {
+              gravity = gravity,
+              FLOOR,
+              wall("press", 80, 116 - 16 * count - 30 - 8, 40, 8, 0, 60),
+              box("near", 160, 100, { gravity = 0, gravityX = 0 }),
+            }
+            for i = 1, count do
+              local fields = { vx = 0 }
+              description[#description + 1] = box("box" .. i, 92 + i, 116 - 16 * i, fields)
+            end
+            local named = run:build(description)
+            if gravity < 0 then -- held down until the press comes
+              for i = 1, count do named["box" .. i].gravity, named["box" .. i].gravityX = 0, 0 end
+            end
+            local logs, views = {}, { [0] = named.floor, [count + 1] = named.press }
+            for i = 1, count do
+              views[i] = named["box" .. i]
+              logs[i] = watch(run, views[i])
+            end
+            for time in run:steps(2 / 3) do
+              local deep = math.max(0, 60 * time - 30)
+              for i = 1, count do
+                run:near("x", views[i].x, 92 + i)
+                run:near("y", views[i].y, 116 - 16 * i + i * deep / (count + 1))
+                finite(run, views[i], 60)
+              end
+              run:at(named.near, 160, 100)
+            end
+            for i = 1, count do crushed(run, logs[i], 1, views[i - 1], views[i + 1], "y") end
+            named.press.vy = -60
+            run:play(1)
+            for i = 1, count do
+              run:at(views[i], 92 + i, 116 - 16 * i)
+              run:still(views[i])
+            end
+          end)
+        end
+      end)
+    end
+
+    it("a heavy one falls on a box and crushes nobody: it is no wall", function()
+      scene.each(SOME, function(run)
+        local named = run:build {
+          FLOOR,
+          box("box1", 92, 100),
+          box("heavy", 80, 0, { mass = 10000, width = 40 }),
+        }
+        local log = watch(run, named.box1)
+        for _ in run:steps(1) do run:at(named.box1, 92, 100) end
+        run:at(named.heavy, 80, 84)
+        run:same("onCrush", log.count, 0)
+      end)
+    end)
+
+    it("who walks out in time is not crushed, who is held cannot walk", function()
+      scene.each(SOME, function(run)
+        local named = run:build {
+          FLOOR,
+          wall("press", 80, 62, 40, 8, 0, 60),
+          box("box1", 92, 100),
+          box("box2", 110, 100),
+        }
+        local log, log2 = watch(run, named.box1), watch(run, named.box2)
+        run:play(1, function() named.box2.vx = 100 end)
+        run:same("onCrush", log.count, 1)
+        run:same("onCrush of who left", log2.count, 0)
+        run:near("x", named.box2.x, 210)
+        run:near("y", named.box2.y, 100)
+      end)
+    end)
+  end)
+
+  it("a world with a crushed box goes on as before for all others", function()
+    scene.each({ turn = { 0, 1 }, rate = { 60, "irregular" } }, function(run)
+      local description = between(1)
+      description[#description + 1] = box("faller", 300, 0, { restitution = 0.5 })
+      description[#description + 1] = box("slider", -150, 100, { vx = 50, friction = 0.2 })
+      local function track()
+        local list, named = {}, run:build(description)
+        for _ in run:steps(1.5) do
+          for _, name in ipairs { "faller", "slider" } do
+            list[#list + 1] = named[name].x
+            list[#list + 1] = named[name].y
+          end
+        end
+        return list
+      end
+      local one = track()
+      table.remove(description, 4) -- without the box
+      local other = track()
+      for i = 1, #one do run:same("number " .. i, one[i], other[i]) end
+    end)
+  end)
+end)

@@ -1,0 +1,188 @@
+--- One scene with everything in it, for the specs of states and of determinism. What the game writes
+--- depends on the number of the step and on what stands in the world's tables alone, so any step can
+--- be played again. Run as a file it prints the fold of the whole run, see determinism_spec.lua.
+
+local physics = require "physics"
+local newRandom = require("spec.support.random").new
+
+local everything = {}
+
+everything.STEPS = 240
+local RATES = { 1 / 60, 1 / 60, 1 / 144, 1 / 30, 1 / 60, 0.05 }
+local ROOM = 480
+
+local function makeLevel(put)
+  for i = 0, 29 do
+    put("tiles", {
+      x = 16 * i,
+      y = ROOM,
+      width = 16,
+      height = 16,
+      static = true,
+      friction = i % 3 == 0 and 0.5 or nil,
+    })
+  end
+  put("walls", { x = -16, y = -100, width = 16, height = ROOM + 116, static = true })
+  put("walls", { x = ROOM, y = -100, width = 16, height = ROOM + 116, static = true })
+  put("walls", { x = 300, y = 330, width = 60, height = 10, static = true })
+  put("shelves", { x = 40, y = 380, width = 80, height = 6, static = true, oneWay = "top" })
+  put("shelves", { x = 150, y = 340, width = 60, height = 6, static = true, oneWay = "top" })
+  put("shelves", { x = 230, y = 380, width = 6, height = 60, static = true, oneWay = "left" })
+  put("belts", { x = 360, y = 440, width = 90, height = 8, static = true, surfaceSpeed = -60 })
+  put("coins", { x = 200, y = 420, width = 10, height = 10, static = true, sensor = true })
+  put("coins", { x = 0, y = 300, width = ROOM, height = 1, static = true, sensor = true })
+end
+
+local function makePlatforms(put)
+  put("lifts", { x = 130, y = 440, width = 60, height = 8, kinematic = true, vx = 50 })
+  put("lifts", { x = 300, y = 440, width = 50, height = 8, kinematic = true, vy = -40 })
+  put("lifts", {
+    x = 20,
+    y = 430,
+    width = 50,
+    height = 8,
+    kinematic = true,
+    carry = false,
+    vx = 30,
+  })
+  put("lifts", { x = 240, y = 300, width = 40, height = 8, kinematic = true })
+end
+
+local function makeBoxes(put)
+  local random = newRandom(7)
+  for i = 0, 29 do
+    local box = {
+      x = 20 + 44 * (i % 10) + random:between(0, 8),
+      y = 60 + 40 * (i - i % 10) / 10 + random:between(0, 8),
+      width = random:between(8, 24),
+      height = random:between(8, 24),
+      vx = random:between(-80, 80),
+    }
+    if i % 2 == 0 then box.friction = random:between(0.1, 1) end
+    if i % 3 == 0 then box.restitution = random:pick { 0.3, 0.6, 1 } end
+    if i % 4 == 0 then box.mass = random:between(0.5, 6) end
+    if i % 5 == 0 then box.airFriction = random:between(0, 2) end
+    if i % 6 == 0 then box.drag = random:between(0, 60) end
+    if i % 7 == 0 then box.maxSpeed = 250 end
+    if i % 8 == 1 then box.maxSpeedX, box.maxSpeedY = 90, 300 end
+    if i % 9 == 1 then box.gravity = random:pick { -50, 0, 1200 } end
+    if i % 10 == 2 then box.gravityX = 100 end
+    if i % 11 == 3 then box.ax, box.ay = 40, -20 end
+    if i == 5 or i == 16 then box.pushable = false end
+    if i == 7 then box.mask = { coins = false, lifts = false } end
+    if i == 9 then box.sensor = true end
+    put(i % 2 == 0 and "boxes" or "crates", box)
+  end
+end
+
+-- A bullet that hits something solid is gone, and leaves a spark; a coin counts.
+local function onBegin(world)
+  return function(a, b)
+    local objects = world.objects
+    for _, pair in ipairs { { a, b }, { b, a } } do
+      local bullet, other = pair[1], pair[2]
+      if bullet.width == 4 and bullet.height == 2 then
+        if not other.sensor and world:remove(bullet) then
+          world:add("sparks", { x = bullet.x, y = bullet.y, width = 3, height = 3, vy = -90 })
+        end
+      end
+    end
+    if a == objects.player or b == objects.player then
+      objects.player.mass = 3 - objects.player.mass
+    end
+  end
+end
+
+-- The world with all that answers, and nothing in it.
+function everything.newWorld(settings)
+  local all = {
+    gravity = 700,
+    masks = { sparks = { sparks = false, bullets = false } },
+    order = { "walls", "player" },
+  }
+  for key, value in pairs(settings or {}) do all[key] = value end
+  local world = physics.newWorld(all)
+  world.onBegin = onBegin(world)
+  world.canCollide = function(a, b) return not (a.width == 3 and b.width == 10) end
+  return world
+end
+
+--- Puts the scene into a world.
+---@param insert function? like world.add
+function everything.fill(world, insert)
+  insert = insert or world.add
+  local function put(group, object) insert(world, group, object) end
+  makeLevel(put)
+  makePlatforms(put)
+  makeBoxes(put)
+  world.objects.player =
+    { x = 60, y = 300, width = 14, height = 22, friction = 0.3, mass = 1, nudge = 4 }
+  return world
+end
+
+function everything.new(settings, insert)
+  return everything.fill(everything.newWorld(settings), insert)
+end
+
+local function steerLifts(objects, n)
+  local lift = objects.lifts[1]
+  if lift.x > 220 then lift.vx = -50 elseif lift.x < 100 then lift.vx = 50 end
+  lift = objects.lifts[2]
+  if lift.y < 345 then lift.vy = 40 elseif lift.y > 450 then lift.vy = -40 end
+  lift = objects.lifts[3]
+  if lift.x > 90 then lift.vx = -30 elseif lift.x < 5 then lift.vx = 30 end
+  objects.lifts[4].x = 240 + (n % 40 < 20 and n % 20 or 20 - n % 20) * 3
+end
+
+local function steerPlayer(world, player, n, input)
+  local held = (n * 7 + input) % 60
+  player.vx = held < 25 and 140 or held < 45 and -120 or player.vx
+  local touching = player.touching
+  if touching and touching.bottom and n % 23 == input % 23 then player.vy = -320 end
+  if touching and touching.bottom and n % 31 == 5 then world:dropThrough(player) end
+  if n % 50 == 40 then player.x, player.y = 60 + 5 * (n % 7), 250 end
+end
+
+local function disturb(world, n)
+  local objects = world.objects
+  local boxes, crates = objects.boxes, objects.crates
+  if n % 9 == 3 then
+    world:add("bullets", { x = 10, y = 200 + n, width = 4, height = 2, vx = 2500, gravity = 0 })
+  end
+  if n % 17 == 4 and #boxes > 4 then table.remove(boxes, n % #boxes + 1) end
+  if n % 13 == 2 then table.insert(boxes, { x = 30 + n, y = 10, width = 12, height = 12 + n % 5 }) end
+  if n % 19 == 6 then crates[n % #crates + 1].width = 8 + n % 14 end
+  if n % 21 == 7 then crates[n % 3 + 1].active = crates[n % 3 + 1].active == false end
+  if n % 27 == 8 then world:impulse(crates[n % #crates + 1], 60, -200) end
+  if n % 37 == 9 then world.gravity = 1300 - world.gravity end
+  if n % 41 == 10 then world:move(crates[4], crates[4].x + 20, crates[4].y - 10) end
+  if n % 43 == 11 then crates[5].mask = n % 2 == 0 and { boxes = false } or nil end
+  if n % 57 == 12 then world.masks.sparks.boxes = n % 2 == 0 and true or false end
+end
+
+--- Makes step number n; `input` (integer, default 0) is what the player does.
+function everything.step(world, n, input)
+  steerLifts(world.objects, n)
+  steerPlayer(world, world.objects.player, n, input or 0)
+  disturb(world, n)
+  world:update(RATES[n % #RATES + 1])
+end
+
+--- Plays the scene to its end and folds the hashes of all steps into one number.
+---@param world table? a filled world
+---@param between function? called before every step
+function everything.fold(world, between)
+  world = world or everything.new()
+  local sum = 0.0
+  for n = 1, everything.STEPS do
+    if between then between(world, n) end
+    everything.step(world, n)
+    sum = sum * 31 + world:hash()
+    sum = sum - math.floor(sum / 99999999999973) * 99999999999973
+  end
+  return ("%.0f"):format(sum)
+end
+
+if arg and arg[0] and arg[0]:find("everything%.lua$") then io.write(everything.fold(), "\n") end
+
+return everything
