@@ -197,17 +197,23 @@ local function meetDeep(b, p, ka, kc)
     _, axis, secondIsLow = approach.decode(b.wedged[p] - 1)
     secondIsLow = secondIsLow == (b.pairA[p] * 2 == ka)
   else
+    -- A tie is decided by the order of the world, not by who of the two is looked at.
+    local isSwapped = b.rank[kc / 2] < b.rank[ka / 2]
+    local one, other = ka, kc
+    if isSwapped then
+      one, other = kc, ka
+    end
     local side = SIDE_CODES[aabb.side(
-      from[ka],
-      from[ka + 1],
-      size[ka],
-      size[ka + 1],
-      from[kc],
-      from[kc + 1],
-      size[kc],
-      size[kc + 1]
+      from[one],
+      from[one + 1],
+      size[one],
+      size[one + 1],
+      from[other],
+      from[other + 1],
+      size[other],
+      size[other + 1]
     )]
-    axis, secondIsLow = side[1], side[2]
+    axis, secondIsLow = side[1], side[2] ~= isSwapped
   end
   local low, high = ka + axis, kc + axis
   if secondIsLow then

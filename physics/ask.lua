@@ -24,6 +24,8 @@ function ask.permits(b, low, high, axis)
   if not (world or b.canCollide[low] or b.canCollide[high]) then
     return true
   end
+  -- The answer may be another one in the next step: who is asked about does not rest.
+  b.heard[low], b.heard[high] = true, true
   local one, other = low, high
   if b.rank[high] < b.rank[low] then
     one, other = high, low

@@ -28,11 +28,11 @@ function begin.run(b)
     holderLow[k], holderHigh[k], crushed[k] = 0, 0, false
   end
   local pressedLow, pressedHigh, stuck, grip = b.pressedLow, b.pressedHigh, b.stuck, b.grip
-  local buried = b.buried
+  local buried, heard = b.buried, b.heard
   for n = first, last do
     local i = list[n]
     local k = 2 * i
-    stuck[i], grip[i], buried[i] = false, 0, false
+    stuck[i], grip[i], buried[i], heard[i] = false, 0, false, false
     pressedLow[k], pressedHigh[k] = false, false
     pressedLow[k + 1], pressedHigh[k + 1] = false, false
   end

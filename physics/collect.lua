@@ -74,6 +74,7 @@ local function readPull(b, i)
   if b.kind[i] ~= DYNAMIC then
     gx, gy = 0, 0
   end
+  gx, gy = gx + 0.0, gy + 0.0 -- squares of integers would wrap
   local vertical = gx * gx <= gy * gy
   b.pull[k], b.pull[k + 1] = gx, gy
   b.down[k] = vertical and 0 or (gx > 0 and 1 or -1)

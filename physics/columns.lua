@@ -54,7 +54,7 @@ local SLOT = {
   awake = false,
   awakeAt = 0, -- place in the list of who is awake
   quiet = false, -- its last step changed nothing
-  heard = false, -- somebody is told of its contacts at every step
+  heard = false, -- somebody is told of its contacts, or asked about them, at every step
   hears = false, -- its onStay
   visited = 0,
   -- the step

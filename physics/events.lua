@@ -50,9 +50,20 @@ local function add(b, kind, i, j, side, speed)
   e.side[n], e.speed[n] = side, speed
 end
 
+-- Whether anybody wants to be told of a contact at every step. Such objects cannot rest.
+local function isHeard(b, i, j)
+  if b.world.onStay or b.object[i].onStay or b.object[j].onStay then
+    b.heard[i], b.heard[j] = true, true
+    return true
+  end
+  return false
+end
+
 --- Notes that a contact of pair p has begun on `side` of the pair's first.
 function events.begin(b, p, side, speed)
-  add(b, BEGIN, b.pairA[p], b.pairB[p], side, speed)
+  local i, j = b.pairA[p], b.pairB[p]
+  isHeard(b, i, j)
+  add(b, BEGIN, i, j, side, speed)
 end
 
 --- Notes that a contact has ended.
@@ -66,13 +77,11 @@ function events.bounce(b, p, side, speed)
   add(b, LEFT, b.pairA[p], b.pairB[p], side, 0)
 end
 
---- Notes that a contact goes on, if anybody wants to know. Who is listened to at every step cannot
---- sleep.
+--- Notes that a contact goes on, if anybody wants to know.
 function events.stay(b, p, side)
   local i, j = b.pairA[p], b.pairB[p]
-  if b.world.onStay or b.object[i].onStay or b.object[j].onStay then
+  if isHeard(b, i, j) then
     add(b, STAY, i, j, side, 0)
-    b.heard[i], b.heard[j] = true, true
   end
 end
 

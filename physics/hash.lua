@@ -87,18 +87,25 @@ local function mixDense(sum, list, count)
   end
 end
 
--- Values of a sparse list; a field that is set to its default is as if it were not set.
-local function mixSparse(sum, name, list)
-  if #list == 0 then
-    return
-  end
-  local default = name ~= "friction" and fields.objectByName[name].default
-  mixText(sum, name)
+-- A sparse list of a field. `default`: a value that is as good as none.
+local function mixSparse(sum, name, list, default)
+  local isNamed = false
   for at = 1, #list, 2 do
-    if list[at + 1] ~= default or default == nil then
+    if default == nil or list[at + 1] ~= default then
+      if not isNamed then
+        mixText(sum, name)
+        isNamed = true
+      end
       mix(sum, list[at])
       mixAny(sum, list[at + 1])
     end
+  end
+end
+
+-- Without a friction of its own a static object takes the other's, which is not the same as 0.
+local function defaultOf(name)
+  if name ~= "friction" then
+    return fields.objectByName[name].default
   end
 end
 
@@ -159,11 +166,15 @@ function hash.of(out)
     mixDense(sum, out[entry[1]], out.count)
   end
   for _, entry in ipairs(state.SPARSE) do
-    mixSparse(sum, entry[1], out.fields[entry[1]])
+    mixSparse(sum, entry[1], out.fields[entry[1]], defaultOf(entry[1]))
   end
-  for _, list in ipairs({ state.DENSE, state.SPARSE }) do
-    for _, entry in ipairs(list) do
-      mixSparse(sum, entry[1], out.read[entry[1]] or {})
+  for _, entries in ipairs({ state.DENSE, state.SPARSE }) do
+    for _, entry in ipairs(entries) do
+      local list = out.read[entry[1]]
+      if list and #list > 0 then
+        mix(sum, TEXT) -- what was read, not what is
+        mixSparse(sum, entry[1], list)
+      end
     end
   end
   mixMemory(sum, out)

@@ -123,8 +123,13 @@ local function sensorContact(b, p, i, j)
   elseif b.hit[p] ~= 0 then
     return b.hit[p]
   end
+  -- A tie is decided by the order of the world.
+  local isSwapped = b.rank[j] < b.rank[i]
+  if isSwapped then
+    i, j = j, i
+  end
   local to, size, ki, kj = b.to, b.size, 2 * i, 2 * j
-  return SIDE_NUMBER[aabb.side(
+  local side = SIDE_NUMBER[aabb.side(
     to[ki],
     to[ki + 1],
     size[ki],
@@ -134,6 +139,7 @@ local function sensorContact(b, p, i, j)
     size[kj],
     size[kj + 1]
   )]
+  return isSwapped and OPPOSITE[side] or side
 end
 
 local function gapAt(b, k, m)
@@ -326,9 +332,9 @@ end
 
 --- Publishes what the step has brought, for everybody who took part in it.
 function publish.run(b)
-  local list, kind, inside, heard = b.awakeList, b.kind, b.inside, b.heard
+  local list, kind, inside = b.awakeList, b.kind, b.inside
   for n = 1, b.awakeCount do
-    inside[list[n]], heard[list[n]] = false, false
+    inside[list[n]] = false
   end
   findTouching(b, updateContacts(b))
   for n = 1, b.awakeCount do

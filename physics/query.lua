@@ -11,7 +11,6 @@
 local here = (...):match("^(.*)%.[^.]+$")
 local aabb = require(here .. ".aabb")
 local columns = require(here .. ".columns")
-local interpreted = require(here .. ".interpreted")
 local obstacle = require(here .. ".obstacle")
 local sort = require(here .. ".sort")
 local view = require(here .. ".view")
@@ -127,7 +126,7 @@ function query.point(world, x, y, filter, out)
 end
 
 -- Everybody but slot `but` in a rectangle, in order.
-local inRectangle = interpreted(function(v, world, x, y, w, h, but, filter, out)
+local function inRectangle(v, world, x, y, w, h, but, filter, out)
   local found = view.take(v)
   -- Flush is flush to a millionth of a pixel, on either side.
   local depth = world.sideBySide and -EPSILON or EPSILON
@@ -147,7 +146,7 @@ local inRectangle = interpreted(function(v, world, x, y, w, h, but, filter, out)
   end
   sort.by(found, n, v.rank, v.rank, v.rank)
   return publish(v, found, n, filter, out)
-end)
+end
 
 --- Everybody who overlaps a rectangle.
 function query.rectangle(world, x, y, w, h, filter, out)
@@ -169,14 +168,14 @@ end
 
 -- Lines -------------------------------------------------------------------------------------------
 
--- Where a line is told to begin on an axis, and how far it goes. A line along an edge belongs to the
--- box below it or to its right, so that it slips through no seam; to a millionth of a pixel.
+-- Where a line is told to begin on an axis, and how far it goes. A line along an edge belongs to
+-- the box below it or to its right, so that it slips through no seam; to a millionth of a pixel.
 local function begins(p, d)
   return d == 0 and p + EPSILON or p, d == 0 and TINY or d
 end
 
--- Where a line from (x, y) by (dx, dy), as `begins` tells it, enters a box on each axis, and whether
--- it does at all. No branches, so that it is one piece of code for all.
+-- Where a line from (x, y) by (dx, dy), as `begins` tells it, enters a box on each axis, and
+-- whether it does at all. No branches, so that it is one piece of code for all.
 local function enters(v, i, x, y, dx, dy)
   local position, size, k = v.position, v.size, 2 * i
   local left, top = position[k] - x, position[k + 1] - y
@@ -187,8 +186,8 @@ local function enters(v, i, x, y, dx, dy)
   return inX, inY, entry < exit and exit > 0 and entry <= 1
 end
 
--- Keeps of `found` who is hit by the line after `from` and up to `to`, with its `entry`; returns how
--- many. Who is hit at the very beginning is hit after any `from` < 0.
+-- Keeps of `found` who is hit by the line after `from` and up to `to`, with its `entry`; returns
+-- how many. Who is hit at the very beginning is hit after any `from` < 0.
 local function keepHit(v, found, count, x1, y1, x2, y2, from, to)
   local n, entry, active = 0, v.entry, v.active
   local x, dx = begins(x1, x2 - x1)
@@ -281,7 +280,7 @@ end
 
 --- The first on a line: object, x, y, nx, ny, fraction. The line is looked at in pieces, so that a
 --- hit nearby costs little, however long the line is.
-query.raycast = interpreted(function(world, x1, y1, x2, y2, filter)
+function query.raycast(world, x1, y1, x2, y2, filter)
   local v = view.of(world)
   local found = view.take(v)
   local dx, dy = x2 - x1, y2 - y1
@@ -301,7 +300,7 @@ query.raycast = interpreted(function(world, x1, y1, x2, y2, filter)
   if hit then
     return describeHit(v, world, hit, x1, y1, dx, dy, filter)
   end
-end)
+end
 
 -- Near --------------------------------------------------------------------------------------------
 

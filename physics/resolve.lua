@@ -118,19 +118,25 @@ local function shareAccel(b, kl, kh, wl, wh)
   end
 end
 
+-- Whether slot i, which does not give way towards low (high) coordinates, is a wall to what leans on
+-- it. One that merely cannot be pushed is not: it stops where that has no place to go.
+local function isWall(b, i, held)
+  return b.kind[i] ~= DYNAMIC or held
+end
+
 -- What two that rest against each other now do together.
 local function lean(b, lo, hi, kl, kh, wl, wh)
   shareAccel(b, kl, kh, wl, wh)
   if b.kind[lo] == DYNAMIC then
     b.pressedHigh[kl] = true
-    if wh == 0 then
+    if wh == 0 and isWall(b, hi, b.heldHigh[kh]) then
       weld.hold(b, kl, false, true)
       b.holderHigh[kl] = hi
     end
   end
   if b.kind[hi] == DYNAMIC then
     b.pressedLow[kh] = true
-    if wl == 0 then
+    if wl == 0 and isWall(b, lo, b.heldLow[kl]) then
       weld.hold(b, kh, true, false)
       b.holderLow[kh] = lo
     end
@@ -248,7 +254,7 @@ function resolve.run(b, p, lo, hi, axis, t, dt)
   change(b, hi)
   weld.follow(b, kl, to[kl] - oldL, t)
   weld.follow(b, kh, to[kh] - oldH, t)
-  if flush and b.met[p] >= WELDS and b.kind[lo] == DYNAMIC and b.kind[hi] == DYNAMIC then
+  if flush and dv > 0 and b.met[p] >= WELDS and b.kind[lo] == DYNAMIC and b.kind[hi] == DYNAMIC then
     weld.join(b, kl, kh)
   end
   if dv > 0 then

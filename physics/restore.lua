@@ -510,7 +510,7 @@ local function restoreSettings(world, saved)
   end
   settings.apply(world)
   -- Whatever the masks were before, they are applied anew by the next step.
-  world._bodies.masksText = false
+  world._bodies.masksSeen = false
 end
 
 --- Makes a world what it was when `st` was saved.

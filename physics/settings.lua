@@ -19,7 +19,8 @@ local BROADPHASES = { auto = grid, grid = grid, pairs = everybody }
 local effects = {}
 
 local function newGravity(self, b)
-  b.gravityX, b.gravity = self.gravityX, self.gravity
+  -- Adding 0.0 makes floats of the integers of Lua 5.3 and later, whose squares would wrap.
+  b.gravityX, b.gravity = self.gravityX + 0.0, self.gravity + 0.0
   -- Which axis counts as "down" for the order of simultaneous contacts.
   local vertical = b.gravityX * b.gravityX <= b.gravity * b.gravity
   b.downAxis = vertical and 1 or 0
@@ -82,20 +83,28 @@ function effects.masks(self, b)
   rest.wakeAll(b)
 end
 
--- The masks as one text, since the game may change them inside the same table. Rare: most worlds
--- have none, and those that do have few groups.
-local function describeMasks(masks, names)
-  if not masks then
-    return ""
+-- Whether the masks say something else than when they were last read: the game may change them
+-- inside the same table. By the numbers of the two groups in the world's list of names.
+local function haveMasksChanged(b, masks)
+  local names, seen, changed = b.groupNames, b.masksSeen, false
+  if not seen then -- never read, or forgotten by `restore`
+    seen, changed = {}, true
+    b.masksSeen = seen
   end
-  local text = {}
   for m = 1, #names do
-    local group = masks[names[m]]
+    local group, row = masks[names[m]], seen[m]
+    if not row then
+      row = {}
+      seen[m] = row
+    end
     for n = 1, #names do
-      text[#text + 1] = group and group[names[n]] == false and "0" or "1"
+      local refuses = group ~= nil and group[names[n]] == false
+      if refuses ~= (row[n] or false) then
+        row[n], changed = refuses, true
+      end
     end
   end
-  return table.concat(text)
+  return changed
 end
 
 --- Gives a new world its settings: those given, defaults for the rest.
@@ -110,7 +119,7 @@ function settings.fill(self, given)
   end
   b.gravityX, b.gravity = self.gravityX, self.gravity
   b.applied = {}
-  b.masksText = ""
+  b.masksSeen = false
   b.orientation = {}
   settings.apply(self)
 end
@@ -131,9 +140,7 @@ function settings.apply(self)
   end
   if self.masks then
     check.setting("masks", self.masks)
-    local text = describeMasks(self.masks, b.groupNames)
-    if text ~= b.masksText then
-      b.masksText = text
+    if haveMasksChanged(b, self.masks) then
       effects.masks(self, b)
     end
   end

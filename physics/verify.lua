@@ -193,7 +193,10 @@ local function placeOf(st, n)
   for _, group in ipairs(st.groups) do
     if n <= before + group.count then
       local m = n - before
-      return check.place(group.name, not group.direct and (group.keys and group.keys[m] or m) or nil)
+      return check.place(
+        group.name,
+        not group.direct and (group.keys and group.keys[m] or m) or nil
+      )
     end
     before = before + group.count
   end

@@ -268,7 +268,7 @@ function World:remove(object)
 end
 
 --- Reads an object anew, also the fields that are read only once: `static`, and everything of a
---- static object.
+--- static object. Also tells later questions that it has gone far away.
 ---
 --- Errors: no table; an object that is not in the world; a field that cannot be used.
 ---@param object table
@@ -284,6 +284,7 @@ function World:refresh(object)
   elseif not search(self, object) then
     check.fail("world:refresh(object): the object is not in the world, got " .. check.show(object))
   end
+  view.refresh(b, object)
 end
 
 --- Lets an object fall through the one-way objects it stands on. It passes them until it is clear

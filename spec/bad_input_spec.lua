@@ -1,5 +1,5 @@
 --- Bad input: what is refused and in which words, that the game's own line is blamed, and that a
---- refused call has changed nothing: repair the value, and the game goes on as if it had never been.
+--- refused call has changed nothing: repair the value, and the game goes on as if it never was.
 
 local physics = require("physics")
 
@@ -652,12 +652,9 @@ describe("add", function()
     local world = physics.newWorld()
     local box = world:add("boxes", newBox())
     for _ = 1, 2 do
-      refuses(
-        "world:add(group, object): the object already stands at objects.boxes[1]",
-        function()
-          world:add("crates", box)
-        end
-      )
+      refuses("world:add(group, object): the object already stands at objects.boxes[1]", function()
+        world:add("crates", box)
+      end)
       assert.is_nil(world.objects.crates)
       world:update(DT)
     end
@@ -671,12 +668,9 @@ describe("add", function()
   it("refuses a group that is none", function()
     local world = physics.newWorld()
     world.objects.player, world.objects.coins = newBox(), 5
-    refuses(
-      "world:add(group, object): objects.player is not a group, got an object",
-      function()
-        world:add("player", newBox())
-      end
-    )
+    refuses("world:add(group, object): objects.player is not a group, got an object", function()
+      world:add("player", newBox())
+    end)
     refuses("world:add(group, object): objects.coins is not a group, got 5", function()
       world:add("coins", newBox())
     end)

@@ -1,6 +1,7 @@
 --- Momentum is kept, energy never grows.
 
 local newRandom = require("spec.support.random").new
+local overlap = require "spec.support.overlap"
 local scene = require "spec.support.scene"
 local variants = require "spec.support.variants"
 
@@ -175,6 +176,108 @@ describe("a closed box of bouncing boxes", function()
         local _, _, energy = sums(run.all)
         run:check(energy <= last * (1 + 1e-9), "energy rose from %.9g to %.9g", last, energy)
         last = energy
+      end
+    end)
+  end)
+end)
+
+describe("energy does not come out of nowhere", function()
+  --   +--+ 76
+  --  +-------+ 0.001
+  --  +-------+
+  --  =====   +--+
+  --  ledge   |  | 267, comes up
+  --          +--+
+  it("when what stands on a ledge is struck from below: the ledge holds it no longer", function()
+    scene.each(EVERYWHERE, function(run)
+      local plank = { name = "plank", x = 20, y = 84, width = 60, height = 16, mass = 0.001 }
+      local weight = { name = "weight", x = 25, y = 68, width = 16, height = 16, mass = 76 }
+      local hammer = { name = "hammer", x = 60, y = 110, width = 16, height = 16, mass = 267 }
+      plank.restitution, hammer.restitution, hammer.vy = 0.4, 0.5, -147
+      local named = run:build {
+        { "tiles", { x = 0, y = 100, width = 50, height = 20, static = true } },
+        { "boxes", plank },
+        { "boxes", weight },
+        { "boxes", hammer },
+      }
+      local function energy()
+        local sum = 0
+        for _, view in pairs { named.plank, named.weight, named.hammer } do
+          sum = sum + (view.mass or 1) * (view.vy * view.vy / 2 + 800 * (200 - view.y))
+        end
+        return sum
+      end
+      local before = energy()
+      for _ in run:steps(0.5) do
+        local now = energy()
+        run:check(now <= before * 1.001, "energy rose from %.9g to %.9g", before, now)
+        run:check(named.weight.vy >= -147, "the weight flies up at %.6g px/s", named.weight.vy)
+      end
+    end)
+  end)
+
+  --   -----------
+  --     +--+ ^ 159         the small ones are caught between the ceiling and the heavy one
+  --   +------+ v 51
+  --     +--+
+  --     |  | ^ 41, 400 kg
+  it("when light ones are caught between a wall and a heavy one", function()
+    scene.each({ push = variants.PUSHES, turn = variants.TURNS }, function(run)
+      local small = { x = 167.826183, y = 0.217328199, width = 19.2367295, height = 7.71337164 }
+      local wide = { x = 152.410369, y = 7.94959824, width = 16.986005, height = 19.7865252 }
+      local heavy = { x = 157.990531, y = 28.4320278, width = 5.92333902, height = 9.55899454 }
+      small.vy, wide.vy, heavy.vy = -158.709786, 51.285704, -40.6316575
+      small.mass, wide.mass, heavy.mass = 0.00177732552, 0.00122605493, 399.777177
+      small.restitution, wide.restitution, heavy.restitution = 0.639, 0.931066534, 0.625845893
+      run:build {
+        gravity = 0,
+        { "walls", { x = -50, y = -50, width = 300, height = 50, static = true } },
+        { "boxes", small },
+        { "boxes", wide },
+        { "boxes", heavy },
+      }
+      local _, _, last = sums(run.all)
+      for _ in run:steps(1) do
+        local _, _, energy = sums(run.all)
+        run:check(energy <= last * (1 + 1e-9), "energy rose from %.9g to %.9g", last, energy)
+        last = energy
+      end
+    end)
+  end)
+
+  it("in a room of 40 boxes of very different mass, at up to 3000 px/s", function()
+    local levels = { push = variants.PUSHES, rate = { 30, 60, 144 }, order = { "forward" } }
+    levels.shift = { 0, 0.1 }
+    scene.each(levels, function(run)
+      for seed = 1, 4 do
+        local random, description = newRandom(seed), room({ gravity = 0 }, 200, 200)
+        for i = 0, 39 do
+          description[#description + 1] = {
+            "balls",
+            {
+              x = 25 * (i % 8) + random:between(0, 4),
+              y = 25 * math.floor(i / 8) + random:between(0, 4),
+              width = random:between(4, 20),
+              height = random:between(4, 20),
+              vx = random:between(-3000, 3000),
+              vy = random:between(-3000, 3000),
+              mass = random:pick { 0.001, 0.03, 1, 30, 1000 },
+              restitution = random:pick { 0, 0.25, 0.5, 1 },
+              friction = random:pick { 0, 0, 0.5 },
+            },
+          }
+        end
+        run:build(description)
+        local deepest = overlap.checker(run.all)
+        local _, _, last = sums(run.all)
+        for _ in run:steps(1) do
+          local _, _, energy = sums(run.all)
+          local rose = "seed %d: energy rose from %.9g to %.9g"
+          run:check(energy <= last * (1 + 1e-9), rose, seed, last, energy)
+          last = energy
+          local depth = deepest()
+          run:check(depth <= 1e-6, "seed %d: overlap of %.3g px", seed, depth)
+        end
       end
     end)
   end)

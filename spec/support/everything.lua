@@ -2,12 +2,12 @@
 --- depends on the number of the step and on what stands in the world's tables alone, so any step can
 --- be played again. Run as a file it prints the fold of the whole run, see determinism_spec.lua.
 
-local physics = require "physics"
+local physics = require("physics")
 local newRandom = require("spec.support.random").new
 
 local everything = {}
 
-everything.STEPS = 240
+everything.STEPS = 120
 local RATES = { 1 / 60, 1 / 60, 1 / 144, 1 / 30, 1 / 60, 0.05 }
 local ROOM = 480
 
@@ -58,19 +58,45 @@ local function makeBoxes(put)
       height = random:between(8, 24),
       vx = random:between(-80, 80),
     }
-    if i % 2 == 0 then box.friction = random:between(0.1, 1) end
-    if i % 3 == 0 then box.restitution = random:pick { 0.3, 0.6, 1 } end
-    if i % 4 == 0 then box.mass = random:between(0.5, 6) end
-    if i % 5 == 0 then box.airFriction = random:between(0, 2) end
-    if i % 6 == 0 then box.drag = random:between(0, 60) end
-    if i % 7 == 0 then box.maxSpeed = 250 end
-    if i % 8 == 1 then box.maxSpeedX, box.maxSpeedY = 90, 300 end
-    if i % 9 == 1 then box.gravity = random:pick { -50, 0, 1200 } end
-    if i % 10 == 2 then box.gravityX = 100 end
-    if i % 11 == 3 then box.ax, box.ay = 40, -20 end
-    if i == 5 or i == 16 then box.pushable = false end
-    if i == 7 then box.mask = { coins = false, lifts = false } end
-    if i == 9 then box.sensor = true end
+    if i % 2 == 0 then
+      box.friction = random:between(0.1, 1)
+    end
+    if i % 3 == 0 then
+      box.restitution = random:pick({ 0.3, 0.6, 1 })
+    end
+    if i % 4 == 0 then
+      box.mass = random:between(0.5, 6)
+    end
+    if i % 5 == 0 then
+      box.airFriction = random:between(0, 2)
+    end
+    if i % 6 == 0 then
+      box.drag = random:between(0, 60)
+    end
+    if i % 7 == 0 then
+      box.maxSpeed = 250
+    end
+    if i % 8 == 1 then
+      box.maxSpeedX, box.maxSpeedY = 90, 300
+    end
+    if i % 9 == 1 then
+      box.gravity = random:pick({ -50, 0, 1200 })
+    end
+    if i % 10 == 2 then
+      box.gravityX = 100
+    end
+    if i % 11 == 3 then
+      box.ax, box.ay = 40, -20
+    end
+    if i == 5 or i == 16 then
+      box.pushable = false
+    end
+    if i == 7 then
+      box.mask = { coins = false, lifts = false }
+    end
+    if i == 9 then
+      box.sensor = true
+    end
     put(i % 2 == 0 and "boxes" or "crates", box)
   end
 end
@@ -79,7 +105,7 @@ end
 local function onBegin(world)
   return function(a, b)
     local objects = world.objects
-    for _, pair in ipairs { { a, b }, { b, a } } do
+    for _, pair in ipairs({ { a, b }, { b, a } }) do
       local bullet, other = pair[1], pair[2]
       if bullet.width == 4 and bullet.height == 2 then
         if not other.sensor and world:remove(bullet) then
@@ -100,10 +126,14 @@ function everything.newWorld(settings)
     masks = { sparks = { sparks = false, bullets = false } },
     order = { "walls", "player" },
   }
-  for key, value in pairs(settings or {}) do all[key] = value end
+  for key, value in pairs(settings or {}) do
+    all[key] = value
+  end
   local world = physics.newWorld(all)
   world.onBegin = onBegin(world)
-  world.canCollide = function(a, b) return not (a.width == 3 and b.width == 10) end
+  world.canCollide = function(a, b)
+    return not (a.width == 3 and b.width == 10)
+  end
   return world
 end
 
@@ -111,7 +141,9 @@ end
 ---@param insert function? like world.add
 function everything.fill(world, insert)
   insert = insert or world.add
-  local function put(group, object) insert(world, group, object) end
+  local function put(group, object)
+    insert(world, group, object)
+  end
   makeLevel(put)
   makePlatforms(put)
   makeBoxes(put)
@@ -126,11 +158,23 @@ end
 
 local function steerLifts(objects, n)
   local lift = objects.lifts[1]
-  if lift.x > 220 then lift.vx = -50 elseif lift.x < 100 then lift.vx = 50 end
+  if lift.x > 220 then
+    lift.vx = -50
+  elseif lift.x < 100 then
+    lift.vx = 50
+  end
   lift = objects.lifts[2]
-  if lift.y < 345 then lift.vy = 40 elseif lift.y > 450 then lift.vy = -40 end
+  if lift.y < 345 then
+    lift.vy = 40
+  elseif lift.y > 450 then
+    lift.vy = -40
+  end
   lift = objects.lifts[3]
-  if lift.x > 90 then lift.vx = -30 elseif lift.x < 5 then lift.vx = 30 end
+  if lift.x > 90 then
+    lift.vx = -30
+  elseif lift.x < 5 then
+    lift.vx = 30
+  end
   objects.lifts[4].x = 240 + (n % 40 < 20 and n % 20 or 20 - n % 20) * 3
 end
 
@@ -138,9 +182,15 @@ local function steerPlayer(world, player, n, input)
   local held = (n * 7 + input) % 60
   player.vx = held < 25 and 140 or held < 45 and -120 or player.vx
   local touching = player.touching
-  if touching and touching.bottom and n % 23 == input % 23 then player.vy = -320 end
-  if touching and touching.bottom and n % 31 == 5 then world:dropThrough(player) end
-  if n % 50 == 40 then player.x, player.y = 60 + 5 * (n % 7), 250 end
+  if touching and touching.bottom and n % 23 == input % 23 then
+    player.vy = -320
+  end
+  if touching and touching.bottom and n % 31 == 5 then
+    world:dropThrough(player)
+  end
+  if n % 50 == 40 then
+    player.x, player.y = 60 + 5 * (n % 7), 250
+  end
 end
 
 local function disturb(world, n)
@@ -149,23 +199,52 @@ local function disturb(world, n)
   if n % 9 == 3 then
     world:add("bullets", { x = 10, y = 200 + n, width = 4, height = 2, vx = 2500, gravity = 0 })
   end
-  if n % 17 == 4 and #boxes > 4 then table.remove(boxes, n % #boxes + 1) end
-  if n % 13 == 2 then table.insert(boxes, { x = 30 + n, y = 10, width = 12, height = 12 + n % 5 }) end
-  if n % 19 == 6 then crates[n % #crates + 1].width = 8 + n % 14 end
-  if n % 21 == 7 then crates[n % 3 + 1].active = crates[n % 3 + 1].active == false end
-  if n % 27 == 8 then world:impulse(crates[n % #crates + 1], 60, -200) end
-  if n % 37 == 9 then world.gravity = 1300 - world.gravity end
-  if n % 41 == 10 then world:move(crates[4], crates[4].x + 20, crates[4].y - 10) end
-  if n % 43 == 11 then crates[5].mask = n % 2 == 0 and { boxes = false } or nil end
-  if n % 57 == 12 then world.masks.sparks.boxes = n % 2 == 0 and true or false end
+  if n % 17 == 4 and #boxes > 4 then
+    table.remove(boxes, n % #boxes + 1)
+  end
+  if n % 13 == 2 then
+    table.insert(boxes, { x = 30 + n, y = 10, width = 12, height = 12 + n % 5 })
+  end
+  if n % 19 == 6 then
+    crates[n % #crates + 1].width = 8 + n % 14
+  end
+  if n % 21 == 7 then
+    crates[n % 3 + 1].active = crates[n % 3 + 1].active == false
+  end
+  if n % 27 == 8 then
+    world:impulse(crates[n % #crates + 1], 60, -200)
+  end
+  if n % 37 == 9 then
+    world.gravity = 1300 - world.gravity
+  end
+  if n % 41 == 10 then
+    world:move(crates[4], crates[4].x + 20, crates[4].y - 10)
+  end
+  if n % 43 == 11 then
+    crates[5].mask = n % 2 == 0 and { boxes = false } or nil
+  end
+  if n % 57 == 12 then
+    world.masks.sparks.boxes = n % 2 == 0 and true or false
+  end
 end
 
---- Makes step number n; `input` (integer, default 0) is what the player does.
-function everything.step(world, n, input)
+--- Writes what the game writes before step number n; `input` (integer, default 0) is what the
+--- player does.
+function everything.write(world, n, input)
   steerLifts(world.objects, n)
   steerPlayer(world, world.objects.player, n, input or 0)
   disturb(world, n)
+end
+
+--- Makes step number n.
+function everything.step(world, n, input)
+  everything.write(world, n, input)
   world:update(RATES[n % #RATES + 1])
+end
+
+--- The length of step number n, s.
+function everything.dt(n)
+  return RATES[n % #RATES + 1]
 end
 
 --- Plays the scene to its end and folds the hashes of all steps into one number.
@@ -175,7 +254,9 @@ function everything.fold(world, between)
   world = world or everything.new()
   local sum = 0.0
   for n = 1, everything.STEPS do
-    if between then between(world, n) end
+    if between then
+      between(world, n)
+    end
     everything.step(world, n)
     sum = sum * 31 + world:hash()
     sum = sum - math.floor(sum / 99999999999973) * 99999999999973
@@ -183,6 +264,8 @@ function everything.fold(world, between)
   return ("%.0f"):format(sum)
 end
 
-if arg and arg[0] and arg[0]:find("everything%.lua$") then io.write(everything.fold(), "\n") end
+if arg and arg[0] and arg[0]:find("everything%.lua$") then
+  io.write(everything.fold(), "\n")
+end
 
 return everything

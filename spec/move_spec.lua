@@ -1,0 +1,403 @@
+--- world:move, world:impulse, world:setBounds.
+
+local physics = require("physics")
+local newRandom = require("spec.support.random").new
+
+local SHIFTS = { 0, 0.1, 1 / 3, -1000.1, 100000.3 }
+
+local function box(x, y, width, height, fields)
+  local object = { x = x, y = y, width = width, height = height }
+  for key, value in pairs(fields or {}) do
+    object[key] = value
+  end
+  return object
+end
+
+local function still()
+  return physics.newWorld({ gravity = 0 })
+end
+
+--- Hits as text: name of the other, side, response.
+local function told(hits, count)
+  local lines = {}
+  for i = 1, count do
+    lines[i] = hits[i].other.name .. " " .. hits[i].side .. " " .. hits[i].response
+  end
+  assert.are.equal(count, #hits)
+  return table.concat(lines, ", ")
+end
+
+describe("world:move", function()
+  -- A wall, me to the left of it, a floor below both.
+  --
+  --              +------+
+  --     +----+   | wall |
+  --     | me |   |      |
+  --     +----+   +------+
+  --
+  --     +---------------+
+  --     |     floor     |
+  local function scene(wall, shift)
+    local world, o = still(), shift or 0
+    local me = world:add("me", box(o, o, 10, 10, { vx = 3, vy = 4 }))
+    local fields = { name = "wall" }
+    for key, value in pairs(wall or {}) do
+      fields[key] = value
+    end
+    wall = world:add("walls", box(30 + o, -20 + o, 10, 40, fields))
+    local floor = world:add("floors", box(-50 + o, 20 + o, 200, 10, { name = "floor" }))
+    return world, me, wall, floor
+  end
+
+  for _, row in ipairs({
+    { "nothing in the way", "slide", { 15, 5 }, { 15, 5 }, "" },
+    { "slide along a wall", "slide", { 40, 5 }, { 20, 5 }, "wall right slide" },
+    {
+      "slide into a corner",
+      "slide",
+      { 40, 40 },
+      { 20, 10 },
+      "floor bottom slide, wall right slide",
+    },
+    { "slide over the floor", "slide", { 15, 40 }, { 15, 10 }, "floor bottom slide" },
+    { "touch", "touch", { 40, 8 }, { 20, 4 }, "wall right touch" },
+    { "cross", "cross", { 60, 0 }, { 60, 0 }, "wall right cross" },
+    { "cross both", "cross", { 60, 25 }, { 60, 25 }, "wall right cross, floor bottom cross" },
+    { "bounce", "bounce", { 30, 5 }, { 10, 5 }, "wall right bounce" },
+    { "bounce twice", "bounce", { 30, 15 }, { 10, 5 }, "floor bottom bounce, wall right bounce" },
+    { "up to the wall", "slide", { 20, 0 }, { 20, 0 }, "" },
+    { "a thousand times as fast", "slide", { 40000, 0 }, { 20, 0 }, "wall right slide" },
+    { "no way at all", "slide", { 0, 0 }, { 0, 0 }, "" },
+  }) do
+    it("goes: " .. row[1], function()
+      for _, o in ipairs(SHIFTS) do
+        for _, kind in ipairs({ "dynamic", "static", "kinematic" }) do
+          local world, me = scene({ [kind] = kind ~= "dynamic" or nil }, o)
+          local to, at = row[3], row[4]
+          local x, y, hits, count = world:move(me, to[1] + o, to[2] + o, row[2])
+          assert.are.near(at[1] + o, x, 1e-6)
+          assert.are.near(at[2] + o, y, 1e-6)
+          assert.are.same({ x, y, 3, 4 }, { me.x, me.y, me.vx, me.vy })
+          assert.are.equal(row[5], told(hits, count))
+        end
+      end
+    end)
+  end
+
+  it("ends flush to the bit", function()
+    for _, o in ipairs(SHIFTS) do
+      local world, me, wall, floor = scene(nil, o)
+      world:move(me, 40 + o, 40 + o)
+      assert.are.equal(wall.x - me.width, me.x)
+      assert.are.equal(floor.y - me.height, me.y)
+    end
+  end)
+
+  it("tells all about a hit", function()
+    local world, me, wall = scene()
+    local _, _, hits = world:move(me, 80, 8)
+    local hit = hits[1]
+    assert.are.same({ 20, 2, -1, 0, 0.25 }, { hit.x, hit.y, hit.nx, hit.ny, hit.fraction })
+    assert.are.equal(wall, hit.other)
+  end)
+
+  it("slides as the README of bump.lua shows", function()
+    local world = still()
+    local a = world:add("items", box(0, 0, 64, 256))
+    local b = world:add("items", box(0, -100, 32, 32))
+    local x, y, hits, count = world:move(b, 0, 64)
+    assert.are.same({ 0, -32, 1 }, { x, y, count })
+    assert.are.equal(a, hits[1].other)
+  end)
+
+  it("never snags on tiles", function()
+    for _, o in ipairs(SHIFTS) do
+      local world = still()
+      local list = newRandom(3):shuffled({ 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12 })
+      for _, i in ipairs(list) do
+        world:add("tiles", box(16.3 * i + o, 100 + o, 16.3, 16, { static = true, name = "t" .. i }))
+      end
+      local me = world:add("me", box(20 + o, 76 + o, 14, 24))
+      for step = 1, 100 do
+        local x, y, hits, count = world:move(me, 20 + step + o, me.y + 5)
+        assert.are.near(20 + step + o, x, 1e-9)
+        assert.are.equal(100 + o - 24, y)
+        for i = 1, count do
+          assert.are.equal("bottom", hits[i].side)
+        end
+      end
+    end
+  end)
+
+  it("goes through a shaft as wide as itself", function()
+    for _, o in ipairs(SHIFTS) do
+      local world = still()
+      for i = 0, 20 do
+        world:add("tiles", box(o - 16, 16 * i + o, 16, 16, { static = true }))
+        world:add("tiles", box(o + 16, 16 * i + o, 16, 16, { static = true }))
+      end
+      local me = world:add("me", box(o, o - 40, 16, 16))
+      local x, y, _, count = world:move(me, o, o + 400)
+      assert.are.same({ o, o + 400, 0 }, { x, y, count })
+      me.y = o - 40
+      x, y = world:move(me, o + 5, o + 100)
+      assert.are.equal(x, me.x)
+      assert.is_true(y <= o - 16 or x == o)
+    end
+  end)
+
+  it("crosses sensors and reports them in order", function()
+    local world, me = scene()
+    world:add("coins", box(15, 0, 5, 5, { name = "near", sensor = true }))
+    world:add("coins", box(5, 2, 5, 5, { name = "here", sensor = true, static = true }))
+    world:add("coins", box(50, 0, 5, 5, { name = "behind", sensor = true }))
+    local x, _, hits, count = world:move(me, 80, 0)
+    assert.are.equal(20, x)
+    assert.are.equal("here", hits[1].other.name)
+    assert.are.equal("near", hits[2].other.name)
+    assert.are.equal("cross", hits[2].response)
+    assert.are.equal("wall", hits[3].other.name)
+    assert.are.equal(3, count)
+    me.x, me.sensor = 0, true
+    assert.are.equal(80, (world:move(me, 80, 0)))
+  end)
+
+  it("passes what it cannot meet", function()
+    for _, fields in ipairs({
+      { active = false },
+      { mask = { me = false } },
+      { oneWay = "top" },
+    }) do
+      local world, me = scene(fields)
+      assert.are.equal(80, (world:move(me, 80, 0)))
+    end
+    local world, me = scene()
+    me.mask = { walls = false }
+    assert.are.equal(80, (world:move(me, 80, 0)))
+    me.mask, me.x, world.masks = nil, 0, { walls = { me = false } }
+    assert.are.equal(80, (world:move(me, 80, 0)))
+    me.active, world.masks = false, nil
+    assert.are.equal(0, (world:move(me, 0, 500)))
+    assert.are.equal(500, me.y)
+  end)
+
+  it("lands on a one-way and comes up through it", function()
+    local world = still()
+    world:add("clouds", box(0, 100, 100, 8, { static = true, oneWay = "top", name = "cloud" }))
+    local me = world:add("me", box(20, 150, 10, 10))
+    assert.are.equal(50, select(2, world:move(me, 20, 50)))
+    assert.are.equal(90, select(2, world:move(me, 20, 500)))
+    assert.are.equal(90, select(2, world:move(me, 60, 95)))
+    me.y = 95
+    assert.are.equal(120, select(2, world:move(me, 20, 120)))
+  end)
+
+  it("asks a function for the response", function()
+    local world, me = scene()
+    world:add("doors", box(15, 0, 5, 10, { name = "door" }))
+    world:add("ghosts", box(20, 0, 5, 10, { name = "ghost" }))
+    local function response(object, other)
+      assert.are.equal(me, object)
+      if other.name == "door" then
+        return "cross"
+      end
+      if other.name == "ghost" then
+        return false
+      end
+      return other.name == "wall" and "touch" or nil
+    end
+    local x, _, hits, count = world:move(me, 80, 0, response)
+    assert.are.equal(20, x)
+    assert.are.equal("door right cross, wall right touch", told(hits, count))
+    world:move(me, 0, 0, "cross")
+    assert.are.equal(10, select(2, world:move(me, 0, 80, response)))
+  end)
+
+  it("may ask and move others in that function", function()
+    local world, me, wall = scene()
+    local other = world:add("others", box(0, 500, 10, 10))
+    local x = world:move(me, 80, 0, function()
+      world:queryRect(-100, -100, 1000, 1000)
+      world:move(other, 80, 500)
+      return "slide"
+    end)
+    assert.are.same({ wall.x - 10, 80 }, { x, other.x })
+  end)
+
+  it("lets out what is inside a solid, and holds it nowhere", function()
+    local world, me, wall = scene()
+    me.x = 25
+    local x, _, hits, count = world:move(me, 5, 0)
+    assert.are.equal(5, x)
+    assert.are.equal("wall right cross", told(hits, count))
+    assert.are.equal(0, hits[1].fraction)
+    assert.are.equal(wall.x - 10, (world:move(me, 50, 0)))
+  end)
+
+  it("fills the list of an earlier call with its tables", function()
+    local world, me = scene()
+    local _, _, hits = world:move(me, 40, 40)
+    local first = hits[1]
+    me.x, me.y = 0, 0
+    local _, _, again, count = world:move(me, 15, 5, nil, hits)
+    assert.are.equal(hits, again)
+    assert.are.same({ 0, 0 }, { count, #hits })
+    me.x, me.y = 0, 0
+    world:move(me, 40, 40, nil, hits)
+    assert.are.equal(2, #hits)
+    assert.is_true(first == hits[1] or first == hits[2])
+  end)
+
+  it("comes to an end between two walls", function()
+    local world = still()
+    world:add("walls", box(-10, 0, 10, 10, { static = true }))
+    world:add("walls", box(12, 0, 10, 10, { static = true }))
+    local me = world:add("me", box(1, 0, 10, 10))
+    local x = world:move(me, 1e6, 0, "bounce")
+    assert.is_true(x >= 0 and x <= 2)
+  end)
+
+  it("never ends inside a solid", function()
+    local names = { "slide", "touch", "bounce" }
+    for seed = 1, 40 do
+      local random, world, all = newRandom(seed), still(), {}
+      for i = 1, 60 do
+        local x, y = 20 * random:integer(0, 15), 20 * random:integer(0, 15)
+        if i > 30 then
+          x, y = random:between(0, 300), random:between(0, 300)
+        end
+        local _, count = world:queryRect(x, y, 20, 20)
+        if count == 0 then
+          all[#all + 1] = world:add("b", box(x, y, 20, 20, { static = random:chance(0.5) }))
+        end
+      end
+      for _ = 1, 200 do
+        local me = all[random:integer(1, #all)]
+        if not me.static then
+          local x, y = me.x + random:between(-200, 200), me.y + random:between(-200, 200)
+          if random:chance(0.5) then
+            x = me.x
+          end
+          world:move(me, x, y, random:pick(names))
+          local inside = world:overlapping(me)
+          assert(#inside == 0, ("seed %d"):format(seed))
+        end
+      end
+    end
+  end)
+
+  it("is taken by the next update as a place the game wrote", function()
+    local world = physics.newWorld({ gravity = 800 })
+    world:add("floor", box(0, 100, 200, 16, { static = true }))
+    local me = world:add("me", box(0, 84, 16, 16))
+    for _ = 1, 5 do
+      world:move(me, me.x + 10, me.y)
+      world:update(1 / 60)
+    end
+    assert.are.same({ 50, 84, 0 }, { me.x, me.y, me.vy })
+    assert.is_table(me.touching.bottom)
+  end)
+end)
+
+describe("world:impulse", function()
+  it("changes the velocity by the impulse over the mass", function()
+    local world = still()
+    local me = world:add("me", box(0, 0, 10, 10, { mass = 4, vx = 1 }))
+    world:impulse(me, 8, -20)
+    assert.are.same({ 3, -5 }, { me.vx, me.vy })
+    world:update(0.02)
+    assert.are.near(0.06, me.x, 1e-12)
+  end)
+end)
+
+describe("world:setBounds", function()
+  it("keeps everything inside, until it is taken away", function()
+    local world = physics.newWorld({ gravity = 800 })
+    local me = world:add("me", box(50, 50, 10, 10, { vx = 5000, vy = -9000 }))
+    world:setBounds(0, 0, 100, 80)
+    for _ = 1, 60 do
+      world:update(1 / 60)
+      assert.is_true(me.x >= 0 and me.x <= 90 and me.y >= 0 and me.y <= 70)
+    end
+    assert.are.same({ 90, 70 }, { me.x, me.y })
+    assert.are.equal(world.objects.bounds.bottom, me.touching.bottom)
+    world:setBounds(0, 0, 100, 90)
+    for _ = 1, 60 do
+      world:update(1 / 60)
+    end
+    assert.are.equal(80, me.y)
+    assert.are.equal(6, world.stats.objects + 1)
+    world:setBounds()
+    world:update(1 / 60)
+    assert.is_nil(world.objects.bounds)
+    assert.are.equal(1, world.stats.objects)
+  end)
+
+  it("leaves the game's own objects in the group alone", function()
+    local world = still()
+    local own = world:add("bounds", box(0, 0, 1, 1))
+    world:setBounds(0, 0, 100, 80)
+    world:setBounds()
+    assert.are.same({ own }, world.objects.bounds)
+    world.objects.bounds.top = box(0, 0, 1, 1)
+    local ok, message = pcall(world.setBounds, world, 0, 0, 100, 80)
+    assert.is_false(ok)
+    assert.is_truthy(message:find("objects.bounds.top must be free for a wall", 1, true))
+  end)
+end)
+
+describe("what moves by hand refuses", function()
+  local nan = 0 / 0
+  for _, row in ipairs({
+    { "move", { 1 }, "world:move(object, x, y): object must be a table, got 1" },
+    { "move", { "me", nan, 0 }, "world:move(object, x, y): x must be a number, got nan" },
+    { "move", { "me", 0 }, "world:move(object, x, y): y must be a number, got nil" },
+    {
+      "move",
+      { "me", 0, 0, "glide" },
+      'response must be "slide", "touch", "cross" or "bounce", got "glide"',
+    },
+    { "move", { "me", 0, 0, 1 }, 'response must be "slide", "touch", "cross" or "bounce", got 1' },
+    {
+      "move",
+      {
+        "me",
+        50,
+        0,
+        function()
+          return "no"
+        end,
+      },
+      "what response(object, other) returns must be",
+    },
+    { "move", { "me", 0, 0, nil, 1 }, "world:move(object, x, y): out must be a table, got 1" },
+    { "move", { "wall", 0, 0 }, "world:move(object, x, y): object must not be static" },
+    { "move", { {}, 0, 0 }, "world:move(object, x, y): the object is not in the world, got table" },
+    {
+      "impulse",
+      { "wall", 0, 0 },
+      "world:impulse(object, ix, iy): object must be dynamic, got a static one",
+    },
+    { "impulse", { "me", 0, nan }, "world:impulse(object, ix, iy): iy must be a number, got nan" },
+    { "impulse", { {}, 0, 0 }, "world:impulse(object, ix, iy): the object is not in the world" },
+    { "setBounds", { 0, 0, 0, 5 }, "world:setBounds(x, y, w, h): w must be a number > 0, got 0" },
+    { "setBounds", { 0 }, "world:setBounds(x, y, w, h): y must be a number, got nil" },
+  }) do
+    it(row[3], function()
+      local world = still()
+      local objects = { me = world:add("me", box(0, 0, 10, 10)) }
+      objects.wall = world:add("walls", box(30, 0, 10, 10, { static = true }))
+      local given = row[2]
+      local object = objects[given[1]] or given[1]
+      local ok, message = pcall(function()
+        world[row[1]](world, object, given[2], given[3], given[4], given[5])
+      end)
+      assert.is_false(ok)
+      assert.is_truthy(message:find("physics: world:", 1, true), message)
+      assert.is_truthy(message:find(row[3], 1, true), message)
+      assert.is_truthy(message:find("move_spec.lua", 1, true), message)
+      assert.are.same({ 0, 0 }, { objects.me.x, objects.me.y })
+      assert.is_nil(world.objects.bounds)
+    end)
+  end
+end)

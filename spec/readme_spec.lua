@@ -1,0 +1,204 @@
+--- The README is true: its snippets run, its tables are those of the library, nothing is missing.
+
+local fields = require("physics.fields")
+local physics = require("physics")
+
+local unpack = table.unpack or unpack -- luacheck: ignore (Lua 5.1 has it as a global)
+
+local function read(path)
+  local file = assert(io.open(path, "rb"))
+  local text = file:read("*a")
+  file:close()
+  return text
+end
+
+local README = read("README.md")
+
+--- Compiles a text with an environment of its own.
+local function compile(text, name, environment)
+  local setEnvironment = rawget(_G, "setfenv")
+  if setEnvironment then
+    return setEnvironment(assert(rawget(_G, "loadstring")(text, name)), environment)
+  end
+  return assert(load(text, name, "t", environment))
+end
+
+--- The text below a heading, up to the next one of its level.
+local function section(title)
+  local _, last = README:find("\n## " .. title .. "\n", 1, true)
+  assert(last, "no heading " .. title)
+  return README:sub(last, (README:find("\n## ", last, true)))
+end
+
+--- Stands in for LÖVE: the right key is held down, drawing does nothing.
+local function newLove()
+  local function nothing()
+    return 1, 1, 1, 1
+  end
+  return {
+    graphics = setmetatable({}, {
+      __index = function()
+        return nothing
+      end,
+    }),
+    keyboard = {
+      isDown = function(key)
+        return key == "right"
+      end,
+    },
+  }
+end
+
+local function show(value)
+  return type(value) == "number" and ("%.14g"):format(value) or tostring(value)
+end
+
+--- What the snippets find: a world at rest with a floor and a player, and a `print` that listens.
+local function newEnvironment(printed)
+  local world = physics.newWorld({ gravity = 800 })
+  local box = { x = 0, y = 400, width = 800, height = 40, static = true }
+  local environment = {
+    love = newLove(),
+    physics = physics,
+    world = world,
+    floor = world:add("tiles", box),
+    player = world:add("players", { x = 40, y = 368, width = 24, height = 32 }),
+  }
+  function environment.print(...)
+    local texts = { ... }
+    for i = 1, select("#", ...) do
+      texts[i] = show((select(i, ...)))
+    end
+    printed[#printed + 1] = table.concat(texts, " ")
+  end
+  world:update(1 / 60)
+  return setmetatable(environment, { __index = _G })
+end
+
+describe("the README", function()
+  local loveBefore
+
+  before_each(function()
+    loveBefore = rawget(_G, "love")
+    physics.load()
+  end)
+
+  after_each(function()
+    rawset(_G, "love", loveBefore)
+    physics.load()
+  end)
+
+  local number = 0
+  for snippet in README:gmatch("\n```lua\n(.-)\n```\n") do
+    number = number + 1
+    local title = ("%d: %s"):format(number, snippet:match("[^\n]*"))
+
+    it("has a snippet that runs and prints what it says, " .. title, function()
+      local printed, said = {}, {}
+      local environment = newEnvironment(printed)
+      rawset(_G, "love", environment.love)
+      compile(snippet, "=README", environment)()
+      for line in snippet:gmatch("%-%-> ([^\n]*)") do
+        said[#said + 1] = line
+      end
+      if #said > 0 then
+        assert.same(said, printed)
+      end
+      environment.world:update(1 / 60)
+      if environment.love.load then
+        environment.love.load()
+        for _ = 1, 120 do
+          environment.love.update(1 / 60)
+          environment.love.draw()
+        end
+        local player = physics.objects.players[1]
+        assert.equal(528, player.y)
+        assert.near(440, player.x, 1e-9)
+      end
+    end)
+  end
+
+  it("has more than a handful of snippets", function()
+    assert.is_true(number >= 10)
+  end)
+
+  for _, kind in ipairs({
+    { "Fields of objects", fields.objects },
+    { "Settings", fields.settings },
+  }) do
+    describe("lists under " .. kind[1], function()
+      local rows, count = {}, 0
+      for name, default, unit, meaning in
+        section(kind[1]):gmatch("\n| `([%w_]+)` | ([^|\n]*) | ([^|\n]*)| ([^\n]*) |")
+      do
+        rows[name] = { default, (unit:gsub("%s+$", "")), meaning }
+        count = count + 1
+      end
+
+      it("nothing that is not there", function()
+        assert.equal(#kind[2], count)
+      end)
+
+      for _, field in ipairs(kind[2]) do
+        it(field.name .. " with its default, unit and meaning", function()
+          local default, unit, meaning = unpack(rows[field.name] or {})
+          assert.truthy(default, "no row")
+          assert.equal(field.unit or "", unit)
+          assert.truthy(meaning:find(field.meaning, 1, true), meaning)
+          assert.truthy(meaning:find(field.signature or "", 1, true), meaning)
+          for _, value in ipairs(field.values or {}) do
+            assert.truthy(meaning:find('`"' .. value .. '"`', 1, true), meaning)
+          end
+          if field.required or field.written then
+            assert.equal(field.required and "required" or "written", default)
+          elseif field.absent then
+            assert.equal(field.absent, default)
+          else
+            local value = compile("return " .. default:match("^`(.*)`$"), "=default", {})()
+            if type(value) == "number" then
+              assert.near(field.default, value, 1e-12)
+            else
+              assert.equal(field.default, value)
+            end
+          end
+        end)
+      end
+    end)
+  end
+
+  it("has a heading for every function, and none for others", function()
+    local documented, public = {}, {}
+    for name in section("Functions"):gmatch("\n### ([%w_]+[:.][%w_]+)%(") do
+      documented[#documented + 1] = name
+    end
+    local methods = getmetatable(physics.newWorld()).__index
+    for name, value in pairs(methods) do
+      if type(value) == "function" then
+        public[#public + 1] = "world:" .. name
+      end
+    end
+    for name, value in pairs(physics) do
+      if type(value) == "function" and not methods[name] then
+        public[#public + 1] = "physics." .. name
+      end
+    end
+    table.sort(documented)
+    table.sort(public)
+    assert.same(public, documented)
+  end)
+
+  it("names only files that exist", function()
+    for path in README:gmatch("%]%(([%w_/%.%-]+)%)") do
+      read(path)
+    end
+    local version = physics._VERSION
+    read("rockspec/physics-" .. version .. "-1.rockspec")
+    assert.truthy(README:find("rockspec/physics-" .. version .. "-1.rockspec", 1, true))
+  end)
+
+  it("names every counter of world.stats", function()
+    for name in pairs(physics.newWorld().stats) do
+      assert.truthy(section("Functions"):find("`" .. name .. "`", 1, true), name)
+    end
+  end)
+end)

@@ -1,0 +1,168 @@
+--- Settings: defaults, what a change does, and that changes come into effect at the next step.
+
+local fields = require("physics.fields")
+local physics = require("physics")
+
+local DT = 1 / 60
+
+local function newBox(x, y, changes)
+  local box = { x = x, y = y, width = 16, height = 16 }
+  for name, value in pairs(changes or {}) do
+    box[name] = value
+  end
+  return box
+end
+
+local function play(world, steps)
+  for _ = 1, steps or 60 do
+    world:update(DT)
+  end
+end
+
+describe("settings", function()
+  it("are plain fields with the documented defaults", function()
+    local world = physics.newWorld()
+    for _, field in ipairs(fields.settings) do
+      assert.equal(field.default, world[field.name], field.name)
+    end
+  end)
+
+  it("may be given, also false", function()
+    local world = physics.newWorld({ gravity = 5, rest = false, push = "first" })
+    assert.equal(5, world.gravity)
+    assert.is_false(world.rest)
+    assert.equal("first", world.push)
+  end)
+
+  it("given table is only read", function()
+    local given = { gravity = 5, order = { "a" } }
+    physics.newWorld(given)
+    assert.same({ gravity = 5, order = { "a" } }, given)
+  end)
+
+  it("may change while everything rests: gravity wakes", function()
+    local world = physics.newWorld({ gravity = 800 })
+    world:add("tiles", { x = -100, y = 100, width = 400, height = 16, static = true })
+    local ceiling = world:add("tiles", { x = -100, y = 0, width = 400, height = 16, static = true })
+    local box = world:add("boxes", newBox(0, 84))
+    play(world)
+    assert.equal(1, world.stats.resting)
+    world.gravity = -800
+    play(world)
+    assert.equal(16, box.y)
+    assert.equal(ceiling, box.touching.top)
+    world.gravity, world.gravityX = 0, 100
+    play(world, 30)
+    assert.near(0.5 * 100 * 0.25, box.x, 1e-9)
+  end)
+
+  it("push first: who runs into the other gives way", function()
+    for _, row in ipairs({ { "both", 48, 64 }, { "first", 44, 60 } }) do
+      local world =
+        physics.newWorld({ gravity = 0, push = row[1], timestep = 0.25, maxStep = 0.25 })
+      world.timestep = nil
+      local a = world:add("boxes", newBox(40, 0, { vx = 32 })) -- 8 px a step
+      local b = world:add("boxes", newBox(60, 0))
+      world:update(0.25)
+      assert.near(row[2], a.x + (row[1] == "both" and 2 or 0), 1e-9)
+      assert.near(a.x + 16, b.x, 1e-9)
+    end
+  end)
+
+  it("broadphase and cellSize may change in mid-air", function()
+    local worlds = {}
+    for n = 1, 2 do
+      local world = physics.newWorld({ gravity = 800, broadphase = "pairs" })
+      world:add("tiles", { x = -100, y = 100, width = 400, height = 16, static = true })
+      for i = 1, 10 do
+        world:add("boxes", newBox(7 * i, -20 * i, { vx = 5 * i }))
+      end
+      worlds[n] = world
+    end
+    for step = 1, 120 do
+      if step == 20 then
+        worlds[2].broadphase = "grid"
+      elseif step == 40 then
+        worlds[2].cellSize = 11
+      elseif step == 60 then
+        worlds[2].broadphase = "auto"
+      end
+      for n = 1, 2 do
+        worlds[n]:update(DT)
+      end
+      for i = 1, 10 do
+        local a, b = worlds[1].objects.boxes[i], worlds[2].objects.boxes[i]
+        assert.is_true(a.x == b.x and a.y == b.y and a.vx == b.vx and a.vy == b.vy)
+      end
+    end
+  end)
+
+  it("rest may be switched off and on, and changes nothing", function()
+    local world = physics.newWorld({ gravity = 800 })
+    world:add("tiles", { x = -100, y = 100, width = 400, height = 16, static = true })
+    local box = world:add("boxes", newBox(0, 84))
+    play(world)
+    world.rest = false
+    play(world, 5)
+    assert.equal(0, world.stats.resting)
+    assert.equal(84, box.y)
+    world.rest = true
+    play(world, 5)
+    assert.equal(1, world.stats.resting)
+  end)
+
+  it("masks cost no garbage", function()
+    local world = physics.newWorld({ gravity = 0, masks = { boxes = { tiles = false } } })
+    world:add("tiles", { x = 0, y = 20, width = 100, height = 16, static = true })
+    world:add("boxes", newBox(0, 0, { mask = { crates = false } }))
+    play(world)
+    collectgarbage()
+    collectgarbage()
+    collectgarbage("stop")
+    local before = collectgarbage("count")
+    play(world, 1000)
+    local after = collectgarbage("count")
+    collectgarbage("restart")
+    -- LuaJIT counts the code that it compiles meanwhile; a table a step would be 60 KB and more.
+    assert.is_true(after - before < 20, ("%.1f KB"):format(after - before))
+  end)
+end)
+
+describe("timestep", function()
+  it("makes steps of one length, whatever dt is", function()
+    local world = physics.newWorld({ gravity = 800, timestep = 1 / 100 })
+    local twin = physics.newWorld({ gravity = 800, timestep = 1 / 100 })
+    local a, b = world:add("boxes", newBox(0, 0)), twin:add("boxes", newBox(0, 0))
+    for _ = 1, 100 do
+      world:update(1 / 100)
+    end
+    for _, dt in ipairs({ 0.003, 0.017, 0.1, 0.08, 0.2, 0.25, 0.1, 0.25 }) do
+      twin:update(dt)
+    end
+    assert.equal(a.y, b.y)
+    assert.equal(a.vy, b.vy)
+  end)
+
+  it("tells by alpha how far the next step is, and where to draw", function()
+    local world = physics.newWorld({ gravity = 0, timestep = 0.1 })
+    local box = world:add("boxes", newBox(0, 0, { vx = 100 }))
+    world:update(0.1)
+    assert.near(0, world.alpha, 1e-9)
+    assert.near(10, box.x, 1e-9)
+    assert.near(0, world:interpolate(box), 1e-9)
+    world:update(0.05)
+    assert.near(0.5, world.alpha, 1e-9)
+    assert.near(10, box.x, 1e-9)
+    local x, y = world:interpolate(box)
+    assert.near(5, x, 1e-9)
+    assert.near(0, y, 1e-9)
+  end)
+
+  it("is none by default: what is drawn is where it is", function()
+    local world = physics.newWorld({ gravity = 0 })
+    local box = world:add("boxes", newBox(0, 0, { vx = 100 }))
+    assert.same({ 0, 0 }, { world:interpolate(box) })
+    world:update(0.02)
+    assert.same({ box.x, 0 }, { world:interpolate(box) })
+  end)
+end)

@@ -1,0 +1,681 @@
+--- save, restore, hash: going back and going on as if nothing had happened, to the bit.
+
+local physics = require("physics")
+local everything = require("spec.support.everything")
+
+local LAST = 72
+
+-- A serializer as a game may have one: text of numbers, strings, booleans and tables, no more.
+local function write(value)
+  local kind = type(value)
+  if kind == "number" then
+    assert(value - value == 0, "nan or inf in a state")
+    return ("%.17g"):format(value)
+  elseif kind == "string" then
+    return ("%q"):format(value)
+  elseif kind == "boolean" then
+    return tostring(value)
+  end
+  assert(kind == "table" and getmetatable(value) == nil, "a " .. kind .. " in a state")
+  local parts, count = {}, 0
+  for _ in pairs(value) do
+    count = count + 1
+  end
+  if count == #value then
+    for i = 1, count do
+      parts[i] = write(value[i])
+    end
+  else
+    assert(#value == 0, "a list with holes, or with names, in a state")
+    for key, entry in pairs(value) do
+      assert(type(key) == "string", "a key that is no string in a state")
+      parts[#parts + 1] = ("[%q]=%s"):format(key, write(entry))
+    end
+  end
+  return "{" .. table.concat(parts, ",") .. "}"
+end
+
+local function read(text)
+  return assert((loadstring or load)("return " .. text))() -- luacheck: ignore
+end
+
+-- Hash after each step of a straight run.
+local tracks = {}
+
+local function trackOf(push)
+  if not tracks[push] then
+    local world, track = everything.new({ push = push }), {}
+    for n = 1, LAST + 1 do
+      everything.step(world, n)
+      track[n] = world:hash()
+    end
+    tracks[push] = track
+  end
+  return tracks[push]
+end
+
+local function checkStep(world, track, n, what)
+  local text = "%s: step %d is not as in the straight run"
+  if world:hash() ~= track[n] then
+    error(text:format(what, n), 2)
+  end
+end
+
+local VARIANTS = {
+  { "with the default settings", {} },
+  { "pair by pair", { broadphase = "pairs" } },
+  { "in cells of 20 px", { broadphase = "grid", cellSize = 20 } },
+  { "nothing skipped", { rest = false } },
+  { "nothing skipped, pair by pair", { rest = false, broadphase = "pairs" } },
+  { "push first", { push = "first" } },
+}
+
+describe("a rollback of 8 steps", function()
+  for _, variant in ipairs(VARIANTS) do
+    it("and a replay are as the straight run, " .. variant[1], function()
+      local track, ring = trackOf(variant[2].push or "both"), {}
+      local world = everything.new(variant[2])
+      for n = 1, LAST do
+        ring[n % 8] = ring[n % 8] or {}
+        local oldest = ring[(n + 1) % 8]
+        world:save(ring[n % 8])
+        if n > 8 and n % 4 == 0 then
+          for m = n - 7, n do
+            everything.step(world, m, 29)
+          end -- another input
+          world:restore(oldest)
+          for m = n - 7, n - 1 do
+            everything.step(world, m)
+            checkStep(world, track, m, "replay from " .. n - 7)
+          end
+        end
+        everything.step(world, n)
+        checkStep(world, track, n, "run")
+      end
+    end)
+  end
+end)
+
+describe("a state from elsewhere", function()
+  -- Saved between what the game writes and the update: all is still to be collected.
+  it("goes on in a world of the same scene, and in an empty one", function()
+    local track, world = trackOf("both"), everything.new()
+    for n = 1, LAST do
+      everything.write(world, n)
+      if n % 9 == 0 then
+        local text, hash = write(world:save()), world:hash()
+        local other = n % 2 == 0 and everything.new() or everything.newWorld()
+        other:restore(read(text))
+        assert.are.equal(hash, other:hash())
+        other:update(everything.dt(n))
+        checkStep(other, track, n, "other world")
+        for m = n + 1, math.min(n + 12, LAST) do
+          everything.step(other, m)
+          checkStep(other, track, m, "other world from " .. n)
+        end
+      end
+      world:update(everything.dt(n))
+      checkStep(world, track, n, "run")
+    end
+  end)
+
+  it("does not depend on broad phase and rest, neither does the hash", function()
+    local a = everything.new({ broadphase = "pairs", rest = false })
+    local b = everything.new({ broadphase = "grid", cellSize = 50 })
+    for n = 1, 60 do
+      everything.step(a, n)
+      everything.step(b, n)
+    end
+    local state = read(write(a:save()))
+    assert.are.equal(a:hash(), b:hash())
+    b:restore(state)
+    for n = 61, 80 do
+      everything.step(a, n)
+      everything.step(b, n)
+      assert.are.equal(a:hash(), b:hash())
+    end
+  end)
+
+  it("is the same state after it was restored", function()
+    local world = everything.new()
+    for n = 1, 50 do
+      everything.step(world, n)
+    end
+    local state, other = world:save(), everything.newWorld()
+    other:restore(read(write(state)))
+    assert.are.same(state, other:save())
+    world:restore(state)
+    assert.are.same(state, world:save())
+  end)
+end)
+
+-- A floor, a box on it, another one in the air.
+local function smallWorld(settings)
+  local world = physics.newWorld(settings or { gravity = 600 })
+  world:add("floor", { x = 0, y = 100, width = 400, height = 20, static = true })
+  local box = world:add("boxes", { x = 10, y = 84, width = 16, height = 16 })
+  local other = world:add("boxes", { x = 60, y = 20, width = 16, height = 16 })
+  world:update(1 / 60)
+  return world, box, other
+end
+
+describe("world:save", function()
+  it("changes nothing", function()
+    local track, world = trackOf("both"), everything.new()
+    for n = 1, 60 do
+      everything.write(world, n)
+      world:save()
+      world:hash()
+      world:update(everything.dt(n))
+      checkStep(world, track, n, "run")
+    end
+  end)
+
+  it("fills a table again, and leaves no garbage then", function()
+    local world = smallWorld()
+    world:add("boxes", { x = 90, y = 20, width = 16, height = 16, mask = nil, mass = 3 })
+    world:update(1 / 60)
+    local state = world:save()
+    world:remove(world.objects.boxes[3])
+    world:update(1 / 60)
+    assert.are.equal(state, world:save(state))
+    assert.are.same(world:save(), state)
+    for _ = 1, 200 do
+      world:save(state)
+    end
+    collectgarbage()
+    collectgarbage("stop")
+    local before = collectgarbage("count")
+    for _ = 1, 100 do
+      world:save(state)
+    end
+    local grown = collectgarbage("count") - before
+    collectgarbage("restart")
+    assert.is_true(grown < 16, ("%.1f KB"):format(grown))
+  end)
+
+  it("holds no limit that is infinite", function()
+    local world = smallWorld()
+    world.objects.boxes[1].maxSpeed = 100
+    world:update(1 / 60)
+    world.objects.boxes[1].maxSpeed = nil -- was read as 100, and is none now
+    local state = read(write(world:save()))
+    world:update(1 / 60)
+    local other = smallWorld()
+    other:restore(state)
+    assert.is_nil(other.objects.boxes[1].maxSpeed)
+    other:update(1 / 60)
+    assert.are.equal(world:hash(), other:hash())
+  end)
+
+  it("refuses what an update would refuse", function()
+    for _, row in ipairs({
+      { "x", 0 / 0, "physics: objects.boxes[1].x must be a number, got nan" },
+      { "mass", -1, "physics: objects.boxes[1].mass must be a number > 0, got -1" },
+      { "oneWay", "up", 'must be "top", "bottom", "left" or "right", got "up"' },
+      { "maxSpeed", math.huge, "must be a finite number >= 0, got inf" },
+      { "mask", { [true] = 1 }, "mask" },
+    }) do
+      local world, box = smallWorld()
+      box[row[1]] = row[2]
+      for _, call in ipairs({ "save", "hash" }) do
+        local ok, message = pcall(function()
+          world[call](world)
+        end)
+        assert.is_false(ok)
+        assert.is_truthy(message:find(row[3], 1, true), message)
+        assert.is_truthy(message:find("state_spec.lua", 1, true), message)
+      end
+    end
+  end)
+end)
+
+describe("world:restore", function()
+  it("keeps the tables of the objects, also of those that were removed", function()
+    local world, box, other = smallWorld()
+    local told = 0
+    other.onBegin = function()
+      told = told + 1
+    end
+    other.name = "other"
+    local state = world:save()
+    world:remove(other)
+    world:update(1 / 60)
+    local bullet = world:add("bullets", { x = 0, y = 0, width = 2, height = 2 })
+    world:update(1 / 60)
+    world:restore(state)
+    assert.are.equal(box, world.objects.boxes[1])
+    assert.are.equal(other, world.objects.boxes[2])
+    assert.is_nil(world.objects.bullets[1])
+    assert.is_false(world:remove(bullet))
+    assert.are.equal("other", other.name)
+    for _ = 1, 60 do
+      world:update(1 / 60)
+    end
+    assert.are.equal(1, told)
+  end)
+
+  it("gives a state from elsewhere to who stands at the same place", function()
+    local world, box = smallWorld()
+    local state = read(write(world:save()))
+    local x, y = world.objects.boxes[2].x, world.objects.boxes[2].y
+    local group = world.objects.boxes
+    world:remove(world.objects.boxes[2])
+    box.name, box.x, box.restitution = "box", 300, 1
+    world:update(1 / 60)
+    world:restore(state)
+    assert.are.equal(group, world.objects.boxes)
+    assert.are.equal(box, world.objects.boxes[1])
+    assert.are.same({ "box", 10 }, { box.name, box.x })
+    assert.is_nil(box.restitution)
+    assert.are.same({ x, y }, { world.objects.boxes[2].x, world.objects.boxes[2].y })
+  end)
+
+  it("shows at once what touches what", function()
+    local world, box = smallWorld()
+    local state, floor = world:save(), world.objects.floor[1]
+    assert.are.equal(floor, box.touching.bottom)
+    box.y = 0
+    world:update(1 / 60)
+    assert.is_false(box.touching.bottom)
+    world:restore(state)
+    assert.are.equal(floor, box.touching.bottom)
+    local other = physics.newWorld()
+    other:restore(read(write(state)))
+    assert.are.equal(other.objects.floor[1], other.objects.boxes[1].touching.bottom)
+    assert.are.equal("bottom", other:touching(other.objects.boxes[1], other.objects.floor[1]))
+  end)
+
+  it("tells no event for the jump", function()
+    local world, box = smallWorld()
+    local told = {}
+    for _, name in ipairs({ "onBegin", "onEnd" }) do
+      world[name] = function()
+        told[#told + 1] = name
+      end
+    end
+    local state = world:save()
+    box.y = 0
+    world:update(1 / 60)
+    assert.are.same({ "onEnd" }, told)
+    world:restore(state)
+    world:update(1 / 60)
+    world:update(1 / 60)
+    assert.are.same({ "onEnd" }, told)
+  end)
+
+  it("brings back groups, single objects, odd keys, masks and settings", function()
+    local world = smallWorld()
+    local mask = { boxes = false, [3] = true }
+    world.objects.player = { x = 200, y = 50, width = 8, height = 8, mask = mask }
+    world.objects[7] = { left = { x = 250, y = 0, width = 9, height = 9 } }
+    world.masks = { boxes = { [7] = false } }
+    world.order = { "player", 7 }
+    world:update(1 / 60)
+    local state, hash, player = world:save(), world:hash(), world.objects.player
+    local text = write(state)
+    world.objects.player, world.objects[7] = nil, nil
+    world.masks, world.order, world.gravity = nil, nil, 5
+    mask.boxes = true
+    world:update(1 / 60)
+    world:restore(state)
+    assert.are.equal(hash, world:hash())
+    assert.are.equal(player, world.objects.player)
+    assert.are.equal(mask, player.mask)
+    assert.is_false(mask.boxes)
+    assert.are.same({ { boxes = { [7] = false } }, 600 }, { world.masks, world.gravity })
+    local other = physics.newWorld()
+    other:restore(read(text))
+    assert.are.equal(hash, other:hash())
+    assert.are.equal(250, other.objects[7].left.x)
+    assert.are.same(mask, other.objects.player.mask)
+  end)
+
+  it("may happen inside a callback", function()
+    local world, _, other = smallWorld()
+    local state, count = world:save(), 0
+    other.onBegin = function()
+      count = count + 1
+      if count == 1 then
+        world:restore(state)
+      end
+    end
+    for _ = 1, 120 do
+      world:update(1 / 60)
+    end
+    assert.are.equal(2, count)
+    assert.are.equal(84, other.y)
+  end)
+
+  it("keeps events that wait because a callback has failed", function()
+    local world, box, other = smallWorld()
+    local function fill(all)
+      all.onBegin = function()
+        error("no")
+      end
+    end
+    fill(world)
+    box.y, other.y, other.x = 80, 80, 100
+    local ok = true
+    for _ = 1, 60 do
+      ok = ok and pcall(world.update, world, 1 / 60)
+    end
+    assert.is_false(ok)
+    other.y = 60
+    while pcall(world.update, world, 1 / 60) do
+    end
+    local state = world:save()
+    local function listen()
+      local told = {}
+      world.onBegin = function(a, b)
+        told[#told + 1] = { a, b }
+      end
+      world:update(1 / 60)
+      return told
+    end
+    local first = listen()
+    world:restore(state)
+    assert.are.same(first, listen())
+  end)
+
+  it("brings back the walls of setBounds", function()
+    local world = smallWorld()
+    world:setBounds(0, 0, 400, 300)
+    world:update(1 / 60)
+    local state = world:save()
+    world:setBounds()
+    world:update(1 / 60)
+    world:restore(state)
+    assert.is_truthy(world.objects.bounds.left)
+    world:setBounds(0, 0, 500, 300)
+    assert.are.equal(500, world.objects.bounds.right.x)
+  end)
+end)
+
+describe("world:hash", function()
+  it("is a whole number that every Lua writes in full", function()
+    local world = smallWorld()
+    local hash = world:hash()
+    assert.are.equal(hash, math.floor(hash))
+    assert.is_true(hash >= 0 and hash < 1e14)
+    assert.are.equal(("%.0f"):format(hash), tostring(hash))
+  end)
+
+  for _, row in ipairs({
+    { "x", 11 },
+    { "x", 10.000000000000002 },
+    { "y", 84.5 },
+    { "width", 17 },
+    { "height", 17 },
+    { "vx", 1e-300 },
+    { "vx", -1 },
+    { "vy", 1e300 },
+    { "ax", 1 },
+    { "ay", 1 },
+    { "kinematic", true },
+    { "active", false },
+    { "sensor", true },
+    { "pushable", false },
+    { "mass", 2 },
+    { "gravity", 0 },
+    { "gravityX", 1 },
+    { "friction", 0.5 },
+    { "restitution", 0.5 },
+    { "airFriction", 0.1 },
+    { "drag", 1 },
+    { "maxSpeed", 1e4 },
+    { "maxSpeedX", 1e4 },
+    { "maxSpeedY", 1e4 },
+    { "mask", { floor = false } },
+    { "oneWay", "top" },
+    { "carry", false },
+    { "surfaceSpeed", 5 },
+    { "nudge", 2 },
+  }) do
+    it(("changes with %s = %s"):format(row[1], tostring(row[2])), function()
+      local world, box = smallWorld()
+      local before = world:hash()
+      box[row[1]] = row[2]
+      local written = world:hash()
+      assert.are_not.equal(before, written)
+      world:update(0)
+      assert.are_not.equal(before, world:hash())
+    end)
+  end
+
+  it("changes with settings, groups, keys, order and saved-up time", function()
+    for what, change in pairs({
+      gravity = function(world)
+        world.gravity = 601
+      end,
+      push = function(world)
+        world.push = "first"
+      end,
+      masks = function(world)
+        world.masks = { boxes = { boxes = false } }
+      end,
+      group = function(world)
+        world.objects.crates, world.objects.boxes = world.objects.boxes, nil
+      end,
+      key = function(world)
+        world.objects.boxes[3], world.objects.boxes[2] = world.objects.boxes[2], nil
+      end,
+      order = function(world)
+        local boxes = world.objects.boxes
+        boxes[1], boxes[2] = boxes[2], boxes[1]
+      end,
+      removed = function(world)
+        world.objects.boxes[2] = nil
+      end,
+      added = function(world)
+        world:add("boxes", { x = 0, y = 0, width = 1, height = 1 })
+      end,
+    }) do
+      local world = smallWorld()
+      local before = world:hash()
+      change(world)
+      assert.are_not.equal(before, world:hash(), what)
+    end
+    local world = physics.newWorld({ timestep = 1 / 60 })
+    local before = world:hash()
+    world:update(1 / 100)
+    assert.are_not.equal(before, world:hash())
+  end)
+
+  it("takes -0 for 0, integers for floats, and a default for what is not set", function()
+    local world, box = smallWorld()
+    local before = world:hash()
+    box.vx, box.mass, box.pushable = -0.0, 1, true
+    box.x, box.width = 10.0, 16.0
+    assert.are.equal(before, world:hash())
+  end)
+end)
+
+describe("a damaged state", function()
+  for _, row in ipairs({
+    {
+      "nothing",
+      function()
+        return nil
+      end,
+      "state must be a table, got nil",
+    },
+    {
+      "a text",
+      function()
+        return "state"
+      end,
+      'state must be a table, got "state"',
+    },
+    {
+      "an empty one",
+      function()
+        return {}
+      end,
+      "state.version must be 1, got nil",
+    },
+    {
+      "another version",
+      function(state)
+        state.version = 2
+      end,
+      "state.version must be 1, got 2",
+    },
+    {
+      "a setting",
+      function(state)
+        state.settings.gravity = "much"
+      end,
+      'state.settings.gravity must be a number, got "much"',
+    },
+    {
+      "saved",
+      function(state)
+        state.saved = -1
+      end,
+      "state.saved must be a number >= 0, got -1",
+    },
+    {
+      "count",
+      function(state)
+        state.count = 2
+      end,
+      "state.known must be an integer in 0..2, got 3",
+    },
+    {
+      "a group",
+      function(state)
+        state.groups[1].count = 1
+      end,
+      "state.known must be 2, as many as the groups have, got 3",
+    },
+    {
+      "a name",
+      function(state)
+        state.groups[1].name = true
+      end,
+      "state.groups[1].name must be",
+    },
+    {
+      "a place",
+      function(state)
+        table.remove(state.x)
+      end,
+      "#state.x must be 3, got 2",
+    },
+    {
+      "a position",
+      function(state)
+        state.x[1] = false
+      end,
+      "objects.boxes[1].x must be a number, got false",
+    },
+    {
+      "a size",
+      function(state)
+        state.width[2] = 0
+      end,
+      "objects.boxes[2].width must be a number > 0, got 0",
+    },
+    {
+      "a field",
+      function(state)
+        state.fields.mass = { 1, -1 }
+      end,
+      "objects.boxes[1].mass must be a number > 0, got -1",
+    },
+    {
+      "the object of a field",
+      function(state)
+        state.fields.mass = { 9, 1 }
+      end,
+      "state.fields.mass[1] must be an integer in 1..3, got 9",
+    },
+    {
+      "fields in disorder",
+      function(state)
+        state.fields.mass = { 2, 1, 1, 1 }
+      end,
+      "state.fields.mass[3] must be > 2, got 1",
+    },
+    {
+      "a contact",
+      function(state)
+        state.contacts[3] = 7
+      end,
+      "state.contacts[3] must be a contact of a pair, got 7",
+    },
+    {
+      "a support",
+      function(state)
+        state.memory.support[2] = 0
+      end,
+      "state.memory.support[2] must be an integer in 1..3, got 0",
+    },
+    {
+      "touching",
+      function(state)
+        state.touching[5] = 99
+      end,
+      "state.touching[5] must be",
+    },
+    {
+      "half an event",
+      function(state)
+        state.events = { 1 }
+      end,
+      "#state.events must be",
+    },
+  }) do
+    it("is refused, and nothing has changed: " .. row[1], function()
+      local world, box = smallWorld()
+      local state = read(write(world:save()))
+      box.x = 40
+      world:update(1 / 60)
+      local hash = world:hash()
+      local damaged = row[2](state)
+      if damaged == nil and row[1] ~= "nothing" then
+        damaged = state
+      end
+      local ok, message = pcall(function()
+        world:restore(damaged)
+      end)
+      assert.is_false(ok)
+      local text = "physics: world:restore(state): " .. row[3]
+      assert.is_truthy(message:find(text, 1, true), message)
+      assert.is_truthy(message:find("state_spec.lua", 1, true), message)
+      assert.are.equal(hash, world:hash())
+      assert.are.equal(40, box.x)
+    end)
+  end
+
+  it("and calls at the wrong moment or on no world are refused", function()
+    local world, box = smallWorld()
+    local state, messages = world:save(), {}
+    box.canCollide = function()
+      for _, call in ipairs({ "save", "restore", "hash" }) do
+        local _, message = pcall(function()
+          world[call](world, state)
+        end)
+        messages[#messages + 1] = message
+      end
+    end
+    box.y = 80
+    for _ = 1, 30 do
+      world:update(1 / 60)
+    end
+    assert.is_truthy(
+      messages[1]:find("world:save() cannot be called from inside canCollide", 1, true)
+    )
+    assert.is_truthy(messages[2]:find("world:restore(state) cannot be called", 1, true))
+    assert.is_truthy(messages[3]:find("world:hash() cannot be called", 1, true))
+    local _, message = pcall(function()
+      world.save()
+    end)
+    assert.is_truthy(message:find("world:save() must be called with a colon", 1, true))
+    _, message = pcall(function()
+      world:save(3)
+    end)
+    assert.is_truthy(message:find("world:save(out): out must be a table, got 3", 1, true))
+  end)
+end)

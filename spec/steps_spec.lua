@@ -1,0 +1,398 @@
+--- Parts of the step, each by itself: sorting, queue, broad phases, forces, friction, welds, …
+
+local begin = require("physics.begin")
+local columns = require("physics.columns")
+local everybody = require("physics.broadphase.pairs")
+local forces = require("physics.forces")
+local friction = require("physics.friction")
+local grid = require("physics.broadphase.grid")
+local newRandom = require("spec.support.random").new
+local path = require("physics.path")
+local physics = require("physics")
+local queue = require("physics.queue")
+local roster = require("physics.roster")
+local sort = require("physics.sort")
+local weld = require("physics.weld")
+
+local DYNAMIC, STATIC = columns.DYNAMIC, columns.STATIC
+local DT = 1 / 60
+
+--- Columns with some dynamic objects in slots 1, 2, …, all awake.
+local function newBodies(count)
+  local b = columns.new()
+  for n = 1, count do
+    local i = columns.claim(b)
+    assert.equal(n, i)
+    b.kind[i], b.inverseMass[i] = DYNAMIC, 1
+    b.size[2 * i], b.size[2 * i + 1] = 16, 16
+    b.awakeList[n], b.awake[i] = i, true
+  end
+  b.awakeCount = count
+  begin.run(b)
+  return b
+end
+
+describe("sort.by", function()
+  it("sorts by the first column, then the second, then the third", function()
+    local first = { 2, 1, 2, 1, 1 }
+    local second = { 5, 7, 5, 6, 7 }
+    local third = { 2, 2, 1, 9, 1 }
+    local list = { 1, 2, 3, 4, 5 }
+    sort.by(list, 5, first, second, third)
+    assert.same({ 4, 5, 2, 3, 1 }, list)
+  end)
+
+  it("sorts lists of any length and leaves what is behind them alone", function()
+    local random = newRandom(3)
+    for count = 0, 40 do
+      local list, column, same = {}, {}, {}
+      for n = 1, count do
+        list[n], column[n], same[n] = n, random:integer(1, 10), 0
+      end
+      list[count + 1] = "end"
+      local number = {}
+      for n = 1, count do
+        number[n] = n
+      end
+      sort.by(list, count, column, same, number)
+      for n = 2, count do
+        local a, b = list[n - 1], list[n]
+        assert.is_true(column[a] < column[b] or (column[a] == column[b] and a < b))
+      end
+      assert.equal("end", list[count + 1])
+    end
+  end)
+end)
+
+describe("the queue", function()
+  it("gives events back by key, then the larger support, then ranks", function()
+    local q = queue.new()
+    --           key, support, ranks, pair, code, time
+    queue.push(q, 2, 0, 1, 2, 10, 0, 0.5)
+    queue.push(q, 1, 5, 3, 4, 11, 1, 0.25)
+    queue.push(q, 1, 9, 5, 6, 12, 2, 0.25)
+    queue.push(q, 1, 5, 3, 1, 13, 3, 0.25)
+    queue.push(q, 1, 5, 2, 9, 14, 4, 0.25)
+    local found = {}
+    local id = queue.pop(q)
+    while id do
+      local pair, code, time = queue.read(q, id)
+      found[#found + 1] = ("%d %d %g"):format(pair, code, time)
+      id = queue.pop(q)
+    end
+    assert.same({ "12 2 0.25", "14 4 0.25", "13 3 0.25", "11 1 0.25", "10 0 0.5" }, found)
+  end)
+
+  it("keeps its order over many pushes and pops, and uses its memory again", function()
+    local random, q = newRandom(5), queue.new()
+    local inside, last = {}, 0
+    for _ = 1, 2000 do
+      if random:chance(0.5) then
+        local key = random:integer(1, 1000)
+        queue.push(q, key, 0, key, 0, key, 0, 0)
+        inside[#inside + 1] = key
+        table.sort(inside)
+      else
+        local id = queue.pop(q)
+        local first = table.remove(inside, 1)
+        assert.equal(first, id and queue.read(q, id))
+      end
+      last = math.max(last, q.size)
+    end
+    assert.is_true(q.last <= 8 * last)
+    queue.clear(q)
+    assert.is_nil(queue.pop(q))
+  end)
+end)
+
+describe("the broad phases", function()
+  --- Puts a box with random place and size into the fat boxes of slot i.
+  local function place(b, random, i)
+    local scale = random:pick({ 1, 1, 1, 10, 300 })
+    local x, y = random:between(-500, 500), random:between(-500, 500)
+    b.fatLow[2 * i], b.fatHigh[2 * i] = x, x + scale * random:between(0.1, 30)
+    b.fatLow[2 * i + 1], b.fatHigh[2 * i + 1] = y, y + scale * random:between(0.1, 30)
+  end
+
+  local function ask(phase, left, top, right, bottom)
+    local found = { "old", "old" }
+    local count = phase:query(left, top, right, bottom, found)
+    local list = {}
+    for n = 1, count do
+      list[n] = found[n]
+    end
+    table.sort(list)
+    return table.concat(list, " ")
+  end
+
+  for _, cell in ipairs({ 32, 1, 7.3, 4000 }) do
+    it("find the same, in cells of " .. cell, function()
+      local random = newRandom(9)
+      local b = newBodies(150)
+      local phases = { everybody.new(b), grid.new(b, cell) }
+      local isIn = {}
+      for _ = 1, 600 do
+        local i = random:integer(1, 150)
+        if isIn[i] and random:chance(0.4) then
+          for _, phase in ipairs(phases) do
+            phase:remove(i)
+          end
+          isIn[i] = false
+        else
+          place(b, random, i)
+          for _, phase in ipairs(phases) do
+            if isIn[i] then
+              phase:update(i)
+            else
+              phase:insert(i)
+            end
+          end
+          isIn[i] = true
+        end
+        local x, y = random:between(-600, 600), random:between(-600, 600)
+        local w, h = random:between(0, 200), random:between(0, 200)
+        if random:chance(0.05) then
+          w = 1e9
+        end
+        assert.equal(ask(phases[1], x, y, x + w, y + h), ask(phases[2], x, y, x + w, y + h))
+      end
+    end)
+  end
+
+  it("work far out, and at the edges", function()
+    local b = newBodies(3)
+    local phases = { everybody.new(b), grid.new(b) }
+    for i, x in ipairs({ -1e12, 0, 1e12 }) do
+      b.fatLow[2 * i], b.fatHigh[2 * i] = x, x + 16
+      b.fatLow[2 * i + 1], b.fatHigh[2 * i + 1] = 0, 16
+      for _, phase in ipairs(phases) do
+        phase:insert(i)
+      end
+    end
+    for _, phase in ipairs(phases) do
+      assert.equal("1", ask(phase, -1e12, 0, -1e12 + 1, 1))
+      assert.equal("2", ask(phase, 16, 16, 20, 20))
+      assert.equal("2", ask(phase, -5, -5, 0, 0))
+      assert.equal("", ask(phase, 16.001, 0, 20, 1))
+      assert.equal("3", ask(phase, 1e12, 0, 1e12 + 1, 1))
+      assert.equal("1 2 3", ask(phase, -1e13, -1e13, 1e13, 1e13))
+    end
+  end)
+end)
+
+describe("forces", function()
+  -- what, velocity, acceleration, air friction, drag, limit, dt; velocity and way afterwards
+  for _, row in ipairs({
+    { "none: it flies on", 60, 0, 0, 0, nil, 0.5, 60, 30 },
+    { "gravity: v + a t, and v t + a t² / 2", 10, 800, 0, 0, nil, 0.5, 410, 105 },
+    { "air friction alone: e^-kt", 100, 0, 2, 0, nil, 0.5, 36.787944117144, 31.606027941428 },
+    { "air friction against gravity", 0, 100, 1, 0, nil, 1, 63.212055882856, 36.787944117144 },
+    { "drag, moving", 100, 0, 0, 50, nil, 1, 50, 75 },
+    { "drag, until it stands", 100, 0, 0, 400, nil, 1, 0, 12.5 },
+    { "drag, the other way", -100, 0, 0, 400, nil, 1, 0, -12.5 },
+    { "a limit reached half-way", 0, 100, 0, 0, 50, 1, 50, 37.5 },
+    { "a limit exceeded before", 90, 0, 0, 0, 50, 1, 50, 50 },
+  }) do
+    it(row[1], function()
+      for axis = 0, 1 do
+        local b = newBodies(1)
+        local k = 2 + axis
+        b.velocity[k], b.pull[k], b.airFriction[1], b.drag[1] = row[2], row[3], row[4], row[5]
+        b.limit[k] = row[6] or math.huge
+        forces.run(b, row[7], 1, 1)
+        assert.near(row[8], b.speed[k], 1e-9)
+        assert.near(row[9], b.way[k], 1e-9)
+        assert.equal(0, b.speed[5 - k])
+        assert.equal(0, b.way[5 - k])
+      end
+    end)
+  end
+
+  it("limit the length of a velocity, whatever its direction", function()
+    local b = newBodies(1)
+    b.velocity[2], b.velocity[3], b.maxSpeed[1] = 300, -400, 100
+    forces.run(b, 0.5, 1, 1)
+    assert.near(60, b.speed[2], 1e-9)
+    assert.near(-80, b.speed[3], 1e-9)
+    assert.near(30, b.way[2], 1e-9)
+    assert.near(-40, b.way[3], 1e-9)
+  end)
+
+  it("damp the same in one long step and in many short ones", function()
+    local long, short, way = newBodies(1), newBodies(1), 0
+    long.velocity[2], long.airFriction[1], long.pull[2] = 100, 3, 40
+    short.velocity[2], short.airFriction[1], short.pull[2] = 100, 3, 40
+    forces.run(long, 1, 1, 1)
+    for _ = 1, 200 do
+      forces.run(short, 1 / 200, 1, 1)
+      short.velocity[2], way = short.speed[2], way + short.way[2]
+    end
+    assert.near(long.speed[2], short.speed[2], 1e-9)
+    assert.near(long.way[2], way, 1e-9)
+  end)
+end)
+
+describe("friction", function()
+  -- of one, of the other (nil: not set), the pair's
+  for _, row in ipairs({
+    { 0.5, 0.5, 0.5 },
+    { 0.4, 0.9, 0.6 },
+    { 0, 1, 0 },
+    { nil, 0.3, 0.3 },
+    { 0.3, nil, 0.3 },
+    { nil, nil, 0 },
+  }) do
+    it(("of %s and %s is %g"):format(tostring(row[1]), tostring(row[2]), row[3]), function()
+      local b = newBodies(2)
+      b.friction[1], b.friction[2] = row[1] or -1, row[2] or -1
+      assert.near(row[3], friction.coefficient(b, 1, 2), 1e-12)
+      assert.near(row[3], friction.coefficient(b, 2, 1), 1e-12)
+    end)
+  end
+
+  it("slows by its share of the weight, and stops exactly", function()
+    local world = physics.newWorld({ gravity = 800 })
+    world:add("tiles", { x = -100, y = 16, width = 900, height = 16, static = true })
+    local box = world:add("boxes", { x = 0, y = 0, width = 16, height = 16, vx = 90 })
+    box.friction = 0.5
+    world:update(DT)
+    assert.near(90 - 400 * DT, box.vx, 1e-9)
+    for _ = 1, 20 do
+      world:update(DT)
+    end
+    assert.equal(0, box.vx)
+    assert.near(90 * 90 / (2 * 400), box.x, 0.1)
+  end)
+end)
+
+describe("a weld", function()
+  it("joins masses, follows together, and is held together", function()
+    local b = newBodies(4)
+    for i = 1, 4 do
+      b.mass[i] = i
+    end
+    weld.join(b, 2, 4)
+    weld.join(b, 6, 8)
+    assert.near(1 / 3, weld.inverseMass(b, 2), 1e-12)
+    assert.near(1 / 7, weld.inverseMass(b, 8), 1e-12)
+    weld.join(b, 4, 6)
+    weld.join(b, 8, 2) -- they are joined already
+    for k = 2, 8, 2 do
+      assert.near(1 / 10, weld.inverseMass(b, k), 1e-12)
+    end
+    path.startChanges(b)
+    b.speed[4] = 7
+    weld.follow(b, 4, 5, 0)
+    assert.equal(0, b.to[4])
+    for _, k in ipairs({ 2, 6, 8 }) do
+      assert.equal(5, b.to[k])
+      assert.equal(7, b.speed[k])
+    end
+    assert.equal(3, b.changedCount)
+    weld.hold(b, 6, false, true)
+    for k = 2, 8, 2 do
+      assert.is_true(b.heldHigh[k])
+      assert.is_false(b.heldLow[k])
+    end
+    assert.is_false(b.heldHigh[3]) -- the other axis has welds of its own
+  end)
+end)
+
+describe("a path", function()
+  it("begins anew where the object is at a moment", function()
+    local b = newBodies(1)
+    b.to[2], b.to[3] = 8, -4
+    path.advance(b, 1, 0.5)
+    assert.same({ 4, -2, 0.5 }, { b.from[2], b.from[3], b.time[1] })
+    path.advance(b, 1, 0.75)
+    assert.same({ 6, -3, 0.75 }, { b.from[2], b.from[3], b.time[1] })
+    path.advance(b, 1, 0.25) -- not back
+    assert.same({ 6, -3, 0.75 }, { b.from[2], b.from[3], b.time[1] })
+    b.kind[1] = STATIC
+    path.advance(b, 1, 1)
+    assert.equal(0.75, b.time[1])
+  end)
+
+  it("that changed is noted once", function()
+    local b = newBodies(2)
+    path.startChanges(b)
+    path.change(b, 2)
+    path.change(b, 2)
+    path.change(b, 1)
+    assert.equal(2, b.changedCount)
+    assert.same({ 2, 1 }, { b.changed[1], b.changed[2] })
+    path.startChanges(b)
+    assert.equal(0, b.changedCount)
+  end)
+end)
+
+describe("the columns", function()
+  it("give slots and pairs back and use them again", function()
+    local b = newBodies(3)
+    local first, second = columns.link(b, 1, 2), columns.link(b, 2, 3)
+    assert.equal(first, columns.pairOf(b, 2, 1))
+    assert.equal(second, columns.pairOf(b, 2, 3))
+    assert.is_nil(columns.pairOf(b, 1, 3))
+    columns.unlink(b, first)
+    assert.is_nil(columns.pairOf(b, 1, 2))
+    assert.equal(second, columns.pairOf(b, 3, 2))
+    assert.equal(first, columns.link(b, 3, 1))
+    assert.equal(2, b.pairCount)
+    b.mass[2] = 7
+    columns.unlink(b, second)
+    columns.release(b, 2)
+    assert.equal(2, b.count)
+    assert.equal(2, columns.claim(b))
+    assert.equal(1, b.mass[2])
+  end)
+end)
+
+describe("the roster", function()
+  it("reports who is new, who is gone and who moved, and nothing when all is the same", function()
+    local b, self = columns.new(), roster.new()
+    local lines = {}
+    local function enter(_, object)
+      local slot = columns.claim(b)
+      b.slotOf[object], b.object[slot] = slot, object
+      lines[#lines + 1] = "+" .. object.name
+      return slot
+    end
+    local function leave(_, slot)
+      lines[#lines + 1] = "-" .. b.object[slot].name
+      b.slotOf[b.object[slot]] = nil
+      columns.release(b, slot)
+    end
+    local function rename(_, slot, record)
+      lines[#lines + 1] = b.object[slot].name .. ">" .. record.name
+      b.group[slot] = record
+    end
+    local function update(objects)
+      lines = {}
+      local realEnter = function(_, object, record, key)
+        local slot = enter(b, object)
+        b.group[slot], b.key[slot] = record, key
+        return slot
+      end
+      local changed = roster.update(b, self, objects, realEnter, leave, rename)
+      return changed, table.concat(lines, " ")
+    end
+    local function newNamed(name)
+      return { name = name, x = 0, y = 0, width = 1, height = 1 }
+    end
+    local p, q, r = newNamed("p"), newNamed("q"), newNamed("r")
+    local objects = { boxes = { p, q }, hero = r }
+    assert.same({ true, "+p +q +r" }, { update(objects) })
+    assert.same({ false, "" }, { update(objects) })
+    assert.is_true(b.rank[b.slotOf[p]] < b.rank[b.slotOf[q]])
+    assert.is_true(b.rank[b.slotOf[q]] < b.rank[b.slotOf[r]])
+    objects.boxes[1], objects.boxes[2] = q, p
+    assert.same({ true, "" }, { update(objects) })
+    assert.is_true(b.rank[b.slotOf[q]] < b.rank[b.slotOf[p]])
+    objects.boxes[2], objects.crates = nil, { p }
+    assert.same({ true, "p>crates" }, { update(objects) })
+    objects.hero = nil
+    assert.same({ true, "-r" }, { update(objects) })
+    assert.same({ true, "-q -p" }, { update({}) })
+    assert.equal(0, b.count)
+  end)
+end)

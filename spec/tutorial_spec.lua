@@ -1,0 +1,183 @@
+--- The tutorial, followed line by line: global names, grouped tables, a loop that bumps.
+-- luacheck: globals objects physics_load physics_update checkCollision inside bump
+
+local physics = require("physics")
+
+local GLOBALS = {
+  "objects",
+  "physics_load",
+  "physics_update",
+  "checkCollision",
+  "inside",
+  "bump",
+}
+local DT = 1 / 60
+
+-- A global that a spec assigns would be busted's own, one that it reads is real.
+local globals = _G
+
+local function forgetGlobals()
+  for _, name in ipairs(GLOBALS) do
+    rawset(_G, name, nil)
+  end
+end
+
+describe("the library", function()
+  it("sets no global, until it is asked to", function()
+    local before, loaded = {}, {}
+    for name in pairs(_G) do
+      before[name] = true
+    end
+    for name, module in pairs(package.loaded) do
+      if name == "physics" or name:find("^physics%.") then
+        loaded[name], package.loaded[name] = module, nil
+      end
+    end
+    local again = require("physics")
+    again.load({ gravity = 0 })
+    again.add("boxes", { x = 0, y = 0, width = 1, height = 1 })
+    again.update(DT)
+    for name in pairs(package.loaded) do
+      if name == "physics" or name:find("^physics%.") then
+        package.loaded[name] = nil
+      end
+    end
+    for name, module in pairs(loaded) do
+      package.loaded[name] = module
+    end
+    for name in pairs(_G) do
+      assert.is_true(before[name], tostring(name))
+    end
+    for _, name in ipairs(GLOBALS) do
+      assert.is_nil(rawget(_G, name))
+    end
+  end)
+end)
+
+describe("the tutorial", function()
+  before_each(function()
+    physics.load()
+    physics.globals()
+  end)
+
+  after_each(function()
+    forgetGlobals()
+    physics.load()
+  end)
+
+  it("has its six names", function()
+    assert.is_table(objects)
+    for n = 2, #GLOBALS do
+      assert.is_function(rawget(_G, GLOBALS[n]))
+    end
+  end)
+
+  it("loads, and updates a table of groups that the game assigns", function()
+    globals.objects = {
+      players = { { x = 40, y = 40, width = 24, height = 32 } },
+      tiles = { { x = 0, y = 560, width = 800, height = 40, static = true } },
+    }
+    physics_load({ gravity = 800 })
+    for _ = 1, 120 do
+      physics_update(DT)
+    end
+    assert.equal(528, objects.players[1].y)
+    assert.equal(objects.tiles[1], objects.players[1].touching.bottom)
+    assert.equal(objects, physics.objects)
+  end)
+
+  it("reads the global anew at every update", function()
+    physics_load({ gravity = 0 })
+    globals.objects = { boxes = { { x = 0, y = 0, width = 8, height = 8, vx = 60 } } }
+    physics_update(DT)
+    local first = objects.boxes[1]
+    assert.near(1, first.x, 1e-12)
+    globals.objects = { boxes = { { x = 100, y = 0, width = 8, height = 8, vx = 60 } } }
+    physics_update(DT)
+    assert.near(1, first.x, 1e-12)
+    assert.near(101, objects.boxes[1].x, 1e-12)
+  end)
+
+  it("may put all objects into one table, without groups", function()
+    physics_load({ gravity = 800 })
+    globals.objects = {
+      { x = 0, y = 0, width = 16, height = 16 },
+      { x = -50, y = 100, width = 200, height = 16, static = true },
+      player = { x = 40, y = 0, width = 16, height = 16 },
+    }
+    for _ = 1, 60 do
+      physics_update(DT)
+    end
+    assert.equal(84, objects[1].y)
+    assert.equal(84, objects.player.y)
+  end)
+
+  it("may start with no table at all", function()
+    rawset(_G, "objects", nil)
+    physics_load()
+    objects.boxes = { { x = 0, y = 0, width = 16, height = 16 } }
+    physics_update(DT)
+    assert.is_true(objects.boxes[1].y > 0)
+  end)
+
+  it("says what is wrong when the table is gone", function()
+    physics_load()
+    rawset(_G, "objects", nil)
+    local ok, message = pcall(physics_update, DT)
+    assert.is_false(ok)
+    assert.truthy(message:find("objects must be a table of groups, got nil", 1, true))
+  end)
+
+  --     +------+           a is hit on its right side
+  --     |  a   |--+
+  --     +------+ b|
+  --        +------+
+  it("finds the intersection, the side, and what is inside", function()
+    local a = { x = 0, y = 0, width = 16, height = 16 }
+    local b = { x = 12, y = 2, width = 16, height = 16 }
+    assert.equal("right", checkCollision(a, b))
+    assert.equal("left", checkCollision(b, a))
+    assert.equal("right", checkCollision(0, 0, 16, 16, 12, 2, 16, 16))
+    assert.is_false(checkCollision(a, { x = 16, y = 0, width = 4, height = 4 }))
+    assert.equal("right", checkCollision(a, { x = 16, y = 0, width = 4, height = 4 }, true))
+    assert.is_true(inside(2, 2, 4, 4, 0, 0, 16, 16))
+    assert.is_false(inside(2, 2, 40, 4, 0, 0, 16, 16))
+  end)
+
+  -- mode, masses, where a and b are afterwards (they overlap by 4 px on x)
+  for _, row in ipairs({
+    { "both", 1, 1, -2, 14 },
+    { nil, 1, 1, -2, 14 },
+    { "both", 3, 1, -1, 15 },
+    { "first", 1, 1, -4, 12 },
+  }) do
+    it(("bumps: push %s, masses %d and %d"):format(tostring(row[1]), row[2], row[3]), function()
+      local a = { x = 0, y = 0, width = 16, height = 16, mass = row[2] }
+      local b = { x = 12, y = 2, width = 16, height = 16, mass = row[3] }
+      assert.equal("right", bump(a, b, row[1]))
+      assert.equal(row[4], a.x)
+      assert.equal(row[5], b.x)
+      assert.is_false(checkCollision(a, b))
+    end)
+  end
+
+  it("skips static against static, and walks over all pairs only once", function()
+    physics_load({ gravity = 0 })
+    local asked = 0
+    physics.canCollide = function()
+      asked = asked + 1
+      return false
+    end
+    globals.objects = {
+      tiles = {
+        { x = 0, y = 0, width = 16, height = 16, static = true },
+        { x = 8, y = 0, width = 16, height = 16, static = true },
+      },
+      boxes = { { x = 100, y = 0, width = 16, height = 16 } },
+      crates = { { x = 104, y = 0, width = 16, height = 16 } },
+    }
+    physics_update(DT)
+    assert.is_true(asked >= 1 and asked <= 2) -- when they are found inside each other, and when met
+    assert.equal(0, objects.tiles[1].x)
+  end)
+end)
