@@ -1,5 +1,6 @@
--- Breakout: balls that lose no speed, bullets that miss nothing, and gold bricks with another ball.
+-- Breakout: balls that lose no speed, bullets that miss nothing, white bricks that hold another ball.
 
+local boxes = require("boxes")
 local input = require("input")
 local look = require("look")
 local physics = require("physics")
@@ -21,9 +22,9 @@ local function send(ball, dx, dy)
 end
 
 local function addBall(x, y, dx, dy)
-  local ball = { x = x, y = y, width = BALL, height = BALL, restitution = 1, color = "white" }
+  local ball = { restitution = 1 }
   send(ball, dx, dy)
-  world:add("balls", ball)
+  boxes.add(world, "balls", "white", x, y, BALL, BALL, ball)
 end
 
 -- Callbacks may remove and add what they like: the library calls them when its step is done.
@@ -52,9 +53,8 @@ local function hitAnything(bullet)
 end
 
 local function shoot()
-  local bullet = { x = paddle.x + paddle.width / 2 - 2, y = paddle.y, width = 4, height = 12 }
-  bullet.vy, bullet.onBegin = -BULLET_SPEED, hitAnything
-  world:add("bullets", bullet)
+  local bullet = { vy = -BULLET_SPEED, onBegin = hitAnything }
+  boxes.add(world, "bullets", "cyan", paddle.x + paddle.width / 2 - 2, paddle.y, 4, 12, bullet)
   state.shots = state.shots + 1
 end
 
@@ -71,15 +71,14 @@ function breakout.load()
   world:add("pits", pit)
   for i = 0, COLUMNS * #COLORS - 1 do
     local column, row = i % COLUMNS, math.floor(i / COLUMNS)
-    local brick = { width = WIDTH, height = HEIGHT, static = true, onBegin = breakBrick }
-    brick.x, brick.y = LEFT + 7 + column * (WIDTH + GAP), TOP + 40 + row * (HEIGHT + GAP)
-    brick.color = i % 17 == 8 and "white" or COLORS[row + 1]
-    world:add("bricks", brick)
+    local x, y = LEFT + 7 + column * (WIDTH + GAP), TOP + 40 + row * (HEIGHT + GAP)
+    local color = i % 17 == 8 and "white" or COLORS[row + 1]
+    local brick = { static = true, onBegin = breakBrick }
+    boxes.add(world, "bricks", color, x, y, WIDTH, HEIGHT, brick)
   end
   -- Solid only at its top: it never presses a ball against a wall.
-  paddle = { x = 420, y = 556, width = 120, height = 16, kinematic = true, oneWay = "top" }
-  paddle.onBegin, paddle.carry = hitPaddle, false
-  world:add("paddles", paddle)
+  paddle = { kinematic = true, oneWay = "top", carry = false, onBegin = hitPaddle }
+  boxes.add(world, "paddles", "cyan", 420, 556, 120, 16, paddle)
 end
 
 function breakout.update(dt)
@@ -115,29 +114,19 @@ function breakout.draw()
   look.sky("night", "navy", "plum")
   look.color("slate")
   love.graphics.rectangle("line", LEFT - 0.5, TOP - 0.5, RIGHT - LEFT + 1, 600)
-  for _, group in ipairs({ "bricks", "balls", "bullets" }) do
-    for _, object in ipairs(world.objects[group] or {}) do
-      local color = object.color or "cyan"
-      look.box(object.x, object.y, object.width, object.height, color)
-    end
-  end
+  boxes.draw(world, { "bricks", "balls", "bullets", "paddles" })
   for _, flash in ipairs(state.flashes) do
     look.color("white", flash.left)
     love.graphics.rectangle("fill", flash[1], flash[2], flash[3], flash[4], 3)
   end
-  look.box(paddle.x, paddle.y, paddle.width, paddle.height, "cyan")
   local ball = world.objects.balls and world.objects.balls[1] or paddle
   local lookX = math.max(-1, math.min(1, (ball.x - paddle.x - 53) / 200))
   look.eyes(paddle.x + 38, paddle.y, 44, 24, lookX, -0.6)
-  look.color("white")
-  look.text(("bricks %d"):format(#world.objects.bricks), 24, 22, 17)
-  look.color("silver")
-  local text = "balls %d     bullets %d, of which through a wall: %d"
   local lost = state.shots - state.hits - #(world.objects.bullets or {})
-  look.text(text:format(#(world.objects.balls or {}), state.shots, lost), 140, 22, 17)
-  look.panel(0, 606, 960, 40)
-  local keys = { { "left", "right", "mouse", "move" }, { "space", "click", "shoot" } }
-  look.keys({ { "r", "again" }, { "esc", "menu" } }, look.keys(keys, 16, 611), 611)
+  local bullets = ("%d bullets, %d went through a wall"):format(state.shots, lost)
+  local bricks = #world.objects.bricks .. " bricks"
+  boxes.status({ "white", bricks, "silver", bullets, "yellow", bricks == "0 bricks" and "Well done!" or "" }, 24, 20)
+  boxes.keys({ { "left", "right", "mouse", "move" }, { "space", "click", "shoot" } })
 end
 
 function breakout.report()

@@ -1,5 +1,6 @@
 -- A factory with lifts, belts, a press and shelves. Five coins are to be taken.
 
+local boxes = require("boxes")
 local input = require("input")
 local look = require("look")
 local physics = require("physics")
@@ -10,22 +11,15 @@ local RUN_SPEED, RUN_UP, JUMP_SPEED = 230, 1800, 620 -- px/s, px/s², px/s
 local CRATE, SHEET = 32, 4 -- px, the height of a crate before and after the press
 local CRATE_EVERY, MOST = 2.4, 30 -- s, crates
 local COINS = { { 30, 110 }, { 400, 80 }, { 848, 140 }, { 490, 430 }, { 848, 410 } }
-local LAYERS = { "walls", "belts", "shelves", "lifts", "crates", "players" }
 
 local world, player, press, state
-
-local function add(group, color, x, y, width, height, fields)
-  local object = fields or {}
-  object.color, object.x, object.y, object.width, object.height = color, x, y, width, height
-  return world:add(group, object)
-end
 
 -- A kinematic object goes where it is told to, whatever is in its way. Those who stand on it come
 -- along, and those who stand on them: nothing more has to be done for that.
 local function addLift(color, x, y, width, height, toX, toY, period, oneWay)
   local lift = { kinematic = true, period = period, oneWay = oneWay }
   lift.fromX, lift.fromY, lift.toX, lift.toY = x, y, toX, toY
-  return add("lifts", color, x, y, width, height, lift)
+  return boxes.add(world, "lifts", color, x, y, width, height, lift)
 end
 
 local function moveLift(lift)
@@ -47,7 +41,8 @@ local function flatten(object)
 end
 
 local function addCrate(x, y, color)
-  add("crates", color, x, y, CRATE, CRATE, { mass = 0.5, friction = 0.4, onCrush = flatten })
+  local crate = { mass = 0.5, friction = 0.4, onCrush = flatten }
+  boxes.add(world, "crates", color, x, y, CRATE, CRATE, crate)
   if #world.objects.crates > MOST then
     table.remove(world.objects.crates, 5) -- the first four stay
   end
@@ -64,12 +59,15 @@ function lifts.load()
   world = physics.newWorld({ gravity = 1600 })
   state = { time = 0, coins = 0, flattened = 0, untilCrate = 0 }
   world:setBounds(0, -300, 960, 856) -- four walls; the lower one is the floor
-  add("walls", "slate", 436, 354, 16, 98, { static = true })
+  boxes.add(world, "walls", "slate", 436, 354, 16, 98, { static = true })
   -- What stands on a surface that runs is carried, as if by a lift.
-  add("belts", "night", 250, 330, 330, 24, { static = true, surfaceSpeed = 90 })
-  add("belts", "night", 400, 460, 310, 24, { static = true, surfaceSpeed = -110 })
+  local upper = { static = true, surfaceSpeed = 90 }
+  local lower = { static = true, surfaceSpeed = -110 }
+  boxes.add(world, "belts", "night", 250, 330, 330, 24, upper)
+  boxes.add(world, "belts", "night", 400, 460, 310, 24, lower)
   for i = 0, 3 do
-    add("shelves", "teal", 790, 466 - i * 90, 130, 12, { static = true, oneWay = "top" })
+    local shelf = { static = true, oneWay = "top" }
+    boxes.add(world, "shelves", "teal", 790, 466 - i * 90, 130, 12, shelf)
   end
   addLift("sky", 40, 540, 110, 16, 40, 210, 3, "top") -- one-way: it crushes nobody below
   addLift("sky", 180, 210, 150, 16, 610, 210, 3.5)
@@ -79,10 +77,11 @@ function lifts.load()
   end
   addCrate(80, 500, "green")
   for _, at in ipairs(COINS) do
-    add("coins", "yellow", at[1], at[2], 18, 18, { static = true, sensor = true })
-    world.objects.coins[#world.objects.coins].onBegin = takeCoin
+    local coin = { static = true, sensor = true, onBegin = takeCoin }
+    boxes.add(world, "coins", "yellow", at[1], at[2], 18, 18, coin)
   end
-  player = add("players", "orange", 300, 500, 26, 34, { vx = 0, onCrush = flatten, facing = 1 })
+  player = { vx = 0, vy = 0, onCrush = flatten, facing = 1 }
+  boxes.add(world, "players", "orange", 300, 500, 26, 34, player)
 end
 
 function lifts.update(dt)
@@ -120,30 +119,18 @@ function lifts.draw()
   love.graphics.rectangle("fill", 484, 354, 16, press.y - 354)
   look.color("dusk")
   love.graphics.rectangle("fill", 0, 556, 960, 84)
-  for _, layer in ipairs(LAYERS) do
-    for _, object in ipairs(world.objects[layer]) do
-      look.box(object.x, object.y, object.width, object.height, object.color)
-    end
-  end
+  boxes.draw(world, { "walls", "belts", "shelves", "lifts", "crates", "players" })
+  boxes.drawCoins(world.objects.coins, state.time)
   look.eyes(player.x, player.y, player.width, player.height, player.facing, 0)
-  look.color("yellow")
-  for _, coin in ipairs(world.objects.coins) do
-    love.graphics.circle("fill", coin.x + 9, coin.y + 9 + math.sin(state.time * 4 + coin.x) * 3, 9)
-  end
   look.color("silver")
   for _, belt in ipairs(world.objects.belts) do
     for x = belt.x + state.time * belt.surfaceSpeed % 24, belt.x + belt.width - 9, 24 do
       love.graphics.rectangle("fill", x, belt.y + 2, 9, 4)
     end
   end
-  look.panel(16, 14, 260, 40)
-  look.color("yellow")
-  look.text(("coins %d / %d"):format(state.coins, #COINS), 32, 24, 16)
-  look.color("silver")
-  look.text(("pressed flat %d"):format(state.flattened), 140, 24, 16)
-  look.panel(0, 606, 960, 40)
-  local x = look.keys({ { "left", "right", "run" }, { "space", "jump" } }, 16, 611)
-  look.keys({ { "down", "drop through" }, { "r", "again" }, { "esc", "menu" } }, x, 611)
+  local coins, flattened = state.coins .. " / 5 coins", state.flattened .. " pressed flat"
+  boxes.status({ "yellow", coins, "silver", flattened }, 24, 20)
+  boxes.keys({ { "left", "right", "run" }, { "space", "jump" }, { "down", "drop through" } })
 end
 
 function lifts.report()

@@ -8,9 +8,13 @@ local menu = {}
 local EXAMPLES = {
   { name = "platformer", title = "Platformer", text = "A level to play: run, jump, push, stomp." },
   { name = "tutorial", title = "Tutorial", text = "How such an engine works, in ten steps." },
+  { name = "lifts", title = "Lifts", text = "Riders, belts, one-way shelves, a press." },
+  { name = "topdown", title = "Topdown", text = "Rooms, narrow doors, crates, a ghost." },
+  { name = "breakout", title = "Breakout", text = "Balls that bounce, bullets that hit." },
+  { name = "rollback", title = "Rollback", text = "Football, and time that turns back." },
   { name = "pile", title = "Pile", text = "Many boxes on each other, and what they cost." },
 }
-local X, Y, WIDTH, HEIGHT, GAP = 80, 228, 430, 84, 18
+local X, Y, WIDTH, HEIGHT, GAP = 80, 170, 430, 50, 7
 local COLORS = { "red", "orange", "yellow", "green", "sky", "blue", "plum" }
 local MOST = 90 -- boxes
 
@@ -84,24 +88,24 @@ function menu.draw()
   end
 
   look.color("white")
-  look.text("physics.lua", X, 70, 54)
+  look.text("physics.lua", X, 44, 54)
   look.color("silver")
-  look.text("2D physics for games made of boxes", X + 3, 142, 18)
+  look.text("2D physics for games made of boxes", X + 3, 116, 18)
   for i, example in ipairs(EXAMPLES) do
     local y = Y + (i - 1) * (HEIGHT + GAP)
     look.panel(X, y, WIDTH, HEIGHT)
     if i == chosen then
       look.color("sky")
-      love.graphics.rectangle("fill", X, y + 12, 5, HEIGHT - 24, 2)
+      love.graphics.rectangle("fill", X, y + 9, 5, HEIGHT - 18, 2)
       look.color("white")
     else
       look.color("silver")
     end
-    look.text(example.title, X + 26, y + 14, 24)
+    look.text(example.title, X + 22, y + 12, 20)
     look.color(i == chosen and "silver" or "slate")
-    look.text(example.text, X + 26, y + 48, 15)
+    look.text(example.text, X + 148, y + 17, 14)
   end
-  look.keys({ { "up", "down", "choose" }, { "enter", "start" }, { "esc", "quit" } }, X, 566)
+  look.keys({ { "up", "down", "choose" }, { "enter", "start" }, { "esc", "quit" } }, X, 588)
 end
 
 --- Returns the name of the example to show when one was started.

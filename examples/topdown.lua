@@ -1,5 +1,6 @@
 -- Rooms seen from above. All coins are to be taken; the gate is open while a crate is on the plate.
 
+local boxes = require("boxes")
 local input = require("input")
 local look = require("look")
 local physics = require("physics")
@@ -25,8 +26,8 @@ local LEVEL = [[
 ########################
 ]]
 local TILE = 40 -- px, also the size of the player: it just fits through a door
+local NUDGE = 14 -- px: who misses a door by no more than this slips in
 local ENGINE, FLOOR_DRAG, MAX_SPEED = 2600, 1200, 230 -- px/s², px/s², px/s
-local LAYERS = { "plates", "ghostDoors", "gates", "crates", "walls" }
 -- A mask names the groups that one passes through; a sensor that one passes through says nothing.
 local GHOST = { ghostDoors = false, crates = false, coins = false }
 
@@ -37,7 +38,7 @@ local function takeCoin(coin)
   world:remove(coin)
 end
 
--- A sensor is told who comes and who goes.
+-- A sensor tells who comes and who goes.
 local function setGate(change)
   return function()
     state.pressing = state.pressing + change
@@ -46,42 +47,32 @@ local function setGate(change)
   end
 end
 
-local function add(group, color, x, y, size, object)
-  local margin = (TILE - size) / 2
-  object.x, object.y, object.width, object.height = x + margin, y + margin, size, size
-  object.color = color
-  return world:add(group, object)
-end
-
-local build = {
-  ["#"] = function(x, y)
-    add("walls", "blue", x, y, TILE, { static = true })
-  end,
-  ["%"] = function(x, y)
-    add("ghostDoors", "cyan", x, y, TILE, { static = true })
-  end,
-  ["|"] = function(x, y)
-    gate = add("gates", "orange", x, y, TILE, { static = true })
-  end,
-  o = function(x, y)
+-- What stands on the tile whose top-left corner is x, y.
+local function build(character, x, y)
+  local function add(group, color, size, object)
+    local margin = (TILE - size) / 2
+    return boxes.add(world, group, color, x + margin, y + margin, size, size, object)
+  end
+  if character == "#" then
+    add("walls", "blue", TILE, { static = true })
+  elseif character == "%" then
+    add("ghostDoors", "cyan", TILE, { static = true, alpha = 0.35 })
+  elseif character == "|" then
+    gate = add("gates", "orange", TILE, { static = true })
+  elseif character == "o" then
     local mask = { crates = false }
-    local coin = { static = true, sensor = true, mask = mask, onBegin = takeCoin }
-    add("coins", "yellow", x, y, 18, coin)
-  end,
-  C = function(x, y) -- the floor brakes it
-    add("crates", "red", x, y, 38, { drag = FLOOR_DRAG, mass = 0.5, nudge = 14 })
-  end,
-  T = function(x, y)
+    add("coins", "yellow", 18, { static = true, sensor = true, mask = mask, onBegin = takeCoin })
+  elseif character == "T" then
     local plate = { static = true, sensor = true, mask = { players = false } }
     plate.onBegin, plate.onEnd = setGate(1), setGate(-1)
-    add("plates", "orange", x, y, 32, plate)
-  end,
-  P = function(x, y)
-    -- `nudge`: who misses a door by up to 14 px slips in and does not get stuck at its corner.
-    player = { drag = FLOOR_DRAG, maxSpeed = MAX_SPEED, nudge = 14, lookX = 1, lookY = 0 }
-    add("players", "lime", x, y, TILE, player)
-  end,
-}
+    add("plates", "orange", 34, plate)
+  elseif character == "C" then
+    add("crates", "red", 38, { drag = FLOOR_DRAG, mass = 0.5, nudge = NUDGE })
+  elseif character == "P" then
+    player = { drag = FLOOR_DRAG, maxSpeed = MAX_SPEED, nudge = NUDGE, lookX = 1, lookY = 0 }
+    add("players", "lime", TILE, player)
+  end
+end
 
 function topdown.load()
   world = physics.newWorld({ gravity = 0 })
@@ -89,10 +80,7 @@ function topdown.load()
   local row = 0
   for text in LEVEL:gmatch("[^\n]+") do
     for column = 1, #text do
-      local make = build[text:sub(column, column)]
-      if make then
-        make((column - 1) * TILE, row * TILE)
-      end
+      build(text:sub(column, column), (column - 1) * TILE, row * TILE)
     end
     row = row + 1
   end
@@ -107,11 +95,10 @@ function topdown.update(dt)
     local x, y = love.mouse.getPosition()
     dx, dy = x - player.x - TILE / 2, y - player.y - TILE / 2
   end
-  local length = math.sqrt(dx * dx + dy * dy)
-  local share = length == 0 and 0 or 1 / math.max(length, 1)
+  local share = 1 / math.max(1, math.sqrt(dx * dx + dy * dy))
   -- The player is driven by an engine, and braked by the floor as the crates are.
   player.ax, player.ay = dx * share * ENGINE, dy * share * ENGINE
-  if length > 0 then
+  if dx ~= 0 or dy ~= 0 then
     player.lookX, player.lookY = dx * share, dy * share
   end
   world:update(dt)
@@ -120,6 +107,7 @@ end
 function topdown.keypressed(key, isRepeat)
   if key == "space" and not isRepeat then
     player.mask = not player.mask and GHOST or nil
+    player.alpha = player.mask and 0.4
   elseif key == "r" then
     topdown.load()
   end
@@ -127,38 +115,29 @@ end
 
 function topdown.draw()
   look.sky("dusk", "navy")
+  look.color("night", 0.16)
   for i = 0, 24 * 15 - 1, 2 do
     local column, row = i % 24, math.floor(i / 24)
-    look.color("night", 0.16)
     love.graphics.rectangle("fill", (column + row % 2) * TILE, row * TILE, TILE, TILE)
   end
-  for _, layer in ipairs(LAYERS) do
-    for _, object in ipairs(world.objects[layer]) do
-      local alpha = (layer == "ghostDoors" or layer == "plates" or object.active == false) and 0.4
-      look.box(object.x, object.y, object.width, object.height, object.color, alpha or 1)
-    end
-  end
-  look.color("yellow")
-  for _, coin in ipairs(world.objects.coins) do
-    local size = 8 + math.sin(state.time * 4 + coin.x + coin.y)
-    love.graphics.circle("fill", coin.x + 9, coin.y + 9, size)
-  end
-  look.box(player.x, player.y, TILE, TILE, "lime", player.mask and 0.4 or 1)
+  boxes.draw(world, { "plates", "ghostDoors", "gates", "crates", "walls", "players" })
+  boxes.drawCoins(world.objects.coins, state.time)
   look.eyes(player.x, player.y, TILE, TILE, player.lookX, player.lookY)
-  look.color("yellow")
-  look.text(("%d / %d coins"):format(state.coins, state.all), 16, 9, 17)
+  local words = { "white", ("%d / %d coins"):format(state.coins, state.all) }
   if state.coins == state.all then
-    look.text("All of them!", 0, 9, 17, 940, "right")
+    words[3], words[4] = "yellow", "All of them!"
   end
-  look.panel(0, 606, 960, 40)
-  local x = look.keys({ { "left", "right", "up", "down", "mouse", "walk and push" } }, 16, 611)
-  x = look.keys({ { "space", "be a ghost, or not" }, { "r", "again" } }, x, 611)
-  look.keys({ { "esc", "menu" } }, x, 611)
+  boxes.status(words, 16, 9)
+  boxes.keys({
+    { "left", "right", "up", "down", "mouse", "walk and push" },
+    { "space", "be a ghost, or not" },
+  })
 end
 
 function topdown.report()
+  local shut = gate.active == false and "open" or "shut"
   local result = "topdown: coins=%d x=%d y=%d gate=%s"
-  return result:format(state.coins, player.x, player.y, gate.active == false and "open" or "shut")
+  return result:format(state.coins, player.x, player.y, shut)
 end
 
 return topdown

@@ -75,8 +75,17 @@ local function inverseMass(b, i, k)
   return b.inverseMass[i]
 end
 
+-- Whether friction would push k to where it is held: then the wall there takes it, and two walls
+-- that rub the same object do not push it to and fro between them.
+local function isBarred(b, k, dSpeed)
+  return (dSpeed > 0 and b.heldHigh[k]) or (dSpeed < 0 and b.heldLow[k])
+end
+
 -- Changes speed and way of k, and of all that is welded to it, by what friction took off.
 local function shift(b, k, dSpeed, dWay, t)
+  if isBarred(b, k, dSpeed) then
+    return
+  end
   b.speed[k] = b.speed[k] + dSpeed
   b.to[k] = b.to[k] + dWay
   weld.follow(b, k, dWay, t)
@@ -98,6 +107,9 @@ local function rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau, t)
   local u, a = b.speed[ku] - floorSpeed, b.accel[ku] - b.accel[kw]
   local limit = mu * jn
   local stop, way = slide(u, a, tau, limit * w * share, limit * w * (1 - share))
+  if isBarred(b, ku, stop - u) then
+    return true
+  end
   local used = (u > stop and u - stop or stop - u) / w
   if not grounded then
     b.grip[low] = b.grip[low] + b.stickiness[low] * jn

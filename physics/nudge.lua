@@ -8,6 +8,8 @@ local path = require(here .. ".path")
 local nudge = {}
 
 local DYNAMIC = columns.DYNAMIC
+-- px
+local AHEAD = 1e-3
 
 -- Where slot i is on k at time t.
 local function at(b, i, k, t)
@@ -40,8 +42,10 @@ function nudge.try(b, i, j, axis, iIsLow, t)
   if way > b.nudge[i] or way < -b.nudge[i] then
     return false
   end
+  -- Flush with what it hits, it would not see what else is flush there: asked a little further on.
+  local ahead = iIsLow and AHEAD or -AHEAD
   local x, y = at(b, i, 2 * i, t), at(b, i, 2 * i + 1, t)
-  x, y = x + (axis == 1 and way or 0), y + (axis == 0 and way or 0)
+  x, y = x + (axis == 1 and way or ahead), y + (axis == 0 and way or ahead)
   if part.isInside(b, i, x, y) then
     return false
   end

@@ -18,7 +18,6 @@ local view = require(here .. ".view")
 local restore = {}
 
 local STATIC, KINEMATIC, DYNAMIC = columns.STATIC, columns.KINEMATIC, columns.DYNAMIC
-local HUGE = math.huge
 
 -- Which table is which object --------------------------------------------------------------------
 

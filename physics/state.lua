@@ -14,8 +14,8 @@
 --   count, known  number of objects, number of those that are known
 --   x, y, width, height, vx, vy   one entry for each object, false: not set
 --   fields        name -> sparse: value. The other fields, where they are set
---   read          name -> sparse: value, false if not set. What the library has read, where the game
---                 has written something else since
+--   read          name -> sparse: value, false if not set. What the library has read, where the
+--                 game has written something else since
 --   memory        column -> sparse: value (see LINKS, POINTS); or just objects (see FLAGS; `lost`)
 --   walls         side -> object: what setBounds has put
 --   touching      sparse: object (0: none) at the left, right, top, bottom
@@ -60,8 +60,8 @@ state.POINTS = {
   { "carried", 0 },
   { "wasCrushed", false },
 }
---- By pair: name, value of a pair that has nothing to remember, and what becomes of another value if
---- the two of the pair are exchanged.
+--- By pair: name, value of a pair that has nothing to remember, and what becomes of another value
+--- if the two of the pair are exchanged.
 state.PAIRS = {
   { "contact", 0, columns.OPPOSITE },
   { "wedged", 0, MIRRORED },

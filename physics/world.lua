@@ -395,8 +395,7 @@ function World:interpolate(object)
     return object.x, object.y
   end
   local k = 2 * slot
-  return between(b, slot, k, object.x, self.alpha),
-    between(b, slot, k + 1, object.y, self.alpha)
+  return between(b, slot, k, object.x, self.alpha), between(b, slot, k + 1, object.y, self.alpha)
 end
 
 -- Questions ---------------------------------------------------------------------------------------

@@ -6,8 +6,8 @@ local scene = require "spec.support.scene"
 
 local GRID = { shift = { 0 }, order = { "forward" }, broadphase = { "grid" }, push = { "both" } }
 local SMALL = {
-  shift = { 0, 0.1, 100000.3 },
-  order = { "forward", "shuffled" },
+  shift = { 0, 100000.3 },
+  order = { "shuffled" },
   broadphase = { "grid", "pairs" },
   turn = { 0, 1, 2, 3 },
   push = { "both" },
@@ -119,7 +119,9 @@ describe("a pile", function()
   end)
 
   it("(13) of 100 boxes is still within 20 s, push first", function()
-    scene.each({ push = { "first" }, shift = { 0, 0.3 }, order = { "forward" } }, function(run)
+    local levels = { push = { "first" }, shift = { 0, 0.3 }, order = { "forward" } }
+    levels.broadphase = { "grid" }
+    scene.each(levels, function(run)
       run:build(pile(100, 200, 0.3))
       playPile(run, 20)
       local movers, fastest = countMovers(run)

@@ -5,6 +5,7 @@ local scene = require "spec.support.scene"
 local variants = require "spec.support.variants"
 
 local EVERYWHERE = { rate = variants.RATES, turn = variants.TURNS }
+local FEW = { rate = { 60, 144 }, turn = { 0, 3 }, shift = { 0, 0.1 } }
 
 describe("a slot exactly as wide as its boxes", function()
   --   |    +--+    |
@@ -39,8 +40,8 @@ describe("a slot exactly as wide as its boxes", function()
     end
 
     it("fills: " .. row[1], function()
-      for _, friction in ipairs { 0, 0.5 } do
-        scene.each(EVERYWHERE, function(run)
+      for friction, levels in pairs { [0] = FEW, [0.5] = EVERYWHERE } do
+        scene.each(levels, function(run)
           local named = run:build(slot(friction))
           local deepest = overlap.checker(run.all)
           for _ in run:steps(2.5) do

@@ -78,7 +78,7 @@ describe("pushable = false", function()
             run:same("vx", named.U.vx, 100)
             run:at(named.P, math.max(80, 36 + 100 * time), 100)
           end
-          run:flush(named.P, named.U, "left")
+          run:near("gap", named.P.x - named.U.x - 16, 0)
         end
       end)
     end)
@@ -318,16 +318,10 @@ describe("pushable = false", function()
 
     it("a box is pushed out from under one", function()
       scene.each(SOME, function(run)
-        local named = run:build {
-          FLOOR,
-          box("P", 20, 100),
-          box("low", 80, 100),
-          firm("U", 80, 84),
-        }
-        run:play(2, function() named.P.vx = 100 end)
-        run:at(named.U, 80, 84) -- on P, which passes below
-        run:play(1, function() named.P.vx = 100 end)
-        run:at(named.U, 80, 100)
+        local named = run:build { FLOOR, box("P", 20, 100), box("low", 80, 100), firm("U", 84, 84) }
+        run:play(1, function() named.P.vx = 100 end) -- P passes below it, too
+        for _ in run:steps(1, function() named.P.vx = 100 end) do run:near("x", named.U.x, 84) end
+        run:at(named.U, 84, 100)
         run:near("x", named.low.x, named.P.x + 16)
       end)
     end)

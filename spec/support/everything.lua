@@ -1,6 +1,7 @@
---- One scene with everything in it, for the specs of states and of determinism. What the game writes
---- depends on the number of the step and on what stands in the world's tables alone, so any step can
---- be played again. Run as a file it prints the fold of the whole run, see determinism_spec.lua.
+--- One scene with everything in it, for the specs of states and of determinism. What the game
+--- writes depends on the number of the step and on what stands in the world's tables alone, so any
+--- step can be played again. Run as a file it prints the fold of the whole run, see
+--- determinism_spec.lua.
 
 local physics = require("physics")
 local newRandom = require("spec.support.random").new
