@@ -9,10 +9,10 @@ local EXAMPLES = {
   { name = "platformer", title = "Platformer", text = "A level to play: run, jump, push, stomp." },
   { name = "tutorial", title = "Tutorial", text = "How such an engine works, in ten steps." },
   { name = "lifts", title = "Lifts", text = "Riders, belts, one-way shelves, a press." },
-  { name = "topdown", title = "Topdown", text = "Rooms, narrow doors, crates, a ghost." },
+  { name = "topdown", title = "Top-down", text = "Rooms, narrow doors, crates, a ghost." },
   { name = "breakout", title = "Breakout", text = "Balls that bounce, bullets that hit." },
   { name = "rollback", title = "Rollback", text = "Football, and time that turns back." },
-  { name = "pile", title = "Pile", text = "Many boxes on each other, and what they cost." },
+  { name = "pile", title = "Pile", text = "What it costs to stack many boxes." },
 }
 local X, Y, WIDTH, HEIGHT, GAP = 80, 170, 430, 50, 7
 local COLORS = { "red", "orange", "yellow", "green", "sky", "blue", "plum" }
@@ -103,7 +103,7 @@ function menu.draw()
     end
     look.text(example.title, X + 22, y + 12, 20)
     look.color(i == chosen and "silver" or "slate")
-    look.text(example.text, X + 148, y + 17, 14)
+    look.text(example.text, X + 142, y + 17, 14)
   end
   look.keys({ { "up", "down", "choose" }, { "enter", "start" }, { "esc", "quit" } }, X, 588)
 end

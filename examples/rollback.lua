@@ -47,7 +47,7 @@ function rollback.load()
   end
   lift = { kinematic = true, vy = -90, oneWay = "top" }
   boxes.add(world, "lifts", "blue", 430, 440, 100, 14, lift)
-  ball = { mass = 0.25, restitution = 0.8, friction = 0.3 }
+  ball = { mass = 0.25, restitution = 0.8, friction = 0.02 }
   boxes.add(world, "balls", "white", 0, 0, 24, 24, ball)
   kickOff()
   players = { { vx = 0, restitution = 0.3 }, { vx = 0, restitution = 0.3 } }

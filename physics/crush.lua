@@ -14,12 +14,43 @@ local crush = {}
 local DYNAMIC = columns.DYNAMIC
 local MOST_STACKED = 256
 
+-- The nearest of those welded to i on one side of it, 0: none.
+local function weldedTo(b, i, axis, isLow)
+  local from, k, best, bestAt = b.from, 2 * i + axis, 0, 0
+  local half = b.head[i]
+  while half ~= 0 do
+    local j = b.other[half]
+    local m = 2 * j + axis
+    local at = isLow and from[k] - from[m] or from[m] - from[k]
+    if b.weld[m] == b.weld[k] and at > 0 and b.kind[j] == DYNAMIC then
+      if best == 0 or at < bestAt or (at == bestAt and b.rank[j] < b.rank[best]) then
+        best, bestAt = j, at
+      end
+    end
+    half = b.next[half]
+  end
+  return best
+end
+
+-- Who holds slot i on one side, 0: nobody. One of a welded group is held through the next of it.
+local function holderOf(b, i, axis, isLow)
+  local k = 2 * i + axis
+  if b.kind[i] ~= DYNAMIC then
+    return 0
+  end
+  local by = (isLow and b.holderLow or b.holderHigh)[k]
+  if by == 0 and b.weld[k] ~= 0 and (isLow and b.heldLow or b.heldHigh)[k] then
+    return weldedTo(b, i, axis, isLow)
+  end
+  return by
+end
+
 -- The end of the chain of those who hold each other, on one side of slot i: the first that cannot
--- be pushed at all. `holder` says who holds an object there.
-local function endOf(b, i, axis, holder)
+-- be pushed at all.
+local function endOf(b, i, axis, isLow)
   for _ = 1, MOST_STACKED do
-    local by = holder[2 * i + axis]
-    if b.kind[i] ~= DYNAMIC or by == 0 then
+    local by = holderOf(b, i, axis, isLow)
+    if by == 0 then
       return i
     end
     i = by
@@ -35,7 +66,7 @@ local function list(b, lo, hi, low, high, axis)
   while i ~= low do
     count, sum = count + 1, sum + b.size[2 * i + axis]
     stack[count] = i
-    i = b.holderLow[2 * i + axis]
+    i = holderOf(b, i, axis, true)
   end
   for n = 1, (count - count % 2) / 2 do
     stack[n], stack[count + 1 - n] = stack[count + 1 - n], stack[n]
@@ -44,7 +75,7 @@ local function list(b, lo, hi, low, high, axis)
   while i ~= high do
     count, sum = count + 1, sum + b.size[2 * i + axis]
     stack[count] = i
-    i = b.holderHigh[2 * i + axis]
+    i = holderOf(b, i, axis, false)
   end
   return count, sum
 end
@@ -65,7 +96,7 @@ end
 --- Notes that `lo` and `hi`, neither of which can give way, are pressed together on `axis`. All
 --- that is held between two ends overlaps its neighbours by the same small amount.
 function crush.note(b, lo, hi, axis)
-  local low, high = endOf(b, lo, axis, b.holderLow), endOf(b, hi, axis, b.holderHigh)
+  local low, high = endOf(b, lo, axis, true), endOf(b, hi, axis, false)
   local count, sum = list(b, lo, hi, low, high, axis)
   if count == 0 then
     return

@@ -1,8 +1,8 @@
 --- A number over a state, the same on every Lua.
 --
 -- It is folded from the bits of the doubles by arithmetic that is exact in doubles, so neither the
--- width of integers nor the way in which numbers are written matters. Two remainders of 23 bits make
--- one number below 10^14, which every Lua writes with all its digits.
+-- width of integers nor the way in which numbers are written matters. Two remainders of 23 bits
+-- make one number below 10^14, which every Lua writes with all its digits.
 -- Source: polynomial rolling hash, R. M. Karp and M. O. Rabin (1987).
 
 local here = (...):match("^(.*)%.[^.]+$")
@@ -19,7 +19,7 @@ local FRACTION = 4503599627370496.0 -- 2^52: makes the fraction of a number >= 1
 local BIG = 281474976710656.0 -- 2^48
 local TRUE, FALSE, TEXT = 5000011, 5000027, 5000039
 
--- The two remainders wait here between numbers: nothing that calls back runs in between.
+-- Folds a whole number below 2^52 into both remainders of `sum`.
 local function mix(sum, piece)
   local a, b = sum.a * FACTOR_A + piece, sum.b * FACTOR_B + piece
   sum.a = a - floor(a / PRIME_A) * PRIME_A

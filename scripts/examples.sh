@@ -86,6 +86,13 @@ check "pile: the boxes lie on the floor, to the bit" is pile lowest 610
 check "pile: boxes are added and taken away" play pile-more pile 60 "+:5,+:10,-:20,b:30,space:40"
 check "pile: 100 boxes more" is pile-more boxes 700
 
+# Whatever else the menu offers, so that no example is forgotten.
+for name in $(sed -n 's/^ *{ name = "\([a-z]*\)".*/\1/p' examples/menu.lua); do
+  if ! ls "$pictures/$name"*.png >/dev/null 2>&1; then
+    check "$name plays" play "$name" "$name" 240
+  fi
+done
+
 for picture in "$pictures"/*.png; do
   name=$(basename "$picture" .png)
   check "$name: the picture is not empty" at_least "$name" colors 20

@@ -9,7 +9,7 @@ local WILD = { steps = 100, boxes = 24, writes = 0.5, specials = true }
 local CALM = { steps = 200, boxes = 40, writes = 0.04, specials = true }
 local QUIET = { steps = 100, boxes = 24, writes = 0, specials = true }
 -- Nothing that squeezes others where they have no room.
-local PLAIN = { steps = 200, boxes = 40, writes = 0, specials = false, pushable = true }
+local PLAIN = { steps = 120, boxes = 40, writes = 0, specials = false, pushable = true }
 
 local tracks = {}
 
@@ -130,6 +130,8 @@ describe("the same scene goes the same way, to the bit,", function()
     end
   end)
 
+  -- The number changes with everything that alters trajectories (see the CHANGELOG, **Behaviour**):
+  -- then put the new one here, if it is the same on every Lua and with the JIT off.
   it("on every Lua", function()
     local sum = fold.START
     for seed = 1, 4 do
@@ -139,14 +141,14 @@ describe("the same scene goes the same way, to the bit,", function()
         if player.list[i] then sum = fold.objects(sum, { player.list[i] }) end
       end
     end
-    assert.are.equal("0", ("%.0f"):format(sum))
+    assert.are.equal("1185306452", ("%.0f"):format(sum))
   end)
 end)
 
 describe("whatever happens,", function()
   it("every number stays finite", function()
     for _, push in ipairs { "both", "first" } do
-      for seed = 100, 109 do
+      for seed = 100, 105 do
         local player = script.play(script.new(seed, WILD), { push = push })
         while player:next() do
           for i = 1, player.count do
@@ -165,7 +167,7 @@ describe("whatever happens,", function()
 
   it("nothing sinks into anything, unless it is squeezed", function()
     for _, push in ipairs { "both", "first" } do
-      for seed = 200, 211 do
+      for seed = 200, 206 do
         local player = script.play(script.new(seed, PLAIN), { push = push })
         local deepest = overlap.checker(player.list)
         while player:next() do

@@ -252,7 +252,7 @@ describe("riding", function()
         named = run:build {
           gravity = 0,
           platform(),
-          rider { x = 164 }, -- at its right
+          rider { x = 164, y = 392 }, -- at its right
         }
         run:step(1 / 60)
         named.platform.x = 112

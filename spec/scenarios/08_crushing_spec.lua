@@ -1,7 +1,6 @@
 --- Crushing: held between two that cannot give way.
 
 local scene = require "spec.support.scene"
-local turn = require "spec.support.turn"
 local variants = require "spec.support.variants"
 
 local EVERYWHERE = { rate = variants.RATES, turn = variants.TURNS }
@@ -10,7 +9,10 @@ local SOME = { shift = { 0, 1 / 3, 100000.3 }, rate = { 60, 30, "irregular" } }
 SOME.order, SOME.turn = { "forward", "shuffled" }, variants.TURNS
 local abs = math.abs
 
-local FLOOR = { "tiles", { name = "floor", x = -200, y = 116, width = 800, height = 32, static = true } }
+local FLOOR = {
+  "tiles",
+  { name = "floor", x = -200, y = 116, width = 800, height = 32, static = true },
+}
 
 local function box(name, x, y, fields)
   local object = { name = name, x = x, y = y, width = 16, height = 16 }

@@ -52,9 +52,8 @@ describe("nudge", function()
             body(x, 176, 0, -400, { nudge = nudge }),
           }
           local log = run:listen(named.body)
-          local bumped = 0.4 -- about, s: 110 px higher is above its highest point
           named.body.vy = -500
-          bumped = (500 - math.sqrt(500 * 500 - 1600 * 110)) / 800
+          local bumped = (500 - math.sqrt(500 * 500 - 1600 * 110)) / 800
           for time in run:steps(2 / 3) do
             local y = 176 - 500 * time + 400 * time * time
             if time < bumped - 1e-6 then

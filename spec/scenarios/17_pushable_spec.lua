@@ -7,7 +7,10 @@ local EVERYWHERE = { rate = variants.RATES, turn = variants.TURNS }
 local SOME = { shift = { 0, 1 / 3, 100000.3 }, rate = { 60, 30, "irregular" } }
 SOME.order, SOME.turn = { "forward", "shuffled" }, variants.TURNS
 
-local FLOOR = { "tiles", { name = "floor", x = -500, y = 116, width = 1500, height = 32, static = true } }
+local FLOOR = {
+  "tiles",
+  { name = "floor", x = -500, y = 116, width = 1500, height = 32, static = true },
+}
 local WALL = { "tiles", { name = "wall", x = 200, y = 0, width = 16, height = 116, static = true } }
 
 local function box(name, x, y, fields)
