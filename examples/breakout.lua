@@ -1,4 +1,4 @@
--- Breakout: balls that lose no speed, bullets that miss nothing, white bricks that hold another ball.
+-- Breakout: balls that lose no speed, bullets that miss nothing, white bricks that hold a ball.
 
 local boxes = require("boxes")
 local input = require("input")
@@ -125,14 +125,15 @@ function breakout.draw()
   local lost = state.shots - state.hits - #(world.objects.bullets or {})
   local bullets = ("%d bullets, %d went through a wall"):format(state.shots, lost)
   local bricks = #world.objects.bricks .. " bricks"
-  boxes.status({ "white", bricks, "silver", bullets, "yellow", bricks == "0 bricks" and "Well done!" or "" }, 24, 20)
+  local won = bricks == "0 bricks" and "Well done!" or ""
+  boxes.status({ "white", bricks, "silver", bullets, "yellow", won }, 24, 20)
   boxes.keys({ { "left", "right", "mouse", "move" }, { "space", "click", "shoot" } })
 end
 
 function breakout.report()
-  local result = "breakout: bricks=%d balls=%d shots=%d hits=%d"
-  local left, balls = #world.objects.bricks, #(world.objects.balls or {})
-  return result:format(left, balls, state.shots, state.hits)
+  local broken = COLUMNS * #COLORS - #world.objects.bricks
+  local lost = state.shots - state.hits - #(world.objects.bullets or {})
+  return ("breakout: broken=%d shots=%d lost=%d"):format(broken, state.shots, lost)
 end
 
 return breakout

@@ -7,7 +7,7 @@ local path = require(here .. ".path")
 
 local nudge = {}
 
-local DYNAMIC = columns.DYNAMIC
+local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
 -- px
 local AHEAD = 1e-3
 
@@ -30,7 +30,7 @@ end
 
 --- Moves slot i past the corner of the immovable slot j, which it hits on `axis` at time t, if it
 --- misses by no more than its `nudge` and the place beside is free; returns whether it did. Never
---- on the side that gravity presses.
+--- on the side that gravity presses, and never back against its own motion.
 function nudge.try(b, i, j, axis, iIsLow, t)
   if b.nudge[i] == 0 or b.kind[i] ~= DYNAMIC or b.kind[j] == DYNAMIC then
     return false
@@ -41,6 +41,12 @@ function nudge.try(b, i, j, axis, iIsLow, t)
   local way = detour(b, i, j, axis, t)
   if way > b.nudge[i] or way < -b.nudge[i] then
     return false
+  elseif way <= EPSILON and way >= -EPSILON then
+    return false -- corner to corner: nothing to correct, it would be met again at once
+  end
+  local k = 2 * i + 1 - axis
+  if way * (b.to[k] - b.from[k]) < 0 then
+    return false
   end
   -- Flush with what it hits, it would not see what else is flush there: asked a little further on.
   local ahead = iIsLow and AHEAD or -AHEAD
@@ -50,7 +56,6 @@ function nudge.try(b, i, j, axis, iIsLow, t)
     return false
   end
   path.advance(b, i, t)
-  local k = 2 * i + 1 - axis
   b.from[k], b.to[k] = b.from[k] + way, b.to[k] + way
   path.change(b, i)
   return true

@@ -1,6 +1,7 @@
 --- What holds for every scene, tried on random ones. Failures name the seed.
 
 local fold = require "spec.support.fold"
+local effort = require "spec.support.effort"
 local newRandom = require("spec.support.random").new
 local overlap = require "spec.support.overlap"
 local script = require "spec.support.script"
@@ -66,14 +67,14 @@ describe("the same scene goes the same way, to the bit,", function()
     local name, settings = row[1], row[2]
 
     it(name .. ", wild", function()
-      for seed = 1, 5 do
+      for seed = 1, effort.share(5) do
         local player = script.play(script.new(seed, WILD), settings)
         checkSame(seed, trackOf(seed, WILD, settings.push), player)
       end
     end)
 
     it(name .. ", calm", function()
-      for seed = 1, 2 do
+      for seed = 1, effort.share(2) do
         local player = script.play(script.new(seed, CALM), settings)
         checkSame(seed, trackOf(seed, CALM, settings.push), player)
       end
@@ -82,7 +83,7 @@ describe("the same scene goes the same way, to the bit,", function()
 
   for _, name in ipairs { "add", "insert", "assign" } do
     it("put in by " .. name, function()
-      for seed = 1, 5 do
+      for seed = 1, effort.share(5) do
         local player = script.play(script.new(seed, QUIET), nil, script.inserts[name])
         checkSame(seed, trackOf(seed, QUIET), player)
       end
@@ -90,7 +91,7 @@ describe("the same scene goes the same way, to the bit,", function()
   end
 
   it("under the same keys, whatever came and went before", function()
-    for seed = 1, 5 do
+    for seed = 1, effort.share(5) do
       local function visit(world) comeAndGo(world, seed) end
       local player = script.play(script.new(seed, WILD), nil, nil, visit)
       checkSame(seed, trackOf(seed, WILD), player)
@@ -98,7 +99,7 @@ describe("the same scene goes the same way, to the bit,", function()
   end)
 
   it("under the same keys, whatever comes and goes far away", function()
-    for seed = 1, 5 do
+    for seed = 1, effort.share(5) do
       local guests, list, x = newRandom(seed), {}, 5000
       checkSame(seed, trackOf(seed, WILD), script.play(script.new(seed, WILD)), function(player)
         x = x + 50
@@ -113,7 +114,7 @@ describe("the same scene goes the same way, to the bit,", function()
   end)
 
   it("under the same keys, in whatever order they were filled", function()
-    for seed = 1, 5 do
+    for seed = 1, effort.share(5) do
       local quiet = script.new(seed, QUIET)
       local player = script.play(quiet, nil, function() end)
       local keys, last = {}, {}
@@ -134,7 +135,7 @@ describe("the same scene goes the same way, to the bit,", function()
   -- then put the new one here, if it is the same on every Lua and with the JIT off.
   it("on every Lua", function()
     local sum = fold.START
-    for seed = 1, 4 do
+    for seed = 1, effort.share(4) do
       local player = script.play(script.new(seed, WILD))
       while player:next() do end
       for i = 1, player.count do
@@ -148,7 +149,7 @@ end)
 describe("whatever happens,", function()
   it("every number stays finite", function()
     for _, push in ipairs { "both", "first" } do
-      for seed = 100, 105 do
+      for seed = 100, 99 + effort.share(6) do
         local player = script.play(script.new(seed, WILD), { push = push })
         while player:next() do
           for i = 1, player.count do
@@ -167,7 +168,7 @@ describe("whatever happens,", function()
 
   it("nothing sinks into anything, unless it is squeezed", function()
     for _, push in ipairs { "both", "first" } do
-      for seed = 200, 206 do
+      for seed = 200, 199 + effort.share(7) do
         local player = script.play(script.new(seed, PLAIN), { push = push })
         local deepest = overlap.checker(player.list)
         while player:next() do
@@ -191,7 +192,7 @@ end)
 
 describe("a saved state", function()
   it("goes on as the first time, to the bit", function()
-    for seed = 1, 5 do
+    for seed = 1, effort.share(5) do
       local random = script.new(seed, QUIET)
       local player = script.play(random)
       for _ = 1, 50 do player:next() end
@@ -207,7 +208,7 @@ describe("a saved state", function()
   end)
 
   it("is the same with either broad phase", function()
-    for seed = 1, 4 do
+    for seed = 1, effort.share(4) do
       local random = script.new(seed, WILD)
       local a = script.play(random, { broadphase = "pairs" })
       local b = script.play(random, { broadphase = "grid" })

@@ -91,7 +91,7 @@ describe("stacks", function()
   end)
 
   it("(3) of ten boxes begin ten contacts and end none", function()
-    scene.each(TURNED, function(run)
+    scene.each({ turn = variants.TURNS, shift = { 0, 1 / 3 } }, function(run)
       local named = run:build(tower(10, 16))
       local world = run:listenToWorld()
       local logs = {}

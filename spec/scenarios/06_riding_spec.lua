@@ -56,8 +56,8 @@ local function support(run, view)
   return run.views[view.raw.touching[turn.side(run.turn, "bottom")]]
 end
 
---- Fails unless `upper` stands on `lower` without a gap, `offset` px right of its left edge, at rest
---- as it sees it.
+--- Fails unless `upper` stands on `lower` without a gap, `offset` px right of its left edge, and is
+--- at rest as it sees it.
 local function rides(run, upper, lower, offset)
   run:near("offset", upper.x - lower.x, offset)
   run:flush(upper, lower, "bottom")
@@ -363,7 +363,8 @@ describe("riding", function()
           if passed < -1e-6 then
             run:flush(named.rider, named.platform, "bottom")
             run:check(support(run, named.rider) == named.platform, "should stand on it")
-            if time > 2.1 then run:same("touching.right", named.rider.touching.right, named.wall) end
+            local right = named.rider.touching.right
+            if time > 2.1 then run:same("touching.right", right, named.wall) end
           elseif passed > 1e-6 then -- it begins to fall in this step or in the next one
             local late = math.max(0, passed - dt - 1e-9)
             if run.rate == "irregular" then late = math.max(0, passed - 0.1) end

@@ -122,9 +122,7 @@ describe("a one-way platform", function()
     it("at an angle catches, too, and at its corner", function()
       scene.each(SOME, function(run)
         -- the feet come down to 100 after half a second, when 1 px of them is above it
-        local named = run:build { way(), body { x = -65, y = -24, vx = 100 } }
-        run:play(0.5)
-        named = run:build { way(), body { x = -65, y = -24, vx = 101 } }
+        local named = run:build { way(), body { x = -65, y = -24, vx = 101 } }
         run:play(2 / 3)
         standsOn(run, named.body, named.way)
         -- beside it: nothing
@@ -141,7 +139,8 @@ describe("a one-way platform", function()
   describe("walked through", function()
     it("(7) in the air keeps vx", function()
       scene.each(EVERYWHERE, function(run)
-        local named = run:build { way(), body { x = -40, y = 80, vx = 100, gravity = 0, gravityX = 0 } }
+        local floats = body { x = -40, y = 80, vx = 100, gravity = 0, gravityX = 0 }
+        local named = run:build { way(), floats }
         local log = run:listen(named.body)
         for time in run:steps(3) do
           run:at(named.body, -40 + 100 * time, 80)
@@ -196,7 +195,8 @@ describe("a one-way platform", function()
   describe("dropped through", function()
     it("(7) at rest lets fall, once, and only who asked", function()
       scene.each(EVERYWHERE, function(run)
-        local named = run:build { way(), tile(), body { y = 76 }, body { name = "other", x = 80, y = 76 } }
+        local second = body { name = "other", x = 80, y = 76 }
+        local named = run:build { way(), tile(), body { y = 76 }, second }
         run:play(1)
         local log, other = run:listen(named.body), run:listen(named.other)
         run:same("dropThrough", run.world:dropThrough(named.body.raw), true)
@@ -528,7 +528,8 @@ describe("a one-way platform", function()
             local stop = { x = x, y = y }
             if side == "bottom" then stop.y = 16 end
             local box = { name = "body", width = 16, height = 16 }
-            box.x, box.y, box.vx, box.vy = stop.x - vx / 2, stop.y - vy / 2, vx * factor, vy * factor
+            box.x, box.y = stop.x - vx / 2, stop.y - vy / 2
+            box.vx, box.vy = vx * factor, vy * factor
             local named = run:build { gravity = 0, { "ways", thing() }, { "boxes", box } }
             local log = run:listen(named.body)
             run:play(1)

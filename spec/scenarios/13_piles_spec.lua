@@ -45,18 +45,7 @@ local function pile(count, width, friction)
   return description
 end
 
---- Plays a pile and checks the overlap after every step.
-local function playPile(run, seconds)
-  local deepest = overlap.checker(run.all)
-  for _ in run:steps(seconds) do
-    local depth, a, b = deepest()
-    if depth > 0.01 then
-      run:check(false, "overlap of %.4g px, at (%.4g, %.4g)", depth, a.x, b.y)
-    end
-  end
-end
-
---- The number of boxes that move.
+--- The number of boxes that move, and the largest speed.
 local function countMovers(run)
   local movers, fastest = 0, 0
   for _, object in ipairs(run.all) do
@@ -65,6 +54,19 @@ local function countMovers(run)
     fastest = math.max(fastest, speed)
   end
   return movers, fastest
+end
+
+--- Plays a pile and checks the overlap after every step; ends early once nothing has moved for 1 s.
+local function playPile(run, seconds)
+  local deepest, stillSince = overlap.checker(run.all), nil
+  for time in run:steps(seconds) do
+    local depth, a, b = deepest()
+    if depth > 0.01 then
+      run:check(false, "overlap of %.4g px, at (%.4g, %.4g)", depth, a.x, b.y)
+    end
+    stillSince = countMovers(run) == 0 and (stillSince or time) or nil
+    if stillSince and time - stillSince >= 1 then break end
+  end
 end
 
 local function checkInside(run, width)
@@ -99,7 +101,7 @@ describe("a pile", function()
     end)
   end)
 
-  it("(13) of 1000 boxes without friction does not overlap, nothing bobs up and down", function()
+  it("(13) of 1000 boxes without friction is as high and does not overlap", function()
     scene.each(GRID, function(run)
       run:build(pile(1000, 800, nil))
       playPile(run, 20)

@@ -1,0 +1,19 @@
+--- How much of the slow specs to play. All of it with the trace compiler; interpreters, which are ten
+--- times slower, play a selection: they run the same code on the same numbers, and that the bits are
+--- the same is a spec of its own. `PHYSICS_SPEC=full` plays all of it everywhere.
+
+local effort = {}
+
+local jit = rawget(_G, "jit")
+local isFull = os.getenv("PHYSICS_SPEC") == "full"
+
+--- Whether everything is played.
+effort.isWhole = isFull or (jit and jit.status()) or false
+
+--- A number of seeds, rounds or objects: all of them, or the share of a slow interpreter.
+function effort.share(count, least)
+  if effort.isWhole then return count end
+  return math.max(least or 1, math.floor(count / 5))
+end
+
+return effort
