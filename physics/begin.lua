@@ -20,6 +20,12 @@ function begin.run(b)
     k = k + 1
     heldLow[k], heldHigh[k], weld[k], weldNext[k] = false, false, 0, 0
   end
+  local backedLow, backedHigh = b.backedLow, b.backedHigh
+  for n = first, last do
+    local k = 2 * list[n]
+    backedLow[k], backedHigh[k] = false, false
+    backedLow[k + 1], backedHigh[k + 1] = false, false
+  end
   local holderLow, holderHigh, crushed = b.holderLow, b.holderHigh, b.crushed
   for n = first, last do
     local k = 2 * list[n]

@@ -224,7 +224,7 @@ local function reread(b, i)
   check.object(object, roster.place(b.group[i], b.key[i]))
   local kind = b.kind[i] == STATIC and STATIC or (object.kinematic and KINEMATIC or DYNAMIC)
   local isNew = kind ~= b.kind[i]
-  if isNew or object.active == false then
+  if isNew or object.active == false or (b.carry[i] and object.carry == false) then
     carrier.forget(b, i)
   end
   if isNew then

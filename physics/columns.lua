@@ -90,10 +90,13 @@ local AXIS = {
   from = 0, -- start of the present path
   to = 0, -- where it will be at the end of the step
   speed = 0, -- velocity at the end of the step, absolute
-  accel = 0, -- acceleration during the step
+  accel = 0, -- acceleration during the step, drag and limits included
+  drive = 0, -- of it, what does not end with the speed: gravity and ax, ay
   carried = 0, -- velocity of its carrier in this step
   heldLow = false, -- cannot give way towards smaller coordinates
   heldHigh = false,
+  backedLow = false, -- pushed from this side by one that cannot be pushed back
+  backedHigh = false,
   holderLow = 0, -- slot of who holds it there
   holderHigh = 0,
   crushed = false, -- in this step, between crushLow and crushHigh
@@ -116,6 +119,7 @@ local PAIR = {
   hit = 0, -- side of pairA that was first hit in this step, 0: none
   hitSpeed = 0,
   met = 0, -- how often it was resolved in this step
+  nudged = 0, -- how often a corner was corrected in this step
   passing = false, -- lets pass for this step (canCollide, dropThrough)
   event = columns.NO_EVENT, -- its event in the queue
   wedged = 0, -- 1 + code of the meeting along which two that are left inside each other may part
@@ -267,7 +271,7 @@ function columns.link(b, i, j)
     b.pairSlots = p
   end
   b.pairA[p], b.pairB[p] = i, j
-  b.contact[p], b.hit[p], b.hitSpeed[p], b.met[p] = 0, 0, 0, 0
+  b.contact[p], b.hit[p], b.hitSpeed[p], b.met[p], b.nudged[p] = 0, 0, 0, 0, 0
   b.passing[p], b.overlapping[p] = false, false
   b.event[p], b.wedged[p], b.dropping[p] = columns.NO_EVENT, 0, false
   hang(b, 2 * p - 1, i, j)

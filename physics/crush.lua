@@ -88,7 +88,7 @@ end
 
 local function put(b, i, k, at, v)
   if b.to[k] ~= at or b.speed[k] ~= v then
-    b.to[k], b.speed[k], b.accel[k] = at, v, 0
+    b.to[k], b.speed[k], b.accel[k], b.drive[k] = at, v, 0, 0
     path.change(b, i)
   end
 end

@@ -28,6 +28,8 @@ local CORNER = approach.CORNER
 -- Moments closer than this part of a step are simultaneous.
 local MOMENTS = 1e9
 local MOST_MET = 63
+-- Corner corrections of one pair in one step.
+local MOST_NUDGES = 4
 local NONE = columns.NO_EVENT
 
 -- How firmly the one that supports a pair stands: what cannot give way first, then by how far down
@@ -99,11 +101,13 @@ end)
 local function resetPairs(b, first)
   local list, head, nextHalf = b.awakeList, b.head, b.next
   local met, hit, passing, event = b.met, b.hit, b.passing, b.event
+  local nudged = b.nudged
   for n = first, b.awakeCount do
     local half = head[list[n]]
     while half ~= 0 do
       local p = (half + half % 2) / 2
       met[p], hit[p], passing[p], event[p] = 0, 0, false, NONE
+      nudged[p] = 0
       half = nextHalf[half]
     end
   end
@@ -152,8 +156,13 @@ local happen = interpreted(function(b, p, code, t, dt)
     return
   end
   path.startChanges(b)
-  if not (nudge.try(b, low, high, axis, true, t) or nudge.try(b, high, low, axis, false, t)) then
-    resolve.run(b, p, low, high, axis, t, dt)
+  if
+    b.nudged[p] < MOST_NUDGES
+    and (nudge.try(b, low, high, axis, true, t) or nudge.try(b, high, low, axis, false, t))
+  then
+    b.nudged[p] = b.nudged[p] + 1
+  else
+    resolve.run(b, p, low, high, axis, t, dt, kind == approach.DEEP)
   end
   followChanged(b, dt)
 end)

@@ -46,7 +46,7 @@ end
 -- Who is inside something immovable and has no way out stays there, and gives way to nobody.
 local function bury(b, i)
   for k = 2 * i, 2 * i + 1 do
-    b.to[k], b.speed[k], b.accel[k] = b.from[k], 0, 0
+    b.to[k], b.speed[k], b.accel[k], b.drive[k] = b.from[k], 0, 0, 0
     b.heldLow[k], b.heldHigh[k] = true, true
   end
 end
@@ -56,6 +56,7 @@ local function moveAlong(b, k, dt)
   local speed, carried = b.speed[k], b.carried[k]
   b.to[k] = b.from[k] + b.way[k] + carried * dt
   b.accel[k] = (speed - b.velocity[k]) / dt
+  b.drive[k] = b.pull[k] + b.push[k]
   b.speed[k] = speed + carried
 end
 

@@ -24,6 +24,10 @@ local DYNAMIC = columns.DYNAMIC
 -- Hits of one pair in one step after which it bounces no more, does not even leave by its own
 -- acceleration, is left alone; hits without a bounce after which it is welded.
 local BOUNCES, LEAVES, PATIENCE, WELDS = 4, 8, 32, 3
+-- px/s below which two do not move against each other.
+local STILL = 1e-9
+-- Share by which an overlap may be short through rounding.
+local ROUNDING = 1e-6
 -- px/s² below which two accelerate alike.
 local EVEN = 1e-6
 
@@ -46,8 +50,14 @@ local function weights(b, lo, hi, kl, kh)
     -- One that is held counts as a wall even for whoever cannot be pushed.
     if b.pushable[lo] then
       wh = wl > 0 and 0 or wh
+      if wh == 0 and b.backedLow[kl] and b.speed[kh] < 0 then
+        return 0, 0, true
+      end
     else
       wl = wh > 0 and 0 or wl
+      if wl == 0 and b.backedHigh[kh] and b.speed[kl] > 0 then
+        return 0, 0, true
+      end
     end
   end
   if wl > 0 and wh > 0 and not b.pushable[lo] and not b.pushable[hi] then
@@ -80,8 +90,9 @@ local function place(b, kl, kh, dl, dh, flush)
 end
 
 -- Shares of a push: by weight, or all to the one that ran into the other.
-local function shares(b, lo, hi, kl, kh, wl, wh)
-  if b.pushFirst and wl > 0 and wh > 0 then
+-- The latter leads nowhere for two that are inside each other, or meet again and again.
+local function shares(b, lo, hi, kl, kh, wl, wh, isStubborn)
+  if b.pushFirst and wl > 0 and wh > 0 and not isStubborn then
     local towards, against = b.to[kl] - b.from[kl], b.from[kh] - b.to[kh]
     if towards > against or (towards == against and b.rank[lo] < b.rank[hi]) then
       return 1, 0
@@ -106,8 +117,7 @@ local function setSpeeds(b, kl, kh, wl, wh, dv, common)
   end
 end
 
-local function shareAccel(b, kl, kh, wl, wh)
-  local accel = b.accel
+local function shareAccel(accel, kl, kh, wl, wh)
   if wl == 0 then
     accel[kh] = accel[kl]
   elseif wh == 0 then
@@ -119,26 +129,32 @@ local function shareAccel(b, kl, kh, wl, wh)
 end
 
 -- Whether slot i, which does not give way towards low (high) coordinates, is a wall to what leans on
--- it. One that merely cannot be pushed is not: it stops where that has no place to go.
-local function isWall(b, i, held)
-  return b.kind[i] ~= DYNAMIC or held
+-- it. One that merely cannot be pushed is not: it stops where that has no place to go, unless
+-- another such one is behind it.
+local function isWall(b, i, held, backed)
+  return b.kind[i] ~= DYNAMIC or held or backed
 end
 
 -- What two that rest against each other now do together.
 local function lean(b, lo, hi, kl, kh, wl, wh)
-  shareAccel(b, kl, kh, wl, wh)
+  shareAccel(b.accel, kl, kh, wl, wh)
+  shareAccel(b.drive, kl, kh, wl, wh)
   if b.kind[lo] == DYNAMIC then
     b.pressedHigh[kl] = true
-    if wh == 0 and isWall(b, hi, b.heldHigh[kh]) then
+    if wh == 0 and isWall(b, hi, b.heldHigh[kh], b.backedLow[kl]) then
       weld.hold(b, kl, false, true)
       b.holderHigh[kl] = hi
+    elseif wh == 0 then
+      b.backedHigh[kl] = true
     end
   end
   if b.kind[hi] == DYNAMIC then
     b.pressedLow[kh] = true
-    if wl == 0 and isWall(b, lo, b.heldLow[kl]) then
+    if wl == 0 and isWall(b, lo, b.heldLow[kl], b.backedHigh[kh]) then
       weld.hold(b, kh, true, false)
       b.holderLow[kh] = lo
+    elseif wl == 0 then
+      b.backedLow[kh] = true
     end
   end
 end
@@ -161,17 +177,26 @@ local function stopBoth(b, lo, hi, kl, kh)
   b.to[kl] = b.to[kh] - b.size[kl]
   b.speed[kl], b.speed[kh], b.accel[kl], b.accel[kh] = 0, 0, 0, 0
   b.pressedHigh[kl], b.pressedLow[kh] = true, true
+  weld.hold(b, kl, true, true)
+  weld.hold(b, kh, true, true)
   change(b, lo)
   change(b, hi)
 end
 
 -- Approach speed at the moment of contact and the time left after it, from what the paths will have
--- become at the end of the step: overlap o, closing speed v, closing acceleration a.
-local function impact(o, v, a, left)
+-- become at the end of the step: overlap o, closing speed v, closing acceleration a; `touches` if
+-- the paths begin at the contact.
+local function impact(o, v, a, left, touches)
+  local start = v - a * left
+  if touches and start > -STILL and o >= (v + start) * 0.5 * left * (1 - ROUNDING) then
+    -- They touch from the beginning of their paths on; the speed there is exact, no difference of
+    -- squares.
+    return start > STILL and start or 0, left
+  end
   local square = v * v - 2 * a * o
-  local u = square > 0 and sqrt(square) or 0
-  if v <= 0 and a >= 0 then
-    u = 0
+  local u = 0
+  if square > 0 and not (v <= 0 and a >= 0) then
+    u = sqrt(square)
   end
   local tau = left
   if v + u > 0 then
@@ -204,12 +229,14 @@ local function noteHit(b, p, lo, axis, u)
 end
 
 --- Resolves pair p, which meets on `axis` at time t (0..1 of a step of dt s), `lo` being the one
---- with the smaller coordinate. Lists whose path changed in b.changed[1..b.changedCount].
-function resolve.run(b, p, lo, hi, axis, t, dt)
+--- with the smaller coordinate; `isDeep` if they are inside each other. Lists whose path changed in
+--- b.changed[1..b.changedCount].
+function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   local kl, kh = 2 * lo + axis, 2 * hi + axis
   if b.met[p] >= PATIENCE then
     return
   end
+  local touches = t <= max(b.time[lo], b.time[hi])
   advance(b, lo, t)
   advance(b, hi, t)
   if b.weld[kl] ~= 0 and b.weld[kl] == b.weld[kh] then
@@ -220,7 +247,7 @@ function resolve.run(b, p, lo, hi, axis, t, dt)
   local speed, accel, to = b.speed, b.accel, b.to
   local o = to[kl] + b.size[kl] - to[kh]
   local v, a = speed[kl] - speed[kh], accel[kl] - accel[kh]
-  local u, tau = impact(o, v, a, (1 - t) * dt)
+  local u, tau = impact(o, v, a, (1 - t) * dt, touches)
   noteHit(b, p, lo, axis, u)
   if headOn then
     return stopBoth(b, lo, hi, kl, kh)
@@ -229,6 +256,8 @@ function resolve.run(b, p, lo, hi, axis, t, dt)
   end
 
   local restitution = max(b.restitution[lo], b.restitution[hi])
+  -- From here on only what goes on pulling counts: drag ends with the speed it slows.
+  a = b.drive[kl] - b.drive[kh]
   if u <= 2 * a * dt or b.met[p] > BOUNCES then
     restitution = 0
   end
@@ -237,7 +266,7 @@ function resolve.run(b, p, lo, hi, axis, t, dt)
     gap, vEnd = rebound(restitution, u, a, tau)
   end
   local flush = gap == 0 and vEnd == 0
-  local shareL, shareH = shares(b, lo, hi, kl, kh, wl, wh)
+  local shareL, shareH = shares(b, lo, hi, kl, kh, wl, wh, isDeep or b.met[p] > BOUNCES)
   local oldL, oldH = to[kl], to[kh]
   place(b, kl, kh, (o + gap) * shareL, (o + gap) * shareH, flush)
   local dv = v - vEnd
@@ -247,14 +276,18 @@ function resolve.run(b, p, lo, hi, axis, t, dt)
     b.stuck[lo] = b.stuck[lo] and b.down[kl] ~= 0
     b.stuck[hi] = b.stuck[hi] and b.down[kh] ~= 0
   end
-  if flush then
+  -- Who is thrown back from what held it is held no longer.
+  weld.release(b, kl, axis, b.heldHigh, b.holderHigh, 1)
+  weld.release(b, kh, axis, b.heldLow, b.holderLow, -1)
+  -- Who is on the way apart already, and only flush through a push, leans on nobody.
+  if flush and (v > -STILL or isDeep) then
     lean(b, lo, hi, kl, kh, wl, wh)
   end
   change(b, lo)
   change(b, hi)
   weld.follow(b, kl, to[kl] - oldL, t)
   weld.follow(b, kh, to[kh] - oldH, t)
-  if flush and dv > 0 and b.met[p] >= WELDS and b.kind[lo] == DYNAMIC and b.kind[hi] == DYNAMIC then
+  if flush and dv > 0 and b.met[p] >= WELDS and wl > 0 and wh > 0 then
     weld.join(b, kl, kh)
   end
   if dv > 0 then

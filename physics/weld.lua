@@ -10,6 +10,9 @@ local path = require(here .. ".path")
 
 local weld = {}
 
+-- px/s below which two do not move against each other.
+local STILL = 1e-9
+
 local function rename(b, k, leader)
   local first = k
   repeat
@@ -36,6 +39,41 @@ function weld.hold(b, k, heldLow, heldHigh)
   until k == first or k == 0
 end
 
+-- Ends the hold of slot i on one side, and of whoever is held through it.
+local function letGo(b, i, axis, held, holder)
+  local k = 2 * i + axis
+  held[k], holder[k] = false, 0
+  local half = b.head[i]
+  while half ~= 0 do
+    local j = b.other[half]
+    if holder[2 * j + axis] == i then
+      letGo(b, j, axis, held, holder)
+    end
+    half = b.next[half]
+  end
+end
+
+--- Ends the hold of k, and of all that is welded to it, on the side of the columns given, if it moves
+--- away from who holds it; `sign` is 1 for the high side, -1 for the low side.
+function weld.release(b, k, axis, held, holder, sign)
+  if not held[k] then
+    return
+  end
+  local member, by = k, holder[k]
+  while by == 0 and b.weldNext[member] ~= 0 and b.weldNext[member] ~= k do
+    member = b.weldNext[member]
+    by = holder[member]
+  end
+  if by == 0 or (b.speed[2 * by + axis] - b.speed[k]) * sign <= STILL then
+    return
+  end
+  member = k
+  repeat
+    letGo(b, (member - axis) / 2, axis, held, holder)
+    member = b.weldNext[member]
+  until member == k or member == 0
+end
+
 --- Returns the inverse mass of the group of k, which must have one.
 function weld.inverseMass(b, k)
   return 1 / b.weldMass[b.weld[k]]
@@ -49,6 +87,7 @@ function weld.follow(b, k, dWay, t)
     path.advance(b, i, t)
     b.to[member] = b.to[member] + dWay
     b.speed[member], b.accel[member] = b.speed[k], b.accel[k]
+    b.drive[member] = b.drive[k]
     path.change(b, i)
     member = b.weldNext[member]
   end

@@ -237,6 +237,7 @@ function World:add(group, object)
   given.groupGiven[object] = group
   if not object.static and not object.kinematic then
     object.touching = collect.newTouching()
+    object.vx, object.vy = object.vx or 0, object.vy or 0
     given.given[object] = object.touching
   end
   return object

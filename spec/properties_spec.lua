@@ -135,14 +135,14 @@ describe("the same scene goes the same way, to the bit,", function()
   -- then put the new one here, if it is the same on every Lua and with the JIT off.
   it("on every Lua", function()
     local sum = fold.START
-    for seed = 1, effort.share(4) do
+    for seed = 1, 4 do -- not a share: the number is one for all
       local player = script.play(script.new(seed, WILD))
       while player:next() do end
       for i = 1, player.count do
         if player.list[i] then sum = fold.objects(sum, { player.list[i] }) end
       end
     end
-    assert.are.equal("1185306452", ("%.0f"):format(sum))
+    assert.are.equal("255201467", ("%.0f"):format(sum))
   end)
 end)
 

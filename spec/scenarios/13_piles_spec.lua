@@ -180,14 +180,58 @@ local KNOTS = {
     { 118.8721507, 193.2790936, 16.08041579, 15.54819829, 13.10272356, 40.37837657,
       { mass = 7.68, friction = 0.03282615033, gravity = 0 } },
   },
+  {
+    name = "three in a row that slide, the light one between has no friction",
+    dt = 1 / 144,
+    push = { "both" },
+    { -50, 200, 300, 50, 0, 0, { static = true } },
+    { 3.51273388, 190.15441, 14.0209345, 9.84559046, -2.07303249, 0,
+      { mass = 10.4325396, restitution = 0.0901232691, friction = 0.862971559 } },
+    { 17.5336683, 186.071513, 15.80234, 13.928487, -2.07303249, 0,
+      { mass = 0.0114912084, restitution = 0.130531491 } },
+    { 33.3360083, 185.876684, 12.1867153, 14.1233162, -2.07303249, 0,
+      { mass = 0.80659147, restitution = 0.0106247864, friction = 0.487031589 } },
+  },
+  {
+    name = "five on a floor, push first",
+    dt = 1 / 60,
+    push = { "first" },
+    { -50, 200, 300, 50, 0, 0, { static = true } },
+    { 146.362514, 164.135334, 13.4848568, 7.98804869, 8.33223628, 0,
+      { mass = 0.083742154, restitution = 0.243498581 } },
+    { 142.458409, 172.123383, 14.8255632, 13.2406588, 8.75053344, 0,
+      { mass = 0.687346548, restitution = 0.201079107, friction = 0.890686123 } },
+    { 161.162002, 174.349137, 19.0011518, 16.3584226, 0.930760564, 31.9771055,
+      { mass = 0.475414967, restitution = 0.463617654, friction = 0.265414157 } },
+    { 141.113204, 185.364042, 19.9787372, 14.6359583, 47.6624674, 0,
+      { mass = 0.00858350668, restitution = 0.175290115, friction = 0.910194754 } },
+    { 175.364068, 190.8522, 12.7652257, 9.14779976, 0, 0,
+      { mass = 1.54028788, restitution = 0.00209483528, friction = 0.364371102 } },
+  },
+  {
+    name = "four beside a wall under gravity to the right",
+    dt = 1 / 144,
+    push = { "both" },
+    gravityX = 800,
+    gravity = 0,
+    { 200, -50, 50, 300, 0, 0, { static = true } },
+    { 186.528968, 147.609848, 13.471032, 15.6341649, 0, 0.0977361594,
+      { mass = 0.00152725332, restitution = 0.165591098, friction = 0.633975413 } },
+    { 169.620616, 152.787652, 16.9083518, 10.6685756, 0, 0,
+      { mass = 0.00282373364, restitution = 0.832405208, friction = 0.417423356 } },
+    { 167.694478, 137.51922, 18.8344897, 15.2684322, 0, 0,
+      { mass = 1.27055042, restitution = 0.798657357, friction = 0.821910771 } },
+    { 159.772287, 163.456227, 14.6077636, 16.6822128, 0, 0,
+      { mass = 0.648045318, restitution = 0.775265884 } },
+  },
 }
 
-describe("a knot of boxes in the air does not overlap:", function()
+describe("a knot of boxes does not overlap:", function()
   for _, knot in ipairs(KNOTS) do
     it(knot.name, function()
       local levels = { shift = { 0, 0.1 }, order = { "forward" }, push = knot.push }
       scene.each(levels, function(run)
-        local description = { gravity = 800 }
+        local description = { gravity = knot.gravity or 800, gravityX = knot.gravityX }
         for i, row in ipairs(knot) do
           local box = { x = row[1], y = row[2], width = row[3], height = row[4] }
           box.vx, box.vy = row[5], row[6]
