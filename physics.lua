@@ -50,12 +50,6 @@ for name, method in pairs(world.methods) do
   end
 end
 
---- Draws the default world (LÖVE only). See physics/draw.lua for the options.
----@param options table?
-function physics.draw(options)
-  return require(path .. ".draw").draw(default, options)
-end
-
 physics.inside = pure.inside
 physics.side = pure.side
 physics.checkCollision = pure.checkCollision

@@ -373,7 +373,8 @@ end
 
 local function isMaskRead(b, slot, mask)
   local names, seen = b.groupNames, b.maskSeen[slot]
-  for n = 1, #names do
+  -- Groups that came later are looked up in the mask itself.
+  for n = 1, #(seen or names) do
     if (mask[names[n]] == false) ~= (seen[n] or false) then
       return false
     end

@@ -379,6 +379,15 @@ local function between(b, slot, k, now, alpha)
   return b.position[k] - (b.position[k] - b.last[k]) * (1 - alpha)
 end
 
+--- Draws the world (LÖVE only). See physics/draw.lua for the options.
+---
+--- Errors: an unknown option, or a wrong value for one.
+---@param options table?
+function World:draw(options)
+  checkSelf(self, "draw(options)")
+  require(here .. ".draw").draw(self, options)
+end
+
 --- Returns where to draw an object between two fixed steps (`timestep`): on the way from where it
 --- was before the last step to where it is now, by `alpha`. Who is new, static, not active, or was
 --- put somewhere by the game is drawn where it is; without `timestep` everybody is.

@@ -1,5 +1,6 @@
 --- Many boxes dropped into a container come to rest and do not sink into each other.
 
+local effort = require "spec.support.effort"
 local newRandom = require("spec.support.random").new
 local overlap = require "spec.support.overlap"
 local scene = require "spec.support.scene"
@@ -93,19 +94,19 @@ end
 describe("a pile", function()
   it("(13) of 1000 boxes with friction is still within 20 s", function()
     scene.each(GRID, function(run)
-      run:build(pile(1000, 800, 0.3))
+      run:build(pile(effort.share(1000), effort.isWhole and 800 or 300, 0.3))
       playPile(run, 20)
       local movers, fastest = countMovers(run)
       run:check(movers == 0, "%d boxes move, up to %.3g px/s", movers, fastest)
-      checkInside(run, 800)
+      checkInside(run, effort.isWhole and 800 or 300)
     end)
   end)
 
   it("(13) of 1000 boxes without friction is as high and does not overlap", function()
     scene.each(GRID, function(run)
-      run:build(pile(1000, 800, nil))
+      run:build(pile(effort.share(1000), effort.isWhole and 800 or 300, nil))
       playPile(run, 20)
-      checkInside(run, 800)
+      checkInside(run, effort.isWhole and 800 or 300)
       run:near("mean height", meanHeight(run), 170, 30)
     end)
   end)
