@@ -128,8 +128,8 @@ local function shareAccel(accel, kl, kh, wl, wh)
   end
 end
 
--- Whether slot i, which does not give way towards low (high) coordinates, is a wall to what leans on
--- it. One that merely cannot be pushed is not: it stops where that has no place to go, unless
+-- Whether slot i, which does not give way towards low (high) coordinates, is a wall to what leans
+-- on it. One that merely cannot be pushed is not: it stops where that has no place to go, unless
 -- another such one is behind it.
 local function isWall(b, i, held, backed)
   return b.kind[i] ~= DYNAMIC or held or backed
@@ -270,7 +270,9 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   local oldL, oldH = to[kl], to[kh]
   place(b, kl, kh, (o + gap) * shareL, (o + gap) * shareH, flush)
   local dv = v - vEnd
-  if dv > 0 then
+  -- Two that push each other to and fro for positions alone go on together.
+  local isStuck = b.met[p] > LEAVES and wl > 0 and wh > 0
+  if dv > 0 or isStuck then
     setSpeeds(b, kl, kh, wl, wh, dv, vEnd == 0)
     -- A hit from the side breaks the hold of friction.
     b.stuck[lo] = b.stuck[lo] and b.down[kl] ~= 0
@@ -280,14 +282,14 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   weld.release(b, kl, axis, b.heldHigh, b.holderHigh, 1)
   weld.release(b, kh, axis, b.heldLow, b.holderLow, -1)
   -- Who is on the way apart already, and only flush through a push, leans on nobody.
-  if flush and (v > -STILL or isDeep) then
+  if flush and (v > -STILL or isDeep or isStuck) then
     lean(b, lo, hi, kl, kh, wl, wh)
   end
   change(b, lo)
   change(b, hi)
   weld.follow(b, kl, to[kl] - oldL, t)
   weld.follow(b, kh, to[kh] - oldH, t)
-  if flush and dv > 0 and b.met[p] >= WELDS and wl > 0 and wh > 0 then
+  if flush and (dv > 0 or isStuck) and b.met[p] >= WELDS and wl > 0 and wh > 0 then
     weld.join(b, kl, kh)
   end
   if dv > 0 then

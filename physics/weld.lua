@@ -53,8 +53,8 @@ local function letGo(b, i, axis, held, holder)
   end
 end
 
---- Ends the hold of k, and of all that is welded to it, on the side of the columns given, if it moves
---- away from who holds it; `sign` is 1 for the high side, -1 for the low side.
+--- Ends the hold of k, and of all that is welded to it, on the side of the columns given, if it
+--- moves away from who holds it; `sign` is 1 for the high side, -1 for the low side.
 function weld.release(b, k, axis, held, holder, sign)
   if not held[k] then
     return

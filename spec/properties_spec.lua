@@ -1,10 +1,10 @@
 --- What holds for every scene, tried on random ones. Failures name the seed.
 
-local fold = require "spec.support.fold"
-local effort = require "spec.support.effort"
+local fold = require("spec.support.fold")
+local effort = require("spec.support.effort")
 local newRandom = require("spec.support.random").new
-local overlap = require "spec.support.overlap"
-local script = require "spec.support.script"
+local overlap = require("spec.support.overlap")
+local script = require("spec.support.script")
 
 local WILD = { steps = 100, boxes = 24, writes = 0.5, specials = true }
 local CALM = { steps = 200, boxes = 40, writes = 0.04, specials = true }
@@ -26,10 +26,14 @@ end
 local function checkSame(seed, track, player, before)
   local more = true
   while more do
-    if before then before(player) end
+    if before then
+      before(player)
+    end
     more = player:next()
     local text = more and script.difference(track, player)
-    if text then error(("seed %d, %s"):format(seed, text), 2) end
+    if text then
+      error(("seed %d, %s"):format(seed, text), 2)
+    end
   end
 end
 
@@ -41,7 +45,9 @@ local function comeAndGo(world, seed)
     guests[i] = world:add("guests", { x = 12 * i, y = 5 * i, width = 16, height = 16 })
   end
   for i, guest in ipairs(random:shuffled(guests)) do
-    if i % 3 == 0 then world:update(1 / 60) end
+    if i % 3 == 0 then
+      world:update(1 / 60)
+    end
     world:remove(guest)
   end
   world:update(1 / 60)
@@ -53,7 +59,7 @@ local function isFinite(value)
 end
 
 describe("the same scene goes the same way, to the bit,", function()
-  for _, row in ipairs {
+  for _, row in ipairs({
     { "pair by pair", { broadphase = "pairs" } },
     { "in the grid", { broadphase = "grid" } },
     { "in the automatic broad phase", {} },
@@ -63,7 +69,7 @@ describe("the same scene goes the same way, to the bit,", function()
     { "in cells of 1000 px", { broadphase = "grid", cellSize = 1000 } },
     { "pair by pair, push first", { push = "first", broadphase = "pairs" } },
     { "in the grid, push first", { push = "first", broadphase = "grid" } },
-  } do
+  }) do
     local name, settings = row[1], row[2]
 
     it(name .. ", wild", function()
@@ -81,7 +87,7 @@ describe("the same scene goes the same way, to the bit,", function()
     end)
   end
 
-  for _, name in ipairs { "add", "insert", "assign" } do
+  for _, name in ipairs({ "add", "insert", "assign" }) do
     it("put in by " .. name, function()
       for seed = 1, effort.share(5) do
         local player = script.play(script.new(seed, QUIET), nil, script.inserts[name])
@@ -92,7 +98,9 @@ describe("the same scene goes the same way, to the bit,", function()
 
   it("under the same keys, whatever came and went before", function()
     for seed = 1, effort.share(5) do
-      local function visit(world) comeAndGo(world, seed) end
+      local function visit(world)
+        comeAndGo(world, seed)
+      end
       local player = script.play(script.new(seed, WILD), nil, nil, visit)
       checkSame(seed, trackOf(seed, WILD), player)
     end
@@ -137,9 +145,12 @@ describe("the same scene goes the same way, to the bit,", function()
     local sum = fold.START
     for seed = 1, 4 do -- not a share: the number is one for all
       local player = script.play(script.new(seed, WILD))
-      while player:next() do end
+      while player:next() do
+      end
       for i = 1, player.count do
-        if player.list[i] then sum = fold.objects(sum, { player.list[i] }) end
+        if player.list[i] then
+          sum = fold.objects(sum, { player.list[i] })
+        end
       end
     end
     assert.are.equal("255201467", ("%.0f"):format(sum))
@@ -148,7 +159,7 @@ end)
 
 describe("whatever happens,", function()
   it("every number stays finite", function()
-    for _, push in ipairs { "both", "first" } do
+    for _, push in ipairs({ "both", "first" }) do
       for seed = 100, 99 + effort.share(6) do
         local player = script.play(script.new(seed, WILD), { push = push })
         while player:next() do
@@ -167,7 +178,7 @@ describe("whatever happens,", function()
   end)
 
   it("nothing sinks into anything, unless it is squeezed", function()
-    for _, push in ipairs { "both", "first" } do
+    for _, push in ipairs({ "both", "first" }) do
       for seed = 200, 199 + effort.share(7) do
         local player = script.play(script.new(seed, PLAIN), { push = push })
         local deepest = overlap.checker(player.list)
@@ -186,7 +197,9 @@ describe("whatever happens,", function()
   it("two worlds do not disturb each other", function()
     local other = script.play(script.new(2, WILD))
     local player = script.play(script.new(1, WILD))
-    checkSame(1, trackOf(1, WILD), player, function() other:next() end)
+    checkSame(1, trackOf(1, WILD), player, function()
+      other:next()
+    end)
   end)
 end)
 
@@ -195,9 +208,13 @@ describe("a saved state", function()
     for seed = 1, effort.share(5) do
       local random = script.new(seed, QUIET)
       local player = script.play(random)
-      for _ = 1, 50 do player:next() end
+      for _ = 1, 50 do
+        player:next()
+      end
       local state, first = player.world:save(), {}
-      while player:next() do first[#first + 1] = player.world:hash() end
+      while player:next() do
+        first[#first + 1] = player.world:hash()
+      end
       player.world:restore(state)
       for i = 1, 50 do
         player.world:update(random.steps[50 + i].dt)

@@ -1,7 +1,7 @@
 --- A row of tiles behaves like one long box: floor, wall or shaft.
 
-local scene = require "spec.support.scene"
-local variants = require "spec.support.variants"
+local scene = require("spec.support.scene")
+local variants = require("spec.support.variants")
 
 local EVERYWHERE = { rate = variants.RATES, turn = variants.TURNS }
 
@@ -69,7 +69,11 @@ describe("seams", function()
       scene.each(EVERYWHERE, function(run)
         local body = { name = "body", x = 86, y = 0, width = 14, height = 24 }
         body = run:build(with(wallOfTiles(), "players", body)).body
-        for time in run:steps(1, function() body.vx = 100 end) do
+        for time in
+          run:steps(1, function()
+            body.vx = 100
+          end)
+        do
           run:at(body, 86, 400 * time * time)
           run:same("vx", body.vx, 0)
           run:near("vy", body.vy, 800 * time)
@@ -80,13 +84,17 @@ describe("seams", function()
       end)
     end)
 
-    for _, start in ipairs { 80, 79.3, 70 } do
+    for _, start in ipairs({ 80, 79.3, 70 }) do
       it(("(1c) do not stop who jumps up along them, from x = %g"):format(start), function()
         scene.each(EVERYWHERE, function(run)
           local body = { name = "body", x = start, y = 500, width = 14, height = 24, vy = -600 }
           body = run:build(with(wallOfTiles(), "players", body)).body
           local log = run:listen(body)
-          for _ in run:steps(2 / 3, function() body.vx = 200 end) do
+          for _ in
+            run:steps(2 / 3, function()
+              body.vx = 200
+            end)
+          do
             run:check(not body.touching.top, "touches a tile with its head")
             run:check(not body.touching.bottom, "stands on a tile")
           end
@@ -132,10 +140,14 @@ describe("seams", function()
       scene.each(levels, function(run)
         local description = floorOfTiles()
         description.masks = { players = { players = false } }
-        for k = 1, 100 do with(description, "players", lander(k)) end
+        for k = 1, 100 do
+          with(description, "players", lander(k))
+        end
         local named = run:build(description)
         run:play(1)
-        for k = 1, 100 do check(run, named["lander" .. k], k) end
+        for k = 1, 100 do
+          check(run, named["lander" .. k], k)
+        end
       end)
     end)
   end)
@@ -168,7 +180,11 @@ describe("seams", function()
       scene.each(EVERYWHERE, function(run)
         local body = { name = "body", x = 100, y = 0, width = 14, height = 24 }
         body = run:build(with(shaft(14, 0), "players", body)).body
-        for time in run:steps(1, function() body.vx = -100 end) do
+        for time in
+          run:steps(1, function()
+            body.vx = -100
+          end)
+        do
           run:at(body, 100, 400 * time * time)
           run:near("vy", body.vy, 800 * time)
         end
@@ -179,7 +195,9 @@ describe("seams", function()
       scene.each(EVERYWHERE, function(run)
         local body = { name = "body", x = 100, y = 20, width = 16, height = 16 }
         local log = run:listen(run:build(with(shaft(16, 100), "players", body)).body)
-        for time in run:steps(1) do run:at(run.named.body, 100, 20 + 400 * time * time) end
+        for time in run:steps(1) do
+          run:at(run.named.body, 100, 20 + 400 * time * time)
+        end
         run:same("begins", log.begins, 0)
       end)
     end)

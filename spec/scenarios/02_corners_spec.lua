@@ -1,7 +1,7 @@
 --- Corner to corner: what is met, and on which side.
 
-local scene = require "spec.support.scene"
-local variants = require "spec.support.variants"
+local scene = require("spec.support.scene")
+local variants = require("spec.support.variants")
 
 local EVERYWHERE = { rate = variants.RATES, turn = variants.TURNS }
 
@@ -34,14 +34,14 @@ describe("corners", function()
   --      +--+
   --      |  |
   --      +--+
-  for _, group in ipairs { "tiles", "boxes" } do
+  for _, group in ipairs({ "tiles", "boxes" }) do
     it("(2b) land who meets them exactly, block in group " .. group, function()
       scene.each(nil, function(run)
-        local named = run:build {
+        local named = run:build({
           gravity = 0,
           { group, { name = "block", x = 16, y = 16, width = 16, height = 16, static = true } },
           { "boxes", { name = "body", x = 0, y = 0, width = 16, height = 16, vx = 600, vy = 600 } },
-        }
+        })
         local log = run:listen(named.body)
         run:step(1 / 60)
         run:at(named.body, 10, 0)
@@ -122,7 +122,7 @@ describe("corners", function()
   --      +---++---+
   --   +---+---+---+---+
   --   64      fractional sizes
-  for _, o in ipairs { 0, 0.1, 0.3, 0.7 } do
+  for _, o in ipairs({ 0, 0.1, 0.3, 0.7 }) do
     it(("(2e) beside a jump let it come down where it began, at %g"):format(o), function()
       scene.each(EVERYWHERE, function(run)
         local description = scene.tiles({}, 6, -32.6, 64 + o, 16.3, 16.3, 16.3, 0)
@@ -135,7 +135,9 @@ describe("corners", function()
         local named = run:build(description)
         for time in run:steps(2) do
           local height = math.max(0, 300 * time - 400 * time * time)
-          if time < 0.75 then run:at(named.body, o, 47.7 + o - height) end
+          if time < 0.75 then
+            run:at(named.body, o, 47.7 + o - height)
+          end
         end
         run:at(named.body, o, 47.7 + o, 1e-9)
         run:flush(named.body, named.floor, "bottom")

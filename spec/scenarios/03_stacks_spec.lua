@@ -1,8 +1,8 @@
 --- What is piled up with care stays as it is, to the bit.
 
-local overlap = require "spec.support.overlap"
-local scene = require "spec.support.scene"
-local variants = require "spec.support.variants"
+local overlap = require("spec.support.overlap")
+local scene = require("spec.support.scene")
+local variants = require("spec.support.variants")
 
 local TURNED = { turn = variants.TURNS }
 local EVERYWHERE = { rate = variants.RATES, turn = variants.TURNS }
@@ -38,7 +38,9 @@ end
 --- Places of all boxes, to the bit.
 local function placesOf(named)
   local places = {}
-  for name, view in pairs(named) do places[name] = { view.raw.x, view.raw.y } end
+  for name, view in pairs(named) do
+    places[name] = { view.raw.x, view.raw.y }
+  end
   return places
 end
 
@@ -57,8 +59,12 @@ local function checkStays(run, description, seconds)
   local places
   for _ in run:steps(seconds) do
     for _, entry in ipairs(description) do
-      if not places then run:at(named[entry[2].name], entry[2].x, entry[2].y) end
-      if not entry[2].static then run:still(named[entry[2].name]) end
+      if not places then
+        run:at(named[entry[2].name], entry[2].x, entry[2].y)
+      end
+      if not entry[2].static then
+        run:still(named[entry[2].name])
+      end
     end
     places = places or placesOf(named)
     checkPlaces(run, named, places)
@@ -83,11 +89,15 @@ describe("stacks", function()
   --   +--+
   --  ------
   it("(3) of ten boxes stand still for 10 s", function()
-    scene.each(TURNED, function(run) checkStays(run, tower(10, 16), 10) end)
+    scene.each(TURNED, function(run)
+      checkStays(run, tower(10, 16), 10)
+    end)
   end)
 
   it("(3) of ten boxes stand still at any frame rate", function()
-    scene.each(EVERYWHERE, function(run) checkStays(run, tower(10, 16), 1) end)
+    scene.each(EVERYWHERE, function(run)
+      checkStays(run, tower(10, 16), 1)
+    end)
   end)
 
   it("(3) of ten boxes begin ten contacts and end none", function()
@@ -95,7 +105,9 @@ describe("stacks", function()
       local named = run:build(tower(10, 16))
       local world = run:listenToWorld()
       local logs = {}
-      for i = 1, 10 do logs[i] = run:listen(named["box" .. i]) end
+      for i = 1, 10 do
+        logs[i] = run:listen(named["box" .. i])
+      end
       run:play(10)
       run:same("begins", world.begins, 10)
       run:same("ends", world.ends, 0)
@@ -110,22 +122,28 @@ describe("stacks", function()
   end)
 
   it("(3) of twenty boxes stand still for 10 s", function()
-    scene.each(TURNED, function(run) checkStays(run, tower(20, 16), 10) end)
+    scene.each(TURNED, function(run)
+      checkStays(run, tower(20, 16), 10)
+    end)
   end)
 
   --      +--+
   --    +--++--+
   --   +--++--++--+
   --  +--++--++--++--+
-  for _, pitch in ipairs { 16, 20, 17.3 } do
+  for _, pitch in ipairs({ 16, 20, 17.3 }) do
     it(("(3) as a pyramid, %g px from box to box, stay as drawn"):format(pitch), function()
-      scene.each(TURNED, function(run) checkStays(run, pyramid(pitch), 10) end)
+      scene.each(TURNED, function(run)
+        checkStays(run, pyramid(pitch), 10)
+      end)
     end)
   end
 
   it("of boxes of very different mass stand still", function()
     local masses = { 0.001, 1000, 1, 1e6, 0.5, 0.001, 3, 1e4, 0.01, 1e6 }
-    scene.each(TURNED, function(run) checkStays(run, tower(10, 16, masses), 10) end)
+    scene.each(TURNED, function(run)
+      checkStays(run, tower(10, 16, masses), 10)
+    end)
   end)
 
   it("(3) dropped with gaps of 8 px settle within 3 s, exactly flush", function()
@@ -137,7 +155,9 @@ describe("stacks", function()
         run:check(depth <= 1e-6, "boxes overlap by %.3g", depth)
       end
       for _ in run:steps(1) do
-        for i = 1, 10 do run:at(named["box" .. i], 100, 200 - 16 * i) end
+        for i = 1, 10 do
+          run:at(named["box" .. i], 100, 200 - 16 * i)
+        end
         checkFlush(run, named, 1, 10)
       end
     end)
@@ -149,7 +169,9 @@ describe("stacks", function()
       local named = run:build(tower(10, 24, masses))
       run:play(3)
       for _ in run:steps(1) do
-        for i = 1, 10 do run:at(named["box" .. i], 100, 200 - 16 * i) end
+        for i = 1, 10 do
+          run:at(named["box" .. i], 100, 200 - 16 * i)
+        end
         checkFlush(run, named, 1, 10)
       end
     end)
@@ -164,7 +186,9 @@ describe("stacks", function()
       local floor = run:listen(named.floor)
       run.world:remove(named.box1.raw)
       run:play(2)
-      for i = 2, 10 do run:at(named["box" .. i], 100, 200 - 16 * (i - 1)) end
+      for i = 2, 10 do
+        run:at(named["box" .. i], 100, 200 - 16 * (i - 1))
+      end
       for i = 2, 10 do
         run:flush(named["box" .. i], i == 2 and named.floor or named["box" .. i - 1], "bottom")
         run:still(named["box" .. i])

@@ -1,7 +1,7 @@
 --- Nothing is too fast.
 
-local scene = require "spec.support.scene"
-local variants = require "spec.support.variants"
+local scene = require("spec.support.scene")
+local variants = require("spec.support.variants")
 
 local EVERYWHERE = { rate = variants.RATES, turn = variants.TURNS }
 local BOTH = { push = { "both" }, turn = variants.TURNS }
@@ -63,11 +63,11 @@ describe("bullets", function()
   --   0                                    5000
   it("of 90 000 px/s stop flush at a wall of 1 px", function()
     scene.each(EVERYWHERE, function(run)
-      local named = run:build {
+      local named = run:build({
         gravity = 0,
         { "walls", { name = "wall", x = 5000, y = 0, width = 1, height = 100, static = true } },
         { "boxes", { name = "box", x = 0, y = 48, width = 4, height = 4, vx = 90000 } },
-      }
+      })
       run:play(1 / 6)
       run:at(named.box, 4996, 48)
       run:flush(named.box, named.wall, "right")
@@ -80,18 +80,18 @@ describe("bullets", function()
   --   +-+  6000           -6000    +-+
   --   0                            100
   describe("head-on", function()
-    for _, row in ipairs {
+    for _, row in ipairs({
       -- restitution, A, B, vx of A, vx of B
       { 0, 48, 52, 0, 0 },
       { 1, -4, 104, -6000, 6000 },
-    } do
+    }) do
       local restitution, atA, atB, vA, vB = row[1], row[2], row[3], row[4], row[5]
       it(("(4) meet in the middle of the step, restitution %g"):format(restitution), function()
         scene.each(BOTH, function(run)
           local a = { name = "a", x = 0, y = 0, width = 4, height = 4, vx = 6000 }
           local b = { name = "b", x = 100, y = 0, width = 4, height = 4, vx = -6000 }
           a.restitution, b.restitution = restitution, restitution
-          local named = run:build { gravity = 0, { "boxes", a }, { "boxes", b } }
+          local named = run:build({ gravity = 0, { "boxes", a }, { "boxes", b } })
           local log = run:listen(named.a)
           run:step(1 / 60)
           run:at(named.a, atA, 0)
@@ -106,11 +106,11 @@ describe("bullets", function()
 
     it("do not pass each other with push first either", function()
       scene.each({ push = { "first" }, turn = variants.TURNS, rate = variants.RATES }, function(run)
-        local named = run:build {
+        local named = run:build({
           gravity = 0,
           { "boxes", { name = "a", x = 0, y = 0, width = 4, height = 4, vx = 6000 } },
           { "boxes", { name = "b", x = 100, y = 0, width = 4, height = 4, vx = -6000 } },
-        }
+        })
         run:play(1 / 6)
         run:near("distance", named.b.x - named.a.x, 4)
         run:near("vx of a", named.a.vx, 0)
@@ -126,11 +126,11 @@ describe("bullets", function()
   --   +-+ -> A, 6000 px/s          paths cross: B comes down on A at 0.45 of the step
   it("that cross at a right angle meet", function()
     scene.each(BOTH, function(run)
-      local named = run:build {
+      local named = run:build({
         gravity = 0,
         { "boxes", { name = "a", x = 0, y = 100, width = 10, height = 10, vx = 6000 } },
         { "boxes", { name = "b", x = 50, y = 45, width = 10, height = 10, vy = 6000 } },
-      }
+      })
       local a, b = run:listen(named.a), run:listen(named.b)
       run:step(1 / 60)
       -- both go on at 3000 px/s down for 0.55 steps of 50 px; nothing rubs, so A keeps its 6000
@@ -151,11 +151,11 @@ describe("bullets", function()
 
   it("that cross at a right angle too late for each other do not meet", function()
     scene.each({ turn = variants.TURNS }, function(run)
-      local named = run:build {
+      local named = run:build({
         gravity = 0,
         { "boxes", { name = "a", x = 0, y = 100, width = 10, height = 10, vx = 6000 } },
         { "boxes", { name = "b", x = 50, y = 29, width = 10, height = 10, vy = 6000 } },
-      }
+      })
       -- A is under B from 0.4 to 0.6 of the step, B reaches A's top at 0.61
       local log = run:listen(named.a)
       run:play(2 / 60)
@@ -171,11 +171,11 @@ describe("bullets", function()
     scene.each(EVERYWHERE, function(run)
       local sensor = { name = "sensor", x = 50, y = 0, width = 2, height = 100 }
       sensor.sensor, sensor.static = true, true
-      local named = run:build {
+      local named = run:build({
         gravity = 0,
         { "sensors", sensor },
         { "bullets", { name = "bullet", x = 0, y = 48, width = 4, height = 4, vx = 6000 } },
-      }
+      })
       local bullet, world = run:listen(named.bullet), run:listenToWorld()
       sensor = run:listen(named.sensor)
       for time in run:steps(1 / 6) do

@@ -1,7 +1,7 @@
 --- Pushing boxes along a floor, against a wall.
 
-local scene = require "spec.support.scene"
-local variants = require "spec.support.variants"
+local scene = require("spec.support.scene")
+local variants = require("spec.support.variants")
 
 local EVERYWHERE = { rate = variants.RATES, turn = variants.TURNS }
 local FEW = { rate = { 60, 144 }, turn = { 0, 1 }, shift = { 0, 1 / 3 } }
@@ -25,27 +25,35 @@ describe("pushing", function()
   --   +-+  ->   +-+ +-+ +-+         |
   --   |P|       | | | | | |         |
   --   -------------------------------
-  for _, case in ipairs {
+  for _, case in ipairs({
     -- boxes, where P ends, where the boxes end
     { 1, 168, { 184 }, EVERYWHERE },
     { 2, 152, { 168, 184 }, FEW },
     { 3, 136, { 152, 168, 184 }, EVERYWHERE },
     { 5, 104, { 120, 136, 152, 168, 184 }, FEW },
-  } do
+  }) do
     local count, atP, ends = case[1], case[2], case[3]
 
     local function checkEnd(run, named)
       run:at(named.P, atP, 100)
-      for i = 1, count do run:at(named["box" .. i], ends[i], 100) end
+      for i = 1, count do
+        run:at(named["box" .. i], ends[i], 100)
+      end
     end
 
     it(("(5) %d against a wall ends flush"):format(count), function()
       scene.each(case[4], function(run)
         local named = run:build(row(count))
         local P = named.P
-        for _ in run:steps(4, function() P.vx = 100 end) do
+        for _ in
+          run:steps(4, function()
+            P.vx = 100
+          end)
+        do
           for _, view in pairs(named) do
-            if not view.static then run:near(view.name .. ".y", view.y, 100) end
+            if not view.static then
+              run:near(view.name .. ".y", view.y, 100)
+            end
           end
         end
         checkEnd(run, named)
@@ -53,7 +61,11 @@ describe("pushing", function()
         for i = 1, count do
           run:flush(i == 1 and P or named["box" .. i - 1], named["box" .. i], "right")
         end
-        for _ in run:steps(1, function() P.vx = 100 end) do
+        for _ in
+          run:steps(1, function()
+            P.vx = 100
+          end)
+        do
           checkEnd(run, named)
           run:still(P)
           run:touches(P, "bottom", "right")
@@ -61,7 +73,9 @@ describe("pushing", function()
         end
         for _ in run:steps(1) do -- released
           checkEnd(run, named)
-          for _, view in pairs(named) do run:still(view) end
+          for _, view in pairs(named) do
+            run:still(view)
+          end
         end
       end)
     end)
@@ -73,7 +87,9 @@ describe("pushing", function()
       description[4][2].pushable = false
       local named = run:build(description)
       local log = run:listen(named.P)
-      run:play(4, function() named.P.vx = 100 end)
+      run:play(4, function()
+        named.P.vx = 100
+      end)
       run:at(named.P, 64, 100)
       run:at(named.box1, 80, 100)
       run:still(named.P)
@@ -104,15 +120,17 @@ describe("pushing", function()
   --   +-+--+
   --   |  |
   --  ---------
-  for _, pushable in ipairs { true, false } do
+  for _, pushable in ipairs({ true, false }) do
     local name = pushable and "a box on the floor" or "another such box"
     it("a box that cannot be pushed comes to rest on " .. name, function()
       scene.each(EVERYWHERE, function(run)
         local floor = { name = "floor", x = -200, y = 116, width = 800, height = 32, static = true }
         local low = { name = "low", x = 0, y = 100, width = 16, height = 16, pushable = pushable }
         local upper = { name = "U", x = 4, y = 50, width = 16, height = 16, pushable = false }
-        local named = run:build { { "tiles", floor }, { "boxes", low }, { "boxes", upper } }
-        for _ in run:steps(1) do run:at(named.low, 0, 100) end
+        local named = run:build({ { "tiles", floor }, { "boxes", low }, { "boxes", upper } })
+        for _ in run:steps(1) do
+          run:at(named.low, 0, 100)
+        end
         run:at(named.U, 4, 84)
         run:flush(named.U, named.low, "bottom")
         run:still(named.U)
@@ -124,7 +142,9 @@ describe("pushing", function()
     scene.each(FEW, function(run)
       local named = run:build(row(3))
       local world = run:listenToWorld()
-      run:play(6, function() named.P.vx = 100 end)
+      run:play(6, function()
+        named.P.vx = 100
+      end)
       -- on the floor: 4, P and three boxes: 3, the wall: 1
       run:check(world.begins >= 8, "begins should be at least 8, is %d", world.begins)
       run:same("contacts left", world.begins - world.ends, 8)
@@ -140,7 +160,9 @@ describe("pushing", function()
       local other = { name = "Q", x = 200, y = 100, width = 16, height = 16 }
       description[#description + 1] = { "players", other }
       local named = run:build(description)
-      run:play(5, function() named.P.vx, named.Q.vx = 100, -100 end)
+      run:play(5, function()
+        named.P.vx, named.Q.vx = 100, -100
+      end)
       local chain = { named.P, named.box1, named.box2, named.box3, named.Q }
       for i = 1, 4 do
         run:near("gap", chain[i + 1].x - chain[i].x - 16, 0)

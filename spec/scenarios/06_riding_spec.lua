@@ -1,8 +1,8 @@
 --- Riding: platforms, lifts and belts take along what stands on them.
 
-local scene = require "spec.support.scene"
-local turn = require "spec.support.turn"
-local variants = require "spec.support.variants"
+local scene = require("spec.support.scene")
+local turn = require("spec.support.turn")
+local variants = require("spec.support.variants")
 
 local EVERYWHERE = { rate = variants.RATES, turn = variants.TURNS }
 -- For the many rows that are relatives of another one: 12 variants.
@@ -12,7 +12,9 @@ local SETTLE = 1 / 6 -- s, ten steps at 60 Hz
 local abs, pi, sin, cos = math.abs, math.pi, math.sin, math.cos
 
 local function with(object, fields)
-  for key, value in pairs(fields or {}) do object[key] = value end
+  for key, value in pairs(fields or {}) do
+    object[key] = value
+  end
   return object
 end
 
@@ -43,7 +45,9 @@ local function driven(run, seconds, write)
   local list, i, time = scene.times(seconds, run.rate), 0, 0
   return function()
     i = i + 1
-    if not list[i] then return nil end
+    if not list[i] then
+      return nil
+    end
     time = time + list[i]
     write(time, list[i])
     run:step(list[i])
@@ -76,7 +80,7 @@ describe("riding", function()
   --     | |
   --   +-----+  ->
   describe("a platform that moves evenly", function()
-    for i, row in ipairs {
+    for i, row in ipairs({
       -- velocity of the platform
       { 60, 0 },
       { 0, -60 },
@@ -90,7 +94,7 @@ describe("riding", function()
       { -5000, 0 },
       { 0, 5000 },
       { 0, -5000 },
-    } do
+    }) do
       local vx, vy = row[1], row[2]
       it(("(6) takes its rider along at (%g, %g) px/s"):format(vx, vy), function()
         scene.each(i <= 5 and EVERYWHERE or SOME, function(run)
@@ -107,13 +111,13 @@ describe("riding", function()
     end
 
     it("(6) 120 steps end at the numbers of the page", function()
-      for _, row in ipairs {
+      for _, row in ipairs({
         -- vx, vy, coordinate, platform, rider
         { 60, 0, "x", 220, 240 },
         { 0, -60, "y", 280, 256 },
         { 0, 60, "y", 520, 496 },
         { 0, 200, "y", 800, 776 },
-      } do
+      }) do
         scene.each(nil, function(run)
           local named = settled(run)
           named.platform.vx, named.platform.vy = row[1], row[2]
@@ -128,21 +132,60 @@ describe("riding", function()
   describe("a platform that changes its velocity", function()
     --- The platform's velocity at the middle of each step that ends at `time`.
     local ways = {
-      { "sways", function(t) return 50 * pi * cos(pi * t), 0 end },
-      { "goes up and down", function(t) return 0, 50 * pi * cos(pi * t) end },
-      { "goes in a circle", function(t) return 50 * pi * cos(pi * t), 50 * pi * sin(pi * t) end },
-      { "falls faster than gravity", function(t) return 0, 2400 * t end },
-      { "rises ever faster", function(t) return 0, -2400 * t end },
-      { "stops dead and starts again", function(t) return 0, t * 4 % 2 < 1 and 300 or 0 end },
-      { "stops dead on its way up", function(t) return 0, t * 4 % 2 < 1 and -600 or 0 end },
+      {
+        "sways",
+        function(t)
+          return 50 * pi * cos(pi * t), 0
+        end,
+      },
+      {
+        "goes up and down",
+        function(t)
+          return 0, 50 * pi * cos(pi * t)
+        end,
+      },
+      {
+        "goes in a circle",
+        function(t)
+          return 50 * pi * cos(pi * t), 50 * pi * sin(pi * t)
+        end,
+      },
+      {
+        "falls faster than gravity",
+        function(t)
+          return 0, 2400 * t
+        end,
+      },
+      {
+        "rises ever faster",
+        function(t)
+          return 0, -2400 * t
+        end,
+      },
+      {
+        "stops dead and starts again",
+        function(t)
+          return 0, t * 4 % 2 < 1 and 300 or 0
+        end,
+      },
+      {
+        "stops dead on its way up",
+        function(t)
+          return 0, t * 4 % 2 < 1 and -600 or 0
+        end,
+      },
     }
     for _, row in ipairs(ways) do
       it("(6) keeps its rider when it " .. row[1], function()
         scene.each(EVERYWHERE, function(run)
           local named, log = settled(run)
           local lift = named.platform
-          local function write(time, dt) lift.vx, lift.vy = row[2](time - dt / 2) end
-          for _ in driven(run, 1, write) do rides(run, named.rider, lift, 20) end
+          local function write(time, dt)
+            lift.vx, lift.vy = row[2](time - dt / 2)
+          end
+          for _ in driven(run, 1, write) do
+            rides(run, named.rider, lift, 20)
+          end
           neverFlickered(run, log)
         end)
       end)
@@ -150,13 +193,17 @@ describe("riding", function()
 
     it("(6) keeps its rider when it turns round at every step", function()
       scene.each(EVERYWHERE, function(run)
-        for _, row in ipairs { { 0, 200 }, { 0, 5000 }, { 5000, 0 }, { 5000, -5000 } } do
+        for _, row in ipairs({ { 0, 200 }, { 0, 5000 }, { 5000, 0 }, { 5000, -5000 } }) do
           local named, log = settled(run)
           local lift, sign = named.platform, 1
-          for _ in driven(run, 0.5, function()
-            lift.vx, lift.vy = sign * row[1], sign * row[2]
-            sign = -sign
-          end) do rides(run, named.rider, lift, 20) end
+          for _ in
+            driven(run, 0.5, function()
+              lift.vx, lift.vy = sign * row[1], sign * row[2]
+              sign = -sign
+            end)
+          do
+            rides(run, named.rider, lift, 20)
+          end
           neverFlickered(run, log)
         end
       end)
@@ -166,15 +213,60 @@ describe("riding", function()
   --- The same when the game writes x and y.
   describe("a platform that the game places", function()
     local ways = {
-      { "evenly sideways", function(t) return 60 * t, 0 end },
-      { "evenly upwards", function(t) return 0, -60 * t end },
-      { "evenly downwards", function(t) return 0, 60 * t end },
-      { "down at 200 px/s", function(t) return 0, 200 * t end },
-      { "at 5000 px/s", function(t) return 5000 * t, 5000 * t end },
-      { "on a sine sideways", function(t) return 50 * sin(pi * t), 0 end },
-      { "on a sine up and down", function(t) return 0, 50 * sin(pi * t) end },
-      { "down faster than gravity", function(t) return 0, 1200 * t * t end },
-      { "in jumps of 10 px", function(t) return 0, 10 * math.floor(t * 8) end },
+      {
+        "evenly sideways",
+        function(t)
+          return 60 * t, 0
+        end,
+      },
+      {
+        "evenly upwards",
+        function(t)
+          return 0, -60 * t
+        end,
+      },
+      {
+        "evenly downwards",
+        function(t)
+          return 0, 60 * t
+        end,
+      },
+      {
+        "down at 200 px/s",
+        function(t)
+          return 0, 200 * t
+        end,
+      },
+      {
+        "at 5000 px/s",
+        function(t)
+          return 5000 * t, 5000 * t
+        end,
+      },
+      {
+        "on a sine sideways",
+        function(t)
+          return 50 * sin(pi * t), 0
+        end,
+      },
+      {
+        "on a sine up and down",
+        function(t)
+          return 0, 50 * sin(pi * t)
+        end,
+      },
+      {
+        "down faster than gravity",
+        function(t)
+          return 0, 1200 * t * t
+        end,
+      },
+      {
+        "in jumps of 10 px",
+        function(t)
+          return 0, 10 * math.floor(t * 8)
+        end,
+      },
     }
     for _, row in ipairs(ways) do
       it(("(6) %s takes its rider along"):format(row[1]), function()
@@ -200,9 +292,11 @@ describe("riding", function()
         local named, log = settled(run)
         local lift = named.platform
         lift.vx, lift.vy = 30, 25
-        for time in driven(run, 2, function(_, dt)
-          lift.x, lift.y = lift.x + 40 * dt, lift.y - 60 * dt
-        end) do
+        for time in
+          driven(run, 2, function(_, dt)
+            lift.x, lift.y = lift.x + 40 * dt, lift.y - 60 * dt
+          end)
+        do
           run:at(lift, 100 + 70 * time, 400 - 35 * time)
           rides(run, named.rider, lift, 20)
         end
@@ -214,11 +308,17 @@ describe("riding", function()
       scene.each(SOME, function(run)
         local named = settled(run)
         local lift = named.platform
-        for time in driven(run, 2, function(time)
-          if time < 1 then lift.x = 100 + 60 * time end
-        end) do
+        for time in
+          driven(run, 2, function(time)
+            if time < 1 then
+              lift.x = 100 + 60 * time
+            end
+          end)
+        do
           rides(run, named.rider, lift, 20)
-          if time > 1 then run:same("speed of the platform", lift.vx, 0) end
+          if time > 1 then
+            run:same("speed of the platform", lift.vx, 0)
+          end
         end
         run:check(abs(lift.x - 160) < 6.1, "should be near 160, is at %.9g", lift.x)
       end)
@@ -228,7 +328,12 @@ describe("riding", function()
       scene.each(SOME, function(run)
         local named = settled(run)
         local lift = named.platform
-        for _ in driven(run, 1, function(time) lift.x = 100 + 60 * time end) do end
+        for _ in
+          driven(run, 1, function(time)
+            lift.x = 100 + 60 * time
+          end)
+        do
+        end
         lift.x = 161 -- one step on
         named.rider.vy = -400
         run:step(1 / 60)
@@ -249,11 +354,11 @@ describe("riding", function()
         run:near("vx", named.rider.vx, 60)
         run:at(named.rider, 126, 376 - 400 * 0.1 + 400 * 0.01)
 
-        named = run:build {
+        named = run:build({
           gravity = 0,
           platform(),
-          rider { x = 164, y = 392 }, -- at its right
-        }
+          rider({ x = 164, y = 392 }), -- at its right
+        })
         run:step(1 / 60)
         named.platform.x = 112
         run:step(0.1)
@@ -274,12 +379,12 @@ describe("riding", function()
       return {
         platform(),
         rider(),
-        rider { name = "second", x = 126, y = 352 },
-        rider { name = "third", x = 122, y = 328, mass = 50, friction = 0.5 },
+        rider({ name = "second", x = 126, y = 352 }),
+        rider({ name = "third", x = 122, y = 328, mass = 50, friction = 0.5 }),
       }
     end
 
-    for _, row in ipairs { { 60, 0 }, { 0, -200 }, { 0, 200 }, { 5000, 5000 }, { -70, -5000 } } do
+    for _, row in ipairs({ { 60, 0 }, { 0, -200 }, { 0, 200 }, { 5000, 5000 }, { -70, -5000 } }) do
       local vx, vy = row[1], row[2]
       it(("(6) three high go along at (%g, %g) px/s"):format(vx, vy), function()
         scene.each(EVERYWHERE, function(run)
@@ -304,10 +409,12 @@ describe("riding", function()
       scene.each(SOME, function(run)
         local named, log = settled(run, chain())
         local sign, lift = 1, named.platform
-        for _ in driven(run, 0.5, function()
-          lift.vx, lift.vy = 300 * sign, 500 * sign
-          sign = -sign
-        end) do
+        for _ in
+          driven(run, 0.5, function()
+            lift.vx, lift.vy = 300 * sign, 500 * sign
+            sign = -sign
+          end)
+        do
           rides(run, named.rider, lift, 20)
           rides(run, named.second, named.rider, 6)
           rides(run, named.third, named.second, -4)
@@ -318,9 +425,13 @@ describe("riding", function()
 
     it("walks on it as on a floor", function()
       scene.each(SOME, function(run)
-        local named = settled(run, { platform(), rider(), rider { name = "top", y = 352 } })
+        local named = settled(run, { platform(), rider(), rider({ name = "top", y = 352 }) })
         named.platform.vx, named.platform.vy = 60, 90
-        for time in run:steps(1, function() named.top.vx = 10 end) do
+        for time in
+          run:steps(1, function()
+            named.top.vx = 10
+          end)
+        do
           rides(run, named.rider, named.platform, 20)
           run:near("x", named.top.x, 120 + 70 * time)
           run:same("vx", named.top.vx, 10)
@@ -332,7 +443,7 @@ describe("riding", function()
     --- the lower one goes away: the upper one falls to the platform and has its velocity all along
     it("falls to the platform when the lower one is removed", function()
       scene.each(SOME, function(run)
-        local named = settled(run, { platform(), rider(), rider { name = "top", y = 352 } })
+        local named = settled(run, { platform(), rider(), rider({ name = "top", y = 352 }) })
         named.platform.vx = 60
         run:play(0.5)
         run.world:remove(named.rider.raw)
@@ -364,10 +475,14 @@ describe("riding", function()
             run:flush(named.rider, named.platform, "bottom")
             run:check(support(run, named.rider) == named.platform, "should stand on it")
             local right = named.rider.touching.right
-            if time > 2.1 then run:same("touching.right", right, named.wall) end
+            if time > 2.1 then
+              run:same("touching.right", right, named.wall)
+            end
           elseif passed > 1e-6 then -- it begins to fall in this step or in the next one
             local late = math.max(0, passed - dt - 1e-9)
-            if run.rate == "irregular" then late = math.max(0, passed - 0.1) end
+            if run.rate == "irregular" then
+              late = math.max(0, passed - 0.1)
+            end
             local y = named.rider.y - 376
             run:check(y >= 400 * late * late - 1e-6, "falls too late: %.9g", y)
             run:check(y <= 400 * passed * passed + 1e-6, "falls too early: %.9g", y)
@@ -398,7 +513,7 @@ describe("riding", function()
         local named = settled(run, {
           platform(),
           rider(),
-          rider { name = "top", y = 352 },
+          rider({ name = "top", y = 352 }),
           tile("wall", 260, 300, 16, 100),
         })
         named.platform.vx = 60
@@ -415,7 +530,11 @@ describe("riding", function()
       scene.each(SOME, function(run)
         local named, log = settled(run, { platform(), rider(), tile("wall", 136, 300, 16, 100) })
         named.platform.vy = 60
-        for time in run:steps(2 / 3, function() named.rider.vx = 100 end) do
+        for time in
+          run:steps(2 / 3, function()
+            named.rider.vx = 100
+          end)
+        do
           run:near("y", named.rider.y, 376 + 60 * time)
           run:flush(named.rider, named.platform, "bottom")
           run:same("vy", named.rider.vy, 0)
@@ -470,7 +589,7 @@ describe("riding", function()
       end)
     end)
 
-    for _, row in ipairs { { 0, -60 }, { 0, 60 }, { 60, -60 }, { -80, 500 }, { 60, -300 } } do
+    for _, row in ipairs({ { 0, -60 }, { 0, 60 }, { 60, -60 }, { -80, 500 }, { 60, -300 } }) do
       local vx, vy = row[1], row[2]
       it(("who jumps straight up on a lift at (%g, %g) lands at rest"):format(vx, vy), function()
         scene.each(SOME, function(run)
@@ -485,14 +604,16 @@ describe("riding", function()
             run:near("vy", named.rider.vy, up + 800 * time)
           end
           run:play(1 / 3)
-          for _ in run:steps(0.5) do rides(run, named.rider, named.platform, 20) end
+          for _ in run:steps(0.5) do
+            rides(run, named.rider, named.platform, 20)
+          end
           run:same("begins", log.begins, 2)
           run:same("ends", log.ends, 1)
         end)
       end)
     end
 
-    for _, vx in ipairs { 200, -200, 61 } do
+    for _, vx in ipairs({ 200, -200, 61 }) do
       it(("who walks off at %g px/s keeps the platform's velocity"):format(vx), function()
         scene.each(SOME, function(run)
           local named = settled(run)
@@ -536,14 +657,14 @@ describe("riding", function()
     end)
 
     --- own vx before and after the landing on a platform at 60 px/s
-    for _, row in ipairs { { 0, 0 }, { 30, 0 }, { 60, 0 }, { 100, 40 }, { -50, -50 } } do
+    for _, row in ipairs({ { 0, 0 }, { 30, 0 }, { 60, 0 }, { 100, 40 }, { -50, -50 } }) do
       local before, after = row[1], row[2]
       it(("who lands with vx = %g has vx = %g there"):format(before, after), function()
         scene.each(SOME, function(run)
-          local named = run:build {
-            platform { x = 0, width = 400, vx = 60 },
-            rider { x = 150, y = 350, vx = before },
-          }
+          local named = run:build({
+            platform({ x = 0, width = 400, vx = 60 }),
+            rider({ x = 150, y = 350, vx = before }),
+          })
           local landed
           for time in run:steps(1) do
             if landed then
@@ -560,17 +681,21 @@ describe("riding", function()
       end)
     end
 
-    for _, vy in ipairs { -60, 60, 300, -1000 } do
+    for _, vy in ipairs({ -60, 60, 300, -1000 }) do
       it(("who lands on a lift at %g px/s rides it at once"):format(vy), function()
         scene.each(SOME, function(run)
-          local named = run:build { platform { vy = vy }, rider { y = 340 } }
+          local named = run:build({ platform({ vy = vy }), rider({ y = 340 }) })
           local log, landed = run:listen(named.rider), false
           for _ in run:steps(0.5) do
             landed = landed or support(run, named.rider) ~= nil
-            if landed then rides(run, named.rider, named.platform, 20) end
+            if landed then
+              rides(run, named.rider, named.platform, 20)
+            end
           end
           run:check(landed or vy == 300, "should have landed")
-          if landed then neverFlickered(run, log) end
+          if landed then
+            neverFlickered(run, log)
+          end
         end)
       end)
     end
@@ -579,8 +704,8 @@ describe("riding", function()
       scene.each(SOME, function(run)
         local named = settled(run, {
           platform(),
-          platform { name = "next", x = 164, width = 300 },
-          rider { vx = 100 },
+          platform({ name = "next", x = 164, width = 300 }),
+          rider({ vx = 100 }),
         })
         named.next.vx = 40
         run:play(1.5)
@@ -592,9 +717,9 @@ describe("riding", function()
     it("a seam between two that move alike is none", function()
       scene.each(SOME, function(run)
         local named, log = settled(run, {
-          platform { vx = 60, vy = 30 },
-          platform { name = "next", x = 164, vx = 60, vy = 30 },
-          rider { x = 110 },
+          platform({ vx = 60, vy = 30 }),
+          platform({ name = "next", x = 164, vx = 60, vy = 30 }),
+          rider({ x = 110 }),
         })
         named.rider.vx = 50
         for _ in run:steps(1.5) do
@@ -616,25 +741,37 @@ describe("riding", function()
       run:near("y", body.y, 376 + 400 * time * time)
     end
 
-    for name, vanish in pairs {
-      removed = function(run, view) run.world:remove(view.raw) end,
+    for name, vanish in pairs({
+      removed = function(run, view)
+        run.world:remove(view.raw)
+      end,
       ["taken out of its table"] = function(run, view)
         local list = run.world.objects.platforms
         for key, object in pairs(list) do
-          if object == view.raw then list[key] = nil end
+          if object == view.raw then
+            list[key] = nil
+          end
         end
       end,
-      deactivated = function(_, view) view.active = false end,
-      ["made a sensor"] = function(_, view) view.sensor = true end,
-      masked = function(_, view) view.mask = { players = false } end,
-    } do
+      deactivated = function(_, view)
+        view.active = false
+      end,
+      ["made a sensor"] = function(_, view)
+        view.sensor = true
+      end,
+      masked = function(_, view)
+        view.mask = { players = false }
+      end,
+    }) do
       it(name .. ", the rider keeps its velocity", function()
         scene.each(SOME, function(run)
           local named, log = settled(run)
           named.platform.vx = 60
           run:play(1)
           vanish(run, named.platform)
-          for time in run:steps(0.5) do falls(run, named.rider, time, 180) end
+          for time in run:steps(0.5) do
+            falls(run, named.rider, time, 180)
+          end
           run:same("ends", log.ends, 1)
         end)
       end)
@@ -642,7 +779,7 @@ describe("riding", function()
 
     it("the rider's rider keeps its velocity, too", function()
       scene.each(SOME, function(run)
-        local named = settled(run, { platform(), rider(), rider { name = "top", y = 352 } })
+        local named = settled(run, { platform(), rider(), rider({ name = "top", y = 352 }) })
         named.platform.vx = 60
         run:play(1)
         run.world:remove(named.platform.raw)
@@ -713,12 +850,14 @@ describe("riding", function()
 
     it("under a rider that is removed, it and its other rider go on", function()
       scene.each(SOME, function(run)
-        local named, log = settled(run, { platform(), rider(), rider { name = "other", x = 140 } })
+        local named, log = settled(run, { platform(), rider(), rider({ name = "other", x = 140 }) })
         local other = run:listen(named.other)
         named.platform.vx, named.platform.vy = 60, -60
         run:play(0.5)
         run.world:remove(named.rider.raw)
-        for _ in run:steps(0.5) do rides(run, named.other, named.platform, 40) end
+        for _ in run:steps(0.5) do
+          rides(run, named.other, named.platform, 40)
+        end
         run:same("ends", log.ends, 1)
         run:same("ends of the other", other.ends, 0)
       end)
@@ -728,7 +867,8 @@ describe("riding", function()
   describe("with carry = false", function()
     it("the platform slides away under who stands on it", function()
       scene.each(SOME, function(run)
-        local named, log = settled(run, { platform { x = 0, width = 200, carry = false }, rider() })
+        local named, log =
+          settled(run, { platform({ x = 0, width = 200, carry = false }), rider() })
         named.platform.vx = 60
         for _ in run:steps(1) do
           run:at(named.rider, 120, 376)
@@ -740,7 +880,7 @@ describe("riding", function()
 
     it("the platform lifts who stands on it", function()
       scene.each(SOME, function(run)
-        local named, log = settled(run, { platform { carry = false }, rider() })
+        local named, log = settled(run, { platform({ carry = false }), rider() })
         named.platform.vy = -60
         for time in run:steps(1) do
           run:at(named.rider, 120, 376 - 60 * time)
@@ -753,11 +893,13 @@ describe("riding", function()
     it("the platform drags who stands on it by friction only", function()
       scene.each(SOME, function(run)
         local named = settled(run, {
-          platform { x = 0, width = 400, carry = false },
-          rider { friction = 0.5 },
+          platform({ x = 0, width = 400, carry = false }),
+          rider({ friction = 0.5 }),
         })
         named.platform.vx = 100
-        for time in run:steps(1 / 6) do run:near("vx", named.rider.vx, 400 * time, 1e-6) end
+        for time in run:steps(1 / 6) do
+          run:near("vx", named.rider.vx, 400 * time, 1e-6)
+        end
         run:play(0.5)
         run:near("vx", named.rider.vx, 100)
       end)
@@ -779,12 +921,13 @@ describe("riding", function()
       return { "platforms", object }
     end
 
-    for _, friction in ipairs { 0, 0.1, 1 } do
-      for name, fields in pairs { static = {}, kinematic = { static = false, kinematic = true } } do
+    for _, friction in ipairs({ 0, 0.1, 1 }) do
+      local kinds = { static = {}, kinematic = { static = false, kinematic = true } }
+      for name, fields in pairs(kinds) do
         local title = "that is %s moves a box with friction %g at exactly its speed"
         it(title:format(name, friction), function()
           scene.each(ALONG, function(run)
-            local named, log = settled(run, { belt(run, fields), rider { friction = friction } })
+            local named, log = settled(run, { belt(run, fields), rider({ friction = friction }) })
             local x = named.rider.x
             for time in run:steps(2) do
               run:at(named.rider, x + 60 * time, 376)
@@ -799,7 +942,7 @@ describe("riding", function()
 
       it(("grips a box with friction %g that is dropped on it"):format(friction), function()
         scene.each(ALONG, function(run)
-          local named = run:build { belt(run), rider { y = 340, friction = friction } }
+          local named = run:build({ belt(run), rider({ y = 340, friction = friction }) })
           run:play(0.5) -- lands after 0.3 s
           run:still(named.rider)
           local x = named.rider.x
@@ -824,12 +967,16 @@ describe("riding", function()
       end)
     end)
 
-    for _, own in ipairs { 50, -60, -100, 300 } do
+    for _, own in ipairs({ 50, -60, -100, 300 }) do
       it(("adds to the %g px/s of who walks on it"):format(own), function()
         scene.each(ALONG, function(run)
           local named = settled(run, { belt(run, { x = -1000, width = 2000 }), rider() })
           local x = named.rider.x
-          for time in run:steps(1, function() named.rider.vx = own end) do
+          for time in
+            run:steps(1, function()
+              named.rider.vx = own
+            end)
+          do
             run:at(named.rider, x + (60 + own) * time, 376)
             run:near("vx", named.rider.vx, own)
           end
@@ -841,7 +988,9 @@ describe("riding", function()
       scene.each(ALONG, function(run)
         local named = settled(run, { belt(run, { width = 200 }), rider() })
         local x = named.rider.x
-        for time in run:steps(2) do run:near("x", named.rider.x, x + 60 * time) end
+        for time in run:steps(2) do
+          run:near("x", named.rider.x, x + 60 * time)
+        end
         run:check(named.rider.y > 376, "should have left it")
         run:near("vx", named.rider.vx, 60)
       end)
@@ -852,7 +1001,7 @@ describe("riding", function()
         local named = settled(run, {
           belt(run),
           rider(),
-          rider { name = "top", y = 352, friction = 0.5 },
+          rider({ name = "top", y = 352, friction = 0.5 }),
         })
         local x = named.rider.x
         for time in run:steps(1) do
@@ -880,11 +1029,11 @@ describe("riding", function()
 
     it("hands over to a faster one, and to a slower one with friction", function()
       scene.each(ALONG, function(run)
-        for _, speed in ipairs { 120, 20 } do
+        for _, speed in ipairs({ 120, 20 }) do
           local named = settled(run, {
             belt(run, { width = 200 }),
             belt(run, { name = "next", x = 200, surfaceSpeed = speed }),
-            rider { friction = 0.5 },
+            rider({ friction = 0.5 }),
           })
           run:play(2.5)
           run:same("touching.bottom", support(run, named.rider), named.next)
@@ -900,7 +1049,7 @@ describe("riding", function()
     it("that is switched round or off moves who stands on it accordingly", function()
       scene.each(ALONG, function(run)
         local fields = { static = false, kinematic = true }
-        local named = settled(run, { belt(run, fields), rider { x = 200 } })
+        local named = settled(run, { belt(run, fields), rider({ x = 200 }) })
         run:play(0.5)
         named.platform.surfaceSpeed = -named.platform.surfaceSpeed
         local x = named.rider.x
@@ -952,16 +1101,20 @@ describe("riding", function()
     it("a platform pushes a box off a ledge", function()
       scene.each(SOME, function(run)
         local named = settled(run, {
-          platform { y = 392 }, -- a bar above the ledge, 100 .. 164
-          rider { x = 200 },
+          platform({ y = 392 }), -- a bar above the ledge, 100 .. 164
+          rider({ x = 200 }),
           tile("ledge", 180, 400, 100, 8),
         })
         named.platform.vx = 60
         for time in run:steps(2.5) do
           local x = math.max(200, 164 + 60 * time)
           run:near("x", named.rider.x, x)
-          if x > 207 and x < 280 then run:near("vx", named.rider.vx, 60) end
-          if x < 280 - 1e-6 then run:near("y", named.rider.y, 376) end
+          if x > 207 and x < 280 then
+            run:near("vx", named.rider.vx, 60)
+          end
+          if x < 280 - 1e-6 then
+            run:near("y", named.rider.y, 376)
+          end
         end
         run:check(named.rider.y > 400, "should have fallen, is at %.9g", named.rider.y)
         run:near("vx", named.rider.vx, 60)
@@ -976,7 +1129,11 @@ describe("riding", function()
         named.platform.vx, named.platform.vy = 0, -100
         run:play(1 / 6)
         local x = named.rider.x
-        for _ in run:steps(2, function() named.rider.vx = 100 end) do
+        for _ in
+          run:steps(2, function()
+            named.rider.vx = 100
+          end)
+        do
           run:check(named.rider.x >= x, "should not go back")
           run:flush(named.rider, named.platform, "bottom")
           run:same("vy", named.rider.vy, 0)
@@ -990,7 +1147,7 @@ describe("riding", function()
     it("a lift under a loose box in a shaft carries it up to the bit", function()
       scene.each(SOME, function(run)
         local named = settled(run, {
-          platform { x = 104 },
+          platform({ x = 104 }),
           rider(),
           tile("left", 104, 0, 16, 399),
           tile("right", 136, 0, 16, 399),
@@ -1008,8 +1165,8 @@ describe("riding", function()
     it("a lift that comes up under who stands on a floor takes it over", function()
       scene.each(SOME, function(run)
         local named = settled(run, {
-          platform { y = 430.5 },
-          rider { x = 90 },
+          platform({ y = 430.5 }),
+          rider({ x = 90 }),
           tile("floor", 0, 400, 100, 8), -- 90 .. 100 of the rider stands on it
         })
         named.platform.vy = -60

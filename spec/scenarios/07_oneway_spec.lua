@@ -1,8 +1,8 @@
 --- One-way objects: solid on one side, open on the others.
 
-local scene = require "spec.support.scene"
-local turn = require "spec.support.turn"
-local variants = require "spec.support.variants"
+local scene = require("spec.support.scene")
+local turn = require("spec.support.turn")
+local variants = require("spec.support.variants")
 
 local EVERYWHERE = { rate = variants.RATES, turn = variants.TURNS }
 -- For the relatives of another row: 16 variants.
@@ -12,7 +12,9 @@ local SETTLE = 1 / 6
 local sqrt = math.sqrt
 
 local function with(object, fields)
-  for key, value in pairs(fields or {}) do object[key] = value end
+  for key, value in pairs(fields or {}) do
+    object[key] = value
+  end
   return object
 end
 
@@ -50,7 +52,7 @@ describe("a one-way platform", function()
   --   +-+
   --   ---------------  300
   describe("jumped through from below", function()
-    for _, row in ipairs {
+    for _, row in ipairs({
       -- highest feet, feet at the end
       { 60, 100 },
       { 90, 100 },
@@ -58,13 +60,15 @@ describe("a one-way platform", function()
       { 104, 300 },
       { 108.5, 300 },
       { 112, 300 },
-    } do
+    }) do
       local peak, ends = row[1], row[2]
-      for name, feet in pairs { ["the air"] = 224, ["the floor"] = 300 } do
+      for name, feet in pairs({ ["the air"] = 224, ["the floor"] = 300 }) do
         it(("(7) from %s, feet up to %g, ends at feet %g"):format(name, peak, ends), function()
           scene.each(EVERYWHERE, function(run)
-            local named = run:build { way(), tile(), body { y = feet - 24 } }
-            if feet == 300 then run:play(SETTLE) end
+            local named = run:build({ way(), tile(), body({ y = feet - 24 }) })
+            if feet == 300 then
+              run:play(SETTLE)
+            end
             local log = run:listen(named.body)
             local up = sqrt(1600 * (feet - peak))
             named.body.vy = -up
@@ -90,7 +94,7 @@ describe("a one-way platform", function()
 
     it("at 6000 px/s is no obstacle either", function()
       scene.each(SOME, function(run)
-        local named = run:build { way { height = 1 }, body { vy = -6000 } }
+        local named = run:build({ way({ height = 1 }), body({ vy = -6000 }) })
         local log = run:listen(named.body)
         for time in run:steps(0.5) do
           run:near("y", named.body.y, 200 - 6000 * time + 400 * time * time)
@@ -101,11 +105,12 @@ describe("a one-way platform", function()
   end)
 
   describe("fallen on", function()
-    for _, speed in ipairs { 0, 100, 6000, 90000 } do
-      for _, height in ipairs { 8, 1 } do
+    for _, speed in ipairs({ 0, 100, 6000, 90000 }) do
+      for _, height in ipairs({ 8, 1 }) do
         it(("(7) at %g px/s, %g px thick, catches"):format(speed, height), function()
           scene.each(EVERYWHERE, function(run)
-            local named = run:build { way { height = height }, body { y = 0, vx = 10, vy = speed } }
+            local named =
+              run:build({ way({ height = height }), body({ y = 0, vx = 10, vy = speed }) })
             local log = run:listen(named.body)
             for time in run:steps(0.5) do
               local y = speed * time + 400 * time * time
@@ -122,11 +127,11 @@ describe("a one-way platform", function()
     it("at an angle catches, too, and at its corner", function()
       scene.each(SOME, function(run)
         -- the feet come down to 100 after half a second, when 1 px of them is above it
-        local named = run:build { way(), body { x = -65, y = -24, vx = 101 } }
+        local named = run:build({ way(), body({ x = -65, y = -24, vx = 101 }) })
         run:play(2 / 3)
         standsOn(run, named.body, named.way)
         -- beside it: nothing
-        named = run:build { way(), body { x = -67, y = -24, vx = 100 } }
+        named = run:build({ way(), body({ x = -67, y = -24, vx = 100 }) })
         for time in run:steps(2 / 3) do
           run:at(named.body, -67 + 100 * time, -24 + 400 * time * time)
         end
@@ -139,8 +144,8 @@ describe("a one-way platform", function()
   describe("walked through", function()
     it("(7) in the air keeps vx", function()
       scene.each(EVERYWHERE, function(run)
-        local floats = body { x = -40, y = 80, vx = 100, gravity = 0, gravityX = 0 }
-        local named = run:build { way(), floats }
+        local floats = body({ x = -40, y = 80, vx = 100, gravity = 0, gravityX = 0 })
+        local named = run:build({ way(), floats })
         local log = run:listen(named.body)
         for time in run:steps(3) do
           run:at(named.body, -40 + 100 * time, 80)
@@ -152,13 +157,13 @@ describe("a one-way platform", function()
 
     it("(7) on a floor keeps vx, to and fro", function()
       scene.each(EVERYWHERE, function(run)
-        local named = run:build {
+        local named = run:build({
           way(),
-          tile { x = -300, y = 104, width = 800 },
-          body { x = -40, y = 80 },
-        }
+          tile({ x = -300, y = 104, width = 800 }),
+          body({ x = -40, y = 80 }),
+        })
         run:play(SETTLE)
-        for _, vx in ipairs { 100, -100 } do
+        for _, vx in ipairs({ 100, -100 }) do
           local x = named.body.x
           named.body.vx = vx
           for time in run:steps(1.5) do
@@ -172,11 +177,11 @@ describe("a one-way platform", function()
 
     it("and jumped out of lands on it", function()
       scene.each(SOME, function(run)
-        local named = run:build {
+        local named = run:build({
           way(),
-          tile { x = -300, y = 104, width = 800 },
-          body { y = 80, vx = 20 },
-        }
+          tile({ x = -300, y = 104, width = 800 }),
+          body({ y = 80, vx = 20 }),
+        })
         run:play(SETTLE)
         named.body.vy = -sqrt(1600 * 20)
         run:play(1)
@@ -186,8 +191,10 @@ describe("a one-way platform", function()
 
     it("who begins inside it falls out of it", function()
       scene.each(SOME, function(run)
-        local named = run:build { way(), tile(), body { y = 79 } }
-        for time in run:steps(0.5) do run:at(named.body, 50, 79 + 400 * time * time) end
+        local named = run:build({ way(), tile(), body({ y = 79 }) })
+        for time in run:steps(0.5) do
+          run:at(named.body, 50, 79 + 400 * time * time)
+        end
       end)
     end)
   end)
@@ -195,8 +202,8 @@ describe("a one-way platform", function()
   describe("dropped through", function()
     it("(7) at rest lets fall, once, and only who asked", function()
       scene.each(EVERYWHERE, function(run)
-        local second = body { name = "other", x = 80, y = 76 }
-        local named = run:build { way(), tile(), body { y = 76 }, second }
+        local second = body({ name = "other", x = 80, y = 76 })
+        local named = run:build({ way(), tile(), body({ y = 76 }), second })
         run:play(1)
         local log, other = run:listen(named.body), run:listen(named.other)
         run:same("dropThrough", run.world:dropThrough(named.body.raw), true)
@@ -215,9 +222,11 @@ describe("a one-way platform", function()
 
     it("the step after landing on it works, too", function()
       scene.each(SOME, function(run)
-        local named = run:build { way(), tile(), body { y = 60 } }
+        local named = run:build({ way(), tile(), body({ y = 60 }) })
         for _ in run:steps(1) do
-          if support(run, named.body) == named.way then break end
+          if support(run, named.body) == named.way then
+            break
+          end
         end
         run:same("dropThrough", run.world:dropThrough(named.body.raw), true)
         run:play(1)
@@ -227,7 +236,7 @@ describe("a one-way platform", function()
 
     it("in the air and on a solid does nothing", function()
       scene.each(SOME, function(run)
-        local named = run:build { way(), tile(), body() }
+        local named = run:build({ way(), tile(), body() })
         run:step(1 / 60)
         run:same("in the air", run.world:dropThrough(named.body.raw), false)
         run:play(1)
@@ -239,7 +248,7 @@ describe("a one-way platform", function()
 
     it("lets land on it again after a jump", function()
       scene.each(SOME, function(run)
-        local named = run:build { way(), tile(), body { y = 76 } }
+        local named = run:build({ way(), tile(), body({ y = 76 }) })
         run:play(SETTLE)
         run.world:dropThrough(named.body.raw)
         run:play(1)
@@ -251,7 +260,7 @@ describe("a one-way platform", function()
 
     it("with somebody on the head, that one lands on it", function()
       scene.each(SOME, function(run)
-        local named = run:build { way(), tile(), body { y = 76 }, body { name = "top", y = 52 } }
+        local named = run:build({ way(), tile(), body({ y = 76 }), body({ name = "top", y = 52 }) })
         run:play(SETTLE)
         run.world:dropThrough(named.body.raw)
         run:play(1)
@@ -263,7 +272,7 @@ describe("a one-way platform", function()
 
     it("by somebody on the head of another does nothing", function()
       scene.each(SOME, function(run)
-        local named = run:build { way(), tile(), body { y = 76 }, body { name = "top", y = 52 } }
+        local named = run:build({ way(), tile(), body({ y = 76 }), body({ name = "top", y = 52 }) })
         run:play(SETTLE)
         run:same("dropThrough", run.world:dropThrough(named.top.raw), false)
         run:play(0.5)
@@ -277,8 +286,8 @@ describe("a one-way platform", function()
     --              |    |  solid
     it("while standing also on a solid, stays on that", function()
       scene.each(EVERYWHERE, function(run)
-        local solid = tile { name = "solid", x = 200, y = 100, width = 100, height = 50 }
-        local named = run:build { way(), solid, body { x = 186, y = 76 } }
+        local solid = tile({ name = "solid", x = 200, y = 100, width = 100, height = 50 })
+        local named = run:build({ way(), solid, body({ x = 186, y = 76 }) })
         run:play(SETTLE)
         run:same("touching.bottom", support(run, named.body), named.way)
         local log = run:listen(named.body)
@@ -299,12 +308,12 @@ describe("a one-way platform", function()
 
     it("two one-ways at once, passes both", function()
       scene.each(SOME, function(run)
-        local named = run:build {
-          way { width = 60 },
-          way { name = "second", x = 60, width = 100 },
-          way { name = "third", y = 150 },
-          body { y = 76 },
-        }
+        local named = run:build({
+          way({ width = 60 }),
+          way({ name = "second", x = 60, width = 100 }),
+          way({ name = "third", y = 150 }),
+          body({ y = 76 }),
+        })
         run:play(SETTLE)
         run.world:dropThrough(named.body.raw)
         run:play(1)
@@ -314,10 +323,10 @@ describe("a one-way platform", function()
 
     it("a moving one, keeps its velocity", function()
       scene.each(SOME, function(run)
-        local named = run:build {
-          way { static = false, kinematic = true },
-          body { y = 76 },
-        }
+        local named = run:build({
+          way({ static = false, kinematic = true }),
+          body({ y = 76 }),
+        })
         run:play(SETTLE)
         named.way.vx = 60
         run:play(0.5)
@@ -335,10 +344,10 @@ describe("a one-way platform", function()
       return way(with({ static = false, kinematic = true }, fields))
     end
 
-    for _, vy in ipairs { -60, 60, 200, -5000, 5000 } do
+    for _, vy in ipairs({ -60, 60, 200, -5000, 5000 }) do
       it(("(7) at %g px/s keeps its rider"):format(vy), function()
         scene.each(EVERYWHERE, function(run)
-          local named = run:build { lift(), body { y = 76 } }
+          local named = run:build({ lift(), body({ y = 76 }) })
           run:play(SETTLE)
           local log = run:listen(named.body)
           named.way.vy = vy
@@ -353,8 +362,8 @@ describe("a one-way platform", function()
 
     it("up from below a body takes it along", function()
       scene.each(SOME, function(run)
-        for _, vy in ipairs { -60, -600, -6000 } do
-          local named = run:build { lift { y = 310.3, vy = vy }, tile(), body { y = 276 } }
+        for _, vy in ipairs({ -60, -600, -6000 }) do
+          local named = run:build({ lift({ y = 310.3, vy = vy }), tile(), body({ y = 276 }) })
           for time in run:steps(0.5) do
             run:near("y", named.body.y, math.min(276, 286.3 + vy * time))
           end
@@ -365,12 +374,16 @@ describe("a one-way platform", function()
 
     it("down on to a head passes it, and does not take it along before it is below", function()
       scene.each(SOME, function(run)
-        local named = run:build { lift { y = 219.7, vy = 60 }, tile(), body { y = 276 } }
+        local named = run:build({ lift({ y = 219.7, vy = 60 }), tile(), body({ y = 276 }) })
         run:play(SETTLE)
         local log = run:listen(named.body)
-        for _ in run:steps(1) do run:at(named.body, 50, 276) end -- at 289.7, inside the body
+        for _ in run:steps(1) do
+          run:at(named.body, 50, 276)
+        end -- at 289.7, inside the body
         named.way.vy = -60
-        for _ in run:steps(0.5) do run:at(named.body, 50, 276) end
+        for _ in run:steps(0.5) do
+          run:at(named.body, 50, 276)
+        end
         named.way.vy = 60
         run:play(1) -- at 319.7, below it
         run:at(named.body, 50, 276)
@@ -384,8 +397,11 @@ describe("a one-way platform", function()
 
     it("sideways through a body is no obstacle", function()
       scene.each(SOME, function(run)
-        local named = run:build { lift { x = -300, y = 280, vx = 300 }, tile(), body { y = 276 } }
-        for _ in run:steps(1) do run:at(named.body, 50, 276) end
+        local named =
+          run:build({ lift({ x = -300, y = 280, vx = 300 }), tile(), body({ y = 276 }) })
+        for _ in run:steps(1) do
+          run:at(named.body, 50, 276)
+        end
       end)
     end)
   end)
@@ -396,9 +412,13 @@ describe("a one-way platform", function()
     --   ========+---+
     it("(7) still lets walk into it", function()
       scene.each(EVERYWHERE, function(run)
-        local solid = tile { name = "solid", x = 200, y = 84, width = 16, height = 24 }
-        local named = run:build { way(), solid, body { y = 76 } }
-        for time in run:steps(2, function() named.body.vx = 100 end) do
+        local solid = tile({ name = "solid", x = 200, y = 84, width = 16, height = 24 })
+        local named = run:build({ way(), solid, body({ y = 76 }) })
+        for time in
+          run:steps(2, function()
+            named.body.vx = 100
+          end)
+        do
           run:at(named.body, math.min(184, 50 + 100 * time), 76)
         end
         run:same("vx", named.body.vx, 0)
@@ -409,14 +429,14 @@ describe("a one-way platform", function()
 
     it("of the same height is walked over without a snag, to and fro", function()
       scene.each(EVERYWHERE, function(run)
-        local named = run:build {
-          way { x = 0, width = 100 },
-          tile { x = 100, y = 100, width = 50, height = 40 },
-          way { name = "second", x = 150, width = 100 },
-          body { x = 20, y = 76 },
-        }
+        local named = run:build({
+          way({ x = 0, width = 100 }),
+          tile({ x = 100, y = 100, width = 50, height = 40 }),
+          way({ name = "second", x = 150, width = 100 }),
+          body({ x = 20, y = 76 }),
+        })
         run:play(SETTLE)
-        for _, vx in ipairs { 100, -100 } do
+        for _, vx in ipairs({ 100, -100 }) do
           local x = named.body.x
           named.body.vx = vx
           for time in run:steps(2) do
@@ -433,14 +453,20 @@ describe("a one-way platform", function()
     --   ^   |   |
     it("lets jump through while pressing against it", function()
       scene.each(EVERYWHERE, function(run)
-        local solid = tile { name = "solid", x = 200, y = 0, width = 16, height = 300 }
-        local named = run:build { way(), solid, tile(), body { x = 184, y = 276 } }
+        local solid = tile({ name = "solid", x = 200, y = 0, width = 16, height = 300 })
+        local named = run:build({ way(), solid, tile(), body({ x = 184, y = 276 }) })
         run:play(SETTLE)
         named.body.vy = -sqrt(1600 * 220)
         local up = -named.body.vy
-        for time in run:steps(1.5, function() named.body.vx = 100 end) do
+        for time in
+          run:steps(1.5, function()
+            named.body.vx = 100
+          end)
+        do
           local y = 276 - up * time + 400 * time * time
-          if time > up / 800 then y = math.min(76, y) end
+          if time > up / 800 then
+            y = math.min(76, y)
+          end
           run:at(named.body, 184, y)
         end
         standsOn(run, named.body, named.way)
@@ -450,9 +476,9 @@ describe("a one-way platform", function()
 
     it("in a row of one-ways has no seams", function()
       scene.each(SOME, function(run)
-        local description = { body { x = 0, y = 76, vx = 200 } }
+        local description = { body({ x = 0, y = 76, vx = 200 }) }
         for i = 0, 39 do
-          description[#description + 1] = way { name = "way" .. i, x = 16 * i, width = 16 }
+          description[#description + 1] = way({ name = "way" .. i, x = 16 * i, width = 16 })
         end
         local named = run:build(description)
         for time in run:steps(2) do
@@ -465,17 +491,19 @@ describe("a one-way platform", function()
   end)
 
   describe("with somebody on the head", function()
-    for _, row in ipairs { { 1, 0 }, { 100, 0 }, { 1000, 2000 }, { 100, 90000 } } do
+    for _, row in ipairs({ { 1, 0 }, { 100, 0 }, { 1000, 2000 }, { 100, 90000 } }) do
       local mass, vy = row[1], row[2]
       it(("(7) of mass %g who comes at %g px/s still holds"):format(mass, vy), function()
         scene.each(EVERYWHERE, function(run)
-          local named = run:build {
+          local named = run:build({
             way(),
-            body { y = 76 },
-            body { name = "heavy", x = 55, y = -100, vy = vy, mass = mass },
-          }
+            body({ y = 76 }),
+            body({ name = "heavy", x = 55, y = -100, vy = vy, mass = mass }),
+          })
           local log = run:listen(named.body)
-          for _ in run:steps(1) do run:at(named.body, 50, 76) end
+          for _ in run:steps(1) do
+            run:at(named.body, 50, 76)
+          end
           standsOn(run, named.body, named.way)
           run:at(named.heavy, 55, 52)
           standsOn(run, named.heavy, named.body)
@@ -487,12 +515,12 @@ describe("a one-way platform", function()
 
     it("while rising through it, both go their ways", function()
       scene.each(SOME, function(run)
-        local named = run:build {
+        local named = run:build({
           way(),
           tile(),
-          body { y = 276, vy = -500 },
-          body { name = "heavy", x = 50, y = 60, vy = 0, mass = 100 },
-        }
+          body({ y = 276, vy = -500 }),
+          body({ name = "heavy", x = 50, y = 60, vy = 0, mass = 100 }),
+        })
         for _ in run:steps(3) do
           local apart = named.body.y - named.heavy.y
           run:check(apart >= 24 - 1e-6, "overlap by %.9g px", 24 - apart)
@@ -506,31 +534,35 @@ describe("a one-way platform", function()
 
   --   v = (100, 0) ->  |  solid on the left
   describe("solid on one of four sides", function()
-    for _, row in ipairs {
+    for _, row in ipairs({
       -- side, velocity that it stops, where the body ends
       { "left", 200, 0, 84, 0 },
       { "right", -200, 0, 108, 0 },
       { "top", 0, 200, 96, -16 },
       { "bottom", 0, -200, 96, 16 },
-    } do
+    }) do
       local side, vx, vy, x, y = row[1], row[2], row[3], row[4], row[5]
       local function thing()
         local object = { name = "way", x = 100, y = 0, width = 8, height = 16, static = true }
-        if vy ~= 0 then object.x, object.width = 96, 16 end
+        if vy ~= 0 then
+          object.x, object.width = 96, 16
+        end
         object.oneWay = side
         return object
       end
 
-      for _, factor in ipairs { 1, 30, 450 } do
+      for _, factor in ipairs({ 1, 30, 450 }) do
         local speed = 200 * factor
         it(("%s stops who comes from there at %g px/s"):format(side, speed), function()
           scene.each(SOME, function(run)
             local stop = { x = x, y = y }
-            if side == "bottom" then stop.y = 16 end
+            if side == "bottom" then
+              stop.y = 16
+            end
             local box = { name = "body", width = 16, height = 16 }
             box.x, box.y = stop.x - vx / 2, stop.y - vy / 2
             box.vx, box.vy = vx * factor, vy * factor
-            local named = run:build { gravity = 0, { "ways", thing() }, { "boxes", box } }
+            local named = run:build({ gravity = 0, { "ways", thing() }, { "boxes", box } })
             local log = run:listen(named.body)
             run:play(1)
             run:at(named.body, stop.x, stop.y)
@@ -542,12 +574,12 @@ describe("a one-way platform", function()
 
         it(("%s lets through who comes from elsewhere at %g px/s"):format(side, speed), function()
           scene.each(SOME, function(run)
-            for _, path in ipairs { { -vx, -vy }, { vy, vx }, { -vy, -vx } } do
+            for _, path in ipairs({ { -vx, -vy }, { vy, vx }, { -vy, -vx } }) do
               local box = { name = "body", width = 16, height = 16 }
               local wx, wy = path[1], path[2]
               box.x, box.y = 96 - wx / 2, -wy / 2
               box.vx, box.vy = wx * factor, wy * factor
-              local named = run:build { gravity = 0, { "ways", thing() }, { "boxes", box } }
+              local named = run:build({ gravity = 0, { "ways", thing() }, { "boxes", box } })
               local log = run:listen(named.body)
               for time in run:steps(0.5) do
                 run:at(named.body, box.x + box.vx * time, box.y + box.vy * time)
@@ -561,7 +593,7 @@ describe("a one-way platform", function()
 
     it("a ceiling that is open from above lets fall through and holds the head", function()
       scene.each(SOME, function(run)
-        local named = run:build { way { oneWay = "bottom" }, tile(), body { y = 20 } }
+        local named = run:build({ way({ oneWay = "bottom" }), tile(), body({ y = 20 }) })
         for time in run:steps(1) do
           run:at(named.body, 50, math.min(276, 20 + 400 * time * time))
         end
@@ -579,7 +611,7 @@ describe("a one-way platform", function()
   describe("with canCollide", function()
     it("asks who comes from the solid side, with its own side", function()
       scene.each(SOME, function(run)
-        local named = run:build { way(), tile(), body { y = 276 } }
+        local named = run:build({ way(), tile(), body({ y = 276 }) })
         run:play(SETTLE)
         local asked, others = {}, 0
         named.body.canCollide = function(_, other, side)
@@ -599,15 +631,21 @@ describe("a one-way platform", function()
       end)
     end)
 
-    for _, who in ipairs { "body", "way" } do
+    for _, who in ipairs({ "body", "way" }) do
       it("of the " .. who .. " that says no lets fall through", function()
         scene.each(SOME, function(run)
-          local named = run:build { way(), tile(), body { y = 20 } }
+          local named = run:build({ way(), tile(), body({ y = 20 }) })
           local log = run:listen(named.body)
           local no = named.way.raw
-          if who == "way" then no = named.body.raw end
-          named[who].canCollide = function(_, other) return other ~= no end
-          if who == "way" then run.world:refresh(named.way.raw) end
+          if who == "way" then
+            no = named.body.raw
+          end
+          named[who].canCollide = function(_, other)
+            return other ~= no
+          end
+          if who == "way" then
+            run.world:refresh(named.way.raw)
+          end
           for time in run:steps(1) do
             run:at(named.body, 50, math.min(276, 20 + 400 * time * time))
           end
@@ -619,10 +657,12 @@ describe("a one-way platform", function()
 
     it("that says no while standing there ends the contact and lets fall", function()
       scene.each(SOME, function(run)
-        local named = run:build { way(), tile(), body { y = 76 } }
+        local named = run:build({ way(), tile(), body({ y = 76 }) })
         run:play(0.5)
         local log = run:listen(named.body)
-        named.body.canCollide = function(_, other) return other ~= named.way.raw end
+        named.body.canCollide = function(_, other)
+          return other ~= named.way.raw
+        end
         for time in run:steps(1) do
           run:at(named.body, 50, math.min(276, 76 + 400 * time * time))
         end

@@ -1,7 +1,7 @@
 --- Crushing: held between two that cannot give way.
 
-local scene = require "spec.support.scene"
-local variants = require "spec.support.variants"
+local scene = require("spec.support.scene")
+local variants = require("spec.support.variants")
 
 local EVERYWHERE = { rate = variants.RATES, turn = variants.TURNS }
 -- For the relatives of another row: 16 variants.
@@ -16,7 +16,9 @@ local FLOOR = {
 
 local function box(name, x, y, fields)
   local object = { name = name, x = x, y = y, width = 16, height = 16 }
-  for key, value in pairs(fields or {}) do object[key] = value end
+  for key, value in pairs(fields or {}) do
+    object[key] = value
+  end
   return { "boxes", object }
 end
 
@@ -46,7 +48,9 @@ local function watch(run, view)
   local log = { count = 0 }
   view.raw.onCrush = function(_, a, b, axis)
     log.count = log.count + 1
-    if run.turn % 2 == 1 then axis = axis == "x" and "y" or "x" end
+    if run.turn % 2 == 1 then
+      axis = axis == "x" and "y" or "x"
+    end
     log.a, log.b, log.axis = run.views[a], run.views[b], axis
   end
   return log
@@ -98,12 +102,16 @@ describe("crushing", function()
         for time in run:steps(1.5) do
           run:at(named.box1, 92, 100)
           finite(run, named.box1, 20)
-          if time > 0.71 then run:same("vx", named.box1.vx, 0) end
+          if time > 0.71 then
+            run:same("vx", named.box1.vx, 0)
+          end
         end
         crushed(run, log, 1, named.L, named.R, "x")
         named.box1.vx = 10
         local x = named.box1.x
-        for time in run:steps(0.5) do run:at(named.box1, x + 10 * time, 100) end
+        for time in run:steps(0.5) do
+          run:at(named.box1, x + 10 * time, 100)
+        end
         run:touches(named.box1, "bottom")
       end)
     end)
@@ -124,7 +132,7 @@ describe("crushing", function()
       end)
     end)
 
-    for _, count in ipairs { 2, 3 } do
+    for _, count in ipairs({ 2, 3 }) do
       it(("%d boxes share the overlap and are told once each"):format(count), function()
         scene.each(EVERYWHERE, function(run)
           local named = run:build(between(count))
@@ -139,10 +147,14 @@ describe("crushing", function()
               run:near("y", views[i].y, 100)
               finite(run, views[i], 20)
               local left = named.L.x + 16 + 16 * (i - 1) - i * deep / (count + 1)
-              if deep > 0 then run:near("x of " .. i, views[i].x, left, 1e-6) end
+              if deep > 0 then
+                run:near("x of " .. i, views[i].x, left, 1e-6)
+              end
             end
           end
-          for i = 1, count do crushed(run, logs[i], 1, views[i - 1], views[i + 1], "x") end
+          for i = 1, count do
+            crushed(run, logs[i], 1, views[i - 1], views[i + 1], "x")
+          end
           named.L.vx, named.R.vx = -20, 20
           run:play(1)
           for i = 1, count do
@@ -159,16 +171,18 @@ describe("crushing", function()
 
     it("one of which stands still, that one counts, too", function()
       scene.each(SOME, function(run)
-        local named = run:build {
+        local named = run:build({
           FLOOR,
           wall("L", 60, 52, 16, 64, 20, 0),
           { "tiles", { name = "post", x = 124, y = 52, width = 16, height = 64, static = true } },
           box("box1", 92, 100),
-        }
+        })
         local log = watch(run, named.box1)
         for time in run:steps(2) do
           local x = math.max(92, 76 + 20 * time)
-          if x > 108 then x = (76 + 20 * time + 108) / 2 end
+          if x > 108 then
+            x = (76 + 20 * time + 108) / 2
+          end
           run:at(named.box1, x, 100)
           finite(run, named.box1, 20)
         end
@@ -182,9 +196,11 @@ describe("crushing", function()
         description[2][2].vx, description[3][2].vx = 0, 0
         local named = run:build(description)
         local log = watch(run, named.box1)
-        for time in run:steps(1, function()
-          named.L.x, named.R.x = named.L.x + 0.5, named.R.x - 0.5
-        end) do
+        for time in
+          run:steps(1, function()
+            named.L.x, named.R.x = named.L.x + 0.5, named.R.x - 0.5
+          end)
+        do
           run:near("x", named.box1.x, 92)
           run:near("y", named.box1.y, 100)
           run:check(abs(named.box1.vx) < 1e4 and time > 0, "vx is %.9g", named.box1.vx)
@@ -206,14 +222,14 @@ describe("crushing", function()
       end)
     end)
 
-    for _, fields in ipairs {
+    for _, fields in ipairs({
       { restitution = 1 },
       { mass = 1000 },
       { friction = 1 },
       { pushable = false },
       { ax = 3000 },
       { gravity = 0, gravityX = 0 },
-    } do
+    }) do
       local name, value = next(fields)
       it(("is no throw with %s = %s"):format(name, tostring(value)), function()
         scene.each(SOME, function(run)
@@ -229,15 +245,15 @@ describe("crushing", function()
       end)
     end
 
-    for _, speed in ipairs { 600, 6000 } do
+    for _, speed in ipairs({ 600, 6000 }) do
       it(("at %g px/s is no throw"):format(speed), function()
         scene.each(SOME, function(run)
-          local named = run:build {
+          local named = run:build({
             FLOOR,
             wall("L", 92 - 16 - 100, 52, 16, 64, speed, 0),
             wall("R", 108 + 100, 52, 16, 64, -speed, 0),
             box("box1", 92, 100),
-          }
+          })
           local log = watch(run, named.box1)
           for _ in run:steps(1 / 3) do
             run:near("y", named.box1.y, 100)
@@ -289,8 +305,8 @@ describe("crushing", function()
       return description
     end
 
-    for _, count in ipairs { 1, 2, 3 } do
-      for vy, gap in pairs { [-60] = 30, [-600] = 90 } do
+    for _, count in ipairs({ 1, 2, 3 }) do
+      for vy, gap in pairs({ [-60] = 30, [-600] = 90 }) do
         it(("(8) %d on each other, lift at %g px/s"):format(count, vy), function()
           scene.each(EVERYWHERE, function(run)
             local named = run:build(stack(count, gap))
@@ -315,7 +331,9 @@ describe("crushing", function()
               wasCrushed = wasCrushed or deep > 1e-3
             end
             run:check(wasCrushed, "should have been crushed")
-            for i = 1, count do crushed(run, logs[i], 1, views[i - 1], views[i + 1], "y") end
+            for i = 1, count do
+              crushed(run, logs[i], 1, views[i - 1], views[i + 1], "y")
+            end
             named.lift.vy = -vy
             for _ in run:steps(seconds) do
               for i = 1, count do
@@ -359,9 +377,9 @@ describe("crushing", function()
   --       +-+
   --   -------------
   describe("by a press on a floor", function()
-    for _, count in ipairs { 1, 2, 3 } do
+    for _, count in ipairs({ 1, 2, 3 }) do
       it(("holds %d, whatever gravity is"):format(count), function()
-        for _, gravity in ipairs { 800, 0 } do
+        for _, gravity in ipairs({ 800, 0 }) do
           scene.each(gravity == 800 and EVERYWHERE or SOME, function(run)
             local description = {
               gravity = gravity,
@@ -387,7 +405,9 @@ describe("crushing", function()
               end
               run:at(named.near, 160, 100)
             end
-            for i = 1, count do crushed(run, logs[i], 1, views[i - 1], views[i + 1], "y") end
+            for i = 1, count do
+              crushed(run, logs[i], 1, views[i - 1], views[i + 1], "y")
+            end
             named.press.vy = -60
             run:play(1)
             for i = 1, count do
@@ -405,13 +425,15 @@ describe("crushing", function()
 
     it("a heavy one falls on a box and crushes nobody: it is no wall", function()
       scene.each(SOME, function(run)
-        local named = run:build {
+        local named = run:build({
           FLOOR,
           box("box1", 92, 100),
           box("heavy", 80, 0, { mass = 10000, width = 40 }),
-        }
+        })
         local log = watch(run, named.box1)
-        for _ in run:steps(1) do run:at(named.box1, 92, 100) end
+        for _ in run:steps(1) do
+          run:at(named.box1, 92, 100)
+        end
         run:at(named.heavy, 80, 84)
         run:same("onCrush", log.count, 0)
       end)
@@ -419,14 +441,16 @@ describe("crushing", function()
 
     it("who walks out in time is not crushed, who is held cannot walk", function()
       scene.each(SOME, function(run)
-        local named = run:build {
+        local named = run:build({
           FLOOR,
           wall("press", 80, 62, 40, 8, 0, 60),
           box("box1", 92, 100),
           box("box2", 110, 100),
-        }
+        })
         local log, log2 = watch(run, named.box1), watch(run, named.box2)
-        run:play(1, function() named.box2.vx = 100 end)
+        run:play(1, function()
+          named.box2.vx = 100
+        end)
         run:same("onCrush", log.count, 1)
         run:same("onCrush of who left", log2.count, 0)
         run:near("x", named.box2.x, 210)
@@ -443,7 +467,7 @@ describe("crushing", function()
       local function track()
         local list, named = {}, run:build(description)
         for _ in run:steps(1.5) do
-          for _, name in ipairs { "faller", "slider" } do
+          for _, name in ipairs({ "faller", "slider" }) do
             list[#list + 1] = named[name].x
             list[#list + 1] = named[name].y
           end
@@ -453,7 +477,9 @@ describe("crushing", function()
       local one = track()
       table.remove(description, 4) -- without the box
       local other = track()
-      for i = 1, #one do run:same("number " .. i, one[i], other[i]) end
+      for i = 1, #one do
+        run:same("number " .. i, one[i], other[i])
+      end
     end)
   end)
 end)

@@ -1,7 +1,7 @@
 --- Rest is exact, a bounce loses what it should and no more.
 
-local scene = require "spec.support.scene"
-local variants = require "spec.support.variants"
+local scene = require("spec.support.scene")
+local variants = require("spec.support.variants")
 
 local TURNED = { turn = variants.TURNS }
 local EVERYWHERE = { rate = variants.RATES, turn = variants.TURNS }
@@ -42,7 +42,7 @@ describe("a resting box", function()
   end)
 
   it("(9a) stays where it is at any frame rate, bouncy or not", function()
-    for _, restitution in ipairs { 0, 0.5, 1 } do
+    for _, restitution in ipairs({ 0, 0.5, 1 }) do
       scene.each(EVERYWHERE, function(run)
         local named = run:build(overFloor(100, restitution))
         local log = run:listen(named.box)
@@ -70,11 +70,13 @@ describe("a falling box", function()
       local log = run:listen(named.box)
       local peaks, before, rising = {}, 0, false
       for _ in run:steps(2) do
-        if rising and named.box.y >= before then peaks[#peaks + 1] = before end
+        if rising and named.box.y >= before then
+          peaks[#peaks + 1] = before
+        end
         rising = named.box.y < before
         before = named.box.y
       end
-      for i, peak in ipairs { 75, 93.75, 98.4375 } do
+      for i, peak in ipairs({ 75, 93.75, 98.4375 }) do
         run:check(peaks[i], "there should be a peak number %d", i)
         run:near("peak " .. i, peaks[i], peak, 0.1)
       end
@@ -105,10 +107,12 @@ describe("a falling box", function()
   end)
 
   it("(9e) comes to rest where it should although dt is 0.5 now and then", function()
-    for _, restitution in ipairs { 0, 0.5 } do
+    for _, restitution in ipairs({ 0, 0.5 }) do
       scene.each(TURNED, function(run)
         local named = run:build(overFloor(0, restitution))
-        for i = 1, 180 do run:step(i % 20 == 7 and 0.5 or 1 / 60) end
+        for i = 1, 180 do
+          run:step(i % 20 == 7 and 0.5 or 1 / 60)
+        end
         run:at(named.box, 0, 100)
         run:flush(named.box, named.floor, "bottom")
         run:still(named.box)
@@ -135,14 +139,14 @@ end)
 describe("a bounce", function()
   --   +--+ 20 px/s  |
   --   +--+ ->       |
-  for _, speed in ipairs { 20, 1, 0.01, 3000 } do
+  for _, speed in ipairs({ 20, 1, 0.01, 3000 }) do
     it(("(9d) without gravity comes back as fast as it went, %g px/s"):format(speed), function()
       scene.each(EVERYWHERE, function(run)
         local gap = speed * 0.7 -- the wall is met after 0.7 s
         local box = { name = "box", x = 0, y = 40, width = 16, height = 16, vx = speed }
         box.restitution = 1
         local wall = { name = "wall", x = 16 + gap, y = 0, width = 16, height = 100, static = true }
-        run:build { gravity = 0, { "boxes", box }, { "walls", wall } }
+        run:build({ gravity = 0, { "boxes", box }, { "walls", wall } })
         local log = run:listen(run.named.box)
         run:play(2)
         run:near("vx", run.named.box.vx, -speed)

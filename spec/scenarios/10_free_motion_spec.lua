@@ -1,7 +1,7 @@
 --- Arcs, damping and limits, the same at every frame rate.
 
-local scene = require "spec.support.scene"
-local variants = require "spec.support.variants"
+local scene = require("spec.support.scene")
+local variants = require("spec.support.variants")
 
 local EVERYWHERE = { rate = variants.RATES, turn = variants.TURNS }
 local FLOOR = { name = "floor", x = -200, y = 116, width = 800, height = 32, static = true }
@@ -9,7 +9,9 @@ local FLOOR = { name = "floor", x = -200, y = 116, width = 800, height = 32, sta
 --- A box of 16 px with more fields.
 local function box(x, y, fields)
   local object = { name = "box", x = x, y = y, width = 16, height = 16 }
-  for key, value in pairs(fields) do object[key] = value end
+  for key, value in pairs(fields) do
+    object[key] = value
+  end
   return { "boxes", object }
 end
 
@@ -29,7 +31,9 @@ describe("a jump", function()
         highest = math.min(highest, body.y)
       end
       -- 0.5 s are a whole number of steps at every even rate
-      if run.rate ~= "irregular" then run:near("height", 100 - highest, 100) end
+      if run.rate ~= "irregular" then
+        run:near("height", 100 - highest, 100)
+      end
       run:still(body)
       run:touches(body, "bottom")
     end)
@@ -58,7 +62,9 @@ describe("a jump", function()
   it("under no gravity of its own floats", function()
     scene.each(EVERYWHERE, function(run)
       local body = run:build({ box(0, 0, { vx = 30, gravity = 0 }) }).box
-      for time in run:steps(1) do run:at(body, 30 * time, 0) end
+      for time in run:steps(1) do
+        run:at(body, 30 * time, 0)
+      end
       run:same("vy", body.vy, 0)
     end)
   end)
@@ -80,8 +86,12 @@ describe("slowing down", function()
     scene.each(EVERYWHERE, function(run)
       local body = run:build({ gravity = 0, box(0, 0, { vx = 200, drag = 100 }) }).box
       for time, dt in run:steps(3) do
-        if time < 1.98 then run:near("vx", body.vx, 200 - 100 * time, 1) end
-        if time - dt > 2.02 then run:same("vx", body.vx, 0) end
+        if time < 1.98 then
+          run:near("vx", body.vx, 200 - 100 * time, 1)
+        end
+        if time - dt > 2.02 then
+          run:same("vx", body.vx, 0)
+        end
       end
       run:near("x", body.x, 200, 2)
       run:same("vy", body.vy, 0)
@@ -96,7 +106,9 @@ describe("slowing down", function()
       local body = run:build({ { "tiles", FLOOR }, box(0, 100, { vx = 200, friction = 0.5 }) }).box
       for time in run:steps(2) do
         run:near("y", body.y, 100)
-        if time < 0.45 then run:near("vx", body.vx, 200 - 400 * time, 1e-6) end
+        if time < 0.45 then
+          run:near("vx", body.vx, 200 - 400 * time, 1e-6)
+        end
       end
       run:near("x", body.x, 50, 1)
       run:still(body)
@@ -111,7 +123,9 @@ describe("slowing down", function()
         box(84, 0, { ax = 400, friction = 0.5 }),
       }).box
       -- pressed with 400 px/s², rubbed with 200: falls with 600
-      for time in run:steps(1) do run:near("vy", body.vy, 600 * time, 1e-6) end
+      for time in run:steps(1) do
+        run:near("vy", body.vy, 600 * time, 1e-6)
+      end
       run:near("x", body.x, 84)
     end)
   end)
@@ -154,7 +168,11 @@ describe("a slide", function()
   it("(10) along a wall of tiles keeps its speed, pushed every step", function()
     scene.each(EVERYWHERE, function(run)
       local body = run:build(slide()).box
-      for time in run:steps(2, function() body.vx, body.vy = 100, 100 end) do
+      for time in
+        run:steps(2, function()
+          body.vx, body.vy = 100, 100
+        end)
+      do
         run:at(body, math.min(84, 100 * time), 100 * time)
         run:same("vy", body.vy, 100)
       end
@@ -169,7 +187,9 @@ describe("a slide", function()
       for time in run:steps(2) do
         run:at(body, math.min(84, 100 * time), 100 * time)
         run:same("vy", body.vy, 100)
-        if time > 0.84 then run:same("vx", body.vx, 0) end
+        if time > 0.84 then
+          run:same("vx", body.vx, 0)
+        end
       end
       run:at(body, 84, 200)
     end)
@@ -182,14 +202,18 @@ describe("a slide", function()
   --   ---------------+
   it("(10) into an inner corner touches both sides in the same step", function()
     scene.each(EVERYWHERE, function(run)
-      local named = run:build {
+      local named = run:build({
         gravity = 0,
         box(0, 0, { vx = 100, vy = 100 }),
         { "walls", { name = "wall", x = 100, y = -100, width = 16, height = 216, static = true } },
         { "walls", { name = "floor", x = -100, y = 100, width = 200, height = 16, static = true } },
-      }
+      })
       local body, log = named.box, run:listen(named.box)
-      for _ in run:steps(1, function() body.vx, body.vy = 100, 100 end) do
+      for _ in
+        run:steps(1, function()
+          body.vx, body.vy = 100, 100
+        end)
+      do
         local touching = body.touching
         run:same("bottom flagged", touching.bottom ~= false, touching.right ~= false)
       end

@@ -1,8 +1,8 @@
 --- What begins inside something else leaves by the smallest way that is free.
 
-local overlap = require "spec.support.overlap"
-local scene = require "spec.support.scene"
-local variants = require "spec.support.variants"
+local overlap = require("spec.support.overlap")
+local scene = require("spec.support.scene")
+local variants = require("spec.support.variants")
 
 local TURNED = { turn = variants.TURNS }
 local EVERYWHERE = { rate = variants.RATES, turn = variants.TURNS }
@@ -12,14 +12,14 @@ describe("a body inside a floor of tiles", function()
   --   +--|  |---+---+
   --   |  +--+   |   |
   --   +---+---+---+---+
-  for _, row in ipairs {
+  for _, row in ipairs({
     -- width, depth, x
     { 14, 4, 50 }, -- on one tile
     { 14, 12, 50 },
     { 16, 4, 50 }, -- over a seam: 14 px on one tile, 2 px on the next
     { 16, 12, 50 },
     { 24, 12, 44.5 },
-  } do
+  }) do
     local width, depth, x = row[1], row[2], row[3]
     it(("(11) %g wide, %g px deep, comes up on it"):format(width, depth), function()
       scene.each(EVERYWHERE, function(run)
@@ -47,11 +47,11 @@ describe("a body inside a big block", function()
   --   +-----------+
   it("(11) leaves by the near side and by no other", function()
     scene.each(TURNED, function(run)
-      local named = run:build {
+      local named = run:build({
         gravity = 0,
         { "tiles", { name = "block", x = 0, y = 0, width = 100, height = 100, static = true } },
         { "boxes", { name = "box", x = 90, y = 40, width = 16, height = 16, vy = 60 } },
-      }
+      })
       for i = 1, 5 do
         run:step(1 / 60)
         run:at(named.box, 100, 40 + i)
@@ -65,11 +65,11 @@ describe("a body inside a big block", function()
   --   +-----------+
   it("(11) stays or leaves by the smallest way", function()
     scene.each(EVERYWHERE, function(run)
-      local named = run:build {
+      local named = run:build({
         gravity = 0,
         { "tiles", { x = 0, y = 0, width = 64, height = 64, static = true } },
         { "boxes", { name = "box", x = 20, y = 24, width = 16, height = 16, vx = -60 } },
-      }
+      })
       for time in run:steps(0.5) do
         local x = named.box.x
         local stays = math.abs(x - 20) <= 1
@@ -87,12 +87,12 @@ describe("a body inside a big block", function()
   --      +-----+
   it("does not leave into another block", function()
     scene.each(EVERYWHERE, function(run)
-      local named = run:build {
+      local named = run:build({
         gravity = 0,
         { "tiles", { x = 0, y = 0, width = 40, height = 100, static = true } },
         { "tiles", { x = 40, y = 0, width = 40, height = 100, static = true } },
         { "boxes", { name = "box", x = 30, y = 88, width = 16, height = 16 } },
-      }
+      })
       run:step(1 / 60)
       run:at(named.box, 30, 100)
       run:still(named.box)
@@ -105,7 +105,9 @@ describe("boxes on the very same spot", function()
     local description = { gravity = 0 }
     for i = 1, count do
       local box = { name = "box" .. i, x = 50, y = 50, width = 16, height = 16 }
-      for key, value in pairs(fields or {}) do box[key] = value end
+      for key, value in pairs(fields or {}) do
+        box[key] = value
+      end
       description[i] = { "boxes", box }
     end
     return description
@@ -138,7 +140,7 @@ describe("boxes on the very same spot", function()
     end)
   end)
 
-  for _, count in ipairs { 3, 5, 10 } do
+  for _, count in ipairs({ 3, 5, 10 }) do
     it(("(11) part, %d of them, and stay finite"):format(count), function()
       scene.each(TURNED, function(run)
         local named = run:build(heap(count))
@@ -183,12 +185,12 @@ describe("a body between two walls that are too narrow", function()
   --   |  |    |  |
   it("stays finite and comes to rest", function()
     scene.each(EVERYWHERE, function(run)
-      local named = run:build {
+      local named = run:build({
         { "tiles", { x = 0, y = 0, width = 40, height = 200, static = true } },
         { "tiles", { x = 60, y = 0, width = 40, height = 200, static = true } },
         { "tiles", { x = 0, y = 200, width = 100, height = 16, static = true } },
         { "boxes", { name = "box", x = 38, y = 80, width = 24, height = 24 } },
-      }
+      })
       for _ in run:steps(3) do
         run:check(named.box.x == named.box.x and named.box.y == named.box.y, "is nowhere")
         run:check(math.abs(named.box.vx) <= 3000 and math.abs(named.box.vy) <= 3000, "is too fast")

@@ -1,9 +1,9 @@
 --- Momentum is kept, energy never grows.
 
 local newRandom = require("spec.support.random").new
-local overlap = require "spec.support.overlap"
-local scene = require "spec.support.scene"
-local variants = require "spec.support.variants"
+local overlap = require("spec.support.overlap")
+local scene = require("spec.support.scene")
+local variants = require("spec.support.variants")
 
 local EVERYWHERE = { rate = variants.RATES, turn = variants.TURNS }
 
@@ -64,7 +64,7 @@ describe("momentum", function()
   --   +---+        +-+
   --   | 2 | 100 -> |1|
   --   +---+        +-+
-  for _, row in ipairs {
+  for _, row in ipairs({
     -- restitution, masses, speeds before, speeds after
     { 1, 2, 1, 100, 0, 100 / 3, 400 / 3 },
     { 0, 2, 1, 100, 0, 200 / 3, 200 / 3 },
@@ -74,7 +74,7 @@ describe("momentum", function()
     { 1, 1000, 1, 100, 0, 100 * 999 / 1001, 200 * 1000 / 1001 },
     { 0, 1, 3, 100, -20, 10, 10 },
     { 1, 1, 3, 100, 20, -20, 60 },
-  } do
+  }) do
     local restitution, massA, massB, beforeA, beforeB = row[1], row[2], row[3], row[4], row[5]
     local name = "(12) is kept, m %g at %g px/s into m %g at %g px/s, restitution %g"
     it(name:format(massA, beforeA, massB, beforeB, restitution), function()
@@ -82,7 +82,7 @@ describe("momentum", function()
         local a = { name = "a", x = 0, y = 0, width = 16, height = 16, vx = beforeA, mass = massA }
         local b = { name = "b", x = 40, y = 4, width = 16, height = 16, vx = beforeB, mass = massB }
         a.restitution = restitution
-        local named = run:build { gravity = 0, { "boxes", a }, { "boxes", b } }
+        local named = run:build({ gravity = 0, { "boxes", a }, { "boxes", b } })
         run:play(1)
         run:near("vx of a", named.a.vx, row[6])
         run:near("vx of b", named.b.vx, row[7])
@@ -111,7 +111,9 @@ describe("momentum", function()
       end
       local named = run:build(description)
       run:play(1)
-      for i = 1, 4 do run:near("vx of box " .. i, named["box" .. i].vx, 0) end
+      for i = 1, 4 do
+        run:near("vx of box " .. i, named["box" .. i].vx, 0)
+      end
       run:near("vx of box 5", named.box5.vx, 120)
       run:at(named.box1, 16, 0)
       run:at(named.box5, 80 + 120 * (1 - 46 / 120), 0)
@@ -130,7 +132,9 @@ describe("a closed box of bouncing boxes", function()
     scene.each(levels, function(run)
       run:build(balls(200, 3))
       local walled
-      run.world.onBegin = function(a, b) walled = walled or a.static or b.static end
+      run.world.onBegin = function(a, b)
+        walled = walled or a.static or b.static
+      end
       local px, py, before = sums(run.all)
       for _ in run:steps(60) do
         local nowX, nowY, energy = sums(run.all)
@@ -194,15 +198,15 @@ describe("energy does not come out of nowhere", function()
       local weight = { name = "weight", x = 25, y = 68, width = 16, height = 16, mass = 76 }
       local hammer = { name = "hammer", x = 60, y = 110, width = 16, height = 16, mass = 267 }
       plank.restitution, hammer.restitution, hammer.vy = 0.4, 0.5, -147
-      local named = run:build {
+      local named = run:build({
         { "tiles", { x = 0, y = 100, width = 50, height = 20, static = true } },
         { "boxes", plank },
         { "boxes", weight },
         { "boxes", hammer },
-      }
+      })
       local function energy()
         local sum = 0
-        for _, view in pairs { named.plank, named.weight, named.hammer } do
+        for _, view in pairs({ named.plank, named.weight, named.hammer }) do
           sum = sum + (view.mass or 1) * (view.vy * view.vy / 2 + 800 * (200 - view.y))
         end
         return sum
@@ -229,13 +233,13 @@ describe("energy does not come out of nowhere", function()
       small.vy, wide.vy, heavy.vy = -158.709786, 51.285704, -40.6316575
       small.mass, wide.mass, heavy.mass = 0.00177732552, 0.00122605493, 399.777177
       small.restitution, wide.restitution, heavy.restitution = 0.639, 0.931066534, 0.625845893
-      run:build {
+      run:build({
         gravity = 0,
         { "walls", { x = -50, y = -50, width = 300, height = 50, static = true } },
         { "boxes", small },
         { "boxes", wide },
         { "boxes", heavy },
-      }
+      })
       local _, _, last = sums(run.all)
       for _ in run:steps(1) do
         local _, _, energy = sums(run.all)
@@ -261,9 +265,9 @@ describe("energy does not come out of nowhere", function()
               height = random:between(4, 20),
               vx = random:between(-3000, 3000),
               vy = random:between(-3000, 3000),
-              mass = random:pick { 0.001, 0.03, 1, 30, 1000 },
-              restitution = random:pick { 0, 0.25, 0.5, 1 },
-              friction = random:pick { 0, 0, 0.5 },
+              mass = random:pick({ 0.001, 0.03, 1, 30, 1000 }),
+              restitution = random:pick({ 0, 0.25, 0.5, 1 }),
+              friction = random:pick({ 0, 0, 0.5 }),
             },
           }
         end

@@ -1,8 +1,8 @@
 --- Gravity upwards and sideways: the same scene, turned round, goes the same way.
 
 local newRandom = require("spec.support.random").new
-local scene = require "spec.support.scene"
-local variants = require "spec.support.variants"
+local scene = require("spec.support.scene")
+local variants = require("spec.support.variants")
 
 --- Where everything is, step by step, when gravity points down.
 local function record(description, seconds, level)
@@ -11,7 +11,9 @@ local function record(description, seconds, level)
   local track = {}
   for _ in run:steps(seconds) do
     local frame = {}
-    for name, view in pairs(run.named) do frame[name] = { view.x, view.y, view.vx, view.vy } end
+    for name, view in pairs(run.named) do
+      frame[name] = { view.x, view.y, view.vx, view.vy }
+    end
     track[#track + 1] = frame
   end
   return track
@@ -49,14 +51,16 @@ local FLOOR = { "tiles", { x = -500, y = 200, width = 1500, height = 32, static 
 
 local function box(name, x, y, fields)
   local object = { name = name, x = x, y = y, width = 16, height = 16 }
-  for key, value in pairs(fields or {}) do object[key] = value end
+  for key, value in pairs(fields or {}) do
+    object[key] = value
+  end
   return { "boxes", object }
 end
 
 describe("gravity up, left and right is gravity down, turned round:", function()
   it("boxes of several masses fall on each other", function()
     local description = { FLOOR }
-    for i, mass in ipairs { 1, 0.25, 8, 2, 100, 0.5 } do
+    for i, mass in ipairs({ 1, 0.25, 8, 2, 100, 0.5 }) do
       description[i + 1] = box("box" .. i, 100 + 3 * i, 190.5 - 25.25 * i, { mass = mass })
     end
     checkTurned(description, 2)
@@ -120,10 +124,14 @@ describe("gravity up, left and right is gravity down, turned round:", function()
 
   it("nothing falls when there is none, or where both axes have some", function()
     scene.each({ turn = variants.TURNS, rate = variants.RATES }, function(run)
-      local named = run:build { gravityX = 300, gravity = 800, box("body", 0, 0) }
-      for time in run:steps(1) do run:at(named.body, 150 * time * time, 400 * time * time) end
-      named = run:build { gravity = 0, box("body", 0, 0) }
-      for _ in run:steps(1) do run:at(named.body, 0, 0) end
+      local named = run:build({ gravityX = 300, gravity = 800, box("body", 0, 0) })
+      for time in run:steps(1) do
+        run:at(named.body, 150 * time * time, 400 * time * time)
+      end
+      named = run:build({ gravity = 0, box("body", 0, 0) })
+      for _ in run:steps(1) do
+        run:at(named.body, 0, 0)
+      end
     end)
   end)
 end)

@@ -1,8 +1,8 @@
 --- Room that fits exactly is room enough.
 
-local overlap = require "spec.support.overlap"
-local scene = require "spec.support.scene"
-local variants = require "spec.support.variants"
+local overlap = require("spec.support.overlap")
+local scene = require("spec.support.scene")
+local variants = require("spec.support.variants")
 
 local EVERYWHERE = { rate = variants.RATES, turn = variants.TURNS }
 local FEW = { rate = { 60, 144 }, turn = { 0, 3 }, shift = { 0, 0.1 } }
@@ -13,14 +13,14 @@ describe("a slot exactly as wide as its boxes", function()
   --   |+--+    +--+|
   --   |+--+    +--+|
   --   +------------+
-  for _, row in ipairs {
+  for _, row in ipairs({
     -- boxes, width of each, the order in which they come (columns)
     { "3 boxes, middle last", 16, { 1, 3, 2 } },
     { "4 boxes, from the left", 16, { 1, 2, 3, 4 } },
     { "5 boxes, gaps last", 16, { 1, 3, 5, 2, 4 } },
     { "4 boxes of a fractional width", 16.3, { 4, 1, 3, 2 } },
     { "7 boxes of 10/3 px", 10 / 3, { 7, 1, 3, 5, 2, 6, 4 } },
-  } do
+  }) do
     local size, columns = row[2], row[3]
 
     local function slot(friction)
@@ -30,7 +30,9 @@ describe("a slot exactly as wide as its boxes", function()
         { "tiles", { x = -50, y = -400, width = 50, height = 400 } },
         { "tiles", { x = inner, y = -400, width = 50, height = 400 } },
       }
-      for i = 1, 3 do description[i][2].static = true end
+      for i = 1, 3 do
+        description[i][2].static = true
+      end
       for i, column in ipairs(columns) do
         local box = { name = "box" .. column, x = size * (column - 1), y = -60 * i }
         box.width, box.height, box.friction = size, 16, friction
@@ -40,7 +42,7 @@ describe("a slot exactly as wide as its boxes", function()
     end
 
     it("fills: " .. row[1], function()
-      for friction, levels in pairs { [0] = FEW, [0.5] = EVERYWHERE } do
+      for friction, levels in pairs({ [0] = FEW, [0.5] = EVERYWHERE }) do
         scene.each(levels, function(run)
           local named = run:build(slot(friction))
           local deepest = overlap.checker(run.all)
@@ -76,8 +78,12 @@ describe("a slot exactly as wide as its boxes", function()
         description[#description + 1] = { "boxes", box }
       end
       local named = run:build(description)
-      run:play(5, function() named.P.vx = 100 end)
-      for i = 1, 4 do run:at(named["box" .. i], 48 + 16 * i, 84) end
+      run:play(5, function()
+        named.P.vx = 100
+      end)
+      for i = 1, 4 do
+        run:at(named["box" .. i], 48 + 16 * i, 84)
+      end
       run:at(named.P, 48, 84)
       run:flush(named.box4, named.wall, "right")
       run:still(named.P)
@@ -91,13 +97,13 @@ describe("a platform between two walls", function()
   --   |+------+|   as wide as the shaft that it falls through
   it("falls freely on to what lies below", function()
     scene.each(EVERYWHERE, function(run)
-      local named = run:build {
+      local named = run:build({
         { "tiles", { x = -16, y = 0, width = 16, height = 500, static = true } },
         { "tiles", { x = 100, y = 0, width = 16, height = 500, static = true } },
         { "tiles", { name = "floor", x = -16, y = 500, width = 132, height = 16, static = true } },
         { "boxes", { name = "low", x = 0, y = 400, width = 100, height = 8 } },
         { "boxes", { name = "high", x = 0, y = 300, width = 100, height = 8 } },
-      }
+      })
       run:play(1)
       run:at(named.low, 0, 492)
       run:at(named.high, 0, 484)

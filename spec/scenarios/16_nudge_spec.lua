@@ -1,7 +1,7 @@
 --- Corner correction: a hit that misses by a few pixels slides around the corner.
 
-local scene = require "spec.support.scene"
-local variants = require "spec.support.variants"
+local scene = require("spec.support.scene")
+local variants = require("spec.support.variants")
 
 local EVERYWHERE = { rate = variants.RATES, turn = variants.TURNS }
 local SOME = { shift = { 0, 1 / 3, 100000.3 }, rate = { 60, 30, "irregular" } }
@@ -9,13 +9,17 @@ SOME.order, SOME.turn = { "forward", "shuffled" }, variants.TURNS
 
 local function solid(name, x, y, width, height, fields)
   local object = { name = name, x = x, y = y, width = width, height = height, static = true }
-  for key, value in pairs(fields or {}) do object[key] = value end
+  for key, value in pairs(fields or {}) do
+    object[key] = value
+  end
   return { "tiles", object }
 end
 
 local function body(x, y, vx, vy, fields)
   local object = { name = "body", x = x, y = y, width = 16, height = 24, vx = vx, vy = vy }
-  for key, value in pairs(fields or {}) do object[key] = value end
+  for key, value in pairs(fields or {}) do
+    object[key] = value
+  end
   return { "players", object }
 end
 
@@ -27,7 +31,7 @@ describe("nudge", function()
   --        | | ^   a few pixels of the head below the block
   --        +-+
   describe("under the corner of a block", function()
-    for _, row in ipairs {
+    for _, row in ipairs({
       -- x, nudge, x behind the corner; nil: it bumps
       { 161, 4, 164 },
       { 160.1, 4, 164 },
@@ -41,16 +45,16 @@ describe("nudge", function()
       { 130, 4, nil },
       { 130, 1000, 164 }, -- as far as one likes
       { 115, 1000, 84 }, -- and the shorter way
-    } do
+    }) do
       local x, nudge, behind = row[1], row[2], row[3]
       local does = behind and "comes up beside it" or "bumps its head"
       it(("at x = %g with nudge %g %s"):format(x, nudge, does), function()
         scene.each(EVERYWHERE, function(run)
-          local named = run:build {
+          local named = run:build({
             solid("block", 100, 50, 64, 16),
             solid("floor", 0, 200, 400, 16),
             body(x, 176, 0, -400, { nudge = nudge }),
-          }
+          })
           local log = run:listen(named.body)
           named.body.vy = -500
           local bumped = (500 - math.sqrt(500 * 500 - 1600 * 110)) / 800
@@ -76,11 +80,11 @@ describe("nudge", function()
     it("moves on sideways as before", function()
       scene.each(SOME, function(run)
         -- at the block, after 0.25 s, 3 px of it are below
-        local named = run:build {
+        local named = run:build({
           gravity = 0,
           solid("block", 100, 50, 64, 16),
           body(161 - 5, 91, 20, -100, { nudge = 4 }),
-        }
+        })
         for time in run:steps(1) do
           local shift = time > 0.25 + 1e-6 and 3 or 0
           if math.abs(time - 0.25) > 1e-6 then
@@ -94,15 +98,17 @@ describe("nudge", function()
 
     it("with another block beside bumps", function()
       scene.each(EVERYWHERE, function(run)
-        for _, x in ipairs { 164, 175 } do
-          local named = run:build {
+        for _, x in ipairs({ 164, 175 }) do
+          local named = run:build({
             solid("block", 100, 50, 64, 16),
             solid("next", x, 40, 64, 26),
             solid("floor", 0, 200, 400, 16),
             body(161, 176, 0, -500, { nudge = 4 }),
-          }
+          })
           local log = run:listen(named.body)
-          for _ in run:steps(1) do run:near("x", named.body.x, 161) end
+          for _ in run:steps(1) do
+            run:near("x", named.body.x, 161)
+          end
           run:same("bumps", log.sides.top, 1)
         end
       end)
@@ -110,11 +116,11 @@ describe("nudge", function()
 
     it("fits exactly between two", function()
       scene.each(EVERYWHERE, function(run)
-        local named = run:build {
+        local named = run:build({
           solid("block", 100, 50, 64, 16),
           solid("next", 180, 50, 64, 16),
           body(161, 176, 0, -500, { nudge = 4 }),
-        }
+        })
         run:play(1 / 2)
         run:at(named.body, 164, 26)
         run:near("vy", named.body.vy, -100)
@@ -128,7 +134,9 @@ describe("nudge", function()
           scene.tiles(description, 20, 0, 50, 16, 16, 16, 0)
           local named = run:build(description)
           local log = run:listen(named.body)
-          for _ in run:steps(1 / 3) do run:near("x", named.body.x, 100 + i) end
+          for _ in run:steps(1 / 3) do
+            run:near("x", named.body.x, 100 + i)
+          end
           run:check(log.sides.top >= 1, "should bump its head")
           run:check(named.body.y >= 66 - 1e-6, "its head is at %.9g", named.body.y)
         end
@@ -137,11 +145,11 @@ describe("nudge", function()
 
     it("at 6000 px/s does the same", function()
       scene.each(SOME, function(run)
-        local named = run:build {
+        local named = run:build({
           gravity = 0,
           solid("block", 100, 50, 64, 16),
           body(161, 176, 0, -6000, { nudge = 4 }),
-        }
+        })
         run:play(1 / 6)
         run:at(named.body, 164, -824)
         run:near("vy", named.body.vy, -6000)
@@ -150,18 +158,18 @@ describe("nudge", function()
 
     it("slides around a moving platform, too, and not around a box", function()
       scene.each(SOME, function(run)
-        local named = run:build {
+        local named = run:build({
           gravity = 0,
           solid("block", 100, 50, 64, 16, { static = false, kinematic = true }),
           body(161, 176, 0, -400, { nudge = 4 }),
-        }
+        })
         run:play(0.5)
         run:at(named.body, 164, -24)
-        named = run:build {
+        named = run:build({
           gravity = 0,
           solid("block", 100, 50, 64, 16, { static = false }),
           body(161, 176, 0, -400, { nudge = 4 }),
-        }
+        })
         local log = run:listen(named.body)
         run:play(0.5)
         run:near("x", named.body.x, 161)
@@ -185,16 +193,24 @@ describe("nudge", function()
       }
     end
 
-    for _, y in ipairs { 99, 101, 97, 103.5 } do
+    for _, y in ipairs({ 99, 101, 97, 103.5 }) do
       it(("%g px off goes through"):format(y - 100), function()
         scene.each(EVERYWHERE, function(run)
           local named = run:build(doorway(24, y, 4))
           local log = run:listen(named.body)
-          for time in run:steps(2, function() named.body.vx = 100 end) do
+          for time in
+            run:steps(2, function()
+              named.body.vx = 100
+            end)
+          do
             local x = 100 + 100 * time
             run:near("x", named.body.x, x)
-            if x < 184 - 1e-6 then run:near("y", named.body.y, y) end
-            if x > 184 + 1e-6 then run:near("y", named.body.y, 100) end
+            if x < 184 - 1e-6 then
+              run:near("y", named.body.y, y)
+            end
+            if x > 184 + 1e-6 then
+              run:near("y", named.body.y, 100)
+            end
             run:same("vx", named.body.vx, 100)
           end
           run:same("begins", log.begins, 0)
@@ -204,7 +220,7 @@ describe("nudge", function()
 
     it("both sides of it in the way at once, goes nowhere", function()
       scene.each(SOME, function(run)
-        for _, y in ipairs { 99, 99.5, 98 } do
+        for _, y in ipairs({ 99, 99.5, 98 }) do
           local named = run:build(doorway(23, y, 4))
           run:play(2)
           run:at(named.body, 184, y)
@@ -215,9 +231,11 @@ describe("nudge", function()
 
     it("too far off stops", function()
       scene.each(EVERYWHERE, function(run)
-        for _, y in ipairs { 95, 105, 60 } do
+        for _, y in ipairs({ 95, 105, 60 }) do
           local named = run:build(doorway(24, y, 4))
-          run:play(2, function() named.body.vx = 100 end)
+          run:play(2, function()
+            named.body.vx = 100
+          end)
           run:at(named.body, 184, y)
           run:same("vx", named.body.vx, 0)
           run:touches(named.body, "right")
@@ -236,9 +254,13 @@ describe("nudge", function()
     it("leaning on the wall beside it goes in when it comes near", function()
       scene.each(SOME, function(run)
         local named = run:build(doorway(24, 60, 4))
-        run:play(1, function() named.body.vx = 100 end)
+        run:play(1, function()
+          named.body.vx = 100
+        end)
         run:at(named.body, 184, 60)
-        run:play(1.5, function() named.body.vx, named.body.vy = 100, 30 end)
+        run:play(1.5, function()
+          named.body.vx, named.body.vy = 100, 30
+        end)
         run:check(named.body.x > 200, "should have gone in, is at %.9g", named.body.x)
       end)
     end)
@@ -249,7 +271,9 @@ describe("nudge", function()
         description[3][2].y = 100
         description[4] = { "boxes", { name = "box", x = 150, y = 121, width = 16, height = 24 } }
         local named = run:build(description)
-        run:play(2, function() named.body.vx = 100 end)
+        run:play(2, function()
+          named.body.vx = 100
+        end)
         run:at(named.box, 184, 121)
         run:at(named.body, 168, 100)
       end)
@@ -263,11 +287,11 @@ describe("nudge", function()
     --   +------+
     it("never lets slip off an edge", function()
       scene.each(EVERYWHERE, function(run)
-        for _, x in ipairs { 161, 87 } do
-          local named = run:build {
+        for _, x in ipairs({ 161, 87 }) do
+          local named = run:build({
             solid("block", 100, 50, 64, 16),
             body(x, -50, 0, 0, { nudge = 4 }),
-          }
+          })
           local log = run:listen(named.body)
           run:play(1)
           run:at(named.body, x, 26)
@@ -279,10 +303,10 @@ describe("nudge", function()
 
     it("lets slip off an edge who floats", function()
       scene.each(SOME, function(run)
-        local named = run:build {
+        local named = run:build({
           solid("block", 100, 50, 64, 16),
           body(161, -50, 0, 100, { nudge = 4, gravity = 0, gravityX = 0 }),
-        }
+        })
         run:play(1)
         run:at(named.body, 164, 50)
       end)
@@ -293,13 +317,18 @@ describe("nudge", function()
     --   ---------+
     it("walks up a low step, and stops at a higher one", function()
       scene.each(EVERYWHERE, function(run)
-        for _, height in ipairs { 2, 6 } do
-          local named = run:build {
+        for _, height in ipairs({ 2, 6 }) do
+          local named = run:build({
             solid("floor", 0, 200, 600, 16),
             solid("step", 200, 200 - height, 200, 16),
             body(100, 176, 0, 0, { nudge = 4 }),
-          }
-          for _ in run:steps(2, function() named.body.vx = 100 end) do end
+          })
+          for _ in
+            run:steps(2, function()
+              named.body.vx = 100
+            end)
+          do
+          end
           if height == 2 then
             run:at(named.body, 300, 174)
             run:touches(named.body, "bottom")
@@ -316,12 +345,16 @@ describe("nudge", function()
     --   ---------------
     it("does not duck into the floor", function()
       scene.each(EVERYWHERE, function(run)
-        local named = run:build {
+        local named = run:build({
           solid("floor", 0, 200, 600, 16),
           solid("beam", 200, 100, 16, 78),
           body(100, 176, 0, 0, { nudge = 4 }),
-        }
-        for time in run:steps(2, function() named.body.vx = 100 end) do
+        })
+        for time in
+          run:steps(2, function()
+            named.body.vx = 100
+          end)
+        do
           run:at(named.body, math.min(184, 100 + 100 * time), 176)
         end
         run:touches(named.body, "bottom", "right")
@@ -333,7 +366,11 @@ describe("nudge", function()
         local description = { body(0, 76, 0, 0, { nudge = 4 }) }
         scene.tiles(description, 60, 0, 100, 16, 16, 16, 0)
         local named = run:build(description)
-        for time in run:steps(2, function() named.body.vx = 200 end) do
+        for time in
+          run:steps(2, function()
+            named.body.vx = 200
+          end)
+        do
           run:at(named.body, 200 * time, 76)
           run:same("vx", named.body.vx, 200)
         end
@@ -342,11 +379,11 @@ describe("nudge", function()
 
     it("on a lift under a corner is moved aside with its rider on it", function()
       scene.each(SOME, function(run)
-        local named = run:build {
+        local named = run:build({
           solid("block", 100, 50, 64, 16),
           solid("lift", 140, 200, 64, 8, { static = false, kinematic = true, vy = -60 }),
           body(161, 176, 0, 0, { nudge = 4 }),
-        }
+        })
         run:play(2)
         run:at(named.body, 164, 56)
         run:flush(named.body, named.lift, "bottom")

@@ -1,7 +1,7 @@
 --- `pushable = false`: others cannot push it, walls still stop it.
 
-local scene = require "spec.support.scene"
-local variants = require "spec.support.variants"
+local scene = require("spec.support.scene")
+local variants = require("spec.support.variants")
 
 local EVERYWHERE = { rate = variants.RATES, turn = variants.TURNS }
 local SOME = { shift = { 0, 1 / 3, 100000.3 }, rate = { 60, 30, "irregular" } }
@@ -15,7 +15,9 @@ local WALL = { "tiles", { name = "wall", x = 200, y = 0, width = 16, height = 11
 
 local function box(name, x, y, fields)
   local object = { name = name, x = x, y = y, width = 16, height = 16 }
-  for key, value in pairs(fields or {}) do object[key] = value end
+  for key, value in pairs(fields or {}) do
+    object[key] = value
+  end
   return { "boxes", object }
 end
 
@@ -30,12 +32,16 @@ describe("pushable = false", function()
   --   +-+     |U|
   --   ------------
   describe("against one that can be pushed:", function()
-    for _, row in ipairs { { 100, 1 }, { 1000, 1000 }, { 6000, 50 } } do
+    for _, row in ipairs({ { 100, 1 }, { 1000, 1000 }, { 6000, 50 } }) do
       local vx, mass = row[1], row[2]
       it(("it stays where it is, hit at %g px/s by mass %g"):format(vx, mass), function()
         scene.each(EVERYWHERE, function(run)
-          local named = run:build { FLOOR, box("P", 20, 100, { mass = mass }), firm("U", 80, 100) }
-          for _ in run:steps(1, function() named.P.vx = vx end) do
+          local named = run:build({ FLOOR, box("P", 20, 100, { mass = mass }), firm("U", 80, 100) })
+          for _ in
+            run:steps(1, function()
+              named.P.vx = vx
+            end)
+          do
             run:at(named.U, 80, 100)
             run:still(named.U)
           end
@@ -48,8 +54,13 @@ describe("pushable = false", function()
 
     it("it stays between two that push from both sides", function()
       scene.each(SOME, function(run)
-        local named = run:build { FLOOR, box("P", 20, 100), firm("U", 80, 100), box("Q", 140, 100) }
-        for _ in run:steps(1, function() named.P.vx, named.Q.vx = 200, -130 end) do
+        local named =
+          run:build({ FLOOR, box("P", 20, 100), firm("U", 80, 100), box("Q", 140, 100) })
+        for _ in
+          run:steps(1, function()
+            named.P.vx, named.Q.vx = 200, -130
+          end)
+        do
           run:at(named.U, 80, 100)
         end
         run:at(named.P, 64, 100)
@@ -60,22 +71,32 @@ describe("pushable = false", function()
     it("it stops a row", function()
       scene.each(SOME, function(run)
         local description = { FLOOR, box("P", 0, 100), firm("U", 120, 100) }
-        for i = 1, 3 do description[3 + i] = box("box" .. i, 20 * i, 100) end
+        for i = 1, 3 do
+          description[3 + i] = box("box" .. i, 20 * i, 100)
+        end
         local named = run:build(description)
-        for _ in run:steps(2, function() named.P.vx = 100 end) do run:at(named.U, 120, 100) end
-        for i = 1, 3 do run:at(named["box" .. i], 56 + 16 * i, 100) end
+        for _ in
+          run:steps(2, function()
+            named.P.vx = 100
+          end)
+        do
+          run:at(named.U, 120, 100)
+        end
+        for i = 1, 3 do
+          run:at(named["box" .. i], 56 + 16 * i, 100)
+        end
         run:at(named.P, 56, 100)
       end)
     end)
 
     it("it pushes a box, and keeps its speed", function()
       scene.each(EVERYWHERE, function(run)
-        for _, mass in ipairs { 1, 100 } do
-          local named = run:build {
+        for _, mass in ipairs({ 1, 100 }) do
+          local named = run:build({
             FLOOR,
             firm("U", 20, 100, { vx = 100 }),
             box("P", 80, 100, { mass = mass }),
-          }
+          })
           for time in run:steps(2) do
             run:at(named.U, 20 + 100 * time, 100)
             run:same("vx", named.U.vx, 100)
@@ -88,11 +109,11 @@ describe("pushable = false", function()
 
     it("it pushes a box that comes towards it", function()
       scene.each(SOME, function(run)
-        local named = run:build {
+        local named = run:build({
           FLOOR,
           firm("U", 0, 100, { vx = 100 }),
           box("P", 116, 100, { vx = -100, mass = 30 }),
-        }
+        })
         for time in run:steps(1) do
           run:at(named.U, 100 * time, 100)
           run:at(named.P, math.max(116 - 100 * time, 16 + 100 * time), 100)
@@ -103,20 +124,26 @@ describe("pushable = false", function()
     it("it pushes a row", function()
       scene.each(SOME, function(run)
         local description = { FLOOR, firm("U", 0, 100, { vx = 100 }) }
-        for i = 1, 3 do description[2 + i] = box("box" .. i, 20 + 20 * i, 100) end
+        for i = 1, 3 do
+          description[2 + i] = box("box" .. i, 20 + 20 * i, 100)
+        end
         local named = run:build(description)
-        for time in run:steps(2) do run:at(named.U, 100 * time, 100) end
-        for i = 1, 3 do run:at(named["box" .. i], 200 + 16 * i, 100) end
+        for time in run:steps(2) do
+          run:at(named.U, 100 * time, 100)
+        end
+        for i = 1, 3 do
+          run:at(named["box" .. i], 200 + 16 * i, 100)
+        end
       end)
     end)
 
     it("a box bounces off it", function()
       scene.each(SOME, function(run)
-        local named = run:build {
+        local named = run:build({
           FLOOR,
           box("P", 14, 100, { vx = 100, restitution = 1 }),
           firm("U", 80, 100),
-        }
+        })
         for time in run:steps(1) do
           run:at(named.P, 14 + math.min(100 * time, 100 - 100 * time), 100)
           run:at(named.U, 80, 100)
@@ -128,8 +155,10 @@ describe("pushable = false", function()
   describe("against a wall:", function()
     it("it is stopped", function()
       scene.each(EVERYWHERE, function(run)
-        local named = run:build { FLOOR, WALL, firm("U", 20, 100, { vx = 300 }) }
-        for time in run:steps(1) do run:at(named.U, math.min(184, 20 + 300 * time), 100) end
+        local named = run:build({ FLOOR, WALL, firm("U", 20, 100, { vx = 300 }) })
+        for time in run:steps(1) do
+          run:at(named.U, math.min(184, 20 + 300 * time), 100)
+        end
         run:flush(named.U, named.wall, "right")
         run:still(named.U)
       end)
@@ -139,13 +168,23 @@ describe("pushable = false", function()
       scene.each(EVERYWHERE, function(run)
         for count = 1, 3 do
           local description = { FLOOR, WALL, firm("U", 20, 100) }
-          for i = 1, count do description[3 + i] = box("box" .. i, 50 + 20 * i, 100) end
+          for i = 1, count do
+            description[3 + i] = box("box" .. i, 50 + 20 * i, 100)
+          end
           local named = run:build(description)
-          for _ in run:steps(2, function() named.U.vx = 100 end) do
-            for i = 1, count do run:near("y", named["box" .. i].y, 100) end
+          for _ in
+            run:steps(2, function()
+              named.U.vx = 100
+            end)
+          do
+            for i = 1, count do
+              run:near("y", named["box" .. i].y, 100)
+            end
           end
           run:at(named.U, 184 - 16 * count, 100)
-          for i = 1, count do run:at(named["box" .. i], 184 - 16 * (count - i), 100) end
+          for i = 1, count do
+            run:at(named["box" .. i], 184 - 16 * (count - i), 100)
+          end
           run:still(named.U)
           run:flush(named.U, named.box1, "right")
         end
@@ -156,7 +195,7 @@ describe("pushable = false", function()
       scene.each(SOME, function(run)
         local pusher = { name = "K", x = 0, y = 50, width = 16, height = 64, kinematic = true }
         pusher.vx = 60
-        local named = run:build { FLOOR, { "walls", pusher }, firm("U", 46, 100) }
+        local named = run:build({ FLOOR, { "walls", pusher }, firm("U", 46, 100) })
         for time in run:steps(1) do
           run:at(named.U, math.max(46, 16 + 60 * time), 100)
         end
@@ -166,15 +205,17 @@ describe("pushable = false", function()
 
     it("it is crushed between two of them, once", function()
       scene.each(SOME, function(run)
-        local named = run:build {
+        local named = run:build({
           FLOOR,
           { "walls", { name = "L", x = 60, y = 52, width = 16, height = 64, kinematic = true } },
           { "walls", { name = "R", x = 124, y = 52, width = 16, height = 64, kinematic = true } },
           firm("U", 92, 100),
-        }
+        })
         local log = run:listen(named.U)
         named.L.vx, named.R.vx = 20, -20
-        for _ in run:steps(1) do run:at(named.U, 92, 100) end
+        for _ in run:steps(1) do
+          run:at(named.U, 92, 100)
+        end
         run:same("onCrush", log.crushes, 1)
       end)
     end)
@@ -184,7 +225,7 @@ describe("pushable = false", function()
   --   |U|         |V|
   --   ----------------
   describe("two of them:", function()
-    for _, row in ipairs {
+    for _, row in ipairs({
       -- vx of U at 0 and of V at 100, where U ends
       { 100, -100, 42 },
       { 100, -50, 56 },
@@ -192,15 +233,15 @@ describe("pushable = false", function()
       { 100, 0, 84 },
       { 0, -100, 0 },
       { 6000, -6000, 42 },
-    } do
+    }) do
       local vxU, vxV, x = row[1], row[2], row[3]
       it(("meet at %g and %g px/s and stop"):format(vxU, vxV), function()
         scene.each(EVERYWHERE, function(run)
-          local named = run:build {
+          local named = run:build({
             FLOOR,
             firm("U", 0, 100, { vx = vxU }),
             firm("V", 100, 100, { vx = vxV, mass = 10 }),
-          }
+          })
           local log = run:listen(named.U)
           run:play(2)
           for _ in run:steps(0.5) do
@@ -216,9 +257,15 @@ describe("pushable = false", function()
 
     it("pressed against each other for ever stay where they met", function()
       scene.each(SOME, function(run)
-        local named = run:build { FLOOR, firm("U", 0, 100), firm("V", 100, 100) }
-        run:play(1, function() named.U.vx, named.V.vx = 100, -100 end)
-        for _ in run:steps(1, function() named.U.vx, named.V.vx = 100, -300 end) do
+        local named = run:build({ FLOOR, firm("U", 0, 100), firm("V", 100, 100) })
+        run:play(1, function()
+          named.U.vx, named.V.vx = 100, -100
+        end)
+        for _ in
+          run:steps(1, function()
+            named.U.vx, named.V.vx = 100, -300
+          end)
+        do
           run:at(named.U, 42, 100)
           run:at(named.V, 58, 100)
           run:still(named.U)
@@ -230,11 +277,11 @@ describe("pushable = false", function()
     it("the faster one behind the slower one follows it", function()
       scene.each(SOME, function(run)
         for sign = -1, 1, 2 do
-          local named = run:build {
+          local named = run:build({
             FLOOR,
             firm("U", 0, 100, { vx = 100 * sign }),
             firm("V", 100 * sign, 100, { vx = 40 * sign }),
-          }
+          })
           for time in run:steps(2) do
             run:at(named.V, (100 + 40 * time) * sign, 100)
             run:at(named.U, math.min(100 * time, 84 + 40 * time) * sign, 100)
@@ -246,13 +293,15 @@ describe("pushable = false", function()
 
     it("cannot be pushed into each other by a third", function()
       scene.each(SOME, function(run)
-        local named = run:build {
+        local named = run:build({
           FLOOR,
           box("P", 0, 100, { mass = 100 }),
           firm("U", 60, 100),
           firm("V", 90, 100),
-        }
-        run:play(1, function() named.P.vx = 100 end)
+        })
+        run:play(1, function()
+          named.P.vx = 100
+        end)
         run:at(named.P, 44, 100)
         run:at(named.U, 60, 100)
         run:at(named.V, 90, 100)
@@ -261,13 +310,17 @@ describe("pushable = false", function()
 
     it("crush what is between them as little as walls do: it stops them", function()
       scene.each(SOME, function(run)
-        local named = run:build {
+        local named = run:build({
           FLOOR,
           firm("U", 0, 100),
           box("P", 50, 100),
           firm("V", 100, 100),
-        }
-        for _ in run:steps(2, function() named.U.vx, named.V.vx = 60, -60 end) do
+        })
+        for _ in
+          run:steps(2, function()
+            named.U.vx, named.V.vx = 60, -60
+          end)
+        do
           run:near("y", named.P.y, 100)
           run:check(named.P.x - named.U.x >= 16 - 1e-6, "is in U")
           run:check(named.V.x - named.P.x >= 16 - 1e-6, "is in V")
@@ -285,10 +338,18 @@ describe("pushable = false", function()
   --    | |
   --   ------
   describe("on each other:", function()
-    for _, row in ipairs {
+    for _, row in ipairs({
       -- from the floor up: f cannot be pushed, b can
-      "f", "fb", "bf", "ff", "fff", "bfb", "fbf", "bbf", "fbfbf",
-    } do
+      "f",
+      "fb",
+      "bf",
+      "ff",
+      "fff",
+      "bfb",
+      "fbf",
+      "bbf",
+      "fbfbf",
+    }) do
       it(("a stack %q is dropped, and rests"):format(row), function()
         scene.each(EVERYWHERE, function(run)
           local description = { FLOOR }
@@ -312,8 +373,10 @@ describe("pushable = false", function()
 
     it("one that is heavy falls on a box on the floor and rests there", function()
       scene.each(SOME, function(run)
-        local named = run:build { FLOOR, box("P", 92, 100), firm("U", 96, -200, { mass = 1000 }) }
-        for _ in run:steps(1.5) do run:at(named.P, 92, 100) end
+        local named = run:build({ FLOOR, box("P", 92, 100), firm("U", 96, -200, { mass = 1000 }) })
+        for _ in run:steps(1.5) do
+          run:at(named.P, 92, 100)
+        end
         run:at(named.U, 96, 84)
         run:still(named.U)
       end)
@@ -321,9 +384,18 @@ describe("pushable = false", function()
 
     it("a box is pushed out from under one", function()
       scene.each(SOME, function(run)
-        local named = run:build { FLOOR, box("P", 20, 100), box("low", 80, 100), firm("U", 84, 84) }
-        run:play(1, function() named.P.vx = 100 end) -- P passes below it, too
-        for _ in run:steps(1, function() named.P.vx = 100 end) do run:near("x", named.U.x, 84) end
+        local named =
+          run:build({ FLOOR, box("P", 20, 100), box("low", 80, 100), firm("U", 84, 84) })
+        run:play(1, function()
+          named.P.vx = 100
+        end) -- P passes below it, too
+        for _ in
+          run:steps(1, function()
+            named.P.vx = 100
+          end)
+        do
+          run:near("x", named.U.x, 84)
+        end
         run:at(named.U, 84, 100)
         run:near("x", named.low.x, named.P.x + 16)
       end)
@@ -332,7 +404,7 @@ describe("pushable = false", function()
     it("one is carried by a lift and jumps like any other", function()
       scene.each(SOME, function(run)
         local lift = { name = "lift", x = 80, y = 100, width = 64, height = 8, kinematic = true }
-        local named = run:build { { "lifts", lift }, firm("U", 92, 84), firm("V", 94, 68) }
+        local named = run:build({ { "lifts", lift }, firm("U", 92, 84), firm("V", 94, 68) })
         run:play(1 / 6)
         named.lift.vx, named.lift.vy = 60, -90
         for time in run:steps(1) do
@@ -351,7 +423,7 @@ describe("pushable = false", function()
 
     it("one that jumps against a box over its head lifts it", function()
       scene.each(SOME, function(run)
-        local named = run:build { FLOOR, firm("U", 92, 100), box("P", 92, 50, { gravity = 0 }) }
+        local named = run:build({ FLOOR, firm("U", 92, 100), box("P", 92, 50, { gravity = 0 }) })
         named.P.gravity, named.P.gravityX = 0, 0
         run:play(1 / 6)
         named.U.vy = -400
@@ -367,16 +439,22 @@ describe("pushable = false", function()
 
   it("can be switched while it runs", function()
     scene.each(SOME, function(run)
-      local named = run:build { FLOOR, box("P", 20, 100), firm("U", 80, 100) }
-      run:play(1, function() named.P.vx = 100 end)
+      local named = run:build({ FLOOR, box("P", 20, 100), firm("U", 80, 100) })
+      run:play(1, function()
+        named.P.vx = 100
+      end)
       run:at(named.U, 80, 100)
       named.U.pushable = nil
-      run:play(1, function() named.P.vx = 100 end)
+      run:play(1, function()
+        named.P.vx = 100
+      end)
       run:check(named.U.x > 100, "should be pushed, is at %.9g", named.U.x)
       named.U.pushable, named.U.vx = false, 0
       run:play(1 / 6)
       local x = named.U.x
-      run:play(1, function() named.P.vx = 100 end)
+      run:play(1, function()
+        named.P.vx = 100
+      end)
       run:near("x", named.U.x, x)
     end)
   end)

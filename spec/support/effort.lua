@@ -1,6 +1,6 @@
---- How much of the slow specs to play. All of it with the trace compiler; interpreters, which are ten
---- times slower, play a selection: they run the same code on the same numbers, and that the bits are
---- the same is a spec of its own. `PHYSICS_SPEC=full` plays all of it everywhere.
+--- How much of the slow specs to play. All of it with the trace compiler; interpreters, which are
+--- slower, play a selection: they run the same code on the same numbers, and that the bits are the
+--- same is a spec of its own. `PHYSICS_SPEC=full` plays all of it everywhere.
 
 local effort = {}
 
@@ -12,7 +12,9 @@ effort.isWhole = isFull or (jit and jit.status()) or false
 
 --- A number of seeds, rounds or objects: all of them, or the share of a slow interpreter.
 function effort.share(count, least)
-  if effort.isWhole then return count end
+  if effort.isWhole then
+    return count
+  end
   return math.max(least or 1, math.floor(count / 5))
 end
 

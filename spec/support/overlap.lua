@@ -21,9 +21,15 @@ end
 --- An insertion sort of a list kept from the last call: hardly anything moved since.
 local function fromLeft(objects, list)
   if #list ~= #objects then
-    for i = 1, #objects do list[i] = objects[i] end
-    for i = #list, #objects + 1, -1 do list[i] = nil end
-    table.sort(list, function(a, b) return a.x < b.x end)
+    for i = 1, #objects do
+      list[i] = objects[i]
+    end
+    for i = #list, #objects + 1, -1 do
+      list[i] = nil
+    end
+    table.sort(list, function(a, b)
+      return a.x < b.x
+    end)
   end
   for i = 2, #list do
     local object, x, j = list[i], list[i].x, i - 1

@@ -14,7 +14,9 @@ Random.__index = Random
 ---@param seed number integer in 1..2^31 - 2
 local function new(seed)
   local self = setmetatable({ state = seed + 0.0 }, Random)
-  for _ = 1, 4 do self:unit() end -- small seeds start with small numbers
+  for _ = 1, 4 do
+    self:unit()
+  end -- small seeds start with small numbers
   return self
 end
 
@@ -48,7 +50,9 @@ end
 --- A new list with the same entries in another order.
 function Random:shuffled(list)
   local result = {}
-  for i = 1, #list do result[i] = list[i] end
+  for i = 1, #list do
+    result[i] = list[i]
+  end
   for i = #result, 2, -1 do
     local j = self:integer(1, i)
     result[i], result[j] = result[j], result[i]

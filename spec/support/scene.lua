@@ -16,11 +16,11 @@
 --- `body` is a *view* of the object in the world: it is read and written in the coordinates of the
 --- scene, whatever the variant shifted and turned. `body.raw` is the object itself.
 
-local physics = require "physics"
+local physics = require("physics")
 local fail = require("busted").fail
 local newRandom = require("spec.support.random").new
-local turn = require "spec.support.turn"
-local variants = require "spec.support.variants"
+local turn = require("spec.support.turn")
+local variants = require("spec.support.variants")
 
 local scene = {}
 
@@ -76,7 +76,11 @@ function View.__newindex(view, key, value)
   local run, raw = rawget(view, "run"), rawget(view, "raw")
   if key == "x" or key == "y" then
     local x, y, width, height = boxOf(run, raw)
-    if key == "x" then x = value else y = value end
+    if key == "x" then
+      x = value
+    else
+      y = value
+    end
     x, y = turn.box(run.turn, x, y, width, height)
     writeOne(run, raw, key == "x", "x", "y", x + run.shift, y + run.shift)
   elseif key == "vx" or key == "vy" then
@@ -99,9 +103,10 @@ end
 --- The object that a scene describes, shifted and turned.
 local function place(run, description)
   local object = {}
-  for key, value in pairs(description) do object[key] = value end
-  local x, y, width, height =
-    turn.box(run.turn, object.x, object.y, object.width, object.height)
+  for key, value in pairs(description) do
+    object[key] = value
+  end
+  local x, y, width, height = turn.box(run.turn, object.x, object.y, object.width, object.height)
   object.x, object.y, object.width, object.height = x + run.shift, y + run.shift, width, height
   turnPair(run.turn, object, "vx", "vy")
   turnPair(run.turn, object, "ax", "ay")
@@ -109,7 +114,9 @@ local function place(run, description)
   if run.turn % 2 == 1 then
     object.maxSpeedX, object.maxSpeedY = object.maxSpeedY, object.maxSpeedX
   end
-  if object.oneWay then object.oneWay = turn.side(run.turn, object.oneWay) end
+  if object.oneWay then
+    object.oneWay = turn.side(run.turn, object.oneWay)
+  end
   return object
 end
 
@@ -117,19 +124,27 @@ end
 local function groupsBackward(description)
   local names, seen = {}, {}
   for _, entry in ipairs(description) do
-    if not seen[entry[1]] then names[#names + 1] = entry[1] end
+    if not seen[entry[1]] then
+      names[#names + 1] = entry[1]
+    end
     seen[entry[1]] = true
   end
-  table.sort(names, function(a, b) return a > b end)
+  table.sort(names, function(a, b)
+    return a > b
+  end)
   return names
 end
 
 --- The settings of a scene in this variant; a scene falls at 800 px/s² unless it says otherwise.
 local function settingsOf(run, description)
   local settings = { broadphase = run.broadphase, push = run.push }
-  if run.order == "backward" then settings.order = groupsBackward(description) end
+  if run.order == "backward" then
+    settings.order = groupsBackward(description)
+  end
   for key, value in pairs(description) do
-    if type(key) == "string" then settings[key] = value end
+    if type(key) == "string" then
+      settings[key] = value
+    end
   end
   settings.gravityX, settings.gravity =
     turn.vector(run.turn, settings.gravityX or 0, settings.gravity or 800)
@@ -139,8 +154,12 @@ end
 --- The entries of a scene in the variant's order of insertion.
 local function inOrder(run, description)
   local entries = {}
-  for i = 1, #description do entries[i] = description[i] end
-  if run.order == "shuffled" then return newRandom(7):shuffled(entries) end
+  for i = 1, #description do
+    entries[i] = description[i]
+  end
+  if run.order == "shuffled" then
+    return newRandom(7):shuffled(entries)
+  end
   if run.order == "backward" then
     for i = 1, math.floor(#entries / 2) do
       local j = #entries + 1 - i
@@ -156,7 +175,9 @@ function Run:add(group, description)
   local raw = place(self, description)
   local view = setmetatable({ raw = raw, run = self }, View)
   self.views[raw] = view
-  if raw.name then self.named[raw.name] = view end
+  if raw.name then
+    self.named[raw.name] = view
+  end
   self.world:add(group, raw)
   return view
 end
@@ -184,15 +205,23 @@ function scene.times(seconds, rate)
   local list = {}
   if rate ~= "irregular" then
     local count = math.floor(seconds * rate + 0.5)
-    if math.abs(count - seconds * rate) > 1e-6 then error("not a whole number of steps", 3) end
-    for i = 1, count do list[i] = 1 / rate end
+    if math.abs(count - seconds * rate) > 1e-6 then
+      error("not a whole number of steps", 3)
+    end
+    for i = 1, count do
+      list[i] = 1 / rate
+    end
     return list
   end
   local random, left = newRandom(11), seconds
   while left > 0 do
     local dt = random:between(1 / 240, 1 / 30)
-    if random:chance(0.05) then dt = random:between(1 / 30, 0.1) end
-    if left - dt < 1 / 240 then dt = left end
+    if random:chance(0.05) then
+      dt = random:between(1 / 30, 0.1)
+    end
+    if left - dt < 1 / 240 then
+      dt = left
+    end
     list[#list + 1] = dt
     left = left - dt
   end
@@ -211,8 +240,12 @@ function Run:steps(seconds, before)
   local list, i, start = scene.times(seconds, self.rate), 0, self.time
   return function()
     i = i + 1
-    if not list[i] then return nil end
-    if before then before() end
+    if not list[i] then
+      return nil
+    end
+    if before then
+      before()
+    end
     self:step(list[i])
     return self.time - start, list[i]
   end
@@ -220,23 +253,32 @@ end
 
 --- The same without a look at each step.
 function Run:play(seconds, before)
-  for _ in self:steps(seconds, before) do end
+  for _ in self:steps(seconds, before) do
+  end
 end
 
 --- Counts the events of an object from now on.
 ---@return table log begins, stays, ends, crushes: numbers; sides: begins by side; speed: the last
 function Run:listen(view)
   local log = { begins = 0, stays = 0, ends = 0, crushes = 0, sides = {} }
-  for _, side in ipairs(SIDES) do log.sides[side] = 0 end
+  for _, side in ipairs(SIDES) do
+    log.sides[side] = 0
+  end
   local raw = view.raw
   function raw.onBegin(_, _, side, speed)
     log.begins, log.speed = log.begins + 1, speed
     side = turn.side(turn.back(self.turn), side)
     log.sides[side] = log.sides[side] + 1
   end
-  function raw.onStay() log.stays = log.stays + 1 end
-  function raw.onEnd() log.ends = log.ends + 1 end
-  function raw.onCrush() log.crushes = log.crushes + 1 end
+  function raw.onStay()
+    log.stays = log.stays + 1
+  end
+  function raw.onEnd()
+    log.ends = log.ends + 1
+  end
+  function raw.onCrush()
+    log.crushes = log.crushes + 1
+  end
   return log
 end
 
@@ -244,8 +286,12 @@ end
 ---@return table log begins, ends: numbers
 function Run:listenToWorld()
   local log = { begins = 0, ends = 0 }
-  self.world.onBegin = function() log.begins = log.begins + 1 end
-  self.world.onEnd = function() log.ends = log.ends + 1 end
+  self.world.onBegin = function()
+    log.begins = log.begins + 1
+  end
+  self.world.onEnd = function()
+    log.ends = log.ends + 1
+  end
   return log
 end
 
@@ -257,19 +303,25 @@ end
 
 --- Fails unless a condition holds.
 function Run:check(condition, message, ...)
-  if not condition then stop(self, message:format(...), 2) end
+  if not condition then
+    stop(self, message:format(...), 2)
+  end
 end
 
 --- Fails unless a number is the expected one, at most `tolerance` (1e-6) off.
 function Run:near(what, actual, expected, tolerance)
-  if math.abs(actual - expected) <= (tolerance or TOLERANCE) then return end -- false for NaN
+  if math.abs(actual - expected) <= (tolerance or TOLERANCE) then
+    return
+  end -- false for NaN
   local message = "%s should be %.17g, is %.17g (%.3g off)"
   stop(self, message:format(what, expected, actual, actual - expected), 2)
 end
 
 --- Fails unless two values are the same, numbers to the bit.
 function Run:same(what, actual, expected)
-  if actual == expected then return end
+  if actual == expected then
+    return
+  end
   local format = type(actual) == "number" and "%.17g" or "%s"
   local is = format:format(type(actual) == "number" and actual or tostring(actual))
   stop(self, ("%s should be %s, is %s"):format(what, tostring(expected), is), 2)
@@ -278,7 +330,9 @@ end
 --- Fails unless a view is at a place, at most `tolerance` (1e-6 px) off.
 function Run:at(view, x, y, tolerance)
   local reach = tolerance or TOLERANCE
-  if math.abs(view.x - x) <= reach and math.abs(view.y - y) <= reach then return end
+  if math.abs(view.x - x) <= reach and math.abs(view.y - y) <= reach then
+    return
+  end
   local message = "%s should be at (%.9g, %.9g), is at (%.9g, %.9g), v (%.6g, %.6g)"
   local name = view.name or "object"
   stop(self, message:format(name, x, y, view.x, view.y, view.vx, view.vy), 2)
@@ -286,7 +340,9 @@ end
 
 --- Fails unless a view rests: velocity exactly 0.
 function Run:still(view)
-  if view.vx == 0 and view.vy == 0 then return end
+  if view.vx == 0 and view.vy == 0 then
+    return
+  end
   local name = view.name or "object"
   stop(self, ("%s should be still, moves at (%.9g, %.9g)"):format(name, view.vx, view.vy), 2)
 end
@@ -294,7 +350,9 @@ end
 --- Fails unless `view` touches something on the sides listed, and on no other.
 function Run:touches(view, ...)
   local expected, touching = {}, view.touching
-  for _, side in ipairs { ... } do expected[side] = true end
+  for _, side in ipairs({ ... }) do
+    expected[side] = true
+  end
   for _, side in ipairs(SIDES) do
     local is = touching[side] ~= false
     if is ~= (expected[side] == true) then
@@ -316,7 +374,9 @@ function Run:flush(a, b, side)
   else
     expected = other[axis] + other[size]
   end
-  if me[axis] == expected then return end
+  if me[axis] == expected then
+    return
+  end
   local message = "%s should be flush with its %s: raw %s should be %.17g, is %.17g"
   stop(self, message:format(a.name or "object", side, axis, expected, me[axis]), 2)
 end
@@ -324,7 +384,9 @@ end
 --- A run in one variant.
 function scene.run(variant)
   local run = setmetatable({}, Run)
-  for key, value in pairs(variant) do run[key] = value end
+  for key, value in pairs(variant) do
+    run[key] = value
+  end
   return run
 end
 

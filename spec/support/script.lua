@@ -2,7 +2,7 @@
 --- first set of objects, and for each step a dt and what the game writes before it. So the same
 --- script can be played in worlds with different settings, and the bits compared.
 
-local physics = require "physics"
+local physics = require("physics")
 local newRandom = require("spec.support.random").new
 
 local script = {}
@@ -46,15 +46,33 @@ local function makeBox(random, x, y, options)
     vx = random:between(-150, 150),
     vy = random:between(-100, 100),
   }
-  if random:chance(0.5) then box.friction = random:between(0, 1) end
-  if random:chance(0.4) then box.restitution = random:pick { 0.25, 0.5, 0.9, 1 } end
-  if random:chance(0.4) then box.mass = random:between(0.25, 8) end
-  if random:chance(0.1) then box.gravity = random:pick { 0, -300, 1200 } end
-  if random:chance(0.1) then box.airFriction = random:between(0, 2) end
-  if random:chance(0.1) then box.drag = random:between(0, 100) end
-  if random:chance(0.1) then box.maxSpeed = random:between(50, 400) end
-  if random:chance(0.1) and not options.pushable then box.pushable = false end
-  if random:chance(0.1) and options.specials then box.mask = { crates = false } end
+  if random:chance(0.5) then
+    box.friction = random:between(0, 1)
+  end
+  if random:chance(0.4) then
+    box.restitution = random:pick({ 0.25, 0.5, 0.9, 1 })
+  end
+  if random:chance(0.4) then
+    box.mass = random:between(0.25, 8)
+  end
+  if random:chance(0.1) then
+    box.gravity = random:pick({ 0, -300, 1200 })
+  end
+  if random:chance(0.1) then
+    box.airFriction = random:between(0, 2)
+  end
+  if random:chance(0.1) then
+    box.drag = random:between(0, 100)
+  end
+  if random:chance(0.1) then
+    box.maxSpeed = random:between(50, 400)
+  end
+  if random:chance(0.1) and not options.pushable then
+    box.pushable = false
+  end
+  if random:chance(0.1) and options.specials then
+    box.mask = { crates = false }
+  end
   return box
 end
 
@@ -67,7 +85,7 @@ local function makeSpecial(random, x, y)
   elseif kind == 2 then
     special.kinematic, special.vx, special.vy = true, 0, random:between(-40, 40)
   elseif kind == 3 then
-    special.static, special.oneWay = true, random:pick { "top", "bottom", "left", "right" }
+    special.static, special.oneWay = true, random:pick({ "top", "bottom", "left", "right" })
   else
     special.static, special.sensor = true, true
   end
@@ -115,10 +133,10 @@ function script.new(seed, options)
       list[#list + 1] = { "specials", makeSpecial(random, 80 * i, random:between(190, 380)) }
     end
   end
-  local result = { objects = list, steps = {}, gravity = random:pick { 0, 400, 800, 800, 800 } }
+  local result = { objects = list, steps = {}, gravity = random:pick({ 0, 400, 800, 800, 800 }) }
   local count = #list
   for i = 1, options.steps do
-    local step = { dt = random:pick { 1 / 60, 1 / 60, 1 / 60, 1 / 30, 1 / 144, 0.05 } }
+    local step = { dt = random:pick({ 1 / 60, 1 / 60, 1 / 60, 1 / 30, 1 / 144, 0.05 }) }
     if random:chance(options.writes) then
       step[1] = makeWrite(random, random:integer(firstMover, count))
       if random:chance(0.1) then
@@ -140,20 +158,26 @@ Player.__index = Player
 
 local function copyOf(object)
   local copy = {}
-  for key, value in pairs(object) do copy[key] = value end
+  for key, value in pairs(object) do
+    copy[key] = value
+  end
   return copy
 end
 
 --- Ways of putting an object into a world: each fills the keys 1, 2, 3 … of its group.
 script.inserts = {
-  add = function(world, group, object) world:add(group, object) end,
+  add = function(world, group, object)
+    world:add(group, object)
+  end,
   insert = function(world, group, object)
     world.objects[group] = world.objects[group] or {}
     table.insert(world.objects[group], object)
   end,
   assign = function(world, group, object)
     local list = {}
-    for key, other in pairs(world.objects[group] or {}) do list[key] = other end
+    for key, other in pairs(world.objects[group] or {}) do
+      list[key] = other
+    end
     list[#list + 1] = object
     world.objects[group] = list
   end,
@@ -170,7 +194,7 @@ end
 --- Writes every event as a line, so that two runs can be compared.
 local function listen(player)
   local told = player.told
-  for _, name in ipairs { "onBegin", "onStay", "onEnd", "onCrush" } do
+  for _, name in ipairs({ "onBegin", "onStay", "onEnd", "onCrush" }) do
     player.world[name] = function(a, b, c)
       local first, second = tostring(player.indexOf[a]), tostring(player.indexOf[b])
       local third = tostring(player.indexOf[c] or c)
@@ -185,21 +209,31 @@ end
 ---@param prepare function? gets the world before anything is in it
 function script.play(self, settings, insert, prepare)
   local all = { gravity = self.gravity }
-  for key, value in pairs(settings or {}) do all[key] = value end
+  for key, value in pairs(settings or {}) do
+    all[key] = value
+  end
   local player = setmetatable({ script = self, step = 0, count = 0 }, Player)
   player.world = physics.newWorld(all)
   player.list, player.indexOf, player.told = {}, {}, {}
   player.insert = insert or script.inserts.add
-  if prepare then prepare(player.world) end
+  if prepare then
+    prepare(player.world)
+  end
   listen(player)
-  for _, entry in ipairs(self.objects) do player:add(entry[1], entry[2]) end
+  for _, entry in ipairs(self.objects) do
+    player:add(entry[1], entry[2])
+  end
   return player
 end
 
 local function act(player, action)
-  if action[1] == "add" then return player:add(action[2], action[3]) end
+  if action[1] == "add" then
+    return player:add(action[2], action[3])
+  end
   local object = player.list[action[2]]
-  if not object then return end -- removed before
+  if not object then
+    return
+  end -- removed before
   if action[1] == "remove" then
     player.world:remove(object)
     player.list[action[2]] = false
@@ -214,9 +248,15 @@ end
 function Player:next()
   self.step = self.step + 1
   local step = self.script.steps[self.step]
-  if not step then return false end
-  for i = 1, #step do act(self, step[i]) end
-  for i = #self.told, 1, -1 do self.told[i] = nil end
+  if not step then
+    return false
+  end
+  for i = 1, #step do
+    act(self, step[i])
+  end
+  for i = #self.told, 1, -1 do
+    self.told[i] = nil
+  end
   self.world:update(step.dt)
   return true
 end
@@ -237,7 +277,9 @@ local function frameOf(player)
       values[#values + 1] = player.indexOf[touching[side]] or false
     end
   end
-  for i = 1, #player.told do told[i] = player.told[i] end
+  for i = 1, #player.told do
+    told[i] = player.told[i]
+  end
   return { values = values, told = told }
 end
 
@@ -245,7 +287,9 @@ end
 ---@return table[] track one frame for each step
 function script.track(self, settings, insert)
   local player, track = script.play(self, settings, insert), {}
-  while player:next() do track[player.step] = frameOf(player) end
+  while player:next() do
+    track[player.step] = frameOf(player)
+  end
   return track
 end
 

@@ -13,30 +13,46 @@ local NEXT = { bottom = "left", left = "top", top = "right", right = "bottom" }
 --- Turns a vector clockwise.
 ---@param count integer quarter turns, 0..3
 function turn.vector(count, x, y)
-  if count == 1 then return 0 - y, x end
-  if count == 2 then return 0 - x, 0 - y end
-  if count == 3 then return y, 0 - x end
+  if count == 1 then
+    return 0 - y, x
+  end
+  if count == 2 then
+    return 0 - x, 0 - y
+  end
+  if count == 3 then
+    return y, 0 - x
+  end
   return x, y
 end
 
 --- Turns a box clockwise around the origin.
 ---@return number x, number y, number width, number height
 function turn.box(count, x, y, width, height)
-  if count == 1 then return 0 - (y + height), x, height, width end
-  if count == 2 then return 0 - (x + width), 0 - (y + height), width, height end
-  if count == 3 then return y, 0 - (x + width), height, width end
+  if count == 1 then
+    return 0 - (y + height), x, height, width
+  end
+  if count == 2 then
+    return 0 - (x + width), 0 - (y + height), width, height
+  end
+  if count == 3 then
+    return y, 0 - (x + width), height, width
+  end
   return x, y, width, height
 end
 
 --- Turns the name of a side.
 function turn.side(count, side)
-  for _ = 1, count do side = NEXT[side] end
+  for _ = 1, count do
+    side = NEXT[side]
+  end
   return side
 end
 
 --- The number of turns that undoes `count` turns.
 function turn.back(count)
-  if count == 0 then return 0 end
+  if count == 0 then
+    return 0
+  end
   return 4 - count
 end
 

@@ -3,8 +3,8 @@
 --- a selection in which every two levels of two different factors occur together (about 30).
 --- `PHYSICS_SPEC=full busted` runs all of them.
 
-local effort = require "spec.support.effort"
-local turn = require "spec.support.turn"
+local effort = require("spec.support.effort")
+local turn = require("spec.support.turn")
 
 local variants = {}
 
@@ -46,7 +46,9 @@ local function combine(levels)
     for _, short in ipairs(list) do
       for _, level in ipairs(levels[factor]) do
         local variant = { [factor] = level }
-        for name, value in pairs(short) do variant[name] = value end
+        for name, value in pairs(short) do
+          variant[name] = value
+        end
         longer[#longer + 1] = variant
       end
     end
@@ -59,7 +61,9 @@ end
 local function pairsOf(variant)
   local list = {}
   if not effort.isWhole then
-    for i, factor in ipairs(FACTORS) do list[i] = factor .. tostring(variant[factor]) end
+    for i, factor in ipairs(FACTORS) do
+      list[i] = factor .. tostring(variant[factor])
+    end
     return list
   end
   for i = 1, #FACTORS do
@@ -74,7 +78,9 @@ end
 local function countNew(shown, seen)
   local count = 0
   for i = 1, #shown do
-    if not seen[shown[i]] then count = count + 1 end
+    if not seen[shown[i]] then
+      count = count + 1
+    end
   end
   return count
 end
@@ -82,7 +88,9 @@ end
 --- Takes, again and again, the first variant that shows the most pairs not seen yet.
 local function cover(list)
   local shown, seen, chosen = {}, {}, {}
-  for i, variant in ipairs(list) do shown[i] = pairsOf(variant) end
+  for i, variant in ipairs(list) do
+    shown[i] = pairsOf(variant)
+  end
   while true do
     local best, bestCount = nil, 0
     for i = 1, #list do
@@ -91,9 +99,13 @@ local function cover(list)
         best, bestCount = i, count
       end
     end
-    if not best then return chosen end
+    if not best then
+      return chosen
+    end
     chosen[#chosen + 1] = list[best]
-    for _, pair in ipairs(shown[best]) do seen[pair] = true end
+    for _, pair in ipairs(shown[best]) do
+      seen[pair] = true
+    end
   end
 end
 
@@ -106,12 +118,16 @@ function variants.select(levels)
   local all, key = {}, ""
   for _, factor in ipairs(FACTORS) do
     all[factor] = levels and levels[factor] or DEFAULTS[factor]
-    for _, level in ipairs(all[factor]) do key = key .. tostring(level) .. " " end
+    for _, level in ipairs(all[factor]) do
+      key = key .. tostring(level) .. " "
+    end
     key = key .. "/"
   end
   if not known[key] then
     local list = combine(all)
-    for _, variant in ipairs(list) do variant.name = describe(variant) end
+    for _, variant in ipairs(list) do
+      variant.name = describe(variant)
+    end
     known[key] = os.getenv("PHYSICS_SPEC") == "full" and list or cover(list)
   end
   return known[key]
