@@ -1,0 +1,28 @@
+--- Friction between two that both give way.
+
+local physics = require("physics")
+
+describe("a box that lands sliding on another", function()
+  --    +--+ 60 ->          the floor is ice, the boxes rub with 0.5:
+  --    +--+                they pull at each other with 0.5 * 800 = 400 px/s² each,
+  --  +------+              so the slip of 60 px/s ends after 60 / 800 s and 60² / 1600 px
+  --  +------+
+  -- ===========
+  for _, rate in ipairs({ 30, 60, 144, 240 }) do
+    it(("shares its momentum and slips 2.25 px, at %d Hz"):format(rate), function()
+      local world = physics.newWorld({ gravity = 800 })
+      world:add("ice", { x = -200, y = 116, width = 800, height = 16, static = true, friction = 0 })
+      local low = { x = 0, y = 100, width = 64, height = 16, friction = 0.5 }
+      local high = { x = 20, y = 84, width = 16, height = 16, friction = 0.5, vx = 60 }
+      world:add("boxes", low)
+      world:add("boxes", high)
+      for _ = 1, rate do
+        world:update(1 / rate)
+      end
+      assert.near(30, low.vx, 1e-6)
+      assert.near(30, high.vx, 1e-6)
+      assert.near(22.25, high.x - low.x, 2.25 * 0.02)
+      assert.equal(84, high.y)
+    end)
+  end
+end)
