@@ -22,17 +22,21 @@ local function bytesOf(world, play)
     play(step)
     world:update(1 / 60)
   end
-  local before = collectgarbage("count")
-  for step = 1, MEASURED do
-    play(step)
-    world:update(1 / 60)
+  -- The least of three windows: an array that grows once is no garbage of every step.
+  local least = math.huge
+  for _ = 1, 3 do
+    local before = collectgarbage("count")
+    for step = 1, MEASURED do
+      play(step)
+      world:update(1 / 60)
+    end
+    least = math.min(least, collectgarbage("count") - before)
   end
-  local after = collectgarbage("count")
   collectgarbage("restart")
   if wasOn then
     jit.on()
   end
-  return (after - before) * 1024
+  return least * 1024
 end
 
 local function nothing() end
