@@ -133,7 +133,8 @@ end
 function breakout.report()
   local broken = COLUMNS * #COLORS - #world.objects.bricks
   local lost = state.shots - state.hits - #(world.objects.bullets or {})
-  return ("breakout: broken=%d shots=%d lost=%d"):format(broken, state.shots, lost)
+  local result = "breakout: x=%d y=%d broken=%d shots=%d lost=%d"
+  return result:format(paddle.x, paddle.y, broken, state.shots, lost)
 end
 
 return breakout

@@ -134,7 +134,8 @@ function lifts.draw()
 end
 
 function lifts.report()
-  return ("lifts: coins=%d flattened=%d x=%d"):format(state.coins, state.flattened, player.x)
+  local result = "lifts: x=%d y=%d coins=%d flattened=%d"
+  return result:format(player.x, player.y, state.coins, state.flattened)
 end
 
 return lifts

@@ -125,7 +125,8 @@ function menu.mousepressed(x, y)
 end
 
 function menu.report()
-  return ("menu: boxes=%d"):format(#world.objects.boxes)
+  local boxes = world.objects.boxes
+  return ("menu: chosen=%d boxes=%d"):format(chosen, boxes and #boxes or 0)
 end
 
 return menu

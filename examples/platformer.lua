@@ -230,8 +230,8 @@ function platformer.draw()
 end
 
 function platformer.report()
-  local result = "platformer: x=%d coins=%d deaths=%d won=%s"
-  return result:format(player.x, state.coins, state.deaths, tostring(state.won or false))
+  local result = "platformer: x=%d y=%d coins=%d deaths=%d won=%s"
+  return result:format(player.x, player.y, state.coins, state.deaths, tostring(state.won or false))
 end
 
 return platformer

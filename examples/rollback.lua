@@ -181,9 +181,18 @@ function rollback.draw()
 end
 
 function rollback.report()
-  local result = "rollback: records=%d same=%d different=%d left=%d right=%d mode=%s"
-  local score = state.score
-  return result:format(#records, state.same, state.different, score[1], score[2], state.mode)
+  local result = "rollback: x=%d y=%d records=%d same=%d different=%d left=%d right=%d mode=%s"
+  local score, player = state.score, players[2]
+  return result:format(
+    player.x,
+    player.y,
+    #records,
+    state.same,
+    state.different,
+    score[1],
+    score[2],
+    state.mode
+  )
 end
 
 return rollback

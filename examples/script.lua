@@ -1,12 +1,15 @@
--- Plays an example without a player, for tests and pictures:
+-- The command line, and playing an example without a player, for tests and pictures:
 --
 --   love examples --example=platformer --frames=300 --shot=/tmp/shot.png
 --                 --keys="right:10-200,space:40-60,return:70"
 --
--- Every frame lasts exactly 1/60 s, so that a run can be repeated. At the end the picture is
--- written, the example's report is printed, and LÖVE quits with 0; an error quits with 1.
+-- `--example` alone starts there, to be played by hand; `--say` says what goes on (main.lua). With
+-- any of the others the script plays: every frame lasts exactly 1/60 s, so that a run can be
+-- repeated. At the end the picture is written, the example's report is printed, and LÖVE quits
+-- with 0; an error quits with 1.
 
 local input = require("input")
+local say = require("say")
 
 local STEP = 1 / 60
 local STEPS_PER_PICTURE = 10 -- drawing takes longest: not every frame is drawn
@@ -43,12 +46,14 @@ local OPTIONS = {
   end,
 }
 
---- Reads the command line. Without an option the examples are played by hand.
+--- Reads the command line. Without an option the examples are played by hand, from the menu on.
 function script.read(arguments)
   for _, argument in ipairs(arguments) do
     local name, value = argument:match("^%-%-(%w+)=(.*)$")
-    if name then
-      script.isOn = true
+    if argument == "--say" then
+      say.isOn = true
+    elseif name then
+      script.isOn = script.isOn or name ~= "example"
       local set = OPTIONS[name] or error("unknown option " .. argument)
       set(value)
     end

@@ -136,8 +136,8 @@ end
 
 function topdown.report()
   local shut = gate.active == false and "open" or "shut"
-  local result = "topdown: coins=%d x=%d y=%d gate=%s"
-  return result:format(state.coins, player.x, player.y, shut)
+  local result = "topdown: x=%d y=%d coins=%d gate=%s"
+  return result:format(player.x, player.y, state.coins, shut)
 end
 
 return topdown

@@ -115,6 +115,31 @@ for picture in "$pictures"/*.png; do
   check "$name: the picture is not empty" at_least "$name" colors 20
 done
 
+# Tests that only see what is printed, as in a browser, rely on the lines that main.lua describes.
+says() {
+  "${@:2}" | tee build/said
+  echo "expected: $1"
+  grep -Eqx "$1" build/said
+}
+moved="example platformer second 1: x=(3[0-9]{2}) y=[0-9]+ coins=[0-9]+ deaths=0 won=false"
+check "--say tells of the start" \
+  says "example lifts started" in_love --example=lifts --frames=2 --say
+check "--say tells where the player is" \
+  says "$moved" in_love --example=platformer --frames=70 --keys=right:10-60 --say
+check "nothing is said without it" \
+  refuses says "example .*" in_love --example=lifts --frames=70
+# Files beside main.lua do the same.
+copy=$PWD/build/copy
+rm -rf "$copy" && mkdir -p "$copy" && cp -r physics.lua physics examples "$copy"
+echo topdown >"$copy/examples/start.txt"
+in_copy() { xvfb-run -a timeout -k 2 120 love "$copy/examples" "$@"; }
+check "start.txt names the example" says "topdown: .*" in_copy --frames=2
+check "and says nothing by itself" refuses says "example .*" in_copy --frames=2
+touch "$copy/examples/say.txt"
+check "say.txt is --say" says "example topdown started" in_copy --frames=2
+check "an argument goes before start.txt" \
+  says "example lifts started" in_copy --example=lifts --frames=2
+
 # An example that fails has to be seen here, at once and not when the time is over.
 fails() {
   in_love "$@"
