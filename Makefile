@@ -1,7 +1,7 @@
 # The commands of this project. Each one sets up what it needs first (scripts/setup.sh).
 
 SHELL := bash
-.PHONY: help setup test lint format rock examples demo ci clean
+.PHONY: help setup test lint types format docs rock examples demo ci clean
 
 help: ## shows this list
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-9s %s\n", $$1, $$2 }' Makefile
@@ -14,6 +14,12 @@ test: setup ## runs the specs on every Lua: LuaJIT with and without JIT, 5.1 to 
 
 lint: setup ## luacheck and StyLua
 	@bash scripts/lint.sh
+
+types: setup ## emmylua_check over the library and the examples
+	@bash scripts/types.sh
+
+docs: setup ## writes docs/api.md and physics/types.lua from the docstrings and the table of fields
+	@luajit scripts/types.lua && luajit scripts/manual.lua
 
 format: setup ## lets StyLua rewrite the sources
 	@. scripts/checks.sh && bash scripts/stylua.sh $$(lua_sources)

@@ -16,6 +16,7 @@ local path = ...
 local pure = require(path .. ".pure")
 local world = require(path .. ".world")
 
+---@class physics.Module: physics.DefaultWorld
 local physics = {
   _VERSION = "0.1.0",
   _DESCRIPTION = "2D physics for boxes: exact contact, no seams, no tunnelling, pure Lua",
@@ -27,7 +28,7 @@ local default = world.new(nil, "physics")
 --- Returns a new, independent world.
 ---
 --- Errors: an unknown setting; a value that cannot be used.
----@param settings table? see the README for all settings and their defaults
+---@param settings physics.Settings? default: see physics/fields.lua
 ---@return physics.World
 function physics.newWorld(settings)
   return (world.new(settings, "newWorld(settings)"))
@@ -36,7 +37,7 @@ end
 --- Makes the default world anew, empty, with these settings.
 ---
 --- Errors: an unknown setting; a value that cannot be used.
----@param settings table?
+---@param settings physics.Settings? default: see physics/fields.lua
 function physics.load(settings)
   default = world.new(settings, "load(settings)")
 end
@@ -80,7 +81,7 @@ end
 
 -- `physics.objects`, `physics.gravity`, `physics.stats`, `physics.onBegin`, … are the default
 -- world's.
-return setmetatable(physics, {
+setmetatable(physics, {
   __index = function(_, name)
     return default[name]
   end,
@@ -88,3 +89,5 @@ return setmetatable(physics, {
     default[name] = value
   end,
 })
+
+return physics

@@ -15,7 +15,7 @@ local check = {}
 
 -- Blame ------------------------------------------------------------------------------------------
 
-local getinfo = type(debug) == "table" and debug.getinfo
+local getinfo = type(debug) == "table" and debug.getinfo or nil
 local ownSources = {} -- chunk names that are the library's
 local ownFolder -- prefix of the chunk names in its folder, nil: it was joined in one file
 
@@ -329,9 +329,7 @@ local function describe(path, field, value)
 end
 
 --- Returns whether a value fits an entry of `fields.lua`; nil does not.
----@param field physics.Field
----@param value any
----@return boolean
+---@type fun(field: physics.Field, value: any): boolean
 check.accepts = isAccepted
 
 --- Checks one value against an entry of `fields.lua`.

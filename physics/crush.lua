@@ -16,7 +16,7 @@ local MOST_STACKED = 256
 
 -- The nearest of those welded to i on one side of it, 0: none.
 local function weldedTo(b, i, axis, isLow)
-  local from, k, best, bestAt = b.from, 2 * i + axis, 0, 0
+  local from, k, best, bestAt = b.from, 2 * i + axis, 0, 0.0
   local half = b.head[i]
   while half ~= 0 do
     local j = b.other[half]

@@ -169,7 +169,8 @@ function friction.rub(b, lo, hi, axis, jn, share, tau, t)
   end
   local kl, kh = 2 * lo + axis, 2 * hi + axis
   local tl, th = 2 * lo + 1 - axis, 2 * hi + 1 - axis
-  local up, low, ku, kw = 0, 0, 0, 0
+  local up, low = 0, 0
+  local ku, kw ---@type number, number
   if b.down[kl] > 0 then
     up, low, ku, kw = lo, hi, tl, th
   elseif b.down[kh] < 0 then

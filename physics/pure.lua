@@ -48,7 +48,7 @@ end
 -- The side of the first that is hit, or false.
 local function collide(x1, y1, w1, h1, x2, y2, w2, h2, sideBySide)
   local width, height = aabb.overlap(x1, y1, w1, h1, x2, y2, w2, h2)
-  local isHit
+  local isHit ---@type boolean
   if sideBySide then
     isHit = width >= -FLUSH and height >= -FLUSH
   else
@@ -117,9 +117,9 @@ end
 --- Source: opposite sides difference, the third method of the tutorial.
 ---
 --- Errors: `a` or `b` has no usable x, y, width, height.
----@param a table a rectangle: x, y, width, height in px
----@param b table the other one
----@return "right"|"left"|"top"|"bottom" side of `a`; that of `b` is the opposite one
+---@param a physics.Box a rectangle: x, y, width, height in px
+---@param b physics.Box the other one
+---@return physics.Side side of `a`; that of `b` is the opposite one
 function pure.side(a, b)
   checkBox(a, "side(a, b): a")
   checkBox(b, "side(a, b): b")
@@ -133,11 +133,11 @@ end
 --- Source: intersection rectangle, then opposite sides difference.
 ---
 --- Errors: `a` or `b` has no usable x, y, width, height; `sideBySide` is not a boolean.
----@param a table a rectangle: x, y, width, height in px
----@param b table the other one
+---@param a physics.Box a rectangle: x, y, width, height in px
+---@param b physics.Box the other one
 ---@param sideBySide boolean? true: flush neighbours count; default false
----@return "right"|"left"|"top"|"bottom"|false side of `a`; that of `b` is the opposite one
----@overload fun(x1: number, y1: number, ...: number|boolean): string|false
+---@return physics.Side|false side of `a`; that of `b` is the opposite one
+---@overload fun(x1: number, y1: number, ...: number|boolean): physics.Side|false
 function pure.checkCollision(a, b, sideBySide, ...)
   if type(a) == "number" then
     return checkCollisionOfNumbers(a, b, sideBySide, ...)
@@ -222,10 +222,10 @@ end
 ---
 --- Errors: an object has no usable x, y, width, height; the two are the same; an unknown mode; when
 --- they overlap also an unusable static, kinematic, pushable or mass.
----@param a table an object: x, y, width, height in px, optional static, kinematic, pushable, mass
----@param b table the other one
+---@param a physics.NewObject x, y, width, height in px, optional static, kinematic, pushable, mass
+---@param b physics.NewObject the other one
 ---@param mode "both"|"first"|nil who gives way, default "both"
----@return "right"|"left"|"top"|"bottom"|false side of `a`; that of `b` is the opposite one
+---@return physics.Side|false side of `a`; that of `b` is the opposite one
 function pure.bump(a, b, mode)
   checkBox(a, "bump(a, b): a")
   checkBox(b, "bump(a, b): b")

@@ -285,7 +285,7 @@ function query.raycast(world, x1, y1, x2, y2, filter)
   local found = view.take(v)
   local dx, dy = x2 - x1, y2 - y1
   local length = max(dx, -dx, dy, -dy)
-  local from, piece = -1, FIRST_PIECE
+  local from, piece = -1.0, FIRST_PIECE
   local done, hit = 0
   repeat
     local to = done + piece < length and (done + piece) / length or 1

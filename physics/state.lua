@@ -327,6 +327,7 @@ local function readFriction(b, slot)
   return b.friction[slot] >= 0 and b.friction[slot]
 end
 
+---@type table<integer, number|false>
 local ABSENT_FRICTION = { [STATIC] = false, [KINEMATIC] = false, [DYNAMIC] = 0 }
 
 local function absentFriction(b, slot)

@@ -27,10 +27,14 @@ local state = require(here .. ".state")
 local view = require(here .. ".view")
 
 --- An independent world: a table of groups of objects, settings as plain fields, and the steps.
----@class physics.World
----@field objects table<string|number, table> the game's groups of objects
+--- Its settings are fields of it, too.
+---@class physics.World: physics.WorldSettings
+---@field objects table<string|number, any> the game's groups of objects
 ---@field stats physics.Stats counters of the last step
 ---@field alpha number share of a fixed step that is saved up, 0..1
+---@field package _bodies table the columns of the simulation
+---@field package _saved number s, time for which no fixed step was made yet
+---@field package _walls table what `setBounds` has put there
 local World = {}
 World.__index = World
 
@@ -208,32 +212,8 @@ local function checkObjects(self)
   end
 end
 
---- Puts an object at the end of a group, which is made if it is not there. The same as
---- `table.insert(world.objects[group], object)`, but it checks the fields at once and gives the
---- object its `touching`.
----
---- Errors: a group that is no name; no table; a field that cannot be used; an object that already
---- stands in the world. Nothing has changed then.
----@generic T: table
----@param group string|number name of the group
----@param object T
----@return T object
-function World:add(group, object)
-  checkSelf(self, "add(group, object)")
-  checkIdle(self._bodies, "add(group, object)")
-  check.group(group, "world:add(group, object)")
-  check.table(object, "object", "world:add(group, object)")
-  checkObjects(self)
-  local known = self.objects[group]
-  local n = type(known) == "table" and #known or 0
-  check.object(object, check.place(group, n + 1))
-  local given = self._bodies.roster
-  local found, _, name, key = whereIs(self, object)
-  if found then
-    check.fail("world:add(group, object): the object already stands at " .. check.place(name, key))
-  end
-  local members = groupFor(self, group)
-  members[#members + 1] = object
+-- What an object has at once that comes through `add`.
+local function welcome(given, object, group)
   given.groupGiven[object] = group
   if not object.static and not object.kinematic then
     object.touching = collect.newTouching()
@@ -243,11 +223,39 @@ function World:add(group, object)
   return object
 end
 
+--- Puts an object at the end of a group, which is made if it is not there. The same as
+--- `table.insert(world.objects[group], object)`, but it checks the fields at once and gives the
+--- object its `touching`.
+---
+--- Errors: a group that is no name; no table; a field that cannot be used; an object that already
+--- stands in the world. Nothing has changed then.
+---@generic T: physics.NewObject
+---@param group string|number name of the group
+---@param object T the game's own table: x, y, width, height and whatever else
+---@return T & physics.Object object the same table
+function World:add(group, object)
+  checkSelf(self, "add(group, object)")
+  checkIdle(self._bodies, "add(group, object)")
+  check.group(group, "world:add(group, object)")
+  check.table(object, "object", "world:add(group, object)")
+  checkObjects(self)
+  local known = self.objects[group]
+  local n = type(known) == "table" and #known or 0
+  check.object(object, check.place(group, n + 1))
+  local found, _, name, key = whereIs(self, object)
+  if found then
+    check.fail("world:add(group, object): the object already stands at " .. check.place(name, key))
+  end
+  local members = groupFor(self, group)
+  members[#members + 1] = object
+  return welcome(self._bodies.roster, object, group)
+end
+
 --- Takes an object out of the world, out of its group's table. Its contacts end with `onEnd` at the
 --- next update.
 ---
 --- Errors: no table.
----@param object table
+---@param object physics.NewObject who is to go
 ---@return boolean removed false: it was not in the world
 function World:remove(object)
   checkSelf(self, "remove(object)")
@@ -272,7 +280,7 @@ end
 --- static object. Also tells later questions that it has gone far away.
 ---
 --- Errors: no table; an object that is not in the world; a field that cannot be used.
----@param object table
+---@param object physics.NewObject who was changed
 function World:refresh(object)
   checkSelf(self, "refresh(object)")
   local b = self._bodies
@@ -292,7 +300,7 @@ end
 --- of them.
 ---
 --- Errors: no table; an object that is not in the world.
----@param object table
+---@param object physics.NewObject who stands there
 ---@return boolean dropped false: it stands on none
 function World:dropThrough(object)
   checkSelf(self, "dropThrough(object)")
@@ -312,6 +320,11 @@ end
 
 -- State -------------------------------------------------------------------------------------------
 
+--- What `save` returns: numbers, strings, booleans and tables of them. Its inside may change from
+--- version to version.
+---@class physics.State
+---@field [string] any
+
 --- Returns all that a future step depends on, as a plain table of numbers, strings, booleans and
 --- tables that any serializer can write: no functions, no cycles, no infinities. Restored, the run
 --- goes on to the bit, also in another process and on another Lua. Saving changes nothing.
@@ -325,9 +338,9 @@ end
 --- callback it holds what is still to be told; the event that is being told counts as told.
 ---
 --- Errors: something that `update` would refuse; called from inside `canCollide`; no table.
----@param out table? a state of this world that is not needed any more, to be filled anew: in a
----  steady scene nothing is left to the garbage collector then
----@return table state
+---@param out physics.State? a state of this world that is not needed any more, to be filled anew:
+---  in a steady scene nothing is left to the garbage collector then
+---@return physics.State state
 function World:save(out)
   checkSelf(self, "save()")
   checkIdle(self._bodies, "save()")
@@ -350,7 +363,7 @@ end
 ---
 --- Errors: no state, one of another version, or one that is damaged; called from inside
 --- `canCollide`. Nothing has changed then.
----@param saved table what `save` returned, or a copy
+---@param saved physics.State what `save` returned, or a copy
 function World:restore(saved)
   checkSelf(self, "restore(state)")
   checkIdle(self._bodies, "restore(state)")
@@ -379,10 +392,13 @@ local function between(b, slot, k, now, alpha)
   return b.position[k] - (b.position[k] - b.last[k]) * (1 - alpha)
 end
 
---- Draws the world (LÖVE only). See physics/draw.lua for the options.
+--- Draws the world as the physics sees it (LÖVE only): static grey, kinematic blue, dynamic orange
+--- (brown at rest), sensors as a green outline, inactive ones faintly, the solid side of one-way
+--- objects violet, sides that touch light. It can be seen on dark and on light ground. Uses the
+--- caller's transform; leaves colour, font and transform as they were.
 ---
 --- Errors: an unknown option, or a wrong value for one.
----@param options table?
+---@param options physics.DrawOptions? what to show
 function World:draw(options)
   checkSelf(self, "draw(options)")
   require(here .. ".draw").draw(self, options)
@@ -393,7 +409,7 @@ end
 --- put somewhere by the game is drawn where it is; without `timestep` everybody is.
 ---
 --- Errors: no table.
----@param object table
+---@param object physics.NewObject who is to be drawn
 ---@return number x px
 ---@return number y px
 function World:interpolate(object)
@@ -457,8 +473,8 @@ end
 ---@param x number px
 ---@param y number px
 ---@param filter physics.Filter? default everybody
----@param out table[]? list to fill, default a new one
----@return table[] objects in the order of the world
+---@param out physics.Object[]? list to fill, default a new one
+---@return physics.Object[] objects in the order of the world
 ---@return integer count
 function World:queryPoint(x, y, filter, out)
   local call = "queryPoint(x, y)"
@@ -477,8 +493,8 @@ end
 ---@param w number px, > 0
 ---@param h number px, > 0
 ---@param filter physics.Filter? default everybody
----@param out table[]? list to fill, default a new one
----@return table[] objects in the order of the world
+---@param out physics.Object[]? list to fill, default a new one
+---@return physics.Object[] objects in the order of the world
 ---@return integer count
 function World:queryRect(x, y, w, h, filter, out)
   checkQuestion(self, "queryRect(x, y, w, h)", filter, out)
@@ -498,8 +514,8 @@ end
 ---@param x2 number px
 ---@param y2 number px
 ---@param filter physics.Filter? default everybody
----@param out table[]? list to fill, default a new one
----@return table[] objects nearest first, ties in the order of the world
+---@param out physics.Object[]? list to fill, default a new one
+---@return physics.Object[] objects nearest first, ties in the order of the world
 ---@return integer count
 function World:querySegment(x1, y1, x2, y2, filter, out)
   checkQuestion(self, "querySegment(x1, y1, x2, y2)", filter, out)
@@ -527,11 +543,11 @@ end
 ---@param x2 number px
 ---@param y2 number px
 ---@param filter physics.Filter? default everybody
----@return table? object nil: the line is free, and nothing else is returned
+---@return physics.Object? object nil: the line is free, and nothing else is returned
 ---@return number x px, where it is hit
 ---@return number y px
 ---@return number nx normal of the side that is hit: -1, 0, 1
----@return number ny
+---@return number ny likewise
 ---@return number fraction of the line, 0..1
 function World:raycast(x1, y1, x2, y2, filter)
   checkQuestion(self, "raycast(x1, y1, x2, y2)", filter)
@@ -541,7 +557,7 @@ function World:raycast(x1, y1, x2, y2, filter)
   if object then
     return object, x, y, nx, ny, fraction
   end
-end
+end ---@diagnostic disable-line: missing-return
 
 --- Finds what would stop an object on its way by (dx, dy): solids that its mask, theirs and the
 --- world's do not let pass, one-ways on their solid side; not sensors. `canCollide` is not asked.
@@ -549,15 +565,15 @@ end
 --- is not. Nothing moves.
 ---
 --- Errors: no table; an object that is not in the world; no finite number; no filter.
----@param object table
+---@param object physics.NewObject who would move
 ---@param dx number px
 ---@param dy number px
 ---@param filter physics.Filter? default everybody
----@return table? other nil: the way is free, and nothing else is returned
+---@return physics.Object? other nil: the way is free, and nothing else is returned
 ---@return number x px, where `object` would be then, flush
 ---@return number y px
 ---@return number nx normal of the side that is hit: -1, 0, 1
----@return number ny
+---@return number ny likewise
 ---@return number fraction of the way, 0..1
 function World:sweep(object, dx, dy, filter)
   local where = "world:sweep(object, dx, dy)"
@@ -571,7 +587,7 @@ function World:sweep(object, dx, dy, filter)
   elseif x == false then
     failMissing("sweep(object, dx, dy)", object)
   end
-end
+end ---@diagnostic disable-line: missing-return
 
 --- Finds the object nearest to a point; ties in the order of the world.
 ---
@@ -580,7 +596,7 @@ end
 ---@param y number px
 ---@param radius number px, >= 0: how far it looks
 ---@param filter physics.Filter? default everybody
----@return table? object nil: there is none
+---@return physics.Object? object nil: there is none
 ---@return number distance px, from the point to the edge, 0: inside
 function World:nearest(x, y, radius, filter)
   local where = "world:nearest(x, y, radius)"
@@ -591,16 +607,16 @@ function World:nearest(x, y, radius, filter)
   if object then
     return object, distance
   end
-end
+end ---@diagnostic disable-line: missing-return
 
 --- Finds everybody who overlaps an object by more than 1e-6 px, whatever the masks say; with the
 --- setting `sideBySide` also who is flush with it. An object that is not active overlaps nobody.
 ---
 --- Errors: no table; an object that is not in the world; no filter; `out` is no table.
----@param object table
+---@param object physics.NewObject one of the world
 ---@param filter physics.Filter? default everybody
----@param out table[]? list to fill, default a new one
----@return table[] objects in the order of the world, without `object`
+---@param out physics.Object[]? list to fill, default a new one
+---@return physics.Object[] objects in the order of the world, without `object`
 ---@return integer count
 function World:overlapping(object, filter, out)
   checkQuestion(self, "overlapping(object)", filter, out)
@@ -617,9 +633,9 @@ end
 --- `sideBySide` who is flush is in contact.
 ---
 --- Errors: no table; an object that is not in the world.
----@param a table
----@param b table
----@return "left"|"right"|"top"|"bottom"|nil side of `a`, nil: no contact
+---@param a physics.NewObject one of the two
+---@param b physics.NewObject the other one
+---@return physics.Side? side of `a`, nil: no contact
 function World:touching(a, b)
   checkQuestion(self, "touching(a, b)")
   check.table(a, "a", "world:touching(a, b)")
@@ -634,8 +650,8 @@ end
 --- Says in one sentence why two objects do or do not collide: for debugging, its words may change.
 ---
 --- Errors: no table.
----@param a table
----@param b table
+---@param a physics.NewObject one of the two
+---@param b physics.NewObject the other one
 ---@return string sentence
 function World:explain(a, b)
   checkQuestion(self, "explain(a, b)")
@@ -647,15 +663,17 @@ end
 
 -- Moving by hand ----------------------------------------------------------------------------------
 
----@alias physics.Filter string|number|(string|number)[]|fun(object: table): any
+---@alias physics.Filter string|number|(string|number)[]|fun(object: physics.Object): any
 ---@alias physics.Response "slide"|"touch"|"cross"|"bounce"
+---@alias physics.Responses physics.Response|false|nil
+---@alias physics.Respond fun(object: physics.Object, other: physics.Object): physics.Responses
 ---@class physics.Hit
----@field other table who was met
----@field side "left"|"right"|"top"|"bottom" side of the object that moved
+---@field other physics.Object who was met
+---@field side physics.Side side of the object that moved
 ---@field x number px, where the object was then
 ---@field y number px
 ---@field nx number normal of the side of `other`: -1, 0, 1
----@field ny number
+---@field ny number likewise
 ---@field fraction number of the way asked for, 0..1
 ---@field response physics.Response what came of it
 
@@ -677,10 +695,10 @@ end
 ---
 --- Errors: no table; an object that is not in the world; a static one; no finite number; an unknown
 --- response; called from inside `canCollide`. Nothing has moved then.
----@param object table dynamic or kinematic
+---@param object physics.NewObject dynamic or kinematic
 ---@param x number px, left edge where it should go
 ---@param y number px, top edge
----@param response physics.Response|fun(object: table, other: table): physics.Response|false|nil|nil
+---@param response physics.Response|physics.Respond|nil default "slide"
 ---@param out physics.Hit[]? list of an earlier call, to be filled anew
 ---@return number x px, where it is now
 ---@return number y px
@@ -708,9 +726,9 @@ local PUSHED = { "vx", "vy", "mass" }
 ---
 --- Errors: no table; an object that is not in the world, or not dynamic; no finite number; a field
 --- that cannot be used; called from inside `canCollide`.
----@param object table
+---@param object physics.NewObject a dynamic one
 ---@param ix number px/s times mass
----@param iy number
+---@param iy number likewise
 function World:impulse(object, ix, iy)
   local call, where = "impulse(object, ix, iy)", "world:impulse(object, ix, iy)"
   checkSelf(self, call)

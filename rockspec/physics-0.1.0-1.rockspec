@@ -69,6 +69,7 @@ build = {
     ["physics.sort"] = "physics/sort.lua",
     ["physics.state"] = "physics/state.lua",
     ["physics.sweep"] = "physics/sweep.lua",
+    ["physics.types"] = "physics/types.lua",
     ["physics.verify"] = "physics/verify.lua",
     ["physics.view"] = "physics/view.lua",
     ["physics.weld"] = "physics/weld.lua",

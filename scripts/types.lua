@@ -1,0 +1,159 @@
+--- Writes the types that editors read (LuaLS, EmmyLua): for what physics/fields.lua lists, and for
+--- the functions of the module that are the methods of the default world.
+---
+---   luajit scripts/types.lua        writes physics/types.lua
+
+package.path = "./?.lua;" .. package.path
+
+local docstrings = require("scripts.docstrings")
+local fields = require("physics.fields")
+local typedFields = require("scripts.typed_fields")
+
+local types = {}
+
+local COLUMNS = 100
+
+local HEAD = [[
+---@meta _
+--- The types of this library for editors (LuaLS, EmmyLua). Nothing requires this file.
+--- Written by scripts/types.lua from physics/fields.lua and physics/world.lua: change those.
+
+---@alias physics.Side "left"|"right"|"top"|"bottom"
+
+--- A rectangle: left edge, top edge and size, in px. Fields of the game's own may stand beside.
+---@class physics.Box
+---@field x number px, the left edge
+---@field y number px, the top edge; y grows downwards
+---@field width number px, > 0
+---@field height number px, > 0
+---@field [string|number] any
+
+--- What a dynamic object touches on each side: the neighbour with the widest common edge, or false.
+---@class physics.Touching
+---@field top physics.Object|false
+---@field bottom physics.Object|false
+---@field left physics.Object|false
+---@field right physics.Object|false
+]]
+
+-- "px/s, >= 0, default 0. The limit ..."
+local function meaning(field)
+  local parts = {}
+  local default = typedFields.default(field):gsub("`", "")
+  local isGiven = not (field.required or field.written)
+  for _, part in ipairs({
+    field.unit or "",
+    typedFields.range(field),
+    isGiven and "default " .. default or "",
+  }) do
+    if part ~= "" then
+      parts[#parts + 1] = part
+    end
+  end
+  local head = table.concat(parts, ", ")
+  return head == "" and field.meaning or head .. ". " .. field.meaning
+end
+
+local function add(lines, ...)
+  for i = 1, select("#", ...) do
+    lines[#lines + 1] = (select(i, ...))
+  end
+end
+
+-- Adds a text as comment, broken into lines of at most `COLUMNS`.
+local function addText(lines, text)
+  local line = "---"
+  for word in text:gmatch("%S+") do
+    if #line + 1 + #word > COLUMNS then
+      add(lines, line)
+      line = "---"
+    end
+    line = line .. " " .. word
+  end
+  add(lines, line)
+end
+
+-- The text above a field is its own, below the head of its class.
+local function addField(lines, field, isOptional)
+  addText(lines, meaning(field))
+  local name = field.name .. (isOptional and "?" or "")
+  add(lines, ("---@field %s %s"):format(name, typedFields.type(field)))
+end
+
+local function addObjects(lines)
+  add(lines, "", "--- What a game gives to `add`, or puts into a group: a table of its own.")
+  add(lines, "---@class physics.NewObject: physics.Box")
+  for _, field in ipairs(fields.objects) do
+    if not field.required and not field.written then
+      addField(lines, field, true)
+    end
+  end
+  add(
+    lines,
+    "",
+    "--- An object in a world. `vx`, `vy` and `touching` are there when it is dynamic."
+  )
+  add(lines, "---@class physics.Object: physics.NewObject")
+  for _, field in ipairs(fields.objects) do
+    if field.written or field.name == "vx" or field.name == "vy" then
+      addField(lines, field, false)
+    end
+  end
+end
+
+local function addSettings(lines)
+  add(lines, "", "--- What `newWorld` and `load` take.", "---@class physics.Settings")
+  for _, field in ipairs(fields.settings) do
+    addField(lines, field, true)
+  end
+  add(lines, "", "--- The settings as fields of a world: they may change between two updates.")
+  add(lines, "---@class physics.WorldSettings")
+  for _, field in ipairs(fields.settings) do
+    addField(lines, field, field.default == nil)
+  end
+end
+
+local function addFunction(lines, entry)
+  add(lines, "")
+  for _, line in ipairs(entry.text) do
+    add(lines, line == "" and "---" or "--- " .. line)
+  end
+  for _, tag in ipairs(entry.tags) do
+    add(lines, "---" .. tag)
+  end
+  add(lines, ("function default.%s(%s) end"):format(entry.name, entry.arguments))
+end
+
+-- The fields of a world that its docstring names; those for the library alone begin with "_".
+local function addWorldFields(lines)
+  for _, entry in ipairs(docstrings.read("physics/world.lua")) do
+    for _, field in ipairs(entry.name == "physics.World" and entry.fields or {}) do
+      add(lines, ("---@field %s %s %s"):format(field.name, field.type, field.text))
+    end
+  end
+end
+
+--- Returns the text of physics/types.lua.
+---@return string
+function types.text()
+  local lines = {}
+  addObjects(lines)
+  addSettings(lines)
+  add(lines, "", "--- The default world, which the functions of the module mean.")
+  add(lines, "---@class physics.DefaultWorld: physics.WorldSettings")
+  addWorldFields(lines)
+  add(lines, "local default = {}")
+  local _, methods = docstrings.functions("physics/world.lua", "World")
+  for _, entry in ipairs(methods) do
+    addFunction(lines, entry)
+  end
+  return HEAD .. table.concat(lines, "\n") .. "\n"
+end
+
+if arg and arg[0] and arg[0]:find("scripts/types.lua", 1, true) then
+  local file = assert(io.open("physics/types.lua", "wb"))
+  file:write(types.text())
+  file:close()
+end
+
+return types

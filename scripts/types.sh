@@ -1,0 +1,68 @@
+#!/usr/bin/env bash
+# The types of the library and of the examples (emmylua_check, .emmyrc.json), and whether they find
+# the mistakes that they are there for.
+set -uo pipefail
+. "$(dirname "$0")/checks.sh"
+
+# What is checked is a copy: the checker does not know that `...` of a file is a string.
+copy=$PWD/build/types
+rm -rf "$copy" && mkdir -p "$copy"
+cp -r .emmyrc.json physics.lua physics examples "$copy"
+find "$copy" -name '*.lua' -exec sed -i 's/= (\.\.\.):match/= (... --[[@as string]]):match/' {} +
+
+emmylua() { bash scripts/emmylua.sh --warnings-as-errors "$copy"; }
+
+check "emmylua_check starts" bash scripts/emmylua.sh --version
+check "no warning in the library and the examples" emmylua
+
+# What a game writes, and the name of the warning that it must get, or "nothing".
+says() {
+  local code=$1 game=$copy/game.lua found
+  cat >"$game" <<LUA
+local physics = require("physics")
+local world = physics.newWorld({ gravity = 800, push = "first" })
+local player = world:add("players", { x = 0, y = 0, width = 8, height = 8, coins = 0 })
+$2
+return { physics, world, player }
+LUA
+  # The report has a part for each file, which begins with its name.
+  found=$(bash scripts/emmylua.sh "$copy" | awk '/^--- / { isOurs = $2 == "game.lua" } isOurs')
+  rm "$game"
+  echo "expected $code, found: ${found:-nothing}"
+  if [ "$code" = nothing ]; then
+    [ -z "$found" ]
+  else
+    [[ $found == *"$code"* ]]
+  fi
+}
+finds() { check "types: $1 is found" says "$2" "$3"; }
+allows() { check "types: $1 is allowed" says nothing "$2"; }
+
+allows "a field of the game's own" 'player.coins = player.coins + 1'
+allows "reading a velocity" 'player.vx = player.vx * 0.5'
+allows "asking who is touched" 'if player.touching.bottom then player.vy = -400 end'
+allows "a callback" 'function player.onBegin(_, other, _, speed) other.vx = speed end'
+allows "a setting of the default world" 'physics.gravity = physics.gravity * 2'
+allows "a method of the default world" 'physics.add("boxes", player).vx = 3; physics.update(1 / 60)'
+allows "a group by hand" 'world.objects.boxes = { { x = 0, y = 0, width = 8, height = 8 } }'
+allows "a hit" 'local _, _, hits = world:move(player, 3, 4); print(hits[1].other, hits[1].nx + 1)'
+allows "eight numbers" 'print(physics.checkCollision(0, 0, 8, 8, 4, 4, 8, 8))'
+
+finds "a string as velocity" assign-type-mismatch 'player.vx = "fast"'
+finds "a side that does not exist" assign-type-mismatch 'player.oneWay = "up"'
+finds "an object without a height" generic-constraint-mismatch \
+  'world:add("boxes", { x = 0, y = 0, width = 8 })'
+finds "a mass of the wrong type" generic-constraint-mismatch \
+  'world:add("boxes", { x = 0, y = 0, width = 8, height = 8, mass = "1" })'
+finds "a setting of the wrong type" param-type-mismatch 'physics.load({ gravity = "9" })'
+finds "a mode that does not exist" param-type-mismatch 'physics.newWorld({ push = "second" })'
+finds "a wrong setting at run time" assign-type-mismatch 'world.maxStep = false'
+finds "a method that does not exist" undefined-field 'world:updaet(1)'
+finds "a function that does not exist" undefined-field 'physics.updaet(1)'
+finds "a counter that does not exist" undefined-field 'print(world.stats.boxes)'
+finds "a missing argument" missing-parameter 'world:update()'
+finds "a wrong argument of the module" param-type-mismatch 'physics.update("1")'
+finds "a response that does not exist" param-type-mismatch 'world:move(player, 0, 0, "slip")'
+finds "an option of the wrong type" param-type-mismatch 'physics.draw({ fill = 1 })'
+
+finish
