@@ -1,10 +1,10 @@
 # The commands of this project. Each one sets up what it needs first (scripts/setup.sh).
 
 SHELL := bash
-.PHONY: help setup test lint types format docs rock examples demo ci clean
+.PHONY: help setup test lint types format docs rock single test-single examples demo ci clean
 
 help: ## shows this list
-	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-9s %s\n", $$1, $$2 }' Makefile
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-11s %s\n", $$1, $$2 }' Makefile
 
 setup: ## installs what the other targets need (Debian, Ubuntu)
 	@bash scripts/setup.sh
@@ -26,6 +26,12 @@ format: setup ## lets StyLua rewrite the sources
 
 rock: setup ## installs the rock into lua_modules/ and runs it from another folder
 	@bash scripts/rock.sh
+
+single: setup ## writes the whole library as one file, build/physics.lua
+	@bash scripts/single.sh
+
+test-single: setup ## runs the specs against that file
+	@bash scripts/single.sh --test
 
 examples: setup ## plays every example without a display, leaves pictures in build/pictures/
 	@bash scripts/examples.sh

@@ -25,6 +25,26 @@ check() {
 # refuses COMMAND...: succeeds when the command fails. For checks of the checks themselves.
 refuses() { ! "$@"; }
 
+# count_specs WHAT CODE LOG SECONDS: counts the specs of a run of busted that has ended.
+count_specs() {
+  local what=$1 code=$2 log=$3 seconds=$4 summary good bad broken pending
+  summary=$(grep -E '^[0-9]+ success(es)? / [0-9]+ failures? / [0-9]+ errors? / [0-9]+ pending' \
+    "$log" | tail -n 1)
+  read -r good _ _ bad _ _ broken _ _ pending _ <<<"${summary:-0 - - 0 - - 0 - - 0 -}"
+  # A run that dies, or that finds no spec, leaves no number that would count: it fails as a whole.
+  if [ "$good" -eq 0 ] || { [ "$code" -ne 0 ] && [ $((bad + broken)) -eq 0 ]; }; then
+    broken=$((broken + 1))
+  fi
+  passed=$((passed + good))
+  failed=$((failed + bad + broken))
+  if [ $((bad + broken)) -gt 0 ]; then
+    echo "FAILED  specs on $what: $good passed, $((bad + broken)) failed ($seconds s)"
+    tail -n 200 "$log" | sed 's/^/        /'
+  else
+    echo "ok      specs on $what: $good passed, $pending pending ($seconds s)"
+  fi
+}
+
 finish() {
   echo "$passed passed, $failed failed"
   [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

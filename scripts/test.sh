@@ -42,21 +42,7 @@ printf '%s' "$interpreters" | sed '/^$/d' | tr '\n' '\0' |
 while IFS=: read -r name _; do
   [ -n "$name" ] || continue
   read -r code seconds <"$logs/$name.status"
-  summary=$(grep -E '^[0-9]+ success(es)? / [0-9]+ failures? / [0-9]+ errors? / [0-9]+ pending' \
-    "$logs/$name.log" | tail -n 1)
-  read -r good _ _ bad _ _ broken _ _ pending _ <<<"${summary:-0 - - 0 - - 0 - - 0 -}"
-  # A run that dies, or that finds no spec, leaves no number that would count: it fails as a whole.
-  if [ "$good" -eq 0 ] || { [ "$code" -ne 0 ] && [ $((bad + broken)) -eq 0 ]; }; then
-    broken=$((broken + 1))
-  fi
-  passed=$((passed + good))
-  failed=$((failed + bad + broken))
-  if [ $((bad + broken)) -gt 0 ]; then
-    echo "FAILED  specs on $name: $good passed, $((bad + broken)) failed (${seconds} s)"
-    tail -n 200 "$logs/$name.log" | sed 's/^/        /'
-  else
-    echo "ok      specs on $name: $good passed, $pending pending (${seconds} s)"
-  fi
+  count_specs "$name" "$code" "$logs/$name.log" "$seconds"
 done <<<"$interpreters"
 
 finish

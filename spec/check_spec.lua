@@ -1,4 +1,5 @@
---- Errors: their words, and whom they blame.
+--- Errors: their words, and whom they blame. What loads physics/check.lua itself is tagged #files:
+--- there is no such file when the library is one (scripts/single.sh).
 
 local check = require("physics.check")
 local fields = require("physics.fields")
@@ -104,7 +105,7 @@ describe("check", function()
       { "a folder like a file", "@physics/check.lua", "@physics.lua", "physics2.lua" },
     }) do
       local name, checkChunk, libraryChunk, gameFile = row[1], row[2], row[3], row[4]
-      it("blames the game in " .. name, function()
+      it("blames the game in " .. name .. " #files", function()
         local call = libraryFunction(loadCheck(checkChunk), libraryChunk)
         assert.equal(
           gameFile .. ":2: physics: oops",
@@ -113,7 +114,7 @@ describe("check", function()
       end)
     end
 
-    it("blames a callback of the game that misuses the library", function()
+    it("blames a callback of the game that misuses the library #files", function()
       local loaded = loadCheck("@physics/check.lua")
       local update = libraryFunction(loaded, "@physics/world.lua")
       local callback = gameFunction("@callback.lua", update)
@@ -121,7 +122,7 @@ describe("check", function()
       assert.equal("callback.lua:2: physics: oops", messageOf(gameFunction("@main.lua", step)))
     end)
 
-    it("finds the game behind a tail call in the library", function()
+    it("finds the game behind a tail call in the library #files", function()
       local loaded = loadCheck("@physics/check.lua")
       local inner = libraryFunction(loaded, "@physics/world.lua")
       local text = "local call = ... return function() return call() end"
@@ -129,7 +130,7 @@ describe("check", function()
       assert.equal("main.lua:2: physics: oops", messageOf(gameFunction("@main.lua", door)))
     end)
 
-    it("blames the third level where there is no debug library", function()
+    it("blames the third level where there is no debug library #files", function()
       local environment = setmetatable({ debug = false }, { __index = _G })
       local loaded = loadCheck("@physics/check.lua", environment)
       local call = libraryFunction(loaded, "@physics.lua")
@@ -137,7 +138,7 @@ describe("check", function()
     end)
   end)
 
-  describe(".own", function()
+  describe(".own #files", function()
     local DOOR = "local check = ... check.own() return function() check.fail('oops') end"
 
     it("makes a file that stands elsewhere part of the library", function()

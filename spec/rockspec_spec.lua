@@ -32,7 +32,7 @@ local function modulesOnDisk()
 end
 
 describe("the rockspec", function()
-  it("installs every file of the library", function()
+  it("installs every file of the library #files", function()
     assert.same(modulesOnDisk(), readRockspec().build.modules)
   end)
 

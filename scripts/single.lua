@@ -1,0 +1,68 @@
+-- Writes the whole library as one file, for those who want to copy one:
+--
+--   luajit scripts/single.lua build/physics.lua
+--
+-- Each module becomes a function in that file, and `require` a local function that knows only
+-- these: neither `package.preload` nor `package.loaded` is touched, so two copies of the file, or
+-- the file and the folder, live side by side. The door gets the same name wherever the file lies,
+-- `require "physics"` and `require "lib.physics"` find it by its own name.
+
+local path = assert(arg[1], "which file to write?")
+
+local function read(name)
+  local file = assert(io.open(name, "rb"))
+  local text = file:read("*a")
+  file:close()
+  return text
+end
+
+local function list(command)
+  local pipe = assert(io.popen(command))
+  local text = pipe:read("*a")
+  pipe:close()
+  return text:gmatch("[^\n]+")
+end
+
+-- A text as a comment.
+local function commented(text)
+  return (("\n" .. text:gsub("%s+$", "")):gsub("\n", "\n-- "):gsub(" +%f[\n]", ""):sub(2))
+end
+
+local HEAD = [[
+-- physics.lua %s, the whole library in one file.
+-- Written by `make single` from the files of the repository: change those, not this one.
+--
+%s
+
+local modules, loaded = {}, {}
+
+-- The modules' own: it finds what is in this file, and nothing else.
+local function require(name)
+  if loaded[name] == nil then
+    loaded[name] = modules[name](name)
+  end
+  return loaded[name]
+end
+]]
+
+local MODULE = [[
+
+modules["%s"] = function(...)
+%s
+end
+]]
+
+local version = assert(read("physics.lua"):match('_VERSION = "([^"]+)"'), "physics.lua: no version")
+local parts = { HEAD:format(version, commented(read("LICENSE"))) }
+for file in list("find physics.lua physics -name '*.lua' | LC_ALL=C sort") do
+  local name = file:gsub("%.lua$", ""):gsub("/", ".")
+  local text = read(file):gsub("%s+$", "")
+  if not text:find("^%-%-%-@meta") then -- types for editors are not for running
+    parts[#parts + 1] = MODULE:format(name, text)
+  end
+end
+parts[#parts + 1] = '\nreturn require("physics")\n'
+
+local output = assert(io.open(path, "wb"))
+output:write(table.concat(parts))
+output:close()

@@ -1,0 +1,79 @@
+#!/usr/bin/env bash
+# Writes the library as one file, build/physics.lua. With --test it runs the specs against it, too:
+# in a folder where the file stands alone, without the folder physics/.
+set -uo pipefail
+. "$(dirname "$0")/checks.sh"
+
+luajit scripts/single.lua build/physics.lua || exit 1
+if [ "${1:-}" != --test ]; then
+  echo "build/physics.lua is the whole library in one file"
+  exit 0
+fi
+
+stage=build/single
+rm -rf "$stage" && mkdir -p "$stage"
+for entry in * .busted; do
+  case $entry in
+    physics | build | lua_modules | node_modules) ;;
+    *) cp -r "$entry" "$stage/" ;;
+  esac
+done
+cp build/physics.lua "$stage/"
+find physics -name '*.lua' | sed 's/\.lua$//; s#/#.#g' >"$stage/modules.txt"
+check "Lua 5.1 reads the single file" luac5.1 -p "$stage/physics.lua"
+
+# The same file twice, and nothing else: each is a library of its own and shows only its own name.
+mkdir "$stage/lib" && cp build/physics.lua "$stage/lib/"
+cat >"$stage/twice.lua" <<'LUA'
+package.path = "./?.lua"
+local seen = {}
+for _, list in ipairs({ package.loaded, package.preload, _G }) do
+  seen[list] = {}
+  for name in pairs(list) do
+    seen[list][name] = true
+  end
+end
+local copies = { require("physics"), require("lib.physics"), dofile("physics.lua") }
+for i, physics in ipairs(copies) do
+  physics.load({ gravity = 800 })
+  for _ = 1, i do
+    physics.add("tiles", { x = 0, y = 100, width = 200, height = 16, static = true })
+    physics.add("boxes", { x = 20 * #physics.objects.tiles, y = 0, width = 16, height = 16 })
+    physics.objects.tiles[2] = nil
+  end
+end
+for i, physics in ipairs(copies) do
+  for _ = 1, 120 do
+    physics.update(1 / 60)
+  end
+  assert(#physics.objects.boxes == i, "copies share a world")
+  assert(physics.objects.boxes[1].y == 84, "the box is not on the floor")
+  local isRefused, message = pcall(physics.update, -1)
+  assert(not isRefused and message:find("^%.?/?twice.lua:%d+: physics: world:update"), message)
+end
+seen[package.loaded]["physics"], seen[package.loaded]["lib.physics"] = true, true
+for list, names in pairs(seen) do
+  for name in pairs(list) do
+    assert(names[name], "new: " .. tostring(name))
+  end
+end
+LUA
+for lua in luajit lua5.1 lua5.2 lua5.3 lua5.4; do
+  check "two copies live side by side on $lua" env -C "$stage" "$lua" twice.lua
+done
+
+# Specs that open the library's files by name have nothing to open here: they are not run.
+rm "$stage/spec/manual_spec.lua"
+left_out=$(busted --lua=luajit --list spec/manual_spec.lua | wc -l)
+log=$PWD/build/single.log
+cd "$stage" || exit 1
+list_files() { busted --lua=luajit --helper=scripts/single_helper.lua --tags=files --list; }
+left_out=$((left_out + $(list_files | wc -l)))
+started=$SECONDS
+# Interpreted, so that the slow specs are a selection: the code is the same as in `make test`.
+busted --lua=scripts/luajit-joff --helper=scripts/single_helper.lua --exclude-tags=files \
+  --output=plainTerminal </dev/null >"$log" 2>&1
+count_specs "the single file" $? "$log" $((SECONDS - started))
+echo "$left_out specs of the separate files were left out"
+
+finish
