@@ -39,6 +39,10 @@ examples: setup ## plays every example without a display, leaves pictures in bui
 demo: setup ## opens the examples in LÖVE
 	@bash scripts/demo.sh
 
+.PHONY: fuzz
+fuzz: setup ## plays random games and checks them: SECONDS=60, SEED=1
+	@luajit scripts/fuzz.lua --seconds $(or $(SECONDS),60) --seed $(or $(SEED),1) --keep-going
+
 ci: ## everything, as the continuous integration does it
 	@bash .ci/run
 

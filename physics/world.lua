@@ -308,7 +308,7 @@ function World:dropThrough(object)
   checkIdle(b, "dropThrough(object)")
   check.table(object, "object", "world:dropThrough(object)")
   local slot = b.slotOf[object]
-  if not slot and not whereIs(self, object) then
+  if not slot and not search(self, object) then
     check.fail("world:dropThrough(object): the object is not in the world, got a stranger")
   end
   if not slot or not oneway.drop(b, slot) then
@@ -736,7 +736,7 @@ function World:impulse(object, ix, iy)
   check.table(object, "object", where)
   check.number(ix, "ix", where)
   check.number(iy, "iy", where)
-  if not whereIs(self, object) then
+  if not search(self, object) then
     failMissing(call, object)
   elseif object.static or object.kinematic then
     local kind = object.static and "static" or "kinematic"

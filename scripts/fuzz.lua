@@ -1,0 +1,93 @@
+-- Random games (spec/fuzz/), checked after every step, until the time is over:
+--
+--   luajit scripts/fuzz.lua --seconds 60 [--seed 1] [--steps 80] [--keep-going]
+--
+-- A case that fails is made small and printed, to be pasted into spec/fuzz_found_spec.lua. Its seed
+-- plays it again: `--seed N --seconds 0` plays that one only, `--case FILE` one that was written
+-- down.
+
+package.path = "./?.lua;" .. package.path
+
+-- Every world is another one: with the usual limits the compiler would spend its time on throwing
+-- traces away.
+local jit = rawget(_G, "jit")
+if jit and jit.opt then
+  jit.opt.start("maxtrace=20000", "maxmcode=60000", "sizemcode=256", "maxirconst=2000")
+end
+
+local case = require("spec.fuzz.case")
+local shrink = require("spec.fuzz.shrink")
+local trial = require("spec.fuzz.trial")
+local write = require("spec.fuzz.write")
+
+local options =
+  { seconds = 60, seed = 1, steps = 80, ["keep-going"] = false, shrink = 30, case = "" }
+
+local function readOptions(list)
+  local n = 1
+  while list[n] do
+    local name = list[n]:match("^%-%-(.+)$")
+    if options[name] == nil then
+      error("unknown option " .. list[n], 0)
+    elseif name == "keep-going" then
+      options[name] = true
+    else
+      n = n + 1
+      local isNumber = type(options[name]) == "number"
+      options[name] = isNumber and tonumber(list[n]) or not isNumber and list[n]
+      if not options[name] then
+        error("a number must follow " .. list[n - 1], 0)
+      end
+    end
+    n = n + 1
+  end
+end
+
+local function report(seed, failed, failure)
+  print(("FAILED  seed %d: %s: %s"):format(seed, failure.check, failure.text))
+  local small, its = shrink.run(failed, failure, options.shrink)
+  print(("        made small: %s: %s"):format(its.check, its.text))
+  print((write.case(small):gsub("[^\n]+", "        %0")))
+  io.stdout:flush()
+end
+
+local function run()
+  local seed, played, failed, steps = options.seed, 0, 0, 0
+  local stop = os.time() + options.seconds
+  repeat
+    local one = case.new(seed, options.steps)
+    local failure, count = trial.run(one)
+    played, steps = played + 1, steps + count
+    if failure then
+      failed = failed + 1
+      report(seed, one, failure)
+      if not options["keep-going"] then
+        break
+      end
+    end
+    seed = seed + 1
+  until os.time() >= stop
+  local text = "%d games, %d updates, seeds %d to %d: %d passed, %d failed"
+  print(text:format(played, steps, options.seed, seed - 1, played - failed, failed))
+  print(("%d passed, %d failed"):format(played - failed, failed))
+  return failed == 0
+end
+
+-- Plays the case in a file, which holds what was printed.
+local function replay(path)
+  local file = assert(io.open(path))
+  local chunk = assert((loadstring or load)("return " .. file:read("*a")))
+  file:close()
+  local failure = trial.run(chunk())
+  if failure then
+    print(("%s: %s (act %d)"):format(failure.check, failure.text, failure.at))
+  end
+  print(failure and "0 passed, 1 failed" or "1 passed, 0 failed")
+  return not failure
+end
+
+readOptions(arg)
+if options.case ~= "" then
+  os.exit(replay(options.case) and 0 or 1)
+end
+os.exit(run() and 0 or 1)

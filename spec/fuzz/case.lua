@@ -1,0 +1,476 @@
+--- Makes random games. A case is data: settings, and a list of acts in order, among them the
+--- updates. So it can be played in several worlds, made shorter, and written down:
+---
+---     { "add", id, group, fields }          fields of a new object
+---     { "insert", id, group, fields }       the same by the game's own hand
+---     { "write", id, fields }               a field `false` of those that may be nil is erased
+---     { "erase", id, field }
+---     { "remove", id }  { "take", id }      by the world, by the game's own hand
+---     { "regroup", id, group }
+---     { "refresh", id }  { "drop", id }  { "impulse", id, ix, iy }  { "move", id, x, y, response }
+---     { "set", setting, value }  { "unset", setting }  { "bounds", x, y, w, h }
+---     { "ask", x, y, w, h }                 all questions at a place
+---     { "listen", id, event, acts }         does one of the acts at each event; id 0: the world
+---     { "refuse", id, modulus }             canCollide: false for some ids
+---     { "fail" }                            only inside a callback
+---     { "reload" }                          restores what it saves, only in the tried world
+---     { "twin" }                            from here on a restored copy goes along
+---     { "update", dt }
+
+local newNumbers = require("spec.fuzz.numbers").new
+
+local case = {}
+
+local GROUPS = { "boxes", "crates", "players", 1, 2.5 }
+local SIDES = { "top", "bottom", "left", "right" }
+local RESPONSES = { "slide", "touch", "cross", "bounce" }
+local EVENTS = { "onBegin", "onStay", "onEnd", "onCrush" }
+local ROOM = 20 -- units, width and height of the room
+
+-- Fields -----------------------------------------------------------------------------------------
+
+local function newMask(n)
+  local random = n.random
+  return { [random:pick(GROUPS)] = false, [random:pick(GROUPS)] = random:chance(0.5) }
+end
+
+-- How to make a value for each field that may be there or not.
+local OPTIONAL = {
+  ax = function(n)
+    return n:acceleration()
+  end,
+  ay = function(n)
+    return n:acceleration()
+  end,
+  active = function(n)
+    return n.random:chance(0.6)
+  end,
+  sensor = function(n)
+    return n.random:chance(0.6)
+  end,
+  pushable = function(n)
+    return n.random:chance(0.4)
+  end,
+  mass = function(n)
+    return n:mass()
+  end,
+  gravity = function(n)
+    return n.random:chance(0.4) and 0 or n:acceleration()
+  end,
+  gravityX = function(n)
+    return n.random:chance(0.4) and 0 or n:acceleration()
+  end,
+  friction = function(n)
+    return n.random:chance(0.1) and 10 or n.random:between(0, 1.2)
+  end,
+  restitution = function(n)
+    return n.random:pick({ 0, 0.25, 0.5, 0.9, 1 })
+  end,
+  airFriction = function(n)
+    return n.random:chance(0.1) and 100 or n.random:between(0, 4)
+  end,
+  drag = function(n)
+    return n.random:between(0, 20) * n.unit
+  end,
+  maxSpeed = function(n)
+    return n.random:between(0, 30) * n.unit
+  end,
+  maxSpeedX = function(n)
+    return n.random:between(0, 20) * n.unit
+  end,
+  maxSpeedY = function(n)
+    return n.random:between(0, 20) * n.unit
+  end,
+  mask = newMask,
+  oneWay = function(n)
+    return n.random:pick(SIDES)
+  end,
+  carry = function(n)
+    return n.random:chance(0.5)
+  end,
+  surfaceSpeed = function(n)
+    return n:speed()
+  end,
+  nudge = function(n)
+    return n.random:between(0, 1) * n.unit
+  end,
+}
+
+-- In a fixed order, and how often a new object has each.
+local SHARES = {
+  { "friction", 0.4 },
+  { "restitution", 0.3 },
+  { "mass", 0.3 },
+  { "ax", 0.04 },
+  { "ay", 0.04 },
+  { "active", 0.03 },
+  { "sensor", 0.03 },
+  { "pushable", 0.1 },
+  { "gravity", 0.08 },
+  { "gravityX", 0.04 },
+  { "airFriction", 0.08 },
+  { "drag", 0.08 },
+  { "maxSpeed", 0.06 },
+  { "maxSpeedX", 0.05 },
+  { "maxSpeedY", 0.05 },
+  { "mask", 0.06 },
+  { "oneWay", 0.03 },
+  { "carry", 0.04 },
+  { "surfaceSpeed", 0.05 },
+  { "nudge", 0.08 },
+}
+
+local function addOptional(n, object, share)
+  for _, row in ipairs(SHARES) do
+    if n.random:chance(row[2] * share) then
+      object[row[1]] = OPTIONAL[row[1]](n)
+    end
+  end
+  return object
+end
+
+-- Objects ----------------------------------------------------------------------------------------
+
+local function newBox(n)
+  return addOptional(n, {
+    x = n:place(0, ROOM),
+    y = n:place(0, ROOM * 0.8),
+    width = n:size(),
+    height = n:size(),
+    vx = n.random:chance(0.6) and n:speed() or nil,
+    vy = n.random:chance(0.5) and n:speed() or nil,
+  }, 1)
+end
+
+local function newStatic(n)
+  local object = addOptional(n, {
+    x = n:place(0, ROOM),
+    y = n:place(0.4 * ROOM, ROOM),
+    width = n:size() * n.random:pick({ 1, 1, 3 }),
+    height = n:size(),
+    static = true,
+  }, 0.4)
+  object.oneWay = n.random:chance(0.2) and n.random:pick(SIDES) or nil
+  return object
+end
+
+local function newPlatform(n)
+  return addOptional(n, {
+    x = n:place(0, ROOM),
+    y = n:place(0.4 * ROOM, ROOM),
+    width = n:size() * n.random:pick({ 1, 3 }),
+    height = n:size(),
+    vx = n.random:chance(0.6) and n:place(-5, 5) or nil,
+    vy = n.random:chance(0.4) and n:place(-5, 5) or nil,
+    kinematic = true,
+  }, 0.4)
+end
+
+-- The acts ---------------------------------------------------------------------------------------
+
+local Maker = {}
+Maker.__index = Maker
+
+function Maker:put(act)
+  self.acts[#self.acts + 1] = act
+end
+
+function Maker:add(group, object)
+  self.count = self.count + 1
+  local how = self.n.random:chance(0.7) and "add" or "insert"
+  return { how, self.count, group, object }
+end
+
+function Maker:anybody()
+  return self.n.random:integer(1, self.count)
+end
+
+-- A floor of tiles, walls, perhaps a ceiling.
+local function makeRoom(self)
+  local n = self.n
+  local unit, random = n.unit, n.random
+  for i = 0, ROOM - 1 do
+    local tile = { x = unit * i, y = ROOM * unit, width = unit, height = unit, static = true }
+    self:put(self:add("tiles", tile))
+  end
+  local span = ROOM * unit
+  for _, x in ipairs({ -unit, span }) do
+    local wall = { x = x, y = -span, width = unit, height = 2 * span + unit, static = true }
+    self:put(self:add("walls", addOptional(n, wall, 0.2)))
+  end
+  if random:chance(0.5) then
+    local ceiling = { x = 0, y = -unit, width = span, height = unit, static = true }
+    self:put(self:add("walls", ceiling))
+  end
+end
+
+-- Boxes on each other, flush: stacks, rows.
+local function makeStack(self)
+  local n = self.n
+  local random, unit = n.random, n.unit
+  local x, y, isRow = n:place(2, 16), ROOM * unit, random:chance(0.3)
+  for _ = 1, random:integer(2, 6) do
+    local box = newBox(n)
+    box.width, box.height, box.vx, box.vy = unit, unit, nil, nil
+    if isRow then
+      box.x, box.y = x, ROOM * unit - unit
+      x = x + unit
+    else
+      y = y - unit
+      box.x, box.y = x, y
+    end
+    self:put(self:add(random:pick(GROUPS), box))
+  end
+end
+
+local WRITES = {
+  function(n)
+    return { vx = n:speed(), vy = n:speed() }
+  end,
+  function(n)
+    return { vy = -n.random:between(5, 30) * n.unit }
+  end,
+  function(n)
+    return { x = n:place(0, ROOM), y = n:place(0, ROOM * 0.9) }
+  end,
+  function(n)
+    return { width = n:size(), height = n:size() }
+  end,
+  function(n)
+    return { kinematic = n.random:chance(0.3) }
+  end,
+  function(n)
+    return { static = n.random:chance(0.3) }
+  end,
+}
+
+local function newWrite(self)
+  local n = self.n
+  local random = n.random
+  if random:chance(0.5) then
+    return { "write", self:anybody(), random:pick(WRITES)(n) }
+  end
+  local name = random:pick(SHARES)[1]
+  if random:chance(0.3) then
+    return { "erase", self:anybody(), name }
+  end
+  return { "write", self:anybody(), { [name] = OPTIONAL[name](n) } }
+end
+
+local SETTINGS = {
+  gravity = function(n)
+    return n.random:chance(0.5) and 40 * n.unit or n:acceleration()
+  end,
+  gravityX = function(n)
+    return n.random:chance(0.6) and 0 or n:acceleration()
+  end,
+  push = function(n)
+    return n.random:pick({ "both", "first" })
+  end,
+  masks = function(n)
+    return { [n.random:pick(GROUPS)] = newMask(n) }
+  end,
+  sideBySide = function(n)
+    return n.random:chance(0.5)
+  end,
+  broadphase = function(n)
+    return n.random:pick({ "auto", "pairs", "grid" })
+  end,
+  cellSize = function(n)
+    return n:spread(0.25, 40) * n.unit
+  end,
+  maxStep = function(n)
+    return n.random:pick({ 1 / 30, 1 / 60, 0.01, 0.1 })
+  end,
+  order = function(n)
+    return n.random:shuffled({ "boxes", "crates", 1 })
+  end,
+  rest = function(n)
+    return n.random:chance(0.7)
+  end,
+}
+
+local NAMES = {
+  "gravity",
+  "gravityX",
+  "push",
+  "masks",
+  "sideBySide",
+  "broadphase",
+  "cellSize",
+  "maxStep",
+  "order",
+  "rest",
+}
+local MAY_BE_NIL = { masks = true, cellSize = true, order = true }
+
+local function newSetting(self)
+  local name = self.n.random:pick(NAMES)
+  if MAY_BE_NIL[name] and self.n.random:chance(0.5) then
+    return { "unset", name }
+  end
+  return { "set", name, SETTINGS[name](self.n) }
+end
+
+local function newAdd(self)
+  local n = self.n
+  local kind = n.random:integer(1, 10)
+  if kind == 1 then
+    return self:add("statics", newStatic(n))
+  elseif kind == 2 then
+    return self:add("lifts", newPlatform(n))
+  end
+  return self:add(n.random:pick(GROUPS), newBox(n))
+end
+
+local function newMove(self)
+  local n = self.n
+  local response = n.random:pick(RESPONSES)
+  return { "move", self:anybody(), n:place(0, ROOM), n:place(0, ROOM), response }
+end
+
+-- name, how often in 100 acts, what makes it
+local ACTS = {
+  { 45, newWrite },
+  { 8, newAdd },
+  { 5, newSetting },
+  {
+    6,
+    function(self)
+      return { self.n.random:pick({ "remove", "remove", "take" }), self:anybody() }
+    end,
+  },
+  {
+    3,
+    function(self)
+      return { "regroup", self:anybody(), self.n.random:pick(GROUPS) }
+    end,
+  },
+  {
+    3,
+    function(self)
+      return { "refresh", self:anybody() }
+    end,
+  },
+  {
+    5,
+    function(self)
+      return { "drop", self:anybody() }
+    end,
+  },
+  {
+    6,
+    function(self)
+      return { "impulse", self:anybody(), self.n:speed(), self.n:speed() }
+    end,
+  },
+  { 5, newMove },
+  {
+    1,
+    function(self)
+      local n = self.n
+      local size = n.random:between(0.5, 1.2) * ROOM * n.unit
+      return { "bounds", n:place(0, 2), n:place(0, 2), size, size }
+    end,
+  },
+  {
+    5,
+    function(self)
+      local n = self.n
+      local w, h = n.random:between(0.1, 8) * n.unit, n.random:between(0.1, 8) * n.unit
+      return { "ask", n:place(-1, ROOM), n:place(-1, ROOM), w, h }
+    end,
+  },
+}
+
+-- Something that a game may do between two updates or in a callback.
+local function newAct(self)
+  local roll = self.n.random:integer(1, 92)
+  for _, row in ipairs(ACTS) do
+    roll = roll - row[1]
+    if roll <= 0 then
+      return row[2](self)
+    end
+  end
+end
+
+local function newListener(self)
+  local random, acts = self.n.random, {}
+  for m = 1, random:integer(1, 5) do
+    acts[m] = newAct(self)
+  end
+  local id = random:chance(0.2) and 0 or self:anybody()
+  if id == 0 and random:chance(0.3) then
+    acts[#acts + 1] = { "fail" }
+  end
+  return { "listen", id, random:pick(EVENTS), acts }
+end
+
+-- What happens before one update.
+local function makeTurn(self)
+  local random = self.n.random
+  while random:chance(self.busy) do
+    self:put(newAct(self))
+  end
+  if random:chance(self.busy * 0.1) then
+    self:put(newListener(self))
+  end
+  if random:chance(self.busy * 0.01) then
+    self:put({ "refuse", random:chance(0.2) and 0 or self:anybody(), random:integer(2, 4) })
+  end
+  if random:chance(0.02) then
+    self:put({ "reload" })
+  end
+  if random:chance(0.02) then
+    self:put({ "twin" })
+  end
+  self:put({ "update", self.n:dt() })
+end
+
+local function newSettings(n)
+  local random = n.random
+  local settings = { gravity = random:pick({ 0, 40, 40, 40 }) * n.unit }
+  for _, name in ipairs(NAMES) do
+    if name ~= "gravity" and random:chance(0.15) then
+      settings[name] = SETTINGS[name](n)
+    end
+  end
+  if random:chance(0.1) then
+    settings.timestep = random:pick({ 1 / 60, 1 / 50, 1 / 120 })
+  end
+  return settings
+end
+
+--- Makes the case of a seed.
+---@param seed integer
+---@param steps integer updates
+---@return table case `{ seed, settings, acts }`
+function case.new(seed, steps)
+  local n = newNumbers(seed)
+  local random = n.random
+  local self = setmetatable({ n = n, acts = {}, count = 0 }, Maker)
+  -- Calm games, in which things come to rest, and wild ones.
+  self.busy = random:pick({ 0, 0.02, 0.1, 0.3, 0.6 })
+  if random:chance(0.8) then
+    makeRoom(self)
+  end
+  for _ = 1, random:integer(0, 3) do
+    makeStack(self)
+  end
+  for _ = 1, random:integer(1, 20) do
+    self:put(newAdd(self))
+  end
+  for _ = 1, random:integer(0, 4) do
+    self:put(self:add("statics", newStatic(n)))
+  end
+  for _ = 1, random:integer(0, 3) do
+    self:put(self:add("lifts", newPlatform(n)))
+  end
+  local settings = newSettings(n)
+  for _ = 1, steps do
+    makeTurn(self)
+  end
+  return { seed = seed, settings = settings, acts = self.acts }
+end
+
+return case

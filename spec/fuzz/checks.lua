@@ -1,0 +1,382 @@
+--- What must hold after every step, whatever the game did. Looks only at what the game can see.
+--
+--   local watch = checks.new(player)      before the first act
+--   watch:before()                        before an update
+--   local name, text = watch:after()      after it: nil, or what does not hold
+
+local checks = {}
+
+local Watch = {}
+Watch.__index = Watch
+
+--- px: two that press each other may overlap by this much; it is the promise of the README.
+checks.TOLERANCE = 1e-6
+
+local OPPOSITE = { left = "right", right = "left", top = "bottom", bottom = "top" }
+local FAR = 1e15 -- beyond this, px or px/s, something has gone wild; the games stay far below
+local max, min = math.max, math.min
+
+-- Geometry ---------------------------------------------------------------------------------------
+
+-- px by which two overlap on x and on y, negative: apart.
+local function overlaps(a, b)
+  return min(a.x + a.width, b.x + b.width) - max(a.x, b.x),
+    min(a.y + a.height, b.y + b.height) - max(a.y, b.y)
+end
+
+local function depth(a, b)
+  local x, y = overlaps(a, b)
+  return min(x, y)
+end
+
+-- What rounding may add at these coordinates.
+local function slack(a, b)
+  local size = max(math.abs(a.x), math.abs(a.y), math.abs(b.x), math.abs(b.y), a.width, a.height)
+  return checks.TOLERANCE + max(size, b.width, b.height) * 2 ^ -50
+end
+
+-- Filters ----------------------------------------------------------------------------------------
+
+local function isDynamic(object)
+  return not object.static and not object.kinematic
+end
+
+local function refuses(a, groupA, groupB, masks)
+  local row = masks and masks[groupA]
+  return a.mask and a.mask[groupB] == false or row and row[groupB] == false
+end
+
+function Watch:canMeet(a, b)
+  local groupA, groupB = self.groupOf[a], self.groupOf[b]
+  local masks = self.player.world.masks
+  if not groupA or not groupB or a.active == false or b.active == false then
+    return false
+  end
+  return not (refuses(a, groupA, groupB, masks) or refuses(b, groupB, groupA, masks))
+end
+
+-- Whether two must not overlap: nothing lets one pass through the other.
+function Watch:isBarred(a, b)
+  return not (a.sensor or b.sensor or a.oneWay or b.oneWay)
+    and not self.asked
+    and self:canMeet(a, b)
+end
+
+-- The world --------------------------------------------------------------------------------------
+
+-- Lists who is in the game's tables.
+function Watch:look()
+  self.everybody, self.groupOf = {}, {}
+  for group, members in next, self.player.world.objects do
+    for _, object in next, members do
+      self.groupOf[object] = group
+      self.everybody[#self.everybody + 1] = object
+    end
+  end
+  self.asked = next(self.player.refusals) ~= nil
+end
+
+function Watch:isSettled(object)
+  local id = self.player.idOf[object]
+  return not (id and self.player.touched[id])
+end
+
+local function nameOf(self, object)
+  local id = self.player.idOf[object]
+  return id and "object " .. id or "a wall"
+end
+
+-- Finite -----------------------------------------------------------------------------------------
+
+function Watch:checkFinite()
+  for _, object in ipairs(self.everybody) do
+    for _, field in ipairs({ "x", "y", "vx", "vy" }) do
+      local value = object[field]
+      if value and not (value > -FAR and value < FAR) then
+        return "finite", ("%s: %s is %.17g"):format(nameOf(self, object), field, value)
+      end
+    end
+  end
+end
+
+-- Static objects ---------------------------------------------------------------------------------
+
+local KEPT = { "x", "y", "vx", "vy", "width", "height", "static", "touching" }
+
+function Watch:noteStatics()
+  self.statics = {}
+  for _, object in ipairs(self.everybody) do
+    if object.static then
+      local copy = {}
+      for _, field in ipairs(KEPT) do
+        copy[field] = object[field]
+      end
+      self.statics[object] = copy
+    end
+  end
+end
+
+function Watch:checkStatics()
+  for object, copy in next, self.statics do
+    for _, field in ipairs(self:isSettled(object) and KEPT or {}) do
+      if object[field] ~= copy[field] then
+        return "static", ("%s: %s has changed"):format(nameOf(self, object), field)
+      end
+    end
+  end
+end
+
+-- How deep each dynamic object stands in each static one it must not be in.
+function Watch:noteDepths()
+  self.depths = {}
+  for _, a in ipairs(self.everybody) do
+    if isDynamic(a) then
+      local row = {}
+      self.depths[a] = row
+      for object in next, self.statics do
+        row[object] = max(0, depth(a, object))
+      end
+    end
+  end
+end
+
+-- It may come out of a wall, or stay where the game has put it, but never go in. Who is crushed may
+-- be pressed into one, until it is free again.
+function Watch:checkDepths()
+  for _, a in ipairs(self.everybody) do
+    local row, id = self.depths[a], self.player.idOf[a]
+    if row and isDynamic(a) and self:isSettled(a) and not self.crushed[id] then
+      for object, before in next, row do
+        local now = depth(a, object)
+        if
+          now > before + slack(a, object)
+          and self:isSettled(object)
+          and self:isBarred(a, object)
+        then
+          local text = "%s went %.9g px into %s, it was %.9g px before"
+          return "static overlap",
+            text:format(nameOf(self, a), now, nameOf(self, object), before),
+            now - before
+        end
+      end
+    end
+  end
+end
+
+-- Who was crushed stays so until it overlaps nobody it could push.
+function Watch:updateCrushed()
+  for id in next, self.crushed do
+    local a, isFree = self.player.list[id], true
+    for _, b in ipairs(self.everybody) do
+      if a ~= b and depth(a, b) > slack(a, b) and self:isBarred(a, b) then
+        isFree = false
+        break
+      end
+    end
+    if isFree or not self.groupOf[a] then
+      self.crushed[id] = nil
+    end
+  end
+end
+
+-- touching ---------------------------------------------------------------------------------------
+
+-- Whether b may stand in a.touching[side]; else what is wrong.
+function Watch:judgeNeighbour(a, side, b)
+  if not b then
+    return
+  elseif not self.groupOf[b] then
+    return "is an object that is not in the world"
+  elseif a.sensor or b.sensor then
+    return "is a sensor, or the object is one"
+  elseif not self:canMeet(a, b) then
+    return "is somebody it cannot meet"
+  end
+  local x, y = overlaps(a, b)
+  local limit = slack(a, b)
+  if x < -limit or y < -limit then
+    return ("is %.9g px away on x, %.9g px on y"):format(-x, -y)
+  end
+  local world = self.player.world
+  local its, back = world:touching(a, b), world:touching(b, a)
+  if its ~= side or back ~= OPPOSITE[side] then
+    return ("is told to be at its %s, itself at the other's %s"):format(
+      tostring(its),
+      tostring(back)
+    )
+  elseif isDynamic(b) and not (b.touching and b.touching[OPPOSITE[side]]) then
+    return "does not touch back"
+  end
+end
+
+function Watch:checkTouching()
+  for _, a in ipairs(self.everybody) do
+    if isDynamic(a) and self:isSettled(a) then
+      for _, side in ipairs({ "top", "bottom", "left", "right" }) do
+        if not a.touching and a.active ~= false then
+          return "touching", nameOf(self, a) .. " has no touching"
+        end
+        local b = a.touching and a.touching[side]
+        if not b or self:isSettled(b) then
+          local wrong = self:judgeNeighbour(a, side, b)
+          if wrong then
+            local text = "%s.touching.%s %s"
+            return "touching", text:format(nameOf(self, a), side, wrong)
+          end
+        end
+      end
+    end
+  end
+end
+
+-- Events -----------------------------------------------------------------------------------------
+
+-- A name for the pair, and whether the second of them comes first in it: who is told first may
+-- change when one moves to another group.
+local function keyOf(self, a, b)
+  local first, second = self.player.idOf[a], self.player.idOf[b]
+  if first and second then
+    return min(first, second) .. " " .. max(first, second), second < first
+  end
+end
+
+function Watch:complain(name, text)
+  if not self.complaint then
+    self.complaint = { name, text }
+  end
+end
+
+function Watch:onBegin(key, a, b, side, speed)
+  if self.open[key] then
+    self:complain("pairing", ("onBegin of %s twice"):format(key))
+  elseif speed ~= speed or speed < 0 or speed >= FAR then
+    self:complain("pairing", ("onBegin of %s with speed %s"):format(key, tostring(speed)))
+  elseif not self.player.touchedAny and self.groupOf[a] and self.groupOf[b] then
+    if not self:canMeet(a, b) and self:isSettled(a) and self:isSettled(b) then
+      self:complain("masks", ("onBegin of %s, who cannot meet"):format(key))
+    end
+  end
+  self.open[key] = { a, b, side }
+end
+
+function Watch:onEnd(key, _, _, side)
+  local open = self.open[key]
+  if not open then
+    self:complain("pairing", ("onEnd of %s without onBegin"):format(key))
+  elseif open[3] ~= side then
+    self:complain("pairing", ("onEnd of %s at the %s, begun at the %s"):format(key, side, open[3]))
+  end
+  self.open[key] = nil
+end
+
+-- Called by the player for every event of the world.
+local function hear(self, name, a, b, side, more)
+  if name == "onCrush" then
+    local id = self.player.idOf[a]
+    if id then
+      self.crushed[id] = true
+    end
+    return
+  end
+  local key, isSwapped = keyOf(self, a, b)
+  if isSwapped then
+    a, b, side = b, a, OPPOSITE[side]
+  end
+  if key then
+    self[name](self, key, a, b, side, more)
+  end
+end
+
+-- Contacts that were begun and not ended are there, and no others.
+function Watch:checkContacts()
+  local world = self.player.world
+  for key, contact in next, self.open do
+    local a, b = contact[1], contact[2]
+    if self:isSettled(a) and self:isSettled(b) then
+      if not self.groupOf[a] or not self.groupOf[b] then
+        return "pairing", ("contact %s goes on, but one has left"):format(key)
+      elseif world:touching(a, b) ~= contact[3] then
+        local text = "contact %s began at the %s, now it is %s"
+        return "pairing", text:format(key, contact[3], tostring(world:touching(a, b)))
+      end
+    end
+  end
+end
+
+function Watch:checkUntold()
+  local world = self.player.world
+  for n, a in ipairs(self.everybody) do
+    for m = n + 1, #self.everybody do
+      local b = self.everybody[m]
+      local key = keyOf(self, a, b)
+      if key and not self.open[key] and depth(a, b) >= -checks.TOLERANCE then
+        if self:isSettled(a) and self:isSettled(b) and world:touching(a, b) then
+          return "pairing", ("contact %s was never told"):format(key)
+        end
+      end
+    end
+  end
+end
+
+-- Watching ---------------------------------------------------------------------------------------
+
+--- Watches a player's world.
+function checks.new(player)
+  local self = setmetatable({
+    player = player,
+    open = {}, -- contacts that have begun and not ended
+    crushed = {}, -- ids
+    complaint = false,
+    saved = 0,
+  }, Watch)
+  player.onEvent = function(_, name, a, b, side, more)
+    hear(self, name, a, b, side, more)
+  end
+  self:look()
+  return self
+end
+
+--- To be called before an update.
+function Watch:before()
+  self:look()
+  self:noteStatics()
+  self:noteDepths()
+  self.saved = self.player.world._saved
+end
+
+-- Whether the update has made a step. Without one nothing is true yet of what the game has written.
+function Watch:hasStepped(dt)
+  local world = self.player.world
+  return dt > 0 and not (world.timestep and world._saved == self.saved + dt)
+end
+
+--- To be called after an update of dt seconds.
+---@return string? name of the check that failed
+---@return string text
+function Watch:after(dt)
+  self:look()
+  local name, text = self:checkFinite()
+  if not name then
+    name, text = self:checkStatics()
+  end
+  if not name and self.complaint then
+    name, text = self.complaint[1], self.complaint[2]
+  end
+  if name or self.player.failed or not self:hasStepped(dt) then
+    return name, text
+  end
+  name, text = self:checkDepths()
+  if not name then
+    name, text = self:checkTouching()
+  end
+  if not name then
+    name, text = self:checkContacts()
+  end
+  if not name and not self.player.world.sideBySide then
+    name, text = self:checkUntold()
+  end
+  self:updateCrushed()
+  return name, text
+end
+
+return checks

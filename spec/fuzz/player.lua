@@ -1,0 +1,413 @@
+--- Plays the acts of a case (spec/fuzz/case.lua) in one world and writes down what is told.
+--
+-- Who is acted upon from inside a callback is noted in `touched`: what the last step has left of
+-- such an object need not be true any more when the step is judged.
+
+local physics = require("physics")
+
+local Player = {}
+Player.__index = Player
+
+local EVENTS = { "onBegin", "onEnd", "onCrush" } -- onStay would keep everybody awake
+-- Settings that change no result; a player of a fixed kind keeps its own.
+local OWN = { broadphase = true, cellSize = true, rest = true }
+local MESSAGE = "fuzz: a callback fails"
+
+local function copyOf(value)
+  if type(value) ~= "table" then
+    return value
+  end
+  local copy = {}
+  for key, entry in next, value do
+    copy[key] = copyOf(entry)
+  end
+  return copy
+end
+
+-- The log ----------------------------------------------------------------------------------------
+
+local function nameOf(player, value)
+  if type(value) == "table" then
+    return tostring(player.idOf[value]) -- "nil": a wall of the world, or one who had left before
+  end
+  return type(value) == "number" and ("%.17g"):format(value) or tostring(value)
+end
+
+function Player:tell(name, ...)
+  local words = { name }
+  for n = 1, select("#", ...) do
+    words[n + 1] = nameOf(self, (select(n, ...)))
+  end
+  self.told[#self.told + 1] = table.concat(words, " ")
+end
+
+-- Events of the whole world: written down, followed by the acts that wait for them.
+local function listen(player)
+  local world = player.world
+  for _, name in ipairs(EVENTS) do
+    world[name] = function(a, b, side, more)
+      player:tell(name, a, b, side, more)
+      if player.onEvent then
+        player.onEvent(player, name, a, b, side, more)
+      end
+      player:react(0, name)
+    end
+  end
+end
+
+--- Does the next act that waits for an event of an object (id 0: of the world).
+function Player:react(id, event)
+  local list = self.reactions[id .. event]
+  if not list then
+    return
+  end
+  list.done = list.done + 1
+  local act = list.acts[list.done]
+  if act and act[1] == "fail" then
+    error(MESSAGE, 0)
+  elseif act then
+    self.inside = true
+    self:act(act)
+    self.inside = false
+  end
+end
+
+-- Callbacks of one object, also of one that a restored copy has made anew.
+local function hear(player, id, event)
+  local target = id == 0 and player.world or player.list[id]
+  if not target or (id == 0 and event ~= "onStay") then
+    return -- the others are there already
+  end
+  target[event] = function(...)
+    if id == 0 then
+      player:tell("onStay", ...)
+    end
+    player:react(id, event)
+  end
+end
+
+local function refuse(player, id, modulus)
+  local target = id == 0 and player.world or player.list[id]
+  if not target then
+    return
+  end
+  target.canCollide = function(a, b, side)
+    local sum = (player.idOf[a] or 0) + 3 * (player.idOf[b] or 0) + #side
+    return sum % modulus ~= 0
+  end
+end
+
+-- Acts -------------------------------------------------------------------------------------------
+
+local acts = {}
+
+local function note(player, id)
+  player.dirty[id] = true
+  if player.inside then
+    player.touched[id] = true
+  end
+end
+
+local function enter(player, id, group, fields)
+  local object = copyOf(fields)
+  player.list[id], player.idOf[object], player.present[id] = object, id, true
+  note(player, id)
+  return object, group
+end
+
+function acts.add(player, id, group, fields)
+  if not player.list[id] then
+    local object = enter(player, id, group, fields)
+    player.world:add(group, object)
+  end
+end
+
+function acts.insert(player, id, group, fields)
+  if not player.list[id] then
+    local objects = player.world.objects
+    objects[group] = objects[group] or {}
+    objects[group][#objects[group] + 1] = enter(player, id, group, fields)
+  end
+end
+
+-- A static object is read when it is refreshed.
+local function refresh(player, id)
+  if player.present[id] then
+    player.world:refresh(player.list[id])
+  end
+end
+
+function acts.write(player, id, fields)
+  local object = player.list[id]
+  if object then
+    note(player, id)
+    local wasStatic = object.static
+    for name, value in next, fields do
+      object[name] = copyOf(value)
+    end
+    if wasStatic or object.static then
+      refresh(player, id)
+    end
+  end
+end
+
+function acts.erase(player, id, name)
+  local object = player.list[id]
+  if object then
+    note(player, id)
+    object[name] = nil
+    if object.static then
+      refresh(player, id)
+    end
+  end
+end
+
+function acts.remove(player, id)
+  local object = player.list[id]
+  if object then
+    note(player, id)
+    player.world:remove(object)
+    player.present[id] = false
+  end
+end
+
+-- The place of an object in the game's tables.
+local function find(world, object)
+  for _, members in next, world.objects do
+    for key, member in next, members do
+      if member == object then
+        return members, key
+      end
+    end
+  end
+end
+
+function acts.take(player, id)
+  local members, key = find(player.world, player.list[id])
+  if members then
+    note(player, id)
+    if type(key) == "number" then
+      table.remove(members, key)
+    else
+      members[key] = nil
+    end
+    player.present[id] = false
+  end
+end
+
+function acts.regroup(player, id, group)
+  local members, key = find(player.world, player.list[id])
+  if members and type(key) == "number" then
+    note(player, id)
+    table.remove(members, key)
+    local objects = player.world.objects
+    objects[group] = objects[group] or {}
+    objects[group][#objects[group] + 1] = player.list[id]
+  end
+end
+
+acts.refresh = function(player, id)
+  note(player, id)
+  refresh(player, id)
+end
+
+function acts.drop(player, id)
+  if player.present[id] then
+    note(player, id)
+    player.world:dropThrough(player.list[id])
+  end
+end
+
+function acts.impulse(player, id, ix, iy)
+  local object = player.list[id]
+  if player.present[id] and not object.static and not object.kinematic then
+    note(player, id)
+    player.world:impulse(object, ix, iy)
+  end
+end
+
+function acts.move(player, id, x, y, response)
+  local object = player.list[id]
+  if player.present[id] and not object.static then
+    note(player, id)
+    local _, _, hits, count = player.world:move(object, x, y, response)
+    for n = 1, count do
+      player:tell("hit", hits[n].other, object, hits[n].side)
+    end
+  end
+end
+
+-- Who can meet whom has changed, for everybody.
+local function noteAll(player)
+  for id = 1, player.highest do
+    note(player, id)
+  end
+end
+
+function acts.set(player, name, value)
+  if not (player.own and OWN[name]) then
+    player.world[name] = copyOf(value)
+  end
+  noteAll(player)
+end
+
+function acts.unset(player, name)
+  acts.set(player, name, nil)
+end
+
+function acts.bounds(player, x, y, w, h)
+  player.world:setBounds(x, y, w, h)
+  noteAll(player)
+end
+
+function acts.listen(player, id, event, list)
+  player.reactions[id .. event] = { done = 0, acts = list }
+  player.isStayHeard = player.isStayHeard or event == "onStay"
+  hear(player, id, event)
+end
+
+function acts.refuse(player, id, modulus)
+  player.refusals[id] = modulus
+  refuse(player, id, modulus)
+  noteAll(player)
+end
+
+local function tellList(player, name, list, count)
+  for n = 1, count do
+    player:tell(name, list[n])
+  end
+end
+
+function acts.ask(player, x, y, w, h)
+  local world = player.world
+  tellList(player, "point", world:queryPoint(x, y))
+  tellList(player, "rect", world:queryRect(x, y, w, h))
+  tellList(player, "segment", world:querySegment(x, y, x + w, y - h))
+  player:tell("ray", world:raycast(x + w, y, x - w, y + h))
+  player:tell("nearest", world:nearest(x, y, w))
+  local object = player.list[1]
+  if player.present[1] then
+    player:tell("sweep", world:sweep(object, w, h))
+    tellList(player, "overlapping", world:overlapping(object))
+  end
+end
+
+function acts.fail() end
+
+function acts.reload(player)
+  if not (player.own or player.inside) then
+    player.world:restore(player.world:save())
+  end
+end
+
+-- Whoever plays several worlds makes the copy.
+function acts.twin() end
+
+function acts.update(player, dt)
+  if player.inside then
+    return
+  end
+  player.touched = {}
+  local ok, message = pcall(player.world.update, player.world, dt)
+  player.inside = false
+  if not ok and message ~= MESSAGE then
+    error(message, 0)
+  end
+  player.failed = not ok
+end
+
+--- Does one act.
+function Player:act(act)
+  acts[act[1]](self, act[2], act[3], act[4], act[5])
+end
+
+-- Players ----------------------------------------------------------------------------------------
+
+local function blank(highest)
+  return setmetatable({
+    list = {}, -- objects by id, removed ones too
+    idOf = {},
+    present = {}, -- ids of those that are in the world's tables
+    told = {},
+    reactions = {},
+    refusals = {},
+    touched = {}, -- ids of those that a callback of the last update acted upon
+    dirty = {}, -- ids of those that were acted upon since this was emptied
+    highest = highest,
+    inside = false, -- in a callback
+    failed = false, -- the last update
+  }, Player)
+end
+
+local function highestId(list)
+  local highest = 0
+  for _, act in ipairs(list) do
+    if act[1] == "add" or act[1] == "insert" then
+      highest = math.max(highest, act[2])
+    elseif act[1] == "listen" then
+      highest = math.max(highest, highestId(act[4]))
+    end
+  end
+  return highest
+end
+
+local player = {}
+
+--- Begins to play a case.
+---@param case table
+---@param own table? settings that this player keeps whatever the case says: broadphase, cellSize,
+---  rest
+function player.new(case, own)
+  local self = blank(highestId(case.acts))
+  local settings = copyOf(case.settings)
+  for name in next, own and OWN or {} do
+    settings[name] = own[name]
+  end
+  self.own = own
+  self.world = physics.newWorld(settings)
+  listen(self)
+  return self
+end
+
+--- Makes a player that goes on from the state of another, in a world of its own.
+---@param other table
+---@param own table settings of the new one: broadphase, cellSize, rest
+function player.copy(other, own)
+  local self = blank(other.highest)
+  self.own, self.world = own, physics.newWorld(own)
+  self.world:restore(copyOf(other.world:save()))
+  local mine = self.world.objects
+  for group, members in next, other.world.objects do
+    for key, object in next, members do
+      local id = other.idOf[object]
+      if id then
+        self.list[id], self.idOf[mine[group][key]] = mine[group][key], id
+        self.present[id] = true
+      end
+    end
+  end
+  for id, object in next, other.list do
+    if not self.list[id] then -- not in the world: nobody else will look at it again
+      local touching = object.touching
+      object.touching = nil
+      local copy = copyOf(object)
+      object.touching = touching
+      self.list[id], self.idOf[copy], self.present[id] = copy, id, false
+    end
+  end
+  listen(self)
+  for name, list in next, other.reactions do
+    self.reactions[name] = { done = list.done, acts = list.acts }
+    local id, event = name:match("^(%d+)(.*)$")
+    hear(self, tonumber(id), event)
+  end
+  for id, modulus in next, other.refusals do
+    self.refusals[id] = modulus
+    refuse(self, id, modulus)
+  end
+  return self
+end
+
+player.copyOf = copyOf
+
+return player

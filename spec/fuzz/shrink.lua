@@ -1,0 +1,188 @@
+--- Makes a failing case small: leaves out acts, fields and settings, and takes rounder numbers, as
+--- long as the same check fails.
+--- Source: A. Zeller, R. Hildebrandt, "Simplifying and isolating failure-inducing input" (2002).
+
+local copyOf = require("spec.fuzz.player").copyOf
+local trial = require("spec.fuzz.trial")
+
+local floor = math.floor
+
+local Shrinker = {}
+Shrinker.__index = Shrinker
+
+local function without(list, from, to)
+  local shorter = {}
+  for n = 1, #list do
+    if n < from or n > to then
+      shorter[#shorter + 1] = list[n]
+    end
+  end
+  return shorter
+end
+
+-- Takes a smaller case if it fails in the same way.
+function Shrinker:try(case)
+  if os.clock() > self.deadline then
+    return false
+  end
+  local failure = trial.run(case)
+  if not failure or failure.check ~= self.failure.check then
+    return false
+  end
+  self.case, self.failure = case, failure
+  self.case.acts = without(case.acts, failure.at + 1, #case.acts)
+  return true
+end
+
+-- Leaves out acts, many at a time at first.
+function Shrinker:dropActs()
+  local any, size = false, #self.case.acts
+  while size >= 1 do
+    local at = #self.case.acts - size + 1
+    while at > 1 - size do
+      local case = copyOf(self.case)
+      case.acts = without(case.acts, math.max(at, 1), at + size - 1)
+      any = self:try(case) or any
+      at = math.min(at, #self.case.acts + 1) - size
+    end
+    size = size > 1 and floor(size / 2) or 0
+  end
+  return any
+end
+
+-- Every table of the case that holds fields, as a path of keys.
+local function fieldTables(case)
+  local paths = { { "settings" } }
+  for n, act in ipairs(case.acts) do
+    for m = 3, 4 do
+      if type(act[m]) == "table" then
+        paths[#paths + 1] = { "acts", n, m }
+      end
+    end
+  end
+  return paths
+end
+
+local function follow(case, path)
+  local found = case
+  for _, key in ipairs(path) do
+    found = found and found[key]
+  end
+  return found
+end
+
+local function sortedKeys(list)
+  local keys = {}
+  for key in next, list do
+    keys[#keys + 1] = key
+  end
+  table.sort(keys, function(a, b)
+    return tostring(a) < tostring(b)
+  end)
+  return keys
+end
+
+local NEEDED = { x = true, y = true, width = true, height = true }
+
+function Shrinker:dropFields()
+  local any = false
+  for _, path in ipairs(fieldTables(self.case)) do
+    for _, key in ipairs(sortedKeys(follow(self.case, path) or {})) do
+      local case = copyOf(self.case)
+      local fields = follow(case, path)
+      if fields and type(key) == "string" and not NEEDED[key] then
+        fields[key] = nil
+        any = self:try(case) or any
+      end
+    end
+  end
+  return any
+end
+
+-- Rounder numbers than one, the roundest first.
+local function rounder(value)
+  local list = {}
+  for _, step in ipairs({ 100, 10, 1, 0.5, 0.125 }) do
+    local round = floor(value / step + 0.5) * step
+    if round ~= 0 or value == 0 then
+      list[#list + 1] = round
+    end
+  end
+  return list
+end
+
+function Shrinker:roundIn(path, key)
+  local value = (follow(self.case, path) or {})[key]
+  for _, round in ipairs(type(value) == "number" and rounder(value) or {}) do
+    if round == value then
+      return false
+    end
+    local case = copyOf(self.case)
+    follow(case, path)[key] = round
+    if self:try(case) then
+      return true
+    end
+  end
+  return false
+end
+
+function Shrinker:roundNumbers()
+  local any = false
+  for _, path in ipairs(fieldTables(self.case)) do
+    for _, key in ipairs(sortedKeys(follow(self.case, path) or {})) do
+      any = self:roundIn(path, key) or any
+    end
+  end
+  return any
+end
+
+-- The same acts at one steady rate, and every number of a group turned into a name.
+function Shrinker:calm()
+  local case = copyOf(self.case)
+  for _, act in ipairs(case.acts) do
+    if act[1] == "update" then
+      act[2] = 1 / 64
+    end
+  end
+  return self:try(case)
+end
+
+-- The acts of a callback, done at once by the game instead, or fewer of them.
+function Shrinker:dropReactions()
+  local any = false
+  for n = #self.case.acts, 1, -1 do
+    local act = self.case.acts[n]
+    if act and act[1] == "listen" then
+      for m = #act[4], 1, -1 do
+        local case = copyOf(self.case)
+        table.remove(case.acts[n][4], m)
+        any = self:try(case) or any
+      end
+    end
+  end
+  return any
+end
+
+local shrink = {}
+
+--- Returns a smaller case that fails the same check, and its failure.
+---@param case table one that fails
+---@param failure table of it, from spec/fuzz/trial.lua
+---@param seconds number how long it may try
+function shrink.run(case, failure, seconds)
+  local self = setmetatable({ case = copyOf(case), failure = failure }, Shrinker)
+  self.deadline = os.clock() + seconds
+  self.case.acts = without(self.case.acts, failure.at + 1, #self.case.acts)
+  local again = true
+  while again and os.clock() < self.deadline do
+    again = self:dropActs()
+    again = self:dropReactions() or again
+    again = self:calm() and not self.isCalm or again
+    self.isCalm = true
+    again = self:dropFields() or again
+    again = self:roundNumbers() or again
+  end
+  return self.case, self.failure
+end
+
+return shrink
