@@ -18,6 +18,7 @@ local view = require(here .. ".view")
 local restore = {}
 
 local STATIC, KINEMATIC, DYNAMIC = columns.STATIC, columns.KINEMATIC, columns.DYNAMIC
+local max = math.max
 
 -- Which table is which object --------------------------------------------------------------------
 
@@ -466,7 +467,7 @@ local function nameGroups(b, names)
   for name in next, b.groupNumber do
     b.groupNumber[name] = nil
   end
-  for n = 1, math.max(#names, #b.groupNames) do
+  for n = 1, max(#names, #b.groupNames) do
     b.groupNames[n] = names[n]
     if names[n] ~= nil then
       b.groupNumber[names[n]] = n
@@ -485,7 +486,7 @@ local function masksOf(list)
 end
 
 local function isSameOrder(order, other)
-  for n = 1, math.max(#order, #other) do
+  for n = 1, max(#order, #other) do
     if order[n] ~= other[n] then
       return false
     end
@@ -539,7 +540,7 @@ function restore.world(world, st)
     world._walls[side] = objects[n]
   end
   world._saved = st.saved
-  world.alpha = world.timestep and st.saved / world.timestep or 0
+  world.alpha = world.timestep and max(0, st.saved / world.timestep) or 0
   view.outdate(b)
 end
 

@@ -9,6 +9,8 @@ local state = require(here .. ".state")
 local verify = {}
 
 local WHERE = "world:restore(state): "
+-- As in world.lua: the longest time that can be saved up, and what rounding takes from it, s.
+local LONGEST, ROUNDING = 0.25, 1e-9
 local floor = math.floor
 local show = check.show
 
@@ -353,8 +355,9 @@ function verify.state(st)
     refuse("state.version", show(state.VERSION), st.version)
   end
   needSettings(st.settings)
-  if not isNumber(st.saved) or st.saved < 0 then
-    refuse("state.saved", "a number >= 0", st.saved)
+  -- Rounding may leave a little less than nothing; more than an update takes would be no state.
+  if not isNumber(st.saved) or st.saved < -ROUNDING or st.saved > LONGEST then
+    refuse("state.saved", "a number in 0..0.25", st.saved)
   end
   needCount(st.count, "state.count", 2 ^ 31)
   needCount(st.known, "state.known", st.count)

@@ -1,7 +1,10 @@
 --- A short part of the random games (spec/fuzz/). `make fuzz SECONDS=600` plays more of them.
 
 local case = require("spec.fuzz.case")
+local checks = require("spec.fuzz.checks")
 local effort = require("spec.support.effort")
+local player = require("spec.fuzz.player")
+local shrink = require("spec.fuzz.shrink")
 local trial = require("spec.fuzz.trial")
 local write = require("spec.fuzz.write")
 
@@ -27,5 +30,150 @@ describe("random games", function()
     local read = assert(loadText("return " .. write.case(one)))()
     assert.same(one.acts, read.acts)
     assert.same(one.settings, read.settings)
+  end)
+end)
+
+-- A box that lies between two others on the floor, and a wall at some distance.
+local SCENE = {
+  settings = { gravity = 800 },
+  acts = {
+    { "add", 1, "floors", { x = 0, y = 100, width = 100, height = 10, static = true } },
+    { "add", 2, "boxes", { x = 20, y = 90, width = 10, height = 10 } },
+    { "add", 3, "boxes", { x = 50, y = 80, width = 10, height = 10, vx = 5 } },
+    {
+      "add",
+      4,
+      "sensors",
+      { x = 70, y = 50, width = 10, height = 10, sensor = true, gravity = 0 },
+    },
+  },
+}
+
+describe("the checks notice", function()
+  for _, row in ipairs({
+    {
+      "a number that is none",
+      "finite",
+      function(list)
+        list[3].vx = 0 / 0
+      end,
+    },
+    {
+      "a static object that has moved",
+      "static",
+      function(list)
+        list[1].x = 1
+      end,
+    },
+    {
+      "a box inside a wall",
+      "static overlap",
+      function(list)
+        list[3].y = 90.01
+      end,
+    },
+    {
+      "a neighbour that is far away",
+      "touching",
+      function(list)
+        list[3].touching.left = list[2]
+      end,
+    },
+    {
+      "a neighbour that is a sensor",
+      "touching",
+      function(list)
+        list[3].touching.left = list[4]
+      end,
+    },
+    {
+      "a contact that begins twice",
+      "pairing",
+      function(list, world)
+        world.onBegin(list[1], list[2], "top", 0)
+      end,
+    },
+    {
+      "an end without a beginning",
+      "pairing",
+      function(list, world)
+        world.onEnd(list[2], list[3], "top")
+      end,
+    },
+    {
+      "a beginning without an end",
+      "pairing",
+      function(list, world)
+        world.onBegin(list[2], list[3], "right", 0)
+      end,
+    },
+    {
+      "energy from nowhere",
+      "energy",
+      function(list)
+        list[3].vx = 500
+      end,
+    },
+  }) do
+    it(row[1], function()
+      local one = player.new(SCENE)
+      local watch = checks.new(one, true)
+      for _, act in ipairs(SCENE.acts) do
+        one:act(act)
+      end
+      for _ = 1, 3 do
+        watch:before()
+        one:act({ "update", 1 / 60 })
+        assert.is_nil((watch:after(1 / 60)))
+      end
+      watch:before()
+      one:act({ "update", 1 / 60 })
+      row[3](one.list, one.world)
+      assert.equal(row[2], (watch:after(1 / 60)))
+    end)
+  end
+
+  it("momentum that is gone", function()
+    local one = player.new({ settings = { gravity = 0 }, acts = { SCENE.acts[3] } })
+    local watch = checks.new(one, true)
+    one:act(SCENE.acts[3])
+    watch:before()
+    one:act({ "update", 1 / 60 })
+    one.list[3].vx = 4
+    assert.equal("momentum", (watch:after(1 / 60)))
+  end)
+end)
+
+describe("a case that fails", function()
+  it("is made small, as long as it fails", function()
+    -- It "fails" if somebody wider than 5 px is removed after an update.
+    local function run(given)
+      local isUpdated, isWide = false, {}
+      for at, act in ipairs(given.acts) do
+        isUpdated = isUpdated or act[1] == "update"
+        if act[1] == "add" then
+          isWide[act[2]] = act[4].width > 5
+        elseif act[1] == "remove" and isUpdated and isWide[act[2]] then
+          return { check = "made up", at = at }
+        end
+      end
+    end
+    local acts = {}
+    for id = 1, 20 do
+      acts[#acts + 1] =
+        { "add", id, "boxes", { x = id / 3, y = 0, width = id / 2, height = 7, mass = 2 } }
+      acts[#acts + 1] = { "update", 0.1 }
+      acts[#acts + 1] = { "remove", id }
+    end
+    local one = { settings = { gravity = 3, push = "first" }, acts = acts }
+    local small, failure = shrink.run(one, run(one), 10, run)
+    assert.same({ { "add", "update", "remove" }, {} }, {
+      { small.acts[1][1], small.acts[2][1], small.acts[3][1] },
+      small.settings,
+    })
+    assert.equal(3, #small.acts)
+    assert.equal(3, failure.at)
+    assert.is_nil(small.acts[1][4].mass)
+    assert.is_true(small.acts[1][4].width > 5)
   end)
 end)

@@ -544,7 +544,7 @@ describe("a damaged state", function()
       function(state)
         state.saved = -1
       end,
-      "state.saved must be a number >= 0, got -1",
+      "state.saved must be a number in 0..0.25, got -1",
     },
     {
       "count",

@@ -427,6 +427,58 @@ local function makeTurn(self)
   self:put({ "update", self.n:dt() })
 end
 
+-- Closed games ------------------------------------------------------------------------------------
+
+-- Nothing but boxes that bump: no way for energy to come in. Without walls and gravity all momentum
+-- stays, too.
+
+local CLOSED = { { "friction", 0.4 }, { "restitution", 0.5 }, { "mass", 0.5 } }
+
+local function makeClosedBox(self, column, row)
+  local n = self.n
+  local box = {
+    -- On a raster wide enough that nobody stands in another at first.
+    x = n:snap((2.5 * column + 1) * n.unit),
+    y = n:snap((2.5 * row + 1) * n.unit),
+    width = n:snap(n.random:between(0.5, 2) * n.unit),
+    height = n:snap(n.random:between(0.5, 2) * n.unit),
+    vx = n:snap(n.random:between(-25, 25) * n.unit),
+    vy = n:snap(n.random:between(-25, 25) * n.unit),
+  }
+  for _, field in ipairs(CLOSED) do
+    if n.random:chance(field[2]) then
+      box[field[1]] = OPTIONAL[field[1]](n)
+    end
+  end
+  self:put(self:add(n.random:pick(GROUPS), box))
+end
+
+-- Returns the settings.
+local function makeClosed(self, steps)
+  local n = self.n
+  local hasWalls = n.random:chance(0.5)
+  for column = 0, 6 do
+    for row = 0, 5 do
+      if n.random:chance(0.5) then
+        makeClosedBox(self, column, row)
+      end
+    end
+  end
+  if hasWalls then
+    makeRoom(self)
+  end
+  for _ = 1, steps do
+    self:put({ "update", n:dt() })
+  end
+  return {
+    gravity = hasWalls and n.random:chance(0.5) and 40 * n.unit or 0,
+    push = n.random:pick({ "both", "first" }),
+    broadphase = n.random:pick({ "auto", "pairs", "grid" }),
+  }
+end
+
+-- Games ------------------------------------------------------------------------------------------
+
 local function newSettings(n)
   local random = n.random
   local settings = { gravity = random:pick({ 0, 40, 40, 40 }) * n.unit }
@@ -444,11 +496,15 @@ end
 --- Makes the case of a seed.
 ---@param seed integer
 ---@param steps integer updates
----@return table case `{ seed, settings, acts }`
+---@return table case `{ seed, settings, acts, closed }`
 function case.new(seed, steps)
   local n = newNumbers(seed)
   local random = n.random
   local self = setmetatable({ n = n, acts = {}, count = 0 }, Maker)
+  if random:chance(0.15) then
+    local settings = makeClosed(self, steps)
+    return { seed = seed, settings = settings, acts = self.acts, closed = true }
+  end
   -- Calm games, in which things come to rest, and wild ones.
   self.busy = random:pick({ 0, 0.02, 0.1, 0.3, 0.6 })
   if random:chance(0.8) then

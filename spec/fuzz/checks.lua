@@ -318,12 +318,68 @@ function Watch:checkUntold()
   end
 end
 
+-- Energy and momentum ----------------------------------------------------------------------------
+
+-- Share of the whole that rounding may add in a step.
+local ROUNDING = 1e-9
+-- The same under gravity, where who is pushed upwards out of the way of another gains height for
+-- nothing: hardly any if both give way, up to a hundredth where one takes the whole way.
+local LIFTED = { both = 1e-4, first = 0.03 }
+
+-- What all that moves has together: energy, momentum on x and y; and the sizes of the latter two.
+function Watch:sums()
+  local world = self.player.world
+  local kinetic, potential, x, y, sizeX, sizeY = 0, 0, 0, 0, 0, 0
+  for _, object in ipairs(self.everybody) do
+    if isDynamic(object) then
+      local mass, vx, vy = object.mass or 1, object.vx or 0, object.vy or 0
+      kinetic = kinetic + 0.5 * mass * (vx * vx + vy * vy)
+      potential = potential - mass * world.gravity * (object.y - self.floor)
+      x, y = x + mass * vx, y + mass * vy
+      sizeX, sizeY = sizeX + mass * math.abs(vx), sizeY + mass * math.abs(vy)
+    end
+  end
+  return kinetic, potential, x, y, sizeX, sizeY
+end
+
+function Watch:noteSums()
+  if self.closed then
+    self.floor = 0
+    for object in next, self.statics do
+      self.floor = max(self.floor, object.y)
+    end
+    self.kinetic, self.potential, self.x, self.y, self.sizeX, self.sizeY = self:sums()
+  end
+end
+
+function Watch:checkSums()
+  local kinetic, potential, x, y = self:sums()
+  local before = self.kinetic + self.potential
+  local world = self.player.world
+  local limit = world.gravity == 0 and ROUNDING or LIFTED[world.push]
+  local grown = kinetic + potential - before
+  if grown > limit * before + 1e-12 then
+    local text = "energy grew by %.9g, it was %.9g (%.3g)"
+    return "energy", text:format(grown, before, grown / before)
+  end
+  if next(self.statics) then
+    return -- walls take up momentum
+  end
+  if
+    math.abs(x - self.x) > ROUNDING * self.sizeX or math.abs(y - self.y) > ROUNDING * self.sizeY
+  then
+    local text = "momentum %.9g, %.9g was %.9g, %.9g before"
+    return "momentum", text:format(x, y, self.x, self.y)
+  end
+end
+
 -- Watching ---------------------------------------------------------------------------------------
 
---- Watches a player's world.
-function checks.new(player)
+--- Watches a player's world; in a `closed` one nothing adds energy.
+function checks.new(player, closed)
   local self = setmetatable({
     player = player,
+    closed = closed,
     open = {}, -- contacts that have begun and not ended
     crushed = {}, -- ids
     complaint = false,
@@ -341,6 +397,7 @@ function Watch:before()
   self:look()
   self:noteStatics()
   self:noteDepths()
+  self:noteSums()
   self.saved = self.player.world._saved
 end
 
@@ -374,6 +431,9 @@ function Watch:after(dt)
   end
   if not name and not self.player.world.sideBySide then
     name, text = self:checkUntold()
+  end
+  if not name and self.closed then
+    name, text = self:checkSums()
   end
   self:updateCrushed()
   return name, text

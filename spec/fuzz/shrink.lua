@@ -25,7 +25,7 @@ function Shrinker:try(case)
   if os.clock() > self.deadline then
     return false
   end
-  local failure = trial.run(case)
+  local failure = self.run(case)
   if not failure or failure.check ~= self.failure.check then
     return false
   end
@@ -169,8 +169,10 @@ local shrink = {}
 ---@param case table one that fails
 ---@param failure table of it, from spec/fuzz/trial.lua
 ---@param seconds number how long it may try
-function shrink.run(case, failure, seconds)
+---@param run? fun(case: table): table? what plays a case and returns its failure
+function shrink.run(case, failure, seconds, run)
   local self = setmetatable({ case = copyOf(case), failure = failure }, Shrinker)
+  self.run = run or trial.run
   self.deadline = os.clock() + seconds
   self.case.acts = without(self.case.acts, failure.at + 1, #self.case.acts)
   local again = true

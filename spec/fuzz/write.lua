@@ -70,7 +70,12 @@ write.value = value
 
 --- Returns a case as the source of a table.
 function write.case(case)
-  local lines = { "{", "  settings = " .. value(case.settings) .. ",", "  acts = {" }
+  local lines = { "{" }
+  if case.closed then
+    lines[2] = "  closed = true,"
+  end
+  lines[#lines + 1] = "  settings = " .. value(case.settings) .. ","
+  lines[#lines + 1] = "  acts = {"
   for _, act in ipairs(case.acts) do
     lines[#lines + 1] = "    " .. value(act) .. ","
   end
