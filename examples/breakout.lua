@@ -1,11 +1,16 @@
--- Breakout: balls that lose no speed, bullets that miss nothing, white bricks that hold a ball.
+-- Balls that lose no speed however often they bounce, and bullets that fly 200 px in a single step
+-- and yet miss no brick. A white brick holds another ball. Where the ball meets the paddle says
+-- where it goes.
 
 local boxes = require("boxes")
 local input = require("input")
 local look = require("look")
 local physics = require("physics")
+local sparks = require("sparks")
 
-local breakout = {}
+local breakout = {
+  keys = { { "left", "right", "mouse", "move" }, { "space", "click", "shoot" } },
+}
 
 local BALL, BALL_SPEED = 14, 430 -- px, px/s
 local BULLET_SPEED = 12000 -- px/s: 200 px a step, ten times the height of a brick
@@ -22,22 +27,20 @@ local function send(ball, dx, dy)
 end
 
 local function addBall(x, y, dx, dy)
-  local ball = { restitution = 1 }
-  send(ball, dx, dy)
-  boxes.add(world, "balls", "white", x, y, BALL, BALL, ball)
+  send(boxes.add(world, "balls", "white", x, y, BALL, BALL, { restitution = 1 }), dx, dy)
 end
 
 -- Callbacks may remove and add what they like: the library calls them when its step is done.
 local function breakBrick(brick, other)
   world:remove(brick)
-  table.insert(state.flashes, { brick.x, brick.y, WIDTH, HEIGHT, left = 1 })
+  sparks.burst(brick, 8)
   if brick.color == "white" then
     addBall(brick.x + (WIDTH - BALL) / 2, brick.y, other.x < brick.x and 1 or -1, 2)
   end
 end
 
 local function hitPaddle(_, ball, side)
-  if side == "top" then -- where the ball hits says where it goes
+  if side == "top" then
     send(ball, (ball.x + BALL / 2 - paddle.x - paddle.width / 2) / paddle.width * 2.4, -1)
   end
 end
@@ -49,7 +52,7 @@ end
 local function hitAnything(bullet)
   world:remove(bullet)
   state.hits = state.hits + 1
-  table.insert(state.flashes, { bullet.x, bullet.y, 4, paddle.y - bullet.y, left = 1 })
+  sparks.flash(bullet.x, bullet.y, 4, paddle.y - bullet.y)
 end
 
 local function shoot()
@@ -61,14 +64,14 @@ end
 function breakout.load()
   local masks = { balls = { balls = false, bullets = false }, bullets = { paddles = false } }
   world = physics.newWorld({ gravity = 0, masks = masks })
-  state = { shots = 0, hits = 0, flashes = {} }
+  breakout.world, state = world, { shots = 0, hits = 0 }
+  sparks.clear()
   -- One pixel of wall holds everything, however fast it is.
-  world:add("walls", { x = LEFT - 1, y = TOP, width = 1, height = 600, static = true })
-  world:add("walls", { x = RIGHT, y = TOP, width = 1, height = 600, static = true })
-  world:add("walls", { x = LEFT, y = TOP - 1, width = RIGHT - LEFT, height = 1, static = true })
-  local pit = { x = 0, y = 660, width = 960, height = 9, static = true, sensor = true }
-  pit.onBegin = loseBall
-  world:add("pits", pit)
+  boxes.add(world, "walls", nil, LEFT - 1, TOP, 1, 600, { static = true })
+  boxes.add(world, "walls", nil, RIGHT, TOP, 1, 600, { static = true })
+  boxes.add(world, "walls", nil, LEFT, TOP - 1, RIGHT - LEFT, 1, { static = true })
+  local pit = { static = true, sensor = true, onBegin = loseBall }
+  boxes.add(world, "pits", nil, 0, 660, 960, 9, pit)
   for i = 0, COLUMNS * #COLORS - 1 do
     local column, row = i % COLUMNS, math.floor(i / COLUMNS)
     local x, y = LEFT + 7 + column * (WIDTH + GAP), TOP + 40 + row * (HEIGHT + GAP)
@@ -83,7 +86,7 @@ end
 
 function breakout.update(dt)
   local x = paddle.x + input.axis("left", "a", "right", "d") * PADDLE_SPEED * dt
-  local mouse = love.mouse.getX()
+  local mouse = input.mouse()
   if mouse ~= mouseX then -- the mouse moves the paddle when it moves itself
     x, mouseX = mouseX and mouse - paddle.width / 2 or x, mouse
   end
@@ -92,19 +95,12 @@ function breakout.update(dt)
     addBall(paddle.x + (paddle.width - BALL) / 2, paddle.y - 40, 0.6, -1)
   end
   world:update(dt)
-  for i = #state.flashes, 1, -1 do
-    state.flashes[i].left = state.flashes[i].left - 4 * dt
-    if state.flashes[i].left <= 0 then
-      table.remove(state.flashes, i)
-    end
-  end
+  sparks.update(dt)
 end
 
 function breakout.keypressed(key)
   if key == "space" or key == "up" or key == "w" then
     shoot()
-  elseif key == "r" then
-    breakout.load()
   end
 end
 
@@ -112,27 +108,19 @@ breakout.mousepressed = shoot
 
 function breakout.draw()
   look.sky("night", "navy", "plum")
-  look.color("slate")
-  love.graphics.rectangle("line", LEFT - 0.5, TOP - 0.5, RIGHT - LEFT + 1, 600)
-  boxes.draw(world, { "bricks", "balls", "bullets", "paddles" })
-  for _, flash in ipairs(state.flashes) do
-    look.color("white", flash.left)
-    love.graphics.rectangle("fill", flash[1], flash[2], flash[3], flash[4], 3)
-  end
-  local ball = world.objects.balls and world.objects.balls[1] or paddle
-  local lookX = math.max(-1, math.min(1, (ball.x - paddle.x - 53) / 200))
-  look.eyes(paddle.x + 38, paddle.y, 44, 24, lookX, -0.6)
-  local lost = state.shots - state.hits - #(world.objects.bullets or {})
-  local bullets = ("%d bullets, %d went through a wall"):format(state.shots, lost)
-  local bricks = #world.objects.bricks .. " bricks"
-  local won = bricks == "0 bricks" and "Well done!" or ""
-  boxes.status({ "white", bricks, "silver", bullets, "yellow", won }, 24, 20)
-  boxes.keys({ { "left", "right", "mouse", "move" }, { "space", "click", "shoot" } })
+  look.color("cyan")
+  love.graphics.rectangle("line", LEFT - 0.5, TOP - 0.5, RIGHT - LEFT + 1, 700)
+  boxes.draw(world, "bricks balls bullets paddles", 0)
+  sparks.draw()
+  look.eyes(paddle.x + 28, paddle.y - 5, 64, 36, 0, -0.6)
+  local bricks = #world.objects.bricks
+  local words = bricks > 0 and bricks .. " bricks" or "Well done!"
+  boxes.status({ "white", words, "silver", ("%d shots, %d hits"):format(state.shots, state.hits) })
 end
 
 function breakout.report()
   local broken = COLUMNS * #COLORS - #world.objects.bricks
-  local lost = state.shots - state.hits - #(world.objects.bullets or {})
+  local lost = state.shots - state.hits - #(world.objects.bullets or {}) -- those in the air are not
   local result = "breakout: x=%d y=%d broken=%d shots=%d lost=%d"
   return result:format(paddle.x, paddle.y, broken, state.shots, lost)
 end

@@ -1,6 +1,7 @@
 -- LÖVE reads this before it opens the window.
 
 local script = require("script")
+local view = require("view")
 
 local isReadable, problem = pcall(script.read, arg or {})
 
@@ -20,8 +21,9 @@ function love.conf(t)
   t.identity = "physics-lua-examples"
   t.version = "11.4"
   t.window.title = "physics.lua"
-  t.window.width = 960
-  t.window.height = 640
+  t.window.width = view.width
+  t.window.height = view.height
+  t.window.resizable = true
   t.window.vsync = script.isOn and 0 or 1
   -- The library is pure Lua: it needs neither love.physics nor anything else of LÖVE.
   t.modules.physics = false

@@ -1,21 +1,22 @@
--- A factory with lifts, belts, a press and shelves. Five coins are to be taken.
+-- A factory. Who stands on a lift or a belt rides along, and who stands on a rider, too. Shelves
+-- can be jumped through from below. The press crushes what lies under it. Take the five coins.
 
 local boxes = require("boxes")
-local input = require("input")
+local hero = require("hero")
 local look = require("look")
 local physics = require("physics")
 
-local lifts = {}
+local lifts = {
+  keys = { { "left", "right", "run" }, { "space", "jump" }, { "down", "drop through a shelf" } },
+}
 
-local RUN_SPEED, RUN_UP, JUMP_SPEED = 230, 1800, 620 -- px/s, px/s², px/s
 local CRATE, SHEET = 32, 4 -- px, the height of a crate before and after the press
 local CRATE_EVERY, MOST = 2.4, 30 -- s, crates
-local COINS = { { 30, 110 }, { 400, 80 }, { 848, 140 }, { 490, 430 }, { 848, 410 } }
+local COINS = { { 39, 119 }, { 409, 89 }, { 857, 149 }, { 499, 439 }, { 857, 419 } } -- px
 
 local world, player, press, state
 
--- A kinematic object goes where it is told to, whatever is in its way. Those who stand on it come
--- along, and those who stand on them: nothing more has to be done for that.
+-- A kinematic object goes where it is told to, whatever is in its way.
 local function addLift(color, x, y, width, height, toX, toY, period, oneWay)
   local lift = { kinematic = true, period = period, oneWay = oneWay }
   lift.fromX, lift.fromY, lift.toX, lift.toY = x, y, toX, toY
@@ -48,26 +49,16 @@ local function addCrate(x, y, color)
   end
 end
 
-local function takeCoin(coin, other)
-  if other == player then
-    state.coins = state.coins + 1
-    world:remove(coin)
-  end
-end
-
 function lifts.load()
   world = physics.newWorld({ gravity = 1600 })
-  state = { time = 0, coins = 0, flattened = 0, untilCrate = 0 }
+  lifts.world, state = world, { time = 0, coins = 0, flattened = 0, untilCrate = 0 }
   world:setBounds(0, -300, 960, 856) -- four walls; the lower one is the floor
   boxes.add(world, "walls", "slate", 436, 354, 16, 98, { static = true })
-  -- What stands on a surface that runs is carried, as if by a lift.
-  local upper = { static = true, surfaceSpeed = 90 }
-  local lower = { static = true, surfaceSpeed = -110 }
-  boxes.add(world, "belts", "night", 250, 330, 330, 24, upper)
-  boxes.add(world, "belts", "night", 400, 460, 310, 24, lower)
+  boxes.add(world, "belts", "night", 250, 330, 330, 24, { static = true, surfaceSpeed = 90 })
+  boxes.add(world, "belts", "night", 400, 460, 310, 24, { static = true, surfaceSpeed = -110 })
   for i = 0, 3 do
-    local shelf = { static = true, oneWay = "top" }
-    boxes.add(world, "shelves", "teal", 790, 466 - i * 90, 130, 12, shelf)
+    local y = 466 - i * 90
+    boxes.add(world, "shelves", "teal", 790, y, 130, 12, { static = true, oneWay = "top" })
   end
   addLift("sky", 40, 540, 110, 16, 40, 210, 3, "top") -- one-way: it crushes nobody below
   addLift("sky", 180, 210, 150, 16, 610, 210, 3.5)
@@ -77,10 +68,9 @@ function lifts.load()
   end
   addCrate(80, 500, "green")
   for _, at in ipairs(COINS) do
-    local coin = { static = true, sensor = true, onBegin = takeCoin }
-    boxes.add(world, "coins", "yellow", at[1], at[2], 18, 18, coin)
+    boxes.addCoin(world, at[1], at[2], state)
   end
-  player = { vx = 0, vy = 0, onCrush = flatten, facing = 1 }
+  player = { vx = 0, vy = 0, onCrush = flatten, lookX = 1, lookY = 0 }
   boxes.add(world, "players", "orange", 300, 500, 26, 34, player)
 end
 
@@ -93,21 +83,15 @@ function lifts.update(dt)
   for _, lift in ipairs(world.objects.lifts) do
     moveLift(lift)
   end
-  -- On a lift or a belt, vx is relative to it: 0 is to stand still.
-  local direction, step = input.axis("left", "a", "right", "d"), RUN_UP * dt
-  local missing = direction * RUN_SPEED - player.vx
-  player.vx = player.vx + math.max(-step, math.min(step, missing))
-  player.facing = direction ~= 0 and direction or player.facing
+  hero.run(player, dt) -- on a lift or a belt vx is relative to it: 0 is to stand still
   world:update(dt)
 end
 
 function lifts.keypressed(key, isRepeat)
-  if (key == "space" or key == "up" or key == "w") and player.touching.bottom then
-    player.vy = -JUMP_SPEED
+  if key == "space" or key == "up" or key == "w" then
+    hero.jump(player)
   elseif (key == "down" or key == "s") and not isRepeat then
     world:dropThrough(player) -- through the shelf or lift that it stands on
-  elseif key == "r" then
-    lifts.load()
   end
 end
 
@@ -117,20 +101,10 @@ function lifts.draw()
   love.graphics.rectangle("fill", 93, 210, 4, 346)
   love.graphics.rectangle("fill", 180, 216, 580, 4)
   love.graphics.rectangle("fill", 484, 354, 16, press.y - 354)
-  look.color("dusk")
-  love.graphics.rectangle("fill", 0, 556, 960, 84)
-  boxes.draw(world, { "walls", "belts", "shelves", "lifts", "crates", "players" })
-  boxes.drawCoins(world.objects.coins, state.time)
-  look.eyes(player.x, player.y, player.width, player.height, player.facing, 0)
-  look.color("silver")
-  for _, belt in ipairs(world.objects.belts) do
-    for x = belt.x + state.time * belt.surfaceSpeed % 24, belt.x + belt.width - 9, 24 do
-      love.graphics.rectangle("fill", x, belt.y + 2, 9, 4)
-    end
-  end
+  boxes.ground(556)
+  boxes.draw(world, "walls belts shelves lifts crates coins players", state.time)
   local coins, flattened = state.coins .. " / 5 coins", state.flattened .. " pressed flat"
-  boxes.status({ "yellow", coins, "silver", flattened }, 24, 20)
-  boxes.keys({ { "left", "right", "run" }, { "space", "jump" }, { "down", "drop through" } })
+  boxes.status({ "yellow", coins, "silver", flattened })
 end
 
 function lifts.report()

@@ -1,5 +1,7 @@
 -- Colours, fonts and small drawings that all examples share.
 
+local view = require("view")
+
 local look = {}
 
 -- "Sweetie 16", a palette by GrafxKid.
@@ -35,16 +37,22 @@ end
 
 local fonts = {}
 
---- Writes text in a size. `width` wraps it, `align` needs a width.
-function look.text(text, x, y, size, width, align)
+--- Sets the font to a size, and returns it.
+function look.font(size)
   fonts[size] = fonts[size] or love.graphics.newFont(size)
   love.graphics.setFont(fonts[size])
+  return fonts[size]
+end
+
+--- Writes text in a size; returns the font. `width` wraps it, `align` needs a width.
+function look.text(text, x, y, size, width, align)
+  local font = look.font(size)
   if width then
     love.graphics.printf(text, x, y, width, align or "left")
   else
     love.graphics.print(text, x, y)
   end
-  return fonts[size]
+  return font
 end
 
 local gradients = {}
@@ -52,14 +60,14 @@ local gradients = {}
 local function newGradient(names)
   local vertices = {}
   for i, name in ipairs(names) do
-    local color, y = look.colors[name], (i - 1) / (#names - 1) * 640
+    local color, y = look.colors[name], (i - 1) / (#names - 1) * view.height
     vertices[#vertices + 1] = { 0, y, 0, 0, color[1], color[2], color[3], 1 }
-    vertices[#vertices + 1] = { 960, y, 0, 0, color[1], color[2], color[3], 1 }
+    vertices[#vertices + 1] = { view.width, y, 0, 0, color[1], color[2], color[3], 1 }
   end
   return love.graphics.newMesh(vertices, "strip", "static")
 end
 
---- Fills the window with colours that flow into each other from the top to the bottom.
+--- Fills the picture with colours that flow into each other from the top to the bottom.
 function look.sky(...)
   local key = table.concat({ ... }, " ")
   gradients[key] = gradients[key] or newGradient({ ... })
@@ -67,10 +75,29 @@ function look.sky(...)
   love.graphics.draw(gradients[key])
 end
 
---- Draws a dark panel for text.
-function look.panel(x, y, width, height)
+--- Fills the game's part of the picture with the squares of a draughtboard.
+function look.squares(size, color, alpha)
+  look.color(color, alpha)
+  for row = 0, math.ceil(view.height / size) - 1 do
+    for x = row % 2 * size, view.gameWidth - size, 2 * size do
+      love.graphics.rectangle("fill", x, row * size, size, size)
+    end
+  end
+end
+
+--- Draws a dark panel for text. `radius`: of its corners, px (10).
+function look.panel(x, y, width, height, radius)
   look.color("night", 0.78)
-  love.graphics.rectangle("fill", x, y, width, height, 10)
+  love.graphics.rectangle("fill", x, y, width, height, radius or 10)
+end
+
+--- Draws a slider whose knob stands at a share (0..1) of its width.
+function look.slider(x, y, width, share, color)
+  look.color("slate")
+  love.graphics.rectangle("fill", x, y, width, 8, 4)
+  look.color(color)
+  love.graphics.rectangle("fill", x, y, width * share, 8, 4)
+  love.graphics.circle("fill", x + width * share, y + 4, 11)
 end
 
 --- Draws a box with a soft shadow and a lighter upper edge.
@@ -108,11 +135,10 @@ local ARROWS = {
   down = { 0, 5, -6, -4, 6, -4 },
 }
 
--- Draws one key and returns where the next thing goes.
-local function drawKey(key, x, y)
+--- Draws one key of the keyboard; returns the x where the next thing goes.
+function look.key(key, x, y)
   local arrow = ARROWS[key]
-  fonts[13] = fonts[13] or love.graphics.newFont(13)
-  local width = arrow and 26 or fonts[13]:getWidth(key) + 16
+  local width = arrow and 26 or look.font(13):getWidth(key) + 16
   look.color("night", 0.9)
   love.graphics.rectangle("fill", x, y + 2, width, 24, 5)
   look.color("slate")
@@ -135,7 +161,7 @@ end
 function look.keys(hints, x, y)
   for _, hint in ipairs(hints) do
     for i = 1, #hint - 1 do
-      x = drawKey(hint[i], x, y)
+      x = look.key(hint[i], x, y)
     end
     look.color("silver")
     local font = look.text(hint[#hint], x + 3, y + 3, 13)

@@ -1,5 +1,11 @@
--- Start with `love examples` from the folder of the library. The menu and each example are screens:
--- tables with the functions load, update, draw, report and, if they like, keypressed, mousepressed.
+-- Start with `love examples` from the folder of the library.
+--
+-- The menu and each example are screens: tables with the functions load(), update(dt), draw(),
+-- report(), which returns "name: value=1 other=2", and, if they like, keypressed(key, isRepeat) and
+-- mousepressed(x, y). An example draws 960x640 px and also has: keys, the hints for the bar at the
+-- bottom; world, the world that the frame around it (frame.lua) measures and makes visible; and, if
+-- its picture scrolls, camera(), which returns the x, y of the world at the top-left corner. A new
+-- one is entered in the list of menu.lua.
 --
 -- For tests: `love examples --say` prints a line when a screen has started, and then one a second:
 --
@@ -7,27 +13,33 @@
 --   example platformer started
 --   example platformer second 1: x=160 y=486 coins=0 deaths=0 won=false
 --
--- The first word is always "example", the second the screen's name, as in `--example=NAME`. x, y is
--- the place of who the arrow keys move, in px: the player (platformer, lifts, topdown), the paddle
--- (breakout), the blue player (rollback). Where there is none other values tell of the keys: menu
--- (down) chosen=, tutorial (right) page=, pile (up) boxes=. The seconds are those of the clock: the
--- lines go on while the game is paused. Where no arguments can be given, as in a browser, two files beside main.lua
--- do the same: say.txt (it only has to be there) for --say, and start.txt, which holds a name, for
--- --example=NAME. An argument goes first.
+-- The first word is always "example", the second the screen's name, as in `--example=NAME`. x, y
+-- is the place of who the arrow keys move, in px: the player (platformer, lifts, topdown), the
+-- paddle (breakout), the blue player (rollback). Where there is none other values tell of the
+-- keys: menu (down) chosen=, tutorial (right) page=, pile (up) boxes=. The seconds are those of
+-- the clock: the lines go on while the game is paused. Where no arguments can be given, as in a
+-- browser, two files beside main.lua do the same: say.txt (it only has to be there) for --say, and
+-- start.txt, which holds a name, for --example=NAME. An argument goes first.
 
 -- The library lies beside this folder. Inside of a .love the line does no harm.
 package.path = love.filesystem.getSource() .. "/../?.lua;" .. package.path
 
+local frame = require("frame")
+local input = require("input")
 local menu = require("menu")
 local say = require("say")
 local script = require("script")
+local view = require("view")
 
 local screen
 
+-- Shows another screen, or nothing new when there is no name.
 local function show(name)
-  screen = name == "menu" and menu or require(name)
-  screen.load()
-  say.start(name)
+  if name then
+    screen = name == "menu" and menu or frame.around(menu.entry(name))
+    screen.load()
+    say.start(name)
+  end
 end
 
 -- Returns the first word of a file beside this one, "" when it is empty, nil when there is none.
@@ -56,29 +68,19 @@ function love.update(dt)
 end
 
 function love.draw()
-  screen.draw()
+  view.draw(screen.draw)
 end
 
 function love.keypressed(key, _, isRepeat)
-  if key == "escape" and not isRepeat then
-    if screen == menu then
-      love.event.quit()
-    else
-      show("menu")
-    end
-  elseif screen.keypressed then
-    local chosen = screen.keypressed(key, isRepeat)
-    if chosen then
-      show(chosen)
-    end
+  if key == "f11" then
+    love.window.setFullscreen(not love.window.getFullscreen())
+  else
+    show(screen.keypressed(key, isRepeat))
   end
 end
 
-function love.mousepressed(x, y, button)
-  if button == 1 and screen.mousepressed then
-    local chosen = screen.mousepressed(x, y)
-    if chosen then
-      show(chosen)
-    end
+function love.mousepressed(_, _, button)
+  if button == 1 then
+    show(screen.mousepressed(input.mouse()))
   end
 end

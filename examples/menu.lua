@@ -1,7 +1,12 @@
--- The first screen: choose an example. Behind the list a small world rains boxes.
+-- The first screen: choose an example. The chosen one plays itself beside the list; boxes rain on
+-- its picture, just because they can.
 
+local input = require("input")
 local look = require("look")
 local physics = require("physics")
+local preview = require("preview")
+local source = require("source")
+local view = require("view")
 
 local menu = {}
 
@@ -14,30 +19,50 @@ local EXAMPLES = {
   { name = "rollback", title = "Rollback", text = "Football, and time that turns back." },
   { name = "pile", title = "Pile", text = "What it costs to stack many boxes." },
 }
-local X, Y, WIDTH, HEIGHT, GAP = 80, 170, 430, 50, 7
+local X, Y, WIDTH, HEIGHT, GAP = 40, 146, 440, 46, 6
+local SHOW_X, SHOW_Y, SHOW_SCALE = 520, 122, 2 / 3
+local SHOW_WIDTH, SHOW_HEIGHT = view.gameWidth * SHOW_SCALE, view.height * SHOW_SCALE
 local COLORS = { "red", "orange", "yellow", "green", "sky", "blue", "plum" }
-local MOST = 90 -- boxes
+local MOST, KICK = 40, 420 -- boxes; px/s, at most
 
-local chosen = 1
+local chosen, comment = 1, nil
 local mouseX, mouseY = 0, 0
 local world, random, untilNext
+
+--- Returns the entry of an example, `{ name =, title =, text = }`, which is the chosen one from now
+--- on. Errors: there is no such one.
+function menu.entry(name)
+  for i, entry in ipairs(EXAMPLES) do
+    if entry.name == name then
+      chosen = i
+      return entry
+    end
+  end
+  error(('there is no example "%s"'):format(name))
+end
+
+local function choose(i)
+  chosen, comment = i, source.comment(EXAMPLES[i].name)
+  preview.load(EXAMPLES[i].name)
+end
 
 function menu.load()
   random = love.math.newRandomGenerator(2)
   untilNext = 0
   world = physics.newWorld({ gravity = 700 })
-  world:add("walls", { x = 540, y = 600, width = 420, height = 40, static = true })
-  world:add("walls", { x = 540, y = -400, width = 20, height = 1000, static = true })
-  world:add("walls", { x = 940, y = -400, width = 20, height = 1000, static = true })
+  local show = { x = SHOW_X, y = SHOW_Y, width = SHOW_WIDTH, height = SHOW_HEIGHT, static = true }
+  world:add("shows", show)
+  mouseX, mouseY = input.mouse()
+  choose(chosen)
 end
 
 local function addBox()
-  local size = random:random(18, 46)
+  local size = random:random(18, 42)
   world:add("boxes", {
-    x = random:random(565, 890),
+    x = random:random(SHOW_X + 10, SHOW_X + SHOW_WIDTH - 60),
     y = -80,
     width = size,
-    height = random:random(18, 46),
+    height = random:random(18, 42),
     mass = size,
     friction = 0.5,
     restitution = 0.15,
@@ -50,24 +75,12 @@ local function addBox()
   end
 end
 
-function menu.update(dt)
-  untilNext = untilNext - dt
-  if untilNext <= 0 then
-    untilNext = 0.16
-    addBox()
-  end
-  world:update(dt)
-
-  -- The mouse chooses when it moves, so that it does not fight with the keys.
-  local x, y = love.mouse.getPosition()
-  if x ~= mouseX or y ~= mouseY then
-    mouseX, mouseY = x, y
-    chosen = menu.at(x, y) or chosen
-  end
+local function kick(box)
+  box.vx, box.vy = random:random(-KICK, KICK) / 3, -random:random(KICK / 2, KICK)
 end
 
---- Returns the number of the example whose entry is at a point, or nil.
-function menu.at(x, y)
+-- Returns the number of the example whose entry is at a point, or nil.
+local function entryAt(x, y)
   for i = 1, #EXAMPLES do
     local top = Y + (i - 1) * (HEIGHT + GAP)
     if physics.inside(x, y, 0, 0, X, top, WIDTH, HEIGHT) then
@@ -76,52 +89,93 @@ function menu.at(x, y)
   end
 end
 
-function menu.draw()
-  look.sky("night", "navy")
-  for _, wall in ipairs(world.objects.walls) do
-    look.color("dusk")
-    love.graphics.rectangle("fill", wall.x, wall.y, wall.width, wall.height)
+function menu.update(dt)
+  untilNext = untilNext - dt
+  if untilNext <= 0 then
+    untilNext = 0.2
+    addBox()
   end
+  world:update(dt)
+
+  -- The mouse chooses when it moves, so that it does not fight with the keys.
+  local x, y = input.mouse()
+  if x ~= mouseX or y ~= mouseY then
+    mouseX, mouseY = x, y
+    local i = entryAt(x, y)
+    if i and i ~= chosen then
+      choose(i)
+    end
+  end
+  preview.update(dt)
+end
+
+local function drawBoxes()
   for _, box in ipairs(world.objects.boxes or {}) do
     look.box(box.x, box.y, box.width, box.height, box.color)
-    look.eyes(box.x, box.y, box.width, box.height, 0, box.touching.bottom and 0 or 1)
+    local dx, dy = mouseX - box.x, mouseY - box.y
+    local share = 1 / math.max(1, math.sqrt(dx * dx + dy * dy))
+    look.eyes(box.x, box.y, box.width, box.height, dx * share, dy * share)
   end
+end
 
-  look.color("white")
-  look.text("physics.lua", X, 44, 54)
-  look.color("silver")
-  look.text("2D physics for games made of boxes", X + 3, 116, 18)
-  for i, example in ipairs(EXAMPLES) do
-    local y = Y + (i - 1) * (HEIGHT + GAP)
-    look.panel(X, y, WIDTH, HEIGHT)
-    if i == chosen then
-      look.color("sky")
-      love.graphics.rectangle("fill", X, y + 9, 5, HEIGHT - 18, 2)
-      look.color("white")
-    else
-      look.color("silver")
-    end
-    look.text(example.title, X + 22, y + 12, 20)
-    look.color(i == chosen and "silver" or "slate")
-    look.text(example.text, X + 142, y + 17, 14)
+local function drawEntry(entry, y, isChosen)
+  look.panel(X, y, WIDTH, HEIGHT)
+  if isChosen then
+    look.color("blue")
+    love.graphics.rectangle("fill", X, y, WIDTH, HEIGHT, 10)
   end
-  look.keys({ { "up", "down", "choose" }, { "enter", "start" }, { "esc", "quit" } }, X, 588)
+  look.color("white", isChosen and 1 or 0.8)
+  look.text(entry.title, X + 18, y + 11, 20)
+  look.color(isChosen and "white" or "silver", isChosen and 1 or 0.8)
+  look.text(entry.text, X + 142, y + 15, 14)
+end
+
+local function drawShow()
+  look.color("sky")
+  love.graphics.rectangle("fill", SHOW_X - 3, SHOW_Y, SHOW_WIDTH + 6, SHOW_HEIGHT + 3, 4)
+  preview.draw(SHOW_X, SHOW_Y + 3, SHOW_SCALE)
+  look.color("silver")
+  look.text(comment, SHOW_X, SHOW_Y + SHOW_HEIGHT + 14, 15, SHOW_WIDTH)
+end
+
+function menu.draw()
+  look.sky("night", "navy")
+  look.color("white")
+  look.text("physics.lua", X, 28, 54)
+  look.color("silver")
+  look.text("2D physics for games made of boxes", X + 3, 100, 18)
+  for i, entry in ipairs(EXAMPLES) do
+    drawEntry(entry, Y + (i - 1) * (HEIGHT + GAP), i == chosen)
+  end
+  drawBoxes()
+  drawShow()
+  look.keys({ { "up", "down", "mouse", "choose" }, { "enter", "click", "play" } }, X, 588)
 end
 
 --- Returns the name of the example to show when one was started.
 function menu.keypressed(key)
   if key == "up" then
-    chosen = (chosen - 2) % #EXAMPLES + 1
+    choose((chosen - 2) % #EXAMPLES + 1)
   elseif key == "down" then
-    chosen = chosen % #EXAMPLES + 1
+    choose(chosen % #EXAMPLES + 1)
   elseif key == "return" or key == "kpenter" or key == "space" then
     return EXAMPLES[chosen].name
+  elseif key == "escape" and love.system.getOS() ~= "Web" then
+    love.event.quit() -- in a browser nothing would be left to come back to
   end
 end
 
+--- Likewise. A click on a box kicks it.
 function menu.mousepressed(x, y)
-  local i = menu.at(x, y)
-  return i and EXAMPLES[i].name
+  local box = world:queryPoint(x, y, "boxes")[1]
+  local i = entryAt(x, y)
+  if box then
+    kick(box)
+  elseif i then
+    return EXAMPLES[i].name
+  elseif physics.inside(x, y, 0, 0, SHOW_X, SHOW_Y, SHOW_WIDTH, SHOW_HEIGHT) then
+    return EXAMPLES[chosen].name
+  end
 end
 
 function menu.report()

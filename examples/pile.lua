@@ -1,20 +1,26 @@
--- Many boxes dropped on each other, with the numbers that say what it costs.
+-- Many boxes dropped on each other. What lies still is darker: nothing is computed for it. Throw
+-- some about, watch what a step costs, and let the broad phase look at all pairs instead.
 
 local look = require("look")
 local physics = require("physics")
 
-local pile = {}
+local pile = {
+  keys = {
+    { "up", "down", "more, fewer" },
+    { "click", "throw about" },
+    { "space", "kick them all" },
+    { "b", "grid or all pairs" },
+  },
+}
 
-local LEFT, RIGHT, FLOOR = 260, 940, 610 -- px, the inside of the container
+local LEFT, RIGHT, FLOOR = 140, 820, 586 -- px, the inside of the container
 local WALL = 20 -- px
 local CELL = 23 -- px, room for one box when they are dropped
 local FIRST, STEP, MOST = 600, 100, 1500 -- boxes
 local COLORS = { "red", "orange", "yellow", "lime", "green", "cyan", "sky", "blue" }
-local HISTORY = 200 -- updates in the graph
-local GRAPH_TOP = 4 -- ms, the upper end of the graph
+local KICK, REACH, BLAST = 150, 130, 900 -- px/s, px, px/s
 
 local world, random
-local times, average -- ms per update: the last ones, and smoothed
 
 local function addWall(x, y, width, height)
   world:add("walls", { x = x, y = y, width = width, height = height, static = true })
@@ -39,8 +45,8 @@ end
 
 function pile.load()
   random = love.math.newRandomGenerator(7)
-  times, average = {}, 0
   world = physics.newWorld({ gravity = 800 })
+  pile.world = world
   addWall(LEFT - WALL, FLOOR, RIGHT - LEFT + 2 * WALL, WALL)
   -- The walls reach far above the window, where the boxes begin to fall.
   addWall(LEFT - WALL, FLOOR - 5000, WALL, 5000)
@@ -49,19 +55,12 @@ function pile.load()
 end
 
 function pile.update(dt)
-  local before = love.timer.getTime()
   world:update(dt)
-  local ms = (love.timer.getTime() - before) * 1000
-  table.insert(times, ms)
-  if #times > HISTORY then
-    table.remove(times, 1)
-  end
-  average = average + (ms - average) * (#times < 20 and 0.3 or 0.05)
 end
 
 local function kick()
   for _, box in ipairs(world.objects.boxes) do
-    box.vx = (box.vx or 0) + random:random(-150, 150)
+    box.vx = (box.vx or 0) + random:random(-KICK, KICK)
     box.vy = -random:random(200, 600)
   end
 end
@@ -89,14 +88,20 @@ function pile.keypressed(key, isRepeat)
     fewer()
   elseif key == "space" and not isRepeat then
     kick()
-  elseif key == "r" then
-    pile.load()
   elseif key == "b" then
     world.broadphase = world.broadphase == "pairs" and "auto" or "pairs"
   end
 end
 
--- ----------------------------------------------------------------------------------------- draw --
+--- Throws the boxes around a point away from it.
+function pile.mousepressed(x, y)
+  for _, box in ipairs(world:queryRect(x - REACH, y - REACH, 2 * REACH, 2 * REACH, "boxes")) do
+    local dx, dy = box.x + box.width / 2 - x, box.y + box.height / 2 - y
+    local distance = math.max(20, math.sqrt(dx * dx + dy * dy))
+    local speed = math.max(0, 1 - distance / REACH) * BLAST / distance
+    box.vx, box.vy = (box.vx or 0) + dx * speed, (box.vy or 0) + dy * speed
+  end
+end
 
 local function drawBoxes()
   for _, box in ipairs(world.objects.boxes) do
@@ -109,49 +114,6 @@ local function drawBoxes()
   end
 end
 
-local function drawNumber(name, value, y)
-  look.color("silver")
-  look.text(name, 32, y + 2, 14)
-  look.color("white")
-  look.text(tostring(value), 120, y, 17, 84, "right")
-end
-
-local function drawGraph(x, y, width, height)
-  look.color("dusk")
-  love.graphics.rectangle("fill", x, y, width, height, 4)
-  for i, ms in ipairs(times) do
-    local size = math.min(height, ms / GRAPH_TOP * height)
-    look.color(ms > GRAPH_TOP and "red" or "sky")
-    local barX = x + (i - 1) / HISTORY * width
-    love.graphics.rectangle("fill", barX, y + height - size, width / HISTORY, size)
-  end
-  look.color("silver")
-  look.text(("%d ms"):format(GRAPH_TOP), x + 5, y + 3, 11)
-end
-
-local function drawPanel()
-  local stats = world.stats
-  look.panel(16, 16, 208, 606)
-  look.color("white")
-  look.text("Pile", 32, 26, 30)
-  drawNumber("boxes", #world.objects.boxes, 78)
-  drawNumber("ms an update", ("%.2f"):format(average), 104)
-  drawNumber("frames a second", love.timer.getFPS(), 130)
-  drawGraph(32, 164, 176, 80)
-  drawNumber("objects", stats.objects, 260)
-  drawNumber("movers", stats.movers, 284)
-  drawNumber("resting", stats.resting, 308)
-  drawNumber("pairs looked at", stats.pairs, 332)
-  drawNumber("contacts", stats.contacts, 356)
-  drawNumber("events in a step", stats.events, 380)
-  drawNumber("broad phase", world.broadphase, 404)
-  look.keys({ { "+", "more" }, { "-", "fewer" } }, 32, 446)
-  look.keys({ { "space", "kick them all" } }, 32, 478)
-  look.keys({ { "b", "grid or all pairs" } }, 32, 510)
-  look.keys({ { "r", "again" } }, 32, 542)
-  look.keys({ { "esc", "menu" } }, 32, 574)
-end
-
 function pile.draw()
   look.sky("night", "dusk")
   drawBoxes()
@@ -159,7 +121,9 @@ function pile.draw()
   for _, wall in ipairs(world.objects.walls) do
     love.graphics.rectangle("fill", wall.x, wall.y, wall.width, wall.height)
   end
-  drawPanel()
+  look.color("white")
+  local text = ("%d boxes   broad phase: %s"):format(#world.objects.boxes, world.broadphase)
+  look.text(text, LEFT + 16, 10, 17)
 end
 
 function pile.report()

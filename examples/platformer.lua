@@ -1,11 +1,15 @@
--- A level to play. This file is the game: who is in the level and how the player moves. How it all
--- looks is in platformer_art.lua; the physics is the library's.
+-- A level to play: run, jump, push the crate, land on heads, get to the flag. Jumping forgives: a
+-- key pressed a little early or late counts, and how long you hold it says how high.
+--
+-- This file is the game: who is in the level and how the player moves. How it all looks is in
+-- platformer_art.lua; the physics is the library's.
 
 local art = require("platformer_art")
 local input = require("input")
 local physics = require("physics")
+local view = require("view")
 
-local platformer = {}
+local platformer = { keys = { { "left", "right", "run" }, { "space", "jump" } } }
 
 -- # ground  = bricks  C crate  o coin  E enemy  ^ spikes  S spring  F flag  P player
 local LEVEL = [[
@@ -42,14 +46,14 @@ local function die()
     state.deadFor = 0
     state.deaths = state.deaths + 1
     player.active = false
-    art.burst(player, "red", 18)
+    art.burst(player, 18, "red")
   end
 end
 
 local function takeCoin(coin, other)
   if other == player then
     state.coins = state.coins + 1
-    art.burst(coin, "yellow", 8)
+    art.burst(coin, 8, "yellow")
     world:remove(coin)
   end
 end
@@ -62,7 +66,7 @@ end
 
 local function meetEnemy(enemy, other, side)
   if other == player and side == "top" then
-    art.burst(enemy, "plum", 14)
+    art.burst(enemy, 14, "plum")
     world:remove(enemy)
     player.vy = -STOMP_SPEED
   elseif other == player then
@@ -82,7 +86,7 @@ local function reachFlag(flag, other)
   if other == player and not flag.reached then
     flag.reached = true
     state.won, state.wonAt = true, state.time
-    art.burst(flag, "lime", 40)
+    art.burst(flag, 40, "lime")
   end
 end
 
@@ -134,12 +138,13 @@ local build = {
 
 function platformer.load()
   world = physics.newWorld({ gravity = 2000 })
+  platformer.world = world
   state = { time = 0, coins = 0, deaths = 0, sinceGround = 1, sinceKey = 1, fallSpeed = 0 }
   local rows = {}
   for row in LEVEL:gmatch("[^\n]+") do
     rows[#rows + 1] = row
   end
-  local top = love.graphics.getHeight() - #rows * TILE
+  local top = view.height - #rows * TILE
   for row, text in ipairs(rows) do
     for column = 1, #text do
       local make = build[text:sub(column, column)]
@@ -218,11 +223,11 @@ function platformer.keypressed(key, isRepeat)
     return
   elseif key == "space" or key == "up" or key == "w" then
     state.sinceKey = 0
-  elseif key == "r" then
-    platformer.load()
-  elseif key == "p" then
-    state.showPhysics = not state.showPhysics
   end
+end
+
+function platformer.camera()
+  return art.camera(), 0
 end
 
 function platformer.draw()

@@ -1,7 +1,8 @@
 -- How the platformer looks. Reads the objects of its world and changes none of them.
 
-local drawWorld = require("physics.draw").draw
 local look = require("look")
+local sparks = require("sparks")
+local view = require("view")
 
 local art = {}
 
@@ -14,14 +15,14 @@ local SIGNS = {
   { 80.5, 9, "crates are for fun" },
 }
 local SIGN_TILE = 40
-local PARTICLE_GRAVITY = 900
 
 local world, player, state
-local camera, particles, squash, wasOnGround, clock
+local camera, squash, wasOnGround, clock
 
 function art.load(gameWorld, gamePlayer, gameState)
   world, player, state = gameWorld, gamePlayer, gameState
-  camera, squash, wasOnGround, clock, particles = 0, 0, true, 0, {}
+  camera, squash, wasOnGround, clock = 0, 0, true, 0
+  sparks.clear()
   -- Grass grows on tiles that have no tile above.
   local filled = {}
   for _, tile in ipairs(world.objects.tiles) do
@@ -32,39 +33,13 @@ function art.load(gameWorld, gamePlayer, gameState)
   end
 end
 
---- Throws some sparks from the middle of an object.
-function art.burst(object, color, count)
-  for i = 1, count do
-    local angle = i / count * 2 * math.pi
-    local speed = 90 + love.math.noise(i * 1.7, clock) * 190
-    particles[#particles + 1] = {
-      x = object.x + object.width / 2,
-      y = object.y + object.height / 2,
-      vx = math.cos(angle) * speed,
-      vy = math.sin(angle) * speed - 120,
-      left = 0.7,
-      color = color,
-    }
-  end
-end
-
--- Sparks are not in the world: what touches nothing needs no physics.
-local function updateParticles(dt)
-  for i = #particles, 1, -1 do
-    local spark = particles[i]
-    spark.left = spark.left - dt
-    spark.vy = spark.vy + PARTICLE_GRAVITY * dt
-    spark.x, spark.y = spark.x + spark.vx * dt, spark.y + spark.vy * dt
-    if spark.left <= 0 then
-      table.remove(particles, i)
-    end
-  end
-end
+--- Throws sparks from the middle of an object.
+art.burst = sparks.burst
 
 function art.update(dt)
   clock = clock + dt
-  updateParticles(dt)
-  local width = love.graphics.getWidth()
+  sparks.update(dt)
+  local width = view.gameWidth
   local target = player.x + player.width / 2 + player.facing * 70 - width / 2
   target = math.max(0, math.min(state.width - width, target))
   camera = camera + (target - camera) * math.min(1, 6 * dt)
@@ -260,10 +235,7 @@ local function drawLevel()
       end
     end
   end
-  for _, spark in ipairs(particles) do
-    look.color(spark.color, spark.left / 0.7)
-    love.graphics.rectangle("fill", spark.x - 3, spark.y - 3, 6, 6, 2)
-  end
+  sparks.draw()
 end
 
 local function drawSigns()
@@ -295,14 +267,11 @@ local function drawStatus()
     text = text:format(state.coins, state.coinsInLevel, state.wonAt)
     look.text(text, 290, 284, 17, 380, "center")
   end
-  look.panel(0, 606, 960, 40)
-  look.keys({
-    { "left", "right", "run" },
-    { "space", "jump" },
-    { "r", "again" },
-    { "p", "what the physics sees" },
-    { "esc", "menu" },
-  }, 16, 611)
+end
+
+--- Returns the x of the world at the left edge of the picture.
+function art.camera()
+  return math.floor(camera)
 end
 
 function art.draw()
@@ -311,9 +280,6 @@ function art.draw()
   love.graphics.translate(-math.floor(camera), 0)
   drawLevel()
   drawSigns()
-  if state.showPhysics then
-    drawWorld(world, { alpha = 0.8, velocity = true })
-  end
   love.graphics.pop()
   drawStatus()
 end

@@ -3,33 +3,19 @@
 --   love examples --example=platformer --frames=300 --shot=/tmp/shot.png
 --                 --keys="right:10-200,space:40-60,return:70"
 --
--- `--example` alone starts there, to be played by hand; `--say` says what goes on (main.lua). With
--- any of the others the script plays: every frame lasts exactly 1/60 s, so that a run can be
--- repeated. At the end the picture is written, the example's report is printed, and LÖVE quits
--- with 0; an error quits with 1.
+-- `--example` alone starts there, to be played by hand; `--say` says what goes on (main.lua);
+-- `--bare` leaves the panel at the side away. With any of the others the script plays: every frame
+-- lasts exactly 1/60 s, so that a run can be repeated. At the end the picture is written, the
+-- example's report is printed, and LÖVE quits with 0; an error quits with 1.
 
-local input = require("input")
+local recording = require("recording")
 local say = require("say")
+local view = require("view")
 
 local STEP = 1 / 60
 local STEPS_PER_PICTURE = 10 -- drawing takes longest: not every frame is drawn
 
 local script = { isOn = false, frame = 0, frames = 60, keys = {} }
-
-local function readKeys(text)
-  local keys = {}
-  for part in text:gmatch("[^,]+") do
-    local key, first, last = part:match("^(.+):(%d+)%-(%d+)$")
-    if not key then
-      key, first = part:match("^(.+):(%d+)$")
-    end
-    if not key then
-      error('--keys: expected "key:first-last" or "key:frame", got "' .. part .. '"')
-    end
-    keys[#keys + 1] = { key = key, first = tonumber(first), last = tonumber(last or first) }
-  end
-  return keys
-end
 
 local OPTIONS = {
   example = function(value)
@@ -42,7 +28,7 @@ local OPTIONS = {
     script.shot = value
   end,
   keys = function(value)
-    script.keys = readKeys(value)
+    script.keys = recording.read(value)
   end,
 }
 
@@ -52,23 +38,12 @@ function script.read(arguments)
     local name, value = argument:match("^%-%-(%w+)=(.*)$")
     if argument == "--say" then
       say.isOn = true
+    elseif argument == "--bare" then
+      view.width = view.gameWidth
     elseif name then
       script.isOn = script.isOn or name ~= "example"
       local set = OPTIONS[name] or error("unknown option " .. argument)
       set(value)
-    end
-  end
-end
-
--- Holds and presses the keys of this frame.
-local function press()
-  input.held = {}
-  for _, span in ipairs(script.keys) do
-    if script.frame >= span.first and script.frame <= span.last then
-      input.held[span.key] = true
-      if script.frame == span.first then
-        love.keypressed(span.key)
-      end
     end
   end
 end
@@ -109,7 +84,7 @@ function script.update(update, report)
   local last = math.min(script.frame + STEPS_PER_PICTURE, script.frames)
   while script.frame < last do
     script.frame = script.frame + 1
-    press()
+    recording.play(script.keys, script.frame, love.keypressed)
     update(STEP)
   end
   if last == script.frames then

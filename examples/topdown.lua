@@ -1,11 +1,18 @@
--- Rooms seen from above. All coins are to be taken; the gate is open while a crate is on the plate.
+-- Rooms seen from above, with doors that are exactly as wide as you: who misses one by a little
+-- slips in. The orange gate is open while a crate lies on the plate; the pale door lets only ghosts
+-- through. Take all the coins.
 
 local boxes = require("boxes")
 local input = require("input")
 local look = require("look")
 local physics = require("physics")
 
-local topdown = {}
+local topdown = {
+  keys = {
+    { "left", "right", "up", "down", "mouse", "walk and push" },
+    { "space", "be a ghost, or not" },
+  },
+}
 
 -- # wall  o coin  C crate  T plate  | gate  % ghost door  P player. A door is one tile wide.
 local LEVEL = [[
@@ -28,15 +35,10 @@ local LEVEL = [[
 local TILE = 40 -- px, also the size of the player: it just fits through a door
 local NUDGE = 14 -- px: who misses a door by no more than this slips in
 local ENGINE, FLOOR_DRAG, MAX_SPEED = 2600, 1200, 230 -- px/s², px/s², px/s
--- A mask names the groups that one passes through; a sensor that one passes through says nothing.
+-- A mask names the groups that one passes through.
 local GHOST = { ghostDoors = false, crates = false, coins = false }
 
 local world, player, gate, state
-
-local function takeCoin(coin)
-  state.coins = state.coins + 1
-  world:remove(coin)
-end
 
 -- A sensor tells who comes and who goes.
 local function setGate(change)
@@ -54,14 +56,13 @@ local function build(character, x, y)
     return boxes.add(world, group, color, x + margin, y + margin, size, size, object)
   end
   if character == "#" then
-    add("walls", "blue", TILE, { static = true })
+    add("walls", "blue", TILE, { static = true, isTile = true })
   elseif character == "%" then
     add("ghostDoors", "cyan", TILE, { static = true, alpha = 0.35 })
   elseif character == "|" then
     gate = add("gates", "orange", TILE, { static = true })
   elseif character == "o" then
-    local mask = { crates = false }
-    add("coins", "yellow", 18, { static = true, sensor = true, mask = mask, onBegin = takeCoin })
+    boxes.addCoin(world, x + TILE / 2, y + TILE / 2, state)
   elseif character == "T" then
     local plate = { static = true, sensor = true, mask = { players = false } }
     plate.onBegin, plate.onEnd = setGate(1), setGate(-1)
@@ -76,30 +77,18 @@ end
 
 function topdown.load()
   world = physics.newWorld({ gravity = 0 })
-  state = { time = 0, coins = 0, pressing = 0 }
-  local row = 0
-  for text in LEVEL:gmatch("[^\n]+") do
-    for column = 1, #text do
-      build(text:sub(column, column), (column - 1) * TILE, row * TILE)
-    end
-    row = row + 1
-  end
+  topdown.world, state = world, { time = 0, coins = 0, pressing = 0 }
+  boxes.build(LEVEL, TILE, build)
   state.all = #world.objects.coins
 end
 
 function topdown.update(dt)
   state.time = state.time + dt
-  local dx = input.axis("left", "a", "right", "d")
-  local dy = input.axis("up", "w", "down", "s")
-  if love.mouse.isDown(1) then
-    local x, y = love.mouse.getPosition()
-    dx, dy = x - player.x - TILE / 2, y - player.y - TILE / 2
-  end
-  local share = 1 / math.max(1, math.sqrt(dx * dx + dy * dy))
+  local dx, dy = input.direction(player.x + TILE / 2, player.y + TILE / 2)
   -- The player is driven by an engine, and braked by the floor as the crates are.
-  player.ax, player.ay = dx * share * ENGINE, dy * share * ENGINE
+  player.ax, player.ay = dx * ENGINE, dy * ENGINE
   if dx ~= 0 or dy ~= 0 then
-    player.lookX, player.lookY = dx * share, dy * share
+    player.lookX, player.lookY = dx, dy
   end
   world:update(dt)
 end
@@ -108,30 +97,15 @@ function topdown.keypressed(key, isRepeat)
   if key == "space" and not isRepeat then
     player.mask = not player.mask and GHOST or nil
     player.alpha = player.mask and 0.4
-  elseif key == "r" then
-    topdown.load()
   end
 end
 
 function topdown.draw()
   look.sky("dusk", "navy")
-  look.color("night", 0.16)
-  for i = 0, 24 * 15 - 1, 2 do
-    local column, row = i % 24, math.floor(i / 24)
-    love.graphics.rectangle("fill", (column + row % 2) * TILE, row * TILE, TILE, TILE)
-  end
-  boxes.draw(world, { "plates", "ghostDoors", "gates", "crates", "walls", "players" })
-  boxes.drawCoins(world.objects.coins, state.time)
-  look.eyes(player.x, player.y, TILE, TILE, player.lookX, player.lookY)
-  local words = { "white", ("%d / %d coins"):format(state.coins, state.all) }
-  if state.coins == state.all then
-    words[3], words[4] = "yellow", "All of them!"
-  end
-  boxes.status(words, 16, 9)
-  boxes.keys({
-    { "left", "right", "up", "down", "mouse", "walk and push" },
-    { "space", "be a ghost, or not" },
-  })
+  look.squares(TILE, "night", 0.16)
+  boxes.draw(world, "plates walls ghostDoors gates crates coins players", state.time)
+  local coins = ("%d / %d coins"):format(state.coins, state.all)
+  boxes.status({ "white", coins, "yellow", state.coins == state.all and "All of them!" or "" })
 end
 
 function topdown.report()

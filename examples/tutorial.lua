@@ -1,8 +1,11 @@
--- "Making a Simple 2D Physics Engine", a tutorial from which this library grew, in ten steps to
--- play with. This file turns the pages; each step is one file in lessons/.
+-- "Making a Simple 2D Physics Engine", the tutorial from which this library grew, in ten steps to
+-- play with: move the boxes, with the mouse or the keys, and watch what the code makes of it.
+--
+-- This file turns the pages; each step is one file in lessons/.
 
 local hand = require("lessons.hand")
 local look = require("look")
+local view = require("view")
 
 local tutorial = {}
 
@@ -30,15 +33,24 @@ local function open(number)
   lesson = require("lessons." .. LESSONS[page])
   hand.release()
   lesson.load()
+  tutorial.keys = { { "left", "right", "page" } }
+  for _, hint in ipairs(lesson.keys or {}) do
+    table.insert(tutorial.keys, hint)
+  end
+  if hand.isBusy() then
+    table.insert(tutorial.keys, { "mouse", "w", "a", "s", "d", "move" })
+    table.insert(tutorial.keys, { "tab", "next box" })
+  end
 end
 
 function tutorial.load()
-  open(1)
+  open(page)
 end
 
 function tutorial.update(dt)
   hand.update(dt, SCENE_X, SCENE_Y)
   lesson.update(dt)
+  tutorial.world = lesson.world
 end
 
 function tutorial.keypressed(key, isRepeat)
@@ -48,8 +60,6 @@ function tutorial.keypressed(key, isRepeat)
     open(page - 1)
   elseif key == "tab" then
     hand.choose()
-  elseif key == "r" then
-    open(page)
   elseif lesson.keypressed and not isRepeat then
     lesson.keypressed(key)
   end
@@ -99,18 +109,14 @@ function tutorial.draw()
 
   look.panel(SCENE_X, SCENE_Y, SCENE_WIDTH, SCENE_HEIGHT)
   love.graphics.push()
-  love.graphics.setScissor(SCENE_X, SCENE_Y, SCENE_WIDTH, SCENE_HEIGHT)
   love.graphics.translate(SCENE_X, SCENE_Y)
-  lesson.draw()
-  love.graphics.setScissor()
+  view.clip(0, 0, SCENE_WIDTH, SCENE_HEIGHT, lesson.draw)
   love.graphics.pop()
+end
 
-  local x = look.keys({ { "left", "right", "page" } }, TEXT_X, 596)
-  x = look.keys(lesson.keys or {}, x, 596)
-  if hand.isBusy() then
-    x = look.keys({ { "mouse", "w", "a", "s", "d", "move" }, { "tab", "next box" } }, x, 596)
-  end
-  look.keys({ { "esc", "menu" } }, x, 596)
+--- Returns the point of the scene at the top-left corner of the picture.
+function tutorial.camera()
+  return -SCENE_X, -SCENE_Y
 end
 
 function tutorial.report()

@@ -1,6 +1,6 @@
--- Finds keys with which the platformer's level is won, and prints them for scripts/platformer.keys:
+-- Finds keys with which the platformer's level is won, and prints them:
 --
---   luajit scripts/find_keys.lua >scripts/platformer.keys
+--   luajit scripts/find_keys.lua >examples/demos/platformer.keys
 --
 -- Needed when the level, the player or (**Behaviour**) the physics changed so that the recorded
 -- keys no longer win. It plays without a window: always to the right, with jumps at random moments
@@ -12,15 +12,10 @@ local LONGEST = 2400 -- frames
 local PATIENCE = 50 -- frames without getting further
 local FIRST = 10 -- frame in which the player starts to run
 
--- The game asks LÖVE for the keyboard and the height of the window, and its art for nothing.
+-- The game asks LÖVE for the keyboard, and its art for nothing.
 local function nothing() end
 package.loaded.platformer_art = { load = nothing, update = nothing, burst = nothing }
 love = {
-  graphics = {
-    getHeight = function()
-      return 640
-    end,
-  },
   keyboard = {
     isDown = function()
       return false

@@ -37,6 +37,7 @@ local world, boxes, trails, untilDot
 
 function lesson.load()
   world = physics.newWorld({ gravity = 800 })
+  lesson.world = world
   boxes, trails, untilDot = {}, {}, 0
   for i, lane in ipairs(LANES) do
     local bottom = i * LANE_HEIGHT

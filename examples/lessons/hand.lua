@@ -65,9 +65,9 @@ end
 
 --- Moves what is held. The scene begins at (sceneX, sceneY) in the window.
 function hand.update(dt, sceneX, sceneY)
-  local mouseX, mouseY = love.mouse.getPosition()
+  local mouseX, mouseY, isHeld = input.mouse()
   mouseX, mouseY = mouseX - sceneX, mouseY - sceneY
-  if not love.mouse.isDown(1) then
+  if not isHeld then
     grabbedX = nil
   elseif not grabbedX then
     grab(mouseX, mouseY)

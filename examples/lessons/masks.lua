@@ -41,6 +41,7 @@ end
 
 function lesson.load()
   world = physics.newWorld({ gravity = 800 })
+  lesson.world = world
   isMasked, isStatic, isActive = true, true, true
   world:add("floor", { x = 0, y = FLOOR, width = 484, height = 56, static = true, color = "slate" })
   local cloud = { x = 10, y = 250, width = 140, height = 20, static = true, color = "silver" }

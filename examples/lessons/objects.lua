@@ -49,6 +49,7 @@ end
 
 function lesson.load()
   world = physics.newWorld({ gravity = 800 })
+  lesson.world = world
   local a = newBox(60, 40, 90, 60, "orange")
   local b = newBox(90, 150, 110, 60, "orange")
   local c = newBox(70, 260, 100, 70, "orange")

@@ -37,6 +37,7 @@ local isPlain = true -- drawn by the library
 function lesson.load()
   random = love.math.newRandomGenerator(5)
   world = physics.newWorld({ gravity = 800 })
+  lesson.world = world
   for i = 0, 21 do
     world:add("tiles", { x = i * TILE, y = 308, width = TILE, height = TILE, static = true })
   end
