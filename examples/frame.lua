@@ -15,7 +15,10 @@ local STEP, SLOW = 1 / 60, 0.2 -- s; share of the time that passes in slow motio
 local BAR = 34 -- px, the height of the bar with the example's keys
 
 -- What the x-ray shows, from one press of its key to the next; 0: nothing.
-local VIEWS = { { velocity = true, alpha = 0.85 }, { names = true, alpha = 0.85 } }
+local VIEWS = {
+  { alpha = 0.85, velocity = true },
+  { alpha = 0.85, velocity = true, names = true, grid = true },
+}
 
 local example, about
 local clock = { isPaused = false, isSlow = false }
