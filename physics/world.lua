@@ -143,20 +143,45 @@ function World:update(dt)
   end
 end
 
-local function groupFor(self, group)
+local function checkIsGroup(self, group, where)
   local members = self.objects[group]
-  if members == nil then
-    members = {}
-    self.objects[group] = members
-  elseif type(members) ~= "table" or type(members.width) == "number" then
+  if members ~= nil and (type(members) ~= "table" or type(members.width) == "number") then
     check.fail(
-      "world:add(group, object): "
+      where
+        .. ": "
         .. check.place(group)
         .. " is not a group, got "
         .. (type(members) == "table" and "an object" or check.show(members))
     )
   end
+end
+
+-- The table of a group that is one, or is not there yet.
+local function groupFor(self, group)
+  local members = self.objects[group]
+  if members == nil then
+    members = {}
+    self.objects[group] = members
+  end
   return members
+end
+
+-- What an object has at once that comes through `add`.
+local function welcome(given, object, group)
+  given.groupGiven[object] = group
+  if not object.static and not object.kinematic then
+    object.touching = collect.newTouching()
+    object.vx, object.vy = object.vx or 0, object.vy or 0
+    given.given[object] = object.touching
+  end
+  return object
+end
+
+-- Puts an object that was checked at the end of a group.
+local function put(self, group, object)
+  local members = groupFor(self, group)
+  members[#members + 1] = object
+  return welcome(self._bodies.roster, object, group)
 end
 
 -- Where an object stands now: the table that holds it, its key in there, and the name of its group
@@ -212,17 +237,6 @@ local function checkObjects(self)
   end
 end
 
--- What an object has at once that comes through `add`.
-local function welcome(given, object, group)
-  given.groupGiven[object] = group
-  if not object.static and not object.kinematic then
-    object.touching = collect.newTouching()
-    object.vx, object.vy = object.vx or 0, object.vy or 0
-    given.given[object] = object.touching
-  end
-  return object
-end
-
 --- Puts an object at the end of a group, which is made if it is not there. The same as
 --- `table.insert(world.objects[group], object)`, but it checks the fields at once and gives the
 --- object its `touching`.
@@ -246,9 +260,8 @@ function World:add(group, object)
   if found then
     check.fail("world:add(group, object): the object already stands at " .. check.place(name, key))
   end
-  local members = groupFor(self, group)
-  members[#members + 1] = object
-  return welcome(self._bodies.roster, object, group)
+  checkIsGroup(self, group, "world:add(group, object)")
+  return put(self, group, object)
 end
 
 --- Takes an object out of the world, out of its group's table. Its contacts end with `onEnd` at the
@@ -767,6 +780,54 @@ function World:setBounds(x, y, w, h)
     check.positive(h, "h", where)
   end
   self._walls = bounds.set(self.objects, self._walls, x, y, w, h)
+end
+
+--- Adds what stands in a map of the editor Tiled: its rectangles and tile objects, and its solid
+--- tiles, merged into few large rectangles. The map is its Lua export (the table, or the path of
+--- the file) or the table that STI makes of it; it is not changed, and nothing is drawn.
+---
+--- The name of a layer is the group of its objects. Properties of an object are its fields; those
+--- that the library knows are also taken from its tile, its layer and the layers around it, the
+--- nearest first. Three properties are for the loader: `solid`, `merge`, and `group`, which is used
+--- instead of the layer's name. A tile is solid if it, its layer or an option says so, or if it has
+--- collision rectangles; `solid = false` on one of them wins, and takes objects out, too. Solid
+--- tiles are static unless they say otherwise. Static ones that are equal and no sensors become
+--- one; merging changes no motion.
+---
+--- Options:
+---     x, y            px, where the map's upper left corner goes, default 0, 0
+---     solidProperty   name of the property that makes solid, default "solid"
+---     solidLayers     names or ids of layers whose tiles are all solid
+---     solidTiles      gids that are solid in every layer
+---     skipLayers      names or ids of layers that are left out
+---     merge           false: each solid tile is an object, default true
+---
+--- Not supported, and named in `unsupported` of what is returned: maps that are not orthogonal,
+--- rotated objects, polygons, ellipses, points and texts, encoded layer data, parallax, tilesets
+--- that are not embedded in the export.
+---
+--- Errors: no map, no such file; an unknown option; a layer or gid in an option that is not in the
+--- map; a gid of no tileset; a property that is a field and cannot be used; a group that is an
+--- object; called from inside `canCollide`. Nothing has been added then.
+---@param map table|string
+---@param options table?
+---@return physics.Level level
+function World:loadTiled(map, options)
+  local call = "loadTiled(map, options)"
+  checkSelf(self, call)
+  checkIdle(self._bodies, call)
+  checkObjects(self)
+  local level, groupOf, groups = require(here .. ".tiled").read(map, options)
+  for i = 1, #groups do
+    checkIsGroup(self, groups[i], "world:loadTiled(map)")
+  end
+  for i = 1, #groups do
+    groupFor(self, groups[i])
+  end
+  for i = 1, #level.objects do
+    put(self, groupOf[i], level.objects[i])
+  end
+  return level
 end
 
 ---@class physics.Stats

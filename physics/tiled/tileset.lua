@@ -1,0 +1,314 @@
+--- The tiles of a map: whose a gid is, how it is flipped, where its collision rectangles are.
+
+local here = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local check = require(here .. ".check")
+local properties = require(here .. ".tiled.properties")
+local report = require(here .. ".tiled.report")
+
+local floor, min = math.floor, math.min
+
+local tileset = {}
+
+-- The upper bits of a gid. Arithmetic instead of bit operations: those differ between the Luas.
+local FLIP_X = 2147483648
+local FLIP_Y = 1073741824
+local TRANSPOSE = 536870912 -- x and y swapped, before the other two
+local HEXAGONAL = 268435456 -- means nothing on orthogonal maps
+
+--- A tile as it stands in a layer.
+---@class physics.Tile
+---@field gid number without the bits that flip it
+---@field id integer in its tileset
+---@field isFlippedX boolean
+---@field isFlippedY boolean
+---@field isTransposed boolean
+---@field kind physics.TileKind what all that are flipped otherwise have in common
+
+--- A tile of a tileset.
+---@class physics.TileKind
+---@field set table the tileset of the map
+---@field id integer
+---@field width number px
+---@field height number px
+---@field type string? its class in the editor
+---@field traits physics.Traits
+---@field shapes table[]? its collision rectangles, nil: none were drawn
+---@field problems table[] what of it is not supported, `{ id =, reason = }`
+---@field isReported boolean were they told
+
+local function take(gid, bit)
+  if gid >= bit then
+    return gid - bit, true
+  end
+  return gid, false
+end
+
+--- Takes a gid apart.
+---@param gid number integer in 0..2^32 - 1
+---@return number gid without the bits that flip
+---@return boolean isFlippedX
+---@return boolean isFlippedY
+---@return boolean isTransposed
+function tileset.decode(gid)
+  local isFlippedX, isFlippedY, isTransposed
+  gid, isFlippedX = take(gid, FLIP_X)
+  gid, isFlippedY = take(gid, FLIP_Y)
+  gid, isTransposed = take(gid, TRANSPOSE)
+  gid = take(gid, HEXAGONAL)
+  return gid, isFlippedX, isFlippedY, isTransposed
+end
+
+-- Tilesets ----------------------------------------------------------------------------------------
+
+local function placeOf(set, id)
+  return ("%s: tileset %s, tile %d"):format(report.WHERE, check.show(set.name or ""), id)
+end
+
+-- The exported tiles of a tileset by id, and the first gid behind it (nil: nobody knows).
+local function indexTiles(set, place)
+  local byId, last = {}, (set.tilecount or 0) - 1
+  if set.tiles ~= nil then
+    check.table(set.tiles, "tiles", place)
+    for i, tile in ipairs(set.tiles) do
+      check.table(tile, ("tiles[%d]"):format(i), place)
+      check.integer(tile.id, ("tiles[%d].id"):format(i), place, 0, HEXAGONAL)
+      byId[tile.id] = tile
+      last = last > tile.id and last or tile.id
+    end
+  end
+  return byId, set.tilecount and set.firstgid + last + 1
+end
+
+local function checkSet(set, i)
+  local what = ("map.tilesets[%d]"):format(i)
+  check.table(set, what, report.WHERE)
+  check.integer(set.firstgid, what .. ".firstgid", report.WHERE, 1, HEXAGONAL)
+  local place = ("%s: tileset %s"):format(report.WHERE, check.show(set.name or i))
+  -- An export without "Embed tilesets" knows only the file of the tileset.
+  if set.tilewidth ~= nil or set.filename == nil then
+    check.positive(set.tilewidth, "tilewidth", place)
+    check.positive(set.tileheight, "tileheight", place)
+  end
+  return place
+end
+
+--- Returns the tilesets of a map, `{ set =, byId =, behind =, place = }`, highest
+--- gids first.
+--- Errors: no list; a tileset without firstgid or size.
+---@param map table
+---@return table[]
+function tileset.index(map)
+  check.table(map.tilesets, "map.tilesets", report.WHERE)
+  local index = {}
+  for i, set in ipairs(map.tilesets) do
+    local byId, behind = indexTiles(set, checkSet(set, i))
+    index[i] = { set = set, byId = byId, behind = behind, place = i }
+  end
+  table.sort(index, function(a, b)
+    -- An empty tileset has the firstgid of the next one.
+    return a.set.firstgid > b.set.firstgid or a.set.firstgid == b.set.firstgid and a.place > b.place
+  end)
+  return index
+end
+
+local function find(index, gid)
+  for i = 1, #index do
+    local entry = index[i]
+    if gid >= entry.set.firstgid then
+      -- Behind the last tileset comes nothing; behind the others comes the next one.
+      local isBehind = i == 1 and entry.behind and gid >= entry.behind
+      return not isBehind and entry or nil
+    end
+  end
+end
+
+--- Returns whether a gid, without the bits that flip, belongs to one of the tilesets.
+---@param index table[] what `tileset.index` returned
+---@param gid number
+---@return boolean
+function tileset.isThere(index, gid)
+  return find(index, gid) ~= nil
+end
+
+-- Collision shapes --------------------------------------------------------------------------------
+
+--- Returns why a shape is no box, or nil: it is one.
+---@param object table as Tiled exports it, in a layer or in a tile
+---@return string?
+function tileset.whyNoBox(object)
+  local shape = object.shape or "rectangle"
+  if shape ~= "rectangle" then
+    return shape .. ": only rectangles are boxes"
+  elseif (object.rotation or 0) ~= 0 then
+    return ("rotated by %.14g degrees: boxes do not turn"):format(object.rotation)
+  elseif object.width == 0 or object.height == 0 then
+    return "it has no size"
+  end
+end
+
+local function readShape(kind, object, place, solidName)
+  check.table(object, "a collision shape", place)
+  place = ("%s, shape %s"):format(place, tostring(object.id))
+  report.checkGeometry(object, place)
+  local traits = properties.read(object.properties, place, solidName)
+  local reason = tileset.whyNoBox(object)
+  if traits.solid == false then
+    return
+  elseif reason then
+    kind.problems[#kind.problems + 1] = { id = object.id, reason = reason }
+    return
+  end
+  local x, y, width, height = object.x, object.y, object.width, object.height
+  local shape = { x = x, y = y, width = width, height = height, traits = traits }
+  kind.shapes[#kind.shapes + 1] = shape
+  for _, name in ipairs(traits.ignored) do
+    kind.problems[#kind.problems + 1] = { id = object.id, reason = report.ignored(name) }
+  end
+end
+
+local function readShapes(kind, objectGroup, place, solidName)
+  if objectGroup == nil then
+    return
+  end
+  check.table(objectGroup, "objectGroup", place)
+  check.table(objectGroup.objects, "objectGroup.objects", place)
+  if #objectGroup.objects > 0 then
+    kind.shapes = {}
+  end
+  for _, object in ipairs(objectGroup.objects) do
+    readShape(kind, object, place, solidName)
+  end
+end
+
+-- Tiles -------------------------------------------------------------------------------------------
+
+local function newKind(reading, entry, id)
+  local set, tile, map = entry.set, entry.byId[id] or {}, reading.map
+  local place = placeOf(set, id)
+  local kind = { set = set, id = id, problems = {}, isReported = false }
+  kind.width = tile.width or set.tilewidth or map.tilewidth
+  kind.height = tile.height or set.tileheight or map.tileheight
+  check.positive(kind.width, "width", place)
+  check.positive(kind.height, "height", place)
+  kind.type = report.typeOf(tile)
+  kind.traits = properties.read(tile.properties, place, reading.solidProperty)
+  for _, name in ipairs(kind.traits.ignored) do
+    kind.problems[#kind.problems + 1] = { reason = report.ignored(name) }
+  end
+  readShapes(kind, tile.objectGroup, place, reading.solidProperty)
+  return kind
+end
+
+local function kindOf(reading, gid)
+  local kind = reading.kinds[gid]
+  if kind == nil then
+    local entry = find(reading.tilesets, gid)
+    if not entry then
+      return nil
+    end
+    kind = newKind(reading, entry, gid - entry.set.firstgid)
+    reading.kinds[gid] = kind
+  end
+  return kind
+end
+
+--- Returns the tile of a gid; nil for 0, which is no tile.
+--- Errors: no gid, or one that belongs to no tileset.
+---@param reading table
+---@param value any the gid as it stands in the map
+---@param place string how an error names where it stands
+---@return physics.Tile?
+function tileset.tile(reading, value, place)
+  if type(value) ~= "number" or value < 0 or floor(value) ~= value or value >= 2 * FLIP_X then
+    check.fail(("%s must be a gid, got %s"):format(place, check.show(value)))
+  end
+  local gid, isFlippedX, isFlippedY, isTransposed = tileset.decode(value)
+  if gid == 0 then
+    return nil
+  end
+  local kind = kindOf(reading, gid)
+  if not kind then
+    check.fail(("%s must be a gid of one of the tilesets, got %s"):format(place, check.show(gid)))
+  end
+  return {
+    gid = gid,
+    id = kind.id,
+    kind = kind,
+    isFlippedX = isFlippedX,
+    isFlippedY = isFlippedY,
+    isTransposed = isTransposed,
+  }
+end
+
+--- Tells, once, that a tileset is not in the export.
+---@param reading table
+---@param layer table where one of its tiles was found first
+---@param set table
+function tileset.reportExternal(reading, layer, set)
+  if set.tilewidth ~= nil or reading.reportedSets[set] then
+    return
+  end
+  reading.reportedSets[set] = true
+  local reason = "external (%s): what its tiles are is not in this export, embed it"
+  reason = reason:format(check.show(set.filename))
+  report.add(reading, "tileset", layer, set.firstgid, reason).name = set.name
+end
+
+--- Tells, once, what of a tile is not supported.
+---@param reading table
+---@param layer table where it was found first
+---@param kind physics.TileKind
+function tileset.report(reading, layer, kind)
+  if kind.isReported then
+    return
+  end
+  kind.isReported = true
+  for _, problem in ipairs(kind.problems) do
+    local entry = report.add(reading, "tile", layer, kind.id, problem.reason)
+    entry.tileset, entry.shape, entry.name = kind.set.name, problem.id, kind.type
+  end
+end
+
+--- Returns where a rectangle of a tile lies on the map, when the tile is drawn in a box whose left
+--- and lower edges are given. Turned tiles keep their lower left corner, as the editor draws them.
+---@param tile physics.Tile
+---@param left number px
+---@param bottom number px
+---@param width number px, of the box in which it is drawn
+---@param height number px
+---@param x number px, in the tile's image
+---@param y number px
+---@param w number px
+---@param h number px
+---@return number x px
+---@return number y px
+---@return number width px
+---@return number height px
+function tileset.place(tile, left, bottom, width, height, x, y, w, h)
+  local kind = tile.kind
+  local imageWidth, imageHeight = width, height
+  if kind.set.fillmode == "preserve-aspect-fit" then
+    local scale = min(width / kind.width, height / kind.height)
+    imageWidth, imageHeight = kind.width * scale, kind.height * scale
+  end
+  local offset = kind.set.tileoffset or { x = 0, y = 0 }
+  left = left + offset.x * imageWidth / kind.width
+  bottom = bottom + offset.y * imageHeight / kind.height
+  x, w = x * imageWidth / kind.width, w * imageWidth / kind.width
+  y, h = y * imageHeight / kind.height, h * imageHeight / kind.height
+  if tile.isTransposed then
+    x, y, w, h = y, x, h, w
+    width, height, imageWidth, imageHeight = height, width, imageHeight, imageWidth
+  end
+  if tile.isFlippedX then
+    x = imageWidth - x - w
+  end
+  if tile.isFlippedY then
+    y = imageHeight - y - h
+  end
+  x = left + (width - imageWidth) / 2 + x
+  y = bottom - height + (height - imageHeight) / 2 + y
+  return x, y, w, h
+end
+
+return tileset

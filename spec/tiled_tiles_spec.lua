@@ -1,0 +1,450 @@
+--- Solid tiles of Tiled maps: which are, where, how many rectangles become of them, and that nobody
+--- notices.
+
+local physics = require("physics")
+local effort = require("spec.support.effort")
+local random = require("spec.support.random")
+local tiled = require("spec.support.tiled")
+
+local load, boxes = tiled.load, tiled.boxes
+local X, Y, T = tiled.FLIP_X, tiled.FLIP_Y, tiled.TRANSPOSE
+
+--- A map of one layer of tiles. 1 is solid, 2 a sensor, 3 a ledge, 4 rough, 5 says nothing, 6 is
+--- not solid, 7 moves, 8 is as solid as 1 and has a name.
+local function newMap(rows, extra, legend)
+  local set = tiled.tileset({
+    { id = 0, properties = { solid = true } },
+    { id = 1, properties = { solid = true, sensor = true } },
+    { id = 2, properties = { solid = true, oneWay = "top" } },
+    { id = 3, properties = { solid = true, friction = 0.75 } },
+    { id = 5, properties = { solid = false } },
+    { id = 6, properties = { solid = true, kinematic = true } },
+    { id = 7, properties = { solid = true, label = "marble" } },
+  })
+  return tiled.map({ set }, { tiled.tiles(1, "ground", rows, extra, legend) })
+end
+
+describe("world:loadTiled, tiles", function()
+  -- Which are solid -------------------------------------------------------------------------------
+
+  describe("are solid", function()
+    local function count(map, options)
+      local level, world = load(map, options)
+      return level.tiles, world
+    end
+
+    it("by their property, and nothing else is", function()
+      assert.equal(2, (count(newMap({ "1556", ".555", "...1" }))))
+    end)
+
+    it("by a property of another name", function()
+      local set = tiled.tileset({ { id = 4, properties = { collidable = true } } })
+      local map = tiled.map({ set }, { tiled.tiles(1, "ground", { "515" }) })
+      local tiles, world = count(map, { solidProperty = "collidable" })
+      assert.equal(2, tiles)
+      assert.is_nil(world.objects.ground[1].collidable)
+    end)
+
+    for _, row in ipairs({
+      { "by their layer's property", { solid = true } },
+      { "by the name of their layer", nil, { solidLayers = { "ground" } } },
+      { "by the id of their layer", nil, { solidLayers = { 1 } } },
+    }) do
+      it(row[1] .. ", except those that say no", function()
+        assert.equal(3, (count(newMap({ "1556" }, { properties = row[2] }), row[3])))
+      end)
+    end
+
+    it("by a layer around theirs", function()
+      local map = newMap({ "555" })
+      map.layers = { tiled.group(2, "all", map.layers, { properties = { solid = true } }) }
+      assert.equal(3, (count(map)))
+      map.layers[1].properties = {}
+      assert.equal(0, (count(map)))
+      assert.equal(3, (count(map, { solidLayers = { "all" } })))
+      map.layers[1].layers[1].properties = { solid = false }
+      assert.equal(0, (count(map, { solidLayers = { "all" } })))
+    end)
+
+    it("by a list of gids, however they are flipped", function()
+      local legend = { a = 5 + X, b = 6 + Y + T, c = 5 + 268435456.0 }
+      local map = newMap({ "1a5b", "c..." }, nil, legend)
+      assert.equal(4, (count(map, { solidTiles = { 5 } })))
+      assert.equal(5, (count(map, { solidTiles = { 5, 6 } })))
+    end)
+
+    it("but not in a layer that says no", function()
+      local map = newMap({ "1234" }, { properties = { solid = false } })
+      assert.equal(0, (count(map, { solidTiles = { 1 } })))
+      assert.equal(4, (count(map, { solidLayers = { "ground" } })))
+    end)
+
+    it("by their collision rectangles", function()
+      local low = tiled.shapes(4, { tiled.object(1, 0, 8, 16, 8) })
+      local silent = tiled.shapes(5, { tiled.object(1, 0, 8, 16, 8) }, {
+        properties = { solid = false },
+      })
+      local empty = tiled.shapes(6, {})
+      local map = newMap({ "5567" })
+      map.tilesets[1].tiles = { low, silent, empty }
+      local tiles, world = count(map)
+      assert.equal(2, tiles)
+      assert.same({ "0 8 32 8" }, boxes(world, "ground"))
+    end)
+
+    it("static, unless they say otherwise", function()
+      local _, world = count(newMap({ "17" }))
+      local a, b = world.objects.ground[1], world.objects.ground[2]
+      assert.is_true(a.static)
+      assert.is_nil(b.static)
+      assert.is_true(b.kinematic)
+      _, world = count(newMap({ "1" }, { properties = { static = false } }))
+      assert.is_false(world.objects.ground[1].static)
+      assert.truthy(world.objects.ground[1].touching)
+    end)
+  end)
+
+  -- Merging ---------------------------------------------------------------------------------------
+
+  --- Each row: a picture, and the rectangles in tiles: column row columns rows.
+  for _, row in ipairs({
+    { "a row", { "1111" }, "0 0 4 1" },
+    { "a column", { ".1.", ".1.", ".1." }, "1 0 1 3" },
+    { "a block", { "111", "111" }, "0 0 3 2" },
+    { "a floor with pillars", { "1.1", "1.1", "111" }, "0 0 1 2, 2 0 1 2, 0 2 3 1" },
+    { "a hole", { "111", "1.1", "111" }, "0 0 3 1, 0 1 1 1, 2 1 1 1, 0 2 3 1" },
+    { "ends of rows, never with the next", { "..1", "1.." }, "2 0 1 1, 0 1 1 1" },
+    { "equal tiles only", { "1144" }, "0 0 2 1, 2 0 2 1" },
+    { "equal in what the game says of them, too", { "1188" }, "0 0 2 1, 2 0 2 1" },
+    { "ledges in a row, not in a column", { "33", "33" }, "0 0 2 1, 0 1 2 1" },
+    { "no sensors", { "22" }, "0 0 1 1, 1 0 1 1" },
+    { "nothing that moves", { "77" }, "0 0 1 1, 1 0 1 1" },
+    { "sensors that say merge", { "22", "22" }, "0 0 2 2", { merge = true } },
+    { "what moves and says merge", { "777" }, "0 0 3 1", { merge = true } },
+    { "none that say no", { "11" }, "0 0 1 1, 1 0 1 1", { merge = false } },
+    { "gates in a column", { "11", "11" }, "0 0 1 2, 1 0 1 2", { oneWay = "left" } },
+    { "roofs in a row", { "11", "11" }, "0 0 2 1, 0 1 2 1", { oneWay = "bottom" } },
+  }) do
+    it("merge: " .. row[1], function()
+      local level, world = load(newMap(row[2], { properties = row[4] }))
+      local found = {}
+      for i, object in ipairs(world.objects.ground) do
+        local tile = object.tiled
+        found[i] = ("%d %d %d %d"):format(tile.column, tile.row, tile.columns, tile.rows)
+        assert.equal(tile.column * 16, object.x)
+        assert.equal(tile.row * 16, object.y)
+        assert.equal(tile.columns * 16, object.width)
+        assert.equal(tile.rows * 16, object.height)
+      end
+      assert.equal(row[3], table.concat(found, ", "))
+      assert.equal(#found, level.rectangles)
+      assert.equal(select(2, table.concat(row[2]):gsub("%d", "")), level.tiles)
+    end)
+  end
+
+  it("do not merge with merge = false", function()
+    local level = load(newMap({ "111", "111" }), { merge = false })
+    assert.same({ 6, 6 }, { level.tiles, level.rectangles })
+    assert.equal(1, level.objects[1].tiled.gid)
+  end)
+
+  it("merge over equal tiles of several tilesets", function()
+    local first = tiled.tileset({ { id = 0, properties = { solid = true } } }, { tilecount = 4 })
+    local second = tiled.tileset({ { id = 2, properties = { solid = true } } }, { firstgid = 5 })
+    local level = load(tiled.map({ first, second }, { tiled.tiles(1, "ground", { "1771" }) }))
+    assert.same({ 4, 1 }, { level.tiles, level.rectangles })
+    assert.is_nil(level.objects[1].tiled.gid)
+  end)
+
+  it("cover what they covered, each cell once", function()
+    local generator = random.new(20)
+    for _ = 1, 20 do
+      local rows, solid = {}, 0
+      for row = 1, 12 do
+        local text = {}
+        for column = 1, 15 do
+          text[column] = generator:pick({ ".", "1", "1", "1", "3", "4" })
+          solid = solid + (text[column] == "." and 0 or 1)
+        end
+        rows[row] = table.concat(text)
+      end
+      local level = load(newMap(rows))
+      local covered = {}
+      for _, object in ipairs(level.objects) do
+        for x = object.x, object.x + object.width - 1, 16 do
+          for y = object.y, object.y + object.height - 1, 16 do
+            local tile = rows[y / 16 + 1]:sub(x / 16 + 1, x / 16 + 1)
+            local cell = x .. " " .. y
+            assert.is_nil(covered[cell])
+            covered[cell] = true
+            assert.equal(tile == "3" and "top" or nil, object.oneWay)
+            assert.equal(tile == "4" and 0.75 or nil, object.friction)
+            assert.are_not.equal(".", tile)
+            solid = solid - 1
+          end
+        end
+      end
+      assert.equal(0, solid)
+    end
+  end)
+
+  -- Shapes ----------------------------------------------------------------------------------------
+
+  --- One rectangle in a tile, 2 px from the left, 3 px from the top, 4 px wide, 8 px high, in all
+  --- the ways in which the editor turns tiles (keys X, Y and Z).
+  ---
+  ---      +--------+
+  ---      | +-+    |
+  ---      | | |    |
+  ---      | +-+    |
+  ---      +--------+
+  for _, row in ipairs({
+    { "as drawn", 0, "2 3 4 8" },
+    { "flipped left to right", X, "10 3 4 8" },
+    { "flipped top to bottom", Y, "2 5 4 8" },
+    { "turned by 180 degrees", X + Y, "10 5 4 8" },
+    { "flipped along the diagonal", T, "3 2 8 4" },
+    { "turned by 90 degrees", T + X, "5 2 8 4" },
+    { "turned by 270 degrees", T + Y, "3 10 8 4" },
+    { "flipped along the other diagonal", T + X + Y, "5 10 8 4" },
+  }) do
+    it("have collision rectangles, " .. row[1], function()
+      local set = tiled.tileset({ tiled.shapes(0, { tiled.object(1, 2, 3, 4, 8) }) })
+      local layer = tiled.tiles(1, "ground", { "a" }, nil, { a = 1 + row[2] })
+      local _, world = load(tiled.map({ set }, { layer }))
+      assert.same({ row[3] }, boxes(world, "ground"))
+    end)
+  end
+
+  it("have several of them, each with properties of its own", function()
+    local set = tiled.tileset({
+      tiled.shapes(0, {
+        tiled.object(1, 0, 0, 16, 4, { properties = { oneWay = "top" } }),
+        tiled.object(2, 6, 4, 4, 12, { properties = { friction = 0.9 } }),
+      }, { properties = { friction = 0.1, label = "mushroom" } }),
+    })
+    local level, world = load(tiled.map({ set }, { tiled.tiles(1, "ground", { "111", "1.." }) }))
+    assert.same({
+      "0 0 48 4", -- the caps of a row become one
+      "0 16 16 4",
+      "6 4 4 12", -- the stems stand apart
+      "22 4 4 12",
+      "38 4 4 12",
+      "6 20 4 12",
+    }, boxes(world, "ground"))
+    local cap, stem = level.objects[1], level.objects[3]
+    assert.same({ "top", 0.1, "mushroom" }, { cap.oneWay, cap.friction, cap.label })
+    assert.same({ 0.9, "mushroom" }, { stem.friction, stem.label })
+    assert.same({ 8, 6 }, { level.tiles, level.rectangles })
+  end)
+
+  it("merge half tiles along the side where they meet", function()
+    local set = tiled.tileset({
+      tiled.shapes(0, { tiled.object(1, 0, 8, 16, 8) }), -- the lower half
+      tiled.shapes(1, { tiled.object(1, 0, 0, 8, 16) }), -- the left half
+    })
+    local _, world = load(tiled.map({ set }, { tiled.tiles(1, "ground", { "11.22", "11.22" }) }))
+    assert.same({
+      "0 8 32 8",
+      "0 24 32 8",
+      "48 0 8 32",
+      "64 0 8 32",
+    }, boxes(world, "ground"))
+  end)
+
+  -- Sizes -----------------------------------------------------------------------------------------
+
+  --- Tiles stand on the lower left corner of their cell, whatever their size.
+  ---
+  ---          +----+
+  ---          |    |
+  ---      +--+|    |    the cell is 16 x 16, the second tile 24 x 40
+  ---      |  ||    |
+  ---      +--++----+
+  for _, row in ipairs({
+    { "larger than a cell", {}, 0, "16 -8 24 40" },
+    { "moved by the tileset", { tileoffset = { x = 3, y = -5 } }, 0, "19 -13 24 40" },
+    { "turned by 90 degrees", {}, T + X, "16 8 40 24" },
+    { "drawn at the size of the grid", { tilerendersize = "grid" }, 0, "16 16 16 16" },
+    {
+      "drawn at the size of the grid, and as they look",
+      { tilerendersize = "grid", fillmode = "preserve-aspect-fit" },
+      0,
+      "19.2 16 9.6 16",
+    },
+    {
+      "drawn at the size of the grid, as they look, turned and moved",
+      {
+        tilerendersize = "grid",
+        fillmode = "preserve-aspect-fit",
+        tileoffset = { x = 5, y = 0 },
+      },
+      T,
+      "18 19.2 16 9.6",
+    },
+  }) do
+    it("may be " .. row[1], function()
+      local set = tiled.tileset({ { id = 0, properties = { solid = true } } }, {
+        tilewidth = 24,
+        tileheight = 40,
+      })
+      for name, value in pairs(row[2]) do
+        set[name] = value
+      end
+      local layer = tiled.tiles(1, "ground", { "..", ".a" }, nil, { a = 1 + row[3] })
+      local _, world = load(tiled.map({ set }, { layer }))
+      assert.same({ row[4] }, boxes(world, "ground"))
+    end)
+  end
+
+  it("may have an image and a size of their own", function()
+    local set = tiled.tileset({
+      { id = 2, image = "tree.png", width = 20, height = 48 },
+      { id = 5, image = "bush.png", width = 12, height = 10 },
+    }, { tilewidth = 20, tileheight = 48, columns = 0, tilecount = 2 })
+    local map = tiled.map({ set }, { tiled.tiles(1, "ground", { "36" }) })
+    local _, world = load(map, { solidLayers = { "ground" } })
+    assert.same({ "0 -32 20 48", "16 6 12 10" }, boxes(world, "ground"))
+  end)
+
+  it("are scaled with their rectangles", function()
+    local set = tiled.tileset({ tiled.shapes(0, { tiled.object(1, 0, 4, 8, 4) }) }, {
+      tilewidth = 8,
+      tileheight = 8,
+      tilerendersize = "grid",
+    })
+    local _, world = load(tiled.map({ set }, { tiled.tiles(1, "ground", { "11" }) }))
+    assert.same({ "0 8 32 8" }, boxes(world, "ground"))
+  end)
+
+  -- Nobody notices --------------------------------------------------------------------------------
+
+  --- A level with floors, pillars, ceilings, ledges and rough patches.
+  local function newLevel(generator)
+    local rows = {}
+    for row = 1, 14 do
+      local text = {}
+      for column = 1, 40 do
+        local isWall = column == 1 or column == 40 or row == 1 or row == 14
+        text[column] = isWall and "1" or "."
+      end
+      rows[row] = text
+    end
+    for _ = 1, 26 do
+      local row, column = generator:integer(3, 13), generator:integer(3, 36)
+      local tile = generator:pick({ "1", "1", "4", "3" })
+      local isColumn = generator:chance(0.3)
+      for i = 0, generator:integer(1, 6) do
+        local y, x = row - (isColumn and i or 0), column + (isColumn and 0 or i)
+        if rows[y] and rows[y][x] and y > 2 then
+          rows[y][x] = tile
+        end
+      end
+    end
+    for row = 1, 14 do
+      rows[row] = table.concat(rows[row])
+    end
+    return rows
+  end
+
+  --- Who walks, jumps, is nudged around corners and bounces, by the same will in both worlds.
+  local function addWalkers(world)
+    local walkers = {}
+    for i = 1, 6 do
+      walkers[i] = world:add("walkers", {
+        x = 40 + i * 83,
+        y = 24,
+        width = 10 + i,
+        height = 8 + 2 * i,
+        vx = 0,
+        vy = 0,
+        friction = 0.3,
+        nudge = i % 3 * 3,
+        restitution = i == 5 and 0.8 or 0,
+        mass = i,
+      })
+    end
+    return walkers
+  end
+
+  local function drive(walkers, generator, others)
+    for i, walker in ipairs(walkers) do
+      local will, jump = generator:integer(-1, 1) * 170, generator:chance(0.1)
+      local twin = others[i]
+      assert.equal(not walker.touching.bottom, not twin.touching.bottom)
+      if generator:chance(0.3) then
+        walker.vx, twin.vx = will, will
+      end
+      if jump and walker.touching.bottom then
+        walker.vy, twin.vy = -420, -420
+      end
+    end
+  end
+
+  for seed = 1, effort.share(8, 2) do
+    it("nobody who walks on them can tell whether they are merged, seed " .. seed, function()
+      local generator = random.new(seed * 7)
+      local map = newMap(newLevel(generator))
+      local placed = { x = -64 + seed, y = 32.5 }
+      local mergedLevel, merged = load(map, placed)
+      placed.merge = false
+      local wholeLevel, whole = load(map, placed)
+      assert.is_true(mergedLevel.rectangles * 2 < wholeLevel.rectangles)
+      local a, b = addWalkers(merged), addWalkers(whole)
+      for _ = 1, effort.share(600, 300) do
+        drive(a, generator, b)
+        merged:update(1 / 60)
+        whole:update(1 / 60)
+        for i = 1, #a do
+          assert.equal(b[i].x, a[i].x)
+          assert.equal(b[i].y, a[i].y)
+          assert.equal(b[i].vx, a[i].vx)
+          assert.equal(b[i].vy, a[i].vy)
+        end
+      end
+    end)
+  end
+
+  -- Speed -----------------------------------------------------------------------------------------
+
+  --- Hills below, a roof above, and platforms between.
+  local function newLarge()
+    local generator, height, rows = random.new(5), 30, {}
+    local heights = {}
+    for column = 1, 400 do
+      if column % 4 == 0 then
+        height = math.max(10, math.min(45, height + generator:integer(-3, 3)))
+      end
+      heights[column] = height
+    end
+    for row = 1, 50 do
+      local text = {}
+      for column = 1, 400 do
+        local isSolid = row > heights[column] or row < heights[column] - 20
+        text[column] = isSolid and (row % 7 == 0 and "4" or "1") or "."
+        if not isSolid and row % 6 == 0 and math.floor(column / 5) % 3 == 0 then
+          text[column] = "3"
+        end
+      end
+      rows[row] = table.concat(text)
+    end
+    return rows
+  end
+
+  it("400 x 50 of them become few in less than 50 ms on LuaJIT", function()
+    local map = newMap(newLarge(), {}, {})
+    map.width, map.height = 400, 50
+    local best, level = math.huge, nil
+    for _ = 1, 5 do
+      local world = physics.newWorld()
+      local before = os.clock()
+      level = world:loadTiled(map)
+      best = math.min(best, os.clock() - before)
+    end
+    assert.is_true(level.tiles > 9000)
+    assert.is_true(level.rectangles * 15 < level.tiles)
+    if rawget(_G, "jit") and rawget(_G, "jit").status() then
+      assert.is_true(best < 0.05, ("it took %.1f ms"):format(best * 1000))
+    end
+  end)
+end)
