@@ -112,17 +112,7 @@ local function compile(path)
   return loadfile(path)
 end
 
-local function loadMap(path)
-  if path:match("%.tm[xj]$") or path:match("%.json$") then
-    check.fail(
-      ("%s: %s must be exported as Lua: File > Export As, *.lua"):format(WHERE, check.show(path))
-    )
-  end
-  local isRead, chunk, problem = pcall(compile, path)
-  if not isRead or not chunk then
-    problem = isRead and problem or chunk
-    check.fail(("%s: cannot read %s: %s"):format(WHERE, check.show(path), tostring(problem)))
-  end
+local function run(chunk, path)
   local isRun, map = pcall(chunk)
   if not isRun then
     check.fail(("%s: cannot run %s: %s"):format(WHERE, check.show(path), tostring(map)))
@@ -132,6 +122,20 @@ local function loadMap(path)
     )
   end
   return map
+end
+
+local function loadMap(path)
+  if path:match("%.tm[xj]$") or path:match("%.json$") then
+    check.fail(
+      ("%s: %s must be exported as Lua: File > Export As, *.lua"):format(WHERE, check.show(path))
+    )
+  end
+  local isRead, chunk, problem = pcall(compile, path)
+  if not isRead or not chunk then
+    problem = isRead and problem or chunk -- of the loader, or of pcall
+    check.fail(("%s: cannot read %s: %s"):format(WHERE, check.show(path), tostring(problem)))
+  end
+  return (run(chunk, path))
 end
 
 local function checkMap(given)
@@ -218,11 +222,13 @@ local function whyNot(reading, layer, context)
   end
 end
 
+local function readNothing(_, _, _) end
+
 local KINDS = {
   tilelayer = tilelayer.read,
   objectgroup = objectlayer.read,
-  imagelayer = function() end,
-  customlayer = function() end, -- STI's, for the game's own drawing
+  imagelayer = readNothing,
+  customlayer = readNothing, -- STI's, for the game's own drawing
 }
 
 local function readLeaf(reading, layer, context)
@@ -337,10 +343,19 @@ local function newReading(map, options)
   return reading
 end
 
+---@class physics.TiledOptions
+---@field x? number px, default 0: where the map's left edge goes
+---@field y? number px, default 0: where its upper edge goes
+---@field solidProperty? string default "solid": name of the property that makes solid
+---@field solidLayers? (string|integer)[] names or ids of layers whose tiles are all solid
+---@field solidTiles? integer[] gids that are solid in every layer
+---@field skipLayers? (string|integer)[] names or ids of layers that are left out
+---@field merge? boolean default true: equal solid tiles become few; false: each one is an object
+
 --- What a map gave to a world.
 ---@class physics.Level
----@field objects table[] all its objects, in the order of the layers
----@field named table<string, table> of all objects of a name the first
+---@field objects physics.Object[] all its objects, in the order of the layers
+---@field named table<string, physics.Object> of all objects of a name the first
 ---@field tiles integer boxes of solid tiles in the map
 ---@field rectangles integer what has become of them
 ---@field unsupported physics.Unsupported[] what could not be had, in the order of the layers
@@ -388,7 +403,7 @@ end
 
 --- Reads a map and adds nothing: see `world:loadTiled`.
 ---@param given table|string
----@param options table?
+---@param options physics.TiledOptions?
 ---@return physics.Level level
 ---@return (string|number)[] groupOf the group of each of its objects
 ---@return (string|number)[] groups all groups that it needs, also empty ones

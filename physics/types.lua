@@ -466,3 +466,27 @@ function default.impulse(object, ix, iy) end
 ---@param w number? px, > 0
 ---@param h number? px, > 0
 function default.setBounds(x, y, w, h) end
+
+--- Adds what stands in a map of the editor Tiled: its rectangles and tile objects, and its solid
+--- tiles, merged into few large rectangles. The map is its Lua export (the table, or the path of
+--- the file) or the table that STI makes of it; it is not changed, and nothing is drawn.
+---
+--- The name of a layer is the group of its objects. Properties of an object are its fields; those
+--- that the library knows are also taken from its tile, its layer and the layers around it, the
+--- nearest first. Three properties are for the loader: `solid`, `merge`, and `group`, which is used
+--- instead of the layer's name. A tile is solid if it, its layer or an option says so, or if it has
+--- collision rectangles; `solid = false` on one of them wins, and takes objects out, too. Solid
+--- tiles are static unless they say otherwise. Static ones that are equal and no sensors become
+--- one; merging changes no motion.
+---
+--- Not supported, and named in `unsupported` of what is returned: maps that are not orthogonal,
+--- rotated objects, polygons, ellipses, points and texts, encoded layer data, parallax, tilesets
+--- that are not embedded in the export.
+---
+--- Errors: no map, no such file; an unknown option; a layer or gid in an option that is not in the
+--- map; a gid of no tileset; a property that is a field and cannot be used; a group that is an
+--- object; called from inside `canCollide`. Nothing has been added then.
+---@param map table|string what the export returns, what STI returns, or the path of the export
+---@param options physics.TiledOptions? where the map goes, and which of its tiles are solid
+---@return physics.Level level the objects that were added, counts, and what is not supported
+function default.loadTiled(map, options) end

@@ -794,14 +794,6 @@ end
 --- tiles are static unless they say otherwise. Static ones that are equal and no sensors become
 --- one; merging changes no motion.
 ---
---- Options:
----     x, y            px, where the map's upper left corner goes, default 0, 0
----     solidProperty   name of the property that makes solid, default "solid"
----     solidLayers     names or ids of layers whose tiles are all solid
----     solidTiles      gids that are solid in every layer
----     skipLayers      names or ids of layers that are left out
----     merge           false: each solid tile is an object, default true
----
 --- Not supported, and named in `unsupported` of what is returned: maps that are not orthogonal,
 --- rotated objects, polygons, ellipses, points and texts, encoded layer data, parallax, tilesets
 --- that are not embedded in the export.
@@ -809,9 +801,9 @@ end
 --- Errors: no map, no such file; an unknown option; a layer or gid in an option that is not in the
 --- map; a gid of no tileset; a property that is a field and cannot be used; a group that is an
 --- object; called from inside `canCollide`. Nothing has been added then.
----@param map table|string
----@param options table?
----@return physics.Level level
+---@param map table|string what the export returns, what STI returns, or the path of the export
+---@param options physics.TiledOptions? where the map goes, and which of its tiles are solid
+---@return physics.Level level the objects that were added, counts, and what is not supported
 function World:loadTiled(map, options)
   local call = "loadTiled(map, options)"
   checkSelf(self, call)

@@ -187,7 +187,9 @@ function manual.text()
   addWorldFields(lines)
   addFunctions(lines, "physics/world.lua", "World", "world:")
   add(lines, "## Types", "")
-  for _, path in ipairs({ "physics/types.lua", "physics/world.lua", "physics/draw.lua" }) do
+  local files = { "types", "world", "draw", "tiled" }
+  for _, file in ipairs(files) do
+    local path = "physics/" .. file .. ".lua"
     addTypes(lines, path)
   end
   local text = table.concat(lines, "\n"):gsub("\n\n\n+", "\n\n"):gsub("%s+$", "")

@@ -166,6 +166,8 @@ end
 --- Returns a text that is the same for equal fields, and only for those.
 ---@param given table
 ---@return string
-properties.signature = writeTable
+function properties.signature(given)
+  return (writeTable(given))
+end
 
 return properties

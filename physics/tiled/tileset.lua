@@ -18,7 +18,7 @@ local HEXAGONAL = 268435456 -- means nothing on orthogonal maps
 --- A tile as it stands in a layer.
 ---@class physics.Tile
 ---@field gid number without the bits that flip it
----@field id integer in its tileset
+---@field id integer counted from the first of its tileset
 ---@field isFlippedX boolean
 ---@field isFlippedY boolean
 ---@field isTransposed boolean
@@ -50,12 +50,10 @@ end
 ---@return boolean isFlippedY
 ---@return boolean isTransposed
 function tileset.decode(gid)
-  local isFlippedX, isFlippedY, isTransposed
-  gid, isFlippedX = take(gid, FLIP_X)
-  gid, isFlippedY = take(gid, FLIP_Y)
-  gid, isTransposed = take(gid, TRANSPOSE)
-  gid = take(gid, HEXAGONAL)
-  return gid, isFlippedX, isFlippedY, isTransposed
+  local withoutX, isFlippedX = take(gid, FLIP_X)
+  local withoutY, isFlippedY = take(withoutX, FLIP_Y)
+  local withoutTurns, isTransposed = take(withoutY, TRANSPOSE)
+  return (take(withoutTurns, HEXAGONAL)), isFlippedX, isFlippedY, isTransposed
 end
 
 -- Tilesets ----------------------------------------------------------------------------------------
