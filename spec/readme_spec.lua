@@ -2,86 +2,19 @@
 
 local fields = require("physics.fields")
 local physics = require("physics")
+local snippets = require("spec.support.snippets")
 
 local unpack = table.unpack or unpack -- luacheck: ignore (Lua 5.1 has it as a global)
 
-local function read(path)
-  local file = assert(io.open(path, "rb"))
-  local text = file:read("*a")
-  file:close()
-  return text
-end
+local read, compile = snippets.read, snippets.compile
 
 local README = read("README.md")
-
---- Compiles a text with an environment of its own.
-local function compile(text, name, environment)
-  local setEnvironment = rawget(_G, "setfenv")
-  if setEnvironment then
-    return setEnvironment(assert(rawget(_G, "loadstring")(text, name)), environment)
-  end
-  return assert(load(text, name, "t", environment))
-end
 
 --- The text below a heading, up to the next one of its level.
 local function section(title)
   local _, last = README:find("\n## " .. title .. "\n", 1, true)
   assert(last, "no heading " .. title)
   return README:sub(last, (README:find("\n## ", last, true)))
-end
-
---- Stands in for LÖVE: the right key is held down, drawing does nothing, the maps of the specs are
---- the game's.
-local function newLove()
-  local function nothing()
-    return 1, 1, 1, 1
-  end
-  return {
-    graphics = setmetatable({}, {
-      __index = function()
-        return nothing
-      end,
-    }),
-    keyboard = {
-      isDown = function(key)
-        return key == "right"
-      end,
-    },
-    filesystem = {
-      getInfo = function()
-        return {}
-      end,
-      load = function(path)
-        return loadfile("spec/" .. path)
-      end,
-    },
-  }
-end
-
-local function show(value)
-  return type(value) == "number" and ("%.14g"):format(value) or tostring(value)
-end
-
---- What the snippets find: a world at rest with a floor and a player, and a `print` that listens.
-local function newEnvironment(printed)
-  local world = physics.newWorld({ gravity = 800 })
-  local box = { x = 0, y = 400, width = 800, height = 40, static = true }
-  local environment = {
-    love = newLove(),
-    physics = physics,
-    world = world,
-    floor = world:add("tiles", box),
-    player = world:add("players", { x = 40, y = 368, width = 24, height = 32 }),
-  }
-  function environment.print(...)
-    local texts = { ... }
-    for i = 1, select("#", ...) do
-      texts[i] = show((select(i, ...)))
-    end
-    printed[#printed + 1] = table.concat(texts, " ")
-  end
-  world:update(1 / 60)
-  return setmetatable(environment, { __index = _G })
 end
 
 describe("the README", function()
@@ -104,7 +37,7 @@ describe("the README", function()
 
     it("has a snippet that runs and prints what it says, " .. title, function()
       local printed, said = {}, {}
-      local environment = newEnvironment(printed)
+      local environment = snippets.newEnvironment(printed, { right = true })
       rawset(_G, "love", environment.love)
       compile(snippet, "=README", environment)()
       for line in snippet:gmatch("%-%-> ([^\n]*)") do

@@ -1,0 +1,334 @@
+--- Each recipe of docs/recipes.md does what it says.
+
+local physics = require("physics")
+local snippets = require("spec.support.snippets")
+
+local RECIPES = snippets.read("docs/recipes.md")
+local DT = 1 / 60
+
+--- A recipe at work: its environment, keys to press, time to pass.
+local function play(snippet, peek)
+  local held = {}
+  local game = snippets.newEnvironment({}, held)
+  local text = snippet .. "\n" .. (peek and "return function() return " .. peek .. " end" or "")
+  local look = snippets.compile(text, "=recipe", game)()
+
+  local controls = { look = look, env = game, player = game.player, world = game.world }
+  function controls.press(key)
+    held[key] = true
+    if game.love.keypressed then
+      game.love.keypressed(key)
+    end
+  end
+  function controls.release(key)
+    held[key] = nil
+    if game.love.keyreleased then
+      game.love.keyreleased(key)
+    end
+  end
+  function controls.run(seconds, each)
+    for _ = 1, math.floor(seconds / DT + 0.5) do
+      if game.love.update then
+        game.love.update(DT)
+      else
+        game.world:update(DT)
+      end
+      if each then
+        each()
+      end
+    end
+  end
+  -- The height of the jump that has begun, px.
+  function controls.jumpHeight(seconds)
+    local from = game.player.y
+    local top = from
+    controls.run(seconds or 1.2, function()
+      top = math.min(top, game.player.y)
+    end)
+    return from - top
+  end
+  return controls
+end
+
+local recipes = {}
+
+recipes["Coyote time"] = function(snippet)
+  local function falls()
+    local g = play(snippet)
+    g.env.floor.width = 60 -- the player stands at its end
+    g.world:refresh(g.env.floor)
+    g.player.vx = 200
+    while g.player.touching.bottom do
+      g.run(DT)
+    end
+    return g
+  end
+  -- s after the edge, whether it still jumps
+  for _, row in ipairs({ { 0, true }, { 0.07, true }, { 0.2, false } }) do
+    local g = falls()
+    g.run(row[1])
+    g.press("space")
+    g.run(DT)
+    assert.equal(row[2], g.player.vy < 0)
+  end
+  -- px above the floor at which the key is pressed, whether the landing is a jump
+  for _, row in ipairs({ { 14, true }, { 180, false } }) do
+    local g = play(snippet)
+    g.player.y = 368 - row[1] - 16 -- which it falls first, too long after the edge
+    g.run(0.2)
+    g.press("space")
+    local jumped = false
+    g.run(1, function()
+      jumped = jumped or g.player.vy < 0
+    end)
+    assert.equal(row[2], jumped)
+  end
+  local g = play(snippet)
+  g.press("space")
+  assert.near(100, g.jumpHeight(), 0.1)
+  assert.equal(368, g.player.y)
+end
+
+recipes["Variable jump"] = function(snippet)
+  local g = play(snippet)
+  g.press("space")
+  assert.near(100, g.jumpHeight(), 0.1)
+  g.release("space")
+  g.press("space")
+  g.run(0.1)
+  g.release("space")
+  assert.is_true(g.jumpHeight() < 20)
+  assert.equal(368, g.player.y)
+end
+
+recipes["Double jump"] = function(snippet)
+  local g = play(snippet)
+  local function height(presses)
+    local highest = 0
+    for _ = 1, presses do
+      local from = 368 - g.player.y
+      g.press("space")
+      highest = math.max(highest, from + g.jumpHeight(0.45))
+    end
+    return math.max(highest, 368 - g.player.y + g.jumpHeight(1.5))
+  end
+  assert.near(100, height(1), 0.5)
+  local two = height(2)
+  assert.is_true(two > 180)
+  assert.equal(two, height(3))
+  assert.equal(368, g.player.y)
+end
+
+recipes["Wall jump"] = function(snippet)
+  local g = play(snippet)
+  g.player.y, g.player.vx = 300, 200
+  g.run(0.3)
+  assert.truthy(g.player.touching.right)
+  g.press("space")
+  g.run(0.1)
+  assert.equal(-200, g.player.vx)
+  assert.is_true(g.player.vy < 0 and g.player.x < 76)
+  g.player.x, g.player.y, g.player.vx, g.player.vy = 120, 200, -200, 0
+  g.run(0.1)
+  g.press("space")
+  g.run(0.1)
+  assert.equal(200, g.player.vx)
+end
+
+recipes["Stairs"] = function(snippet)
+  local g = play(snippet)
+  g.run(2)
+  assert.equal(400 - 30 - 32, g.player.y)
+  assert.is_true(g.player.x > 160)
+  local without = play((snippet:gsub("player.nudge = 6", "")))
+  without.run(2)
+  assert.equal(96 - 24, without.player.x) -- before the first step
+end
+
+recipes["Ladders"] = function(snippet)
+  local g = play(snippet)
+  g.press("up")
+  g.run(1)
+  assert.near(248, g.player.y, 2.1)
+  g.release("up")
+  local y = g.player.y
+  g.run(1)
+  assert.equal(y, g.player.y)
+  g.press("down")
+  g.run(2)
+  assert.equal(368, g.player.y)
+  g.player.x = 100
+  g.player.y = 300
+  g.run(2)
+  assert.equal(368, g.player.y)
+  assert.is_nil(g.player.gravity)
+end
+
+recipes["Water"] = function(snippet)
+  local g = play(snippet)
+  g.player.y = 0
+  g.run(2)
+  assert.is_true(g.player.vy < 40) -- 100 / 3 in the end
+  assert.equal(100, g.player.gravity)
+  g.player.vy = -500
+  g.run(0.2)
+  g.player.y = 100
+  g.run(0.1)
+  assert.is_nil(g.player.gravity)
+  assert.is_nil(g.player.airFriction)
+end
+
+recipes["Knock-back"] = function(snippet)
+  local g = play(snippet)
+  g.press("right")
+  local right = 0
+  g.run(0.25, function()
+    right = math.max(right, g.player.x)
+  end)
+  assert.equal(76, right)
+  g.run(0.1)
+  assert.equal(-200, g.player.vx)
+  assert.is_true(g.player.y < 368)
+end
+
+recipes["Bullets"] = function(snippet)
+  local g = play(snippet)
+  local thin = { x = 700, y = 300, width = 1, height = 100, static = true }
+  g.world:add("enemies", thin)
+  for _ = 1, 2 do
+    g.press("x")
+    g.run(0.2)
+  end
+  assert.equal(1, thin.health)
+  assert.equal(0, #g.world.objects.bullets)
+  assert.equal(40, g.player.x)
+end
+
+recipes["Doors"] = function(snippet)
+  local g = play(snippet)
+  g.press("e")
+  g.run(1)
+  assert.equal(200, g.env.world.objects.doors[1].y)
+  g.player.x = 96
+  g.press("e")
+  local lowest = 0
+  g.run(1, function()
+    lowest = math.max(lowest, g.world.objects.doors[1].y)
+  end)
+  assert.is_true(lowest > 260 and lowest < 275) -- stopped by the player's head
+  assert.equal(200, g.world.objects.doors[1].y)
+  assert.equal(368, g.player.y)
+  g.player.x = 40
+  g.run(0.1)
+  g.press("e")
+  g.run(1)
+  assert.equal(300, g.world.objects.doors[1].y)
+end
+
+recipes["Lifts"] = function(snippet)
+  local g = play(snippet)
+  local lift, top = g.world.objects.lifts[1], 400
+  g.player.y = 360
+  g.run(8, function()
+    top = math.min(top, lift.y)
+    if lift.y < 390 then
+      assert.equal(lift.y - 32, g.player.y)
+    end
+  end)
+  assert.near(200, top, 1.1)
+end
+
+recipes["Moving by hand"] = function(snippet)
+  local g = play(snippet, "coins")
+  g.run(2)
+  assert.equal(1, g.look())
+  assert.equal(200 - 24, g.player.x)
+  assert.equal(0, #g.world.objects.coins)
+end
+
+recipes["Camera"] = function(snippet)
+  local g = play(snippet, "cameraX")
+  local translated
+  g.env.love.graphics.translate = function(x)
+    translated = x
+  end
+  g.player.gravity, g.player.x = 0, 1500
+  g.run(2)
+  assert.near(1512 - 400, g.look(), 0.1)
+  g.env.love.draw()
+  assert.equal(-math.floor(g.look()), translated)
+  g.player.x = 2990
+  g.run(2)
+  assert.near(2200, g.look(), 0.1)
+end
+
+recipes["Pause and slow motion"] = function(snippet)
+  local g = play(snippet)
+  g.player.vx = 60
+  g.press("p")
+  g.run(1)
+  assert.equal(40, g.player.x)
+  g.press("p")
+  g.run(1)
+  assert.near(100, g.player.x, 1e-9)
+  g.press("s")
+  g.run(1)
+  assert.near(115, g.player.x, 1e-9)
+end
+
+recipes["Network rollback"] = function(snippet)
+  local keys = { [10] = { right = true, jump = true }, [11] = { right = true } }
+  -- steps by which the input is late, 0: it comes in time
+  local function playedWith(late)
+    local g = play(snippet, "receive")
+    local receive = g.look()
+    for step = 0, 59 do
+      if keys[step - late] then
+        receive(step - late, keys[step - late])
+      end
+      g.run(DT)
+    end
+    return g
+  end
+  local inTime = playedWith(0)
+  assert.is_true(inTime.player.y < 368)
+  for _, late in ipairs({ 1, 7, 30 }) do
+    local g = playedWith(late)
+    assert.equal(inTime.player.x, g.player.x)
+    assert.equal(inTime.world:hash(), g.world:hash())
+  end
+end
+
+describe("the recipe", function()
+  local loveBefore
+
+  before_each(function()
+    loveBefore = rawget(_G, "love")
+    rawset(_G, "love", snippets.newLove({}))
+    physics.load()
+  end)
+
+  after_each(function()
+    rawset(_G, "love", loveBefore)
+  end)
+
+  local seen = {}
+  for title, last in RECIPES:gmatch("\n## ([^\n]+)\n()") do
+    local body = RECIPES:sub(last, RECIPES:find("\n## ", last, true))
+    for snippet in body:gmatch("```lua\n(.-)\n```") do
+      it(title .. " works", function()
+        assert.is_function(recipes[title], "nothing says what it should do")
+        recipes[title](snippet)
+      end)
+      seen[title] = true
+    end
+  end
+
+  it("is there for all that is looked at here, and in the list on top", function()
+    for title in pairs(recipes) do
+      assert.is_true(seen[title], title)
+      local anchor = title:lower():gsub(" ", "-")
+      assert.truthy(RECIPES:gsub("\n", " "):find("[" .. title .. "](#" .. anchor .. ")", 1, true))
+    end
+  end)
+end)

@@ -1,0 +1,82 @@
+--- Runs the snippets of the manual: a world to play in, and a LÖVE that does nothing by itself.
+
+local physics = require("physics")
+
+local snippets = {}
+
+function snippets.read(path)
+  local file = assert(io.open(path, "rb"))
+  local text = file:read("*a")
+  file:close()
+  return text
+end
+
+--- Compiles a text with an environment of its own.
+function snippets.compile(text, name, environment)
+  local setEnvironment = rawget(_G, "setfenv")
+  if setEnvironment then
+    return setEnvironment(assert(rawget(_G, "loadstring")(text, name)), environment)
+  end
+  return assert(load(text, name, "t", environment))
+end
+
+--- Stands in for LÖVE: `held[key]` says which keys are down, drawing does nothing, the maps of the
+--- specs are the game's.
+function snippets.newLove(held)
+  local function nothing()
+    return 1, 1, 1, 1
+  end
+  local graphics = {
+    getWidth = function()
+      return 800
+    end,
+  }
+  return {
+    graphics = setmetatable(graphics, {
+      __index = function()
+        return nothing
+      end,
+    }),
+    keyboard = {
+      isDown = function(key)
+        return held[key] or false
+      end,
+    },
+    filesystem = {
+      getInfo = function()
+        return {}
+      end,
+      load = function(path)
+        return loadfile("spec/" .. path)
+      end,
+    },
+  }
+end
+
+local function show(value)
+  return type(value) == "number" and ("%.14g"):format(value) or tostring(value)
+end
+
+--- What the snippets find: a world at rest with a floor and a player, and a `print` that listens.
+function snippets.newEnvironment(printed, held)
+  local world = physics.newWorld({ gravity = 800 })
+  local box = { x = 0, y = 400, width = 800, height = 40, static = true }
+  local environment = {
+    love = snippets.newLove(held),
+    physics = physics,
+    world = world,
+    floor = world:add("tiles", box),
+    player = world:add("players", { x = 40, y = 368, width = 24, height = 32 }),
+  }
+  function environment.print(...)
+    local texts = { ... }
+    for i = 1, select("#", ...) do
+      texts[i] = show((select(i, ...)))
+    end
+    printed[#printed + 1] = table.concat(texts, " ")
+  end
+  world:update(1 / 60)
+  return setmetatable(environment, { __index = _G })
+end
+
+return snippets
