@@ -9,12 +9,29 @@ local unpack = table.unpack or unpack -- luacheck: ignore (Lua 5.1 has it as a g
 local read, compile = snippets.read, snippets.compile
 
 local README = read("README.md")
+local GLOBALS = { "objects", "physics_load", "physics_update", "checkCollision", "inside", "bump" }
 
 --- The text below a heading, up to the next one of its level.
 local function section(title)
   local _, last = README:find("\n## " .. title .. "\n", 1, true)
   assert(last, "no heading " .. title)
   return README:sub(last, (README:find("\n## ", last, true)))
+end
+
+--- Runs a snippet, and compares what it prints with what it says. Returns its environment.
+local function run(snippet)
+  local printed, said = {}, {}
+  local environment = snippets.newEnvironment(printed, { right = true })
+  rawset(_G, "love", environment.love)
+  compile(snippet, "=snippet", environment)()
+  for line in snippet:gmatch("%-%-> ([^\n]*)") do
+    said[#said + 1] = line
+  end
+  if #said > 0 then
+    assert.same(said, printed)
+  end
+  environment.world:update(1 / 60)
+  return environment
 end
 
 describe("the README", function()
@@ -27,6 +44,9 @@ describe("the README", function()
 
   after_each(function()
     rawset(_G, "love", loveBefore)
+    for _, name in ipairs(GLOBALS) do -- of the tutorial
+      rawset(_G, name, nil)
+    end
     physics.load()
   end)
 
@@ -36,17 +56,7 @@ describe("the README", function()
     local title = ("%d: %s"):format(number, snippet:match("[^\n]*"))
 
     it("has a snippet that runs and prints what it says, " .. title, function()
-      local printed, said = {}, {}
-      local environment = snippets.newEnvironment(printed, { right = true })
-      rawset(_G, "love", environment.love)
-      compile(snippet, "=README", environment)()
-      for line in snippet:gmatch("%-%-> ([^\n]*)") do
-        said[#said + 1] = line
-      end
-      if #said > 0 then
-        assert.same(said, printed)
-      end
-      environment.world:update(1 / 60)
+      local environment = run(snippet)
       if environment.love.load then
         environment.love.load()
         for _ = 1, 120 do
@@ -130,8 +140,12 @@ describe("the README", function()
   end)
 
   it("names only files that exist", function()
-    for path in README:gmatch("%]%(([%w_/%.%-]+)%)") do
+    for path in README:gmatch("%]%(([%w_/%.%-]+)[)#]") do
       read(path)
+    end
+    for anchor in README:gmatch("%]%(docs/recipes%.md#([%w%-]+)%)") do
+      local title = anchor:gsub("%-", " ")
+      assert.truthy(read("docs/recipes.md"):lower():find("\n## " .. title .. "\n", 1, true))
     end
     local version = physics._VERSION
     read("rockspec/physics-" .. version .. "-1.rockspec")
@@ -143,4 +157,44 @@ describe("the README", function()
       assert.truthy(section("Functions"):find("`" .. name .. "`", 1, true), name)
     end
   end)
+end)
+
+-- What a page of docs/ says and does; docs/recipes.md has a spec of its own beside.
+describe("a page of docs/", function()
+  local loveBefore
+
+  before_each(function()
+    loveBefore = rawget(_G, "love")
+    physics.load()
+  end)
+
+  after_each(function()
+    rawset(_G, "love", loveBefore)
+    physics.load()
+  end)
+
+  local listing = assert(io.popen("ls docs/*.md"))
+  for path in listing:lines() do
+    local number = 0
+    for snippet in read(path):gmatch("\n```lua\n(.-)\n```\n") do
+      number = number + 1
+      it(("has snippets that run: %s, %d"):format(path, number), function()
+        local environment = run(snippet)
+        for _ = 1, 3 do
+          for name, call in pairs({ update = { 1 / 60 }, draw = {}, keypressed = { "space" } }) do
+            if environment.love[name] then
+              environment.love[name](unpack(call))
+            end
+          end
+        end
+      end)
+    end
+
+    it("names only files that exist: " .. path, function()
+      for link in read(path):gmatch("%]%(([%w_/%.%-]+)[)#]") do
+        read(link:find("^%.%./") and link:sub(4) or "docs/" .. link)
+      end
+    end)
+  end
+  listing:close()
 end)
