@@ -10,6 +10,8 @@ files["physics/tiled.lua"] = { std = "min+love" }
 files["physics/types.lua"] = { max_line_length = false, ignore = { "212", "241" } }
 files["spec"] = { std = "min+busted" }
 files["bench"] = { std = "luajit+love" }
+files["bench/conf.lua"] = { std = "luajit+love", globals = { "love" } }
+files["bench/main.lua"] = { std = "luajit+love", globals = { "love" } }
 files["examples"] = { std = "luajit+love" }
 -- conf.lua and main.lua define the callbacks of LÖVE: that is what they are for.
 files["examples/conf.lua"] = { std = "luajit+love", globals = { "love" } }

@@ -43,6 +43,10 @@ demo: setup ## opens the examples in LÖVE
 fuzz: setup ## plays random games and checks them: SECONDS=60, SEED=1
 	@luajit scripts/fuzz.lua --seconds $(or $(SECONDS),60) --seed $(or $(SEED),1) --keep-going
 
+.PHONY: bench
+bench: setup ## measures the engines side by side; BENCH="--help" shows what to choose
+	@bash scripts/bench.sh $(BENCH)
+
 ci: ## everything, as the continuous integration does it
 	@bash .ci/run
 

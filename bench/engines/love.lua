@@ -1,0 +1,81 @@
+--- love.physics, that is Box2D 2.3, with the settings its users choose for boxes that do not turn.
+
+local lovePhysics = {
+  canRest = true,
+  lacks = { state = "its state cannot be read out as a whole" },
+}
+local World = {}
+World.__index = World
+
+local METER = 64 -- px; Box2D is tuned for sizes of 0.1 to 10 m
+
+function lovePhysics.new(scene)
+  love.physics.setMeter(METER)
+  local self = setmetatable({ bodies = {}, halves = {} }, World)
+  self.world = love.physics.newWorld(0, scene.gravity, scene.rest)
+  for _, description in ipairs(scene.objects) do
+    self:add(description)
+  end
+  local nearest
+  self.onHit = function(_, _, _, _, _, fraction)
+    nearest = fraction
+    return fraction -- shortens the ray to this hit
+  end
+  self.takeNearest = function()
+    local fraction = nearest
+    nearest = nil
+    return fraction
+  end
+  return self
+end
+
+local function kindOf(description)
+  return description.static and "static" or description.kinematic and "kinematic" or "dynamic"
+end
+
+function World:add(description)
+  local halfWidth, halfHeight = description.width / 2, description.height / 2
+  local x, y = description.x + halfWidth, description.y + halfHeight
+  local body = love.physics.newBody(self.world, x, y, kindOf(description))
+  local shape = love.physics.newRectangleShape(description.width, description.height)
+  local fixture = love.physics.newFixture(body, shape)
+  fixture:setFriction(description.friction or 0)
+  fixture:setRestitution(description.restitution or 0)
+  body:setFixedRotation(true)
+  body:setGravityScale(description.gravity == 0 and 0 or 1)
+  body:setLinearVelocity(description.vx or 0, description.vy or 0)
+  local index = #self.bodies + 1
+  self.bodies[index] = body
+  self.halves[2 * index - 1], self.halves[2 * index] = halfWidth, halfHeight
+  return index
+end
+
+function World:remove(index)
+  self.bodies[index]:destroy()
+end
+
+function World:step(dt)
+  self.world:update(dt)
+end
+
+function World:read(index)
+  local x, y = self.bodies[index]:getPosition()
+  return x - self.halves[2 * index - 1], y - self.halves[2 * index]
+end
+
+function World:setVelocity(index, vx, vy)
+  local body = self.bodies[index]
+  local oldX, oldY = body:getLinearVelocity()
+  body:setLinearVelocity(vx or oldX, vy or oldY)
+end
+
+function World:raycast(x1, y1, x2, y2)
+  self.world:rayCast(x1, y1, x2, y2, self.onHit)
+  return self.takeNearest()
+end
+
+function World:free()
+  self.world:destroy()
+end
+
+return lovePhysics

@@ -1,0 +1,73 @@
+--- physics.lua. The objects of a scene are copied once: afterwards they are the game's own tables.
+
+local physics = require("physics")
+
+local ours = { canRest = true }
+local World = {}
+World.__index = World
+
+local function copy(description)
+  local object = {}
+  for field, value in pairs(description) do
+    object[field] = value
+  end
+  object.group = nil
+  return object
+end
+
+function ours.new(scene)
+  local self = setmetatable({ objects = {} }, World)
+  self.world = physics.newWorld({ gravity = scene.gravity, rest = scene.rest })
+  for _, description in ipairs(scene.objects) do
+    self:add(description)
+  end
+  return self
+end
+
+function World:add(description)
+  local index = #self.objects + 1
+  self.objects[index] = self.world:add(description.group, copy(description))
+  return index
+end
+
+function World:remove(index)
+  self.world:remove(self.objects[index])
+end
+
+function World:step(dt)
+  self.world:update(dt)
+end
+
+function World:read(index)
+  local object = self.objects[index]
+  return object.x, object.y
+end
+
+function World:setVelocity(index, vx, vy)
+  local object = self.objects[index]
+  object.vx = vx or object.vx
+  object.vy = vy or object.vy
+end
+
+function World:raycast(x1, y1, x2, y2)
+  local object, _, _, _, _, fraction = self.world:raycast(x1, y1, x2, y2)
+  return object and fraction
+end
+
+function World:save(out)
+  return self.world:save(out)
+end
+
+function World:restore(state)
+  self.world:restore(state)
+end
+
+function World:hash()
+  return self.world:hash()
+end
+
+function World:free()
+  self.world, self.objects = nil, nil
+end
+
+return ours

@@ -1,0 +1,15 @@
+-- Measures the engines in LÖVE, without a window: `love bench --scene pile --n 1000`.
+-- What it can do stands in bench/options.lua; without LÖVE use bench/run.lua.
+
+local root = love.filesystem.getSource() .. "/.."
+package.path = root .. "/?.lua;" .. package.path
+
+local program = arg[-2] or "love"
+
+function love.load(arguments)
+  os.exit(require("bench.app").main(arguments, {
+    root = root,
+    command = program .. " " .. root .. "/bench",
+    isLove = true,
+  }))
+end

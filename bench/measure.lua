@@ -1,0 +1,180 @@
+--- Plays one scene with one engine: once for the times, and once for everything whose measuring
+--- would disturb the times.
+
+local overlap = require("spec.support.overlap")
+local statistics = require("bench.statistics")
+
+local measure = {}
+
+local KB, PAGE = 1024, 4096 -- bytes
+local CHECK_EVERY = 10 -- steps, between two looks at the overlaps
+local HEAP_LIMIT = 200 * KB -- KB, of garbage, before it is collected
+
+-- Processor time of this process: what other programs do in the meantime does not count.
+local clock = os.clock
+
+local function newWorlds(engine, scene)
+  local worlds = {}
+  for i = 1, scene.worlds do
+    worlds[i] = engine.new(scene)
+  end
+  return worlds
+end
+
+local function each(worlds, call, step)
+  for i = 1, #worlds do
+    call(worlds[i], step)
+  end
+end
+
+local function free(worlds)
+  for i = 1, #worlds do
+    worlds[i]:free()
+  end
+end
+
+-- Plays the frames before the measuring starts. Returns how many there were time for.
+local function warmUp(worlds, scene, deadline)
+  for step = 1, scene.warmUp do
+    if clock() > deadline then
+      return step - 1
+    end
+    if scene.between then
+      each(worlds, scene.between, step)
+    end
+    each(worlds, scene.frame, step)
+  end
+  return scene.warmUp
+end
+
+local function heap()
+  collectgarbage()
+  collectgarbage() -- what has a finalizer goes at the second time
+  return collectgarbage("count") * KB
+end
+
+-- Bytes of memory that this process occupies, with all that C allocated; nil where it is not told.
+local function resident()
+  local file = io.open("/proc/self/statm")
+  local pages = file and file:read("*a"):match("^%d+ (%d+)")
+  if file then
+    file:close()
+  end
+  return pages and pages * PAGE
+end
+
+-- Times of the frames, in ms, until `scene.steps` or the deadline.
+local function timeFrames(worlds, scene, deadline)
+  local times = {}
+  for i = 1, scene.steps do
+    local step = scene.warmUp + i
+    if scene.between then
+      each(worlds, scene.between, step)
+    end
+    local before = clock()
+    if before > deadline then
+      break
+    end
+    each(worlds, scene.frame, step)
+    times[i] = (clock() - before) * 1000
+  end
+  return times
+end
+
+--- Measures how long the frames of a scene take.
+---@param engine table see bench/engines.lua
+---@param scene table see bench/scenes.lua
+---@param limit number s, of processor time; then it stops, wherever it is
+---@return table result `steps` that were measured, `isLimited`, and, when there was time for one,
+--- `median`, `p99`, `mean` in ms, `memory` of one world in the Lua heap and `resident` of one world
+--- in the process, both in bytes
+function measure.times(engine, scene, limit)
+  local deadline = clock() + limit
+  local heapBefore, residentBefore = heap(), resident()
+  local worlds = newWorlds(engine, scene)
+  local result = { isLimited = warmUp(worlds, scene, deadline) < scene.warmUp }
+  local heapAfter, residentAfter = heap(), resident()
+  local times = result.isLimited and {} or timeFrames(worlds, scene, deadline)
+  result.steps = #times
+  result.isLimited = #times < scene.steps
+  if #times > 0 then
+    result.median = statistics.median(times)
+    result.p99 = statistics.quantile(times, 0.99)
+    result.mean = statistics.mean(times)
+    result.memory = (heapAfter - heapBefore) / scene.worlds
+    result.resident = residentAfter and (residentAfter - residentBefore) / scene.worlds
+  end
+  free(worlds)
+  return result
+end
+
+-- Looks at the first world only: the others are its twins.
+local function newOverlapCheck(world, scene)
+  local boxes = {}
+  for i, description in ipairs(scene.objects) do
+    boxes[i] = {
+      width = description.width,
+      height = description.height,
+      static = description.static,
+      kinematic = description.kinematic,
+    }
+  end
+  local find
+  return function()
+    for i = 1, #boxes do
+      boxes[i].x, boxes[i].y = world:read(i)
+    end
+    find = find or overlap.checker(boxes)
+    return (find())
+  end
+end
+
+-- Bytes that one frame allocates. The collector stands still meanwhile.
+local function garbageOf(worlds, scene, step)
+  if scene.between then
+    each(worlds, scene.between, step)
+  end
+  collectgarbage("stop")
+  local before = collectgarbage("count")
+  each(worlds, scene.frame, step)
+  local after = collectgarbage("count")
+  collectgarbage("restart")
+  if after > HEAP_LIMIT then
+    collectgarbage()
+  end
+  return (after - before) * KB
+end
+
+--- Measures what a step of a scene allocates, and how deep objects stand in each other.
+---@param engine table
+---@param scene table
+---@param limit number s, of processor time
+---@return table result `garbage`, bytes a step on average; `garbageMedian`; `overlap`, the largest
+---of all, in px; `overlapAtEnd`; nothing when there was no time
+function measure.quality(engine, scene, limit)
+  local deadline = clock() + limit
+  local worlds = newWorlds(engine, scene)
+  if warmUp(worlds, scene, deadline) < scene.warmUp then
+    return {}
+  end
+  local check = newOverlapCheck(worlds[1], scene)
+  local result, garbage = { overlap = 0 }, {}
+  collectgarbage()
+  for i = 1, scene.steps do
+    if clock() > deadline then
+      break
+    end
+    garbage[i] = garbageOf(worlds, scene, scene.warmUp + i)
+    if i % CHECK_EVERY == 0 or i == scene.steps then
+      result.overlapAtEnd = check()
+      result.overlap = math.max(result.overlap, result.overlapAtEnd)
+    end
+  end
+  if #garbage > 0 then
+    result.garbage, result.garbageMedian = statistics.mean(garbage), statistics.median(garbage)
+  end
+  free(worlds)
+  return result
+end
+
+return measure
