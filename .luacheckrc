@@ -12,11 +12,11 @@ files["spec"] = { std = "min+busted" }
 files["bench"] = { std = "luajit+love" }
 files["bench/conf.lua"] = { std = "luajit+love", globals = { "love" } }
 files["bench/main.lua"] = { std = "luajit+love", globals = { "love" } }
-files["examples"] = { std = "luajit+love" }
+files["examples"] = { std = "min+love" }
 -- conf.lua and main.lua define the callbacks of LÖVE: that is what they are for.
-files["examples/conf.lua"] = { std = "luajit+love", globals = { "love" } }
-files["examples/main.lua"] = { std = "luajit+love", globals = { "love" } }
-files["examples/script.lua"] = { std = "luajit+love", globals = { "love" } }
+files["examples/conf.lua"] = { std = "min+love", globals = { "love" } }
+files["examples/main.lua"] = { std = "min+love", globals = { "love" } }
+files["examples/script.lua"] = { std = "min+love", globals = { "love" } }
 files["scripts"] = { std = "luajit" }
 -- It plays an example without LÖVE and has to pretend a little.
 files["scripts/find_keys.lua"] = { std = "luajit", globals = { "love" } }

@@ -39,10 +39,8 @@ local function breakBrick(brick, other)
   end
 end
 
-local function hitPaddle(_, ball, side)
-  if side == "top" then
-    send(ball, (ball.x + BALL / 2 - paddle.x - paddle.width / 2) / paddle.width * 2.4, -1)
-  end
+local function hitPaddle(_, ball)
+  send(ball, (ball.x + BALL / 2 - paddle.x - paddle.width / 2) / paddle.width * 2.4, -1)
 end
 
 local function loseBall(_, ball)
@@ -65,6 +63,7 @@ function breakout.load()
   local masks = { balls = { balls = false, bullets = false }, bullets = { paddles = false } }
   world = physics.newWorld({ gravity = 0, masks = masks })
   breakout.world, state = world, { shots = 0, hits = 0 }
+  mouseX = input.mouse()
   sparks.clear()
   -- One pixel of wall holds everything, however fast it is.
   boxes.add(world, "walls", nil, LEFT - 1, TOP, 1, 600, { static = true })
@@ -88,7 +87,7 @@ function breakout.update(dt)
   local x = paddle.x + input.axis("left", "a", "right", "d") * PADDLE_SPEED * dt
   local mouse = input.mouse()
   if mouse ~= mouseX then -- the mouse moves the paddle when it moves itself
-    x, mouseX = mouseX and mouse - paddle.width / 2 or x, mouse
+    x, mouseX = mouse - paddle.width / 2, mouse
   end
   paddle.x = math.max(LEFT, math.min(RIGHT - paddle.width, x)) -- a kinematic object: just write x
   if not (world.objects.balls and world.objects.balls[1]) then

@@ -67,7 +67,9 @@ local BUTTONS = {
     key = "r",
     text = "start again",
     press = function()
-      frame.load()
+      clock.isPaused = false
+      local restart = example.restart or example.load
+      restart()
     end,
   },
   {

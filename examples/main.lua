@@ -25,7 +25,6 @@
 package.path = love.filesystem.getSource() .. "/../?.lua;" .. package.path
 
 local frame = require("frame")
-local input = require("input")
 local menu = require("menu")
 local say = require("say")
 local script = require("script")
@@ -79,8 +78,8 @@ function love.keypressed(key, _, isRepeat)
   end
 end
 
-function love.mousepressed(_, _, button)
+function love.mousepressed(x, y, button)
   if button == 1 then
-    show(screen.mousepressed(input.mouse()))
+    show(screen.mousepressed(view.toPicture(x, y)))
   end
 end

@@ -16,13 +16,20 @@ local function restart()
   example.load()
 end
 
+-- The keys and the mouse that choose in the menu are not meant for the example.
+local function inPrivate(call, ...)
+  input.isReal = false
+  call(...)
+  input.isReal, input.held = true, {}
+end
+
 --- Shows another example from now on.
 function preview.load(name)
   local file = "demos/" .. name .. ".keys"
   local text = love.filesystem.getInfo(file) and love.filesystem.read(file) or ""
   spans, length = recording.read(text)
   example = require(name)
-  restart()
+  inPrivate(restart)
 end
 
 local function press(key)
@@ -36,18 +43,20 @@ local function advance()
   if length > 0 and step > length + LINGER then
     restart()
   end
-  recording.play(spans, step, press)
+  recording.play(spans, step, press, example.mousepressed)
   example.update(STEP)
 end
 
-function preview.update(dt)
-  input.isReal = false -- the keys that choose in the menu are not meant for the example
+local function run(dt)
   untilStep = math.max(untilStep - dt, -MOST * STEP)
   while untilStep < -STEP / 2 do
     untilStep = untilStep + STEP
     advance()
   end
-  input.isReal, input.held = true, {}
+end
+
+function preview.update(dt)
+  inPrivate(run, dt)
 end
 
 --- Draws the picture of the game with its top-left corner at x, y.

@@ -1,4 +1,5 @@
--- Keys that were held in the frames of a game, as text: "right:10-200,space:40-60,return:70".
+-- Keys that were held in the frames of a game, and clicks of the mouse, as text:
+-- "right:10-200,space:40-60,return:70,click@480x300:90".
 
 local input = require("input")
 
@@ -22,13 +23,17 @@ function recording.read(text)
   return spans, length
 end
 
---- Holds the keys of a frame, and calls `press(key)` for those that go down in it.
-function recording.play(spans, frame, press)
+--- Holds the keys of a frame, and calls `press(key)` for those that go down in it, and
+--- `click(x, y, 1)`, as love.mousepressed is called, for clicks.
+function recording.play(spans, frame, press, click)
   input.held = {}
   for _, span in ipairs(spans) do
     if frame >= span.first and frame <= span.last then
       input.held[span.key] = true
-      if frame == span.first then
+      local x, y = span.key:match("^click@(%d+)x(%d+)$")
+      if frame == span.first and x then
+        click(tonumber(x), tonumber(y), 1)
+      elseif frame == span.first then
         press(span.key)
       end
     end

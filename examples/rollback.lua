@@ -17,11 +17,7 @@ local rollback = {
 
 local STEP, MOST = 1 / 60, 900 -- s; steps that are kept, which is 15 s
 local SLIDER_X, SLIDER_Y, SLIDER_WIDTH = 40, 46, 620 -- px
-local MODES = {
-  play = "playing",
-  rewound = "rewound: see it again, or just play on",
-  again = "seen again",
-}
+local MODES = { play = "playing", rewound = "see it again, or just play on", again = "seen again" }
 
 -- records[i] is what was before step i, and the keys that were held in it. Mode "play" adds to
 -- them, "again" follows them from step `now` on, "rewound" waits.
@@ -30,8 +26,7 @@ local world, records, state
 function rollback.load()
   football.load()
   world, records = football.world, {}
-  rollback.world = world
-  state = { now = 1, mode = "play", untilStep = 0, same = 0, different = 0 }
+  rollback.world, state = world, { now = 1, mode = "play", untilStep = 0, same = 0, different = 0 }
 end
 
 local function record(keys)
@@ -66,22 +61,18 @@ local function step()
   state.mode = state.now > #records and "play" or state.mode
 end
 
-local function playOn()
-  for i = #records, state.now, -1 do
-    records[i] = nil -- from here on it goes another way
-  end
-  state.mode = "play"
-end
-
 function rollback.update(dt)
   local mouseX, mouseY, isHeld = input.mouse()
-  local turn = input.axis("q", "pageup", "e", "pagedown")
+  local turn = input.axis("q", "q", "e", "e")
   if isHeld and math.abs(mouseY - SLIDER_Y) < 25 and mouseX < 700 then
     goTo(math.floor((mouseX - SLIDER_X) / SLIDER_WIDTH * #records + 0.5))
   elseif turn ~= 0 then
     goTo(state.now + turn * 2)
   elseif state.mode == "rewound" and input.isDown("a", "d", "w", "left", "right", "up") then
-    playOn()
+    for i = #records, state.now, -1 do
+      records[i] = nil -- from here on it goes another way
+    end
+    state.mode = "play"
   end
   state.untilStep = state.untilStep - dt
   while state.untilStep < -STEP / 2 do
@@ -118,16 +109,13 @@ function rollback.draw()
   look.text(("%.1f s"):format(seconds), SLIDER_X, SLIDER_Y - 30, 15, SLIDER_WIDTH, "right")
   look.color("silver")
   look.text(("hash %.0f"):format(world:hash()), 700, SLIDER_Y - 28, 15)
-  local text = "again: %d the same, %d not"
-  look.text(text:format(state.same, state.different), 700, SLIDER_Y - 4, 15)
+  local counts = ("again: %d the same, %d not"):format(state.same, state.different)
+  look.text(counts, 700, SLIDER_Y - 4, 15)
 end
 
 function rollback.report()
-  local result = "rollback: x=%d y=%d records=%d same=%d different=%d left=%d right=%d mode=%s"
-  local blue, score = football.players[2], football.save()
-  local same, different = state.same, state.different
-  local left, right = score[1], score[2]
-  return result:format(blue.x, blue.y, #records, same, different, left, right, state.mode)
+  local result, blue = "rollback: x=%d y=%d records=%d same=%d different=%d", football.players[2]
+  return result:format(blue.x, blue.y, #records, state.same, state.different)
 end
 
 return rollback

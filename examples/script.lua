@@ -1,7 +1,7 @@
 -- The command line, and playing an example without a player, for tests and pictures:
 --
 --   love examples --example=platformer --frames=300 --shot=/tmp/shot.png
---                 --keys="right:10-200,space:40-60,return:70"
+--                 --keys="right:10-200,space:40-60,return:70,click@480x300:90"
 --
 -- `--example` alone starts there, to be played by hand; `--say` says what goes on (main.lua);
 -- `--bare` leaves the panel at the side away. With any of the others the script plays: every frame
@@ -84,7 +84,7 @@ function script.update(update, report)
   local last = math.min(script.frame + STEPS_PER_PICTURE, script.frames)
   while script.frame < last do
     script.frame = script.frame + 1
-    recording.play(script.keys, script.frame, love.keypressed)
+    recording.play(script.keys, script.frame, love.keypressed, love.mousepressed)
     update(STEP)
   end
   if last == script.frames then

@@ -44,6 +44,11 @@ local function open(number)
 end
 
 function tutorial.load()
+  open(1)
+end
+
+--- Begins the page anew, and not the whole tutorial.
+function tutorial.restart()
   open(page)
 end
 

@@ -1,0 +1,264 @@
+--- The examples, without a window: what they do in LÖVE's own Lua, and in that of a browser, which
+--- is plain Lua 5.1 without jit, bit and ffi. How they look is seen in scripts/examples.sh.
+
+if _VERSION ~= "Lua 5.1" then -- LuaJIT is one, too
+  return -- there is no LÖVE with any other
+end
+
+local fakeLove = require("spec.support.fake_love")
+
+local STEP = 1 / 60
+local HIDDEN = { "jit", "bit" }
+
+local mouse, started, names, hidden, oldPath, recording
+
+local function read(path)
+  local file = assert(io.open(path, "rb"))
+  local text = file:read("*a")
+  file:close()
+  return text
+end
+
+-- The callbacks of LÖVE, as LÖVE calls them.
+local function call(name, ...)
+  rawget(_G, "love")[name](...)
+end
+
+local function step(count)
+  for _ = 1, count do
+    call("update", STEP)
+  end
+end
+
+local function press(key)
+  call("keypressed", key, key, false)
+end
+
+local function moveMouse(x, y)
+  mouse.x, mouse.y = x, y
+  step(1)
+end
+
+local function click(x, y)
+  moveMouse(x, y)
+  call("mousepressed", x, y, 1)
+end
+
+-- What the screen's report says after a name.
+local function value(name)
+  local screen = started == "menu" and "menu" or "frame"
+  local found = require(screen).report():match("[ :]" .. name .. "=(%S+)")
+  return tonumber(found) or found
+end
+
+local function play(spans, frames)
+  for frame = 1, frames do
+    recording.play(spans, frame, press, click)
+    call("update", STEP)
+  end
+end
+
+-- Starts an example from the menu, by its keys.
+local function start(name)
+  press("escape")
+  for _ = 1, #names do
+    if names[value("chosen")] ~= name then
+      press("down")
+    end
+  end
+  press("return")
+  assert.equal(name, started)
+end
+
+-- Plays what was recorded for an example, to its end.
+local function playDemo(name)
+  start(name)
+  local spans, length = recording.read(read("examples/demos/" .. name .. ".keys"))
+  play(spans, length + 60)
+end
+
+describe("the examples", function()
+  setup(function()
+    oldPath, hidden, names = package.path, {}, {}
+    package.path = "./examples/?.lua;./?.lua;" .. package.path
+    for name in read("examples/menu.lua"):gmatch('{ name = "(%a+)"') do
+      names[#names + 1] = name
+    end
+    local say = { update = function() end }
+    function say.start(name)
+      started = name
+    end
+    package.loaded.say = say
+    local love
+    love, mouse = fakeLove.new("examples")
+    rawset(_G, "love", love)
+    for _, name in ipairs(HIDDEN) do
+      hidden[name] = rawget(_G, name)
+      rawset(_G, name, nil)
+    end
+    assert(loadfile("examples/main.lua"))()
+    recording = require("recording")
+    love.load()
+  end)
+
+  teardown(function()
+    for name, library in pairs(hidden) do
+      rawset(_G, name, library)
+    end
+    rawset(_G, "love", nil)
+    package.path, package.loaded.say = oldPath, nil
+  end)
+
+  before_each(function()
+    mouse.x, mouse.y, mouse.isHeld = 0, 0, false
+  end)
+
+  describe("the menu", function()
+    before_each(function()
+      press("escape")
+    end)
+
+    it("is what one sees first", function()
+      assert.equal("menu", started)
+      assert.equal(1, value("chosen"))
+    end)
+
+    it("starts every example, and each leads back", function()
+      assert.is_true(#names >= 7)
+      for _, name in ipairs(names) do
+        start(name)
+        step(5)
+        call("draw")
+        press("escape")
+        assert.equal("menu", started)
+      end
+    end)
+
+    it("plays every example as a preview", function()
+      for _ = 1, #names do
+        press("down")
+        step(20)
+        call("draw")
+      end
+    end)
+
+    it("obeys the mouse: over an entry it is chosen, a click starts it", function()
+      moveMouse(200, 146 + 3 * 52 + 20)
+      assert.equal(4, value("chosen"))
+      click(200, 146 + 2 * 52 + 20)
+      assert.equal(names[3], started)
+    end)
+
+    it("starts the chosen one by a click on its picture", function()
+      press("down")
+      local chosen = names[value("chosen")]
+      click(800, 300)
+      assert.equal(chosen, started)
+    end)
+
+    it("does nothing for a click beside all that", function()
+      click(20, 630)
+      assert.equal("menu", started)
+    end)
+  end)
+
+  describe("the frame", function()
+    -- The buttons of the panel, by number from the top.
+    local function clickButton(i)
+      click(1080, 438 + (i - 1) * 33 + 10)
+    end
+
+    -- How far the player of the platformer runs in some frames.
+    local function run(frames)
+      local before = value("x")
+      play(recording.read("right:1-" .. frames), frames)
+      return value("x") - before
+    end
+
+    before_each(function()
+      start("platformer")
+    end)
+
+    it("pauses, by key and by mouse", function()
+      assert.is_true(run(20) > 30)
+      press("p")
+      assert.equal(0, run(20))
+      press("p")
+      assert.is_true(run(20) > 30)
+      clickButton(1)
+      assert.equal(0, run(20))
+    end)
+
+    it("makes single steps, the first of which pauses", function()
+      run(30)
+      press("n")
+      local x = value("x")
+      recording.play(recording.read("right:1"), 1, press, click)
+      press("n")
+      assert.is_true(value("x") > x and value("x") < x + 10)
+    end)
+
+    it("is five times as slow in slow motion", function()
+      run(30) -- full speed
+      local distance = run(15)
+      press("m")
+      local slow = run(15)
+      press("m")
+      assert.is_true(math.abs(distance - 5 * slow) < 8)
+    end)
+
+    it("draws what the physics sees, in every example", function()
+      for _, name in ipairs(names) do
+        start(name)
+        for _ = 1, 3 do
+          press("x")
+          step(2)
+          call("draw")
+        end
+      end
+    end)
+
+    it("starts again, and goes back to the menu, by mouse", function()
+      local x = value("x")
+      assert.is_true(run(30) > 30)
+      clickButton(5)
+      assert.equal(x, value("x"))
+      clickButton(6)
+      assert.equal("menu", started)
+    end)
+  end)
+
+  -- What was recorded in LÖVE comes out the same here.
+  describe("played by what was recorded", function()
+    it("platformer: the flag is reached at the first try", function()
+      playDemo("platformer")
+      assert.equal("true", value("won"))
+      assert.equal(0, value("deaths"))
+    end)
+
+    it("lifts: crates are pressed flat", function()
+      playDemo("lifts")
+      assert.is_true(value("coins") >= 1)
+      assert.is_true(value("flattened") >= 3)
+    end)
+
+    it("topdown: the crate opens the gate", function()
+      playDemo("topdown")
+      assert.is_true(value("coins") >= 6)
+      assert.equal("open", value("gate"))
+    end)
+
+    it("breakout: no bullet goes through a wall", function()
+      playDemo("breakout")
+      assert.is_true(value("broken") >= 15)
+      assert.is_true(value("shots") >= 10)
+      assert.equal(0, value("lost"))
+    end)
+
+    it("rollback: what is seen again is the same", function()
+      playDemo("rollback")
+      assert.is_true(value("same") >= 60)
+      assert.equal(0, value("different"))
+    end)
+  end)
+end)
