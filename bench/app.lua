@@ -13,7 +13,7 @@ local statistics = require("bench.statistics")
 
 local app = {}
 
-local QUICK_STEPS = 5
+local QUICK_STEPS, QUICK_WARM_UP = 3, 2
 
 local function say(...)
   io.stderr:write(string.format(...), "\n")
@@ -40,7 +40,7 @@ end
 -- One measurement in this process.
 local function play(kind, job, limit)
   local scene = scenes.build(job.scene, job.n)
-  scene.steps = job.steps or scene.steps
+  scene.steps, scene.warmUp = job.steps or scene.steps, job.warmUp or scene.warmUp
   setMode(job.mode)
   return measure[kind](require("bench.engines." .. job.engine), scene, limit)
 end
@@ -49,16 +49,22 @@ local function quoted(text)
   return "'" .. text:gsub("'", "'\\''") .. "'"
 end
 
+-- The words that start this program in a mode. A mode that is a command may have words of its own.
 local function commandOf(host, mode)
-  if mode == "jit" or mode == "off" then
-    return host.command
+  if mode ~= "jit" and mode ~= "off" then
+    return { mode, quoted(host.root .. "/bench/run.lua") }
   end
-  return mode .. " " .. quoted(host.root .. "/bench/run.lua")
+  local words = {}
+  for i, word in ipairs(host.command) do
+    words[i] = quoted(word)
+  end
+  return words
 end
 
 -- One measurement in a process of its own.
 local function start(host, chosen, kind, job)
-  local parts = { commandOf(host, job.mode), "--child " .. kind, "--scene " .. job.scene }
+  local parts = commandOf(host, job.mode)
+  parts[#parts + 1] = string.format("--child %s --scene %s", kind, job.scene)
   parts[#parts + 1] = string.format("--n %d --engine %s", job.n, job.engine)
   parts[#parts + 1] = string.format("--mode %s --limit %g", quoted(job.mode), chosen.limit)
   if job.steps then
@@ -96,7 +102,10 @@ local function jobsOf(host, chosen, definition, n)
   for _, mode in ipairs(chosen.modes) do
     for _, engine in ipairs(chosen.engines or engines.names) do
       local job = { scene = definition.name, n = n, mode = mode, engine = engine }
-      job.steps = chosen.steps or (chosen.quick and QUICK_STEPS) or nil
+      job.steps = chosen.steps
+      if chosen.quick then
+        job.steps, job.warmUp = chosen.steps or QUICK_STEPS, QUICK_WARM_UP
+      end
       job.skipped = admit(host, job)
       jobs[#jobs + 1] = job
     end
@@ -104,7 +113,7 @@ local function jobsOf(host, chosen, definition, n)
   return jobs
 end
 
-local FIGURES = { "median", "p99", "mean", "memory", "resident" }
+local FIGURES = { "median", "p99", "mean", "memory", "resident", "atLeast" }
 
 -- The figures of all rounds become one: their median.
 local function join(job)
@@ -210,9 +219,12 @@ local function playChild(chosen)
   return 0
 end
 
-local function countFailures(results)
+local function countFailures(results, isQuick)
   local failures = 0
   for _, job in ipairs(results) do
+    if isQuick and not job.skipped and not job.median then
+      job.failure = string.format("%s with %s: no figures", job.scene, job.engine)
+    end
     if job.failure then
       failures = failures + 1
       say("bench: %s", job.failure)
@@ -232,13 +244,13 @@ local function playAll(host, chosen)
   if chosen.json then
     print(json.encode({ machine = report.machine(host), results = results }))
   end
-  return countFailures(results) == 0 and 0 or 1
+  return countFailures(results, chosen.quick) == 0 and 0 or 1
 end
 
 --- Runs the benchmark.
 ---@param arguments string[] the command line
----@param host table `root` folder of the library, `command` that starts this program again,
----`isLove`
+---@param host table `root` folder of the library, `command` words that start this program
+---again, `isLove`
 ---@return integer code for the shell
 function app.main(arguments, host)
   local isRead, chosen = pcall(options.read, arguments)

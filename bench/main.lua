@@ -9,7 +9,7 @@ local program = arg[-2] or "love"
 function love.load(arguments)
   os.exit(require("bench.app").main(arguments, {
     root = root,
-    command = program .. " " .. root .. "/bench",
+    command = { program, root .. "/bench" },
     isLove = true,
   }))
 end

@@ -85,7 +85,8 @@ end
 ---@param engine table see bench/engines.lua
 ---@param scene table see bench/scenes.lua
 ---@param limit number s, of processor time; then it stops, wherever it is
----@return table result `steps` that were measured, `isLimited`, and, when there was time for one,
+---@return table result `steps` that were measured, `isLimited` when the time was over before, and
+--- then `atLeast`, ms, what a frame takes on average and more; when there was time for one frame
 --- `median`, `p99`, `mean` in ms, `memory` of one world in the Lua heap and `resident` of one world
 --- in the process, both in bytes
 function measure.times(engine, scene, limit)
@@ -97,6 +98,9 @@ function measure.times(engine, scene, limit)
   local times = result.isLimited and {} or timeFrames(worlds, scene, deadline)
   result.steps = #times
   result.isLimited = #times < scene.steps
+  if result.isLimited then
+    result.atLeast = 1000 * limit / (scene.warmUp + scene.steps)
+  end
   if #times > 0 then
     result.median = statistics.median(times)
     result.p99 = statistics.quantile(times, 0.99)
@@ -149,16 +153,16 @@ end
 ---@param engine table
 ---@param scene table
 ---@param limit number s, of processor time
----@return table result `garbage`, bytes a step on average; `garbageMedian`; `overlap`, the largest
----of all, in px; `overlapAtEnd`; nothing when there was no time
+---@return table result `looks`, how often there was time to look at the overlaps; `overlap`, the
+--- largest of all, in px; `overlapAtEnd`; `garbage`, bytes a step on average; `garbageMedian`
 function measure.quality(engine, scene, limit)
   local deadline = clock() + limit
   local worlds = newWorlds(engine, scene)
   if warmUp(worlds, scene, deadline) < scene.warmUp then
-    return {}
+    return { looks = 0 }
   end
   local check = newOverlapCheck(worlds[1], scene)
-  local result, garbage = { overlap = 0 }, {}
+  local result, garbage = { looks = 0 }, {}
   collectgarbage()
   for i = 1, scene.steps do
     if clock() > deadline then
@@ -167,7 +171,8 @@ function measure.quality(engine, scene, limit)
     garbage[i] = garbageOf(worlds, scene, scene.warmUp + i)
     if i % CHECK_EVERY == 0 or i == scene.steps then
       result.overlapAtEnd = check()
-      result.overlap = math.max(result.overlap, result.overlapAtEnd)
+      result.overlap = math.max(result.overlap or 0, result.overlapAtEnd)
+      result.looks = result.looks + 1
     end
   end
   if #garbage > 0 then

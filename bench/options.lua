@@ -13,6 +13,7 @@ Measures physics.lua and what its users would take instead, side by side.
   --engine NAMES   only these: %s
   --mode NAMES     jit, off (LuaJIT as an interpreter), or the command of another Lua, such as
                    lua5.1, which runs the engines that need no LÖVE; default jit,off
+                   (a Lua without a JIT: off)
   --steps N        frames to measure instead of the scene's own number
   --rounds N       how often everything is measured; the medians count; default 3
   --limit SECONDS  processor time for one run, then it is given up; default 10
@@ -22,7 +23,8 @@ Measures physics.lua and what its users would take instead, side by side.
   --list           shows scenes and engines
 ]]
 
-local DEFAULTS = { rounds = 3, limit = 10, modes = { "jit", "off" } }
+local hasJit = rawget(_G, "jit") ~= nil
+local DEFAULTS = { rounds = 3, limit = 10, modes = hasJit and { "jit", "off" } or { "off" } }
 
 local function fail(...)
   error("bench: " .. string.format(...), 0)
@@ -88,6 +90,11 @@ local SET = {
   end,
   mode = function(chosen, text)
     chosen.modes = split(text)
+    for _, mode in ipairs(chosen.modes) do
+      if mode == "jit" and not hasJit then
+        fail("--mode jit: %s has no JIT", _VERSION)
+      end
+    end
   end,
   path = function(chosen, text)
     chosen.path = text
@@ -106,6 +113,15 @@ local SET = {
     chosen.limit = number("limit", text)
   end,
 }
+
+-- Everything happens in this process then, so it has to be in this Lua.
+local function checkQuick(chosen)
+  for _, mode in ipairs(chosen.quick and chosen.modes or {}) do
+    if mode ~= "jit" and mode ~= "off" then
+      fail("--quick cannot be played by %s: start bench/run.lua with it", mode)
+    end
+  end
+end
 
 --- Reads the command line, `--name value` or `--name=value`.
 ---
@@ -134,6 +150,7 @@ function options.read(arguments)
     end
     i = i + 1
   end
+  checkQuick(chosen)
   return chosen
 end
 

@@ -68,7 +68,7 @@ local function row(results, job)
   local ratio = report.ratio(results, job)
   local median = report.ms(job.median)
   if job.isLimited then
-    median = "> limit"
+    median = "> " .. (job.atLeast and report.ms(job.atLeast) or "limit")
   end
   return string.format(
     "  %-6s %-16s %9s %9s %10s %9s %8s",

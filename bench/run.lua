@@ -6,12 +6,12 @@ root = root == "" and "." or root
 package.path = root .. "/?.lua;" .. package.path
 
 -- The interpreter and its own options (luajit -joff) stand before the script.
-local command = arg[0]
+local command = { arg[0] }
 for i = -1, -math.huge, -1 do
   if not arg[i] then
     break
   end
-  command = arg[i] .. " " .. command
+  table.insert(command, 1, arg[i])
 end
 
 os.exit(require("bench.app").main(arg, { root = root, command = command, isLove = false }))

@@ -29,7 +29,7 @@ end
 
 local function build(tiles)
   local objects = {}
-  local storeys = tiles / COLUMNS
+  local storeys = math.max(1, math.floor(tiles / COLUMNS))
   local each = WALKERS / storeys -- walkers on one storey
   for i = 0, WALKERS - 1 do
     local storey = math.floor(i / each)
