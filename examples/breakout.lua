@@ -18,7 +18,7 @@ local PADDLE_SPEED, LEFT, RIGHT, TOP = 640, 20, 940, 60 -- px/s, and px: the ins
 local COLORS = { "red", "orange", "yellow", "lime", "green", "sky", "blue" }
 local COLUMNS, WIDTH, HEIGHT, GAP = 12, 70, 20, 6 -- bricks
 
-local world, paddle, state, mouseX
+local world, paddle, state, mouseX ---@type physics.World, any, table, number?
 
 -- Gives a ball a direction; its speed is always the same.
 local function send(ball, dx, dy)
@@ -84,7 +84,7 @@ function breakout.load()
 end
 
 function breakout.update(dt)
-  local x = paddle.x + input.axis("left", "a", "right", "d") * PADDLE_SPEED * dt
+  local x = paddle.x + input.axis("left", "a", "right", "d") * PADDLE_SPEED * dt ---@type number
   local mouse = input.mouse()
   if mouse ~= mouseX then -- the mouse moves the paddle when it moves itself
     x, mouseX = mouse - paddle.width / 2, mouse

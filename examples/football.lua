@@ -13,7 +13,7 @@ local STEP = 1 / 60 -- s
 local RUN_SPEED, JUMP_SPEED, LIFT_SPEED = 280, 700, 90 -- px/s
 local FLOOR, LIFT_TOP, LIFT_BOTTOM = 510, 250, 440 -- px
 
-local players, lift, score
+local players, lift, score ---@type physics.Object[], table, table
 
 local function kickOff(ball)
   ball.x, ball.y, ball.vx, ball.vy = 468, 40, (score[1] - score[2]) * 20 + 70, 0

@@ -20,7 +20,7 @@ local VIEWS = {
   { alpha = 0.85, velocity = true, names = true, grid = true },
 }
 
-local example, about
+local example, about ---@type table, table
 local clock = { isPaused = false, isSlow = false }
 local viewed = 0
 

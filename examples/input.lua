@@ -31,7 +31,8 @@ end
 --- Returns dx, dy, at most 1 long: where the arrow keys (or w a s d) ask to go, or from x, y to the
 --- mouse while its button is held.
 function input.direction(x, y)
-  local dx, dy = input.axis("left", "a", "right", "d"), input.axis("up", "w", "down", "s")
+  local dx, dy ---@type number, number
+  dx, dy = input.axis("left", "a", "right", "d"), input.axis("up", "w", "down", "s")
   local mouseX, mouseY, isHeld = input.mouse()
   if isHeld and mouseX < view.gameWidth then
     dx, dy = mouseX - x, mouseY - y

@@ -14,7 +14,7 @@ local CRATE, SHEET = 32, 4 -- px, the height of a crate before and after the pre
 local CRATE_EVERY, MOST = 2.4, 30 -- s, crates
 local COINS = { { 39, 119 }, { 409, 89 }, { 857, 149 }, { 499, 439 }, { 857, 419 } } -- px
 
-local world, player, press, state
+local world, player, press, state ---@type physics.World, any, physics.Object, table
 
 -- A kinematic object goes where it is told to, whatever is in its way.
 local function addLift(color, x, y, width, height, toX, toY, period, oneWay)

@@ -30,7 +30,7 @@ local say = require("say")
 local script = require("script")
 local view = require("view")
 
-local screen
+local screen ---@type table
 
 -- Shows another screen, or nothing new when there is no name.
 local function show(name)

@@ -27,7 +27,7 @@ local MOST, KICK = 40, 420 -- boxes; px/s, at most
 
 local chosen, comment = 1, nil
 local mouseX, mouseY = 0, 0
-local world, random, untilNext
+local world, random, untilNext ---@type physics.World, any, number
 
 --- Returns the entry of an example, `{ name =, title =, text = }`, which is the chosen one from now
 --- on. Errors: there is no such one.

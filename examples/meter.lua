@@ -5,7 +5,8 @@ local meter = {}
 local KEPT = 100 -- updates in the graph
 local SHARE = 0.08 -- of a new time in the average
 
-local watched, updates -- updates: their times since the last frame
+-- updates: their times since the last frame
+local watched, updates ---@type table?, table
 
 --- Forgets all times.
 function meter.reset()

@@ -37,7 +37,7 @@ end
 
 -- The lowest scale that shows all bars, or the highest one.
 local function findScale(times)
-  local longest = 0
+  local longest = 0 ---@type number
   for _, time in ipairs(times) do
     longest = math.max(longest, time)
   end
@@ -55,7 +55,7 @@ local function drawGraph()
   love.graphics.rectangle("fill", LEFT, GRAPH_Y, INNER, GRAPH_HEIGHT, 4)
   look.color("sky")
   for i, time in ipairs(meter.steps) do
-    local height = math.min(1, time / scale) * GRAPH_HEIGHT
+    local height = math.min(1.0, time / scale) * GRAPH_HEIGHT
     love.graphics.rectangle("fill", LEFT + i * 2, GRAPH_Y + GRAPH_HEIGHT - height, 2, height)
   end
   look.color("silver")

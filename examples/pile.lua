@@ -20,7 +20,7 @@ local FIRST, STEP, MOST = 600, 100, 1500 -- boxes
 local COLORS = { "red", "orange", "yellow", "lime", "green", "cyan", "sky", "blue" }
 local KICK, REACH, BLAST = 150, 130, 900 -- px/s, px, px/s
 
-local world, random
+local world, random ---@type physics.World, any
 
 local function addWall(x, y, width, height)
   world:add("walls", { x = x, y = y, width = width, height = height, static = true })
@@ -127,7 +127,7 @@ function pile.draw()
 end
 
 function pile.report()
-  local lowest, inside = 0, 0
+  local lowest, inside = 0, 0 ---@type number, integer
   for _, box in ipairs(world.objects.boxes) do
     lowest = math.max(lowest, box.y + box.height)
     if box.x >= LEFT and box.x + box.width <= RIGHT and box.y + box.height <= FLOOR then

@@ -36,7 +36,7 @@ local COYOTE_TIME = 0.09 -- s, in which one may still jump after walking off an 
 local BUFFER_TIME = 0.12 -- s, for which a jump key pressed too early is remembered
 local STOMP_SPEED, SPRING_SPEED, ENEMY_SPEED = 520, 1180, 70 -- px/s
 
-local world, player, state
+local world, player, state ---@type physics.World, any, table
 
 -- Who touches what is told by callbacks. They may remove objects or move them: the library calls
 -- them when its step is done.

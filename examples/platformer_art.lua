@@ -16,8 +16,8 @@ local SIGNS = {
 }
 local SIGN_TILE = 40
 
-local world, player, state
-local camera, squash, wasOnGround, clock
+local world, player, state ---@type physics.World, physics.Object, table
+local camera, squash, wasOnGround, clock ---@type number, number, any, number
 
 function art.load(gameWorld, gamePlayer, gameState)
   world, player, state = gameWorld, gamePlayer, gameState
@@ -57,7 +57,7 @@ end
 -- A row of hills; `depth` 0 is infinitely far away, 1 moves like the level.
 local function drawHills(depth, base, height, length, color)
   look.color(color)
-  local points = { 0, 640 }
+  local points = { 0, 640 } ---@type number[]
   for x = 0, 960, 12 do
     local place = (x + camera * depth) / length
     points[#points + 1] = x

@@ -9,7 +9,7 @@ local preview = {}
 local STEP, MOST = 1 / 60, 2 -- s; steps a frame: a slow machine shows it slower
 local LINGER = 120 -- steps after the last key, until it starts again
 
-local example, spans, length, step, untilStep
+local example, spans, length, step, untilStep ---@type table, table, number, integer, number
 
 local function restart()
   step, untilStep = 0, 0

@@ -8,7 +8,7 @@ local recording = {}
 --- Reads a text, which may be empty. Returns a list of spans `{ key =, first =, last = }`, and the
 --- last frame in which a key is held (0: in none). Errors: a part that is none.
 function recording.read(text)
-  local spans, length = {}, 0
+  local spans, length = {}, 0 ---@type table, number
   for part in text:gmatch("[^,%s]+") do
     local key, first, last = part:match("^(.+):(%d+)%-(%d+)$")
     if not key then
@@ -17,6 +17,7 @@ function recording.read(text)
     if not key then
       error('keys: expected "key:first-last" or "key:frame", got "' .. part .. '"')
     end
+    ---@type table
     local span = { key = key, first = tonumber(first), last = tonumber(last or first) }
     spans[#spans + 1], length = span, math.max(length, span.last)
   end

@@ -21,7 +21,7 @@ local MODES = { play = "playing", rewound = "see it again, or just play on", aga
 
 -- records[i] is what was before step i, and the keys that were held in it. Mode "play" adds to
 -- them, "again" follows them from step `now` on, "rewound" waits.
-local world, records, state
+local world, records, state ---@type physics.World, table, table
 
 function rollback.load()
   football.load()

@@ -3,7 +3,7 @@
 
 local say = { isOn = false }
 
-local name, time, second
+local name, time, second ---@type string?, number, number
 
 -- A line that is kept back until a buffer is full comes too late for who waits for it.
 local function line(text)

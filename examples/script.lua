@@ -15,6 +15,7 @@ local view = require("view")
 local STEP = 1 / 60
 local STEPS_PER_PICTURE = 10 -- drawing takes longest: not every frame is drawn
 
+---@type table
 local script = { isOn = false, frame = 0, frames = 60, keys = {} }
 
 local OPTIONS = {

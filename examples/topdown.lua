@@ -38,7 +38,7 @@ local ENGINE, FLOOR_DRAG, MAX_SPEED = 2600, 1200, 230 -- px/s², px/s², px/s
 -- A mask names the groups that one passes through.
 local GHOST = { ghostDoors = false, crates = false, coins = false }
 
-local world, player, gate, state
+local world, player, gate, state ---@type physics.World, any, physics.Object, table
 
 -- A sensor tells who comes and who goes.
 local function setGate(change)

@@ -26,11 +26,11 @@ local TEXT_X, TEXT_WIDTH = 32, 384
 local TEXT_SIZE, CODE_SIZE, CODE_LINE = 16, 14, 21
 
 local page = 1
-local lesson
+local lesson ---@type table
 
 local function open(number)
   page = number
-  lesson = require("lessons." .. LESSONS[page])
+  lesson = require("lessons." .. LESSONS[page]) --[[@as table]]
   hand.release()
   lesson.load()
   tutorial.keys = { { "left", "right", "page" } }

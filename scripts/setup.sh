@@ -44,6 +44,7 @@ setup: this installs by itself on Debian and Ubuntu only. Here, please install b
   LuaRocks                     https://luarocks.org
   busted and luacheck          luarocks install busted; luarocks install luacheck
   Node.js with npx             https://nodejs.org (it brings StyLua, the formatter)
+  cargo                        https://rustup.rs (it brings emmylua_check, for make types)
   Xvfb, xvfb-run and xauth     for the examples without a display
 What the game itself needs is only LÖVE: \`love examples\` runs without any of the others,
 and \`busted\` alone runs the specs on LuaJIT.

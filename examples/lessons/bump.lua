@@ -20,7 +20,7 @@ the whole way in both modes.]],
 }
 
 local mode = "both"
-local a, b, wall
+local a, b, wall ---@type physics.NewObject, physics.NewObject, physics.NewObject
 
 function lesson.code()
   return ([[

@@ -33,7 +33,7 @@ local LANE_HEIGHT = 124
 local START_X, START_SPEED, JUMP_SPEED = 20, 300, 240
 local TRAIL_TIME = 0.05 -- s between two dots
 
-local world, boxes, trails, untilDot
+local world, boxes, trails, untilDot ---@type physics.World, physics.Object[], table, number
 
 function lesson.load()
   world = physics.newWorld({ gravity = 800 })

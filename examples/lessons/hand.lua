@@ -10,8 +10,10 @@ local KEY_SPEED = 140 -- px/s
 local PULL = 14 -- 1/s, how fast a box that obeys the physics follows the mouse
 
 local boxes, chosen = {}, 1
-local grabbedX, grabbedY -- where in the box the mouse holds it, nil: it does not
-local isPulling -- move by velocity, so that the world can say no
+-- where in the box the mouse holds it, nil: it does not
+local grabbedX, grabbedY ---@type number?, number?
+-- move by velocity, so that the world can say no
+local isPulling ---@type boolean
 
 --- Takes boxes to move. `byVelocity`: they are pulled and obey the world, else they are put.
 function hand.take(list, byVelocity)

@@ -32,7 +32,7 @@ local CASES = {
 }
 
 local case = 1
-local a, b
+local a, b ---@type physics.Box, physics.Box
 
 function lesson.load()
   local n = CASES[case]

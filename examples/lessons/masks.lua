@@ -22,8 +22,11 @@ What is not active is out of the game, until it is switched on again: the trapdo
 local WIDTH = 160 -- px, of one column
 local FLOOR = 440
 
-local world, ghost, block, door
-local isMasked, isStatic, isActive
+local world ---@type physics.World
+local ghost ---@type physics.Object
+local block ---@type physics.NewObject
+local door ---@type physics.NewObject
+local isMasked, isStatic, isActive ---@type boolean, boolean, boolean
 
 function lesson.code()
   local text = [[
@@ -103,7 +106,7 @@ function lesson.draw()
 end
 
 function lesson.report()
-  local lowest = 0
+  local lowest = 0 ---@type number
   for _, box in ipairs(world.objects.boxes) do
     lowest = math.max(lowest, box.y + box.height)
   end

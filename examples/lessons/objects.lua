@@ -18,7 +18,8 @@ care.]],
 }
 
 local isGrouped = true
-local world, named -- named: { label, object } in the order of the listing
+-- named: { label, object } in the order of the listing
+local world, named ---@type physics.World, table
 
 local GROUPED = [[
 objects = {

@@ -31,7 +31,7 @@ local TILE = 22
 local BOXES = 60
 local COLORS = { "red", "orange", "yellow", "lime", "sky" }
 
-local world, random
+local world, random ---@type physics.World, any
 local isPlain = true -- drawn by the library
 
 function lesson.load()

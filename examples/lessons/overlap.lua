@@ -25,7 +25,7 @@ physics.checkCollision(a, b, sideBySide)]],
 
 local SNAP = 6 -- px
 local sideBySide = false
-local a, b
+local a, b ---@type physics.Box, physics.Box
 
 function lesson.load()
   a = { x = 90, y = 80, width = 170, height = 130 }

@@ -17,8 +17,9 @@ local CASES = {
 local TRUTH = "bottom"
 
 local case = 1
-local a, b
-local isUntouched -- nobody has moved the boxes: the right answer is known
+local a, b ---@type physics.Box, physics.Box
+-- nobody has moved the boxes: the right answer is known
+local isUntouched ---@type boolean
 
 local function boxFrom(numbers)
   return { x = numbers[1], y = numbers[2], width = numbers[3], height = numbers[4] }
@@ -47,7 +48,7 @@ function sides.keypressed(key)
     case = case % #CASES + 1
     sides.load()
   elseif tonumber(key) and CASES[tonumber(key)] then
-    case = tonumber(key)
+    case = tonumber(key) --[[@as integer]]
     sides.load()
   end
 end

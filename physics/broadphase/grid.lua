@@ -8,6 +8,8 @@
 -- Source: M. Teschner et al., "Optimized Spatial Hashing for Collision Detection of Deformable
 -- Objects" (2003), for the hash; T. Ulrich, "Loose Octrees", for one cell per object and level.
 
+---@class physics.Grid
+---@field [string] any
 local grid = {}
 grid.__index = grid
 

@@ -5,6 +5,8 @@
 -- and answers one question: which of them meet a rectangle. All broad phases have this interface
 -- and find the same objects, in an order of their own.
 
+---@class physics.Everybody
+---@field [string] any
 local everybody = {}
 everybody.__index = everybody
 
