@@ -6,17 +6,18 @@
 local here = (...):match("^(.*)%.[^.]+$")
 local aabb = require(here .. ".aabb")
 local columns = require(here .. ".columns")
+local gather = require(here .. ".gather")
+
+require(here .. ".interpreted").file()
 
 local approach = {}
 
-local EPSILON, NO_EVENT = columns.EPSILON, columns.NO_EVENT
-local max, min = math.max, math.min
+local EPSILON = columns.EPSILON
+local max = math.max
+local endOverlap = gather.endOverlap
 -- Two axes that close within this fraction of the step close together: a vertical hit.
 local TIE = 1e-9
--- px/s below which two do not move against each other.
-local STILL = 1e-9
--- Keeps 0 / 0 out of a path that ends as it begins.
-local TINY = 1e-300
+local STILL = columns.STILL
 
 --- Kinds of meeting, in the order in which simultaneous ones are resolved.
 approach.FACE, approach.CORNER, approach.DEEP = 0, 1, 2
@@ -40,74 +41,10 @@ function approach.mirrored(code)
   return code % 2 == 0 and code + 1 or code - 1
 end
 
--- By how much the paths overlap on an axis at the end of the step. Both ways to round are asked, so
--- that a box that was put flush against the other, from either side, does not overlap it.
-local function endOverlap(b, low, high)
-  local atLow, size, atHigh = b.to[low], b.size[low], b.to[high]
-  local forward, backward = atLow + size - atHigh, atLow - (atHigh - size)
-  return forward < backward and forward or backward
-end
-
 -- Gap between two intervals at relative position r of the second; negative: overlap.
 local function gapAt(r, sizeA, sizeB)
   local after, before = r - sizeA, -r - sizeB
   return after > before and after or before
-end
-
--- The tests go in stages, each a loop of its own over a short list, because a long loop body with
--- many branches makes LuaJIT compile every way through it. Between the stages the numbers of a pair
--- wait in b.relative, four a pair: the position of the other relative to the object, x and y, where
--- the later of the two paths begins, and x and y at the end of the step.
-
--- >= 0 if two stay clear of each other on one axis: apart now, and at the end on the same side.
--- No branches, so that it is one piece of code for all.
-local function clearance(r, rEnd, size, sizeOther, clear)
-  return max(
-    min(r - size + EPSILON, rEnd - size - clear),
-    min(-r - sizeOther + EPSILON, -rEnd - sizeOther - clear)
-  )
-end
-
---- Lists the pairs of object i that may meet on the present paths, behind b.near and b.relative,
---- and forgets the events of all its pairs. Returns how many there are. At the `first` look, a pair
---- of two who are awake is left to its first half-edge.
-function approach.gather(b, i, first)
-  local from, to, size, time = b.from, b.to, b.size, b.time
-  local other, nextHalf, event, near, relative = b.other, b.next, b.event, b.near, b.relative
-  -- With push = "first" also those that are only flush.
-  local clear = b.pushFirst and EPSILON or 0
-  local awake, k, count, half = b.awake, 2 * i, 0, b.head[i]
-  while half ~= 0 do
-    local j = other[half]
-    local m, p = 2 * j, (half + half % 2) / 2
-    if not first then
-      event[p] = NO_EVENT
-    end
-    local start = max(time[i], time[j])
-    local mine = (start - time[i]) / max(1 - time[i], TINY)
-    local its = (start - time[j]) / max(1 - time[j], TINY)
-    local x = from[m] + (to[m] - from[m]) * its - (from[k] + (to[k] - from[k]) * mine)
-    local y = from[m + 1]
-      + (to[m + 1] - from[m + 1]) * its
-      - (from[k + 1] + (to[k + 1] - from[k + 1]) * mine)
-    local endX, endY = to[m] - to[k], to[m + 1] - to[k + 1]
-    if
-      max(
-          clearance(x, endX, size[k], size[m], clear),
-          clearance(y, endY, size[k + 1], size[m + 1], clear)
-        )
-        < 0
-      and not (first and half % 2 == 0 and awake[j])
-    then
-      local at = 4 * count
-      relative[at + 1], relative[at + 2] = x, y
-      relative[at + 3], relative[at + 4] = endX, endY
-      count = count + 1
-      near[count] = half
-    end
-    half = nextHalf[half]
-  end
-  return count
 end
 
 -- The gap on an axis at the beginning and, on the same side, at the end; whether the object itself
@@ -238,21 +175,23 @@ local function meet(b, at, p, ka, kc)
   return meetCorner(b, at, ka, kc)
 end
 
---- Computes when and how the `count` pairs gathered for object i meet: writes the pair into b.near,
---- the moment (0..1 of the step) into b.nearTime and the code of the meeting into b.nearCode; the
---- code is -1 for those that do not.
-function approach.run(b, i, count)
+--- Computes when and how the `count` pairs listed meet: writes the pair into b.near, the moment
+--- (0..1 of the step) into b.nearTime and the code of the meeting into b.nearCode; the code is -1
+--- for those that do not.
+function approach.run(b, count)
   local near, nearTime, nearCode, time, other = b.near, b.nearTime, b.nearCode, b.time, b.other
   for n = 1, count do
     local half = near[n]
-    local j, p = other[half], (half + half % 2) / 2
+    local isFirst = half % 2 == 1
+    local p = isFirst and (half + 1) / 2 or half / 2
+    local i, j = other[isFirst and half + 1 or half - 1], other[half]
     local share, code = meet(b, 4 * n - 4, p, 2 * i, 2 * j)
     near[n], nearCode[n] = p, -1
     if share then
       local start = max(time[i], time[j])
       nearTime[n] = start + (1 - start) * share
       -- The code is about the pair's own first and second.
-      nearCode[n] = half % 2 == 1 and code or approach.mirrored(code)
+      nearCode[n] = isFirst and code or approach.mirrored(code)
     end
   end
 end

@@ -3,6 +3,8 @@
 local here = (...):match("^(.*)%.[^.]+$")
 local columns = require(here .. ".columns")
 
+require(here .. ".interpreted").file()
+
 local ask = {}
 
 local SIDES = columns.SIDES

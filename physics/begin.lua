@@ -34,11 +34,11 @@ function begin.run(b)
     holderLow[k], holderHigh[k], crushed[k] = 0, 0, false
   end
   local pressedLow, pressedHigh, stuck, grip = b.pressedLow, b.pressedHigh, b.stuck, b.grip
-  local buried, heard = b.buried, b.heard
+  local buried, heard, news = b.buried, b.heard, b.news
   for n = first, last do
     local i = list[n]
     local k = 2 * i
-    stuck[i], grip[i], buried[i], heard[i] = false, 0, false, false
+    stuck[i], grip[i], buried[i], heard[i], news[i] = false, 0, false, false, false
     pressedLow[k], pressedHigh[k] = false, false
     pressedLow[k + 1], pressedHigh[k + 1] = false, false
   end

@@ -10,7 +10,6 @@ local columns = require(here .. ".columns")
 local carrier = {}
 
 local KINEMATIC, DYNAMIC = columns.KINEMATIC, columns.DYNAMIC
-local MOST_CHAINED = 256 -- riders on riders; also ends a ring of supports
 
 --- Returns the velocity, x and y, that slot c gives to its riders in this step.
 function carrier.velocity(b, c)
@@ -24,20 +23,49 @@ local function carries(b, c)
   return b.surfaceSpeed[c] ~= 0 or (b.kind[c] == KINEMATIC and b.carry[c])
 end
 
---- Returns what carries slot i: the carrier at the end of the chain it stands on, 0: nothing.
-function carrier.find(b, i)
+-- What carries slot i, as far as what it stands on tells; nil if that is known only of `support`.
+local function ends(b, i)
   local below = b.support[i]
-  for _ = 1, MOST_CHAINED do
-    if below == 0 then
-      return 0
-    elseif b.kind[below] ~= DYNAMIC then
-      return carries(b, below) and below or 0
-    elseif b.surfaceSpeed[below] ~= 0 then
-      return below
-    end
-    below = b.support[below]
+  if below == 0 then
+    return 0
+  elseif b.kind[below] ~= DYNAMIC then
+    return carries(b, below) and below or 0
+  elseif b.surfaceSpeed[below] ~= 0 then
+    return below
   end
-  return 0
+end
+
+-- Follows the supports of slot i down to where the carrier is known, and tells it to all on the
+-- way.
+local function follow(b, i, stamp)
+  local way, seen, found, support, count = b.stack, b.carrierSeen, b.carrierNow, b.support, 0
+  local c = nil
+  while c == nil do
+    if seen[i] == stamp then
+      c = found[i]
+    else
+      count = count + 1
+      -- Who meets itself in a ring of supports is carried by nothing.
+      way[count], seen[i], found[i] = i, stamp, 0
+      c = ends(b, i)
+      i = support[i]
+    end
+  end
+  for n = 1, count do
+    found[way[n]] = c
+  end
+end
+
+--- Finds what carries everybody in awakeList, at the end of the chain it stands on: writes
+--- carrierNow, 0: nothing.
+function carrier.find(b)
+  b.stamp = b.stamp + 1
+  local list, kind, stamp = b.awakeList, b.kind, b.stamp
+  for n = 1, b.awakeCount do
+    if kind[list[n]] == DYNAMIC then
+      follow(b, list[n], stamp)
+    end
+  end
 end
 
 -- The part of v that its carrier (c) gave it: as far as both point the same way.

@@ -138,6 +138,10 @@ local function readAll(b, i, object, isNew)
   readFilter(b, i, object)
   readMaterial(b, i, object)
   readMotion(b, i, object, isNew)
+  b.plain[i] = not (b.sensor[i] or b.oneWay[i] or b.canCollide[i])
+    and b.pushable[i]
+    and b.restitution[i] == 0
+    and b.nudge[i] == 0
 end
 
 local function settle(b, i)
@@ -203,19 +207,48 @@ local function rename(b, i, record)
   rest.wake(b, i)
 end
 
--- Everything that is not static, in slots; the order does not matter.
-local function listMovers(b)
-  local n, kind, movers = 0, b.kind, b.movers
-  for i = 1, b.slots do
+-- The slots of everything in a group that is not static, in order.
+local function listGroup(b, record)
+  local movers, slotOf, kind, list = {}, b.slotOf, b.kind, record.list
+  for n = 1, record.count do
+    local i = slotOf[list[n]]
     if kind[i] > STATIC then
+      movers[#movers + 1] = i
+    end
+  end
+  record.movers = movers
+end
+
+-- The slots of everything that is not static, in the order of the world.
+local function listMovers(b)
+  local n, movers, groups = 0, b.movers, b.roster.groups
+  for g = 1, #groups do
+    local record = groups[g]
+    if not record.movers then
+      listGroup(b, record)
+    end
+    local its = record.movers
+    for m = 1, #its do
       n = n + 1
-      movers[n] = i
+      movers[n] = its[m]
+      b.seat[its[m]] = n
     end
   end
   for old = n + 1, b.moverCount do
     movers[old] = nil
   end
   b.moverCount = n
+  b.awakenings = b.awakenings + 1
+end
+
+-- Who is of another kind now has no past.
+local function forgetMotion(b, i)
+  local k = 2 * i
+  b.drive[k], b.drive[k + 1], b.way[k], b.way[k + 1] = 0, 0, 0, 0
+  b.support[i] = 0
+  if b.kind[i] == STATIC then
+    rest.drop(b, i)
+  end
 end
 
 -- Checks and reads an object again after some of its fields changed.
@@ -231,6 +264,7 @@ local function reread(b, i)
     b.kind[i] = kind
     clearTouching(b.touching[i])
     b.touching[i] = kind == DYNAMIC and collect.newTouching() or false
+    forgetMotion(b, i)
   end
   rest.wakeNeighbours(b, i)
   readAll(b, i, object, isNew)
@@ -353,8 +387,7 @@ end
 --- Errors: a group, key or field that cannot be used; an object in two places. Nothing has changed
 --- for the game then, and the next call starts anew.
 function collect.run(b, objects)
-  roster.update(b, b.roster, objects, enter, leave, rename)
-  if b.newcomers then
+  if roster.update(b, b.roster, objects, enter, leave, rename) or b.newcomers then
     listMovers(b)
     b.newcomers = false
   end
@@ -364,7 +397,7 @@ function collect.run(b, objects)
   compareLimits(b)
 end
 
---- Gives those who are new their `touching`, for an update that makes no step.
+--- Gives those who are new their `touching`.
 function collect.giveTouching(b)
   for n = 1, b.movedCount do
     local i = b.movedList[n]
@@ -383,6 +416,7 @@ function collect.refresh(b, i)
   carrier.forget(b, i)
   b.kind[i] = kindOf(object)
   if b.kind[i] ~= DYNAMIC then
+    forgetMotion(b, i)
     clearTouching(b.touching[i])
     b.touching[i] = false
   elseif not b.touching[i] then
@@ -398,6 +432,7 @@ function collect.refresh(b, i)
   markMoved(b, i)
   rest.wake(b, i)
   view.refresh(b, object)
+  b.group[i].movers = false
   b.newcomers = true
 end
 

@@ -15,6 +15,9 @@ columns.STATIC, columns.KINEMATIC, columns.DYNAMIC = 1, 2, 3
 --- How far apart two edges may be and still count as touching, px.
 columns.EPSILON = 1e-6
 
+--- px/s below which two do not move against each other.
+columns.STILL = 1e-9
+
 --- Value of `event` for a pair that has none in the queue.
 columns.NO_EVENT = -1
 
@@ -28,8 +31,10 @@ local SLOT = {
   groupName = false,
   key = false,
   rank = 0, -- place in the order of the world
+  seat = 0, -- place among the movers, which are in that order
   kind = 0,
   touching = false, -- the table published as object.touching
+  plain = false, -- none of its fields makes its contacts anything special
   -- fields of the object, defaults filled in
   active = true,
   sensor = false,
@@ -62,6 +67,7 @@ local SLOT = {
   inside = false, -- the last step left it inside another
   buried = false, -- inside something immovable, with no way out
   fresh = false, -- in its first step
+  news = false, -- something else than its motion has changed in this step
   time = 0, -- fraction of the step at which its present path begins
   stuck = false, -- friction holds it to something that does not slide
   grip = 0, -- impulse that its hold can still take over
@@ -69,6 +75,8 @@ local SLOT = {
   changedMark = 0,
   support = 0, -- slot of what it stands on, 0: nothing
   carrier = 0, -- slot of what carries it, through all that it stands on, 0: nothing
+  carrierNow = 0, -- scratch of carrier
+  carrierSeen = 0,
   -- broad phase
   placed = 0, -- 0: not in the broad phase, 1: its neighbours must be looked up, 2: they are known
   head = 0, -- first half-edge
@@ -122,6 +130,8 @@ local PAIR = {
   nudged = 0, -- how often a corner was corrected in this step
   passing = false, -- lets pass for this step (canCollide, dropThrough)
   event = columns.NO_EVENT, -- its event in the queue
+  turn = 0, -- its place among the footings of the step, 0: none
+  liveMark = 0,
   wedged = 0, -- 1 + code of the meeting along which two that are left inside each other may part
   dropping = false, -- falls through (dropThrough) until the two are apart
   overlapping = false, -- was left inside each other at the end of the last step
@@ -162,6 +172,25 @@ function columns.new()
     awakeCount = 0,
     island = {}, -- scratch of rest
     stack = {}, -- scratch of crush
+    live = {}, -- pairs of those who take part in this step
+    liveCount = 0,
+    liveStamp = 0,
+    links = 0, -- how often the pairs have changed
+    awakenings = 0, -- how often it has changed who takes part
+    liveLinks = -1, -- both, when `live` was listed
+    liveAwakenings = -1,
+    footings = {}, -- pairs that are flush along gravity when the step begins
+    footingUp = {}, -- who stands
+    footingLow = {}, -- on whom
+    footingFirst = {}, -- their ranks (see columns.ranks)
+    footingSecond = {},
+    footingSupport = {},
+    footingOrder = {}, -- scratch of footing
+    footingBetween = {},
+    footingDigit = {},
+    footingHeads = {},
+    footingCount = 0,
+    footingAt = 0, -- how many of them have had their turn
     lost = {}, -- slots whose carrier went away since the last step
     lostCount = 0,
     changed = {}, -- scratch of resolve and meet
@@ -174,7 +203,10 @@ function columns.new()
     touchBest = {}, -- scratch of publish: by 4 * slot + side
     touchWidth = {},
     touchPairs = {},
+    closePairs = {},
     found = {}, -- scratch of detect
+    askers = {},
+    present = {},
     strays = {},
     groupNames = {},
     groupNumber = {},
@@ -205,6 +237,7 @@ function columns.new()
   addColumns(b, AXIS, 2)
   addColumns(b, PAIR, 1)
   addColumns(b, HALF, 1)
+  b.object[0], b.awake[0] = false, false -- slot 0 is nobody
   return b
 end
 
@@ -269,11 +302,18 @@ function columns.link(b, i, j)
   else
     p = b.pairSlots + 1
     b.pairSlots = p
+    b.liveMark[p] = 0
   end
   b.pairA[p], b.pairB[p] = i, j
   b.contact[p], b.hit[p], b.hitSpeed[p], b.met[p], b.nudged[p] = 0, 0, 0, 0, 0
   b.passing[p], b.overlapping[p] = false, false
   b.event[p], b.wedged[p], b.dropping[p] = columns.NO_EVENT, 0, false
+  b.turn[p], b.links = 0, b.links + 1
+  if b.liveMark[p] ~= b.liveStamp then
+    b.liveMark[p] = b.liveStamp
+    b.liveCount = b.liveCount + 1
+    b.live[b.liveCount] = p
+  end
   hang(b, 2 * p - 1, i, j)
   hang(b, 2 * p, j, i)
   b.pairCount = b.pairCount + 1
@@ -285,9 +325,21 @@ function columns.unlink(b, p)
   unhang(b, 2 * p - 1, b.pairA[p])
   unhang(b, 2 * p, b.pairB[p])
   b.pairA[p], b.pairB[p], b.event[p] = 0, 0, columns.NO_EVENT
+  b.links = b.links + 1
   b.freePairCount = b.freePairCount + 1
   b.freePairs[b.freePairCount] = p
   b.pairCount = b.pairCount - 1
+end
+
+--- Returns the ranks that decide between simultaneous meetings of a pair: that of the dynamic one
+--- first, of two the lower.
+function columns.ranks(b, i, j)
+  local first, second = b.rank[i], b.rank[j]
+  local iDynamic, jDynamic = b.kind[i] == columns.DYNAMIC, b.kind[j] == columns.DYNAMIC
+  if jDynamic and (not iDynamic or second < first) then
+    return second, first
+  end
+  return first, second
 end
 
 --- Returns the pair of two neighbours, or nil.

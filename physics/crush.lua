@@ -9,6 +9,8 @@ local columns = require(here .. ".columns")
 local events = require(here .. ".events")
 local path = require(here .. ".path")
 
+require(here .. ".interpreted").file()
+
 local crush = {}
 
 local DYNAMIC = columns.DYNAMIC

@@ -22,7 +22,8 @@ local MARGIN = 4
 -- A static object does not move: just enough to see what touches it.
 local STATIC_MARGIN = 1
 
--- Takes apart the pairs whose fat boxes no longer meet. One in contact stays until that has ended.
+-- Takes apart the pairs whose fat boxes no longer meet. One in contact stays until that has ended,
+-- one that was hit in this step until that has been told.
 local function unlinkFar(b, i)
   local fatLow, fatHigh, other, nextHalf = b.fatLow, b.fatHigh, b.other, b.next
   local k = 2 * i
@@ -30,14 +31,13 @@ local function unlinkFar(b, i)
   while half ~= 0 do
     local after = nextHalf[half]
     local m = 2 * other[half]
-    if
-      fatLow[m] > fatHigh[k]
-      or fatHigh[m] < fatLow[k]
-      or fatLow[m + 1] > fatHigh[k + 1]
-      or fatHigh[m + 1] < fatLow[k + 1]
-    then
+    local apart = max(
+      max(fatLow[m] - fatHigh[k], fatLow[k] - fatHigh[m]),
+      max(fatLow[m + 1] - fatHigh[k + 1], fatLow[k + 1] - fatHigh[m + 1])
+    )
+    if apart > 0 then
       local p = (half + half % 2) / 2
-      if b.contact[p] == 0 and not b.overlapping[p] then
+      if b.contact[p] == 0 and b.hit[p] == 0 and not b.overlapping[p] then
         columns.unlink(b, p)
       end
     end
@@ -58,21 +58,35 @@ local function markNeighbours(b, i)
   return stamp
 end
 
--- Links an object with everybody whose fat box meets its own; returns how many were new.
-local function linkNear(b, i)
-  local k = 2 * i
-  local found, mark = b.found, b.mark
-  local fatLow, fatHigh = b.fatLow, b.fatHigh
-  local n = b.broadphase:query(fatLow[k], fatLow[k + 1], fatHigh[k], fatHigh[k + 1], found)
-  local stamp = markNeighbours(b, i)
-  local new = 0
+-- Links two whose fat boxes have come to meet; returns whether they can meet at all.
+local function link(b, i, j)
+  if not filter.allows(b, i, j) then
+    return false
+  end
+  columns.link(b, i, j)
+  -- A kinematic one that stands is a wall, which need not wake for a dynamic one.
+  local matters = b.kind[j] == DYNAMIC or b.kind[i] ~= DYNAMIC
+  if matters and not b.awake[j] and (b.awake[i] or b.kind[i] == STATIC) then
+    rest.wake(b, j)
+  end
+  return true
+end
+
+-- Links those in `list[1..count]` with everybody whose fat boxes meet theirs; returns how many
+-- pairs were new.
+local function linkNear(b, list, count)
+  local askers, found, mark = b.askers, b.found, b.mark
+  local n = b.broadphase:overlaps(list, count, askers, found)
+  local new, asker, stamp = 0, 0, 0
   for m = 1, n do
-    local j = found[m]
-    if mark[j] ~= stamp and filter.allows(b, i, j) then
-      columns.link(b, i, j)
-      new = new + 1
-      if b.kind[j] == DYNAMIC and not b.awake[j] and (b.awake[i] or b.kind[i] == STATIC) then
-        rest.wake(b, j)
+    local i, j = askers[m], found[m]
+    if i ~= asker then
+      asker, stamp = i, markNeighbours(b, i)
+    end
+    if mark[j] ~= stamp then
+      mark[j] = stamp
+      if link(b, i, j) then
+        new = new + 1
       end
     end
   end
@@ -90,7 +104,8 @@ local function fatten(b, i)
   fatHigh[k] = max(from[k], to[k]) + size[k] + margin
 end
 
-local function hasLeft(b, i)
+--- Whether the path of an object leaves its fat box.
+function detect.hasLeft(b, i)
   local from, to, size, fatLow, fatHigh = b.from, b.to, b.size, b.fatLow, b.fatHigh
   local k = 2 * i
   return b.placed[i] ~= 2
@@ -104,6 +119,8 @@ local function hasLeft(b, i)
     or to[k + 1] + size[k + 1] > fatHigh[k + 1]
 end
 
+local hasLeft = detect.hasLeft
+
 local function enlarge(b, i)
   fatten(b, i)
   if b.placed[i] == 0 then
@@ -114,45 +131,43 @@ local function enlarge(b, i)
   b.placed[i] = 2
 end
 
---- Looks up the neighbours of an object anew if its path leaves its fat box; returns how many new
---- ones there are.
-function detect.follow(b, i)
-  if not b.active[i] or not hasLeft(b, i) then
-    return 0
-  end
-  enlarge(b, i)
-  unlinkFar(b, i)
-  return linkNear(b, i)
-end
-
---- Looks up the neighbours of those in awakeList from `first` to `last`.
-function detect.run(b, first, last)
-  local list, strays, n = b.awakeList, b.strays, 0
-  for m = first, last do
-    if hasLeft(b, list[m]) then
-      n = n + 1
-      strays[n] = list[m]
-    end
-  end
+-- Looks up the neighbours of those in `strays[1..count]`; returns how many new pairs there are.
+local function lookUp(b, strays, count)
   -- All boxes first, so that no pair is linked by a box that is out of date.
-  for m = 1, n do
+  for m = 1, count do
     enlarge(b, strays[m])
   end
-  for m = 1, n do
+  for m = 1, count do
     unlinkFar(b, strays[m])
-    linkNear(b, strays[m])
   end
+  return count > 0 and linkNear(b, strays, count) or 0
+end
+
+--- Looks up the neighbours of those in `list[first..last]` whose paths leave their fat boxes;
+--- returns how many new pairs there are.
+function detect.run(b, list, first, last)
+  local strays, active, n = b.strays, b.active, 0
+  for m = first, last do
+    local i = list[m]
+    if hasLeft(b, i) and active[i] then
+      n = n + 1
+      strays[n] = i
+    end
+  end
+  return lookUp(b, strays, n)
 end
 
 --- Looks up the neighbours of whoever the game has placed, where it is now.
 function detect.runMoved(b)
-  local list = b.movedList
-  for n = 1, b.movedCount do
-    local i = list[n]
-    if b.kind[i] ~= 0 and b.active[i] then
-      detect.follow(b, i)
+  local list, kind, n = b.movedList, b.kind, 0
+  local present = b.present
+  for m = 1, b.movedCount do
+    if kind[list[m]] ~= 0 then
+      n = n + 1
+      present[n] = list[m]
     end
   end
+  detect.run(b, present, 1, n)
 end
 
 --- Takes an object out: no neighbours, not in the broad phase.

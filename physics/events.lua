@@ -9,6 +9,8 @@ local columns = require(here .. ".columns")
 local filter = require(here .. ".filter")
 local sort = require(here .. ".sort")
 
+require(here .. ".interpreted").file()
+
 local events = {}
 
 local SIDES, OPPOSITE = columns.SIDES, columns.OPPOSITE

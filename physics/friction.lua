@@ -6,14 +6,14 @@
 
 local here = (...):match("^(.*)%.[^.]+$")
 local columns = require(here .. ".columns")
+local path = require(here .. ".path")
 local weld = require(here .. ".weld")
 
 local friction = {}
 
 local DYNAMIC = columns.DYNAMIC
 local sqrt = math.sqrt
--- px/s below which two surfaces do not move against each other; rounding of v + a·dt - a·dt.
-local STILL = 1e-9
+local STILL = columns.STILL
 
 --- Returns the coefficient of a pair: √(a·b); without one of its own (negative) a static or
 --- kinematic object takes the other's.
@@ -88,6 +88,7 @@ local function shift(b, k, dSpeed, dWay, t)
   end
   b.speed[k] = b.speed[k] + dSpeed
   b.to[k] = b.to[k] + dWay
+  path.change(b, (k - k % 2) / 2)
   weld.follow(b, k, dWay, t)
 end
 

@@ -1,18 +1,21 @@
---- Keeps the trace compiler of LuaJIT out of a function, and so keeps apart what it calls.
+--- Keeps the trace compiler of LuaJIT out of what it is bad at.
 --
--- A compiled trace runs on through everything it calls and after every loop it leaves. In a step
--- that goes from one small job to the next, that makes a trace for each way through all jobs in a
--- row: megabytes of machine code, thrown away and compiled again for ever. So the functions that
--- only conduct are interpreted, and each job beneath them is compiled by itself, once.
--- On other Luas this does nothing.
+-- A compiled trace is one way through the code, branch by branch; code that goes another way at
+-- every object becomes hundreds of traces, which are thrown away and compiled again for ever. So
+-- the loops over all objects or pairs are short, with few branches, and compiled; what happens to
+-- single ones, in the order of events, is interpreted. On other Luas this does nothing.
+
+local interpreted = {}
 
 local jit = rawget(_G, "jit")
 local off = type(jit) == "table" and jit.off
 
---- Returns the function given.
-return function(conductor)
+--- Keeps the file that calls this interpreted: all functions in it.
+function interpreted.file()
   if off then
-    off(conductor)
+    -- A tail call: `true` means the function that is still running then, the caller's main chunk.
+    return off(true, true)
   end
-  return conductor
 end
+
+return interpreted

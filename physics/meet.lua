@@ -11,13 +11,17 @@ local approach = require(here .. ".approach")
 local ask = require(here .. ".ask")
 local columns = require(here .. ".columns")
 local detect = require(here .. ".detect")
-local interpreted = require(here .. ".interpreted")
+local footing = require(here .. ".footing")
+local gather = require(here .. ".gather")
+local live = require(here .. ".live")
 local nudge = require(here .. ".nudge")
 local oneway = require(here .. ".oneway")
 local path = require(here .. ".path")
 local predict = require(here .. ".predict")
 local queue = require(here .. ".queue")
 local resolve = require(here .. ".resolve")
+
+require(here .. ".interpreted").file()
 
 local meet = {}
 
@@ -32,11 +36,11 @@ local MOST_MET = 63
 local MOST_NUDGES = 4
 local NONE = columns.NO_EVENT
 
--- How firmly the one that supports a pair stands: what cannot give way first, then by how far down
+-- How firmly the one that supports a pair stands: what never gives way first, then by how far down
 -- it is (along gravity), so that a stack is resolved from the floor up. Across gravity it is the
 -- right-hand one as gravity sees it, so that a scene may be turned.
 local function supportOf(b, low, high, kl, kh, axis)
-  if b.kind[low] ~= DYNAMIC or b.kind[high] ~= DYNAMIC or b.heldLow[kl] or b.heldHigh[kh] then
+  if b.kind[low] ~= DYNAMIC or b.kind[high] ~= DYNAMIC then
     return huge
   end
   if b.orientation[axis] < 0 then
@@ -72,10 +76,7 @@ local function enqueue(b, p, t, code)
     low, high = other, one
   end
   local support = supportOf(b, low, high, 2 * low + axis, 2 * high + axis, axis)
-  local first, second = b.rank[one], b.rank[other]
-  if second < first then
-    first, second = second, first
-  end
+  local first, second = columns.ranks(b, one, other)
   local key = keyOf(b, p, t, kind, axis)
   b.event[p] = queue.push(b.queue, key, support, first, second, p, code, t)
 end
@@ -89,56 +90,34 @@ local function enqueueAll(b, count)
   end
 end
 
--- Computes when object i meets its neighbours and puts that into the queue.
-local scheduleAll = interpreted(function(b, i, first)
-  local count = approach.gather(b, i, first)
+-- Computes when the pairs that were listed meet, and puts that into the queue.
+local function schedule(b, count)
   if count > 0 then
-    approach.run(b, i, count)
+    approach.run(b, count)
     enqueueAll(b, count)
-  end
-end)
-
-local function resetPairs(b, first)
-  local list, head, nextHalf = b.awakeList, b.head, b.next
-  local met, hit, passing, event = b.met, b.hit, b.passing, b.event
-  local nudged = b.nudged
-  for n = first, b.awakeCount do
-    local half = head[list[n]]
-    while half ~= 0 do
-      local p = (half + half % 2) / 2
-      met[p], hit[p], passing[p], event[p] = 0, 0, false, NONE
-      nudged[p] = 0
-      half = nextHalf[half]
-    end
   end
 end
 
--- First look at the pairs of those in awakeList from `first` on.
-local scheduleNew = interpreted(function(b, first)
-  resetPairs(b, first)
-  for n = first, b.awakeCount do
-    scheduleAll(b, b.awakeList[n], true)
-  end
-end)
-
 -- Looks again at everybody whose path has changed; a path that leaves its fat box may find new
 -- neighbours and wake them.
-local followChanged = interpreted(function(b, dt)
-  for n = 1, b.changedCount do
-    local i = b.changed[n]
-    detect.follow(b, i)
-  end
+local function followChanged(b, dt)
+  local count = 0
+  detect.run(b, b.changed, 1, b.changedCount)
   local woken = b.predicted + 1
   if woken <= b.awakeCount then
     predict.run(b, dt)
-    scheduleNew(b, woken)
+    live.add(b, woken)
+    for n = woken, b.awakeCount do
+      count = gather.object(b, b.awakeList[n], count)
+    end
   end
   for n = 1, b.changedCount do
-    scheduleAll(b, b.changed[n], false)
+    count = gather.object(b, b.changed[n], count)
   end
-end)
+  schedule(b, count)
+end
 
-local happen = interpreted(function(b, p, code, t, dt)
+local function happen(b, p, code, t, dt)
   local kind, axis, otherIsLow = approach.decode(code)
   local low, high = b.pairA[p], b.pairB[p]
   if otherIsLow then
@@ -165,25 +144,46 @@ local happen = interpreted(function(b, p, code, t, dt)
     resolve.run(b, p, low, high, axis, t, dt, kind == approach.DEEP)
   end
   followChanged(b, dt)
-end)
+end
+
+-- Settles what stands on something, until the queue goes first; what that disturbs goes into it.
+local function stand(b, dt)
+  local left = footing.run(b, dt, false)
+  while left ~= footing.DONE do
+    local isNext = left == footing.ASK
+    if isNext and footing.isLater(b) then
+      return
+    elseif left == footing.CHANGED then
+      followChanged(b, dt)
+    elseif left > 0 then
+      schedule(b, gather.pair(b, left))
+    end
+    left = footing.run(b, dt, isNext)
+  end
+end
 
 --- Resolves all contacts of a step of dt s.
-meet.run = interpreted(function(b, dt)
+function meet.run(b, dt)
   local q, event = b.queue, b.event
   queue.clear(q)
-  scheduleNew(b, 1)
+  b.resolved = 0
+  live.list(b)
+  footing.list(b)
+  schedule(b, gather.live(b))
+  stand(b, dt)
   local id = queue.pop(q)
-  local resolved = 0
   while id do
     local p, code, t = queue.read(q, id)
     if event[p] == id then
       event[p] = NONE
-      resolved = resolved + 1
+      b.resolved = b.resolved + 1
       happen(b, p, code, t, dt)
+    end
+    if b.footingAt < b.footingCount then
+      stand(b, dt)
     end
     id = queue.pop(q)
   end
-  b.resolved = resolved
-end)
+end
 
 return meet

@@ -5,6 +5,8 @@ local columns = require(here .. ".columns")
 local part = require(here .. ".part")
 local path = require(here .. ".path")
 
+require(here .. ".interpreted").file()
+
 local nudge = {}
 
 local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON

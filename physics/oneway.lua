@@ -4,6 +4,8 @@ local here = (...):match("^(.*)%.[^.]+$")
 local approach = require(here .. ".approach")
 local columns = require(here .. ".columns")
 
+require(here .. ".interpreted").file()
+
 local oneway = {}
 
 -- The side of an object as in columns.SIDES.

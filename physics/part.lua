@@ -205,6 +205,9 @@ local function separate(b, p)
   if width <= EPSILON or height <= EPSILON then
     return
   end
+  -- Who sleeps begins the step before it is judged, or what is noted here would be forgotten then.
+  rest.wake(b, i)
+  begin.run(b)
   local from, size, ways = b.from, b.size, b.partWork.ways
   local ki, kj = 2 * i, 2 * j
   ways[4], ways[3], ways[1], ways[2] = aabb.exits(
@@ -275,9 +278,7 @@ function part.run(b)
       separate(b, work.pairs[n])
     end
     local movedCount = work.movedCount
-    for n = 1, movedCount do
-      detect.follow(b, work.moved[n])
-    end
+    detect.run(b, work.moved, 1, movedCount)
     startRound(b)
     for n = 1, movedCount do
       considerAll(b, work.moved[n])

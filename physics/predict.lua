@@ -18,7 +18,7 @@ function predict.run(b, dt)
     forces.run(b, dt, first, last)
     move.run(b, dt, first, last)
     b.predicted = last
-    detect.run(b, first, last)
+    detect.run(b, b.awakeList, first, last)
   end
 end
 

@@ -4,201 +4,69 @@
 -- quiet, the fields x, y, vx, vy and touching of the game's objects, and notes the events.
 
 local here = (...):match("^(.*)%.[^.]+$")
-local aabb = require(here .. ".aabb")
-local approach = require(here .. ".approach")
 local carrier = require(here .. ".carrier")
+local collect = require(here .. ".collect")
 local columns = require(here .. ".columns")
+local contact = require(here .. ".contact")
 local crush = require(here .. ".crush")
-local events = require(here .. ".events")
-local oneway = require(here .. ".oneway")
 
 local publish = {}
 
 local DYNAMIC = columns.DYNAMIC
 local EPSILON, OPPOSITE = columns.EPSILON, columns.OPPOSITE
-local max, min = math.max, math.min
-local SIDE_NUMBER = { left = 1, right = 2, top = 3, bottom = 4 }
+local floor, max, min = math.floor, math.max, math.min
 
--- Gap on an axis at the end of the step (negative: overlap) and whether the first is the low one.
-local function gapAtEnd(b, ka, kc)
-  local r = b.to[kc] - b.to[ka]
-  local after, before = r - b.size[ka], -r - b.size[kc]
-  if after >= before then
-    return after, true
-  end
-  return before, false
-end
-
--- The side of the pair's first at which the two are flush, else 0; and whether they overlap.
-local function flushSide(b, i, j)
-  local gapX, lowX = gapAtEnd(b, 2 * i, 2 * j)
-  if gapX > EPSILON then
-    return 0, false
-  end
-  local gapY, lowY = gapAtEnd(b, 2 * i + 1, 2 * j + 1)
-  if gapY > EPSILON then
-    return 0, false
-  end
-  if gapX >= -EPSILON then
-    if gapY >= -EPSILON then
-      return 0, false -- corner to corner
-    end
-    return lowX and 2 or 1, false
-  elseif gapY >= -EPSILON then
-    return lowY and 4 or 3, false
-  end
-  return 0, true
-end
-
--- Whether a side was leant on in this step, by either of the two.
-local function isPressed(b, i, j, side)
-  local axis = side > 2 and 1 or 0
-  local ki, kj = 2 * i + axis, 2 * j + axis
-  local iDynamic, jDynamic = b.kind[i] == DYNAMIC, b.kind[j] == DYNAMIC
-  if side % 2 == 0 then
-    return iDynamic and b.pressedHigh[ki] or jDynamic and b.pressedLow[kj]
-  end
-  return iDynamic and b.pressedLow[ki] or jDynamic and b.pressedHigh[kj]
-end
-
--- Remembers how two that are left inside each other came there: they may only part that way.
-local function wedge(b, p, i, j)
-  if b.wedged[p] ~= 0 then
-    return
-  end
-  local position, size = b.position, b.size
-  for axis = 0, 1 do
-    local ki, kj = 2 * i + axis, 2 * j + axis
-    local r = position[kj] - position[ki]
-    if r - size[ki] >= -EPSILON or -r - size[kj] >= -EPSILON then
-      b.wedged[p] = 1 + approach.code(approach.DEEP, axis, r < 0)
-      return
+-- Lists the live pairs that are close enough to touch, or did; returns how many.
+local function listClose(b)
+  local list, close, count = b.live, b.closePairs, 0
+  local pairA, pairB, contacts, hit = b.pairA, b.pairB, b.contact, b.hit
+  local to, size = b.to, b.size
+  for n = 1, b.liveCount do
+    local p = list[n]
+    local k, m = 2 * pairA[p], 2 * pairB[p]
+    if k ~= 0 then
+      local x, y = to[m] - to[k], to[m + 1] - to[k + 1]
+      local gap = max(max(x - size[k], -x - size[m]), max(y - size[k + 1], -y - size[m + 1]))
+      if gap <= EPSILON or contacts[p] ~= 0 or hit[p] ~= 0 then
+        count = count + 1
+        close[count] = p
+      else
+        b.overlapping[p], b.wedged[p], b.dropping[p] = false, 0, false
+      end
     end
   end
+  return count
 end
 
-local function wedgedSide(b, p)
-  local _, axis, otherIsLow = approach.decode(b.wedged[p] - 1)
-  return 2 * axis + (otherIsLow and 1 or 2)
-end
-
--- The side on which a solid pair is in contact now, else 0.
-local function solidContact(b, p, i, j)
-  local side, overlap = flushSide(b, i, j)
-  b.overlapping[p] = overlap
-  if overlap then
-    if b.passing[p] or b.oneWay[i] or b.oneWay[j] then
-      b.wedged[p] = 0
-      b.inside[i], b.inside[j] = true, true
-      return 0
-    end
-    wedge(b, p, i, j)
-    if b.wedged[p] == 0 then
-      b.inside[i], b.inside[j] = true, true
-    end
-    return b.wedged[p] ~= 0 and wedgedSide(b, p) or 0
-  end
-  b.wedged[p] = 0
-  if side == 0 then
-    b.dropping[p] = false
-    return 0
-  end
-  if b.passing[p] or b.dropping[p] or oneway.lets(b, i, j, side, approach.FACE) then
-    return 0
-  end
-  if b.contact[p] == side or b.hit[p] == side or b.sideBySide or isPressed(b, i, j, side) then
-    return side
-  end
-  return 0
-end
-
--- The side on which a sensor was entered, while the two overlap, else 0.
-local function sensorContact(b, p, i, j)
-  local _, overlap = flushSide(b, i, j)
-  if not overlap or b.passing[p] then
-    return 0
-  end
-  if b.contact[p] ~= 0 then
-    return b.contact[p]
-  elseif b.hit[p] ~= 0 then
-    return b.hit[p]
-  end
-  -- A tie is decided by the order of the world.
-  local isSwapped = b.rank[j] < b.rank[i]
-  if isSwapped then
-    i, j = j, i
-  end
-  local to, size, ki, kj = b.to, b.size, 2 * i, 2 * j
-  local side = SIDE_NUMBER[aabb.side(
-    to[ki],
-    to[ki + 1],
-    size[ki],
-    size[ki + 1],
-    to[kj],
-    to[kj + 1],
-    size[kj],
-    size[kj + 1]
-  )]
-  return isSwapped and OPPOSITE[side] or side
-end
-
-local function gapAt(b, k, m)
-  local r = b.to[m] - b.to[k]
-  return max(r - b.size[k], -r - b.size[m])
-end
-
-local function updateContact(b, p)
+-- Whether a pair that was in contact still is, on the same side, and nobody wants to be told. The
+-- side chooses what is read, not which way the code goes.
+local function goesOn(b, p, side)
   local i, j = b.pairA[p], b.pairB[p]
-  if
-    b.contact[p] == 0
-    and b.hit[p] == 0
-    and max(gapAt(b, 2 * i, 2 * j), gapAt(b, 2 * i + 1, 2 * j + 1)) > EPSILON
-  then
-    b.overlapping[p], b.wedged[p], b.dropping[p] = false, 0, false
-    return -- most neighbours do not touch
-  end
-  local now
-  if b.sensor[i] or b.sensor[j] then
-    now = sensorContact(b, p, i, j)
-  else
-    now = solidContact(b, p, i, j)
-  end
-  local before = b.contact[p]
-  if now == before then
-    if now ~= 0 then
-      events.stay(b, p, now)
-    elseif b.hit[p] ~= 0 then
-      events.bounce(b, p, b.hit[p], b.hitSpeed[p])
-    end
-    return
-  end
-  if before ~= 0 then
-    events.finish(b, p, before)
-    b.contactCount = b.contactCount - 1
-  end
-  if now ~= 0 then
-    events.begin(b, p, now, b.hit[p] ~= 0 and b.hitSpeed[p] or 0)
-    b.contactCount = b.contactCount + 1
-  end
-  b.contact[p] = now
+  local axis = floor((side - 1) * 0.5)
+  local k, m, kc, mc = 2 * i + axis, 2 * j + axis, 2 * i + 1 - axis, 2 * j + 1 - axis
+  local to, size = b.to, b.size
+  local sign = 2 * (side - 2 * axis) - 3 -- -1: the other is on the low side, 1: on the high side
+  local gap = sign * (to[m] - to[k]) - size[sign > 0 and k or m]
+  local rc = to[mc] - to[kc]
+  return max(gap, -gap) <= EPSILON
+    and max(rc - size[kc], -rc - size[mc]) < -EPSILON
+    and b.plain[i]
+    and b.plain[j]
+    and not (b.hears[i] or b.hears[j] or b.passing[p] or b.dropping[p] or b.overlapping[p])
 end
 
 -- Updates all pairs of whoever took part, and lists those in contact behind b.touchPairs.
 local function updateContacts(b)
-  local list, head, nextHalf, other, awake = b.awakeList, b.head, b.next, b.other, b.awake
-  local contact, touchPairs, count = b.contact, b.touchPairs, 0
-  for n = 1, b.awakeCount do
-    local half = head[list[n]]
-    while half ~= 0 do
-      if half % 2 == 1 or not awake[other[half]] then
-        local p = (half + half % 2) / 2
-        updateContact(b, p)
-        if contact[p] ~= 0 then
-          count = count + 1
-          touchPairs[count] = p
-        end
-      end
-      half = nextHalf[half]
+  local close, touchPairs, count, contacts = b.closePairs, b.touchPairs, 0, b.contact
+  local isHeard = b.world.onStay
+  for n = 1, listClose(b) do
+    local p = close[n]
+    if contacts[p] == 0 or isHeard or not goesOn(b, p, contacts[p]) then
+      contact.update(b, p)
+    end
+    if contacts[p] ~= 0 then
+      count = count + 1
+      touchPairs[count] = p
     end
   end
   return count
@@ -214,32 +82,30 @@ end
 local function offer(b, i, side, j, width)
   local at = 4 * i + side
   local best, bestWidth = b.touchBest[at], b.touchWidth[at]
-  if
-    best == 0
-    or width > bestWidth + EPSILON
-    or (width >= bestWidth - EPSILON and b.rank[j] < b.rank[best])
-  then
+  if width > bestWidth + EPSILON or (width >= bestWidth - EPSILON and b.rank[j] < b.rank[best]) then
     b.touchBest[at], b.touchWidth[at] = j, width
   end
 end
 
 -- Finds what everybody touches, from the pairs in contact.
 local function findTouching(b, count)
-  local list, best, touchPairs = b.awakeList, b.touchBest, b.touchPairs
+  local list, touchPairs = b.awakeList, b.touchPairs
+  local best, width = b.touchBest, b.touchWidth
   for n = 1, b.awakeCount do
     local at = 4 * list[n]
     best[at + 1], best[at + 2], best[at + 3], best[at + 4] = 0, 0, 0, 0
+    width[at + 1], width[at + 2], width[at + 3], width[at + 4] = -1, -1, -1, -1
   end
   for n = 1, count do
     local p = touchPairs[n]
     local i, j, side = b.pairA[p], b.pairB[p], b.contact[p]
     if not (b.sensor[i] or b.sensor[j]) then
-      local width = commonEdge(b, i, j, side > 2 and 0 or 1)
+      local edge = commonEdge(b, i, j, 1 - floor((side - 1) * 0.5))
       if b.awake[i] then
-        offer(b, i, side, j, width)
+        offer(b, i, side, j, edge)
       end
       if b.awake[j] then
-        offer(b, j, OPPOSITE[side], i, width)
+        offer(b, j, OPPOSITE[side], i, edge)
       end
     end
   end
@@ -248,48 +114,70 @@ end
 local function publishTouching(b, i)
   local object, touching, best, at = b.object[i], b.touching[i], b.touchBest, 4 * i
   local left, right, top, bottom = best[at + 1], best[at + 2], best[at + 3], best[at + 4]
-  touching.left = left ~= 0 and b.object[left]
-  touching.right = right ~= 0 and b.object[right]
-  touching.top = top ~= 0 and b.object[top]
-  touching.bottom = bottom ~= 0 and b.object[bottom]
+  local objects = b.object -- slot 0 is nobody: false
+  touching.left, touching.right = objects[left], objects[right]
+  touching.top, touching.bottom = objects[top], objects[bottom]
   if object.touching ~= touching then
     object.touching = touching
   end
-  local downX, downY = b.down[2 * i], b.down[2 * i + 1]
-  b.support[i] = downY > 0 and bottom
-    or downY < 0 and top
-    or downX > 0 and right
-    or downX < 0 and left
-    or 0
+end
+
+-- What everybody stands on.
+local function findSupports(b)
+  local list, down, best, support, news = b.awakeList, b.down, b.touchBest, b.support, b.news
+  for n = 1, b.awakeCount do
+    local i = list[n]
+    local x, y = down[2 * i], down[2 * i + 1]
+    -- left, right, top and bottom are 1 to 4
+    local below = (x ~= 0 or y ~= 0) and best[4 * i + (x ~= 0 and 1.5 + 0.5 * x or 3.5 + 0.5 * y)]
+      or 0
+    if below ~= support[i] then
+      support[i], news[i] = below, true
+    end
+  end
+end
+
+-- Who is carried shows the velocity relative to that.
+local function takeOffCarrier(b, i)
+  local c, k = b.carrierNow[i], 2 * i
+  local isNew = c ~= b.carrier[i]
+  if isNew then
+    b.carrier[i], b.news[i] = c, true
+  end
+  if c ~= 0 then
+    local x, y = carrier.velocity(b, c)
+    b.speed[k] = carrier.ownVelocity(b, k, x, isNew)
+    b.speed[k + 1] = carrier.ownVelocity(b, k + 1, y, isNew)
+  end
 end
 
 -- Whether the next step may differ from this one although nothing moves.
 local function hasNews(b, i)
-  return b.fresh[i] or b.moved[i] or b.heard[i] or b.inside[i]
+  return b.news[i] or b.fresh[i] or b.moved[i] or b.heard[i] or b.inside[i]
+end
+
+-- How far two points are apart, on the axis on which that is more.
+local function distance(x1, y1, x2, y2)
+  return max(max(x1 - x2, x2 - x1), max(y1 - y2, y2 - y1))
 end
 
 local function publishDynamic(b, i)
-  local object, k = b.object[i], 2 * i
+  local object, position, velocity, k = b.object[i], b.position, b.velocity, 2 * i
   local x, y = b.to[k], b.to[k + 1]
   local vx, vy = b.speed[k], b.speed[k + 1]
-  local c = carrier.find(b, i)
-  if c ~= 0 then
-    local cx, cy = carrier.velocity(b, c)
-    vx = carrier.ownVelocity(b, k, cx, c ~= b.carrier[i])
-    vy = carrier.ownVelocity(b, k + 1, cy, c ~= b.carrier[i])
-  end
-  b.carrier[i] = c
-  local still = x == b.position[k] and y == b.position[k + 1]
-  local steady = vx == b.velocity[k] and vy == b.velocity[k + 1]
-  b.quiet[i] = still and steady and vx == 0 and vy == 0 and not hasNews(b, i)
-  if not still then
+  local moved = distance(x, y, position[k], position[k + 1])
+  -- Neither a place nor a speed that is new, and no speed.
+  local change =
+    max(max(moved, distance(vx, vy, velocity[k], velocity[k + 1])), distance(vx, vy, 0, 0))
+  b.quiet[i] = change == 0 and not hasNews(b, i)
+  if moved ~= 0 then
     object.x, object.y = x, y
-    b.position[k], b.position[k + 1] = x, y
+    position[k], position[k + 1] = x, y
     b.written[k], b.written[k + 1] = x, y
   end
   if vx ~= object.vx or vy ~= object.vy then
     object.vx, object.vy = vx, vy
-    b.velocity[k], b.velocity[k + 1] = vx, vy
+    velocity[k], velocity[k + 1] = vx, vy
   end
 end
 
@@ -322,7 +210,9 @@ local function stand(b, i)
   b.fresh[i] = false
 end
 
+-- Also hands their `touching` to those who are new and take no part.
 local function forgetMoved(b)
+  collect.giveTouching(b)
   for n = 1, b.movedCount do
     local i = b.movedList[n]
     b.moved[i], b.fresh[i] = false, false
@@ -330,27 +220,55 @@ local function forgetMoved(b)
   b.movedCount = 0
 end
 
+local function tellCrushed(b)
+  local list, crushed, wasCrushed = b.awakeList, b.crushed, b.wasCrushed
+  for n = 1, b.awakeCount do
+    local k = 2 * list[n]
+    if crushed[k] or crushed[k + 1] or wasCrushed[k] or wasCrushed[k + 1] then
+      crush.tell(b, list[n])
+    end
+  end
+end
+
+-- Tells the game's tables.
+local function tell(b)
+  local list, kind = b.awakeList, b.kind
+  for n = 1, b.awakeCount do
+    if kind[list[n]] == DYNAMIC then
+      publishTouching(b, list[n])
+    end
+  end
+  for n = 1, b.awakeCount do
+    if kind[list[n]] == DYNAMIC then
+      publishDynamic(b, list[n])
+    else
+      publishKinematic(b, list[n])
+    end
+  end
+end
+
+local function findCarriers(b)
+  carrier.find(b)
+  local list, now, last = b.awakeList, b.carrierNow, b.carrier
+  for n = 1, b.awakeCount do
+    local i = list[n]
+    if now[i] ~= 0 or last[i] ~= 0 then
+      takeOffCarrier(b, i)
+    end
+  end
+end
+
 --- Publishes what the step has brought, for everybody who took part in it.
 function publish.run(b)
-  local list, kind, inside = b.awakeList, b.kind, b.inside
+  local list, inside = b.awakeList, b.inside
   for n = 1, b.awakeCount do
     inside[list[n]] = false
   end
   findTouching(b, updateContacts(b))
-  for n = 1, b.awakeCount do
-    if kind[list[n]] == DYNAMIC then
-      publishTouching(b, list[n])
-      crush.tell(b, list[n])
-    end
-  end
-  for n = 1, b.awakeCount do
-    local i = list[n]
-    if kind[i] == DYNAMIC then
-      publishDynamic(b, i)
-    else
-      publishKinematic(b, i)
-    end
-  end
+  tellCrushed(b)
+  findSupports(b)
+  findCarriers(b)
+  tell(b)
   for n = 1, b.awakeCount do
     stand(b, list[n])
   end

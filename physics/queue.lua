@@ -7,14 +7,18 @@
 -- All fields of an event stand side by side in one array: a trace that touches one array stays
 -- short, and seven of them would not (LuaJIT has a limit for the code of all traces).
 
+local here = (...):match("^(.*)%.[^.]+$")
+require(here .. ".interpreted").file()
+
 local queue = {}
 
 -- Fields of an event, by offset. The first four decide, in this order.
-local KEY = 1 -- moment, kind, how often resolved, axis: one whole number
+queue.KEY = 1 -- moment, kind, how often resolved, axis: one whole number
 local SUPPORT = 2 -- larger first
 local RANK_A, RANK_B = 3, 4
 local PAIR, CODE, TIME = 5, 6, 7
 local FIELDS = 8
+local KEY = queue.KEY
 
 --- Returns an empty queue.
 function queue.new()
@@ -107,6 +111,20 @@ function queue.pop(q)
   q.freeCount = q.freeCount + 1
   q.free[q.freeCount] = top
   return top
+end
+
+--- Returns whether the first event comes before one with these fields.
+function queue.leads(q, key, support, rankA, rankB)
+  local data, x = q.data, q.heap[1]
+  local first = data[x + KEY]
+  if first ~= key then
+    return first < key
+  elseif data[x + SUPPORT] ~= support then
+    return data[x + SUPPORT] > support
+  elseif data[x + RANK_A] ~= rankA then
+    return data[x + RANK_A] < rankA
+  end
+  return data[x + RANK_B] < rankB
 end
 
 --- Returns pair, code and time of an event.

@@ -12,24 +12,22 @@ local here = (...):match("^(.*)%.[^.]+$")
 local columns = require(here .. ".columns")
 local crush = require(here .. ".crush")
 local friction = require(here .. ".friction")
+local impact = require(here .. ".impact")
 local path = require(here .. ".path")
 local weld = require(here .. ".weld")
 
+require(here .. ".interpreted").file()
+
 local resolve = {}
 
-local sqrt, max = math.sqrt, math.max
+local max = math.max
 local advance, change = path.advance, path.change
 local DYNAMIC = columns.DYNAMIC
 
 -- Hits of one pair in one step after which it bounces no more, does not even leave by its own
 -- acceleration, is left alone; hits without a bounce after which it is welded.
 local BOUNCES, LEAVES, PATIENCE, WELDS = 4, 8, 32, 3
--- px/s below which two do not move against each other.
-local STILL = 1e-9
--- Share by which an overlap may be short through rounding.
-local ROUNDING = 1e-6
--- px/s² below which two accelerate alike.
-local EVEN = 1e-6
+local STILL = columns.STILL
 
 -- Inverse masses for a push between `lo` and `hi`; 0: cannot give way.
 local function weights(b, lo, hi, kl, kh)
@@ -86,6 +84,8 @@ local function place(b, kl, kh, dl, dh, flush)
   else
     to[kl] = to[kl] - dl
     to[kh] = to[kl] + size[kl]
+    -- Where two that both give way come to lie is rounded, and not the same at every dt: no rest.
+    b.news[(kl - kl % 2) / 2], b.news[(kh - kh % 2) / 2] = true, true
   end
 end
 
@@ -183,43 +183,6 @@ local function stopBoth(b, lo, hi, kl, kh)
   change(b, hi)
 end
 
--- Approach speed at the moment of contact and the time left after it, from what the paths will have
--- become at the end of the step: overlap o, closing speed v, closing acceleration a; `touches` if
--- the paths begin at the contact.
-local function impact(o, v, a, left, touches)
-  local start = v - a * left
-  if touches and start > -STILL and o >= (v + start) * 0.5 * left * (1 - ROUNDING) then
-    -- They touch from the beginning of their paths on; the speed there is exact, no difference of
-    -- squares.
-    return start > STILL and start or 0, left
-  end
-  local square = v * v - 2 * a * o
-  local u = 0
-  if square > 0 and not (v <= 0 and a >= 0) then
-    u = sqrt(square)
-  end
-  local tau = left
-  if v + u > 0 then
-    tau = 2 * o / (v + u)
-    tau = tau < left and tau or left
-  end
-  return u, tau
-end
-
--- Gap and closing speed at the end of the step after the impact.
-local function rebound(restitution, u, a, tau)
-  if restitution > 0 then
-    local gap = restitution * u * tau - a * tau * tau * 0.5
-    local v = a * tau - restitution * u
-    if gap >= 0 and v < 0 then
-      return gap, v
-    end
-  elseif a < -EVEN then
-    return -a * tau * tau * 0.5, a * tau
-  end
-  return 0, 0
-end
-
 local function noteHit(b, p, lo, axis, u)
   if b.met[p] == 0 then
     b.hit[p] = 2 * axis + (b.pairA[p] == lo and 2 or 1)
@@ -247,7 +210,7 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   local speed, accel, to = b.speed, b.accel, b.to
   local o = to[kl] + b.size[kl] - to[kh]
   local v, a = speed[kl] - speed[kh], accel[kl] - accel[kh]
-  local u, tau = impact(o, v, a, (1 - t) * dt, touches)
+  local u, tau = impact.at(o, v, a, (1 - t) * dt, touches)
   noteHit(b, p, lo, axis, u)
   if headOn then
     return stopBoth(b, lo, hi, kl, kh)
@@ -263,7 +226,7 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   end
   local gap, vEnd = 0, 0
   if b.met[p] <= LEAVES then
-    gap, vEnd = rebound(restitution, u, a, tau)
+    gap, vEnd = impact.rebound(restitution, u, a, tau)
   end
   local flush = gap == 0 and vEnd == 0
   local shareL, shareH = shares(b, lo, hi, kl, kh, wl, wh, isDeep or b.met[p] > BOUNCES)
@@ -285,8 +248,12 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   if flush and (v > -STILL or isDeep or isStuck) then
     lean(b, lo, hi, kl, kh, wl, wh)
   end
-  change(b, lo)
-  change(b, hi)
+  if wl ~= 0 then
+    change(b, lo)
+  end
+  if wh ~= 0 then
+    change(b, hi)
+  end
   weld.follow(b, kl, to[kl] - oldL, t)
   weld.follow(b, kh, to[kh] - oldH, t)
   if flush and (dv > 0 or isStuck) and b.met[p] >= WELDS and wl > 0 and wh > 0 then
@@ -303,7 +270,7 @@ function resolve.sense(b, p, lo, hi, axis, t, dt)
   local kl, kh = 2 * lo + axis, 2 * hi + axis
   local o = b.to[kl] + b.size[kl] - b.to[kh]
   local v, a = b.speed[kl] - b.speed[kh], b.accel[kl] - b.accel[kh]
-  noteHit(b, p, lo, axis, (impact(o, v, a, (1 - t) * dt)))
+  noteHit(b, p, lo, axis, (impact.at(o, v, a, (1 - t) * dt)))
 end
 
 return resolve

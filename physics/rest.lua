@@ -15,6 +15,9 @@ local rest = {}
 
 local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
 
+-- s; what nothing happens to in less may only be too short to show.
+local SHORTEST = 1 / 2000
+
 local function rouse(b, i)
   local n = b.awakeCount + 1
   b.awakeCount = n
@@ -22,6 +25,7 @@ local function rouse(b, i)
   b.awakeAt[i] = n
   b.awake[i] = true
   b.quiet[i] = false
+  b.awakenings = b.awakenings + 1
 end
 
 -- Wakes the sleeping dynamic neighbours of everybody in awakeList from place `from` on: the list
@@ -60,10 +64,7 @@ end
 function rest.wakeNeighbours(b, i)
   local half = b.head[i]
   while half ~= 0 do
-    local j = b.other[half]
-    if b.kind[j] == DYNAMIC then
-      rest.wake(b, j)
-    end
+    rest.wake(b, b.other[half])
     half = b.next[half]
   end
 end
@@ -86,6 +87,7 @@ function rest.drop(b, i)
     b.awakeAt[last] = at
     b.awakeCount = b.awakeCount - 1
     b.awake[i] = false
+    b.awakenings = b.awakenings + 1
   end
 end
 
@@ -119,8 +121,11 @@ local function gather(b, i, stamp)
   return count, calm
 end
 
---- Puts to sleep every island that is calm.
-function rest.settle(b)
+--- Puts to sleep every island that is calm after a step of dt s.
+function rest.settle(b, dt)
+  if dt < SHORTEST then
+    return
+  end
   b.stamp = b.stamp + 1
   local stamp, list, kind, quiet, visited = b.stamp, b.awakeList, b.kind, b.quiet, b.visited
   for n = b.awakeCount, 1, -1 do

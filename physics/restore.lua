@@ -385,9 +385,7 @@ local function stand(b, st, slots)
     end
     b.time[i] = 0
   end
-  for n = 1, st.known do
-    detect.follow(b, slots[n])
-  end
+  detect.run(b, slots, 1, st.known)
 end
 
 local function rememberContacts(b, st, slots)

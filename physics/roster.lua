@@ -143,6 +143,7 @@ local function newRecord(name, source)
     keys = {},
     count = 0,
     plain = true,
+    movers = false, -- see collect
     mixed = false,
     stale = true,
   }
@@ -265,6 +266,7 @@ local function applyMembers(b, record, enter, rename)
   local list, keys = record.newList, record.newKeys
   record.list, record.keys, record.count, record.plain = list, keys, #list, record.newPlain
   record.newList, record.newKeys = nil, nil
+  record.movers = false
   record.stale = false
   for n = 1, record.count do
     local object = list[n]

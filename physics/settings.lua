@@ -11,6 +11,8 @@ local fields = require(here .. ".fields")
 local grid = require(here .. ".broadphase.grid")
 local rest = require(here .. ".rest")
 
+require(here .. ".interpreted").file()
+
 local settings = {}
 
 local BROADPHASES = { auto = grid, grid = grid, pairs = everybody }

@@ -1,6 +1,9 @@
 --- Sorts a list by columns, in place and without garbage. (`table.sort` leaves a compiled trace and
 --- wants a closure; its order of equals is its own.)
 
+local here = (...):match("^(.*)%.[^.]+$")
+require(here .. ".interpreted").file()
+
 local sort = {}
 
 -- x comes before y: smaller first, column by column.

@@ -6,12 +6,14 @@
 -- member, `weld` names the leader (an interleaved index, as everything here), which knows the mass.
 
 local here = (...):match("^(.*)%.[^.]+$")
+local columns = require(here .. ".columns")
 local path = require(here .. ".path")
+
+require(here .. ".interpreted").file()
 
 local weld = {}
 
--- px/s below which two do not move against each other.
-local STILL = 1e-9
+local STILL = columns.STILL
 
 local function rename(b, k, leader)
   local first = k

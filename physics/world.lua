@@ -75,7 +75,7 @@ local function step(self, dt)
   meet.run(b, dt) -- side, push, restitution, friction
   publish.run(b)
   if b.rest then
-    rest.settle(b)
+    rest.settle(b, dt)
   end
   view.outdate(b)
 

@@ -49,6 +49,11 @@ function grid.new(b, cellSize)
     -- by level
     members = {},
     highest = 0,
+    -- scratch of overlaps: cells to look at, and who asks
+    cells = {},
+    ranges = {},
+    nobody = { 0 },
+    answers = {},
   }, grid)
   clear(self.heads, self.buckets)
   for level = 0, LEVELS do
@@ -68,6 +73,9 @@ end
 
 local function levelFor(self, size)
   local level, cell = 0, self.cell
+  if size <= cell then
+    return level, cell
+  end
   while cell < size and level < LEVELS do
     level, cell = level + 1, cell * 2
   end
@@ -200,25 +208,137 @@ local function queryCell(self, level, cellX, cellY, left, top, right, bottom, ou
   return n
 end
 
---- Writes the slots of all objects whose fat boxes meet the rectangle into `out`; returns how many.
-function grid:query(left, top, right, bottom, out)
-  local n, cell, looked = 0, self.cell, 0
+-- The questions of many at once go in stages, each one loop: which rectangles of cells to look at,
+-- which of those cells hold anything, and who is in them. (Loops in loops that go round two or
+-- three times make bad traces.) A rectangle of cells is six numbers side by side, so is a cell.
+local RANGE, CELL = 6, 5
+
+-- Whether so many cells are in question that looking at everybody is cheaper.
+local function isWide(self, width, height)
+  local cell = self.cell
+  return (width / cell + 3) * (height / cell + 3) > 16 + self.count
+end
+
+-- Lists the cells of one level in which something may meet the fat boxes of those in `list`.
+local function addRanges(self, list, count, level, cell, n)
+  local ranges, fatLow, fatHigh = self.ranges, self.bodies.fatLow, self.bodies.fatHigh
+  for m = 1, count do
+    local k = 2 * list[m]
+    local left, top, right, bottom = fatLow[k], fatLow[k + 1], fatHigh[k], fatHigh[k + 1]
+    if not isWide(self, right - left, bottom - top) then
+      ranges[n + 1], ranges[n + 2] = m, level
+      ranges[n + 3], ranges[n + 4] = cellAt(left - cell, cell), cellAt(right, cell)
+      ranges[n + 5], ranges[n + 6] = cellAt(top - cell, cell), cellAt(bottom, cell)
+      n = n + RANGE
+    end
+  end
+  return n
+end
+
+-- Of these, lists the cells that hold anything: the first in it, who asks, and which it is.
+local function addCells(self, rangeCount)
+  local ranges, cells, heads, buckets = self.ranges, self.cells, self.heads, self.buckets
+  local n, at = 0, 0
+  local cellX, cellY = ranges[3], ranges[5]
+  while at < rangeCount do
+    local level = ranges[at + 2]
+    local head = heads[hash(cellX, cellY, level, buckets)]
+    if head ~= 0 then
+      cells[n + 1], cells[n + 2] = head, ranges[at + 1]
+      cells[n + 3], cells[n + 4], cells[n + 5] = level, cellX, cellY
+      n = n + CELL
+    end
+    cellX = cellX + 1
+    if cellX > ranges[at + 4] then
+      cellX, cellY = ranges[at + 3], cellY + 1
+      if cellY > ranges[at + 6] then
+        at = at + RANGE
+        cellX, cellY = ranges[at + 3], ranges[at + 5]
+      end
+    end
+  end
+  return n
+end
+
+-- >= 0 if two fat boxes meet. No branches.
+local function contact(fatLow, fatHigh, k, m)
+  return min(
+    min(fatHigh[k] - fatLow[m], fatHigh[m] - fatLow[k]),
+    min(fatHigh[k + 1] - fatLow[m + 1], fatHigh[m + 1] - fatLow[k + 1])
+  )
+end
+
+-- Walks through the cells, and lists who is in them and meets who asks.
+local function addMembers(self, list, cellCount, askers, found)
+  local cells, nextInBucket = self.cells, self.next
+  local cellX, cellY, levels = self.cellX, self.cellY, self.level
+  local fatLow, fatHigh = self.bodies.fatLow, self.bodies.fatHigh
+  local n, at = 0, 0
+  local i = cells[1]
+  while at < cellCount do
+    local asker = list[cells[at + 2]]
+    if
+      contact(fatLow, fatHigh, 2 * asker, 2 * i) >= 0
+      and cellX[i] == cells[at + 4]
+      and cellY[i] == cells[at + 5]
+      and levels[i] == cells[at + 3]
+    then
+      n = n + 1
+      askers[n], found[n] = asker, i
+    end
+    i = nextInBucket[i]
+    if i == 0 then
+      at = at + CELL
+      i = cells[at + 1]
+    end
+  end
+  return n
+end
+
+-- Asks for one whose box is wide.
+local function addAll(self, asker, askers, found, n)
+  local fatLow, fatHigh, all = self.bodies.fatLow, self.bodies.fatHigh, self.list
+  for at = 1, self.count do
+    local i = all[at]
+    if contact(fatLow, fatHigh, 2 * asker, 2 * i) >= 0 then
+      n = n + 1
+      askers[n], found[n] = asker, i
+    end
+  end
+  return n
+end
+
+--- Finds all whose fat boxes meet those of `list[1..count]`: writes who asks into `askers` and whom
+--- it meets, itself included, into `found`; returns how many.
+function grid:overlaps(list, count, askers, found)
+  local ranges, cell = 0, self.cell
   for level = 0, self.highest do
     if self.members[level] > 0 then
-      local firstX, lastX = cellAt(left - cell, cell), cellAt(right, cell)
-      local firstY, lastY = cellAt(top - cell, cell), cellAt(bottom, cell)
-      looked = looked + (lastX - firstX + 1) * (lastY - firstY + 1)
-      if looked > 16 + self.count then
-        return queryAll(self, left, top, right, bottom, out)
-      end
-      for cellY = firstY, lastY do
-        for cellX = firstX, lastX do
-          n = queryCell(self, level, cellX, cellY, left, top, right, bottom, out, n)
-        end
-      end
+      ranges = addRanges(self, list, count, level, cell, ranges)
     end
     cell = cell * 2
   end
+  -- What lies behind the end is read, and not used.
+  self.ranges[ranges + 3], self.ranges[ranges + 5] = 0, 0
+  local cells = addCells(self, ranges)
+  self.cells[cells + 1] = 0
+  local n = addMembers(self, list, cells, askers, found)
+  local fatLow, fatHigh = self.bodies.fatLow, self.bodies.fatHigh
+  for m = 1, count do
+    local k = 2 * list[m]
+    if isWide(self, fatHigh[k] - fatLow[k], fatHigh[k + 1] - fatLow[k + 1]) then
+      n = addAll(self, list[m], askers, found, n)
+    end
+  end
+  return n
+end
+
+--- Writes the slots of all objects whose fat boxes meet the rectangle into `out`; returns how many.
+function grid:query(left, top, right, bottom, out)
+  -- Asked in the name of slot 0, which nobody has.
+  local fatLow, fatHigh = self.bodies.fatLow, self.bodies.fatHigh
+  fatLow[0], fatLow[1], fatHigh[0], fatHigh[1] = left, top, right, bottom
+  local n = self:overlaps(self.nobody, 1, self.answers, out)
   return n
 end
 

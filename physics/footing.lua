@@ -1,0 +1,366 @@
+--- Step 6, meet: what stands on something when the step begins.
+--
+-- In piles and levels nearly all contacts are there from the beginning: flush along gravity. They
+-- are listed once a step, in the order in which `meet` would resolve them (from the floor up), and
+-- settled in one pass over that list, without the queue. What is anything but plain, or makes
+-- others move, goes to `meet`. The queue alone would give the same bits.
+--
+-- Reads from, size, kind, plain, the live pairs; writes footings and turn; settles by `resolve`.
+
+local here = (...):match("^(.*)%.[^.]+$")
+local columns = require(here .. ".columns")
+local detect = require(here .. ".detect")
+local friction = require(here .. ".friction")
+local gather = require(here .. ".gather")
+local impact = require(here .. ".impact")
+local path = require(here .. ".path")
+local queue = require(here .. ".queue")
+
+local footing = {}
+
+local DYNAMIC, EPSILON, NO_EVENT = columns.DYNAMIC, columns.EPSILON, columns.NO_EVENT
+local STILL, EVEN = columns.STILL, impact.EVEN
+local huge, floor, max, min = math.huge, math.floor, math.max, math.min
+
+-- Digits of the sort, and from how many footings on it is worth it.
+local DIGITS, MANY = 1024, 24
+
+-- Lists the live pairs that are flush along gravity; returns how many.
+local function listFlush(b)
+  local list, flush, count = b.live, b.footingOrder, 0
+  local pairA, pairB, from, size, axis = b.pairA, b.pairB, b.from, b.size, b.downAxis
+  for n = 1, b.liveCount do
+    local p = list[n]
+    local k, m = 2 * pairA[p] + axis, 2 * pairB[p] + axis
+    local r = from[m] - from[k]
+    local gap = max(r - size[k], -r - size[m])
+    if gap <= EPSILON and gap >= -EPSILON then
+      count = count + 1
+      flush[count] = p
+    end
+  end
+  return count
+end
+
+-- Of these, keeps those that overlap across gravity and are plain.
+local function keepPlain(b, flushCount)
+  local flush, count = b.footingOrder, 0
+  local pairA, pairB, from, size, across = b.pairA, b.pairB, b.from, b.size, 1 - b.downAxis
+  local plain, dropping = b.plain, b.dropping
+  for n = 1, flushCount do
+    local p = flush[n]
+    local i, j = pairA[p], pairB[p]
+    local k, m = 2 * i + across, 2 * j + across
+    local r = from[m] - from[k]
+    if max(r - size[k], -r - size[m]) < -EPSILON and plain[i] and plain[j] and not dropping[p] then
+      count = count + 1
+      flush[count] = p
+    end
+  end
+  return count
+end
+
+-- Works out who stands on whom; returns how many stand on something.
+local function findUpper(b, plainCount)
+  local flush, list, ups, lows, count = b.footingOrder, b.footings, b.footingUp, b.footingLow, 0
+  local pairA, pairB, from, kind, axis = b.pairA, b.pairB, b.from, b.kind, b.downAxis
+  local isUp = b.orientation[axis] < 0
+  for n = 1, plainCount do
+    local p = flush[n]
+    local up, low = pairA[p], pairB[p]
+    if (from[2 * low + axis] < from[2 * up + axis]) ~= isUp then
+      up, low = low, up
+    end
+    if kind[up] == DYNAMIC then
+      count = count + 1
+      list[count], ups[count], lows[count] = p, up, low
+    end
+  end
+  return count
+end
+
+-- What decides their order: how far down the lower one is, and their ranks.
+local function weigh(b, count)
+  local ups, lows, support = b.footingUp, b.footingLow, b.footingSupport
+  local firsts, seconds, rank, kind = b.footingFirst, b.footingSecond, b.rank, b.kind
+  local from, size, axis = b.from, b.size, b.downAxis
+  local isUp = b.orientation[axis] < 0
+  for n = 1, count do
+    local up, low = ups[n], lows[n]
+    local first, second = rank[up], rank[low]
+    if kind[low] == DYNAMIC then
+      local m = 2 * low + axis
+      support[n] = isUp and -from[m] or from[m] + size[m]
+      firsts[n], seconds[n] = min(first, second), max(first, second)
+    else
+      support[n], firsts[n], seconds[n] = huge, first, second
+    end
+  end
+end
+
+-- Writes into `digit` how far down each is, as a whole number below DIGITS²: 0 for what stands on
+-- something immovable, then from the lowest up.
+local function quantize(b, count)
+  local support, digit = b.footingSupport, b.footingDigit
+  local lowest, highest = -huge, huge
+  for n = 1, count do
+    local s = support[n]
+    if s ~= huge then
+      lowest, highest = max(lowest, s), min(highest, s)
+    end
+  end
+  local scale = lowest > highest and (DIGITS * DIGITS - 2) / (lowest - highest) or 0
+  for n = 1, count do
+    local s = support[n]
+    digit[n] = s == huge and 0 or 1 + floor((lowest - s) * scale)
+  end
+end
+
+-- The place of the first in the order of the world.
+local function readSeats(b, count)
+  local digit, seat, ups, lows, kind = b.footingDigit, b.seat, b.footingUp, b.footingLow, b.kind
+  for n = 1, count do
+    local first, second = seat[ups[n]], seat[lows[n]]
+    digit[n] = kind[lows[n]] == DYNAMIC and min(first, second) or first
+  end
+end
+
+-- One pass of a radix sort, stable: from `source` to `target` by the digit that is worth `unit`.
+local function sortBy(b, source, target, count, unit)
+  local digit, heads, inverse = b.footingDigit, b.footingHeads, 1 / unit
+  for d = 1, DIGITS + 1 do
+    heads[d] = 0
+  end
+  for n = 1, count do
+    local d = floor(digit[source[n]] * inverse)
+    d = d - floor(d / DIGITS) * DIGITS + 2
+    heads[d] = heads[d] + 1
+  end
+  for d = 2, DIGITS do
+    heads[d] = heads[d] + heads[d - 1]
+  end
+  for n = 1, count do
+    local x = source[n]
+    local d = floor(digit[x] * inverse)
+    d = d - floor(d / DIGITS) * DIGITS + 1
+    local at = heads[d] + 1
+    heads[d], target[at] = at, x
+  end
+end
+
+-- Sorts by the number in `digit`, which is below `limit`; what is equal stays in order.
+local function sortAll(b, count, limit)
+  local source, target, unit = b.footingOrder, b.footingBetween, 1
+  while unit < limit do
+    sortBy(b, source, target, count, unit)
+    source, target = target, source
+    unit = unit * DIGITS
+  end
+  b.footingOrder, b.footingBetween = source, target
+end
+
+-- Sorts what is sorted nearly, by insertion.
+local function finish(b, order, count)
+  local support, first, second = b.footingSupport, b.footingFirst, b.footingSecond
+  for n = 2, count do
+    local x, at = order[n], n - 1
+    local s, a, c = support[x], first[x], second[x]
+    while at > 0 do
+      local y = order[at]
+      local t = support[y]
+      if t > s or (t == s and (first[y] < a or (first[y] == a and second[y] < c))) then
+        break
+      end
+      order[at + 1] = y
+      at = at - 1
+    end
+    order[at + 1] = x
+  end
+end
+
+-- Puts the footings in order: from the floor up, then in that of the world. Source: D. E. Knuth,
+-- The Art of Computer Programming, vol. 3: sorting by distribution, by insertion.
+local function arrange(b, count)
+  for n = 1, count do
+    b.footingOrder[n] = n
+  end
+  if count >= MANY then
+    readSeats(b, count)
+    sortAll(b, count, b.moverCount + 1)
+    quantize(b, count)
+    sortAll(b, count, DIGITS * DIGITS)
+  end
+  local order, turn, list = b.footingOrder, b.turn, b.footings
+  finish(b, order, count)
+  for at = 1, count do
+    turn[list[order[at]]] = at
+  end
+end
+
+--- Lists the footings of a step that begins.
+function footing.list(b)
+  b.footingAt, b.footingCount = 0, 0
+  -- With push = "first" what is flush is not at rest; and whom the world asks about cannot be
+  -- plain.
+  if b.pushFirst or b.worldCanCollide or b.queueOnly then
+    return
+  end
+  local count = findUpper(b, keepPlain(b, listFlush(b)))
+  b.footingCount = count
+  if count > 0 then
+    weigh(b, count)
+    arrange(b, count)
+  end
+end
+
+-- >= 0 if two stay clear of each other on an axis: apart now, and at the end on the same side, or
+-- flush there and not moving against each other. No branches, as this is asked of every neighbour.
+local function clearance(b, k, m)
+  local from, to, size, speed = b.from, b.to, b.size, b.speed
+  local r, rEnd, v = from[m] - from[k], to[m] - to[k], speed[k] - speed[m]
+  local before, after = rEnd - size[k], -rEnd - size[m]
+  return max(
+    min(r - size[k] + EPSILON, max(before, min(before + EPSILON, STILL - v))),
+    min(-r - size[m] + EPSILON, max(after, min(after + EPSILON, STILL + v)))
+  )
+end
+
+-- Whether somebody else than those whose turn comes has to be looked at again because the path of
+-- slot i has changed.
+local function hasDisturbed(b, i, at)
+  local time, other, nextHalf, event, turn = b.time, b.other, b.next, b.event, b.turn
+  local k, half = 2 * i, b.head[i]
+  while half ~= 0 do
+    local p, j = floor(half * 0.5 + 0.5), other[half]
+    local m = 2 * j
+    local clear = max(clearance(b, k, m), clearance(b, k + 1, m + 1))
+    if (clear < 0 or event[p] ~= NO_EVENT or time[j] ~= 0) and turn[p] <= at then
+      return true
+    end
+    half = nextHalf[half]
+  end
+  return false
+end
+
+-- Whether the paths of a footing do not press against each other.
+local function isIdle(b, ku, kl, isUp)
+  local low, high = ku, kl
+  if isUp then
+    low, high = kl, ku
+  end
+  local overlap = gather.endOverlap(b, low, high)
+  return overlap <= 0 or (overlap <= EPSILON and b.speed[low] - b.speed[high] <= STILL)
+end
+
+-- The side towards the floor and the one away from it, as columns: held, holder, pressed.
+local function sidesOf(b, isUp)
+  if isUp then
+    return b.heldLow, b.heldHigh, b.holderLow, b.pressedLow, b.pressedHigh
+  end
+  return b.heldHigh, b.heldLow, b.holderHigh, b.pressedHigh, b.pressedLow
+end
+
+-- What leans on `low` from now on.
+local function lean(b, low, ku, kl, isUp)
+  local held, _, holder, pressed, pressedUp = sidesOf(b, isUp)
+  b.accel[ku], b.drive[ku] = b.accel[kl], b.drive[kl]
+  pressed[ku], held[ku], holder[ku] = true, true, low
+  pressedUp[kl] = true -- means nothing for one that is not dynamic
+end
+
+-- Whether one that cannot give way has something on it that can, and nothing is welded.
+local function isSimple(b, up, low, ku, kl, isUp)
+  local held, upHeld = sidesOf(b, isUp)
+  return (held[kl] or b.kind[low] ~= DYNAMIC)
+    and b.weld[ku] == 0
+    and b.weld[kl] == 0
+    and not (held[ku] or upHeld[ku] or upHeld[kl])
+    and b.time[up] == 0
+    and b.time[low] == 0
+end
+
+-- Puts `up` on `low`, as `resolve` would: flush, without a bounce, held from below. Returns whether
+-- that is all there is to it; nothing has changed if not.
+local function land(b, p, up, low, ku, kl, isUp, dt)
+  local to, size, speed, accel, drive = b.to, b.size, b.speed, b.accel, b.drive
+  local sign = isUp and -1 or 1
+  local v = (speed[ku] - speed[kl]) * sign
+  local goal = isUp and to[kl] + size[kl] or to[kl] - size[ku]
+  local o = isUp and goal - to[ku] or to[ku] + size[ku] - to[kl]
+  if not isSimple(b, up, low, ku, kl, isUp) or (drive[ku] - drive[kl]) * sign < -EVEN then
+    return false
+  end
+  local u, tau = impact.at(o, v, (accel[ku] - accel[kl]) * sign, dt, true)
+  local axis, lo, hi = b.downAxis, up, low
+  if isUp then
+    lo, hi = low, up
+  end
+  b.hit[p], b.hitSpeed[p], b.met[p] = 2 * axis + (b.pairA[p] == lo and 2 or 1), u, 1
+  to[ku] = goal
+  if v > 0 then
+    speed[ku] = speed[kl]
+    b.stuck[up] = b.stuck[up] and b.down[ku] ~= 0
+    b.stuck[low] = b.stuck[low] and b.down[kl] ~= 0
+  end
+  if v > -STILL then
+    lean(b, low, ku, kl, isUp)
+  end
+  path.change(b, up)
+  if v > 0 then
+    local share = u / v
+    friction.rub(b, lo, hi, axis, v / b.inverseMass[up], share < 1 and share or 1, tau, 0)
+  end
+  return true
+end
+
+-- Whether those in `changed` need more than this pass.
+local function haveDisturbed(b, at)
+  for n = 1, b.changedCount do
+    local i = b.changed[n]
+    if detect.hasLeft(b, i) or hasDisturbed(b, i, at) then
+      return true
+    end
+  end
+  return false
+end
+
+--- Whether the queue has an event that comes before the next footing.
+function footing.isLater(b)
+  local x = b.footingOrder[b.footingAt + 1]
+  return queue.leads(b.queue, 0, b.footingSupport[x], b.footingFirst[x], b.footingSecond[x])
+end
+
+--- What `run` may return, but for a pair.
+footing.DONE, footing.CHANGED, footing.ASK = 0, -1, -2
+
+--- Settles footings of a step of dt s until one needs more than that; `isNext` if the queue was
+--- asked already and does not go first. Returns what is left to do: a pair that must be looked at
+--- in the general way; CHANGED: the neighbours of those in `changed` must; ASK: ask `isLater`;
+--- DONE: no footing is left.
+function footing.run(b, dt, isNext)
+  local q, order, list, ups, lows = b.queue, b.footingOrder, b.footings, b.footingUp, b.footingLow
+  local axis, turn, count = b.downAxis, b.turn, b.footingCount
+  local isUp = b.orientation[axis] < 0
+  for at = b.footingAt + 1, count do
+    local x = order[at]
+    local p, up, low = list[x], ups[x], lows[x]
+    if q.size > 0 and q.data[q.heap[1] + queue.KEY] == 0 and not isNext then
+      return footing.ASK
+    end
+    isNext = false
+    b.footingAt = at
+    if turn[p] == at and not isIdle(b, 2 * up + axis, 2 * low + axis, isUp) then
+      path.startChanges(b)
+      if not land(b, p, up, low, 2 * up + axis, 2 * low + axis, isUp, dt) then
+        return p
+      end
+      b.resolved = b.resolved + 1
+      if haveDisturbed(b, at) then
+        return footing.CHANGED
+      end
+    end
+  end
+  return footing.DONE
+end
+
+return footing

@@ -1,0 +1,113 @@
+--- Which pairs may meet on their present paths: those that are not clear of each other on an axis.
+--
+-- This is asked of every pair, so it is one short loop without branches; `approach` then computes
+-- how those meet that may. In between their numbers wait in b.relative, four a pair: the position
+-- of the other relative to the object, x and y, where the later of the two paths begins, and x and
+-- y at the end of the step.
+--
+-- Reads from, to, size, time, the pairs; writes near, relative, event.
+
+local here = (...):match("^(.*)%.[^.]+$")
+local columns = require(here .. ".columns")
+
+local gather = {}
+
+local EPSILON, NO_EVENT = columns.EPSILON, columns.NO_EVENT
+local max, min = math.max, math.min
+-- Keeps 0 / 0 out of a path that ends as it begins.
+local TINY = 1e-300
+
+--- By how much the paths overlap on an axis at the end of the step. Both ways to round are asked,
+-- so that a box that was put flush against the other, from either side, does not overlap it.
+function gather.endOverlap(b, low, high)
+  local atLow, size, atHigh = b.to[low], b.size[low], b.to[high]
+  local forward, backward = atLow + size - atHigh, atLow - (atHigh - size)
+  return forward < backward and forward or backward
+end
+
+-- >= 0 if two stay clear of each other on one axis: apart now, and at the end on the same side.
+-- No branches, so that it is one piece of code for all.
+local function clearance(r, rEnd, size, sizeOther, clear)
+  return max(
+    min(r - size + EPSILON, rEnd - size - clear),
+    min(-r - sizeOther + EPSILON, -rEnd - sizeOther - clear)
+  )
+end
+
+-- Lists a half-edge behind b.near and b.relative if its pair may meet on the present paths; returns
+-- the new count. The object is at index k, the other at m; x, y is where that is, relative to the
+-- object, when the later of the two paths begins.
+local function list(b, half, k, m, x, y, clear, count)
+  local to, size, relative = b.to, b.size, b.relative
+  local endX, endY = to[m] - to[k], to[m + 1] - to[k + 1]
+  local apart = max(
+    clearance(x, endX, size[k], size[m], clear),
+    clearance(y, endY, size[k + 1], size[m + 1], clear)
+  )
+  if apart < 0 then
+    local at = 4 * count
+    relative[at + 1], relative[at + 2] = x, y
+    relative[at + 3], relative[at + 4] = endX, endY
+    count = count + 1
+    b.near[count] = half
+  end
+  return count
+end
+
+--- Lists the live pairs that may meet on the paths with which the step begins, but for footings.
+--- Returns how many there are.
+function gather.live(b)
+  local pairs_, pairA, pairB, turn, from, count = b.live, b.pairA, b.pairB, b.turn, b.from, 0
+  -- With push = "first" also those that are only flush.
+  local clear = b.pushFirst and EPSILON or 0
+  for n = 1, b.liveCount do
+    local p = pairs_[n]
+    if turn[p] == 0 then
+      local k, m = 2 * pairA[p], 2 * pairB[p]
+      local x, y = from[m] - from[k], from[m + 1] - from[k + 1]
+      count = list(b, 2 * p - 1, k, m, x, y, clear, count)
+    end
+  end
+  return count
+end
+
+-- Where the other of a pair is on an axis, relative to the object, at the time `start`.
+local function relativeAt(from, to, k, m, mine, its)
+  return from[m] + (to[m] - from[m]) * its - (from[k] + (to[k] - from[k]) * mine)
+end
+
+local function listAt(b, half, i, j, clear, count)
+  local from, to, time, k, m = b.from, b.to, b.time, 2 * i, 2 * j
+  local start = max(time[i], time[j])
+  local mine = (start - time[i]) / max(1 - time[i], TINY)
+  local its = (start - time[j]) / max(1 - time[j], TINY)
+  local x = relativeAt(from, to, k, m, mine, its)
+  local y = relativeAt(from, to, k + 1, m + 1, mine, its)
+  return list(b, half, k, m, x, y, clear, count)
+end
+
+--- Lists the pairs of object i that may meet on the present paths, and forgets the events of all
+--- its pairs, but for footings whose turn is yet to come. Returns how many there are, `count` of
+--- them listed before.
+function gather.object(b, i, count)
+  local other, nextHalf, event, turn = b.other, b.next, b.event, b.turn
+  local clear, half = b.pushFirst and EPSILON or 0, b.head[i]
+  local at = b.footingAt
+  while half ~= 0 do
+    local p = (half + half % 2) / 2
+    if turn[p] <= at then
+      event[p] = NO_EVENT
+      count = listAt(b, half, i, other[half], clear, count)
+    end
+    half = nextHalf[half]
+  end
+  return count
+end
+
+--- Lists one pair.
+function gather.pair(b, p)
+  b.event[p] = NO_EVENT
+  return listAt(b, 2 * p - 1, b.pairA[p], b.pairB[p], 0, 0)
+end
+
+return gather

@@ -1,0 +1,53 @@
+--- How fast two meet, and how they part: one axis, two numbers moving with constant acceleration.
+
+local here = (...):match("^(.*)%.[^.]+$")
+local columns = require(here .. ".columns")
+
+local impact = {}
+
+local sqrt = math.sqrt
+local STILL = columns.STILL
+-- Share by which an overlap may be short through rounding.
+local ROUNDING = 1e-6
+--- px/s² below which two accelerate alike.
+impact.EVEN = 1e-6
+local EVEN = impact.EVEN
+
+--- Approach speed at the moment of contact and the time left after it, from what the paths will
+-- have become at the end of the step: overlap o, closing speed v, closing acceleration a; `touches`
+-- if the paths begin at the contact.
+function impact.at(o, v, a, left, touches)
+  local start = v - a * left
+  if touches and start > -STILL and o >= (v + start) * 0.5 * left * (1 - ROUNDING) then
+    -- They touch from the beginning of their paths on; the speed there is exact, no difference of
+    -- squares.
+    return start > STILL and start or 0, left
+  end
+  local square = v * v - 2 * a * o
+  local u = 0
+  if square > 0 and not (v <= 0 and a >= 0) then
+    u = sqrt(square)
+  end
+  local tau = left
+  if v + u > 0 then
+    tau = 2 * o / (v + u)
+    tau = tau < left and tau or left
+  end
+  return u, tau
+end
+
+--- Gap and closing speed at the end of the step after the impact.
+function impact.rebound(restitution, u, a, tau)
+  if restitution > 0 then
+    local gap = restitution * u * tau - a * tau * tau * 0.5
+    local v = a * tau - restitution * u
+    if gap >= 0 and v < 0 then
+      return gap, v
+    end
+  elseif a < -EVEN then
+    return -a * tau * tau * 0.5, a * tau
+  end
+  return 0, 0
+end
+
+return impact

@@ -1,0 +1,69 @@
+--- The pairs that take part in a step: those of whoever is awake.
+--
+-- They are listed anew only when a pair or somebody awake came or went. Pairs that are linked in
+-- the middle of a step join at the end (`columns.link`).
+--
+-- Reads the pairs, awake; writes live and the step columns of the pairs.
+
+local here = (...):match("^(.*)%.[^.]+$")
+local columns = require(here .. ".columns")
+
+local live = {}
+
+local NO_EVENT = columns.NO_EVENT
+
+-- Lists all pairs of somebody who is awake. Slot 0, that of a free pair, is not.
+local function list(b)
+  local live_, mark, stamp, count = b.live, b.liveMark, b.liveStamp, 0
+  local pairA, pairB, awake = b.pairA, b.pairB, b.awake
+  for p = 1, b.pairSlots do
+    if awake[pairA[p]] or awake[pairB[p]] then
+      count = count + 1
+      live_[count] = p
+      mark[p] = stamp
+    end
+  end
+  b.liveCount = count
+end
+
+-- Nothing has happened to the pairs from place `first` of the list on.
+local function reset(b, first)
+  local live_, met, hit, passing, event = b.live, b.met, b.hit, b.passing, b.event
+  local nudged, turn = b.nudged, b.turn
+  for n = first, b.liveCount do
+    local p = live_[n]
+    met[p], hit[p], passing[p], event[p] = 0, 0, false, NO_EVENT
+    nudged[p], turn[p] = 0, 0
+  end
+end
+
+--- Lists the pairs of everybody in awakeList, for a new step.
+function live.list(b)
+  if b.liveLinks ~= b.links or b.liveAwakenings ~= b.awakenings then
+    b.liveLinks, b.liveAwakenings = b.links, b.awakenings
+    b.liveStamp, b.liveCount = b.liveStamp + 1, 0
+    if b.awakeCount > 0 then
+      list(b)
+    end
+  end
+  reset(b, 1)
+end
+
+--- Adds the pairs of those in awakeList from place `first` on, who have been woken in the step.
+function live.add(b, first)
+  local live_, mark, stamp, from = b.live, b.liveMark, b.liveStamp, b.liveCount + 1
+  for n = first, b.awakeCount do
+    local half = b.head[b.awakeList[n]]
+    while half ~= 0 do
+      local p = (half + half % 2) / 2
+      if mark[p] ~= stamp then
+        mark[p], b.liveCount = stamp, b.liveCount + 1
+        live_[b.liveCount] = p
+      end
+      half = b.next[half]
+    end
+  end
+  reset(b, from)
+end
+
+return live

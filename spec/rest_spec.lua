@@ -1,0 +1,182 @@
+--- The smallest scenes in which skipping what rests once made a difference. Each is played with and
+--- without it, and every hash and every event must be the same.
+
+local physics = require("physics")
+
+local unpack = rawget(table, "unpack") or rawget(_G, "unpack")
+
+-- Who is in the scene, by number, and what they are told.
+local function newPlayer(settings, rest)
+  local all = { rest = rest }
+  for key, value in pairs(settings or {}) do
+    all[key] = value
+  end
+  local player = { world = physics.newWorld(all), objects = {}, numbers = {}, log = {} }
+  local function note(kind)
+    return function(a, b, side)
+      local first, second = player.numbers[a] or "?", player.numbers[b] or "?"
+      player.log[#player.log + 1] = ("%s %s %s %s"):format(kind, first, second, tostring(side))
+    end
+  end
+  player.world.onBegin, player.world.onEnd = note("begin"), note("end")
+  return player
+end
+
+local acts = {}
+
+function acts.add(player, number, group, fields)
+  local object = {}
+  for key, value in pairs(fields) do
+    object[key] = value
+  end
+  player.objects[number], player.numbers[object] = object, number
+  player.world:add(group, object)
+end
+
+function acts.write(player, number, fields)
+  local object = player.objects[number]
+  for key, value in pairs(fields) do
+    object[key] = value
+  end
+  if object.static then
+    player.world:refresh(object)
+  end
+end
+
+function acts.bounds(player, ...)
+  player.world:setBounds(...)
+end
+
+function acts.update(player, dt)
+  player.world:update(dt)
+end
+
+local function checkSame(settings, list)
+  local with, without = newPlayer(settings, true), newPlayer(settings, false)
+  for n, act in ipairs(list) do
+    for _, player in ipairs({ with, without }) do
+      acts[act[1]](player, unpack(act, 2))
+    end
+    local place = ("after act %d (%s)"):format(n, act[1])
+    assert.are.equal(without.world:hash(), with.world:hash(), place)
+    assert.are.same(without.log, with.log, place)
+  end
+  return with
+end
+
+local DT = 1 / 64
+
+describe("rest changes nothing:", function()
+  it("a box falls through a resting lift from below its one side", function()
+    local player = checkSame(nil, {
+      { "add", 1, "lifts", { x = 30, y = 110, width = 1700, height = 20, kinematic = true } },
+      { "add", 2, "boxes", { x = 100, y = 90, width = 10, height = 10, oneWay = "top" } },
+      { "update", 1 / 60 },
+      { "update", 0.13 },
+      { "update", 0.21 },
+    })
+    assert.is_true(player.objects[2].y > 110)
+  end)
+
+  it("a belt starts under a resting box", function()
+    local player = checkSame(nil, {
+      { "add", 1, "boxes", { x = 200, y = 100, width = 30, height = 10, vy = 200 } },
+      { "add", 2, "floors", { x = 200, y = 140, width = 20, height = 10, static = true } },
+      { "update", 0.21347253244693626 },
+      { "write", 2, { surfaceSpeed = 100 } },
+      { "update", 1 / 60 },
+      { "update", 0.01 },
+    })
+    assert.is_true(player.objects[1].x > 200.9)
+  end)
+
+  it("one of two tiles under a resting box becomes a sensor", function()
+    local tile = { x = 100, y = 320, width = 20, height = 20, static = true }
+    checkSame(nil, {
+      { "add", 1, "tiles", tile },
+      { "add", 2, "tiles", tile },
+      { "add", 3, "players", { x = 100, y = 300, width = 20, height = 20 } },
+      { "update", DT },
+      { "write", 1, { sensor = true } },
+      { "update", DT },
+      { "update", DT },
+    })
+  end)
+
+  it("a wall around a standing lift becomes a sensor", function()
+    local player = checkSame(nil, {
+      { "add", 1, "walls", { x = 2, y = 4, width = 1, height = 1, static = true } },
+      { "add", 2, "lifts", { x = 2, y = 4, width = 0.125, height = 1, kinematic = true } },
+      { "update", DT },
+      { "update", DT },
+      { "write", 1, { sensor = true } },
+      { "update", DT },
+    })
+    assert.are.equal(1, #player.log)
+  end)
+
+  it("walls come up around a resting box", function()
+    checkSame({ gravity = 0 }, {
+      { "add", 1, "walls", { x = -20, y = -300, width = 20, height = 700, static = true } },
+      { "add", 2, "crates", { x = 10, y = 2, width = 20, height = 30, vx = -400 } },
+      { "update", DT },
+      { "update", DT },
+      { "update", DT },
+      { "update", DT },
+      { "bounds", 2, 8, 382.78832048064874, 382.78832048064874 },
+      { "update", DT },
+    })
+  end)
+
+  it("five press each other together, and the steps become shorter", function()
+    checkSame({ gravity = 0 }, {
+      { "add", 1, "a", { x = 200, y = 288, width = 20, height = 20, gravity = -800 } },
+      { "add", 2, "b", { x = 200, y = 272, width = 20, height = 16 } },
+      { "add", 3, "c", { x = 200, y = 256, width = 20, height = 16 } },
+      { "add", 4, "a", { x = 200, y = 240, width = 20, height = 16 } },
+      { "add", 5, "d", { x = 200, y = 224, width = 20, height = 16, pushable = false } },
+      { "update", 1 / 60 },
+      { "update", 1 / 60 },
+      { "update", 1 / 240 },
+    })
+  end)
+
+  it("a step is too short for anything to happen", function()
+    checkSame({ push = "first" }, {
+      { "add", 1, "tiles", { x = 60, y = 320, width = 20, height = 20, static = true } },
+      { "add", 2, "crates", { x = 70, y = 300, width = 20, height = 16 } },
+      { "add", 3, "boxes", { x = 70, y = 300, width = 20, height = 20, ay = -800 } },
+      { "update", 1 / 60 },
+      { "update", 1 / 30 },
+      { "update", 1.5485891928417507e-07 },
+      { "update", 0.05 },
+    })
+  end)
+end)
+
+describe("an object that becomes static", function()
+  it("has no past that others could feel", function()
+    local world = physics.newWorld()
+    local below = { x = 1300, y = 1900, width = 100, height = 100 }
+    world:add("boxes", below)
+    world:add("boxes", { x = 1400, y = 1900, width = 100, height = 100, pushable = false })
+    local above = world:add("boxes", { x = 1360, y = 1800, width = 100, height = 100 })
+    world:update(DT)
+    above.static, above.y, below.vy, below.y = true, 1800, -2000, 1930
+    world:refresh(above)
+    world:update(DT)
+    -- It is thrown back by the ceiling at once and falls for the rest of the step.
+    assert.is_true(below.vy > 0)
+    assert.is_true(below.y > 1900)
+  end)
+end)
+
+describe("an object that takes no part from the beginning", function()
+  it("has a touching all the same", function()
+    local world = physics.newWorld()
+    local box = { x = 0, y = 0, width = 10, height = 10, active = false }
+    world.objects.boxes = { box }
+    world:update(DT)
+    assert.are.same({ top = false, bottom = false, left = false, right = false }, box.touching)
+  end)
+end)
