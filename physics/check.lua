@@ -10,6 +10,8 @@ local floor, huge = math.floor, math.huge
 local format = string.format
 
 local MAX_SHOWN = 40 -- characters of a string in a message
+-- Numbers beyond these are refused like infinity and 0: their squares and inverses would be those.
+local LARGEST, SMALLEST = 1e100, 1e-100
 
 local check = {}
 
@@ -144,7 +146,7 @@ end
 -- What is expected -------------------------------------------------------------------------------
 
 local function isFinite(value)
-  return type(value) == "number" and value - value == 0
+  return type(value) == "number" and value >= -LARGEST and value <= LARGEST
 end
 
 local function isName(value)
@@ -154,13 +156,22 @@ end
 local function inRange(value, min, above, max)
   return isFinite(value)
     and (not min or value >= min)
-    and (not above or value > above)
+    and (not above or value > above and (above ~= 0 or value >= SMALLEST))
     and (not max or value <= max)
 end
 
 local function describeNumber(value, min, above, max)
-  local isInfinite = value == huge or value == -huge
-  local text = isInfinite and "a finite number" or "a number"
+  local text = "a number"
+  if value == huge or value == -huge then
+    text = "a finite number"
+  elseif not max and type(value) == "number" and (value > LARGEST or value < -LARGEST) then
+    if not min and not above then
+      min = -LARGEST
+    end
+    max = LARGEST
+  elseif above == 0 and type(value) == "number" and value > 0 and value < SMALLEST then
+    return text .. " >= " .. show(SMALLEST)
+  end
   if min and max then
     return format("%s in %s..%s", text, show(min), show(max))
   end
@@ -481,6 +492,11 @@ function check.settings(settings, where)
 end
 
 -- Arguments --------------------------------------------------------------------------------------
+
+--- Returns whether a value is a number that the library can work with: finite, not huge.
+---@param value any
+---@return boolean
+check.isFinite = isFinite
 
 --- Checks a number: finite, and in its range.
 ---@param value any

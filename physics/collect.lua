@@ -17,6 +17,7 @@ local view = require(here .. ".view")
 local collect = {}
 
 local HUGE = math.huge
+local isFinite = check.isFinite
 local STATIC, KINEMATIC, DYNAMIC = columns.STATIC, columns.KINEMATIC, columns.DYNAMIC
 
 local function orDefault(value, default)
@@ -302,7 +303,7 @@ local function compareMotion(b)
       end
     end
     if vx ~= velocity[k] or vy ~= velocity[k + 1] then
-      if type(vx) ~= "number" or type(vy) ~= "number" or vx - vx ~= 0 or vy - vy ~= 0 then
+      if not (isFinite(vx) and isFinite(vy)) then
         check.object(object, roster.place(b.group[i], b.key[i]))
       end
       velocity[k], velocity[k + 1] = vx + 0.0, vy + 0.0

@@ -15,6 +15,8 @@ local BOX = { "x", "y", "width", "height" }
 local BUMPED = { "static", "kinematic", "pushable", "mass" }
 local MODES = fields.settingByName.push.values
 
+local isFinite = check.isFinite
+
 local pure = {}
 
 -- Checking ---------------------------------------------------------------------------------------
@@ -23,12 +25,7 @@ local pure = {}
 local function checkBox(box, place)
   if type(box) == "table" then
     local x, y, width, height = box.x, box.y, box.width, box.height
-    local areNumbers = type(x) == "number"
-      and type(y) == "number"
-      and type(width) == "number"
-      and type(height) == "number"
-    -- NaN and infinity are the numbers that differ from themselves by something else than 0
-    if areNumbers and x - x == 0 and y - y == 0 and width - width == 0 and height - height == 0 then
+    if isFinite(x) and isFinite(y) and isFinite(width) and isFinite(height) then
       if width > 0 and height > 0 then
         return
       end

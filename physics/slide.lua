@@ -54,9 +54,9 @@ local function nextHit(journey)
   local hits, n = journey.hits, journey.count + 1
   journey.count = n
   local hit = hits[n]
-  if not hit then
+  if type(hit) ~= "table" then
     local spare = hits.spare
-    hit = spare and table.remove(spare) or {}
+    hit = type(spare) == "table" and table.remove(spare) or {}
     hits[n] = hit
   end
   return hit
@@ -66,7 +66,7 @@ end
 local function tidy(journey)
   local hits = journey.hits
   for n = #hits, journey.count + 1, -1 do
-    hits.spare = hits.spare or {}
+    hits.spare = type(hits.spare) == "table" and hits.spare or {}
     hits.spare[#hits.spare + 1] = hits[n]
     hits[n] = nil
   end

@@ -117,10 +117,10 @@
 ---@field broadphase? "auto"|"pairs"|"grid"
 --- px, > 0, default from the sizes of the objects. The width and height of a grid cell.
 ---@field cellSize? number
---- s, > 0, <= 0.25, default none: a step is as long as dt. A fixed step: `update` saves up dt and
+--- s, 1e-05..0.25, default none: a step is as long as dt. A fixed step: `update` saves up dt and
 --- makes as many of them as fit.
 ---@field timestep? number
---- s, > 0, <= 0.25, default 1 / 30. The longest single step; a longer dt is split.
+--- s, 1e-05..0.25, default 1 / 30. The longest single step; a longer dt is split.
 ---@field maxStep? number
 --- default numbers ascending, then strings. Group names from first to last; those that are not
 --- listed follow in usual order.
@@ -160,10 +160,10 @@
 ---@field broadphase "auto"|"pairs"|"grid"
 --- px, > 0, default from the sizes of the objects. The width and height of a grid cell.
 ---@field cellSize? number
---- s, > 0, <= 0.25, default none: a step is as long as dt. A fixed step: `update` saves up dt and
+--- s, 1e-05..0.25, default none: a step is as long as dt. A fixed step: `update` saves up dt and
 --- makes as many of them as fit.
 ---@field timestep? number
---- s, > 0, <= 0.25, default 1 / 30. The longest single step; a longer dt is split.
+--- s, 1e-05..0.25, default 1 / 30. The longest single step; a longer dt is split.
 ---@field maxStep number
 --- default numbers ascending, then strings. Group names from first to last; those that are not
 --- listed follow in usual order.

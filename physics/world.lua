@@ -359,6 +359,9 @@ function World:save(out)
   checkIdle(self._bodies, "save()")
   if out ~= nil then
     check.table(out, "out", "world:save(out)")
+    if next(out) ~= nil and rawget(out, "version") == nil then
+      check.fail("world:save(out): out must be an earlier state or empty, got another table")
+    end
   end
   local saved = state.save(self, out)
   return saved
@@ -757,7 +760,10 @@ function World:impulse(object, ix, iy)
   end
   check.fields(object, where .. ": object", PUSHED)
   local mass = object.mass or 1
-  object.vx, object.vy = (object.vx or 0) + ix / mass, (object.vy or 0) + iy / mass
+  local vx, vy = (object.vx or 0) + ix / mass, (object.vy or 0) + iy / mass
+  check.number(vx, "vx after it", where)
+  check.number(vy, "vy after it", where)
+  object.vx, object.vy = vx, vy
 end
 
 --- Puts four static walls around a rectangle, the group `bounds` (`objects.bounds.top`, `.bottom`,

@@ -282,6 +282,11 @@ describe("check", function()
       { { x = false }, ".x must be a number, got false" },
       { { y = NAN }, ".y must be a number, got nan" },
       { { y = -INF }, ".y must be a finite number, got -inf" },
+      { { x = 1e101 }, ".x must be a number in -1e+100..1e+100, got 1e+101" },
+      { { x = -1e101 }, ".x must be a number in -1e+100..1e+100, got -1e+101" },
+      { { drag = 1e101 }, ".drag must be a number in 0..1e+100, got 1e+101" },
+      { { width = 1e101 }, ".width must be a number > 0 and <= 1e+100, got 1e+101" },
+      { { mass = 1e-101 }, ".mass must be a number >= 1e-100, got 1e-101" },
       { { width = 0 }, ".width must be a number > 0, got 0" },
       { { width = -5 }, ".width must be a number > 0, got -5" },
       { { height = INF }, ".height must be a finite number > 0, got inf" },
@@ -394,9 +399,9 @@ describe("check", function()
       { { sideBySide = 1 }, "sideBySide must be true or false, got 1" },
       { { broadphase = "tree" }, 'broadphase must be "auto", "pairs" or "grid", got "tree"' },
       { { cellSize = 0 }, "cellSize must be a number > 0, got 0" },
-      { { timestep = 60 }, "timestep must be a number > 0 and <= 0.25, got 60" },
-      { { maxStep = 0 }, "maxStep must be a number > 0 and <= 0.25, got 0" },
-      { { maxStep = 0.5 }, "maxStep must be a number > 0 and <= 0.25, got 0.5" },
+      { { timestep = 60 }, "timestep must be a number in 1e-05..0.25, got 60" },
+      { { maxStep = 0 }, "maxStep must be a number in 1e-05..0.25, got 0" },
+      { { maxStep = 0.5 }, "maxStep must be a number in 1e-05..0.25, got 0.5" },
       { { rest = "yes" }, 'rest must be true or false, got "yes"' },
       { { order = "tiles" }, 'order must be a list of group names, got "tiles"' },
       { { order = { "tiles", true } }, "order[2] must be a group name, got true" },
@@ -478,7 +483,7 @@ describe("check", function()
     end)
 
     it("refuses nil where there is a default", function()
-      refuses("physics: world.maxStep must be a number > 0 and <= 0.25, got nil", function()
+      refuses("physics: world.maxStep must be a number in 1e-05..0.25, got nil", function()
         check.setting("maxStep", nil)
       end)
     end)

@@ -420,7 +420,7 @@ describe("world:hash", function()
     { "height", 17 },
     { "vx", 1e-300 },
     { "vx", -1 },
-    { "vy", 1e300 },
+    { "vy", 1e99 },
     { "ax", 1 },
     { "ay", 1 },
     { "kinematic", true },
