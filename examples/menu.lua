@@ -17,6 +17,7 @@ local EXAMPLES = {
   { name = "topdown", title = "Top-down", text = "Rooms, narrow doors, crates, a ghost." },
   { name = "breakout", title = "Breakout", text = "Balls that bounce, bullets that hit." },
   { name = "rollback", title = "Rollback", text = "Football, and time that turns back." },
+  { name = "tiled", title = "Tiled", text = "A level from the editor, few rectangles." },
   { name = "pile", title = "Pile", text = "What it costs to stack many boxes." },
 }
 local X, Y, WIDTH, HEIGHT, GAP = 40, 146, 440, 46, 6

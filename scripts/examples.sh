@@ -93,6 +93,13 @@ check "lifts: crates were pressed flat" at_least lifts flattened 3
 check "topdown plays" play topdown topdown 850 "$(cat examples/demos/topdown.keys)"
 check "topdown: coins were taken in two rooms" at_least topdown coins 6
 check "topdown: the crate opened the gate" is topdown gate open
+check "tiled plays to its end" play tiled tiled 1180 "$(cat examples/demos/tiled.keys)"
+check "tiled: the flag is reached" is tiled won true
+check "tiled: coins were taken" at_least tiled coins 8
+check "tiled: and nobody was hurt" is tiled deaths 0
+check "tiled: few rectangles" is tiled rectangles 38
+check "tiled plays with each tile an object" play tiled-tiles tiled 60 "g:5,x:10,x:12"
+check "tiled: as many as tiles" is tiled-tiles rectangles 540
 check "breakout plays" play breakout breakout 828 "$(cat examples/demos/breakout.keys)"
 check "breakout: bricks were removed" at_least breakout broken 15
 check "breakout: bullets were shot" at_least breakout shots 10

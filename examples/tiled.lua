@@ -1,0 +1,183 @@
+-- A level from the editor Tiled. Its solid tiles become few large rectangles: press X to see them.
+-- Its objects become objects of the world, with the fields that they were given in the editor.
+--
+-- The map is maps/hills.lua, an export as Lua; tiled_map.lua draws it.
+
+local boxes = require("boxes")
+local hero = require("hero")
+local look = require("look")
+local physics = require("physics")
+local sparks = require("sparks")
+local tiledMap = require("tiled_map")
+local view = require("view")
+
+local tiled = {
+  keys = {
+    { "left", "right", "run" },
+    { "space", "jump, swim" },
+    { "down", "drop through" },
+    { "g", "merge tiles or not" },
+  },
+}
+
+local GRAVITY, IN_WATER = 1600, 320 -- px/s²
+local STROKE_SPEED, SWIM_SPEED, DRAG_IN_WATER = 250, 150, 3 -- px/s, px/s, 1/s
+
+local world, level, player, state ---@type physics.World, physics.Level, any, table
+local isMerging = true
+
+local function takeCoin(coin, other)
+  if other == player then
+    state.coins = state.coins + 1
+    sparks.burst(coin, 8, "yellow")
+    world:remove(coin)
+  end
+end
+
+local function die(_, other)
+  if other == player then
+    state.deaths = state.deaths + 1
+    sparks.burst(player, 18, "red")
+    player.x, player.y, player.vx, player.vy = state.startX, state.startY, 0, 0
+  end
+end
+
+local function win(flag, other)
+  if other == player and not state.isWon then
+    state.isWon = true
+    sparks.burst(flag, 40, "lime")
+  end
+end
+
+-- What objects do is said here, per group; where they are and what they are is said in the editor.
+local function bringToLife(group, callback)
+  for _, object in ipairs(world.objects[group]) do
+    object.onBegin = callback
+  end
+end
+
+function tiled.load()
+  world = physics.newWorld({ gravity = GRAVITY })
+  level = world:loadTiled("maps/hills.lua", { merge = isMerging })
+  world:setBounds(level.x, level.y - 300, level.width, level.height + 300)
+  bringToLife("coins", takeCoin)
+  bringToLife("spikes", die)
+  bringToLife("flags", win)
+  for _, lift in ipairs(world.objects.lifts) do
+    lift.fromX, lift.fromY = lift.x, lift.y
+  end
+  player = level.named.hero
+  player.lookX, player.lookY = 1, 0
+  state = { time = 0, coins = 0, deaths = 0, camera = 0, isWon = false }
+  state.startX, state.startY, state.coinsInLevel = player.x, player.y, #world.objects.coins
+  tiled.world = world
+  tiledMap.load(level.map)
+  sparks.clear()
+end
+
+-- The editor says where a lift goes (toX or toY) and how long it takes.
+local function moveLift(lift)
+  local way = state.time / lift.period % 2
+  way = way < 1 and way or 2 - way -- there and back again
+  way = way * way * (3 - 2 * way)
+  lift.x = lift.fromX + ((lift.toX or lift.fromX) - lift.fromX) * way
+  lift.y = lift.fromY + ((lift.toY or lift.fromY) - lift.fromY) * way
+end
+
+local function swim(dt)
+  local _, count = world:overlapping(player, "water")
+  state.isInWater = count > 0
+  player.gravity = state.isInWater and IN_WATER or nil
+  player.airFriction = state.isInWater and DRAG_IN_WATER or 0
+  hero.run(player, dt, nil, state.isInWater and SWIM_SPEED or nil)
+end
+
+local function follow(dt)
+  local target = player.x + player.width / 2 + player.lookX * 60 - view.gameWidth / 2
+  target = math.max(level.x, math.min(level.x + level.width - view.gameWidth, target))
+  state.camera = state.camera + (target - state.camera) * math.min(1, 6 * dt)
+end
+
+function tiled.update(dt)
+  state.time = state.time + dt
+  for _, lift in ipairs(world.objects.lifts) do
+    moveLift(lift)
+  end
+  swim(dt)
+  world:update(dt)
+  sparks.update(dt)
+  follow(dt)
+end
+
+function tiled.keypressed(key, isRepeat)
+  if isRepeat then
+    return
+  elseif key == "space" or key == "up" or key == "w" then
+    if state.isInWater then
+      player.vy = -STROKE_SPEED
+    else
+      hero.jump(player)
+    end
+  elseif key == "down" or key == "s" then
+    world:dropThrough(player)
+  elseif key == "g" then
+    isMerging = not isMerging
+    tiled.load()
+  end
+end
+
+function tiled.camera()
+  return math.floor(state.camera), 0
+end
+
+local function drawObjects()
+  for _, group in ipairs({ "flags", "coins", "crates" }) do
+    for _, object in ipairs(world.objects[group]) do
+      tiledMap.drawObject(object)
+    end
+  end
+  for _, lift in ipairs(world.objects.lifts) do
+    look.box(lift.x, lift.y, lift.width, lift.height, "sky")
+  end
+  local x, y, width, height = player.x, player.y, player.width, player.height
+  look.box(x, y, width, height, "orange")
+  look.eyes(x, y, width, height, player.lookX, math.max(-1, math.min(1, player.vy / 400)))
+end
+
+function tiled.draw()
+  look.sky("blue", "sky", "cyan")
+  love.graphics.push()
+  local x = tiled.camera()
+  love.graphics.translate(-x, 0)
+  tiledMap.drawLayer("far hills", x)
+  tiledMap.drawLayer("plants", x)
+  drawObjects()
+  tiledMap.drawLayer("ground", x)
+  tiledMap.drawBelts(world.objects.belts, state.time)
+  sparks.draw()
+  love.graphics.pop()
+  look.panel(12, 4, 560, 32)
+  boxes.status({
+    "yellow",
+    ("%d of %d coins"):format(state.coins, state.coinsInLevel),
+    "white",
+    ("%d solid tiles, %d rectangles"):format(level.tiles, level.rectangles),
+    "lime",
+    state.isWon and "You made it!" or "",
+  })
+end
+
+function tiled.report()
+  local result = "tiled: x=%d y=%d coins=%d deaths=%d tiles=%d rectangles=%d won=%s"
+  return result:format(
+    player.x,
+    player.y,
+    state.coins,
+    state.deaths,
+    level.tiles,
+    level.rectangles,
+    tostring(state.isWon)
+  )
+end
+
+return tiled
