@@ -27,7 +27,8 @@ function love.conf(t)
   t.window.vsync = script.isOn and 0 or 1
   -- The library is pure Lua: it needs neither love.physics nor anything else of LÖVE.
   t.modules.physics = false
-  t.modules.audio = false
+  -- love.js crashes without audio when the page gets the focus.
+  t.modules.audio = love._os == "Web"
   t.modules.sound = false
   t.modules.joystick = false
   t.modules.touch = false

@@ -53,7 +53,7 @@ finish() {
 # The Lua files of the project, as far as they exist.
 lua_sources() {
   local place
-  for place in physics.lua physics spec examples bench scripts; do
+  for place in physics.lua physics spec examples bench scripts web/determinism; do
     [ ! -e "$place" ] || echo "$place"
   done
 }

@@ -1,7 +1,17 @@
 #!/usr/bin/env bash
 # Installs what the other scripts call, from the packages of Debian or Ubuntu. Asks nothing, and
-# touches neither the network nor the system when everything is there.
+# touches neither the network nor the system when everything is there. What only some targets need
+# is named: `setup.sh web` adds a browser, `setup.sh gopher` adds Go.
 set -euo pipefail
+
+# Chromium has several names.
+browser() {
+  command -v chromium || command -v chromium-browser || command -v google-chrome
+}
+if [ "${1:-}" = --browser ]; then
+  browser
+  exit
+fi
 
 # command it provides : Debian packages
 needs="
@@ -21,6 +31,14 @@ xvfb-run:xvfb
 xauth:xauth
 npx:nodejs npm
 "
+
+for extra in "$@"; do
+  case $extra in
+    web) browser >/dev/null || needs="${needs}chromium:chromium"$'\n' ;;
+    gopher) needs="${needs}go:golang-go"$'\n' ;;
+    *) echo "setup: what is '$extra'?" >&2 && exit 1 ;;
+  esac
+done
 
 missing=""
 packages=""
@@ -46,6 +64,8 @@ setup: this installs by itself on Debian and Ubuntu only. Here, please install b
   Node.js with npx             https://nodejs.org (it brings StyLua, the formatter)
   cargo                        https://rustup.rs (it brings emmylua_check, for make types)
   Xvfb, xvfb-run and xauth     for the examples without a display
+  Chromium or Chrome           for make test-web
+  Go                           for make test-gopher
 What the game itself needs is only LÖVE: \`love examples\` runs without any of the others,
 and \`busted\` alone runs the specs on LuaJIT.
 MESSAGE

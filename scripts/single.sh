@@ -14,7 +14,7 @@ stage=build/single
 rm -rf "$stage" && mkdir -p "$stage"
 for entry in * .busted; do
   case $entry in
-    physics | build | lua_modules | node_modules) ;;
+    physics | build | lua_modules | node_modules | web) ;;
     *) cp -r "$entry" "$stage/" ;;
   esac
 done
