@@ -426,10 +426,14 @@ local function isOneOff(a, b)
   return #a <= 1 and #b <= 1 or #a == 2 and a == b:reverse()
 end
 
--- The setting that an unknown name was probably meant to be, or nil.
-local function guessSetting(name)
+--- Returns the name in a list that an unknown one was probably meant to be: it differs by one slip,
+--- or only by capitals.
+---@param name any
+---@param list physics.Field[]
+---@return string? nil: there is none
+function check.guess(name, list)
   local guess
-  for _, field in ipairs(fields.settings) do
+  for _, field in ipairs(list) do
     local given, known = tostring(name):lower(), field.name:lower()
     if given == known then
       return field.name
@@ -441,7 +445,7 @@ local function guessSetting(name)
 end
 
 local function describeUnknown(name, where)
-  local names, guess = {}, guessSetting(name)
+  local names, guess = {}, check.guess(name, fields.settings)
   for i, field in ipairs(fields.settings) do
     names[i] = field.name
   end

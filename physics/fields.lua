@@ -381,6 +381,15 @@ fields.settings = {
       .. " to the bit.",
   },
   {
+    name = "checked",
+    type = "boolean",
+    default = false,
+    runtime = true,
+    meaning = "Whether every step also looks for what is easily done wrong: a static object changed"
+      .. " without `refresh`, a misspelled field, an object in two worlds; for a game that is being"
+      .. " written.",
+  },
+  {
     name = "onBegin",
     type = "function",
     signature = "(a, b, side, speed)",

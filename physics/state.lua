@@ -107,7 +107,8 @@ state.SPARSE = {
 }
 
 --- Settings that change no result, or that are functions.
-local UNSAVED = { broadphase = true, cellSize = true, rest = true, masks = true, order = true }
+local UNSAVED =
+  { broadphase = true, cellSize = true, rest = true, checked = true, masks = true, order = true }
 
 --- Settings in a state, in order, apart from masks and order.
 state.SETTINGS = {}

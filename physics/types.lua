@@ -128,6 +128,10 @@
 --- default true. Whether objects whose step would change nothing are skipped; the result is the
 --- same to the bit.
 ---@field rest? boolean
+--- default false. Whether every step also looks for what is easily done wrong: a static object
+--- changed without `refresh`, a misspelled field, an object in two worlds; for a game that is being
+--- written.
+---@field checked? boolean
 --- default none. Called once when a contact starts, a before b in order; side is the side of a.
 ---@field onBegin? fun(a: physics.Object, b: physics.Object, side: physics.Side, speed: number)
 --- default none. Called at every further step of a contact.
@@ -171,6 +175,10 @@
 --- default true. Whether objects whose step would change nothing are skipped; the result is the
 --- same to the bit.
 ---@field rest boolean
+--- default false. Whether every step also looks for what is easily done wrong: a static object
+--- changed without `refresh`, a misspelled field, an object in two worlds; for a game that is being
+--- written.
+---@field checked boolean
 --- default none. Called once when a contact starts, a before b in order; side is the side of a.
 ---@field onBegin? fun(a: physics.Object, b: physics.Object, side: physics.Side, speed: number)
 --- default none. Called at every further step of a contact.

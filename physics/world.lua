@@ -10,6 +10,7 @@ local columns = require(here .. ".columns")
 local detect = require(here .. ".detect")
 local events = require(here .. ".events")
 local explain = require(here .. ".explain")
+local guard = require(here .. ".guard")
 local hash = require(here .. ".hash")
 local meet = require(here .. ".meet")
 local oneway = require(here .. ".oneway")
@@ -65,6 +66,9 @@ local function step(self, dt)
   local b = self._bodies
   settings.apply(self)
   collect.run(b, self.objects)
+  if self.checked then
+    guard.run(self)
+  end
   carrier.dismount(b)
 
   b.begun, b.predicted = 0, 0

@@ -49,6 +49,7 @@ build = {
     ["physics.forces"] = "physics/forces.lua",
     ["physics.friction"] = "physics/friction.lua",
     ["physics.gather"] = "physics/gather.lua",
+    ["physics.guard"] = "physics/guard.lua",
     ["physics.hash"] = "physics/hash.lua",
     ["physics.impact"] = "physics/impact.lua",
     ["physics.interpreted"] = "physics/interpreted.lua",

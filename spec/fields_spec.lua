@@ -54,6 +54,7 @@ local SETTINGS = {
   { "maxStep", 1 / 30, "s" },
   { "order", nil },
   { "rest", true },
+  { "checked", false },
   { "onBegin", nil },
   { "onStay", nil },
   { "onEnd", nil },

@@ -1,0 +1,178 @@
+--- The setting `checked`: what is found, in which words, and what is left alone.
+
+local physics = require("physics")
+
+local DT = 1 / 60
+
+local function newWorld(settings)
+  settings = settings or {}
+  settings.checked = true
+  local world = physics.newWorld(settings)
+  local floor = world:add("floors", { x = 0, y = 100, width = 200, height = 10, static = true })
+  local box = world:add("boxes", { x = 20, y = 80, width = 10, height = 10 })
+  world:update(DT)
+  return world, floor, box
+end
+
+-- Runs a step that must be refused, with this message, blaming this file, moving nobody.
+local function refusesStep(world, expected)
+  local box = world.objects.boxes[1]
+  local x, y, vx, vy = box.x, box.y, box.vx, box.vy
+  for _ = 1, 2 do
+    local ok, message = pcall(function()
+      world:update(DT)
+    end)
+    assert.is_false(ok, "it was not refused: " .. expected)
+    local text = message:match("guard_spec%.lua:%d+: physics: (.*)$")
+    assert.equal(expected, text or message)
+    assert.same({ x, y, vx, vy }, { box.x, box.y, box.vx, box.vy })
+  end
+end
+
+local BY_HAND = " by hand: a static object is read once, call world:refresh(object)"
+
+describe("a checked world", function()
+  for _, row in ipairs({
+    { "x", 5, "5" },
+    { "y", 101, "101" },
+    { "width", 201, "201" },
+    { "height", 9, "9" },
+    { "sensor", true, "true" },
+    { "active", false, "false" },
+    { "oneWay", "top", '"top"' },
+    { "restitution", 0.5, "0.5" },
+    { "friction", 0.5, "0.5" },
+    { "surfaceSpeed", 10, "10" },
+    { "mask", { boxes = false }, "table" },
+    { "canCollide", print, "function" },
+    { "onStay", print, "function" },
+    { "static", false, "false" },
+  }) do
+    local name, value = row[1], row[2]
+
+    it("refuses a static object whose " .. name .. " was changed, until it is refreshed", function()
+      local world, floor = newWorld()
+      floor[name] = value
+      refusesStep(world, "objects.floors[1]." .. name .. " was changed to " .. row[3] .. BY_HAND)
+      floor.onStay, floor.canCollide = nil, nil
+      world:refresh(floor)
+      world:update(DT)
+    end)
+  end
+
+  it("refuses a box that was made static", function()
+    local world, _, box = newWorld()
+    box.static = true
+    refusesStep(world, "objects.boxes[1].static was changed to true" .. BY_HAND)
+    world:refresh(box)
+    world:update(DT)
+  end)
+
+  for _, row in ipairs({
+    { "widht", "width" },
+    { "hieght", "height" },
+    { "statc", "static" },
+    { "Mass", "mass" },
+    { "maxspeed", "maxSpeed" },
+    { "onbegin", "onBegin" },
+    { "oneway", "oneWay" },
+    { "frictoin", "friction" },
+    { "canColide", "canCollide" },
+    { "VX", "vx" },
+    { "velocity", "vx and vy" },
+    { "isStatic", "static" },
+    { "weight", "mass" },
+  }) do
+    it("takes " .. row[1] .. " for " .. row[2], function()
+      local world, _, box = newWorld()
+      local text = " is no field of the library: did you mean " .. row[2] .. "?"
+      box[row[1]] = 1
+      refusesStep(world, "objects.boxes[1]." .. row[1] .. text)
+      box[row[1]] = nil
+      world:update(DT)
+    end)
+  end
+
+  it("finds a misspelled setting", function()
+    local world = newWorld()
+    world.gravty = 0
+    refusesStep(world, "world.gravty is no field of the library: did you mean gravity?")
+    world.gravty = nil
+    world:update(DT)
+  end)
+
+  it("leaves the game's own fields alone", function()
+    local world, floor, box = newWorld()
+    for _, name in ipairs({ "w", "h", "z", "vz", "hp", "_width", "name", "state", "image" }) do
+      box[name], floor[name], world[name] = 1, 1, 1
+    end
+    box[1], box[true] = 1, 1
+    world.player, world.camera, world.paused = box, 1, true
+    world:update(DT)
+  end)
+
+  it("leaves methods of classes alone", function()
+    local world = newWorld()
+    local Crate = { velocity = 1, widht = 2 }
+    Crate.__index = Crate
+    world:add("boxes", setmetatable({ x = 50, y = 0, width = 5, height = 5 }, Crate))
+    world:update(DT)
+  end)
+
+  it("refuses an object that stands in another checked world, until it has left it", function()
+    local world, _, box = newWorld()
+    local other = newWorld()
+    other.objects.cursor = box
+    local ok, message = pcall(other.update, other, DT)
+    assert.is_false(ok)
+    local text = "physics: objects.cursor stands in another world, too, as objects.boxes[1]"
+    assert.truthy(message:find(text, 1, true), message)
+    world:remove(box)
+    world:update(DT)
+    other:update(DT)
+    other.objects.cursor = nil
+    other:update(DT)
+    world:add("boxes", box)
+    world:update(DT)
+  end)
+
+  it("refuses a mover that is much larger than the grid's cells", function()
+    local world, floor, box = newWorld({ cellSize = 2 })
+    floor.width = 5000
+    world:refresh(floor)
+    box.height = 2049
+    refusesStep(
+      world,
+      "objects.boxes[1].height must be at most 1024 cells of 2 px, got 2049: set world.cellSize to"
+        .. " the size of most objects"
+    )
+    world.cellSize = 16
+    world:update(DT)
+  end)
+
+  it("goes the way of any other, and may be switched at any time", function()
+    local world, _, box = newWorld()
+    local plain = physics.newWorld()
+    plain:add("floors", { x = 0, y = 100, width = 200, height = 10, static = true })
+    local its = plain:add("boxes", { x = 20, y = 80, width = 10, height = 10 })
+    plain:update(DT)
+    for _ = 1, 30 do
+      world:update(DT)
+      plain:update(DT)
+      assert.same({ box.x, box.y, box.vy }, { its.x, its.y, its.vy })
+    end
+    assert.equal(plain:hash(), world:hash())
+    box.widht = 1
+    world.checked = false
+    world:update(DT)
+    world.checked = true
+    assert.is_false((pcall(world.update, world, DT)))
+  end)
+
+  it("keeps no world alive", function()
+    local weak = setmetatable({ (newWorld()) }, { __mode = "v" })
+    collectgarbage()
+    collectgarbage()
+    assert.is_nil(weak[1])
+  end)
+end)
