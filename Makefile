@@ -1,7 +1,7 @@
 # The commands of this project. Each one sets up what it needs first (scripts/setup.sh).
 
 SHELL := bash
-.PHONY: help setup test lint types format docs rock single test-single examples web test-web demo ci clean
+.PHONY: help setup test lint types format docs rock single test-single examples pictures web test-web demo ci clean
 
 help: ## shows this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-11s %s\n", $$1, $$2 }' Makefile
@@ -35,6 +35,9 @@ test-single: setup ## runs the specs against that file
 
 examples: setup ## plays every example without a display, leaves pictures in build/pictures/
 	@bash scripts/examples.sh
+
+pictures: ## makes docs/pictures/ anew, from the examples
+	@bash scripts/setup.sh pictures && bash scripts/pictures.sh
 
 web: setup ## packs the examples for the browser, into build/web
 	@bash scripts/web.sh

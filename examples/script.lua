@@ -6,7 +6,8 @@
 -- `--example` alone starts there, to be played by hand; `--say` says what goes on (main.lua);
 -- `--bare` leaves the panel at the side away. With any of the others the script plays: every frame
 -- lasts exactly 1/60 s, so that a run can be repeated. At the end the picture is written, the
--- example's report is printed, and LÖVE quits with 0; an error quits with 1.
+-- example's report is printed, and LÖVE quits with 0; an error quits with 1. `--film=FOLDER` writes
+-- a picture 15 times a second, 0001.png and on.
 
 local recording = require("recording")
 local say = require("say")
@@ -14,6 +15,7 @@ local view = require("view")
 
 local STEP = 1 / 60
 local STEPS_PER_PICTURE = 10 -- drawing takes longest: not every frame is drawn
+local STEPS_PER_FILM_PICTURE = 4
 
 ---@type table
 local script = { isOn = false, frame = 0, frames = 60, keys = {} }
@@ -27,6 +29,9 @@ local OPTIONS = {
   end,
   shot = function(value)
     script.shot = value
+  end,
+  film = function(value)
+    script.film = value
   end,
   keys = function(value)
     script.keys = recording.read(value)
@@ -64,15 +69,25 @@ local function countColors(image)
   return count
 end
 
+local function write(image, path)
+  local file = assert(io.open(path, "wb"))
+  file:write(image:encode("png"):getString())
+  file:close()
+end
+
 local function finish(report)
   love.graphics.captureScreenshot(function(image)
     print(report .. " colors=" .. countColors(image))
     if script.shot then
-      local file = assert(io.open(script.shot, "wb"))
-      file:write(image:encode("png"):getString())
-      file:close()
+      write(image, script.shot)
     end
     love.event.quit(0)
+  end)
+end
+
+local function film(number)
+  love.graphics.captureScreenshot(function(image)
+    write(image, ("%s/%04d.png"):format(script.film, number))
   end)
 end
 
@@ -82,11 +97,15 @@ function script.update(update, report)
   if script.frame >= script.frames then
     return -- the picture is taken at the end of this frame
   end
-  local last = math.min(script.frame + STEPS_PER_PICTURE, script.frames)
+  local steps = script.film and STEPS_PER_FILM_PICTURE or STEPS_PER_PICTURE
+  local last = math.min(script.frame + steps, script.frames)
   while script.frame < last do
     script.frame = script.frame + 1
     recording.play(script.keys, script.frame, love.keypressed, love.mousepressed)
     update(STEP)
+  end
+  if script.film then
+    film(math.ceil(last / steps))
   end
   if last == script.frames then
     finish(report())

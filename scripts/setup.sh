@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what the other scripts call, from the packages of Debian or Ubuntu. Asks nothing, and
 # touches neither the network nor the system when everything is there. What only some targets need
-# is named: `setup.sh web` adds a browser, `setup.sh gopher` adds Go.
+# is named: `setup.sh web` adds a browser, `gopher` Go, `pictures` ffmpeg.
 set -euo pipefail
 
 # Chromium has several names.
@@ -35,6 +35,7 @@ npx:nodejs npm
 for extra in "$@"; do
   case $extra in
     web) browser >/dev/null || needs="${needs}chromium:chromium"$'\n' ;;
+    pictures) needs="${needs}ffmpeg:ffmpeg"$'\n' ;;
     gopher) needs="${needs}go:golang-go"$'\n' ;;
     *) echo "setup: what is '$extra'?" >&2 && exit 1 ;;
   esac

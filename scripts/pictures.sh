@@ -1,0 +1,68 @@
+#!/usr/bin/env bash
+# Makes the pictures of the README, docs/pictures/, from the examples, played in a virtual display
+# with scripted keys. They are kept in the repository: make them anew when an example has changed.
+set -uo pipefail
+. "$(dirname "$0")/checks.sh"
+
+target=docs/pictures
+work=$PWD/build/film
+rm -rf "$work" && mkdir -p "$work/all" "$target"
+
+in_love() { xvfb-run -a timeout -k 2 300 love examples --bare "$@"; }
+ffmpeg_quiet() { ffmpeg -hide_banner -loglevel error -y "$@"; }
+
+# The bar with the keys, at the bottom, is left away.
+GAME="crop=960:606:0:0"
+
+# film EXAMPLE FIRST LAST [KEYS]: films an example, and adds some of its pictures (15 a second) to
+# the film of all.
+number=0
+film() {
+  local folder=$work/$1 i
+  mkdir -p "$folder"
+  in_love --example="$1" --frames=$(($3 * 4)) --keys="${4:-}" --film="$folder" || return 1
+  for ((i = $2; i <= $3; i++)); do
+    number=$((number + 1))
+    cp "$folder/$(printf %04d "$i").png" "$work/all/$(printf %04d "$number").png" || return 1
+  done
+}
+
+# One palette for all: the GIF has one.
+animate() {
+  local filters="$GAME,scale=432:-1:flags=lanczos,split[a][b]"
+  filters="$filters;[a]palettegen=max_colors=96:stats_mode=full[p]"
+  filters="$filters;[b][p]paletteuse=dither=bayer:bayer_scale=5:diff_mode=rectangle"
+  ffmpeg_quiet -framerate 15 -i "$work/all/%04d.png" -filter_complex "$filters" "$1"
+}
+
+# still NAME EXAMPLE FRAMES [KEYS]
+still() {
+  local filters="$GAME,scale=720:-1:flags=lanczos,split[a][b];[a]palettegen[p]"
+  in_love --example="$2" --frames="$3" --keys="${4:-}" --shot="$work/$1.png" || return 1
+  ffmpeg_quiet -i "$work/$1.png" -filter_complex "$filters;[b][p]paletteuse" "$target/$1.png"
+}
+
+smaller_than() {
+  local size
+  size=$(wc -c <"$2")
+  echo "$2 has $size bytes, expected less than $1"
+  [ "$size" -lt "$1" ]
+}
+
+platformer=$(cat examples/demos/platformer.keys)
+lifts=$(cat examples/demos/lifts.keys)
+check "platformer is filmed" film platformer 47 94 "$platformer"
+check "pile is filmed" film pile 1 26
+check "lifts is filmed" film lifts 112 150 "$lifts"
+check "the film is animated" animate "$target/examples.gif"
+check "the film has less than 1 MB" smaller_than 1000000 "$target/examples.gif"
+
+check "pile is drawn" still pile pile 56
+check "lifts is drawn" still lifts lifts 500 "$lifts"
+check "debug draw is drawn" still draw lifts 480 "x:5,$lifts"
+for name in pile lifts draw; do
+  check "$name has less than 200 kB" smaller_than 200000 "$target/$name.png"
+done
+
+echo "The pictures are in $target/"
+finish
