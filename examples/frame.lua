@@ -3,6 +3,7 @@
 
 local drawWorld = require("physics.draw").draw
 local input = require("input")
+local inspector = require("inspector")
 local look = require("look")
 local meter = require("meter")
 local panel = require("panel")
@@ -123,14 +124,19 @@ function frame.mousepressed(x, y)
 end
 
 local function drawPhysics()
-  love.graphics.push()
+  local x, y = 0, 0
   if example.camera then
-    local x, y = example.camera()
-    love.graphics.translate(-x, -y)
+    x, y = example.camera()
   end
+  love.graphics.push()
+  love.graphics.translate(-x, -y)
   look.font(11) -- for the names
   drawWorld(example.world, VIEWS[viewed])
   love.graphics.pop()
+  local mouseX, mouseY = input.mouse()
+  if mouseX < view.gameWidth then
+    inspector.draw(example.world, mouseX, mouseY, x, y)
+  end
 end
 
 local function drawGame()

@@ -12,6 +12,7 @@ local LEFT, INNER = X + MARGIN, WIDTH - 2 * MARGIN
 local TIMES_Y, GRAPH_Y, GRAPH_HEIGHT, COUNTERS_Y = 262, 308, 48, 368
 local BUTTONS_Y, BUTTON = 438, 33 -- px; the height of a button
 local SCALES = { 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100 } -- ms, upper ends of the graph
+local SHOWN = 0.95 -- of the steps fit into the graph
 local COUNTERS = { "objects", "movers", "resting", "pairs", "contacts", "events" }
 
 --- Returns the button at a point, or nil.
@@ -35,14 +36,16 @@ local function drawTime(name, time, y)
   look.text(milliseconds(time), LEFT, y, 14, INNER, "right")
 end
 
--- The lowest scale that shows all bars, or the highest one.
+-- The lowest scale that shows all bars but a few outliers, or the highest one.
 local function findScale(times)
-  local longest = 0 ---@type number
-  for _, time in ipairs(times) do
-    longest = math.max(longest, time)
+  local sorted = {}
+  for i, time in ipairs(times) do
+    sorted[i] = time
   end
+  table.sort(sorted)
+  local high = sorted[math.ceil(#sorted * SHOWN)] or 0
   for _, scale in ipairs(SCALES) do
-    if longest <= scale then
+    if high <= scale then
       return scale
     end
   end
@@ -53,8 +56,8 @@ local function drawGraph()
   local scale = findScale(meter.steps)
   look.color("dusk", 0.6)
   love.graphics.rectangle("fill", LEFT, GRAPH_Y, INNER, GRAPH_HEIGHT, 4)
-  look.color("sky")
   for i, time in ipairs(meter.steps) do
+    look.color(time > scale and "orange" or "sky")
     local height = math.min(1.0, time / scale) * GRAPH_HEIGHT
     love.graphics.rectangle("fill", LEFT + i * 2, GRAPH_Y + GRAPH_HEIGHT - height, 2, height)
   end

@@ -56,7 +56,7 @@ local function build(character, x, y)
     return boxes.add(world, group, color, x + margin, y + margin, size, size, object)
   end
   if character == "#" then
-    add("walls", "blue", TILE, { static = true, isTile = true })
+    add("walls", "teal", TILE, { static = true, isTile = true })
   elseif character == "%" then
     add("ghostDoors", "cyan", TILE, { static = true, alpha = 0.35 })
   elseif character == "|" then

@@ -10,7 +10,7 @@ local fakeLove = require("spec.support.fake_love")
 local STEP = 1 / 60
 local HIDDEN = { "jit", "bit" }
 
-local mouse, started, names, hidden, oldPath, recording
+local mouse, texts, started, names, hidden, oldPath, recording
 
 local function read(path)
   local file = assert(io.open(path, "rb"))
@@ -58,6 +58,15 @@ local function play(spans, frames)
   end
 end
 
+-- What is written in a picture, as lines.
+local function written()
+  for i = #texts, 1, -1 do
+    texts[i] = nil
+  end
+  call("draw")
+  return table.concat(texts, "\n")
+end
+
 -- Starts an example from the menu, by its keys.
 local function start(name)
   press("escape")
@@ -90,7 +99,7 @@ describe("the examples", function()
     end
     package.loaded.say = say
     local love
-    love, mouse = fakeLove.new("examples")
+    love, mouse, texts = fakeLove.new("examples")
     rawset(_G, "love", love)
     for _, name in ipairs(HIDDEN) do
       hidden[name] = rawget(_G, name)
@@ -216,6 +225,30 @@ describe("the examples", function()
           call("draw")
         end
       end
+    end)
+
+    it("says who is under the mouse while the physics is visible", function()
+      start("lifts")
+      step(30) -- the player has landed
+      moveMouse(650, 470)
+      assert.is_nil(written():find("belts 2, static", 1, true))
+      press("x")
+      assert.is_truthy(written():find("belts 2, static\nx 400.00   y 460.00", 1, true))
+      moveMouse(310, 530)
+      assert.is_truthy(written():find("players 1, dynamic", 1, true))
+      assert.is_truthy(written():find("bottom: bounds bottom", 1, true))
+      moveMouse(600, 60)
+      assert.is_nil(written():find("dynamic", 1, true))
+      press("x")
+      press("x")
+    end)
+
+    it("shows the comment of the source, and the keys", function()
+      start("breakout")
+      local found = written()
+      assert.is_truthy(found:find("Balls that lose no speed", 1, true))
+      assert.is_truthy(found:find("shoot", 1, true))
+      assert.is_truthy(found:find("slow motion", 1, true))
     end)
 
     it("starts again, and goes back to the menu, by mouse", function()

@@ -30,7 +30,8 @@ local function checked(name, first)
   end
 end
 
-local function newGraphics()
+-- `texts`: all that is written goes there.
+local function newGraphics(texts)
   local graphics = setmetatable({}, {
     __index = function()
       return nothing
@@ -56,6 +57,7 @@ local function newGraphics()
   end
   function graphics.print(text)
     assert(type(text) == "string", "love.graphics.print: no text")
+    texts[#texts + 1] = text
   end
   graphics.printf, graphics.newFont = graphics.print, newFont
   return graphics
@@ -76,10 +78,12 @@ local function newRandomGenerator(seed)
 end
 
 --- Returns a table to be the global `love`, whose files are those of a folder. `mouse.x`, `mouse.y`
---- and `mouse.isHeld` of the second result are the mouse.
+--- and `mouse.isHeld` of the second result are the mouse; the third is a list of all texts that are
+--- written.
 function fakeLove.new(folder)
   local mouse = { x = 0, y = 0, isHeld = false }
-  local love = { graphics = newGraphics() }
+  local texts = {}
+  local love = { graphics = newGraphics(texts) }
   love.filesystem = {
     getSource = function()
       return folder
@@ -125,7 +129,7 @@ function fakeLove.new(folder)
       return "Linux"
     end,
   }
-  return love, mouse
+  return love, mouse, texts
 end
 
 return fakeLove
