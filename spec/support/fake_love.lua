@@ -19,6 +19,15 @@ local function newFont(size)
   }
 end
 
+-- An image, a canvas, a batch: has every method, and none does anything.
+local function newDrawable()
+  return setmetatable({}, {
+    __index = function()
+      return nothing
+    end,
+  })
+end
+
 local function checked(name, first)
   return function(...)
     for i = first, select("#", ...) do
@@ -60,6 +69,9 @@ local function newGraphics(texts)
     texts[#texts + 1] = text
   end
   graphics.printf, graphics.newFont = graphics.print, newFont
+  for _, name in ipairs({ "newCanvas", "newImage", "newMesh", "newQuad", "newSpriteBatch" }) do
+    graphics[name] = newDrawable
+  end
   return graphics
 end
 
@@ -97,6 +109,9 @@ function fakeLove.new(folder)
       local text = file:read("*a")
       file:close()
       return text
+    end,
+    load = function(name)
+      return loadfile(folder .. "/" .. name)
     end,
     lines = function(name)
       return io.lines(folder .. "/" .. name)
