@@ -52,9 +52,15 @@ demo: setup ## opens the examples in LÖVE
 fuzz: setup ## plays random games and checks them: SECONDS=60, SEED=1
 	@luajit scripts/fuzz.lua --seconds $(or $(SECONDS),60) --seed $(or $(SEED),1) --keep-going
 
-.PHONY: bench
+.PHONY: bench bench-quick bench-docs
 bench: setup ## measures the engines side by side; BENCH="--help" shows what to choose
 	@bash scripts/bench.sh $(BENCH)
+
+bench-quick: setup ## looks whether the benchmark runs, without looking at times
+	@bash scripts/bench_quick.sh
+
+bench-docs: setup ## measures, and brings the figures into docs/performance.md
+	@bash scripts/bench_docs.sh $(BENCH)
 
 ci: ## everything, as the continuous integration does it
 	@bash .ci/run

@@ -113,7 +113,7 @@ local function jobsOf(host, chosen, definition, n)
   return jobs
 end
 
-local FIGURES = { "median", "p99", "mean", "memory", "resident", "atLeast" }
+local FIGURES = { "median", "p99", "mean", "memory", "resident", "atLeast", "build", "slowest" }
 
 -- The figures of all rounds become one: their median.
 local function join(job)

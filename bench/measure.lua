@@ -33,18 +33,27 @@ local function free(worlds)
   end
 end
 
--- Plays the frames before the measuring starts. Returns how many there were time for.
+-- Plays one frame of all worlds. Returns how long it took, in ms.
+local function playFrame(worlds, scene, step)
+  if scene.between then
+    each(worlds, scene.between, step)
+  end
+  local before = clock()
+  each(worlds, scene.frame, step)
+  return (clock() - before) * 1000
+end
+
+-- Plays the frames before the measuring starts. Returns whether there was time for all of them, and
+-- how long the slowest took: the first ones read everybody, and compile.
 local function warmUp(worlds, scene, deadline)
+  local slowest = 0
   for step = 1, scene.warmUp do
     if clock() > deadline then
-      return step - 1
+      return false, slowest
     end
-    if scene.between then
-      each(worlds, scene.between, step)
-    end
-    each(worlds, scene.frame, step)
+    slowest = math.max(slowest, playFrame(worlds, scene, step))
   end
-  return scene.warmUp
+  return true, slowest
 end
 
 local function heap()
@@ -67,46 +76,45 @@ end
 local function timeFrames(worlds, scene, deadline)
   local times = {}
   for i = 1, scene.steps do
-    local step = scene.warmUp + i
-    if scene.between then
-      each(worlds, scene.between, step)
-    end
-    local before = clock()
-    if before > deadline then
+    if clock() > deadline then
       break
     end
-    each(worlds, scene.frame, step)
-    times[i] = (clock() - before) * 1000
+    times[i] = playFrame(worlds, scene, scene.warmUp + i)
   end
   return times
+end
+
+local function addTimes(result, times)
+  result.steps = #times
+  if #times > 0 then
+    result.median = statistics.median(times)
+    result.p99 = statistics.quantile(times, 0.99)
+    result.mean = statistics.mean(times)
+  end
 end
 
 --- Measures how long the frames of a scene take.
 ---@param engine table see bench/engines.lua
 ---@param scene table see bench/scenes.lua
 ---@param limit number s, of processor time; then it stops, wherever it is
----@return table result `steps` that were measured, `isLimited` when the time was over before, and
---- then `atLeast`, ms, what a frame takes on average and more; when there was time for one frame
---- `median`, `p99`, `mean` in ms, `memory` of one world in the Lua heap and `resident` of one world
---- in the process, both in bytes
+---@return table result `steps` that were measured; when there was time for one, `median`, `p99`
+--- and `mean` in ms; `isLimited` when the time was over before, and then `atLeast`, ms: a frame
+--- takes more on average; `build`, ms for one world, and `slowest`, ms, of the frames before;
+--- `memory` of one world in the Lua heap and `resident` of one world in the process, in bytes
 function measure.times(engine, scene, limit)
   local deadline = clock() + limit
-  local heapBefore, residentBefore = heap(), resident()
+  local heapBefore, residentBefore, started = heap(), resident(), clock()
   local worlds = newWorlds(engine, scene)
-  local result = { isLimited = warmUp(worlds, scene, deadline) < scene.warmUp }
-  local heapAfter, residentAfter = heap(), resident()
-  local times = result.isLimited and {} or timeFrames(worlds, scene, deadline)
-  result.steps = #times
-  result.isLimited = #times < scene.steps
+  local result = { build = (clock() - started) * 1000 / scene.worlds }
+  local isWarm
+  isWarm, result.slowest = warmUp(worlds, scene, deadline)
+  local residentAfter = resident()
+  result.memory = (heap() - heapBefore) / scene.worlds
+  result.resident = residentAfter and (residentAfter - residentBefore) / scene.worlds
+  addTimes(result, isWarm and timeFrames(worlds, scene, deadline) or {})
+  result.isLimited = result.steps < scene.steps
   if result.isLimited then
     result.atLeast = 1000 * limit / (scene.warmUp + scene.steps)
-  end
-  if #times > 0 then
-    result.median = statistics.median(times)
-    result.p99 = statistics.quantile(times, 0.99)
-    result.mean = statistics.mean(times)
-    result.memory = (heapAfter - heapBefore) / scene.worlds
-    result.resident = residentAfter and (residentAfter - residentBefore) / scene.worlds
   end
   free(worlds)
   return result
@@ -158,7 +166,7 @@ end
 function measure.quality(engine, scene, limit)
   local deadline = clock() + limit
   local worlds = newWorlds(engine, scene)
-  if warmUp(worlds, scene, deadline) < scene.warmUp then
+  if not warmUp(worlds, scene, deadline) then
     return { looks = 0 }
   end
   local check = newOverlapCheck(worlds[1], scene)

@@ -59,16 +59,29 @@ function report.ratio(results, job)
   return ours and ours.median and job.median and ours.median > 0 and job.median / ours.median or nil
 end
 
-local function pixels(depth)
-  return depth and string.format(depth == 0 and "0" or depth < 0.1 and "%.1g" or "%.1f", depth)
-    or "-"
+--- A depth in pixels: one digit when it is small.
+---@param depth number?
+---@return string
+function report.pixels(depth)
+  if not depth then
+    return "-"
+  end
+  return string.format(depth == 0 and "0" or depth < 0.1 and "%.1g" or "%.1f", depth)
+end
+
+--- What is known of an engine that was given up, in ms: a frame takes more than this on average.
+---@param job table
+---@param unit string? what to write behind the number, default nothing
+---@return string
+function report.limit(job, unit)
+  return "> " .. (job.atLeast and report.ms(job.atLeast) .. (unit or "") or "limit")
 end
 
 local function row(results, job)
   local ratio = report.ratio(results, job)
   local median = report.ms(job.median)
   if job.isLimited then
-    median = "> " .. (job.atLeast and report.ms(job.atLeast) or "limit")
+    median = report.limit(job)
   end
   return string.format(
     "  %-6s %-16s %9s %9s %10s %9s %8s",
@@ -77,7 +90,7 @@ local function row(results, job)
     median,
     job.isLimited and "-" or report.ms(job.p99),
     report.bytes(job.garbage),
-    pixels(job.overlap),
+    report.pixels(job.overlap),
     ratio and not job.isLimited and string.format("%.1fx", ratio) or "-"
   )
 end
@@ -106,6 +119,15 @@ function report.print(jobs)
   io.stdout:flush()
 end
 
+local function processor()
+  local file = io.open("/proc/cpuinfo")
+  local model = file and file:read("*a"):match("model name%s*:%s*([^\n]+)")
+  if file then
+    file:close()
+  end
+  return model
+end
+
 --- What the figures depend on.
 ---@param host table
 ---@return table
@@ -113,6 +135,8 @@ function report.machine(host)
   local jit = rawget(_G, "jit")
   return {
     lua = jit and jit.version or _VERSION,
+    processor = processor(),
+    date = os.date("%Y-%m-%d"),
     love = host.isLove and table.concat({ love.getVersion() }, ".", 1, 2) or nil,
   }
 end

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs what the other scripts call, from the packages of Debian or Ubuntu. Asks nothing, and
 # touches neither the network nor the system when everything is there. What only some targets need
-# is named: `setup.sh web` adds a browser, `gopher` Go, `pictures` ffmpeg.
+# is named: `setup.sh web` adds a browser, `gopher` Go, `pictures` ffmpeg,
+# `plot` gnuplot.
 set -euo pipefail
 
 # Chromium has several names.
@@ -36,6 +37,7 @@ for extra in "$@"; do
   case $extra in
     web) browser >/dev/null || needs="${needs}chromium:chromium"$'\n' ;;
     pictures) needs="${needs}ffmpeg:ffmpeg"$'\n' ;;
+    plot) needs="${needs}gnuplot:gnuplot-nox"$'\n' ;;
     gopher) needs="${needs}go:golang-go"$'\n' ;;
     *) echo "setup: what is '$extra'?" >&2 && exit 1 ;;
   esac

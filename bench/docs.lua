@@ -1,0 +1,315 @@
+--- Brings the results into docs/performance.md, and draws docs/performance.png with gnuplot:
+---
+---   luajit bench/docs.lua build/bench.json
+---
+--- `make bench-docs` measures and does this.
+
+local root = arg and (arg[0] or ""):match("^(.*)bench/docs%.lua$")
+if root then
+  package.path = (root == "" and "." or root) .. "/?.lua;" .. package.path
+end
+
+local engines = require("bench.engines")
+local json = require("bench.json")
+local report = require("bench.report")
+local scenes = require("bench.scenes")
+
+local docs = {}
+
+local BEGIN, END = "<!-- figures: begin -->", "<!-- figures: end -->"
+
+local NONE = "–"
+
+local MODES = {
+  jit = "With the trace compiler",
+  off = "LuaJIT as an interpreter",
+}
+
+-- The engines that have a figure, in our order.
+local function enginesIn(results)
+  local found, names = {}, {}
+  for _, job in ipairs(results) do
+    found[job.engine] = found[job.engine] or job.median ~= nil or job.isLimited
+  end
+  for _, name in ipairs(engines.names) do
+    if found[name] then
+      names[#names + 1] = name
+    end
+  end
+  return names
+end
+
+local function select(results, isWanted)
+  local list = {}
+  for _, job in ipairs(results) do
+    if isWanted(job) then
+      list[#list + 1] = job
+    end
+  end
+  return list
+end
+
+local function find(results, scene, n, engine)
+  return select(results, function(job)
+    return job.scene == scene and job.n == n and job.engine == engine
+  end)[1]
+end
+
+local function line(cells)
+  return "| " .. table.concat(cells, " | ") .. " |"
+end
+
+-- The row of a scene and size, or nil when no engine has a figure.
+local function rowOf(results, job, names, cell)
+  local cells, hasFigure = { job.scene, string.format("%d", job.n) }, false
+  for _, name in ipairs(names) do
+    local found = find(results, job.scene, job.n, name)
+    local text = found and cell(found) or NONE
+    cells[#cells + 1] = text
+    hasFigure = hasFigure or text ~= NONE
+  end
+  return hasFigure and line(cells) or nil
+end
+
+-- A row per scene and size, a column per engine; nothing for rows without a figure.
+local function matrix(results, cell)
+  local names = enginesIn(results)
+  local head, rule = { "scene", "n" }, { "---", "---:" }
+  for _, name in ipairs(names) do
+    head[#head + 1], rule[#rule + 1] = engines.title(name), "---:"
+  end
+  local lines, seen = { line(head), line(rule) }, {}
+  for _, job in ipairs(results) do
+    local key = job.scene .. " " .. job.n
+    if not seen[key] then
+      seen[key] = true
+      lines[#lines + 1] = rowOf(results, job, names, cell)
+    end
+  end
+  return table.concat(lines, "\n")
+end
+
+local function timeCell(results)
+  return function(job)
+    if job.isLimited then
+      return report.limit(job, " ms")
+    elseif not job.median then
+      return NONE
+    end
+    local ratio = job.engine ~= "ours" and report.ratio(results, job)
+    return report.ms(job.median) .. " ms" .. (ratio and string.format(" (%.1f×)", ratio) or "")
+  end
+end
+
+local function hitchCell(job)
+  if job.isLimited or not job.p99 then
+    return NONE
+  end
+  return string.format("%s ms (%.1f×)", report.ms(job.p99), job.p99 / job.median)
+end
+
+local function overlapCell(job)
+  return job.overlap and report.pixels(job.overlap) .. " px" or NONE
+end
+
+local function garbageCell(job)
+  return job.garbage and report.bytes(job.garbage) or NONE
+end
+
+local function startCell(job)
+  if not job.build then
+    return NONE
+  end
+  return report.ms(job.build) .. " + " .. report.ms(job.slowest) .. " ms"
+end
+
+local function memoryCell(job)
+  return job.memory and report.bytes(job.memory) .. " / " .. report.bytes(job.resident) or NONE
+end
+
+local function inMode(results, mode)
+  return select(results, function(job)
+    return job.mode == mode
+  end)
+end
+
+-- The modes that were measured, in the order of the results.
+local function modesIn(results)
+  local modes, seen = {}, {}
+  for _, job in ipairs(results) do
+    if not seen[job.mode] then
+      seen[job.mode] = true
+      modes[#modes + 1] = job.mode
+    end
+  end
+  return modes
+end
+
+local function addChapter(parts, title, text, body)
+  parts[#parts + 1] = "### " .. title
+  if text then
+    parts[#parts + 1] = text
+  end
+  parts[#parts + 1] = body
+end
+
+local function describe(machine)
+  return string.format(
+    "%s%s%s, %s.",
+    machine.love and "LÖVE " .. machine.love .. ", " or "",
+    machine.lua,
+    machine.processor and ", " .. machine.processor or "",
+    machine.date
+  )
+end
+
+--- The figures as Markdown.
+---@param data table what `--json` writes, decoded
+---@return string
+function docs.render(data)
+  local parts = { describe(data.machine) }
+  for _, mode in ipairs(modesIn(data.results)) do
+    local results = inMode(data.results, mode)
+    addChapter(
+      parts,
+      "Median time of a frame: " .. (MODES[mode] or mode),
+      "In brackets how many times as long as physics.lua; `>`: given up, at least this on average.",
+      matrix(results, timeCell(results))
+    )
+  end
+  local first = inMode(data.results, modesIn(data.results)[1])
+  addChapter(
+    parts,
+    "99 of 100 frames are faster than",
+    "In brackets: to the median.",
+    matrix(first, hitchCell)
+  )
+  addChapter(parts, "Largest overlap", nil, matrix(first, overlapCell))
+  for _, mode in ipairs(modesIn(data.results)) do
+    local title = "Garbage of a frame: " .. (MODES[mode] or mode)
+    addChapter(parts, title, nil, matrix(inMode(data.results, mode), garbageCell))
+  end
+  local start = "Building a world + the slowest of the first 60 frames, which read it and compile."
+  addChapter(parts, "To start", start, matrix(first, startCell))
+  local rooms = select(first, function(job)
+    return job.scene == "rooms"
+  end)
+  if rooms[1] then
+    local text = "In the Lua heap / what the process grew by, which counts what C allocates, too."
+    addChapter(parts, "Memory of one world of 40 objects", text, matrix(rooms, memoryCell))
+  end
+  return table.concat(parts, "\n\n")
+end
+
+--- Puts the figures between the two marks of a page.
+---
+--- Errors: a page without the marks.
+---@param page string
+---@param figures string
+---@return string
+function docs.insert(page, figures)
+  local _, from = page:find(BEGIN, 1, true)
+  local to = from and page:find(END, from, true)
+  if not to then
+    error("docs: the page needs the lines " .. BEGIN .. " and " .. END, 2)
+  end
+  return page:sub(1, from) .. "\n\n" .. figures .. "\n\n" .. page:sub(to)
+end
+
+--- The times of a scene over n, as the rows of a gnuplot data block each; engines with fewer than
+--- two figures have no line.
+---@param results table[]
+---@param scene string
+---@return table[] lines `title`, `rows`
+function docs.curves(results, scene)
+  local lines = {}
+  for _, mode in ipairs(modesIn(results)) do
+    for _, name in ipairs(engines.names) do
+      local rows = {}
+      for _, n in ipairs(scenes.get(scene).sizes) do
+        local job = find(inMode(results, mode), scene, n, name)
+        if job and job.median and not job.isLimited then
+          rows[#rows + 1] = string.format("%d %.6g", n, job.median)
+        end
+      end
+      if #rows > 1 and (mode == "jit" or name == "ours") then
+        local title = engines.title(name) .. (mode == "jit" and "" or ", " .. mode)
+        title = title:gsub(", off$", ", no JIT")
+        lines[#lines + 1] = { title = title, rows = rows }
+      end
+    end
+  end
+  return lines
+end
+
+--- The program for gnuplot that draws them.
+---@param lines table[] from `curves`
+---@param file string the picture
+---@return string
+function docs.plot(lines, file)
+  local program = {
+    'set terminal pngcairo size 900,560 font "DejaVu Sans,11"',
+    string.format('set output "%s"', file),
+    "set logscale xy",
+    "set grid",
+    "set key left top",
+    'set title "A pile of n boxes that may not rest: median time of a step"',
+    'set xlabel "boxes"',
+    'set ylabel "ms"',
+    "set xrange [450:11000]",
+    'set xtics ("500" 500, "1000" 1000, "2000" 2000, "5000" 5000, "10 000" 10000)',
+  }
+  local plots = { '16.667 with lines dashtype 3 lc rgb "#888888" title "a frame at 60 Hz"' }
+  for i, curve in ipairs(lines) do
+    program[#program + 1] = string.format("$c%d << EOD", i)
+    program[#program + 1] = table.concat(curve.rows, "\n")
+    program[#program + 1] = "EOD"
+    local style = string.format('$c%d with linespoints lw 2 pt 7 title "%s"', i, curve.title)
+    plots[#plots + 1] = style
+  end
+  program[#program + 1] = "plot " .. table.concat(plots, ", ")
+  return table.concat(program, "\n") .. "\n"
+end
+
+local function read(path)
+  local file = assert(io.open(path, "rb"))
+  local text = file:read("*a")
+  file:close()
+  return text
+end
+
+local function write(path, text)
+  local file = assert(io.open(path, "wb"))
+  file:write(text)
+  file:close()
+end
+
+-- Several files: their results one after the other, the machine of the first.
+local function readAll(paths)
+  local data = json.decode(read(paths[1]))
+  for i = 2, #paths do
+    for _, job in ipairs(json.decode(read(paths[i])).results) do
+      data.results[#data.results + 1] = job
+    end
+  end
+  return data
+end
+
+local function main(paths)
+  local data = readAll(paths)
+  local page = "docs/performance.md"
+  write(page, docs.insert(read(page), docs.render(data)))
+  local program = os.tmpname()
+  write(program, docs.plot(docs.curves(data.results, "pile-awake"), "docs/performance.png"))
+  local code = os.execute("gnuplot " .. program)
+  os.remove(program)
+  if code ~= 0 and code ~= true then
+    error("docs: gnuplot failed", 0)
+  end
+end
+
+if root then
+  main(arg)
+end
+
+return docs

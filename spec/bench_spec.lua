@@ -1,0 +1,334 @@
+--- The parts of the benchmark that could be wrong without anybody noticing. No spec looks at times.
+
+local docs = require("bench.docs")
+local engines = require("bench.engines")
+local json = require("bench.json")
+local newRandom = require("spec.support.random").new
+local options = require("bench.options")
+local overlap = require("spec.support.overlap")
+local report = require("bench.report")
+local scenes = require("bench.scenes")
+local statistics = require("bench.statistics")
+
+describe("statistics", function()
+  for _, row in ipairs({
+    -- values, median, p99, mean
+    { { 5 }, 5, 5, 5 },
+    { { 3, 1 }, 2, 3, 2 },
+    { { 9, 1, 2 }, 2, 9, 4 },
+    { { 4, 1, 3, 2 }, 2.5, 4, 2.5 },
+  }) do
+    it("knows median, p99 and mean of " .. table.concat(row[1], ", "), function()
+      assert.equal(row[2], statistics.median(row[1]))
+      assert.equal(row[3], statistics.quantile(row[1], 0.99))
+      assert.equal(row[4], statistics.mean(row[1]))
+    end)
+  end
+
+  it("counts the slowest hundredth as beyond p99, and no more", function()
+    local values = {}
+    for i = 200, 1, -1 do
+      values[#values + 1] = i
+    end
+    assert.equal(198, statistics.quantile(values, 0.99))
+    assert.equal(1, statistics.quantile(values, 0))
+    assert.equal(200, statistics.quantile(values, 1))
+  end)
+
+  it("leaves the values in their order", function()
+    local values = { 3, 1, 2 }
+    statistics.median(values)
+    statistics.quantile(values, 0.5)
+    assert.same({ 3, 1, 2 }, values)
+  end)
+end)
+
+describe("the generator of the scenes", function()
+  it("is the minimal standard: its authors give the state after 10 000 numbers from 1", function()
+    local random = newRandom(1)
+    for _ = 5, 10000 do -- making it has taken four
+      random:unit()
+    end
+    assert.equal(1043618065, random.state)
+  end)
+end)
+
+describe("the overlap measure", function()
+  local function box(x, y, width, height, kind)
+    return { x = x, y = y, width = width, height = height, static = kind == "static" }
+  end
+
+  for _, row in ipairs({
+    --   +---+        +--+--+      +------+
+    --   | +-+-+      +--+--+      | +--+ |
+    --   +-+ | |                   | +--+ |
+    --     +---+      flush        +------+
+    { "corners by the smaller way out", 3, box(0, 0, 10, 10), box(5, 7, 10, 10) },
+    { "flush boxes not at all", 0, box(0, 0, 10, 10), box(10, 0, 10, 10) },
+    { "a box inside another by its size", 4, box(0, 0, 20, 20), box(8, 8, 4, 4) },
+    { "a box in a wall", 2, box(0, 0, 10, 10), box(-50, 8, 100, 5, "static") },
+    { "two walls not at all", 0, box(0, 0, 9, 9, "static"), box(5, 5, 9, 9, "static") },
+    { "boxes far apart not at all", 0, box(0, 0, 10, 10), box(100, 0, 10, 10) },
+  }) do
+    it("counts " .. row[1], function()
+      assert.equal(row[2], (overlap.checker({ row[3], row[4] })()))
+      assert.equal(row[2], (overlap.checker({ row[4], row[3] })()))
+    end)
+  end
+
+  it("sees what has moved since it looked last", function()
+    local a, b = box(0, 0, 10, 10), box(100, 0, 10, 10)
+    local deepest = overlap.checker({ a, b })
+    assert.equal(0, (deepest()))
+    a.x = 94
+    assert.equal(4, (deepest()))
+  end)
+end)
+
+describe("json", function()
+  it("writes names in order, whole numbers whole, and every bit of the others", function()
+    local text = json.encode({ b = { 1, -2.5 }, a = 'x"\n\\\1', c = true, d = {} })
+    assert.equal('{"a":"x\\"\\n\\\\\\u0001","b":[1,-2.5],"c":true,"d":[]}', text)
+    assert.equal(0.1 + 0.2, json.decode(json.encode(0.1 + 0.2)))
+  end)
+
+  it("reads what it has written", function()
+    local value = { list = { { a = 1 }, { b = "é" } }, text = "tab\t", no = false, small = 1e-300 }
+    assert.same(value, json.decode(json.encode(value)))
+  end)
+
+  it("reads spaces, exponents and escapes", function()
+    local read = json.decode(' { "a" : [ 1e3 , -0.5 ] , "b" : "\\u00e9\\u20ac\\/" } ')
+    assert.same({ a = { 1000, -0.5 }, b = "é€/" }, read)
+  end)
+
+  for _, row in ipairs({
+    { "[1,", "json: expected a value at 4, got the end" },
+    { "[1 2]", "json: expected ',' or ']' at 4, got '2'" },
+    { '{"a" 1}', "json: expected ':' at 6, got '1'" },
+    { "{a:1}", "json: expected a name at 2, got 'a'" },
+    { '"a', "json: expected the end of a string at 3, got the end" },
+    { '"\\x"', "json: expected an escape at 3, got 'x'" },
+    { "{} x", "json: expected the end at 4, got 'x'" },
+  }) do
+    it("refuses " .. row[1], function()
+      local isRead, message = pcall(json.decode, row[1])
+      assert.is_false(isRead)
+      assert.equal(row[2], message)
+    end)
+  end
+
+  for _, row in ipairs({
+    { "infinity", 1 / 0, "json: there is no way to write inf" },
+    { "functions", print, "json: cannot write a function" },
+    { "mixed keys", { [2] = 1 }, "json: an object's names are strings, got 2" },
+  }) do
+    it("refuses to write " .. row[1], function()
+      local isWritten, message = pcall(json.encode, row[2])
+      assert.is_false(isWritten)
+      assert.truthy(message:find(row[3], 1, true), message)
+    end)
+  end
+end)
+
+describe("the command line", function()
+  it("reads --name value and --name=value", function()
+    local chosen = options.read({
+      "--scene",
+      "pile,gas",
+      "--n=500,60",
+      "--engine=ours",
+      "--steps",
+      "9",
+      "--json",
+    })
+    assert.same({ "pile", "gas" }, chosen.scenes)
+    assert.same({ 500, 60 }, chosen.sizes)
+    assert.same({ "ours" }, chosen.engines)
+    assert.equal(9, chosen.steps)
+    assert.is_true(chosen.json)
+  end)
+
+  for _, row in ipairs({
+    { { "--scen", "pile" }, "bench: unknown option --scen; --help shows all" },
+    { { "--scene", "heap" }, "bench: --scene: there is no heap; --list shows what there is" },
+    { { "--engine=box" }, "bench: --engine: there is no box; --list shows what there is" },
+    { { "--steps" }, "bench: --steps needs a value" },
+    { { "--steps=1.5" }, "bench: --steps must be an integer, got 1.5" },
+    { { "--limit=-1" }, "bench: --limit must be a number > 0, got -1" },
+    { { "--json=yes" }, "bench: unknown option --json=yes; --help shows all" },
+  }) do
+    it("refuses " .. table.concat(row[1], " "), function()
+      local isRead, message = pcall(options.read, row[1])
+      assert.is_false(isRead)
+      assert.equal(row[2], message)
+    end)
+  end
+end)
+
+describe("a scene", function()
+  for _, definition in ipairs(scenes.list) do
+    it("is the same every time: " .. definition.name, function()
+      local first = scenes.build(definition.name, definition.quick)
+      assert.same(first.objects, scenes.build(definition.name, definition.quick).objects)
+      assert.truthy(#first.objects > 0)
+    end)
+
+    it("starts without overlaps: " .. definition.name, function()
+      local objects = scenes.build(definition.name, definition.quick).objects
+      assert.equal(0, (overlap.checker(objects)()))
+    end)
+  end
+
+  it("has the number of boxes, tiles and worlds that n says", function()
+    local function count(name, n, group)
+      local found = 0
+      for _, object in ipairs(scenes.build(name, n).objects) do
+        found = found + (object.group == group and 1 or 0)
+      end
+      return found
+    end
+    assert.equal(500, count("pile", 500, "boxes"))
+    assert.equal(2000, count("level", 2000, "tiles"))
+    assert.equal(20000, count("level", 20000, "tiles"))
+    assert.equal(200, count("level", 20000, "walkers"))
+    assert.equal(200, count("lifts", 200, "riders"))
+    assert.equal(40, #scenes.build("rooms", 500).objects)
+    assert.equal(500, scenes.build("rooms", 500).worlds)
+  end)
+end)
+
+describe("an engine", function()
+  for _, name in ipairs({ "ours", "tutorial" }) do
+    it("moves, stops, comes and goes as the benchmark says: " .. name, function()
+      local engine = engines.get(name, false)
+      local world = engine.new({
+        gravity = 600,
+        objects = {
+          { group = "a", x = 0, y = 100, width = 100, height = 10, static = true },
+          { group = "b", x = 40, y = 84, width = 16, height = 16 },
+        },
+      })
+      world:step(1 / 60)
+      assert.same({ 40, 84 }, { world:read(2) })
+      world:setVelocity(2, 60, nil)
+      world:step(1 / 60)
+      assert.near(41, (world:read(2)), 1e-9)
+      local added = world:add({ group = "b", x = 70, y = 84, width = 8, height = 16, gravity = 0 })
+      assert.equal(3, added)
+      for _ = 1, 30 do
+        world:step(1 / 60)
+      end
+      local right = world:read(added)
+      assert.truthy(right > 70) -- the other one pushed it
+      world:remove(added)
+      world:step(1 / 60)
+      world:free()
+    end)
+  end
+
+  it("does not take part in scenes for which it lacks something", function()
+    local tutorial = engines.get("tutorial", false)
+    local lifts, pile = scenes.build("lifts", 20), scenes.build("pile", 20)
+    assert.equal("no moving platforms", engines.refusal(tutorial, lifts))
+    assert.equal("has no rest", engines.refusal(tutorial, pile))
+    assert.is_nil(engines.refusal(tutorial, scenes.build("pile-awake", 20)))
+    assert.is_nil(engines.refusal(engines.get("ours", false), lifts))
+  end)
+
+  it("is missing where it cannot be", function()
+    local found, reason = engines.get("love", false)
+    assert.is_nil(found)
+    assert.equal("needs LÖVE", reason)
+  end)
+end)
+
+describe("the report", function()
+  local function job(engine, n, mode, median, more)
+    local result = { scene = "pile-awake", engine = engine, n = n, mode = mode, median = median }
+    for name, value in pairs(more or {}) do
+      result[name] = value
+    end
+    return result
+  end
+  local results = {
+    job(
+      "ours",
+      500,
+      "jit",
+      0.25,
+      { p99 = 0.5, overlap = 0, garbage = 12, memory = 1, resident = 1 }
+    ),
+    job("love", 500, "jit", 1, { p99 = 2, overlap = 1.2, garbage = 2048 }),
+    job("bump", 500, "jit", nil, { isLimited = true, atLeast = 16.7 }),
+    job("bump", 1000, "jit", nil, { isLimited = true }),
+    job("ours", 500, "off", 2, { p99 = 3 }),
+    job("ours", 1000, "jit", 0.5, { p99 = 1 }),
+    job("love", 1000, "jit", 4, { p99 = 5 }),
+    job("fizzx", 1000, "jit", nil, { skipped = "not found on package.path" }),
+  }
+
+  it("compares with ours in the same scene, size and mode", function()
+    assert.equal(4, report.ratio(results, results[2]))
+    assert.equal(1, report.ratio(results, results[5]))
+    assert.equal(8, report.ratio(results, results[7]))
+    assert.is_nil(report.ratio(results, results[3]))
+  end)
+
+  for _, row in ipairs({
+    { report.ms, 0.0123, "0.012" },
+    { report.ms, 12.34, "12.3" },
+    { report.ms, 123.4, "123" },
+    { report.bytes, 12, "12 B" },
+    { report.bytes, 3322000, "3.3 MB" },
+    { report.pixels, 0, "0" },
+    { report.pixels, 0.00012, "0.0001" },
+    { report.pixels, 3.44, "3.4" },
+  }) do
+    it("writes " .. row[3], function()
+      assert.equal(row[3], row[1](row[2]))
+      assert.equal("-", row[1](nil))
+    end)
+  end
+
+  it("becomes tables of the page, with what was given up and what was not measured", function()
+    local machine = { lua = "LuaJIT", love = "11.4", date = "2026-01-02" }
+    local text = docs.render({ machine = machine, results = results })
+    for _, expected in ipairs({
+      "LÖVE 11.4, LuaJIT, 2026-01-02.",
+      "| scene | n | physics.lua | love.physics | bump.lua |",
+      "| pile-awake | 500 | 0.250 ms | 1.000 ms (4.0×) | > 16.7 ms |",
+      "| pile-awake | 1000 | 0.500 ms | 4.000 ms (8.0×) | > limit |",
+      "| pile-awake | 500 | 0.500 ms (2.0×) | 2.000 ms (2.0×) | – |",
+      "| pile-awake | 500 | 0 px | 1.2 px | – |",
+      "| pile-awake | 500 | 12 B | 2.0 KB | – |",
+    }) do
+      assert.truthy(text:find(expected .. "\n", 1, true), expected .. " in\n" .. text)
+    end
+  end)
+
+  it("leaves out rows without a figure", function()
+    local text = docs.render({ machine = { lua = "Lua", date = "" }, results = results })
+    local overlaps = text:match("### Largest overlap(.-)###")
+    assert.is_nil(overlaps:find("1000", 1, true))
+  end)
+
+  it("replaces the figures of a page, and only them", function()
+    local page = "a\n<!-- figures: begin -->\nold\n<!-- figures: end -->\nb\n"
+    local new = docs.insert(page, "new")
+    assert.equal("a\n<!-- figures: begin -->\n\nnew\n\n<!-- figures: end -->\nb\n", new)
+    assert.equal(new, docs.insert(new, "new"))
+    assert.is_false(pcall(docs.insert, "a page without marks", "new"))
+  end)
+
+  it("draws a line for each engine with at least two figures", function()
+    local lines = docs.curves(results, "pile-awake")
+    assert.same({
+      { title = "physics.lua", rows = { "500 0.25", "1000 0.5" } },
+      { title = "love.physics", rows = { "500 1", "1000 4" } },
+    }, lines)
+    local program = docs.plot(lines, "x.png")
+    assert.truthy(program:find("$c2 << EOD\n500 1\n1000 4\nEOD\n", 1, true), program)
+    assert.truthy(program:find('$c2 with linespoints lw 2 pt 7 title "love.physics"', 1, true))
+  end)
+end)
