@@ -23,6 +23,7 @@ local NONE = "–"
 local MODES = {
   jit = "With the trace compiler",
   off = "LuaJIT as an interpreter",
+  ["lua5.1"] = "Lua 5.1",
 }
 
 -- The engines that have a figure, in our order.
@@ -163,6 +164,33 @@ local function describe(machine)
   )
 end
 
+--- The exponent with which our time grows with n, from the smallest to the largest size of a scene;
+--- nil when there are not two figures.
+---@param results table[] of one mode
+---@param scene string
+---@return number? exponent 1: in proportion
+---@return number? from the smallest n
+---@return number? to the largest n
+function docs.growth(results, scene)
+  local first, last
+  for _, job in ipairs(results) do
+    if job.scene == scene and job.engine == "ours" and job.median and not job.isLimited then
+      first = (not first or job.n < first.n) and job or first
+      last = (not last or job.n > last.n) and job or last
+    end
+  end
+  if not first or first == last then
+    return nil
+  end
+  return math.log(last.median / first.median) / math.log(last.n / first.n), first.n, last.n
+end
+
+local function growthLine(results, scene)
+  local exponent, from, to = docs.growth(results, scene)
+  local text = "From %d to %d boxes the time of physics.lua in `%s` grows as n^%.2f."
+  return exponent and text:format(from, to, scene, exponent)
+end
+
 --- The figures as Markdown.
 ---@param data table what `--json` writes, decoded
 ---@return string
@@ -176,6 +204,7 @@ function docs.render(data)
       "In brackets how many times as long as physics.lua; `>`: given up, at least this on average.",
       matrix(results, timeCell(results))
     )
+    parts[#parts + 1] = growthLine(results, "pile-awake")
   end
   local first = inMode(data.results, modesIn(data.results)[1])
   addChapter(

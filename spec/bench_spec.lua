@@ -313,6 +313,17 @@ describe("the report", function()
     assert.is_nil(overlaps:find("1000", 1, true))
   end)
 
+  it("tells how the time grows with n", function()
+    local jit = { results[1], results[2], results[6] }
+    assert.near(1, docs.growth(jit, "pile-awake"), 1e-12)
+    jit[3] = job("ours", 2000, "jit", 4)
+    local exponent, from, to = docs.growth(jit, "pile-awake")
+    assert.near(2, exponent, 1e-12)
+    assert.same({ 500, 2000 }, { from, to })
+    assert.is_nil(docs.growth({ results[1] }, "pile-awake"))
+    assert.is_nil(docs.growth(jit, "gas"))
+  end)
+
   it("replaces the figures of a page, and only them", function()
     local page = "a\n<!-- figures: begin -->\nold\n<!-- figures: end -->\nb\n"
     local new = docs.insert(page, "new")
