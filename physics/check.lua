@@ -498,8 +498,7 @@ end
 -- Arguments --------------------------------------------------------------------------------------
 
 --- Returns whether a value is a number that the library can work with: finite, not huge.
----@param value any
----@return boolean
+---@type fun(value: any): boolean
 check.isFinite = isFinite
 
 --- Checks a number: finite, and in its range.
