@@ -75,8 +75,7 @@ function breakout.load()
     local column, row = i % COLUMNS, math.floor(i / COLUMNS)
     local x, y = LEFT + 7 + column * (WIDTH + GAP), TOP + 40 + row * (HEIGHT + GAP)
     local color = i % 17 == 8 and "white" or COLORS[row + 1]
-    local brick = { static = true, onBegin = breakBrick }
-    boxes.add(world, "bricks", color, x, y, WIDTH, HEIGHT, brick)
+    boxes.add(world, "bricks", color, x, y, WIDTH, HEIGHT, { static = true, onBegin = breakBrick })
   end
   -- Solid only at its top: it never presses a ball against a wall.
   paddle = { kinematic = true, oneWay = "top", carry = false, onBegin = hitPaddle }
@@ -107,7 +106,7 @@ breakout.mousepressed = shoot
 
 function breakout.draw()
   look.sky("night", "navy", "plum")
-  look.color("cyan")
+  look.color("cyan") -- the walls, as thin as they are
   love.graphics.rectangle("line", LEFT - 0.5, TOP - 0.5, RIGHT - LEFT + 1, 700)
   boxes.draw(world, "bricks balls bullets paddles", 0)
   sparks.draw()
