@@ -216,7 +216,7 @@ function default.update(dt) end
 ---@generic T: physics.NewObject
 ---@param group string|number name of the group
 ---@param object T the game's own table: x, y, width, height and whatever else
----@return T & physics.Object object the same table
+---@return T|physics.Object object the same table
 function default.add(group, object) end
 
 --- Takes an object out of the world, out of its group's table. Its contacts end with `onEnd` at the

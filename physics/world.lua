@@ -250,7 +250,7 @@ end
 ---@generic T: physics.NewObject
 ---@param group string|number name of the group
 ---@param object T the game's own table: x, y, width, height and whatever else
----@return T & physics.Object object the same table
+---@return T|physics.Object object the same table
 function World:add(group, object)
   checkSelf(self, "add(group, object)")
   checkIdle(self._bodies, "add(group, object)")

@@ -50,6 +50,15 @@ allows "a method of the default world" 'physics.add("boxes", player).vx = 3; phy
 allows "a group by hand" 'world.objects.boxes = { { x = 0, y = 0, width = 8, height = 8 } }'
 allows "a hit" 'local _, _, hits = world:move(player, 3, 4); print(hits[1].other, hits[1].nx + 1)'
 allows "eight numbers" 'print(physics.checkCollision(0, 0, 8, 8, 4, 4, 8, 8))'
+allows "a class of the game's own" '---@class Player: physics.Object
+---@field coins integer
+local Player = {}
+function Player:jump() if self.touching.bottom then self.vy = -400 end end
+---@return Player
+local function newPlayer() return setmetatable({ x = 0, y = 0, width = 8, height = 8 }, Player) end
+local hero = world:add("heroes", newPlayer())
+hero:jump()
+hero.coins = hero.coins + 1'
 
 finds "a string as velocity" assign-type-mismatch 'player.vx = "fast"'
 finds "a side that does not exist" assign-type-mismatch 'player.oneWay = "up"'
