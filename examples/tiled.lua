@@ -153,6 +153,8 @@ function tiled.draw()
   tiledMap.drawLayer("plants", x)
   drawObjects()
   tiledMap.drawLayer("ground", x)
+  look.color("plum") -- the earth goes on below the map
+  love.graphics.rectangle("fill", x, level.y + level.height, view.gameWidth, view.height)
   tiledMap.drawBelts(world.objects.belts, state.time)
   sparks.draw()
   love.graphics.pop()

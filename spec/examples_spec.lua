@@ -281,6 +281,13 @@ describe("the examples", function()
       assert.equal("open", value("gate"))
     end)
 
+    it("tiled: the flag is reached at the first try", function()
+      playDemo("tiled")
+      assert.equal("true", value("won"))
+      assert.equal(0, value("deaths"))
+      assert.is_true(value("coins") >= 8)
+    end)
+
     it("breakout: no bullet goes through a wall", function()
       playDemo("breakout")
       assert.is_true(value("broken") >= 15)
