@@ -130,6 +130,14 @@ describe("world", function()
       )
     end)
 
+    it("reads them in any order", function()
+      local map = dofile(CAVE)
+      local chunks = map.layers[1].chunks
+      map.layers[1].chunks = { chunks[3], chunks[2], chunks[1] }
+      local _, world = load(map)
+      assert.same({ "-80 32 208 8", "0 40 16 112", "0 152 32 8" }, boxes(world, "rocks"))
+    end)
+
     -- Layers --------------------------------------------------------------------------------------
 
     describe("adds up offsets", function()
@@ -273,6 +281,10 @@ describe("world", function()
         local level = load(map)
         local a, b = level.objects[1], level.objects[2]
         assert.same({ "door", "exit" }, { a.name, a.type })
+        map.layers[1].objects[1].properties.type = "not this"
+        assert.equal("exit", load(map).objects[1].type)
+        map.layers[1].objects[2].class, map.layers[1].objects[2].properties.type = "", "but this"
+        assert.equal("but this", load(map).objects[2].type)
         assert.equal("of 1.9", b.type)
         assert.equal(a, level.named.door)
         assert.equal(map.layers[1].objects[1], a.tiled.object)
@@ -305,7 +317,12 @@ describe("world", function()
         assert.equal(30, level.objects[1].x)
         assert.same({}, level.unsupported)
         local yes = { properties = { solid = true } }
-        assert.same({}, load(newObjects({ tiled.object(1, 0, 0, 8, 8, yes) }, no)).objects)
+        local out, world = load(newObjects({ tiled.object(1, 0, 0, 8, 8, yes) }, no))
+        assert.same({}, out.objects)
+        assert.is_nil(world.objects.things)
+        local set = tiled.tileset({ { id = 0, properties = { solid = false } } })
+        local object = tiled.object(1, 0, 8, 8, 8, { gid = 1, properties = { solid = true } })
+        assert.same({}, load(newObjects({ object }, nil, { set })).objects)
       end)
 
       --- A tile object stands on its x and y: `o` is what the map says.
@@ -411,6 +428,34 @@ describe("world", function()
         local entry = load(ZOO, { x = 1000 }).unsupported[6]
         assert.same({ "start", 1140, 0 }, { entry.name, entry.x, entry.y })
         assert.equal("spawn", entry.object.type)
+      end)
+
+      it("once, however often a tile is used, and not where nothing is solid", function()
+        local map = dofile(ZOO)
+        local again = tiled.copy(map.layers[1])
+        again.name = "again"
+        map.layers = { tiled.copy(map.layers[1]), map.layers[1], again }
+        map.layers[1].properties.solid = false
+        local entries = load(map).unsupported
+        assert.equal(2, #entries)
+        assert.same({ "tile", "tileset" }, { entries[1].kind, entries[2].kind })
+        map.layers = { map.layers[1] }
+        assert.same({}, load(map).unsupported)
+      end)
+
+      it("but no layer of which nothing is wanted", function()
+        local map = dofile(ZOO)
+        for _, layer in ipairs(map.layers) do
+          layer.properties.solid = false
+        end
+        assert.same({}, load(map).unsupported)
+        map = newObjects({}, { parallaxx = 0.5 })
+        assert.same({}, load(map).unsupported)
+        map.layers[1].objects[1] = tiled.object(1, 0, 0, 8, 8)
+        assert.equal(1, #load(map).unsupported)
+        map.layers[1].parallaxx = 1
+        map.layers = { tiled.group(2, "far", map.layers, { parallaxy = 0.5 }) }
+        assert.equal("things", load(map).unsupported[1].layer)
       end)
 
       for _, orientation in ipairs({ "isometric", "staggered", "hexagonal", "oblique" }) do

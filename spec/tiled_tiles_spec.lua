@@ -148,6 +148,18 @@ describe("world:loadTiled, tiles", function()
     assert.equal(1, level.objects[1].tiled.gid)
   end)
 
+  it("do not merge over groups, nor with those that say no", function()
+    local set = tiled.tileset({
+      { id = 0, properties = { solid = true } },
+      { id = 1, properties = { solid = true, group = "ice" } },
+      { id = 2, properties = { solid = true, merge = false } },
+    })
+    local level, world = load(tiled.map({ set }, { tiled.tiles(1, "ground", { "112233" }) }))
+    assert.same({ "0 0 32 16", "64 0 16 16", "80 0 16 16" }, boxes(world, "ground"))
+    assert.same({ "32 0 32 16" }, boxes(world, "ice"))
+    assert.same({ 6, 4 }, { level.tiles, level.rectangles })
+  end)
+
   it("merge over equal tiles of several tilesets", function()
     local first = tiled.tileset({ { id = 0, properties = { solid = true } } }, { tilecount = 4 })
     local second = tiled.tileset({ { id = 2, properties = { solid = true } } }, { firstgid = 5 })
