@@ -23,6 +23,7 @@ function events.new()
   return {
     count = 0, -- noted
     told = 0, -- of these
+    heardBy = 3, -- of the last one told: by its first, its second, the world
     order = {},
     kind = {},
     rankA = {},
@@ -127,51 +128,6 @@ function events.endForbidden(b, i)
   end
 end
 
-local function tellBegin(world, a, b, side, speed)
-  if a.onBegin then
-    a.onBegin(a, b, SIDES[side], speed)
-  end
-  if b.onBegin then
-    b.onBegin(b, a, SIDES[OPPOSITE[side]], speed)
-  end
-  if world.onBegin then
-    world.onBegin(a, b, SIDES[side], speed)
-  end
-end
-
-local function tellStay(world, a, b, side)
-  if a.onStay then
-    a.onStay(a, b, SIDES[side])
-  end
-  if b.onStay then
-    b.onStay(b, a, SIDES[OPPOSITE[side]])
-  end
-  if world.onStay then
-    world.onStay(a, b, SIDES[side])
-  end
-end
-
-local function tellEnd(world, a, b, side)
-  if a.onEnd then
-    a.onEnd(a, b, SIDES[side])
-  end
-  if b.onEnd then
-    b.onEnd(b, a, SIDES[OPPOSITE[side]])
-  end
-  if world.onEnd then
-    world.onEnd(a, b, SIDES[side])
-  end
-end
-
-local function tellCrush(world, object, a, b, axis)
-  if object.onCrush then
-    object.onCrush(object, a, b, axis)
-  end
-  if world.onCrush then
-    world.onCrush(object, a, b, axis)
-  end
-end
-
 local CALLBACKS = {
   [END] = "onEnd",
   [BEGIN] = "onBegin",
@@ -192,16 +148,38 @@ local function checkCallback(b, owner, name)
   end
 end
 
-local function tell(world, e, n)
-  local kind, a, b, side = e.kind[n], e.a[n], e.b[n], e.side[n]
-  if kind == BEGIN then
-    tellBegin(world, a, b, side, e.speed[n])
-  elseif kind == STAY then
-    tellStay(world, a, b, side)
-  elseif kind == CRUSH then
-    tellCrush(world, a, b, e.c[n], side)
+-- Calls what one of an event's recipients has for it: 1 and 2 the two objects, 3 the world; each
+-- object gets the side that is its own, the world that of the first.
+local function tell(e, n, recipient, name, owner)
+  local callback = owner[name]
+  local a, b, side = e.a[n], e.b[n], e.side[n]
+  if not callback then
+    return
+  elseif e.kind[n] == CRUSH then
+    callback(a, b, e.c[n], side)
+    return
+  end
+  if recipient == 2 then
+    a, b, side = b, a, OPPOSITE[side]
+  end
+  if e.kind[n] == BEGIN then
+    callback(a, b, SIDES[side], e.speed[n])
   else
-    tellEnd(world, a, b, side)
+    callback(a, b, SIDES[side])
+  end
+end
+
+-- Tells one event to those who have not heard of it yet.
+local function tellAll(b, e, n)
+  local name = CALLBACKS[e.kind[n]]
+  while e.heardBy < 3 do
+    local recipient = e.heardBy + 1
+    local owner = recipient == 3 and b.world or recipient == 1 and e.a[n] or e.b[n]
+    local isSkipped = recipient == 2 and e.kind[n] == CRUSH
+    e.heardBy = recipient
+    if not isSkipped then
+      tell(e, n, recipient, name, owner)
+    end
   end
 end
 
@@ -209,7 +187,7 @@ local function forget(e)
   for n = 1, e.count do
     e.a[n], e.b[n], e.c[n] = false, false, false
   end
-  e.count, e.told = 0, 0
+  e.count, e.told, e.heardBy = 0, 0, 3
 end
 
 --- Tells the game all that was noted, pairs in the order of the world. An error of a callback
@@ -222,7 +200,7 @@ function events.tell(b)
   if e.told == 0 then
     sort.by(e.order, e.count, e.rankA, e.rankB, e.kindAndNumber)
   end
-  local world = b.world
+  tellAll(b, e, e.order[e.told]) -- the rest of one that a callback has interrupted
   while e.told < e.count do
     local n = e.order[e.told + 1]
     local name = CALLBACKS[e.kind[n]]
@@ -230,9 +208,9 @@ function events.tell(b)
     if e.kind[n] ~= CRUSH then
       checkCallback(b, e.b[n], name)
     end
-    checkCallback(b, world, name)
-    e.told = e.told + 1
-    tell(world, e, e.order[e.told])
+    checkCallback(b, b.world, name)
+    e.told, e.heardBy = e.told + 1, 0
+    tellAll(b, e, n)
   end
   forget(e)
 end

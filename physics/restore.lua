@@ -263,7 +263,7 @@ local function forget(b)
   for n = 1, e.count do
     e.a[n], e.b[n], e.c[n] = false, false, false
   end
-  e.count, e.told = 0, 0
+  e.count, e.told, e.heardBy = 0, 0, 3
   for p = 1, b.pairSlots do
     for _, entry in ipairs(state.PAIRS) do
       b[entry[1]][p] = entry[2]
@@ -442,7 +442,7 @@ local function rememberEvents(b, st, objects)
       e[EVENT[m]][n] = list[at + 2 + m]
     end
   end
-  e.count, e.told = n, 0
+  e.count, e.told, e.heardBy = n, 0, 3
 end
 
 local function remember(b, st, objects)

@@ -31,6 +31,7 @@ end
 function roster.new()
   return {
     source = false,
+    entering = false, -- who is being read for the first time
     order = {},
     groups = {},
     groupCount = 0,
@@ -262,22 +263,33 @@ local function checkMembers(b, groups)
   return found
 end
 
-local function applyMembers(b, record, enter, rename)
+local function applyMembers(b, self, record, enter, rename)
   local list, keys = record.newList, record.newKeys
   record.list, record.keys, record.count, record.plain = list, keys, #list, record.newPlain
   record.newList, record.newKeys = nil, nil
   record.movers = false
-  record.stale = false
   for n = 1, record.count do
     local object = list[n]
     local slot = b.slotOf[object]
     if not slot then
+      self.entering = object
       slot = enter(b, object, record, keys[n])
+      self.entering = false
     elseif b.group[slot] ~= record then
       rename(b, slot, record)
     end
     b.key[slot] = keys[n]
     b.rank[slot] = record.index * GROUP_SPAN + n
+  end
+  record.stale = false -- not before: an object may fail when it is read
+end
+
+-- Somebody has failed while it was read: only half of it is there.
+local function leaveHalf(b, self, leave)
+  local slot = self.entering and b.slotOf[self.entering]
+  self.entering = false
+  if slot then
+    leave(b, slot)
   end
 end
 
@@ -321,6 +333,7 @@ end
 --- `leave(b, slot)` for one that is gone, `rename(b, slot, record)` for one that moved to another
 --- group. Returns whether anything changed.
 function roster.update(b, self, objects, enter, leave, rename)
+  leaveHalf(b, self, leave)
   local groups, byName = self.groups, self.byName
   local regroup = self.source ~= objects or self.reorder or haveGroupsChanged(self, objects)
   if regroup then
@@ -356,7 +369,7 @@ function roster.update(b, self, objects, enter, leave, rename)
   applyGroups(b, self, objects, groups, byName)
   for _, record in ipairs(groups) do
     if record.stale then
-      applyMembers(b, record, enter, rename)
+      applyMembers(b, self, record, enter, rename)
     end
   end
   self.reorder = false

@@ -352,7 +352,8 @@ end
 function verify.state(st)
   needTable(st, "state")
   if st.version ~= state.VERSION then
-    refuse("state.version", show(state.VERSION), st.version)
+    local expected = show(state.VERSION) .. " (it was saved by another version of the library)"
+    refuse("state.version", expected, st.version)
   end
   needSettings(st.settings)
   -- Rounding may leave a little less than nothing; more than an update takes would be no state.

@@ -281,22 +281,24 @@ end
 function view.of(world)
   local b = world._bodies
   local v = b.view
-  if not v then
+  if not v or v.isBroken then
     v = new()
     v.bodies = b
     b.view = v
   end
   v.masks = world.masks or false
+  v.isBroken = true -- if an object fails when it is looked at, the view is made anew
   if not v.fresh then
     lookAtEverybody(v, world)
-    return v
+  else
+    if not seemsUnchanged(v, world) then
+      lookAtGroups(v, world)
+    end
+    if v.moverCount <= FEW then
+      lookAtMovers(v)
+    end
   end
-  if not seemsUnchanged(v, world) then
-    lookAtGroups(v, world)
-  end
-  if v.moverCount <= FEW then
-    lookAtMovers(v)
-  end
+  v.isBroken = false
   return v
 end
 

@@ -171,21 +171,23 @@ local function groupFor(self, group)
 end
 
 -- What an object has at once that comes through `add`.
-local function welcome(given, object, group)
-  given.groupGiven[object] = group
+local function welcome(given, object)
   if not object.static and not object.kinematic then
-    object.touching = collect.newTouching()
-    object.vx, object.vy = object.vx or 0, object.vy or 0
-    given.given[object] = object.touching
+    local touching = collect.newTouching()
+    object.vx, object.vy, object.touching = object.vx or 0, object.vy or 0, touching
+    given.given[object] = touching
   end
-  return object
 end
 
--- Puts an object that was checked at the end of a group.
+-- Puts an object that was checked at the end of a group: last of all, so that one that fails when
+-- it is written to has not come in.
 local function put(self, group, object)
+  local given = self._bodies.roster
+  welcome(given, object)
   local members = groupFor(self, group)
   members[#members + 1] = object
-  return welcome(self._bodies.roster, object, group)
+  given.groupGiven[object] = group
+  return object
 end
 
 -- Where an object stands now: the table that holds it, its key in there, and the name of its group

@@ -11,19 +11,7 @@ local NAN, INF = 0 / 0, math.huge
 local DT = 1 / 60
 local SIDES = { left = true, right = true, top = true, bottom = true }
 
--- Thousands of small worlds: the trace compiler would be busy with each of them for nothing.
-local jit = rawget(_G, "jit")
-local wasOn = jit and jit.status()
-if jit then
-  setup(function()
-    jit.off()
-  end)
-  teardown(function()
-    if wasOn then
-      jit.on()
-    end
-  end)
-end
+effort.interpret(setup, teardown)
 
 -- Bad values --------------------------------------------------------------------------------------
 

@@ -523,14 +523,14 @@ describe("a damaged state", function()
       function()
         return {}
       end,
-      "state.version must be 1, got nil",
+      "state.version must be 1 (it was saved by another version of the library), got nil",
     },
     {
       "another version",
       function(state)
         state.version = 2
       end,
-      "state.version must be 1, got 2",
+      "state.version must be 1 (it was saved by another version of the library), got 2",
     },
     {
       "a setting",

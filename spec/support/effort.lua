@@ -18,4 +18,17 @@ function effort.share(count, least)
   return math.max(least or 1, math.floor(count / 5))
 end
 
+--- Switches the trace compiler off for the specs of a file: what plays thousands of small worlds
+--- would keep it busy with each of them for nothing. Takes busted's `setup` and `teardown`.
+function effort.interpret(setup, teardown)
+  if jit and jit.status() then
+    setup(function()
+      jit.off()
+    end)
+    teardown(function()
+      jit.on()
+    end)
+  end
+end
+
 return effort

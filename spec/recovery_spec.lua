@@ -1,0 +1,331 @@
+--- After an error that came out of the library, whoever raised it, the world is whole: the next
+--- update goes on. Objects fail here at every single point at which the library touches them, one
+--- after the other, as they would if memory ran out there.
+
+local effort = require("spec.support.effort")
+local physics = require("physics")
+local state = require("physics.state")
+
+effort.interpret(setup, teardown)
+
+local DT = 1 / 60
+local FAILURE = "an object fails"
+
+-- Objects that fail -------------------------------------------------------------------------------
+
+-- Counts down with every access; at 0 the access fails.
+local fuse = { left = math.huge }
+
+local function burn()
+  fuse.left = fuse.left - 1
+  if fuse.left == 0 then
+    error(FAILURE, 0)
+  end
+end
+
+-- An object whose fields stand elsewhere, so that every access is a call.
+local function newFailing(values)
+  return setmetatable({}, {
+    __index = function(_, name)
+      burn()
+      return values[name]
+    end,
+    __newindex = function(_, name, value)
+      burn()
+      values[name] = value
+    end,
+  })
+end
+
+-- Scenes ------------------------------------------------------------------------------------------
+
+---      a      b ->   |
+---      |      |      lift
+---     floor ==========
+local function newScene()
+  local scene = { world = physics.newWorld({ gravity = 800 }), told = {} }
+  local function put(name, group, values)
+    scene[name] = newFailing(values)
+    scene.world.objects[group] = scene.world.objects[group] or {}
+    table.insert(scene.world.objects[group], scene[name])
+  end
+  put("floor", "floors", { x = 0, y = 100, width = 200, height = 16, static = true, friction = 1 })
+  put("a", "boxes", { x = 20, y = 83, width = 16, height = 16, friction = 1, mask = { x = false } })
+  put("b", "boxes", { x = 60, y = 81, width = 16, height = 16, vx = 40, restitution = 0.5 })
+  put("lift", "lifts", { x = 150, y = 90, width = 20, height = 5, kinematic = true, vx = -15 })
+  local open = {}
+  scene.open = open
+  function scene.world.onBegin(first, second)
+    assert(not open[first] or not open[first][second], "it began twice")
+    open[first] = open[first] or {}
+    open[first][second] = true
+  end
+  function scene.world.onEnd(first, second)
+    assert(open[first] and open[first][second], "it ended before it began")
+    open[first][second] = nil
+  end
+  return scene
+end
+
+local function isFinite(value)
+  return type(value) == "number" and value - value == 0
+end
+
+-- The world goes on, and comes to where it should.
+local function checkGoesOn(scene, what)
+  for _ = 1, 40 do
+    local ok, message = pcall(scene.world.update, scene.world, DT)
+    assert(ok, what .. ": a later update fails: " .. tostring(message))
+  end
+  for _, name in ipairs({ "a", "b", "lift" }) do
+    local object = scene[name]
+    assert(isFinite(object.x) and isFinite(object.vx), what .. ": " .. name .. " is lost")
+  end
+  assert.same({ 84, 84, 0, 0 }, { scene.a.y, scene.b.y, scene.a.vy, scene.b.vy }, what)
+  assert.equal(scene.floor, scene.a.touching.bottom, what)
+  assert.equal(100, scene.floor.y, what)
+  assert.is_true(scene.open[scene.a][scene.floor], what)
+  assert.equal("bottom", scene.world:touching(scene.a, scene.floor), what)
+end
+
+-- Makes a call fail at each access in turn, until it needs no more; returns how many there were.
+local function failEverywhere(prepare, call, check)
+  local at, step = 0, effort.isWhole and 1 or 7
+  repeat
+    at = at + step
+    local scene = newScene()
+    prepare(scene)
+    fuse.left = at
+    local ok, message = pcall(call, scene)
+    fuse.left = math.huge
+    assert(ok or message == FAILURE, tostring(message))
+    check(scene, ("access %d"):format(at), ok)
+  until ok
+  return at - step
+end
+
+local function run(count)
+  return function(scene)
+    for _ = 1, count do
+      scene.world:update(DT)
+    end
+  end
+end
+
+local function update(scene)
+  scene.world:update(DT)
+end
+
+-- What the rest of the game sees of the scene.
+local function snapshot(scene)
+  local list = {}
+  for _, name in ipairs({ "floor", "a", "b", "lift" }) do
+    for _, field in ipairs({ "x", "y", "vx", "vy", "width" }) do
+      list[#list + 1] = scene[name][field] or false
+    end
+  end
+  return list
+end
+
+describe("after an object has failed", function()
+  for _, steps in ipairs({ 0, 1, 2, 4, 10 }) do
+    it("at any point of update number " .. steps + 1 .. ", the next one goes on", function()
+      local count = failEverywhere(run(steps), update, checkGoesOn)
+      assert.is_true(count > 20, "accesses: " .. count)
+    end)
+  end
+
+  it("at any point of a fixed step, the next one goes on", function()
+    failEverywhere(function(scene)
+      scene.world.timestep = DT
+      run(3)(scene)
+    end, update, checkGoesOn)
+  end)
+
+  it("at any point of an update that reads anew what was written, the next one goes on", function()
+    local count = failEverywhere(function(scene)
+      run(3)(scene)
+      scene.a.mass, scene.b.sensor, scene.lift.vx = 3, false, -20
+      scene.a.width, scene.b.active, scene.lift.height = 12, true, 6
+      scene.world.gravity = 700
+      scene.world:add("boxes", { x = 100, y = 20, width = 5, height = 5 })
+    end, update, checkGoesOn)
+    assert.is_true(count > 100, "accesses: " .. count)
+  end)
+
+  -- name, call
+  for _, row in ipairs({
+    {
+      "save",
+      function(scene)
+        scene.world:save()
+      end,
+    },
+    {
+      "hash",
+      function(scene)
+        scene.world:hash()
+      end,
+    },
+    {
+      "raycast",
+      function(scene)
+        scene.world:raycast(0, 90, 200, 95)
+      end,
+    },
+    {
+      "touching",
+      function(scene)
+        scene.world:touching(scene.a, scene.floor)
+      end,
+    },
+    {
+      "add",
+      function(scene)
+        scene.world:add("birds", newFailing({ x = 40, y = 0, width = 5, height = 5, gravity = 0 }))
+      end,
+    },
+  }) do
+    it("inside " .. row[1] .. ", nothing has changed", function()
+      failEverywhere(run(5), row[2], function(scene, what, ok)
+        local twin = newScene()
+        run(5)(twin)
+        if not ok then
+          assert.same(snapshot(twin), snapshot(scene), what)
+          assert.equal(twin.world:hash(), scene.world:hash(), what)
+        end
+        checkGoesOn(scene, what)
+      end)
+    end)
+  end
+
+  it("inside refresh, refreshing again puts everything right", function()
+    failEverywhere(run(5), function(scene)
+      scene.world:refresh(scene.floor)
+    end, function(scene, what)
+      scene.world:refresh(scene.floor)
+      checkGoesOn(scene, what)
+    end)
+  end)
+
+  it("inside move, it stands where it was, or where it should", function()
+    failEverywhere(run(5), function(scene)
+      scene.world:move(scene.b, 100, 80)
+    end, checkGoesOn)
+  end)
+
+  it("inside restore, restoring again puts everything right", function()
+    local saved
+    failEverywhere(function(scene)
+      run(20)(scene)
+      saved = scene.world:save()
+      run(10)(scene)
+    end, function(scene)
+      scene.world:restore(saved)
+    end, function(scene, what)
+      scene.world:restore(saved)
+      local twin = newScene()
+      run(20)(twin)
+      assert.equal(twin.world:hash(), scene.world:hash(), what)
+      run(5)(twin)
+      run(5)(scene)
+      assert.same(snapshot(twin), snapshot(scene), what)
+    end)
+  end)
+end)
+
+-- Callbacks ---------------------------------------------------------------------------------------
+
+describe("after a callback has failed", function()
+  it("those who have not heard of the event are told at the next update", function()
+    local scene, told = newScene(), {}
+    local function listen(who)
+      return function()
+        told[#told + 1] = who
+      end
+    end
+    scene.a.onBegin, scene.floor.onBegin = error, listen("floor")
+    scene.world.onBegin = listen("world")
+    repeat
+      local ok = pcall(scene.world.update, scene.world, DT)
+    until not ok
+    assert.same({}, told)
+    scene.a.onBegin = listen("a")
+    scene.world:update(DT)
+    assert.equal("floor world", table.concat(told, " ", 1, 2))
+    assert.is_nil(table.concat(told, " "):find("a ", 1, true))
+  end)
+
+  -- Each of them fails once, at its first, second, ... call.
+  for _, name in ipairs({ "onBegin", "onStay", "onEnd", "canCollide" }) do
+    for _, who in ipairs({ "world", "a", "b" }) do
+      it(name .. " of " .. who .. ", the world goes the way of one in which it did not", function()
+        local failures = 0
+        for at = 1, 12 do
+          local calls, armed = 0, true
+          local function callback()
+            calls = calls + 1
+            if armed and calls == at then
+              failures = failures + 1
+              error(FAILURE, 0)
+            end
+            return true
+          end
+          local scene, twin = newScene(), newScene()
+          scene.world.onBegin, scene.world.onEnd = nil, nil
+          twin.world.onBegin, twin.world.onEnd = nil, nil
+          scene[who][name] = callback
+          twin[who][name] = function()
+            return true
+          end
+          for _ = 1, 60 do
+            local ok, message = pcall(scene.world.update, scene.world, DT)
+            assert(ok or message == FAILURE, message)
+            if not ok and name == "canCollide" then
+              scene.world:update(DT) -- that step was not made
+            end
+            twin.world:update(DT)
+            assert.same(snapshot(twin), snapshot(scene))
+          end
+          armed = false
+        end
+        -- Some of them are never called here.
+        assert.is_true(failures > 0 or (name == "onEnd" and who ~= "b"), "failures: " .. failures)
+      end)
+    end
+  end
+end)
+
+-- Older states ------------------------------------------------------------------------------------
+
+describe("a state that version 0.1.0 has saved", function()
+  local saved = dofile("spec/states/0.1.0.lua")
+
+  it("is restored, or the message says that another version has saved it", function()
+    local world = physics.newWorld()
+    local ok, message = pcall(world.restore, world, saved)
+    if saved.version == state.VERSION then
+      assert(ok, message)
+      assert.equal(99999.5, world.objects.witness.x)
+      for _ = 1, 60 do
+        world:update(DT)
+      end
+    else
+      assert.is_false(ok)
+      assert.truthy(message:find("saved by another version of the library", 1, true), message)
+    end
+  end)
+
+  it("is refused with the reason once its layout is another one", function()
+    local world = physics.newWorld()
+    local before = world:hash()
+    for _, version in ipairs({ 0, 0.5, 1000, "1" }) do
+      local ok, message = pcall(function()
+        world:restore({ version = version, settings = {}, saved = 0 })
+      end)
+      assert.is_false(ok)
+      assert.truthy(message:find("saved by another version of the library", 1, true), message)
+      assert.equal(before, world:hash())
+    end
+  end)
+end)
