@@ -213,10 +213,9 @@ function default.update(dt) end
 ---
 --- Errors: a group that is no name; no table; a field that cannot be used; an object that already
 --- stands in the world. Nothing has changed then.
----@generic T: physics.NewObject
 ---@param group string|number name of the group
----@param object T the game's own table: x, y, width, height and whatever else
----@return T|physics.Object object the same table
+---@param object physics.NewObject the game's own table: x, y, width, height and whatever else
+---@return physics.Object object the same table
 function default.add(group, object) end
 
 --- Takes an object out of the world, out of its group's table. Its contacts end with `onEnd` at the

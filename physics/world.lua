@@ -249,10 +249,9 @@ end
 ---
 --- Errors: a group that is no name; no table; a field that cannot be used; an object that already
 --- stands in the world. Nothing has changed then.
----@generic T: physics.NewObject
 ---@param group string|number name of the group
----@param object T the game's own table: x, y, width, height and whatever else
----@return T|physics.Object object the same table
+---@param object physics.NewObject the game's own table: x, y, width, height and whatever else
+---@return physics.Object object the same table
 function World:add(group, object)
   checkSelf(self, "add(group, object)")
   checkIdle(self._bodies, "add(group, object)")

@@ -48,6 +48,8 @@ allows "a callback" 'function player.onBegin(_, other, _, speed) other.vx = spee
 allows "a setting of the default world" 'physics.gravity = physics.gravity * 2'
 allows "a method of the default world" 'physics.add("boxes", player).vx = 3; physics.update(1 / 60)'
 allows "a group by hand" 'world.objects.boxes = { { x = 0, y = 0, width = 8, height = 8 } }'
+allows "a local that is filled later" 'local hero ---@type physics.Object
+hero = world:add("heroes", { x = 0, y = 0, width = 8, height = 8 }); print(hero.vx + 1)'
 allows "a hit" 'local _, _, hits = world:move(player, 3, 4); print(hits[1].other, hits[1].nx + 1)'
 allows "eight numbers" 'print(physics.checkCollision(0, 0, 8, 8, 4, 4, 8, 8))'
 allows "a class of the game's own" '---@class Player: physics.Object
@@ -56,15 +58,16 @@ local Player = {}
 function Player:jump() if self.touching.bottom then self.vy = -400 end end
 ---@return Player
 local function newPlayer() return setmetatable({ x = 0, y = 0, width = 8, height = 8 }, Player) end
-local hero = world:add("heroes", newPlayer())
+local hero = newPlayer()
+world:add("heroes", hero)
 hero:jump()
 hero.coins = hero.coins + 1'
 
 finds "a string as velocity" assign-type-mismatch 'player.vx = "fast"'
 finds "a side that does not exist" assign-type-mismatch 'player.oneWay = "up"'
-finds "an object without a height" generic-constraint-mismatch \
+finds "an object without a height" missing-fields \
   'world:add("boxes", { x = 0, y = 0, width = 8 })'
-finds "a mass of the wrong type" generic-constraint-mismatch \
+finds "a mass of the wrong type" assign-type-mismatch \
   'world:add("boxes", { x = 0, y = 0, width = 8, height = 8, mass = "1" })'
 finds "a setting of the wrong type" param-type-mismatch 'physics.load({ gravity = "9" })'
 finds "a mode that does not exist" param-type-mismatch 'physics.newWorld({ push = "second" })'
