@@ -43,17 +43,18 @@ local function playFrame(worlds, scene, step)
   return (clock() - before) * 1000
 end
 
--- Plays the frames before the measuring starts. Returns whether there was time for all of them, and
--- how long the slowest took: the first ones read everybody, and compile.
+-- Plays the frames before the measuring starts. Returns whether there was time for all of them, how
+-- long the slowest took, since the first ones read everybody and compile, and all of them, in ms.
 local function warmUp(worlds, scene, deadline)
-  local slowest = 0
+  local slowest, sum = 0, 0
   for step = 1, scene.warmUp do
     if clock() > deadline then
-      return false, slowest
+      return false, slowest, sum
     end
-    slowest = math.max(slowest, playFrame(worlds, scene, step))
+    local time = playFrame(worlds, scene, step)
+    slowest, sum = math.max(slowest, time), sum + time
   end
-  return true, slowest
+  return true, slowest, sum
 end
 
 local function heap()
@@ -84,12 +85,18 @@ local function timeFrames(worlds, scene, deadline)
   return times
 end
 
-local function addTimes(result, times)
+-- `before` is what the frames before have taken, in ms.
+local function addTimes(result, scene, times, before)
   result.steps = #times
+  result.isLimited = #times < scene.steps
   if #times > 0 then
     result.median = statistics.median(times)
     result.p99 = statistics.quantile(times, 0.99)
     result.mean = statistics.mean(times)
+  end
+  local sum = before + (result.mean or 0) * #times
+  if result.isLimited and sum > 0 then
+    result.atLeast = sum / (scene.warmUp + scene.steps)
   end
 end
 
@@ -106,16 +113,12 @@ function measure.times(engine, scene, limit)
   local heapBefore, residentBefore, started = heap(), resident(), clock()
   local worlds = newWorlds(engine, scene)
   local result = { build = (clock() - started) * 1000 / scene.worlds }
-  local isWarm
-  isWarm, result.slowest = warmUp(worlds, scene, deadline)
+  local isWarm, slowest, before = warmUp(worlds, scene, deadline)
+  result.slowest = slowest
   local residentAfter = resident()
   result.memory = (heap() - heapBefore) / scene.worlds
   result.resident = residentAfter and (residentAfter - residentBefore) / scene.worlds
-  addTimes(result, isWarm and timeFrames(worlds, scene, deadline) or {})
-  result.isLimited = result.steps < scene.steps
-  if result.isLimited then
-    result.atLeast = 1000 * limit / (scene.warmUp + scene.steps)
-  end
+  addTimes(result, scene, isWarm and timeFrames(worlds, scene, deadline) or {}, before)
   free(worlds)
   return result
 end

@@ -3,6 +3,7 @@
 local docs = require("bench.docs")
 local engines = require("bench.engines")
 local json = require("bench.json")
+local measure = require("bench.measure")
 local newRandom = require("spec.support.random").new
 local options = require("bench.options")
 local overlap = require("spec.support.overlap")
@@ -240,6 +241,69 @@ describe("an engine", function()
     local found, reason = engines.get("love", false)
     assert.is_nil(found)
     assert.equal("needs LÖVE", reason)
+  end)
+end)
+
+describe("a measurement", function()
+  -- A world of one box that moves 1 px a frame into a wall, and counts what is asked of it.
+  local calls
+
+  local function newScene()
+    calls = { step = 0, between = 0, read = 0, free = 0 }
+    return {
+      worlds = 2,
+      warmUp = 2,
+      steps = 20,
+      objects = {
+        { x = 0, y = 0, width = 10, height = 10 },
+        { x = 20, y = 0, width = 10, height = 10, static = true },
+      },
+      frame = function(world)
+        world.x = world.x + 1
+        calls.step = calls.step + 1
+      end,
+      between = function()
+        calls.between = calls.between + 1
+      end,
+    }
+  end
+
+  local engine = {
+    new = function()
+      return {
+        x = 0,
+        read = function(world, index)
+          return index == 1 and world.x or 20, 0
+        end,
+        free = function()
+          calls.free = calls.free + 1
+        end,
+      }
+    end,
+  }
+
+  it("plays all frames of all worlds, and takes the worlds away", function()
+    local result = measure.times(engine, newScene(), 60)
+    assert.equal(20, result.steps)
+    assert.is_false(result.isLimited)
+    assert.is_nil(result.atLeast)
+    assert.truthy(result.median <= result.p99)
+    assert.same({ step = 44, between = 44, read = 0, free = 2 }, calls)
+  end)
+
+  it("is given up when its time is over, and then has no figures", function()
+    local result = measure.times(engine, newScene(), 1e-12)
+    assert.is_true(result.isLimited)
+    assert.is_nil(result.median)
+    assert.equal(2, calls.free)
+  end)
+
+  it("finds the overlap of every tenth frame", function()
+    -- 2 + 10 frames: x = 12, 2 px in the wall; 2 + 20: x = 22, 8 px.
+    local result = measure.quality(engine, newScene(), 60)
+    assert.equal(2, result.looks)
+    assert.equal(8, result.overlap)
+    assert.equal(8, result.overlapAtEnd)
   end)
 end)
 
