@@ -19,6 +19,7 @@ files["examples/maps"] = { max_line_length = false }
 files["examples/conf.lua"] = { std = "min+love", globals = { "love" } }
 files["examples/main.lua"] = { std = "min+love", globals = { "love" } }
 files["examples/script.lua"] = { std = "min+love", globals = { "love" } }
+files["spec/gopher"] = { std = "min", globals = { "arg" }, max_line_length = false }
 files["web"] = { std = "min+love", globals = { "love" } }
 files["scripts"] = { std = "luajit" }
 -- It plays an example without LÖVE and has to pretend a little.

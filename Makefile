@@ -1,7 +1,7 @@
 # The commands of this project. Each one sets up what it needs first (scripts/setup.sh).
 
 SHELL := bash
-.PHONY: help setup test lint types format docs rock single test-single examples pictures web test-web demo ci clean
+.PHONY: help setup test lint types format docs rock single test-single examples pictures web test-web test-gopher demo ci clean
 
 help: ## shows this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-11s %s\n", $$1, $$2 }' Makefile
@@ -44,6 +44,9 @@ web: setup ## packs the examples for the browser, into build/web
 
 test-web: ## plays them in a browser, leaves pictures in build/web-pictures
 	@bash scripts/setup.sh web && bash scripts/web.sh --test
+
+test-gopher: ## runs the specs on gopher-lua, a Lua in Go (spec/gopher/README.md)
+	@bash scripts/setup.sh gopher && bash scripts/gopher.sh
 
 demo: setup ## opens the examples in LÖVE
 	@bash scripts/demo.sh

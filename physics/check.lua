@@ -6,7 +6,8 @@
 local here = (...):match("^(.*)%.[^.]+$")
 local fields = require(here .. ".fields")
 
-local floor, huge = math.floor, math.huge
+local floor = math.floor
+local huge = 1 / 0 -- math.huge is a finite number on gopher-lua
 local format = string.format
 
 local MAX_SHOWN = 40 -- characters of a string in a message
@@ -35,7 +36,7 @@ end
 local function learnOwnSources()
   local source = getinfo(1, "S").source
   ownSources[source] = true
-  ownFolder = source:match("^([@=].*[/\\])check%.lua$")
+  ownFolder = source:match("^([^\n]*[/\\])check%.lua$")
   if ownFolder then
     ownSources[ownFolder:sub(1, -2) .. ".lua"] = true
   end
@@ -49,20 +50,37 @@ local function isOwn(source)
   return ownSources[source] or (ownFolder and source:sub(1, #ownFolder) == ownFolder)
 end
 
+-- Returns the level of the next entry of the stack, if this one has no line of a game: a function
+-- in C (on gopher-lua: in Go), the gap that Lua 5.1 leaves for a tail call, or the library. On
+-- gopher-lua "tail" is the function that was called, and the entry after it is nobody.
+local function nextLevel(level, info)
+  local what = info.what
+  local isTailCalled = what == "tail" and info.currentline > 0
+  if what == "C" or what == "G" or (what == "tail" and not isTailCalled) then
+    return level + 1
+  elseif isOwn(info.source) then
+    return level + (isTailCalled and 2 or 1)
+  end
+end
+
 --- Raises `physics: message` at the line that called into the library. C functions (pcall) and the
 --- gaps that Lua 5.1 leaves for tail calls are no callers; without any caller no line is named.
 ---@param message string
 function check.fail(message)
-  local level = 2
   if not getinfo then
     error("physics: " .. message, 3)
   end
-  local info = getinfo(level, "S")
-  while info and (info.what == "C" or info.what == "tail" or isOwn(info.source)) do
-    level = level + 1
-    info = getinfo(level, "S")
+  local level, info = 2, nil
+  while level do
+    info = getinfo(level, "Sl")
+    level = info and nextLevel(level, info)
   end
-  error("physics: " .. message, info and level or 0)
+  -- Written here and not by `error`, which on gopher-lua counts levels in its own way.
+  local place = ""
+  if info and info.currentline > 0 then
+    place = (info.short_src or info.source:gsub("^@", "")) .. ":" .. info.currentline .. ": "
+  end
+  error(place .. "physics: " .. message, 0)
 end
 
 local fail = check.fail

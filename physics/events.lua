@@ -40,16 +40,16 @@ end
 -- Adds an event of the objects in slots i and j, of which the first in the order of the world is
 -- told as `a`; `side` is that of i.
 local function add(b, kind, i, j, side, speed)
-  local e = b.events
+  local e, first, second = b.events, i, j
   if b.rank[j] < b.rank[i] then
-    i, j, side = j, i, OPPOSITE[side]
+    first, second, side = j, i, OPPOSITE[side]
   end
   local n = e.count + 1
   e.count = n
   e.order[n] = n
   e.kind[n], e.kindAndNumber[n] = kind, n
-  e.rankA[n], e.rankB[n] = b.rank[i], b.rank[j]
-  e.a[n], e.b[n], e.c[n] = b.object[i], b.object[j], false
+  e.rankA[n], e.rankB[n] = b.rank[first], b.rank[second]
+  e.a[n], e.b[n], e.c[n] = b.object[first], b.object[second], false
   e.side[n], e.speed[n] = side, speed
 end
 

@@ -94,12 +94,12 @@ local function maskOf(list)
 end
 
 local function isSameMask(mask, other)
-  for group, collides in next, mask do
+  for group, collides in next, mask, nil do
     if other[group] ~= collides then
       return false
     end
   end
-  for group in next, other do
+  for group in next, other, nil do
     if mask[group] == nil then
       return false
     end
@@ -113,10 +113,10 @@ local function writeMask(object, list, known)
   if type(mask) == "table" and isSameMask(wanted, mask) then
     wanted = mask
   elseif known then
-    for group in next, known do
+    for group in next, known, nil do
       known[group] = nil
     end
-    for group, collides in next, wanted do
+    for group, collides in next, wanted, nil do
       known[group] = collides
     end
     wanted = known
@@ -166,7 +166,7 @@ end
 -- Writes what the library had read where that was something else; returns the names of the fields.
 local function writeRead(st, objects)
   local names, any = {}, false
-  for name, list in next, st.read do
+  for name, list in next, st.read, nil do
     local isBoolean = fields.objectByName[name] and fields.objectByName[name].type == "boolean"
     for at = 1, #list, 2 do
       local value = list[at + 1]
@@ -185,11 +185,11 @@ end
 -- Tables -----------------------------------------------------------------------------------------
 
 local function emptyGroups(objects)
-  for name, members in next, objects do
+  for name, members in next, objects, nil do
     if type(members) ~= "table" or type(members.width) == "number" then
       objects[name] = nil
     else
-      for key in next, members do
+      for key in next, members, nil do
         members[key] = nil
       end
     end
@@ -462,7 +462,7 @@ end
 -- The world --------------------------------------------------------------------------------------
 
 local function nameGroups(b, names)
-  for name in next, b.groupNumber do
+  for name in next, b.groupNumber, nil do
     b.groupNumber[name] = nil
   end
   for n = 1, max(#names, #b.groupNames) do
@@ -534,7 +534,7 @@ function restore.world(world, st)
   end
   placeNow(world, st, objects)
   world._walls = {}
-  for side, n in next, st.walls do
+  for side, n in next, st.walls, nil do
     world._walls[side] = objects[n]
   end
   world._saved = st.saved

@@ -65,7 +65,7 @@ end
 
 local function countKeys(source)
   local n = 0
-  for _ in next, source do
+  for _ in next, source, nil do
     n = n + 1
   end
   return n
@@ -101,7 +101,7 @@ end
 
 local function haveGroupsChanged(self, objects)
   local n, byName = 0, self.byName
-  for name, value in next, objects do
+  for name, value in next, objects, nil do
     local record = byName[name]
     if not record or record.source ~= value then
       return true
@@ -120,7 +120,7 @@ local function sortedNames(self, objects)
     end
   end
   local rest = {}
-  for name in next, objects do
+  for name in next, objects, nil do
     checkKey(name, "objects")
     if not listed[name] then
       rest[#rest + 1] = name
@@ -194,7 +194,7 @@ local function readKeys(record)
     return keys, true
   end
   keys = {}
-  for key in next, source do
+  for key in next, source, nil do
     checkKey(key, check.place(record.name))
     keys[#keys + 1] = key
   end
@@ -423,7 +423,7 @@ function roster.find(source, object, hint)
   if hint ~= nil and rawequal(source[hint], object) then
     return hint
   end
-  for key, value in next, source do
+  for key, value in next, source, nil do
     if rawequal(value, object) then
       return key
     end

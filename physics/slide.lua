@@ -210,7 +210,7 @@ local function takeJourney(v)
 end
 
 local function giveJourney(v, journey)
-  for j in next, journey.passed do
+  for j in next, journey.passed, nil do
     journey.passed[j] = nil
   end
   journey.hits, journey.response, journey.world = false, false, false

@@ -146,7 +146,7 @@ end
 
 local function sortedKeys(map)
   local keys = {}
-  for key in next, map do
+  for key in next, map, nil do
     keys[#keys + 1] = key
   end
   table.sort(keys, comesBefore)
@@ -410,7 +410,7 @@ end
 
 local function saveFields(b, out, work)
   listIn(out, "fields")
-  for _, list in next, listIn(out, "read") do
+  for _, list in next, listIn(out, "read"), nil do
     cut(list, 0)
   end
   for n = 1, #state.DENSE do
@@ -500,12 +500,12 @@ end
 -- The walls that `setBounds` has put.
 local function saveWalls(world, out, work)
   local walls = listIn(out, "walls")
-  for side in next, walls do
+  for side in next, walls, nil do
     walls[side] = nil
   end
   if next(world._walls) ~= nil then
     for n = 1, out.count do
-      for side, wall in next, world._walls do
+      for side, wall in next, world._walls, nil do
         if work.objects[n] == wall then
           walls[side] = n
         end

@@ -284,7 +284,7 @@ local function needMemory(st)
   end
   local none = objectKind(0, st.known)
   needSparse(st.touching, "state.touching", { object, none, none, none, none })
-  for side, n in next, needTable(st.walls, "state.walls") do
+  for side, n in next, needTable(st.walls, "state.walls"), nil do
     if type(side) ~= "string" or not isCount(n, st.count) or n < 1 then
       refuse("state.walls." .. show(side), "an integer in 1.." .. st.count, n)
     end

@@ -225,7 +225,7 @@ local function search(self, object)
   if members then
     return members, key, name
   end
-  for group, value in next, self.objects do
+  for group, value in next, self.objects, nil do
     if rawequal(value, object) then
       return self.objects, group, group
     elseif type(value) == "table" and type(value.width) ~= "number" then

@@ -3,7 +3,7 @@
 
 local physics = require("physics")
 
-local NAN, INF = 0 / 0, math.huge
+local NAN, INF = 0 / 0, 1 / 0
 local DT = 1 / 60
 local NAMES = { "floor", "box", "sleeper", "lift", "gate" }
 

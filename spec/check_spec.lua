@@ -4,7 +4,7 @@
 local check = require("physics.check")
 local fields = require("physics.fields")
 
-local NAN, INF = 0 / 0, math.huge
+local NAN, INF = 0 / 0, 1 / 0
 
 --- Runs a call that must be refused. It must blame this file, and say exactly this.
 local function refuses(expected, call)
@@ -34,7 +34,7 @@ end
 
 --- Loads physics/check.lua as if its file had another name.
 local function loadCheck(chunkName, environment)
-  local file = assert(io.open(debug.getinfo(check.fail, "S").source:sub(2)))
+  local file = assert(io.open((debug.getinfo(check.fail, "S").source:gsub("^@", ""))))
   local text = file:read("*a")
   file:close()
   return compile(text, chunkName, environment or _G)("physics.check")

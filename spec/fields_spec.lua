@@ -136,7 +136,7 @@ for _, kind in ipairs({
         it("accepts its own default, and nothing but numbers as numbers", function()
           assert.is_true(field.default == nil or isValue(field, field.default))
           if field.type == "number" then
-            for _, wrong in ipairs({ "1", false, true, {}, 0 / 0, math.huge, -math.huge }) do
+            for _, wrong in ipairs({ "1", false, true, {}, 0 / 0, 1 / 0, -1 / 0 }) do
               assert.is_false(isValue(field, wrong))
             end
           end

@@ -4,7 +4,7 @@ local fields = require("physics.fields")
 local newRandom = require("spec.support.random").new
 local pure = require("physics.pure")
 
-local NAN, INF = 0 / 0, math.huge
+local NAN, INF = 0 / 0, 1 / 0
 
 local function box(x, y, width, height)
   return { x = x, y = y, width = width, height = height }

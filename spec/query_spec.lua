@@ -666,7 +666,7 @@ describe("world:explain", function()
 end)
 
 describe("a question refuses", function()
-  local nan, inf = 0 / 0, math.huge
+  local nan, inf = 0 / 0, 1 / 0
   for _, row in ipairs({
     { "queryPoint", { "1", 2 }, 'queryPoint(x, y): x must be a number, got "1"' },
     { "queryPoint", { 1, nan }, "queryPoint(x, y): y must be a number, got nan" },

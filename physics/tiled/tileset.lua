@@ -295,8 +295,9 @@ function tileset.place(tile, left, bottom, width, height, x, y, w, h)
   x, w = x * imageWidth / kind.width, w * imageWidth / kind.width
   y, h = y * imageHeight / kind.height, h * imageHeight / kind.height
   if tile.isTransposed then
-    x, y, w, h = y, x, h, w
-    width, height, imageWidth, imageHeight = height, width, imageHeight, imageWidth
+    local oldX, oldW, oldWidth, oldImageWidth = x, w, width, imageWidth
+    x, w, width, imageWidth = y, h, height, imageHeight
+    y, h, height, imageHeight = oldX, oldW, oldWidth, oldImageWidth
   end
   if tile.isFlippedX then
     x = imageWidth - x - w

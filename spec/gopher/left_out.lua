@@ -1,0 +1,34 @@
+--- What is not run on gopher-lua, and why: specs by their names, files as a whole. Each reason was
+--- seen with version 1.1.1; the bugs are described in spec/gopher/README.md.
+
+local CLOSURES = "an error that pcall catches takes local variables away from callbacks"
+local MEMORY = "collectgarbage cannot count"
+local LEVELS = "there is a debug library, and error counts levels in another way"
+
+local leftOut = {}
+
+leftOut.files = {
+  ["spec/bad_matrix_spec.lua"] = "calls by tail calls, whose callers gopher-lua does not know",
+  ["spec/draw_spec.lua"] = "about LÖVE",
+  ["spec/examples_spec.lua"] = "about LÖVE",
+  ["spec/fuzz_spec.lua"] = "the fuzzer itself swaps variables in one assignment",
+  ["spec/garbage_spec.lua"] = MEMORY,
+  ["spec/love12_spec.lua"] = "about LÖVE",
+  ["spec/manual_spec.lua"] = "about the scripts that write the manual",
+  ["spec/rockspec_spec.lua"] = "about files",
+}
+
+leftOut.specs = {
+  ["check .fail blames the third level where there is no debug library #files"] = LEVELS,
+  ["the field onBegin that turns bad is refused when it would be called, and not lost"] = CLOSURES,
+  ["the field onEnd that turns bad is refused when it would be called, and not lost"] = CLOSURES,
+  ["a question can be asked inside canCollide and inside events, where nothing may be moved"] = CLOSURES,
+  ["world:loadTiled refuses to be called from inside canCollide"] = CLOSURES,
+  ["a question leaves no garbage"] = MEMORY,
+  ["settings masks cost no garbage"] = MEMORY,
+  ["world:save fills a table again, and leaves no garbage then"] = MEMORY,
+  ["the broad phases work far out, and at the edges"] = "table.concat returns a number",
+  ["world :loadTiled reads an export of Tiled through love.filesystem where there is one"] = "about LÖVE",
+}
+
+return leftOut

@@ -1,0 +1,236 @@
+--- Runs specs where busted cannot run: it needs modules in C. In plain Lua, as much of `describe`,
+--- `it` and `assert` as the specs use. (luassert would be plain Lua, but on gopher-lua some of its
+--- assertions hold whatever they are given.)
+--
+--   LUA spec/gopher/run.lua SPEC...
+--
+-- Prints what failed, and a line of counts. As with busted every file loads the library anew, and
+-- specs are named by all the `describe` around them.
+
+package.path = "./?.lua"
+
+local LEFT_OUT = require("spec.gopher.left_out")
+
+-- In a table: on gopher-lua an error takes local variables away from the closures that count.
+local count = { passed = 0, failed = 0, leftOut = 0 }
+
+-- Assertions -------------------------------------------------------------------------------------
+
+-- Equality of tables by what they hold; they may hold themselves.
+local function isSame(a, b, seen)
+  if type(a) ~= "table" or type(b) ~= "table" then
+    return a == b
+  end
+  seen = seen or {}
+  if a == b or seen[a] == b then
+    return true
+  end
+  seen[a] = b
+  for key, value in pairs(a) do
+    if not isSame(value, b[key], seen) then
+      return false
+    end
+  end
+  for key in pairs(b) do
+    if a[key] == nil then
+      return false
+    end
+  end
+  return true
+end
+
+local function show(value)
+  if type(value) == "number" then
+    return ("%.17g"):format(value)
+  end
+  return type(value) == "string" and '"' .. value .. '"' or tostring(value)
+end
+
+local function fail(expected, found, message)
+  local text = message and tostring(message) .. ": " or ""
+  error(text .. "expected " .. expected .. ", got " .. show(found), 3)
+end
+
+local function equal(expected, found, message)
+  if expected ~= found then
+    fail(show(expected), found, message)
+  end
+  return found
+end
+
+local function notEqual(unwanted, found, message)
+  if unwanted == found then
+    fail("another than " .. show(unwanted), found, message)
+  end
+end
+
+local function same(expected, found, message)
+  if not isSame(expected, found) then
+    fail("what is the same as " .. show(expected), found, message)
+  end
+end
+
+local function near(expected, found, tolerance, message)
+  if not (found >= expected - tolerance and found <= expected + tolerance) then
+    fail(show(expected) .. " +- " .. show(tolerance), found, message)
+  end
+end
+
+local function truthy(found, message)
+  if not found then
+    fail("anything but nil and false", found, message)
+  end
+  return found
+end
+
+local function hasError(call, expected)
+  local isFine, message = pcall(call)
+  if isFine or (expected ~= nil and not isSame(expected, message)) then
+    fail("an error", message)
+  end
+end
+
+local assertions = {
+  equal = equal,
+  same = same,
+  near = near,
+  truthy = truthy,
+  is_truthy = truthy,
+  has_error = hasError,
+  not_equal = notEqual,
+  are = { equal = equal, same = same, near = near },
+  are_not = { equal = notEqual },
+}
+for _, value in ipairs({ true, false }) do
+  assertions["is_" .. tostring(value)] = function(found, message)
+    if found ~= value then
+      fail(tostring(value), found, message)
+    end
+  end
+end
+for _, kind in ipairs({ "nil", "table", "function", "string", "number" }) do
+  assertions["is_" .. kind] = function(found, message)
+    if type(found) ~= kind then
+      fail("a " .. kind, found, message)
+    end
+  end
+end
+setmetatable(assertions, {
+  __call = function(_, value, message, ...)
+    if not value then
+      error(message or "assertion failed!", 2)
+    end
+    return value, message, ...
+  end,
+})
+
+-- Specs ------------------------------------------------------------------------------------------
+
+-- A block is a `describe`, or the file around all of them.
+local block
+
+local function newBlock(parent, name)
+  return { parent = parent, name = name, before = {}, after = {}, specs = {} }
+end
+
+local function describe(name, define)
+  block = newBlock(block, (block.name .. " " .. name):gsub("^ ", ""))
+  define()
+  block = block.parent
+end
+
+local function it(name, spec)
+  local full = block.name .. " " .. name
+  local list = block
+  while list.parent do
+    list = list.parent
+  end
+  list.specs[#list.specs + 1] = { name = full, run = spec, block = block }
+end
+
+-- Calls the hooks of a block and of all around it, from the outside in.
+local function callHooks(which, inner)
+  if inner then
+    callHooks(which, inner.parent)
+    for _, hook in ipairs(inner[which]) do
+      hook()
+    end
+  end
+end
+
+local function runSpec(spec)
+  callHooks("before", spec.block)
+  local isFine, problem = pcall(spec.run)
+  callHooks("after", spec.block)
+  if isFine then
+    count.passed = count.passed + 1
+  else
+    count.failed = count.failed + 1
+    print("FAILED  " .. spec.name .. "\n        " .. tostring(problem))
+  end
+end
+
+local function forgetModules()
+  for name in pairs(package.loaded) do
+    if name == "physics" or name:find("^physics%.") or name:find("^spec%.") then
+      package.loaded[name] = nil
+    end
+  end
+end
+
+local function leaveOut(name, reason)
+  count.leftOut = count.leftOut + 1
+  print("left out  " .. name .. ": " .. reason)
+end
+
+local function runFile(path)
+  forgetModules()
+  block = newBlock(nil, "")
+  local root = block
+  assert(loadfile(path))()
+  for _, spec in ipairs(root.specs) do
+    if LEFT_OUT.specs[spec.name] then
+      leaveOut(spec.name, LEFT_OUT.specs[spec.name])
+    else
+      runSpec(spec)
+    end
+  end
+end
+
+-- What the specs take from busted itself.
+local function busted()
+  return {
+    fail = function(message, level)
+      error(message, (level or 1) + 1)
+    end,
+  }
+end
+
+local function install()
+  local globals = _G
+  globals.assert, globals.describe, globals.it = assertions, describe, it
+  package.preload.busted = busted
+  globals.before_each = function(hook)
+    block.before[#block.before + 1] = hook
+  end
+  globals.after_each = function(hook)
+    block.after[#block.after + 1] = hook
+  end
+end
+
+local files = {}
+for i = 1, #arg do
+  files[i] = arg[i]
+end
+-- As a spec expects it: the interpreter is there, and no file that is run by itself.
+arg = { [-1] = arg[-1], [0] = "busted" }
+install()
+for _, path in ipairs(files) do
+  if LEFT_OUT.files[path] then
+    leaveOut(path, LEFT_OUT.files[path])
+  else
+    runFile(path)
+  end
+end
+print(("%d passed, %d failed, %d left out"):format(count.passed, count.failed, count.leftOut))
+os.exit(count.failed == 0 and 0 or 1)
