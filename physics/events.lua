@@ -160,7 +160,7 @@ local function tell(e, n, recipient, name, owner)
     return
   end
   if recipient == 2 then
-    a, b, side = b, a, OPPOSITE[side]
+    a, b, side = e.b[n], e.a[n], OPPOSITE[side]
   end
   if e.kind[n] == BEGIN then
     callback(a, b, SIDES[side], e.speed[n])

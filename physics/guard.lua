@@ -62,7 +62,7 @@ end
 
 -- Looks at the keys of a table itself, not at those of its class.
 local function checkNames(seen, object, list, byName, b, i)
-  for name in next, object do
+  for name in next, object, nil do
     local meant = seen[name]
     if meant == nil then
       meant = meaningOf(name, list, byName)
