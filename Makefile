@@ -65,6 +65,10 @@ bench-quick: setup ## looks whether the benchmark runs, without looking at times
 bench-docs: setup ## measures, and brings the figures into docs/performance.md
 	@bash scripts/bench_docs.sh $(BENCH)
 
+.PHONY: soak
+soak: setup ## plays a busy scene for ten million steps, in parts: STEPS=10000000
+	@luajit scripts/soak.lua --steps $(or $(STEPS),10000000)
+
 ci: ## everything, as the continuous integration does it
 	@bash .ci/run
 

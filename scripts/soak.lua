@@ -1,0 +1,78 @@
+-- Plays a busy scene (spec/support/busy.lua) for a very long time and says how it is, part by part:
+--
+--   luajit scripts/soak.lua --steps 10000000 [--part 500000] [--resume build/soak.lua]
+--
+-- After each part the state is written to build/soak.lua, from which a later run can go on. It fails
+-- if somebody is lost, and at the end if the memory or the time of a step has grown.
+
+package.path = "./?.lua;" .. package.path
+
+local busy = require("spec.support.busy")
+local write = require("spec.fuzz.write")
+
+local PATH = "build/soak.lua"
+-- What the last part may need, compared with the second (the first warms up).
+local MORE_MEMORY, MORE_TIME = 1.05, 1.5
+
+local options = { steps = 1000000, part = 100000, resume = "" }
+
+local function readOptions(list)
+  for n = 1, #list, 2 do
+    local name = list[n]:match("^%-%-(.+)$")
+    if options[name] == nil then
+      error("unknown option " .. list[n], 0)
+    end
+    options[name] = name == "resume" and list[n + 1] or assert(tonumber(list[n + 1]))
+  end
+end
+
+local function store(world, n)
+  os.execute("mkdir -p build")
+  local file = assert(io.open(PATH, "w"))
+  file:write("return ", write.value({ step = n, state = world:save() }), "\n")
+  file:close()
+end
+
+local function play(world, from, to)
+  local started = os.clock()
+  for n = from, to do
+    busy.step(world, n)
+  end
+  return (os.clock() - started) / (to - from + 1) * 1e6
+end
+
+local function run()
+  local world, first = busy.new(), 1
+  if options.resume ~= "" then
+    local stored = dofile(options.resume)
+    world:restore(stored.state)
+    first = stored.step + 1
+  end
+  print("      steps   us/step        kB   objects   pairs   hash")
+  local memory, time, parts = 0, 0, 0
+  local microseconds, size
+  for from = first, first + options.steps - 1, options.part do
+    local to = math.min(from + options.part, first + options.steps) - 1
+    microseconds, size = play(world, from, to), busy.memory()
+    local stats = world.stats
+    local line = "%11d %9.1f %9.0f %9d %7d   %.0f"
+    print(line:format(to, microseconds, size, stats.objects, stats.pairs, world:hash()))
+    io.stdout:flush()
+    local complaint = busy.complaint(world)
+    if complaint then
+      print("FAILED  after " .. to .. " steps: " .. complaint)
+      return false
+    end
+    store(world, to)
+    parts = parts + 1
+    if parts <= 2 then
+      memory, time = size, microseconds
+    end
+  end
+  local isFlat = size <= MORE_MEMORY * memory and microseconds <= MORE_TIME * time
+  print(isFlat and "1 passed, 0 failed" or "FAILED  it has grown\n0 passed, 1 failed")
+  return isFlat
+end
+
+readOptions(arg)
+os.exit(run() and 0 or 1)
