@@ -190,7 +190,7 @@ describe("a page of docs/", function()
       end)
     end
 
-    it("names only files that exist: " .. path, function()
+    it("names only files that exist: " .. path .. " #files", function()
       for link in read(path):gmatch("%]%(([%w_/%.%-]+)[)#]") do
         read(link:find("^%.%./") and link:sub(4) or "docs/" .. link)
       end
