@@ -98,7 +98,7 @@ local function meetFace(b, at, ka, kc, axis)
   local gap, _, aLow = gaps(b, at, ka, kc, axis)
   local low, high = ka + axis, kc + axis
   if not aLow then
-    low, high = high, low
+    low, high = kc + axis, ka + axis
   end
   local overlap = endOverlap(b, low, high)
   if overlap <= EPSILON and b.speed[low] - b.speed[high] <= STILL then
@@ -154,7 +154,7 @@ local function meetDeep(b, p, ka, kc)
   end
   local low, high = ka + axis, kc + axis
   if secondIsLow then
-    low, high = high, low
+    low, high = kc + axis, ka + axis
   end
   if endOverlap(b, low, high) <= 0 then
     return nil

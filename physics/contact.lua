@@ -130,7 +130,9 @@ local function sensorContact(b, p, i, j)
   -- A tie is decided by the order of the world.
   local isSwapped = b.rank[j] < b.rank[i]
   if isSwapped then
-    i, j = j, i
+    local first = j
+    j = i
+    i = first
   end
   local to, size, ki, kj = b.to, b.size, 2 * i, 2 * j
   local side = SIDE_NUMBER[aabb.side(

@@ -69,7 +69,7 @@ local function findUpper(b, plainCount)
     local p = flush[n]
     local up, low = pairA[p], pairB[p]
     if (from[2 * low + axis] < from[2 * up + axis]) ~= isUp then
-      up, low = low, up
+      up, low = pairB[p], pairA[p]
     end
     if kind[up] == DYNAMIC then
       count = count + 1
@@ -153,7 +153,9 @@ local function sortAll(b, count, limit)
   local source, target, unit = b.footingOrder, b.footingBetween, 1
   while unit < limit do
     sortBy(b, source, target, count, unit)
-    source, target = target, source
+    local sorted = target
+    target = source
+    source = sorted
     unit = unit * DIGITS
   end
   b.footingOrder, b.footingBetween = source, target

@@ -121,7 +121,7 @@ local function happen(b, p, code, t, dt)
   local kind, axis, otherIsLow = approach.decode(code)
   local low, high = b.pairA[p], b.pairB[p]
   if otherIsLow then
-    low, high = high, low
+    low, high = b.pairB[p], b.pairA[p]
   end
   if b.dropping[p] or oneway.lets(b, low, high, 2 * axis + 2, kind) then
     return

@@ -199,7 +199,7 @@ end
 local function separate(b, p)
   local i, j = b.pairA[p], b.pairB[p]
   if b.kind[i] ~= DYNAMIC or (b.kind[j] == DYNAMIC and b.rank[j] < b.rank[i]) then
-    i, j = j, i
+    i, j = b.pairB[p], b.pairA[p]
   end
   local width, height = overlapOf(b, i, j)
   if width <= EPSILON or height <= EPSILON then

@@ -357,7 +357,7 @@ local function queryStrips(self, level, cell, a1, b1, a2, b2, isSteep, out, n)
     if slope == 0 then
       from, to = min(b1, b2), max(b1, b2) -- no line but a point
     elseif from > to then
-      from, to = to, from
+      from, to = b1 + (high - a1) * slope, b1 + (low - a1) * slope
     end
     from, to = from - SLACK, to + SLACK
     for at = cellAt(from - cell, cell), cellAt(to, cell) do
@@ -381,7 +381,9 @@ function grid:ray(x1, y1, x2, y2, out)
     a1, b1, a2, b2 = y1, x1, y2, x2
   end
   if a1 > a2 then
-    a1, b1, a2, b2 = a2, b2, a1, b1
+    local endA, endB = a1, b1
+    a1, b1 = a2, b2
+    a2, b2 = endA, endB
   end
   local n, cell, looked = 0, self.cell, 0
   for level = 0, self.highest do
