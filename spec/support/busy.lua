@@ -1,6 +1,6 @@
 --- A busy scene that goes on for ever, for scripts/soak.lua and soak_spec.lua: boxes that are
---- kicked about in a room, lifts and belts, bullets that come and go, and some that fall without end. What
---- the game does depends on the number of the step alone.
+--- kicked about in a room, lifts and belts, bullets that come and go, and some that fall without
+--- end. What the game does depends on the number of the step alone.
 
 local physics = require("physics")
 local newRandom = require("spec.support.random").new
