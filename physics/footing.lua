@@ -5,7 +5,7 @@
 -- settled in one pass over that list, without the queue. What is anything but plain, or makes
 -- others move, goes to `meet`. The queue alone would give the same bits.
 --
--- Reads from, size, kind, plain, the live pairs; writes footings and turn; settles by `resolve`.
+-- Reads from, size, kind, plain, the live pairs; writes footings and turn, and what `resolve` would write.
 
 local here = (...):match("^(.*)%.[^.]+$")
 local columns = require(here .. ".columns")
