@@ -139,6 +139,7 @@ local function readAll(b, i, object, isNew)
   readFilter(b, i, object)
   readMaterial(b, i, object)
   readMotion(b, i, object, isNew)
+  b.hasCarriers = b.hasCarriers or b.kind[i] == KINEMATIC or b.surfaceSpeed[i] ~= 0
   b.plain[i] = not (b.sensor[i] or b.oneWay[i] or b.canCollide[i])
     and b.pushable[i]
     and b.restitution[i] == 0

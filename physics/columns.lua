@@ -182,6 +182,7 @@ function columns.new()
     footings = {}, -- pairs that are flush along gravity when the step begins
     footingUp = {}, -- who stands
     footingLow = {}, -- on whom
+    footingSide = {}, -- of the pair's first
     footingFirst = {}, -- their ranks (see columns.ranks)
     footingSecond = {},
     footingSupport = {},
@@ -190,7 +191,10 @@ function columns.new()
     footingDigit = {},
     footingHeads = {},
     footingCount = 0,
+    landImpulse = 0,
+    landShare = 0,
     footingAt = 0, -- how many of them have had their turn
+    hasCarriers = false, -- anything in the world that ever carried others
     lost = {}, -- slots whose carrier went away since the last step
     lostCount = 0,
     changed = {}, -- scratch of resolve and meet
@@ -204,6 +208,10 @@ function columns.new()
     touchWidth = {},
     touchPairs = {},
     closePairs = {},
+    otherPairs = {},
+    offerAt = {},
+    offerWho = {},
+    offerWidth = {},
     found = {}, -- scratch of detect
     askers = {},
     present = {},
@@ -237,7 +245,9 @@ function columns.new()
   addColumns(b, AXIS, 2)
   addColumns(b, PAIR, 1)
   addColumns(b, HALF, 1)
-  b.object[0], b.awake[0] = false, false -- slot 0 is nobody
+  -- Slot 0 is nobody, anywhere.
+  b.object[0], b.awake[0], b.rank[0] = false, false, 0
+  b.to[0], b.to[1], b.size[0], b.size[1] = 0, 0, 0, 0
   return b
 end
 
@@ -256,6 +266,9 @@ function columns.claim(b)
   end
   for name, default in pairs(AXIS) do
     b[name][2 * i], b[name][2 * i + 1] = default, default
+  end
+  for at = 4 * i + 1, 4 * i + 4 do
+    b.touchBest[at], b.touchWidth[at] = 0, -1
   end
   b.count = b.count + 1
   return i

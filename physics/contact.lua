@@ -148,8 +148,8 @@ local function sensorContact(b, p, i, j)
   return isSwapped and OPPOSITE[side] or side
 end
 
---- Finds out whether pair p is in contact now, and notes what there is to tell of that.
-function contact.update(b, p)
+-- Finds out whether pair p is in contact now, and notes what there is to tell of that.
+local function update(b, p)
   local i, j = b.pairA[p], b.pairB[p]
   local now
   if b.sensor[i] or b.sensor[j] then
@@ -176,6 +176,20 @@ function contact.update(b, p)
   end
   b.contact[p] = now
   b.news[i], b.news[j] = true, true
+end
+
+--- Updates the pairs in `list[1..listCount]`, and lists those in contact behind place `count` of
+--- `touching`; returns how many these are then.
+function contact.updateAll(b, list, listCount, touching, count)
+  for n = 1, listCount do
+    local p = list[n]
+    update(b, p)
+    if b.contact[p] ~= 0 then
+      count = count + 1
+      touching[count] = p
+    end
+  end
+  return count
 end
 
 return contact

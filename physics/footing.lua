@@ -5,7 +5,12 @@
 -- settled in one pass over that list, without the queue. What is anything but plain, or makes
 -- others move, goes to `meet`. The queue alone would give the same bits.
 --
--- Reads from, size, kind, plain, the live pairs; writes footings and turn, and what `resolve` would write.
+-- This loop is compiled; what it has in common with the interpreted files (`path.change`,
+-- `impact.at`, ...) is written out here, because the trace compiler gives up functions that
+-- interpreted ones call, and with them the loop.
+--
+-- Reads from, size, kind, plain, the live pairs; writes footings and turn, and what `resolve` would
+-- write.
 
 local here = (...):match("^(.*)%.[^.]+$")
 local columns = require(here .. ".columns")
@@ -13,46 +18,25 @@ local detect = require(here .. ".detect")
 local friction = require(here .. ".friction")
 local gather = require(here .. ".gather")
 local impact = require(here .. ".impact")
-local path = require(here .. ".path")
 local queue = require(here .. ".queue")
 
 local footing = {}
 
 local DYNAMIC, EPSILON, NO_EVENT = columns.DYNAMIC, columns.EPSILON, columns.NO_EVENT
-local STILL, EVEN = columns.STILL, impact.EVEN
-local huge, floor, max, min = math.huge, math.floor, math.max, math.min
+local STILL, EVEN, ROUNDING = columns.STILL, impact.EVEN, impact.ROUNDING
+local huge, sqrt = math.huge, math.sqrt
+local floor, max, min = math.floor, math.max, math.min
 
 -- Digits of the sort, and from how many footings on it is worth it.
 local DIGITS, MANY = 1024, 24
 
--- Lists the live pairs that are flush along gravity; returns how many.
-local function listFlush(b)
-  local list, flush, count = b.live, b.footingOrder, 0
-  local pairA, pairB, from, size, axis = b.pairA, b.pairB, b.from, b.size, b.downAxis
-  for n = 1, b.liveCount do
-    local p = list[n]
-    local k, m = 2 * pairA[p] + axis, 2 * pairB[p] + axis
-    local r = from[m] - from[k]
-    local gap = max(r - size[k], -r - size[m])
-    if gap <= EPSILON and gap >= -EPSILON then
-      count = count + 1
-      flush[count] = p
-    end
-  end
-  return count
-end
-
--- Of these, keeps those that overlap across gravity and are plain.
+-- Of the pairs that are flush along gravity, keeps those that are plain; returns how many.
 local function keepPlain(b, flushCount)
-  local flush, count = b.footingOrder, 0
-  local pairA, pairB, from, size, across = b.pairA, b.pairB, b.from, b.size, 1 - b.downAxis
+  local flush, pairA, pairB, count = b.footingOrder, b.pairA, b.pairB, 0
   local plain, dropping = b.plain, b.dropping
   for n = 1, flushCount do
     local p = flush[n]
-    local i, j = pairA[p], pairB[p]
-    local k, m = 2 * i + across, 2 * j + across
-    local r = from[m] - from[k]
-    if max(r - size[k], -r - size[m]) < -EPSILON and plain[i] and plain[j] and not dropping[p] then
+    if plain[pairA[p]] and plain[pairB[p]] and not dropping[p] then
       count = count + 1
       flush[count] = p
     end
@@ -64,16 +48,18 @@ end
 local function findUpper(b, plainCount)
   local flush, list, ups, lows, count = b.footingOrder, b.footings, b.footingUp, b.footingLow, 0
   local pairA, pairB, from, kind, axis = b.pairA, b.pairB, b.from, b.kind, b.downAxis
-  local isUp = b.orientation[axis] < 0
+  local isUp, sides = b.orientation[axis] < 0, b.footingSide
   for n = 1, plainCount do
     local p = flush[n]
     local up, low = pairA[p], pairB[p]
+    local side = 2 * axis + (isUp and 1 or 2)
     if (from[2 * low + axis] < from[2 * up + axis]) ~= isUp then
       up, low = pairB[p], pairA[p]
+      side = 4 * axis + 3 - side
     end
     if kind[up] == DYNAMIC then
       count = count + 1
-      list[count], ups[count], lows[count] = p, up, low
+      list[count], ups[count], lows[count], sides[count] = p, up, low, side
     end
   end
   return count
@@ -207,7 +193,7 @@ function footing.list(b)
   if b.pushFirst or b.worldCanCollide or b.queueOnly then
     return
   end
-  local count = findUpper(b, keepPlain(b, listFlush(b)))
+  local count = findUpper(b, keepPlain(b, gather.flush(b, b.footingOrder)))
   b.footingCount = count
   if count > 0 then
     weigh(b, count)
@@ -244,14 +230,15 @@ local function hasDisturbed(b, i, at)
   return false
 end
 
--- Whether the paths of a footing do not press against each other.
+-- Whether the paths of a footing do not press against each other (see gather.endOverlap).
 local function isIdle(b, ku, kl, isUp)
   local low, high = ku, kl
   if isUp then
     low, high = kl, ku
   end
-  local overlap = gather.endOverlap(b, low, high)
-  return overlap <= 0 or (overlap <= EPSILON and b.speed[low] - b.speed[high] <= STILL)
+  local atLow, atHigh, size = b.to[low], b.to[high], b.size[low]
+  local overlap = min(atLow + size - atHigh, atLow - (atHigh - size))
+  return max(-overlap, min(EPSILON - overlap, STILL - (b.speed[low] - b.speed[high]))) >= 0
 end
 
 -- The side towards the floor and the one away from it, as columns: held, holder, pressed.
@@ -281,23 +268,63 @@ local function isSimple(b, up, low, ku, kl, isUp)
     and b.time[low] == 0
 end
 
--- Puts `up` on `low`, as `resolve` would: flush, without a bounce, held from below. Returns whether
--- that is all there is to it; nothing has changed if not.
-local function land(b, p, up, low, ku, kl, isUp, dt)
+-- Friction between two that do not move against each other, nor would: `up` sticks to `low` where
+-- that stands fast. Returns false for all others, whom `friction` must look at.
+local function stick(b, up, low, ku, kl, mu, impulse, sign)
+  local across = 1 - 2 * b.downAxis -- from an index along gravity to the one across
+  local ka, kb = ku + across, kl + across
+  local isFast = b.inverseMass[low] == 0
+  if
+    max(b.speed[ka] - b.speed[kb], b.speed[kb] - b.speed[ka]) > 0
+    or b.accel[ka] ~= b.accel[kb]
+    or b.surfaceSpeed[low] ~= 0
+    or b.down[ku] * sign <= 0
+    or not (isFast or b.stuck[low])
+  then
+    return false
+  end
+  local bearing = mu * impulse
+  if not isFast then
+    b.grip[low] = b.grip[low] + b.stickiness[low] * impulse
+    bearing = min(bearing, b.grip[low])
+  end
+  b.stuck[up], b.stickiness[up], b.grip[up] = true, mu, bearing
+  b.to[ka] = b.from[ka] + (b.to[kb] - b.from[kb])
+  return true
+end
+
+-- Coefficient of friction of a pair, as in `friction`. Who is not dynamic may have none (< 0).
+local function coefficientOf(b, up, low)
+  local one, other = b.friction[up], b.friction[low]
+  if other < 0 or other == one then
+    return one
+  end
+  return sqrt(one * other)
+end
+
+-- What `land` may return.
+local REFUSED, LANDED, RUBS = 0, 1, 2
+
+-- Puts `up` on `low`, who meet on `side` of the pair's first, as `resolve` would: flush, without a
+-- bounce, held from below. Returns LANDED if that is all there is to it, RUBS if friction is still
+-- to come, of the impulse in b.landImpulse and the share in b.landShare, REFUSED if the case is
+-- another one; nothing has changed then.
+local function land(b, p, side, up, low, ku, kl, isUp, dt)
   local to, size, speed, accel, drive = b.to, b.size, b.speed, b.accel, b.drive
   local sign = isUp and -1 or 1
   local v = (speed[ku] - speed[kl]) * sign
   local goal = isUp and to[kl] + size[kl] or to[kl] - size[ku]
   local o = isUp and goal - to[ku] or to[ku] + size[ku] - to[kl]
   if not isSimple(b, up, low, ku, kl, isUp) or (drive[ku] - drive[kl]) * sign < -EVEN then
-    return false
+    return REFUSED
   end
-  local u, tau = impact.at(o, v, (accel[ku] - accel[kl]) * sign, dt, true)
-  local axis, lo, hi = b.downAxis, up, low
-  if isUp then
-    lo, hi = low, up
+  -- They touch already: the simple half of `impact.at`.
+  local start = v - (accel[ku] - accel[kl]) * sign * dt
+  if start <= -STILL or o < (v + start) * 0.5 * dt * (1 - ROUNDING) then
+    return REFUSED
   end
-  b.hit[p], b.hitSpeed[p], b.met[p] = 2 * axis + (b.pairA[p] == lo and 2 or 1), u, 1
+  local u = start > STILL and start or 0
+  b.hit[p], b.hitSpeed[p], b.met[p] = side, u, 1
   to[ku] = goal
   if v > 0 then
     speed[ku] = speed[kl]
@@ -307,12 +334,13 @@ local function land(b, p, up, low, ku, kl, isUp, dt)
   if v > -STILL then
     lean(b, low, ku, kl, isUp)
   end
-  path.change(b, up)
-  if v > 0 then
-    local share = u / v
-    friction.rub(b, lo, hi, axis, v / b.inverseMass[up], share < 1 and share or 1, tau, 0)
+  b.changed[1], b.changedCount, b.changedMark[up] = up, 1, b.changeStamp
+  local mu, impulse = coefficientOf(b, up, low), v / b.inverseMass[up]
+  if mu <= 0 or impulse <= 0 or stick(b, up, low, ku, kl, mu, impulse, sign) then
+    return LANDED
   end
-  return true
+  b.landImpulse, b.landShare = impulse, min(u / v, 1)
+  return RUBS
 end
 
 -- Whether those in `changed` need more than this pass.
@@ -333,16 +361,25 @@ function footing.isLater(b)
 end
 
 --- What `run` may return, but for a pair.
-footing.DONE, footing.CHANGED, footing.ASK = 0, -1, -2
+footing.DONE, footing.CHANGED, footing.ASK, footing.RUB = 0, -1, -2, -3
+
+--- Lets the footing that has just landed rub.
+function footing.rub(b, dt)
+  local x, axis = b.footingOrder[b.footingAt], b.downAxis
+  local up, low = b.footingUp[x], b.footingLow[x]
+  local isDown = b.orientation[axis] > 0
+  local lo, hi = isDown and up or low, isDown and low or up
+  friction.rub(b, lo, hi, axis, b.landImpulse, b.landShare, dt, 0)
+end
 
 --- Settles footings of a step of dt s until one needs more than that; `isNext` if the queue was
 --- asked already and does not go first. Returns what is left to do: a pair that must be looked at
---- in the general way; CHANGED: the neighbours of those in `changed` must; ASK: ask `isLater`;
---- DONE: no footing is left.
+--- in the general way; RUB: let the last one `rub`, and look at the neighbours of those in
+--- `changed`; CHANGED: look at these only; ASK: ask `isLater`; DONE: no footing is left.
 function footing.run(b, dt, isNext)
   local q, order, list, ups, lows = b.queue, b.footingOrder, b.footings, b.footingUp, b.footingLow
   local axis, turn, count = b.downAxis, b.turn, b.footingCount
-  local isUp = b.orientation[axis] < 0
+  local isUp, sides = b.orientation[axis] < 0, b.footingSide
   for at = b.footingAt + 1, count do
     local x = order[at]
     local p, up, low = list[x], ups[x], lows[x]
@@ -352,12 +389,15 @@ function footing.run(b, dt, isNext)
     isNext = false
     b.footingAt = at
     if turn[p] == at and not isIdle(b, 2 * up + axis, 2 * low + axis, isUp) then
-      path.startChanges(b)
-      if not land(b, p, up, low, 2 * up + axis, 2 * low + axis, isUp, dt) then
+      b.changedCount, b.changeStamp = 0, b.changeStamp + 1
+      local done = land(b, p, sides[x], up, low, 2 * up + axis, 2 * low + axis, isUp, dt)
+      if done == REFUSED then
         return p
       end
       b.resolved = b.resolved + 1
-      if haveDisturbed(b, at) then
+      if done == RUBS then
+        return footing.RUB
+      elseif haveDisturbed(b, at) then
         return footing.CHANGED
       end
     end

@@ -9,6 +9,8 @@ local columns = require(here .. ".columns")
 local path = require(here .. ".path")
 local weld = require(here .. ".weld")
 
+require(here .. ".interpreted").file()
+
 local friction = {}
 
 local DYNAMIC = columns.DYNAMIC
@@ -139,6 +141,7 @@ local function rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau, t)
   else
     b.to[ku] = before + (way - (u - a * tau + u) * 0.5 * tau)
   end
+  path.change(b, up)
   weld.follow(b, ku, b.to[ku] - before, t)
   return true
 end

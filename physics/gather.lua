@@ -13,7 +13,7 @@ local columns = require(here .. ".columns")
 local gather = {}
 
 local EPSILON, NO_EVENT = columns.EPSILON, columns.NO_EVENT
-local max, min = math.max, math.min
+local floor, max, min = math.floor, math.max, math.min
 -- Keeps 0 / 0 out of a path that ends as it begins.
 local TINY = 1e-300
 
@@ -22,7 +22,7 @@ local TINY = 1e-300
 function gather.endOverlap(b, low, high)
   local atLow, size, atHigh = b.to[low], b.size[low], b.to[high]
   local forward, backward = atLow + size - atHigh, atLow - (atHigh - size)
-  return forward < backward and forward or backward
+  return min(forward, backward)
 end
 
 -- >= 0 if two stay clear of each other on one axis: apart now, and at the end on the same side.
@@ -50,6 +50,27 @@ local function list(b, half, k, m, x, y, clear, count)
     relative[at + 3], relative[at + 4] = endX, endY
     count = count + 1
     b.near[count] = half
+  end
+  return count
+end
+
+--- Lists the live pairs that are flush along gravity when the step begins, behind `flush`. Returns
+--- how many those are.
+function gather.flush(b, flush)
+  local pairs_, pairA, pairB, from, size = b.live, b.pairA, b.pairB, b.from, b.size
+  local axis, count = b.downAxis, 0
+  for n = 1, b.liveCount do
+    local p = pairs_[n]
+    local i, j = pairA[p], pairB[p]
+    local k, m = 2 * i + axis, 2 * j + axis
+    local kc, mc = 2 * i + 1 - axis, 2 * j + 1 - axis
+    local r, rc = from[m] - from[k], from[mc] - from[kc]
+    local gap = max(r - size[k], -r - size[m])
+    local across = max(rc - size[kc], -rc - size[mc])
+    if max(max(gap, -gap) - EPSILON, across + EPSILON) <= 0 then
+      count = count + 1
+      flush[count] = p
+    end
   end
   return count
 end
@@ -94,7 +115,7 @@ function gather.object(b, i, count)
   local clear, half = b.pushFirst and EPSILON or 0, b.head[i]
   local at = b.footingAt
   while half ~= 0 do
-    local p = (half + half % 2) / 2
+    local p = floor(half * 0.5 + 0.5)
     if turn[p] <= at then
       event[p] = NO_EVENT
       count = listAt(b, half, i, other[half], clear, count)

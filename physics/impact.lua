@@ -7,8 +7,9 @@ local impact = {}
 
 local sqrt = math.sqrt
 local STILL = columns.STILL
--- Share by which an overlap may be short through rounding.
-local ROUNDING = 1e-6
+--- Share by which an overlap may be short through rounding.
+impact.ROUNDING = 1e-6
+local ROUNDING = impact.ROUNDING
 --- px/s² below which two accelerate alike.
 impact.EVEN = 1e-6
 local EVEN = impact.EVEN

@@ -153,6 +153,9 @@ local function stand(b, dt)
     local isNext = left == footing.ASK
     if isNext and footing.isLater(b) then
       return
+    elseif left == footing.RUB then
+      footing.rub(b, dt)
+      followChanged(b, dt)
     elseif left == footing.CHANGED then
       followChanged(b, dt)
     elseif left > 0 then

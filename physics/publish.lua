@@ -24,15 +24,13 @@ local function listClose(b)
   for n = 1, b.liveCount do
     local p = list[n]
     local k, m = 2 * pairA[p], 2 * pairB[p]
-    if k ~= 0 then
-      local x, y = to[m] - to[k], to[m + 1] - to[k + 1]
-      local gap = max(max(x - size[k], -x - size[m]), max(y - size[k + 1], -y - size[m + 1]))
-      if gap <= EPSILON or contacts[p] ~= 0 or hit[p] ~= 0 then
-        count = count + 1
-        close[count] = p
-      else
-        b.overlapping[p], b.wedged[p], b.dropping[p] = false, 0, false
-      end
+    local x, y = to[m] - to[k], to[m + 1] - to[k + 1]
+    local gap = max(max(x - size[k], -x - size[m]), max(y - size[k + 1], -y - size[m + 1]))
+    if min(gap - EPSILON, 0.5 - contacts[p] - hit[p]) <= 0 and k ~= 0 then
+      count = count + 1
+      close[count] = p
+    else
+      b.overlapping[p], b.wedged[p], b.dropping[p] = false, 0, false
     end
   end
   return count
@@ -55,21 +53,22 @@ local function goesOn(b, p, side)
     and not (b.hears[i] or b.hears[j] or b.passing[p] or b.dropping[p] or b.overlapping[p])
 end
 
--- Updates all pairs of whoever took part, and lists those in contact behind b.touchPairs.
+-- Updates all pairs of whoever took part, and lists those in contact behind b.touchPairs; returns
+-- how many. Those of which more must be found out go last, one by one.
 local function updateContacts(b)
-  local close, touchPairs, count, contacts = b.closePairs, b.touchPairs, 0, b.contact
-  local isHeard = b.world.onStay
+  local close, touchPairs, others, contacts = b.closePairs, b.touchPairs, b.otherPairs, b.contact
+  local isHeard, count, otherCount = b.world.onStay, 0, 0
   for n = 1, listClose(b) do
     local p = close[n]
     if contacts[p] == 0 or isHeard or not goesOn(b, p, contacts[p]) then
-      contact.update(b, p)
-    end
-    if contacts[p] ~= 0 then
+      otherCount = otherCount + 1
+      others[otherCount] = p
+    else
       count = count + 1
       touchPairs[count] = p
     end
   end
-  return count
+  return contact.updateAll(b, others, otherCount, touchPairs, count)
 end
 
 local function commonEdge(b, i, j, axis)
@@ -78,35 +77,40 @@ local function commonEdge(b, i, j, axis)
   return min(to[ki] + size[ki], to[kj] + size[kj]) - max(to[ki], to[kj])
 end
 
--- Offers j as what i touches on a side: the widest common edge wins, ties in order.
-local function offer(b, i, side, j, width)
-  local at = 4 * i + side
-  local best, bestWidth = b.touchBest[at], b.touchWidth[at]
-  if width > bestWidth + EPSILON or (width >= bestWidth - EPSILON and b.rank[j] < b.rank[best]) then
-    b.touchBest[at], b.touchWidth[at] = j, width
+-- Lists who touches whom, both ways: where that belongs in touchBest, who it is, how wide the
+-- common edge is; returns how many. Sensors touch nobody.
+local function listOffers(b, count)
+  local touchPairs, pairA, pairB, sensor, contacts =
+    b.touchPairs, b.pairA, b.pairB, b.sensor, b.contact
+  local at, who, width, offers = b.offerAt, b.offerWho, b.offerWidth, 0
+  for n = 1, count do
+    local p = touchPairs[n]
+    local i, j, side = pairA[p], pairB[p], contacts[p]
+    if not (sensor[i] or sensor[j]) then
+      local edge = commonEdge(b, i, j, 1 - floor((side - 1) * 0.5))
+      at[offers + 1], who[offers + 1], width[offers + 1] = 4 * i + side, j, edge
+      offers = offers + 2
+      at[offers], who[offers], width[offers] = 4 * j + OPPOSITE[side], i, edge
+    end
   end
+  return offers
 end
 
--- Finds what everybody touches, from the pairs in contact.
+-- Finds what everybody touches, from the pairs in contact: the widest common edge wins, ties in
+-- order.
 local function findTouching(b, count)
-  local list, touchPairs = b.awakeList, b.touchPairs
-  local best, width = b.touchBest, b.touchWidth
+  local list, best, bestWidth, rank = b.awakeList, b.touchBest, b.touchWidth, b.rank
   for n = 1, b.awakeCount do
     local at = 4 * list[n]
     best[at + 1], best[at + 2], best[at + 3], best[at + 4] = 0, 0, 0, 0
-    width[at + 1], width[at + 2], width[at + 3], width[at + 4] = -1, -1, -1, -1
+    bestWidth[at + 1], bestWidth[at + 2], bestWidth[at + 3], bestWidth[at + 4] = -1, -1, -1, -1
   end
-  for n = 1, count do
-    local p = touchPairs[n]
-    local i, j, side = b.pairA[p], b.pairB[p], b.contact[p]
-    if not (b.sensor[i] or b.sensor[j]) then
-      local edge = commonEdge(b, i, j, 1 - floor((side - 1) * 0.5))
-      if b.awake[i] then
-        offer(b, i, side, j, edge)
-      end
-      if b.awake[j] then
-        offer(b, j, OPPOSITE[side], i, edge)
-      end
+  local places, who, width = b.offerAt, b.offerWho, b.offerWidth
+  for n = 1, listOffers(b, count) do
+    local at, j, w = places[n], who[n], width[n]
+    local widest = bestWidth[at]
+    if w > widest + EPSILON or (w >= widest - EPSILON and rank[j] < rank[best[at]]) then
+      best[at], bestWidth[at] = j, w
     end
   end
 end
@@ -248,6 +252,9 @@ local function tell(b)
 end
 
 local function findCarriers(b)
+  if not b.hasCarriers then
+    return
+  end
   carrier.find(b)
   local list, now, last = b.awakeList, b.carrierNow, b.carrier
   for n = 1, b.awakeCount do
