@@ -135,7 +135,8 @@ local function isWall(b, i, held, backed)
   return b.kind[i] ~= DYNAMIC or held or backed
 end
 
--- What two that rest against each other now do together.
+-- What two that rest against each other now do together. Who pushes one of a row and cannot be
+-- pushed is behind the whole row.
 local function lean(b, lo, hi, kl, kh, wl, wh)
   shareAccel(b.accel, kl, kh, wl, wh)
   shareAccel(b.drive, kl, kh, wl, wh)
@@ -144,8 +145,8 @@ local function lean(b, lo, hi, kl, kh, wl, wh)
     if wh == 0 and isWall(b, hi, b.heldHigh[kh], b.backedLow[kl]) then
       weld.hold(b, kl, false, true)
       b.holderHigh[kl] = hi
-    elseif wh == 0 then
-      b.backedHigh[kl] = true
+    else
+      weld.back(b, kl, false, wh == 0 or b.backedHigh[kh])
     end
   end
   if b.kind[hi] == DYNAMIC then
@@ -153,8 +154,8 @@ local function lean(b, lo, hi, kl, kh, wl, wh)
     if wl == 0 and isWall(b, lo, b.heldLow[kl], b.backedHigh[kh]) then
       weld.hold(b, kh, true, false)
       b.holderLow[kh] = lo
-    elseif wl == 0 then
-      b.backedLow[kh] = true
+    else
+      weld.back(b, kh, wl == 0 or b.backedLow[kl], false)
     end
   end
 end

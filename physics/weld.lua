@@ -41,6 +41,16 @@ function weld.hold(b, k, heldLow, heldHigh)
   until k == first or k == 0
 end
 
+--- Marks all welded to k (and k) as pushed from the low or high side by one that cannot be pushed.
+function weld.back(b, k, backedLow, backedHigh)
+  local first = k
+  repeat
+    b.backedLow[k] = b.backedLow[k] or backedLow
+    b.backedHigh[k] = b.backedHigh[k] or backedHigh
+    k = b.weldNext[k]
+  until k == first or k == 0
+end
+
 -- Ends the hold of slot i on one side, and of whoever is held through it.
 local function letGo(b, i, axis, held, holder)
   local k = 2 * i + axis
@@ -106,6 +116,7 @@ function weld.join(b, kl, kh)
   -- Two rings become one when two members swap whom they lead to.
   b.weldNext[kl], b.weldNext[kh] = b.weldNext[kh], b.weldNext[kl]
   weld.hold(b, kl, b.heldLow[kl] or b.heldLow[kh], b.heldHigh[kl] or b.heldHigh[kh])
+  weld.back(b, kl, b.backedLow[kl] or b.backedLow[kh], b.backedHigh[kl] or b.backedHigh[kh])
 end
 
 return weld

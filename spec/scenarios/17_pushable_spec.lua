@@ -332,6 +332,54 @@ describe("pushable = false", function()
     end)
   end)
 
+  --   +-+-+-+-+   +-+
+  --   |U|P|Q|..   |V|
+  --   +-+-+-+-+   +-+
+  describe("with a row between two of them:", function()
+    for _, row in ipairs({
+      -- boxes, gap between all, vx of U, vx of V
+      { 2, 0, 150, 0 },
+      { 2, 0, 0, -150 },
+      { 2, 1, 150, 0 },
+      { 3, 0.5, 60, 0 },
+      { 4, 5, 600, 0 },
+      { 2, 5, 100, -100 },
+      { 3, 0, 60, -60 },
+    }) do
+      local count, gap, left, right = row[1], row[2], row[3], row[4]
+      local name = "%d boxes, %g px apart, at %g and %g px/s, stop them"
+      it(name:format(count, gap, left, right), function()
+        scene.each(SOME, function(run)
+          local list, size = { gravity = 0, firm("U", 0, 0) }, 16 + gap
+          for i = 1, count do
+            list[i + 1] = box("P" .. i, size * i, 0)
+          end
+          list[count + 2] = firm("V", size * (count + 1), 0)
+          local named = run:build(list)
+          for _ in
+            run:steps(1, function()
+              named.U.vx, named.V.vx = left, right
+            end)
+          do
+            local last = named.U
+            for i = 1, count + 1 do
+              local next_ = named["P" .. i] or named.V
+              local room = next_.x - last.x - 16
+              run:check(room >= -1e-6, "%s is %.9g px inside %s", last.name, -room, next_.name)
+              last = next_
+            end
+          end
+          run:near("length of the row", named.V.x - named.U.x, 16 * (count + 1))
+          if left == 0 then
+            run:near("U", named.U.x, 0)
+          elseif right == 0 then
+            run:near("V", named.V.x, size * (count + 1))
+          end
+        end)
+      end)
+    end
+  end)
+
   --     +-+
   --     |U|
   --    +-+-
