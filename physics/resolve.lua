@@ -178,8 +178,9 @@ local function stopBoth(b, lo, hi, kl, kh)
   b.to[kl] = b.to[kh] - b.size[kl]
   b.speed[kl], b.speed[kh], b.accel[kl], b.accel[kh] = 0, 0, 0, 0
   b.pressedHigh[kl], b.pressedLow[kh] = true, true
-  weld.hold(b, kl, true, true)
-  weld.hold(b, kh, true, true)
+  -- What is between two of them cannot give way; they themselves still do to walls.
+  weld.hold(b, kl, b.pushable[lo], b.pushable[lo])
+  weld.hold(b, kh, b.pushable[hi], b.pushable[hi])
   change(b, lo)
   change(b, hi)
 end

@@ -469,6 +469,29 @@ describe("pushable = false", function()
       end)
     end)
 
+    --      |A| v
+    --      |B| ^
+    --   =========== ^  lift
+    it("one that bounces off a lift against a falling one is not held in the lift", function()
+      scene.each(SOME, function(run)
+        local named = run:build({
+          {
+            "lifts",
+            { name = "lift", x = 60, y = 141, width = 60, height = 8, kinematic = true, vy = -60 },
+          },
+          firm("A", 80, 113, { height = 10, vy = 266 }),
+          firm("B", 81, 125, { height = 15, vy = 157, restitution = 0.4 }),
+        })
+        for _ in run:steps(1) do
+          run:check(named.B.y + 15 <= named.lift.y + 1e-6, "B is in the lift")
+          run:check(named.A.y + 10 <= named.B.y + 1e-6, "A is in B")
+        end
+        run:flush(named.A, named.B, "bottom")
+        run:flush(named.B, named.lift, "bottom")
+        run:still(named.A)
+      end)
+    end)
+
     it("one that jumps against a box over its head lifts it", function()
       scene.each(SOME, function(run)
         local named = run:build({ FLOOR, firm("U", 92, 100), box("P", 92, 50, { gravity = 0 }) })
