@@ -149,6 +149,9 @@ local function mixMemory(sum, out)
   mixList(sum, out.touching)
   mixList(sum, out.contacts)
   mixList(sum, out.events)
+  if out.heardBy then
+    mix(sum, out.heardBy)
+  end
 end
 
 local function mixSettings(sum, out)

@@ -442,7 +442,7 @@ local function rememberEvents(b, st, objects)
       e[EVENT[m]][n] = list[at + 2 + m]
     end
   end
-  e.count, e.told, e.heardBy = n, 0, 3
+  e.count, e.told, e.heardBy = n, st.heardBy and 1 or 0, st.heardBy or 3
 end
 
 local function remember(b, st, objects)

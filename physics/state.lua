@@ -597,15 +597,18 @@ end
 -- What an event consists of, apart from its objects (`a`, `b`, `c`).
 state.EVENT = { "kind", "side", "speed", "rankA", "rankB" }
 
--- Events wait only after a callback has failed, or inside of one. Those about objects that are no
--- longer in the world are left out.
+-- Events wait only after a callback has failed, or inside of one; the first of them may have been
+-- told to some already: `heardBy`. Those about objects that are in the world no more are left out.
 local function saveEvents(b, out, work)
   local list, e, at = listIn(out, "events"), b.events, 0
-  for told = e.told + 1, e.count do
+  local isHalfTold = e.told > 0 and e.heardBy < 3
+  out.heardBy = nil
+  for told = isHalfTold and e.told or e.told + 1, e.count do
     local n = e.order[told]
     local first, second = numberOf(b, work, e.a[n]), numberOf(b, work, e.b[n])
     local third = numberOf(b, work, e.c[n])
     if first > 0 and second > 0 and (third > 0 or not e.c[n]) then
+      out.heardBy = out.heardBy or told == e.told and e.heardBy or nil
       list[at + 1], list[at + 2], list[at + 3] = first, second, third
       at = at + 3
       for m = 1, #state.EVENT do

@@ -345,6 +345,10 @@ local function needEvents(st)
       refuse("state.events[" .. (at + 1) .. "]", "a side of this kind of event", list[at + 1])
     end
   end
+  local heardBy = st.heardBy
+  if heardBy ~= nil and not (#list > 0 and isCount(heardBy, 2) and heardBy > 0) then
+    refuse("state.heardBy", "nil, or 1 or 2 where events wait", heardBy)
+  end
 end
 
 --- Checks a state from its beginning to its end.
