@@ -69,6 +69,14 @@ bench-docs: setup ## measures, and brings the figures into docs/performance.md
 soak: setup ## plays a busy scene for ten million steps, in parts: STEPS=10000000
 	@luajit scripts/soak.lua --steps $(or $(STEPS),10000000)
 
+.PHONY: coverage mutants
+coverage: setup ## shows the lines of the core that no spec runs; fails below 98 %
+	@bash scripts/coverage.sh
+
+mutants: setup ## changes one thing at a time and sees whether a spec fails: SAMPLE=200, SEED=1, FILE=physics/aabb.lua, RESUME=1
+	@nice luajit scripts/mutants.lua --sample $(or $(SAMPLE),200) --seed $(or $(SEED),1) \
+	  $(if $(FILE),--file $(FILE)) $(if $(RESUME),--resume)
+
 ci: ## everything, as the continuous integration does it
 	@bash .ci/run
 

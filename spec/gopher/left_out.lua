@@ -16,6 +16,7 @@ leftOut.files = {
   ["spec/garbage_spec.lua"] = MEMORY,
   ["spec/love12_spec.lua"] = "about LÖVE",
   ["spec/manual_spec.lua"] = "about the scripts that write the manual",
+  ["spec/mutations_spec.lua"] = "about the scripts that look at the specs",
   ["spec/portable_spec.lua"] = "about files",
   ["spec/rockspec_spec.lua"] = "about files",
 }
