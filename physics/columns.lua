@@ -73,6 +73,7 @@ local SLOT = {
   grip = 0, -- impulse that its hold can still take over
   stickiness = 0, -- friction coefficient of that hold
   changedMark = 0,
+  watched = 0, -- step in which a change of its path must be looked into at once
   support = 0, -- slot of what it stands on, 0: nothing
   carrier = 0, -- slot of what carries it, through all that it stands on, 0: nothing
   carrierNow = 0, -- scratch of carrier
@@ -175,6 +176,9 @@ function columns.new()
     live = {}, -- pairs of those who take part in this step
     liveCount = 0,
     liveStamp = 0,
+    step = 0, -- counts the steps, for `watched`
+    isAllSeen = false, -- all footings are settled, and all pairs looked at
+    isCut = false, -- a path has begun anew within the step
     links = 0, -- how often the pairs have changed
     awakenings = 0, -- how often it has changed who takes part
     liveLinks = -1, -- both, when `live` was listed
@@ -191,6 +195,8 @@ function columns.new()
     footingDigit = {},
     footingHeads = {},
     footingCount = 0,
+    odd = {}, -- pairs that are flush, but no footings
+    oddCount = 0,
     landImpulse = 0,
     landShare = 0,
     footingAt = 0, -- how many of them have had their turn
@@ -245,9 +251,11 @@ function columns.new()
   addColumns(b, AXIS, 2)
   addColumns(b, PAIR, 1)
   addColumns(b, HALF, 1)
-  -- Slot 0 is nobody, anywhere.
-  b.object[0], b.awake[0], b.rank[0] = false, false, 0
-  b.to[0], b.to[1], b.size[0], b.size[1] = 0, 0, 0, 0
+  -- Slot 0 is nobody, that of pairs that were taken apart: less than nothing, so it meets nobody.
+  b.object[0], b.awake[0], b.rank[0], b.time[0] = false, false, 0, 0
+  for k = 0, 1 do
+    b.from[k], b.to[k], b.speed[k], b.size[k] = 0, 0, 0, -1
+  end
   return b
 end
 

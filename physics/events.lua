@@ -37,9 +37,27 @@ function events.new()
   }
 end
 
--- Adds an event of the objects in slots i and j, of which the first in the order of the world is
--- told as `a`; `side` is that of i.
+local CALLBACKS = {
+  [END] = "onEnd",
+  [BEGIN] = "onBegin",
+  [STAY] = "onStay",
+  [LEFT] = "onEnd",
+  [CRUSH] = "onCrush",
+}
+
+-- Whether anybody has a callback for an event of slots i and j. Most games listen to few contacts,
+-- and what nobody hears need not be sorted.
+local function hasListener(b, kind, i, j)
+  local name = CALLBACKS[kind]
+  return b.world[name] or b.object[i][name] or b.object[j][name]
+end
+
+-- Adds an event of the objects in slots i and j, if anybody hears of it. The first of them in the
+-- order of the world is told as `a`; `side` is that of i.
 local function add(b, kind, i, j, side, speed)
+  if not hasListener(b, kind, i, j) then
+    return
+  end
   local e, first, second = b.events, i, j
   if b.rank[j] < b.rank[i] then
     first, second, side = j, i, OPPOSITE[side]
@@ -90,6 +108,9 @@ end
 
 --- Notes that slot i is held between j and k on an axis ("x" or "y").
 function events.crush(b, i, j, k, axis)
+  if not hasListener(b, CRUSH, i, i) then
+    return
+  end
   local e = b.events
   local n = e.count + 1
   e.count = n
@@ -127,14 +148,6 @@ function events.endForbidden(b, i)
     half = b.next[half]
   end
 end
-
-local CALLBACKS = {
-  [END] = "onEnd",
-  [BEGIN] = "onBegin",
-  [STAY] = "onStay",
-  [LEFT] = "onEnd",
-  [CRUSH] = "onCrush",
-}
 
 -- Callbacks are read when they are called: a field may have turned bad since the object was read.
 local function checkCallback(b, owner, name)

@@ -22,7 +22,7 @@ local queue = require(here .. ".queue")
 
 local footing = {}
 
-local DYNAMIC, EPSILON, NO_EVENT = columns.DYNAMIC, columns.EPSILON, columns.NO_EVENT
+local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
 local STILL, EVEN, ROUNDING = columns.STILL, impact.EVEN, impact.ROUNDING
 local huge, sqrt = math.huge, math.sqrt
 local floor, max, min = math.floor, math.max, math.min
@@ -30,25 +30,31 @@ local floor, max, min = math.floor, math.max, math.min
 -- Digits of the sort, and from how many footings on it is worth it.
 local DIGITS, MANY = 1024, 24
 
--- Of the pairs that are flush along gravity, keeps those that are plain; returns how many.
+-- Of the pairs that are flush along gravity, keeps those that are plain and lists the others behind
+-- b.odd; returns how many are plain.
 local function keepPlain(b, flushCount)
-  local flush, pairA, pairB, count = b.footingOrder, b.pairA, b.pairB, 0
-  local plain, dropping = b.plain, b.dropping
+  local flush, odd, pairA, pairB, count = b.footingOrder, b.odd, b.pairA, b.pairB, 0
+  local plain, dropping, oddCount = b.plain, b.dropping, 0
   for n = 1, flushCount do
     local p = flush[n]
     if plain[pairA[p]] and plain[pairB[p]] and not dropping[p] then
       count = count + 1
       flush[count] = p
+    else
+      oddCount = oddCount + 1
+      odd[oddCount] = p
     end
   end
+  b.oddCount = oddCount
   return count
 end
 
--- Works out who stands on whom; returns how many stand on something.
+-- Works out who stands on whom; returns how many stand on something. Where the upper one cannot
+-- fall, the pair is odd, too.
 local function findUpper(b, plainCount)
   local flush, list, ups, lows, count = b.footingOrder, b.footings, b.footingUp, b.footingLow, 0
   local pairA, pairB, from, kind, axis = b.pairA, b.pairB, b.from, b.kind, b.downAxis
-  local isUp, sides = b.orientation[axis] < 0, b.footingSide
+  local isUp, sides, odd, oddCount = b.orientation[axis] < 0, b.footingSide, b.odd, b.oddCount
   for n = 1, plainCount do
     local p = flush[n]
     local up, low = pairA[p], pairB[p]
@@ -60,8 +66,12 @@ local function findUpper(b, plainCount)
     if kind[up] == DYNAMIC then
       count = count + 1
       list[count], ups[count], lows[count], sides[count] = p, up, low, side
+    else
+      oddCount = oddCount + 1
+      odd[oddCount] = p
     end
   end
+  b.oddCount = oddCount
   return count
 end
 
@@ -187,7 +197,7 @@ end
 
 --- Lists the footings of a step that begins.
 function footing.list(b)
-  b.footingAt, b.footingCount = 0, 0
+  b.footingAt, b.footingCount, b.oddCount = 0, 0, 0
   -- With push = "first" what is flush is not at rest; and whom the world asks about cannot be
   -- plain.
   if b.pushFirst or b.worldCanCollide or b.queueOnly then
@@ -199,35 +209,6 @@ function footing.list(b)
     weigh(b, count)
     arrange(b, count)
   end
-end
-
--- >= 0 if two stay clear of each other on an axis: apart now, and at the end on the same side, or
--- flush there and not moving against each other. No branches, as this is asked of every neighbour.
-local function clearance(b, k, m)
-  local from, to, size, speed = b.from, b.to, b.size, b.speed
-  local r, rEnd, v = from[m] - from[k], to[m] - to[k], speed[k] - speed[m]
-  local before, after = rEnd - size[k], -rEnd - size[m]
-  return max(
-    min(r - size[k] + EPSILON, max(before, min(before + EPSILON, STILL - v))),
-    min(-r - size[m] + EPSILON, max(after, min(after + EPSILON, STILL + v)))
-  )
-end
-
--- Whether somebody else than those whose turn comes has to be looked at again because the path of
--- slot i has changed.
-local function hasDisturbed(b, i, at)
-  local time, other, nextHalf, event, turn = b.time, b.other, b.next, b.event, b.turn
-  local k, half = 2 * i, b.head[i]
-  while half ~= 0 do
-    local p, j = floor(half * 0.5 + 0.5), other[half]
-    local m = 2 * j
-    local clear = max(clearance(b, k, m), clearance(b, k + 1, m + 1))
-    if (clear < 0 or event[p] ~= NO_EVENT or time[j] ~= 0) and turn[p] <= at then
-      return true
-    end
-    half = nextHalf[half]
-  end
-  return false
 end
 
 -- Whether the paths of a footing do not press against each other (see gather.endOverlap).
@@ -343,17 +324,6 @@ local function land(b, p, side, up, low, ku, kl, isUp, dt)
   return RUBS
 end
 
--- Whether those in `changed` need more than this pass.
-local function haveDisturbed(b, at)
-  for n = 1, b.changedCount do
-    local i = b.changed[n]
-    if detect.hasLeft(b, i) or hasDisturbed(b, i, at) then
-      return true
-    end
-  end
-  return false
-end
-
 --- Whether the queue has an event that comes before the next footing.
 function footing.isLater(b)
   local x = b.footingOrder[b.footingAt + 1]
@@ -379,7 +349,8 @@ end
 function footing.run(b, dt, isNext)
   local q, order, list, ups, lows = b.queue, b.footingOrder, b.footings, b.footingUp, b.footingLow
   local axis, turn, count = b.downAxis, b.turn, b.footingCount
-  local isUp, sides = b.orientation[axis] < 0, b.footingSide
+  local isUp, sides, watched = b.orientation[axis] < 0, b.footingSide, b.watched
+  local step = b.step
   for at = b.footingAt + 1, count do
     local x = order[at]
     local p, up, low = list[x], ups[x], lows[x]
@@ -388,7 +359,10 @@ function footing.run(b, dt, isNext)
     end
     isNext = false
     b.footingAt = at
-    if turn[p] == at and not isIdle(b, 2 * up + axis, 2 * low + axis, isUp) then
+    if turn[p] == at and isIdle(b, 2 * up + axis, 2 * low + axis, isUp) then
+      -- If it comes to press, that goes before later footings.
+      watched[up], watched[low] = step, step
+    elseif turn[p] == at then
       b.changedCount, b.changeStamp = 0, b.changeStamp + 1
       local done = land(b, p, sides[x], up, low, 2 * up + axis, 2 * low + axis, isUp, dt)
       if done == REFUSED then
@@ -397,7 +371,7 @@ function footing.run(b, dt, isNext)
       b.resolved = b.resolved + 1
       if done == RUBS then
         return footing.RUB
-      elseif haveDisturbed(b, at) then
+      elseif watched[up] == step or detect.hasLeft(b, up) then
         return footing.CHANGED
       end
     end

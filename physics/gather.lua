@@ -5,14 +5,14 @@
 -- of the other relative to the object, x and y, where the later of the two paths begins, and x and
 -- y at the end of the step.
 --
--- Reads from, to, size, time, the pairs; writes near, relative, event.
+-- Reads from, to, speed, size, time, the pairs; writes near, relative, event.
 
 local here = (...):match("^(.*)%.[^.]+$")
 local columns = require(here .. ".columns")
 
 local gather = {}
 
-local EPSILON, NO_EVENT = columns.EPSILON, columns.NO_EVENT
+local EPSILON, STILL, NO_EVENT = columns.EPSILON, columns.STILL, columns.NO_EVENT
 local floor, max, min = math.floor, math.max, math.min
 -- Keeps 0 / 0 out of a path that ends as it begins.
 local TINY = 1e-300
@@ -25,12 +25,15 @@ function gather.endOverlap(b, low, high)
   return min(forward, backward)
 end
 
--- >= 0 if two stay clear of each other on one axis: apart now, and at the end on the same side.
--- No branches, so that it is one piece of code for all.
-local function clearance(r, rEnd, size, sizeOther, clear)
+-- >= 0 if two stay clear of each other on one axis: apart now, and at the end on the same side, or
+-- flush there and not moving against each other (`v`, at the end). With a `clear` of EPSILON only
+-- if they are apart by that much at the end. No branches, so that it is one piece of code for all.
+local function clearance(r, rEnd, v, size, sizeOther, clear)
+  local before, after = rEnd - size - clear, -rEnd - sizeOther - clear
+  local flush = EPSILON - clear
   return max(
-    min(r - size + EPSILON, rEnd - size - clear),
-    min(-r - sizeOther + EPSILON, -rEnd - sizeOther - clear)
+    min(r - size + EPSILON, max(before, min(before + flush, STILL - v))),
+    min(-r - sizeOther + EPSILON, max(after, min(after + flush, STILL + v)))
   )
 end
 
@@ -38,11 +41,11 @@ end
 -- the new count. The object is at index k, the other at m; x, y is where that is, relative to the
 -- object, when the later of the two paths begins.
 local function list(b, half, k, m, x, y, clear, count)
-  local to, size, relative = b.to, b.size, b.relative
+  local to, size, speed, relative = b.to, b.size, b.speed, b.relative
   local endX, endY = to[m] - to[k], to[m + 1] - to[k + 1]
   local apart = max(
-    clearance(x, endX, size[k], size[m], clear),
-    clearance(y, endY, size[k + 1], size[m + 1], clear)
+    clearance(x, endX, speed[k] - speed[m], size[k], size[m], clear),
+    clearance(y, endY, speed[k + 1] - speed[m + 1], size[k + 1], size[m + 1], clear)
   )
   if apart < 0 then
     local at = 4 * count
@@ -75,23 +78,6 @@ function gather.flush(b, flush)
   return count
 end
 
---- Lists the live pairs that may meet on the paths with which the step begins, but for footings.
---- Returns how many there are.
-function gather.live(b)
-  local pairs_, pairA, pairB, turn, from, count = b.live, b.pairA, b.pairB, b.turn, b.from, 0
-  -- With push = "first" also those that are only flush.
-  local clear = b.pushFirst and EPSILON or 0
-  for n = 1, b.liveCount do
-    local p = pairs_[n]
-    if turn[p] == 0 then
-      local k, m = 2 * pairA[p], 2 * pairB[p]
-      local x, y = from[m] - from[k], from[m + 1] - from[k + 1]
-      count = list(b, 2 * p - 1, k, m, x, y, clear, count)
-    end
-  end
-  return count
-end
-
 -- Where the other of a pair is on an axis, relative to the object, at the time `start`.
 local function relativeAt(from, to, k, m, mine, its)
   return from[m] + (to[m] - from[m]) * its - (from[k] + (to[k] - from[k]) * mine)
@@ -105,6 +91,37 @@ local function listAt(b, half, i, j, clear, count)
   local x = relativeAt(from, to, k, m, mine, its)
   local y = relativeAt(from, to, k + 1, m + 1, mine, its)
   return list(b, half, k, m, x, y, clear, count)
+end
+
+-- Lists the live pairs that may meet while all paths are those with which the step begins.
+local function listWhole(b, clear)
+  local pairs_, pairA, pairB, from, count = b.live, b.pairA, b.pairB, b.from, 0
+  for n = 1, b.liveCount do
+    local p = pairs_[n]
+    local k, m = 2 * pairA[p], 2 * pairB[p]
+    count = list(b, 2 * p - 1, k, m, from[m] - from[k], from[m + 1] - from[k + 1], clear, count)
+  end
+  return count
+end
+
+-- The same when some paths have been cut.
+local function listCut(b, clear)
+  local pairs_, pairA, pairB, count = b.live, b.pairA, b.pairB, 0
+  for n = 1, b.liveCount do
+    local p = pairs_[n]
+    count = listAt(b, 2 * p - 1, pairA[p], pairB[p], clear, count)
+  end
+  return count
+end
+
+--- Lists all live pairs that may meet on the present paths, and forgets the events of all pairs.
+--- Returns how many there are.
+function gather.live(b)
+  local pairs_, event, clear = b.live, b.event, b.pushFirst and EPSILON or 0
+  for n = 1, b.liveCount do
+    event[pairs_[n]] = NO_EVENT
+  end
+  return b.isCut and listCut(b, clear) or listWhole(b, clear)
 end
 
 --- Lists the pairs of object i that may meet on the present paths, and forgets the events of all

@@ -25,7 +25,7 @@ require(here .. ".interpreted").file()
 
 local meet = {}
 
-local floor, huge = math.floor, math.huge
+local floor, huge, max = math.floor, math.huge, math.max
 local DYNAMIC = columns.DYNAMIC
 local CORNER = approach.CORNER
 
@@ -56,7 +56,8 @@ end
 -- What decides the order of events: moment, kind, how often the pair was resolved, axis, as one
 -- whole number.
 local function keyOf(b, p, t, kind, axis)
-  local moment = floor(t * MOMENTS + 0.5)
+  -- What is met at the very beginning goes before all else (see footing).
+  local moment = t > 0 and max(floor(t * MOMENTS + 0.5), 1) or 0
   if kind == CORNER then
     moment = moment + 2
   end
@@ -78,6 +79,7 @@ local function enqueue(b, p, t, code)
   local support = supportOf(b, low, high, 2 * low + axis, 2 * high + axis, axis)
   local first, second = columns.ranks(b, one, other)
   local key = keyOf(b, p, t, kind, axis)
+  b.watched[one], b.watched[other] = b.step, b.step
   b.event[p] = queue.push(b.queue, key, support, first, second, p, code, t)
 end
 
@@ -146,7 +148,15 @@ local function happen(b, p, code, t, dt)
   followChanged(b, dt)
 end
 
--- Settles what stands on something, until the queue goes first; what that disturbs goes into it.
+-- Looks at everybody, when all that stands on something has been settled: only then are their paths
+-- what they will be for most.
+local function lookAtAll(b)
+  b.isAllSeen = true
+  schedule(b, gather.live(b))
+end
+
+-- Settles what stands on something, until the queue goes first; what that disturbs at once goes
+-- into it.
 local function stand(b, dt)
   local left = footing.run(b, dt, false)
   while left ~= footing.DONE do
@@ -163,16 +173,27 @@ local function stand(b, dt)
     end
     left = footing.run(b, dt, isNext)
   end
+  lookAtAll(b)
+end
+
+-- Pairs that are flush and no footings may be met before those, now or when a path has changed.
+local function scheduleOdd(b)
+  local watched, step = b.watched, b.step
+  for n = 1, b.oddCount do
+    local p = b.odd[n]
+    watched[b.pairA[p]], watched[b.pairB[p]] = step, step
+    schedule(b, gather.pair(b, p))
+  end
 end
 
 --- Resolves all contacts of a step of dt s.
 function meet.run(b, dt)
   local q, event = b.queue, b.event
   queue.clear(q)
-  b.resolved = 0
+  b.resolved, b.isCut, b.isAllSeen, b.step = 0, false, false, b.step + 1
   live.list(b)
   footing.list(b)
-  schedule(b, gather.live(b))
+  scheduleOdd(b)
   stand(b, dt)
   local id = queue.pop(q)
   while id do
@@ -182,7 +203,7 @@ function meet.run(b, dt)
       b.resolved = b.resolved + 1
       happen(b, p, code, t, dt)
     end
-    if b.footingAt < b.footingCount then
+    if not b.isAllSeen then
       stand(b, dt)
     end
     id = queue.pop(q)

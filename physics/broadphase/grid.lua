@@ -22,6 +22,8 @@ local FIRST_BUCKETS = 64
 local FAR = 67108864
 -- px by which the place of a line may be rounded.
 local SLACK = 1e-3
+-- px that a line goes on an axis on which it does not go.
+local TINY = 1e-300
 
 local function clear(heads, count)
   for bucket = 1, count do
@@ -185,29 +187,6 @@ local function queryAll(self, left, top, right, bottom, out)
   return n
 end
 
-local function queryCell(self, level, cellX, cellY, left, top, right, bottom, out, n)
-  local b = self.bodies
-  local fatLow, fatHigh, nextInBucket = b.fatLow, b.fatHigh, self.next
-  local i = self.heads[hash(cellX, cellY, level, self.buckets)]
-  while i ~= 0 do
-    local k = 2 * i
-    if
-      fatLow[k] <= right
-      and fatHigh[k] >= left
-      and fatLow[k + 1] <= bottom
-      and fatHigh[k + 1] >= top
-      and self.cellX[i] == cellX
-      and self.cellY[i] == cellY
-      and self.level[i] == level
-    then
-      n = n + 1
-      out[n] = i
-    end
-    i = nextInBucket[i]
-  end
-  return n
-end
-
 -- The questions of many at once go in stages, each one loop: which rectangles of cells to look at,
 -- which of those cells hold anything, and who is in them. (Loops in loops that go round two or
 -- three times make bad traces.) A rectangle of cells is six numbers side by side, so is a cell.
@@ -295,6 +274,15 @@ local function addMembers(self, list, cellCount, askers, found)
   return n
 end
 
+-- Finds who stands in the cells of the listed ranges and meets who asks.
+local function findIn(self, rangeCount, list, askers, found)
+  -- What lies behind the end is read, and not used.
+  self.ranges[rangeCount + 3], self.ranges[rangeCount + 5] = 0, 0
+  local cells = addCells(self, rangeCount)
+  self.cells[cells + 1] = 0
+  return addMembers(self, list, cells, askers, found)
+end
+
 -- Asks for one whose box is wide.
 local function addAll(self, asker, askers, found, n)
   local fatLow, fatHigh, all = self.bodies.fatLow, self.bodies.fatHigh, self.list
@@ -318,11 +306,7 @@ function grid:overlaps(list, count, askers, found)
     end
     cell = cell * 2
   end
-  -- What lies behind the end is read, and not used.
-  self.ranges[ranges + 3], self.ranges[ranges + 5] = 0, 0
-  local cells = addCells(self, ranges)
-  self.cells[cells + 1] = 0
-  local n = addMembers(self, list, cells, askers, found)
+  local n = findIn(self, ranges, list, askers, found)
   local fatLow, fatHigh = self.bodies.fatLow, self.bodies.fatHigh
   for m = 1, count do
     local k = 2 * list[m]
@@ -333,39 +317,56 @@ function grid:overlaps(list, count, askers, found)
   return n
 end
 
---- Writes the slots of all objects whose fat boxes meet the rectangle into `out`; returns how many.
-function grid:query(left, top, right, bottom, out)
-  -- Asked in the name of slot 0, which nobody has.
+-- Gives slot 0, which nobody has, a box: in its name somebody asks who is in no grid.
+local function askFor(self, left, top, right, bottom)
   local fatLow, fatHigh = self.bodies.fatLow, self.bodies.fatHigh
   fatLow[0], fatLow[1], fatHigh[0], fatHigh[1] = left, top, right, bottom
+end
+
+--- Writes the slots of all objects whose fat boxes meet the rectangle into `out`; returns how many.
+function grid:query(left, top, right, bottom, out)
+  askFor(self, left, top, right, bottom)
   local n = self:overlaps(self.nobody, 1, self.answers, out)
   return n
 end
 
--- The cells of one level that a line passes, strip by strip across its longer axis. `a` is that
--- axis, `b` the other one, a1 <= a2:
+-- Lists the cells of one level that a line passes, strip by strip across its longer axis. `a` is
+-- that axis, `b` the other one, a1 <= a2:
 --
 --     +---+---+---+     An object that starts in a strip ends in the next one at the latest, so
 --     |   | . |.  |     a strip looks at the piece of the line over both of them, and no cell is
 --     |  .|   |   |     looked at twice.
 --     +---+---+---+
-local function queryStrips(self, level, cell, a1, b1, a2, b2, isSteep, out, n)
-  local slope = a2 > a1 and (b2 - b1) / (a2 - a1) or 0
+local function addStrips(self, level, cell, a1, b1, a2, b2, isSteep, n)
+  local ranges = self.ranges
+  local slope = (b2 - b1) / max(a2 - a1, TINY)
+  -- Where a strip and its cells stand in a range.
+  local along, across = isSteep and 5 or 3, isSteep and 3 or 5
   for strip = cellAt(a1 - cell, cell), cellAt(a2, cell) do
     local low, high = max(a1, strip * cell), min(a2, (strip + 2) * cell)
     local from, to = b1 + (low - a1) * slope, b1 + (high - a1) * slope
-    if slope == 0 then
-      from, to = min(b1, b2), max(b1, b2) -- no line but a point
-    elseif from > to then
-      from, to = b1 + (high - a1) * slope, b1 + (low - a1) * slope
-    end
-    from, to = from - SLACK, to + SLACK
-    for at = cellAt(from - cell, cell), cellAt(to, cell) do
-      if isSteep then
-        n = queryCell(self, level, at, strip, from, low, to, high, out, n)
-      else
-        n = queryCell(self, level, strip, at, low, from, high, to, out, n)
-      end
+    ranges[n + 1], ranges[n + 2] = 1, level
+    ranges[n + along], ranges[n + along + 1] = strip, strip
+    ranges[n + across] = cellAt(min(from, to) - SLACK - cell, cell)
+    ranges[n + across + 1] = cellAt(max(from, to) + SLACK, cell)
+    n = n + RANGE
+  end
+  return n
+end
+
+-- Keeps of `found` whose fat boxes the line meets, up to rounding; returns how many.
+local function keepCrossed(self, found, count, x1, y1, x2, y2)
+  local fatLow, fatHigh, n = self.bodies.fatLow, self.bodies.fatHigh, 0
+  local dx, dy = x2 - x1, y2 - y1
+  dx, dy = dx == 0 and TINY or dx, dy == 0 and TINY or dy
+  for m = 1, count do
+    local i = found[m]
+    local k = 2 * i
+    local a, b = (fatLow[k] - SLACK - x1) / dx, (fatHigh[k] + SLACK - x1) / dx
+    local c, d = (fatLow[k + 1] - SLACK - y1) / dy, (fatHigh[k + 1] + SLACK - y1) / dy
+    if max(min(a, b), min(c, d)) <= min(max(a, b), max(c, d)) then
+      n = n + 1
+      found[n] = i
     end
   end
   return n
@@ -385,18 +386,22 @@ function grid:ray(x1, y1, x2, y2, out)
     a1, b1 = a2, b2
     a2, b2 = endA, endB
   end
-  local n, cell, looked = 0, self.cell, 0
+  local left, top, right, bottom = min(x1, x2), min(y1, y2), max(x1, x2), max(y1, y2)
+  local ranges, cell, looked = 0, self.cell, 0
   for level = 0, self.highest do
     if self.members[level] > 0 then
       looked = looked + 3 * ((a2 - a1) / cell + 2)
       if looked > 16 + self.count or max(-a1, a2, -b1, b1, -b2, b2) >= (FAR - 2) * cell then
-        return queryAll(self, min(x1, x2), min(y1, y2), max(x1, x2), max(y1, y2), out)
+        local n = queryAll(self, left, top, right, bottom, out)
+        return keepCrossed(self, out, n, x1, y1, x2, y2)
       end
-      n = queryStrips(self, level, cell, a1, b1, a2, b2, isSteep, out, n)
+      ranges = addStrips(self, level, cell, a1, b1, a2, b2, isSteep, ranges)
     end
     cell = cell * 2
   end
-  return n
+  askFor(self, left - SLACK, top - SLACK, right + SLACK, bottom + SLACK)
+  local n = findIn(self, ranges, self.nobody, self.answers, out)
+  return keepCrossed(self, out, n, x1, y1, x2, y2)
 end
 
 return grid
