@@ -128,6 +128,13 @@ describe("world:raycast", function()
     { "grazing a corner", { 0, 20, 20, 0 } },
     { "without length, inside", { 15, 15, 15, 15 }, { 15, 15, 0, 0, 0 } },
     { "without length, outside", { 0, 0, 0, 0 } },
+    { "without length, on the left edge", { 10, 15, 10, 15 }, { 10, 15, 0, 0, 0 } },
+    { "without length, on the right edge", { 30, 15, 30, 15 } },
+    { "without length, on the upper left corner", { 10, 10, 10, 10 }, { 10, 10, 0, 0, 0 } },
+    { "without length, on the lower right corner", { 30, 20, 30, 20 } },
+    { "up to a corner", { 0, 0, 10, 10 }, { 10, 10, 0, -1, 1 } },
+    { "from a corner, inwards", { 10, 10, 40, 40 }, { 10, 10, 0, -1, 0 } },
+    { "from a corner, outwards", { 10, 10, 0, 0 } },
   }) do
     it("answers: " .. row[1], function()
       for _, static in ipairs({ true, false }) do
@@ -144,6 +151,36 @@ describe("world:raycast", function()
       end
     end)
   end
+
+  -- Into the corner at (10, 10) of the box.
+  it("tells the normal along gravity at a corner", function()
+    for _, row in ipairs({
+      { 0, 800, 0, -1 },
+      { 0, -800, 0, -1 },
+      { 800, 0, -1, 0 },
+      { -800, 0, -1, 0 },
+    }) do
+      local world = still({ gravityX = row[1], gravity = row[2] })
+      world:add("b", tile(10, 10, 20, 10))
+      local hit, x, y, nx, ny = world:raycast(0, 0, 40, 40)
+      assert.is_table(hit)
+      assert.are.same({ 10, 10, row[3], row[4] }, { x, y, nx, ny })
+    end
+  end)
+
+  --     +-+            the neighbour covers the side along gravity,
+  --     +-+   +-+-+    or the one across it
+  --     +-+   +-+-+
+  it("tells the normal of the wall at a corner in it", function()
+    for _, row in ipairs({ { 10, 0, -1, 0 }, { 0, 10, 0, -1 } }) do
+      local world = still({ gravity = 800 })
+      world:add("b", tile(10, 10, 10, 10))
+      world:add("b", tile(row[1], row[2], 10, 10))
+      local hit, x, y, nx, ny = world:raycast(2, 2, 18, 18)
+      assert.is_table(hit)
+      assert.are.same({ 10, 10, row[3], row[4] }, { x, y, nx, ny })
+    end
+  end)
 
   it("does not slip through a seam, whichever way it goes", function()
     for _, shift in ipairs({ 0, 0.1, 1 / 3, -1000.1, 100000.3 }) do
