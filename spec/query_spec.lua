@@ -516,6 +516,75 @@ describe("a question", function()
     assert.is_true(least < 0.1, ("%.3f KB"):format(least))
   end)
 
+  it("costs what the neighbourhood costs, not the world", function()
+    local reads = 0
+    --- Boxes in rows of 50, whose x is read through a counter.
+    local function crowd(count)
+      local world = still()
+      for i = 0, count - 1 do
+        local object, x = box(nil, 40 * ((i - i % 50) / 50), 16, 16), 40 * (i % 50)
+        setmetatable(object, {
+          __index = function(_, key)
+            reads = reads + 1
+            return key == "x" and x or nil
+          end,
+          __newindex = function(t, key, value)
+            if key ~= "x" then
+              rawset(t, key, value)
+            end
+          end,
+        })
+        world:add("boxes", object)
+      end
+      world:update(1 / 60)
+      return world
+    end
+
+    local function cost(count)
+      local world = crowd(count)
+      local costs = {}
+      local object = world.objects.boxes[52]
+      for i, ask in ipairs({
+        function() -- the first one looks at everybody
+          return select(2, world:queryPoint(5, 5))
+        end,
+        function()
+          return select(2, world:queryPoint(5, 5))
+        end,
+        function()
+          return select(2, world:queryRect(0, 0, 60, 60)) - 3
+        end,
+        function()
+          return select(2, world:querySegment(-10, 5, 60, 5)) - 1
+        end,
+        function()
+          return world:raycast(-10, 5, 100000, 5) and 1
+        end,
+        function()
+          return world:nearest(20, 20, 10) and 1
+        end,
+        function()
+          return world:sweep(object, 30, 0) and 1
+        end,
+        function()
+          return select(2, world:overlapping(object)) + 1
+        end,
+      }) do
+        reads = 0
+        assert.are.equal(1, ask())
+        costs[i] = reads
+      end
+      return costs
+    end
+
+    local few, many = cost(200), cost(2000)
+    assert.is_true(many[1] > 2000, "the first: " .. many[1])
+    for i = 2, #few do
+      assert.are.equal(few[i], many[i], "question " .. i)
+      assert.is_true(many[i] <= 20, "question " .. i .. ": " .. many[i])
+    end
+  end)
+
   it("can be asked inside canCollide and inside events, where nothing may be moved", function()
     local world = physics.newWorld({ gravity = 800 })
     world:add("floor", tile(0, 100, 200, 20))
