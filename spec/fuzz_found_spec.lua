@@ -39,6 +39,37 @@ local FOUND = {
       },
     },
   },
+  {
+    "a row between two that cannot be pushed stops both",
+    {
+      settings = { gravity = 0 },
+      acts = {
+        {
+          "add",
+          1,
+          "boxes",
+          { x = 0, y = 0, width = 16, height = 16, vx = 150, pushable = false },
+        },
+        { "add", 2, "boxes", { x = 16, y = 0, width = 16, height = 16 } },
+        { "add", 3, "boxes", { x = 32, y = 0, width = 16, height = 16 } },
+        { "add", 4, "boxes", { x = 48, y = 0, width = 16, height = 16, pushable = false } },
+        { "update", 0.016666666666666666 },
+      },
+    },
+  },
+  {
+    "a restored copy may be told to read an object anew before its first step",
+    {
+      settings = {},
+      acts = {
+        { "add", 1, "tiles", { height = 20, static = true, width = 20, x = 100, y = 300 } },
+        { "listen", 1, "onBegin", {} },
+        { "update", 0.01 },
+        { "twin" },
+        { "update", 0 },
+      },
+    },
+  },
 }
 
 describe("a random game has found that", function()

@@ -163,6 +163,30 @@ function Watch:checkDepths()
   end
 end
 
+-- The first two who overlap and must not.
+function Watch:findOverlap()
+  for n, a in ipairs(self.everybody) do
+    for m = n + 1, #self.everybody do
+      local b = self.everybody[m]
+      if (isDynamic(a) or isDynamic(b)) and depth(a, b) > slack(a, b) and self:isBarred(a, b) then
+        return a, b
+      end
+    end
+  end
+end
+
+-- Where nobody overlapped, nobody comes to, unless somebody is crushed.
+function Watch:checkOverlaps()
+  if not self.isClean or next(self.crushed) or next(self.player.touched) then
+    return
+  end
+  local a, b = self:findOverlap()
+  if a then
+    local text = "%s and %s overlap by %.9g px"
+    return "overlap", text:format(nameOf(self, a), nameOf(self, b), depth(a, b)), depth(a, b)
+  end
+end
+
 -- Who was crushed stays so until it overlaps nobody it could push.
 function Watch:updateCrushed()
   for id in next, self.crushed do
@@ -251,7 +275,7 @@ function Watch:onBegin(key, a, b, side, speed)
     self:complain("pairing", ("onBegin of %s twice"):format(key))
   elseif speed ~= speed or speed < 0 or speed >= FAR then
     self:complain("pairing", ("onBegin of %s with speed %s"):format(key, tostring(speed)))
-  elseif not self.player.touchedAny and self.groupOf[a] and self.groupOf[b] then
+  elseif self.groupOf[a] and self.groupOf[b] then
     if not self:canMeet(a, b) and self:isSettled(a) and self:isSettled(b) then
       self:complain("masks", ("onBegin of %s, who cannot meet"):format(key))
     end
@@ -397,6 +421,7 @@ function Watch:before()
   self:look()
   self:noteStatics()
   self:noteDepths()
+  self.isClean = not next(self.crushed) and not self:findOverlap()
   self:noteSums()
   self.saved = self.player.world._saved
 end
@@ -423,6 +448,9 @@ function Watch:after(dt)
     return name, text
   end
   name, text = self:checkDepths()
+  if not name then
+    name, text = self:checkOverlaps()
+  end
   if not name then
     name, text = self:checkTouching()
   end
