@@ -18,7 +18,6 @@ local FACTOR_A, FACTOR_B = 131071.0, 99991.0 -- products with them stay below 2^
 local FRACTION = 4503599627370496.0 -- 2^52: makes the fraction of a number >= 1 whole
 local BIG = 281474976710656.0 -- 2^48
 local TRUE, FALSE, TEXT = 5000011, 5000027, 5000039
-local NAN, INFINITE = 5000057, 5000077
 
 -- Folds a whole number below 2^52 into both remainders of `sum`.
 local function mix(sum, piece)
@@ -30,10 +29,6 @@ end
 -- A finite number as pieces below 2^52: whole part, sign and whether more follows; fraction; scale.
 local function mixNumber(sum, value)
   value = value + 0.0
-  if value - value ~= 0 then -- the game has written it, and `update` will refuse it
-    mix(sum, value ~= value and NAN or value > 0 and INFINITE or -INFINITE)
-    return
-  end
   local sign = 0
   if value < 0 then
     value, sign = -value, 1

@@ -60,6 +60,8 @@ end
 local function checkKey(key, path)
   if type(key) ~= "number" and type(key) ~= "string" then
     check.fail(path .. " has a key that is neither a number nor a string, got " .. check.show(key))
+  elseif type(key) == "number" and not check.isFinite(key) then
+    check.fail(path .. " has a key that is no finite number, got " .. check.show(key))
   end
 end
 

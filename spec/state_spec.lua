@@ -284,13 +284,23 @@ describe("world:restore", function()
 
   it("shows at once what touches what", function()
     local world, box = smallWorld()
-    local state, floor = world:save(), world.objects.floor[1]
-    assert.are.equal(floor, box.touching.bottom)
-    box.y = 0
+    local floor = world.objects.floor[1]
+    local hung = world:add("boxes", { x = 384, y = 50, width = 16, height = 16, gravity = 0 })
+    hung.vx = 20
+    local wall = world:add("walls", { x = 400, y = 0, width = 9, height = 90, static = true })
+    world:update(1 / 60)
+    local state = world:save()
+    local function checkTouching()
+      local stands = { left = false, right = false, top = false, bottom = floor }
+      assert.are.same(stands, box.touching)
+      assert.are.same({ left = false, right = wall, top = false, bottom = false }, hung.touching)
+    end
+    checkTouching()
+    box.y, hung.x = 0, 200
     world:update(1 / 60)
     assert.is_false(box.touching.bottom)
     world:restore(state)
-    assert.are.equal(floor, box.touching.bottom)
+    checkTouching()
     local other = physics.newWorld()
     other:restore(read(write(state)))
     assert.are.equal(other.objects.floor[1], other.objects.boxes[1].touching.bottom)
@@ -391,6 +401,36 @@ describe("world:restore", function()
     twin:restore(read(write(state)))
     assert.are.equal(hash, twin:hash())
     assert.are.same(first, listen(twin))
+  end)
+
+  it("tells the events that were still to come when it was saved, by whomever", function()
+    for _, where in ipairs({ "box", "floor", "world" }) do
+      local world, box, other = smallWorld()
+      local told, state = {}, nil
+      local function listen(owner, name)
+        owner.onBegin = function(_, hit)
+          told[#told + 1] = name .. " " .. hit.x
+          state = state or (name == where and world:save() or nil)
+        end
+      end
+      box.y, other.y = 60, 60
+      world:update(1 / 60)
+      listen(box, "box")
+      listen(world.objects.floor[1], "floor")
+      listen(world, "world")
+      while not state do
+        world:update(1 / 60)
+      end
+      assert.are.same({ "box 0", "floor 10", "world 0", "floor 60", "world 0" }, told)
+      local rest = {}
+      for n = where == "box" and 2 or where == "floor" and 3 or 4, #told do
+        rest[#rest + 1] = told[n]
+      end
+      told = {}
+      world:restore(state)
+      world:update(0)
+      assert.are.same(rest, told)
+    end
   end)
 
   it("brings back the walls of setBounds", function()

@@ -1,0 +1,242 @@
+--- What seldom happens, each in one small scene: lines that no other spec runs.
+
+local physics = require("physics")
+
+local DT = 1 / 60
+
+local function newWorld(settings)
+  return physics.newWorld(settings or { gravity = 600 })
+end
+
+local function box(x, y, fields)
+  local object = { x = x, y = y, width = 16, height = 16 }
+  for key, value in pairs(fields or {}) do
+    object[key] = value
+  end
+  return object
+end
+
+local function floor(y)
+  return { x = 0, y = y, width = 400, height = 20, static = true }
+end
+
+local function refuses(text, f, ...)
+  local ok, message = pcall(f, ...)
+  assert.is_false(ok)
+  assert.is_truthy(message:find(text, 1, true), message)
+end
+
+describe("a question", function()
+  it("does not find what was replaced by assignment, but the new one", function()
+    for _, fields in ipairs({ {}, { static = true } }) do
+      local world = newWorld({ gravity = 0 })
+      local old, new = box(0, 0, fields), box(100, 0, fields)
+      for _, ask in ipairs({
+        function()
+          return world:queryPoint(8, 8)[1], world:queryPoint(108, 8)[1]
+        end,
+        function()
+          return world:raycast(-9, 8, 40, 8), (world:raycast(90, 8, 140, 8))
+        end,
+      }) do
+        world.objects.boxes = { old }
+        world:update(DT)
+        local first, second = ask()
+        assert.are.equal(old, first)
+        assert.is_nil(second)
+        world.objects.boxes[1] = new
+        first, second = ask()
+        assert.is_nil(first)
+        assert.are.equal(new, second)
+      end
+    end
+  end)
+
+  it("names the object whose size or `active` has turned bad", function()
+    for _, row in ipairs({
+      { "width", 0, "objects.boxes[1].width must be a number > 0, got 0" },
+      { "height", -1, "objects.boxes[1].height must be a number > 0, got -1" },
+      { "active", 1, "objects.boxes[1].active must be true or false, got 1" },
+      { "x", 0 / 0, "objects.boxes[1].x must be a number, got nan" },
+    }) do
+      local world = newWorld()
+      local object = world:add("boxes", box(0, 0))
+      world:update(DT)
+      object[row[1]] = row[2]
+      refuses(row[3], world.queryPoint, world, 8, 8)
+    end
+  end)
+
+  it("names a setting or a table that has turned bad", function()
+    local world = newWorld()
+    world:add("boxes", box(0, 0))
+    world.sideBySide = 1
+    refuses("sideBySide must be true or false, got 1", world.queryPoint, world, 0, 0)
+    world.sideBySide, world.objects = nil, 7
+    refuses("objects must be a table of groups, got 7", world.setBounds, world, 0, 0, 9, 9)
+    world.objects = { bounds = box(0, 0) }
+    local text = "world:setBounds(x, y, w, h): objects.bounds must be a group, got an object"
+    refuses(text, world.setBounds, world, 0, 0, 9, 9)
+  end)
+
+  it("is answered by explain for gaps on y, corners and canCollide of the world", function()
+    local world = newWorld({ gravity = 0 })
+    local a, b = world:add("a", box(0, 0)), world:add("b", box(4, 26))
+    assert.is_truthy(world:explain(a, b):find("they are 10 px apart on y", 1, true))
+    b.x, b.y = 16, 16
+    assert.is_truthy(world:explain(a, b):find("they are flush at a corner only", 1, true))
+    b.x = 15
+    assert.is_truthy(world:explain(a, b):find("they are flush at the bottom of", 1, true))
+    assert.is_nil(world:explain(a, b):find("canCollide", 1, true))
+    world.canCollide = function() end
+    assert.is_truthy(world:explain(a, b):find("canCollide of the world is asked", 1, true))
+  end)
+end)
+
+describe("an update", function()
+  it("of a tiny dt is one step, too", function()
+    local world = newWorld({ gravity = 0, maxStep = 0.25 })
+    local object = world:add("boxes", box(0, 0, { vx = 1000 }))
+    world:update(1e-5)
+    assert.are.near(0.01, object.x, 1e-12)
+    world:update(1e-10)
+    assert.are.near(0.01 + 1e-7, object.x, 1e-12)
+  end)
+
+  it("and a state refuse keys that are no finite numbers", function()
+    for _, key in ipairs({ 1 / 0, -1 / 0 }) do
+      local world = newWorld()
+      local object = world:add("b", box(0, 0))
+      world:update(DT)
+      local place, shown = world.objects.b, key > 0 and "inf" or "-inf"
+      for _, path in ipairs({ "objects.b", "objects" }) do
+        place[key] = path == "objects" and { object } or object
+        place[1] = nil
+        local text = path .. " has a key that is no finite number, got " .. shown
+        refuses(text, world.update, world, DT)
+        refuses(text, world.save, world)
+        refuses(text, world.hash, world)
+        place[key], place = nil, world.objects
+        place.b = nil
+      end
+    end
+  end)
+end)
+
+describe("a state", function()
+  -- Saves in the middle, goes on, goes back and goes on again; and the same in a world of its own.
+  local function checkReplay(world, change)
+    local state, hash = world:save(), world:hash()
+    local function goOn(it)
+      for _ = 1, 20 do
+        it:update(DT)
+      end
+      return it:hash()
+    end
+    local expected = goOn(world)
+    world:restore(state)
+    assert.are.equal(hash, world:hash())
+    assert.are.equal(expected, goOn(world))
+    local twin = newWorld()
+    twin:restore(state)
+    assert.are.equal(hash, twin:hash())
+    assert.are.equal(expected, goOn(twin))
+    if change then
+      world:restore(state)
+      change(world)
+      world:update(DT)
+      world:restore(state)
+      assert.are.equal(hash, world:hash())
+      assert.are.equal(expected, goOn(world))
+    end
+    return state
+  end
+
+  it("knows a mask as it was read, and as it is since", function()
+    local world = newWorld()
+    world:add("floor", floor(100))
+    local mask = { floor = false }
+    local object = world:add("boxes", box(0, 60, { mask = mask }))
+    world:update(DT)
+    mask.floor = nil -- the next update will read this
+    mask.boxes = false
+    local state = checkReplay(world, function()
+      object.mask, mask.boxes, mask.other = nil, true, true
+    end)
+    assert.are.same({ 1, { "floor", false } }, state.read.mask)
+    mask.floor = 1
+    refuses("objects.boxes[1].mask", world.save, world)
+  end)
+
+  it("knows a mask that was read and is gone", function()
+    local world = newWorld()
+    world:add("floor", floor(100))
+    local object = world:add("boxes", box(0, 60, { mask = { floor = false } }))
+    world:update(DT)
+    object.mask = nil
+    checkReplay(world, function()
+      object.mask = { boxes = false }
+    end)
+  end)
+
+  it("knows riders whose lift is gone, and who was moved by the game", function()
+    local world = newWorld()
+    local lift = { x = 0, y = 100, width = 100, height = 16, kinematic = true, vx = 30, vy = -20 }
+    world:add("lifts", lift)
+    local rider = world:add("boxes", box(10, 84))
+    world:add("boxes", box(60, 60))
+    for _ = 1, 40 do
+      world:update(DT)
+    end
+    assert.are.equal(lift, rider.touching.bottom)
+    world:remove(lift)
+    checkReplay(world, function()
+      rider.x = rider.x + 3
+    end)
+  end)
+
+  it("tells static objects that changed unseen from those that did not", function()
+    for _, row in ipairs({ { "y", 90 }, { "oneWay", "top" }, { "kinematic", true } }) do
+      local world = newWorld()
+      local ground = world:add("floor", floor(100))
+      world:add("boxes", box(0, 60))
+      world:update(DT)
+      checkReplay(world, function()
+        if row[1] == "kinematic" then
+          ground.static = nil
+        end
+        ground[row[1]] = row[2]
+        world:refresh(ground)
+      end)
+    end
+  end)
+
+  it("brings back the list `order` as the same table, or as one that says the same", function()
+    local world = newWorld()
+    world:add("b", box(0, 0))
+    local order = { "b", "a" }
+    world.order = order
+    world:update(DT)
+    local state = world:save()
+    world:restore(state)
+    assert.are.equal(order, world.order)
+    order[1], order[2] = "a", "b"
+    world:restore(state)
+    assert.are.same({ "b", "a" }, world.order)
+    assert.are.same({ "a", "b" }, order)
+    world.order, world.objects = nil, nil
+    world:restore(state)
+    assert.are.same({ "b", "a" }, world.order)
+    assert.are.equal(0, world.objects.b[1].x)
+  end)
+
+  it("refuses an object that stands twice, as update does", function()
+    local world = newWorld()
+    local object = world:add("b", box(0, 0))
+    world:update(DT)
+    world.objects.c = { object }
+    for _, call in ipairs({ "save", "hash", "update" }) do
+      refuses("objects.c[1]", world[call], world, call == "update" and DT or nil)
+    end
+  end)
+end)
