@@ -210,7 +210,58 @@ describe("world:raycast", function()
     assert.are.equal(far, (world:raycast(0, 5, 2e6, 5)))
     local near = world:add("b", box(1e6 - 20, 0, 10, 10))
     assert.are.equal(near, (world:raycast(0, 5, 2e6, 5)))
+    for _, x in ipairs({ 1e5, 1e4, 3000, 300, 12 }) do
+      near = world:add("b", box(x, 0, 10, 10))
+      assert.are.equal(near, (world:raycast(0, 5, 2e6, 5)))
+      assert.are.equal(near, (world:raycast(x + 20, 5, -5000, 5)))
+    end
   end)
+end)
+
+describe("world:querySegment far from the origin", function()
+  -- Whether a line passes through the inside of a box.
+  local function passes(o, x1, y1, x2, y2)
+    local first, last = 0, 1
+    for _, row in ipairs({ { x1, x2, o.x, o.width }, { y1, y2, o.y, o.height } }) do
+      local from, way, low, high = row[1], row[2] - row[1], row[3], row[3] + row[4]
+      if way == 0 then
+        if from <= low or from >= high then
+          return false
+        end
+      else
+        local a, b = (low - from) / way, (high - from) / way
+        first, last = math.max(first, math.min(a, b)), math.min(last, math.max(a, b))
+      end
+    end
+    return last - first > 1e-9
+  end
+
+  for _, place in ipairs({ { 1000, 1000 }, { -1700, 1000 }, { -1700, -1700 } }) do
+    it(("finds each tile on the line, at %d, %d"):format(place[1], place[2]), function()
+      local world, random, tiles = still(), newRandom(3), {}
+      for i = 0, 899 do
+        local column = i % 30
+        local x, y = place[1] + 20 * column, place[2] + 20 * ((i - column) / 30)
+        tiles[i + 1] = world:add("tiles", tile(x, y, 8, 8))
+      end
+      for _ = 1, 60 do
+        local x1, y1 = place[1] + random:between(0, 600), place[2] + random:between(0, 600)
+        local x2, y2 = place[1] + random:between(0, 600), place[2] + random:between(0, 600)
+        local list, count = world:querySegment(x1, y1, x2, y2)
+        local found, expected = {}, 0
+        for n = 1, count do
+          found[list[n]] = true
+        end
+        for _, object in ipairs(tiles) do
+          if passes(object, x1, y1, x2, y2) then
+            expected = expected + 1
+            assert.is_true(found[object])
+          end
+        end
+        assert.are.equal(expected, count)
+      end
+    end)
+  end
 end)
 
 describe("world:nearest", function()
@@ -257,6 +308,35 @@ describe("world:sweep", function()
         end
         assert.are.same({ 0, 0 }, { object.x, object.y })
       end
+    end)
+  end
+
+  for _, row in ipairs({
+    { "right", 3000, 0, 990, 0, -1, 0 },
+    { "left", -3000, 0, -985, 0, 1, 0 },
+    { "down", 0, 3000, 0, 990, 0, -1 },
+    { "up", 0, -3000, 0, -985, 0, 1 },
+    { "right and up", 3000, -3000, 990, -990, -1, 0 },
+    { "left and down", -3000, 3000, -985, 985, 1, 0 },
+  }) do
+    it("finds what is far " .. row[1], function()
+      local world, dx, dy, x, y = still(), row[2], row[3], row[4], row[5]
+      local object = world:add("a", box(0, 0, 10, 10))
+      local wall = world:add("b", tile(dx / 3, dy / 3, 15, 15))
+      if dx ~= 0 and dy ~= 0 then
+        wall.y, wall.height = wall.y - 100, 215
+        world:refresh(wall)
+      end
+      for i = 1, 60 do
+        world:add("c", tile(100 * i, 20, 15, 15))
+        world:add("c", tile(-100 * i, -20, 15, 15))
+      end
+      local hit, atX, atY, atNx, atNy, fraction = world:sweep(object, dx, dy)
+      assert.are.equal(wall, hit)
+      assert.are.near(x, atX, 1e-6)
+      assert.are.near(y, atY, 1e-6)
+      assert.are.same({ row[6], row[7] }, { atNx, atNy })
+      assert.are.near((x ~= 0 and x / dx or y / dy), fraction, 1e-9)
     end)
   end
 

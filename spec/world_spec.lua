@@ -82,6 +82,26 @@ describe("objects", function()
     assert.equal("AB01234", orderOf(world))
   end)
 
+  it("follow the setting order, also when nothing else has changed", function()
+    local text = ""
+    world.gravity = 0
+    local sensor = { x = -9, y = -9, width = 400, height = 400, kinematic = true, sensor = true }
+    sensor.onBegin = function(_, other)
+      text = text .. other.name
+    end
+    world:add("z", sensor)
+    for number, name in ipairs({ "a", "b", "c" }) do
+      world:add(name, named(name, number))
+    end
+    for _, row in ipairs({ { { "c", "a" }, "cab" }, { { "b" }, "bac" }, { nil, "abc" } }) do
+      sensor.active, text = false, ""
+      world:update(DT)
+      sensor.active, world.order = true, row[1]
+      world:update(DT)
+      assert.equal(row[2], text)
+    end
+  end)
+
   it("follow the setting order, also when it is changed", function()
     world.gravity, world.order = 0, { "c", "a" }
     world.objects.a = { named("a", 1), named("A", 2) }
