@@ -245,9 +245,7 @@ end
 
 -- Who is of another kind now has no past.
 local function forgetMotion(b, i)
-  local k = 2 * i
-  b.drive[k], b.drive[k + 1], b.way[k], b.way[k + 1] = 0, 0, 0, 0
-  b.support[i] = 0
+  columns.forgetStep(b, i)
   if b.kind[i] == STATIC then
     rest.drop(b, i)
   end

@@ -140,6 +140,27 @@ local PAIR = {
 
 local HALF = { other = 0, next = 0, previous = 0 }
 
+-- What a step leaves behind in an object, apart from where it is. Who is awake begins each step
+-- without most of it (see begin); of who becomes a wall nobody else would clear it.
+local STEP_SLOT = { "stuck", "grip", "stickiness", "buried", "support", "carrier", "carrierNow" }
+local STEP_AXIS = {
+  "way",
+  "drive",
+  "carried",
+  "heldLow",
+  "heldHigh",
+  "backedLow",
+  "backedHigh",
+  "holderLow",
+  "holderHigh",
+  "crushed",
+  "wasCrushed",
+  "pressedLow",
+  "pressedHigh",
+  "weld",
+  "weldNext",
+}
+
 --- Sides are numbers inside: left, right, top, bottom are 1 to 4, so that the side on `axis` is
 --- `2 * axis + 1` (low) or `2 * axis + 2` (high).
 columns.SIDES = { "left", "right", "top", "bottom" }
@@ -280,6 +301,17 @@ function columns.claim(b)
   end
   b.count = b.count + 1
   return i
+end
+
+--- Takes from a slot what the last step has left in it.
+function columns.forgetStep(b, i)
+  for n = 1, #STEP_SLOT do
+    b[STEP_SLOT[n]][i] = SLOT[STEP_SLOT[n]]
+  end
+  for n = 1, #STEP_AXIS do
+    local name, k = STEP_AXIS[n], 2 * i
+    b[name][k], b[name][k + 1] = AXIS[name], AXIS[name]
+  end
 end
 
 --- Gives a slot back. Its pairs must have been unlinked.

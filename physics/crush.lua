@@ -95,6 +95,23 @@ local function put(b, i, k, at, v)
   end
 end
 
+-- There is room between a wall and one that cannot be pushed, since that has gone on: moves each
+-- member as far as it overlaps the one before, away from the wall.
+local function spread(b, count, low, high, axis)
+  local stack, to, size, isUp = b.stack, b.to, b.size, b.kind[low] ~= DYNAMIC
+  local fixed = 2 * (isUp and low or high) + axis
+  local v, at = b.speed[fixed], isUp and to[fixed] + size[fixed] or to[fixed]
+  for n = isUp and 1 or count, isUp and count or 1, isUp and 1 or -1 do
+    local k = 2 * stack[n] + axis
+    if isUp and to[k] < at then
+      put(b, stack[n], k, at, v)
+    elseif not isUp and to[k] + size[k] > at then
+      put(b, stack[n], k, at - size[k], v)
+    end
+    at = isUp and to[k] + size[k] or to[k]
+  end
+end
+
 --- Notes that `lo` and `hi`, neither of which can give way, are pressed together on `axis`. All
 --- that is held between two ends overlaps its neighbours by the same small amount.
 function crush.note(b, lo, hi, axis)
@@ -107,6 +124,9 @@ function crush.note(b, lo, hi, axis)
   local at = b.to[kl] + b.size[kl]
   local overlap = (at + sum - b.to[kh]) / (count + 1)
   if overlap <= columns.EPSILON then
+    if b.kind[low] == DYNAMIC or b.kind[high] == DYNAMIC then
+      spread(b, count, low, high, axis)
+    end
     return -- there is room after all, the next step finds it
   end
   local v = (b.speed[kl] + b.speed[kh]) * 0.5

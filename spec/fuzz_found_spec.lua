@@ -3,6 +3,14 @@
 
 local trial = require("spec.fuzz.trial")
 
+-- Adds updates of a sixtieth of a second.
+local function followedBy(acts, updates)
+  for _ = 1, updates do
+    acts[#acts + 1] = { "update", 0.016666666666666666 }
+  end
+  return acts
+end
+
 local FOUND = {
   {
     "a fixed step may leave a little less than no time",
@@ -68,6 +76,82 @@ local FOUND = {
         { "twin" },
         { "update", 0 },
       },
+    },
+  },
+  {
+    "a rider that becomes a lift itself has no carrier any more",
+    {
+      settings = { gravityX = -12800 },
+      acts = {
+        { "add", 23, "crates", { height = 1000, width = 1000, x = 13800, y = 19000 } },
+        { "add", 24, "boxes", { height = 1000, width = 1000, x = 13800, y = 18000 } },
+        { "add", 27, "boxes", { friction = 1, height = 1000, width = 1000, x = 13100, y = 19000 } },
+        { "add", 28, "crates", { height = 1000, width = 1000, x = 13100, y = 18000 } },
+        {
+          "add",
+          46,
+          "lifts",
+          {
+            height = 800,
+            kinematic = true,
+            vx = -500,
+            vy = -4600,
+            width = 6100,
+            x = 6700,
+            y = 19900,
+          },
+        },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "set", "maxStep", 0.01 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "write", 28, { kinematic = true } },
+        { "update", 0.016666666666666666 },
+        { "remove", 24 },
+        { "update", 0.016666666666666666 },
+      },
+    },
+  },
+  {
+    "a row that comes apart between a wall and one that cannot be pushed leaves the wall",
+    {
+      settings = {},
+      acts = followedBy({
+        { "add", 1, "tiles", { height = 10, static = true, width = 10, x = 0, y = 160 } },
+        { "insert", 5, "tiles", { height = 10, static = true, width = 10, x = 30, y = 160 } },
+        { "insert", 7, "tiles", { height = 10, static = true, width = 10, x = 48, y = 160 } },
+        { "insert", 10, "tiles", { height = 10, static = true, width = 10, x = 70, y = 160 } },
+        { "add", 12, "tiles", { height = 10, static = true, width = 10, x = 90, y = 160 } },
+        { "insert", 21, "walls", { height = 330, static = true, width = 10, x = -8, y = -160 } },
+        { "add", 24, "players", { height = 8, width = 10, x = 80, y = 150 } },
+        { "add", 25, "crates", { height = 8, width = 8, x = 87, y = 150 } },
+        { "add", 26, "players", { height = 8, restitution = 1, width = 8, x = 90, y = 152 } },
+        { "add", 30, "boxes", { height = 10, width = 10, x = 86, y = 140 } },
+        {
+          "add",
+          31,
+          "players",
+          { height = 8, pushable = false, restitution = 1, width = 10, x = 86.5, y = 140 },
+        },
+        { "add", 39, "players", { height = 10, width = 14, x = 50, y = 100 } },
+        { "add", 49, 1, { height = 20, pushable = false, vx = -40, width = 3, x = 30, y = 50 } },
+        {
+          "add",
+          52,
+          "lifts",
+          { height = 10, kinematic = true, vx = -30, width = 100, x = 97, y = 150 },
+        },
+        { "insert", 53, "statics", { height = 5.5, static = true, width = 20, x = 90, y = 137 } },
+      }, 51),
     },
   },
 }

@@ -72,7 +72,7 @@ function Player:react(id, event)
   end
 end
 
--- Of a static object even callbacks are read only once.
+-- Of a static object even `onStay` and `canCollide` are read only once.
 local function reread(player, id)
   local object = player.list[id]
   if object and object.static and player.present[id] then
@@ -92,7 +92,9 @@ local function hear(player, id, event)
     end
     player:react(id, event)
   end
-  reread(player, id)
+  if event == "onStay" then
+    reread(player, id)
+  end
 end
 
 local function refuse(player, id, modulus)
