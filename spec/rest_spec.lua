@@ -171,6 +171,26 @@ describe("an object that becomes static", function()
   end)
 end)
 
+describe("one of a row that is pushed", function()
+  it("stops who pushes it once it is a wall", function()
+    local world = physics.newWorld()
+    local boxes = {}
+    for n = 1, 3 do
+      boxes[n] = world:add("boxes", { x = 60 + 10 * n, y = 150, width = 10, height = 10 })
+    end
+    boxes[1].ax = 500
+    world:update(DT)
+    boxes[2].static = true
+    world:refresh(boxes[2])
+    local x = boxes[1].x
+    for _ = 1, 10 do
+      world:update(DT)
+      assert.are.equal(x, boxes[1].x)
+      assert.are.equal(0, boxes[1].vx)
+    end
+  end)
+end)
+
 describe("an object that takes no part from the beginning", function()
   it("has a touching all the same", function()
     local world = physics.newWorld()
