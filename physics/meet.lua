@@ -58,7 +58,9 @@ end
 local function keyOf(b, p, t, kind, axis)
   -- What is met at the very beginning goes before all else (see footing).
   local moment = t > 0 and max(floor(t * MOMENTS + 0.5), 1) or 0
-  if kind == CORNER then
+  if isSensed(b, p) then
+    moment = moment + 4 -- whoever is stopped by something solid at that moment does not come in
+  elseif kind == CORNER then
     moment = moment + 2
   end
   local met = b.met[p]

@@ -12,8 +12,10 @@ local function newBox(x, y, changes)
   return box
 end
 
-local function newWall(x, y, width, height)
-  return { x = x, y = y, width = width, height = height, static = true }
+local function newWall(x, y, width, height, changes)
+  local wall = newBox(x, y, changes)
+  wall.width, wall.height, wall.static = width, height, true
+  return wall
 end
 
 local function play(world, steps)
@@ -461,6 +463,18 @@ describe("a sensor", function()
     play(world, 5)
     checkLog(log, 1, 0)
   end)
+
+  for _, rest in ipairs({ true, false }) do
+    it("does not see who stands flush on it and on a tile, rest = " .. tostring(rest), function()
+      local own = physics.newWorld({ gravity = 600, rest = rest })
+      local log = listen(own:add("tiles", newWall(0, 100, 16, 16, { sensor = true })))
+      own:add("tiles", newWall(16, 100, 16, 16))
+      local box = own:add("boxes", newBox(8, 60))
+      play(own)
+      assert.are.equal(84, box.y)
+      checkLog(log, 0, 0)
+    end)
+  end
 
   it("sees another sensor, if one of them can move", function()
     local fixed = newSensor(100, 0, 16, 16)

@@ -32,6 +32,11 @@ local function differ(name, id, field, a, b)
   return "same " .. name, text:format(name, id, field, show(a), show(b))
 end
 
+-- Whether an object that is touched is still in the world: a state does not know any other.
+local function isKnown(self, object)
+  return not object or self.present[self.idOf[object]] ~= false
+end
+
 local function compareObject(name, a, b, id)
   local first, second = a.list[id], b.list[id]
   for _, field in ipairs(FIELDS) do
@@ -41,7 +46,7 @@ local function compareObject(name, a, b, id)
   end
   local mine, its = first.touching, second.touching
   for _, side in ipairs(mine and its and SIDES or {}) do
-    local known = b.idOf[its[side]] or name ~= "twin" or not its[side]
+    local known = name ~= "twin" or isKnown(a, mine[side]) and (b.idOf[its[side]] or not its[side])
     if known and idIn(a, mine[side]) ~= idIn(b, its[side]) then
       return differ(name, id, "touching." .. side, idIn(a, mine[side]), idIn(b, its[side]))
     end
