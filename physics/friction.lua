@@ -159,8 +159,10 @@ local function rubBoth(b, lo, hi, kl, kh, mu, jn, share, tau, t)
   local limit = mu * jn * w
   local stop, way = slide(u, a, tau, limit * share, limit * (1 - share))
   local dSpeed, dWay = stop - u, way - (u - a * tau + u) * 0.5 * tau
-  shift(b, kl, dSpeed * wl / w, dWay * wl / w, t)
-  shift(b, kh, -dSpeed * wh / w, -dWay * wh / w, t)
+  -- The shares first: that of one who rubs on a wall is 1 then, and it stops to the bit.
+  local shareL, shareH = wl / w, wh / w
+  shift(b, kl, dSpeed * shareL, dWay * shareL, t)
+  shift(b, kh, -dSpeed * shareH, -dWay * shareH, t)
 end
 
 --- Rubs two that have just met on `axis`, `lo` with the smaller coordinate: `jn` is the impulse of
