@@ -13,7 +13,7 @@ require(here .. ".interpreted").file()
 
 local crush = {}
 
-local DYNAMIC = columns.DYNAMIC
+local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
 local MOST_STACKED = 256
 
 -- The nearest of those welded to i on one side of it, 0: none.
@@ -95,17 +95,18 @@ local function put(b, i, k, at, v)
   end
 end
 
--- There is room between a wall and one that cannot be pushed, since that has gone on: moves each
--- member as far as it overlaps the one before, away from the wall.
+-- There is room between the two ends, since what held one of the members has gone on, or one was
+-- dragged from where it was held: moves each as far as it overlaps the one before, away from an end
+-- that cannot move.
 local function spread(b, count, low, high, axis)
   local stack, to, size, isUp = b.stack, b.to, b.size, b.kind[low] ~= DYNAMIC
   local fixed = 2 * (isUp and low or high) + axis
   local v, at = b.speed[fixed], isUp and to[fixed] + size[fixed] or to[fixed]
   for n = isUp and 1 or count, isUp and count or 1, isUp and 1 or -1 do
     local k = 2 * stack[n] + axis
-    if isUp and to[k] < at then
+    if isUp and to[k] < at - EPSILON then
       put(b, stack[n], k, at, v)
-    elseif not isUp and to[k] + size[k] > at then
+    elseif not isUp and to[k] + size[k] > at + EPSILON then
       put(b, stack[n], k, at - size[k], v)
     end
     at = isUp and to[k] + size[k] or to[k]
@@ -123,11 +124,8 @@ function crush.note(b, lo, hi, axis)
   local kl, kh = 2 * low + axis, 2 * high + axis
   local at = b.to[kl] + b.size[kl]
   local overlap = (at + sum - b.to[kh]) / (count + 1)
-  if overlap <= columns.EPSILON then
-    if b.kind[low] == DYNAMIC or b.kind[high] == DYNAMIC then
-      spread(b, count, low, high, axis)
-    end
-    return -- there is room after all, the next step finds it
+  if overlap <= EPSILON then
+    return spread(b, count, low, high, axis)
   end
   local v = (b.speed[kl] + b.speed[kh]) * 0.5
   for n = 1, count do

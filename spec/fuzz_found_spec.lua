@@ -122,6 +122,21 @@ local FOUND = {
     },
   },
   {
+    "who stands under a ceiling is not dragged into it",
+    {
+      settings = {},
+      acts = {
+        { "add", 15, "tiles", { height = 10, static = true, width = 10, x = 100, y = 160 } },
+        { "insert", 24, 1, { friction = 1, height = 10, width = 10, x = 110, y = 150 } },
+        { "add", 25, "players", { friction = 1, height = 10, width = 10, x = 117, y = 150 } },
+        { "add", 53, "statics", { height = 10, static = true, width = 100, x = 100, y = 140 } },
+        { "update", 0.015625 },
+        { "impulse", 25, -1743.3629573726685, -4199.60041735284 },
+        { "update", 0.015625 },
+      },
+    },
+  },
+  {
     "a row that comes apart between a wall and one that cannot be pushed leaves the wall",
     {
       settings = {},
