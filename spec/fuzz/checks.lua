@@ -349,8 +349,8 @@ end
 
 -- Share of the whole that rounding may add in a step.
 local ROUNDING = 1e-9
--- The same under gravity, where who is pushed upwards out of the way of another gains height for
--- nothing: hardly any if both give way.
+-- The same under gravity for each contact: who is pushed upwards out of the way of another gains
+-- height for nothing, hardly any if both give way.
 local LIFTED = 1e-4
 
 -- What all that moves has together: energy, momentum on x and y; and the sizes of the latter two.
@@ -386,7 +386,8 @@ function Watch:energyLimit(before, dt)
   if world.gravity == 0 then
     return ROUNDING * math.abs(before)
   end
-  local limit, heaviest, fastest = LIFTED * math.abs(before), 0, 0
+  local contacts = world.stats.events
+  local limit, heaviest, fastest = LIFTED * max(1, contacts) * math.abs(before), 0, 0
   if world.push == "first" then
     for _, object in ipairs(self.everybody) do
       if isDynamic(object) then
@@ -395,7 +396,7 @@ function Watch:energyLimit(before, dt)
       end
     end
     fastest = fastest + world.gravity * dt
-    limit = limit + world.stats.events * heaviest * world.gravity * 2 * fastest * dt
+    limit = limit + contacts * heaviest * world.gravity * 2 * fastest * dt
   end
   return limit
 end
