@@ -123,6 +123,26 @@ describe("an update", function()
   end)
 end)
 
+describe("a contact", function()
+  it("begins in the step that presses, not in the one that ends flush", function()
+    for _, push in ipairs({ "both", "first" }) do
+      local world = newWorld({ gravity = 0, push = push })
+      local begun = 0
+      world.onBegin = function()
+        begun = begun + 1
+      end
+      world:add("walls", { x = 17, y = 0, width = 16, height = 16, static = true })
+      local object = world:add("boxes", box(0, 0, { vx = 64 }))
+      world:add("boxes", box(17, 100))
+      local pusher = world:add("boxes", box(0, 100, { vx = 64 }))
+      world:update(1 / 64)
+      assert.are.same({ 1, 64, 1, 64, 0 }, { object.x, object.vx, pusher.x, pusher.vx, begun })
+      world:update(1 / 64)
+      assert.are.same({ 1, 0, 32, 2 }, { object.x, object.vx, pusher.vx, begun })
+    end
+  end)
+end)
+
 describe("a state", function()
   -- Saves in the middle, goes on, goes back and goes on again; and the same in a world of its own.
   local function checkReplay(world, change)
