@@ -103,7 +103,8 @@ describe("a checked world", function()
 
   it("leaves the game's own fields alone", function()
     local world, floor, box = newWorld()
-    for _, name in ipairs({ "w", "h", "z", "vz", "hp", "_width", "name", "state", "image" }) do
+    local names = { "w", "h", "z", "vz", "hp", "mas", "_width", "name", "state", "image" }
+    for _, name in ipairs(names) do
       box[name], floor[name], world[name] = 1, 1, 1
     end
     box[1], box[true] = 1, 1
