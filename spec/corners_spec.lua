@@ -124,6 +124,33 @@ describe("an update", function()
 end)
 
 describe("a contact", function()
+  for _, row in ipairs({
+    { "gravity", 600, "bottom", "top", 0, 20 },
+    { "gravity", -600, "top", "bottom", 0, -20 },
+    { "gravityX", 600, "right", "left", 20, 0 },
+    { "gravityX", -600, "left", "right", -20, 0 },
+  }) do
+    it(("has its side where %s is %d"):format(row[1], row[2]), function()
+      local world = newWorld({ gravity = 0 })
+      world[row[1]] = row[2]
+      local object = world:add("boxes", box(0, 0))
+      local ground = world:add("walls", box(row[5], row[6], { static = true }))
+      local told = {}
+      function object.onBegin(_, other, side)
+        told[#told + 1] = other == ground and side
+      end
+      function ground.onBegin(_, other, side)
+        told[#told + 1] = other == object and side
+      end
+      for _ = 1, 30 do
+        world:update(DT)
+      end
+      assert.are.same({ row[3], row[4] }, told)
+      assert.are.equal(ground, object.touching[row[3]])
+      assert.are.equal(row[3], world:touching(object, ground))
+    end)
+  end
+
   it("begins in the step that presses, not in the one that ends flush", function()
     for _, push in ipairs({ "both", "first" }) do
       local world = newWorld({ gravity = 0, push = push })
@@ -248,6 +275,19 @@ describe("a state", function()
     world:restore(state)
     assert.are.same({ "b", "a" }, world.order)
     assert.are.equal(0, world.objects.b[1].x)
+  end)
+
+  it("keeps the table `touching` of an object that comes back", function()
+    local world = newWorld()
+    world:add("floor", floor(100))
+    local object = world:add("boxes", box(0, 84))
+    world:update(DT)
+    local state, touching = world:save(), object.touching
+    world:remove(object)
+    world:update(DT)
+    world:restore(state)
+    assert.are.equal(touching, object.touching)
+    assert.are.equal(world.objects.floor[1], touching.bottom)
   end)
 
   it("refuses an object that stands twice, as update does", function()
