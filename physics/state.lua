@@ -58,6 +58,7 @@ state.POINTS = {
   { "position", "written" },
   { "last", "position" },
   { "carried", 0 },
+  { "behind", 0 },
   { "wasCrushed", false },
 }
 --- By pair: name, value of a pair that has nothing to remember, and what becomes of another value

@@ -122,6 +122,24 @@ local FOUND = {
     },
   },
   {
+    "a lift goes on to where it was written after an error, restored or not",
+    {
+      settings = {},
+      acts = {
+        { "add", 8, "crates", { height = 1, width = 1, x = 10, y = 20 } },
+        { "add", 9, "boxes", { height = 1, width = 1, x = 10, y = 20 } },
+        { "add", 10, "crates", { height = 1, width = 1, x = 10, y = 20 } },
+        { "insert", 34, "lifts", { height = 1, kinematic = true, width = 2, x = 0.125, y = 20 } },
+        { "update", 0.006944444444444444 },
+        { "write", 34, { x = 10, y = 10 } },
+        { "listen", 0, "onStay", { { "fail" } } },
+        { "update", 0.0753890756474706 },
+        { "twin" },
+        { "update", 0.016666666666666666 },
+      },
+    },
+  },
+  {
     "who stands under a ceiling is not dragged into it",
     {
       settings = {},

@@ -409,7 +409,7 @@ describe("world:restore", function()
       local told, state = {}, nil
       local function listen(owner, name)
         owner.onBegin = function(_, hit)
-          told[#told + 1] = name .. " " .. hit.x
+          told[#told + 1] = ("%s %d"):format(name, hit.x)
           state = state or (name == where and world:save() or nil)
         end
       end

@@ -417,6 +417,7 @@ return {
   },
   known = 87,
   memory = {
+    behind = {},
     carried = { 41, -180, 0, 49, 0, -60 },
     carrier = { 41, 47, 49, 48 },
     inside = {},
