@@ -260,9 +260,10 @@ local function stick(b, up, low, ku, kl, mu, impulse, sign)
     or b.accel[ka] ~= b.accel[kb]
     or b.surfaceSpeed[low] ~= 0
     or b.down[ku] * sign <= 0
-    or not (isFast or b.stuck[low])
   then
     return false
+  elseif not (isFast or b.stuck[low]) then
+    return true -- both slide, together
   end
   local bearing = mu * impulse
   if not isFast then
@@ -283,13 +284,48 @@ local function coefficientOf(b, up, low)
   return sqrt(one * other)
 end
 
+-- Changes speed and way of k by what friction took off, unless it is held there.
+local function shift(b, k, dSpeed, dWay)
+  if not ((dSpeed > 0 and b.heldHigh[k]) or (dSpeed < 0 and b.heldLow[k])) then
+    b.speed[k], b.to[k] = b.speed[k] + dSpeed, b.to[k] + dWay
+  end
+end
+
+-- Friction between two that both slide, and are pulled alike: the simple half of `friction`.
+-- Returns false for all others.
+local function slideTogether(b, up, low, ku, kl, limit, share, dt)
+  local across = 1 - 2 * b.downAxis
+  local ka, kb = ku + across, kl + across
+  if b.accel[ka] ~= b.accel[kb] or b.weld[ka] ~= 0 or b.weld[kb] ~= 0 then
+    return false
+  end
+  local wu, wl = b.inverseMass[up], b.inverseMass[low]
+  local w, u = wu + wl, b.speed[ka] - b.speed[kb]
+  local v, stop, way = max(max(u, -u) - limit * w * share, 0), 0, 0
+  if v > 0 and max(u, -u) >= STILL then
+    local brake = limit * w * (1 - share) / dt
+    stop = max(v - brake * dt, 0)
+    way = brake * dt >= v and v * 0.5 * (v / brake) or (v + stop) * 0.5 * dt
+  end
+  if u < 0 then
+    stop = -stop
+    way = -way
+  end
+  local dSpeed, dWay = stop - u, way - (u + u) * 0.5 * dt
+  local shareU, shareL = wu / w, wl / w
+  shift(b, ka, dSpeed * shareU, dWay * shareU)
+  shift(b, kb, -dSpeed * shareL, -dWay * shareL)
+  return true
+end
+
 -- What `land` may return.
-local REFUSED, LANDED, RUBS = 0, 1, 2
+local REFUSED, LANDED, RUBS, BOTH = 0, 1, 2, 3
 
 -- Puts `up` on `low`, who meet on `side` of the pair's first, as `resolve` would: flush, without a
--- bounce, held from below. Returns LANDED if that is all there is to it, RUBS if friction is still
--- to come, of the impulse in b.landImpulse and the share in b.landShare, REFUSED if the case is
--- another one; nothing has changed then.
+-- bounce, held from below. Returns LANDED if that is all there is to it, BOTH if friction has
+-- changed the path of `low`, too, RUBS if friction is still to come, of the impulse in
+-- b.landImpulse and the share in b.landShare, REFUSED if the case is another one; nothing has
+-- changed then.
 local function land(b, p, side, up, low, ku, kl, isUp, dt)
   local to, size, speed, accel, drive = b.to, b.size, b.speed, b.accel, b.drive
   local sign = isUp and -1 or 1
@@ -320,7 +356,18 @@ local function land(b, p, side, up, low, ku, kl, isUp, dt)
   if mu <= 0 or impulse <= 0 or stick(b, up, low, ku, kl, mu, impulse, sign) then
     return LANDED
   end
-  b.landImpulse, b.landShare = impulse, min(u / v, 1)
+  local share = min(u / v, 1)
+  if
+    b.inverseMass[low] > 0
+    and not b.stuck[low]
+    and b.surfaceSpeed[low] == 0
+    and b.down[ku] * sign > 0
+    and slideTogether(b, up, low, ku, kl, mu * impulse, share, dt)
+  then
+    b.changed[2], b.changedCount, b.changedMark[low] = low, 2, b.changeStamp
+    return BOTH
+  end
+  b.landImpulse, b.landShare = impulse, share
   return RUBS
 end
 
@@ -372,6 +419,8 @@ function footing.run(b, dt, isNext)
       if done == RUBS then
         return footing.RUB
       elseif watched[up] == step or detect.hasLeft(b, up) then
+        return footing.CHANGED
+      elseif done == BOTH and (watched[low] == step or detect.hasLeft(b, low)) then
         return footing.CHANGED
       end
     end

@@ -2,9 +2,10 @@
 --
 -- Every pair of neighbours that will meet on its present paths has one event in a queue. The first
 -- one is resolved, which changes two paths; all pairs of those two are looked at again from that
--- moment on. Simultaneous events: faces before corners, pairs that have not been resolved in this
--- step before those that have, along gravity before across, supports first (from the floor up),
--- then the order of the world. Nothing of this depends on the order in which pairs were found.
+-- moment on. Simultaneous events: solids before sensors, faces before corners, pairs that have not
+-- been resolved in this step before those that have, along gravity before across, supports first
+-- (from the floor up), then the order of the world. Nothing of this depends on the order in which
+-- pairs were found.
 
 local here = (...):match("^(.*)%.[^.]+$")
 local approach = require(here .. ".approach")
