@@ -4,6 +4,7 @@ local fold = require("spec.support.fold")
 local effort = require("spec.support.effort")
 local newRandom = require("spec.support.random").new
 local overlap = require("spec.support.overlap")
+local physics = require("physics")
 local script = require("spec.support.script")
 
 local WILD = { steps = 100, boxes = 24, writes = 0.5, specials = true }
@@ -102,6 +103,32 @@ describe("the same scene goes the same way, to the bit,", function()
       end
     end
     assert.is_true(settled > 1000)
+  end)
+
+  -- On a smooth floor nobody sticks: every footing rubs, and both of it slide.
+  it("when a heap that slides about goes through the queue", function()
+    local worlds = {}
+    for n = 1, 2 do
+      local random, world = newRandom(3), physics.newWorld({ gravity = 800, rest = false })
+      worlds[n] = world
+      world._bodies.queueOnly = n == 2
+      world:add("walls", { x = -100, y = 0, width = 400, height = 100, static = true })
+      world.objects.walls[1].friction = 0
+      for side = -100, 200, 300 do
+        world:add("walls", { x = side, y = -900, width = 100, height = 900, static = true })
+      end
+      for i = 0, 79 do
+        local box = { x = 25 * (i % 8), y = -25 * (i - i % 8) / 8 - 25, friction = 0.3 }
+        box.width, box.height = random:between(10, 20), random:between(10, 20)
+        box.vx, box.mass = random:between(-40, 40), random:between(0.5, 4)
+        world:add("boxes", box)
+      end
+    end
+    for step = 1, effort.share(240) do
+      worlds[1]:update(1 / 60)
+      worlds[2]:update(1 / 60)
+      assert.are.equal(worlds[2]:hash(), worlds[1]:hash(), "step " .. step)
+    end
   end)
 
   for _, name in ipairs({ "add", "insert", "assign" }) do
