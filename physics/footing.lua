@@ -301,7 +301,7 @@ local function slideTogether(b, up, low, ku, kl, limit, share, dt)
   end
   local wu, wl = b.inverseMass[up], b.inverseMass[low]
   local w, u = wu + wl, b.speed[ka] - b.speed[kb]
-  local v, stop, way = max(max(u, -u) - limit * w * share, 0), 0, 0
+  local v, stop, way = max(max(u, -u) - limit * w * share, 0.0), 0.0, 0.0
   if v > 0 and max(u, -u) >= STILL then
     local brake = limit * w * (1 - share) / dt
     stop = max(v - brake * dt, 0)
@@ -356,7 +356,7 @@ local function land(b, p, side, up, low, ku, kl, isUp, dt)
   if mu <= 0 or impulse <= 0 or stick(b, up, low, ku, kl, mu, impulse, sign) then
     return LANDED
   end
-  local share = min(u / v, 1)
+  local share = min(u / v, 1.0)
   if
     b.inverseMass[low] > 0
     and not b.stuck[low]

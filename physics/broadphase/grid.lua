@@ -387,7 +387,7 @@ function grid:ray(x1, y1, x2, y2, out)
     a2, b2 = endA, endB
   end
   local left, top, right, bottom = min(x1, x2), min(y1, y2), max(x1, x2), max(y1, y2)
-  local ranges, cell, looked = 0, self.cell, 0
+  local ranges, cell, looked = 0, self.cell, 0.0
   for level = 0, self.highest do
     if self.members[level] > 0 then
       looked = looked + 3 * ((a2 - a1) / cell + 2)
