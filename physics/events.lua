@@ -23,6 +23,7 @@ function events.new()
   return {
     count = 0, -- noted
     told = 0, -- of these
+    sorted = false, -- whether they are in their order; what is noted later follows behind
     heardBy = 3, -- of the last one told: by its first, its second, the world
     order = {},
     kind = {},
@@ -196,11 +197,12 @@ local function tellAll(b, e, n)
   end
 end
 
-local function forget(e)
+--- Forgets all events, told or not.
+function events.forget(e)
   for n = 1, e.count do
     e.a[n], e.b[n], e.c[n] = false, false, false
   end
-  e.count, e.told, e.heardBy = 0, 0, 3
+  e.count, e.told, e.heardBy, e.sorted = 0, 0, 3, false
 end
 
 --- Tells the game all that was noted, pairs in the order of the world. An error of a callback
@@ -210,8 +212,9 @@ function events.tell(b)
   if e.count == 0 then
     return
   end
-  if e.told == 0 then
+  if not e.sorted then
     sort.by(e.order, e.count, e.rankA, e.rankB, e.kindAndNumber)
+    e.sorted = true
   end
   tellAll(b, e, e.order[e.told]) -- the rest of one that a callback has interrupted
   while e.told < e.count do
@@ -225,7 +228,7 @@ function events.tell(b)
     e.told, e.heardBy = e.told + 1, 0
     tellAll(b, e, n)
   end
-  forget(e)
+  events.forget(e)
 end
 
 return events

@@ -128,6 +128,18 @@ local function mixGroups(sum, out)
   end
 end
 
+-- Who has left the world and is remembered.
+local function mixGone(sum, out)
+  for _, saved in ipairs(out.gone or {}) do
+    for _, entries in ipairs({ state.DENSE, state.SPARSE }) do
+      for _, entry in ipairs(entries) do
+        local value = saved[entry[1]]
+        mixAny(sum, value == nil and FALSE or value)
+      end
+    end
+  end
+end
+
 local function mixMemory(sum, out)
   for _, name in ipairs(state.FLAGS) do
     mixList(sum, out.memory[name])
@@ -147,6 +159,10 @@ local function mixMemory(sum, out)
   if out.heardBy then
     mix(sum, out.heardBy)
   end
+  if out.sorted then
+    mix(sum, TRUE)
+  end
+  mixGone(sum, out)
 end
 
 local function mixSettings(sum, out)

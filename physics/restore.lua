@@ -8,6 +8,7 @@ local here = (...):match("^(.*)%.[^.]+$")
 local collect = require(here .. ".collect")
 local columns = require(here .. ".columns")
 local detect = require(here .. ".detect")
+local events = require(here .. ".events")
 local fields = require(here .. ".fields")
 local rest = require(here .. ".rest")
 local settings = require(here .. ".settings")
@@ -68,13 +69,14 @@ local function matchByPlace(world, st)
   return objects
 end
 
--- Returns the objects by number, and their masks if this world has saved the state itself.
+-- Returns the objects by number, and if this world has saved the state itself their masks and those
+-- who had left.
 local function match(world, st)
   local tables = world._bodies.tablesOf and world._bodies.tablesOf[st]
   if tables and #tables.objects == st.count then
-    return tables.objects, tables.masks
+    return tables.objects, tables.masks, tables.gone
   end
-  return matchByPlace(world, st), {}
+  return matchByPlace(world, st), {}, {}
 end
 
 -- Fields -----------------------------------------------------------------------------------------
@@ -182,6 +184,41 @@ local function writeRead(st, objects)
   return any and names
 end
 
+-- Gives somebody who had left the world the fields that it had.
+local function writeGone(object, saved)
+  for _, entries in ipairs({ state.DENSE, state.SPARSE }) do
+    for _, entry in ipairs(entries) do
+      local name = entry[1]
+      if name == "mask" and saved.mask then
+        writeMask(object, saved.mask)
+      else
+        write(object, name, saved[name])
+      end
+    end
+  end
+  if not (saved.static or saved.kinematic or type(object.touching) == "table") then
+    object.touching = collect.newTouching()
+  end
+end
+
+-- Returns all that the state can name by number: the objects, then those who had left the world, as
+-- new tables if `gone` does not have them.
+local function recall(st, objects, gone)
+  if not st.gone then
+    return objects
+  end
+  local named = {}
+  for n = 1, st.count do
+    named[n] = objects[n]
+  end
+  for n, saved in ipairs(st.gone) do
+    local object = gone[n] or {}
+    writeGone(object, saved)
+    named[st.count + n] = object
+  end
+  return named
+end
+
 -- Tables -----------------------------------------------------------------------------------------
 
 local function emptyGroups(objects)
@@ -259,11 +296,7 @@ end
 
 -- Forgets all events and, without a word, all contacts.
 local function forget(b)
-  local e = b.events
-  for n = 1, e.count do
-    e.a[n], e.b[n], e.c[n] = false, false, false
-  end
-  e.count, e.told, e.heardBy = 0, 0, 3
+  events.forget(b.events)
   for p = 1, b.pairSlots do
     for _, entry in ipairs(state.PAIRS) do
       b[entry[1]][p] = entry[2]
@@ -407,7 +440,7 @@ local function rememberContacts(b, st, slots)
   end
 end
 
-local function rememberTouching(b, st, objects, slots)
+local function rememberTouching(b, st, objects, named, slots)
   for n = 1, st.known do
     local i, object = slots[n], objects[n]
     if b.kind[i] == DYNAMIC then
@@ -424,28 +457,29 @@ local function rememberTouching(b, st, objects, slots)
   for at = 1, #list, 5 do
     local t = b.touching[slots[list[at]]]
     if t then
-      t.left, t.right = objects[list[at + 1]] or false, objects[list[at + 2]] or false
-      t.top, t.bottom = objects[list[at + 3]] or false, objects[list[at + 4]] or false
+      t.left, t.right = named[list[at + 1]] or false, named[list[at + 2]] or false
+      t.top, t.bottom = named[list[at + 3]] or false, named[list[at + 4]] or false
     end
   end
 end
 
-local function rememberEvents(b, st, objects)
+local function rememberEvents(b, st, named)
   local e, list, EVENT = b.events, st.events, state.EVENT
   local n = 0
   for at = 1, #list, 3 + #EVENT do
     n = n + 1
     e.order[n], e.kindAndNumber[n] = n, n
-    e.a[n], e.b[n] = objects[list[at]], objects[list[at + 1]]
-    e.c[n] = objects[list[at + 2]] or false
+    e.a[n], e.b[n] = named[list[at]], named[list[at + 1]]
+    e.c[n] = named[list[at + 2]] or false
     for m = 1, #EVENT do
       e[EVENT[m]][n] = list[at + 2 + m]
     end
   end
   e.count, e.told, e.heardBy = n, st.heardBy and 1 or 0, st.heardBy or 3
+  e.sorted = st.sorted or false
 end
 
-local function remember(b, st, objects)
+local function remember(b, st, objects, named)
   local slots = {}
   for n = 1, st.known do
     slots[n] = b.slotOf[objects[n]]
@@ -455,8 +489,8 @@ local function remember(b, st, objects)
   rememberSlots(b, st, slots)
   stand(b, st, slots)
   rememberContacts(b, st, slots)
-  rememberTouching(b, st, objects, slots)
-  rememberEvents(b, st, objects)
+  rememberTouching(b, st, objects, named, slots)
+  rememberEvents(b, st, named)
 end
 
 -- The world --------------------------------------------------------------------------------------
@@ -519,7 +553,8 @@ function restore.world(world, st)
   if type(world.objects) ~= "table" then
     world.objects = {}
   end
-  local objects, masks = match(world, st)
+  local objects, masks, gone = match(world, st)
+  local named = recall(st, objects, gone)
   forget(b)
   nameGroups(b, st.names)
   restoreSettings(world, st.settings)
@@ -528,7 +563,7 @@ function restore.world(world, st)
   placeKnown(world, st, objects)
   readAgain(b, objects, st.known)
   collect.run(b, world.objects)
-  remember(b, st, objects)
+  remember(b, st, objects, named)
   if unread then
     writeFields(st, objects, masks, unread)
   end

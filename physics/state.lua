@@ -21,6 +21,10 @@
 --   touching      sparse: object (0: none) at the left, right, top, bottom
 --   contacts      first, second, and a value for each of PAIRS, for each pair that has one
 --   events        three objects (0: none) and the values of EVENT each: what is still to be told
+--   sorted        true: the events are in their order, those noted later follow behind them
+--   heardBy       of the first event, if a callback has interrupted it: 1 or 2 have heard of it
+--   gone          fields by name of those that have left the world and are named in `touching` or
+--                 `events` nevertheless, nil: nobody. Their numbers follow behind all others
 --
 -- Broad phase and rest are not in here, they change no result; functions and the game's own fields
 -- stay where they are, on the objects.
@@ -515,9 +519,26 @@ local function saveWalls(world, out, work)
   end
 end
 
-local function numberOf(b, work, object)
-  local slot = object and b.slotOf[object]
-  return slot and work.numbers[slot] or 0
+-- The number of an object that the library remembers, 0 for none. Whoever is in the world no more
+-- gets one behind all others.
+local function numberOf(b, out, work, object)
+  if not object then
+    return 0
+  end
+  local slot, objects = b.slotOf[object], work.objects
+  local number = slot and work.numbers[slot]
+  if number and rawequal(objects[number], object) then
+    return number
+  end
+  local last = out.count + work.goneCount
+  for n = out.known + 1, last do
+    if rawequal(objects[n], object) then
+      return n
+    end
+  end
+  work.goneCount = work.goneCount + 1
+  objects[last + 1] = object
+  return last + 1
 end
 
 local function saveTouching(b, out, work)
@@ -526,8 +547,10 @@ local function saveTouching(b, out, work)
     local t = b.touching[slots[n]]
     if t and (t.left or t.right or t.top or t.bottom) then
       list[at + 1] = n
-      list[at + 2], list[at + 3] = numberOf(b, work, t.left), numberOf(b, work, t.right)
-      list[at + 4], list[at + 5] = numberOf(b, work, t.top), numberOf(b, work, t.bottom)
+      list[at + 2] = numberOf(b, out, work, t.left)
+      list[at + 3] = numberOf(b, out, work, t.right)
+      list[at + 4] = numberOf(b, out, work, t.top)
+      list[at + 5] = numberOf(b, out, work, t.bottom)
       at = at + 5
     end
   end
@@ -599,26 +622,46 @@ end
 state.EVENT = { "kind", "side", "speed", "rankA", "rankB" }
 
 -- Events wait only after a callback has failed, or inside of one; the first of them may have been
--- told to some already: `heardBy`. Those about objects that are in the world no more are left out.
+-- told to some already: `heardBy`.
 local function saveEvents(b, out, work)
   local list, e, at = listIn(out, "events"), b.events, 0
   local isHalfTold = e.told > 0 and e.heardBy < 3
-  out.heardBy = nil
-  for told = isHalfTold and e.told or e.told + 1, e.count do
+  local first = isHalfTold and e.told or e.told + 1
+  out.heardBy = isHalfTold and e.heardBy or nil
+  out.sorted = e.sorted and first <= e.count or nil
+  for told = first, e.count do
     local n = e.order[told]
-    local first, second = numberOf(b, work, e.a[n]), numberOf(b, work, e.b[n])
-    local third = numberOf(b, work, e.c[n])
-    if first > 0 and second > 0 and (third > 0 or not e.c[n]) then
-      out.heardBy = out.heardBy or told == e.told and e.heardBy or nil
-      list[at + 1], list[at + 2], list[at + 3] = first, second, third
-      at = at + 3
-      for m = 1, #state.EVENT do
-        list[at + m] = e[state.EVENT[m]][n]
-      end
-      at = at + #state.EVENT
+    list[at + 1] = numberOf(b, out, work, e.a[n])
+    list[at + 2] = numberOf(b, out, work, e.b[n])
+    list[at + 3] = numberOf(b, out, work, e.c[n])
+    at = at + 3
+    for m = 1, #state.EVENT do
+      list[at + m] = e[state.EVENT[m]][n]
     end
+    at = at + #state.EVENT
   end
   cut(list, at)
+end
+
+-- What somebody who has left the world has in the library's fields, as far as they can be used.
+local function fieldsOf(object)
+  local saved = {}
+  for _, entries in ipairs({ state.DENSE, state.SPARSE }) do
+    for _, entry in ipairs(entries) do
+      local name, value = entry[1], object[entry[1]]
+      if value ~= nil and check.accepts(fields.objectByName[name], value) then
+        saved[name] = name == "mask" and listMask(value) or value
+      end
+    end
+  end
+  return saved
+end
+
+local function saveGone(out, work)
+  out.gone = work.goneCount > 0 and {} or nil
+  for n = 1, work.goneCount do
+    out.gone[n] = fieldsOf(work.objects[out.count + n])
+  end
 end
 
 local function saveSettings(world, out)
@@ -639,7 +682,8 @@ local function saveSettings(world, out)
   end
 end
 
---- Fills `out` with the state of a world; `work` has the objects by number then.
+--- Fills `out` with the state of a world; `work` has the objects by number then, and behind them
+--- the `goneCount` that have left.
 --- Errors: something that `update` would refuse.
 function state.fill(world, out)
   local b = world._bodies
@@ -647,6 +691,7 @@ function state.fill(world, out)
   out.version = state.VERSION
   saveSettings(world, out)
   out.saved = world._saved
+  work.goneCount = 0
   saveGroups(b, out, work)
   saveTables(b, world.objects, out, work)
   saveFields(b, out, work)
@@ -659,7 +704,8 @@ function state.fill(world, out)
   saveTouching(b, out, work)
   saveContacts(b, out, work)
   saveEvents(b, out, work)
-  cut(work.objects, out.count)
+  saveGone(out, work)
+  cut(work.objects, out.count + work.goneCount)
   return work
 end
 
@@ -672,15 +718,19 @@ function state.save(world, out)
   b.tablesOf = b.tablesOf or setmetatable({}, { __mode = "k" })
   local tables = b.tablesOf[out]
   if not tables then
-    tables = { objects = {}, masks = {} }
+    tables = { objects = {}, masks = {}, gone = {} }
     b.tablesOf[out] = tables
   end
   for n = 1, out.count do
     tables.objects[n] = work.objects[n]
     tables.masks[n] = work.objects[n].mask or false
   end
+  for n = 1, work.goneCount do
+    tables.gone[n] = work.objects[out.count + n]
+  end
   cut(tables.objects, out.count)
   cut(tables.masks, out.count)
+  cut(tables.gone, work.goneCount)
   return out
 end
 

@@ -268,6 +268,10 @@ function default.save(out) end
 --- stay the same; groups that are not in the state are emptied. Fields of the game's own are not
 --- touched.
 ---
+--- Whoever had left the world, and of whom events were still to be told, is told of as before: in
+--- this world as the table that it was, elsewhere as a new one with the fields that the library
+--- knows, and without callbacks of its own.
+---
 --- Errors: no state, one of another version, or one that is damaged; called from inside
 --- `canCollide`. Nothing has changed then.
 ---@param saved physics.State what `save` returned, or a copy

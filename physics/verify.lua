@@ -267,7 +267,31 @@ local function needFields(st)
   end
 end
 
+-- Those who have left the world and are remembered.
+local function needGone(st)
+  for n, saved in ipairs(st.gone == nil and {} or needTable(st.gone, "state.gone")) do
+    local path = "state.gone[" .. n .. "]"
+    needTable(saved, path)
+    for _, list in ipairs({ state.DENSE, state.SPARSE }) do
+      for _, entry in ipairs(list) do
+        local name = entry[1]
+        local field, value = fields.objectByName[name], saved[name]
+        if value ~= nil and field.type == "mask" then
+          needList(value, path .. "." .. name, MASK)
+        elseif value ~= nil then
+          check.value(field, value, WHERE .. path .. "." .. name)
+        end
+      end
+    end
+  end
+end
+
 -- Memory -----------------------------------------------------------------------------------------
+
+-- How many objects have a number.
+local function countNamed(st)
+  return st.count + (st.gone and #st.gone or 0)
+end
 
 local function needMemory(st)
   local memory, object = needTable(st.memory, "state.memory"), objectKind(1, st.known)
@@ -282,7 +306,7 @@ local function needMemory(st)
     local kind = type(entry[2]) == "boolean" and BOOLEAN or NUMBER
     needSparse(memory[entry[1]], "state.memory." .. entry[1], { object, kind, kind })
   end
-  local none = objectKind(0, st.known)
+  local none = objectKind(0, countNamed(st))
   needSparse(st.touching, "state.touching", { object, none, none, none, none })
   for side, n in next, needTable(st.walls, "state.walls"), nil do
     if type(side) ~= "string" or not isCount(n, st.count) or n < 1 then
@@ -325,7 +349,7 @@ local function needContacts(st)
 end
 
 local function needEvents(st)
-  local object, none = objectKind(1, st.known), objectKind(0, st.known)
+  local object, none = objectKind(1, countNamed(st)), objectKind(0, countNamed(st))
   local kind = {
     function(value)
       return isCount(value, 5) and value > 0
@@ -349,6 +373,9 @@ local function needEvents(st)
   if heardBy ~= nil and not (#list > 0 and isCount(heardBy, 2) and heardBy > 0) then
     refuse("state.heardBy", "nil, or 1 or 2 where events wait", heardBy)
   end
+  if st.sorted ~= nil and st.sorted ~= true then
+    refuse("state.sorted", "true or nil", st.sorted)
+  end
 end
 
 --- Checks a state from its beginning to its end.
@@ -369,6 +396,7 @@ function verify.state(st)
   needGroups(st)
   needTables(st)
   needFields(st)
+  needGone(st)
   needMemory(st)
   needContacts(st)
   needEvents(st)

@@ -187,6 +187,23 @@ local FOUND = {
       }, 51),
     },
   },
+  {
+    "a restored copy is told of those who had left after a callback had failed",
+    {
+      settings = {},
+      acts = {
+        { "add", 27, "crates", { height = 1, width = 1, x = 10, y = 20 } },
+        { "insert", 29, 2.5, { height = 1, width = 1, x = 15, y = 20 } },
+        { "bounds", 1.8029632994932712, 0.40417612474800657, 14.5, 14.5 },
+        { "update", 0.015625 },
+        { "listen", 0, "onEnd", { { "fail" } } },
+        { "bounds", 1.1206745152554238, 1.1765847794493518, 11.3, 11.3 },
+        { "update", 0.015625 },
+        { "twin" },
+        { "update", 0.015625 },
+      },
+    },
+  },
 }
 
 describe("a random game has found that", function()

@@ -28,7 +28,7 @@ end
 
 local function nameOf(player, value)
   if type(value) == "table" then
-    return tostring(player.idOf[value]) -- "nil": a wall of the world, or one who had left before
+    return tostring(player.idOf[value]) -- "nil": a wall of the world
   end
   return type(value) == "number" and ("%.17g"):format(value) or tostring(value)
 end
@@ -398,6 +398,39 @@ function player.new(case, own)
   return self
 end
 
+-- Notes which object of a copy is which: `mine` is there for `its`.
+local function pair(self, other, mine, its)
+  local id = its and other.idOf[its]
+  if id and not self.list[id] then
+    self.list[id], self.idOf[mine], self.present[id] = mine, id, other.present[id]
+  end
+end
+
+-- Pairs everybody in the tables of two worlds, and whom they touch, who may have left them.
+local function pairPresent(self, other)
+  for group, members in next, other.world.objects do
+    for key, its in next, members do
+      local mine = self.world.objects[group][key]
+      pair(self, other, mine, its)
+      -- Whoever is dynamic no more keeps the table that it had; its copy never gets one.
+      for side, neighbour in next, mine.touching and its.touching or {} do
+        pair(self, other, mine.touching[side], neighbour)
+      end
+    end
+  end
+end
+
+-- Pairs those of whom is still to be told. They may have left, and no table leads to them.
+local function pairTold(self, other)
+  local mine, its = self.world._bodies.events, other.world._bodies.events
+  for n = 1, mine.count do
+    local m = its.order[its.count - mine.count + n]
+    for _, role in ipairs({ "a", "b", "c" }) do
+      pair(self, other, mine[role][n], its[role][m])
+    end
+  end
+end
+
 --- Makes a player that goes on from the state of another, in a world of its own.
 ---@param other table
 ---@param own table settings of the new one: broadphase, cellSize, rest
@@ -405,16 +438,8 @@ function player.copy(other, own)
   local self = blank(other.highest)
   self.own, self.world = own, physics.newWorld(own)
   self.world:restore(copyOf(other.world:save()))
-  local mine = self.world.objects
-  for group, members in next, other.world.objects do
-    for key, object in next, members do
-      local id = other.idOf[object]
-      if id then
-        self.list[id], self.idOf[mine[group][key]] = mine[group][key], id
-        self.present[id] = true
-      end
-    end
-  end
+  pairPresent(self, other)
+  pairTold(self, other)
   for id, object in next, other.list do
     if not self.list[id] then -- not in the world: nobody else will look at it again
       local touching = object.touching

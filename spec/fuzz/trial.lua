@@ -32,11 +32,6 @@ local function differ(name, id, field, a, b)
   return "same " .. name, text:format(name, id, field, show(a), show(b))
 end
 
--- Whether an object that is touched is still in the world: a state does not know any other.
-local function isKnown(self, object)
-  return not object or self.present[self.idOf[object]] ~= false
-end
-
 local function compareObject(name, a, b, id)
   local first, second = a.list[id], b.list[id]
   for _, field in ipairs(FIELDS) do
@@ -46,25 +41,15 @@ local function compareObject(name, a, b, id)
   end
   local mine, its = first.touching, second.touching
   for _, side in ipairs(mine and its and SIDES or {}) do
-    local known = name ~= "twin" or isKnown(a, mine[side]) and (b.idOf[its[side]] or not its[side])
-    if known and idIn(a, mine[side]) ~= idIn(b, its[side]) then
+    if idIn(a, mine[side]) ~= idIn(b, its[side]) then
       return differ(name, id, "touching." .. side, idIn(a, mine[side]), idIn(b, its[side]))
     end
   end
 end
 
--- A restored copy does not know the name of somebody who had left before it was made.
-local function isSameEvent(first, second)
-  if first == second or not (first and second) then
-    return first == second
-  end
-  local pattern = second:gsub("%W", "%%%0"):gsub("nil", "%%S+")
-  return first:find("^" .. pattern .. "$") ~= nil
-end
-
 local function compareTold(name, a, b)
   for n = 1, math.max(#a.told, #b.told) do
-    if not isSameEvent(a.told[n], b.told[n]) then
+    if a.told[n] ~= b.told[n] then
       local text = "%s: event %d is %s and %s"
       return "same " .. name, text:format(name, n, tostring(a.told[n]), tostring(b.told[n]))
     end
