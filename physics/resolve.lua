@@ -48,12 +48,12 @@ local function weights(b, lo, hi, kl, kh)
     -- One that is held counts as a wall even for whoever cannot be pushed.
     if b.pushable[lo] then
       wh = wl > 0 and 0 or wh
-      if wh == 0 and b.backedLow[kl] and b.speed[kh] < 0 then
+      if wh == 0 and not b.heldHigh[kh] and b.backedLow[kl] and b.speed[kh] < 0 then
         return 0, 0, true
       end
     else
       wl = wh > 0 and 0 or wl
-      if wl == 0 and b.backedHigh[kh] and b.speed[kl] > 0 then
+      if wl == 0 and not b.heldLow[kl] and b.backedHigh[kh] and b.speed[kl] > 0 then
         return 0, 0, true
       end
     end
@@ -246,8 +246,9 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   -- Who is thrown back from what held it is held no longer.
   weld.release(b, kl, axis, b.heldHigh, b.holderHigh, 1)
   weld.release(b, kh, axis, b.heldLow, b.holderLow, -1)
-  -- Who is on the way apart already, and only flush through a push, leans on nobody.
-  if flush and (v > -STILL or isDeep or isStuck) then
+  -- Who is on the way apart already, and only flush through a push, leans on nobody; but who is
+  -- pushed back again and again is held between two.
+  if flush and (v > -STILL or isDeep or b.met[p] > LEAVES) then
     lean(b, lo, hi, kl, kh, wl, wh)
   end
   if wl ~= 0 then

@@ -204,6 +204,114 @@ local FOUND = {
       },
     },
   },
+  {
+    "a stack that is pushed off a wall again and again takes along who cannot be pushed",
+    {
+      settings = { timestep = 0.008333333333333333 },
+      acts = {
+        { "add", 36, 2.5, { height = 20, pushable = false, width = 20, x = 100, y = 260 } },
+        { "add", 37, "players", { height = 20, width = 20, x = 100, y = 240 } },
+        { "add", 38, 2.5, { height = 20, width = 20, x = 100, y = 220 } },
+        { "add", 42, "boxes", { height = 30, width = 20, x = 140, y = 200 } },
+        { "add", 49, "boxes", { height = 20, vx = 200, width = 20, x = 120, y = 200 } },
+        { "add", 54, "statics", { height = 20, static = true, width = 30, x = 100, y = 190 } },
+        { "update", 0.015625 },
+        {
+          "listen",
+          42,
+          "onStay",
+          {
+            {
+              "add",
+              61,
+              "lifts",
+              { height = 16, kinematic = true, vx = -76, vy = 16, width = 48, x = 312, y = 154 },
+            },
+            {
+              "insert",
+              62,
+              "crates",
+              {
+                friction = 0.16042504865715748,
+                height = 30,
+                vx = -160,
+                width = 20,
+                x = 100,
+                y = 200,
+              },
+            },
+          },
+        },
+        { "update", 0.015625 },
+        { "update", 0.015625 },
+      },
+    },
+  },
+  {
+    "a lift pushes two that cannot be pushed, and the row between them",
+    {
+      settings = {},
+      acts = {
+        { "insert", 2, "crates", { height = 30, pushable = false, width = 30, x = 140, y = 100 } },
+        { "insert", 3, "crates", { height = 20, vx = 10, width = 16, x = 124, y = 100 } },
+        { "add", 4, 2.5, { height = 20, pushable = false, width = 20, x = 100, y = 100 } },
+        { "insert", 5, "crates", { height = 20, width = 20, x = 80, y = 100 } },
+        {
+          "add",
+          6,
+          "lifts",
+          { height = 20, kinematic = true, vx = 200, width = 20, x = 60, y = 100 },
+        },
+        { "update", 0.03333333333333333 },
+      },
+    },
+  },
+  {
+    "one that bounces between a lift and a row is not left in it",
+    {
+      settings = {},
+      acts = {
+        { "add", 1, "players", { height = 20, restitution = 1, width = 20, x = 180, y = 100 } },
+        { "insert", 2, "crates", { height = 20, pushable = false, width = 20, x = 160, y = 100 } },
+        { "add", 3, 2.5, { height = 20, width = 16, x = 144, y = 100 } },
+        {
+          "insert",
+          4,
+          "players",
+          { height = 20, pushable = false, vx = 100, width = 20, x = 124, y = 100 },
+        },
+        {
+          "insert",
+          5,
+          "lifts",
+          { height = 20, kinematic = true, vx = -100, width = 20, x = 200, y = 100 },
+        },
+        { "update", 0.015625 },
+      },
+    },
+  },
+  {
+    "a lift pushes a stack down onto one that cannot be pushed",
+    {
+      settings = {},
+      acts = {
+        { "insert", 1, 1, { height = 20, pushable = false, width = 20, x = 100, y = 180 } },
+        { "add", 2, 1, { height = 20, width = 20, x = 100, y = 160 } },
+        { "add", 3, "players", { height = 30, width = 20, x = 100, y = 100 } },
+        { "add", 5, 2.5, { height = 20, pushable = false, width = 20, x = 100, y = 100 } },
+        {
+          "insert",
+          7,
+          "lifts",
+          { height = 20, kinematic = true, vy = 200, width = 20, x = 100, y = 70 },
+        },
+        { "insert", 9, "boxes", { height = 16, width = 20, x = 100, y = 100 } },
+        { "update", 0.03333333333333333 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.03333333333333333 },
+      },
+    },
+  },
 }
 
 describe("a random game has found that", function()
