@@ -71,9 +71,9 @@ local function weights(b, lo, hi, kl, kh)
   return wl, wh
 end
 
--- Moves the end of the paths by dl and dh; `anchor` says whose coordinate the other's is assigned
--- from if they end flush.
-local function place(b, kl, kh, dl, dh, flush)
+-- Moves the end of the paths of `lo` and the other by dl and dh; if they end flush, the coordinate
+-- of one is assigned from that of the other.
+local function place(b, lo, kl, kh, dl, dh, flush)
   local to, size = b.to, b.size
   if not flush then
     to[kl], to[kh] = to[kl] - dl, to[kh] + dh
@@ -84,8 +84,9 @@ local function place(b, kl, kh, dl, dh, flush)
   else
     to[kl] = to[kl] - dl
     to[kh] = to[kl] + size[kl]
-    -- Where two that both give way come to lie is rounded, and not the same at every dt: no rest.
-    b.news[(kl - kl % 2) / 2], b.news[(kh - kh % 2) / 2] = true, true
+    -- Where two that both give way come to lie is rounded, and not the same at every dt: no rest
+    -- for their island.
+    b.news[lo] = true
   end
 end
 
@@ -206,7 +207,10 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   advance(b, hi, t)
   if b.weld[kl] ~= 0 and b.weld[kl] == b.weld[kh] then
     b.met[p] = b.met[p] + 1
-    return rejoin(b, lo, hi, kl, kh)
+    if not (b.crushed[kl] and b.crushed[kh]) then -- those share the overlap of their row
+      rejoin(b, lo, hi, kl, kh)
+    end
+    return
   end
   local wl, wh, headOn = weights(b, lo, hi, kl, kh)
   local speed, accel, to = b.speed, b.accel, b.to
@@ -233,7 +237,7 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   local flush = gap == 0 and vEnd == 0
   local shareL, shareH = shares(b, lo, hi, kl, kh, wl, wh, isDeep or b.met[p] > BOUNCES)
   local oldL, oldH = to[kl], to[kh]
-  place(b, kl, kh, (o + gap) * shareL, (o + gap) * shareH, flush)
+  place(b, lo, kl, kh, (o + gap) * shareL, (o + gap) * shareH, flush)
   local dv = v - vEnd
   -- Two that push each other to and fro for positions alone go on together.
   local isStuck = b.met[p] > LEAVES and wl > 0 and wh > 0

@@ -209,6 +209,29 @@ describe("crushing", function()
       end)
     end)
 
+    --   |L|  +--+--|R|   8 px inside the second box, and only 6 px of room
+    --   |L|  +--+--|R|
+    for _, vx in ipairs({ 0, 30, -30 }) do
+      it(("crushes all of a row that one is put into, at %g px/s"):format(vx), function()
+        scene.each(SOME, function(run)
+          local named = run:build({
+            gravity = 0,
+            wall("L", 0, 100, 16, 16),
+            box("box1", 22, 100),
+            box("box2", 38, 100),
+            wall("R", 46, 100, 16, 16, vx, 0),
+          })
+          local log1, log2 = watch(run, named.box1), watch(run, named.box2)
+          run:step(1 / 60)
+          local overlap = (16 + 32 - (46 + vx / 60)) / 3
+          run:at(named.box1, 16 - overlap, 100)
+          run:at(named.box2, 32 - 2 * overlap, 100)
+          crushed(run, log1, 1, named.L, named.box2, "x")
+          crushed(run, log2, 1, named.box1, named.R, "x")
+        end)
+      end)
+    end
+
     it("that pass right through each other leaves it where it is", function()
       scene.each(SOME, function(run)
         local named = run:build(between(1))
