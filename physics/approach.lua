@@ -62,8 +62,8 @@ end
 -- they cease to.
 local function enters(b, at, ka, kc, axis)
   local gap, gapEnd = gaps(b, at, ka, kc, axis)
-  gap, gapEnd = gap + 2 * EPSILON, gapEnd + 2 * EPSILON
-  if gapEnd >= 0 or gap <= gapEnd then
+  gap, gapEnd = gap + 2 * EPSILON, gapEnd + 2 * EPSILON -- gap > 0: the two are apart
+  if gapEnd >= 0 then
     return 2
   end
   return gap / (gap - gapEnd)

@@ -146,7 +146,8 @@ local function readAll(b, i, object, isNew)
     and b.nudge[i] == 0
 end
 
-local function settle(b, i)
+--- Lets an object stand where it is, also as an obstacle and for the broad phase.
+function collect.stand(b, i)
   local k = 2 * i
   b.from[k], b.from[k + 1] = b.position[k], b.position[k + 1]
   b.to[k], b.to[k + 1] = b.position[k], b.position[k + 1]
@@ -166,7 +167,7 @@ local function enter(b, object, record, key)
   nameGroup(b, record.name)
   b.kind[i] = kindOf(object)
   readAll(b, i, object, true)
-  settle(b, i)
+  collect.stand(b, i)
   b.fresh[i] = true
   b.quiet[i] = false
   if b.kind[i] == DYNAMIC then
@@ -426,7 +427,7 @@ function collect.refresh(b, i)
   if not b.active[i] then
     clearTouching(b.touching[i])
   end
-  settle(b, i)
+  collect.stand(b, i)
   events.endForbidden(b, i)
   detect.refilter(b, i)
   markMoved(b, i)

@@ -409,14 +409,10 @@ local function rememberSlots(b, st, slots)
   b.lostCount = #st.memory.lost
 end
 
--- Where everybody is, as an obstacle and for the broad phase.
+-- Everybody stands where it was.
 local function stand(b, st, slots)
   for n = 1, st.known do
-    local i = slots[n]
-    for k = 2 * i, 2 * i + 1 do
-      b.from[k], b.to[k], b.speed[k], b.accel[k] = b.position[k], b.position[k], 0, 0
-    end
-    b.time[i] = 0
+    collect.stand(b, slots[n])
   end
   detect.run(b, slots, 1, st.known)
 end

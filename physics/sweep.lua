@@ -66,8 +66,8 @@ end
 local function span(at, size, to, other, otherSize)
   local gap, isLow = gapOf(at, size, other, otherSize)
   local gapEnd = gapAgain(to, size, other, otherSize, isLow) + 2 * EPSILON
-  gap = gap + 2 * EPSILON
-  if gapEnd >= 0 or gap <= gapEnd then
+  gap = gap + 2 * EPSILON -- > 0: the two are apart
+  if gapEnd >= 0 then
     return 2, 2
   end
   local depth = size + otherSize - 4 * EPSILON
