@@ -493,7 +493,25 @@ local function newSettings(n)
   return settings
 end
 
---- Makes the case of a seed.
+-- Where the fields of an act are that hold x and y, and where x and y themselves.
+local FIELDS_AT, PLACE_AT = { add = 4, insert = 4, write = 3 }, { move = 3, bounds = 2, ask = 2 }
+
+-- Plays the same elsewhere.
+local function shift(acts, by)
+  for _, act in ipairs(acts) do
+    local place, x, y = act[FIELDS_AT[act[1]]], "x", "y"
+    if PLACE_AT[act[1]] then
+      place, x, y = act, PLACE_AT[act[1]], PLACE_AT[act[1]] + 1
+    elseif act[1] == "listen" then
+      shift(act[4], by)
+    end
+    if place and place[x] then
+      place[x], place[y] = place[x] + by, place[y] + by
+    end
+  end
+end
+
+--- Makes the case of a seed. Every third is about the origin, where coordinates change their sign.
 ---@param seed integer
 ---@param steps integer updates
 ---@return table case `{ seed, settings, acts, closed }`
@@ -525,6 +543,9 @@ function case.new(seed, steps)
   local settings = newSettings(n)
   for _ = 1, steps do
     makeTurn(self)
+  end
+  if seed % 3 == 2 then
+    shift(self.acts, -ROOM / 2 * n.unit)
   end
   return { seed = seed, settings = settings, acts = self.acts }
 end
