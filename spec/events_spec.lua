@@ -233,6 +233,35 @@ describe("the life of a contact", function()
     assert.near(math.sqrt(2 * 800 * 84), log.speed, 1e-6)
   end)
 
+  -- It stands on the edge, and is past it at the end of the step.
+  it("begins and ends in its step for who runs off an edge, wherever down is", function()
+    for _, row in ipairs({
+      { 0, 800, "bottom", "top" },
+      { 0, -800, "top", "bottom" },
+      { 800, 0, "right", "left" },
+      { -800, 0, "left", "right" },
+    }) do
+      local gx, gy = row[1] / 800, row[2] / 800
+      for first, side in ipairs({ row[3], row[4] }) do
+        world = physics.newWorld({ gravityX = row[1], gravity = row[2] })
+        local log = {}
+        world.onBegin = function(_, _, its)
+          log[#log + 1] = "begin " .. its
+        end
+        world.onEnd = function(_, _, its)
+          log[#log + 1] = "end " .. its
+        end
+        local block = { x = 100, y = 100, width = 20, height = 20, static = true }
+        local runner = { x = 100 - 20 * gx, y = 100 - 20 * gy, width = 20, height = 20 }
+        runner.vx, runner.vy = 1500 * math.abs(gy), 1500 * math.abs(gx)
+        world:add("a", first == 1 and runner or block)
+        world:add("b", first == 1 and block or runner)
+        world:update(1 / 60)
+        assert.are.same({ "begin " .. side, "end " .. side }, log)
+      end
+    end
+  end)
+
   it("does not begin for neighbours that never pressed each other, but for sideBySide", function()
     local wall = world:add("walls", newWall(16, 0, 16, 100))
     local box = world:add("boxes", newBox(0, 84))

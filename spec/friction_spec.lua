@@ -26,3 +26,35 @@ describe("a box that lands sliding on another", function()
     end)
   end
 end)
+
+describe("a box that slides over two tiles at once", function()
+  --      +--+ 100 ->      the second tile may be a one-way: such a contact is looked at in another
+  --      +--+             way than a plain one, and comes at its place in the order all the same
+  --   ----|====
+  for _, y in ipairs({ 200, -1000 }) do
+    for _, oneWay in ipairs({ 0, 1, 2 }) do
+      local text = "at y = %d rubs on the first in order, if tile %d is a one-way"
+      it(text:format(y, oneWay), function()
+        for n, left in ipairs({ 86 + 2 / 3, 100 - math.sqrt(0.1) * 800 / 60 }) do
+          local world = physics.newWorld({ gravity = 800 })
+          for m = 1, 2 do
+            world:add("tiles", {
+              x = 20 * m,
+              y = y,
+              width = 20,
+              height = 20,
+              static = true,
+              friction = m == n and 1 or 0.1,
+              oneWay = m == oneWay and "top" or nil,
+            })
+          end
+          local box = { x = 30, y = y - 20, width = 20, height = 20, friction = 1, vx = 100 }
+          world:add("boxes", box)
+          world:update(1 / 60)
+          assert.near(left, box.vx, 1e-6)
+          assert.equal(y - 20, box.y)
+        end
+      end)
+    end
+  end
+end)

@@ -168,6 +168,19 @@ describe("world:raycast", function()
     end
   end)
 
+  it("takes a billionth of its way before a corner for the corner", function()
+    for _, row in ipairs({
+      { 0, 800, -1e-9, 0, 0, -1 },
+      { 800, 0, 0, -1e-9, -1, 0 },
+    }) do
+      local world, x, y = still({ gravityX = row[1], gravity = row[2] }), row[3], row[4]
+      world:add("b", tile(0, 0, 20, 10))
+      local hit, _, _, nx, ny = world:raycast(x, y, x + 1, y + 1)
+      assert.is_table(hit)
+      assert.are.same({ row[5], row[6] }, { nx, ny })
+    end
+  end)
+
   --     +-+            the neighbour covers the side along gravity,
   --     +-+   +-+-+    or the one across it
   --     +-+   +-+-+
@@ -544,15 +557,23 @@ for name, build in pairs({ small = small, large = large }) do
       local world = build()
       local object = world:add("a", box(0, 0, 10, 10))
       world:queryPoint(5, 5)
-      object.y = 0 / 0
-      local text = "physics: objects.a[1].y must be a number, got nan"
-      local ok, message = pcall(function()
-        world:queryPoint(5, 5)
-      end)
-      assert.is_false(ok)
-      assert.is_truthy(message:find(text, 1, true), message)
-      object.y = 0
-      assert.are.equal(1, count(world, 5, 5))
+      for _, row in ipairs({
+        { "y", 0 / 0, "must be a number, got nan" },
+        { "width", 0, "must be a number > 0, got 0" },
+        { "height", -1, "must be a number > 0, got -1" },
+        { "active", "yes", 'must be true or false, got "yes"' },
+      }) do
+        local field, text = row[1], ("physics: objects.a[1].%s %s"):format(row[1], row[3])
+        local before = object[field]
+        object[field] = row[2]
+        local ok, message = pcall(function()
+          world:queryPoint(5, 5)
+        end)
+        assert.is_false(ok)
+        assert.is_truthy(message:find(text, 1, true), message)
+        object[field] = before
+        assert.are.equal(1, count(world, 5, 5))
+      end
     end)
   end)
 end

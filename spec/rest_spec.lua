@@ -141,6 +141,23 @@ describe("rest changes nothing:", function()
     })
   end)
 
+  it("lifts are put back in a long step by as much as they go on", function()
+    local function at(x, y, vx, vy)
+      return { x = x, y = y, width = 16, height = 16, kinematic = true, vx = vx, vy = vy }
+    end
+    local player = checkSame({ gravity = 0, maxStep = 1 / 32 }, {
+      { "add", 1, "lifts", at(96, 96, 64, 0) },
+      { "add", 2, "lifts", at(296, 96, 0, 64) },
+      { "update", 1 / 16 },
+      { "write", 1, { x = 96 } },
+      { "write", 2, { y = 96 } },
+      { "update", 1 / 16 },
+      { "update", 1 / 16 },
+    })
+    local one, other = player.objects[1], player.objects[2]
+    assert.are.same({ 104, 96, 296, 104 }, { one.x, one.y, other.x, other.y })
+  end)
+
   it("a step is too short for anything to happen", function()
     checkSame({ push = "first" }, {
       { "add", 1, "tiles", { x = 60, y = 320, width = 20, height = 20, static = true } },

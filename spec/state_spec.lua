@@ -352,6 +352,40 @@ describe("world:restore", function()
     assert.are.same(mask, other.objects.player.mask)
   end)
 
+  it("finds who was read again and not stepped yet", function()
+    local world = physics.newWorld({ gravity = 0 })
+    local wall = world:add("walls", { x = 0, y = 0, width = 20, height = 100, static = true })
+    local box = world:add("boxes", { x = 30, y = 40, width = 20, height = 20 })
+    world:update(1 / 60)
+    wall.width = 36 -- into the box
+    world:refresh(wall)
+    local copy = physics.newWorld()
+    copy:restore(read(write(world:save())))
+    local begins = 0
+    for _, each in ipairs({ world, copy }) do
+      each.onBegin = function()
+        begins = begins + 1
+      end
+      each:update(1 / 60)
+    end
+    local its = copy.objects.boxes[1]
+    assert.are.same({ 36, 40, 36, 40 }, { box.x, box.y, its.x, its.y })
+    assert.are.equal(0, begins) -- the wall came to it
+    assert.are.equal(world:hash(), copy:hash())
+  end)
+
+  it("leaves who was added just before its `touching`", function()
+    local world = physics.newWorld({ gravity = 0 })
+    world:update(1 / 60)
+    local box = world:add("boxes", { x = 30, y = 40, width = 20, height = 20 })
+    local touching = box.touching
+    world:restore(world:save())
+    assert.are.equal(touching, box.touching)
+    world:add("walls", { x = 15, y = 0, width = 20, height = 100, static = true })
+    world:update(1 / 60)
+    assert.are.equal(touching, box.touching)
+  end)
+
   it("may happen inside a callback", function()
     local world, _, other = smallWorld()
     local state, count = world:save(), 0

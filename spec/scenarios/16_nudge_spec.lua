@@ -143,6 +143,28 @@ describe("nudge", function()
       end)
     end)
 
+    -- Both sides close within a billionth of the step.
+    it("hit corner to corner is stopped as without it", function()
+      scene.each({ shift = { 0 }, rate = { 60 }, turn = variants.TURNS }, function(run)
+        for _, off in ipairs({ 0, 4e-9, -4e-9 }) do
+          local stops = {}
+          for n, nudge in ipairs({ 0, 4 }) do
+            local named = run:build({
+              gravity = 0,
+              solid("block", 100, 100, 64, 16),
+              body(79 + off, 71, 600, 600, { nudge = nudge }),
+            })
+            run:step(1 / 60)
+            stops[n] = named.body
+          end
+          for _, field in ipairs({ "x", "y", "vx", "vy" }) do
+            run:same(field, stops[2][field], stops[1][field])
+          end
+          run:same("speeds stopped", stops[2].vx * stops[2].vy, 0)
+        end
+      end)
+    end)
+
     it("at 6000 px/s does the same", function()
       scene.each(SOME, function(run)
         local named = run:build({
