@@ -5,7 +5,11 @@
 --
 -- Without --sample all changes are tried, which takes days; --list shows them. What no spec notices
 -- survives, and is printed. Each result is written to build/mutants.txt at once; --resume leaves
--- out what that file says was noticed. It fails if more than a tenth survives.
+-- out what that file says was noticed, or is harmless.
+--
+-- Harmless are those that make no difference, which scripts/harmless.lua lists with the reason. It
+-- fails if more than a tenth of all survives and is not listed there, if a spec notices what is,
+-- and if a listed line is no longer to be found.
 --
 -- The specs run interpreted, where the slow ones are a selection (spec/support/effort.lua). A spec
 -- may use four times the time of the processor that it takes without a change, not of the clock:
@@ -14,6 +18,7 @@
 
 package.path = "./?.lua;" .. package.path
 
+local harmless = require("scripts.harmless")
 local mutations = require("scripts.mutations")
 local newRandom = require("spec.support.random").new
 
@@ -99,12 +104,31 @@ local function describe(change)
   return name, line
 end
 
+local function keyOf(path, line, changed)
+  return ("%s:%d: %s"):format(path, line, changed)
+end
+
+-- Gives the changes that are listed as harmless their reason.
+local function explain(changes)
+  local byKey = {}
+  for _, change in ipairs(changes) do
+    byKey[keyOf(change.path, change.line, mutations.changedLine(change.text, change))] = change
+  end
+  for _, row in ipairs(harmless) do
+    local path, line, changed, reason = row[1], row[2], row[3], row[4]
+    local number = mutations.findLine(read(path), line)
+    local change = number and byKey[keyOf(path, number, changed)]
+    local text = "scripts/harmless.lua: in %s there is %s:\n%s"
+    assert(number, text:format(path, "not one line", line))
+    assert(change, text:format(path, "no change to", changed)).reason = reason
+  end
+end
+
 local function findChanges()
   local changes = {}
   local paths = linesOf("ls physics.lua; find physics -name '*.lua' | LC_ALL=C sort")
   for _, path in ipairs(paths) do
-    local isWanted = options.file == "" or path == options.file
-    if isWanted and not isAny(path, NOT_CORE) then
+    if not isAny(path, NOT_CORE) then
       local text = read(path)
       for _, change in ipairs(mutations.list(text)) do
         change.path, change.text = path, text
@@ -112,6 +136,7 @@ local function findChanges()
       end
     end
   end
+  explain(changes)
   return changes
 end
 
@@ -209,22 +234,21 @@ local function choose(changes)
     if #chosen == options.sample and options.sample > 0 then
       break
     end
-    if mutations.apply(change.text, change) then
+    local isWanted = options.file == "" or change.path == options.file
+    if isWanted and mutations.apply(change.text, change) then
       chosen[#chosen + 1] = change
     end
   end
   return chosen
 end
 
--- name -> the spec that noticed, from an earlier run
+-- name -> result, from an earlier run
 local function knownResults()
   local known, file = {}, options.resume and io.open(RESULTS)
   if file then
     for line in file:lines() do
-      local by, name = line:match("^noticed by (%S+)\t([^\t]+)")
-      if by then
-        known[name] = by
-      end
+      local result, name = line:match("^([^\t]+)\t([^\t]+)")
+      known[name] = result
     end
     file:close()
   else
@@ -237,26 +261,37 @@ local function try(specs, change)
   save(COPY .. "/" .. change.path, mutations.apply(change.text, change))
   local by = noticed(specs, change.path)
   save(COPY .. "/" .. change.path, change.text)
-  return by
+  return by and "noticed by " .. by or "survived"
 end
 
--- Returns how many survive.
+-- "noticed", "survived", "harmless", or "wrong": listed as harmless, and noticed.
+local function verdict(result, change)
+  if result == "survived" then
+    return change.reason and "harmless" or "survived"
+  end
+  return change.reason and "wrong" or "noticed"
+end
+
+-- Returns how many have each verdict.
 local function tryAll(chosen)
-  local known, specs, survivors = knownResults(), nil, 0
+  local known, specs = knownResults(), nil
+  local counts = { noticed = 0, survived = 0, harmless = 0, wrong = 0 }
   for n, change in ipairs(chosen) do
     local name, line = describe(change)
-    local by = known[name]
-    if not by then
+    local result = known[name]
+    if not result or verdict(result, change) == "survived" then
       specs = specs or findSpecs()
-      by = try(specs, change)
-      local result = by and "noticed by " .. by or "survived"
+      result = try(specs, change)
       save(RESULTS, ("%s\t%s\t%s\n"):format(result, name, line), "ab")
-      print(("%d of %d  %s  %s  %s"):format(n, #chosen, result, name, line))
+      local is = verdict(result, change)
+      local text = (is == "noticed" or is == "survived") and result or result .. ", " .. is
+      print(("%d of %d  %s  %s  %s"):format(n, #chosen, text, name, line))
       io.stdout:flush()
     end
-    survivors = survivors + (by and 0 or 1)
+    local is = verdict(result, change)
+    counts[is] = counts[is] + 1
   end
-  return survivors
+  return counts
 end
 
 local function copyProject()
@@ -274,11 +309,18 @@ local function main()
     return true
   end
   copyProject()
-  local survivors = tryAll(chosen)
-  local text = "%d changes were tried of %d: %d noticed (%.1f %%), %d not"
-  local share = 100 * (#chosen - survivors) / #chosen
-  print(text:format(#chosen, #changes, #chosen - survivors, share, survivors))
-  return survivors <= SURVIVORS_ALLOWED * #chosen
+  local counts = tryAll(chosen)
+  print(("%d changes were tried of %d:"):format(#chosen, #changes))
+  for _, row in ipairs({
+    { "noticed", "noticed by a spec" },
+    { "harmless", "not noticed, and known to change nothing" },
+    { "survived", "not noticed" },
+    { "wrong", "noticed, although listed as harmless" },
+  }) do
+    local count = counts[row[1]]
+    print(("%6d  %5.1f %%  %s"):format(count, 100 * count / #chosen, row[2]))
+  end
+  return counts.wrong == 0 and counts.survived <= SURVIVORS_ALLOWED * #chosen
 end
 
 local n = 1

@@ -71,4 +71,39 @@ function mutations.apply(text, change)
   return (loadstring or load)(changed) and changed
 end
 
+local function trimmed(line)
+  return (line:gsub("^%s+", ""))
+end
+
+--- The line that a change is in, as it becomes, without its indentation.
+---@param text string Lua source
+---@param change table one of `mutations.list(text)`
+---@return string line
+function mutations.changedLine(text, change)
+  local start = text:sub(1, change.at - 1):match("^.*\n()") or 1
+  local after = text:sub(change.at + #change.old):match("^[^\n]*")
+  return trimmed(text:sub(start, change.at - 1) .. change.new .. after)
+end
+
+--- Where a line is.
+---@param text string
+---@param wanted string the line without its indentation, after some that are before it if there are
+---  several like it
+---@return integer? number of the line, from 1; nil: there is none, or more than one
+function mutations.findLine(text, wanted)
+  local number, found, count = 0, nil, select(2, wanted:gsub("\n", ""))
+  local lines = {}
+  for line in (text .. "\n"):gmatch("(.-)\n") do
+    number = number + 1
+    lines[number] = trimmed(line)
+    if number > count and table.concat(lines, "\n", number - count) == wanted then
+      if found then
+        return nil
+      end
+      found = number
+    end
+  end
+  return found
+end
+
 return mutations

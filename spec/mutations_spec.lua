@@ -79,6 +79,16 @@ describe("scripts/mutations.lua", function()
     assert.is_nil(mutations.apply("return -a", { at = 8, old = "-", new = "+" }))
   end)
 
+  it("names a change by the line that it makes", function()
+    local text = "if a then\n  b = 1 + 2\nend\nif c then\n  b = 1 + 2\nend"
+    local change = mutations.list(text)[2]
+    assert.are.equal("b = 1 - 2", mutations.changedLine(text, change))
+    assert.are.equal(4, mutations.findLine(text, "if c then"))
+    assert.are.equal(5, mutations.findLine(text, "if c then\nb = 1 + 2"))
+    assert.is_nil(mutations.findLine(text, "b = 1 + 2"), "there are two")
+    assert.is_nil(mutations.findLine(text, "b = 1"))
+  end)
+
   it("finds something in files of the core #files", function()
     for _, name in ipairs({ "aabb", "world", "footing", "broadphase/grid" }) do
       local file = assert(io.open("physics/" .. name .. ".lua"))

@@ -1,0 +1,136 @@
+--- Changes of the core that make no difference, for scripts/mutants.lua: no spec can notice them.
+---
+--- A row: the file, the line as it is, the line as it would be, and why every result stays the same
+--- to the bit. Where a line stands in its file more than once, those before it come with it.
+---
+--- Most of them choose between two ways that lead to the same (see ARCHITECTURE.md), give a value
+--- that is written before it is read, or look at more than they must.
+
+return {
+  {
+    "physics/broadphase/grid.lua",
+    "while cell < size and level < LEVELS do",
+    "while cell <= size and level < LEVELS do",
+    "who is as large as a cell goes one level up, and is found there",
+  },
+  {
+    "physics/broadphase/grid.lua",
+    "while self.highest > 0 and self.members[self.highest] == 0 do",
+    "while self.highest > 1 and self.members[self.highest] == 0 do",
+    "levels that hold nobody are passed over all the same",
+  },
+  {
+    "physics/broadphase/grid.lua",
+    "return (width / cell + 3) * (height / cell + 3) > 16 + self.count",
+    "return (width / cell + 4) * (height / cell + 3) > 16 + self.count",
+    "when all are looked at instead of cells; whom they meet is asked of each in both ways",
+  },
+  {
+    "physics/broadphase/grid.lua",
+    "self.ranges[rangeCount + 3], self.ranges[rangeCount + 5] = 0, 0",
+    "self.ranges[rangeCount + 4], self.ranges[rangeCount + 5] = 0, 0",
+    "what lies behind the end is read and not used, be it a number or nothing",
+  },
+  {
+    "physics/collect.lua",
+    "b.hasCarriers = b.hasCarriers or b.kind[i] == KINEMATIC or b.surfaceSpeed[i] ~= 0",
+    "b.hasCarriers = b.hasCarriers or b.kind[i] ~= KINEMATIC or b.surfaceSpeed[i] ~= 0",
+    "carriers are looked for where there are none; without a rider there is nobody to find them",
+  },
+  {
+    "physics/columns.lua",
+    "news = false, -- something else than its motion has changed in this step",
+    "news = true, -- something else than its motion has changed in this step",
+    "who is awake begins each step without (see begin), and nobody else is asked",
+  },
+  {
+    "physics/columns.lua",
+    "pressedLow = false, -- something rested against this side in this step",
+    "pressedLow = true, -- something rested against this side in this step",
+    "read of those who are awake and dynamic, who begin each step without (see begin)",
+  },
+  {
+    "physics/columns.lua",
+    "to = 0, -- where it will be at the end of the step",
+    "to = 1, -- where it will be at the end of the step",
+    "whoever comes into the world is given its place at once (see collect)",
+  },
+  {
+    "physics/columns.lua",
+    "pairSlots = 0,",
+    "pairSlots = 1,",
+    "the first place of the pairs is never used; nobody awake is in it",
+  },
+  {
+    "physics/columns.lua",
+    "hasCarriers = false, -- anything in the world that ever carried others",
+    "hasCarriers = true, -- anything in the world that ever carried others",
+    "carriers are looked for where there are none",
+  },
+  {
+    "physics/detect.lua",
+    "or from[k] + size[k] > fatHigh[k]",
+    "or from[k] + size[k] >= fatHigh[k]",
+    "its neighbours are looked up one step earlier; more neighbours change no result",
+  },
+  {
+    "physics/footing.lua",
+    "sortAll(b, count, b.moverCount + 1)",
+    "sortAll(b, count, b.moverCount + 2)",
+    "at most one pass more, by a digit that is 0 for all",
+  },
+  {
+    "physics/footing.lua",
+    "if start <= -STILL or o < (v + start) * 0.5 * dt * (1 - ROUNDING) then",
+    "if start <= -STILL or o < (v + start) * 0.5 / dt * (1 - ROUNDING) then",
+    "more is left to the queue, which gives the same bits",
+  },
+  {
+    "physics/friction.lua",
+    "local up, low = 0, 0",
+    "local up, low = 1, 0",
+    "then low is 0, nobody, who is neither immovable nor stuck: as if up were 0",
+  },
+  {
+    "physics/query.lua",
+    "local start = from > 0 and from or 0",
+    "local start = from >= 0 and from or 0",
+    "from is -1 or more than 0",
+  },
+  {
+    "physics/query.lua",
+    "from, done, piece = to, done + piece, piece * 2",
+    "from, done, piece = to, done + piece, piece * 3",
+    "how much of a ray is looked at next; the nearest of all pieces is the same",
+  },
+  {
+    "physics/queue.lua",
+    "q.data[id + FIELDS] = 0",
+    "q.data[id + FIELDS] = 1",
+    "makes room; the fields of an event begin one place later",
+  },
+  {
+    "physics/restore.lua",
+    "b.fresh[i] = false",
+    "b.fresh[i] = true",
+    "whoever is restored is awake for a step at least, rests one step later, and is not saved so",
+  },
+  {
+    "physics/roster.lua",
+    "mixed = false,",
+    "mixed = true,",
+    "keys are counted where a look at the next one would do",
+  },
+  {
+    "physics/state.lua",
+    "while at > 1 and numbers[other[found[at - 1]]] > number do",
+    "while at > 1 and numbers[other[found[at - 1]]] >= number do",
+    "two neighbours have one pair only, so no two numbers are equal",
+  },
+  {
+    "physics/view.lua",
+    "or position[k + 1] < fatLow[k + 1]",
+    "or position[k + 1] <= fatLow[k + 1]",
+    "a box of a question's grid is drawn anew before it must be",
+  },
+}
