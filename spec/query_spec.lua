@@ -452,6 +452,18 @@ describe("a filter", function()
     end)
     assert.are.equal("1 3 2 4", table.concat(asked, " "))
   end)
+
+  -- A ray is looked at in pieces, the first of 48 px.
+  it("is asked about nobody twice where two pieces of a ray meet", function()
+    local world, asked = still(), {}
+    for _, x in ipairs({ 48, 40, 56 }) do
+      world:add("a", tile(x, 0, 16, 16))
+    end
+    world:raycast(0, 8, 96, 8, function(object)
+      asked[#asked + 1] = object.x
+    end)
+    assert.are.same({ 40, 48, 56 }, asked)
+  end)
 end)
 
 --- A world with few objects, and one with so many that not all are looked at for each question.
@@ -814,6 +826,7 @@ describe("world:touching", function()
     local object = world:add("a", box(0, 84, 16, 16))
     local neighbour = world:add("a", box(16, 84, 16, 16))
     local coin = world:add("coins", box(4, 90, 8, 8, { sensor = true, static = true }))
+    local far = world:add("a", box(150, 84, 16, 16))
     assert.is_nil(world:touching(object, floor))
     world:update(1 / 60)
     assert.are.equal("bottom", world:touching(object, floor))
@@ -825,6 +838,8 @@ describe("world:touching", function()
     object.y = 50
     assert.is_nil(world:touching(object, floor))
     assert.is_nil(world:touching(object, object))
+    world.sideBySide, far.x, far.y = false, 16, 50 -- put there, not come
+    assert.is_nil(world:touching(object, far))
   end)
 end)
 
