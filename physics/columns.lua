@@ -121,24 +121,25 @@ local AXIS = {
   fatHigh = 0,
 }
 
+-- What a pair begins with is written in `link`.
 local PAIR = {
-  pairA = 0,
-  pairB = 0,
-  contact = 0, -- side of pairA that is in contact (see SIDES), 0: none
-  hit = 0, -- side of pairA that was first hit in this step, 0: none
-  hitSpeed = 0,
-  met = 0, -- how often it was resolved in this step
-  nudged = 0, -- how often a corner was corrected in this step
-  passing = false, -- lets pass for this step (canCollide, dropThrough)
-  event = columns.NO_EVENT, -- its event in the queue
-  turn = 0, -- its place among the footings of the step, 0: none
-  liveMark = 0,
-  wedged = 0, -- 1 + code of the meeting along which two that are left inside each other may part
-  dropping = false, -- falls through (dropThrough) until the two are apart
-  overlapping = false, -- was left inside each other at the end of the last step
+  "pairA",
+  "pairB",
+  "contact", -- side of pairA that is in contact (see SIDES), 0: none
+  "hit", -- side of pairA that was first hit in this step, 0: none
+  "hitSpeed",
+  "met", -- how often it was resolved in this step
+  "nudged", -- how often a corner was corrected in this step
+  "passing", -- lets pass for this step (canCollide, dropThrough)
+  "event", -- its event in the queue
+  "turn", -- its place among the footings of the step, 0: none
+  "liveMark",
+  "wedged", -- 1 + code of the meeting along which two that are left inside each other may part
+  "dropping", -- falls through (dropThrough) until the two are apart
+  "overlapping", -- was left inside each other at the end of the last step
 }
 
-local HALF = { other = 0, next = 0, previous = 0 }
+local HALF = { "other", "next", "previous" }
 
 -- What a step leaves behind in an object, apart from where it is. Who is awake begins each step
 -- without most of it (see begin); of who becomes a wall nobody else would clear it.
@@ -166,13 +167,18 @@ local STEP_AXIS = {
 columns.SIDES = { "left", "right", "top", "bottom" }
 columns.OPPOSITE = { 2, 1, 4, 3 }
 
-local function addColumns(b, defaults, first)
-  for name in pairs(defaults) do
-    local column = {}
-    for i = 1, first - 1 do
-      column[i] = defaults[name]
-    end
-    b[name] = column
+local function addColumns(b, names)
+  for n = 1, #names do
+    b[names[n]] = {}
+  end
+end
+
+local function addSlotColumns(b)
+  for name in pairs(SLOT) do
+    b[name] = {}
+  end
+  for name, default in pairs(AXIS) do
+    b[name] = { default } -- place 1 belongs to slot 0
   end
 end
 
@@ -268,10 +274,9 @@ function columns.new()
       ways = {},
     },
   }
-  addColumns(b, SLOT, 1)
-  addColumns(b, AXIS, 2)
-  addColumns(b, PAIR, 1)
-  addColumns(b, HALF, 1)
+  addSlotColumns(b)
+  addColumns(b, PAIR)
+  addColumns(b, HALF)
   -- Slot 0 is nobody, that of pairs that were taken apart: less than nothing, so it meets nobody.
   b.object[0], b.awake[0], b.rank[0], b.time[0] = false, false, 0, 0
   for k = 0, 1 do
