@@ -29,6 +29,8 @@ local floor, max, min = math.floor, math.max, math.min
 
 -- Digits of the sort, and from how many footings on it is worth it.
 local DIGITS, MANY = 1024, 24
+-- Keeps 0 / 0 out of friction.
+local TINY = 1e-300
 
 -- Of the pairs that are flush along gravity, keeps those that are plain and lists the others behind
 -- b.odd; returns how many are plain.
@@ -284,11 +286,19 @@ local function coefficientOf(b, up, low)
   return sqrt(one * other)
 end
 
--- Changes speed and way of k by what friction took off, unless it is held there.
+-- Changes speed and way of k by what friction took off, unless it is held there. (Few are held at
+-- all: asked first, so that the sign of what is taken makes no two ways through the code.)
 local function shift(b, k, dSpeed, dWay)
-  if not ((dSpeed > 0 and b.heldHigh[k]) or (dSpeed < 0 and b.heldLow[k])) then
-    b.speed[k], b.to[k] = b.speed[k] + dSpeed, b.to[k] + dWay
+  local heldLow, heldHigh = b.heldLow[k], b.heldHigh[k]
+  if (heldLow or heldHigh) and ((dSpeed > 0 and heldHigh) or (dSpeed < 0 and heldLow)) then
+    return
   end
+  b.speed[k], b.to[k] = b.speed[k] + dSpeed, b.to[k] + dWay
+end
+
+-- What is left of u when its amount is less by `loss`, which does not turn it round. No branches.
+local function lessen(u, loss)
+  return max(u - loss, 0.0) + min(u + loss, 0.0)
 end
 
 -- Friction between two that both slide, and are pulled alike: the simple half of `friction`.
@@ -301,15 +311,11 @@ local function slideTogether(b, up, low, ku, kl, limit, share, dt)
   end
   local wu, wl = b.inverseMass[up], b.inverseMass[low]
   local w, u = wu + wl, b.speed[ka] - b.speed[kb]
-  local v, stop, way = max(max(u, -u) - limit * w * share, 0.0), 0.0, 0.0
-  if v > 0 and max(u, -u) >= STILL then
-    local brake = limit * w * (1 - share) / dt
-    stop = max(v - brake * dt, 0)
-    way = brake * dt >= v and v * 0.5 * (v / brake) or (v + stop) * 0.5 * dt
-  end
-  if u < 0 then
-    stop = -stop
-    way = -way
+  local stop, way = 0.0, 0.0
+  if max(u, -u) >= STILL then
+    local v, brake = lessen(u, limit * w * share), limit * w * (1 - share) / dt
+    stop = lessen(v, brake * dt)
+    way = (v + stop) * 0.5 * min(dt, max(v, -v) / max(brake, TINY))
   end
   local dSpeed, dWay = stop - u, way - (u + u) * 0.5 * dt
   local shareU, shareL = wu / w, wl / w

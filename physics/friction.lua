@@ -14,8 +14,10 @@ require(here .. ".interpreted").file()
 local friction = {}
 
 local DYNAMIC = columns.DYNAMIC
-local sqrt = math.sqrt
+local max, min, sqrt = math.max, math.min, math.sqrt
 local STILL = columns.STILL
+-- Keeps 0 / 0 out of a slide without friction.
+local TINY = 1e-300
 
 --- Returns the coefficient of a pair: √(a·b); without one of its own (negative) a static or
 --- kinematic object takes the other's.
@@ -33,6 +35,12 @@ function friction.coefficient(b, i, j)
   return one == other and one or sqrt(one * other)
 end
 
+-- What is left of u when its amount is less by `loss` >= 0, which does not turn it round. No
+-- branches.
+local function lessen(u, loss)
+  return max(u - loss, 0.0) + min(u + loss, 0.0)
+end
+
 -- Slides at a relative speed that would be `u` at the end of the time left, under a relative
 -- acceleration `a`, against an impact that takes up to `impact` px/s at once and a weight that
 -- takes up to `weight` px/s over the time. Returns the relative speed at the end and the relative
@@ -42,13 +50,7 @@ local function slide(u, a, tau, impact, weight)
   if v > -STILL and v < STILL then
     v = 0
   end
-  if v > impact then
-    v = v - impact
-  elseif v < -impact then
-    v = v + impact
-  else
-    v = 0
-  end
+  v = lessen(v, impact)
   if tau <= 0 then
     return v, 0
   end
@@ -61,12 +63,12 @@ local function slide(u, a, tau, impact, weight)
     return stop, stop * 0.5 * tau
   end
   local brake = v > 0 and hold - a or hold + a
-  local speed = v > 0 and v or -v
-  if brake * tau >= speed then
-    return 0, v * 0.5 * (speed / brake)
+  if brake < 0 then -- pulled on, faster than friction can hold
+    local stop = v > 0 and v - brake * tau or v + brake * tau
+    return stop, (v + stop) * 0.5 * tau
   end
-  local stop = v > 0 and v - brake * tau or v + brake * tau
-  return stop, (v + stop) * 0.5 * tau
+  local stop = lessen(v, brake * tau)
+  return stop, (v + stop) * 0.5 * min(tau, max(v, -v) / max(brake, TINY))
 end
 
 -- Inverse mass of slot i on the axis of k: that of all that is welded to it there.

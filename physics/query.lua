@@ -175,30 +175,42 @@ local function begins(p, d)
 end
 
 -- Where a line from (x, y) by (dx, dy), as `begins` tells it, enters a box on each axis, and
--- whether it does at all. No branches, so that it is one piece of code for all.
+-- where it leaves it. No branches, so that it is one piece of code for all.
 local function enters(v, i, x, y, dx, dy)
   local position, size, k = v.position, v.size, 2 * i
   local left, top = position[k] - x, position[k + 1] - y
   local right, bottom = position[k] + size[k] - x, position[k + 1] + size[k + 1] - y
   local a, b, c, d = left / dx, right / dx, top / dy, bottom / dy
-  local inX, inY = min(a, b), min(c, d)
-  local entry, exit = max(inX, inY), min(max(a, b), max(c, d))
-  return inX, inY, entry < exit and exit > 0 and entry <= 1
+  return min(a, b), min(c, d), min(max(a, b), max(c, d))
+end
+
+-- Writes into `entry` where the line enters each of `found`: 2, behind its end, if it does not.
+local function findEntries(v, found, count, x1, y1, x2, y2)
+  local entry = v.entry
+  local x, dx = begins(x1, x2 - x1)
+  local y, dy = begins(y1, y2 - y1)
+  for m = 1, count do
+    local i = found[m]
+    local inX, inY, exit = enters(v, i, x, y, dx, dy)
+    local at = max(inX, inY)
+    if min(exit - at, exit) <= 0 then
+      at = 2
+    end
+    entry[i] = max(at, 0)
+  end
 end
 
 -- Keeps of `found` who is hit by the line after `from` and up to `to`, with its `entry`; returns
 -- how many. Who is hit at the very beginning is hit after any `from` < 0.
 local function keepHit(v, found, count, x1, y1, x2, y2, from, to)
   local n, entry, active = 0, v.entry, v.active
-  local x, dx = begins(x1, x2 - x1)
-  local y, dy = begins(y1, y2 - y1)
+  findEntries(v, found, count, x1, y1, x2, y2)
   for m = 1, count do
     local i = found[m]
-    local inX, inY, isHit = enters(v, i, x, y, dx, dy)
-    local at = max(inX, inY, 0)
-    if isHit and at > from and at <= to and active[i] then
+    local at = entry[i]
+    if at > from and at <= to and active[i] then
       n = n + 1
-      found[n], entry[i] = i, at
+      found[n] = i
     end
   end
   return n
