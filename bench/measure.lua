@@ -123,7 +123,8 @@ function measure.times(engine, scene, limit)
   return result
 end
 
--- Looks at the first world only: the others are its twins.
+-- Looks at the first world only: the others are its twins. What is static stays where it was, also
+-- for those that come back to where they were dug out.
 local function newOverlapCheck(world, scene)
   local boxes = {}
   for i, description in ipairs(scene.objects) do
@@ -132,12 +133,16 @@ local function newOverlapCheck(world, scene)
       height = description.height,
       static = description.static,
       kinematic = description.kinematic,
+      x = description.x,
+      y = description.y,
     }
   end
   local find
   return function()
     for i = 1, #boxes do
-      boxes[i].x, boxes[i].y = world:read(i)
+      if not boxes[i].static then
+        boxes[i].x, boxes[i].y = world:read(i)
+      end
     end
     find = find or overlap.checker(boxes)
     return (find())

@@ -212,14 +212,18 @@ end
 
 -- The slots of everything in a group that is not static, in order.
 local function listGroup(b, record)
-  local movers, slotOf, kind, list = {}, b.slotOf, b.kind, record.list
-  for n = 1, record.count do
-    local i = slotOf[list[n]]
+  local movers, slots, kind, n = record.movers, record.slots, b.kind, 0
+  for m = 1, record.count do
+    local i = slots[m]
     if kind[i] > STATIC then
-      movers[#movers + 1] = i
+      n = n + 1
+      movers[n] = i
     end
   end
-  record.movers = movers
+  for m = #movers, n + 1, -1 do
+    movers[m] = nil
+  end
+  record.isListed = true
 end
 
 -- The slots of everything that is not static, in the order of the world.
@@ -227,7 +231,7 @@ local function listMovers(b)
   local n, movers, groups = 0, b.movers, b.roster.groups
   for g = 1, #groups do
     local record = groups[g]
-    if not record.movers then
+    if not record.isListed then
       listGroup(b, record)
     end
     local its = record.movers
@@ -433,7 +437,7 @@ function collect.refresh(b, i)
   markMoved(b, i)
   rest.wake(b, i)
   view.refresh(b, object)
-  b.group[i].movers = false
+  b.group[i].isListed = false
   b.newcomers = true
 end
 

@@ -25,9 +25,10 @@ local function comesBefore(a, b)
 end
 
 --- Returns an empty roster. `groups` are the records in order: a record is
---- `{ name, source, direct, index, list, keys, count, plain, stale }`, where `source` is the game's
---- table (the object itself if `direct`), `plain` says that the keys are just 1 to `count`, and
---- `mixed` that they once were others.
+--- `{ name, source, direct, index, list, slots, keys, count, plain, stale, first }`, where `source`
+--- is the game's table (the object itself if `direct`), `list` who was in it and `slots` theirs,
+--- `plain` says that the keys are just 1 to `count`, and `mixed` that they once were others. A
+--- stale one differs from place `first` of the list on; what is there now waits in `tail`.
 function roster.new()
   return {
     source = false,
@@ -36,6 +37,8 @@ function roster.new()
     groups = {},
     groupCount = 0,
     byName = {},
+    seen = {}, -- by slot: the stamp of the last update that has found it in a stale group
+    stamp = 0,
     -- Objects that came through `add` and have not been read yet: their `touching`, their group.
     given = setmetatable({}, { __mode = "k" }),
     groupGiven = setmetatable({}, { __mode = "k" }),
@@ -73,32 +76,38 @@ local function countKeys(source)
   return n
 end
 
--- True if the group still holds what was read last. Numbered objects cost one comparison each; a
--- raw one, since the objects of a game may be "equal" by a metamethod.
-local function isUnchanged(record)
+-- Whether the keys of a group are just 1 to `count`, which it has.
+local function hasJust(record, count)
+  local source = record.source
+  if count <= FEW or record.mixed then
+    return countKeys(source) == count
+  end
+  -- Keys beyond the last number follow it in the table, unless that has room left from others.
+  return next(source, count) == nil or countKeys(source) == count
+end
+
+-- The place from which on a group does not hold what was read last; nil: it does. Numbered objects
+-- cost one comparison each; a raw one, since the objects of a game may be "equal" by a metamethod.
+local function firstChange(record)
   if record.direct then
-    return true
+    return nil
   end
   local source, list, count = record.source, record.list, record.count
   if not record.plain then
     local keys = record.keys
     for n = 1, count do
       if not rawequal(source[keys[n]], list[n]) then
-        return false
+        return 1
       end
     end
-    return countKeys(source) == count
+    return countKeys(source) ~= count and 1 or nil
   end
   for n = 1, count do
     if not rawequal(source[n], list[n]) then
-      return false
+      return n
     end
   end
-  if count <= FEW or record.mixed then
-    return countKeys(source) == count
-  end
-  -- Keys beyond the last number follow it in the table, unless that has room left from others.
-  return next(source, count) == nil or countKeys(source) == count
+  return not hasJust(record, count) and count + 1 or nil
 end
 
 local function haveGroupsChanged(self, objects)
@@ -143,12 +152,18 @@ local function newRecord(name, source)
     direct = direct,
     index = 0,
     list = {},
+    slots = {},
     keys = {},
     count = 0,
     plain = true,
-    movers = false, -- see collect
+    movers = {}, -- see collect
+    isListed = false,
     mixed = false,
     stale = true,
+    first = 1,
+    tail = {},
+    tailSlots = {},
+    tailCount = 0,
   }
 end
 
@@ -185,49 +200,53 @@ local function readGroups(self, objects)
   return groups, byName
 end
 
--- Returns the keys of a group in order, and whether they are just 1 to their number.
-local function readKeys(record)
-  local source, keys, n = record.source, {}, 0
-  while rawget(source, n + 1) ~= nil do
+-- Reads into the tail who stands under the numbers from `first` on.
+local function readNumbered(record, first)
+  local source, tail, n = record.source, record.tail, 0
+  local object = rawget(source, first)
+  while object ~= nil do
     n = n + 1
-    keys[n] = n
+    tail[n] = object
+    object = rawget(source, first + n)
   end
-  if countKeys(source) == n then
-    return keys, true
-  end
-  keys = {}
-  for key in next, source, nil do
-    checkKey(key, check.place(record.name))
-    keys[#keys + 1] = key
-  end
-  sort(keys, comesBefore)
-  return keys, false
+  record.first, record.tailCount = first, n
 end
 
--- Reads the members of a record into `record.newList`, `record.newKeys`; changes nothing else.
-local function readMembers(record)
+-- Reads a whole group by its keys, in order.
+local function readKeys(record)
+  local source, tail, keys, n = record.source, record.tail, {}, 0
+  for key in next, source, nil do
+    checkKey(key, check.place(record.name))
+    n = n + 1
+    keys[n] = key
+  end
+  sort(keys, comesBefore)
+  for at = 1, n do
+    tail[at] = rawget(source, keys[at])
+  end
+  record.newKeys, record.first, record.tailCount = keys, 1, n
+end
+
+-- Reads who is in a group from `first` on; changes nothing else.
+local function readMembers(record, first)
   if record.count == 0 then
     record.direct = isObject(record.source) -- it may have been filled since it was first seen
   end
+  record.newKeys = false
   if record.direct then
-    record.newList, record.newKeys, record.newPlain = { record.source }, { 1 }, true
+    record.tail[1], record.first, record.tailCount = record.source, 1, 1
     return
   end
-  local keys, plain = readKeys(record)
-  local list = {}
-  for n = 1, #keys do
-    local object = rawget(record.source, keys[n])
-    if type(object) ~= "table" then
-      check.fail(
-        check.place(record.name, keys[n])
-          .. " must be an object (a table), got "
-          .. check.show(object)
-      )
-    end
-    list[n] = object
+  readNumbered(record, record.plain and first or 1)
+  if not hasJust(record, record.first - 1 + record.tailCount) then
+    readKeys(record)
+    record.mixed = true
   end
-  record.newList, record.newKeys, record.newPlain = list, keys, plain
-  record.mixed = record.mixed or not plain
+end
+
+-- How the game would write the place of the n-th in the tail.
+local function tailPlace(record, n)
+  return roster.place(record, record.newKeys and record.newKeys[n] or record.first - 1 + n)
 end
 
 local function failTwice(object, first, second)
@@ -241,47 +260,109 @@ local function failTwice(object, first, second)
   )
 end
 
--- Checks that no object of the stale records stands in two places, and all new ones.
-local function checkMembers(b, groups)
+-- Finds the slots of those in the tail, 0 for who is new. Most of them stood in the list in the
+-- same order, with one missing now and then.
+local function matchTail(b, record)
+  local tail, slots, list, known = record.tail, record.tailSlots, record.list, record.slots
+  local objects, slotOf, m = b.object, b.slotOf, record.first
+  for n = 1, record.tailCount do
+    local object, slot = tail[n], 0
+    if rawequal(list[m], object) then
+      slot, m = known[m], m + 1
+    elseif rawequal(list[m + 1], object) then
+      slot, m = known[m + 1], m + 2
+    end
+    -- After an update that failed the list may be out of date.
+    if not rawequal(objects[slot], object) then
+      slot = slotOf[object] or 0
+    end
+    slots[n] = slot
+  end
+end
+
+-- The place in which an object was found first.
+local function firstPlace(groups, object)
+  for _, record in ipairs(groups) do
+    for n = 1, record.stale and record.tailCount or 0 do
+      if rawequal(record.tail[n], object) then
+        return tailPlace(record, n)
+      end
+    end
+  end
+end
+
+-- Somebody in the tail who is known must stand nowhere else.
+local function checkKnown(b, self, groups, record, n, slot)
+  local object, owner, seen = record.tail[n], b.group[slot], self.seen
+  if seen[slot] == self.stamp then
+    failTwice(object, firstPlace(groups, object), tailPlace(record, n))
+  elseif not owner.stale or (owner.first > 1 and b.key[slot] < owner.first) then
+    failTwice(object, roster.place(owner, b.key[slot]), tailPlace(record, n))
+  end
+  seen[slot] = self.stamp
+end
+
+-- Somebody who is new must be of use, and stand nowhere else.
+local function checkNew(groups, record, n, found)
+  local object = record.tail[n]
+  if type(object) ~= "table" then
+    check.fail(tailPlace(record, n) .. " must be an object (a table), got " .. check.show(object))
+  elseif found[object] then
+    failTwice(object, firstPlace(groups, object), tailPlace(record, n))
+  end
+  found[object] = true
+  check.object(object, tailPlace(record, n))
+end
+
+-- Checks that nobody in the stale records stands in two places, and all who are new.
+local function checkMembers(b, self, groups)
   local found = {}
+  self.stamp = self.stamp + 1
   for _, record in ipairs(groups) do
     if record.stale then
-      for n, object in ipairs(record.newList) do
-        local here_ = roster.place(record, record.newKeys[n])
-        local slot = b.slotOf[object]
-        local owner = slot and b.group[slot]
-        if found[object] then
-          failTwice(object, found[object], here_)
-        elseif owner and not owner.stale then
-          failTwice(object, roster.place(owner, b.key[slot]), here_)
-        end
-        found[object] = here_
-        if not slot then
-          check.object(object, here_)
+      matchTail(b, record)
+      local slots = record.tailSlots
+      for n = 1, record.tailCount do
+        if slots[n] ~= 0 then
+          checkKnown(b, self, groups, record, n, slots[n])
+        else
+          checkNew(groups, record, n, found)
         end
       end
     end
   end
-  return found
+end
+
+-- Puts the tail into the list.
+local function takeTail(record)
+  local list, slots, tail, tailSlots = record.list, record.slots, record.tail, record.tailSlots
+  local before = record.first - 1
+  local count = before + record.tailCount
+  for n = 1, record.tailCount do
+    list[before + n], slots[before + n] = tail[n], tailSlots[n]
+    tail[n] = nil -- keeps nobody alive
+  end
+  for n = count + 1, record.count do
+    list[n], slots[n] = nil, nil
+  end
+  record.keys, record.plain = record.newKeys or {}, not record.newKeys
+  record.count, record.isListed = count, false
 end
 
 local function applyMembers(b, self, record, enter, rename)
-  local list, keys = record.newList, record.newKeys
-  record.list, record.keys, record.count, record.plain = list, keys, #list, record.newPlain
-  record.newList, record.newKeys = nil, nil
-  record.movers = false
-  for n = 1, record.count do
-    local object = list[n]
-    local slot = b.slotOf[object]
-    if not slot then
-      self.entering = object
-      slot = enter(b, object, record, keys[n])
+  local list, slots, keys, plain = record.list, record.slots, record.keys, record.plain
+  local rank, key, groups, base = b.rank, b.key, b.group, record.index * GROUP_SPAN
+  for n = record.first, record.count do
+    local slot, its = slots[n], plain and n or keys[n]
+    if slot == 0 then
+      self.entering = list[n]
+      slot = enter(b, list[n], record, its)
       self.entering = false
-    elseif b.group[slot] ~= record then
+      slots[n] = slot
+    elseif groups[slot] ~= record then
       rename(b, slot, record)
     end
-    b.key[slot] = keys[n]
-    b.rank[slot] = record.index * GROUP_SPAN + n
+    key[slot], rank[slot] = its, base + n
   end
   record.stale = false -- not before: an object may fail when it is read
 end
@@ -295,10 +376,12 @@ local function leaveHalf(b, self, leave)
   end
 end
 
-local function leaveMissing(b, record, found, leave)
-  for n = 1, record.count do
-    local slot = b.slotOf[record.list[n]]
-    if slot and b.group[slot] == record and not found[record.list[n]] then
+-- Whoever was in a stale record and is in none now leaves.
+local function leaveMissing(b, self, record, leave)
+  local list, slots, objects, seen = record.list, record.slots, b.object, self.seen
+  for n = record.first, record.count do
+    local slot = slots[n]
+    if seen[slot] ~= self.stamp and rawequal(objects[slot], list[n]) then
       leave(b, slot)
     end
   end
@@ -310,8 +393,8 @@ local function applyGroups(b, self, objects, groups, byName)
     if record.index ~= index then
       record.index = index
       for n = 1, record.count do
-        local slot = b.slotOf[record.list[n]]
-        if slot then
+        local slot = record.slots[n]
+        if rawequal(b.object[slot], record.list[n]) then
           b.rank[slot] = index * GROUP_SPAN + n
         end
       end
@@ -320,11 +403,14 @@ local function applyGroups(b, self, objects, groups, byName)
   self.source, self.groups, self.byName, self.groupCount = objects, groups, byName, #groups
 end
 
+-- Notes which records differ from the game's tables, and from where on.
 local function markStale(groups)
   local any = false
   for n = 1, #groups do
     local record = groups[n]
-    record.stale = record.stale or not isUnchanged(record)
+    -- One that is stale already is new, or was left half done by an error.
+    record.first = record.stale and 1 or firstChange(record)
+    record.stale = record.first ~= nil
     any = any or record.stale
   end
   return any
@@ -350,25 +436,30 @@ function roster.update(b, self, objects, enter, leave, rename)
   local gone = {}
   for _, record in ipairs(self.groups) do
     if byName[record.name] ~= record then
-      record.stale = true
+      record.stale, record.first = true, 1
       gone[#gone + 1] = record
     end
   end
   for _, record in ipairs(groups) do
     if record.stale then
-      readMembers(record)
+      readMembers(record, record.first)
     end
   end
-  local found = checkMembers(b, groups)
+  checkMembers(b, self, groups)
   for _, record in ipairs(gone) do
-    leaveMissing(b, record, found, leave)
+    leaveMissing(b, self, record, leave)
   end
   for _, record in ipairs(groups) do
     if record.stale then
-      leaveMissing(b, record, found, leave)
+      leaveMissing(b, self, record, leave)
     end
   end
   applyGroups(b, self, objects, groups, byName)
+  for _, record in ipairs(groups) do
+    if record.stale then
+      takeTail(record) -- of all: whoever moves is in a list, should somebody fail now
+    end
+  end
   for _, record in ipairs(groups) do
     if record.stale then
       applyMembers(b, self, record, enter, rename)
@@ -388,15 +479,23 @@ function roster.hasChanged(self, objects)
   end
   for n = 1, self.groupCount do
     local record = self.groups[n]
-    if record.stale or not isUnchanged(record) then
+    if record.stale or firstChange(record) then
       return true
     end
   end
   return false
 end
 
+local function numbersTo(count)
+  local list = {}
+  for n = 1, count do
+    list[n] = n
+  end
+  return list
+end
+
 --- Returns the game's tables as the next `update` would read them: records in order, the members in
---- `newList` and `newKeys`. Changes nothing.
+--- `tail[1..tailCount]`, their keys in `newKeys`. Changes nothing.
 --- Errors: as `update`.
 function roster.look(b, self, objects)
   if type(objects) ~= "table" then
@@ -406,16 +505,16 @@ function roster.look(b, self, objects)
   for index, name in ipairs(sortedNames(self, objects)) do
     local record = newRecord(name, checkGroup(name, objects[name]))
     records[index] = record
-    readMembers(record)
-    for n, object in ipairs(record.newList) do
-      local here_ = roster.place(record, record.newKeys[n])
-      if found[object] then
-        failTwice(object, found[object], here_)
-      elseif not b.slotOf[object] then
-        check.object(object, here_)
+    readMembers(record, 1)
+    for n = 1, record.tailCount do
+      local object = record.tail[n]
+      if type(object) == "table" and b.slotOf[object] and not found[object] then
+        found[object] = true
+      else
+        checkNew(records, record, n, found)
       end
-      found[object] = here_
     end
+    record.newKeys = record.newKeys or numbersTo(record.tailCount)
   end
   return records
 end

@@ -231,7 +231,8 @@ local function saveTables(b, objects, out, work)
   local list, numberOf = {}, {}
   for g, record in ipairs(roster.look(b, b.roster, objects)) do
     local numbers = {}
-    for m, object in ipairs(record.newList) do
+    for m = 1, record.tailCount do
+      local object = record.tail[m]
       local slot = b.slotOf[object]
       if not slot then
         out.count = out.count + 1

@@ -1,0 +1,329 @@
+--- Who is in the world, and in which order, whatever the game does to its tables between updates.
+
+local newRandom = require("spec.support.random").new
+local physics = require("physics")
+local roster = require("physics.roster")
+
+local NAMES = { 7, "crates", "tiles" }
+
+local function comesBefore(a, b)
+  if type(a) ~= type(b) then
+    return type(a) == "number"
+  end
+  return a < b
+end
+
+-- Everybody in the order that the README promises, with group and key.
+local function inOrder(objects)
+  local list = {}
+  for _, name in ipairs(NAMES) do
+    local keys = {}
+    for key in pairs(objects[name] or {}) do
+      keys[#keys + 1] = key
+    end
+    table.sort(keys, comesBefore)
+    for _, key in ipairs(keys) do
+      list[#list + 1] = { object = objects[name][key], name = name, key = key }
+    end
+  end
+  return list
+end
+
+-- A world that knows only who is there. `isBroken(object)`: it fails while it is read.
+local function newBook(isBroken)
+  local b = { object = { [0] = false }, slotOf = {}, group = {}, key = {}, rank = {}, free = {} }
+  b.count, b.entered, b.left = 0, 0, 0
+  function b.enter(_, object, record, key)
+    assert(not isBroken(object), "fails when it is read")
+    local slot = table.remove(b.free) or #b.object + 1
+    b.object[slot], b.slotOf[object], b.group[slot], b.key[slot] = object, slot, record, key
+    b.count, b.entered = b.count + 1, b.entered + 1
+    return slot
+  end
+  function b.leave(_, slot)
+    assert(b.slotOf[b.object[slot]] == slot, "leaves twice")
+    b.slotOf[b.object[slot]] = nil
+    b.object[slot], b.group[slot] = false, false
+    b.free[#b.free + 1] = slot
+    b.count, b.left = b.count - 1, b.left + 1
+  end
+  function b.rename(_, slot, record)
+    b.group[slot] = record
+  end
+  return b
+end
+
+local function update(b, r, objects)
+  return roster.update(b, r, objects, b.enter, b.leave, b.rename)
+end
+
+-- What is wrong with what the book has of an entry, which comes behind rank `last`; nil: nothing.
+local function problemOf(b, entry, last)
+  local slot = b.slotOf[entry.object]
+  if not slot or b.object[slot] ~= entry.object then
+    return "is not known"
+  elseif b.key[slot] ~= entry.key or b.group[slot].name ~= entry.name then
+    return "is known under " .. b.group[slot].name .. ", " .. b.key[slot]
+  elseif b.rank[slot] <= last then
+    return "is out of order"
+  end
+end
+
+local function assertKnows(b, objects)
+  local expected, last = inOrder(objects), -1
+  assert.equal(#expected, b.count)
+  for _, entry in ipairs(expected) do
+    local problem = problemOf(b, entry, last)
+    if problem then
+      error(("objects.%s[%s] %s"):format(entry.name, entry.key, problem))
+    end
+    last = b.rank[b.slotOf[entry.object]]
+  end
+end
+
+local function newObject()
+  return { x = 0, y = 0, width = 1, height = 1 }
+end
+
+-- What a game does to a group, by list.
+local EDITS = {
+  function(list)
+    list[#list + 1] = newObject()
+  end,
+  function(list, random)
+    table.remove(list, random:integer(1, #list))
+  end,
+  function(list, random)
+    table.insert(list, random:integer(1, #list), newObject())
+  end,
+  function(list, random) -- fills the hole with the last one
+    list[random:integer(1, #list)] = list[#list]
+    list[#list] = nil
+  end,
+  function(list, random)
+    local i, j = random:integer(1, #list), random:integer(1, #list)
+    list[i], list[j] = list[j], list[i]
+  end,
+  function(list, random)
+    list[random:integer(1, #list)] = newObject()
+  end,
+  function(list)
+    list[#list] = nil
+  end,
+  function(list, random, other) -- moves to another group
+    local object = table.remove(list, random:integer(1, #list))
+    table.insert(other, random:integer(1, #other + 1), object)
+  end,
+  function(list, random)
+    list["n" .. random:integer(1, 5)] = newObject()
+  end,
+  function(list, random)
+    list["n" .. random:integer(1, 5)] = nil
+  end,
+  function(list, random) -- a hole, which is closed again
+    local object = table.remove(list)
+    list[#list + random:integer(1, 3)] = object
+  end,
+  function(list)
+    for key, object in pairs(list) do
+      if type(key) == "number" and key > #list then
+        list[key] = nil
+        table.insert(list, object)
+        return
+      end
+    end
+  end,
+}
+
+local function edit(objects, random)
+  local name, other = random:pick(NAMES), random:pick(NAMES)
+  if random:chance(0.02) then
+    objects[name] = {}
+  end
+  local list = objects[name]
+  while #list < 3 do
+    list[#list + 1] = newObject()
+  end
+  random:pick(EDITS)(list, random, objects[other])
+end
+
+local function fill(size)
+  local objects = {}
+  for _, name in ipairs(NAMES) do
+    objects[name] = {}
+    for n = 1, size do
+      objects[name][n] = newObject()
+    end
+  end
+  return objects
+end
+
+describe("the roster", function()
+  for _, size in ipairs({ 4, 100 }) do
+    for seed = 1, 12 do
+      it(("knows everybody after any edits of groups of %d, seed %d"):format(size, seed), function()
+        local random, objects = newRandom(seed), fill(size)
+        local b, r = newBook(function() end), roster.new()
+        for _ = 1, 80 do
+          update(b, r, objects)
+          assertKnows(b, objects)
+          for _ = 1, random:integer(0, 4) do
+            edit(objects, random)
+          end
+        end
+        assert.equal(b.count, b.entered - b.left)
+      end)
+
+      it(("recovers from objects that fail, groups of %d, seed %d"):format(size, seed), function()
+        local random, objects = newRandom(1000 + seed), fill(size)
+        local broken, failures = {}, 0
+        local b, r =
+          newBook(function(object)
+            return broken[object]
+          end), roster.new()
+        update(b, r, objects)
+        for _ = 1, 80 do
+          for _ = 1, random:integer(1, 4) do
+            edit(objects, random)
+          end
+          for _, entry in ipairs(inOrder(objects)) do
+            broken[entry.object] = not b.slotOf[entry.object] and random:chance(0.2)
+          end
+          while not pcall(update, b, r, objects) do
+            failures = failures + 1
+            edit(objects, random)
+            broken = random:chance(0.3) and {} or broken
+          end
+          assertKnows(b, objects)
+        end
+        assert.is_true(failures > 5)
+      end)
+    end
+  end
+
+  it("changes nothing when a newcomer is of no use", function()
+    local objects = fill(100)
+    local b, r = newBook(function() end), roster.new()
+    update(b, r, objects)
+    local removed = table.remove(objects.tiles, 3)
+    objects.crates[101] = { x = 0, y = 0, width = -1, height = 1 }
+    assert.has_error(function()
+      update(b, r, objects)
+    end, "physics: objects.crates[101].width must be a number > 0, got -1")
+    assert.equal(300, b.count)
+    assert.is_not_nil(b.slotOf[removed])
+    objects.crates[101] = nil
+    update(b, r, objects)
+    assertKnows(b, objects)
+  end)
+end)
+
+describe("an object in two places is named with both", function()
+  local function refused(objects, change, message)
+    local world = physics.newWorld()
+    world.objects = objects
+    world:update(0)
+    change(objects)
+    local isDone, found = pcall(world.update, world, 0)
+    assert.is_false(isDone)
+    assert.matches(message, found, 1, true)
+  end
+
+  it("in one group, behind what has not changed", function()
+    refused(fill(100), function(objects)
+      objects.tiles[101] = objects.tiles[4]
+    end, "objects.tiles[101] is the same object as objects.tiles[4]")
+  end)
+
+  it("in one group, both in what has changed", function()
+    refused(fill(100), function(objects)
+      table.remove(objects.tiles, 2)
+      objects.tiles[100] = objects.tiles[50]
+    end, "objects.tiles[100] is the same object as objects.tiles[50]")
+  end)
+
+  it("in two groups, one of which has not changed", function()
+    refused(fill(100), function(objects)
+      objects.tiles[101] = objects.crates[100]
+    end, "objects.tiles[101] is the same object as objects.crates[100]")
+  end)
+
+  it("in two groups, both changed", function()
+    refused(fill(100), function(objects)
+      table.remove(objects.crates, 99)
+      objects.tiles[50] = objects.crates[98]
+    end, "objects.tiles[50] is the same object as objects.crates[98]")
+  end)
+
+  it("newcomers in one group", function()
+    refused(fill(3), function(objects)
+      local object = newObject()
+      objects.tiles[4], objects.tiles[5] = object, object
+    end, "objects.tiles[5] is the same object as objects.tiles[4]")
+  end)
+
+  it("newcomers in two groups", function()
+    refused(fill(3), function(objects)
+      local object = newObject()
+      objects.crates[4], objects.tiles[4] = object, object
+    end, "objects.tiles[4] is the same object as objects.crates[4]")
+  end)
+end)
+
+describe("one of many", function()
+  local COUNT = 5000
+
+  local function level()
+    local world = physics.newWorld()
+    for n = 0, COUNT - 1 do
+      local row = math.floor(n / 100)
+      world:add(
+        "tiles",
+        { x = 16 * (n - 100 * row), y = 16 * row, width = 16, height = 16, static = true }
+      )
+    end
+    world:update(1 / 60)
+    return world
+  end
+
+  -- Bytes that an update takes after `change`, without the trace compiler's own.
+  local function bytesOf(change)
+    local jit = rawget(_G, "jit")
+    local wasOn = jit and jit.status()
+    if wasOn then
+      jit.off()
+      jit.flush()
+    end
+    local world = level()
+    local bytes
+    for round = 1, 3 do -- the first ones make arrays
+      change(world, round)
+      collectgarbage()
+      collectgarbage("stop")
+      local before = collectgarbage("count")
+      world:update(1 / 60)
+      bytes = (collectgarbage("count") - before) * 1024
+      collectgarbage("restart")
+    end
+    if wasOn then
+      jit.on()
+    end
+    return bytes
+  end
+
+  it("costs no garbage for the others when it leaves", function()
+    assert.is_true(bytesOf(function(world, round)
+      world:remove(world.objects.tiles[10 * round])
+    end) < 2048)
+  end)
+
+  it("nor when it comes", function()
+    assert.is_true(bytesOf(function(world, round)
+      table.insert(
+        world.objects.tiles,
+        10 * round,
+        { x = -16, y = 16 * round, width = 16, height = 16, static = true }
+      )
+    end) < 8192)
+  end)
+end)
