@@ -477,6 +477,81 @@ local function makeClosed(self, steps)
   }
 end
 
+-- Squeezed games ----------------------------------------------------------------------------------
+
+-- A stack, or a row, between two ends that do not give way, one of which may come nearer, and more
+-- and more boxes that appear in it and in the ends: everybody is crushed, pushed out or pushed on.
+
+local SQUEEZED = {
+  { "pushable", 0.25 },
+  { "mass", 0.3 },
+  { "friction", 0.3 },
+  { "restitution", 0.2 },
+}
+
+-- Adds an object that takes the place from `at` to `at + size` of the stack, px.
+local function squeeze(self, group, at, size, object)
+  local n = self.n
+  local across = n.random:chance(0.6) and 4 * n.unit or n:place(3.5, 4.5)
+  local width = n.random:chance(0.5) and n.unit or n:size()
+  object.x, object.y, object.width, object.height = across, at, width, size
+  if self.isRow then
+    object.x, object.y, object.width, object.height = at, across, size, width
+  end
+  self:put(self:add(group, object))
+end
+
+local function squeezeBox(self, at, size)
+  local n = self.n
+  local box = {
+    vx = n.random:chance(0.3) and n:speed() or nil,
+    vy = n.random:chance(0.3) and n:speed() or nil,
+  }
+  for _, field in ipairs(SQUEEZED) do
+    if n.random:chance(field[2]) then
+      box[field[1]] = OPTIONAL[field[1]](n)
+    end
+  end
+  squeeze(self, n.random:pick(GROUPS), at, size, box)
+end
+
+-- Something at one end that pushes, or does not give way.
+local function squeezeEnd(self, at, isMoving)
+  local n = self.n
+  if isMoving then
+    local speed = n:place(-2, 10)
+    squeeze(self, "lifts", at, n.unit, {
+      kinematic = true,
+      vx = self.isRow and speed or nil,
+      vy = not self.isRow and speed or nil,
+    })
+  else
+    squeeze(self, "statics", at, n.unit, { static = true })
+  end
+end
+
+local function makeSqueezed(self, steps)
+  local n = self.n
+  local random, unit = n.random, n.unit
+  local at = 10 * unit
+  self.isRow = random:chance(0.3)
+  for _ = 1, random:integer(2, 5) do
+    local size = random:chance(0.5) and unit or n:snap(random:between(0.5, 2) * unit)
+    at = at - size
+    squeezeBox(self, at, size)
+  end
+  if random:chance(0.5) then
+    squeezeEnd(self, 10 * unit, random:chance(0.3))
+  end
+  squeezeEnd(self, at - unit + (random:chance(0.5) and 0 or n:place(-0.7, 0.7)), random:chance(0.4))
+  for _ = 1, steps do
+    if random:chance(0.1) then
+      squeezeBox(self, at + n:place(-1, 0), random:chance(0.5) and unit or n:size())
+    end
+    self:put({ "update", n:dt() })
+  end
+end
+
 -- Games ------------------------------------------------------------------------------------------
 
 local function newSettings(n)
@@ -522,6 +597,11 @@ function case.new(seed, steps)
   if random:chance(0.15) then
     local settings = makeClosed(self, steps)
     return { seed = seed, settings = settings, acts = self.acts, closed = true }
+  end
+  if random:chance(0.1) then
+    local settings = newSettings(n)
+    makeSqueezed(self, steps)
+    return { seed = seed, settings = settings, acts = self.acts }
   end
   -- Calm games, in which things come to rest, and wild ones.
   self.busy = random:pick({ 0, 0.02, 0.1, 0.3, 0.6 })
