@@ -408,6 +408,16 @@ local function pair(self, other, mine, its)
   end
 end
 
+-- Pairs everybody whom the worlds know; some of them may be in the tables no more.
+local function pairKnown(self, other)
+  local mine, its = self.world._bodies.roster.groups, other.world._bodies.roster.groups
+  for g, record in ipairs(its) do
+    for n = 1, record.count do
+      pair(self, other, mine[g].list[n], record.list[n])
+    end
+  end
+end
+
 -- Pairs everybody in the tables of two worlds, and whom they touch, who may have left them.
 local function pairPresent(self, other)
   for group, members in next, other.world.objects do
@@ -440,6 +450,7 @@ function player.copy(other, own)
   local self = blank(other.highest)
   self.own, self.world = own, physics.newWorld(own)
   self.world:restore(copyOf(other.world:save()))
+  pairKnown(self, other)
   pairPresent(self, other)
   pairTold(self, other)
   for id, object in next, other.list do
