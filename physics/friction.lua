@@ -148,6 +148,18 @@ local function rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau, t)
   return true
 end
 
+-- k sticks to a wall, kw, from now on: it goes where that goes, to the bit.
+local function stick(b, k, kw, dSpeed, t)
+  if isBarred(b, k, dSpeed) then
+    return
+  end
+  local i, before = (k - k % 2) / 2, b.to[k]
+  b.speed[k] = b.speed[kw]
+  b.to[k] = b.from[k] + (b.to[kw] - b.from[kw]) * (1 - b.time[i])
+  path.change(b, i)
+  weld.follow(b, k, b.to[k] - before, t)
+end
+
 local function rubBoth(b, lo, hi, kl, kh, mu, jn, share, tau, t)
   if b.weld[kl] ~= 0 and b.weld[kl] == b.weld[kh] then
     return
@@ -161,6 +173,11 @@ local function rubBoth(b, lo, hi, kl, kh, mu, jn, share, tau, t)
   local limit = mu * jn * w
   local stop, way = slide(u, a, tau, limit * share, limit * (1 - share))
   local dSpeed, dWay = stop - u, way - (u - a * tau + u) * 0.5 * tau
+  if stop == 0 and way == 0 and wh == 0 then
+    return stick(b, kl, kh, dSpeed, t)
+  elseif stop == 0 and way == 0 and wl == 0 then
+    return stick(b, kh, kl, -dSpeed, t)
+  end
   -- The shares first: that of one who rubs on a wall is 1 then, and it stops to the bit.
   local shareL, shareH = wl / w, wh / w
   shift(b, kl, dSpeed * shareL, dWay * shareL, t)
