@@ -158,17 +158,21 @@ function detect.run(b, list, first, last)
   return lookUp(b, strays, n)
 end
 
---- Looks up the neighbours of whoever the game has placed, where it is now.
-function detect.runMoved(b)
-  local list, kind, n = b.movedList, b.kind, 0
-  local present = b.present
-  for m = 1, b.movedCount do
+-- The same for those in `list[1..count]` who are in the world still.
+local function runPresent(b, list, count)
+  local kind, present, n = b.kind, b.present, 0
+  for m = 1, count do
     if kind[list[m]] ~= 0 then
       n = n + 1
       present[n] = list[m]
     end
   end
   detect.run(b, present, 1, n)
+end
+
+--- Looks up the neighbours of whoever the game has placed, where it is now.
+function detect.runMoved(b)
+  runPresent(b, b.movedList, b.movedCount)
 end
 
 --- Takes an object out: no neighbours, not in the broad phase.
@@ -204,13 +208,15 @@ function detect.refilter(b, i)
   b.placed[i] = min(b.placed[i], 1)
 end
 
---- The masks of the world have changed: filters everybody anew.
+--- The masks of the world have changed: filters everybody anew, and finds whom they may meet now,
+--- before `part` looks at those who are inside each other.
 function detect.refilterAll(b)
   for i = 1, b.slots do
     if b.kind[i] ~= 0 then
       detect.refilter(b, i)
     end
   end
+  runPresent(b, b.movers, b.moverCount)
 end
 
 return detect
