@@ -210,6 +210,12 @@ local function rename(b, i, record)
   rest.wake(b, i)
 end
 
+-- Of two who are equally good to stand on, the first in order is touched.
+local function reorder(b, i)
+  rest.wake(b, i)
+  rest.wakeNeighbours(b, i)
+end
+
 -- The slots of everything in a group that is not static, in order.
 local function listGroup(b, record)
   local movers, slots, kind, n = record.movers, record.slots, b.kind, 0
@@ -392,7 +398,8 @@ end
 --- Errors: a group, key or field that cannot be used; an object in two places. Nothing has changed
 --- for the game then, and the next call starts anew.
 function collect.run(b, objects)
-  if roster.update(b, b.roster, objects, enter, leave, rename) or b.newcomers then
+  local hasChanged = roster.update(b, b.roster, objects, enter, leave, rename, reorder)
+  if hasChanged or b.newcomers then
     listMovers(b)
     b.newcomers = false
   end

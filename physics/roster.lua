@@ -349,9 +349,10 @@ local function takeTail(record)
   record.count, record.isListed = count, false
 end
 
-local function applyMembers(b, self, record, enter, rename)
+local function applyMembers(b, self, record, enter, rename, reorder)
   local list, slots, keys, plain = record.list, record.slots, record.keys, record.plain
   local rank, key, groups, base = b.rank, b.key, b.group, record.index * GROUP_SPAN
+  local last = 0
   for n = record.first, record.count do
     local slot, its = slots[n], plain and n or keys[n]
     if slot == 0 then
@@ -361,6 +362,12 @@ local function applyMembers(b, self, record, enter, rename)
       slots[n] = slot
     elseif groups[slot] ~= record then
       rename(b, slot, record)
+    elseif rank[slot] < last then
+      if reorder then
+        reorder(b, slot)
+      end
+    else
+      last = rank[slot]
     end
     key[slot], rank[slot] = its, base + n
   end
@@ -387,18 +394,29 @@ local function leaveMissing(b, self, record, leave)
   end
 end
 
--- Puts the records in order and ranks anew those that moved.
-local function applyGroups(b, self, objects, groups, byName)
-  for index, record in ipairs(groups) do
-    if record.index ~= index then
-      record.index = index
-      for n = 1, record.count do
-        local slot = record.slots[n]
-        if rawequal(b.object[slot], record.list[n]) then
-          b.rank[slot] = index * GROUP_SPAN + n
-        end
+-- Ranks a record anew; `isBehind`: behind one that it stood before.
+local function applyIndex(b, record, index, isBehind, reorder)
+  record.index = index
+  for n = 1, record.count do
+    local slot = record.slots[n]
+    if rawequal(b.object[slot], record.list[n]) then
+      b.rank[slot] = index * GROUP_SPAN + n
+      if isBehind and reorder then
+        reorder(b, slot)
       end
     end
+  end
+end
+
+-- Puts the records in order and ranks anew those that moved.
+local function applyGroups(b, self, objects, groups, byName, reorder)
+  local last = 0
+  for index, record in ipairs(groups) do
+    local before = record.index
+    if before ~= index or before < last then
+      applyIndex(b, record, index, before < last, reorder)
+    end
+    last = before > last and before or last
   end
   self.source, self.groups, self.byName, self.groupCount = objects, groups, byName, #groups
 end
@@ -419,8 +437,9 @@ end
 --- Compares the game's tables with what was seen last and reports what changed, nothing if the
 --- tables cannot be used: `enter(b, object, record, key)` for a new object (returns its slot),
 --- `leave(b, slot)` for one that is gone, `rename(b, slot, record)` for one that moved to another
---- group. Returns whether anything changed.
-function roster.update(b, self, objects, enter, leave, rename)
+--- group, `reorder(b, slot)`, if it is given, for one that now stands behind another before which
+--- it stood. Returns whether anything changed.
+function roster.update(b, self, objects, enter, leave, rename, reorder)
   leaveHalf(b, self, leave)
   local groups, byName = self.groups, self.byName
   local regroup = self.source ~= objects or self.reorder or haveGroupsChanged(self, objects)
@@ -454,7 +473,7 @@ function roster.update(b, self, objects, enter, leave, rename)
       leaveMissing(b, self, record, leave)
     end
   end
-  applyGroups(b, self, objects, groups, byName)
+  applyGroups(b, self, objects, groups, byName, reorder)
   for _, record in ipairs(groups) do
     if record.stale then
       takeTail(record) -- of all: whoever moves is in a list, should somebody fail now
@@ -462,7 +481,7 @@ function roster.update(b, self, objects, enter, leave, rename)
   end
   for _, record in ipairs(groups) do
     if record.stale then
-      applyMembers(b, self, record, enter, rename)
+      applyMembers(b, self, record, enter, rename, reorder)
     end
   end
   self.reorder = false
