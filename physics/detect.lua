@@ -59,10 +59,10 @@ local function markNeighbours(b, i)
   return stamp
 end
 
--- Links two whose fat boxes have come to meet; returns whether they can meet at all.
+-- Links two whose fat boxes have come to meet, if they can meet at all.
 local function link(b, i, j)
   if not filter.allows(b, i, j) then
-    return false
+    return
   end
   columns.link(b, i, j)
   -- A kinematic one that stands is a wall, which need not wake for a dynamic one.
@@ -70,15 +70,13 @@ local function link(b, i, j)
   if matters and not b.awake[j] and (b.awake[i] or b.kind[i] == STATIC) then
     rest.wake(b, j)
   end
-  return true
 end
 
--- Links those in `list[1..count]` with everybody whose fat boxes meet theirs; returns how many
--- pairs were new.
+-- Links those in `list[1..count]` with everybody whose fat boxes meet theirs.
 local function linkNear(b, list, count)
   local askers, found, mark = b.askers, b.found, b.mark
   local n = b.broadphase:overlaps(list, count, askers, found)
-  local new, asker, stamp = 0, 0, 0
+  local asker, stamp = 0, 0
   for m = 1, n do
     local i, j = askers[m], found[m]
     if i ~= asker then
@@ -86,12 +84,9 @@ local function linkNear(b, list, count)
     end
     if mark[j] ~= stamp then
       mark[j] = stamp
-      if link(b, i, j) then
-        new = new + 1
-      end
+      link(b, i, j)
     end
   end
-  return new
 end
 
 local function fatten(b, i)
@@ -132,7 +127,7 @@ local function enlarge(b, i)
   b.placed[i] = 2
 end
 
--- Looks up the neighbours of those in `strays[1..count]`; returns how many new pairs there are.
+-- Looks up the neighbours of those in `strays[1..count]`.
 local function lookUp(b, strays, count)
   -- All boxes first, so that no pair is linked by a box that is out of date.
   for m = 1, count do
@@ -141,11 +136,12 @@ local function lookUp(b, strays, count)
   for m = 1, count do
     unlinkFar(b, strays[m])
   end
-  return count > 0 and linkNear(b, strays, count) or 0
+  if count > 0 then
+    linkNear(b, strays, count)
+  end
 end
 
---- Looks up the neighbours of those in `list[first..last]` whose paths leave their fat boxes;
---- returns how many new pairs there are.
+--- Looks up the neighbours of those in `list[first..last]` whose paths leave their fat boxes.
 function detect.run(b, list, first, last)
   local strays, active, n = b.strays, b.active, 0
   for m = first, last do
@@ -155,7 +151,7 @@ function detect.run(b, list, first, last)
       strays[n] = i
     end
   end
-  return lookUp(b, strays, n)
+  lookUp(b, strays, n)
 end
 
 -- The same for those in `list[1..count]` who are in the world still.

@@ -377,10 +377,11 @@ local function land(b, p, side, up, low, ku, kl, isUp, dt)
   return RUBS
 end
 
---- Whether the queue has an event that comes before the next footing.
+--- Whether the first event of the queue, which is one at the very beginning (see `run`), comes
+--- before the next footing.
 function footing.isLater(b)
   local x = b.footingOrder[b.footingAt + 1]
-  return queue.leads(b.queue, 0, b.footingSupport[x], b.footingFirst[x], b.footingSecond[x])
+  return queue.leads(b.queue, b.footingSupport[x], b.footingFirst[x], b.footingSecond[x])
 end
 
 --- What `run` may return, but for a pair.

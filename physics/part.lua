@@ -128,14 +128,15 @@ local function canGo(b, i, axis, way)
   return not part.isInside(b, i, x + (axis == 0 and way or 0), y + (axis == 1 and way or 0))
 end
 
--- Shares of the way for i and j: by mass, whoever is in the way of nobody immovable.
+-- Shares of the way for i and j, the first of the two in the order of the world: by mass, whoever
+-- is in the way of nobody immovable.
 local function weigh(b, i, j, axis, sign, way)
   local wi, wj = b.inverseMass[i], b.inverseMass[j]
   if wi > 0 and wj > 0 then
     if b.pushable[i] ~= b.pushable[j] then
       wi, wj = b.pushable[i] and 1 or 0, b.pushable[j] and 1 or 0
     elseif b.pushFirst then
-      wi, wj = b.rank[i] < b.rank[j] and 1 or 0, b.rank[i] < b.rank[j] and 0 or 1
+      wi, wj = 1, 0
     end
     local share = wi / (wi + wj)
     local goesI = canGo(b, i, axis, sign * way * share)

@@ -113,13 +113,10 @@ function queue.pop(q)
   return top
 end
 
---- Returns whether the first event comes before one with these fields.
-function queue.leads(q, key, support, rankA, rankB)
+--- Returns whether the first event comes before one with the same key and these fields.
+function queue.leads(q, support, rankA, rankB)
   local data, x = q.data, q.heap[1]
-  local first = data[x + KEY]
-  if first ~= key then
-    return first < key
-  elseif data[x + SUPPORT] ~= support then
+  if data[x + SUPPORT] ~= support then
     return data[x + SUPPORT] > support
   elseif data[x + RANK_A] ~= rankA then
     return data[x + RANK_A] < rankA
@@ -135,11 +132,7 @@ end
 
 --- Empties the queue.
 function queue.clear(q)
-  for at = 1, q.size do
-    q.freeCount = q.freeCount + 1
-    q.free[q.freeCount] = q.heap[at]
-  end
-  q.size = 0
+  q.size, q.last, q.freeCount = 0, 0, 0
 end
 
 return queue
