@@ -74,6 +74,18 @@ return {
     "its neighbours are looked up one step earlier; more neighbours change no result",
   },
   {
+    "physics/detect.lua",
+    "return b.placed[i] ~= 2",
+    "return b.placed[i] ~= 3",
+    "everybody's neighbours are looked up in every step; more neighbours change no result",
+  },
+  {
+    "physics/footing.lua",
+    "or b.down[ku] * sign <= 0",
+    "or b.down[ku] / sign <= 0",
+    "sign is 1 or -1",
+  },
+  {
     "physics/footing.lua",
     "sortAll(b, count, b.moverCount + 1)",
     "sortAll(b, count, b.moverCount + 2)",

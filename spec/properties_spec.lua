@@ -131,6 +131,33 @@ describe("the same scene goes the same way, to the bit,", function()
     end
   end)
 
+  -- Its own motor holds the lower one down, not gravity: friction does not make a floor of it.
+  it("when what stands on one that flies goes through the queue", function()
+    local boxes = {}
+    for n = 1, 2 do
+      local world = physics.newWorld({ gravity = 800 })
+      world._bodies.queueOnly = n == 2
+      world:add("floor", { x = -99, y = 200, width = 400, height = 9, static = true, friction = 1 })
+      local low = { x = 0, y = 180, width = 20, height = 20, friction = 1 }
+      low.gravity, low.ay = -400, 1600
+      world:add("boxes", low)
+      boxes[n] = world:add("boxes", {
+        x = 0,
+        y = 160,
+        width = 20,
+        height = 20,
+        friction = 1,
+        vx = 100,
+      })
+      for _ = 1, 4 do
+        world:update(1 / 60)
+      end
+      assert.is_true(low.x > 0, "the lower one is dragged along")
+    end
+    assert.are.equal(boxes[2].x, boxes[1].x)
+    assert.are.equal(boxes[2].vx, boxes[1].vx)
+  end)
+
   for _, name in ipairs({ "add", "insert", "assign" }) do
     it("put in by " .. name, function()
       for seed = 1, effort.share(5) do

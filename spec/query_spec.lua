@@ -152,6 +152,23 @@ describe("world:raycast", function()
     end)
   end
 
+  it("hits what is half a thousandth in its way", function()
+    local world = still()
+    world:add("b", tile(10, 10, 20, 10))
+    world:update(1 / 60) -- from here on its box has no margin
+    for _, row in ipairs({
+      { { 0, 10.0005, 40, 10.0005 }, { 10, 10.0005, -1, 0 } },
+      { { 0, 19.9995, 40, 19.9995 }, { 10, 19.9995, -1, 0 } },
+      { { 10.0005, 0, 10.0005, 40 }, { 10.0005, 10, 0, -1 } },
+      { { 29.9995, 0, 29.9995, 40 }, { 29.9995, 10, 0, -1 } },
+    }) do
+      local line = row[1]
+      local _, x, y, nx, ny = world:raycast(line[1], line[2], line[3], line[4])
+      assert.are.same(row[2], { x, y, nx, ny })
+      assert.is_table((world:raycast(line[3], line[4], line[1], line[2])))
+    end
+  end)
+
   -- Into the corner at (10, 10) of the box.
   it("tells the normal along gravity at a corner", function()
     for _, row in ipairs({
@@ -361,6 +378,19 @@ describe("world:sweep", function()
     local object = world:add("a", box(20, 76.1, 14, 24))
     assert.is_nil(world:sweep(object, 200, 0))
     assert.are.equal("floor", world:sweep(object, 100, 5) and "floor")
+  end)
+
+  -- To a millionth of a pixel, on either side.
+  it("slides between two walls that are flush", function()
+    for _, off in ipairs({ 0, 5e-7, -5e-7 }) do
+      local world = still()
+      world:add("walls", tile(0, 0, 10, 100))
+      world:add("walls", tile(20 + off, 0, 10, 100))
+      local object = world:add("a", box(10 + off, 0, 10, 10))
+      assert.is_nil(world:sweep(object, 0, 40))
+      object.x = 10 - off
+      assert.is_nil(world:sweep(object, 0, 40))
+    end
   end)
 
   it("passes what it cannot meet", function()
