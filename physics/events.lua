@@ -23,9 +23,10 @@ function events.new()
   return {
     count = 0, -- noted
     told = 0, -- of these
-    sorted = false, -- whether they are in their order; what is noted later follows behind
+    sorted = 0, -- how many are in their order; what is noted later follows behind
     heardBy = 3, -- of the last one told: by its first, its second, the world
     order = {},
+    late = {},
     kind = {},
     rankA = {},
     rankB = {},
@@ -202,7 +203,24 @@ function events.forget(e)
   for n = 1, e.count do
     e.a[n], e.b[n], e.c[n] = false, false, false
   end
-  e.count, e.told, e.heardBy, e.sorted = 0, 0, 3, false
+  e.count, e.told, e.heardBy, e.sorted = 0, 0, 3, 0
+end
+
+-- Puts those noted last in order, behind those that are in order already.
+local function arrange(e)
+  local order, late, count = e.order, e.late, e.count - e.sorted
+  if e.sorted == 0 then
+    sort.by(order, count, e.rankA, e.rankB, e.kindAndNumber)
+  else
+    for n = 1, count do
+      late[n] = order[e.sorted + n]
+    end
+    sort.by(late, count, e.rankA, e.rankB, e.kindAndNumber)
+    for n = 1, count do
+      order[e.sorted + n] = late[n]
+    end
+  end
+  e.sorted = e.count
 end
 
 --- Tells the game all that was noted, pairs in the order of the world. An error of a callback
@@ -212,12 +230,11 @@ function events.tell(b)
   if e.count == 0 then
     return
   end
-  if not e.sorted then
-    sort.by(e.order, e.count, e.rankA, e.rankB, e.kindAndNumber)
-    e.sorted = true
-  end
   tellAll(b, e, e.order[e.told]) -- the rest of one that a callback has interrupted
   while e.told < e.count do
+    if e.told == e.sorted then
+      arrange(e) -- callbacks may have ended contacts
+    end
     local n = e.order[e.told + 1]
     local name = CALLBACKS[e.kind[n]]
     checkCallback(b, e.a[n], name)

@@ -160,7 +160,7 @@ local function mixMemory(sum, out)
     mix(sum, out.heardBy)
   end
   if out.sorted then
-    mix(sum, TRUE)
+    mix(sum, out.sorted)
   end
   mixGone(sum, out)
 end

@@ -472,7 +472,7 @@ local function rememberEvents(b, st, named)
     end
   end
   e.count, e.told, e.heardBy = n, st.heardBy and 1 or 0, st.heardBy or 3
-  e.sorted = st.sorted or false
+  e.sorted = max(st.sorted or 0, e.told)
 end
 
 local function remember(b, st, objects, named)

@@ -21,7 +21,8 @@
 --   touching      sparse: object (0: none) at the left, right, top, bottom
 --   contacts      first, second, and a value for each of PAIRS, for each pair that has one
 --   events        three objects (0: none) and the values of EVENT each: what is still to be told
---   sorted        true: the events are in their order, those noted later follow behind them
+--   sorted        how many of the events are in their order already, nil: none; the others follow
+--                 behind them
 --   heardBy       of the first event, if a callback has interrupted it: 1 or 2 have heard of it
 --   gone          fields by name of those that have left the world and are named in `touching` or
 --                 `events` nevertheless, nil: nobody. Their numbers follow behind all others
@@ -629,7 +630,7 @@ local function saveEvents(b, out, work)
   local isHalfTold = e.told > 0 and e.heardBy < 3
   local first = isHalfTold and e.told or e.told + 1
   out.heardBy = isHalfTold and e.heardBy or nil
-  out.sorted = e.sorted and first <= e.count or nil
+  out.sorted = first <= e.sorted and e.sorted - first + 1 or nil
   for told = first, e.count do
     local n = e.order[told]
     list[at + 1] = numberOf(b, out, work, e.a[n])

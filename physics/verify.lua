@@ -373,8 +373,8 @@ local function needEvents(st)
   if heardBy ~= nil and not (#list > 0 and isCount(heardBy, 2) and heardBy > 0) then
     refuse("state.heardBy", "nil, or 1 or 2 where events wait", heardBy)
   end
-  if st.sorted ~= nil and st.sorted ~= true then
-    refuse("state.sorted", "true or nil", st.sorted)
+  if st.sorted ~= nil and not isCount(st.sorted, #list / 8) then
+    refuse("state.sorted", "nil, or an integer in 0.." .. show(#list / 8), st.sorted)
   end
 end
 
