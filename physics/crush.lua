@@ -8,6 +8,7 @@ local here = (...):match("^(.*)%.[^.]+$")
 local columns = require(here .. ".columns")
 local events = require(here .. ".events")
 local path = require(here .. ".path")
+local weld = require(here .. ".weld")
 
 require(here .. ".interpreted").file()
 
@@ -131,6 +132,7 @@ function crush.note(b, lo, hi, axis)
   for n = 1, count do
     local i = b.stack[n]
     local k = 2 * i + axis
+    weld.leave(b, k)
     hold(b, k, n > 1 and b.stack[n - 1] or low, n < count and b.stack[n + 1] or high)
     put(b, i, k, at - overlap, v)
     at = b.to[k] + b.size[k]

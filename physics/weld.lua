@@ -105,6 +105,40 @@ function weld.follow(b, k, dWay, t)
   end
 end
 
+-- Whoever is in the ring of k weighs and is held together.
+local function settle(b, k)
+  local member, mass, heldLow, heldHigh = k, 0, false, false
+  repeat
+    mass = mass + b.mass[(member - member % 2) / 2]
+    heldLow, heldHigh = heldLow or b.holderLow[member] ~= 0, heldHigh or b.holderHigh[member] ~= 0
+    member = b.weldNext[member]
+  until member == k
+  rename(b, k, k)
+  b.weldMass[k] = mass
+  repeat
+    b.heldLow[member], b.heldHigh[member] = heldLow, heldHigh
+    path.change(b, (member - member % 2) / 2)
+    member = b.weldNext[member]
+  until member == k
+end
+
+--- Takes k out of its group, since it is crushed: the others may go where it cannot. What held them
+--- through it holds them no longer.
+function weld.leave(b, k)
+  if b.weld[k] == 0 then
+    return
+  end
+  local before = k
+  while b.weldNext[before] ~= k do
+    before = b.weldNext[before]
+  end
+  b.weldNext[before] = b.weldNext[k]
+  b.weld[k], b.weldNext[k] = 0, 0
+  if before ~= k then
+    settle(b, before)
+  end
+end
+
 --- Joins the groups of two.
 function weld.join(b, kl, kh)
   local one, other = found(b, kl), found(b, kh)
