@@ -483,6 +483,33 @@ describe("a sensor", function()
     checkLog(log, 1, 1)
   end)
 
+  -- Whatever a one-way is solid on, a sensor sees it all the same.
+  it("tells the side at which a one-way box is in it when both appear", function()
+    for _, row in ipairs({
+      { 1040, 992, "bottom", "top" },
+      { 1040, 1092, "top", "bottom" },
+      { 992, 1040, "right", "left" },
+      { 1092, 1040, "left", "right" },
+      { 1040, 1040, "bottom", "bottom" }, -- in the middle: of the first in order
+    }) do
+      for first, side in ipairs({ row[3], row[4] }) do
+        world = physics.newWorld({ gravity = 0 })
+        local sides = {}
+        world.onBegin = function(_, _, its)
+          sides[#sides + 1] = its
+        end
+        local box = { x = row[1], y = row[2], width = 20, height = 20, oneWay = "right" }
+        local sensor = { x = 1000, y = 1000, width = 100, height = 100, static = true }
+        sensor.sensor = true
+        local one = world:add("a", first == 1 and box or sensor)
+        local other = world:add("b", first == 1 and sensor or box)
+        world:update(1 / 60)
+        assert.same({ side }, sides)
+        assert.equal(side, world:touching(one, other))
+      end
+    end
+  end)
+
   it("does not see who is only flush", function()
     local log = listen(newSensor(16, 0, 16, 16))
     local box = world:add("boxes", newBox(0, 0))

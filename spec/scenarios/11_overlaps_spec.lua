@@ -140,6 +140,34 @@ describe("boxes on the very same spot", function()
     end)
   end)
 
+  --   |   +--+---+--+    the two are 8 px inside each other, the wall is `gap` px away
+  --   |   |  |   |  |
+  --   |   +--+---+--+
+  for _, row in ipairs({
+    -- gap, way of the one at the wall: half, if there is room for that
+    { 12, 4 },
+    { 5, 4 },
+    { 3, 0 },
+  }) do
+    local gap, way = row[1], row[2]
+    it(("(11) part where a wall is %g px away"):format(gap), function()
+      scene.each({ push = { "both" }, turn = variants.TURNS }, function(run)
+        for _, wall in ipairs({ -10 - gap, 32 + gap }) do
+          local named = run:build({
+            gravity = 0,
+            { "boxes", { name = "one", x = 0, y = 0, width = 20, height = 20 } },
+            { "boxes", { name = "other", x = 12, y = 0, width = 20, height = 20 } },
+            { "walls", { name = "wall", x = wall, y = -40, width = 10, height = 99, static = true } },
+          })
+          run:step(1 / 60)
+          local left = wall < 0 and way or 8 - way
+          run:at(named.one, -left, 0)
+          run:at(named.other, 20 - left, 0)
+        end
+      end)
+    end)
+  end
+
   for _, count in ipairs({ 3, 5, 10 }) do
     it(("(11) part, %d of them, and stay finite"):format(count), function()
       scene.each(TURNED, function(run)
