@@ -101,6 +101,37 @@ describe("world:move", function()
     assert.are.equal(wall, hit.other)
   end)
 
+  it("tells normals that point at who moves", function()
+    for _, row in ipairs({
+      { 40, 0, "right", -1, 0 },
+      { -40, 0, "left", 1, 0 },
+      { 0, 40, "bottom", 0, -1 },
+      { 0, -40, "top", 0, 1 },
+    }) do
+      local world = still()
+      local me = world:add("a", box(0, 0, 10, 10))
+      world:add("b", box(row[1], row[2], 10, 10, { static = true }))
+      local _, _, hits = world:move(me, row[1], row[2])
+      local hit = hits[1]
+      assert.are.same({ row[3], row[4], row[5] }, { hit.side, hit.nx, hit.ny })
+      assert.are.near(0.75, hit.fraction, 1e-9)
+    end
+  end)
+
+  it("tells where on the whole way each hit was", function()
+    local world = still()
+    local me = world:add("a", box(0, 0, 10, 10))
+    for _, x in ipairs({ 20, -20 }) do
+      world:add("b", box(x, -50, 10, 100, { static = true }))
+    end
+    local x, y, hits, count = world:move(me, 80, 0, "bounce")
+    assert.are.same({ 0, 0, 4 }, { x, y, count })
+    for n, fraction in ipairs({ 0.125, 0.375, 0.625, 0.875 }) do
+      assert.are.near(fraction, hits[n].fraction, 1e-9)
+      assert.are.equal(n % 2 == 1 and 10 or -10, hits[n].x)
+    end
+  end)
+
   it("slides as the README of bump.lua shows", function()
     local world = still()
     local a = world:add("items", box(0, 0, 64, 256))

@@ -157,7 +157,10 @@ describe("boxes on the very same spot", function()
             gravity = 0,
             { "boxes", { name = "one", x = 0, y = 0, width = 20, height = 20 } },
             { "boxes", { name = "other", x = 12, y = 0, width = 20, height = 20 } },
-            { "walls", { name = "wall", x = wall, y = -40, width = 10, height = 99, static = true } },
+            {
+              "walls",
+              { name = "wall", x = wall, y = -40, width = 10, height = 99, static = true },
+            },
           })
           run:step(1 / 60)
           local left = wall < 0 and way or 8 - way
@@ -167,6 +170,19 @@ describe("boxes on the very same spot", function()
       end)
     end)
   end
+
+  it("(11) part by the way of the first alone, if that is who gives way", function()
+    scene.each({ push = { "first" }, order = { "forward" }, turn = variants.TURNS }, function(run)
+      local named = run:build({
+        gravity = 0,
+        { "boxes", { name = "one", x = 0, y = 0, width = 20, height = 20 } },
+        { "boxes", { name = "other", x = 12, y = 0, width = 20, height = 20 } },
+      })
+      run:step(1 / 60)
+      run:at(named.one, -8, 0)
+      run:at(named.other, 12, 0)
+    end)
+  end)
 
   for _, count in ipairs({ 3, 5, 10 }) do
     it(("(11) part, %d of them, and stay finite"):format(count), function()
