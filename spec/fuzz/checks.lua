@@ -386,7 +386,7 @@ function Watch:energyLimit(before, dt)
   if world.gravity == 0 then
     return ROUNDING * math.abs(before)
   end
-  local contacts = world.stats.events
+  local contacts = self.contacts
   local limit, heaviest, fastest = LIFTED * max(1, contacts) * math.abs(before), 0, 0
   if world.push == "first" then
     for _, object in ipairs(self.everybody) do
@@ -422,6 +422,19 @@ end
 
 -- Watching ---------------------------------------------------------------------------------------
 
+-- Counts the contacts of all steps of an update: `world.stats` tells those of the last, and a
+-- longer dt is split.
+local function countContacts(self)
+  local stats = self.player.world.stats
+  self.player.world.stats = setmetatable({}, {
+    __index = stats,
+    __newindex = function(_, name, value)
+      stats[name] = value
+      self.contacts = self.contacts + (name == "events" and value or 0)
+    end,
+  })
+end
+
 --- Watches a player's world; in a `closed` one nothing adds energy.
 function checks.new(player, closed)
   local self = setmetatable({
@@ -431,9 +444,13 @@ function checks.new(player, closed)
     crushed = {}, -- ids
     complaint = false,
     saved = 0,
+    contacts = 0, -- of the update
   }, Watch)
   player.onEvent = function(_, name, a, b, side, more)
     hear(self, name, a, b, side, more)
+  end
+  if closed then
+    countContacts(self)
   end
   self:look()
   return self
@@ -446,6 +463,7 @@ function Watch:before()
   self:noteDepths()
   self.isClean = not next(self.crushed) and not self:findOverlap()
   self:noteSums()
+  self.contacts = 0
   self.saved = self.player.world._saved
 end
 
