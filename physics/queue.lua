@@ -1,8 +1,11 @@
 --- The events of a step in the order of time: a binary heap without garbage.
 --
--- An event is "this pair meets at this moment". It is dropped when its pair has been given another
--- one (column `event` of the pair), so nothing is ever searched for in the heap.
--- Source of the heap: J. W. J. Williams, "Algorithm 232: Heapsort" (1964).
+-- An event is "this pair meets at this moment". A pair has one place in the heap at most: when it is
+-- given another event, it moves from where it is, which is rarely far. An event that is not wanted
+-- any more stays there until it is its turn (column `event` of the pair), or until the pair has
+-- another one, so nothing is ever searched for.
+-- Source of the heap: J. W. J. Williams, "Algorithm 232: Heapsort" (1964); that the last one goes
+-- through the leaf: R. W. Floyd, "Algorithm 245: Treesort 3" (1964).
 --
 -- All fields of an event stand side by side in one array: a trace that touches one array stays
 -- short, and seven of them would not (LuaJIT has a limit for the code of all traces).
@@ -16,7 +19,8 @@ local queue = {}
 queue.KEY = 1 -- moment, kind, how often resolved, axis: one whole number
 local SUPPORT = 2 -- larger first
 local RANK_A, RANK_B = 3, 4
-local PAIR, CODE, TIME = 5, 6, 7
+local CODE, TIME = 5, 6
+local AT = 7 -- place in the heap; 0: not in there
 local FIELDS = 8
 local KEY = queue.KEY
 
@@ -25,10 +29,8 @@ function queue.new()
   return {
     size = 0,
     heap = {}, -- event ids, smallest first; an id is where its fields begin
-    last = 0, -- highest id in use
+    last = -FIELDS, -- highest id that there is room for
     data = {},
-    free = {},
-    freeCount = 0,
   }
 end
 
@@ -43,73 +45,104 @@ local function isTiedBefore(data, x, y)
   return data[x + RANK_B] < data[y + RANK_B]
 end
 
-local function isBefore(data, x, y)
-  local keyX, keyY = data[x + KEY], data[y + KEY]
-  return keyX < keyY or (keyX == keyY and isTiedBefore(data, x, y))
-end
-
-local function claim(q)
-  if q.freeCount > 0 then
-    local id = q.free[q.freeCount]
-    q.freeCount = q.freeCount - 1
-    return id
+-- Makes room for the events of pairs up to the one with this id.
+local function reserve(q, id)
+  local data = q.data
+  for x = q.last + FIELDS, id, FIELDS do
+    for field = x, x + FIELDS - 1 do
+      data[field] = 0
+    end
+    q.last = x
   end
-  local id = q.last
-  q.last = id + FIELDS
-  q.data[id + FIELDS] = 0
-  return id
 end
 
+-- Puts an event into place `at`, or above it.
 local function rise(data, heap, at, id)
+  local key = data[id + KEY]
   while at > 1 do
-    local parent = (at - at % 2) / 2
-    if not isBefore(data, id, heap[parent]) then
+    local above = (at - at % 2) / 2
+    local other = heap[above]
+    local itsKey = data[other + KEY]
+    if itsKey < key or (itsKey == key and not isTiedBefore(data, id, other)) then
       break
     end
-    heap[at] = heap[parent]
-    at = parent
+    heap[at], data[other + AT] = other, at
+    at = above
   end
-  heap[at] = id
+  heap[at], data[id + AT] = id, at
 end
 
---- Puts an event in and returns its id.
+-- The smaller one of the two below a place.
+local function childOf(data, heap, size, at)
+  local child = 2 * at
+  if child < size then
+    local left, right = heap[child], heap[child + 1]
+    local keyLeft, keyRight = data[left + KEY], data[right + KEY]
+    if keyRight < keyLeft or (keyRight == keyLeft and isTiedBefore(data, right, left)) then
+      return child + 1
+    end
+  end
+  return child
+end
+
+-- Puts an event into place `at`, or below it: those that are smaller go up to the leaf, from where
+-- the event rises.
+local function sink(data, heap, size, at, id)
+  local child = childOf(data, heap, size, at)
+  while child <= size do
+    local other = heap[child]
+    heap[at], data[other + AT] = other, at
+    at, child = child, childOf(data, heap, size, child)
+  end
+  rise(data, heap, at, id)
+end
+
+-- An event in the heap has changed.
+local function move(q, id)
+  local data, heap, at = q.data, q.heap, q.data[id + AT]
+  rise(data, heap, at, id)
+  if data[id + AT] == at then
+    sink(data, heap, q.size, at, id)
+  end
+end
+
+--- Gives a pair its event, in the place of the one it had, and returns the event's id.
 function queue.push(q, key, support, rankA, rankB, pair, code, time)
-  local id, data = claim(q), q.data
-  data[id + KEY], data[id + SUPPORT] = key, support
-  data[id + RANK_A], data[id + RANK_B] = rankA, rankB
-  data[id + PAIR], data[id + CODE], data[id + TIME] = pair, code, time
-  q.size = q.size + 1
-  rise(data, q.heap, q.size, id)
+  local id, data = FIELDS * pair, q.data
+  if id > q.last then
+    reserve(q, id)
+  end
+  data[id + CODE], data[id + TIME] = code, time
+  if data[id + AT] == 0 then
+    data[id + KEY], data[id + SUPPORT], data[id + RANK_A], data[id + RANK_B] =
+      key, support, rankA, rankB
+    q.size = q.size + 1
+    rise(data, q.heap, q.size, id)
+  elseif
+    data[id + KEY] ~= key
+    or data[id + SUPPORT] ~= support
+    or data[id + RANK_A] ~= rankA
+    or data[id + RANK_B] ~= rankB
+  then
+    data[id + KEY], data[id + SUPPORT], data[id + RANK_A], data[id + RANK_B] =
+      key, support, rankA, rankB
+    move(q, id)
+  end
   return id
 end
 
-local function sink(data, heap, size, id)
-  local at, child = 1, 2
-  while child <= size do
-    if child < size and isBefore(data, heap[child + 1], heap[child]) then
-      child = child + 1
-    end
-    if not isBefore(data, heap[child], id) then
-      break
-    end
-    heap[at] = heap[child]
-    at, child = child, 2 * child
-  end
-  heap[at] = id
-end
-
---- Takes the first event out and returns its id, which stays readable until the next push; nil if
---- there is none.
+--- Takes the first event out and returns its id, which stays readable until the pair has another;
+--- nil if there is none.
 function queue.pop(q)
-  local size, heap = q.size, q.heap
+  local size, heap, data = q.size, q.heap, q.data
   if size == 0 then
     return nil
   end
   local top = heap[1]
-  q.size = size - 1
-  sink(q.data, heap, size - 1, heap[size])
-  q.freeCount = q.freeCount + 1
-  q.free[q.freeCount] = top
+  data[top + AT], q.size = 0, size - 1
+  if size > 1 then
+    sink(data, heap, size - 1, 1, heap[size])
+  end
   return top
 end
 
@@ -127,12 +160,16 @@ end
 --- Returns pair, code and time of an event.
 function queue.read(q, id)
   local data = q.data
-  return data[id + PAIR], data[id + CODE], data[id + TIME]
+  return id / FIELDS, data[id + CODE], data[id + TIME]
 end
 
 --- Empties the queue.
 function queue.clear(q)
-  q.size, q.last, q.freeCount = 0, 0, 0
+  local data, heap = q.data, q.heap
+  for at = 1, q.size do
+    data[heap[at] + AT] = 0
+  end
+  q.size = 0
 end
 
 return queue

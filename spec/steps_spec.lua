@@ -83,25 +83,37 @@ describe("the queue", function()
     assert.same({ "12 2 0.25", "14 4 0.25", "13 3 0.25", "11 1 0.25", "10 0 0.5" }, found)
   end)
 
-  it("keeps its order over many pushes and pops, and uses its memory again", function()
+  it("keeps its order when events come, change and go", function()
     local random, q = newRandom(5), queue.new()
-    local inside, last = {}, 0
-    for _ = 1, 2000 do
-      if random:chance(0.5) then
-        local key = random:integer(1, 1000)
-        queue.push(q, key, 0, key, 0, key, 0, 0)
-        inside[#inside + 1] = key
-        table.sort(inside)
-      else
-        local id = queue.pop(q)
-        local first = table.remove(inside, 1)
-        assert.equal(first, id and queue.read(q, id))
+    local keys, count = {}, 0 -- by pair
+    local function first()
+      local best
+      for pair = 1, 40 do
+        if keys[pair] and (not best or keys[pair] < keys[best]) then
+          best = pair
+        end
       end
-      last = math.max(last, q.size)
+      return best
     end
-    assert.is_true(q.last <= 8 * last)
+    for _ = 1, 4000 do
+      if random:chance(0.6) then
+        local pair, key = random:integer(1, 40), random:integer(1, 30)
+        count = count + (keys[pair] and 0 or 1)
+        keys[pair] = key
+        queue.push(q, key, 0, 7, pair, pair, 0, 0)
+      else
+        local best, id = first(), queue.pop(q)
+        assert.equal(best, id and queue.read(q, id))
+        if best then
+          keys[best], count = nil, count - 1
+        end
+      end
+      assert.equal(count, q.size)
+    end
     queue.clear(q)
     assert.is_nil(queue.pop(q))
+    queue.push(q, 1, 0, 0, 0, 3, 0, 0)
+    assert.equal(3, (queue.read(q, queue.pop(q))))
   end)
 end)
 
