@@ -7,8 +7,7 @@ local here = (...):match("^(.*)%.[^.]+$")
 local aabb = require(here .. ".aabb")
 local columns = require(here .. ".columns")
 local gather = require(here .. ".gather")
-
-require(here .. ".interpreted").file()
+local interpreted = require(here .. ".interpreted")
 
 local approach = {}
 
@@ -93,9 +92,8 @@ local function meetCorner(b, at, ka, kc)
   return gap > 0 and gap / (gap - gapEnd) or 0, approach.code(approach.CORNER, axis, not aLow)
 end
 
--- Apart on one axis only, on which they close.
-local function meetFace(b, at, ka, kc, axis)
-  local gap, _, aLow = gaps(b, at, ka, kc, axis)
+-- Apart on one axis only, by `gap`, on which they close. `aLow`: the object itself is the low one.
+local function meetFace(b, at, ka, kc, axis, gap, aLow)
   local low, high = ka + axis, kc + axis
   if not aLow then
     low, high = kc + axis, ka + axis
@@ -112,7 +110,10 @@ local function meetFace(b, at, ka, kc, axis)
     end
     overlap = 0
   end
-  local share = gap > EPSILON and gap / (gap + overlap) or 0
+  if gap <= EPSILON then
+    return 0, approach.code(approach.FACE, axis, not aLow)
+  end
+  local share = gap / (gap + overlap)
   local r = b.relative[at + 2 - axis]
   r = r + (b.relative[at + 4 - axis] - r) * share
   if gapAt(r, b.size[ka + 1 - axis], b.size[kc + 1 - axis]) >= -EPSILON then
@@ -162,17 +163,24 @@ local function meetDeep(b, p, ka, kc)
   return 0, approach.code(approach.DEEP, axis, secondIsLow)
 end
 
+-- Faces are what crowds and heaps are made of; the others go too many ways.
+interpreted.functions(meetCorner, meetDeep)
+
+-- What `gaps` tells of both axes at the beginning decides which of the four it is.
 local function meet(b, at, p, ka, kc)
-  local isOverX = gaps(b, at, ka, kc, 0) < -EPSILON
-  local isOverY = gaps(b, at, ka, kc, 1) < -EPSILON
-  if isOverX and isOverY then
-    return meetDeep(b, p, ka, kc)
-  elseif isOverX then
-    return meetFace(b, at, ka, kc, 1)
-  elseif isOverY then
-    return meetFace(b, at, ka, kc, 0)
+  local size, x, y = b.size, b.relative[at + 1], b.relative[at + 2]
+  local afterX, beforeX = x - size[ka], -x - size[kc]
+  local afterY, beforeY = y - size[ka + 1], -y - size[kc + 1]
+  local gapX, gapY = max(afterX, beforeX), max(afterY, beforeY)
+  if gapX >= -EPSILON then
+    if gapY >= -EPSILON then
+      return meetCorner(b, at, ka, kc)
+    end
+    return meetFace(b, at, ka, kc, 0, gapX, afterX >= beforeX)
+  elseif gapY >= -EPSILON then
+    return meetFace(b, at, ka, kc, 1, gapY, afterY >= beforeY)
   end
-  return meetCorner(b, at, ka, kc)
+  return meetDeep(b, p, ka, kc)
 end
 
 --- Computes when and how the `count` pairs listed meet: writes the pair into b.near, the moment

@@ -132,6 +132,7 @@ local PAIR = {
   "nudged", -- how often a corner was corrected in this step
   "passing", -- lets pass for this step (canCollide, dropThrough)
   "event", -- its event in the queue
+  "waits", -- 1: that is at the very beginning and keeps its place; 2: its paths have changed since
   "turn", -- its place among the footings of the step, 0: none
   "liveMark",
   "wedged", -- 1 + code of the meeting along which two that are left inside each other may part
@@ -206,6 +207,7 @@ function columns.new()
     step = 0, -- counts the steps, for `watched`
     isAllSeen = false, -- all footings are settled, and all pairs looked at
     isCut = false, -- a path has begun anew within the step
+    isEager = false, -- no pair waits for its turn without being looked at
     links = 0, -- how often the pairs have changed
     awakenings = 0, -- how often it has changed who takes part
     liveLinks = -1, -- both, when `live` was listed
@@ -366,7 +368,7 @@ function columns.link(b, i, j)
   b.contact[p], b.hit[p], b.hitSpeed[p], b.met[p], b.nudged[p] = 0, 0, 0, 0, 0
   b.passing[p], b.overlapping[p] = false, false
   b.event[p], b.wedged[p], b.dropping[p] = columns.NO_EVENT, 0, false
-  b.turn[p], b.links = 0, b.links + 1
+  b.turn[p], b.waits[p], b.links = 0, 0, b.links + 1
   if b.liveMark[p] ~= b.liveStamp then
     b.liveMark[p] = b.liveStamp
     b.liveCount = b.liveCount + 1
@@ -382,7 +384,7 @@ end
 function columns.unlink(b, p)
   unhang(b, 2 * p - 1, b.pairA[p])
   unhang(b, 2 * p, b.pairB[p])
-  b.pairA[p], b.pairB[p], b.event[p] = 0, 0, columns.NO_EVENT
+  b.pairA[p], b.pairB[p], b.event[p], b.waits[p] = 0, 0, columns.NO_EVENT, 0
   b.links = b.links + 1
   b.freePairCount = b.freePairCount + 1
   b.freePairs[b.freePairCount] = p

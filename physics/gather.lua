@@ -5,7 +5,12 @@
 -- of the other relative to the object, x and y, where the later of the two paths begins, and x and
 -- y at the end of the step.
 --
--- Reads from, to, speed, size, time, the pairs; writes near, relative, event.
+-- An event at the very beginning of the step, of a pair that is flush, keeps its place among the
+-- events whatever happens to the two before it is its turn: they do not move until then, and what
+-- decides the order is where they are. So such a pair is not looked at again with each change of
+-- the two, as in a crowd there are dozens, but once, when it is its turn (column `waits`).
+--
+-- Reads from, to, speed, size, time, the pairs; writes near, relative, event, waits.
 
 local here = (...):match("^(.*)%.[^.]+$")
 local columns = require(here .. ".columns")
@@ -117,23 +122,25 @@ end
 --- Lists all live pairs that may meet on the present paths, and forgets the events of all pairs.
 --- Returns how many there are.
 function gather.live(b)
-  local pairs_, event, clear = b.live, b.event, b.pushFirst and EPSILON or 0
+  local pairs_, event, waits, clear = b.live, b.event, b.waits, b.pushFirst and EPSILON or 0
   for n = 1, b.liveCount do
-    event[pairs_[n]] = NO_EVENT
+    event[pairs_[n]], waits[pairs_[n]] = NO_EVENT, 0
   end
   return b.isCut and listCut(b, clear) or listWhole(b, clear)
 end
 
 --- Lists the pairs of object i that may meet on the present paths, and forgets the events of all
---- its pairs, but for footings whose turn is yet to come. Returns how many there are, `count` of
---- them listed before.
+--- its pairs, but for footings whose turn is yet to come and for those that wait. Returns how many
+--- there are, `count` of them listed before.
 function gather.object(b, i, count)
-  local other, nextHalf, event, turn = b.other, b.next, b.event, b.turn
+  local other, nextHalf, event, turn, waits = b.other, b.next, b.event, b.turn, b.waits
   local clear, half = b.pushFirst and EPSILON or 0, b.head[i]
   local at = b.footingAt
   while half ~= 0 do
     local p = floor(half * 0.5 + 0.5)
-    if turn[p] <= at then
+    if waits[p] > 0 then
+      waits[p] = 2
+    elseif turn[p] <= at then
       event[p] = NO_EVENT
       count = listAt(b, half, i, other[half], clear, count)
     end
@@ -144,8 +151,8 @@ end
 
 --- Lists one pair.
 function gather.pair(b, p)
-  b.event[p] = NO_EVENT
-  return listAt(b, 2 * p - 1, b.pairA[p], b.pairB[p], 0, 0)
+  b.event[p], b.waits[p] = NO_EVENT, 0
+  return listAt(b, 2 * p - 1, b.pairA[p], b.pairB[p], b.pushFirst and EPSILON or 0, 0)
 end
 
 return gather

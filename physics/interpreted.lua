@@ -18,4 +18,11 @@ function interpreted.file()
   end
 end
 
+--- Keeps single functions interpreted, in a file that is compiled.
+function interpreted.functions(...)
+  for n = 1, off and select("#", ...) or 0 do
+    off((select(n, ...)))
+  end
+end
+
 return interpreted

@@ -29,11 +29,11 @@ end
 -- Nothing has happened to the pairs from place `first` of the list on.
 local function reset(b, first)
   local live_, met, hit, passing, event = b.live, b.met, b.hit, b.passing, b.event
-  local nudged, turn = b.nudged, b.turn
+  local nudged, turn, waits = b.nudged, b.turn, b.waits
   for n = first, b.liveCount do
     local p = live_[n]
     met[p], hit[p], passing[p], event[p] = 0, 0, false, NO_EVENT
-    nudged[p], turn[p] = 0, 0
+    nudged[p], turn[p], waits[p] = 0, 0, 0
   end
 end
 

@@ -28,7 +28,7 @@ local meet = {}
 
 local floor, huge, max = math.floor, math.huge, math.max
 local DYNAMIC = columns.DYNAMIC
-local CORNER = approach.CORNER
+local CORNER, FACE = approach.CORNER, approach.FACE
 
 -- Moments closer than this part of a step are simultaneous.
 local MOMENTS = 1e9
@@ -40,49 +40,45 @@ local NONE = columns.NO_EVENT
 -- How firmly the one that supports a pair stands: what never gives way first, then by how far down
 -- it is (along gravity), so that a stack is resolved from the floor up. Across gravity it is the
 -- right-hand one as gravity sees it, so that a scene may be turned.
-local function supportOf(b, low, high, kl, kh, axis)
+local function supportOf(b, low, high, axis)
   if b.kind[low] ~= DYNAMIC or b.kind[high] ~= DYNAMIC then
     return huge
+  elseif b.orientation[axis] < 0 then
+    return -b.from[2 * low + axis]
   end
-  if b.orientation[axis] < 0 then
-    return -b.from[kl]
-  end
-  return b.from[kh] + b.size[kh]
-end
-
-local function isSensed(b, p)
-  return b.sensor[b.pairA[p]] or b.sensor[b.pairB[p]]
+  return b.from[2 * high + axis] + b.size[2 * high + axis]
 end
 
 -- What decides the order of events: moment, kind, how often the pair was resolved, axis, as one
 -- whole number.
-local function keyOf(b, p, t, kind, axis)
+local function keyOf(b, met, t, kind, axis, isSensed)
   -- What is met at the very beginning goes before all else (see footing).
   local moment = t > 0 and max(floor(t * MOMENTS + 0.5), 1) or 0
-  if isSensed(b, p) then
+  if isSensed then
     moment = moment + 4 -- whoever is stopped by something solid at that moment does not come in
   elseif kind == CORNER then
     moment = moment + 2
   end
-  local met = b.met[p]
   local key = ((moment * 4 + kind) * 64 + (met < MOST_MET and met or MOST_MET)) * 2
   return axis == b.downAxis and key or key + 1
 end
 
 local function enqueue(b, p, t, code)
-  if b.passing[p] or (b.met[p] > 0 and isSensed(b, p)) then
+  local one, other, met = b.pairA[p], b.pairB[p], b.met[p]
+  local isSensed = b.sensor[one] or b.sensor[other]
+  if b.passing[p] or (isSensed and met > 0) then
     return
   end
   local kind, axis, otherIsLow = approach.decode(code)
-  local one, other = b.pairA[p], b.pairB[p]
   local low, high = one, other
   if otherIsLow then
     low, high = other, one
   end
-  local support = supportOf(b, low, high, 2 * low + axis, 2 * high + axis, axis)
+  local support = supportOf(b, low, high, axis)
   local first, second = columns.ranks(b, one, other)
-  local key = keyOf(b, p, t, kind, axis)
   b.watched[one], b.watched[other] = b.step, b.step
+  local key = keyOf(b, met, t, kind, axis, isSensed)
+  b.waits[p] = t <= 0 and kind == FACE and not isSensed and not b.isEager and 1 or 0
   b.event[p] = queue.push(b.queue, key, support, first, second, p, code, t)
 end
 
@@ -122,6 +118,19 @@ local function followChanged(b, dt)
   schedule(b, count)
 end
 
+-- A nudge moves somebody aside at once, also at the very beginning of the step: from now on nobody
+-- keeps a place without being looked at.
+local function lookAtWaiting(b)
+  b.isEager = true
+  for n = 1, b.liveCount do
+    local p = b.live[n]
+    if b.waits[p] == 2 then
+      schedule(b, gather.pair(b, p))
+    end
+    b.waits[p] = 0
+  end
+end
+
 local function happen(b, p, code, t, dt)
   local kind, axis, otherIsLow = approach.decode(code)
   local low, high = b.pairA[p], b.pairB[p]
@@ -145,6 +154,7 @@ local function happen(b, p, code, t, dt)
     and (nudge.try(b, low, high, axis, true, t) or nudge.try(b, high, low, axis, false, t))
   then
     b.nudged[p] = b.nudged[p] + 1
+    lookAtWaiting(b)
   else
     resolve.run(b, p, low, high, axis, t, dt, kind == approach.DEEP)
   end
@@ -189,23 +199,45 @@ local function scheduleOdd(b)
   end
 end
 
+-- Looks at a pair that has waited for its turn, and whose paths have changed since; returns whether
+-- it meets as it was noted. If not, it has another event now, or none.
+local function isStill(b, p, code, t)
+  local count = gather.pair(b, p)
+  if count == 0 then
+    return false
+  end
+  approach.run(b, count)
+  if b.nearCode[1] == code and b.nearTime[1] == t then
+    return true
+  end
+  enqueueAll(b, count)
+  return false
+end
+
+-- The first event of the queue, whose turn it is.
+local function take(b, id, dt)
+  local p, code, t = queue.read(b.queue, id)
+  if b.event[p] ~= id or (b.waits[p] == 2 and not isStill(b, p, code, t)) then
+    return
+  end
+  b.event[p], b.waits[p] = NONE, 0
+  b.resolved = b.resolved + 1
+  happen(b, p, code, t, dt)
+end
+
 --- Resolves all contacts of a step of dt s.
 function meet.run(b, dt)
-  local q, event = b.queue, b.event
+  local q = b.queue
   queue.clear(q)
   b.resolved, b.isCut, b.isAllSeen, b.step = 0, false, false, b.step + 1
+  b.isEager = b.queueOnly
   live.list(b)
   footing.list(b)
   scheduleOdd(b)
   stand(b, dt)
   local id = queue.pop(q)
   while id do
-    local p, code, t = queue.read(q, id)
-    if event[p] == id then
-      event[p] = NONE
-      b.resolved = b.resolved + 1
-      happen(b, p, code, t, dt)
-    end
+    take(b, id, dt)
     if not b.isAllSeen then
       stand(b, dt)
     end

@@ -26,9 +26,10 @@ function oneway.lets(b, i, j, side, kind)
   return kind == approach.DEEP or isOpen(b, i, side) or isOpen(b, j, columns.OPPOSITE[side])
 end
 
---- Lets slot i fall through the one-way objects it stands on; returns whether there were any.
+--- Lets slot i fall through the one-way objects it stands on; returns whether there were any. What
+--- is not dynamic stands on nothing.
 function oneway.drop(b, i)
-  local half, any = b.head[i], false
+  local half, any = b.kind[i] == columns.DYNAMIC and b.head[i] or 0, false
   while half ~= 0 do
     local p, j = (half + half % 2) / 2, b.other[half]
     if b.contact[p] ~= 0 and b.oneWay[j] then

@@ -1,9 +1,9 @@
 --- The events of a step in the order of time: a binary heap without garbage.
 --
--- An event is "this pair meets at this moment". A pair has one place in the heap at most: when it is
--- given another event, it moves from where it is, which is rarely far. An event that is not wanted
--- any more stays there until it is its turn (column `event` of the pair), or until the pair has
--- another one, so nothing is ever searched for.
+-- An event is "this pair meets at this moment". A pair has one place in the heap at most: when it
+-- is given another event, it moves from where it is, which is rarely far. An event that is not
+-- wanted any more stays there until it is its turn (column `event` of the pair), or until the pair
+-- has another one, so nothing is ever searched for.
 -- Source of the heap: J. W. J. Williams, "Algorithm 232: Heapsort" (1964); that the last one goes
 -- through the leaf: R. W. Floyd, "Algorithm 245: Treesort 3" (1964).
 --

@@ -410,6 +410,20 @@ local FOUND = {
     },
   },
   {
+    "who is static stands on nothing that it could drop through",
+    {
+      settings = {},
+      acts = {
+        { "add", 15, "tiles", { height = 10, static = true, width = 10, x = 30, y = 80 } },
+        { "add", 24, 1, { height = 8, oneWay = "bottom", width = 10, x = 30, y = 72 } },
+        { "update", 0.015625 },
+        { "update", 0.015625 },
+        { "drop", 15 },
+        { "update", 0.015625 },
+      },
+    },
+  },
+  {
     "who rests on two that are exchanged in the order of the groups touches the first",
     {
       settings = { masks = { [2.5] = { [2.5] = false, crates = false } } },
