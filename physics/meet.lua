@@ -28,7 +28,7 @@ local meet = {}
 
 local floor, huge, max = math.floor, math.huge, math.max
 local DYNAMIC = columns.DYNAMIC
-local CORNER, FACE = approach.CORNER, approach.FACE
+local CORNER = approach.CORNER
 
 -- Moments closer than this part of a step are simultaneous.
 local MOMENTS = 1e9
@@ -78,7 +78,7 @@ local function enqueue(b, p, t, code)
   local first, second = columns.ranks(b, one, other)
   b.watched[one], b.watched[other] = b.step, b.step
   local key = keyOf(b, met, t, kind, axis, isSensed)
-  b.waits[p] = t <= 0 and kind == FACE and not isSensed and not b.isEager and 1 or 0
+  b.waits[p] = t <= 0 and kind ~= CORNER and not isSensed and not b.isEager and 1 or 0
   b.event[p] = queue.push(b.queue, key, support, first, second, p, code, t)
 end
 

@@ -410,10 +410,11 @@ end
 
 -- Pairs everybody whom the worlds know; some of them may be in the tables no more.
 local function pairKnown(self, other)
-  local mine, its = self.world._bodies.roster.groups, other.world._bodies.roster.groups
-  for g, record in ipairs(its) do
+  -- By name: the order of the groups is one that the next update will read.
+  local mine, its = self.world._bodies.roster.byName, other.world._bodies.roster.groups
+  for _, record in ipairs(its) do
     for n = 1, record.count do
-      pair(self, other, mine[g].list[n], record.list[n])
+      pair(self, other, mine[record.name].list[n], record.list[n])
     end
   end
 end
