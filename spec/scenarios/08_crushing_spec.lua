@@ -232,6 +232,23 @@ describe("crushing", function()
       end)
     end
 
+    it("takes it along at the mean of their speeds", function()
+      scene.each(SOME, function(run)
+        for _, speeds in ipairs({ { 20, -20 }, { 30, -10 }, { 0, -40 }, { 50, 20 } }) do
+          local mean = (speeds[1] + speeds[2]) / 2
+          local named = run:build({
+            gravity = 0,
+            wall("L", 0, 100, 16, 16, speeds[1], 0),
+            box("box1", 16, 100),
+            wall("R", 32, 100, 16, 16, speeds[2], 0),
+          })
+          run:step(1 / 60)
+          run:at(named.box1, 16 + mean / 60, 100)
+          run:near("vx", named.box1.vx, mean)
+        end
+      end)
+    end)
+
     it("that pass right through each other leaves it where it is", function()
       scene.each(SOME, function(run)
         local named = run:build(between(1))
