@@ -261,7 +261,7 @@ local function stick(b, up, low, ku, kl, mu, impulse, sign)
     max(b.speed[ka] - b.speed[kb], b.speed[kb] - b.speed[ka]) > 0
     or b.accel[ka] ~= b.accel[kb]
     or b.surfaceSpeed[low] ~= 0
-    or b.down[ku] * sign <= 0
+    or b.down[ku] ~= sign
   then
     return false
   elseif not (isFast or b.stuck[low]) then
@@ -367,7 +367,7 @@ local function land(b, p, side, up, low, ku, kl, isUp, dt)
     b.inverseMass[low] > 0
     and not b.stuck[low]
     and b.surfaceSpeed[low] == 0
-    and b.down[ku] * sign > 0
+    and b.down[ku] == sign
     and slideTogether(b, up, low, ku, kl, mu * impulse, share, dt)
   then
     b.changed[2], b.changedCount, b.changedMark[low] = low, 2, b.changeStamp

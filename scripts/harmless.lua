@@ -27,6 +27,12 @@ return {
   },
   {
     "physics/broadphase/grid.lua",
+    "local isSteep = max(y1 - y2, y2 - y1) > max(x1 - x2, x2 - x1)",
+    "local isSteep = max(y1 - y2, y2 - y1) >= max(x1 - x2, x2 - x1)",
+    "a diagonal may be taken in strips either way; whom it meets is asked of each in the end",
+  },
+  {
+    "physics/broadphase/grid.lua",
     "self.ranges[rangeCount + 3], self.ranges[rangeCount + 5] = 0, 0",
     "self.ranges[rangeCount + 4], self.ranges[rangeCount + 5] = 0, 0",
     "what lies behind the end is read and not used, be it a number or nothing",
@@ -78,12 +84,6 @@ return {
     "return b.placed[i] ~= 2",
     "return b.placed[i] ~= 3",
     "everybody's neighbours are looked up in every step; more neighbours change no result",
-  },
-  {
-    "physics/footing.lua",
-    "or b.down[ku] * sign <= 0",
-    "or b.down[ku] / sign <= 0",
-    "sign is 1 or -1",
   },
   {
     "physics/footing.lua",
