@@ -74,6 +74,12 @@ return {
     "carriers are looked for where there are none",
   },
   {
+    "physics/columns.lua",
+    "b.from[k], b.to[k], b.speed[k], b.size[k] = 0, 0, 0, -1",
+    "b.from[k], b.to[k], b.speed[k], b.size[k] = 0, 0, 0, -2",
+    "the size of nobody: less than nothing is never within reach",
+  },
+  {
     "physics/detect.lua",
     "or from[k] + size[k] > fatHigh[k]",
     "or from[k] + size[k] >= fatHigh[k]",

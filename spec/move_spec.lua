@@ -279,6 +279,28 @@ describe("world:move", function()
     assert.is_true(first == hits[1] or first == hits[2])
   end)
 
+  it("leaves no garbage then", function()
+    local world, me = scene()
+    local hits, least = {}, math.huge
+    local function go(times)
+      for _ = 1, times do
+        world:move(me, 40, 40, "slide", hits)
+        world:move(me, 0, 0, "slide", hits)
+      end
+    end
+    -- Traces that are compiled count as memory, too: the calmest of some rounds.
+    go(200)
+    collectgarbage()
+    collectgarbage("stop")
+    for _ = 1, 20 do
+      local before = collectgarbage("count")
+      go(20)
+      least = math.min(least, collectgarbage("count") - before)
+    end
+    collectgarbage("restart")
+    assert.is_true(least < 0.1, ("%.3f KB"):format(least))
+  end)
+
   it("comes to an end between two walls", function()
     local world = still()
     world:add("walls", box(-10, 0, 10, 10, { static = true }))
