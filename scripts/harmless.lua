@@ -122,10 +122,10 @@ return {
     "how much of a ray is looked at next; the nearest of all pieces is the same",
   },
   {
-    "physics/queue.lua",
-    "q.data[id + FIELDS] = 0",
-    "q.data[id + FIELDS] = 1",
-    "makes room; the fields of an event begin one place later",
+    "physics/restore.lua",
+    "return (object.friction or -1) == b.friction[i] and not object.mask and not b.mask[i]",
+    "return (object.friction or -2) == b.friction[i] and not object.mask and not b.mask[i]",
+    "static objects are read again, to the same end; what that marks is forgotten right after it",
   },
   {
     "physics/restore.lua",
