@@ -4,6 +4,12 @@
 --   watch:before()                        before an update
 --   local name, text = watch:after()      after it: nil, or what does not hold
 
+-- Runs no slower without the trace compiler, which has too many loops to see here.
+local jit = rawget(_G, "jit")
+if jit then
+  jit.off(true, true)
+end
+
 local checks = {}
 
 local Watch = {}

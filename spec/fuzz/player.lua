@@ -5,6 +5,12 @@
 
 local physics = require("physics")
 
+-- Runs no slower without the trace compiler, which has too many loops to see here.
+local jit = rawget(_G, "jit")
+if jit then
+  jit.off(true, true)
+end
+
 local Player = {}
 Player.__index = Player
 

@@ -8,6 +8,12 @@
 local checks = require("spec.fuzz.checks")
 local player = require("spec.fuzz.player")
 
+-- Runs no slower without the trace compiler, which has too many loops to see here.
+local jit = rawget(_G, "jit")
+if jit then
+  jit.off(true, true)
+end
+
 local trial = {}
 
 local PLAIN = { broadphase = "pairs", rest = false, queueOnly = true, guests = true }
