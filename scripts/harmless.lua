@@ -80,6 +80,12 @@ return {
     "the size of nobody: less than nothing is never within reach",
   },
   {
+    "physics/crush.lua",
+    "local from, k, best, bestAt = b.from, 2 * i + axis, 0, 0.0",
+    "local from, k, best, bestAt = b.from, 2 * i + axis, 0, 1.0",
+    "read only where best is somebody, and written together with it",
+  },
+  {
     "physics/detect.lua",
     "or from[k] + size[k] > fatHigh[k]",
     "or from[k] + size[k] >= fatHigh[k]",

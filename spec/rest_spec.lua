@@ -158,6 +158,26 @@ describe("rest changes nothing:", function()
     assert.are.same({ 96.125, 96, 296, 96.125 }, { one.x, one.y, other.x, other.y })
   end)
 
+  -- A ball that a moving wall throws back meets somebody who rests, and all that in the step in
+  -- which another one far away meets a wall, after that.
+  it("somebody is woken in the middle of a step", function()
+    local player = checkSame({ gravity = 0 }, {
+      { "add", 1, "a", { x = -40, y = 0, width = 10, height = 10 } },
+      { "update", 1 / 60 },
+      { "update", 1 / 60 },
+      { "update", 1 / 60 },
+      { "add", 2, "b", { x = 60, y = 0, width = 10, height = 10, kinematic = true, vx = -3000 } },
+      { "add", 3, "b", { x = 0, y = 0, width = 10, height = 10, vx = 6000, restitution = 1 } },
+      { "add", 4, "c", { x = 100, y = 500, width = 5, height = 50, static = true } },
+      { "add", 5, "c", { x = 0, y = 510, width = 10, height = 10, vx = 6000 } },
+      { "update", 1 / 60 },
+    })
+    local objects = player.objects
+    assert.near(-110, objects[1].x, 1e-6)
+    assert.near(-30, objects[3].x, 1e-6)
+    assert.equal(90, objects[5].x)
+  end)
+
   it("a step is too short for anything to happen", function()
     checkSame({ push = "first" }, {
       { "add", 1, "tiles", { x = 60, y = 320, width = 20, height = 20, static = true } },
