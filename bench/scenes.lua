@@ -20,7 +20,8 @@
 
 local scenes = {}
 
-local FILES = { "pile", "level", "gas", "lifts", "rays", "spawn", "dig", "rooms", "rest", "state" }
+local FILES =
+  { "pile", "level", "gas", "swarm", "lifts", "rays", "spawn", "dig", "rooms", "rest", "state" }
 
 local STEPS, WARM_UP, DT = 600, 60, 1 / 60
 

@@ -43,6 +43,9 @@ end
 
 --- Marks all welded to k (and k) as pushed from the low or high side by one that cannot be pushed.
 function weld.back(b, k, backedLow, backedHigh)
+  if not (backedLow or backedHigh) then
+    return -- mostly: nothing to mark in a group that may be large
+  end
   local first = k
   repeat
     b.backedLow[k] = b.backedLow[k] or backedLow
