@@ -13,6 +13,7 @@
 -- This file is only the door: constructors, the default world, the pure functions, the version.
 
 local path = ...
+local interpreted = require(path .. ".interpreted")
 local pure = require(path .. ".pure")
 local world = require(path .. ".world")
 
@@ -42,14 +43,30 @@ function physics.load(settings)
   default = world.new(settings, "load(settings)")
 end
 
+--- Lets LuaJIT compile everything, also what happens to single objects, which is interpreted
+--- otherwise. Crowds, heaps and many small worlds then take half the time or less, with the same
+--- results to the bit. Call it once, right after `require`.
+---
+--- It raises two limits of LuaJIT, which are those of the whole program: 8000 traces instead of
+--- 1000, and 16 MB of machine code instead of 0.5. So the library does not do it unasked.
+---@return boolean compiles false: there is no compiler, or it is off (iOS, browsers, plain Lua)
+function physics.compile()
+  return interpreted.lift()
+end
+
 -- Every method of a world is a function of the default world, too.
-for name, method in pairs(world.methods) do
-  if type(method) == "function" then
-    physics[name] = function(...)
-      return method(default, ...)
+local function addMethods()
+  for name, method in pairs(world.methods) do
+    if type(method) == "function" then
+      physics[name] = function(...)
+        return method(default, ...)
+      end
     end
   end
 end
+
+interpreted.always(addMethods)
+addMethods()
 
 physics.inside = pure.inside
 physics.side = pure.side

@@ -2,6 +2,7 @@
 ---
 ---   canRest           it skips what rests; the others play only the scenes in which nobody may
 ---   module            what must be found on package.path
+---   needsCompiler     plays only where LuaJIT's compiler is on
 ---   lacks             feature -> why scenes that need it are not played
 ---   new(scene)        -> a world, with the methods
 ---     step(dt)          moves the world on
@@ -18,6 +19,7 @@ local engines = {}
 
 local TITLES = {
   ours = "physics.lua",
+  compiled = "compile()",
   love = "love.physics",
   tutorial = "tutorial's loop",
   bump = "bump.lua",
@@ -25,7 +27,7 @@ local TITLES = {
 }
 
 --- The names, ours first, in the order in which they are measured and printed.
-engines.names = { "ours", "love", "tutorial", "bump", "fizzx" }
+engines.names = { "ours", "compiled", "love", "tutorial", "bump", "fizzx" }
 
 --- What an engine is called in tables.
 ---@param name string one of `engines.names`

@@ -2,6 +2,7 @@
 
 local here = (...):match("^(.*)%.[^.]+$")
 local check = require(here .. ".check")
+local interpreted = require(here .. ".interpreted")
 
 local bounds = {}
 
@@ -75,5 +76,7 @@ function bounds.set(objects, walls, x, y, w, h)
   end
   return new
 end
+
+interpreted.always(take)
 
 return bounds

@@ -5,6 +5,7 @@
 
 local here = (...):match("^(.*)%.[^.]+$")
 local fields = require(here .. ".fields")
+local interpreted = require(here .. ".interpreted")
 
 local floor = math.floor
 local huge = 1 / 0 -- math.huge is a finite number on gopher-lua
@@ -620,5 +621,7 @@ function check.filter(value, where)
     end
   end
 end
+
+interpreted.always(firstBad)
 
 return check

@@ -8,6 +8,9 @@
 --
 -- No column is ever shared between worlds: callbacks may step another world.
 
+local here = (...):match("^(.*)%.[^.]+$")
+local interpreted = require(here .. ".interpreted")
+
 local columns = {}
 
 columns.STATIC, columns.KINEMATIC, columns.DYNAMIC = 1, 2, 3
@@ -174,12 +177,22 @@ local function addColumns(b, names)
   end
 end
 
-local function addSlotColumns(b)
-  for name in pairs(SLOT) do
-    b[name] = {}
+local function namesOf(map)
+  local names = {}
+  for name in pairs(map) do
+    names[#names + 1] = name
   end
-  for name, default in pairs(AXIS) do
-    b[name] = { default } -- place 1 belongs to slot 0
+  return names
+end
+
+interpreted.always(namesOf)
+
+local SLOT_NAMES, AXIS_NAMES = namesOf(SLOT), namesOf(AXIS)
+
+local function addSlotColumns(b)
+  addColumns(b, SLOT_NAMES)
+  for n = 1, #AXIS_NAMES do
+    b[AXIS_NAMES[n]] = { AXIS[AXIS_NAMES[n]] } -- place 1 belongs to slot 0
   end
 end
 
@@ -297,11 +310,12 @@ function columns.claim(b)
     i = b.slots + 1
     b.slots = i
   end
-  for name, default in pairs(SLOT) do
-    b[name][i] = default
+  for n = 1, #SLOT_NAMES do
+    b[SLOT_NAMES[n]][i] = SLOT[SLOT_NAMES[n]]
   end
-  for name, default in pairs(AXIS) do
-    b[name][2 * i], b[name][2 * i + 1] = default, default
+  for n = 1, #AXIS_NAMES do
+    local name = AXIS_NAMES[n]
+    b[name][2 * i], b[name][2 * i + 1] = AXIS[name], AXIS[name]
   end
   for at = 4 * i + 1, 4 * i + 4 do
     b.touchBest[at], b.touchWidth[at] = 0, -1

@@ -8,6 +8,7 @@
 
 local here = (...):match("^(.*)%.[^.]+$")
 local check = require(here .. ".check")
+local interpreted = require(here .. ".interpreted")
 
 local drawing = {}
 
@@ -363,5 +364,7 @@ function drawing.draw(world, options)
   end
   love.graphics.setColor(red, green, blue, alpha)
 end
+
+interpreted.always(sortedKeys, isPlainList, unknownOption)
 
 return drawing

@@ -10,6 +10,7 @@ local here = (...):match("^(.*)%.[^.]+$")
 local check = require(here .. ".check")
 local columns = require(here .. ".columns")
 local fields = require(here .. ".fields")
+local interpreted = require(here .. ".interpreted")
 local roster = require(here .. ".roster")
 local state = require(here .. ".state")
 
@@ -202,5 +203,7 @@ function guard.run(world)
     end
   end
 end
+
+interpreted.always(checkNames)
 
 return guard

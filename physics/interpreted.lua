@@ -1,28 +1,60 @@
 --- Keeps the trace compiler of LuaJIT out of what it is bad at.
 --
 -- A compiled trace is one way through the code, branch by branch; code that goes another way at
--- every object becomes hundreds of traces, which are thrown away and compiled again for ever. So
--- the loops over all objects or pairs are short, with few branches, and compiled; what happens to
--- single ones, in the order of events, is interpreted. On other Luas this does nothing.
+-- every object becomes hundreds of traces. LuaJIT has room for 1000 of them, in 512 KB, for the
+-- whole program; when that is full, all are thrown away and compiled again for ever. So the loops
+-- over all objects or pairs are short, with few branches, and compiled; what happens to single
+-- ones, in the order of events, is interpreted. A program that gives LuaJIT more room may have it
+-- compiled, too (`lift`). On other Luas this does nothing.
 
 local interpreted = {}
 
 local jit = rawget(_G, "jit")
 local off = type(jit) == "table" and jit.off
+local getinfo = type(debug) == "table" and debug.getinfo
+local kept = {} -- main chunks and functions that are kept interpreted
+
+-- What `lift` gives the compiler: traces, KB of machine code.
+local ROOM = { "maxtrace=8000", "maxmcode=16384" }
+
+local function keep(f)
+  off(f, true) -- `true`: also the functions inside
+  kept[#kept + 1] = f
+end
 
 --- Keeps the file that calls this interpreted: all functions in it.
 function interpreted.file()
-  if off then
-    -- A tail call: `true` means the function that is still running then, the caller's main chunk.
-    return off(true, true)
+  if off and getinfo then
+    keep(getinfo(2, "f").func)
   end
 end
 
 --- Keeps single functions interpreted, in a file that is compiled.
 function interpreted.functions(...)
   for n = 1, off and select("#", ...) or 0 do
-    off((select(n, ...)))
+    keep((select(n, ...)))
   end
+end
+
+--- Keeps functions interpreted for good: all that go through a table by `next` or `pairs`. What
+--- LuaJIT 2.1 of 2022 makes of that may crash on x64: it reads what `next` has found through the
+--- lower half of a pointer to the stack. (spec/interpreted_spec.lua finds those that are missing.)
+function interpreted.always(...)
+  for n = 1, off and select("#", ...) or 0 do
+    off((select(n, ...)), true)
+  end
+end
+
+--- Gives the compiler more room, and everything to compile. Returns whether there is one.
+function interpreted.lift()
+  if not off or not jit.status() then
+    return false
+  end
+  jit.opt.start(ROOM[1], ROOM[2])
+  for n = 1, #kept do
+    jit.on(kept[n], true)
+  end
+  return true
 end
 
 return interpreted

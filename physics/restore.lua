@@ -10,6 +10,7 @@ local columns = require(here .. ".columns")
 local detect = require(here .. ".detect")
 local events = require(here .. ".events")
 local fields = require(here .. ".fields")
+local interpreted = require(here .. ".interpreted")
 local rest = require(here .. ".rest")
 local settings = require(here .. ".settings")
 local state = require(here .. ".state")
@@ -572,5 +573,7 @@ function restore.world(world, st)
   world.alpha = world.timestep and max(0, st.saved / world.timestep) or 0
   view.outdate(b)
 end
+
+interpreted.always(isSameMask, writeMask, writeRead, emptyGroups, nameGroups, restore.world)
 
 return restore

@@ -9,6 +9,7 @@
 
 local here = (...):match("^(.*)%.[^.]+$")
 local check = require(here .. ".check")
+local interpreted = require(here .. ".interpreted")
 
 local roster = {}
 
@@ -549,5 +550,15 @@ function roster.find(source, object, hint)
     end
   end
 end
+
+interpreted.always(
+  countKeys,
+  hasJust,
+  haveGroupsChanged,
+  sortedNames,
+  readKeys,
+  roster.update,
+  roster.find
+)
 
 return roster

@@ -11,6 +11,7 @@ local here = (...):match("^(.*)%.[^.]+$")
 local aabb = require(here .. ".aabb")
 local check = require(here .. ".check")
 local columns = require(here .. ".columns")
+local interpreted = require(here .. ".interpreted")
 local obstacle = require(here .. ".obstacle")
 local view = require(here .. ".view")
 
@@ -252,5 +253,7 @@ function slide.run(world, object, x, y, response, hits, where)
   view.follow(v, i)
   return atX, atY, list, count
 end
+
+interpreted.always(giveJourney)
 
 return slide

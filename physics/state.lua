@@ -35,6 +35,7 @@ local approach = require(here .. ".approach")
 local check = require(here .. ".check")
 local columns = require(here .. ".columns")
 local fields = require(here .. ".fields")
+local interpreted = require(here .. ".interpreted")
 local roster = require(here .. ".roster")
 
 local state = {}
@@ -735,5 +736,7 @@ function state.save(world, out)
   cut(tables.gone, work.goneCount)
   return out
 end
+
+interpreted.always(sortedKeys, saveFields, saveWalls)
 
 return state

@@ -9,6 +9,7 @@
 
 local here = (...):match("^(.*)%.[^.]+$")
 local check = require(here .. ".check")
+local interpreted = require(here .. ".interpreted")
 local objectlayer = require(here .. ".tiled.objectlayer")
 local properties = require(here .. ".tiled.properties")
 local report = require(here .. ".tiled.report")
@@ -422,5 +423,7 @@ function tiled.read(given, options)
   })
   return newLevel(reading), reading.groupOf, reading.groups
 end
+
+interpreted.always(unknownOption)
 
 return tiled

@@ -4,6 +4,7 @@
 local here = (...):match("^(.*)%.[^.]+$")
 local check = require(here .. ".check")
 local fields = require(here .. ".fields")
+local interpreted = require(here .. ".interpreted")
 local state = require(here .. ".state")
 
 local verify = {}
@@ -401,5 +402,7 @@ function verify.state(st)
   needContacts(st)
   needEvents(st)
 end
+
+interpreted.always(needMemory)
 
 return verify

@@ -12,6 +12,7 @@ local events = require(here .. ".events")
 local explain = require(here .. ".explain")
 local guard = require(here .. ".guard")
 local hash = require(here .. ".hash")
+local interpreted = require(here .. ".interpreted")
 local meet = require(here .. ".meet")
 local oneway = require(here .. ".oneway")
 local part = require(here .. ".part")
@@ -869,5 +870,7 @@ function world.new(given, where)
   settings.fill(self, given)
   return self
 end
+
+interpreted.always(search, World.save)
 
 return world

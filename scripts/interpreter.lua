@@ -7,7 +7,8 @@ local jit = rawget(_G, "jit")
 if jit then
   -- status() returns more than one value; only the first says whether the compiler is on.
   local on = jit.status()
-  running = on and "LuaJIT" or "LuaJIT -joff"
+  -- scripts/luajit-compiled has loaded the library already.
+  running = not on and "LuaJIT -joff" or package.loaded.physics and "LuaJIT compiled" or "LuaJIT"
 end
 
 if running ~= asked then

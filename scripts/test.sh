@@ -7,6 +7,7 @@ set -uo pipefail
 interpreters="
 LuaJIT:luajit
 LuaJIT -joff:scripts/luajit-joff
+LuaJIT compiled:scripts/luajit-compiled
 Lua 5.1:lua5.1
 Lua 5.2:lua5.2
 Lua 5.3:lua5.3

@@ -4,6 +4,7 @@
 local here = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local check = require(here .. ".check")
 local fields = require(here .. ".fields")
+local interpreted = require(here .. ".interpreted")
 
 local properties = {}
 
@@ -169,5 +170,7 @@ end
 function properties.signature(given)
   return (writeTable(given))
 end
+
+interpreted.always(sortedNames, properties.readLayer, properties.combine, copy, writeTable)
 
 return properties

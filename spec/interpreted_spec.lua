@@ -1,0 +1,155 @@
+--- What LuaJIT may compile: by default only what it is good at, after `physics.compile` nearly
+--- everything, and never what goes through a table by `next` or `pairs`.
+
+local physics = require("physics")
+
+local jit = rawget(_G, "jit")
+
+local function read(path)
+  local file = assert(io.open(path, "rb"))
+  local text = file:read("*a")
+  file:close()
+  return text
+end
+
+-- All files of the library, from the rockspec.
+local function listFiles()
+  local files = {}
+  local spec = assert(io.popen("ls rockspec/*.rockspec")):read("*l")
+  for path in read(spec):gmatch('"(physics[%w/]*%.lua)"') do
+    files[#files + 1] = path
+  end
+  return files
+end
+
+-- The functions of a file that go through a table by `next` or `pairs`, as they are written at the
+-- left margin.
+local function walkersOf(text)
+  local names, current = {}, "(the file itself)"
+  for line in text:gmatch("[^\n]+") do
+    current = line:match("^local function ([%w_]+)")
+      or line:match("^function ([%w_.:]+)")
+      or current
+    local code = (" " .. line):gsub("%-%-.*", "")
+    if code:find("[^%w_.]next[,(]") or code:find("[^%w_i]pairs%(") then
+      names[(current:gsub(":", "."))] = true
+    end
+  end
+  return names
+end
+
+local function keptIn(text)
+  local kept = {}
+  for list in text:gmatch("interpreted%.always(%b())") do
+    for name in list:gmatch("[%w_.]+") do
+      kept[name] = true
+    end
+  end
+  return kept
+end
+
+describe("what LuaJIT compiles", function()
+  it("#files are no functions that go through a table by next or pairs", function()
+    local files, found = listFiles(), 0
+    assert.is_true(#files > 50)
+    for _, path in ipairs(files) do
+      local text = read(path)
+      local kept = keptIn(text)
+      for name in pairs(walkersOf(text)) do
+        found = found + 1
+        if not kept[name] and path ~= "physics/types.lua" then
+          error(path .. ": interpreted.always must keep " .. name)
+        end
+      end
+    end
+    assert.is_true(found > 15)
+  end)
+
+  -- A crowd and a heap; returns the hash after some time.
+  local function play(module)
+    local world = module.newWorld({ gravity = 300, rest = false })
+    world:add(
+      "walls",
+      { x = -200, y = 200, width = 800, height = 20, static = true, friction = 0.4 }
+    )
+    for i = 0, 59 do
+      local x, y = 17 * (i - 12 * math.floor(i / 12)), 30 * math.floor(i / 12)
+      world:add(
+        "boxes",
+        { x = x, y = y, width = 16, height = 16, friction = 0.3, ax = 200 - 2 * x }
+      )
+    end
+    for _ = 1, 150 do
+      world:update(1 / 60)
+    end
+    return world:hash()
+  end
+
+  -- Calls `f` with a library of its own, as a program has that has just started.
+  local function withFresh(f)
+    local loaded = {}
+    for name in pairs(package.loaded) do
+      if name == "physics" or name:find("^physics%.") then
+        loaded[name] = package.loaded[name]
+      end
+    end
+    for name in pairs(loaded) do
+      package.loaded[name] = nil
+    end
+    local isDone, problem = pcall(f, require("physics"))
+    for name, module in pairs(loaded) do
+      package.loaded[name] = module
+    end
+    assert(isDone, problem)
+  end
+
+  -- How many traces that begin in the library's file `name` are finished while `f` runs.
+  local function tracesIn(name, f)
+    local util, count, isIn = require("jit.util"), 0, false
+    local function note(what, _, func)
+      if what == "start" then
+        local source = util.funcinfo(func).source or ""
+        isIn = source:find("physics/" .. name .. ".lua", 1, true) ~= nil
+      elseif what == "stop" and isIn then
+        count = count + 1
+      end
+    end
+    jit.attach(note, "trace")
+    f()
+    jit.attach(note)
+    return count
+  end
+
+  it("after compile() is everything, with the same result", function()
+    local expected = play(physics)
+    withFresh(function(module)
+      local hasCompiler = jit ~= nil and jit.status() == true
+      assert.equal(hasCompiler, module.compile())
+      assert.equal(hasCompiler, module.compile()) -- twice is no harm
+      assert.equal(expected, play(module))
+      if hasCompiler then
+        jit.opt.start("maxtrace=1000", "maxmcode=512")
+        jit.flush()
+      end
+    end)
+  end)
+
+  if jit and jit.status() then
+    it("is what happens to single objects only after compile()", function()
+      withFresh(function(module)
+        jit.flush()
+        local before = tracesIn("meet", function()
+          play(module)
+        end)
+        module.compile()
+        local after = tracesIn("meet", function()
+          play(module)
+        end)
+        jit.opt.start("maxtrace=1000", "maxmcode=512")
+        jit.flush()
+        assert.equal(0, before)
+        assert.is_true(after > 0)
+      end)
+    end)
+  end
+end)
