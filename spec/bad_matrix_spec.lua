@@ -571,9 +571,9 @@ local FUNCTIONS = {
   },
 }
 
--- Not tried here: `draw` needs LÖVE (draw_spec.lua), `globals` takes nothing, `loadTiled` has specs
--- of its own.
-local ELSEWHERE = { draw = true, globals = true, loadTiled = true }
+-- Not tried here: `draw` needs LÖVE (draw_spec.lua), `globals` and `compile` take nothing,
+-- `loadTiled` has specs of its own.
+local ELSEWHERE = { draw = true, globals = true, compile = true, loadTiled = true }
 
 -- Trying ------------------------------------------------------------------------------------------
 
