@@ -322,6 +322,14 @@ local function compareMotion(b)
   end
 end
 
+-- Who wants to hear of its contacts is awake; otherwise nothing has happened to it.
+local function hear(b, i)
+  local object = b.object[i]
+  check.object(object, roster.place(b.group[i], b.key[i]))
+  b.hears[i] = object.onStay or false
+  rest.wake(b, i)
+end
+
 local function compareFilters(b)
   local movers, objects = b.movers, b.object
   local active, sensor, pushable, kind = b.active, b.sensor, b.pushable, b.kind
@@ -336,12 +344,13 @@ local function compareFilters(b)
       or orDefault(object.pushable, true) ~= pushable[i]
       or (object.oneWay or false) ~= oneWay[i]
       or (object.canCollide or false) ~= canCollide[i]
-      or (object.onStay or false) ~= hears[i]
       or (object.kinematic or false) ~= (kind[i] == KINEMATIC)
       or its ~= mask[i]
       or (its and hasMaskChanged(b, its, seen[i]))
     then
       reread(b, i)
+    elseif (object.onStay or false) ~= hears[i] then
+      hear(b, i)
     end
   end
 end

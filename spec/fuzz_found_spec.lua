@@ -575,6 +575,19 @@ local FOUND = {
       },
     },
   },
+  {
+    "who is given a callback has not been moved by that, restored or not",
+    {
+      settings = {},
+      acts = {
+        { "add", 34, "boxes", { height = 1, width = 1, x = 3, y = 10 } },
+        { "update", 0.006944444444444444 },
+        { "listen", 34, "onStay", {} },
+        { "reload" },
+        { "update", 0 },
+      },
+    },
+  },
 }
 
 describe("a random game has found that", function()
