@@ -429,12 +429,26 @@ function collect.giveTouching(b)
   end
 end
 
+-- Whether an object can go on carrying whoever stands on it when it is read anew.
+local function isWhereItWas(b, i)
+  local object, position, size, k = b.object[i], b.position, b.size, 2 * i
+  return kindOf(object) == b.kind[i]
+    and object.active ~= false
+    and object.carry ~= false
+    and object.x == position[k]
+    and object.y == position[k + 1]
+    and object.width == size[k]
+    and object.height == size[k + 1]
+end
+
 --- Reads an object again, also its `static` field. It must be in the world.
 function collect.refresh(b, i)
   local object = b.object[i]
   check.object(object, roster.place(b.group[i], b.key[i]))
   rest.wakeNeighbours(b, i)
-  carrier.forget(b, i)
+  if not isWhereItWas(b, i) then
+    carrier.forget(b, i)
+  end
   b.kind[i] = kindOf(object)
   if b.kind[i] ~= DYNAMIC then
     forgetMotion(b, i)

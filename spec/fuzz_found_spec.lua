@@ -588,6 +588,37 @@ local FOUND = {
       },
     },
   },
+  {
+    "a belt that is read anew goes on carrying whoever stands on it",
+    {
+      settings = {},
+      acts = {
+        { "add", 16, "tiles", { height = 20, static = true, width = 20, x = 240, y = 320 } },
+        { "insert", 33, "crates", { height = 32, width = 20, x = 224, y = 160 } },
+        { "set", "gravity", 947.1820163607429 },
+        { "write", 16, { surfaceSpeed = -50 } },
+        { "update", 0.016666666666666666 },
+        { "update", 0.03333333333333333 },
+        { "update", 0.01 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.01 },
+        { "update", 0.21681979435199852 },
+        { "update", 0.03333333333333333 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "refuse", 16, 3 },
+        { "update", 0.01 },
+        { "update", 0.03333333333333333 },
+        { "update", 0.006944444444444444 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.05 },
+        { "twin" },
+        { "update", 0.03333333333333333 },
+      },
+    },
+  },
 }
 
 describe("a random game has found that", function()
