@@ -272,6 +272,9 @@ end)
 
 describe("one of many", function()
   local COUNT = 5000
+  -- Bytes: less than two for each of the others. (On Lua 5.2 and 5.3 three KB are the stack, which
+  -- the collector has shrunk and which grows again.)
+  local FEW = 8192
 
   local function level()
     local world = physics.newWorld()
@@ -314,7 +317,7 @@ describe("one of many", function()
   it("costs no garbage for the others when it leaves", function()
     assert.is_true(bytesOf(function(world, round)
       world:remove(world.objects.tiles[10 * round])
-    end) < 2048)
+    end) < FEW)
   end)
 
   it("nor when it comes", function()
@@ -324,6 +327,6 @@ describe("one of many", function()
         10 * round,
         { x = -16, y = 16 * round, width = 16, height = 16, static = true }
       )
-    end) < 8192)
+    end) < FEW)
   end)
 end)
