@@ -48,7 +48,8 @@ end
 --- results to the bit. Call it once, right after `require`.
 ---
 --- It raises two limits of LuaJIT, which are those of the whole program: 8000 traces instead of
---- 1000, and 16 MB of machine code instead of 0.5. So the library does not do it unasked.
+--- 1000, and 16 MB of machine code instead of 0.5. So the library does not do it unasked; if you
+--- set limits of your own, do so after it.
 ---@return boolean compiles false: there is no compiler, or it is off (iOS, browsers, plain Lua)
 function physics.compile()
   return interpreted.lift()

@@ -26,6 +26,9 @@ end
 function interpreted.file()
   if off and getinfo then
     keep(getinfo(2, "f").func)
+  elseif off then
+    -- A tail call: `true` means the function that is still running then, the caller's main chunk.
+    return off(true, true)
   end
 end
 
@@ -47,7 +50,7 @@ end
 
 --- Gives the compiler more room, and everything to compile. Returns whether there is one.
 function interpreted.lift()
-  if not off or not jit.status() then
+  if not (off and getinfo and jit.opt and jit.status()) then
     return false
   end
   jit.opt.start(ROOM[1], ROOM[2])

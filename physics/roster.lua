@@ -28,7 +28,8 @@ end
 --- Returns an empty roster. `groups` are the records in order: a record is
 --- `{ name, source, direct, index, list, slots, keys, count, plain, stale, first }`, where `source`
 --- is the game's table (the object itself if `direct`), `list` who was in it and `slots` theirs,
---- `plain` says that the keys are just 1 to `count`, and `mixed` that they once were others. A
+--- `plain` says that the keys are just 1 to `count`, and `mixed` that they once were others, or out
+--- of order. A
 --- stale one differs from place `first` of the list on; what is there now waits in `tail`.
 function roster.new()
   return {
@@ -69,12 +70,14 @@ local function checkKey(key, path)
   end
 end
 
+-- How many keys a table has, and whether they are 1, 2, 3, … in the order in which it holds them.
 local function countKeys(source)
-  local n = 0
-  for _ in next, source, nil do
+  local n, isInOrder = 0, true
+  for key in next, source, nil do
     n = n + 1
+    isInOrder = isInOrder and key == n
   end
-  return n
+  return n, isInOrder
 end
 
 -- Whether the keys of a group are just 1 to `count`, which it has.
@@ -97,14 +100,14 @@ local function firstChange(record)
   if not record.plain then
     local keys = record.keys
     for n = 1, count do
-      if not rawequal(source[keys[n]], list[n]) then
+      if not rawequal(rawget(source, keys[n]), list[n]) then
         return 1
       end
     end
     return countKeys(source) ~= count and 1 or nil
   end
   for n = 1, count do
-    if not rawequal(source[n], list[n]) then
+    if not rawequal(rawget(source, n), list[n]) then
       return n
     end
   end
@@ -115,7 +118,7 @@ local function haveGroupsChanged(self, objects)
   local n, byName = 0, self.byName
   for name, value in next, objects, nil do
     local record = byName[name]
-    if not record or record.source ~= value then
+    if not record or not rawequal(record.source, value) then
       return true
     end
     n = n + 1
@@ -193,7 +196,7 @@ local function readGroups(self, objects)
   for index, name in ipairs(sortedNames(self, objects)) do
     local source = checkGroup(name, objects[name])
     local record = self.byName[name]
-    if not record or record.source ~= source then
+    if not record or not rawequal(record.source, source) then
       record = newRecord(name, source)
     end
     groups[index], byName[name] = record, record
@@ -239,9 +242,11 @@ local function readMembers(record, first)
     return
   end
   readNumbered(record, record.plain and first or 1)
-  if not hasJust(record, record.first - 1 + record.tailCount) then
+  -- Counted to be sure: one that was filled out of order may hold its numbers in any order.
+  local count, isInOrder = countKeys(record.source)
+  record.mixed = record.mixed or not isInOrder
+  if count ~= record.first - 1 + record.tailCount then
     readKeys(record)
-    record.mixed = true
   end
 end
 
@@ -350,27 +355,40 @@ local function takeTail(record)
   record.count, record.isListed = count, false
 end
 
-local function applyMembers(b, self, record, enter, rename, reorder)
-  local list, slots, keys, plain = record.list, record.slots, record.keys, record.plain
+-- Gives the known members of a record their keys and ranks.
+local function applyKnown(b, record, rename, reorder)
+  local slots, keys, plain = record.slots, record.keys, record.plain
   local rank, key, groups, base = b.rank, b.key, b.group, record.index * GROUP_SPAN
   local last = 0
   for n = record.first, record.count do
-    local slot, its = slots[n], plain and n or keys[n]
-    if slot == 0 then
+    local slot = slots[n]
+    if slot ~= 0 then
+      if groups[slot] ~= record then
+        rename(b, slot, record)
+      elseif rank[slot] < last then
+        if reorder then
+          reorder(b, slot)
+        end
+      else
+        last = rank[slot]
+      end
+      key[slot], rank[slot] = plain and n or keys[n], base + n
+    end
+  end
+end
+
+-- Lets in who is new.
+local function applyNew(b, self, record, enter)
+  local list, slots, keys, plain = record.list, record.slots, record.keys, record.plain
+  for n = record.first, record.count do
+    if slots[n] == 0 then
+      local key = plain and n or keys[n]
       self.entering = list[n]
-      slot = enter(b, list[n], record, its)
+      local slot = enter(b, list[n], record, key)
       self.entering = false
       slots[n] = slot
-    elseif groups[slot] ~= record then
-      rename(b, slot, record)
-    elseif rank[slot] < last then
-      if reorder then
-        reorder(b, slot)
-      end
-    else
-      last = rank[slot]
+      b.key[slot], b.rank[slot] = key, record.index * GROUP_SPAN + n
     end
-    key[slot], rank[slot] = its, base + n
   end
   record.stale = false -- not before: an object may fail when it is read
 end
@@ -443,7 +461,9 @@ end
 function roster.update(b, self, objects, enter, leave, rename, reorder)
   leaveHalf(b, self, leave)
   local groups, byName = self.groups, self.byName
-  local regroup = self.source ~= objects or self.reorder or haveGroupsChanged(self, objects)
+  local regroup = not rawequal(self.source, objects)
+    or self.reorder
+    or haveGroupsChanged(self, objects)
   if regroup then
     if type(objects) ~= "table" then
       check.fail("objects must be a table of groups, got " .. check.show(objects))
@@ -477,12 +497,18 @@ function roster.update(b, self, objects, enter, leave, rename, reorder)
   applyGroups(b, self, objects, groups, byName, reorder)
   for _, record in ipairs(groups) do
     if record.stale then
-      takeTail(record) -- of all: whoever moves is in a list, should somebody fail now
+      takeTail(record)
     end
   end
   for _, record in ipairs(groups) do
     if record.stale then
-      applyMembers(b, self, record, enter, rename, reorder)
+      applyKnown(b, record, rename, reorder)
+    end
+  end
+  -- Last of all: should somebody fail now, everybody else is where it stands.
+  for _, record in ipairs(groups) do
+    if record.stale then
+      applyNew(b, self, record, enter)
     end
   end
   self.reorder = false
@@ -494,7 +520,8 @@ end
 
 --- Returns whether the game's tables differ from what was seen last. Changes nothing.
 function roster.hasChanged(self, objects)
-  if type(objects) ~= "table" or self.source ~= objects or haveGroupsChanged(self, objects) then
+  local isOther = not rawequal(self.source, objects)
+  if type(objects) ~= "table" or isOther or haveGroupsChanged(self, objects) then
     return true
   end
   for n = 1, self.groupCount do

@@ -241,12 +241,13 @@ end
 -- Whether no group seems to have changed, in a world too large for looking at everybody.
 local function seemsUnchanged(v, world)
   local r, objects = v.roster, world.objects
-  if v.count <= FEW or r.source ~= objects or world.order ~= v.order then
+  if v.count <= FEW or not rawequal(r.source, objects) or world.order ~= v.order then
     return false
   end
   for n = 1, r.groupCount do
     local record = r.groups[n]
-    if objects[record.name] ~= record.source or #record.source ~= v.lengths[n] then
+    local source = record.source
+    if not rawequal(objects[record.name], source) or #source ~= v.lengths[n] then
       return false
     end
   end
@@ -337,7 +338,7 @@ end
 --- Returns whether an object still stands where it was seen.
 function view.isThere(v, i)
   local record = v.group[i]
-  return record.direct or record.source[v.key[i]] == v.object[i]
+  return record.direct or rawequal(record.source[v.key[i]], v.object[i])
 end
 
 -- Whoever a question is about to see is looked at; false: somebody is gone.
