@@ -20,6 +20,7 @@ leftOut.files = {
   ["spec/mutations_spec.lua"] = "about the scripts that look at the specs",
   ["spec/portable_spec.lua"] = "about files",
   ["spec/rockspec_spec.lua"] = "about files",
+  ["spec/roster_spec.lua"] = "swaps in one assignment, and counts errors, which gopher-lua forgets",
 }
 
 leftOut.specs = {
@@ -34,6 +35,7 @@ leftOut.specs = {
   ["whoever falls for ever leaves nothing behind, grid"] = MEMORY,
   ["whoever falls for ever leaves nothing behind, pairs"] = MEMORY,
   ["settings masks cost no garbage"] = MEMORY,
+  ["world:move leaves no garbage then"] = MEMORY,
   ["world:save fills a table again, and leaves no garbage then"] = MEMORY,
   ["the broad phases work far out, and at the edges"] = "table.concat returns a number",
   ["world :loadTiled reads an export of Tiled through love.filesystem where there is one"] = "about LÖVE",
