@@ -167,7 +167,7 @@ describe("the roster", function()
     for seed = 1, 12 do
       it(("knows everybody after any edits of groups of %d, seed %d"):format(size, seed), function()
         local random = newRandom(seed)
-        local objects = fill(size, seed % 2 == 0 and random)
+        local objects = fill(size, size < 64 and seed % 2 == 0 and random)
         local b, r = newBook(function() end), roster.new()
         for _ = 1, 80 do
           update(b, r, objects)
@@ -181,7 +181,7 @@ describe("the roster", function()
 
       it(("recovers from objects that fail, groups of %d, seed %d"):format(size, seed), function()
         local random = newRandom(1000 + seed)
-        local objects = fill(size, seed % 2 == 0 and random)
+        local objects = fill(size, size < 64 and seed % 2 == 0 and random)
         local broken, failures = {}, 0
         local b, r =
           newBook(function(object)
@@ -222,6 +222,7 @@ describe("the roster", function()
         update(b, r, objects)
         assertKnows(b, objects)
         objects.tiles.boss = newObject()
+        table.insert(objects.tiles, newObject()) -- with the numbers changes what is known of names
         update(b, r, objects)
         assertKnows(b, objects)
       end
