@@ -430,7 +430,7 @@ function collect.giveTouching(b)
 end
 
 -- Whether an object can go on carrying whoever stands on it when it is read anew.
-local function isWhereItWas(b, i)
+local function goesOnCarrying(b, i)
   local object, position, size, k = b.object[i], b.position, b.size, 2 * i
   return kindOf(object) == b.kind[i]
     and object.active ~= false
@@ -446,7 +446,7 @@ function collect.refresh(b, i)
   local object = b.object[i]
   check.object(object, roster.place(b.group[i], b.key[i]))
   rest.wakeNeighbours(b, i)
-  if not isWhereItWas(b, i) then
+  if not goesOnCarrying(b, i) then
     carrier.forget(b, i)
   end
   b.kind[i] = kindOf(object)

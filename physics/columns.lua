@@ -21,6 +21,9 @@ columns.EPSILON = 1e-6
 --- px/s below which two do not move against each other.
 columns.STILL = 1e-9
 
+--- Keeps 0 / 0 out of what has no length: no more than that is added to what has one.
+columns.TINY = 1e-300
+
 --- Value of `event` for a pair that has none in the queue.
 columns.NO_EVENT = -1
 
@@ -232,6 +235,8 @@ function columns.new()
     footingFirst = {}, -- their ranks (see columns.ranks)
     footingSecond = {},
     footingSupport = {},
+    footingImpulse = {}, -- by which they have landed
+    footingShare = {}, -- of that, what was an impact
     footingOrder = {}, -- scratch of footing
     footingBetween = {},
     footingDigit = {},
@@ -239,9 +244,9 @@ function columns.new()
     footingCount = 0,
     odd = {}, -- pairs that are flush, but no footings
     oddCount = 0,
-    landImpulse = 0,
-    landShare = 0,
     footingAt = 0, -- how many of them have had their turn
+    footingSlid = 0, -- of those, how many have rubbed
+    footingSeen = 0, -- and of how many the fat boxes have been looked at
     hasCarriers = false, -- anything in the world that ever carried others
     lost = {}, -- slots whose carrier went away since the last step
     lostCount = 0,

@@ -23,14 +23,15 @@ local queue = require(here .. ".queue")
 local footing = {}
 
 local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
-local STILL, EVEN, ROUNDING = columns.STILL, impact.EVEN, impact.ROUNDING
+local STILL, TINY = columns.STILL, columns.TINY
+local EVEN, ROUNDING = impact.EVEN, impact.ROUNDING
 local huge, sqrt = math.huge, math.sqrt
 local floor, max, min = math.floor, math.max, math.min
 
 -- Digits of the sort, and from how many footings on it is worth it.
 local DIGITS, MANY = 1024, 24
--- Keeps 0 / 0 out of friction.
-local TINY = 1e-300
+-- In the place of its impulse: a footing by which the path of the lower one has changed, too.
+local RUBBED = -1
 
 -- Of the pairs that are flush along gravity, keeps those that are plain and lists the others behind
 -- b.odd; returns how many are plain.
@@ -199,7 +200,8 @@ end
 
 --- Lists the footings of a step that begins.
 function footing.list(b)
-  b.footingAt, b.footingCount, b.oddCount = 0, 0, 0
+  b.footingAt, b.footingSlid, b.footingSeen = 0, 0, 0
+  b.footingCount, b.oddCount = 0, 0
   -- With push = "first" what is flush is not at rest; and whom the world asks about cannot be
   -- plain.
   if b.pushFirst or b.worldCanCollide or b.queueOnly then
@@ -303,10 +305,18 @@ end
 
 -- Friction between two that both slide, and are pulled alike: the simple half of `friction`.
 -- Returns false for all others.
-local function slideTogether(b, up, low, ku, kl, limit, share, dt)
+local function slideTogether(b, up, low, ku, kl, limit, share, sign, dt)
   local across = 1 - 2 * b.downAxis
   local ka, kb = ku + across, kl + across
-  if b.accel[ka] ~= b.accel[kb] or b.weld[ka] ~= 0 or b.weld[kb] ~= 0 then
+  if
+    b.inverseMass[low] == 0
+    or b.stuck[low]
+    or b.surfaceSpeed[low] ~= 0
+    or b.down[ku] ~= sign
+    or b.accel[ka] ~= b.accel[kb]
+    or b.weld[ka] ~= 0
+    or b.weld[kb] ~= 0
+  then
     return false
   end
   local wu, wl = b.inverseMass[up], b.inverseMass[low]
@@ -324,115 +334,133 @@ local function slideTogether(b, up, low, ku, kl, limit, share, dt)
   return true
 end
 
--- What `land` may return.
-local REFUSED, LANDED, RUBS, BOTH = 0, 1, 2, 3
-
 -- Puts `up` on `low`, who meet on `side` of the pair's first, as `resolve` would: flush, without a
--- bounce, held from below. Returns LANDED if that is all there is to it, BOTH if friction has
--- changed the path of `low`, too, RUBS if friction is still to come, of the impulse in
--- b.landImpulse and the share in b.landShare, REFUSED if the case is another one; nothing has
--- changed then.
-local function land(b, p, side, up, low, ku, kl, isUp, dt)
+-- bounce, held from below. Notes by how much that presses, for friction, at place x. Returns false
+-- if the case is another one; nothing has changed then.
+local function land(b, x, p, side, up, low, ku, kl, isUp, dt)
   local to, size, speed, accel, drive = b.to, b.size, b.speed, b.accel, b.drive
   local sign = isUp and -1 or 1
   local v = (speed[ku] - speed[kl]) * sign
   local goal = isUp and to[kl] + size[kl] or to[kl] - size[ku]
   local o = isUp and goal - to[ku] or to[ku] + size[ku] - to[kl]
   if not isSimple(b, up, low, ku, kl, isUp) or (drive[ku] - drive[kl]) * sign < -EVEN then
-    return REFUSED
+    return false
   end
   -- They touch already: the simple half of `impact.at`.
   local start = v - (accel[ku] - accel[kl]) * sign * dt
   if start <= -STILL or o < (v + start) * 0.5 * dt * (1 - ROUNDING) then
-    return REFUSED
+    return false
   end
   local u = start > STILL and start or 0
   b.hit[p], b.hitSpeed[p], b.met[p] = side, u, 1
   to[ku] = goal
   if v > 0 then
     speed[ku] = speed[kl]
-    b.stuck[up] = b.stuck[up] and b.down[ku] ~= 0
-    b.stuck[low] = b.stuck[low] and b.down[kl] ~= 0
+    b.footingImpulse[x], b.footingShare[x] = v / b.inverseMass[up], min(u / v, 1.0)
   end
   if v > -STILL then
     lean(b, low, ku, kl, isUp)
   end
-  b.changed[1], b.changedCount, b.changedMark[up] = up, 1, b.changeStamp
-  local mu, impulse = coefficientOf(b, up, low), v / b.inverseMass[up]
-  if mu <= 0 or impulse <= 0 or stick(b, up, low, ku, kl, mu, impulse, sign) then
-    return LANDED
-  end
-  local share = min(u / v, 1.0)
-  if
-    b.inverseMass[low] > 0
-    and not b.stuck[low]
-    and b.surfaceSpeed[low] == 0
-    and b.down[ku] == sign
-    and slideTogether(b, up, low, ku, kl, mu * impulse, share, dt)
-  then
-    b.changed[2], b.changedCount, b.changedMark[low] = low, 2, b.changeStamp
-    return BOTH
-  end
-  b.landImpulse, b.landShare = impulse, share
-  return RUBS
+  return true
 end
 
---- Whether the first event of the queue, which is one at the very beginning (see `run`), comes
+--- Whether the first event of the queue, which is one at the very beginning (see `land`), comes
 --- before the next footing.
 function footing.isLater(b)
   local x = b.footingOrder[b.footingAt + 1]
   return queue.leads(b.queue, b.footingSupport[x], b.footingFirst[x], b.footingSecond[x])
 end
 
---- What `run` may return, but for a pair.
-footing.DONE, footing.CHANGED, footing.ASK, footing.RUB = 0, -1, -2, -3
+--- What `land` may return, but for a pair.
+footing.DONE, footing.CHANGED, footing.ASK = 0, -1, -2
 
---- Lets the footing that has just landed rub.
-function footing.rub(b, dt)
-  local x, axis = b.footingOrder[b.footingAt], b.downAxis
-  local up, low = b.footingUp[x], b.footingLow[x]
-  local isDown = b.orientation[axis] > 0
-  local lo, hi = isDown and up or low, isDown and low or up
-  friction.rub(b, lo, hi, axis, b.landImpulse, b.landShare, dt, 0)
-end
-
---- Settles footings of a step of dt s until one needs more than that; `isNext` if the queue was
---- asked already and does not go first. Returns what is left to do: a pair that must be looked at
---- in the general way; RUB: let the last one `rub`, and look at the neighbours of those in
---- `changed`; CHANGED: look at these only; ASK: ask `isLater`; DONE: no footing is left.
-function footing.run(b, dt, isNext)
+--- Lands one footing after the other in a step of dt s, until something else goes before the next;
+--- `isNext` if the queue was asked already and does not. Returns what that is: a pair that must be
+--- looked at in the general way; CHANGED: the last one's neighbours; ASK: `isLater` must be asked;
+--- DONE: nothing, no footing is left. Those that have landed must `slide` first.
+function footing.land(b, dt, isNext)
   local q, order, list, ups, lows = b.queue, b.footingOrder, b.footings, b.footingUp, b.footingLow
-  local axis, turn, count = b.downAxis, b.turn, b.footingCount
+  local axis, turn, impulses = b.downAxis, b.turn, b.footingImpulse
   local isUp, sides, watched = b.orientation[axis] < 0, b.footingSide, b.watched
   local step = b.step
-  for at = b.footingAt + 1, count do
+  for at = b.footingAt + 1, b.footingCount do
     local x = order[at]
     local p, up, low = list[x], ups[x], lows[x]
     if q.size > 0 and q.data[q.heap[1] + queue.KEY] == 0 and not isNext then
       return footing.ASK
     end
     isNext = false
-    b.footingAt = at
+    b.footingAt, impulses[x] = at, 0
     if turn[p] == at and isIdle(b, 2 * up + axis, 2 * low + axis, isUp) then
       -- If it comes to press, that goes before later footings.
       watched[up], watched[low] = step, step
     elseif turn[p] == at then
-      b.changedCount, b.changeStamp = 0, b.changeStamp + 1
-      local done = land(b, p, sides[x], up, low, 2 * up + axis, 2 * low + axis, isUp, dt)
-      if done == REFUSED then
+      if not land(b, x, p, sides[x], up, low, 2 * up + axis, 2 * low + axis, isUp, dt) then
         return p
       end
       b.resolved = b.resolved + 1
-      if done == RUBS then
-        return footing.RUB
-      elseif watched[up] == step or detect.hasLeft(b, up) then
-        return footing.CHANGED
-      elseif done == BOTH and (watched[low] == step or detect.hasLeft(b, low)) then
+      if watched[up] == step then
         return footing.CHANGED
       end
     end
   end
   return footing.DONE
+end
+
+--- Lets those rub that have landed, in the same order. That changes paths across gravity only,
+--- which no footing and nothing else at the very beginning depends on, so it may follow the
+--- landings (one loop for both would be too long for the trace compiler). Returns false at one that
+--- needs more than this loop does, and must `rub`.
+function footing.slide(b, dt)
+  local order, ups, lows, impulses = b.footingOrder, b.footingUp, b.footingLow, b.footingImpulse
+  local axis, shares = b.downAxis, b.footingShare
+  local sign = b.orientation[axis] < 0 and -1 or 1
+  for at = b.footingSlid + 1, b.footingAt do
+    local x = order[at]
+    local up, low, impulse = ups[x], lows[x], impulses[x]
+    local mu = impulse > 0 and coefficientOf(b, up, low) or 0
+    if mu > 0 and not stick(b, up, low, 2 * up + axis, 2 * low + axis, mu, impulse, sign) then
+      b.footingSlid = at
+      local ku, kl, limit = 2 * up + axis, 2 * low + axis, mu * impulse
+      if not slideTogether(b, up, low, ku, kl, limit, shares[x], sign, dt) then
+        return false
+      end
+      impulses[x] = RUBBED
+    end
+  end
+  b.footingSlid = b.footingAt
+  return true
+end
+
+--- Lets the footing rub at which `slide` has stopped.
+function footing.rub(b, dt)
+  local x, axis = b.footingOrder[b.footingSlid], b.downAxis
+  local up, low = b.footingUp[x], b.footingLow[x]
+  local isDown = b.orientation[axis] > 0
+  local lo, hi = isDown and up or low, isDown and low or up
+  friction.rub(b, lo, hi, axis, b.footingImpulse[x], b.footingShare[x], dt, 0)
+  b.footingImpulse[x] = RUBBED
+end
+
+local function addStray(b, i)
+  if detect.hasLeft(b, i) and b.changedMark[i] ~= b.changeStamp then
+    b.changedCount = b.changedCount + 1
+    b.changed[b.changedCount], b.changedMark[i] = i, b.changeStamp
+  end
+end
+
+--- Lists those in `changed` whose paths have left their fat boxes since the last call, by landing
+--- and sliding.
+function footing.listStrays(b)
+  local order, ups, lows, impulses = b.footingOrder, b.footingUp, b.footingLow, b.footingImpulse
+  for at = b.footingSeen + 1, b.footingAt do
+    local x = order[at]
+    addStray(b, ups[x])
+    if impulses[x] == RUBBED then
+      addStray(b, lows[x])
+    end
+  end
+  b.footingSeen = b.footingAt
 end
 
 return footing

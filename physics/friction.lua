@@ -15,9 +15,7 @@ local friction = {}
 
 local DYNAMIC = columns.DYNAMIC
 local max, min, sqrt = math.max, math.min, math.sqrt
-local STILL = columns.STILL
--- Keeps 0 / 0 out of a slide without friction.
-local TINY = 1e-300
+local STILL, TINY = columns.STILL, columns.TINY
 
 --- Returns the coefficient of a pair: √(a·b); without one of its own (negative) a static or
 --- kinematic object takes the other's.

@@ -17,10 +17,9 @@ local columns = require(here .. ".columns")
 
 local gather = {}
 
-local EPSILON, STILL, NO_EVENT = columns.EPSILON, columns.STILL, columns.NO_EVENT
+local EPSILON, STILL, TINY = columns.EPSILON, columns.STILL, columns.TINY
+local NO_EVENT = columns.NO_EVENT
 local floor, max, min = math.floor, math.max, math.min
--- Keeps 0 / 0 out of a path that ends as it begins.
-local TINY = 1e-300
 
 --- By how much the paths overlap on an axis at the end of the step. Both ways to round are asked,
 -- so that a box that was put flush against the other, from either side, does not overlap it.

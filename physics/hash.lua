@@ -131,11 +131,9 @@ end
 -- Who has left the world and is remembered.
 local function mixGone(sum, out)
   for _, saved in ipairs(out.gone or {}) do
-    for _, entries in ipairs({ state.DENSE, state.SPARSE }) do
-      for _, entry in ipairs(entries) do
-        local value = saved[entry[1]]
-        mixAny(sum, value == nil and FALSE or value)
-      end
+    for _, name in ipairs(state.FIELDS) do
+      local value = saved[name]
+      mixAny(sum, value == nil and FALSE or value)
     end
   end
 end
@@ -187,13 +185,11 @@ function hash.of(out)
   for _, entry in ipairs(state.SPARSE) do
     mixSparse(sum, entry[1], out.fields[entry[1]], defaultOf(entry[1]))
   end
-  for _, entries in ipairs({ state.DENSE, state.SPARSE }) do
-    for _, entry in ipairs(entries) do
-      local list = out.read[entry[1]]
-      if list and #list > 0 then
-        mix(sum, TEXT) -- what was read, not what is
-        mixSparse(sum, entry[1], list)
-      end
+  for _, name in ipairs(state.FIELDS) do
+    local list = out.read[name]
+    if list and #list > 0 then
+      mix(sum, TEXT) -- what was read, not what is
+      mixSparse(sum, name, list)
     end
   end
   mixMemory(sum, out)

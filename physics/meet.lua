@@ -121,6 +121,9 @@ end
 -- A nudge moves somebody aside at once, also at the very beginning of the step: from now on nobody
 -- keeps a place without being looked at.
 local function lookAtWaiting(b)
+  if b.isEager then
+    return
+  end
   b.isEager = true
   for n = 1, b.liveCount do
     local p = b.live[n]
@@ -171,20 +174,27 @@ end
 -- Settles what stands on something, until the queue goes first; what that disturbs at once goes
 -- into it.
 local function stand(b, dt)
-  local left = footing.run(b, dt, false)
+  local isNext, left = false, footing.CHANGED
   while left ~= footing.DONE do
-    local isNext = left == footing.ASK
-    if isNext and footing.isLater(b) then
-      return
-    elseif left == footing.RUB then
+    left = footing.land(b, dt, isNext)
+    while not footing.slide(b, dt) do
       footing.rub(b, dt)
+    end
+    path.startChanges(b)
+    if left == footing.CHANGED then
+      path.change(b, b.footingUp[b.footingOrder[b.footingAt]])
+    end
+    footing.listStrays(b)
+    if b.changedCount > 0 then
       followChanged(b, dt)
-    elseif left == footing.CHANGED then
-      followChanged(b, dt)
-    elseif left > 0 then
+    end
+    if left > 0 then
       schedule(b, gather.pair(b, left))
     end
-    left = footing.run(b, dt, isNext)
+    isNext = left == footing.ASK
+    if isNext and footing.isLater(b) then
+      return
+    end
   end
   lookAtAll(b)
 end

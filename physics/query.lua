@@ -17,11 +17,9 @@ local view = require(here .. ".view")
 
 local query = {}
 
-local EPSILON = columns.EPSILON
+local EPSILON, TINY = columns.EPSILON, columns.TINY
 local max, min, sqrt = math.max, math.min, math.sqrt
 local TIE = 1e-9
--- px that a line goes on an axis on which it does not go.
-local TINY = 1e-300
 -- px of a ray that are looked at first; each further piece is twice as long.
 local FIRST_PIECE = 48
 -- px around a point in which the nearest is looked for first.

@@ -187,14 +187,11 @@ end
 
 -- Gives somebody who had left the world the fields that it had.
 local function writeGone(object, saved)
-  for _, entries in ipairs({ state.DENSE, state.SPARSE }) do
-    for _, entry in ipairs(entries) do
-      local name = entry[1]
-      if name == "mask" and saved.mask then
-        writeMask(object, saved.mask)
-      else
-        write(object, name, saved[name])
-      end
+  for _, name in ipairs(state.FIELDS) do
+    if name == "mask" and saved.mask then
+      writeMask(object, saved.mask)
+    else
+      write(object, name, saved[name])
     end
   end
   if not (saved.static or saved.kinematic or type(object.touching) == "table") then

@@ -29,8 +29,8 @@ end
 --- `{ name, source, direct, index, list, slots, keys, count, plain, stale, first }`, where `source`
 --- is the game's table (the object itself if `direct`), `list` who was in it and `slots` theirs,
 --- `plain` says that the keys are just 1 to `count`, and `mixed` that they once were others, or out
---- of order. A
---- stale one differs from place `first` of the list on; what is there now waits in `tail`.
+--- of order. A stale one differs from place `first` of the list on; what is there now waits in
+--- `tail`.
 function roster.new()
   return {
     source = false,

@@ -113,6 +113,15 @@ state.SPARSE = {
   { "mask" },
 }
 
+--- The names of all of them.
+state.FIELDS = {}
+for _, entry in ipairs(state.DENSE) do
+  state.FIELDS[#state.FIELDS + 1] = entry[1]
+end
+for _, entry in ipairs(state.SPARSE) do
+  state.FIELDS[#state.FIELDS + 1] = entry[1]
+end
+
 --- Settings that change no result, or that are functions.
 local UNSAVED =
   { broadphase = true, cellSize = true, rest = true, checked = true, masks = true, order = true }
@@ -649,12 +658,10 @@ end
 -- What somebody who has left the world has in the library's fields, as far as they can be used.
 local function fieldsOf(object)
   local saved = {}
-  for _, entries in ipairs({ state.DENSE, state.SPARSE }) do
-    for _, entry in ipairs(entries) do
-      local name, value = entry[1], object[entry[1]]
-      if value ~= nil and check.accepts(fields.objectByName[name], value) then
-        saved[name] = name == "mask" and listMask(value) or value
-      end
+  for _, name in ipairs(state.FIELDS) do
+    local value = object[name]
+    if value ~= nil and check.accepts(fields.objectByName[name], value) then
+      saved[name] = name == "mask" and listMask(value) or value
     end
   end
   return saved

@@ -259,11 +259,9 @@ local function needFields(st)
     local name = entry[1]
     needSparseField(st, st.fields[name], name, "state.fields", st.count, false)
   end
-  for _, list in ipairs({ state.DENSE, state.SPARSE }) do
-    for _, entry in ipairs(list) do
-      if st.read[entry[1]] ~= nil then
-        needSparseField(st, st.read[entry[1]], entry[1], "state.read", st.known, true)
-      end
+  for _, name in ipairs(state.FIELDS) do
+    if st.read[name] ~= nil then
+      needSparseField(st, st.read[name], name, "state.read", st.known, true)
     end
   end
 end
@@ -273,15 +271,12 @@ local function needGone(st)
   for n, saved in ipairs(st.gone == nil and {} or needTable(st.gone, "state.gone")) do
     local path = "state.gone[" .. n .. "]"
     needTable(saved, path)
-    for _, list in ipairs({ state.DENSE, state.SPARSE }) do
-      for _, entry in ipairs(list) do
-        local name = entry[1]
-        local field, value = fields.objectByName[name], saved[name]
-        if value ~= nil and field.type == "mask" then
-          needList(value, path .. "." .. name, MASK)
-        elseif value ~= nil then
-          check.value(field, value, WHERE .. path .. "." .. name)
-        end
+    for _, name in ipairs(state.FIELDS) do
+      local field, value = fields.objectByName[name], saved[name]
+      if value ~= nil and field.type == "mask" then
+        needList(value, path .. "." .. name, MASK)
+      elseif value ~= nil then
+        check.value(field, value, WHERE .. path .. "." .. name)
       end
     end
   end
