@@ -28,6 +28,7 @@ columns.TINY = 1e-300
 columns.NO_EVENT = -1
 
 local HUGE = math.huge
+local max, min = math.max, math.min
 
 -- Values of a fresh slot. `false` in a numeric column means "the field is not set".
 local SLOT = {
@@ -88,6 +89,7 @@ local SLOT = {
   placed = 0, -- 0: not in the broad phase, 1: its neighbours must be looked up, 2: they are known
   head = 0, -- first half-edge
   mark = 0,
+  strayAt = HUGE, -- place among those whose neighbours are looked up now
 }
 
 local AXIS = {
@@ -127,7 +129,7 @@ local AXIS = {
   fatHigh = 0,
 }
 
--- What a pair begins with is written in `link`.
+-- What a pair begins with is written in `linkAll`.
 local PAIR = {
   "pairA",
   "pairB",
@@ -144,6 +146,7 @@ local PAIR = {
   "wedged", -- 1 + code of the meeting along which two that are left inside each other may part
   "dropping", -- falls through (dropThrough) until the two are apart
   "overlapping", -- was left inside each other at the end of the last step
+  "leaving", -- is about to be taken apart
 }
 
 local HALF = { "other", "next", "previous" }
@@ -269,6 +272,10 @@ function columns.new()
     askers = {},
     present = {},
     strays = {},
+    linkOne = {}, -- who is about to be linked
+    linkOther = {},
+    linked = {}, -- their pairs
+    parted = {}, -- pairs that are about to be taken apart
     groupNames = {},
     groupNumber = {},
     movedList = {},
@@ -299,6 +306,7 @@ function columns.new()
   addColumns(b, HALF)
   -- Slot 0 is nobody, that of pairs that were taken apart: less than nothing, so it meets nobody.
   b.object[0], b.awake[0], b.rank[0], b.time[0] = false, false, 0, 0
+  b.head[0], b.next[0], b.previous[0] = 0, 0, 0
   for k = 0, 1 do
     b.from[k], b.to[k], b.speed[k], b.size[k] = 0, 0, 0, -1
   end
@@ -351,63 +359,111 @@ function columns.release(b, i)
   b.count = b.count - 1
 end
 
-local function hang(b, half, i, other)
-  local head = b.head[i]
-  b.other[half], b.next[half], b.previous[half] = other, head, 0
-  if head ~= 0 then
-    b.previous[head] = half
-  end
-  b.head[i] = half
+-- The lists of half-edges are changed without branches: place 0 of each column takes what would be
+-- written to nobody.
+
+local function hang(b, half, i, j)
+  local first = b.head[i]
+  b.other[half], b.next[half], b.previous[half] = j, first, 0
+  b.previous[first], b.head[i] = half, half
 end
 
 local function unhang(b, half, i)
   local before, after = b.previous[half], b.next[half]
-  if before == 0 then
-    b.head[i] = after
-  else
-    b.next[before] = after
+  b.next[before], b.previous[after] = after, before
+  b.head[i * (1 - min(before, 1))] = after -- only if it was the first
+end
+
+-- Sees to it that so many pairs are free.
+local function reserve(b, count)
+  local free, have = b.freePairs, b.freePairCount
+  local p = b.pairSlots + count - have
+  for n = have + 1, count do
+    free[n], b.liveMark[p] = p, 0
+    p = p - 1
   end
-  if after ~= 0 then
-    b.previous[after] = before
+  b.pairSlots, b.freePairCount = b.pairSlots + max(0, count - have), max(count, have)
+end
+
+-- Takes pairs for b.linkOne[1..count] and b.linkOther[1..count] into b.linked.
+local function takePairs(b, count)
+  reserve(b, count)
+  local free, top, linked = b.freePairs, b.freePairCount + 1, b.linked
+  local ones, others, pairA, pairB = b.linkOne, b.linkOther, b.pairA, b.pairB
+  for n = 1, count do
+    local p = free[top - n]
+    linked[n], pairA[p], pairB[p] = p, ones[n], others[n]
   end
+  b.freePairCount = b.freePairCount - count
+end
+
+-- Nothing has happened to new pairs.
+local function resetPairs(b, count)
+  local linked = b.linked
+  local contact, hit, hitSpeed, met, nudged = b.contact, b.hit, b.hitSpeed, b.met, b.nudged
+  for n = 1, count do
+    local p = linked[n]
+    contact[p], hit[p], hitSpeed[p], met[p], nudged[p] = 0, 0, 0, 0, 0
+  end
+  local passing, overlapping, dropping, leaving = b.passing, b.overlapping, b.dropping, b.leaving
+  for n = 1, count do
+    local p = linked[n]
+    passing[p], overlapping[p], dropping[p], leaving[p] = false, false, false, false
+  end
+  local event, wedged, turn, waits = b.event, b.wedged, b.turn, b.waits
+  for n = 1, count do
+    local p = linked[n]
+    event[p], wedged[p], turn[p], waits[p] = columns.NO_EVENT, 0, 0, 0
+  end
+end
+
+--- Makes neighbours of b.linkOne[n] and b.linkOther[n], for n from 1 to `count`; their pairs are
+--- in b.linked then. They must not be neighbours yet, nor stand there twice.
+function columns.linkAll(b, count)
+  takePairs(b, count)
+  resetPairs(b, count)
+  local linked, ones, others = b.linked, b.linkOne, b.linkOther
+  for n = 1, count do
+    hang(b, 2 * linked[n] - 1, ones[n], others[n])
+  end
+  for n = 1, count do
+    hang(b, 2 * linked[n], others[n], ones[n])
+  end
+  local live, mark, stamp, liveCount = b.live, b.liveMark, b.liveStamp, b.liveCount
+  for n = 1, count do
+    local p = linked[n]
+    if mark[p] ~= stamp then
+      mark[p], liveCount = stamp, liveCount + 1
+      live[liveCount] = p
+    end
+  end
+  b.liveCount, b.links, b.pairCount = liveCount, b.links + count, b.pairCount + count
 end
 
 --- Makes two objects neighbours and returns the pair. They must not be neighbours yet.
 function columns.link(b, i, j)
-  local p
-  if b.freePairCount > 0 then
-    p = b.freePairs[b.freePairCount]
-    b.freePairCount = b.freePairCount - 1
-  else
-    p = b.pairSlots + 1
-    b.pairSlots = p
-    b.liveMark[p] = 0
-  end
-  b.pairA[p], b.pairB[p] = i, j
-  b.contact[p], b.hit[p], b.hitSpeed[p], b.met[p], b.nudged[p] = 0, 0, 0, 0, 0
-  b.passing[p], b.overlapping[p] = false, false
-  b.event[p], b.wedged[p], b.dropping[p] = columns.NO_EVENT, 0, false
-  b.turn[p], b.waits[p], b.links = 0, 0, b.links + 1
-  if b.liveMark[p] ~= b.liveStamp then
-    b.liveMark[p] = b.liveStamp
-    b.liveCount = b.liveCount + 1
-    b.live[b.liveCount] = p
-  end
-  hang(b, 2 * p - 1, i, j)
-  hang(b, 2 * p, j, i)
-  b.pairCount = b.pairCount + 1
-  return p
+  b.linkOne[1], b.linkOther[1] = i, j
+  columns.linkAll(b, 1)
+  return b.linked[1]
 end
 
---- Takes two neighbours apart. A contact of theirs must have been ended.
-function columns.unlink(b, p)
-  unhang(b, 2 * p - 1, b.pairA[p])
-  unhang(b, 2 * p, b.pairB[p])
-  b.pairA[p], b.pairB[p], b.event[p], b.waits[p] = 0, 0, columns.NO_EVENT, 0
-  b.links = b.links + 1
-  b.freePairCount = b.freePairCount + 1
-  b.freePairs[b.freePairCount] = p
-  b.pairCount = b.pairCount - 1
+--- Takes the neighbours of the pairs in list[1..count] apart, each of which stands there once.
+--- Contacts of theirs must have been ended.
+function columns.unlinkAll(b, list, count)
+  local pairA, pairB = b.pairA, b.pairB
+  for n = 1, count do
+    unhang(b, 2 * list[n] - 1, pairA[list[n]])
+  end
+  for n = 1, count do
+    unhang(b, 2 * list[n], pairB[list[n]])
+  end
+  local event, waits, free, freeCount = b.event, b.waits, b.freePairs, b.freePairCount
+  for n = 1, count do
+    local p = list[n]
+    pairA[p], pairB[p], event[p], waits[p] = 0, 0, columns.NO_EVENT, 0
+    free[freeCount + n] = p
+  end
+  b.freePairCount, b.pairCount, b.links = freeCount + count, b.pairCount - count, b.links + count
 end
 
 --- Returns the ranks that decide between simultaneous meetings of a pair: that of the dynamic one

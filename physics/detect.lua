@@ -15,42 +15,48 @@ local rest = require(here .. ".rest")
 local detect = {}
 
 local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
-local max, min = math.max, math.min
+local floor, huge, max, min = math.floor, math.huge, math.max, math.min
 
--- px around the path; few objects leave it in a step, and not too many are inside. (Boxes that lead
--- in the direction of motion were measured, too: no gain.)
-local MARGIN = 4
--- A static object does not move: just enough to see what touches it.
-local STATIC_MARGIN = 1
+-- px around the path, and px around a static object, which does not move.
+local MARGIN = 1
+-- So many steps further in the same direction few objects leave their fat boxes, up to so many px.
+local AHEAD, FARTHEST = 10, 8
 
--- Takes apart the pairs whose fat boxes no longer meet. One in contact stays until that has ended,
--- one that was hit in this step until that has been told.
-local function unlinkFar(b, i)
+-- Lists in b.parted the pairs of those in strays[1..count] whose fat boxes no longer meet; returns
+-- how many. One in contact stays until that has ended, one that was hit in this step until that
+-- has been told.
+local function listParted(b, strays, count)
   local fatLow, fatHigh, other, nextHalf = b.fatLow, b.fatHigh, b.other, b.next
-  local k = 2 * i
-  local half = b.head[i]
-  while half ~= 0 do
-    local after = nextHalf[half]
-    local m = 2 * other[half]
-    local apart = max(
-      max(fatLow[m] - fatHigh[k], fatLow[k] - fatHigh[m]),
-      max(fatLow[m + 1] - fatHigh[k + 1], fatLow[k + 1] - fatHigh[m + 1])
-    )
-    if apart > 0 then
-      local p = (half + half % 2) / 2
-      if b.contact[p] == 0 and b.hit[p] == 0 and not b.overlapping[p] then
-        columns.unlink(b, p)
+  local parted, head, leaving, n = b.parted, b.head, b.leaving, 0
+  strays[count + 1], head[0] = 0, 0
+  local m, half = 1, head[strays[1]]
+  while m <= count do
+    if half == 0 then
+      m = m + 1
+      half = head[strays[m]]
+    else
+      local k, l = 2 * strays[m], 2 * other[half]
+      local apart = max(
+        max(fatLow[l] - fatHigh[k], fatLow[k] - fatHigh[l]),
+        max(fatLow[l + 1] - fatHigh[k + 1], fatLow[k + 1] - fatHigh[l + 1])
+      )
+      if apart > 0 then
+        local p = floor(half * 0.5 + 0.5)
+        if b.contact[p] == 0 and b.hit[p] == 0 and not (b.overlapping[p] or leaving[p]) then
+          n = n + 1
+          parted[n], leaving[p] = p, true
+        end
       end
+      half = nextHalf[half]
     end
-    half = after
   end
+  return n
 end
 
 -- Marks the neighbours of an object, so that they are not linked twice.
 local function markNeighbours(b, i)
   b.stamp = b.stamp + 1
   local stamp, mark, other, nextHalf = b.stamp, b.mark, b.other, b.next
-  mark[i] = stamp
   local half = b.head[i]
   while half ~= 0 do
     mark[other[half]] = stamp
@@ -59,45 +65,72 @@ local function markNeighbours(b, i)
   return stamp
 end
 
--- Links two whose fat boxes have come to meet, if they can meet at all.
-local function link(b, i, j)
-  if not filter.allows(b, i, j) then
-    return
-  end
-  columns.link(b, i, j)
-  -- A kinematic one that stands is a wall, which need not wake for a dynamic one.
-  local matters = b.kind[j] == DYNAMIC or b.kind[i] ~= DYNAMIC
-  if matters and not b.awake[j] and (b.awake[i] or b.kind[i] == STATIC) then
-    rest.wake(b, j)
-  end
-end
-
--- Links those in `list[1..count]` with everybody whose fat boxes meet theirs.
-local function linkNear(b, list, count)
-  local askers, found, mark = b.askers, b.found, b.mark
-  local n = b.broadphase:overlaps(list, count, askers, found)
-  local asker, stamp = 0, 0
-  for m = 1, n do
+-- Of those who ask and whom they meet, keeps who are no neighbours yet, each two once: the earlier
+-- one of two strays asks. Returns how many.
+local function listNew(b, count)
+  local askers, found, mark, strayAt = b.askers, b.found, b.mark, b.strayAt
+  local ones, others, asker, stamp, at, n = b.linkOne, b.linkOther, 0, 0, 0, 0
+  for m = 1, count do
     local i, j = askers[m], found[m]
     if i ~= asker then
-      asker, stamp = i, markNeighbours(b, i)
+      asker, stamp, at = i, markNeighbours(b, i), strayAt[i]
     end
-    if mark[j] ~= stamp then
-      mark[j] = stamp
-      link(b, i, j)
+    if mark[j] ~= stamp and strayAt[j] > at then
+      n = n + 1
+      mark[j], ones[n], others[n] = stamp, i, j
+    end
+  end
+  return n
+end
+
+-- Of those in b.linkOne and b.linkOther, keeps who can meet at all; returns how many.
+local function keepAllowed(b, count)
+  local ones, others, n = b.linkOne, b.linkOther, 0
+  for m = 1, count do
+    local i, j = ones[m], others[m]
+    if filter.allows(b, i, j) then
+      n = n + 1
+      ones[n], others[n] = i, j
+    end
+  end
+  return n
+end
+
+-- Wakes who has got a neighbour. A kinematic one that stands is a wall, which need not wake for a
+-- dynamic one.
+local function wakeLinked(b, count)
+  local ones, others, awake, kind = b.linkOne, b.linkOther, b.awake, b.kind
+  for n = 1, count do
+    local i, j = ones[n], others[n]
+    local matters = kind[j] == DYNAMIC or kind[i] ~= DYNAMIC
+    if matters and not awake[j] and (awake[i] or kind[i] == STATIC) then
+      rest.wake(b, j)
     end
   end
 end
 
-local function fatten(b, i)
-  local from, to, size, fatLow, fatHigh = b.from, b.to, b.size, b.fatLow, b.fatHigh
-  local margin = b.kind[i] == STATIC and STATIC_MARGIN or MARGIN
-  local k = 2 * i
-  fatLow[k] = min(from[k], to[k]) - margin
-  fatHigh[k] = max(from[k], to[k]) + size[k] + margin
-  k = k + 1
-  fatLow[k] = min(from[k], to[k]) - margin
-  fatHigh[k] = max(from[k], to[k]) + size[k] + margin
+-- Links those in strays[1..count] with everybody whose fat boxes meet theirs.
+local function linkNear(b, strays, count)
+  local strayAt = b.strayAt
+  for m = 1, count do
+    strayAt[strays[m]] = m
+  end
+  local n = keepAllowed(b, listNew(b, b.broadphase:overlaps(strays, count, b.askers, b.found)))
+  for m = 1, count do
+    strayAt[strays[m]] = huge
+  end
+  if n > 0 then
+    columns.linkAll(b, n)
+    wakeLinked(b, n)
+  end
+end
+
+-- The fat box on the axis of k.
+local function fatten(b, k)
+  local from, to, size = b.from[k], b.to[k], b.size[k]
+  local ahead = max(-FARTHEST, min(FARTHEST, (to - from) * AHEAD))
+  b.fatLow[k] = min(from, to) - MARGIN + min(ahead, 0)
+  b.fatHigh[k] = max(from, to) + size + MARGIN + max(ahead, 0)
 end
 
 --- Whether the path of an object leaves its fat box.
@@ -118,7 +151,8 @@ end
 local hasLeft = detect.hasLeft
 
 local function enlarge(b, i)
-  fatten(b, i)
+  fatten(b, 2 * i)
+  fatten(b, 2 * i + 1)
   if b.placed[i] == 0 then
     b.broadphase:insert(i)
   else
@@ -133,12 +167,8 @@ local function lookUp(b, strays, count)
   for m = 1, count do
     enlarge(b, strays[m])
   end
-  for m = 1, count do
-    unlinkFar(b, strays[m])
-  end
-  if count > 0 then
-    linkNear(b, strays, count)
-  end
+  columns.unlinkAll(b, b.parted, listParted(b, strays, count))
+  linkNear(b, strays, count)
 end
 
 --- Looks up the neighbours of those in `list[first..last]` whose paths leave their fat boxes.
@@ -151,7 +181,9 @@ function detect.run(b, list, first, last)
       strays[n] = i
     end
   end
-  lookUp(b, strays, n)
+  if n > 0 then
+    lookUp(b, strays, n)
+  end
 end
 
 -- The same for those in `list[1..count]` who are in the world still.
@@ -173,12 +205,13 @@ end
 
 --- Takes an object out: no neighbours, not in the broad phase.
 function detect.remove(b, i)
-  local half = b.head[i]
+  local half, n = b.head[i], 0
   while half ~= 0 do
-    local after = b.next[half]
-    columns.unlink(b, (half + half % 2) / 2)
-    half = after
+    n = n + 1
+    b.parted[n] = (half + half % 2) / 2
+    half = b.next[half]
   end
+  columns.unlinkAll(b, b.parted, n)
   if b.placed[i] ~= 0 then
     b.broadphase:remove(i)
     b.placed[i] = 0
@@ -193,14 +226,15 @@ function detect.refilter(b, i)
     rest.drop(b, i)
     return
   end
-  local half = b.head[i]
+  local half, n = b.head[i], 0
   while half ~= 0 do
-    local after = b.next[half]
     if not filter.allows(b, i, b.other[half]) then
-      columns.unlink(b, (half + half % 2) / 2)
+      n = n + 1
+      b.parted[n] = (half + half % 2) / 2
     end
-    half = after
+    half = b.next[half]
   end
+  columns.unlinkAll(b, b.parted, n)
   b.placed[i] = min(b.placed[i], 1)
 end
 

@@ -1,7 +1,7 @@
 --- The pairs that take part in a step: those of whoever is awake.
 --
 -- They are listed anew only when a pair or somebody awake came or went. Pairs that are linked in
--- the middle of a step join at the end (`columns.link`).
+-- the middle of a step join at the end (`columns.linkAll`).
 --
 -- Reads the pairs, awake; writes live and the step columns of the pairs.
 
