@@ -141,7 +141,7 @@ local PAIR = {
   "passing", -- lets pass for this step (canCollide, dropThrough)
   "event", -- its event in the queue
   "waits", -- 1: that is at the very beginning and keeps its place; 2: its paths have changed since
-  "turn", -- its place among the footings of the step, 0: none
+  "turn", -- its place among the turns of the step, 0: none
   "liveMark",
   "wedged", -- 1 + code of the meeting along which two that are left inside each other may part
   "dropping", -- falls through (dropThrough) until the two are apart
@@ -231,25 +231,30 @@ function columns.new()
     awakenings = 0, -- how often it has changed who takes part
     liveLinks = -1, -- both, when `live` was listed
     liveAwakenings = -1,
-    footings = {}, -- pairs that are flush along gravity when the step begins
-    footingUp = {}, -- who stands
-    footingLow = {}, -- on whom
-    footingSide = {}, -- of the pair's first
-    footingFirst = {}, -- their ranks (see columns.ranks)
-    footingSecond = {},
-    footingSupport = {},
-    footingImpulse = {}, -- by which they have landed
-    footingShare = {}, -- of that, what was an impact
-    footingOrder = {}, -- scratch of footing
-    footingBetween = {},
-    footingDigit = {},
-    footingHeads = {},
-    footingCount = 0,
-    odd = {}, -- pairs that are flush, but no footings
-    oddCount = 0,
-    footingAt = 0, -- how many of them have had their turn
-    footingSlid = 0, -- of those, how many have rubbed
-    footingSeen = 0, -- and of how many the fat boxes have been looked at
+    turnPair = {}, -- pairs that are flush when the step begins (see turns)
+    turnUp = {}, -- who leans
+    turnLow = {}, -- on whom
+    turnSide = {}, -- of the pair's first
+    turnFirst = {}, -- their ranks (see columns.ranks)
+    turnSecond = {},
+    turnSupport = {},
+    turnImpulse = {}, -- by which they have landed
+    turnShare = {}, -- of that, what was an impact
+    turnLeft = {}, -- s, flanks: the time left then
+    turnOrder = {}, -- by turn: places of the columns above
+    footingCount = 0, -- turns along gravity, which come first
+    turnCount = 0, -- all
+    turnsDone = 0, -- how many of them have had their turn
+    turnsSlid = 0, -- of those, how many have rubbed
+    turnsFollowed = 0, -- and of how many the fat boxes have been looked at
+    odd = {}, -- pairs that are flush, but have no turn
+    oddFootings = 0, -- those along gravity, which come first
+    oddCount = 0, -- all
+    oddSeen = 0, -- that are in the queue
+    sortFrom = {}, -- scratch of turns
+    sortTo = {},
+    sortDigit = {},
+    sortHeads = {},
     hasCarriers = false, -- anything in the world that ever carried others
     lost = {}, -- slots whose carrier went away since the last step
     lostCount = 0,

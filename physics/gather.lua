@@ -61,11 +61,11 @@ local function list(b, half, k, m, x, y, clear, count)
   return count
 end
 
---- Lists the live pairs that are flush along gravity when the step begins, behind `flush`. Returns
---- how many those are.
-function gather.flush(b, flush)
+--- Lists the live pairs that are flush along an axis when the step begins in `flush`. Returns how
+--- many those are.
+function gather.flush(b, flush, axis)
   local pairs_, pairA, pairB, from, size = b.live, b.pairA, b.pairB, b.from, b.size
-  local axis, count = b.downAxis, 0
+  local count = 0
   for n = 1, b.liveCount do
     local p = pairs_[n]
     local i, j = pairA[p], pairB[p]
@@ -129,12 +129,12 @@ function gather.live(b)
 end
 
 --- Lists the pairs of object i that may meet on the present paths, and forgets the events of all
---- its pairs, but for footings whose turn is yet to come and for those that wait. Returns how many
+--- its pairs, but for those whose turn is yet to come and for those that wait. Returns how many
 --- there are, `count` of them listed before.
 function gather.object(b, i, count)
   local other, nextHalf, event, turn, waits = b.other, b.next, b.event, b.turn, b.waits
   local clear, half = b.pushFirst and EPSILON or 0, b.head[i]
-  local at = b.footingAt
+  local at = b.turnsDone
   while half ~= 0 do
     local p = floor(half * 0.5 + 0.5)
     if waits[p] > 0 then

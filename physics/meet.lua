@@ -12,6 +12,7 @@ local approach = require(here .. ".approach")
 local ask = require(here .. ".ask")
 local columns = require(here .. ".columns")
 local detect = require(here .. ".detect")
+local flank = require(here .. ".flank")
 local footing = require(here .. ".footing")
 local gather = require(here .. ".gather")
 local live = require(here .. ".live")
@@ -21,6 +22,7 @@ local path = require(here .. ".path")
 local predict = require(here .. ".predict")
 local queue = require(here .. ".queue")
 local resolve = require(here .. ".resolve")
+local turns = require(here .. ".turns")
 
 require(here .. ".interpreted").file()
 
@@ -52,7 +54,7 @@ end
 -- What decides the order of events: moment, kind, how often the pair was resolved, axis, as one
 -- whole number.
 local function keyOf(b, met, t, kind, axis, isSensed)
-  -- What is met at the very beginning goes before all else (see footing).
+  -- What is met at the very beginning goes before all else (see turns).
   local moment = t > 0 and max(floor(t * MOMENTS + 0.5), 1) or 0
   if isSensed then
     moment = moment + 4 -- whoever is stopped by something solid at that moment does not come in
@@ -164,48 +166,73 @@ local function happen(b, p, code, t, dt)
   followChanged(b, dt)
 end
 
--- Looks at everybody, when all that stands on something has been settled: only then are their paths
--- what they will be for most.
+-- Looks at everybody, when all have had their turns: only then are their paths what they will be
+-- for most.
 local function lookAtAll(b)
   b.isAllSeen = true
   schedule(b, gather.live(b))
 end
 
--- Settles what stands on something, until the queue goes first; what that disturbs at once goes
--- into it.
-local function stand(b, dt)
+-- Puts pairs that are flush and have no turn into the queue, up to place `last` of the list. They
+-- may be met before those that have one, now or when a path has changed.
+local function scheduleOdd(b, last)
+  local watched, step = b.watched, b.step
+  for n = b.oddSeen + 1, last do
+    local p = b.odd[n]
+    watched[b.pairA[p]], watched[b.pairB[p]] = step, step
+    schedule(b, gather.pair(b, p))
+  end
+  b.oddSeen = last
+end
+
+-- Looks after whom a row of turns has changed, of which the last one may have done more than that.
+local function followTurns(b, left, dt)
+  path.startChanges(b)
+  if left == footing.CHANGED or left == flank.RUB then
+    local x = b.turnOrder[b.turnsDone]
+    path.change(b, b.turnUp[x])
+    if b.turnsDone > b.footingCount then
+      path.change(b, b.turnLow[x])
+    end
+  end
+  footing.listStrays(b)
+  if b.changedCount > 0 then
+    followChanged(b, dt)
+  end
+end
+
+-- Lets those who have turns take them, by `land` of footings or flanks, until the queue goes first;
+-- what that disturbs at once goes into it. Returns whether all have had their turns.
+local function settle(b, land, dt)
   local isNext, left = false, footing.CHANGED
   while left ~= footing.DONE do
-    left = footing.land(b, dt, isNext)
+    left = land(b, dt, isNext)
+    if left == flank.RUB then
+      flank.rub(b)
+    end
     while not footing.slide(b, dt) do
       footing.rub(b, dt)
     end
-    path.startChanges(b)
-    if left == footing.CHANGED then
-      path.change(b, b.footingUp[b.footingOrder[b.footingAt]])
-    end
-    footing.listStrays(b)
-    if b.changedCount > 0 then
-      followChanged(b, dt)
-    end
+    followTurns(b, left, dt)
     if left > 0 then
       schedule(b, gather.pair(b, left))
     end
     isNext = left == footing.ASK
     if isNext and footing.isLater(b) then
-      return
+      return false
     end
   end
-  lookAtAll(b)
+  return true
 end
 
--- Pairs that are flush and no footings may be met before those, now or when a path has changed.
-local function scheduleOdd(b)
-  local watched, step = b.watched, b.step
-  for n = 1, b.oddCount do
-    local p = b.odd[n]
-    watched[b.pairA[p]], watched[b.pairB[p]] = step, step
-    schedule(b, gather.pair(b, p))
+-- Settles what touches when the step begins, until the queue goes first.
+local function stand(b, dt)
+  scheduleOdd(b, b.oddFootings)
+  if settle(b, footing.land, dt) then
+    scheduleOdd(b, b.oddCount)
+    if settle(b, flank.land, dt) then
+      lookAtAll(b)
+    end
   end
 end
 
@@ -240,10 +267,10 @@ function meet.run(b, dt)
   local q = b.queue
   queue.clear(q)
   b.resolved, b.isCut, b.isAllSeen, b.step = 0, false, false, b.step + 1
+  b.oddSeen = 0
   b.isEager = b.queueOnly
   live.list(b)
-  footing.list(b)
-  scheduleOdd(b)
+  turns.list(b)
   stand(b, dt)
   local id = queue.pop(q)
   while id do

@@ -146,10 +146,12 @@ function queue.pop(q)
   return top
 end
 
---- Returns whether the first event comes before one with the same key and these fields.
-function queue.leads(q, support, rankA, rankB)
+--- Returns whether the first event comes before one with these fields.
+function queue.leads(q, key, support, rankA, rankB)
   local data, x = q.data, q.heap[1]
-  if data[x + SUPPORT] ~= support then
+  if data[x + KEY] ~= key then
+    return data[x + KEY] < key
+  elseif data[x + SUPPORT] ~= support then
     return data[x + SUPPORT] > support
   elseif data[x + RANK_A] ~= rankA then
     return data[x + RANK_A] < rankA

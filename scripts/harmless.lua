@@ -98,9 +98,9 @@ return {
     "everybody's neighbours are looked up in every step; more neighbours change no result",
   },
   {
-    "physics/footing.lua",
-    "sortAll(b, count, b.moverCount + 1)",
-    "sortAll(b, count, b.moverCount + 2)",
+    "physics/turns.lua",
+    "sortAll(b, count, b.moverCount + 1, digits)",
+    "sortAll(b, count, b.moverCount + 2, digits)",
     "at most one pass more, by a digit that is 0 for all",
   },
   {

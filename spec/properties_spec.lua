@@ -88,7 +88,7 @@ describe("the same scene goes the same way, to the bit,", function()
     end)
   end
 
-  -- What stands on something when a step begins has a shorter way through it (physics/footing.lua).
+  -- What stands on something when a step begins has a shorter way through it (physics/turns.lua).
   it("when every contact goes through the queue", function()
     local settled = 0
     for seed = 1, effort.share(5) do
@@ -98,7 +98,7 @@ describe("the same scene goes the same way, to the bit,", function()
         checkSame(seed, trackOf(seed, options), player)
         player = script.play(script.new(seed, options))
         while player:next() do
-          settled = settled + player.world._bodies.footingAt
+          settled = settled + player.world._bodies.turnsDone
         end
       end
     end

@@ -1,0 +1,228 @@
+--- Step 6, meet: what touches when the step begins, in the order in which it has its turn.
+--
+-- In piles and levels nearly all contacts are there from the beginning. Those along gravity,
+-- footings, come first in the order of events, from the floor up; then those across, flanks, from
+-- the right-hand side as gravity sees it. So they need no queue: they are listed once a step,
+-- sorted, and settled in one pass (`footing`, `flank`). What is anything but plain is odd, and left
+-- to the queue, which alone would give the same bits.
+--
+-- Of the two of a turn, `low` is the one that supports: further down, or to the right.
+--
+-- Reads from, size, kind, plain, the live pairs; writes the columns of turns, odd and turn.
+
+local here = (...):match("^(.*)%.[^.]+$")
+local columns = require(here .. ".columns")
+local gather = require(here .. ".gather")
+
+local turns = {}
+
+local DYNAMIC = columns.DYNAMIC
+local huge, floor, max, min = math.huge, math.floor, math.max, math.min
+
+-- From how many turns on sorting by digits is worth it, and from how many on with more of them.
+local SOME, MANY = 24, 400
+local FEW_DIGITS, MANY_DIGITS = 128, 1024
+
+-- Of the pairs that are flush, keeps those that are plain and lists the others behind b.odd; returns
+-- how many are plain.
+local function keepPlain(b, flush, flushCount)
+  local odd, pairA, pairB, count = b.odd, b.pairA, b.pairB, 0
+  local plain, dropping, oddCount = b.plain, b.dropping, b.oddCount
+  for n = 1, flushCount do
+    local p = flush[n]
+    if plain[pairA[p]] and plain[pairB[p]] and not dropping[p] then
+      count = count + 1
+      flush[count] = p
+    else
+      oddCount = oddCount + 1
+      odd[oddCount] = p
+    end
+  end
+  b.oddCount = oddCount
+  return count
+end
+
+-- Works out who leans on whom along an axis, behind place `last`; returns the last place then.
+-- Where the upper one of a footing cannot fall, the pair is odd, too.
+local function findLow(b, flush, plainCount, axis, last)
+  local list, ups, lows, sides = b.turnPair, b.turnUp, b.turnLow, b.turnSide
+  local pairA, pairB, from, kind, odd = b.pairA, b.pairB, b.from, b.kind, b.odd
+  local isUp, isFooting, oddCount = b.orientation[axis] < 0, axis == b.downAxis, b.oddCount
+  for n = 1, plainCount do
+    local p = flush[n]
+    local up, low = pairA[p], pairB[p]
+    local side = 2 * axis + (isUp and 1 or 2)
+    if (from[2 * low + axis] < from[2 * up + axis]) ~= isUp then
+      up, low = pairB[p], pairA[p]
+      side = 4 * axis + 3 - side
+    end
+    if isFooting and kind[up] ~= DYNAMIC then
+      oddCount = oddCount + 1
+      odd[oddCount] = p
+    else
+      last = last + 1
+      list[last], ups[last], lows[last], sides[last] = p, up, low, side
+    end
+  end
+  b.oddCount = oddCount
+  return last
+end
+
+-- What decides their order (see `meet`): how firmly the lower one stands, and their ranks.
+local function weigh(b, axis, first, last)
+  local ups, lows, support = b.turnUp, b.turnLow, b.turnSupport
+  local firsts, seconds, rank, kind = b.turnFirst, b.turnSecond, b.rank, b.kind
+  local from, size, isUp = b.from, b.size, b.orientation[axis] < 0
+  for x = first, last do
+    local up, low = ups[x], lows[x]
+    local one, other = rank[up], rank[low]
+    if kind[low] ~= DYNAMIC then
+      support[x], firsts[x], seconds[x] = huge, one, other
+    elseif kind[up] ~= DYNAMIC then
+      support[x], firsts[x], seconds[x] = huge, other, one
+    else
+      local m = 2 * low + axis
+      support[x] = isUp and -from[m] or from[m] + size[m]
+      firsts[x], seconds[x] = min(one, other), max(one, other)
+    end
+  end
+end
+
+-- Writes into `digit` how far down each is, as a whole number below `limit`: 0 for what leans on
+-- something immovable, then from the lowest up.
+local function quantize(b, first, last, limit)
+  local support, digit = b.turnSupport, b.sortDigit
+  local lowest, highest = -huge, huge
+  for x = first, last do
+    local s = support[x]
+    if s ~= huge then
+      lowest, highest = max(lowest, s), min(highest, s)
+    end
+  end
+  local scale = lowest > highest and (limit - 2) / (lowest - highest) or 0
+  for x = first, last do
+    local s = support[x]
+    digit[x] = s == huge and 0 or 1 + floor((lowest - s) * scale)
+  end
+end
+
+-- The place of the first in the order of the world.
+local function readSeats(b, first, last)
+  local digit, seat, ups, lows, kind = b.sortDigit, b.seat, b.turnUp, b.turnLow, b.kind
+  for x = first, last do
+    local up, low = ups[x], lows[x]
+    local one, other = seat[up], seat[low]
+    if kind[low] ~= DYNAMIC then
+      other = one
+    elseif kind[up] ~= DYNAMIC then
+      one = other
+    end
+    digit[x] = min(one, other)
+  end
+end
+
+-- One pass of a radix sort, stable: from `source` to `target` by the digit that is worth `unit`.
+local function sortBy(b, source, target, count, unit, digits)
+  local digit, heads, inverse = b.sortDigit, b.sortHeads, 1 / unit
+  for d = 1, digits + 1 do
+    heads[d] = 0
+  end
+  for n = 1, count do
+    local d = floor(digit[source[n]] * inverse)
+    d = d - floor(d / digits) * digits + 2
+    heads[d] = heads[d] + 1
+  end
+  for d = 2, digits do
+    heads[d] = heads[d] + heads[d - 1]
+  end
+  for n = 1, count do
+    local x = source[n]
+    local d = floor(digit[x] * inverse)
+    d = d - floor(d / digits) * digits + 1
+    local at = heads[d] + 1
+    heads[d], target[at] = at, x
+  end
+end
+
+-- Sorts by the number in `digit`, which is below `limit`; what is equal stays in order.
+local function sortAll(b, count, limit, digits)
+  local source, target, unit = b.sortFrom, b.sortTo, 1
+  while unit < limit do
+    sortBy(b, source, target, count, unit, digits)
+    local sorted = target
+    target = source
+    source = sorted
+    unit = unit * digits
+  end
+  b.sortFrom, b.sortTo = source, target
+end
+
+-- Sorts what is sorted nearly, by insertion.
+local function finish(b, order, count)
+  local support, first, second = b.turnSupport, b.turnFirst, b.turnSecond
+  for n = 2, count do
+    local x, at = order[n], n - 1
+    local s, a, c = support[x], first[x], second[x]
+    while at > 0 do
+      local y = order[at]
+      local t = support[y]
+      if t > s or (t == s and (first[y] < a or (first[y] == a and second[y] < c))) then
+        break
+      end
+      order[at + 1] = y
+      at = at - 1
+    end
+    order[at + 1] = x
+  end
+end
+
+-- Gives turns to the places from `first` to `last` of the list: by support, then in the order of
+-- the world. Source: D. E. Knuth, The Art of Computer Programming, vol. 3: sorting by distribution,
+-- by insertion.
+local function arrange(b, first, last)
+  local count = last - first + 1
+  for n = 1, count do
+    b.sortFrom[n] = first + n - 1
+  end
+  if count >= SOME then
+    local digits = count < MANY and FEW_DIGITS or MANY_DIGITS
+    readSeats(b, first, last)
+    sortAll(b, count, b.moverCount + 1, digits)
+    quantize(b, first, last, digits * digits)
+    sortAll(b, count, digits * digits, digits)
+  end
+  local order, turnOrder, turn, list = b.sortFrom, b.turnOrder, b.turn, b.turnPair
+  finish(b, order, count)
+  for n = 1, count do
+    local x, at = order[n], first + n - 1
+    turnOrder[at], turn[list[x]] = x, at
+  end
+end
+
+-- Lists the turns along an axis behind place `last`; returns the last place then.
+local function listAlong(b, axis, last)
+  local flush, first = b.sortFrom, last + 1
+  last = findLow(b, flush, keepPlain(b, flush, gather.flush(b, flush, axis)), axis, last)
+  if last >= first then
+    weigh(b, axis, first, last)
+    arrange(b, first, last)
+  end
+  return last
+end
+
+--- Lists the turns of a step that begins: footings up to b.footingCount, then flanks up to
+--- b.turnCount; and the pairs that are odd, up to b.oddFootings those along gravity.
+function turns.list(b)
+  b.turnsDone, b.turnsSlid, b.turnsFollowed = 0, 0, 0
+  b.footingCount, b.turnCount, b.oddFootings, b.oddCount = 0, 0, 0, 0
+  -- With push = "first" what is flush is not at rest; and whom the world asks about cannot be
+  -- plain.
+  if b.pushFirst or b.worldCanCollide or b.queueOnly then
+    return
+  end
+  b.footingCount = listAlong(b, b.downAxis, 0)
+  b.oddFootings = b.oddCount
+  b.turnCount = listAlong(b, 1 - b.downAxis, b.footingCount)
+end
+
+return turns
