@@ -141,6 +141,7 @@ local PAIR = {
   "passing", -- lets pass for this step (canCollide, dropThrough)
   "event", -- its event in the queue
   "waits", -- 1: that is at the very beginning and keeps its place; 2: its paths have changed since
+  "touches", -- may be met at the very beginning of the step
   "turn", -- its place among the turns of the step, 0: none
   "liveMark",
   "wedged", -- 1 + code of the meeting along which two that are left inside each other may part
@@ -224,13 +225,15 @@ function columns.new()
     liveCount = 0,
     liveStamp = 0,
     step = 0, -- counts the steps, for `watched`
-    isAllSeen = false, -- all footings are settled, and all pairs looked at
-    isCut = false, -- a path has begun anew within the step
+    isInstant = false, -- what is met at the very beginning of the step is not settled yet
+    isAllSeen = false, -- all have had their turns, and all pairs have been looked at
+    isStale = false, -- since then paths have changed of which not all pairs were looked at
     isEager = false, -- no pair waits for its turn without being looked at
     links = 0, -- how often the pairs have changed
     awakenings = 0, -- how often it has changed who takes part
     liveLinks = -1, -- both, when `live` was listed
     liveAwakenings = -1,
+    touchList = {}, -- scratch of turns: pairs that touch
     turnPair = {}, -- pairs that are flush when the step begins (see turns)
     turnUp = {}, -- who leans
     turnLow = {}, -- on whom
@@ -246,7 +249,6 @@ function columns.new()
     turnCount = 0, -- all
     turnsDone = 0, -- how many of them have had their turn
     turnsSlid = 0, -- of those, how many have rubbed
-    turnsFollowed = 0, -- and of how many the fat boxes have been looked at
     odd = {}, -- pairs that are flush, but have no turn
     oddFootings = 0, -- those along gravity, which come first
     oddCount = 0, -- all
@@ -415,10 +417,10 @@ local function resetPairs(b, count)
     local p = linked[n]
     passing[p], overlapping[p], dropping[p], leaving[p] = false, false, false, false
   end
-  local event, wedged, turn, waits = b.event, b.wedged, b.turn, b.waits
+  local event, wedged, turn, waits, touches = b.event, b.wedged, b.turn, b.waits, b.touches
   for n = 1, count do
     local p = linked[n]
-    event[p], wedged[p], turn[p], waits[p] = columns.NO_EVENT, 0, 0, 0
+    event[p], wedged[p], turn[p], waits[p], touches[p] = columns.NO_EVENT, 0, 0, 0, false
   end
 end
 

@@ -14,7 +14,7 @@ local impact = require(here .. ".impact")
 
 local flank = {}
 
-local DYNAMIC, STILL = columns.DYNAMIC, columns.STILL
+local STILL = columns.STILL
 local EVEN, ROUNDING = impact.EVEN, impact.ROUNDING
 local max, min, sqrt = math.max, math.min, math.sqrt
 local isIdle, coefficient = footing.isIdle, footing.coefficient
@@ -139,8 +139,8 @@ end
 --- What `land` may return besides what that of footings does.
 flank.RUB = -3
 
---- Lets one flank after the other lean in a step of dt s; see `footing.land`. RUB: the last one must
---- `rub`.
+--- Lets one flank after the other lean in a step of dt s; see `footing.land`. RUB: the last one
+--- must `rub`.
 function flank.land(b, dt, isNext)
   local q, order, list, ups, lows = b.queue, b.turnOrder, b.turnPair, b.turnUp, b.turnLow
   local axis, turn, sides, watched = 1 - b.downAxis, b.turn, b.turnSide, b.watched

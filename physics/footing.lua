@@ -11,7 +11,6 @@
 
 local here = (...):match("^(.*)%.[^.]+$")
 local columns = require(here .. ".columns")
-local detect = require(here .. ".detect")
 local friction = require(here .. ".friction")
 local impact = require(here .. ".impact")
 local queue = require(here .. ".queue")
@@ -22,9 +21,6 @@ local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
 local STILL, TINY = columns.STILL, columns.TINY
 local EVEN, ROUNDING = impact.EVEN, impact.ROUNDING
 local max, min, sqrt = math.max, math.min, math.sqrt
-
--- In the place of its impulse: a footing by which the path of the lower one has changed, too.
-local RUBBED = -1
 
 --- Whether the paths of two that are flush do not press against each other (see
 --- gather.endOverlap); `low` is the index with the smaller coordinate.
@@ -245,7 +241,6 @@ function footing.slide(b, dt)
       if not slideTogether(b, up, low, ku, kl, limit, shares[x], sign, dt) then
         return false
       end
-      impulses[x] = RUBBED
     end
   end
   b.turnsSlid = b.turnsDone
@@ -259,28 +254,6 @@ function footing.rub(b, dt)
   local isDown = b.orientation[axis] > 0
   local lo, hi = isDown and up or low, isDown and low or up
   friction.rub(b, lo, hi, axis, b.turnImpulse[x], b.turnShare[x], dt, 0)
-  b.turnImpulse[x] = RUBBED
-end
-
-local function addStray(b, i)
-  if detect.hasLeft(b, i) and b.changedMark[i] ~= b.changeStamp then
-    b.changedCount = b.changedCount + 1
-    b.changed[b.changedCount], b.changedMark[i] = i, b.changeStamp
-  end
-end
-
---- Lists those in `changed` whose paths have left their fat boxes since the last call.
-function footing.listStrays(b)
-  local order, ups, lows, impulses = b.turnOrder, b.turnUp, b.turnLow, b.turnImpulse
-  local footingCount = b.footingCount
-  for at = b.turnsFollowed + 1, b.turnsDone do
-    local x = order[at]
-    addStray(b, ups[x])
-    if at > footingCount or impulses[x] == RUBBED then
-      addStray(b, lows[x])
-    end
-  end
-  b.turnsFollowed = b.turnsDone
 end
 
 return footing

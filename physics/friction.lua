@@ -7,6 +7,7 @@
 local here = (...):match("^(.*)%.[^.]+$")
 local columns = require(here .. ".columns")
 local path = require(here .. ".path")
+local ring = require(here .. ".ring")
 local weld = require(here .. ".weld")
 
 require(here .. ".interpreted").file()
@@ -91,7 +92,7 @@ local function shift(b, k, dSpeed, dWay, t)
   b.speed[k] = b.speed[k] + dSpeed
   b.to[k] = b.to[k] + dWay
   path.change(b, (k - k % 2) / 2)
-  weld.follow(b, k, dWay, t)
+  ring.follow(b, k, dWay, t)
 end
 
 -- Speed of the surface of `low` along kw: its own and, along x, that of its belt.
@@ -142,7 +143,7 @@ local function rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau, t)
     b.to[ku] = before + (way - (u - a * tau + u) * 0.5 * tau)
   end
   path.change(b, up)
-  weld.follow(b, ku, b.to[ku] - before, t)
+  ring.follow(b, ku, b.to[ku] - before, t)
   return true
 end
 
@@ -155,7 +156,7 @@ local function stick(b, k, kw, dSpeed, t)
   b.speed[k] = b.speed[kw]
   b.to[k] = b.from[k] + (b.to[kw] - b.from[kw]) * (1 - b.time[i])
   path.change(b, i)
-  weld.follow(b, k, b.to[k] - before, t)
+  ring.follow(b, k, b.to[k] - before, t)
 end
 
 local function rubBoth(b, lo, hi, kl, kh, mu, jn, share, tau, t)

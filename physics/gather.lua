@@ -61,25 +61,40 @@ local function list(b, half, k, m, x, y, clear, count)
   return count
 end
 
---- Lists the live pairs that are flush along an axis when the step begins in `flush`. Returns how
---- many those are.
-function gather.flush(b, flush, axis)
+--- Lists the live pairs in `out` that may be met at the very beginning of the step: nowhere apart
+--- when it begins. Returns how many those are.
+function gather.touching(b, out)
   local pairs_, pairA, pairB, from, size = b.live, b.pairA, b.pairB, b.from, b.size
-  local count = 0
+  local touches, count = b.touches, 0
   for n = 1, b.liveCount do
     local p = pairs_[n]
-    local i, j = pairA[p], pairB[p]
-    local k, m = 2 * i + axis, 2 * j + axis
-    local kc, mc = 2 * i + 1 - axis, 2 * j + 1 - axis
-    local r, rc = from[m] - from[k], from[mc] - from[kc]
-    local gap = max(r - size[k], -r - size[m])
-    local across = max(rc - size[kc], -rc - size[mc])
-    if max(max(gap, -gap) - EPSILON, across + EPSILON) <= 0 then
+    local k, m = 2 * pairA[p], 2 * pairB[p]
+    local x, y = from[m] - from[k], from[m + 1] - from[k + 1]
+    local gap = max(max(x - size[k], -x - size[m]), max(y - size[k + 1], -y - size[m + 1]))
+    if gap <= EPSILON then
       count = count + 1
-      flush[count] = p
+      out[count], touches[p] = p, true
     end
   end
   return count
+end
+
+--- Of the pairs in pairs_[1..count], lists those in `flush` that are flush along an axis when the
+--- step begins. Returns how many those are.
+function gather.flush(b, pairs_, count, axis, flush)
+  local pairA, pairB, from, size, n = b.pairA, b.pairB, b.from, b.size, 0
+  for m = 1, count do
+    local p = pairs_[m]
+    local i, j = 2 * pairA[p] + axis, 2 * pairB[p] + axis
+    local ic, jc = 2 * pairA[p] + 1 - axis, 2 * pairB[p] + 1 - axis
+    local r, rc = from[j] - from[i], from[jc] - from[ic]
+    local gap, across = max(r - size[i], -r - size[j]), max(rc - size[ic], -rc - size[jc])
+    if min(gap + EPSILON, -across - EPSILON) >= 0 then
+      n = n + 1
+      flush[n] = p
+    end
+  end
+  return n
 end
 
 -- Where the other of a pair is on an axis, relative to the object, at the time `start`.
@@ -97,53 +112,58 @@ local function listAt(b, half, i, j, clear, count)
   return list(b, half, k, m, x, y, clear, count)
 end
 
--- Lists the live pairs that may meet while all paths are those with which the step begins.
-local function listWhole(b, clear)
-  local pairs_, pairA, pairB, from, count = b.live, b.pairA, b.pairB, b.from, 0
-  for n = 1, b.liveCount do
-    local p = pairs_[n]
-    local k, m = 2 * pairA[p], 2 * pairB[p]
-    count = list(b, 2 * p - 1, k, m, from[m] - from[k], from[m + 1] - from[k + 1], clear, count)
-  end
-  return count
+-- Lists pair p if it may meet while both paths begin with the step, and forgets its event.
+local function listWhole(b, p, clear, count)
+  local from, k, m = b.from, 2 * b.pairA[p], 2 * b.pairB[p]
+  b.event[p], b.waits[p] = NO_EVENT, 0
+  return list(b, 2 * p - 1, k, m, from[m] - from[k], from[m + 1] - from[k + 1], clear, count)
 end
 
--- The same when some paths have been cut.
-local function listCut(b, clear)
-  local pairs_, pairA, pairB, count = b.live, b.pairA, b.pairB, 0
-  for n = 1, b.liveCount do
-    local p = pairs_[n]
-    count = listAt(b, 2 * p - 1, pairA[p], pairB[p], clear, count)
-  end
-  return count
-end
-
---- Lists all live pairs that may meet on the present paths, and forgets the events of all pairs.
---- Returns how many there are.
+--- Lists all live pairs that may meet on the present paths, which must all begin with the step, and
+--- forgets the events of all. Returns how many there are.
 function gather.live(b)
-  local pairs_, event, waits, clear = b.live, b.event, b.waits, b.pushFirst and EPSILON or 0
+  local pairs_, clear, count = b.live, b.pushFirst and EPSILON or 0, 0
   for n = 1, b.liveCount do
-    event[pairs_[n]], waits[pairs_[n]] = NO_EVENT, 0
+    count = listWhole(b, pairs_[n], clear, count)
   end
-  return b.isCut and listCut(b, clear) or listWhole(b, clear)
+  return count
 end
 
---- Lists the pairs of object i that may meet on the present paths, and forgets the events of all
---- its pairs, but for those whose turn is yet to come and for those that wait. Returns how many
---- there are, `count` of them listed before.
-function gather.object(b, i, count)
-  local other, nextHalf, event, turn, waits = b.other, b.next, b.event, b.turn, b.waits
-  local clear, half = b.pushFirst and EPSILON or 0, b.head[i]
-  local at = b.turnsDone
-  while half ~= 0 do
-    local p = floor(half * 0.5 + 0.5)
-    if waits[p] > 0 then
-      waits[p] = 2
-    elseif turn[p] <= at then
-      event[p] = NO_EVENT
-      count = listAt(b, half, i, other[half], clear, count)
+--- The same for those that do not touch.
+function gather.apart(b)
+  local pairs_, touches, clear, count = b.live, b.touches, b.pushFirst and EPSILON or 0, 0
+  for n = 1, b.liveCount do
+    local p = pairs_[n]
+    if not touches[p] then
+      count = listWhole(b, p, clear, count)
     end
-    half = nextHalf[half]
+  end
+  return count
+end
+
+--- Lists the pairs of the objects in slots[first..last] that may meet on the present paths, and
+--- forgets the events of all their pairs, but for those whose turn is yet to come and for those
+--- that wait. As long as `isInstant`, only pairs that touch are in question, and the events of the
+--- others are left as they are. Returns how many there are, `count` of them listed before.
+function gather.objects(b, slots, first, last, count)
+  local other, nextHalf, head, event, waits = b.other, b.next, b.head, b.event, b.waits
+  local turn, touches, at, isLate = b.turn, b.touches, b.turnsDone, not b.isInstant
+  local clear = b.pushFirst and EPSILON or 0
+  local n, half = first, head[slots[first]]
+  while n <= last do
+    if half == 0 then
+      n = n + 1
+      half = n <= last and head[slots[n]] or 0
+    else
+      local p = floor(half * 0.5 + 0.5)
+      if waits[p] > 0 then
+        waits[p] = 2
+      elseif (touches[p] or isLate) and turn[p] <= at then
+        event[p] = NO_EVENT
+        count = listAt(b, half, slots[n], other[half], clear, count)
+      end
+      half = nextHalf[half]
+    end
   end
   return count
 end

@@ -26,14 +26,15 @@ local function list(b)
   b.liveCount = count
 end
 
--- Nothing has happened to the pairs from place `first` of the list on.
-local function reset(b, first)
+-- Nothing has happened to the pairs from place `first` of the list on. Whether they touch is not
+-- known of those that join in the middle of a step: `touch` is true then.
+local function reset(b, first, touch)
   local live_, met, hit, passing, event = b.live, b.met, b.hit, b.passing, b.event
-  local nudged, turn, waits = b.nudged, b.turn, b.waits
+  local nudged, turn, waits, touches = b.nudged, b.turn, b.waits, b.touches
   for n = first, b.liveCount do
     local p = live_[n]
     met[p], hit[p], passing[p], event[p] = 0, 0, false, NO_EVENT
-    nudged[p], turn[p], waits[p] = 0, 0, 0
+    nudged[p], turn[p], waits[p], touches[p] = 0, 0, 0, touch
   end
 end
 
@@ -46,7 +47,7 @@ function live.list(b)
       list(b)
     end
   end
-  reset(b, 1)
+  reset(b, 1, false)
 end
 
 --- Adds the pairs of those in awakeList from place `first` on, who have been woken in the step.
@@ -63,7 +64,7 @@ function live.add(b, first)
       half = b.next[half]
     end
   end
-  reset(b, from)
+  reset(b, from, true)
 end
 
 return live

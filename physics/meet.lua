@@ -35,6 +35,8 @@ local CORNER = approach.CORNER
 -- Moments closer than this part of a step are simultaneous.
 local MOMENTS = 1e9
 local MOST_MET = 63
+-- The last key of what is met at the very beginning (see `keyOf`).
+local LAST_INSTANT = 4 * 64 * 2 - 1
 -- Corner corrections of one pair in one step.
 local MOST_NUDGES = 4
 local NONE = columns.NO_EVENT
@@ -101,28 +103,41 @@ local function schedule(b, count)
   end
 end
 
--- Looks again at everybody whose path has changed; a path that leaves its fat box may find new
--- neighbours and wake them.
-local function followChanged(b, dt)
-  local count = 0
-  detect.run(b, b.changed, 1, b.changedCount)
+-- Looks up the neighbours of those in list[1..count] whose paths leave their fat boxes. This may
+-- wake others, who are computed as if they had been awake from the beginning; returns whether.
+local function lookUp(b, list, count, dt)
+  detect.run(b, list, 1, count)
   local woken = b.predicted + 1
-  if woken <= b.awakeCount then
-    predict.run(b, dt)
-    live.add(b, woken)
-    for n = woken, b.awakeCount do
-      count = gather.object(b, b.awakeList[n], count)
-    end
+  if woken > b.awakeCount then
+    return false
   end
-  for n = 1, b.changedCount do
-    count = gather.object(b, b.changed[n], count)
-  end
-  schedule(b, count)
+  predict.run(b, dt)
+  live.add(b, woken)
+  schedule(b, gather.objects(b, b.awakeList, woken, b.awakeCount, 0))
+  return true
 end
 
--- A nudge moves somebody aside at once, also at the very beginning of the step: from now on nobody
--- keeps a place without being looked at.
-local function lookAtWaiting(b)
+-- Looks again at everybody whose path has changed. As long as all this is at the very beginning of
+-- the step, only those who touch can be met then; the others are looked at when that is over.
+local function followChanged(b, dt)
+  if b.isInstant then
+    b.isStale = true
+  else
+    lookUp(b, b.changed, b.changedCount, dt)
+  end
+  schedule(b, gather.objects(b, b.changed, 1, b.changedCount, 0))
+end
+
+-- A nudge moves somebody aside at once, also at the very beginning of the step: then he may touch
+-- others, and from now on nobody keeps a place without being looked at.
+local function followNudge(b)
+  for n = 1, b.changedCount do
+    local half = b.head[b.changed[n]]
+    while half ~= 0 do
+      b.touches[(half + half % 2) / 2] = true
+      half = b.next[half]
+    end
+  end
   if b.isEager then
     return
   end
@@ -159,18 +174,28 @@ local function happen(b, p, code, t, dt)
     and (nudge.try(b, low, high, axis, true, t) or nudge.try(b, high, low, axis, false, t))
   then
     b.nudged[p] = b.nudged[p] + 1
-    lookAtWaiting(b)
+    followNudge(b)
   else
     resolve.run(b, p, low, high, axis, t, dt, kind == approach.DEEP)
   end
   followChanged(b, dt)
 end
 
--- Looks at everybody, when all have had their turns: only then are their paths what they will be
+-- Looks at all pairs, when all have had their turns: only then are their paths what they will be
 -- for most.
-local function lookAtAll(b)
-  b.isAllSeen = true
+local function lookAtAll(b, dt)
+  if b.isInstant then
+    lookUp(b, b.awakeList, b.awakeCount, dt)
+  end
+  b.isAllSeen, b.isStale = true, false
   schedule(b, gather.live(b))
+end
+
+-- Looks at those who do not touch, when more has happened at the very beginning of the step.
+local function lookAtApart(b, dt)
+  lookUp(b, b.awakeList, b.awakeCount, dt)
+  b.isStale = false
+  schedule(b, gather.apart(b))
 end
 
 -- Puts pairs that are flush and have no turn into the queue, up to place `last` of the list. They
@@ -185,20 +210,15 @@ local function scheduleOdd(b, last)
   b.oddSeen = last
 end
 
--- Looks after whom a row of turns has changed, of which the last one may have done more than that.
-local function followTurns(b, left, dt)
+-- Looks after whom the last turn has changed.
+local function followTurn(b, dt)
+  local x = b.turnOrder[b.turnsDone]
   path.startChanges(b)
-  if left == footing.CHANGED or left == flank.RUB then
-    local x = b.turnOrder[b.turnsDone]
-    path.change(b, b.turnUp[x])
-    if b.turnsDone > b.footingCount then
-      path.change(b, b.turnLow[x])
-    end
+  path.change(b, b.turnUp[x])
+  if b.turnsDone > b.footingCount then
+    path.change(b, b.turnLow[x])
   end
-  footing.listStrays(b)
-  if b.changedCount > 0 then
-    followChanged(b, dt)
-  end
+  followChanged(b, dt)
 end
 
 -- Lets those who have turns take them, by `land` of footings or flanks, until the queue goes first;
@@ -213,8 +233,9 @@ local function settle(b, land, dt)
     while not footing.slide(b, dt) do
       footing.rub(b, dt)
     end
-    followTurns(b, left, dt)
-    if left > 0 then
+    if left == footing.CHANGED or left == flank.RUB then
+      followTurn(b, dt)
+    elseif left > 0 then
       schedule(b, gather.pair(b, left))
     end
     isNext = left == footing.ASK
@@ -231,7 +252,20 @@ local function stand(b, dt)
   if settle(b, footing.land, dt) then
     scheduleOdd(b, b.oddCount)
     if settle(b, flank.land, dt) then
-      lookAtAll(b)
+      lookAtAll(b, dt)
+    end
+  end
+end
+
+-- Sees to it that the first event of the queue is the next one.
+local function prepare(b, dt)
+  if not b.isAllSeen then
+    stand(b, dt)
+  end
+  while b.isAllSeen and b.isInstant and not footing.isAsked(b.queue, LAST_INSTANT) do
+    b.isInstant = b.isStale
+    if b.isStale then
+      lookAtApart(b, dt)
     end
   end
 end
@@ -266,18 +300,18 @@ end
 function meet.run(b, dt)
   local q = b.queue
   queue.clear(q)
-  b.resolved, b.isCut, b.isAllSeen, b.step = 0, false, false, b.step + 1
-  b.oddSeen = 0
-  b.isEager = b.queueOnly
+  b.resolved, b.isAllSeen, b.step = 0, false, b.step + 1
+  b.isInstant, b.isEager, b.oddSeen = not b.queueOnly, b.queueOnly, 0
   live.list(b)
   turns.list(b)
-  stand(b, dt)
+  if b.queueOnly then
+    lookAtAll(b, dt)
+  end
+  prepare(b, dt)
   local id = queue.pop(q)
   while id do
     take(b, id, dt)
-    if not b.isAllSeen then
-      stand(b, dt)
-    end
+    prepare(b, dt)
     id = queue.pop(q)
   end
 end

@@ -19,7 +19,6 @@ function path.advance(b, i, t)
   from[k] = from[k] + (to[k] - from[k]) * share
   from[k + 1] = from[k + 1] + (to[k + 1] - from[k + 1]) * share
   b.time[i] = t
-  b.isCut = true
 end
 
 --- Begins a new list of whose path has changed.

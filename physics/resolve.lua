@@ -14,6 +14,7 @@ local crush = require(here .. ".crush")
 local friction = require(here .. ".friction")
 local impact = require(here .. ".impact")
 local path = require(here .. ".path")
+local ring = require(here .. ".ring")
 local weld = require(here .. ".weld")
 
 require(here .. ".interpreted").file()
@@ -144,7 +145,7 @@ local function lean(b, lo, hi, kl, kh, wl, wh)
   if b.kind[lo] == DYNAMIC then
     b.pressedHigh[kl] = true
     if wh == 0 and isWall(b, hi, b.heldHigh[kh], b.backedLow[kl]) then
-      weld.hold(b, kl, false, true)
+      ring.hold(b, kl, false, true)
       b.holderHigh[kl] = hi
     else
       weld.back(b, kl, false, wh == 0 or b.backedHigh[kh])
@@ -153,7 +154,7 @@ local function lean(b, lo, hi, kl, kh, wl, wh)
   if b.kind[hi] == DYNAMIC then
     b.pressedLow[kh] = true
     if wl == 0 and isWall(b, lo, b.heldLow[kl], b.backedHigh[kh]) then
-      weld.hold(b, kh, true, false)
+      ring.hold(b, kh, true, false)
       b.holderLow[kh] = lo
     else
       weld.back(b, kh, wl == 0 or b.backedLow[kl], false)
@@ -180,8 +181,8 @@ local function stopBoth(b, lo, hi, kl, kh)
   b.speed[kl], b.speed[kh], b.accel[kl], b.accel[kh] = 0, 0, 0, 0
   b.pressedHigh[kl], b.pressedLow[kh] = true, true
   -- What is between two of them cannot give way; they themselves still do to walls.
-  weld.hold(b, kl, b.pushable[lo], b.pushable[lo])
-  weld.hold(b, kh, b.pushable[hi], b.pushable[hi])
+  ring.hold(b, kl, b.pushable[lo], b.pushable[lo])
+  ring.hold(b, kh, b.pushable[hi], b.pushable[hi])
   change(b, lo)
   change(b, hi)
 end
@@ -261,8 +262,8 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   if wh ~= 0 then
     change(b, hi)
   end
-  weld.follow(b, kl, to[kl] - oldL, t)
-  weld.follow(b, kh, to[kh] - oldH, t)
+  ring.follow(b, kl, to[kl] - oldL, t)
+  ring.follow(b, kh, to[kh] - oldH, t)
   if flush and (dv > 0 or isStuck) and b.met[p] >= WELDS and wl > 0 and wh > 0 then
     weld.join(b, kl, kh)
   end

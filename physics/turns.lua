@@ -23,8 +23,8 @@ local huge, floor, max, min = math.huge, math.floor, math.max, math.min
 local SOME, MANY = 24, 400
 local FEW_DIGITS, MANY_DIGITS = 128, 1024
 
--- Of the pairs that are flush, keeps those that are plain and lists the others behind b.odd; returns
--- how many are plain.
+-- Of the pairs that are flush, keeps those that are plain and lists the others behind b.odd;
+-- returns how many are plain.
 local function keepPlain(b, flush, flushCount)
   local odd, pairA, pairB, count = b.odd, b.pairA, b.pairB, 0
   local plain, dropping, oddCount = b.plain, b.dropping, b.oddCount
@@ -199,10 +199,12 @@ local function arrange(b, first, last)
   end
 end
 
--- Lists the turns along an axis behind place `last`; returns the last place then.
-local function listAlong(b, axis, last)
+-- Lists the turns of the touching pairs along an axis behind place `last`; returns the last place
+-- then.
+local function listAlong(b, touchCount, axis, last)
   local flush, first = b.sortFrom, last + 1
-  last = findLow(b, flush, keepPlain(b, flush, gather.flush(b, flush, axis)), axis, last)
+  local count = gather.flush(b, b.touchList, touchCount, axis, flush)
+  last = findLow(b, flush, keepPlain(b, flush, count), axis, last)
   if last >= first then
     weigh(b, axis, first, last)
     arrange(b, first, last)
@@ -213,16 +215,17 @@ end
 --- Lists the turns of a step that begins: footings up to b.footingCount, then flanks up to
 --- b.turnCount; and the pairs that are odd, up to b.oddFootings those along gravity.
 function turns.list(b)
-  b.turnsDone, b.turnsSlid, b.turnsFollowed = 0, 0, 0
+  b.turnsDone, b.turnsSlid = 0, 0
   b.footingCount, b.turnCount, b.oddFootings, b.oddCount = 0, 0, 0, 0
+  local count = gather.touching(b, b.touchList)
   -- With push = "first" what is flush is not at rest; and whom the world asks about cannot be
   -- plain.
   if b.pushFirst or b.worldCanCollide or b.queueOnly then
     return
   end
-  b.footingCount = listAlong(b, b.downAxis, 0)
+  b.footingCount = listAlong(b, count, b.downAxis, 0)
   b.oddFootings = b.oddCount
-  b.turnCount = listAlong(b, 1 - b.downAxis, b.footingCount)
+  b.turnCount = listAlong(b, count, 1 - b.downAxis, b.footingCount)
 end
 
 return turns

@@ -8,6 +8,7 @@
 local here = (...):match("^(.*)%.[^.]+$")
 local columns = require(here .. ".columns")
 local path = require(here .. ".path")
+local ring = require(here .. ".ring")
 
 require(here .. ".interpreted").file()
 
@@ -15,30 +16,12 @@ local weld = {}
 
 local STILL = columns.STILL
 
-local function rename(b, k, leader)
-  local first = k
-  repeat
-    b.weld[k] = leader
-    k = b.weldNext[k]
-  until k == first
-end
-
 local function found(b, k)
   if b.weld[k] == 0 then
     b.weld[k], b.weldNext[k] = k, k
     b.weldMass[k] = b.mass[(k - k % 2) / 2]
   end
   return b.weld[k]
-end
-
---- Marks all welded to k (and k) as held on the low or high side.
-function weld.hold(b, k, heldLow, heldHigh)
-  local first = k
-  repeat
-    b.heldLow[k] = b.heldLow[k] or heldLow
-    b.heldHigh[k] = b.heldHigh[k] or heldHigh
-    k = b.weldNext[k]
-  until k == first or k == 0
 end
 
 --- Marks all welded to k (and k) as pushed from the low or high side by one that cannot be pushed.
@@ -94,20 +77,6 @@ function weld.inverseMass(b, k)
   return 1 / b.weldMass[b.weld[k]]
 end
 
---- Lets all that is welded to k follow it at time t: its speed, and dWay px further.
-function weld.follow(b, k, dWay, t)
-  local member = b.weldNext[k]
-  while member ~= k and member ~= 0 do
-    local i = (member - member % 2) / 2
-    path.advance(b, i, t)
-    b.to[member] = b.to[member] + dWay
-    b.speed[member], b.accel[member] = b.speed[k], b.accel[k]
-    b.drive[member] = b.drive[k]
-    path.change(b, i)
-    member = b.weldNext[member]
-  end
-end
-
 -- Whoever is in the ring of k weighs and is held together.
 local function settle(b, k)
   local member, mass, heldLow, heldHigh = k, 0, false, false
@@ -116,7 +85,7 @@ local function settle(b, k)
     heldLow, heldHigh = heldLow or b.holderLow[member] ~= 0, heldHigh or b.holderHigh[member] ~= 0
     member = b.weldNext[member]
   until member == k
-  rename(b, k, k)
+  ring.name(b, k, k)
   b.weldMass[k] = mass
   repeat
     b.heldLow[member], b.heldHigh[member] = heldLow, heldHigh
@@ -149,10 +118,10 @@ function weld.join(b, kl, kh)
     return
   end
   b.weldMass[one] = b.weldMass[one] + b.weldMass[other]
-  rename(b, other, one)
+  ring.name(b, other, one)
   -- Two rings become one when two members swap whom they lead to.
   b.weldNext[kl], b.weldNext[kh] = b.weldNext[kh], b.weldNext[kl]
-  weld.hold(b, kl, b.heldLow[kl] or b.heldLow[kh], b.heldHigh[kl] or b.heldHigh[kh])
+  ring.hold(b, kl, b.heldLow[kl] or b.heldLow[kh], b.heldHigh[kl] or b.heldHigh[kh])
   weld.back(b, kl, b.backedLow[kl] or b.backedLow[kh], b.backedHigh[kl] or b.backedHigh[kh])
 end
 

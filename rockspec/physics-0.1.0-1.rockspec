@@ -70,6 +70,7 @@ build = {
     ["physics.resolve"] = "physics/resolve.lua",
     ["physics.rest"] = "physics/rest.lua",
     ["physics.restore"] = "physics/restore.lua",
+    ["physics.ring"] = "physics/ring.lua",
     ["physics.roster"] = "physics/roster.lua",
     ["physics.settings"] = "physics/settings.lua",
     ["physics.slide"] = "physics/slide.lua",

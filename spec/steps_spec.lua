@@ -10,6 +10,7 @@ local newRandom = require("spec.support.random").new
 local path = require("physics.path")
 local physics = require("physics")
 local queue = require("physics.queue")
+local ring = require("physics.ring")
 local roster = require("physics.roster")
 local sort = require("physics.sort")
 local weld = require("physics.weld")
@@ -294,14 +295,14 @@ describe("a weld", function()
     end
     path.startChanges(b)
     b.speed[4] = 7
-    weld.follow(b, 4, 5, 0)
+    ring.follow(b, 4, 5, 0)
     assert.equal(0, b.to[4])
     for _, k in ipairs({ 2, 6, 8 }) do
       assert.equal(5, b.to[k])
       assert.equal(7, b.speed[k])
     end
     assert.equal(3, b.changedCount)
-    weld.hold(b, 6, false, true)
+    ring.hold(b, 6, false, true)
     for k = 2, 8, 2 do
       assert.is_true(b.heldHigh[k])
       assert.is_false(b.heldLow[k])

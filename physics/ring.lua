@@ -1,0 +1,83 @@
+--- The rings of welded objects (see `weld`): what is done to all members, one after the other.
+--
+-- A ring may have a hundred members, who are passed at every hit; so these loops are compiled,
+-- while `weld` is not. What they have in common with `path` is written out (see `footing`).
+
+local here = (...):match("^(.*)%.[^.]+$")
+local columns = require(here .. ".columns")
+
+local ring = {}
+
+local floor = math.floor
+local DYNAMIC = columns.DYNAMIC
+
+--- Tells all of the ring of k who leads it.
+function ring.name(b, k, leader)
+  local weld, weldNext, member = b.weld, b.weldNext, k
+  repeat
+    weld[member] = leader
+    member = weldNext[member]
+  until member == k
+end
+
+--- Marks all of the ring of k, which may be nobody else, as held on the low or high side.
+function ring.hold(b, k, low, high)
+  local heldLow, heldHigh, weldNext, member = b.heldLow, b.heldHigh, b.weldNext, k
+  repeat
+    heldLow[member], heldHigh[member] = heldLow[member] or low, heldHigh[member] or high
+    member = weldNext[member]
+  until member == k or member == 0
+end
+
+-- Begins the paths of the others anew where they are at time t > 0.
+local function advance(b, k, t)
+  local from, to, time, weldNext = b.from, b.to, b.time, b.weldNext
+  local member = weldNext[k]
+  while member ~= k and member ~= 0 do
+    local i = floor(member * 0.5)
+    local start = time[i]
+    if t > start then
+      local share, m = (t - start) / (1 - start), 2 * i
+      from[m] = from[m] + (to[m] - from[m]) * share
+      from[m + 1] = from[m + 1] + (to[m + 1] - from[m + 1]) * share
+      time[i] = t
+    end
+    member = weldNext[member]
+  end
+end
+
+-- Notes that the paths of the others have changed.
+local function change(b, k)
+  local changed, mark, stamp, count = b.changed, b.changedMark, b.changeStamp, b.changedCount
+  local weldNext, kind = b.weldNext, b.kind
+  local member = weldNext[k]
+  while member ~= k and member ~= 0 do
+    local i = floor(member * 0.5)
+    if mark[i] ~= stamp and kind[i] == DYNAMIC then
+      count = count + 1
+      mark[i], changed[count] = stamp, i
+    end
+    member = weldNext[member]
+  end
+  b.changedCount = count
+end
+
+--- Lets the others of the ring of k follow it at time t: its speed, and `way` px further.
+function ring.follow(b, k, way, t)
+  if b.weldNext[k] == 0 then
+    return
+  elseif t > 0 then
+    advance(b, k, t)
+  end
+  local to, speed, accel, drive, weldNext = b.to, b.speed, b.accel, b.drive, b.weldNext
+  local v, a, d = speed[k], accel[k], drive[k]
+  local member = weldNext[k]
+  while member ~= k and member ~= 0 do
+    to[member], speed[member] = to[member] + way, v
+    accel[member], drive[member] = a, d
+    member = weldNext[member]
+  end
+  change(b, k)
+end
+
+return ring
