@@ -112,9 +112,6 @@ end
 -- Links those in strays[1..count] with everybody whose fat boxes meet theirs.
 local function linkNear(b, strays, count)
   local strayAt = b.strayAt
-  for m = 1, count do
-    strayAt[strays[m]] = m
-  end
   local n = keepAllowed(b, listNew(b, b.broadphase:overlaps(strays, count, b.askers, b.found)))
   for m = 1, count do
     strayAt[strays[m]] = huge
@@ -171,14 +168,15 @@ local function lookUp(b, strays, count)
   linkNear(b, strays, count)
 end
 
---- Looks up the neighbours of those in `list[first..last]` whose paths leave their fat boxes.
+--- Looks up the neighbours of those in `list[first..last]` whose paths leave their fat boxes. Who
+--- stands there twice is looked at once.
 function detect.run(b, list, first, last)
-  local strays, active, n = b.strays, b.active, 0
+  local strays, strayAt, active, n = b.strays, b.strayAt, b.active, 0
   for m = first, last do
     local i = list[m]
-    if hasLeft(b, i) and active[i] then
+    if hasLeft(b, i) and active[i] and strayAt[i] == huge then
       n = n + 1
-      strays[n] = i
+      strays[n], strayAt[i] = i, n
     end
   end
   if n > 0 then

@@ -207,7 +207,7 @@ local function scheduleOdd(b, last)
     watched[b.pairA[p]], watched[b.pairB[p]] = step, step
     schedule(b, gather.pair(b, p))
   end
-  b.oddSeen = last
+  b.oddSeen = max(b.oddSeen, last)
 end
 
 -- Looks after whom the last turn has changed.

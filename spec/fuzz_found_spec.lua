@@ -619,6 +619,41 @@ local FOUND = {
       },
     },
   },
+  {
+    "who is moved out of two others at once gets each neighbour once",
+    {
+      settings = {},
+      acts = {
+        { "add", 3, 2.5, { height = 20, width = 20, x = 70, y = 270 } },
+        { "insert", 4, 1, { height = 20, width = 20, x = 70, y = 260 } },
+        { "add", 5, 2.5, { height = 16, width = 20, x = 70, y = 240 } },
+        { "add", 6, 2.5, { height = 16, width = 20, x = 70, y = 220 } },
+        { "bounds", 9.819815212692893, 17.63445331308474, 171.8791418484218, 171.8791418484218 },
+        { "update", 0.015625 },
+      },
+    },
+  },
+  {
+    "a step ends in which one is let through sideways and another leans on a wall",
+    {
+      settings = { gravity = 0 },
+      acts = {
+        {
+          "add",
+          1,
+          "tiles",
+          { x = 0, y = 0, width = 16, height = 16, static = true, oneWay = "top" },
+        },
+        { "add", 2, "boxes", { x = 16, y = 0, width = 16, height = 16, vx = -60 } },
+        { "add", 3, "tiles", { x = 0, y = 99, width = 16, height = 16, static = true } },
+        { "add", 4, "boxes", { x = 16, y = 99, width = 16, height = 16, vx = -60 } },
+        { "update", 0.016666666666666666 },
+        { "write", 2, { x = 16, vx = -60 } },
+        { "write", 4, { vx = -60 } },
+        { "update", 0.016666666666666666 },
+      },
+    },
+  },
 }
 
 describe("a random game has found that", function()
