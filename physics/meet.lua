@@ -104,17 +104,15 @@ local function schedule(b, count)
 end
 
 -- Looks up the neighbours of those in list[1..count] whose paths leave their fat boxes. This may
--- wake others, who are computed as if they had been awake from the beginning; returns whether.
+-- wake others, who are computed as if they had been awake from the beginning.
 local function lookUp(b, list, count, dt)
   detect.run(b, list, 1, count)
   local woken = b.predicted + 1
-  if woken > b.awakeCount then
-    return false
+  if woken <= b.awakeCount then
+    predict.run(b, dt)
+    live.add(b, woken)
+    schedule(b, gather.objects(b, b.awakeList, woken, b.awakeCount, 0))
   end
-  predict.run(b, dt)
-  live.add(b, woken)
-  schedule(b, gather.objects(b, b.awakeList, woken, b.awakeCount, 0))
-  return true
 end
 
 -- Looks again at everybody whose path has changed. As long as all this is at the very beginning of
@@ -224,8 +222,8 @@ end
 -- Lets those who have turns take them, by `land` of footings or flanks, until the queue goes first;
 -- what that disturbs at once goes into it. Returns whether all have had their turns.
 local function settle(b, land, dt)
-  local isNext, left = false, footing.CHANGED
-  while left ~= footing.DONE do
+  local isNext, left = false, nil
+  repeat
     left = land(b, dt, isNext)
     if left == flank.RUB then
       flank.rub(b)
@@ -242,7 +240,7 @@ local function settle(b, land, dt)
     if isNext and footing.isLater(b) then
       return false
     end
-  end
+  until left == footing.DONE
   return true
 end
 

@@ -124,11 +124,15 @@ describe("the same scene goes the same way, to the bit,", function()
         world:add("boxes", box)
       end
     end
+    local b, footings, flanks = worlds[1]._bodies, 0, 0
     for step = 1, effort.share(240) do
       worlds[1]:update(1 / 60)
       worlds[2]:update(1 / 60)
       assert.are.equal(worlds[2]:hash(), worlds[1]:hash(), "step " .. step)
+      footings, flanks = footings + b.footingCount, flanks + b.turnsDone - b.footingCount
     end
+    assert.is_true(footings > 1000 and flanks > 50, footings .. " footings, " .. flanks .. " flanks")
+    assert.equal(0, worlds[2]._bodies.turnsDone)
   end)
 
   -- Its own motor holds the lower one down, not gravity: friction does not make a floor of it.
