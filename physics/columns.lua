@@ -234,6 +234,8 @@ function columns.new()
     liveLinks = -1, -- both, when `live` was listed
     liveAwakenings = -1,
     touchList = {}, -- scratch of turns: pairs that touch
+    flushAlong = {}, -- of those, who is flush along gravity
+    flushAcross = {}, -- and across
     turnPair = {}, -- pairs that are flush when the step begins (see turns)
     turnUp = {}, -- who leans
     turnLow = {}, -- on whom

@@ -79,22 +79,26 @@ function gather.touching(b, out)
   return count
 end
 
---- Of the pairs in pairs_[1..count], lists those in `flush` that are flush along an axis when the
---- step begins. Returns how many those are.
-function gather.flush(b, pairs_, count, axis, flush)
-  local pairA, pairB, from, size, n = b.pairA, b.pairB, b.from, b.size, 0
-  for m = 1, count do
-    local p = pairs_[m]
+--- Of the pairs in pairs_[1..count], lists those in `along` that are flush along `axis` when the
+--- step begins, and those in `across` that are flush along the other one. Returns how many those
+--- are.
+function gather.flush(b, pairs_, count, axis, along, across)
+  local pairA, pairB, from, size, n, m = b.pairA, b.pairB, b.from, b.size, 0, 0
+  for at = 1, count do
+    local p = pairs_[at]
     local i, j = 2 * pairA[p] + axis, 2 * pairB[p] + axis
     local ic, jc = 2 * pairA[p] + 1 - axis, 2 * pairB[p] + 1 - axis
     local r, rc = from[j] - from[i], from[jc] - from[ic]
-    local gap, across = max(r - size[i], -r - size[j]), max(rc - size[ic], -rc - size[jc])
-    if min(gap + EPSILON, -across - EPSILON) >= 0 then
+    local gap, gapc = max(r - size[i], -r - size[j]), max(rc - size[ic], -rc - size[jc])
+    if min(gap + EPSILON, -gapc - EPSILON) >= 0 then
       n = n + 1
-      flush[n] = p
+      along[n] = p
+    elseif min(gapc + EPSILON, -gap - EPSILON) >= 0 then
+      m = m + 1
+      across[m] = p
     end
   end
-  return n
+  return n, m
 end
 
 -- Where the other of a pair is on an axis, relative to the object, at the time `start`.

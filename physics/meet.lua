@@ -107,11 +107,12 @@ end
 -- wake others, who are computed as if they had been awake from the beginning.
 local function lookUp(b, list, count, dt)
   detect.run(b, list, 1, count)
-  local woken = b.predicted + 1
-  if woken <= b.awakeCount then
+  while b.predicted < b.awakeCount do
+    local woken = b.predicted + 1
     predict.run(b, dt)
     live.add(b, woken)
-    schedule(b, gather.objects(b, b.awakeList, woken, b.awakeCount, 0))
+    detect.run(b, b.awakeList, woken, b.predicted)
+    schedule(b, gather.objects(b, b.awakeList, woken, b.predicted, 0))
   end
 end
 
@@ -180,11 +181,9 @@ local function happen(b, p, code, t, dt)
 end
 
 -- Looks at all pairs, when all have had their turns: only then are their paths what they will be
--- for most.
+-- for most. Whom they may meet on these is looked up now.
 local function lookAtAll(b, dt)
-  if b.isInstant then
-    lookUp(b, b.awakeList, b.awakeCount, dt)
-  end
+  lookUp(b, b.awakeList, b.awakeCount, dt)
   b.isAllSeen, b.isStale = true, false
   schedule(b, gather.live(b))
 end
@@ -222,7 +221,7 @@ end
 -- Lets those who have turns take them, by `land` of footings or flanks, until the queue goes first;
 -- what that disturbs at once goes into it. Returns whether all have had their turns.
 local function settle(b, land, dt)
-  local isNext, left = false, nil
+  local isNext, left = false
   repeat
     left = land(b, dt, isNext)
     if left == flank.RUB then

@@ -1,10 +1,9 @@
---- Steps 3 to 5 for whoever is awake and has no path yet: forces, move, detect. Finding neighbours
---- can wake others, also in the middle of a step; they are then computed as if they had been awake
---- from its beginning.
+--- Steps 3 and 4 for whoever is awake and has no path yet: forces, move. Step 5, detect, follows in
+--- `meet`, when paths are known better; it can wake others, who are computed then as if they had
+--- been awake from the beginning of the step.
 
 local here = (...):match("^(.*)%.[^.]+$")
 local begin = require(here .. ".begin")
-local detect = require(here .. ".detect")
 local forces = require(here .. ".forces")
 local move = require(here .. ".move")
 
@@ -12,14 +11,11 @@ local predict = {}
 
 --- Gives a path to everybody in awakeList behind place `b.predicted`.
 function predict.run(b, dt)
-  while b.predicted < b.awakeCount do
-    local first, last = b.predicted + 1, b.awakeCount
-    begin.run(b)
-    forces.run(b, dt, first, last)
-    move.run(b, dt, first, last)
-    b.predicted = last
-    detect.run(b, b.awakeList, first, last)
-  end
+  local first, last = b.predicted + 1, b.awakeCount
+  begin.run(b)
+  forces.run(b, dt, first, last)
+  move.run(b, dt, first, last)
+  b.predicted = last
 end
 
 return predict

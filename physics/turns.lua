@@ -19,9 +19,11 @@ local turns = {}
 local DYNAMIC = columns.DYNAMIC
 local huge, floor, max, min = math.huge, math.floor, math.max, math.min
 
+-- So few are inserted into the others.
+local FEW = 6
 -- From how many turns on sorting by digits is worth it, and from how many on with more of them.
-local SOME, MANY = 24, 400
-local FEW_DIGITS, MANY_DIGITS = 128, 1024
+local SOME, MANY = 24, 1000
+local FEW_DIGITS, MANY_DIGITS = 256, 1024
 
 -- Of the pairs that are flush, keeps those that are plain and lists the others behind b.odd;
 -- returns how many are plain.
@@ -89,21 +91,26 @@ local function weigh(b, axis, first, last)
 end
 
 -- Writes into `digit` how far down each is, as a whole number below `limit`: 0 for what leans on
--- something immovable, then from the lowest up.
+-- something immovable, then from the lowest up. Returns false if nearly all do, as in levels: then
+-- the others need no digits.
 local function quantize(b, first, last, limit)
   local support, digit = b.turnSupport, b.sortDigit
-  local lowest, highest = -huge, huge
+  local lowest, highest, count = -huge, huge, 0
   for x = first, last do
     local s = support[x]
     if s ~= huge then
-      lowest, highest = max(lowest, s), min(highest, s)
+      lowest, highest, count = max(lowest, s), min(highest, s), count + 1
     end
+  end
+  if count < FEW then
+    return false
   end
   local scale = lowest > highest and (limit - 2) / (lowest - highest) or 0
   for x = first, last do
     local s = support[x]
     digit[x] = s == huge and 0 or 1 + floor((lowest - s) * scale)
   end
+  return true
 end
 
 -- The place of the first in the order of the world.
@@ -188,8 +195,9 @@ local function arrange(b, first, last)
     local digits = count < MANY and FEW_DIGITS or MANY_DIGITS
     readSeats(b, first, last)
     sortAll(b, count, b.moverCount + 1, digits)
-    quantize(b, first, last, digits * digits)
-    sortAll(b, count, digits * digits, digits)
+    if quantize(b, first, last, digits * digits) then
+      sortAll(b, count, digits * digits, digits)
+    end
   end
   local order, turnOrder, turn, list = b.sortFrom, b.turnOrder, b.turn, b.turnPair
   finish(b, order, count)
@@ -199,11 +207,10 @@ local function arrange(b, first, last)
   end
 end
 
--- Lists the turns of the touching pairs along an axis behind place `last`; returns the last place
+-- Lists the turns of pairs that are flush along an axis behind place `last`; returns the last place
 -- then.
-local function listAlong(b, touchCount, axis, last)
-  local flush, first = b.sortFrom, last + 1
-  local count = gather.flush(b, b.touchList, touchCount, axis, flush)
+local function listAlong(b, flush, count, axis, last)
+  local first = last + 1
   last = findLow(b, flush, keepPlain(b, flush, count), axis, last)
   if last >= first then
     weigh(b, axis, first, last)
@@ -223,9 +230,11 @@ function turns.list(b)
   if b.pushFirst or b.worldCanCollide or b.queueOnly then
     return
   end
-  b.footingCount = listAlong(b, count, b.downAxis, 0)
+  local axis, along, across = b.downAxis, b.flushAlong, b.flushAcross
+  local alongCount, acrossCount = gather.flush(b, b.touchList, count, axis, along, across)
+  b.footingCount = listAlong(b, along, alongCount, axis, 0)
   b.oddFootings = b.oddCount
-  b.turnCount = listAlong(b, count, 1 - b.downAxis, b.footingCount)
+  b.turnCount = listAlong(b, across, acrossCount, 1 - axis, b.footingCount)
 end
 
 return turns

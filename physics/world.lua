@@ -76,8 +76,8 @@ local function step(self, dt)
   begin.run(b)
   detect.runMoved(b)
   part.run(b)
-  predict.run(b, dt) -- forces, move, detect
-  meet.run(b, dt) -- side, push, restitution, friction
+  predict.run(b, dt) -- forces, move
+  meet.run(b, dt) -- detect, side, push, restitution, friction
   publish.run(b)
   if b.rest then
     rest.settle(b, dt)

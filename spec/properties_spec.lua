@@ -131,8 +131,70 @@ describe("the same scene goes the same way, to the bit,", function()
       assert.are.equal(worlds[2]:hash(), worlds[1]:hash(), "step " .. step)
       footings, flanks = footings + b.footingCount, flanks + b.turnsDone - b.footingCount
     end
-    assert.is_true(footings > 1000 and flanks > 50, footings .. " footings, " .. flanks .. " flanks")
+    assert.is_true(
+      footings > 1000 and flanks > 50,
+      footings .. " footings, " .. flanks .. " flanks"
+    )
     assert.equal(0, worlds[2]._bodies.turnsDone)
+  end)
+
+  -- Columns of boxes, flush to the bit, that push each other and a wall; some of them are no plain
+  -- boxes and are left to the queue, between the others. Upright, or with gravity to the right.
+  local ODDITIES = {
+    { restitution = 0.5 },
+    { pushable = false },
+    { sensor = true },
+    { oneWay = "top" },
+    { nudge = 4 },
+    { gravity = 0, gravityX = 300 },
+    { kinematic = true, vx = 30 },
+    { static = true },
+  }
+  local function addBox(world, isTurned, group, box)
+    if isTurned then
+      local x, width, vx = box.x, box.width, box.vx
+      box.x, box.width, box.vx = box.y, box.height, box.vy
+      box.y, box.height, box.vy = x, width, vx
+    end
+    world:add(group, box)
+  end
+  local function newColumns(seed)
+    local random, isTurned = newRandom(seed), seed % 3 == 0
+    local pull = seed % 4 == 0 and 0 or 700
+    local world = physics.newWorld({ rest = seed % 2 == 0 })
+    world.gravity, world.gravityX = isTurned and 0 or pull, isTurned and pull or 0
+    addBox(world, isTurned, "walls", { x = -16, y = 0, width = 240, height = 16, static = true })
+    addBox(world, isTurned, "walls", { x = -16, y = -200, width = 16, height = 200, static = true })
+    local x = 0
+    for _ = 1, 8 do
+      local y, width = 0, random:between(8, 16)
+      for _ = 1, random:integer(1, 4) do
+        local box = { x = x, width = width, height = random:between(6, 20), friction = 0.4 }
+        y = y - box.height
+        box.y, box.vx, box.vy = y, random:between(-80, 80), random:between(-20, 20)
+        box.mass = random:between(0.2, 5)
+        for name, value in pairs(random:integer(1, 5) == 1 and random:pick(ODDITIES) or {}) do
+          box[name] = value
+        end
+        addBox(world, isTurned, "boxes", box)
+      end
+      x = x + width
+    end
+    return world
+  end
+  it("when columns that push each other go through the queue", function()
+    local flanks = 0
+    for seed = 1, effort.share(80) do
+      local world, other = newColumns(seed), newColumns(seed)
+      other._bodies.queueOnly = true
+      for step = 1, 12 do
+        world:update(1 / 60)
+        other:update(1 / 60)
+        assert.are.equal(other:hash(), world:hash(), "seed " .. seed .. ", step " .. step)
+        flanks = flanks + world._bodies.turnsDone - world._bodies.footingCount
+      end
+    end
+    assert.is_true(flanks > 100, flanks .. " flanks")
   end)
 
   -- Its own motor holds the lower one down, not gravity: friction does not make a floor of it.
