@@ -80,6 +80,7 @@ local SLOT = {
   grip = 0, -- impulse that its hold can still take over
   stickiness = 0, -- friction coefficient of that hold
   changedMark = 0,
+  changes = 0, -- how often its path has changed by now
   watched = 0, -- step in which a change of its path must be looked into at once
   support = 0, -- slot of what it stands on, 0: nothing
   carrier = 0, -- slot of what carries it, through all that it stands on, 0: nothing
@@ -147,6 +148,7 @@ local PAIR = {
   "wedged", -- 1 + code of the meeting along which two that are left inside each other may part
   "dropping", -- falls through (dropThrough) until the two are apart
   "overlapping", -- was left inside each other at the end of the last step
+  "settled", -- 1 + the changes of both when the last meeting in this step changed nothing, 0: none
   "leaving", -- is about to be taken apart
 }
 
@@ -423,6 +425,7 @@ local function resetPairs(b, count)
   for n = 1, count do
     local p = linked[n]
     event[p], wedged[p], turn[p], waits[p], touches[p] = columns.NO_EVENT, 0, 0, 0, false
+    b.settled[p] = 0
   end
 end
 

@@ -25,7 +25,9 @@ local function weldedTo(b, i, axis, isLow)
     local j = b.other[half]
     local m = 2 * j + axis
     local at = isLow and from[k] - from[m] or from[m] - from[k]
-    if b.weld[m] == b.weld[k] and at > 0 and b.kind[j] == DYNAMIC then
+    -- Only whom it has met: other neighbours may be known or not.
+    local isMet = b.met[(half + half % 2) / 2] > 0
+    if b.weld[m] == b.weld[k] and at > 0 and b.kind[j] == DYNAMIC and isMet then
       if best == 0 or at < bestAt or (at == bestAt and b.rank[j] < b.rank[best]) then
         best, bestAt = j, at
       end

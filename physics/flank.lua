@@ -117,6 +117,8 @@ local function press(b, x, p, side, lo, hi, axis, dt)
   local u, tau = impactAt(o, v, b.accel[kl] - b.accel[kh], dt)
   b.hit[p], b.hitSpeed[p], b.met[p] = side, u, 1
   place(b, lo, kl, kh, wl, wh, o, v)
+  b.changes[lo] = b.changes[lo] + (wl > 0 and 1 or 0)
+  b.changes[hi] = b.changes[hi] + (wh > 0 and 1 or 0)
   if v > -STILL then
     lean(b, lo, hi, kl, kh, wl, wh)
   end
@@ -126,10 +128,14 @@ local function press(b, x, p, side, lo, hi, axis, dt)
   b.stuck[lo] = b.stuck[lo] and b.down[kl] ~= 0
   b.stuck[hi] = b.stuck[hi] and b.down[kh] ~= 0
   local sideways = 1 - 2 * axis
-  if
-    coefficient(b, lo, hi) <= 0
-    or (b.down[kl] == 0 and b.down[kh] == 0 and isAlike(b, lo, hi, kl + sideways, kh + sideways))
+  if coefficient(b, lo, hi) <= 0 then
+    return LEANS
+  elseif
+    b.down[kl] == 0
+    and b.down[kh] == 0
+    and isAlike(b, lo, hi, kl + sideways, kh + sideways)
   then
+    b.changes[lo], b.changes[hi] = b.changes[lo] + 1, b.changes[hi] + 1
     return LEANS
   end
   b.turnImpulse[x], b.turnShare[x], b.turnLeft[x] = v / (wl + wh), min(u / v, 1.0), tau

@@ -71,6 +71,7 @@ local function stick(b, up, low, ku, kl, mu, impulse, sign)
   then
     return false
   elseif not (isFast or b.stuck[low]) then
+    b.changes[low] = b.changes[low] + 1
     return true -- both slide, together
   end
   local bearing = mu * impulse
@@ -96,12 +97,13 @@ end
 
 -- Changes speed and way of k by what friction took off, unless it is held there. (Few are held at
 -- all: asked first, so that the sign of what is taken makes no two ways through the code.)
-local function shift(b, k, dSpeed, dWay)
+local function shift(b, i, k, dSpeed, dWay)
   local heldLow, heldHigh = b.heldLow[k], b.heldHigh[k]
   if (heldLow or heldHigh) and ((dSpeed > 0 and heldHigh) or (dSpeed < 0 and heldLow)) then
     return
   end
   b.speed[k], b.to[k] = b.speed[k] + dSpeed, b.to[k] + dWay
+  b.changes[i] = b.changes[i] + 1
 end
 
 -- What is left of u when its amount is less by `loss`, which does not turn it round. No branches.
@@ -135,8 +137,8 @@ local function slideTogether(b, up, low, ku, kl, limit, share, sign, dt)
   end
   local dSpeed, dWay = stop - u, way - (u + u) * 0.5 * dt
   local shareU, shareL = wu / w, wl / w
-  shift(b, ka, dSpeed * shareU, dWay * shareU)
-  shift(b, kb, -dSpeed * shareL, -dWay * shareL)
+  shift(b, up, ka, dSpeed * shareU, dWay * shareU)
+  shift(b, low, kb, -dSpeed * shareL, -dWay * shareL)
   return true
 end
 
@@ -159,7 +161,7 @@ local function land(b, x, p, side, up, low, ku, kl, isUp, dt)
   end
   local u = start > STILL and start or 0
   b.hit[p], b.hitSpeed[p], b.met[p] = side, u, 1
-  to[ku] = goal
+  to[ku], b.changes[up] = goal, b.changes[up] + 1
   if v > 0 then
     speed[ku] = speed[kl]
     b.turnImpulse[x], b.turnShare[x] = v / b.inverseMass[up], min(u / v, 1.0)

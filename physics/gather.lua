@@ -124,11 +124,16 @@ local function listWhole(b, p, clear, count)
 end
 
 --- Lists all live pairs that may meet on the present paths, which must all begin with the step, and
---- forgets the events of all. Returns how many there are.
+--- forgets the events of all; but for those whose last meeting has changed nothing, and whose paths
+--- are still the same: they would meet for ever. Returns how many there are.
 function gather.live(b)
   local pairs_, clear, count = b.live, b.pushFirst and EPSILON or 0, 0
+  local pairA, pairB, settled, changes = b.pairA, b.pairB, b.settled, b.changes
   for n = 1, b.liveCount do
-    count = listWhole(b, pairs_[n], clear, count)
+    local p = pairs_[n]
+    if settled[p] == 0 or settled[p] ~= 1 + changes[pairA[p]] + changes[pairB[p]] then
+      count = listWhole(b, p, clear, count)
+    end
   end
   return count
 end

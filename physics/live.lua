@@ -30,11 +30,11 @@ end
 -- known of those that join in the middle of a step: `touch` is true then.
 local function reset(b, first, touch)
   local live_, met, hit, passing, event = b.live, b.met, b.hit, b.passing, b.event
-  local nudged, turn, waits, touches = b.nudged, b.turn, b.waits, b.touches
+  local nudged, turn, waits, touches, settled = b.nudged, b.turn, b.waits, b.touches, b.settled
   for n = first, b.liveCount do
     local p = live_[n]
     met[p], hit[p], passing[p], event[p] = 0, 0, false, NO_EVENT
-    nudged[p], turn[p], waits[p], touches[p] = 0, 0, 0, touch
+    nudged[p], turn[p], waits[p], touches[p], settled[p] = 0, 0, 0, touch, 0
   end
 end
 

@@ -70,7 +70,7 @@ end
 local function enqueue(b, p, t, code)
   local one, other, met = b.pairA[p], b.pairB[p], b.met[p]
   local isSensed = b.sensor[one] or b.sensor[other]
-  if b.passing[p] or (isSensed and met > 0) then
+  if b.passing[p] or met >= resolve.PATIENCE or (isSensed and met > 0) then
     return
   end
   local kind, axis, otherIsLow = approach.decode(code)
@@ -129,7 +129,10 @@ end
 
 -- A nudge moves somebody aside at once, also at the very beginning of the step: then he may touch
 -- others, and from now on nobody keeps a place without being looked at.
-local function followNudge(b)
+local function followNudge(b, dt)
+  if b.isInstant then
+    lookUp(b, b.changed, b.changedCount, dt)
+  end
   for n = 1, b.changedCount do
     local half = b.head[b.changed[n]]
     while half ~= 0 do
@@ -173,9 +176,10 @@ local function happen(b, p, code, t, dt)
     and (nudge.try(b, low, high, axis, true, t) or nudge.try(b, high, low, axis, false, t))
   then
     b.nudged[p] = b.nudged[p] + 1
-    followNudge(b)
+    followNudge(b, dt)
   else
     resolve.run(b, p, low, high, axis, t, dt, kind == approach.DEEP)
+    b.settled[p] = b.changedCount == 0 and 1 + b.changes[low] + b.changes[high] or 0
   end
   followChanged(b, dt)
 end
@@ -225,9 +229,11 @@ local function settle(b, land, dt)
   repeat
     left = land(b, dt, isNext)
     if left == flank.RUB then
+      path.startChanges(b)
       flank.rub(b)
     end
     while not footing.slide(b, dt) do
+      path.startChanges(b)
       footing.rub(b, dt)
     end
     if left == footing.CHANGED or left == flank.RUB then

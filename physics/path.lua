@@ -30,7 +30,7 @@ end
 --- Notes that the path of an object has changed.
 function path.change(b, i)
   if b.kind[i] == DYNAMIC and b.changedMark[i] ~= b.changeStamp then
-    b.changedMark[i] = b.changeStamp
+    b.changedMark[i], b.changes[i] = b.changeStamp, b.changes[i] + 1
     b.changedCount = b.changedCount + 1
     b.changed[b.changedCount] = i
   end

@@ -26,8 +26,10 @@ local advance, change = path.advance, path.change
 local DYNAMIC = columns.DYNAMIC
 
 -- Hits of one pair in one step after which it bounces no more, does not even leave by its own
--- acceleration, is left alone; hits without a bounce after which it is welded.
-local BOUNCES, LEAVES, PATIENCE, WELDS = 4, 8, 32, 3
+-- acceleration; hits without a bounce after which it is welded.
+local BOUNCES, LEAVES, WELDS = 4, 8, 3
+--- The same: after which it is left alone.
+resolve.PATIENCE = 32
 local STILL = columns.STILL
 
 -- Inverse masses for a push between `lo` and `hi`; 0: cannot give way.
@@ -200,9 +202,6 @@ end
 --- b.changed[1..b.changedCount].
 function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   local kl, kh = 2 * lo + axis, 2 * hi + axis
-  if b.met[p] >= PATIENCE then
-    return
-  end
   local touches = t <= max(b.time[lo], b.time[hi])
   advance(b, lo, t)
   advance(b, hi, t)

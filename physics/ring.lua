@@ -49,13 +49,13 @@ end
 -- Notes that the paths of the others have changed.
 local function change(b, k)
   local changed, mark, stamp, count = b.changed, b.changedMark, b.changeStamp, b.changedCount
-  local weldNext, kind = b.weldNext, b.kind
+  local weldNext, kind, changes = b.weldNext, b.kind, b.changes
   local member = weldNext[k]
   while member ~= k and member ~= 0 do
     local i = floor(member * 0.5)
     if mark[i] ~= stamp and kind[i] == DYNAMIC then
       count = count + 1
-      mark[i], changed[count] = stamp, i
+      mark[i], changed[count], changes[i] = stamp, i, changes[i] + 1
     end
     member = weldNext[member]
   end
