@@ -20,7 +20,7 @@ local floor, huge, max, min = math.floor, math.huge, math.max, math.min
 -- px around the path, and px around a static object, which does not move.
 local MARGIN = 1
 -- So many steps further in the same direction few objects leave their fat boxes, up to so many px.
-local AHEAD, FARTHEST = 10, 8
+local AHEAD, FARTHEST = 10.0, 8.0
 
 -- Lists in b.parted the pairs of those in strays[1..count] whose fat boxes no longer meet; returns
 -- how many. One in contact stays until that has ended, one that was hit in this step until that
@@ -125,7 +125,7 @@ end
 -- The fat box on the axis of k.
 local function fatten(b, k)
   local from, to, size = b.from[k], b.to[k], b.size[k]
-  local ahead = max(-FARTHEST, min(FARTHEST, (to - from) * AHEAD))
+  local ahead = max(min((to - from) * AHEAD, FARTHEST), -FARTHEST)
   b.fatLow[k] = min(from, to) - MARGIN + min(ahead, 0)
   b.fatHigh[k] = max(from, to) + size + MARGIN + max(ahead, 0)
 end

@@ -225,8 +225,8 @@ function footing.land(b, dt, isNext)
   return footing.DONE
 end
 
---- Lets those rub that have landed, in the same order. That changes paths across gravity only,
---- which no footing and nothing else at the very beginning depends on, so it may follow the
+--- Lets those rub that have landed, in the same order. That changes paths across gravity only, on
+--- which no footing depends, nor anything else that goes before the flanks; so it may follow the
 --- landings (one loop for both would be too long for the trace compiler). Returns false at one that
 --- needs more than this loop does, and must `rub`.
 function footing.slide(b, dt)

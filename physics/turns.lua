@@ -135,8 +135,8 @@ local function sortBy(b, source, target, count, unit, digits)
     heads[d] = 0
   end
   for n = 1, count do
-    local d = floor(digit[source[n]] * inverse)
-    d = d - floor(d / digits) * digits + 2
+    local rest = floor(digit[source[n]] * inverse)
+    local d = rest - floor(rest / digits) * digits + 2
     heads[d] = heads[d] + 1
   end
   for d = 2, digits do
@@ -144,8 +144,8 @@ local function sortBy(b, source, target, count, unit, digits)
   end
   for n = 1, count do
     local x = source[n]
-    local d = floor(digit[x] * inverse)
-    d = d - floor(d / digits) * digits + 1
+    local rest = floor(digit[x] * inverse)
+    local d = rest - floor(rest / digits) * digits + 1
     local at = heads[d] + 1
     heads[d], target[at] = at, x
   end
@@ -153,7 +153,8 @@ end
 
 -- Sorts by the number in `digit`, which is below `limit`; what is equal stays in order.
 local function sortAll(b, count, limit, digits)
-  local source, target, unit = b.sortFrom, b.sortTo, 1
+  local source, target = b.sortFrom, b.sortTo
+  local unit = 1 ---@type number
   while unit < limit do
     sortBy(b, source, target, count, unit, digits)
     local sorted = target

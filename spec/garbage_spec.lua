@@ -1,39 +1,17 @@
 --- In a steady scene an update allocates nothing: no pause of the garbage collector in a game.
 
+local garbage = require("spec.support.garbage")
 local physics = require("physics")
 
 local WARM_UP, MEASURED = 600, 100
-local jit = rawget(_G, "jit")
 
--- Bytes that MEASURED updates allocate, after arrays and the stack have reached their sizes. The
--- trace compiler allocates for itself, so it is kept out.
+-- Bytes that MEASURED updates allocate.
 local function bytesOf(world, play)
-  local wasOn = jit and jit.status()
-  if wasOn then
-    jit.off()
-    jit.flush() -- traces that are compiled already would go on running
-  end
-  for step = 1, WARM_UP do
-    play(step)
+  local function step(n)
+    play(n)
     world:update(1 / 60)
   end
-  collectgarbage()
-  collectgarbage("stop")
-  for step = 1, 3 do
-    play(step)
-    world:update(1 / 60)
-  end
-  local before = collectgarbage("count")
-  for step = 1, MEASURED do
-    play(step)
-    world:update(1 / 60)
-  end
-  local after = collectgarbage("count")
-  collectgarbage("restart")
-  if wasOn then
-    jit.on()
-  end
-  return (after - before) * 1024
+  return garbage.bytes(step, WARM_UP, MEASURED)
 end
 
 local function nothing() end

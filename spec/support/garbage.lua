@@ -1,0 +1,36 @@
+--- How much a game leaves to the garbage collector.
+
+local garbage = {}
+
+local jit = rawget(_G, "jit")
+
+--- Returns the bytes that `count` calls of play(step) allocate, after `warmUp` others in which
+--- arrays and the stack reach their sizes. The trace compiler allocates for itself, so it is kept
+--- out.
+function garbage.bytes(play, warmUp, count)
+  local wasOn = jit and jit.status()
+  if wasOn then
+    jit.off()
+    jit.flush() -- traces that are compiled already would go on running
+  end
+  for step = 1, warmUp do
+    play(step)
+  end
+  collectgarbage()
+  collectgarbage("stop")
+  for step = 1, 3 do
+    play(step)
+  end
+  local before = collectgarbage("count")
+  for step = 1, count do
+    play(step)
+  end
+  local after = collectgarbage("count")
+  collectgarbage("restart")
+  if wasOn then
+    jit.on()
+  end
+  return (after - before) * 1024
+end
+
+return garbage
