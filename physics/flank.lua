@@ -9,7 +9,6 @@
 local here = (...):match("^(.*)%.[^.]+$")
 local columns = require(here .. ".columns")
 local footing = require(here .. ".footing")
-local friction = require(here .. ".friction")
 local impact = require(here .. ".impact")
 
 local flank = {}
@@ -146,11 +145,11 @@ end
 flank.RUB = -3
 
 --- Lets one flank after the other lean in a step of dt s; see `footing.land`. RUB: the last one
---- must `rub`.
+--- must `footing.rub`, which changes paths along gravity.
 function flank.land(b, dt, isNext)
   local q, order, list, ups, lows = b.queue, b.turnOrder, b.turnPair, b.turnUp, b.turnLow
   local axis, turn, sides, watched = 1 - b.downAxis, b.turn, b.turnSide, b.watched
-  local isUp, step = b.orientation[1 - b.downAxis] < 0, b.step
+  local isUp, step = b.orientation[axis] < 0, b.step
   for at = b.turnsDone + 1, b.turnCount do
     local x = order[at]
     local p, lo, hi = list[x], ups[x], lows[x]
@@ -178,17 +177,6 @@ function flank.land(b, dt, isNext)
     end
   end
   return footing.DONE
-end
-
---- Lets the last flank rub. That changes paths along gravity.
-function flank.rub(b)
-  local x, axis = b.turnOrder[b.turnsDone], 1 - b.downAxis
-  local lo, hi = b.turnUp[x], b.turnLow[x]
-  if b.orientation[axis] < 0 then
-    lo, hi = b.turnLow[x], b.turnUp[x]
-  end
-  friction.rub(b, lo, hi, axis, b.turnImpulse[x], b.turnShare[x], b.turnLeft[x], 0)
-  b.turnImpulse[x] = 0
 end
 
 return flank

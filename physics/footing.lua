@@ -249,13 +249,18 @@ function footing.slide(b, dt)
   return true
 end
 
---- Lets the footing rub at which `slide` has stopped.
-function footing.rub(b, dt)
-  local x, axis = b.turnOrder[b.turnsSlid], b.downAxis
+--- Lets the two of a turn rub, along or across gravity, in the general way.
+function footing.rub(b, at, dt)
+  local x, isFooting = b.turnOrder[at], at <= b.footingCount
+  local axis, tau = b.downAxis, dt
+  if not isFooting then
+    axis, tau = 1 - axis, b.turnLeft[x]
+  end
   local up, low = b.turnUp[x], b.turnLow[x]
   local isDown = b.orientation[axis] > 0
   local lo, hi = isDown and up or low, isDown and low or up
-  friction.rub(b, lo, hi, axis, b.turnImpulse[x], b.turnShare[x], dt, 0)
+  friction.rub(b, lo, hi, axis, b.turnImpulse[x], b.turnShare[x], tau, 0)
+  b.turnImpulse[x] = 0 -- nothing is left for `slide`
 end
 
 return footing

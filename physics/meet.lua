@@ -230,11 +230,11 @@ local function settle(b, land, dt)
     left = land(b, dt, isNext)
     if left == flank.RUB then
       path.startChanges(b)
-      flank.rub(b)
+      footing.rub(b, b.turnsDone, dt)
     end
     while not footing.slide(b, dt) do
       path.startChanges(b)
-      footing.rub(b, dt)
+      footing.rub(b, b.turnsSlid, dt)
     end
     if left == footing.CHANGED or left == flank.RUB then
       followTurn(b, dt)
