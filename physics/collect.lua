@@ -134,6 +134,30 @@ local function readMotion(b, i, object, isNew)
   end
 end
 
+-- Whether an object is dynamic and has none of the fields that few have.
+local function isBare(object)
+  return object.active == nil
+    and object.kinematic == nil
+    and object.sensor == nil
+    and object.pushable == nil
+    and object.oneWay == nil
+    and object.mask == nil
+    and object.canCollide == nil
+    and object.onStay == nil
+    and object.gravity == nil
+    and object.gravityX == nil
+    and object.ax == nil
+    and object.ay == nil
+    and object.airFriction == nil
+    and object.drag == nil
+    and object.maxSpeed == nil
+    and object.maxSpeedX == nil
+    and object.maxSpeedY == nil
+    and object.carry == nil
+    and object.surfaceSpeed == nil
+    and object.nudge == nil
+end
+
 -- Reads all fields, which must have been checked.
 local function readAll(b, i, object, isNew)
   readFilter(b, i, object)
@@ -144,6 +168,7 @@ local function readAll(b, i, object, isNew)
     and b.pushable[i]
     and b.restitution[i] == 0
     and b.nudge[i] == 0
+  b.bare[i] = b.kind[i] == DYNAMIC and isBare(object)
 end
 
 --- Lets an object stand where it is, also as an obstacle and for the broad phase.
@@ -288,8 +313,9 @@ local function reread(b, i)
   rest.wake(b, i)
 end
 
--- The four loops below compare what the game's tables say with the columns, a few fields each: a
--- long loop body with many live values compiles badly.
+-- The loops below compare what the game's tables say with the columns, a few fields each: a long
+-- loop body with many live values compiles badly. `false` in a column is nil in the table (a
+-- `false` in there is refused).
 
 local function compareMotion(b)
   local movers, objects = b.movers, b.object
@@ -326,49 +352,75 @@ end
 local function hear(b, i)
   local object = b.object[i]
   check.object(object, roster.place(b.group[i], b.key[i]))
-  b.hears[i] = object.onStay or false
+  b.hears[i], b.bare[i] = object.onStay or false, false
   rest.wake(b, i)
 end
 
-local function compareFilters(b)
-  local movers, objects = b.movers, b.object
-  local active, sensor, pushable, kind = b.active, b.sensor, b.pushable, b.kind
-  local hears, oneWay, canCollide, mask, seen = b.hears, b.oneWay, b.canCollide, b.mask, b.maskSeen
+-- Lists those of whom more must be compared than these three, which many have: whoever has fields
+-- that few have, or had some. To ask whether a field is nil costs less than to compare it. Returns
+-- how many they are.
+local function listRich(b)
+  local movers, objects, bare, rich, count = b.movers, b.object, b.bare, b.rich, 0
+  local mass, friction, restitution = b.mass, b.friction, b.restitution
   for n = 1, b.moverCount do
     local i = movers[n]
     local object = objects[i]
-    local its = object.mask or false
+    local itsMass, itsFriction, itsRestitution = object.mass, object.friction, object.restitution
+    if
+      not (bare[i] and isBare(object))
+      or (itsMass or 1) ~= mass[i]
+      or (itsFriction or 0) ~= friction[i]
+      or (itsRestitution or 0) ~= restitution[i]
+      or itsMass == false -- is refused
+      or itsFriction == false
+      or itsRestitution == false
+    then
+      count = count + 1
+      rich[count] = i
+    end
+  end
+  return count
+end
+
+local function compareFilters(b, count)
+  local rich, objects = b.rich, b.object
+  local active, sensor, pushable, kind = b.active, b.sensor, b.pushable, b.kind
+  local hears, oneWay, canCollide, mask, seen = b.hears, b.oneWay, b.canCollide, b.mask, b.maskSeen
+  for n = 1, count do
+    local i = rich[n]
+    local object = objects[i]
+    local its = object.mask
     if
       orDefault(object.active, true) ~= active[i]
       or (object.sensor or false) ~= sensor[i]
       or orDefault(object.pushable, true) ~= pushable[i]
-      or (object.oneWay or false) ~= oneWay[i]
-      or (object.canCollide or false) ~= canCollide[i]
+      or object.oneWay ~= (oneWay[i] or nil)
+      or object.canCollide ~= (canCollide[i] or nil)
       or (object.kinematic or false) ~= (kind[i] == KINEMATIC)
-      or its ~= mask[i]
+      or its ~= (mask[i] or nil)
       or (its and hasMaskChanged(b, its, seen[i]))
     then
       reread(b, i)
-    elseif (object.onStay or false) ~= hears[i] then
+    elseif object.onStay ~= (hears[i] or nil) then
       hear(b, i)
     end
   end
 end
 
-local function compareMaterials(b)
-  local movers, objects = b.movers, b.object
+local function compareMaterials(b, count)
+  local rich, objects = b.rich, b.object
   local mass, friction, restitution = b.mass, b.friction, b.restitution
   local ownGravity, ownGravityX, push, kind = b.ownGravity, b.ownGravityX, b.push, b.kind
-  for n = 1, b.moverCount do
-    local i = movers[n]
+  for n = 1, count do
+    local i = rich[n]
     local object = objects[i]
     if
       orDefault(object.mass, 1) ~= mass[i]
       or orDefault(object.friction, kind[i] == DYNAMIC and 0 or -1) ~= friction[i]
       or object.friction == -1 -- in the columns that is "not set", from the game it is refused
       or orDefault(object.restitution, 0) ~= restitution[i]
-      or orDefault(object.gravity, false) ~= ownGravity[i]
-      or orDefault(object.gravityX, false) ~= ownGravityX[i]
+      or object.gravity ~= (ownGravity[i] or nil)
+      or object.gravityX ~= (ownGravityX[i] or nil)
       or orDefault(object.ax, 0) ~= push[2 * i]
       or orDefault(object.ay, 0) ~= push[2 * i + 1]
     then
@@ -377,12 +429,12 @@ local function compareMaterials(b)
   end
 end
 
-local function compareLimits(b)
-  local movers, objects = b.movers, b.object
+local function compareLimits(b, count)
+  local rich, objects = b.rich, b.object
   local airFriction, drag, maxSpeed, limit = b.airFriction, b.drag, b.maxSpeed, b.limit
   local carry, surfaceSpeed, nudge = b.carry, b.surfaceSpeed, b.nudge
-  for n = 1, b.moverCount do
-    local i = movers[n]
+  for n = 1, count do
+    local i = rich[n]
     local object = objects[i]
     local top, topX, topY = object.maxSpeed, object.maxSpeedX, object.maxSpeedY
     if
@@ -413,9 +465,10 @@ function collect.run(b, objects)
     b.newcomers = false
   end
   compareMotion(b)
-  compareFilters(b)
-  compareMaterials(b)
-  compareLimits(b)
+  local count = listRich(b)
+  compareFilters(b, count)
+  compareMaterials(b, count)
+  compareLimits(b, count)
 end
 
 --- Gives those who are new their `touching`.

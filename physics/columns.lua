@@ -42,6 +42,7 @@ local SLOT = {
   kind = 0,
   touching = false, -- the table published as object.touching
   plain = false, -- none of its fields makes its contacts anything special
+  bare = false, -- dynamic, and had none of the fields that few have when it was last read
   -- fields of the object, defaults filled in
   active = true,
   sensor = false,
@@ -219,6 +220,7 @@ function columns.new()
     pairCount = 0,
     movers = {}, -- slots of everything that is not static
     moverCount = 0,
+    rich = {}, -- scratch of collect
     awakeList = {}, -- slots that take part in this step
     awakeCount = 0,
     island = {}, -- scratch of rest
