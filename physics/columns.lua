@@ -145,6 +145,7 @@ local PAIR = {
   "waits", -- 1: that is at the very beginning and keeps its place; 2: its paths have changed since
   "touches", -- may be met at the very beginning of the step
   "turn", -- its place among the turns of the step, 0: none
+  "lastTurn", -- and among those of its kind when it last had one
   "liveMark",
   "wedged", -- 1 + code of the meeting along which two that are left inside each other may part
   "dropping", -- falls through (dropThrough) until the two are apart
@@ -427,7 +428,7 @@ local function resetPairs(b, count)
   for n = 1, count do
     local p = linked[n]
     event[p], wedged[p], turn[p], waits[p], touches[p] = columns.NO_EVENT, 0, 0, 0, false
-    b.settled[p] = 0
+    b.settled[p], b.lastTurn[p] = 0, 0
   end
 end
 

@@ -21,6 +21,8 @@ local huge, floor, max, min = math.huge, math.floor, math.max, math.min
 
 -- So few are inserted into the others.
 local FEW = 6
+-- So often each may move, on average, before sorting anew is faster.
+local MOVES = 8
 -- From how many turns on sorting by digits is worth it, and from how many on with more of them.
 local SOME, MANY = 24, 1000
 local FEW_DIGITS, MANY_DIGITS = 256, 1024
@@ -165,8 +167,9 @@ local function sortAll(b, count, limit, digits)
   b.sortFrom, b.sortTo = source, target
 end
 
--- Sorts what is sorted nearly, by insertion.
-local function finish(b, order, count)
+-- Sorts what is sorted nearly, by insertion. Returns false if it is not: if more than `most` had to
+-- be moved; it is not done then.
+local function finish(b, order, count, most)
   local support, first, second = b.turnSupport, b.turnFirst, b.turnSecond
   for n = 2, count do
     local x, at = order[n], n - 1
@@ -181,13 +184,48 @@ local function finish(b, order, count)
       at = at - 1
     end
     order[at + 1] = x
+    most = most - (n - 1 - at)
+    if most < 0 then
+      return false
+    end
   end
+  return true
 end
 
--- Gives turns to the places from `first` to `last` of the list: by support, then in the order of
--- the world. Source: D. E. Knuth, The Art of Computer Programming, vol. 3: sorting by distribution,
--- by insertion.
-local function arrange(b, first, last)
+-- Lists those from `first` to `last` in the order in which they had their turns in the step before,
+-- when there were `before` of them; those that had none go last. Returns false if these are many.
+local function recall(b, first, last, before)
+  local order, places, late, lastTurn = b.sortFrom, b.sortTo, b.sortDigit, b.lastTurn
+  local list, lateCount, count = b.turnPair, 0, 0
+  for at = 1, before do
+    places[at] = 0
+  end
+  for x = first, last do
+    local at = lastTurn[list[x]]
+    if at > 0 and at <= before and places[at] == 0 then
+      places[at] = x
+    else
+      lateCount = lateCount + 1
+      late[lateCount] = x
+    end
+  end
+  for at = 1, before do
+    local x = places[at]
+    if x ~= 0 then
+      count = count + 1
+      order[count] = x
+    end
+  end
+  for n = 1, lateCount do
+    order[count + n] = late[n]
+  end
+  return lateCount <= FEW + count / 16
+end
+
+-- Sorts the places from `first` to `last` of the list from nothing.
+-- Source: D. E. Knuth, The Art of Computer Programming, vol. 3: sorting by distribution, by
+-- insertion.
+local function sort(b, first, last)
   local count = last - first + 1
   for n = 1, count do
     b.sortFrom[n] = first + n - 1
@@ -200,22 +238,32 @@ local function arrange(b, first, last)
       sortAll(b, count, digits * digits, digits)
     end
   end
+  finish(b, b.sortFrom, count, huge)
+end
+
+-- Gives turns to the places from `first` to `last` of the list: by support, then in the order of
+-- the world. From one step to the next that changes little; `before` is how many there were.
+local function arrange(b, first, last, before)
+  local count = last - first + 1
+  if not (recall(b, first, last, before) and finish(b, b.sortFrom, count, MOVES * count)) then
+    sort(b, first, last)
+  end
   local order, turnOrder, turn, list = b.sortFrom, b.turnOrder, b.turn, b.turnPair
-  finish(b, order, count)
+  local lastTurn = b.lastTurn
   for n = 1, count do
     local x, at = order[n], first + n - 1
-    turnOrder[at], turn[list[x]] = x, at
+    turnOrder[at], turn[list[x]], lastTurn[list[x]] = x, at, n
   end
 end
 
 -- Lists the turns of pairs that are flush along an axis behind place `last`; returns the last place
--- then.
-local function listAlong(b, flush, count, axis, last)
+-- then. In the step before there were `before` of them.
+local function listAlong(b, flush, count, axis, last, before)
   local first = last + 1
   last = findLow(b, flush, keepPlain(b, flush, count), axis, last)
   if last >= first then
     weigh(b, axis, first, last)
-    arrange(b, first, last)
+    arrange(b, first, last, before)
   end
   return last
 end
@@ -223,6 +271,7 @@ end
 --- Lists the turns of a step that begins: footings up to b.footingCount, then flanks up to
 --- b.turnCount; and the pairs that are odd, up to b.oddFootings those along gravity.
 function turns.list(b)
+  local footings, flanks = b.footingCount, b.turnCount - b.footingCount
   b.turnsDone, b.turnsSlid = 0, 0
   b.footingCount, b.turnCount, b.oddFootings, b.oddCount = 0, 0, 0, 0
   local count = gather.touching(b, b.touchList)
@@ -233,9 +282,9 @@ function turns.list(b)
   end
   local axis, along, across = b.downAxis, b.flushAlong, b.flushAcross
   local alongCount, acrossCount = gather.flush(b, b.touchList, count, axis, along, across)
-  b.footingCount = listAlong(b, along, alongCount, axis, 0)
+  b.footingCount = listAlong(b, along, alongCount, axis, 0, footings)
   b.oddFootings = b.oddCount
-  b.turnCount = listAlong(b, across, acrossCount, 1 - axis, b.footingCount)
+  b.turnCount = listAlong(b, across, acrossCount, 1 - axis, b.footingCount, flanks)
 end
 
 return turns
