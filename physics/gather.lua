@@ -61,10 +61,11 @@ local function list(b, half, k, m, x, y, clear, count)
   return count
 end
 
---- Lists the live pairs in `out` that may be met at the very beginning of the step: nowhere apart
---- when it begins. Returns how many those are.
-function gather.touching(b, out)
+--- Lists the live pairs in b.touchList that may be met at the very beginning of the step: nowhere
+--- apart when it begins.
+function gather.touching(b)
   local pairs_, pairA, pairB, from, size = b.live, b.pairA, b.pairB, b.from, b.size
+  local out = b.touchList
   local touches, count = b.touches, 0
   for n = 1, b.liveCount do
     local p = pairs_[n]
@@ -76,15 +77,15 @@ function gather.touching(b, out)
       out[count], touches[p] = p, true
     end
   end
-  return count
+  b.touchCount = count
 end
 
---- Of the pairs in pairs_[1..count], lists those in `along` that are flush along `axis` when the
---- step begins, and those in `across` that are flush along the other one. Returns how many those
---- are.
-function gather.flush(b, pairs_, count, axis, along, across)
-  local pairA, pairB, from, size, n, m = b.pairA, b.pairB, b.from, b.size, 0, 0
-  for at = 1, count do
+--- Of these, lists those in `along` that are flush along `axis` when the step begins, and those in
+--- `across` that are flush along the other one. Returns how many those are.
+function gather.flush(b, axis, along, across)
+  local pairs_, pairA, pairB, from, size = b.touchList, b.pairA, b.pairB, b.from, b.size
+  local n, m = 0, 0
+  for at = 1, b.touchCount do
     local p = pairs_[at]
     local i, j = 2 * pairA[p] + axis, 2 * pairB[p] + axis
     local ic, jc = 2 * pairA[p] + 1 - axis, 2 * pairB[p] + 1 - axis
@@ -124,12 +125,21 @@ local function listWhole(b, p, clear, count)
 end
 
 --- Lists all live pairs that may meet on the present paths, which must all begin with the step, and
---- forgets the events of all; but for those whose last meeting has changed nothing, and whose paths
---- are still the same: they would meet for ever. Returns how many there are.
+--- forgets the events of all. Returns how many there are.
 function gather.live(b)
   local pairs_, clear, count = b.live, b.pushFirst and EPSILON or 0, 0
-  local pairA, pairB, settled, changes = b.pairA, b.pairB, b.settled, b.changes
   for n = 1, b.liveCount do
+    count = listWhole(b, pairs_[n], clear, count)
+  end
+  return count
+end
+
+--- The same for those that touched when the step began; but not for those whose last meeting has
+--- changed nothing, and whose paths are still the same: they would meet for ever.
+function gather.together(b)
+  local pairs_, clear, count = b.touchList, b.pushFirst and EPSILON or 0, 0
+  local pairA, pairB, settled, changes = b.pairA, b.pairB, b.settled, b.changes
+  for n = 1, b.touchCount do
     local p = pairs_[n]
     if settled[p] == 0 or settled[p] ~= 1 + changes[pairA[p]] + changes[pairB[p]] then
       count = listWhole(b, p, clear, count)

@@ -184,19 +184,26 @@ local function happen(b, p, code, t, dt)
   followChanged(b, dt)
 end
 
--- Looks at all pairs, when all have had their turns: only then are their paths what they will be
--- for most. Whom they may meet on these is looked up now.
-local function lookAtAll(b, dt)
-  lookUp(b, b.awakeList, b.awakeCount, dt)
-  b.isAllSeen, b.isStale = true, false
-  schedule(b, gather.live(b))
+-- Looks at all pairs that touch, when all have had their turns: only then are their paths what they
+-- will be for most.
+local function lookAtTouching(b)
+  b.isAllSeen, b.isStale = true, true
+  schedule(b, gather.together(b))
 end
 
--- Looks at those who do not touch, when more has happened at the very beginning of the step.
+-- Looks at the others, when all that happens at the very beginning of the step is over. Whom
+-- everybody may meet is looked up now.
 local function lookAtApart(b, dt)
   lookUp(b, b.awakeList, b.awakeCount, dt)
   b.isStale = false
   schedule(b, gather.apart(b))
+end
+
+-- Looks at all pairs.
+local function lookAtAll(b, dt)
+  lookUp(b, b.awakeList, b.awakeCount, dt)
+  b.isAllSeen = true
+  schedule(b, gather.live(b))
 end
 
 -- Puts pairs that are flush and have no turn into the queue, up to place `last` of the list. They
@@ -255,7 +262,7 @@ local function stand(b, dt)
   if settle(b, footing.land, dt) then
     scheduleOdd(b, b.oddCount)
     if settle(b, flank.land, dt) then
-      lookAtAll(b, dt)
+      lookAtTouching(b)
     end
   end
 end

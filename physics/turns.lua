@@ -274,14 +274,14 @@ function turns.list(b)
   local footings, flanks = b.footingCount, b.turnCount - b.footingCount
   b.turnsDone, b.turnsSlid = 0, 0
   b.footingCount, b.turnCount, b.oddFootings, b.oddCount = 0, 0, 0, 0
-  local count = gather.touching(b, b.touchList)
+  gather.touching(b)
   -- With push = "first" what is flush is not at rest; and whom the world asks about cannot be
   -- plain.
   if b.pushFirst or b.worldCanCollide or b.queueOnly then
     return
   end
   local axis, along, across = b.downAxis, b.flushAlong, b.flushAcross
-  local alongCount, acrossCount = gather.flush(b, b.touchList, count, axis, along, across)
+  local alongCount, acrossCount = gather.flush(b, axis, along, across)
   b.footingCount = listAlong(b, along, alongCount, axis, 0, footings)
   b.oddFootings = b.oddCount
   b.turnCount = listAlong(b, across, acrossCount, 1 - axis, b.footingCount, flanks)
