@@ -7,6 +7,8 @@ local filter = require(here .. ".filter")
 local sweep = require(here .. ".sweep")
 local view = require(here .. ".view")
 
+require(here .. ".interpreted").file()
+
 local obstacle = {}
 
 local SIDES = columns.SIDES

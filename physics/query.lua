@@ -7,10 +7,15 @@
 -- as few as possible.
 --
 -- Inactive objects are not found. Sensors are, except by `sweep`, which nothing stops but solids.
+--
+-- A game may ask a thousand times a frame, and each question goes another way through the code. So
+-- what leads from one loop to the next is interpreted, and the loops over candidates, which call
+-- nothing that interpreted code calls, are compiled (see interpreted).
 
 local here = (...):match("^(.*)%.[^.]+$")
 local aabb = require(here .. ".aabb")
 local columns = require(here .. ".columns")
+local interpreted = require(here .. ".interpreted")
 local obstacle = require(here .. ".obstacle")
 local sort = require(here .. ".sort")
 local view = require(here .. ".view")
@@ -23,55 +28,83 @@ local TIE = 1e-9
 -- px of a ray that are looked at first; each further piece is twice as long.
 local FIRST_PIECE = 48
 -- px around a point in which the nearest is looked for first.
-local FIRST_RADIUS = 64
+local FIRST_RADIUS = 32
 
 -- Filters and results -----------------------------------------------------------------------------
 
--- Whether a filter that is no function lets an object pass; one that is a function is asked later.
-local function isNamed(v, i, filter)
-  if filter == nil or type(filter) == "function" then
-    return true
-  elseif type(filter) ~= "table" then
-    return v.groupName[i] == filter
-  end
-  local name = v.groupName[i]
-  for n = 1, #filter do
-    if filter[n] == name then
-      return true
-    end
-  end
-  return false
-end
-
-local function keepNamed(v, found, count, filter)
-  if filter == nil or type(filter) == "function" then
-    return count
-  end
-  local n = 0
+-- Keeps of `found` who is in the group of that name; returns how many.
+local function keepGroup(v, found, count, name)
+  local groupName, n = v.groupName, 0
   for m = 1, count do
-    if isNamed(v, found[m], filter) then
+    local i = found[m]
+    if groupName[i] == name then
       n = n + 1
-      found[n] = found[m]
+      found[n] = i
     end
   end
   return n
 end
 
+-- The same for a list of names.
+local function keepGroups(v, found, count, names)
+  local groupName, n = v.groupName, 0
+  for m = 1, count do
+    local i, at = found[m], 1
+    while names[at] ~= nil and names[at] ~= groupName[i] do
+      at = at + 1
+    end
+    if names[at] ~= nil then
+      n = n + 1
+      found[n] = i
+    end
+  end
+  return n
+end
+
+-- Keeps whom a filter that is no function lets pass; one that is a function is asked later.
+local function keepNamed(v, found, count, filter)
+  if filter == nil or type(filter) == "function" then
+    return count
+  elseif type(filter) == "table" then
+    return keepGroups(v, found, count, filter)
+  end
+  return keepGroup(v, found, count, filter)
+end
+
 local function accepts(v, i, filter)
   local object = v.object[i]
   -- A filter that asks may have noticed that somebody has left.
-  return object and (type(filter) ~= "function" or filter(object))
+  return object and filter(object)
 end
 
--- Writes the objects in `found` that the filter accepts into `out`, in the order of `found`.
-local function publish(v, found, count, filter, out)
-  out = out or {}
+local function writeAll(v, found, count, out)
+  local objects = v.object
+  for n = 1, count do
+    out[n] = objects[found[n]]
+  end
+  return count
+end
+
+-- Writes those that a filter which is a function accepts; returns how many.
+local function writeAccepted(v, found, count, filter, out)
   local n = 0
   for m = 1, count do
     if accepts(v, found[m], filter) then
       n = n + 1
       out[n] = v.object[found[m]]
     end
+  end
+  return n
+end
+
+-- Writes the objects in `found` that the filter accepts into `out`, in the order of `found`.
+local function publish(v, found, count, filter, out)
+  out = out or {}
+  local n
+  if type(filter) == "function" then
+    n = writeAccepted(v, found, count, filter, out)
+  else
+    n = writeAll(v, found, count, out)
   end
   for m = #out, n + 1, -1 do
     out[m] = nil
@@ -80,47 +113,73 @@ local function publish(v, found, count, filter, out)
   return out, n
 end
 
--- The first of `found`, by `entry` and then in order, that the filter accepts; nil: none.
-local function pick(v, found, count, filter)
-  local entry, rank = v.entry, v.rank
-  if type(filter) == "function" then
-    sort.by(found, count, entry, rank, rank)
-    for n = 1, count do
-      if accepts(v, found[n], filter) then
-        return found[n]
-      end
-    end
-    return nil
-  end
-  local best = found[1]
+-- The first of `found`, by `entry` and then in order.
+local function first(v, found, count)
+  local entry, rank, best = v.entry, v.rank, found[1]
   for n = 2, count do
     local i = found[n]
     if entry[i] < entry[best] or (entry[i] == entry[best] and rank[i] < rank[best]) then
       best = i
     end
   end
-  return count > 0 and best or nil
+  return best
+end
+
+-- The first that the filter accepts; nil: none.
+local function pick(v, found, count, filter)
+  if type(filter) ~= "function" then
+    return count > 0 and first(v, found, count) or nil
+  end
+  sort.by(found, count, v.entry, v.rank, v.rank)
+  for n = 1, count do
+    if accepts(v, found[n], filter) then
+      return found[n]
+    end
+  end
 end
 
 -- Points and rectangles ---------------------------------------------------------------------------
+
+-- Keeps of `found` who is around a point; returns how many.
+local function keepAround(v, found, count, x, y)
+  local position, size, active, n = v.position, v.size, v.active, 0
+  for m = 1, count do
+    local i = found[m]
+    local k = 2 * i
+    local left, top = position[k], position[k + 1]
+    if aabb.inside(x, y, 0, 0, left, top, size[k], size[k + 1]) and active[i] then
+      n = n + 1
+      found[n] = i
+    end
+  end
+  return n
+end
 
 --- Everybody around a point. Left and top edges belong to an object, right and bottom ones do not.
 function query.point(world, x, y, filter, out)
   local v = view.of(world)
   local found = view.take(v)
-  local count, n = view.near(v, world, x, y, x, y, found), 0
-  local position, size = v.position, v.size
+  local n = keepAround(v, found, view.near(v, world, x, y, x, y, found), x, y)
+  n = keepNamed(v, found, n, filter)
+  sort.by(found, n, v.rank, v.rank, v.rank)
+  return publish(v, found, n, filter, out)
+end
+
+-- Keeps of `found` who overlaps a rectangle by more than `depth`, but for slot `but`; returns how
+-- many.
+local function keepOverlapping(v, found, count, x, y, w, h, depth, but)
+  local position, size, active, n = v.position, v.size, v.active, 0
   for m = 1, count do
     local i = found[m]
     local k = 2 * i
-    local isIn = aabb.inside(x, y, 0, 0, position[k], position[k + 1], size[k], size[k + 1])
-    if isIn and v.active[i] and isNamed(v, i, filter) then
+    local width, height =
+      aabb.overlap(x, y, w, h, position[k], position[k + 1], size[k], size[k + 1])
+    if min(width, height) > depth and i ~= but and active[i] then
       n = n + 1
       found[n] = i
     end
   end
-  sort.by(found, n, v.rank, v.rank, v.rank)
-  return publish(v, found, n, filter, out)
+  return n
 end
 
 -- Everybody but slot `but` in a rectangle, in order.
@@ -129,19 +188,8 @@ local function inRectangle(v, world, x, y, w, h, but, filter, out)
   -- Flush is flush to a millionth of a pixel, on either side.
   local depth = world.sideBySide and -EPSILON or EPSILON
   local left, top, right, bottom = x - EPSILON, y - EPSILON, x + w + EPSILON, y + h + EPSILON
-  local count, n = view.near(v, world, left, top, right, bottom, found), 0
-  local position, size = v.position, v.size
-  for m = 1, count do
-    local i = found[m]
-    local k = 2 * i
-    local width, height =
-      aabb.overlap(x, y, w, h, position[k], position[k + 1], size[k], size[k + 1])
-    local isIn = width > depth and height > depth
-    if isIn and i ~= but and v.active[i] and isNamed(v, i, filter) then
-      n = n + 1
-      found[n] = i
-    end
-  end
+  local n = view.near(v, world, left, top, right, bottom, found)
+  n = keepNamed(v, found, keepOverlapping(v, found, n, x, y, w, h, depth, but), filter)
   sort.by(found, n, v.rank, v.rank, v.rank)
   return publish(v, found, n, filter, out)
 end
@@ -182,33 +230,20 @@ local function enters(v, i, x, y, dx, dy)
   return min(a, b), min(c, d), min(max(a, b), max(c, d))
 end
 
--- Writes into `entry` where the line enters each of `found`: 2, behind its end, if it does not.
-local function findEntries(v, found, count, x1, y1, x2, y2)
-  local entry = v.entry
+-- Keeps of `found` who is hit by the line after `from` and up to `to`, with its `entry`: where the
+-- line enters it; returns how many. Who is hit at the very beginning is hit after any `from` < 0.
+local function keepHit(v, found, count, x1, y1, x2, y2, from, to)
+  local n, entry, active = 0, v.entry, v.active
   local x, dx = begins(x1, x2 - x1)
   local y, dy = begins(y1, y2 - y1)
   for m = 1, count do
     local i = found[m]
     local inX, inY, exit = enters(v, i, x, y, dx, dy)
     local at = max(inX, inY)
-    if min(exit - at, exit) <= 0 then
-      at = 2
-    end
-    entry[i] = max(at, 0)
-  end
-end
-
--- Keeps of `found` who is hit by the line after `from` and up to `to`, with its `entry`; returns
--- how many. Who is hit at the very beginning is hit after any `from` < 0.
-local function keepHit(v, found, count, x1, y1, x2, y2, from, to)
-  local n, entry, active = 0, v.entry, v.active
-  findEntries(v, found, count, x1, y1, x2, y2)
-  for m = 1, count do
-    local i = found[m]
-    local at = entry[i]
-    if at > from and at <= to and active[i] then
+    local start = max(at, 0)
+    if min(exit - at, exit) > 0 and start > from and start <= to and active[i] then
       n = n + 1
-      found[n] = i
+      found[n], entry[i] = i, start
     end
   end
   return n
@@ -225,7 +260,7 @@ function query.segment(world, x1, y1, x2, y2, filter, out)
 end
 
 -- Whether somebody fills the quarter beside a point towards (sx, sy).
-local function isFilled(v, found, count, x, y, sx, sy, filter)
+local function isFilled(v, found, count, x, y, sx, sy)
   local position, size = v.position, v.size
   for n = 1, count do
     local i = found[n]
@@ -236,7 +271,7 @@ local function isFilled(v, found, count, x, y, sx, sy, filter)
       or sx < 0 and left < -EPSILON and right >= -EPSILON
     local isBelow = sy > 0 and top <= EPSILON and bottom > EPSILON
       or sy < 0 and top < -EPSILON and bottom >= -EPSILON
-    if isBeside and isBelow and v.active[i] and isNamed(v, i, filter) then
+    if isBeside and isBelow and v.active[i] then
       return true
     end
   end
@@ -254,9 +289,10 @@ local function cornerAxis(v, world, x, y, dx, dy, filter)
   local found = view.take(v)
   local reach = 2 * EPSILON
   local n = view.near(v, world, x - reach, y - reach, x + reach, y + reach, found)
+  n = keepNamed(v, found, n, filter)
   local sx, sy = dx > 0 and 1 or -1, dy > 0 and 1 or -1
-  local coversY = isFilled(v, found, n, x, y, sx, -sy, filter)
-  local coversX = isFilled(v, found, n, x, y, -sx, sy, filter)
+  local coversY = isFilled(v, found, n, x, y, sx, -sy)
+  local coversX = isFilled(v, found, n, x, y, -sx, sy)
   view.give(v, found)
   if coversX == coversY then
     return v.bodies.downAxis
@@ -264,12 +300,18 @@ local function cornerAxis(v, world, x, y, dx, dy, filter)
   return coversX and 1 or 0
 end
 
+-- Where a line enters a box on the axis of k, as in `enters`; -1 if it does not go along that axis.
+local function enterOn(v, k, p, d)
+  if d == 0 then
+    return -1
+  end
+  local low, high = v.position[k] - p, v.position[k] + v.size[k] - p
+  return min(low / d, high / d)
+end
+
 -- What a ray is told about the object it hits.
 local function describeHit(v, world, i, x1, y1, dx, dy, filter)
-  local x0, slopeX = begins(x1, dx)
-  local y0, slopeY = begins(y1, dy)
-  local inX, inY = enters(v, i, x0, y0, slopeX, slopeY)
-  inX, inY = dx == 0 and -1 or inX, dy == 0 and -1 or inY
+  local inX, inY = enterOn(v, 2 * i, x1, dx), enterOn(v, 2 * i + 1, y1, dy)
   local at = max(inX, inY)
   if at < 0 then
     return v.object[i], x1, y1, 0, 0, 0
@@ -323,6 +365,21 @@ local function distanceTo(v, i, x, y)
   return dx * dx + dy * dy
 end
 
+-- Keeps of `found` who is further from a point than `last`, and not further than `most` (squares),
+-- with that as its `entry`; returns how many.
+local function keepWithin(v, found, count, x, y, last, most)
+  local entry, active, n = v.entry, v.active, 0
+  for m = 1, count do
+    local i = found[m]
+    local distance = distanceTo(v, i, x, y)
+    if distance <= most and distance > last and active[i] then
+      n = n + 1
+      found[n], entry[i] = i, distance
+    end
+  end
+  return n
+end
+
 --- The nearest object and its distance. A growing square is looked at, so that one nearby costs
 --- little, however large the radius is.
 function query.nearest(world, x, y, radius, filter)
@@ -330,35 +387,26 @@ function query.nearest(world, x, y, radius, filter)
   local found = view.take(v)
   local reach, last, hit = min(FIRST_RADIUS, radius), -1
   repeat
-    local count, n = view.near(v, world, x - reach, y - reach, x + reach, y + reach, found), 0
-    for m = 1, count do
-      local i = found[m]
-      if v.active[i] and isNamed(v, i, filter) then
-        local distance = distanceTo(v, i, x, y)
-        if distance <= reach * reach and distance > last then
-          n = n + 1
-          found[n], v.entry[i] = i, distance
-        end
-      end
-    end
+    local n = view.near(v, world, x - reach, y - reach, x + reach, y + reach, found)
+    n = keepNamed(v, found, keepWithin(v, found, n, x, y, last, reach * reach), filter)
     hit = pick(v, found, n, filter)
     local isLast = reach >= radius
     last, reach = reach * reach, min(reach * 4, radius)
   until hit or isLast
   view.give(v, found)
   if hit then
-    return v.object[hit], sqrt(distanceTo(v, hit, x, y))
+    return v.object[hit], sqrt(v.entry[hit])
   end
 end
 
 -- In the way --------------------------------------------------------------------------------------
 
 -- Keeps of `found` who stops an object on its way; writes when into `entry`.
-local function keepStopping(v, found, count, i, toX, toY, filter)
+local function keepStopping(v, found, count, i, toX, toY)
   local entry, n = v.entry, 0
   for m = 1, count do
     local j = found[m]
-    if obstacle.isMet(v, i, j) and obstacle.isSolid(v, i, j) and isNamed(v, j, filter) then
+    if obstacle.isMet(v, i, j) and obstacle.isSolid(v, i, j) then
       local key = obstacle.keyOf(v, i, j, v.position[2 * i], v.position[2 * i + 1], toX, toY)
       if key then
         n = n + 1
@@ -392,16 +440,30 @@ function query.sweep(world, object, dx, dy, filter)
     return nil
   end
   local found = view.take(v)
-  local x, y, w, h = v.position[2 * i], v.position[2 * i + 1], v.size[2 * i], v.size[2 * i + 1]
-  local left, top = min(x, x + dx), min(y, y + dy)
-  local right, bottom = max(x, x + dx) + w, max(y, y + dy) + h
-  local n = view.near(v, world, left, top, right, bottom, found)
-  n = keepStopping(v, found, n, i, x + dx, y + dy, filter)
+  local x, y = v.position[2 * i], v.position[2 * i + 1]
+  local n = view.onWay(v, world, i, x, y, x + dx, y + dy, found)
+  n = keepStopping(v, found, keepNamed(v, found, n, filter), i, x + dx, y + dy)
   local hit = pick(v, found, n, filter)
   view.give(v, found)
   if hit then
     return describeStop(v, i, hit, x + dx, y + dy)
   end
 end
+
+interpreted.functions(
+  accepts,
+  writeAccepted,
+  pick,
+  query.segment,
+  isFilled,
+  cornerAxis,
+  enterOn,
+  describeHit,
+  query.raycast,
+  query.nearest,
+  keepStopping,
+  describeStop,
+  query.sweep
+)
 
 return query

@@ -15,9 +15,11 @@ local interpreted = require(here .. ".interpreted")
 local obstacle = require(here .. ".obstacle")
 local view = require(here .. ".view")
 
+interpreted.file()
+
 local slide = {}
 
-local max, min = math.max, math.min
+local max = math.max
 -- A way that bounces between two walls ends after so many hits.
 local MOST_HITS = 64
 
@@ -50,12 +52,21 @@ end
 
 -- Hits --------------------------------------------------------------------------------------------
 
+-- Whether something in the list is a hit of an earlier call. A game may use one list for moves and
+-- for questions: the objects in there are not ours to write to.
+local function isHit(value)
+  return type(value) == "table"
+    and rawget(value, "response") ~= nil
+    and rawget(value, "fraction") ~= nil
+    and rawget(value, "width") == nil
+end
+
 -- The table for the next hit: one that stands in the list already, or was there at an earlier call.
 local function nextHit(journey)
   local hits, n = journey.hits, journey.count + 1
   journey.count = n
   local hit = hits[n]
-  if type(hit) ~= "table" then
+  if not isHit(hit) then
     local spare = hits.spare
     hit = type(spare) == "table" and table.remove(spare) or {}
     hits[n] = hit
@@ -67,8 +78,10 @@ end
 local function tidy(journey)
   local hits = journey.hits
   for n = #hits, journey.count + 1, -1 do
-    hits.spare = type(hits.spare) == "table" and hits.spare or {}
-    hits.spare[#hits.spare + 1] = hits[n]
+    if isHit(hits[n]) then
+      hits.spare = type(hits.spare) == "table" and hits.spare or {}
+      hits.spare[#hits.spare + 1] = hits[n]
+    end
     hits[n] = nil
   end
 end
@@ -86,10 +99,8 @@ end
 -- Legs --------------------------------------------------------------------------------------------
 
 local function findNear(v, journey)
-  local x, y, toX, toY, k = journey.x, journey.y, journey.toX, journey.toY, 2 * journey.slot
-  local left, top = min(x, toX), min(y, toY)
-  local right, bottom = max(x, toX) + v.size[k], max(y, toY) + v.size[k + 1]
-  journey.near = view.near(v, journey.world, left, top, right, bottom, journey.found)
+  local i, x, y, toX, toY = journey.slot, journey.x, journey.y, journey.toX, journey.toY
+  journey.near = view.onWay(v, journey.world, i, x, y, toX, toY, journey.found)
 end
 
 -- By how much the object would have two edges in common with j, at a place next to it.

@@ -6,6 +6,8 @@ require(here .. ".interpreted").file()
 
 local sort = {}
 
+local FEW = 8
+
 -- x comes before y: smaller first, column by column.
 local function before(x, y, first, second, third)
   if first[x] ~= first[y] then
@@ -33,9 +35,24 @@ local function sink(list, root, count, first, second, third)
   list[root] = value
 end
 
---- Sorts `list[1..count]` by `first[x]`, then `second[x]`, then `third[x]`, ascending (heapsort:
---- J. W. J. Williams, 1964). No two should be equal in all three.
+local function insert(list, count, first, second, third)
+  for n = 2, count do
+    local value, at = list[n], n
+    while at > 1 and before(value, list[at - 1], first, second, third) do
+      list[at] = list[at - 1]
+      at = at - 1
+    end
+    list[at] = value
+  end
+end
+
+--- Sorts `list[1..count]` by `first[x]`, then `second[x]`, then `third[x]`, ascending: few by
+--- insertion, more by heapsort (J. W. J. Williams, 1964). No two should be equal in all three.
 function sort.by(list, count, first, second, third)
+  if count <= FEW then
+    insert(list, count, first, second, third)
+    return
+  end
   for root = (count - count % 2) / 2, 1, -1 do
     sink(list, root, count, first, second, third)
   end

@@ -8,6 +8,8 @@
 local here = (...):match("^(.*)%.[^.]+$")
 local columns = require(here .. ".columns")
 
+require(here .. ".interpreted").file()
+
 local sweep = {}
 
 local EPSILON = columns.EPSILON

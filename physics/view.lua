@@ -18,16 +18,23 @@ local here = (...):match("^(.*)%.[^.]+$")
 local check = require(here .. ".check")
 local columns = require(here .. ".columns")
 local grid = require(here .. ".broadphase.grid")
+local interpreted = require(here .. ".interpreted")
 local roster = require(here .. ".roster")
 
 local view = {}
 
+local max, min = math.max, math.min
+local TINY = columns.TINY
 local STATIC, KINEMATIC, DYNAMIC = columns.STATIC, columns.KINEMATIC, columns.DYNAMIC
 
 -- Kind of an object that the core has read anew.
 local UNREAD = 0
 -- px around an object in which it may move without being filed anew.
 local MARGIN = 8
+-- px around a way within which somebody may be met.
+local SLACK = 1
+-- px, cells of the grid: what is up to 32 px wide fits into one with its margin.
+local CELL = 48
 -- So many can be looked at in a few microseconds.
 local FEW = 128
 
@@ -51,13 +58,14 @@ local function new()
     fresh = false, -- everybody was looked at since the last step
     stamp = 0,
     pool = {}, -- lists nobody uses
+    single = {}, -- a list of one
   }
   for _, names in ipairs({ SLOT, FIELD, AXIS, SCRATCH }) do
     for _, name in ipairs(names) do
       v[name] = {}
     end
   end
-  v.grid = grid.new(v)
+  v.grid = grid.new(v, CELL)
   return v
 end
 
@@ -80,11 +88,8 @@ local function complain(v, i)
   check.object(v.object[i], roster.place(v.group[i], v.key[i]))
 end
 
---- Reads where an object is now. Errors: a place, size or `active` that cannot be used.
-function view.look(v, i)
-  if not v.live[i] then
-    return
-  end
+-- Reads where an object is now.
+local function look(v, i)
   local object, position, size, k = v.object[i], v.position, v.size, 2 * i
   local x, y, width, height = object.x, object.y, object.width, object.height
   if not (isNumber(x) and isNumber(y) and isNumber(width) and isNumber(height)) then
@@ -98,6 +103,17 @@ function view.look(v, i)
   -- Adding 0.0 makes floats of the integers of Lua 5.3 and later, which would wrap.
   position[k], position[k + 1] = x + 0.0, y + 0.0
   size[k], size[k + 1] = width + 0.0, height + 0.0
+end
+
+-- Reads where those in list[1..count] are now, as far as they are live.
+-- Errors: a place, size or `active` that cannot be used.
+local function lookAtAll(v, list, count)
+  local live = v.live
+  for n = 1, count do
+    if live[list[n]] then
+      look(v, list[n])
+    end
+  end
 end
 
 --- Reads what an object can meet. Errors: a field that cannot be used.
@@ -132,9 +148,9 @@ local function readAny(v, b, i)
   if slot and b.kind[slot] == STATIC then
     readStatic(v, b, i)
   else
-    v.live[i] = true
+    v.live[i], v.single[1] = true, i
     v.kind[i] = kindOf(b, object)
-    view.look(v, i)
+    lookAtAll(v, v.single, 1)
   end
 end
 
@@ -155,20 +171,23 @@ local function fatten(v, i)
   end
 end
 
---- Looks at an object and files it anew if it has left its place.
-function view.follow(v, i)
-  view.look(v, i)
-  if hasLeft(v, i) then
-    fatten(v, i)
-    v.grid:update(i)
+-- Looks at those in list[1..count], and files anew who has left its place.
+local function followAll(v, list, count)
+  lookAtAll(v, list, count)
+  for n = 1, count do
+    local i = list[n]
+    if hasLeft(v, i) then
+      fatten(v, i)
+      v.grid:update(i)
+    end
   end
 end
 
-local function lookAtMovers(v)
-  local movers = v.movers
-  for n = 1, v.moverCount do
-    view.follow(v, movers[n])
-  end
+--- Looks at an object and files it anew if it has left its place.
+--- Errors: a place, size or `active` that cannot be used.
+function view.follow(v, i)
+  v.single[1] = i
+  followAll(v, v.single, 1)
 end
 
 local function list(v, i)
@@ -273,7 +292,7 @@ end
 local function lookAtEverybody(v, world)
   lookAtGroups(v, world)
   settle(v)
-  lookAtMovers(v)
+  followAll(v, v.movers, v.moverCount)
   v.fresh = true
 end
 
@@ -296,7 +315,7 @@ function view.of(world)
       lookAtGroups(v, world)
     end
     if v.moverCount <= FEW then
-      lookAtMovers(v)
+      followAll(v, v.movers, v.moverCount)
     end
   end
   v.isBroken = false
@@ -321,6 +340,25 @@ function view.refresh(b, object)
   end
 end
 
+-- Whether those in found[1..count] still stand where they were seen.
+local function areThere(v, found, count)
+  local groups, keys, objects = v.group, v.key, v.object
+  for n = 1, count do
+    local i = found[n]
+    local record = groups[i]
+    if not (record.direct or rawequal(record.source[keys[i]], objects[i])) then
+      return false
+    end
+  end
+  return true
+end
+
+--- Returns whether an object still stands where it was seen.
+function view.isThere(v, i)
+  v.single[1] = i
+  return areThere(v, v.single, 1)
+end
+
 --- Returns the slot of an object; it may have been put in without `add` since everybody was looked
 --- at. nil: it is not in the world.
 function view.find(v, world, object)
@@ -335,25 +373,13 @@ function view.find(v, world, object)
   return i
 end
 
---- Returns whether an object still stands where it was seen.
-function view.isThere(v, i)
-  local record = v.group[i]
-  return record.direct or rawequal(record.source[v.key[i]], v.object[i])
-end
-
 -- Whoever a question is about to see is looked at; false: somebody is gone.
 local function lookAtFound(v, found, count)
-  local live = v.live
-  for n = 1, count do
-    local i = found[n]
-    if not view.isThere(v, i) then
-      return false
-    end
-    if live[i] then
-      view.look(v, i)
-    end
+  if areThere(v, found, count) then
+    lookAtAll(v, found, count)
+    return true
   end
-  return true
+  return false
 end
 
 --- Writes the slots of all who may be in a rectangle into `found`, where they are now; returns how
@@ -379,6 +405,36 @@ function view.along(v, world, x1, y1, x2, y2, found)
   return count
 end
 
+-- Keeps of `found` whom slot i may meet on its way from (x, y) to (toX, toY); returns how many.
+local function keepOnWay(v, found, count, i, x, y, toX, toY)
+  local position, size, n = v.position, v.size, 0
+  local w, h = size[2 * i] + SLACK, size[2 * i + 1] + SLACK
+  local dx, dy = toX - x, toY - y
+  local shareX, shareY = 1 / (dx == 0 and TINY or dx), 1 / (dy == 0 and TINY or dy)
+  for m = 1, count do
+    local j = found[m]
+    local k = 2 * j
+    local left, top = position[k] - w - x, position[k + 1] - h - y
+    local right, bottom = position[k] + size[k] - x, position[k + 1] + size[k + 1] - y
+    local a, b = left * shareX, (right + SLACK) * shareX
+    local c, d = top * shareY, (bottom + SLACK) * shareY
+    local enters, leaves = max(min(a, b), min(c, d)), min(max(a, b), max(c, d))
+    if min(leaves - enters, leaves, 1 - enters) >= 0 then
+      n = n + 1
+      found[n] = j
+    end
+  end
+  return n
+end
+
+--- The same for all whom the object in slot i may meet on its way from (x, y) to (toX, toY).
+function view.onWay(v, world, i, x, y, toX, toY, found)
+  local w, h = v.size[2 * i], v.size[2 * i + 1]
+  local left, top, right, bottom = min(x, toX), min(y, toY), max(x, toX) + w, max(y, toY) + h
+  local count = view.near(v, world, left, top, right, bottom, found)
+  return (keepOnWay(v, found, count, i, x, y, toX, toY))
+end
+
 --- Returns a list to work with. Filters may ask questions of their own, so each question takes one
 --- and gives it back; one that fails on the way leaves its list to the garbage collector.
 function view.take(v)
@@ -396,5 +452,7 @@ end
 function view.give(v, found)
   v.pool[#v.pool + 1] = found
 end
+
+interpreted.functions(view.lookAtFilter)
 
 return view

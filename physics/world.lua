@@ -463,8 +463,10 @@ end
 
 local function checkQuestion(self, call, filter, out)
   checkSelf(self, call)
-  check.filter(filter, "world:" .. call)
-  if out ~= nil then
+  if filter ~= nil then
+    check.filter(filter, "world:" .. call)
+  end
+  if out ~= nil and type(out) ~= "table" then
     check.table(out, "out", "world:" .. call)
   end
   if type(self.sideBySide) ~= "boolean" then

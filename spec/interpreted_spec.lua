@@ -1,6 +1,7 @@
 --- What LuaJIT may compile: by default only what it is good at, after `physics.compile` nearly
 --- everything, and never what goes through a table by `next` or `pairs`.
 
+local newRandom = require("spec.support.random").new
 local physics = require("physics")
 
 local jit = rawget(_G, "jit")
@@ -134,7 +135,61 @@ describe("what LuaJIT compiles", function()
     end)
   end)
 
+  -- How often all traces were thrown away while `f` ran.
+  local function flushesIn(f)
+    local count = 0
+    local function note(what)
+      if what == "flush" then
+        count = count + 1
+      end
+    end
+    jit.flush()
+    jit.attach(note, "trace")
+    f()
+    jit.attach(note)
+    return count
+  end
+
+  -- 1000 boxes, and in every frame 500 questions of each kind.
+  local function ask(module)
+    local world, random, boxes = module.newWorld({ gravity = 0 }), newRandom(5), {}
+    for i = 0, 999 do
+      local x, y = 28 * (i % 32) + random:between(0, 8), 28 * math.floor(i / 32)
+      local width, height = random:between(10, 20), random:between(10, 20)
+      boxes[i + 1] = world:add("boxes", { x = x, y = y, width = width, height = height })
+    end
+    local out, hits = {}, {}
+    for _ = 1, 4 do
+      world:update(1 / 60)
+      for n = 1, 500 do
+        local x, y = random:between(0, 900), random:between(0, 900)
+        local dx, dy = random:between(-150, 150), random:between(-150, 150)
+        world:raycast(x, y, x + dx, y + dy)
+        world:querySegment(x, y, x + dx, y + dy, "boxes", out)
+        world:queryPoint(x, y, nil, out)
+        world:queryRect(x, y, 60, 40, nil, out)
+        world:nearest(x, y, 100)
+        world:sweep(boxes[n], dx, dy)
+        world:move(boxes[n], boxes[n].x + dx / 10, boxes[n].y + dy / 10, "slide", hits)
+        world:overlapping(boxes[n], nil, out)
+      end
+    end
+  end
+
   if jit and jit.status() then
+    -- Each question goes another way through the code. Compiled as a whole they filled LuaJIT's
+    -- room for traces again and again: 1000 sweeps took 180 ms instead of 15.
+    it("leaves room for all kinds of questions", function()
+      withFresh(function(module)
+        assert.equal(
+          0,
+          flushesIn(function()
+            ask(module)
+          end)
+        )
+      end)
+    end)
+
     it("is what happens to single objects only after compile()", function()
       withFresh(function(module)
         jit.flush()

@@ -43,8 +43,8 @@ local VALUES = {
 local OTHERS = { "x", "y", "width", "height", "vx", "vy", "static", "carry", "touching" }
 local CALLBACKS = { "onBegin", "onStay", "onEnd", "onCrush" }
 
--- A box that jumps against the corner of a ceiling, falls to the floor, jumps once more, gets another
--- one on top, and is pushed by a third. Returns the world, who may change, and what happens.
+-- A box that jumps against the corner of a ceiling, falls to the floor, jumps once more, gets
+-- another one on top, and is pushed by a third. Returns the world, who may change, what happens.
 local function build()
   local world = physics.newWorld({ gravity = 800 })
   world:add("floors", { x = -400, y = 100, width = 900, height = 20, static = true })
