@@ -9,6 +9,7 @@
 local here = (...):match("^(.*)%.[^.]+$")
 local columns = require(here .. ".columns")
 local footing = require(here .. ".footing")
+local gather = require(here .. ".gather")
 local impact = require(here .. ".impact")
 
 local flank = {}
@@ -16,7 +17,7 @@ local flank = {}
 local STILL = columns.STILL
 local EVEN, ROUNDING = impact.EVEN, impact.ROUNDING
 local max, min, sqrt = math.max, math.min, math.sqrt
-local isIdle, coefficient = footing.isIdle, footing.coefficient
+local isIdle, coefficient = gather.isIdle, footing.coefficient
 
 -- Whether nobody is held away from the other, welded or backed.
 local function isSimple(b, lo, hi, kl, kh)

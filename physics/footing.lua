@@ -12,23 +12,17 @@
 local here = (...):match("^(.*)%.[^.]+$")
 local columns = require(here .. ".columns")
 local friction = require(here .. ".friction")
+local gather = require(here .. ".gather")
 local impact = require(here .. ".impact")
 local queue = require(here .. ".queue")
 
 local footing = {}
 
-local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
+local isIdle = gather.isIdle
+local DYNAMIC = columns.DYNAMIC
 local STILL, TINY = columns.STILL, columns.TINY
 local EVEN, ROUNDING = impact.EVEN, impact.ROUNDING
 local max, min, sqrt = math.max, math.min, math.sqrt
-
---- Whether the paths of two that are flush do not press against each other (see
---- gather.endOverlap); `low` is the index with the smaller coordinate.
-function footing.isIdle(b, low, high)
-  local atLow, atHigh, size = b.to[low], b.to[high], b.size[low]
-  local overlap = min(atLow + size - atHigh, atLow - (atHigh - size))
-  return max(-overlap, min(EPSILON - overlap, STILL - (b.speed[low] - b.speed[high]))) >= 0
-end
 
 -- The side towards the floor and the one away from it, as columns: held, holder, pressed.
 local function sidesOf(b, isUp)
@@ -209,7 +203,7 @@ function footing.land(b, dt, isNext)
     if isUp then
       lo, hi = 2 * low + axis, 2 * up + axis
     end
-    if turn[p] == at and footing.isIdle(b, lo, hi) then
+    if turn[p] == at and isIdle(b, lo, hi) then
       -- If it comes to press, that goes before later footings.
       watched[up], watched[low] = step, step
     elseif turn[p] == at then

@@ -29,6 +29,15 @@ function gather.endOverlap(b, low, high)
   return min(forward, backward)
 end
 
+--- Whether the paths of two that are flush do not press against each other; `low` is the index with
+--- the smaller coordinate.
+function gather.isIdle(b, low, high)
+  local overlap = gather.endOverlap(b, low, high)
+  return max(-overlap, min(EPSILON - overlap, STILL - (b.speed[low] - b.speed[high]))) >= 0
+end
+
+local isIdle = gather.isIdle
+
 -- >= 0 if two stay clear of each other on one axis: apart now, and at the end on the same side, or
 -- flush there and not moving against each other (`v`, at the end). With a `clear` of EPSILON only
 -- if they are apart by that much at the end. No branches, so that it is one piece of code for all.
@@ -134,15 +143,28 @@ function gather.live(b)
   return count
 end
 
+-- Whether a pair that has had its turn may meet again: not if it is idle on the axis on which it is
+-- flush, as nearly all are then.
+local function isRestless(b, p)
+  local axis = b.turn[p] <= b.footingCount and b.downAxis or 1 - b.downAxis
+  local i, j = 2 * b.pairA[p] + axis, 2 * b.pairB[p] + axis
+  if b.from[j] < b.from[i] then
+    return not isIdle(b, j, i)
+  end
+  return not isIdle(b, i, j)
+end
+
 --- The same for those that touched when the step began; but not for those whose last meeting has
 --- changed nothing, and whose paths are still the same: they would meet for ever.
 function gather.together(b)
-  local pairs_, clear, count = b.touchList, b.pushFirst and EPSILON or 0, 0
+  local pairs_, turn, clear, count = b.touchList, b.turn, b.pushFirst and EPSILON or 0, 0
   local pairA, pairB, settled, changes = b.pairA, b.pairB, b.settled, b.changes
   for n = 1, b.touchCount do
     local p = pairs_[n]
-    if settled[p] == 0 or settled[p] ~= 1 + changes[pairA[p]] + changes[pairB[p]] then
-      count = listWhole(b, p, clear, count)
+    if turn[p] == 0 or isRestless(b, p) then
+      if settled[p] == 0 or settled[p] ~= 1 + changes[pairA[p]] + changes[pairB[p]] then
+        count = listWhole(b, p, clear, count)
+      end
     end
   end
   return count

@@ -193,23 +193,26 @@ local function finish(b, order, count, most)
 end
 
 -- Lists those from `first` to `last` in the order in which they had their turns in the step before,
--- when there were `before` of them; those that had none go last. Returns false if these are many.
-local function recall(b, first, last, before)
+-- when there were `before` of them; a new one behind what the same one leant on (`theirs`), as a
+-- walker comes to the next tile. Those that had none go last; returns false if these are many.
+local function recall(b, first, last, before, theirs)
   local order, places, late, lastTurn = b.sortFrom, b.sortTo, b.sortDigit, b.lastTurn
-  local list, lateCount, count = b.turnPair, 0, 0
-  for at = 1, before do
+  local list, ups, lateCount, count = b.turnPair, b.turnUp, 0, 0
+  local most = 2 * before + 1
+  for at = 1, most do
     places[at] = 0
   end
   for x = first, last do
-    local at = lastTurn[list[x]]
-    if at > 0 and at <= before and places[at] == 0 then
+    local at = 2 * lastTurn[list[x]]
+    at = at > 0 and at or 2 * theirs[ups[x]] + 1
+    if at > 1 and at <= most and places[at] == 0 then
       places[at] = x
     else
       lateCount = lateCount + 1
       late[lateCount] = x
     end
   end
-  for at = 1, before do
+  for at = 1, most do
     local x = places[at]
     if x ~= 0 then
       count = count + 1
@@ -242,28 +245,32 @@ local function sort(b, first, last)
 end
 
 -- Gives turns to the places from `first` to `last` of the list: by support, then in the order of
--- the world. From one step to the next that changes little; `before` is how many there were.
-local function arrange(b, first, last, before)
+-- the world. From one step to the next that changes little; `before` is how many there were, and
+-- `theirs` a column for the turns of those who lean.
+local function arrange(b, first, last, before, theirs)
   local count = last - first + 1
-  if not (recall(b, first, last, before) and finish(b, b.sortFrom, count, MOVES * count)) then
+  if
+    not (recall(b, first, last, before, theirs) and finish(b, b.sortFrom, count, MOVES * count))
+  then
     sort(b, first, last)
   end
   local order, turnOrder, turn, list = b.sortFrom, b.turnOrder, b.turn, b.turnPair
-  local lastTurn = b.lastTurn
+  local lastTurn, ups = b.lastTurn, b.turnUp
   for n = 1, count do
     local x, at = order[n], first + n - 1
-    turnOrder[at], turn[list[x]], lastTurn[list[x]] = x, at, n
+    turnOrder[at], turn[list[x]] = x, at
+    lastTurn[list[x]], theirs[ups[x]] = n, n
   end
 end
 
 -- Lists the turns of pairs that are flush along an axis behind place `last`; returns the last place
 -- then. In the step before there were `before` of them.
-local function listAlong(b, flush, count, axis, last, before)
+local function listAlong(b, flush, count, axis, last, before, theirs)
   local first = last + 1
   last = findLow(b, flush, keepPlain(b, flush, count), axis, last)
   if last >= first then
     weigh(b, axis, first, last)
-    arrange(b, first, last, before)
+    arrange(b, first, last, before, theirs)
   end
   return last
 end
@@ -282,9 +289,9 @@ function turns.list(b)
   end
   local axis, along, across = b.downAxis, b.flushAlong, b.flushAcross
   local alongCount, acrossCount = gather.flush(b, axis, along, across)
-  b.footingCount = listAlong(b, along, alongCount, axis, 0, footings)
+  b.footingCount = listAlong(b, along, alongCount, axis, 0, footings, b.lastFooting)
   b.oddFootings = b.oddCount
-  b.turnCount = listAlong(b, across, acrossCount, 1 - axis, b.footingCount, flanks)
+  b.turnCount = listAlong(b, across, acrossCount, 1 - axis, b.footingCount, flanks, b.lastFlank)
 end
 
 return turns
