@@ -145,6 +145,7 @@ local PAIR = {
   "passing", -- lets pass for this step (canCollide, dropThrough)
   "event", -- its event in the queue
   "waits", -- 1: that is at the very beginning and keeps its place; 2: its paths have changed since
+  "gathered", -- when it was last looked at because of who is in it (see gather.objects)
   "touches", -- may be met at the very beginning of the step
   "turn", -- its place among the turns of the step, 0: none
   "lastTurn", -- and among those of its kind when it last had one
@@ -273,6 +274,7 @@ function columns.new()
     changed = {}, -- scratch of resolve and meet
     changedCount = 0,
     changeStamp = 0,
+    gatherStamp = 0,
     relative = { 0, 0, 0, 0 }, -- scratch of approach
     near = {}, -- scratch of meet
     nearTime = {},
@@ -431,7 +433,7 @@ local function resetPairs(b, count)
   for n = 1, count do
     local p = linked[n]
     event[p], wedged[p], turn[p], waits[p], touches[p] = columns.NO_EVENT, 0, 0, 0, false
-    b.settled[p], b.lastTurn[p] = 0, 0
+    b.settled[p], b.lastTurn[p], b.gathered[p] = 0, 0, 0
   end
 end
 

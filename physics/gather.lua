@@ -189,7 +189,8 @@ end
 function gather.objects(b, slots, first, last, count)
   local other, nextHalf, head, event, waits = b.other, b.next, b.head, b.event, b.waits
   local turn, touches, at, isLate = b.turn, b.touches, b.turnsDone, not b.isInstant
-  local clear = b.pushFirst and EPSILON or 0
+  local clear, gathered, stamp = b.pushFirst and EPSILON or 0, b.gathered, b.gatherStamp + 1
+  b.gatherStamp = stamp
   local n, half = first, head[slots[first]]
   while n <= last do
     if half == 0 then
@@ -199,8 +200,8 @@ function gather.objects(b, slots, first, last, count)
       local p = floor(half * 0.5 + 0.5)
       if waits[p] > 0 then
         waits[p] = 2
-      elseif (touches[p] or isLate) and turn[p] <= at then
-        event[p] = NO_EVENT
+      elseif (touches[p] or isLate) and turn[p] <= at and gathered[p] ~= stamp then
+        event[p], gathered[p] = NO_EVENT, stamp
         count = listAt(b, half, slots[n], other[half], clear, count)
       end
       half = nextHalf[half]
