@@ -171,15 +171,6 @@ local function readAll(b, i, object, isNew)
   b.bare[i] = b.kind[i] == DYNAMIC and isBare(object)
 end
 
---- Lets an object stand where it is, also as an obstacle and for the broad phase.
-function collect.stand(b, i)
-  local k = 2 * i
-  b.from[k], b.from[k + 1] = b.position[k], b.position[k + 1]
-  b.to[k], b.to[k + 1] = b.position[k], b.position[k + 1]
-  b.speed[k], b.speed[k + 1], b.accel[k], b.accel[k + 1] = 0, 0, 0, 0
-  b.time[i] = 0
-end
-
 --- Returns the table that will be `touching` of an object; `publish` hands it over.
 function collect.newTouching()
   return { top = false, bottom = false, left = false, right = false }
@@ -192,7 +183,7 @@ local function enter(b, object, record, key)
   nameGroup(b, record.name)
   b.kind[i] = kindOf(object)
   readAll(b, i, object, true)
-  collect.stand(b, i)
+  columns.stand(b, i)
   b.fresh[i] = true
   b.quiet[i] = false
   if b.kind[i] == DYNAMIC then
@@ -514,7 +505,7 @@ function collect.refresh(b, i)
   if not b.active[i] then
     clearTouching(b.touching[i])
   end
-  collect.stand(b, i)
+  columns.stand(b, i)
   events.endForbidden(b, i)
   detect.refilter(b, i)
   markMoved(b, i)

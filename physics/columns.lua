@@ -367,6 +367,16 @@ function columns.forgetStep(b, i)
   end
 end
 
+--- Lets an object stand where it is, as an obstacle and for the broad phase. Who is awake gets its
+--- path when a step begins.
+function columns.stand(b, i)
+  local k = 2 * i
+  b.from[k], b.from[k + 1] = b.position[k], b.position[k + 1]
+  b.to[k], b.to[k + 1] = b.position[k], b.position[k + 1]
+  b.speed[k], b.speed[k + 1], b.accel[k], b.accel[k + 1] = 0, 0, 0, 0
+  b.time[i] = 0
+end
+
 --- Gives a slot back. Its pairs must have been unlinked.
 function columns.release(b, i)
   b.object[i], b.group[i], b.touching[i], b.mask[i], b.canCollide[i] =

@@ -170,10 +170,8 @@ local function publishDynamic(b, i)
   local x, y = b.to[k], b.to[k + 1]
   local vx, vy = b.speed[k], b.speed[k + 1]
   local moved = distance(x, y, position[k], position[k + 1])
-  -- Neither a place nor a speed that is new, and no speed.
-  local change =
-    max(max(moved, distance(vx, vy, velocity[k], velocity[k + 1])), distance(vx, vy, 0, 0))
-  b.quiet[i] = change == 0 and not hasNews(b, i)
+  local change = max(moved, distance(vx, vy, velocity[k], velocity[k + 1]))
+  b.quiet[i] = change == 0 and vx == 0 and vy == 0 and not hasNews(b, i)
   if moved ~= 0 then
     object.x, object.y = x, y
     position[k], position[k + 1] = x, y
@@ -202,16 +200,6 @@ local function publishKinematic(b, i)
   end
   b.position[k], b.position[k + 1] = x, y
   b.written[k], b.written[k + 1] = x, y
-end
-
--- Where everybody is from now on, also as an obstacle for the next step.
-local function stand(b, i)
-  local k = 2 * i
-  b.from[k], b.from[k + 1] = b.position[k], b.position[k + 1]
-  b.to[k], b.to[k + 1] = b.position[k], b.position[k + 1]
-  b.speed[k], b.speed[k + 1], b.accel[k], b.accel[k + 1] = 0, 0, 0, 0
-  b.time[i] = 0
-  b.fresh[i] = false
 end
 
 -- Also hands their `touching` to those who are new and take no part.
@@ -276,9 +264,6 @@ function publish.run(b)
   findSupports(b)
   findCarriers(b)
   tell(b)
-  for n = 1, b.awakeCount do
-    stand(b, list[n])
-  end
   forgetMoved(b)
 end
 

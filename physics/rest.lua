@@ -91,6 +91,12 @@ function rest.drop(b, i)
   end
 end
 
+-- Sends an object to sleep, where it is in the way of others until it wakes.
+local function sleep(b, i)
+  columns.stand(b, i)
+  rest.drop(b, i)
+end
+
 -- Gathers the island of an awake dynamic object behind `b.island`; returns its size and whether
 -- all of it may sleep.
 local function gather(b, i, stamp)
@@ -133,12 +139,12 @@ function rest.settle(b, dt)
     -- Sleepers are dropped from the list, which may bring others to this place.
     if i and n <= b.awakeCount and quiet[i] and visited[i] ~= stamp then
       if kind[i] ~= DYNAMIC then
-        rest.drop(b, i)
+        sleep(b, i)
       else
         local count, calm = gather(b, i, stamp)
         if calm then
           for m = 1, count do
-            rest.drop(b, b.island[m])
+            sleep(b, b.island[m])
           end
         end
       end

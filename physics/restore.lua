@@ -410,7 +410,7 @@ end
 -- Everybody stands where it was.
 local function stand(b, st, slots)
   for n = 1, st.known do
-    collect.stand(b, slots[n])
+    columns.stand(b, slots[n])
   end
   detect.run(b, slots, 1, st.known)
 end
