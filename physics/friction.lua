@@ -67,7 +67,14 @@ local function slide(u, a, tau, impact, weight)
     return stop, (v + stop) * 0.5 * tau
   end
   local stop = lessen(v, brake * tau)
-  return stop, (v + stop) * 0.5 * min(tau, max(v, -v) / max(brake, TINY))
+  local braked = min(tau, max(v, -v) / max(brake, TINY))
+  local way = (v + stop) * 0.5 * braked
+  if stop == 0 and (a > hold or a < -hold) then -- pulled back, faster than friction can hold
+    local left = tau - braked
+    stop = (a > 0 and a - hold or a + hold) * left
+    way = way + stop * 0.5 * left
+  end
+  return stop, way
 end
 
 -- Inverse mass of slot i on the axis of k: that of all that is welded to it there.

@@ -27,6 +27,26 @@ describe("a box that lands sliding on another", function()
   end
 end)
 
+describe("a box that slides against what pulls it", function()
+  --    <- 8 +--+ 125 px/s² ->     friction takes 0.05 * 250 = 12.5 px/s² off any motion:
+  --         +--+                  8 / 137.5 s and 8² / 275 px back, then 112.5 px/s² forth
+  --    ----------------
+  for _, rate in ipairs({ 30, 60, 144, 240 }) do
+    it(("turns where it stops, not a step later, at %d Hz"):format(rate), function()
+      local world = physics.newWorld({ gravity = 250 })
+      world:add("floors", { x = -50, y = 16, width = 200, height = 16, static = true })
+      local box = { x = 0, y = 0, width = 16, height = 16, friction = 0.05, vx = -8, ax = 125 }
+      world:add("boxes", box)
+      for _ = 1, rate do
+        world:update(1 / rate)
+      end
+      local left = 1 - 8 / 137.5
+      assert.near(112.5 * left, box.vx, 1e-6)
+      assert.near(112.5 * left * left / 2 - 8 * 8 / 275, box.x, 1e-6)
+    end)
+  end
+end)
+
 describe("a box that slides over two tiles at once", function()
   --      +--+ 100 ->      the second tile may be a one-way: such a contact is looked at in another
   --      +--+             way than a plain one, and comes at its place in the order all the same
