@@ -166,7 +166,6 @@ local function readAll(b, i, object, isNew)
   b.hasCarriers = b.hasCarriers or b.kind[i] == KINEMATIC or b.surfaceSpeed[i] ~= 0
   b.plain[i] = not (b.sensor[i] or b.oneWay[i] or b.canCollide[i])
     and b.pushable[i]
-    and b.restitution[i] == 0
     and b.nudge[i] == 0
   b.bare[i] = b.kind[i] == DYNAMIC and isBare(object)
 end

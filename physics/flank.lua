@@ -115,6 +115,9 @@ local function press(b, x, p, side, lo, hi, axis, dt)
   end
   local v, o = b.speed[kl] - b.speed[kh], b.to[kl] + b.size[kl] - b.to[kh]
   local u, tau = impactAt(o, v, b.accel[kl] - b.accel[kh], dt)
+  if footing.bounces(b, lo, hi, u, b.drive[kl] - b.drive[kh], dt) then
+    return REFUSED
+  end
   b.hit[p], b.hitSpeed[p], b.met[p] = side, u, 1
   place(b, lo, kl, kh, wl, wh, o, v)
   b.changes[lo] = b.changes[lo] + (wl > 0 and 1 or 0)

@@ -100,6 +100,11 @@ local function shift(b, i, k, dSpeed, dWay)
   b.changes[i] = b.changes[i] + 1
 end
 
+--- Whether two that meet at u px/s bounce, as in `resolve`; they are pulled at each other by a px/s².
+function footing.bounces(b, i, j, u, a, dt)
+  return u > 2 * a * dt and max(b.restitution[i], b.restitution[j]) > 0
+end
+
 -- What is left of u when its amount is less by `loss`, which does not turn it round. No branches.
 local function lessen(u, loss)
   return max(u - loss, 0.0) + min(u + loss, 0.0)
@@ -154,6 +159,9 @@ local function land(b, x, p, side, up, low, ku, kl, isUp, dt)
     return false
   end
   local u = start > STILL and start or 0
+  if footing.bounces(b, up, low, u, (drive[ku] - drive[kl]) * sign, dt) then
+    return false
+  end
   b.hit[p], b.hitSpeed[p], b.met[p] = side, u, 1
   to[ku], b.changes[up] = goal, b.changes[up] + 1
   if v > 0 then
