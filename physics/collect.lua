@@ -164,9 +164,9 @@ local function readAll(b, i, object, isNew)
   readMaterial(b, i, object)
   readMotion(b, i, object, isNew)
   b.hasCarriers = b.hasCarriers or b.kind[i] == KINEMATIC or b.surfaceSpeed[i] ~= 0
-  b.plain[i] = not (b.sensor[i] or b.oneWay[i] or b.canCollide[i])
-    and b.pushable[i]
-    and b.nudge[i] == 0
+  b.hasNudges = b.hasNudges or b.nudge[i] ~= 0
+  b.plain[i] = not (b.sensor[i] or b.canCollide[i])
+  b.choosy[i] = b.oneWay[i] ~= false or b.nudge[i] ~= 0 or not b.pushable[i]
   b.bare[i] = b.kind[i] == DYNAMIC and isBare(object)
 end
 

@@ -41,7 +41,8 @@ local SLOT = {
   seat = 0, -- place among the movers, which are in that order
   kind = 0,
   touching = false, -- the table published as object.touching
-  plain = false, -- none of its fields makes its contacts anything special
+  plain = false, -- bumps whoever it meets, and asks nobody
+  choosy = false, -- but what happens then depends on the side, or on who it is
   bare = false, -- dynamic, and had none of the fields that few have when it was last read
   -- fields of the object, defaults filled in
   active = true,
@@ -85,6 +86,7 @@ local SLOT = {
   watched = 0, -- step in which a change of its path must be looked into at once
   lastFooting = 0, -- its place among the footings when it last leant on somebody, 0: never
   lastFlank = 0, -- and among the flanks
+  looseAt = 0, -- step in which it may slide around a corner at the very beginning
   support = 0, -- slot of what it stands on, 0: nothing
   carrier = 0, -- slot of what carries it, through all that it stands on, 0: nothing
   carrierNow = 0, -- scratch of carrier
@@ -183,6 +185,7 @@ local STEP_AXIS = {
 --- Sides are numbers inside: left, right, top, bottom are 1 to 4, so that the side on `axis` is
 --- `2 * axis + 1` (low) or `2 * axis + 2` (high).
 columns.SIDES = { "left", "right", "top", "bottom" }
+columns.SIDE = { left = 1, right = 2, top = 3, bottom = 4 }
 columns.OPPOSITE = { 2, 1, 4, 3 }
 
 local function addColumns(b, names)
@@ -269,11 +272,13 @@ function columns.new()
     sortDigit = {},
     sortHeads = {},
     hasCarriers = false, -- anything in the world that ever carried others
+    hasNudges = false, -- or could slide around corners
     lost = {}, -- slots whose carrier went away since the last step
     lostCount = 0,
     changed = {}, -- scratch of resolve and meet
     changedCount = 0,
     changeStamp = 0,
+    clear = 0, -- px by which two must be apart to be clear of each other (see gather)
     gatherStamp = 0,
     relative = { 0, 0, 0, 0 }, -- scratch of approach
     near = {}, -- scratch of meet

@@ -16,7 +16,6 @@ local contact = {}
 
 local DYNAMIC = columns.DYNAMIC
 local EPSILON, OPPOSITE = columns.EPSILON, columns.OPPOSITE
-local SIDE_NUMBER = { left = 1, right = 2, top = 3, bottom = 4 }
 
 -- Gap on an axis at the end of the step (negative: overlap) and whether the first is the low one.
 local function gapAtEnd(b, ka, kc)
@@ -135,7 +134,7 @@ local function sensorContact(b, p, i, j)
     i = first
   end
   local to, size, ki, kj = b.to, b.size, 2 * i, 2 * j
-  local side = SIDE_NUMBER[aabb.side(
+  local side = columns.SIDE[aabb.side(
     to[ki],
     to[ki + 1],
     size[ki],

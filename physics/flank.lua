@@ -112,6 +112,8 @@ local function press(b, x, p, side, lo, hi, axis, dt)
   end
   if wl + wh == 0 or not isSimple(b, lo, hi, kl, kh) or b.drive[kl] - b.drive[kh] < -EVEN then
     return REFUSED
+  elseif b.pushFirst and wl > 0 and wh > 0 then
+    return REFUSED -- one of them takes it all
   end
   local v, o = b.speed[kl] - b.speed[kh], b.to[kl] + b.size[kl] - b.to[kh]
   local u, tau = impactAt(o, v, b.accel[kl] - b.accel[kh], dt)

@@ -100,7 +100,7 @@ local function shift(b, i, k, dSpeed, dWay)
   b.changes[i] = b.changes[i] + 1
 end
 
---- Whether two that meet at u px/s bounce, as in `resolve`; they are pulled at each other by a px/s².
+--- Whether two that meet at u px/s bounce, as in `resolve`; a px/s² pull them at each other.
 function footing.bounces(b, i, j, u, a, dt)
   return u > 2 * a * dt and max(b.restitution[i], b.restitution[j]) > 0
 end

@@ -29,11 +29,12 @@ function gather.endOverlap(b, low, high)
   return min(forward, backward)
 end
 
---- Whether the paths of two that are flush do not press against each other; `low` is the index with
---- the smaller coordinate.
+--- Whether the paths of two that are flush do not press against each other (as approach.meetFace
+--- decides); `low` is the index with the smaller coordinate.
 function gather.isIdle(b, low, high)
   local overlap = gather.endOverlap(b, low, high)
-  return max(-overlap, min(EPSILON - overlap, STILL - (b.speed[low] - b.speed[high]))) >= 0
+  return max(-overlap - b.clear, min(EPSILON - overlap, STILL - (b.speed[low] - b.speed[high])))
+    >= 0
 end
 
 local isIdle = gather.isIdle
@@ -136,7 +137,7 @@ end
 --- Lists all live pairs that may meet on the present paths, which must all begin with the step, and
 --- forgets the events of all. Returns how many there are.
 function gather.live(b)
-  local pairs_, clear, count = b.live, b.pushFirst and EPSILON or 0, 0
+  local pairs_, clear, count = b.live, b.clear, 0
   for n = 1, b.liveCount do
     count = listWhole(b, pairs_[n], clear, count)
   end
@@ -157,7 +158,7 @@ end
 --- The same for those that touched when the step began; but not for those whose last meeting has
 --- changed nothing, and whose paths are still the same: they would meet for ever.
 function gather.together(b)
-  local pairs_, turn, clear, count = b.touchList, b.turn, b.pushFirst and EPSILON or 0, 0
+  local pairs_, turn, clear, count = b.touchList, b.turn, b.clear, 0
   local pairA, pairB, settled, changes = b.pairA, b.pairB, b.settled, b.changes
   for n = 1, b.touchCount do
     local p = pairs_[n]
@@ -172,7 +173,7 @@ end
 
 --- The same for those that do not touch.
 function gather.apart(b)
-  local pairs_, touches, clear, count = b.live, b.touches, b.pushFirst and EPSILON or 0, 0
+  local pairs_, touches, clear, count = b.live, b.touches, b.clear, 0
   for n = 1, b.liveCount do
     local p = pairs_[n]
     if not touches[p] then
@@ -189,7 +190,7 @@ end
 function gather.objects(b, slots, first, last, count)
   local other, nextHalf, head, event, waits = b.other, b.next, b.head, b.event, b.waits
   local turn, touches, at, isLate = b.turn, b.touches, b.turnsDone, not b.isInstant
-  local clear, gathered, stamp = b.pushFirst and EPSILON or 0, b.gathered, b.gatherStamp + 1
+  local clear, gathered, stamp = b.clear, b.gathered, b.gatherStamp + 1
   b.gatherStamp = stamp
   local n, half = first, head[slots[first]]
   while n <= last do
@@ -213,7 +214,7 @@ end
 --- Lists one pair.
 function gather.pair(b, p)
   b.event[p], b.waits[p] = NO_EVENT, 0
-  return listAt(b, 2 * p - 1, b.pairA[p], b.pairB[p], b.pushFirst and EPSILON or 0, 0)
+  return listAt(b, 2 * p - 1, b.pairA[p], b.pairB[p], b.clear, 0)
 end
 
 return gather

@@ -8,8 +8,7 @@ require(here .. ".interpreted").file()
 
 local oneway = {}
 
--- The side of an object as in columns.SIDES.
-local SIDE = { left = 1, right = 2, top = 3, bottom = 4 }
+local SIDE = columns.SIDE
 
 -- Whether slot i is open where it was hit: on `side` of it.
 local function isOpen(b, i, side)

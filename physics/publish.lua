@@ -50,7 +50,8 @@ local function goesOn(b, p, side)
     and max(rc - size[kc], -rc - size[mc]) < -EPSILON
     and b.plain[i]
     and b.plain[j]
-    and not (b.hears[i] or b.hears[j] or b.passing[p] or b.dropping[p] or b.overlapping[p])
+    and not (b.hears[i] or b.hears[j] or b.oneWay[i] or b.oneWay[j])
+    and not (b.passing[p] or b.dropping[p] or b.overlapping[p])
 end
 
 -- Updates all pairs of whoever took part, and lists those in contact behind b.touchPairs; returns

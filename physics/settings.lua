@@ -3,6 +3,7 @@
 
 local here = (...):match("^(.*)%.[^.]+$")
 local check = require(here .. ".check")
+local columns = require(here .. ".columns")
 local collect = require(here .. ".collect")
 local detect = require(here .. ".detect")
 local events = require(here .. ".events")
@@ -46,6 +47,7 @@ effects.broadphase, effects.cellSize = newBroadphase, newBroadphase
 
 function effects.push(self, b)
   b.pushFirst = self.push == "first"
+  b.clear = b.pushFirst and columns.EPSILON or 0
   rest.wakeAll(b)
 end
 

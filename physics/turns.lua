@@ -16,7 +16,7 @@ local gather = require(here .. ".gather")
 
 local turns = {}
 
-local DYNAMIC = columns.DYNAMIC
+local DYNAMIC, SIDE, EPSILON = columns.DYNAMIC, columns.SIDE, columns.EPSILON
 local huge, floor, max, min = math.huge, math.floor, math.max, math.min
 
 -- So few are inserted into the others.
@@ -46,12 +46,64 @@ local function keepPlain(b, flush, flushCount)
   return count
 end
 
+-- Whether a one-way object is open on a side of it.
+local function isOpen(b, i, side)
+  local solid = b.oneWay[i]
+  return solid and SIDE[solid] ~= side
+end
+
+-- Marks slot i if it touches the immovable j and may slide around a corner of it: anywhere but on
+-- the side that gravity presses.
+local function markLoose(b, i, j)
+  local axis, from, size = b.downAxis, b.from, b.size
+  local k, m, kc, mc = 2 * i + axis, 2 * j + axis, 2 * i + 1 - axis, 2 * j + 1 - axis
+  local r, rc = from[m] - from[k], from[mc] - from[kc]
+  local below = b.down[k] > 0 and r - size[k] or -r - size[m]
+  local edge = min(size[kc] - rc, size[mc] + rc)
+  if b.down[k] == 0 or below < -EPSILON or edge <= EPSILON then
+    b.looseAt[i] = b.step
+  end
+end
+
+-- Marks those who may slide around a corner at the very beginning of the step: then they no longer
+-- touch whom they touched.
+local function findLoose(b)
+  local list, pairA, pairB, kind, nudge = b.touchList, b.pairA, b.pairB, b.kind, b.nudge
+  for n = 1, b.touchCount do
+    local p = list[n]
+    local i, j = pairA[p], pairB[p]
+    if nudge[i] ~= 0 and kind[j] ~= DYNAMIC then
+      markLoose(b, i, j)
+    elseif nudge[j] ~= 0 and kind[i] ~= DYNAMIC then
+      markLoose(b, j, i)
+    end
+  end
+end
+
+-- Whether more may happen between two that meet than that they bump: one of them is open there, or
+-- slides around a corner, or cannot be pushed by the other. (On what stands fast nobody is pushed,
+-- and no other footings have a turn in the end.)
+local function isChoosy(b, up, low, axis, direction)
+  local upSide = 2 * axis + 1.5 + 0.5 * direction
+  return isOpen(b, up, upSide)
+    or isOpen(b, low, 4 * axis + 3 - upSide)
+    or b.looseAt[up] == b.step
+    or b.looseAt[low] == b.step
+    or (
+      axis ~= b.downAxis
+      and not (b.pushable[up] and b.pushable[low])
+      and b.kind[up] == DYNAMIC
+      and b.kind[low] == DYNAMIC
+    )
+end
+
 -- Works out who leans on whom along an axis, behind place `last`; returns the last place then.
 -- Where the upper one of a footing cannot fall, the pair is odd, too.
 local function findLow(b, flush, plainCount, axis, last)
   local list, ups, lows, sides = b.turnPair, b.turnUp, b.turnLow, b.turnSide
   local pairA, pairB, from, kind, odd = b.pairA, b.pairB, b.from, b.kind, b.odd
   local isUp, isFooting, oddCount = b.orientation[axis] < 0, axis == b.downAxis, b.oddCount
+  local choosy, direction = b.choosy, isUp and -1 or 1
   for n = 1, plainCount do
     local p = flush[n]
     local up, low = pairA[p], pairB[p]
@@ -60,7 +112,10 @@ local function findLow(b, flush, plainCount, axis, last)
       up, low = pairB[p], pairA[p]
       side = 4 * axis + 3 - side
     end
-    if isFooting and kind[up] ~= DYNAMIC then
+    if
+      (isFooting and kind[up] ~= DYNAMIC)
+      or ((choosy[up] or choosy[low]) and isChoosy(b, up, low, axis, direction))
+    then
       oddCount = oddCount + 1
       odd[oddCount] = p
     else
@@ -282,9 +337,11 @@ function turns.list(b)
   b.turnsDone, b.turnsSlid = 0, 0
   b.footingCount, b.turnCount, b.oddFootings, b.oddCount = 0, 0, 0, 0
   gather.touching(b)
-  -- With push = "first" what is flush is not at rest; and whom the world asks about cannot be
-  -- plain.
-  if b.pushFirst or b.worldCanCollide or b.queueOnly then
+  if b.hasNudges then
+    findLoose(b)
+  end
+  -- Whom the world asks about cannot be plain.
+  if b.worldCanCollide or b.queueOnly then
     return
   end
   local axis, along, across = b.downAxis, b.flushAlong, b.flushAcross
