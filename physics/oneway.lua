@@ -3,18 +3,19 @@
 local here = (...):match("^(.*)%.[^.]+$")
 local approach = require(here .. ".approach")
 local columns = require(here .. ".columns")
-
-require(here .. ".interpreted").file()
+local interpreted = require(here .. ".interpreted")
 
 local oneway = {}
 
 local SIDE = columns.SIDE
 
--- Whether slot i is open where it was hit: on `side` of it.
-local function isOpen(b, i, side)
+--- Returns whether slot i is open where it was hit: on `side` of it.
+function oneway.isOpen(b, i, side)
   local solid = b.oneWay[i]
   return solid and SIDE[solid] ~= side
 end
+
+local isOpen = oneway.isOpen
 
 --- Returns whether two that meet on `side` of i pass through each other there. `kind` is that of
 --- the meeting: who is inside a one-way already always passes.
@@ -39,5 +40,7 @@ function oneway.drop(b, i)
   end
   return any
 end
+
+interpreted.functions(oneway.lets, oneway.drop)
 
 return oneway

@@ -9,6 +9,7 @@ local collect = require(here .. ".collect")
 local columns = require(here .. ".columns")
 local contact = require(here .. ".contact")
 local crush = require(here .. ".crush")
+local oneway = require(here .. ".oneway")
 
 local publish = {}
 
@@ -50,8 +51,8 @@ local function goesOn(b, p, side)
     and max(rc - size[kc], -rc - size[mc]) < -EPSILON
     and b.plain[i]
     and b.plain[j]
-    and not (b.hears[i] or b.hears[j] or b.oneWay[i] or b.oneWay[j])
-    and not (b.passing[p] or b.dropping[p] or b.overlapping[p])
+    and not (b.hears[i] or b.hears[j] or b.passing[p] or b.dropping[p] or b.overlapping[p])
+    and not (oneway.isOpen(b, i, side) or oneway.isOpen(b, j, OPPOSITE[side]))
 end
 
 -- Updates all pairs of whoever took part, and lists those in contact behind b.touchPairs; returns

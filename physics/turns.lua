@@ -13,10 +13,11 @@
 local here = (...):match("^(.*)%.[^.]+$")
 local columns = require(here .. ".columns")
 local gather = require(here .. ".gather")
+local oneway = require(here .. ".oneway")
 
 local turns = {}
 
-local DYNAMIC, SIDE, EPSILON = columns.DYNAMIC, columns.SIDE, columns.EPSILON
+local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
 local huge, floor, max, min = math.huge, math.floor, math.max, math.min
 
 -- So few are inserted into the others.
@@ -44,12 +45,6 @@ local function keepPlain(b, flush, flushCount)
   end
   b.oddCount = oddCount
   return count
-end
-
--- Whether a one-way object is open on a side of it.
-local function isOpen(b, i, side)
-  local solid = b.oneWay[i]
-  return solid and SIDE[solid] ~= side
 end
 
 -- Marks slot i if it touches the immovable j and may slide around a corner of it: anywhere but on
@@ -85,8 +80,8 @@ end
 -- and no other footings have a turn in the end.)
 local function isChoosy(b, up, low, axis, direction)
   local upSide = 2 * axis + 1.5 + 0.5 * direction
-  return isOpen(b, up, upSide)
-    or isOpen(b, low, 4 * axis + 3 - upSide)
+  return oneway.isOpen(b, up, upSide)
+    or oneway.isOpen(b, low, 4 * axis + 3 - upSide)
     or b.looseAt[up] == b.step
     or b.looseAt[low] == b.step
     or (
