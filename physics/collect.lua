@@ -165,7 +165,8 @@ local function readAll(b, i, object, isNew)
   readMotion(b, i, object, isNew)
   b.hasCarriers = b.hasCarriers or b.kind[i] == KINEMATIC or b.surfaceSpeed[i] ~= 0
   b.hasNudges = b.hasNudges or b.nudge[i] ~= 0
-  b.plain[i] = not (b.sensor[i] or b.canCollide[i])
+  b.hasAskers = b.hasAskers or b.canCollide[i] ~= false
+  b.plain[i] = not b.sensor[i]
   b.choosy[i] = b.oneWay[i] ~= false or b.nudge[i] ~= 0 or not b.pushable[i]
   b.bare[i] = b.kind[i] == DYNAMIC and isBare(object)
 end

@@ -41,7 +41,7 @@ local SLOT = {
   seat = 0, -- place among the movers, which are in that order
   kind = 0,
   touching = false, -- the table published as object.touching
-  plain = false, -- bumps whoever it meets, and asks nobody
+  plain = false, -- bumps whoever it meets
   choosy = false, -- but what happens then depends on the side, or on who it is
   bare = false, -- dynamic, and had none of the fields that few have when it was last read
   -- fields of the object, defaults filled in
@@ -144,6 +144,7 @@ local PAIR = {
   "hitSpeed",
   "met", -- how often it was resolved in this step
   "nudged", -- how often a corner was corrected in this step
+  "permitted", -- step in which the game was asked about its turn, and lets it collide
   "passing", -- lets pass for this step (canCollide, dropThrough)
   "event", -- its event in the queue
   "waits", -- 1: that is at the very beginning and keeps its place; 2: its paths have changed since
@@ -273,6 +274,7 @@ function columns.new()
     sortHeads = {},
     hasCarriers = false, -- anything in the world that ever carried others
     hasNudges = false, -- or could slide around corners
+    hasAskers = false, -- or has a canCollide
     lost = {}, -- slots whose carrier went away since the last step
     lostCount = 0,
     changed = {}, -- scratch of resolve and meet
@@ -448,7 +450,7 @@ local function resetPairs(b, count)
   for n = 1, count do
     local p = linked[n]
     event[p], wedged[p], turn[p], waits[p], touches[p] = columns.NO_EVENT, 0, 0, 0, false
-    b.settled[p], b.lastTurn[p], b.gathered[p] = 0, 0, 0
+    b.settled[p], b.lastTurn[p], b.gathered[p], b.permitted[p] = 0, 0, 0, 0
   end
 end
 

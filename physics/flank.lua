@@ -148,7 +148,7 @@ local function press(b, x, p, side, lo, hi, axis, dt)
 end
 
 --- What `land` may return besides what that of footings does.
-flank.RUB = -3
+flank.RUB = -4
 
 --- Lets one flank after the other lean in a step of dt s; see `footing.land`. RUB: the last one
 --- must `footing.rub`, which changes paths along gravity.
@@ -156,6 +156,7 @@ function flank.land(b, dt, isNext)
   local q, order, list, ups, lows = b.queue, b.turnOrder, b.turnPair, b.turnUp, b.turnLow
   local axis, turn, sides, watched = 1 - b.downAxis, b.turn, b.turnSide, b.watched
   local isUp, step = b.orientation[axis] < 0, b.step
+  local passing, permitted, hasAskers = b.passing, b.permitted, b.hasAskers
   for at = b.turnsDone + 1, b.turnCount do
     local x = order[at]
     local p, lo, hi = list[x], ups[x], lows[x]
@@ -169,12 +170,16 @@ function flank.land(b, dt, isNext)
     b.turnsDone, b.turnImpulse[x] = at, 0
     if turn[p] == at and isIdle(b, 2 * lo + axis, 2 * hi + axis) then
       watched[lo], watched[hi] = step, step
-    elseif turn[p] == at then
+    elseif turn[p] == at and not passing[p] then
+      if hasAskers and footing.mustAsk(b, p, lo, hi) then
+        b.turnsDone = at - 1
+        return footing.PERMIT
+      end
       local done = press(b, x, p, sides[x], lo, hi, axis, dt)
       if done == REFUSED then
         return p
       end
-      b.resolved = b.resolved + 1
+      permitted[p], b.resolved = 0, b.resolved + 1
       if done == RUBS then
         return flank.RUB
       elseif watched[lo] == step or watched[hi] == step then

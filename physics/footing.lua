@@ -188,17 +188,23 @@ function footing.isLater(b)
 end
 
 --- What `land` may return, but for a pair.
-footing.DONE, footing.CHANGED, footing.ASK = 0, -1, -2
+footing.DONE, footing.CHANGED, footing.ASK, footing.PERMIT = 0, -1, -2, -3
+
+--- Whether the game must be asked before a pair may bump (see `ask`).
+function footing.mustAsk(b, p, i, j)
+  return (b.worldCanCollide or b.canCollide[i] or b.canCollide[j]) and b.permitted[p] ~= b.step
+end
 
 --- Lands one footing after the other in a step of dt s, until something else goes before the next;
 --- `isNext` if the queue was asked already and does not. Returns what that is: a pair that must be
 --- looked at in the general way; CHANGED: the last one's neighbours; ASK: `isLater` must be asked;
---- DONE: nothing, no footing is left. Those that have landed must `slide` first.
+--- PERMIT: the game must be, about the next one; DONE: nothing, no footing is left. Those that have
+--- landed must `slide` first.
 function footing.land(b, dt, isNext)
   local q, order, list, ups, lows = b.queue, b.turnOrder, b.turnPair, b.turnUp, b.turnLow
   local axis, turn, impulses = b.downAxis, b.turn, b.turnImpulse
   local isUp, sides, watched = b.orientation[axis] < 0, b.turnSide, b.watched
-  local step = b.step
+  local step, passing, permitted, hasAskers = b.step, b.passing, b.permitted, b.hasAskers
   for at = b.turnsDone + 1, b.footingCount do
     local x = order[at]
     local p, up, low = list[x], ups[x], lows[x]
@@ -214,11 +220,15 @@ function footing.land(b, dt, isNext)
     if turn[p] == at and isIdle(b, lo, hi) then
       -- If it comes to press, that goes before later footings.
       watched[up], watched[low] = step, step
-    elseif turn[p] == at then
+    elseif turn[p] == at and not passing[p] then
+      if hasAskers and footing.mustAsk(b, p, up, low) then
+        b.turnsDone = at - 1
+        return footing.PERMIT
+      end
       if not land(b, x, p, sides[x], up, low, 2 * up + axis, 2 * low + axis, isUp, dt) then
         return p
       end
-      b.resolved = b.resolved + 1
+      permitted[p], b.resolved = 0, b.resolved + 1
       if watched[up] == step then
         return footing.CHANGED
       end

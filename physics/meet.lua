@@ -162,7 +162,9 @@ local function happen(b, p, code, t, dt)
   if b.dropping[p] or oneway.lets(b, low, high, 2 * axis + 2, kind) then
     return
   end
-  if not ask.permits(b, low, high, axis) then
+  if b.permitted[p] == b.step then
+    b.permitted[p] = 0 -- was asked when it was its turn
+  elseif not ask.permits(b, low, high, axis) then
     b.passing[p] = true
     return
   end
@@ -229,6 +231,21 @@ local function followTurn(b, dt)
   followChanged(b, dt)
 end
 
+-- Asks the game about the next turn.
+local function askAboutTurn(b)
+  local at = b.turnsDone + 1
+  local x, axis = b.turnOrder[at], at <= b.footingCount and b.downAxis or 1 - b.downAxis
+  local low, high, p = b.turnUp[x], b.turnLow[x], b.turnPair[x]
+  if b.orientation[axis] < 0 then
+    low, high = b.turnLow[x], b.turnUp[x]
+  end
+  if ask.permits(b, low, high, axis) then
+    b.permitted[p] = b.step
+  else
+    b.passing[p] = true
+  end
+end
+
 -- Lets those who have turns take them, by `land` of footings or flanks, until the queue goes first;
 -- what that disturbs at once goes into it. Returns whether all have had their turns.
 local function settle(b, land, dt)
@@ -245,11 +262,13 @@ local function settle(b, land, dt)
     end
     if left == footing.CHANGED or left == flank.RUB then
       followTurn(b, dt)
+    elseif left == footing.PERMIT then
+      askAboutTurn(b)
     elseif left > 0 then
       schedule(b, gather.pair(b, left))
     end
-    isNext = left == footing.ASK
-    if isNext and footing.isLater(b) then
+    isNext = left == footing.ASK or left == footing.PERMIT
+    if left == footing.ASK and footing.isLater(b) then
       return false
     end
   until left == footing.DONE

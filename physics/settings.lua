@@ -67,6 +67,7 @@ end
 
 function effects.canCollide(self, b)
   b.worldCanCollide = self.canCollide or false
+  b.hasAskers = b.hasAskers or b.worldCanCollide ~= false
   rest.wakeAll(b)
 end
 

@@ -335,8 +335,7 @@ function turns.list(b)
   if b.hasNudges then
     findLoose(b)
   end
-  -- Whom the world asks about cannot be plain.
-  if b.worldCanCollide or b.queueOnly then
+  if b.queueOnly then
     return
   end
   local axis, along, across = b.downAxis, b.flushAlong, b.flushAcross

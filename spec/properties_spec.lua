@@ -203,6 +203,13 @@ describe("the same scene goes the same way, to the bit,", function()
     ["could bounce"] = { box = { restitution = 0.2 } },
     ["cannot be pushed"] = { box = { pushable = false } },
     ["slide around corners"] = { box = { nudge = 4 } },
+    ["ask the game"] = {
+      box = {
+        canCollide = function()
+          return true
+        end,
+      },
+    },
     ["stand on a one-way"] = { floor = { oneWay = "top" } },
     ["give way by the order of who runs into whom"] = { push = "first" },
   }) do
