@@ -150,7 +150,7 @@ local PAIR = {
   "waits", -- 1: that is at the very beginning and keeps its place; 2: its paths have changed since
   "gathered", -- when it was last looked at because of who is in it (see gather.objects)
   "touches", -- may be met at the very beginning of the step
-  "turn", -- its place among the turns of the step, 0: none
+  "turn", -- its place among the turns of the step, 0: none; < 0: not in the second round
   "lastTurn", -- and among those of its kind when it last had one
   "liveMark",
   "wedged", -- 1 + code of the meeting along which two that are left inside each other may part
@@ -245,7 +245,7 @@ function columns.new()
     awakenings = 0, -- how often it has changed who takes part
     liveLinks = -1, -- both, when `live` was listed
     liveAwakenings = -1,
-    touchList = {}, -- pairs that touch when the step begins
+    touchList = {}, -- pairs that touch when the step begins, or may through a nudge
     touchCount = 0,
     flushAlong = {}, -- of those, who is flush along gravity
     flushAcross = {}, -- and across
@@ -260,9 +260,11 @@ function columns.new()
     turnShare = {}, -- of that, what was an impact
     turnLeft = {}, -- s, flanks: the time left then
     turnOrder = {}, -- by turn: places of the columns above
+    turnsAgain = {}, -- footings that press again before the second round
     footingCount = 0, -- turns along gravity, which come first
     turnCount = 0, -- all
     turnsDone = 0, -- how many of them have had their turn
+    round = 0, -- 1: in the second round, of flanks that have met once
     turnsSlid = 0, -- of those, how many have rubbed
     odd = {}, -- pairs that are flush, but have no turn
     oddFootings = 0, -- those along gravity, which come first

@@ -17,7 +17,7 @@ local flank = {}
 local STILL = columns.STILL
 local EVEN, ROUNDING = impact.EVEN, impact.ROUNDING
 local max, min, sqrt = math.max, math.min, math.sqrt
-local isIdle, coefficient = gather.isIdle, footing.coefficient
+local isIdle, isSettled, coefficient = gather.isIdle, gather.isSettled, footing.coefficient
 
 -- Whether nobody is held away from the other, welded or backed.
 local function isSimple(b, lo, hi, kl, kh)
@@ -120,7 +120,10 @@ local function press(b, x, p, side, lo, hi, axis, dt)
   if footing.bounces(b, lo, hi, u, b.drive[kl] - b.drive[kh], dt) then
     return REFUSED
   end
-  b.hit[p], b.hitSpeed[p], b.met[p] = side, u, 1
+  if b.met[p] == 0 then
+    b.hit[p], b.hitSpeed[p] = side, u
+  end
+  b.met[p] = b.met[p] + 1
   place(b, lo, kl, kh, wl, wh, o, v)
   b.changes[lo] = b.changes[lo] + (wl > 0 and 1 or 0)
   b.changes[hi] = b.changes[hi] + (wh > 0 and 1 or 0)
@@ -157,18 +160,19 @@ function flank.land(b, dt, isNext)
   local axis, turn, sides, watched = 1 - b.downAxis, b.turn, b.turnSide, b.watched
   local isUp, step = b.orientation[axis] < 0, b.step
   local passing, permitted, hasAskers = b.passing, b.permitted, b.hasAskers
+  local key = 1 + 2 * b.round
   for at = b.turnsDone + 1, b.turnCount do
     local x = order[at]
     local p, lo, hi = list[x], ups[x], lows[x]
     if isUp then
       lo, hi = lows[x], ups[x]
     end
-    if footing.isAsked(q, 1) and not isNext then
+    if footing.isAsked(q, key) and not isNext then
       return footing.ASK
     end
     isNext = false
     b.turnsDone, b.turnImpulse[x] = at, 0
-    if turn[p] == at and isIdle(b, 2 * lo + axis, 2 * hi + axis) then
+    if turn[p] == at and (isIdle(b, 2 * lo + axis, 2 * hi + axis) or isSettled(b, p)) then
       watched[lo], watched[hi] = step, step
     elseif turn[p] == at and not passing[p] then
       if hasAskers and footing.mustAsk(b, p, lo, hi) then
@@ -188,6 +192,42 @@ function flank.land(b, dt, isNext)
     end
   end
   return footing.DONE
+end
+
+--- Begins the second round: those flanks have a turn once more that have met, in the same order, as
+--- in a row one push leads to the next. Footings that press again go first; they are listed in
+--- `out`. Returns how many those are.
+function flank.again(b, out)
+  local order, list, turn, met, event, waits =
+    b.turnOrder, b.turnPair, b.turn, b.met, b.event, b.waits
+  local ups, lows, axis, count = b.turnUp, b.turnLow, b.downAxis, 0
+  local isUp, watched, step = b.orientation[axis] < 0, b.watched, b.step
+  for at = 1, b.footingCount do
+    local x = order[at]
+    local p, lo, hi = list[x], ups[x], lows[x]
+    if isUp then
+      lo, hi = lows[x], ups[x]
+    end
+    turn[p] = -at
+    if met[p] > 0 and not isIdle(b, 2 * lo + axis, 2 * hi + axis) then
+      if isSettled(b, p) then
+        watched[lo], watched[hi] = step, step
+      else
+        count = count + 1
+        out[count] = p
+      end
+    end
+  end
+  for at = b.footingCount + 1, b.turnCount do
+    local p = list[order[at]]
+    if met[p] == 1 then
+      event[p], waits[p] = columns.NO_EVENT, 0
+    else
+      turn[p] = -at
+    end
+  end
+  b.turnsDone, b.round = b.footingCount, 1
+  return count
 end
 
 return flank

@@ -175,7 +175,7 @@ local function land(b, x, p, side, up, low, ku, kl, isUp, dt)
 end
 
 --- Whether there is an event in the queue that may come before a turn whose key is `key` there: 0
---- for footings, 1 for flanks (see `keyOf` in meet).
+--- for footings, 1 for flanks, 3 for flanks that have met once (see `keyOf` in meet).
 function footing.isAsked(q, key)
   return q.size > 0 and q.data[q.heap[1] + queue.KEY] <= key
 end
@@ -183,7 +183,7 @@ end
 --- Whether the first event of the queue comes before the next turn.
 function footing.isLater(b)
   local at = b.turnsDone + 1
-  local x, key = b.turnOrder[at], at <= b.footingCount and 0 or 1
+  local x, key = b.turnOrder[at], at <= b.footingCount and 0 or 1 + 2 * b.round
   return queue.leads(b.queue, key, b.turnSupport[x], b.turnFirst[x], b.turnSecond[x])
 end
 

@@ -144,10 +144,20 @@ function gather.live(b)
   return count
 end
 
+--- Whether the last meeting of a pair has changed nothing, and the paths are still the same: it
+--- would meet for ever.
+function gather.isSettled(b, p)
+  local settled = b.settled[p]
+  return settled ~= 0 and settled == 1 + b.changes[b.pairA[p]] + b.changes[b.pairB[p]]
+end
+
+local isSettled = gather.isSettled
+
 -- Whether a pair that has had its turn may meet again: not if it is idle on the axis on which it is
 -- flush, as nearly all are then.
 local function isRestless(b, p)
-  local axis = b.turn[p] <= b.footingCount and b.downAxis or 1 - b.downAxis
+  local turn = max(b.turn[p], -b.turn[p])
+  local axis = turn <= b.footingCount and b.downAxis or 1 - b.downAxis
   local i, j = 2 * b.pairA[p] + axis, 2 * b.pairB[p] + axis
   if b.from[j] < b.from[i] then
     return not isIdle(b, j, i)
@@ -155,17 +165,13 @@ local function isRestless(b, p)
   return not isIdle(b, i, j)
 end
 
---- The same for those that touched when the step began; but not for those whose last meeting has
---- changed nothing, and whose paths are still the same: they would meet for ever.
+--- The same for those that touch when the step begins and are not settled.
 function gather.together(b)
   local pairs_, turn, clear, count = b.touchList, b.turn, b.clear, 0
-  local pairA, pairB, settled, changes = b.pairA, b.pairB, b.settled, b.changes
   for n = 1, b.touchCount do
     local p = pairs_[n]
-    if turn[p] == 0 or isRestless(b, p) then
-      if settled[p] == 0 or settled[p] ~= 1 + changes[pairA[p]] + changes[pairB[p]] then
-        count = listWhole(b, p, clear, count)
-      end
+    if (turn[p] == 0 or isRestless(b, p)) and not isSettled(b, p) then
+      count = listWhole(b, p, clear, count)
     end
   end
   return count

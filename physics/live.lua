@@ -26,15 +26,14 @@ local function list(b)
   b.liveCount = count
 end
 
--- Nothing has happened to the pairs from place `first` of the list on. Whether they touch is not
--- known of those that join in the middle of a step: `touch` is true then.
-local function reset(b, first, touch)
+-- Nothing has happened to the pairs from place `first` of the list on.
+local function reset(b, first)
   local live_, met, hit, passing, event = b.live, b.met, b.hit, b.passing, b.event
   local nudged, turn, waits, touches, settled = b.nudged, b.turn, b.waits, b.touches, b.settled
   for n = first, b.liveCount do
     local p = live_[n]
     met[p], hit[p], passing[p], event[p] = 0, 0, false, NO_EVENT
-    nudged[p], turn[p], waits[p], touches[p], settled[p] = 0, 0, 0, touch, 0
+    nudged[p], turn[p], waits[p], touches[p], settled[p] = 0, 0, 0, false, 0
   end
 end
 
@@ -47,7 +46,16 @@ function live.list(b)
       list(b)
     end
   end
-  reset(b, 1, false)
+  reset(b, 1)
+end
+
+--- Notes that a pair may touch at the very beginning of the step, though it did not when that was
+--- looked for.
+function live.touch(b, p)
+  if not b.touches[p] then
+    b.touchCount = b.touchCount + 1
+    b.touchList[b.touchCount], b.touches[p] = p, true
+  end
 end
 
 --- Adds the pairs of those in awakeList from place `first` on, who have been woken in the step.
@@ -64,7 +72,10 @@ function live.add(b, first)
       half = b.next[half]
     end
   end
-  reset(b, from, true)
+  reset(b, from)
+  for n = from, b.liveCount do
+    live.touch(b, live_[n])
+  end
 end
 
 return live

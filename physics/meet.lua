@@ -136,7 +136,7 @@ local function followNudge(b, dt)
   for n = 1, b.changedCount do
     local half = b.head[b.changed[n]]
     while half ~= 0 do
-      b.touches[(half + half % 2) / 2] = true
+      live.touch(b, (half + half % 2) / 2)
       half = b.next[half]
     end
   end
@@ -275,12 +275,21 @@ local function settle(b, land, dt)
   return true
 end
 
+-- Lets flanks that have met take a second turn. Returns whether all have.
+local function settleAgain(b, dt)
+  local again = b.turnsAgain
+  for n = 1, flank.again(b, again) do
+    schedule(b, gather.pair(b, again[n]))
+  end
+  return settle(b, flank.land, dt)
+end
+
 -- Settles what touches when the step begins, until the queue goes first.
 local function stand(b, dt)
   scheduleOdd(b, b.oddFootings)
   if settle(b, footing.land, dt) then
     scheduleOdd(b, b.oddCount)
-    if settle(b, flank.land, dt) then
+    if settle(b, flank.land, dt) and (b.round > 0 or b.isEager or settleAgain(b, dt)) then
       lookAtTouching(b)
     end
   end

@@ -329,7 +329,7 @@ end
 --- b.turnCount; and the pairs that are odd, up to b.oddFootings those along gravity.
 function turns.list(b)
   local footings, flanks = b.footingCount, b.turnCount - b.footingCount
-  b.turnsDone, b.turnsSlid = 0, 0
+  b.turnsDone, b.turnsSlid, b.round = 0, 0, 0
   b.footingCount, b.turnCount, b.oddFootings, b.oddCount = 0, 0, 0, 0
   gather.touching(b)
   if b.hasNudges then

@@ -277,6 +277,17 @@ describe("the same scene goes the same way, to the bit,", function()
       { "lifts", 40, -99884.1, 32, 8, { kinematic = true, vy = -11 } },
     },
     {
+      "one that was moved up a corner comes into the way of others later on",
+      { gravity = 800, gravityX = 400 },
+      1 / 35,
+      { "walls", -32, 48, 112, 32, { static = true } },
+      { "walls", 16, 24, 32, 16, { static = true } },
+      { "crates", 0, 32, 16, 16 },
+      { "crates", 0, 16, 16, 16, { nudge = 9.6 } },
+      { "zed", 32.04, 8, 16, 16, { vx = 2.86, ax = -267, friction = 0.2, mass = 3 } },
+      { "crates", 16.04, 8, 16, 16, { vx = 2.86 } },
+    },
+    {
       "a row is crushed, of whom some are neighbours that have not met",
       { gravity = 500, gravityX = -250, maxStep = 1 / 60, push = "first" },
       1 / 30,
