@@ -98,21 +98,29 @@ local function put(b, i, k, at, v)
   end
 end
 
--- There is room between the two ends, since what held one of the members has gone on, or one was
--- dragged from where it was held: moves each as far as it overlaps the one before, away from an end
--- that cannot move.
-local function spread(b, count, low, high, axis)
-  local stack, to, size, isUp = b.stack, b.to, b.size, b.kind[low] ~= DYNAMIC
-  local fixed = 2 * (isUp and low or high) + axis
-  local v, at = b.speed[fixed], isUp and to[fixed] + size[fixed] or to[fixed]
+-- Moves each member as far as it overlaps the one before, away from one end.
+local function spreadFrom(b, count, fixed, axis, isUp)
+  local stack, to, size, k = b.stack, b.to, b.size, 2 * fixed + axis
+  local v, at = b.speed[k], isUp and to[k] + size[k] or to[k]
   for n = isUp and 1 or count, isUp and count or 1, isUp and 1 or -1 do
-    local k = 2 * stack[n] + axis
+    k = 2 * stack[n] + axis
     if isUp and to[k] < at - EPSILON then
       put(b, stack[n], k, at, v)
     elseif not isUp and to[k] + size[k] > at + EPSILON then
       put(b, stack[n], k, at - size[k], v)
     end
     at = isUp and to[k] + size[k] or to[k]
+  end
+end
+
+-- There is room between the two ends, since what held one of the members has gone on, or one was
+-- dragged from where it was held: moves them away from the ends that cannot move.
+local function spread(b, count, low, high, axis)
+  if b.kind[low] ~= DYNAMIC then
+    spreadFrom(b, count, low, axis, true)
+  end
+  if b.kind[high] ~= DYNAMIC then
+    spreadFrom(b, count, high, axis, false)
   end
 end
 

@@ -654,6 +654,107 @@ local FOUND = {
       },
     },
   },
+  {
+    "who bounces in a column that fits exactly is not left in the floor",
+    {
+      settings = { gravity = 0 },
+      acts = {
+        { "add", 1, "walls", { x = 99992, y = 100032, width = 48, height = 8, static = true } },
+        { "add", 2, "walls", { x = 99992, y = 99992, width = 48, height = 8, static = true } },
+        { "add", 3, "boxes", { x = 100004, y = 100024, width = 8, height = 8, restitution = 1 } },
+        { "add", 4, "boxes", { x = 100000, y = 100016, width = 8, height = 8 } },
+        {
+          "add",
+          5,
+          "boxes",
+          { x = 100004, y = 100008, width = 8, height = 8, vy = 119, friction = 0.3 },
+        },
+        {
+          "add",
+          6,
+          "zed",
+          { x = 100012, y = 100008, width = 8, height = 8, vx = -38, friction = 0.97 },
+        },
+        { "add", 7, "crates", { x = 100008, y = 100000, width = 8, height = 8, friction = 1 } },
+        { "update", 0.03333333333333333 },
+      },
+    },
+  },
+  {
+    "friction drags nobody out of a row that fits exactly into a wall",
+    {
+      settings = { gravity = 0 },
+      acts = {
+        { "add", 1, "walls", { x = -100, y = -100401, width = 100, height = 900, static = true } },
+        { "add", 2, "walls", { x = 400, y = -100401, width = 100, height = 900, static = true } },
+        {
+          "add",
+          3,
+          "boxes",
+          { x = 0, y = -100100.7, width = 200, height = 100, friction = 0.55273787309670619 },
+        },
+        {
+          "add",
+          4,
+          "zed",
+          { x = 200, y = -100101, width = 200, height = 100, restitution = 0.25 },
+        },
+        {
+          "add",
+          5,
+          "zed",
+          {
+            x = 0,
+            y = -100300.7,
+            width = 100,
+            height = 200,
+            vx = 1947,
+            friction = 0.46890624097446559,
+          },
+        },
+        { "add", 6, "crates", { x = 100, y = -100500.7, width = 200, height = 200, vy = 1958 } },
+        { "update", 0.03333333333333333 },
+      },
+    },
+  },
+  {
+    "two pulls do not press a column that fits exactly into itself",
+    {
+      settings = { gravity = 5000 },
+      acts = {
+        { "add", 1, "walls", { x = 100100, y = 100400, width = 100, height = 200, static = true } },
+        { "add", 2, "walls", { x = 99800, y = 99800, width = 800, height = 200, static = true } },
+        { "add", 3, "zed", { x = 100050, y = 100300, width = 100, height = 100, gravity = -5000 } },
+        { "add", 4, "boxes", { x = 100100, y = 100200, width = 100, height = 100 } },
+        {
+          "add",
+          5,
+          "boxes",
+          { x = 100050, y = 100100, width = 100, height = 100, vx = -1494, friction = 0.3 },
+        },
+        {
+          "add",
+          6,
+          "crates",
+          {
+            x = 100000,
+            y = 100000,
+            width = 100,
+            height = 100,
+            gravity = -5000,
+            friction = 0.035516861393597776,
+          },
+        },
+        {
+          "add",
+          7,
+          "boxes",
+          { x = 100100, y = 100000, width = 100, height = 100, friction = 0.05 },
+        },
+        { "update", 0.03333333333333333 },
+      },
+    },
+  },
 }
 
 describe("a random game has found that", function()
