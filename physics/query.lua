@@ -395,7 +395,7 @@ function query.nearest(world, x, y, radius, filter)
   until hit or isLast
   view.give(v, found)
   if hit then
-    return v.object[hit], sqrt(v.entry[hit])
+    return v.object[hit], sqrt(distanceTo(v, hit, x, y))
   end
 end
 

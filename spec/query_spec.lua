@@ -457,6 +457,23 @@ describe("a filter", function()
     assert.are.equal("4", world:sweep(world.objects.a[2], 100, 5, isFour).name)
   end)
 
+  it("may ask from elsewhere, and the answer is that of the first question", function()
+    local world = physics.newWorld()
+    world:add("a", { x = 30, y = 0, width = 10, height = 10 })
+    local near = world:add("a", { x = 10, y = 0, width = 10, height = 10 })
+    local function filter()
+      world:nearest(500, 5, 1000)
+      world:raycast(500, 5, -500, 5)
+      return true
+    end
+    local object, distance = world:nearest(0, 5, 100, filter)
+    assert.is_true(object == near)
+    assert.are.equal(10, distance)
+    local hit, x = world:raycast(0, 5, 100, 5, filter)
+    assert.is_true(hit == near)
+    assert.are.equal(10, x)
+  end)
+
   it("may ask questions of its own, and fail", function()
     local world = four()
     local function isAlone(object)
