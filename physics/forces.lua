@@ -11,7 +11,8 @@ local forces = {}
 
 local DYNAMIC = columns.DYNAMIC
 local HUGE = math.huge
-local sqrt = math.sqrt
+local max, min, sqrt = math.max, math.min, math.sqrt
+local TINY = columns.TINY
 
 -- Returns e^-x, (1 - e^-x) / x and (e^-x - 1 + x) / x² for x >= 0, from + - * / alone, so that the
 -- bits are the same on every machine: x is halved to at most 1/8, the last of the three taken from
@@ -61,28 +62,43 @@ local function flyLimited(v, a, airFriction, limit, dt)
   return capped, way
 end
 
--- Slows the velocity (x, y) by `drag` px/s² along itself; returns the new velocity and by how much
--- the displacement of the step is shorter.
-local function brake(x, y, drag, dt)
-  local v = sqrt(x * x + y * y)
-  if v == 0 then
-    return 0, 0, 0, 0
-  end
-  local loss = drag * dt
-  if loss >= v then
-    -- It stops at v / drag and has covered half of v * v / drag.
-    local missing = dt - 0.5 * v / drag
-    return 0, 0, x * missing, y * missing
-  end
-  local share = loss / v
-  return x - x * share, y - y * share, x * share * 0.5 * dt, y * share * 0.5 * dt
+-- The end of the flight of k, at a speed (x, y), when `drag` takes less than that.
+local function slow(b, k, x, y, drag, dt)
+  local speed, way, share = b.speed, b.way, drag * dt / sqrt(x * x + y * y)
+  speed[k], speed[k + 1] = x - x * share, y - y * share
+  way[k], way[k + 1] = way[k] - x * share * 0.5 * dt, way[k + 1] - y * share * 0.5 * dt
 end
 
+-- The same of one that stops on its way from a speed (x, y), as it slows down by `rate` px/s², and
+-- goes on under the acceleration (ax, ay).
+local function turn(b, k, x, y, rate, ax, ay, dt)
+  local stop = min(sqrt(x * x + y * y) / max(rate, TINY), dt)
+  local left = dt - stop
+  b.speed[k], b.speed[k + 1] = ax * left, ay * left
+  b.way[k] = x * 0.5 * stop + ax * left * 0.5 * left
+  b.way[k + 1] = y * 0.5 * stop + ay * left * 0.5 * left
+end
+
+-- Slows slot i by its drag along its motion. Exact as long as it moves along a line.
 local function brakeSlot(b, i, dt)
-  local speed, way, k = b.speed, b.way, 2 * i
-  local x, y, shorterX, shorterY = brake(speed[k], speed[k + 1], b.drag[i], dt)
-  speed[k], speed[k + 1] = x, y
-  way[k], way[k + 1] = way[k] - shorterX, way[k + 1] - shorterY
+  local velocity, limit, drag, k = b.velocity, b.limit, b.drag[i], 2 * i
+  local x, y = b.speed[k], b.speed[k + 1]
+  local startX, startY = clamp(velocity[k], limit[k]), clamp(velocity[k + 1], limit[k + 1])
+  local ax, ay = (x - startX) / dt, (y - startY) / dt
+  local a, start = sqrt(ax * ax + ay * ay), sqrt(startX * startX + startY * startY)
+  local along = start > 0 and (ax * startX + ay * startY) / start or 0
+  local isSlower = x * x + y * y <= drag * dt * (drag * dt)
+  if a <= drag and isSlower then
+    turn(b, k, startX, startY, drag - along, 0, 0, dt)
+  elseif a > drag and along < 0 and start < (drag - along) * dt and ax * startY == ay * startX then
+    local share = 1 - drag / a
+    turn(b, k, startX, startY, drag - along, ax * share, ay * share, dt)
+  elseif isSlower then
+    b.speed[k], b.speed[k + 1] = 0, 0
+    b.way[k], b.way[k + 1] = startX * 0.5 * dt, startY * 0.5 * dt
+  else
+    slow(b, k, x, y, drag, dt)
+  end
 end
 
 -- Limits the length of the velocity; the displacement follows in proportion.

@@ -434,7 +434,7 @@ describe("the same scene goes the same way, to the bit,", function()
         end
       end
     end
-    assert.are.equal("267226650", ("%.0f"):format(sum))
+    assert.are.equal("478193430", ("%.0f"):format(sum))
   end)
 end)
 

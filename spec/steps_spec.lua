@@ -194,6 +194,8 @@ describe("the broad phases", function()
 end)
 
 describe("forces", function()
+  -- From 8 px/s to a stop at 150 px/s², and on at 100.
+  local FORTH = -8 * 8 / 300 + 100 / 2 * (1 - 8 / 150) ^ 2
   -- what, velocity, acceleration, air friction, drag, limit, dt; velocity and way afterwards
   for _, row in ipairs({
     { "none: it flies on", 60, 0, 0, 0, nil, 0.5, 60, 30 },
@@ -203,6 +205,11 @@ describe("forces", function()
     { "drag, moving", 100, 0, 0, 50, nil, 1, 50, 75 },
     { "drag, until it stands", 100, 0, 0, 400, nil, 1, 0, 12.5 },
     { "drag, the other way", -100, 0, 0, 400, nil, 1, 0, -12.5 },
+    { "drag, stronger than the pull", 0, 100, 0, 200, nil, 1, 0, 0 },
+    { "drag, with a weaker pull", 50, 100, 0, 200, nil, 1, 0, 12.5 },
+    { "drag, against a weaker pull", -50, 100, 0, 200, nil, 1, 0, -50 * 50 / 600 },
+    { "drag, with a stronger pull", 50, 300, 0, 200, nil, 1, 150, 100 },
+    { "drag, against a stronger pull", -8, 125, 0, 25, nil, 1, 100 * (1 - 8 / 150), FORTH },
     { "a limit reached half-way", 0, 100, 0, 0, 50, 1, 50, 37.5 },
     { "a limit exceeded before", 90, 0, 0, 0, 50, 1, 50, 50 },
   }) do
