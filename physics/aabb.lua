@@ -46,6 +46,28 @@ function aabb.inside(x1, y1, w1, h1, x2, y2, w2, h2)
   return x1 >= x2 and x1 + w1 < x2 + w2 and y1 >= y2 and y1 + h1 < y2 + h2
 end
 
+--- Returns what share of a way along an axis 1 px is, for `crossing`: never infinite.
+---@param d number px, how far it goes on the axis; may be 0
+---@return number
+function aabb.share(d)
+  return 1 / (d == 0 and 1e-300 or d)
+end
+
+--- Returns >= 0 if a line that begins at 0, 0 meets a box, up to rounding. No branches, so that it
+--- is one piece of code for all lines.
+---@param left number px, edges of the box
+---@param top number px
+---@param right number px
+---@param bottom number px
+---@param shareX number what `share` tells of the line on each axis
+---@param shareY number
+---@return number
+function aabb.crossing(left, top, right, bottom, shareX, shareY)
+  local a, b, c, d = left * shareX, right * shareX, top * shareY, bottom * shareY
+  local enters, leaves = max(min(a, b), min(c, d)), min(max(a, b), max(c, d))
+  return min(leaves - enters, leaves, 1 - enters)
+end
+
 --- Returns how far the first rectangle would have to move to leave the second, one number for each
 --- side of the first: `right` is the distance from its right edge to the left edge of the second,
 --- so a rectangle that is hit on its right leaves to the left by that much.

@@ -8,9 +8,9 @@
 --
 -- Inactive objects are not found. Sensors are, except by `sweep`, which nothing stops but solids.
 --
--- A game may ask a thousand times a frame, and each question goes another way through the code. So
--- what leads from one loop to the next is interpreted, and the loops over candidates, which call
--- nothing that interpreted code calls, are compiled (see interpreted).
+-- A game may ask a thousand times a frame, and lines, the nearest and ways take another way through
+-- the code each time. So what leads there from one loop to the next is interpreted; the loops over
+-- candidates are compiled, and stand in functions of their own (see interpreted).
 
 local here = (...):match("^(.*)%.[^.]+$")
 local aabb = require(here .. ".aabb")

@@ -15,6 +15,7 @@
 -- Reads of the core only which objects are static and where those are: they are read once.
 
 local here = (...):match("^(.*)%.[^.]+$")
+local aabb = require(here .. ".aabb")
 local check = require(here .. ".check")
 local columns = require(here .. ".columns")
 local grid = require(here .. ".broadphase.grid")
@@ -24,7 +25,6 @@ local roster = require(here .. ".roster")
 local view = {}
 
 local max, min = math.max, math.min
-local TINY = columns.TINY
 local STATIC, KINEMATIC, DYNAMIC = columns.STATIC, columns.KINEMATIC, columns.DYNAMIC
 
 -- Kind of an object that the core has read anew.
@@ -409,17 +409,14 @@ end
 local function keepOnWay(v, found, count, i, x, y, toX, toY)
   local position, size, n = v.position, v.size, 0
   local w, h = size[2 * i] + SLACK, size[2 * i + 1] + SLACK
-  local dx, dy = toX - x, toY - y
-  local shareX, shareY = 1 / (dx == 0 and TINY or dx), 1 / (dy == 0 and TINY or dy)
+  local backX, backY = x - SLACK, y - SLACK
+  local shareX, shareY = aabb.share(toX - x), aabb.share(toY - y)
   for m = 1, count do
     local j = found[m]
     local k = 2 * j
     local left, top = position[k] - w - x, position[k + 1] - h - y
-    local right, bottom = position[k] + size[k] - x, position[k + 1] + size[k + 1] - y
-    local a, b = left * shareX, (right + SLACK) * shareX
-    local c, d = top * shareY, (bottom + SLACK) * shareY
-    local enters, leaves = max(min(a, b), min(c, d)), min(max(a, b), max(c, d))
-    if min(leaves - enters, leaves, 1 - enters) >= 0 then
+    local right, bottom = position[k] + size[k] - backX, position[k + 1] + size[k + 1] - backY
+    if aabb.crossing(left, top, right, bottom, shareX, shareY) >= 0 then
       n = n + 1
       found[n] = j
     end

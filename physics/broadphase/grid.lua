@@ -9,6 +9,7 @@
 -- Objects" (2003), for the hash; T. Ulrich, "Loose Octrees", for one cell per object and level.
 
 local here = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local aabb = require(here .. ".aabb")
 local interpreted = require(here .. ".interpreted")
 
 ---@class physics.Grid
@@ -278,18 +279,13 @@ local function addMembers(self, list, cellCount, askers, found)
   return n
 end
 
--- Lists the cells of the listed ranges that hold anything.
-local function findCells(self, rangeCount)
+-- Finds who stands in the cells of the listed ranges and meets who asks.
+local function findIn(self, rangeCount, list, askers, found)
   -- What lies behind the end is read, and not used.
   self.ranges[rangeCount + 3], self.ranges[rangeCount + 5] = 0, 0
   local cells = addCells(self, rangeCount)
   self.cells[cells + 1] = 0
-  return cells
-end
-
--- Finds who stands in these cells and meets who asks.
-local function findIn(self, rangeCount, list, askers, found)
-  return addMembers(self, list, findCells(self, rangeCount), askers, found)
+  return addMembers(self, list, cells, askers, found)
 end
 
 -- Asks for one whose box is wide.
@@ -335,17 +331,8 @@ end
 --- Writes the slots of all objects whose fat boxes meet the rectangle into `out`; returns how many.
 function grid:query(left, top, right, bottom, out)
   askFor(self, left, top, right, bottom)
-  local ranges, cell, isEmpty = 0, self.cell, true
-  for level = 0, self.highest do
-    if self.members[level] > 0 then
-      ranges, isEmpty = addRanges(self, self.nobody, 1, level, cell, ranges), false
-    end
-    cell = cell * 2
-  end
-  if ranges > 0 then
-    return (findIn(self, ranges, self.nobody, self.answers, out))
-  end
-  return isEmpty and 0 or queryAll(self, left, top, right, bottom, out)
+  local n = self:overlaps(self.nobody, 1, self.answers, out)
+  return n
 end
 
 -- Lists the cells of one level that a line passes, strip by strip across its longer axis. `a` is
@@ -372,57 +359,20 @@ local function addStrips(self, level, cell, a1, b1, a2, b2, isSteep, n)
   return n
 end
 
--- How far a line goes on an axis: never nothing.
-local function along(d)
-  return d == 0 and TINY or d
-end
-
--- >= 0 if a line meets a fat box, up to rounding; 1 px of it is `shareX` and `shareY` of its way on
--- each axis. No branches.
-local function crosses(fatLow, fatHigh, k, x, y, shareX, shareY)
-  local a, b = (fatLow[k] - SLACK - x) * shareX, (fatHigh[k] + SLACK - x) * shareX
-  local c, d = (fatLow[k + 1] - SLACK - y) * shareY, (fatHigh[k + 1] + SLACK - y) * shareY
-  local enters, leaves = max(min(a, b), min(c, d)), min(max(a, b), max(c, d))
-  return min(leaves - enters, leaves, 1 - enters)
-end
-
 -- Keeps of `found` whose fat boxes the line meets, up to rounding; returns how many.
 local function keepCrossed(self, found, count, x1, y1, x2, y2)
   local fatLow, fatHigh, n = self.bodies.fatLow, self.bodies.fatHigh, 0
-  local shareX, shareY = 1 / along(x2 - x1), 1 / along(y2 - y1)
+  local shareX, shareY = aabb.share(x2 - x1), aabb.share(y2 - y1)
+  local x, y = x1 + SLACK, y1 + SLACK
+  local backX, backY = x1 - SLACK, y1 - SLACK
   for m = 1, count do
     local i = found[m]
-    if crosses(fatLow, fatHigh, 2 * i, x1, y1, shareX, shareY) >= 0 then
+    local k = 2 * i
+    local left, top = fatLow[k] - x, fatLow[k + 1] - y
+    local right, bottom = fatHigh[k] - backX, fatHigh[k + 1] - backY
+    if aabb.crossing(left, top, right, bottom, shareX, shareY) >= 0 then
       n = n + 1
       found[n] = i
-    end
-  end
-  return n
-end
-
--- Walks through the cells, and lists who is in them and whose fat boxes the line meets; returns how
--- many.
-local function addCrossed(self, cellCount, x1, y1, x2, y2, out)
-  local cells, nextInBucket = self.cells, self.next
-  local cellX, cellY, levels = self.cellX, self.cellY, self.level
-  local fatLow, fatHigh = self.bodies.fatLow, self.bodies.fatHigh
-  local shareX, shareY = 1 / along(x2 - x1), 1 / along(y2 - y1)
-  local n, at = 0, 0
-  local i = cells[1]
-  while at < cellCount do
-    if
-      crosses(fatLow, fatHigh, 2 * i, x1, y1, shareX, shareY) >= 0
-      and cellX[i] == cells[at + 4]
-      and cellY[i] == cells[at + 5]
-      and levels[i] == cells[at + 3]
-    then
-      n = n + 1
-      out[n] = i
-    end
-    i = nextInBucket[i]
-    if i == 0 then
-      at = at + CELL
-      i = cells[at + 1]
     end
   end
   return n
@@ -455,8 +405,9 @@ function grid:ray(x1, y1, x2, y2, out)
     end
     cell = cell * 2
   end
-  local cells = findCells(self, ranges)
-  return (addCrossed(self, cells, x1, y1, x2, y2, out))
+  askFor(self, left - SLACK, top - SLACK, right + SLACK, bottom + SLACK)
+  local n = findIn(self, ranges, self.nobody, self.answers, out)
+  return keepCrossed(self, out, n, x1, y1, x2, y2)
 end
 
 -- Questions are asked one by one, each in another way: what leads from loop to loop is interpreted.
