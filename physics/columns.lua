@@ -25,6 +25,7 @@ columns.STILL = 1e-9
 columns.TINY = 1e-300
 
 --- Value of `event` for a pair that has none in the queue.
+columns.UNSEEN = -1 -- turnSeen of a turn at which nobody has looked
 columns.NO_EVENT = -1
 
 local HUGE = math.huge
@@ -83,7 +84,7 @@ local SLOT = {
   stickiness = 0, -- friction coefficient of that hold
   changedMark = 0,
   changes = 0, -- how often its path has changed by now
-  watched = 0, -- step in which a change of its path must be looked into at once
+  watched = 0, -- step in which it touches somebody with whom it has no turn
   lastFooting = 0, -- its place among the footings when it last leant on somebody, 0: never
   lastFlank = 0, -- and among the flanks
   looseAt = 0, -- step in which it may slide around a corner at the very beginning
@@ -150,7 +151,7 @@ local PAIR = {
   "waits", -- 1: that is at the very beginning and keeps its place; 2: its paths have changed since
   "gathered", -- when it was last looked at because of who is in it (see gather.objects)
   "touches", -- may be met at the very beginning of the step
-  "turn", -- its place among the turns of the step, 0: none; < 0: not in the second round
+  "turn", -- its place among the turns of the step, 0: none, -1: odd
   "lastTurn", -- and among those of its kind when it last had one
   "liveMark",
   "wedged", -- 1 + code of the meeting along which two that are left inside each other may part
@@ -256,16 +257,25 @@ function columns.new()
     turnFirst = {}, -- their ranks (see columns.ranks)
     turnSecond = {},
     turnSupport = {},
+    turnSeen = {}, -- the changes of both when they were looked at
     turnImpulse = {}, -- by which they have landed
     turnShare = {}, -- of that, what was an impact
     turnLeft = {}, -- s, flanks: the time left then
     turnOrder = {}, -- by turn: places of the columns above
-    turnsAgain = {}, -- footings that press again before the second round
     footingCount = 0, -- turns along gravity, which come first
     turnCount = 0, -- all
-    turnsDone = 0, -- how many of them have had their turn
-    round = 0, -- 1: in the second round, of flanks that have met once
-    turnsSlid = 0, -- of those, how many have rubbed
+    turnRound = 0, -- the first one is 0 (see rounds)
+    turnsDone = 0, -- how many of them have had their turn in this round
+    landed = {}, -- which of them have landed in this round
+    landedCount = 0,
+    slidCount = 0, -- of those, how many have rubbed
+    round = 0, -- where the rounds are: see rounds
+    roundAxis = -1,
+    roundSupport = 0,
+    roundFirst = 0,
+    roundSecond = 0,
+    resolvedBefore = 0, -- before this round
+    rubbed = {}, -- scratch of meet
     odd = {}, -- pairs that are flush, but have no turn
     oddFootings = 0, -- those along gravity, which come first
     oddCount = 0, -- all

@@ -11,17 +11,23 @@ local columns = require(here .. ".columns")
 local footing = require(here .. ".footing")
 local gather = require(here .. ".gather")
 local impact = require(here .. ".impact")
+local resolve = require(here .. ".resolve")
+local rounds = require(here .. ".rounds")
 
 local flank = {}
 
 local STILL = columns.STILL
 local EVEN, ROUNDING = impact.EVEN, impact.ROUNDING
 local max, min, sqrt = math.max, math.min, math.sqrt
-local isIdle, isSettled, coefficient = gather.isIdle, gather.isSettled, footing.coefficient
+local isIdle = gather.isIdle
+local isOver, coefficient = footing.isOver, footing.coefficient
+local WELDS, UNSEEN = resolve.WELDS, columns.UNSEEN
 
--- Whether nobody is held away from the other, welded or backed.
-local function isSimple(b, lo, hi, kl, kh)
-  return not (b.heldHigh[kl] or b.heldLow[kh])
+-- Whether nobody is held away from the other, welded or backed, and they have not met again and
+-- again.
+local function isSimple(b, p, lo, hi, kl, kh)
+  return b.met[p] + 1 < WELDS
+    and not (b.heldHigh[kl] or b.heldLow[kh])
     and not (b.backedLow[kl] or b.backedHigh[kl] or b.backedLow[kh] or b.backedHigh[kh])
     and b.weld[kl] == 0
     and b.weld[kh] == 0
@@ -110,7 +116,7 @@ local function press(b, x, p, side, lo, hi, axis, dt)
   if b.heldHigh[kh] then
     wh = 0
   end
-  if wl + wh == 0 or not isSimple(b, lo, hi, kl, kh) or b.drive[kl] - b.drive[kh] < -EVEN then
+  if wl + wh == 0 or not isSimple(b, p, lo, hi, kl, kh) or b.drive[kl] - b.drive[kh] < -EVEN then
     return REFUSED
   elseif b.pushFirst and wl > 0 and wh > 0 then
     return REFUSED -- one of them takes it all
@@ -120,10 +126,7 @@ local function press(b, x, p, side, lo, hi, axis, dt)
   if footing.bounces(b, lo, hi, u, b.drive[kl] - b.drive[kh], dt) then
     return REFUSED
   end
-  if b.met[p] == 0 then
-    b.hit[p], b.hitSpeed[p] = side, u
-  end
-  b.met[p] = b.met[p] + 1
+  footing.noteHit(b, p, side, u)
   place(b, lo, kl, kh, wl, wh, o, v)
   b.changes[lo] = b.changes[lo] + (wl > 0 and 1 or 0)
   b.changes[hi] = b.changes[hi] + (wh > 0 and 1 or 0)
@@ -156,78 +159,47 @@ flank.RUB = -4
 --- Lets one flank after the other lean in a step of dt s; see `footing.land`. RUB: the last one
 --- must `footing.rub`, which changes paths along gravity.
 function flank.land(b, dt, isNext)
-  local q, order, list, ups, lows = b.queue, b.turnOrder, b.turnPair, b.turnUp, b.turnLow
-  local axis, turn, sides, watched = 1 - b.downAxis, b.turn, b.turnSide, b.watched
-  local isUp, step = b.orientation[axis] < 0, b.step
-  local passing, permitted, hasAskers = b.passing, b.permitted, b.hasAskers
-  local key = 1 + 2 * b.round
-  for at = b.turnsDone + 1, b.turnCount do
-    local x = order[at]
-    local p, lo, hi = list[x], ups[x], lows[x]
-    if isUp then
-      lo, hi = lows[x], ups[x]
-    end
-    if footing.isAsked(q, key) and not isNext then
+  local order, list, ups, lows, sides = b.turnOrder, b.turnPair, b.turnUp, b.turnLow, b.turnSide
+  local axis, key, isWary = 1 - b.downAxis, 2 * b.turnRound + 1, b.isEager
+  local isUp, step, watched = b.orientation[axis] < 0, b.step, b.watched
+  local changes, seen, isAsked = b.changes, b.turnSeen, footing.isAsked(b.queue, key)
+  local base, way = rounds.direction(b.turnRound, b.footingCount + 1, b.turnCount)
+  for n = b.turnsDone + 1, b.turnCount do
+    if isAsked and not isNext then
+      b.turnsDone = n - 1
       return footing.ASK
     end
     isNext = false
-    b.turnsDone, b.turnImpulse[x] = at, 0
-    if turn[p] == at and (isIdle(b, 2 * lo + axis, 2 * hi + axis) or isSettled(b, p)) then
-      watched[lo], watched[hi] = step, step
-    elseif turn[p] == at and not passing[p] then
-      if hasAskers and footing.mustAsk(b, p, lo, hi) then
-        b.turnsDone = at - 1
-        return footing.PERMIT
+    local x = order[base + way * n]
+    local lo, hi = ups[x], lows[x]
+    local look = changes[lo] + changes[hi]
+    if seen[x] ~= look then
+      if isUp then
+        lo, hi = lows[x], ups[x]
       end
-      local done = press(b, x, p, sides[x], lo, hi, axis, dt)
-      if done == REFUSED then
-        return p
-      end
-      permitted[p], b.resolved = 0, b.resolved + 1
-      if done == RUBS then
-        return flank.RUB
-      elseif watched[lo] == step or watched[hi] == step then
-        return footing.CHANGED
+      local p = list[x]
+      seen[x] = look
+      if not (isIdle(b, 2 * lo + axis, 2 * hi + axis) or isOver(b, p)) then
+        if b.hasAskers and footing.mustAsk(b, p, lo, hi) then
+          b.turnsDone, seen[x] = n - 1, UNSEEN
+          return footing.PERMIT
+        end
+        b.turnsDone = n
+        local done = press(b, x, p, sides[x], lo, hi, axis, dt)
+        if done == REFUSED then
+          return p
+        end
+        b.permitted[p], b.resolved = 0, b.resolved + 1
+        if done == RUBS then
+          return flank.RUB
+        elseif isWary or watched[lo] == step or watched[hi] == step then
+          return footing.CHANGED
+        end
       end
     end
   end
+  b.turnsDone = b.turnCount
   return footing.DONE
-end
-
---- Begins the second round: those flanks have a turn once more that have met, in the same order, as
---- in a row one push leads to the next. Footings that press again go first; they are listed in
---- `out`. Returns how many those are.
-function flank.again(b, out)
-  local order, list, turn, met, event, waits =
-    b.turnOrder, b.turnPair, b.turn, b.met, b.event, b.waits
-  local ups, lows, axis, count = b.turnUp, b.turnLow, b.downAxis, 0
-  local isUp, watched, step = b.orientation[axis] < 0, b.watched, b.step
-  for at = 1, b.footingCount do
-    local x = order[at]
-    local p, lo, hi = list[x], ups[x], lows[x]
-    if isUp then
-      lo, hi = lows[x], ups[x]
-    end
-    turn[p] = -at
-    if met[p] > 0 and not isIdle(b, 2 * lo + axis, 2 * hi + axis) then
-      if isSettled(b, p) then
-        watched[lo], watched[hi] = step, step
-      else
-        count = count + 1
-        out[count] = p
-      end
-    end
-  end
-  for at = b.footingCount + 1, b.turnCount do
-    local p = list[order[at]]
-    if met[p] == 1 then
-      event[p], waits[p] = columns.NO_EVENT, 0
-    else
-      turn[p] = -at
-    end
-  end
-  b.turnsDone, b.round = b.footingCount, 1
-  return count
 end
 
 return flank

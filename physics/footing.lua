@@ -15,10 +15,13 @@ local friction = require(here .. ".friction")
 local gather = require(here .. ".gather")
 local impact = require(here .. ".impact")
 local queue = require(here .. ".queue")
+local resolve = require(here .. ".resolve")
+local rounds = require(here .. ".rounds")
 
 local footing = {}
 
-local isIdle = gather.isIdle
+local direction, isIdle, isSettled = rounds.direction, gather.isIdle, gather.isSettled
+local PATIENCE, WELDS, UNSEEN = resolve.PATIENCE, resolve.WELDS, columns.UNSEEN
 local DYNAMIC = columns.DYNAMIC
 local STILL, TINY = columns.STILL, columns.TINY
 local EVEN, ROUNDING = impact.EVEN, impact.ROUNDING
@@ -40,10 +43,12 @@ local function lean(b, low, ku, kl, isUp)
   pressedUp[kl] = true -- means nothing for one that is not dynamic
 end
 
--- Whether one that cannot give way has something on it that can, and nothing is welded.
-local function isSimple(b, up, low, ku, kl, isUp)
+-- Whether one that cannot give way has something on it that can, nothing is welded, and they have
+-- not met again and again.
+local function isSimple(b, p, up, low, ku, kl, isUp)
   local held, upHeld = sidesOf(b, isUp)
   return (held[kl] or b.kind[low] ~= DYNAMIC)
+    and b.met[p] < WELDS
     and b.weld[ku] == 0
     and b.weld[kl] == 0
     and not (held[ku] or upHeld[ku] or upHeld[kl])
@@ -62,6 +67,7 @@ local function stick(b, up, low, ku, kl, mu, impulse, sign)
     or b.accel[ka] ~= b.accel[kb]
     or b.surfaceSpeed[low] ~= 0
     or b.down[ku] ~= sign
+    or b.weld[ka] ~= 0
   then
     return false
   elseif not (isFast or b.stuck[low]) then
@@ -141,16 +147,24 @@ local function slideTogether(b, up, low, ku, kl, limit, share, sign, dt)
   return true
 end
 
+--- Notes a hit of a pair at u px/s, the first one on `side` of its first.
+function footing.noteHit(b, p, side, u)
+  if b.met[p] == 0 then
+    b.hit[p], b.hitSpeed[p] = side, u
+  end
+  b.met[p] = b.met[p] + 1
+end
+
 -- Puts `up` on `low`, who meet on `side` of the pair's first, as `resolve` would: flush, without a
--- bounce, held from below. Notes by how much that presses, for friction, at place x. Returns false
--- if the case is another one; nothing has changed then.
-local function land(b, x, p, side, up, low, ku, kl, isUp, dt)
+-- bounce, held from below. If that presses, notes for friction by how much, at place x, and that
+-- it was the n-th turn. Returns false if the case is another one; nothing has changed then.
+local function land(b, n, x, p, side, up, low, ku, kl, isUp, dt)
   local to, size, speed, accel, drive = b.to, b.size, b.speed, b.accel, b.drive
   local sign = isUp and -1 or 1
   local v = (speed[ku] - speed[kl]) * sign
   local goal = isUp and to[kl] + size[kl] or to[kl] - size[ku]
   local o = isUp and goal - to[ku] or to[ku] + size[ku] - to[kl]
-  if not isSimple(b, up, low, ku, kl, isUp) or (drive[ku] - drive[kl]) * sign < -EVEN then
+  if not isSimple(b, p, up, low, ku, kl, isUp) or (drive[ku] - drive[kl]) * sign < -EVEN then
     return false
   end
   -- They touch already: the simple half of `impact.at`.
@@ -162,11 +176,13 @@ local function land(b, x, p, side, up, low, ku, kl, isUp, dt)
   if footing.bounces(b, up, low, u, (drive[ku] - drive[kl]) * sign, dt) then
     return false
   end
-  b.hit[p], b.hitSpeed[p], b.met[p] = side, u, 1
+  footing.noteHit(b, p, side, u)
   to[ku], b.changes[up] = goal, b.changes[up] + 1
   if v > 0 then
     speed[ku] = speed[kl]
     b.turnImpulse[x], b.turnShare[x] = v / b.inverseMass[up], min(u / v, 1.0)
+    b.landedCount = b.landedCount + 1
+    b.landed[b.landedCount] = n
   end
   if v > -STILL then
     lean(b, low, ku, kl, isUp)
@@ -174,17 +190,29 @@ local function land(b, x, p, side, up, low, ku, kl, isUp, dt)
   return true
 end
 
---- Whether there is an event in the queue that may come before a turn whose key is `key` there: 0
---- for footings, 1 for flanks, 3 for flanks that have met once (see `keyOf` in meet).
+--- Returns the place in the columns of turns of the n-th turn of this round, and 1 if it is across
+--- gravity, 0 if along.
+function footing.turnAt(b, n)
+  local first, last, across = 1, b.footingCount, 0
+  if n > last then
+    first, last, across = last + 1, b.turnCount, 1
+  end
+  local base, way = direction(b.turnRound, first, last)
+  return b.turnOrder[base + way * n], across
+end
+
+--- Whether there is an event in the queue that may come before a turn whose key is `key` there (see
+--- `keyOf` in meet).
 function footing.isAsked(q, key)
   return q.size > 0 and q.data[q.heap[1] + queue.KEY] <= key
 end
 
 --- Whether the first event of the queue comes before the next turn.
 function footing.isLater(b)
-  local at = b.turnsDone + 1
-  local x, key = b.turnOrder[at], at <= b.footingCount and 0 or 1 + 2 * b.round
-  return queue.leads(b.queue, key, b.turnSupport[x], b.turnFirst[x], b.turnSecond[x])
+  local x, across = footing.turnAt(b, b.turnsDone + 1)
+  local sign = rounds.isBack(b.turnRound) and -1 or 1
+  local support, first, second = b.turnSupport[x], b.turnFirst[x], b.turnSecond[x]
+  return queue.leads(b.queue, 2 * b.turnRound + across, sign * support, sign * first, sign * second)
 end
 
 --- What `land` may return, but for a pair.
@@ -195,84 +223,111 @@ function footing.mustAsk(b, p, i, j)
   return (b.worldCanCollide or b.canCollide[i] or b.canCollide[j]) and b.permitted[p] ~= b.step
 end
 
+--- Whether two who press do not meet: they pass through each other, or it would change nothing.
+function footing.isOver(b, p)
+  return b.passing[p] or b.met[p] >= PATIENCE or isSettled(b, p)
+end
+
+local isOver = footing.isOver
+
 --- Lands one footing after the other in a step of dt s, until something else goes before the next;
 --- `isNext` if the queue was asked already and does not. Returns what that is: a pair that must be
---- looked at in the general way; CHANGED: the last one's neighbours; ASK: `isLater` must be asked;
---- PERMIT: the game must be, about the next one; DONE: nothing, no footing is left. Those that have
---- landed must `slide` first.
+--- resolved in the general way; CHANGED: somebody must be looked at whom the last one has changed;
+--- ASK: `isLater` must be asked; PERMIT: the game must be, about the next one; DONE: nothing, no
+--- footing is left. Those that have landed must `slide` first. Whose paths are the same as in the
+--- round before is passed over.
 function footing.land(b, dt, isNext)
-  local q, order, list, ups, lows = b.queue, b.turnOrder, b.turnPair, b.turnUp, b.turnLow
-  local axis, turn, impulses = b.downAxis, b.turn, b.turnImpulse
-  local isUp, sides, watched = b.orientation[axis] < 0, b.turnSide, b.watched
-  local step, passing, permitted, hasAskers = b.step, b.passing, b.permitted, b.hasAskers
-  for at = b.turnsDone + 1, b.footingCount do
-    local x = order[at]
-    local p, up, low = list[x], ups[x], lows[x]
-    if footing.isAsked(q, 0) and not isNext then
+  local order, list, ups, lows, sides = b.turnOrder, b.turnPair, b.turnUp, b.turnLow, b.turnSide
+  local axis, key, isWary = b.downAxis, 2 * b.turnRound, b.isEager
+  local isUp, step, hasAskers = b.orientation[axis] < 0, b.step, b.hasAskers
+  local changes, seen, isAsked = b.changes, b.turnSeen, footing.isAsked(b.queue, key)
+  local base, way = direction(b.turnRound, 1, b.footingCount)
+  for n = b.turnsDone + 1, b.footingCount do
+    if isAsked and not isNext then
+      b.turnsDone = n - 1
       return footing.ASK
     end
     isNext = false
-    b.turnsDone, impulses[x] = at, 0
-    local lo, hi = 2 * up + axis, 2 * low + axis
-    if isUp then
-      lo, hi = 2 * low + axis, 2 * up + axis
-    end
-    if turn[p] == at and isIdle(b, lo, hi) then
-      -- If it comes to press, that goes before later footings.
-      watched[up], watched[low] = step, step
-    elseif turn[p] == at and not passing[p] then
-      if hasAskers and footing.mustAsk(b, p, up, low) then
-        b.turnsDone = at - 1
-        return footing.PERMIT
+    local x = order[base + way * n]
+    local up, low = ups[x], lows[x]
+    local look = changes[up] + changes[low]
+    if seen[x] ~= look then
+      local p, lo, hi = list[x], 2 * up + axis, 2 * low + axis
+      if isUp then
+        lo, hi = 2 * low + axis, 2 * up + axis
       end
-      if not land(b, x, p, sides[x], up, low, 2 * up + axis, 2 * low + axis, isUp, dt) then
-        return p
-      end
-      permitted[p], b.resolved = 0, b.resolved + 1
-      if watched[up] == step then
-        return footing.CHANGED
+      seen[x] = look
+      if not (isIdle(b, lo, hi) or isOver(b, p)) then
+        if hasAskers and footing.mustAsk(b, p, up, low) then
+          b.turnsDone, seen[x] = n - 1, UNSEEN
+          return footing.PERMIT
+        end
+        b.turnsDone = n
+        if not land(b, n, x, p, sides[x], up, low, 2 * up + axis, 2 * low + axis, isUp, dt) then
+          return p
+        end
+        b.permitted[p], b.resolved = 0, b.resolved + 1
+        if isWary or b.watched[up] == step then
+          return footing.CHANGED
+        end
       end
     end
   end
+  b.turnsDone = max(b.turnsDone, b.footingCount)
   return footing.DONE
 end
 
 --- Lets those rub that have landed, in the same order. That changes paths across gravity only, on
 --- which no footing depends, nor anything else that goes before the flanks; so it may follow the
 --- landings (one loop for both would be too long for the trace compiler). Returns false at one that
---- needs more than this loop does, and must `rub`.
+--- needs more than this loop does, and must `rub`: the last of b.landed[1..b.slidCount].
 function footing.slide(b, dt)
-  local order, ups, lows, impulses = b.turnOrder, b.turnUp, b.turnLow, b.turnImpulse
-  local axis, shares = b.downAxis, b.turnShare
+  local order, ups, lows, landed = b.turnOrder, b.turnUp, b.turnLow, b.landed
+  local axis, shares, impulses = b.downAxis, b.turnShare, b.turnImpulse
   local sign = b.orientation[axis] < 0 and -1 or 1
-  for at = b.turnsSlid + 1, b.turnsDone do
-    local x = order[at]
+  local base, way = direction(b.turnRound, 1, b.footingCount)
+  for at = b.slidCount + 1, b.landedCount do
+    local x = order[base + way * landed[at]]
     local up, low, impulse = ups[x], lows[x], impulses[x]
-    local mu = impulse > 0 and footing.coefficient(b, up, low) or 0
+    local mu = footing.coefficient(b, up, low)
     if mu > 0 and not stick(b, up, low, 2 * up + axis, 2 * low + axis, mu, impulse, sign) then
-      b.turnsSlid = at
+      b.slidCount = at
       local ku, kl, limit = 2 * up + axis, 2 * low + axis, mu * impulse
       if not slideTogether(b, up, low, ku, kl, limit, shares[x], sign, dt) then
         return false
       end
     end
   end
-  b.turnsSlid = b.turnsDone
+  b.slidCount = b.landedCount
   return true
 end
 
---- Lets the two of a turn rub, along or across gravity, in the general way.
-function footing.rub(b, at, dt)
-  local x, isFooting = b.turnOrder[at], at <= b.footingCount
+--- Lists in `out` who has landed in this round, or been landed on, and touches somebody with whom
+--- it has no turn; returns how many.
+function footing.listLanded(b, out)
+  local ups, lows, landed = b.turnUp, b.turnLow, b.landed
+  local watched, step, count = b.watched, b.step, 0
+  for at = 1, b.landedCount do
+    local x = footing.turnAt(b, landed[at])
+    if watched[ups[x]] == step or watched[lows[x]] == step then
+      out[count + 1], out[count + 2] = ups[x], lows[x]
+      count = count + 2
+    end
+  end
+  return count
+end
+
+--- Lets the two of the n-th turn of this round rub, along or across gravity, in the general way.
+function footing.rub(b, n, dt)
+  local x, across = footing.turnAt(b, n)
   local axis, tau = b.downAxis, dt
-  if not isFooting then
+  if across == 1 then
     axis, tau = 1 - axis, b.turnLeft[x]
   end
   local up, low = b.turnUp[x], b.turnLow[x]
   local isDown = b.orientation[axis] > 0
   local lo, hi = isDown and up or low, isDown and low or up
   friction.rub(b, lo, hi, axis, b.turnImpulse[x], b.turnShare[x], tau, 0)
-  b.turnImpulse[x] = 0 -- nothing is left for `slide`
 end
 
 return footing

@@ -156,8 +156,7 @@ local isSettled = gather.isSettled
 -- Whether a pair that has had its turn may meet again: not if it is idle on the axis on which it is
 -- flush, as nearly all are then.
 local function isRestless(b, p)
-  local turn = max(b.turn[p], -b.turn[p])
-  local axis = turn <= b.footingCount and b.downAxis or 1 - b.downAxis
+  local axis = b.turn[p] <= b.footingCount and b.downAxis or 1 - b.downAxis
   local i, j = 2 * b.pairA[p] + axis, 2 * b.pairB[p] + axis
   if b.from[j] < b.from[i] then
     return not isIdle(b, j, i)
@@ -165,12 +164,18 @@ local function isRestless(b, p)
   return not isIdle(b, i, j)
 end
 
---- The same for those that touch when the step begins and are not settled.
-function gather.together(b)
-  local pairs_, turn, clear, count = b.touchList, b.turn, b.clear, 0
+--- The same for those that touch when the step begins, are not settled and have not been looked at
+--- all the time, as odd ones are; if `isOver`, not for those that have had turns either.
+function gather.together(b, isOver)
+  local pairs_, turn, event, clear, count = b.touchList, b.turn, b.event, b.clear, 0
+  local isEager = b.isEager
   for n = 1, b.touchCount do
     local p = pairs_[n]
-    if (turn[p] == 0 or isRestless(b, p)) and not isSettled(b, p) then
+    local isLeft = not isEager or event[p] == NO_EVENT
+    if turn[p] > 0 then
+      isLeft = not isOver and isRestless(b, p)
+    end
+    if isLeft and turn[p] >= 0 and not isSettled(b, p) then
       count = listWhole(b, p, clear, count)
     end
   end
@@ -190,12 +195,12 @@ function gather.apart(b)
 end
 
 --- Lists the pairs of the objects in slots[first..last] that may meet on the present paths, and
---- forgets the events of all their pairs, but for those whose turn is yet to come and for those
---- that wait. As long as `isInstant`, only pairs that touch are in question, and the events of the
---- others are left as they are. Returns how many there are, `count` of them listed before.
+--- forgets the events of all their pairs, but for those that wait and, until `isAllSeen`, those
+--- that have turns. As long as `isInstant`, only pairs that touch are in question, and the events
+--- of the others are left as they are. Returns how many there are, `count` of them listed before.
 function gather.objects(b, slots, first, last, count)
   local other, nextHalf, head, event, waits = b.other, b.next, b.head, b.event, b.waits
-  local turn, touches, at, isLate = b.turn, b.touches, b.turnsDone, not b.isInstant
+  local turn, touches, isLate, isAllSeen = b.turn, b.touches, not b.isInstant, b.isAllSeen
   local clear, gathered, stamp = b.clear, b.gathered, b.gatherStamp + 1
   b.gatherStamp = stamp
   local n, half = first, head[slots[first]]
@@ -207,7 +212,7 @@ function gather.objects(b, slots, first, last, count)
       local p = floor(half * 0.5 + 0.5)
       if waits[p] > 0 then
         waits[p] = 2
-      elseif (touches[p] or isLate) and turn[p] <= at and gathered[p] ~= stamp then
+      elseif (touches[p] or isLate) and (isAllSeen or turn[p] <= 0) and gathered[p] ~= stamp then
         event[p], gathered[p] = NO_EVENT, stamp
         count = listAt(b, half, slots[n], other[half], clear, count)
       end

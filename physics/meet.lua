@@ -2,10 +2,10 @@
 --
 -- Every pair of neighbours that will meet on its present paths has one event in a queue. The first
 -- one is resolved, which changes two paths; all pairs of those two are looked at again from that
--- moment on. Simultaneous events: solids before sensors, faces before corners, pairs that have not
--- been resolved in this step before those that have, along gravity before across, supports first
--- (from the floor up), then the order of the world. Nothing of this depends on the order in which
--- pairs were found.
+-- moment on. Simultaneous events: solids before sensors, faces before corners; what is met at the
+-- very beginning in rounds (see `rounds`), what is met later: pairs that have not been resolved in
+-- this step before those that have, along gravity before across, supports first (from the floor
+-- up), then the order of the world. Nothing of this depends on the order in which pairs were found.
 
 local here = (...):match("^(.*)%.[^.]+$")
 local approach = require(here .. ".approach")
@@ -22,6 +22,7 @@ local path = require(here .. ".path")
 local predict = require(here .. ".predict")
 local queue = require(here .. ".queue")
 local resolve = require(here .. ".resolve")
+local rounds = require(here .. ".rounds")
 local turns = require(here .. ".turns")
 
 require(here .. ".interpreted").file()
@@ -30,13 +31,16 @@ local meet = {}
 
 local floor, huge, max = math.floor, math.huge, math.max
 local DYNAMIC = columns.DYNAMIC
-local CORNER = approach.CORNER
+local FACE, CORNER = approach.FACE, approach.CORNER
 
 -- Moments closer than this part of a step are simultaneous.
 local MOMENTS = 1e9
-local MOST_MET = 63
--- The last key of what is met at the very beginning (see `keyOf`).
-local LAST_INSTANT = 4 * 64 * 2 - 1
+-- How many different keys events of one moment and kind may have.
+local KEYS = 2 * rounds.MOST
+-- The last key of what is met at the very beginning (see `keyOf`), and of the faces among that.
+local LAST_INSTANT, LAST_FACE = 4 * KEYS - 1, KEYS - 1
+-- While so many turns come to one that has pressed, another round costs less than the queue.
+local IDLE_TURNS = 256
 -- Corner corrections of one pair in one step.
 local MOST_NUDGES = 4
 local NONE = columns.NO_EVENT
@@ -53,9 +57,9 @@ local function supportOf(b, low, high, axis)
   return b.from[2 * high + axis] + b.size[2 * high + axis]
 end
 
--- What decides the order of events: moment, kind, how often the pair was resolved, axis, as one
--- whole number.
-local function keyOf(b, met, t, kind, axis, isSensed)
+-- What decides the order of events: moment, kind, round or how often the pair was resolved, axis
+-- (1: across gravity), as one whole number.
+local function keyOf(t, kind, isSensed, round, axis)
   -- What is met at the very beginning goes before all else (see turns).
   local moment = t > 0 and max(floor(t * MOMENTS + 0.5), 1) or 0
   if isSensed then
@@ -63,8 +67,7 @@ local function keyOf(b, met, t, kind, axis, isSensed)
   elseif kind == CORNER then
     moment = moment + 2
   end
-  local key = ((moment * 4 + kind) * 64 + (met < MOST_MET and met or MOST_MET)) * 2
-  return axis == b.downAxis and key or key + 1
+  return (moment * 4 + kind) * KEYS + 2 * round + axis
 end
 
 local function enqueue(b, p, t, code)
@@ -80,8 +83,14 @@ local function enqueue(b, p, t, code)
   end
   local support = supportOf(b, low, high, axis)
   local first, second = columns.ranks(b, one, other)
-  b.watched[one], b.watched[other] = b.step, b.step
-  local key = keyOf(b, met, t, kind, axis, isSensed)
+  local round, across = met, axis == b.downAxis and 0 or 1
+  if t <= 0 and kind == FACE and not isSensed then
+    round = rounds.of(b, across, support, first, second)
+    if rounds.isBack(round) then
+      support, first, second = -support, -first, -second
+    end
+  end
+  local key = keyOf(t, kind, isSensed, round, across)
   b.waits[p] = t <= 0 and kind ~= CORNER and not isSensed and not b.isEager and 1 or 0
   b.event[p] = queue.push(b.queue, key, support, first, second, p, code, t)
 end
@@ -116,6 +125,24 @@ local function lookUp(b, list, count, dt)
   end
 end
 
+-- As long as turns are taken, nobody needs to be looked at but those who touch somebody with whom
+-- they have none. Keeps only these of those whose path has changed.
+local function keepWatched(b)
+  if b.oddCount == 0 and not b.isEager then
+    b.changedCount = 0
+    return
+  end
+  local changed, watched, step, count = b.changed, b.watched, b.step, 0
+  for n = 1, b.changedCount do
+    local i = changed[n]
+    if b.isEager or watched[i] == step then
+      count = count + 1
+      changed[count] = i
+    end
+  end
+  b.changedCount = count
+end
+
 -- Looks again at everybody whose path has changed. As long as all this is at the very beginning of
 -- the step, only those who touch can be met then; the others are looked at when that is over.
 local function followChanged(b, dt)
@@ -124,7 +151,12 @@ local function followChanged(b, dt)
   else
     lookUp(b, b.changed, b.changedCount, dt)
   end
-  schedule(b, gather.objects(b, b.changed, 1, b.changedCount, 0))
+  if not b.isAllSeen then
+    keepWatched(b)
+  end
+  if b.changedCount > 0 then
+    schedule(b, gather.objects(b, b.changed, 1, b.changedCount, 0))
+  end
 end
 
 -- A nudge moves somebody aside at once, also at the very beginning of the step: then he may touch
@@ -180,22 +212,29 @@ local function happen(b, p, code, t, dt)
     b.nudged[p] = b.nudged[p] + 1
     followNudge(b, dt)
   else
+    local before = b.changes[low] + b.changes[high]
     resolve.run(b, p, low, high, axis, t, dt, kind == approach.DEEP)
-    b.settled[p] = b.changedCount == 0 and 1 + b.changes[low] + b.changes[high] or 0
+    b.settled[p] = b.changes[low] + b.changes[high] == before and 1 + before or 0
   end
   followChanged(b, dt)
 end
 
 -- Looks at all pairs that touch, when all have had their turns: only then are their paths what they
--- will be for most.
-local function lookAtTouching(b)
+-- will be for most. `isOver`: who has had turns presses no more.
+local function lookAtTouching(b, isOver)
   b.isAllSeen, b.isStale = true, true
-  schedule(b, gather.together(b))
+  if isOver then
+    rounds.start(b)
+  else
+    rounds.finish(b, b.turnRound)
+  end
+  schedule(b, gather.together(b, isOver))
 end
 
 -- Looks at the others, when all that happens at the very beginning of the step is over. Whom
 -- everybody may meet is looked up now.
 local function lookAtApart(b, dt)
+  rounds.start(b)
   lookUp(b, b.awakeList, b.awakeCount, dt)
   b.isStale = false
   schedule(b, gather.apart(b))
@@ -211,34 +250,44 @@ end
 -- Puts pairs that are flush and have no turn into the queue, up to place `last` of the list. They
 -- may be met before those that have one, now or when a path has changed.
 local function scheduleOdd(b, last)
-  local watched, step = b.watched, b.step
   for n = b.oddSeen + 1, last do
-    local p = b.odd[n]
-    watched[b.pairA[p]], watched[b.pairB[p]] = step, step
-    schedule(b, gather.pair(b, p))
+    schedule(b, gather.pair(b, b.odd[n]))
   end
   b.oddSeen = max(b.oddSeen, last)
 end
 
+-- Goes to the n-th turn of this round; returns its place in the columns of turns, and 1 if it is
+-- across gravity, 0 if along.
+local function passTurn(b, n)
+  local x, across = footing.turnAt(b, n)
+  rounds.pass(b, b.turnRound, across, b.turnSupport[x], b.turnFirst[x], b.turnSecond[x])
+  return x, across
+end
+
 -- Looks after whom the last turn has changed.
 local function followTurn(b, dt)
-  local x = b.turnOrder[b.turnsDone]
-  path.startChanges(b)
+  local x, across = passTurn(b, b.turnsDone)
   path.change(b, b.turnUp[x])
-  if b.turnsDone > b.footingCount then
+  if across == 1 then
     path.change(b, b.turnLow[x])
   end
   followChanged(b, dt)
 end
 
+-- Of the two of a turn, first the one with the smaller coordinate; and on which axis it is.
+local function lowAndHigh(b, x, across)
+  local axis = across == 0 and b.downAxis or 1 - b.downAxis
+  if b.orientation[axis] < 0 then
+    return b.turnLow[x], b.turnUp[x], axis
+  end
+  return b.turnUp[x], b.turnLow[x], axis
+end
+
 -- Asks the game about the next turn.
 local function askAboutTurn(b)
-  local at = b.turnsDone + 1
-  local x, axis = b.turnOrder[at], at <= b.footingCount and b.downAxis or 1 - b.downAxis
-  local low, high, p = b.turnUp[x], b.turnLow[x], b.turnPair[x]
-  if b.orientation[axis] < 0 then
-    low, high = b.turnLow[x], b.turnUp[x]
-  end
+  local x, across = passTurn(b, b.turnsDone + 1)
+  local low, high, axis = lowAndHigh(b, x, across)
+  local p = b.turnPair[x]
   if ask.permits(b, low, high, axis) then
     b.permitted[p] = b.step
   else
@@ -246,26 +295,43 @@ local function askAboutTurn(b)
   end
 end
 
--- Lets those who have turns take them, by `land` of footings or flanks, until the queue goes first;
--- what that disturbs at once goes into it. Returns whether all have had their turns.
+-- Resolves the last turn in the general way.
+local function takeTurn(b, p, dt)
+  local low, _, axis = lowAndHigh(b, passTurn(b, b.turnsDone))
+  b.resolved = b.resolved + 1
+  happen(b, p, approach.code(FACE, axis, b.pairB[p] == low), 0, dt)
+end
+
+-- Looks after whom a footing that has rubbed has changed. In the first round all whom this may
+-- concern are yet to be looked at.
+local function followRub(b, dt)
+  if b.turnRound > 0 then
+    passTurn(b, b.landed[b.slidCount])
+    followChanged(b, dt)
+  end
+end
+
+-- Lets those who have turns take them, by `land` of footings or flanks, until the queue goes first.
+-- Returns whether all have had their turns in this round.
 local function settle(b, land, dt)
   local isNext, left = false
   repeat
     left = land(b, dt, isNext)
-    if left == flank.RUB then
-      path.startChanges(b)
-      footing.rub(b, b.turnsDone, dt)
-    end
     while not footing.slide(b, dt) do
       path.startChanges(b)
-      footing.rub(b, b.turnsSlid, dt)
+      footing.rub(b, b.landed[b.slidCount], dt)
+      followRub(b, dt)
     end
-    if left == footing.CHANGED or left == flank.RUB then
+    path.startChanges(b)
+    if left == flank.RUB then
+      footing.rub(b, b.turnsDone, dt)
+      followTurn(b, dt)
+    elseif left == footing.CHANGED then
       followTurn(b, dt)
     elseif left == footing.PERMIT then
       askAboutTurn(b)
     elseif left > 0 then
-      schedule(b, gather.pair(b, left))
+      takeTurn(b, left, dt)
     end
     isNext = left == footing.ASK or left == footing.PERMIT
     if left == footing.ASK and footing.isLater(b) then
@@ -275,24 +341,46 @@ local function settle(b, land, dt)
   return true
 end
 
--- Lets flanks that have met take a second turn. Returns whether all have.
-local function settleAgain(b, dt)
-  local again = b.turnsAgain
-  for n = 1, flank.again(b, again) do
-    schedule(b, gather.pair(b, again[n]))
+-- Before the first flank of a round: looks at odd pairs across gravity. After the first round only
+-- at those of whom footings have rubbed, since `slide` tells nobody.
+local function beginFlanks(b, dt)
+  if b.turnRound == 0 then
+    return scheduleOdd(b, b.oddCount)
   end
-  return settle(b, flank.land, dt)
+  b.oddSeen = b.oddCount
+  path.startChanges(b)
+  for n = 1, footing.listLanded(b, b.rubbed) do
+    path.change(b, b.rubbed[n])
+  end
+  followChanged(b, dt)
+end
+
+-- Begins the next round of turns, if many have pressed in this one.
+local function nextRound(b)
+  local count = b.resolved - b.resolvedBefore
+  if count * IDLE_TURNS < b.turnCount or b.turnRound == rounds.MOST - 1 then
+    return false
+  end
+  b.turnRound, b.turnsDone, b.resolvedBefore = b.turnRound + 1, 0, b.resolved
+  b.landedCount, b.slidCount, b.oddSeen = 0, 0, b.oddFootings
+  return true
 end
 
 -- Settles what touches when the step begins, until the queue goes first.
 local function stand(b, dt)
-  scheduleOdd(b, b.oddFootings)
-  if settle(b, footing.land, dt) then
-    scheduleOdd(b, b.oddCount)
-    if settle(b, flank.land, dt) and (b.round > 0 or b.isEager or settleAgain(b, dt)) then
-      lookAtTouching(b)
+  repeat
+    scheduleOdd(b, b.oddFootings)
+    if not settle(b, footing.land, dt) then
+      return
     end
-  end
+    if b.oddSeen < b.oddCount then
+      beginFlanks(b, dt)
+    end
+    if not settle(b, flank.land, dt) then
+      return
+    end
+  until b.resolved == b.resolvedBefore or not nextRound(b)
+  lookAtTouching(b, b.resolved == b.resolvedBefore)
 end
 
 -- Sees to it that the first event of the queue is the next one.
@@ -323,12 +411,27 @@ local function isStill(b, p, code, t)
   return false
 end
 
+-- Goes to where the rounds are with this event; to their beginning if it has no place in them.
+local function passEvent(b, id)
+  local key, support, first, second = queue.order(b.queue, id)
+  if key > LAST_FACE then
+    return rounds.start(b)
+  end
+  local across = key % 2
+  local round = (key - across) / 2
+  if rounds.isBack(round) then
+    support, first, second = -support, -first, -second
+  end
+  rounds.pass(b, round, across, support, first, second)
+end
+
 -- The first event of the queue, whose turn it is.
 local function take(b, id, dt)
   local p, code, t = queue.read(b.queue, id)
   if b.event[p] ~= id or (b.waits[p] == 2 and not isStill(b, p, code, t)) then
     return
   end
+  passEvent(b, id)
   b.event[p], b.waits[p] = NONE, 0
   b.resolved = b.resolved + 1
   happen(b, p, code, t, dt)
@@ -339,7 +442,9 @@ function meet.run(b, dt)
   local q = b.queue
   queue.clear(q)
   b.resolved, b.isAllSeen, b.step = 0, false, b.step + 1
+  b.resolvedBefore = 0
   b.isInstant, b.isEager, b.oddSeen = not b.queueOnly, b.queueOnly, 0
+  rounds.start(b)
   live.list(b)
   turns.list(b)
   if b.queueOnly then

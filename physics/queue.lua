@@ -165,6 +165,12 @@ function queue.read(q, id)
   return id / FIELDS, data[id + CODE], data[id + TIME]
 end
 
+--- Returns what decides the order of an event: key, support and both ranks.
+function queue.order(q, id)
+  local data = q.data
+  return data[id + KEY], data[id + SUPPORT], data[id + RANK_A], data[id + RANK_B]
+end
+
 --- Empties the queue.
 function queue.clear(q)
   local data, heap = q.data, q.heap

@@ -26,8 +26,11 @@ local advance, change = path.advance, path.change
 local DYNAMIC = columns.DYNAMIC
 
 -- Hits of one pair in one step after which it bounces no more, does not even leave by its own
--- acceleration; hits without a bounce after which it is welded.
-local BOUNCES, LEAVES, WELDS = 4, 8, 3
+-- acceleration.
+local BOUNCES, LEAVES = 4, 8
+--- The same: hits without a bounce after which it is welded.
+resolve.WELDS = 3
+local WELDS = resolve.WELDS
 --- The same: after which it is left alone.
 resolve.PATIENCE = 32
 local STILL = columns.STILL

@@ -17,7 +17,7 @@ local oneway = require(here .. ".oneway")
 
 local turns = {}
 
-local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
+local DYNAMIC, EPSILON, UNSEEN = columns.DYNAMIC, columns.EPSILON, columns.UNSEEN
 local huge, floor, max, min = math.huge, math.floor, math.max, math.min
 
 -- So few are inserted into the others.
@@ -126,9 +126,10 @@ end
 local function weigh(b, axis, first, last)
   local ups, lows, support = b.turnUp, b.turnLow, b.turnSupport
   local firsts, seconds, rank, kind = b.turnFirst, b.turnSecond, b.rank, b.kind
-  local from, size, isUp = b.from, b.size, b.orientation[axis] < 0
+  local from, size, isUp, seen = b.from, b.size, b.orientation[axis] < 0, b.turnSeen
   for x = first, last do
     local up, low = ups[x], lows[x]
+    seen[x] = UNSEEN
     local one, other = rank[up], rank[low]
     if kind[low] ~= DYNAMIC then
       support[x], firsts[x], seconds[x] = huge, one, other
@@ -325,11 +326,21 @@ local function listAlong(b, flush, count, axis, last, before, theirs)
   return last
 end
 
+-- Marks odd pairs and those in them.
+local function watchOdd(b)
+  local odd, turn, pairA, pairB, watched, step = b.odd, b.turn, b.pairA, b.pairB, b.watched, b.step
+  for n = 1, b.oddCount do
+    local p = odd[n]
+    turn[p] = -1
+    watched[pairA[p]], watched[pairB[p]] = step, step
+  end
+end
+
 --- Lists the turns of a step that begins: footings up to b.footingCount, then flanks up to
 --- b.turnCount; and the pairs that are odd, up to b.oddFootings those along gravity.
 function turns.list(b)
   local footings, flanks = b.footingCount, b.turnCount - b.footingCount
-  b.turnsDone, b.turnsSlid, b.round = 0, 0, 0
+  b.turnRound, b.turnsDone, b.landedCount, b.slidCount = 0, 0, 0, 0
   b.footingCount, b.turnCount, b.oddFootings, b.oddCount = 0, 0, 0, 0
   gather.touching(b)
   if b.hasNudges then
@@ -343,6 +354,7 @@ function turns.list(b)
   b.footingCount = listAlong(b, along, alongCount, axis, 0, footings, b.lastFooting)
   b.oddFootings = b.oddCount
   b.turnCount = listAlong(b, across, acrossCount, 1 - axis, b.footingCount, flanks, b.lastFlank)
+  watchOdd(b)
 end
 
 return turns

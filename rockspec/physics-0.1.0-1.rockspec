@@ -71,6 +71,7 @@ build = {
     ["physics.rest"] = "physics/rest.lua",
     ["physics.restore"] = "physics/restore.lua",
     ["physics.ring"] = "physics/ring.lua",
+    ["physics.rounds"] = "physics/rounds.lua",
     ["physics.roster"] = "physics/roster.lua",
     ["physics.settings"] = "physics/settings.lua",
     ["physics.slide"] = "physics/slide.lua",
