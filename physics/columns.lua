@@ -257,10 +257,11 @@ function columns.new()
     turnFirst = {}, -- their ranks (see columns.ranks)
     turnSecond = {},
     turnSupport = {},
+    turnGives = 0, -- who has given way at the last one (see press)
     turnSeen = {}, -- the changes of both when they were looked at
     turnImpulse = {}, -- by which they have landed
     turnShare = {}, -- of that, what was an impact
-    turnLeft = {}, -- s, flanks: the time left then
+    turnLeft = {}, -- s, the time left then
     turnOrder = {}, -- by turn: places of the columns above
     footingCount = 0, -- turns along gravity, which come first
     turnCount = 0, -- all

@@ -14,6 +14,7 @@ local columns = require(here .. ".columns")
 local friction = require(here .. ".friction")
 local gather = require(here .. ".gather")
 local impact = require(here .. ".impact")
+local press = require(here .. ".press")
 local queue = require(here .. ".queue")
 local resolve = require(here .. ".resolve")
 local rounds = require(here .. ".rounds")
@@ -22,10 +23,11 @@ local footing = {}
 
 local direction, isIdle, isSettled = rounds.direction, gather.isIdle, gather.isSettled
 local PATIENCE, WELDS, UNSEEN = resolve.PATIENCE, resolve.WELDS, columns.UNSEEN
+local REFUSED, LOW, HIGH, RUBS = press.REFUSED, press.LOW, press.HIGH, press.RUBS
 local DYNAMIC = columns.DYNAMIC
 local STILL, TINY = columns.STILL, columns.TINY
 local EVEN, ROUNDING = impact.EVEN, impact.ROUNDING
-local max, min, sqrt = math.max, math.min, math.sqrt
+local max, min = math.max, math.min
 
 -- The side towards the floor and the one away from it, as columns: held, holder, pressed.
 local function sidesOf(b, isUp)
@@ -84,17 +86,6 @@ local function stick(b, up, low, ku, kl, mu, impulse, sign)
   return true
 end
 
---- Coefficient of friction of a pair, as in `friction`. Who is not dynamic may have none (< 0).
-function footing.coefficient(b, i, j)
-  local one, other = b.friction[i], b.friction[j]
-  if other < 0 or other == one then
-    return one
-  elseif one < 0 then
-    return other
-  end
-  return sqrt(one * other)
-end
-
 -- Changes speed and way of k by what friction took off, unless it is held there. (Few are held at
 -- all: asked first, so that the sign of what is taken makes no two ways through the code.)
 local function shift(b, i, k, dSpeed, dWay)
@@ -104,11 +95,6 @@ local function shift(b, i, k, dSpeed, dWay)
   end
   b.speed[k], b.to[k] = b.speed[k] + dSpeed, b.to[k] + dWay
   b.changes[i] = b.changes[i] + 1
-end
-
---- Whether two that meet at u px/s bounce, as in `resolve`; a px/s² pull them at each other.
-function footing.bounces(b, i, j, u, a, dt)
-  return u > 2 * a * dt and max(b.restitution[i], b.restitution[j]) > 0
 end
 
 -- What is left of u when its amount is less by `loss`, which does not turn it round. No branches.
@@ -147,14 +133,6 @@ local function slideTogether(b, up, low, ku, kl, limit, share, sign, dt)
   return true
 end
 
---- Notes a hit of a pair at u px/s, the first one on `side` of its first.
-function footing.noteHit(b, p, side, u)
-  if b.met[p] == 0 then
-    b.hit[p], b.hitSpeed[p] = side, u
-  end
-  b.met[p] = b.met[p] + 1
-end
-
 -- Puts `up` on `low`, who meet on `side` of the pair's first, as `resolve` would: flush, without a
 -- bounce, held from below. If that presses, notes for friction by how much, at place x, and that
 -- it was the n-th turn. Returns false if the case is another one; nothing has changed then.
@@ -173,14 +151,14 @@ local function land(b, n, x, p, side, up, low, ku, kl, isUp, dt)
     return false
   end
   local u = start > STILL and start or 0
-  if footing.bounces(b, up, low, u, (drive[ku] - drive[kl]) * sign, dt) then
+  if press.bounces(b, up, low, u, (drive[ku] - drive[kl]) * sign, dt) then
     return false
   end
-  footing.noteHit(b, p, side, u)
+  press.noteHit(b, p, side, u)
   to[ku], b.changes[up] = goal, b.changes[up] + 1
   if v > 0 then
     speed[ku] = speed[kl]
-    b.turnImpulse[x], b.turnShare[x] = v / b.inverseMass[up], min(u / v, 1.0)
+    b.turnImpulse[x], b.turnShare[x], b.turnLeft[x] = v / b.inverseMass[up], min(u / v, 1.0), dt
     b.landedCount = b.landedCount + 1
     b.landed[b.landedCount] = n
   end
@@ -216,7 +194,7 @@ function footing.isLater(b)
 end
 
 --- What `land` may return, but for a pair.
-footing.DONE, footing.CHANGED, footing.ASK, footing.PERMIT = 0, -1, -2, -3
+footing.DONE, footing.CHANGED, footing.ASK, footing.PERMIT, footing.RUB = 0, -1, -2, -3, -4
 
 --- Whether the game must be asked before a pair may bump (see `ask`).
 function footing.mustAsk(b, p, i, j)
@@ -233,14 +211,16 @@ local isOver = footing.isOver
 --- Lands one footing after the other in a step of dt s, until something else goes before the next;
 --- `isNext` if the queue was asked already and does not. Returns what that is: a pair that must be
 --- resolved in the general way; CHANGED: somebody must be looked at whom the last one has changed;
---- ASK: `isLater` must be asked; PERMIT: the game must be, about the next one; DONE: nothing, no
---- footing is left. Those that have landed must `slide` first. Whose paths are the same as in the
---- round before is passed over.
+--- RUB: the same, and the last one must `rub` first; ASK: `isLater` must be asked; PERMIT: the game
+--- must be, about the next one; DONE: nothing, no footing is left. Those that have landed must
+--- `slide` first. Whose paths are the same as in the round before is passed over. Who has given way
+--- is told in b.turnGives, see `press`.
 function footing.land(b, dt, isNext)
   local order, list, ups, lows, sides = b.turnOrder, b.turnPair, b.turnUp, b.turnLow, b.turnSide
   local axis, key, isWary = b.downAxis, 2 * b.turnRound, b.isEager
   local isUp, step, hasAskers = b.orientation[axis] < 0, b.step, b.hasAskers
   local changes, seen, isAsked = b.changes, b.turnSeen, footing.isAsked(b.queue, key)
+  local watched = b.watched
   local base, way = direction(b.turnRound, 1, b.footingCount)
   for n = b.turnsDone + 1, b.footingCount do
     if isAsked and not isNext then
@@ -263,11 +243,17 @@ function footing.land(b, dt, isNext)
           return footing.PERMIT
         end
         b.turnsDone = n
-        if not land(b, n, x, p, sides[x], up, low, 2 * up + axis, 2 * low + axis, isUp, dt) then
+        local gives, side = isUp and HIGH or LOW, sides[x]
+        if not land(b, n, x, p, side, up, low, 2 * up + axis, 2 * low + axis, isUp, dt) then
+          gives = press.run(b, x, p, side, isUp and low or up, isUp and up or low, axis, dt)
+        end
+        if gives == REFUSED then
           return p
         end
-        b.permitted[p], b.resolved = 0, b.resolved + 1
-        if isWary or b.watched[up] == step then
+        b.permitted[p], b.resolved, b.turnGives = 0, b.resolved + 1, gives
+        if gives >= RUBS then
+          return footing.RUB
+        elseif isWary or watched[up] == step or watched[low] == step then
           return footing.CHANGED
         end
       end
@@ -289,7 +275,7 @@ function footing.slide(b, dt)
   for at = b.slidCount + 1, b.landedCount do
     local x = order[base + way * landed[at]]
     local up, low, impulse = ups[x], lows[x], impulses[x]
-    local mu = footing.coefficient(b, up, low)
+    local mu = press.coefficient(b, up, low)
     if mu > 0 and not stick(b, up, low, 2 * up + axis, 2 * low + axis, mu, impulse, sign) then
       b.slidCount = at
       local ku, kl, limit = 2 * up + axis, 2 * low + axis, mu * impulse
@@ -318,16 +304,13 @@ function footing.listLanded(b, out)
 end
 
 --- Lets the two of the n-th turn of this round rub, along or across gravity, in the general way.
-function footing.rub(b, n, dt)
+function footing.rub(b, n)
   local x, across = footing.turnAt(b, n)
-  local axis, tau = b.downAxis, dt
-  if across == 1 then
-    axis, tau = 1 - axis, b.turnLeft[x]
-  end
+  local axis = across == 1 and 1 - b.downAxis or b.downAxis
   local up, low = b.turnUp[x], b.turnLow[x]
   local isDown = b.orientation[axis] > 0
   local lo, hi = isDown and up or low, isDown and low or up
-  friction.rub(b, lo, hi, axis, b.turnImpulse[x], b.turnShare[x], tau, 0)
+  friction.rub(b, lo, hi, axis, b.turnImpulse[x], b.turnShare[x], b.turnLeft[x], 0)
 end
 
 return footing

@@ -19,6 +19,7 @@ local live = require(here .. ".live")
 local nudge = require(here .. ".nudge")
 local oneway = require(here .. ".oneway")
 local path = require(here .. ".path")
+local press = require(here .. ".press")
 local predict = require(here .. ".predict")
 local queue = require(here .. ".queue")
 local resolve = require(here .. ".resolve")
@@ -264,16 +265,6 @@ local function passTurn(b, n)
   return x, across
 end
 
--- Looks after whom the last turn has changed.
-local function followTurn(b, dt)
-  local x, across = passTurn(b, b.turnsDone)
-  path.change(b, b.turnUp[x])
-  if across == 1 then
-    path.change(b, b.turnLow[x])
-  end
-  followChanged(b, dt)
-end
-
 -- Of the two of a turn, first the one with the smaller coordinate; and on which axis it is.
 local function lowAndHigh(b, x, across)
   local axis = across == 0 and b.downAxis or 1 - b.downAxis
@@ -281,6 +272,19 @@ local function lowAndHigh(b, x, across)
     return b.turnLow[x], b.turnUp[x], axis
   end
   return b.turnUp[x], b.turnLow[x], axis
+end
+
+-- Looks after whom the last turn has changed.
+local function followTurn(b, dt)
+  local low, high = lowAndHigh(b, passTurn(b, b.turnsDone))
+  local gives = b.turnGives % press.RUBS
+  if gives % press.HIGH == press.LOW then
+    path.change(b, low)
+  end
+  if gives >= press.HIGH then
+    path.change(b, high)
+  end
+  followChanged(b, dt)
 end
 
 -- Asks the game about the next turn.
@@ -319,12 +323,12 @@ local function settle(b, land, dt)
     left = land(b, dt, isNext)
     while not footing.slide(b, dt) do
       path.startChanges(b)
-      footing.rub(b, b.landed[b.slidCount], dt)
+      footing.rub(b, b.landed[b.slidCount])
       followRub(b, dt)
     end
     path.startChanges(b)
-    if left == flank.RUB then
-      footing.rub(b, b.turnsDone, dt)
+    if left == footing.RUB then
+      footing.rub(b, b.turnsDone)
       followTurn(b, dt)
     elseif left == footing.CHANGED then
       followTurn(b, dt)

@@ -22,6 +22,9 @@ end
 
 --- Marks all of the ring of k, which may be nobody else, as held on the low or high side.
 function ring.hold(b, k, low, high)
+  if not (low or high) then
+    return -- mostly
+  end
   local heldLow, heldHigh, weldNext, member = b.heldLow, b.heldHigh, b.weldNext, k
   repeat
     heldLow[member], heldHigh[member] = heldLow[member] or low, heldHigh[member] or high

@@ -62,6 +62,7 @@ build = {
     ["physics.oneway"] = "physics/oneway.lua",
     ["physics.part"] = "physics/part.lua",
     ["physics.path"] = "physics/path.lua",
+    ["physics.press"] = "physics/press.lua",
     ["physics.predict"] = "physics/predict.lua",
     ["physics.publish"] = "physics/publish.lua",
     ["physics.pure"] = "physics/pure.lua",

@@ -1,0 +1,182 @@
+--- Step 6, meet: two that press against each other when the step begins, both of whom give way or
+--- one, in the way that most do.
+--
+-- What is not simple is refused and goes to `resolve`, which would give the same bits. This is
+-- called by loops that are compiled; what it has in common with the interpreted files
+-- (`path.change`, `impact.at`, ...) is written out here, because the trace compiler gives up
+-- functions that interpreted ones call, and with them the loop.
+--
+-- Writes what `resolve` would write.
+
+local here = (...):match("^(.*)%.[^.]+$")
+local columns = require(here .. ".columns")
+local impact = require(here .. ".impact")
+local resolve = require(here .. ".resolve")
+
+local press = {}
+
+local DYNAMIC, STILL = columns.DYNAMIC, columns.STILL
+local EVEN, ROUNDING = impact.EVEN, impact.ROUNDING
+local WELDS = resolve.WELDS
+local max, min, sqrt = math.max, math.min, math.sqrt
+
+--- Coefficient of friction of a pair, as in `friction`. Who is not dynamic may have none (< 0).
+function press.coefficient(b, i, j)
+  local one, other = b.friction[i], b.friction[j]
+  if other < 0 or other == one then
+    return one
+  elseif one < 0 then
+    return other
+  end
+  return sqrt(one * other)
+end
+
+--- Whether two that meet at u px/s bounce, as in `resolve`; a px/s² pull them at each other.
+function press.bounces(b, i, j, u, a, dt)
+  return u > 2 * a * dt and max(b.restitution[i], b.restitution[j]) > 0
+end
+
+--- Notes a hit of a pair at u px/s, the first one on `side` of its first.
+function press.noteHit(b, p, side, u)
+  if b.met[p] == 0 then
+    b.hit[p], b.hitSpeed[p] = side, u
+  end
+  b.met[p] = b.met[p] + 1
+end
+
+-- Whether nobody is held away from the other, welded or backed, both can be pushed, and they have
+-- not met again and again.
+local function isSimple(b, p, lo, hi, kl, kh)
+  return b.met[p] + 1 < WELDS
+    and ((b.pushable[lo] and b.pushable[hi]) or b.kind[lo] ~= DYNAMIC or b.kind[hi] ~= DYNAMIC)
+    and not (b.heldHigh[kl] or b.heldLow[kh])
+    and not (b.backedLow[kl] or b.backedHigh[kl] or b.backedLow[kh] or b.backedHigh[kh])
+    and b.weld[kl] == 0
+    and b.weld[kh] == 0
+    and b.time[lo] == 0
+    and b.time[hi] == 0
+end
+
+-- What both do together from now on; who cannot give way (`wl`, `wh` 0) decides.
+local function share(column, kl, kh, wl, wh)
+  if wl == 0 then
+    column[kh] = column[kl]
+  elseif wh == 0 then
+    column[kl] = column[kh]
+  else
+    local common = (column[kl] * wh + column[kh] * wl) / (wl + wh)
+    column[kl], column[kh] = common, common
+  end
+end
+
+local function lean(b, lo, hi, kl, kh, wl, wh)
+  share(b.accel, kl, kh, wl, wh)
+  share(b.drive, kl, kh, wl, wh)
+  -- Both mean nothing for one that is not dynamic.
+  b.pressedHigh[kl], b.pressedLow[kh] = true, true
+  if wh == 0 then
+    b.heldHigh[kl], b.holderHigh[kl] = true, hi
+  elseif wl == 0 then
+    b.heldLow[kh], b.holderLow[kh] = true, lo
+  end
+end
+
+-- Puts both flush, with a common speed.
+local function place(b, lo, kl, kh, wl, wh, o, v)
+  local to, size, speed = b.to, b.size, b.speed
+  local shareL, shareH = wl / (wl + wh), wh / (wl + wh)
+  local dl, dh = o * shareL, o * shareH
+  if dh == 0 then
+    to[kl] = to[kh] - size[kl]
+  elseif dl == 0 then
+    to[kh] = to[kl] + size[kl]
+  else
+    to[kl] = to[kl] - dl
+    to[kh] = to[kl] + size[kl]
+    b.news[lo] = true -- see `place` in resolve
+  end
+  if v > 0 and wl == 0 then
+    speed[kh] = speed[kl]
+  elseif v > 0 and wh == 0 then
+    speed[kl] = speed[kh]
+  elseif v > 0 then
+    local common = speed[kl] - v * shareL
+    speed[kl], speed[kh] = common, common
+  end
+end
+
+-- Whether two rub as they are: they go alike along their common edge, and neither is a wall.
+local function isAlike(b, lo, hi, tl, th)
+  return b.speed[tl] == b.speed[th]
+    and b.accel[tl] == b.accel[th]
+    and b.inverseMass[lo] > 0
+    and b.inverseMass[hi] > 0
+end
+
+-- Approach speed, and the time left after the contact (see `impact.at`). Friction of footings may
+-- have shortened a way more than the speed and the acceleration tell.
+local function impactAt(o, v, a, dt)
+  local start = v - a * dt
+  if start > -STILL and o >= (v + start) * 0.5 * dt * (1 - ROUNDING) then
+    return start > STILL and start or 0, dt
+  end
+  local square = v * v - 2 * a * o
+  local u = (v > 0 or a < 0) and sqrt(max(square, 0)) or 0
+  return u, v + u > 0 and min(2 * o / (v + u), dt) or dt
+end
+
+--- Who gives way to a press, and whether friction is to come, as a sum; 0: it is refused.
+press.REFUSED, press.LOW, press.HIGH, press.RUBS = 0, 1, 2, 4
+local REFUSED, LOW, HIGH, RUBS = press.REFUSED, press.LOW, press.HIGH, press.RUBS
+
+--- Lets two lean on each other, the pair p of turn x, which meets on `side` of its first, as
+--- `resolve` would. Returns REFUSED if the case is another one (nothing has changed then), or who
+--- has given way.
+function press.run(b, x, p, side, lo, hi, axis, dt)
+  local kl, kh = 2 * lo + axis, 2 * hi + axis
+  local wl, wh = b.inverseMass[lo], b.inverseMass[hi]
+  if b.heldLow[kl] then
+    wl = 0
+  end
+  if b.heldHigh[kh] then
+    wh = 0
+  end
+  if wl + wh == 0 or not isSimple(b, p, lo, hi, kl, kh) or b.drive[kl] - b.drive[kh] < -EVEN then
+    return REFUSED
+  elseif b.pushFirst and wl > 0 and wh > 0 then
+    return REFUSED -- one of them takes it all
+  end
+  local v, o = b.speed[kl] - b.speed[kh], b.to[kl] + b.size[kl] - b.to[kh]
+  local u, tau = impactAt(o, v, b.accel[kl] - b.accel[kh], dt)
+  if press.bounces(b, lo, hi, u, b.drive[kl] - b.drive[kh], dt) then
+    return REFUSED
+  end
+  press.noteHit(b, p, side, u)
+  place(b, lo, kl, kh, wl, wh, o, v)
+  local gives = (wl > 0 and LOW or 0) + (wh > 0 and HIGH or 0)
+  b.changes[lo] = b.changes[lo] + (wl > 0 and 1 or 0)
+  b.changes[hi] = b.changes[hi] + (wh > 0 and 1 or 0)
+  if v > -STILL then
+    lean(b, lo, hi, kl, kh, wl, wh)
+  end
+  if v <= 0 then
+    return gives
+  end
+  b.stuck[lo] = b.stuck[lo] and b.down[kl] ~= 0
+  b.stuck[hi] = b.stuck[hi] and b.down[kh] ~= 0
+  local sideways = 1 - 2 * axis
+  if press.coefficient(b, lo, hi) <= 0 then
+    return gives
+  elseif
+    b.down[kl] == 0
+    and b.down[kh] == 0
+    and isAlike(b, lo, hi, kl + sideways, kh + sideways)
+  then
+    b.changes[lo], b.changes[hi] = b.changes[lo] + 1, b.changes[hi] + 1
+    return gives
+  end
+  b.turnImpulse[x], b.turnShare[x], b.turnLeft[x] = v / (wl + wh), min(u / v, 1.0), tau
+  return gives + RUBS
+end
+
+return press
