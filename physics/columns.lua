@@ -241,6 +241,7 @@ function columns.new()
     isInstant = false, -- what is met at the very beginning of the step is not settled yet
     isAllSeen = false, -- all have had their turns, and all pairs that touch have been looked at
     isStale = false, -- the others have not, or not since paths have changed
+    isQuiet = false, -- all who touch have turns and take them: nobody is followed
     isEager = false, -- no pair waits for its turn without being looked at
     links = 0, -- how often the pairs have changed
     awakenings = 0, -- how often it has changed who takes part

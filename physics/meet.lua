@@ -129,10 +129,6 @@ end
 -- As long as turns are taken, nobody needs to be looked at but those who touch somebody with whom
 -- they have none. Keeps only these of those whose path has changed.
 local function keepWatched(b)
-  if b.oddCount == 0 and not b.isEager then
-    b.changedCount = 0
-    return
-  end
   local changed, watched, step, count = b.changed, b.watched, b.step, 0
   for n = 1, b.changedCount do
     local i = changed[n]
@@ -152,7 +148,9 @@ local function followChanged(b, dt)
   else
     lookUp(b, b.changed, b.changedCount, dt)
   end
-  if not b.isAllSeen then
+  if b.isQuiet then
+    return
+  elseif not b.isAllSeen then
     keepWatched(b)
   end
   if b.changedCount > 0 then
@@ -176,7 +174,7 @@ local function followNudge(b, dt)
   if b.isEager then
     return
   end
-  b.isEager = true
+  b.isEager, b.isQuiet = true, false
   for n = 1, b.liveCount do
     local p = b.live[n]
     if b.waits[p] == 2 then
@@ -223,7 +221,7 @@ end
 -- Looks at all pairs that touch, when all have had their turns: only then are their paths what they
 -- will be for most. `isOver`: who has had turns presses no more.
 local function lookAtTouching(b, isOver)
-  b.isAllSeen, b.isStale = true, true
+  b.isAllSeen, b.isStale, b.isQuiet = true, true, false
   if isOver then
     rounds.start(b)
   else
@@ -321,7 +319,7 @@ local function settle(b, land, dt)
   local isNext, left = false
   repeat
     left = land(b, dt, isNext)
-    while not footing.slide(b, dt) do
+    while b.slidCount < b.landedCount and not footing.slide(b, dt) do
       path.startChanges(b)
       footing.rub(b, b.landed[b.slidCount])
       followRub(b, dt)
@@ -451,6 +449,7 @@ function meet.run(b, dt)
   rounds.start(b)
   live.list(b)
   turns.list(b)
+  b.isQuiet = not b.queueOnly and b.oddCount == 0
   if b.queueOnly then
     lookAtAll(b, dt)
   end

@@ -3,13 +3,9 @@
 -- A ring may have a hundred members, who are passed at every hit; so these loops are compiled,
 -- while `weld` is not. What they have in common with `path` is written out (see `footing`).
 
-local here = (...):match("^(.*)%.[^.]+$")
-local columns = require(here .. ".columns")
-
 local ring = {}
 
 local floor = math.floor
-local DYNAMIC = columns.DYNAMIC
 
 --- Tells all of the ring of k who leads it.
 function ring.name(b, k, leader)
@@ -49,14 +45,25 @@ local function advance(b, k, t)
   end
 end
 
--- Notes that the paths of the others have changed.
-local function change(b, k)
-  local changed, mark, stamp, count = b.changed, b.changedMark, b.changeStamp, b.changedCount
-  local weldNext, kind, changes = b.weldNext, b.kind, b.changes
+-- Counts that the paths of the others have changed.
+local function countChanges(b, k)
+  local weldNext, changes = b.weldNext, b.changes
   local member = weldNext[k]
   while member ~= k and member ~= 0 do
     local i = floor(member * 0.5)
-    if mark[i] ~= stamp and kind[i] == DYNAMIC then
+    changes[i] = changes[i] + 1
+    member = weldNext[member]
+  end
+end
+
+-- Notes that the paths of the others have changed. (Whoever is welded is dynamic.)
+local function change(b, k)
+  local changed, mark, stamp, count = b.changed, b.changedMark, b.changeStamp, b.changedCount
+  local weldNext, changes = b.weldNext, b.changes
+  local member = weldNext[k]
+  while member ~= k and member ~= 0 do
+    local i = floor(member * 0.5)
+    if mark[i] ~= stamp then
       count = count + 1
       mark[i], changed[count], changes[i] = stamp, i, changes[i] + 1
     end
@@ -80,7 +87,11 @@ function ring.follow(b, k, way, t)
     accel[member], drive[member] = a, d
     member = weldNext[member]
   end
-  change(b, k)
+  if b.isQuiet then
+    countChanges(b, k)
+  else
+    change(b, k)
+  end
 end
 
 return ring
