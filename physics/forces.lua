@@ -79,8 +79,34 @@ local function turn(b, k, x, y, rate, ax, ay, dt)
   b.way[k + 1] = y * 0.5 * stop + ay * left * 0.5 * left
 end
 
--- Slows slot i by its drag along its motion. Exact as long as it moves along a line.
+-- The flight of slot i against air friction and drag, exact as long as it moves along a line.
+-- Returns false if it would turn on its way; nothing has changed then.
+local function flyDragged(b, i, dt)
+  local limit, drag, air, k = b.limit, b.drag[i], b.airFriction[i], 2 * i
+  local ax, ay = b.pull[k] + b.push[k], b.pull[k + 1] + b.push[k + 1]
+  local x, y = clamp(b.velocity[k], limit[k]), clamp(b.velocity[k + 1], limit[k + 1])
+  -- Drag acts against the motion; against the pull on who stands, which it may hold.
+  local towardsX, towardsY = x, y
+  if x == 0 and y == 0 then
+    towardsX, towardsY = ax, ay
+    drag = min(drag, sqrt(ax * ax + ay * ay))
+  end
+  local share = drag / max(sqrt(towardsX * towardsX + towardsY * towardsY), TINY)
+  local endX, wayX = flyLimited(x, ax - towardsX * share, air, limit[k], dt)
+  local endY, wayY = flyLimited(y, ay - towardsY * share, air, limit[k + 1], dt)
+  if endX * towardsX + endY * towardsY < 0 then
+    return false
+  end
+  b.speed[k], b.speed[k + 1], b.way[k], b.way[k + 1] = endX, endY, wayX, wayY
+  return true
+end
+
+-- Slows slot i by its drag along its motion. Exact as long as it moves along a line, but for who
+-- turns in the air.
 local function brakeSlot(b, i, dt)
+  if b.airFriction[i] ~= 0 and flyDragged(b, i, dt) then
+    return
+  end
   local velocity, limit, drag, k = b.velocity, b.limit, b.drag[i], 2 * i
   local x, y = b.speed[k], b.speed[k + 1]
   local startX, startY = clamp(velocity[k], limit[k]), clamp(velocity[k + 1], limit[k + 1])

@@ -755,6 +755,23 @@ local FOUND = {
       },
     },
   },
+  {
+    "who is pulled by little more than its drag does not rest in the air",
+    {
+      settings = { gravity = 250 },
+      acts = {
+        {
+          "insert",
+          1,
+          "players",
+          { x = -20, y = -100, width = 40, height = 20, airFriction = 3, drag = 240 },
+        },
+        { "update", 0.03333333333333333 },
+        { "update", 0.03333333333333333 },
+        { "update", 0.016666666666666666 },
+      },
+    },
+  },
 }
 
 describe("a random game has found that", function()

@@ -98,6 +98,32 @@ describe("slowing down", function()
     end)
   end)
 
+  -- v' = 250 - 240 - 3 v: to 10 / 3 px/s
+  for _, start in ipairs({ 0, 300 }) do
+    it("by drag and airFriction, pulled, from " .. start .. " px/s", function()
+      scene.each(EVERYWHERE, function(run)
+        local fields = { vy = start, airFriction = 3, drag = 240 }
+        local body = run:build({ gravity = 250, box(0, 0, fields) }).box
+        for time in run:steps(2) do
+          local decay, last = math.exp(-3 * time), 10 / 3
+          run:near("vy", body.vy, last + (start - last) * decay, 1e-9)
+          run:near("y", body.y, last * time + (start - last) * (1 - decay) / 3, 1e-9)
+        end
+        run:same("vx", body.vx, 0)
+      end)
+    end)
+  end
+
+  it("by drag that is no less than the pull holds who stands, in any air", function()
+    scene.each(EVERYWHERE, function(run)
+      local fields = { airFriction = 3, drag = 250 }
+      local body = run:build({ gravity = 250, box(0, 0, fields) }).box
+      run:play(1)
+      run:at(body, 0, 0)
+      run:same("vy", body.vy, 0)
+    end)
+  end)
+
   --  +--+ 200 px/s
   --  +--+ ->
   -- ==============
