@@ -25,8 +25,9 @@ columns.STILL = 1e-9
 columns.TINY = 1e-300
 
 --- Value of `event` for a pair that has none in the queue.
-columns.UNSEEN = -1 -- turnSeen of a turn at which nobody has looked
 columns.NO_EVENT = -1
+--- What stands in `turnSeen` of a turn at which nobody has looked.
+columns.UNSEEN = -1
 
 local HUGE = math.huge
 local max, min = math.max, math.min
@@ -281,7 +282,8 @@ function columns.new()
     odd = {}, -- pairs that are flush, but have no turn
     oddFootings = 0, -- those along gravity, which come first
     oddCount = 0, -- all
-    oddSeen = 0, -- that are in the queue
+    oddSeen = 0, -- of these, how many have been looked at when the step began
+    hasFlanksBegun = false, -- the turns of this round have come to the flanks
     sortFrom = {}, -- scratch of turns
     sortTo = {},
     sortDigit = {},

@@ -1,7 +1,7 @@
 --- Step 6, meet: what stands on something when the step begins.
 --
--- The footings of a step (see `turns`) are settled in one pass, without the queue. What is not
--- simple, or makes others move, goes to `meet`. The queue alone would give the same bits.
+-- The footings of a step (see `turns`) are settled in one pass a round, without the queue. What is
+-- not simple goes to `meet`. The queue alone would give the same bits.
 --
 -- These loops are compiled; what they have in common with the interpreted files (`path.change`,
 -- `impact.at`, ...) is written out here, because the trace compiler gives up functions that
@@ -136,7 +136,7 @@ end
 -- Puts `up` on `low`, who meet on `side` of the pair's first, as `resolve` would: flush, without a
 -- bounce, held from below. If that presses, notes for friction by how much, at place x, and that
 -- it was the n-th turn. Returns false if the case is another one; nothing has changed then.
-local function land(b, n, x, p, side, up, low, ku, kl, isUp, dt)
+local function putOn(b, n, x, p, side, up, low, ku, kl, isUp, dt)
   local to, size, speed, accel, drive = b.to, b.size, b.speed, b.accel, b.drive
   local sign = isUp and -1 or 1
   local v = (speed[ku] - speed[kl]) * sign
@@ -232,20 +232,20 @@ function footing.land(b, dt, isNext)
     local up, low = ups[x], lows[x]
     local look = changes[up] + changes[low]
     if seen[x] ~= look then
-      local p, lo, hi = list[x], 2 * up + axis, 2 * low + axis
+      local p, lo, hi = list[x], up, low
       if isUp then
-        lo, hi = 2 * low + axis, 2 * up + axis
+        lo, hi = low, up
       end
       seen[x] = look
-      if not (isIdle(b, lo, hi) or isOver(b, p)) then
+      if not (isIdle(b, 2 * lo + axis, 2 * hi + axis) or isOver(b, p)) then
         if hasAskers and footing.mustAsk(b, p, up, low) then
           b.turnsDone, seen[x] = n - 1, UNSEEN
           return footing.PERMIT
         end
         b.turnsDone = n
         local gives, side = isUp and HIGH or LOW, sides[x]
-        if not land(b, n, x, p, side, up, low, 2 * up + axis, 2 * low + axis, isUp, dt) then
-          gives = press.run(b, x, p, side, isUp and low or up, isUp and up or low, axis, dt)
+        if not putOn(b, n, x, p, side, up, low, 2 * up + axis, 2 * low + axis, isUp, dt) then
+          gives = press.run(b, x, p, side, lo, hi, axis, dt)
         end
         if gives == REFUSED then
           return p
@@ -289,13 +289,13 @@ function footing.slide(b, dt)
 end
 
 --- Lists in `out` who has landed in this round, or been landed on, and touches somebody with whom
---- it has no turn; returns how many.
+--- it has no turn, or may, since somebody was nudged; returns how many.
 function footing.listLanded(b, out)
   local ups, lows, landed = b.turnUp, b.turnLow, b.landed
-  local watched, step, count = b.watched, b.step, 0
+  local watched, step, isWary, count = b.watched, b.step, b.isEager, 0
   for at = 1, b.landedCount do
     local x = footing.turnAt(b, landed[at])
-    if watched[ups[x]] == step or watched[lows[x]] == step then
+    if isWary or watched[ups[x]] == step or watched[lows[x]] == step then
       out[count + 1], out[count + 2] = ups[x], lows[x]
       count = count + 2
     end

@@ -164,16 +164,16 @@ local function isRestless(b, p)
   return not isIdle(b, i, j)
 end
 
---- The same for those that touch when the step begins, are not settled and have not been looked at
---- all the time, as odd ones are; if `isOver`, not for those that have had turns either.
-function gather.together(b, isOver)
+--- As `live`, but only those that touch when the step begins, are not settled and have not been
+--- looked at all the time, as odd ones are; if `isCalm`, not those that have had turns either.
+function gather.together(b, isCalm)
   local pairs_, turn, event, clear, count = b.touchList, b.turn, b.event, b.clear, 0
   local isEager = b.isEager
   for n = 1, b.touchCount do
     local p = pairs_[n]
     local isLeft = not isEager or event[p] == NO_EVENT
     if turn[p] > 0 then
-      isLeft = not isOver and isRestless(b, p)
+      isLeft = not isCalm and isRestless(b, p)
     end
     if isLeft and turn[p] >= 0 and not isSettled(b, p) then
       count = listWhole(b, p, clear, count)
@@ -182,7 +182,7 @@ function gather.together(b, isOver)
   return count
 end
 
---- The same for those that do not touch.
+--- As `live`, but only those that do not touch.
 function gather.apart(b)
   local pairs_, touches, clear, count = b.live, b.touches, b.clear, 0
   for n = 1, b.liveCount do

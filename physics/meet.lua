@@ -58,8 +58,8 @@ local function supportOf(b, low, high, axis)
   return b.from[2 * high + axis] + b.size[2 * high + axis]
 end
 
--- What decides the order of events: moment, kind, round or how often the pair was resolved, axis
--- (1: across gravity), as one whole number.
+-- What decides the order of events: moment, kind, `round` (or how often the pair was resolved),
+-- axis (1: across gravity), as one whole number.
 local function keyOf(t, kind, isSensed, round, axis)
   -- What is met at the very beginning goes before all else (see turns).
   local moment = t > 0 and max(floor(t * MOMENTS + 0.5), 1) or 0
@@ -84,7 +84,7 @@ local function enqueue(b, p, t, code)
   end
   local support = supportOf(b, low, high, axis)
   local first, second = columns.ranks(b, one, other)
-  local round, across = met, axis == b.downAxis and 0 or 1
+  local across, round = axis == b.downAxis and 0 or 1, met
   if t <= 0 and kind == FACE and not isSensed then
     round = rounds.of(b, across, support, first, second)
     if rounds.isBack(round) then
@@ -177,7 +177,8 @@ local function followNudge(b, dt)
   b.isEager, b.isQuiet = true, false
   for n = 1, b.liveCount do
     local p = b.live[n]
-    if b.waits[p] == 2 then
+    -- Who has no turn was not followed by everybody before (see `keepWatched`).
+    if b.waits[p] == 2 or (b.turn[p] == 0 and b.event[p] ~= NONE) then
       schedule(b, gather.pair(b, p))
     end
     b.waits[p] = 0
@@ -219,15 +220,15 @@ local function happen(b, p, code, t, dt)
 end
 
 -- Looks at all pairs that touch, when all have had their turns: only then are their paths what they
--- will be for most. `isOver`: who has had turns presses no more.
-local function lookAtTouching(b, isOver)
+-- will be for most. `isCalm`: who has had turns presses no more.
+local function lookAtTouching(b, isCalm)
   b.isAllSeen, b.isStale, b.isQuiet = true, true, false
-  if isOver then
+  if isCalm then
     rounds.start(b)
   else
     rounds.finish(b, b.turnRound)
   end
-  schedule(b, gather.together(b, isOver))
+  schedule(b, gather.together(b, isCalm))
 end
 
 -- Looks at the others, when all that happens at the very beginning of the step is over. Whom
@@ -305,9 +306,9 @@ local function takeTurn(b, p, dt)
 end
 
 -- Looks after whom a footing that has rubbed has changed. In the first round all whom this may
--- concern are yet to be looked at.
+-- concern are yet to be looked at, unless somebody was nudged.
 local function followRub(b, dt)
-  if b.turnRound > 0 then
+  if b.turnRound > 0 or b.isEager then
     passTurn(b, b.landed[b.slidCount])
     followChanged(b, dt)
   end
@@ -324,11 +325,12 @@ local function settle(b, land, dt)
       footing.rub(b, b.landed[b.slidCount])
       followRub(b, dt)
     end
-    path.startChanges(b)
     if left == footing.RUB then
+      path.startChanges(b)
       footing.rub(b, b.turnsDone)
       followTurn(b, dt)
     elseif left == footing.CHANGED then
+      path.startChanges(b)
       followTurn(b, dt)
     elseif left == footing.PERMIT then
       askAboutTurn(b)
@@ -343,18 +345,21 @@ local function settle(b, land, dt)
   return true
 end
 
--- Before the first flank of a round: looks at odd pairs across gravity. After the first round only
--- at those of whom footings have rubbed, since `slide` tells nobody.
+-- Before the first flank of a round: looks at odd pairs across gravity. After the first round, or
+-- if somebody was nudged, they have been looked at before; then only at those of whom footings have
+-- rubbed since, as `slide` tells nobody.
 local function beginFlanks(b, dt)
+  b.hasFlanksBegun = true
   if b.turnRound == 0 then
-    return scheduleOdd(b, b.oddCount)
+    scheduleOdd(b, b.oddCount)
   end
-  b.oddSeen = b.oddCount
-  path.startChanges(b)
-  for n = 1, footing.listLanded(b, b.rubbed) do
-    path.change(b, b.rubbed[n])
+  if b.isEager or (b.turnRound > 0 and b.oddFootings < b.oddCount) then
+    path.startChanges(b)
+    for n = 1, footing.listLanded(b, b.rubbed) do
+      path.change(b, b.rubbed[n])
+    end
+    followChanged(b, dt)
   end
-  followChanged(b, dt)
 end
 
 -- Begins the next round of turns, if many have pressed in this one.
@@ -364,7 +369,7 @@ local function nextRound(b)
     return false
   end
   b.turnRound, b.turnsDone, b.resolvedBefore = b.turnRound + 1, 0, b.resolved
-  b.landedCount, b.slidCount, b.oddSeen = 0, 0, b.oddFootings
+  b.landedCount, b.slidCount, b.hasFlanksBegun = 0, 0, false
   return true
 end
 
@@ -375,7 +380,7 @@ local function stand(b, dt)
     if not settle(b, footing.land, dt) then
       return
     end
-    if b.oddSeen < b.oddCount then
+    if not b.hasFlanksBegun then
       beginFlanks(b, dt)
     end
     if not settle(b, flank.land, dt) then
@@ -444,7 +449,7 @@ function meet.run(b, dt)
   local q = b.queue
   queue.clear(q)
   b.resolved, b.isAllSeen, b.step = 0, false, b.step + 1
-  b.resolvedBefore = 0
+  b.resolvedBefore, b.hasFlanksBegun = 0, false
   b.isInstant, b.isEager, b.oddSeen = not b.queueOnly, b.queueOnly, 0
   rounds.start(b)
   live.list(b)

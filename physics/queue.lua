@@ -16,7 +16,7 @@ require(here .. ".interpreted").file()
 local queue = {}
 
 -- Fields of an event, by offset. The first four decide, in this order.
-queue.KEY = 1 -- moment, kind, how often resolved, axis: one whole number
+queue.KEY = 1 -- moment, kind, round, axis (see `keyOf` in meet): one whole number
 local SUPPORT = 2 -- larger first
 local RANK_A, RANK_B = 3, 4
 local CODE, TIME = 5, 6

@@ -1,10 +1,10 @@
 --- Step 6, meet: what touches when the step begins, in the order in which it has its turn.
 --
 -- In piles and levels nearly all contacts are there from the beginning. Those along gravity,
--- footings, come first in the order of events, from the floor up; then those across, flanks, from
--- the right-hand side as gravity sees it. So they need no queue: they are listed once a step,
--- sorted, and settled in one pass (`footing`, `flank`). What is anything but plain is odd, and left
--- to the queue, which alone would give the same bits.
+-- footings, come first in each round (see `rounds`), from the floor up or back; then those across,
+-- flanks, from the right-hand side as gravity sees it or back. So they need no queue: they are
+-- listed once a step, sorted, and settled in one pass a round (`footing`, `flank`). What is
+-- anything but plain is odd, and left to the queue, which alone would give the same bits.
 --
 -- Of the two of a turn, `low` is the one that supports: further down, or to the right.
 --
