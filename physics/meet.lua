@@ -177,8 +177,8 @@ local function followNudge(b, dt)
   b.isEager, b.isQuiet = true, false
   for n = 1, b.liveCount do
     local p = b.live[n]
-    -- Who has no turn was not followed by everybody before (see `keepWatched`).
-    if b.waits[p] == 2 or (b.turn[p] == 0 and b.event[p] ~= NONE) then
+    -- Who has no turn has not always been followed yet (see `keepWatched`).
+    if b.waits[p] == 2 or (not b.isAllSeen and b.turn[p] == 0 and b.event[p] ~= NONE) then
       schedule(b, gather.pair(b, p))
     end
     b.waits[p] = 0
