@@ -100,7 +100,7 @@ function panel.draw(about, world, buttons, hovered)
   look.text(about.comment, LEFT, 58, 14, INNER)
   drawTime("a frame", meter.frame, TIMES_Y)
   if world then
-    drawTime("a step of the physics", meter.step, TIMES_Y + 20)
+    drawTime("a physics step", meter.step, TIMES_Y + 20)
     drawGraph()
     drawCounters(world.stats)
   end
