@@ -188,9 +188,9 @@ end
 --- Whether the first event of the queue comes before the next turn.
 function footing.isLater(b)
   local x, across = footing.turnAt(b, b.turnsDone + 1)
-  local sign = rounds.isBack(b.turnRound) and -1 or 1
+  local round = b.turnRound
   local support, first, second = b.turnSupport[x], b.turnFirst[x], b.turnSecond[x]
-  return queue.leads(b.queue, 2 * b.turnRound + across, sign * support, sign * first, sign * second)
+  return queue.leads(b.queue, 2 * round + across, rounds.turned(round, support, first, second))
 end
 
 --- What `land` may return, but for a pair.

@@ -87,9 +87,7 @@ local function enqueue(b, p, t, code)
   local across, round = axis == b.downAxis and 0 or 1, met
   if t <= 0 and kind == FACE and not isSensed then
     round = rounds.of(b, across, support, first, second)
-    if rounds.isBack(round) then
-      support, first, second = -support, -first, -second
-    end
+    support, first, second = rounds.turned(round, support, first, second)
   end
   local key = keyOf(t, kind, isSensed, round, across)
   b.waits[p] = t <= 0 and kind ~= CORNER and not isSensed and not b.isEager and 1 or 0
@@ -426,10 +424,7 @@ local function passEvent(b, id)
   end
   local across = key % 2
   local round = (key - across) / 2
-  if rounds.isBack(round) then
-    support, first, second = -support, -first, -second
-  end
-  rounds.pass(b, round, across, support, first, second)
+  rounds.pass(b, round, across, rounds.turned(round, support, first, second))
 end
 
 -- The first event of the queue, whose turn it is.

@@ -44,6 +44,15 @@ function rounds.direction(round, first, last)
   return 0, 1
 end
 
+--- Returns what decides the place of a turn in a round (the larger support first, then the smaller
+--- ranks) from what does in the first round; and the other way, too.
+function rounds.turned(round, support, first, second)
+  if rounds.isBack(round) then
+    return -support, -first, -second
+  end
+  return support, first, second
+end
+
 --- Goes to a turn; `axis` is 0 along gravity and 1 across it.
 function rounds.pass(b, round, axis, support, first, second)
   b.round, b.roundAxis = round, axis
