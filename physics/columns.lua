@@ -260,6 +260,9 @@ function columns.new()
     turnSecond = {},
     turnSupport = {},
     turnGives = 0, -- who has given way at the last one (see press)
+    turnLowTo = 0, -- where the low one would have come to, and the high one
+    turnHighTo = 0,
+    turnJoins = false, -- whether they go on as one
     turnSeen = {}, -- the changes of both when they were looked at
     turnImpulse = {}, -- by which they have landed
     turnShare = {}, -- of that, what was an impact

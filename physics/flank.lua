@@ -14,51 +14,39 @@ local flank = {}
 
 local UNSEEN = columns.UNSEEN
 local isIdle, isOver = gather.isIdle, footing.isOver
-local REFUSED, RUBS = press.REFUSED, press.RUBS
 
 --- Lets one flank after the other press in a step of dt s; see `footing.land`.
 function flank.land(b, dt, isNext)
   local order, list, ups, lows, sides = b.turnOrder, b.turnPair, b.turnUp, b.turnLow, b.turnSide
-  local axis, key, isWary = 1 - b.downAxis, 2 * b.turnRound + 1, b.isEager
-  local isUp, step, watched = b.orientation[axis] < 0, b.step, b.watched
-  local changes, seen, isAsked = b.changes, b.turnSeen, footing.isAsked(b.queue, key)
+  local axis = 1 - b.downAxis
+  local isUp, free = b.orientation[axis] < 0, footing.freeUpTo(b, 1, isNext)
+  local changes, seen = b.changes, b.turnSeen
   local base, way = rounds.direction(b.turnRound, b.footingCount + 1, b.turnCount)
-  for n = b.turnsDone + 1, b.turnCount do
-    if isAsked and not isNext then
-      b.turnsDone = n - 1
-      return footing.ASK
-    end
-    isNext = false
+  local n, last, left = b.turnsDone, b.turnCount, footing.DONE
+  while left == footing.DONE and n < last do
+    n = n + 1
     local x = order[base + way * n]
     local lo, hi = ups[x], lows[x]
     local look = changes[lo] + changes[hi]
-    if seen[x] ~= look then
+    if n > free then
+      left = footing.ASK
+    elseif seen[x] ~= look then
       if isUp then
         lo, hi = lows[x], ups[x]
       end
       local p = list[x]
       seen[x] = look
-      if not (isIdle(b, 2 * lo + axis, 2 * hi + axis) or isOver(b, p)) then
-        if b.hasAskers and footing.mustAsk(b, p, lo, hi) then
-          b.turnsDone, seen[x] = n - 1, UNSEEN
-          return footing.PERMIT
-        end
-        b.turnsDone = n
-        local gives = press.run(b, x, p, sides[x], lo, hi, axis, dt)
-        if gives == REFUSED then
-          return p
-        end
-        b.permitted[p], b.resolved, b.turnGives = 0, b.resolved + 1, gives
-        if gives >= RUBS then
-          return footing.RUB
-        elseif isWary or watched[lo] == step or watched[hi] == step then
-          return footing.CHANGED
-        end
+      if isIdle(b, 2 * lo + axis, 2 * hi + axis) or isOver(b, p) then
+        left = footing.DONE
+      elseif b.hasAskers and footing.mustAsk(b, p, lo, hi) then
+        left, seen[x] = footing.PERMIT, UNSEEN
+      else
+        left = footing.after(b, p, lo, hi, press.run(b, x, p, sides[x], lo, hi, axis, dt))
       end
     end
   end
-  b.turnsDone = b.turnCount
-  return footing.DONE
+  b.turnsDone = footing.over(left, n)
+  return left
 end
 
 return flank

@@ -27,7 +27,7 @@ local REFUSED, LOW, HIGH, RUBS = press.REFUSED, press.LOW, press.HIGH, press.RUB
 local DYNAMIC = columns.DYNAMIC
 local STILL, TINY = columns.STILL, columns.TINY
 local EVEN, ROUNDING = impact.EVEN, impact.ROUNDING
-local max, min = math.max, math.min
+local huge, max, min = math.huge, math.max, math.min
 
 -- The side towards the floor and the one away from it, as columns: held, holder, pressed.
 local function sidesOf(b, isUp)
@@ -194,7 +194,9 @@ function footing.isLater(b)
 end
 
 --- What `land` may return, but for a pair.
-footing.DONE, footing.CHANGED, footing.ASK, footing.PERMIT, footing.RUB = 0, -1, -2, -3, -4
+footing.DONE, footing.CHANGED, footing.ASK, footing.PERMIT, footing.FINISH = 0, -1, -2, -3, -4
+local DONE, CHANGED, ASK, PERMIT, FINISH =
+  footing.DONE, footing.CHANGED, footing.ASK, footing.PERMIT, footing.FINISH
 
 --- Whether the game must be asked before a pair may bump (see `ask`).
 function footing.mustAsk(b, p, i, j)
@@ -208,59 +210,78 @@ end
 
 local isOver = footing.isOver
 
+--- Returns up to which turn of this round, along gravity (`across` 0) or across it (1), the queue
+--- need not be asked; `isNext` if it was asked about the next one already, and does not go first.
+function footing.freeUpTo(b, across, isNext)
+  if footing.isAsked(b.queue, 2 * b.turnRound + across) then
+    return b.turnsDone + (isNext and 1 or 0)
+  end
+  return huge
+end
+
+--- Returns what is left to do after two have had their turn, the pair p: what `press` says of it.
+function footing.after(b, p, i, j, gives)
+  if gives == REFUSED then
+    return p
+  end
+  b.permitted[p], b.resolved, b.turnGives = 0, b.resolved + 1, gives
+  if gives >= RUBS then
+    return FINISH
+  end
+  local isWatched = b.isEager or b.watched[i] == b.step or b.watched[j] == b.step
+  return isWatched and CHANGED or DONE
+end
+
+--- Returns how many turns are over: not the n-th yet, if somebody must be asked about it.
+function footing.over(left, n)
+  return (left == ASK or left == PERMIT) and n - 1 or n
+end
+
 --- Lands one footing after the other in a step of dt s, until something else goes before the next;
 --- `isNext` if the queue was asked already and does not. Returns what that is: a pair that must be
 --- resolved in the general way; CHANGED: somebody must be looked at whom the last one has changed;
---- RUB: the same, and the last one must `rub` first; ASK: `isLater` must be asked; PERMIT: the game
---- must be, about the next one; DONE: nothing, no footing is left. Those that have landed must
---- `slide` first. Whose paths are the same as in the round before is passed over. Who has given way
---- is told in b.turnGives, see `press`.
+--- FINISH: the same, and what is to come of it must be done first (see `press`); ASK: `isLater`
+--- must be asked; PERMIT: the game must be, about the next one; DONE: nothing, no footing is left.
+--- Those that have landed must `slide` first. Whose paths are the same as in the round before is
+--- passed over. Who has given way is told in b.turnGives, see `press`.
+---
+--- (The loop is left by its condition only: a way out of its middle leads to what is interpreted,
+--- and the compiler gives up the whole way there.)
 function footing.land(b, dt, isNext)
   local order, list, ups, lows, sides = b.turnOrder, b.turnPair, b.turnUp, b.turnLow, b.turnSide
-  local axis, key, isWary = b.downAxis, 2 * b.turnRound, b.isEager
-  local isUp, step, hasAskers = b.orientation[axis] < 0, b.step, b.hasAskers
-  local changes, seen, isAsked = b.changes, b.turnSeen, footing.isAsked(b.queue, key)
-  local watched = b.watched
+  local axis, isUp = b.downAxis, b.orientation[b.downAxis] < 0
+  local changes, seen = b.changes, b.turnSeen
+  local hasAskers, free = b.hasAskers, footing.freeUpTo(b, 0, isNext)
   local base, way = direction(b.turnRound, 1, b.footingCount)
-  for n = b.turnsDone + 1, b.footingCount do
-    if isAsked and not isNext then
-      b.turnsDone = n - 1
-      return footing.ASK
-    end
-    isNext = false
+  local n, last, left = b.turnsDone, b.footingCount, DONE
+  while left == DONE and n < last do
+    n = n + 1
     local x = order[base + way * n]
     local up, low = ups[x], lows[x]
     local look = changes[up] + changes[low]
-    if seen[x] ~= look then
+    if n > free then
+      left = ASK
+    elseif seen[x] ~= look then
       local p, lo, hi = list[x], up, low
       if isUp then
         lo, hi = low, up
       end
       seen[x] = look
-      if not (isIdle(b, 2 * lo + axis, 2 * hi + axis) or isOver(b, p)) then
-        if hasAskers and footing.mustAsk(b, p, up, low) then
-          b.turnsDone, seen[x] = n - 1, UNSEEN
-          return footing.PERMIT
-        end
-        b.turnsDone = n
+      if isIdle(b, 2 * lo + axis, 2 * hi + axis) or isOver(b, p) then
+        left = DONE
+      elseif hasAskers and footing.mustAsk(b, p, up, low) then
+        left, seen[x] = PERMIT, UNSEEN
+      else
         local gives, side = isUp and HIGH or LOW, sides[x]
         if not putOn(b, n, x, p, side, up, low, 2 * up + axis, 2 * low + axis, isUp, dt) then
           gives = press.run(b, x, p, side, lo, hi, axis, dt)
         end
-        if gives == REFUSED then
-          return p
-        end
-        b.permitted[p], b.resolved, b.turnGives = 0, b.resolved + 1, gives
-        if gives >= RUBS then
-          return footing.RUB
-        elseif isWary or watched[up] == step or watched[low] == step then
-          return footing.CHANGED
-        end
+        left = footing.after(b, p, up, low, gives)
       end
     end
   end
-  b.turnsDone = max(b.turnsDone, b.footingCount)
-  return footing.DONE
+  b.turnsDone = footing.over(left, n)
+  return left
 end
 
 --- Lets those rub that have landed, in the same order. That changes paths across gravity only, on
@@ -272,20 +293,19 @@ function footing.slide(b, dt)
   local axis, shares, impulses = b.downAxis, b.turnShare, b.turnImpulse
   local sign = b.orientation[axis] < 0 and -1 or 1
   local base, way = direction(b.turnRound, 1, b.footingCount)
-  for at = b.slidCount + 1, b.landedCount do
+  local at, isDone = b.slidCount, true
+  while isDone and at < b.landedCount do
+    at = at + 1
     local x = order[base + way * landed[at]]
     local up, low, impulse = ups[x], lows[x], impulses[x]
     local mu = press.coefficient(b, up, low)
-    if mu > 0 and not stick(b, up, low, 2 * up + axis, 2 * low + axis, mu, impulse, sign) then
-      b.slidCount = at
-      local ku, kl, limit = 2 * up + axis, 2 * low + axis, mu * impulse
-      if not slideTogether(b, up, low, ku, kl, limit, shares[x], sign, dt) then
-        return false
-      end
-    end
+    local ku, kl, limit = 2 * up + axis, 2 * low + axis, mu * impulse
+    isDone = mu <= 0
+      or stick(b, up, low, ku, kl, mu, impulse, sign)
+      or slideTogether(b, up, low, ku, kl, limit, shares[x], sign, dt)
   end
-  b.slidCount = b.landedCount
-  return true
+  b.slidCount = at
+  return isDone
 end
 
 --- Lists in `out` who has landed in this round, or been landed on, and touches somebody with whom

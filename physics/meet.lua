@@ -25,6 +25,7 @@ local queue = require(here .. ".queue")
 local resolve = require(here .. ".resolve")
 local rounds = require(here .. ".rounds")
 local turns = require(here .. ".turns")
+local weld = require(here .. ".weld")
 
 require(here .. ".interpreted").file()
 
@@ -271,6 +272,19 @@ local function lowAndHigh(b, x, across)
   return b.turnUp[x], b.turnLow[x], axis
 end
 
+-- Does what is to come of the last turn: lets the rings of the two follow, and rubs them.
+local function finishTurn(b)
+  local gives = b.turnGives
+  path.startChanges(b)
+  if gives >= press.RINGS then
+    local low, high, axis = lowAndHigh(b, footing.turnAt(b, b.turnsDone))
+    weld.follow(b, 2 * low + axis, 2 * high + axis, b.turnLowTo, b.turnHighTo, b.turnJoins)
+  end
+  if gives % press.RINGS >= press.RUBS then
+    footing.rub(b, b.turnsDone)
+  end
+end
+
 -- Looks after whom the last turn has changed.
 local function followTurn(b, dt)
   local low, high = lowAndHigh(b, passTurn(b, b.turnsDone))
@@ -323,10 +337,11 @@ local function settle(b, land, dt)
       footing.rub(b, b.landed[b.slidCount])
       followRub(b, dt)
     end
-    if left == footing.RUB then
-      path.startChanges(b)
-      footing.rub(b, b.turnsDone)
-      followTurn(b, dt)
+    if left == footing.FINISH then
+      finishTurn(b)
+      if not b.isQuiet then
+        followTurn(b, dt)
+      end
     elseif left == footing.CHANGED then
       path.startChanges(b)
       followTurn(b, dt)

@@ -17,8 +17,8 @@ local press = {}
 
 local DYNAMIC, STILL = columns.DYNAMIC, columns.STILL
 local EVEN, ROUNDING = impact.EVEN, impact.ROUNDING
-local WELDS = resolve.WELDS
-local max, min, sqrt = math.max, math.min, math.sqrt
+local LEAVES, WELDS = resolve.LEAVES, resolve.WELDS
+local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
 
 --- Coefficient of friction of a pair, as in `friction`. Who is not dynamic may have none (< 0).
 function press.coefficient(b, i, j)
@@ -44,17 +44,27 @@ function press.noteHit(b, p, side, u)
   b.met[p] = b.met[p] + 1
 end
 
--- Whether nobody is held away from the other, welded or backed, both can be pushed, and they have
--- not met again and again.
+-- Whether nobody is held away from the other or backed, they are not welded to each other, both can
+-- be pushed, and they have not met again and again.
 local function isSimple(b, p, lo, hi, kl, kh)
-  return b.met[p] + 1 < WELDS
+  return b.met[p] < LEAVES
     and ((b.pushable[lo] and b.pushable[hi]) or b.kind[lo] ~= DYNAMIC or b.kind[hi] ~= DYNAMIC)
     and not (b.heldHigh[kl] or b.heldLow[kh])
     and not (b.backedLow[kl] or b.backedHigh[kl] or b.backedLow[kh] or b.backedHigh[kh])
-    and b.weld[kl] == 0
-    and b.weld[kh] == 0
+    and (b.weld[kl] ~= b.weld[kh] or b.weld[kl] == 0)
     and b.time[lo] == 0
     and b.time[hi] == 0
+end
+
+-- Inverse mass of slot i, or of all that is welded to it, for a push against what may hold it.
+local function weight(b, i, k, held)
+  local leader = b.weld[k]
+  if held then
+    return 0
+  elseif leader ~= 0 then
+    return 1 / b.weldMass[leader]
+  end
+  return b.inverseMass[i]
 end
 
 -- What both do together from now on; who cannot give way (`wl`, `wh` 0) decides.
@@ -69,15 +79,27 @@ local function share(column, kl, kh, wl, wh)
   end
 end
 
+-- Marks the ring of k, which may be nobody else, as held on one side.
+local function hold(held, weldNext, k)
+  held[k] = true
+  local member = weldNext[k]
+  while member ~= k and member ~= 0 do
+    held[member] = true
+    member = weldNext[member]
+  end
+end
+
 local function lean(b, lo, hi, kl, kh, wl, wh)
   share(b.accel, kl, kh, wl, wh)
   share(b.drive, kl, kh, wl, wh)
   -- Both mean nothing for one that is not dynamic.
   b.pressedHigh[kl], b.pressedLow[kh] = true, true
   if wh == 0 then
-    b.heldHigh[kl], b.holderHigh[kl] = true, hi
+    b.holderHigh[kl] = hi
+    hold(b.heldHigh, b.weldNext, kl)
   elseif wl == 0 then
-    b.heldLow[kh], b.holderLow[kh] = true, lo
+    b.holderLow[kh] = lo
+    hold(b.heldLow, b.weldNext, kh)
   end
 end
 
@@ -105,6 +127,37 @@ local function place(b, lo, kl, kh, wl, wh, o, v)
   end
 end
 
+-- Lets the others of the ring of k follow it, as `ring.follow` does.
+local function follow(b, k, way)
+  local to, speed, accel, drive, weldNext = b.to, b.speed, b.accel, b.drive, b.weldNext
+  local changes, v, a, d, member = b.changes, speed[k], accel[k], drive[k], weldNext[k]
+  while member ~= k and member ~= 0 do
+    local i = floor(member * 0.5)
+    to[member], speed[member] = to[member] + way, v
+    accel[member], drive[member], changes[i] = a, d, changes[i] + 1
+    member = weldNext[member]
+  end
+end
+
+-- Joins the rings of two whom nothing holds, as `weld.join` does.
+local function join(b, lo, hi, kl, kh)
+  local weld, weldNext, weldMass = b.weld, b.weldNext, b.weldMass
+  if weld[kl] == 0 then
+    weld[kl], weldNext[kl], weldMass[kl] = kl, kl, b.mass[lo]
+  end
+  if weld[kh] == 0 then
+    weld[kh], weldNext[kh], weldMass[kh] = kh, kh, b.mass[hi]
+  end
+  local one, other = weld[kl], weld[kh]
+  weldMass[one] = weldMass[one] + weldMass[other]
+  local member = other
+  repeat
+    weld[member] = one
+    member = weldNext[member]
+  until member == other
+  weldNext[kl], weldNext[kh] = weldNext[kh], weldNext[kl]
+end
+
 -- Whether two rub as they are: they go alike along their common edge, and neither is a wall.
 local function isAlike(b, lo, hi, tl, th)
   return b.speed[tl] == b.speed[th]
@@ -125,22 +178,18 @@ local function impactAt(o, v, a, dt)
   return u, v + u > 0 and min(2 * o / (v + u), dt) or dt
 end
 
---- Who gives way to a press, and whether friction is to come, as a sum; 0: it is refused.
-press.REFUSED, press.LOW, press.HIGH, press.RUBS = 0, 1, 2, 4
-local REFUSED, LOW, HIGH, RUBS = press.REFUSED, press.LOW, press.HIGH, press.RUBS
+--- Who gives way to a press, and what is to come (friction; whoever is welded to the two), as a
+--- sum; 0: it is refused.
+press.REFUSED, press.LOW, press.HIGH, press.RUBS, press.RINGS = 0, 1, 2, 4, 8
+local REFUSED, LOW, HIGH, RUBS, RINGS =
+  press.REFUSED, press.LOW, press.HIGH, press.RUBS, press.RINGS
 
 --- Lets two lean on each other, the pair p of turn x, which meets on `side` of its first, as
 --- `resolve` would. Returns REFUSED if the case is another one (nothing has changed then), or who
 --- has given way.
 function press.run(b, x, p, side, lo, hi, axis, dt)
   local kl, kh = 2 * lo + axis, 2 * hi + axis
-  local wl, wh = b.inverseMass[lo], b.inverseMass[hi]
-  if b.heldLow[kl] then
-    wl = 0
-  end
-  if b.heldHigh[kh] then
-    wh = 0
-  end
+  local wl, wh = weight(b, lo, kl, b.heldLow[kl]), weight(b, hi, kh, b.heldHigh[kh])
   if wl + wh == 0 or not isSimple(b, p, lo, hi, kl, kh) or b.drive[kl] - b.drive[kh] < -EVEN then
     return REFUSED
   elseif b.pushFirst and wl > 0 and wh > 0 then
@@ -152,12 +201,24 @@ function press.run(b, x, p, side, lo, hi, axis, dt)
     return REFUSED
   end
   press.noteHit(b, p, side, u)
-  place(b, lo, kl, kh, wl, wh, o, v)
   local gives = (wl > 0 and LOW or 0) + (wh > 0 and HIGH or 0)
+  local joins = gives == LOW + HIGH and v > 0 and b.met[p] >= WELDS
+  local lowTo, highTo = b.to[kl], b.to[kh]
+  place(b, lo, kl, kh, wl, wh, o, v)
   b.changes[lo] = b.changes[lo] + (wl > 0 and 1 or 0)
   b.changes[hi] = b.changes[hi] + (wh > 0 and 1 or 0)
   if v > -STILL then
     lean(b, lo, hi, kl, kh, wl, wh)
+  end
+  if not b.isQuiet and (joins or b.weld[kl] ~= 0 or b.weld[kh] ~= 0) then
+    b.turnLowTo, b.turnHighTo, b.turnJoins = lowTo, highTo, joins
+    gives = gives + RINGS
+  else
+    follow(b, kl, b.to[kl] - lowTo)
+    follow(b, kh, b.to[kh] - highTo)
+    if joins then
+      join(b, lo, hi, kl, kh)
+    end
   end
   if v <= 0 then
     return gives

@@ -25,9 +25,11 @@ local max = math.max
 local advance, change = path.advance, path.change
 local DYNAMIC = columns.DYNAMIC
 
--- Hits of one pair in one step after which it bounces no more, does not even leave by its own
--- acceleration.
-local BOUNCES, LEAVES = 4, 8
+-- Hits of one pair in one step after which it bounces no more.
+local BOUNCES = 4
+--- The same: after which it does not even leave by its own acceleration.
+resolve.LEAVES = 8
+local LEAVES = resolve.LEAVES
 --- The same: hits without a bounce after which it is welded.
 resolve.WELDS = 3
 local WELDS = resolve.WELDS

@@ -125,4 +125,14 @@ function weld.join(b, kl, kh)
   weld.back(b, kl, b.backedLow[kl] or b.backedLow[kh], b.backedHigh[kl] or b.backedHigh[kh])
 end
 
+--- Lets the rings of two follow them who have pressed each other at the very beginning of the step,
+--- and would have come to `lowTo` and `highTo` before; joins them, if it `joins`.
+function weld.follow(b, kl, kh, lowTo, highTo, joins)
+  ring.follow(b, kl, b.to[kl] - lowTo, 0)
+  ring.follow(b, kh, b.to[kh] - highTo, 0)
+  if joins then
+    weld.join(b, kl, kh)
+  end
+end
+
 return weld
