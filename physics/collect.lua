@@ -10,6 +10,7 @@ local check = require(here .. ".check")
 local columns = require(here .. ".columns")
 local detect = require(here .. ".detect")
 local events = require(here .. ".events")
+local interpreted = require(here .. ".interpreted")
 local rest = require(here .. ".rest")
 local roster = require(here .. ".roster")
 local view = require(here .. ".view")
@@ -86,35 +87,66 @@ local function kindOf(object)
   return object.static and STATIC or object.kinematic and KINEMATIC or DYNAMIC
 end
 
-local function readFilter(b, i, object)
-  b.active[i] = object.active ~= false
-  b.sensor[i] = object.sensor == true
-  b.pushable[i] = object.pushable ~= false
-  b.oneWay[i] = object.oneWay or false
-  b.carry[i] = object.carry ~= false
-  b.canCollide[i] = object.canCollide or false
-  b.hears[i] = object.onStay or false
-  b.mask[i] = object.mask or false
-  b.maskSeen[i] = object.mask and readMask(b, object.mask) or false
+-- Fields that few objects have and that are read as they are, the columns that they are read into,
+-- and what stands there if they are not set.
+local RARE = {
+  { "active", "active", true },
+  { "sensor", "sensor", false },
+  { "pushable", "pushable", true },
+  { "oneWay", "oneWay", false },
+  { "carry", "carry", true },
+  { "canCollide", "canCollide", false },
+  { "onStay", "hears", false },
+  { "mask", "mask", false },
+  { "gravity", "ownGravity", false },
+  { "gravityX", "ownGravityX", false },
+  { "airFriction", "airFriction", 0 },
+  { "drag", "drag", 0 },
+  { "surfaceSpeed", "surfaceSpeed", 0 },
+  { "nudge", "nudge", 0 },
+  { "maxSpeed", "maxSpeed", HUGE },
+}
+local NAMES, DEFAULTS = {}, {}
+for n, field in ipairs(RARE) do
+  NAMES[n], DEFAULTS[n] = field[1], field[3]
 end
 
-local function readMaterial(b, i, object)
-  local mass = orDefault(object.mass, 1)
-  b.mass[i] = mass
-  b.inverseMass[i] = b.kind[i] == DYNAMIC and 1 / mass or 0
-  b.ownGravity[i] = orDefault(object.gravity, false)
-  b.ownGravityX[i] = orDefault(object.gravityX, false)
-  b.friction[i] = orDefault(object.friction, b.kind[i] == DYNAMIC and 0 or -1)
+local function rareColumns(b)
+  local list = {}
+  for n, field in ipairs(RARE) do
+    list[n] = b[field[2]]
+  end
+  return list
+end
+
+-- Reads them in a loop: all of them written out become a great deal of machine code at every place
+-- that reads objects. Returns whether there are none.
+local function readRare(b, i, object)
+  b.rare = b.rare or rareColumns(b)
+  local list, hasNone = b.rare, true
+  for n = 1, #NAMES do
+    local value = object[NAMES[n]]
+    if value == nil then
+      value = DEFAULTS[n]
+    else
+      hasNone = false
+    end
+    list[n][i] = value
+  end
+  return hasNone
+end
+
+local function readFields(b, i, object)
+  local k, isDynamic = 2 * i, b.kind[i] == DYNAMIC
+  local hasNone, mass = readRare(b, i, object), orDefault(object.mass, 1)
+  local ax, ay, topX, topY = object.ax, object.ay, object.maxSpeedX, object.maxSpeedY
+  b.maskSeen[i] = b.mask[i] and readMask(b, b.mask[i])
+  b.mass[i], b.inverseMass[i] = mass, isDynamic and 1 / mass or 0
+  b.friction[i] = orDefault(object.friction, isDynamic and 0 or -1)
   b.restitution[i] = orDefault(object.restitution, 0)
-  b.airFriction[i] = orDefault(object.airFriction, 0)
-  b.drag[i] = orDefault(object.drag, 0)
-  b.surfaceSpeed[i] = orDefault(object.surfaceSpeed, 0)
-  b.nudge[i] = orDefault(object.nudge, 0)
-  b.maxSpeed[i] = orDefault(object.maxSpeed, HUGE)
-  b.limit[2 * i] = orDefault(object.maxSpeedX, HUGE)
-  b.limit[2 * i + 1] = orDefault(object.maxSpeedY, HUGE)
-  b.push[2 * i] = orDefault(object.ax, 0)
-  b.push[2 * i + 1] = orDefault(object.ay, 0)
+  b.push[k], b.push[k + 1] = orDefault(ax, 0), orDefault(ay, 0)
+  b.limit[k], b.limit[k + 1] = orDefault(topX, HUGE), orDefault(topY, HUGE)
+  b.bare[i] = isDynamic and hasNone and not (ax or ay or topX or topY)
   readPull(b, i)
 end
 
@@ -160,15 +192,13 @@ end
 
 -- Reads all fields, which must have been checked.
 local function readAll(b, i, object, isNew)
-  readFilter(b, i, object)
-  readMaterial(b, i, object)
+  readFields(b, i, object)
   readMotion(b, i, object, isNew)
   b.hasCarriers = b.hasCarriers or b.kind[i] == KINEMATIC or b.surfaceSpeed[i] ~= 0
   b.hasNudges = b.hasNudges or b.nudge[i] ~= 0
   b.hasAskers = b.hasAskers or b.canCollide[i] ~= false
   b.plain[i] = not b.sensor[i]
   b.choosy[i] = b.oneWay[i] ~= false or b.nudge[i] ~= 0 or not b.pushable[i]
-  b.bare[i] = b.kind[i] == DYNAMIC and isBare(object)
 end
 
 --- Returns the table that will be `touching` of an object; `publish` hands it over.
@@ -524,5 +554,9 @@ function collect.newGravity(b)
   end
   rest.wakeAll(b)
 end
+
+-- It only leads from loop to loop. Compiled, it would be one with the loops that go round once or
+-- twice, for those few who have fields that few have.
+interpreted.functions(collect.run)
 
 return collect
