@@ -53,18 +53,34 @@ function aabb.share(d)
   return 1 / (d == 0 and 1e-300 or d)
 end
 
---- Returns >= 0 if a line that begins at 0, 0 meets a box, up to rounding. No branches, so that it
---- is one piece of code for all lines.
+--- Returns at what share of its way a line that begins at 0, 0 enters a box, and at what share it
+--- leaves it; if it leaves before it enters, or before 0, or enters after 1, they do not meet. Up
+--- to rounding. No branches, so that it is one piece of code for all lines.
 ---@param left number px, edges of the box
 ---@param top number px
 ---@param right number px
 ---@param bottom number px
 ---@param shareX number what `share` tells of the line on each axis
 ---@param shareY number
+---@return number enters
+---@return number leaves
+function aabb.passage(left, top, right, bottom, shareX, shareY)
+  local a, b, c, d = left * shareX, right * shareX, top * shareY, bottom * shareY
+  return max(min(a, b), min(c, d)), min(max(a, b), max(c, d))
+end
+
+local passage = aabb.passage
+
+--- Returns >= 0 if a line that begins at 0, 0 meets a box; see `passage`.
+---@param left number px, edges of the box
+---@param top number px
+---@param right number px
+---@param bottom number px
+---@param shareX number
+---@param shareY number
 ---@return number
 function aabb.crossing(left, top, right, bottom, shareX, shareY)
-  local a, b, c, d = left * shareX, right * shareX, top * shareY, bottom * shareY
-  local enters, leaves = max(min(a, b), min(c, d)), min(max(a, b), max(c, d))
+  local enters, leaves = passage(left, top, right, bottom, shareX, shareY)
   return min(leaves - enters, leaves, 1 - enters)
 end
 

@@ -25,6 +25,8 @@ local query = {}
 local EPSILON, TINY = columns.EPSILON, columns.TINY
 local max, min, sqrt = math.max, math.min, math.sqrt
 local TIE = 1e-9
+-- A share of a line that it does not have.
+local NEVER = 2
 -- px of a ray that are looked at first; each further piece is twice as long.
 local FIRST_PIECE = 48
 -- px around a point in which the nearest is looked for first.
@@ -230,33 +232,91 @@ local function enters(v, i, x, y, dx, dy)
   return min(a, b), min(c, d), min(max(a, b), max(c, d))
 end
 
--- Keeps of `found` who is hit by the line after `from` and up to `to`, with its `entry`: where the
--- line enters it; returns how many. Who is hit at the very beginning is hit after any `from` < 0.
-local function keepHit(v, found, count, x1, y1, x2, y2, from, to)
-  local n, entry, active = 0, v.entry, v.active
-  local x, dx = begins(x1, x2 - x1)
-  local y, dy = begins(y1, y2 - y1)
-  for m = 1, count do
-    local i = found[m]
-    local inX, inY, exit = enters(v, i, x, y, dx, dy)
-    local at = max(inX, inY)
-    local start = max(at, 0)
-    if min(exit - at, exit) > 0 and start > from and start <= to and active[i] then
-      n = n + 1
-      found[n], entry[i] = i, start
-    end
+-- Only groups whose names a filter tells are asked for, unless that is a function.
+local function nameGroups(line, filter)
+  -- A name counts if it has the stamp of this question.
+  local names, stamp = line.names or {}, (line.stamp or 0) + 1
+  line.names, line.stamp, line.isNamed = names, stamp, true
+  if type(filter) ~= "table" then
+    names[filter] = stamp
+    return
   end
-  return n
+  for n = 1, #filter do
+    names[filter[n]] = stamp
+  end
+end
+
+-- A line that is asked about is a list to work with, too: of whom it hits.
+local function takeLine(v, x1, y1, x2, y2, filter)
+  local line = view.take(v)
+  line.view, line.from, line.to, line.isNamed = v, -1, 1, false
+  line.x, line.dx = begins(x1, x2 - x1)
+  line.y, line.dy = begins(y1, y2 - y1)
+  if filter ~= nil and type(filter) ~= "function" then
+    nameGroups(line, filter)
+  end
+  return line
+end
+
+local function beginLine(line)
+  line.isStale, line.count, line.best = false, 0, 0
+end
+
+-- The share of the line at which it hits slot i, after `from` and up to `to`; NEVER: not at all.
+-- Who is hit at the very beginning is hit after any `from` < 0.
+local function hitAt(line, v, i)
+  local inX, inY, exit = enters(v, i, line.x, line.y, line.dx, line.dy)
+  local at = max(inX, inY)
+  local start = max(at, 0)
+  if
+    min(exit - at, exit) > 0
+    and start > line.from
+    and start <= line.to
+    and v.active[i]
+    and (not line.isNamed or line.names[v.groupName[i]] == line.stamp)
+  then
+    return start
+  end
+  return NEVER
+end
+
+-- Notes the first who is hit; of several at the same place, the first in order.
+local function visitFirst(line, i, bound)
+  local v, best = line.view, line.best
+  if not view.meet(v, i) then
+    line.isStale = true
+    return -1
+  end
+  local at = hitAt(line, v, i)
+  if at < bound or (at == bound and (best == 0 or v.rank[i] < v.rank[best])) then
+    line.best = i
+    return at
+  end
+  return bound
+end
+
+-- Lists everybody who is hit, with its `entry`.
+local function visitAll(line, i, bound)
+  local v = line.view
+  if not view.meet(v, i) then
+    line.isStale = true
+    return -1
+  end
+  local at = hitAt(line, v, i)
+  if at < NEVER then
+    local n = line.count + 1
+    line.count, line[n], v.entry[i] = n, i, at
+  end
+  return bound
 end
 
 --- Everybody on a line, nearest first.
 function query.segment(world, x1, y1, x2, y2, filter, out)
   local v = view.of(world)
-  local found = view.take(v)
-  local n = keepNamed(v, found, view.along(v, world, x1, y1, x2, y2, found), filter)
-  n = keepHit(v, found, n, x1, y1, x2, y2, -1, 1)
-  sort.by(found, n, v.entry, v.rank, v.rank)
-  return publish(v, found, n, filter, out)
+  local line = takeLine(v, x1, y1, x2, y2, filter)
+  view.walk(v, world, x1, y1, x2, y2, line, visitAll, beginLine)
+  sort.by(line, line.count, v.entry, v.rank, v.rank)
+  return publish(v, line, line.count, filter, out)
 end
 
 -- Whether somebody fills the quarter beside a point towards (sx, sy).
@@ -330,27 +390,39 @@ local function describeHit(v, world, i, x1, y1, dx, dy, filter)
   return v.object[i], x, y, 0, dy > 0 and -1 or 1, at
 end
 
---- The first on a line: object, x, y, nx, ny, fraction. The line is looked at in pieces, so that a
---- hit nearby costs little, however long the line is.
-function query.raycast(world, x1, y1, x2, y2, filter)
-  local v = view.of(world)
-  local found = view.take(v)
+-- The first on a line whom a filter that is a function accepts. The line is looked at in pieces, so
+-- that a hit nearby costs little, however long the line is.
+local function firstAccepted(v, world, x1, y1, x2, y2, line, filter)
   local dx, dy = x2 - x1, y2 - y1
   local length = max(dx, -dx, dy, -dy)
-  local from, piece = -1.0, FIRST_PIECE
-  local done, hit = 0
+  local done, piece = 0, FIRST_PIECE
+  local hit ---@type integer?
   repeat
+    local from = done > 0 and done / length or 0
     local to = done + piece < length and (done + piece) / length or 1
-    local start = from > 0 and from or 0
+    line.to = to
     local endX, endY = x1 + dx * to, y1 + dy * to
-    local n = view.along(v, world, x1 + dx * start, y1 + dy * start, endX, endY, found)
-    n = keepHit(v, found, keepNamed(v, found, n, filter), x1, y1, x2, y2, from, to)
-    hit = pick(v, found, n, filter)
-    from, done, piece = to, done + piece, piece * 2
+    view.walk(v, world, x1 + dx * from, y1 + dy * from, endX, endY, line, visitAll, beginLine)
+    hit = pick(v, line, line.count, filter)
+    line.from, done, piece = to, done + piece, piece * 2
   until hit or to == 1
-  view.give(v, found)
+  return hit
+end
+
+--- The first on a line: object, x, y, nx, ny, fraction.
+function query.raycast(world, x1, y1, x2, y2, filter)
+  local v = view.of(world)
+  local line = takeLine(v, x1, y1, x2, y2, filter)
+  local hit
+  if type(filter) == "function" then
+    hit = firstAccepted(v, world, x1, y1, x2, y2, line, filter)
+  else
+    view.walk(v, world, x1, y1, x2, y2, line, visitFirst, beginLine)
+    hit = line.best ~= 0 and line.best
+  end
+  view.give(v, line)
   if hit then
-    return describeHit(v, world, hit, x1, y1, dx, dy, filter)
+    return describeHit(v, world, hit, x1, y1, x2 - x1, y2 - y1, filter)
   end
 end
 
@@ -454,11 +526,15 @@ interpreted.functions(
   accepts,
   writeAccepted,
   pick,
+  nameGroups,
+  takeLine,
+  beginLine,
   query.segment,
   isFilled,
   cornerAxis,
   enterOn,
   describeHit,
+  firstAccepted,
   query.raycast,
   query.nearest,
   keepStopping,

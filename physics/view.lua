@@ -340,24 +340,13 @@ function view.refresh(b, object)
   end
 end
 
--- Whether those in found[1..count] still stand where they were seen.
-local function areThere(v, found, count)
-  local groups, keys, objects = v.group, v.key, v.object
-  for n = 1, count do
-    local i = found[n]
-    local record = groups[i]
-    if not (record.direct or rawequal(record.source[keys[i]], objects[i])) then
-      return false
-    end
-  end
-  return true
-end
-
 --- Returns whether an object still stands where it was seen.
 function view.isThere(v, i)
-  v.single[1] = i
-  return areThere(v, v.single, 1)
+  local record = v.group[i]
+  return record.direct or rawequal(record.source[v.key[i]], v.object[i])
 end
+
+local isThere = view.isThere
 
 --- Returns the slot of an object; it may have been put in without `add` since everybody was looked
 --- at. nil: it is not in the world.
@@ -375,11 +364,14 @@ end
 
 -- Whoever a question is about to see is looked at; false: somebody is gone.
 local function lookAtFound(v, found, count)
-  if areThere(v, found, count) then
-    lookAtAll(v, found, count)
-    return true
+  local live, n = v.live, 1
+  while n <= count and isThere(v, found[n]) do
+    if live[found[n]] then
+      look(v, found[n])
+    end
+    n = n + 1
   end
-  return false
+  return n > count
 end
 
 --- Writes the slots of all who may be in a rectangle into `found`, where they are now; returns how
@@ -394,15 +386,26 @@ function view.near(v, world, left, top, right, bottom, found)
   return count
 end
 
---- The same for all who may be on a line.
-function view.along(v, world, x1, y1, x2, y2, found)
-  local count = v.grid:ray(x1, y1, x2, y2, found)
-  if not lookAtFound(v, found, count) then
-    lookAtGroups(v, world)
-    count = v.grid:ray(x1, y1, x2, y2, found)
-    lookAtFound(v, found, count)
+--- Looks at an object that may have left since everybody was looked at; false: it has.
+function view.meet(v, i)
+  if not isThere(v, i) then
+    return false
+  elseif v.live[i] then
+    look(v, i)
   end
-  return count
+  return true
+end
+
+--- Has everybody visited who may be on a line (see `walk` of the grid). `visit` must `meet` them;
+--- if one has left, it sets `line.isStale` and returns -1, and after `begin(line)` all goes again.
+function view.walk(v, world, x1, y1, x2, y2, line, visit, begin)
+  begin(line)
+  v.grid:walk(x1, y1, x2, y2, line, visit)
+  if line.isStale then
+    lookAtGroups(v, world)
+    begin(line)
+    v.grid:walk(x1, y1, x2, y2, line, visit)
+  end
 end
 
 -- Keeps of `found` whom slot i may meet on its way from (x, y) to (toX, toY); returns how many.

@@ -41,6 +41,7 @@ local World = {}
 World.__index = World
 
 local ceil, floor, max = math.ceil, math.floor, math.max
+local isFinite = check.isFinite
 
 -- Longest time that one update makes up for, s.
 local LONGEST = 0.25
@@ -483,6 +484,9 @@ local function checkPoint(x, y, where)
 end
 
 local function checkLine(x1, y1, x2, y2, where)
+  if isFinite(x1) and isFinite(y1) and isFinite(x2) and isFinite(y2) then
+    return
+  end
   check.number(x1, "x1", where)
   check.number(y1, "y1", where)
   check.number(x2, "x2", where)

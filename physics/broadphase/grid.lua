@@ -18,6 +18,7 @@ local grid = {}
 grid.__index = grid
 
 local floor, max, min = math.floor, math.max, math.min
+local crossing, passage, lineShare = aabb.crossing, aabb.passage, aabb.share
 
 local DEFAULT_CELL = 32
 local LEVELS = 48
@@ -26,8 +27,10 @@ local FIRST_BUCKETS = 64
 local FAR = 67108864
 -- px by which the place of a line may be rounded.
 local SLACK = 1e-3
--- px that a line goes on an axis on which it does not go.
-local TINY = 1e-300
+-- By which `hash` multiplies a cell's place and level.
+local FACTOR_X, FACTOR_Y, FACTOR_LEVEL = 73856093, 19349663, 83492791
+-- A share of a line that it does not have.
+local NEVER = 2
 
 local function clear(heads, count)
   for bucket = 1, count do
@@ -74,7 +77,7 @@ end
 
 -- `share` is 1 / buckets, exactly: the number of buckets is a power of two.
 local function hash(cellX, cellY, level, buckets, share)
-  local h = cellX * 73856093 + cellY * 19349663 + level * 83492791
+  local h = cellX * FACTOR_X + cellY * FACTOR_Y + level * FACTOR_LEVEL
   return h - floor(h * share) * buckets + 1
 end
 
@@ -169,27 +172,6 @@ function grid:update(i)
     unfile(self, i)
     file(self, i, level, cellX, cellY)
   end
-end
-
--- Looks at all objects: cheaper than at more cells than there are objects.
-local function queryAll(self, left, top, right, bottom, out)
-  local b, list = self.bodies, self.list
-  local fatLow, fatHigh = b.fatLow, b.fatHigh
-  local n = 0
-  for at = 1, self.count do
-    local i = list[at]
-    local k = 2 * i
-    if
-      fatLow[k] <= right
-      and fatHigh[k] >= left
-      and fatLow[k + 1] <= bottom
-      and fatHigh[k + 1] >= top
-    then
-      n = n + 1
-      out[n] = i
-    end
-  end
-  return n
 end
 
 -- The questions of many at once go in stages, each one loop: which rectangles of cells to look at,
@@ -335,82 +317,126 @@ function grid:query(left, top, right, bottom, out)
   return n
 end
 
--- Lists the cells of one level that a line passes, strip by strip across its longer axis. `a` is
--- that axis, `b` the other one, a1 <= a2:
+-- Walks along a line through the cells of one level, strip by strip across its longer axis; see
+-- `walk`. The line begins at (a1, b1) and goes by (da, db), `a` being the longer axis (0: x, 1: y).
 --
 --     +---+---+---+     An object that starts in a strip ends in the next one at the latest, so
 --     |   | . |.  |     a strip looks at the piece of the line over both of them, and no cell is
 --     |  .|   |   |     looked at twice.
 --     +---+---+---+
-local function addStrips(self, level, cell, a1, b1, a2, b2, isSteep, n)
-  local ranges = self.ranges
-  local slope = (b2 - b1) / max(a2 - a1, TINY)
-  -- Where a strip and its cells stand in a range.
-  local along, across = isSteep and 5 or 3, isSteep and 3 or 5
-  for strip = cellAt(a1 - cell, cell), cellAt(a2, cell) do
-    local low, high = max(a1, strip * cell), min(a2, (strip + 2) * cell)
-    local from, to = b1 + (low - a1) * slope, b1 + (high - a1) * slope
-    ranges[n + 1], ranges[n + 2] = 1, level
-    ranges[n + along], ranges[n + along + 1] = strip, strip
-    ranges[n + across] = cellAt(min(from, to) - SLACK - cell, cell)
-    ranges[n + across + 1] = cellAt(max(from, to) + SLACK, cell)
-    n = n + RANGE
+--
+-- Members, cells and strips go through one loop, since a line passes few of each.
+local function walkLevel(self, level, cell, axis, a1, b1, da, db, line, visit, bound)
+  local heads, buckets, nextInBucket, levels = self.heads, self.buckets, self.next, self.level
+  local fatLow, fatHigh = self.bodies.fatLow, self.bodies.fatHigh
+  local cellA, cellB, factorA, factorB = self.cellX, self.cellY, FACTOR_X, FACTOR_Y
+  if axis == 1 then
+    cellA, cellB, factorA, factorB = self.cellY, self.cellX, FACTOR_Y, FACTOR_X
   end
-  return n
-end
-
--- Keeps of `found` whose fat boxes the line meets, up to rounding; returns how many.
-local function keepCrossed(self, found, count, x1, y1, x2, y2)
-  local fatLow, fatHigh, n = self.bodies.fatLow, self.bodies.fatHigh, 0
-  local shareX, shareY = aabb.share(x2 - x1), aabb.share(y2 - y1)
-  local x, y = x1 + SLACK, y1 + SLACK
-  local backX, backY = x1 - SLACK, y1 - SLACK
-  for m = 1, count do
-    local i = found[m]
-    local k = 2 * i
-    local left, top = fatLow[k] - x, fatLow[k + 1] - y
-    local right, bottom = fatHigh[k] - backX, fatHigh[k + 1] - backY
-    if aabb.crossing(left, top, right, bottom, shareX, shareY) >= 0 then
-      n = n + 1
-      found[n] = i
+  local base, share, shareA, shareB =
+    level * FACTOR_LEVEL, 1 / buckets, lineShare(da), lineShare(db)
+  local lowest, highest, slope = min(a1, a1 + da), max(a1, a1 + da), db * shareA
+  local first, last = cellAt(lowest - cell, cell), cellAt(highest, cell)
+  local way, strip, edge = 1, first - 1, -SLACK
+  if da < 0 then
+    way, strip, edge = -1, last + 1, 2 * cell + SLACK
+  end
+  local strips, at, to, i = last - first + 1, 0, -1, 0
+  while strips >= 0 do
+    if i ~= 0 then
+      local k, m = 2 * i + axis, 2 * i + 1 - axis
+      local low, high = fatLow[k] - SLACK - a1, fatHigh[k] + SLACK - a1
+      local lowB, highB = fatLow[m] - SLACK - b1, fatHigh[m] + SLACK - b1
+      if
+        crossing(low, lowB, high, highB, shareA, shareB) >= 0
+        and cellB[i] == at
+        and cellA[i] == strip
+        and levels[i] == level
+      then
+        bound = visit(line, i, bound)
+        strips = bound < 0 and -1 or strips
+      end
+      i = nextInBucket[i]
+    elseif at < to then
+      at = at + 1
+      local h = strip * factorA + at * factorB + base
+      i = heads[h - floor(h * share) * buckets + 1]
+    else
+      strip, strips = strip + way, strips - 1
+      local low, high = max(lowest, strip * cell), min(highest, (strip + 2) * cell)
+      local from, till = b1 + (low - a1) * slope, b1 + (high - a1) * slope
+      at, to =
+        cellAt(min(from, till) - SLACK - cell, cell) - 1, cellAt(max(from, till) + SLACK, cell)
+      if (strip * cell + edge - a1) * shareA > bound then
+        strips = -1 -- who starts in this strip, or in one further on, is met too late
+      end
     end
   end
-  return n
+  return bound
 end
 
---- Writes the slots of all objects whose fat boxes the line from (x1, y1) to (x2, y2) may meet into
---- `out`; returns how many. Only this broad phase offers it: questions have a grid of their own.
+-- Where the line enters the fat box of slot i, up to rounding; NEVER: it does not.
+local function entryOf(fatLow, fatHigh, i, x, y, shareX, shareY)
+  local k = 2 * i
+  local left, top = fatLow[k] - SLACK - x, fatLow[k + 1] - SLACK - y
+  local right, bottom = fatHigh[k] + SLACK - x, fatHigh[k + 1] + SLACK - y
+  local enters, leaves = passage(left, top, right, bottom, shareX, shareY)
+  return min(leaves - enters, leaves) >= 0 and enters or NEVER
+end
+
+-- The same, looking at everybody: cheaper than at more cells than there are objects. The nearest
+-- one is visited first: it mostly is the only one.
+local function walkAll(self, x, y, dx, dy, line, visit)
+  local list, fatLow, fatHigh = self.list, self.bodies.fatLow, self.bodies.fatHigh
+  local shareX, shareY, nearest, bound = lineShare(dx), lineShare(dy), 0, 1
+  for at = 1, self.count do
+    local enters = entryOf(fatLow, fatHigh, list[at], x, y, shareX, shareY)
+    if enters <= bound then
+      nearest, bound = list[at], enters
+    end
+  end
+  if nearest == 0 then
+    return
+  end
+  bound = visit(line, nearest, 1)
+  local at = 0
+  while at < self.count and bound >= 0 do
+    at = at + 1
+    local i = list[at]
+    if i ~= nearest and entryOf(fatLow, fatHigh, i, x, y, shareX, shareY) <= bound then
+      bound = visit(line, i, bound)
+    end
+  end
+end
+
+--- Calls `visit(line, i, bound)` for every object i whose fat box the line from (x1, y1) to
+--- (x2, y2) may meet, more or less from near to far. `bound` is 1 at first, then what `visit` has
+--- returned: who cannot be met before this share of the line is left out; < 0: that is all. Only
+--- this broad phase offers it: questions have a grid of their own.
 --- Source: J. Amanatides and A. Woo, "A Fast Voxel Traversal Algorithm" (1987), by strips.
-function grid:ray(x1, y1, x2, y2, out)
-  local a1, b1, a2, b2 = x1, y1, x2, y2
-  local isSteep = max(y1 - y2, y2 - y1) > max(x1 - x2, x2 - x1)
-  if isSteep then
-    a1, b1, a2, b2 = y1, x1, y2, x2
+function grid:walk(x1, y1, x2, y2, line, visit)
+  local dx, dy, cell, bound = x2 - x1, y2 - y1, self.cell, 1
+  local wideX, wideY = max(dx, -dx), max(dy, -dy)
+  if
+    3 * (max(wideX, wideY) / cell + 2) > 16 + self.count
+    -- So far out cells are shared (see `cellAt`).
+    or max(x1, -x1, x2, -x2, y1, -y1, y2, -y2) >= (FAR - 2) * cell
+  then
+    return walkAll(self, x1, y1, dx, dy, line, visit)
   end
-  if a1 > a2 then
-    local endA, endB = a1, b1
-    a1, b1 = a2, b2
-    a2, b2 = endA, endB
-  end
-  local left, top, right, bottom = min(x1, x2), min(y1, y2), max(x1, x2), max(y1, y2)
-  local ranges, cell, looked = 0, self.cell, 0.0
   for level = 0, self.highest do
-    if self.members[level] > 0 then
-      looked = looked + 3 * ((a2 - a1) / cell + 2)
-      if looked > 16 + self.count or max(-a1, a2, -b1, b1, -b2, b2) >= (FAR - 2) * cell then
-        local n = queryAll(self, left, top, right, bottom, out)
-        return keepCrossed(self, out, n, x1, y1, x2, y2)
+    if self.members[level] > 0 and bound >= 0 then
+      if wideY > wideX then
+        bound = walkLevel(self, level, cell, 1, y1, x1, dy, dx, line, visit, bound)
+      else
+        bound = walkLevel(self, level, cell, 0, x1, y1, dx, dy, line, visit, bound)
       end
-      ranges = addStrips(self, level, cell, a1, b1, a2, b2, isSteep, ranges)
     end
     cell = cell * 2
   end
-  askFor(self, left - SLACK, top - SLACK, right + SLACK, bottom + SLACK)
-  local n = findIn(self, ranges, self.nobody, self.answers, out)
-  return keepCrossed(self, out, n, x1, y1, x2, y2)
 end
 
 -- Questions are asked one by one, each in another way: what leads from loop to loop is interpreted.
-interpreted.functions(grid.ray)
+interpreted.functions(grid.walk)
 
 return grid
