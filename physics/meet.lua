@@ -12,12 +12,12 @@ local approach = require(here .. ".approach")
 local ask = require(here .. ".ask")
 local columns = require(here .. ".columns")
 local detect = require(here .. ".detect")
-local flank = require(here .. ".flank")
 local footing = require(here .. ".footing")
 local gather = require(here .. ".gather")
 local live = require(here .. ".live")
 local nudge = require(here .. ".nudge")
 local oneway = require(here .. ".oneway")
+local pass = require(here .. ".pass")
 local path = require(here .. ".path")
 local press = require(here .. ".press")
 local predict = require(here .. ".predict")
@@ -258,7 +258,7 @@ end
 -- Goes to the n-th turn of this round; returns its place in the columns of turns, and 1 if it is
 -- across gravity, 0 if along.
 local function passTurn(b, n)
-  local x, across = footing.turnAt(b, n)
+  local x, across = rounds.turnAt(b, n)
   rounds.pass(b, b.turnRound, across, b.turnSupport[x], b.turnFirst[x], b.turnSecond[x])
   return x, across
 end
@@ -277,7 +277,7 @@ local function finishTurn(b)
   local gives = b.turnGives
   path.startChanges(b)
   if gives >= press.RINGS then
-    local low, high, axis = lowAndHigh(b, footing.turnAt(b, b.turnsDone))
+    local low, high, axis = lowAndHigh(b, rounds.turnAt(b, b.turnsDone))
     weld.follow(b, 2 * low + axis, 2 * high + axis, b.turnLowTo, b.turnHighTo, b.turnJoins)
   end
   if gives % press.RINGS >= press.RUBS then
@@ -326,35 +326,35 @@ local function followRub(b, dt)
   end
 end
 
--- Lets those who have turns take them, by `land` of footings or flanks, until the queue goes first.
--- Returns whether all have had their turns in this round.
-local function settle(b, land, dt)
+-- Lets those who have turns along gravity (`across` 0) or across it (1) take them, until the queue
+-- goes first. Returns whether all have had their turns in this round.
+local function settle(b, across, dt)
   local isNext, left = false
   repeat
-    left = land(b, dt, isNext)
+    left = pass.run(b, across, dt, isNext)
     while b.slidCount < b.landedCount and not footing.slide(b, dt) do
       path.startChanges(b)
       footing.rub(b, b.landed[b.slidCount])
       followRub(b, dt)
     end
-    if left == footing.FINISH then
+    if left == pass.FINISH then
       finishTurn(b)
       if not b.isQuiet then
         followTurn(b, dt)
       end
-    elseif left == footing.CHANGED then
+    elseif left == pass.CHANGED then
       path.startChanges(b)
       followTurn(b, dt)
-    elseif left == footing.PERMIT then
+    elseif left == pass.PERMIT then
       askAboutTurn(b)
     elseif left > 0 then
       takeTurn(b, left, dt)
     end
-    isNext = left == footing.ASK or left == footing.PERMIT
-    if left == footing.ASK and footing.isLater(b) then
+    isNext = left == pass.ASK or left == pass.PERMIT
+    if left == pass.ASK and pass.isLater(b) then
       return false
     end
-  until left == footing.DONE
+  until left == pass.DONE
   return true
 end
 
@@ -390,13 +390,13 @@ end
 local function stand(b, dt)
   repeat
     scheduleOdd(b, b.oddFootings)
-    if not settle(b, footing.land, dt) then
+    if not settle(b, 0, dt) then
       return
     end
     if not b.hasFlanksBegun then
       beginFlanks(b, dt)
     end
-    if not settle(b, flank.land, dt) then
+    if not settle(b, 1, dt) then
       return
     end
   until b.resolved == b.resolvedBefore or not nextRound(b)
@@ -408,7 +408,7 @@ local function prepare(b, dt)
   if not b.isAllSeen then
     stand(b, dt)
   end
-  while b.isAllSeen and b.isInstant and not footing.isAsked(b.queue, LAST_INSTANT) do
+  while b.isAllSeen and b.isInstant and not pass.isAsked(b.queue, LAST_INSTANT) do
     b.isInstant = b.isStale
     if b.isStale then
       lookAtApart(b, dt)

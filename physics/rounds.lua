@@ -44,6 +44,24 @@ function rounds.direction(round, first, last)
   return 0, 1
 end
 
+--- Returns the first and the last turn of a round along gravity (`across` 0) or across it (1).
+---@return number
+---@return number
+function rounds.span(b, across)
+  if across == 0 then
+    return 1, b.footingCount
+  end
+  return b.footingCount + 1, b.turnCount
+end
+
+--- Returns the place in the columns of turns of the n-th turn of this round, and 1 if it is across
+--- gravity, 0 if along.
+function rounds.turnAt(b, n)
+  local across = n > b.footingCount and 1 or 0
+  local base, way = rounds.direction(b.turnRound, rounds.span(b, across))
+  return b.turnOrder[base + way * n], across
+end
+
 --- Returns what decides the place of a turn in a round (the larger support first, then the smaller
 --- ranks) from what does in the first round; and the other way, too.
 function rounds.turned(round, support, first, second)

@@ -3,8 +3,8 @@
 -- In piles and levels nearly all contacts are there from the beginning. Those along gravity,
 -- footings, come first in each round (see `rounds`), from the floor up or back; then those across,
 -- flanks, from the right-hand side as gravity sees it or back. So they need no queue: they are
--- listed once a step, sorted, and settled in one pass a round (`footing`, `flank`). What is
--- anything but plain is odd, and left to the queue, which alone would give the same bits.
+-- listed once a step, sorted, and settled in one pass a round (`pass`). What is anything but plain
+-- is odd, and left to the queue, which alone would give the same bits.
 --
 -- Of the two of a turn, `low` is the one that supports: further down, or to the right.
 --
