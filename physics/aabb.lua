@@ -46,11 +46,14 @@ function aabb.inside(x1, y1, w1, h1, x2, y2, w2, h2)
   return x1 >= x2 and x1 + w1 < x2 + w2 and y1 >= y2 and y1 + h1 < y2 + h2
 end
 
---- Returns what share of a way along an axis 1 px is, for `crossing`: never infinite.
+-- px; 1 / TINY is a number still, for smaller ones it is infinite.
+local TINY = 1e-300
+
+--- Returns what share of a way along an axis 1 px is, for `passage`: never infinite.
 ---@param d number px, how far it goes on the axis; may be 0
 ---@return number
 function aabb.share(d)
-  return 1 / (d == 0 and 1e-300 or d)
+  return (d < 0 and -1 or 1) / max(d, -d, TINY)
 end
 
 --- Returns at what share of its way a line that begins at 0, 0 enters a box, and at what share it
@@ -71,7 +74,7 @@ end
 
 local passage = aabb.passage
 
---- Returns >= 0 if a line that begins at 0, 0 meets a box; see `passage`.
+--- Returns >= 0 if a line that begins at 0, 0 meets a box, up to rounding; see `passage`.
 ---@param left number px, edges of the box
 ---@param top number px
 ---@param right number px

@@ -87,8 +87,8 @@ local function kindOf(object)
   return object.static and STATIC or object.kinematic and KINEMATIC or DYNAMIC
 end
 
--- Fields that few objects have and that are read as they are, the columns that they are read into,
--- and what stands there if they are not set.
+-- Fields that few objects have and that are read as they are: name, column, what stands there if it
+-- is not set. (`isBare` asks for the same, and for those few that are not read as they are.)
 local RARE = {
   { "active", "active", true },
   { "sensor", "sensor", false },
@@ -120,25 +120,25 @@ local function rareColumns(b)
 end
 
 -- Reads them in a loop: all of them written out become a great deal of machine code at every place
--- that reads objects. Returns whether there are none.
+-- that reads objects. Returns whether the object has none of them.
 local function readRare(b, i, object)
-  b.rare = b.rare or rareColumns(b)
-  local list, hasNone = b.rare, true
+  b.rare = b.rare or rareColumns(b) -- columns stay the tables that they are
+  local list, isBareSoFar = b.rare, true
   for n = 1, #NAMES do
     local value = object[NAMES[n]]
     if value == nil then
       value = DEFAULTS[n]
     else
-      hasNone = false
+      isBareSoFar = false
     end
     list[n][i] = value
   end
-  return hasNone
+  return isBareSoFar
 end
 
 local function readFields(b, i, object)
   local k, isDynamic = 2 * i, b.kind[i] == DYNAMIC
-  local hasNone, mass = readRare(b, i, object), orDefault(object.mass, 1)
+  local hasNoRare, mass = readRare(b, i, object), orDefault(object.mass, 1)
   local ax, ay, topX, topY = object.ax, object.ay, object.maxSpeedX, object.maxSpeedY
   b.maskSeen[i] = b.mask[i] and readMask(b, b.mask[i])
   b.mass[i], b.inverseMass[i] = mass, isDynamic and 1 / mass or 0
@@ -146,7 +146,7 @@ local function readFields(b, i, object)
   b.restitution[i] = orDefault(object.restitution, 0)
   b.push[k], b.push[k + 1] = orDefault(ax, 0), orDefault(ay, 0)
   b.limit[k], b.limit[k + 1] = orDefault(topX, HUGE), orDefault(topY, HUGE)
-  b.bare[i] = isDynamic and hasNone and not (ax or ay or topX or topY)
+  b.bare[i] = isDynamic and hasNoRare and not (ax or ay or topX or topY)
   readPull(b, i)
 end
 
@@ -555,8 +555,8 @@ function collect.newGravity(b)
   rest.wakeAll(b)
 end
 
--- It only leads from loop to loop. Compiled, it would be one with the loops that go round once or
--- twice, for those few who have fields that few have.
+-- `run` only leads from loop to loop. Were it compiled, the loops that go round once or twice, for
+-- the few who are not bare, would be unrolled into whatever comes before them.
 interpreted.functions(collect.run)
 
 return collect

@@ -259,6 +259,7 @@ function columns.new()
     turnFirst = {}, -- their ranks (see columns.ranks)
     turnSecond = {},
     turnSupport = {},
+    rare = false, -- the columns of fields that few have (see collect)
     turnGives = 0, -- who has given way at the last one (see press)
     turnLowTo = 0, -- where the low one would have come to, and the high one
     turnHighTo = 0,

@@ -169,19 +169,19 @@ function footing.slide(b, dt)
   local axis, shares, impulses = b.downAxis, b.turnShare, b.turnImpulse
   local sign = b.orientation[axis] < 0 and -1 or 1
   local base, way = rounds.direction(b.turnRound, 1, b.footingCount)
-  local at, isDone = b.slidCount, true
-  while isDone and at < b.landedCount do
+  local at, goesOn = b.slidCount, true
+  while goesOn and at < b.landedCount do
     at = at + 1
     local x = order[base + way * landed[at]]
     local up, low, impulse = ups[x], lows[x], impulses[x]
     local mu = press.coefficient(b, up, low)
     local ku, kl, limit = 2 * up + axis, 2 * low + axis, mu * impulse
-    isDone = mu <= 0
+    goesOn = mu <= 0
       or stick(b, up, low, ku, kl, mu, impulse, sign)
       or slideTogether(b, up, low, ku, kl, limit, shares[x], sign, dt)
   end
   b.slidCount = at
-  return isDone
+  return goesOn
 end
 
 --- Lists in `out` who has landed in this round, or been landed on, and touches somebody with whom

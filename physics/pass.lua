@@ -70,17 +70,17 @@ local function after(b, p, i, j, gives)
   return isWatched and CHANGED or DONE
 end
 
--- Returns how many turns are over: not the n-th yet, if somebody must be asked about it.
-local function over(left, n)
+-- Returns how many turns are done: not the n-th yet, if somebody must be asked about it.
+local function countDone(left, n)
   return (left == ASK or left == PERMIT) and n - 1 or n
 end
 
 --- Lets one footing (`across` 0) or flank (1) after the other have its turn in a step of dt s,
 --- until something else goes before the next; `isNext` if the queue was asked already and does not.
 --- Returns what that is: a pair that must be resolved in the general way; CHANGED: somebody must be
---- looked at whom the last one has changed; FINISH: the same, and what is to come of it goes first
---- (see `press`); ASK: `isLater` must be asked; PERMIT: the game must be, about the next one; DONE:
---- nothing, none is left. Footings that have landed must `slide` first. Whose paths are the
+--- looked at whom the last one has changed; FINISH: what is to come of the last one (see `press`),
+--- then perhaps the same; ASK: `isLater` must be asked; PERMIT: the game must be, about the next;
+--- DONE: nothing, none is left. Footings that have landed must `slide` first. Whose paths are the
 --- same as in the round before is passed over. Who has given way is told in b.turnGives.
 ---
 --- (The loop is left by its condition only: a way out of its middle leads to what is interpreted,
@@ -108,7 +108,7 @@ function pass.run(b, across, dt, isNext)
       end
       seen[x] = look
       if isIdle(b, 2 * lo + axis, 2 * hi + axis) or isOver(b, p) then
-        left = DONE
+        left = DONE -- nothing happens
       elseif hasAskers and mustAsk(b, p, up, low) then
         left, seen[x] = PERMIT, UNSEEN
       else
@@ -123,7 +123,7 @@ function pass.run(b, across, dt, isNext)
       end
     end
   end
-  b.turnsDone = over(left, n)
+  b.turnsDone = countDone(left, n)
   return left
 end
 

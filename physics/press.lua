@@ -1,5 +1,5 @@
---- Step 6, meet: two that press against each other when the step begins, both of whom give way or
---- one, in the way that most do.
+--- Step 6, meet: two that press against each other when the step begins, in the way that most do.
+--- Both give way or one of them, with all that is welded to them (see `weld`).
 --
 -- What is not simple is refused and goes to `resolve`, which would give the same bits. This is
 -- called by loops that are compiled; what it has in common with the interpreted files
@@ -56,7 +56,7 @@ local function isSimple(b, p, lo, hi, kl, kh)
     and b.time[hi] == 0
 end
 
--- Inverse mass of slot i, or of all that is welded to it, for a push against what may hold it.
+-- Inverse mass of slot i and of all that is welded to it; 0 if it is `held` against the push.
 local function weight(b, i, k, held)
   local leader = b.weld[k]
   if held then
@@ -139,7 +139,7 @@ local function follow(b, k, way)
   end
 end
 
--- Joins the rings of two whom nothing holds, as `weld.join` does.
+-- Joins the rings of two whom nothing holds or backs, as `weld.join` does.
 local function join(b, lo, hi, kl, kh)
   local weld, weldNext, weldMass = b.weld, b.weldNext, b.weldMass
   if weld[kl] == 0 then
@@ -178,8 +178,8 @@ local function impactAt(o, v, a, dt)
   return u, v + u > 0 and min(2 * o / (v + u), dt) or dt
 end
 
---- Who gives way to a press, and what is to come (friction; whoever is welded to the two), as a
---- sum; 0: it is refused.
+--- Who gives way to a press, and what is to come (friction; those welded to the two follow, or the
+--- two are joined), as a sum; 0: it is refused.
 press.REFUSED, press.LOW, press.HIGH, press.RUBS, press.RINGS = 0, 1, 2, 4, 8
 local REFUSED, LOW, HIGH, RUBS, RINGS =
   press.REFUSED, press.LOW, press.HIGH, press.RUBS, press.RINGS

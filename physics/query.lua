@@ -25,7 +25,7 @@ local query = {}
 local EPSILON, TINY = columns.EPSILON, columns.TINY
 local max, min, sqrt = math.max, math.min, math.sqrt
 local TIE = 1e-9
--- A share of a line that it does not have.
+-- More than the whole of a line, which is 1: where it hits who is not hit.
 local NEVER = 2
 -- px of a ray that are looked at first; each further piece is twice as long.
 local FIRST_PIECE = 48
@@ -232,30 +232,37 @@ local function enters(v, i, x, y, dx, dy)
   return min(a, b), min(c, d), min(max(a, b), max(c, d))
 end
 
--- Only groups whose names a filter tells are asked for, unless that is a function.
-local function nameGroups(line, filter)
-  -- A name counts if it has the stamp of this question.
-  local names, stamp = line.names or {}, (line.stamp or 0) + 1
-  line.names, line.stamp, line.isNamed = names, stamp, true
+-- Sets in `names` what a filter that is no function names.
+local function setNames(names, filter, value)
   if type(filter) ~= "table" then
-    names[filter] = stamp
+    names[filter] = value
     return
   end
   for n = 1, #filter do
-    names[filter[n]] = stamp
+    names[filter[n]] = value
   end
 end
 
--- A line that is asked about is a list to work with, too: of whom it hits.
+-- A line that is asked about is a list to work with, too: of whom it hits. If it `isNamed`, only
+-- groups whose names are in `names` are asked for.
 local function takeLine(v, x1, y1, x2, y2, filter)
   local line = view.take(v)
-  line.view, line.from, line.to, line.isNamed = v, -1, 1, false
+  line.view, line.from, line.to = v, -1, 1
   line.x, line.dx = begins(x1, x2 - x1)
   line.y, line.dy = begins(y1, y2 - y1)
-  if filter ~= nil and type(filter) ~= "function" then
-    nameGroups(line, filter)
+  line.isNamed = filter ~= nil and type(filter) ~= "function"
+  if line.isNamed then
+    line.names = line.names or {}
+    setNames(line.names, filter, true)
   end
   return line
+end
+
+-- Nobody may be left in `names` for the next who takes the list.
+local function forgetNames(line, filter)
+  if line.isNamed then
+    setNames(line.names, filter, nil)
+  end
 end
 
 local function beginLine(line)
@@ -273,7 +280,7 @@ local function hitAt(line, v, i)
     and start > line.from
     and start <= line.to
     and v.active[i]
-    and (not line.isNamed or line.names[v.groupName[i]] == line.stamp)
+    and (not line.isNamed or line.names[v.groupName[i]])
   then
     return start
   end
@@ -283,7 +290,7 @@ end
 -- Notes the first who is hit; of several at the same place, the first in order.
 local function visitFirst(line, i, bound)
   local v, best = line.view, line.best
-  if not view.meet(v, i) then
+  if not view.see(v, i) then
     line.isStale = true
     return -1
   end
@@ -298,7 +305,7 @@ end
 -- Lists everybody who is hit, with its `entry`.
 local function visitAll(line, i, bound)
   local v = line.view
-  if not view.meet(v, i) then
+  if not view.see(v, i) then
     line.isStale = true
     return -1
   end
@@ -315,6 +322,7 @@ function query.segment(world, x1, y1, x2, y2, filter, out)
   local v = view.of(world)
   local line = takeLine(v, x1, y1, x2, y2, filter)
   view.walk(v, world, x1, y1, x2, y2, line, visitAll, beginLine)
+  forgetNames(line, filter)
   sort.by(line, line.count, v.entry, v.rank, v.rank)
   return publish(v, line, line.count, filter, out)
 end
@@ -420,6 +428,7 @@ function query.raycast(world, x1, y1, x2, y2, filter)
     view.walk(v, world, x1, y1, x2, y2, line, visitFirst, beginLine)
     hit = line.best ~= 0 and line.best
   end
+  forgetNames(line, filter)
   view.give(v, line)
   if hit then
     return describeHit(v, world, hit, x1, y1, x2 - x1, y2 - y1, filter)
@@ -526,7 +535,8 @@ interpreted.functions(
   accepts,
   writeAccepted,
   pick,
-  nameGroups,
+  setNames,
+  forgetNames,
   takeLine,
   beginLine,
   query.segment,

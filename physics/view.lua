@@ -362,7 +362,7 @@ function view.find(v, world, object)
   return i
 end
 
--- Whoever a question is about to see is looked at; false: somebody is gone.
+-- Whoever a question is about to see is looked at, one after the other; false: somebody is gone.
 local function lookAtFound(v, found, count)
   local live, n = v.live, 1
   while n <= count and isThere(v, found[n]) do
@@ -387,7 +387,7 @@ function view.near(v, world, left, top, right, bottom, found)
 end
 
 --- Looks at an object that may have left since everybody was looked at; false: it has.
-function view.meet(v, i)
+function view.see(v, i)
   if not isThere(v, i) then
     return false
   elseif v.live[i] then
@@ -396,7 +396,7 @@ function view.meet(v, i)
   return true
 end
 
---- Has everybody visited who may be on a line (see `walk` of the grid). `visit` must `meet` them;
+--- Has everybody visited who may be on a line (see `walk` of the grid). `visit` must `see` them;
 --- if one has left, it sets `line.isStale` and returns -1, and after `begin(line)` all goes again.
 function view.walk(v, world, x1, y1, x2, y2, line, visit, begin)
   begin(line)

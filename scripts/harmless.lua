@@ -27,8 +27,8 @@ return {
   },
   {
     "physics/broadphase/grid.lua",
-    "local isSteep = max(y1 - y2, y2 - y1) > max(x1 - x2, x2 - x1)",
-    "local isSteep = max(y1 - y2, y2 - y1) >= max(x1 - x2, x2 - x1)",
+    "if wideY > wideX then",
+    "if wideY >= wideX then",
     "a diagonal may be taken in strips either way; whom it meets is asked of each in the end",
   },
   {
@@ -114,12 +114,6 @@ return {
     "local up, low = 0, 0",
     "local up, low = 1, 0",
     "then low is 0, nobody, who is neither immovable nor stuck: as if up were 0",
-  },
-  {
-    "physics/query.lua",
-    "local start = from > 0 and from or 0",
-    "local start = from >= 0 and from or 0",
-    "from is -1 or more than 0",
   },
   {
     "physics/query.lua",

@@ -676,6 +676,24 @@ describe("a question", function()
     assert.is_true(least < 0.1, ("%.3f KB"):format(least))
   end)
 
+  it("is told who is on a line that is shorter than numbers can divide by", function()
+    local world = still()
+    for i = 0, 9 do
+      world:add("boxes", box(100 * i - 5, -5, 10, 10))
+    end
+    local tiny = 1e-310
+    local lines = { { 0, tiny }, { tiny, 0 }, { tiny, tiny }, { -tiny, 0 }, { 0, 5e-324 } }
+    for _, line in ipairs(lines) do
+      local object, x, y, nx, ny, fraction = world:raycast(0, 0, line[1], line[2])
+      assert.are.equal(world.objects.boxes[1], object)
+      assert.are.same({ 0, 0, 0, 0, 0 }, { x, y, nx, ny, fraction })
+      assert.are.equal(1, select(2, world:querySegment(0, 0, line[1], line[2])))
+      assert.are.equal(object, (world:raycast(0, 0, line[1], line[2], function()
+        return true
+      end)))
+    end
+  end)
+
   it("costs what the neighbourhood costs, not the world", function()
     local reads = 0
     --- Boxes in rows of 50, whose x is read through a counter.

@@ -29,7 +29,7 @@ local FAR = 67108864
 local SLACK = 1e-3
 -- By which `hash` multiplies a cell's place and level.
 local FACTOR_X, FACTOR_Y, FACTOR_LEVEL = 73856093, 19349663, 83492791
--- A share of a line that it does not have.
+-- More than the whole of a line, which is 1: where it meets who is not on it.
 local NEVER = 2
 
 local function clear(heads, count)
@@ -333,7 +333,7 @@ local function walkLevel(self, level, cell, axis, a1, b1, da, db, line, visit, b
   if axis == 1 then
     cellA, cellB, factorA, factorB = self.cellY, self.cellX, FACTOR_Y, FACTOR_X
   end
-  local base, share, shareA, shareB =
+  local base, inverse, shareA, shareB =
     level * FACTOR_LEVEL, 1 / buckets, lineShare(da), lineShare(db)
   local lowest, highest, slope = min(a1, a1 + da), max(a1, a1 + da), db * shareA
   local first, last = cellAt(lowest - cell, cell), cellAt(highest, cell)
@@ -341,8 +341,9 @@ local function walkLevel(self, level, cell, axis, a1, b1, da, db, line, visit, b
   if da < 0 then
     way, strip, edge = -1, last + 1, 2 * cell + SLACK
   end
-  local strips, at, to, i = last - first + 1, 0, -1, 0
-  while strips >= 0 do
+  -- Strips left behind this one, < 0: it is over; cell of this strip, its last one; who is in it.
+  local left, at, lastB, i = last - first + 1, 0, -1, 0
+  while left >= 0 do
     if i ~= 0 then
       local k, m = 2 * i + axis, 2 * i + 1 - axis
       local low, high = fatLow[k] - SLACK - a1, fatHigh[k] + SLACK - a1
@@ -354,21 +355,21 @@ local function walkLevel(self, level, cell, axis, a1, b1, da, db, line, visit, b
         and levels[i] == level
       then
         bound = visit(line, i, bound)
-        strips = bound < 0 and -1 or strips
+        left = bound < 0 and -1 or left
       end
       i = nextInBucket[i]
-    elseif at < to then
+    elseif at < lastB then
       at = at + 1
       local h = strip * factorA + at * factorB + base
-      i = heads[h - floor(h * share) * buckets + 1]
+      i = heads[h - floor(h * inverse) * buckets + 1]
     else
-      strip, strips = strip + way, strips - 1
+      strip, left = strip + way, left - 1
       local low, high = max(lowest, strip * cell), min(highest, (strip + 2) * cell)
       local from, till = b1 + (low - a1) * slope, b1 + (high - a1) * slope
-      at, to =
+      at, lastB =
         cellAt(min(from, till) - SLACK - cell, cell) - 1, cellAt(max(from, till) + SLACK, cell)
       if (strip * cell + edge - a1) * shareA > bound then
-        strips = -1 -- who starts in this strip, or in one further on, is met too late
+        left = -1 -- who starts in this strip, or in one further on, is met too late
       end
     end
   end
@@ -410,9 +411,10 @@ local function walkAll(self, x, y, dx, dy, line, visit)
 end
 
 --- Calls `visit(line, i, bound)` for every object i whose fat box the line from (x1, y1) to
---- (x2, y2) may meet, more or less from near to far. `bound` is 1 at first, then what `visit` has
---- returned: who cannot be met before this share of the line is left out; < 0: that is all. Only
---- this broad phase offers it: questions have a grid of their own.
+--- (x2, y2) may meet, more or less from near to far. `line` is whatever `visit` wants to have;
+--- `bound` is 1 at first, then what `visit` has returned: who cannot be met before this share of
+--- the line is left out; < 0: nobody else is visited. Only this broad phase offers it: questions
+--- have a grid of their own.
 --- Source: J. Amanatides and A. Woo, "A Fast Voxel Traversal Algorithm" (1987), by strips.
 function grid:walk(x1, y1, x2, y2, line, visit)
   local dx, dy, cell, bound = x2 - x1, y2 - y1, self.cell, 1
