@@ -117,8 +117,8 @@ return {
   },
   {
     "physics/query.lua",
-    "from, done, piece = to, done + piece, piece * 2",
-    "from, done, piece = to, done + piece, piece * 3",
+    "line.from, done, piece = to, done + piece, piece * 2",
+    "line.from, done, piece = to, done + piece, piece * 3",
     "how much of a ray is looked at next; the nearest of all pieces is the same",
   },
   {
