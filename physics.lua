@@ -44,8 +44,9 @@ function physics.load(settings)
 end
 
 --- Lets LuaJIT compile everything, also what happens to single objects, which is interpreted
---- otherwise. Crowds and heaps then take little more than half the time, many small worlds two
---- thirds, with the same results to the bit. Call it once, right after `require`.
+--- otherwise. Boxes that bounce, and bullets that come and go, then take three quarters of the
+--- time, walkers nine tenths, heaps and crowds no less, with the same results to the bit. Call it
+--- once, right after `require`.
 ---
 --- It raises two limits of LuaJIT, which are those of the whole program: 8000 traces instead of
 --- 1000, and 16 MB of machine code instead of 0.5. So the library does not do it unasked; if you
