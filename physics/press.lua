@@ -186,7 +186,7 @@ local REFUSED, LOW, HIGH, RUBS, RINGS =
 
 --- Lets two lean on each other, the pair p of turn x, which meets on `side` of its first, as
 --- `resolve` would. Returns REFUSED if the case is another one (nothing has changed then), or who
---- has given way.
+--- has given way and what is to come of it.
 function press.run(b, x, p, side, lo, hi, axis, dt)
   local kl, kh = 2 * lo + axis, 2 * hi + axis
   local wl, wh = weight(b, lo, kl, b.heldLow[kl]), weight(b, hi, kh, b.heldHigh[kh])
