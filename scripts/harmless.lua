@@ -116,6 +116,18 @@ return {
     "then low is 0, nobody, who is neither immovable nor stuck: as if up were 0",
   },
   {
+    "physics/pass.lua",
+    "local isUp, free = b.orientation[axis] < 0, freeUpTo(b, across, isNext)",
+    "local isUp, free = b.orientation[axis] < 1, freeUpTo(b, across, isNext)",
+    "the orientation of an axis is 1 or -1",
+  },
+  {
+    "physics/pass.lua",
+    "local isUp, free = b.orientation[axis] < 0, freeUpTo(b, across, isNext)",
+    "local isUp, free = b.orientation[axis] <= 0, freeUpTo(b, across, isNext)",
+    "the orientation of an axis is 1 or -1",
+  },
+  {
     "physics/query.lua",
     "line.from, done, piece = to, done + piece, piece * 2",
     "line.from, done, piece = to, done + piece, piece * 3",
