@@ -231,6 +231,7 @@ function columns.new()
     movers = {}, -- slots of everything that is not static
     moverCount = 0,
     rich = {}, -- scratch of collect
+    rare = false, -- the columns of fields that few have (see collect)
     awakeList = {}, -- slots that take part in this step
     awakeCount = 0,
     island = {}, -- scratch of rest
@@ -259,7 +260,6 @@ function columns.new()
     turnFirst = {}, -- their ranks (see columns.ranks)
     turnSecond = {},
     turnSupport = {},
-    rare = false, -- the columns of fields that few have (see collect)
     turnGives = 0, -- who has given way at the last one (see press)
     turnLowTo = 0, -- where the low one would have come to, and the high one
     turnHighTo = 0,

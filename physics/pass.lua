@@ -33,7 +33,7 @@ function pass.isLater(b)
   return queue.leads(b.queue, 2 * round + across, rounds.turned(round, support, first, second))
 end
 
---- What `land` may return, but for a pair.
+--- What `run` may return, but for a pair.
 pass.DONE, pass.CHANGED, pass.ASK, pass.PERMIT, pass.FINISH = 0, -1, -2, -3, -4
 local DONE, CHANGED, ASK, PERMIT, FINISH =
   pass.DONE, pass.CHANGED, pass.ASK, pass.PERMIT, pass.FINISH

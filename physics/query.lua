@@ -34,43 +34,32 @@ local FIRST_RADIUS = 32
 
 -- Filters and results -----------------------------------------------------------------------------
 
--- Keeps of `found` who is in the group of that name; returns how many.
-local function keepGroup(v, found, count, name)
-  local groupName, n = v.groupName, 0
-  for m = 1, count do
-    local i = found[m]
-    if groupName[i] == name then
-      n = n + 1
-      found[n] = i
-    end
+-- Whether the filter, if it is no function, lets a group of that name pass.
+local function isNamed(filter, name)
+  if type(filter) ~= "table" then
+    return filter == name
   end
-  return n
-end
-
--- The same for a list of names.
-local function keepGroups(v, found, count, names)
-  local groupName, n = v.groupName, 0
-  for m = 1, count do
-    local i, at = found[m], 1
-    while names[at] ~= nil and names[at] ~= groupName[i] do
-      at = at + 1
-    end
-    if names[at] ~= nil then
-      n = n + 1
-      found[n] = i
-    end
+  local at = 1
+  while filter[at] ~= nil and filter[at] ~= name do
+    at = at + 1
   end
-  return n
+  return filter[at] ~= nil
 end
 
 -- Keeps whom a filter that is no function lets pass; one that is a function is asked later.
 local function keepNamed(v, found, count, filter)
   if filter == nil or type(filter) == "function" then
     return count
-  elseif type(filter) == "table" then
-    return keepGroups(v, found, count, filter)
   end
-  return keepGroup(v, found, count, filter)
+  local groupName, n = v.groupName, 0
+  for m = 1, count do
+    local i = found[m]
+    if isNamed(filter, groupName[i]) then
+      n = n + 1
+      found[n] = i
+    end
+  end
+  return n
 end
 
 local function accepts(v, i, filter)
@@ -222,65 +211,39 @@ local function begins(p, d)
   return d == 0 and p + EPSILON or p, d == 0 and TINY or d
 end
 
--- Where a line from (x, y) by (dx, dy), as `begins` tells it, enters a box on each axis, and
--- where it leaves it. No branches, so that it is one piece of code for all.
-local function enters(v, i, x, y, dx, dy)
+-- Where a line from (x, y) by (dx, dy), as `begins` tells it, enters a box and leaves it. Divides,
+-- since what it says is told to the game; `aabb.passage` is rounded twice. No branches, so that it
+-- is one piece of code for all.
+local function passage(v, i, x, y, dx, dy)
   local position, size, k = v.position, v.size, 2 * i
   local left, top = position[k] - x, position[k + 1] - y
   local right, bottom = position[k] + size[k] - x, position[k + 1] + size[k + 1] - y
   local a, b, c, d = left / dx, right / dx, top / dy, bottom / dy
-  return min(a, b), min(c, d), min(max(a, b), max(c, d))
+  return max(min(a, b), min(c, d)), min(max(a, b), max(c, d))
 end
 
--- Sets in `names` what a filter that is no function names.
-local function setNames(names, filter, value)
-  if type(filter) ~= "table" then
-    names[filter] = value
-    return
-  end
-  for n = 1, #filter do
-    names[filter[n]] = value
-  end
-end
-
--- A line that is asked about is a list to work with, too: of whom it hits. If it `isNamed`, only
--- groups whose names are in `names` are asked for.
+-- A line that is asked about is a list to work with, too: of whom it hits. `filter` is what it is
+-- asked with, or false if that is a function, which is asked later.
 local function takeLine(v, x1, y1, x2, y2, filter)
   local line = view.take(v)
   line.view, line.from, line.to = v, -1, 1
   line.x, line.dx = begins(x1, x2 - x1)
   line.y, line.dy = begins(y1, y2 - y1)
-  line.isNamed = filter ~= nil and type(filter) ~= "function"
-  if line.isNamed then
-    line.names = line.names or {}
-    setNames(line.names, filter, true)
-  end
+  line.filter = type(filter) ~= "function" and filter
   return line
-end
-
--- Nobody may be left in `names` for the next who takes the list.
-local function forgetNames(line, filter)
-  if line.isNamed then
-    setNames(line.names, filter, nil)
-  end
-end
-
-local function beginLine(line)
-  line.isStale, line.count, line.best = false, 0, 0
 end
 
 -- The share of the line at which it hits slot i, after `from` and up to `to`; NEVER: not at all.
 -- Who is hit at the very beginning is hit after any `from` < 0.
 local function hitAt(line, v, i)
-  local inX, inY, exit = enters(v, i, line.x, line.y, line.dx, line.dy)
-  local at = max(inX, inY)
-  local start = max(at, 0)
+  local enters, leaves = passage(v, i, line.x, line.y, line.dx, line.dy)
+  local start = max(enters, 0)
   if
-    min(exit - at, exit) > 0
+    min(leaves - enters, leaves) > 0
     and start > line.from
     and start <= line.to
     and v.active[i]
-    and (not line.isNamed or line.names[v.groupName[i]])
+    and (not line.filter or isNamed(line.filter, v.groupName[i]))
   then
     return start
   end
@@ -321,8 +284,7 @@ end
 function query.segment(world, x1, y1, x2, y2, filter, out)
   local v = view.of(world)
   local line = takeLine(v, x1, y1, x2, y2, filter)
-  view.walk(v, world, x1, y1, x2, y2, line, visitAll, beginLine)
-  forgetNames(line, filter)
+  view.walk(v, world, x1, y1, x2, y2, line, visitAll)
   sort.by(line, line.count, v.entry, v.rank, v.rank)
   return publish(v, line, line.count, filter, out)
 end
@@ -368,7 +330,7 @@ local function cornerAxis(v, world, x, y, dx, dy, filter)
   return coversX and 1 or 0
 end
 
--- Where a line enters a box on the axis of k, as in `enters`; -1 if it does not go along that axis.
+-- Where a line enters a box on the axis of k, as in `passage`; -1 if it does not go along it.
 local function enterOn(v, k, p, d)
   if d == 0 then
     return -1
@@ -410,7 +372,7 @@ local function firstAccepted(v, world, x1, y1, x2, y2, line, filter)
     local to = done + piece < length and (done + piece) / length or 1
     line.to = to
     local endX, endY = x1 + dx * to, y1 + dy * to
-    view.walk(v, world, x1 + dx * from, y1 + dy * from, endX, endY, line, visitAll, beginLine)
+    view.walk(v, world, x1 + dx * from, y1 + dy * from, endX, endY, line, visitAll)
     hit = pick(v, line, line.count, filter)
     line.from, done, piece = to, done + piece, piece * 2
   until hit or to == 1
@@ -425,10 +387,9 @@ function query.raycast(world, x1, y1, x2, y2, filter)
   if type(filter) == "function" then
     hit = firstAccepted(v, world, x1, y1, x2, y2, line, filter)
   else
-    view.walk(v, world, x1, y1, x2, y2, line, visitFirst, beginLine)
+    view.walk(v, world, x1, y1, x2, y2, line, visitFirst)
     hit = line.best ~= 0 and line.best
   end
-  forgetNames(line, filter)
   view.give(v, line)
   if hit then
     return describeHit(v, world, hit, x1, y1, x2 - x1, y2 - y1, filter)
@@ -535,10 +496,7 @@ interpreted.functions(
   accepts,
   writeAccepted,
   pick,
-  setNames,
-  forgetNames,
   takeLine,
-  beginLine,
   query.segment,
   isFilled,
   cornerAxis,

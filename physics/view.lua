@@ -346,8 +346,6 @@ function view.isThere(v, i)
   return record.direct or rawequal(record.source[v.key[i]], v.object[i])
 end
 
-local isThere = view.isThere
-
 --- Returns the slot of an object; it may have been put in without `add` since everybody was looked
 --- at. nil: it is not in the world.
 function view.find(v, world, object)
@@ -362,13 +360,22 @@ function view.find(v, world, object)
   return i
 end
 
+--- Looks at an object that may have left since everybody was looked at; false: it has.
+function view.see(v, i)
+  if not view.isThere(v, i) then
+    return false
+  elseif v.live[i] then
+    look(v, i)
+  end
+  return true
+end
+
+local see = view.see
+
 -- Whoever a question is about to see is looked at, one after the other; false: somebody is gone.
 local function lookAtFound(v, found, count)
-  local live, n = v.live, 1
-  while n <= count and isThere(v, found[n]) do
-    if live[found[n]] then
-      look(v, found[n])
-    end
+  local n = 1
+  while n <= count and see(v, found[n]) do
     n = n + 1
   end
   return n > count
@@ -386,25 +393,19 @@ function view.near(v, world, left, top, right, bottom, found)
   return count
 end
 
---- Looks at an object that may have left since everybody was looked at; false: it has.
-function view.see(v, i)
-  if not isThere(v, i) then
-    return false
-  elseif v.live[i] then
-    look(v, i)
-  end
-  return true
+local function walkOnce(v, x1, y1, x2, y2, line, visit)
+  line.isStale, line.count, line.best = false, 0, 0
+  v.grid:walk(x1, y1, x2, y2, line, visit)
 end
 
---- Has everybody visited who may be on a line (see `walk` of the grid). `visit` must `see` them;
---- if one has left, it sets `line.isStale` and returns -1, and after `begin(line)` all goes again.
-function view.walk(v, world, x1, y1, x2, y2, line, visit, begin)
-  begin(line)
-  v.grid:walk(x1, y1, x2, y2, line, visit)
+--- Has everybody visited who may be on a line (see `walk` of the grid). Of the line, `count` and
+--- `best` are 0 at first, for `visit` to note whom it wants. It must `see` them; if one has left,
+--- it sets `line.isStale` and returns -1, and all goes again.
+function view.walk(v, world, x1, y1, x2, y2, line, visit)
+  walkOnce(v, x1, y1, x2, y2, line, visit)
   if line.isStale then
     lookAtGroups(v, world)
-    begin(line)
-    v.grid:walk(x1, y1, x2, y2, line, visit)
+    walkOnce(v, x1, y1, x2, y2, line, visit)
   end
 end
 

@@ -484,6 +484,7 @@ local function checkPoint(x, y, where)
 end
 
 local function checkLine(x1, y1, x2, y2, where)
+  -- A game may ask for a thousand lines a frame: one test for all that is as it should be.
   if isFinite(x1) and isFinite(y1) and isFinite(x2) and isFinite(y2) then
     return
   end

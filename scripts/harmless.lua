@@ -27,8 +27,8 @@ return {
   },
   {
     "physics/broadphase/grid.lua",
-    "if wideY > wideX then",
-    "if wideY >= wideX then",
+    "local axis = wideY > wideX and 1 or 0",
+    "local axis = wideY >= wideX and 1 or 0",
     "a diagonal may be taken in strips either way; whom it meets is asked of each in the end",
   },
   {

@@ -18,7 +18,7 @@ local grid = {}
 grid.__index = grid
 
 local floor, max, min = math.floor, math.max, math.min
-local crossing, passage, lineShare = aabb.crossing, aabb.passage, aabb.share
+local passage, lineShare = aabb.passage, aabb.share
 
 local DEFAULT_CELL = 32
 local LEVELS = 48
@@ -76,9 +76,13 @@ local function cellAt(coordinate, cell)
 end
 
 -- `share` is 1 / buckets, exactly: the number of buckets is a power of two.
+local function bucketOf(h, buckets, share)
+  return h - floor(h * share) * buckets + 1
+end
+
 local function hash(cellX, cellY, level, buckets, share)
   local h = cellX * FACTOR_X + cellY * FACTOR_Y + level * FACTOR_LEVEL
-  return h - floor(h * share) * buckets + 1
+  return bucketOf(h, buckets, share)
 end
 
 local function levelFor(self, size)
@@ -317,8 +321,17 @@ function grid:query(left, top, right, bottom, out)
   return n
 end
 
--- Walks along a line through the cells of one level, strip by strip across its longer axis; see
--- `walk`. The line begins at (a1, b1) and goes by (da, db), `a` being the longer axis (0: x, 1: y).
+-- Where the line enters the fat box of slot i, up to rounding; NEVER: it does not.
+local function entryOf(fatLow, fatHigh, i, x, y, shareX, shareY)
+  local k = 2 * i
+  local left, top = fatLow[k] - SLACK - x, fatLow[k + 1] - SLACK - y
+  local right, bottom = fatHigh[k] + SLACK - x, fatHigh[k + 1] + SLACK - y
+  local enters, leaves = passage(left, top, right, bottom, shareX, shareY)
+  return min(leaves - enters, leaves) >= 0 and enters or NEVER
+end
+
+-- Walks along a line through the cells of one level, strip by strip across `axis`, its longer one
+-- (0: x, 1: y); see `walk`. The line begins at (x, y) and goes by (dx, dy).
 --
 --     +---+---+---+     An object that starts in a strip ends in the next one at the latest, so
 --     |   | . |.  |     a strip looks at the piece of the line over both of them, and no cell is
@@ -326,16 +339,19 @@ end
 --     +---+---+---+
 --
 -- Members, cells and strips go through one loop, since a line passes few of each.
-local function walkLevel(self, level, cell, axis, a1, b1, da, db, line, visit, bound)
+local function walkLevel(self, level, cell, axis, x, y, dx, dy, line, visit, bound)
   local heads, buckets, nextInBucket, levels = self.heads, self.buckets, self.next, self.level
   local fatLow, fatHigh = self.bodies.fatLow, self.bodies.fatHigh
+  local shareX, shareY = lineShare(dx), lineShare(dy)
+  -- Along the line is a, across it b.
+  local a1, b1, da, db, share = x, y, dx, dy, shareX
   local cellA, cellB, factorA, factorB = self.cellX, self.cellY, FACTOR_X, FACTOR_Y
   if axis == 1 then
+    a1, b1, da, db, share = y, x, dy, dx, shareY
     cellA, cellB, factorA, factorB = self.cellY, self.cellX, FACTOR_Y, FACTOR_X
   end
-  local base, inverse, shareA, shareB =
-    level * FACTOR_LEVEL, 1 / buckets, lineShare(da), lineShare(db)
-  local lowest, highest, slope = min(a1, a1 + da), max(a1, a1 + da), db * shareA
+  local base, inverse = level * FACTOR_LEVEL, 1 / buckets
+  local lowest, highest, slope = min(a1, a1 + da), max(a1, a1 + da), db * share
   local first, last = cellAt(lowest - cell, cell), cellAt(highest, cell)
   local way, strip, edge = 1, first - 1, -SLACK
   if da < 0 then
@@ -345,11 +361,8 @@ local function walkLevel(self, level, cell, axis, a1, b1, da, db, line, visit, b
   local left, at, lastB, i = last - first + 1, 0, -1, 0
   while left >= 0 do
     if i ~= 0 then
-      local k, m = 2 * i + axis, 2 * i + 1 - axis
-      local low, high = fatLow[k] - SLACK - a1, fatHigh[k] + SLACK - a1
-      local lowB, highB = fatLow[m] - SLACK - b1, fatHigh[m] + SLACK - b1
       if
-        crossing(low, lowB, high, highB, shareA, shareB) >= 0
+        entryOf(fatLow, fatHigh, i, x, y, shareX, shareY) <= bound
         and cellB[i] == at
         and cellA[i] == strip
         and levels[i] == level
@@ -360,15 +373,14 @@ local function walkLevel(self, level, cell, axis, a1, b1, da, db, line, visit, b
       i = nextInBucket[i]
     elseif at < lastB then
       at = at + 1
-      local h = strip * factorA + at * factorB + base
-      i = heads[h - floor(h * inverse) * buckets + 1]
+      i = heads[bucketOf(strip * factorA + at * factorB + base, buckets, inverse)]
     else
       strip, left = strip + way, left - 1
       local low, high = max(lowest, strip * cell), min(highest, (strip + 2) * cell)
       local from, till = b1 + (low - a1) * slope, b1 + (high - a1) * slope
       at, lastB =
         cellAt(min(from, till) - SLACK - cell, cell) - 1, cellAt(max(from, till) + SLACK, cell)
-      if (strip * cell + edge - a1) * shareA > bound then
+      if (strip * cell + edge - a1) * share > bound then
         left = -1 -- who starts in this strip, or in one further on, is met too late
       end
     end
@@ -376,17 +388,8 @@ local function walkLevel(self, level, cell, axis, a1, b1, da, db, line, visit, b
   return bound
 end
 
--- Where the line enters the fat box of slot i, up to rounding; NEVER: it does not.
-local function entryOf(fatLow, fatHigh, i, x, y, shareX, shareY)
-  local k = 2 * i
-  local left, top = fatLow[k] - SLACK - x, fatLow[k + 1] - SLACK - y
-  local right, bottom = fatHigh[k] + SLACK - x, fatHigh[k + 1] + SLACK - y
-  local enters, leaves = passage(left, top, right, bottom, shareX, shareY)
-  return min(leaves - enters, leaves) >= 0 and enters or NEVER
-end
-
--- The same, looking at everybody: cheaper than at more cells than there are objects. The nearest
--- one is visited first: it mostly is the only one.
+-- The same for all levels, looking at everybody: cheaper than at more cells than there are objects.
+-- The nearest one is visited first: it mostly is the only one.
 local function walkAll(self, x, y, dx, dy, line, visit)
   local list, fatLow, fatHigh = self.list, self.bodies.fatLow, self.bodies.fatHigh
   local shareX, shareY, nearest, bound = lineShare(dx), lineShare(dy), 0, 1
@@ -426,13 +429,10 @@ function grid:walk(x1, y1, x2, y2, line, visit)
   then
     return walkAll(self, x1, y1, dx, dy, line, visit)
   end
+  local axis = wideY > wideX and 1 or 0
   for level = 0, self.highest do
     if self.members[level] > 0 and bound >= 0 then
-      if wideY > wideX then
-        bound = walkLevel(self, level, cell, 1, y1, x1, dy, dx, line, visit, bound)
-      else
-        bound = walkLevel(self, level, cell, 0, x1, y1, dx, dy, line, visit, bound)
-      end
+      bound = walkLevel(self, level, cell, axis, x1, y1, dx, dy, line, visit, bound)
     end
     cell = cell * 2
   end
