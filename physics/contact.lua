@@ -1,51 +1,44 @@
 --- Step 7, publish: whether a pair is in contact at the end of a step, and on which side.
 --
 -- Reads to, position, hit, pressed...; writes contact, overlapping, wedged, dropping, inside, and
--- notes the events. `publish` asks it only for pairs of which the answer is not plain to see.
+-- notes the events. `publish` asks it only for pairs whose contact does not simply go on. What
+-- begins or ends without more to it is found in a compiled loop, everything else is interpreted.
 
 local here = (...):match("^(.*)%.[^.]+$")
 local aabb = require(here .. ".aabb")
 local approach = require(here .. ".approach")
 local columns = require(here .. ".columns")
 local events = require(here .. ".events")
+local interpreted = require(here .. ".interpreted")
 local oneway = require(here .. ".oneway")
-
-require(here .. ".interpreted").file()
 
 local contact = {}
 
 local DYNAMIC = columns.DYNAMIC
 local EPSILON, OPPOSITE = columns.EPSILON, columns.OPPOSITE
+local floor, max, min = math.floor, math.max, math.min
 
--- Gap on an axis at the end of the step (negative: overlap) and whether the first is the low one.
-local function gapAtEnd(b, ka, kc)
-  local r = b.to[kc] - b.to[ka]
-  local after, before = r - b.size[ka], -r - b.size[kc]
-  if after >= before then
-    return after, true
-  end
-  return before, false
+-- What `flushSide` says of two that are inside each other.
+local INSIDE = -1
+
+-- 1 for a number >= 0, else 0.
+local function step(v)
+  return max(min(floor(v) + 1, 1), 0)
 end
 
--- The side of the pair's first at which the two are flush, else 0; and whether they overlap.
+-- The side of the pair's first at which the two are flush at the end of the step, else 0; INSIDE.
+-- No branches, so that whatever follows is compiled once.
 local function flushSide(b, i, j)
-  local gapX, lowX = gapAtEnd(b, 2 * i, 2 * j)
-  if gapX > EPSILON then
-    return 0, false
-  end
-  local gapY, lowY = gapAtEnd(b, 2 * i + 1, 2 * j + 1)
-  if gapY > EPSILON then
-    return 0, false
-  end
-  if gapX >= -EPSILON then
-    if gapY >= -EPSILON then
-      return 0, false -- corner to corner
-    end
-    return lowX and 2 or 1, false
-  elseif gapY >= -EPSILON then
-    return lowY and 4 or 3, false
-  end
-  return 0, true
+  local to, size, k, m = b.to, b.size, 2 * i, 2 * j
+  local x, y = to[m] - to[k], to[m + 1] - to[k + 1]
+  local afterX, beforeX = x - size[k], -x - size[m]
+  local afterY, beforeY = y - size[k + 1], -y - size[m + 1]
+  local gapX, gapY = max(afterX, beforeX), max(afterY, beforeY)
+  local apartX, apartY = step(gapX + EPSILON), step(gapY + EPSILON)
+  local flushX, flushY = apartX * step(EPSILON - gapX), apartY * step(EPSILON - gapY)
+  return flushX * (1 - apartY) * (1 + step(afterX - beforeX))
+    + flushY * (1 - apartX) * (3 + step(afterY - beforeY))
+    - (1 - apartX) * (1 - apartY)
 end
 
 -- Whether a side was leant on in this step, by either of the two.
@@ -57,6 +50,11 @@ local function isPressed(b, i, j, side)
     return iDynamic and b.pressedHigh[ki] or jDynamic and b.pressedLow[kj]
   end
   return iDynamic and b.pressedLow[ki] or jDynamic and b.pressedHigh[kj]
+end
+
+-- Whether two that are flush on a side and may meet there are in contact.
+local function isHeld(b, p, i, j, side)
+  return b.contact[p] == side or b.hit[p] == side or b.sideBySide or isPressed(b, i, j, side)
 end
 
 -- Remembers how two that are left inside each other came there: they may only part that way.
@@ -87,9 +85,9 @@ end
 
 -- The side on which a solid pair is in contact now, else 0.
 local function solidContact(b, p, i, j)
-  local side, overlap = flushSide(b, i, j)
-  b.overlapping[p] = overlap
-  if overlap then
+  local side = flushSide(b, i, j)
+  b.overlapping[p] = side == INSIDE
+  if side == INSIDE then
     if b.passing[p] or b.oneWay[i] or b.oneWay[j] then
       b.wedged[p] = 0
       leaveInside(b, i, j)
@@ -109,16 +107,12 @@ local function solidContact(b, p, i, j)
   if b.passing[p] or b.dropping[p] or oneway.lets(b, i, j, side, approach.FACE) then
     return 0
   end
-  if b.contact[p] == side or b.hit[p] == side or b.sideBySide or isPressed(b, i, j, side) then
-    return side
-  end
-  return 0
+  return isHeld(b, p, i, j, side) and side or 0
 end
 
 -- The side on which a sensor was entered, while the two overlap, else 0.
 local function sensorContact(b, p, i, j)
-  local _, overlap = flushSide(b, i, j)
-  if not overlap or b.passing[p] then
+  if flushSide(b, i, j) ~= INSIDE or b.passing[p] then
     return 0
   end
   if b.contact[p] ~= 0 then
@@ -177,9 +171,53 @@ local function update(b, p)
   b.news[i], b.news[j] = true, true
 end
 
+-- Whether somebody wants to be told when a contact begins or ends.
+local function hears(listener)
+  return listener.onBegin or listener.onEnd or listener.onStay
+end
+
+-- Whether where two stand says all about their contact: both are solid on all sides, were not
+-- inside each other, and neither wants to hear of it.
+local function isPlain(b, p, i, j)
+  return b.plain[i]
+    and b.plain[j]
+    and b.wedged[p] == 0
+    and not (b.oneWay[i] or b.oneWay[j] or b.passing[p] or b.dropping[p] or b.overlapping[p])
+    and not (hears(b.object[i]) or hears(b.object[j]))
+end
+
+-- Updates those of `list[1..listCount]` of which no more than that must be known. Returns how many
+-- are left in `list`, and how many are in `touching`.
+local function updatePlain(b, list, listCount, touching, count)
+  local pairA, pairB, contacts, news, left = b.pairA, b.pairB, b.contact, b.news, 0
+  for n = 1, listCount do
+    local p = list[n]
+    local i, j, before = pairA[p], pairB[p], contacts[p]
+    local side = flushSide(b, i, j)
+    if side == INSIDE or not isPlain(b, p, i, j) then
+      left = left + 1
+      list[left] = p
+    else
+      local now = side ~= 0 and isHeld(b, p, i, j, side) and side or 0
+      if now ~= 0 then
+        count = count + 1
+        touching[count] = p
+      end
+      if now ~= before then
+        contacts[p], news[i], news[j] = now, true, true
+        b.contactCount = b.contactCount + min(now, 1) - min(before, 1)
+      end
+    end
+  end
+  return left, count
+end
+
 --- Updates the pairs in `list[1..listCount]`, and lists those in contact behind place `count` of
 --- `touching`; returns how many these are then.
 function contact.updateAll(b, list, listCount, touching, count)
+  if not hears(b.world) then
+    listCount, count = updatePlain(b, list, listCount, touching, count)
+  end
   for n = 1, listCount do
     local p = list[n]
     update(b, p)
@@ -190,5 +228,15 @@ function contact.updateAll(b, list, listCount, touching, count)
   end
   return count
 end
+
+interpreted.functions(
+  wedge,
+  wedgedSide,
+  leaveInside,
+  solidContact,
+  sensorContact,
+  update,
+  contact.updateAll
+)
 
 return contact
