@@ -84,7 +84,6 @@ local SLOT = {
   grip = 0, -- impulse that its hold can still take over
   stickiness = 0, -- friction coefficient of that hold
   changedMark = 0,
-  changes = 0, -- how often its path has changed by now
   watched = 0, -- step in which it touches somebody with whom it has no turn
   lastFooting = 0, -- its place among the footings when it last leant on somebody, 0: never
   lastFlank = 0, -- and among the flanks
@@ -130,6 +129,7 @@ local AXIS = {
   crushHigh = 0,
   pressedLow = false, -- something rested against this side in this step
   pressedHigh = false,
+  changes = 0, -- how often its path has changed on this axis by now
   weld = 0, -- welded group on this axis (slot of its leader), 0: none
   weldNext = 0,
   weldMass = 0, -- at the leader
@@ -264,7 +264,9 @@ function columns.new()
     turnLowTo = 0, -- where the low one would have come to, and the high one
     turnHighTo = 0,
     turnJoins = false, -- whether they go on as one
-    turnSeen = {}, -- the changes of both when they were looked at
+    turnSeen = {}, -- the changes of both when they were looked at (see pass)
+    isTurnStale = { [0] = true, true }, -- somebody may press along gravity (0), across it (1)
+    turnPass = -1, -- the pass, of all in this step, that has begun last (see meet)
     turnImpulse = {}, -- by which they have landed
     turnShare = {}, -- of that, what was an impact
     turnLeft = {}, -- s, the time left then

@@ -65,7 +65,7 @@ local function stick(b, up, low, ku, kl, mu, impulse, sign)
   then
     return false
   elseif not (isFast or b.stuck[low]) then
-    b.changes[low] = b.changes[low] + 1
+    b.changes[kb] = b.changes[kb] + 1
     return true -- both slide, together
   end
   local bearing = mu * impulse
@@ -80,13 +80,13 @@ end
 
 -- Changes speed and way of k by what friction took off, unless it is held there. (Few are held at
 -- all: asked first, so that the sign of what is taken makes no two ways through the code.)
-local function shift(b, i, k, dSpeed, dWay)
+local function shift(b, k, dSpeed, dWay)
   local heldLow, heldHigh = b.heldLow[k], b.heldHigh[k]
   if (heldLow or heldHigh) and ((dSpeed > 0 and heldHigh) or (dSpeed < 0 and heldLow)) then
     return
   end
   b.speed[k], b.to[k] = b.speed[k] + dSpeed, b.to[k] + dWay
-  b.changes[i] = b.changes[i] + 1
+  b.changes[k] = b.changes[k] + 1
 end
 
 -- What is left of u when its amount is less by `loss`, which does not turn it round. No branches.
@@ -120,8 +120,8 @@ local function slideTogether(b, up, low, ku, kl, limit, share, sign, dt)
   end
   local dSpeed, dWay = stop - u, way - (u + u) * 0.5 * dt
   local shareU, shareL = wu / w, wl / w
-  shift(b, up, ka, dSpeed * shareU, dWay * shareU)
-  shift(b, low, kb, -dSpeed * shareL, -dWay * shareL)
+  shift(b, ka, dSpeed * shareU, dWay * shareU)
+  shift(b, kb, -dSpeed * shareL, -dWay * shareL)
   return true
 end
 
@@ -147,7 +147,7 @@ function footing.putOn(b, n, x, p, side, up, low, ku, kl, isUp, dt)
     return false
   end
   press.noteHit(b, p, side, u)
-  to[ku], b.changes[up] = goal, b.changes[up] + 1
+  to[ku], b.changes[ku] = goal, b.changes[ku] + 1
   if v > 0 then
     speed[ku] = speed[kl]
     b.turnImpulse[x], b.turnShare[x], b.turnLeft[x] = v / b.inverseMass[up], min(u / v, 1.0), dt
@@ -157,6 +157,7 @@ function footing.putOn(b, n, x, p, side, up, low, ku, kl, isUp, dt)
   if v > -STILL then
     lean(b, low, ku, kl, isUp)
   end
+  b.turnSeen[x] = b.changes[ku] + b.changes[kl]
   return true
 end
 
@@ -181,6 +182,7 @@ function footing.slide(b, dt)
       or slideTogether(b, up, low, ku, kl, limit, shares[x], sign, dt)
   end
   b.slidCount = at
+  b.isTurnStale[1] = true
   return goesOn
 end
 

@@ -144,11 +144,16 @@ function gather.live(b)
   return count
 end
 
+-- How often the paths of two have changed by now.
+local function changesOf(changes, i, j)
+  return changes[2 * i] + changes[2 * i + 1] + changes[2 * j] + changes[2 * j + 1]
+end
+
 --- Whether the last meeting of a pair has changed nothing, and the paths are still the same: it
 --- would meet for ever.
 function gather.isSettled(b, p)
   local settled = b.settled[p]
-  return settled ~= 0 and settled == 1 + b.changes[b.pairA[p]] + b.changes[b.pairB[p]]
+  return settled ~= 0 and settled == 1 + changesOf(b.changes, b.pairA[p], b.pairB[p])
 end
 
 local isSettled = gather.isSettled

@@ -184,6 +184,11 @@ local function followNudge(b, dt)
   end
 end
 
+-- How often the paths of two have changed by now.
+local function changesOf(changes, i, j)
+  return changes[2 * i] + changes[2 * i + 1] + changes[2 * j] + changes[2 * j + 1]
+end
+
 local function happen(b, p, code, t, dt)
   local kind, axis, otherIsLow = approach.decode(code)
   local low, high = b.pairA[p], b.pairB[p]
@@ -211,9 +216,9 @@ local function happen(b, p, code, t, dt)
     b.nudged[p] = b.nudged[p] + 1
     followNudge(b, dt)
   else
-    local before = b.changes[low] + b.changes[high]
+    local before = changesOf(b.changes, low, high)
     resolve.run(b, p, low, high, axis, t, dt, kind == approach.DEEP)
-    b.settled[p] = b.changes[low] + b.changes[high] == before and 1 + before or 0
+    b.settled[p] = changesOf(b.changes, low, high) == before and 1 + before or 0
   end
   followChanged(b, dt)
 end
@@ -326,9 +331,28 @@ local function followRub(b, dt)
   end
 end
 
+-- Begins to go through those who have turns along gravity (`across` 0) or across it (1), or goes
+-- on. Returns whether all are as they were when they were gone through last: they are passed over.
+local function isPassedOver(b, across)
+  local current, _, last = 2 * b.turnRound + across, rounds.span(b, across)
+  if b.turnPass >= current then
+    return false
+  end
+  b.turnPass = current
+  if b.isTurnStale[across] then
+    b.isTurnStale[across] = false
+    return false
+  end
+  b.turnsDone = last
+  return true
+end
+
 -- Lets those who have turns along gravity (`across` 0) or across it (1) take them, until the queue
 -- goes first. Returns whether all have had their turns in this round.
 local function settle(b, across, dt)
+  if isPassedOver(b, across) then
+    return true
+  end
   local isNext, left = false
   repeat
     left = pass.run(b, across, dt, isNext)

@@ -70,6 +70,12 @@ local function after(b, p, i, j, gives)
   return isWatched and CHANGED or DONE
 end
 
+-- What `turnSeen` is of two who did press when they were looked at, and may again whatever of them
+-- changes; < UNSEEN.
+local function wholly(changes, i, j)
+  return UNSEEN - 1 - changes[2 * i] - changes[2 * i + 1] - changes[2 * j] - changes[2 * j + 1]
+end
+
 -- Returns how many turns are done: not the n-th yet, if somebody must be asked about it.
 local function countDone(left, n)
   return (left == ASK or left == PERMIT) and n - 1 or n
@@ -93,37 +99,41 @@ function pass.run(b, across, dt, isNext)
   local first, last = rounds.span(b, across)
   local isUp, free = b.orientation[axis] < 0, freeUpTo(b, across, isNext)
   local base, way = rounds.direction(b.turnRound, first, last)
-  local n, left = b.turnsDone, DONE
+  local n, left, isStale = b.turnsDone, DONE, b.isTurnStale[across]
   while left == DONE and n < last do
     n = n + 1
     local x = order[base + way * n]
     local up, low = ups[x], lows[x]
-    local look = changes[up] + changes[low]
+    local look = changes[2 * up + axis] + changes[2 * low + axis]
     if n > free then
       left = ASK
-    elseif seen[x] ~= look then
+    elseif seen[x] ~= look and seen[x] ~= wholly(changes, up, low) then
       local p, lo, hi = list[x], up, low
       if isUp then
         lo, hi = low, up
       end
-      seen[x] = look
-      if isIdle(b, 2 * lo + axis, 2 * hi + axis) or isOver(b, p) then
-        left = DONE -- nothing happens
-      elseif hasAskers and mustAsk(b, p, up, low) then
-        left, seen[x] = PERMIT, UNSEEN
+      if isIdle(b, 2 * lo + axis, 2 * hi + axis) then
+        seen[x] = look -- nothing happens
       else
-        local gives, side = isUp and HIGH or LOW, sides[x]
-        if
-          across == 1
-          or not footing.putOn(b, n, x, p, side, up, low, 2 * up + axis, 2 * low + axis, isUp, dt)
-        then
-          gives = press.run(b, x, p, side, lo, hi, axis, dt)
+        seen[x], isStale = wholly(changes, up, low), true
+        if isOver(b, p) then
+          left = DONE -- nothing, either
+        elseif hasAskers and mustAsk(b, p, up, low) then
+          left, seen[x] = PERMIT, UNSEEN
+        else
+          local gives, side = isUp and HIGH or LOW, sides[x]
+          if
+            across == 1
+            or not footing.putOn(b, n, x, p, side, up, low, 2 * up + axis, 2 * low + axis, isUp, dt)
+          then
+            gives = press.run(b, x, p, side, lo, hi, axis, dt)
+          end
+          left = after(b, p, up, low, gives)
         end
-        left = after(b, p, up, low, gives)
       end
     end
   end
-  b.turnsDone = countDone(left, n)
+  b.turnsDone, b.isTurnStale[across] = countDone(left, n), isStale
   return left
 end
 

@@ -30,7 +30,10 @@ end
 --- Notes that the path of an object has changed.
 function path.change(b, i)
   if b.kind[i] == DYNAMIC and b.changedMark[i] ~= b.changeStamp then
-    b.changedMark[i], b.changes[i] = b.changeStamp, b.changes[i] + 1
+    local k, changes, isStale = 2 * i, b.changes, b.isTurnStale
+    changes[k], changes[k + 1] = changes[k] + 1, changes[k + 1] + 1
+    isStale[0], isStale[1] = true, true
+    b.changedMark[i] = b.changeStamp
     b.changedCount = b.changedCount + 1
     b.changed[b.changedCount] = i
   end

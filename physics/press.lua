@@ -18,7 +18,7 @@ local press = {}
 local DYNAMIC, STILL = columns.DYNAMIC, columns.STILL
 local EVEN, ROUNDING = impact.EVEN, impact.ROUNDING
 local LEAVES, WELDS = resolve.LEAVES, resolve.WELDS
-local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
+local max, min, sqrt = math.max, math.min, math.sqrt
 
 --- Coefficient of friction of a pair, as in `friction`. Who is not dynamic may have none (< 0).
 function press.coefficient(b, i, j)
@@ -132,9 +132,8 @@ local function follow(b, k, way)
   local to, speed, accel, drive, weldNext = b.to, b.speed, b.accel, b.drive, b.weldNext
   local changes, v, a, d, member = b.changes, speed[k], accel[k], drive[k], weldNext[k]
   while member ~= k and member ~= 0 do
-    local i = floor(member * 0.5)
     to[member], speed[member] = to[member] + way, v
-    accel[member], drive[member], changes[i] = a, d, changes[i] + 1
+    accel[member], drive[member], changes[member] = a, d, changes[member] + 1
     member = weldNext[member]
   end
 end
@@ -148,11 +147,19 @@ local function join(b, lo, hi, kl, kh)
   if weld[kh] == 0 then
     weld[kh], weldNext[kh], weldMass[kh] = kh, kh, b.mass[hi]
   end
-  local one, other = weld[kl], weld[kh]
-  weldMass[one] = weldMass[one] + weldMass[other]
-  local member = other
+  -- The shorter ring is named anew, see `ring.isLonger`.
+  local one, other, member, its = kl, kh, weldNext[kl], weldNext[kh]
+  while member ~= kl and its ~= kh do
+    member, its = weldNext[member], weldNext[its]
+  end
+  if member == kl then
+    one, other = kh, kl
+  end
+  local leader = weld[one]
+  weldMass[leader] = weldMass[weld[kl]] + weldMass[weld[kh]]
+  member = other
   repeat
-    weld[member] = one
+    weld[member] = leader
     member = weldNext[member]
   until member == other
   weldNext[kl], weldNext[kh] = weldNext[kh], weldNext[kl]
@@ -205,8 +212,9 @@ function press.run(b, x, p, side, lo, hi, axis, dt)
   local joins = gives == LOW + HIGH and v > 0 and b.met[p] >= WELDS
   local lowTo, highTo = b.to[kl], b.to[kh]
   place(b, lo, kl, kh, wl, wh, o, v)
-  b.changes[lo] = b.changes[lo] + (wl > 0 and 1 or 0)
-  b.changes[hi] = b.changes[hi] + (wh > 0 and 1 or 0)
+  b.changes[kl] = b.changes[kl] + (wl > 0 and 1 or 0)
+  b.changes[kh] = b.changes[kh] + (wh > 0 and 1 or 0)
+  b.turnSeen[x] = b.changes[kl] + b.changes[kh]
   if v > -STILL then
     lean(b, lo, hi, kl, kh, wl, wh)
   end
@@ -233,7 +241,7 @@ function press.run(b, x, p, side, lo, hi, axis, dt)
     and b.down[kh] == 0
     and isAlike(b, lo, hi, kl + sideways, kh + sideways)
   then
-    b.changes[lo], b.changes[hi] = b.changes[lo] + 1, b.changes[hi] + 1
+    b.changes[kl], b.changes[kh] = b.changes[kl] + 1, b.changes[kh] + 1
     return gives
   end
   b.turnImpulse[x], b.turnShare[x], b.turnLeft[x] = v / (wl + wh), min(u / v, 1.0), tau

@@ -16,6 +16,17 @@ function ring.name(b, k, leader)
   until member == k
 end
 
+--- Whether the ring of `one` has more members than that of `other`; looks at no more of them than
+--- the shorter one has. Who joins two rings names the shorter one anew: a long row that is joined
+--- one by one would be named from end to end each time.
+function ring.isLonger(b, one, other)
+  local weldNext, member, its = b.weldNext, b.weldNext[one], b.weldNext[other]
+  while member ~= one and its ~= other do
+    member, its = weldNext[member], weldNext[its]
+  end
+  return member ~= one
+end
+
 --- Marks all of the ring of k, which may be nobody else, as held on the low or high side.
 function ring.hold(b, k, low, high)
   if not (low or high) then
@@ -50,8 +61,7 @@ local function countChanges(b, k)
   local weldNext, changes = b.weldNext, b.changes
   local member = weldNext[k]
   while member ~= k and member ~= 0 do
-    local i = floor(member * 0.5)
-    changes[i] = changes[i] + 1
+    changes[member] = changes[member] + 1
     member = weldNext[member]
   end
 end
@@ -65,7 +75,8 @@ local function change(b, k)
     local i = floor(member * 0.5)
     if mark[i] ~= stamp then
       count = count + 1
-      mark[i], changed[count], changes[i] = stamp, i, changes[i] + 1
+      mark[i], changed[count] = stamp, i
+      changes[2 * i], changes[2 * i + 1] = changes[2 * i] + 1, changes[2 * i + 1] + 1
     end
     member = weldNext[member]
   end
@@ -87,6 +98,7 @@ function ring.follow(b, k, way, t)
     accel[member], drive[member] = a, d
     member = weldNext[member]
   end
+  b.isTurnStale[0], b.isTurnStale[1] = true, true
   if b.isQuiet then
     countChanges(b, k)
   else

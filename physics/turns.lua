@@ -341,6 +341,7 @@ end
 function turns.list(b)
   local footings, flanks = b.footingCount, b.turnCount - b.footingCount
   b.turnRound, b.turnsDone, b.landedCount, b.slidCount = 0, 0, 0, 0
+  b.turnPass, b.isTurnStale[0], b.isTurnStale[1] = -1, true, true
   b.footingCount, b.turnCount, b.oddFootings, b.oddCount = 0, 0, 0, 0
   gather.touching(b)
   if b.hasNudges then

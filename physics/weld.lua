@@ -117,8 +117,14 @@ function weld.join(b, kl, kh)
   if one == other then
     return
   end
-  b.weldMass[one] = b.weldMass[one] + b.weldMass[other]
-  ring.name(b, other, one)
+  local mass = b.weldMass[one] + b.weldMass[other]
+  if ring.isLonger(b, kl, kh) then
+    ring.name(b, kh, one)
+    b.weldMass[one] = mass
+  else
+    ring.name(b, kl, other)
+    b.weldMass[other] = mass
+  end
   -- Two rings become one when two members swap whom they lead to.
   b.weldNext[kl], b.weldNext[kh] = b.weldNext[kh], b.weldNext[kl]
   ring.hold(b, kl, b.heldLow[kl] or b.heldLow[kh], b.heldHigh[kl] or b.heldHigh[kh])
