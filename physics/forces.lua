@@ -1,7 +1,8 @@
 --- Step 3, forces: gravity, own acceleration, air friction, drag and speed limits.
 --
--- Reads velocity, pull, push, airFriction, drag, limit, maxSpeed; writes speed (velocity at the end
--- of the step) and way (displacement in the step), both of free flight and without a carrier.
+-- Reads velocity, pull, push, airFriction, drag, limit, maxSpeed, support; writes speed (velocity
+-- at the end of the step) and way (displacement in the step), both of free flight and without a
+-- carrier.
 -- All are exact solutions for a constant acceleration, so that arcs do not depend on dt.
 
 local here = (...):match("^(.*)%.[^.]+$")
@@ -62,11 +63,15 @@ local function flyLimited(v, a, airFriction, limit, dt)
   return capped, way
 end
 
--- The end of the flight of k, at a speed (x, y), when `drag` takes less than that.
-local function slow(b, k, x, y, drag, dt)
-  local speed, way, share = b.speed, b.way, drag * dt / sqrt(x * x + y * y)
-  speed[k], speed[k + 1] = x - x * share, y - y * share
-  way[k], way[k + 1] = way[k] - x * share * 0.5 * dt, way[k + 1] - y * share * 0.5 * dt
+-- The end of a flight from the speed (startX, startY) to (x, y), when `drag` takes less than that:
+-- against the direction that it has halfway.
+-- Source: the midpoint method, as in E. Hairer et al., Solving Ordinary Differential Equations I.
+local function slow(b, k, startX, startY, x, y, drag, dt)
+  local alongX, alongY = startX + x, startY + y
+  local share = drag * dt / max(sqrt(alongX * alongX + alongY * alongY), TINY)
+  local speed, way, lossX, lossY = b.speed, b.way, alongX * share, alongY * share
+  speed[k], speed[k + 1] = x - lossX, y - lossY
+  way[k], way[k + 1] = way[k] - lossX * 0.5 * dt, way[k + 1] - lossY * 0.5 * dt
 end
 
 -- The same of one that stops on its way from a speed (x, y), as it slows down by `rate` px/s², and
@@ -79,11 +84,19 @@ local function turn(b, k, x, y, rate, ax, ay, dt)
   b.way[k + 1] = y * 0.5 * stop + ay * left * 0.5 * left
 end
 
--- The flight of slot i against air friction and drag, exact as long as it moves along a line.
--- Returns false if it would turn on its way; nothing has changed then.
-local function flyDragged(b, i, dt)
+-- The index of the axis along which slot i stands on something, which takes away what it would fall
+-- in this step; 0: it does not stand.
+local function standsAlong(b, i)
+  local down, k = b.down, 2 * i
+  k = k + (down[k] ~= 0 and 0 or 1)
+  local isPulled = (b.pull[k] + b.push[k]) * down[k] > 0
+  return b.support[i] ~= 0 and isPulled and b.velocity[k] == 0 and k or 0
+end
+
+-- The flight of slot i, pulled by (ax, ay), against air friction and drag, exact as long as it
+-- moves along a line. Returns false if it would turn on its way; nothing has changed then.
+local function flyDragged(b, i, ax, ay, dt)
   local limit, drag, air, k = b.limit, b.drag[i], b.airFriction[i], 2 * i
-  local ax, ay = b.pull[k] + b.push[k], b.pull[k + 1] + b.push[k + 1]
   local x, y = clamp(b.velocity[k], limit[k]), clamp(b.velocity[k + 1], limit[k + 1])
   -- Drag acts against the motion; against the pull on who stands, which it may hold.
   local towardsX, towardsY = x, y
@@ -102,12 +115,16 @@ local function flyDragged(b, i, dt)
 end
 
 -- Slows slot i by its drag along its motion. Exact as long as it moves along a line, but for who
--- turns in the air.
-local function brakeSlot(b, i, dt)
-  if b.airFriction[i] ~= 0 and flyDragged(b, i, dt) then
-    return
-  end
+-- turns in the air. On the axis of `stands` it does not move.
+local function brakeSlot(b, i, stands, dt)
   local velocity, limit, drag, k = b.velocity, b.limit, b.drag[i], 2 * i
+  if b.airFriction[i] ~= 0 then
+    local pullX = stands == k and 0 or b.pull[k] + b.push[k]
+    local pullY = stands == k + 1 and 0 or b.pull[k + 1] + b.push[k + 1]
+    if flyDragged(b, i, pullX, pullY, dt) then
+      return
+    end
+  end
   local x, y = b.speed[k], b.speed[k + 1]
   local startX, startY = clamp(velocity[k], limit[k]), clamp(velocity[k + 1], limit[k + 1])
   local ax, ay = (x - startX) / dt, (y - startY) / dt
@@ -123,25 +140,52 @@ local function brakeSlot(b, i, dt)
     b.speed[k], b.speed[k + 1] = 0, 0
     b.way[k], b.way[k + 1] = startX * 0.5 * dt, startY * 0.5 * dt
   else
-    slow(b, k, x, y, drag, dt)
+    slow(b, k, startX, startY, x, y, drag, dt)
   end
 end
 
--- Limits the length of the velocity; the displacement follows in proportion.
+-- Returns a vector in the direction of (x, y).
+local function scaled(x, y, length)
+  local share = length / max(sqrt(x * x + y * y), TINY)
+  return x * share, y * share
+end
+
+-- Limits the length of the velocity. At full speed only what is across the motion, halfway, changes
+-- it: the direction turns at the same rate in steps of any length.
 local function limitLength(b, i, dt)
   local speed, way, velocity, k = b.speed, b.way, b.velocity, 2 * i
   local x, y, limit = speed[k], speed[k + 1], b.maxSpeed[i]
-  local length = sqrt(x * x + y * y)
-  if length > limit then
-    x, y = x * (limit / length), y * (limit / length)
-    local startX, startY = velocity[k], velocity[k + 1]
-    local start = sqrt(startX * startX + startY * startY)
-    if start > limit then
-      startX, startY = startX * (limit / start), startY * (limit / start)
-    end
-    speed[k], speed[k + 1] = x, y
-    way[k], way[k + 1] = (startX + x) * 0.5 * dt, (startY + y) * 0.5 * dt
+  if x * x + y * y <= limit * limit then
+    return
   end
+  local startX, startY = velocity[k], velocity[k + 1]
+  if startX * startX + startY * startY > limit * limit then
+    startX, startY = scaled(startX, startY, limit)
+  end
+  local halfX, halfY = (startX + x) * 0.5, (startY + y) * 0.5
+  local half, start = halfX * halfX + halfY * halfY, startX * startX + startY * startY
+  if half >= limit * limit and start * 4 >= limit * limit then
+    local gain = ((x - startX) * halfX + (y - startY) * halfY) / half
+    x, y = x - halfX * gain, y - halfY * gain
+  end
+  x, y = scaled(x, y, limit)
+  speed[k], speed[k + 1] = x, y
+  way[k], way[k + 1] = (startX + x) * 0.5 * dt, (startY + y) * 0.5 * dt
+end
+
+-- What drag and maxSpeed make of the flight of slot i. They count what moves: of who stands, not
+-- the fall that the floor will take away.
+local function hinder(b, i, dt)
+  local speed, way, stands = b.speed, b.way, standsAlong(b, i)
+  local fallSpeed, fallWay = speed[stands], way[stands]
+  speed[stands], way[stands] = 0, 0
+  if b.drag[i] ~= 0 then
+    brakeSlot(b, i, stands, dt)
+  end
+  if b.maxSpeed[i] ~= HUGE then
+    limitLength(b, i, dt)
+  end
+  speed[stands], way[stands] = fallSpeed, fallWay
 end
 
 --- Computes the free flight of the dynamic objects in awakeList from `first` to `last`.
@@ -160,11 +204,8 @@ function forces.run(b, dt, first, last)
   local drag, maxSpeed = b.drag, b.maxSpeed
   for n = first, last do
     local i = list[n]
-    if drag[i] ~= 0 and kind[i] == DYNAMIC then
-      brakeSlot(b, i, dt)
-    end
-    if maxSpeed[i] ~= HUGE and kind[i] == DYNAMIC then
-      limitLength(b, i, dt)
+    if (drag[i] ~= 0 or maxSpeed[i] ~= HUGE) and kind[i] == DYNAMIC then
+      hinder(b, i, dt)
     end
   end
 end

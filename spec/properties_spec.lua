@@ -456,7 +456,7 @@ describe("the same scene goes the same way, to the bit,", function()
         end
       end
     end
-    assert.are.equal("478193430", ("%.0f"):format(sum))
+    assert.are.equal("1586380659", ("%.0f"):format(sum))
   end)
 end)
 

@@ -98,6 +98,42 @@ describe("slowing down", function()
     end)
   end)
 
+  -- The floor takes away what the body would fall in a step: that is no motion to slow down.
+  it("(10) by drag 100 on a floor, too", function()
+    scene.each(EVERYWHERE, function(run)
+      local body = run:build({ { "tiles", FLOOR }, box(0, 100, { vx = 200, drag = 100 }) }).box
+      run:play(2.5)
+      run:near("x", body.x, 200, 0.1)
+      run:still(body)
+    end)
+  end)
+
+  it("by maxSpeed is the same on a floor at every rate", function()
+    scene.each(EVERYWHERE, function(run)
+      local fields = { ax = 400, maxSpeed = 100, drag = 0 }
+      local body = run:build({ { "tiles", FLOOR }, box(0, 100, fields) }).box
+      run:play(2)
+      run:near("vx", body.vx, 100, 1e-9)
+      run:near("x", body.x, 12.5 + 175, 0.25)
+    end)
+  end)
+
+  -- Where they come in steps of 1/2400 s. There is no such place in closed form.
+  for _, row in ipairs({
+    { "drag", { vx = 200, vy = -300, drag = 300 }, 2, 133.4515, 724.3259 },
+    { "maxSpeed", { vx = 100, maxSpeed = 300 }, 1, 66.7031, 240.7754 },
+  }) do
+    local name, fields, seconds, x, y = row[1], row[2], row[3], row[4], row[5]
+    it("by " .. name .. " on a curve is nearly the same at every rate", function()
+      scene.each(EVERYWHERE, function(run)
+        local body = run:build({ box(0, 0, fields) }).box
+        run:play(seconds)
+        run:near("x", body.x, x, 0.12)
+        run:near("y", body.y, y, 0.12)
+      end)
+    end)
+  end
+
   -- v' = 250 - 240 - 3 v: to 10 / 3 px/s
   for _, start in ipairs({ 0, 300 }) do
     it("by drag and airFriction, pulled, from " .. start .. " px/s", function()
