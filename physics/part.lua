@@ -3,7 +3,8 @@
 -- Who was placed by the game or was left inside another is moved out by the smallest way that is
 -- free: intersection rectangle, then the opposite-sides rule. A way that would end inside another
 -- immovable object is none, or a box that stands deep in a floor of tiles would be thrown sideways.
--- Who finds no way out of something immovable is `buried`: it stays where it is.
+-- Who is inside two of them in a corner leaves by one way after the other. Who finds no way out of
+-- something immovable is `buried`: it stays where it is.
 -- Two that were squeezed into each other (`wedged`) are left to `meet`: they part as they came.
 --
 -- Reads and writes from, to, position.
@@ -20,7 +21,7 @@ local sort = require(here .. ".sort")
 
 local part = {}
 
-local huge = math.huge
+local huge, max, min = math.huge, math.max, math.min
 local EPSILON, DYNAMIC = columns.EPSILON, columns.DYNAMIC
 local ROUNDS = 8
 
@@ -82,22 +83,27 @@ local function considerAll(b, i)
   end
 end
 
---- Returns whether slot i at (x, y) would be inside something immovable.
-function part.isInside(b, i, x, y)
-  local found, w, h = b.found, b.size[2 * i], b.size[2 * i + 1]
-  local n = b.broadphase:query(x, y, x + w, y + h, found)
+-- Lists in b.found the immovable ones that slot i would be inside of at (x, y); returns how many.
+local function listBlockers(b, i, x, y)
+  local found, w, h, count = b.found, b.size[2 * i], b.size[2 * i + 1], 0
   local from, size = b.from, b.size
-  for m = 1, n do
+  for m = 1, b.broadphase:query(x, y, x + w, y + h, found) do
     local j = found[m]
     local k = 2 * j
     if j ~= i and filter.blocks(b, i, j) then
       local width, height = aabb.overlap(x, y, w, h, from[k], from[k + 1], size[k], size[k + 1])
       if width > EPSILON and height > EPSILON then
-        return true
+        count = count + 1
+        found[count] = j
       end
     end
   end
-  return false
+  return count
+end
+
+--- Returns whether slot i at (x, y) would be inside something immovable.
+function part.isInside(b, i, x, y)
+  return listBlockers(b, i, x, y) > 0
 end
 
 -- Moves slot i by `way` px along an axis; flush against `edge` if that is given.
@@ -120,12 +126,17 @@ local function shift(b, i, axis, way, edge)
   end
 end
 
+-- Where slot i comes when it goes some px along an axis.
+local function placeOn(b, i, axis, way)
+  local x, y = b.from[2 * i], b.from[2 * i + 1]
+  return x + (axis == 0 and way or 0), y + (axis == 1 and way or 0)
+end
+
 local function canGo(b, i, axis, way)
   if b.kind[i] ~= DYNAMIC then
     return false
   end
-  local x, y = b.from[2 * i], b.from[2 * i + 1]
-  return not part.isInside(b, i, x + (axis == 0 and way or 0), y + (axis == 1 and way or 0))
+  return not part.isInside(b, i, placeOn(b, i, axis, way))
 end
 
 -- Shares of the way for i and j, the first of the two in the order of the world: by mass, whoever
@@ -180,21 +191,100 @@ local function leave(b, i, j, exit, way)
   return true
 end
 
+-- Of those in b.found, who are in the way of slot i, the one that it leaves last if it goes along
+-- an axis towards `sign`, and how far that is; 0, 0: further than it overlaps one of them.
+local function furthest(b, i, axis, sign, count)
+  local from, size, last = b.from, b.size, 0
+  local most = 0 ---@type number
+  for m = 1, count do
+    local j = b.found[m]
+    local ki, kj = 2 * i + axis, 2 * j + axis
+    local way = sign < 0 and from[ki] + size[ki] - from[kj] or from[kj] + size[kj] - from[ki]
+    local width, height = overlapOf(b, i, j)
+    if way > (axis == 0 and width or height) + EPSILON or min(width, height) <= EPSILON then
+      return 0, 0
+    elseif way > most then
+      last, most = j, way
+    end
+  end
+  return last, most
+end
+
+-- Tries the way out on one side of i, after which it is still inside others, and out of those
+-- across it: i is in a corner. Returns whether that was free.
+local function leaveCorner(b, i, j, exit, way)
+  local axis, sign = AXIS[exit], SIGN[exit]
+  local x, y = placeOn(b, i, axis, sign * way)
+  local count = listBlockers(b, i, x, y)
+  local low, lowWay = furthest(b, i, 1 - axis, -1, count)
+  local high, highWay = furthest(b, i, 1 - axis, 1, count)
+  local isLow = low ~= 0 and (high == 0 or lowWay <= highWay)
+  local other, side = isLow and low or high, isLow and -lowWay or highWay
+  if
+    other == 0 or part.isInside(b, i, axis == 0 and x or x + side, axis == 0 and y + side or y)
+  then
+    return false
+  end
+  local ki, kj, ko = 2 * i, 2 * j + axis, 2 * other + 1 - axis
+  local before, after = b.size[ki + axis], b.size[ki + 1 - axis]
+  shift(b, i, axis, way, sign < 0 and b.from[kj] - before or b.from[kj] + b.size[kj])
+  shift(b, i, 1 - axis, side, isLow and b.from[ko] - after or b.from[ko] + b.size[ko])
+  return true
+end
+
+-- Whether an object that sticks out by `gap` px on a side may leave there: if it is only flush, if
+-- that is the shortest way of all.
+local function isOpenOn(gap, way, shortest)
+  return gap > EPSILON or (gap >= -EPSILON and way == shortest)
+end
+
 -- Closes the ways out on which the first would pass right through the second: if it sticks out on
 -- some sides, only those are ways out; if it is wholly inside, all are.
 local function closePassages(b, i, j, ways)
   local from, size = b.from, b.size
   local ki, kj = 2 * i, 2 * j
-  local left = from[kj] - from[ki] > EPSILON
-  local right = from[ki] + size[ki] - from[kj] - size[kj] > EPSILON
-  local top = from[kj + 1] - from[ki + 1] > EPSILON
-  local bottom = from[ki + 1] + size[ki + 1] - from[kj + 1] - size[kj + 1] > EPSILON
-  if left or right or top or bottom then
-    ways[1] = top and ways[1] or huge
-    ways[2] = bottom and ways[2] or huge
-    ways[3] = right and ways[3] or huge
-    ways[4] = left and ways[4] or huge
+  local left, top = from[kj] - from[ki], from[kj + 1] - from[ki + 1]
+  local right = from[ki] + size[ki] - from[kj] - size[kj]
+  local bottom = from[ki + 1] + size[ki + 1] - from[kj + 1] - size[kj + 1]
+  if max(left, right, top, bottom) > EPSILON then
+    local shortest = min(ways[1], ways[2], ways[3], ways[4])
+    ways[1] = isOpenOn(top, ways[1], shortest) and ways[1] or huge
+    ways[2] = isOpenOn(bottom, ways[2], shortest) and ways[2] or huge
+    ways[3] = isOpenOn(right, ways[3], shortest) and ways[3] or huge
+    ways[4] = isOpenOn(left, ways[4], shortest) and ways[4] or huge
   end
+end
+
+-- Tries the ways of i out of j, the shortest first; returns whether one was free.
+local function tryWays(b, i, j, leaveBy)
+  local from, size, ways = b.from, b.size, b.partWork.ways
+  local ki, kj = 2 * i, 2 * j
+  ways[4], ways[3], ways[1], ways[2] = aabb.exits(
+    from[ki],
+    from[ki + 1],
+    size[ki],
+    size[ki + 1],
+    from[kj],
+    from[kj + 1],
+    size[kj],
+    size[kj + 1]
+  )
+  closePassages(b, i, j, ways)
+  for _ = 1, 4 do
+    local exit = 1
+    for other = 2, 4 do
+      if ways[other] < ways[exit] then
+        exit = other
+      end
+    end
+    if ways[exit] == huge then
+      return false
+    elseif leaveBy(b, i, j, exit, ways[exit]) then
+      return true
+    end
+    ways[exit] = huge
+  end
+  return false
 end
 
 local function separate(b, p)
@@ -209,46 +299,13 @@ local function separate(b, p)
   -- Who sleeps begins the step before it is judged, or what is noted here would be forgotten then.
   rest.wake(b, i)
   begin.run(b)
-  local from, size, ways = b.from, b.size, b.partWork.ways
-  local ki, kj = 2 * i, 2 * j
-  ways[4], ways[3], ways[1], ways[2] = aabb.exits(
-    from[ki],
-    from[ki + 1],
-    size[ki],
-    size[ki + 1],
-    from[kj],
-    from[kj + 1],
-    size[kj],
-    size[kj + 1]
-  )
   local axis = height < width and 1 or 0
-  if
-    not ask.permits(
-      b,
-      from[ki + axis] <= from[kj + axis] and i or j,
-      from[ki + axis] <= from[kj + axis] and j or i,
-      axis
-    )
-  then
+  local isLow = b.from[2 * i + axis] <= b.from[2 * j + axis]
+  if not ask.permits(b, isLow and i or j, isLow and j or i, axis) or tryWays(b, i, j, leave) then
     return
+  elseif b.kind[j] ~= DYNAMIC and not tryWays(b, i, j, leaveCorner) then
+    b.buried[i] = true
   end
-  closePassages(b, i, j, ways)
-  for _ = 1, 4 do
-    local exit = 1
-    for other = 2, 4 do
-      if ways[other] < ways[exit] then
-        exit = other
-      end
-    end
-    if ways[exit] == huge then
-      break
-    end
-    if leave(b, i, j, exit, ways[exit]) then
-      return
-    end
-    ways[exit] = huge
-  end
-  b.buried[i] = b.buried[i] or b.kind[j] ~= DYNAMIC
 end
 
 local function startRound(b)

@@ -100,6 +100,60 @@ describe("a body inside a big block", function()
   end)
 end)
 
+describe("a body that is inside two at once", function()
+  --   |      | |#|     1 px deep in the floor and in the wall: neither way leads out alone
+  --   |     +--+#|
+  --   +-----|--+--+
+  it("in a corner leaves one after the other", function()
+    scene.each(EVERYWHERE, function(run)
+      local named = run:build({
+        { "floors", { x = 0, y = 96, width = 320, height = 16, static = true } },
+        { "walls", { x = 160, y = 0, width = 16, height = 96, static = true } },
+        { "boxes", { name = "box", x = 147, y = 73, width = 14, height = 24 } },
+      })
+      run:step(1 / 60)
+      run:at(named.box, 146, 72)
+      run:play(0.5)
+      run:at(named.box, 146, 72)
+      run:still(named.box)
+    end)
+  end)
+
+  it("in a corner of which one side does not let it out stays", function()
+    scene.each(EVERYWHERE, function(run)
+      local named = run:build({
+        { "floors", { x = 0, y = 96, width = 320, height = 16, static = true } },
+        { "walls", { x = 160, y = 0, width = 16, height = 96, static = true } },
+        { "walls", { x = 130, y = 0, width = 16.5, height = 96, static = true } },
+        { "boxes", { name = "box", x = 147, y = 73, width = 14, height = 24 } },
+      })
+      run:play(0.5)
+      run:at(named.box, 147, 73)
+    end)
+  end)
+end)
+
+describe("a body across a bar", function()
+  --     +--+         It sticks out above and below; at its left end it is flush with the bar, and
+  --   +-|--|------+  goes that way, which is the shortest. Through the bar would be no way.
+  --   +-|--|------+
+  --     +--+
+  for _, row in ipairs({ { "flush with its end", 5, -2, 17 }, { "1 px inside", 6, 6, 30 } }) do
+    local name, x, endX, endY = row[1], row[2], row[3], row[4]
+    it(name .. (" leaves to (%g, %g)"):format(endX, endY), function()
+      scene.each({ push = { "both", "first" } }, function(run)
+        local named = run:build({
+          gravity = 0,
+          { "bars", { x = 5, y = 23, width = 28, height = 7, static = true } },
+          { "boxes", { name = "box", x = x, y = 17, width = 7, height = 28 } },
+        })
+        run:step(1 / 60)
+        run:at(named.box, endX, endY)
+      end)
+    end)
+  end
+end)
+
 describe("boxes on the very same spot", function()
   local function heap(count, fields)
     local description = { gravity = 0 }
