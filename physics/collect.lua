@@ -490,6 +490,10 @@ function collect.run(b, objects)
   compareFilters(b, count)
   compareMaterials(b, count)
   compareLimits(b, count)
+  -- Contacts that have ended by now were between objects that had other ranks.
+  if b.events.count > b.events.sorted then
+    events.arrange(b.events)
+  end
 end
 
 --- Gives those who are new their `touching`.

@@ -206,8 +206,8 @@ function events.forget(e)
   e.count, e.told, e.heardBy, e.sorted = 0, 0, 3, 0
 end
 
--- Puts those noted last in order, behind those that are in order already.
-local function arrange(e)
+--- Puts those noted last in order, behind those that are in order already.
+function events.arrange(e)
   local order, late, count = e.order, e.late, e.count - e.sorted
   if e.sorted == 0 then
     sort.by(order, count, e.rankA, e.rankB, e.kindAndNumber)
@@ -223,8 +223,9 @@ local function arrange(e)
   e.sorted = e.count
 end
 
---- Tells the game all that was noted, pairs in the order of the world. An error of a callback
---- passes through; what was not told then is told by the next call.
+--- Tells the game all that was noted: in batches (see `arrange`), in each of them pairs in the
+--- order of the world. An error of a callback passes through; what was not told then is told by the
+--- next call.
 function events.tell(b)
   local e = b.events
   if e.count == 0 then
@@ -233,7 +234,7 @@ function events.tell(b)
   tellAll(b, e, e.order[e.told]) -- the rest of one that a callback has interrupted
   while e.told < e.count do
     if e.told == e.sorted then
-      arrange(e) -- callbacks may have ended contacts
+      events.arrange(e)
     end
     local n = e.order[e.told + 1]
     local name = CALLBACKS[e.kind[n]]

@@ -143,7 +143,8 @@ local function findSupports(b)
   end
 end
 
--- Who is carried shows the velocity relative to that.
+-- Who is carried shows the velocity relative to that. Carried one way and pulled the other, how far
+-- it comes in a step depends on how long that is: no rest, even if it comes nowhere in this one.
 local function takeOffCarrier(b, i)
   local c, k = b.carrierNow[i], 2 * i
   local isNew = c ~= b.carrier[i]
@@ -154,6 +155,8 @@ local function takeOffCarrier(b, i)
     local x, y = carrier.velocity(b, c)
     b.speed[k] = carrier.ownVelocity(b, k, x, isNew)
     b.speed[k + 1] = carrier.ownVelocity(b, k + 1, y, isNew)
+    local pullX, pullY = b.pull[k] + b.push[k], b.pull[k + 1] + b.push[k + 1]
+    b.news[i] = b.news[i] or x * pullX < 0 or y * pullY < 0
   end
 end
 

@@ -130,6 +130,30 @@ describe("a contact", function()
     assert.same({ "b1w1", "b2w2", "b3w3" }, lines)
   end)
 
+  it("that ended because somebody left is told first, whatever else is new", function()
+    local world, told = physics.newWorld({ gravity = 800 }), {}
+    local function name(kind)
+      return function(a, b)
+        told[#told + 1] = kind .. " " .. a.name .. " " .. b.name
+      end
+    end
+    world:add("tiles", newWall(0, 100, 100, 16, { name = "floor" }))
+    local stands = world:add("crates", newBox(60, 84, { name = "crate" }))
+    play(world, 1)
+    world.onBegin, world.onEnd = name("begin"), name("end")
+    world:remove(stands)
+    -- All come before those of the crate in order now, also the walls that were not there before.
+    world:add("boxes", newBox(0, 83.9, { name = "box", vy = 100 }))
+    world:setBounds(-500, -500, 2000, 2000)
+    local state = world:save()
+    play(world, 1)
+    assert.are.same({ "end crate floor", "begin box floor" }, told)
+    world:restore(state)
+    play(world, 1)
+    assert.are.equal("end crate floor", told[3])
+    assert.are.equal("begin box floor", told[4])
+  end)
+
   it("of two that move has the speed of both", function()
     local a = world:add("boxes", newBox(0, 0, { vx = 100 }))
     local b = world:add("boxes", newBox(50, 0, { vx = -300 }))
