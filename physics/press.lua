@@ -108,7 +108,7 @@ local function place(b, lo, kl, kh, wl, wh, o, v)
   local to, size, speed = b.to, b.size, b.speed
   local shareL, shareH = wl / (wl + wh), wh / (wl + wh)
   local dl, dh = o * shareL, o * shareH
-  if dh == 0 then
+  if dh == 0 and wl > 0 then
     to[kl] = to[kh] - size[kl]
   elseif dl == 0 then
     to[kh] = to[kl] + size[kl]

@@ -79,13 +79,14 @@ local function weights(b, lo, hi, kl, kh)
   return wl, wh
 end
 
--- Moves the end of the paths of `lo` and the other by dl and dh; if they end flush, the coordinate
--- of one is assigned from that of the other.
-local function place(b, lo, kl, kh, dl, dh, flush)
-  local to, size = b.to, b.size
+-- Moves the end of the paths of `lo` and the other by their shares of `way`; if they end flush, the
+-- coordinate of one is assigned from that of the other: never that of one who does not give way, or
+-- a wall would be moved by rounding when there is no way at all.
+local function place(b, lo, kl, kh, way, shareL, shareH, flush)
+  local to, size, dl, dh = b.to, b.size, way * shareL, way * shareH
   if not flush then
     to[kl], to[kh] = to[kl] - dl, to[kh] + dh
-  elseif dh == 0 then
+  elseif dh == 0 and shareL > 0 then
     to[kl] = to[kh] - size[kl]
   elseif dl == 0 then
     to[kh] = to[kl] + size[kl]
@@ -236,13 +237,15 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
     restitution = 0
   end
   local gap, vEnd = 0, 0
-  if b.met[p] <= LEAVES then
+  -- Who is pushed from behind by one that cannot be pushed has nowhere to leave to by itself.
+  local isPinned = restitution == 0 and (b.backedLow[kl] or b.backedHigh[kh])
+  if b.met[p] <= LEAVES and not isPinned then
     gap, vEnd = impact.rebound(restitution, u, a, tau)
   end
   local flush = gap == 0 and vEnd == 0
   local shareL, shareH = shares(b, lo, hi, kl, kh, wl, wh, isDeep or b.met[p] > BOUNCES)
   local oldL, oldH = to[kl], to[kh]
-  place(b, lo, kl, kh, (o + gap) * shareL, (o + gap) * shareH, flush)
+  place(b, lo, kl, kh, o + gap, shareL, shareH, flush)
   local dv = v - vEnd
   -- Two that push each other to and fro for positions alone go on together.
   local isStuck = b.met[p] > LEAVES and wl > 0 and wh > 0

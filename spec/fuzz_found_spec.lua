@@ -772,6 +772,57 @@ local FOUND = {
       },
     },
   },
+  {
+    "a stack between the floor and one that cannot be pushed does not leave the floor by itself",
+    {
+      settings = { gravity = 40 },
+      acts = {
+        { "add", 6, "tiles", { height = 1, static = true, width = 1, x = 5, y = 20 } },
+        { "add", 7, "tiles", { height = 1, static = true, width = 1, x = 6, y = 20 } },
+        { "add", 8, "tiles", { height = 1, static = true, width = 1, x = 7, y = 20 } },
+        { "insert", 25, "boxes", { height = 1, width = 1, x = 6, y = 20 } },
+        { "add", 27, "players", { height = 1, width = 1, x = 6, y = 20 } },
+        { "add", 28, 2.5, { height = 1, width = 1, x = 5.5, y = 19 } },
+        { "add", 29, "boxes", { height = 1, width = 1, x = 6, y = 20 } },
+        { "insert", 40, 1, { height = 1, pushable = false, width = 1, x = 6, y = 13 } },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.03333333333333333 },
+        { "update", 0.3033236076341231 },
+        { "set", "gravity", -7.590544845527546 },
+        { "update", 0.08274516901256998 },
+      },
+    },
+  },
+  {
+    "what is not told after an error stands in order, whatever was noted first",
+    {
+      settings = {},
+      acts = {
+        { "add", 24, "players", { height = 20, width = 20, x = 214, y = 300 } },
+        { "insert", 25, "boxes", { height = 20, width = 20, x = 214, y = 290 } },
+        { "add", 26, "players", { height = 16, width = 20, x = 200, y = 270 } },
+        {
+          "insert",
+          34,
+          "lifts",
+          { height = 10, kinematic = true, vx = -40, width = 48, x = 168, y = 284 },
+        },
+        { "update", 0.03333333333333333 },
+        { "bounds", 2.4119453750661997, 25.566150301663345, 279.9243697746884, 279.9243697746884 },
+        {
+          "listen",
+          0,
+          "onEnd",
+          { { "write", 27, { static = false } }, { "drop", 7 }, { "fail" } },
+        },
+        { "update", 0.03333333333333333 },
+        { "update", 0.03333333333333333 },
+        { "bounds", 13.166967136009566, 17.21680230015591, 226.23122315316576, 226.23122315316576 },
+        { "update", 0.03333333333333333 },
+      },
+    },
+  },
 }
 
 describe("a random game has found that", function()
