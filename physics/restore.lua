@@ -539,6 +539,19 @@ local function restoreSettings(world, saved)
   world._bodies.masksSeen = false
 end
 
+-- Reads who is known, in the order in which they stood: another `order` that the game has set since
+-- the last step counts from the next one on.
+local function collectKnown(world, st)
+  local r, names = world._bodies.roster, {}
+  for n, group in ipairs(st.groups) do
+    names[n] = group.name
+  end
+  local order = r.order
+  r.order, r.reorder = names, true
+  collect.run(world._bodies, world.objects)
+  r.order, r.reorder = order, true
+end
+
 --- Makes a world what it was when `st` was saved.
 --- Errors: a state that cannot be used; nothing has changed then.
 function restore.world(world, st)
@@ -556,7 +569,7 @@ function restore.world(world, st)
   local unread = writeRead(st, objects)
   placeKnown(world, st, objects)
   readAgain(b, objects, st.known)
-  collect.run(b, world.objects)
+  collectKnown(world, st)
   remember(b, st, objects, named)
   if unread then
     writeFields(st, objects, masks, unread)

@@ -515,6 +515,22 @@ describe("world:restore", function()
     assert.is_nil(heard[1].width or heard[1].mask or heard[1].vx)
   end)
 
+  it("keeps the order in which all stand until the next step, if another one is set", function()
+    for _, orders in ipairs({ { false, { "boxes", 1 } }, { { "boxes", 1 }, false } }) do
+      local world = physics.newWorld({ order = orders[1] or nil })
+      world:add("boxes", { x = 0, y = 0, width = 10, height = 10 })
+      world:add(1, { x = 20, y = 0, width = 10, height = 10 })
+      world:update(1 / 64)
+      world.order = orders[2] or nil
+      local hash, twin = world:hash(), physics.newWorld()
+      twin:restore(world:save())
+      assert.are.equal(hash, twin:hash())
+      world:update(1 / 64)
+      twin:update(1 / 64)
+      assert.are.equal(world:hash(), twin:hash())
+    end
+  end)
+
   it("keeps the order of events if one was noted after others had been told", function()
     local world, boxes = leaveBehind()
     world.onEnd = function() end -- what nobody hears is not noted
