@@ -231,10 +231,12 @@ function events.tell(b)
   if e.count == 0 then
     return
   end
+  -- At once, since what is not told after an error is part of the state.
+  events.arrange(e)
   tellAll(b, e, e.order[e.told]) -- the rest of one that a callback has interrupted
   while e.told < e.count do
     if e.told == e.sorted then
-      events.arrange(e)
+      events.arrange(e) -- callbacks may have ended contacts
     end
     local n = e.order[e.told + 1]
     local name = CALLBACKS[e.kind[n]]

@@ -363,7 +363,7 @@ fields.settings = {
     min = 1e-5,
     max = 0.25,
     runtime = true,
-    meaning = "The longest single step; a longer dt is split.",
+    meaning = "The longest single step; a longer dt is split, but a `timestep` is one step.",
   },
   {
     name = "order",

@@ -120,7 +120,8 @@
 --- s, 1e-05..0.25, default none: a step is as long as dt. A fixed step: `update` saves up dt and
 --- makes as many of them as fit.
 ---@field timestep? number
---- s, 1e-05..0.25, default 1 / 30. The longest single step; a longer dt is split.
+--- s, 1e-05..0.25, default 1 / 30. The longest single step; a longer dt is split, but a `timestep`
+--- is one step.
 ---@field maxStep? number
 --- default numbers ascending, then strings. Group names from first to last; those that are not
 --- listed follow in usual order.
@@ -167,7 +168,8 @@
 --- s, 1e-05..0.25, default none: a step is as long as dt. A fixed step: `update` saves up dt and
 --- makes as many of them as fit.
 ---@field timestep? number
---- s, 1e-05..0.25, default 1 / 30. The longest single step; a longer dt is split.
+--- s, 1e-05..0.25, default 1 / 30. The longest single step; a longer dt is split, but a `timestep`
+--- is one step.
 ---@field maxStep number
 --- default numbers ascending, then strings. Group names from first to last; those that are not
 --- listed follow in usual order.

@@ -131,7 +131,8 @@ describe("a contact", function()
   end)
 
   it("that ended because somebody left is told first, whatever else is new", function()
-    local world, told = physics.newWorld({ gravity = 800 }), {}
+    local told = {}
+    world = physics.newWorld({ gravity = 800 })
     local function name(kind)
       return function(a, b)
         told[#told + 1] = kind .. " " .. a.name .. " " .. b.name
