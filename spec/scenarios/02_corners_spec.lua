@@ -78,6 +78,25 @@ describe("corners", function()
     end)
   end)
 
+  --         |  |
+  --   +--+  +--+
+  --   |  |  |  |       the face of one tile and the corner of the next, half a step away
+  --   +--+  |  |
+  --      \  +--+
+  --       v |  |
+  it("of a wall are met after its face", function()
+    scene.each({ turn = variants.TURNS }, function(run)
+      local description = scene.tiles({ gravity = 0 }, 10, 21, -59, 16, 16, 0, 16)
+      local body = { name = "body", x = 0, y = 0, width = 16, height = 16, vx = 600, vy = 600 }
+      description[11] = { "boxes", body }
+      body = run:build(description).body
+      run:step(1 / 60)
+      run:at(body, 5, 10)
+      run:same("vx", body.vx, 0)
+      run:near("vy", body.vy, 600)
+    end)
+  end)
+
   --   v ->
   --   +--+
   --   |  |
