@@ -70,6 +70,17 @@ describe("settings", function()
     end
   end)
 
+  it("push first: of two that are equally fast the first in order gives way", function()
+    for _, row in ipairs({ { { "a", "b" }, 0, 10 }, { { "b", "a" }, 10, 20 } }) do
+      local world = physics.newWorld({ gravity = 0, push = "first", order = row[1] })
+      local a = world:add("a", { x = 0, y = 0, width = 10, height = 10, vx = 600 })
+      local b = world:add("b", { x = 20, y = 0, width = 10, height = 10, vx = -600 })
+      world:update(DT)
+      assert.near(row[2], a.x, 1e-9)
+      assert.near(row[3], b.x, 1e-9)
+    end
+  end)
+
   it("broadphase and cellSize may change in mid-air", function()
     local worlds = {}
     for n = 1, 2 do
