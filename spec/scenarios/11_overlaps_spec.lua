@@ -154,6 +154,55 @@ describe("a body across a bar", function()
   end
 end)
 
+--   +-----+
+--   |  +--|--+
+--   |  |  |  |   as far to leave upwards as to the left
+--   +-----+  |
+--      +-----+
+describe("a body with two ways out that are equally short", function()
+  -- exact only where it stands, and not the same when turned
+  local HERE = { shift = { 0 } }
+
+  -- The block is at 0, 0 and 10 by 10.
+  for _, row in ipairs({
+    -- the sides that are equally deep; x, y, width, height; x and y afterwards
+    { "right and bottom", -8, -8, 10, 10, -8, -10 },
+    { "right and top", -8, 8, 10, 10, -8, 10 },
+    { "left and bottom", 8, -8, 10, 10, 8, -10 },
+    { "left and top", 8, 8, 10, 10, 8, 10 },
+    { "top and bottom", 4, -20, 2, 50, 4, -50 },
+    { "left and right", -20, 4, 50, 2, 10, 4 },
+    { "all", 4, 4, 2, 2, 4, -2 },
+    { "all, on the very same spot", 0, 0, 10, 10, 0, -10 },
+  }) do
+    it("takes bottom before top before left before right: " .. row[1], function()
+      scene.each(HERE, function(run)
+        local box = { name = "box", x = row[2], y = row[3], width = row[4], height = row[5] }
+        local named = run:build({
+          gravity = 0,
+          { "tiles", { x = 0, y = 0, width = 10, height = 10, static = true } },
+          { "boxes", box },
+        })
+        run:step(1 / 60)
+        run:at(named.box, row[6], row[7])
+      end)
+    end)
+  end
+
+  it("takes them as the first of two sees them", function()
+    scene.each({ shift = { 0 }, order = { "forward" }, push = { "both" } }, function(run)
+      local named = run:build({
+        gravity = 0,
+        { "boxes", { name = "one", x = 8, y = 8, width = 10, height = 10 } },
+        { "boxes", { name = "other", x = 0, y = 0, width = 10, height = 10 } },
+      })
+      run:step(1 / 60)
+      run:at(named.one, 8, 9)
+      run:at(named.other, 0, -1)
+    end)
+  end)
+end)
+
 describe("boxes on the very same spot", function()
   local function heap(count, fields)
     local description = { gravity = 0 }
