@@ -243,6 +243,24 @@ describe("boxes on the very same spot", function()
     end)
   end)
 
+  --   +------+--+----+
+  --   |  1   |  | 3  |   8 px inside each other
+  --   +------+--+----+
+  it("(11) part by mass when both give way", function()
+    for _, row in ipairs({ { 1, 3, 6 }, { 3, 1, 2 }, { 1, 7, 7 } }) do
+      scene.each({ push = { "both" }, turn = variants.TURNS }, function(run)
+        local one = { name = "one", x = 0, y = 0, width = 20, height = 20, mass = row[1] }
+        local other = { name = "other", x = 12, y = 0, width = 20, height = 20, mass = row[2] }
+        local named = run:build({ gravity = 0, { "boxes", one }, { "boxes", other } })
+        run:step(1 / 60)
+        run:at(named.one, -row[3], 0)
+        run:at(named.other, 20 - row[3], 0)
+        run:still(named.one)
+        run:still(named.other)
+      end)
+    end
+  end)
+
   --   |   +--+---+--+    the two are 8 px inside each other, the wall is `gap` px away
   --   |   |  |   |  |
   --   |   +--+---+--+
