@@ -155,6 +155,26 @@ describe("a contact", function()
     assert.are.equal("begin box floor", told[4])
   end)
 
+  --   +--+  +--+b3
+  --   |a1|  +--+
+  --   |  |   +--+b2
+  --   +--+   +--+
+  --   +--+   +--+
+  --   |a2|   |b1|
+  it("is told in the order of the first, then of the second", function()
+    local lines = {}
+    function world.onBegin(a, b)
+      lines[#lines + 1] = a.name .. b.name
+    end
+    world:add("a", { name = "a1", x = 0, y = 0, width = 16, height = 40, vx = 600 })
+    world:add("a", { name = "a2", x = 0, y = 60, width = 16, height = 16, vx = 600 })
+    world:add("b", newWall(20, 60, 16, 16, { name = "b1" }))
+    world:add("b", newWall(20, 24, 16, 16, { name = "b2" }))
+    world:add("b", newWall(20, 0, 16, 16, { name = "b3" }))
+    world:update(DT)
+    assert.same({ "a1b2", "a1b3", "a2b1" }, lines)
+  end)
+
   it("of two that move has the speed of both", function()
     local a = world:add("boxes", newBox(0, 0, { vx = 100 }))
     local b = world:add("boxes", newBox(50, 0, { vx = -300 }))
