@@ -159,6 +159,66 @@ describe("a bounce", function()
     end)
   end
 
+  -- Pulled towards each other by 800 px/s², the two meet in the middle of the step: that adds
+  -- 1600 dt px/s in two steps.
+  for _, row in ipairs({ { 0.999, "does not happen below" }, { 1.001, "happens above" } }) do
+    local share, what = row[1], row[2]
+    local levels = { rate = { 30, 60, 144 }, turn = variants.TURNS }
+
+    --- A speed and a gap that make the two meet at `share` of the limit.
+    local function approach(dt)
+      local speed = share * 1600 * dt - 400 * dt
+      return speed, speed * dt / 2 + 100 * dt * dt
+    end
+
+    local function check(run, closing, dt)
+      if share < 1 then
+        run:same("speed of the one towards the other", closing, 0)
+      else
+        run:near("speed of the one towards the other", closing, 400 * dt - share * 1600 * dt)
+      end
+    end
+
+    it(what .. " the speed that gravity adds in two steps", function()
+      scene.each(levels, function(run)
+        local dt = 1 / run.rate
+        local speed, gap = approach(dt)
+        local description = overFloor(100 - gap, 1)
+        description[2][2].vy = speed
+        local box = run:build(description).box
+        run:step(dt)
+        check(run, box.vy, dt)
+      end)
+    end)
+
+    --   +--+ 500   300 +--+
+    --   +--+ ->     <- +--+
+    it(what .. " the speed that both accelerations add in two steps", function()
+      scene.each(levels, function(run)
+        local dt = 1 / run.rate
+        local speed, gap = approach(dt)
+        local one = { name = "one", x = 0, y = 0, width = 16, height = 16, vx = speed, ax = 500 }
+        local other = { name = "other", x = 16 + gap, y = 0, width = 16, height = 16, ax = -300 }
+        one.restitution = 1
+        local named = run:build({ gravity = 0, { "boxes", one }, { "boxes", other } })
+        run:step(dt)
+        check(run, named.one.vx - named.other.vx, dt)
+      end)
+    end)
+  end
+
+  it("of two that fall together happens however slowly they meet", function()
+    scene.each(TURNED, function(run)
+      local one = { name = "one", x = 0, y = 0, width = 16, height = 16, vy = 0.01 }
+      local other = { name = "other", x = 0, y = 16.0001, width = 16, height = 16 }
+      one.restitution = 1
+      local named = run:build({ gravity = 800, { "boxes", one }, { "boxes", other } })
+      run:step(1 / 60)
+      run:near("vy of the upper", named.one.vy - 800 / 60, 0)
+      run:near("vy of the lower", named.other.vy - 800 / 60, 0.01)
+    end)
+  end)
+
   it("is as bouncy as the bouncier of the two", function()
     scene.each(TURNED, function(run)
       local description = overFloor(0, 0.25)
