@@ -108,6 +108,22 @@ describe("slowing down", function()
     end)
   end)
 
+  --   +--+
+  --   +--+   \     300 px/s to the right, 400 down: 5 s, 1250 px
+  --           v
+  it("by drag 100 on both axes keeps the direction until it stops", function()
+    scene.each(EVERYWHERE, function(run)
+      local body = run:build({ gravity = 0, box(0, 0, { vx = 300, vy = 400, drag = 100 }) }).box
+      for time in run:steps(6) do
+        local left = math.max(0, 5 - time)
+        run:near("vx", body.vx, 60 * left)
+        run:near("vy", body.vy, 80 * left)
+        run:at(body, 750 - 30 * left * left, 1000 - 40 * left * left)
+      end
+      run:still(body)
+    end)
+  end)
+
   it("by maxSpeed is the same on a floor at every rate", function()
     scene.each(EVERYWHERE, function(run)
       local fields = { ax = 400, maxSpeed = 100, drag = 0 }
