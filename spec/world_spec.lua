@@ -654,6 +654,30 @@ describe("at run time", function()
     a:update(60)
     assert.near(125, fast.x, 1e-9)
   end)
+
+  for _, row in ipairs({
+    -- maxStep, dt; where a box is after each step at 1000 px/s
+    { 0.1, 0.15, { 75, 150 } },
+    { 0.1, 0.25, { 250 / 3, 500 / 3, 250 } },
+    { 1 / 30, 0.1, { 100 / 3, 200 / 3, 100 } },
+    { 1 / 30, 0.04, { 20, 40 } },
+    { 1 / 30, 1 / 30, { 100 / 3 } },
+  }) do
+    it(("a dt of %.3g is split into equal steps of at most %.3g"):format(row[2], row[1]), function()
+      local split, places = physics.newWorld({ gravity = 0, maxStep = row[1] }), {}
+      local fast = split:add("boxes", newBox(0, 0, { vx = 1000 }))
+      split:add("zones", { x = -50, y = 0, width = 500, height = 8, static = true, sensor = true })
+      split.onBegin = function()
+        places[#places + 1] = fast.x
+      end
+      split.onStay = split.onBegin
+      split:update(row[2])
+      assert.equal(#row[3], #places)
+      for n, x in ipairs(row[3]) do
+        assert.near(x, places[n], 1e-9)
+      end
+    end)
+  end
 end)
 
 describe("two worlds", function()
