@@ -680,6 +680,44 @@ describe("at run time", function()
   end
 end)
 
+describe("stats", function()
+  --   +--+
+  --   +--+
+  --          fall 1.5, 3 and 4.5 px: for 3.7, 5.2 and 6.4 steps
+  --   +--+
+  --   +--+
+  --   +--+       +----+ ->
+  --  ------
+  it("count a pile that falls, lands and comes to rest", function()
+    for _, broadphase in ipairs({ "grid", "pairs" }) do
+      local world, seen = physics.newWorld({ gravity = 800, broadphase = broadphase }), {}
+      world:add("tiles", newFloor())
+      for i = 1, 3 do
+        world:add("boxes", newBox(0, 100 - 17.5 * i))
+      end
+      local lift = { x = 300, y = 0, width = 32, height = 8, kinematic = true, vx = 10 }
+      world:add("lifts", lift)
+      for step = 0, 20 do
+        local stats = world.stats
+        seen[step] = { stats.objects, stats.movers, stats.resting, stats.contacts, stats.events }
+        assert.is_true(stats.pairs >= stats.contacts)
+        world:update(DT)
+      end
+      for _, row in ipairs({
+        -- step; objects, movers, resting, contacts, events
+        { 0, { 0, 0, 0, 0, 0 } },
+        { 3, { 5, 4, 0, 0, 0 } },
+        { 4, { 5, 4, 0, 1, 1 } },
+        { 6, { 5, 4, 0, 2, 2 } },
+        { 7, { 5, 4, 0, 3, 3 } },
+        { 20, { 5, 4, 3, 3, 0 } },
+      }) do
+        assert.same(row[2], seen[row[1]], broadphase .. ", step " .. row[1])
+      end
+    end
+  end)
+end)
+
 describe("two worlds", function()
   it("know nothing of each other", function()
     local one, other = physics.newWorld({ gravity = 800 }), physics.newWorld({ gravity = 0 })
