@@ -64,6 +64,128 @@ local function level()
     end
 end
 
+local function withFloor()
+  local world = physics.newWorld({ gravity = 800 })
+  world:add("tiles", { x = 0, y = 300, width = 500, height = 20, static = true, friction = 0 })
+  return world
+end
+
+local function newBox(x, y, changes)
+  local box = { x = x, y = y, width = 16, height = 16 }
+  for name, value in pairs(changes or {}) do
+    box[name] = value
+  end
+  return box
+end
+
+-- Somebody who walks to and fro between two walls.
+local function sensors()
+  local world = withFloor()
+  world:add("walls", { x = 84, y = 200, width = 16, height = 100, static = true })
+  world:add("walls", { x = 200, y = 200, width = 16, height = 100, static = true })
+  local walker = world:add("players", newBox(100, 284))
+  for i = 0, 3 do
+    local zone = { x = 117 + 12 * i, y = 200, width = 5 + 5 * i, height = 100 }
+    zone.static, zone.sensor, zone.onBegin, zone.onEnd = true, true, nothing, nothing
+    world:add("zones", zone)
+  end
+  return world, function(step)
+    walker.vx = step % 40 < 20 and 500 or -500
+  end
+end
+
+-- Two that ask whom they touch, and a world that asks, too; nobody collides with the third.
+local function questions()
+  local world = withFloor()
+  local function answer(one, other)
+    return one.width ~= 17 and other.width ~= 17
+  end
+  local walker = world:add("players", newBox(100, 284, { canCollide = answer }))
+  world:add("boxes", newBox(100, 268, { canCollide = answer }))
+  world:add("boxes", newBox(130, 284, { width = 17, gravity = 0 }))
+  world.canCollide = answer
+  return world, function(step)
+    walker.vx = step % 40 < 20 and 120 or -120
+  end
+end
+
+-- Jumps again and again past the edge of a ledge, and walks back to the step below it.
+local function corners()
+  local world = withFloor()
+  world:add("tiles", { x = 116, y = 280, width = 16, height = 20, static = true })
+  world:add("ledges", { x = 112, y = 240, width = 50, height = 8, static = true })
+  local jumper = world:add("players", newBox(100, 284, { nudge = 6 }))
+  return world,
+    function(step)
+      jumper.vx = step % 50 > 40 and 300 or 0
+      if step % 50 == 0 then
+        jumper.vy = -250
+      end
+    end
+end
+
+-- Two boxes between jaws that close and open.
+local function jaws()
+  local world = withFloor()
+  local left = { x = 60, y = 236, width = 16, height = 64, kinematic = true }
+  local right = { x = 124, y = 236, width = 16, height = 64, kinematic = true }
+  world:add("jaws", left)
+  world:add("jaws", right)
+  world:add("boxes", newBox(80, 284, { onCrush = nothing }))
+  world:add("boxes", newBox(100, 284, { onCrush = nothing }))
+  return world,
+    function(step)
+      left.vx = step % 100 < 50 and 20 or -20
+      right.vx = -left.vx
+    end
+end
+
+-- Jumps through a ledge from below, stands on it, and falls through it.
+local function ledge()
+  local world = withFloor()
+  world:add("ledges", { x = 0, y = 250, width = 200, height = 8, static = true, oneWay = "top" })
+  local jumper = world:add("players", newBox(100, 284))
+  return world,
+    function(step)
+      if step % 100 == 0 then
+        jumper.vy = -500
+      elseif step % 100 == 70 then
+        world:dropThrough(jumper)
+      end
+    end
+end
+
+-- One slides on another that slides, a third hops over a table, a fourth slides along a wall.
+local function slides()
+  local world = withFloor()
+  world:add("walls", { x = 400, y = 0, width = 16, height = 300, static = true })
+  local lower = world:add("boxes", newBox(100, 284, { width = 100, friction = 0.5 }))
+  local upper = world:add("boxes", newBox(140, 268, { friction = 0.5 }))
+  world:add("tables", { x = 200, y = 200, width = 100, height = 10, static = true })
+  local slider = world:add("boxes", newBox(240, 184, { friction = 0.5 }))
+  local climber = world:add("boxes", newBox(384, 100, { ax = 400, gravity = 0, friction = 0.5 }))
+  return world,
+    function(step)
+      local speed = step % 20 < 10 and 100 or -100
+      lower.vx, upper.vx, climber.vy = speed, -speed, speed
+      if step % 20 == 0 then
+        slider.vx, slider.vy = step % 40 < 20 and 50 or -50, -50
+      end
+    end
+end
+
+-- The game puts one into the floor, and one into another box.
+local function overlaps()
+  local world = withFloor()
+  local deep = world:add("boxes", newBox(100, 284))
+  local one = world:add("boxes", newBox(200, 284))
+  local other = world:add("boxes", newBox(300, 284, { mass = 3 }))
+  return world, function()
+    deep.y = 290
+    one.x, other.x = 200, 210
+  end
+end
+
 describe("an update of", function()
   for _, row in ipairs({
     {
@@ -80,6 +202,13 @@ describe("an update of", function()
     },
     { "bouncing balls", gas },
     { "a level with a walker, a lift and callbacks", level },
+    { "a walker through sensors", sensors },
+    { "boxes that ask whether they collide", questions },
+    { "a jumper whose corners are corrected", corners },
+    { "boxes that are crushed again and again", jaws },
+    { "a jumper through a one-way ledge", ledge },
+    { "boxes that rub each other and a wall", slides },
+    { "boxes that are put inside others", overlaps },
   }) do
     it(row[1] .. " allocates nothing", function()
       local world, play = row[2]()
