@@ -100,26 +100,28 @@ describe("stacks", function()
     end)
   end)
 
-  it("(3) of ten boxes begin ten contacts and end none", function()
-    scene.each({ turn = variants.TURNS, shift = { 0, 1 / 3 } }, function(run)
-      local named = run:build(tower(10, 16))
-      local world = run:listenToWorld()
-      local logs = {}
-      for i = 1, 10 do
-        logs[i] = run:listen(named["box" .. i])
-      end
-      run:play(10)
-      run:same("begins", world.begins, 10)
-      run:same("ends", world.ends, 0)
-      for i = 1, 10 do
-        run:same("begins at the bottom", logs[i].sides.bottom, 1)
-        run:same("begins at the top", logs[i].sides.top, i < 10 and 1 or 0)
-        run:same("begins", logs[i].begins, i < 10 and 2 or 1)
-        run:same("ends", logs[i].ends, 0)
-      end
-      checkFlush(run, named, 1, 10)
+  for _, count in ipairs({ 10, 20 }) do
+    it(("(3) of %d boxes begin %d contacts and end none"):format(count, count), function()
+      scene.each({ turn = variants.TURNS, shift = { 0, 1 / 3 } }, function(run)
+        local named = run:build(tower(count, 16))
+        local world = run:listenToWorld()
+        local logs = {}
+        for i = 1, count do
+          logs[i] = run:listen(named["box" .. i])
+        end
+        run:play(10)
+        run:same("begins", world.begins, count)
+        run:same("ends", world.ends, 0)
+        for i = 1, count do
+          run:same("begins at the bottom", logs[i].sides.bottom, 1)
+          run:same("begins at the top", logs[i].sides.top, i < count and 1 or 0)
+          run:same("begins", logs[i].begins, i < count and 2 or 1)
+          run:same("ends", logs[i].ends, 0)
+        end
+        checkFlush(run, named, 1, count)
+      end)
     end)
-  end)
+  end
 
   it("(3) of twenty boxes stand still for 10 s", function()
     scene.each(TURNED, function(run)
@@ -146,22 +148,24 @@ describe("stacks", function()
     end)
   end)
 
-  it("(3) dropped with gaps of 8 px settle within 3 s, exactly flush", function()
-    scene.each(EVERYWHERE, function(run)
-      local named = run:build(tower(10, 24))
-      local deepest = overlap.checker(run.all)
-      for _ in run:steps(3) do
-        local depth = deepest()
-        run:check(depth <= 1e-6, "boxes overlap by %.3g", depth)
-      end
-      for _ in run:steps(1) do
-        for i = 1, 10 do
-          run:at(named["box" .. i], 100, 200 - 16 * i)
+  for _, count in ipairs({ 10, 20 }) do
+    it(("(3) of %d dropped with gaps of 8 px settle within 3 s, flush"):format(count), function()
+      scene.each(EVERYWHERE, function(run)
+        local named = run:build(tower(count, 24))
+        local deepest = overlap.checker(run.all)
+        for _ in run:steps(3) do
+          local depth = deepest()
+          run:check(depth <= 1e-6, "boxes overlap by %.3g", depth)
         end
-        checkFlush(run, named, 1, 10)
-      end
+        for _ in run:steps(1) do
+          for i = 1, count do
+            run:at(named["box" .. i], 100, 200 - 16 * i)
+          end
+          checkFlush(run, named, 1, count)
+        end
+      end)
     end)
-  end)
+  end
 
   it("of boxes of very different mass, dropped, settle exactly flush", function()
     local masses = { 0.001, 1000, 1, 1e6, 0.5, 0.001, 3, 1e4, 0.01, 1e6 }
@@ -177,27 +181,29 @@ describe("stacks", function()
     end)
   end)
 
-  it("(3) whose lowest box is removed land one box lower", function()
-    scene.each(EVERYWHERE, function(run)
-      local named = run:build(tower(10, 16))
-      run:play(0.5)
-      local world = run:listenToWorld()
-      local second = run:listen(named.box2)
-      local floor = run:listen(named.floor)
-      run.world:remove(named.box1.raw)
-      run:play(2)
-      for i = 2, 10 do
-        run:at(named["box" .. i], 100, 200 - 16 * (i - 1))
-      end
-      for i = 2, 10 do
-        run:flush(named["box" .. i], i == 2 and named.floor or named["box" .. i - 1], "bottom")
-        run:still(named["box" .. i])
-      end
-      -- box 1 leaves the floor and box 2; box 2 meets the floor; the others stay on each other
-      run:same("ends", world.ends, 2)
-      run:same("begins", world.begins, 1)
-      run:same("ends of the second box", second.ends, 1)
-      run:same("begins of the floor", floor.begins, 1)
+  for _, count in ipairs({ 10, 20 }) do
+    it(("(3) of %d whose lowest is removed land one box lower"):format(count), function()
+      scene.each(EVERYWHERE, function(run)
+        local named = run:build(tower(count, 16))
+        run:play(0.5)
+        local world = run:listenToWorld()
+        local second = run:listen(named.box2)
+        local floor = run:listen(named.floor)
+        run.world:remove(named.box1.raw)
+        run:play(2)
+        for i = 2, count do
+          run:at(named["box" .. i], 100, 200 - 16 * (i - 1))
+        end
+        for i = 2, count do
+          run:flush(named["box" .. i], i == 2 and named.floor or named["box" .. i - 1], "bottom")
+          run:still(named["box" .. i])
+        end
+        -- box 1 leaves the floor and box 2; box 2 meets the floor; the others stay on each other
+        run:same("ends", world.ends, 2)
+        run:same("begins", world.begins, 1)
+        run:same("ends of the second box", second.ends, 1)
+        run:same("begins of the floor", floor.begins, 1)
+      end)
     end)
-  end)
+  end
 end)
