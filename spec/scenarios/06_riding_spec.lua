@@ -130,19 +130,21 @@ describe("riding", function()
   end)
 
   describe("a platform that changes its velocity", function()
-    --- The platform's velocity at the middle of each step that ends at `time`.
+    -- how; the platform's velocity at t s, taken in the middle of each step; for how many seconds
     local ways = {
       {
         "sways",
         function(t)
           return 50 * pi * cos(pi * t), 0
         end,
+        seconds = 2,
       },
       {
         "goes up and down",
         function(t)
           return 0, 50 * pi * cos(pi * t)
         end,
+        seconds = 2,
       },
       {
         "goes in a circle",
@@ -183,7 +185,7 @@ describe("riding", function()
           local function write(time, dt)
             lift.vx, lift.vy = row[2](time - dt / 2)
           end
-          for _ in driven(run, 1, write) do
+          for _ in driven(run, row.seconds or 1, write) do
             rides(run, named.rider, lift, 20)
           end
           neverFlickered(run, log)
@@ -212,30 +214,35 @@ describe("riding", function()
 
   --- The same when the game writes x and y.
   describe("a platform that the game places", function()
+    -- how; where it is after t s; for 2 s: where it and its rider are then
     local ways = {
       {
         "evenly sideways",
         function(t)
           return 60 * t, 0
         end,
+        { 220, 400, 240, 376 },
       },
       {
         "evenly upwards",
         function(t)
           return 0, -60 * t
         end,
+        { 100, 280, 120, 256 },
       },
       {
         "evenly downwards",
         function(t)
           return 0, 60 * t
         end,
+        { 100, 520, 120, 496 },
       },
       {
         "down at 200 px/s",
         function(t)
           return 0, 200 * t
         end,
+        { 100, 800, 120, 776 },
       },
       {
         "at 5000 px/s",
@@ -248,12 +255,14 @@ describe("riding", function()
         function(t)
           return 50 * sin(pi * t), 0
         end,
+        { 100, 400, 120, 376 },
       },
       {
         "on a sine up and down",
         function(t)
           return 0, 50 * sin(pi * t)
         end,
+        { 100, 400, 120, 376 },
       },
       {
         "down faster than gravity",
@@ -277,12 +286,16 @@ describe("riding", function()
             local x, y = row[2](time)
             lift.x, lift.y = 100 + x, 400 + y
           end
-          for time in driven(run, 1, write) do
+          for time in driven(run, row[3] and 2 or 1, write) do
             local x, y = row[2](time)
             run:at(lift, 100 + x, 400 + y)
             rides(run, named.rider, lift, 20)
           end
           neverFlickered(run, log)
+          if row[3] then
+            run:at(lift, row[3][1], row[3][2])
+            run:at(named.rider, row[3][3], row[3][4])
+          end
         end)
       end)
     end
