@@ -84,6 +84,15 @@ local function checkInside(run, width)
   end
 end
 
+--- Who does not fall stands on something.
+local function checkSupported(run)
+  for _, object in ipairs(run.all) do
+    if not object.static and object.vy == 0 then
+      run:check(object.touching.bottom, "hangs in the air at (%.6g, %.6g)", object.x, object.y)
+    end
+  end
+end
+
 --- How high the pile is: the mean distance of its boxes from the floor.
 local function meanHeight(run)
   local sum, count = 0, 0
@@ -96,22 +105,31 @@ local function meanHeight(run)
 end
 
 describe("a pile", function()
+  -- An interpreter plays a fifth of the 1000, in a container a fifth as wide.
+  local COUNT, WIDTH = effort.share(1000), effort.isWhole and 800 or 160
+  -- px, measured: with friction, and 20 s after the drop without any
+  local HEIGHT, SLID_HEIGHT = effort.isWhole and 249 or 261, effort.isWhole and 184 or 198
+
   it("(13) of 1000 boxes with friction is still within 20 s", function()
     scene.each(GRID, function(run)
-      run:build(pile(effort.share(1000), effort.isWhole and 800 or 160, 0.3))
+      run:build(pile(COUNT, WIDTH, 0.3))
       playPile(run, 20)
       local movers, fastest = countMovers(run)
       run:check(movers == 0, "%d boxes move, up to %.3g px/s", movers, fastest)
-      checkInside(run, effort.isWhole and 800 or 160)
+      checkInside(run, WIDTH)
+      run:near("mean height", meanHeight(run), HEIGHT, 5)
     end)
   end)
 
-  it("(13) of 1000 boxes without friction is as high and does not overlap", function()
+  -- Who slides goes on sliding until it drops into a gap: the pile is lower than one with friction,
+  -- and sinks for a long time.
+  it("(13) of 1000 boxes without friction slides together and does not overlap", function()
     scene.each(GRID, function(run)
-      run:build(pile(effort.share(1000), effort.isWhole and 800 or 160, nil))
+      run:build(pile(COUNT, WIDTH, nil))
       playPile(run, 20)
-      checkInside(run, effort.isWhole and 800 or 160)
-      run:near("mean height", meanHeight(run), 170, 30)
+      checkInside(run, WIDTH)
+      checkSupported(run)
+      run:near("mean height", meanHeight(run), SLID_HEIGHT, 5)
     end)
   end)
 
