@@ -308,10 +308,19 @@ local function forgetMotion(b, i)
   end
 end
 
--- Checks and reads an object again after some of its fields changed.
+-- Checks an object again. Errors: a field that cannot be used. Only then its place is written out:
+-- games write to objects all the time, and the text would be garbage.
+local function checkAgain(b, i)
+  local object = b.object[i]
+  if check.badField(object) then
+    check.object(object, roster.place(b.group[i], b.key[i]))
+  end
+end
+
+-- Checks and reads an object anew after some of its fields changed.
 local function reread(b, i)
   local object = b.object[i]
-  check.object(object, roster.place(b.group[i], b.key[i]))
+  checkAgain(b, i)
   local kind = b.kind[i] == STATIC and STATIC or (object.kinematic and KINEMATIC or DYNAMIC)
   local isNew = kind ~= b.kind[i]
   if isNew or object.active == false or (b.carry[i] and object.carry == false) then
@@ -361,7 +370,7 @@ local function compareMotion(b)
     end
     if vx ~= velocity[k] or vy ~= velocity[k + 1] then
       if not (isFinite(vx) and isFinite(vy)) then
-        check.object(object, roster.place(b.group[i], b.key[i]))
+        checkAgain(b, i)
       end
       velocity[k], velocity[k + 1] = vx + 0.0, vy + 0.0
       rest.wake(b, i)
@@ -372,7 +381,7 @@ end
 -- Who wants to hear of its contacts is awake; otherwise nothing has happened to it.
 local function hear(b, i)
   local object = b.object[i]
-  check.object(object, roster.place(b.group[i], b.key[i]))
+  checkAgain(b, i)
   b.hears[i], b.bare[i] = object.onStay or false, false
   rest.wake(b, i)
 end
@@ -522,7 +531,7 @@ end
 --- Reads an object again, also its `static` field. It must be in the world.
 function collect.refresh(b, i)
   local object = b.object[i]
-  check.object(object, roster.place(b.group[i], b.key[i]))
+  checkAgain(b, i)
   rest.wakeNeighbours(b, i)
   if not goesOnCarrying(b, i) then
     carrier.forget(b, i)

@@ -848,7 +848,7 @@ end
 ---@class physics.Stats
 ---@field objects integer objects in the world
 ---@field movers integer of these, not static
----@field resting integer movers that were not computed
+---@field resting integer movers that rest when the step is over
 ---@field pairs integer neighbours that may meet
 ---@field contacts integer contacts at the end of the step
 ---@field events integer contacts resolved in the step
