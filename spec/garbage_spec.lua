@@ -226,8 +226,8 @@ describe("an update of", function()
     end
     local function play()
       count = count + 1
-      lifts[count].x = lifts[count].x + 1
-      boxes[count].width, boxes[count].pushable = 15, false
+      local lift, box = lifts[count], boxes[count]
+      lift.x, box.width, box.pushable = lift.x + 1, 15, false
       world:update(1 / 60)
     end
     assert.equal(0, garbage.bytes(play, 40, 20))

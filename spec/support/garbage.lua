@@ -18,7 +18,7 @@ function garbage.bytes(play, warmUp, count)
   end
   collectgarbage()
   collectgarbage("stop")
-  -- The collector gives back what the deepest calls have needed: everything happens once more first.
+  -- The collector gives back what the deepest calls have needed: first all happens once more.
   for step = 1, count do
     play(step)
   end
