@@ -10,6 +10,9 @@
 -- All fields of an event stand side by side in one array: a trace that touches one array stays
 -- short, and seven of them would not (LuaJIT has a limit for the code of all traces).
 
+local here = (...):match("^(.*)%.[^.]+$")
+require(here .. ".interpreted").file()
+
 local queue = {}
 
 -- Fields of an event, by offset. The first four decide, in this order.
