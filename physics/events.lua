@@ -206,19 +206,20 @@ function events.forget(e)
   e.count, e.told, e.heardBy, e.sorted = 0, 0, 3, 0
 end
 
+--- Lists those noted last in `e.late`, in order; returns how many. Changes nothing else.
+function events.sortLate(e)
+  local order, late, sorted, count = e.order, e.late, e.sorted, e.count - e.sorted
+  for n = 1, count do
+    late[n] = order[sorted + n]
+  end
+  sort.by(late, count, e.rankA, e.rankB, e.kindAndNumber)
+  return count
+end
+
 --- Puts those noted last in order, behind those that are in order already.
 function events.arrange(e)
-  local order, late, count = e.order, e.late, e.count - e.sorted
-  if e.sorted == 0 then
-    sort.by(order, count, e.rankA, e.rankB, e.kindAndNumber)
-  else
-    for n = 1, count do
-      late[n] = order[e.sorted + n]
-    end
-    sort.by(late, count, e.rankA, e.rankB, e.kindAndNumber)
-    for n = 1, count do
-      order[e.sorted + n] = late[n]
-    end
+  for n = 1, events.sortLate(e) do
+    e.order[e.sorted + n] = e.late[n]
   end
   e.sorted = e.count
 end

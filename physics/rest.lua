@@ -14,6 +14,7 @@ local columns = require(here .. ".columns")
 local rest = {}
 
 local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
+local max, min = math.max, math.min
 
 -- s; what nothing happens to in less may only be too short to show.
 local SHORTEST = 1 / 2000
@@ -97,17 +98,32 @@ local function sleep(b, i)
   rest.drop(b, i)
 end
 
+-- Whether a speed limit takes off what pulls k, and nothing but friction holds it there. Friction
+-- may bear what is left of the pull in a long step, and not in a short one.
+local function isCapped(b, k, limit, longest)
+  local pull = b.pull[k] + b.push[k]
+  return max(pull, -pull) * longest > min(limit, b.limit[k])
+    and not (pull > 0 and b.pressedHigh[k] or pull < 0 and b.pressedLow[k])
+end
+
+-- Whether a dynamic object would do nothing in the next step, however long that is.
+local function isCalm(b, i, longest)
+  local limit, k = b.maxSpeed[i], 2 * i
+  return b.quiet[i] and not (isCapped(b, k, limit, longest) or isCapped(b, k + 1, limit, longest))
+end
+
 -- Gathers the island of an awake dynamic object behind `b.island`; returns its size and whether
 -- all of it may sleep.
 local function gather(b, i, stamp)
   local island, kind, awake, quiet, visited = b.island, b.kind, b.awake, b.quiet, b.visited
   local head, other, nextHalf = b.head, b.other, b.next
+  local longest = max(b.world.maxStep, b.world.timestep or 0)
   local count, n, calm = 1, 1, true
   island[1] = i
   visited[i] = stamp
   while n <= count do
     local member = island[n]
-    calm = calm and quiet[member]
+    calm = calm and isCalm(b, member, longest)
     local half = head[member]
     while half ~= 0 do
       local j = other[half]

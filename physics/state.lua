@@ -34,6 +34,7 @@ local here = (...):match("^(.*)%.[^.]+$")
 local approach = require(here .. ".approach")
 local check = require(here .. ".check")
 local columns = require(here .. ".columns")
+local events = require(here .. ".events")
 local fields = require(here .. ".fields")
 local interpreted = require(here .. ".interpreted")
 local roster = require(here .. ".roster")
@@ -641,8 +642,10 @@ local function saveEvents(b, out, work)
   local first = isHalfTold and e.told or e.told + 1
   out.heardBy = isHalfTold and e.heardBy or nil
   out.sorted = first <= e.sorted and e.sorted - first + 1 or nil
+  -- Those that a callback has noted before it failed will be told in order, too.
+  events.sortLate(e)
   for told = first, e.count do
-    local n = e.order[told]
+    local n = told <= e.sorted and e.order[told] or e.late[told - e.sorted]
     list[at + 1] = numberOf(b, out, work, e.a[n])
     list[at + 2] = numberOf(b, out, work, e.b[n])
     list[at + 3] = numberOf(b, out, work, e.c[n])

@@ -823,6 +823,42 @@ local FOUND = {
       },
     },
   },
+  {
+    "what a callback ends before it fails is saved in order",
+    {
+      settings = {},
+      acts = {
+        { "add", 5, "tiles", { height = 1, static = true, width = 1, x = 1, y = 5 } },
+        { "add", 6, "tiles", { height = 1, static = true, width = 1, x = 1, y = 5 } },
+        { "add", 29, 1, { height = 1, width = 1, x = 1, y = 5 } },
+        { "listen", 0, "onStay", { { "write", 29, { static = true } }, { "fail" } } },
+        { "update", 0.015625 },
+        { "update", 0.015625 },
+      },
+    },
+  },
+  {
+    "friction that bears what a speed limit leaves of a pull is no rest",
+    {
+      settings = { gravityX = -30 },
+      acts = {
+        {
+          "add",
+          15,
+          "crates",
+          { friction = 1, height = 1, maxSpeedY = 0.625, width = 1, x = 20, y = 16 },
+        },
+        { "add", 16, "statics", { height = 1, static = true, width = 1, x = 10, y = 17 } },
+        { "update", 0.016666666666666666 },
+        { "update", 0.3649642628011892 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.03333333333333333 },
+        { "update", 0.27752070068150825 },
+        { "update", 0.38607569224766985 },
+        { "update", 0.016666666666666666 },
+      },
+    },
+  },
 }
 
 describe("a random game has found that", function()
