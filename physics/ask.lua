@@ -19,11 +19,16 @@ local function answer(b, callback, one, other, side)
   return result ~= false
 end
 
+--- Returns whether the game is asked about two.
+function ask.isAsked(b, i, j)
+  return b.worldCanCollide or b.canCollide[i] or b.canCollide[j]
+end
+
 --- Returns whether a pair may collide on `axis`; asks each side, then the world. An error in the
 --- game's function passes through, and the step is given up with nothing changed.
 function ask.permits(b, low, high, axis)
   local world = b.worldCanCollide
-  if not (world or b.canCollide[low] or b.canCollide[high]) then
+  if not ask.isAsked(b, low, high) then
     return true
   end
   -- The answer may be another one in the next step: who is asked about does not rest.

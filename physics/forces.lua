@@ -64,10 +64,15 @@ local function flyLimited(v, a, airFriction, limit, dt)
 end
 
 -- The end of a flight from the speed (startX, startY) to (x, y), when `drag` takes less than that:
--- against the direction that it has halfway.
+-- against the direction that it has halfway, or if it turns about, at the end.
 -- Source: the midpoint method, as in E. Hairer et al., Solving Ordinary Differential Equations I.
 local function slow(b, k, startX, startY, x, y, drag, dt)
-  local alongX, alongY = startX + x, startY + y
+  local alongX, alongY = x, y
+  local dot, square = startX * x + startY * y, x * x + y * y
+  -- It turns by less than 60 degrees, whose cosine is 1/2.
+  if dot > 0 and 4 * dot * dot > (startX * startX + startY * startY) * square then
+    alongX, alongY = startX + x, startY + y
+  end
   local share = drag * dt / max(sqrt(alongX * alongX + alongY * alongY), TINY)
   local speed, way, lossX, lossY = b.speed, b.way, alongX * share, alongY * share
   speed[k], speed[k + 1] = x - lossX, y - lossY
@@ -151,7 +156,8 @@ local function scaled(x, y, length)
 end
 
 -- Limits the length of the velocity. At full speed only what is across the motion, halfway, changes
--- it: the direction turns at the same rate in steps of any length.
+-- it, as long as a step adds less than half of that: the direction turns at the same rate in steps
+-- of any length.
 local function limitLength(b, i, dt)
   local speed, way, velocity, k = b.speed, b.way, b.velocity, 2 * i
   local x, y, limit = speed[k], speed[k + 1], b.maxSpeed[i]
@@ -162,10 +168,12 @@ local function limitLength(b, i, dt)
   if startX * startX + startY * startY > limit * limit then
     startX, startY = scaled(startX, startY, limit)
   end
+  local gainX, gainY = x - startX, y - startY
   local halfX, halfY = (startX + x) * 0.5, (startY + y) * 0.5
   local half, start = halfX * halfX + halfY * halfY, startX * startX + startY * startY
-  if half >= limit * limit and start * 4 >= limit * limit then
-    local gain = ((x - startX) * halfX + (y - startY) * halfY) / half
+  local isLittle = (gainX * gainX + gainY * gainY) * 4 < limit * limit
+  if isLittle and half >= limit * limit and start * 4 >= limit * limit then
+    local gain = (gainX * halfX + gainY * halfY) / half
     x, y = x - halfX * gain, y - halfY * gain
   end
   x, y = scaled(x, y, limit)
@@ -178,6 +186,12 @@ end
 local function hinder(b, i, dt)
   local speed, way, stands = b.speed, b.way, standsAlong(b, i)
   local fallSpeed, fallWay = speed[stands], way[stands]
+  if stands ~= 0 then
+    -- What it stands on may let it through in this step.
+    local limit = min(b.limit[stands], b.maxSpeed[i])
+    local pull = b.pull[stands] + b.push[stands]
+    fallSpeed, fallWay = flyLimited(0, pull, b.airFriction[i], limit, dt)
+  end
   speed[stands], way[stands] = 0, 0
   if b.drag[i] ~= 0 then
     brakeSlot(b, i, stands, dt)

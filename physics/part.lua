@@ -192,7 +192,8 @@ local function leave(b, i, j, exit, way)
 end
 
 -- Of those in b.found, who are in the way of slot i, the one that it leaves last if it goes along
--- an axis towards `sign`, and how far that is; 0, 0: further than it overlaps one of them.
+-- an axis towards `sign`, and how far that is; 0, 0: further than it overlaps one of them, or the
+-- game may let it pass through one.
 local function furthest(b, i, axis, sign, count)
   local from, size, last = b.from, b.size, 0
   local most = 0 ---@type number
@@ -201,7 +202,8 @@ local function furthest(b, i, axis, sign, count)
     local ki, kj = 2 * i + axis, 2 * j + axis
     local way = sign < 0 and from[ki] + size[ki] - from[kj] or from[kj] + size[kj] - from[ki]
     local width, height = overlapOf(b, i, j)
-    if way > (axis == 0 and width or height) + EPSILON or min(width, height) <= EPSILON then
+    local isDeeper = way > (axis == 0 and width or height) + EPSILON
+    if isDeeper or min(width, height) <= EPSILON or ask.isAsked(b, i, j) then
       return 0, 0
     elseif way > most then
       last, most = j, way

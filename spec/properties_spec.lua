@@ -480,7 +480,7 @@ describe("the same scene goes the same way, to the bit,", function()
         end
       end
     end
-    assert.are.equal("1164836833", ("%.0f"):format(sum))
+    assert.are.equal("1664054544", ("%.0f"):format(sum))
   end)
 end)
 

@@ -1,5 +1,6 @@
 --- Arcs, damping and limits, the same at every frame rate.
 
+local physics = require("physics")
 local scene = require("spec.support.scene")
 local variants = require("spec.support.variants")
 
@@ -149,6 +150,37 @@ describe("slowing down", function()
       end)
     end)
   end
+
+  for _, fields in ipairs({
+    { vx = 5, vy = -14, drag = 400 },
+    { vx = 5, maxSpeed = 5 },
+    { vx = 21, vy = -5, ax = -1415, gravity = 0, drag = 683 },
+  }) do
+    local name = fields.drag and "drag " .. fields.drag or "maxSpeed " .. fields.maxSpeed
+    it("by " .. name .. " turns nobody about", function()
+      scene.each(EVERYWHERE, function(run)
+        local body = run:build({ box(0, 0, fields) }).box
+        for _ in run:steps(0.5) do
+          local isPulled = fields.ax ~= nil
+          run:check(isPulled or body.vx >= 0, "vx is %g", body.vx)
+          run:check(not isPulled or body.vy <= 0, "vy is %g", body.vy)
+        end
+      end)
+    end)
+  end
+
+  it("by maxSpeed holds in the step in which the floor lets go, too", function()
+    for _, dt in ipairs({ 1 / 30, 1 / 60, 1 / 144 }) do
+      local world = physics.newWorld({ gravity = 600 })
+      world:add("floors", { x = 0, y = 10, width = 100, height = 10, static = true })
+      local body = world:add("boxes", { x = 0, y = 0, width = 10, height = 10, maxSpeed = 5 })
+      world:update(dt)
+      world:update(dt)
+      body.mask = { floors = false }
+      world:update(dt)
+      assert.is_true(body.vy > 0 and body.vy <= 5)
+    end
+  end)
 
   -- v' = 250 - 240 - 3 v: to 10 / 3 px/s
   for _, start in ipairs({ 0, 300 }) do

@@ -1,6 +1,7 @@
 --- What begins inside something else leaves by the smallest way that is free.
 
 local overlap = require("spec.support.overlap")
+local physics = require("physics")
 local scene = require("spec.support.scene")
 local variants = require("spec.support.variants")
 
@@ -117,6 +118,19 @@ describe("a body that is inside two at once", function()
       run:at(named.box, 146, 72)
       run:still(named.box)
     end)
+  end)
+
+  it("in a corner is not moved out of what it may pass through", function()
+    local world = physics.newWorld({ gravity = 0 })
+    world:add("floors", { x = 0, y = 100, width = 200, height = 50, static = true })
+    local wall = { x = -50, y = 0, width = 50, height = 150, static = true }
+    world:add("walls", wall)
+    local box = world:add("boxes", { x = -6, y = 84, width = 20, height = 20 })
+    function box.canCollide(_, other)
+      return other ~= wall
+    end
+    world:update(1 / 60)
+    assert.are.equal(-6, box.x)
   end)
 
   it("in a corner of which one side does not let it out stays", function()
