@@ -185,21 +185,20 @@ end
 -- the fall that the floor will take away.
 local function hinder(b, i, dt)
   local speed, way, stands = b.speed, b.way, standsAlong(b, i)
-  local fallSpeed, fallWay = speed[stands], way[stands]
   if stands ~= 0 then
-    -- What it stands on may let it through in this step.
-    local limit = min(b.limit[stands], b.maxSpeed[i])
-    local pull = b.pull[stands] + b.push[stands]
-    fallSpeed, fallWay = flyLimited(0, pull, b.airFriction[i], limit, dt)
+    speed[stands], way[stands] = 0, 0
   end
-  speed[stands], way[stands] = 0, 0
   if b.drag[i] ~= 0 then
     brakeSlot(b, i, stands, dt)
   end
   if b.maxSpeed[i] ~= HUGE then
     limitLength(b, i, dt)
   end
-  speed[stands], way[stands] = fallSpeed, fallWay
+  if stands ~= 0 then
+    -- What it stands on may let it through in this step.
+    local limit, pull = min(b.limit[stands], b.maxSpeed[i]), b.pull[stands] + b.push[stands]
+    speed[stands], way[stands] = flyLimited(0, pull, b.airFriction[i], limit, dt)
+  end
 end
 
 --- Computes the free flight of the dynamic objects in awakeList from `first` to `last`.

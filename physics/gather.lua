@@ -144,10 +144,12 @@ function gather.live(b)
   return count
 end
 
--- How often the paths of two have changed by now.
-local function changesOf(changes, i, j)
+--- Returns how often the paths of two have changed by now, from the column of that.
+function gather.changesOf(changes, i, j)
   return changes[2 * i] + changes[2 * i + 1] + changes[2 * j] + changes[2 * j + 1]
 end
+
+local changesOf = gather.changesOf
 
 --- Whether the last meeting of a pair has changed nothing, and the paths are still the same: it
 --- would meet for ever.

@@ -184,7 +184,8 @@ local function followNudge(b, dt)
   end
 end
 
--- How often the paths of two have changed by now.
+-- How often the paths of two have changed by now. (Not that of `gather`, which is compiled: see
+-- `footing`.)
 local function changesOf(changes, i, j)
   return changes[2 * i] + changes[2 * i + 1] + changes[2 * j] + changes[2 * j + 1]
 end

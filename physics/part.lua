@@ -162,6 +162,12 @@ local function weigh(b, i, j, axis, sign, way)
   return canGo(b, j, axis, -sign * way) and 0 or nil
 end
 
+-- Where slot i is flush with j on an axis, on the low side of it (`sign` -1) or the high one (1).
+local function flushPlace(b, i, j, axis, sign)
+  local k, m = 2 * i + axis, 2 * j + axis
+  return sign < 0 and b.from[m] - b.size[k] or b.from[m] + b.size[m]
+end
+
 -- Tries the way out on one side of i; returns whether it was free.
 local function leave(b, i, j, exit, way)
   local axis, sign = AXIS[exit], SIGN[exit]
@@ -169,24 +175,12 @@ local function leave(b, i, j, exit, way)
   if not share then
     return false
   end
-  local ki, kj = 2 * i + axis, 2 * j + axis
   if share < 1 then
-    shift(
-      b,
-      j,
-      axis,
-      -sign * way * (1 - share),
-      share == 0 and (sign < 0 and b.from[ki] + b.size[ki] or b.from[ki] - b.size[kj]) or nil
-    )
+    local edge = share == 0 and flushPlace(b, j, i, axis, -sign) or nil
+    shift(b, j, axis, -sign * way * (1 - share), edge)
   end
   if share > 0 then
-    shift(
-      b,
-      i,
-      axis,
-      sign * way * share,
-      sign < 0 and b.from[kj] - b.size[ki] or b.from[kj] + b.size[kj]
-    )
+    shift(b, i, axis, sign * way * share, flushPlace(b, i, j, axis, sign))
   end
   return true
 end
@@ -227,10 +221,8 @@ local function leaveCorner(b, i, j, exit, way)
   then
     return false
   end
-  local ki, kj, ko = 2 * i, 2 * j + axis, 2 * other + 1 - axis
-  local before, after = b.size[ki + axis], b.size[ki + 1 - axis]
-  shift(b, i, axis, way, sign < 0 and b.from[kj] - before or b.from[kj] + b.size[kj])
-  shift(b, i, 1 - axis, side, isLow and b.from[ko] - after or b.from[ko] + b.size[ko])
+  shift(b, i, axis, way, flushPlace(b, i, j, axis, sign))
+  shift(b, i, 1 - axis, side, flushPlace(b, i, other, 1 - axis, isLow and -1 or 1))
   return true
 end
 

@@ -15,7 +15,7 @@ local rounds = require(here .. ".rounds")
 local pass = {}
 
 local huge = math.huge
-local isIdle, isSettled = gather.isIdle, gather.isSettled
+local changesOf, isIdle, isSettled = gather.changesOf, gather.isIdle, gather.isSettled
 local PATIENCE, UNSEEN = resolve.PATIENCE, columns.UNSEEN
 local REFUSED, LOW, HIGH, RUBS = press.REFUSED, press.LOW, press.HIGH, press.RUBS
 
@@ -73,7 +73,7 @@ end
 -- What `turnSeen` is of two who did press when they were looked at, and may again whatever of them
 -- changes; < UNSEEN.
 local function wholly(changes, i, j)
-  return UNSEEN - 1 - changes[2 * i] - changes[2 * i + 1] - changes[2 * j] - changes[2 * j + 1]
+  return UNSEEN - 1 - changesOf(changes, i, j)
 end
 
 -- Returns how many turns are done: not the n-th yet, if somebody must be asked about it.

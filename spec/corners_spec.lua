@@ -1,19 +1,12 @@
 --- What seldom happens, each in one small scene: lines that no other spec runs.
 
+local box = require("spec.support.box")
 local physics = require("physics")
 
 local DT = 1 / 60
 
 local function newWorld(settings)
   return physics.newWorld(settings or { gravity = 600 })
-end
-
-local function box(x, y, fields)
-  local object = { x = x, y = y, width = 16, height = 16 }
-  for key, value in pairs(fields or {}) do
-    object[key] = value
-  end
-  return object
 end
 
 local function floor(y)

@@ -1,16 +1,9 @@
 --- Events: what the game is told, by whom, in which order, and what its callbacks may do.
 
+local newBox = require("spec.support.box")
 local physics = require("physics")
 
 local DT = 1 / 60
-
-local function newBox(x, y, changes)
-  local box = { x = x, y = y, width = 16, height = 16 }
-  for name, value in pairs(changes or {}) do
-    box[name] = value
-  end
-  return box
-end
 
 local function newWall(x, y, width, height, changes)
   local wall = newBox(x, y, changes)

@@ -1,6 +1,7 @@
 --- In a steady scene an update allocates nothing: no pause of the garbage collector in a game.
 
 local garbage = require("spec.support.garbage")
+local newBox = require("spec.support.box")
 local physics = require("physics")
 
 local WARM_UP, MEASURED = 600, 100
@@ -68,14 +69,6 @@ local function withFloor()
   local world = physics.newWorld({ gravity = 800 })
   world:add("tiles", { x = 0, y = 300, width = 500, height = 20, static = true, friction = 0 })
   return world
-end
-
-local function newBox(x, y, changes)
-  local box = { x = x, y = y, width = 16, height = 16 }
-  for name, value in pairs(changes or {}) do
-    box[name] = value
-  end
-  return box
 end
 
 -- Somebody who walks to and fro between two walls.

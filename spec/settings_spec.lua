@@ -2,17 +2,10 @@
 
 local fields = require("physics.fields")
 local garbage = require("spec.support.garbage")
+local newBox = require("spec.support.box")
 local physics = require("physics")
 
 local DT = 1 / 60
-
-local function newBox(x, y, changes)
-  local box = { x = x, y = y, width = 16, height = 16 }
-  for name, value in pairs(changes or {}) do
-    box[name] = value
-  end
-  return box
-end
 
 local function play(world, steps)
   for _ = 1, steps or 60 do

@@ -1,16 +1,9 @@
 --- Worlds: who is in them, how they come and go, and what may change at run time.
 
+local newBox = require("spec.support.box")
 local physics = require("physics")
 
 local DT = 1 / 60
-
-local function newBox(x, y, changes)
-  local box = { x = x, y = y, width = 16, height = 16 }
-  for name, value in pairs(changes or {}) do
-    box[name] = value
-  end
-  return box
-end
 
 local function newFloor(y)
   return { x = -200, y = y or 100, width = 800, height = 16, static = true }
