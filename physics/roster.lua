@@ -242,10 +242,14 @@ local function readMembers(record, first)
     return
   end
   readNumbered(record, record.plain and first or 1)
-  -- Counted to be sure: one that was filled out of order may hold its numbers in any order.
-  local count, isInOrder = countKeys(record.source)
+  local count = record.first - 1 + record.tailCount
+  -- One that has grown is counted to be sure: it may hold its new numbers in any order.
+  if record.plain and count <= record.count and hasJust(record, count) then
+    return
+  end
+  local found, isInOrder = countKeys(record.source)
   record.mixed = record.mixed or not isInOrder
-  if count ~= record.first - 1 + record.tailCount then
+  if found ~= count then
     readKeys(record)
   end
 end
