@@ -106,24 +106,15 @@ local RARE = {
   { "nudge", "nudge", 0 },
   { "maxSpeed", "maxSpeed", HUGE },
 }
-local NAMES, DEFAULTS = {}, {}
+local NAMES, COLUMNS, DEFAULTS = {}, {}, {}
 for n, field in ipairs(RARE) do
-  NAMES[n], DEFAULTS[n] = field[1], field[3]
-end
-
-local function rareColumns(b)
-  local list = {}
-  for n, field in ipairs(RARE) do
-    list[n] = b[field[2]]
-  end
-  return list
+  NAMES[n], COLUMNS[n], DEFAULTS[n] = field[1], field[2], field[3]
 end
 
 -- Reads them in a loop: all of them written out become a great deal of machine code at every place
 -- that reads objects. Returns whether the object has none of them.
 local function readRare(b, i, object)
-  b.rare = b.rare or rareColumns(b) -- columns stay the tables that they are
-  local list, isBareSoFar = b.rare, true
+  local isBareSoFar = true
   for n = 1, #NAMES do
     local value = object[NAMES[n]]
     if value == nil then
@@ -131,7 +122,7 @@ local function readRare(b, i, object)
     else
       isBareSoFar = false
     end
-    list[n][i] = value
+    b[COLUMNS[n]][i] = value
   end
   return isBareSoFar
 end

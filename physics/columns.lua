@@ -9,6 +9,7 @@
 -- No column is ever shared between worlds: callbacks may step another world.
 
 local here = (...):match("^(.*)%.[^.]+$")
+local bank = require(here .. ".bank")
 local interpreted = require(here .. ".interpreted")
 
 local columns = {}
@@ -32,17 +33,12 @@ columns.UNSEEN = -1
 local HUGE = math.huge
 local max, min = math.max, math.min
 
--- Values of a fresh slot. `false` in a numeric column means "the field is not set".
+-- Values of a fresh slot: numbers and booleans.
 local SLOT = {
   -- who it is
-  object = false,
-  group = false, -- the record of its group (see collect)
-  groupName = false,
-  key = false,
   rank = 0, -- place in the order of the world
   seat = 0, -- place among the movers, which are in that order
   kind = 0,
-  touching = false, -- the table published as object.touching
   plain = false, -- bumps whoever it meets
   choosy = false, -- but what happens then depends on the side, or on who it is
   bare = false, -- dynamic, and had none of the fields that few have when it was last read
@@ -52,26 +48,19 @@ local SLOT = {
   pushable = true,
   mass = 1,
   inverseMass = 0,
-  ownGravity = false,
-  ownGravityX = false,
   friction = -1, -- -1: not set
   restitution = 0,
   airFriction = 0,
   drag = 0,
   maxSpeed = HUGE,
-  mask = false,
-  maskSeen = false, -- what the mask said of each group when it was last read
-  oneWay = false,
   carry = true,
   surfaceSpeed = 0,
   nudge = 0,
-  canCollide = false,
   -- rest
   awake = false,
   awakeAt = 0, -- place in the list of who is awake
   quiet = false, -- its last step changed nothing
   heard = false, -- somebody is told of its contacts, or asked about them, at every step
-  hears = false, -- its onStay
   visited = 0,
   -- the step
   moved = false, -- placed, resized or filtered anew by the game: its overlaps must be parted
@@ -97,6 +86,22 @@ local SLOT = {
   head = 0, -- first half-edge
   mark = 0,
   strayAt = HUGE, -- place among those whose neighbours are looked up now
+}
+
+-- The same, of columns that may hold anything; `false`: the field is not set.
+local ANY = {
+  object = false,
+  group = false, -- the record of its group (see collect)
+  groupName = false,
+  key = false,
+  touching = false, -- the table published as object.touching
+  ownGravity = false,
+  ownGravityX = false,
+  mask = false,
+  maskSeen = false, -- what the mask said of each group when it was last read
+  oneWay = false,
+  canCollide = false,
+  hears = false, -- its onStay
 }
 
 local AXIS = {
@@ -137,7 +142,7 @@ local AXIS = {
   fatHigh = 0,
 }
 
--- What a pair begins with is written in `linkAll`.
+-- What a pair begins with is written in `linkAll`: numbers …
 local PAIR = {
   "pairA",
   "pairB",
@@ -147,22 +152,57 @@ local PAIR = {
   "met", -- how often it was resolved in this step
   "nudged", -- how often a corner was corrected in this step
   "permitted", -- step in which the game was asked about its turn, and lets it collide
-  "passing", -- lets pass for this step (canCollide, dropThrough)
   "event", -- its event in the queue
   "waits", -- 1: that is at the very beginning and keeps its place; 2: its paths have changed since
   "gathered", -- when it was last looked at because of who is in it (see gather.objects)
-  "touches", -- may be met at the very beginning of the step
   "turn", -- its place among the turns of the step, 0: none, -1: odd
   "lastTurn", -- and among those of its kind when it last had one
   "liveMark",
   "wedged", -- 1 + code of the meeting along which two that are left inside each other may part
+  "settled", -- 1 + the changes of both when the last meeting in this step changed nothing, 0: none
+}
+
+-- … and booleans.
+local PAIR_FLAG = {
+  "passing", -- lets pass for this step (canCollide, dropThrough)
+  "touches", -- may be met at the very beginning of the step
   "dropping", -- falls through (dropThrough) until the two are apart
   "overlapping", -- was left inside each other at the end of the last step
-  "settled", -- 1 + the changes of both when the last meeting in this step changed nothing, 0: none
   "leaving", -- is about to be taken apart
 }
 
+-- Lists, from 1 on, that hold each pair once at most.
+local PAIR_LIST = {
+  "live", -- pairs of those who take part in this step
+  "touchList", -- pairs that touch when the step begins, or may through a nudge
+  "flushAlong", -- of those, who is flush along gravity
+  "flushAcross", -- and across
+  "turnPair", -- pairs that are flush when the step begins (see turns)
+  "turnUp", -- who leans
+  "turnLow", -- on whom
+  "turnSide", -- of the pair's first
+  "turnFirst", -- their ranks (see columns.ranks)
+  "turnSecond",
+  "turnSupport",
+  "turnSeen", -- the changes of both when they were looked at (see pass)
+  "turnImpulse", -- by which they have landed
+  "turnShare", -- of that, what was an impact
+  "turnLeft", -- s, the time left then
+  "turnOrder", -- by turn: places of the columns above
+  "landed", -- which of them have landed in this round
+  "odd", -- pairs that are flush, but have no turn
+  "near", -- scratch of meet
+  "nearTime",
+  "nearCode",
+  "touchPairs", -- scratch of publish
+  "closePairs",
+  "otherPairs",
+}
+
 local HALF = { "other", "next", "previous" }
+
+-- Scratch of publish, by 4 * slot + side; sides are 1 to 4.
+local SIDE = { "touchBest", "touchWidth" }
 
 -- What a step leaves behind in an object, apart from where it is. Who is awake begins each step
 -- without most of it (see begin); of who becomes a wall nobody else would clear it.
@@ -191,12 +231,6 @@ columns.SIDES = { "left", "right", "top", "bottom" }
 columns.SIDE = { left = 1, right = 2, top = 3, bottom = 4 }
 columns.OPPOSITE = { 2, 1, 4, 3 }
 
-local function addColumns(b, names)
-  for n = 1, #names do
-    b[names[n]] = {}
-  end
-end
-
 local function namesOf(map)
   local names = {}
   for name in pairs(map) do
@@ -207,14 +241,30 @@ end
 
 interpreted.always(namesOf)
 
-local SLOT_NAMES, AXIS_NAMES = namesOf(SLOT), namesOf(AXIS)
+local SLOT_NAMES, ANY_NAMES, AXIS_NAMES = namesOf(SLOT), namesOf(ANY), namesOf(AXIS)
 
-local function addSlotColumns(b)
-  addColumns(b, SLOT_NAMES)
-  for n = 1, #AXIS_NAMES do
-    b[AXIS_NAMES[n]] = { AXIS[AXIS_NAMES[n]] } -- place 1 belongs to slot 0
+local function describe(layout, names, kind, width)
+  for n = 1, #names do
+    layout[#layout + 1] = { name = names[n], kind = kind, width = width }
   end
 end
+
+-- The same for columns with values of a fresh slot, which tell their kind.
+local function describeByValue(layout, names, values, width)
+  for n = 1, #names do
+    describe(layout, { names[n] }, type(values[names[n]]), width)
+  end
+end
+
+local SLOT_LAYOUT, PAIR_LAYOUT = {}, {}
+describeByValue(SLOT_LAYOUT, SLOT_NAMES, SLOT, 1)
+describe(SLOT_LAYOUT, ANY_NAMES, "any", 1)
+describeByValue(SLOT_LAYOUT, AXIS_NAMES, AXIS, 2)
+describe(SLOT_LAYOUT, SIDE, "number", 5)
+describe(PAIR_LAYOUT, PAIR, "number", 1)
+describe(PAIR_LAYOUT, PAIR_FLAG, "boolean", 1)
+describe(PAIR_LAYOUT, PAIR_LIST, "number", 1)
+describe(PAIR_LAYOUT, HALF, "number", 2)
 
 --- Returns the empty columns of a world.
 function columns.new()
@@ -231,12 +281,10 @@ function columns.new()
     movers = {}, -- slots of everything that is not static
     moverCount = 0,
     rich = {}, -- scratch of collect
-    rare = false, -- the columns of fields that few have (see collect)
     awakeList = {}, -- slots that take part in this step
     awakeCount = 0,
     island = {}, -- scratch of rest
     stack = {}, -- scratch of crush
-    live = {}, -- pairs of those who take part in this step
     liveCount = 0,
     liveStamp = 0,
     step = 0, -- counts the steps, for `watched`
@@ -249,33 +297,17 @@ function columns.new()
     awakenings = 0, -- how often it has changed who takes part
     liveLinks = -1, -- both, when `live` was listed
     liveAwakenings = -1,
-    touchList = {}, -- pairs that touch when the step begins, or may through a nudge
     touchCount = 0,
-    flushAlong = {}, -- of those, who is flush along gravity
-    flushAcross = {}, -- and across
-    turnPair = {}, -- pairs that are flush when the step begins (see turns)
-    turnUp = {}, -- who leans
-    turnLow = {}, -- on whom
-    turnSide = {}, -- of the pair's first
-    turnFirst = {}, -- their ranks (see columns.ranks)
-    turnSecond = {},
-    turnSupport = {},
     turnGives = 0, -- who has given way at the last one (see press)
     turnLowTo = 0, -- where the low one would have come to, and the high one
     turnHighTo = 0,
     turnJoins = false, -- whether they go on as one
-    turnSeen = {}, -- the changes of both when they were looked at (see pass)
     isTurnStale = { [0] = true, true }, -- somebody may press along gravity (0), across it (1)
     turnPass = -1, -- the pass, of all in this step, that has begun last (see meet)
-    turnImpulse = {}, -- by which they have landed
-    turnShare = {}, -- of that, what was an impact
-    turnLeft = {}, -- s, the time left then
-    turnOrder = {}, -- by turn: places of the columns above
     footingCount = 0, -- turns along gravity, which come first
     turnCount = 0, -- all
     turnRound = 0, -- the first one is 0 (see rounds)
     turnsDone = 0, -- how many of them have had their turn in this round
-    landed = {}, -- which of them have landed in this round
     landedCount = 0,
     slidCount = 0, -- of those, how many have rubbed
     round = 0, -- where the rounds are: see rounds
@@ -285,7 +317,6 @@ function columns.new()
     roundSecond = 0,
     resolvedBefore = 0, -- before this round
     rubbed = {}, -- scratch of meet
-    odd = {}, -- pairs that are flush, but have no turn
     oddFootings = 0, -- those along gravity, which come first
     oddCount = 0, -- all
     oddSeen = 0, -- of these, how many have been looked at when the step began
@@ -305,14 +336,6 @@ function columns.new()
     clear = 0, -- px by which two must be apart to be clear of each other (see gather)
     gatherStamp = 0,
     relative = { 0, 0, 0, 0 }, -- scratch of approach
-    near = {}, -- scratch of meet
-    nearTime = {},
-    nearCode = {},
-    touchBest = {}, -- scratch of publish: by 4 * slot + side
-    touchWidth = {},
-    touchPairs = {},
-    closePairs = {},
-    otherPairs = {},
     offerAt = {},
     offerWho = {},
     offerWidth = {},
@@ -349,9 +372,10 @@ function columns.new()
       ways = {},
     },
   }
-  addSlotColumns(b)
-  addColumns(b, PAIR)
-  addColumns(b, HALF)
+  b.slotBank, b.pairBank = bank.new(b, SLOT_LAYOUT), bank.new(b, PAIR_LAYOUT)
+  for n = 1, #AXIS_NAMES do
+    b[AXIS_NAMES[n]][1] = AXIS[AXIS_NAMES[n]] -- belongs to slot 0
+  end
   -- Slot 0 is nobody, that of pairs that were taken apart: less than nothing, so it meets nobody.
   b.object[0], b.awake[0], b.rank[0], b.time[0] = false, false, 0, 0
   b.head[0], b.next[0], b.previous[0] = 0, 0, 0
@@ -359,6 +383,12 @@ function columns.new()
     b.from[k], b.to[k], b.speed[k], b.size[k] = 0, 0, 0, -1
   end
   return b
+end
+
+--- Gives the columns of a world the source that is used now (see bank).
+function columns.adopt(b)
+  bank.adopt(b.slotBank, b.slots)
+  bank.adopt(b.pairBank, b.pairSlots)
 end
 
 --- Takes a slot for a new object and returns it, all columns at their defaults.
@@ -370,9 +400,15 @@ function columns.claim(b)
   else
     i = b.slots + 1
     b.slots = i
+    if i > b.slotBank.room then
+      bank.grow(b.slotBank, i)
+    end
   end
   for n = 1, #SLOT_NAMES do
     b[SLOT_NAMES[n]][i] = SLOT[SLOT_NAMES[n]]
+  end
+  for n = 1, #ANY_NAMES do
+    b[ANY_NAMES[n]][i] = ANY[ANY_NAMES[n]]
   end
   for n = 1, #AXIS_NAMES do
     local name = AXIS_NAMES[n]
@@ -436,6 +472,9 @@ end
 local function reserve(b, count)
   local free, have = b.freePairs, b.freePairCount
   local p = b.pairSlots + count - have
+  if p > b.pairBank.room then
+    bank.grow(b.pairBank, p)
+  end
   for n = have + 1, count do
     free[n], b.liveMark[p] = p, 0
     p = p - 1

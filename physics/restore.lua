@@ -370,10 +370,7 @@ local function rememberPoints(b, st, slots)
     local model = b[usual]
     for n = 1, st.known do
       local k = 2 * slots[n]
-      column[k], column[k + 1] = usual, usual
-      if model then
-        column[k], column[k + 1] = model[k], model[k + 1]
-      end
+      column[k], column[k + 1] = model and model[k] or usual, model and model[k + 1] or usual
     end
     for at = 1, #list, 3 do
       local k = 2 * slots[list[at]]

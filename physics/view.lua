@@ -16,6 +16,7 @@
 
 local here = (...):match("^(.*)%.[^.]+$")
 local aabb = require(here .. ".aabb")
+local bank = require(here .. ".bank")
 local check = require(here .. ".check")
 local columns = require(here .. ".columns")
 local grid = require(here .. ".broadphase.grid")
@@ -38,10 +39,20 @@ local CELL = 48
 -- So many can be looked at in a few microseconds.
 local FEW = 128
 
-local SLOT = { "object", "group", "groupName", "key", "rank", "kind", "live", "listed" }
+-- Fields that a static object has as the core has read them.
 local FIELD = { "active", "sensor", "oneWay", "mask" }
-local AXIS = { "position", "size", "fatLow", "fatHigh" }
-local SCRATCH = { "entry", "mark" }
+
+local LAYOUT = {}
+for _, kind in ipairs({
+  { "any", 1, { "object", "group", "groupName", "key", "listed", "oneWay", "mask" } },
+  { "boolean", 1, { "live", "active", "sensor" } },
+  { "number", 1, { "rank", "kind", "entry", "mark" } }, -- the last two are scratch
+  { "number", 2, { "position", "size", "fatLow", "fatHigh" } },
+}) do
+  for _, name in ipairs(kind[3]) do
+    LAYOUT[#LAYOUT + 1] = { name = name, kind = kind[1], width = kind[2] }
+  end
+end
 
 local function new()
   local v = {
@@ -60,11 +71,7 @@ local function new()
     pool = {}, -- lists nobody uses
     single = {}, -- a list of one
   }
-  for _, names in ipairs({ SLOT, FIELD, AXIS, SCRATCH }) do
-    for _, name in ipairs(names) do
-      v[name] = {}
-    end
-  end
+  v.bank = bank.new(v, LAYOUT)
   v.grid = grid.new(v, CELL)
   return v
 end
@@ -218,6 +225,9 @@ local function enter(v, object, record, key)
   else
     i = v.slots + 1
     v.slots = i
+    if i > v.bank.room then
+      bank.grow(v.bank, i)
+    end
   end
   v.count = v.count + 1
   v.slotOf[object] = i

@@ -10,6 +10,7 @@
 
 local here = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local aabb = require(here .. ".aabb")
+local bank = require(here .. ".bank")
 local interpreted = require(here .. ".interpreted")
 
 ---@class physics.Grid
@@ -32,6 +33,20 @@ local FACTOR_X, FACTOR_Y, FACTOR_LEVEL = 73856093, 19349663, 83492791
 -- More than the whole of a line, which is 1: where it meets who is not on it.
 local NEVER = 2
 
+local LAYOUT = {}
+for n, name in ipairs({
+  "list", -- who is in the grid, from 1 on
+  "placeOf", -- by slot: place in the list
+  "next", -- in the bucket
+  "previous",
+  "bucket",
+  "level",
+  "cellX",
+  "cellY",
+}) do
+  LAYOUT[n] = { name = name, kind = "number", width = 1 }
+end
+
 local function clear(heads, count)
   for bucket = 1, count do
     heads[bucket] = 0
@@ -44,17 +59,8 @@ function grid.new(b, cellSize)
     bodies = b,
     cell = cellSize or DEFAULT_CELL,
     count = 0,
-    list = {},
-    placeOf = {},
     buckets = FIRST_BUCKETS,
     heads = {},
-    -- by slot
-    next = {},
-    previous = {},
-    bucket = {},
-    level = {},
-    cellX = {},
-    cellY = {},
     -- by level
     members = {},
     highest = 0,
@@ -64,6 +70,7 @@ function grid.new(b, cellSize)
     nobody = { 0 },
     answers = {},
   }, grid)
+  self.bank = bank.new(self, LAYOUT)
   clear(self.heads, self.buckets)
   for level = 0, LEVELS do
     self.members[level] = 0
@@ -151,6 +158,9 @@ local function grow(self)
 end
 
 function grid:insert(i)
+  if i > self.bank.room then
+    bank.grow(self.bank, i)
+  end
   self.count = self.count + 1
   self.list[self.count] = i
   self.placeOf[i] = self.count
@@ -165,7 +175,6 @@ function grid:remove(i)
   local at, last = self.placeOf[i], self.list[self.count]
   self.list[at] = last
   self.placeOf[last] = at
-  self.list[self.count] = nil
   self.count = self.count - 1
 end
 

@@ -1,0 +1,163 @@
+--- The memory of a world (physics/bank.lua): that typed columns, which nobody guards, are used as
+--- they must be, and that they give the same bits as tables.
+
+local bank = require("physics.bank")
+local case = require("spec.fuzz.case")
+local checked = require("spec.support.checked_columns")
+local effort = require("spec.support.effort")
+local everything = require("spec.support.everything")
+local trial = require("spec.fuzz.trial")
+
+local jit = rawget(_G, "jit")
+local LAYOUT = {
+  { name = "mass", kind = "number", width = 1 },
+  { name = "place", kind = "number", width = 2 },
+  { name = "awake", kind = "boolean", width = 1 },
+  { name = "object", kind = "any", width = 1 },
+}
+
+-- Calls `f` with the library loaded anew, as its own module.
+local function withFresh(f)
+  local kept = {}
+  for name in pairs(package.loaded) do
+    if name == "physics" or name:match("^physics%.") then
+      kept[name], package.loaded[name] = package.loaded[name], nil
+    end
+  end
+  local isDone, problem = pcall(function()
+    f(require("physics"))
+  end)
+  for name in pairs(package.loaded) do
+    if name:match("^physics%.") then
+      package.loaded[name] = nil
+    end
+  end
+  for name, module in pairs(kept) do
+    package.loaded[name] = module
+  end
+  assert(isDone, problem)
+end
+
+describe("a bank", function()
+  it("keeps what is in its columns when they grow", function()
+    checked.during(function()
+      local owner = {}
+      local self = bank.new(owner, LAYOUT)
+      assert.equal(0, self.room)
+      owner.mass[0], owner.place[1], owner.awake[0], owner.object[7] = 1, 2, true, "anything"
+      local old = owner.mass
+      bank.grow(self, 3)
+      assert.is_true(self.room >= 3)
+      assert.same({ 1, 2, true }, { owner.mass[0], owner.place[1], owner.awake[0] })
+      assert.same({ 0, 0, false }, { owner.mass[3], owner.place[7], owner.awake[3] })
+      assert.equal("anything", owner.object[7])
+      assert.has_error(function()
+        return old[0]
+      end, "a column that has been replaced is used")
+    end)
+  end)
+
+  it("that began with tables takes over what they hold", function()
+    local before = bank.use(false)
+    local owner = {}
+    local self = bank.new(owner, LAYOUT)
+    bank.use(before)
+    owner.mass[0], owner.mass[2], owner.place[5], owner.awake[1] = 1, 3, 4, true
+    checked.during(function()
+      bank.adopt(self, 2)
+    end)
+    assert.same({ 1, 0, 3, 4 }, { owner.mass[0], owner.mass[1], owner.mass[2], owner.place[5] })
+    assert.same({ false, true }, { owner.awake[0], owner.awake[1] })
+  end)
+end)
+
+-- Each index, each kind and each column that was kept too long is an error here.
+describe("columns that are checked", function()
+  it("notice what nobody else would", function()
+    checked.during(function()
+      local owner = {}
+      bank.grow(bank.new(owner, LAYOUT), 1)
+      for _, row in ipairs({
+        { "mass", 2, 1, "index 2 in a column of 2" },
+        { "mass", -1, 1, "index -1 in a column of 2" },
+        { "mass", 0.5, 1, "index 0.5 in a column of 2" },
+        { "mass", 1, false, "false in a column of numbers" },
+        { "awake", 1, 0, "0 in a column of booleans" },
+      }) do
+        assert.error_matches(function()
+          owner[row[1]][row[2]] = row[3]
+        end, row[4], 1, true)
+      end
+    end)
+  end)
+
+  it("are used as they must be, with the same bits, in the scene with everything in it", function()
+    local expected = everything.fold(everything.new({}))
+    local found = checked.during(function()
+      return everything.fold(everything.new({}))
+    end)
+    assert.equal(expected, found)
+  end)
+
+  it("are used as they must be in random games", function()
+    checked.during(function()
+      for seed = 501, 500 + effort.share(10, 2) do
+        local failure = trial.run(case.new(seed, 40))
+        if failure then
+          error(("seed %d: %s: %s"):format(seed, failure.check, failure.text))
+        end
+      end
+    end)
+  end)
+end)
+
+if jit and jit.status() then
+  describe("compile()", function()
+    local function isTyped(world)
+      local bodies = rawget(world, "_bodies")
+      return type(bodies.from) == "cdata" and type(bodies.other) == "cdata"
+    end
+
+    after_each(function()
+      jit.opt.start("maxtrace=1000", "maxmcode=512")
+      jit.flush()
+    end)
+
+    it("gives typed columns to the worlds that are made after it", function()
+      withFresh(function(module)
+        local before = module.newWorld()
+        assert.is_true(module.compile())
+        assert.is_false(isTyped(before))
+        assert.is_true(isTyped(module.newWorld()))
+      end)
+    end)
+
+    -- The default world is the one on which `update` gets into `step`.
+    local function defaultWorldOf(module)
+      local found
+      local carrier = require("physics.carrier")
+      local dismount = carrier.dismount
+      function carrier.dismount(b)
+        found = b.world
+        return dismount(b)
+      end
+      module.update(1 / 60)
+      carrier.dismount = dismount
+      return found
+    end
+
+    it("also to the default world, as long as nobody has been in it", function()
+      withFresh(function(module)
+        module.add("boxes", { x = 0, y = 0, width = 10, height = 10 })
+        module.compile()
+        assert.is_true(isTyped(defaultWorldOf(module)))
+      end)
+      withFresh(function(module)
+        module.add("boxes", { x = 0, y = 0, width = 10, height = 10 })
+        module.update(0)
+        module.compile()
+        assert.is_false(isTyped(defaultWorldOf(module)))
+      end)
+    end)
+  end)
+end

@@ -1,0 +1,77 @@
+--- A source of columns (see physics/bank.lua) that looks at what is done with them: each index, the
+--- kind of each value, and that nobody keeps a column that has been replaced. It makes room for no
+--- more than is asked for.
+
+local bank = require("physics.bank")
+
+local checked = {}
+
+local EMPTY = { number = 0, boolean = false }
+
+-- By column, since a column itself must stay empty for `__index` to be asked.
+local valuesOf = setmetatable({}, { __mode = "k" })
+local lengthOf = setmetatable({}, { __mode = "k" })
+local kindOf = setmetatable({}, { __mode = "k" })
+
+local Column = {}
+
+local function checkIndex(column, k)
+  local length = lengthOf[column]
+  if not length then
+    error("a column that has been replaced is used", 3)
+  elseif type(k) ~= "number" or k % 1 ~= 0 or k < 0 or k >= length then
+    error(("index %s in a column of %d"):format(tostring(k), length), 3)
+  end
+end
+
+function Column.__index(column, k)
+  checkIndex(column, k)
+  local value = valuesOf[column][k]
+  if value == nil then
+    return EMPTY[kindOf[column]]
+  end
+  return value
+end
+
+function Column.__newindex(column, k, value)
+  checkIndex(column, k)
+  if type(value) ~= kindOf[column] then
+    error(("%s in a column of %ss"):format(tostring(value), kindOf[column]), 2)
+  end
+  valuesOf[column][k] = value
+end
+
+local source = {}
+
+function source.give(kind, lengths)
+  local columns = {}
+  for n = 1, #lengths do
+    local column = setmetatable({}, Column)
+    valuesOf[column], lengthOf[column], kindOf[column] = {}, lengths[n], kind
+    columns[n] = column
+  end
+  return columns, columns
+end
+
+function source.room(_, last)
+  return math.max(last, 0)
+end
+
+function source.drop(columns)
+  for n = 1, #columns do
+    lengthOf[columns[n]] = nil
+  end
+end
+
+--- Calls `f` with worlds whose columns are checked; returns what it returns.
+function checked.during(f)
+  local before = bank.use(source)
+  local isDone, result = pcall(f)
+  bank.use(before)
+  if not isDone then
+    error(result, 0)
+  end
+  return result
+end
+
+return checked
