@@ -60,9 +60,15 @@ readTag["return"] = function(entry, text)
   table.insert(entry.returns, { name = name or "", type = kind, text = meaning or "" })
 end
 
+-- Words in front of a field's name: whether it is the game's business.
+local IS_PUBLIC = { public = true, protected = false, private = false, package = false }
+
 function readTag.field(entry, text)
-  if text:find("^p%l+ [%w_]+ ") then -- private, package, protected: nobody's business
+  local word, seen = text:match("^(%l+)%s+(.*)$")
+  if IS_PUBLIC[word] == false then
     return
+  elseif IS_PUBLIC[word] then
+    text = seen
   end
   local name, rest = text:match("^(%b[])%s+(.*)$")
   if not name then

@@ -48,6 +48,17 @@ describe("docs/api.md", function()
     assert.is_true(count > 25)
   end)
 
+  it("has every counter of world.stats, and nothing that only the library reads", function()
+    local section = page:match("\n### physics%.Stats\n(.-)\n### ")
+    local world, count = physics.newWorld(), 0
+    for name in pairs(world.stats) do
+      assert.truthy(section:find("- `" .. name .. "` (`integer`): ", 1, true), name)
+      count = count + 1
+    end
+    assert.equal(6, count)
+    assert.is_nil(page:find("world._", 1, true))
+  end)
+
   it("links to files that exist", function()
     for path in page:gmatch("%]%(([^#)]+)%)") do
       read("docs/" .. path)
@@ -121,6 +132,26 @@ describe("the docstring", function()
           assert.truthy(text:find("\nErrors: "), entry.name .. " has no line of errors")
         end
       end
+    end)
+  end
+
+  -- the line of a field, the name that is read
+  for _, row in ipairs({
+    { "---@field pairs integer neighbours", "pairs" },
+    { "---@field public size number px", "size" },
+    { "---@field private size number px" },
+    { "---@field protected size number px" },
+    { "---@field package _size number px" },
+    { "---@field [string] any", "[string]" },
+  }) do
+    it("is read: " .. row[1], function()
+      local path = os.tmpname()
+      local file = assert(io.open(path, "wb"))
+      file:write("---@class C\n", row[1], "\nlocal C = {}\n")
+      file:close()
+      local fieldsOfIt = docstrings.read(path)[1].fields
+      os.remove(path)
+      assert.equal(row[2], fieldsOfIt[1] and fieldsOfIt[1].name)
     end)
   end
 
