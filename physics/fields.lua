@@ -325,8 +325,8 @@ fields.settings = {
     type = "boolean",
     default = false,
     runtime = true,
-    meaning = "Whether flush neighbours that never pressed each other count as colliding, in"
-      .. " events, `checkCollision` and queries.",
+    meaning = "Whether flush neighbours that never pressed each other count as colliding: in"
+      .. " events, `touching`, `queryRect` and `overlapping`.",
   },
   {
     name = "broadphase",

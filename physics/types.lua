@@ -110,8 +110,8 @@
 --- default every group collides with every group. Groups that pass through each other: `masks = {
 --- bullets = { players = false } }`.
 ---@field masks? table<string|number, table<string|number, boolean>>
---- default false. Whether flush neighbours that never pressed each other count as colliding, in
---- events, `checkCollision` and queries.
+--- default false. Whether flush neighbours that never pressed each other count as colliding: in
+--- events, `touching`, `queryRect` and `overlapping`.
 ---@field sideBySide? boolean
 --- default "auto". How pairs that may meet are found; all give the same result to the bit.
 ---@field broadphase? "auto"|"pairs"|"grid"
@@ -158,8 +158,8 @@
 --- default every group collides with every group. Groups that pass through each other: `masks = {
 --- bullets = { players = false } }`.
 ---@field masks? table<string|number, table<string|number, boolean>>
---- default false. Whether flush neighbours that never pressed each other count as colliding, in
---- events, `checkCollision` and queries.
+--- default false. Whether flush neighbours that never pressed each other count as colliding: in
+--- events, `touching`, `queryRect` and `overlapping`.
 ---@field sideBySide boolean
 --- default "auto". How pairs that may meet are found; all give the same result to the bit.
 ---@field broadphase "auto"|"pairs"|"grid"
