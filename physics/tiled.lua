@@ -348,8 +348,8 @@ end
 ---@field x? number px, default 0: where the map's left edge goes
 ---@field y? number px, default 0: where its upper edge goes
 ---@field solidProperty? string default "solid": name of the property that makes solid
----@field solidLayers? (string|integer)[] names or ids of layers whose tiles are all solid
----@field solidTiles? integer[] gids that are solid in every layer
+---@field solidLayers? (string|integer)[] names or ids of layers: a yes, not their own `solid`
+---@field solidTiles? integer[] gids: a yes instead of the own `solid` of these tiles
 ---@field skipLayers? (string|integer)[] names or ids of layers that are left out
 ---@field merge? boolean default true: equal solid tiles become few; false: each one is an object
 

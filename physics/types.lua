@@ -487,10 +487,12 @@ function default.setBounds(x, y, w, h) end
 --- The name of a layer is the group of its objects. Properties of an object are its fields; those
 --- that the library knows are also taken from its tile, its layer and the layers around it, the
 --- nearest first. Three properties are for the loader: `solid`, `merge`, and `group`, which is used
---- instead of the layer's name. A tile is solid if it, its layer or an option says so, or if it has
---- collision rectangles; `solid = false` on one of them wins, and takes objects out, too. Solid
---- tiles are static unless they say otherwise. Static ones that are equal and no sensors become
---- one; merging changes no motion.
+--- instead of the layer's name. A tile is solid if it or its layer says so, or if it has collision
+--- rectangles, and neither says `solid = false`, which takes objects out, too. A layer that says
+--- nothing says what the nearest one around it does. An option counts as a yes instead of the own
+--- word: `solidTiles` of a tile (not for tile objects), `solidLayers` of a layer. Solid tiles are
+--- static unless they say otherwise. Static ones that are equal and no sensors become one; merging
+--- changes no motion.
 ---
 --- Not supported, and named in `unsupported` of what is returned: maps that are not orthogonal,
 --- rotated objects, polygons, ellipses, points and texts, encoded layer data, parallax, tilesets

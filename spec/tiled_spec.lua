@@ -323,6 +323,10 @@ describe("world", function()
         local set = tiled.tileset({ { id = 0, properties = { solid = false } } })
         local object = tiled.object(1, 0, 8, 8, 8, { gid = 1, properties = { solid = true } })
         assert.same({}, load(newObjects({ object }, nil, { set })).objects)
+        local list = { solidTiles = { 1 } } -- of tiles, not of objects
+        assert.same({}, load(newObjects({ object }, nil, { set }), list).objects)
+        local map = newObjects({ tiled.object(1, 0, 0, 8, 8) }, no)
+        assert.equal(1, #load(map, { solidLayers = { "things" } }).objects)
       end)
 
       --- A tile object stands on its x and y: `o` is what the map says.

@@ -79,6 +79,24 @@ describe("world:loadTiled, tiles", function()
       assert.equal(4, (count(map, { solidLayers = { "ground" } })))
     end)
 
+    it("by an option that counts instead of what they or their layer say", function()
+      local map = newMap({ "666" })
+      assert.equal(0, (count(map)))
+      assert.equal(3, (count(map, { solidTiles = { 6 } })))
+      map.layers[1].properties = { solid = false }
+      assert.equal(0, (count(map, { solidTiles = { 6 } })))
+      assert.equal(0, (count(map, { solidLayers = { "ground" } })))
+      assert.equal(3, (count(map, { solidLayers = { "ground" }, solidTiles = { 6 } })))
+    end)
+
+    it("by the nearest layer around them that says anything", function()
+      local map = newMap({ "5" }, { properties = { solid = true } })
+      map.layers = { tiled.group(2, "all", map.layers, { properties = { solid = false } }) }
+      assert.equal(1, (count(map)))
+      map.layers[1].layers[1].properties = {}
+      assert.equal(0, (count(map, { solidTiles = { 5 } })))
+    end)
+
     it("by their collision rectangles", function()
       local low = tiled.shapes(4, { tiled.object(1, 0, 8, 16, 8) })
       local silent = tiled.shapes(5, { tiled.object(1, 0, 8, 16, 8) }, {
