@@ -79,6 +79,7 @@ describe("a checked world", function()
     { "frictoin", "friction" },
     { "canColide", "canCollide" },
     { "VX", "vx" },
+    { "X", "x" },
     { "velocity", "vx and vy" },
     { "isStatic", "static" },
     { "weight", "mass" },
