@@ -351,8 +351,8 @@ end
 ---
 --- It holds the objects with the fields that the library knows, the settings that change results,
 --- contacts, riders, saved-up time, and events that a failed callback has left behind. It does not
---- hold functions (callbacks, `canCollide`), fields of the game's own, `broadphase`, `cellSize` and
---- `rest`.
+--- hold functions (callbacks, `canCollide`), fields of the game's own, `broadphase`, `cellSize`,
+--- `rest` and `checked`.
 ---
 --- The best place is right before `update`, when the input of the step has been written. Inside a
 --- callback it holds what is still to be told; the event that is being told counts as told.
