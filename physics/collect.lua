@@ -2,7 +2,8 @@
 --
 -- Reads the game's tables; writes the field columns (position, velocity, size, ...), `moved` for
 -- objects whose place, size or filter the game changed, and wakes whatever was written to. A static
--- object is read once. Nothing of the game's is written here, so a refusal leaves it as it was.
+-- object is read once. Reading writes nothing of the game's, so a refusal leaves it as it was; only
+-- `giveTouching`, which is called when all has been read, gives objects their `touching`.
 
 local here = (...):match("^(.*)%.[^.]+$")
 local carrier = require(here .. ".carrier")
