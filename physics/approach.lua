@@ -1,4 +1,5 @@
---- When and on which side two objects meet, if both keep to their present paths.
+--- When and on which side two objects meet (their time of impact), if both keep to their present
+--- paths.
 --
 -- Source: slab method on the Minkowski difference of two boxes that move in a straight line; the
 -- side is the axis on which they were apart last.

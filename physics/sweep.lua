@@ -1,4 +1,5 @@
---- When and on which side one box on its way meets another that stands still. Scalars only.
+--- When (the time of impact) and on which side one box on its way meets another that stands still.
+--- Scalars only.
 --
 -- The rules are those of a step (see approach): the side is the axis on which the two were apart
 -- last, whoever slides past flush meets nobody, and the place at the hit is flush to the bit.
