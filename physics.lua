@@ -14,6 +14,7 @@
 
 local path = ...
 local bank = require(path .. ".bank")
+local check = require(path .. ".check")
 local columns = require(path .. ".columns")
 local interpreted = require(path .. ".interpreted")
 local pure = require(path .. ".pure")
@@ -29,12 +30,20 @@ local physics = {
 
 local default = world.new(nil, "physics")
 
+-- A colon would give the module itself as the first argument.
+local function checkDot(first, name)
+  if rawequal(first, physics) then
+    check.fail("physics." .. name .. " must be called with a dot, not with a colon")
+  end
+end
+
 --- Returns a new, independent world.
 ---
 --- Errors: an unknown setting; a value that cannot be used.
 ---@param settings physics.Settings? default: see physics/fields.lua
 ---@return physics.World
 function physics.newWorld(settings)
+  checkDot(settings, "newWorld")
   return (world.new(settings, "newWorld(settings)"))
 end
 
@@ -43,6 +52,7 @@ end
 --- Errors: an unknown setting; a value that cannot be used.
 ---@param settings physics.Settings? default: see physics/fields.lua
 function physics.load(settings)
+  checkDot(settings, "load")
   default = world.new(settings, "load(settings)")
 end
 
@@ -67,13 +77,18 @@ function physics.compile()
   return true
 end
 
+local function ofDefault(name, method)
+  return function(first, ...)
+    checkDot(first, name)
+    return method(default, first, ...)
+  end
+end
+
 -- Every method of a world is a function of the default world, too.
 local function addMethods()
   for name, method in pairs(world.methods) do
     if type(method) == "function" then
-      physics[name] = function(...)
-        return method(default, ...)
-      end
+      physics[name] = ofDefault(name, method)
     end
   end
 end
@@ -81,10 +96,21 @@ end
 interpreted.always(addMethods)
 addMethods()
 
-physics.inside = pure.inside
-physics.side = pure.side
-physics.checkCollision = pure.checkCollision
-physics.bump = pure.bump
+---@generic F
+---@param name string
+---@param f F
+---@return F
+local function dotted(name, f)
+  return function(first, ...)
+    checkDot(first, name)
+    return f(first, ...)
+  end
+end
+
+physics.inside = dotted("inside", pure.inside)
+physics.side = dotted("side", pure.side)
+physics.checkCollision = dotted("checkCollision", pure.checkCollision)
+physics.bump = dotted("bump", pure.bump)
 
 --- Defines the global names of the tutorial: `objects`, `physics_load`, `physics_update`,
 --- `checkCollision`, `inside` and `bump`. `physics_update` reads the global `objects` anew each

@@ -727,6 +727,40 @@ describe("every method of a world", function()
   end)
 end)
 
+describe("every function of the module", function()
+  local NO_ARGUMENTS = { compile = true, globals = true }
+
+  it("says so when it is called with a colon instead of a dot, and does nothing", function()
+    local names = {}
+    for name, value in pairs(physics) do
+      if type(value) == "function" and not NO_ARGUMENTS[name] then
+        names[#names + 1] = name
+      end
+    end
+    assert.is_true(#names > 25)
+    table.sort(names)
+    physics.load({ gravity = 800 })
+    local coin = physics.add("coins", newBox())
+    local hash = physics.hash()
+    for _, name in ipairs(names) do
+      for _, argument in ipairs({ DT, "coins", coin, {} }) do
+        local ok, message = pcall(function()
+          local result = physics[name](physics, argument, coin)
+          return result
+        end)
+        assert.is_false(ok, name)
+        local words = "physics: physics." .. name .. " must be called with a dot, not with a colon"
+        assert.truthy(message:find(words, 1, true), message)
+        assert.truthy(message:find("bad_input_spec.lua:", 1, true), message)
+      end
+      assert.is_false((pcall(physics[name], physics)), name)
+    end
+    assert.equal(hash, physics.hash())
+    assert.equal(coin, physics.objects.coins[1])
+    physics.load()
+  end)
+end)
+
 -- canCollide --------------------------------------------------------------------------------------
 
 describe("from inside canCollide", function()
