@@ -122,7 +122,6 @@ function settings.fill(self, given)
     end
     self[field.name] = value
   end
-  b.gravityX, b.gravity = self.gravityX, self.gravity
   b.applied = {}
   b.masksSeen = false
   b.orientation = {}
