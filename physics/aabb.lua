@@ -6,10 +6,6 @@ local max, min = math.max, math.min
 
 local aabb = {}
 
---- The side of the second rectangle that is hit when the first is hit on the key.
----@type table<string, string>
-aabb.OPPOSITE = { top = "bottom", bottom = "top", left = "right", right = "left" }
-
 --- Returns the size of the intersection rectangle.
 ---
 ---     +-------+              width, height > 0: the rectangles overlap

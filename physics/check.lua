@@ -23,17 +23,6 @@ local getinfo = type(debug) == "table" and debug.getinfo or nil
 local ownSources = {} -- chunk names that are the library's
 local ownFolder -- prefix of the chunk names in its folder, nil: it was joined in one file
 
---- Counts a chunk as part of the library, so that no error blames it. Files in the folder of this
---- one and the door beside the folder (`physics.lua` next to `physics/`) are known without; only a
---- file that stands elsewhere has to call it: `check.own()`.
----@param source string? chunk name as in debug.getinfo(f, "S").source, default the calling file's
-function check.own(source)
-  source = source or (getinfo and getinfo(2, "S").source)
-  if source then
-    ownSources[source] = true
-  end
-end
-
 local function learnOwnSources()
   local source = getinfo(1, "S").source
   ownSources[source] = true
@@ -569,15 +558,6 @@ end
 function check.table(value, what, where)
   if type(value) ~= "table" then
     fail(mustBe(where .. ": " .. what, "a table", value))
-  end
-end
-
----@param value any
----@param what string name of the argument
----@param where string the call
-function check.func(value, what, where)
-  if type(value) ~= "function" then
-    fail(mustBe(where .. ": " .. what, "a function", value))
   end
 end
 

@@ -8,7 +8,6 @@
 ---   values    the strings that are allowed
 ---   required  true: has no default
 ---   written   true: the library writes it; what the game put there is not read
----   runtime   true (settings): a plain field of the world, may change between two updates
 ---   signature parameters of a function
 ---
 --- Types: "number" (finite), "boolean", "string" (one of `values`), "function",
@@ -28,7 +27,6 @@
 ---@field values string[]?
 ---@field required boolean?
 ---@field written boolean?
----@field runtime boolean?
 ---@field signature string?
 
 local SIDES = { "top", "bottom", "left", "right" }
@@ -293,7 +291,6 @@ fields.settings = {
     type = "number",
     default = 9.81 * 64,
     unit = "px/s²",
-    runtime = true,
     meaning = "The downward acceleration of everything that moves, for 64 px to the metre.",
   },
   {
@@ -301,7 +298,6 @@ fields.settings = {
     type = "number",
     default = 0,
     unit = "px/s²",
-    runtime = true,
     meaning = "The sideways acceleration of everything that moves.",
   },
   {
@@ -309,7 +305,6 @@ fields.settings = {
     type = "string",
     values = { "both", "first" },
     default = "both",
-    runtime = true,
     meaning = "Who gives way: both of a pair by inverse mass, or only the object that ran into the"
       .. " other.",
   },
@@ -317,14 +312,12 @@ fields.settings = {
     name = "masks",
     type = "masks",
     absent = "every group collides with every group",
-    runtime = true,
     meaning = "Groups that pass through each other: `masks = { bullets = { players = false } }`.",
   },
   {
     name = "sideBySide",
     type = "boolean",
     default = false,
-    runtime = true,
     meaning = "Whether flush neighbours that never pressed each other count as colliding: in"
       .. " events, `touching`, `queryRect` and `overlapping`.",
   },
@@ -333,7 +326,6 @@ fields.settings = {
     type = "string",
     values = { "auto", "pairs", "grid" },
     default = "auto",
-    runtime = true,
     meaning = "How pairs that may meet are found; all give the same result to the bit.",
   },
   {
@@ -342,7 +334,6 @@ fields.settings = {
     absent = "from the sizes of the objects",
     unit = "px",
     above = 0,
-    runtime = true,
     meaning = "The width and height of a grid cell.",
   },
   {
@@ -352,7 +343,6 @@ fields.settings = {
     unit = "s",
     min = 1e-5,
     max = 0.25,
-    runtime = true,
     meaning = "A fixed step: `update` saves up dt and makes as many of them as fit.",
   },
   {
@@ -362,21 +352,18 @@ fields.settings = {
     unit = "s",
     min = 1e-5,
     max = 0.25,
-    runtime = true,
     meaning = "The longest single step; a longer dt is split, but a `timestep` is one step.",
   },
   {
     name = "order",
     type = "names",
     absent = "numbers ascending, then strings",
-    runtime = true,
     meaning = "Group names from first to last; those that are not listed follow in usual order.",
   },
   {
     name = "rest",
     type = "boolean",
     default = true,
-    runtime = true,
     meaning = "Whether objects whose step would change nothing are skipped; the result is the same"
       .. " to the bit.",
   },
@@ -384,7 +371,6 @@ fields.settings = {
     name = "checked",
     type = "boolean",
     default = false,
-    runtime = true,
     meaning = "Whether every step also looks for what is easily done wrong: a static object changed"
       .. " without `refresh`, a misspelled field, an object in two worlds; for a game that is being"
       .. " written.",
@@ -394,7 +380,6 @@ fields.settings = {
     type = "function",
     signature = "(a, b, side, speed)",
     absent = "none",
-    runtime = true,
     meaning = "Called once when a contact starts, a before b in order; side is the side of a.",
   },
   {
@@ -402,7 +387,6 @@ fields.settings = {
     type = "function",
     signature = "(a, b, side)",
     absent = "none",
-    runtime = true,
     meaning = "Called at every further step of a contact.",
   },
   {
@@ -410,7 +394,6 @@ fields.settings = {
     type = "function",
     signature = "(a, b, side)",
     absent = "none",
-    runtime = true,
     meaning = "Called once when a contact ends.",
   },
   {
@@ -418,7 +401,6 @@ fields.settings = {
     type = "function",
     signature = "(object, a, b, axis)",
     absent = "none",
-    runtime = true,
     meaning = "Called once when an object is held between a and b, which cannot give way.",
   },
   {
@@ -426,7 +408,6 @@ fields.settings = {
     type = "function",
     signature = "(a, b, side)",
     absent = "always",
-    runtime = true,
     meaning = "Asked before every contact: `false` lets the pair pass through for this step; it"
       .. " must not change the world.",
   },

@@ -138,23 +138,6 @@ describe("check", function()
     end)
   end)
 
-  describe(".own #files", function()
-    local DOOR = "local check = ... check.own() return function() check.fail('oops') end"
-
-    it("makes a file that stands elsewhere part of the library", function()
-      local loaded = loadCheck("@lib/physics/check.lua")
-      local call = compile(DOOR, "@elsewhere.lua", {})(loaded)
-      assert.equal("main.lua:2: physics: oops", messageOf(gameFunction("@main.lua", call)))
-    end)
-
-    it("takes the name of a chunk, too", function()
-      local loaded = loadCheck("@lib/physics/check.lua")
-      loaded.own("@elsewhere.lua")
-      local call = libraryFunction(loaded, "@elsewhere.lua")
-      assert.equal("main.lua:2: physics: oops", messageOf(gameFunction("@main.lua", call)))
-    end)
-  end)
-
   describe(".show", function()
     local forty = ("0123456789"):rep(4)
     for _, row in ipairs({
@@ -504,7 +487,6 @@ describe("check", function()
       { "positive", { 1e-9, 5 } },
       { "boolean", { true, false } },
       { "table", { {} } },
-      { "func", { print } },
     }) do
       local name, values = row[1], row[2]
       it("." .. name .. " accepts what fits", function()
@@ -539,7 +521,6 @@ describe("check", function()
       { "integer", INF, { 1, 3 }, "dt must be an integer in 1..3, got inf" },
       { "boolean", 1, {}, "dt must be true or false, got 1" },
       { "table", 1, {}, "dt must be a table, got 1" },
-      { "func", {}, {}, "dt must be a function, got table" },
       { "choice", "jump", { { "slide", "touch" } }, 'dt must be "slide" or "touch", got "jump"' },
       { "choice", nil, { { "slide" } }, 'dt must be "slide", got nil' },
     }) do

@@ -155,11 +155,3 @@ for _, kind in ipairs({
     end
   end)
 end
-
-describe("fields.settings", function()
-  it("are the world's plain fields that may change at run time", function()
-    for _, field in ipairs(fields.settings) do
-      assert.is_true(field.runtime)
-    end
-  end)
-end)
