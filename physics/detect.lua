@@ -130,8 +130,8 @@ local function fatten(b, k)
   b.fatHigh[k] = max(from, to) + size + MARGIN + max(ahead, 0)
 end
 
---- Whether the path of an object leaves its fat box.
-function detect.hasLeft(b, i)
+-- Whether the path of an object leaves its fat box.
+local function hasLeft(b, i)
   local from, to, size, fatLow, fatHigh = b.from, b.to, b.size, b.fatLow, b.fatHigh
   local k = 2 * i
   return b.placed[i] ~= 2
@@ -144,8 +144,6 @@ function detect.hasLeft(b, i)
     or from[k + 1] + size[k + 1] > fatHigh[k + 1]
     or to[k + 1] + size[k + 1] > fatHigh[k + 1]
 end
-
-local hasLeft = detect.hasLeft
 
 local function enlarge(b, i)
   fatten(b, 2 * i)

@@ -61,8 +61,8 @@ local function show(px)
   return check.show(math.floor(px * 1000 + 0.5) / 1000)
 end
 
---- Returns the side of slot i at which slot j is flush, or nil.
-function explain.flushSide(v, i, j)
+-- The side of slot i at which slot j is flush, or nil.
+local function flushSide(v, i, j)
   local gapX, gapY = gapsOf(v, i, j)
   local p, k, m = v.position, 2 * i, 2 * j
   if gapX > EPSILON or gapY > EPSILON then
@@ -74,9 +74,8 @@ function explain.flushSide(v, i, j)
   end
 end
 
---- Returns the side of slot i at which it has left slot j the least room, or nil if they do not
---- overlap.
-function explain.deepSide(v, i, j)
+-- The side of slot i at which it has left slot j the least room, or nil if they do not overlap.
+local function deepSide(v, i, j)
   local gapX, gapY = gapsOf(v, i, j)
   if gapX >= -EPSILON or gapY >= -EPSILON then
     return nil
@@ -87,7 +86,7 @@ end
 
 local function explainPlace(v, i, j)
   local gapX, gapY = gapsOf(v, i, j)
-  local side = explain.flushSide(v, i, j)
+  local side = flushSide(v, i, j)
   if side then
     return format("they are flush at the %s of %s", side, nameOf(v, i))
   elseif gapX > EPSILON and gapY > EPSILON then
@@ -164,11 +163,11 @@ function explain.touching(world, a, b)
   if a == b or filter.reason(v, i, j) then
     return nil
   end
-  local flush = explain.flushSide(v, i, j)
+  local flush = flushSide(v, i, j)
   if flush and world.sideBySide and not (v.sensor[i] or v.sensor[j]) then
     return flush
   end
-  local deep = explain.deepSide(v, i, j)
+  local deep = deepSide(v, i, j)
   local slotA, slotB = core.slotOf[a], core.slotOf[b]
   local p = (flush or deep) and slotA and slotB and columns.pairOf(core, slotA, slotB)
   local contact = p and core.contact[p] or 0

@@ -28,8 +28,8 @@ function rounds.finish(b, round)
   b.round, b.roundAxis = round, 2
 end
 
---- Whether a round goes back.
-function rounds.isBack(round)
+-- Whether a round goes back.
+local function isBack(round)
   return round % 2 == 1
 end
 
@@ -38,7 +38,7 @@ end
 ---@return number
 ---@return number
 function rounds.direction(round, first, last)
-  if rounds.isBack(round) then
+  if isBack(round) then
     return first + last, -1
   end
   return 0, 1
@@ -65,7 +65,7 @@ end
 --- Returns what decides the place of a turn in a round (the larger support first, then the smaller
 --- ranks) from what does in the first round; and the other way, too.
 function rounds.turned(round, support, first, second)
-  if rounds.isBack(round) then
+  if isBack(round) then
     return -support, -first, -second
   end
   return support, first, second
@@ -93,7 +93,7 @@ function rounds.of(b, axis, support, first, second)
   local round, isLater = b.round, axis > b.roundAxis
   if axis == b.roundAxis then
     local isHere = support == b.roundSupport and first == b.roundFirst and second == b.roundSecond
-    isLater = not isHere and isBehind(b, support, first, second) ~= rounds.isBack(round)
+    isLater = not isHere and isBehind(b, support, first, second) ~= isBack(round)
   end
   if isLater or round == LAST then
     return round

@@ -193,8 +193,8 @@ end
 
 -- Who is there -----------------------------------------------------------------------------------
 
---- Returns the working lists of a world: `objects` and `slots` by number, `numbers` by slot.
-function state.work(b)
+-- The working lists of a world: `objects` and `slots` by number, `numbers` by slot.
+local function workOf(b)
   b.saving = b.saving or { objects = {}, slots = {}, numbers = {}, keys = {}, groups = {} }
   return b.saving
 end
@@ -700,7 +700,7 @@ end
 --- Errors: something that `update` would refuse.
 function state.fill(world, out)
   local b = world._bodies
-  local work = state.work(b)
+  local work = workOf(b)
   out.version = state.VERSION
   saveSettings(world, out)
   out.saved = world._saved
