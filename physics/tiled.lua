@@ -71,6 +71,24 @@ local function checkGids(list)
   return isSolid
 end
 
+local function checkOffset(options, name)
+  local value = options[name]
+  if value == nil then
+    return 0
+  end
+  check.number(value, name, IN_OPTIONS)
+  return value
+end
+
+local function checkSolidProperty(name)
+  if name == nil then
+    return "solid"
+  elseif type(name) ~= "string" then
+    check.fail(IN_OPTIONS .. ": solidProperty must be a name, got " .. check.show(name))
+  end
+  return name
+end
+
 local function checkOptions(options)
   if options == nil then
     options = {}
@@ -84,17 +102,11 @@ local function checkOptions(options)
   if options.merge ~= nil then
     check.boolean(options.merge, "merge", IN_OPTIONS)
   end
-  check.number(options.x or 0, "x", IN_OPTIONS)
-  check.number(options.y or 0, "y", IN_OPTIONS)
-  local solidProperty = options.solidProperty or "solid"
-  if type(solidProperty) ~= "string" then
-    check.fail(IN_OPTIONS .. ": solidProperty must be a name, got " .. check.show(solidProperty))
-  end
   return {
     merge = options.merge ~= false,
-    x = options.x or 0,
-    y = options.y or 0,
-    solidProperty = solidProperty,
+    x = checkOffset(options, "x"),
+    y = checkOffset(options, "y"),
+    solidProperty = checkSolidProperty(options.solidProperty),
     isSolidGid = checkGids(options.solidTiles),
     solidLayers = checkNames(options, "solidLayers"),
     skipLayers = checkNames(options, "skipLayers"),
