@@ -192,7 +192,10 @@ describe("the life of a contact", function()
       owner.onStay = function()
         stays = stays + 1
       end
-      world:refresh(floor)
+      assert.equal(1, world.stats.resting)
+      if who == "floor" then
+        world:refresh(floor) -- of a static object it is read once
+      end
       play(world, 100)
       assert.equal(100, stays, who)
       owner.onStay = nil
