@@ -1,5 +1,6 @@
 --- Corner correction: a hit that misses by a few pixels slides around the corner.
 
+local physics = require("physics")
 local scene = require("spec.support.scene")
 local variants = require("spec.support.variants")
 
@@ -114,6 +115,24 @@ describe("nudge", function()
       end)
     end)
 
+    --   +------+
+    --   |      +------   another one half a pixel higher
+    --   +------+
+    --        +-+
+    it("with another block behind it passes the first one, and bumps at the second", function()
+      scene.each(EVERYWHERE, function(run)
+        local named = run:build({
+          gravity = 0,
+          solid("block", 100, 50, 64, 16),
+          solid("next", 164, 49.5, 64, 16),
+          body(161, 176, 0, -400, { nudge = 4 }),
+        })
+        run:play(1 / 2)
+        run:at(named.body, 164, 65.5)
+        run:touches(named.body, "top")
+      end)
+    end)
+
     it("fits exactly between two", function()
       scene.each(EVERYWHERE, function(run)
         local named = run:build({
@@ -198,6 +217,27 @@ describe("nudge", function()
         run:same("bumps", log.sides.top, 1)
       end)
     end)
+  end)
+
+  --   +----------+
+  --   | o        |    0 .. 112, 0 .. 64: the ball comes by several times
+  --   |    ##    |
+  --   +----------+
+  it("leads around the same block again and again, in one long step as in many", function()
+    for _, steps in ipairs({ 1, 2, 15, 64 }) do
+      local dt = 0.25 / steps
+      local world = physics.newWorld({ gravity = 0, timestep = dt })
+      world:setBounds(0, 0, 112, 64)
+      world:add("blocks", { x = 48, y = 36, width = 12, height = 8, static = true })
+      local ball = world:add("balls", { x = 0, y = 8, width = 12, height = 12 })
+      ball.vx, ball.vy, ball.restitution, ball.nudge = 512, 1792, 1, 15
+      for _ = 1, steps do
+        world:update(dt)
+      end
+      assert.near(464 / 7, ball.x, 1e-6)
+      assert.near(46, ball.y, 1e-6)
+      assert.same({ 512, 1792 }, { ball.vx, ball.vy })
+    end
   end)
 
   --            |  |
