@@ -206,6 +206,20 @@ describe("rest changes nothing:", function()
   end)
 end)
 
+describe("a box on a floor", function()
+  for _, rate in ipairs({ 30, 60, 144, 240, 1000, 2000 }) do
+    it("is skipped at " .. rate .. " Hz", function()
+      local world = physics.newWorld()
+      world:add("floors", { x = 0, y = 16, width = 64, height = 16, static = true })
+      world:add("boxes", { x = 0, y = 0, width = 16, height = 16 })
+      for _ = 1, 8 do
+        world:update(1 / rate)
+      end
+      assert.equal(1, world.stats.resting)
+    end)
+  end
+end)
+
 describe("an object that becomes static", function()
   it("has no past that others could feel", function()
     local world = physics.newWorld()
