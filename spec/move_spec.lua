@@ -132,6 +132,21 @@ describe("world:move", function()
     end
   end)
 
+  it("ends after 64 hits", function()
+    local world = still()
+    local me = world:add("a", box(0, 0, 10, 10))
+    for _, x in ipairs({ 20, -20 }) do
+      world:add("b", box(x, -50, 10, 100, { static = true }))
+    end
+    -- 10 px to the first wall, 20 px from one to the other: hit 64 after 1270 px, 65 after 1290
+    local rows = { { 1269, -9, 63 }, { 1289, 9, 64 }, { 1291, -10, 64 }, { 9000, -10, 64 } }
+    for _, row in ipairs(rows) do
+      me.x = 0
+      local x, y, _, count = world:move(me, row[1], 0, "bounce")
+      assert.are.same({ row[2], 0, row[3] }, { x, y, count })
+    end
+  end)
+
   it("slides as the README of bump.lua shows", function()
     local world = still()
     local a = world:add("items", box(0, 0, 64, 256))
@@ -401,6 +416,26 @@ describe("world:setBounds", function()
     world:update(1 / 60)
     assert.is_nil(world.objects.bounds)
     assert.are.equal(1, world.stats.objects)
+  end)
+
+  --   +-------------+    x from -64 to 164
+  --   +--+-------+--+
+  --   |  |       |  |    0 .. 100, 0 .. 80
+  --   +--+-------+--+
+  --   +-------------+    y from -64 to 144
+  it("closes the corners, too", function()
+    local world = still()
+    world:setBounds(0, 0, 100, 80)
+    for _, row in ipairs({
+      { "top", -64, -64, 228, 64 },
+      { "bottom", -64, 80, 228, 64 },
+      { "left", -64, 0, 64, 80 },
+      { "right", 100, 0, 64, 80 },
+    }) do
+      local wall = world.objects.bounds[row[1]]
+      assert.same({ row[2], row[3], row[4], row[5] }, { wall.x, wall.y, wall.width, wall.height })
+      assert.is_true(wall.static)
+    end
   end)
 
   it("leaves the game's own objects in the group alone", function()
