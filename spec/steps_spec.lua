@@ -281,7 +281,7 @@ describe("friction", function()
       world:update(DT)
     end
     assert.equal(0, box.vx)
-    assert.near(90 * 90 / (2 * 400), box.x, 0.1)
+    assert.near(90 * 90 / (2 * 400), box.x, 1e-6)
   end)
 end)
 
