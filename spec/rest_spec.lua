@@ -47,6 +47,10 @@ function acts.bounds(player, ...)
   player.world:setBounds(...)
 end
 
+function acts.set(player, name, value)
+  player.world[name] = value
+end
+
 function acts.update(player, dt)
   player.world:update(dt)
 end
@@ -191,6 +195,27 @@ describe("rest changes nothing:", function()
     assert.near(-110, objects[1].x, 1e-6)
     assert.near(-30, objects[3].x, 1e-6)
     assert.equal(90, objects[5].x)
+  end)
+
+  -- The box at the wall rests in one mode; in the other, friction with the one that is pressed on
+  -- it draws it away by a thousandth of a pixel a step.
+  it("the mode of pushing changes while all rest", function()
+    local function box(x, y, width, height, fields)
+      fields.x, fields.y, fields.width, fields.height = x, y, width, height
+      return fields
+    end
+    local list = {
+      { "add", 1, "walls", box(-16, 64, 96, 16, { static = true }) },
+      { "add", 2, "walls", box(64, -64, 16, 192, { static = true }) },
+      { "add", 3, "boxes", box(16, 48, 24, 16, { friction = 0.285 }) },
+      { "add", 4, "boxes", box(36, 0, 24, 24, { pushable = false, ay = 512 }) },
+      { "add", 5, "boxes", box(0, 28, 8, 32, { pushable = false, ax = 256 }) },
+      { "add", 6, "boxes", box(36, 40, 32, 8, { friction = 0.22 }) },
+    }
+    for n = 1, 44 do
+      list[#list + 1] = n == 41 and { "set", "push", "both" } or { "update", DT }
+    end
+    checkSame({ gravity = 0, push = "first" }, list)
   end)
 
   it("a step is too short for anything to happen", function()
