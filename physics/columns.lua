@@ -285,6 +285,8 @@ function columns.new()
     awakeCount = 0,
     island = {}, -- scratch of rest
     stack = {}, -- scratch of crush
+    givenUp = {}, -- pairs that have met too often in this step, one of which cannot be pushed
+    givenUpCount = 0,
     liveCount = 0,
     liveStamp = 0,
     step = 0, -- counts the steps, for `watched`

@@ -15,7 +15,6 @@ require(here .. ".interpreted").file()
 local crush = {}
 
 local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
-local MOST_STACKED = 256
 
 -- The nearest of those welded to i on one side of it, 0: none.
 local function weldedTo(b, i, axis, isLow)
@@ -51,16 +50,20 @@ local function holderOf(b, i, axis, isLow)
 end
 
 -- The end of the chain of those who hold each other, on one side of slot i: the first that cannot
--- be pushed at all.
-local function endOf(b, i, axis, isLow)
-  for _ = 1, MOST_STACKED do
+-- be pushed at all. nil: the chain comes to `other`, who should be on the other side, or it has no
+-- end. That is so where many are crushed into less than half of their place, and one is in front of
+-- the next by one meeting, and behind it by others.
+local function endOf(b, i, other, axis, isLow)
+  for _ = 1, b.count do
     local by = holderOf(b, i, axis, isLow)
     if by == 0 then
       return i
+    elseif by == other then
+      return nil
     end
     i = by
   end
-  return i
+  return nil
 end
 
 -- Lists the members of the chain from `low` (excluded) up to `lo`, then from `hi` to `high`
@@ -124,18 +127,36 @@ local function spread(b, count, low, high, axis)
   end
 end
 
+-- Nobody knows by whom the two are held. But a wall stays a wall: who would be wholly inside, or on
+-- the far side, ends flush.
+local function stop(b, lo, hi, axis)
+  local kl, kh = 2 * lo + axis, 2 * hi + axis
+  local depth = b.to[kl] + b.size[kl] - b.to[kh]
+  if b.kind[lo] ~= DYNAMIC and depth > b.size[kh] - EPSILON then
+    put(b, hi, kh, b.to[kl] + b.size[kl], b.speed[kl])
+  elseif b.kind[hi] ~= DYNAMIC and depth > b.size[kl] - EPSILON then
+    put(b, lo, kl, b.to[kh] - b.size[kl], b.speed[kh])
+  end
+end
+
 --- Notes that `lo` and `hi`, neither of which can give way, are pressed together on `axis`. All
 --- that is held between two ends overlaps its neighbours by the same small amount.
 function crush.note(b, lo, hi, axis)
-  local low, high = endOf(b, lo, axis, true), endOf(b, hi, axis, false)
+  local low, high = endOf(b, lo, hi, axis, true), endOf(b, hi, lo, axis, false)
+  if not (low and high) then
+    return stop(b, lo, hi, axis)
+  end
   local count, sum = list(b, lo, hi, low, high, axis)
   if count == 0 then
-    return
+    return stop(b, lo, hi, axis)
   end
   local kl, kh = 2 * low + axis, 2 * high + axis
   local at = b.to[kl] + b.size[kl]
   local overlap = (at + sum - b.to[kh]) / (count + 1)
-  if overlap <= EPSILON then
+  -- Each overlaps the next by more than they are wide: others have pushed an end that is no wall
+  -- far beyond the other one, and only that counts.
+  local hasOneWall = (b.kind[low] == DYNAMIC) ~= (b.kind[high] == DYNAMIC)
+  if overlap <= EPSILON or (hasOneWall and overlap * count > sum) then
     return spread(b, count, low, high, axis)
   end
   local v = (b.speed[kl] + b.speed[kh]) * 0.5
@@ -147,6 +168,25 @@ function crush.note(b, lo, hi, axis)
     put(b, i, k, at - overlap, v)
     at = b.to[k] + b.size[k]
   end
+end
+
+--- Keeps out of walls whom others have pushed there until patience was used up: the pairs in
+--- b.givenUp, one of each cannot be pushed at all.
+function crush.keepOut(b)
+  -- First from walls on the low side, then from the others: in whatever order they are listed.
+  for turn = 1, 2 do
+    for n = 1, b.givenUpCount do
+      local p = b.givenUp[n]
+      local lo, hi, side = b.pairA[p], b.pairB[p], b.hit[p]
+      if side % 2 == 1 then -- left or top of the pair's first
+        lo, hi = hi, b.pairA[p]
+      end
+      if (b.kind[lo] ~= DYNAMIC) == (turn == 1) then
+        stop(b, lo, hi, side > 2 and 1 or 0)
+      end
+    end
+  end
+  b.givenUpCount = 0
 end
 
 --- Tells whoever began to be crushed in this step.

@@ -11,6 +11,7 @@ local here = (...):match("^(.*)%.[^.]+$")
 local approach = require(here .. ".approach")
 local ask = require(here .. ".ask")
 local columns = require(here .. ".columns")
+local crush = require(here .. ".crush")
 local detect = require(here .. ".detect")
 local footing = require(here .. ".footing")
 local gather = require(here .. ".gather")
@@ -72,11 +73,21 @@ local function keyOf(t, kind, isSensed, round, axis)
   return (moment * 4 + kind) * KEYS + 2 * round + axis
 end
 
+-- A pair has met too often, and is left alone. But a wall stays a wall: see `crush.keepOut`.
+local function giveUp(b, p)
+  if b.kind[b.pairA[p]] ~= DYNAMIC or b.kind[b.pairB[p]] ~= DYNAMIC then
+    b.givenUpCount = b.givenUpCount + 1
+    b.givenUp[b.givenUpCount] = p
+  end
+end
+
 local function enqueue(b, p, t, code)
   local one, other, met = b.pairA[p], b.pairB[p], b.met[p]
   local isSensed = b.sensor[one] or b.sensor[other]
-  if b.passing[p] or met >= resolve.PATIENCE or (isSensed and met > 0) then
+  if b.passing[p] or (isSensed and met > 0) then
     return
+  elseif met >= resolve.PATIENCE then
+    return giveUp(b, p)
   end
   local kind, axis, otherIsLow = approach.decode(code)
   local low, high = one, other
@@ -499,6 +510,9 @@ function meet.run(b, dt)
     take(b, id, dt)
     prepare(b, dt)
     id = queue.pop(q)
+  end
+  if b.givenUpCount > 0 then
+    crush.keepOut(b)
   end
 end
 

@@ -1,5 +1,6 @@
 --- Crushing: held between two that cannot give way.
 
+local physics = require("physics")
 local scene = require("spec.support.scene")
 local variants = require("spec.support.variants")
 
@@ -521,5 +522,80 @@ describe("crushing", function()
         run:same("number " .. i, one[i], other[i])
       end
     end)
+  end)
+end)
+
+-- Many who are pressed into much less than their place. How they lie then is nobody's business, but
+-- they stay where they are: one that others push through a wall is never free again.
+describe("a crowd that is crushed", function()
+  local function coinsIn(height, count, settings, isClosed)
+    local world, coins = physics.newWorld(settings), {}
+    for _, y in ipairs({ 0, 16 + height }) do
+      world:add("tiles", { x = -4000, y = y, width = 8800, height = 16, static = true })
+    end
+    for _, x in ipairs(isClosed and { 368, 432 } or {}) do
+      world:add("tiles", { x = x, y = 16, width = 16, height = height, static = true })
+    end
+    for i = 1, count do
+      coins[i] = world:add("coins", { x = 400, y = 18, width = 16, height = 16 })
+    end
+    return world, coins
+  end
+
+  local function staysIn(height, count, settings, isClosed)
+    local world, coins = coinsIn(height, count, settings, isClosed)
+    local least, most = isClosed and 368 or -4000, isClosed and 448 or 4800
+    for step = 1, 12 do
+      world:update(1 / 60)
+      for i = 1, count do
+        local x, y = coins[i].x + 8, coins[i].y + 8
+        if x < least or x > most or y < 0 or y > height + 32 then
+          error(("%d coins, %d px, step %d: one is at %g, %g"):format(count, height, step, x, y))
+        end
+      end
+    end
+  end
+
+  it("does not leave the corridor in which all its coins were dropped at one spot", function()
+    for count = 9, 11 do
+      for _, gravity in ipairs({ 0, 800 }) do
+        for _, push in ipairs({ "both", "first" }) do
+          staysIn(48, count, { gravity = gravity, push = push }, count == 10)
+        end
+      end
+    end
+  end)
+
+  it("does not leave the room whose bounds are less far apart than its column is high", function()
+    local world, zombies = physics.newWorld({ gravity = 0 }), {}
+    world:setBounds(0, 0, 300, 200)
+    for i = 1, 20 do
+      zombies[i] = world:add("zombies", { x = 140, y = 90, width = 24, height = 24 })
+    end
+    for _ = 1, 20 do
+      world:update(1 / 60)
+      for i = 1, 20 do
+        assert.is_true(zombies[i].y > -24 and zombies[i].y < 200, zombies[i].y)
+      end
+    end
+  end)
+
+  it("stays between the lift that takes it up and the ceiling", function()
+    for _, count in ipairs({ 8, 11 }) do
+      local world, crates = physics.newWorld({ gravity = 800 }), {}
+      world:add("ceilings", { x = 0, y = 0, width = 300, height = 100, static = true })
+      local lift = { x = 100, y = 400, width = 100, height = 16, kinematic = true, vy = -60 }
+      world:add("lifts", lift)
+      for i = 1, count do
+        crates[i] = world:add("crates", { x = 140, y = 400 - 16 * i, width = 16, height = 16 })
+      end
+      while lift.y > 120 do
+        world:update(1 / 60)
+        for i = 1, count do
+          local y = crates[i].y
+          assert.is_true(y > 100 - 16 and y < lift.y, count .. " crates, one at " .. y)
+        end
+      end
+    end
   end)
 end)
