@@ -89,7 +89,8 @@ function carrier.ownVelocity(b, k, c, isNew)
   return v - c
 end
 
---- Marks the riders of a slot that goes away, ceases to carry or to be in their way.
+--- Marks the riders of a slot that goes away, ceases to carry or to be in their way. (Who stands on
+--- one that carries nobody is seen to by `detect` when the two are parted.)
 function carrier.forget(b, c)
   if b.kind[c] == DYNAMIC and b.surfaceSpeed[c] == 0 then
     return

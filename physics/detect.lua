@@ -5,7 +5,7 @@
 -- and nothing is looked up. A larger set of neighbours changes no result, since each pair is tested
 -- exactly later on; so broad phases and margins may differ, the bits do not.
 --
--- Reads from, to, size; writes fatLow, fatHigh and the pairs.
+-- Reads from, to, size; writes fatLow, fatHigh, the pairs, and `support` of who has lost it.
 
 local here = (...):match("^(.*)%.[^.]+$")
 local columns = require(here .. ".columns")
@@ -199,12 +199,25 @@ function detect.runMoved(b)
   runPresent(b, b.movedList, b.movedCount)
 end
 
---- Takes an object out: no neighbours, not in the broad phase.
+-- Who is no neighbour any more is nothing to stand on: its slot may soon be somebody else's.
+local function leaveSupport(b, i, j)
+  local support = b.support
+  if support[i] == j then
+    support[i] = 0
+  end
+  if support[j] == i then
+    support[j] = 0
+  end
+end
+
+--- Takes an object out: no neighbours, not in the broad phase. Nobody stands on it then, and it
+--- stands on nobody.
 function detect.remove(b, i)
   local half, n = b.head[i], 0
   while half ~= 0 do
     n = n + 1
     b.parted[n] = (half + half % 2) / 2
+    leaveSupport(b, i, b.other[half])
     half = b.next[half]
   end
   columns.unlinkAll(b, b.parted, n)
@@ -227,6 +240,7 @@ function detect.refilter(b, i)
     if not filter.allows(b, i, b.other[half]) then
       n = n + 1
       b.parted[n] = (half + half % 2) / 2
+      leaveSupport(b, i, b.other[half])
     end
     half = b.next[half]
   end

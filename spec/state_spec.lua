@@ -374,6 +374,82 @@ describe("world:restore", function()
     assert.are.equal(world:hash(), copy:hash())
   end)
 
+  -- A box with `drag` on another one on the floor: what stands is held by it, what falls is braked.
+  local function newTower()
+    local world = physics.newWorld({ gravity = 800 })
+    world:add("floors", { x = -100, y = 40, width = 300, height = 10, static = true })
+    local low = world:add("boxes", { x = 0, y = 20, width = 20, height = 20 })
+    local high = world:add("crates", { x = 0, y = 0, width = 20, height = 20, drag = 500 })
+    for _ = 1, 10 do
+      world:update(1 / 60)
+    end
+    assert.are.equal(low, high.touching.bottom)
+    return world, low, high
+  end
+
+  -- 300 px/s² are left of the pull.
+  local FALLEN = 300 / 60 / 60 / 2
+
+  for _, row in ipairs({
+    {
+      "who has lost what it stood on falls as in the straight run",
+      function(world, low)
+        world:remove(low)
+      end,
+    },
+    {
+      "the same if somebody else has come since, in any place of the memory",
+      function(world, low)
+        world:remove(low)
+        world:update(0)
+        for n = 1, 3 do
+          world:add("others", { x = 300 * n, y = 0, width = 20, height = 20 })
+        end
+      end,
+    },
+    {
+      "the same if a mask parts them before it goes",
+      function(world, low, high)
+        high.mask = { boxes = false }
+        world:update(0)
+        world:remove(low)
+      end,
+    },
+    {
+      "the same if it was off when that went",
+      function(world, low, high)
+        high.active = false
+        world:update(0)
+        world:remove(low)
+        world:update(0)
+        high.active = nil
+      end,
+    },
+    {
+      "the same if masks of the world part them before it goes",
+      function(world, low)
+        world.masks = { boxes = { crates = false } }
+        world:update(0)
+        world:remove(low)
+      end,
+    },
+  }) do
+    it(row[1], function()
+      local world, low, high = newTower()
+      row[2](world, low, high)
+      world:update(0)
+      local state, copy = world:save(), physics.newWorld()
+      copy:restore(read(write(state)))
+      world:update(1 / 60)
+      local y, hash = high.y, world:hash()
+      world:restore(state)
+      world:update(1 / 60)
+      copy:update(1 / 60)
+      assert.is_near(FALLEN, y, 1e-9)
+      assert.are.same({ y, hash, hash }, { high.y, world:hash(), copy:hash() })
+    end)
+  end
+
   it("leaves who was added just before its `touching`", function()
     local world = physics.newWorld({ gravity = 0 })
     world:update(1 / 60)

@@ -453,6 +453,21 @@ describe("add, remove and refresh", function()
     assert.is_true(box.y > 140)
   end)
 
+  -- `drag` brakes who falls along gravity, not who stands.
+  for _, kind in ipairs({ "static", "kinematic" }) do
+    it("who stood on a " .. kind .. " object that refresh finds elsewhere falls at once", function()
+      local floor = world:add("floors", { x = 0, y = 20, width = 20, height = 20, [kind] = true })
+      local box = world:add("boxes", { x = 0, y = 0, width = 20, height = 20, drag = 500 })
+      for _ = 1, 10 do
+        world:update(1 / 60)
+      end
+      floor.x = 500
+      world:refresh(floor)
+      world:update(1 / 60)
+      assert.is_near(300 / 60 / 60 / 2, box.y, 1e-9)
+    end)
+  end
+
   it("refresh of an object that was not seen yet does nothing", function()
     local box = world:add("boxes", newBox(0, 0))
     world:refresh(box)
