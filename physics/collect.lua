@@ -11,6 +11,7 @@ local check = require(here .. ".check")
 local columns = require(here .. ".columns")
 local detect = require(here .. ".detect")
 local events = require(here .. ".events")
+local filter = require(here .. ".filter")
 local interpreted = require(here .. ".interpreted")
 local rest = require(here .. ".rest")
 local roster = require(here .. ".roster")
@@ -29,14 +30,18 @@ local function orDefault(value, default)
   return value
 end
 
--- What a mask says of each group, by the place of the group in the world's list of names: changes
--- inside the same table are seen by it.
-local function readMask(b, mask)
+-- Notes what a mask says of each group, by the place of the group in the world's list of names:
+-- changes inside the same table are seen by it. The mask of a static object is copied.
+local function readMask(b, i, mask)
+  if b.kind[i] == STATIC then
+    b.mask[i] = filter.copyMask(b, mask)
+    return
+  end
   local names, seen = b.groupNames, {}
   for n = 1, #names do
     seen[n] = mask[names[n]] == false
   end
-  return seen
+  b.maskSeen[i] = seen
 end
 
 local function hasMaskChanged(b, mask, seen)
@@ -132,7 +137,9 @@ local function readFields(b, i, object)
   local k, isDynamic = 2 * i, b.kind[i] == DYNAMIC
   local hasNoRare, mass = readRare(b, i, object), orDefault(object.mass, 1)
   local ax, ay, topX, topY = object.ax, object.ay, object.maxSpeedX, object.maxSpeedY
-  b.maskSeen[i] = b.mask[i] and readMask(b, b.mask[i])
+  if b.mask[i] then
+    readMask(b, i, b.mask[i])
+  end
   b.mass[i], b.inverseMass[i] = mass, isDynamic and 1 / mass or 0
   b.friction[i] = orDefault(object.friction, isDynamic and 0 or -1)
   b.restitution[i] = orDefault(object.restitution, 0)

@@ -2,10 +2,48 @@
 
 local here = (...):match("^(.*)%.[^.]+$")
 local columns = require(here .. ".columns")
+local interpreted = require(here .. ".interpreted")
 
 local filter = {}
 
 local DYNAMIC, STATIC = columns.DYNAMIC, columns.STATIC
+
+--- Returns whether two masks say the same, or neither is there (nil or false).
+function filter.isSameMask(mask, other)
+  if type(mask) ~= "table" or type(other) ~= "table" then
+    return (mask or false) == (other or false)
+  end
+  for group, collides in next, mask, nil do
+    if other[group] ~= collides then
+      return false
+    end
+  end
+  for group, collides in next, other, nil do
+    if mask[group] ~= collides then
+      return false
+    end
+  end
+  return true
+end
+
+--- Returns a mask that stays as it is when the game changes its own: that of a static object, which
+--- is read once. Many tiles have the same; those that come one after the other share the copy.
+function filter.copyMask(b, mask)
+  local class = getmetatable(mask)
+  local inherited = type(class) == "table" and rawget(class, "__index")
+  if not inherited and b.maskCopy and filter.isSameMask(mask, b.maskCopy) then
+    return b.maskCopy
+  end
+  local copy = {}
+  for group, collides in next, mask, nil do
+    copy[group] = collides
+  end
+  if inherited then
+    return setmetatable(copy, { __index = inherited })
+  end
+  b.maskCopy = copy
+  return copy
+end
 
 --- Returns "mask" or "masks" if an object refuses another by its own mask or by the world's.
 function filter.refusal(b, i, j)
@@ -50,5 +88,7 @@ function filter.blocks(b, i, j)
     and not b.oneWay[j]
     and filter.allows(b, i, j)
 end
+
+interpreted.always(filter.isSameMask, filter.copyMask)
 
 return filter

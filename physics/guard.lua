@@ -10,6 +10,7 @@ local here = (...):match("^(.*)%.[^.]+$")
 local check = require(here .. ".check")
 local columns = require(here .. ".columns")
 local fields = require(here .. ".fields")
+local filter = require(here .. ".filter")
 local interpreted = require(here .. ".interpreted")
 local roster = require(here .. ".roster")
 local state = require(here .. ".state")
@@ -116,7 +117,6 @@ end
 -- The others: name, column, what the column holds if the field is not set.
 local OTHERS = {
   { "friction", "friction", -1 },
-  { "mask", "mask", false },
   { "canCollide", "canCollide", false },
   { "onStay", "hears", false },
 }
@@ -127,6 +127,9 @@ local function checkOthers(b, i, object)
     if (object[name] or absent) ~= b[column][i] then
       refuseStatic(b, i, name, object[name])
     end
+  end
+  if not filter.isSameMask(object.mask, b.mask[i]) then
+    refuseStatic(b, i, "mask", object.mask)
   end
 end
 

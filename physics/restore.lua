@@ -10,6 +10,7 @@ local columns = require(here .. ".columns")
 local detect = require(here .. ".detect")
 local events = require(here .. ".events")
 local fields = require(here .. ".fields")
+local filter = require(here .. ".filter")
 local interpreted = require(here .. ".interpreted")
 local rest = require(here .. ".rest")
 local settings = require(here .. ".settings")
@@ -96,24 +97,10 @@ local function maskOf(list)
   return mask
 end
 
-local function isSameMask(mask, other)
-  for group, collides in next, mask, nil do
-    if other[group] ~= collides then
-      return false
-    end
-  end
-  for group in next, other, nil do
-    if mask[group] == nil then
-      return false
-    end
-  end
-  return true
-end
-
 -- Writes a mask: into the table it was, if that is known.
 local function writeMask(object, list, known)
   local wanted, mask = maskOf(list), known or object.mask
-  if type(mask) == "table" and isSameMask(wanted, mask) then
+  if type(mask) == "table" and filter.isSameMask(wanted, mask) then
     wanted = mask
   elseif known then
     for group in next, known, nil do
@@ -331,7 +318,8 @@ local function isRead(b, i, object)
       end
     end
   end
-  return (object.friction or -1) == b.friction[i] and not object.mask and not b.mask[i]
+  local isSameMask = filter.isSameMask(object.mask, b.mask[i])
+  return isSameMask and (object.friction or -1) == b.friction[i]
 end
 
 -- Reads all that `collect` would take for read already.
@@ -581,6 +569,6 @@ function restore.world(world, st)
   view.outdate(b)
 end
 
-interpreted.always(isSameMask, writeMask, writeRead, emptyGroups, nameGroups, restore.world)
+interpreted.always(writeMask, writeRead, emptyGroups, nameGroups, restore.world)
 
 return restore

@@ -36,6 +36,7 @@ local check = require(here .. ".check")
 local columns = require(here .. ".columns")
 local events = require(here .. ".events")
 local fields = require(here .. ".fields")
+local filter = require(here .. ".filter")
 local interpreted = require(here .. ".interpreted")
 local roster = require(here .. ".roster")
 
@@ -379,8 +380,11 @@ local function saveSpecial(b, out, work, name, read, absent)
   cut(list, at)
 end
 
--- The mask as the library has read it, as far as it refuses somebody.
+-- The mask as the library has read it: of a mover as far as it refuses somebody.
 local function listRead(b, slot)
+  if b.kind[slot] == STATIC then
+    return listMask(b.mask[slot])
+  end
   local list, names, seen = {}, b.groupNames, b.maskSeen[slot]
   for n = 1, #names do
     if seen[n] then
@@ -391,7 +395,8 @@ local function listRead(b, slot)
   return list
 end
 
-local function isMaskRead(b, slot, mask)
+-- Whether the mask of a mover is what it was when it was read.
+local function isSeen(b, slot, mask)
   local names, seen = b.groupNames, b.maskSeen[slot]
   -- Groups that came later are looked up in the mask itself.
   for n = 1, #(seen or names) do
@@ -402,21 +407,24 @@ local function isMaskRead(b, slot, mask)
   return true
 end
 
+local function isMaskRead(b, slot, mask)
+  local read = b.mask[slot]
+  if b.kind[slot] == STATIC then
+    return filter.isSameMask(mask, read)
+  elseif not mask or mask ~= read then
+    return mask == read
+  elseif not check.accepts(fields.objectByName.mask, mask) then
+    checkWritten(b, slot)
+  end
+  return isSeen(b, slot, mask)
+end
+
 local function saveMasks(b, out, work)
   local list, objects, slots, at = listIn(out.fields, "mask"), work.objects, work.slots, 0
   for n = 1, out.count do
     local mask, slot = objects[n].mask or false, slots[n]
-    if n <= out.known then
-      local isRead = mask == b.mask[slot]
-      if mask and isRead then
-        if not check.accepts(fields.objectByName.mask, mask) then
-          checkWritten(b, slot)
-        end
-        isRead = isMaskRead(b, slot, mask)
-      end
-      if not isRead then
-        noteRead(b, out, "mask", n, slot, b.mask[slot] and listRead(b, slot))
-      end
+    if n <= out.known and not isMaskRead(b, slot, mask) then
+      noteRead(b, out, "mask", n, slot, b.mask[slot] and listRead(b, slot))
     end
     if mask then
       list[at + 1], list[at + 2] = n, listMask(mask)

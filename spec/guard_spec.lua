@@ -60,6 +60,29 @@ describe("a checked world", function()
     end)
   end
 
+  it(
+    "refuses a static object whose mask was changed in place, not one that says the same",
+    function()
+      local world, floor = newWorld()
+      floor.mask = { boxes = true }
+      world:refresh(floor)
+      world:update(DT)
+      floor.mask = { boxes = true }
+      world:update(DT)
+      for _, name in ipairs({ "boxes", "others" }) do
+        floor.mask[name] = false
+        refusesStep(world, "objects.floors[1].mask was changed to table" .. BY_HAND)
+        world:refresh(floor)
+        world:update(DT)
+      end
+      floor.mask = 5
+      refusesStep(world, "objects.floors[1].mask was changed to 5" .. BY_HAND)
+      assert.is_false(pcall(world.save, world))
+      floor.mask = { boxes = false }
+      refusesStep(world, "objects.floors[1].mask was changed to table" .. BY_HAND)
+    end
+  )
+
   it("refuses a box that was made static", function()
     local world, _, box = newWorld()
     box.static = true

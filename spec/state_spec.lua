@@ -450,6 +450,47 @@ describe("world:restore", function()
     end)
   end
 
+  -- The group `players` is there at once, or comes only after the mask was read and saved.
+  for _, row in ipairs({ { "of a group that is there", true }, { "of one that comes", false } }) do
+    for _, collides in ipairs({ false, true }) do
+      local name = ("keeps what was read of the mask of a static object, %s (%s)"):format(
+        row[1],
+        tostring(collides)
+      )
+      it(name, function()
+        local world = physics.newWorld({ gravity = 0 })
+        local mask = { players = collides }
+        local wall = { x = 40, y = 0, width = 10, height = 10, static = true, mask = mask }
+        world:add("walls", wall)
+        local player = { x = 0, y = 0, width = 10, height = 10, vx = 600 }
+        if row[2] then
+          world:add("players", player)
+        end
+        world:update(1 / 600)
+        mask.players = not collides
+        local state, copy, ends = world:save(), physics.newWorld(), {}
+        copy:restore(read(write(state)))
+        for n = 1, 3 do
+          local each = n == 3 and copy or world
+          if n == 2 then
+            world:restore(state)
+          end
+          assert.are.same({ players = not collides }, each.objects.walls[1].mask)
+          if not row[2] then
+            each:add("players", { x = 1, y = 0, width = 10, height = 10, vx = 600 })
+          end
+          for _ = 1, 30 do
+            each:update(1 / 60)
+          end
+          ends[n] = each.objects.players[1].x
+        end
+        assert.are.equal(mask, wall.mask)
+        assert.is_near(collides and 30 or 301, ends[1], 1e-9)
+        assert.are.same({ ends[1], ends[1], ends[1] }, ends)
+      end)
+    end
+  end
+
   it("leaves who was added just before its `touching`", function()
     local world = physics.newWorld({ gravity = 0 })
     world:update(1 / 60)

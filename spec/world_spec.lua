@@ -567,6 +567,46 @@ describe("at run time", function()
     assert.equal(84, box.y)
   end)
 
+  -- Far away nobody has been asked yet whether the two can meet.
+  for _, row in ipairs({ { "near", 26 }, { "far away", 300 } }) do
+    it("the mask of a static object is read once, " .. row[1], function()
+      world = physics.newWorld({ gravity = 0 })
+      local mask = { players = true }
+      local wall = world:add(
+        "walls",
+        { x = row[2], y = 0, width = 10, height = 10, static = true, mask = mask }
+      )
+      local player = world:add("players", { x = 0, y = 0, width = 10, height = 10, vx = 600 })
+      world:update(1 / 60)
+      mask.players = false
+      assert.is_nil(world:explain(player, wall):find("mask", 1, true))
+      for _ = 1, 60 do
+        world:update(1 / 60)
+      end
+      assert.are.equal(row[2] - 10, player.x)
+      world:refresh(wall)
+      player.vx = 600
+      world:update(1 / 60)
+      assert.are.equal(row[2], player.x)
+    end)
+  end
+
+  it("a static object may pass through all whom its mask inherits a refusal of", function()
+    world = physics.newWorld({ gravity = 0 })
+    local nobody = {
+      __index = function()
+        return false
+      end,
+    }
+    world:add("walls", { x = 20, y = 0, width = 10, height = 10, static = true }).mask =
+      setmetatable({}, nobody)
+    local player = world:add("players", { x = 0, y = 0, width = 10, height = 10, vx = 600 })
+    for _ = 1, 60 do
+      world:update(1 / 60)
+    end
+    assert.is_near(600, player.x, 1e-9)
+  end)
+
   it("a mask counts among many groups, too", function()
     for n = 1, 80 do
       world.objects["a" .. n] = newBox(1000 + 20 * n, 0, { gravity = 0 })
