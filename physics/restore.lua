@@ -5,6 +5,7 @@
 -- again. The next step finds everything as it was.
 
 local here = (...):match("^(.*)%.[^.]+$")
+local check = require(here .. ".check")
 local collect = require(here .. ".collect")
 local columns = require(here .. ".columns")
 local detect = require(here .. ".detect")
@@ -71,14 +72,15 @@ local function matchByPlace(world, st)
   return objects
 end
 
--- Returns the objects by number, and if this world has saved the state itself their masks and those
--- who had left.
+-- Which tables were what when the state was saved, as far as known: `objects` by number, and
+-- if this world has saved the state itself their `masks`, those who had `gone`, the masks of the
+-- world (`worldMasks`) and their `rows`.
 local function match(world, st)
   local tables = world._bodies.tablesOf and world._bodies.tablesOf[st]
   if tables and #tables.objects == st.count then
-    return tables.objects, tables.masks, tables.gone
+    return tables
   end
-  return matchByPlace(world, st), {}, {}
+  return { objects = matchByPlace(world, st), masks = {}, gone = {}, rows = {} }
 end
 
 -- Fields -----------------------------------------------------------------------------------------
@@ -97,18 +99,23 @@ local function maskOf(list)
   return mask
 end
 
+-- Makes a table say what another says.
+local function overwrite(list, contents)
+  for key in next, list, nil do
+    list[key] = nil
+  end
+  for key, value in next, contents, nil do
+    list[key] = value
+  end
+end
+
 -- Writes a mask: into the table it was, if that is known.
 local function writeMask(object, list, known)
   local wanted, mask = maskOf(list), known or object.mask
   if type(mask) == "table" and filter.isSameMask(wanted, mask) then
     wanted = mask
   elseif known then
-    for group in next, known, nil do
-      known[group] = nil
-    end
-    for group, collides in next, wanted, nil do
-      known[group] = collides
-    end
+    overwrite(known, wanted)
     wanted = known
   end
   write(object, "mask", wanted)
@@ -486,14 +493,52 @@ local function nameGroups(b, names)
   end
 end
 
-local function masksOf(list)
+-- The masks of a world as a table. A list cannot tell of rows that say nothing: those of `rows`.
+local function masksOf(list, rows)
   local masks = {}
+  for group, row in next, rows, nil do
+    if type(row) == "table" and (type(group) == "string" or check.isFinite(group)) then
+      masks[group] = {}
+    end
+  end
   for at = 1, #list, 3 do
     local group = masks[list[at]] or {}
     masks[list[at]] = group
     group[list[at + 1]] = list[at + 2]
   end
   return masks
+end
+
+local function areSameMasks(masks, other)
+  for group, row in next, masks, nil do
+    if not filter.isSameMask(row, other[group]) then
+      return false
+    end
+  end
+  for group in next, other, nil do
+    if masks[group] == nil then
+      return false
+    end
+  end
+  return true
+end
+
+-- Writes the masks of a world: into the tables they were, if those are known.
+local function writeMasks(world, list, tables)
+  local known = tables.worldMasks
+  local masks = known or (type(world.masks) == "table" and world.masks) or {}
+  local wanted = masksOf(list, known and tables.rows or masks)
+  if areSameMasks(wanted, masks) then
+    wanted = masks
+  elseif known then
+    for group, row in next, tables.rows, nil do
+      overwrite(row, wanted[group])
+      wanted[group] = row
+    end
+    overwrite(known, wanted)
+    wanted = known
+  end
+  world.masks = wanted
 end
 
 local function isSameOrder(order, other)
@@ -506,11 +551,15 @@ local function isSameOrder(order, other)
 end
 
 -- A list or table of the world that already says the same stays the same table.
-local function restoreSettings(world, saved)
+local function restoreSettings(world, saved, tables)
   for _, name in ipairs(state.SETTINGS) do
     world[name] = saved[name]
   end
-  world.masks = saved.masks and masksOf(saved.masks)
+  if saved.masks then
+    writeMasks(world, saved.masks, tables)
+  else
+    world.masks = nil
+  end
   if not saved.order then
     world.order = nil
   elseif not world.order or not isSameOrder(saved.order, world.order) then
@@ -545,11 +594,12 @@ function restore.world(world, st)
   if type(world.objects) ~= "table" then
     world.objects = {}
   end
-  local objects, masks, gone = match(world, st)
-  local named = recall(st, objects, gone)
+  local tables = match(world, st)
+  local objects, masks = tables.objects, tables.masks
+  local named = recall(st, objects, tables.gone)
   forget(b)
   nameGroups(b, st.names)
-  restoreSettings(world, st.settings)
+  restoreSettings(world, st.settings, tables)
   writeFields(st, objects, masks)
   local unread = writeRead(st, objects)
   placeKnown(world, st, objects)
@@ -569,6 +619,7 @@ function restore.world(world, st)
   view.outdate(b)
 end
 
-interpreted.always(writeMask, writeRead, emptyGroups, nameGroups, restore.world)
+interpreted.always(overwrite, masksOf, areSameMasks, writeMasks)
+interpreted.always(writeRead, emptyGroups, nameGroups, restore.world)
 
 return restore

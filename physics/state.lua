@@ -730,6 +730,20 @@ function state.fill(world, out)
   return work
 end
 
+-- Remembers which table the masks of a world were, and which its rows were.
+local function noteMasks(tables, masks)
+  local rows = tables.rows
+  for group in next, rows, nil do
+    rows[group] = nil
+  end
+  if masks then
+    for group, row in next, masks, nil do
+      rows[group] = row
+    end
+  end
+  tables.worldMasks = masks or false
+end
+
 --- Returns the state of a world, in `out` if that is given. As long as that table lives, the world
 --- remembers which tables the objects in it were.
 function state.save(world, out)
@@ -739,7 +753,7 @@ function state.save(world, out)
   b.tablesOf = b.tablesOf or setmetatable({}, { __mode = "k" })
   local tables = b.tablesOf[out]
   if not tables then
-    tables = { objects = {}, masks = {}, gone = {} }
+    tables = { objects = {}, masks = {}, gone = {}, rows = {} }
     b.tablesOf[out] = tables
   end
   for n = 1, out.count do
@@ -749,12 +763,13 @@ function state.save(world, out)
   for n = 1, work.goneCount do
     tables.gone[n] = work.objects[out.count + n]
   end
+  noteMasks(tables, world.masks)
   cut(tables.objects, out.count)
   cut(tables.masks, out.count)
   cut(tables.gone, work.goneCount)
   return out
 end
 
-interpreted.always(sortedKeys, saveFields, saveWalls)
+interpreted.always(sortedKeys, saveFields, saveWalls, noteMasks)
 
 return state

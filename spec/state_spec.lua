@@ -352,6 +352,51 @@ describe("world:restore", function()
     assert.are.same(mask, other.objects.player.mask)
   end)
 
+  -- The game may change `masks` in place, so the table that it holds must stay the world's.
+  it("leaves the masks of the world the same tables, rows that say nothing included", function()
+    local masks = { bullets = { players = true }, boxes = {} }
+    local row, boxes = masks.bullets, masks.boxes
+    local world = physics.newWorld({ gravity = 0, masks = masks })
+    world:add("players", { x = 100, y = 0, width = 10, height = 10, static = true })
+    local bullet = world:add("bullets", { x = 0, y = 0, width = 4, height = 4, vx = 600 })
+    world:update(1 / 60)
+    local state = world:save()
+    local text = write(state)
+    world:restore(read(text))
+    assert.is_true(rawequal(masks, world.masks) and rawequal(boxes, masks.boxes))
+    -- What has changed in them is written back into them.
+    local function spoil(n)
+      if n == 1 then
+        row.players, boxes.bullets, masks.others = false, false, { boxes = false }
+      elseif n == 2 then
+        masks.boxes, masks.bullets = row, boxes
+        row.players = nil
+      elseif n == 3 then
+        masks.bullets, masks[1], masks.boxes = 5, true, nil
+      else
+        world.masks = n == 4 and { players = {} } or nil
+      end
+    end
+    for n = 1, 5 do
+      spoil(n)
+      world:restore(state)
+      assert.is_true(rawequal(masks, world.masks))
+      assert.is_true(rawequal(row, masks.bullets) and rawequal(boxes, masks.boxes))
+      masks.others = nil
+      assert.are.same({ bullets = { players = true }, boxes = {} }, masks)
+    end
+    -- From elsewhere there is a new table, with the rows that the world has.
+    world.masks = { boxes = {}, others = { bullets = false } }
+    world:restore(read(text))
+    assert.are.same({ bullets = { players = true }, boxes = {}, others = {} }, world.masks)
+    world:restore(state)
+    masks.bullets.players = false
+    for _ = 1, 30 do
+      world:update(1 / 60)
+    end
+    assert.is_near(310, bullet.x, 1e-9)
+  end)
+
   it("finds who was read again and not stepped yet", function()
     local world = physics.newWorld({ gravity = 0 })
     local wall = world:add("walls", { x = 0, y = 0, width = 20, height = 100, static = true })
