@@ -22,7 +22,7 @@ local view = require(here .. ".view")
 local restore = {}
 
 local STATIC, KINEMATIC, DYNAMIC = columns.STATIC, columns.KINEMATIC, columns.DYNAMIC
-local max = math.max
+local max, min = math.max, math.min
 
 -- Which table is which object --------------------------------------------------------------------
 
@@ -615,7 +615,7 @@ function restore.world(world, st)
     world._walls[side] = objects[n]
   end
   world._saved = st.saved
-  world.alpha = world.timestep and max(0, st.saved / world.timestep) or 0
+  world.alpha = world.timestep and max(0, min(st.saved / world.timestep, 1)) or 0
   view.outdate(b)
 end
 

@@ -40,7 +40,7 @@ local view = require(here .. ".view")
 local World = {}
 World.__index = World
 
-local ceil, floor, max = math.ceil, math.floor, math.max
+local ceil, floor, max, min = math.ceil, math.floor, math.max, math.min
 local isFinite = check.isFinite
 
 -- Longest time that one update makes up for, s.
@@ -104,9 +104,12 @@ local function split(self, dt)
 end
 
 -- As many fixed steps as fit into what is saved up. A refused step has used up no time, and none of
--- a refused dt is saved.
+-- a refused dt is saved. What an update that failed on its way has left counts as part of this one.
 local function stepFixed(self, dt)
   local timestep = self.timestep
+  if self._saved >= timestep * (1 - ROUNDING) then
+    dt = max(0, min(dt, LONGEST - self._saved))
+  end
   self._bodies.remaining = max(1, floor((self._saved + dt) / timestep + ROUNDING))
   while self._saved + dt >= timestep * (1 - ROUNDING) do
     begin.keepPlaces(self._bodies)

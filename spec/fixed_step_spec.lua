@@ -102,6 +102,38 @@ describe("with a fixed timestep", function()
     assert.are.equal(0, world.alpha)
   end)
 
+  it("a callback that fails again and again leaves no more than 0.25 s", function()
+    local world = physics.newWorld({ gravity = 0, timestep = 0.03125 })
+    local box = world:add("boxes", { x = 0, y = 0, width = 8, height = 8, vx = 32 })
+    world:add("zones", { x = -9, y = 0, width = 900, height = 8, static = true, sensor = true })
+    world.onStay = function()
+      error("no")
+    end
+    local failed = 0
+    for _ = 1, 20 do
+      failed = failed + (pcall(world.update, world, 0.25) and 0 or 1)
+    end
+    assert.is_true(failed >= 19)
+    local state, x = world:save(), box.x
+    world:restore(state)
+    assert.is_true(world.alpha >= 0 and world.alpha <= 1)
+    world.onStay = nil
+    -- 0.21875 s are saved up: 7 steps, and one for this update.
+    world:update(0.25)
+    assert.are.equal(x + 8, box.x)
+    assert.are.equal(0, world.alpha)
+    world:update(0.03125)
+    assert.are.equal(x + 9, box.x)
+  end)
+
+  it("what is left of a long step counts in full beside a long dt", function()
+    local world = physics.newWorld({ gravity = 0, timestep = 0.1875 })
+    local box = world:add("boxes", { x = 0, y = 0, width = 8, height = 8, vx = 16 })
+    world:update(0.125)
+    world:update(0.25)
+    assert.are.equal(6, box.x)
+  end)
+
   it("an update shorter than a step moves nothing and tells nothing", function()
     local world = physics.newWorld({ timestep = 0.25 })
     local box = world:add("boxes", { x = 0, y = 0, width = 8, height = 8, vx = 40 })
