@@ -173,10 +173,16 @@ end
 -- in two of them cannot be known by one. It keeps nobody alive.
 local owners = setmetatable({}, { __mode = "kv" })
 
+-- Where it was seen in there; it may have been taken out since the last step.
+local function slotIn(owner, object)
+  local slot, objects = owner.slotOf[object], owner.world.objects
+  return slot and type(objects) == "table" and roster.whereSeen(owner, objects, slot) and slot
+end
+
 local function checkOwner(b, i, object)
   local owner = owners[object]
   if owner ~= b then
-    local slot = owner and owner.slotOf[object]
+    local slot = owner and slotIn(owner, object)
     if slot then
       check.fail(
         format("%s stands in another world, too, as %s", placeOf(b, i), placeOf(owner, slot))

@@ -582,6 +582,23 @@ function roster.find(source, object, hint)
   end
 end
 
+--- Returns the table that holds the object of a slot now, and its key in there, if it still stands
+--- in the table in which it was seen; `objects` is the game's table of groups.
+function roster.whereSeen(b, objects, slot)
+  local record, object = b.group[slot], b.object[slot]
+  local source = objects[record.name]
+  if record.direct then
+    if rawequal(source, object) then
+      return objects, record.name
+    end
+  elseif rawequal(source, record.source) then
+    local key = roster.find(source, object, b.key[slot])
+    if key ~= nil then
+      return source, key
+    end
+  end
+end
+
 interpreted.always(
   countKeys,
   hasJust,

@@ -202,16 +202,10 @@ local function whereIs(self, object)
   local b = self._bodies
   local slot = b.slotOf[object]
   if slot then
-    local record = b.group[slot]
-    if record.direct then
-      if rawequal(self.objects[record.name], object) then
-        return self.objects, record.name, record.name
-      end
-    elseif rawequal(self.objects[record.name], record.source) then
-      local key = roster.find(record.source, object, b.key[slot])
-      if key ~= nil then
-        return record.source, key, record.name, key
-      end
+    local members, key = roster.whereSeen(b, self.objects, slot)
+    if members then
+      local record = b.group[slot]
+      return members, key, record.name, not record.direct and key or nil
     end
   end
   local group = b.roster.groupGiven[object]

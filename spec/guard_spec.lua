@@ -161,6 +161,51 @@ describe("a checked world", function()
     world:update(DT)
   end)
 
+  for _, row in ipairs({
+    {
+      "from a group",
+      function(world, box)
+        world:remove(box)
+      end,
+    },
+    {
+      "from where it stood alone",
+      function(world, box)
+        world:remove(box)
+        world.objects.player = box
+        world:update(DT)
+        world.objects.player = nil
+      end,
+    },
+    {
+      "with its group",
+      function(world)
+        world.objects.boxes = nil
+      end,
+    },
+    {
+      "with all others",
+      function(world)
+        world.objects = nil
+      end,
+    },
+  }) do
+    it("lets an object go to another world, " .. row[1] .. ", before it is stepped", function()
+      local world, _, box = newWorld()
+      local other = newWorld()
+      row[2](world, box)
+      other:add("game", box)
+      other:update(DT)
+      world.objects = world.objects or {}
+      world:update(DT)
+      world:add("boxes", box)
+      local ok, message = pcall(world.update, world, DT)
+      assert.is_false(ok)
+      local text = "physics: objects.boxes[1] stands in another world, too, as objects.game[1]"
+      assert.truthy(message:find(text, 1, true), message)
+    end)
+  end
+
   it("refuses a mover that is much larger than the grid's cells", function()
     local world, floor, box = newWorld({ cellSize = 2 })
     floor.width = 5000
