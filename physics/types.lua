@@ -214,7 +214,8 @@ function default.update(dt) end
 --- object its `touching`.
 ---
 --- Errors: a group that is no name; no table; a field that cannot be used; an object that already
---- stands in the world. Nothing has changed then.
+--- stands in the world. Nothing has changed then. (One that was put in by hand since the last
+--- update is only found by the next one: an object in two places.)
 ---@param group string|number name of the group
 ---@param object physics.NewObject the game's own table: x, y, width, height and whatever else
 ---@return physics.Object object the same table

@@ -236,6 +236,11 @@ local function search(self, object)
   end
 end
 
+local function failMissing(call, object, name)
+  name = name or "the object"
+  check.fail("world:" .. call .. ": " .. name .. " is not in the world, got " .. check.show(object))
+end
+
 local function checkObjects(self)
   if type(self.objects) ~= "table" then
     check.fail("objects must be a table of groups, got " .. check.show(self.objects))
@@ -247,7 +252,8 @@ end
 --- object its `touching`.
 ---
 --- Errors: a group that is no name; no table; a field that cannot be used; an object that already
---- stands in the world. Nothing has changed then.
+--- stands in the world. Nothing has changed then. (One that was put in by hand since the last
+--- update is only found by the next one: an object in two places.)
 ---@param group string|number name of the group
 ---@param object physics.NewObject the game's own table: x, y, width, height and whatever else
 ---@return physics.Object object the same table
@@ -304,11 +310,15 @@ function World:refresh(object)
   checkIdle(b, "refresh(object)")
   check.table(object, "object", "world:refresh(object)")
   checkObjects(self)
+  local members, key, name = search(self, object)
+  if not members then
+    failMissing("refresh(object)", object)
+  end
   local slot = b.slotOf[object]
   if slot then
     collect.refresh(b, slot)
-  elseif not search(self, object) then
-    check.fail("world:refresh(object): the object is not in the world, got " .. check.show(object))
+  else
+    check.object(object, check.place(name, members ~= self.objects and key or nil))
   end
   view.refresh(b, object)
 end
@@ -324,10 +334,11 @@ function World:dropThrough(object)
   local b = self._bodies
   checkIdle(b, "dropThrough(object)")
   check.table(object, "object", "world:dropThrough(object)")
-  local slot = b.slotOf[object]
-  if not slot and not search(self, object) then
-    check.fail("world:dropThrough(object): the object is not in the world, got a stranger")
+  checkObjects(self)
+  if not search(self, object) then
+    failMissing("dropThrough(object)", object)
   end
+  local slot = b.slotOf[object]
   if not slot or not oneway.drop(b, slot) then
     return false
   end
@@ -489,11 +500,6 @@ local function checkLine(x1, y1, x2, y2, where)
   check.number(y1, "y1", where)
   check.number(x2, "x2", where)
   check.number(y2, "y2", where)
-end
-
-local function failMissing(call, object, name)
-  name = name or "the object"
-  check.fail("world:" .. call .. ": " .. name .. " is not in the world, got " .. check.show(object))
 end
 
 --- Finds everybody at a point. The left and top edges of an object belong to it, the right and

@@ -700,6 +700,50 @@ describe("remove and refresh", function()
       physics.newWorld():refresh(newBox())
     end)
   end)
+
+  it("who is not in the world any more is neither refreshed nor dropped", function()
+    local world = physics.newWorld()
+    local box, tile = world:add("boxes", newBox()), newBox()
+    tile.static, world.objects.tile = true, tile
+    for n = 1, 3 do
+      world:update(n > 1 and 1 / 60 or 0)
+      world:remove(box)
+      world.objects.tile, world.objects.others = nil, nil
+      for _, object in ipairs({ box, tile }) do
+        refuses("world:refresh(object): the object is not in the world, got table", function()
+          world:refresh(object)
+        end)
+        refuses("world:dropThrough(object): the object is not in the world, got table", function()
+          world:dropThrough(object)
+        end)
+      end
+      -- In another place they are.
+      world.objects.others, world.objects.tile = { tile }, box
+      world:refresh(box)
+      world:refresh(tile)
+      assert.is_false(world:dropThrough(box))
+    end
+  end)
+
+  it("who was not seen yet is checked by refresh, too", function()
+    local world = physics.newWorld()
+    local box, player = world:add("boxes", newBox()), newBox()
+    box.mass, player.mass, world.objects.player = -1, 0, player
+    refuses("objects.boxes[1].mass must be a number > 0, got -1", function()
+      world:refresh(box)
+    end)
+    refuses("objects.player.mass must be a number > 0, got 0", function()
+      world:refresh(player)
+    end)
+  end)
+
+  it("no world without a table of objects lets fall", function()
+    local world = physics.newWorld()
+    world.objects = nil
+    refuses("objects must be a table of groups, got nil", function()
+      world:dropThrough(newBox())
+    end)
+  end)
 end)
 
 describe("every method of a world", function()
