@@ -362,7 +362,7 @@ local function compareMotion(b)
     end
     local vx, vy = object.vx, object.vy
     if vx == nil or vy == nil then
-      vx, vy = vx or 0, vy or 0
+      vx, vy = orDefault(vx, 0), orDefault(vy, 0)
       if kind[i] == DYNAMIC then
         rest.wake(b, i) -- `publish` makes numbers of them
       end

@@ -273,6 +273,29 @@ describe("the field", function()
     end)
   end
 
+  -- `update` makes a number of a velocity that is not there.
+  for _, name in ipairs({ "box", "lift" }) do
+    for _, row in ipairs({ { "vx", "vy" }, { "vy", "vx" } }) do
+      it(
+        ("%s of a %s is not false, not even beside one that is missing"):format(row[1], name),
+        function()
+          local place, velocity = name == "box" and "boxes" or "lifts", {}
+          refusesStep(
+            ("objects.%s[1].%s must be a number, got false"):format(place, row[1]),
+            function(scene)
+              local object = scene[name]
+              velocity[1], velocity[2] = object[row[1]], object[row[2]]
+              object[row[1]], object[row[2]] = false, nil
+            end,
+            function(scene)
+              scene[name][row[1]], scene[name][row[2]] = velocity[1], velocity[2]
+            end
+          )
+        end
+      )
+    end
+  end
+
   it("mask refuses what is no group, and what is no answer", function()
     local expected = "objects.boxes[1].mask.lifts must be true or false, got 0"
     refusesStep(expected, function(scene)
