@@ -13,22 +13,18 @@ local WHERE = "world:restore(state): "
 -- As in world.lua: the longest time that can be saved up, and what rounding takes from it, s.
 local LONGEST, ROUNDING = 0.25, 1e-9
 local floor = math.floor
-local show = check.show
+local isFinite, show = check.isFinite, check.show
 
 local function refuse(path, expected, value)
   check.fail(WHERE .. path .. " must be " .. expected .. ", got " .. show(value))
 end
 
-local function isNumber(value)
-  return type(value) == "number" and value - value == 0
-end
-
 local function isCount(value, most)
-  return isNumber(value) and value >= 0 and value <= most and floor(value) == value
+  return isFinite(value) and value >= 0 and value <= most and floor(value) == value
 end
 
 local function isName(value)
-  return type(value) == "string" or isNumber(value)
+  return type(value) == "string" or isFinite(value)
 end
 
 local function isBoolean(value)
@@ -65,7 +61,7 @@ local function needList(list, path, kinds)
   end
 end
 
-local NUMBER = { isNumber, "a number" }
+local NUMBER = { isFinite, "a number in -1e+100..1e+100" }
 local BOOLEAN = { isBoolean, "true or false" }
 local NAME = { isName, "a string or a number" }
 
@@ -384,7 +380,7 @@ function verify.state(st)
   end
   needSettings(st.settings)
   -- Rounding may leave a little less than nothing; more than an update takes would be no state.
-  if not isNumber(st.saved) or st.saved < -ROUNDING or st.saved > LONGEST then
+  if not isFinite(st.saved) or st.saved < -ROUNDING or st.saved > LONGEST then
     refuse("state.saved", "a number in 0..0.25", st.saved)
   end
   needCount(st.count, "state.count", 2 ^ 31)

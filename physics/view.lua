@@ -26,6 +26,7 @@ local roster = require(here .. ".roster")
 local view = {}
 
 local max, min = math.max, math.min
+local isFinite = check.isFinite
 local STATIC, KINEMATIC, DYNAMIC = columns.STATIC, columns.KINEMATIC, columns.DYNAMIC
 
 -- Kind of an object that the core has read anew.
@@ -87,10 +88,6 @@ local function kindOf(b, object)
   return isStatic and STATIC or object.kinematic and KINEMATIC or DYNAMIC
 end
 
-local function isNumber(value)
-  return type(value) == "number" and value - value == 0
-end
-
 local function complain(v, i)
   check.object(v.object[i], roster.place(v.group[i], v.key[i]))
 end
@@ -99,7 +96,7 @@ end
 local function look(v, i)
   local object, position, size, k = v.object[i], v.position, v.size, 2 * i
   local x, y, width, height = object.x, object.y, object.width, object.height
-  if not (isNumber(x) and isNumber(y) and isNumber(width) and isNumber(height)) then
+  if not (isFinite(x) and isFinite(y) and isFinite(width) and isFinite(height)) then
     complain(v, i)
   end
   local active = object.active

@@ -618,6 +618,9 @@ for name, build in pairs({ small = small, large = large }) do
       world:queryPoint(5, 5)
       for _, row in ipairs({
         { "y", 0 / 0, "must be a number, got nan" },
+        { "x", 1e150, "must be a number in -1e+100..1e+100, got 1e+150" },
+        { "y", -1e101, "must be a number in -1e+100..1e+100, got -1e+101" },
+        { "width", 1 / 0, "must be a finite number > 0, got inf" },
         { "width", 0, "must be a number > 0, got 0" },
         { "height", -1, "must be a number > 0, got -1" },
         { "active", "yes", 'must be true or false, got "yes"' },
