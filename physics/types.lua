@@ -202,7 +202,7 @@ local default = {}
 
 --- Moves the world on by dt seconds: collects the game's tables, moves and bumps what is in them,
 --- writes the results back and tells the events. More than `maxStep` is split into equal steps,
---- more than 0.25 s is cut to that; 0 reads the tables and moves nothing.
+--- more than 0.25 s is cut to that; 0, or less than 1e-10 s, reads the tables and moves nothing.
 ---
 --- Errors: dt is no number >= 0; a group, key, field or setting that cannot be used (nothing has
 --- changed then); called from inside `canCollide`; whatever a callback raises.

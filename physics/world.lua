@@ -45,6 +45,8 @@ local isFinite = check.isFinite
 
 -- Longest time that one update makes up for, s.
 local LONGEST = 0.25
+-- A way that the game has written, divided by less time than that, would be no speed any more, s.
+local SHORTEST = 1e-10
 -- Share of a fixed step that may be missing through rounding.
 local ROUNDING = 1e-9
 
@@ -125,7 +127,7 @@ end
 
 --- Moves the world on by dt seconds: collects the game's tables, moves and bumps what is in them,
 --- writes the results back and tells the events. More than `maxStep` is split into equal steps,
---- more than 0.25 s is cut to that; 0 reads the tables and moves nothing.
+--- more than 0.25 s is cut to that; 0, or less than 1e-10 s, reads the tables and moves nothing.
 ---
 --- Errors: dt is no number >= 0; a group, key, field or setting that cannot be used (nothing has
 --- changed then); called from inside `canCollide`; whatever a callback raises.
@@ -136,7 +138,7 @@ function World:update(dt)
   local b = self._bodies
   checkIdle(b, "update(dt)")
   events.tell(b)
-  if dt == 0 then
+  if dt < SHORTEST then
     settings.apply(self)
     collect.run(b, self.objects)
     collect.giveTouching(b)

@@ -96,6 +96,43 @@ describe("an update", function()
     assert.are.near(0.01 + 1e-7, object.x, 1e-12)
   end)
 
+  it("of less than 1e-10 s counts as none, so nobody becomes infinitely fast", function()
+    for _, dt in ipairs({ 5e-324, 1e-310, 1e-100, 9.9e-11, 1e-10 }) do
+      local world = newWorld()
+      local lift = world:add("lifts", { x = 0, y = 16, width = 100, height = 8, kinematic = true })
+      local rider = world:add("boxes", { x = 0, y = 0, width = 16, height = 16 })
+      local flier = world:add("boxes", { x = 0, y = 90, width = 16, height = 16, drag = 9 })
+      flier.vx, flier.airFriction = 1e6, 1
+      world:update(DT)
+      local place, speed = flier.x, flier.vx
+      lift.x, lift.y = lift.x + 10, lift.y - 10
+      world:update(dt)
+      if dt < 1e-10 then
+        assert.are.same({ 0, 0, place, speed }, { rider.x, rider.y, flier.x, flier.vx })
+      end
+      assert.are.near(0, rider.vx, 1e-3)
+      world:update(DT)
+      assert.are.near(10, rider.x, 1e-3)
+      assert.are.same({ 10, -10 + 16, -10 }, { lift.x, lift.y, rider.y })
+      assert.are.near(0, rider.vx, 1e-3)
+      assert.are.equal(0, rider.vy)
+    end
+  end)
+
+  it(
+    "of less than 1e-10 s saves up no step either, and gives what is new its `touching`",
+    function()
+      local world = newWorld({ gravity = 0, timestep = 0.25 })
+      world.objects.boxes = { box(0, 0, { vx = 4 }) }
+      world:update(1e-11)
+      assert.are.equal("table", type(world.objects.boxes[1].touching))
+      for _ = 1, 2 do
+        world:update(0.125)
+      end
+      assert.are.equal(1, world.objects.boxes[1].x)
+    end
+  )
+
   it("and a state refuse keys that are no finite numbers", function()
     for _, key in ipairs({ 1 / 0, -1 / 0 }) do
       local world = newWorld()
