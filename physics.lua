@@ -96,6 +96,19 @@ end
 interpreted.always(addMethods)
 addMethods()
 
+-- The setting of the default world counts, unless the call says otherwise.
+local function checkCollision(a, b, c, d, e, f, g, h, sideBySide)
+  if type(a) ~= "number" then
+    if c == nil then
+      c = default.sideBySide
+    end
+    return pure.checkCollision(a, b, c)
+  elseif sideBySide == nil then
+    sideBySide = default.sideBySide
+  end
+  return pure.checkCollision(a, b, c, d, e, f, g, h, sideBySide)
+end
+
 ---@generic F
 ---@param name string
 ---@param f F
@@ -109,7 +122,7 @@ end
 
 physics.inside = dotted("inside", pure.inside)
 physics.side = dotted("side", pure.side)
-physics.checkCollision = dotted("checkCollision", pure.checkCollision)
+physics.checkCollision = dotted("checkCollision", checkCollision)
 physics.bump = dotted("bump", pure.bump)
 
 --- Defines the global names of the tutorial: `objects`, `physics_load`, `physics_update`,
@@ -130,7 +143,7 @@ function physics.globals()
     default.objects = globals.objects
     default:update(dt)
   end
-  globals.checkCollision = pure.checkCollision
+  globals.checkCollision = physics.checkCollision
   globals.inside = pure.inside
   globals.bump = pure.bump
 end

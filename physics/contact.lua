@@ -94,10 +94,11 @@ local function solidContact(b, p, i, j)
       return 0
     end
     wedge(b, p, i, j)
-    if b.wedged[p] == 0 then
-      leaveInside(b, i, j)
+    if b.wedged[p] ~= 0 then
+      return wedgedSide(b, p)
     end
-    return b.wedged[p] ~= 0 and wedgedSide(b, p) or 0
+    leaveInside(b, i, j)
+    return b.contact[p] ~= 0 and b.contact[p] or b.hit[p]
   end
   b.wedged[p] = 0
   if side == 0 then

@@ -319,7 +319,7 @@ fields.settings = {
     type = "boolean",
     default = false,
     meaning = "Whether flush neighbours that never pressed each other count as colliding: in"
-      .. " events, `touching`, `queryRect` and `overlapping`.",
+      .. " events, `touching`, `queryRect`, `overlapping` and `checkCollision`.",
   },
   {
     name = "broadphase",

@@ -132,7 +132,7 @@ end
 --- Errors: `a` or `b` has no usable x, y, width, height; `sideBySide` is not a boolean.
 ---@param a physics.Box a rectangle: x, y, width, height in px
 ---@param b physics.Box the other one
----@param sideBySide boolean? true: flush neighbours count; default false
+---@param sideBySide boolean? true: flush neighbours count; default: that of the default world
 ---@return physics.Side|false side of `a`; that of `b` is the opposite one
 ---@overload fun(x1: number, y1: number, ...: number|boolean): physics.Side|false
 function pure.checkCollision(a, b, sideBySide, ...)

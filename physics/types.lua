@@ -111,7 +111,7 @@
 --- bullets = { players = false } }`.
 ---@field masks? table<string|number, table<string|number, boolean>>
 --- default false. Whether flush neighbours that never pressed each other count as colliding: in
---- events, `touching`, `queryRect` and `overlapping`.
+--- events, `touching`, `queryRect`, `overlapping` and `checkCollision`.
 ---@field sideBySide? boolean
 --- default "auto". How pairs that may meet are found; all give the same result to the bit.
 ---@field broadphase? "auto"|"pairs"|"grid"
@@ -159,7 +159,7 @@
 --- bullets = { players = false } }`.
 ---@field masks? table<string|number, table<string|number, boolean>>
 --- default false. Whether flush neighbours that never pressed each other count as colliding: in
---- events, `touching`, `queryRect` and `overlapping`.
+--- events, `touching`, `queryRect`, `overlapping` and `checkCollision`.
 ---@field sideBySide boolean
 --- default "auto". How pairs that may meet are found; all give the same result to the bit.
 ---@field broadphase "auto"|"pairs"|"grid"

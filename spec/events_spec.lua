@@ -37,6 +37,54 @@ local function checkLog(log, begins, ends)
   assert.equal(ends, log.ends, "ends")
 end
 
+describe("a contact of one who is inside something solid and cannot get out", function()
+  -- 12 px between floor and ceiling, in which somebody of 12 px stands up.
+  for _, row in ipairs({
+    { "with its feet on the floor", 84, 16 },
+    { "with its head at the ceiling, which it does not press", 88, 16, true },
+    { "in both", 86, 16 },
+    { "by little", 87.75, 12.5 },
+  }) do
+    it("begins once, " .. row[1], function()
+      local world = physics.newWorld({ gravity = 800 })
+      local floor = world:add("tiles", newWall(0, 100, 500, 16))
+      local ceiling = world:add("tiles", newWall(0, 60, 500, 28))
+      local crate = world:add("crates", { x = 10, y = 88, width = 16, height = 12 })
+      play(world, 10)
+      local log = listen(world)
+      crate.y, crate.height = row[2], row[3]
+      play(world, 60)
+      assert.is_true(log.begins <= 1, log.begins) -- the floor it stood on before
+      assert.equal(0, log.ends)
+      assert.equal(floor, crate.touching.bottom)
+      assert.equal(not row[4] and ceiling, crate.touching.top)
+      assert.equal(row[2], crate.y)
+      crate.y, crate.height = 88, 12
+      play(world, 2)
+      assert.equal(floor, crate.touching.bottom)
+      crate.y = 500
+      play(world, 2)
+      assert.equal(log.begins + 1, log.ends)
+      assert.is_false(crate.touching.top)
+    end)
+  end
+
+  it("begins once, wholly inside, and ends when it is put elsewhere", function()
+    local world = physics.newWorld({ gravity = 800 })
+    world:setBounds(0, 0, 16, 16)
+    local tile = world:add("tiles", newWall(0, 0, 16, 16))
+    local crate = world:add("crates", newBox(0, 0))
+    local log = listen(tile)
+    play(world, 30)
+    checkLog(log, 1, 0)
+    assert.equal(crate, log.other)
+    world:setBounds()
+    crate.x = 100
+    play(world, 30)
+    checkLog(log, 1, 1)
+  end)
+end)
+
 describe("a contact", function()
   local world
 

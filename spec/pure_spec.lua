@@ -2,6 +2,7 @@
 
 local fields = require("physics.fields")
 local newRandom = require("spec.support.random").new
+local physics = require("physics")
 local pure = require("physics.pure")
 
 local NAN, INF = 0 / 0, 1 / 0
@@ -177,6 +178,21 @@ describe("checkCollision", function()
       assert.equal(sideBySide, numbers(true))
     end)
   end
+
+  it("of the module does as the default world, if the call does not say", function()
+    local a, b = box(0, 0, 10, 10), box(10, 3, 10, 10)
+    for _, setting in ipairs({ true, false }) do
+      physics.load({ sideBySide = setting })
+      local expected = setting and "right"
+      assert.equal(expected, physics.checkCollision(a, b))
+      assert.equal(expected, physics.checkCollision(0, 0, 10, 10, 10, 3, 10, 10))
+      assert.equal("right", physics.checkCollision(a, b, true))
+      assert.is_false(physics.checkCollision(a, b, false))
+      assert.equal("right", physics.checkCollision(0, 0, 10, 10, 10, 3, 10, 10, true))
+      assert.is_false(physics.checkCollision(0, 0, 10, 10, 10, 3, 10, 10, false))
+    end
+    physics.load()
+  end)
 
   it("changes nothing", function()
     local a, b = box(0, 0, 10, 10), box(8, 5, 10, 10)
