@@ -26,13 +26,31 @@ function oneway.lets(b, i, j, side, kind)
   return kind == approach.DEEP or isOpen(b, i, side) or isOpen(b, j, columns.OPPOSITE[side])
 end
 
+-- The side of slot i with which it stands on what is below, as gravity sees it; 0: it floats.
+local function footOf(b, i)
+  local x, y = b.down[2 * i], b.down[2 * i + 1]
+  if x ~= 0 then
+    return x > 0 and SIDE.right or SIDE.left
+  elseif y ~= 0 then
+    return y > 0 and SIDE.bottom or SIDE.top
+  end
+  return 0
+end
+
 --- Lets slot i fall through the one-way objects it stands on; returns whether there were any. What
 --- is not dynamic stands on nothing.
 function oneway.drop(b, i)
-  local half, any = b.kind[i] == columns.DYNAMIC and b.head[i] or 0, false
+  if b.kind[i] ~= columns.DYNAMIC then
+    return false
+  end
+  local half, foot, any = b.head[i], footOf(b, i), false
   while half ~= 0 do
     local p, j = (half + half % 2) / 2, b.other[half]
-    if b.contact[p] ~= 0 and b.oneWay[j] then
+    local side = b.contact[p] -- of the pair's first
+    if side ~= 0 and b.pairA[p] ~= i then
+      side = columns.OPPOSITE[side]
+    end
+    if side ~= 0 and side == foot and b.oneWay[j] then
       b.dropping[p] = true
       any = true
     end

@@ -237,7 +237,7 @@ function default.remove(object) end
 function default.refresh(object) end
 
 --- Lets an object fall through the one-way objects it stands on. It passes them until it is clear
---- of them.
+--- of them, also if something else holds it up until then.
 ---
 --- Errors: no table; an object that is not in the world.
 ---@param object physics.NewObject who stands there

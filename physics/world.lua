@@ -326,7 +326,7 @@ function World:refresh(object)
 end
 
 --- Lets an object fall through the one-way objects it stands on. It passes them until it is clear
---- of them.
+--- of them, also if something else holds it up until then.
 ---
 --- Errors: no table; an object that is not in the world.
 ---@param object physics.NewObject who stands there

@@ -281,6 +281,36 @@ describe("a one-way platform", function()
       end)
     end)
 
+    --   +-+|
+    --   | || door
+    --   +-+|
+    --  =======
+    it("on a solid, at a door that opens to the other side only, does nothing", function()
+      scene.each(SOME, function(run)
+        local door = { name = "door", x = 74, y = 176, width = 8, height = 124, static = true }
+        door.oneWay = "left"
+        local named = run:build({ tile(), { "ways", door }, body({ y = 276, vx = 60 }) })
+        run:play(0.2)
+        run:same("touching the door", named.body.touching.right, named.door)
+        run:same("dropThrough", run.world:dropThrough(named.body.raw), false)
+        named.body.vx = 60
+        run:play(0.5)
+        run:at(named.body, 58, 276)
+      end)
+    end)
+
+    it("with a one-way on the head does nothing", function()
+      scene.each(SOME, function(run)
+        local top = body({ name = "top", y = 252, oneWay = "bottom" })
+        local named = run:build({ tile(), body({ y = 276 }), top })
+        run:play(SETTLE)
+        run:same("touching.top", named.body.touching.top, named.top)
+        run:same("dropThrough", run.world:dropThrough(named.body.raw), false)
+        run:play(0.5)
+        run:at(named.top, 50, 252)
+      end)
+    end)
+
     --        +-+
     --   ===========+----+
     --              |    |  solid
