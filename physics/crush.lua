@@ -128,14 +128,14 @@ local function spread(b, count, low, high, axis)
 end
 
 -- Nobody knows by whom the two are held. But a wall stays a wall: who would be wholly inside, or on
--- the far side, ends flush.
+-- the far side, ends where it was when the step began.
 local function stop(b, lo, hi, axis)
   local kl, kh = 2 * lo + axis, 2 * hi + axis
   local depth = b.to[kl] + b.size[kl] - b.to[kh]
   if b.kind[lo] ~= DYNAMIC and depth > b.size[kh] - EPSILON then
-    put(b, hi, kh, b.to[kl] + b.size[kl], b.speed[kl])
+    put(b, hi, kh, b.position[kh], 0)
   elseif b.kind[hi] ~= DYNAMIC and depth > b.size[kl] - EPSILON then
-    put(b, lo, kl, b.to[kh] - b.size[kl], b.speed[kh])
+    put(b, lo, kl, b.position[kl], 0)
   end
 end
 
@@ -171,20 +171,15 @@ function crush.note(b, lo, hi, axis)
 end
 
 --- Keeps out of walls whom others have pushed there until patience was used up: the pairs in
---- b.givenUp, one of each cannot be pushed at all.
+--- b.givenUp, as far as one cannot be pushed at all.
 function crush.keepOut(b)
-  -- First from walls on the low side, then from the others: in whatever order they are listed.
-  for turn = 1, 2 do
-    for n = 1, b.givenUpCount do
-      local p = b.givenUp[n]
-      local lo, hi, side = b.pairA[p], b.pairB[p], b.hit[p]
-      if side % 2 == 1 then -- left or top of the pair's first
-        lo, hi = hi, b.pairA[p]
-      end
-      if (b.kind[lo] ~= DYNAMIC) == (turn == 1) then
-        stop(b, lo, hi, side > 2 and 1 or 0)
-      end
+  for n = 1, b.givenUpCount do
+    local p = b.givenUp[n]
+    local lo, hi, side = b.pairA[p], b.pairB[p], b.hit[p]
+    if side % 2 == 1 then -- left or top of the pair's first
+      lo, hi = hi, b.pairA[p]
     end
+    stop(b, lo, hi, side > 2 and 1 or 0)
   end
   b.givenUpCount = 0
 end

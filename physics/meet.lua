@@ -73,21 +73,11 @@ local function keyOf(t, kind, isSensed, round, axis)
   return (moment * 4 + kind) * KEYS + 2 * round + axis
 end
 
--- A pair has met too often, and is left alone. But a wall stays a wall: see `crush.keepOut`.
-local function giveUp(b, p)
-  if b.kind[b.pairA[p]] ~= DYNAMIC or b.kind[b.pairB[p]] ~= DYNAMIC then
-    b.givenUpCount = b.givenUpCount + 1
-    b.givenUp[b.givenUpCount] = p
-  end
-end
-
 local function enqueue(b, p, t, code)
   local one, other, met = b.pairA[p], b.pairB[p], b.met[p]
   local isSensed = b.sensor[one] or b.sensor[other]
-  if b.passing[p] or (isSensed and met > 0) then
+  if b.passing[p] or met >= resolve.PATIENCE or (isSensed and met > 0) then
     return
-  elseif met >= resolve.PATIENCE then
-    return giveUp(b, p)
   end
   local kind, axis, otherIsLow = approach.decode(code)
   local low, high = one, other

@@ -195,12 +195,20 @@ local function stopBoth(b, lo, hi, kl, kh)
   change(b, hi)
 end
 
+local function countHit(b, p)
+  b.met[p] = b.met[p] + 1
+  if b.met[p] == resolve.PATIENCE then
+    b.givenUpCount = b.givenUpCount + 1
+    b.givenUp[b.givenUpCount] = p
+  end
+end
+
 local function noteHit(b, p, lo, axis, u)
   if b.met[p] == 0 then
     b.hit[p] = 2 * axis + (b.pairA[p] == lo and 2 or 1)
     b.hitSpeed[p] = u
   end
-  b.met[p] = b.met[p] + 1
+  countHit(b, p)
 end
 
 --- Resolves pair p, which meets on `axis` at time t (0..1 of a step of dt s), `lo` being the one
@@ -212,7 +220,7 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   advance(b, lo, t)
   advance(b, hi, t)
   if b.weld[kl] ~= 0 and b.weld[kl] == b.weld[kh] then
-    b.met[p] = b.met[p] + 1
+    countHit(b, p)
     if not (b.crushed[kl] and b.crushed[kh]) then -- those share the overlap of their row
       rejoin(b, lo, hi, kl, kh)
     end

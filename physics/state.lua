@@ -456,13 +456,19 @@ end
 
 -- Memory -----------------------------------------------------------------------------------------
 
+-- Whether the game has given an object another `canCollide` than the one that was read. The state
+-- does not hold it, but an update would look at the object as at one that has been moved.
+local function asksAnew(b, i)
+  return b.kind[i] ~= STATIC and (b.object[i].canCollide or false) ~= b.canCollide[i]
+end
+
 local function saveFlags(b, out, work)
   local slots = work.slots
   for m = 1, #state.FLAGS do
     local name = state.FLAGS[m]
     local list, column, at = listIn(out.memory, name), b[name], 0
     for n = 1, out.known do
-      if column[slots[n]] then
+      if column[slots[n]] or (name == "moved" and asksAnew(b, slots[n])) then
         at = at + 1
         list[at] = n
       end

@@ -693,6 +693,24 @@ describe("world:restore", function()
     end
   end)
 
+  it("looks at who has got a canCollide since the last step as the world itself would", function()
+    local hashes = {}
+    for n = 1, 2 do
+      local world = physics.newWorld()
+      local box = world:add("boxes", { x = 0, y = 0, width = 10, height = 10 })
+      world:update(1 / 60)
+      box.canCollide = function()
+        return true
+      end
+      if n == 2 then
+        world:restore(world:save())
+      end
+      world:update(0)
+      hashes[n] = world:hash()
+    end
+    assert.equal(hashes[1], hashes[2])
+  end)
+
   it("keeps the order of events if one was noted after others had been told", function()
     local world, boxes = leaveBehind()
     world.onEnd = function() end -- what nobody hears is not noted
