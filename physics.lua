@@ -58,8 +58,8 @@ end
 
 --- Lets LuaJIT compile everything, also what happens to single objects, which is interpreted
 --- otherwise, and keeps the numbers of the worlds that are made after it in typed arrays (FFI).
---- Boxes that bounce, heaps and `raycast` then take half to three quarters of the time, walkers and
---- crowds nine tenths, with the same results to the bit. Call it once, right after `require`: the
+--- Boxes that bounce and `raycast` then take half to three quarters of the time, heaps, walkers and
+--- crowds four fifths, with the same results to the bit. Call it once, right after `require`: the
 --- default world takes part as long as nothing has been in it.
 ---
 --- It raises two limits of LuaJIT, which are those of the whole program: 8000 traces instead of
