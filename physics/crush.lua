@@ -54,7 +54,7 @@ end
 -- end. That is so where many are crushed into less than half of their place, and one is in front of
 -- the next by one meeting, and behind it by others.
 local function endOf(b, i, other, axis, isLow)
-  for _ = 1, b.count do
+  for _ = 0, b.moverCount do
     local by = holderOf(b, i, axis, isLow)
     if by == 0 then
       return i
@@ -181,7 +181,6 @@ function crush.keepOut(b)
     end
     stop(b, lo, hi, side > 2 and 1 or 0)
   end
-  b.givenUpCount = 0
 end
 
 --- Tells whoever began to be crushed in this step.

@@ -485,7 +485,7 @@ function meet.run(b, dt)
   local q = b.queue
   queue.clear(q)
   b.resolved, b.isAllSeen, b.step = 0, false, b.step + 1
-  b.resolvedBefore, b.hasFlanksBegun = 0, false
+  b.resolvedBefore, b.hasFlanksBegun, b.givenUpCount = 0, false, 0
   b.isInstant, b.isEager, b.oddSeen = not b.queueOnly, b.queueOnly, 0
   rounds.start(b)
   live.list(b)
@@ -501,9 +501,7 @@ function meet.run(b, dt)
     prepare(b, dt)
     id = queue.pop(q)
   end
-  if b.givenUpCount > 0 then
-    crush.keepOut(b)
-  end
+  crush.keepOut(b)
 end
 
 return meet
