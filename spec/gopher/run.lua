@@ -94,6 +94,7 @@ local assertions = {
   equal = equal,
   same = same,
   near = near,
+  is_near = near,
   truthy = truthy,
   is_truthy = truthy,
   has_error = hasError,
