@@ -35,6 +35,7 @@ resolve.WELDS = 3
 local WELDS = resolve.WELDS
 --- The same: after which it is left alone.
 resolve.PATIENCE = 32
+local PATIENCE = resolve.PATIENCE
 local STILL = columns.STILL
 
 -- Inverse masses for a push between `lo` and `hi`; 0: cannot give way.
@@ -197,7 +198,7 @@ end
 
 local function countHit(b, p)
   b.met[p] = b.met[p] + 1
-  if b.met[p] == resolve.PATIENCE then
+  if b.met[p] == PATIENCE then
     b.givenUpCount = b.givenUpCount + 1
     b.givenUp[b.givenUpCount] = p
   end

@@ -6,6 +6,7 @@ local case = require("spec.fuzz.case")
 local checked = require("spec.support.checked_columns")
 local effort = require("spec.support.effort")
 local everything = require("spec.support.everything")
+local fresh = require("spec.support.fresh")
 local trial = require("spec.fuzz.trial")
 
 local jit = rawget(_G, "jit")
@@ -15,28 +16,6 @@ local LAYOUT = {
   { name = "awake", kind = "boolean", width = 1 },
   { name = "object", kind = "any", width = 1 },
 }
-
--- Calls `f` with the library loaded anew, as its own module.
-local function withFresh(f)
-  local kept = {}
-  for name in pairs(package.loaded) do
-    if name == "physics" or name:match("^physics%.") then
-      kept[name], package.loaded[name] = package.loaded[name], nil
-    end
-  end
-  local isDone, problem = pcall(function()
-    f(require("physics"))
-  end)
-  for name in pairs(package.loaded) do
-    if name:match("^physics%.") then
-      package.loaded[name] = nil
-    end
-  end
-  for name, module in pairs(kept) do
-    package.loaded[name] = module
-  end
-  assert(isDone, problem)
-end
 
 describe("a bank", function()
   it("keeps what is in its columns when they grow", function()
@@ -124,7 +103,7 @@ if jit and jit.status() then
     end)
 
     it("gives typed columns to the worlds that are made after it", function()
-      withFresh(function(module)
+      fresh.during(function(module)
         local before = module.newWorld()
         assert.is_true(module.compile())
         assert.is_false(isTyped(before))
@@ -147,12 +126,12 @@ if jit and jit.status() then
     end
 
     it("also to the default world, as long as nobody has been in it", function()
-      withFresh(function(module)
+      fresh.during(function(module)
         module.add("boxes", { x = 0, y = 0, width = 10, height = 10 })
         module.compile()
         assert.is_true(isTyped(defaultWorldOf(module)))
       end)
-      withFresh(function(module)
+      fresh.during(function(module)
         module.add("boxes", { x = 0, y = 0, width = 10, height = 10 })
         module.update(0)
         module.compile()

@@ -1,6 +1,7 @@
 --- What LuaJIT may compile: by default only what it is good at, after `physics.compile` nearly
 --- everything, and never what goes through a table by `next` or `pairs`.
 
+local fresh = require("spec.support.fresh")
 local newRandom = require("spec.support.random").new
 local physics = require("physics")
 
@@ -86,24 +87,6 @@ describe("what LuaJIT compiles", function()
     return world:hash()
   end
 
-  -- Calls `f` with a library of its own, as a program has that has just started.
-  local function withFresh(f)
-    local loaded = {}
-    for name in pairs(package.loaded) do
-      if name == "physics" or name:find("^physics%.") then
-        loaded[name] = package.loaded[name]
-      end
-    end
-    for name in pairs(loaded) do
-      package.loaded[name] = nil
-    end
-    local isDone, problem = pcall(f, require("physics"))
-    for name, module in pairs(loaded) do
-      package.loaded[name] = module
-    end
-    assert(isDone, problem)
-  end
-
   -- How many traces that begin in the library's file `name` are finished while `f` runs.
   local function tracesIn(name, f)
     local util, count, isIn = require("jit.util"), 0, false
@@ -123,7 +106,7 @@ describe("what LuaJIT compiles", function()
 
   it("after compile() is everything, with the same result", function()
     local expected = play(physics)
-    withFresh(function(module)
+    fresh.during(function(module)
       local hasCompiler = jit ~= nil and jit.status() == true
       assert.equal(hasCompiler, module.compile())
       assert.equal(hasCompiler, module.compile()) -- twice is no harm
@@ -180,7 +163,7 @@ describe("what LuaJIT compiles", function()
     -- Each question goes another way through the code. Compiled as a whole they filled LuaJIT's
     -- room for traces again and again: 1000 sweeps took 180 ms instead of 15.
     it("leaves room for all kinds of questions", function()
-      withFresh(function(module)
+      fresh.during(function(module)
         assert.equal(
           0,
           flushesIn(function()
@@ -191,7 +174,7 @@ describe("what LuaJIT compiles", function()
     end)
 
     it("is what happens to single objects only after compile()", function()
-      withFresh(function(module)
+      fresh.during(function(module)
         jit.flush()
         local before = tracesIn("meet", function()
           play(module)

@@ -1,6 +1,7 @@
 --- The tutorial, followed line by line: global names, grouped tables, a loop that bumps.
 -- luacheck: globals objects physics_load physics_update checkCollision inside bump
 
+local fresh = require("spec.support.fresh")
 local physics = require("physics")
 
 local GLOBALS = {
@@ -24,27 +25,15 @@ end
 
 describe("the library", function()
   it("sets no global, until it is asked to", function()
-    local before, loaded = {}, {}
+    local before = {}
     for name in pairs(_G) do
       before[name] = true
     end
-    for name, module in pairs(package.loaded) do
-      if name == "physics" or name:find("^physics%.") then
-        loaded[name], package.loaded[name] = module, nil
-      end
-    end
-    local again = require("physics")
-    again.load({ gravity = 0 })
-    again.add("boxes", { x = 0, y = 0, width = 1, height = 1 })
-    again.update(DT)
-    for name in pairs(package.loaded) do
-      if name == "physics" or name:find("^physics%.") then
-        package.loaded[name] = nil
-      end
-    end
-    for name, module in pairs(loaded) do
-      package.loaded[name] = module
-    end
+    fresh.during(function(again)
+      again.load({ gravity = 0 })
+      again.add("boxes", { x = 0, y = 0, width = 1, height = 1 })
+      again.update(DT)
+    end)
     for name in pairs(_G) do
       assert.is_true(before[name], tostring(name))
     end
