@@ -19,7 +19,8 @@ local footing = {}
 local DYNAMIC, WELDS = columns.DYNAMIC, resolve.WELDS
 local STILL, TINY = columns.STILL, columns.TINY
 local EVEN, ROUNDING = impact.EVEN, impact.ROUNDING
-local max, min = math.max, math.min
+local floor, max, min = math.floor, math.max, math.min
+local PER_STILL = 1 / STILL
 
 -- The side towards the floor and the one away from it, as columns: held, holder, pressed.
 local function sidesOf(b, isUp)
@@ -125,6 +126,11 @@ local function slideTogether(b, up, low, ku, kl, limit, share, sign, dt)
   return true
 end
 
+-- A speed > -STILL, or 0 if it is hardly one. No branches.
+local function calm(v)
+  return max(v, 0.0) * min(floor(max(v, 0.0) * PER_STILL), 1)
+end
+
 --- Puts `up` on `low`, who meet on `side` of the pair's first, as `resolve` would: flush, without a
 --- bounce, held from below. If that presses, notes for friction by how much, at place x, and that
 --- it was the n-th turn. Returns false if the case is another one; nothing has changed then.
@@ -142,7 +148,7 @@ function footing.putOn(b, n, x, p, side, up, low, ku, kl, isUp, dt)
   if start <= -STILL or o < (v + start) * 0.5 * dt * (1 - ROUNDING) then
     return false
   end
-  local u = start > STILL and start or 0
+  local u = calm(start)
   if press.bounces(b, up, low, u, (drive[ku] - drive[kl]) * sign, dt) then
     return false
   end
@@ -208,7 +214,7 @@ function footing.rub(b, n)
   local up, low = b.turnUp[x], b.turnLow[x]
   local isDown = b.orientation[axis] > 0
   local lo, hi = isDown and up or low, isDown and low or up
-  friction.rub(b, lo, hi, axis, b.turnImpulse[x], b.turnShare[x], b.turnLeft[x], 0)
+  return friction.rub(b, lo, hi, axis, b.turnImpulse[x], b.turnShare[x], b.turnLeft[x], 0)
 end
 
 return footing

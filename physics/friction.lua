@@ -15,8 +15,10 @@ require(here .. ".interpreted").file()
 local friction = {}
 
 local DYNAMIC = columns.DYNAMIC
-local max, min, sqrt = math.max, math.min, math.sqrt
+local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
 local STILL, TINY = columns.STILL, columns.TINY
+local PER_STILL = 1 / STILL
+local VAST = 1e300
 
 --- Returns the coefficient of a pair: √(a·b); without one of its own (negative) a static or
 --- kinematic object takes the other's.
@@ -40,41 +42,27 @@ local function lessen(u, loss)
   return max(u - loss, 0.0) + min(u + loss, 0.0)
 end
 
+-- A speed, or 0 if it is hardly one. No branches.
+local function calm(v)
+  return v * min(floor(max(v, -v) * PER_STILL), 1) + 0.0
+end
+
 -- Slides at a relative speed that would be `u` at the end of the time left, under a relative
 -- acceleration `a`, against an impact that takes up to `impact` px/s at once and a weight that
 -- takes up to `weight` px/s over the time. Returns the relative speed at the end and the relative
--- way.
+-- way: first it is braked, for as long as that takes; then, if it is pulled back faster than
+-- friction can hold, it goes back. No branches: compiled, each would be a way of its own through
+-- all that the caller still has to do.
 local function slide(u, a, tau, impact, weight)
-  local v = u - a * tau
-  if v > -STILL and v < STILL then
-    v = 0
-  end
-  v = lessen(v, impact)
+  local v = lessen(calm(u - a * tau), impact)
   if tau <= 0 then
     return v, 0
   end
-  local hold = weight / tau
-  if v == 0 then
-    if a <= hold and a >= -hold then
-      return 0, 0
-    end
-    local stop = (a > 0 and a - hold or a + hold) * tau
-    return stop, stop * 0.5 * tau
-  end
-  local brake = v > 0 and hold - a or hold + a
-  if brake < 0 then -- pulled on, faster than friction can hold
-    local stop = v > 0 and v - brake * tau or v + brake * tau
-    return stop, (v + stop) * 0.5 * tau
-  end
-  local stop = lessen(v, brake * tau)
-  local braked = min(tau, max(v, -v) / max(brake, TINY))
-  local way = (v + stop) * 0.5 * braked
-  if stop == 0 and (a > hold or a < -hold) then -- pulled back, faster than friction can hold
-    local left = tau - braked
-    stop = (a > 0 and a - hold or a + hold) * left
-    way = way + stop * 0.5 * left
-  end
-  return stop, way
+  local hold, amount, sign = weight / tau, max(v, -v), max(min(v * VAST, 1), -1)
+  local brake = hold - a * sign -- < 0: it is pulled on, faster than friction can hold
+  local braked = min(tau, amount / max(brake, TINY))
+  local stop, back = sign * max(amount - brake * tau, 0), lessen(a, hold) * (tau - braked)
+  return stop + back, (v + stop) * 0.5 * braked + back * 0.5 * (tau - braked)
 end
 
 -- Inverse mass of slot i on the axis of k: that of all that is welded to it there.
@@ -86,9 +74,11 @@ local function inverseMass(b, i, k)
 end
 
 -- Whether friction would push k to where it is held: then the wall there takes it, and two walls
--- that rub the same object do not push it to and fro between them.
+-- that rub the same object do not push it to and fro between them. (Few are held at all: asked
+-- first, so that the sign makes no two ways through the code.)
 local function isBarred(b, k, dSpeed)
-  return (dSpeed > 0 and b.heldHigh[k]) or (dSpeed < 0 and b.heldLow[k])
+  local low, high = b.heldLow[k], b.heldHigh[k]
+  return (low or high) and ((dSpeed > 0 and high) or (dSpeed < 0 and low))
 end
 
 -- Changes speed and way of k, and of all that is welded to it, by what friction took off.
@@ -99,7 +89,7 @@ local function shift(b, k, dSpeed, dWay, t)
   b.speed[k] = b.speed[k] + dSpeed
   b.to[k] = b.to[k] + dWay
   path.change(b, (k - k % 2) / 2)
-  ring.follow(b, k, dWay, t)
+  return ring.follow(b, k, dWay, t)
 end
 
 -- Speed of the surface of `low` along kw: its own and, along x, that of its belt.
@@ -163,7 +153,7 @@ local function stick(b, k, kw, dSpeed, t)
   b.speed[k] = b.speed[kw]
   b.to[k] = b.from[k] + (b.to[kw] - b.from[kw]) * (1 - b.time[i])
   path.change(b, i)
-  ring.follow(b, k, b.to[k] - before, t)
+  return ring.follow(b, k, b.to[k] - before, t)
 end
 
 local function rubBoth(b, lo, hi, kl, kh, mu, jn, share, tau, t)
@@ -187,7 +177,7 @@ local function rubBoth(b, lo, hi, kl, kh, mu, jn, share, tau, t)
   -- The shares first: that of one who rubs on a wall is 1 then, and it stops to the bit.
   local shareL, shareH = wl / w, wh / w
   shift(b, kl, dSpeed * shareL, dWay * shareL, t)
-  shift(b, kh, -dSpeed * shareH, -dWay * shareH, t)
+  return shift(b, kh, -dSpeed * shareH, -dWay * shareH, t)
 end
 
 --- Rubs two that have just met on `axis`, `lo` with the smaller coordinate: `jn` is the impulse of
@@ -211,7 +201,7 @@ function friction.rub(b, lo, hi, axis, jn, share, tau, t)
   if steady and rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau, t) then
     return
   end
-  rubBoth(b, lo, hi, tl, th, mu, jn, share, tau, t)
+  return rubBoth(b, lo, hi, tl, th, mu, jn, share, tau, t)
 end
 
 return friction

@@ -5,14 +5,20 @@ local columns = require(here .. ".columns")
 
 local impact = {}
 
-local sqrt = math.sqrt
+local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
 local STILL = columns.STILL
+local PER_STILL = 1 / STILL
 --- Share by which an overlap may be short through rounding.
 impact.ROUNDING = 1e-6
 local ROUNDING = impact.ROUNDING
 --- px/s² below which two accelerate alike.
 impact.EVEN = 1e-6
 local EVEN = impact.EVEN
+
+-- A speed > -STILL, or 0 if it is hardly one. No branches.
+local function calm(v)
+  return max(v, 0.0) * min(floor(max(v, 0.0) * PER_STILL), 1)
+end
 
 --- Approach speed at the moment of contact and the time left after it, from what the paths will
 -- have become at the end of the step: overlap o, closing speed v, closing acceleration a; `touches`
@@ -22,7 +28,7 @@ function impact.at(o, v, a, left, touches)
   if touches and start > -STILL and o >= (v + start) * 0.5 * left * (1 - ROUNDING) then
     -- They touch from the beginning of their paths on; the speed there is exact, no difference of
     -- squares.
-    return start > STILL and start or 0, left
+    return calm(start), left
   end
   local square = v * v - 2 * a * o
   local u = 0
@@ -31,8 +37,7 @@ function impact.at(o, v, a, left, touches)
   end
   local tau = left
   if v + u > 0 then
-    tau = 2 * o / (v + u)
-    tau = tau < left and tau or left
+    tau = min(2 * o / (v + u), left)
   end
   return u, tau
 end

@@ -222,7 +222,7 @@ local function happen(b, p, code, t, dt)
     resolve.run(b, p, low, high, axis, t, dt, kind == approach.DEEP)
     b.settled[p] = changesOf(b.changes, low, high) == before and 1 + before or 0
   end
-  followChanged(b, dt)
+  return followChanged(b, dt)
 end
 
 -- Looks at all pairs that touch, when all have had their turns: only then are their paths what they
@@ -477,7 +477,7 @@ local function take(b, id, dt)
   passEvent(b, id)
   b.event[p], b.waits[p] = NONE, 0
   b.resolved = b.resolved + 1
-  happen(b, p, code, t, dt)
+  return happen(b, p, code, t, dt)
 end
 
 --- Resolves all contacts of a step of dt s.

@@ -18,7 +18,8 @@ local press = {}
 local DYNAMIC, STILL = columns.DYNAMIC, columns.STILL
 local EVEN, ROUNDING = impact.EVEN, impact.ROUNDING
 local LEAVES, WELDS = resolve.LEAVES, resolve.WELDS
-local max, min, sqrt = math.max, math.min, math.sqrt
+local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
+local PER_STILL = 1 / STILL
 
 --- Coefficient of friction of a pair, as in `friction`. Who is not dynamic may have none (< 0).
 function press.coefficient(b, i, j)
@@ -173,12 +174,17 @@ local function isAlike(b, lo, hi, tl, th)
     and b.inverseMass[hi] > 0
 end
 
+-- A speed > -STILL, or 0 if it is hardly one. No branches.
+local function calm(v)
+  return max(v, 0.0) * min(floor(max(v, 0.0) * PER_STILL), 1)
+end
+
 -- Approach speed, and the time left after the contact (see `impact.at`). Friction of footings may
 -- have shortened a way more than the speed and the acceleration tell.
 local function impactAt(o, v, a, dt)
   local start = v - a * dt
   if start > -STILL and o >= (v + start) * 0.5 * dt * (1 - ROUNDING) then
-    return start > STILL and start or 0, dt
+    return calm(start), dt
   end
   local square = v * v - 2 * a * o
   local u = (v > 0 or a < 0) and sqrt(max(square, 0)) or 0
@@ -191,9 +197,53 @@ press.REFUSED, press.LOW, press.HIGH, press.RUBS, press.RINGS = 0, 1, 2, 4, 8
 local REFUSED, LOW, HIGH, RUBS, RINGS =
   press.REFUSED, press.LOW, press.HIGH, press.RUBS, press.RINGS
 
+-- Lets those who are welded to the two follow them, and the two be joined; or leaves that to come.
+-- Returns `gives`, and RINGS in this case.
+local function finish(b, lo, hi, kl, kh, gives)
+  if not b.turnJoins and b.weld[kl] == 0 and b.weld[kh] == 0 then
+    return gives
+  elseif not b.isQuiet then
+    return gives + RINGS
+  end
+  follow(b, kl, b.to[kl] - b.turnLowTo)
+  follow(b, kh, b.to[kh] - b.turnHighTo)
+  if b.turnJoins then
+    join(b, lo, hi, kl, kh)
+  end
+  return gives
+end
+
+-- Whether two who were pressed rub: not if nothing can come of it.
+local function rubs(b, lo, hi, kl, kh)
+  if press.coefficient(b, lo, hi) <= 0 then
+    return false
+  end
+  -- From an index along the push to the one across it.
+  local sideways = 1 - 2 * (kl - 2 * lo)
+  if
+    b.down[kl] == 0
+    and b.down[kh] == 0
+    and isAlike(b, lo, hi, kl + sideways, kh + sideways)
+  then
+    b.changes[kl], b.changes[kh] = b.changes[kl] + 1, b.changes[kh] + 1
+    return false
+  end
+  return true
+end
+
+-- What is to come of two who have run into each other.
+local function stop(b, lo, hi, kl, kh, gives)
+  b.stuck[lo] = b.stuck[lo] and b.down[kl] ~= 0
+  b.stuck[hi] = b.stuck[hi] and b.down[kh] ~= 0
+  return finish(b, lo, hi, kl, kh, gives + (rubs(b, lo, hi, kl, kh) and RUBS or 0))
+end
+
 --- Lets two lean on each other, the pair p of turn x, which meets on `side` of its first, as
 --- `resolve` would. Returns REFUSED if the case is another one (nothing has changed then), or who
 --- has given way and what is to come of it.
+---
+--- (What is called last is returned, here and in other files: so nothing is left of the caller,
+--- whose numbers the trace compiler would have to keep.)
 function press.run(b, x, p, side, lo, hi, axis, dt)
   local kl, kh = 2 * lo + axis, 2 * hi + axis
   local wl, wh = weight(b, lo, kl, b.heldLow[kl]), weight(b, hi, kh, b.heldHigh[kh])
@@ -209,8 +259,8 @@ function press.run(b, x, p, side, lo, hi, axis, dt)
   end
   press.noteHit(b, p, side, u)
   local gives = (wl > 0 and LOW or 0) + (wh > 0 and HIGH or 0)
-  local joins = gives == LOW + HIGH and v > 0 and b.met[p] >= WELDS
-  local lowTo, highTo = b.to[kl], b.to[kh]
+  b.turnLowTo, b.turnHighTo = b.to[kl], b.to[kh]
+  b.turnJoins = gives == LOW + HIGH and v > 0 and b.met[p] >= WELDS
   place(b, lo, kl, kh, wl, wh, o, v)
   b.changes[kl] = b.changes[kl] + (wl > 0 and 1 or 0)
   b.changes[kh] = b.changes[kh] + (wh > 0 and 1 or 0)
@@ -218,34 +268,11 @@ function press.run(b, x, p, side, lo, hi, axis, dt)
   if v > -STILL then
     lean(b, lo, hi, kl, kh, wl, wh)
   end
-  if not b.isQuiet and (joins or b.weld[kl] ~= 0 or b.weld[kh] ~= 0) then
-    b.turnLowTo, b.turnHighTo, b.turnJoins = lowTo, highTo, joins
-    gives = gives + RINGS
-  else
-    follow(b, kl, b.to[kl] - lowTo)
-    follow(b, kh, b.to[kh] - highTo)
-    if joins then
-      join(b, lo, hi, kl, kh)
-    end
-  end
   if v <= 0 then
-    return gives
-  end
-  b.stuck[lo] = b.stuck[lo] and b.down[kl] ~= 0
-  b.stuck[hi] = b.stuck[hi] and b.down[kh] ~= 0
-  local sideways = 1 - 2 * axis
-  if press.coefficient(b, lo, hi) <= 0 then
-    return gives
-  elseif
-    b.down[kl] == 0
-    and b.down[kh] == 0
-    and isAlike(b, lo, hi, kl + sideways, kh + sideways)
-  then
-    b.changes[kl], b.changes[kh] = b.changes[kl] + 1, b.changes[kh] + 1
-    return gives
+    return finish(b, lo, hi, kl, kh, gives)
   end
   b.turnImpulse[x], b.turnShare[x], b.turnLeft[x] = v / (wl + wh), min(u / v, 1.0), tau
-  return gives + RUBS
+  return stop(b, lo, hi, kl, kh, gives)
 end
 
 return press

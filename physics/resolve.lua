@@ -21,7 +21,7 @@ require(here .. ".interpreted").file()
 
 local resolve = {}
 
-local max = math.max
+local max, min = math.max, math.min
 local advance, change = path.advance, path.change
 local DYNAMIC = columns.DYNAMIC
 
@@ -204,11 +204,14 @@ local function countHit(b, p)
   end
 end
 
+-- Notes the first hit of the step: its side and its speed. No branches: compiled, this is in the
+-- middle of a way through the code on which most numbers of `run` are needed later on.
 local function noteHit(b, p, lo, axis, u)
-  if b.met[p] == 0 then
-    b.hit[p] = 2 * axis + (b.pairA[p] == lo and 2 or 1)
-    b.hitSpeed[p] = u
-  end
+  local hit, hitSpeed, first = b.hit, b.hitSpeed, b.pairA[p]
+  local isFirst = 1 - min(b.met[p], 1)
+  local side = 2 * axis + 2 - min(max(first - lo, lo - first), 1)
+  hit[p] = hit[p] + (side - hit[p]) * isFirst
+  hitSpeed[p] = hitSpeed[p] * (1 - isFirst) + u * isFirst
   countHit(b, p)
 end
 
@@ -285,7 +288,7 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   end
   if dv > 0 then
     local share = u * (1 + restitution) / dv
-    friction.rub(b, lo, hi, axis, dv / (wl + wh), share < 1 and share or 1, tau, t)
+    return friction.rub(b, lo, hi, axis, dv / (wl + wh), share < 1 and share or 1, tau, t)
   end
 end
 
