@@ -25,6 +25,9 @@ columns.STILL = 1e-9
 --- Keeps 0 / 0 out of what has no length: no more than that is added to what has one.
 columns.TINY = 1e-300
 
+--- How firmly whatever never gives way stands (see `turns`): more than any coordinate.
+columns.FIRM = 1e300
+
 --- Value of `event` for a pair that has none in the queue.
 columns.NO_EVENT = -1
 --- What stands in `turnSeen` of a turn at which nobody has looked.
@@ -159,13 +162,13 @@ local PAIR = {
   "lastTurn", -- and among those of its kind when it last had one
   "liveMark",
   "wedged", -- 1 + code of the meeting along which two that are left inside each other may part
+  "touches", -- 1: may be met at the very beginning of the step
   "settled", -- 1 + the changes of both when the last meeting in this step changed nothing, 0: none
 }
 
 -- … and booleans.
 local PAIR_FLAG = {
   "passing", -- lets pass for this step (canCollide, dropThrough)
-  "touches", -- may be met at the very beginning of the step
   "dropping", -- falls through (dropThrough) until the two are apart
   "overlapping", -- was left inside each other at the end of the last step
   "leaving", -- is about to be taken apart
@@ -513,7 +516,7 @@ local function resetPairs(b, count)
   local event, wedged, turn, waits, touches = b.event, b.wedged, b.turn, b.waits, b.touches
   for n = 1, count do
     local p = linked[n]
-    event[p], wedged[p], turn[p], waits[p], touches[p] = columns.NO_EVENT, 0, 0, 0, false
+    event[p], wedged[p], turn[p], waits[p], touches[p] = columns.NO_EVENT, 0, 0, 0, 0
     b.settled[p], b.lastTurn[p], b.gathered[p], b.permitted[p] = 0, 0, 0, 0
   end
 end

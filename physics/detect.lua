@@ -130,19 +130,16 @@ local function fatten(b, k)
   b.fatHigh[k] = max(from, to) + size + MARGIN + max(ahead, 0)
 end
 
+-- How far the path leaves the fat box on the axis of k, px; > 0 if it does. No branches: whichever
+-- side it is, the same happens.
+local function excess(b, k)
+  local from, to, size = b.from[k], b.to[k], b.size[k]
+  return max(b.fatLow[k] - min(from, to), max(from, to) + size - b.fatHigh[k])
+end
+
 -- Whether the path of an object leaves its fat box.
 local function hasLeft(b, i)
-  local from, to, size, fatLow, fatHigh = b.from, b.to, b.size, b.fatLow, b.fatHigh
-  local k = 2 * i
-  return b.placed[i] ~= 2
-    or from[k] < fatLow[k]
-    or to[k] < fatLow[k]
-    or from[k] + size[k] > fatHigh[k]
-    or to[k] + size[k] > fatHigh[k]
-    or from[k + 1] < fatLow[k + 1]
-    or to[k + 1] < fatLow[k + 1]
-    or from[k + 1] + size[k + 1] > fatHigh[k + 1]
-    or to[k + 1] + size[k + 1] > fatHigh[k + 1]
+  return max(excess(b, 2 * i), excess(b, 2 * i + 1)) > 0 or b.placed[i] ~= 2
 end
 
 local function enlarge(b, i)

@@ -39,6 +39,12 @@ end
 
 local isIdle = gather.isIdle
 
+-- 1 for a number >= 0, else 0. What is listed is written behind the list, and the list made longer
+-- by this: without branches, whatever comes first, the way through the loop is the same.
+local function step(v)
+  return max(min(floor(v) + 1, 1), 0)
+end
+
 -- >= 0 if two stay clear of each other on one axis: apart now, and at the end on the same side, or
 -- flush there and not moving against each other (`v`, at the end). With a `clear` of EPSILON only
 -- if they are apart by that much at the end. No branches, so that it is one piece of code for all.
@@ -82,10 +88,9 @@ function gather.touching(b)
     local k, m = 2 * pairA[p], 2 * pairB[p]
     local x, y = from[m] - from[k], from[m + 1] - from[k + 1]
     local gap = max(max(x - size[k], -x - size[m]), max(y - size[k + 1], -y - size[m + 1]))
-    if gap <= EPSILON then
-      count = count + 1
-      out[count], touches[p] = p, true
-    end
+    local does = step(EPSILON - gap)
+    out[count + 1], touches[p] = p, does
+    count = count + does
   end
   b.touchCount = count
 end
@@ -101,13 +106,10 @@ function gather.flush(b, axis, along, across)
     local ic, jc = 2 * pairA[p] + 1 - axis, 2 * pairB[p] + 1 - axis
     local r, rc = from[j] - from[i], from[jc] - from[ic]
     local gap, gapc = max(r - size[i], -r - size[j]), max(rc - size[ic], -rc - size[jc])
-    if min(gap + EPSILON, -gapc - EPSILON) >= 0 then
-      n = n + 1
-      along[n] = p
-    elseif min(gapc + EPSILON, -gap - EPSILON) >= 0 then
-      m = m + 1
-      across[m] = p
-    end
+    local isAlong = step(min(gap + EPSILON, -gapc - EPSILON))
+    along[n + 1], across[m + 1] = p, p
+    n = n + isAlong
+    m = m + step(min(gapc + EPSILON, -gap - EPSILON)) * (1 - isAlong)
   end
   return n, m
 end
@@ -194,7 +196,7 @@ function gather.apart(b)
   local pairs_, touches, clear, count = b.live, b.touches, b.clear, 0
   for n = 1, b.liveCount do
     local p = pairs_[n]
-    if not touches[p] then
+    if touches[p] == 0 then
       count = listWhole(b, p, clear, count)
     end
   end
@@ -219,7 +221,11 @@ function gather.objects(b, slots, first, last, count)
       local p = floor(half * 0.5 + 0.5)
       if waits[p] > 0 then
         waits[p] = 2
-      elseif (touches[p] or isLate) and (isAllSeen or turn[p] <= 0) and gathered[p] ~= stamp then
+      elseif
+        (touches[p] > 0 or isLate)
+        and (isAllSeen or turn[p] <= 0)
+        and gathered[p] ~= stamp
+      then
         event[p], gathered[p] = NO_EVENT, stamp
         count = listAt(b, half, slots[n], other[half], clear, count)
       end

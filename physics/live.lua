@@ -33,7 +33,7 @@ local function reset(b, first)
   for n = first, b.liveCount do
     local p = live_[n]
     met[p], hit[p], passing[p], event[p] = 0, 0, false, NO_EVENT
-    nudged[p], turn[p], waits[p], touches[p], settled[p] = 0, 0, 0, false, 0
+    nudged[p], turn[p], waits[p], touches[p], settled[p] = 0, 0, 0, 0, 0
   end
 end
 
@@ -52,9 +52,9 @@ end
 --- Notes that a pair may touch at the very beginning of the step, though it did not when that was
 --- looked for.
 function live.touch(b, p)
-  if not b.touches[p] then
+  if b.touches[p] == 0 then
     b.touchCount = b.touchCount + 1
-    b.touchList[b.touchCount], b.touches[p] = p, true
+    b.touchList[b.touchCount], b.touches[p] = p, 1
   end
 end
 

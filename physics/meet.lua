@@ -32,7 +32,7 @@ require(here .. ".interpreted").file()
 
 local meet = {}
 
-local floor, huge, max = math.floor, math.huge, math.max
+local floor, max = math.floor, math.max
 local DYNAMIC = columns.DYNAMIC
 local FACE, CORNER = approach.FACE, approach.CORNER
 
@@ -53,7 +53,7 @@ local NONE = columns.NO_EVENT
 -- right-hand one as gravity sees it, so that a scene may be turned.
 local function supportOf(b, low, high, axis)
   if b.kind[low] ~= DYNAMIC or b.kind[high] ~= DYNAMIC then
-    return huge
+    return columns.FIRM
   elseif b.orientation[axis] < 0 then
     return -b.from[2 * low + axis]
   end

@@ -220,11 +220,7 @@ local function rubs(b, lo, hi, kl, kh)
   end
   -- From an index along the push to the one across it.
   local sideways = 1 - 2 * (kl - 2 * lo)
-  if
-    b.down[kl] == 0
-    and b.down[kh] == 0
-    and isAlike(b, lo, hi, kl + sideways, kh + sideways)
-  then
+  if b.down[kl] == 0 and b.down[kh] == 0 and isAlike(b, lo, hi, kl + sideways, kh + sideways) then
     b.changes[kl], b.changes[kh] = b.changes[kl] + 1, b.changes[kh] + 1
     return false
   end

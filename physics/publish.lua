@@ -17,21 +17,26 @@ local DYNAMIC = columns.DYNAMIC
 local EPSILON, OPPOSITE = columns.EPSILON, columns.OPPOSITE
 local floor, max, min = math.floor, math.max, math.min
 
+-- 1 for a number >= 0, else 0.
+local function step(v)
+  return max(min(floor(v) + 1, 1), 0)
+end
+
 -- Lists the live pairs that are close enough to touch, or did; returns how many.
 local function listClose(b)
   local list, close, count = b.live, b.closePairs, 0
   local pairA, pairB, contacts, hit = b.pairA, b.pairB, b.contact, b.hit
-  local to, size = b.to, b.size
+  local to, size, overlapping, dropping, wedged = b.to, b.size, b.overlapping, b.dropping, b.wedged
   for n = 1, b.liveCount do
     local p = list[n]
     local k, m = 2 * pairA[p], 2 * pairB[p]
     local x, y = to[m] - to[k], to[m + 1] - to[k + 1]
     local gap = max(max(x - size[k], -x - size[m]), max(y - size[k + 1], -y - size[m + 1]))
-    if min(gap - EPSILON, 0.5 - contacts[p] - hit[p]) <= 0 and k ~= 0 then
-      count = count + 1
-      close[count] = p
-    else
-      b.overlapping[p], b.wedged[p], b.dropping[p] = false, 0, false
+    local isClose = step(max(EPSILON - gap, contacts[p] + hit[p] - 0.5)) * min(k, 1)
+    close[count + 1], wedged[p] = p, wedged[p] * isClose
+    count = count + isClose
+    if (overlapping[p] or dropping[p]) and isClose == 0 then
+      overlapping[p], dropping[p] = false, false
     end
   end
   return count
@@ -44,8 +49,8 @@ local function goesOn(b, p, side)
   local axis = floor((side - 1) * 0.5)
   local k, m, kc, mc = 2 * i + axis, 2 * j + axis, 2 * i + 1 - axis, 2 * j + 1 - axis
   local to, size = b.to, b.size
-  local sign = 2 * (side - 2 * axis) - 3 -- -1: the other is on the low side, 1: on the high side
-  local gap = sign * (to[m] - to[k]) - size[sign > 0 and k or m]
+  local isHigh = side - 2 * axis - 1 -- 0: the other is on the low side, 1: on the high side
+  local gap = (2 * isHigh - 1) * (to[m] - to[k]) - size[m + (k - m) * isHigh]
   local rc = to[mc] - to[kc]
   return max(gap, -gap) <= EPSILON
     and max(rc - size[kc], -rc - size[mc]) < -EPSILON
@@ -59,15 +64,22 @@ end
 -- how many. Those of which more must be found out go last, one by one.
 local function updateContacts(b)
   local close, touchPairs, others, contacts = b.closePairs, b.touchPairs, b.otherPairs, b.contact
-  local isHeard, count, otherCount = b.world.onStay, 0, 0
-  for n = 1, listClose(b) do
+  local closeCount, known, otherCount, count = listClose(b), 0, 0, 0
+  local isQuiet = b.world.onStay and 0 or 1
+  for n = 1, closeCount do
     local p = close[n]
-    if contacts[p] == 0 or isHeard or not goesOn(b, p, contacts[p]) then
-      otherCount = otherCount + 1
-      others[otherCount] = p
-    else
+    local isKnown = min(contacts[p], isQuiet)
+    others[otherCount + 1], touchPairs[known + 1] = p, p
+    otherCount, known = otherCount + 1 - isKnown, known + isKnown
+  end
+  for n = 1, known do
+    local p = touchPairs[n]
+    if goesOn(b, p, contacts[p]) then
       count = count + 1
       touchPairs[count] = p
+    else
+      otherCount = otherCount + 1
+      others[otherCount] = p
     end
   end
   return contact.updateAll(b, others, otherCount, touchPairs, count)
@@ -117,14 +129,45 @@ local function findTouching(b, count)
   end
 end
 
-local function publishTouching(b, i)
-  local object, touching, best, at = b.object[i], b.touching[i], b.touchBest, 4 * i
-  local left, right, top, bottom = best[at + 1], best[at + 2], best[at + 3], best[at + 4]
-  local objects = b.object -- slot 0 is nobody: false
-  touching.left, touching.right = objects[left], objects[right]
-  touching.top, touching.bottom = objects[top], objects[bottom]
-  if object.touching ~= touching then
-    object.touching = touching
+-- One side after the other, each in a loop of its own: whether there is anybody makes two ways
+-- through the code, and with all sides at once sixteen.
+local function publishTouching(b)
+  local list, lists, best, objects = b.awakeList, b.touching, b.touchBest, b.object
+  -- Slot 0 is nobody: false.
+  for n = 1, b.awakeCount do
+    local i = list[n]
+    local touching = lists[i]
+    if touching then
+      touching.left = objects[best[4 * i + 1]]
+    end
+  end
+  for n = 1, b.awakeCount do
+    local i = list[n]
+    local touching = lists[i]
+    if touching then
+      touching.right = objects[best[4 * i + 2]]
+    end
+  end
+  for n = 1, b.awakeCount do
+    local i = list[n]
+    local touching = lists[i]
+    if touching then
+      touching.top = objects[best[4 * i + 3]]
+    end
+  end
+  for n = 1, b.awakeCount do
+    local i = list[n]
+    local touching = lists[i]
+    if touching then
+      touching.bottom = objects[best[4 * i + 4]]
+    end
+  end
+  for n = 1, b.awakeCount do
+    local i = list[n]
+    local object, touching = objects[i], lists[i]
+    if touching and object.touching ~= touching then
+      object.touching = touching
+    end
   end
 end
 
@@ -171,21 +214,17 @@ local function distance(x1, y1, x2, y2)
 end
 
 local function publishDynamic(b, i)
-  local object, position, velocity, k = b.object[i], b.position, b.velocity, 2 * i
+  local object, position, velocity, written, k =
+    b.object[i], b.position, b.velocity, b.written, 2 * i
   local x, y = b.to[k], b.to[k + 1]
   local vx, vy = b.speed[k], b.speed[k + 1]
   local moved = distance(x, y, position[k], position[k + 1])
   local change = max(moved, distance(vx, vy, velocity[k], velocity[k + 1]))
-  b.quiet[i] = change == 0 and vx == 0 and vy == 0 and not hasNews(b, i)
-  if moved ~= 0 then
-    object.x, object.y = x, y
-    position[k], position[k + 1] = x, y
-    b.written[k], b.written[k + 1] = x, y
-  end
-  if vx ~= object.vx or vy ~= object.vy then
-    object.vx, object.vy = vx, vy
-    velocity[k], velocity[k + 1] = vx, vy
-  end
+  b.quiet[i] = max(change, vx, -vx, vy, -vy) == 0 and not hasNews(b, i)
+  -- Whether any of it is new is not asked: that costs more than to write it.
+  object.x, object.y, object.vx, object.vy = x, y, vx, vy
+  position[k], position[k + 1], velocity[k], velocity[k + 1] = x, y, vx, vy
+  written[k], written[k + 1] = x, y
 end
 
 local function publishKinematic(b, i)
@@ -230,11 +269,7 @@ end
 -- Tells the game's tables.
 local function tell(b)
   local list, kind = b.awakeList, b.kind
-  for n = 1, b.awakeCount do
-    if kind[list[n]] == DYNAMIC then
-      publishTouching(b, list[n])
-    end
-  end
+  publishTouching(b)
   for n = 1, b.awakeCount do
     if kind[list[n]] == DYNAMIC then
       publishDynamic(b, list[n])

@@ -17,8 +17,9 @@ local oneway = require(here .. ".oneway")
 
 local turns = {}
 
-local DYNAMIC, EPSILON, UNSEEN = columns.DYNAMIC, columns.EPSILON, columns.UNSEEN
-local huge, floor, max, min = math.huge, math.floor, math.max, math.min
+local KINEMATIC, DYNAMIC = columns.KINEMATIC, columns.DYNAMIC
+local EPSILON, FIRM, UNSEEN = columns.EPSILON, columns.FIRM, columns.UNSEEN
+local ceil, floor, huge, max, min = math.ceil, math.floor, math.huge, math.max, math.min
 
 -- So few are inserted into the others.
 local FEW = 6
@@ -92,21 +93,25 @@ local function isChoosy(b, up, low, axis, direction)
     )
 end
 
+-- 1 for a number > 0, else 0.
+local function isAfter(v)
+  return max(min(ceil(v), 1), 0)
+end
+
 -- Works out who leans on whom along an axis, behind place `last`; returns the last place then.
 -- Where the upper one of a footing cannot fall, the pair is odd, too.
 local function findLow(b, flush, plainCount, axis, last)
   local list, ups, lows, sides = b.turnPair, b.turnUp, b.turnLow, b.turnSide
   local pairA, pairB, from, kind, odd = b.pairA, b.pairB, b.from, b.kind, b.odd
   local isUp, isFooting, oddCount = b.orientation[axis] < 0, axis == b.downAxis, b.oddCount
-  local choosy, direction = b.choosy, isUp and -1 or 1
+  local choosy, direction, nearSide = b.choosy, isUp and -1 or 1, 2 * axis + (isUp and 1 or 2)
   for n = 1, plainCount do
     local p = flush[n]
-    local up, low = pairA[p], pairB[p]
-    local side = 2 * axis + (isUp and 1 or 2)
-    if (from[2 * low + axis] < from[2 * up + axis]) ~= isUp then
-      up, low = pairB[p], pairA[p]
-      side = 4 * axis + 3 - side
-    end
+    local i, j = pairA[p], pairB[p]
+    -- 1: the second one is the upper one. No branches.
+    local isTurned = isAfter((from[2 * i + axis] - from[2 * j + axis]) * direction)
+    local up, low = i + (j - i) * isTurned, j + (i - j) * isTurned
+    local side = nearSide + (4 * axis + 3 - 2 * nearSide) * isTurned
     if
       (isFooting and kind[up] ~= DYNAMIC)
       or ((choosy[up] or choosy[low]) and isChoosy(b, up, low, axis, direction))
@@ -122,24 +127,20 @@ local function findLow(b, flush, plainCount, axis, last)
   return last
 end
 
--- What decides their order (see `meet`): how firmly the lower one stands, and their ranks.
+-- What decides their order (see `meet`): how firmly the lower one stands, and their ranks, that of
+-- the dynamic one first. No branches.
 local function weigh(b, axis, first, last)
   local ups, lows, support = b.turnUp, b.turnLow, b.turnSupport
   local firsts, seconds, rank, kind = b.turnFirst, b.turnSecond, b.rank, b.kind
   local from, size, isUp, seen = b.from, b.size, b.orientation[axis] < 0, b.turnSeen
   for x = first, last do
     local up, low = ups[x], lows[x]
-    seen[x] = UNSEEN
-    local one, other = rank[up], rank[low]
-    if kind[low] ~= DYNAMIC then
-      support[x], firsts[x], seconds[x] = huge, one, other
-    elseif kind[up] ~= DYNAMIC then
-      support[x], firsts[x], seconds[x] = huge, other, one
-    else
-      local m = 2 * low + axis
-      support[x] = isUp and -from[m] or from[m] + size[m]
-      firsts[x], seconds[x] = min(one, other), max(one, other)
-    end
+    local one, other, m = rank[up], rank[low], 2 * low + axis
+    local upGives, lowGives = max(kind[up] - KINEMATIC, 0), max(kind[low] - KINEMATIC, 0)
+    local bothGive = upGives * lowGives
+    local ahead = min(one, other) * bothGive + one * (1 - lowGives) + other * (lowGives - bothGive)
+    firsts[x], seconds[x], seen[x] = ahead, one + other - ahead, UNSEEN
+    support[x] = (isUp and -from[m] or from[m] + size[m]) * bothGive + FIRM * (1 - bothGive)
   end
 end
 
@@ -148,10 +149,10 @@ end
 -- the others need no digits.
 local function quantize(b, first, last, limit)
   local support, digit = b.turnSupport, b.sortDigit
-  local lowest, highest, count = -huge, huge, 0
+  local lowest, highest, count = -FIRM, FIRM, 0
   for x = first, last do
     local s = support[x]
-    if s ~= huge then
+    if s ~= FIRM then
       lowest, highest, count = max(lowest, s), min(highest, s), count + 1
     end
   end
@@ -161,7 +162,7 @@ local function quantize(b, first, last, limit)
   local scale = lowest > highest and (limit - 2) / (lowest - highest) or 0
   for x = first, last do
     local s = support[x]
-    digit[x] = s == huge and 0 or 1 + floor((lowest - s) * scale)
+    digit[x] = s == FIRM and 0 or 1 + floor((lowest - s) * scale)
   end
   return true
 end
@@ -218,34 +219,44 @@ local function sortAll(b, count, limit, digits)
   b.sortFrom, b.sortTo = source, target
 end
 
+-- Whether turn x comes before turn y in the first round.
+local function isBefore(support, first, second, x, y)
+  local s, t = support[x], support[y]
+  return s > t
+    or (s == t and (first[x] < first[y] or (first[x] == first[y] and second[x] < second[y])))
+end
+
+-- Puts x, which stands at place n of `order`, where it belongs among those before; returns how many
+-- have moved.
+local function insert(order, support, first, second, x, n)
+  local at = n - 1
+  repeat
+    order[at + 1] = order[at]
+    at = at - 1
+  until at == 0 or not isBefore(support, first, second, x, order[at])
+  order[at + 1] = x
+  return n - 1 - at
+end
+
 -- Sorts what is sorted nearly, by insertion. Returns false if it is not: if more than `most` had to
 -- be moved; it is not done then.
 local function finish(b, order, count, most)
   local support, first, second = b.turnSupport, b.turnFirst, b.turnSecond
-  for n = 2, count do
-    local x, at = order[n], n - 1
-    local s, a, c = support[x], first[x], second[x]
-    while at > 0 do
-      local y = order[at]
-      local t = support[y]
-      if t > s or (t == s and (first[y] < a or (first[y] == a and second[y] < c))) then
-        break
-      end
-      order[at + 1] = y
-      at = at - 1
+  local n = 2
+  while n <= count and most >= 0 do
+    local x = order[n]
+    if isBefore(support, first, second, x, order[n - 1]) then
+      most = most - insert(order, support, first, second, x, n)
     end
-    order[at + 1] = x
-    most = most - (n - 1 - at)
-    if most < 0 then
-      return false
-    end
+    n = n + 1
   end
-  return true
+  return most >= 0
 end
 
 -- Lists those from `first` to `last` in the order in which they had their turns in the step before,
 -- when there were `before` of them; a new one behind what the same one leant on (`theirs`), as a
--- walker comes to the next tile. Those that had none go last; returns false if these are many.
+-- walker comes to the next tile. Those that had none go last; returns false if these are many. No
+-- branches: all are written to both lists, and the list to which one belongs is made longer.
 local function recall(b, first, last, before, theirs)
   local order, places, late, lastTurn = b.sortFrom, b.sortTo, b.sortDigit, b.lastTurn
   local list, ups, lateCount, count = b.turnPair, b.turnUp, 0, 0
@@ -254,21 +265,19 @@ local function recall(b, first, last, before, theirs)
     places[at] = 0
   end
   for x = first, last do
-    local at = 2 * lastTurn[list[x]]
-    at = at > 0 and at or 2 * theirs[ups[x]] + 1
-    if at > 1 and at <= most and places[at] == 0 then
-      places[at] = x
-    else
-      lateCount = lateCount + 1
-      late[lateCount] = x
-    end
+    local own = lastTurn[list[x]]
+    local wanted = 2 * own + (2 * theirs[ups[x]] + 1) * (1 - min(own, 1))
+    local at = min(wanted, most)
+    -- 1 is nobody's place: nothing is known.
+    local isKnown = min(wanted - 1, 1) * (1 - min(wanted - at, 1)) * (1 - min(places[at], 1))
+    places[at] = places[at] + x * isKnown
+    late[lateCount + 1] = x
+    lateCount = lateCount + 1 - isKnown
   end
   for at = 1, most do
     local x = places[at]
-    if x ~= 0 then
-      count = count + 1
-      order[count] = x
-    end
+    order[count + 1] = x
+    count = count + min(x, 1)
   end
   for n = 1, lateCount do
     order[count + n] = late[n]

@@ -48,7 +48,7 @@ for n, name in ipairs({
 end
 
 local function clear(heads, count)
-  for bucket = 1, count do
+  for bucket = 0, count do
     heads[bucket] = 0
   end
 end
@@ -103,32 +103,23 @@ local function levelFor(self, size)
   return level, cell
 end
 
+-- The lists are changed without branches: place 0 of each column, and bucket 0, take what would be
+-- written to nobody.
+
 local function file(self, i, level, cellX, cellY)
   local bucket = hash(cellX, cellY, level, self.buckets, 1 / self.buckets)
   local heads = self.heads
   local first = heads[bucket]
   self.next[i], self.previous[i], self.bucket[i] = first, 0, bucket
-  if first ~= 0 then
-    self.previous[first] = i
-  end
-  heads[bucket] = i
+  self.previous[first], heads[bucket] = i, i
   self.level[i], self.cellX[i], self.cellY[i] = level, cellX, cellY
-  self.members[level] = self.members[level] + 1
-  if level > self.highest then
-    self.highest = level
-  end
+  self.members[level], self.highest = self.members[level] + 1, max(self.highest, level)
 end
 
 local function unfile(self, i)
   local before, after = self.previous[i], self.next[i]
-  if before == 0 then
-    self.heads[self.bucket[i]] = after
-  else
-    self.next[before] = after
-  end
-  if after ~= 0 then
-    self.previous[after] = before
-  end
+  self.next[before], self.previous[after] = after, before
+  self.heads[self.bucket[i] * (1 - min(before, 1))] = after -- only if it was the first
   local level = self.level[i]
   self.members[level] = self.members[level] - 1
   while self.highest > 0 and self.members[self.highest] == 0 do
