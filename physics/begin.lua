@@ -16,9 +16,9 @@ function begin.run(b)
   local heldLow, heldHigh, weld, weldNext = b.heldLow, b.heldHigh, b.weld, b.weldNext
   for n = first, last do
     local k = 2 * list[n]
-    heldLow[k], heldHigh[k], weld[k], weldNext[k] = false, false, 0, 0
+    heldLow[k], heldHigh[k], weld[k], weldNext[k] = 0, 0, 0, 0
     k = k + 1
-    heldLow[k], heldHigh[k], weld[k], weldNext[k] = false, false, 0, 0
+    heldLow[k], heldHigh[k], weld[k], weldNext[k] = 0, 0, 0, 0
   end
   local backedLow, backedHigh = b.backedLow, b.backedHigh
   for n = first, last do

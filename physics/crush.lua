@@ -43,7 +43,7 @@ local function holderOf(b, i, axis, isLow)
     return 0
   end
   local by = (isLow and b.holderLow or b.holderHigh)[k]
-  if by == 0 and b.weld[k] ~= 0 and (isLow and b.heldLow or b.heldHigh)[k] then
+  if by == 0 and b.weld[k] ~= 0 and (isLow and b.heldLow or b.heldHigh)[k] > 0 then
     return weldedTo(b, i, axis, isLow)
   end
   return by
@@ -91,7 +91,7 @@ end
 -- From now on nobody can push a member, whoever meets it next in this step.
 local function hold(b, k, low, high)
   b.crushed[k], b.crushLow[k], b.crushHigh[k] = true, low, high
-  b.heldLow[k], b.heldHigh[k], b.holderLow[k], b.holderHigh[k] = true, true, low, high
+  b.heldLow[k], b.heldHigh[k], b.holderLow[k], b.holderHigh[k] = 1, 1, low, high
 end
 
 local function put(b, i, k, at, v)

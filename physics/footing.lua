@@ -19,7 +19,7 @@ local footing = {}
 local DYNAMIC, WELDS = columns.DYNAMIC, resolve.WELDS
 local STILL, TINY = columns.STILL, columns.TINY
 local EVEN, ROUNDING = impact.EVEN, impact.ROUNDING
-local floor, max, min = math.floor, math.max, math.min
+local ceil, floor, max, min = math.ceil, math.floor, math.max, math.min
 local PER_STILL = 1 / STILL
 
 -- The side towards the floor and the one away from it, as columns: held, holder, pressed.
@@ -34,7 +34,7 @@ end
 local function lean(b, low, ku, kl, isUp)
   local held, _, holder, pressed, pressedUp = sidesOf(b, isUp)
   b.accel[ku], b.drive[ku] = b.accel[kl], b.drive[kl]
-  pressed[ku], held[ku], holder[ku] = true, true, low
+  pressed[ku], held[ku], holder[ku] = true, 1, low
   pressedUp[kl] = true -- means nothing for one that is not dynamic
 end
 
@@ -42,11 +42,11 @@ end
 -- not met again and again.
 local function isSimple(b, p, up, low, ku, kl, isUp)
   local held, upHeld = sidesOf(b, isUp)
-  return (held[kl] or b.kind[low] ~= DYNAMIC)
+  return held[kl] + (DYNAMIC - b.kind[low]) > 0
     and b.met[p] < WELDS
     and b.weld[ku] == 0
     and b.weld[kl] == 0
-    and not (held[ku] or upHeld[ku] or upHeld[kl])
+    and held[ku] + upHeld[ku] + upHeld[kl] == 0
     and b.time[up] == 0
     and b.time[low] == 0
 end
@@ -83,7 +83,7 @@ end
 -- all: asked first, so that the sign of what is taken makes no two ways through the code.)
 local function shift(b, k, dSpeed, dWay)
   local heldLow, heldHigh = b.heldLow[k], b.heldHigh[k]
-  if (heldLow or heldHigh) and ((dSpeed > 0 and heldHigh) or (dSpeed < 0 and heldLow)) then
+  if heldLow + heldHigh > 0 and max(dSpeed * heldHigh, -dSpeed * heldLow) > 0 then
     return
   end
   b.speed[k], b.to[k] = b.speed[k] + dSpeed, b.to[k] + dWay
@@ -131,6 +131,13 @@ local function calm(v)
   return max(v, 0.0) * min(floor(max(v, 0.0) * PER_STILL), 1)
 end
 
+-- 0 for two of which one has no friction, mostly a floor, else 1. A floor that takes that of the
+-- other has a negative one. No branches.
+local function mayRub(one, other)
+  local least, most = min(max(one, -one), max(other, -other)), max(one, other)
+  return max(min(ceil(least), ceil(most), 1), 0)
+end
+
 --- Puts `up` on `low`, who meet on `side` of the pair's first, as `resolve` would: flush, without a
 --- bounce, held from below. If that presses, notes for friction by how much, at place x, and that
 --- it was the n-th turn. Returns false if the case is another one; nothing has changed then.
@@ -157,8 +164,8 @@ function footing.putOn(b, n, x, p, side, up, low, ku, kl, isUp, dt)
   if v > 0 then
     speed[ku] = speed[kl]
     b.turnImpulse[x], b.turnShare[x], b.turnLeft[x] = v / b.inverseMass[up], min(u / v, 1.0), dt
-    b.landedCount = b.landedCount + 1
-    b.landed[b.landedCount] = n
+    b.landed[b.landedCount + 1] = n
+    b.landedCount = b.landedCount + mayRub(b.friction[up], b.friction[low])
   end
   if v > -STILL then
     lean(b, low, ku, kl, isUp)

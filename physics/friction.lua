@@ -78,7 +78,7 @@ end
 -- first, so that the sign makes no two ways through the code.)
 local function isBarred(b, k, dSpeed)
   local low, high = b.heldLow[k], b.heldHigh[k]
-  return (low or high) and ((dSpeed > 0 and high) or (dSpeed < 0 and low))
+  return low + high > 0 and max(dSpeed * high, -dSpeed * low) > 0
 end
 
 -- Changes speed and way of k, and of all that is welded to it, by what friction took off.

@@ -162,29 +162,36 @@ end
 
 local isSettled = gather.isSettled
 
--- Whether a pair that has had its turn may meet again: not if it is idle on the axis on which it is
--- flush, as nearly all are then.
-local function isRestless(b, p)
-  local axis = b.turn[p] <= b.footingCount and b.downAxis or 1 - b.downAxis
-  local i, j = 2 * b.pairA[p] + axis, 2 * b.pairB[p] + axis
-  if b.from[j] < b.from[i] then
-    return not isIdle(b, j, i)
+-- Lists the pairs of the turns from `first` to `last`, along `axis`, that may meet again: not those
+-- that are idle where they are flush, as nearly all are when they have had their turns.
+local function listRestless(b, axis, first, last, clear, count)
+  local pairs_, ups, lows, turn = b.turnPair, b.turnUp, b.turnLow, b.turn
+  local isUp = b.orientation[axis] < 0
+  for x = first, last do
+    local p, k, m = pairs_[x], 2 * ups[x] + axis, 2 * lows[x] + axis
+    if
+      not isIdle(b, isUp and m or k, isUp and k or m)
+      and turn[p] > 0 -- it has not been taken apart meanwhile
+      and not isSettled(b, p)
+    then
+      count = listWhole(b, p, clear, count)
+    end
   end
-  return not isIdle(b, i, j)
+  return count
 end
 
 --- As `live`, but only those that touch when the step begins, are not settled and have not been
 --- looked at all the time, as odd ones are; if `isCalm`, not those that have had turns either.
 function gather.together(b, isCalm)
   local pairs_, turn, event, clear, count = b.touchList, b.turn, b.event, b.clear, 0
-  local isEager = b.isEager
+  local isEager, footings = b.isEager, b.footingCount
+  if not isCalm then
+    count = listRestless(b, b.downAxis, 1, footings, clear, count)
+    count = listRestless(b, 1 - b.downAxis, footings + 1, b.turnCount, clear, count)
+  end
   for n = 1, b.touchCount do
     local p = pairs_[n]
-    local isLeft = not isEager or event[p] == NO_EVENT
-    if turn[p] > 0 then
-      isLeft = not isCalm and isRestless(b, p)
-    end
-    if isLeft and turn[p] >= 0 and not isSettled(b, p) then
+    if turn[p] == 0 and not (isEager and event[p] ~= NO_EVENT) and not isSettled(b, p) then
       count = listWhole(b, p, clear, count)
     end
   end

@@ -47,7 +47,7 @@ end
 local function bury(b, i)
   for k = 2 * i, 2 * i + 1 do
     b.to[k], b.speed[k], b.accel[k], b.drive[k] = b.from[k], 0, 0, 0
-    b.heldLow[k], b.heldHigh[k] = true, true
+    b.heldLow[k], b.heldHigh[k] = 1, 1
   end
 end
 

@@ -14,7 +14,7 @@ local rounds = require(here .. ".rounds")
 
 local pass = {}
 
-local huge = math.huge
+local huge, min = math.huge, math.min
 local changesOf, isIdle, isSettled = gather.changesOf, gather.isIdle, gather.isSettled
 local PATIENCE, UNSEEN = resolve.PATIENCE, columns.UNSEEN
 local REFUSED, LOW, HIGH, RUBS = press.REFUSED, press.LOW, press.HIGH, press.RUBS
@@ -76,9 +76,47 @@ local function wholly(changes, i, j)
   return UNSEEN - 1 - changesOf(changes, i, j)
 end
 
--- Returns how many turns are done: not the n-th yet, if somebody must be asked about it.
-local function countDone(left, n)
-  return (left == ASK or left == PERMIT) and n - 1 or n
+-- Whether the two of turn x are as they were when they were looked at.
+local function isSame(ups, lows, changes, seen, axis, x)
+  local up, low = ups[x], lows[x]
+  local last = seen[x]
+  return last == changes[2 * up + axis] + changes[2 * low + axis]
+    or last == wholly(changes, up, low)
+end
+
+-- What `land` returns if the next turn is none of its own.
+local OTHER = -5
+
+-- Lets those who stand on something that stands fast land, one after the other from the next turn
+-- on, in the first round along gravity: nearly all do, in heaps and levels. Returns DONE, CHANGED
+-- (see `run`) or OTHER. (The loop of `run` does the same; but most of what goes through that does
+-- not press at all, and the compiler goes best the way that it came first.)
+local function land(b, dt, isNext)
+  local order, list, ups, lows, sides = b.turnOrder, b.turnPair, b.turnUp, b.turnLow, b.turnSide
+  local changes, axis, last, step = b.changes, b.downAxis, b.footingCount, b.step
+  local isUp, free = b.orientation[axis] < 0, freeUpTo(b, 0, isNext)
+  local n, left, isStale = b.turnsDone, DONE, b.isTurnStale[0]
+  while left == DONE and n < last do
+    local x = order[n + 1]
+    local p, up, low = list[x], ups[x], lows[x]
+    local ku, kl = 2 * up + axis, 2 * low + axis
+    if n >= free then
+      left = OTHER
+    elseif isIdle(b, isUp and kl or ku, isUp and ku or kl) then
+      b.turnSeen[x], n = changes[ku] + changes[kl], n + 1
+    elseif
+      isOver(b, p) or not footing.putOn(b, n + 1, x, p, sides[x], up, low, ku, kl, isUp, dt)
+    then
+      left = OTHER
+    else
+      n, isStale, b.permitted[p], b.resolved = n + 1, true, 0, b.resolved + 1
+      if b.isEager or b.watched[up] == step or b.watched[low] == step then
+        left = CHANGED
+      end
+    end
+  end
+  b.turnsDone, b.isTurnStale[0], b.turnGives = n, isStale, isUp and HIGH or LOW
+  return left
 end
 
 --- Lets one footing (`across` 0) or flank (1) after the other have its turn in a step of dt s,
@@ -93,6 +131,13 @@ end
 --- and the compiler gives up the whole way there. It is one loop for both kinds, so that `press` is
 --- compiled once.)
 function pass.run(b, across, dt, isNext)
+  if across == 0 and b.turnRound == 0 and not b.hasAskers then
+    local before = b.turnsDone
+    if land(b, dt, isNext) == CHANGED then
+      return CHANGED
+    end
+    isNext = isNext and b.turnsDone == before
+  end
   local order, list, ups, lows, sides = b.turnOrder, b.turnPair, b.turnUp, b.turnLow, b.turnSide
   local changes, seen, hasAskers = b.changes, b.turnSeen, b.hasAskers
   local axis = across == 0 and b.downAxis or 1 - b.downAxis
@@ -100,40 +145,40 @@ function pass.run(b, across, dt, isNext)
   local isUp, free = b.orientation[axis] < 0, freeUpTo(b, across, isNext)
   local base, way = rounds.direction(b.turnRound, first, last)
   local n, left, isStale = b.turnsDone, DONE, b.isTurnStale[across]
+  local most = min(last, free)
   while left == DONE and n < last do
-    n = n + 1
-    local x = order[base + way * n]
-    local up, low = ups[x], lows[x]
-    local look = changes[2 * up + axis] + changes[2 * low + axis]
-    if n > free then
-      left = ASK
-    elseif seen[x] ~= look and seen[x] ~= wholly(changes, up, low) then
-      local p, lo, hi = list[x], up, low
+    while n < most and isSame(ups, lows, changes, seen, axis, order[base + way * (n + 1)]) do
+      n = n + 1
+    end
+    if n < most then
+      local x = order[base + way * (n + 1)]
+      local p, up, low = list[x], ups[x], lows[x]
+      local lo, hi = up, low
       if isUp then
         lo, hi = low, up
       end
       if isIdle(b, 2 * lo + axis, 2 * hi + axis) then
-        seen[x] = look -- nothing happens
+        n, seen[x] = n + 1, changes[2 * up + axis] + changes[2 * low + axis] -- nothing happens
+      elseif isOver(b, p) then
+        n, seen[x], isStale = n + 1, wholly(changes, up, low), true -- nothing, either
+      elseif hasAskers and mustAsk(b, p, up, low) then
+        left, seen[x], isStale = PERMIT, UNSEEN, true
       else
-        seen[x], isStale = wholly(changes, up, low), true
-        if isOver(b, p) then
-          left = DONE -- nothing, either
-        elseif hasAskers and mustAsk(b, p, up, low) then
-          left, seen[x] = PERMIT, UNSEEN
-        else
-          local gives, side = isUp and HIGH or LOW, sides[x]
-          if
-            across == 1
-            or not footing.putOn(b, n, x, p, side, up, low, 2 * up + axis, 2 * low + axis, isUp, dt)
-          then
-            gives = press.run(b, x, p, side, lo, hi, axis, dt)
-          end
-          left = after(b, p, up, low, gives)
+        local gives, side = isUp and HIGH or LOW, sides[x]
+        n, seen[x], isStale = n + 1, wholly(changes, up, low), true
+        if
+          across == 1
+          or not footing.putOn(b, n, x, p, side, up, low, 2 * up + axis, 2 * low + axis, isUp, dt)
+        then
+          gives = press.run(b, x, p, side, lo, hi, axis, dt)
         end
+        left = after(b, p, up, low, gives)
       end
+    elseif n < last then
+      left = ASK
     end
   end
-  b.turnsDone, b.isTurnStale[across] = countDone(left, n), isStale
+  b.turnsDone, b.isTurnStale[across] = n, isStale
   return left
 end
 

@@ -50,22 +50,20 @@ end
 local function isSimple(b, p, lo, hi, kl, kh)
   return b.met[p] < LEAVES
     and ((b.pushable[lo] and b.pushable[hi]) or b.kind[lo] ~= DYNAMIC or b.kind[hi] ~= DYNAMIC)
-    and not (b.heldHigh[kl] or b.heldLow[kh])
+    and b.heldHigh[kl] + b.heldLow[kh] == 0
     and not (b.backedLow[kl] or b.backedHigh[kl] or b.backedLow[kh] or b.backedHigh[kh])
     and (b.weld[kl] ~= b.weld[kh] or b.weld[kl] == 0)
     and b.time[lo] == 0
     and b.time[hi] == 0
 end
 
--- Inverse mass of slot i and of all that is welded to it; 0 if it is `held` against the push.
+-- Inverse mass of slot i and of all that is welded to it; 0 if it is `held` (1) against the push.
 local function weight(b, i, k, held)
   local leader = b.weld[k]
-  if held then
-    return 0
-  elseif leader ~= 0 then
-    return 1 / b.weldMass[leader]
+  if leader ~= 0 then
+    return (1 - held) / b.weldMass[leader]
   end
-  return b.inverseMass[i]
+  return b.inverseMass[i] * (1 - held)
 end
 
 -- What both do together from now on; who cannot give way (`wl`, `wh` 0) decides.
@@ -82,10 +80,10 @@ end
 
 -- Marks the ring of k, which may be nobody else, as held on one side.
 local function hold(held, weldNext, k)
-  held[k] = true
+  held[k] = 1
   local member = weldNext[k]
   while member ~= k and member ~= 0 do
-    held[member] = true
+    held[member] = 1
     member = weldNext[member]
   end
 end

@@ -119,8 +119,19 @@ local function findTouching(b, count)
     best[at + 1], best[at + 2], best[at + 3], best[at + 4] = 0, 0, 0, 0
     bestWidth[at + 1], bestWidth[at + 2], bestWidth[at + 3], bestWidth[at + 4] = -1, -1, -1, -1
   end
-  local places, who, width = b.offerAt, b.offerWho, b.offerWidth
+  -- The first one on each side goes without asking; few have more.
+  local places, who, width, rivals = b.offerAt, b.offerWho, b.offerWidth, b.rivals
+  local rivalCount = 0
   for n = 1, listOffers(b, count) do
+    local at, w = places[n], width[n]
+    local widest = bestWidth[at]
+    local isFirst = max(floor(0.5 - widest), 0)
+    best[at], bestWidth[at] = best[at] + who[n] * isFirst, widest * (1 - isFirst) + w * isFirst
+    rivals[rivalCount + 1] = n
+    rivalCount = rivalCount + 1 - isFirst
+  end
+  for m = 1, rivalCount do
+    local n = rivals[m]
     local at, j, w = places[n], who[n], width[n]
     local widest = bestWidth[at]
     if w > widest + EPSILON or (w >= widest - EPSILON and rank[j] < rank[best[at]]) then

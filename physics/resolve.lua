@@ -47,22 +47,22 @@ local function weights(b, lo, hi, kl, kh)
   if b.weld[kh] ~= 0 then
     wh = weld.inverseMass(b, kh)
   end
-  if b.heldLow[kl] then
+  if b.heldLow[kl] > 0 then
     wl = 0
   end
-  if b.heldHigh[kh] then
+  if b.heldHigh[kh] > 0 then
     wh = 0
   end
   if b.pushable[lo] ~= b.pushable[hi] and b.kind[lo] == DYNAMIC and b.kind[hi] == DYNAMIC then
     -- One that is held counts as a wall even for whoever cannot be pushed.
     if b.pushable[lo] then
       wh = wl > 0 and 0 or wh
-      if wh == 0 and not b.heldHigh[kh] and b.backedLow[kl] and b.speed[kh] < 0 then
+      if wh == 0 and b.heldHigh[kh] == 0 and b.backedLow[kl] and b.speed[kh] < 0 then
         return 0, 0, true
       end
     else
       wl = wh > 0 and 0 or wl
-      if wl == 0 and not b.heldLow[kl] and b.backedHigh[kh] and b.speed[kl] > 0 then
+      if wl == 0 and b.heldLow[kl] == 0 and b.backedHigh[kh] and b.speed[kl] > 0 then
         return 0, 0, true
       end
     end
@@ -153,8 +153,8 @@ local function lean(b, lo, hi, kl, kh, wl, wh)
   shareAccel(b.drive, kl, kh, wl, wh)
   if b.kind[lo] == DYNAMIC then
     b.pressedHigh[kl] = true
-    if wh == 0 and isWall(b, hi, b.heldHigh[kh], b.backedLow[kl]) then
-      ring.hold(b, kl, false, true)
+    if wh == 0 and isWall(b, hi, b.heldHigh[kh] > 0, b.backedLow[kl]) then
+      ring.hold(b, kl, 0, 1)
       b.holderHigh[kl] = hi
     else
       weld.back(b, kl, false, wh == 0 or b.backedHigh[kh])
@@ -162,8 +162,8 @@ local function lean(b, lo, hi, kl, kh, wl, wh)
   end
   if b.kind[hi] == DYNAMIC then
     b.pressedLow[kh] = true
-    if wl == 0 and isWall(b, lo, b.heldLow[kl], b.backedHigh[kh]) then
-      ring.hold(b, kh, true, false)
+    if wl == 0 and isWall(b, lo, b.heldLow[kl] > 0, b.backedHigh[kh]) then
+      ring.hold(b, kh, 1, 0)
       b.holderLow[kh] = lo
     else
       weld.back(b, kh, wl == 0 or b.backedLow[kl], false)
@@ -173,7 +173,7 @@ end
 
 -- Two of one welded group differ by rounding only: one follows the other.
 local function rejoin(b, lo, hi, kl, kh)
-  if b.heldHigh[kh] then
+  if b.heldHigh[kh] > 0 then
     b.to[kl], b.speed[kl] = b.to[kh] - b.size[kl], b.speed[kh]
     change(b, lo)
   else
@@ -190,8 +190,9 @@ local function stopBoth(b, lo, hi, kl, kh)
   b.speed[kl], b.speed[kh], b.accel[kl], b.accel[kh] = 0, 0, 0, 0
   b.pressedHigh[kl], b.pressedLow[kh] = true, true
   -- What is between two of them cannot give way; they themselves still do to walls.
-  ring.hold(b, kl, b.pushable[lo], b.pushable[lo])
-  ring.hold(b, kh, b.pushable[hi], b.pushable[hi])
+  local holdsLow, holdsHigh = b.pushable[lo] and 1 or 0, b.pushable[hi] and 1 or 0
+  ring.hold(b, kl, holdsLow, holdsLow)
+  ring.hold(b, kh, holdsHigh, holdsHigh)
   change(b, lo)
   change(b, hi)
 end

@@ -5,7 +5,7 @@
 
 local ring = {}
 
-local floor = math.floor
+local floor, max = math.floor, math.max
 
 --- Tells all of the ring of k who leads it.
 function ring.name(b, k, leader)
@@ -27,14 +27,15 @@ function ring.isLonger(b, one, other)
   return member ~= one
 end
 
---- Marks all of the ring of k, which may be nobody else, as held on the low or high side.
+--- Marks all of the ring of k, which may be nobody else, as held on the low or high side
+--- (1; 0: not on this one).
 function ring.hold(b, k, low, high)
-  if not (low or high) then
+  if low + high == 0 then
     return -- mostly
   end
   local heldLow, heldHigh, weldNext, member = b.heldLow, b.heldHigh, b.weldNext, k
   repeat
-    heldLow[member], heldHigh[member] = heldLow[member] or low, heldHigh[member] or high
+    heldLow[member], heldHigh[member] = max(heldLow[member], low), max(heldHigh[member], high)
     member = weldNext[member]
   until member == k or member == 0
 end

@@ -14,6 +14,7 @@ require(here .. ".interpreted").file()
 
 local weld = {}
 
+local max = math.max
 local STILL = columns.STILL
 
 local function found(b, k)
@@ -40,7 +41,7 @@ end
 -- Ends the hold of slot i on one side, and of whoever is held through it.
 local function letGo(b, i, axis, held, holder)
   local k = 2 * i + axis
-  held[k], holder[k] = false, 0
+  held[k], holder[k] = 0, 0
   local half = b.head[i]
   while half ~= 0 do
     local j = b.other[half]
@@ -54,7 +55,7 @@ end
 --- Ends the hold of k, and of all that is welded to it, on the side of the columns given, if it
 --- moves away from who holds it; `sign` is 1 for the high side, -1 for the low side.
 function weld.release(b, k, axis, held, holder, sign)
-  if not held[k] then
+  if held[k] == 0 then
     return
   end
   local member, by = k, holder[k]
@@ -79,10 +80,11 @@ end
 
 -- Whoever is in the ring of k weighs and is held together.
 local function settle(b, k)
-  local member, mass, heldLow, heldHigh = k, 0, false, false
+  local member, mass, heldLow, heldHigh = k, 0, 0, 0
   repeat
     mass = mass + b.mass[(member - member % 2) / 2]
-    heldLow, heldHigh = heldLow or b.holderLow[member] ~= 0, heldHigh or b.holderHigh[member] ~= 0
+    heldLow = b.holderLow[member] ~= 0 and 1 or heldLow
+    heldHigh = b.holderHigh[member] ~= 0 and 1 or heldHigh
     member = b.weldNext[member]
   until member == k
   ring.name(b, k, k)
@@ -127,7 +129,8 @@ function weld.join(b, kl, kh)
   end
   -- Two rings become one when two members swap whom they lead to.
   b.weldNext[kl], b.weldNext[kh] = b.weldNext[kh], b.weldNext[kl]
-  ring.hold(b, kl, b.heldLow[kl] or b.heldLow[kh], b.heldHigh[kl] or b.heldHigh[kh])
+  local heldLow, heldHigh = b.heldLow, b.heldHigh
+  ring.hold(b, kl, max(heldLow[kl], heldLow[kh]), max(heldHigh[kl], heldHigh[kh]))
   weld.back(b, kl, b.backedLow[kl] or b.backedLow[kh], b.backedHigh[kl] or b.backedHigh[kh])
 end
 

@@ -309,12 +309,12 @@ describe("a weld", function()
       assert.equal(7, b.speed[k])
     end
     assert.equal(3, b.changedCount)
-    ring.hold(b, 6, false, true)
+    ring.hold(b, 6, 0, 1)
     for k = 2, 8, 2 do
-      assert.is_true(b.heldHigh[k])
-      assert.is_false(b.heldLow[k])
+      assert.equal(1, b.heldHigh[k])
+      assert.equal(0, b.heldLow[k])
     end
-    assert.is_false(b.heldHigh[3]) -- the other axis has welds of its own
+    assert.equal(0, b.heldHigh[3]) -- the other axis has welds of its own
   end)
 end)
 
