@@ -13,7 +13,7 @@ local oneway = require(here .. ".oneway")
 
 local publish = {}
 
-local DYNAMIC = columns.DYNAMIC
+local KINEMATIC, DYNAMIC = columns.KINEMATIC, columns.DYNAMIC
 local EPSILON, OPPOSITE = columns.EPSILON, columns.OPPOSITE
 local floor, max, min = math.floor, math.max, math.min
 
@@ -91,23 +91,24 @@ local function commonEdge(b, i, j, axis)
   return min(to[ki] + size[ki], to[kj] + size[kj]) - max(to[ki], to[kj])
 end
 
--- Lists who touches whom, both ways: where that belongs in touchBest, who it is, how wide the
+-- Lists what the dynamic ones touch: where that belongs in touchBest, who it is, how wide the
 -- common edge is; returns how many. Sensors touch nobody.
 local function listOffers(b, count)
-  local touchPairs, pairA, pairB, sensor, contacts =
-    b.touchPairs, b.pairA, b.pairB, b.sensor, b.contact
-  local at, who, width, offers = b.offerAt, b.offerWho, b.offerWidth, 0
+  local touchPairs, pairA, pairB, contacts = b.touchPairs, b.pairA, b.pairB, b.contact
+  local at, who, width, sensor, kind = b.offerAt, b.offerWho, b.offerWidth, b.sensor, b.kind
+  local offers = 1
   for n = 1, count do
     local p = touchPairs[n]
     local i, j, side = pairA[p], pairB[p], contacts[p]
     if not (sensor[i] or sensor[j]) then
       local edge = commonEdge(b, i, j, 1 - floor((side - 1) * 0.5))
-      at[offers + 1], who[offers + 1], width[offers + 1] = 4 * i + side, j, edge
-      offers = offers + 2
+      at[offers], who[offers], width[offers] = 4 * i + side, j, edge
+      offers = offers + max(kind[i] - KINEMATIC, 0)
       at[offers], who[offers], width[offers] = 4 * j + OPPOSITE[side], i, edge
+      offers = offers + max(kind[j] - KINEMATIC, 0)
     end
   end
-  return offers
+  return offers - 1
 end
 
 -- Finds what everybody touches, from the pairs in contact: the widest common edge wins, ties in
