@@ -26,7 +26,6 @@ local roster = require(here .. ".roster")
 local view = {}
 
 local max, min = math.max, math.min
-local isFinite = check.isFinite
 local STATIC, KINEMATIC, DYNAMIC = columns.STATIC, columns.KINEMATIC, columns.DYNAMIC
 
 -- Kind of an object that the core has read anew.
@@ -37,6 +36,8 @@ local MARGIN = 8
 local SLACK = 1
 -- px, cells of the grid: what is up to 32 px wide fits into one with its margin.
 local CELL = 48
+-- Numbers whose sum is no more than this are all in range.
+local MOST = 1e99
 -- So many can be looked at in a few microseconds.
 local FEW = 128
 
@@ -69,7 +70,8 @@ local function new()
     masks = false,
     fresh = false, -- everybody was looked at since the last step
     stamp = 0,
-    pool = {}, -- lists nobody uses
+    pool = {}, -- lists nobody uses, and how many
+    pooled = 0,
     single = {}, -- a list of one
   }
   v.bank = bank.new(v, LAYOUT)
@@ -96,11 +98,15 @@ end
 local function look(v, i)
   local object, position, size, k = v.object[i], v.position, v.size, 2 * i
   local x, y, width, height = object.x, object.y, object.width, object.height
-  if not (isFinite(x) and isFinite(y) and isFinite(width) and isFinite(height)) then
-    complain(v, i)
-  end
   local active = object.active
-  if width <= 0 or height <= 0 or (active ~= nil and type(active) ~= "boolean") then
+  if
+    type(x) ~= "number"
+    or type(y) ~= "number"
+    or type(width) ~= "number"
+    or type(height) ~= "number"
+    or not (max(x, -x) + max(y, -y) + width + height <= MOST and min(width, height) > 0)
+    or (active ~= nil and type(active) ~= "boolean")
+  then
     complain(v, i)
   end
   v.active[i] = active ~= false
@@ -162,10 +168,10 @@ end
 
 local function hasLeft(v, i)
   local position, size, fatLow, fatHigh, k = v.position, v.size, v.fatLow, v.fatHigh, 2 * i
-  return position[k] < fatLow[k]
-    or position[k + 1] < fatLow[k + 1]
-    or position[k] + size[k] > fatHigh[k]
-    or position[k + 1] + size[k + 1] > fatHigh[k + 1]
+  return max(
+    max(fatLow[k] - position[k], position[k] + size[k] - fatHigh[k]),
+    max(fatLow[k + 1] - position[k + 1], position[k + 1] + size[k + 1] - fatHigh[k + 1])
+  ) > 0
 end
 
 local function fatten(v, i)
@@ -264,6 +270,11 @@ local function lookAtGroups(v, world)
   end
 end
 
+-- Whether a list still ends where it did. (`#` would look for its end anew.)
+local function endsAt(source, length)
+  return rawget(source, length + 1) == nil and (length == 0 or rawget(source, length) ~= nil)
+end
+
 -- Whether no group seems to have changed, in a world too large for looking at everybody.
 local function seemsUnchanged(v, world)
   local r, objects = v.roster, world.objects
@@ -273,7 +284,7 @@ local function seemsUnchanged(v, world)
   for n = 1, r.groupCount do
     local record = r.groups[n]
     local source = record.source
-    if not rawequal(objects[record.name], source) or #source ~= v.lengths[n] then
+    if not rawequal(objects[record.name], source) or not endsAt(source, v.lengths[n]) then
       return false
     end
   end
@@ -446,19 +457,18 @@ end
 --- Returns a list to work with. Filters may ask questions of their own, so each question takes one
 --- and gives it back; one that fails on the way leaves its list to the garbage collector.
 function view.take(v)
-  local pool = v.pool
-  local n = #pool
-  local found = pool[n]
-  if found then
-    pool[n] = nil
-    return found
+  local n = v.pooled
+  if n == 0 then
+    return {}
   end
-  return {}
+  v.pooled = n - 1
+  return v.pool[n]
 end
 
 --- Takes a list back.
 function view.give(v, found)
-  v.pool[#v.pool + 1] = found
+  v.pooled = v.pooled + 1
+  v.pool[v.pooled] = found
 end
 
 interpreted.functions(view.lookAtFilter)
