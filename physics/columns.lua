@@ -306,7 +306,7 @@ function columns.new()
     turnGives = 0, -- who has given way at the last one (see press)
     turnLowTo = 0, -- where the low one would have come to, and the high one
     turnHighTo = 0,
-    turnJoins = false, -- whether they go on as one
+    turnJoins = 0, -- 1: they go on as one
     isTurnStale = { [0] = true, true }, -- somebody may press along gravity (0), across it (1)
     turnPass = -1, -- the pass, of all in this step, that has begun last (see meet)
     footingCount = 0, -- turns along gravity, which come first
@@ -385,7 +385,7 @@ function columns.new()
   end
   -- Slot 0 is nobody, that of pairs that were taken apart: less than nothing, so it meets nobody.
   b.object[0], b.awake[0], b.rank[0], b.time[0] = false, false, 0, 0
-  b.head[0], b.next[0], b.previous[0] = 0, 0, 0
+  b.head[0], b.next[0], b.previous[0], b.weldMass[0] = 0, 0, 0, 0
   for k = 0, 1 do
     b.from[k], b.to[k], b.speed[k], b.size[k] = 0, 0, 0, -1
   end

@@ -285,7 +285,7 @@ local function finishTurn(b)
   path.startChanges(b)
   if gives >= press.RINGS then
     local low, high, axis = lowAndHigh(b, rounds.turnAt(b, b.turnsDone))
-    weld.follow(b, 2 * low + axis, 2 * high + axis, b.turnLowTo, b.turnHighTo, b.turnJoins)
+    weld.follow(b, 2 * low + axis, 2 * high + axis, b.turnLowTo, b.turnHighTo, b.turnJoins > 0)
   end
   if gives % press.RINGS >= press.RUBS then
     footing.rub(b, b.turnsDone)

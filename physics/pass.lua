@@ -79,9 +79,8 @@ end
 -- Whether the two of turn x are as they were when they were looked at.
 local function isSame(ups, lows, changes, seen, axis, x)
   local up, low = ups[x], lows[x]
-  local last = seen[x]
-  return last == changes[2 * up + axis] + changes[2 * low + axis]
-    or last == wholly(changes, up, low)
+  local last, look = seen[x], changes[2 * up + axis] + changes[2 * low + axis]
+  return (last - look) * (last - wholly(changes, up, low)) == 0
 end
 
 -- What `land` returns if the next turn is none of its own.

@@ -15,11 +15,13 @@ local resolve = require(here .. ".resolve")
 
 local press = {}
 
-local DYNAMIC, STILL = columns.DYNAMIC, columns.STILL
+local DYNAMIC, STILL, TINY = columns.DYNAMIC, columns.STILL, columns.TINY
 local EVEN, ROUNDING = impact.EVEN, impact.ROUNDING
 local LEAVES, WELDS = resolve.LEAVES, resolve.WELDS
-local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
+local ceil, floor, max, min, sqrt = math.ceil, math.floor, math.max, math.min, math.sqrt
 local PER_STILL = 1 / STILL
+-- px/s: what is slower does not close; with no more px than a number may have, in range.
+local SLOWEST = 1e-200
 
 --- Coefficient of friction of a pair, as in `friction`. Who is not dynamic may have none (< 0).
 function press.coefficient(b, i, j)
@@ -37,12 +39,24 @@ function press.bounces(b, i, j, u, a, dt)
   return u > 2 * a * dt and max(b.restitution[i], b.restitution[j]) > 0
 end
 
---- Notes a hit of a pair at u px/s, the first one on `side` of its first.
+--- Notes a hit of a pair at u px/s, the first one on `side` of its first. No branches.
 function press.noteHit(b, p, side, u)
-  if b.met[p] == 0 then
-    b.hit[p], b.hitSpeed[p] = side, u
-  end
-  b.met[p] = b.met[p] + 1
+  local hit, hitSpeed, met = b.hit, b.hitSpeed, b.met[p]
+  local isFirst = 1 - min(met, 1)
+  hit[p] = hit[p] + (side - hit[p]) * isFirst
+  hitSpeed[p] = hitSpeed[p] * (1 - isFirst) + u * isFirst
+  b.met[p] = met + 1
+end
+
+-- 1 for a number > 0, else 0.
+local function isPositive(v)
+  return max(min(ceil(v), 1), 0)
+end
+
+-- Whether two are not welded to each other. One question: to ask first whether they are welded
+-- at all would make three ways.
+local function isApart(one, other)
+  return min(max(one - other, other - one), 1) + (1 - min(one, 1)) > 0
 end
 
 -- Whether nobody is held away from the other or backed, they are not welded to each other, both can
@@ -52,18 +66,18 @@ local function isSimple(b, p, lo, hi, kl, kh)
     and ((b.pushable[lo] and b.pushable[hi]) or b.kind[lo] ~= DYNAMIC or b.kind[hi] ~= DYNAMIC)
     and b.heldHigh[kl] + b.heldLow[kh] == 0
     and not (b.backedLow[kl] or b.backedHigh[kl] or b.backedLow[kh] or b.backedHigh[kh])
-    and (b.weld[kl] ~= b.weld[kh] or b.weld[kl] == 0)
+    and isApart(b.weld[kl], b.weld[kh])
     and b.time[lo] == 0
     and b.time[hi] == 0
 end
 
 -- Inverse mass of slot i and of all that is welded to it; 0 if it is `held` (1) against the push.
+-- No branches: the two of a pair would make four ways, each with all that follows.
 local function weight(b, i, k, held)
   local leader = b.weld[k]
-  if leader ~= 0 then
-    return (1 - held) / b.weldMass[leader]
-  end
-  return b.inverseMass[i] * (1 - held)
+  local isWelded = min(leader, 1)
+  local own, common = b.inverseMass[i], isWelded / max(b.weldMass[leader], TINY)
+  return (own * (1 - isWelded) + common) * (1 - held)
 end
 
 -- What both do together from now on; who cannot give way (`wl`, `wh` 0) decides.
@@ -78,11 +92,16 @@ local function share(column, kl, kh, wl, wh)
   end
 end
 
+-- Whether the ring of k goes on with another member; 0: k is in none. One question instead of two.
+local function isAnother(member, k)
+  return (member - k) * member ~= 0
+end
+
 -- Marks the ring of k, which may be nobody else, as held on one side.
 local function hold(held, weldNext, k)
   held[k] = 1
   local member = weldNext[k]
-  while member ~= k and member ~= 0 do
+  while isAnother(member, k) do
     held[member] = 1
     member = weldNext[member]
   end
@@ -130,30 +149,33 @@ end
 local function follow(b, k, way)
   local to, speed, accel, drive, weldNext = b.to, b.speed, b.accel, b.drive, b.weldNext
   local changes, v, a, d, member = b.changes, speed[k], accel[k], drive[k], weldNext[k]
-  while member ~= k and member ~= 0 do
+  while isAnother(member, k) do
     to[member], speed[member] = to[member] + way, v
     accel[member], drive[member], changes[member] = a, d, changes[member] + 1
     member = weldNext[member]
   end
 end
 
+-- Makes a ring of k, the only one in it, unless it is in one. No branches.
+local function found(b, i, k)
+  local weld, weldNext, weldMass = b.weld, b.weldNext, b.weldMass
+  local isAlone = 1 - min(weld[k], 1)
+  weld[k], weldNext[k] = weld[k] + k * isAlone, weldNext[k] + k * isAlone
+  weldMass[k] = weldMass[k] * (1 - isAlone) + b.mass[i] * isAlone
+end
+
 -- Joins the rings of two whom nothing holds or backs, as `weld.join` does.
 local function join(b, lo, hi, kl, kh)
+  found(b, lo, kl)
+  found(b, hi, kh)
   local weld, weldNext, weldMass = b.weld, b.weldNext, b.weldMass
-  if weld[kl] == 0 then
-    weld[kl], weldNext[kl], weldMass[kl] = kl, kl, b.mass[lo]
-  end
-  if weld[kh] == 0 then
-    weld[kh], weldNext[kh], weldMass[kh] = kh, kh, b.mass[hi]
-  end
   -- The shorter ring is named anew, see `ring.isLonger`.
-  local one, other, member, its = kl, kh, weldNext[kl], weldNext[kh]
+  local member, its = weldNext[kl], weldNext[kh]
   while member ~= kl and its ~= kh do
     member, its = weldNext[member], weldNext[its]
   end
-  if member == kl then
-    one, other = kh, kl
-  end
+  local isShorter = 1 - min(max(member - kl, kl - member), 1)
+  local one, other = kl + (kh - kl) * isShorter, kh + (kl - kh) * isShorter
   local leader = weld[one]
   weldMass[leader] = weldMass[weld[kl]] + weldMass[weld[kh]]
   member = other
@@ -161,7 +183,9 @@ local function join(b, lo, hi, kl, kh)
     weld[member] = leader
     member = weldNext[member]
   until member == other
-  weldNext[kl], weldNext[kh] = weldNext[kh], weldNext[kl]
+  local next = weldNext[kl]
+  weldNext[kl] = weldNext[kh]
+  weldNext[kh] = next
 end
 
 -- Whether two rub as they are: they go alike along their common edge, and neither is a wall.
@@ -172,21 +196,19 @@ local function isAlike(b, lo, hi, tl, th)
     and b.inverseMass[hi] > 0
 end
 
--- A speed > -STILL, or 0 if it is hardly one. No branches.
-local function calm(v)
-  return max(v, 0.0) * min(floor(max(v, 0.0) * PER_STILL), 1)
-end
-
 -- Approach speed, and the time left after the contact (see `impact.at`). Friction of footings may
--- have shortened a way more than the speed and the acceleration tell.
+-- have shortened a way more than the speed and the acceleration tell. No branches: both cases are
+-- worked out.
 local function impactAt(o, v, a, dt)
   local start = v - a * dt
-  if start > -STILL and o >= (v + start) * 0.5 * dt * (1 - ROUNDING) then
-    return calm(start), dt
-  end
-  local square = v * v - 2 * a * o
-  local u = (v > 0 or a < 0) and sqrt(max(square, 0)) or 0
-  return u, v + u > 0 and min(2 * o / (v + u), dt) or dt
+  local way = (v + start) * 0.5 * dt * (1 - ROUNDING)
+  local touches = isPositive(start + STILL) * max(min(floor(o - way) + 1, 1), 0)
+  -- A speed that is hardly one is none.
+  local speed = max(start, 0.0) * min(floor(max(start, 0.0) * PER_STILL), 1)
+  local u = sqrt(max(v * v - 2 * a * o, 0.0)) * isPositive(max(v, -a))
+  local closes = isPositive(v + u)
+  local tau = min(2 * o / max(v + u, SLOWEST), dt) * closes + dt * (1 - closes)
+  return speed * touches + u * (1 - touches), dt * touches + tau * (1 - touches)
 end
 
 --- Who gives way to a press, and what is to come (friction; those welded to the two follow, or the
@@ -198,14 +220,14 @@ local REFUSED, LOW, HIGH, RUBS, RINGS =
 -- Lets those who are welded to the two follow them, and the two be joined; or leaves that to come.
 -- Returns `gives`, and RINGS in this case.
 local function finish(b, lo, hi, kl, kh, gives)
-  if not b.turnJoins and b.weld[kl] == 0 and b.weld[kh] == 0 then
+  if max(b.turnJoins, b.weld[kl], b.weld[kh]) == 0 then
     return gives
   elseif not b.isQuiet then
     return gives + RINGS
   end
   follow(b, kl, b.to[kl] - b.turnLowTo)
   follow(b, kh, b.to[kh] - b.turnHighTo)
-  if b.turnJoins then
+  if b.turnJoins > 0 then
     join(b, lo, hi, kl, kh)
   end
   return gives
@@ -252,12 +274,12 @@ function press.run(b, x, p, side, lo, hi, axis, dt)
     return REFUSED
   end
   press.noteHit(b, p, side, u)
-  local gives = (wl > 0 and LOW or 0) + (wh > 0 and HIGH or 0)
+  local lowGives, highGives = isPositive(wl), isPositive(wh)
+  local gives = lowGives * LOW + highGives * HIGH
   b.turnLowTo, b.turnHighTo = b.to[kl], b.to[kh]
-  b.turnJoins = gives == LOW + HIGH and v > 0 and b.met[p] >= WELDS
+  b.turnJoins = lowGives * highGives * isPositive(v) * isPositive(b.met[p] - WELDS + 1)
   place(b, lo, kl, kh, wl, wh, o, v)
-  b.changes[kl] = b.changes[kl] + (wl > 0 and 1 or 0)
-  b.changes[kh] = b.changes[kh] + (wh > 0 and 1 or 0)
+  b.changes[kl], b.changes[kh] = b.changes[kl] + lowGives, b.changes[kh] + highGives
   b.turnSeen[x] = b.changes[kl] + b.changes[kh]
   if v > -STILL then
     lean(b, lo, hi, kl, kh, wl, wh)
