@@ -24,7 +24,8 @@ end
 
 -- Lists the live pairs that are close enough to touch, or did; returns how many.
 local function listClose(b)
-  local list, close, count = b.live, b.closePairs, 0
+  local list, close = b.live, b.closePairs
+  local count = 0 ---@type number
   local pairA, pairB, contacts, hit = b.pairA, b.pairB, b.contact, b.hit
   local to, size, overlapping, dropping, wedged = b.to, b.size, b.overlapping, b.dropping, b.wedged
   for n = 1, b.liveCount do
@@ -32,7 +33,7 @@ local function listClose(b)
     local k, m = 2 * pairA[p], 2 * pairB[p]
     local x, y = to[m] - to[k], to[m + 1] - to[k + 1]
     local gap = max(max(x - size[k], -x - size[m]), max(y - size[k + 1], -y - size[m + 1]))
-    local isClose = step(max(EPSILON - gap, contacts[p] + hit[p] - 0.5)) * min(k, 1)
+    local isClose = step(max(EPSILON - gap, contacts[p] + hit[p] - 0.5)) * min(k, 1.0)
     close[count + 1], wedged[p] = p, wedged[p] * isClose
     count = count + isClose
     if (overlapping[p] or dropping[p]) and isClose == 0 then
@@ -64,8 +65,8 @@ end
 -- how many. Those of which more must be found out go last, one by one.
 local function updateContacts(b)
   local close, touchPairs, others, contacts = b.closePairs, b.touchPairs, b.otherPairs, b.contact
-  local closeCount, known, otherCount, count = listClose(b), 0, 0, 0
-  local isQuiet = b.world.onStay and 0 or 1
+  local closeCount, count, isQuiet = listClose(b), 0, b.world.onStay and 0 or 1
+  local known, otherCount = 0, 0 ---@type number, number
   for n = 1, closeCount do
     local p = close[n]
     local isKnown = min(contacts[p], isQuiet)
@@ -96,7 +97,7 @@ end
 local function listOffers(b, count)
   local touchPairs, pairA, pairB, contacts = b.touchPairs, b.pairA, b.pairB, b.contact
   local at, who, width, sensor, kind = b.offerAt, b.offerWho, b.offerWidth, b.sensor, b.kind
-  local offers = 1
+  local offers = 1 ---@type number
   for n = 1, count do
     local p = touchPairs[n]
     local i, j, side = pairA[p], pairB[p], contacts[p]

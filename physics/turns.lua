@@ -136,7 +136,8 @@ local function weigh(b, axis, first, last)
   for x = first, last do
     local up, low = ups[x], lows[x]
     local one, other, m = rank[up], rank[low], 2 * low + axis
-    local upGives, lowGives = max(kind[up] - KINEMATIC, 0), max(kind[low] - KINEMATIC, 0)
+    local upGives = max(kind[up] - KINEMATIC, 0.0)
+    local lowGives = max(kind[low] - KINEMATIC, 0.0)
     local bothGive = upGives * lowGives
     local ahead = min(one, other) * bothGive + one * (1 - lowGives) + other * (lowGives - bothGive)
     firsts[x], seconds[x], seen[x] = ahead, one + other - ahead, UNSEEN
@@ -259,8 +260,8 @@ end
 -- branches: all are written to both lists, and the list to which one belongs is made longer.
 local function recall(b, first, last, before, theirs)
   local order, places, late, lastTurn = b.sortFrom, b.sortTo, b.sortDigit, b.lastTurn
-  local list, ups, lateCount, count = b.turnPair, b.turnUp, 0, 0
-  local most = 2 * before + 1
+  local list, ups, most, count = b.turnPair, b.turnUp, 2 * before + 1, 0
+  local lateCount = 0 ---@type number
   for at = 1, most do
     places[at] = 0
   end
@@ -269,10 +270,11 @@ local function recall(b, first, last, before, theirs)
     local wanted = 2 * own + (2 * theirs[ups[x]] + 1) * (1 - min(own, 1))
     local at = min(wanted, most)
     -- 1 is nobody's place: nothing is known.
-    local isKnown = min(wanted - 1, 1) * (1 - min(wanted - at, 1)) * (1 - min(places[at], 1))
-    places[at] = places[at] + x * isKnown
+    local isOut = max(min(wanted - at, 1), 1 - min(wanted - 1, 1)) ---@type number
+    local isNew = max(isOut, min(places[at], 1)) ---@type number
+    places[at] = places[at] + x * (1 - isNew)
     late[lateCount + 1] = x
-    lateCount = lateCount + 1 - isKnown
+    lateCount = lateCount + isNew
   end
   for at = 1, most do
     local x = places[at]
