@@ -130,16 +130,15 @@ local function fatten(b, k)
   b.fatHigh[k] = max(from, to) + size + MARGIN + max(ahead, 0)
 end
 
--- How far the path leaves the fat box on the axis of k, px; > 0 if it does. No branches: whichever
--- side it is, the same happens.
-local function excess(b, k)
-  local from, to, size = b.from[k], b.to[k], b.size[k]
-  return max(b.fatLow[k] - min(from, to), max(from, to) + size - b.fatHigh[k])
-end
-
--- Whether the path of an object leaves its fat box.
+-- Whether the path of an object leaves its fat box. No branches: whichever side it is, the same
+-- happens.
 local function hasLeft(b, i)
-  return max(excess(b, 2 * i), excess(b, 2 * i + 1)) > 0 or b.placed[i] ~= 2
+  local from, to, size, fatLow, fatHigh = b.from, b.to, b.size, b.fatLow, b.fatHigh
+  local k, m = 2 * i, 2 * i + 1
+  local x, endX, y, endY = from[k], to[k], from[m], to[m]
+  local before = max(fatLow[k] - min(x, endX), fatLow[m] - min(y, endY))
+  local behind = max(max(x, endX) + size[k] - fatHigh[k], max(y, endY) + size[m] - fatHigh[m])
+  return max(before, behind) > 0 or b.placed[i] ~= 2
 end
 
 local function enlarge(b, i)

@@ -19,8 +19,7 @@ local footing = {}
 local DYNAMIC, WELDS = columns.DYNAMIC, resolve.WELDS
 local STILL, TINY = columns.STILL, columns.TINY
 local EVEN, ROUNDING = impact.EVEN, impact.ROUNDING
-local ceil, floor, max, min = math.ceil, math.floor, math.max, math.min
-local PER_STILL = 1 / STILL
+local max, min = math.max, math.min
 
 -- The side towards the floor and the one away from it, as columns: held, holder, pressed.
 local function sidesOf(b, isUp)
@@ -126,18 +125,6 @@ local function slideTogether(b, up, low, ku, kl, limit, share, sign, dt)
   return true
 end
 
--- A speed > -STILL, or 0 if it is hardly one. No branches.
-local function calm(v)
-  return max(v, 0.0) * min(floor(max(v, 0.0) * PER_STILL), 1)
-end
-
--- 0 for two of which one has no friction, mostly a floor, else 1. A floor that takes that of the
--- other has a negative one. No branches.
-local function mayRub(one, other)
-  local least, most = min(max(one, -one), max(other, -other)), max(one, other)
-  return max(min(ceil(least), ceil(most), 1), 0)
-end
-
 --- Puts `up` on `low`, who meet on `side` of the pair's first, as `resolve` would: flush, without a
 --- bounce, held from below. If that presses, notes for friction by how much, at place x, and that
 --- it was the n-th turn. Returns false if the case is another one; nothing has changed then.
@@ -155,7 +142,7 @@ function footing.putOn(b, n, x, p, side, up, low, ku, kl, isUp, dt)
   if start <= -STILL or o < (v + start) * 0.5 * dt * (1 - ROUNDING) then
     return false
   end
-  local u = calm(start)
+  local u = start > STILL and start or 0
   if press.bounces(b, up, low, u, (drive[ku] - drive[kl]) * sign, dt) then
     return false
   end
@@ -164,13 +151,16 @@ function footing.putOn(b, n, x, p, side, up, low, ku, kl, isUp, dt)
   if v > 0 then
     speed[ku] = speed[kl]
     b.turnImpulse[x], b.turnShare[x], b.turnLeft[x] = v / b.inverseMass[up], min(u / v, 1.0), dt
-    b.landed[b.landedCount + 1] = n
-    b.landedCount = b.landedCount + mayRub(b.friction[up], b.friction[low])
   end
   if v > -STILL then
     lean(b, low, ku, kl, isUp)
   end
   b.turnSeen[x] = b.changes[ku] + b.changes[kl]
+  -- Many floors have no friction.
+  if v > 0 and b.friction[up] * b.friction[low] ~= 0 then
+    b.landedCount = b.landedCount + 1
+    b.landed[b.landedCount] = n
+  end
   return true
 end
 

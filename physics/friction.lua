@@ -15,10 +15,8 @@ require(here .. ".interpreted").file()
 local friction = {}
 
 local DYNAMIC = columns.DYNAMIC
-local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
-local STILL, TINY = columns.STILL, columns.TINY
-local PER_STILL = 1 / STILL
-local VAST = 1e300
+local max, min, sqrt = math.max, math.min, math.sqrt
+local STILL, TINY, VAST = columns.STILL, columns.TINY, columns.VAST
 
 --- Returns the coefficient of a pair: √(a·b); without one of its own (negative) a static or
 --- kinematic object takes the other's.
@@ -44,7 +42,7 @@ end
 
 -- A speed, or 0 if it is hardly one. No branches.
 local function calm(v)
-  return v * min(floor(max(v, -v) * PER_STILL), 1) + 0.0
+  return v * min(max((max(v, -v) - STILL) * VAST + 1, 0), 1) + 0.0
 end
 
 -- Slides at a relative speed that would be `u` at the end of the time left, under a relative

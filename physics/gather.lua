@@ -17,7 +17,8 @@ local columns = require(here .. ".columns")
 
 local gather = {}
 
-local EPSILON, STILL, TINY = columns.EPSILON, columns.STILL, columns.TINY
+local EPSILON, STILL = columns.EPSILON, columns.STILL
+local TINY, VAST = columns.TINY, columns.VAST
 local NO_EVENT = columns.NO_EVENT
 local floor, max, min = math.floor, math.max, math.min
 
@@ -38,12 +39,6 @@ function gather.isIdle(b, low, high)
 end
 
 local isIdle = gather.isIdle
-
--- 1 for a number >= 0, else 0. What is listed is written behind the list, and the list made longer
--- by this: without branches, whatever comes first, the way through the loop is the same.
-local function step(v)
-  return max(min(floor(v) + 1, 1), 0)
-end
 
 -- >= 0 if two stay clear of each other on one axis: apart now, and at the end on the same side, or
 -- flush there and not moving against each other (`v`, at the end). With a `clear` of EPSILON only
@@ -77,18 +72,21 @@ local function list(b, half, k, m, x, y, clear, count)
   return count
 end
 
+-- What is listed is written behind the list, and the list made longer by 0 or 1. Without branches
+-- the way through the loop is the same, whatever comes first.
+
 --- Lists the live pairs in b.touchList that may be met at the very beginning of the step: nowhere
 --- apart when it begins.
 function gather.touching(b)
   local pairs_, pairA, pairB, from, size = b.live, b.pairA, b.pairB, b.from, b.size
-  local out = b.touchList
-  local touches, count = b.touches, 0
+  local out, touches = b.touchList, b.touches
+  local count = 0 ---@type number
   for n = 1, b.liveCount do
     local p = pairs_[n]
     local k, m = 2 * pairA[p], 2 * pairB[p]
     local x, y = from[m] - from[k], from[m + 1] - from[k + 1]
     local gap = max(max(x - size[k], -x - size[m]), max(y - size[k + 1], -y - size[m + 1]))
-    local does = step(EPSILON - gap)
+    local does = min(max((EPSILON - gap) * VAST + 1, 0), 1)
     out[count + 1], touches[p] = p, does
     count = count + does
   end
@@ -99,17 +97,17 @@ end
 --- `across` that are flush along the other one. Returns how many those are.
 function gather.flush(b, axis, along, across)
   local pairs_, pairA, pairB, from, size = b.touchList, b.pairA, b.pairB, b.from, b.size
-  local n, m = 0, 0
+  local n, m = 0, 0 ---@type number, number
   for at = 1, b.touchCount do
     local p = pairs_[at]
     local i, j = 2 * pairA[p] + axis, 2 * pairB[p] + axis
     local ic, jc = 2 * pairA[p] + 1 - axis, 2 * pairB[p] + 1 - axis
     local r, rc = from[j] - from[i], from[jc] - from[ic]
     local gap, gapc = max(r - size[i], -r - size[j]), max(rc - size[ic], -rc - size[jc])
-    local isAlong = step(min(gap + EPSILON, -gapc - EPSILON))
+    local isAlong = min(max(min(gap + EPSILON, -gapc - EPSILON) * VAST + 1, 0), 1)
+    local isAcross = min(max(min(gapc + EPSILON, -gap - EPSILON) * VAST + 1, 0), 1 - isAlong)
     along[n + 1], across[m + 1] = p, p
-    n = n + isAlong
-    m = m + step(min(gapc + EPSILON, -gap - EPSILON)) * (1 - isAlong)
+    n, m = n + isAlong, m + isAcross
   end
   return n, m
 end

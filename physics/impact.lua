@@ -5,9 +5,8 @@ local columns = require(here .. ".columns")
 
 local impact = {}
 
-local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
-local STILL = columns.STILL
-local PER_STILL = 1 / STILL
+local max, min, sqrt = math.max, math.min, math.sqrt
+local STILL, VAST = columns.STILL, columns.VAST
 --- Share by which an overlap may be short through rounding.
 impact.ROUNDING = 1e-6
 local ROUNDING = impact.ROUNDING
@@ -17,7 +16,7 @@ local EVEN = impact.EVEN
 
 -- A speed > -STILL, or 0 if it is hardly one. No branches.
 local function calm(v)
-  return max(v, 0.0) * min(floor(max(v, 0.0) * PER_STILL), 1)
+  return max(v, 0.0) * min(max((v - STILL) * VAST, 0), 1)
 end
 
 --- Approach speed at the moment of contact and the time left after it, from what the paths will

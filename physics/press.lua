@@ -15,11 +15,11 @@ local resolve = require(here .. ".resolve")
 
 local press = {}
 
-local DYNAMIC, STILL, TINY = columns.DYNAMIC, columns.STILL, columns.TINY
+local DYNAMIC, STILL = columns.DYNAMIC, columns.STILL
+local TINY, VAST = columns.TINY, columns.VAST
 local EVEN, ROUNDING = impact.EVEN, impact.ROUNDING
 local LEAVES, WELDS = resolve.LEAVES, resolve.WELDS
-local ceil, floor, max, min, sqrt = math.ceil, math.floor, math.max, math.min, math.sqrt
-local PER_STILL = 1 / STILL
+local max, min, sqrt = math.max, math.min, math.sqrt
 -- px/s: what is slower does not close; with no more px than a number may have, in range.
 local SLOWEST = 1e-200
 
@@ -50,7 +50,7 @@ end
 
 -- 1 for a number > 0, else 0.
 local function isPositive(v)
-  return max(min(ceil(v), 1), 0)
+  return min(max(v * VAST, 0), 1)
 end
 
 -- Whether two are not welded to each other. One question: to ask first whether they are welded
@@ -202,9 +202,10 @@ end
 local function impactAt(o, v, a, dt)
   local start = v - a * dt
   local way = (v + start) * 0.5 * dt * (1 - ROUNDING)
-  local touches = isPositive(start + STILL) * max(min(floor(o - way) + 1, 1), 0)
+  local reaches = min(max((o - way) * VAST + 1, 0), 1) ---@type number
+  local touches = isPositive(start + STILL) * reaches
   -- A speed that is hardly one is none.
-  local speed = max(start, 0.0) * min(floor(max(start, 0.0) * PER_STILL), 1)
+  local speed = max(start, 0.0) * isPositive(start - STILL)
   local u = sqrt(max(v * v - 2 * a * o, 0.0)) * isPositive(max(v, -a))
   local closes = isPositive(v + u)
   local tau = min(2 * o / max(v + u, SLOWEST), dt) * closes + dt * (1 - closes)
@@ -274,12 +275,15 @@ function press.run(b, x, p, side, lo, hi, axis, dt)
     return REFUSED
   end
   press.noteHit(b, p, side, u)
-  local lowGives, highGives = isPositive(wl), isPositive(wh)
-  local gives = lowGives * LOW + highGives * HIGH
-  b.turnLowTo, b.turnHighTo = b.to[kl], b.to[kh]
-  b.turnJoins = lowGives * highGives * isPositive(v) * isPositive(b.met[p] - WELDS + 1)
+  -- (Worked out without branches, this would take more numbers than there are registers.)
+  local gives = (wl > 0 and LOW or 0) + (wh > 0 and HIGH or 0)
+  b.turnLowTo, b.turnHighTo, b.turnJoins = b.to[kl], b.to[kh], 0
+  if b.met[p] >= WELDS then
+    b.turnJoins = gives == LOW + HIGH and v > 0 and 1 or 0
+  end
   place(b, lo, kl, kh, wl, wh, o, v)
-  b.changes[kl], b.changes[kh] = b.changes[kl] + lowGives, b.changes[kh] + highGives
+  b.changes[kl] = b.changes[kl] + (wl > 0 and 1 or 0)
+  b.changes[kh] = b.changes[kh] + (wh > 0 and 1 or 0)
   b.turnSeen[x] = b.changes[kl] + b.changes[kh]
   if v > -STILL then
     lean(b, lo, hi, kl, kh, wl, wh)

@@ -13,14 +13,12 @@ local oneway = require(here .. ".oneway")
 
 local publish = {}
 
-local KINEMATIC, DYNAMIC = columns.KINEMATIC, columns.DYNAMIC
-local EPSILON, OPPOSITE = columns.EPSILON, columns.OPPOSITE
+local DYNAMIC = columns.DYNAMIC
+local EPSILON, OPPOSITE, VAST = columns.EPSILON, columns.OPPOSITE, columns.VAST
 local floor, max, min = math.floor, math.max, math.min
 
--- 1 for a number >= 0, else 0.
-local function step(v)
-  return max(min(floor(v) + 1, 1), 0)
-end
+-- By kind: 1 for who is dynamic.
+local GIVES = { [0] = 0, [columns.STATIC] = 0, [columns.KINEMATIC] = 0, [DYNAMIC] = 1 }
 
 -- Lists the live pairs that are close enough to touch, or did; returns how many.
 local function listClose(b)
@@ -33,7 +31,8 @@ local function listClose(b)
     local k, m = 2 * pairA[p], 2 * pairB[p]
     local x, y = to[m] - to[k], to[m + 1] - to[k + 1]
     local gap = max(max(x - size[k], -x - size[m]), max(y - size[k + 1], -y - size[m + 1]))
-    local isClose = step(max(EPSILON - gap, contacts[p] + hit[p] - 0.5)) * min(k, 1.0)
+    local isNear = max(EPSILON - gap, contacts[p] + hit[p] - 0.5) * VAST + 1
+    local isClose = min(max(isNear, 0), k, 1)
     close[count + 1], wedged[p] = p, wedged[p] * isClose
     count = count + isClose
     if (overlapping[p] or dropping[p]) and isClose == 0 then
@@ -104,9 +103,9 @@ local function listOffers(b, count)
     if not (sensor[i] or sensor[j]) then
       local edge = commonEdge(b, i, j, 1 - floor((side - 1) * 0.5))
       at[offers], who[offers], width[offers] = 4 * i + side, j, edge
-      offers = offers + max(kind[i] - KINEMATIC, 0)
+      offers = offers + GIVES[kind[i]]
       at[offers], who[offers], width[offers] = 4 * j + OPPOSITE[side], i, edge
-      offers = offers + max(kind[j] - KINEMATIC, 0)
+      offers = offers + GIVES[kind[j]]
     end
   end
   return offers - 1
@@ -121,13 +120,14 @@ local function findTouching(b, count)
     best[at + 1], best[at + 2], best[at + 3], best[at + 4] = 0, 0, 0, 0
     bestWidth[at + 1], bestWidth[at + 2], bestWidth[at + 3], bestWidth[at + 4] = -1, -1, -1, -1
   end
-  -- The first one on each side goes without asking; few have more.
+  -- The first one on each side is taken; few have more.
   local places, who, width, rivals = b.offerAt, b.offerWho, b.offerWidth, b.rivals
-  local rivalCount = 0
+  local rivalCount = 0 ---@type number
   for n = 1, listOffers(b, count) do
     local at, w = places[n], width[n]
     local widest = bestWidth[at]
-    local isFirst = max(floor(0.5 - widest), 0)
+    -- It was -1, or is more than 0.
+    local isFirst = max(-widest, 0) ---@type number
     best[at], bestWidth[at] = best[at] + who[n] * isFirst, widest * (1 - isFirst) + w * isFirst
     rivals[rivalCount + 1] = n
     rivalCount = rivalCount + 1 - isFirst
@@ -142,45 +142,14 @@ local function findTouching(b, count)
   end
 end
 
--- One side after the other, each in a loop of its own: whether there is anybody makes two ways
--- through the code, and with all sides at once sixteen.
-local function publishTouching(b)
-  local list, lists, best, objects = b.awakeList, b.touching, b.touchBest, b.object
-  -- Slot 0 is nobody: false.
-  for n = 1, b.awakeCount do
-    local i = list[n]
-    local touching = lists[i]
-    if touching then
-      touching.left = objects[best[4 * i + 1]]
-    end
-  end
-  for n = 1, b.awakeCount do
-    local i = list[n]
-    local touching = lists[i]
-    if touching then
-      touching.right = objects[best[4 * i + 2]]
-    end
-  end
-  for n = 1, b.awakeCount do
-    local i = list[n]
-    local touching = lists[i]
-    if touching then
-      touching.top = objects[best[4 * i + 3]]
-    end
-  end
-  for n = 1, b.awakeCount do
-    local i = list[n]
-    local touching = lists[i]
-    if touching then
-      touching.bottom = objects[best[4 * i + 4]]
-    end
-  end
-  for n = 1, b.awakeCount do
-    local i = list[n]
-    local object, touching = objects[i], lists[i]
-    if touching and object.touching ~= touching then
-      object.touching = touching
-    end
+local function publishTouching(b, i)
+  local object, touching, best, at = b.object[i], b.touching[i], b.touchBest, 4 * i
+  local left, right, top, bottom = best[at + 1], best[at + 2], best[at + 3], best[at + 4]
+  local objects = b.object -- slot 0 is nobody: false
+  touching.left, touching.right = objects[left], objects[right]
+  touching.top, touching.bottom = objects[top], objects[bottom]
+  if object.touching ~= touching then
+    object.touching = touching
   end
 end
 
@@ -282,7 +251,11 @@ end
 -- Tells the game's tables.
 local function tell(b)
   local list, kind = b.awakeList, b.kind
-  publishTouching(b)
+  for n = 1, b.awakeCount do
+    if kind[list[n]] == DYNAMIC then
+      publishTouching(b, list[n])
+    end
+  end
   for n = 1, b.awakeCount do
     if kind[list[n]] == DYNAMIC then
       publishDynamic(b, list[n])

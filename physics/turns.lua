@@ -17,9 +17,13 @@ local oneway = require(here .. ".oneway")
 
 local turns = {}
 
-local KINEMATIC, DYNAMIC = columns.KINEMATIC, columns.DYNAMIC
-local EPSILON, FIRM, UNSEEN = columns.EPSILON, columns.FIRM, columns.UNSEEN
-local ceil, floor, huge, max, min = math.ceil, math.floor, math.huge, math.max, math.min
+local DYNAMIC = columns.DYNAMIC
+local EPSILON, FIRM = columns.EPSILON, columns.FIRM
+local UNSEEN, VAST = columns.UNSEEN, columns.VAST
+local floor, huge, max, min = math.floor, math.huge, math.max, math.min
+
+-- By kind: 1 for who is dynamic.
+local GIVES = { [0] = 0, [columns.STATIC] = 0, [columns.KINEMATIC] = 0, [DYNAMIC] = 1 }
 
 -- So few are inserted into the others.
 local FEW = 6
@@ -93,11 +97,6 @@ local function isChoosy(b, up, low, axis, direction)
     )
 end
 
--- 1 for a number > 0, else 0.
-local function isAfter(v)
-  return max(min(ceil(v), 1), 0)
-end
-
 -- Works out who leans on whom along an axis, behind place `last`; returns the last place then.
 -- Where the upper one of a footing cannot fall, the pair is odd, too.
 local function findLow(b, flush, plainCount, axis, last)
@@ -109,7 +108,8 @@ local function findLow(b, flush, plainCount, axis, last)
     local p = flush[n]
     local i, j = pairA[p], pairB[p]
     -- 1: the second one is the upper one. No branches.
-    local isTurned = isAfter((from[2 * i + axis] - from[2 * j + axis]) * direction)
+    local ahead = (from[2 * i + axis] - from[2 * j + axis]) * direction
+    local isTurned = min(max(ahead * VAST, 0), 1) ---@type number
     local up, low = i + (j - i) * isTurned, j + (i - j) * isTurned
     local side = nearSide + (4 * axis + 3 - 2 * nearSide) * isTurned
     if
@@ -136,8 +136,7 @@ local function weigh(b, axis, first, last)
   for x = first, last do
     local up, low = ups[x], lows[x]
     local one, other, m = rank[up], rank[low], 2 * low + axis
-    local upGives = max(kind[up] - KINEMATIC, 0.0)
-    local lowGives = max(kind[low] - KINEMATIC, 0.0)
+    local upGives, lowGives = GIVES[kind[up]], GIVES[kind[low]]
     local bothGive = upGives * lowGives
     local ahead = min(one, other) * bothGive + one * (1 - lowGives) + other * (lowGives - bothGive)
     firsts[x], seconds[x], seen[x] = ahead, one + other - ahead, UNSEEN
@@ -256,30 +255,35 @@ end
 
 -- Lists those from `first` to `last` in the order in which they had their turns in the step before,
 -- when there were `before` of them; a new one behind what the same one leant on (`theirs`), as a
--- walker comes to the next tile. Those that had none go last; returns false if these are many. No
--- branches: all are written to both lists, and the list to which one belongs is made longer.
+-- walker comes to the next tile. Those that had none go last; returns false if these are many.
 local function recall(b, first, last, before, theirs)
   local order, places, late, lastTurn = b.sortFrom, b.sortTo, b.sortDigit, b.lastTurn
-  local list, ups, most, count = b.turnPair, b.turnUp, 2 * before + 1, 0
-  local lateCount = 0 ---@type number
+  local list, ups, lateCount, count = b.turnPair, b.turnUp, 0, 0
+  -- At 2 n the one that was the n-th, at 2 n + 1 a new one behind it.
+  local most = 2 * before + 1
   for at = 1, most do
     places[at] = 0
   end
   for x = first, last do
-    local own = lastTurn[list[x]]
-    local wanted = 2 * own + (2 * theirs[ups[x]] + 1) * (1 - min(own, 1))
-    local at = min(wanted, most)
-    -- 1 is nobody's place: nothing is known.
-    local isOut = max(min(wanted - at, 1), 1 - min(wanted - 1, 1)) ---@type number
-    local isNew = max(isOut, min(places[at], 1)) ---@type number
-    places[at] = places[at] + x * (1 - isNew)
-    late[lateCount + 1] = x
-    lateCount = lateCount + isNew
+    local at = 2 * lastTurn[list[x]]
+    at = at > 0 and at or 2 * theirs[ups[x]] + 1
+    if at > 1 and at <= most and places[at] == 0 then
+      places[at] = x
+    else
+      lateCount = lateCount + 1
+      late[lateCount] = x
+    end
   end
-  for at = 1, most do
-    local x = places[at]
-    order[count + 1] = x
-    count = count + min(x, 1)
+  for at = 2, most, 2 do
+    local old, new = places[at], places[at + 1]
+    if old ~= 0 then
+      count = count + 1
+      order[count] = old
+    end
+    if new ~= 0 then
+      count = count + 1
+      order[count] = new
+    end
   end
   for n = 1, lateCount do
     order[count + n] = late[n]
@@ -311,9 +315,9 @@ end
 -- `theirs` a column for the turns of those who lean.
 local function arrange(b, first, last, before, theirs)
   local count = last - first + 1
-  if
-    not (recall(b, first, last, before, theirs) and finish(b, b.sortFrom, count, MOVES * count))
-  then
+  -- The trace compiler goes the way that comes first: it shall not be that of those who land.
+  local isKnown = before > FEW and recall(b, first, last, before, theirs)
+  if not (isKnown and finish(b, b.sortFrom, count, MOVES * count)) then
     sort(b, first, last)
   end
   local order, turnOrder, turn, list = b.sortFrom, b.turnOrder, b.turn, b.turnPair
