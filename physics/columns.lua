@@ -22,9 +22,10 @@ columns.EPSILON = 1e-6
 --- px/s below which two do not move against each other.
 columns.STILL = 1e-9
 
---- Makes any difference of two coordinates more than 1: `min(max(d * VAST, 0), 1)` is 1 for d > 0
---- and 0 for d <= 0, `min(max(d * VAST + 1, 0), 1)` is 1 for d >= 0 and 0 for d < 0. What would
---- have branches is worked out with these: any way but the one compiled first takes 40 ns more.
+--- Makes any difference of two numbers around EPSILON or STILL more than 1, so that
+--- `min(max(d * VAST, 0), 1)` is 1 for d > 0 and 0 for d <= 0, and `min(max(d * VAST + 1, 0), 1)`
+--- is 1 for d >= 0 and 0 for d < 0. What would have branches is worked out with these: any way but
+--- the one compiled first takes 40 ns more.
 columns.VAST = 1e300
 
 --- Keeps 0 / 0 out of what has no length: no more than that is added to what has one.

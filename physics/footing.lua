@@ -151,13 +151,14 @@ function footing.putOn(b, n, x, p, side, up, low, ku, kl, isUp, dt)
   if v > 0 then
     speed[ku] = speed[kl]
     b.turnImpulse[x], b.turnShare[x], b.turnLeft[x] = v / b.inverseMass[up], min(u / v, 1.0), dt
+    b.isTurnStale[1] = true
   end
   if v > -STILL then
     lean(b, low, ku, kl, isUp)
   end
   b.turnSeen[x] = b.changes[ku] + b.changes[kl]
   -- Many floors have no friction.
-  if v > 0 and b.friction[up] * b.friction[low] ~= 0 then
+  if v > 0 and b.friction[up] ~= 0 and b.friction[low] ~= 0 then
     b.landedCount = b.landedCount + 1
     b.landed[b.landedCount] = n
   end

@@ -19,8 +19,8 @@ local turns = {}
 
 local DYNAMIC = columns.DYNAMIC
 local EPSILON, FIRM = columns.EPSILON, columns.FIRM
-local UNSEEN, VAST = columns.UNSEEN, columns.VAST
-local floor, huge, max, min = math.floor, math.huge, math.max, math.min
+local UNSEEN = columns.UNSEEN
+local ceil, floor, huge, max, min = math.ceil, math.floor, math.huge, math.max, math.min
 
 -- By kind: 1 for who is dynamic.
 local GIVES = { [0] = 0, [columns.STATIC] = 0, [columns.KINEMATIC] = 0, [DYNAMIC] = 1 }
@@ -107,9 +107,10 @@ local function findLow(b, flush, plainCount, axis, last)
   for n = 1, plainCount do
     local p = flush[n]
     local i, j = pairA[p], pairB[p]
-    -- 1: the second one is the upper one. No branches.
-    local ahead = (from[2 * i + axis] - from[2 * j + axis]) * direction
-    local isTurned = min(max(ahead * VAST, 0), 1) ---@type number
+    -- 1: the second one is the upper one. No branches. (`ceil` makes a whole number of any
+    -- difference: very thin ones may be anywhere.)
+    local isAhead = max(min(ceil(from[2 * i + axis] - from[2 * j + axis]), 1), 0)
+    local isTurned = (isUp and 1 or 0) + isAhead * direction ---@type number
     local up, low = i + (j - i) * isTurned, j + (i - j) * isTurned
     local side = nearSide + (4 * axis + 3 - 2 * nearSide) * isTurned
     if
