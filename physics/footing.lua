@@ -151,13 +151,13 @@ function footing.putOn(b, n, x, p, side, up, low, ku, kl, isUp, dt)
   if v > 0 then
     speed[ku] = speed[kl]
     b.turnImpulse[x], b.turnShare[x], b.turnLeft[x] = v / b.inverseMass[up], min(u / v, 1.0), dt
-    b.isTurnStale[1] = true
+    b.isTurnStale[1] = true -- as after any change of a path, here or by friction
   end
   if v > -STILL then
     lean(b, low, ku, kl, isUp)
   end
   b.turnSeen[x] = b.changes[ku] + b.changes[kl]
-  -- Many floors have no friction.
+  -- Last, as many floors have no friction: what follows a branch is compiled for either way.
   if v > 0 and b.friction[up] ~= 0 and b.friction[low] ~= 0 then
     b.landedCount = b.landedCount + 1
     b.landed[b.landedCount] = n
@@ -186,7 +186,6 @@ function footing.slide(b, dt)
       or slideTogether(b, up, low, ku, kl, limit, shares[x], sign, dt)
   end
   b.slidCount = at
-  b.isTurnStale[1] = true
   return goesOn
 end
 

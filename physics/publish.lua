@@ -13,12 +13,9 @@ local oneway = require(here .. ".oneway")
 
 local publish = {}
 
-local DYNAMIC = columns.DYNAMIC
+local DYNAMIC, GIVES = columns.DYNAMIC, columns.GIVES
 local EPSILON, OPPOSITE, VAST = columns.EPSILON, columns.OPPOSITE, columns.VAST
 local floor, max, min = math.floor, math.max, math.min
-
--- By kind: 1 for who is dynamic.
-local GIVES = { [0] = 0, [columns.STATIC] = 0, [columns.KINEMATIC] = 0, [DYNAMIC] = 1 }
 
 -- Lists the live pairs that are close enough to touch, or did; returns how many.
 local function listClose(b)

@@ -17,13 +17,10 @@ local oneway = require(here .. ".oneway")
 
 local turns = {}
 
-local DYNAMIC = columns.DYNAMIC
+local DYNAMIC, GIVES = columns.DYNAMIC, columns.GIVES
 local EPSILON, FIRM = columns.EPSILON, columns.FIRM
 local UNSEEN = columns.UNSEEN
 local ceil, floor, huge, max, min = math.ceil, math.floor, math.huge, math.max, math.min
-
--- By kind: 1 for who is dynamic.
-local GIVES = { [0] = 0, [columns.STATIC] = 0, [columns.KINEMATIC] = 0, [DYNAMIC] = 1 }
 
 -- So few are inserted into the others.
 local FEW = 6
