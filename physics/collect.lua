@@ -248,17 +248,18 @@ end
 local function rename(b, i, record)
   b.group[i], b.groupName[i] = record, record.name
   nameGroup(b, record.name)
-  rest.wakeNeighbours(b, i)
-  events.endForbidden(b, i)
-  detect.refilter(b, i)
-  markMoved(b, i)
-  rest.wake(b, i)
 end
 
--- Of two who are equally good to stand on, the first in order is touched.
-local function reorder(b, i)
-  rest.wake(b, i)
+-- Of two who are equally good to stand on, the first in order is touched; and in another group it
+-- may be others whom it can meet.
+local function reorder(b, i, isRenamed)
   rest.wakeNeighbours(b, i)
+  if isRenamed then
+    events.endForbidden(b, i)
+    detect.refilter(b, i)
+    markMoved(b, i)
+  end
+  rest.wake(b, i)
 end
 
 -- The slots of everything in a group that is not static, in order.

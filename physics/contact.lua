@@ -157,6 +157,7 @@ local function update(b, p)
       events.stay(b, p, now)
     elseif b.hit[p] ~= 0 then
       events.bounce(b, p, b.hit[p], b.hitSpeed[p])
+      b.news[i], b.news[j] = true, true -- it is told as often as it happens
     end
     return
   end
@@ -191,6 +192,7 @@ end
 -- are left in `list`, and how many are in `touching`.
 local function updatePlain(b, list, listCount, touching, count)
   local pairA, pairB, contacts, news, left = b.pairA, b.pairB, b.contact, b.news, 0
+  local hit = b.hit
   for n = 1, listCount do
     local p = list[n]
     local i, j, before = pairA[p], pairB[p], contacts[p]
@@ -207,6 +209,8 @@ local function updatePlain(b, list, listCount, touching, count)
       if now ~= before then
         contacts[p], news[i], news[j] = now, true, true
         b.contactCount = b.contactCount + min(now, 1) - min(before, 1)
+      elseif now == 0 and hit[p] ~= 0 then
+        news[i], news[j] = true, true -- as in `update`: somebody may want to hear of the next one
       end
     end
   end

@@ -16,14 +16,15 @@ local crush = {}
 
 local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
 
--- The nearest of those welded to i on one side of it, 0: none.
+-- The nearest of those welded to i on one side of it, 0: none. (By where they end: where they come
+-- from is known of each at another moment.)
 local function weldedTo(b, i, axis, isLow)
-  local from, k, best, bestAt = b.from, 2 * i + axis, 0, 0.0
+  local to, k, best, bestAt = b.to, 2 * i + axis, 0, 0.0
   local half = b.head[i]
   while half ~= 0 do
     local j = b.other[half]
     local m = 2 * j + axis
-    local at = isLow and from[k] - from[m] or from[m] - from[k]
+    local at = isLow and to[k] - to[m] or to[m] - to[k]
     -- Only whom it has met: other neighbours may be known or not.
     local isMet = b.met[(half + half % 2) / 2] > 0
     if b.weld[m] == b.weld[k] and at > 0 and b.kind[j] == DYNAMIC and isMet then
@@ -88,10 +89,15 @@ local function list(b, lo, hi, low, high, axis)
   return count, sum
 end
 
--- From now on nobody can push a member, whoever meets it next in this step.
-local function hold(b, k, low, high)
-  b.crushed[k], b.crushLow[k], b.crushHigh[k] = true, low, high
-  b.heldLow[k], b.heldHigh[k], b.holderLow[k], b.holderHigh[k] = 1, 1, low, high
+-- From now on nobody can push the n-th of `count` members, whoever meets it next in this step.
+-- Returns the two who hold it.
+local function hold(b, n, count, low, high, axis)
+  local stack = b.stack
+  local k = 2 * stack[n] + axis
+  local before, behind = n > 1 and stack[n - 1] or low, n < count and stack[n + 1] or high
+  weld.leave(b, k)
+  b.heldLow[k], b.heldHigh[k], b.holderLow[k], b.holderHigh[k] = 1, 1, before, behind
+  return before, behind
 end
 
 local function put(b, i, k, at, v)
@@ -157,14 +163,19 @@ function crush.note(b, lo, hi, axis)
   -- far beyond the other one, and only that counts.
   local hasOneWall = (b.kind[low] == DYNAMIC) ~= (b.kind[high] == DYNAMIC)
   if overlap <= EPSILON or (hasOneWall and overlap * count > sum) then
-    return spread(b, count, low, high, axis)
+    spread(b, count, low, high, axis)
+    -- They fit in exactly: then others must not push them to and fro until patience is used up.
+    local fits = overlap >= -EPSILON and b.kind[low] ~= DYNAMIC and b.kind[high] ~= DYNAMIC
+    for n = 1, fits and count or 0 do
+      hold(b, n, count, low, high, axis)
+    end
+    return
   end
   local v = (b.speed[kl] + b.speed[kh]) * 0.5
   for n = 1, count do
     local i = b.stack[n]
     local k = 2 * i + axis
-    weld.leave(b, k)
-    hold(b, k, n > 1 and b.stack[n - 1] or low, n < count and b.stack[n + 1] or high)
+    b.crushed[k], b.crushLow[k], b.crushHigh[k] = true, hold(b, n, count, low, high, axis)
     put(b, i, k, at - overlap, v)
     at = b.to[k] + b.size[k]
   end

@@ -122,12 +122,12 @@ local function linkNear(b, strays, count)
   end
 end
 
--- The fat box on the axis of k.
+-- The fat box on the axis of k. Where the step began it may end, too: see `crush.keepOut`.
 local function fatten(b, k)
-  local from, to, size = b.from[k], b.to[k], b.size[k]
+  local start, from, to, size = b.position[k], b.from[k], b.to[k], b.size[k]
   local ahead = max(min((to - from) * AHEAD, FARTHEST), -FARTHEST)
-  b.fatLow[k] = min(from, to) - MARGIN + min(ahead, 0)
-  b.fatHigh[k] = max(from, to) + size + MARGIN + max(ahead, 0)
+  b.fatLow[k] = min(start, from, to) - MARGIN + min(ahead, 0)
+  b.fatHigh[k] = max(start, from, to) + size + MARGIN + max(ahead, 0)
 end
 
 -- Whether the path of an object leaves its fat box. No branches: whichever side it is, the same
@@ -229,6 +229,7 @@ function detect.refilter(b, i)
   if not b.active[i] then
     detect.remove(b, i)
     rest.drop(b, i)
+    b.inside[i] = false
     return
   end
   local half, n = b.head[i], 0

@@ -39,6 +39,9 @@ function roster.new()
     groups = {},
     groupCount = 0,
     byName = {},
+    moved = {}, -- slots of those who have changed their group or their order in an update
+    isRenamed = {},
+    movedCount = 0,
     seen = {}, -- by slot: the stamp of the last update that has found it in a stale group
     stamp = 0,
     -- Objects that came through `add` and have not been read yet: their `touching`, their group.
@@ -359,26 +362,38 @@ local function takeTail(record)
   record.count, record.isListed = count, false
 end
 
--- Gives the known members of a record their keys and ranks.
-local function applyKnown(b, record, rename, reorder)
+-- Gives the known members of a record their keys, ranks and group; lists those who are in another
+-- group than before, or behind one that they stood before.
+local function applyKnown(b, self, record, rename)
   local slots, keys, plain = record.slots, record.keys, record.plain
+  local moved, isRenamed = self.moved, self.isRenamed
   local rank, key, groups, base = b.rank, b.key, b.group, record.index * GROUP_SPAN
   local last = 0
   for n = record.first, record.count do
     local slot = slots[n]
     if slot ~= 0 then
-      if groups[slot] ~= record then
-        rename(b, slot, record)
-      elseif rank[slot] < last then
-        if reorder then
-          reorder(b, slot)
-        end
+      local isOther = groups[slot] ~= record
+      if isOther or rank[slot] < last then
+        self.movedCount = self.movedCount + 1
+        moved[self.movedCount], isRenamed[self.movedCount] = slot, isOther
       else
         last = rank[slot]
+      end
+      if isOther then
+        rename(b, slot, record)
       end
       key[slot], rank[slot] = plain and n or keys[n], base + n
     end
   end
+end
+
+-- Reports who has moved. Not before all have their ranks and groups: what ends because of that is
+-- told in the order of the world.
+local function reportMoved(b, self, reorder)
+  for n = 1, reorder and self.movedCount or 0 do
+    reorder(b, self.moved[n], self.isRenamed[n])
+  end
+  self.movedCount = 0
 end
 
 -- Lets in who is new.
@@ -459,9 +474,10 @@ end
 
 --- Compares the game's tables with what was seen last and reports what changed, nothing if the
 --- tables cannot be used: `enter(b, object, record, key)` for a new object (returns its slot),
---- `leave(b, slot)` for one that is gone, `rename(b, slot, record)` for one that moved to another
---- group, `reorder(b, slot)`, if it is given, for one that now stands behind another before which
---- it stood. Returns whether anything changed.
+--- `leave(b, slot)` for one that is gone, `rename(b, slot, record)` for one whose group is another
+--- now, while others still have their old one; then `reorder(b, slot, isRenamed)`, if it is given,
+--- for all these and for whoever now stands behind another before which it stood. Returns whether
+--- anything changed.
 function roster.update(b, self, objects, enter, leave, rename, reorder)
   leaveHalf(b, self, leave)
   local groups, byName = self.groups, self.byName
@@ -506,9 +522,10 @@ function roster.update(b, self, objects, enter, leave, rename, reorder)
   end
   for _, record in ipairs(groups) do
     if record.stale then
-      applyKnown(b, record, rename, reorder)
+      applyKnown(b, self, record, rename)
     end
   end
+  reportMoved(b, self, reorder)
   -- Last of all: should somebody fail now, everybody else is where it stands.
   for _, record in ipairs(groups) do
     if record.stale then
