@@ -342,6 +342,7 @@ function columns.new()
     hasCarriers = false, -- anything in the world that ever carried others
     hasNudges = false, -- or could slide around corners
     hasAskers = false, -- or has a canCollide
+    isRemasked = false, -- anybody may be inside somebody whom it can meet only now
     maskCopy = false, -- the last one made of the mask of a static object (see filter)
     lost = {}, -- slots whose carrier went away since the last step
     lostCount = 0,

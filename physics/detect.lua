@@ -229,7 +229,6 @@ function detect.refilter(b, i)
   if not b.active[i] then
     detect.remove(b, i)
     rest.drop(b, i)
-    b.inside[i] = false
     return
   end
   local half, n = b.head[i], 0

@@ -308,7 +308,8 @@ local function startRound(b)
   work.count, work.movedCount = 0, 0
 end
 
---- Parts whoever was moved by the game, or left inside another by the last step.
+--- Parts whoever was moved by the game, or left inside another by the last step, or may meet whom it
+--- is inside of because of new masks.
 function part.run(b)
   local work = b.partWork
   startRound(b)
@@ -317,10 +318,11 @@ function part.run(b)
   end
   for n = 1, b.awakeCount do
     local i = b.awakeList[n]
-    if b.inside[i] then
+    if b.inside[i] or b.isRemasked then
       considerAll(b, i)
     end
   end
+  b.isRemasked = false
   for _ = 1, ROUNDS do
     if work.count == 0 then
       return

@@ -86,11 +86,7 @@ function effects.masks(self, b)
   end
   detect.refilterAll(b)
   rest.wakeAll(b)
-  -- Who is inside somebody whom it may meet now leaves (see `part`), as if it had been moved.
-  for n = 1, b.awakeCount do
-    local i = b.awakeList[n]
-    b.inside[i] = b.kind[i] == columns.DYNAMIC
-  end
+  b.isRemasked = true
 end
 
 -- Whether the masks say something else than when they were last read: the game may change them
