@@ -86,10 +86,16 @@ local function reread(player, id)
   end
 end
 
+-- Whether there is anybody to give a callback to: 0 is the world. Who comes later must not have it
+-- in a restored copy only.
+local function isThere(player, id)
+  return id == 0 or player.list[id] ~= nil
+end
+
 -- Callbacks of one object, also of one that a restored copy has made anew.
 local function hear(player, id, event)
   local target = id == 0 and player.world or player.list[id]
-  if not target or (id == 0 and event ~= "onStay") then
+  if id == 0 and event ~= "onStay" then
     return -- the others are there already
   end
   target[event] = function(...)
@@ -105,9 +111,6 @@ end
 
 local function refuse(player, id, modulus)
   local target = id == 0 and player.world or player.list[id]
-  if not target then
-    return
-  end
   target.canCollide = function(a, b, side)
     local sum = (player.idOf[a] or 0) + 3 * (player.idOf[b] or 0) + #side
     return sum % modulus ~= 0
@@ -274,15 +277,19 @@ function acts.bounds(player, x, y, w, h)
 end
 
 function acts.listen(player, id, event, list)
-  player.reactions[id .. event] = { done = 0, acts = list }
-  player.isStayHeard = player.isStayHeard or event == "onStay"
-  hear(player, id, event)
+  if isThere(player, id) then
+    player.reactions[id .. event] = { done = 0, acts = list }
+    player.isStayHeard = player.isStayHeard or event == "onStay"
+    hear(player, id, event)
+  end
 end
 
 function acts.refuse(player, id, modulus)
-  player.refusals[id] = modulus
-  refuse(player, id, modulus)
-  noteAll(player)
+  if isThere(player, id) then
+    player.refusals[id] = modulus
+    refuse(player, id, modulus)
+    noteAll(player)
+  end
 end
 
 local function tellList(player, name, list, count)
