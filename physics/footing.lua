@@ -78,13 +78,8 @@ local function stick(b, up, low, ku, kl, mu, impulse, sign)
   return true
 end
 
--- Changes speed and way of k by what friction took off, unless it is held there. (Few are held at
--- all: asked first, so that the sign of what is taken makes no two ways through the code.)
+-- Changes speed and way of k by what friction took off.
 local function shift(b, k, dSpeed, dWay)
-  local heldLow, heldHigh = b.heldLow[k], b.heldHigh[k]
-  if heldLow + heldHigh > 0 and max(dSpeed * heldHigh, -dSpeed * heldLow) > 0 then
-    return
-  end
   b.speed[k], b.to[k] = b.speed[k] + dSpeed, b.to[k] + dWay
   b.changes[k] = b.changes[k] + 1
 end
@@ -107,6 +102,7 @@ local function slideTogether(b, up, low, ku, kl, limit, share, sign, dt)
     or b.accel[ka] ~= b.accel[kb]
     or b.weld[ka] ~= 0
     or b.weld[kb] ~= 0
+    or b.heldLow[ka] + b.heldHigh[ka] + b.heldLow[kb] + b.heldHigh[kb] > 0
   then
     return false
   end

@@ -79,13 +79,29 @@ local function isBarred(b, k, dSpeed)
   return low + high > 0 and max(dSpeed * high, -dSpeed * low) > 0
 end
 
+-- Whom friction drags away from what holds it, faster than its own pull brings it back in `tau` s,
+-- is held no longer. Returns whether that is so.
+local function endHold(b, k, tau)
+  if b.heldLow[k] + b.heldHigh[k] == 0 then
+    return false
+  end
+  local axis, pull = k % 2, b.pull[k] + b.push[k]
+  local least = max(pull, -pull) * tau + STILL
+  local leavesLow = weld.release(b, k, axis, b.heldLow, b.holderLow, -1, least)
+  local leavesHigh = weld.release(b, k, axis, b.heldHigh, b.holderHigh, 1, least)
+  return leavesLow or leavesHigh
+end
+
 -- Changes speed and way of k, and of all that is welded to it, by what friction took off.
-local function shift(b, k, dSpeed, dWay, t)
+local function shift(b, k, dSpeed, dWay, tau, t)
   if isBarred(b, k, dSpeed) then
     return
   end
   b.speed[k] = b.speed[k] + dSpeed
   b.to[k] = b.to[k] + dWay
+  if endHold(b, k, tau) and b.weld[k] == 0 then
+    path.fall(b, k, tau)
+  end
   path.change(b, (k - k % 2) / 2)
   return ring.follow(b, k, dWay, t)
 end
@@ -137,19 +153,21 @@ local function rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau, t)
   else
     b.to[ku] = before + (way - (u - a * tau + u) * 0.5 * tau)
   end
+  endHold(b, ku, tau)
   path.change(b, up)
   ring.follow(b, ku, b.to[ku] - before, t)
   return true
 end
 
 -- k sticks to a wall, kw, from now on: it goes where that goes, to the bit.
-local function stick(b, k, kw, dSpeed, t)
+local function stick(b, k, kw, dSpeed, tau, t)
   if isBarred(b, k, dSpeed) then
     return
   end
   local i, before = (k - k % 2) / 2, b.to[k]
   b.speed[k] = b.speed[kw]
   b.to[k] = b.from[k] + (b.to[kw] - b.from[kw]) * (1 - b.time[i])
+  endHold(b, k, tau)
   path.change(b, i)
   return ring.follow(b, k, b.to[k] - before, t)
 end
@@ -168,14 +186,14 @@ local function rubBoth(b, lo, hi, kl, kh, mu, jn, share, tau, t)
   local stop, way = slide(u, a, tau, limit * share, limit * (1 - share))
   local dSpeed, dWay = stop - u, way - (u - a * tau + u) * 0.5 * tau
   if stop == 0 and way == 0 and wh == 0 then
-    return stick(b, kl, kh, dSpeed, t)
+    return stick(b, kl, kh, dSpeed, tau, t)
   elseif stop == 0 and way == 0 and wl == 0 then
-    return stick(b, kh, kl, -dSpeed, t)
+    return stick(b, kh, kl, -dSpeed, tau, t)
   end
   -- The shares first: that of one who rubs on a wall is 1 then, and it stops to the bit.
   local shareL, shareH = wl / w, wh / w
-  shift(b, kl, dSpeed * shareL, dWay * shareL, t)
-  return shift(b, kh, -dSpeed * shareH, -dWay * shareH, t)
+  shift(b, kl, dSpeed * shareL, dWay * shareL, tau, t)
+  return shift(b, kh, -dSpeed * shareH, -dWay * shareH, tau, t)
 end
 
 --- Rubs two that have just met on `axis`, `lo` with the smaller coordinate: `jn` is the impulse of

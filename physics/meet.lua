@@ -334,14 +334,15 @@ local function followRub(b, dt)
 end
 
 -- Begins to go through those who have turns along gravity (`across` 0) or across it (1), or goes
--- on. Returns whether all are as they were when they were gone through last: they are passed over.
+-- on. Returns whether all are as they were when they were gone through last, and the queue has
+-- nothing that comes in between: they are passed over.
 local function isPassedOver(b, across)
   local current, _, last = 2 * b.turnRound + across, rounds.span(b, across)
   if b.turnPass >= current then
     return false
   end
   b.turnPass = current
-  if b.isTurnStale[across] then
+  if b.isTurnStale[across] or pass.isAsked(b.queue, current) then
     b.isTurnStale[across] = false
     return false
   end

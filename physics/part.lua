@@ -308,8 +308,8 @@ local function startRound(b)
   work.count, work.movedCount = 0, 0
 end
 
---- Parts whoever was moved by the game, or left inside another by the last step, or may meet whom it
---- is inside of because of new masks.
+--- Parts whoever was moved by the game, was left inside another by the last step, or is inside one
+--- whom it may meet because of new masks.
 function part.run(b)
   local work = b.partWork
   startRound(b)

@@ -21,6 +21,14 @@ function path.advance(b, i, t)
   b.time[i] = t
 end
 
+--- Lets k, which nothing holds any more, be pulled again by what is its own for `tau` s.
+function path.fall(b, k, tau)
+  local a = b.pull[k] + b.push[k]
+  local more = (a - b.accel[k]) * tau
+  b.speed[k], b.to[k] = b.speed[k] + more, b.to[k] + more * tau * 0.5
+  b.accel[k], b.drive[k] = a, a
+end
+
 --- Begins a new list of whose path has changed.
 function path.startChanges(b)
   b.changedCount = 0

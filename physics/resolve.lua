@@ -221,7 +221,9 @@ end
 --- b.changed[1..b.changedCount].
 function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   local kl, kh = 2 * lo + axis, 2 * hi + axis
-  local touches = t <= max(b.time[lo], b.time[hi])
+  -- Where both paths began. They are straight lines, and t is a moment on those: who is braked has
+  -- met earlier.
+  local start = min(max(b.time[lo], b.time[hi]), t)
   advance(b, lo, t)
   advance(b, hi, t)
   if b.weld[kl] ~= 0 and b.weld[kl] == b.weld[kh] then
@@ -235,7 +237,7 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   local speed, accel, to = b.speed, b.accel, b.to
   local o = to[kl] + b.size[kl] - to[kh]
   local v, a = speed[kl] - speed[kh], accel[kl] - accel[kh]
-  local u, tau = impact.at(o, v, a, (1 - t) * dt, touches)
+  local u, tau = impact.at(o, v, a, (1 - start) * dt, start == t)
   noteHit(b, p, lo, axis, u)
   if headOn then
     return stopBoth(b, lo, hi, kl, kh)
@@ -268,9 +270,13 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
     b.stuck[lo] = b.stuck[lo] and b.down[kl] ~= 0
     b.stuck[hi] = b.stuck[hi] and b.down[kh] ~= 0
   end
-  -- Who is thrown back from what held it is held no longer.
-  weld.release(b, kl, axis, b.heldHigh, b.holderHigh, 1)
-  weld.release(b, kh, axis, b.heldLow, b.holderLow, -1)
+  -- Who is thrown back from what held it is held no longer, and falls.
+  if weld.release(b, kl, axis, b.heldHigh, b.holderHigh, 1, STILL) and not flush then
+    path.fall(b, kl, tau)
+  end
+  if weld.release(b, kh, axis, b.heldLow, b.holderLow, -1, STILL) and not flush then
+    path.fall(b, kh, tau)
+  end
   -- Who is on the way apart already, and only flush through a push, leans on nobody; but who is
   -- pushed back again and again is held between two.
   if flush and (v > -STILL or isDeep or b.met[p] > LEAVES) then

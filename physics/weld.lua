@@ -6,7 +6,6 @@
 -- member, `weld` names the leader (an interleaved index, as everything here), which knows the mass.
 
 local here = (...):match("^(.*)%.[^.]+$")
-local columns = require(here .. ".columns")
 local path = require(here .. ".path")
 local ring = require(here .. ".ring")
 
@@ -15,7 +14,6 @@ require(here .. ".interpreted").file()
 local weld = {}
 
 local max = math.max
-local STILL = columns.STILL
 
 local function found(b, k)
   if b.weld[k] == 0 then
@@ -53,24 +51,26 @@ local function letGo(b, i, axis, held, holder)
 end
 
 --- Ends the hold of k, and of all that is welded to it, on the side of the columns given, if it
---- moves away from who holds it; `sign` is 1 for the high side, -1 for the low side.
-function weld.release(b, k, axis, held, holder, sign)
+--- moves away from who holds it at more than `least` px/s; `sign` is 1 for the high side, -1 for
+--- the low side. Returns whether it does.
+function weld.release(b, k, axis, held, holder, sign, least)
   if held[k] == 0 then
-    return
+    return false
   end
   local member, by = k, holder[k]
   while by == 0 and b.weldNext[member] ~= 0 and b.weldNext[member] ~= k do
     member = b.weldNext[member]
     by = holder[member]
   end
-  if by == 0 or (b.speed[2 * by + axis] - b.speed[k]) * sign <= STILL then
-    return
+  if by == 0 or (b.speed[2 * by + axis] - b.speed[k]) * sign <= least then
+    return false
   end
   member = k
   repeat
     letGo(b, (member - axis) / 2, axis, held, holder)
     member = b.weldNext[member]
   until member == k or member == 0
+  return true
 end
 
 --- Returns the inverse mass of the group of k, which must have one.

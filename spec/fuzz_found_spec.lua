@@ -1121,6 +1121,45 @@ local FOUND = {
       },
     },
   },
+  {
+    "nobody is passed over in a round while the queue has something for it",
+    {
+      settings = { gravity = 0 },
+      acts = {
+        { "add", 12, "tiles", { height = 20, static = true, width = 20, x = 180, y = 320 } },
+        {
+          "insert",
+          23,
+          2.5,
+          { friction = 0.5, height = 16, mass = 5, nudge = 10, width = 20, x = 180, y = 304 },
+        },
+        {
+          "add",
+          24,
+          "players",
+          {
+            friction = 1,
+            gravityX = 500,
+            height = 16,
+            restitution = 1,
+            width = 20,
+            x = 180,
+            y = 300,
+          },
+        },
+        { "insert", 25, "players", { height = 16, mass = 800, width = 20, x = 180, y = 272 } },
+        { "add", 26, 1, { height = 16, width = 20, x = 180, y = 256 } },
+        { "add", 27, "boxes", { height = 16, width = 20, x = 180, y = 240 } },
+        {
+          "add",
+          30,
+          "lifts",
+          { height = 20, kinematic = true, vx = -24, vy = -50, width = 100, x = 200, y = 300 },
+        },
+        { "update", 0.015625 },
+      },
+    },
+  },
 }
 
 describe("a random game has found that", function()

@@ -357,7 +357,7 @@ end
 local ROUNDING = 1e-9
 -- The same under gravity for each contact: who is pushed upwards out of the way of another gains
 -- height for nothing, hardly any if both give way.
-local LIFTED = 1e-4
+local LIFTED = 1e-6
 
 -- What all that moves has together: energy, momentum on x and y; and the sizes of the latter two.
 function Watch:sums()

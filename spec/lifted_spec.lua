@@ -1,0 +1,81 @@
+--- Who loses its hold in the middle of a step: from then on it holds nothing up, and falls.
+
+local physics = require("physics")
+
+local GRAVITY = 600
+
+-- Kinetic and potential energy of what weighs 1.
+local function energyOf(objects)
+  local sum = 0
+  for _, object in ipairs(objects) do
+    sum = sum + (object.vx ^ 2 + object.vy ^ 2) / 2 - GRAVITY * object.y
+  end
+  return sum
+end
+
+describe("who is hit from below, off its shelf,", function()
+  --    +------+
+  --    |      |
+  --    +------+
+  --   ===  +--+
+  --        +--+ 400 ^
+  for _, rate in ipairs({ 30, 60, 144, 240 }) do
+    it(("falls from that moment on, at %d Hz"):format(rate), function()
+      local world = physics.newWorld({ gravity = GRAVITY })
+      world:add("shelves", { x = 0, y = 100, width = 10, height = 4, static = true })
+      local crate = world:add("boxes", { x = 0, y = 80, width = 20, height = 20 })
+      local ball =
+        world:add("boxes", { x = 12, y = 110, width = 8, height = 8, vy = -400, restitution = 1 })
+      local everybody = { crate, ball }
+      world:update(0)
+      local before = energyOf(everybody)
+      local steps = math.floor(rate / 15)
+      for _ = 1, steps do
+        world:update(1 / rate)
+      end
+      assert.is_true(crate.y < 70)
+      assert.near(before, energyOf(everybody), 1e-9 * math.abs(before))
+      -- They have swapped their speeds: together they have gone up as one ball and fallen as one.
+      local t = steps / rate
+      local hit = (400 - math.sqrt(400 ^ 2 - 2 * GRAVITY * 10)) / GRAVITY
+      assert.near(-400 + GRAVITY * t, crate.vy, 1e-6)
+      assert.near(GRAVITY * (t - hit), ball.vy, 1e-6)
+    end)
+  end
+end)
+
+describe("a box that friction lifts off the floor", function()
+  --   +--+
+  --   |  | 600 times as heavy
+  --   +--+
+  --   +--+    _
+  --   |  |   |_| \
+  --   +--+        v 2000, from the right and from below
+  --   ====
+  for _, rate in ipairs({ 30, 60, 144, 240 }) do
+    it(("is no floor for what stands on it, at %d Hz"):format(rate), function()
+      local world = physics.newWorld({ gravity = GRAVITY })
+      world:add("floors", { x = 0, y = 100, width = 20, height = 4, static = true })
+      local light = world:add("boxes", { x = 0, y = 80, width = 20, height = 20, friction = 1 })
+      local heavy = world:add("boxes", { x = 0, y = 60, width = 20, height = 20, mass = 600 })
+      local bullet =
+        { x = 40, y = 100, width = 10, height = 10, vx = -2000, vy = -1500, friction = 1 }
+      world:add("boxes", bullet)
+      local isHit = false
+      function light.onBegin(_, other)
+        isHit = isHit or other == bullet
+      end
+      local highest = 60
+      for _ = 1, rate / 10 do
+        world:update(1 / rate)
+        highest = math.min(highest, heavy.y)
+      end
+      assert.is_true(isHit)
+      -- The small ones have 1500 px/s upwards, and it a 600th of that at most; in the step in which
+      -- that happens it is not pulled back yet.
+      local speed = 2.5
+      local height = speed / rate + speed ^ 2 / 2 / GRAVITY
+      assert.is_true(highest > 60 - height, "it went up to " .. highest)
+    end)
+  end
+end)
