@@ -570,7 +570,7 @@ local function restoreSettings(world, saved, tables)
   end
   settings.apply(world)
   -- Whatever the masks were before, they are applied anew by the next step.
-  world._bodies.masksSeen = false
+  world._bodies.masksSeen, world._bodies.isRemasked = false, true
 end
 
 -- Reads who is known, in the order in which they stood: another `order` that the game has set since

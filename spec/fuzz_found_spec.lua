@@ -1160,6 +1160,21 @@ local FOUND = {
       },
     },
   },
+  {
+    "who is inside another may leave it when there are no masks any more, restored or not",
+    {
+      settings = {},
+      acts = {
+        { "add", 30, "crates", { height = 1, width = 1, x = 10, y = 20 } },
+        { "insert", 32, "crates", { height = 1, width = 1, x = 10, y = 20 } },
+        { "set", "masks", { crates = { crates = false, players = false } } },
+        { "update", 0.015625 },
+        { "unset", "masks" },
+        { "twin" },
+        { "update", 0.015625 },
+      },
+    },
+  },
 }
 
 describe("a random game has found that", function()
