@@ -71,16 +71,23 @@ local function inverseMass(b, i, k)
   return b.inverseMass[i]
 end
 
--- Whether friction would push k to where it is held: then the wall there takes it, and two walls
--- that rub the same object do not push it to and fro between them. (Few are held at all: asked
--- first, so that the sign makes no two ways through the code.)
-local function isBarred(b, k, dSpeed)
+-- Whether k stays where it is held, though friction would change its speed: friction pushes it
+-- there, so the wall takes that, and two walls that rub the same object do not push it to and fro
+-- between them; or it pulls away less than k itself pulls there in the `tau` s that are left. (Few
+-- are held at all: asked first, so that the sign makes no two ways through the code.)
+local function isBarred(b, k, dSpeed, tau)
   local low, high = b.heldLow[k], b.heldHigh[k]
-  return low + high > 0 and max(dSpeed * high, -dSpeed * low) > 0
+  if low + high == 0 then
+    return false
+  end
+  local pull = (b.pull[k] + b.push[k]) * tau
+  return max(dSpeed * high, -dSpeed * low) > 0
+    or (low > 0 and dSpeed > 0 and dSpeed <= -pull)
+    or (high > 0 and dSpeed < 0 and -dSpeed <= pull)
 end
 
--- Whom friction drags away from what holds it, faster than its own pull brings it back in `tau` s,
--- is held no longer. Returns whether that is so.
+-- Whom friction has dragged away from what holds it, faster than its own pull brings it back in
+-- `tau` s, is held no longer. Returns whether that is so.
 local function endHold(b, k, tau)
   if b.heldLow[k] + b.heldHigh[k] == 0 then
     return false
@@ -94,7 +101,7 @@ end
 
 -- Changes speed and way of k, and of all that is welded to it, by what friction took off.
 local function shift(b, k, dSpeed, dWay, tau, t)
-  if isBarred(b, k, dSpeed) then
+  if isBarred(b, k, dSpeed, tau) then
     return
   end
   b.speed[k] = b.speed[k] + dSpeed
@@ -122,7 +129,7 @@ local function rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau, t)
   local u, a = b.speed[ku] - floorSpeed, b.accel[ku] - b.accel[kw]
   local limit = mu * jn
   local stop, way = slide(u, a, tau, limit * w * share, limit * w * (1 - share))
-  if isBarred(b, ku, stop - u) then
+  if isBarred(b, ku, stop - u, tau) then
     return true
   end
   local used = (u > stop and u - stop or stop - u) / w
@@ -161,7 +168,7 @@ end
 
 -- k sticks to a wall, kw, from now on: it goes where that goes, to the bit.
 local function stick(b, k, kw, dSpeed, tau, t)
-  if isBarred(b, k, dSpeed) then
+  if isBarred(b, k, dSpeed, tau) then
     return
   end
   local i, before = (k - k % 2) / 2, b.to[k]
