@@ -16,7 +16,7 @@ local columns = {}
 
 columns.STATIC, columns.KINEMATIC, columns.DYNAMIC = 1, 2, 3
 
---- By kind: 1 for who gives way, a number for what has no branches. (0: nobody is there.)
+--- By kind: 1 for who is dynamic, a number for what has no branches. (0: nobody is there.)
 columns.GIVES = { [0] = 0, [columns.STATIC] = 0, [columns.KINEMATIC] = 0, [columns.DYNAMIC] = 1 }
 
 --- How far apart two edges may be and still count as touching, px.

@@ -175,7 +175,8 @@ function crush.note(b, lo, hi, axis)
   for n = 1, count do
     local i = b.stack[n]
     local k = 2 * i + axis
-    b.crushed[k], b.crushLow[k], b.crushHigh[k] = true, hold(b, n, count, low, high, axis)
+    local before, behind = hold(b, n, count, low, high, axis)
+    b.crushed[k], b.crushLow[k], b.crushHigh[k] = true, before, behind
     put(b, i, k, at - overlap, v)
     at = b.to[k] + b.size[k]
   end

@@ -87,7 +87,8 @@ local function isBarred(b, k, dSpeed, tau)
 end
 
 -- Whom friction has dragged away from what holds it, faster than its own pull brings it back in
--- `tau` s, is held no longer. Returns whether that is so.
+-- `tau` s, is held no longer. Returns whether that is so. (Two that go alike are not rubbed at all,
+-- see `press`: nobody may be let go of who does not move against who holds it.)
 local function endHold(b, k, tau)
   if b.heldLow[k] + b.heldHigh[k] == 0 then
     return false

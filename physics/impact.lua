@@ -36,7 +36,7 @@ function impact.at(o, v, a, left, touches)
   end
   local tau = left
   if v + u > 0 then
-    tau = min(2 * o / (v + u), left)
+    tau = max(min(2 * o / (v + u), left), 0) -- who does not overlap yet has no time left
   end
   return u, tau
 end

@@ -208,7 +208,7 @@ local function impactAt(o, v, a, dt)
   local speed = max(start, 0.0) * isPositive(start - STILL)
   local u = sqrt(max(v * v - 2 * a * o, 0.0)) * isPositive(max(v, -a))
   local closes = isPositive(v + u)
-  local tau = min(2 * o / max(v + u, SLOWEST), dt) * closes + dt * (1 - closes)
+  local tau = max(min(2 * o / max(v + u, SLOWEST), dt), 0.0) * closes + dt * (1 - closes)
   return speed * touches + u * (1 - touches), dt * touches + tau * (1 - touches)
 end
 
