@@ -78,7 +78,7 @@ local function stick(b, up, low, ku, kl, mu, impulse, sign)
   return true
 end
 
--- Changes speed and way of k by what friction took off.
+-- Changes speed and way of k, which nobody holds, by what friction took off.
 local function shift(b, k, dSpeed, dWay)
   b.speed[k], b.to[k] = b.speed[k] + dSpeed, b.to[k] + dWay
   b.changes[k] = b.changes[k] + 1
