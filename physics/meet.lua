@@ -481,6 +481,19 @@ local function take(b, id, dt)
   return happen(b, p, code, t, dt)
 end
 
+-- Wakes whom those who are awake may meet, before turns are listed: who is woken later has none.
+local function wakeAhead(b, dt)
+  if b.awakeCount == b.moverCount then
+    return
+  end
+  detect.run(b, b.awakeList, 1, b.awakeCount)
+  while b.predicted < b.awakeCount do
+    local woken = b.predicted + 1
+    predict.run(b, dt)
+    detect.run(b, b.awakeList, woken, b.predicted)
+  end
+end
+
 --- Resolves all contacts of a step of dt s.
 function meet.run(b, dt)
   local q = b.queue
@@ -489,6 +502,7 @@ function meet.run(b, dt)
   b.resolvedBefore, b.hasFlanksBegun, b.givenUpCount = 0, false, 0
   b.isInstant, b.isEager, b.oddSeen = not b.queueOnly, b.queueOnly, 0
   rounds.start(b)
+  wakeAhead(b, dt)
   live.list(b)
   turns.list(b)
   b.isQuiet = not b.queueOnly and b.oddCount == 0

@@ -231,6 +231,29 @@ describe("rest changes nothing:", function()
   end)
 end)
 
+-- Who is woken after turns were listed has none and goes through the queue, which takes twenty times
+-- as long: a shot into a heap cost a whole frame.
+describe("a resting heap", function()
+  it("is woken by a shot before turns are listed", function()
+    local world = physics.newWorld({ gravity = 600 })
+    world:add("floor", { x = 0, y = 600, width = 400, height = 20, static = true })
+    for n = 0, 39 do
+      local x, y = 100 + 20 * (n % 4), 580 - 5 * (n - n % 4)
+      world:add("boxes", { x = x, y = y, width = 20, height = 20 })
+    end
+    world:update(1 / 60)
+    world:update(1 / 60)
+    assert.equal(40, world.stats.resting)
+    world:add("shots", { x = 0, y = 500, width = 8, height = 8, vx = 900, gravity = 0 })
+    repeat
+      assert.is_true(world.objects.shots[1].x < 100)
+      world:update(1 / 60)
+    until world.stats.resting < 40
+    assert.equal(0, world.stats.resting)
+    assert.equal(40, world._bodies.footingCount)
+  end)
+end)
+
 describe("a box on a floor", function()
   for _, rate in ipairs({ 30, 60, 144, 240, 1000, 2000 }) do
     it("is skipped at " .. rate .. " Hz", function()
