@@ -10,6 +10,7 @@
 local here = (...):match("^(.*)%.[^.]+$")
 local columns = require(here .. ".columns")
 local filter = require(here .. ".filter")
+local interpreted = require(here .. ".interpreted")
 local rest = require(here .. ".rest")
 
 local detect = {}
@@ -141,26 +142,35 @@ local function hasLeft(b, i)
   return max(before, behind) > 0 or b.placed[i] ~= 2
 end
 
-local function enlarge(b, i)
-  fatten(b, 2 * i)
-  fatten(b, 2 * i + 1)
-  if b.placed[i] == 0 then
-    b.broadphase:insert(i)
-  else
-    b.broadphase:update(i)
+-- Gives those in strays[1..count] boxes around the paths that they have now.
+local function enlarge(b, strays, count)
+  local broadphase, placed = b.broadphase, b.placed
+  for m = 1, count do
+    fatten(b, 2 * strays[m])
+    fatten(b, 2 * strays[m] + 1)
   end
-  b.placed[i] = 2
+  for m = 1, count do
+    local i = strays[m]
+    if placed[i] == 0 then
+      broadphase:insert(i)
+    end
+    placed[i] = 2
+  end
+  broadphase:update(strays, count)
 end
 
 -- Looks up the neighbours of those in `strays[1..count]`.
 local function lookUp(b, strays, count)
   -- All boxes first, so that no pair is linked by a box that is out of date.
-  for m = 1, count do
-    enlarge(b, strays[m])
-  end
+  enlarge(b, strays, count)
   columns.unlinkAll(b, b.parted, listParted(b, strays, count))
   linkNear(b, strays, count)
 end
+
+-- What leads from one loop to the next is interpreted: of few, each loop goes round once and is not
+-- compiled alone, but again and again with all that follows it. In small worlds that filled all the
+-- room that LuaJIT has for code, every 15 s.
+interpreted.functions(linkNear, lookUp)
 
 --- Looks up the neighbours of those in `list[first..last]` whose paths leave their fat boxes. Who
 --- stands there twice is looked at once.

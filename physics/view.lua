@@ -73,6 +73,7 @@ local function new()
     pool = {}, -- lists nobody uses, and how many
     pooled = 0,
     single = {}, -- a list of one
+    strays = {}, -- scratch of followAll
   }
   v.bank = bank.new(v, LAYOUT)
   v.grid = grid.new(v, CELL)
@@ -184,13 +185,16 @@ end
 -- Looks at those in list[1..count], and files anew who has left its place.
 local function followAll(v, list, count)
   lookAtAll(v, list, count)
+  local strays, m = v.strays, 0
   for n = 1, count do
     local i = list[n]
     if hasLeft(v, i) then
       fatten(v, i)
-      v.grid:update(i)
+      m = m + 1
+      strays[m] = i
     end
   end
+  v.grid:update(strays, m)
 end
 
 --- Looks at an object and files it anew if it has left its place.
@@ -301,7 +305,8 @@ local function settle(v)
       if not v.live[i] then
         unlist(v, i)
         fatten(v, i)
-        v.grid:update(i)
+        v.single[1] = i
+        v.grid:update(v.single, 1)
       end
     end
   end

@@ -127,6 +127,19 @@ describe("the broad phases", function()
     b.fatLow[2 * i + 1], b.fatHigh[2 * i + 1] = y, y + scale * random:between(0.1, 30)
   end
 
+  -- Puts boxes there for slot i and some of those who are in; returns the list of all these.
+  local function placeSome(b, random, i, isIn)
+    local list = { i }
+    place(b, random, i)
+    for j = 1, 150 do
+      if isIn[j] and j ~= i and random:chance(0.05) then
+        place(b, random, j)
+        list[#list + 1] = j
+      end
+    end
+    return list
+  end
+
   local function ask(phase, left, top, right, bottom)
     local found = { "old", "old" }
     local count = phase:query(left, top, right, bottom, found)
@@ -152,13 +165,12 @@ describe("the broad phases", function()
           end
           isIn[i] = false
         else
-          place(b, random, i)
+          local list = placeSome(b, random, i, isIn)
           for _, phase in ipairs(phases) do
-            if isIn[i] then
-              phase:update(i)
-            else
+            if not isIn[i] then
               phase:insert(i)
             end
+            phase:update(list, #list)
           end
           isIn[i] = true
         end

@@ -69,6 +69,8 @@ function grid.new(b, cellSize)
     ranges = {},
     nobody = { 0 },
     answers = {},
+    -- scratch of update
+    moved = {},
   }, grid)
   self.bank = bank.new(self, LAYOUT)
   clear(self.heads, self.buckets)
@@ -122,6 +124,10 @@ local function unfile(self, i)
   self.heads[self.bucket[i] * (1 - min(before, 1))] = after -- only if it was the first
   local level = self.level[i]
   self.members[level] = self.members[level] - 1
+end
+
+-- After some were taken out.
+local function findHighest(self)
   while self.highest > 0 and self.members[self.highest] == 0 do
     self.highest = self.highest - 1
   end
@@ -163,19 +169,38 @@ end
 
 function grid:remove(i)
   unfile(self, i)
+  findHighest(self)
   local at, last = self.placeOf[i], self.list[self.count]
   self.list[at] = last
   self.placeOf[last] = at
   self.count = self.count - 1
 end
 
---- The fat box of an object has changed.
-function grid:update(i)
-  local level, cellX, cellY = place(self, i)
-  if level ~= self.level[i] or cellX ~= self.cellX[i] or cellY ~= self.cellY[i] then
-    unfile(self, i)
-    file(self, i, level, cellX, cellY)
+-- Lists those in `list[1..count]` whose fat boxes belong into other cells than they stand in; returns
+-- how many. No branches: what is listed is written behind the list, which gets longer by 0 or 1.
+local function listMoved(self, list, count)
+  local moved, levels, cellsX, cellsY = self.moved, self.level, self.cellX, self.cellY
+  local n = 0 ---@type number
+  for m = 1, count do
+    local i = list[m]
+    local level, cellX, cellY = place(self, i)
+    local up, x, y = level - levels[i], cellX - cellsX[i], cellY - cellsY[i]
+    moved[n + 1] = i
+    n = n + min(up * up + x * x + y * y, 1)
   end
+  return n
+end
+
+--- The fat boxes of those in `list[1..count]` have changed, each of whom stands there once.
+function grid:update(list, count)
+  local moved, n = self.moved, listMoved(self, list, count)
+  for m = 1, n do
+    unfile(self, moved[m])
+  end
+  for m = 1, n do
+    file(self, moved[m], place(self, moved[m]))
+  end
+  findHighest(self)
 end
 
 -- The questions of many at once go in stages, each one loop: which rectangles of cells to look at,

@@ -29,7 +29,7 @@ function everybody:remove(i)
   self.count = self.count - 1
 end
 
---- The fat box of an object has changed.
+--- The fat boxes of those in `list[1..count]` have changed, each of whom stands there once.
 function everybody.update() end
 
 -- Lists everybody whose fat box meets that of `asker` behind place n.
