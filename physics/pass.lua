@@ -127,8 +127,8 @@ end
 --- same as in the round before is passed over. Who has given way is told in b.turnGives.
 ---
 --- (The loop is left by its condition only: a way out of its middle leads to what is interpreted,
---- and the compiler gives up the whole way there. It is one loop for both kinds, so that `press` is
---- compiled once.)
+--- and the compiler gives up the whole way there. It is one loop for both kinds, and who presses
+--- does so when the loop comes round again: whatever has led there, `press` is compiled once.)
 function pass.run(b, across, dt, isNext)
   if across == 0 and b.turnRound == 0 and not b.hasAskers then
     local before = b.turnsDone
@@ -144,37 +144,45 @@ function pass.run(b, across, dt, isNext)
   local isUp, free = b.orientation[axis] < 0, freeUpTo(b, across, isNext)
   local base, way = rounds.direction(b.turnRound, first, last)
   local n, left, isStale = b.turnsDone, DONE, b.isTurnStale[across]
-  local most = min(last, free)
+  local most, presses = min(last, free), 0
   while left == DONE and n < last do
-    while n < most and isSame(ups, lows, changes, seen, axis, order[base + way * (n + 1)]) do
-      n = n + 1
-    end
-    if n < most then
-      local x = order[base + way * (n + 1)]
+    if presses == 1 then
+      presses, n = 0, n + 1
+      local x = order[base + way * n]
       local p, up, low = list[x], ups[x], lows[x]
-      local lo, hi = up, low
-      if isUp then
-        lo, hi = low, up
-      end
-      if isIdle(b, 2 * lo + axis, 2 * hi + axis) then
-        n, seen[x] = n + 1, changes[2 * up + axis] + changes[2 * low + axis] -- nothing happens
-      elseif isOver(b, p) then
-        n, seen[x], isStale = n + 1, wholly(changes, up, low), true -- nothing, either
-      elseif hasAskers and mustAsk(b, p, up, low) then
-        left, seen[x], isStale = PERMIT, UNSEEN, true
-      else
-        local gives, side = isUp and HIGH or LOW, sides[x]
-        n, seen[x], isStale = n + 1, wholly(changes, up, low), true
-        if
-          across == 1
-          or not footing.putOn(b, n, x, p, side, up, low, 2 * up + axis, 2 * low + axis, isUp, dt)
-        then
-          gives = press.run(b, x, p, side, lo, hi, axis, dt)
+      local gives, side = isUp and HIGH or LOW, sides[x]
+      seen[x], isStale = wholly(changes, up, low), true
+      if
+        across == 1
+        or not footing.putOn(b, n, x, p, side, up, low, 2 * up + axis, 2 * low + axis, isUp, dt)
+      then
+        local lo, hi = up, low
+        if isUp then
+          lo, hi = low, up
         end
-        left = after(b, p, up, low, gives)
+        gives = press.run(b, x, p, side, lo, hi, axis, dt)
       end
-    elseif n < last then
-      left = ASK
+      left = after(b, p, up, low, gives)
+    else
+      while n < most and isSame(ups, lows, changes, seen, axis, order[base + way * (n + 1)]) do
+        n = n + 1
+      end
+      if n < most then
+        local x = order[base + way * (n + 1)]
+        local p, up, low = list[x], ups[x], lows[x]
+        local ku, kl = 2 * up + axis, 2 * low + axis
+        if isIdle(b, isUp and kl or ku, isUp and ku or kl) then
+          n, seen[x] = n + 1, changes[ku] + changes[kl] -- nothing happens
+        elseif isOver(b, p) then
+          n, seen[x], isStale = n + 1, wholly(changes, up, low), true -- nothing, either
+        elseif hasAskers and mustAsk(b, p, up, low) then
+          left, seen[x], isStale = PERMIT, UNSEEN, true
+        else
+          presses = 1
+        end
+      elseif n < last then
+        left = ASK
+      end
     end
   end
   b.turnsDone, b.isTurnStale[across] = n, isStale

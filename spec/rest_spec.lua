@@ -231,8 +231,8 @@ describe("rest changes nothing:", function()
   end)
 end)
 
--- Who is woken after turns were listed has none and goes through the queue, which takes twenty times
--- as long: a shot into a heap cost a whole frame.
+-- Who is woken after turns were listed has none and goes through the queue, which takes twenty
+-- times as long: a shot into a heap cost a whole frame.
 describe("a resting heap", function()
   it("is woken by a shot before turns are listed", function()
     local world = physics.newWorld({ gravity = 600 })
