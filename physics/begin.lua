@@ -1,10 +1,11 @@
 --- Beginning of a step for one object: its path is where it stands, nothing has touched it yet.
 
+local here = (...):match("^(.*)%.[^.]+$")
+local interpreted = require(here .. ".interpreted")
+
 local begin = {}
 
---- Resets the step columns of those in awakeList that have not begun this step.
-function begin.run(b)
-  local list, first, last = b.awakeList, b.begun + 1, b.awakeCount
+local function resetPaths(b, list, first, last)
   local position, from, to, time = b.position, b.from, b.to, b.time
   for n = first, last do
     local i = list[n]
@@ -13,6 +14,9 @@ function begin.run(b)
     from[k + 1], to[k + 1] = position[k + 1], position[k + 1]
     time[i] = 0
   end
+end
+
+local function resetHolds(b, list, first, last)
   local heldLow, heldHigh, weld, weldNext = b.heldLow, b.heldHigh, b.weld, b.weldNext
   for n = first, last do
     local k = 2 * list[n]
@@ -20,12 +24,18 @@ function begin.run(b)
     k = k + 1
     heldLow[k], heldHigh[k], weld[k], weldNext[k] = 0, 0, 0, 0
   end
+end
+
+local function resetBacks(b, list, first, last)
   local backedLow, backedHigh = b.backedLow, b.backedHigh
   for n = first, last do
     local k = 2 * list[n]
     backedLow[k], backedHigh[k] = false, false
     backedLow[k + 1], backedHigh[k + 1] = false, false
   end
+end
+
+local function resetHolders(b, list, first, last)
   local holderLow, holderHigh, crushed = b.holderLow, b.holderHigh, b.crushed
   for n = first, last do
     local k = 2 * list[n]
@@ -33,6 +43,9 @@ function begin.run(b)
     k = k + 1
     holderLow[k], holderHigh[k], crushed[k] = 0, 0, false
   end
+end
+
+local function resetOthers(b, list, first, last)
   local pressedLow, pressedHigh, stuck, grip = b.pressedLow, b.pressedHigh, b.stuck, b.grip
   local buried, heard, news = b.buried, b.heard, b.news
   for n = first, last do
@@ -42,8 +55,20 @@ function begin.run(b)
     pressedLow[k], pressedHigh[k] = false, false
     pressedLow[k + 1], pressedHigh[k + 1] = false, false
   end
+end
+
+--- Resets the step columns of those in awakeList that have not begun this step.
+function begin.run(b)
+  local list, first, last = b.awakeList, b.begun + 1, b.awakeCount
+  resetPaths(b, list, first, last)
+  resetHolds(b, list, first, last)
+  resetBacks(b, list, first, last)
+  resetHolders(b, list, first, last)
+  resetOthers(b, list, first, last)
   b.begun = last
 end
+
+interpreted.functions(begin.run) -- leads from loop to loop
 
 --- Notes where everybody is before a fixed step.
 function begin.keepPlaces(b)

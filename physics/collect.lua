@@ -568,8 +568,6 @@ function collect.newGravity(b)
   rest.wakeAll(b)
 end
 
--- `run` only leads from loop to loop. Were it compiled, the loops that go round once or twice, for
--- the few who are not bare, would be unrolled into whatever comes before them.
-interpreted.functions(collect.run)
+interpreted.functions(collect.run) -- leads from loop to loop
 
 return collect

@@ -163,13 +163,14 @@ end
 local function lookUp(b, strays, count)
   -- All boxes first, so that no pair is linked by a box that is out of date.
   enlarge(b, strays, count)
-  columns.unlinkAll(b, b.parted, listParted(b, strays, count))
+  local partedCount = listParted(b, strays, count)
+  if partedCount > 0 then
+    columns.unlinkAll(b, b.parted, partedCount)
+  end
   linkNear(b, strays, count)
 end
 
--- What leads from one loop to the next is interpreted: of few, each loop goes round once and is not
--- compiled alone, but again and again with all that follows it. In small worlds that filled all the
--- room that LuaJIT has for code, every 15 s.
+-- These lead from loop to loop.
 interpreted.functions(linkNear, lookUp)
 
 --- Looks up the neighbours of those in `list[first..last]` whose paths leave their fat boxes. Who

@@ -4,8 +4,10 @@
 -- every object becomes hundreds of traces. LuaJIT has room for 1000 of them, in 512 KB, for the
 -- whole program; when that is full, all are thrown away and compiled again for ever. So the loops
 -- over all objects or pairs are short, with few branches, and compiled; what happens to single
--- ones, in the order of events, is interpreted. A program that gives LuaJIT more room may have it
--- compiled, too (`lift`). On other Luas this does nothing.
+-- ones, in the order of events, is interpreted. So is what leads from one loop to the next: in a
+-- small world loops go round a few times, are not compiled by themselves, and are unrolled into
+-- whatever comes before them, with all that follows, at each way that goes there. A program that
+-- gives LuaJIT more room may have all of it compiled (`lift`). On other Luas this does nothing.
 
 local interpreted = {}
 

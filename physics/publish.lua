@@ -9,6 +9,7 @@ local collect = require(here .. ".collect")
 local columns = require(here .. ".columns")
 local contact = require(here .. ".contact")
 local crush = require(here .. ".crush")
+local interpreted = require(here .. ".interpreted")
 local oneway = require(here .. ".oneway")
 
 local publish = {}
@@ -57,11 +58,10 @@ local function goesOn(b, p, side)
     and not (oneway.isOpen(b, i, side) or oneway.isOpen(b, j, OPPOSITE[side]))
 end
 
--- Updates all pairs of whoever took part, and lists those in contact behind b.touchPairs; returns
--- how many. Those of which more must be found out go last, one by one.
-local function updateContacts(b)
+-- Of these, lists those in contact behind b.touchPairs, if nobody hears of all that go on, and the
+-- others in b.otherPairs; returns how many these and those are.
+local function listKnown(b, closeCount, isQuiet)
   local close, touchPairs, others, contacts = b.closePairs, b.touchPairs, b.otherPairs, b.contact
-  local closeCount, count, isQuiet = listClose(b), 0, b.world.onStay and 0 or 1
   local known, otherCount = 0, 0 ---@type number, number
   for n = 1, closeCount do
     local p = close[n]
@@ -69,6 +69,12 @@ local function updateContacts(b)
     others[otherCount + 1], touchPairs[known + 1] = p, p
     otherCount, known = otherCount + 1 - isKnown, known + isKnown
   end
+  return known, otherCount
+end
+
+-- Keeps those whose contact simply goes on, and lists the others behind b.otherPairs.
+local function listOn(b, known, otherCount)
+  local touchPairs, others, contacts, count = b.touchPairs, b.otherPairs, b.contact, 0
   for n = 1, known do
     local p = touchPairs[n]
     if goesOn(b, p, contacts[p]) then
@@ -79,7 +85,16 @@ local function updateContacts(b)
       others[otherCount] = p
     end
   end
-  return contact.updateAll(b, others, otherCount, touchPairs, count)
+  return count, otherCount
+end
+
+-- Updates all pairs of whoever took part, and lists those in contact behind b.touchPairs; returns
+-- how many. Those of which more must be found out go last, one by one.
+local function updateContacts(b)
+  local known, otherCount = listKnown(b, listClose(b), b.world.onStay and 0 or 1)
+  local count
+  count, otherCount = listOn(b, known, otherCount)
+  return contact.updateAll(b, b.otherPairs, otherCount, b.touchPairs, count)
 end
 
 local function commonEdge(b, i, j, axis)
@@ -108,19 +123,22 @@ local function listOffers(b, count)
   return offers - 1
 end
 
--- Finds what everybody touches, from the pairs in contact: the widest common edge wins, ties in
--- order.
-local function findTouching(b, count)
-  local list, best, bestWidth, rank = b.awakeList, b.touchBest, b.touchWidth, b.rank
+-- Nobody touches anybody.
+local function resetTouching(b)
+  local list, best, bestWidth = b.awakeList, b.touchBest, b.touchWidth
   for n = 1, b.awakeCount do
     local at = 4 * list[n]
     best[at + 1], best[at + 2], best[at + 3], best[at + 4] = 0, 0, 0, 0
     bestWidth[at + 1], bestWidth[at + 2], bestWidth[at + 3], bestWidth[at + 4] = -1, -1, -1, -1
   end
-  -- The first one on each side is taken; few have more.
-  local places, who, width, rivals = b.offerAt, b.offerWho, b.offerWidth, b.rivals
+end
+
+-- Takes the first one on each side; few have more. Lists the others in b.rivals; returns how many.
+local function takeFirst(b, count)
+  local best, bestWidth, rivals = b.touchBest, b.touchWidth, b.rivals
+  local places, who, width = b.offerAt, b.offerWho, b.offerWidth
   local rivalCount = 0 ---@type number
-  for n = 1, listOffers(b, count) do
+  for n = 1, count do
     local at, w = places[n], width[n]
     local widest = bestWidth[at]
     -- It was -1, or is more than 0.
@@ -129,6 +147,13 @@ local function findTouching(b, count)
     rivals[rivalCount + 1] = n
     rivalCount = rivalCount + 1 - isFirst
   end
+  return rivalCount
+end
+
+-- Of those and the first, the widest wins.
+local function chooseRivals(b, rivalCount)
+  local best, bestWidth, rivals, rank = b.touchBest, b.touchWidth, b.rivals, b.rank
+  local places, who, width = b.offerAt, b.offerWho, b.offerWidth
   for m = 1, rivalCount do
     local n = rivals[m]
     local at, j, w = places[n], who[n], width[n]
@@ -137,6 +162,13 @@ local function findTouching(b, count)
       best[at], bestWidth[at] = j, w
     end
   end
+end
+
+-- Finds what everybody touches, from the pairs in contact: the widest common edge wins, ties in
+-- order.
+local function findTouching(b, count)
+  resetTouching(b)
+  chooseRivals(b, takeFirst(b, listOffers(b, count)))
 end
 
 local function publishTouching(b, i)
@@ -245,14 +277,17 @@ local function tellCrushed(b)
   end
 end
 
--- Tells the game's tables.
-local function tell(b)
+local function tellTouching(b)
   local list, kind = b.awakeList, b.kind
   for n = 1, b.awakeCount do
     if kind[list[n]] == DYNAMIC then
       publishTouching(b, list[n])
     end
   end
+end
+
+local function tellMotion(b)
+  local list, kind = b.awakeList, b.kind
   for n = 1, b.awakeCount do
     if kind[list[n]] == DYNAMIC then
       publishDynamic(b, list[n])
@@ -276,18 +311,26 @@ local function findCarriers(b)
   end
 end
 
---- Publishes what the step has brought, for everybody who took part in it.
-function publish.run(b)
+local function resetInside(b)
   local list, inside = b.awakeList, b.inside
   for n = 1, b.awakeCount do
     inside[list[n]] = false
   end
+end
+
+--- Publishes what the step has brought, for everybody who took part in it.
+function publish.run(b)
+  resetInside(b)
   findTouching(b, updateContacts(b))
   tellCrushed(b)
   findSupports(b)
   findCarriers(b)
-  tell(b)
+  tellTouching(b)
+  tellMotion(b)
   forgetMoved(b)
 end
+
+-- These lead from loop to loop.
+interpreted.functions(publish.run, findTouching, updateContacts)
 
 return publish

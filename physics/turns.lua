@@ -13,6 +13,7 @@
 local here = (...):match("^(.*)%.[^.]+$")
 local columns = require(here .. ".columns")
 local gather = require(here .. ".gather")
+local interpreted = require(here .. ".interpreted")
 local oneway = require(here .. ".oneway")
 
 local turns = {}
@@ -308,6 +309,18 @@ local function sort(b, first, last)
   finish(b, b.sortFrom, count, huge)
 end
 
+-- Notes the turns of the `count` places in `order`, from turn `first` on, for this step and the
+-- next.
+local function note(b, order, first, count, theirs)
+  local turnOrder, turn, list = b.turnOrder, b.turn, b.turnPair
+  local lastTurn, ups = b.lastTurn, b.turnUp
+  for n = 1, count do
+    local x, at = order[n], first + n - 1
+    turnOrder[at], turn[list[x]] = x, at
+    lastTurn[list[x]], theirs[ups[x]] = n, n
+  end
+end
+
 -- Gives turns to the places from `first` to `last` of the list: by support, then in the order of
 -- the world. From one step to the next that changes little; `before` is how many there were, and
 -- `theirs` a column for the turns of those who lean.
@@ -318,13 +331,7 @@ local function arrange(b, first, last, before, theirs)
   if not (isKnown and finish(b, b.sortFrom, count, MOVES * count)) then
     sort(b, first, last)
   end
-  local order, turnOrder, turn, list = b.sortFrom, b.turnOrder, b.turn, b.turnPair
-  local lastTurn, ups = b.lastTurn, b.turnUp
-  for n = 1, count do
-    local x, at = order[n], first + n - 1
-    turnOrder[at], turn[list[x]] = x, at
-    lastTurn[list[x]], theirs[ups[x]] = n, n
-  end
+  note(b, b.sortFrom, first, count, theirs)
 end
 
 -- Lists the turns of pairs that are flush along an axis behind place `last`; returns the last place
@@ -370,5 +377,8 @@ function turns.list(b)
   b.turnCount = listAlong(b, across, acrossCount, 1 - axis, b.footingCount, flanks, b.lastFlank)
   watchOdd(b)
 end
+
+-- These lead from loop to loop.
+interpreted.functions(arrange, listAlong, turns.list)
 
 return turns
