@@ -195,6 +195,7 @@ local function readAll(b, i, object, isNew)
   readMotion(b, i, object, isNew)
   b.hasCarriers = b.hasCarriers or b.kind[i] == KINEMATIC or b.surfaceSpeed[i] ~= 0
   b.hasNudges = b.hasNudges or b.nudge[i] ~= 0
+  b.hasBounces = b.hasBounces or b.restitution[i] ~= 0
   b.hasAskers = b.hasAskers or b.canCollide[i] ~= false
   b.plain[i] = not b.sensor[i]
   b.choosy[i] = b.oneWay[i] ~= false or b.nudge[i] ~= 0 or not b.pushable[i]

@@ -341,6 +341,7 @@ function columns.new()
     sortHeads = {},
     hasCarriers = false, -- anything in the world that ever carried others
     hasNudges = false, -- or could slide around corners
+    hasBounces = false, -- or bounced
     hasAskers = false, -- or has a canCollide
     isRemasked = false, -- anybody may be inside somebody whom it can meet only now
     maskCopy = false, -- the last one made of the mask of a static object (see filter)

@@ -14,6 +14,8 @@ require(here .. ".interpreted").file()
 
 local crush = {}
 
+local max = math.max
+
 local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
 
 -- The nearest of those welded to i on one side of it, 0: none. (By where they end: where they come
@@ -133,15 +135,28 @@ local function spread(b, count, low, high, axis)
   end
 end
 
--- Nobody knows by whom the two are held. But a wall stays a wall: who would be wholly inside, or on
--- the far side, ends where it was when the step began.
+-- Keeps i, who is `depth` px inside a wall on the axis of k, out of it: at `out`, where it is no
+-- deeper than when the step began, `before` px. Who would be wholly inside, or on the far side,
+-- ends where it was then.
+local function keepOff(b, i, k, depth, before, out)
+  if depth > b.size[k] - EPSILON then
+    for m = 2 * i, 2 * i + 1 do
+      put(b, i, m, b.position[m], 0)
+    end
+  elseif depth > before + EPSILON then
+    put(b, i, k, out, 0)
+  end
+end
+
+-- Nobody knows by whom the two are held. But a wall stays a wall.
 local function stop(b, lo, hi, axis)
-  local kl, kh = 2 * lo + axis, 2 * hi + axis
-  local depth = b.to[kl] + b.size[kl] - b.to[kh]
-  if b.kind[lo] ~= DYNAMIC and depth > b.size[kh] - EPSILON then
-    put(b, hi, kh, b.position[kh], 0)
-  elseif b.kind[hi] ~= DYNAMIC and depth > b.size[kl] - EPSILON then
-    put(b, lo, kl, b.position[kl], 0)
+  local to, position, kl, kh = b.to, b.position, 2 * lo + axis, 2 * hi + axis
+  local size = b.size[kl]
+  local depth, before = to[kl] + size - to[kh], max(position[kl] + size - position[kh], 0)
+  if b.kind[lo] ~= DYNAMIC then
+    keepOff(b, hi, kh, depth, before, to[kl] + size - before)
+  elseif b.kind[hi] ~= DYNAMIC then
+    keepOff(b, lo, kl, depth, before, to[kh] - size + before)
   end
 end
 

@@ -21,6 +21,9 @@ local EPSILON, STILL = columns.EPSILON, columns.STILL
 local TINY, VAST = columns.TINY, columns.VAST
 local NO_EVENT = columns.NO_EVENT
 local floor, max, min = math.floor, math.max, math.min
+-- px by which differences of coordinates may be rounded: by less two are not clear of each other
+-- until `endOverlap` says so.
+local ROUNDING = 1e-9
 
 --- By how much the paths overlap on an axis at the end of the step. Both ways to round are asked,
 -- so that a box that was put flush against the other, from either side, does not overlap it.
@@ -47,8 +50,8 @@ local function clearance(r, rEnd, v, size, sizeOther, clear)
   local before, after = rEnd - size - clear, -rEnd - sizeOther - clear
   local flush = EPSILON - clear
   return max(
-    min(r - size + EPSILON, max(before, min(before + flush, STILL - v))),
-    min(-r - sizeOther + EPSILON, max(after, min(after + flush, STILL + v)))
+    min(r - size + EPSILON, max(before - ROUNDING, min(before + flush, STILL - v))),
+    min(-r - sizeOther + EPSILON, max(after - ROUNDING, min(after + flush, STILL + v)))
   )
 end
 

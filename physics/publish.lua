@@ -197,8 +197,14 @@ local function findSupports(b)
   end
 end
 
+-- Whether something stops k that is carried at c px/s.
+local function isStopped(b, k, c)
+  return (c < 0 and b.pressedLow[k]) or (c > 0 and b.pressedHigh[k])
+end
+
 -- Who is carried shows the velocity relative to that. Carried one way and pulled the other, how far
--- it comes in a step depends on how long that is: no rest, even if it comes nowhere in this one.
+-- it comes in a step depends on how long that is; so does whether it bounces off what it is carried
+-- against: no rest, even if it comes nowhere in this one.
 local function takeOffCarrier(b, i)
   local c, k = b.carrierNow[i], 2 * i
   local isNew = c ~= b.carrier[i]
@@ -210,7 +216,10 @@ local function takeOffCarrier(b, i)
     b.speed[k] = carrier.ownVelocity(b, k, x, isNew)
     b.speed[k + 1] = carrier.ownVelocity(b, k + 1, y, isNew)
     local pullX, pullY = b.pull[k] + b.push[k], b.pull[k + 1] + b.push[k + 1]
-    b.news[i] = b.news[i] or x * pullX < 0 or y * pullY < 0
+    b.news[i] = b.news[i]
+      or x * pullX < 0
+      or y * pullY < 0
+      or (b.hasBounces and (isStopped(b, k, x) or isStopped(b, k + 1, y)))
   end
 end
 

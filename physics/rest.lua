@@ -16,8 +16,9 @@ local rest = {}
 local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
 local max, min = math.max, math.min
 
--- s; what nothing happens to in less may only be too short to show.
-local SHORTEST = 1 / 2000
+--- s; in a shorter step nobody comes to rest, as what happens may only be too little to show, and
+--- nobody who rests is skipped: what a long step takes back may be too little to be taken back.
+rest.SHORTEST = 1 / 2000
 
 local function rouse(b, i)
   local n = b.awakeCount + 1
@@ -145,7 +146,7 @@ end
 
 --- Puts to sleep every island that is calm after a step of dt s.
 function rest.settle(b, dt)
-  if dt < SHORTEST then
+  if dt < rest.SHORTEST then
     return
   end
   b.stamp = b.stamp + 1

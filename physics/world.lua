@@ -74,6 +74,9 @@ local function step(self, dt)
     guard.run(self)
   end
   carrier.dismount(b)
+  if dt < rest.SHORTEST then
+    rest.wakeAll(b)
+  end
 
   b.begun, b.predicted = 0, 0
   begin.run(b)
