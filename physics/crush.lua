@@ -152,7 +152,7 @@ end
 local function stop(b, lo, hi, axis)
   local to, position, kl, kh = b.to, b.position, 2 * lo + axis, 2 * hi + axis
   local size = b.size[kl]
-  local depth, before = to[kl] + size - to[kh], max(position[kl] + size - position[kh], 0)
+  local depth, before = to[kl] + size - to[kh], max(position[kl] + size - position[kh], 0.0)
   if b.kind[lo] ~= DYNAMIC then
     keepOff(b, hi, kh, depth, before, to[kl] + size - before)
   elseif b.kind[hi] ~= DYNAMIC then
