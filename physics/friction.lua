@@ -87,8 +87,9 @@ local function isBarred(b, k, dSpeed, tau)
 end
 
 -- Whom friction has dragged away from what holds it, faster than its own pull brings it back in
--- `tau` s, is held no longer. Returns whether that is so. (Two that go alike are not rubbed at all,
--- see `press`: nobody may be let go of who does not move against who holds it.)
+-- `tau` s, is held no longer. Returns whether that is so: it falls then, unless it sticks to what
+-- rubs it. (Two that go alike are not rubbed at all, see `press`: nobody may be let go of who does
+-- not move against who holds it.)
 local function endHold(b, k, tau)
   if b.heldLow[k] + b.heldHigh[k] == 0 then
     return false
@@ -107,6 +108,7 @@ local function shift(b, k, dSpeed, dWay, tau, t)
   end
   b.speed[k] = b.speed[k] + dSpeed
   b.to[k] = b.to[k] + dWay
+  -- (A row that is welded goes on as one, and falls in the next step.)
   if endHold(b, k, tau) and b.weld[k] == 0 then
     path.fall(b, k, tau)
   end

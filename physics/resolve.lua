@@ -299,7 +299,7 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   end
 end
 
---- Notes that a sensor was met, which changes nobody's path.
+--- Notes that a sensor was met, and at which speed; that changes nobody's path.
 function resolve.sense(b, p, lo, hi, axis, t, dt)
   local kl, kh = 2 * lo + axis, 2 * hi + axis
   local o = b.to[kl] + b.size[kl] - b.to[kh]
