@@ -62,7 +62,7 @@ end
 -- they cease to.
 local function enters(b, at, ka, kc, axis)
   local gap, gapEnd = gaps(b, at, ka, kc, axis)
-  gap, gapEnd = gap + 2 * EPSILON, gapEnd + 2 * EPSILON -- gap > 0: the two are apart
+  gap, gapEnd = gap + EPSILON, gapEnd + EPSILON -- gap > 0: the two are apart
   if gapEnd >= 0 then
     return 2
   end
@@ -71,8 +71,8 @@ end
 
 local function leaves(b, at, ka, kc, axis)
   local gap, gapEnd = gaps(b, at, ka, kc, axis)
-  local depth = b.size[ka + axis] + b.size[kc + axis] - 4 * EPSILON
-  return (gap + 2 * EPSILON + depth) / (gap - gapEnd)
+  local depth = b.size[ka + axis] + b.size[kc + axis] - 2 * EPSILON
+  return (gap + EPSILON + depth) / (gap - gapEnd)
 end
 
 -- Apart on both axes. Whether they meet at all is asked of slightly shrunk boxes, so that one that
