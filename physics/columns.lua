@@ -297,7 +297,7 @@ function columns.new()
     awakeCount = 0,
     island = {}, -- scratch of rest
     stack = {}, -- scratch of crush
-    givenUp = {}, -- pairs that have met too often in this step, one of which cannot be pushed
+    givenUp = {}, -- low, high and axis of those who were left as they are in this step (see crush)
     givenUpCount = 0,
     liveCount = 0,
     liveStamp = 0,

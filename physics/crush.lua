@@ -14,9 +14,9 @@ require(here .. ".interpreted").file()
 
 local crush = {}
 
-local max = math.max
+local max, min = math.max, math.min
 
-local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
+local STATIC, DYNAMIC, EPSILON = columns.STATIC, columns.DYNAMIC, columns.EPSILON
 
 -- The nearest of those welded to i on one side of it, 0: none. (By where they end: where they come
 -- from is known of each at another moment.)
@@ -135,29 +135,23 @@ local function spread(b, count, low, high, axis)
   end
 end
 
--- Keeps i, who is `depth` px inside a wall on the axis of k, out of it: at `out`, where it is no
--- deeper than when the step began, `before` px. Who would be wholly inside, or on the far side,
--- ends where it was then.
-local function keepOff(b, i, k, depth, before, out)
-  if depth > b.size[k] - EPSILON then
-    for m = 2 * i, 2 * i + 1 do
-      put(b, i, m, b.position[m], 0)
-    end
-  elseif depth > before + EPSILON then
-    put(b, i, k, out, 0)
+-- Nobody knows by whom the two are held. But a wall stays a wall: who would be wholly inside, or on
+-- the far side, ends where it was when the step began.
+local function stop(b, lo, hi, axis)
+  local kl, kh = 2 * lo + axis, 2 * hi + axis
+  local depth = b.to[kl] + b.size[kl] - b.to[kh]
+  if b.kind[lo] ~= DYNAMIC and depth > b.size[kh] - EPSILON then
+    put(b, hi, kh, b.position[kh], 0)
+  elseif b.kind[hi] ~= DYNAMIC and depth > b.size[kl] - EPSILON then
+    put(b, lo, kl, b.position[kl], 0)
   end
 end
 
--- Nobody knows by whom the two are held. But a wall stays a wall.
-local function stop(b, lo, hi, axis)
-  local to, position, kl, kh = b.to, b.position, 2 * lo + axis, 2 * hi + axis
-  local size = b.size[kl]
-  local depth, before = to[kl] + size - to[kh], max(position[kl] + size - position[kh], 0.0)
-  if b.kind[lo] ~= DYNAMIC then
-    keepOff(b, hi, kh, depth, before, to[kl] + size - before)
-  elseif b.kind[hi] ~= DYNAMIC then
-    keepOff(b, lo, kl, depth, before, to[kh] - size + before)
-  end
+--- Notes two who are left as they are, for `keepOut`.
+function crush.giveUp(b, lo, hi, axis)
+  local pairs_, n = b.givenUp, b.givenUpCount
+  pairs_[n + 1], pairs_[n + 2], pairs_[n + 3] = lo, hi, axis
+  b.givenUpCount = n + 3
 end
 
 --- Notes that `lo` and `hi`, neither of which can give way, are pressed together on `axis`. All
@@ -165,6 +159,7 @@ end
 function crush.note(b, lo, hi, axis)
   local low, high = endOf(b, lo, hi, axis, true), endOf(b, hi, lo, axis, false)
   if not (low and high) then
+    crush.giveUp(b, lo, hi, axis)
     return stop(b, lo, hi, axis)
   end
   local count, sum = list(b, lo, hi, low, high, axis)
@@ -173,14 +168,15 @@ function crush.note(b, lo, hi, axis)
   end
   local kl, kh = 2 * low + axis, 2 * high + axis
   local at = b.to[kl] + b.size[kl]
-  local overlap = (at + sum - b.to[kh]) / (count + 1)
+  local total = at + sum - b.to[kh]
+  local overlap = total / (count + 1)
   -- Each overlaps the next by more than they are wide: others have pushed an end that is no wall
   -- far beyond the other one, and only that counts.
   local hasOneWall = (b.kind[low] == DYNAMIC) ~= (b.kind[high] == DYNAMIC)
-  if overlap <= EPSILON or (hasOneWall and overlap * count > sum) then
+  if total <= EPSILON or (hasOneWall and overlap * count > sum) then
     spread(b, count, low, high, axis)
     -- They fit in exactly: then others must not push them to and fro until patience is used up.
-    local fits = overlap >= -EPSILON and b.kind[low] ~= DYNAMIC and b.kind[high] ~= DYNAMIC
+    local fits = total >= -EPSILON and b.kind[low] ~= DYNAMIC and b.kind[high] ~= DYNAMIC
     for n = 1, fits and count or 0 do
       hold(b, n, count, low, high, axis)
     end
@@ -197,16 +193,40 @@ function crush.note(b, lo, hi, axis)
   end
 end
 
---- Keeps out of walls whom others have pushed there until patience was used up: the pairs in
---- b.givenUp, as far as one cannot be pushed at all.
-function crush.keepOut(b)
-  for n = 1, b.givenUpCount do
-    local p = b.givenUp[n]
-    local lo, hi, side = b.pairA[p], b.pairB[p], b.hit[p]
-    if side % 2 == 1 then -- left or top of the pair's first
-      lo, hi = hi, b.pairA[p]
+-- How deep two are in each other, on the axis of both indexes.
+local function depthOn(place, size, kl, kh)
+  return place[kl] + size[kl] - place[kh]
+end
+
+-- Keeps i out of `wall`, in which it is `depth` px deep on the axis of k: at `out`, where it is no
+-- deeper than when the step began, `before` px. Who would be wholly inside, or on the far side,
+-- ends where it was then.
+local function keepOff(b, i, k, wall, depth, before, out)
+  if depth > b.size[k] - EPSILON then
+    for m = 2 * i, 2 * i + 1 do
+      put(b, i, m, b.position[m], 0)
     end
-    stop(b, lo, hi, side > 2 and 1 or 0)
+  elseif depth > before + EPSILON and b.kind[wall] == STATIC and not b.buried[i] then
+    put(b, i, k, out, 0)
+  end
+end
+
+--- Keeps out of walls whom others have pushed there, when all is over: those who were given up, as
+--- far as one of two cannot be pushed at all.
+function crush.keepOut(b)
+  local pairs_, to, size = b.givenUp, b.to, b.size
+  for n = 1, b.givenUpCount, 3 do
+    local lo, hi, axis = pairs_[n], pairs_[n + 1], pairs_[n + 2]
+    local kl, kh, cl, ch = 2 * lo + axis, 2 * hi + axis, 2 * lo + 1 - axis, 2 * hi + 1 - axis
+    local depth, before = depthOn(to, size, kl, kh), max(depthOn(b.position, size, kl, kh), 0.0)
+    if min(depthOn(to, size, cl, ch), depthOn(to, size, ch, cl)) <= EPSILON then
+      depth = 0.0 -- past each other
+    end
+    if b.kind[lo] ~= DYNAMIC then
+      keepOff(b, hi, kh, lo, depth, before, to[kl] + size[kl] - before)
+    elseif b.kind[hi] ~= DYNAMIC then
+      keepOff(b, lo, kl, hi, depth, before, to[kh] - size[kl] + before)
+    end
   end
 end
 

@@ -197,23 +197,22 @@ local function stopBoth(b, lo, hi, kl, kh)
   change(b, hi)
 end
 
-local function countHit(b, p)
+local function countHit(b, p, lo, hi, axis)
   b.met[p] = b.met[p] + 1
   if b.met[p] == PATIENCE then
-    b.givenUpCount = b.givenUpCount + 1
-    b.givenUp[b.givenUpCount] = p
+    crush.giveUp(b, lo, hi, axis)
   end
 end
 
 -- Notes the first hit of the step: its side and its speed. No branches: compiled, this is in the
 -- middle of a way through the code on which most numbers of `run` are needed later on.
-local function noteHit(b, p, lo, axis, u)
+local function noteHit(b, p, lo, hi, axis, u)
   local hit, hitSpeed, first = b.hit, b.hitSpeed, b.pairA[p]
   local isFirst = 1 - min(b.met[p], 1)
   local side = 2 * axis + 2 - min(max(first - lo, lo - first), 1)
   hit[p] = hit[p] + (side - hit[p]) * isFirst
   hitSpeed[p] = hitSpeed[p] * (1 - isFirst) + u * isFirst
-  countHit(b, p)
+  countHit(b, p, lo, hi, axis)
 end
 
 --- Resolves pair p, which meets on `axis` at time t (0..1 of a step of dt s), `lo` being the one
@@ -227,7 +226,7 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   advance(b, lo, t)
   advance(b, hi, t)
   if b.weld[kl] ~= 0 and b.weld[kl] == b.weld[kh] then
-    countHit(b, p)
+    countHit(b, p, lo, hi, axis)
     if not (b.crushed[kl] and b.crushed[kh]) then -- those share the overlap of their row
       rejoin(b, lo, hi, kl, kh)
     end
@@ -238,7 +237,7 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   local o = to[kl] + b.size[kl] - to[kh]
   local v, a = speed[kl] - speed[kh], accel[kl] - accel[kh]
   local u, tau = impact.at(o, v, a, (1 - start) * dt, start == t)
-  noteHit(b, p, lo, axis, u)
+  noteHit(b, p, lo, hi, axis, u)
   if headOn then
     return stopBoth(b, lo, hi, kl, kh)
   elseif wl == 0 and wh == 0 then
@@ -304,7 +303,7 @@ function resolve.sense(b, p, lo, hi, axis, t, dt)
   local kl, kh = 2 * lo + axis, 2 * hi + axis
   local o = b.to[kl] + b.size[kl] - b.to[kh]
   local v, a = b.speed[kl] - b.speed[kh], b.accel[kl] - b.accel[kh]
-  noteHit(b, p, lo, axis, (impact.at(o, v, a, (1 - t) * dt)))
+  noteHit(b, p, lo, hi, axis, (impact.at(o, v, a, (1 - t) * dt)))
 end
 
 return resolve
