@@ -1,4 +1,4 @@
---- Beginning of a step for one object: its path is where it stands, nothing has touched it yet.
+--- Beginning of a step for who is awake: their paths are where they stand, nothing has touched them.
 
 local here = (...):match("^(.*)%.[^.]+$")
 local interpreted = require(here .. ".interpreted")

@@ -320,6 +320,7 @@ local function findCarriers(b)
   end
 end
 
+-- Nobody is inside anybody, until a contact says so.
 local function resetInside(b)
   local list, inside = b.awakeList, b.inside
   for n = 1, b.awakeCount do

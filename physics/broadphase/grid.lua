@@ -176,7 +176,7 @@ function grid:remove(i)
   self.count = self.count - 1
 end
 
--- Lists those in `list[1..count]` whose fat boxes belong into other cells than they stand in;
+-- Lists those in `list[1..count]` whose fat boxes belong in other cells than they stand in;
 -- returns how many. No branches: each is written behind the list, which gets longer by 0 or 1.
 local function listMoved(self, list, count)
   local moved, levels, cellsX, cellsY = self.moved, self.level, self.cellX, self.cellY
