@@ -1,4 +1,4 @@
---- Beginning of a step for who is awake: their paths are where they stand, nothing has touched them.
+--- Beginning of a step: who is awake has a path where it stands, and nothing has touched it yet.
 
 local here = (...):match("^(.*)%.[^.]+$")
 local interpreted = require(here .. ".interpreted")
