@@ -358,6 +358,9 @@ function columns.new()
     offerWidth = {},
     rivals = {},
     found = {}, -- scratch of detect
+    stoppedAt = {},
+    stoppedTo = {},
+    ownFat = {},
     askers = {},
     present = {},
     strays = {},

@@ -189,7 +189,114 @@ function detect.run(b, list, first, last)
   end
 end
 
--- The same for those in `list[1..count]` who are in the world still.
+-- Who leans on somebody goes no further that way, as far as is known yet: lets the path of k end
+-- where it begins, if it goes to a side on which the object touched somebody in the last step
+-- (`low` and the next are where that is noted).
+local function holdBack(b, k, low, count)
+  local way = b.to[k] - b.from[k]
+  if (way > 0 and b.touchBest[low + 1] or way < 0 and b.touchBest[low] or 0) ~= 0 then
+    count = count + 1
+    b.stoppedAt[count], b.stoppedTo[count] = k, b.to[k]
+    b.to[k] = b.from[k]
+  end
+  return count
+end
+
+local function holdAllBack(b)
+  local list, count = b.awakeList, 0
+  for n = 1, b.awakeCount do
+    local i = list[n]
+    count = holdBack(b, 2 * i, 4 * i + 1, count)
+    count = holdBack(b, 2 * i + 1, 4 * i + 3, count)
+  end
+  return count
+end
+
+local function letGo(b, count)
+  local to, at, before = b.to, b.stoppedAt, b.stoppedTo
+  for n = 1, count do
+    to[at[n]] = before[n]
+  end
+end
+
+-- Lists in b.present those in awakeList whose paths leave their fat boxes, and who have no
+-- neighbours: nothing will stop them before they meet somebody else. Returns how many.
+local function listLoners(b)
+  local list, loners, head, n = b.awakeList, b.present, b.head, 0
+  for m = 1, b.awakeCount do
+    local i = list[m]
+    if head[i] == 0 and hasLeft(b, i) then
+      n = n + 1
+      loners[n] = i
+    end
+  end
+  return n
+end
+
+-- Lists in b.strays those in awakeList whose paths leave their fat boxes; returns how many.
+local function listStrays(b)
+  local list, strays, active, n = b.awakeList, b.strays, b.active, 0
+  for m = 1, b.awakeCount do
+    local i = list[m]
+    if hasLeft(b, i) and active[i] then
+      n = n + 1
+      strays[n] = i
+    end
+  end
+  return n
+end
+
+-- Gives those in strays[1..count] other fat boxes, and notes those that they had.
+local function lend(b, strays, count)
+  local fatLow, fatHigh, own = b.fatLow, b.fatHigh, b.ownFat
+  for n = 1, count do
+    local k, at = 2 * strays[n], 4 * n
+    own[at], own[at + 1], own[at + 2], own[at + 3] =
+      fatLow[k], fatLow[k + 1], fatHigh[k], fatHigh[k + 1]
+    fatten(b, k)
+    fatten(b, k + 1)
+  end
+end
+
+local function giveBack(b, strays, count)
+  local fatLow, fatHigh, own = b.fatLow, b.fatHigh, b.ownFat
+  for n = 1, count do
+    local k, at = 2 * strays[n], 4 * n
+    fatLow[k], fatLow[k + 1], fatHigh[k], fatHigh[k + 1] =
+      own[at], own[at + 1], own[at + 2], own[at + 3]
+  end
+end
+
+-- Wakes those of found[1..count] who rest and can be met by who asks.
+local function wakeFound(b, count)
+  local askers, found, awake, kind = b.askers, b.found, b.awake, b.kind
+  for n = 1, count do
+    local j = found[n]
+    if not awake[j] and kind[j] == DYNAMIC and filter.allows(b, askers[n], j) then
+      rest.wake(b, j)
+    end
+  end
+end
+
+--- Wakes whom those in awakeList may meet, before anything is resolved, when it is not known yet
+--- who will be stopped. Who may be becomes nobody's neighbour by that: neighbours of somebody awake
+--- do not come to rest.
+function detect.wakeAhead(b)
+  local stopped = holdAllBack(b)
+  detect.run(b, b.present, 1, listLoners(b))
+  local count = listStrays(b)
+  if count > 0 then
+    lend(b, b.strays, count)
+    local n = b.broadphase:overlaps(b.strays, count, b.askers, b.found)
+    giveBack(b, b.strays, count)
+    wakeFound(b, n)
+  end
+  return letGo(b, stopped)
+end
+
+interpreted.functions(detect.wakeAhead) -- leads from loop to loop
+
+-- As `detect.run`, for those in `list[1..count]` who are in the world still.
 local function runPresent(b, list, count)
   local kind, present, n = b.kind, b.present, 0
   for m = 1, count do

@@ -44,6 +44,8 @@ local KEYS = 2 * rounds.MOST
 local LAST_INSTANT, LAST_FACE = 4 * KEYS - 1, KEYS - 1
 -- While so many turns come to one that has pressed, another round costs less than the queue.
 local IDLE_TURNS = 256
+-- One who rests to so many who are awake is worth to look who comes near, before anything happens.
+local WORTH = 8
 -- Corner corrections of one pair in one step.
 local MOST_NUDGES = 4
 local NONE = columns.NO_EVENT
@@ -482,16 +484,13 @@ local function take(b, id, dt)
 end
 
 -- Wakes whom those who are awake may meet, before turns are listed: who is woken later has none.
+-- Not for a few, which would cost more than it saves.
 local function wakeAhead(b, dt)
-  if b.awakeCount == b.moverCount then
+  if (b.moverCount - b.awakeCount) * WORTH < b.awakeCount or b.awakeCount == 0 then
     return
   end
-  detect.run(b, b.awakeList, 1, b.awakeCount)
-  while b.predicted < b.awakeCount do
-    local woken = b.predicted + 1
-    predict.run(b, dt)
-    detect.run(b, b.awakeList, woken, b.predicted)
-  end
+  detect.wakeAhead(b)
+  predict.run(b, dt)
 end
 
 --- Resolves all contacts of a step of dt s.

@@ -13,7 +13,6 @@
 local here = (...):match("^(.*)%.[^.]+$")
 local columns = require(here .. ".columns")
 local gather = require(here .. ".gather")
-local interpreted = require(here .. ".interpreted")
 local oneway = require(here .. ".oneway")
 
 local turns = {}
@@ -377,8 +376,5 @@ function turns.list(b)
   b.turnCount = listAlong(b, across, acrossCount, 1 - axis, b.footingCount, flanks, b.lastFlank)
   watchOdd(b)
 end
-
--- These lead from loop to loop.
-interpreted.functions(arrange, listAlong, turns.list)
 
 return turns

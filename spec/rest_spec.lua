@@ -269,6 +269,24 @@ describe("a resting heap", function()
   end)
 end)
 
+describe("a crate behind a thin wall", function()
+  for _, speed in ipairs({ 100, 200, 300 }) do
+    it("rests while somebody presses the wall at " .. speed .. " px/s", function()
+      local world = physics.newWorld({ gravity = 600 })
+      world:add("tiles", { x = 0, y = 600, width = 400, height = 20, static = true })
+      world:add("tiles", { x = 200, y = 0, width = 4, height = 600, static = true })
+      world:add("crates", { x = 206, y = 590, width = 10, height = 10 })
+      local player = world:add("players", { x = 170, y = 560, width = 20, height = 40 })
+      for step = 1, 60 do
+        player.vx = speed
+        world:update(1 / 60)
+        assert.is_true(step < 30 or world.stats.resting == 1, "step " .. step)
+      end
+      assert.equal(180, player.x)
+    end)
+  end
+end)
+
 describe("a box on a floor", function()
   for _, rate in ipairs({ 30, 60, 144, 240, 1000, 2000 }) do
     it("is skipped at " .. rate .. " Hz", function()
