@@ -69,6 +69,12 @@ local function endOf(b, i, other, axis, isLow)
   return nil
 end
 
+--- Whether slot i, held on one side, is held there by `other` in the end, whom it is about to push,
+--- or by a ring of others: then nobody is, and pushing would go on and on.
+function crush.isRing(b, i, other, axis, isLow)
+  return endOf(b, i, other, axis, isLow) == nil
+end
+
 -- Lists the members of the chain from `low` (excluded) up to `lo`, then from `hi` to `high`
 -- (excluded), in b.stack; returns how many and the sum of their sizes.
 local function list(b, lo, hi, low, high, axis)

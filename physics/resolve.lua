@@ -215,6 +215,12 @@ local function noteHit(b, p, lo, hi, axis, u)
   countHit(b, p, lo, hi, axis)
 end
 
+-- Whether the one of two that cannot give way is held by the other.
+local function holdEachOther(b, lo, hi, axis, wl, wh)
+  return (wh == 0 and b.kind[hi] == DYNAMIC and crush.isRing(b, hi, lo, axis, false))
+    or (wl == 0 and b.kind[lo] == DYNAMIC and crush.isRing(b, lo, hi, axis, true))
+end
+
 --- Resolves pair p, which meets on `axis` at time t (0..1 of a step of dt s), `lo` being the one
 --- with the smaller coordinate; `isDeep` if they are inside each other. Lists whose path changed in
 --- b.changed[1..b.changedCount].
@@ -242,6 +248,8 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
     return stopBoth(b, lo, hi, kl, kh)
   elseif wl == 0 and wh == 0 then
     return crush.note(b, lo, hi, axis)
+  elseif b.met[p] > LEAVES and holdEachOther(b, lo, hi, axis, wl, wh) then
+    return
   end
 
   local restitution = max(b.restitution[lo], b.restitution[hi])
