@@ -144,7 +144,7 @@ function pass.run(b, across, dt, isNext)
   local isUp, free = b.orientation[axis] < 0, freeUpTo(b, across, isNext)
   local base, way = rounds.direction(b.turnRound, first, last)
   local n, left, isStale = b.turnsDone, DONE, b.isTurnStale[across]
-  local most, presses = min(last, free), 0
+  local most, presses = min(last, free), 0 -- 1: the next turn does
   while left == DONE and n < last do
     if presses == 1 then
       presses, n = 0, n + 1
