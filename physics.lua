@@ -59,7 +59,7 @@ end
 --- Lets LuaJIT compile everything, also what happens to single objects, which is interpreted
 --- otherwise, and keeps the numbers of the worlds that are made after it in typed arrays (FFI).
 --- Rays then take half the time, boxes that bounce three fifths, heaps and crowds seven to eight
---- tenths, walkers nearly nine, with the same results to the bit. Call it once, right after
+--- tenths, walkers eight, with the same results to the bit. Call it once, right after
 --- `require`: the default world takes part as long as nothing has been in it.
 ---
 --- It raises two limits of LuaJIT, which are those of the whole program: 8000 traces instead of
