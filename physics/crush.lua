@@ -141,11 +141,16 @@ local function spread(b, count, low, high, axis)
   end
 end
 
+-- How deep two are in each other, on the axis of both indexes.
+local function depthOn(place, size, kl, kh)
+  return place[kl] + size[kl] - place[kh]
+end
+
 -- Nobody knows by whom the two are held. But a wall stays a wall: who would be wholly inside, or on
 -- the far side, ends where it was when the step began.
 local function stop(b, lo, hi, axis)
   local kl, kh = 2 * lo + axis, 2 * hi + axis
-  local depth = b.to[kl] + b.size[kl] - b.to[kh]
+  local depth = depthOn(b.to, b.size, kl, kh)
   if b.kind[lo] ~= DYNAMIC and depth > b.size[kh] - EPSILON then
     put(b, hi, kh, b.position[kh], 0)
   elseif b.kind[hi] ~= DYNAMIC and depth > b.size[kl] - EPSILON then
@@ -197,11 +202,6 @@ function crush.note(b, lo, hi, axis)
     put(b, i, k, at - overlap, v)
     at = b.to[k] + b.size[k]
   end
-end
-
--- How deep two are in each other, on the axis of both indexes.
-local function depthOn(place, size, kl, kh)
-  return place[kl] + size[kl] - place[kh]
 end
 
 -- Keeps i out of `wall`, in which it is `depth` px deep on the axis of k: at `out`, where it is no

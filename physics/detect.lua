@@ -173,9 +173,9 @@ end
 -- These lead from loop to loop.
 interpreted.functions(linkNear, lookUp)
 
---- Looks up the neighbours of those in `list[first..last]` whose paths leave their fat boxes. Who
---- stands there twice is looked at once.
-function detect.run(b, list, first, last)
+-- Lists in b.strays those in `list[first..last]` whose paths leave their fat boxes, each once, and
+-- notes in `strayAt` where; returns how many.
+local function listStrays(b, list, first, last)
   local strays, strayAt, active, n = b.strays, b.strayAt, b.active, 0
   for m = first, last do
     local i = list[m]
@@ -184,8 +184,15 @@ function detect.run(b, list, first, last)
       strays[n], strayAt[i] = i, n
     end
   end
+  return n
+end
+
+--- Looks up the neighbours of those in `list[first..last]` whose paths leave their fat boxes. Who
+--- stands there twice is looked at once.
+function detect.run(b, list, first, last)
+  local n = listStrays(b, list, first, last)
   if n > 0 then
-    lookUp(b, strays, n)
+    lookUp(b, b.strays, n)
   end
 end
 
@@ -233,19 +240,6 @@ local function listLoners(b)
   return n
 end
 
--- Lists in b.strays those in awakeList whose paths leave their fat boxes; returns how many.
-local function listStrays(b)
-  local list, strays, active, n = b.awakeList, b.strays, b.active, 0
-  for m = 1, b.awakeCount do
-    local i = list[m]
-    if hasLeft(b, i) and active[i] then
-      n = n + 1
-      strays[n] = i
-    end
-  end
-  return n
-end
-
 -- Gives those in strays[1..count] other fat boxes, and notes those that they had.
 local function lend(b, strays, count)
   local fatLow, fatHigh, own = b.fatLow, b.fatHigh, b.ownFat
@@ -258,9 +252,11 @@ local function lend(b, strays, count)
   end
 end
 
+-- Gives them their own again; they are strays no more.
 local function giveBack(b, strays, count)
-  local fatLow, fatHigh, own = b.fatLow, b.fatHigh, b.ownFat
+  local fatLow, fatHigh, own, strayAt = b.fatLow, b.fatHigh, b.ownFat, b.strayAt
   for n = 1, count do
+    strayAt[strays[n]] = huge
     local k, at = 2 * strays[n], 4 * n
     fatLow[k], fatLow[k + 1], fatHigh[k], fatHigh[k + 1] =
       own[at], own[at + 1], own[at + 2], own[at + 3]
@@ -284,7 +280,7 @@ end
 function detect.wakeAhead(b)
   local stopped = holdAllBack(b)
   detect.run(b, b.present, 1, listLoners(b))
-  local count = listStrays(b)
+  local count = listStrays(b, b.awakeList, 1, b.awakeCount)
   if count > 0 then
     lend(b, b.strays, count)
     local n = b.broadphase:overlaps(b.strays, count, b.askers, b.found)
