@@ -62,7 +62,9 @@ function begin.run(b)
   local list, first, last = b.awakeList, b.begun + 1, b.awakeCount
   resetPaths(b, list, first, last)
   resetHolds(b, list, first, last)
-  resetBacks(b, list, first, last)
+  if b.hasBacked then
+    resetBacks(b, list, first, last)
+  end
   resetHolders(b, list, first, last)
   resetOthers(b, list, first, last)
   b.begun = last

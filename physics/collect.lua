@@ -195,9 +195,11 @@ local function readAll(b, i, object, isNew)
   readMotion(b, i, object, isNew)
   b.hasCarriers = b.hasCarriers or b.kind[i] == KINEMATIC or b.surfaceSpeed[i] ~= 0
   b.hasNudges = b.hasNudges or b.nudge[i] ~= 0
+  b.hasHinders = b.hasHinders or b.drag[i] ~= 0 or b.maxSpeed[i] ~= HUGE
   b.hasBounces = b.hasBounces or b.restitution[i] ~= 0
   b.hasAskers = b.hasAskers or b.canCollide[i] ~= false
   b.plain[i] = not b.sensor[i]
+  b.even[i] = not (b.sensor[i] or b.hears[i] or b.oneWay[i])
   b.choosy[i] = b.oneWay[i] ~= false or b.nudge[i] ~= 0 or not b.pushable[i]
 end
 
@@ -384,6 +386,7 @@ local function hear(b, i)
   local object = b.object[i]
   checkAgain(b, i)
   b.hears[i], b.bare[i] = object.onStay or false, false
+  b.even[i] = not (b.sensor[i] or b.hears[i] or b.oneWay[i])
   rest.wake(b, i)
 end
 

@@ -52,6 +52,7 @@ local SLOT = {
   seat = 0, -- place among the movers, which are in that order
   kind = 0,
   plain = false, -- bumps whoever it meets
+  even = false, -- and does so on all sides, and is not told of contacts that go on
   choosy = false, -- but what happens then depends on the side, or on who it is
   bare = false, -- dynamic, and had none of the fields that few have when it was last read
   -- fields of the object, defaults filled in
@@ -187,6 +188,8 @@ local PAIR_FLAG = {
 local PAIR_LIST = {
   "live", -- pairs of those who take part in this step
   "touchList", -- pairs that touch when the step begins, or may through a nudge
+  "touchGapX", -- px between them then, on each axis
+  "touchGapY",
   "flushAlong", -- of those, who is flush along gravity
   "flushAcross", -- and across
   "turnPair", -- pairs that are flush when the step begins (see turns)
@@ -242,6 +245,8 @@ local STEP_AXIS = {
 columns.SIDES = { "left", "right", "top", "bottom" }
 columns.SIDE = { left = 1, right = 2, top = 3, bottom = 4 }
 columns.OPPOSITE = { 2, 1, 4, 3 }
+--- On which axis a side is.
+columns.AXIS = { 0, 0, 1, 1 }
 
 local function namesOf(map)
   local names = {}
@@ -341,8 +346,13 @@ function columns.new()
     sortHeads = {},
     hasCarriers = false, -- anything in the world that ever carried others
     hasNudges = false, -- or could slide around corners
+    hasHinders = false, -- or has drag or a maxSpeed
     hasBounces = false, -- or bounced
     hasAskers = false, -- or has a canCollide
+    hasCrushed = false, -- or was crushed
+    hasInside = false, -- or was left inside another
+    hasBuried = false, -- or had no way out
+    hasBacked = false, -- or was pushed by one that cannot be pushed
     isRemasked = false, -- anybody may be inside somebody whom it can meet only now
     maskCopy = false, -- the last one made of the mask of a static object (see filter)
     lost = {}, -- slots whose carrier went away since the last step
@@ -436,7 +446,7 @@ function columns.claim(b)
     b[name][2 * i], b[name][2 * i + 1] = AXIS[name], AXIS[name]
   end
   for at = 4 * i + 1, 4 * i + 4 do
-    b.touchBest[at], b.touchWidth[at] = 0, -1
+    b.touchBest[at], b.touchWidth[at] = 0, 0
   end
   b.count = b.count + 1
   return i

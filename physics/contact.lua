@@ -81,6 +81,7 @@ end
 -- Who is dynamic will try to get out (see `part`).
 local function leaveInside(b, i, j)
   b.inside[i], b.inside[j] = b.kind[i] == DYNAMIC, b.kind[j] == DYNAMIC
+  b.hasInside = true
 end
 
 -- The side on which a solid pair is in contact now, else 0.

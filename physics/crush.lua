@@ -199,6 +199,7 @@ function crush.note(b, lo, hi, axis)
     local k = 2 * i + axis
     local before, behind = hold(b, n, count, low, high, axis)
     b.crushed[k], b.crushLow[k], b.crushHigh[k] = true, before, behind
+    b.hasCrushed = true
     put(b, i, k, at - overlap, v)
     at = b.to[k] + b.size[k]
   end

@@ -38,8 +38,10 @@ local function listParted(b, strays, count)
     else
       local k, l = 2 * strays[m], 2 * other[half]
       local apart = max(
-        max(fatLow[l] - fatHigh[k], fatLow[k] - fatHigh[l]),
-        max(fatLow[l + 1] - fatHigh[k + 1], fatLow[k + 1] - fatHigh[l + 1])
+        fatLow[l] - fatHigh[k],
+        fatLow[k] - fatHigh[l],
+        fatLow[l + 1] - fatHigh[k + 1],
+        fatLow[k + 1] - fatHigh[l + 1]
       )
       if apart > 0 then
         local p = floor(half * 0.5 + 0.5)
@@ -131,17 +133,6 @@ local function fatten(b, k)
   b.fatHigh[k] = max(start, from, to) + size + MARGIN + max(ahead, 0)
 end
 
--- Whether the path of an object leaves its fat box. No branches: whichever side it is, the same
--- happens.
-local function hasLeft(b, i)
-  local from, to, size, fatLow, fatHigh = b.from, b.to, b.size, b.fatLow, b.fatHigh
-  local k, m = 2 * i, 2 * i + 1
-  local x, endX, y, endY = from[k], to[k], from[m], to[m]
-  local before = max(fatLow[k] - min(x, endX), fatLow[m] - min(y, endY))
-  local behind = max(max(x, endX) + size[k] - fatHigh[k], max(y, endY) + size[m] - fatHigh[m])
-  return max(before, behind) > 0 or b.placed[i] ~= 2
-end
-
 -- Gives those in strays[1..count] boxes around the paths that they have now.
 local function enlarge(b, strays, count)
   local broadphase, placed = b.broadphase, b.placed
@@ -176,10 +167,18 @@ interpreted.functions(linkNear, lookUp)
 -- Lists in b.strays those in `list[first..last]` whose paths leave their fat boxes, each once, and
 -- notes in `strayAt` where; returns how many.
 local function listStrays(b, list, first, last)
-  local strays, strayAt, active, n = b.strays, b.strayAt, b.active, 0
-  for m = first, last do
-    local i = list[m]
-    if hasLeft(b, i) and active[i] and strayAt[i] == huge then
+  local strays, strayAt, active, placed, n = b.strays, b.strayAt, b.active, b.placed, 0
+  local from, to, size, fatLow, fatHigh = b.from, b.to, b.size, b.fatLow, b.fatHigh
+  for at = first, last do
+    local i = list[at]
+    local k, m = 2 * i, 2 * i + 1
+    local x, y, endX, endY = from[k], from[m], to[k], to[m]
+    local left, right = fatLow[k], fatHigh[k] - size[k]
+    local top, bottom = fatLow[m], fatHigh[m] - size[m]
+    -- No branches: whichever side it leaves on, the same happens.
+    local outX = max(left - x, left - endX, x - right, endX - right)
+    local outY = max(top - y, top - endY, y - bottom, endY - bottom)
+    if (max(outX, outY) > 0 or placed[i] ~= 2) and active[i] and strayAt[i] == huge then
       n = n + 1
       strays[n], strayAt[i] = i, n
     end
@@ -226,13 +225,13 @@ local function letGo(b, count)
   end
 end
 
--- Lists in b.present those in awakeList whose paths leave their fat boxes, and who have no
--- neighbours: nothing will stop them before they meet somebody else. Returns how many.
+-- Lists in b.present those in awakeList who have no neighbours: nothing will stop them before they
+-- meet somebody else. Returns how many.
 local function listLoners(b)
   local list, loners, head, n = b.awakeList, b.present, b.head, 0
   for m = 1, b.awakeCount do
     local i = list[m]
-    if head[i] == 0 and hasLeft(b, i) then
+    if head[i] == 0 then
       n = n + 1
       loners[n] = i
     end

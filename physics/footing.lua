@@ -29,27 +29,6 @@ local function sidesOf(b, isUp)
   return b.heldHigh, b.heldLow, b.holderHigh, b.pressedHigh, b.pressedLow
 end
 
--- What leans on `low` from now on.
-local function lean(b, low, ku, kl, isUp)
-  local held, _, holder, pressed, pressedUp = sidesOf(b, isUp)
-  b.accel[ku], b.drive[ku] = b.accel[kl], b.drive[kl]
-  pressed[ku], held[ku], holder[ku] = true, 1, low
-  pressedUp[kl] = true -- means nothing for one that is not dynamic
-end
-
--- Whether one that cannot give way has something on it that can, nothing is welded, and they have
--- not met again and again.
-local function isSimple(b, p, up, low, ku, kl, isUp)
-  local held, upHeld = sidesOf(b, isUp)
-  return held[kl] + (DYNAMIC - b.kind[low]) > 0
-    and b.met[p] < WELDS
-    and b.weld[ku] == 0
-    and b.weld[kl] == 0
-    and held[ku] + upHeld[ku] + upHeld[kl] == 0
-    and b.time[up] == 0
-    and b.time[low] == 0
-end
-
 -- Friction between two that do not move against each other, nor would: `up` sticks to `low` where
 -- that stands fast. Returns false for all others, whom `friction` must look at.
 local function stick(b, up, low, ku, kl, mu, impulse, sign)
@@ -78,12 +57,6 @@ local function stick(b, up, low, ku, kl, mu, impulse, sign)
   return true
 end
 
--- Changes speed and way of k, which nobody holds, by what friction took off.
-local function shift(b, k, dSpeed, dWay)
-  b.speed[k], b.to[k] = b.speed[k] + dSpeed, b.to[k] + dWay
-  b.changes[k] = b.changes[k] + 1
-end
-
 -- What is left of u when its amount is less by `loss`, which does not turn it round. No branches.
 local function lessen(u, loss)
   return max(u - loss, 0.0) + min(u + loss, 0.0)
@@ -94,20 +67,22 @@ end
 local function slideTogether(b, up, low, ku, kl, limit, share, sign, dt)
   local across = 1 - 2 * b.downAxis
   local ka, kb = ku + across, kl + across
+  local inverseMass, accel, weld = b.inverseMass, b.accel, b.weld
+  local heldLow, heldHigh = b.heldLow, b.heldHigh
+  local wu, wl = inverseMass[up], inverseMass[low]
   if
-    b.inverseMass[low] == 0
+    wl == 0
     or b.stuck[low]
     or b.surfaceSpeed[low] ~= 0
     or b.down[ku] ~= sign
-    or b.accel[ka] ~= b.accel[kb]
-    or b.weld[ka] ~= 0
-    or b.weld[kb] ~= 0
-    or b.heldLow[ka] + b.heldHigh[ka] + b.heldLow[kb] + b.heldHigh[kb] > 0
+    or accel[ka] ~= accel[kb]
+    or weld[ka] + weld[kb] ~= 0
+    or heldLow[ka] + heldHigh[ka] + heldLow[kb] + heldHigh[kb] > 0
   then
     return false
   end
-  local wu, wl = b.inverseMass[up], b.inverseMass[low]
-  local w, u = wu + wl, b.speed[ka] - b.speed[kb]
+  local to, speed, changes = b.to, b.speed, b.changes
+  local w, u = wu + wl, speed[ka] - speed[kb]
   local stop, way = 0.0, 0.0
   if max(u, -u) >= STILL then
     local v, brake = lessen(u, limit * w * share), limit * w * (1 - share) / dt
@@ -116,43 +91,60 @@ local function slideTogether(b, up, low, ku, kl, limit, share, sign, dt)
   end
   local dSpeed, dWay = stop - u, way - (u + u) * 0.5 * dt
   local shareU, shareL = wu / w, wl / w
-  shift(b, ka, dSpeed * shareU, dWay * shareU)
-  shift(b, kb, -dSpeed * shareL, -dWay * shareL)
+  speed[ka], to[ka] = speed[ka] + dSpeed * shareU, to[ka] + dWay * shareU
+  speed[kb], to[kb] = speed[kb] - dSpeed * shareL, to[kb] - dWay * shareL
+  changes[ka], changes[kb] = changes[ka] + 1, changes[kb] + 1
   return true
+end
+
+-- Whether one that cannot give way has something on it that can, nothing is welded, and they have
+-- not met again and again.
+local function isSimple(b, p, up, low, ku, kl, held, upHeld)
+  local weld, time = b.weld, b.time
+  return held[kl] + (DYNAMIC - b.kind[low]) > 0
+    and b.met[p] < WELDS
+    and weld[ku] + weld[kl] == 0
+    and held[ku] + upHeld[ku] + upHeld[kl] == 0
+    and time[up] + time[low] == 0
 end
 
 --- Puts `up` on `low`, who meet on `side` of the pair's first, as `resolve` would: flush, without a
 --- bounce, held from below. If that presses, notes for friction by how much, at place x, and that
 --- it was the n-th turn. Returns false if the case is another one; nothing has changed then.
 function footing.putOn(b, n, x, p, side, up, low, ku, kl, isUp, dt)
-  local to, size, speed, accel, drive = b.to, b.size, b.speed, b.accel, b.drive
-  local sign = isUp and -1 or 1
-  local v = (speed[ku] - speed[kl]) * sign
-  local goal = isUp and to[kl] + size[kl] or to[kl] - size[ku]
-  local o = isUp and goal - to[ku] or to[ku] + size[ku] - to[kl]
-  if not isSimple(b, p, up, low, ku, kl, isUp) or (drive[ku] - drive[kl]) * sign < -EVEN then
+  local held, upHeld, holder, pressed, pressedUp = sidesOf(b, isUp)
+  if not isSimple(b, p, up, low, ku, kl, held, upHeld) then
     return false
   end
+  local to, size, speed, accel, drive = b.to, b.size, b.speed, b.accel, b.drive
+  local sign = isUp and -1 or 1
+  local v, pull = (speed[ku] - speed[kl]) * sign, (drive[ku] - drive[kl]) * sign
+  local goal = isUp and to[kl] + size[kl] or to[kl] - size[ku]
+  local o = isUp and goal - to[ku] or to[ku] + size[ku] - to[kl]
   -- They touch already: the simple half of `impact.at`.
   local start = v - (accel[ku] - accel[kl]) * sign * dt
-  if start <= -STILL or o < (v + start) * 0.5 * dt * (1 - ROUNDING) then
+  if pull < -EVEN or start <= -STILL or o < (v + start) * 0.5 * dt * (1 - ROUNDING) then
     return false
   end
   local u = start > STILL and start or 0
-  if press.bounces(b, up, low, u, (drive[ku] - drive[kl]) * sign, dt) then
+  if press.bounces(b, up, low, u, pull, dt) then
     return false
   end
   press.noteHit(b, p, side, u)
-  to[ku], b.changes[ku] = goal, b.changes[ku] + 1
+  local changes = b.changes
+  to[ku], changes[ku] = goal, changes[ku] + 1
   if v > 0 then
     speed[ku] = speed[kl]
     b.turnImpulse[x], b.turnShare[x], b.turnLeft[x] = v / b.inverseMass[up], min(u / v, 1.0), dt
     b.isTurnStale[1] = true -- as after any change of a path, here or by friction
   end
   if v > -STILL then
-    lean(b, low, ku, kl, isUp)
+    -- It leans on `low` from now on.
+    accel[ku], drive[ku] = accel[kl], drive[kl]
+    pressed[ku], held[ku], holder[ku] = true, 1, low
+    pressedUp[kl] = true -- means nothing for one that is not dynamic
   end
-  b.turnSeen[x] = b.changes[ku] + b.changes[kl]
+  b.turnSeen[x] = changes[ku] + changes[kl]
   -- Last, as many floors have no friction: what follows a branch is compiled for either way.
   if v > 0 and b.friction[up] ~= 0 and b.friction[low] ~= 0 then
     b.landedCount = b.landedCount + 1

@@ -201,25 +201,38 @@ local function hinder(b, i, dt)
   end
 end
 
+-- What drag and maxSpeed make of it all, for those who have one.
+local function hinderAll(b, dt, first, last)
+  local list, kind, drag, maxSpeed = b.awakeList, b.kind, b.drag, b.maxSpeed
+  for n = first, last do
+    local i = list[n]
+    if (drag[i] ~= 0 or maxSpeed[i] ~= HUGE) and kind[i] == DYNAMIC then
+      hinder(b, i, dt)
+    end
+  end
+end
+
 --- Computes the free flight of the dynamic objects in awakeList from `first` to `last`.
 function forces.run(b, dt, first, last)
   local list, kind, airFriction, limit = b.awakeList, b.kind, b.airFriction, b.limit
   local velocity, pull, push, speed, way = b.velocity, b.pull, b.push, b.speed, b.way
   for n = first, last do
     local i = list[n]
-    if kind[i] == DYNAMIC then
-      local k = 2 * i
-      speed[k], way[k] = flyLimited(velocity[k], pull[k] + push[k], airFriction[i], limit[k], dt)
-      k = k + 1
-      speed[k], way[k] = flyLimited(velocity[k], pull[k] + push[k], airFriction[i], limit[k], dt)
+    local k, m = 2 * i, 2 * i + 1
+    if kind[i] == DYNAMIC and airFriction[i] == 0 and limit[k] == HUGE and limit[m] == HUGE then
+      -- As `fly` for nearly all, written out: without a compiler calls cost more than what they do.
+      local x, y = velocity[k], velocity[m]
+      local endX, endY = x + (pull[k] + push[k]) * dt, y + (pull[m] + push[m]) * dt
+      speed[k], speed[m] = endX, endY
+      way[k], way[m] = (x + endX) * 0.5 * dt, (y + endY) * 0.5 * dt
+    elseif kind[i] == DYNAMIC then
+      local air = airFriction[i]
+      speed[k], way[k] = flyLimited(velocity[k], pull[k] + push[k], air, limit[k], dt)
+      speed[m], way[m] = flyLimited(velocity[m], pull[m] + push[m], air, limit[m], dt)
     end
   end
-  local drag, maxSpeed = b.drag, b.maxSpeed
-  for n = first, last do
-    local i = list[n]
-    if (drag[i] ~= 0 or maxSpeed[i] ~= HUGE) and kind[i] == DYNAMIC then
-      hinder(b, i, dt)
-    end
+  if b.hasHinders then
+    hinderAll(b, dt, first, last)
   end
 end
 

@@ -36,9 +36,11 @@ end
 --- Whether the paths of two that are flush do not press against each other (as approach.meetFace
 --- decides); `low` is the index with the smaller coordinate.
 function gather.isIdle(b, low, high)
-  local overlap = gather.endOverlap(b, low, high)
-  return max(-overlap - b.clear, min(EPSILON - overlap, STILL - (b.speed[low] - b.speed[high])))
-    >= 0
+  local to, size, speed = b.to, b.size, b.speed
+  local atLow, sizeLow, atHigh = to[low], size[low], to[high]
+  local forward, backward = atLow + sizeLow - atHigh, atLow - (atHigh - sizeLow) -- see `endOverlap`
+  return (forward <= EPSILON or backward <= EPSILON)
+    and (speed[low] - speed[high] <= STILL or min(forward, backward) <= -b.clear)
 end
 
 local isIdle = gather.isIdle
@@ -82,14 +84,15 @@ end
 --- apart when it begins.
 function gather.touching(b)
   local pairs_, pairA, pairB, from, size = b.live, b.pairA, b.pairB, b.from, b.size
-  local out, touches = b.touchList, b.touches
+  local out, touches, gapsX, gapsY = b.touchList, b.touches, b.touchGapX, b.touchGapY
   local count = 0 ---@type number
   for n = 1, b.liveCount do
     local p = pairs_[n]
     local k, m = 2 * pairA[p], 2 * pairB[p]
     local x, y = from[m] - from[k], from[m + 1] - from[k + 1]
-    local gap = max(max(x - size[k], -x - size[m]), max(y - size[k + 1], -y - size[m + 1]))
-    local does = min(max((EPSILON - gap) * VAST + 1, 0), 1)
+    local gapX, gapY = max(x - size[k], -x - size[m]), max(y - size[k + 1], -y - size[m + 1])
+    local does = max(min((EPSILON - gapX) * VAST + 1, (EPSILON - gapY) * VAST + 1, 1), 0)
+    gapsX[count + 1], gapsY[count + 1] = gapX, gapY
     out[count + 1], touches[p] = p, does
     count = count + does
   end
@@ -99,16 +102,18 @@ end
 --- Of these, lists those in `along` that are flush along `axis` when the step begins, and those in
 --- `across` that are flush along the other one. Returns how many those are.
 function gather.flush(b, axis, along, across)
-  local pairs_, pairA, pairB, from, size = b.touchList, b.pairA, b.pairB, b.from, b.size
+  local pairs_, gaps, gapsAcross = b.touchList, b.touchGapX, b.touchGapY
+  if axis == 1 then
+    gaps, gapsAcross = b.touchGapY, b.touchGapX
+  end
   local n, m = 0, 0 ---@type number, number
   for at = 1, b.touchCount do
-    local p = pairs_[at]
-    local i, j = 2 * pairA[p] + axis, 2 * pairB[p] + axis
-    local ic, jc = 2 * pairA[p] + 1 - axis, 2 * pairB[p] + 1 - axis
-    local r, rc = from[j] - from[i], from[jc] - from[ic]
-    local gap, gapc = max(r - size[i], -r - size[j]), max(rc - size[ic], -rc - size[jc])
-    local isAlong = min(max(min(gap + EPSILON, -gapc - EPSILON) * VAST + 1, 0), 1)
-    local isAcross = min(max(min(gapc + EPSILON, -gap - EPSILON) * VAST + 1, 0), 1 - isAlong)
+    local p, gap, gapAcross = pairs_[at], gaps[at], gapsAcross[at]
+    -- >= 1 if they are no deeper than flush there; if they are in each other there; else < 0.
+    local meets, meetsAcross = (gap + EPSILON) * VAST + 1, (gapAcross + EPSILON) * VAST + 1
+    local isIn, isInAcross = (-EPSILON - gap) * VAST + 1, (-EPSILON - gapAcross) * VAST + 1
+    local isAlong = max(min(meets, isInAcross, 1), 0) ---@type number
+    local isAcross = max(min(meetsAcross, isIn, 1 - isAlong), 0) ---@type number
     along[n + 1], across[m + 1] = p, p
     n, m = n + isAlong, m + isAcross
   end
@@ -201,11 +206,26 @@ end
 
 --- As `live`, but only those that do not touch.
 function gather.apart(b)
-  local pairs_, touches, clear, count = b.live, b.touches, b.clear, 0
+  local pairs_, touches, pairA, pairB, clear, count =
+    b.live, b.touches, b.pairA, b.pairB, b.clear, 0
+  local from, to, size, event, waits = b.from, b.to, b.size, b.event, b.waits
   for n = 1, b.liveCount do
     local p = pairs_[n]
     if touches[p] == 0 then
-      count = listWhole(b, p, clear, count)
+      local k, m = 2 * pairA[p], 2 * pairB[p]
+      local x, y = from[m] - from[k], from[m + 1] - from[k + 1]
+      local endX, endY = to[m] - to[k], to[m + 1] - to[k + 1]
+      local gap = max(
+        min(x, endX) - size[k],
+        -max(x, endX) - size[m],
+        min(y, endY) - size[k + 1],
+        -max(y, endY) - size[m + 1]
+      )
+      event[p], waits[p] = NO_EVENT, 0
+      -- Most are so far from each other all the time that no more needs to be asked.
+      if gap < clear + ROUNDING then
+        count = list(b, 2 * p - 1, k, m, x, y, clear, count)
+      end
     end
   end
   return count

@@ -51,36 +51,55 @@ local function bury(b, i)
   end
 end
 
--- The path of a dynamic object on the axis of k.
-local function moveAlong(b, k, dt)
-  local speed, carried = b.speed[k], b.carried[k]
-  b.to[k] = b.from[k] + b.way[k] + carried * dt
-  b.accel[k] = (speed - b.velocity[k]) / dt
-  b.drive[k] = b.pull[k] + b.push[k]
-  b.speed[k] = speed + carried
+-- Where the dynamic ones would come to.
+local function findEnds(b, first, last, dt)
+  local list, kind, from, to, way, carried = b.awakeList, b.kind, b.from, b.to, b.way, b.carried
+  for n = first, last do
+    local i = list[n]
+    if kind[i] == DYNAMIC then
+      local k, m = 2 * i, 2 * i + 1
+      to[k] = from[k] + way[k] + carried[k] * dt
+      to[m] = from[m] + way[m] + carried[m] * dt
+    end
+  end
+end
+
+-- What drives them, and how fast they would be then.
+local function findDrives(b, first, last, dt)
+  local list, kind, velocity, speed, carried = b.awakeList, b.kind, b.velocity, b.speed, b.carried
+  local accel, drive, pull, push = b.accel, b.drive, b.pull, b.push
+  for n = first, last do
+    local i = list[n]
+    if kind[i] == DYNAMIC then
+      local k, m = 2 * i, 2 * i + 1
+      local x, y = speed[k], speed[m]
+      accel[k], accel[m] = (x - velocity[k]) / dt, (y - velocity[m]) / dt
+      drive[k], drive[m] = pull[k] + push[k], pull[m] + push[m]
+      speed[k], speed[m] = x + carried[k], y + carried[m]
+    end
+  end
 end
 
 --- Computes the paths of those in awakeList from `first` to `last`.
 function move.run(b, dt, first, last)
   local list, kind, buried = b.awakeList, b.kind, b.buried
-  for n = first, last do
-    if kind[list[n]] == KINEMATIC then
-      moveKinematic(b, list[n], dt)
-    end
-  end
-  for n = first, last do
-    if kind[list[n]] == DYNAMIC then
-      readCarrier(b, list[n])
-    end
-  end
-  for n = first, last do
-    local i = list[n]
-    if kind[i] == DYNAMIC then
-      moveAlong(b, 2 * i, dt)
-      moveAlong(b, 2 * i + 1, dt)
-      if buried[i] then
-        bury(b, i)
+  if b.hasCarriers then
+    for n = first, last do
+      if kind[list[n]] == KINEMATIC then
+        moveKinematic(b, list[n], dt)
       end
+    end
+    for n = first, last do
+      if kind[list[n]] == DYNAMIC then
+        readCarrier(b, list[n])
+      end
+    end
+  end
+  findEnds(b, first, last, dt)
+  findDrives(b, first, last, dt)
+  for n = first, b.hasBuried and last or 0 do
+    if buried[list[n]] and kind[list[n]] == DYNAMIC then
+      bury(b, list[n])
     end
   end
 end

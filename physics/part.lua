@@ -298,7 +298,7 @@ local function separate(b, p)
   if not ask.permits(b, isLow and i or j, isLow and j or i, axis) or tryWays(b, i, j, leave) then
     return
   elseif b.kind[j] ~= DYNAMIC and not tryWays(b, i, j, leaveCorner) then
-    b.buried[i] = true
+    b.buried[i], b.hasBuried = true, true
   end
 end
 
@@ -316,7 +316,7 @@ function part.run(b)
   for n = 1, b.movedCount do
     considerAll(b, b.movedList[n])
   end
-  for n = 1, b.awakeCount do
+  for n = 1, (b.hasInside or b.isRemasked) and b.awakeCount or 0 do
     local i = b.awakeList[n]
     if b.inside[i] or b.isRemasked then
       considerAll(b, i)

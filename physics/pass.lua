@@ -45,7 +45,7 @@ end
 
 -- Whether two who press do not meet: they pass through each other, or it would change nothing.
 local function isOver(b, p)
-  return b.passing[p] or b.met[p] >= PATIENCE or isSettled(b, p)
+  return b.passing[p] or b.met[p] >= PATIENCE or (b.settled[p] ~= 0 and isSettled(b, p))
 end
 
 -- Returns up to which turn of this round, along gravity (`across` 0) or across it (1), the queue
@@ -78,9 +78,10 @@ end
 
 -- Whether the two of turn x are as they were when they were looked at.
 local function isSame(ups, lows, changes, seen, axis, x)
-  local up, low = ups[x], lows[x]
-  local last, look = seen[x], changes[2 * up + axis] + changes[2 * low + axis]
-  return (last - look) * (last - wholly(changes, up, low)) == 0
+  local ku, kl = 2 * ups[x], 2 * lows[x]
+  local last, look = seen[x], changes[ku + axis] + changes[kl + axis]
+  local whole = UNSEEN - 1 - look - changes[ku + 1 - axis] - changes[kl + 1 - axis] -- `wholly`
+  return (last - look) * (last - whole) == 0
 end
 
 -- What `land` returns if the next turn is none of its own.
@@ -145,6 +146,7 @@ function pass.run(b, across, dt, isNext)
   local base, way = rounds.direction(b.turnRound, first, last)
   local n, left, isStale = b.turnsDone, DONE, b.isTurnStale[across]
   local most, presses = min(last, free), 0 -- 1: the next turn does
+  local seenUpTo = b.turnRound > 0 and most or 0 -- in the first round nobody has been looked at
   while left == DONE and n < last do
     if presses == 1 then
       presses, n = 0, n + 1
@@ -164,7 +166,7 @@ function pass.run(b, across, dt, isNext)
       end
       left = after(b, p, up, low, gives)
     else
-      while n < most and isSame(ups, lows, changes, seen, axis, order[base + way * (n + 1)]) do
+      while n < seenUpTo and isSame(ups, lows, changes, seen, axis, order[base + way * (n + 1)]) do
         n = n + 1
       end
       if n < most then

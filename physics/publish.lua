@@ -15,8 +15,9 @@ local oneway = require(here .. ".oneway")
 local publish = {}
 
 local DYNAMIC, GIVES = columns.DYNAMIC, columns.GIVES
-local EPSILON, OPPOSITE, VAST = columns.EPSILON, columns.OPPOSITE, columns.VAST
-local floor, max, min = math.floor, math.max, math.min
+local AXIS, OPPOSITE = columns.AXIS, columns.OPPOSITE
+local EPSILON, VAST = columns.EPSILON, columns.VAST
+local max, min = math.max, math.min
 
 -- Lists the live pairs that are close enough to touch, or did; returns how many.
 local function listClose(b)
@@ -28,9 +29,9 @@ local function listClose(b)
     local p = list[n]
     local k, m = 2 * pairA[p], 2 * pairB[p]
     local x, y = to[m] - to[k], to[m + 1] - to[k + 1]
-    local gap = max(max(x - size[k], -x - size[m]), max(y - size[k + 1], -y - size[m + 1]))
-    local isNear = max(EPSILON - gap, contacts[p] + hit[p] - 0.5) * VAST + 1
-    local isClose = min(max(isNear, 0), k, 1)
+    local gap = max(x - size[k], -x - size[m], y - size[k + 1], -y - size[m + 1])
+    local isNear, isMet = (EPSILON - gap) * VAST + 1, contacts[p] + hit[p]
+    local isClose = min(max(isNear, isMet, 0), k, 1)
     close[count + 1], wedged[p] = p, wedged[p] * isClose
     count = count + isClose
     if (overlapping[p] or dropping[p]) and isClose == 0 then
@@ -40,21 +41,11 @@ local function listClose(b)
   return count
 end
 
--- Whether a pair that was in contact still is, on the same side, and nobody wants to be told. The
--- side chooses what is read, not which way the code goes.
-local function goesOn(b, p, side)
-  local i, j = b.pairA[p], b.pairB[p]
-  local axis = floor((side - 1) * 0.5)
-  local k, m, kc, mc = 2 * i + axis, 2 * j + axis, 2 * i + 1 - axis, 2 * j + 1 - axis
-  local to, size = b.to, b.size
-  local isHigh = side - 2 * axis - 1 -- 0: the other is on the low side, 1: on the high side
-  local gap = (2 * isHigh - 1) * (to[m] - to[k]) - size[m + (k - m) * isHigh]
-  local rc = to[mc] - to[kc]
-  return max(gap, -gap) <= EPSILON
-    and max(rc - size[kc], -rc - size[mc]) < -EPSILON
-    and b.plain[i]
+-- Whether no more must be known of two in contact on `side` than where they are.
+local function isEven(b, i, j, side)
+  return b.plain[i]
     and b.plain[j]
-    and not (b.hears[i] or b.hears[j] or b.passing[p] or b.dropping[p] or b.overlapping[p])
+    and not (b.hears[i] or b.hears[j])
     and not (oneway.isOpen(b, i, side) or oneway.isOpen(b, j, OPPOSITE[side]))
 end
 
@@ -72,12 +63,28 @@ local function listKnown(b, closeCount, isQuiet)
   return known, otherCount
 end
 
--- Keeps those whose contact simply goes on, and lists the others behind b.otherPairs.
+-- Keeps those that are in contact on the same side as before, of which nobody wants to be told, and
+-- lists the others behind b.otherPairs. The side chooses what is read, not which way the code goes.
 local function listOn(b, known, otherCount)
   local touchPairs, others, contacts, count = b.touchPairs, b.otherPairs, b.contact, 0
+  local pairA, pairB, to, size, even = b.pairA, b.pairB, b.to, b.size, b.even
+  local passing, dropping, overlapping = b.passing, b.dropping, b.overlapping
   for n = 1, known do
     local p = touchPairs[n]
-    if goesOn(b, p, contacts[p]) then
+    local i, j, side = pairA[p], pairB[p], contacts[p]
+    local axis = AXIS[side]
+    local k, m, kc, mc = 2 * i + axis, 2 * j + axis, 2 * i + 1 - axis, 2 * j + 1 - axis
+    local isHigh = side - 2 * axis - 1 -- 0: the other is on the low side, 1: on the high side
+    local gap = (2 * isHigh - 1) * (to[m] - to[k]) - size[m + (k - m) * isHigh]
+    local rc = to[mc] - to[kc]
+    if
+      gap <= EPSILON
+      and gap >= -EPSILON
+      and rc - size[kc] < -EPSILON
+      and -rc - size[mc] < -EPSILON
+      and not (passing[p] or dropping[p] or overlapping[p])
+      and ((even[i] and even[j]) or isEven(b, i, j, side))
+    then
       count = count + 1
       touchPairs[count] = p
     else
@@ -97,23 +104,21 @@ local function updateContacts(b)
   return contact.updateAll(b, b.otherPairs, otherCount, b.touchPairs, count)
 end
 
-local function commonEdge(b, i, j, axis)
-  local ki, kj = 2 * i + axis, 2 * j + axis
-  local to, size = b.to, b.size
-  return min(to[ki] + size[ki], to[kj] + size[kj]) - max(to[ki], to[kj])
-end
-
 -- Lists what the dynamic ones touch: where that belongs in touchBest, who it is, how wide the
 -- common edge is; returns how many. Sensors touch nobody.
 local function listOffers(b, count)
   local touchPairs, pairA, pairB, contacts = b.touchPairs, b.pairA, b.pairB, b.contact
   local at, who, width, sensor, kind = b.offerAt, b.offerWho, b.offerWidth, b.sensor, b.kind
+  local to, size = b.to, b.size
   local offers = 1 ---@type number
   for n = 1, count do
     local p = touchPairs[n]
     local i, j, side = pairA[p], pairB[p], contacts[p]
     if not (sensor[i] or sensor[j]) then
-      local edge = commonEdge(b, i, j, 1 - floor((side - 1) * 0.5))
+      local across = 1 - AXIS[side]
+      local k, m = 2 * i + across, 2 * j + across
+      local x, y = to[k], to[m]
+      local edge = min(x + size[k], y + size[m]) - max(x, y)
       at[offers], who[offers], width[offers] = 4 * i + side, j, edge
       offers = offers + GIVES[kind[i]]
       at[offers], who[offers], width[offers] = 4 * j + OPPOSITE[side], i, edge
@@ -123,13 +128,14 @@ local function listOffers(b, count)
   return offers - 1
 end
 
--- Nobody touches anybody.
-local function resetTouching(b)
-  local list, best, bestWidth = b.awakeList, b.touchBest, b.touchWidth
+-- Nobody touches anybody, and nobody is inside anybody, until a contact says so.
+local function reset(b)
+  local list, best, inside = b.awakeList, b.touchBest, b.inside
   for n = 1, b.awakeCount do
-    local at = 4 * list[n]
+    local i = list[n]
+    local at = 4 * i
     best[at + 1], best[at + 2], best[at + 3], best[at + 4] = 0, 0, 0, 0
-    bestWidth[at + 1], bestWidth[at + 2], bestWidth[at + 3], bestWidth[at + 4] = -1, -1, -1, -1
+    inside[i] = false
   end
 end
 
@@ -139,13 +145,13 @@ local function takeFirst(b, count)
   local places, who, width = b.offerAt, b.offerWho, b.offerWidth
   local rivalCount = 0 ---@type number
   for n = 1, count do
-    local at, w = places[n], width[n]
-    local widest = bestWidth[at]
-    -- It was -1, or is more than 0.
-    local isFirst = max(-widest, 0) ---@type number
-    best[at], bestWidth[at] = best[at] + who[n] * isFirst, widest * (1 - isFirst) + w * isFirst
+    local at = places[n]
+    local first, widest = best[at], bestWidth[at]
+    local isTaken = min(first, 1)
+    best[at] = first + who[n] * (1 - isTaken)
+    bestWidth[at] = widest * isTaken + width[n] * (1 - isTaken)
     rivals[rivalCount + 1] = n
-    rivalCount = rivalCount + 1 - isFirst
+    rivalCount = rivalCount + isTaken
   end
   return rivalCount
 end
@@ -167,19 +173,7 @@ end
 -- Finds what everybody touches, from the pairs in contact: the widest common edge wins, ties in
 -- order.
 local function findTouching(b, count)
-  resetTouching(b)
   chooseRivals(b, takeFirst(b, listOffers(b, count)))
-end
-
-local function publishTouching(b, i)
-  local object, touching, best, at = b.object[i], b.touching[i], b.touchBest, 4 * i
-  local left, right, top, bottom = best[at + 1], best[at + 2], best[at + 3], best[at + 4]
-  local objects = b.object -- slot 0 is nobody: false
-  touching.left, touching.right = objects[left], objects[right]
-  touching.top, touching.bottom = objects[top], objects[bottom]
-  if object.touching ~= touching then
-    object.touching = touching
-  end
 end
 
 -- What everybody stands on.
@@ -228,25 +222,6 @@ local function hasNews(b, i)
   return b.news[i] or b.fresh[i] or b.moved[i] or b.heard[i] or b.inside[i]
 end
 
--- How far two points are apart, on the axis on which that is more.
-local function distance(x1, y1, x2, y2)
-  return max(max(x1 - x2, x2 - x1), max(y1 - y2, y2 - y1))
-end
-
-local function publishDynamic(b, i)
-  local object, position, velocity, written, k =
-    b.object[i], b.position, b.velocity, b.written, 2 * i
-  local x, y = b.to[k], b.to[k + 1]
-  local vx, vy = b.speed[k], b.speed[k + 1]
-  local moved = distance(x, y, position[k], position[k + 1])
-  local change = max(moved, distance(vx, vy, velocity[k], velocity[k + 1]))
-  b.quiet[i] = max(change, vx, -vx, vy, -vy) == 0 and not hasNews(b, i)
-  -- Whether any of it is new is not asked: that costs more than to write it.
-  object.x, object.y, object.vx, object.vy = x, y, vx, vy
-  position[k], position[k + 1], velocity[k], velocity[k + 1] = x, y, vx, vy
-  written[k], written[k + 1] = x, y
-end
-
 local function publishKinematic(b, i)
   local object, k = b.object[i], 2 * i
   local x, y = b.to[k], b.to[k + 1]
@@ -277,6 +252,9 @@ local function forgetMoved(b)
 end
 
 local function tellCrushed(b)
+  if not b.hasCrushed then
+    return
+  end
   local list, crushed, wasCrushed = b.awakeList, b.crushed, b.wasCrushed
   for n = 1, b.awakeCount do
     local k = 2 * list[n]
@@ -287,21 +265,44 @@ local function tellCrushed(b)
 end
 
 local function tellTouching(b)
-  local list, kind = b.awakeList, b.kind
+  local list, kind, objects, tables = b.awakeList, b.kind, b.object, b.touching
+  local best = b.touchBest
   for n = 1, b.awakeCount do
-    if kind[list[n]] == DYNAMIC then
-      publishTouching(b, list[n])
+    local i = list[n]
+    if kind[i] == DYNAMIC then
+      local object, touching, at = objects[i], tables[i], 4 * i
+      -- (Slot 0 is nobody: false.)
+      touching.left, touching.right = objects[best[at + 1]], objects[best[at + 2]]
+      touching.top, touching.bottom = objects[best[at + 3]], objects[best[at + 4]]
+      if object.touching ~= touching then
+        object.touching = touching
+      end
     end
   end
 end
 
 local function tellMotion(b)
-  local list, kind = b.awakeList, b.kind
+  local list, kind, objects, quiet = b.awakeList, b.kind, b.object, b.quiet
+  local to, speed = b.to, b.speed
+  local position, velocity, written = b.position, b.velocity, b.written
   for n = 1, b.awakeCount do
-    if kind[list[n]] == DYNAMIC then
-      publishDynamic(b, list[n])
+    local i = list[n]
+    if kind[i] == DYNAMIC then
+      local object, k, m = objects[i], 2 * i, 2 * i + 1
+      local x, y, vx, vy = to[k], to[m], speed[k], speed[m]
+      quiet[i] = vx == 0
+        and vy == 0
+        and x == position[k]
+        and y == position[m]
+        and velocity[k] == 0
+        and velocity[m] == 0
+        and not hasNews(b, i)
+      -- Whether any of it is new is not asked: that costs more than to write it.
+      object.x, object.y, object.vx, object.vy = x, y, vx, vy
+      position[k], position[m], velocity[k], velocity[m] = x, y, vx, vy
+      written[k], written[m] = x, y
     else
-      publishKinematic(b, list[n])
+      publishKinematic(b, i)
     end
   end
 end
@@ -320,17 +321,9 @@ local function findCarriers(b)
   end
 end
 
--- Nobody is inside anybody, until a contact says so.
-local function resetInside(b)
-  local list, inside = b.awakeList, b.inside
-  for n = 1, b.awakeCount do
-    inside[list[n]] = false
-  end
-end
-
 --- Publishes what the step has brought, for everybody who took part in it.
 function publish.run(b)
-  resetInside(b)
+  reset(b)
   findTouching(b, updateContacts(b))
   tellCrushed(b)
   findSupports(b)

@@ -374,6 +374,13 @@ local function rememberPoints(b, st, slots)
   end
 end
 
+-- What has happened in the world so far, as far as it leaves anything behind.
+local function rememberHistory(b, memory)
+  b.hasCarriers = b.hasCarriers or #memory.carried > 0
+  b.hasCrushed = b.hasCrushed or #memory.wasCrushed > 0
+  b.hasInside = b.hasInside or #memory.inside > 0
+end
+
 local function rememberSlots(b, st, slots)
   for _, name in ipairs(state.FLAGS) do
     local list = st.memory[name]
@@ -471,6 +478,7 @@ local function remember(b, st, objects, named)
     slots[n] = b.slotOf[objects[n]]
   end
   settle(b, objects, st.known)
+  rememberHistory(b, st.memory)
   rememberPoints(b, st, slots)
   rememberSlots(b, st, slots)
   stand(b, st, slots)

@@ -109,9 +109,17 @@ local function firstChange(record)
     end
     return countKeys(source) ~= count and 1 or nil
   end
-  for n = 1, count do
-    if not rawequal(rawget(source, n), list[n]) then
-      return n
+  if getmetatable(source) == nil then
+    for n = 1, count do
+      if not rawequal(source[n], list[n]) then
+        return n
+      end
+    end
+  else
+    for n = 1, count do
+      if not rawequal(rawget(source, n), list[n]) then
+        return n
+      end
     end
   end
   return not hasJust(record, count) and count + 1 or nil

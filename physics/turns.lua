@@ -101,15 +101,16 @@ local function findLow(b, flush, plainCount, axis, last)
   local pairA, pairB, from, kind, odd = b.pairA, b.pairB, b.from, b.kind, b.odd
   local isUp, isFooting, oddCount = b.orientation[axis] < 0, axis == b.downAxis, b.oddCount
   local choosy, direction, nearSide = b.choosy, isUp and -1 or 1, 2 * axis + (isUp and 1 or 2)
+  local usual, opposite = isUp and 1 or 0, 4 * axis + 3 - 2 * nearSide ---@type number, number
   for n = 1, plainCount do
     local p = flush[n]
     local i, j = pairA[p], pairB[p]
     -- 1: the second one is the upper one. No branches. (`ceil` makes a whole number of any
     -- difference: very thin ones may be anywhere.)
     local isAhead = max(min(ceil(from[2 * i + axis] - from[2 * j + axis]), 1), 0)
-    local isTurned = (isUp and 1 or 0) + isAhead * direction ---@type number
+    local isTurned = usual + isAhead * direction ---@type number
     local up, low = i + (j - i) * isTurned, j + (i - j) * isTurned
-    local side = nearSide + (4 * axis + 3 - 2 * nearSide) * isTurned
+    local side = nearSide + opposite * isTurned
     if
       (isFooting and kind[up] ~= DYNAMIC)
       or ((choosy[up] or choosy[low]) and isChoosy(b, up, low, axis, direction))

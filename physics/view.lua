@@ -170,8 +170,10 @@ end
 local function hasLeft(v, i)
   local position, size, fatLow, fatHigh, k = v.position, v.size, v.fatLow, v.fatHigh, 2 * i
   return max(
-    max(fatLow[k] - position[k], position[k] + size[k] - fatHigh[k]),
-    max(fatLow[k + 1] - position[k + 1], position[k + 1] + size[k + 1] - fatHigh[k + 1])
+    fatLow[k] - position[k],
+    position[k] + size[k] - fatHigh[k],
+    fatLow[k + 1] - position[k + 1],
+    position[k + 1] + size[k + 1] - fatHigh[k + 1]
   ) > 0
 end
 

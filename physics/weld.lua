@@ -28,6 +28,7 @@ function weld.back(b, k, backedLow, backedHigh)
   if not (backedLow or backedHigh) then
     return -- mostly: nothing to mark in a group that may be large
   end
+  b.hasBacked = true
   local first = k
   repeat
     b.backedLow[k] = b.backedLow[k] or backedLow

@@ -136,6 +136,90 @@ describe("a state from elsewhere", function()
     end
   end)
 
+  -- What a world does not look for if it never happened there. Who, the step before which the state
+  -- is saved, after the game has written; how often somebody is crushed before and after; objects;
+  -- what the game writes before step n.
+  local HISTORIES = {
+    {
+      "who was crushed",
+      50,
+      { 1, 1 },
+      {
+        walls = { { x = 0, y = 0, width = 10, height = 100, static = true } },
+        lifts = { { x = 60, y = 0, width = 20, height = 100, kinematic = true, vx = -60 } },
+        boxes = { { x = 30, y = 40, width = 20, height = 20, gravity = 0 } },
+      },
+      function(objects, n)
+        if n == 50 then
+          objects.lifts[1] = nil
+        elseif n == 80 then
+          objects.lifts[1] = { x = 60, y = 0, width = 20, height = 100, kinematic = true, vx = -60 }
+        end
+      end,
+    },
+    {
+      "who is inside of walls",
+      20,
+      { 0, 0 },
+      {
+        walls = {
+          { x = 0, y = 0, width = 30, height = 90, static = true },
+          { x = 30, y = 0, width = 30, height = 30, static = true },
+          { x = 30, y = 30, width = 30, height = 30, static = true },
+          { x = 30, y = 60, width = 30, height = 30, static = true },
+          { x = 60, y = 0, width = 30, height = 90, static = true },
+        },
+        boxes = { { x = 40, y = 40, width = 10, height = 10 } },
+      },
+      function(objects, n)
+        if n == 20 then
+          table.remove(objects.walls, 5)
+        end
+      end,
+    },
+    {
+      "whose lift has gone",
+      30,
+      { 0, 0 },
+      {
+        lifts = { { x = 0, y = 100, width = 100, height = 10, kinematic = true, vx = 60 } },
+        boxes = { { x = 40, y = 80, width = 20, height = 20 } },
+      },
+      function(objects, n)
+        if n == 30 then
+          objects.lifts[1] = nil
+        end
+      end,
+    },
+  }
+  for _, row in ipairs(HISTORIES) do
+    it("goes on in an empty world as in the old one, with one " .. row[1], function()
+      local what, saved, crushes, objects, drive = row[1], row[2], row[3], row[4], row[5]
+      local world, copy, counts = physics.newWorld({ gravity = 600 }), physics.newWorld(), { 0, 0 }
+      world.objects = objects
+      for at, each in ipairs({ world, copy }) do
+        each.onCrush = function()
+          counts[at] = counts[at] + 1
+        end
+      end
+      for n = 1, saved + 100 do
+        drive(world.objects, n)
+        if n == saved then
+          assert.same({ crushes[1], 0 }, counts)
+          copy:restore(world:save())
+        elseif n > saved then
+          drive(copy.objects, n)
+        end
+        world:update(1 / 60)
+        if n >= saved then
+          copy:update(1 / 60)
+          assert.equal(world:hash(), copy:hash(), what .. ", step " .. n)
+        end
+      end
+      assert.same({ crushes[1] + crushes[2], crushes[2] }, counts)
+    end)
+  end
+
   it("is the same state after it was restored", function()
     local world = everything.new()
     for n = 1, 50 do

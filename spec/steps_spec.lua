@@ -231,6 +231,7 @@ describe("forces", function()
         local k = 2 + axis
         b.velocity[k], b.pull[k], b.airFriction[1], b.drag[1] = row[2], row[3], row[4], row[5]
         b.limit[k] = row[6] or math.huge
+        b.hasHinders = true
         forces.run(b, row[7], 1, 1)
         assert.near(row[8], b.speed[k], 1e-9)
         assert.near(row[9], b.way[k], 1e-9)
@@ -242,7 +243,7 @@ describe("forces", function()
 
   it("limit the length of a velocity, whatever its direction", function()
     local b = newBodies(1)
-    b.velocity[2], b.velocity[3], b.maxSpeed[1] = 300, -400, 100
+    b.velocity[2], b.velocity[3], b.maxSpeed[1], b.hasHinders = 300, -400, 100, true
     forces.run(b, 0.5, 1, 1)
     assert.near(60, b.speed[2], 1e-9)
     assert.near(-80, b.speed[3], 1e-9)

@@ -80,8 +80,13 @@ function grid.new(b, cellSize)
   return self
 end
 
+---@return integer
 local function cellAt(coordinate, cell)
-  return max(-FAR, min(FAR, floor(coordinate / cell)))
+  local at = floor(coordinate / cell)
+  if at > FAR or at < -FAR then
+    at = at > 0 and FAR or -FAR
+  end
+  return at
 end
 
 -- `share` is 1 / buckets, exactly: the number of buckets is a power of two.
@@ -234,10 +239,10 @@ end
 local function addCells(self, rangeCount)
   local ranges, cells, heads, buckets = self.ranges, self.cells, self.heads, self.buckets
   local n, at, share = 0, 0, 1 / buckets
-  local cellX, cellY = ranges[3], ranges[5]
+  local cellX, cellY, level = ranges[3], ranges[5], ranges[2]
   while at < rangeCount do
-    local level = ranges[at + 2]
-    local head = heads[hash(cellX, cellY, level, buckets, share)]
+    local h = cellX * FACTOR_X + cellY * FACTOR_Y + level * FACTOR_LEVEL
+    local head = heads[h - floor(h * share) * buckets + 1] -- as `hash`
     if head ~= 0 then
       cells[n + 1], cells[n + 2] = head, ranges[at + 1]
       cells[n + 3], cells[n + 4], cells[n + 5] = level, cellX, cellY
@@ -248,7 +253,7 @@ local function addCells(self, rangeCount)
       cellX, cellY = ranges[at + 3], cellY + 1
       if cellY > ranges[at + 6] then
         at = at + RANGE
-        cellX, cellY = ranges[at + 3], ranges[at + 5]
+        cellX, cellY, level = ranges[at + 3], ranges[at + 5], ranges[at + 2]
       end
     end
   end
@@ -258,8 +263,10 @@ end
 -- >= 0 if two fat boxes meet. No branches.
 local function contact(fatLow, fatHigh, k, m)
   return min(
-    min(fatHigh[k] - fatLow[m], fatHigh[m] - fatLow[k]),
-    min(fatHigh[k + 1] - fatLow[m + 1], fatHigh[m + 1] - fatLow[k + 1])
+    fatHigh[k] - fatLow[m],
+    fatHigh[m] - fatLow[k],
+    fatHigh[k + 1] - fatLow[m + 1],
+    fatHigh[m + 1] - fatLow[k + 1]
   )
 end
 
@@ -293,7 +300,7 @@ end
 -- Finds who stands in the cells of the listed ranges and meets who asks.
 local function findIn(self, rangeCount, list, askers, found)
   -- What lies behind the end is read, and not used.
-  self.ranges[rangeCount + 3], self.ranges[rangeCount + 5] = 0, 0
+  self.ranges[rangeCount + 2], self.ranges[rangeCount + 3], self.ranges[rangeCount + 5] = 0, 0, 0
   local cells = addCells(self, rangeCount)
   self.cells[cells + 1] = 0
   return addMembers(self, list, cells, askers, found)
