@@ -3,6 +3,8 @@
 ---   canRest           it skips what rests; the others play only the scenes in which nobody may
 ---   module            what must be found on package.path
 ---   needsCompiler     plays only where LuaJIT's compiler is on
+---   needsLove         plays only in LÖVE
+---   isTurning         its boxes turn: how deep they stand in each other is not looked at
 ---   lacks             feature -> why scenes that need it are not played
 ---   new(scene)        -> a world, with the methods
 ---     step(dt)          moves the world on
@@ -21,13 +23,14 @@ local TITLES = {
   ours = "physics.lua",
   compiled = "compile()",
   love = "love.physics",
+  turning = "love, turning",
   tutorial = "tutorial's loop",
   bump = "bump.lua",
   fizzx = "FizzX",
 }
 
 --- The names, ours first, in the order in which they are measured and printed.
-engines.names = { "ours", "compiled", "love", "tutorial", "bump", "fizzx" }
+engines.names = { "ours", "compiled", "love", "turning", "tutorial", "bump", "fizzx" }
 
 --- What an engine is called in tables.
 ---@param name string one of `engines.names`
@@ -56,11 +59,10 @@ end
 ---@return table? engine
 ---@return string? reason
 function engines.get(name, isLove)
-  if name == "love" and not isLove then
-    return nil, "needs LÖVE"
-  end
   local engine = require("bench.engines." .. name)
-  if engine.module and not isFound(engine.module) then
+  if engine.needsLove and not isLove then
+    return nil, "needs LÖVE"
+  elseif engine.module and not isFound(engine.module) then
     return nil, "not found on package.path"
   end
   return engine

@@ -177,7 +177,7 @@ function measure.quality(engine, scene, limit)
   if not warmUp(worlds, scene, deadline) then
     return { looks = 0 }
   end
-  local check = newOverlapCheck(worlds[1], scene)
+  local check = not engine.isTurning and newOverlapCheck(worlds[1], scene)
   local result, garbage = { looks = 0 }, {}
   collectgarbage()
   for i = 1, scene.steps do
@@ -185,7 +185,7 @@ function measure.quality(engine, scene, limit)
       break
     end
     garbage[i] = garbageOf(worlds, scene, scene.warmUp + i)
-    if i % CHECK_EVERY == 0 or i == scene.steps then
+    if check and (i % CHECK_EVERY == 0 or i == scene.steps) then
       result.overlapAtEnd = check()
       result.overlap = math.max(result.overlap or 0, result.overlapAtEnd)
       result.looks = result.looks + 1

@@ -235,12 +235,17 @@ describe("an engine", function()
     assert.equal("has no rest", engines.refusal(tutorial, pile))
     assert.is_nil(engines.refusal(tutorial, scenes.build("pile-awake", 20)))
     assert.is_nil(engines.refusal(engines.get("ours", false), lifts))
+    local turning, level = require("bench.engines.turning"), scenes.build("level", 2000)
+    assert.equal("its boxes fall over", engines.refusal(turning, level))
+    assert.is_nil(engines.refusal(turning, pile))
   end)
 
   it("is missing where it cannot be", function()
-    local found, reason = engines.get("love", false)
-    assert.is_nil(found)
-    assert.equal("needs LÖVE", reason)
+    for _, name in ipairs({ "love", "turning" }) do
+      local found, reason = engines.get(name, false)
+      assert.is_nil(found)
+      assert.equal("needs LÖVE", reason)
+    end
   end)
 end)
 

@@ -2,6 +2,7 @@
 
 local lovePhysics = {
   canRest = true,
+  needsLove = true,
   lacks = { state = "its state cannot be read out as a whole" },
 }
 local World = {}
@@ -9,9 +10,10 @@ World.__index = World
 
 local METER = 64 -- px; Box2D is tuned for sizes of 0.1 to 10 m
 
-function lovePhysics.new(scene)
+--- `turns`: the bodies do, which is what they do if nobody says otherwise.
+function lovePhysics.new(scene, turns)
   love.physics.setMeter(METER)
-  local self = setmetatable({ bodies = {}, halves = {} }, World)
+  local self = setmetatable({ bodies = {}, halves = {}, isFixed = not turns }, World)
   self.world = love.physics.newWorld(0, scene.gravity, scene.rest)
   for _, description in ipairs(scene.objects) do
     self:add(description)
@@ -41,7 +43,7 @@ function World:add(description)
   local fixture = love.physics.newFixture(body, shape)
   fixture:setFriction(description.friction or 0)
   fixture:setRestitution(description.restitution or 0)
-  body:setFixedRotation(true)
+  body:setFixedRotation(self.isFixed)
   body:setGravityScale(description.gravity == 0 and 0 or 1)
   body:setLinearVelocity(description.vx or 0, description.vy or 0)
   local index = #self.bodies + 1

@@ -45,7 +45,7 @@ local function build(tiles)
     world:remove(numberOf[dug])
     world:step(1 / 60)
   end
-  return { gravity = 800, objects = objects, frame = frame }
+  return { gravity = 800, objects = objects, needs = { "upright" }, frame = frame }
 end
 
 return {

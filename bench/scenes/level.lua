@@ -64,7 +64,7 @@ return {
     sizes = { 2000, 20000 },
     quick = 2000,
     build = function(tiles)
-      return { gravity = 800, objects = build(tiles), frame = frame }
+      return { gravity = 800, objects = build(tiles), needs = { "upright" }, frame = frame }
     end,
   },
 }

@@ -50,7 +50,7 @@ local function build(riders)
     end
     world:step(1 / 60)
   end
-  return { gravity = 800, objects = objects, needs = { "kinematic" }, frame = frame }
+  return { gravity = 800, objects = objects, needs = { "kinematic", "upright" }, frame = frame }
 end
 
 return {

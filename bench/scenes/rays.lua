@@ -40,7 +40,7 @@ local function build(count)
   local function between(world)
     world:step(1 / 60)
   end
-  local needs = { "raycast" }
+  local needs = { "raycast", "upright" }
   return { gravity = 0, objects = objects, needs = needs, frame = frame, between = between }
 end
 

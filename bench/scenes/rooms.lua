@@ -61,7 +61,7 @@ return {
         gravity = 800,
         objects = room(),
         worlds = count,
-        needs = { "worlds" },
+        needs = { "worlds", "upright" },
         frame = frame,
       }
     end,

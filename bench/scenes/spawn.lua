@@ -56,7 +56,7 @@ local function build(rate)
     end
     world:step(1 / 60)
   end
-  return { gravity = 800, objects = objects, frame = frame }
+  return { gravity = 800, objects = objects, needs = { "upright" }, frame = frame }
 end
 
 return {

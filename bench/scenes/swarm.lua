@@ -30,7 +30,7 @@ local function build(count)
     end
     world:step(1 / 60)
   end
-  return { gravity = 0, objects = objects, frame = frame }
+  return { gravity = 0, objects = objects, needs = { "upright" }, frame = frame }
 end
 
 return {

@@ -1,0 +1,20 @@
+--- love.physics as it comes: its boxes turn, and fall over. What a game pays that wants crates to
+--- lie about and has not read on.
+
+local lovePhysics = require("bench.engines.love")
+
+local turning = {
+  canRest = true,
+  needsLove = true,
+  isTurning = true,
+  lacks = {
+    state = lovePhysics.lacks.state,
+    upright = "its boxes fall over",
+  },
+}
+
+function turning.new(scene)
+  return lovePhysics.new(scene, true)
+end
+
+return turning
