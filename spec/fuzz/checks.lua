@@ -285,7 +285,9 @@ function Watch:onBegin(key, a, b, side, speed)
   elseif speed ~= speed or speed < 0 or speed >= FAR then
     self:complain("pairing", ("onBegin of %s with speed %s"):format(key, tostring(speed)))
   elseif self.groupOf[a] and self.groupOf[b] then
-    if not self:canMeet(a, b) and self:isSettled(a) and self:isSettled(b) then
+    -- After a callback has failed, what is told now may have waited since then.
+    local isNew = not self.player.failed and self:isSettled(a) and self:isSettled(b)
+    if isNew and not self:canMeet(a, b) then
       self:complain("masks", ("onBegin of %s, who cannot meet"):format(key))
     end
   end
