@@ -350,9 +350,27 @@ end
 -- loop body with many live values compiles badly. `false` in a column is nil in the table (a
 -- `false` in there is refused).
 
+-- Takes over a velocity that the game has written, or not set at all.
+local function readVelocity(b, i, object)
+  local velocity, k, vx, vy = b.velocity, 2 * i, object.vx, object.vy
+  if vx == nil or vy == nil then
+    vx, vy = orDefault(vx, 0), orDefault(vy, 0)
+    if b.kind[i] == DYNAMIC then
+      rest.wake(b, i) -- `publish` makes numbers of them
+    end
+  end
+  if vx ~= velocity[k] or vy ~= velocity[k + 1] then
+    if not (isFinite(vx) and isFinite(vy)) then
+      checkAgain(b, i)
+    end
+    velocity[k], velocity[k + 1] = vx + 0.0, vy + 0.0
+    rest.wake(b, i)
+  end
+end
+
 local function compareMotion(b)
   local movers, objects = b.movers, b.object
-  local velocity, size, written, kind = b.velocity, b.size, b.written, b.kind
+  local velocity, size, written = b.velocity, b.size, b.written
   for n = 1, b.moverCount do
     local i = movers[n]
     local object, k = objects[i], 2 * i
@@ -364,19 +382,8 @@ local function compareMotion(b)
     then
       reread(b, i)
     end
-    local vx, vy = object.vx, object.vy
-    if vx == nil or vy == nil then
-      vx, vy = orDefault(vx, 0), orDefault(vy, 0)
-      if kind[i] == DYNAMIC then
-        rest.wake(b, i) -- `publish` makes numbers of them
-      end
-    end
-    if vx ~= velocity[k] or vy ~= velocity[k + 1] then
-      if not (isFinite(vx) and isFinite(vy)) then
-        checkAgain(b, i)
-      end
-      velocity[k], velocity[k + 1] = vx + 0.0, vy + 0.0
-      rest.wake(b, i)
+    if object.vx ~= velocity[k] or object.vy ~= velocity[k + 1] then
+      readVelocity(b, i, object)
     end
   end
 end
