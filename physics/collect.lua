@@ -200,7 +200,7 @@ local function readAll(b, i, object, isNew)
   b.hasAskers = b.hasAskers or b.canCollide[i] ~= false
   b.plain[i] = not b.sensor[i]
   b.even[i] = not (b.sensor[i] or b.hears[i] or b.oneWay[i])
-  b.choosy[i] = b.oneWay[i] ~= false or b.nudge[i] ~= 0 or not b.pushable[i]
+  b.choosy[i] = b.sensor[i] or b.oneWay[i] ~= false or b.nudge[i] ~= 0 or not b.pushable[i]
 end
 
 --- Returns the table that will be `touching` of an object; `publish` hands it over.

@@ -53,7 +53,7 @@ local SLOT = {
   kind = 0,
   plain = false, -- bumps whoever it meets
   even = false, -- and does so on all sides, and is not told of contacts that go on
-  choosy = false, -- but what happens then depends on the side, or on who it is
+  choosy = false, -- does not, or what happens then depends on the side, or on who it is
   bare = false, -- dynamic, and had none of the fields that few have when it was last read
   -- fields of the object, defaults filled in
   active = true,

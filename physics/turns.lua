@@ -30,25 +30,6 @@ local MOVES = 8
 local SOME, MANY = 24, 1000
 local FEW_DIGITS, MANY_DIGITS = 256, 1024
 
--- Of the pairs that are flush, keeps those that are plain and lists the others behind b.odd;
--- returns how many are plain.
-local function keepPlain(b, flush, flushCount)
-  local odd, pairA, pairB, count = b.odd, b.pairA, b.pairB, 0
-  local plain, dropping, oddCount = b.plain, b.dropping, b.oddCount
-  for n = 1, flushCount do
-    local p = flush[n]
-    if plain[pairA[p]] and plain[pairB[p]] and not dropping[p] then
-      count = count + 1
-      flush[count] = p
-    else
-      oddCount = oddCount + 1
-      odd[oddCount] = p
-    end
-  end
-  b.oddCount = oddCount
-  return count
-end
-
 -- Marks slot i if it touches the immovable j and may slide around a corner of it: anywhere but on
 -- the side that gravity presses.
 local function markLoose(b, i, j)
@@ -77,12 +58,13 @@ local function findLoose(b)
   end
 end
 
--- Whether more may happen between two that meet than that they bump: one of them is open there, or
--- slides around a corner, or cannot be pushed by the other. (On what stands fast nobody is pushed,
--- and no other footings have a turn in the end.)
+-- Whether something else may happen between two that meet than that they bump: one of them is a
+-- sensor, or open there, or slides around a corner, or cannot be pushed by the other. (On what
+-- stands fast nobody is pushed, and no other footings have a turn in the end.)
 local function isChoosy(b, up, low, axis, direction)
   local upSide = 2 * axis + 1.5 + 0.5 * direction
-  return oneway.isOpen(b, up, upSide)
+  return not (b.plain[up] and b.plain[low])
+    or oneway.isOpen(b, up, upSide)
     or oneway.isOpen(b, low, 4 * axis + 3 - upSide)
     or b.looseAt[up] == b.step
     or b.looseAt[low] == b.step
@@ -94,15 +76,17 @@ local function isChoosy(b, up, low, axis, direction)
     )
 end
 
--- Works out who leans on whom along an axis, behind place `last`; returns the last place then.
--- Where the upper one of a footing cannot fall, the pair is odd, too.
-local function findLow(b, flush, plainCount, axis, last)
+-- Works out who leans on whom along an axis, of the pairs that are flush, behind place `last`;
+-- returns the last place then. Pairs that are not plain are listed behind b.odd, and so are
+-- footings of which the upper one cannot fall.
+local function findLow(b, flush, flushCount, axis, last)
   local list, ups, lows, sides = b.turnPair, b.turnUp, b.turnLow, b.turnSide
   local pairA, pairB, from, kind, odd = b.pairA, b.pairB, b.from, b.kind, b.odd
-  local isUp, isFooting, oddCount = b.orientation[axis] < 0, axis == b.downAxis, b.oddCount
+  local dropping, oddCount = b.dropping, b.oddCount
+  local isUp, isFooting = b.orientation[axis] < 0, axis == b.downAxis
   local choosy, direction, nearSide = b.choosy, isUp and -1 or 1, 2 * axis + (isUp and 1 or 2)
   local usual, opposite = isUp and 1 or 0, 4 * axis + 3 - 2 * nearSide ---@type number, number
-  for n = 1, plainCount do
+  for n = 1, flushCount do
     local p = flush[n]
     local i, j = pairA[p], pairB[p]
     -- 1: the second one is the upper one. No branches. (`ceil` makes a whole number of any
@@ -113,6 +97,7 @@ local function findLow(b, flush, plainCount, axis, last)
     local side = nearSide + opposite * isTurned
     if
       (isFooting and kind[up] ~= DYNAMIC)
+      or dropping[p]
       or ((choosy[up] or choosy[low]) and isChoosy(b, up, low, axis, direction))
     then
       oddCount = oddCount + 1
@@ -338,7 +323,7 @@ end
 -- then. In the step before there were `before` of them.
 local function listAlong(b, flush, count, axis, last, before, theirs)
   local first = last + 1
-  last = findLow(b, flush, keepPlain(b, flush, count), axis, last)
+  last = findLow(b, flush, count, axis, last)
   if last >= first then
     weigh(b, axis, first, last)
     arrange(b, first, last, before, theirs)
