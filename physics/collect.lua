@@ -20,6 +20,7 @@ local view = require(here .. ".view")
 local collect = {}
 
 local HUGE = math.huge
+local UNREAD = 0 / 0 -- no place is equal to it
 local isFinite = check.isFinite
 local STATIC, KINEMATIC, DYNAMIC = columns.STATIC, columns.KINEMATIC, columns.DYNAMIC
 
@@ -189,8 +190,10 @@ local function isBare(object)
     and object.nudge == nil
 end
 
--- Reads all fields, which must have been checked.
+-- Reads all fields, which must have been checked. If reading one fails all the same (an `__index` of
+-- the game's may), all are read again in the next step.
 local function readAll(b, i, object, isNew)
+  b.written[2 * i] = UNREAD
   readFields(b, i, object)
   readMotion(b, i, object, isNew)
   b.hasCarriers = b.hasCarriers or b.kind[i] == KINEMATIC or b.surfaceSpeed[i] ~= 0

@@ -173,11 +173,11 @@ local function listStrays(b, list, first, last)
     local i = list[at]
     local k, m = 2 * i, 2 * i + 1
     local x, y, endX, endY = from[k], from[m], to[k], to[m]
-    local left, right = fatLow[k], fatHigh[k] - size[k]
-    local top, bottom = fatLow[m], fatHigh[m] - size[m]
+    local left, right, top, bottom = fatLow[k], fatHigh[k], fatLow[m], fatHigh[m]
+    local width, height = size[k], size[m]
     -- No branches: whichever side it leaves on, the same happens.
-    local outX = max(left - x, left - endX, x - right, endX - right)
-    local outY = max(top - y, top - endY, y - bottom, endY - bottom)
+    local outX = max(left - x, left - endX, x + width - right, endX + width - right)
+    local outY = max(top - y, top - endY, y + height - bottom, endY + height - bottom)
     if (max(outX, outY) > 0 or placed[i] ~= 2) and active[i] and strayAt[i] == huge then
       n = n + 1
       strays[n], strayAt[i] = i, n

@@ -376,7 +376,7 @@ end
 
 -- What has happened in the world so far, as far as it leaves anything behind.
 local function rememberHistory(b, memory)
-  b.hasCarriers = b.hasCarriers or #memory.carried > 0
+  b.hasCarriers = b.hasCarriers or #memory.carrier > 0 or #memory.carried > 0
   b.hasCrushed = b.hasCrushed or #memory.wasCrushed > 0
   b.hasInside = b.hasInside or #memory.inside > 0
 end

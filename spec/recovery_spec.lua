@@ -156,6 +156,36 @@ describe("after an object has failed", function()
     assert.is_true(count > 100, "accesses: " .. count)
   end)
 
+  local function isAlike(one, other)
+    for n = 1, #one do
+      if one[n] ~= other[n] then
+        return false
+      end
+    end
+    return true
+  end
+
+  it("at any point before somebody has moved, the next one takes over what was written", function()
+    local function prepare(scene)
+      run(3)(scene)
+      scene.a.kinematic, scene.a.vx, scene.a.oneWay = true, 30, "bottom"
+      scene.b.drag, scene.b.maxSpeed, scene.b.mask = 100, 35, newFailing({ lifts = false })
+      scene.lift.kinematic, scene.lift.gravity = nil, 0
+      scene.before = snapshot(scene)
+    end
+    local twin, count = newScene(), 0
+    prepare(twin)
+    run(5)(twin)
+    failEverywhere(prepare, update, function(scene, what, ok)
+      if not ok and isAlike(scene.before, snapshot(scene)) then
+        count = count + 1
+        run(5)(scene)
+        assert.same(snapshot(twin), snapshot(scene), what)
+      end
+    end)
+    assert.is_true(count > 20, "accesses: " .. count)
+  end)
+
   -- name, call
   for _, row in ipairs({
     {

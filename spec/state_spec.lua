@@ -178,6 +178,21 @@ describe("a state from elsewhere", function()
       end,
     },
     {
+      "who has just landed on a belt that has stopped",
+      5,
+      { 0, 0 },
+      {
+        belts = { { x = 0, y = 100, width = 400, height = 10, static = true, surfaceSpeed = 60 } },
+        boxes = { { x = 40, y = 79, width = 20, height = 20 } },
+      },
+      function(objects, n, world)
+        if n == 5 or n == 6 then
+          objects.belts[1].surfaceSpeed = n == 6 and 60 or nil
+          world:refresh(objects.belts[1])
+        end
+      end,
+    },
+    {
       "whose lift has gone",
       30,
       { 0, 0 },
@@ -203,12 +218,12 @@ describe("a state from elsewhere", function()
         end
       end
       for n = 1, saved + 100 do
-        drive(world.objects, n)
+        drive(world.objects, n, world)
         if n == saved then
           assert.same({ crushes[1], 0 }, counts)
           copy:restore(world:save())
         elseif n > saved then
-          drive(copy.objects, n)
+          drive(copy.objects, n, copy)
         end
         world:update(1 / 60)
         if n >= saved then
