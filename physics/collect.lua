@@ -190,8 +190,8 @@ local function isBare(object)
     and object.nudge == nil
 end
 
--- Reads all fields, which must have been checked. If reading one fails all the same (an `__index` of
--- the game's may), all are read again in the next step.
+-- Reads all fields, which must have been checked. If reading one fails all the same (an `__index`
+-- of the game's may), all are read again in the next step.
 local function readAll(b, i, object, isNew)
   b.written[2 * i] = UNREAD
   readFields(b, i, object)
