@@ -239,22 +239,24 @@ end
 local function addCells(self, rangeCount)
   local ranges, cells, heads, buckets = self.ranges, self.cells, self.heads, self.buckets
   local n, at, share = 0, 0, 1 / buckets
-  local cellX, cellY, level = ranges[3], ranges[5], ranges[2]
+  local level, cellX, lastX, cellY = ranges[2], ranges[3], ranges[4], ranges[5]
+  local h = cellX * FACTOR_X + cellY * FACTOR_Y + level * FACTOR_LEVEL -- as `hash`
   while at < rangeCount do
-    local h = cellX * FACTOR_X + cellY * FACTOR_Y + level * FACTOR_LEVEL
-    local head = heads[h - floor(h * share) * buckets + 1] -- as `hash`
+    local head = heads[h - floor(h * share) * buckets + 1]
     if head ~= 0 then
       cells[n + 1], cells[n + 2] = head, ranges[at + 1]
       cells[n + 3], cells[n + 4], cells[n + 5] = level, cellX, cellY
       n = n + CELL
     end
-    cellX = cellX + 1
-    if cellX > ranges[at + 4] then
+    cellX, h = cellX + 1, h + FACTOR_X
+    if cellX > lastX then
       cellX, cellY = ranges[at + 3], cellY + 1
       if cellY > ranges[at + 6] then
         at = at + RANGE
-        cellX, cellY, level = ranges[at + 3], ranges[at + 5], ranges[at + 2]
+        level, cellX = ranges[at + 2], ranges[at + 3]
+        lastX, cellY = ranges[at + 4], ranges[at + 5]
       end
+      h = cellX * FACTOR_X + cellY * FACTOR_Y + level * FACTOR_LEVEL
     end
   end
   return n
@@ -276,11 +278,17 @@ local function addMembers(self, list, cellCount, askers, found)
   local cellX, cellY, levels = self.cellX, self.cellY, self.level
   local fatLow, fatHigh = self.bodies.fatLow, self.bodies.fatHigh
   local n, at = 0, 0
-  local i = cells[1]
+  local i, asker = cells[1], list[cells[2]]
   while at < cellCount do
-    local asker = list[cells[at + 2]]
+    local k, m = 2 * asker, 2 * i
+    local meets = min(
+      fatHigh[k] - fatLow[m],
+      fatHigh[m] - fatLow[k],
+      fatHigh[k + 1] - fatLow[m + 1],
+      fatHigh[m + 1] - fatLow[k + 1]
+    ) -- as `contact`
     if
-      contact(fatLow, fatHigh, 2 * asker, 2 * i) >= 0
+      meets >= 0
       and cellX[i] == cells[at + 4]
       and cellY[i] == cells[at + 5]
       and levels[i] == cells[at + 3]
@@ -291,7 +299,7 @@ local function addMembers(self, list, cellCount, askers, found)
     i = nextInBucket[i]
     if i == 0 then
       at = at + CELL
-      i = cells[at + 1]
+      i, asker = cells[at + 1], list[cells[at + 2]]
     end
   end
   return n
@@ -300,9 +308,11 @@ end
 -- Finds who stands in the cells of the listed ranges and meets who asks.
 local function findIn(self, rangeCount, list, askers, found)
   -- What lies behind the end is read, and not used.
-  self.ranges[rangeCount + 2], self.ranges[rangeCount + 3], self.ranges[rangeCount + 5] = 0, 0, 0
+  for n = rangeCount + 2, rangeCount + 5 do
+    self.ranges[n] = 0
+  end
   local cells = addCells(self, rangeCount)
-  self.cells[cells + 1] = 0
+  self.cells[cells + 1], self.cells[cells + 2] = 0, 1
   return addMembers(self, list, cells, askers, found)
 end
 
