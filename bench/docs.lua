@@ -277,11 +277,11 @@ end
 ---@return string
 function docs.plot(lines, file)
   local program = {
-    'set terminal pngcairo size 900,560 font "DejaVu Sans,11"',
+    'set terminal pngcairo size 1000,560 font "DejaVu Sans,11"',
     string.format('set output "%s"', file),
     "set logscale xy",
     "set grid",
-    "set key left top",
+    "set key outside right top",
     'set title "A pile of n boxes that may not rest: median time of a step"',
     'set xlabel "boxes"',
     'set ylabel "ms"',
