@@ -190,6 +190,11 @@ local function isBare(object)
     and object.nudge == nil
 end
 
+-- Notes whether where it stands is all there is to know of a contact that goes on.
+local function noteEven(b, i)
+  b.even[i] = not (b.sensor[i] or b.hears[i] or b.oneWay[i])
+end
+
 -- Reads all fields, which must have been checked. If reading one fails all the same (an `__index`
 -- of the game's may), all are read again in the next step.
 local function readAll(b, i, object, isNew)
@@ -202,7 +207,7 @@ local function readAll(b, i, object, isNew)
   b.hasBounces = b.hasBounces or b.restitution[i] ~= 0
   b.hasAskers = b.hasAskers or b.canCollide[i] ~= false
   b.plain[i] = not b.sensor[i]
-  b.even[i] = not (b.sensor[i] or b.hears[i] or b.oneWay[i])
+  noteEven(b, i)
   b.choosy[i] = b.sensor[i] or b.oneWay[i] ~= false or b.nudge[i] ~= 0 or not b.pushable[i]
 end
 
@@ -396,7 +401,7 @@ local function hear(b, i)
   local object = b.object[i]
   checkAgain(b, i)
   b.hears[i], b.bare[i] = object.onStay or false, false
-  b.even[i] = not (b.sensor[i] or b.hears[i] or b.oneWay[i])
+  noteEven(b, i)
   rest.wake(b, i)
 end
 

@@ -63,6 +63,15 @@ end
 local function list(b, half, k, m, x, y, clear, count)
   local to, size, speed, relative = b.to, b.size, b.speed, b.relative
   local endX, endY = to[m] - to[k], to[m + 1] - to[k + 1]
+  local gap = max(
+    min(x, endX) - size[k],
+    -max(x, endX) - size[m],
+    min(y, endY) - size[k + 1],
+    -max(y, endY) - size[m + 1]
+  )
+  if gap >= clear + ROUNDING then
+    return count -- most are so far from each other all the time that no more needs to be asked
+  end
   local apart = max(
     clearance(x, endX, speed[k] - speed[m], size[k], size[m], clear),
     clearance(y, endY, speed[k + 1] - speed[m + 1], size[k + 1], size[m + 1], clear)
@@ -206,26 +215,11 @@ end
 
 --- As `live`, but only those that do not touch.
 function gather.apart(b)
-  local pairs_, touches, pairA, pairB, clear, count =
-    b.live, b.touches, b.pairA, b.pairB, b.clear, 0
-  local from, to, size, event, waits = b.from, b.to, b.size, b.event, b.waits
+  local pairs_, touches, clear, count = b.live, b.touches, b.clear, 0
   for n = 1, b.liveCount do
     local p = pairs_[n]
     if touches[p] == 0 then
-      local k, m = 2 * pairA[p], 2 * pairB[p]
-      local x, y = from[m] - from[k], from[m + 1] - from[k + 1]
-      local endX, endY = to[m] - to[k], to[m + 1] - to[k + 1]
-      local gap = max(
-        min(x, endX) - size[k],
-        -max(x, endX) - size[m],
-        min(y, endY) - size[k + 1],
-        -max(y, endY) - size[m + 1]
-      )
-      event[p], waits[p] = NO_EVENT, 0
-      -- Most are so far from each other all the time that no more needs to be asked.
-      if gap < clear + ROUNDING then
-        count = list(b, 2 * p - 1, k, m, x, y, clear, count)
-      end
+      count = listWhole(b, p, clear, count)
     end
   end
   return count

@@ -97,9 +97,11 @@ function move.run(b, dt, first, last)
   end
   findEnds(b, first, last, dt)
   findDrives(b, first, last, dt)
-  for n = first, b.hasBuried and last or 0 do
-    if buried[list[n]] and kind[list[n]] == DYNAMIC then
-      bury(b, list[n])
+  if b.hasBuried then
+    for n = first, last do
+      if buried[list[n]] and kind[list[n]] == DYNAMIC then
+        bury(b, list[n])
+      end
     end
   end
 end

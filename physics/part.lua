@@ -316,10 +316,12 @@ function part.run(b)
   for n = 1, b.movedCount do
     considerAll(b, b.movedList[n])
   end
-  for n = 1, (b.hasInside or b.isRemasked) and b.awakeCount or 0 do
-    local i = b.awakeList[n]
-    if b.inside[i] or b.isRemasked then
-      considerAll(b, i)
+  if b.hasInside or b.isRemasked then
+    for n = 1, b.awakeCount do
+      local i = b.awakeList[n]
+      if b.inside[i] or b.isRemasked then
+        considerAll(b, i)
+      end
     end
   end
   b.isRemasked = false

@@ -45,7 +45,7 @@ end
 
 -- Whether two who press do not meet: they pass through each other, or it would change nothing.
 local function isOver(b, p)
-  return b.passing[p] or b.met[p] >= PATIENCE or (b.settled[p] ~= 0 and isSettled(b, p))
+  return b.passing[p] or b.met[p] >= PATIENCE or isSettled(b, p)
 end
 
 -- Returns up to which turn of this round, along gravity (`across` 0) or across it (1), the queue

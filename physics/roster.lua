@@ -109,17 +109,17 @@ local function firstChange(record)
     end
     return countKeys(source) ~= count and 1 or nil
   end
-  if getmetatable(source) == nil then
-    for n = 1, count do
-      if not rawequal(source[n], list[n]) then
-        return n
-      end
+  -- (Without a metatable every access is a raw one, and needs no call.)
+  local isRaw = getmetatable(source) == nil
+  for n = 1, count do
+    local object
+    if isRaw then
+      object = source[n]
+    else
+      object = rawget(source, n)
     end
-  else
-    for n = 1, count do
-      if not rawequal(rawget(source, n), list[n]) then
-        return n
-      end
+    if not rawequal(object, list[n]) then
+      return n
     end
   end
   return not hasJust(record, count) and count + 1 or nil

@@ -94,9 +94,8 @@ local function bucketOf(h, buckets, share)
   return h - floor(h * share) * buckets + 1
 end
 
-local function hash(cellX, cellY, level, buckets, share)
-  local h = cellX * FACTOR_X + cellY * FACTOR_Y + level * FACTOR_LEVEL
-  return bucketOf(h, buckets, share)
+local function hash(cellX, cellY, level)
+  return cellX * FACTOR_X + cellY * FACTOR_Y + level * FACTOR_LEVEL
 end
 
 local function levelFor(self, size)
@@ -114,7 +113,7 @@ end
 -- written to nobody.
 
 local function file(self, i, level, cellX, cellY)
-  local bucket = hash(cellX, cellY, level, self.buckets, 1 / self.buckets)
+  local bucket = bucketOf(hash(cellX, cellY, level), self.buckets, 1 / self.buckets)
   local heads = self.heads
   local first = heads[bucket]
   self.next[i], self.previous[i], self.bucket[i] = first, 0, bucket
@@ -240,9 +239,9 @@ local function addCells(self, rangeCount)
   local ranges, cells, heads, buckets = self.ranges, self.cells, self.heads, self.buckets
   local n, at, share = 0, 0, 1 / buckets
   local level, cellX, lastX, cellY = ranges[2], ranges[3], ranges[4], ranges[5]
-  local h = cellX * FACTOR_X + cellY * FACTOR_Y + level * FACTOR_LEVEL -- as `hash`
+  local h = hash(cellX, cellY, level)
   while at < rangeCount do
-    local head = heads[h - floor(h * share) * buckets + 1]
+    local head = heads[bucketOf(h, buckets, share)]
     if head ~= 0 then
       cells[n + 1], cells[n + 2] = head, ranges[at + 1]
       cells[n + 3], cells[n + 4], cells[n + 5] = level, cellX, cellY
@@ -256,7 +255,7 @@ local function addCells(self, rangeCount)
         level, cellX = ranges[at + 2], ranges[at + 3]
         lastX, cellY = ranges[at + 4], ranges[at + 5]
       end
-      h = cellX * FACTOR_X + cellY * FACTOR_Y + level * FACTOR_LEVEL
+      h = hash(cellX, cellY, level)
     end
   end
   return n
