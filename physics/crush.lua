@@ -69,6 +69,18 @@ local function endOf(b, i, other, axis, isLow)
   return nil
 end
 
+--- Whether slot i counts as held on one side, but by nobody that would keep it from giving way to
+--- `other`: it is the last of a welded row, which is held further up; or it was stopped between two
+--- who cannot be pushed, which is nothing to a wall.
+function crush.hasNoHolder(b, i, other, axis, isLow)
+  local k = 2 * i + axis
+  return b.kind[i] == DYNAMIC
+    and (isLow and b.heldLow or b.heldHigh)[k] > 0
+    and (b.weld[k] ~= 0 or b.kind[other] ~= DYNAMIC)
+    and not b.buried[i]
+    and holderOf(b, i, axis, isLow) == 0
+end
+
 --- Whether slot i, held on one side, is held there by `other` in the end, whom it is about to push,
 --- or by a ring of others: then nobody is, and pushing would go on and on.
 function crush.isRing(b, i, other, axis, isLow)

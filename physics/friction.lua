@@ -73,9 +73,11 @@ end
 
 -- Whether k stays where it is held, though friction would change its speed: friction pushes it
 -- there, so the wall takes that, and two walls that rub the same object do not push it to and fro
--- between them; or it pulls away less than k itself pulls there in the `tau` s that are left. (Few
--- are held at all: asked first, so that the sign makes no two ways through the code.)
+-- between them; or it pulls away less than k itself pulls there in the `tau` s that are left.
 local function isBarred(b, k, dSpeed, tau)
+  if (dSpeed > 0 and b.backedHigh[k]) or (dSpeed < 0 and b.backedLow[k]) then
+    return true -- pressed against one that cannot be pushed
+  end
   local low, high = b.heldLow[k], b.heldHigh[k]
   if low + high == 0 then
     return false

@@ -38,7 +38,8 @@ resolve.PATIENCE = 32
 local PATIENCE = resolve.PATIENCE
 local STILL = columns.STILL
 
--- Inverse masses for a push between `lo` and `hi`; 0: cannot give way.
+-- Inverse masses for a push between `lo` and `hi`; 0: cannot give way. Third, whether they meet
+-- head-on and neither can be pushed.
 local function weights(b, lo, hi, kl, kh)
   local wl, wh = b.inverseMass[lo], b.inverseMass[hi]
   if b.weld[kl] ~= 0 then
@@ -54,16 +55,19 @@ local function weights(b, lo, hi, kl, kh)
     wh = 0
   end
   if b.pushable[lo] ~= b.pushable[hi] and b.kind[lo] == DYNAMIC and b.kind[hi] == DYNAMIC then
-    -- One that is held counts as a wall even for whoever cannot be pushed.
+    -- One that is held counts as a wall even for whoever cannot be pushed. Who pushes a row with
+    -- one behind it that cannot be pushed either does as if it had run into that: it follows, or
+    -- both stop.
+    local ownL, ownH = wl, wh
     if b.pushable[lo] then
       wh = wl > 0 and 0 or wh
       if wh == 0 and b.heldHigh[kh] == 0 and b.backedLow[kl] and b.speed[kh] < 0 then
-        return 0, 0, true
+        return 0, b.speed[kl] < 0 and ownH or 0, b.speed[kl] >= 0
       end
     else
       wl = wh > 0 and 0 or wl
       if wl == 0 and b.heldLow[kl] == 0 and b.backedHigh[kh] and b.speed[kl] > 0 then
-        return 0, 0, true
+        return b.speed[kh] > 0 and ownL or 0, 0, b.speed[kh] <= 0
       end
     end
   end
@@ -221,6 +225,20 @@ local function holdEachOther(b, lo, hi, axis, wl, wh)
     or (wl == 0 and b.kind[lo] == DYNAMIC and crush.isRing(b, lo, hi, axis, true))
 end
 
+-- Of two who both count as held, frees who is held by nobody (see `crush.hasNoHolder`): it may go
+-- where its row cannot. Returns their inverse masses anew.
+local function free(b, lo, hi, kl, kh, axis)
+  if crush.hasNoHolder(b, lo, hi, axis, true) then
+    weld.leave(b, kl)
+    b.heldLow[kl] = 0
+  end
+  if crush.hasNoHolder(b, hi, lo, axis, false) then
+    weld.leave(b, kh)
+    b.heldHigh[kh] = 0
+  end
+  return weights(b, lo, hi, kl, kh)
+end
+
 --- Resolves pair p, which meets on `axis` at time t (0..1 of a step of dt s), `lo` being the one
 --- with the smaller coordinate; `isDeep` if they are inside each other. Lists whose path changed in
 --- b.changed[1..b.changedCount].
@@ -247,8 +265,12 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   if headOn then
     return stopBoth(b, lo, hi, kl, kh)
   elseif wl == 0 and wh == 0 then
-    return crush.note(b, lo, hi, axis)
-  elseif b.met[p] > LEAVES and holdEachOther(b, lo, hi, axis, wl, wh) then
+    wl, wh = free(b, lo, hi, kl, kh, axis)
+    if wl == 0 and wh == 0 then
+      return crush.note(b, lo, hi, axis)
+    end
+  end
+  if b.met[p] > LEAVES and holdEachOther(b, lo, hi, axis, wl, wh) then
     return
   end
 

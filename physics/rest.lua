@@ -99,32 +99,35 @@ local function sleep(b, i)
   rest.drop(b, i)
 end
 
--- Whether a speed limit takes off what pulls k, and nothing but friction holds it there. Friction
--- may bear what is left of the pull in a long step, and not in a short one.
+-- Whether a speed limit takes off some of what pulls k in a step of `longest` s.
 local function isCapped(b, k, limit, longest)
   local pull = b.pull[k] + b.push[k]
   return max(pull, -pull) * longest > min(limit, b.limit[k])
-    and not (pull > 0 and b.pressedHigh[k] or pull < 0 and b.pressedLow[k])
 end
 
--- Whether a dynamic object would do nothing in the next step, however long that is.
-local function isCalm(b, i, longest)
-  local limit, k = b.maxSpeed[i], 2 * i
-  return b.quiet[i] and not (isCapped(b, k, limit, longest) or isCapped(b, k + 1, limit, longest))
+-- Whether something pulls k, and nothing but friction holds it there.
+local function isRubbed(b, k)
+  local pull = b.pull[k] + b.push[k]
+  return pull > 0 and not b.pressedHigh[k] or pull < 0 and not b.pressedLow[k]
 end
 
 -- Gathers the island of an awake dynamic object behind `b.island`; returns its size and whether
--- all of it may sleep.
+-- all of it may sleep: whether nobody would do anything in the next step, however long that is.
+-- Where a speed limit takes off some of the pull, or of what presses, friction may bear the rest in
+-- a long step, and not in a short one, or the other way round.
 local function gather(b, i, stamp)
   local island, kind, awake, quiet, visited = b.island, b.kind, b.awake, b.quiet, b.visited
-  local head, other, nextHalf = b.head, b.other, b.next
+  local head, other, nextHalf, maxSpeed = b.head, b.other, b.next, b.maxSpeed
   local longest = max(b.world.maxStep, b.world.timestep or 0)
-  local count, n, calm = 1, 1, true
+  local count, n, calm, capped, rubbed = 1, 1, true, false, false
   island[1] = i
   visited[i] = stamp
   while n <= count do
     local member = island[n]
-    calm = calm and isCalm(b, member, longest)
+    local k, limit = 2 * member, maxSpeed[member]
+    calm = calm and quiet[member]
+    capped = capped or isCapped(b, k, limit, longest) or isCapped(b, k + 1, limit, longest)
+    rubbed = rubbed or isRubbed(b, k) or isRubbed(b, k + 1)
     local half = head[member]
     while half ~= 0 do
       local j = other[half]
@@ -141,7 +144,7 @@ local function gather(b, i, stamp)
     end
     n = n + 1
   end
-  return count, calm
+  return count, calm and not (capped and rubbed)
 end
 
 --- Puts to sleep every island that is calm after a step of dt s.

@@ -5,10 +5,10 @@
 local physics = require("physics")
 local trial = require("spec.fuzz.trial")
 
--- Adds updates of a sixtieth of a second.
-local function followedBy(acts, updates)
+-- Adds updates of `dt` s, a sixtieth if none is given.
+local function followedBy(acts, updates, dt)
   for _ = 1, updates do
-    acts[#acts + 1] = { "update", 0.016666666666666666 }
+    acts[#acts + 1] = { "update", dt or 0.016666666666666666 }
   end
   return acts
 end
@@ -1342,6 +1342,163 @@ local FOUND = {
         { "update", 0.015625 },
         { "bounds", 6.908751479265049, 3.386183153266258, 94.25693820999649, 94.25693820999649 },
         { "update", 0.015625 },
+      },
+    },
+  },
+  {
+    "the last of a welded row goes where a lift pushes it, and the row does not",
+    {
+      settings = {},
+      acts = followedBy({
+        { "add", 9, "tiles", { height = 20, static = true, width = 20, x = 130, y = 320 } },
+        { "add", 11, "tiles", { height = 20, static = true, width = 20, x = 160, y = 320 } },
+        { "add", 23, "boxes", { height = 20, width = 20, x = 140, y = 304 } },
+        { "add", 24, "players", { gravity = -900, height = 16, width = 20, x = 150, y = 304 } },
+        { "insert", 26, 2.5, { height = 20, width = 16, x = 200, y = 300 } },
+        {
+          "insert",
+          27,
+          "players",
+          {
+            ax = -400,
+            friction = 0.125,
+            height = 20,
+            restitution = 1,
+            width = 20,
+            x = 200,
+            y = 300,
+          },
+        },
+        {
+          "add",
+          38,
+          "lifts",
+          { height = 20, kinematic = true, vx = -30, vy = 60, width = 20, x = 130, y = 164 },
+        },
+        { "add", 41, "players", { height = 20, vx = -40, width = 10, x = 170, y = 10 } },
+        { "add", 51, "statics", { height = 20, static = true, width = 50, x = 110, y = 300 } },
+        {
+          "add",
+          52,
+          "lifts",
+          { height = 40, kinematic = true, vx = -40, vy = -70, width = 100, x = 183, y = 310 },
+        },
+      }, 25, 0.03333333333333333),
+    },
+  },
+  {
+    "what stands between two that cannot be pushed is lifted, and they with it",
+    {
+      settings = {},
+      acts = followedBy({
+        {
+          "add",
+          5,
+          "crates",
+          { gravity = -700, height = 20, pushable = false, width = 10, x = 30, y = 50 },
+        },
+        { "add", 6, "players", { height = 20, width = 2100, x = -100, y = 40 } },
+        { "insert", 15, 2.5, { height = 20, pushable = false, width = 20, x = 20, y = 30 } },
+        {
+          "insert",
+          19,
+          "lifts",
+          { height = 10, kinematic = true, vy = -10, width = 100, x = 100, y = 60 },
+        },
+      }, 2, 0.03333333333333333),
+    },
+  },
+  {
+    "a row that falls on one that cannot be pushed does not stop who falls behind it",
+    {
+      settings = { gravity = 10 },
+      acts = followedBy({
+        {
+          "add",
+          1,
+          2.5,
+          { airFriction = 4, height = 1, pushable = false, width = 1, x = 1, y = 5 },
+        },
+        { "add", 2, "boxes", { gravity = -10, height = 0.25, width = 0.5, x = 1, y = 5 } },
+        { "add", 3, 2.5, { height = 0.5, width = 1, x = 1, y = 5 } },
+        { "add", 4, 2.5, { height = 0.5, width = 1, x = 1, y = 4 } },
+        { "insert", 5, 1, { height = 0.5, pushable = false, width = 1, x = 1, y = 3.75 } },
+        { "add", 8, "players", { height = 0.25, width = 1, x = 1.5, y = 5 } },
+      }, 5, 0.05),
+    },
+  },
+  {
+    "one that is pressed against one that cannot be pushed is not rubbed further that way",
+    {
+      settings = {},
+      acts = {
+        {
+          "add",
+          27,
+          "boxes",
+          { height = 16, vx = 717.911867, width = 20, x = 31.7948296, y = 92.475161 },
+        },
+        {
+          "add",
+          28,
+          "boxes",
+          {
+            ax = -1000,
+            height = 20,
+            mass = 10,
+            vx = 717.592884,
+            vy = 104.64,
+            width = 20,
+            x = 11.7905073,
+            y = 81.195161,
+          },
+        },
+        {
+          "add",
+          33,
+          "boxes",
+          {
+            friction = 10,
+            gravity = 0,
+            height = 20,
+            pushable = false,
+            vx = 33.0900734,
+            width = 20,
+            x = 40.2757506,
+            y = 108.475161,
+          },
+        },
+        {
+          "add",
+          35,
+          "boxes",
+          { friction = 1, height = 20, pushable = false, width = 20, x = 70, y = 88.475161 },
+        },
+        {
+          "add",
+          49,
+          "boxes",
+          { friction = 1, height = 30, vx = 717.911867, width = 16, x = 51.7948296, y = 78.475161 },
+        },
+        { "update", 0.016666666666666666 },
+      },
+    },
+  },
+  {
+    "who stands still, but would slide in a longer step, as a speed limit takes off its weight, is awake",
+    {
+      settings = { gravity = 4000, gravityX = 3000 },
+      acts = {
+        { "add", 6, "tiles", { height = 100, static = true, width = 100, x = 500, y = 2000 } },
+        {
+          "add",
+          23,
+          1,
+          { friction = 1, height = 100, maxSpeedY = 70, width = 100, x = 550, y = 1900 },
+        },
+        { "update", 0.004166666666666667 },
+        { "update", 0.004166666666666667 },
+        { "update", 0.05 },
       },
     },
   },

@@ -378,6 +378,49 @@ describe("pushable = false", function()
         end)
       end)
     end
+
+    for _, row in ipairs({
+      -- boxes, gap between all, vx of U, vx of V, whether the game sets these at every step
+      { 1, 4, 100, 40, false },
+      { 1, 4, 100, 40, true },
+      { 2, 0, 150, 120, false },
+      { 3, 1, -30, -90, false },
+      { 3, 1, -30, -90, true },
+    }) do
+      local count, gap, left, right, isDriven = row[1], row[2], row[3], row[4], row[5]
+      local name = "%d boxes, %g px apart, at %g and %g px/s%s: who comes up behind follows them"
+      it(name:format(count, gap, left, right, isDriven and " at every step" or ""), function()
+        scene.each(SOME, function(run)
+          local list, size = { gravity = 0, firm("U", 0, 0, { vx = left }) }, 16 + gap
+          for i = 1, count do
+            list[i + 1] = box("P" .. i, size * i, 0)
+          end
+          list[count + 2] = firm("V", size * (count + 1), 0, { vx = right })
+          local named = run:build(list)
+          local function drive()
+            if isDriven then
+              named.U.vx, named.V.vx = left, right
+            end
+          end
+          local length, start = 16 * (count + 1), size * (count + 1)
+          for time in run:steps(1, drive) do
+            local atU, atV = left * time, start + right * time
+            if left > 0 then
+              run:at(named.V, atV, 0)
+              run:at(named.U, math.min(atU, atV - length), 0)
+            else
+              run:at(named.U, atU, 0)
+              run:at(named.V, math.max(atV, atU + length), 0)
+            end
+          end
+          local follower, speed = named.U, right
+          if left < 0 then
+            follower, speed = named.V, left
+          end
+          run:near("vx", follower.vx, speed)
+        end)
+      end)
+    end
   end)
 
   --     +-+
