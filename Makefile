@@ -1,10 +1,10 @@
 # The commands of this project. Each one sets up what it needs first (scripts/setup.sh).
 
 SHELL := bash
-.PHONY: help setup test lint types format docs rock single test-single examples pictures web test-web test-gopher demo ci clean
+.PHONY: help setup test lint types format docs rock single test-single examples pictures web test-web test-gopher test-arm64 demo ci clean
 
 help: ## shows this list
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-11s %s\n", $$1, $$2 }' Makefile
+	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' Makefile
 
 setup: ## installs what the other targets need (Debian, Ubuntu)
 	@bash scripts/setup.sh
@@ -47,6 +47,9 @@ test-web: ## plays them in a browser, leaves pictures in build/web-pictures
 
 test-gopher: ## runs the specs on gopher-lua, a Lua in Go (spec/gopher/README.md)
 	@bash scripts/setup.sh gopher || true; bash scripts/gopher.sh
+
+test-arm64: ## runs most specs on LuaJIT for arm64, emulated; TEST="--all" for all
+	@bash scripts/setup.sh arm64 && bash scripts/arm64.sh $(TEST)
 
 demo: setup ## opens the examples in LÖVE
 	@bash scripts/demo.sh

@@ -1485,7 +1485,7 @@ local FOUND = {
     },
   },
   {
-    "who stands still, but would slide in a longer step, as a speed limit takes off its weight, is awake",
+    "who would slide in a longer step, as a speed limit takes off its weight, is awake",
     {
       settings = { gravity = 4000, gravityX = 3000 },
       acts = {
