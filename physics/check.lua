@@ -585,6 +585,10 @@ function check.group(value, where, what)
   end
 end
 
+local function isEmpty(list)
+  return next(list) == nil
+end
+
 --- Checks a filter of a query: a group name, a list of group names or a function; nil is none.
 ---@param value any
 ---@param where string the call
@@ -600,8 +604,12 @@ function check.filter(value, where)
       fail(mustBe(format("%s: filter[%d]", where, i), "a group name", value[i]))
     end
   end
+  -- An object, or a set of names, would be nobody.
+  if #value == 0 and not isEmpty(value) then
+    fail(mustBe(where .. ": filter", "a group name, a list of them or a function", value))
+  end
 end
 
-interpreted.always(firstBad)
+interpreted.always(firstBad, isEmpty)
 
 return check

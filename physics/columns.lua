@@ -37,6 +37,9 @@ columns.TINY = 1e-300
 --- How firmly whatever never gives way stands (see `turns`): more than any coordinate.
 columns.FIRM = 1e300
 
+--- More than the ranks of all objects there may be.
+columns.RANKS = 2 ^ 40
+
 --- Value of `event` for a pair that has none in the queue.
 columns.NO_EVENT = -1
 --- What stands in `turnSeen` of a turn at which nobody has looked.
@@ -596,12 +599,18 @@ function columns.unlinkAll(b, list, count)
 end
 
 --- Returns the ranks that decide between simultaneous meetings of a pair: that of the dynamic one
---- first, of two the lower.
+--- first, of two the lower. The other is made less than all ranks if one stands on the other: of
+--- several that hold it up, the one that counts as its support, and carries it, bears its weight.
 function columns.ranks(b, i, j)
-  local first, second = b.rank[i], b.rank[j]
+  local one, other = b.rank[i], b.rank[j]
   local iDynamic, jDynamic = b.kind[i] == columns.DYNAMIC, b.kind[j] == columns.DYNAMIC
-  if jDynamic and (not iDynamic or second < first) then
-    return second, first
+  local first = one
+  if jDynamic and (not iDynamic or other < one) then
+    first = other
+  end
+  local second = one + other - first
+  if b.support[i] == j or b.support[j] == i then
+    second = second - columns.RANKS
   end
   return first, second
 end

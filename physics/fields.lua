@@ -212,7 +212,8 @@ fields.objects = {
     type = "string",
     values = SIDES,
     absent = "none: solid all around",
-    meaning = "The one side that is solid; the others let everything through.",
+    meaning = "The one side that is solid; the others let everything through, floors included: "
+      .. "it is for static and kinematic objects.",
   },
   {
     name = "carry",

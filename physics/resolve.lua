@@ -38,6 +38,12 @@ resolve.PATIENCE = 32
 local PATIENCE = resolve.PATIENCE
 local STILL = columns.STILL
 
+-- Whether k goes towards high (`sign` 1) or low coordinates (-1), and ends there, too: with `push =
+-- "first"` who shares a speed may be put back.
+local function goes(b, k, sign)
+  return b.speed[k] * sign > 0 and (b.to[k] - b.from[k]) * sign >= 0
+end
+
 -- Inverse masses for a push between `lo` and `hi`; 0: cannot give way. Third, whether they meet
 -- head-on and neither can be pushed.
 local function weights(b, lo, hi, kl, kh)
@@ -62,12 +68,14 @@ local function weights(b, lo, hi, kl, kh)
     if b.pushable[lo] then
       wh = wl > 0 and 0 or wh
       if wh == 0 and b.heldHigh[kh] == 0 and b.backedLow[kl] and b.speed[kh] < 0 then
-        return 0, b.speed[kl] < 0 and ownH or 0, b.speed[kl] >= 0
+        local follows = goes(b, kl, -1)
+        return 0, follows and ownH or 0, not follows
       end
     else
       wl = wh > 0 and 0 or wl
       if wl == 0 and b.heldLow[kl] == 0 and b.backedHigh[kh] and b.speed[kl] > 0 then
-        return b.speed[kh] > 0 and ownL or 0, 0, b.speed[kh] <= 0
+        local follows = goes(b, kh, 1)
+        return follows and ownL or 0, 0, not follows
       end
     end
   end
@@ -187,11 +195,14 @@ local function rejoin(b, lo, hi, kl, kh)
   b.pressedHigh[kl], b.pressedLow[kh] = true, true
 end
 
--- Two that neither can be pushed nor push run into each other head-on.
-local function stopBoth(b, lo, hi, kl, kh)
-  b.to[kh] = b.from[kh]
-  b.to[kl] = b.to[kh] - b.size[kl]
-  b.speed[kl], b.speed[kh], b.accel[kl], b.accel[kh] = 0, 0, 0, 0
+-- Two that neither can be pushed nor push run into each other head-on, or into the two ends of a row,
+-- which stops with them.
+local function stopBoth(b, lo, hi, kl, kh, t)
+  local to, speed, accel = b.to, b.speed, b.accel
+  local oldL, oldH = to[kl], to[kh]
+  to[kh] = b.from[kh]
+  to[kl] = to[kh] - b.size[kl]
+  speed[kl], speed[kh], accel[kl], accel[kh] = 0, 0, 0, 0
   b.pressedHigh[kl], b.pressedLow[kh] = true, true
   -- What is between two of them cannot give way; they themselves still do to walls.
   local holdsLow, holdsHigh = b.pushable[lo] and 1 or 0, b.pushable[hi] and 1 or 0
@@ -199,6 +210,8 @@ local function stopBoth(b, lo, hi, kl, kh)
   ring.hold(b, kh, holdsHigh, holdsHigh)
   change(b, lo)
   change(b, hi)
+  ring.follow(b, kl, to[kl] - oldL, t)
+  ring.follow(b, kh, to[kh] - oldH, t)
 end
 
 local function countHit(b, p, lo, hi, axis)
@@ -263,7 +276,7 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   local u, tau = impact.at(o, v, a, (1 - start) * dt, start == t)
   noteHit(b, p, lo, hi, axis, u)
   if headOn then
-    return stopBoth(b, lo, hi, kl, kh)
+    return stopBoth(b, lo, hi, kl, kh, t)
   elseif wl == 0 and wh == 0 then
     wl, wh = free(b, lo, hi, kl, kh, axis)
     if wl == 0 and wh == 0 then

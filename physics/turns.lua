@@ -19,7 +19,7 @@ local turns = {}
 
 local DYNAMIC, GIVES = columns.DYNAMIC, columns.GIVES
 local EPSILON, FIRM = columns.EPSILON, columns.FIRM
-local UNSEEN = columns.UNSEEN
+local RANKS, UNSEEN = columns.RANKS, columns.UNSEEN
 local ceil, floor, huge, max, min = math.ceil, math.floor, math.huge, math.max, math.min
 
 -- So few are inserted into the others.
@@ -111,10 +111,10 @@ local function findLow(b, flush, flushCount, axis, last)
   return last
 end
 
--- What decides their order (see `meet`): how firmly the lower one stands, and their ranks, that of
--- the dynamic one first. No branches.
+-- What decides their order (see `meet`): how firmly the lower one stands, and their ranks, as
+-- `columns.ranks`. No branches.
 local function weigh(b, axis, first, last)
-  local ups, lows, support = b.turnUp, b.turnLow, b.turnSupport
+  local ups, lows, support, standsOn = b.turnUp, b.turnLow, b.turnSupport, b.support
   local firsts, seconds, rank, kind = b.turnFirst, b.turnSecond, b.rank, b.kind
   local from, size, isUp, seen = b.from, b.size, b.orientation[axis] < 0, b.turnSeen
   for x = first, last do
@@ -123,7 +123,9 @@ local function weigh(b, axis, first, last)
     local upGives, lowGives = GIVES[kind[up]], GIVES[kind[low]]
     local bothGive = upGives * lowGives
     local ahead = min(one, other) * bothGive + one * (1 - lowGives) + other * (lowGives - bothGive)
-    firsts[x], seconds[x], seen[x] = ahead, one + other - ahead, UNSEEN
+    local stands, leans = standsOn[up] - low, standsOn[low] - up -- 0: one stands on the other
+    local stand = 1 - min(max(stands, -stands), max(leans, -leans), 1)
+    firsts[x], seconds[x], seen[x] = ahead, one + other - ahead - RANKS * stand, UNSEEN
     support[x] = (isUp and -from[m] or from[m] + size[m]) * bothGive + FIRM * (1 - bothGive)
   end
 end

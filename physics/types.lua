@@ -64,7 +64,8 @@
 --- default collides with every group. `mask[group] = false` passes through that group; either side
 --- of a pair may refuse.
 ---@field mask? table<string|number, boolean>
---- default none: solid all around. The one side that is solid; the others let everything through.
+--- default none: solid all around. The one side that is solid; the others let everything through,
+--- floors included: it is for static and kinematic objects.
 ---@field oneWay? "top"|"bottom"|"left"|"right"
 --- default true. A kinematic object takes its riders along; `false`: it slides away under them.
 ---@field carry? boolean

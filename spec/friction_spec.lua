@@ -78,3 +78,51 @@ describe("a box that slides over two tiles at once", function()
     end
   end
 end)
+
+describe("who stands on two floors that rub differently", function()
+  -- Rubs on the one that counts as its support, which carries it, too: the one under more of it.
+  for _, row in ipairs({ { 1, 1 }, { 1, 2 }, { -1, 1 }, { -1, 2 } }) do
+    local way, first = row[1], row[2]
+    local name = ("to the %s, %s floor first"):format(
+      way > 0 and "right" or "left",
+      first == 1 and "the near" or "the far"
+    )
+    local function build(near, far, box)
+      local world = physics.newWorld({ gravity = 800 })
+      near.x, near.width = way > 0 and -500 or -100, 600
+      far.x, far.width = way > 0 and 100 or -600, 500
+      for n = 1, 2 do
+        local floor = (n == first) and near or far
+        floor.y, floor.height, floor.static = 116, 16, true
+        world:add("floors", floor)
+      end
+      box.x, box.y, box.width, box.height = way > 0 and 40 or -56, 100, 16, 16
+      box.friction = 0.5
+      return world, world:add("boxes", box)
+    end
+
+    for _, rate in ipairs({ 30, 60, 144 }) do
+      it(("comes off a belt, %s, at %d Hz"):format(name, rate), function()
+        local world, box = build({ surfaceSpeed = 60 * way }, {}, {})
+        for _ = 1, 5 * rate do
+          world:update(1 / rate)
+        end
+        -- 60² / 800 px beyond the middle, and up to a step of the belt.
+        local at = way > 0 and box.x or -box.x - 16
+        assert.is_true(at >= 92 + 4.5 - 1e-6 and at <= 92 + 4.5 + 60 / rate, "is at " .. at)
+        assert.equal(0, box.vx)
+      end)
+
+      it(("comes off the ice, %s, at %d Hz"):format(name, rate), function()
+        local world, box = build({ friction = 0 }, { friction = 0.5 }, { vx = 100 * way })
+        for _ = 1, 5 * rate do
+          world:update(1 / rate)
+        end
+        -- 100² / 800 px beyond the middle, and up to a step.
+        local at = way > 0 and box.x or -box.x - 16
+        assert.is_true(at >= 92 + 12.5 - 1e-6 and at <= 92 + 12.5 + 100 / rate, "is at " .. at)
+        assert.equal(0, box.vx)
+      end)
+    end
+  end
+end)

@@ -379,6 +379,38 @@ describe("pushable = false", function()
       end)
     end
 
+    -- Wherever the gaps are, and whoever is told his speed once or at every step.
+    for count = 2, 4, 2 do
+      it(("%d boxes, they stop head-on for good"):format(count), function()
+        scene.each({ rate = { 60, 30 }, order = { "forward", "shuffled" } }, function(run)
+          for gapAt = 0, count do
+            for driven = 0, 2 do
+              local list, x = { gravity = 0, firm("U", 0, 0, { vx = 40 }) }, 16
+              for i = 1, count do
+                x = x + (gapAt == i and 1 or 0)
+                list[i + 1] = box("P" .. i, x, 0)
+                x = x + 16
+              end
+              list[count + 2] = firm("V", x + (gapAt == 0 and 1 or 0), 0, { vx = -40 })
+              local named = run:build(list)
+              run:play(1, function()
+                named.U.vx = driven > 0 and 40 or named.U.vx
+                named.V.vx = driven > 1 and -40 or named.V.vx
+              end)
+              local u, v = named.U.x, named.V.x
+              run:near("vx of U", named.U.vx, 0)
+              run:near("vx of V", named.V.vx, 0)
+              run:play(1, function()
+                named.U.vx = driven > 0 and 40 or named.U.vx
+              end)
+              run:near("U", named.U.x, u)
+              run:near("V", named.V.x, v)
+            end
+          end
+        end)
+      end)
+    end
+
     for _, row in ipairs({
       -- boxes, gap between all, vx of U, vx of V, whether the game sets these at every step
       { 1, 4, 100, 40, false },
