@@ -195,8 +195,8 @@ local function rejoin(b, lo, hi, kl, kh)
   b.pressedHigh[kl], b.pressedLow[kh] = true, true
 end
 
--- Two that neither can be pushed nor push run into each other head-on, or into the two ends of a row,
--- which stops with them.
+-- Two that neither can be pushed nor push run into each other head-on, or into the two ends of a
+-- row, which stops with them.
 local function stopBoth(b, lo, hi, kl, kh, t)
   local to, speed, accel = b.to, b.speed, b.accel
   local oldL, oldH = to[kl], to[kh]
