@@ -248,6 +248,29 @@ recipes["Doors"] = function(snippet)
   assert.equal(300, g.world.objects.doors[1].y)
 end
 
+recipes["Pressure plates"] = function(snippet)
+  local g = play(snippet, "weightOn(plate, {})")
+  local plate, boxes = g.world.objects.plates[1], {}
+  assert.equal(0, g.look())
+  for i = 1, 2 do
+    boxes[i] = { x = 204, y = 392 - 16 * i, width = 16, height = 16 }
+    g.world:add("crates", boxes[i])
+  end
+  g.world:add("crates", { x = 260, y = 384, width = 16, height = 16, mass = 50 }) -- beside it
+  g.run(0.5)
+  assert.equal(2, g.look())
+  assert.is_false(plate.isDown)
+  -- On both of two: it counts once.
+  g.world:add("crates", { x = 224, y = 376, width = 16, height = 16 })
+  g.world:add("crates", { x = 214, y = 344, width = 16, height = 16, mass = 2 })
+  g.run(0.5)
+  assert.equal(5, g.look())
+  assert.is_true(plate.isDown)
+  g.world:remove(boxes[1])
+  g.run(1)
+  assert.equal(4, g.look())
+end
+
 recipes["Lifts"] = function(snippet)
   local g = play(snippet)
   local lift, top = g.world.objects.lifts[1], 400
