@@ -124,10 +124,12 @@ local function gather(b, i, stamp)
   visited[i] = stamp
   while n <= count do
     local member = island[n]
-    local k, limit = 2 * member, maxSpeed[member]
     calm = calm and quiet[member]
-    capped = capped or isCapped(b, k, limit, longest) or isCapped(b, k + 1, limit, longest)
-    rubbed = rubbed or isRubbed(b, k) or isRubbed(b, k + 1)
+    if calm then
+      local k, limit = 2 * member, maxSpeed[member]
+      capped = capped or isCapped(b, k, limit, longest) or isCapped(b, k + 1, limit, longest)
+      rubbed = rubbed or isRubbed(b, k) or isRubbed(b, k + 1)
+    end
     local half = head[member]
     while half ~= 0 do
       local j = other[half]

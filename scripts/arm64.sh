@@ -73,15 +73,7 @@ check "$what with fma, but without fuse" same_number -O+fma -O-fuse
 
 logs=build/arm64-logs
 rm -rf "$logs" && mkdir -p "$logs"
-files=()
-for file in $(find spec -name '*_spec.lua' | LC_ALL=C sort); do
-  name=$(basename "$file" _spec.lua)
-  if [ "${1:-}" != --all ] && [[ " ${slow//$'\n'/ } " == *" $name "* ]]; then
-    echo "slow, only with --all: $file"
-  else
-    files+=("$file")
-  fi
-done
+list_specs "$slow" "${1:-}"
 run_one() {
   local log=$logs/$(basename "$1") started=$SECONDS
   PHYSICS_LUA=LuaJIT "$place/luajit" "$busted" --ignore-lua --output=plainTerminal \

@@ -45,6 +45,20 @@ count_specs() {
   fi
 }
 
+# list_specs SLOW OPTION: lists the spec files in `files`, unless OPTION is --all without those named
+# in SLOW.
+list_specs() {
+  local slow=" ${1//$'\n'/ } " file
+  files=()
+  for file in $(find spec -name '*_spec.lua' | LC_ALL=C sort); do
+    if [ "$2" != --all ] && [[ "$slow" == *" $(basename "$file" _spec.lua) "* ]]; then
+      echo "slow, only with --all: $file"
+    else
+      files+=("$file")
+    fi
+  done
+}
+
 finish() {
   echo "$passed passed, $failed failed"
   [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

@@ -35,15 +35,7 @@ check "a spec that fails is noticed" refuses "$gopher" spec/gopher/run.lua build
 
 logs=build/gopher-logs
 rm -rf "$logs" && mkdir -p "$logs"
-files=()
-for file in $(find spec -name '*_spec.lua' | LC_ALL=C sort); do
-  name=$(basename "$file" _spec.lua)
-  if [ "${1:-}" != --all ] && [[ " $slow " == *" $name "* ]]; then
-    echo "slow, only with --all: $file"
-  else
-    files+=("$file")
-  fi
-done
+list_specs "$slow" "${1:-}"
 export gopher logs
 run_one() { "$gopher" spec/gopher/run.lua "$1" >"$logs/$(basename "$1").log" 2>&1 </dev/null; }
 export -f run_one
