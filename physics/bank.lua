@@ -64,11 +64,16 @@ local function replaceAll(self, room, count)
 end
 
 --- Gives `owner` the columns of `layout`, a list of `{ name, kind, width }`: of numbers, booleans
---- or "any" (always a table), with `width` places for each index from 0 to `room`.
+--- or "any" (always a table), with `width` places for each index from 0 to `room`. An error if it
+--- has something else by one of these names.
 function bank.new(owner, layout)
   local self = { owner = owner, layout = layout, room = HUGE, source = false, kept = {} }
   for n = 1, #layout do
-    owner[layout[n].name] = {}
+    local name = layout[n].name
+    if owner[name] ~= nil then
+      error("the owner has another " .. name, 2)
+    end
+    owner[name] = {}
   end
   bank.adopt(self, -1)
   return self

@@ -45,13 +45,21 @@ local function resetHolders(b, list, first, last)
   end
 end
 
+local function resetGrips(b, list, first, last)
+  local stuck, grip, used = b.stuck, b.grip, b.gripUsed
+  for n = first, last do
+    local i = list[n]
+    stuck[i], grip[i], used[i] = false, 0, 0
+  end
+end
+
 local function resetOthers(b, list, first, last)
-  local pressedLow, pressedHigh, stuck, grip = b.pressedLow, b.pressedHigh, b.stuck, b.grip
+  local pressedLow, pressedHigh = b.pressedLow, b.pressedHigh
   local buried, heard, news = b.buried, b.heard, b.news
   for n = first, last do
     local i = list[n]
     local k = 2 * i
-    stuck[i], grip[i], buried[i], heard[i], news[i] = false, 0, false, false, false
+    buried[i], heard[i], news[i] = false, false, false
     pressedLow[k], pressedHigh[k] = false, false
     pressedLow[k + 1], pressedHigh[k + 1] = false, false
   end
@@ -66,6 +74,7 @@ function begin.run(b)
     resetBacks(b, list, first, last)
   end
   resetHolders(b, list, first, last)
+  resetGrips(b, list, first, last)
   resetOthers(b, list, first, last)
   b.begun = last
 end

@@ -86,8 +86,11 @@ local SLOT = {
   news = false, -- something else than its motion has changed in this step
   time = 0, -- fraction of the step at which its present path begins
   stuck = false, -- friction holds it to something that does not slide
-  grip = 0, -- impulse that its hold can still take over
   stickiness = 0, -- friction coefficient of that hold
+  grip = 0, -- impulse that friction can give it across gravity, from what it stands on
+  gripUsed = 0, -- of that, what it has given (< 0: towards smaller coordinates)
+  ground = 0, -- what it stands on then
+  groundSpeed = 0, -- of that, along its surface, px/s
   changedMark = 0,
   watched = 0, -- step in which it touches somebody with whom it has no turn
   lastFooting = 0, -- its place among the footings when it last leant on somebody, 0: never
@@ -224,7 +227,18 @@ local SIDE = { "touchBest", "touchWidth" }
 
 -- What a step leaves behind in an object, apart from where it is. Who is awake begins each step
 -- without most of it (see begin); of who becomes a wall nobody else would clear it.
-local STEP_SLOT = { "stuck", "grip", "stickiness", "buried", "support", "carrier", "carrierNow" }
+local STEP_SLOT = {
+  "stuck",
+  "stickiness",
+  "grip",
+  "gripUsed",
+  "ground",
+  "groundSpeed",
+  "buried",
+  "support",
+  "carrier",
+  "carrierNow",
+}
 local STEP_AXIS = {
   "way",
   "drive",

@@ -29,6 +29,15 @@ local function sidesOf(b, isUp)
   return b.heldHigh, b.heldLow, b.holderHigh, b.pressedHigh, b.pressedLow
 end
 
+-- A weight on slot i presses on all that it stands on, as in `friction`.
+local function weighOn(b, i, impulse)
+  local grip, stickiness, ground, kind, stuck = b.grip, b.stickiness, b.ground, b.kind, b.stuck
+  repeat
+    grip[i] = grip[i] + stickiness[i] * impulse
+    i = ground[i]
+  until kind[i] ~= DYNAMIC or not stuck[i]
+end
+
 -- Friction between two that do not move against each other, nor would: `up` sticks to `low` where
 -- that stands fast. Returns false for all others, whom `friction` must look at.
 local function stick(b, up, low, ku, kl, mu, impulse, sign)
@@ -47,12 +56,11 @@ local function stick(b, up, low, ku, kl, mu, impulse, sign)
     b.changes[kb] = b.changes[kb] + 1
     return true -- both slide, together
   end
-  local bearing = mu * impulse
   if not isFast then
-    b.grip[low] = b.grip[low] + b.stickiness[low] * impulse
-    bearing = min(bearing, b.grip[low])
+    weighOn(b, low, impulse)
   end
-  b.stuck[up], b.stickiness[up], b.grip[up] = true, mu, bearing
+  b.stuck[up], b.stickiness[up], b.grip[up] = true, mu, b.grip[up] + mu * impulse
+  b.ground[up], b.groundSpeed[up] = low, b.speed[kb]
   b.to[ka] = b.from[ka] + (b.to[kb] - b.from[kb])
   return true
 end

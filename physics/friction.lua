@@ -15,7 +15,12 @@ require(here .. ".interpreted").file()
 local friction = {}
 
 local DYNAMIC = columns.DYNAMIC
-local max, min, sqrt = math.max, math.min, math.sqrt
+local huge, max, min, sqrt = math.huge, math.max, math.min, math.sqrt
+-- Share by which impulses may be rounded: what is borne at one dt is borne at every other.
+local ROUNDING = 1e-9
+--- Share of what friction can give from which on that is all of it.
+friction.ALL = 1 - ROUNDING
+local ALL = friction.ALL
 local STILL, TINY, VAST = columns.STILL, columns.TINY, columns.VAST
 
 --- Returns the coefficient of a pair: √(a·b); without one of its own (negative) a static or
@@ -127,6 +132,36 @@ local function surface(b, low, kw)
   return v
 end
 
+-- Returns how large an impulse friction can still give slot i across gravity, in the direction of
+-- `sign`: from what it stands on, if that stands fast, and what that stands on. 0: none worth it.
+local function graspOf(b, i, sign)
+  local least = huge
+  repeat
+    local grasp = b.grip[i] - sign * b.gripUsed[i]
+    if grasp <= b.grip[i] * ROUNDING then
+      return 0
+    end
+    i, least = b.ground[i], min(least, grasp)
+  until b.kind[i] ~= DYNAMIC or not b.stuck[i]
+  return b.kind[i] ~= DYNAMIC and least or 0
+end
+
+-- A weight on slot i presses on all that it stands on.
+local function weighOn(b, i, jn)
+  repeat
+    b.grip[i] = b.grip[i] + b.stickiness[i] * jn
+    i = b.ground[i]
+  until b.kind[i] ~= DYNAMIC or not b.stuck[i]
+end
+
+-- Gives slot i an impulse, from the ground through all that it stands on.
+local function give(b, i, impulse)
+  repeat
+    b.gripUsed[i] = b.gripUsed[i] + impulse
+    i = b.ground[i]
+  until b.kind[i] ~= DYNAMIC
+end
+
 -- `up` rubs on `low`, which does not slide; returns false if the hold of `low` does not bear it.
 local function rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau, t)
   local grounded = b.inverseMass[low] == 0
@@ -137,21 +172,20 @@ local function rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau, t)
   if isBarred(b, ku, stop - u, tau) then
     return true
   end
-  local used = (u > stop and u - stop or stop - u) / w
+  local impulse = (stop - u) / w
   if not grounded then
-    b.grip[low] = b.grip[low] + b.stickiness[low] * jn
-    if used > b.grip[low] then
-      return false
+    weighOn(b, low, jn)
+    if impulse ~= 0 then
+      if max(impulse, -impulse) > graspOf(b, low, impulse > 0 and 1 or -1) * (1 + ROUNDING) then
+        return false
+      end
+      give(b, low, impulse)
     end
-    b.grip[low] = b.grip[low] - used
   end
+  b.grip[up], b.gripUsed[up] = b.grip[up] + limit, b.gripUsed[up] + impulse
+  b.ground[up], b.groundSpeed[up], b.stickiness[up] = low, floorSpeed, mu
   if stop == 0 then
-    b.stuck[up], b.stickiness[up] = true, mu
-    local bearing = limit
-    if not grounded and b.grip[low] + used < limit then
-      bearing = b.grip[low] + used
-    end
-    b.grip[up] = bearing - used
+    b.stuck[up] = true
     b.speed[ku], b.accel[ku] = floorSpeed, b.accel[kw]
   else
     b.speed[ku] = b.speed[ku] + (stop - u)
@@ -206,6 +240,55 @@ local function rubBoth(b, lo, hi, kl, kh, mu, jn, share, tau, t)
   local shareL, shareH = wl / w, wh / w
   shift(b, kl, dSpeed * shareL, dWay * shareL, tau, t)
   return shift(b, kh, -dSpeed * shareH, -dWay * shareH, tau, t)
+end
+
+-- Friction of slot i against going on with others, `mass` in all, at v px/s: gives it what stops
+-- them all, or what it can. Returns the impulse, and whether that stops them.
+local function resist(b, i, v, mass)
+  local u = v - b.groundSpeed[i]
+  local amount = max(u, -u)
+  if b.grip[i] * amount * ALL + b.gripUsed[i] * u <= 0 then
+    return 0, false -- as `press` asks
+  end
+  local sign, needed = u > 0 and -1 or 1, amount * mass
+  local grasp = graspOf(b, i, sign)
+  local stops = needed <= grasp * (1 + ROUNDING)
+  local impulse = (stops and needed or grasp) * sign
+  if grasp > 0 then
+    give(b, i, impulse)
+  end
+  return impulse, stops
+end
+
+--- Lets friction bear a push across gravity at the very beginning of a step, as far as it can:
+--- `lo` and `hi` close at v px/s, overlap by `o` px at its end, and both give way (inverse masses
+--- `wl`, `wh`). It acts on both, who go on together, as long as the push does. Returns the inverse
+--- masses for the push (0 for one who stands, and whom friction does not let go), the impulse of
+--- the contact, and who stands where it is rubbed (0: neither): so will both.
+function friction.bear(b, lo, hi, kl, kh, wl, wh, v, o)
+  local mass, common = 1 / wl + 1 / wh, b.speed[kl] - v * (wl / (wl + wh))
+  -- Who bears less does not stop who bears more.
+  local weak, strong, isLowWeak = hi, lo, b.grip[lo] <= b.grip[hi]
+  if isLowWeak then
+    weak, strong = lo, hi
+  end
+  local less, isWeakStill = resist(b, weak, common, mass)
+  local more, isStrongStill = resist(b, strong, common + less / mass, mass)
+  local still = isStrongStill and strong or (isWeakStill and more == 0 and weak) or 0
+  if isStrongStill and less == 0 and strong == lo and b.speed[kl] == b.groundSpeed[lo] then
+    return 0, wh, v / wh, lo
+  elseif isStrongStill and less == 0 and strong == hi and b.speed[kh] == b.groundSpeed[hi] then
+    return wl, 0, v / wl, hi
+  end
+  local dSpeed = (less + more) / mass
+  local dWay = b.pushFirst and 0 or dSpeed * max(o, 0) / v
+  b.speed[kl], b.speed[kh] = b.speed[kl] + dSpeed, b.speed[kh] + dSpeed
+  b.to[kl], b.to[kh] = b.to[kl] + dWay, b.to[kh] + dWay
+  local forLow, forHigh = more, less
+  if isLowWeak then
+    forLow, forHigh = less, more
+  end
+  return wl, wh, (v + forLow * wl - forHigh * wh) / (wl + wh), still
 end
 
 --- Rubs two that have just met on `axis`, `lo` with the smaller coordinate: `jn` is the impulse of

@@ -15,6 +15,7 @@ local resolve = require(here .. ".resolve")
 
 local press = {}
 
+local ALL = require(here .. ".friction").ALL
 local DYNAMIC, STILL = columns.DYNAMIC, columns.STILL
 local TINY, VAST = columns.TINY, columns.VAST
 local EVEN, ROUNDING = impact.EVEN, impact.ROUNDING
@@ -255,6 +256,18 @@ local function stop(b, lo, hi, kl, kh, gives)
   return finish(b, lo, hi, kl, kh, gives + (rubs(b, lo, hi, kl, kh) and RUBS or 0))
 end
 
+-- Whether friction may bear some of a push across gravity (see `friction.bear`): one of them would
+-- not go on as it is rubbed already.
+local function isBorne(b, lo, hi, kl, wl, wh, v)
+  if min(wl, wh, v) <= 0 or b.down[kl] ~= 0 then
+    return false
+  end
+  local common = b.speed[kl] - v * (wl / (wl + wh))
+  local u, w = common - b.groundSpeed[lo], common - b.groundSpeed[hi]
+  return b.grip[lo] * max(u, -u) * ALL + b.gripUsed[lo] * u > 0
+    or b.grip[hi] * max(w, -w) * ALL + b.gripUsed[hi] * w > 0
+end
+
 --- Lets two lean on each other, the pair p of turn x, which meets on `side` of its first, as
 --- `resolve` would. Returns REFUSED if the case is another one (nothing has changed then), or who
 --- has given way and what is to come of it.
@@ -270,6 +283,9 @@ function press.run(b, x, p, side, lo, hi, axis, dt)
     return REFUSED -- one of them takes it all
   end
   local v, o = b.speed[kl] - b.speed[kh], b.to[kl] + b.size[kl] - b.to[kh]
+  if b.grip[lo] + b.grip[hi] > 0 and isBorne(b, lo, hi, kl, wl, wh, v) then
+    return REFUSED
+  end
   local u, tau = impactAt(o, v, b.accel[kl] - b.accel[kh], dt)
   if press.bounces(b, lo, hi, u, b.drive[kl] - b.drive[kh], dt) then
     return REFUSED

@@ -161,8 +161,6 @@ end
 -- What two that rest against each other now do together. Who pushes one of a row and cannot be
 -- pushed is behind the whole row.
 local function lean(b, lo, hi, kl, kh, wl, wh)
-  shareAccel(b.accel, kl, kh, wl, wh)
-  shareAccel(b.drive, kl, kh, wl, wh)
   if b.kind[lo] == DYNAMIC then
     b.pressedHigh[kl] = true
     if wh == 0 and isWall(b, hi, b.heldHigh[kh] > 0, b.backedLow[kl]) then
@@ -252,6 +250,11 @@ local function free(b, lo, hi, kl, kh, axis)
   return weights(b, lo, hi, kl, kh)
 end
 
+-- Whether friction may bear some of a push: across gravity, between two that give way.
+local function isBearable(b, p, kl, kh, wl, wh, dv)
+  return min(wl, wh, dv) > 0 and b.met[p] <= LEAVES and b.down[kl] == 0 and b.down[kh] == 0
+end
+
 --- Resolves pair p, which meets on `axis` at time t (0..1 of a step of dt s), `lo` being the one
 --- with the smaller coordinate; `isDeep` if they are inside each other. Lists whose path changed in
 --- b.changed[1..b.changedCount].
@@ -300,10 +303,14 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
     gap, vEnd = impact.rebound(restitution, u, a, tau)
   end
   local flush = gap == 0 and vEnd == 0
-  local shareL, shareH = shares(b, lo, hi, kl, kh, wl, wh, isDeep or b.met[p] > BOUNCES)
-  local oldL, oldH = to[kl], to[kh]
-  place(b, lo, kl, kh, o + gap, shareL, shareH, flush)
+  local oldL, oldH, ownL, ownH = to[kl], to[kh], wl, wh
   local dv = v - vEnd
+  local impulse, still = dv / (wl + wh), 0
+  if flush and t == 0 and not isDeep and isBearable(b, p, kl, kh, wl, wh, dv) then
+    wl, wh, impulse, still = friction.bear(b, lo, hi, kl, kh, wl, wh, dv, o)
+  end
+  local shareL, shareH = shares(b, lo, hi, kl, kh, wl, wh, isDeep or b.met[p] > BOUNCES)
+  place(b, lo, kl, kh, o + gap, shareL, shareH, flush)
   -- Two that push each other to and fro for positions alone go on together.
   local isStuck = b.met[p] > LEAVES and wl > 0 and wh > 0
   if dv > 0 or isStuck then
@@ -311,6 +318,10 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
     -- A hit from the side breaks the hold of friction.
     b.stuck[lo] = b.stuck[lo] and b.down[kl] ~= 0
     b.stuck[hi] = b.stuck[hi] and b.down[kh] ~= 0
+    if still ~= 0 then
+      speed[kl], speed[kh] = b.groundSpeed[still], b.groundSpeed[still]
+      b.stuck[still] = true
+    end
   end
   -- Who is thrown back from what held it is held no longer, and falls.
   if weld.release(b, kl, axis, b.heldHigh, b.holderHigh, 1, STILL) and not flush then
@@ -322,7 +333,9 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   -- Who is on the way apart already, and only flush through a push, leans on nobody; but who is
   -- pushed back again and again is held between two.
   if flush and (v > -STILL or isDeep or b.met[p] > LEAVES) then
-    lean(b, lo, hi, kl, kh, wl, wh)
+    shareAccel(accel, kl, kh, wl, wh)
+    shareAccel(b.drive, kl, kh, wl, wh)
+    lean(b, lo, hi, kl, kh, ownL, ownH)
   end
   if wl ~= 0 then
     change(b, lo)
@@ -337,7 +350,7 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   end
   if dv > 0 then
     local share = u * (1 + restitution) / dv
-    return friction.rub(b, lo, hi, axis, dv / (wl + wh), share < 1 and share or 1, tau, t)
+    return friction.rub(b, lo, hi, axis, impulse, share < 1 and share or 1, tau, t)
   end
 end
 

@@ -105,10 +105,11 @@ local function isCapped(b, k, limit, longest)
   return max(pull, -pull) * longest > min(limit, b.limit[k])
 end
 
--- Whether something pulls k, and nothing but friction holds it there.
+-- Whether something pulls k, and nothing but friction holds it there: its own, or that of somebody
+-- it leans on.
 local function isRubbed(b, k)
   local pull = b.pull[k] + b.push[k]
-  return pull > 0 and not b.pressedHigh[k] or pull < 0 and not b.pressedLow[k]
+  return pull > 0 and b.heldHigh[k] == 0 or pull < 0 and b.heldLow[k] == 0
 end
 
 -- Gathers the island of an awake dynamic object behind `b.island`; returns its size and whether

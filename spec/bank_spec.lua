@@ -36,6 +36,12 @@ describe("a bank", function()
     end)
   end)
 
+  it("takes nobody's place", function()
+    assert.has_error(function()
+      bank.new({ awake = 3 }, LAYOUT)
+    end, "the owner has another awake")
+  end)
+
   it("that began with tables takes over what they hold", function()
     local before = bank.use(false)
     local owner = {}

@@ -124,3 +124,176 @@ describe("who stands on two floors that rub differently", function()
     end
   end
 end)
+
+describe("who leans on what friction holds", function()
+  --   +--+--+       gravity 800, friction 0.5: the floor bears 400 px/s² of each kg of a crate, and
+  --  -> 1| 1|       of what stands on it
+  -- =========
+  local function box(x, y, own)
+    own.x, own.y, own.width, own.height = x, y, 16, 16
+    return own
+  end
+
+  -- Plays a second of the boxes that `build` returns, on a rough floor; mirrored, if way is -1.
+  -- `write` is called before each update.
+  local function play(rate, way, push, build, write)
+    local world = physics.newWorld({ gravity = 800, push = push })
+    world:add("floors", { x = -900, y = 116, width = 1800, height = 16, static = true })
+    local list = build()
+    local places = {}
+    for n, b in ipairs(list) do
+      if way < 0 then
+        b.x, b.ax, b.vx = -b.x - b.width, -(b.ax or 0), -(b.vx or 0)
+      end
+      world:add("boxes", b)
+      places[n] = b.x
+    end
+    for _ = 1, rate do
+      if write then
+        write(list, way)
+      end
+      world:update(1 / rate)
+    end
+    local ways, speeds = {}, {}
+    for n, b in ipairs(list) do
+      ways[n], speeds[n] = way * (b.x - places[n]), way * b.vx
+    end
+    return ways, speeds, world
+  end
+
+  local function walk(list, way)
+    list[1].vx = 60 * way
+  end
+
+  local HELD = {
+    ["a crate that bears more"] = {
+      build = function()
+        return { box(0, 100, { ax = 399 }), box(16, 100, { friction = 0.5 }) }
+      end,
+    },
+    ["a crate that bears just as much"] = {
+      build = function()
+        return { box(0, 100, { ax = 400 }), box(16, 100, { friction = 0.5 }) }
+      end,
+    },
+    ["two crates that bear more together"] = {
+      build = function()
+        local crates = { box(16, 100, { friction = 0.5 }), box(32, 100, { friction = 0.5 }) }
+        return { box(0, 100, { ax = 790 }), crates[1], crates[2] }
+      end,
+    },
+    ["a heavy crate, at 60 px/s in each update"] = {
+      build = function()
+        return { box(0, 100, {}), box(16, 100, { friction = 0.5, mass = 22 }) }
+      end,
+      write = walk,
+    },
+    ["the lowest of a stack"] = {
+      build = function()
+        local list = { box(0, 100, { ax = 1590 }) }
+        for n = 0, 3 do
+          list[n + 2] = box(16, 100 - 16 * n, { friction = 0.5 })
+        end
+        return list
+      end,
+    },
+    ["the third of a stack"] = {
+      build = function()
+        local list = { box(0, 68, { ax = 390, gravity = 0 }) }
+        for n = 0, 2 do
+          list[n + 2] = box(16, 100 - 16 * n, { friction = 0.5 })
+        end
+        return list
+      end,
+    },
+  }
+  for name, row in pairs(HELD) do
+    for _, rate in ipairs({ 30, 60, 144 }) do
+      for _, push in ipairs({ "both", "first" }) do
+        for _, way in ipairs({ 1, -1 }) do
+          local text = "does not move %s, at %d Hz, push = %q, %s"
+          it(text:format(name, rate, push, way > 0 and "to the right" or "to the left"), function()
+            local ways, speeds = play(rate, way, push, row.build, row.write)
+            for n = 1, #ways do
+              assert.near(0, ways[n], 1e-12)
+              assert.is_true(speeds[n] == 0)
+            end
+          end)
+        end
+      end
+    end
+  end
+
+  it("comes to rest on it", function()
+    local _, _, world = play(60, 1, "both", HELD["a crate that bears more"].build)
+    assert.equal(0, world._bodies.awakeCount)
+  end)
+
+  -- All of them go on at (ax - what friction bears) / mass.
+  local MOVED = {
+    ["a crate"] = { 50, { 500 }, 1, 16 },
+    ["two crates"] = { 100 / 3, { 900 }, 2, 16 },
+    ["a crate, with another behind"] = { 200 / 3, { 300, 300 }, 1, 16 },
+  }
+  for name, row in pairs(MOVED) do
+    for _, rate in ipairs({ 30, 60, 144 }) do
+      for _, way in ipairs({ 1, -1 }) do
+        local side = way > 0 and "right" or "left"
+        it(("pushes %s by the rest, at %d Hz, to the %s"):format(name, rate, side), function()
+          local ways, speeds = play(rate, way, "both", function()
+            local list = {}
+            for _, ax in ipairs(row[2]) do
+              list[#list + 1] = box(16 * #list, 100, { ax = ax })
+            end
+            for _ = 1, row[3] do
+              list[#list + 1] = box(16 * #list, 100, { friction = 0.5 })
+            end
+            return list
+          end)
+          for n = 1, #ways do
+            assert.near(row[1], speeds[n], 1e-9)
+            -- (The way is that of a step less in the middle of the speeds of two steps.)
+            assert.near(row[1] / 2, ways[n], row[1] / rate)
+          end
+        end)
+      end
+    end
+  end
+
+  for _, rate in ipairs({ 30, 60, 144 }) do
+    it(("does not move it against one on the other side, at %d Hz"):format(rate), function()
+      for _, pulls in ipairs({ { 700, -500 }, { 700, -700 }, { 2000, -1700 } }) do
+        local ways, speeds = play(rate, 1, "both", function()
+          local list = { box(0, 100, { ax = pulls[1] }), box(16, 100, { friction = 0.5 }) }
+          list[3] = box(32, 100, { ax = pulls[2] })
+          return list
+        end)
+        for n = 1, 3 do
+          assert.near(0, ways[n], 1e-9)
+          assert.equal(0, speeds[n])
+        end
+      end
+    end)
+  end
+
+  it("pushes the highest of a stack, of which the lowest is smooth", function()
+    -- The others bear 400 px/s² and more, the floor 0.005 * 4 * 800 = 16.
+    local ways = play(60, 1, "both", function()
+      local list = { box(0, 52, { ax = 240, gravity = 0 }) }
+      for n = 0, 3 do
+        list[n + 2] = box(16, 100 - 16 * n, { friction = 0.5 })
+      end
+      list[2].friction = 0.005
+      return list
+    end)
+    assert.is_true(ways[1] > 3, "moves by " .. ways[1])
+  end)
+
+  it("pushes what stands on nothing", function()
+    local _, speeds = play(60, 1, "both", function()
+      return { box(0, 60, { vx = 60, gravity = 0 }), box(16, 60, { gravity = 0, friction = 0.5 }) }
+    end)
+    assert.near(30, speeds[1], 1e-9)
+    assert.near(30, speeds[2], 1e-9)
+  end)
+end)
