@@ -46,10 +46,18 @@ local function resetHolders(b, list, first, last)
 end
 
 local function resetGrips(b, list, first, last)
-  local stuck, grip, used = b.stuck, b.grip, b.gripUsed
+  local stuck, grip, used, level = b.stuck, b.grip, b.gripUsed, b.level
   for n = first, last do
     local i = list[n]
-    stuck[i], grip[i], used[i] = false, 0, 0
+    stuck[i], grip[i], used[i], level[i] = false, 0, 0, 0
+  end
+end
+
+local function resetCargo(b, list, first, last)
+  local cargo, goesWith = b.cargo, b.goesWith
+  for n = first, last do
+    local i = list[n]
+    cargo[i], goesWith[i] = 0, 0
   end
 end
 
@@ -68,6 +76,7 @@ end
 --- Resets the step columns of those in awakeList that have not begun this step.
 function begin.run(b)
   local list, first, last = b.awakeList, b.begun + 1, b.awakeCount
+  b.hasCargo = b.hasCargo and first > 1
   resetPaths(b, list, first, last)
   resetHolds(b, list, first, last)
   if b.hasBacked then
@@ -75,6 +84,7 @@ function begin.run(b)
   end
   resetHolders(b, list, first, last)
   resetGrips(b, list, first, last)
+  resetCargo(b, list, first, last)
   resetOthers(b, list, first, last)
   b.begun = last
 end

@@ -90,7 +90,13 @@ local SLOT = {
   grip = 0, -- impulse that friction can give it across gravity, from what it stands on
   gripUsed = 0, -- of that, what it has given (< 0: towards smaller coordinates)
   ground = 0, -- what it stands on then
+  level = 0, -- how many dynamic ones are between it and the floor, and 1
   groundSpeed = 0, -- of that, along its surface, px/s
+  cargo = 0, -- one that stands on it and goes along with it (see cargo)
+  nextCargo = 0, -- another one that stands where this does
+  goesWith = 0, -- where that is
+  dragged = false, -- scratch of cargo
+  dragImpulse = 0,
   changedMark = 0,
   watched = 0, -- step in which it touches somebody with whom it has no turn
   lastFooting = 0, -- its place among the footings when it last leant on somebody, 0: never
@@ -233,7 +239,11 @@ local STEP_SLOT = {
   "grip",
   "gripUsed",
   "ground",
+  "level",
   "groundSpeed",
+  "cargo",
+  "nextCargo",
+  "goesWith",
   "buried",
   "support",
   "carrier",
@@ -370,6 +380,7 @@ function columns.new()
     hasInside = false, -- or was left inside another
     hasBuried = false, -- or had no way out
     hasBacked = false, -- or was pushed by one that cannot be pushed
+    hasCargo = false, -- somebody goes along with what it stands on, in this step
     isRemasked = false, -- anybody may be inside somebody whom it can meet only now
     maskCopy = false, -- the last one made of the mask of a static object (see filter)
     lost = {}, -- slots whose carrier went away since the last step

@@ -31,11 +31,23 @@ end
 
 -- A weight on slot i presses on all that it stands on, as in `friction`.
 local function weighOn(b, i, impulse)
-  local grip, stickiness, ground, kind, stuck = b.grip, b.stickiness, b.ground, b.kind, b.stuck
+  local grip, stickiness, ground, level = b.grip, b.stickiness, b.ground, b.level
+  local at = level[i]
   repeat
     grip[i] = grip[i] + stickiness[i] * impulse
+    local before = at
     i = ground[i]
-  until kind[i] ~= DYNAMIC or not stuck[i]
+    at = level[i]
+  until at == 0 or at >= before
+end
+
+-- Notes that `up` goes along with `low`, as `cargo.put` does.
+local function goWith(b, up, low)
+  local cargo, nextCargo, goesWith = b.cargo, b.nextCargo, b.goesWith
+  if goesWith[up] == 0 then
+    goesWith[up], nextCargo[up], cargo[low] = low, cargo[low], up
+    b.hasCargo = true
+  end
 end
 
 -- Friction between two that do not move against each other, nor would: `up` sticks to `low` where
@@ -52,15 +64,21 @@ local function stick(b, up, low, ku, kl, mu, impulse, sign)
     or b.weld[ka] ~= 0
   then
     return false
+  elseif not isFast and b.down[kl] ~= sign then
+    return false
   elseif not (isFast or b.stuck[low]) then
+    if b.grip[low] > 0 then
+      return false
+    end
     b.changes[kb] = b.changes[kb] + 1
     return true -- both slide, together
   end
   if not isFast then
     weighOn(b, low, impulse)
+    goWith(b, up, low)
   end
   b.stuck[up], b.stickiness[up], b.grip[up] = true, mu, b.grip[up] + mu * impulse
-  b.ground[up], b.groundSpeed[up] = low, b.speed[kb]
+  b.ground[up], b.groundSpeed[up], b.level[up] = low, b.speed[kb], b.level[low] + 1
   b.to[ka] = b.from[ka] + (b.to[kb] - b.from[kb])
   return true
 end
@@ -81,6 +99,7 @@ local function slideTogether(b, up, low, ku, kl, limit, share, sign, dt)
   if
     wl == 0
     or b.stuck[low]
+    or b.grip[low] > 0
     or b.surfaceSpeed[low] ~= 0
     or b.down[ku] ~= sign
     or accel[ka] ~= accel[kb]
@@ -123,6 +142,8 @@ function footing.putOn(b, n, x, p, side, up, low, ku, kl, isUp, dt)
   local held, upHeld, holder, pressed, pressedUp = sidesOf(b, isUp)
   if not isSimple(b, p, up, low, ku, kl, held, upHeld) then
     return false
+  elseif b.hasCargo and b.down[ku] == 0 and b.cargo[up] > 0 then
+    return false -- this is across its own gravity, and somebody may go along with it
   end
   local to, size, speed, accel, drive = b.to, b.size, b.speed, b.accel, b.drive
   local sign = isUp and -1 or 1

@@ -5,7 +5,9 @@
 -- hold bears: the weight above presses it on, too. So a stack of boxes stops as a whole.
 
 local here = (...):match("^(.*)%.[^.]+$")
+local cargo = require(here .. ".cargo")
 local columns = require(here .. ".columns")
+local grip = require(here .. ".grip")
 local path = require(here .. ".path")
 local ring = require(here .. ".ring")
 local weld = require(here .. ".weld")
@@ -15,12 +17,8 @@ require(here .. ".interpreted").file()
 local friction = {}
 
 local DYNAMIC = columns.DYNAMIC
-local huge, max, min, sqrt = math.huge, math.max, math.min, math.sqrt
--- Share by which impulses may be rounded: what is borne at one dt is borne at every other.
-local ROUNDING = 1e-9
---- Share of what friction can give from which on that is all of it.
-friction.ALL = 1 - ROUNDING
-local ALL = friction.ALL
+local max, min, sqrt = math.max, math.min, math.sqrt
+local ROUNDING = grip.ROUNDING
 local STILL, TINY, VAST = columns.STILL, columns.TINY, columns.VAST
 
 --- Returns the coefficient of a pair: √(a·b); without one of its own (negative) a static or
@@ -52,20 +50,20 @@ end
 
 -- Slides at a relative speed that would be `u` at the end of the time left, under a relative
 -- acceleration `a`, against an impact that takes up to `impact` px/s at once and a weight that
--- takes up to `weight` px/s over the time. Returns the relative speed at the end and the relative
--- way: first it is braked, for as long as that takes; then, if it is pulled back faster than
--- friction can hold, it goes back. No branches: compiled, each would be a way of its own through
--- all that the caller still has to do.
+-- takes up to `weight` px/s over the time. Returns the relative speed at the end, the relative way,
+-- and the relative speed behind the impact: first it is braked, for as long as that takes; then, if
+-- it is pulled back faster than friction can hold, it goes back. No branches: compiled, each would
+-- be a way of its own through all that the caller still has to do.
 local function slide(u, a, tau, impact, weight)
   local v = lessen(calm(u - a * tau), impact)
   if tau <= 0 then
-    return v, 0
+    return v, 0, v
   end
   local hold, amount, sign = weight / tau, max(v, -v), max(min(v * VAST, 1), -1)
   local brake = hold - a * sign -- < 0: it is pulled on, faster than friction can hold
   local braked = min(tau, amount / max(brake, TINY))
   local stop, back = sign * max(amount - brake * tau, 0), lessen(a, hold) * (tau - braked)
-  return stop + back, (v + stop) * 0.5 * braked + back * 0.5 * (tau - braked)
+  return stop + back, (v + stop) * 0.5 * braked + back * 0.5 * (tau - braked), v
 end
 
 -- Inverse mass of slot i on the axis of k: that of all that is welded to it there.
@@ -132,34 +130,12 @@ local function surface(b, low, kw)
   return v
 end
 
--- Returns how large an impulse friction can still give slot i across gravity, in the direction of
--- `sign`: from what it stands on, if that stands fast, and what that stands on. 0: none worth it.
-local function graspOf(b, i, sign)
-  local least = huge
-  repeat
-    local grasp = b.grip[i] - sign * b.gripUsed[i]
-    if grasp <= b.grip[i] * ROUNDING then
-      return 0
-    end
-    i, least = b.ground[i], min(least, grasp)
-  until b.kind[i] ~= DYNAMIC or not b.stuck[i]
-  return b.kind[i] ~= DYNAMIC and least or 0
-end
-
--- A weight on slot i presses on all that it stands on.
-local function weighOn(b, i, jn)
-  repeat
-    b.grip[i] = b.grip[i] + b.stickiness[i] * jn
-    i = b.ground[i]
-  until b.kind[i] ~= DYNAMIC or not b.stuck[i]
-end
-
--- Gives slot i an impulse, from the ground through all that it stands on.
-local function give(b, i, impulse)
-  repeat
-    b.gripUsed[i] = b.gripUsed[i] + impulse
-    i = b.ground[i]
-  until b.kind[i] ~= DYNAMIC
+-- Where ku, which begins its path anew, ends it if it goes as the surface of `low` does, kw: for
+-- `tau` s, at a speed of `floorSpeed`.
+local function goalWith(b, up, low, ku, kw, floorSpeed, tau)
+  -- A kinematic object's path began with the step, that of a dynamic one at this moment.
+  local left = b.kind[low] == DYNAMIC and 1 or 1 - b.time[up]
+  return b.from[ku] + (b.to[kw] - b.from[kw]) * left + (floorSpeed - b.speed[kw]) * tau
 end
 
 -- `up` rubs on `low`, which does not slide; returns false if the hold of `low` does not bear it.
@@ -168,34 +144,37 @@ local function rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau, t)
   local w, floorSpeed = inverseMass(b, up, ku), surface(b, low, kw)
   local u, a = b.speed[ku] - floorSpeed, b.accel[ku] - b.accel[kw]
   local limit = mu * jn
-  local stop, way = slide(u, a, tau, limit * w * share, limit * w * (1 - share))
+  local stop, way, start = slide(u, a, tau, limit * w * share, limit * w * (1 - share))
   if isBarred(b, ku, stop - u, tau) then
     return true
   end
   local impulse = (stop - u) / w
   if not grounded then
-    weighOn(b, low, jn)
+    grip.weighOn(b, low, jn)
     if impulse ~= 0 then
-      if max(impulse, -impulse) > graspOf(b, low, impulse > 0 and 1 or -1) * (1 + ROUNDING) then
+      if max(impulse, -impulse) > grip.left(b, low, impulse > 0 and 1 or -1) * (1 + ROUNDING) then
         return false
       end
-      give(b, low, impulse)
+      grip.give(b, low, impulse)
     end
   end
-  b.grip[up], b.gripUsed[up] = b.grip[up] + limit, b.gripUsed[up] + impulse
-  b.ground[up], b.groundSpeed[up], b.stickiness[up] = low, floorSpeed, mu
+  grip.note(b, up, low, floorSpeed, mu, limit, impulse)
   if stop == 0 then
     b.stuck[up] = true
     b.speed[ku], b.accel[ku] = floorSpeed, b.accel[kw]
+    if not grounded then
+      cargo.put(b, up, low)
+    end
   else
     b.speed[ku] = b.speed[ku] + (stop - u)
+    if tau > 0 then
+      -- It is braked all the time: what rubs on it must know that it was not so slow before.
+      b.accel[ku] = b.accel[kw] + (stop - start) / tau
+    end
   end
   local before = b.to[ku]
   if stop == 0 and way == 0 then
-    -- A kinematic object's path began with the step, that of a dynamic one at this moment.
-    local left = b.kind[low] == DYNAMIC and 1 or 1 - b.time[up]
-    local belt = (floorSpeed - b.speed[kw]) * tau
-    b.to[ku] = b.from[ku] + (b.to[kw] - b.from[kw]) * left + belt
+    b.to[ku] = goalWith(b, up, low, ku, kw, floorSpeed, tau)
   else
     b.to[ku] = before + (way - (u - a * tau + u) * 0.5 * tau)
   end
@@ -242,53 +221,97 @@ local function rubBoth(b, lo, hi, kl, kh, mu, jn, share, tau, t)
   return shift(b, kh, -dSpeed * shareH, -dWay * shareH, tau, t)
 end
 
--- Friction of slot i against going on with others, `mass` in all, at v px/s: gives it what stops
--- them all, or what it can. Returns the impulse, and whether that stops them.
-local function resist(b, i, v, mass)
-  local u = v - b.groundSpeed[i]
-  local amount = max(u, -u)
-  if b.grip[i] * amount * ALL + b.gripUsed[i] * u <= 0 then
-    return 0, false -- as `press` asks
+-- Adds to the accelerations of two what has made them faster by `gainU` and `gainL` px/s over the
+-- `tau` s that are left; if they go together now, they share one.
+local function shareAccel(b, ku, kw, wu, wl, gainU, gainL, tau, isTogether)
+  local accel = b.accel
+  if isTogether and wu + wl > 0 then
+    local common = (accel[ku] * wl + accel[kw] * wu) / (wu + wl)
+    accel[ku], accel[kw] = common, common
+  elseif tau > 0 then
+    accel[ku], accel[kw] = accel[ku] + gainU / tau, accel[kw] + gainL / tau
   end
-  local sign, needed = u > 0 and -1 or 1, amount * mass
-  local grasp = graspOf(b, i, sign)
-  local stops = needed <= grasp * (1 + ROUNDING)
-  local impulse = (stops and needed or grasp) * sign
-  if grasp > 0 then
-    give(b, i, impulse)
-  end
-  return impulse, stops
 end
 
---- Lets friction bear a push across gravity at the very beginning of a step, as far as it can:
---- `lo` and `hi` close at v px/s, overlap by `o` px at its end, and both give way (inverse masses
---- `wl`, `wh`). It acts on both, who go on together, as long as the push does. Returns the inverse
---- masses for the push (0 for one who stands, and whom friction does not let go), the impulse of
---- the contact, and who stands where it is rubbed (0: neither): so will both.
-function friction.bear(b, lo, hi, kl, kh, wl, wh, v, o)
-  local mass, common = 1 / wl + 1 / wh, b.speed[kl] - v * (wl / (wl + wh))
-  -- Who bears less does not stop who bears more.
-  local weak, strong, isLowWeak = hi, lo, b.grip[lo] <= b.grip[hi]
-  if isLowWeak then
-    weak, strong = lo, hi
+-- A tower that slides over a floor on slot `base` is braked there by what a weight on it adds to
+-- its friction, up to `limit`; not if it would not hold together.
+local function brakeTower(b, base, axis, limit, share, tau)
+  local k, ground = 2 * base + axis, b.ground[base]
+  local v, m, mass = b.speed[k], 2 * ground + axis, cargo.massOfPart(b, base, axis, b.speed[k])
+  local slip = v - b.groundSpeed[base]
+  local stops = max(slip, -slip) * mass <= limit
+  local gain = stops and -slip or (slip > 0 and -limit or limit) / mass
+  if not cargo.holds(b, base, axis, v, gain, 0, 0, 0) then
+    return
   end
-  local less, isWeakStill = resist(b, weak, common, mass)
-  local more, isStrongStill = resist(b, strong, common + less / mass, mass)
-  local still = isStrongStill and strong or (isWeakStill and more == 0 and weak) or 0
-  if isStrongStill and less == 0 and strong == lo and b.speed[kl] == b.groundSpeed[lo] then
-    return 0, wh, v / wh, lo
-  elseif isStrongStill and less == 0 and strong == hi and b.speed[kh] == b.groundSpeed[hi] then
-    return wl, 0, v / wl, hi
+  local accel = stops and b.accel[m] or b.accel[k] + gain * (1 - share) / tau
+  local new = stops and b.groundSpeed[base] or v + gain
+  cargo.move(b, base, axis, v, new, gain * tau * (0.5 + 0.5 * share), accel, 0, 0)
+  b.gripUsed[base] = b.gripUsed[base] + gain * mass
+  if stops then
+    cargo.stop(b, base, axis, new, goalWith(b, base, ground, k, m, new, tau) - b.from[k])
   end
-  local dSpeed = (less + more) / mass
-  local dWay = b.pushFirst and 0 or dSpeed * max(o, 0) / v
-  b.speed[kl], b.speed[kh] = b.speed[kl] + dSpeed, b.speed[kh] + dSpeed
-  b.to[kl], b.to[kh] = b.to[kl] + dWay, b.to[kh] + dWay
-  local forLow, forHigh = more, less
-  if isLowWeak then
-    forLow, forHigh = less, more
+end
+
+-- `up` rubs on `low`, a part of a tower of this mass that slides over a floor on slot `base`: they
+-- share what is between them, then its weight brakes the tower. Returns false, and changes nothing,
+-- if the case is another one.
+local function rubOnTower(b, up, low, base, mass, ku, kw, mu, jn, share, tau)
+  if
+    b.weld[ku] ~= 0
+    or b.heldLow[ku] + b.heldHigh[ku] > 0
+    or b.backedLow[ku]
+    or b.backedHigh[ku]
+    or b.surfaceSpeed[low] ~= 0
+    or tau <= 0
+  then
+    return false
   end
-  return wl, wh, (v + forLow * wl - forHigh * wh) / (wl + wh), still
+  local axis, v, wu = ku - 2 * up, b.speed[kw], b.inverseMass[up]
+  local u, a, w = b.speed[ku] - v, b.accel[ku] - b.accel[kw], wu + 1 / mass
+  local stop, way, start = slide(u, a, tau, mu * jn * w * share, mu * jn * w * (1 - share))
+  local impulse = (stop - u) / w
+  local gain = -impulse / mass
+  if not cargo.holds(b, base, axis, v, gain, low, -impulse, jn) then
+    return false
+  end
+  grip.weighOn(b, low, jn)
+  local dWay = way - (u - a * tau + u) * 0.5 * tau
+  -- The relative acceleration from now on: none, if they go together.
+  local da = (stop == 0 and 0 or (stop - start) / tau) - a
+  local accel = b.accel[kw] - da / mass / w
+  cargo.move(b, base, axis, v, v + gain, -dWay / mass / w, accel, low, -impulse)
+  b.speed[ku] = stop == 0 and b.speed[kw] or b.speed[ku] + impulse * wu
+  b.to[ku] = b.to[ku] + dWay * wu / w
+  b.accel[ku] = stop == 0 and accel or b.accel[ku] + da * wu / w
+  grip.note(b, up, low, b.speed[kw], mu, mu * jn, impulse)
+  cargo.put(b, up, low)
+  path.change(b, up)
+  brakeTower(b, base, axis, b.stickiness[base] * jn, share, tau)
+  return true
+end
+
+-- `up` rubs on `low`, which slides on something rough itself.
+local function rubOnSliding(b, lo, hi, tl, th, up, low, ku, kw, mu, jn, share, tau, t)
+  if t == 0 then
+    local base, mass = cargo.tower(b, low, kw - 2 * low)
+    if base ~= 0 and rubOnTower(b, up, low, base, mass, ku, kw, mu, jn, share, tau) then
+      return
+    end
+  end
+  local wu, wl = inverseMass(b, up, ku), inverseMass(b, low, kw)
+  local speedU, speedL = b.speed[ku], b.speed[kw]
+  rubBoth(b, lo, hi, tl, th, mu, jn, share, tau, t)
+  local gainU, gainL = b.speed[ku] - speedU, b.speed[kw] - speedL
+  local floorSpeed = surface(b, low, kw)
+  local slip = b.speed[ku] - floorSpeed
+  local isTogether = max(slip, -slip) < STILL and floorSpeed == b.speed[kw]
+  shareAccel(b, ku, kw, wu, wl, gainU * (1 - share), gainL * (1 - share), tau, isTogether)
+  grip.note(b, up, low, floorSpeed, mu, mu * jn, wu > 0 and gainU / wu or 0)
+  if isTogether then
+    b.speed[ku] = b.speed[kw]
+  end
+  cargo.put(b, up, low)
 end
 
 --- Rubs two that have just met on `axis`, `lo` with the smaller coordinate: `jn` is the impulse of
@@ -308,9 +331,14 @@ function friction.rub(b, lo, hi, axis, jn, share, tau, t)
   elseif b.down[kh] < 0 then
     up, low, ku, kw = hi, lo, th, tl
   end
-  local steady = up ~= 0 and (b.inverseMass[low] == 0 or b.stuck[low])
+  -- (Who is pulled another way rubs on another axis.)
+  local isAlike = up ~= 0 and b.down[kl] == b.down[kh]
+  local steady = up ~= 0 and (b.inverseMass[low] == 0 or (b.stuck[low] and isAlike))
   if steady and rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau, t) then
     return
+  end
+  if isAlike and b.grip[low] > 0 then
+    return rubOnSliding(b, lo, hi, tl, th, up, low, ku, kw, mu, jn, share, tau, t)
   end
   return rubBoth(b, lo, hi, tl, th, mu, jn, share, tau, t)
 end

@@ -15,7 +15,7 @@ local resolve = require(here .. ".resolve")
 
 local press = {}
 
-local ALL = require(here .. ".friction").ALL
+local ALL = require(here .. ".grip").ALL
 local DYNAMIC, STILL = columns.DYNAMIC, columns.STILL
 local TINY, VAST = columns.TINY, columns.VAST
 local EVEN, ROUNDING = impact.EVEN, impact.ROUNDING
@@ -256,16 +256,31 @@ local function stop(b, lo, hi, kl, kh, gives)
   return finish(b, lo, hi, kl, kh, gives + (rubs(b, lo, hi, kl, kh) and RUBS or 0))
 end
 
--- Whether friction may bear some of a push across gravity (see `friction.bear`): one of them would
+-- Whether friction may give slot i anything against going at v px/s (see `grip.bear`).
+local function mayResist(b, i, v)
+  local u = v - b.groundSpeed[i]
+  return b.grip[i] * max(u, -u) * ALL + b.gripUsed[i] * u > 0
+    and (b.level[i] == 1 or b.stuck[b.ground[i]])
+end
+
+-- Whether friction may bear some of a push across gravity (see `grip.bear`): one of them would
 -- not go on as it is rubbed already.
 local function isBorne(b, lo, hi, kl, wl, wh, v)
   if min(wl, wh, v) <= 0 or b.down[kl] ~= 0 then
     return false
   end
   local common = b.speed[kl] - v * (wl / (wl + wh))
-  local u, w = common - b.groundSpeed[lo], common - b.groundSpeed[hi]
-  return b.grip[lo] * max(u, -u) * ALL + b.gripUsed[lo] * u > 0
-    or b.grip[hi] * max(w, -w) * ALL + b.gripUsed[hi] * w > 0
+  return mayResist(b, lo, common) or mayResist(b, hi, common)
+end
+
+-- Whether a push across gravity has to take somebody along (see `cargo.isDue`).
+local function carries(b, lo, hi, kl, kh)
+  local used, other = b.gripUsed[lo], b.gripUsed[hi]
+  return b.down[kl] == 0
+    and (
+      (max(used, -used) > b.grip[lo] * ALL and b.cargo[lo] + b.weld[kl] > 0)
+      or (max(other, -other) > b.grip[hi] * ALL and b.cargo[hi] + b.weld[kh] > 0)
+    )
 end
 
 --- Lets two lean on each other, the pair p of turn x, which meets on `side` of its first, as
@@ -284,6 +299,8 @@ function press.run(b, x, p, side, lo, hi, axis, dt)
   end
   local v, o = b.speed[kl] - b.speed[kh], b.to[kl] + b.size[kl] - b.to[kh]
   if b.grip[lo] + b.grip[hi] > 0 and isBorne(b, lo, hi, kl, wl, wh, v) then
+    return REFUSED
+  elseif b.hasCargo and v > 0 and carries(b, lo, hi, kl, kh) then
     return REFUSED
   end
   local u, tau = impactAt(o, v, b.accel[kl] - b.accel[kh], dt)

@@ -9,9 +9,11 @@
 -- accel, time, heldLow, heldHigh, pressedLow, pressedHigh, met, hit, hitSpeed and `changed`.
 
 local here = (...):match("^(.*)%.[^.]+$")
+local cargo = require(here .. ".cargo")
 local columns = require(here .. ".columns")
 local crush = require(here .. ".crush")
 local friction = require(here .. ".friction")
+local grip = require(here .. ".grip")
 local impact = require(here .. ".impact")
 local path = require(here .. ".path")
 local ring = require(here .. ".ring")
@@ -250,9 +252,24 @@ local function free(b, lo, hi, kl, kh, axis)
   return weights(b, lo, hi, kl, kh)
 end
 
--- Whether friction may bear some of a push: across gravity, between two that give way.
-local function isBearable(b, p, kl, kh, wl, wh, dv)
-  return min(wl, wh, dv) > 0 and b.met[p] <= LEAVES and b.down[kl] == 0 and b.down[kh] == 0
+-- Whether friction under the two may have to do with a push: it goes across gravity.
+local function isRubbed(b, p, kl, kh, dv)
+  return dv > 0 and b.met[p] <= LEAVES and b.down[kl] == 0 and b.down[kh] == 0
+end
+
+-- Lets friction have its part in a push of two that close at v px/s: what stands on them goes
+-- along, and what they stand on bears it. Returns the inverse masses, v and o as they are for the
+-- push then; its impulse, who stands still now (0: neither), and for how long it acts (`cargo`).
+local function withFriction(b, lo, hi, kl, kh, axis, wl, wh, v, o, dt)
+  local isBorne, still, time = grip.mayBear(b, lo, hi, kl, wl, wh, v), 0, 0
+  if b.hasCargo and (isBorne or cargo.isDue(b, lo, hi, kl, kh)) then
+    wl, wh, v, o, time = cargo.load(b, kl, kh, axis, wl, wh, v, o, dt)
+  end
+  local impulse = v / (wl + wh)
+  if isBorne then
+    wl, wh, impulse, still = grip.bear(b, lo, hi, kl, kh, wl, wh, v, o, dt)
+  end
+  return wl, wh, v, o, impulse, still, time
 end
 
 --- Resolves pair p, which meets on `axis` at time t (0..1 of a step of dt s), `lo` being the one
@@ -304,10 +321,11 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   end
   local flush = gap == 0 and vEnd == 0
   local oldL, oldH, ownL, ownH = to[kl], to[kh], wl, wh
-  local dv = v - vEnd
-  local impulse, still = dv / (wl + wh), 0
-  if flush and t == 0 and not isDeep and isBearable(b, p, kl, kh, wl, wh, dv) then
-    wl, wh, impulse, still = friction.bear(b, lo, hi, kl, kh, wl, wh, dv, o)
+  local dv, speedL, speedH = v - vEnd, speed[kl], speed[kh]
+  local still, pushTime, impulse = 0, 0, dv / (wl + wh)
+  if flush and t == 0 and not isDeep and isRubbed(b, p, kl, kh, dv) then
+    wl, wh, dv, o, impulse, still, pushTime =
+      withFriction(b, lo, hi, kl, kh, axis, wl, wh, dv, o, dt)
   end
   local shareL, shareH = shares(b, lo, hi, kl, kh, wl, wh, isDeep or b.met[p] > BOUNCES)
   place(b, lo, kl, kh, o + gap, shareL, shareH, flush)
@@ -345,6 +363,12 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   end
   ring.follow(b, kl, to[kl] - oldL, t)
   ring.follow(b, kh, to[kh] - oldH, t)
+  if pushTime > 0 and wl ~= 0 then
+    cargo.follow(b, kl, axis, speedL, to[kl] - oldL, pushTime)
+  end
+  if pushTime > 0 and wh ~= 0 then
+    cargo.follow(b, kh, axis, speedH, to[kh] - oldH, pushTime)
+  end
   if flush and (dv > 0 or isStuck) and b.met[p] >= WELDS and wl > 0 and wh > 0 then
     weld.join(b, kl, kh)
   end

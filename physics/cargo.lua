@@ -1,0 +1,307 @@
+--- Step 6, meet: who goes along with what it stands on, by friction, when that is pushed.
+--
+-- Friction is asked before pushes across gravity (see `turns`). What slides on a rough floor is
+-- braked, and brakes what stands on it; if something pushes it on at once, that must go on, too, or
+-- it would slide off, a little in each step. So it counts as a part of who is pushed, as long as
+-- friction can take it along.
+--
+-- Noted where they rub: `cargo` leads from a slot to one that stands on it, `nextCargo` to the next
+-- one, `goesWith` back.
+
+local here = (...):match("^(.*)%.[^.]+$")
+local columns = require(here .. ".columns")
+local grip = require(here .. ".grip")
+local path = require(here .. ".path")
+
+require(here .. ".interpreted").file()
+
+local cargo = {}
+
+local huge, max, min = math.huge, math.max, math.min
+
+local ALL, ROUNDING = grip.ALL, grip.ROUNDING
+local STILL, TINY = columns.STILL, columns.TINY
+-- So often at most it is asked again who is dragged, and how fast all become then.
+local ROUNDS = 40
+
+--- Notes that `up` goes along with `low`, on which it stands.
+function cargo.put(b, up, low)
+  if b.goesWith[up] == 0 then
+    b.goesWith[up], b.nextCargo[up], b.cargo[low] = low, b.cargo[low], up
+    b.hasCargo = true
+  end
+end
+
+-- Whether nothing but friction holds `up` on slot i. (Levels go up, see `friction`.)
+local function isLoose(b, up, i, axis)
+  local k = 2 * up + axis
+  return b.weld[k] == 0
+    and b.level[up] > b.level[i]
+    and b.heldLow[k] + b.heldHigh[k] == 0
+    and not (b.backedLow[k] or b.backedHigh[k])
+end
+
+-- Returns the impulse that brings `up`, with all that stands on it, to v px/s, as far as friction
+-- can, and the mass of those that it brings there; notes the first, and whether `up` is one of
+-- them.
+local function need(b, up, axis, v)
+  local impulse, mass, its = b.mass[up] * (v - b.speed[2 * up + axis]), b.mass[up], b.cargo[up]
+  while its ~= 0 do
+    if isLoose(b, its, up, axis) then
+      local more, massOfIts = need(b, its, axis, v)
+      impulse, mass = impulse + more, mass + massOfIts
+    end
+    its = b.nextCargo[its]
+  end
+  local sign = impulse < 0 and -1 or 1
+  local most = max(b.grip[up] - sign * b.gripUsed[up], 0.0)
+  local goes = impulse * sign <= most * (1 + ROUNDING)
+  if not goes then
+    impulse, mass = most * sign, 0
+  end
+  b.dragged[up], b.dragImpulse[up] = not goes, impulse
+  return impulse, mass
+end
+
+-- Returns the mass of what goes along with k, and with those that are welded to it, if they go on
+-- at v px/s, and the impulse that all that stands on them takes.
+local function weightOn(b, k, axis, v)
+  local mass, impulse = 0, 0 ---@type number, number
+  local member = k
+  repeat
+    local i = (member - axis) / 2
+    local up = b.cargo[i]
+    while up ~= 0 do
+      if isLoose(b, up, i, axis) then
+        local needed, its = need(b, up, axis, v)
+        mass, impulse = mass + its, impulse + needed
+      end
+      up = b.nextCargo[up]
+    end
+    member = b.weldNext[member]
+  until member == k or member == 0
+  return mass, impulse
+end
+
+-- Returns the speed at which two go on that run into each other, with inverse masses `wl`, `wh`,
+-- and all that stands on them: where the impulses of all add up to nothing. More speed takes more
+-- impulse, by pieces of straight lines.
+-- Source: Newton's method, kept between bounds by bisection.
+local function commonSpeed(b, kl, kh, axis, wl, wh)
+  local speedL, speedH = b.speed[kl], b.speed[kh]
+  if wl == 0 or wh == 0 then
+    return wl == 0 and speedL or speedH
+  end
+  local v, least, most = (speedL * wh + speedH * wl) / (wl + wh), -huge, huge
+  for _ = 1, ROUNDS do
+    local massL, impulseL = weightOn(b, kl, axis, v)
+    local massH, impulseH = weightOn(b, kh, axis, v)
+    local excess = (v - speedL) / wl + (v - speedH) / wh + impulseL + impulseH
+    local new = v - excess / (1 / wl + 1 / wh + massL + massH)
+    if max(new - v, v - new) <= STILL then
+      return new
+    elseif excess > 0 then
+      most = v
+    else
+      least = v
+    end
+    v = (new <= least or new >= most) and (least + most) * 0.5 or new
+  end
+  return v
+end
+
+-- Returns the inverse mass of k (`w`; 0: it does not give way) with all that goes along with it
+-- at v px/s, and by how much the others make it slower, px/s.
+local function weigh(b, k, axis, w, v)
+  local mass, impulse = weightOn(b, k, axis, v)
+  local all = w > 0 and 1 / (1 / w + mass) or 0
+  return all, (impulse - mass * (v - b.speed[k])) * all
+end
+
+--- Loads two that close at v px/s across gravity, and overlap by `o` px at the end of a step of
+--- dt s, with what goes along with them; some may only be dragged, by a force that acts as long
+--- as the push does. Returns their inverse masses, v and o as they are then, and for how long the
+--- push acts, s; 0: nothing goes along.
+function cargo.load(b, kl, kh, axis, wl, wh, v, o, dt)
+  local common = commonSpeed(b, kl, kh, axis, wl, wh)
+  local allL, lossL = weigh(b, kl, axis, wl, common)
+  local allH, lossH = weigh(b, kh, axis, wh, common)
+  local closing, time = v - lossL + lossH, min(max(o, TINY) / v, dt)
+  if closing <= 0 then
+    return wl, wh, v, o, 0 -- what goes along keeps them apart, but for what they overlap already
+  end
+  local share = b.pushFirst and 0 or time
+  b.speed[kl], b.speed[kh] = b.speed[kl] - lossL, b.speed[kh] - lossH
+  b.to[kl], b.to[kh] = b.to[kl] - lossL * share, b.to[kh] - lossH * share
+  return allL, allH, closing, o + (lossH - lossL) * share, time
+end
+
+-- Mass of slot i and of all that stands on it.
+local function massOf(b, i, axis)
+  local mass, up = b.mass[i], b.cargo[i]
+  while up ~= 0 do
+    if isLoose(b, up, i, axis) then
+      mass = mass + massOf(b, up, axis)
+    end
+    up = b.nextCargo[up]
+  end
+  return mass
+end
+
+-- Takes along, as far as friction can, all that stands on slot i, which moved at v px/s before, and
+-- has come to go `way` px further; `tau` s is how long what has made it faster has done so. What
+-- they need has been noted (see `need`).
+local function take(b, i, axis, v, way, tau)
+  local m, up = 2 * i + axis, b.cargo[i]
+  local new = b.speed[m]
+  while up ~= 0 do
+    local k = 2 * up + axis
+    if isLoose(b, up, i, axis) then
+      local before, impulse, isDragged = b.speed[k], b.dragImpulse[up], b.dragged[up]
+      if isDragged then
+        local slow = before + impulse / massOf(b, up, axis)
+        b.speed[k] = min(max(slow, min(before, new)), max(before, new))
+        weightOn(b, k, axis, b.speed[k]) -- is another one for what stands on it
+      else
+        b.speed[k], b.accel[k] = new, b.accel[m]
+      end
+      local ownWay = not isDragged and before == v and way or (b.speed[k] - before) * tau
+      -- Who has not moved on what it stands on stays where it is there, to the bit.
+      local goal = b.from[k] + (b.to[m] - b.from[m])
+      local off = goal - b.to[k] - ownWay
+      local isStill = max(off, -off) < ROUNDING
+      ownWay = isStill and goal - b.to[k] or ownWay
+      b.to[k] = isStill and goal or b.to[k] + ownWay
+      b.gripUsed[up] = b.gripUsed[up] + impulse
+      b.groundSpeed[up], b.stuck[up] = new, b.stuck[up] and b.stuck[i]
+      path.change(b, up)
+      take(b, up, axis, before, ownWay, tau)
+    end
+    up = b.nextCargo[up]
+  end
+end
+
+--- Takes along all that stands on k, and on those that are welded to it: they moved at v px/s
+--- before, go `way` px further now, and were pushed for `tau` s.
+function cargo.follow(b, k, axis, v, way, tau)
+  local member = k
+  weightOn(b, k, axis, b.speed[k])
+  repeat
+    take(b, (member - axis) / 2, axis, v, way, tau)
+    member = b.weldNext[member]
+  until member == k or member == 0
+end
+
+-- Whether slot i slides on what it stands on, and something may go along with it.
+local function slides(b, i, k)
+  local used = b.gripUsed[i]
+  return max(used, -used) > b.grip[i] * ALL and b.cargo[i] + b.weld[k] > 0
+end
+
+--- Whether a push of two must take along what goes with them, as one of them slides on what it
+--- stands on. (As long as it does not, it goes with that; what stands on it has rubbed already.)
+function cargo.isDue(b, lo, hi, kl, kh)
+  return slides(b, lo, kl) or slides(b, hi, kh)
+end
+
+-- Whether `up`, which stands on slot i, goes as the tower does, at v px/s.
+local function isPart(b, up, i, axis, v)
+  return b.speed[2 * up + axis] == v and isLoose(b, up, i, axis)
+end
+
+--- Mass of slot i and of all on it that go as it does, at v px/s.
+function cargo.massOfPart(b, i, axis, v)
+  local mass, up = b.mass[i], b.cargo[i]
+  while up ~= 0 do
+    if isPart(b, up, i, axis, v) then
+      mass = mass + cargo.massOfPart(b, up, axis, v)
+    end
+    up = b.nextCargo[up]
+  end
+  return mass
+end
+
+--- Returns the lowest one of the tower that slides over a floor as a whole, slot i with it, and the
+--- mass of that tower; 0: there is none.
+function cargo.tower(b, i, axis)
+  local v = b.speed[2 * i + axis]
+  local low = b.goesWith[i]
+  while
+    low ~= 0
+    and b.ground[i] == low
+    and b.speed[2 * low + axis] == v
+    and isLoose(b, i, low, axis)
+  do
+    i, low = low, b.goesWith[low]
+  end
+  local k = 2 * i + axis
+  if low ~= 0 or b.level[i] ~= 1 or b.stuck[i] or b.weld[k] ~= 0 then
+    return 0, 0
+  elseif b.heldLow[k] + b.heldHigh[k] > 0 or b.backedLow[k] or b.backedHigh[k] then
+    return 0, 0
+  end
+  return i, cargo.massOfPart(b, i, axis, v)
+end
+
+--- Whether friction can hold the tower on slot i, which goes at v px/s, together if it becomes
+--- faster by `gain`, as `low`, a part of it, gets an impulse, under a weight. Returns that, the
+--- mass of this part of it, and whether `low` is in that.
+function cargo.holds(b, i, axis, v, gain, low, impulse, weight)
+  local mass, hasLow, up = b.mass[i], i == low, b.cargo[i]
+  while up ~= 0 do
+    if isPart(b, up, i, axis, v) then
+      local isHeld, its, isIt = cargo.holds(b, up, axis, v, gain, low, impulse, weight)
+      local used = b.gripUsed[up] + its * gain - (isIt and impulse or 0)
+      local most = b.grip[up] + (isIt and b.stickiness[up] * weight or 0)
+      if not isHeld or max(used, -used) > most * (1 + ROUNDING) then
+        return false, mass, hasLow
+      end
+      mass = mass + its
+      if isIt then
+        hasLow = true
+      end
+    end
+    up = b.nextCargo[up]
+  end
+  return true, mass, hasLow
+end
+
+--- Lets the tower on slot i do that: it goes on at `new` px/s instead of v, `way` px further, with
+--- an acceleration. Returns the mass of this part of it, and whether `low` is in that.
+function cargo.move(b, i, axis, v, new, way, accel, low, impulse)
+  local k, mass, hasLow, up = 2 * i + axis, b.mass[i], i == low, b.cargo[i]
+  while up ~= 0 do
+    if isPart(b, up, i, axis, v) then
+      local its, isIt = cargo.move(b, up, axis, v, new, way, accel, low, impulse)
+      b.gripUsed[up] = b.gripUsed[up] + its * (new - v) - (isIt and impulse or 0)
+      b.groundSpeed[up] = new
+      mass = mass + its
+      if isIt then
+        hasLow = true
+      end
+    end
+    up = b.nextCargo[up]
+  end
+  b.speed[k], b.to[k], b.accel[k] = new, b.to[k] + way, accel
+  path.change(b, i)
+  return mass, hasLow
+end
+
+--- Notes that the tower on slot i has stopped: all of it goes at v px/s now, as its ground does,
+--- and `way` px in this step. Who has not moved otherwise goes that way to the bit.
+function cargo.stop(b, i, axis, v, way)
+  local k, up = 2 * i + axis, b.cargo[i]
+  while up ~= 0 do
+    if isPart(b, up, i, axis, v) then
+      cargo.stop(b, up, axis, v, way)
+    end
+    up = b.nextCargo[up]
+  end
+  local goal = b.from[k] + way
+  if max(goal - b.to[k], b.to[k] - goal) < ROUNDING then
+    b.to[k] = goal
+  end
+  b.stuck[i] = true
+end
+
+return cargo

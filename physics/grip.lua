@@ -1,0 +1,134 @@
+--- Step 6, meet: what friction can give whoever it rubs across gravity, and has given in this step.
+--
+-- A box that stands is rubbed before it is pushed (see `turns`). What friction has not given then
+-- stands against the push: it is a force that acts during the step, whatever comes first in it.
+-- What stands on others is held through them, down to the floor, and presses them on it.
+
+local here = (...):match("^(.*)%.[^.]+$")
+
+require(here .. ".interpreted").file()
+
+local grip = {}
+
+local huge, max, min = math.huge, math.max, math.min
+--- Share by which impulses may be rounded: what is borne at one dt is borne at every other. Also px
+--- by which a sum of ways may be.
+grip.ROUNDING = 1e-9
+local ROUNDING = grip.ROUNDING
+--- Share of what friction can give from which on that is all of it.
+grip.ALL = 1 - ROUNDING
+local ALL = grip.ALL
+
+-- Returns what slot i is rubbed by, if that is rubbed, too; else 0. (Levels go down: of two that
+-- are inside each other either may have stood on the other for a moment.)
+local function below(b, i)
+  local low = b.ground[i]
+  return b.level[low] < b.level[i] and b.level[low] > 0 and low or 0
+end
+
+--- Notes what rubs `up`, across gravity: `low`, at a speed of its surface. It can give it an
+--- impulse of `limit`, of which it has given some.
+function grip.note(b, up, low, floorSpeed, mu, limit, impulse)
+  b.grip[up], b.gripUsed[up] = b.grip[up] + limit, b.gripUsed[up] + impulse
+  b.ground[up], b.groundSpeed[up], b.stickiness[up] = low, floorSpeed, mu
+  b.level[up] = b.level[low] + 1
+end
+
+--- Returns how large an impulse friction can still give slot i across gravity, in the direction of
+--- `sign`: from what it stands on, if that stands fast, and what that stands on. 0: none worth it.
+function grip.left(b, i, sign)
+  local least, last, isFast = huge, i, true
+  while i ~= 0 do
+    local grasp = b.grip[i] - sign * b.gripUsed[i]
+    if grasp <= b.grip[i] * ROUNDING or not isFast then
+      return 0
+    end
+    least, last, i = min(least, grasp), i, below(b, i)
+    isFast = b.stuck[i]
+  end
+  return b.level[b.ground[last]] == 0 and least or 0
+end
+
+--- A weight on slot i, which stands fast, presses on all that it stands on.
+function grip.weighOn(b, i, jn)
+  while i ~= 0 do
+    b.grip[i] = b.grip[i] + b.stickiness[i] * jn
+    i = below(b, i)
+  end
+end
+
+--- Gives slot i an impulse, from the ground through all that it stands on.
+function grip.give(b, i, impulse)
+  while i ~= 0 do
+    b.gripUsed[i] = b.gripUsed[i] + impulse
+    i = below(b, i)
+  end
+end
+
+-- Whether friction may give slot i anything against going at v px/s.
+local function mayResist(b, i, v)
+  local u = v - b.groundSpeed[i]
+  return b.grip[i] * max(u, -u) * ALL + b.gripUsed[i] * u > 0
+    and (b.level[i] == 1 or b.stuck[b.ground[i]])
+end
+
+--- Whether friction may bear some of a push across gravity, as `bear` does: one of the two, which
+--- close at v px/s, would not go on as it is rubbed already. (`press` asks the same.)
+function grip.mayBear(b, lo, hi, kl, wl, wh, v)
+  if min(wl, wh) <= 0 then
+    return false
+  end
+  local common = b.speed[kl] - v * (wl / (wl + wh))
+  return mayResist(b, lo, common) or mayResist(b, hi, common)
+end
+
+-- Friction of slot i against going on with others, `mass` in all, at v px/s: gives it what stops
+-- them all, or what it can. Returns the impulse, and whether that stops them.
+local function resist(b, i, v, mass)
+  if not mayResist(b, i, v) then
+    return 0, false
+  end
+  local u = v - b.groundSpeed[i]
+  local amount = max(u, -u)
+  local sign, needed = u > 0 and -1 or 1, amount * mass
+  local grasp = grip.left(b, i, sign)
+  local stops = needed <= grasp * (1 + ROUNDING)
+  local impulse = (stops and needed or grasp) * sign
+  if grasp > 0 then
+    grip.give(b, i, impulse)
+  end
+  return impulse, stops
+end
+
+--- Lets friction bear a push across gravity at the very beginning of a step, as far as it can:
+--- `lo` and `hi` close at v px/s, overlap by `o` px at its end, dt s later, and both give way
+--- (inverse masses `wl`, `wh`). It acts on both, who go on together, as long as the push does.
+--- Returns the inverse masses for the push (0 for one who stands, and whom friction does not let
+--- go), the impulse of the contact, and who stands where it is rubbed (0: neither): so will both.
+function grip.bear(b, lo, hi, kl, kh, wl, wh, v, o, dt)
+  local mass, common = 1 / wl + 1 / wh, b.speed[kl] - v * (wl / (wl + wh))
+  -- Who bears less does not stop who bears more.
+  local weak, strong, isLowWeak = hi, lo, b.grip[lo] <= b.grip[hi]
+  if isLowWeak then
+    weak, strong = lo, hi
+  end
+  local less, isWeakStill = resist(b, weak, common, mass)
+  local more, isStrongStill = resist(b, strong, common + less / mass, mass)
+  local still = isStrongStill and strong or (isWeakStill and more == 0 and weak) or 0
+  if isStrongStill and less == 0 and strong == lo and b.speed[kl] == b.groundSpeed[lo] then
+    return 0, wh, v / wh, lo
+  elseif isStrongStill and less == 0 and strong == hi and b.speed[kh] == b.groundSpeed[hi] then
+    return wl, 0, v / wl, hi
+  end
+  local dSpeed = (less + more) / mass
+  local dWay = b.pushFirst and 0 or dSpeed * min(max(o, 0) / v, dt)
+  b.speed[kl], b.speed[kh] = b.speed[kl] + dSpeed, b.speed[kh] + dSpeed
+  b.to[kl], b.to[kh] = b.to[kl] + dWay, b.to[kh] + dWay
+  local forLow, forHigh = more, less
+  if isLowWeak then
+    forLow, forHigh = less, more
+  end
+  return wl, wh, (v + forLow * wl - forHigh * wh) / (wl + wh), still
+end
+
+return grip
