@@ -174,6 +174,7 @@ local function take(b, i, axis, v, way, tau)
       b.to[k] = isStill and goal or b.to[k] + ownWay
       b.gripUsed[up] = b.gripUsed[up] + impulse
       b.groundSpeed[up], b.stuck[up] = new, b.stuck[up] and b.stuck[i]
+      b.taken[up] = b.step
       path.change(b, up)
       take(b, up, axis, before, ownWay, tau)
     end
@@ -285,6 +286,17 @@ function cargo.move(b, i, axis, v, new, way, accel, low, impulse)
   b.speed[k], b.to[k], b.accel[k] = new, b.to[k] + way, accel
   path.change(b, i)
   return mass, hasLow
+end
+
+--- Lets slot i do that alone: what stands on it slides.
+function cargo.leave(b, i, axis, new, way, accel)
+  local k, up = 2 * i + axis, b.cargo[i]
+  while up ~= 0 do
+    b.groundSpeed[up] = new
+    up = b.nextCargo[up]
+  end
+  b.speed[k], b.to[k], b.accel[k] = new, b.to[k] + way, accel
+  path.change(b, i)
 end
 
 --- Notes that the tower on slot i has stopped: all of it goes at v px/s now, as its ground does,

@@ -79,11 +79,12 @@ local function given(v, c)
   return v > c and v or c
 end
 
---- Returns the velocity along k that an object shows: relative to what carries it (c px/s). On the
---- first step on a carrier, and while something holds it back, only what the carrier gave is off.
-function carrier.ownVelocity(b, k, c, isNew)
+--- Returns the velocity along k that slot i shows: relative to what carries it (c px/s). On the
+--- first step on a carrier, and while something holds it back, or what it goes along with, only
+--- what the carrier gave is off.
+function carrier.ownVelocity(b, i, k, c, isNew)
   local v = b.speed[k]
-  if isNew or b.pressedLow[k] or b.pressedHigh[k] then
+  if isNew or b.pressedLow[k] or b.pressedHigh[k] or b.taken[i] == b.step then
     return v - given(v, c)
   end
   return v - c

@@ -95,6 +95,7 @@ local SLOT = {
   cargo = 0, -- one that stands on it and goes along with it (see cargo)
   nextCargo = 0, -- another one that stands where this does
   goesWith = 0, -- where that is
+  taken = 0, -- step in which it was taken along so
   dragged = false, -- scratch of cargo
   dragImpulse = 0,
   changedMark = 0,

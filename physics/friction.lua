@@ -234,19 +234,26 @@ local function shareAccel(b, ku, kw, wu, wl, gainU, gainL, tau, isTogether)
 end
 
 -- A tower that slides over a floor on slot `base` is braked there by what a weight on it adds to
--- its friction, up to `limit`; not if it would not hold together.
+-- its friction, up to `limit`; if it does not hold together then, only its lowest one is.
 local function brakeTower(b, base, axis, limit, share, tau)
   local k, ground = 2 * base + axis, b.ground[base]
   local v, m, mass = b.speed[k], 2 * ground + axis, cargo.massOfPart(b, base, axis, b.speed[k])
   local slip = v - b.groundSpeed[base]
-  local stops = max(slip, -slip) * mass <= limit
-  local gain = stops and -slip or (slip > 0 and -limit or limit) / mass
-  if not cargo.holds(b, base, axis, v, gain, 0, 0, 0) then
-    return
+  local amount, sign = max(slip, -slip), slip > 0 and -1 or 1
+  local gain = sign * min(amount, limit / mass)
+  local isWhole = cargo.holds(b, base, axis, v, gain, 0, 0, 0)
+  if not isWhole then
+    mass = b.mass[base]
+    gain = sign * min(amount, limit / mass)
   end
+  local stops = amount * mass <= limit
   local accel = stops and b.accel[m] or b.accel[k] + gain * (1 - share) / tau
-  local new = stops and b.groundSpeed[base] or v + gain
-  cargo.move(b, base, axis, v, new, gain * tau * (0.5 + 0.5 * share), accel, 0, 0)
+  local new, way = stops and b.groundSpeed[base] or v + gain, gain * tau * (0.5 + 0.5 * share)
+  if isWhole then
+    cargo.move(b, base, axis, v, new, way, accel, 0, 0)
+  else
+    cargo.leave(b, base, axis, new, way, accel)
+  end
   b.gripUsed[base] = b.gripUsed[base] + gain * mass
   if stops then
     cargo.stop(b, base, axis, new, goalWith(b, base, ground, k, m, new, tau) - b.from[k])

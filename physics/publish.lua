@@ -207,8 +207,8 @@ local function takeOffCarrier(b, i)
   end
   if c ~= 0 then
     local x, y = carrier.velocity(b, c)
-    b.speed[k] = carrier.ownVelocity(b, k, x, isNew)
-    b.speed[k + 1] = carrier.ownVelocity(b, k + 1, y, isNew)
+    b.speed[k] = carrier.ownVelocity(b, i, k, x, isNew)
+    b.speed[k + 1] = carrier.ownVelocity(b, i, k + 1, y, isNew)
     local pullX, pullY = b.pull[k] + b.push[k], b.pull[k + 1] + b.push[k + 1]
     b.news[i] = b.news[i]
       or x * pullX < 0

@@ -105,11 +105,18 @@ local function isCapped(b, k, limit, longest)
   return max(pull, -pull) * longest > min(limit, b.limit[k])
 end
 
--- Whether something pulls k, and nothing but friction holds it there: its own, or that of somebody
--- it leans on.
+-- Whether something pulls k, and nothing but friction holds it there.
 local function isRubbed(b, k)
   local pull = b.pull[k] + b.push[k]
-  return pull > 0 and b.heldHigh[k] == 0 or pull < 0 and b.heldLow[k] == 0
+  return pull > 0 and not b.pressedHigh[k] or pull < 0 and not b.pressedLow[k]
+end
+
+-- Whether something pulls k at one whom nothing but friction holds. (Whoever is woken in the middle
+-- of a step may be pushed before it has rubbed; this must have rubbed first.)
+local function leansOnRubbed(b, k)
+  local pull = b.pull[k] + b.push[k]
+  return pull > 0 and b.pressedHigh[k] and b.heldHigh[k] == 0
+    or pull < 0 and b.pressedLow[k] and b.heldLow[k] == 0
 end
 
 -- Gathers the island of an awake dynamic object behind `b.island`; returns its size and whether
@@ -130,6 +137,7 @@ local function gather(b, i, stamp)
       local k, limit = 2 * member, maxSpeed[member]
       capped = capped or isCapped(b, k, limit, longest) or isCapped(b, k + 1, limit, longest)
       rubbed = rubbed or isRubbed(b, k) or isRubbed(b, k + 1)
+      calm = not (leansOnRubbed(b, k) or leansOnRubbed(b, k + 1))
     end
     local half = head[member]
     while half ~= 0 do

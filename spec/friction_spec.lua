@@ -224,9 +224,9 @@ describe("who leans on what friction holds", function()
     end
   end
 
-  it("comes to rest on it", function()
+  it("is not put to sleep, as its push must come after friction", function()
     local _, _, world = play(60, 1, "both", HELD["a crate that bears more"].build)
-    assert.equal(0, world._bodies.awakeCount)
+    assert.equal(2, world._bodies.awakeCount)
   end)
 
   -- All of them go on at (ax - what friction bears) / mass.
@@ -478,4 +478,51 @@ describe("a push with friction under it", function()
       end
     end)
   end
+end)
+
+describe("a stack on a floor that is rougher than it is itself", function()
+  for _, floor in ipairs({ 0.51, 1, 2 }) do
+    it(("lets its lowest one stop first, with %g"):format(floor), function()
+      local function slide(count)
+        local world, list = physics.newWorld({ gravity = 800 }), {}
+        local ground = { x = -100, y = 100, width = 900, height = 50, static = true }
+        ground.friction = floor
+        world:add("floors", ground)
+        for n = 1, count do
+          local box = { x = 0, y = 100 - 20 * n, width = 20, height = 20, friction = 0.5, vx = 300 }
+          list[n] = world:add("boxes", box)
+        end
+        for _ = 1, 180 do
+          world:update(1 / 60)
+        end
+        return list
+      end
+      local alone, pair = slide(1)[1], slide(2)
+      assert.is_true(pair[1].x <= alone.x, pair[1].x .. " instead of " .. alone.x)
+      assert.is_true(pair[2].x > pair[1].x)
+      assert.equal(0, pair[1].vx)
+      assert.equal(0, pair[2].vx)
+    end)
+  end
+end)
+
+describe("a stack on a belt that a lift pushes the other way", function()
+  it("shows the speed of the lift, also where that touches the upper one", function()
+    local world = physics.newWorld({ gravity = 800 })
+    local belt = { x = -900, y = 100, width = 1800, height = 50, static = true, surfaceSpeed = -20 }
+    world:add("belts", belt)
+    local low = { x = 0, y = 80, width = 30, height = 20, friction = 1 }
+    local high = { x = 0, y = 60, width = 30, height = 20, friction = 1 }
+    world:add("boxes", low)
+    world:add("boxes", high)
+    world:add("lifts", { x = -37, y = 76, width = 20, height = 24, kinematic = true, vx = 50 })
+    for n = 1, 40 do
+      world:update(1 / 30)
+      if n > 10 then
+        assert.near(50, low.vx, 1e-9)
+        assert.near(50, high.vx, 1e-9)
+        assert.near(low.x, high.x, 1e-9)
+      end
+    end
+  end)
 end)
