@@ -32,27 +32,39 @@ function cargo.put(b, up, low)
   end
 end
 
--- Whether nothing but friction holds `up` on slot i. (Levels go up, see `friction`.)
-local function isLoose(b, up, i, axis)
-  local k = 2 * up + axis
+--- Whether k may go as friction lets it: nothing holds or backs it, or is welded to it.
+function cargo.isFree(b, k)
   return b.weld[k] == 0
-    and b.level[up] > b.level[i]
     and b.heldLow[k] + b.heldHigh[k] == 0
     and not (b.backedLow[k] or b.backedHigh[k])
 end
 
--- Returns the impulse that brings `up`, with all that stands on it, to v px/s, as far as friction
--- can, and the mass of those that it brings there; notes the first, and whether `up` is one of
--- them.
-local function need(b, up, axis, v)
-  local impulse, mass, its = b.mass[up] * (v - b.speed[2 * up + axis]), b.mass[up], b.cargo[up]
-  while its ~= 0 do
-    if isLoose(b, its, up, axis) then
-      local more, massOfIts = need(b, its, axis, v)
-      impulse, mass = impulse + more, mass + massOfIts
+-- Whether nothing but friction holds `up` on slot i. (Levels go up, see `grip`.)
+local function isLoose(b, up, i, axis)
+  return b.level[up] > b.level[i] and cargo.isFree(b, 2 * up + axis)
+end
+
+local need
+
+-- Adds the impulse that brings all that stands on slot i to v px/s, as far as friction can, and the
+-- mass of those that it brings there; returns both.
+local function needOn(b, i, axis, v, impulse, mass)
+  local up = b.cargo[i]
+  while up ~= 0 do
+    if isLoose(b, up, i, axis) then
+      local more, its = need(b, up, axis, v)
+      impulse, mass = impulse + more, mass + its
     end
-    its = b.nextCargo[its]
+    up = b.nextCargo[up]
   end
+  return impulse, mass
+end
+
+-- Returns the same for `up` with all that stands on it; notes the impulse, and whether `up` is one
+-- of those that it does not bring there.
+function need(b, up, axis, v)
+  local own = b.mass[up]
+  local impulse, mass = needOn(b, up, axis, v, own * (v - b.speed[2 * up + axis]), own)
   local sign = impulse < 0 and -1 or 1
   local most = max(b.grip[up] - sign * b.gripUsed[up], 0.0)
   local goes = impulse * sign <= most * (1 + ROUNDING)
@@ -63,24 +75,14 @@ local function need(b, up, axis, v)
   return impulse, mass
 end
 
--- Returns the mass of what goes along with k, and with those that are welded to it, if they go on
--- at v px/s, and the impulse that all that stands on them takes.
-local function weightOn(b, k, axis, v)
-  local mass, impulse = 0, 0 ---@type number, number
-  local member = k
+-- Returns the same for all that stands on k, and on those that are welded to it.
+local function needOnRing(b, k, axis, v)
+  local impulse, mass, member = 0, 0, k ---@type number, number, number
   repeat
-    local i = (member - axis) / 2
-    local up = b.cargo[i]
-    while up ~= 0 do
-      if isLoose(b, up, i, axis) then
-        local needed, its = need(b, up, axis, v)
-        mass, impulse = mass + its, impulse + needed
-      end
-      up = b.nextCargo[up]
-    end
+    impulse, mass = needOn(b, (member - axis) / 2, axis, v, impulse, mass)
     member = b.weldNext[member]
   until member == k or member == 0
-  return mass, impulse
+  return impulse, mass
 end
 
 -- Returns the speed at which two go on that run into each other, with inverse masses `wl`, `wh`,
@@ -94,8 +96,8 @@ local function commonSpeed(b, kl, kh, axis, wl, wh)
   end
   local v, least, most = (speedL * wh + speedH * wl) / (wl + wh), -huge, huge
   for _ = 1, ROUNDS do
-    local massL, impulseL = weightOn(b, kl, axis, v)
-    local massH, impulseH = weightOn(b, kh, axis, v)
+    local impulseL, massL = needOnRing(b, kl, axis, v)
+    local impulseH, massH = needOnRing(b, kh, axis, v)
     local excess = (v - speedL) / wl + (v - speedH) / wh + impulseL + impulseH
     local new = v - excess / (1 / wl + 1 / wh + massL + massH)
     if max(new - v, v - new) <= STILL then
@@ -113,7 +115,7 @@ end
 -- Returns the inverse mass of k (`w`; 0: it does not give way) with all that goes along with it
 -- at v px/s, and by how much the others make it slower, px/s.
 local function weigh(b, k, axis, w, v)
-  local mass, impulse = weightOn(b, k, axis, v)
+  local impulse, mass = needOnRing(b, k, axis, v)
   local all = w > 0 and 1 / (1 / w + mass) or 0
   return all, (impulse - mass * (v - b.speed[k])) * all
 end
@@ -136,12 +138,12 @@ function cargo.load(b, kl, kh, axis, wl, wh, v, o, dt)
   return allL, allH, closing, o + (lossH - lossL) * share, time
 end
 
--- Mass of slot i and of all that stands on it.
-local function massOf(b, i, axis)
+--- Mass of slot i and of all that stands on it; given v, of those that go at v px/s, as it does.
+function cargo.massOf(b, i, axis, v)
   local mass, up = b.mass[i], b.cargo[i]
   while up ~= 0 do
-    if isLoose(b, up, i, axis) then
-      mass = mass + massOf(b, up, axis)
+    if isLoose(b, up, i, axis) and (b.speed[2 * up + axis] == v or not v) then
+      mass = mass + cargo.massOf(b, up, axis, v)
     end
     up = b.nextCargo[up]
   end
@@ -159,9 +161,9 @@ local function take(b, i, axis, v, way, tau)
     if isLoose(b, up, i, axis) then
       local before, impulse, isDragged = b.speed[k], b.dragImpulse[up], b.dragged[up]
       if isDragged then
-        local slow = before + impulse / massOf(b, up, axis)
+        local slow = before + impulse / cargo.massOf(b, up, axis)
         b.speed[k] = min(max(slow, min(before, new)), max(before, new))
-        weightOn(b, k, axis, b.speed[k]) -- is another one for what stands on it
+        needOn(b, up, axis, b.speed[k], 0, 0) -- is another one for what stands on it
       else
         b.speed[k], b.accel[k] = new, b.accel[m]
       end
@@ -186,7 +188,7 @@ end
 --- before, go `way` px further now, and were pushed for `tau` s.
 function cargo.follow(b, k, axis, v, way, tau)
   local member = k
-  weightOn(b, k, axis, b.speed[k])
+  needOnRing(b, k, axis, b.speed[k])
   repeat
     take(b, (member - axis) / 2, axis, v, way, tau)
     member = b.weldNext[member]
@@ -210,38 +212,21 @@ local function isPart(b, up, i, axis, v)
   return b.speed[2 * up + axis] == v and isLoose(b, up, i, axis)
 end
 
---- Mass of slot i and of all on it that go as it does, at v px/s.
-function cargo.massOfPart(b, i, axis, v)
-  local mass, up = b.mass[i], b.cargo[i]
-  while up ~= 0 do
-    if isPart(b, up, i, axis, v) then
-      mass = mass + cargo.massOfPart(b, up, axis, v)
-    end
-    up = b.nextCargo[up]
-  end
-  return mass
-end
-
 --- Returns the lowest one of the tower that slides over a floor as a whole, slot i with it, and the
 --- mass of that tower; 0: there is none.
 function cargo.tower(b, i, axis)
   local v = b.speed[2 * i + axis]
   local low = b.goesWith[i]
-  while
-    low ~= 0
-    and b.ground[i] == low
-    and b.speed[2 * low + axis] == v
-    and isLoose(b, i, low, axis)
-  do
+  while low ~= 0 and b.ground[i] == low and b.speed[2 * low + axis] == v do
+    if not isLoose(b, i, low, axis) then
+      return 0, 0
+    end
     i, low = low, b.goesWith[low]
   end
-  local k = 2 * i + axis
-  if low ~= 0 or b.level[i] ~= 1 or b.stuck[i] or b.weld[k] ~= 0 then
-    return 0, 0
-  elseif b.heldLow[k] + b.heldHigh[k] > 0 or b.backedLow[k] or b.backedHigh[k] then
+  if low ~= 0 or b.level[i] ~= 1 or b.stuck[i] or not cargo.isFree(b, 2 * i + axis) then
     return 0, 0
   end
-  return i, cargo.massOfPart(b, i, axis, v)
+  return i, cargo.massOf(b, i, axis, v)
 end
 
 --- Whether friction can hold the tower on slot i, which goes at v px/s, together if it becomes
@@ -267,10 +252,17 @@ function cargo.holds(b, i, axis, v, gain, low, impulse, weight)
   return true, mass, hasLow
 end
 
+-- Lets slot i go on at `new` px/s, `way` px further, with an acceleration.
+local function go(b, i, axis, new, way, accel)
+  local k = 2 * i + axis
+  b.speed[k], b.to[k], b.accel[k] = new, b.to[k] + way, accel
+  path.change(b, i)
+end
+
 --- Lets the tower on slot i do that: it goes on at `new` px/s instead of v, `way` px further, with
 --- an acceleration. Returns the mass of this part of it, and whether `low` is in that.
 function cargo.move(b, i, axis, v, new, way, accel, low, impulse)
-  local k, mass, hasLow, up = 2 * i + axis, b.mass[i], i == low, b.cargo[i]
+  local mass, hasLow, up = b.mass[i], i == low, b.cargo[i]
   while up ~= 0 do
     if isPart(b, up, i, axis, v) then
       local its, isIt = cargo.move(b, up, axis, v, new, way, accel, low, impulse)
@@ -283,20 +275,18 @@ function cargo.move(b, i, axis, v, new, way, accel, low, impulse)
     end
     up = b.nextCargo[up]
   end
-  b.speed[k], b.to[k], b.accel[k] = new, b.to[k] + way, accel
-  path.change(b, i)
+  go(b, i, axis, new, way, accel)
   return mass, hasLow
 end
 
 --- Lets slot i do that alone: what stands on it slides.
 function cargo.leave(b, i, axis, new, way, accel)
-  local k, up = 2 * i + axis, b.cargo[i]
+  local up = b.cargo[i]
   while up ~= 0 do
     b.groundSpeed[up] = new
     up = b.nextCargo[up]
   end
-  b.speed[k], b.to[k], b.accel[k] = new, b.to[k] + way, accel
-  path.change(b, i)
+  return go(b, i, axis, new, way, accel)
 end
 
 --- Notes that the tower on slot i has stopped: all of it goes at v px/s now, as its ground does,

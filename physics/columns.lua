@@ -90,14 +90,14 @@ local SLOT = {
   grip = 0, -- impulse that friction can give it across gravity, from what it stands on
   gripUsed = 0, -- of that, what it has given (< 0: towards smaller coordinates)
   ground = 0, -- what it stands on then
+  groundSpeed = 0, -- the speed of that along its surface, px/s
   level = 0, -- how many dynamic ones are between it and the floor, and 1
-  groundSpeed = 0, -- of that, along its surface, px/s
-  cargo = 0, -- one that stands on it and goes along with it (see cargo)
+  cargo = 0, -- one that stands on it, rubs, and may go along with it (see cargo)
   nextCargo = 0, -- another one that stands where this does
-  goesWith = 0, -- where that is
+  goesWith = 0, -- on what that is
   taken = 0, -- step in which it was taken along so
-  dragged = false, -- scratch of cargo
-  dragImpulse = 0,
+  dragged = false, -- friction could not bring it to the speed it was last asked for (see cargo)
+  dragImpulse = 0, -- what it could give then
   changedMark = 0,
   watched = 0, -- step in which it touches somebody with whom it has no turn
   lastFooting = 0, -- its place among the footings when it last leant on somebody, 0: never
@@ -240,8 +240,8 @@ local STEP_SLOT = {
   "grip",
   "gripUsed",
   "ground",
-  "level",
   "groundSpeed",
+  "level",
   "cargo",
   "nextCargo",
   "goesWith",

@@ -29,7 +29,7 @@ local function sidesOf(b, isUp)
   return b.heldHigh, b.heldLow, b.holderHigh, b.pressedHigh, b.pressedLow
 end
 
--- A weight on slot i presses on all that it stands on, as in `friction`.
+-- A weight on slot i presses on all that it stands on, as in `grip`.
 local function weighOn(b, i, impulse)
   local grip, stickiness, ground, level = b.grip, b.stickiness, b.ground, b.level
   local at = level[i]

@@ -222,8 +222,8 @@ local function rubBoth(b, lo, hi, kl, kh, mu, jn, share, tau, t)
 end
 
 -- Adds to the accelerations of two what has made them faster by `gainU` and `gainL` px/s over the
--- `tau` s that are left; if they go together now, they share one.
-local function shareAccel(b, ku, kw, wu, wl, gainU, gainL, tau, isTogether)
+-- `tau` s that are left; if they go together now, they have one.
+local function addAccel(b, ku, kw, wu, wl, gainU, gainL, tau, isTogether)
   local accel = b.accel
   if isTogether and wu + wl > 0 then
     local common = (accel[ku] * wl + accel[kw] * wu) / (wu + wl)
@@ -237,7 +237,8 @@ end
 -- its friction, up to `limit`; if it does not hold together then, only its lowest one is.
 local function brakeTower(b, base, axis, limit, share, tau)
   local k, ground = 2 * base + axis, b.ground[base]
-  local v, m, mass = b.speed[k], 2 * ground + axis, cargo.massOfPart(b, base, axis, b.speed[k])
+  local v, m = b.speed[k], 2 * ground + axis
+  local mass = cargo.massOf(b, base, axis, v)
   local slip = v - b.groundSpeed[base]
   local amount, sign = max(slip, -slip), slip > 0 and -1 or 1
   local gain = sign * min(amount, limit / mass)
@@ -264,14 +265,7 @@ end
 -- share what is between them, then its weight brakes the tower. Returns false, and changes nothing,
 -- if the case is another one.
 local function rubOnTower(b, up, low, base, mass, ku, kw, mu, jn, share, tau)
-  if
-    b.weld[ku] ~= 0
-    or b.heldLow[ku] + b.heldHigh[ku] > 0
-    or b.backedLow[ku]
-    or b.backedHigh[ku]
-    or b.surfaceSpeed[low] ~= 0
-    or tau <= 0
-  then
+  if not cargo.isFree(b, ku) or b.surfaceSpeed[low] ~= 0 or tau <= 0 then
     return false
   end
   local axis, v, wu = ku - 2 * up, b.speed[kw], b.inverseMass[up]
@@ -313,7 +307,7 @@ local function rubOnSliding(b, lo, hi, tl, th, up, low, ku, kw, mu, jn, share, t
   local floorSpeed = surface(b, low, kw)
   local slip = b.speed[ku] - floorSpeed
   local isTogether = max(slip, -slip) < STILL and floorSpeed == b.speed[kw]
-  shareAccel(b, ku, kw, wu, wl, gainU * (1 - share), gainL * (1 - share), tau, isTogether)
+  addAccel(b, ku, kw, wu, wl, gainU * (1 - share), gainL * (1 - share), tau, isTogether)
   grip.note(b, up, low, floorSpeed, mu, mu * jn, wu > 0 and gainU / wu or 0)
   if isTogether then
     b.speed[ku] = b.speed[kw]

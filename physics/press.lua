@@ -256,15 +256,14 @@ local function stop(b, lo, hi, kl, kh, gives)
   return finish(b, lo, hi, kl, kh, gives + (rubs(b, lo, hi, kl, kh) and RUBS or 0))
 end
 
--- Whether friction may give slot i anything against going at v px/s (see `grip.bear`).
+-- Whether friction may give slot i anything against going at v px/s, as in `grip`.
 local function mayResist(b, i, v)
   local u = v - b.groundSpeed[i]
   return b.grip[i] * max(u, -u) * ALL + b.gripUsed[i] * u > 0
     and (b.level[i] == 1 or b.stuck[b.ground[i]])
 end
 
--- Whether friction may bear some of a push across gravity (see `grip.bear`): one of them would
--- not go on as it is rubbed already.
+-- Whether friction may bear some of a push across gravity (see `grip.mayBear`).
 local function isBorne(b, lo, hi, kl, wl, wh, v)
   if min(wl, wh, v) <= 0 or b.down[kl] ~= 0 then
     return false

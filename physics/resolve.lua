@@ -5,8 +5,9 @@
 -- one that cannot) stays, and the other takes the whole push; so what rests is flush to the bit,
 -- because its coordinate is assigned, not corrected.
 --
--- Reads from, to, speed, accel, time, inverseMass, pushable, restitution; writes from, to, speed,
--- accel, time, heldLow, heldHigh, pressedLow, pressedHigh, met, hit, hitSpeed and `changed`.
+-- Reads inverseMass, pushable, restitution, and what the modules below have written; writes from,
+-- to, speed, accel, drive, time, stuck, news, heldLow, heldHigh, holderLow, holderHigh, pressedLow,
+-- pressedHigh, met, hit, hitSpeed and `changed`.
 
 local here = (...):match("^(.*)%.[^.]+$")
 local cargo = require(here .. ".cargo")
@@ -252,6 +253,16 @@ local function free(b, lo, hi, kl, kh, axis)
   return weights(b, lo, hi, kl, kh)
 end
 
+-- Who is thrown back from what held it is held no longer, and falls.
+local function release(b, kl, kh, axis, flush, tau)
+  if weld.release(b, kl, axis, b.heldHigh, b.holderHigh, 1, STILL) and not flush then
+    path.fall(b, kl, tau)
+  end
+  if weld.release(b, kh, axis, b.heldLow, b.holderLow, -1, STILL) and not flush then
+    path.fall(b, kh, tau)
+  end
+end
+
 -- Whether friction under the two may have to do with a push: it goes across gravity.
 local function isRubbed(b, p, kl, kh, dv)
   return dv > 0 and b.met[p] <= LEAVES and b.down[kl] == 0 and b.down[kh] == 0
@@ -341,13 +352,7 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
       b.stuck[still] = true
     end
   end
-  -- Who is thrown back from what held it is held no longer, and falls.
-  if weld.release(b, kl, axis, b.heldHigh, b.holderHigh, 1, STILL) and not flush then
-    path.fall(b, kl, tau)
-  end
-  if weld.release(b, kh, axis, b.heldLow, b.holderLow, -1, STILL) and not flush then
-    path.fall(b, kh, tau)
-  end
+  release(b, kl, kh, axis, flush, tau)
   -- Who is on the way apart already, and only flush through a push, leans on nobody; but who is
   -- pushed back again and again is held between two.
   if flush and (v > -STILL or isDeep or b.met[p] > LEAVES) then
