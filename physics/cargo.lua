@@ -20,7 +20,7 @@ local cargo = {}
 local huge, max, min = math.huge, math.max, math.min
 
 local ALL, ROUNDING = grip.ALL, grip.ROUNDING
-local STILL, TINY = columns.STILL, columns.TINY
+local STILL = columns.STILL
 -- So often at most it is asked again who is dragged, and how fast all become then.
 local ROUNDS = 40
 
@@ -121,21 +121,21 @@ local function weigh(b, k, axis, w, v)
 end
 
 --- Loads two that close at v px/s across gravity, and overlap by `o` px at the end of a step of
---- dt s, with what goes along with them; some may only be dragged, by a force that acts as long
---- as the push does. Returns their inverse masses, v and o as they are then, and for how long the
---- push acts, s; 0: nothing goes along.
+--- dt s, with what goes along with them; some may only be dragged, by a force that acts during the
+--- whole step. Returns their inverse masses, v and o as they are then, and whether anything goes
+--- along.
 function cargo.load(b, kl, kh, axis, wl, wh, v, o, dt)
   local common = commonSpeed(b, kl, kh, axis, wl, wh)
   local allL, lossL = weigh(b, kl, axis, wl, common)
   local allH, lossH = weigh(b, kh, axis, wh, common)
-  local closing, time = v - lossL + lossH, min(max(o, TINY) / v, dt)
+  local closing = v - lossL + lossH
   if closing <= 0 then
-    return wl, wh, v, o, 0 -- what goes along keeps them apart, but for what they overlap already
+    return wl, wh, v, o, false -- they are apart then, but for what they overlap already
   end
-  local share = b.pushFirst and 0 or time
+  local share = b.pushFirst and 0 or dt * 0.5
   b.speed[kl], b.speed[kh] = b.speed[kl] - lossL, b.speed[kh] - lossH
   b.to[kl], b.to[kh] = b.to[kl] - lossL * share, b.to[kh] - lossH * share
-  return allL, allH, closing, o + (lossH - lossL) * share, time
+  return allL, allH, closing, o + (lossH - lossL) * share, true
 end
 
 --- Mass of slot i and of all that stands on it; given v, of those that go at v px/s, as it does.
@@ -151,9 +151,8 @@ function cargo.massOf(b, i, axis, v)
 end
 
 -- Takes along, as far as friction can, all that stands on slot i, which moved at v px/s before, and
--- has come to go `way` px further; `tau` s is how long what has made it faster has done so. What
--- they need has been noted (see `need`).
-local function take(b, i, axis, v, way, tau)
+-- has come to go `way` px further in a step of dt s. What they need has been noted (see `need`).
+local function take(b, i, axis, v, way, dt)
   local m, up = 2 * i + axis, b.cargo[i]
   local new = b.speed[m]
   while up ~= 0 do
@@ -167,30 +166,26 @@ local function take(b, i, axis, v, way, tau)
       else
         b.speed[k], b.accel[k] = new, b.accel[m]
       end
-      local ownWay = not isDragged and before == v and way or (b.speed[k] - before) * tau
-      -- Who has not moved on what it stands on stays where it is there, to the bit.
-      local goal = b.from[k] + (b.to[m] - b.from[m])
-      local off = goal - b.to[k] - ownWay
-      local isStill = max(off, -off) < ROUNDING
-      ownWay = isStill and goal - b.to[k] or ownWay
-      b.to[k] = isStill and goal or b.to[k] + ownWay
+      local was, goesAlike = b.to[k], not isDragged and before == v
+      b.to[k] = was + (goesAlike and way or (b.speed[k] - before) * dt * 0.5)
+      grip.settle(b, k, b.from[k] + (b.to[m] - b.from[m]))
       b.gripUsed[up] = b.gripUsed[up] + impulse
       b.groundSpeed[up], b.stuck[up] = new, b.stuck[up] and b.stuck[i]
       b.taken[up] = b.step
       path.change(b, up)
-      take(b, up, axis, before, ownWay, tau)
+      take(b, up, axis, before, b.to[k] - was, dt)
     end
     up = b.nextCargo[up]
   end
 end
 
 --- Takes along all that stands on k, and on those that are welded to it: they moved at v px/s
---- before, go `way` px further now, and were pushed for `tau` s.
-function cargo.follow(b, k, axis, v, way, tau)
+--- before, and go `way` px further in a step of dt s now.
+function cargo.follow(b, k, axis, v, way, dt)
   local member = k
   needOnRing(b, k, axis, b.speed[k])
   repeat
-    take(b, (member - axis) / 2, axis, v, way, tau)
+    take(b, (member - axis) / 2, axis, v, way, dt)
     member = b.weldNext[member]
   until member == k or member == 0
 end
@@ -299,10 +294,7 @@ function cargo.stop(b, i, axis, v, way)
     end
     up = b.nextCargo[up]
   end
-  local goal = b.from[k] + way
-  if max(goal - b.to[k], b.to[k] - goal) < ROUNDING then
-    b.to[k] = goal
-  end
+  grip.settle(b, k, b.from[k] + way)
   b.stuck[i] = true
 end
 

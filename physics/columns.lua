@@ -625,8 +625,9 @@ function columns.unlinkAll(b, list, count)
 end
 
 --- Returns the ranks that decide between simultaneous meetings of a pair: that of the dynamic one
---- first, of two the lower. The other is made less than all ranks if one stands on the other: of
---- several that hold it up, the one that counts as its support, and carries it, bears its weight.
+--- first, of two the lower. If one stands on the other, the second, and if both are dynamic the
+--- first, too, is made less than all ranks: of several that hold it up, the one that counts as its
+--- support, and carries it, bears its weight.
 function columns.ranks(b, i, j)
   local one, other = b.rank[i], b.rank[j]
   local iDynamic, jDynamic = b.kind[i] == columns.DYNAMIC, b.kind[j] == columns.DYNAMIC
@@ -636,6 +637,7 @@ function columns.ranks(b, i, j)
   end
   local second = one + other - first
   if b.support[i] == j or b.support[j] == i then
+    first = iDynamic and jDynamic and first - columns.RANKS or first
     second = second - columns.RANKS
   end
   return first, second

@@ -16,7 +16,6 @@ require(here .. ".interpreted").file()
 
 local friction = {}
 
-local DYNAMIC = columns.DYNAMIC
 local max, min, sqrt = math.max, math.min, math.sqrt
 local ROUNDING = grip.ROUNDING
 local STILL, TINY, VAST = columns.STILL, columns.TINY, columns.VAST
@@ -130,14 +129,6 @@ local function surface(b, low, kw)
   return v
 end
 
--- Where ku, which begins its path anew, ends it if it goes as the surface of `low` does, kw: for
--- `tau` s, at a speed of `floorSpeed`.
-local function goalWith(b, up, low, ku, kw, floorSpeed, tau)
-  -- A kinematic object's path began with the step, that of a dynamic one at this moment.
-  local left = b.kind[low] == DYNAMIC and 1 or 1 - b.time[up]
-  return b.from[ku] + (b.to[kw] - b.from[kw]) * left + (floorSpeed - b.speed[kw]) * tau
-end
-
 -- `up` rubs on `low`, which does not slide; returns false if the hold of `low` does not bear it.
 local function rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau, t)
   local grounded = b.inverseMass[low] == 0
@@ -174,7 +165,7 @@ local function rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau, t)
   end
   local before = b.to[ku]
   if stop == 0 and way == 0 then
-    b.to[ku] = goalWith(b, up, low, ku, kw, floorSpeed, tau)
+    b.to[ku] = grip.goal(b, up, low, ku, kw, floorSpeed, tau)
   else
     b.to[ku] = before + (way - (u - a * tau + u) * 0.5 * tau)
   end
@@ -257,7 +248,7 @@ local function brakeTower(b, base, axis, limit, share, tau)
   end
   b.gripUsed[base] = b.gripUsed[base] + gain * mass
   if stops then
-    cargo.stop(b, base, axis, new, goalWith(b, base, ground, k, m, new, tau) - b.from[k])
+    cargo.stop(b, base, axis, new, grip.goal(b, base, ground, k, m, new, tau) - b.from[k])
   end
 end
 

@@ -5,10 +5,13 @@
 -- What stands on others is held through them, down to the floor, and presses them on it.
 
 local here = (...):match("^(.*)%.[^.]+$")
+local columns = require(here .. ".columns")
 
 require(here .. ".interpreted").file()
 
 local grip = {}
+
+local DYNAMIC = columns.DYNAMIC
 
 local huge, max, min = math.huge, math.max, math.min
 --- Share by which impulses may be rounded: what is borne at one dt is borne at every other. Also px
@@ -65,6 +68,30 @@ function grip.give(b, i, impulse)
   end
 end
 
+--- Where ku, which begins its path anew, ends it if it goes as the surface of `low` does, kw: for
+--- `tau` s, at a speed of `floorSpeed`.
+function grip.goal(b, up, low, ku, kw, floorSpeed, tau)
+  -- A kinematic object's path began with the step, that of a dynamic one at this moment.
+  local left = b.kind[low] == DYNAMIC and 1 or 1 - b.time[up]
+  return b.from[ku] + (b.to[kw] - b.from[kw]) * left + (floorSpeed - b.speed[kw]) * tau
+end
+
+--- Lets k end its path at a place, if it does so but for rounding: who does not move against what
+--- it stands on stays where it is there, to the bit.
+function grip.settle(b, k, goal)
+  if max(goal - b.to[k], b.to[k] - goal) < ROUNDING then
+    b.to[k] = goal
+  end
+end
+
+--- Lets slot i, which others push, stand still on what it stands on, from the very beginning of a
+--- step of dt s.
+function grip.hold(b, i, axis, dt)
+  local k, low = 2 * i + axis, b.ground[i]
+  b.speed[k], b.stuck[i] = b.groundSpeed[i], true
+  return grip.settle(b, k, grip.goal(b, i, low, k, 2 * low + axis, b.groundSpeed[i], dt))
+end
+
 -- Whether friction may give slot i anything against going at v px/s.
 local function mayResist(b, i, v)
   local u = v - b.groundSpeed[i]
@@ -101,11 +128,11 @@ local function resist(b, i, v, mass)
 end
 
 --- Lets friction bear a push across gravity at the very beginning of a step, as far as it can:
---- `lo` and `hi` close at v px/s, overlap by `o` px at its end, dt s later, and both give way
---- (inverse masses `wl`, `wh`). It acts on both, who go on together, as long as the push does.
+--- `lo` and `hi` close at v px/s at its end, dt s later, and both give way (inverse masses `wl`,
+--- `wh`). It acts on both, who go on together, during the whole step.
 --- Returns the inverse masses for the push (0 for one who stands, and whom friction does not let
 --- go), the impulse of the contact, and who stands where it is rubbed (0: neither): so will both.
-function grip.bear(b, lo, hi, kl, kh, wl, wh, v, o, dt)
+function grip.bear(b, lo, hi, kl, kh, wl, wh, v, dt)
   local mass, common = 1 / wl + 1 / wh, b.speed[kl] - v * (wl / (wl + wh))
   -- Who bears less does not stop who bears more.
   local weak, strong, isLowWeak = hi, lo, b.grip[lo] <= b.grip[hi]
@@ -121,7 +148,7 @@ function grip.bear(b, lo, hi, kl, kh, wl, wh, v, o, dt)
     return wl, 0, v / wl, hi
   end
   local dSpeed = (less + more) / mass
-  local dWay = b.pushFirst and 0 or dSpeed * min(max(o, 0) / v, dt)
+  local dWay = b.pushFirst and 0 or dSpeed * dt * 0.5
   b.speed[kl], b.speed[kh] = b.speed[kl] + dSpeed, b.speed[kh] + dSpeed
   b.to[kl], b.to[kh] = b.to[kl] + dWay, b.to[kh] + dWay
   local forLow, forHigh = more, less

@@ -270,17 +270,17 @@ end
 
 -- Lets friction have its part in a push of two that close at v px/s: what stands on them goes
 -- along, and what they stand on bears it. Returns the inverse masses, v and o as they are for the
--- push then; its impulse, who stands still now (0: neither), and for how long it acts (`cargo`).
+-- push then; its impulse, who stands still now (0: neither), and whether anything goes along.
 local function withFriction(b, lo, hi, kl, kh, axis, wl, wh, v, o, dt)
-  local isBorne, still, time = grip.mayBear(b, lo, hi, kl, wl, wh, v), 0, 0
+  local isBorne, still, isLoaded = grip.mayBear(b, lo, hi, kl, wl, wh, v), 0, false
   if b.hasCargo and (isBorne or cargo.isDue(b, lo, hi, kl, kh)) then
-    wl, wh, v, o, time = cargo.load(b, kl, kh, axis, wl, wh, v, o, dt)
+    wl, wh, v, o, isLoaded = cargo.load(b, kl, kh, axis, wl, wh, v, o, dt)
   end
   local impulse = v / (wl + wh)
   if isBorne then
-    wl, wh, impulse, still = grip.bear(b, lo, hi, kl, kh, wl, wh, v, o, dt)
+    wl, wh, impulse, still = grip.bear(b, lo, hi, kl, kh, wl, wh, v, dt)
   end
-  return wl, wh, v, o, impulse, still, time
+  return wl, wh, v, o, impulse, still, isLoaded
 end
 
 --- Resolves pair p, which meets on `axis` at time t (0..1 of a step of dt s), `lo` being the one
@@ -333,9 +333,9 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   local flush = gap == 0 and vEnd == 0
   local oldL, oldH, ownL, ownH = to[kl], to[kh], wl, wh
   local dv, speedL, speedH = v - vEnd, speed[kl], speed[kh]
-  local still, pushTime, impulse = 0, 0, dv / (wl + wh)
+  local still, isLoaded, impulse = 0, false, dv / (wl + wh)
   if flush and t == 0 and not isDeep and isRubbed(b, p, kl, kh, dv) then
-    wl, wh, dv, o, impulse, still, pushTime =
+    wl, wh, dv, o, impulse, still, isLoaded =
       withFriction(b, lo, hi, kl, kh, axis, wl, wh, dv, o, dt)
   end
   local shareL, shareH = shares(b, lo, hi, kl, kh, wl, wh, isDeep or b.met[p] > BOUNCES)
@@ -347,9 +347,12 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
     -- A hit from the side breaks the hold of friction.
     b.stuck[lo] = b.stuck[lo] and b.down[kl] ~= 0
     b.stuck[hi] = b.stuck[hi] and b.down[kh] ~= 0
-    if still ~= 0 then
-      speed[kl], speed[kh] = b.groundSpeed[still], b.groundSpeed[still]
-      b.stuck[still] = true
+    if still == lo then
+      grip.hold(b, lo, axis, dt)
+      speed[kh], to[kh] = speed[kl], to[kl] + b.size[kl]
+    elseif still == hi then
+      grip.hold(b, hi, axis, dt)
+      speed[kl], to[kl] = speed[kh], to[kh] - b.size[kl]
     end
   end
   release(b, kl, kh, axis, flush, tau)
@@ -368,11 +371,11 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   end
   ring.follow(b, kl, to[kl] - oldL, t)
   ring.follow(b, kh, to[kh] - oldH, t)
-  if pushTime > 0 and wl ~= 0 then
-    cargo.follow(b, kl, axis, speedL, to[kl] - oldL, pushTime)
+  if isLoaded and wl ~= 0 then
+    cargo.follow(b, kl, axis, speedL, to[kl] - oldL, dt)
   end
-  if pushTime > 0 and wh ~= 0 then
-    cargo.follow(b, kh, axis, speedH, to[kh] - oldH, pushTime)
+  if isLoaded and wh ~= 0 then
+    cargo.follow(b, kh, axis, speedH, to[kh] - oldH, dt)
   end
   if flush and (dv > 0 or isStuck) and b.met[p] >= WELDS and wl > 0 and wh > 0 then
     weld.join(b, kl, kh)

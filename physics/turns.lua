@@ -125,7 +125,8 @@ local function weigh(b, axis, first, last)
     local ahead = min(one, other) * bothGive + one * (1 - lowGives) + other * (lowGives - bothGive)
     local stands, leans = standsOn[up] - low, standsOn[low] - up -- 0: one stands on the other
     local stand = 1 - min(max(stands, -stands), max(leans, -leans), 1)
-    firsts[x], seconds[x], seen[x] = ahead, one + other - ahead - RANKS * stand, UNSEEN
+    firsts[x], seconds[x] = ahead - RANKS * stand * bothGive, one + other - ahead - RANKS * stand
+    seen[x] = UNSEEN
     support[x] = (isUp and -from[m] or from[m] + size[m]) * bothGive + FIRM * (1 - bothGive)
   end
 end
