@@ -170,8 +170,7 @@ local function take(b, i, axis, v, way, dt)
       b.to[k] = was + (goesAlike and way or (b.speed[k] - before) * dt * 0.5)
       grip.settle(b, k, b.from[k] + (b.to[m] - b.from[m]))
       b.gripUsed[up] = b.gripUsed[up] + impulse
-      b.groundSpeed[up], b.stuck[up] = new, b.stuck[up] and b.stuck[i]
-      b.taken[up] = b.step
+      b.groundSpeed[up], b.taken[up] = new, b.step
       path.change(b, up)
       take(b, up, axis, before, b.to[k] - was, dt)
     end

@@ -38,16 +38,15 @@ function grip.note(b, up, low, floorSpeed, mu, limit, impulse)
 end
 
 --- Returns how large an impulse friction can still give slot i across gravity, in the direction of
---- `sign`: from what it stands on, if that stands fast, and what that stands on. 0: none worth it.
+--- `sign`: from what it stands on, through that from what it stands on, too. 0: none worth it.
 function grip.left(b, i, sign)
-  local least, last, isFast = huge, i, true
+  local least, last = huge, i
   while i ~= 0 do
     local grasp = b.grip[i] - sign * b.gripUsed[i]
-    if grasp <= b.grip[i] * ROUNDING or not isFast then
+    if grasp <= b.grip[i] * ROUNDING then
       return 0
     end
     least, last, i = min(least, grasp), i, below(b, i)
-    isFast = b.stuck[i]
   end
   return b.level[b.ground[last]] == 0 and least or 0
 end

@@ -570,3 +570,76 @@ describe("a stack on a belt that a lift pushes the other way", function()
     end
   end)
 end)
+
+describe("stacks that push each other", function()
+  -- What comes of it cannot be worked out by hand any more: it is what very small steps lead to, as
+  -- far as a step is long.
+  -- By column, from the lowest up: friction, mass, ax, vx.
+  local ROWS = {
+    ["a stack of which the upper two slide as one"] = {
+      floor = 0.9,
+      { { 0.5, 5, 0, 120 }, { 0.5, 5, 0, 120 }, { 0.9, 5, 0, 120 } },
+      { { 0.5, 2, -400, 0 } },
+    },
+    ["a smooth crate under two rough ones"] = {
+      floor = 0.9,
+      { { 0.1, 2, 0, 60 }, { 0.5, 1, 0, 60 }, { 0.5, 1, 0, 60 } },
+      { { 0.1, 2, 0, 0 } },
+    },
+    ["a stack that pushes a higher one"] = {
+      floor = 0.1,
+      { { 0.3, 2, 0, 60 }, { 0.5, 2, 0, 60 } },
+      { { 0.1, 1, 0, 0 }, { 0.9, 1, 0, 0 }, { 0.5, 1, 0, 0 } },
+    },
+    ["stacks that hold each other"] = {
+      floor = 0.5,
+      { { 0.1, 1, -400, 0 }, { 0.1, 1, 1500, 0 }, { 0.5, 2, 0, 0 } },
+      { { 0.5, 1, 0, 0 }, { 0.3, 2, -400, 0 } },
+    },
+    ["a stack of which the middle one is driven"] = {
+      floor = 0.1,
+      { { 0.5, 5, 0, 0 } },
+      { { 0.3, 1, 0, 0 }, { 0.5, 1, -400, 0 }, { 0.1, 1, 0, 0 } },
+    },
+  }
+
+  -- Returns where all of them are after half a second; mirrored, if way is -1.
+  local function play(row, rate, way)
+    local world, boxes = physics.newWorld({ gravity = 800 }), {}
+    world:add(
+      "floors",
+      { x = -900, y = 116, width = 1800, height = 16, static = true, friction = row.floor }
+    )
+    for column, stack in ipairs(row) do
+      for level, own in ipairs(stack) do
+        local box = { y = 116 - 16 * level, width = 16, height = 16 }
+        box.x = way > 0 and 16 * column or -16 - 16 * column
+        box.friction, box.mass, box.ax, box.vx = own[1], own[2], way * own[3], way * own[4]
+        boxes[#boxes + 1] = world:add("boxes", box)
+      end
+    end
+    for _ = 1, rate / 2 do
+      world:update(1 / rate)
+    end
+    local places = {}
+    for n, box in ipairs(boxes) do
+      places[n] = way > 0 and box.x or -16 - box.x
+    end
+    return places
+  end
+
+  for name, row in pairs(ROWS) do
+    local small
+    for _, rate in ipairs({ 30, 60, 144 }) do
+      for _, way in ipairs({ 1, -1 }) do
+        local text = "go as in small steps, %s, at %d Hz, to the %s"
+        it(text:format(name, rate, way > 0 and "right" or "left"), function()
+          small = small or play(row, 4800, 1)
+          for n, x in ipairs(play(row, rate, way)) do
+            assert.near(small[n], x, 10 / rate)
+          end
+        end)
+      end
+    end
+  end
+end)
