@@ -150,6 +150,12 @@ function cargo.massOf(b, i, axis, v)
   return mass
 end
 
+-- Whether two went at the same speed when the step began.
+local function beganAlike(b, k, m)
+  local velocity, carried = b.velocity, b.carried
+  return velocity[k] + carried[k] == velocity[m] + carried[m]
+end
+
 -- Takes along, as far as friction can, all that stands on slot i, which moved at v px/s before, and
 -- has come to go `way` px further in a step of dt s. What they need has been noted (see `need`).
 local function take(b, i, axis, v, way, dt)
@@ -166,9 +172,13 @@ local function take(b, i, axis, v, way, dt)
       else
         b.speed[k], b.accel[k] = new, b.accel[m]
       end
-      local was, goesAlike = b.to[k], not isDragged and before == v
-      b.to[k] = was + (goesAlike and way or (b.speed[k] - before) * dt * 0.5)
-      grip.settle(b, k, b.from[k] + (b.to[m] - b.from[m]))
+      local was = b.to[k]
+      if not isDragged and beganAlike(b, k, m) then
+        b.to[k] = b.from[k] + (b.to[m] - b.from[m]) -- to the bit
+      else
+        local goesAlike = not isDragged and before == v
+        b.to[k] = was + (goesAlike and way or (b.speed[k] - before) * dt * 0.5)
+      end
       b.gripUsed[up] = b.gripUsed[up] + impulse
       b.groundSpeed[up], b.taken[up] = new, b.step
       path.change(b, up)
@@ -206,8 +216,8 @@ local function isPart(b, up, i, axis, v)
   return b.speed[2 * up + axis] == v and isLoose(b, up, i, axis)
 end
 
---- Returns the lowest one of the tower that slides over a floor as a whole, slot i with it, and the
---- mass of that tower; 0: there is none.
+--- Returns the lowest one of the tower that slides as a whole, slot i with it, and the mass of that
+--- tower; 0: there is none.
 function cargo.tower(b, i, axis)
   local v = b.speed[2 * i + axis]
   local low = b.goesWith[i]
@@ -217,7 +227,8 @@ function cargo.tower(b, i, axis)
     end
     i, low = low, b.goesWith[low]
   end
-  if low ~= 0 or b.level[i] ~= 1 or b.stuck[i] or not cargo.isFree(b, 2 * i + axis) then
+  local rubs = b.level[i] > 0 and (low == 0 or b.ground[i] == low)
+  if b.stuck[i] or not rubs or not cargo.isFree(b, 2 * i + axis) then
     return 0, 0
   end
   return i, cargo.massOf(b, i, axis, v)
@@ -248,7 +259,11 @@ end
 
 -- Lets slot i go on at `new` px/s, `way` px further, with an acceleration.
 local function go(b, i, axis, new, way, accel)
-  local k = 2 * i + axis
+  local k, up = 2 * i + axis, b.cargo[i]
+  while up ~= 0 do
+    b.groundSpeed[up] = new
+    up = b.nextCargo[up]
+  end
   b.speed[k], b.to[k], b.accel[k] = new, b.to[k] + way, accel
   path.change(b, i)
 end
@@ -261,7 +276,6 @@ function cargo.move(b, i, axis, v, new, way, accel, low, impulse)
     if isPart(b, up, i, axis, v) then
       local its, isIt = cargo.move(b, up, axis, v, new, way, accel, low, impulse)
       b.gripUsed[up] = b.gripUsed[up] + its * (new - v) - (isIt and impulse or 0)
-      b.groundSpeed[up] = new
       mass = mass + its
       if isIt then
         hasLow = true
@@ -274,14 +288,7 @@ function cargo.move(b, i, axis, v, new, way, accel, low, impulse)
 end
 
 --- Lets slot i do that alone: what stands on it slides.
-function cargo.leave(b, i, axis, new, way, accel)
-  local up = b.cargo[i]
-  while up ~= 0 do
-    b.groundSpeed[up] = new
-    up = b.nextCargo[up]
-  end
-  return go(b, i, axis, new, way, accel)
-end
+cargo.leave = go
 
 --- Notes that the tower on slot i has stopped: all of it goes at v px/s now, as its ground does,
 --- and `way` px in this step. Who has not moved otherwise goes that way to the bit.

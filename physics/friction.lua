@@ -224,14 +224,50 @@ local function addAccel(b, ku, kw, wu, wl, gainU, gainL, tau, isTogether)
   end
 end
 
--- A tower that slides over a floor on slot `base` is braked there by what a weight on it adds to
--- its friction, up to `limit`; if it does not hold together then, only its lowest one is.
-local function brakeTower(b, base, axis, limit, share, tau)
+local weighOnTower -- defined below
+
+-- The tower on slot `base` slides over one that slides, too: the impulse jn of a weight on it lets
+-- the two rub more, unless one of them would not hold together, and so on down to what stands fast.
+local function rubTowers(b, base, axis, jn, share, tau)
+  local k, ground = 2 * base + axis, b.ground[base]
+  local m = 2 * ground + axis
+  local low, lowMass = cargo.tower(b, ground, axis)
+  if low == 0 then
+    return
+  end
+  local v, lowSpeed = b.speed[k], b.speed[m]
+  local mass, slip = cargo.massOf(b, base, axis, v), v - lowSpeed
+  local needed, limit = max(slip, -slip) / (1 / mass + 1 / lowMass), b.stickiness[base] * jn
+  local impulse = (slip > 0 and -1 or 1) * min(needed, limit)
+  local gain, lowGain, stops = impulse / mass, -impulse / lowMass, needed <= limit
+  if
+    cargo.holds(b, base, axis, v, gain, 0, 0, 0)
+    and cargo.holds(b, low, axis, lowSpeed, lowGain, ground, -impulse, 0)
+  then
+    local common = (b.accel[k] * mass + b.accel[m] * lowMass) / (mass + lowMass)
+    local accel = stops and common or b.accel[k] + gain * (1 - share) / tau
+    local lowAccel = stops and common or b.accel[m] + lowGain * (1 - share) / tau
+    local new, lowNew = v + gain, stops and v + gain or lowSpeed + lowGain
+    local part = tau * (0.5 + 0.5 * share)
+    cargo.move(b, low, axis, lowSpeed, lowNew, lowGain * part, lowAccel, ground, -impulse)
+    cargo.move(b, base, axis, v, new, gain * part, accel, 0, 0)
+    b.gripUsed[base] = b.gripUsed[base] + impulse
+  end
+  return weighOnTower(b, low, axis, jn, share, tau)
+end
+
+-- The tower on slot `base` slides over what stands fast, and is braked there by what the impulse jn
+-- of a weight on it adds to its friction; or if it would not hold together, only its lowest one is.
+local function brakeTower(b, base, axis, jn, share, tau)
   local k, ground = 2 * base + axis, b.ground[base]
   local v, m = b.speed[k], 2 * ground + axis
-  local mass = cargo.massOf(b, base, axis, v)
+  local mass, limit = cargo.massOf(b, base, axis, v), b.stickiness[base] * jn
   local slip = v - b.groundSpeed[base]
   local amount, sign = max(slip, -slip), slip > 0 and -1 or 1
+  local isBorne = b.inverseMass[ground] > 0 -- by friction under that
+  if isBorne then
+    limit = min(limit, grip.left(b, ground, sign))
+  end
   local gain = sign * min(amount, limit / mass)
   local isWhole = cargo.holds(b, base, axis, v, gain, 0, 0, 0)
   if not isWhole then
@@ -247,13 +283,24 @@ local function brakeTower(b, base, axis, limit, share, tau)
     cargo.leave(b, base, axis, new, way, accel)
   end
   b.gripUsed[base] = b.gripUsed[base] + gain * mass
+  if isBorne then
+    grip.give(b, ground, gain * mass)
+  end
   if stops then
     cargo.stop(b, base, axis, new, grip.goal(b, base, ground, k, m, new, tau) - b.from[k])
   end
 end
 
--- `up` rubs on `low`, a part of a tower of this mass that slides over a floor on slot `base`: they
--- share what is between them, then its weight brakes the tower. Returns false, and changes nothing,
+-- The impulse jn of a weight on the tower on slot `base`, which slides, lets it rub more.
+function weighOnTower(b, base, axis, jn, share, tau)
+  if b.level[base] > 1 and not b.stuck[b.ground[base]] then
+    return rubTowers(b, base, axis, jn, share, tau)
+  end
+  return brakeTower(b, base, axis, jn, share, tau)
+end
+
+-- `up` rubs on `low`, a part of a tower of this mass that slides on slot `base`: they share what is
+-- between them, then its weight brakes the tower. Returns false, and changes nothing,
 -- if the case is another one.
 local function rubOnTower(b, up, low, base, mass, ku, kw, mu, jn, share, tau)
   if not cargo.isFree(b, ku) or b.surfaceSpeed[low] ~= 0 or tau <= 0 then
@@ -279,7 +326,7 @@ local function rubOnTower(b, up, low, base, mass, ku, kw, mu, jn, share, tau)
   grip.note(b, up, low, b.speed[kw], mu, mu * jn, impulse)
   cargo.put(b, up, low)
   path.change(b, up)
-  brakeTower(b, base, axis, b.stickiness[base] * jn, share, tau)
+  weighOnTower(b, base, axis, jn, share, tau)
   return true
 end
 
