@@ -49,7 +49,7 @@ local function resetGrips(b, list, first, last)
   local stuck, grip, used, level = b.stuck, b.grip, b.gripUsed, b.level
   for n = first, last do
     local i = list[n]
-    stuck[i], grip[i], used[i], level[i] = false, 0, 0, 0
+    stuck[i], grip[i], used[i], level[i] = 0, 0, 0, 0
   end
 end
 

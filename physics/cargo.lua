@@ -228,7 +228,7 @@ function cargo.tower(b, i, axis)
     i, low = low, b.goesWith[low]
   end
   local rubs = b.level[i] > 0 and (low == 0 or b.ground[i] == low)
-  if b.stuck[i] or not rubs or not cargo.isFree(b, 2 * i + axis) then
+  if b.stuck[i] > 0 or not rubs or not cargo.isFree(b, 2 * i + axis) then
     return 0, 0
   end
   return i, cargo.massOf(b, i, axis, v)
@@ -301,7 +301,7 @@ function cargo.stop(b, i, axis, v, way)
     up = b.nextCargo[up]
   end
   grip.settle(b, k, b.from[k] + way)
-  b.stuck[i] = true
+  b.stuck[i] = 1
 end
 
 return cargo

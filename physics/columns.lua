@@ -85,7 +85,7 @@ local SLOT = {
   fresh = false, -- in its first step
   news = false, -- something else than its motion has changed in this step
   time = 0, -- fraction of the step at which its present path begins
-  stuck = false, -- friction holds it to something that does not slide
+  stuck = 0, -- 1: friction holds it to something that does not slide
   stickiness = 0, -- friction coefficient of that hold
   grip = 0, -- impulse that friction can give it across gravity, from what it stands on
   gripUsed = 0, -- of that, what it has given (< 0: towards smaller coordinates)
@@ -438,7 +438,7 @@ function columns.new()
   end
   -- Slot 0 is nobody, that of pairs that were taken apart: less than nothing, so it meets nobody.
   b.object[0], b.awake[0], b.rank[0], b.time[0] = false, false, 0, 0
-  b.head[0], b.next[0], b.previous[0], b.weldMass[0] = 0, 0, 0, 0
+  b.head[0], b.next[0], b.previous[0], b.weldMass[0], b.stuck[0] = 0, 0, 0, 0, 0
   for k = 0, 1 do
     b.from[k], b.to[k], b.speed[k], b.size[k] = 0, 0, 0, -1
   end

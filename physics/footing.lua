@@ -50,23 +50,30 @@ local function goWith(b, up, low)
   end
 end
 
+-- How far apart two numbers are.
+local function apart(v, other)
+  return max(v - other, other - v)
+end
+
+-- How much friction between two, along the axis of ka and kb, is another case than that of two that
+-- are pulled alike, on no belt, and of whom the upper one is not welded. 0: not at all. (One
+-- question: each more would be a way of its own through all that follows.)
+local function strangeness(b, low, ku, ka, kb, sign)
+  local weld, belt = b.weld[ka], b.surfaceSpeed[low]
+  return apart(b.accel[ka], b.accel[kb]) + apart(b.down[ku], sign) + max(belt, -belt) + weld
+end
+
 -- Friction between two that do not move against each other, nor would: `up` sticks to `low` where
 -- that stands fast. Returns false for all others, whom `friction` must look at.
 local function stick(b, up, low, ku, kl, mu, impulse, sign)
   local across = 1 - 2 * b.downAxis -- from an index along gravity to the one across
   local ka, kb = ku + across, kl + across
   local isFast = b.inverseMass[low] == 0
-  if
-    max(b.speed[ka] - b.speed[kb], b.speed[kb] - b.speed[ka]) > 0
-    or b.accel[ka] ~= b.accel[kb]
-    or b.surfaceSpeed[low] ~= 0
-    or b.down[ku] ~= sign
-    or b.weld[ka] ~= 0
-  then
+  if apart(b.speed[ka], b.speed[kb]) + strangeness(b, low, ku, ka, kb, sign) > 0 then
     return false
   elseif not isFast and b.down[kl] ~= sign then
     return false
-  elseif not (isFast or b.stuck[low]) then
+  elseif not isFast and b.stuck[low] == 0 then
     if b.grip[low] > 0 then
       return false
     end
@@ -77,7 +84,7 @@ local function stick(b, up, low, ku, kl, mu, impulse, sign)
     weighOn(b, low, impulse)
     goWith(b, up, low)
   end
-  b.stuck[up], b.stickiness[up], b.grip[up] = true, mu, b.grip[up] + mu * impulse
+  b.stuck[up], b.stickiness[up], b.grip[up] = 1, mu, b.grip[up] + mu * impulse
   b.ground[up], b.groundSpeed[up], b.level[up] = low, b.speed[kb], b.level[low] + 1
   b.to[ka] = b.from[ka] + (b.to[kb] - b.from[kb])
   return true
@@ -93,19 +100,11 @@ end
 local function slideTogether(b, up, low, ku, kl, limit, share, sign, dt)
   local across = 1 - 2 * b.downAxis
   local ka, kb = ku + across, kl + across
-  local inverseMass, accel, weld = b.inverseMass, b.accel, b.weld
-  local heldLow, heldHigh = b.heldLow, b.heldHigh
-  local wu, wl = inverseMass[up], inverseMass[low]
-  if
-    wl == 0
-    or b.stuck[low]
-    or b.grip[low] > 0
-    or b.surfaceSpeed[low] ~= 0
-    or b.down[ku] ~= sign
-    or accel[ka] ~= accel[kb]
-    or weld[ka] + weld[kb] ~= 0
-    or heldLow[ka] + heldHigh[ka] + heldLow[kb] + heldHigh[kb] > 0
-  then
+  local heldLow, heldHigh, weld = b.heldLow, b.heldHigh, b.weld
+  local wu, wl = b.inverseMass[up], b.inverseMass[low]
+  local held = heldLow[ka] + heldHigh[ka] + heldLow[kb] + heldHigh[kb]
+  local strange = strangeness(b, low, ku, ka, kb, sign) + b.grip[low] + weld[kb] + held
+  if strange + b.stuck[low] > 0 or wl == 0 then
     return false
   end
   local to, speed, changes = b.to, b.speed, b.changes

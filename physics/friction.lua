@@ -151,7 +151,7 @@ local function rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau, t)
   end
   grip.note(b, up, low, floorSpeed, mu, limit, impulse)
   if stop == 0 then
-    b.stuck[up] = true
+    b.stuck[up] = 1
     b.speed[ku], b.accel[ku] = floorSpeed, b.accel[kw]
     if not grounded then
       cargo.put(b, up, low)
@@ -293,7 +293,7 @@ end
 
 -- The impulse jn of a weight on the tower on slot `base`, which slides, lets it rub more.
 function weighOnTower(b, base, axis, jn, share, tau)
-  if b.level[base] > 1 and not b.stuck[b.ground[base]] then
+  if b.level[base] > 1 and b.stuck[b.ground[base]] == 0 then
     return rubTowers(b, base, axis, jn, share, tau)
   end
   return brakeTower(b, base, axis, jn, share, tau)
@@ -372,7 +372,7 @@ function friction.rub(b, lo, hi, axis, jn, share, tau, t)
   end
   -- (Who is pulled another way rubs on another axis.)
   local isAlike = up ~= 0 and b.down[kl] == b.down[kh]
-  local steady = up ~= 0 and (b.inverseMass[low] == 0 or (b.stuck[low] and isAlike))
+  local steady = up ~= 0 and (b.inverseMass[low] == 0 or (b.stuck[low] > 0 and isAlike))
   if steady and rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau, t) then
     return
   end

@@ -87,7 +87,7 @@ end
 --- step of dt s.
 function grip.hold(b, i, axis, dt)
   local k, low = 2 * i + axis, b.ground[i]
-  b.speed[k], b.stuck[i] = b.groundSpeed[i], true
+  b.speed[k], b.stuck[i] = b.groundSpeed[i], 1
   return grip.settle(b, k, grip.goal(b, i, low, k, 2 * low + axis, b.groundSpeed[i], dt))
 end
 
@@ -95,7 +95,7 @@ end
 local function mayResist(b, i, v)
   local u = v - b.groundSpeed[i]
   return b.grip[i] * max(u, -u) * ALL + b.gripUsed[i] * u > 0
-    and (b.level[i] == 1 or b.stuck[b.ground[i]])
+    and (b.level[i] == 1 or b.stuck[b.ground[i]] > 0)
 end
 
 --- Whether friction may bear some of a push across gravity, as `bear` does: one of the two, which

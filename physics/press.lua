@@ -35,9 +35,15 @@ function press.coefficient(b, i, j)
   return sqrt(one * other)
 end
 
---- Whether two that meet at u px/s bounce, as in `resolve`; a px/s² pull them at each other.
+-- 1 for a number > 0, else 0.
+local function isPositive(v)
+  return min(max(v * VAST, 0), 1)
+end
+
+--- Whether two that meet at u px/s bounce, as in `resolve`; a px/s² pull them at each other. One
+--- question.
 function press.bounces(b, i, j, u, a, dt)
-  return u > 2 * a * dt and max(b.restitution[i], b.restitution[j]) > 0
+  return max(b.restitution[i], b.restitution[j]) * isPositive(u - 2 * a * dt) > 0
 end
 
 --- Notes a hit of a pair at u px/s, the first one on `side` of its first. No branches.
@@ -49,9 +55,9 @@ function press.noteHit(b, p, side, u)
   b.met[p] = met + 1
 end
 
--- 1 for a number > 0, else 0.
-local function isPositive(v)
-  return min(max(v * VAST, 0), 1)
+-- Of a number, without its sign.
+local function amount(v)
+  return max(v, -v)
 end
 
 -- Whether two are not welded to each other. One question: to ask first whether they are welded
@@ -251,35 +257,32 @@ end
 
 -- What is to come of two who have run into each other.
 local function stop(b, lo, hi, kl, kh, gives)
-  b.stuck[lo] = b.stuck[lo] and b.down[kl] ~= 0
-  b.stuck[hi] = b.stuck[hi] and b.down[kh] ~= 0
+  b.stuck[lo] = b.stuck[lo] * amount(b.down[kl])
+  b.stuck[hi] = b.stuck[hi] * amount(b.down[kh])
   return finish(b, lo, hi, kl, kh, gives + (rubs(b, lo, hi, kl, kh) and RUBS or 0))
 end
 
--- Whether friction may give slot i anything against going at v px/s, as in `grip`.
+-- 1 if friction may give slot i anything against going at v px/s, as in `grip`; else 0.
 local function mayResist(b, i, v)
-  local u = v - b.groundSpeed[i]
-  return b.grip[i] * max(u, -u) * ALL + b.gripUsed[i] * u > 0
-    and (b.level[i] == 1 or b.stuck[b.ground[i]])
+  local u, isOnFloor = v - b.groundSpeed[i], max(1 - amount(b.level[i] - 1), 0)
+  local isOnFirm = max(isOnFloor, b.stuck[b.ground[i]])
+  return isPositive(b.grip[i] * amount(u) * ALL + b.gripUsed[i] * u) * isOnFirm
 end
 
--- Whether friction may bear some of a push across gravity (see `grip.mayBear`).
-local function isBorne(b, lo, hi, kl, wl, wh, v)
-  if min(wl, wh, v) <= 0 or b.down[kl] ~= 0 then
-    return false
-  end
+-- 1 if slot i slides on what it stands on, and something may go along with it (see `cargo.isDue`);
+-- else 0.
+local function slides(b, i, k)
+  return isPositive(amount(b.gripUsed[i]) - b.grip[i] * ALL) * min(b.cargo[i] + b.weld[k], 1)
+end
+
+-- Whether friction may have to do with a push across gravity: bear some of it (see `grip.mayBear`),
+-- or bring somebody along. One question: each more would double the ways through all that follows.
+local function isRubbed(b, lo, hi, kl, kh, wl, wh, v)
   local common = b.speed[kl] - v * (wl / (wl + wh))
-  return mayResist(b, lo, common) or mayResist(b, hi, common)
-end
-
--- Whether a push across gravity has to take somebody along (see `cargo.isDue`).
-local function carries(b, lo, hi, kl, kh)
-  local used, other = b.gripUsed[lo], b.gripUsed[hi]
-  return b.down[kl] == 0
-    and (
-      (max(used, -used) > b.grip[lo] * ALL and b.cargo[lo] + b.weld[kl] > 0)
-      or (max(other, -other) > b.grip[hi] * ALL and b.cargo[hi] + b.weld[kh] > 0)
-    )
+  local borne = min(wl, wh) * (mayResist(b, lo, common) + mayResist(b, hi, common))
+  local taken = slides(b, lo, kl) + slides(b, hi, kh)
+  local closes = isPositive(v) * (1 - amount(b.down[kl])) -- across gravity
+  return closes * (borne + taken) > 0
 end
 
 --- Lets two lean on each other, the pair p of turn x, which meets on `side` of its first, as
@@ -297,9 +300,7 @@ function press.run(b, x, p, side, lo, hi, axis, dt)
     return REFUSED -- one of them takes it all
   end
   local v, o = b.speed[kl] - b.speed[kh], b.to[kl] + b.size[kl] - b.to[kh]
-  if b.grip[lo] + b.grip[hi] > 0 and isBorne(b, lo, hi, kl, wl, wh, v) then
-    return REFUSED
-  elseif b.hasCargo and v > 0 and carries(b, lo, hi, kl, kh) then
+  if b.grip[lo] + b.grip[hi] > 0 and isRubbed(b, lo, hi, kl, kh, wl, wh, v) then
     return REFUSED
   end
   local u, tau = impactAt(o, v, b.accel[kl] - b.accel[kh], dt)

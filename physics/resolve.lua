@@ -345,8 +345,8 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   if dv > 0 or isStuck then
     setSpeeds(b, kl, kh, wl, wh, dv, vEnd == 0)
     -- A hit from the side breaks the hold of friction.
-    b.stuck[lo] = b.stuck[lo] and b.down[kl] ~= 0
-    b.stuck[hi] = b.stuck[hi] and b.down[kh] ~= 0
+    b.stuck[lo] = b.down[kl] ~= 0 and b.stuck[lo] or 0
+    b.stuck[hi] = b.down[kh] ~= 0 and b.stuck[hi] or 0
     if still == lo then
       grip.hold(b, lo, axis, dt)
       speed[kh], to[kh] = speed[kl], to[kl] + b.size[kl]
