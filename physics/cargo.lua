@@ -17,7 +17,7 @@ require(here .. ".interpreted").file()
 
 local cargo = {}
 
-local huge, max, min = math.huge, math.max, math.min
+local huge, max = math.huge, math.max
 
 local ALL, ROUNDING = grip.ALL, grip.ROUNDING
 local STILL = columns.STILL
@@ -85,10 +85,30 @@ local function needOnRing(b, k, axis, v)
   return impulse, mass
 end
 
--- Returns the speed at which two go on that run into each other, with inverse masses `wl`, `wh`,
--- and all that stands on them: where the impulses of all add up to nothing. More speed takes more
--- impulse, by pieces of straight lines.
+-- Returns the speed at which `up` goes on, given an impulse, with all that stands on it: where that
+-- takes what is left. More speed takes more impulse, by pieces of straight lines.
 -- Source: Newton's method, kept between bounds by bisection.
+local function draggedSpeed(b, up, axis, impulse)
+  local own, before = b.mass[up], b.speed[2 * up + axis]
+  local v, least, most = before, -huge, huge
+  for _ = 1, ROUNDS do
+    local taken, mass = needOn(b, up, axis, v, own * (v - before), own)
+    local excess = taken - impulse
+    local new = v - excess / mass
+    if max(new - v, v - new) <= STILL then
+      return new
+    elseif excess > 0 then
+      most = v
+    else
+      least = v
+    end
+    v = (new <= least or new >= most) and (least + most) * 0.5 or new
+  end
+  return v
+end
+
+-- Returns the speed at which two go on that run into each other, with inverse masses `wl`, `wh`,
+-- and all that stands on them: where the impulses of all add up to nothing, in the same way.
 local function commonSpeed(b, kl, kh, axis, wl, wh)
   local speedL, speedH = b.speed[kl], b.speed[kh]
   if wl == 0 or wh == 0 then
@@ -166,9 +186,8 @@ local function take(b, i, axis, v, way, dt)
     if isLoose(b, up, i, axis) then
       local before, impulse, isDragged = b.speed[k], b.dragImpulse[up], b.dragged[up]
       if isDragged then
-        local slow = before + impulse / cargo.massOf(b, up, axis)
-        b.speed[k] = min(max(slow, min(before, new)), max(before, new))
-        needOn(b, up, axis, b.speed[k], 0, 0) -- is another one for what stands on it
+        b.speed[k] = draggedSpeed(b, up, axis, impulse)
+        needOn(b, up, axis, b.speed[k], 0, 0) -- for what stands on it
       else
         b.speed[k], b.accel[k] = new, b.accel[m]
       end

@@ -375,6 +375,8 @@ function friction.rub(b, lo, hi, axis, jn, share, tau, t)
   local steady = up ~= 0 and (b.inverseMass[low] == 0 or (b.stuck[low] > 0 and isAlike))
   if steady and rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau, t) then
     return
+  elseif steady then
+    b.stuck[low] = 0 -- dragged off what it stands on
   end
   if isAlike and b.grip[low] > 0 then
     return rubOnSliding(b, lo, hi, tl, th, up, low, ku, kw, mu, jn, share, tau, t)

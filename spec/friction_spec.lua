@@ -653,6 +653,48 @@ describe("a tower that slides on a crate", function()
   end
 end)
 
+describe("a tower that is hit above its lowest box", function()
+  --      +--+           a light box under heavy ones is dragged along the floor, which can only
+  --      +--+           take momentum from all of them
+  --    +------+ <- 139
+  --    +------+--+
+  --     |  |
+  -- ==============
+  for _, high in ipairs({ 0, 1, 2 }) do
+    for _, way in ipairs({ 1, -1 }) do
+      local text = "only loses momentum, with %d on top, hit to the %s"
+      it(text:format(high, way > 0 and "right" or "left"), function()
+        local world = physics.newWorld({ gravity = 800 })
+        world:add("floors", { x = -900, y = 116, width = 1800, height = 16, static = true })
+        local boxes = {}
+        local function box(x, y, width, height, friction, mass, vx)
+          x = way > 0 and -x - width or x
+          local own = { x = x, y = y, width = width, height = height, friction = friction }
+          own.mass, own.vx = mass, way * vx
+          boxes[#boxes + 1] = world:add("boxes", own)
+        end
+        box(0, 92, 16, 24, 0.5, 0.1, 0)
+        box(0, 76, 48, 16, 1, 1, 0)
+        for n = 1, high do
+          box(n == 1 and 8 or 0, 76 - 16 * n, 16, 16, 0.5, 1, 0)
+        end
+        box(56, 84, 16, 16, 0.5, 1, 139)
+        local before = 139
+        for _ = 1, 60 do
+          world:update(1 / 30)
+          local momentum = 0
+          for _, b in ipairs(boxes) do
+            momentum = momentum + way * b.mass * b.vx
+          end
+          assert.is_true(momentum <= before + 1e-9, momentum .. " after " .. before)
+          before = momentum
+        end
+        assert.equal(0, before)
+      end)
+    end
+  end
+end)
+
 describe("stacks that push each other", function()
   -- What comes of it cannot be worked out by hand any more: it is what very small steps lead to, as
   -- far as a step is long.
