@@ -85,9 +85,20 @@ local function needOnRing(b, k, axis, v)
   return impulse, mass
 end
 
--- Returns the speed at which `up` goes on, given an impulse, with all that stands on it: where that
--- takes what is left. More speed takes more impulse, by pieces of straight lines.
+-- Returns the speed to try after v px/s, which takes too large an impulse by `excess`, and the new
+-- bounds: `new`, if that is between them. More speed takes more, by pieces of straight lines.
 -- Source: Newton's method, kept between bounds by bisection.
+local function tryNext(v, new, excess, least, most)
+  if excess > 0 then
+    most = v
+  else
+    least = v
+  end
+  return (new <= least or new >= most) and (least + most) * 0.5 or new, least, most
+end
+
+-- Returns the speed at which `up` goes on, given an impulse, with all that stands on it: where that
+-- takes what is left.
 local function draggedSpeed(b, up, axis, impulse)
   local own, before = b.mass[up], b.speed[2 * up + axis]
   local v, least, most = before, -huge, huge
@@ -97,18 +108,14 @@ local function draggedSpeed(b, up, axis, impulse)
     local new = v - excess / mass
     if max(new - v, v - new) <= STILL then
       return new
-    elseif excess > 0 then
-      most = v
-    else
-      least = v
     end
-    v = (new <= least or new >= most) and (least + most) * 0.5 or new
+    v, least, most = tryNext(v, new, excess, least, most)
   end
   return v
 end
 
 -- Returns the speed at which two go on that run into each other, with inverse masses `wl`, `wh`,
--- and all that stands on them: where the impulses of all add up to nothing, in the same way.
+-- and all that stands on them: where the impulses of all add up to nothing.
 local function commonSpeed(b, kl, kh, axis, wl, wh)
   local speedL, speedH = b.speed[kl], b.speed[kh]
   if wl == 0 or wh == 0 then
@@ -122,12 +129,8 @@ local function commonSpeed(b, kl, kh, axis, wl, wh)
     local new = v - excess / (1 / wl + 1 / wh + massL + massH)
     if max(new - v, v - new) <= STILL then
       return new
-    elseif excess > 0 then
-      most = v
-    else
-      least = v
     end
-    v = (new <= least or new >= most) and (least + most) * 0.5 or new
+    v, least, most = tryNext(v, new, excess, least, most)
   end
   return v
 end
@@ -156,18 +159,6 @@ function cargo.load(b, kl, kh, axis, wl, wh, v, o, dt)
   b.speed[kl], b.speed[kh] = b.speed[kl] - lossL, b.speed[kh] - lossH
   b.to[kl], b.to[kh] = b.to[kl] - lossL * share, b.to[kh] - lossH * share
   return allL, allH, closing, o + (lossH - lossL) * share, true
-end
-
---- Mass of slot i and of all that stands on it; given v, of those that go at v px/s, as it does.
-function cargo.massOf(b, i, axis, v)
-  local mass, up = b.mass[i], b.cargo[i]
-  while up ~= 0 do
-    if isLoose(b, up, i, axis) and (b.speed[2 * up + axis] == v or not v) then
-      mass = mass + cargo.massOf(b, up, axis, v)
-    end
-    up = b.nextCargo[up]
-  end
-  return mass
 end
 
 -- Whether two went at the same speed when the step began.
@@ -235,6 +226,18 @@ local function isPart(b, up, i, axis, v)
   return b.speed[2 * up + axis] == v and isLoose(b, up, i, axis)
 end
 
+--- Mass of slot i and of all on it that go as it does, at v px/s.
+function cargo.massOf(b, i, axis, v)
+  local mass, up = b.mass[i], b.cargo[i]
+  while up ~= 0 do
+    if isPart(b, up, i, axis, v) then
+      mass = mass + cargo.massOf(b, up, axis, v)
+    end
+    up = b.nextCargo[up]
+  end
+  return mass
+end
+
 --- Returns the lowest one of the tower that slides as a whole, slot i with it, and the mass of that
 --- tower; 0: there is none.
 function cargo.tower(b, i, axis)
@@ -276,8 +279,9 @@ function cargo.holds(b, i, axis, v, gain, low, impulse, weight)
   return true, mass, hasLow
 end
 
--- Lets slot i go on at `new` px/s, `way` px further, with an acceleration.
-local function go(b, i, axis, new, way, accel)
+--- Lets slot i alone go on at `new` px/s, `way` px further, with an acceleration: what stands on it
+--- slides, unless that goes on, too.
+function cargo.go(b, i, axis, new, way, accel)
   local k, up = 2 * i + axis, b.cargo[i]
   while up ~= 0 do
     b.groundSpeed[up] = new
@@ -302,12 +306,9 @@ function cargo.move(b, i, axis, v, new, way, accel, low, impulse)
     end
     up = b.nextCargo[up]
   end
-  go(b, i, axis, new, way, accel)
+  cargo.go(b, i, axis, new, way, accel)
   return mass, hasLow
 end
-
---- Lets slot i do that alone: what stands on it slides.
-cargo.leave = go
 
 --- Notes that the tower on slot i has stopped: all of it goes at v px/s now, as its ground does,
 --- and `way` px in this step. Who has not moved otherwise goes that way to the bit.

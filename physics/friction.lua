@@ -280,7 +280,7 @@ local function brakeTower(b, base, axis, jn, share, tau)
   if isWhole then
     cargo.move(b, base, axis, v, new, way, accel, 0, 0)
   else
-    cargo.leave(b, base, axis, new, way, accel)
+    cargo.go(b, base, axis, new, way, accel)
   end
   b.gripUsed[base] = b.gripUsed[base] + gain * mass
   if isBorne then
