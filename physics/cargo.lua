@@ -12,6 +12,7 @@ local here = (...):match("^(.*)%.[^.]+$")
 local columns = require(here .. ".columns")
 local grip = require(here .. ".grip")
 local path = require(here .. ".path")
+local tower = require(here .. ".tower")
 
 require(here .. ".interpreted").file()
 
@@ -19,7 +20,7 @@ local cargo = {}
 
 local huge, max = math.huge, math.max
 
-local ALL, ROUNDING = grip.ALL, grip.ROUNDING
+local ALL = grip.ALL
 local STILL = columns.STILL
 -- So often at most it is asked again who is dragged, and how fast all become then.
 local ROUNDS = 40
@@ -39,50 +40,15 @@ function cargo.isFree(b, k)
     and not (b.backedLow[k] or b.backedHigh[k])
 end
 
--- Whether nothing but friction holds `up` on slot i. (Levels go up, see `grip`.)
-local function isLoose(b, up, i, axis)
-  return b.level[up] > b.level[i] and cargo.isFree(b, 2 * up + axis)
-end
-
-local need
-
--- Adds the impulse that brings all that stands on slot i to v px/s, as far as friction can, and the
--- mass of those that it brings there; returns both.
-local function needOn(b, i, axis, v, impulse, mass)
-  local up = b.cargo[i]
-  while up ~= 0 do
-    if isLoose(b, up, i, axis) then
-      local more, its = need(b, up, axis, v)
-      impulse, mass = impulse + more, mass + its
-    end
-    up = b.nextCargo[up]
-  end
-  return impulse, mass
-end
-
--- Returns the same for `up` with all that stands on it; notes the impulse, and whether `up` is one
--- of those that it does not bring there.
-function need(b, up, axis, v)
-  local own = b.mass[up]
-  local impulse, mass = needOn(b, up, axis, v, own * (v - b.speed[2 * up + axis]), own)
-  local sign = impulse < 0 and -1 or 1
-  local most = max(b.grip[up] - sign * b.gripUsed[up], 0.0)
-  local goes = impulse * sign <= most * (1 + ROUNDING)
-  if not goes then
-    impulse, mass = most * sign, 0
-  end
-  b.dragged[up], b.dragImpulse[up] = not goes, impulse
-  return impulse, mass
-end
-
--- Returns the same for all that stands on k, and on those that are welded to it.
-local function needOnRing(b, k, axis, v)
-  local impulse, mass, member = 0, 0, k ---@type number, number, number
+-- Lists all that goes along with k, and with those that are welded to it, behind place `last`, but
+-- for slot `except`, which is pushed itself. Returns the last place then, and the mass of all.
+local function listRing(b, k, axis, except, last)
+  local member, all = k, 0 ---@type number, number
   repeat
-    impulse, mass = needOn(b, (member - axis) / 2, axis, v, impulse, mass)
-    member = b.weldNext[member]
+    local top, mass = tower.list(b, (member - axis) / 2, axis, except, last)
+    last, all, member = top, all + mass, b.weldNext[member]
   until member == k or member == 0
-  return impulse, mass
+  return last, all
 end
 
 -- Returns the speed to try after v px/s, which takes too large an impulse by `excess`, and the new
@@ -97,13 +63,14 @@ local function tryNext(v, new, excess, least, most)
   return (new <= least or new >= most) and (least + most) * 0.5 or new, least, most
 end
 
--- Returns the speed at which `up` goes on, given an impulse, with all that stands on it: where that
--- takes what is left.
-local function draggedSpeed(b, up, axis, impulse)
-  local own, before = b.mass[up], b.speed[2 * up + axis]
+-- Returns the speed at which the one at place n of the list goes on, given an impulse, with all
+-- that stands on it: where that takes what is left.
+local function draggedSpeed(b, n, axis, impulse)
+  local up = b.tower[n]
+  local first, own, before = b.towerBegin[up], b.mass[up], b.speed[2 * up + axis]
   local v, least, most = before, -huge, huge
   for _ = 1, ROUNDS do
-    local taken, mass = needOn(b, up, axis, v, own * (v - before), own)
+    local taken, mass = tower.need(b, first, n - 1, axis, v, up, own * (v - before), own)
     local excess = taken - impulse
     local new = v - excess / mass
     if max(new - v, v - new) <= STILL then
@@ -115,32 +82,27 @@ local function draggedSpeed(b, up, axis, impulse)
 end
 
 -- Returns the speed at which two go on that run into each other, with inverse masses `wl`, `wh`,
--- and all that stands on them: where the impulses of all add up to nothing.
-local function commonSpeed(b, kl, kh, axis, wl, wh)
+-- and all that stands on them, of masses `onL`, `onH`: where the impulses of all add up to nothing.
+-- Then what `tower.need` has told at this speed (but for rounding) of what is on either.
+local function commonSpeed(b, kl, kh, axis, wl, wh, onL, onH)
   local speedL, speedH = b.speed[kl], b.speed[kh]
-  if wl == 0 or wh == 0 then
-    return wl == 0 and speedL or speedH
+  local v, isFixed, least, most = wl == 0 and speedL or speedH, wl == 0 or wh == 0, -huge, huge
+  if not isFixed then
+    local allL, allH = 1 / wl + onL, 1 / wh + onH -- mostly all of it goes along
+    v = (speedL * allL + speedH * allH) / (allL + allH)
   end
-  local v, least, most = (speedL * wh + speedH * wl) / (wl + wh), -huge, huge
-  for _ = 1, ROUNDS do
-    local impulseL, massL = needOnRing(b, kl, axis, v)
-    local impulseH, massH = needOnRing(b, kh, axis, v)
+  local impulseL, massL, impulseH, massH ---@type number, number, number, number
+  for _ = 1, isFixed and 1 or ROUNDS do
+    impulseL, massL = tower.need(b, 1, b.loadSplit, axis, v, 0, 0, 0)
+    impulseH, massH = tower.need(b, b.loadSplit + 1, b.loadCount, axis, v, 0, 0, 0)
     local excess = (v - speedL) / wl + (v - speedH) / wh + impulseL + impulseH
     local new = v - excess / (1 / wl + 1 / wh + massL + massH)
-    if max(new - v, v - new) <= STILL then
-      return new
+    if isFixed or max(new - v, v - new) <= STILL then
+      break
     end
     v, least, most = tryNext(v, new, excess, least, most)
   end
-  return v
-end
-
--- Returns the inverse mass of k (`w`; 0: it does not give way) with all that goes along with it
--- at v px/s, and by how much the others make it slower, px/s.
-local function weigh(b, k, axis, w, v)
-  local impulse, mass = needOnRing(b, k, axis, v)
-  local all = w > 0 and 1 / (1 / w + mass) or 0
-  return all, (impulse - mass * (v - b.speed[k])) * all
+  return v, impulseL, massL, impulseH, massH
 end
 
 --- Loads two that close at v px/s across gravity, and overlap by `o` px at the end of a step of
@@ -148,9 +110,19 @@ end
 --- whole step. Returns their inverse masses, v and o as they are then, and whether anything goes
 --- along.
 function cargo.load(b, kl, kh, axis, wl, wh, v, o, dt)
-  local common = commonSpeed(b, kl, kh, axis, wl, wh)
-  local allL, lossL = weigh(b, kl, axis, wl, common)
-  local allH, lossH = weigh(b, kh, axis, wh, common)
+  local split, onL = listRing(b, kl, axis, (kh - axis) / 2, 0)
+  local count, onH = listRing(b, kh, axis, (kl - axis) / 2, split)
+  if count == 0 then
+    return wl, wh, v, o, false
+  end
+  b.loadSplit, b.loadCount = split, count
+  local common, impulseL, massL, impulseH, massH = commonSpeed(b, kl, kh, axis, wl, wh, onL, onH)
+  -- Who does not give way (0) is heavy enough as it is.
+  local allL = wl > 0 and 1 / (1 / wl + massL) or 0
+  local allH = wh > 0 and 1 / (1 / wh + massH) or 0
+  -- By how much the others make the two slower, px/s.
+  local lossL = (impulseL - massL * (common - b.speed[kl])) * allL
+  local lossH = (impulseH - massH * (common - b.speed[kh])) * allH
   local closing = v - lossL + lossH
   if closing <= 0 then
     return wl, wh, v, o, false -- they are apart then, but for what they overlap already
@@ -158,55 +130,43 @@ function cargo.load(b, kl, kh, axis, wl, wh, v, o, dt)
   local share = b.pushFirst and 0 or dt * 0.5
   b.speed[kl], b.speed[kh] = b.speed[kl] - lossL, b.speed[kh] - lossH
   b.to[kl], b.to[kh] = b.to[kl] - lossL * share, b.to[kh] - lossH * share
+  b.loadSpeed = common
   return allL, allH, closing, o + (lossH - lossL) * share, true
 end
 
--- Whether two went at the same speed when the step began.
-local function beganAlike(b, k, m)
-  local velocity, carried = b.velocity, b.carried
-  return velocity[k] + carried[k] == velocity[m] + carried[m]
+-- Drags along the one at place n of the list, which friction cannot bring to the speed of what it
+-- stands on, in a step of dt s. What it can give has been noted (see `tower.need`).
+local function drag(b, n, axis, dt)
+  local up = b.tower[n]
+  local k, impulse = 2 * up + axis, b.dragImpulse[up]
+  local before, v = b.speed[k], draggedSpeed(b, n, axis, impulse)
+  local way = (v - before) * dt * 0.5
+  tower.need(b, b.towerBegin[up], n - 1, axis, v, up, 0, 0) -- for what stands on it
+  b.speed[k], b.to[k] = v, b.to[k] + way
+  b.gripUsed[up] = b.gripUsed[up] + impulse
+  b.groundSpeed[up], b.taken[up] = b.speed[2 * b.goesWith[up] + axis], b.step
+  b.dragFrom[up], b.dragWay[up] = before, way
+  return path.change(b, up)
 end
 
--- Takes along, as far as friction can, all that stands on slot i, which moved at v px/s before, and
--- has come to go `way` px further in a step of dt s. What they need has been noted (see `need`).
-local function take(b, i, axis, v, way, dt)
-  local m, up = 2 * i + axis, b.cargo[i]
-  local new = b.speed[m]
-  while up ~= 0 do
-    local k = 2 * up + axis
-    if isLoose(b, up, i, axis) then
-      local before, impulse, isDragged = b.speed[k], b.dragImpulse[up], b.dragged[up]
-      if isDragged then
-        b.speed[k] = draggedSpeed(b, up, axis, impulse)
-        needOn(b, up, axis, b.speed[k], 0, 0) -- for what stands on it
-      else
-        b.speed[k], b.accel[k] = new, b.accel[m]
-      end
-      local was = b.to[k]
-      if not isDragged and beganAlike(b, k, m) then
-        b.to[k] = b.from[k] + (b.to[m] - b.from[m]) -- to the bit
-      else
-        local goesAlike = not isDragged and before == v
-        b.to[k] = was + (goesAlike and way or (b.speed[k] - before) * dt * 0.5)
-      end
-      b.gripUsed[up] = b.gripUsed[up] + impulse
-      b.groundSpeed[up], b.taken[up] = new, b.step
-      path.change(b, up)
-      take(b, up, axis, before, b.to[k] - was, dt)
-    end
-    up = b.nextCargo[up]
+--- Takes along all that stands on one of the two that were loaded last, or on those that are welded
+--- to it, as far as friction can: on k, the one with the larger coordinate (`isHigh`) or the other,
+--- which moved at v px/s before, and goes `way` px further in a step of dt s now.
+function cargo.follow(b, k, isHigh, axis, v, way, dt)
+  local first, last = 1, b.loadSplit
+  if isHigh then
+    first, last = last + 1, b.loadCount
   end
-end
-
---- Takes along all that stands on k, and on those that are welded to it: they moved at v px/s
---- before, and go `way` px further in a step of dt s now.
-function cargo.follow(b, k, axis, v, way, dt)
-  local member = k
-  needOnRing(b, k, axis, b.speed[k])
-  repeat
-    take(b, (member - axis) / 2, axis, v, way, dt)
-    member = b.weldNext[member]
-  until member == k or member == 0
+  local u = b.speed[k] - b.loadSpeed
+  if max(u, -u) > STILL then -- friction has borne a part of the push since
+    tower.need(b, first, last, axis, b.speed[k], 0, 0, 0)
+  end
+  b.dragFrom[0], b.dragWay[0] = v, way
+  local n = tower.take(b, first, last, axis, dt)
+  while n >= first do
+    drag(b, n, axis, dt)
+    n = tower.take(b, first, n - 1, axis, dt)
+  end
 end
 
 -- Whether slot i slides on what it stands on, and something may go along with it.
@@ -221,66 +181,27 @@ function cargo.isDue(b, lo, hi, kl, kh)
   return slides(b, lo, kl) or slides(b, hi, kh)
 end
 
--- Whether `up`, which stands on slot i, goes as the tower does, at v px/s.
-local function isPart(b, up, i, axis, v)
-  return b.speed[2 * up + axis] == v and isLoose(b, up, i, axis)
-end
-
---- Mass of slot i and of all on it that go as it does, at v px/s.
-function cargo.massOf(b, i, axis, v)
-  local mass, up = b.mass[i], b.cargo[i]
-  while up ~= 0 do
-    if isPart(b, up, i, axis, v) then
-      mass = mass + cargo.massOf(b, up, axis, v)
-    end
-    up = b.nextCargo[up]
-  end
-  return mass
-end
-
---- Returns the lowest one of the tower that slides as a whole, slot i with it, and the mass of that
---- tower; 0: there is none.
-function cargo.tower(b, i, axis)
+--- Lists the tower that slides as a whole, slot i with it, behind place `last`. Returns the last
+--- place then, the lowest one, and the mass of all; `last`, 0, 0: there is none.
+function cargo.listTower(b, i, axis, last)
   local v = b.speed[2 * i + axis]
   local low = b.goesWith[i]
   while low ~= 0 and b.ground[i] == low and b.speed[2 * low + axis] == v do
-    if not isLoose(b, i, low, axis) then
-      return 0, 0
+    if b.level[i] <= b.level[low] or not cargo.isFree(b, 2 * i + axis) then
+      return last, 0, 0
     end
     i, low = low, b.goesWith[low]
   end
   local rubs = b.level[i] > 0 and (low == 0 or b.ground[i] == low)
   if b.stuck[i] > 0 or not rubs or not cargo.isFree(b, 2 * i + axis) then
-    return 0, 0
+    return last, 0, 0
   end
-  return i, cargo.massOf(b, i, axis, v)
-end
-
---- Whether friction can hold the tower on slot i, which goes at v px/s, together if it becomes
---- faster by `gain`, as `low`, a part of it, gets an impulse, under a weight. Returns that, the
---- mass of this part of it, and whether `low` is in that.
-function cargo.holds(b, i, axis, v, gain, low, impulse, weight)
-  local mass, hasLow, up = b.mass[i], i == low, b.cargo[i]
-  while up ~= 0 do
-    if isPart(b, up, i, axis, v) then
-      local isHeld, its, isIt = cargo.holds(b, up, axis, v, gain, low, impulse, weight)
-      local used = b.gripUsed[up] + its * gain - (isIt and impulse or 0)
-      local most = b.grip[up] + (isIt and b.stickiness[up] * weight or 0)
-      if not isHeld or max(used, -used) > most * (1 + ROUNDING) then
-        return false, mass, hasLow
-      end
-      mass = mass + its
-      if isIt then
-        hasLow = true
-      end
-    end
-    up = b.nextCargo[up]
-  end
-  return true, mass, hasLow
+  local top, mass = tower.listParts(b, i, axis, v, last)
+  return top, i, mass
 end
 
 --- Lets slot i alone go on at `new` px/s, `way` px further, with an acceleration: what stands on it
---- slides, unless that goes on, too.
+--- slides.
 function cargo.go(b, i, axis, new, way, accel)
   local k, up = 2 * i + axis, b.cargo[i]
   while up ~= 0 do
@@ -289,39 +210,6 @@ function cargo.go(b, i, axis, new, way, accel)
   end
   b.speed[k], b.to[k], b.accel[k] = new, b.to[k] + way, accel
   path.change(b, i)
-end
-
---- Lets the tower on slot i do that: it goes on at `new` px/s instead of v, `way` px further, with
---- an acceleration. Returns the mass of this part of it, and whether `low` is in that.
-function cargo.move(b, i, axis, v, new, way, accel, low, impulse)
-  local mass, hasLow, up = b.mass[i], i == low, b.cargo[i]
-  while up ~= 0 do
-    if isPart(b, up, i, axis, v) then
-      local its, isIt = cargo.move(b, up, axis, v, new, way, accel, low, impulse)
-      b.gripUsed[up] = b.gripUsed[up] + its * (new - v) - (isIt and impulse or 0)
-      mass = mass + its
-      if isIt then
-        hasLow = true
-      end
-    end
-    up = b.nextCargo[up]
-  end
-  cargo.go(b, i, axis, new, way, accel)
-  return mass, hasLow
-end
-
---- Notes that the tower on slot i has stopped: all of it goes at v px/s now, as its ground does,
---- and `way` px in this step. Who has not moved otherwise goes that way to the bit.
-function cargo.stop(b, i, axis, v, way)
-  local k, up = 2 * i + axis, b.cargo[i]
-  while up ~= 0 do
-    if isPart(b, up, i, axis, v) then
-      cargo.stop(b, up, axis, v, way)
-    end
-    up = b.nextCargo[up]
-  end
-  grip.settle(b, k, b.from[k] + way)
-  b.stuck[i] = 1
 end
 
 return cargo

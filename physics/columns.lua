@@ -96,8 +96,15 @@ local SLOT = {
   nextCargo = 0, -- another one that stands where this does
   goesWith = 0, -- on what that is
   taken = 0, -- step in which it was taken along so
-  dragged = false, -- friction could not bring it to the speed it was last asked for (see cargo)
+  dragged = false, -- friction could not bring it to the speed it was last asked for (see tower)
   dragImpulse = 0, -- what it could give then
+  dragFrom = 0, -- the speed that it had before, px/s
+  dragWay = 0, -- and how much further it goes now, px
+  towerBegin = 0, -- place in the list at which what stands on it begins
+  towerMass = 0, -- mass of it, with all on it that is in the list
+  towerThrough = 0, -- 1: who gets an impulse stands on the tower through it
+  sum = 0, -- what those on it have added up to, while the list is walked: an impulse
+  sumMass = 0, -- and a mass
   changedMark = 0,
   watched = 0, -- step in which it touches somebody with whom it has no turn
   lastFooting = 0, -- its place among the footings when it last leant on somebody, 0: never
@@ -368,6 +375,11 @@ function columns.new()
     oddCount = 0, -- all
     oddSeen = 0, -- of these, how many have been looked at when the step began
     hasFlanksBegun = false, -- the turns of this round have come to the flanks
+    tower = {}, -- scratch of cargo and friction: who stands on somebody (see tower)
+    towerOn = {}, -- on whom
+    loadSplit = 0, -- place behind which those begin who stand on the higher one of two
+    loadCount = 0,
+    loadSpeed = 0, -- px/s, for which it was told last what those need
     sortFrom = {}, -- scratch of turns
     sortTo = {},
     sortDigit = {},
@@ -439,6 +451,7 @@ function columns.new()
   -- Slot 0 is nobody, that of pairs that were taken apart: less than nothing, so it meets nobody.
   b.object[0], b.awake[0], b.rank[0], b.time[0] = false, false, 0, 0
   b.head[0], b.next[0], b.previous[0], b.weldMass[0], b.stuck[0] = 0, 0, 0, 0, 0
+  b.dragFrom[0], b.dragWay[0], b.sum[0], b.sumMass[0] = 0, 0, 0, 0
   for k = 0, 1 do
     b.from[k], b.to[k], b.speed[k], b.size[k] = 0, 0, 0, -1
   end

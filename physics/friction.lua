@@ -10,6 +10,7 @@ local columns = require(here .. ".columns")
 local grip = require(here .. ".grip")
 local path = require(here .. ".path")
 local ring = require(here .. ".ring")
+local tower = require(here .. ".tower")
 local weld = require(here .. ".weld")
 
 require(here .. ".interpreted").file()
@@ -224,6 +225,13 @@ local function addAccel(b, ku, kw, wu, wl, gainU, gainL, tau, isTogether)
   end
 end
 
+-- Lets a tower go on at `new` px/s instead of v, `way` px further, with an acceleration, as a part
+-- of it gets an impulse (see `tower.move`).
+local function moveTower(b, first, last, axis, v, new, way, accel, impulse)
+  tower.move(b, first, last, axis, new, new - v, way, accel, impulse)
+  tower.tell(b, first, last, new)
+end
+
 local weighOnTower -- defined below
 
 -- The tower on slot `base` slides over one that slides, too: the impulse jn of a weight on it lets
@@ -231,26 +239,27 @@ local weighOnTower -- defined below
 local function rubTowers(b, base, axis, jn, share, tau)
   local k, ground = 2 * base + axis, b.ground[base]
   local m = 2 * ground + axis
-  local low, lowMass = cargo.tower(b, ground, axis)
+  local lowLast, low, lowMass = cargo.listTower(b, ground, axis, 0)
   if low == 0 then
     return
   end
-  local v, lowSpeed = b.speed[k], b.speed[m]
-  local mass, slip = cargo.massOf(b, base, axis, v), v - lowSpeed
+  local v, lowSpeed, first = b.speed[k], b.speed[m], lowLast + 1
+  local last, mass = tower.listParts(b, base, axis, v, lowLast)
+  tower.markThrough(b, ground, low)
+  local slip = v - lowSpeed
   local needed, limit = max(slip, -slip) / (1 / mass + 1 / lowMass), b.stickiness[base] * jn
   local impulse = (slip > 0 and -1 or 1) * min(needed, limit)
   local gain, lowGain, stops = impulse / mass, -impulse / lowMass, needed <= limit
   if
-    cargo.holds(b, base, axis, v, gain, 0, 0, 0)
-    and cargo.holds(b, low, axis, lowSpeed, lowGain, ground, -impulse, 0)
+    tower.holds(b, first, last, gain, 0, 0) and tower.holds(b, 1, lowLast, lowGain, -impulse, 0)
   then
     local common = (b.accel[k] * mass + b.accel[m] * lowMass) / (mass + lowMass)
     local accel = stops and common or b.accel[k] + gain * (1 - share) / tau
     local lowAccel = stops and common or b.accel[m] + lowGain * (1 - share) / tau
     local new, lowNew = v + gain, stops and v + gain or lowSpeed + lowGain
     local part = tau * (0.5 + 0.5 * share)
-    cargo.move(b, low, axis, lowSpeed, lowNew, lowGain * part, lowAccel, ground, -impulse)
-    cargo.move(b, base, axis, v, new, gain * part, accel, 0, 0)
+    moveTower(b, 1, lowLast, axis, lowSpeed, lowNew, lowGain * part, lowAccel, -impulse)
+    moveTower(b, first, last, axis, v, new, gain * part, accel, 0)
     b.gripUsed[base] = b.gripUsed[base] + impulse
   end
   return weighOnTower(b, low, axis, jn, share, tau)
@@ -261,7 +270,8 @@ end
 local function brakeTower(b, base, axis, jn, share, tau)
   local k, ground = 2 * base + axis, b.ground[base]
   local v, m = b.speed[k], 2 * ground + axis
-  local mass, limit = cargo.massOf(b, base, axis, v), b.stickiness[base] * jn
+  local last, mass = tower.listParts(b, base, axis, v, 0)
+  local limit = b.stickiness[base] * jn
   local slip = v - b.groundSpeed[base]
   local amount, sign = max(slip, -slip), slip > 0 and -1 or 1
   local isBorne = b.inverseMass[ground] > 0 -- by friction under that
@@ -269,7 +279,7 @@ local function brakeTower(b, base, axis, jn, share, tau)
     limit = min(limit, grip.left(b, ground, sign))
   end
   local gain = sign * min(amount, limit / mass)
-  local isWhole = cargo.holds(b, base, axis, v, gain, 0, 0, 0)
+  local isWhole = tower.holds(b, 1, last, gain, 0, 0)
   if not isWhole then
     mass = b.mass[base]
     gain = sign * min(amount, limit / mass)
@@ -278,7 +288,7 @@ local function brakeTower(b, base, axis, jn, share, tau)
   local accel = stops and b.accel[m] or b.accel[k] + gain * (1 - share) / tau
   local new, way = stops and b.groundSpeed[base] or v + gain, gain * tau * (0.5 + 0.5 * share)
   if isWhole then
-    cargo.move(b, base, axis, v, new, way, accel, 0, 0)
+    moveTower(b, 1, last, axis, v, new, way, accel, 0)
   else
     cargo.go(b, base, axis, new, way, accel)
   end
@@ -287,7 +297,10 @@ local function brakeTower(b, base, axis, jn, share, tau)
     grip.give(b, ground, gain * mass)
   end
   if stops then
-    cargo.stop(b, base, axis, new, grip.goal(b, base, ground, k, m, new, tau) - b.from[k])
+    -- (Who went as fast as the ground does before has stopped with it.)
+    last = tower.listParts(b, base, axis, new, 0)
+    local goal = grip.goal(b, base, ground, k, m, new, tau)
+    tower.stop(b, 1, last, axis, goal - b.from[k])
   end
 end
 
@@ -299,10 +312,10 @@ function weighOnTower(b, base, axis, jn, share, tau)
   return brakeTower(b, base, axis, jn, share, tau)
 end
 
--- `up` rubs on `low`, a part of a tower of this mass that slides on slot `base`: they share what is
--- between them, then its weight brakes the tower. Returns false, and changes nothing,
--- if the case is another one.
-local function rubOnTower(b, up, low, base, mass, ku, kw, mu, jn, share, tau)
+-- `up` rubs on `low`, a part of a tower of this mass that slides on slot `base` (see
+-- `cargo.listTower`): they share what is between them, then its weight brakes the tower. Returns
+-- false, and changes nothing, if the case is another one.
+local function rubOnTower(b, up, low, last, base, mass, ku, kw, mu, jn, share, tau)
   if not cargo.isFree(b, ku) or b.surfaceSpeed[low] ~= 0 or tau <= 0 then
     return false
   end
@@ -311,7 +324,8 @@ local function rubOnTower(b, up, low, base, mass, ku, kw, mu, jn, share, tau)
   local stop, way, start = slide(u, a, tau, mu * jn * w * share, mu * jn * w * (1 - share))
   local impulse = (stop - u) / w
   local gain = -impulse / mass
-  if not cargo.holds(b, base, axis, v, gain, low, -impulse, jn) then
+  tower.markThrough(b, low, base)
+  if not tower.holds(b, 1, last, gain, -impulse, jn) then
     return false
   end
   grip.weighOn(b, low, jn)
@@ -319,7 +333,7 @@ local function rubOnTower(b, up, low, base, mass, ku, kw, mu, jn, share, tau)
   -- The relative acceleration from now on: none, if they go together.
   local da = (stop == 0 and 0 or (stop - start) / tau) - a
   local accel = b.accel[kw] - da / mass / w
-  cargo.move(b, base, axis, v, v + gain, -dWay / mass / w, accel, low, -impulse)
+  moveTower(b, 1, last, axis, v, v + gain, -dWay / mass / w, accel, -impulse)
   b.speed[ku] = stop == 0 and b.speed[kw] or b.speed[ku] + impulse * wu
   b.to[ku] = b.to[ku] + dWay * wu / w
   b.accel[ku] = stop == 0 and accel or b.accel[ku] + da * wu / w
@@ -333,8 +347,8 @@ end
 -- `up` rubs on `low`, which slides on something rough itself.
 local function rubOnSliding(b, lo, hi, tl, th, up, low, ku, kw, mu, jn, share, tau, t)
   if t == 0 then
-    local base, mass = cargo.tower(b, low, kw - 2 * low)
-    if base ~= 0 and rubOnTower(b, up, low, base, mass, ku, kw, mu, jn, share, tau) then
+    local last, base, mass = cargo.listTower(b, low, kw - 2 * low, 0)
+    if base ~= 0 and rubOnTower(b, up, low, last, base, mass, ku, kw, mu, jn, share, tau) then
       return
     end
   end

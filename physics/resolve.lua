@@ -372,10 +372,10 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   ring.follow(b, kl, to[kl] - oldL, t)
   ring.follow(b, kh, to[kh] - oldH, t)
   if isLoaded and wl ~= 0 then
-    cargo.follow(b, kl, axis, speedL, to[kl] - oldL, dt)
+    cargo.follow(b, kl, false, axis, speedL, to[kl] - oldL, dt)
   end
   if isLoaded and wh ~= 0 then
-    cargo.follow(b, kh, axis, speedH, to[kh] - oldH, dt)
+    cargo.follow(b, kh, true, axis, speedH, to[kh] - oldH, dt)
   end
   if flush and (dv > 0 or isStuck) and b.met[p] >= WELDS and wl > 0 and wh > 0 then
     weld.join(b, kl, kh)

@@ -89,6 +89,7 @@ build = {
     ["physics.tiled.report"] = "physics/tiled/report.lua",
     ["physics.tiled.tilelayer"] = "physics/tiled/tilelayer.lua",
     ["physics.tiled.tileset"] = "physics/tiled/tileset.lua",
+    ["physics.tower"] = "physics/tower.lua",
     ["physics.turns"] = "physics/turns.lua",
     ["physics.typed"] = "physics/typed.lua",
     ["physics.types"] = "physics/types.lua",
