@@ -51,15 +51,16 @@ local MOST_NUDGES = 4
 local NONE = columns.NO_EVENT
 
 -- How firmly the one that supports a pair stands: what never gives way first, then by how far down
--- it is (along gravity), so that a stack is resolved from the floor up. Across gravity it is the
--- right-hand one as gravity sees it, so that a scene may be turned.
+-- (along gravity) the face of the other one is that leans on it, so that a stack is resolved from
+-- the floor up, and all that somebody stands on comes together. Across gravity the right-hand one
+-- supports, as gravity sees it, so that a scene may be turned.
 local function supportOf(b, low, high, axis)
   if b.kind[low] ~= DYNAMIC or b.kind[high] ~= DYNAMIC then
     return columns.FIRM
   elseif b.orientation[axis] < 0 then
-    return -b.from[2 * low + axis]
+    return -b.from[2 * high + axis]
   end
-  return b.from[2 * high + axis] + b.size[2 * high + axis]
+  return b.from[2 * low + axis] + b.size[2 * low + axis]
 end
 
 -- What decides the order of events: moment, kind, `round` (or how often the pair was resolved),

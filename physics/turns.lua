@@ -119,7 +119,7 @@ local function weigh(b, axis, first, last)
   local from, size, isUp, seen = b.from, b.size, b.orientation[axis] < 0, b.turnSeen
   for x = first, last do
     local up, low = ups[x], lows[x]
-    local one, other, m = rank[up], rank[low], 2 * low + axis
+    local one, other, m = rank[up], rank[low], 2 * up + axis
     local upGives, lowGives = GIVES[kind[up]], GIVES[kind[low]]
     local bothGive = upGives * lowGives
     local ahead = min(one, other) * bothGive + one * (1 - lowGives) + other * (lowGives - bothGive)
@@ -131,9 +131,9 @@ local function weigh(b, axis, first, last)
   end
 end
 
--- Writes into `digit` how far down each is, as a whole number below `limit`: 0 for what leans on
--- something immovable, then from the lowest up. Returns false if nearly all do, as in levels: then
--- the others need no digits.
+-- Writes into `digit` how far down each is (see `meet`), as a whole number below `limit`: 0 for
+-- what leans on something immovable, then from the lowest up. Returns false if nearly all do, as in
+-- levels: then the others need no digits.
 local function quantize(b, first, last, limit)
   local support, digit = b.turnSupport, b.sortDigit
   local lowest, highest, count = -FIRM, FIRM, 0

@@ -125,6 +125,45 @@ describe("who stands on two floors that rub differently", function()
   end
 end)
 
+describe("a box that slides on two stacks", function()
+  --   60 ->+--+       gravity 800, friction 0.9 where it is under more of it, and so bears its
+  --      +--+--+      weight: braked by 720 px/s². The other one is as high, but one crate, and
+  --      |  +--+      smoother.
+  --     =========
+  for _, rate in ipairs({ 30, 60, 144, 240 }) do
+    for _, way in ipairs({ 1, -1 }) do
+      for first = 1, 2 do
+        local text = "is braked by the one under more of it, the %s one, at %d Hz, to the %s"
+        local order, side = first == 1 and "first" or "last", way > 0 and "right" or "left"
+        it(text:format(order, rate, side), function()
+          local world = physics.newWorld({ gravity = 800 })
+          local function add(x, y, height, friction)
+            local box = { x = way > 0 and x or -16 - x, y = y, width = 16, height = height }
+            box.friction = friction
+            return world:add("boxes", box)
+          end
+          world:add("floors", { x = -900, y = 116, width = 1800, height = 16, static = true })
+          local smooth = first == 2 and add(-16, 84, 32, 0.1)
+          local low, high = add(0, 100, 16, 0.9), add(0, 84, 16, 0.9)
+          smooth = smooth or add(-16, 84, 32, 0.1)
+          local box = add(-4, 68, 16, 0.9)
+          world:update(1 / rate)
+          box.vx = 60 * way
+          for _ = 1, rate do
+            world:update(1 / rate)
+          end
+          assert.near(-4 + 60 ^ 2 / 1440, way > 0 and box.x or -16 - box.x, 1e-9)
+          assert.equal(0, box.vx)
+          for x, other in pairs({ [0] = low, [-16] = smooth }) do
+            assert.equal(way > 0 and x or -16 - x, other.x)
+          end
+          assert.equal(low.x, high.x)
+        end)
+      end
+    end
+  end
+end)
+
 describe("a box that runs into a crate next to it", function()
   --  100 ->+--+--+     gravity 800, friction 0.5; they go on together at 50 px/s. Alone they are
   --        +--+--+     braked by 400 px/s². What stands on the crate slides, and takes 800 from the
