@@ -86,13 +86,19 @@ local function stick(b, up, low, ku, kl, mu, impulse, sign)
   end
   b.stuck[up], b.stickiness[up], b.grip[up] = 1, mu, b.grip[up] + mu * impulse
   b.ground[up], b.groundSpeed[up], b.level[up] = low, b.speed[kb], b.level[low] + 1
-  b.to[ka] = b.from[ka] + (b.to[kb] - b.from[kb])
+  b.to[ka], b.changes[ka] = b.from[ka] + (b.to[kb] - b.from[kb]), b.changes[ka] + 1
   return true
 end
 
 -- What is left of u when its amount is less by `loss`, which does not turn it round. No branches.
 local function lessen(u, loss)
   return max(u - loss, 0.0) + min(u + loss, 0.0)
+end
+
+-- Whether k, or m, is pushed by one that cannot be pushed back.
+local function isBacked(b, k, m)
+  local backedLow, backedHigh = b.backedLow, b.backedHigh
+  return backedLow[k] or backedHigh[k] or backedLow[m] or backedHigh[m]
 end
 
 -- Friction between two that both slide, and are pulled alike: the simple half of `friction`.
@@ -104,7 +110,7 @@ local function slideTogether(b, up, low, ku, kl, limit, share, sign, dt)
   local wu, wl = b.inverseMass[up], b.inverseMass[low]
   local held = heldLow[ka] + heldHigh[ka] + heldLow[kb] + heldHigh[kb]
   local strange = strangeness(b, low, ku, ka, kb, sign) + b.grip[low] + weld[kb] + held
-  if strange + b.stuck[low] > 0 or wl == 0 then
+  if strange + b.stuck[low] > 0 or wl == 0 or (b.hasBacked and isBacked(b, ka, kb)) then
     return false
   end
   local to, speed, changes = b.to, b.speed, b.changes

@@ -1502,6 +1502,73 @@ local FOUND = {
       },
     },
   },
+  {
+    -- Friction in the pass of footings did not ask who is backed.
+    "who leans on one that cannot be pushed is not dragged into it by what lands on it",
+    {
+      settings = { gravity = 0 },
+      acts = {
+        { "add", 10, "tiles", { height = 10, static = true, width = 10, x = -10, y = 80 } },
+        { "add", 26, "crates", { friction = 1, height = 8, mass = 3, width = 8, x = 7, y = 72 } },
+        {
+          "add",
+          32,
+          2.5,
+          { friction = 1, height = 10, pushable = false, width = 10, x = 7.75, y = 70 },
+        },
+        {
+          "insert",
+          41,
+          "boxes",
+          { friction = 1, height = 10, vx = 130, vy = 200, width = 10, x = -50, y = -10 },
+        },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "write", 41, { gravity = 400 } },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+      },
+    },
+  },
+  {
+    -- The pass of footings did not count that as a change of the way across.
+    "who goes along with what it stands on, as that stops in a later round, pushes whom it meets",
+    {
+      settings = {},
+      acts = {
+        { "insert", 9, "tiles", { height = 20, static = true, width = 20, x = 130, y = 320 } },
+        { "insert", 24, 2.5, { friction = 1, height = 20, width = 20, x = 134, y = 300 } },
+        {
+          "insert",
+          25,
+          "crates",
+          { friction = 1, height = 16, pushable = false, width = 20, x = 130, y = 300 },
+        },
+        { "insert", 26, 1, { friction = 1, height = 20, width = 20, x = 134, y = 300 } },
+        { "add", 32, 2.5, { height = 20, width = 16, x = 130, y = 270 } },
+        { "update", 0.016666666666666666 },
+        { "write", 24, { vx = -20, vy = -100 } },
+        { "update", 0.016666666666666666 },
+      },
+    },
+  },
 }
 
 describe("a random game has found that", function()
