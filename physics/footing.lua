@@ -97,8 +97,8 @@ end
 
 -- Whether k, or m, is pushed by one that cannot be pushed back.
 local function isBacked(b, k, m)
-  local backedLow, backedHigh = b.backedLow, b.backedHigh
-  return backedLow[k] or backedHigh[k] or backedLow[m] or backedHigh[m]
+  local low, high = b.backedLow, b.backedHigh
+  return b.hasBacked and (low[k] or high[k] or low[m] or high[m])
 end
 
 -- Friction between two that both slide, and are pulled alike: the simple half of `friction`.
@@ -110,7 +110,7 @@ local function slideTogether(b, up, low, ku, kl, limit, share, sign, dt)
   local wu, wl = b.inverseMass[up], b.inverseMass[low]
   local held = heldLow[ka] + heldHigh[ka] + heldLow[kb] + heldHigh[kb]
   local strange = strangeness(b, low, ku, ka, kb, sign) + b.grip[low] + weld[kb] + held
-  if strange + b.stuck[low] > 0 or wl == 0 or (b.hasBacked and isBacked(b, ka, kb)) then
+  if strange + b.stuck[low] > 0 or wl == 0 or isBacked(b, ka, kb) then
     return false
   end
   local to, speed, changes = b.to, b.speed, b.changes
@@ -129,8 +129,8 @@ local function slideTogether(b, up, low, ku, kl, limit, share, sign, dt)
   return true
 end
 
--- Whether one that cannot give way has something on it that can, nothing is welded, and they have
--- not met again and again.
+-- Whether one that cannot give way has something on it that can, nothing is welded or backed, and
+-- they have not met again and again.
 local function isSimple(b, p, up, low, ku, kl, held, upHeld)
   local weld, time = b.weld, b.time
   return held[kl] + (DYNAMIC - b.kind[low]) > 0
@@ -138,6 +138,7 @@ local function isSimple(b, p, up, low, ku, kl, held, upHeld)
     and weld[ku] + weld[kl] == 0
     and held[ku] + upHeld[ku] + upHeld[kl] == 0
     and time[up] + time[low] == 0
+    and not isBacked(b, ku, kl)
 end
 
 --- Puts `up` on `low`, who meet on `side` of the pair's first, as `resolve` would: flush, without a

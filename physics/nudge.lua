@@ -59,6 +59,8 @@ function nudge.try(b, i, j, axis, iIsLow, t)
   end
   path.advance(b, i, t)
   b.from[k], b.to[k] = b.from[k] + way, b.to[k] + way
+  -- Even if it is pushed back to where it was, it may get by in a longer step: no rest.
+  b.news[i] = true
   path.change(b, i)
   return true
 end
