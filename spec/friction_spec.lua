@@ -164,6 +164,43 @@ describe("a box that slides on two stacks", function()
   end
 end)
 
+describe("a stack that slides from under its highest box", function()
+  --          +--+      gravity 800; of mass 5, 5, 5 and 1, on a floor with 0.3. The highest one helps
+  --   120 <- +--+      to brake the others, so that the lowest can hold those on it: only together
+  --          +--+      they go as far as this.
+  --          +--+
+  --     ==============
+  it("goes as far as by hand", function()
+    local floor, top = 800 * math.sqrt(0.3 * 0.5), 800 * 0.9 -- px/s²
+    local brake = (16 * floor + top) / 15
+    local t = 120 / (brake + top) -- s, until all go at one speed
+    local v = top * t
+    local far = (120 + v) * t / 2 + v ^ 2 / (2 * floor)
+    for _, rate in ipairs({ 30, 60, 144, 240 }) do
+      for _, way in ipairs({ 1, -1 }) do
+        local world = physics.newWorld({ gravity = 800 })
+        world:add(
+          "floors",
+          { x = -900, y = 116, width = 1800, height = 16, static = true, friction = 0.3 }
+        )
+        local boxes = {}
+        for n, friction in ipairs({ 0.5, 0.3, 0.9, 0.9 }) do
+          boxes[n] = { x = 0, y = 116 - 16 * n, width = 16, height = 16, friction = friction }
+          boxes[n].mass, boxes[n].vx = n < 4 and 5 or 1, n < 4 and 120 * way or 0
+          world:add("boxes", boxes[n])
+        end
+        for _ = 1, rate do
+          world:update(1 / rate)
+        end
+        for n = 1, 3 do
+          assert.near(far, boxes[n].x * way, 2 / rate)
+          assert.equal(0, boxes[n].vx)
+        end
+      end
+    end
+  end)
+end)
+
 describe("a box that runs into a crate next to it", function()
   --  100 ->+--+--+     gravity 800, friction 0.5; they go on together at 50 px/s. Alone they are
   --        +--+--+     braked by 400 px/s². What stands on the crate slides, and takes 800 from the
@@ -738,8 +775,27 @@ end)
 describe("stacks that push each other", function()
   -- What comes of it cannot be worked out by hand any more: it is what very small steps lead to, as
   -- far as a step is long.
-  -- By column, from the lowest up: friction, mass, ax, vx.
+  -- By column, from the lowest up: friction, mass, ax, vx, height if it is not 16.
   local ROWS = {
+    ["a stack on a smooth box that runs into another box"] = {
+      floor = 0.9,
+      { { 0.1, 5, 0, 60 }, { 0.9, 1, 0, 60 }, { 0.9, 1, 0, 60 } },
+      { { 0.9, 2, 0, 0 } },
+    },
+    ["stacks driven by a heavy one that touches two of the first"] = {
+      floor = 0.5,
+      { { 0.5, 100, 3000, 200, 32 } },
+      { { 0.5, 1, 0, 0 }, { 0.3, 1, 0, 0 } },
+      { { 0.3, 1, 0, 0 }, { 0.5, 1, 0, 0 } },
+      { { 0.5, 1, 0, 0 } },
+    },
+    ["stacks driven by one that slides, and touches two of the first"] = {
+      floor = 0.1,
+      { { 0.5, 5, 3000, 200, 32 } },
+      { { 0.3, 1, 0, 0 }, { 0.3, 1, 0, 0 } },
+      { { 0.9, 1, 0, 0 }, { 0.9, 1, 0, 0 } },
+      { { 0.5, 1, 0, 0 }, { 0.5, 1, 0, 0 } },
+    },
     ["a stack of which the upper two slide as one"] = {
       floor = 0.9,
       { { 0.5, 5, 0, 120 }, { 0.5, 5, 0, 120 }, { 0.9, 5, 0, 120 } },
@@ -771,7 +827,8 @@ describe("stacks that push each other", function()
     )
     for column, stack in ipairs(row) do
       for level, own in ipairs(stack) do
-        local box = { y = 116 - 16 * level, width = 16, height = 16 }
+        local height = own[5] or 16
+        local box = { y = 132 - 16 * level - height, width = 16, height = height }
         box.x = way > 0 and 16 * column or -16 - 16 * column
         box.friction, box.mass, box.ax, box.vx = own[1], own[2], way * own[3], way * own[4]
         boxes[#boxes + 1] = world:add("boxes", box)
