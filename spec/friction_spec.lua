@@ -165,9 +165,9 @@ describe("a box that slides on two stacks", function()
 end)
 
 describe("a stack that slides from under its highest box", function()
-  --          +--+      gravity 800; of mass 5, 5, 5 and 1, on a floor with 0.3. The highest one helps
-  --   120 <- +--+      to brake the others, so that the lowest can hold those on it: only together
-  --          +--+      they go as far as this.
+  --          +--+      gravity 800; of mass 5, 5, 5 and 1, on a floor with 0.3. The highest one
+  --   120 <- +--+      helps to brake the others, so that the lowest can hold those on it: only
+  --          +--+      together they go as far as this.
   --          +--+
   --     ==============
   it("goes as far as by hand", function()
