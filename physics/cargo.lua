@@ -40,12 +40,24 @@ function cargo.isFree(b, k)
     and not (b.backedLow[k] or b.backedHigh[k])
 end
 
+--- Lets slot i alone go on at `new` px/s, `way` px further, with an acceleration: what stands on it
+--- slides.
+function cargo.go(b, i, axis, new, way, accel)
+  local k, up = 2 * i + axis, b.cargo[i]
+  while up ~= 0 do
+    b.groundSpeed[up] = new
+    up = b.nextCargo[up]
+  end
+  b.speed[k], b.to[k], b.accel[k] = new, b.to[k] + way, accel
+  path.change(b, i)
+end
+
 -- Lists all that goes along with k, and with those that are welded to it, behind place `last`, but
 -- for slot `except`, which is pushed itself. Returns the last place then, and the mass of all.
 local function listRing(b, k, axis, except, last)
   local member, all = k, 0 ---@type number, number
   repeat
-    local top, mass = tower.list(b, (member - axis) / 2, axis, except, last)
+    local top, mass = tower.list(b, (member - axis) / 2, axis, 0, except, last)
     last, all, member = top, all + mass, b.weldNext[member]
   until member == k or member == 0
   return last, all
@@ -149,6 +161,17 @@ local function drag(b, n, axis, dt)
   return path.change(b, up)
 end
 
+-- Takes along those in the list, who stand on what moved at v px/s before, and goes `way` px
+-- further in a step of dt s now; `root` stands for that.
+local function takeAll(b, root, first, last, axis, v, way, dt)
+  b.dragFrom[root], b.dragWay[root] = v, way
+  local n = tower.take(b, first, last, axis, dt)
+  while n >= first do
+    drag(b, n, axis, dt)
+    n = tower.take(b, first, n - 1, axis, dt)
+  end
+end
+
 --- Takes along all that stands on one of the two that were loaded last, or on those that are welded
 --- to it, as far as friction can: on k, the one with the larger coordinate (`isHigh`) or the other,
 --- which moved at v px/s before, and goes `way` px further in a step of dt s now.
@@ -161,12 +184,27 @@ function cargo.follow(b, k, isHigh, axis, v, way, dt)
   if max(u, -u) > STILL then -- friction has borne a part of the push since
     tower.need(b, first, last, axis, b.speed[k], 0, 0, 0)
   end
-  b.dragFrom[0], b.dragWay[0] = v, way
-  local n = tower.take(b, first, last, axis, dt)
-  while n >= first do
-    drag(b, n, axis, dt)
-    n = tower.take(b, first, n - 1, axis, dt)
+  return takeAll(b, 0, first, last, axis, v, way, dt)
+end
+
+--- Gives slot i, which is braked over `tau` s to a speed of `least` px/s at the lowest, up to an
+--- impulse, of which a `share` acts at once; what stands on it goes along as far as friction can.
+--- Returns the impulse that it takes, and whether it has that speed now, with an acceleration of
+--- `accel` px/s² then.
+function cargo.brake(b, i, axis, impulse, least, accel, share, tau)
+  local k, own, last = 2 * i + axis, b.mass[i], (tower.list(b, i, axis, i, 0, 0))
+  local before = b.speed[k]
+  b.tower[last + 1], b.towerOn[last + 1], b.towerBegin[i] = i, 0, 1
+  local taken = tower.need(b, 1, last, axis, least, i, own * (least - before), own)
+  local stops, new = taken / impulse <= 1, least
+  if not stops then
+    taken, new = impulse, draggedSpeed(b, last + 1, axis, impulse)
   end
+  local gain = new - before
+  local way = gain * tau * (0.5 + 0.5 * share)
+  cargo.go(b, i, axis, new, way, stops and accel or b.accel[k] + gain * (1 - share) / tau)
+  takeAll(b, i, 1, last, axis, before, way, tau * (1 + share))
+  return taken, stops
 end
 
 -- Whether slot i slides on what it stands on, and something may go along with it.
@@ -198,18 +236,6 @@ function cargo.listTower(b, i, axis, last)
   end
   local top, mass = tower.listParts(b, i, axis, v, last)
   return top, i, mass
-end
-
---- Lets slot i alone go on at `new` px/s, `way` px further, with an acceleration: what stands on it
---- slides.
-function cargo.go(b, i, axis, new, way, accel)
-  local k, up = 2 * i + axis, b.cargo[i]
-  while up ~= 0 do
-    b.groundSpeed[up] = new
-    up = b.nextCargo[up]
-  end
-  b.speed[k], b.to[k], b.accel[k] = new, b.to[k] + way, accel
-  path.change(b, i)
 end
 
 return cargo

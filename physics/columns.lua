@@ -34,6 +34,9 @@ columns.VAST = 1e300
 --- Keeps 0 / 0 out of what has no length: no more than that is added to what has one.
 columns.TINY = 1e-300
 
+--- Parts of a px to which the places of faces are told apart where contacts are sorted, a power of
+--- two: two that are flush are alike, however they were rounded.
+columns.FACES = 2 ^ 20
 --- How firmly whatever never gives way stands (see `turns`): more than any coordinate.
 columns.FIRM = 1e300
 

@@ -278,23 +278,18 @@ local function brakeTower(b, base, axis, jn, share, tau)
   if isBorne then
     limit = min(limit, grip.left(b, ground, sign))
   end
-  local gain = sign * min(amount, limit / mass)
-  local isWhole = tower.holds(b, 1, last, gain, 0, 0)
-  if not isWhole then
-    mass = b.mass[base]
-    gain = sign * min(amount, limit / mass)
+  local gain, floorSpeed = sign * min(amount, limit / mass), b.groundSpeed[base]
+  local impulse, stops, new = gain * mass, amount * mass <= limit, floorSpeed
+  if tower.holds(b, 1, last, gain, 0, 0) then
+    new = stops and floorSpeed or v + gain
+    local accel = stops and b.accel[m] or b.accel[k] + gain * (1 - share) / tau
+    moveTower(b, 1, last, axis, v, new, gain * tau * (0.5 + 0.5 * share), accel, 0)
+  elseif limit > 0 then
+    impulse, stops = cargo.brake(b, base, axis, sign * limit, floorSpeed, b.accel[m], share, tau)
   end
-  local stops = amount * mass <= limit
-  local accel = stops and b.accel[m] or b.accel[k] + gain * (1 - share) / tau
-  local new, way = stops and b.groundSpeed[base] or v + gain, gain * tau * (0.5 + 0.5 * share)
-  if isWhole then
-    moveTower(b, 1, last, axis, v, new, way, accel, 0)
-  else
-    cargo.go(b, base, axis, new, way, accel)
-  end
-  b.gripUsed[base] = b.gripUsed[base] + gain * mass
+  b.gripUsed[base] = b.gripUsed[base] + impulse
   if isBorne then
-    grip.give(b, ground, gain * mass)
+    grip.give(b, ground, impulse)
   end
   if stops then
     -- (Who went as fast as the ground does before has stopped with it.)

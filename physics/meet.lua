@@ -33,7 +33,7 @@ require(here .. ".interpreted").file()
 local meet = {}
 
 local floor, max = math.floor, math.max
-local DYNAMIC = columns.DYNAMIC
+local DYNAMIC, FACES = columns.DYNAMIC, columns.FACES
 local FACE, CORNER = approach.FACE, approach.CORNER
 
 -- Moments closer than this part of a step are simultaneous.
@@ -53,14 +53,15 @@ local NONE = columns.NO_EVENT
 -- How firmly the one that supports a pair stands: what never gives way first, then by how far down
 -- (along gravity) the face of the other one is that leans on it, so that a stack is resolved from
 -- the floor up, and all that somebody stands on comes together. Across gravity the right-hand one
--- supports, as gravity sees it, so that a scene may be turned.
+-- supports, as gravity sees it, so that a scene may be turned. Faces that are flush are alike, or
+-- rounding would decide who of two that one runs into is pushed first.
 local function supportOf(b, low, high, axis)
   if b.kind[low] ~= DYNAMIC or b.kind[high] ~= DYNAMIC then
     return columns.FIRM
-  elseif b.orientation[axis] < 0 then
-    return -b.from[2 * high + axis]
   end
-  return b.from[2 * low + axis] + b.size[2 * low + axis]
+  local face = b.orientation[axis] < 0 and -b.from[2 * high + axis]
+    or b.from[2 * low + axis] + b.size[2 * low + axis]
+  return floor(face * FACES + 0.5) / FACES
 end
 
 -- What decides the order of events: moment, kind, `round` (or how often the pair was resolved),

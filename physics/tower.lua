@@ -57,9 +57,10 @@ local function list(b, i, axis, v, most, root, except, last)
 end
 
 --- Lists all that goes along with slot i, if friction can take it, but for slot `except` with what
---- is on that. Returns the last place then, and the mass of all.
-function tower.list(b, i, axis, except, last)
-  return list(b, i, axis, 0, huge, 0, except, last)
+--- is on that. `root` stands for slot i in b.towerOn. Returns the last place then, and the mass of
+--- all.
+function tower.list(b, i, axis, root, except, last)
+  return list(b, i, axis, 0, huge, root, except, last)
 end
 
 --- Lists slot i, as the last, and of all on it those that go as it does, at v px/s, along an axis.

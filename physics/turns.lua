@@ -18,7 +18,7 @@ local oneway = require(here .. ".oneway")
 local turns = {}
 
 local DYNAMIC, GIVES = columns.DYNAMIC, columns.GIVES
-local EPSILON, FIRM = columns.EPSILON, columns.FIRM
+local EPSILON, FACES, FIRM = columns.EPSILON, columns.FACES, columns.FIRM
 local RANKS, UNSEEN = columns.RANKS, columns.UNSEEN
 local ceil, floor, huge, max, min = math.ceil, math.floor, math.huge, math.max, math.min
 
@@ -127,7 +127,8 @@ local function weigh(b, axis, first, last)
     local stand = 1 - min(max(stands, -stands), max(leans, -leans), 1)
     firsts[x], seconds[x] = ahead - RANKS * stand * bothGive, one + other - ahead - RANKS * stand
     seen[x] = UNSEEN
-    support[x] = (isUp and -from[m] or from[m] + size[m]) * bothGive + FIRM * (1 - bothGive)
+    local face = isUp and -from[m] or from[m] + size[m]
+    support[x] = floor(face * FACES + 0.5) / FACES * bothGive + FIRM * (1 - bothGive)
   end
 end
 

@@ -164,6 +164,63 @@ describe("a box that slides on two stacks", function()
   end
 end)
 
+describe("a tall box that hits a stack in the middle of a step", function()
+  -- The same one of the two is pushed first at every rate, from either side: it is not for rounding
+  -- to decide whose face is met first, as both are. (Where they are at 4800 Hz.)
+  for _, rate in ipairs({ 30, 60, 144 }) do
+    for _, way in ipairs({ 1, -1 }) do
+      it(
+        ("pushes both as always, at %d Hz, to the %s"):format(rate, way > 0 and "left" or "right"),
+        function()
+          local world = physics.newWorld({ gravity = 800 })
+          local function add(x, y, width, height, vx, ax)
+            local box = { x = way > 0 and x or -x - width, y = y, width = width, height = height }
+            box.vx, box.ax, box.friction = way * vx, way * ax, 0.5
+            return world:add("boxes", box)
+          end
+          world:add("floors", { x = -1000, y = 0, width = 2000, height = 40, static = true })
+          local low, high = add(40, -15, 40, 15, 300, 0), add(40, -30, 40, 15, 300, 0)
+          add(260, -40, 20, 40, -300, -600)
+          for _ = 1, rate / 2 do
+            world:update(1 / rate)
+          end
+          assert.near(111.1, way > 0 and low.x or -low.x - 40, 2.5)
+          assert.near(115.9, way > 0 and high.x or -high.x - 40, 2.5)
+        end
+      )
+    end
+  end
+end)
+
+describe("a stack under a heavy box that slides off", function()
+  --   300 ->+--+      gravity 800; masses 1, 1 and 5, frictions 1, 1 and 0.5, floor 1: the highest
+  --         +--+      one slips, the two below stop together, by 5600 - 4000 * 0.5^0.5 for both.
+  --         +--+
+  --     ============
+  it("stops as a whole", function()
+    local far = 300 ^ 2 / (5600 - 4000 * math.sqrt(0.5))
+    for _, rate in ipairs({ 30, 60, 144, 480 }) do
+      for _, way in ipairs({ 1, -1 }) do
+        local world = physics.newWorld({ gravity = 800 })
+        local floor = { x = -1000, y = 0, width = 2000, height = 40, static = true, friction = 1 }
+        world:add("floors", floor)
+        local boxes = {}
+        for n, row in ipairs({ { -10, 10, 1, 1 }, { -20, 10, 1, 1 }, { -35, 15, 5, 0.5 } }) do
+          local box = { x = 0, y = row[1], width = 30, height = row[2], vx = 300 * way }
+          box.mass, box.friction = row[3], row[4]
+          boxes[n] = world:add("boxes", box)
+        end
+        for _ = 1, rate / 2 do
+          world:update(1 / rate)
+        end
+        assert.near(far, boxes[1].x * way, 10 / rate)
+        assert.near(boxes[1].x, boxes[2].x, 1e-9)
+        assert.equal(0, boxes[1].vx)
+      end
+    end
+  end)
+end)
+
 describe("a stack that slides from under its highest box", function()
   --          +--+      gravity 800; of mass 5, 5, 5 and 1, on a floor with 0.3. The highest one
   --   120 <- +--+      helps to brake the others, so that the lowest can hold those on it: only
