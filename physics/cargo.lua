@@ -18,7 +18,7 @@ require(here .. ".interpreted").file()
 
 local cargo = {}
 
-local huge, max = math.huge, math.max
+local huge, max, min = math.huge, math.max, math.min
 
 local ALL = grip.ALL
 local STILL = columns.STILL
@@ -187,24 +187,25 @@ function cargo.follow(b, k, isHigh, axis, v, way, dt)
   return takeAll(b, 0, first, last, axis, v, way, dt)
 end
 
---- Gives slot i, which is braked over `tau` s to a speed of `least` px/s at the lowest, up to an
---- impulse, of which a `share` acts at once; what stands on it goes along as far as friction can.
---- Returns the impulse that it takes, and whether it has that speed now, with an acceleration of
+--- Brakes slot i over `tau` s to v px/s, the speed of what it stands on, as far as an impulse of up
+--- to `limit` can, of which a `share` acts at once; what stands on it goes along as far as friction
+--- can. Returns the impulse that it takes, and whether it has that speed now; its acceleration is
 --- `accel` px/s² then.
-function cargo.brake(b, i, axis, impulse, least, accel, share, tau)
+function cargo.brake(b, i, axis, limit, v, accel, share, tau)
   local k, own, last = 2 * i + axis, b.mass[i], (tower.list(b, i, axis, i, 0, 0))
   local before = b.speed[k]
   b.tower[last + 1], b.towerOn[last + 1], b.towerBegin[i] = i, 0, 1
-  local taken = tower.need(b, 1, last, axis, least, i, own * (least - before), own)
-  local stops, new = taken / impulse <= 1, least
+  local needed, new = tower.need(b, 1, last, axis, v, i, own * (v - before), own), v
+  local impulse = max(min(needed, limit), -limit)
+  local stops = impulse == needed
   if not stops then
-    taken, new = impulse, draggedSpeed(b, last + 1, axis, impulse)
+    new = draggedSpeed(b, last + 1, axis, impulse)
   end
   local gain = new - before
   local way = gain * tau * (0.5 + 0.5 * share)
   cargo.go(b, i, axis, new, way, stops and accel or b.accel[k] + gain * (1 - share) / tau)
   takeAll(b, i, 1, last, axis, before, way, tau * (1 + share))
-  return taken, stops
+  return impulse, stops
 end
 
 -- Whether slot i slides on what it stands on, and something may go along with it.

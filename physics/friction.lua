@@ -285,7 +285,7 @@ local function brakeTower(b, base, axis, jn, share, tau)
     local accel = stops and b.accel[m] or b.accel[k] + gain * (1 - share) / tau
     moveTower(b, 1, last, axis, v, new, gain * tau * (0.5 + 0.5 * share), accel, 0)
   elseif limit > 0 then
-    impulse, stops = cargo.brake(b, base, axis, sign * limit, floorSpeed, b.accel[m], share, tau)
+    impulse, stops = cargo.brake(b, base, axis, limit, floorSpeed, b.accel[m], share, tau)
   end
   b.gripUsed[base] = b.gripUsed[base] + impulse
   if isBorne then
