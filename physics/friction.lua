@@ -266,7 +266,8 @@ local function rubTowers(b, base, axis, jn, share, tau)
 end
 
 -- The tower on slot `base` slides over what stands fast, and is braked there by what the impulse jn
--- of a weight on it adds to its friction; or if it would not hold together, only its lowest one is.
+-- of a weight on it adds to its friction; if it would not hold together, its lowest one is, and the
+-- others go along as far as friction can take them.
 local function brakeTower(b, base, axis, jn, share, tau)
   local k, ground = 2 * base + axis, b.ground[base]
   local v, m = b.speed[k], 2 * ground + axis
@@ -279,9 +280,9 @@ local function brakeTower(b, base, axis, jn, share, tau)
     limit = min(limit, grip.left(b, ground, sign))
   end
   local gain, floorSpeed = sign * min(amount, limit / mass), b.groundSpeed[base]
-  local impulse, stops, new = gain * mass, amount * mass <= limit, floorSpeed
+  local impulse, stops = gain * mass, amount * mass <= limit
   if tower.holds(b, 1, last, gain, 0, 0) then
-    new = stops and floorSpeed or v + gain
+    local new = stops and floorSpeed or v + gain
     local accel = stops and b.accel[m] or b.accel[k] + gain * (1 - share) / tau
     moveTower(b, 1, last, axis, v, new, gain * tau * (0.5 + 0.5 * share), accel, 0)
   elseif limit > 0 then
@@ -293,8 +294,8 @@ local function brakeTower(b, base, axis, jn, share, tau)
   end
   if stops then
     -- (Who went as fast as the ground does before has stopped with it.)
-    last = tower.listParts(b, base, axis, new, 0)
-    local goal = grip.goal(b, base, ground, k, m, new, tau)
+    last = tower.listParts(b, base, axis, floorSpeed, 0)
+    local goal = grip.goal(b, base, ground, k, m, floorSpeed, tau)
     tower.stop(b, 1, last, axis, goal - b.from[k])
   end
 end
