@@ -40,18 +40,6 @@ function cargo.isFree(b, k)
     and not (b.backedLow[k] or b.backedHigh[k])
 end
 
---- Lets slot i alone go on at `new` px/s, `way` px further, with an acceleration: what stands on it
---- slides.
-function cargo.go(b, i, axis, new, way, accel)
-  local k, up = 2 * i + axis, b.cargo[i]
-  while up ~= 0 do
-    b.groundSpeed[up] = new
-    up = b.nextCargo[up]
-  end
-  b.speed[k], b.to[k], b.accel[k] = new, b.to[k] + way, accel
-  path.change(b, i)
-end
-
 -- Lists all that goes along with k, and with those that are welded to it, behind place `last`, but
 -- for slot `except`, which is pushed itself. Returns the last place then, and the mass of all.
 local function listRing(b, k, axis, except, last)
@@ -187,6 +175,18 @@ function cargo.follow(b, k, isHigh, axis, v, way, dt)
   return takeAll(b, 0, first, last, axis, v, way, dt)
 end
 
+-- Lets slot i alone go on at `new` px/s, `way` px further, with an acceleration: what stands on it
+-- slides, unless it is taken along.
+local function go(b, i, axis, new, way, accel)
+  local k, up = 2 * i + axis, b.cargo[i]
+  while up ~= 0 do
+    b.groundSpeed[up] = new
+    up = b.nextCargo[up]
+  end
+  b.speed[k], b.to[k], b.accel[k] = new, b.to[k] + way, accel
+  path.change(b, i)
+end
+
 --- Brakes slot i over `tau` s to v px/s, the speed of what it stands on, as far as an impulse of up
 --- to `limit` can, of which a `share` acts at once; what stands on it goes along as far as friction
 --- can. Returns the impulse that it takes, and whether it has that speed now; its acceleration is
@@ -203,7 +203,7 @@ function cargo.brake(b, i, axis, limit, v, accel, share, tau)
   end
   local gain = new - before
   local way = gain * tau * (0.5 + 0.5 * share)
-  cargo.go(b, i, axis, new, way, stops and accel or b.accel[k] + gain * (1 - share) / tau)
+  go(b, i, axis, new, way, stops and accel or b.accel[k] + gain * (1 - share) / tau)
   takeAll(b, i, 1, last, axis, before, way, tau * (1 + share))
   return impulse, stops
 end
