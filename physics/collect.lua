@@ -275,16 +275,18 @@ end
 
 -- The slots of everything in a group that is not static, in order.
 local function listGroup(b, record)
-  local movers, slots, kind, n = record.movers, record.slots, b.kind, 0
-  for m = 1, record.count do
+  local movers, places, slots, kind = record.movers, record.moverPlaces, record.slots, b.kind
+  local first, n = record.newFrom, #movers
+  while n > 0 and places[n] >= record.sameUntil do
+    movers[n] = nil
+    first, n = record.sameUntil, n - 1
+  end
+  for m = first, record.count do
     local i = slots[m]
     if kind[i] > STATIC then
       n = n + 1
-      movers[n] = i
+      movers[n], places[n] = i, m
     end
-  end
-  for m = #movers, n + 1, -1 do
-    movers[m] = nil
   end
   record.isListed = true
 end
@@ -573,7 +575,7 @@ function collect.refresh(b, i)
   markMoved(b, i)
   rest.wake(b, i)
   view.refresh(b, object)
-  b.group[i].isListed = false
+  roster.relist(b.group[i])
   b.newcomers = true
 end
 

@@ -16,6 +16,8 @@ local roster = {}
 local sort = table.sort
 local GROUP_SPAN = 4294967296 -- ranks per group
 local FEW = 64 -- objects of a group that are counted each time
+-- So many may have left a group, and who stays is found where it is now without being read anew.
+local MOST_GAPS = 32
 
 local function comesBefore(a, b)
   local numberA, numberB = type(a) == "number", type(b) == "number"
@@ -25,12 +27,18 @@ local function comesBefore(a, b)
   return a < b
 end
 
+-- Keeps none of its keys alive.
+local function newWeak()
+  return setmetatable({}, { __mode = "k" })
+end
+
 --- Returns an empty roster. `groups` are the records in order: a record is
---- `{ name, source, direct, index, list, slots, keys, count, plain, stale, first }`, where `source`
---- is the game's table (the object itself if `direct`), `list` who was in it and `slots` theirs,
---- `plain` says that the keys are just 1 to `count`, and `mixed` that they once were others, or out
---- of order. A stale one differs from place `first` of the list on; what is there now waits in
---- `tail`.
+--- `{ name, source, direct, index, list, slots, keys, count, plain, stale, first, follows, gaps,
+--- gapCount }`, where `source` is the game's table (the object itself if `direct`), `list` who was
+--- in it and `slots` theirs, `plain` says that the keys are just 1 to `count`, and `mixed` that
+--- they once were others, or out of order. Of a stale one those before place `follows` of the list
+--- stand before place `first` of the table now, in the same order, without those at the places in
+--- `gaps`; what is behind them now waits in `tail`.
 function roster.new()
   return {
     source = false,
@@ -45,8 +53,8 @@ function roster.new()
     seen = {}, -- by slot: the stamp of the last update that has found it in a stale group
     stamp = 0,
     -- Objects that came through `add` and have not been read yet: their `touching`, their group.
-    given = setmetatable({}, { __mode = "k" }),
-    groupGiven = setmetatable({}, { __mode = "k" }),
+    given = newWeak(),
+    groupGiven = newWeak(),
   }
 end
 
@@ -93,8 +101,27 @@ local function hasJust(record, count)
   return next(source, count) == nil or countKeys(source) == count
 end
 
--- The place from which on a group does not hold what was read last; nil: it does. Numbered objects
--- cost one comparison each; a raw one, since the objects of a game may be "equal" by a metamethod.
+-- The first place, from n on, at which a numbered group does not hold who stood `gap` places
+-- further on in the list; behind the list if there is none. One comparison an object; a raw one,
+-- since the objects of a game may be "equal" by a metamethod.
+local function firstOther(source, list, count, n, gap)
+  -- (Without a metatable every access is a raw one, and needs no call.)
+  local isRaw = getmetatable(source) == nil
+  for at = n, count - gap do
+    local object
+    if isRaw then
+      object = source[at]
+    else
+      object = rawget(source, at)
+    end
+    if not rawequal(object, list[at + gap]) then
+      return at
+    end
+  end
+  return count - gap + 1
+end
+
+-- The place from which on a group does not hold what was read last; nil: it does.
 local function firstChange(record)
   if record.direct then
     return nil
@@ -109,20 +136,29 @@ local function firstChange(record)
     end
     return countKeys(source) ~= count and 1 or nil
   end
-  -- (Without a metatable every access is a raw one, and needs no call.)
-  local isRaw = getmetatable(source) == nil
-  for n = 1, count do
-    local object
-    if isRaw then
-      object = source[n]
-    else
-      object = rawget(source, n)
+  local n = firstOther(source, list, count, 1, 0)
+  return (n <= count or not hasJust(record, count)) and n or nil
+end
+
+-- Looks who has left a numbered group that holds another one at place `first`: those behind who has
+-- left follow each other as before.
+local function findGaps(record)
+  local source, list, count, gaps = record.source, record.list, record.count, record.gaps
+  local n, gap = record.first, 0
+  local object = rawget(source, n)
+  while n + gap <= count and object ~= nil do
+    local more = gap
+    repeat
+      more = more + 1
+      gaps[more] = n + more - 1
+    until more >= MOST_GAPS or rawequal(list[n + more], object)
+    if not rawequal(list[n + more], object) then
+      break
     end
-    if not rawequal(object, list[n]) then
-      return n
-    end
+    n, gap = firstOther(source, list, count, n + 1, more), more
+    object = gap < MOST_GAPS and rawget(source, n) or nil
   end
-  return not hasJust(record, count) and count + 1 or nil
+  record.first, record.follows, record.gapCount = n, n + gap, gap
 end
 
 local function haveGroupsChanged(self, objects)
@@ -171,15 +207,27 @@ local function newRecord(name, source)
     keys = {},
     count = 0,
     plain = true,
-    movers = {}, -- see collect
+    movers = {}, -- these two: see collect
+    moverPlaces = {},
     isListed = false,
+    sameUntil = 1,
+    newFrom = 1,
     mixed = false,
     stale = true,
     first = 1,
+    follows = 1,
+    gaps = {},
+    gapCount = 0,
     tail = {},
     tailSlots = {},
     tailCount = 0,
   }
+end
+
+--- Says that it is not known any more who of a group are movers. When they are listed, those before
+--- place `sameUntil` are who they were, and those from there to `newFrom` were in the group, too.
+function roster.relist(record)
+  record.isListed, record.sameUntil, record.newFrom = false, 1, 1
 end
 
 --- Returns how the game would write the place of an object.
@@ -240,6 +288,7 @@ local function readKeys(record)
     tail[at] = rawget(source, keys[at])
   end
   record.newKeys, record.first, record.tailCount = keys, 1, n
+  record.follows, record.gapCount = 1, 0
 end
 
 -- Reads who is in a group from `first` on; changes nothing else.
@@ -285,7 +334,7 @@ end
 -- same order, with one missing now and then.
 local function matchTail(b, record)
   local tail, slots, list, known = record.tail, record.tailSlots, record.list, record.slots
-  local objects, slotOf, m = b.object, b.slotOf, record.first
+  local objects, slotOf, m = b.object, b.slotOf, record.follows
   for n = 1, record.tailCount do
     local object, slot = tail[n], 0
     if rawequal(list[m], object) then
@@ -312,13 +361,33 @@ local function firstPlace(groups, object)
   end
 end
 
+-- Where somebody who stood under a key stands in its group now; nil: it left, or is read anew.
+local function placeNow(record, key)
+  if not record.stale then
+    return key
+  elseif record.follows == 1 or key >= record.follows then
+    return nil -- (keys that are no numbers: all are read anew)
+  end
+  local place = key
+  for n = 1, record.gapCount do
+    if record.gaps[n] == key then
+      return nil
+    elseif record.gaps[n] < key then
+      place = place - 1
+    end
+  end
+  return place
+end
+
 -- Somebody in the tail who is known must stand nowhere else.
 local function checkKnown(b, self, groups, record, n, slot)
   local object, owner, seen = record.tail[n], b.group[slot], self.seen
   if seen[slot] == self.stamp then
     failTwice(object, firstPlace(groups, object), tailPlace(record, n))
-  elseif not owner.stale or (owner.first > 1 and b.key[slot] < owner.first) then
-    failTwice(object, roster.place(owner, b.key[slot]), tailPlace(record, n))
+  end
+  local place = placeNow(owner, b.key[slot])
+  if place then
+    failTwice(object, roster.place(owner, place), tailPlace(record, n))
   end
   seen[slot] = self.stamp
 end
@@ -354,6 +423,36 @@ local function checkMembers(b, self, groups)
   end
 end
 
+-- Moves those that stand at places `first` to `last` now up by `gap` places in the list.
+local function moveUp(b, record, first, last, gap)
+  local list, slots, rank, key = record.list, record.slots, b.rank, b.key
+  local base = record.index * GROUP_SPAN
+  for n = first, last do
+    local slot = slots[n + gap]
+    list[n], slots[n] = list[n + gap], slot
+    key[slot], rank[slot] = n, base + n
+  end
+end
+
+-- Closes the gaps that those who have left leave in the list.
+local function closeGaps(b, record)
+  local gaps, count = record.gaps, record.gapCount
+  for gap = 1, count do
+    local last = gap < count and gaps[gap + 1] or record.follows
+    moveUp(b, record, gaps[gap] - gap + 1, last - 1 - gap, gap)
+  end
+end
+
+-- For whom `collect` must look when it lists the movers of a group.
+local function noteChange(record)
+  local isListed, gaps = record.isListed, record.gapCount
+  roster.relist(record)
+  if isListed then
+    record.sameUntil = gaps > 0 and record.gaps[1] or record.follows
+    record.newFrom = record.first
+  end
+end
+
 -- Puts the tail into the list.
 local function takeTail(record)
   local list, slots, tail, tailSlots = record.list, record.slots, record.tail, record.tailSlots
@@ -367,7 +466,8 @@ local function takeTail(record)
     list[n], slots[n] = nil, nil
   end
   record.keys, record.plain = record.newKeys or {}, not record.newKeys
-  record.count, record.isListed = count, false
+  record.count = count
+  noteChange(record)
 end
 
 -- Gives the known members of a record their keys, ranks and group; lists those who are in another
@@ -376,7 +476,7 @@ local function applyKnown(b, self, record, rename)
   local slots, keys, plain = record.slots, record.keys, record.plain
   local moved, isRenamed = self.moved, self.isRenamed
   local rank, key, groups, base = b.rank, b.key, b.group, record.index * GROUP_SPAN
-  local last = 0
+  local last = base + record.follows - 1 -- the rank of the last one before them, or a larger one
   for n = record.first, record.count do
     local slot = slots[n]
     if slot ~= 0 then
@@ -429,14 +529,21 @@ local function leaveHalf(b, self, leave)
   end
 end
 
+-- Whoever stood at place n of a stale record and is in none now leaves.
+local function leaveIfMissing(b, self, record, n, leave)
+  local slot = record.slots[n]
+  if self.seen[slot] ~= self.stamp and rawequal(b.object[slot], record.list[n]) then
+    leave(b, slot)
+  end
+end
+
 -- Whoever was in a stale record and is in none now leaves.
 local function leaveMissing(b, self, record, leave)
-  local list, slots, objects, seen = record.list, record.slots, b.object, self.seen
-  for n = record.first, record.count do
-    local slot = slots[n]
-    if seen[slot] ~= self.stamp and rawequal(objects[slot], list[n]) then
-      leave(b, slot)
-    end
+  for n = 1, record.gapCount do
+    leaveIfMissing(b, self, record, record.gaps[n], leave)
+  end
+  for n = record.follows, record.count do
+    leaveIfMissing(b, self, record, n, leave)
   end
 end
 
@@ -473,11 +580,29 @@ local function markStale(groups)
   for n = 1, #groups do
     local record = groups[n]
     -- One that is stale already is new, or was left half done by an error.
-    record.first = record.stale and 1 or firstChange(record)
-    record.stale = record.first ~= nil
-    any = any or record.stale
+    local isNew, change = record.stale, 1 ---@type boolean, integer?
+    if not isNew then
+      change = firstChange(record)
+    end
+    record.stale, any = change ~= nil, any or change ~= nil
+    record.first, record.follows, record.gapCount = change or 1, change or 1, 0
+    if change and record.plain and not isNew then
+      findGaps(record)
+    end
   end
   return any
+end
+
+-- Those who came through `add` have been read.
+local function forgetGiven(self)
+  local given, groupGiven, n = self.given, self.groupGiven, 0
+  for object in next, groupGiven, nil do
+    given[object], groupGiven[object], n = nil, nil, n + 1
+  end
+  -- Many leave a large table behind, and it takes long to see that it is empty.
+  if n > FEW then
+    self.groupGiven = newWeak()
+  end
 end
 
 --- Compares the game's tables with what was seen last and reports what changed, nothing if the
@@ -504,7 +629,7 @@ function roster.update(b, self, objects, enter, leave, rename, reorder)
   local gone = {}
   for _, record in ipairs(self.groups) do
     if byName[record.name] ~= record then
-      record.stale, record.first = true, 1
+      record.stale, record.first, record.follows, record.gapCount = true, 1, 1, 0
       gone[#gone + 1] = record
     end
   end
@@ -525,6 +650,7 @@ function roster.update(b, self, objects, enter, leave, rename, reorder)
   applyGroups(b, self, objects, groups, byName, reorder)
   for _, record in ipairs(groups) do
     if record.stale then
+      closeGaps(b, record)
       takeTail(record)
     end
   end
@@ -541,9 +667,7 @@ function roster.update(b, self, objects, enter, leave, rename, reorder)
     end
   end
   self.reorder = false
-  for object in pairs(self.groupGiven) do
-    self.given[object], self.groupGiven[object] = nil, nil
-  end
+  forgetGiven(self)
   return true
 end
 
@@ -595,14 +719,28 @@ function roster.look(b, self, objects)
   return records
 end
 
---- Returns the key under which an object stands in its group's table now, or nil.
-function roster.find(source, object, hint)
-  if hint ~= nil and rawequal(source[hint], object) then
-    return hint
-  end
-  for key, value in next, source, nil do
-    if rawequal(value, object) then
+-- Where an object stands that stood under a number: there, or before that if others have left.
+local function findBefore(source, object, hint)
+  for key = hint, 1, -1 do
+    if rawequal(rawget(source, key), object) then
       return key
+    end
+  end
+end
+
+--- Returns the key under which an object stands in its group's table now, or nil. `hint`: it may be
+--- that one, or one before it.
+function roster.find(source, object, hint)
+  local key = hint
+  if type(hint) == "number" then
+    key = findBefore(source, object, hint)
+  end
+  if key ~= nil and rawequal(source[key], object) then
+    return key
+  end
+  for other, value in next, source, nil do
+    if rawequal(value, object) then
+      return other
     end
   end
 end
@@ -630,6 +768,7 @@ interpreted.always(
   haveGroupsChanged,
   sortedNames,
   readKeys,
+  forgetGiven,
   roster.update,
   roster.find
 )

@@ -57,6 +57,42 @@ local function update(b, r, objects)
   return roster.update(b, r, objects, b.enter, b.leave, b.rename)
 end
 
+-- Where everybody stands: in which table, and as the how manieth.
+local function placesOf(objects)
+  local places = {}
+  for n, entry in ipairs(inOrder(objects)) do
+    places[entry.object] = { group = objects[entry.name], at = n }
+  end
+  return places
+end
+
+-- Who stands in the table in which it stood, behind one before which it stood.
+local function movedSince(places, objects)
+  local moved, last, group = {}, 0, nil
+  for _, entry in ipairs(inOrder(objects)) do
+    local old = places[entry.object]
+    if group ~= objects[entry.name] then
+      group, last = objects[entry.name], 0
+    end
+    if old and old.group == group then
+      moved[entry.object] = old.at < last or nil
+      last = math.max(last, old.at)
+    end
+  end
+  return moved
+end
+
+-- Updates, and looks whom the roster reports as moved.
+local function updateMoved(b, r, objects, places)
+  local expected, found = movedSince(places, objects), {}
+  roster.update(b, r, objects, b.enter, b.leave, b.rename, function(_, slot, isRenamed)
+    found[b.object[slot]] = not isRenamed or nil
+  end)
+  for _, entry in ipairs(inOrder(objects)) do
+    assert.equal(expected[entry.object], found[entry.object])
+  end
+end
+
 -- What is wrong with what the book has of an entry, which comes behind rank `last`; nil: nothing.
 local function problemOf(b, entry, last)
   local slot = b.slotOf[entry.object]
@@ -85,6 +121,13 @@ local function newObject()
   return { x = 0, y = 0, width = 1, height = 1 }
 end
 
+-- (A list with a hole may end before it.)
+local function removeAt(list, n)
+  if n <= #list then
+    table.remove(list, n)
+  end
+end
+
 -- What a game does to a group, by list.
 local EDITS = {
   function(list)
@@ -95,6 +138,20 @@ local EDITS = {
   end,
   function(list, random)
     table.insert(list, random:integer(1, #list), newObject())
+  end,
+  function(list, random) -- an explosion
+    for _ = 1, random:integer(2, 50) do
+      removeAt(list, random:integer(1, math.max(#list, 1)))
+    end
+  end,
+  function(list, random) -- some who stand side by side
+    local first = random:integer(1, #list)
+    for _ = 1, random:integer(2, 50) do
+      removeAt(list, first)
+    end
+  end,
+  function(list, random) -- goes to the end
+    table.insert(list, table.remove(list, random:integer(1, #list)))
   end,
   function(list, random) -- fills the hole with the last one
     list[random:integer(1, #list)] = list[#list]
@@ -168,10 +225,11 @@ describe("the roster", function()
       it(("knows everybody after any edits of groups of %d, seed %d"):format(size, seed), function()
         local random = newRandom(seed)
         local objects = fill(size, size < 64 and seed % 2 == 0 and random)
-        local b, r = newBook(function() end), roster.new()
+        local b, r, places = newBook(function() end), roster.new(), {}
         for _ = 1, 80 do
-          update(b, r, objects)
+          updateMoved(b, r, objects, places)
           assertKnows(b, objects)
+          places = placesOf(objects)
           for _ = 1, random:integer(0, 4) do
             edit(objects, random)
           end
@@ -246,6 +304,97 @@ describe("the roster", function()
     update(b, r, objects)
     assert.is_nil(rawget(b.slotOf, old))
     assert.equal(3, b.count)
+  end)
+
+  -- Passes the check, and fails when it is read.
+  local function newUnreadable()
+    local reads = 0
+    return setmetatable(newObject(), {
+      __index = function(_, field)
+        reads = reads + (field == "drag" and 1 or 0)
+        if reads == 2 then
+          error("does not want to be read again", 0)
+        end
+      end,
+    })
+  end
+
+  it("moves all but the static ones, whoever has left and come", function()
+    local random = newRandom(5)
+    local world, objects = physics.newWorld({ gravity = 800 }), {}
+    world.objects.tiles = objects
+    local function newAny(isBroken)
+      return {
+        x = random:integer(-1e6, 1e6),
+        y = 0,
+        width = isBroken and -1 or 1,
+        height = 1,
+        static = random:chance(0.9),
+      }
+    end
+    for n = 1, 200 do
+      objects[n] = newAny()
+    end
+    for step = 1, 400 do
+      for _ = 1, random:integer(0, 3) do
+        table.remove(objects, random:integer(1, #objects))
+      end
+      for _ = 1, random:integer(0, 3) do
+        table.insert(objects, random:chance(0.8) and #objects + 1 or 1, newAny())
+      end
+      if step % 20 == 0 then
+        objects[#objects + 1] = newAny(true)
+        assert.has_error(function()
+          world:update(1 / 60)
+        end)
+        objects[#objects] = nil
+        table.remove(objects, 1)
+      elseif step % 20 == 10 then
+        table.remove(objects, 1)
+        world.objects.zoo = { newUnreadable() } -- is read when the tiles are known
+        assert.has_error(function()
+          world:update(1 / 60)
+        end, "does not want to be read again")
+        world.objects.zoo = nil
+        table.remove(objects, #objects - 10)
+      elseif step % 30 == 7 then
+        local object = objects[random:integer(1, #objects)]
+        object.static = not object.static
+        world:refresh(object)
+      end
+      local before = {}
+      for n, object in ipairs(objects) do
+        before[n] = object.y
+      end
+      world:update(1 / 60)
+      for n, object in ipairs(objects) do
+        assert.equal(not object.static, object.y > before[n])
+      end
+    end
+  end)
+
+  it("names where one stands who has moved up, if it stands elsewhere, too", function()
+    for _, gone in ipairs({ { 2 }, { 2, 3 }, { 9, 2 } }) do
+      local objects = fill(100)
+      local b, r = newBook(function() end), roster.new()
+      update(b, r, objects)
+      local twice, again = objects.tiles[50], nil
+      for _, n in ipairs(gone) do
+        again = table.remove(objects.tiles, n)
+      end
+      objects.crates[101], objects.crates[102] = again, twice -- one may move, not both
+      assert.has_error(
+        function()
+          update(b, r, objects)
+        end,
+        "physics: objects.crates[102] is the same object as objects.tiles["
+          .. (50 - #gone)
+          .. "]: an object stands in one place, table was found in two"
+      )
+      objects.crates[102] = nil
+      update(b, r, objects)
+      assertKnows(b, objects)
+    end
   end)
 
   it("changes nothing when a newcomer is of no use", function()
