@@ -90,6 +90,11 @@ function carrier.ownVelocity(b, i, k, c, isNew)
   return v - c
 end
 
+--- Slot i is carried by nothing any more: its velocity is what it shows.
+function carrier.leave(b, i)
+  b.carrier[i], b.carried[2 * i], b.carried[2 * i + 1] = 0, 0, 0
+end
+
 --- Marks the riders of a slot that goes away, ceases to carry or to be in their way. (Who stands on
 --- one that carries nobody is seen to by `detect` when the two are parted.)
 function carrier.forget(b, c)

@@ -747,6 +747,91 @@ describe("riding", function()
     end)
   end)
 
+  describe("who is put elsewhere", function()
+    local function put(rider)
+      rider.x, rider.y = 300, -500
+    end
+
+    for name, reset in pairs({
+      ["by x and y"] = function(_, named)
+        put(named.rider)
+      end,
+      ["and refreshed"] = function(run, named)
+        put(named.rider)
+        run.world:refresh(named.rider.raw)
+      end,
+      ["and is taken out and put in again"] = function(run, named)
+        run.world:remove(named.rider.raw)
+        put(named.rider)
+        run.world:add("players", named.rider.raw)
+      end,
+      ["while it is switched off"] = function(run, named)
+        named.rider.raw.active = false
+        run:play(0.5)
+        put(named.rider)
+        named.rider.raw.active = true
+      end,
+      ["when the platform goes"] = function(run, named)
+        run.world:remove(named.platform.raw)
+        put(named.rider)
+      end,
+    }) do
+      it(name .. " is carried by nothing any more, and falls from rest", function()
+        scene.each(SOME, function(run)
+          local named = settled(run)
+          named.platform.vx, named.platform.vy = 50, -300
+          run:play(0.5)
+          reset(run, named)
+          for time in run:steps(0.5) do
+            run:at(named.rider, 300, -500 + 400 * time * time)
+            run:near("vx", named.rider.vx, 0)
+            run:near("vy", named.rider.vy, 800 * time)
+          end
+        end)
+      end)
+    end
+
+    it("where it stood, but switched off, is carried by nothing", function()
+      scene.each(SOME, function(run)
+        local named = settled(run)
+        named.platform.vx, named.platform.vy = 50, 300
+        named.rider.raw.active = false
+        run:play(0.5)
+        run:at(named.rider, 120, 376)
+        named.rider.raw.active = true
+        for time in run:steps(0.5) do
+          run:at(named.rider, 120, 376 + 400 * time * time)
+        end
+      end)
+    end)
+
+    it("on what carries it rides on", function()
+      scene.each(SOME, function(run)
+        local named = settled(run, { platform({ width = 500 }), rider() })
+        named.platform.vx, named.platform.vy = 50, -300
+        run:play(0.5)
+        named.rider.x = named.platform.x + 400
+        for _ in run:steps(0.5) do
+          rides(run, named.rider, named.platform, 400)
+        end
+      end)
+    end)
+
+    it("by less than its size jumps with the platform's velocity", function()
+      scene.each(SOME, function(run)
+        local named = settled(run)
+        named.platform.vx, named.platform.vy = 50, -100
+        run:play(0.5)
+        local x, y = named.rider.x, named.rider.y
+        named.rider.y = y - 2
+        named.rider.vy = -400
+        for time in run:steps(0.5) do
+          run:at(named.rider, x + 50 * time, y - 2 - 500 * time + 400 * time * time)
+        end
+      end)
+    end)
+  end)
+
   describe("when the platform goes away", function()
     local function falls(run, body, time, x)
       run:near("x", body.x, x + 60 * time)
