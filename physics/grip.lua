@@ -87,8 +87,15 @@ end
 --- step of dt s.
 function grip.hold(b, i, axis, dt)
   local k, low = 2 * i + axis, b.ground[i]
-  b.speed[k], b.stuck[i] = b.groundSpeed[i], 1
-  return grip.settle(b, k, grip.goal(b, i, low, k, 2 * low + axis, b.groundSpeed[i], dt))
+  local floorSpeed = b.groundSpeed[i]
+  local goal = grip.goal(b, i, low, k, 2 * low + axis, floorSpeed, dt)
+  b.speed[k], b.stuck[i] = floorSpeed, 1
+  -- Who stood when the step began has not moved.
+  if b.velocity[k] + b.carried[k] == floorSpeed then
+    b.to[k] = goal
+    return
+  end
+  return grip.settle(b, k, goal)
 end
 
 -- Whether friction may give slot i anything against going at v px/s.

@@ -475,6 +475,58 @@ describe("who leans on what friction holds", function()
   end)
 end)
 
+-- The two push as hard as each other, anew in every update, so nobody goes anywhere. One push comes
+-- first, and gave the one between more than the other took back: it crept by up to 9 px/s.
+--
+--     > [ ] <
+describe("who stands between two that press it", function()
+  local ROWS = {
+    { name = "a player", friction = 0.5, isWritten = true, speed = 60 },
+    { name = "a rough player", friction = 1, isWritten = true, speed = 60 },
+    {
+      name = "a rough player between rough ones",
+      friction = 1,
+      isWritten = true,
+      speed = 60,
+      on = 0.5,
+    },
+    { name = "a crate", friction = 0.5, speed = 150 },
+    { name = "a rough crate", friction = 1, speed = 150 },
+    { name = "a heavy crate", friction = 0.5, speed = 150, mass = 5 },
+    { name = "a crate with another on it", friction = 0.5, speed = 150, isLoaded = true },
+    { name = "a crate that they reach from afar", friction = 0.3, speed = 150, gap = 3 },
+  }
+  for _, row in ipairs(ROWS) do
+    for _, rate in ipairs({ 30, 60, 144 }) do
+      it(("goes nowhere: %s, at %d Hz"):format(row.name, rate), function()
+        local world = physics.newWorld({ gravity = 800 })
+        world:add("floors", { x = -500, y = 400, width = 1000, height = 16, static = true })
+        local box = world:add("boxes", { x = 0, y = 376, width = 24, height = 24, mass = row.mass })
+        local gap = row.gap or 0
+        local left = world:add("boxes", { x = -20 - gap, y = 380, width = 20, height = 20 })
+        local right = world:add("boxes", { x = 24 + gap, y = 380, width = 20, height = 20 })
+        box.friction, left.friction, right.friction = row.friction, row.on, row.on
+        if row.isLoaded then
+          world:add("boxes", { x = 4, y = 360, width = 16, height = 16, friction = row.friction })
+        end
+        for step = 1, rate do
+          box.vx = row.isWritten and 0 or box.vx
+          left.vx, right.vx = row.speed, -row.speed
+          world:update(1 / rate)
+          assert.near(0, box.x, 1e-9)
+          assert.near(0, box.vx, 1e-9)
+          if step > rate / 6 then
+            assert.equal(box.x - 20, left.x)
+            assert.equal(box.x + 24, right.x)
+            assert.equal(left, box.touching.left)
+            assert.equal(right, box.touching.right)
+          end
+        end
+      end)
+    end
+  end
+end)
+
 describe("a stack that slides over a rough floor", function()
   --  +--+ 200 ->      gravity 800, friction 0.5: it slows down by 400 px/s², as one box does, and
   --  +--+             lies after 200 / 400 s and 200² / 800 px
