@@ -434,6 +434,15 @@ local function isOneOff(a, b)
   return #a <= 1 and #b <= 1 or #a == 2 and a == b:reverse()
 end
 
+--- Tells whether one name was probably meant to be another: it differs by one slip at most, or only
+--- by capitals.
+---@param name string
+---@param known string
+---@return boolean
+function check.isSlip(name, known)
+  return isOneOff(name:lower(), known:lower())
+end
+
 --- Returns the name in a list that an unknown one was probably meant to be: it differs by one slip,
 --- or only by capitals.
 ---@param name any

@@ -234,8 +234,8 @@ fields.objects = {
     default = 0,
     unit = "px",
     min = 0,
-    meaning = "Corner correction: a hit that misses by at most this much slides around the corner,"
-      .. " never on the side that gravity presses.",
+    meaning = "Corner correction: a hit that misses by at most this much slides around the corner;"
+      .. " who lands on an edge is never moved off it.",
   },
   {
     name = "touching",

@@ -2,7 +2,8 @@
 --- with the setting `checked`; changes nothing, and reads the game's tables and the columns.
 --
 --   a static object that was changed by hand: it is read once, the change would never be seen
---   a field or setting whose name is one slip away from one that the library knows
+--   a field or setting whose name is one slip away from one that the library knows, and a mask
+--     that names a group which is so far from one of the world
 --   a mover so large that the grid's cells are of no use to it
 --   an object that stands in two worlds (both of them checked)
 
@@ -34,7 +35,13 @@ local MEANT = {
   isPushable = "pushable",
   weight = "mass",
   bounciness = "restitution",
+  elasticity = "restitution",
   damping = "airFriction",
+  linearDamping = "airFriction",
+  gravityScale = "gravity, in px/s²",
+  isTrigger = "sensor",
+  onCollide = "onBegin",
+  onCollision = "onBegin",
 }
 
 local function placeOf(b, i)
@@ -73,6 +80,39 @@ local function checkNames(seen, object, list, byName, b, i)
     if meant then
       refuseName(i and placeOf(b, i) or "world", name, meant)
     end
+  end
+end
+
+-- The group of the world that a name was probably meant to be; nil: none, or it is one. (It may
+-- also be that of a group that is still to come, so short ones are all left alone.)
+local function groupMeant(b, name)
+  if type(name) ~= "string" or #name < 4 then
+    return nil
+  elseif b.groupNumber[name] or b.world.objects[name] ~= nil then
+    return nil
+  end
+  for n = 1, #b.groupNames do
+    local known = b.groupNames[n]
+    if type(known) == "string" and #known > 3 and check.isSlip(name, known) then
+      return known
+    end
+  end
+end
+
+-- Looks at the groups that a mask names; `place` is how the game would write it.
+local function checkMask(b, mask, place)
+  for name in next, mask, nil do
+    local meant = groupMeant(b, name)
+    if meant then
+      check.fail(format("%s: there is no group %s, did you mean %s?", place, name, meant))
+    end
+  end
+end
+
+local function checkMasks(b, masks)
+  checkMask(b, masks, "world.masks")
+  for name, mask in next, masks, nil do
+    checkMask(b, mask, "world.masks." .. tostring(name))
   end
 end
 
@@ -199,6 +239,7 @@ function guard.run(world)
   b.guarded = b.guarded or { fields = {}, settings = {} }
   local seen = b.guarded
   checkNames(seen.settings, world, fields.settings, fields.settingByName, b)
+  checkMasks(b, world.masks or {})
   for i = 1, b.slots do
     local object = b.object[i]
     if object then
@@ -208,11 +249,14 @@ function guard.run(world)
       else
         checkMover(b, i, object)
       end
+      if object.mask then
+        checkMask(b, object.mask, placeOf(b, i) .. ".mask")
+      end
       checkOwner(b, i, object)
     end
   end
 end
 
-interpreted.always(checkNames)
+interpreted.always(checkNames, checkMask, checkMasks)
 
 return guard

@@ -72,7 +72,7 @@
 --- px/s, default 0. A conveyor: what stands on it is moved along x at this speed.
 ---@field surfaceSpeed? number
 --- px, >= 0, default 0. Corner correction: a hit that misses by at most this much slides around the
---- corner, never on the side that gravity presses.
+--- corner; who lands on an edge is never moved off it.
 ---@field nudge? number
 --- default none. Called once when a contact starts; side is the side of self that was hit, speed
 --- the approach speed in px/s.

@@ -374,7 +374,9 @@ end
 --- Errors: no table; another version; something in it that cannot be used.
 function verify.state(st)
   needTable(st, "state")
-  if st.version ~= state.VERSION then
+  if st.version == nil then
+    check.fail(WHERE .. "state must be what world:save() returns, got " .. show(st))
+  elseif st.version ~= state.VERSION then
     local expected = show(state.VERSION) .. " (it was saved by another version of the library)"
     refuse("state.version", expected, st.version)
   end

@@ -106,6 +106,9 @@ describe("a checked world", function()
     { "velocity", "vx and vy" },
     { "isStatic", "static" },
     { "weight", "mass" },
+    { "isTrigger", "sensor" },
+    { "gravityScale", "gravity, in px/s²" },
+    { "onCollision", "onBegin" },
   }) do
     it("takes " .. row[1] .. " for " .. row[2], function()
       local world, _, box = newWorld()
@@ -122,6 +125,27 @@ describe("a checked world", function()
     world.gravty = 0
     refusesStep(world, "world.gravty is no field of the library: did you mean gravity?")
     world.gravty = nil
+    world:update(DT)
+  end)
+
+  it("finds a mask that names a group which is not there, but one with nearly that name", function()
+    local world, _, box = newWorld()
+    local text = ": there is no group floor, did you mean floors?"
+    box.mask = { floor = false }
+    refusesStep(world, "objects.boxes[1].mask" .. text)
+    box.mask = nil
+    world.masks = { boxes = { floor = false } }
+    refusesStep(world, "world.masks.boxes" .. text)
+    world.masks = { floor = { boxes = false } }
+    refusesStep(world, "world.masks" .. text)
+    world.objects.floor = {} -- it is a group of its own, which is empty still
+    world:update(DT)
+    world.objects.floor = nil
+    world.masks = { Floors = { boxes = false } }
+    refusesStep(world, "world.masks: there is no group Floors, did you mean floors?")
+    world.masks = { coins = { bullets = false, boxs = true }, [7] = { floors = false } }
+    refusesStep(world, "world.masks.coins: there is no group boxs, did you mean boxes?")
+    world.masks = { coins = { bullets = false }, [7] = { floors = false } } -- may be still to come
     world:update(DT)
   end)
 

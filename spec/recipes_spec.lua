@@ -199,6 +199,18 @@ recipes["Water"] = function(snippet)
   g.run(0.1)
   assert.is_nil(g.player.gravity)
   assert.is_nil(g.player.airFriction)
+  -- From one water into the next: it swims on.
+  g.player.x, g.player.y, g.player.vx = 390, 320, 60
+  g.run(0.2)
+  assert.equal(2, g.player.waters)
+  while g.player.x < 400 do
+    g.player.vx = 60
+    g.run(DT)
+    assert.equal(100, g.player.gravity)
+  end
+  g.run(0.1)
+  assert.equal(1, g.player.waters)
+  assert.equal(100, g.player.gravity)
 end
 
 recipes["Knock-back"] = function(snippet)
@@ -225,6 +237,14 @@ recipes["Bullets"] = function(snippet)
   assert.equal(1, thin.health)
   assert.equal(0, #g.world.objects.bullets)
   assert.equal(40, g.player.x)
+  -- Two that stand on each other, both in the way: one of them is hit, neither is flung.
+  local low = g.world:add("enemies", { x = 300, y = 382, width = 16, height = 18 })
+  local high = g.world:add("enemies", { x = 300, y = 364, width = 16, height = 18 })
+  g.run(DT)
+  g.press("x")
+  g.run(0.5)
+  assert.equal(2, (low.health or 0) + (high.health or 0))
+  assert.is_true(low.x < 303 and high.x < 303)
 end
 
 recipes["Doors"] = function(snippet)
@@ -249,11 +269,12 @@ recipes["Doors"] = function(snippet)
 end
 
 recipes["Pressure plates"] = function(snippet)
-  local g = play(snippet, "weightOn(plate, {})")
+  local g =
+    play(snippet, "weightOf(select(1, world:overlapping(plate)), #world:overlapping(plate), {})")
   local plate, boxes = g.world.objects.plates[1], {}
   assert.equal(0, g.look())
   for i = 1, 2 do
-    boxes[i] = { x = 204, y = 392 - 16 * i, width = 16, height = 16 }
+    boxes[i] = { x = 204, y = 400 - 16 * i, width = 16, height = 16 }
     g.world:add("crates", boxes[i])
   end
   g.world:add("crates", { x = 260, y = 384, width = 16, height = 16, mass = 50 }) -- beside it
@@ -261,14 +282,38 @@ recipes["Pressure plates"] = function(snippet)
   assert.equal(2, g.look())
   assert.is_false(plate.isDown)
   -- On both of two: it counts once.
-  g.world:add("crates", { x = 224, y = 376, width = 16, height = 16 })
-  g.world:add("crates", { x = 214, y = 344, width = 16, height = 16, mass = 2 })
+  g.world:add("crates", { x = 224, y = 384, width = 16, height = 16 })
+  g.world:add("crates", { x = 214, y = 352, width = 16, height = 16, mass = 2 })
   g.run(0.5)
   assert.equal(5, g.look())
   assert.is_true(plate.isDown)
   g.world:remove(boxes[1])
   g.run(1)
   assert.equal(4, g.look())
+  -- Who walks over it does not stumble.
+  local walker = play(snippet)
+  walker.run(3, function()
+    walker.player.vx = 100
+  end)
+  assert.is_true(walker.player.x > 330)
+end
+
+recipes["Trains"] = function(snippet)
+  local g = play(snippet)
+  local train = g.world.objects.trains[1]
+  g.player.x, g.player.y = 100, 300
+  g.run(0.5)
+  assert.equal(train, g.player.touching.bottom)
+  for _, key in ipairs({ "space", "right" }) do
+    local along = g.player.x - train.x
+    g.press(key) -- a jump, and one with the key held
+    g.press("space")
+    g.run(1.1)
+    g.release("right")
+    assert.equal(train, g.player.touching.bottom)
+    local walked = key == "right" and 1.1 * 150 or 0
+    assert.near(along + walked, g.player.x - train.x, 6)
+  end
 end
 
 recipes["Lifts"] = function(snippet)

@@ -748,8 +748,8 @@ describe("riding", function()
   end)
 
   describe("who is put elsewhere", function()
-    local function put(rider)
-      rider.x, rider.y = 300, -500
+    local function put(view)
+      view.x, view.y = 300, -500
     end
 
     for name, reset in pairs({
