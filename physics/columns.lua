@@ -109,6 +109,7 @@ local SLOT = {
   sum = 0, -- what those on it have added up to, while the list is walked: an impulse
   sumMass = 0, -- and a mass
   changedMark = 0,
+  follows = 0, -- leader of the ring whose motion was all that changed the path; 0: not all
   watched = 0, -- step in which it touches somebody with whom it has no turn
   lastFooting = 0, -- its place among the footings when it last leant on somebody, 0: never
   lastFlank = 0, -- and among the flanks

@@ -225,6 +225,12 @@ function gather.apart(b)
   return count
 end
 
+-- Whether both have only followed the same ring since the changes began: they meet as they did.
+local function followAlike(b, i, j)
+  local follows, mark, stamp = b.follows, b.changedMark, b.changeStamp
+  return follows[i] ~= 0 and follows[i] == follows[j] and mark[i] == stamp and mark[j] == stamp
+end
+
 --- Lists the pairs of the objects in slots[first..last] that may meet on the present paths, and
 --- forgets the events of all their pairs, but for those that wait and, until `isAllSeen`, those
 --- that have turns. As long as `isInstant`, only pairs that touch are in question, and the events
@@ -239,6 +245,8 @@ function gather.objects(b, slots, first, last, count)
     if half == 0 then
       n = n + 1
       half = n <= last and head[slots[n]] or 0
+    elseif followAlike(b, slots[n], other[half]) then
+      half = nextHalf[half]
     else
       local p = floor(half * 0.5 + 0.5)
       if waits[p] > 0 then

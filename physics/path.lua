@@ -37,6 +37,7 @@ end
 
 --- Notes that the path of an object has changed.
 function path.change(b, i)
+  b.follows[i] = 0
   if b.kind[i] == DYNAMIC and b.changedMark[i] ~= b.changeStamp then
     local k, changes, isStale = 2 * i, b.changes, b.isTurnStale
     changes[k], changes[k + 1] = changes[k] + 1, changes[k + 1] + 1

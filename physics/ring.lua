@@ -67,17 +67,20 @@ local function countChanges(b, k)
   end
 end
 
--- Notes that the paths of the others have changed. (Whoever is welded is dynamic.)
-local function change(b, k)
+-- Notes that the paths of the others have changed, by that of `leader` alone. (Whoever is welded is
+-- dynamic.)
+local function change(b, k, leader)
   local changed, mark, stamp, count = b.changed, b.changedMark, b.changeStamp, b.changedCount
-  local weldNext, changes = b.weldNext, b.changes
+  local weldNext, changes, follows = b.weldNext, b.changes, b.follows
   local member = weldNext[k]
   while member ~= k and member ~= 0 do
     local i = floor(member * 0.5)
     if mark[i] ~= stamp then
       count = count + 1
-      mark[i], changed[count] = stamp, i
+      mark[i], changed[count], follows[i] = stamp, i, leader
       changes[2 * i], changes[2 * i + 1] = changes[2 * i] + 1, changes[2 * i + 1] + 1
+    elseif follows[i] ~= leader then
+      follows[i] = 0 -- it has followed another one, too, on the other axis
     end
     member = weldNext[member]
   end
@@ -103,7 +106,9 @@ function ring.follow(b, k, way, t)
   if b.isQuiet then
     countChanges(b, k)
   else
-    change(b, k)
+    -- At the very beginning all of them are looked at once more, for the sake of the last digit:
+    -- there turns, which ask nobody about this, must lead to the same as the queue.
+    change(b, k, t > 0 and b.weld[k] or 0)
   end
 end
 

@@ -101,6 +101,7 @@ end
 -- many there are then.
 local function change(b, i, count)
   local mark, stamp, changes = b.changedMark, b.changeStamp, b.changes
+  b.follows[i] = 0
   if mark[i] ~= stamp then
     count = count + 1
     mark[i], b.changed[count] = stamp, i
