@@ -4,7 +4,7 @@
 -- free: intersection rectangle, then the opposite-sides rule. A way that would end inside another
 -- immovable object is none, or a box that stands deep in a floor of tiles would be thrown sideways.
 -- Who is inside two of them in a corner leaves by one way after the other. Who finds no way out of
--- something immovable is `buried`: it stays where it is.
+-- something immovable is `buried`: it stays where it is, and is crushed by the two that hold it.
 -- Two that were squeezed into each other (`wedged`) are left to `meet`: they part as they came.
 --
 -- Reads and writes from, to, position.
@@ -281,6 +281,52 @@ local function tryWays(b, i, j, leaveBy)
   return false
 end
 
+-- Returns the first in the order of the world of those who are in the way of slot i, `way` px along
+-- an axis, and in the middle beyond it; 0: nobody is. `isApart`: only who is not in it yet counts.
+local function blockerOn(b, i, axis, way, isApart)
+  local from, size, first = b.from, b.size, 0
+  local k, sign = 2 * i + axis, way < 0 and -1 or 1
+  for n = 1, listBlockers(b, i, placeOn(b, i, axis, way)) do
+    local j = b.found[n]
+    local m = 2 * j + axis
+    local beyond = from[m] + size[m] * 0.5 - from[k] - size[k] * 0.5
+    local width, height = overlapOf(b, i, j)
+    local counts = beyond * sign > 0 and not (isApart and min(width, height) > EPSILON)
+    if counts and (first == 0 or b.rank[j] < b.rank[first]) then
+      first = j
+    end
+  end
+  return first
+end
+
+-- Notes that slot i, which finds no way out of j, is held between that and somebody on the short
+-- way out along an axis; returns whether somebody is there.
+local function noteHeldOn(b, i, j, axis, isApart)
+  local from, size, k, m = b.from, b.size, 2 * i + axis, 2 * j + axis
+  local down, up = from[k] + size[k] - from[m], from[m] + size[m] - from[k]
+  local isDown = down <= up
+  local other = blockerOn(b, i, axis, isDown and -down or up, isApart)
+  if other ~= 0 then
+    b.crushed[k], b.hasCrushed = true, true
+    b.crushLow[k], b.crushHigh[k] = isDown and other or j, isDown and j or other
+  end
+  return other ~= 0
+end
+
+-- Slot i finds no way out of j.
+local function bury(b, i, j)
+  local width, height = overlapOf(b, i, j)
+  local axis = height <= width and 1 or 0
+  b.buried[i], b.hasBuried = true, true
+  if not (b.crushed[2 * i] or b.crushed[2 * i + 1]) then
+    -- Rather a ceiling than the next tile of the floor that it is in, too.
+    return noteHeldOn(b, i, j, axis, true)
+      or noteHeldOn(b, i, j, 1 - axis, true)
+      or noteHeldOn(b, i, j, axis, false)
+      or noteHeldOn(b, i, j, 1 - axis, false)
+  end
+end
+
 local function separate(b, p)
   local i, j = b.pairA[p], b.pairB[p]
   if b.kind[i] ~= DYNAMIC or (b.kind[j] == DYNAMIC and b.rank[j] < b.rank[i]) then
@@ -298,7 +344,7 @@ local function separate(b, p)
   if not ask.permits(b, isLow and i or j, isLow and j or i, axis) or tryWays(b, i, j, leave) then
     return
   elseif b.kind[j] ~= DYNAMIC and not tryWays(b, i, j, leaveCorner) then
-    b.buried[i], b.hasBuried = true, true
+    bury(b, i, j)
   end
 end
 

@@ -160,7 +160,7 @@ describe("a state from elsewhere", function()
     {
       "who is inside of walls",
       20,
-      { 0, 0 },
+      { 1, 0 },
       {
         walls = {
           { x = 0, y = 0, width = 30, height = 90, static = true },

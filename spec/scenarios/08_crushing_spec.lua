@@ -23,6 +23,10 @@ local function box(name, x, y, fields)
   return { "boxes", object }
 end
 
+local function tile(name, x, y)
+  return { "tiles", { name = name, x = x, y = y, width = 16, height = 16, static = true } }
+end
+
 local function wall(name, x, y, width, height, vx, vy)
   local object = { name = name, x = x, y = y, width = width, height = height, kinematic = true }
   object.vx, object.vy = vx, vy
@@ -69,6 +73,57 @@ local function finite(run, view, limit)
   run:check(abs(view.vx) <= limit + 1e-6, "vx is %.9g", view.vx)
   run:check(abs(view.vy) <= limit + 1e-6, "vy is %.9g", view.vy)
 end
+
+describe("who is inside something and finds no way out", function()
+  --   ## ## ## ##
+  --      +-+         grows from 16 to 24 px
+  --   ## ## ## ##
+  it("is crushed by what it grows into and what is in its way out, once", function()
+    scene.each({ rate = variants.RATES }, function(run)
+      local description = { box("box", 103, 84, { width = 12 }) }
+      for i = 0, 12 do
+        description[#description + 1] = tile("floor" .. i, 16 * i, 100)
+        description[#description + 1] = tile("ceiling" .. i, 16 * i, 68)
+      end
+      local named = run:build(description)
+      local log = watch(run, named.box)
+      run:play(0.5)
+      run:same("onCrush", log.count, 0)
+      for times = 1, 2 do
+        named.box.height = 24
+        for _ in run:steps(0.5) do
+          run:same("onCrush", log.count, times)
+          run:at(named.box, 103, 84)
+          run:still(named.box)
+        end
+        run:same("axis", log.axis, "y")
+        run:check(log.a.name:match("^ceiling") or log.b.name:match("^ceiling"), "by no ceiling")
+        run:check(log.a.name:match("^floor") or log.b.name:match("^floor"), "by no floor")
+        named.box.height = 16
+        run:play(0.5)
+        run:at(named.box, 103, 84)
+        run:touches(named.box, "bottom")
+      end
+    end)
+  end)
+
+  it("in a block of tiles is told so once, too", function()
+    scene.each(nil, function(run)
+      local description = { box("box", 70, 70, { width = 12, height = 12 }) }
+      for i = 0, 8 do
+        for j = 0, 8 do
+          description[#description + 1] = tile("tile" .. i .. "." .. j, 16 * i, 16 * j)
+        end
+      end
+      local named = run:build(description)
+      local log = watch(run, named.box)
+      for _ in run:steps(0.5) do
+        run:same("onCrush", log.count, 1)
+        run:at(named.box, 70, 70)
+      end
+    end)
+  end)
+end)
 
 describe("crushing", function()
   --   |L|  +-+  |R|
