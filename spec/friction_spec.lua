@@ -920,6 +920,18 @@ describe("stacks that push each other", function()
       { { 0.3, 2, 0, 60 }, { 0.5, 2, 0, 60 } },
       { { 0.1, 1, 0, 0 }, { 0.9, 1, 0, 0 }, { 0.5, 1, 0, 0 } },
     },
+    ["a tall box that drives three stacks of two"] = {
+      floor = 0.3,
+      { { 0.5, 5, 3000, 200, 32 } },
+      { { 0.9, 1, 0, 0 }, { 0.3, 1, 0, 0 } },
+      { { 0.3, 1, 0, 0 }, { 0.3, 1, 0, 0 } },
+      { { 0.3, 1, 0, 0 }, { 0.9, 1, 0, 0 } },
+    },
+    ["stacks of which the upper ones are driven apart, and stop"] = {
+      floor = 0.3,
+      { { 0.5, 5, 400, 60 }, { 0.3, 5, 0, 60 } },
+      { { 0.1, 2, 100, 0 }, { 0.9, 2, -400, 0 } },
+    },
     ["stacks that hold each other"] = {
       floor = 0.5,
       { { 0.1, 1, -400, 0 }, { 0.1, 1, 1500, 0 }, { 0.5, 2, 0, 0 } },
