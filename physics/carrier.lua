@@ -10,6 +10,8 @@ local columns = require(here .. ".columns")
 local carrier = {}
 
 local KINEMATIC, DYNAMIC = columns.KINEMATIC, columns.DYNAMIC
+local EPSILON = columns.EPSILON
+local max, min = math.max, math.min
 
 --- Returns the velocity, x and y, that slot c gives to its riders in this step.
 function carrier.velocity(b, c)
@@ -95,6 +97,35 @@ function carrier.leave(b, i)
   b.carrier[i], b.carried[2 * i], b.carried[2 * i + 1] = 0, 0, 0
 end
 
+-- Whether slot i, where it is now, and slot j, where the last step has left it, have at least
+-- `least` px of each other on both axes.
+local function overlap(b, i, j, least)
+  local now, last, size, k, m = b.position, b.to, b.size, 2 * i, 2 * j
+  return min(now[k] + size[k], last[m] + size[m]) - max(now[k], last[m]) >= least
+    and min(now[k + 1] + size[k + 1], last[m + 1] + size[m + 1]) - max(now[k + 1], last[m + 1])
+      >= least
+end
+
+--- Lets slot i leave what carries it if the game has switched it off, or put it further away than
+--- its own size, and not on what it stood on. Who is put aside by less goes on riding, or jumps
+--- with the speed of that.
+function carrier.check(b, i)
+  local below = b.support[i]
+  local isElsewhere = not overlap(b, i, i, 0)
+    and not (below ~= 0 and overlap(b, i, below, -EPSILON))
+  if b.kind[i] == DYNAMIC and (isElsewhere or not b.active[i]) then
+    carrier.leave(b, i)
+  end
+end
+
+--- The same for all whom the game has moved since the last step. (Not when they are read: that may
+--- be refused, and depends on who is read first.)
+function carrier.checkMoved(b)
+  for n = 1, b.hasCarriers and b.movedCount or 0 do
+    carrier.check(b, b.movedList[n])
+  end
+end
+
 --- Marks the riders of a slot that goes away, ceases to carry or to be in their way. (Who stands on
 --- one that carries nobody is seen to by `detect` when the two are parted.)
 function carrier.forget(b, c)
@@ -114,8 +145,10 @@ function carrier.forget(b, c)
   end
 end
 
---- Gives those who lost their carrier between two steps its velocity to keep.
+--- Gives those who lost their carrier between two steps its velocity to keep, unless they were put
+--- elsewhere.
 function carrier.dismount(b)
+  carrier.checkMoved(b)
   for n = 1, b.lostCount do
     local i = b.lost[n]
     if b.kind[i] == DYNAMIC then

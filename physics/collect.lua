@@ -19,8 +19,7 @@ local view = require(here .. ".view")
 
 local collect = {}
 
-local HUGE, max, min = math.huge, math.max, math.min
-local EPSILON = columns.EPSILON
+local HUGE = math.huge
 local UNREAD = 0 / 0 -- no place is equal to it
 local isFinite = check.isFinite
 local STATIC, KINEMATIC, DYNAMIC = columns.STATIC, columns.KINEMATIC, columns.DYNAMIC
@@ -314,32 +313,6 @@ local function listMovers(b)
   b.awakenings = b.awakenings + 1
 end
 
--- Whether two rectangles have at least `least` px of each other on both axes.
-local function overlap(least, x1, y1, w1, h1, x2, y2, w2, h2)
-  return min(x1 + w1, x2 + w2) - max(x1, x2) >= least
-    and min(y1 + h1, y2 + h2) - max(y1, y2) >= least
-end
-
--- Whether the game has put a rider further away than its own size, and not on what it stood on:
--- that no longer carries it. Who is put aside by less goes on riding, or jumps with its speed.
-local function isElsewhere(b, i, object)
-  local position, size, k = b.position, b.size, 2 * i
-  local x, y, w, h = object.x, object.y, object.width, object.height
-  if overlap(0, x, y, w, h, position[k], position[k + 1], size[k], size[k + 1]) then
-    return false
-  end
-  local m = 2 * b.support[i]
-  return m == 0
-    or not overlap(-EPSILON, x, y, w, h, position[m], position[m + 1], size[m], size[m + 1])
-end
-
--- Before a slot is read anew: it may have left what carries it.
-local function readCarrier(b, i, object)
-  if b.hasCarriers and (object.active == false or isElsewhere(b, i, object)) then
-    carrier.leave(b, i)
-  end
-end
-
 -- Who is of another kind now has no past.
 local function forgetMotion(b, i)
   columns.forgetStep(b, i)
@@ -374,7 +347,6 @@ local function reread(b, i)
     forgetMotion(b, i)
   end
   rest.wakeNeighbours(b, i)
-  readCarrier(b, i, object)
   readAll(b, i, object, isNew)
   if not b.active[i] then
     clearTouching(b.touching[i])
@@ -594,11 +566,11 @@ function collect.refresh(b, i)
   elseif not b.touching[i] then
     b.touching[i] = collect.newTouching()
   end
-  readCarrier(b, i, object)
   readAll(b, i, object, true)
   if not b.active[i] then
     clearTouching(b.touching[i])
   end
+  carrier.check(b, i)
   columns.stand(b, i)
   events.endForbidden(b, i)
   detect.refilter(b, i)

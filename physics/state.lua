@@ -32,6 +32,7 @@
 
 local here = (...):match("^(.*)%.[^.]+$")
 local approach = require(here .. ".approach")
+local carrier = require(here .. ".carrier")
 local check = require(here .. ".check")
 local columns = require(here .. ".columns")
 local events = require(here .. ".events")
@@ -715,6 +716,8 @@ end
 function state.fill(world, out)
   local b = world._bodies
   local work = workOf(b)
+  -- A copy could not tell any more who was put elsewhere since the last step, by what was refused.
+  carrier.checkMoved(b)
   out.version = state.VERSION
   saveSettings(world, out)
   out.saved = world._saved

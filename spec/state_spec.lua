@@ -235,6 +235,31 @@ describe("a state from elsewhere", function()
     end)
   end
 
+  it(
+    "goes on as the world does, after an update that was refused with a rider put elsewhere",
+    function()
+      local world, copy = physics.newWorld({ gravity = 800 }), physics.newWorld()
+      world:add("lifts", { x = 0, y = 500, width = 100, height = 10, kinematic = true, vx = 200 })
+      local rider = world:add("boxes", { x = 20, y = 480, width = 20, height = 20 })
+      local other = world:add("crates", { x = 450, y = 580, width = 20, height = 20 })
+      for _ = 1, 30 do
+        world:update(1 / 60)
+      end
+      rider.x, rider.y, other.mass = 450, 300, -1
+      assert.has_error(function()
+        world:update(1 / 60)
+      end)
+      other.mass = nil
+      copy:restore(world:save())
+      for _ = 1, 5 do
+        world:update(1 / 60)
+        copy:update(1 / 60)
+        assert.equal(world:hash(), copy:hash())
+        assert.equal(450, rider.x)
+      end
+    end
+  )
+
   it("is the same state after it was restored", function()
     local world = everything.new()
     for n = 1, 50 do

@@ -805,6 +805,51 @@ describe("riding", function()
       end)
     end)
 
+    it("together with what stands on it, both fall from rest", function()
+      scene.each(SOME, function(run)
+        local named = settled(run, { platform(), rider(), rider({ name = "upper", y = 352 }) })
+        named.platform.vx, named.platform.vy = 50, -300
+        run:play(0.5)
+        named.rider.x, named.rider.y = 300, -500
+        named.upper.x, named.upper.y = 300, -524
+        for time in run:steps(0.5) do
+          run:at(named.rider, 300, -500 + 400 * time * time)
+          run:at(named.upper, 300, -524 + 400 * time * time)
+        end
+      end)
+    end)
+
+    -- What stands in the tables when a step is made counts, not what was read and refused before.
+    for name, leave in pairs({
+      ["put elsewhere"] = function(view)
+        view.x, view.y = 300, -500
+      end,
+      ["switched off"] = function(view)
+        view.raw.active = false
+      end,
+    }) do
+      it("rides on if it is " .. name .. " and back while an update is refused", function()
+        scene.each(SOME, function(run)
+          local named = settled(run, { platform(), rider(), tile("tile", 0, 0, 16, 16) })
+          local box = { x = 1000, y = 0, width = 16, height = 16, gravity = 0 }
+          run.world:add("zoo", box)
+          named.platform.vx = 200
+          run:play(0.5)
+          local x, y = named.rider.x, named.rider.y
+          leave(named.rider)
+          box.mass = -1
+          assert.has_error(function()
+            run.world:update(1 / 60)
+          end)
+          box.mass, named.rider.raw.active = nil, nil
+          named.rider.x, named.rider.y = x, y
+          for _ in run:steps(0.5) do
+            rides(run, named.rider, named.platform, 20)
+          end
+        end)
+      end)
+    end
+
     it("on what carries it rides on", function()
       scene.each(SOME, function(run)
         local named = settled(run, { platform({ width = 500 }), rider() })
