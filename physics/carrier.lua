@@ -5,13 +5,14 @@
 -- `move` and taken off in `publish`, so a rider's own velocity is relative to what carries it.
 
 local here = (...):match("^(.*)%.[^.]+$")
+local aabb = require(here .. ".aabb")
 local columns = require(here .. ".columns")
 
 local carrier = {}
 
 local KINEMATIC, DYNAMIC = columns.KINEMATIC, columns.DYNAMIC
 local EPSILON = columns.EPSILON
-local max, min = math.max, math.min
+local min = math.min
 
 --- Returns the velocity, x and y, that slot c gives to its riders in this step.
 function carrier.velocity(b, c)
@@ -97,13 +98,22 @@ function carrier.leave(b, i)
   b.carrier[i], b.carried[2 * i], b.carried[2 * i + 1] = 0, 0, 0
 end
 
--- Whether slot i, where it is now, and slot j, where the last step has left it, have at least
--- `least` px of each other on both axes.
-local function overlap(b, i, j, least)
+-- By how much slot i, where it is now, and slot j, where the last step has left it, overlap: on the
+-- axis on which they do so least.
+local function overlapOf(b, i, j)
   local now, last, size, k, m = b.position, b.to, b.size, 2 * i, 2 * j
-  return min(now[k] + size[k], last[m] + size[m]) - max(now[k], last[m]) >= least
-    and min(now[k + 1] + size[k + 1], last[m + 1] + size[m + 1]) - max(now[k + 1], last[m + 1])
-      >= least
+  return min(
+    aabb.overlap(
+      now[k],
+      now[k + 1],
+      size[k],
+      size[k + 1],
+      last[m],
+      last[m + 1],
+      size[m],
+      size[m + 1]
+    )
+  )
 end
 
 --- Lets slot i leave what carries it if the game has switched it off, or put it further away than
@@ -111,8 +121,7 @@ end
 --- with the speed of that.
 function carrier.check(b, i)
   local below = b.support[i]
-  local isElsewhere = not overlap(b, i, i, 0)
-    and not (below ~= 0 and overlap(b, i, below, -EPSILON))
+  local isElsewhere = overlapOf(b, i, i) < 0 and (below == 0 or overlapOf(b, i, below) < -EPSILON)
   if b.kind[i] == DYNAMIC and (isElsewhere or not b.active[i]) then
     carrier.leave(b, i)
   end

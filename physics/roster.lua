@@ -13,11 +13,14 @@ local interpreted = require(here .. ".interpreted")
 
 local roster = {}
 
-local sort = table.sort
+local max, sort = math.max, table.sort
 local GROUP_SPAN = 4294967296 -- ranks per group
 local FEW = 64 -- objects of a group that are counted each time
 -- So many may have left a group, and who stays is found where it is now without being read anew.
 local MOST_GAPS = 32
+-- So many of a group may have been taken out since it was read, and who stood behind them is found
+-- without looking at all.
+local MOST_GONE = 64
 
 local function comesBefore(a, b)
   local numberA, numberB = type(a) == "number", type(b) == "number"
@@ -263,6 +266,11 @@ local function readGroups(self, objects)
   return groups, byName
 end
 
+-- Says that a group must be read anew from place `first` on, and that those before stand as before.
+local function readFrom(record, first)
+  record.first, record.follows, record.gapCount = first, first, 0
+end
+
 -- Reads into the tail who stands under the numbers from `first` on.
 local function readNumbered(record, first)
   local source, tail, n = record.source, record.tail, 0
@@ -287,8 +295,8 @@ local function readKeys(record)
   for at = 1, n do
     tail[at] = rawget(source, keys[at])
   end
-  record.newKeys, record.first, record.tailCount = keys, 1, n
-  record.follows, record.gapCount = 1, 0
+  record.newKeys, record.tailCount = keys, n
+  readFrom(record, 1)
 end
 
 -- Reads who is in a group from `first` on; changes nothing else.
@@ -585,7 +593,7 @@ local function markStale(groups)
       change = firstChange(record)
     end
     record.stale, any = change ~= nil, any or change ~= nil
-    record.first, record.follows, record.gapCount = change or 1, change or 1, 0
+    readFrom(record, change or 1)
     if change and record.plain and not isNew then
       findGaps(record)
     end
@@ -629,7 +637,8 @@ function roster.update(b, self, objects, enter, leave, rename, reorder)
   local gone = {}
   for _, record in ipairs(self.groups) do
     if byName[record.name] ~= record then
-      record.stale, record.first, record.follows, record.gapCount = true, 1, 1, 0
+      record.stale = true
+      readFrom(record, 1)
       gone[#gone + 1] = record
     end
   end
@@ -719,9 +728,10 @@ function roster.look(b, self, objects)
   return records
 end
 
--- Where an object stands that stood under a number: there, or before that if others have left.
+-- Where an object stands that stood under a number: there, or a little before that if others have
+-- left. (No further: a number may be any, such as an id.)
 local function findBefore(source, object, hint)
-  for key = hint, 1, -1 do
+  for key = hint, max(hint - MOST_GONE, 1), -1 do
     if rawequal(rawget(source, key), object) then
       return key
     end
@@ -729,7 +739,7 @@ local function findBefore(source, object, hint)
 end
 
 --- Returns the key under which an object stands in its group's table now, or nil. `hint`: it may be
---- that one, or one before it.
+--- that one, or one a little before it.
 function roster.find(source, object, hint)
   local key = hint
   if type(hint) == "number" then

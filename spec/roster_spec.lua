@@ -397,6 +397,21 @@ describe("the roster", function()
     end
   end)
 
+  -- Looking through all numbers before the one that it had would take for ever.
+  it("finds one at once that stood under a large number, and does no more", function()
+    local world = physics.newWorld()
+    for _, id in ipairs({ 2 ^ 50, 2 ^ 50 + 0.5, -3 }) do
+      local object, other = newObject(), newObject()
+      world.objects.crates = { [id] = object, boss = other }
+      world:update(1 / 60)
+      world.objects.crates[id], world.objects.crates.hero = nil, object
+      assert.is_true(world:remove(object))
+      assert.is_nil(world.objects.crates.hero)
+      assert.is_false(world:remove(object))
+      assert.equal(other, world.objects.crates.boss)
+    end
+  end)
+
   it("changes nothing when a newcomer is of no use", function()
     local objects = fill(100)
     local b, r = newBook(function() end), roster.new()
