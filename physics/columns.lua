@@ -49,7 +49,9 @@ columns.NO_EVENT = -1
 columns.UNSEEN = -1
 
 local HUGE = math.huge
-local max, min = math.max, math.min
+local floor, max, min = math.floor, math.max, math.min
+-- Of so many slots in use, one more is made ready with each new one.
+local AHEAD = 8
 
 -- Values of a fresh slot: numbers and booleans.
 local SLOT = {
@@ -326,6 +328,7 @@ describe(PAIR_LAYOUT, HALF, "number", 2)
 function columns.new()
   local b = {
     slots = 0, -- highest slot ever used
+    blankTo = 0, -- highest slot that is, or has what a fresh one has
     free = {}, -- slots to use again
     freeCount = 0,
     count = 0, -- objects in the world
@@ -468,31 +471,52 @@ function columns.adopt(b)
   bank.adopt(b.pairBank, b.pairSlots)
 end
 
+local function fill(column, first, last, value)
+  for at = first, last do
+    column[at] = value
+  end
+end
+
+-- Gives slots what fresh ones have, column by column: one by one 20 000 tiles take three times as
+-- long.
+local function blank(b, first, last)
+  for n = 1, #SLOT_NAMES do
+    fill(b[SLOT_NAMES[n]], first, last, SLOT[SLOT_NAMES[n]])
+  end
+  for n = 1, #ANY_NAMES do
+    fill(b[ANY_NAMES[n]], first, last, ANY[ANY_NAMES[n]])
+  end
+  for n = 1, #AXIS_NAMES do
+    fill(b[AXIS_NAMES[n]], 2 * first, 2 * last + 1, AXIS[AXIS_NAMES[n]])
+  end
+  for n = 1, #SIDE do
+    fill(b[SIDE[n]], 4 * first + 1, 4 * last + 4, 0)
+  end
+end
+
+-- Takes a slot that was never used. A few behind it are made ready, too: more will come.
+local function takeNew(b)
+  local i = b.slots + 1
+  b.slots = i
+  if i > b.slotBank.room then
+    bank.grow(b.slotBank, i)
+  end
+  if i > b.blankTo then
+    b.blankTo = min(i + floor(i / AHEAD), b.slotBank.room)
+    blank(b, i, b.blankTo)
+  end
+  return i
+end
+
 --- Takes a slot for a new object and returns it, all columns at their defaults.
 function columns.claim(b)
   local i = b.free[b.freeCount]
   if i then
     b.free[b.freeCount] = nil
     b.freeCount = b.freeCount - 1
+    blank(b, i, i)
   else
-    i = b.slots + 1
-    b.slots = i
-    if i > b.slotBank.room then
-      bank.grow(b.slotBank, i)
-    end
-  end
-  for n = 1, #SLOT_NAMES do
-    b[SLOT_NAMES[n]][i] = SLOT[SLOT_NAMES[n]]
-  end
-  for n = 1, #ANY_NAMES do
-    b[ANY_NAMES[n]][i] = ANY[ANY_NAMES[n]]
-  end
-  for n = 1, #AXIS_NAMES do
-    local name = AXIS_NAMES[n]
-    b[name][2 * i], b[name][2 * i + 1] = AXIS[name], AXIS[name]
-  end
-  for at = 4 * i + 1, 4 * i + 4 do
-    b.touchBest[at], b.touchWidth[at] = 0, 0
+    i = takeNew(b)
   end
   b.count = b.count + 1
   return i
