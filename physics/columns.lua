@@ -111,6 +111,8 @@ local SLOT = {
   sum = 0, -- what those on it have added up to, while the list is walked: an impulse
   sumMass = 0, -- and a mass
   changedMark = 0,
+  meetings = 0, -- how many others it meets, while lone hits are looked for
+  loneOf = 0, -- its last lone hit (see lone)
   follows = 0, -- leader of the ring whose motion was all that changed the path; 0: not all
   watched = 0, -- step in which it touches somebody with whom it has no turn
   lastFooting = 0, -- its place among the footings when it last leant on somebody, 0: never
@@ -349,6 +351,7 @@ function columns.new()
     liveCount = 0,
     liveStamp = 0,
     step = 0, -- counts the steps, for `watched`
+    now = 0, -- the moment of the step (0..1) at which an event happens
     isInstant = false, -- what is met at the very beginning of the step is not settled yet
     isAllSeen = false, -- all have had their turns, and all pairs that touch have been looked at
     isStale = false, -- the others have not, or not since paths have changed

@@ -16,6 +16,7 @@ local detect = require(here .. ".detect")
 local footing = require(here .. ".footing")
 local gather = require(here .. ".gather")
 local live = require(here .. ".live")
+local lone = require(here .. ".lone")
 local nudge = require(here .. ".nudge")
 local oneway = require(here .. ".oneway")
 local pass = require(here .. ".pass")
@@ -150,7 +151,11 @@ local function followChanged(b, dt)
   if b.isInstant then
     b.isStale = true
   else
+    local first = b.awakeCount + 1
     lookUp(b, b.changed, b.changedCount, dt)
+    while b.lone.latest > b.now and lone.undoNear(b, first) do
+      lookUp(b, b.changed, b.changedCount, dt)
+    end
   end
   if b.isQuiet then
     return
@@ -223,6 +228,7 @@ local function happen(b, p, code, t, dt)
     followNudge(b, dt)
   else
     local before = changesOf(b.changes, low, high)
+    b.now = max(b.now, t) -- (events of who is crushed may come late)
     resolve.run(b, p, low, high, axis, t, dt, kind == approach.DEEP)
     b.settled[p] = changesOf(b.changes, low, high) == before and 1 + before or 0
   end
@@ -241,13 +247,31 @@ local function lookAtTouching(b, isCalm)
   schedule(b, gather.together(b, isCalm))
 end
 
+-- Looks after those who have been hit while nobody else had to do with them.
+local function followLone(b, dt)
+  local first = b.awakeCount + 1
+  lookUp(b, b.changed, b.changedCount, dt)
+  lone.undoDisturbed(b, first)
+  lookUp(b, b.changed, b.changedCount, dt)
+  schedule(b, gather.objects(b, b.changed, 1, b.changedCount, 0))
+end
+
 -- Looks at the others, when all that happens at the very beginning of the step is over. Whom
 -- everybody may meet is looked up now.
 local function lookAtApart(b, dt)
   rounds.start(b)
   lookUp(b, b.awakeList, b.awakeCount, dt)
   b.isStale = false
-  schedule(b, gather.apart(b))
+  local count = gather.apart(b)
+  if count > 0 then
+    approach.run(b, count)
+    local isLone = not pass.isAsked(b.queue, LAST_INSTANT) and lone.resolve(b, count, dt)
+    enqueueAll(b, count)
+    if isLone then
+      b.isInstant = false -- all that is left is later
+      followLone(b, dt)
+    end
+  end
 end
 
 -- Looks at all pairs.
@@ -502,6 +526,7 @@ function meet.run(b, dt)
   b.resolved, b.isAllSeen, b.step = 0, false, b.step + 1
   b.resolvedBefore, b.hasFlanksBegun, b.givenUpCount = 0, false, 0
   b.isInstant, b.isEager, b.oddSeen = not b.queueOnly, b.queueOnly, 0
+  b.lone.latest, b.lone.count, b.now = 0, 0, 0
   rounds.start(b)
   wakeAhead(b, dt)
   live.list(b)

@@ -13,6 +13,7 @@ local explain = require(here .. ".explain")
 local guard = require(here .. ".guard")
 local hash = require(here .. ".hash")
 local interpreted = require(here .. ".interpreted")
+local lone = require(here .. ".lone")
 local meet = require(here .. ".meet")
 local oneway = require(here .. ".oneway")
 local part = require(here .. ".part")
@@ -874,6 +875,7 @@ world.methods = World
 function world.new(given, where)
   check.settings(given, where)
   local b = columns.new()
+  b.lone = lone.new()
   b.queue, b.events, b.roster = queue.new(), events.new(), roster.new()
   local self = setmetatable({
     objects = {},

@@ -57,6 +57,7 @@ build = {
     ["physics.impact"] = "physics/impact.lua",
     ["physics.interpreted"] = "physics/interpreted.lua",
     ["physics.live"] = "physics/live.lua",
+    ["physics.lone"] = "physics/lone.lua",
     ["physics.meet"] = "physics/meet.lua",
     ["physics.move"] = "physics/move.lua",
     ["physics.nudge"] = "physics/nudge.lua",
