@@ -40,7 +40,7 @@ end
 --- Returns a new, independent world.
 ---
 --- Errors: an unknown setting; a value that cannot be used.
----@param settings physics.Settings? default: see physics/fields.lua
+---@param settings physics.Settings? default: see "Settings"
 ---@return physics.World
 function physics.newWorld(settings)
   checkDot(settings, "newWorld")
@@ -50,7 +50,7 @@ end
 --- Makes the default world anew, empty, with these settings.
 ---
 --- Errors: an unknown setting; a value that cannot be used.
----@param settings physics.Settings? default: see physics/fields.lua
+---@param settings physics.Settings? default: see "Settings"
 function physics.load(settings)
   checkDot(settings, "load")
   default = world.new(settings, "load(settings)")

@@ -320,12 +320,21 @@ local function badName(list)
   end
 end
 
+local function isEmpty(list)
+  return next(list) == nil
+end
+
+--- Whether a value is a list, or empty: a set (`{ players = true }`) would be taken for the latter.
+function check.isList(value)
+  return type(value) == "table" and (#value > 0 or isEmpty(value))
+end
+
 TYPES.names = {
   accepts = function(_, value)
-    return type(value) == "table" and not badName(value)
+    return check.isList(value) and not badName(value)
   end,
   describe = function(path, _, value)
-    if type(value) ~= "table" then
+    if not check.isList(value) then
       return mustBe(path, "a list of group names", value)
     end
     local i, earlier = badName(value)
@@ -594,10 +603,6 @@ function check.group(value, where, what)
   end
 end
 
-local function isEmpty(list)
-  return next(list) == nil
-end
-
 --- Checks a filter of a query: a group name, a list of group names or a function; nil is none.
 ---@param value any
 ---@param where string the call
@@ -605,17 +610,13 @@ function check.filter(value, where)
   if value == nil or type(value) == "function" or isName(value) then
     return
   end
-  if type(value) ~= "table" then
+  if not check.isList(value) then -- an object, or a set of names, would be nobody
     fail(mustBe(where .. ": filter", "a group name, a list of them or a function", value))
   end
   for i = 1, #value do
     if not isName(value[i]) then
       fail(mustBe(format("%s: filter[%d]", where, i), "a group name", value[i]))
     end
-  end
-  -- An object, or a set of names, would be nobody.
-  if #value == 0 and not isEmpty(value) then
-    fail(mustBe(where .. ": filter", "a group name, a list of them or a function", value))
   end
 end
 

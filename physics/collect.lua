@@ -157,6 +157,9 @@ local function readMotion(b, i, object, isNew)
   b.size[k], b.size[k + 1] = object.width + 0.0, object.height + 0.0
   b.velocity[k], b.velocity[k + 1] = orDefault(object.vx, 0) + 0.0, orDefault(object.vy, 0) + 0.0
   b.written[k], b.written[k + 1] = x, y
+  if isNew then
+    b.behind[k], b.behind[k + 1] = 0, 0
+  end
   if isNew or b.kind[i] ~= KINEMATIC then
     b.position[k], b.position[k + 1] = x, y
     b.last[k], b.last[k + 1] = x, y

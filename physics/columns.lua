@@ -132,7 +132,7 @@ local SLOT = {
 -- The same, of columns that may hold anything; `false`: the field is not set.
 local ANY = {
   object = false,
-  group = false, -- the record of its group (see collect)
+  group = false, -- the record of its group (see roster)
   groupName = false,
   key = false,
   touching = false, -- the table published as object.touching
@@ -154,7 +154,7 @@ local AXIS = {
   pull = 0, -- gravity that acts on it
   down = 0, -- -1, 0, 1: where its gravity points, on its stronger axis only
   last = 0, -- position before the last fixed step, for drawing
-  written = 0, -- kinematic: position asked for by the game
+  written = 0, -- x, y as the game has last written them; kinematic: where it shall go
   behind = 0, -- kinematic: part of that way which is left for the next steps of an update
   way = 0, -- how far it goes in this step by itself, px
   from = 0, -- start of the present path
@@ -345,7 +345,7 @@ function columns.new()
     awakeList = {}, -- slots that take part in this step
     awakeCount = 0,
     island = {}, -- scratch of rest
-    stack = {}, -- scratch of crush
+    stack = {}, -- scratch of crush and carrier
     givenUp = {}, -- low, high and axis of those who were left as they are in this step (see crush)
     givenUpCount = 0,
     liveCount = 0,
@@ -418,7 +418,7 @@ function columns.new()
     offerWho = {},
     offerWidth = {},
     rivals = {},
-    found = {}, -- scratch of detect
+    found = {}, -- scratch of detect and part
     stoppedAt = {},
     stoppedTo = {},
     ownFat = {},
@@ -468,10 +468,15 @@ function columns.new()
   return b
 end
 
---- Gives the columns of a world the source that is used now (see bank).
+--- Gives the columns of a world with nobody in it, and those of its broad phase, the source that is
+--- used now (see bank).
 function columns.adopt(b)
   bank.adopt(b.slotBank, b.slots)
   bank.adopt(b.pairBank, b.pairSlots)
+  b.blankTo = b.slots -- those behind were not taken over
+  if b.broadphase.bank then
+    bank.adopt(b.broadphase.bank, -1)
+  end
 end
 
 local function fill(column, first, last, value)

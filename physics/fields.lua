@@ -327,15 +327,17 @@ fields.settings = {
     type = "string",
     values = { "auto", "pairs", "grid" },
     default = "auto",
-    meaning = "How pairs that may meet are found; all give the same result to the bit.",
+    meaning = "How pairs that may meet are found, all with the same result to the bit; `auto` is"
+      .. " the grid.",
   },
   {
     name = "cellSize",
     type = "number",
-    absent = "from the sizes of the objects",
+    absent = "32",
     unit = "px",
     above = 0,
-    meaning = "The width and height of a grid cell.",
+    meaning = "The width and height of the smallest cells of the grid, about the size of most"
+      .. " objects; larger ones stand in larger cells.",
   },
   {
     name = "timestep",

@@ -7,7 +7,7 @@
 -- something immovable is `buried`: it stays where it is, and is crushed by the two that hold it.
 -- Two that were squeezed into each other (`wedged`) are left to `meet`: they part as they came.
 --
--- Reads and writes from, to, position.
+-- Reads and writes from, to; writes buried, and crushed, crushLow and crushHigh of who is.
 
 local here = (...):match("^(.*)%.[^.]+$")
 local aabb = require(here .. ".aabb")

@@ -125,7 +125,8 @@ for _, entry in ipairs(state.SPARSE) do
   state.FIELDS[#state.FIELDS + 1] = entry[1]
 end
 
---- Settings that change no result, or that are functions.
+-- Settings that are not saved: they change no result; masks and order, which do, are written out
+-- by themselves.
 local UNSAVED =
   { broadphase = true, cellSize = true, rest = true, checked = true, masks = true, order = true }
 
@@ -197,7 +198,7 @@ end
 
 -- The working lists of a world: `objects` and `slots` by number, `numbers` by slot.
 local function workOf(b)
-  b.saving = b.saving or { objects = {}, slots = {}, numbers = {}, keys = {}, groups = {} }
+  b.saving = b.saving or { objects = {}, slots = {}, numbers = {} }
   return b.saving
 end
 

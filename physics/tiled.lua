@@ -46,24 +46,29 @@ local function unknownOption(options)
   return first
 end
 
-local function checkNames(options, name)
+-- The option of this name, a list of what `kind` says; empty if it is not given.
+local function listOf(options, name, kind)
   local list = options[name]
   if list == nil then
     return {}
+  elseif not check.isList(list) then
+    check.fail(
+      ("%s: %s must be a list of %s, got %s"):format(IN_OPTIONS, name, kind, check.show(list))
+    )
   end
-  check.table(list, name, IN_OPTIONS)
+  return list
+end
+
+local function checkNames(options, name)
+  local list = listOf(options, name, "layer names")
   for i = 1, #list do
     check.group(list[i], IN_OPTIONS, ("%s[%d]"):format(name, i))
   end
   return list
 end
 
-local function checkGids(list)
-  if list == nil then
-    return {}
-  end
-  check.table(list, "solidTiles", IN_OPTIONS)
-  local isSolid = {}
+local function checkGids(options)
+  local list, isSolid = listOf(options, "solidTiles", "gids"), {}
   for i = 1, #list do
     check.integer(list[i], ("solidTiles[%d]"):format(i), IN_OPTIONS, 1, 268435455)
     isSolid[list[i]] = true
@@ -107,7 +112,7 @@ local function checkOptions(options)
     x = checkOffset(options, "x"),
     y = checkOffset(options, "y"),
     solidProperty = checkSolidProperty(options.solidProperty),
-    isSolidGid = checkGids(options.solidTiles),
+    isSolidGid = checkGids(options),
     solidLayers = checkNames(options, "solidLayers"),
     skipLayers = checkNames(options, "skipLayers"),
   }

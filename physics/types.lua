@@ -114,9 +114,11 @@
 --- default false. Whether flush neighbours that never pressed each other count as colliding: in
 --- events, `touching`, `queryRect`, `overlapping` and `checkCollision`.
 ---@field sideBySide? boolean
---- default "auto". How pairs that may meet are found; all give the same result to the bit.
+--- default "auto". How pairs that may meet are found, all with the same result to the bit; `auto`
+--- is the grid.
 ---@field broadphase? "auto"|"pairs"|"grid"
---- px, > 0, default from the sizes of the objects. The width and height of a grid cell.
+--- px, > 0, default 32. The width and height of the smallest cells of the grid, about the size of
+--- most objects; larger ones stand in larger cells.
 ---@field cellSize? number
 --- s, 1e-05..0.25, default none: a step is as long as dt. A fixed step: `update` saves up dt and
 --- makes as many of them as fit.
@@ -162,9 +164,11 @@
 --- default false. Whether flush neighbours that never pressed each other count as colliding: in
 --- events, `touching`, `queryRect`, `overlapping` and `checkCollision`.
 ---@field sideBySide boolean
---- default "auto". How pairs that may meet are found; all give the same result to the bit.
+--- default "auto". How pairs that may meet are found, all with the same result to the bit; `auto`
+--- is the grid.
 ---@field broadphase "auto"|"pairs"|"grid"
---- px, > 0, default from the sizes of the objects. The width and height of a grid cell.
+--- px, > 0, default 32. The width and height of the smallest cells of the grid, about the size of
+--- most objects; larger ones stand in larger cells.
 ---@field cellSize? number
 --- s, 1e-05..0.25, default none: a step is as long as dt. A fixed step: `update` saves up dt and
 --- makes as many of them as fit.

@@ -181,23 +181,24 @@ local function groupFor(self, group)
   return members
 end
 
--- What an object has at once that comes through `add`.
-local function welcome(given, object)
+-- What an object has at once that comes through `add`. One that was taken out since the last update
+-- is in there still, and keeps what it touches: while it rests nobody would tell it anew.
+local function welcome(b, object)
   if not object.static and not object.kinematic then
-    local touching = collect.newTouching()
+    local slot = b.slotOf[object]
+    local touching = slot and b.touching[slot] or collect.newTouching()
     object.vx, object.vy, object.touching = object.vx or 0, object.vy or 0, touching
-    given.given[object] = touching
+    b.roster.given[object] = touching
   end
 end
 
 -- Puts an object that was checked at the end of a group: last of all, so that one that fails when
 -- it is written to has not come in.
 local function put(self, group, object)
-  local given = self._bodies.roster
-  welcome(given, object)
+  welcome(self._bodies, object)
   local members = groupFor(self, group)
   members[#members + 1] = object
-  given.groupGiven[object] = group
+  self._bodies.roster.groupGiven[object] = group
   return object
 end
 
@@ -778,6 +779,7 @@ function World:impulse(object, ix, iy)
   check.table(object, "object", where)
   check.number(ix, "ix", where)
   check.number(iy, "iy", where)
+  checkObjects(self)
   if not search(self, object) then
     failMissing(call, object)
   elseif object.static or object.kinematic then

@@ -767,6 +767,14 @@ describe("remove and refresh", function()
       world:dropThrough(newBox())
     end)
   end)
+
+  it("no world without a table of objects gives anybody an impulse", function()
+    local world = physics.newWorld()
+    world.objects = 3
+    refuses("objects must be a table of groups, got 3", function()
+      world:impulse(newBox(), 1, 0)
+    end)
+  end)
 end)
 
 describe("every method of a world", function()

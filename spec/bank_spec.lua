@@ -131,11 +131,37 @@ if jit and jit.status() then
       return found
     end
 
+    it("also to the default world, when nobody is in it any more", function()
+      fresh.during(function(module)
+        for i = 1, 16 do
+          module.add("boxes", { x = 20 * i, y = 0, width = 10, height = 10 })
+        end
+        module.update(1 / 60)
+        module.objects.boxes = nil
+        module.update(1 / 60)
+        module.compile()
+        module.add("tiles", { x = 0, y = 100, width = 2000, height = 10, static = true })
+        local boxes = {}
+        for i = 1, 60 do
+          boxes[i] = module.add("boxes", { x = 20 * i, y = 0, width = 10, height = 10 })
+        end
+        for _ = 1, 60 do
+          module.update(1 / 60)
+        end
+        assert.is_true(isTyped(defaultWorldOf(module)))
+        for _, box in ipairs(boxes) do
+          assert.equal(90, box.y)
+        end
+      end)
+    end)
+
     it("also to the default world, as long as nobody has been in it", function()
       fresh.during(function(module)
         module.add("boxes", { x = 0, y = 0, width = 10, height = 10 })
         module.compile()
-        assert.is_true(isTyped(defaultWorldOf(module)))
+        local default = defaultWorldOf(module)
+        assert.is_true(isTyped(default))
+        assert.equal("cdata", type(rawget(default, "_bodies").broadphase.next))
       end)
       fresh.during(function(module)
         module.add("boxes", { x = 0, y = 0, width = 10, height = 10 })

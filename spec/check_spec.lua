@@ -387,6 +387,7 @@ describe("check", function()
       { { maxStep = 0.5 }, "maxStep must be a number in 1e-05..0.25, got 0.5" },
       { { rest = "yes" }, 'rest must be true or false, got "yes"' },
       { { order = "tiles" }, 'order must be a list of group names, got "tiles"' },
+      { { order = { tiles = 1 } }, "order must be a list of group names, got table" },
       { { order = { "tiles", true } }, "order[2] must be a group name, got true" },
       { { order = { 1, NAN } }, "order[2] must be a group name, got nan" },
       { { order = { "a", "b", "a" } }, 'order must name each group once, got "a" at [1] and [3]' },

@@ -74,6 +74,11 @@ describe("the README", function()
     assert.is_true(number >= 10)
   end)
 
+  it("tells the cells that the grid has", function()
+    local cell = physics.newWorld()._bodies.broadphase.cell
+    assert.truthy(section("Settings"):find(("| `cellSize` | %d | px |"):format(cell), 1, true))
+  end)
+
   for _, kind in ipairs({
     { "Fields of objects", fields.objects },
     { "Settings", fields.settings },

@@ -382,6 +382,7 @@ describe("world", function()
           local _, world = load(newObjects({ object }, nil, { set }))
           assert.same({ row[5] }, boxes(world, "things"))
           assert.equal(0.25, world.objects.things[1].friction)
+          assert.equal(3, world.objects.things[1].tiled.gid)
         end)
       end
 

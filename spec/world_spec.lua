@@ -437,6 +437,51 @@ describe("add, remove and refresh", function()
     assert.equal(0, box.x)
   end)
 
+  for _, rest in ipairs({ true, false }) do
+    local name = "who is taken out and put in again " .. (rest and "while it rests " or "")
+    it(name .. "touches what it touched", function()
+      world.rest = rest
+      local floor = world:add("tiles", newFloor())
+      local box = world:add("boxes", newBox(0, 84))
+      play(world, 60)
+      assert.equal(rest and 1 or 0, world.stats.resting)
+      world:remove(box)
+      world:add("boxes", box)
+      for _ = 1, 2 do
+        assert.equal(floor, box.touching.bottom)
+        assert.equal("bottom", world:touching(box, floor))
+        play(world, 60)
+      end
+      -- Where it left in between it is another one.
+      world:remove(box)
+      world:update(1 / 60)
+      box.y = 40
+      world:add("boxes", box)
+      assert.is_false(box.touching.bottom)
+      assert.is_nil(world:touching(box, floor))
+      play(world, 60)
+      assert.equal(floor, box.touching.bottom)
+    end)
+  end
+
+  -- A long update has several steps, over which the way of a lift is spread.
+  it("refresh puts a lift somewhere else for good, also in the middle of an update", function()
+    world.gravity = 0
+    local lift = world:add("lifts", { x = 0, y = 0, width = 9, height = 9, kinematic = true })
+    local box = world:add("boxes", { x = 300, y = 0, width = 10, height = 9, vx = 100 })
+    world:add("boxes", { x = 310.5, y = 0, width = 9, height = 9, static = true })
+    function box.onBegin()
+      lift.x = 500
+      world:refresh(lift)
+    end
+    world:update(0.001)
+    lift.x = 30
+    world:update(0.1)
+    assert.equal(500, lift.x)
+    world:update(0.1)
+    assert.equal(500, lift.x)
+  end)
+
   it("refresh reads all of a static object anew, and wakes who rests there", function()
     local floor = world:add("tiles", newFloor())
     local box = world:add("boxes", newBox(0, 84))

@@ -1,5 +1,4 @@
---- The plain broad phase: everybody against everybody. It is the reference for all others, and the
---- fastest for a handful of objects.
+--- The plain broad phase: everybody against everybody. It is the reference for all others.
 --
 -- A broad phase knows the fat boxes of the objects that were inserted (columns `fatLow`, `fatHigh`)
 -- and answers one question, for many at once (`overlaps`) or for a rectangle (`query`): which of

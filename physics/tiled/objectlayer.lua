@@ -68,7 +68,7 @@ local function newObject(state, object, traits, tile)
     made.name = object.name
   end
   made.type = report.typeOf(object) or made.type or tile and tile.kind.type
-  made.tiled = { layer = state.layer, object = object, gid = object.gid }
+  made.tiled = { layer = state.layer, object = object, gid = tile and tile.gid }
   return made
 end
 

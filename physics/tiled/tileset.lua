@@ -18,7 +18,6 @@ local HEXAGONAL = 268435456 -- means nothing on orthogonal maps
 --- A tile as it stands in a layer.
 ---@class physics.Tile
 ---@field gid number without the bits that flip it
----@field id integer counted from the first of its tileset
 ---@field isFlippedX boolean
 ---@field isFlippedY boolean
 ---@field isTransposed boolean
@@ -230,7 +229,6 @@ function tileset.tile(reading, value, place)
   end
   return {
     gid = gid,
-    id = kind.id,
     kind = kind,
     isFlippedX = isFlippedX,
     isFlippedY = isFlippedY,
