@@ -326,7 +326,7 @@ end
 
 --- Whether a value is a list, or empty: a set (`{ players = true }`) would be taken for the latter.
 function check.isList(value)
-  return type(value) == "table" and (#value > 0 or isEmpty(value))
+  return type(value) == "table" and (value[1] ~= nil or isEmpty(value))
 end
 
 TYPES.names = {
