@@ -2,9 +2,9 @@
 --
 -- An object stands in exactly one cell: the one that holds the top-left corner of its fat box, on
 -- the first level whose cells are at least as large as the box. Each level doubles the cell. A
--- query looks, on every level in use, at the cells from one before the rectangle to its end: no
--- object that meets the rectangle can start elsewhere. Cells are lists in a fixed number of
--- buckets, so empty ones cost nothing and leave nothing behind.
+-- query looks, on every level in use, at the cells from as far before the rectangle as the boxes
+-- there are wide to its end: no object that meets the rectangle can start elsewhere. Cells are lists
+-- in a fixed number of buckets, so empty ones cost nothing and leave nothing behind.
 -- Source: M. Teschner et al., "Optimized Spatial Hashing for Collision Detection of Deformable
 -- Objects" (2003), for the hash; T. Ulrich, "Loose Octrees", for one cell per object and level.
 
@@ -63,6 +63,7 @@ function grid.new(b, cellSize)
     heads = {},
     -- by level
     members = {},
+    reach = {}, -- px: no box of a member is wider or higher; mostly less than the cell
     highest = 0,
     -- scratch of overlaps: cells to look at, and who asks
     cells = {},
@@ -75,7 +76,7 @@ function grid.new(b, cellSize)
   self.bank = bank.new(self, LAYOUT)
   clear(self.heads, self.buckets)
   for level = 0, LEVELS do
-    self.members[level] = 0
+    self.members[level], self.reach[level] = 0, 0
   end
   return self
 end
@@ -112,7 +113,15 @@ end
 -- The lists are changed without branches: place 0 of each column, and bucket 0, take what would be
 -- written to nobody.
 
+-- Sees to it that the boxes of a level are known to be as large as that of slot i, which comes there.
+local function reachFor(self, i, level)
+  local fatLow, fatHigh, reach, k = self.bodies.fatLow, self.bodies.fatHigh, self.reach, 2 * i
+  local size = max(fatHigh[k] - fatLow[k], fatHigh[k + 1] - fatLow[k + 1]) + SLACK
+  reach[level] = max(reach[level] * min(self.members[level], 1), size) -- nobody there: anew
+end
+
 local function file(self, i, level, cellX, cellY)
+  reachFor(self, i, level)
   local bucket = bucketOf(hash(cellX, cellY, level), self.buckets, 1 / self.buckets)
   local heads = self.heads
   local first = heads[bucket]
@@ -220,14 +229,15 @@ end
 
 -- Lists the cells of one level in which something may meet the fat boxes of those in `list`.
 local function addRanges(self, list, count, level, cell, n)
+  local reach = self.reach[level]
   local ranges, fatLow, fatHigh = self.ranges, self.bodies.fatLow, self.bodies.fatHigh
   for m = 1, count do
     local k = 2 * list[m]
     local left, top, right, bottom = fatLow[k], fatLow[k + 1], fatHigh[k], fatHigh[k + 1]
     if not isWide(self, right - left, bottom - top) then
       ranges[n + 1], ranges[n + 2] = m, level
-      ranges[n + 3], ranges[n + 4] = cellAt(left - cell, cell), cellAt(right, cell)
-      ranges[n + 5], ranges[n + 6] = cellAt(top - cell, cell), cellAt(bottom, cell)
+      ranges[n + 3], ranges[n + 4] = cellAt(left - reach, cell), cellAt(right, cell)
+      ranges[n + 5], ranges[n + 6] = cellAt(top - reach, cell), cellAt(bottom, cell)
       n = n + RANGE
     end
   end
@@ -374,9 +384,9 @@ end
 -- Walks along a line through the cells of one level, strip by strip across `axis`, its longer one
 -- (0: x, 1: y); see `walk`. The line begins at (x, y) and goes by (dx, dy).
 --
---     +---+---+---+     An object that starts in a strip ends in the next one at the latest, so
---     |   | . |.  |     a strip looks at the piece of the line over both of them, and no cell is
---     |  .|   |   |     looked at twice.
+--     +---+---+---+     An object that starts in a strip reaches into the next one at most, so a
+--     |   | . |.  |     strip looks at the piece of the line up to there, and no cell is looked at
+--     |  .|   |   |     twice.
 --     +---+---+---+
 --
 -- Members, cells and strips go through one loop, since a line passes few of each.
@@ -393,10 +403,11 @@ local function walkLevel(self, level, cell, axis, x, y, dx, dy, line, visit, bou
   end
   local base, inverse = level * FACTOR_LEVEL, 1 / buckets
   local lowest, highest, slope = min(a1, a1 + da), max(a1, a1 + da), db * share
-  local first, last = cellAt(lowest - cell, cell), cellAt(highest, cell)
+  local reach = self.reach[level]
+  local first, last = cellAt(lowest - reach, cell), cellAt(highest, cell)
   local way, strip, edge = 1, first - 1, -SLACK
   if da < 0 then
-    way, strip, edge = -1, last + 1, 2 * cell + SLACK
+    way, strip, edge = -1, last + 1, cell + reach + SLACK
   end
   -- Strips left behind this one, < 0: it is over; cell of this strip, its last one; who is in it.
   local left, at, lastB, i = last - first + 1, 0, -1, 0
@@ -417,10 +428,10 @@ local function walkLevel(self, level, cell, axis, x, y, dx, dy, line, visit, bou
       i = heads[bucketOf(strip * factorA + at * factorB + base, buckets, inverse)]
     else
       strip, left = strip + way, left - 1
-      local low, high = max(lowest, strip * cell), min(highest, (strip + 2) * cell)
+      local low, high = max(lowest, strip * cell), min(highest, (strip + 1) * cell + reach)
       local from, till = b1 + (low - a1) * slope, b1 + (high - a1) * slope
       at, lastB =
-        cellAt(min(from, till) - SLACK - cell, cell) - 1, cellAt(max(from, till) + SLACK, cell)
+        cellAt(min(from, till) - SLACK - reach, cell) - 1, cellAt(max(from, till) + SLACK, cell)
       if (strip * cell + edge - a1) * share > bound then
         left = -1 -- who starts in this strip, or in one further on, is met too late
       end
