@@ -350,7 +350,8 @@ local function reread(b, i)
     forgetMotion(b, i)
   end
   rest.wakeNeighbours(b, i)
-  readAll(b, i, object, isNew)
+  -- One that takes no part goes nowhere: it is where it was put meanwhile.
+  readAll(b, i, object, isNew or not b.active[i])
   if not b.active[i] then
     clearTouching(b.touching[i])
   end
@@ -510,6 +511,16 @@ local function compareLimits(b, count)
   end
 end
 
+-- Ends the contacts with those whom they have left of all whom the game has put elsewhere.
+local function endLeft(b)
+  for n = 1, b.movedCount do
+    local i = b.movedList[n]
+    if b.kind[i] ~= 0 then -- it may have left the world meanwhile
+      events.endLeft(b, i)
+    end
+  end
+end
+
 --- Reads a world's tables: `objects` is the game's table of groups.
 --- Errors: a group, key or field that cannot be used; an object in two places. Nothing has changed
 --- for the game then, and the next call starts anew.
@@ -524,6 +535,7 @@ function collect.run(b, objects)
   compareFilters(b, count)
   compareMaterials(b, count)
   compareLimits(b, count)
+  endLeft(b)
   -- Contacts that have ended by now were between objects that had other ranks.
   if b.events.count > b.events.sorted then
     events.arrange(b.events)

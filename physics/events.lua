@@ -4,6 +4,7 @@
 -- remove objects included. An error in a callback leaves the rest in the list for the next update.
 
 local here = (...):match("^(.*)%.[^.]+$")
+local aabb = require(here .. ".aabb")
 local check = require(here .. ".check")
 local columns = require(here .. ".columns")
 local filter = require(here .. ".filter")
@@ -13,7 +14,8 @@ require(here .. ".interpreted").file()
 
 local events = {}
 
-local SIDES, OPPOSITE = columns.SIDES, columns.OPPOSITE
+local EPSILON, SIDES, OPPOSITE = columns.EPSILON, columns.SIDES, columns.OPPOSITE
+local max, min = math.max, math.min
 
 -- Kinds, in the order in which the events of one pair are told.
 local END, BEGIN, STAY, LEFT, CRUSH = 1, 2, 3, 4, 5
@@ -136,6 +138,38 @@ function events.endContacts(b, i)
   local half = b.head[i]
   while half ~= 0 do
     endContact(b, (half + half % 2) / 2)
+    half = b.next[half]
+  end
+end
+
+-- Whether two that are in contact do not touch any more, where they stand now.
+local function isApart(b, i, j)
+  local position, size, k, m = b.position, b.size, 2 * i, 2 * j
+  local width, height = aabb.overlap(
+    position[k],
+    position[k + 1],
+    size[k],
+    size[k + 1],
+    position[m],
+    position[m + 1],
+    size[m],
+    size[m + 1]
+  )
+  if b.sensor[i] or b.sensor[j] then
+    return min(width, height) <= EPSILON
+  end
+  return min(width, height) < -EPSILON or max(width, height) <= EPSILON
+end
+
+--- Ends the contacts of a slot that the game has put elsewhere with whom it has left by that; it
+--- may come back in the same step.
+function events.endLeft(b, i)
+  local half = b.head[i]
+  while half ~= 0 do
+    local p = (half + half % 2) / 2
+    if b.contact[p] ~= 0 and isApart(b, i, b.other[half]) then
+      endContact(b, p)
+    end
     half = b.next[half]
   end
 end

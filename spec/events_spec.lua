@@ -352,6 +352,59 @@ describe("the life of a contact", function()
   end)
 end)
 
+describe("the contact of who is put elsewhere", function()
+  -- A bullet from a pool: it is fired again before the next update, and hits the same one in that.
+  for _, row in ipairs({
+    { "also when it is switched off in between", { active = false } },
+    { "also with `rest = false`", {}, { rest = false } },
+    { "also pair by pair", {}, { broadphase = "pairs" } },
+    { "also a sensor", { sensor = true } },
+    { "also with `sideBySide`", {}, { sideBySide = true } },
+  }) do
+    it(
+      "ends and begins anew when it is put elsewhere and hits again in one step, " .. row[1],
+      function()
+        local world = physics.newWorld(row[3] or {})
+        world.gravity = 0
+        local boss = world:add("bosses", newWall(100, 0, 100, 400))
+        local bullet = world:add("bullets", newBox(85, 50, { vx = 1200, sensor = row[2].sensor }))
+        local log = listen(bullet)
+        play(world, 1)
+        checkLog(log, 1, 0)
+        assert.equal("right", world:touching(bullet, boss))
+        for n = 1, 3 do
+          if row[2].active == false then
+            bullet.active = false
+            bullet.active = true
+          end
+          bullet.x, bullet.y, bullet.vx = 80, 100 * n, 1200
+          assert.is_nil(world:touching(bullet, boss))
+          play(world, 1)
+          checkLog(log, 1 + n, n)
+          assert.equal(1200, log.speed)
+          assert.equal("right", world:touching(bullet, boss))
+        end
+      end
+    )
+  end
+
+  it("goes on when it is put elsewhere along what it touches", function()
+    local world = physics.newWorld()
+    world:add("tiles", newWall(0, 100, 400, 20))
+    local box = world:add("boxes", newBox(0, 84))
+    local log = listen(box)
+    play(world, 10)
+    for n = 1, 10 do
+      box.x = 30 * n
+      play(world, 1)
+    end
+    checkLog(log, 1, 0)
+    box.y = 83
+    play(world, 10)
+    checkLog(log, 2, 1)
+  end)
+end)
+
 describe("a contact ends exactly once", function()
   local world, floor, box, ofBox, ofFloor, told
 

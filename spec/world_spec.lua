@@ -464,6 +464,34 @@ describe("add, remove and refresh", function()
     end)
   end
 
+  for _, row in ipairs({
+    { "is", 10 },
+    { "and a sensor is", 10, true },
+    { "for one update is", 1 },
+  }) do
+    it("a kinematic object that is switched off " .. row[1] .. " where it was put", function()
+      world.gravity = 0
+      local foe = world:add("foes", { x = 200, y = 0, width = 20, height = 20 })
+      local lift = world:add("lifts", { x = 0, y = 0, width = 20, height = 20, kinematic = true })
+      lift.sensor = row[3]
+      local hits = 0
+      function lift.onBegin()
+        hits = hits + 1
+      end
+      play(world, 1)
+      lift.active, lift.x = false, 400
+      play(world, row[2])
+      lift.active = true
+      play(world, 10)
+      assert.same({ 200, 0, 400, 0 }, { foe.x, foe.vx, lift.x, hits })
+      lift.x = 300 -- moves again
+      play(world, 1)
+      lift.x = 190
+      play(world, 1)
+      assert.equal(1, hits)
+    end)
+  end
+
   -- A long update has several steps, over which the way of a lift is spread.
   it("refresh puts a lift somewhere else for good, also in the middle of an update", function()
     world.gravity = 0

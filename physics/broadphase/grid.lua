@@ -3,8 +3,8 @@
 -- An object stands in exactly one cell: the one that holds the top-left corner of its fat box, on
 -- the first level whose cells are at least as large as the box. Each level doubles the cell. A
 -- query looks, on every level in use, at the cells from as far before the rectangle as the boxes
--- there are wide to its end: no object that meets the rectangle can start elsewhere. Cells are lists
--- in a fixed number of buckets, so empty ones cost nothing and leave nothing behind.
+-- there are wide to its end: no object that meets the rectangle can start elsewhere. Cells are
+-- lists in a fixed number of buckets, so empty ones cost nothing and leave nothing behind.
 -- Source: M. Teschner et al., "Optimized Spatial Hashing for Collision Detection of Deformable
 -- Objects" (2003), for the hash; T. Ulrich, "Loose Octrees", for one cell per object and level.
 
@@ -113,7 +113,8 @@ end
 -- The lists are changed without branches: place 0 of each column, and bucket 0, take what would be
 -- written to nobody.
 
--- Sees to it that the boxes of a level are known to be as large as that of slot i, which comes there.
+-- Sees to it that the boxes of a level are known to be as large as that of slot i, which comes
+-- there.
 local function reachFor(self, i, level)
   local fatLow, fatHigh, reach, k = self.bodies.fatLow, self.bodies.fatHigh, self.reach, 2 * i
   local size = max(fatHigh[k] - fatLow[k], fatHigh[k + 1] - fatLow[k + 1]) + SLACK

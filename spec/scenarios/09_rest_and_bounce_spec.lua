@@ -254,4 +254,38 @@ describe("a bounce", function()
       end
     end)
   end)
+
+  -- README, Limits: more than four hits of one pair in a step bounce no more.
+  for _, row in ipairs({ { 1 / 30, 400, 0 }, { 1 / 30, 200, 200 }, { 1 / 240, 400, 400 } }) do
+    local name = ("where there is 1 px of room, %d px/s in steps of 1/%d s"):format(
+      row[2],
+      1 / row[1]
+    )
+    it(name .. (row[3] > 0 and " goes on" or " ends"), function()
+      scene.each(TURNED, function(run)
+        local named = run:build({
+          gravity = 0,
+          maxStep = row[1],
+          { "tiles", { x = 0, y = 0, width = 800, height = 10, static = true } },
+          { "tiles", { x = 0, y = 21, width = 800, height = 10, static = true } },
+          {
+            "balls",
+            {
+              name = "ball",
+              x = 20,
+              y = 10.5,
+              width = 10,
+              height = 10,
+              vy = row[2],
+              restitution = 1,
+            },
+          },
+        })
+        for _ = 1, 30 do
+          run:step(1 / 30)
+        end
+        run:near("speed", math.abs(named.ball.vy), row[3], 1e-9)
+      end)
+    end)
+  end
 end)
