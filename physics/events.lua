@@ -56,23 +56,28 @@ local function hasListener(b, kind, i, j)
   return b.world[name] or b.object[i][name] or b.object[j][name]
 end
 
+-- Adds an event of the objects in slots i and j and, if there is one, of another one.
+local function note(b, kind, i, j, third, side, speed)
+  local e = b.events
+  local n = e.count + 1
+  e.count = n
+  e.order[n] = n
+  e.kind[n], e.kindAndNumber[n] = kind, n
+  e.rankA[n], e.rankB[n] = b.rank[i], b.rank[j]
+  e.a[n], e.b[n], e.c[n] = b.object[i], b.object[j], third
+  e.side[n], e.speed[n] = side, speed
+end
+
 -- Adds an event of the objects in slots i and j, if anybody hears of it. The first of them in the
 -- order of the world is told as `a`; `side` is that of i.
 local function add(b, kind, i, j, side, speed)
   if not hasListener(b, kind, i, j) then
     return
   end
-  local e, first, second = b.events, i, j
   if b.rank[j] < b.rank[i] then
-    first, second, side = j, i, OPPOSITE[side]
+    return note(b, kind, j, i, false, OPPOSITE[side], speed)
   end
-  local n = e.count + 1
-  e.count = n
-  e.order[n] = n
-  e.kind[n], e.kindAndNumber[n] = kind, n
-  e.rankA[n], e.rankB[n] = b.rank[first], b.rank[second]
-  e.a[n], e.b[n], e.c[n] = b.object[first], b.object[second], false
-  e.side[n], e.speed[n] = side, speed
+  return note(b, kind, i, j, false, side, speed)
 end
 
 -- Whether anybody wants to be told of a contact at every step. Such objects cannot rest.
@@ -112,17 +117,9 @@ end
 
 --- Notes that slot i is held between j and k on an axis ("x" or "y").
 function events.crush(b, i, j, k, axis)
-  if not hasListener(b, CRUSH, i, i) then
-    return
+  if hasListener(b, CRUSH, i, i) then
+    note(b, CRUSH, i, j, b.object[k], axis, 0)
   end
-  local e = b.events
-  local n = e.count + 1
-  e.count = n
-  e.order[n] = n
-  e.kind[n], e.kindAndNumber[n] = CRUSH, n
-  e.rankA[n], e.rankB[n] = b.rank[i], b.rank[j]
-  e.a[n], e.b[n], e.c[n] = b.object[i], b.object[j], b.object[k]
-  e.side[n], e.speed[n] = axis, 0
 end
 
 local function endContact(b, p)

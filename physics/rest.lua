@@ -74,10 +74,7 @@ end
 --- Wakes everybody: a setting has changed.
 function rest.wakeAll(b)
   for n = 1, b.moverCount do
-    local i = b.movers[n]
-    if b.kind[i] ~= STATIC then
-      rest.wake(b, i)
-    end
+    rest.wake(b, b.movers[n])
   end
 end
 
