@@ -40,7 +40,8 @@ function lone.new()
   return {
     latest = 0, -- the last moment of all that were resolved; 0: none
     pairs = {}, -- pairs that meet, as far as is known
-    meeting = 0, -- how many
+    meeting = {}, -- who is in those, two for each
+    meetingCount = 0,
     places = {}, -- where they stand in `near`; then only those that may be resolved
     count = 0, -- resolved
     pair = {}, -- by hit: the pair,
@@ -78,13 +79,24 @@ local function listQueued(q, work, count)
   return count + q.size
 end
 
--- Counts how many each of them meets; with `by` -1 forgets that.
-local function countHits(b, list, count, by)
-  local meetings, pairA, pairB, kind = b.meetings, b.pairA, b.pairB, b.kind
+-- Counts how many others each of those meets who are in the first `count` pairs.
+local function countHits(b, work, count)
+  local pairs_, meeting, meetings = work.pairs, work.meeting, b.meetings
+  local pairA, pairB, kind = b.pairA, b.pairB, b.kind
   for n = 1, count do
-    local i, j = pairA[list[n]], pairB[list[n]]
-    meetings[i] = meetings[i] + by * GIVES[kind[i]]
-    meetings[j] = meetings[j] + by * GIVES[kind[j]]
+    local i, j = pairA[pairs_[n]], pairB[pairs_[n]]
+    meeting[2 * n - 1], meeting[2 * n] = i, j
+    meetings[i] = meetings[i] + GIVES[kind[i]]
+    meetings[j] = meetings[j] + GIVES[kind[j]]
+  end
+  work.meetingCount = 2 * count
+end
+
+-- Forgets that. (Not by the pairs: some may be others by then.)
+local function forgetHits(b, work)
+  local meeting, meetings = work.meeting, b.meetings
+  for n = 1, work.meetingCount do
+    meetings[meeting[n]] = 0
   end
 end
 
@@ -261,8 +273,7 @@ function lone.resolve(b, count, dt)
   if hits == 0 or earliest <= 0 then
     return false
   end
-  work.meeting = listQueued(b.queue, work, hits)
-  countHits(b, work.pairs, work.meeting, 1)
+  countHits(b, work, listQueued(b.queue, work, hits))
   local n = keepFree(b, work, keepSingle(b, work, hits))
   aim(b, work, n)
   n = keepBounces(b, work, n, dt)
@@ -323,7 +334,7 @@ end
 function lone.undoDisturbed(b, first)
   local work, meetings = b.lone, b.meetings
   for n = first, b.awakeCount do
-    meetings[b.awakeList[n]] = meetings[b.awakeList[n]] + 1
+    meetings[b.awakeList[n]] = 1
   end
   for n = 1, listDisturbed(b, work) do
     local i = work.disturbed[n]
@@ -332,9 +343,9 @@ function lone.undoDisturbed(b, first)
     end
   end
   for n = first, b.awakeCount do
-    meetings[b.awakeList[n]] = meetings[b.awakeList[n]] - 1
+    meetings[b.awakeList[n]] = 0
   end
-  countHits(b, work.pairs, work.meeting, -1)
+  forgetHits(b, work)
 end
 
 -- Whether slot i is on the path that its lone hit has led to.
