@@ -148,6 +148,14 @@ describe("the README", function()
     for path in README:gmatch("%]%(([%w_/%.%-]+)[)#]") do
       read(path)
     end
+    -- Letters, digits and hyphens of the title are left.
+    local titles = {}
+    for title in README:gmatch("\n##+ ([^\n]+)") do
+      titles[title:lower():gsub("[^%w%- ]", ""):gsub(" ", "-")] = true
+    end
+    for anchor in README:gmatch("%]%(#([^)]+)%)") do
+      assert.is_true(titles[anchor], anchor)
+    end
     for anchor in README:gmatch("%]%(docs/recipes%.md#([%w%-]+)%)") do
       local title = anchor:gsub("%-", " ")
       assert.truthy(read("docs/recipes.md"):lower():find("\n## " .. title .. "\n", 1, true))
