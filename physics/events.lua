@@ -152,10 +152,9 @@ local function isApart(b, i, j)
     size[m],
     size[m + 1]
   )
-  if b.sensor[i] or b.sensor[j] then
-    return min(width, height) <= EPSILON
-  end
-  return min(width, height) < -EPSILON or max(width, height) <= EPSILON
+  -- (A contact with one that has become a sensor goes on while somebody passes through it.)
+  local isSensed = b.sensor[i] or b.sensor[j]
+  return min(width, height) < -EPSILON or (not isSensed and max(width, height) <= EPSILON)
 end
 
 --- Ends the contacts of a slot that the game has put elsewhere with whom it has left by that; it
