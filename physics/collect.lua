@@ -606,6 +606,6 @@ function collect.newGravity(b)
   rest.wakeAll(b)
 end
 
-interpreted.functions(collect.run) -- leads from loop to loop
+interpreted.functions(endLeft, collect.run) -- calls what is interpreted; leads from loop to loop
 
 return collect
