@@ -141,6 +141,7 @@ function World:update(dt)
   check.number(dt, "dt", "world:update(dt)", 0)
   local b = self._bodies
   checkIdle(b, "update(dt)")
+  view.outdate(b) -- also if there is no step
   events.tell(b)
   if dt < SHORTEST then
     settings.apply(self)

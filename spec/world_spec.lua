@@ -492,6 +492,22 @@ describe("add, remove and refresh", function()
     end)
   end
 
+  -- In worlds of more than 128 objects only the first question after an update looks at everybody.
+  for _, row in ipairs({ { "too short for a fixed step", 1 / 144 }, { "of no time", 0 } }) do
+    it("the first question after an update " .. row[1] .. " sees who was put elsewhere", function()
+      world.gravity, world.timestep = 0, 1 / 60
+      local boxes = {}
+      for i = 1, 200 do
+        boxes[i] = world:add("boxes", newBox(20 * i, 0))
+      end
+      for i = 1, 20 do
+        boxes[i].x, boxes[i].y = -5000, -1000 * i
+        world:update(row[2])
+        assert.same({ boxes[i] }, (world:queryPoint(-4995, 5 - 1000 * i)))
+      end
+    end)
+  end
+
   -- A long update has several steps, over which the way of a lift is spread.
   it("refresh puts a lift somewhere else for good, also in the middle of an update", function()
     world.gravity = 0
