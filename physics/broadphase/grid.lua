@@ -110,9 +110,6 @@ local function levelFor(self, size)
   return level, cell
 end
 
--- The lists are changed without branches: place 0 of each column, and bucket 0, take what would be
--- written to nobody.
-
 -- Sees to it that the boxes of a level are known to be as large as that of slot i, which comes
 -- there.
 local function reachFor(self, i, level)
@@ -120,6 +117,9 @@ local function reachFor(self, i, level)
   local size = max(fatHigh[k] - fatLow[k], fatHigh[k + 1] - fatLow[k + 1]) + SLACK
   reach[level] = max(reach[level] * min(self.members[level], 1), size) -- nobody there: anew
 end
+
+-- The lists are changed without branches: place 0 of each column, and bucket 0, take what would be
+-- written to nobody.
 
 local function file(self, i, level, cellX, cellY)
   reachFor(self, i, level)
