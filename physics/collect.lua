@@ -31,35 +31,28 @@ local function orDefault(value, default)
   return value
 end
 
--- Notes what a mask says of each group, by the place of the group in the world's list of names:
--- changes inside the same table are seen by it. The mask of a static object is copied.
+-- Notes what a mask says of each group, by the number of the group, and in place 0 the last number
+-- there was: changes inside the same table are seen by it. The mask of a static object is copied.
 local function readMask(b, i, mask)
   if b.kind[i] == STATIC then
     b.mask[i] = filter.copyMask(b, mask)
     return
   end
-  local names, seen = b.groupNames, {}
-  for n = 1, #names do
-    seen[n] = mask[names[n]] == false
+  local groups, seen = b.roster.groups, { [0] = b.roster.numbers }
+  for n = 1, #groups do
+    seen[groups[n].number] = mask[groups[n].name] == false or nil
   end
   b.maskSeen[i] = seen
 end
 
 local function hasMaskChanged(b, mask, seen)
-  local names = b.groupNames
-  for n = 1, #names do
-    if (mask[names[n]] == false) ~= (seen[n] or false) then
+  local groups = b.roster.groups
+  for n = 1, #groups do
+    if (mask[groups[n].name] == false) ~= (seen[groups[n].number] or false) then
       return true
     end
   end
   return false
-end
-
-local function nameGroup(b, name)
-  if not b.groupNumber[name] then
-    b.groupNames[#b.groupNames + 1] = name
-    b.groupNumber[name] = #b.groupNames
-  end
 end
 
 local function markMoved(b, i)
@@ -223,7 +216,6 @@ local function enter(b, object, record, key)
   local i = columns.claim(b)
   b.slotOf[object] = i
   b.object[i], b.group[i], b.groupName[i], b.key[i] = object, record, record.name, key
-  nameGroup(b, record.name)
   b.kind[i] = kindOf(object)
   readAll(b, i, object, true)
   columns.stand(b, i)
@@ -261,7 +253,6 @@ end
 
 local function rename(b, i, record)
   b.group[i], b.groupName[i] = record, record.name
-  nameGroup(b, record.name)
 end
 
 -- Of two who are equally good to stand on, the first in order is touched; and in another group it

@@ -429,8 +429,6 @@ function columns.new()
     linkOther = {},
     linked = {}, -- their pairs
     parted = {}, -- pairs that are about to be taken apart
-    groupNames = {},
-    groupNumber = {},
     movedList = {},
     movedCount = 0,
     remaining = 1, -- steps that are left in this update

@@ -83,16 +83,16 @@ local function checkNames(seen, object, list, byName, b, i)
   end
 end
 
--- The group of the world that a name was probably meant to be; nil: none, or it is one. (It may
--- also be that of a group that is still to come, so short ones are all left alone.)
+-- The group of the world that a name was probably meant to be; nil: none, or it is one, or was.
+-- (It may also be that of a group that is still to come, so short ones are all left alone.)
 local function groupMeant(b, name)
   if type(name) ~= "string" or #name < 4 then
     return nil
-  elseif b.groupNumber[name] or b.world.objects[name] ~= nil then
+  elseif b.guarded.groups[name] or b.world.objects[name] ~= nil then
     return nil
   end
-  for n = 1, #b.groupNames do
-    local known = b.groupNames[n]
+  for n = 1, #b.roster.groups do
+    local known = b.roster.groups[n].name
     if type(known) == "string" and #known > 3 and check.isSlip(name, known) then
       return known
     end
@@ -236,8 +236,11 @@ end
 --- Errors: see the top of this file; nothing has changed then.
 function guard.run(world)
   local b = world._bodies
-  b.guarded = b.guarded or { fields = {}, settings = {} }
+  b.guarded = b.guarded or { fields = {}, settings = {}, groups = {} }
   local seen = b.guarded
+  for n = 1, #b.roster.groups do
+    seen.groups[b.roster.groups[n].name] = true
+  end
   checkNames(seen.settings, world, fields.settings, fields.settingByName, b)
   checkMasks(b, world.masks or {})
   for i = 1, b.slots do

@@ -489,18 +489,6 @@ end
 
 -- The world --------------------------------------------------------------------------------------
 
-local function nameGroups(b, names)
-  for name in next, b.groupNumber, nil do
-    b.groupNumber[name] = nil
-  end
-  for n = 1, max(#names, #b.groupNames) do
-    b.groupNames[n] = names[n]
-    if names[n] ~= nil then
-      b.groupNumber[names[n]] = n
-    end
-  end
-end
-
 -- The masks of a world as a table. A list cannot tell of rows that say nothing: those of `rows`.
 local function masksOf(list, rows)
   local masks = {}
@@ -606,7 +594,6 @@ function restore.world(world, st)
   local objects, masks = tables.objects, tables.masks
   local named = recall(st, objects, tables.gone)
   forget(b)
-  nameGroups(b, st.names)
   restoreSettings(world, st.settings, tables)
   writeFields(st, objects, masks)
   local unread = writeRead(st, objects)
@@ -628,6 +615,6 @@ function restore.world(world, st)
 end
 
 interpreted.always(overwrite, masksOf, areSameMasks, writeMasks)
-interpreted.always(writeRead, emptyGroups, nameGroups, restore.world)
+interpreted.always(writeRead, emptyGroups, restore.world)
 
 return restore

@@ -36,8 +36,9 @@ local function newWeak()
 end
 
 --- Returns an empty roster. `groups` are the records in order: a record is
---- `{ name, source, direct, index, list, slots, keys, count, plain, stale, first, follows, gaps,
---- gapCount }`, where `source` is the game's table (the object itself if `direct`), `list` who was
+--- `{ name, number, source, direct, index, list, slots, keys, count, plain, stale, first, follows,
+--- gaps, gapCount }`, where `number` stays as long as the world has a group of this name, and is
+--- nobody else's ever, `source` is the game's table (the object itself if `direct`), `list` who was
 --- in it and `slots` theirs, `plain` says that the keys are just 1 to `count`, and `mixed` that
 --- they once were others, or out of order. Of a stale one those before place `follows` of the list
 --- stand before place `first` of the table now, in the same order, without those at the places in
@@ -50,6 +51,7 @@ function roster.new()
     groups = {},
     groupCount = 0,
     byName = {},
+    numbers = 0, -- the last number of a group
     moved = {}, -- slots of those who have changed their group or their order in an update
     isRenamed = {},
     movedCount = 0,
@@ -198,10 +200,11 @@ local function sortedNames(self, objects)
   return names
 end
 
-local function newRecord(name, source)
+local function newRecord(name, number, source)
   local direct = isObject(source)
   return {
     name = name,
+    number = number,
     source = source,
     direct = direct,
     index = 0,
@@ -252,6 +255,11 @@ local function checkGroup(name, source)
   return source
 end
 
+local function nextNumber(self)
+  self.numbers = self.numbers + 1
+  return self.numbers
+end
+
 -- Returns the records of all groups in order, old ones where the table is the same.
 local function readGroups(self, objects)
   local groups, byName = {}, {}
@@ -259,7 +267,7 @@ local function readGroups(self, objects)
     local source = checkGroup(name, objects[name])
     local record = self.byName[name]
     if not record or not rawequal(record.source, source) then
-      record = newRecord(name, source)
+      record = newRecord(name, record and record.number or nextNumber(self), source)
     end
     groups[index], byName[name] = record, record
   end
@@ -712,7 +720,7 @@ function roster.look(b, self, objects)
   end
   local records, found = {}, {}
   for index, name in ipairs(sortedNames(self, objects)) do
-    local record = newRecord(name, checkGroup(name, objects[name]))
+    local record = newRecord(name, 0, checkGroup(name, objects[name]))
     records[index] = record
     readMembers(record, 1)
     for n = 1, record.tailCount do

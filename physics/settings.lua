@@ -16,6 +16,7 @@ require(here .. ".interpreted").file()
 
 local settings = {}
 
+local NONE = {} -- the mask of a group that has none
 local BROADPHASES = { auto = grid, grid = grid, pairs = everybody }
 
 -- What a change of a setting asks for.
@@ -89,25 +90,49 @@ function effects.masks(self, b)
   b.isRemasked = true
 end
 
+-- Notes in a row what the mask of a group says of each, by the number of the group. Returns
+-- whether that is something else than before.
+local function hasRowChanged(groups, mask, row)
+  local changed = false
+  for n = 1, #groups do
+    local refuses, number = mask[groups[n].name] == false, groups[n].number
+    if refuses ~= (row[number] or false) then
+      row[number], changed = refuses, true
+    end
+  end
+  return changed
+end
+
+-- What was seen of groups that are in the world; others have left since.
+local function withoutGone(groups, seen)
+  local kept = {}
+  for m = 1, #groups do
+    local number = groups[m].number
+    local row = seen[number]
+    kept[number] = row and {}
+    for n = 1, row and #groups or 0 do
+      kept[number][groups[n].number] = row[groups[n].number]
+    end
+  end
+  return kept
+end
+
 -- Whether the masks say something else than when they were last read: the game may change them
--- inside the same table. By the numbers of the two groups in the world's list of names.
+-- inside the same table. Those of groups that are not in the world say nothing yet.
 local function haveMasksChanged(b, masks)
-  local names, seen, changed = b.groupNames, b.masksSeen, false
+  local groups, seen, changed = b.roster.groups, b.masksSeen, false
   if not seen then -- never read, or forgotten by `restore`
     seen, changed = {}, true
-    b.masksSeen = seen
+  elseif seen[0] ~= b.roster.numbers then
+    seen = withoutGone(groups, seen)
   end
-  for m = 1, #names do
-    local group, row = masks[names[m]], seen[m]
-    if not row then
-      row = {}
-      seen[m] = row
-    end
-    for n = 1, #names do
-      local refuses = group ~= nil and group[names[n]] == false
-      if refuses ~= (row[n] or false) then
-        row[n], changed = refuses, true
-      end
+  seen[0], b.masksSeen = b.roster.numbers, seen
+  for n = 1, #groups do
+    local mask, row = masks[groups[n].name], seen[groups[n].number]
+    if mask or row then -- most have none
+      row = row or {}
+      seen[groups[n].number] = row
+      changed = hasRowChanged(groups, mask or NONE, row) or changed
     end
   end
   return changed

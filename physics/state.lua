@@ -7,7 +7,6 @@
 --   version       of this layout
 --   settings      name -> value; masks = { group, other, collides, ... }
 --   saved         s, saved up for the next fixed step
---   names         all groups that were ever seen
 --   groups        { name, count, direct, keys } in order: who is known. Without keys: 1 to count
 --   tables        { name, direct, keys, objects } in order: what the game's tables hold now; only
 --                 if that is not the same
@@ -230,11 +229,6 @@ local function saveGroups(b, out, work)
   end
   cut(list, #groups)
   out.known = n
-  local names = listIn(out, "names")
-  for m = 1, #b.groupNames do
-    names[m] = b.groupNames[m]
-  end
-  cut(names, #b.groupNames)
 end
 
 -- Notes what the tables hold now, if the library has not seen it yet.
@@ -387,10 +381,10 @@ local function listRead(b, slot)
   if b.kind[slot] == STATIC then
     return listMask(b.mask[slot])
   end
-  local list, names, seen = {}, b.groupNames, b.maskSeen[slot]
-  for n = 1, #names do
-    if seen[n] then
-      list[#list + 1] = names[n]
+  local list, groups, seen = {}, b.roster.groups, b.maskSeen[slot]
+  for n = 1, #groups do
+    if seen[groups[n].number] then
+      list[#list + 1] = groups[n].name
       list[#list + 1] = false
     end
   end
@@ -399,10 +393,11 @@ end
 
 -- Whether the mask of a mover is what it was when it was read.
 local function isSeen(b, slot, mask)
-  local names, seen = b.groupNames, b.maskSeen[slot]
-  -- Groups that came later are looked up in the mask itself.
-  for n = 1, #(seen or names) do
-    if (mask[names[n]] == false) ~= (seen[n] or false) then
+  local groups, seen = b.roster.groups, b.maskSeen[slot]
+  for n = 1, #groups do
+    local number = groups[n].number
+    -- Groups that came later are looked up in the mask itself.
+    if number <= seen[0] and (mask[groups[n].name] == false) ~= (seen[number] or false) then
       return false
     end
   end

@@ -153,7 +153,6 @@ local function needGroups(st)
   if total ~= st.known then
     refuse("state.known", show(total) .. ", as many as the groups have", st.known)
   end
-  needList(st.names, "state.names", { NAME })
 end
 
 local function needTables(st)

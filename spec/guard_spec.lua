@@ -147,6 +147,10 @@ describe("a checked world", function()
     refusesStep(world, "world.masks.coins: there is no group boxs, did you mean boxes?")
     world.masks = { coins = { bullets = false }, [7] = { floors = false } } -- may be still to come
     world:update(DT)
+    world.objects.floor1 = {} -- it may come back
+    world:update(DT)
+    world.objects.floor1, world.masks = nil, { floor1 = { boxes = false } }
+    world:update(DT)
   end)
 
   it("leaves the game's own fields alone", function()

@@ -123,6 +123,76 @@ describe("settings", function()
     end
     assert.equal(0, garbage.bytes(step, 100, 1000))
   end)
+
+  -- Who asks for the mask of each group, and that for each group, asks a thousand times a thousand.
+  it("masks ask for the groups that are there, not for all that ever were", function()
+    local count = 0
+    local function counting(values)
+      return setmetatable({}, {
+        __index = function(_, name)
+          count = count + 1
+          return values[name]
+        end,
+      })
+    end
+    local masks = { tiles = counting({ boxes = false }), boxes = counting({}) }
+    local world = physics.newWorld({ gravity = 0, masks = counting(masks) })
+    world:add("tiles", { x = 0, y = 20, width = 100, height = 16, static = true })
+    world:add("boxes", newBox(0, 0, { mask = counting({ crates = false }) }))
+    local function shoot(n)
+      world.objects["bullet" .. n - 1] = nil
+      world.objects["bullet" .. n] = newBox(200, 0)
+      count = 0
+      world:update(DT)
+      return count
+    end
+    shoot(1)
+    shoot(2)
+    local few, size = shoot(3), #world:save().groups
+    assert.is_true(few > 0)
+    for n = 4, 200 do
+      assert.equal(few, shoot(n))
+    end
+    assert.equal(size, #world:save().groups)
+  end)
+
+  it("masks are seen to change, also of a group that has been away", function()
+    local world = physics.newWorld({ gravity = 0, masks = { shots = { gates = true } } })
+    local gates = { newBox(30, 0, { static = true }) }
+    world.objects = { gates = gates, shots = { newBox(0, 0, { vx = 600 }) } }
+    local shot = world.objects.shots[1]
+    play(world, 5)
+    assert.equal(14, shot.x)
+    world.objects.gates = nil
+    world:update(DT)
+    world.masks.shots.gates = false
+    world.objects.gates = gates
+    world:update(DT)
+    world.masks.shots.gates = nil
+    shot.x, shot.vx = 0, 600
+    play(world, 5)
+    assert.equal(14, shot.x)
+    world.masks.shots.gates = false
+    shot.x, shot.vx = 0, 600
+    play(world, 6)
+    assert.near(60, shot.x, 1e-9)
+    -- The same of a mask of its own.
+    world.masks, shot.mask = nil, { gates = false }
+    shot.x = 0
+    play(world, 6)
+    assert.near(60, shot.x, 1e-9)
+    world.objects.gates = nil
+    world:update(DT)
+    shot.mask.gates = nil
+    world.objects.gates = gates
+    shot.x = 0
+    play(world, 5)
+    assert.equal(14, shot.x)
+    shot.mask.gates = false
+    shot.x, shot.vx = 0, 600
+    play(world, 6)
+    assert.near(60, shot.x, 1e-9)
+  end)
 end)
 
 describe("timestep", function()

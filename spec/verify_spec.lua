@@ -70,8 +70,6 @@ local ROWS = {
   { "groups[2].keys[4]", nil, "#state.groups[2].keys must be 4, got 3" },
   { "groups[2].keys[4]", "left", "state.groups[2].keys[4] must be a key that is there once" },
   { "groups[2].keys[1]", {}, "state.groups[2].keys[1] must be a string or a number" },
-  { "names", 3, "state.names must be a table, got 3" },
-  { "names[2]", false, "state.names[2] must be a string or a number, got false" },
   { "tables", nil, "state.count must be 9, got 10" },
   { "tables", true, "state.tables must be a table, got true" },
   { "tables[1]", 1, "state.tables[1] must be a table, got 1" },
