@@ -119,10 +119,13 @@ describe("the queue", function()
 end)
 
 describe("the broad phases", function()
-  --- Puts a box with random place and size into the fat boxes of slot i.
-  local function place(b, random, i)
+  --- Puts a box with random size into the fat boxes of slot i: somewhere, or where it is (`stays`).
+  local function place(b, random, i, stays)
     local scale = random:pick({ 1, 1, 1, 10, 300 })
     local x, y = random:between(-500, 500), random:between(-500, 500)
+    if stays then
+      x, y = b.fatLow[2 * i], b.fatLow[2 * i + 1]
+    end
     b.fatLow[2 * i], b.fatHigh[2 * i] = x, x + scale * random:between(0.1, 30)
     b.fatLow[2 * i + 1], b.fatHigh[2 * i + 1] = y, y + scale * random:between(0.1, 30)
   end
@@ -131,9 +134,9 @@ describe("the broad phases", function()
   local function placeSome(b, random, i, isIn)
     local list = { i }
     place(b, random, i)
-    for j = 1, 150 do
-      if isIn[j] and j ~= i and random:chance(0.05) then
-        place(b, random, j)
+    for j = 1, #isIn do
+      if isIn[j] and j ~= i and random:chance(8 / (#isIn + 12)) then
+        place(b, random, j, random:chance(0.5))
         list[#list + 1] = j
       end
     end
@@ -151,14 +154,19 @@ describe("the broad phases", function()
     return table.concat(list, " ")
   end
 
-  for _, cell in ipairs({ 32, 1, 7.3, 4000 }) do
-    it("find the same, in cells of " .. cell, function()
+  -- Few of them, too: of many one is as wide as any can be.
+  for _, row in ipairs({ { 150, 32 }, { 150, 1 }, { 150, 7.3 }, { 150, 4000 }, { 4, 32 }, { 4, 9 } }) do
+    it(("find the same among %d, in cells of %g"):format(row[1], row[2]), function()
       local random = newRandom(9)
-      local b = newBodies(150)
-      local phases = { everybody.new(b), grid.new(b, cell) }
+      local b = newBodies(row[1])
+      local phases = { everybody.new(b), grid.new(b, row[2]) }
       local isIn = {}
+      for i = 1, row[1] do
+        isIn[i] = false
+      end
       for _ = 1, 600 do
-        local i = random:integer(1, 150)
+        local i = random:integer(1, row[1])
+        local last = i
         if isIn[i] and random:chance(0.4) then
           for _, phase in ipairs(phases) do
             phase:remove(i)
@@ -166,6 +174,7 @@ describe("the broad phases", function()
           isIn[i] = false
         else
           local list = placeSome(b, random, i, isIn)
+          last = list[#list]
           for _, phase in ipairs(phases) do
             if not isIn[i] then
               phase:insert(i)
@@ -176,6 +185,9 @@ describe("the broad phases", function()
         end
         local x, y = random:between(-600, 600), random:between(-600, 600)
         local w, h = random:between(0, 200), random:between(0, 200)
+        if isIn[last] and random:chance(0.7) then -- the far corner of one that has changed
+          x, y, w, h = b.fatHigh[2 * last] - 0.05, b.fatHigh[2 * last + 1] - 0.05, 0, 0
+        end
         if random:chance(0.05) then
           w = 1e9
         end
@@ -183,6 +195,20 @@ describe("the broad phases", function()
       end
     end)
   end
+
+  it("find who has become wider where it stands", function()
+    local b = newBodies(1)
+    local phases = { everybody.new(b), grid.new(b, 32) }
+    b.fatLow[2], b.fatHigh[2], b.fatLow[3], b.fatHigh[3] = 30, 34, 30, 34
+    for _, phase in ipairs(phases) do
+      phase:insert(1)
+    end
+    b.fatHigh[2] = 60
+    for _, phase in ipairs(phases) do
+      phase:update({ 1 }, 1)
+      assert.equal("1", ask(phase, 50, 30, 51, 31))
+    end
+  end)
 
   it("work far out, and at the edges", function()
     local b = newBodies(3)

@@ -110,19 +110,10 @@ local function levelFor(self, size)
   return level, cell
 end
 
--- Sees to it that the boxes of a level are known to be as large as that of slot i, which comes
--- there.
-local function reachFor(self, i, level)
-  local fatLow, fatHigh, reach, k = self.bodies.fatLow, self.bodies.fatHigh, self.reach, 2 * i
-  local size = max(fatHigh[k] - fatLow[k], fatHigh[k + 1] - fatLow[k + 1]) + SLACK
-  reach[level] = max(reach[level] * min(self.members[level], 1), size) -- nobody there: anew
-end
-
 -- The lists are changed without branches: place 0 of each column, and bucket 0, take what would be
 -- written to nobody.
 
 local function file(self, i, level, cellX, cellY)
-  reachFor(self, i, level)
   local bucket = bucketOf(hash(cellX, cellY, level), self.buckets, 1 / self.buckets)
   local heads = self.heads
   local first = heads[bucket]
@@ -136,8 +127,9 @@ local function unfile(self, i)
   local before, after = self.previous[i], self.next[i]
   self.next[before], self.previous[after] = after, before
   self.heads[self.bucket[i] * (1 - min(before, 1))] = after -- only if it was the first
-  local level = self.level[i]
-  self.members[level] = self.members[level] - 1
+  local level, members, reach = self.level[i], self.members, self.reach
+  members[level] = members[level] - 1
+  reach[level] = reach[level] * min(members[level], 1) -- nobody there: anew
 end
 
 -- After some were taken out.
@@ -147,12 +139,16 @@ local function findHighest(self)
   end
 end
 
+-- Where slot i belongs, which is known to reach that far then: also who stays in its cell may have
+-- become wider there.
 local function place(self, i)
-  local b = self.bodies
+  local b, reach = self.bodies, self.reach
   local fatLow, fatHigh = b.fatLow, b.fatHigh
   local k = 2 * i
   local left, top = fatLow[k], fatLow[k + 1]
-  local level, cell = levelFor(self, max(fatHigh[k] - left, fatHigh[k + 1] - top))
+  local size = max(fatHigh[k] - left, fatHigh[k + 1] - top)
+  local level, cell = levelFor(self, size)
+  reach[level] = max(reach[level], size + SLACK)
   return level, cellAt(left, cell), cellAt(top, cell)
 end
 
