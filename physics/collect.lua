@@ -31,28 +31,39 @@ local function orDefault(value, default)
   return value
 end
 
--- Notes what a mask says of each group, by the number of the group, and in place 0 the last number
--- there was: changes inside the same table are seen by it. The mask of a static object is copied.
+-- Notes which groups a mask refuses, by their numbers: changes inside the same table are seen by it.
+-- The mask of a static object is copied.
 local function readMask(b, i, mask)
   if b.kind[i] == STATIC then
     b.mask[i] = filter.copyMask(b, mask)
     return
   end
-  local groups, seen = b.roster.groups, { [0] = b.roster.numbers }
+  local groups, seen = b.roster.groups, {}
   for n = 1, #groups do
     seen[groups[n].number] = mask[groups[n].name] == false or nil
   end
   b.maskSeen[i] = seen
 end
 
+-- Whether a mask says something else of a group than before. Of one that was empty, or not there,
+-- that is noted only: nobody has met anybody in it, and a restored world does not know it either.
 local function hasMaskChanged(b, mask, seen)
-  local groups = b.roster.groups
+  local groups, changed = b.roster.groups, false
   for n = 1, #groups do
-    if (mask[groups[n].name] == false) ~= (seen[groups[n].number] or false) then
-      return true
+    local group = groups[n]
+    local refuses = mask[group.name] == false
+    if refuses ~= (seen[group.number] or false) then
+      seen[group.number], changed = refuses or nil, changed or group.wasFilled
     end
   end
-  return false
+  return changed
+end
+
+-- Notes which groups are known to what compares masks.
+local function noteFilled(groups)
+  for n = 1, #groups do
+    groups[n].wasFilled = groups[n].count > 0
+  end
 end
 
 local function markMoved(b, i)
@@ -526,6 +537,9 @@ function collect.run(b, objects)
   compareFilters(b, count)
   compareMaterials(b, count)
   compareLimits(b, count)
+  if hasChanged then
+    noteFilled(b.roster.groups)
+  end
   endLeft(b)
   -- Contacts that have ended by now were between objects that had other ranks.
   if b.events.count > b.events.sorted then

@@ -37,8 +37,8 @@ end
 
 --- Returns an empty roster. `groups` are the records in order: a record is
 --- `{ name, number, source, direct, index, list, slots, keys, count, plain, stale, first, follows,
---- gaps, gapCount }`, where `number` stays as long as the world has a group of this name, and is
---- nobody else's ever, `source` is the game's table (the object itself if `direct`), `list` who was
+--- gaps, gapCount, wasFilled }`, where `number` stays as long as the world has a group of this name,
+--- and is nobody else's ever, `wasFilled` is for `collect`, `source` is the game's table (the object itself if `direct`), `list` who was
 --- in it and `slots` theirs, `plain` says that the keys are just 1 to `count`, and `mixed` that
 --- they once were others, or out of order. Of a stale one those before place `follows` of the list
 --- stand before place `first` of the table now, in the same order, without those at the places in
@@ -200,11 +200,12 @@ local function sortedNames(self, objects)
   return names
 end
 
-local function newRecord(name, number, source)
+local function newRecord(name, source, number, wasFilled)
   local direct = isObject(source)
   return {
     name = name,
     number = number,
+    wasFilled = wasFilled,
     source = source,
     direct = direct,
     index = 0,
@@ -255,9 +256,14 @@ local function checkGroup(name, source)
   return source
 end
 
-local function nextNumber(self)
+-- Returns what stays of the last group of the same name (nil: there was none): its number, and
+-- whether anybody was in it.
+local function inherit(self, last)
+  if last then
+    return last.number, last.wasFilled
+  end
   self.numbers = self.numbers + 1
-  return self.numbers
+  return self.numbers, false
 end
 
 -- Returns the records of all groups in order, old ones where the table is the same.
@@ -267,7 +273,8 @@ local function readGroups(self, objects)
     local source = checkGroup(name, objects[name])
     local record = self.byName[name]
     if not record or not rawequal(record.source, source) then
-      record = newRecord(name, record and record.number or nextNumber(self), source)
+      local number, wasFilled = inherit(self, record)
+      record = newRecord(name, source, number, wasFilled)
     end
     groups[index], byName[name] = record, record
   end
@@ -720,7 +727,7 @@ function roster.look(b, self, objects)
   end
   local records, found = {}, {}
   for index, name in ipairs(sortedNames(self, objects)) do
-    local record = newRecord(name, 0, checkGroup(name, objects[name]))
+    local record = newRecord(name, checkGroup(name, objects[name]), 0, false)
     records[index] = record
     readMembers(record, 1)
     for n = 1, record.tailCount do

@@ -395,9 +395,9 @@ end
 local function isSeen(b, slot, mask)
   local groups, seen = b.roster.groups, b.maskSeen[slot]
   for n = 1, #groups do
-    local number = groups[n].number
-    -- Groups that came later are looked up in the mask itself.
-    if number <= seen[0] and (mask[groups[n].name] == false) ~= (seen[number] or false) then
+    local group = groups[n]
+    -- Groups that were empty are looked up in the mask itself.
+    if group.wasFilled and (mask[group.name] == false) ~= (seen[group.number] or false) then
       return false
     end
   end

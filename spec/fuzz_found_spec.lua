@@ -1681,6 +1681,35 @@ local FOUND = {
       },
     },
   },
+  {
+    "a mask says nothing new of a group that comes, restored or not",
+    {
+      settings = {},
+      acts = {
+        {
+          "add",
+          28,
+          "crates",
+          { height = 1000, mask = { true, boxes = false }, width = 1000, x = -4700, y = 5700 },
+        },
+        { "update", 0.016666666666666666 },
+        { "add", 35, "boxes", { height = 2000, width = 1000, x = 200, y = 1600 } },
+        { "reload" },
+        { "update", 0 },
+      },
+    },
+  },
+  {
+    "who becomes faster within its cell of the grid meets who is beyond it",
+    {
+      settings = { order = { "boxes", "crates", 1 } },
+      acts = {
+        { "insert", 44, "crates", { height = 3, vx = 100, width = 2, x = 10, y = -1 } },
+        { "insert", 49, 2.5, { height = 1, vx = 800, width = 1, x = -1, y = -1 } },
+        { "update", 0.015625 },
+      },
+    },
+  },
 }
 
 describe("a random game has found that", function()
