@@ -31,8 +31,8 @@ local function orDefault(value, default)
   return value
 end
 
--- Notes which groups a mask refuses, by their numbers: changes inside the same table are seen by it.
--- The mask of a static object is copied.
+-- Notes which groups a mask refuses, by their numbers: changes inside the same table are seen by
+-- it. The mask of a static object is copied.
 local function readMask(b, i, mask)
   if b.kind[i] == STATIC then
     b.mask[i] = filter.copyMask(b, mask)

@@ -37,9 +37,10 @@ end
 
 --- Returns an empty roster. `groups` are the records in order: a record is
 --- `{ name, number, source, direct, index, list, slots, keys, count, plain, stale, first, follows,
---- gaps, gapCount, wasFilled }`, where `number` stays as long as the world has a group of this name,
---- and is nobody else's ever, `wasFilled` is for `collect`, `source` is the game's table (the object itself if `direct`), `list` who was
---- in it and `slots` theirs, `plain` says that the keys are just 1 to `count`, and `mixed` that
+--- gaps, gapCount, wasFilled }`, where `number` stays as long as the world has a group of this
+--- name, and is nobody else's ever, `wasFilled` is for `collect`, `source` is the game's table (the
+--- object itself if `direct`), `list` who was in it and `slots` theirs, `plain` says that the keys
+--- are just 1 to `count`, and `mixed` that
 --- they once were others, or out of order. Of a stale one those before place `follows` of the list
 --- stand before place `first` of the table now, in the same order, without those at the places in
 --- `gaps`; what is behind them now waits in `tail`.
