@@ -144,7 +144,9 @@ local function rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau, t)
   if not grounded then
     grip.weighOn(b, low, jn)
     if impulse ~= 0 then
-      if max(impulse, -impulse) > grip.left(b, low, impulse > 0 and 1 or -1) * (1 + ROUNDING) then
+      if
+        max(impulse, -impulse) > grip.left(b, low, impulse > 0 and 1 or -1, 0) * (1 + ROUNDING)
+      then
         return false
       end
       grip.give(b, low, impulse)
@@ -277,7 +279,7 @@ local function brakeTower(b, base, axis, jn, share, tau)
   local amount, sign = max(slip, -slip), slip > 0 and -1 or 1
   local isBorne = b.inverseMass[ground] > 0 -- by friction under that
   if isBorne then
-    limit = min(limit, grip.left(b, ground, sign))
+    limit = min(limit, grip.left(b, ground, sign, 0))
   end
   local gain, floorSpeed = sign * min(amount, limit / mass), b.groundSpeed[base]
   local impulse, stops = gain * mass, amount * mass <= limit
@@ -361,6 +363,25 @@ local function rubOnSliding(b, lo, hi, tl, th, up, low, ku, kw, mu, jn, share, t
     b.speed[ku] = b.speed[kw]
   end
   cargo.put(b, up, low)
+end
+
+--- Lets friction brake slot i, which bounces off somebody, on what it stands on, for `tau` s from
+--- moment t on: it was still, or slower, when it was rubbed.
+function friction.brake(b, i, axis, tau, t)
+  local k, low = 2 * i + axis, b.ground[i]
+  if tau <= 0 or b.level[i] ~= 1 or b.cargo[i] ~= 0 or not cargo.isFree(b, k) then
+    return
+  end
+  local u, a, w =
+    b.speed[k] - b.groundSpeed[i], b.accel[k] - b.accel[2 * low + axis], b.inverseMass[i]
+  local stop, way = slide(u, a, tau, 0, grip.left(b, i, u > 0 and -1 or 1, t) * w)
+  if stop == u then
+    return
+  end
+  b.speed[k], b.accel[k] = b.speed[k] + (stop - u), b.accel[k] + (stop - u) / tau
+  b.to[k] = b.to[k] + (way - (u - a * tau + u) * 0.5 * tau)
+  grip.give(b, i, (stop - u) / w)
+  return path.change(b, i)
 end
 
 --- Rubs two that have just met on `axis`, `lo` with the smaller coordinate: `jn` is the impulse of

@@ -38,11 +38,14 @@ function grip.note(b, up, low, floorSpeed, mu, limit, impulse)
 end
 
 --- Returns how large an impulse friction can still give slot i across gravity, in the direction of
---- `sign`: from what it stands on, through that from what it stands on, too. 0: none worth it.
-function grip.left(b, i, sign)
+--- `sign`: from what it stands on, through that from what it stands on, too; from moment t (0..1)
+--- of the step on. 0: none worth it.
+function grip.left(b, i, sign, t)
   local least, last = huge, i
   while i ~= 0 do
-    local grasp = b.grip[i] - sign * b.gripUsed[i]
+    local all, used = b.grip[i], sign * b.gripUsed[i]
+    -- What was given was given before; but what pushes the other way might end now.
+    local grasp = min(all - used, (all + max(-used, 0)) * (1 - t))
     if grasp <= b.grip[i] * ROUNDING then
       return 0
     end
@@ -83,12 +86,11 @@ function grip.settle(b, k, goal)
   end
 end
 
---- Lets slot i, which others push, stand still on what it stands on, from the very beginning of a
---- step of dt s.
-function grip.hold(b, i, axis, dt)
+--- Lets slot i, which others push, stand still on what it stands on, from now on: for `tau` s.
+function grip.hold(b, i, axis, tau)
   local k, low = 2 * i + axis, b.ground[i]
   local floorSpeed = b.groundSpeed[i]
-  local goal = grip.goal(b, i, low, k, 2 * low + axis, floorSpeed, dt)
+  local goal = grip.goal(b, i, low, k, 2 * low + axis, floorSpeed, tau)
   b.speed[k], b.stuck[i] = floorSpeed, 1
   -- Who stood when the step began has not moved.
   if b.velocity[k] + b.carried[k] == floorSpeed then
@@ -117,14 +119,14 @@ end
 
 -- Friction of slot i against going on with others, `mass` in all, at v px/s: gives it what stops
 -- them all, or what it can. Returns the impulse, and whether that stops them.
-local function resist(b, i, v, mass)
+local function resist(b, i, v, mass, t)
   if not mayResist(b, i, v) then
     return 0, false
   end
   local u = v - b.groundSpeed[i]
   local amount = max(u, -u)
   local sign, needed = u > 0 and -1 or 1, amount * mass
-  local grasp = grip.left(b, i, sign)
+  local grasp = grip.left(b, i, sign, t)
   local stops = needed <= grasp * (1 + ROUNDING)
   local impulse = (stops and needed or grasp) * sign
   if grasp > 0 then
@@ -133,20 +135,20 @@ local function resist(b, i, v, mass)
   return impulse, stops
 end
 
---- Lets friction bear a push across gravity at the very beginning of a step, as far as it can:
---- `lo` and `hi` close at v px/s at its end, dt s later, and both give way (inverse masses `wl`,
---- `wh`). It acts on both, who go on together, during the whole step.
+--- Lets friction bear a push across gravity, as far as it can: `lo` and `hi`, who meet at moment t
+--- (0..1), close at v px/s at the end of the step, `tau` s later, and both give way (inverse masses
+--- `wl`, `wh`). It acts on both, who go on together, all that time.
 --- Returns the inverse masses for the push (0 for one who stands, and whom friction does not let
 --- go), the impulse of the contact, and who stands where it is rubbed (0: neither): so will both.
-function grip.bear(b, lo, hi, kl, kh, wl, wh, v, dt)
+function grip.bear(b, lo, hi, kl, kh, wl, wh, v, t, tau)
   local mass, common = 1 / wl + 1 / wh, b.speed[kl] - v * (wl / (wl + wh))
   -- Who bears less does not stop who bears more.
   local weak, strong, isLowWeak = hi, lo, b.grip[lo] <= b.grip[hi]
   if isLowWeak then
     weak, strong = lo, hi
   end
-  local less, isWeakStill = resist(b, weak, common, mass)
-  local more, isStrongStill = resist(b, strong, common + less / mass, mass)
+  local less, isWeakStill = resist(b, weak, common, mass, t)
+  local more, isStrongStill = resist(b, strong, common + less / mass, mass, t)
   local still = isStrongStill and strong or (isWeakStill and more == 0 and weak) or 0
   if isStrongStill and less == 0 and strong == lo and b.speed[kl] == b.groundSpeed[lo] then
     return 0, wh, v / wh, lo
@@ -154,7 +156,7 @@ function grip.bear(b, lo, hi, kl, kh, wl, wh, v, dt)
     return wl, 0, v / wl, hi
   end
   local dSpeed = (less + more) / mass
-  local dWay = b.pushFirst and 0 or dSpeed * dt * 0.5
+  local dWay = b.pushFirst and 0 or dSpeed * tau * 0.5
   b.speed[kl], b.speed[kh] = b.speed[kl] + dSpeed, b.speed[kh] + dSpeed
   b.to[kl], b.to[kh] = b.to[kl] + dWay, b.to[kh] + dWay
   local forLow, forHigh = more, less

@@ -278,9 +278,14 @@ local function withFriction(b, lo, hi, kl, kh, axis, wl, wh, v, o, dt)
   end
   local impulse = v / (wl + wh)
   if isBorne then
-    wl, wh, impulse, still = grip.bear(b, lo, hi, kl, kh, wl, wh, v, dt)
+    wl, wh, impulse, still = grip.bear(b, lo, hi, kl, kh, wl, wh, v, 0, dt)
   end
   return wl, wh, v, o, impulse, still, isLoaded
+end
+
+-- Whether slot i is rubbed, if at all, by one that nobody pushes, and nothing goes along with it.
+local function stands(b, i)
+  return b.level[i] <= 1 and b.cargo[i] == 0
 end
 
 --- Resolves pair p, which meets on `axis` at time t (0..1 of a step of dt s), `lo` being the one
@@ -337,6 +342,16 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   if flush and t == 0 and not isDeep and isRubbed(b, p, kl, kh, dv) then
     wl, wh, dv, o, impulse, still, isLoaded =
       withFriction(b, lo, hi, kl, kh, axis, wl, wh, dv, o, dt)
+  elseif
+    flush
+    and not isDeep
+    and isRubbed(b, p, kl, kh, dv)
+    and stands(b, lo)
+    and stands(b, hi)
+  then
+    if grip.mayBear(b, lo, hi, kl, wl, wh, dv) then
+      wl, wh, impulse, still = grip.bear(b, lo, hi, kl, kh, wl, wh, dv, t, tau)
+    end
   end
   local shareL, shareH = shares(b, lo, hi, kl, kh, wl, wh, isDeep or b.met[p] > BOUNCES)
   place(b, lo, kl, kh, o + gap, shareL, shareH, flush)
@@ -348,10 +363,10 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
     b.stuck[lo] = b.down[kl] ~= 0 and b.stuck[lo] or 0
     b.stuck[hi] = b.down[kh] ~= 0 and b.stuck[hi] or 0
     if still == lo then
-      grip.hold(b, lo, axis, dt)
+      grip.hold(b, lo, axis, t == 0 and dt or tau)
       speed[kh], to[kh] = speed[kl], to[kl] + b.size[kl]
     elseif still == hi then
-      grip.hold(b, hi, axis, dt)
+      grip.hold(b, hi, axis, t == 0 and dt or tau)
       speed[kl], to[kl] = speed[kh], to[kh] - b.size[kl]
     end
   end
@@ -379,6 +394,10 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   end
   if flush and (dv > 0 or isStuck) and b.met[p] >= WELDS and wl > 0 and wh > 0 then
     weld.join(b, kl, kh)
+  end
+  if t > 0 and not flush and isRubbed(b, p, kl, kh, dv) then
+    friction.brake(b, lo, axis, tau, t)
+    friction.brake(b, hi, axis, tau, t)
   end
   if dv > 0 then
     local share = u * (1 + restitution) / dv

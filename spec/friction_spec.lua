@@ -1,6 +1,7 @@
 --- Friction between two that both give way.
 
 local physics = require("physics")
+local unpack = rawget(table, "unpack") or rawget(_G, "unpack")
 
 describe("a box that lands sliding on another", function()
   --    +--+ 60 ->          the floor is ice, the boxes rub with 0.5:
@@ -24,6 +25,47 @@ describe("a box that lands sliding on another", function()
       assert.near(22.25, high.x - low.x, 1e-6)
       assert.equal(84, high.y)
     end)
+  end
+end)
+
+describe("a crate of mass 2 that is run into from afar, in the middle of a step", function()
+  --  +--+ 300 ->      +--+     friction takes 0.4 * 900 = 360 px/s² off a box
+  --  +--+             +--+
+  -- =====================
+  local ROWS = {
+    -- Both go on at 100 px/s; the crate brakes both by 2/3 * 360: 100² / (2 * 240) px. (In the
+    -- last step it stands for all of it.)
+    { "both stop where they do by hand", {}, {}, 100 ^ 2 / 480, 0.04 },
+    -- At 300 * 1.5 / 3 px/s it goes 150² / (2 * 360) px alone.
+    { "goes as far as by hand if it bounces", {}, { restitution = 0.5 }, 150 ^ 2 / 720, 1e-9 },
+    -- After 24 px that is braked itself the box has √(300² - 2 * 360 * 24) px/s, the two a third
+    -- of it.
+    { "so it does if both are rubbed", { friction = 0.4 }, {}, (300 ^ 2 - 17280) / 9 / 720, 0.02 },
+  }
+  for _, row in ipairs(ROWS) do
+    local name, ofBox, ofCrate, way, tolerance = unpack(row)
+    for _, rate in ipairs({ 30, 60, 144, 1000 }) do
+      it(("%s, at %d Hz"):format(name, rate), function()
+        local world = physics.newWorld({ gravity = 900 })
+        world:add("floor", { x = -900, y = 16, width = 2000, height = 16, static = true })
+        local box = { x = 0, y = 0, width = 16, height = 16, vx = 300 }
+        local crate = { x = 40, y = 0, width = 16, height = 16, mass = 2, friction = 0.4 }
+        for field, value in pairs(ofBox) do
+          box[field] = value
+        end
+        for field, value in pairs(ofCrate) do
+          crate[field] = value
+        end
+        world:add("boxes", box)
+        world:add("boxes", crate)
+        for _ = 1, 2 * rate do
+          world:update(1 / rate)
+        end
+        assert.near(40 + way, crate.x, tolerance)
+        assert.equal(0, crate.vx)
+        assert.equal(0, crate.y)
+      end)
+    end
   end
 end)
 
