@@ -155,9 +155,17 @@ local function scaled(x, y, length)
   return x * share, y * share
 end
 
--- Limits the length of the velocity. At full speed only what is across the motion, halfway, changes
--- it, as long as a step adds less than half of that: the direction turns at the same rate in steps
--- of any length.
+-- The part of a step after which a velocity that changes evenly, by (gainX, gainY), is as long as
+-- `limit`, which it is not longer than when the step begins.
+local function shareUntil(limit, startX, startY, gainX, gainY)
+  local square, dot = gainX * gainX + gainY * gainY, startX * gainX + startY * gainY
+  local missing = max(limit * limit - startX * startX - startY * startY, 0)
+  return max(0, min((sqrt(dot * dot + square * missing) - dot) / max(square, TINY), 1))
+end
+
+-- Limits the length of the velocity, which is reached inside the step. From there on only what is
+-- across the motion, halfway, changes it, as long as the rest of the step adds less than half of
+-- that: the direction turns at the same rate in steps of any length.
 local function limitLength(b, i, dt)
   local speed, way, velocity, k = b.speed, b.way, b.velocity, 2 * i
   local x, y, limit = speed[k], speed[k + 1], b.maxSpeed[i]
@@ -167,18 +175,26 @@ local function limitLength(b, i, dt)
   local startX, startY = velocity[k], velocity[k + 1]
   if startX * startX + startY * startY > limit * limit then
     startX, startY = scaled(startX, startY, limit)
+    x, y = startX + (x - velocity[k]), startY + (y - velocity[k + 1])
   end
-  local gainX, gainY = x - startX, y - startY
-  local halfX, halfY = (startX + x) * 0.5, (startY + y) * 0.5
-  local half, start = halfX * halfX + halfY * halfY, startX * startX + startY * startY
-  local isLittle = (gainX * gainX + gainY * gainY) * 4 < limit * limit
-  if isLittle and half >= limit * limit and start * 4 >= limit * limit then
-    local gain = (gainX * halfX + gainY * halfY) / half
+  if x * x + y * y <= limit * limit then -- it was faster than that, and has slowed down
+    speed[k], speed[k + 1] = x, y
+    way[k], way[k + 1] = (startX + x) * 0.5 * dt, (startY + y) * 0.5 * dt
+    return
+  end
+  local share = shareUntil(limit, startX, startY, x - startX, y - startY)
+  local fullX, fullY = startX + (x - startX) * share, startY + (y - startY) * share
+  local gainX, gainY = x - fullX, y - fullY
+  local halfX, halfY = (fullX + x) * 0.5, (fullY + y) * 0.5
+  if (gainX * gainX + gainY * gainY) * 4 < limit * limit then
+    local gain = (gainX * halfX + gainY * halfY) / (halfX * halfX + halfY * halfY)
     x, y = x - halfX * gain, y - halfY * gain
   end
   x, y = scaled(x, y, limit)
+  local before, after = share * 0.5 * dt, (1 - share) * 0.5 * dt
   speed[k], speed[k + 1] = x, y
-  way[k], way[k + 1] = (startX + x) * 0.5 * dt, (startY + y) * 0.5 * dt
+  way[k] = (startX + fullX) * before + (fullX + x) * after
+  way[k + 1] = (startY + fullY) * before + (fullY + y) * after
 end
 
 -- What drag and maxSpeed make of the flight of slot i. They count what moves: of who stands, not

@@ -232,6 +232,25 @@ describe("the broad phases", function()
   end)
 end)
 
+describe("maxSpeed", function()
+  for _, rate in ipairs({ 30, 60, 144, 240 }) do
+    it(("is reached inside a step, at %d Hz"):format(rate), function()
+      local world = physics.newWorld({ gravity = 900 })
+      local box = world:add("boxes", { x = 0, y = 0, width = 16, height = 16, maxSpeed = 250 })
+      -- One that is put in faster, and up: it begins at 250 px/s, and turns as gravity has it.
+      local fast = { x = 0, y = 0, width = 16, height = 16, vx = 200, vy = -400, maxSpeed = 250 }
+      world:add("others", fast)
+      fast.mask = { boxes = false }
+      for _ = 1, 1.5 * rate do
+        world:update(1 / rate)
+      end
+      assert.near(250 ^ 2 / 1800 + 250 * (1.5 - 250 / 900), box.y, 1e-9)
+      assert.near(86.8674, fast.x, 0.002) -- in steps of 1/4800 s
+      assert.near(247.0108, fast.y, 0.02)
+    end)
+  end
+end)
+
 describe("forces", function()
   -- From 8 px/s to a stop at 150 px/s², and on at 100.
   local FORTH = -8 * 8 / 300 + 100 / 2 * (1 - 8 / 150) ^ 2
