@@ -151,7 +151,8 @@ describe("the broad phases", function()
       list[n] = found[n]
     end
     table.sort(list)
-    return table.concat(list, " ")
+    -- The concatenation of one number is a number in gopher-lua.
+    return tostring(table.concat(list, " "))
   end
 
   -- Few of them, too: of many one is as wide as any can be.

@@ -38,7 +38,6 @@ leftOut.specs = {
   ["settings masks cost no garbage"] = MEMORY,
   ["world:move leaves no garbage then"] = MEMORY,
   ["world:save fills a table again, and leaves no garbage then"] = MEMORY,
-  ["the broad phases work far out, and at the edges"] = "table.concat returns a number",
   ["world :loadTiled reads an export of Tiled through love.filesystem where there is one"] = "about LÖVE",
 }
 
