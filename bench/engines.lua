@@ -1,6 +1,5 @@
 --- The engines that can be measured. Each is a file in bench/engines/ with
 ---
----   canRest           it skips what rests; the others play only the scenes in which nobody may
 ---   module            what must be found on package.path
 ---   needsCompiler     plays only where LuaJIT's compiler is on
 ---   needsLove         plays only in LÖVE
@@ -73,9 +72,6 @@ end
 ---@param scene table
 ---@return string?
 function engines.refusal(engine, scene)
-  if scene.rest and not engine.canRest then
-    return "has no rest"
-  end
   for _, feature in ipairs(scene.needs or {}) do
     if engine.lacks and engine.lacks[feature] then
       return engine.lacks[feature]

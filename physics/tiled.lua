@@ -287,6 +287,26 @@ local function readLayers(reading, layers, outer)
   end
 end
 
+-- A table may hold itself, what Tiled exports does not: such a map would have no end.
+local function checkNesting(layers, around)
+  around[layers] = true
+  for _, layer in ipairs(layers) do
+    local inner = type(layer) == "table" and layer.layers
+    if type(inner) == "table" then
+      if around[inner] then
+        check.fail(
+          ("%s: layer %s: layers must not hold that layer itself"):format(
+            WHERE,
+            check.show(layer.name)
+          )
+        )
+      end
+      checkNesting(inner, around)
+    end
+  end
+  around[layers] = nil
+end
+
 local function isThere(layers, wanted, names)
   for i, layer in ipairs(layers) do
     checkLayer(layer, i)
@@ -428,6 +448,7 @@ end
 function tiled.read(given, options)
   local checked = checkOptions(options)
   local reading = newReading(checkMap(given), checked)
+  checkNesting(reading.map.layers, {})
   checkListed(reading, "solidLayers")
   checkListed(reading, "skipLayers")
   checkSolidTiles(reading, options and options.solidTiles)

@@ -7,6 +7,6 @@ mkdir -p build
 
 bash scripts/setup.sh plot
 bash scripts/bench.sh "$@" --json >build/bench.json
-# The scene with which plain Lua is compared; of two options of the same name the last one counts.
-bash scripts/bench.sh "$@" --mode lua5.1 --scene pile-awake --n 500 --json >build/bench-lua51.json
+# The scenes with which plain Lua is compared; of two options of the same name the last one counts.
+bash scripts/bench.sh "$@" --mode lua5.1 --scene pile,pile-awake --n 500 --json >build/bench-lua51.json
 luajit bench/docs.lua build/bench.json build/bench-lua51.json

@@ -82,6 +82,30 @@ describe("rest changes nothing:", function()
     assert.is_true(player.objects[2].y > 110)
   end)
 
+  -- The box would slide around the corner of the wall, where the lift is in the way: too far off to
+  -- be a neighbour of the box.
+  --
+  --          +--+
+  --   +----+ |  |
+  --   |    | +--+
+  --   +----+  +-----+
+  --           |     |
+  it("a lift goes away from where a box would be nudged to", function()
+    local player = checkSame({ gravity = 0 }, {
+      { "add", 1, "walls", { x = 109, y = 100, width = 20, height = 30, static = true } },
+      { "add", 2, "boxes", { x = 101, y = 80, width = 16, height = 20, ay = 40, nudge = 10 } },
+      { "add", 3, "lifts", { x = 77, y = 90, width = 20, height = 20, kinematic = true } },
+      { "update", 1 / 60 },
+      { "update", 1 / 60 },
+      { "update", 1 / 60 },
+      { "write", 3, { vx = -60 } },
+      { "update", 1 / 60 },
+      { "update", 1 / 6 },
+    })
+    assert.are.equal(93, player.objects[2].x)
+    assert.is_true(player.objects[2].y > 80)
+  end)
+
   it("a belt starts under a resting box", function()
     local player = checkSame(nil, {
       { "add", 1, "boxes", { x = 200, y = 100, width = 30, height = 10, vy = 200 } },

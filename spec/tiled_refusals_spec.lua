@@ -167,6 +167,12 @@ describe("world:loadTiled refuses", function()
     },
     {
       function(map)
+        map.layers[2].layers[2] = map.layers[2]
+      end,
+      'layer "all": layers must not hold that layer itself',
+    },
+    {
+      function(map)
         map.layers[2].layers[1].data[4] = nil
       end,
       'layer "ground": data must hold 4 gids (2 x 2), got 3',

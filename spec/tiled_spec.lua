@@ -397,6 +397,15 @@ describe("world", function()
       end)
     end)
 
+    it("takes a whole turn for none", function()
+      for _, rotation in ipairs({ 360, -360, 720 }) do
+        local object = tiled.object(5, 8, 16, 16, 16, { rotation = rotation })
+        local level, world = load(newObjects({ object }))
+        assert.same({ "8 16 16 16" }, boxes(world, "things"))
+        assert.same({}, level.unsupported)
+      end
+    end)
+
     -- Not supported -------------------------------------------------------------------------------
 
     describe("names what is not supported", function()

@@ -4,7 +4,7 @@
 local ours = require("bench.engines.ours")
 local physics = require("physics")
 
-local compiled = { canRest = true, needsCompiler = true }
+local compiled = { needsCompiler = true }
 
 function compiled.new(scene)
   physics.compile()

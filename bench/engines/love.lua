@@ -1,7 +1,6 @@
 --- love.physics, that is Box2D 2.3, with the settings its users choose for boxes that do not turn.
 
 local lovePhysics = {
-  canRest = true,
   needsLove = true,
   lacks = { state = "its state cannot be read out as a whole" },
 }

@@ -2,7 +2,7 @@
 
 local physics = require("physics")
 
-local ours = { canRest = true }
+local ours = {}
 local World = {}
 World.__index = World
 

@@ -4,7 +4,6 @@
 local lovePhysics = require("bench.engines.love")
 
 local turning = {
-  canRest = true,
   needsLove = true,
   isTurning = true,
   lacks = {

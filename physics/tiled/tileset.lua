@@ -136,7 +136,7 @@ function tileset.whyNoBox(object)
   local shape = object.shape or "rectangle"
   if shape ~= "rectangle" then
     return shape .. ": only rectangles are boxes"
-  elseif (object.rotation or 0) ~= 0 then
+  elseif (object.rotation or 0) % 360 ~= 0 then
     return ("rotated by %.14g degrees: boxes do not turn"):format(object.rotation)
   elseif object.width == 0 or object.height == 0 then
     return "it has no size"
