@@ -6,6 +6,7 @@
 local here = (...):match("^(.*)%.[^.]+$")
 local fields = require(here .. ".fields")
 local interpreted = require(here .. ".interpreted")
+local keyOrder = require(here .. ".keyorder")
 
 local floor = math.floor
 local huge = 1 / 0 -- math.huge is a finite number on gopher-lua
@@ -196,19 +197,12 @@ local function describeChoice(values)
   return #shown == 0 and last or table.concat(shown, ", ") .. " or " .. last
 end
 
-local function comesBefore(a, b)
-  if type(a) == type(b) and (type(a) == "number" or type(a) == "string") then
-    return a < b
-  end
-  return type(a) < type(b)
-end
-
 -- Of all entries that a predicate refuses the first in order: no message may depend on the order of
 -- pairs().
 local function firstBad(map, isGood)
   local found, bad = false, nil
   for key, value in pairs(map) do
-    if not isGood(key, value) and (not found or comesBefore(key, bad)) then
+    if not isGood(key, value) and (not found or keyOrder.comesBefore(key, bad)) then
       found, bad = true, key
     end
   end

@@ -9,6 +9,7 @@
 local here = (...):match("^(.*)%.[^.]+$")
 local check = require(here .. ".check")
 local interpreted = require(here .. ".interpreted")
+local keyOrder = require(here .. ".keyorder")
 
 local drawing = {}
 
@@ -51,24 +52,6 @@ local min, sqrt = math.min, math.sqrt
 
 -- Order -------------------------------------------------------------------------------------------
 
-local function comesBefore(a, b)
-  local isNumberA, isNumberB = type(a) == "number", type(b) == "number"
-  if isNumberA ~= isNumberB then
-    return isNumberA
-  end
-  return a < b
-end
-
--- Keys of a table in the order of the library: what is drawn on top must not change by chance.
-local function sortedKeys(map)
-  local keys = {}
-  for key in pairs(map) do
-    keys[#keys + 1] = key
-  end
-  table.sort(keys, comesBefore)
-  return keys
-end
-
 -- Whether the keys are 1, 2, 3, … and nothing else: then there is nothing to sort.
 local function isPlainList(group)
   local count = 0
@@ -88,15 +71,16 @@ local function visitGroup(group, name, visit, options)
       visit(group[key], options, name, key)
     end
   else
-    for _, key in ipairs(sortedKeys(group)) do
+    for _, key in ipairs(keyOrder.sorted(group)) do
       visit(group[key], options, name, key)
     end
   end
 end
 
--- Calls visit(object, options, name of the group, key) for every object of a world.
+-- Calls visit(object, options, name of the group, key) for every object of a world, in the order of
+-- the library: what is drawn on top must not change by chance.
 local function visitAll(world, visit, options)
-  for _, name in ipairs(sortedKeys(world.objects)) do
+  for _, name in ipairs(keyOrder.sorted(world.objects)) do
     local value = world.objects[name]
     if isObject(value) then
       visit(value, options, name)
@@ -108,7 +92,7 @@ end
 
 -- Options -----------------------------------------------------------------------------------------
 
-local NAMES = sortedKeys(DEFAULTS)
+local NAMES = keyOrder.sorted(DEFAULTS)
 
 -- Of several unknown options the first by name, so that the message does not vary from run to run.
 local function unknownOption(options)
@@ -365,6 +349,6 @@ function drawing.draw(world, options)
   love.graphics.setColor(red, green, blue, alpha)
 end
 
-interpreted.always(sortedKeys, isPlainList, unknownOption)
+interpreted.always(isPlainList, unknownOption)
 
 return drawing

@@ -10,6 +10,7 @@
 local here = (...):match("^(.*)%.[^.]+$")
 local check = require(here .. ".check")
 local interpreted = require(here .. ".interpreted")
+local keyOrder = require(here .. ".keyorder")
 
 local roster = {}
 
@@ -21,14 +22,6 @@ local MOST_GAPS = 32
 -- So many of a group may have been taken out since it was read, and who stood behind them is found
 -- without looking at all.
 local MOST_GONE = 64
-
-local function comesBefore(a, b)
-  local numberA, numberB = type(a) == "number", type(b) == "number"
-  if numberA ~= numberB then
-    return numberA
-  end
-  return a < b
-end
 
 -- Keeps none of its keys alive.
 local function newWeak()
@@ -194,7 +187,7 @@ local function sortedNames(self, objects)
       rest[#rest + 1] = name
     end
   end
-  sort(rest, comesBefore)
+  sort(rest, keyOrder.comesBefore)
   for _, name in ipairs(rest) do
     names[#names + 1] = name
   end
@@ -307,7 +300,7 @@ local function readKeys(record)
     n = n + 1
     keys[n] = key
   end
-  sort(keys, comesBefore)
+  sort(keys, keyOrder.comesBefore)
   for at = 1, n do
     tail[at] = rawget(source, keys[at])
   end

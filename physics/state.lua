@@ -38,6 +38,7 @@ local events = require(here .. ".events")
 local fields = require(here .. ".fields")
 local filter = require(here .. ".filter")
 local interpreted = require(here .. ".interpreted")
+local keyOrder = require(here .. ".keyorder")
 local roster = require(here .. ".roster")
 
 local state = {}
@@ -156,26 +157,10 @@ local function cut(list, n)
   end
 end
 
-local function comesBefore(a, b)
-  if type(a) ~= type(b) then
-    return type(a) == "number"
-  end
-  return a < b
-end
-
-local function sortedKeys(map)
-  local keys = {}
-  for key in next, map, nil do
-    keys[#keys + 1] = key
-  end
-  table.sort(keys, comesBefore)
-  return keys
-end
-
 -- A mask as { group, collides, ... }.
 local function listMask(mask)
   local list = {}
-  for _, group in ipairs(sortedKeys(mask)) do
+  for _, group in ipairs(keyOrder.sorted(mask)) do
     list[#list + 1] = group
     list[#list + 1] = mask[group]
   end
@@ -184,8 +169,8 @@ end
 
 local function listMasks(masks)
   local list = {}
-  for _, group in ipairs(sortedKeys(masks)) do
-    for _, other in ipairs(sortedKeys(masks[group])) do
+  for _, group in ipairs(keyOrder.sorted(masks)) do
+    for _, other in ipairs(keyOrder.sorted(masks[group])) do
       local n = #list
       list[n + 1], list[n + 2], list[n + 3] = group, other, masks[group][other]
     end
@@ -775,6 +760,6 @@ function state.save(world, out)
   return out
 end
 
-interpreted.always(sortedKeys, saveFields, saveWalls, noteMasks)
+interpreted.always(saveFields, saveWalls, noteMasks)
 
 return state

@@ -56,6 +56,7 @@ build = {
     ["physics.hash"] = "physics/hash.lua",
     ["physics.impact"] = "physics/impact.lua",
     ["physics.interpreted"] = "physics/interpreted.lua",
+    ["physics.keyorder"] = "physics/keyorder.lua",
     ["physics.live"] = "physics/live.lua",
     ["physics.lone"] = "physics/lone.lua",
     ["physics.meet"] = "physics/meet.lua",
