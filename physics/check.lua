@@ -449,33 +449,49 @@ end
 --- Returns the name in a list that an unknown one was probably meant to be: it differs by one slip,
 --- or only by capitals.
 ---@param name any
----@param list physics.Field[]
+---@param names string[]
 ---@return string? nil: there is none
-function check.guess(name, list)
+function check.guess(name, names)
   local guess
-  for _, field in ipairs(list) do
-    local given, known = tostring(name):lower(), field.name:lower()
-    if given == known then
-      return field.name
-    elseif not guess and isOneOff(given, known) then
-      guess = field.name
+  for _, known in ipairs(names) do
+    if tostring(name):lower() == known:lower() then
+      return known
+    elseif not guess and check.isSlip(tostring(name), known) then
+      guess = known
     end
   end
   return guess
 end
 
-local function describeUnknown(name, where)
-  local names, guess = {}, check.guess(name, fields.settings)
-  for i, field in ipairs(fields.settings) do
-    names[i] = field.name
-  end
+local function describeUnknown(kind, name, names, where)
+  local guess = check.guess(name, names)
   local hint = guess and format(" (did you mean %s?)", show(guess)) or ""
   local known = table.concat(names, ", ")
-  return format("%s: unknown setting %s%s; the settings are %s", where, show(name), hint, known)
+  return format("%s: unknown %s %s%s; the %ss are %s", where, kind, show(name), hint, kind, known)
 end
 
-local function isSetting(name)
-  return fields.settingByName[name] ~= nil
+local function isAmong(names, name)
+  for i = 1, #names do
+    if names[i] == name then
+      return true
+    end
+  end
+  return false
+end
+
+--- Checks that a table has no entries but those of these names.
+--- Errors: another name, the first in order, so that the message does not vary from run to run.
+---@param given table
+---@param kind string what an entry is: `setting`
+---@param names string[]
+---@param where string the call it was given to: `newWorld(settings)`
+function check.names(given, kind, names, where)
+  local isUnknown, name = firstBad(given, function(key)
+    return isAmong(names, key)
+  end)
+  if isUnknown then
+    fail(describeUnknown(kind, name, names, where))
+  end
 end
 
 --- Checks one setting.
@@ -486,7 +502,7 @@ end
 function check.setting(name, value, where)
   local field = fields.settingByName[name]
   if not field then
-    fail(describeUnknown(name, where or "world"))
+    fail(describeUnknown("setting", name, fields.settingNames, where or "world"))
   elseif value == nil and field.default == nil then
     return
   elseif not isAccepted(field, value) then
@@ -503,10 +519,7 @@ function check.settings(settings, where)
     return
   end
   check.table(settings, "settings", where)
-  local isUnknown, name = firstBad(settings, isSetting)
-  if isUnknown then
-    fail(describeUnknown(name, where))
-  end
+  check.names(settings, "setting", fields.settingNames, where)
   for _, field in ipairs(fields.settings) do
     local value = settings[field.name]
     if value ~= nil and not isAccepted(field, value) then
@@ -520,6 +533,10 @@ end
 --- Returns whether a value is a number that the library can work with: finite, not huge.
 ---@type fun(value: any): boolean
 check.isFinite = isFinite
+
+--- Returns whether a value can be the name of a group.
+---@type fun(value: any): boolean
+check.isName = isName
 
 --- Checks a number: finite, and in its range.
 ---@param value any

@@ -94,10 +94,6 @@ local function readPull(b, i)
   b.down[k + 1] = vertical and (gy > 0 and 1 or gy < 0 and -1 or 0) or 0
 end
 
-local function kindOf(object)
-  return object.static and STATIC or object.kinematic and KINEMATIC or DYNAMIC
-end
-
 -- Fields that few objects have and that are read as they are: name, column, what stands there if it
 -- is not set. (`isBare` asks for the same, and for those few that are not read as they are.)
 local RARE = {
@@ -227,7 +223,7 @@ local function enter(b, object, record, key)
   local i = columns.claim(b)
   b.slotOf[object] = i
   b.object[i], b.group[i], b.groupName[i], b.key[i] = object, record, record.name, key
-  b.kind[i] = kindOf(object)
+  b.kind[i] = columns.kindOf(object)
   readAll(b, i, object, true)
   columns.stand(b, i)
   b.fresh[i] = true
@@ -340,7 +336,7 @@ end
 local function reread(b, i)
   local object = b.object[i]
   checkAgain(b, i)
-  local kind = b.kind[i] == STATIC and STATIC or (object.kinematic and KINEMATIC or DYNAMIC)
+  local kind = columns.kindOf(object, b.kind[i] == STATIC)
   local isNew = kind ~= b.kind[i]
   if isNew or object.active == false or (b.carry[i] and object.carry == false) then
     carrier.forget(b, i)
@@ -561,7 +557,7 @@ end
 -- Whether an object can go on carrying whoever stands on it when it is read anew.
 local function goesOnCarrying(b, i)
   local object, position, size, k = b.object[i], b.position, b.size, 2 * i
-  return kindOf(object) == b.kind[i]
+  return columns.kindOf(object) == b.kind[i]
     and object.active ~= false
     and object.carry ~= false
     and object.x == position[k]
@@ -578,7 +574,7 @@ function collect.refresh(b, i)
   if not goesOnCarrying(b, i) then
     carrier.forget(b, i)
   end
-  b.kind[i] = kindOf(object)
+  b.kind[i] = columns.kindOf(object)
   if b.kind[i] ~= DYNAMIC then
     forgetMotion(b, i)
     clearTouching(b.touching[i])

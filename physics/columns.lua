@@ -19,6 +19,17 @@ columns.STATIC, columns.KINEMATIC, columns.DYNAMIC = 1, 2, 3
 --- By kind: 1 for who is dynamic, a number for what has no branches. (0: nobody is there.)
 columns.GIVES = { [0] = 0, [columns.STATIC] = 0, [columns.KINEMATIC] = 0, [columns.DYNAMIC] = 1 }
 
+--- Returns the kind that an object's fields say, which is read again in each step but for `static`.
+---@param object physics.Object
+---@param isStatic boolean? what is known of that; nil: as the field says
+---@return integer
+function columns.kindOf(object, isStatic)
+  if isStatic == nil then
+    isStatic = object.static or false
+  end
+  return isStatic and columns.STATIC or object.kinematic and columns.KINEMATIC or columns.DYNAMIC
+end
+
 --- How far apart two edges may be and still count as touching, px.
 columns.EPSILON = 1e-6
 

@@ -94,28 +94,12 @@ end
 
 local NAMES = keyOrder.sorted(DEFAULTS)
 
--- Of several unknown options the first by name, so that the message does not vary from run to run.
-local function unknownOption(options)
-  local first
-  for name in pairs(options) do
-    local shown = check.show(name)
-    if DEFAULTS[name] == nil and (not first or shown < first) then
-      first = shown
-    end
-  end
-  return first
-end
-
 local function checkOptions(options)
   if options == nil then
     return DEFAULTS
   end
   check.table(options, "options", WHERE)
-  local unknown = unknownOption(options)
-  if unknown then
-    local known = table.concat(NAMES, ", ")
-    check.fail(WHERE .. ": unknown option " .. unknown .. "; the options are " .. known)
-  end
+  check.names(options, "option", NAMES, WHERE)
   local checked = {}
   for _, name in ipairs(NAMES) do
     local value = options[name]
@@ -349,6 +333,6 @@ function drawing.draw(world, options)
   love.graphics.setColor(red, green, blue, alpha)
 end
 
-interpreted.always(isPlainList, unknownOption)
+interpreted.always(isPlainList)
 
 return drawing

@@ -426,6 +426,17 @@ local function byName(list)
   return names
 end
 
+---@param list physics.Field[]
+---@return string[]
+local function namesOf(list)
+  local names = {}
+  for i = 1, #list do
+    names[i] = list[i].name
+  end
+  return names
+end
+
+fields.objectNames, fields.settingNames = namesOf(fields.objects), namesOf(fields.settings)
 fields.objectByName = byName(fields.objects)
 fields.settingByName = byName(fields.settings)
 

@@ -51,13 +51,13 @@ end
 -- Names -------------------------------------------------------------------------------------------
 
 -- What a name was probably meant to be, false if it looks like one of the game's own.
-local function meaningOf(name, list, byName)
+local function meaningOf(name, names, byName)
   if type(name) ~= "string" or byName[name] or name:sub(1, 1) == "_" then
     return false
   elseif byName == fields.objectByName and MEANT[name] then
     return MEANT[name]
   end
-  local guess = check.guess(name, list)
+  local guess = check.guess(name, names)
   -- Short names are all alike: `w` and `z` may be the game's own.
   local isSure = guess and (#guess > 3 and #name > 3 or guess == name:lower())
   return isSure and guess or false
@@ -70,11 +70,11 @@ local function refuseName(place, name, meant)
 end
 
 -- Looks at the keys of a table itself, not at those of its class.
-local function checkNames(seen, object, list, byName, b, i)
+local function checkNames(seen, object, names, byName, b, i)
   for name in next, object, nil do
     local meant = seen[name]
     if meant == nil then
-      meant = meaningOf(name, list, byName)
+      meant = meaningOf(name, names, byName)
       seen[name] = meant
     end
     if meant then
@@ -241,12 +241,12 @@ function guard.run(world)
   for n = 1, #b.roster.groups do
     seen.groups[b.roster.groups[n].name] = true
   end
-  checkNames(seen.settings, world, fields.settings, fields.settingByName, b)
+  checkNames(seen.settings, world, fields.settingNames, fields.settingByName, b)
   checkMasks(b, world.masks or {})
   for i = 1, b.slots do
     local object = b.object[i]
     if object then
-      checkNames(seen.fields, object, fields.objects, fields.objectByName, b, i)
+      checkNames(seen.fields, object, fields.objectNames, fields.objectByName, b, i)
       if b.kind[i] == STATIC then
         checkStatic(b, i, object)
       else

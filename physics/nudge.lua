@@ -54,8 +54,8 @@ function nudge.try(b, i, j, axis, iIsLow, t)
   local ahead = iIsLow and AHEAD or -AHEAD
   local x, y = at(b, i, 2 * i, t), at(b, i, 2 * i + 1, t)
   x, y = x + (axis == 1 and way or ahead), y + (axis == 0 and way or ahead)
-  -- No rest: if it is pushed back to where it was, it may get by in a longer step; and who is in the
-  -- way beside it may go without being a neighbour.
+  -- No rest: if it is pushed back to where it was, it may get by in a longer step; and who is in
+  -- the way beside it may go without being a neighbour.
   b.news[i] = true
   if part.isInside(b, i, x, y) then
     return false

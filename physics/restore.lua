@@ -21,7 +21,7 @@ local view = require(here .. ".view")
 
 local restore = {}
 
-local STATIC, KINEMATIC, DYNAMIC = columns.STATIC, columns.KINEMATIC, columns.DYNAMIC
+local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
 local max, min = math.max, math.min
 
 -- Which table is which object --------------------------------------------------------------------
@@ -297,13 +297,9 @@ local function forget(b)
   b.contactCount = 0
 end
 
-local function kindOf(object)
-  return object.static and STATIC or object.kinematic and KINEMATIC or DYNAMIC
-end
-
 -- Whether the columns hold what is in an object, as far as `update` would not notice.
 local function isRead(b, i, object)
-  if b.kind[i] ~= kindOf(object) then
+  if b.kind[i] ~= columns.kindOf(object) then
     return false
   elseif b.kind[i] ~= STATIC then
     return true

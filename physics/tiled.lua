@@ -9,7 +9,6 @@
 
 local here = (...):match("^(.*)%.[^.]+$")
 local check = require(here .. ".check")
-local interpreted = require(here .. ".interpreted")
 local objectlayer = require(here .. ".tiled.objectlayer")
 local properties = require(here .. ".tiled.properties")
 local report = require(here .. ".tiled.report")
@@ -24,27 +23,6 @@ local WHERE = report.WHERE
 
 local OPTIONS = { "merge", "skipLayers", "solidLayers", "solidProperty", "solidTiles", "x", "y" }
 local IN_OPTIONS = "world:loadTiled(map, options)"
-
-local function isOption(name)
-  for i = 1, #OPTIONS do
-    if OPTIONS[i] == name then
-      return true
-    end
-  end
-  return false
-end
-
--- Of several unknown options the first by name, so that the message does not vary from run to run.
-local function unknownOption(options)
-  local first
-  for name in pairs(options) do
-    local shown = check.show(name)
-    if not isOption(name) and (not first or shown < first) then
-      first = shown
-    end
-  end
-  return first
-end
 
 -- The option of this name, a list of what `kind` says; empty if it is not given.
 local function listOf(options, name, kind)
@@ -99,11 +77,7 @@ local function checkOptions(options)
     options = {}
   end
   check.table(options, "options", IN_OPTIONS)
-  local unknown = unknownOption(options)
-  if unknown then
-    local known = table.concat(OPTIONS, ", ")
-    check.fail(IN_OPTIONS .. ": unknown option " .. unknown .. "; the options are " .. known)
-  end
+  check.names(options, "option", OPTIONS, IN_OPTIONS)
   if options.merge ~= nil then
     check.boolean(options.merge, "merge", IN_OPTIONS)
   end
@@ -461,7 +435,5 @@ function tiled.read(given, options)
   })
   return newLevel(reading), reading.groupOf, reading.groups
 end
-
-interpreted.always(unknownOption)
 
 return tiled

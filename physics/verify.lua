@@ -23,10 +23,6 @@ local function isCount(value, most)
   return isFinite(value) and value >= 0 and value <= most and floor(value) == value
 end
 
-local function isName(value)
-  return type(value) == "string" or isFinite(value)
-end
-
 local function isBoolean(value)
   return type(value) == "boolean"
 end
@@ -63,7 +59,7 @@ end
 
 local NUMBER = { isFinite, "a number in -1e+100..1e+100" }
 local BOOLEAN = { isBoolean, "true or false" }
-local NAME = { isName, "a string or a number" }
+local NAME = { check.isName, "a string or a number" }
 
 -- The kind of a number of an object.
 local function objectKind(first, last)
@@ -122,7 +118,7 @@ end
 
 -- Checks name, `direct` and keys of a group with `count` objects.
 local function needGroup(group, path, count, seen)
-  if not isName(group.name) or seen[group.name] then
+  if not check.isName(group.name) or seen[group.name] then
     refuse(path .. ".name", "a name that is there once", group.name)
   end
   seen[group.name] = true

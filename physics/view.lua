@@ -26,7 +26,7 @@ local roster = require(here .. ".roster")
 local view = {}
 
 local max, min = math.max, math.min
-local STATIC, KINEMATIC, DYNAMIC = columns.STATIC, columns.KINEMATIC, columns.DYNAMIC
+local STATIC = columns.STATIC
 
 -- Kind of an object that the core has read anew.
 local UNREAD = 0
@@ -84,11 +84,7 @@ end
 
 local function kindOf(b, object)
   local slot = b.slotOf[object]
-  local isStatic = object.static
-  if slot then
-    isStatic = b.kind[slot] == STATIC
-  end
-  return isStatic and STATIC or object.kinematic and KINEMATIC or DYNAMIC
+  return columns.kindOf(object, slot and b.kind[slot] == STATIC)
 end
 
 local function complain(v, i)

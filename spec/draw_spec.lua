@@ -342,7 +342,11 @@ describe("draw", function()
   describe("refuses, blaming the caller:", function()
     local ALL = "the options are alpha, counters, fill, grid, names, oneWay, touching, velocity"
     for _, row in ipairs({
-      { "an unknown option", { filll = true }, 'unknown option "filll"; ' .. ALL },
+      {
+        "an unknown option",
+        { filll = true },
+        'unknown option "filll" (did you mean "fill"?); ' .. ALL,
+      },
       { "a numbered option", { "fill" }, "unknown option 1; " .. ALL },
       { "an option of the wrong type", { fill = 1 }, "fill must be true or false, got 1" },
       { "an alpha out of range", { alpha = 2 }, "alpha must be a number in 0..1, got 2" },

@@ -359,8 +359,8 @@ describe("world:loadTiled refuses", function()
     { 5, "options must be a table, got 5" },
     {
       { solidLayer = { "ground" } },
-      'unknown option "solidLayer"; the options are merge, skipLayers, solidLayers, solidProperty,'
-        .. " solidTiles, x, y",
+      'unknown option "solidLayer" (did you mean "solidLayers"?); the options are merge,'
+        .. " skipLayers, solidLayers, solidProperty, solidTiles, x, y",
     },
     { { merge = 1 }, "merge must be true or false, got 1" },
     { { x = NAN }, "x must be a number, got nan" },
