@@ -46,10 +46,10 @@ local function resetHolders(b, list, first, last)
 end
 
 local function resetGrips(b, list, first, last)
-  local stuck, grip, used, level = b.stuck, b.grip, b.gripUsed, b.level
+  local stuck, grip, lasts, used, level = b.stuck, b.grip, b.gripLasts, b.gripUsed, b.level
   for n = first, last do
     local i = list[n]
-    stuck[i], grip[i], used[i], level[i] = 0, 0, 0, 0
+    stuck[i], grip[i], lasts[i], used[i], level[i] = 0, 0, 0, 0, 0
   end
 end
 

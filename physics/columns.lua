@@ -104,7 +104,8 @@ local SLOT = {
   stuck = 0, -- 1: friction holds it to something that does not slide
   stickiness = 0, -- friction coefficient of that hold
   grip = 0, -- impulse that friction can give it across gravity, from what it stands on
-  gripUsed = 0, -- of that, what it has given (< 0: towards smaller coordinates)
+  gripLasts = 0, -- the same in a whole step, by what goes on pressing: impacts are over
+  gripUsed = 0, -- of `grip`, what it has given (< 0: towards smaller coordinates)
   ground = 0, -- what it stands on then
   groundSpeed = 0, -- the speed of that along its surface, px/s
   level = 0, -- how many dynamic ones are between it and the floor, and 1
@@ -264,6 +265,7 @@ local STEP_SLOT = {
   "stuck",
   "stickiness",
   "grip",
+  "gripLasts",
   "gripUsed",
   "ground",
   "groundSpeed",
@@ -425,6 +427,7 @@ function columns.new()
     clear = 0, -- px by which two must be apart to be clear of each other (see gather)
     gatherStamp = 0,
     relative = { 0, 0, 0, 0 }, -- scratch of approach
+    unasked = { pairs = {}, sides = {}, first = {}, second = {}, order = {} }, -- scratch of contact
     offerAt = {},
     offerWho = {},
     offerWidth = {},

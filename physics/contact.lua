@@ -7,10 +7,12 @@
 local here = (...):match("^(.*)%.[^.]+$")
 local aabb = require(here .. ".aabb")
 local approach = require(here .. ".approach")
+local ask = require(here .. ".ask")
 local columns = require(here .. ".columns")
 local events = require(here .. ".events")
 local interpreted = require(here .. ".interpreted")
 local oneway = require(here .. ".oneway")
+local sort = require(here .. ".sort")
 
 local contact = {}
 
@@ -143,6 +145,56 @@ local function sensorContact(b, p, i, j)
   return isSwapped and OPPOSITE[side] or side
 end
 
+-- The side on which solid pair p, which was not met in this step, will be in contact: one of the
+-- two leans on that side on somebody else. Else 0.
+local function unmetSide(b, p, i, j)
+  local side = flushSide(b, i, j)
+  if side <= 0 or b.dropping[p] or oneway.lets(b, i, j, side, approach.FACE) then
+    return 0
+  end
+  return isHeld(b, p, i, j, side) and side or 0
+end
+
+-- Lists the pairs about which the game is still to be asked, in the order of the world; returns how
+-- many.
+local function listUnasked(b, work)
+  local pairs, sides, first, second, order =
+    work.pairs, work.sides, work.first, work.second, work.order
+  local count = 0
+  for n = 1, b.liveCount do
+    local p = b.live[n]
+    local i, j = b.pairA[p], b.pairB[p]
+    if b.hit[p] == 0 and not b.passing[p] and ask.isAsked(b, i, j) then
+      local side = (b.sensor[i] or b.sensor[j]) and 0 or unmetSide(b, p, i, j)
+      if side ~= 0 then
+        local one, other = b.rank[i], b.rank[j]
+        count = count + 1
+        pairs[count], sides[count], order[count] = p, side, count
+        first[count], second[count] = min(one, other), max(one, other)
+      end
+    end
+  end
+  sort.by(order, count, first, second, second)
+  return count
+end
+
+--- Asks the game about those who will be in contact without having been met: who stands on two
+--- floors is held by one of them. Writes nothing but that they pass, since the game's function may
+--- fail.
+function contact.ask(b)
+  if not b.hasAskers then
+    return
+  end
+  local work = b.unasked
+  for n = 1, listUnasked(b, work) do
+    local at = work.order[n]
+    local p, side = work.pairs[at], work.sides[at]
+    local i, j, axis = b.pairA[p], b.pairB[p], side > 2 and 1 or 0
+    local isFirstLow = side % 2 == 0
+    b.passing[p] = not ask.permits(b, isFirstLow and i or j, isFirstLow and j or i, axis)
+  end
+end
+
 -- Finds out whether pair p is in contact now, and notes what there is to tell of that.
 local function update(b, p)
   local i, j = b.pairA[p], b.pairB[p]
@@ -236,6 +288,9 @@ function contact.updateAll(b, list, listCount, touching, count)
 end
 
 interpreted.functions(
+  unmetSide,
+  listUnasked,
+  contact.ask,
   wedge,
   wedgedSide,
   leaveInside,

@@ -29,7 +29,8 @@ local function sidesOf(b, isUp)
   return b.heldHigh, b.heldLow, b.holderHigh, b.pressedHigh, b.pressedLow
 end
 
--- A weight on slot i presses on all that it stands on, as in `grip`.
+-- A weight on slot i presses on all that it stands on, as in `grip`. (How long it does is asked
+-- only of who carries nobody.)
 local function weighOn(b, i, impulse)
   local grip, stickiness, ground, level = b.grip, b.stickiness, b.ground, b.level
   local at = level[i]
@@ -65,7 +66,7 @@ end
 
 -- Friction between two that do not move against each other, nor would: `up` sticks to `low` where
 -- that stands fast. Returns false for all others, whom `friction` must look at.
-local function stick(b, up, low, ku, kl, mu, impulse, sign)
+local function stick(b, up, low, ku, kl, mu, impulse, share, sign)
   local across = 1 - 2 * b.downAxis -- from an index along gravity to the one across
   local ka, kb = ku + across, kl + across
   local isFast = b.inverseMass[low] == 0
@@ -85,6 +86,7 @@ local function stick(b, up, low, ku, kl, mu, impulse, sign)
     goWith(b, up, low)
   end
   b.stuck[up], b.stickiness[up], b.grip[up] = 1, mu, b.grip[up] + mu * impulse
+  b.gripLasts[up] = b.gripLasts[up] + mu * impulse * (1 - share)
   b.ground[up], b.groundSpeed[up], b.level[up] = low, b.speed[kb], b.level[low] + 1
   b.to[ka], b.changes[ka] = b.from[ka] + (b.to[kb] - b.from[kb]), b.changes[ka] + 1
   return true
@@ -205,7 +207,7 @@ function footing.slide(b, dt)
     local mu = press.coefficient(b, up, low)
     local ku, kl, limit = 2 * up + axis, 2 * low + axis, mu * impulse
     goesOn = mu <= 0
-      or stick(b, up, low, ku, kl, mu, impulse, sign)
+      or stick(b, up, low, ku, kl, mu, impulse, shares[x], sign)
       or slideTogether(b, up, low, ku, kl, limit, shares[x], sign, dt)
   end
   b.slidCount = at

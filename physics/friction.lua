@@ -135,14 +135,14 @@ local function rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau, t)
   local grounded = b.inverseMass[low] == 0
   local w, floorSpeed = inverseMass(b, up, ku), surface(b, low, kw)
   local u, a = b.speed[ku] - floorSpeed, b.accel[ku] - b.accel[kw]
-  local limit = mu * jn
+  local limit, lasting = mu * jn, t < 1 and jn * (1 - share) / (1 - t) or 0
   local stop, way, start = slide(u, a, tau, limit * w * share, limit * w * (1 - share))
   if isBarred(b, ku, stop - u, tau) then
     return true
   end
   local impulse = (stop - u) / w
   if not grounded then
-    grip.weighOn(b, low, jn)
+    grip.weighOn(b, low, jn, lasting)
     if impulse ~= 0 then
       if
         max(impulse, -impulse) > grip.left(b, low, impulse > 0 and 1 or -1, 0) * (1 + ROUNDING)
@@ -152,7 +152,7 @@ local function rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau, t)
       grip.give(b, low, impulse)
     end
   end
-  grip.note(b, up, low, floorSpeed, mu, limit, impulse)
+  grip.note(b, up, low, floorSpeed, mu, limit, impulse, mu * lasting)
   if stop == 0 then
     b.stuck[up] = 1
     b.speed[ku], b.accel[ku] = floorSpeed, b.accel[kw]
@@ -326,7 +326,7 @@ local function rubOnTower(b, up, low, last, base, mass, ku, kw, mu, jn, share, t
   if not tower.holds(b, 1, last, gain, -impulse, jn) then
     return false
   end
-  grip.weighOn(b, low, jn)
+  grip.weighOn(b, low, jn, jn * (1 - share))
   local dWay = way - (u - a * tau + u) * 0.5 * tau
   -- The relative acceleration from now on: none, if they go together.
   local da = (stop == 0 and 0 or (stop - start) / tau) - a
@@ -335,7 +335,7 @@ local function rubOnTower(b, up, low, last, base, mass, ku, kw, mu, jn, share, t
   b.speed[ku] = stop == 0 and b.speed[kw] or b.speed[ku] + impulse * wu
   b.to[ku] = b.to[ku] + dWay * wu / w
   b.accel[ku] = stop == 0 and accel or b.accel[ku] + da * wu / w
-  grip.note(b, up, low, b.speed[kw], mu, mu * jn, impulse)
+  grip.note(b, up, low, b.speed[kw], mu, mu * jn, impulse, mu * jn * (1 - share))
   cargo.put(b, up, low)
   path.change(b, up)
   weighOnTower(b, base, axis, jn, share, tau)
@@ -358,7 +358,8 @@ local function rubOnSliding(b, lo, hi, tl, th, up, low, ku, kw, mu, jn, share, t
   local slip = b.speed[ku] - floorSpeed
   local isTogether = max(slip, -slip) < STILL and floorSpeed == b.speed[kw]
   addAccel(b, ku, kw, wu, wl, gainU * (1 - share), gainL * (1 - share), tau, isTogether)
-  grip.note(b, up, low, floorSpeed, mu, mu * jn, wu > 0 and gainU / wu or 0)
+  local impulse, limit = wu > 0 and gainU / wu or 0, mu * jn
+  grip.note(b, up, low, floorSpeed, mu, limit, impulse, limit * (1 - share))
   if isTogether then
     b.speed[ku] = b.speed[kw]
   end

@@ -30,22 +30,28 @@ local function below(b, i)
 end
 
 --- Notes what rubs `up`, across gravity: `low`, at a speed of its surface. It can give it an
---- impulse of `limit`, of which it has given some.
-function grip.note(b, up, low, floorSpeed, mu, limit, impulse)
+--- impulse of `limit`, of which it has given some; and of `lasting` in a whole step, by what goes
+--- on pressing.
+function grip.note(b, up, low, floorSpeed, mu, limit, impulse, lasting)
   b.grip[up], b.gripUsed[up] = b.grip[up] + limit, b.gripUsed[up] + impulse
+  b.gripLasts[up] = b.gripLasts[up] + lasting
   b.ground[up], b.groundSpeed[up], b.stickiness[up] = low, floorSpeed, mu
   b.level[up] = b.level[low] + 1
 end
 
 --- Returns how large an impulse friction can still give slot i across gravity, in the direction of
 --- `sign`: from what it stands on, through that from what it stands on, too; from moment t (0..1)
---- of the step on. 0: none worth it.
+--- of the step on, when impacts at its beginning are over. 0: none worth it.
 function grip.left(b, i, sign, t)
   local least, last = huge, i
   while i ~= 0 do
-    local all, used = b.grip[i], sign * b.gripUsed[i]
-    -- What was given was given before; but what pushes the other way might end now.
-    local grasp = min(all - used, (all + max(-used, 0)) * (1 - t))
+    local used = sign * b.gripUsed[i]
+    local grasp = b.grip[i] - used
+    if t > 0 then
+      -- What was given was given before; but what pushes the other way might end now.
+      local lasting = b.gripLasts[i]
+      grasp = min(grasp, (lasting + min(max(-used, 0), lasting)) * (1 - t))
+    end
     if grasp <= b.grip[i] * ROUNDING then
       return 0
     end
@@ -54,10 +60,12 @@ function grip.left(b, i, sign, t)
   return b.level[b.ground[last]] == 0 and least or 0
 end
 
---- A weight on slot i, which stands fast, presses on all that it stands on.
-function grip.weighOn(b, i, jn)
+--- A weight on slot i, which stands fast, presses on all that it stands on: by the impulse `jn`,
+--- and by `lasting` in a whole step.
+function grip.weighOn(b, i, jn, lasting)
   while i ~= 0 do
     b.grip[i] = b.grip[i] + b.stickiness[i] * jn
+    b.gripLasts[i] = b.gripLasts[i] + b.stickiness[i] * lasting
     i = below(b, i)
   end
 end

@@ -124,10 +124,17 @@ local function keepSingle(b, work, count)
   return n
 end
 
--- What holds slot i, or moves with it; 0: nothing.
+-- What holds slot i, rubs it, or moves with it; 0: nothing.
 local function ties(b, i)
   local low, high, weld, k = b.heldLow, b.heldHigh, b.weld, 2 * i
-  return low[k] + low[k + 1] + high[k] + high[k + 1] + weld[k] + weld[k + 1] + b.stuck[i]
+  return low[k]
+    + low[k + 1]
+    + high[k]
+    + high[k + 1]
+    + weld[k]
+    + weld[k + 1]
+    + b.stuck[i]
+    + b.grip[i]
 end
 
 -- Of these, keeps those whom nobody holds.

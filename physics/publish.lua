@@ -323,6 +323,7 @@ end
 
 --- Publishes what the step has brought, for everybody who took part in it.
 function publish.run(b)
+  contact.ask(b)
   reset(b)
   findTouching(b, updateContacts(b))
   tellCrushed(b)

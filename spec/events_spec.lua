@@ -949,6 +949,85 @@ describe("canCollide", function()
     assert.equal(gate, box.touching.left)
   end)
 
+  -- The box is held by one of the two, so that it does not run into the other.
+  describe("of two floors side by side", function()
+    local other, onOther, onFloor, asked
+    before_each(function()
+      -- Of simultaneous contacts the one with the first in order comes first.
+      box.x, box.y, box.vy = 92, 84, 0
+      floor.width = 300
+      world:refresh(floor)
+      other = world:add("tiles", newWall(100, 100, 100, 16))
+      onOther, onFloor, asked = listen(other), listen(floor), 0
+    end)
+
+    for _, broadphase in ipairs({ "pairs", "grid" }) do
+      for _, isFirst in ipairs({ true, false }) do
+        local which = isFirst and "first" or "second"
+        it(("touches none that is refused, the %s, %s"):format(which, broadphase), function()
+          world.broadphase = broadphase
+          local refused, kept = isFirst and floor or other, isFirst and other or floor
+          box.canCollide = function(_, tile)
+            asked = asked + 1
+            return tile ~= refused
+          end
+          for _ = 1, 30 do
+            world:update(DT)
+            assert.equal(kept, box.touching.bottom)
+            assert.equal(84, box.y)
+          end
+          assert.equal(60, asked)
+          checkLog(isFirst and onFloor or onOther, 0, 0)
+          checkLog(isFirst and onOther or onFloor, 1, 0)
+        end)
+      end
+    end
+
+    it("touches both if both are let be", function()
+      world.canCollide = function()
+        return true
+      end
+      play(world, 30)
+      checkLog(onFloor, 1, 0)
+      checkLog(onOther, 1, 0)
+    end)
+
+    it("leaves the world as it was if it fails about the second", function()
+      local hash, count = nil, 0
+      world.canCollide = function()
+        count = count + 1
+        if count == 2 then
+          error("oops")
+        end
+      end
+      world:update(0)
+      hash = world:hash()
+      assert.error_matches(function()
+        world:update(DT)
+      end, "oops")
+      assert.equal(hash, world:hash())
+      world:update(DT)
+      assert.is_false(box.touching.top)
+      checkLog(onFloor, 1, 0)
+      checkLog(onOther, 1, 0)
+    end)
+  end)
+
+  it("is asked in every step about a wall beside somebody who does not press it", function()
+    local wall = world:add("tiles", newWall(16, 0, 16, 100))
+    box.y, box.vx = 84, 60
+    local isWall, log = true, listen(wall)
+    wall.canCollide = function()
+      return isWall
+    end
+    play(world, 5)
+    assert.equal(wall, box.touching.right)
+    isWall = false
+    play(world, 1)
+    assert.is_false(box.touching.right)
+    checkLog(log, 1, 1)
+  end)
+
   it("that fails leaves the world as it was before the step", function()
     play(world, 10)
     local other = world:add("boxes", newBox(100, 0, { vx = 50 }))

@@ -69,6 +69,43 @@ describe("a crate of mass 2 that is run into from afar, in the middle of a step"
   end
 end)
 
+describe("a box that comes down hard as a step begins, and is hit in that step", function()
+  --   +--+ 300 ->     +--+     friction takes 0.5 * 900 = 450 px/s² off the one on the floor, as
+  --   +--+ 2 px off   +--+     long as it lies there: the impact of its landing is over
+  --       =================
+  local function play(rate, restitution)
+    local world = physics.newWorld({ gravity = 900 })
+    local floor = { x = -900, y = 16, width = 2000, height = 16, static = true, friction = 1 }
+    world:add("floor", floor)
+    local box = { x = 0, y = 0, width = 16, height = 16, vx = 300, gravity = 0 }
+    local crate = { x = 18, y = 0, width = 16, height = 16, vy = 500, friction = 0.25 }
+    box.restitution, crate.restitution = restitution, restitution
+    world:add("boxes", box)
+    world:add("boxes", crate)
+    for _ = 1, rate / 10 do
+      world:update(1 / rate)
+    end
+    return box, crate
+  end
+
+  for _, rate in ipairs({ 30, 60, 90, 1000 }) do
+    it(("is braked by its weight alone, at %d Hz"):format(rate), function()
+      local box, crate = play(rate, 0)
+      local left = 0.1 - 2 / 300
+      assert.near(150 - 225 * left, crate.vx, 1e-9)
+      assert.near(18 + (150 - 225 / 2 * left) * left, crate.x, 1e-9)
+      assert.near(crate.x - 16, box.x, 1e-9)
+    end)
+
+    it(("is not braked at all once it has bounced off, at %d Hz"):format(rate), function()
+      local box, crate = play(rate, 1)
+      assert.near(300, crate.vx, 1e-9)
+      assert.near(18 + 300 * (0.1 - 2 / 300), crate.x, 1e-9)
+      assert.near(0, box.vx, 1e-9)
+    end)
+  end
+end)
+
 describe("a box that slides against what pulls it", function()
   --    <- 8 +--+ 125 px/s² ->     friction takes 0.05 * 250 = 12.5 px/s² off any motion:
   --         +--+                  8 / 137.5 s and 8² / 275 px back, then 112.5 px/s² forth

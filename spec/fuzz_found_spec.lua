@@ -15,6 +15,40 @@ end
 
 local FOUND = {
   {
+    "the game is asked about both floors on which somebody stands",
+    {
+      settings = {},
+      acts = {
+        { "add", 11, "tiles", { height = 20, static = true, width = 20, x = 160, y = 320 } },
+        { "insert", 12, "tiles", { height = 20, static = true, width = 20, x = 176, y = 320 } },
+        { "add", 23, 2.5, { height = 20, width = 20, x = 160, y = 300 } },
+        { "write", 12, { carry = false } },
+        { "refuse", 0, 2 },
+        { "listen", 12, "onStay", {} },
+        { "update", 0.015625 },
+        { "twin" },
+        { "update", 0.015625 },
+      },
+    },
+  },
+  {
+    "who bounces off a rough floor and is reached then is held by that no more",
+    {
+      settings = { gravity = 10 },
+      acts = {
+        { "add", 1, 2.5, { height = 1, width = 0.5, x = 3, y = 10 } },
+        { "add", 2, 1, { friction = 1, height = 1, restitution = 0.5, width = 1, x = 3, y = 10 } },
+        { "write", 1, { vy = -1 } },
+        { "set", "gravityX", 4.96875 },
+        { "update", 0.015625 },
+        { "bounds", 0.25, 0.15625, 4.777492459190537, 4.777492459190537 },
+        { "update", 0.015625 },
+        { "write", 2, { vy = 4 } },
+        { "update", 0.015625 },
+      },
+    },
+  },
+  {
     "a fixed step may leave a little less than no time",
     {
       settings = { timestep = 0.02 },
