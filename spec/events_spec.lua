@@ -993,7 +993,7 @@ describe("canCollide", function()
     end)
 
     it("leaves the world as it was if it fails about the second", function()
-      local hash, count = nil, 0
+      local count = 0
       world.canCollide = function()
         count = count + 1
         if count == 2 then
@@ -1001,7 +1001,7 @@ describe("canCollide", function()
         end
       end
       world:update(0)
-      hash = world:hash()
+      local hash = world:hash()
       assert.error_matches(function()
         world:update(DT)
       end, "oops")
