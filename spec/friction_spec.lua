@@ -1,5 +1,6 @@
 --- Friction between two that both give way.
 
+local newRandom = require("spec.support.random").new
 local physics = require("physics")
 local unpack = rawget(table, "unpack") or rawget(_G, "unpack")
 
@@ -102,6 +103,53 @@ describe("a box that comes down hard as a step begins, and is hit in that step",
       assert.near(300, crate.vx, 1e-9)
       assert.near(18 + 300 * (0.1 - 2 / 300), crate.x, 1e-9)
       assert.near(0, box.vx, 1e-9)
+    end)
+  end
+end)
+
+describe("boxes that run into each other on a rough floor", function()
+  -- Two to four of different mass, some of which bounce or pull.
+  local function newBox(random, x)
+    local box = { x = x, y = 384, width = 16, height = 16 }
+    box.friction = random:between(0, 1) < 0.2 and 0 or random:between(0.05, 0.5)
+    box.mass = random:between(0, 1) < 0.5 and 1 or random:between(0.3, 4)
+    box.vx = random:between(0, 1) < 0.5 and random:between(-300, 300) or 0
+    box.restitution = random:between(0, 1) < 0.3 and random:between(0, 1) or nil
+    box.ax = random:between(0, 1) < 0.3 and random:between(-400, 400) or nil
+    return box
+  end
+
+  local function play(seed, rate)
+    local random, boxes, x = newRandom(seed), {}, 0
+    local world = physics.newWorld({ gravity = 900 })
+    local floor = { x = -3000, y = 400, width = 6000, height = 20, static = true, friction = 1 }
+    world:add("floor", floor)
+    for n = 1, math.floor(random:between(2, 5)) do
+      x = x + random:between(0, 1) ^ 2 * 40
+      boxes[n] = world:add("boxes", newBox(random, x))
+      x = x + 16
+    end
+    for _ = 1, rate / 2 do
+      world:update(1 / rate)
+    end
+    return boxes
+  end
+
+  -- Half of them are met once in a step at most, and are exact; the others as far as it goes.
+  for _, row in ipairs({ { 30, 0.6 }, { 60, 0.4 } }) do
+    local rate, most = unpack(row)
+    it(("are where small steps lead them, at %d Hz"):format(rate), function()
+      local apart = {}
+      for seed = 1, 40 do
+        local farthest, exact = 0, play(seed, 2400)
+        for n, box in ipairs(play(seed, rate)) do
+          farthest = math.max(farthest, math.abs(box.x - exact[n].x))
+        end
+        apart[seed] = farthest
+      end
+      table.sort(apart)
+      assert.is_true(apart[20] < 1e-9, ("half differ by up to %g px"):format(apart[20]))
+      assert.is_true(apart[36] < most, ("nine of ten differ by up to %g px"):format(apart[36]))
     end)
   end
 end)
