@@ -46,10 +46,12 @@ local function resetHolders(b, list, first, last)
 end
 
 local function resetGrips(b, list, first, last)
-  local stuck, grip, lasts, used, level = b.stuck, b.grip, b.gripLasts, b.gripUsed, b.level
+  local stuck, level = b.stuck, b.level
+  local grip, lasts, used, brake = b.grip, b.gripLasts, b.gripUsed, b.gripAccel
   for n = first, last do
     local i = list[n]
-    stuck[i], grip[i], lasts[i], used[i], level[i] = 0, 0, 0, 0, 0
+    stuck[i], level[i] = 0, 0
+    grip[i], lasts[i], used[i], brake[i] = 0, 0, 0, 0
   end
 end
 

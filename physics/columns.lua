@@ -105,6 +105,7 @@ local SLOT = {
   stickiness = 0, -- friction coefficient of that hold
   grip = 0, -- impulse that friction can give it across gravity, from what it stands on
   gripLasts = 0, -- the same in a whole step, by what goes on pressing: impacts are over
+  gripAccel = 0, -- px/s² by which that brakes it until the end of the step
   gripUsed = 0, -- of `grip`, what it has given (< 0: towards smaller coordinates)
   ground = 0, -- what it stands on then
   groundSpeed = 0, -- the speed of that along its surface, px/s
@@ -266,6 +267,7 @@ local STEP_SLOT = {
   "stickiness",
   "grip",
   "gripLasts",
+  "gripAccel",
   "gripUsed",
   "ground",
   "groundSpeed",

@@ -164,6 +164,7 @@ local function rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau, t)
     if tau > 0 then
       -- It is braked all the time: what rubs on it must know that it was not so slow before.
       b.accel[ku] = b.accel[kw] + (stop - start) / tau
+      b.gripAccel[up] = b.gripAccel[up] + (stop - start) / tau - a
     end
   end
   local before = b.to[ku]
@@ -379,7 +380,9 @@ function friction.brake(b, i, axis, tau, t)
   if stop == u then
     return
   end
-  b.speed[k], b.accel[k] = b.speed[k] + (stop - u), b.accel[k] + (stop - u) / tau
+  local accel = (stop - u) / tau
+  b.speed[k], b.accel[k] = b.speed[k] + (stop - u), b.accel[k] + accel
+  b.gripAccel[i] = b.gripAccel[i] + accel
   b.to[k] = b.to[k] + (way - (u - a * tau + u) * 0.5 * tau)
   grip.give(b, i, (stop - u) / w)
   return path.change(b, i)

@@ -288,6 +288,28 @@ local function stands(b, i)
   return b.level[i] <= 1 and b.cargo[i] == 0
 end
 
+-- Whether friction goes on braking slot i as it did when that has another speed.
+local function goesOn(b, i, speed)
+  return (speed - b.groundSpeed[i]) * b.gripAccel[i] <= 0
+end
+
+-- The acceleration that friction gives two that meet at moment t, `tau` s before the step ends,
+-- towards each other: it is in their paths, and goes on (see `friction.brake`).
+local function braking(b, lo, hi, kl, kh, wl, wh, restitution, t, tau)
+  if b.down[kl] ~= 0 or b.down[kh] ~= 0 or not (stands(b, lo) and stands(b, hi)) then
+    return 0
+  end
+  local brake, speed, accel = b.gripAccel[lo] - b.gripAccel[hi], b.speed, b.accel
+  if restitution == 0 and t == 0 then
+    return 0 -- whether those part who lean on each other shows in the next step
+  elseif restitution == 0 and brake ~= 0 then
+    local speedL, speedH = speed[kl] - accel[kl] * tau, speed[kh] - accel[kh] * tau
+    local common = (speedL * wh + speedH * wl) / (wl + wh)
+    return goesOn(b, lo, common) and goesOn(b, hi, common) and brake or 0
+  end
+  return brake
+end
+
 --- Resolves pair p, which meets on `axis` at time t (0..1 of a step of dt s), `lo` being the one
 --- with the smaller coordinate; `isDeep` if they are inside each other. Lists whose path changed in
 --- b.changed[1..b.changedCount].
@@ -333,7 +355,8 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   -- Who is pushed from behind by one that cannot be pushed has nowhere to leave to by itself.
   local isPinned = restitution == 0 and (b.backedLow[kl] or b.backedHigh[kh])
   if b.met[p] <= LEAVES and not isPinned then
-    gap, vEnd = impact.rebound(restitution, u, a, tau)
+    local brake = braking(b, lo, hi, kl, kh, wl, wh, restitution, t, tau)
+    gap, vEnd = impact.rebound(restitution, u, a + brake, tau)
   end
   local flush = gap == 0 and vEnd == 0
   local oldL, oldH, ownL, ownH = to[kl], to[kh], wl, wh
@@ -395,7 +418,7 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   if flush and (dv > 0 or isStuck) and b.met[p] >= WELDS and wl > 0 and wh > 0 then
     weld.join(b, kl, kh)
   end
-  if t > 0 and not flush and isRubbed(b, p, kl, kh, dv) then
+  if not flush and isRubbed(b, p, kl, kh, dv) then
     friction.brake(b, lo, axis, tau, t)
     friction.brake(b, hi, axis, tau, t)
   end

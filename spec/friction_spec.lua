@@ -108,7 +108,7 @@ describe("a box that comes down hard as a step begins, and is hit in that step",
 end)
 
 describe("boxes that run into each other on a rough floor", function()
-  -- Two to four of different mass, some of which bounce or pull.
+  -- Two to four of different mass, some of which bounce, pull or touch from the beginning.
   local function newBox(random, x)
     local box = { x = x, y = 384, width = 16, height = 16 }
     box.friction = random:between(0, 1) < 0.2 and 0 or random:between(0.05, 0.5)
@@ -125,7 +125,7 @@ describe("boxes that run into each other on a rough floor", function()
     local floor = { x = -3000, y = 400, width = 6000, height = 20, static = true, friction = 1 }
     world:add("floor", floor)
     for n = 1, math.floor(random:between(2, 5)) do
-      x = x + random:between(0, 1) ^ 2 * 40
+      x = x + math.max(random:between(-40, 40), 0)
       boxes[n] = world:add("boxes", newBox(random, x))
       x = x + 16
     end
@@ -136,7 +136,7 @@ describe("boxes that run into each other on a rough floor", function()
   end
 
   -- Half of them are met once in a step at most, and are exact; the others as far as it goes.
-  for _, row in ipairs({ { 30, 0.6 }, { 60, 0.4 } }) do
+  for _, row in ipairs({ { 30, 0.6 }, { 60, 0.2 } }) do
     local rate, most = unpack(row)
     it(("are where small steps lead them, at %d Hz"):format(rate), function()
       local apart = {}
