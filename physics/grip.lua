@@ -99,7 +99,7 @@ function grip.hold(b, i, axis, tau)
   local k, low = 2 * i + axis, b.ground[i]
   local floorSpeed = b.groundSpeed[i]
   local goal = grip.goal(b, i, low, k, 2 * low + axis, floorSpeed, tau)
-  b.speed[k], b.stuck[i] = floorSpeed, 1
+  b.speed[k], b.stuck[i], b.gripAccel[i] = floorSpeed, 1, 0
   -- Who stood when the step began has not moved.
   if b.velocity[k] + b.carried[k] == floorSpeed then
     b.to[k] = goal
@@ -158,10 +158,13 @@ function grip.bear(b, lo, hi, kl, kh, wl, wh, v, t, tau)
   local less, isWeakStill = resist(b, weak, common, mass, t)
   local more, isStrongStill = resist(b, strong, common + less / mass, mass, t)
   local still = isStrongStill and strong or (isWeakStill and more == 0 and weak) or 0
-  if isStrongStill and less == 0 and strong == lo and b.speed[kl] == b.groundSpeed[lo] then
-    return 0, wh, v / wh, lo
-  elseif isStrongStill and less == 0 and strong == hi and b.speed[kh] == b.groundSpeed[hi] then
-    return wl, 0, v / wl, hi
+  -- Who stands stays there; who has been braked within the step was elsewhere before.
+  if isStrongStill and less == 0 and b.stuck[strong] > 0 then
+    if strong == lo and b.speed[kl] == b.groundSpeed[lo] then
+      return 0, wh, v / wh, lo
+    elseif strong == hi and b.speed[kh] == b.groundSpeed[hi] then
+      return wl, 0, v / wl, hi
+    end
   end
   local dSpeed = (less + more) / mass
   local dWay = b.pushFirst and 0 or dSpeed * tau * 0.5
