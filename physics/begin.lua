@@ -46,12 +46,18 @@ local function resetHolders(b, list, first, last)
 end
 
 local function resetGrips(b, list, first, last)
-  local stuck, level = b.stuck, b.level
-  local grip, lasts, used, brake = b.grip, b.gripLasts, b.gripUsed, b.gripAccel
+  local stuck, grip, used, level = b.stuck, b.grip, b.gripUsed, b.level
   for n = first, last do
     local i = list[n]
-    stuck[i], level[i] = 0, 0
-    grip[i], lasts[i], used[i], brake[i] = 0, 0, 0, 0
+    stuck[i], grip[i], used[i], level[i] = 0, 0, 0, 0
+  end
+end
+
+local function resetBraking(b, list, first, last)
+  local lasts, accel = b.gripLasts, b.gripAccel
+  for n = first, last do
+    local i = list[n]
+    lasts[i], accel[i] = 0, 0
   end
 end
 
@@ -85,7 +91,10 @@ function begin.run(b)
     resetBacks(b, list, first, last)
   end
   resetHolders(b, list, first, last)
-  resetGrips(b, list, first, last)
+  if b.hasFriction then
+    resetGrips(b, list, first, last)
+    resetBraking(b, list, first, last)
+  end
   resetCargo(b, list, first, last)
   resetOthers(b, list, first, last)
   b.begun = last

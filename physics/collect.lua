@@ -205,6 +205,7 @@ local function readAll(b, i, object, isNew)
   readFields(b, i, object)
   readMotion(b, i, object, isNew)
   b.hasCarriers = b.hasCarriers or b.kind[i] == KINEMATIC or b.surfaceSpeed[i] ~= 0
+  b.hasFriction = b.hasFriction or b.friction[i] > 0
   b.hasNudges = b.hasNudges or b.nudge[i] ~= 0
   b.hasHinders = b.hasHinders or b.drag[i] ~= 0 or b.maxSpeed[i] ~= HUGE
   b.hasBounces = b.hasBounces or b.restitution[i] ~= 0

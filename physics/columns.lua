@@ -410,6 +410,7 @@ function columns.new()
     sortDigit = {},
     sortHeads = {},
     hasCarriers = false, -- anything in the world that ever carried others
+    hasFriction = false, -- or rubs
     hasNudges = false, -- or could slide around corners
     hasHinders = false, -- or has drag or a maxSpeed
     hasBounces = false, -- or bounced

@@ -373,7 +373,7 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
     and stands(b, hi)
   then
     if grip.mayBear(b, lo, hi, kl, wl, wh, dv) then
-      wl, wh, impulse, still = grip.bear(b, lo, hi, kl, kh, wl, wh, dv, t, tau)
+      wl, wh, impulse, still = grip.bear(b, lo, hi, kl, kh, wl, wh, dv, t, (1 - t) * dt)
     end
   end
   local shareL, shareH = shares(b, lo, hi, kl, kh, wl, wh, isDeep or b.met[p] > BOUNCES)
@@ -419,8 +419,9 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
     weld.join(b, kl, kh)
   end
   if not flush and isRubbed(b, p, kl, kh, dv) then
-    friction.brake(b, lo, axis, tau, t)
-    friction.brake(b, hi, axis, tau, t)
+    -- (As long as it could: `tau` may be next to nothing, by rounding.)
+    friction.brake(b, lo, axis, (1 - t) * dt, t)
+    friction.brake(b, hi, axis, (1 - t) * dt, t)
   end
   if dv > 0 then
     local share = u * (1 + restitution) / dv
