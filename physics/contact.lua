@@ -1,8 +1,9 @@
 --- Step 7, publish: whether a pair is in contact at the end of a step, and on which side.
 --
 -- Reads to, position, hit, pressed...; writes contact, overlapping, wedged, dropping, inside,
--- passing, and notes the events. `publish` asks it only for pairs whose contact does not simply go on. What
--- begins or ends without more to it is found in a compiled loop, everything else is interpreted.
+-- passing, and notes the events. `publish` asks it only for pairs whose contact does not simply go
+-- on. What begins or ends without more to it is found in a compiled loop, everything else is
+-- interpreted.
 
 local here = (...):match("^(.*)%.[^.]+$")
 local aabb = require(here .. ".aabb")
