@@ -86,7 +86,7 @@ local function stick(b, up, low, ku, kl, mu, impulse, share, sign)
     goWith(b, up, low)
   end
   b.stuck[up], b.stickiness[up], b.grip[up] = 1, mu, b.grip[up] + mu * impulse
-  b.gripLasts[up] = b.gripLasts[up] + mu * impulse * (1 - share)
+  b.gripLasts[up] = b.gripLasts[up] + mu * (impulse * (1 - share))
   b.ground[up], b.groundSpeed[up], b.level[up] = low, b.speed[kb], b.level[low] + 1
   b.to[ka], b.changes[ka] = b.from[ka] + (b.to[kb] - b.from[kb]), b.changes[ka] + 1
   return true

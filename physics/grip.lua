@@ -170,11 +170,6 @@ function grip.bear(b, lo, hi, kl, kh, wl, wh, v, t, tau)
   local dWay = b.pushFirst and 0 or dSpeed * tau * 0.5
   b.speed[kl], b.speed[kh] = b.speed[kl] + dSpeed, b.speed[kh] + dSpeed
   b.to[kl], b.to[kh] = b.to[kl] + dWay, b.to[kh] + dWay
-  if t > 0 and t < 1 then
-    local accel = dSpeed / tau
-    b.accel[kl], b.accel[kh] = b.accel[kl] + accel, b.accel[kh] + accel
-    b.gripAccel[lo], b.gripAccel[hi] = b.gripAccel[lo] + accel, b.gripAccel[hi] + accel
-  end
   local forLow, forHigh = more, less
   if isLowWeak then
     forLow, forHigh = less, more

@@ -288,26 +288,33 @@ local function stands(b, i)
   return b.level[i] <= 1 and b.cargo[i] == 0
 end
 
--- Whether friction goes on braking slot i as it did when that has another speed.
-local function goesOn(b, i, speed)
-  return (speed - b.groundSpeed[i]) * b.gripAccel[i] <= 0
+-- Whether friction would turn slot i round that has another speed now, within `tau` s.
+local function turns(b, i, speed, tau)
+  local u, brake = speed - b.groundSpeed[i], b.gripAccel[i]
+  return u * brake < 0 and max(u, -u) < max(brake, -brake) * tau
 end
 
--- The acceleration that friction gives two that meet at moment t, `tau` s before the step ends,
--- towards each other: it is in their paths, and goes on (see `friction.brake`).
-local function braking(b, lo, hi, kl, kh, wl, wh, restitution, t, tau)
-  if b.down[kl] ~= 0 or b.down[kh] ~= 0 or not (stands(b, lo) and stands(b, hi)) then
-    return 0
-  end
+-- Whether friction goes on braking slot i as it did, `tau` s more.
+local function goesOn(b, i, speed, tau)
+  return (speed - b.groundSpeed[i]) * b.gripAccel[i] <= 0 and not turns(b, i, speed, tau)
+end
+
+-- The acceleration that friction gives two that meet at moment t, closing at u px/s, `tau` s before
+-- the step ends, towards each other: it is in their paths, and goes on (see `friction.brake`).
+local function braking(b, lo, hi, kl, kh, wl, wh, restitution, u, t, tau)
   local brake, speed, accel = b.gripAccel[lo] - b.gripAccel[hi], b.speed, b.accel
-  if restitution == 0 and t == 0 then
+  if brake == 0 or b.down[kl] ~= 0 or b.down[kh] ~= 0 or not (stands(b, lo) and stands(b, hi)) then
+    return 0
+  elseif restitution == 0 and t == 0 then
     return 0 -- whether those part who lean on each other shows in the next step
-  elseif restitution == 0 and brake ~= 0 then
-    local speedL, speedH = speed[kl] - accel[kl] * tau, speed[kh] - accel[kh] * tau
-    local common = (speedL * wh + speedH * wl) / (wl + wh)
-    return goesOn(b, lo, common) and goesOn(b, hi, common) and brake or 0
   end
-  return brake
+  local speedL, speedH = speed[kl] - accel[kl] * tau, speed[kh] - accel[kh] * tau
+  local impulse = (1 + restitution) * u / (wl + wh)
+  speedL, speedH = speedL - impulse * wl, speedH + impulse * wh
+  if restitution == 0 then
+    return goesOn(b, lo, speedL, tau) and goesOn(b, hi, speedH, tau) and brake or 0
+  end
+  return (turns(b, lo, speedL, tau) or turns(b, hi, speedH, tau)) and 0 or brake
 end
 
 --- Resolves pair p, which meets on `axis` at time t (0..1 of a step of dt s), `lo` being the one
@@ -355,7 +362,7 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   -- Who is pushed from behind by one that cannot be pushed has nowhere to leave to by itself.
   local isPinned = restitution == 0 and (b.backedLow[kl] or b.backedHigh[kh])
   if b.met[p] <= LEAVES and not isPinned then
-    local brake = braking(b, lo, hi, kl, kh, wl, wh, restitution, t, tau)
+    local brake = braking(b, lo, hi, kl, kh, wl, wh, restitution, u, t, tau)
     gap, vEnd = impact.rebound(restitution, u, a + brake, tau)
   end
   local flush = gap == 0 and vEnd == 0

@@ -136,7 +136,7 @@ describe("boxes that run into each other on a rough floor", function()
   end
 
   -- Half of them are met once in a step at most, and are exact; the others as far as it goes.
-  for _, row in ipairs({ { 30, 0.6 }, { 60, 0.2 } }) do
+  for _, row in ipairs({ { 30, 0.9 }, { 60, 0.25 } }) do
     local rate, most = unpack(row)
     it(("are where small steps lead them, at %d Hz"):format(rate), function()
       local apart = {}
