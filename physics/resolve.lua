@@ -408,10 +408,11 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
     shareAccel(b.drive, kl, kh, wl, wh)
     lean(b, lo, hi, kl, kh, ownL, ownH)
   end
-  if wl ~= 0 then
+  -- (Who stands may have been put back to where what it stands on takes it.)
+  if wl ~= 0 or to[kl] ~= oldL then
     change(b, lo)
   end
-  if wh ~= 0 then
+  if wh ~= 0 or to[kh] ~= oldH then
     change(b, hi)
   end
   ring.follow(b, kl, to[kl] - oldL, t)

@@ -15,6 +15,82 @@ end
 
 local FOUND = {
   {
+    "who is put back to what it stands on is looked at again",
+    {
+      settings = {},
+      acts = {
+        { "insert", 29, "boxes", { height = 20, width = 20, x = 230, y = 270 } },
+        {
+          "add",
+          30,
+          "crates",
+          { friction = 1, height = 20, restitution = 0.875, width = 16, x = 227.625, y = 260 },
+        },
+        {
+          "add",
+          31,
+          "boxes",
+          { friction = 1, height = 20, mass = 20, width = 16, x = 227.61615148523464, y = 240 },
+        },
+        { "add", 36, "boxes", { height = 20, width = 20, x = 253, y = 200 } },
+        { "add", 37, 1, { height = 20, width = 20, x = 253, y = 200 } },
+        {
+          "add",
+          44,
+          "lifts",
+          { height = 30, kinematic = true, vx = 40, width = 50, x = 187, y = 274 },
+        },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.05 },
+        { "update", 0.2944018112164008 },
+      },
+    },
+  },
+  {
+    "what friction can give lasts as long in turns as in the queue",
+    {
+      settings = { gravity = 600 },
+      acts = {
+        {
+          "add",
+          24,
+          "players",
+          {
+            friction = 0.42387600822735205,
+            height = 20,
+            mass = 3,
+            width = 16,
+            x = 39.205440498148505,
+            y = 300,
+          },
+        },
+        { "insert", 34, 1, { height = 20, width = 16, x = 55.28473032199287, y = 300 } },
+        {
+          "add",
+          35,
+          2.5,
+          {
+            ax = -370,
+            friction = 0.025143579417042042,
+            height = 20,
+            width = 20,
+            x = 71.28473032199287,
+            y = 300,
+          },
+        },
+        {
+          "add",
+          42,
+          "lifts",
+          { height = 20, kinematic = true, vy = -36, width = 100, x = 30, y = 300 },
+        },
+        { "update", 0.03333333333333333 },
+      },
+    },
+  },
+  {
     "the game is asked about both floors on which somebody stands",
     {
       settings = {},
