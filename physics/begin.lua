@@ -54,10 +54,10 @@ local function resetGrips(b, list, first, last)
 end
 
 local function resetBraking(b, list, first, last)
-  local lasts, accel = b.gripLasts, b.gripAccel
+  local hit, accel = b.gripHit, b.gripAccel
   for n = first, last do
     local i = list[n]
-    lasts[i], accel[i] = 0, 0
+    hit[i], accel[i] = 0, 0
   end
 end
 

@@ -104,7 +104,7 @@ local SLOT = {
   stuck = 0, -- 1: friction holds it to something that does not slide
   stickiness = 0, -- friction coefficient of that hold
   grip = 0, -- impulse that friction can give it across gravity, from what it stands on
-  gripLasts = 0, -- the same in a whole step, by what goes on pressing: impacts are over
+  gripHit = 0, -- of that, what comes from impacts, which are over; the rest lasts as long as a step
   gripAccel = 0, -- px/s² by which that brakes it until the end of the step
   gripUsed = 0, -- of `grip`, what it has given (< 0: towards smaller coordinates)
   ground = 0, -- what it stands on then
@@ -266,7 +266,7 @@ local STEP_SLOT = {
   "stuck",
   "stickiness",
   "grip",
-  "gripLasts",
+  "gripHit",
   "gripAccel",
   "gripUsed",
   "ground",

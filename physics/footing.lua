@@ -29,8 +29,8 @@ local function sidesOf(b, isUp)
   return b.heldHigh, b.heldLow, b.holderHigh, b.pressedHigh, b.pressedLow
 end
 
--- A weight on slot i presses on all that it stands on, as in `grip`. (How long it does is asked
--- only of who carries nobody.)
+-- A weight on slot i presses on all that it stands on, as in `grip`. (What of it is an impact is
+-- asked only of who carries nobody.)
 local function weighOn(b, i, impulse)
   local grip, stickiness, ground, level = b.grip, b.stickiness, b.ground, b.level
   local at = level[i]
@@ -66,7 +66,7 @@ end
 
 -- Friction between two that do not move against each other, nor would: `up` sticks to `low` where
 -- that stands fast. Returns false for all others, whom `friction` must look at.
-local function stick(b, up, low, ku, kl, mu, impulse, share, sign)
+local function stick(b, up, low, ku, kl, mu, impulse, sign)
   local across = 1 - 2 * b.downAxis -- from an index along gravity to the one across
   local ka, kb = ku + across, kl + across
   local isFast = b.inverseMass[low] == 0
@@ -86,7 +86,6 @@ local function stick(b, up, low, ku, kl, mu, impulse, share, sign)
     goWith(b, up, low)
   end
   b.stuck[up], b.stickiness[up], b.grip[up] = 1, mu, b.grip[up] + mu * impulse
-  b.gripLasts[up] = b.gripLasts[up] + mu * (impulse * (1 - share))
   b.ground[up], b.groundSpeed[up], b.level[up] = low, b.speed[kb], b.level[low] + 1
   b.to[ka], b.changes[ka] = b.from[ka] + (b.to[kb] - b.from[kb]), b.changes[ka] + 1
   return true
@@ -207,11 +206,28 @@ function footing.slide(b, dt)
     local mu = press.coefficient(b, up, low)
     local ku, kl, limit = 2 * up + axis, 2 * low + axis, mu * impulse
     goesOn = mu <= 0
-      or stick(b, up, low, ku, kl, mu, impulse, shares[x], sign)
+      or stick(b, up, low, ku, kl, mu, impulse, sign)
       or slideTogether(b, up, low, ku, kl, limit, shares[x], sign, dt)
   end
   b.slidCount = at
   return goesOn
+end
+
+--- Notes how much of what friction can give b.landed[first..last], who have rubbed, comes from
+--- their impact. (One more number in the loop of `slide` would be one too many: a third more time.)
+function footing.noteImpacts(b, first, last)
+  local order, ups, lows, landed = b.turnOrder, b.turnUp, b.turnLow, b.landed
+  local shares, impulses, stuck, ground, hit =
+    b.turnShare, b.turnImpulse, b.stuck, b.ground, b.gripHit
+  local base, way = rounds.direction(b.turnRound, 1, b.footingCount)
+  for at = first, last do
+    local x = order[base + way * landed[at]]
+    local up, low, share = ups[x], lows[x], shares[x]
+    if share > 0 and stuck[up] > 0 and ground[up] == low then
+      local mu, impulse = press.coefficient(b, up, low), impulses[x]
+      hit[up] = hit[up] + (mu * impulse - mu * (impulse * (1 - share)))
+    end
+  end
 end
 
 --- Lists in `out` who has landed in this round, or been landed on, and touches somebody with whom

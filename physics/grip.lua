@@ -34,7 +34,7 @@ end
 --- on pressing.
 function grip.note(b, up, low, floorSpeed, mu, limit, impulse, lasting)
   b.grip[up], b.gripUsed[up] = b.grip[up] + limit, b.gripUsed[up] + impulse
-  b.gripLasts[up] = b.gripLasts[up] + lasting
+  b.gripHit[up] = b.gripHit[up] + (limit - lasting)
   b.ground[up], b.groundSpeed[up], b.stickiness[up] = low, floorSpeed, mu
   b.level[up] = b.level[low] + 1
 end
@@ -49,7 +49,7 @@ function grip.left(b, i, sign, t)
     local grasp = b.grip[i] - used
     if t > 0 then
       -- What was given was given before; but what pushes the other way might end now.
-      local lasting = b.gripLasts[i]
+      local lasting = b.grip[i] - b.gripHit[i]
       grasp = min(grasp, (lasting + min(max(-used, 0), lasting)) * (1 - t))
     end
     if grasp <= b.grip[i] * ROUNDING then
@@ -65,7 +65,7 @@ end
 function grip.weighOn(b, i, jn, lasting)
   while i ~= 0 do
     b.grip[i] = b.grip[i] + b.stickiness[i] * jn
-    b.gripLasts[i] = b.gripLasts[i] + b.stickiness[i] * lasting
+    b.gripHit[i] = b.gripHit[i] + b.stickiness[i] * (jn - lasting)
     i = below(b, i)
   end
 end

@@ -378,6 +378,14 @@ local function isPassedOver(b, across)
   return true
 end
 
+-- Lets those rub that have landed, as far as `footing` can. Returns whether these are all.
+local function slide(b, dt)
+  local first = b.slidCount + 1
+  local areAll = footing.slide(b, dt)
+  footing.noteImpacts(b, first, areAll and b.slidCount or b.slidCount - 1)
+  return areAll
+end
+
 -- Lets those who have turns along gravity (`across` 0) or across it (1) take them, until the queue
 -- goes first. Returns whether all have had their turns in this round.
 local function settle(b, across, dt)
@@ -387,7 +395,7 @@ local function settle(b, across, dt)
   local isNext, left = false
   repeat
     left = pass.run(b, across, dt, isNext)
-    while b.slidCount < b.landedCount and not footing.slide(b, dt) do
+    while b.slidCount < b.landedCount and not slide(b, dt) do
       path.startChanges(b)
       footing.rub(b, b.landed[b.slidCount])
       followRub(b, dt)
