@@ -70,13 +70,18 @@ local function listHits(b, work, count)
   return n, first
 end
 
--- Lists those that are in the queue behind them; returns how many there are then.
-local function listQueued(q, work, count)
-  local pairs_ = work.pairs
+-- Lists those that are in the queue behind them; returns how many there are then. Of pairs that
+-- have come apart since (slot 0), events may still be there.
+local function listQueued(b, q, work, count)
+  local pairs_, pairA = work.pairs, b.pairA
   for n = 1, q.size do
-    pairs_[count + n] = queue.read(q, q.heap[n])
+    local p = queue.read(q, q.heap[n])
+    if pairA[p] ~= 0 then
+      count = count + 1
+      pairs_[count] = p
+    end
   end
-  return count + q.size
+  return count
 end
 
 -- Counts how many others each of those meets who are in the first `count` pairs.
@@ -280,7 +285,7 @@ function lone.resolve(b, count, dt)
   if hits == 0 or earliest <= 0 then
     return false
   end
-  countHits(b, work, listQueued(b.queue, work, hits))
+  countHits(b, work, listQueued(b, b.queue, work, hits))
   local n = keepFree(b, work, keepSingle(b, work, hits))
   aim(b, work, n)
   n = keepBounces(b, work, n, dt)
