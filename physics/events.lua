@@ -221,6 +221,9 @@ local function tellAll(b, e, n)
     local recipient = e.heardBy + 1
     local owner = recipient == 3 and b.world or recipient == 1 and e.a[n] or e.b[n]
     local isSkipped = recipient == 2 and e.kind[n] == CRUSH
+    if not isSkipped then
+      checkCallback(b, owner, name) -- those before may have spoilt it
+    end
     e.heardBy = recipient
     if not isSkipped then
       tell(e, n, recipient, name, owner)

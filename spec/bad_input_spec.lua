@@ -337,6 +337,42 @@ describe("the field", function()
   end
 end)
 
+describe("a callback that another one spoils", function()
+  for _, row in ipairs({
+    { "player", 'objects.player.onBegin must be a function, got "boom"' },
+    { "crate", 'objects.crates[1].onBegin must be a function, got "boom"' },
+    { "world", 'world.onBegin must be a function, got "boom"' },
+  }) do
+    local whose, message = row[1], row[2]
+    it("is refused before it is called, and not lost: " .. whose, function()
+      local world = physics.newWorld({ gravity = 0 })
+      local coin = { x = 0, y = 0, width = 8, height = 8, static = true, sensor = true }
+      local crate = world:add("crates", { x = 40, y = 0, width = 16, height = 16, vx = 0.5 })
+      local player = { x = 56, y = 0, width = 16, height = 16, vx = -0.5 }
+      world.objects.player = player
+      world:add("coins", coin)
+      local guest = world:add("aGuest", { x = 2, y = 2, width = 4, height = 4 })
+      local owner, told = { player = player, crate = crate, world = world }, 0
+      owner = owner[whose]
+      local function count()
+        told = told + 1
+      end
+      crate.onBegin, player.onBegin, world.onBegin = count, count, count
+      guest.onBegin = function()
+        owner.onBegin = "boom"
+      end
+      refuses(message, function()
+        world:update(DT)
+      end)
+      -- By then only the world has heard, of the guest's event.
+      assert.equal(whose == "world" and 0 or 1, told)
+      owner.onBegin = count
+      world:update(DT)
+      assert.equal(4, told)
+    end)
+  end
+end)
+
 -- Places ------------------------------------------------------------------------------------------
 
 describe("the table of objects", function()

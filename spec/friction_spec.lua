@@ -154,6 +154,53 @@ describe("boxes that run into each other on a rough floor", function()
   end
 end)
 
+describe("a box that falls on one that slides over a rough floor", function()
+  --     +--+           it is dragged along, and brakes the lower one: by what falls on it at once,
+  --     +--+  v        by its weight from then on, and so does the floor, which bears both
+  --
+  --   +------+ 200 ->
+  -- ===================
+  local ROWS = { -- friction of the floor, drop (px), mass of the upper one
+    { 0.1, 3, 1 },
+    { 0.1, 20, 2 },
+    { 0.4, 3, 2 },
+    { 0.4, 20, 1 },
+  }
+
+  local function play(rate, floor, drop, mass)
+    local world = physics.newWorld({ gravity = 900 })
+    local low = { x = 0, y = 100, width = 64, height = 16, friction = 0.4, vx = 200 }
+    local high = { x = 30, y = 84 - drop, width = 16, height = 16, friction = 0.4, mass = mass }
+    world:add("floors", {
+      x = -900,
+      y = 116,
+      width = 2000,
+      height = 16,
+      static = true,
+      friction = floor,
+    })
+    world:add("boxes", low)
+    world:add("boxes", high)
+    for _ = 1, 0.4 * rate do
+      world:update(1 / rate)
+    end
+    assert.equal(84, high.y)
+    return low, high
+  end
+
+  for _, row in ipairs(ROWS) do
+    for rate, tolerance in pairs({ [30] = 0.8, [60] = 0.25, [240] = 0.1 }) do
+      local text = "goes where small steps lead it: floor %g, %d px, mass %d, at %d Hz"
+      it(text:format(row[1], row[2], row[3], rate), function()
+        local low, high = play(rate, unpack(row))
+        local itsLow, itsHigh = play(4800, unpack(row))
+        assert.near(itsLow.x, low.x, tolerance)
+        assert.near(itsHigh.x, high.x, tolerance)
+      end)
+    end
+  end
+end)
+
 describe("a box that slides against what pulls it", function()
   --    <- 8 +--+ 125 px/s² ->     friction takes 0.05 * 250 = 12.5 px/s² off any motion:
   --         +--+                  8 / 137.5 s and 8² / 275 px back, then 112.5 px/s² forth
