@@ -18,7 +18,9 @@ require(here .. ".interpreted").file()
 local friction = {}
 
 local max, min, sqrt = math.max, math.min, math.sqrt
+local advance = path.advance
 local ROUNDING = grip.ROUNDING
+local EPSILON = columns.EPSILON
 local STILL, TINY, VAST = columns.STILL, columns.TINY, columns.VAST
 
 --- Returns the coefficient of a pair: √(a·b); without one of its own (negative) a static or
@@ -237,12 +239,26 @@ end
 
 local weighOnTower -- defined below
 
+-- Lists the tower that slides with slot i (see `cargo.listTower`), the paths of all on which begin
+-- anew at moment t.
+local function listTowerAt(b, i, axis, t)
+  local last, base, mass = cargo.listTower(b, i, axis, 0)
+  if base == 0 or t == 0 then
+    return last, base, mass
+  end
+  advance(b, base, t)
+  for n = 1, (tower.list(b, base, axis, 0, 0, 0)) do
+    advance(b, b.tower[n], t)
+  end
+  return cargo.listTower(b, i, axis, 0)
+end
+
 -- The tower on slot `base` slides over one that slides, too: the impulse jn of a weight on it lets
 -- the two rub more, unless one of them would not hold together, and so on down to what stands fast.
-local function rubTowers(b, base, axis, jn, share, tau)
+local function rubTowers(b, base, axis, jn, share, tau, t)
   local k, ground = 2 * base + axis, b.ground[base]
   local m = 2 * ground + axis
-  local lowLast, low, lowMass = cargo.listTower(b, ground, axis, 0)
+  local lowLast, low, lowMass = listTowerAt(b, ground, axis, t)
   if low == 0 then
     return
   end
@@ -265,13 +281,13 @@ local function rubTowers(b, base, axis, jn, share, tau)
     moveTower(b, first, last, axis, v, new, gain * part, accel, 0)
     b.gripUsed[base] = b.gripUsed[base] + impulse
   end
-  return weighOnTower(b, low, axis, jn, share, tau)
+  return weighOnTower(b, low, axis, jn, share, tau, t)
 end
 
 -- The tower on slot `base` slides over what stands fast, and is braked there by what the impulse jn
 -- of a weight on it adds to its friction; if it would not hold together, its lowest one is, and the
 -- others go along as far as friction can take them.
-local function brakeTower(b, base, axis, jn, share, tau)
+local function brakeTower(b, base, axis, jn, share, tau, t)
   local k, ground = 2 * base + axis, b.ground[base]
   local v, m = b.speed[k], 2 * ground + axis
   local last, mass = tower.listParts(b, base, axis, v, 0)
@@ -280,7 +296,7 @@ local function brakeTower(b, base, axis, jn, share, tau)
   local amount, sign = max(slip, -slip), slip > 0 and -1 or 1
   local isBorne = b.inverseMass[ground] > 0 -- by friction under that
   if isBorne then
-    limit = min(limit, grip.left(b, ground, sign, 0))
+    limit = min(limit, grip.left(b, ground, sign, t))
   end
   local gain, floorSpeed = sign * min(amount, limit / mass), b.groundSpeed[base]
   local impulse, stops = gain * mass, amount * mass <= limit
@@ -304,17 +320,73 @@ local function brakeTower(b, base, axis, jn, share, tau)
 end
 
 -- The impulse jn of a weight on the tower on slot `base`, which slides, lets it rub more.
-function weighOnTower(b, base, axis, jn, share, tau)
+function weighOnTower(b, base, axis, jn, share, tau, t)
   if b.level[base] > 1 and b.stuck[b.ground[base]] == 0 then
-    return rubTowers(b, base, axis, jn, share, tau)
+    return rubTowers(b, base, axis, jn, share, tau, t)
   end
-  return brakeTower(b, base, axis, jn, share, tau)
+  return brakeTower(b, base, axis, jn, share, tau, t)
+end
+
+-- Whether slot i touches somebody across gravity: k on that axis, m along.
+local function hasFlank(b, i, k, m)
+  local from, size, half = b.from, b.size, b.head[i]
+  while half ~= 0 do
+    local j = b.other[half]
+    local kj, mj = 2 * j + k - 2 * i, 2 * j + m - 2 * i
+    local across = max(from[k] - from[kj] - size[kj], from[kj] - from[k] - size[k])
+    local along = max(from[m] - from[mj] - size[mj], from[mj] - from[m] - size[m])
+    if max(across, -across) <= EPSILON and along < -EPSILON then
+      return true
+    end
+    half = b.next[half]
+  end
+  return false
+end
+
+-- Whether anybody in the list touches somebody across gravity.
+local function haveFlanks(b, first, last, axis)
+  for n = first, last do
+    local i = b.tower[n]
+    if hasFlank(b, i, 2 * i + axis, 2 * i + 1 - axis) then
+      return true
+    end
+  end
+  return false
+end
+
+-- The weight of `up` has braked the tower that `low` is a part of so much that they pass each
+-- other within `tau` s, and close at `u` px/s then: from that moment on friction holds them
+-- together, or acts the other way. It can give an impulse of `limit`, a `share` of it at once, and
+-- has. (When the step begins, whoever pushes the tower has not done so yet, and that may be why.)
+local function turnRub(b, up, low, ku, kw, axis, u, limit, share, tau, t)
+  local last, base, mass = cargo.listTower(b, low, axis, 0)
+  if base == 0 or (t == 0 and haveFlanks(b, 1, last, axis)) then
+    return
+  end
+  local speed, accel, to, wu = b.speed, b.accel, b.to, b.inverseMass[up]
+  local start, after, most = u - (accel[ku] - accel[kw]) * tau, tau, 2 * limit
+  if start * u < 0 then
+    after = tau * u / (u - start)
+    most = most * (1 - share) * after / tau
+  end
+  local needed = max(u, -u) / (wu + 1 / mass)
+  local isTogether = needed <= most * (1 + ROUNDING)
+  local impulse = (u > 0 and 1 or -1) * min(needed, most)
+  local gain, loss = impulse / mass, impulse * wu
+  tower.markThrough(b, low, base)
+  if not tower.holds(b, 1, last, gain, impulse, 0) then
+    return
+  end
+  moveTower(b, 1, last, axis, speed[kw], speed[kw] + gain, gain * after * 0.5, accel[kw], impulse)
+  speed[ku], to[ku] = isTogether and speed[kw] or speed[ku] - loss, to[ku] - loss * after * 0.5
+  accel[ku] = isTogether and accel[kw] or accel[ku]
+  b.gripUsed[up] = b.gripUsed[up] - impulse
 end
 
 -- `up` rubs on `low`, a part of a tower of this mass that slides on slot `base` (see
 -- `cargo.listTower`): they share what is between them, then its weight brakes the tower. Returns
 -- false, and changes nothing, if the case is another one.
-local function rubOnTower(b, up, low, last, base, mass, ku, kw, mu, jn, share, tau)
+local function rubOnTower(b, up, low, last, base, mass, ku, kw, mu, jn, share, tau, t)
   if not cargo.isFree(b, ku) or b.surfaceSpeed[low] ~= 0 or tau <= 0 then
     return false
   end
@@ -327,7 +399,8 @@ local function rubOnTower(b, up, low, last, base, mass, ku, kw, mu, jn, share, t
   if not tower.holds(b, 1, last, gain, -impulse, jn) then
     return false
   end
-  grip.weighOn(b, low, jn, jn * (1 - share))
+  local lasting = jn * (1 - share) / (1 - t)
+  grip.weighOn(b, low, jn, lasting)
   local dWay = way - (u - a * tau + u) * 0.5 * tau
   -- The relative acceleration from now on: none, if they go together.
   local da = (stop == 0 and 0 or (stop - start) / tau) - a
@@ -336,20 +409,22 @@ local function rubOnTower(b, up, low, last, base, mass, ku, kw, mu, jn, share, t
   b.speed[ku] = stop == 0 and b.speed[kw] or b.speed[ku] + impulse * wu
   b.to[ku] = b.to[ku] + dWay * wu / w
   b.accel[ku] = stop == 0 and accel or b.accel[ku] + da * wu / w
-  grip.note(b, up, low, b.speed[kw], mu, mu * jn, impulse, mu * jn * (1 - share))
+  grip.note(b, up, low, b.speed[kw], mu, mu * jn, impulse, mu * lasting)
   cargo.put(b, up, low)
   path.change(b, up)
-  weighOnTower(b, base, axis, jn, share, tau)
+  weighOnTower(b, base, axis, jn, share, tau, t)
+  local closing = b.speed[ku] - b.speed[kw]
+  if closing * stop < 0 then
+    turnRub(b, up, low, ku, kw, axis, closing, mu * jn, share, tau, t)
+  end
   return true
 end
 
 -- `up` rubs on `low`, which slides on something rough itself.
 local function rubOnSliding(b, lo, hi, tl, th, up, low, ku, kw, mu, jn, share, tau, t)
-  if t == 0 then
-    local last, base, mass = cargo.listTower(b, low, kw - 2 * low, 0)
-    if base ~= 0 and rubOnTower(b, up, low, last, base, mass, ku, kw, mu, jn, share, tau) then
-      return
-    end
+  local last, base, mass = listTowerAt(b, low, kw - 2 * low, t)
+  if base ~= 0 and rubOnTower(b, up, low, last, base, mass, ku, kw, mu, jn, share, tau, t) then
+    return
   end
   local wu, wl = inverseMass(b, up, ku), inverseMass(b, low, kw)
   local speedU, speedL = b.speed[ku], b.speed[kw]

@@ -352,10 +352,10 @@ describe("a callback that another one spoils", function()
       world.objects.player = player
       world:add("coins", coin)
       local guest = world:add("aGuest", { x = 2, y = 2, width = 4, height = 4 })
-      local owner, told = { player = player, crate = crate, world = world }, 0
+      local owner, told = { player = player, crate = crate, world = world }, { count = 0 }
       owner = owner[whose]
       local function count()
-        told = told + 1
+        told.count = told.count + 1
       end
       crate.onBegin, player.onBegin, world.onBegin = count, count, count
       guest.onBegin = function()
@@ -365,10 +365,10 @@ describe("a callback that another one spoils", function()
         world:update(DT)
       end)
       -- By then only the world has heard, of the guest's event.
-      assert.equal(whose == "world" and 0 or 1, told)
+      assert.equal(whose == "world" and 0 or 1, told.count)
       owner.onBegin = count
       world:update(DT)
-      assert.equal(4, told)
+      assert.equal(4, told.count)
     end)
   end
 end)
