@@ -132,7 +132,8 @@ local function surface(b, low, kw)
   return v
 end
 
--- `up` rubs on `low`, which does not slide; returns false if the hold of `low` does not bear it.
+-- `up` rubs on `low`, which does not slide; returns false if the hold of `low` does not bear it, and
+-- who slides then, of those that hold it.
 local function rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau, t)
   local grounded = b.inverseMass[low] == 0
   local w, floorSpeed = inverseMass(b, up, ku), surface(b, low, kw)
@@ -149,7 +150,9 @@ local function rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau, t)
       if
         max(impulse, -impulse) > grip.left(b, low, impulse > 0 and 1 or -1, 0) * (1 + ROUNDING)
       then
-        return false
+        local weakest = grip.weakest(b, low, impulse > 0 and 1 or -1, 0)
+        grip.weighOn(b, low, -jn, -lasting) -- that is another case
+        return false, weakest
       end
       grip.give(b, low, impulse)
     end
@@ -463,6 +466,27 @@ function friction.brake(b, i, axis, tau, t)
   return path.change(b, i)
 end
 
+-- Slot i, which stood, is dragged off what it stands on, or takes that along, down to `weakest`.
+local function dragOff(b, i, weakest)
+  while i ~= weakest do
+    b.stuck[i], i = 0, b.ground[i]
+  end
+  b.stuck[weakest] = 0
+end
+
+-- Slot `base` has been dragged off what it stands on: what would have held it still brakes it.
+local function brakeOff(b, base, axis, tau, t)
+  local k = 2 * base + axis
+  local slip = b.speed[k] - b.groundSpeed[base]
+  if tau <= 0 or slip == 0 or b.stuck[base] > 0 or not cargo.isFree(b, k) then
+    return
+  end
+  local left = grip.left(b, base, slip > 0 and -1 or 1, t)
+  if left > 0 then
+    return weighOnTower(b, base, axis, left / b.stickiness[base], 0, tau, t)
+  end
+end
+
 --- Rubs two that have just met on `axis`, `lo` with the smaller coordinate: `jn` is the impulse of
 --- the contact, `share` the part of it that was an impact, `tau` the time left in s, t the moment
 --- (0..1). Both paths must begin at this moment.
@@ -482,14 +506,17 @@ function friction.rub(b, lo, hi, axis, jn, share, tau, t)
   end
   -- (Who is pulled another way rubs on another axis.)
   local isAlike = up ~= 0 and b.down[kl] == b.down[kh]
-  local steady = up ~= 0 and (b.inverseMass[low] == 0 or (b.stuck[low] > 0 and isAlike))
-  if steady and rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau, t) then
-    return
-  elseif steady then
-    b.stuck[low] = 0 -- dragged off what it stands on
+  local isBorne, weakest = false, 0
+  if up ~= 0 and (b.inverseMass[low] == 0 or (b.stuck[low] > 0 and isAlike)) then
+    isBorne, weakest = rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau, t)
+    if isBorne then
+      return
+    end
+    dragOff(b, low, weakest)
   end
   if isAlike and b.grip[low] > 0 then
-    return rubOnSliding(b, lo, hi, tl, th, up, low, ku, kw, mu, jn, share, tau, t)
+    rubOnSliding(b, lo, hi, tl, th, up, low, ku, kw, mu, jn, share, tau, t)
+    return weakest ~= 0 and brakeOff(b, weakest, 1 - axis, tau, t)
   end
   return rubBoth(b, lo, hi, tl, th, mu, jn, share, tau, t)
 end

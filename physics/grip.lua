@@ -39,25 +39,45 @@ function grip.note(b, up, low, floorSpeed, mu, limit, impulse, lasting)
   b.level[up] = b.level[low] + 1
 end
 
+-- What friction between slot i and what that stands on can still give (see `left`).
+local function graspOf(b, i, sign, t)
+  local used = sign * b.gripUsed[i]
+  local grasp = b.grip[i] - used
+  if t > 0 then
+    -- What was given was given before; but what pushes the other way might end now.
+    local lasting = b.grip[i] - b.gripHit[i]
+    grasp = min(grasp, (lasting + min(max(-used, 0), lasting)) * (1 - t))
+  end
+  return grasp
+end
+
 --- Returns how large an impulse friction can still give slot i across gravity, in the direction of
 --- `sign`: from what it stands on, through that from what it stands on, too; from moment t (0..1)
 --- of the step on, when impacts at its beginning are over. 0: none worth it.
 function grip.left(b, i, sign, t)
   local least, last = huge, i
   while i ~= 0 do
-    local used = sign * b.gripUsed[i]
-    local grasp = b.grip[i] - used
-    if t > 0 then
-      -- What was given was given before; but what pushes the other way might end now.
-      local lasting = b.grip[i] - b.gripHit[i]
-      grasp = min(grasp, (lasting + min(max(-used, 0), lasting)) * (1 - t))
-    end
+    local grasp = graspOf(b, i, sign, t)
     if grasp <= b.grip[i] * ROUNDING then
       return 0
     end
     least, last, i = min(least, grasp), i, below(b, i)
   end
   return b.level[b.ground[last]] == 0 and least or 0
+end
+
+--- Returns where the hold of slot i ends first, if it gets an impulse against `sign` at moment t: at
+--- itself, or at one of those that it stands on. Among equals it is the lowest.
+function grip.weakest(b, i, sign, t)
+  local weakest, least = i, huge
+  while i ~= 0 do
+    local grasp = graspOf(b, i, sign, t)
+    if grasp <= least * (1 + ROUNDING) then
+      weakest, least = i, grasp
+    end
+    i = below(b, i)
+  end
+  return weakest
 end
 
 --- A weight on slot i, which stands fast, presses on all that it stands on: by the impulse `jn`,
