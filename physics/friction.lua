@@ -272,9 +272,9 @@ local function rubTowers(b, base, axis, jn, share, tau, t)
   local needed, limit = max(slip, -slip) / (1 / mass + 1 / lowMass), b.stickiness[base] * jn
   local impulse = (slip > 0 and -1 or 1) * min(needed, limit)
   local gain, lowGain, stops = impulse / mass, -impulse / lowMass, needed <= limit
-  if
-    tower.holds(b, first, last, gain, 0, 0) and tower.holds(b, 1, lowLast, lowGain, -impulse, 0)
-  then
+  if not tower.holds(b, 1, lowLast, lowGain, -impulse, 0) then
+    return weighOnTower(b, low, axis, jn, share, tau, t)
+  elseif tower.holds(b, first, last, gain, 0, 0) then
     local common = (b.accel[k] * mass + b.accel[m] * lowMass) / (mass + lowMass)
     local accel = stops and common or b.accel[k] + gain * (1 - share) / tau
     local lowAccel = stops and common or b.accel[m] + lowGain * (1 - share) / tau
@@ -282,9 +282,38 @@ local function rubTowers(b, base, axis, jn, share, tau, t)
     local part = tau * (0.5 + 0.5 * share)
     moveTower(b, 1, lowLast, axis, lowSpeed, lowNew, lowGain * part, lowAccel, -impulse)
     moveTower(b, first, last, axis, v, new, gain * part, accel, 0)
-    b.gripUsed[base] = b.gripUsed[base] + impulse
+  elseif limit > 0 then
+    impulse = cargo.brake(b, base, axis, limit, lowSpeed + lowGain, b.accel[m], share, tau)
+    lowLast, low = cargo.listTower(b, ground, axis, 0)
+    lowGain = -impulse / lowMass
+    tower.markThrough(b, ground, low)
+    local lowAccel = b.accel[m] + lowGain * (1 - share) / tau
+    local way = lowGain * tau * (0.5 + 0.5 * share)
+    moveTower(b, 1, lowLast, axis, lowSpeed, lowSpeed + lowGain, way, lowAccel, -impulse)
   end
+  b.gripUsed[base] = b.gripUsed[base] + impulse
   return weighOnTower(b, low, axis, jn, share, tau, t)
+end
+
+-- Slot i, which stood, is dragged off what it stands on, or takes that along, down to `weakest`.
+local function dragOff(b, i, weakest)
+  while i ~= weakest do
+    b.stuck[i], i = 0, b.ground[i]
+  end
+  b.stuck[weakest] = 0
+end
+
+-- Slot `base` has been dragged off what it stands on: what would have held it still brakes it.
+local function brakeOff(b, base, axis, tau, t)
+  local k = 2 * base + axis
+  local slip = b.speed[k] - b.groundSpeed[base]
+  if tau <= 0 or slip == 0 or b.stuck[base] > 0 or not cargo.isFree(b, k) then
+    return
+  end
+  local left = grip.left(b, base, slip > 0 and -1 or 1, t)
+  if left > 0 then
+    return weighOnTower(b, base, axis, left / b.stickiness[base], 0, tau, t)
+  end
 end
 
 -- The tower on slot `base` slides over what stands fast, and is braked there by what the impulse jn
@@ -298,8 +327,11 @@ local function brakeTower(b, base, axis, jn, share, tau, t)
   local slip = v - b.groundSpeed[base]
   local amount, sign = max(slip, -slip), slip > 0 and -1 or 1
   local isBorne = b.inverseMass[ground] > 0 -- by friction under that
-  if isBorne then
-    limit = min(limit, grip.left(b, ground, sign, t))
+  if isBorne and min(limit, amount * mass) > grip.left(b, ground, sign, t) * (1 + ROUNDING) then
+    local weakest = grip.weakest(b, ground, sign, t)
+    dragOff(b, ground, weakest)
+    rubTowers(b, base, axis, jn, share, tau, t)
+    return brakeOff(b, weakest, axis, tau, t)
   end
   local gain, floorSpeed = sign * min(amount, limit / mass), b.groundSpeed[base]
   local impulse, stops = gain * mass, amount * mass <= limit
@@ -464,27 +496,6 @@ function friction.brake(b, i, axis, tau, t)
   b.to[k] = b.to[k] + (way - (u - a * tau + u) * 0.5 * tau)
   grip.give(b, i, (stop - u) / w)
   return path.change(b, i)
-end
-
--- Slot i, which stood, is dragged off what it stands on, or takes that along, down to `weakest`.
-local function dragOff(b, i, weakest)
-  while i ~= weakest do
-    b.stuck[i], i = 0, b.ground[i]
-  end
-  b.stuck[weakest] = 0
-end
-
--- Slot `base` has been dragged off what it stands on: what would have held it still brakes it.
-local function brakeOff(b, base, axis, tau, t)
-  local k = 2 * base + axis
-  local slip = b.speed[k] - b.groundSpeed[base]
-  if tau <= 0 or slip == 0 or b.stuck[base] > 0 or not cargo.isFree(b, k) then
-    return
-  end
-  local left = grip.left(b, base, slip > 0 and -1 or 1, t)
-  if left > 0 then
-    return weighOnTower(b, base, axis, left / b.stickiness[base], 0, tau, t)
-  end
 end
 
 --- Rubs two that have just met on `axis`, `lo` with the smaller coordinate: `jn` is the impulse of
