@@ -225,7 +225,12 @@ end
 function cargo.listTower(b, i, axis, last)
   local v = b.speed[2 * i + axis]
   local low = b.goesWith[i]
-  while low ~= 0 and b.ground[i] == low and b.speed[2 * low + axis] == v do
+  while
+    low ~= 0
+    and b.ground[i] == low
+    and b.speed[2 * low + axis] == v
+    and (b.stuck[i] > 0 or b.stuck[low] == 0) -- else it has just been dragged off
+  do
     if b.level[i] <= b.level[low] or not cargo.isFree(b, 2 * i + axis) then
       return last, 0, 0
     end

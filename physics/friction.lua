@@ -132,8 +132,8 @@ local function surface(b, low, kw)
   return v
 end
 
--- `up` rubs on `low`, which does not slide; returns false if the hold of `low` does not bear it, and
--- who slides then, of those that hold it.
+-- `up` rubs on `low`, which does not slide. Returns whether the hold of `low` bears it, and if it
+-- does not, who slides then: `low`, or one of those that it stands on.
 local function rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau, t)
   local grounded = b.inverseMass[low] == 0
   local w, floorSpeed = inverseMass(b, up, ku), surface(b, low, kw)
@@ -295,9 +295,24 @@ local function rubTowers(b, base, axis, jn, share, tau, t)
   return weighOnTower(b, low, axis, jn, share, tau, t)
 end
 
+-- Whether slot i has gone as slot j does since the step began, but for what is between them.
+local function goesAs(b, i, j, axis)
+  local k, m, velocity, carried = 2 * i + axis, 2 * j + axis, b.velocity, b.carried
+  return b.speed[k] == b.speed[m]
+    and b.time[i] == b.time[j]
+    and velocity[k] + carried[k] == velocity[m] + carried[m]
+end
+
 -- Slot i, which stood, is dragged off what it stands on, or takes that along, down to `weakest`.
-local function dragOff(b, i, weakest)
+-- (Who was to stop there, and on the way was braked in another way than that, goes on with it.)
+local function dragOff(b, i, weakest, axis)
+  local from, to, m = b.from, b.to, 2 * weakest + axis
   while i ~= weakest do
+    local k = 2 * i + axis
+    if goesAs(b, i, weakest, axis) then
+      to[k] = from[k] + (to[m] - from[m])
+      path.change(b, i)
+    end
     b.stuck[i], i = 0, b.ground[i]
   end
   b.stuck[weakest] = 0
@@ -329,7 +344,7 @@ local function brakeTower(b, base, axis, jn, share, tau, t)
   local isBorne = b.inverseMass[ground] > 0 -- by friction under that
   if isBorne and min(limit, amount * mass) > grip.left(b, ground, sign, t) * (1 + ROUNDING) then
     local weakest = grip.weakest(b, ground, sign, t)
-    dragOff(b, ground, weakest)
+    dragOff(b, ground, weakest, axis)
     rubTowers(b, base, axis, jn, share, tau, t)
     return brakeOff(b, weakest, axis, tau, t)
   end
@@ -517,13 +532,14 @@ function friction.rub(b, lo, hi, axis, jn, share, tau, t)
   end
   -- (Who is pulled another way rubs on another axis.)
   local isAlike = up ~= 0 and b.down[kl] == b.down[kh]
-  local isBorne, weakest = false, 0
+  local weakest = 0
   if up ~= 0 and (b.inverseMass[low] == 0 or (b.stuck[low] > 0 and isAlike)) then
-    isBorne, weakest = rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau, t)
+    local isBorne, slider = rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau, t)
     if isBorne then
       return
     end
-    dragOff(b, low, weakest)
+    weakest = slider
+    dragOff(b, low, weakest, 1 - axis)
   end
   if isAlike and b.grip[low] > 0 then
     rubOnSliding(b, lo, hi, tl, th, up, low, ku, kw, mu, jn, share, tau, t)

@@ -66,8 +66,8 @@ function grip.left(b, i, sign, t)
   return b.level[b.ground[last]] == 0 and least or 0
 end
 
---- Returns where the hold of slot i ends first, if it gets an impulse against `sign` at moment t: at
---- itself, or at one of those that it stands on. Among equals it is the lowest.
+--- Returns where the hold of slot i (see `left`) ends first: at itself, or at one of those that it
+--- stands on. Among equals it is the lowest.
 function grip.weakest(b, i, sign, t)
   local weakest, least = i, huge
   while i ~= 0 do

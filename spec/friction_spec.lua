@@ -208,6 +208,124 @@ describe("a box that falls on one that slides over a rough floor", function()
   end
 end)
 
+describe("a stack of which the highest slides", function()
+  -- Gravity 900, 0.1 s. Coefficients, from the floor up; masses; speeds, and ways by hand.
+  local ROWS = {
+    -- The lower one is pulled by 0.5 * 900 * 4, of which the floor bears 0.2 * 900 * 5.
+    { "drags the lowest off the floor", { 0.2, 0.5 }, { 1, 4 }, { 0, 300 }, { 4.5, 27.75 } },
+    -- 0.6 * 900 * 2: the second could be held with 0.6 * 900 * 3, the two only with 0.2 * 900 * 4.
+    {
+      "drags two off the floor that hold together",
+      { 0.2, 0.6, 0.6 },
+      { 1, 1, 2 },
+      { 0, 0, 200 },
+      { 0.9, 0.9, 17.3 },
+    },
+    -- 0.2 * 900 * 4 of the highest, where the second has 0.1 * 900 * 6 against it.
+    {
+      "drags the second off the lowest",
+      { 0.3, 0.1, 0.2 },
+      { 1, 2, 4 },
+      { 0, 0, 100 },
+      { 0, 0.45, 9.1 },
+    },
+    -- 0.3 * 900 * 5 on the lowest, of which 0.2 * 900 * 6 is borne. Without the weight of the
+    -- highest, 0.3 * 900 would be.
+    {
+      "drags with what goes along",
+      { 0.2, 0.3, 0.9 },
+      { 1, 1, 4 },
+      { 0, 200, 200 },
+      { 1.35, 18.65, 18.65 },
+    },
+  }
+
+  for _, row in ipairs(ROWS) do
+    local name, rubs, masses, speeds, ways = unpack(row)
+    for _, rate in ipairs({ 30, 60, 240, 1000 }) do
+      it(("%s, at %d Hz"):format(name, rate), function()
+        for side = -1, 1, 2 do
+          local world, boxes, own = physics.newWorld({ gravity = 900 }), {}, 1
+          world:add("floors", {
+            x = -900,
+            y = 0,
+            width = 1800,
+            height = 16,
+            static = true,
+            friction = own,
+          })
+          for n, rub in ipairs(rubs) do
+            own = rub * rub / own -- that of a pair is the root of their product
+            boxes[n] = { x = -100, y = -16 * n, width = 200, height = 16, mass = masses[n] }
+            boxes[n].friction, boxes[n].vx = own, speeds[n] * side
+            world:add("boxes", boxes[n])
+          end
+          for _ = 1, rate / 10 do
+            world:update(1 / rate)
+          end
+          for n, box in ipairs(boxes) do
+            assert.near(ways[n], (box.x + 100) * side, 1e-9)
+          end
+        end
+      end)
+    end
+  end
+end)
+
+describe("a stack of which each slides at another speed", function()
+  local function play(seed, rate)
+    local random, boxes = newRandom(seed), {}
+    local world = physics.newWorld({ gravity = 900 })
+    world:add("floors", {
+      x = -3000,
+      y = 0,
+      width = 6000,
+      height = 16,
+      static = true,
+      friction = random:between(0.1, 0.6),
+    })
+    for n = 1, math.floor(random:between(2, 6)) do
+      boxes[n] = world:add("boxes", {
+        x = 0,
+        y = -16 * n,
+        width = 200,
+        height = 16,
+        friction = random:between(0.1, 0.7),
+        mass = random:between(0.5, 2.5),
+        vx = random:between(-60, 240),
+      })
+    end
+    -- Half of them get another one on top.
+    if seed % 2 == 0 then
+      local y = -16 * #boxes - 16 - random:between(1, 30)
+      local top = { x = 90, y = y, width = 16, height = 16, friction = random:between(0.1, 0.7) }
+      boxes[#boxes + 1] = world:add("boxes", top)
+    end
+    for _ = 1, 0.4 * rate do
+      world:update(1 / rate)
+    end
+    return boxes
+  end
+
+  -- Each time that two reach one speed within a step is worth a part of it.
+  for _, row in ipairs({ { 60, 0.1, 1.5 }, { 300, 0.01, 0.15 } }) do
+    local rate, half, most = unpack(row)
+    it(("goes where small steps lead it, at %d Hz"):format(rate), function()
+      local apart = {}
+      for seed = 1, 30 do
+        local farthest, exact = 0, play(seed, 3000)
+        for n, box in ipairs(play(seed, rate)) do
+          farthest = math.max(farthest, math.abs(box.x - exact[n].x))
+        end
+        apart[seed] = farthest
+      end
+      table.sort(apart)
+      assert.is_true(apart[15] < half, ("half differ by up to %g px"):format(apart[15]))
+      assert.is_true(apart[30] < most, ("the worst differs by %g px"):format(apart[30]))
+    end)
+  end
+end)
+
 describe("a box that slides against what pulls it", function()
   --    <- 8 +--+ 125 px/s² ->     friction takes 0.05 * 250 = 12.5 px/s² off any motion:
   --         +--+                  8 / 137.5 s and 8² / 275 px back, then 112.5 px/s² forth
