@@ -262,7 +262,7 @@ local function rubTowers(b, base, axis, jn, share, tau, t)
   local k, ground = 2 * base + axis, b.ground[base]
   local m = 2 * ground + axis
   local lowLast, low, lowMass = listTowerAt(b, ground, axis, t)
-  if low == 0 then
+  if low == 0 or b.level[low] >= b.level[base] then
     return
   end
   local v, lowSpeed, first = b.speed[k], b.speed[m], lowLast + 1
@@ -295,21 +295,23 @@ local function rubTowers(b, base, axis, jn, share, tau, t)
   return weighOnTower(b, low, axis, jn, share, tau, t)
 end
 
--- Whether slot i has gone as slot j does since the step began, but for what is between them.
-local function goesAs(b, i, j, axis)
+-- Whether slot i goes as slot j does since the step began, where moment t has got to, but for what
+-- was between them.
+local function goesAs(b, i, j, axis, t)
   local k, m, velocity, carried = 2 * i + axis, 2 * j + axis, b.velocity, b.carried
   return b.speed[k] == b.speed[m]
-    and b.time[i] == b.time[j]
+    and b.time[i] == t
+    and b.time[j] == t
     and velocity[k] + carried[k] == velocity[m] + carried[m]
 end
 
 -- Slot i, which stood, is dragged off what it stands on, or takes that along, down to `weakest`.
 -- (Who was to stop there, and on the way was braked in another way than that, goes on with it.)
-local function dragOff(b, i, weakest, axis)
+local function dragOff(b, i, weakest, axis, t)
   local from, to, m = b.from, b.to, 2 * weakest + axis
   while i ~= weakest do
     local k = 2 * i + axis
-    if goesAs(b, i, weakest, axis) then
+    if goesAs(b, i, weakest, axis, t) then
       to[k] = from[k] + (to[m] - from[m])
       path.change(b, i)
     end
@@ -322,7 +324,11 @@ end
 local function brakeOff(b, base, axis, tau, t)
   local k = 2 * base + axis
   local slip = b.speed[k] - b.groundSpeed[base]
-  if tau <= 0 or slip == 0 or b.stuck[base] > 0 or not cargo.isFree(b, k) then
+  if tau <= 0 or slip == 0 then
+    return
+  end
+  local _, slider = listTowerAt(b, base, axis, t)
+  if slider ~= base then
     return
   end
   local left = grip.left(b, base, slip > 0 and -1 or 1, t)
@@ -342,11 +348,15 @@ local function brakeTower(b, base, axis, jn, share, tau, t)
   local slip = v - b.groundSpeed[base]
   local amount, sign = max(slip, -slip), slip > 0 and -1 or 1
   local isBorne = b.inverseMass[ground] > 0 -- by friction under that
-  if isBorne and min(limit, amount * mass) > grip.left(b, ground, sign, t) * (1 + ROUNDING) then
-    local weakest = grip.weakest(b, ground, sign, t)
-    dragOff(b, ground, weakest, axis)
-    rubTowers(b, base, axis, jn, share, tau, t)
-    return brakeOff(b, weakest, axis, tau, t)
+  if isBorne then
+    local left = grip.left(b, ground, sign, t)
+    if min(limit, amount * mass) > left * (1 + ROUNDING) and cargo.isFree(b, m) then
+      local weakest = grip.weakest(b, ground, sign, t)
+      dragOff(b, ground, weakest, axis, t)
+      rubTowers(b, base, axis, jn, share, tau, t)
+      return brakeOff(b, weakest, axis, tau, t)
+    end
+    limit = min(limit, left)
   end
   local gain, floorSpeed = sign * min(amount, limit / mass), b.groundSpeed[base]
   local impulse, stops = gain * mass, amount * mass <= limit
@@ -539,7 +549,7 @@ function friction.rub(b, lo, hi, axis, jn, share, tau, t)
       return
     end
     weakest = slider
-    dragOff(b, low, weakest, 1 - axis)
+    dragOff(b, low, weakest, 1 - axis, t)
   end
   if isAlike and b.grip[low] > 0 then
     rubOnSliding(b, lo, hi, tl, th, up, low, ku, kw, mu, jn, share, tau, t)
