@@ -502,6 +502,48 @@ local function rubOnSliding(b, lo, hi, tl, th, up, low, ku, kw, mu, jn, share, t
   cargo.put(b, up, low)
 end
 
+-- Whether nobody on slot i moves on it, or is held by anything else than that.
+local function isCargoStill(b, i, axis)
+  local up = b.cargo[i]
+  while up ~= 0 do
+    if b.gripUsed[up] ~= 0 or b.ground[up] ~= i or not cargo.isFree(b, 2 * up + axis) then
+      return false
+    end
+    up = b.nextCargo[up]
+  end
+  return true
+end
+
+-- The impulse of the weight on slot i in a step, or what is left of it from moment t on.
+local function weightOn(b, i, t)
+  return (b.grip[i] - b.gripHit[i]) / b.stickiness[i] * (1 - t)
+end
+
+--- Lets friction act on slot i, which was hit at moment t of the step, and on what stands on it, in
+--- the `tau` s that are left: all of it was still.
+function friction.hit(b, i, axis, tau, t)
+  local k = 2 * i + axis
+  if tau <= 0 or b.level[i] == 0 or b.grip[i] == 0 or b.gripUsed[i] ~= 0 then
+    return
+  elseif b.cargo[i] == 0 and b.level[i] == 1 then
+    return
+  elseif b.speed[k] == b.groundSpeed[i] or not isCargoStill(b, i, axis) then
+    return
+  end
+  local _, base = listTowerAt(b, i, axis, t)
+  if base ~= i then
+    return
+  end
+  local weight, up = weightOn(b, i, t), b.cargo[i]
+  while up ~= 0 do
+    local its = weightOn(b, up, t)
+    b.stuck[up], weight = 0, weight - its
+    rubTowers(b, up, axis, its, 0, tau, t)
+    up = b.nextCargo[up]
+  end
+  return weighOnTower(b, i, axis, max(weight, 0), 0, tau, t)
+end
+
 --- Lets friction brake slot i, which bounces off somebody, on what it stands on, for `tau` s from
 --- moment t on: it was still, or slower, when it was rubbed.
 function friction.brake(b, i, axis, tau, t)

@@ -431,6 +431,10 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
     friction.brake(b, lo, axis, (1 - t) * dt, t)
     friction.brake(b, hi, axis, (1 - t) * dt, t)
   end
+  if t > 0 and not isDeep and isRubbed(b, p, kl, kh, dv) then
+    friction.hit(b, lo, axis, (1 - t) * dt, t)
+    friction.hit(b, hi, axis, (1 - t) * dt, t)
+  end
   if dv > 0 then
     local share = u * (1 + restitution) / dv
     return friction.rub(b, lo, hi, axis, impulse, share < 1 and share or 1, tau, t)
