@@ -263,6 +263,14 @@ local function release(b, kl, kh, axis, flush, tau)
   end
 end
 
+-- Who has gone away from what held it, from an earlier moment of the step on, is held by that no
+-- longer. (Of those who were pushed there again and again.)
+local function leave(b, i, k, axis, held, holder, sign, t)
+  if b.time[i] < t then
+    weld.release(b, k, axis, held, holder, sign, STILL)
+  end
+end
+
 -- Whether friction under the two may have to do with a push: it goes across gravity.
 local function isRubbed(b, p, kl, kh, dv)
   return dv > 0 and b.met[p] <= LEAVES and b.down[kl] == 0 and b.down[kh] == 0
@@ -325,6 +333,10 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   -- Where both paths began. They are straight lines, and t is a moment on those: who is braked has
   -- met earlier.
   local start = min(max(b.time[lo], b.time[hi]), t)
+  if b.heldLow[kl] + b.heldHigh[kh] > 0 then
+    leave(b, lo, kl, axis, b.heldLow, b.holderLow, -1, t)
+    leave(b, hi, kh, axis, b.heldHigh, b.holderHigh, 1, t)
+  end
   advance(b, lo, t)
   advance(b, hi, t)
   if b.weld[kl] ~= 0 and b.weld[kl] == b.weld[kh] then
