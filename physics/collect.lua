@@ -202,6 +202,7 @@ end
 -- of the game's may), all are read again in the next step.
 local function readAll(b, i, object, isNew)
   b.written[2 * i] = UNREAD
+  b.reserve[2 * i], b.reserve[2 * i + 1] = 0, 0
   readFields(b, i, object)
   readMotion(b, i, object, isNew)
   b.hasCarriers = b.hasCarriers or b.kind[i] == KINEMATIC or b.surfaceSpeed[i] ~= 0

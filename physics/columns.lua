@@ -176,6 +176,8 @@ local AXIS = {
   accel = 0, -- acceleration during the step, drag and limits included
   drive = 0, -- of it, what does not end with the speed: gravity and ax, ay
   carried = 0, -- velocity of its carrier in this step
+  reserve = 0, -- how much faster it could get, px/s, but for its limit (see reserve)
+  pace = 0, -- up to which speed, without its carrier
   heldLow = 0, -- 1: cannot give way towards smaller coordinates
   heldHigh = 0,
   backedLow = false, -- pushed from this side by one that cannot be pushed back
@@ -284,6 +286,8 @@ local STEP_AXIS = {
   "way",
   "drive",
   "carried",
+  "reserve",
+  "pace",
   "heldLow",
   "heldHigh",
   "backedLow",
@@ -405,6 +409,11 @@ function columns.new()
     loadSplit = 0, -- place behind which those begin who stand on the higher one of two
     loadCount = 0,
     loadSpeed = 0, -- px/s, for which it was told last what those need
+    reserves = 0, -- 1: a limit has kept somebody from getting faster in this step (see reserve)
+    lentTopLow = 0, -- the tops of the two to whom was lent last, towards each other
+    lentTopHigh = 0,
+    lenderLow = 0, -- whose they are
+    lenderHigh = 0,
     sortFrom = {}, -- scratch of turns
     sortTo = {},
     sortDigit = {},

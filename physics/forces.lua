@@ -2,7 +2,7 @@
 --
 -- Reads velocity, pull, push, airFriction, drag, limit, maxSpeed, support; writes speed (velocity
 -- at the end of the step) and way (displacement in the step), both of free flight and without a
--- carrier.
+-- carrier; and of those with a limit, reserve and pace.
 -- All are exact solutions for a constant acceleration, so that arcs do not depend on dt.
 
 local here = (...):match("^(.*)%.[^.]+$")
@@ -51,7 +51,8 @@ local function clamp(v, limit)
   return v > limit and limit or v < -limit and -limit or v
 end
 
--- The same for an axis with a speed limit: the limit is reached inside the step.
+-- The same for an axis with a speed limit: the limit is reached inside the step. Third, by how much
+-- faster it would be.
 local function flyLimited(v, a, airFriction, limit, dt)
   v = clamp(v, limit)
   local n, way = fly(v, a, airFriction, dt)
@@ -60,7 +61,23 @@ local function flyLimited(v, a, airFriction, limit, dt)
     local share = (capped - v) / (n - v)
     way = (v + capped) * 0.5 * share * dt + capped * (1 - share) * dt
   end
-  return capped, way
+  return capped, way, n - capped
+end
+
+-- Notes what a limit has kept from k, at a speed of v px/s (see `reserve`).
+local function keep(b, k, v, left)
+  b.reserve[k], b.pace[k] = left, v
+  if left ~= 0 then
+    b.reserves = 1
+  end
+end
+
+-- What is left of a loss of speed, for which k first makes up with what its limit keeps from it.
+local function lose(b, k, loss)
+  local kept = b.reserve[k]
+  local borne = max(min(loss, max(kept, 0)), min(kept, 0))
+  b.reserve[k] = kept - borne
+  return loss - borne
 end
 
 -- The end of a flight from the speed (startX, startY) to (x, y), when `drag` takes less than that:
@@ -74,7 +91,8 @@ local function slow(b, k, startX, startY, x, y, drag, dt)
     alongX, alongY = startX + x, startY + y
   end
   local share = drag * dt / max(sqrt(alongX * alongX + alongY * alongY), TINY)
-  local speed, way, lossX, lossY = b.speed, b.way, alongX * share, alongY * share
+  local speed, way = b.speed, b.way
+  local lossX, lossY = lose(b, k, alongX * share), lose(b, k + 1, alongY * share)
   speed[k], speed[k + 1] = x - lossX, y - lossY
   way[k], way[k + 1] = way[k] - lossX * 0.5 * dt, way[k + 1] - lossY * 0.5 * dt
 end
@@ -110,12 +128,14 @@ local function flyDragged(b, i, ax, ay, dt)
     drag = min(drag, sqrt(ax * ax + ay * ay))
   end
   local share = drag / max(sqrt(towardsX * towardsX + towardsY * towardsY), TINY)
-  local endX, wayX = flyLimited(x, ax - towardsX * share, air, limit[k], dt)
-  local endY, wayY = flyLimited(y, ay - towardsY * share, air, limit[k + 1], dt)
+  local endX, wayX, keptX = flyLimited(x, ax - towardsX * share, air, limit[k], dt)
+  local endY, wayY, keptY = flyLimited(y, ay - towardsY * share, air, limit[k + 1], dt)
   if endX * towardsX + endY * towardsY < 0 then
     return false
   end
   b.speed[k], b.speed[k + 1], b.way[k], b.way[k + 1] = endX, endY, wayX, wayY
+  keep(b, k, endX, keptX)
+  keep(b, k + 1, endY, keptY)
   return true
 end
 
@@ -182,7 +202,7 @@ local function limitLength(b, i, dt)
     way[k], way[k + 1] = (startX + x) * 0.5 * dt, (startY + y) * 0.5 * dt
     return
   end
-  local share = shareUntil(limit, startX, startY, x - startX, y - startY)
+  local share, freeX, freeY = shareUntil(limit, startX, startY, x - startX, y - startY), x, y
   local fullX, fullY = startX + (x - startX) * share, startY + (y - startY) * share
   local gainX, gainY = x - fullX, y - fullY
   local halfX, halfY = (fullX + x) * 0.5, (fullY + y) * 0.5
@@ -192,6 +212,8 @@ local function limitLength(b, i, dt)
   end
   x, y = scaled(x, y, limit)
   local before, after = share * 0.5 * dt, (1 - share) * 0.5 * dt
+  keep(b, k, x, b.reserve[k] + freeX - x)
+  keep(b, k + 1, y, b.reserve[k + 1] + freeY - y)
   speed[k], speed[k + 1] = x, y
   way[k] = (startX + fullX) * before + (fullX + x) * after
   way[k + 1] = (startY + fullY) * before + (fullY + y) * after
@@ -200,9 +222,12 @@ end
 -- What drag and maxSpeed make of the flight of slot i. They count what moves: of who stands, not
 -- the fall that the floor will take away.
 local function hinder(b, i, dt)
-  local speed, way, stands = b.speed, b.way, standsAlong(b, i)
+  local speed, way, stands, k = b.speed, b.way, standsAlong(b, i), 2 * i
+  if b.airFriction[i] == 0 and b.limit[k] == HUGE and b.limit[k + 1] == HUGE then
+    b.reserve[k], b.reserve[k + 1] = 0, 0
+  end
   if stands ~= 0 then
-    speed[stands], way[stands] = 0, 0
+    speed[stands], way[stands], b.reserve[stands] = 0, 0, 0
   end
   if b.drag[i] ~= 0 then
     brakeSlot(b, i, stands, dt)
@@ -213,7 +238,9 @@ local function hinder(b, i, dt)
   if stands ~= 0 then
     -- What it stands on may let it through in this step.
     local limit, pull = min(b.limit[stands], b.maxSpeed[i]), b.pull[stands] + b.push[stands]
-    speed[stands], way[stands] = flyLimited(0, pull, b.airFriction[i], limit, dt)
+    local v, its, kept = flyLimited(0, pull, b.airFriction[i], limit, dt)
+    speed[stands], way[stands] = v, its
+    keep(b, stands, v, kept)
   end
 end
 
@@ -243,8 +270,11 @@ function forces.run(b, dt, first, last)
       way[k], way[m] = (x + endX) * 0.5 * dt, (y + endY) * 0.5 * dt
     elseif kind[i] == DYNAMIC then
       local air = airFriction[i]
-      speed[k], way[k] = flyLimited(velocity[k], pull[k] + push[k], air, limit[k], dt)
-      speed[m], way[m] = flyLimited(velocity[m], pull[m] + push[m], air, limit[m], dt)
+      local x, wayX, keptX = flyLimited(velocity[k], pull[k] + push[k], air, limit[k], dt)
+      local y, wayY, keptY = flyLimited(velocity[m], pull[m] + push[m], air, limit[m], dt)
+      speed[k], way[k], speed[m], way[m] = x, wayX, y, wayY
+      keep(b, k, x, keptX)
+      keep(b, m, y, keptY)
     end
   end
   if b.hasHinders then

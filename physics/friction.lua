@@ -9,6 +9,7 @@ local cargo = require(here .. ".cargo")
 local columns = require(here .. ".columns")
 local grip = require(here .. ".grip")
 local path = require(here .. ".path")
+local reserve = require(here .. ".reserve")
 local ring = require(here .. ".ring")
 local tower = require(here .. ".tower")
 local weld = require(here .. ".weld")
@@ -66,6 +67,27 @@ local function slide(u, a, tau, impact, weight)
   local braked = min(tau, amount / max(brake, TINY))
   local stop, back = sign * max(amount - brake * tau, 0), lessen(a, hold) * (tau - braked)
   return stop + back, (v + stop) * 0.5 * braked + back * 0.5 * (tau - braked), v
+end
+
+-- The same of k, against something that goes at `base` px/s and does not give way: it makes up for
+-- what friction takes with what its limit keeps from it (see `reserve`). Fourth, how far its path
+-- goes as it is, relative to that; then what is left of the reserve, and what is not.
+local function slideAgainst(b, k, base, u, a, tau, impact, weight)
+  local kept, before = reserve.left(b, k, tau), (u - a * tau + u) * 0.5 * tau
+  if kept == 0 or tau <= 0 then
+    local stop, way, start = slide(u, a, tau, impact, weight)
+    return stop, way, start, before, 0, 0
+  end
+  local stop, way, start = slide(u + kept, a + kept / tau, tau, impact, weight)
+  local top = reserve.top(b, k) - base
+  if max(top - u, u - top) <= STILL then
+    before = reserve.wayTo(before + kept * 0.5 * tau, u - a * tau, top, kept, tau)
+  end
+  local over = kept > 0 and max(stop - top, 0.0) or min(stop - top, 0.0)
+  if over == 0 then
+    return stop, way, start, before, 0, kept
+  end
+  return top, reserve.wayTo(way, start, top, over, tau), start, before, over, kept - over
 end
 
 -- Inverse mass of slot i on the axis of k: that of all that is welded to it there.
@@ -139,11 +161,13 @@ local function rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau, t)
   local w, floorSpeed = inverseMass(b, up, ku), surface(b, low, kw)
   local u, a = b.speed[ku] - floorSpeed, b.accel[ku] - b.accel[kw]
   local limit, lasting = mu * jn, t < 1 and jn * (1 - share) / (1 - t) or 0
-  local stop, way, start = slide(u, a, tau, limit * w * share, limit * w * (1 - share))
+  local impact, weight = limit * w * share, limit * w * (1 - share)
+  local stop, way, start, old, kept, used =
+    slideAgainst(b, ku, floorSpeed, u, a, tau, impact, weight)
   if isBarred(b, ku, stop - u, tau) then
     return true
   end
-  local impulse = (stop - u) / w
+  local impulse = (stop - u - used) / w
   if not grounded then
     grip.weighOn(b, low, jn, lasting)
     if impulse ~= 0 then
@@ -158,6 +182,9 @@ local function rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau, t)
     end
   end
   grip.note(b, up, low, floorSpeed, mu, limit, impulse, mu * lasting)
+  if used ~= 0 then
+    b.reserve[ku] = kept
+  end
   if stop == 0 then
     b.stuck[up] = 1
     b.speed[ku], b.accel[ku] = floorSpeed, b.accel[kw]
@@ -176,7 +203,7 @@ local function rubOnSteady(b, up, low, ku, kw, mu, jn, share, tau, t)
   if stop == 0 and way == 0 then
     b.to[ku] = grip.goal(b, up, low, ku, kw, floorSpeed, tau)
   else
-    b.to[ku] = before + (way - (u - a * tau + u) * 0.5 * tau)
+    b.to[ku] = before + (way - old)
   end
   endHold(b, ku, tau)
   path.change(b, up)
@@ -197,6 +224,21 @@ local function stick(b, k, kw, dSpeed, tau, t)
   return ring.follow(b, k, b.to[k] - before, t)
 end
 
+-- As `slide` of two, k and m, at a relative speed that is `sign` times that of k; `isAgainst` if m
+-- does not give way. Third, how far the path of k goes as it is, relative to m.
+local function slideBoth(b, k, m, sign, isAgainst, u, a, tau, impact, weight)
+  if b.reserves == 0 or not isAgainst then
+    local stop, way = slide(u, a, tau, impact, weight)
+    return stop, way, (u - a * tau + u) * 0.5 * tau
+  end
+  local stop, way, _, before, kept, used =
+    slideAgainst(b, k, b.speed[m], u * sign, a * sign, tau, impact, weight)
+  if used ~= 0 then
+    b.reserve[k] = kept
+  end
+  return stop * sign, way * sign, before * sign
+end
+
 local function rubBoth(b, lo, hi, kl, kh, mu, jn, share, tau, t)
   if b.weld[kl] ~= 0 and b.weld[kl] == b.weld[kh] then
     return
@@ -208,8 +250,14 @@ local function rubBoth(b, lo, hi, kl, kh, mu, jn, share, tau, t)
   end
   local u, a = b.speed[kl] - b.speed[kh], b.accel[kl] - b.accel[kh]
   local limit = mu * jn * w
-  local stop, way = slide(u, a, tau, limit * share, limit * (1 - share))
-  local dSpeed, dWay = stop - u, way - (u - a * tau + u) * 0.5 * tau
+  local k, m, sign = kl, kh, 1
+  if wl == 0 then
+    k, m, sign = kh, kl, -1
+  end
+  local isWall = wl == 0 or wh == 0
+  local impact, weight = limit * share, limit * (1 - share)
+  local stop, way, before = slideBoth(b, k, m, sign, isWall, u, a, tau, impact, weight)
+  local dSpeed, dWay = stop - u, way - before
   if stop == 0 and way == 0 and wh == 0 then
     return stick(b, kl, kh, dSpeed, tau, t)
   elseif stop == 0 and way == 0 and wl == 0 then
@@ -348,6 +396,14 @@ local function brakeTower(b, base, axis, jn, share, tau, t)
   local slip = v - b.groundSpeed[base]
   local amount, sign = max(slip, -slip), slip > 0 and -1 or 1
   local isBorne = b.inverseMass[ground] > 0 -- by friction under that
+  local borne = reserve.bear(b, base, k, sign * limit, tau)
+  if borne ~= 0 then
+    limit = limit - sign * borne
+    b.gripUsed[base] = b.gripUsed[base] + borne
+    if isBorne then
+      grip.give(b, ground, borne)
+    end
+  end
   if isBorne then
     local left = grip.left(b, ground, sign, t)
     if min(limit, amount * mass) > left * (1 + ROUNDING) and cargo.isFree(b, m) then

@@ -66,12 +66,18 @@ local function isApart(one, other)
   return min(max(one - other, other - one), 1) + (1 - min(one, 1)) > 0
 end
 
+-- 0: none of two has anything with which it pushes the other, but for its limit (see
+-- `reserve.pushes`).
+local function reserves(b, kl, kh)
+  return max(b.reserve[kl], -b.reserve[kh], (b.weld[kl] + b.weld[kh]) * b.reserves)
+end
+
 -- Whether nobody is held away from the other or backed, they are not welded to each other, both can
 -- be pushed, and they have not met again and again.
 local function isSimple(b, p, lo, hi, kl, kh)
   return b.met[p] < LEAVES
     and ((b.pushable[lo] and b.pushable[hi]) or b.kind[lo] ~= DYNAMIC or b.kind[hi] ~= DYNAMIC)
-    and b.heldHigh[kl] + b.heldLow[kh] == 0
+    and b.heldHigh[kl] + b.heldLow[kh] + reserves(b, kl, kh) == 0
     and not (b.backedLow[kl] or b.backedHigh[kl] or b.backedLow[kh] or b.backedHigh[kh])
     and isApart(b.weld[kl], b.weld[kh])
     and b.time[lo] == 0

@@ -17,6 +17,7 @@ local friction = require(here .. ".friction")
 local grip = require(here .. ".grip")
 local impact = require(here .. ".impact")
 local path = require(here .. ".path")
+local reserve = require(here .. ".reserve")
 local ring = require(here .. ".ring")
 local weld = require(here .. ".weld")
 
@@ -276,6 +277,11 @@ local function isRubbed(b, p, kl, kh, dv)
   return dv > 0 and b.met[p] <= LEAVES and b.down[kl] == 0 and b.down[kh] == 0
 end
 
+-- Whether a push may be one of those in which what a limit keeps from somebody has its part.
+local function lends(b, p, kl, kh, wl, wh, dv)
+  return dv > 0 and min(wl, wh) > 0 and b.met[p] <= LEAVES and reserve.pushes(b, kl, kh)
+end
+
 -- Lets friction have its part in a push of two that close at v px/s: what stands on them goes
 -- along, and what they stand on bears it. Returns the inverse masses, v and o as they are for the
 -- push then; its impulse, who stands still now (0: neither), and whether anything goes along.
@@ -380,7 +386,13 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   local flush = gap == 0 and vEnd == 0
   local oldL, oldH, ownL, ownH = to[kl], to[kh], wl, wh
   local dv, speedL, speedH = v - vEnd, speed[kl], speed[kh]
-  local still, isLoaded, impulse = 0, false, dv / (wl + wh)
+  local still, isLoaded, gain = 0, false, 0
+  if flush and not isDeep and lends(b, p, kl, kh, wl, wh, dv) then
+    local further
+    gain, further = reserve.lend(b, kl, kh, wl, wh, tau)
+    dv, o = dv + gain, o + further
+  end
+  local impulse = dv / (wl + wh)
   if flush and t == 0 and not isDeep and isRubbed(b, p, kl, kh, dv) then
     wl, wh, dv, o, impulse, still, isLoaded =
       withFriction(b, lo, hi, kl, kh, axis, wl, wh, dv, o, dt)
@@ -410,6 +422,8 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
     elseif still == hi then
       grip.hold(b, hi, axis, t == 0 and dt or tau)
       speed[kl], to[kl] = speed[kh], to[kh] - b.size[kl]
+    elseif gain > 0 then
+      impulse = impulse - reserve.giveBack(b, kl, kh, wl, wh, speedL, speedH, oldL, oldH, tau)
     end
   end
   release(b, kl, kh, axis, flush, tau)

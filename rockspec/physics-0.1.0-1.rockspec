@@ -73,6 +73,7 @@ build = {
     ["physics.pure"] = "physics/pure.lua",
     ["physics.query"] = "physics/query.lua",
     ["physics.queue"] = "physics/queue.lua",
+    ["physics.reserve"] = "physics/reserve.lua",
     ["physics.resolve"] = "physics/resolve.lua",
     ["physics.rest"] = "physics/rest.lua",
     ["physics.restore"] = "physics/restore.lua",
