@@ -409,6 +409,7 @@ function columns.new()
     loadSplit = 0, -- place behind which those begin who stand on the higher one of two
     loadCount = 0,
     loadSpeed = 0, -- px/s, for which it was told last what those need
+    rubs = 0, -- 1: friction has borne or braked somebody in this step
     reserves = 0, -- 1: a limit has kept somebody from getting faster in this step (see reserve)
     lentTopLow = 0, -- the tops of the two to whom was lent last, towards each other
     lentTopHigh = 0,

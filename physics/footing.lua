@@ -57,11 +57,12 @@ local function apart(v, other)
 end
 
 -- How much friction between two, along the axis of ka and kb, is another case than that of two that
--- are pulled alike, on no belt, and of whom the upper one is not welded. 0: not at all. (One
--- question: each more would be a way of its own through all that follows.)
+-- are pulled alike, on no belt, and of whom the upper one is not welded, nor at its limit. 0: not
+-- at all. (One question: each more would be a way of its own through all that follows.)
 local function strangeness(b, low, ku, ka, kb, sign)
-  local weld, belt = b.weld[ka], b.surfaceSpeed[low]
-  return apart(b.accel[ka], b.accel[kb]) + apart(b.down[ku], sign) + max(belt, -belt) + weld
+  local weld, belt, kept = b.weld[ka], b.surfaceSpeed[low], b.reserve[ka]
+  local odd = apart(b.accel[ka], b.accel[kb]) + apart(b.down[ku], sign) + weld
+  return odd + max(belt, -belt) + max(kept, -kept)
 end
 
 -- Friction between two that do not move against each other, nor would: `up` sticks to `low` where

@@ -102,7 +102,7 @@ end
 local function turn(b, k, x, y, rate, ax, ay, dt)
   local stop = min(sqrt(x * x + y * y) / max(rate, TINY), dt)
   local left = dt - stop
-  b.speed[k], b.speed[k + 1] = ax * left, ay * left
+  b.speed[k], b.speed[k + 1], b.reserve[k], b.reserve[k + 1] = ax * left, ay * left, 0, 0
   b.way[k] = x * 0.5 * stop + ax * left * 0.5 * left
   b.way[k + 1] = y * 0.5 * stop + ay * left * 0.5 * left
 end
@@ -152,17 +152,18 @@ local function brakeSlot(b, i, stands, dt)
   end
   local x, y = b.speed[k], b.speed[k + 1]
   local startX, startY = clamp(velocity[k], limit[k]), clamp(velocity[k + 1], limit[k + 1])
-  local ax, ay = (x - startX) / dt, (y - startY) / dt
+  local freeX, freeY = x + b.reserve[k], y + b.reserve[k + 1] -- but for its limits
+  local ax, ay = (freeX - startX) / dt, (freeY - startY) / dt
   local a, start = sqrt(ax * ax + ay * ay), sqrt(startX * startX + startY * startY)
   local along = start > 0 and (ax * startX + ay * startY) / start or 0
-  local isSlower = x * x + y * y <= drag * dt * (drag * dt)
+  local isSlower = freeX * freeX + freeY * freeY <= drag * dt * (drag * dt)
   if a <= drag and isSlower then
     turn(b, k, startX, startY, drag - along, 0, 0, dt)
   elseif a > drag and along < 0 and start < (drag - along) * dt and ax * startY == ay * startX then
     local share = 1 - drag / a
     turn(b, k, startX, startY, drag - along, ax * share, ay * share, dt)
   elseif isSlower then
-    b.speed[k], b.speed[k + 1] = 0, 0
+    b.speed[k], b.speed[k + 1], b.reserve[k], b.reserve[k + 1] = 0, 0, 0, 0
     b.way[k], b.way[k + 1] = startX * 0.5 * dt, startY * 0.5 * dt
   else
     slow(b, k, startX, startY, x, y, drag, dt)

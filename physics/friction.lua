@@ -629,6 +629,7 @@ function friction.rub(b, lo, hi, axis, jn, share, tau, t)
   if mu == 0 or jn <= 0 then
     return
   end
+  b.rubs = 1
   local kl, kh = 2 * lo + axis, 2 * hi + axis
   local tl, th = 2 * lo + 1 - axis, 2 * hi + 1 - axis
   local up, low = 0, 0

@@ -217,9 +217,16 @@ local function takeOffCarrier(b, i)
   end
 end
 
+-- Whether friction bears what depends on how long a step is: in a longer one air friction and speed
+-- limits take more off a pull, or a weight.
+local function isBorneByChance(b, i)
+  return b.rubs > 0
+    and (b.airFriction[i] ~= 0 or b.reserve[2 * i] ~= 0 or b.reserve[2 * i + 1] ~= 0)
+end
+
 -- Whether the next step may differ from this one although nothing moves.
 local function hasNews(b, i)
-  return b.news[i] or b.fresh[i] or b.moved[i] or b.heard[i] or b.inside[i]
+  return b.news[i] or b.fresh[i] or b.moved[i] or b.heard[i] or b.inside[i] or isBorneByChance(b, i)
 end
 
 local function publishKinematic(b, i)

@@ -79,7 +79,7 @@ local function step(self, dt)
     rest.wakeAll(b)
   end
 
-  b.begun, b.predicted, b.reserves = 0, 0, 0
+  b.begun, b.predicted, b.reserves, b.rubs = 0, 0, 0, 0
   begin.run(b)
   detect.runMoved(b)
   part.run(b)

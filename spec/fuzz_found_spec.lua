@@ -2056,6 +2056,107 @@ local FOUND = {
       },
     },
   },
+  {
+    "who weighs less on others in a longer step, as the air takes more of that, stays awake",
+    {
+      settings = { gravity = 40000 },
+      acts = {
+        { "add", 8, "tiles", { height = 1000, static = true, width = 1000, x = 7000, y = 20000 } },
+        {
+          "add",
+          26,
+          "crates",
+          {
+            friction = 0.2951099275565799,
+            height = 1000,
+            mass = 2,
+            width = 1000,
+            x = 9800,
+            y = 17000,
+          },
+        },
+        { "add", 27, "boxes", { friction = 1, height = 1000, width = 1000, x = 9800, y = 16000 } },
+        {
+          "add",
+          29,
+          2.5,
+          {
+            airFriction = 100,
+            ax = 26000,
+            friction = 1,
+            height = 1000,
+            width = 1000,
+            x = 9800,
+            y = 14000,
+          },
+        },
+        { "add", 30, "crates", { height = 1000, width = 1000, x = 2000, y = 9400 } },
+        { "write", 29, { mass = 7 } },
+        {
+          "insert",
+          38,
+          "lifts",
+          { height = 1500, kinematic = true, width = 2600, x = 1400, y = 19800 },
+        },
+        {
+          "listen",
+          0,
+          "onCrush",
+          {
+            {
+              "add",
+              40,
+              1,
+              {
+                active = true,
+                airFriction = 1.8455644658259716,
+                height = 2291.089677057312,
+                restitution = 0.5,
+                vx = -20807.993058867745,
+                vy = -853699.1261445909,
+                width = 1000,
+                x = 9187.36452161089,
+                y = 9628.479467358886,
+              },
+            },
+          },
+        },
+        { "bounds", 1457.1820501770658, 858.7215737055257, 18420.431976598156, 18420.431976598156 },
+        { "update", 0.006944444444444444 },
+        { "write", 8, { x = 8700, y = 8900 } },
+        { "write", 38, { x = 3200, y = 1800 } },
+        { "update", 0.01 },
+        { "update", 0.3506701863097681 },
+        { "update", 0.004166666666666667 },
+      },
+    },
+  },
+  {
+    "whom drag stops below its limit is at a stop, and not kept from going",
+    {
+      settings = { gravity = 10, maxStep = 0.01 },
+      acts = {
+        {
+          "add",
+          26,
+          "players",
+          {
+            ax = 10,
+            drag = 4,
+            friction = 0.5,
+            height = 0.5,
+            maxSpeedX = 0.01635750524360454,
+            width = 1,
+            x = -1,
+            y = 1.75,
+          },
+        },
+        { "add", 27, "crates", { ax = -10, friction = 1, height = 1, width = 1, x = -1, y = 1.5 } },
+        { "insert", 36, "lifts", { height = 0.125, kinematic = true, width = 1, x = -1, y = 2 } },
+        { "update", 0.015625 },
+      },
+    },
+  },
 }
 
 describe("a random game has found that", function()

@@ -586,7 +586,34 @@ local function shift(acts, by)
   end
 end
 
---- Makes the case of a seed. Every third is about the origin, where coordinates change their sign.
+-- What makes an engine that is held back by a limit, and rubs.
+local ENGINE = {
+  { "ax", 0.5 },
+  { "ay", 0.1 },
+  { "friction", 0.6 },
+  { "maxSpeed", 0.15 },
+  { "maxSpeedX", 0.5 },
+  { "maxSpeedY", 0.15 },
+}
+
+-- Gives engines to many of those who move. (With numbers of its own: it makes no other game of the
+-- rest.)
+local function drive(acts, seed)
+  local n = newNumbers(seed)
+  for _, act in ipairs(acts) do
+    local object = FIELDS_AT[act[1]] == 4 and act[4]
+    if object and not (object.static or object.kinematic) then
+      for _, field in ipairs(ENGINE) do
+        if n.random:chance(field[2]) then
+          object[field[1]] = OPTIONAL[field[1]](n)
+        end
+      end
+    end
+  end
+end
+
+--- Makes the case of a seed. Every third is about the origin, where coordinates change their sign,
+--- every tenth is about engines and their limits.
 ---@param seed integer
 ---@param steps integer updates
 ---@return table case `{ seed, settings, acts, closed }`
@@ -623,6 +650,9 @@ function case.new(seed, steps)
   local settings = newSettings(n)
   for _ = 1, steps do
     makeTurn(self)
+  end
+  if seed % 10 == 4 then
+    drive(self.acts, seed)
   end
   if seed % 3 == 2 then
     shift(self.acts, -ROOM / 2 * n.unit)
