@@ -29,8 +29,7 @@ local function sidesOf(b, isUp)
   return b.heldHigh, b.heldLow, b.holderHigh, b.pressedHigh, b.pressedLow
 end
 
--- A weight on slot i presses on all that it stands on, as in `grip`. (What of it is an impact is
--- asked only of who carries nobody.)
+-- A weight on slot i presses on all that it stands on, as in `grip`.
 local function weighOn(b, i, impulse)
   local grip, stickiness, ground, level = b.grip, b.stickiness, b.ground, b.level
   local at = level[i]
@@ -214,19 +213,37 @@ function footing.slide(b, dt)
   return goesOn
 end
 
---- Notes how much of what friction can give b.landed[first..last], who have rubbed, comes from
---- their impact. (One more number in the loop of `slide` would be one too many: a third more time.)
+-- The part of a weight on slot i that is an impact, for all that it stands on (see `weighOn`).
+local function hitBelow(b, i, impulse)
+  local hit, stickiness, ground, level = b.gripHit, b.stickiness, b.ground, b.level
+  local at = level[i]
+  repeat
+    hit[i] = hit[i] + stickiness[i] * impulse
+    local before = at
+    i = ground[i]
+    at = level[i]
+  until at == 0 or at >= before
+end
+
+--- Notes how much of what friction can give b.landed[first..last], who have rubbed, and all below
+--- them, comes from their impact. (One more number in the loop of `slide` would be one too many: a
+--- third more time.)
 function footing.noteImpacts(b, first, last)
   local order, ups, lows, landed = b.turnOrder, b.turnUp, b.turnLow, b.landed
-  local shares, impulses, stuck, ground, hit =
-    b.turnShare, b.turnImpulse, b.stuck, b.ground, b.gripHit
+  local shares, impulses, stuck, hit = b.turnShare, b.turnImpulse, b.stuck, b.gripHit
+  local inverseMass = b.inverseMass
   local base, way = rounds.direction(b.turnRound, 1, b.footingCount)
   for at = first, last do
     local x = order[base + way * landed[at]]
     local up, low, share = ups[x], lows[x], shares[x]
-    if share > 0 and stuck[up] > 0 and ground[up] == low then
-      local mu, impulse = press.coefficient(b, up, low), impulses[x]
-      hit[up] = hit[up] + (mu * impulse - mu * (impulse * (1 - share)))
+    local isHeavy = share > 0 and stuck[up] > 0 -- whoever it stands on
+    if isHeavy and (inverseMass[low] == 0 or stuck[low] > 0) then
+      local mu, impulse = max(press.coefficient(b, up, low), 0), impulses[x]
+      local lasting = impulse * (1 - share)
+      hit[up] = hit[up] + (mu * impulse - mu * lasting)
+      if mu > 0 and inverseMass[low] > 0 then
+        hitBelow(b, low, impulse - lasting)
+      end
     end
   end
 end

@@ -2157,6 +2157,43 @@ local FOUND = {
       },
     },
   },
+  {
+    "an impact on a stack is one for all that it stands on, also in the order of turns",
+    {
+      settings = { gravity = 0, gravityX = -600 },
+      acts = {
+        {
+          "add",
+          21,
+          "walls",
+          { height = 700, static = true, surfaceSpeed = -300, width = 20, x = -20, y = -300 },
+        },
+        {
+          "add",
+          28,
+          2.5,
+          { friction = 1, height = 20, pushable = false, width = 20, x = 50, y = 288 },
+        },
+        { "add", 29, "boxes", { height = 20, maxSpeedX = 100, width = 20, x = 50, y = 270 } },
+        { "add", 30, "crates", { height = 20, width = 20, x = 50, y = 260 } },
+        { "add", 32, 1, { friction = 10, height = 20, width = 20, x = 100, y = 288 } },
+        { "add", 41, 1, { ay = 900, height = 20, vx = -300, width = 20, x = 200, y = 90 } },
+        { "insert", 43, "boxes", { height = 16, width = 40, x = 100, y = 200 } },
+        { "update", 0.05 },
+        { "update", 0.05 },
+        { "write", 43, { x = 40, y = 260 } },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.38092040417801626 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.05 },
+        { "update", 0.03333333333333333 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+      },
+    },
+  },
 }
 
 describe("a random game has found that", function()
