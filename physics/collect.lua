@@ -19,7 +19,7 @@ local view = require(here .. ".view")
 
 local collect = {}
 
-local HUGE = math.huge
+local HUGE, min = math.huge, math.min
 local UNREAD = 0 / 0 -- no place is equal to it
 local isFinite = check.isFinite
 local STATIC, KINEMATIC, DYNAMIC = columns.STATIC, columns.KINEMATIC, columns.DYNAMIC
@@ -209,6 +209,7 @@ local function readAll(b, i, object, isNew)
   b.hasFriction = b.hasFriction or b.friction[i] > 0
   b.hasNudges = b.hasNudges or b.nudge[i] ~= 0
   b.hasHinders = b.hasHinders or b.drag[i] ~= 0 or b.maxSpeed[i] ~= HUGE
+  b.hasLimits = b.hasLimits or min(b.maxSpeed[i], b.limit[2 * i], b.limit[2 * i + 1]) < HUGE
   b.hasBounces = b.hasBounces or b.restitution[i] ~= 0
   b.hasAskers = b.hasAskers or b.canCollide[i] ~= false
   b.plain[i] = not b.sensor[i]

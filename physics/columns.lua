@@ -423,6 +423,7 @@ function columns.new()
     hasFriction = false, -- or rubs
     hasNudges = false, -- or could slide around corners
     hasHinders = false, -- or has drag or a maxSpeed
+    hasLimits = false, -- or has a limit of any kind
     hasBounces = false, -- or bounced
     hasAskers = false, -- or has a canCollide
     hasCrushed = false, -- or was crushed

@@ -291,6 +291,15 @@ local function isRubbed(b, lo, hi, kl, kh, wl, wh, v)
   return closes * (borne + taken) > 0
 end
 
+-- Whether a push across gravity would bring one of two beyond its limit (see `reserve.settle`).
+local function isLimited(b, lo, hi, kl, kh, wl, wh, v)
+  local common = b.speed[kl] - v * (wl / (wl + wh))
+  local overL = b.carried[kl] - common - min(b.limit[kl], b.maxSpeed[lo])
+  local overH = common - b.carried[kh] - min(b.limit[kh], b.maxSpeed[hi])
+  local isAcross = 1 - max(amount(b.down[kl]), amount(b.down[kh]))
+  return min(wl, wh) * isAcross > 0 and max(overL, overH) > 0
+end
+
 --- Lets two lean on each other, the pair p of turn x, which meets on `side` of its first, as
 --- `resolve` would. Returns REFUSED if the case is another one (nothing has changed then), or who
 --- has given way and what is to come of it.
@@ -307,6 +316,9 @@ function press.run(b, x, p, side, lo, hi, axis, dt)
   end
   local v, o = b.speed[kl] - b.speed[kh], b.to[kl] + b.size[kl] - b.to[kh]
   if b.grip[lo] + b.grip[hi] > 0 and isRubbed(b, lo, hi, kl, kh, wl, wh, v) then
+    return REFUSED
+  end
+  if b.hasLimits and isLimited(b, lo, hi, kl, kh, wl, wh, v) then
     return REFUSED
   end
   local u, tau = impactAt(o, v, b.accel[kl] - b.accel[kh], dt)

@@ -127,21 +127,54 @@ local function cut(b, k, m, wk, wm, lender, top, start, goal, tau)
   return max(over, -over) / wm
 end
 
---- After the push with what was lent last: who would be beyond its top stays at that. The two would
---- have gone to `toL` and `toH` alone, where they would have had these speeds. Returns the impulse
---- that was too much.
-function reserve.giveBack(b, kl, kh, wl, wh, speedL, speedH, toL, toH, tau)
+-- Up to which speed k may be pushed towards `sign`; it is as fast as `v` px/s already.
+local function mostOf(b, k, sign, v)
+  local i = (k - k % 2) / 2
+  return max(b.carried[k] * sign + min(b.limit[k], b.maxSpeed[i]), v * sign)
+end
+
+-- The push would bring both to a speed that is beyond the limit of m, which is pushed: that does
+-- not get faster, whatever pushes it, and the other, k, neither. m would have come to v px/s and
+-- to `goal` alone.
+local function stop(b, k, m, top, v, goal, tau)
+  local over, to, size = b.speed[k] - top, b.to, b.size
+  local start = v - b.accel[m] * tau
+  if (top - start) * over > STILL * max(over, -over) then
+    goal = to[m] - over * 0.5 * (tau * over / (b.speed[k] - start))
+  else
+    goal = goal + (top - (start + v) * 0.5) * tau -- it is as fast as that all the time
+  end
+  b.speed[k], b.speed[m], to[m] = top, top, goal
+  to[k] = over > 0 and goal - size[k] or goal + size[m]
+end
+
+-- After a push of k against m, towards `sign`, that has brought both to v px/s: sees to it that
+-- neither is beyond what it may be. Returns the impulse that was too much.
+local function hold(b, k, m, wk, wm, sign, v, lender, top, speed, goal, tau, speedM, goalM)
+  local most = mostOf(b, m, sign, speedM)
+  if v * sign > most and most < top then
+    stop(b, k, m, most * sign, speedM, goalM, tau)
+  elseif v * sign > top then
+    return cut(b, k, m, wk, wm, lender, top * sign, speed - b.accel[k] * tau, goal, tau)
+  end
+  return 0
+end
+
+--- After a push, also one with what was lent last (`isLent`): who would be beyond its top stays at
+--- that, and nobody is pushed beyond its limit. The two would have gone to `toL` and `toH` alone,
+--- where they would have had these speeds. Returns the impulse that was too much.
+function reserve.settle(b, kl, kh, wl, wh, speedL, speedH, toL, toH, tau, isLent)
   local v = b.speed[kl]
   if v ~= b.speed[kh] or min(wl, wh) <= 0 then
     return 0
-  elseif v > b.lentTopLow then
-    local start = speedL - b.accel[kl] * tau
-    return cut(b, kl, kh, wl, wh, b.lenderLow, b.lentTopLow, start, toL, tau)
-  elseif -v > b.lentTopHigh then
-    local start = speedH - b.accel[kh] * tau
-    return cut(b, kh, kl, wh, wl, b.lenderHigh, -b.lentTopHigh, start, toH, tau)
   end
-  return 0
+  local topL, topH = huge, huge
+  if isLent then
+    topL, topH = b.lentTopLow, b.lentTopHigh
+  end
+  local low, high = b.lenderLow, b.lenderHigh
+  return hold(b, kl, kh, wl, wh, 1, v, low, topL, speedL, toL, tau, speedH, toH)
+    + hold(b, kh, kl, wh, wl, -1, v, high, topH, speedH, toH, tau, speedL, toL)
 end
 
 return reserve

@@ -422,8 +422,9 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
     elseif still == hi then
       grip.hold(b, hi, axis, t == 0 and dt or tau)
       speed[kl], to[kl] = speed[kh], to[kh] - b.size[kl]
-    elseif gain > 0 then
-      impulse = impulse - reserve.giveBack(b, kl, kh, wl, wh, speedL, speedH, oldL, oldH, tau)
+    elseif b.hasLimits and flush and b.down[kl] == 0 and b.down[kh] == 0 then
+      impulse = impulse
+        - reserve.settle(b, kl, kh, wl, wh, speedL, speedH, oldL, oldH, tau, gain > 0)
     end
   end
   release(b, kl, kh, axis, flush, tau)

@@ -157,6 +157,28 @@ describe("an engine that pushes at its speed limit", function()
     end
   end
 
+  -- 1600 px/s² for both, then 600, until they are as fast as the slower one may be.
+  local SLOWER = { { 60, 2000, 60 - 60 ^ 2 / 3200, 120 }, { 30, 0, 30 - 30 ^ 2 / 1200, 0 } }
+  for _, row in ipairs(SLOWER) do
+    local limit, ax, way, off = unpack(row)
+    for _, rate in ipairs(RATES) do
+      for _, side in ipairs({ 1, -1 }) do
+        local text = "goes as fast as one that may go at %d px/s, at %d Hz, to the %s"
+        it(text:format(limit, rate, side > 0 and "right" or "left"), function()
+          local movers = play({
+            FLOOR,
+            box({ ax = 2000 * side, maxSpeedX = 100 }),
+            box({ x = 20 * side, ax = ax * side, maxSpeedX = limit }),
+          }, rate, 1)
+          assert.near(way * side, movers[1].x, off / rate ^ 2 + 1e-9)
+          assert.near(limit * side, movers[1].vx, 1e-9)
+          assert.near(limit * side, movers[2].vx, 1e-9)
+          assert.equal(20 * side, movers[2].x - movers[1].x)
+        end)
+      end
+    end
+  end
+
   for _, rate in ipairs(RATES) do
     it(("goes at its limit from above, behind what air slows, at %d Hz"):format(rate), function()
       local movers = play({
