@@ -91,6 +91,14 @@ function reserve.pushes(b, kl, kh)
     and (b.weld[kl] + b.weld[kh] > 0 or b.reserve[kl] > 0 or b.reserve[kh] < 0)
 end
 
+--- Of the pull that drives two apart, returns what does not, as it is that of one who is pushed on
+--- at its limit.
+function reserve.idle(b, kl, kh)
+  local high = b.reserve[kh] > 0 and max(b.drive[kh], 0) or 0
+  local low = b.reserve[kl] < 0 and min(b.drive[kl], 0) or 0
+  return high - low
+end
+
 -- Makes k faster by `gain` px/s towards `sign`, and lets it go as far as it gets by that from the
 -- moment on at which it came to its limit.
 local function hasten(b, k, gain, sign, tau)

@@ -376,6 +376,9 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   if u <= 2 * a * dt or b.met[p] > BOUNCES then
     restitution = 0
   end
+  if restitution == 0 and b.reserves > 0 then
+    a = a + reserve.idle(b, kl, kh)
+  end
   local gap, vEnd = 0, 0
   -- Who is pushed from behind by one that cannot be pushed has nowhere to leave to by itself.
   local isPinned = restitution == 0 and (b.backedLow[kl] or b.backedHigh[kh])

@@ -192,6 +192,20 @@ describe("an engine that pushes at its speed limit", function()
     end)
   end
 
+  for _, rate in ipairs(RATES) do
+    it(("is not driven on by what runs into it from behind, at %d Hz"):format(rate), function()
+      local movers = play({
+        { x = -100, y = 0, width = 10, height = 10, static = true },
+        { x = 0, y = 0, width = 20, height = 20, mass = 3, vx = 100 },
+        { x = 30, y = 0, width = 20, height = 20, ax = 2500, vx = 60, maxSpeedX = 60 },
+      }, rate, 1, { gravity = 0 })
+      assert.near(90, movers[2].x, 1e-9)
+      assert.near(20, movers[2].x - movers[1].x, 1e-9)
+      assert.near(60, movers[1].vx, 1e-9)
+      assert.near(60, movers[2].vx, 1e-9)
+    end)
+  end
+
   it("leaves a crate behind it alone, and one that is faster", function()
     local movers = play({
       FLOOR,
