@@ -29,12 +29,13 @@ local function sidesOf(b, isUp)
   return b.heldHigh, b.heldLow, b.holderHigh, b.pressedHigh, b.pressedLow
 end
 
--- A weight on slot i presses on all that it stands on, as in `grip`.
-local function weighOn(b, i, impulse)
-  local grip, stickiness, ground, level = b.grip, b.stickiness, b.ground, b.level
+-- A weight on slot i presses on all that it stands on, as in `grip`: notes it in that column, or
+-- what of it is an impact in `gripHit`.
+local function weighOn(b, column, i, impulse)
+  local stickiness, ground, level = b.stickiness, b.ground, b.level
   local at = level[i]
   repeat
-    grip[i] = grip[i] + stickiness[i] * impulse
+    column[i] = column[i] + stickiness[i] * impulse
     local before = at
     i = ground[i]
     at = level[i]
@@ -82,7 +83,7 @@ local function stick(b, up, low, ku, kl, mu, impulse, sign)
     return true -- both slide, together
   end
   if not isFast then
-    weighOn(b, low, impulse)
+    weighOn(b, b.grip, low, impulse)
     goWith(b, up, low)
   end
   b.stuck[up], b.stickiness[up], b.grip[up] = 1, mu, b.grip[up] + mu * impulse
@@ -213,18 +214,6 @@ function footing.slide(b, dt)
   return goesOn
 end
 
--- The part of a weight on slot i that is an impact, for all that it stands on (see `weighOn`).
-local function hitBelow(b, i, impulse)
-  local hit, stickiness, ground, level = b.gripHit, b.stickiness, b.ground, b.level
-  local at = level[i]
-  repeat
-    hit[i] = hit[i] + stickiness[i] * impulse
-    local before = at
-    i = ground[i]
-    at = level[i]
-  until at == 0 or at >= before
-end
-
 --- Notes how much of what friction can give b.landed[first..last], who have rubbed, and all below
 --- them, comes from their impact. (One more number in the loop of `slide` would be one too many: a
 --- third more time.)
@@ -242,7 +231,7 @@ function footing.noteImpacts(b, first, last)
       local lasting = impulse * (1 - share)
       hit[up] = hit[up] + (mu * impulse - mu * lasting)
       if mu > 0 and inverseMass[low] > 0 then
-        hitBelow(b, low, impulse - lasting)
+        weighOn(b, hit, low, impulse - lasting)
       end
     end
   end

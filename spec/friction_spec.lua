@@ -4,6 +4,21 @@ local newRandom = require("spec.support.random").new
 local physics = require("physics")
 local unpack = rawget(table, "unpack") or rawget(_G, "unpack")
 
+-- How far the boxes of a random scene are from where steps of 1/`exactRate` s lead them, at most,
+-- for each of the seeds 1 to `count`, sorted. `play(seed, rate)` returns the boxes.
+local function distances(play, count, rate, exactRate)
+  local apart = {}
+  for seed = 1, count do
+    local farthest, exact = 0, play(seed, exactRate)
+    for n, box in ipairs(play(seed, rate)) do
+      farthest = math.max(farthest, math.abs(box.x - exact[n].x))
+    end
+    apart[seed] = farthest
+  end
+  table.sort(apart)
+  return apart
+end
+
 describe("a box that lands sliding on another", function()
   --    +--+ 60 ->          the floor is ice, the boxes rub with 0.5:
   --    +--+                they pull at each other with 0.5 * 800 = 400 px/s² each,
@@ -139,15 +154,7 @@ describe("boxes that run into each other on a rough floor", function()
   for _, row in ipairs({ { 30, 0.9 }, { 60, 0.25 } }) do
     local rate, most = unpack(row)
     it(("are where small steps lead them, at %d Hz"):format(rate), function()
-      local apart = {}
-      for seed = 1, 40 do
-        local farthest, exact = 0, play(seed, 2400)
-        for n, box in ipairs(play(seed, rate)) do
-          farthest = math.max(farthest, math.abs(box.x - exact[n].x))
-        end
-        apart[seed] = farthest
-      end
-      table.sort(apart)
+      local apart = distances(play, 40, rate, 2400)
       assert.is_true(apart[20] < 1e-9, ("half differ by up to %g px"):format(apart[20]))
       assert.is_true(apart[36] < most, ("nine of ten differ by up to %g px"):format(apart[36]))
     end)
@@ -221,15 +228,7 @@ describe("a stack that is run into from afar, in the middle of a step", function
   for _, row in ipairs({ { 60, 0.1, 1.5 }, { 300, 0.01, 0.2 } }) do
     local rate, half, most = unpack(row)
     it(("is where small steps lead it, at %d Hz"):format(rate), function()
-      local apart = {}
-      for seed = 1, 24 do
-        local farthest, exact = 0, play(seed, 1500)
-        for n, box in ipairs(play(seed, rate)) do
-          farthest = math.max(farthest, math.abs(box.x - exact[n].x))
-        end
-        apart[seed] = farthest
-      end
-      table.sort(apart)
+      local apart = distances(play, 24, rate, 1500)
       assert.is_true(apart[12] < half, ("half differ by up to %g px"):format(apart[12]))
       assert.is_true(apart[22] < most, ("nine of ten differ by up to %g px"):format(apart[22]))
     end)
@@ -393,15 +392,7 @@ describe("a stack of which each slides at another speed", function()
   for _, row in ipairs({ { 60, 0.1, 1.5 }, { 300, 0.01, 0.15 } }) do
     local rate, half, most = unpack(row)
     it(("goes where small steps lead it, at %d Hz"):format(rate), function()
-      local apart = {}
-      for seed = 1, 20 do
-        local farthest, exact = 0, play(seed, 1500)
-        for n, box in ipairs(play(seed, rate)) do
-          farthest = math.max(farthest, math.abs(box.x - exact[n].x))
-        end
-        apart[seed] = farthest
-      end
-      table.sort(apart)
+      local apart = distances(play, 20, rate, 1500)
       assert.is_true(apart[10] < half, ("half differ by up to %g px"):format(apart[10]))
       assert.is_true(apart[20] < most, ("the worst differs by %g px"):format(apart[20]))
     end)
