@@ -240,14 +240,13 @@ end
 -- broad phase has none.
 local function drawGrid(world, options)
   local grid = world._bodies and world._bodies.broadphase
-  if not grid or not grid.cellX then
+  if not grid or not grid.cellOf then
     return
   end
   setColor(COLORS.grid, options.alpha * CELL)
   for n = 1, grid.count do
-    local i = grid.list[n]
-    local cell = grid.cell * 2 ^ grid.level[i]
-    drawOutline(grid.cellX[i] * cell, grid.cellY[i] * cell, cell, cell, 1)
+    local cellX, cellY, cell = grid:cellOf(grid.list[n])
+    drawOutline(cellX * cell, cellY * cell, cell, cell, 1)
   end
 end
 

@@ -8,9 +8,10 @@
 --
 -- Inactive objects are not found. Sensors are, except by `sweep`, which nothing stops but solids.
 --
--- A game may ask a thousand times a frame, and lines, the nearest and ways take another way through
+-- A game may ask a thousand times a frame, and lists, the nearest and ways take another way through
 -- the code each time. So what leads there from one loop to the next is interpreted; the loops over
--- candidates are compiled, and stand in functions of their own (see interpreted).
+-- candidates are compiled, and stand in functions of their own (see interpreted). Rays are compiled
+-- as a whole, since most of them take one of a few ways, but for those with a filter that asks.
 
 local here = (...):match("^(.*)%.[^.]+$")
 local aabb = require(here .. ".aabb")
@@ -22,7 +23,7 @@ local view = require(here .. ".view")
 
 local query = {}
 
-local EPSILON, TINY = columns.EPSILON, columns.TINY
+local EPSILON, TINY, VAST = columns.EPSILON, columns.TINY, columns.VAST
 local max, min, sqrt = math.max, math.min, math.sqrt
 local TIE = 1e-9
 -- More than the whole of a line, which is 1: where it hits who is not hit.
@@ -339,7 +340,8 @@ local function enterOn(v, k, p, d)
   return min(low / d, high / d)
 end
 
--- What a ray is told about the object it hits.
+-- What a ray is told about the object it hits. Without branches for the sides: each would lead to a
+-- piece of code of its own for all that the game does with the answer.
 local function describeHit(v, world, i, x1, y1, dx, dy, filter)
   local inX, inY = enterOn(v, 2 * i, x1, dx), enterOn(v, 2 * i + 1, y1, dy)
   local at = max(inX, inY)
@@ -347,17 +349,16 @@ local function describeHit(v, world, i, x1, y1, dx, dy, filter)
     return v.object[i], x1, y1, 0, 0, 0
   end
   at = at > 0 and at or 0 -- no negative zero
-  local k, x, y = 2 * i, x1 + dx * at, y1 + dy * at
-  local axis = inY > inX and 1 or 0
+  local x, y = x1 + dx * at, y1 + dy * at
+  local axis = max(min((inY - inX) * VAST, 1), 0) ---@type number
   if inX - inY <= TIE and inY - inX <= TIE then
     axis = cornerAxis(v, world, x, y, dx, dy, filter)
   end
-  if axis == 0 then
-    x = dx > 0 and v.position[k] or v.position[k] + v.size[k]
-    return v.object[i], x, y, dx > 0 and -1 or 1, 0, at
-  end
-  y = dy > 0 and v.position[k + 1] or v.position[k + 1] + v.size[k + 1]
-  return v.object[i], x, y, 0, dy > 0 and -1 or 1, at
+  local k, other, isBack =
+    2 * i + axis, 1 - axis, max(min((dx * (axis - 1) - dy * axis) * VAST, 1), 0)
+  local edge, normal = v.position[k] + v.size[k] * isBack, 2 * isBack - 1
+  x, y = edge * other + x * axis, edge * axis + y * other
+  return v.object[i], x, y, normal * other + 0, normal * axis + 0, at
 end
 
 -- The first on a line whom a filter that is a function accepts. The line is looked at in pieces, so
@@ -496,14 +497,10 @@ interpreted.functions(
   accepts,
   writeAccepted,
   pick,
-  takeLine,
   query.segment,
   isFilled,
   cornerAxis,
-  enterOn,
-  describeHit,
   firstAccepted,
-  query.raycast,
   query.nearest,
   keepStopping,
   describeStop,

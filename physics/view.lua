@@ -31,11 +31,11 @@ local STATIC = columns.STATIC
 -- Kind of an object that the core has read anew.
 local UNREAD = 0
 -- px around an object in which it may move without being filed anew.
-local MARGIN = 8
+local MARGIN = 6
 -- px around a way within which somebody may be met.
 local SLACK = 1
--- px, cells of the grid: what is up to 32 px wide fits into one with its margin.
-local CELL = 48
+-- px, cells of the grid: what is up to 28 px wide fits into one with its margin.
+local CELL = 40
 -- Numbers whose sum is no more than this are all in range.
 local MOST = 1e99
 -- So many can be looked at in a few microseconds.

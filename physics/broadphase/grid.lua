@@ -11,7 +11,6 @@
 local here = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local aabb = require(here .. ".aabb")
 local bank = require(here .. ".bank")
-local interpreted = require(here .. ".interpreted")
 
 ---@class physics.Grid
 ---@field [string] any
@@ -25,13 +24,15 @@ local DEFAULT_CELL = 32
 local LEVELS = 48
 local FIRST_BUCKETS = 64
 -- Cells further out share the outermost one, so that the arithmetic stays exact.
-local FAR = 67108864
+local FAR = 4194304
 -- px by which the place of a line may be rounded.
 local SLACK = 1e-3
--- By which `hash` multiplies a cell's place and level.
-local FACTOR_X, FACTOR_Y, FACTOR_LEVEL = 73856093, 19349663, 83492791
 -- More than the whole of a line, which is 1: where it meets who is not on it.
 local NEVER = 2
+-- By which `hash` multiplies a cell's place and level.
+local FACTOR_X, FACTOR_Y, FACTOR_LEVEL = 73856093, 19349663, 83492791
+-- The same in its key, which no other cell has: a whole number below 2^53 that holds all three.
+local KEY_X, KEY_Y = 1073741824, 64
 
 local LAYOUT = {}
 for n, name in ipairs({
@@ -41,8 +42,7 @@ for n, name in ipairs({
   "previous",
   "bucket",
   "level",
-  "cellX",
-  "cellY",
+  "key", -- of the cell
 }) do
   LAYOUT[n] = { name = name, kind = "number", width = 1 }
 end
@@ -82,8 +82,8 @@ function grid.new(b, cellSize)
 end
 
 ---@return integer
-local function cellAt(coordinate, cell)
-  local at = floor(coordinate / cell)
+local function cellAt(coordinate, share)
+  local at = floor(coordinate * share)
   if at > FAR or at < -FAR then
     at = at > 0 and FAR or -FAR
   end
@@ -97,6 +97,10 @@ end
 
 local function hash(cellX, cellY, level)
   return cellX * FACTOR_X + cellY * FACTOR_Y + level * FACTOR_LEVEL
+end
+
+local function keyOf(cellX, cellY, level)
+  return cellX * KEY_X + cellY * KEY_Y + level
 end
 
 local function levelFor(self, size)
@@ -119,7 +123,7 @@ local function file(self, i, level, cellX, cellY)
   local first = heads[bucket]
   self.next[i], self.previous[i], self.bucket[i] = first, 0, bucket
   self.previous[first], heads[bucket] = i, i
-  self.level[i], self.cellX[i], self.cellY[i] = level, cellX, cellY
+  self.level[i], self.key[i] = level, keyOf(cellX, cellY, level)
   self.members[level], self.highest = self.members[level] + 1, max(self.highest, level)
 end
 
@@ -149,7 +153,8 @@ local function place(self, i)
   local size = max(fatHigh[k] - left, fatHigh[k + 1] - top)
   local level, cell = levelFor(self, size)
   reach[level] = max(reach[level], size + SLACK)
-  return level, cellAt(left, cell), cellAt(top, cell)
+  local share = 1 / cell
+  return level, cellAt(left, share), cellAt(top, share)
 end
 
 local function grow(self)
@@ -189,14 +194,14 @@ end
 -- Lists those in `list[1..count]` whose fat boxes belong in other cells than they stand in;
 -- returns how many. No branches: each is written behind the list, which gets longer by 0 or 1.
 local function listMoved(self, list, count)
-  local moved, levels, cellsX, cellsY = self.moved, self.level, self.cellX, self.cellY
+  local moved, keys = self.moved, self.key
   local n = 0 ---@type number
   for m = 1, count do
     local i = list[m]
     local level, cellX, cellY = place(self, i)
-    local up, x, y = level - levels[i], cellX - cellsX[i], cellY - cellsY[i]
+    local other = keyOf(cellX, cellY, level) - keys[i]
     moved[n + 1] = i
-    n = n + min(up * up + x * x + y * y, 1)
+    n = n + min(max(other, -other), 1)
   end
   return n
 end
@@ -215,8 +220,8 @@ end
 
 -- The questions of many at once go in stages, each one loop: which rectangles of cells to look at,
 -- which of those cells hold anything, and who is in them. (Loops in loops that go round two or
--- three times make bad traces.) A rectangle of cells is six numbers side by side, so is a cell.
-local RANGE, CELL = 6, 5
+-- three times make bad traces.) A rectangle of cells is six numbers side by side, a cell is three.
+local RANGE, CELL = 6, 3
 
 -- Whether so many cells are in question that looking at everybody is cheaper.
 local function isWide(self, width, height)
@@ -226,22 +231,22 @@ end
 
 -- Lists the cells of one level in which something may meet the fat boxes of those in `list`.
 local function addRanges(self, list, count, level, cell, n)
-  local reach = self.reach[level]
+  local reach, share = self.reach[level], 1 / cell
   local ranges, fatLow, fatHigh = self.ranges, self.bodies.fatLow, self.bodies.fatHigh
   for m = 1, count do
     local k = 2 * list[m]
     local left, top, right, bottom = fatLow[k], fatLow[k + 1], fatHigh[k], fatHigh[k + 1]
     if not isWide(self, right - left, bottom - top) then
       ranges[n + 1], ranges[n + 2] = m, level
-      ranges[n + 3], ranges[n + 4] = cellAt(left - reach, cell), cellAt(right, cell)
-      ranges[n + 5], ranges[n + 6] = cellAt(top - reach, cell), cellAt(bottom, cell)
+      ranges[n + 3], ranges[n + 4] = cellAt(left - reach, share), cellAt(right, share)
+      ranges[n + 5], ranges[n + 6] = cellAt(top - reach, share), cellAt(bottom, share)
       n = n + RANGE
     end
   end
   return n
 end
 
--- Of these, lists the cells that hold anything: the first in it, who asks, and which it is.
+-- Of these, lists the cells that hold anything: the first in it, who asks, and its key.
 local function addCells(self, rangeCount)
   local ranges, cells, heads, buckets = self.ranges, self.cells, self.heads, self.buckets
   local n, at, share = 0, 0, 1 / buckets
@@ -250,8 +255,7 @@ local function addCells(self, rangeCount)
   while at < rangeCount do
     local head = heads[bucketOf(h, buckets, share)]
     if head ~= 0 then
-      cells[n + 1], cells[n + 2] = head, ranges[at + 1]
-      cells[n + 3], cells[n + 4], cells[n + 5] = level, cellX, cellY
+      cells[n + 1], cells[n + 2], cells[n + 3] = head, ranges[at + 1], keyOf(cellX, cellY, level)
       n = n + CELL
     end
     cellX, h = cellX + 1, h + FACTOR_X
@@ -280,8 +284,7 @@ end
 
 -- Walks through the cells, and lists who is in them and meets who asks.
 local function addMembers(self, list, cellCount, askers, found)
-  local cells, nextInBucket = self.cells, self.next
-  local cellX, cellY, levels = self.cellX, self.cellY, self.level
+  local cells, nextInBucket, keys = self.cells, self.next, self.key
   local fatLow, fatHigh = self.bodies.fatLow, self.bodies.fatHigh
   local n, at = 0, 0
   local i, asker = cells[1], list[cells[2]]
@@ -293,12 +296,7 @@ local function addMembers(self, list, cellCount, askers, found)
       fatHigh[k + 1] - fatLow[m + 1],
       fatHigh[m + 1] - fatLow[k + 1]
     ) -- as `contact`
-    if
-      meets >= 0
-      and cellX[i] == cells[at + 4]
-      and cellY[i] == cells[at + 5]
-      and levels[i] == cells[at + 3]
-    then
+    if meets >= 0 and keys[i] == cells[at + 3] then
       n = n + 1
       askers[n], found[n] = asker, i
     end
@@ -388,20 +386,20 @@ end
 --
 -- Members, cells and strips go through one loop, since a line passes few of each.
 local function walkLevel(self, level, cell, axis, x, y, dx, dy, line, visit, bound)
-  local heads, buckets, nextInBucket, levels = self.heads, self.buckets, self.next, self.level
+  local heads, buckets, nextInBucket, keys = self.heads, self.buckets, self.next, self.key
   local fatLow, fatHigh = self.bodies.fatLow, self.bodies.fatHigh
   local shareX, shareY = lineShare(dx), lineShare(dy)
   -- Along the line is a, across it b.
   local a1, b1, da, db, share = x, y, dx, dy, shareX
-  local cellA, cellB, factorA, factorB = self.cellX, self.cellY, FACTOR_X, FACTOR_Y
+  local keyA, keyB, factorA, factorB = KEY_X, KEY_Y, FACTOR_X, FACTOR_Y
   if axis == 1 then
     a1, b1, da, db, share = y, x, dy, dx, shareY
-    cellA, cellB, factorA, factorB = self.cellY, self.cellX, FACTOR_Y, FACTOR_X
+    keyA, keyB, factorA, factorB = KEY_Y, KEY_X, FACTOR_Y, FACTOR_X
   end
   local base, inverse = level * FACTOR_LEVEL, 1 / buckets
   local lowest, highest, slope = min(a1, a1 + da), max(a1, a1 + da), db * share
-  local reach = self.reach[level]
-  local first, last = cellAt(lowest - reach, cell), cellAt(highest, cell)
+  local reach, part = self.reach[level], 1 / cell
+  local first, last = cellAt(lowest - reach, part), cellAt(highest, part)
   local way, strip, edge = 1, first - 1, -SLACK
   if da < 0 then
     way, strip, edge = -1, last + 1, cell + reach + SLACK
@@ -412,9 +410,7 @@ local function walkLevel(self, level, cell, axis, x, y, dx, dy, line, visit, bou
     if i ~= 0 then
       if
         entryOf(fatLow, fatHigh, i, x, y, shareX, shareY) <= bound
-        and cellB[i] == at
-        and cellA[i] == strip
-        and levels[i] == level
+        and keys[i] == strip * keyA + at * keyB + level
       then
         bound = visit(line, i, bound)
         left = bound < 0 and -1 or left
@@ -428,7 +424,7 @@ local function walkLevel(self, level, cell, axis, x, y, dx, dy, line, visit, bou
       local low, high = max(lowest, strip * cell), min(highest, (strip + 1) * cell + reach)
       local from, till = b1 + (low - a1) * slope, b1 + (high - a1) * slope
       at, lastB =
-        cellAt(min(from, till) - SLACK - reach, cell) - 1, cellAt(max(from, till) + SLACK, cell)
+        cellAt(min(from, till) - SLACK - reach, part) - 1, cellAt(max(from, till) + SLACK, part)
       if (strip * cell + edge - a1) * share > bound then
         left = -1 -- who starts in this strip, or in one further on, is met too late
       end
@@ -487,7 +483,11 @@ function grid:walk(x1, y1, x2, y2, line, visit)
   end
 end
 
--- Questions are asked one by one, each in another way: what leads from loop to loop is interpreted.
-interpreted.functions(grid.walk)
+--- Returns the cell in which slot i stands, counted from 0, 0, and how wide it is, in px.
+function grid:cellOf(i)
+  local level, key = self.level[i], self.key[i]
+  local cellX = floor((key - level) / KEY_X + 0.5)
+  return cellX, (key - level - cellX * KEY_X) / KEY_Y, self.cell * 2 ^ level
+end
 
 return grid
