@@ -333,11 +333,11 @@ fields.settings = {
   {
     name = "cellSize",
     type = "number",
-    absent = "32",
+    absent = "48",
     unit = "px",
     above = 0,
-    meaning = "The width and height of the smallest cells of the grid, about the size of most"
-      .. " objects; larger ones stand in larger cells.",
+    meaning = "The width and height of the smallest cells of the grid: most objects should fit into"
+      .. " one, with some 10 px to spare. Larger ones stand in larger cells.",
   },
   {
     name = "timestep",

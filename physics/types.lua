@@ -117,8 +117,8 @@
 --- default "auto". How pairs that may meet are found, all with the same result to the bit; `auto`
 --- is the grid.
 ---@field broadphase? "auto"|"pairs"|"grid"
---- px, > 0, default 32. The width and height of the smallest cells of the grid, about the size of
---- most objects; larger ones stand in larger cells.
+--- px, > 0, default 48. The width and height of the smallest cells of the grid: most objects should
+--- fit into one, with some 10 px to spare. Larger ones stand in larger cells.
 ---@field cellSize? number
 --- s, 1e-05..0.25, default none: a step is as long as dt. A fixed step: `update` saves up dt and
 --- makes as many of them as fit.
@@ -167,8 +167,8 @@
 --- default "auto". How pairs that may meet are found, all with the same result to the bit; `auto`
 --- is the grid.
 ---@field broadphase "auto"|"pairs"|"grid"
---- px, > 0, default 32. The width and height of the smallest cells of the grid, about the size of
---- most objects; larger ones stand in larger cells.
+--- px, > 0, default 48. The width and height of the smallest cells of the grid: most objects should
+--- fit into one, with some 10 px to spare. Larger ones stand in larger cells.
 ---@field cellSize? number
 --- s, 1e-05..0.25, default none: a step is as long as dt. A fixed step: `update` saves up dt and
 --- makes as many of them as fit.

@@ -20,7 +20,7 @@ grid.__index = grid
 local floor, max, min = math.floor, math.max, math.min
 local passage, lineShare = aabb.passage, aabb.share
 
-local DEFAULT_CELL = 32
+local DEFAULT_CELL = 48
 local LEVELS = 48
 local FIRST_BUCKETS = 64
 -- Cells further out share the outermost one, so that the arithmetic stays exact.
@@ -53,7 +53,7 @@ local function clear(heads, count)
   end
 end
 
---- Returns an empty grid over the columns `b`; `cellSize` in px, default 32.
+--- Returns an empty grid over the columns `b`; `cellSize` in px, default 48.
 function grid.new(b, cellSize)
   local self = setmetatable({
     bodies = b,
