@@ -5,6 +5,7 @@
 ---   needsLove         plays only in LÖVE
 ---   isTurning         its boxes turn: how deep they stand in each other is not looked at
 ---   lacks             feature -> why scenes that need it are not played
+---   plays             name -> true: it plays only these scenes
 ---   new(scene)        -> a world, with the methods
 ---     step(dt)          moves the world on
 ---     read(i)           -> x, y of the i-th object, its left and top edge
@@ -26,10 +27,11 @@ local TITLES = {
   tutorial = "tutorial's loop",
   bump = "bump.lua",
   fizzx = "FizzX",
+  reading = "reading alone",
 }
 
 --- The names, ours first, in the order in which they are measured and printed.
-engines.names = { "ours", "compiled", "love", "turning", "tutorial", "bump", "fizzx" }
+engines.names = { "ours", "compiled", "love", "turning", "tutorial", "bump", "fizzx", "reading" }
 
 --- What an engine is called in tables.
 ---@param name string one of `engines.names`
@@ -72,6 +74,9 @@ end
 ---@param scene table
 ---@return string?
 function engines.refusal(engine, scene)
+  if engine.plays and not engine.plays[scene.name] then
+    return "is no engine"
+  end
   for _, feature in ipairs(scene.needs or {}) do
     if engine.lacks and engine.lacks[feature] then
       return engine.lacks[feature]

@@ -4,7 +4,7 @@
 ---   title   for people
 ---   sizes   the values of n at which it is measured
 ---   quick   a small n, to see that it runs
----   build(n) -> a scene:
+---   build(n) -> a scene, which is told its name:
 ---     gravity   px/s²
 ---     objects   descriptions of boxes: group, x, y, width, height, vx, vy, static, kinematic,
 ---               friction, restitution, gravity; the same fields as those of physics.lua
@@ -49,6 +49,7 @@ end
 function scenes.build(name, n)
   local definition = byName[name] or error("unknown scene " .. tostring(name), 2)
   local scene = definition.build(n)
+  scene.name = name
   scene.frame = scene.frame or advance
   scene.steps = scene.steps or STEPS
   scene.warmUp = scene.warmUp or WARM_UP

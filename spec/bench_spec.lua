@@ -2,6 +2,7 @@
 
 local docs = require("bench.docs")
 local engines = require("bench.engines")
+local fields = require("physics.fields")
 local json = require("bench.json")
 local measure = require("bench.measure")
 local newRandom = require("spec.support.random").new
@@ -237,6 +238,38 @@ describe("an engine", function()
     local turning, level = require("bench.engines.turning"), scenes.build("level", 2000)
     assert.equal("its boxes fall over", engines.refusal(turning, level))
     assert.is_nil(engines.refusal(turning, pile))
+  end)
+
+  it("reads what must be read, and finds what has changed", function()
+    local reading, rest = engines.get("reading", false), scenes.build("rest", 60)
+    assert.is_nil(engines.refusal(reading, rest))
+    assert.is_nil(engines.refusal(reading, scenes.build("level", 2000)))
+    assert.equal("is no engine", engines.refusal(reading, scenes.build("pile", 20)))
+    local world = reading.new(rest)
+    world:step(1 / 60)
+    assert.equal(60, world.found) -- all of them are new
+    local function expect(count)
+      world:step(1 / 60)
+      assert.equal(count, world.found)
+    end
+    expect(0)
+    -- `static` is read once, `touching` is written, callbacks are asked when there is news.
+    local others = { static = true, touching = true, onBegin = true, onEnd = true, onCrush = true }
+    for _, field in ipairs(fields.objects) do
+      local object, name = world.all[9], field.name
+      local before = object[name]
+      object[name] = 2
+      world:step(1 / 60)
+      assert.equal(others[name] and 0 or 1, world.found, name)
+      object[name] = before
+      world:step(1 / 60)
+    end
+    local boxes = world.groups.boxes.objects
+    boxes[3], boxes[4] = boxes[4], boxes[3]
+    expect(1)
+    boxes[3], boxes[4] = boxes[4], boxes[3]
+    boxes.one = {}
+    expect(1)
   end)
 
   it("is missing where it cannot be", function()
