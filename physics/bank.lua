@@ -13,7 +13,7 @@
 local bank = {}
 
 local HUGE = math.huge
-local KINDS = { "number", "boolean" }
+local KINDS = { "number", "integer", "boolean" }
 
 -- Where typed arrays come from; false: columns are tables.
 local source = false ---@type any
@@ -63,9 +63,9 @@ local function replaceAll(self, room, count)
   self.room = room
 end
 
---- Gives `owner` the columns of `layout`, a list of `{ name, kind, width }`: of numbers, booleans
---- or "any" (always a table), with `width` places for each index from 0 to `room`. An error if it
---- has something else by one of these names.
+--- Gives `owner` the columns of `layout`, a list of `{ name, kind, width }`: of numbers, of whole
+--- numbers that 32 bits hold ("integer"), of booleans, or "any" (always a table), with `width`
+--- places for each index from 0 to `room`. An error if it has something else by one of these names.
 function bank.new(owner, layout)
   local self = { owner = owner, layout = layout, room = HUGE, source = false, kept = {} }
   for n = 1, #layout do

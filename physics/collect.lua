@@ -310,9 +310,6 @@ local function listMovers(b)
       b.seat[its[m]] = n
     end
   end
-  for old = n + 1, b.moverCount do
-    movers[old] = nil
-  end
   b.moverCount = n
   b.awakenings = b.awakenings + 1
 end

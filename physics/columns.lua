@@ -259,8 +259,45 @@ local PAIR_LIST = {
 
 local HALF = { "other", "next", "previous" }
 
+-- Lists, from 1 on, that hold each pair twice at most.
+local HALF_LIST = {
+  "offerAt", -- scratch of publish
+  "offerWho",
+  "offerWidth",
+  "rivals",
+  "sortFrom", -- scratch of turns
+  "sortTo",
+  "sortDigit",
+}
+
+-- Lists, from 1 on, that hold each object once at most.
+local SLOT_LIST = {
+  "movers", -- slots of everything that is not static
+  "awakeList", -- of those who take part in this step
+  "rich", -- scratch of collect
+}
+
 -- Scratch of publish, by 4 * slot + side; sides are 1 to 4.
 local SIDE = { "touchBest", "touchWidth" }
+
+-- Of all these, what holds whole numbers that stay small: slots, pairs, places, sides, counts of
+-- one step. (Not what counts steps or stamps, which grows for as long as the game is played.)
+local WHOLE = {}
+for _, names in ipairs({
+  { "seat", "kind", "awakeAt", "ground", "level", "cargo", "nextCargo", "goesWith", "towerBegin" },
+  { "towerThrough", "meetings", "loneOf", "follows", "lastFooting", "lastFlank", "support" },
+  { "carrier", "carrierNow", "placed", "head", "holderLow", "holderHigh", "crushLow" },
+  { "crushHigh", "changes", "weld", "weldNext", "touchBest", "pairA", "pairB", "contact", "hit" },
+  { "met", "nudged", "event", "waits", "turn", "lastTurn", "wedged", "touches", "settled" },
+  { "live", "touchList", "flushAlong", "flushAcross", "turnPair", "turnUp", "turnLow" },
+  { "turnSide", "turnSeen", "turnOrder", "landed", "odd", "near", "nearCode", "touchPairs" },
+  { "closePairs", "otherPairs", "other", "next", "previous", "movers", "awakeList", "rich" },
+  { "offerAt", "offerWho", "rivals", "sortFrom", "sortTo", "sortDigit" },
+}) do
+  for _, name in ipairs(names) do
+    WHOLE[name] = true
+  end
+end
 
 -- What a step leaves behind in an object, apart from where it is. Who is awake begins each step
 -- without most of it (see begin); of who becomes a wall nobody else would clear it.
@@ -324,7 +361,8 @@ local SLOT_NAMES, ANY_NAMES, AXIS_NAMES = namesOf(SLOT), namesOf(ANY), namesOf(A
 
 local function describe(layout, names, kind, width)
   for n = 1, #names do
-    layout[#layout + 1] = { name = names[n], kind = kind, width = width }
+    local its = WHOLE[names[n]] and "integer" or kind
+    layout[#layout + 1] = { name = names[n], kind = its, width = width }
   end
 end
 
@@ -335,15 +373,18 @@ local function describeByValue(layout, names, values, width)
   end
 end
 
-local SLOT_LAYOUT, PAIR_LAYOUT = {}, {}
+local SLOT_LAYOUT, LIST_LAYOUT, PAIR_LAYOUT = {}, {}, {}
 describeByValue(SLOT_LAYOUT, SLOT_NAMES, SLOT, 1)
 describe(SLOT_LAYOUT, ANY_NAMES, "any", 1)
 describeByValue(SLOT_LAYOUT, AXIS_NAMES, AXIS, 2)
 describe(SLOT_LAYOUT, SIDE, "number", 5)
+describe(LIST_LAYOUT, SLOT_LIST, "number", 1)
 describe(PAIR_LAYOUT, PAIR, "number", 1)
 describe(PAIR_LAYOUT, PAIR_FLAG, "boolean", 1)
 describe(PAIR_LAYOUT, PAIR_LIST, "number", 1)
 describe(PAIR_LAYOUT, HALF, "number", 2)
+describe(PAIR_LAYOUT, HALF_LIST, "number", 2)
+describe(PAIR_LAYOUT, { "relative" }, "number", 4) -- scratch of approach, from 1 on
 
 --- Returns the empty columns of a world.
 function columns.new()
@@ -358,10 +399,7 @@ function columns.new()
     freePairs = {},
     freePairCount = 0,
     pairCount = 0,
-    movers = {}, -- slots of everything that is not static
     moverCount = 0,
-    rich = {}, -- scratch of collect
-    awakeList = {}, -- slots that take part in this step
     awakeCount = 0,
     island = {}, -- scratch of rest
     stack = {}, -- scratch of crush and carrier
@@ -415,10 +453,7 @@ function columns.new()
     lentTopHigh = 0,
     lenderLow = 0, -- whose they are
     lenderHigh = 0,
-    sortFrom = {}, -- scratch of turns
-    sortTo = {},
-    sortDigit = {},
-    sortHeads = {},
+    sortHeads = {}, -- scratch of turns
     hasCarriers = false, -- anything in the world that ever carried others
     hasFriction = false, -- or rubs
     hasNudges = false, -- or could slide around corners
@@ -440,12 +475,7 @@ function columns.new()
     changeStamp = 0,
     clear = 0, -- px by which two must be apart to be clear of each other (see gather)
     gatherStamp = 0,
-    relative = { 0, 0, 0, 0 }, -- scratch of approach
     unasked = { pairs = {}, sides = {}, first = {}, second = {}, order = {} }, -- scratch of contact
-    offerAt = {},
-    offerWho = {},
-    offerWidth = {},
-    rivals = {},
     found = {}, -- scratch of detect and part
     stoppedAt = {},
     stoppedTo = {},
@@ -481,6 +511,7 @@ function columns.new()
     },
   }
   b.slotBank, b.pairBank = bank.new(b, SLOT_LAYOUT), bank.new(b, PAIR_LAYOUT)
+  b.listBank = bank.new(b, LIST_LAYOUT)
   for n = 1, #AXIS_NAMES do
     b[AXIS_NAMES[n]][1] = AXIS[AXIS_NAMES[n]] -- belongs to slot 0
   end
@@ -498,10 +529,11 @@ end
 --- used now (see bank).
 function columns.adopt(b)
   bank.adopt(b.slotBank, b.slots)
+  bank.adopt(b.listBank, b.slots)
   bank.adopt(b.pairBank, b.pairSlots)
   b.blankTo = b.slots -- those behind were not taken over
-  if b.broadphase.bank then
-    bank.adopt(b.broadphase.bank, -1)
+  if b.broadphase.adopt then
+    b.broadphase:adopt()
   end
 end
 
@@ -527,12 +559,15 @@ local function blank(b, first, last)
   end
 end
 
+interpreted.functions(blank) -- leads from loop to loop
+
 -- Takes a slot that was never used. A few behind it are made ready, too: more will come.
 local function takeNew(b)
   local i = b.slots + 1
   b.slots = i
   if i > b.slotBank.room then
     bank.grow(b.slotBank, i)
+    bank.grow(b.listBank, i)
   end
   if i > b.blankTo then
     b.blankTo = min(i + floor(i / AHEAD), b.slotBank.room)

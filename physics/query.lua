@@ -348,14 +348,15 @@ local function describeHit(v, world, i, x1, y1, dx, dy, filter)
   if at < 0 then
     return v.object[i], x1, y1, 0, 0, 0
   end
-  at = at > 0 and at or 0 -- no negative zero
+  at = at + 0 -- no negative zero
   local x, y = x1 + dx * at, y1 + dy * at
   local axis = max(min((inY - inX) * VAST, 1), 0) ---@type number
-  if inX - inY <= TIE and inY - inX <= TIE then
+  if max(inX - inY, inY - inX) <= TIE then
     axis = cornerAxis(v, world, x, y, dx, dy, filter)
   end
-  local k, other, isBack =
-    2 * i + axis, 1 - axis, max(min((dx * (axis - 1) - dy * axis) * VAST, 1), 0)
+  -- (Twice, since a line may be as short as a number can be.)
+  local back = (dx * (axis - 1) - dy * axis) * VAST * VAST
+  local k, other, isBack = 2 * i + axis, 1 - axis, max(min(back, 1), 0)
   local edge, normal = v.position[k] + v.size[k] * isBack, 2 * isBack - 1
   x, y = edge * other + x * axis, edge * axis + y * other
   return v.object[i], x, y, normal * other + 0, normal * axis + 0, at

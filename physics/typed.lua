@@ -4,7 +4,7 @@ local typed = {}
 
 local max = math.max
 
-local TYPES = { { "number", "double" }, { "boolean", "bool" } }
+local TYPES = { { "number", "double" }, { "integer", "int32_t" }, { "boolean", "bool" } }
 -- Bytes between two columns. Without them those of a large world would all begin at the same place
 -- of a page of memory, and compete for the few places in the cache that belong to it.
 local GAP = 320

@@ -48,7 +48,8 @@ local LAYOUT = {}
 for _, kind in ipairs({
   { "any", 1, { "object", "group", "groupName", "key", "listed", "oneWay", "mask" } },
   { "boolean", 1, { "live", "active", "sensor" } },
-  { "number", 1, { "rank", "kind", "entry", "mark" } }, -- the last two are scratch
+  { "integer", 1, { "kind" } },
+  { "number", 1, { "rank", "entry", "mark" } }, -- the last two are scratch
   { "number", 2, { "position", "size", "fatLow", "fatHigh" } },
 }) do
   for _, name in ipairs(kind[3]) do

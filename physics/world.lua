@@ -596,12 +596,9 @@ end
 function World:raycast(x1, y1, x2, y2, filter)
   checkQuestion(self, "raycast(x1, y1, x2, y2)", filter)
   checkLine(x1, y1, x2, y2, "world:raycast(x1, y1, x2, y2)")
-  local object, x, y, nx, ny, fraction =
-    query.raycast(self, x1 + 0.0, y1 + 0.0, x2 + 0.0, y2 + 0.0, filter)
-  if object then
-    return object, x, y, nx, ny, fraction
-  end
-end ---@diagnostic disable-line: missing-return
+  -- (A tail call: each thing that is done with the answer is compiled for each way to get there.)
+  return query.raycast(self, x1 + 0.0, y1 + 0.0, x2 + 0.0, y2 + 0.0, filter)
+end
 
 --- Finds what would stop an object on its way by (dx, dy): solids that its mask, theirs and the
 --- world's do not let pass, one-ways on their solid side; not sensors. `canCollide` is not asked.

@@ -13,6 +13,7 @@ local jit = rawget(_G, "jit")
 local LAYOUT = {
   { name = "mass", kind = "number", width = 1 },
   { name = "place", kind = "number", width = 2 },
+  { name = "head", kind = "integer", width = 1 },
   { name = "awake", kind = "boolean", width = 1 },
   { name = "object", kind = "any", width = 1 },
 }
@@ -68,6 +69,9 @@ describe("columns that are checked", function()
         { "mass", 0.5, 1, "index 0.5 in a column of 2" },
         { "mass", 1, false, "false in a column of numbers" },
         { "awake", 1, 0, "0 in a column of booleans" },
+        { "head", 1, 0.5, "0.5 in a column of integers" },
+        { "head", 1, 2 ^ 31, "in a column of integers" },
+        { "head", 1, false, "false in a column of integers" },
       }) do
         assert.error_matches(function()
           owner[row[1]][row[2]] = row[3]

@@ -18,7 +18,7 @@ local grid = {}
 grid.__index = grid
 
 local floor, max, min = math.floor, math.max, math.min
-local passage, lineShare = aabb.passage, aabb.share
+local passage = aabb.passage
 
 local DEFAULT_CELL = 48
 local LEVELS = 48
@@ -27,30 +27,43 @@ local FIRST_BUCKETS = 64
 local FAR = 4194304
 -- px by which the place of a line may be rounded.
 local SLACK = 1e-3
--- More than the whole of a line, which is 1: where it meets who is not on it.
-local NEVER = 2
+-- A line that goes less than this on an axis, in px, stays within SLACK of where it begins.
+local SHORTEST = 1e-9
+-- Makes any number but 0 more than 1 or less than -1; the smallest ones if it is done twice.
+local VAST = 1e300
 -- By which `hash` multiplies a cell's place and level.
 local FACTOR_X, FACTOR_Y, FACTOR_LEVEL = 73856093, 19349663, 83492791
 -- The same in its key, which no other cell has: a whole number below 2^53 that holds all three.
 local KEY_X, KEY_Y = 1073741824, 64
 
-local LAYOUT = {}
-for n, name in ipairs({
+local LAYOUT = { { name = "key", kind = "number", width = 1 } } -- of the cell
+for _, name in ipairs({
   "list", -- who is in the grid, from 1 on
   "placeOf", -- by slot: place in the list
   "next", -- in the bucket
   "previous",
   "bucket",
   "level",
-  "key", -- of the cell
 }) do
-  LAYOUT[n] = { name = name, kind = "number", width = 1 }
+  LAYOUT[#LAYOUT + 1] = { name = name, kind = "integer", width = 1 }
 end
+-- By bucket, from 1 on: who is first in it.
+local BUCKET_LAYOUT = { { name = "heads", kind = "integer", width = 1 } }
 
-local function clear(heads, count)
-  for bucket = 0, count do
+local function clear(self)
+  local heads = self.heads
+  for bucket = 0, self.buckets do
     heads[bucket] = 0
   end
+end
+
+-- Empties all buckets, and makes so many of them.
+local function makeBuckets(self, count)
+  if count > self.bucketBank.room then
+    bank.grow(self.bucketBank, count)
+  end
+  self.buckets = count
+  clear(self)
 end
 
 --- Returns an empty grid over the columns `b`; `cellSize` in px, default 48.
@@ -60,7 +73,6 @@ function grid.new(b, cellSize)
     cell = cellSize or DEFAULT_CELL,
     count = 0,
     buckets = FIRST_BUCKETS,
-    heads = {},
     -- by level
     members = {},
     reach = {}, -- px: no box of a member is wider or higher; mostly less than the cell
@@ -73,8 +85,8 @@ function grid.new(b, cellSize)
     -- scratch of update
     moved = {},
   }, grid)
-  self.bank = bank.new(self, LAYOUT)
-  clear(self.heads, self.buckets)
+  self.bank, self.bucketBank = bank.new(self, LAYOUT), bank.new(self, BUCKET_LAYOUT)
+  makeBuckets(self, FIRST_BUCKETS)
   for level = 0, LEVELS do
     self.members[level], self.reach[level] = 0, 0
   end
@@ -161,12 +173,17 @@ local function grow(self)
   for n = 1, self.count do
     unfile(self, self.list[n])
   end
-  self.buckets = self.buckets * 4
-  clear(self.heads, self.buckets)
+  makeBuckets(self, self.buckets * 4)
   for n = 1, self.count do
     local i = self.list[n]
     file(self, i, place(self, i))
   end
+end
+
+--- Gives a grid in which nobody is the source of columns that is used now (see bank).
+function grid:adopt()
+  bank.adopt(self.bank, -1)
+  bank.adopt(self.bucketBank, self.buckets)
 end
 
 function grid:insert(i)
@@ -367,13 +384,30 @@ function grid:query(left, top, right, bottom, out)
   return n
 end
 
--- Where the line enters the fat box of slot i, up to rounding; NEVER: it does not.
+-- Which way a line goes that goes by d on an axis: 1 or -1.
+local function wayOf(d)
+  return max(min(d * VAST * VAST + 1, 1), -1)
+end
+
+-- What share of such a line 1 px is, as `aabb.share`; smaller, so that nothing that is worked out
+-- with it is infinite.
+local function lineShare(d)
+  return wayOf(d) / max(d, -d, SHORTEST)
+end
+
+-- One of two numbers, the other one if `isOther` is 1.
+local function choose(one, other, isOther)
+  return one * (1 - isOther) + other * isOther
+end
+
+-- Where the line enters the fat box of slot i, up to rounding; more than 1 if it does not. Without
+-- branches, as most are not entered, and nobody can tell which.
 local function entryOf(fatLow, fatHigh, i, x, y, shareX, shareY)
   local k = 2 * i
   local left, top = fatLow[k] - SLACK - x, fatLow[k + 1] - SLACK - y
   local right, bottom = fatHigh[k] + SLACK - x, fatHigh[k + 1] + SLACK - y
   local enters, leaves = passage(left, top, right, bottom, shareX, shareY)
-  return min(leaves - enters, leaves) >= 0 and enters or NEVER
+  return max(enters, max(enters - leaves, -leaves) * VAST)
 end
 
 -- Walks along a line through the cells of one level, strip by strip across `axis`, its longer one
@@ -384,26 +418,23 @@ end
 --     |  .|   |   |     twice.
 --     +---+---+---+
 --
--- Members, cells and strips go through one loop, since a line passes few of each.
+-- Members, cells and strips go through one loop, since a line passes few of each. Which way it goes
+-- is arithmetic: with branches each of eight ways is a piece of code of its own.
 local function walkLevel(self, level, cell, axis, x, y, dx, dy, line, visit, bound)
   local heads, buckets, nextInBucket, keys = self.heads, self.buckets, self.next, self.key
   local fatLow, fatHigh = self.bodies.fatLow, self.bodies.fatHigh
   local shareX, shareY = lineShare(dx), lineShare(dy)
   -- Along the line is a, across it b.
-  local a1, b1, da, db, share = x, y, dx, dy, shareX
-  local keyA, keyB, factorA, factorB = KEY_X, KEY_Y, FACTOR_X, FACTOR_Y
-  if axis == 1 then
-    a1, b1, da, db, share = y, x, dy, dx, shareY
-    keyA, keyB, factorA, factorB = KEY_Y, KEY_X, FACTOR_Y, FACTOR_X
-  end
-  local base, inverse = level * FACTOR_LEVEL, 1 / buckets
+  local a1, b1, da, db =
+    choose(x, y, axis), choose(y, x, axis), choose(dx, dy, axis), choose(dy, dx, axis)
+  local keyA, keyB = choose(KEY_X, KEY_Y, axis), choose(KEY_Y, KEY_X, axis)
+  local factorA, factorB = choose(FACTOR_X, FACTOR_Y, axis), choose(FACTOR_Y, FACTOR_X, axis)
+  local base, inverse, share, way = level * FACTOR_LEVEL, 1 / buckets, lineShare(da), wayOf(da)
   local lowest, highest, slope = min(a1, a1 + da), max(a1, a1 + da), db * share
-  local reach, part = self.reach[level], 1 / cell
+  local reach, part, isBack = self.reach[level], 1 / cell, 0.5 - 0.5 * way
   local first, last = cellAt(lowest - reach, part), cellAt(highest, part)
-  local way, strip, edge = 1, first - 1, -SLACK
-  if da < 0 then
-    way, strip, edge = -1, last + 1, cell + reach + SLACK
-  end
+  local strip, edge =
+    choose(first - 1, last + 1, isBack), choose(-SLACK, cell + reach + SLACK, isBack)
   -- Strips left behind this one, < 0: it is over; cell of this strip, its last one; who is in it.
   local left, at, lastB, i = last - first + 1, 0, -1, 0
   while left >= 0 do
@@ -474,7 +505,7 @@ function grid:walk(x1, y1, x2, y2, line, visit)
   then
     return walkAll(self, x1, y1, dx, dy, line, visit)
   end
-  local axis = wideY > wideX and 1 or 0
+  local axis = max(min((wideY - wideX) * VAST * VAST, 1), 0)
   for level = 0, self.highest do
     if self.members[level] > 0 and bound >= 0 then
       bound = walkLevel(self, level, cell, axis, x1, y1, dx, dy, line, visit, bound)

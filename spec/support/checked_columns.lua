@@ -6,7 +6,8 @@ local bank = require("physics.bank")
 
 local checked = {}
 
-local EMPTY = { number = 0, boolean = false }
+local EMPTY = { number = 0, integer = 0, boolean = false }
+local MOST = 2 ^ 31 -- integers are below
 
 -- By column, since a column itself must stay empty for `__index` to be asked.
 local valuesOf = setmetatable({}, { __mode = "k" })
@@ -33,9 +34,16 @@ function Column.__index(column, k)
   return value
 end
 
+local function isOf(kind, value)
+  if kind == "integer" then
+    return type(value) == "number" and value % 1 == 0 and value > -MOST and value < MOST
+  end
+  return type(value) == kind
+end
+
 function Column.__newindex(column, k, value)
   checkIndex(column, k)
-  if type(value) ~= kindOf[column] then
+  if not isOf(kindOf[column], value) then
     error(("%s in a column of %ss"):format(tostring(value), kindOf[column]), 2)
   end
   valuesOf[column][k] = value
