@@ -89,6 +89,13 @@ local function writeAccepted(v, found, count, filter, out)
   return n
 end
 
+-- Takes out of a list what is behind place n.
+local function shorten(out, n)
+  for m = #out, n + 1, -1 do
+    out[m] = nil
+  end
+end
+
 -- Writes the objects in `found` that the filter accepts into `out`, in the order of `found`.
 local function publish(v, found, count, filter, out)
   out = out or {}
@@ -98,8 +105,8 @@ local function publish(v, found, count, filter, out)
   else
     n = writeAll(v, found, count, out)
   end
-  for m = #out, n + 1, -1 do
-    out[m] = nil
+  if #out > n then
+    shorten(out, n)
   end
   view.give(v, found)
   return out, n
@@ -496,6 +503,7 @@ end
 
 interpreted.functions(
   accepts,
+  shorten, -- mostly by one or two: unrolled, it is followed by all that comes, each time
   writeAccepted,
   pick,
   query.segment,
