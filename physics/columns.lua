@@ -281,16 +281,16 @@ local SLOT_LIST = {
 local SIDE = { "touchBest", "touchWidth" }
 
 -- Of all these, what holds whole numbers that stay small: slots, pairs, places, sides, counts of
--- one step. (Not what counts steps or stamps, which grows for as long as the game is played.)
+-- one step. (Not what counts steps, stamps or changes, which grows as long as the game is played.)
 local WHOLE = {}
 for _, names in ipairs({
   { "seat", "kind", "awakeAt", "ground", "level", "cargo", "nextCargo", "goesWith", "towerBegin" },
   { "towerThrough", "meetings", "loneOf", "follows", "lastFooting", "lastFlank", "support" },
   { "carrier", "carrierNow", "placed", "head", "holderLow", "holderHigh", "crushLow" },
-  { "crushHigh", "changes", "weld", "weldNext", "touchBest", "pairA", "pairB", "contact", "hit" },
-  { "met", "nudged", "event", "waits", "turn", "lastTurn", "wedged", "touches", "settled" },
+  { "crushHigh", "weld", "weldNext", "touchBest", "pairA", "pairB", "contact", "hit" },
+  { "met", "nudged", "event", "waits", "turn", "lastTurn", "wedged", "touches" },
   { "live", "touchList", "flushAlong", "flushAcross", "turnPair", "turnUp", "turnLow" },
-  { "turnSide", "turnSeen", "turnOrder", "landed", "odd", "near", "nearCode", "touchPairs" },
+  { "turnSide", "turnOrder", "landed", "odd", "near", "nearCode", "touchPairs" },
   { "closePairs", "otherPairs", "other", "next", "previous", "movers", "awakeList", "rich" },
   { "offerAt", "offerWho", "rivals", "sortFrom", "sortTo", "sortDigit" },
 }) do
