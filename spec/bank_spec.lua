@@ -93,8 +93,8 @@ describe("columns that are checked", function()
   -- kept that 32 bits hold.
   it("hold what has been counted in a game that is played for years", function()
     local YEARS = 2 ^ 40
-    local COUNTED =
-      { "step", "stamp", "liveStamp", "gatherStamp", "changeStamp", "links", "awakenings" }
+    local counted = { "step", "stamp", "liveStamp", "gatherStamp", "changeStamp", "links" }
+    counted[#counted + 1] = "awakenings"
     local function newPile()
       local world, boxes = physics.newWorld({ gravity = 800 }), {}
       world:add("tiles", { x = 0, y = 200, width = 200, height = 20, static = true })
@@ -115,7 +115,7 @@ describe("columns that are checked", function()
         old:update(1 / 60)
         local b = rawget(old, "_bodies")
         if step == 10 then
-          for _, name in ipairs(COUNTED) do
+          for _, name in ipairs(counted) do
             b[name] = b[name] + YEARS
           end
           for k = 2, 2 * b.slots + 1 do
