@@ -89,8 +89,8 @@ describe("columns that are checked", function()
     assert.equal(expected, found)
   end)
 
-  -- What counts steps, stamps and changes grows for ever, and must not stand where whole numbers are
-  -- kept that 32 bits hold.
+  -- What counts steps, stamps and changes grows for ever, and must not stand where whole numbers
+  -- are kept that 32 bits hold.
   it("hold what has been counted in a game that is played for years", function()
     local YEARS = 2 ^ 40
     local counted = { "step", "stamp", "liveStamp", "gatherStamp", "changeStamp", "links" }
