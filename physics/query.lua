@@ -363,7 +363,8 @@ local function describeHit(v, world, i, x1, y1, dx, dy, filter)
   end
   -- (Twice, since a line may be as short as a number can be.)
   local back = (dx * (axis - 1) - dy * axis) * VAST * VAST
-  local k, other, isBack = 2 * i + axis, 1 - axis, max(min(back, 1), 0)
+  local other, isBack = 1 - axis, max(min(back, 1), 0) ---@type number, number
+  local k = 2 * i + axis
   local edge, normal = v.position[k] + v.size[k] * isBack, 2 * isBack - 1
   x, y = edge * other + x * axis, edge * axis + y * other
   return v.object[i], x, y, normal * other + 0, normal * axis + 0, at

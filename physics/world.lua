@@ -596,7 +596,8 @@ end
 function World:raycast(x1, y1, x2, y2, filter)
   checkQuestion(self, "raycast(x1, y1, x2, y2)", filter)
   checkLine(x1, y1, x2, y2, "world:raycast(x1, y1, x2, y2)")
-  -- (A tail call: each thing that is done with the answer is compiled for each way to get there.)
+  -- (A tail call: what is done with the answer is compiled anew for each way to get there.)
+  ---@diagnostic disable-next-line: missing-return-value
   return query.raycast(self, x1 + 0.0, y1 + 0.0, x2 + 0.0, y2 + 0.0, filter)
 end
 

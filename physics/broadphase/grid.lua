@@ -468,7 +468,8 @@ end
 -- The nearest one is visited first: it mostly is the only one.
 local function walkAll(self, x, y, dx, dy, line, visit)
   local list, fatLow, fatHigh = self.list, self.bodies.fatLow, self.bodies.fatHigh
-  local shareX, shareY, nearest, bound = lineShare(dx), lineShare(dy), 0, 1
+  local shareX, shareY = lineShare(dx), lineShare(dy)
+  local nearest, bound = 0, 1 ---@type number, number
   for at = 1, self.count do
     local enters = entryOf(fatLow, fatHigh, list[at], x, y, shareX, shareY)
     if enters <= bound then
