@@ -593,7 +593,7 @@ function collect.refresh(b, i)
   markMoved(b, i)
   rest.wake(b, i)
   view.refresh(b, object)
-  roster.relist(b.group[i])
+  roster.reread(b.group[i])
   b.newcomers = true
 end
 

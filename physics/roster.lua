@@ -41,9 +41,9 @@ end
 --- of this name, and is nobody else's ever, `wasFilled` is for `collect`, `source` is the game's
 --- table (the object itself if `direct`), `list` who was in it and `slots` theirs, `plain` says
 --- that the keys are just 1 to `count`, `mixed` that they once were others, or out of order, and
---- `isSingular` that everybody in it was equal to nobody else when it was read. Of a stale one
---- those before place `follows` of the list stand before place `first` of the table now, in the
---- same order, without those at the places in `gaps`; what is behind them now waits in `tail`.
+--- `isSingular` that everybody in it is static and equal to nobody else (see `firstOther`). Of a
+--- stale one those before place `follows` of the list stand before place `first` of the table now,
+--- in the same order, without those at the places in `gaps`; what is behind waits in `tail`.
 function roster.new()
   return {
     source = false,
@@ -103,6 +103,9 @@ local function hasJust(record, count)
   if count <= FEW or record.mixed then
     return countKeys(source) == count
   end
+  if rawget(source, count + 1) ~= nil then
+    return false
+  end
   -- Keys beyond the last number follow it in the table, unless that has room left from others.
   return next(source, count) == nil or countKeys(source) == count
 end
@@ -110,7 +113,8 @@ end
 -- The first place, from n on, at which a numbered group does not hold who stood `gap` places
 -- further on in the list; behind the list if there is none. One comparison an object; a raw one,
 -- since the objects of a game may be "equal" by a metamethod. Where none of them can be, and the
--- table has none either, that needs no call, which takes an interpreter three times as long.
+-- table has none either, that needs no call, which takes an interpreter three times as long. (Only
+-- of static ones, which are read once: one that gets a metatable later is to be refreshed.)
 local function firstOther(record, n, gap)
   local source, list, last = record.source, record.list, record.count - gap
   if gap == 0 and record.isSingular and getmetatable(source) == nil then
@@ -239,6 +243,12 @@ end
 --- place `sameUntil` are who they were, and those from there to `newFrom` were in the group, too.
 function roster.relist(record)
   record.isListed, record.sameUntil, record.newFrom = false, 1, 1
+end
+
+--- Says that somebody in a group was read anew: it may be of another kind, and equal to others.
+function roster.reread(record)
+  roster.relist(record)
+  record.isSingular = false
 end
 
 --- Returns how the game would write the place of an object.
@@ -486,8 +496,9 @@ local function takeTail(record)
   local before = record.first - 1
   local count = before + record.tailCount
   for n = 1, record.tailCount do
-    list[before + n], slots[before + n] = tail[n], tailSlots[n]
-    record.isSingular = record.isSingular and getmetatable(tail[n]) == nil
+    local object = tail[n]
+    list[before + n], slots[before + n] = object, tailSlots[n]
+    record.isSingular = record.isSingular and getmetatable(object) == nil and object.static == true
     tail[n] = nil -- keeps nobody alive
   end
   for n = count + 1, record.count do

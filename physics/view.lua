@@ -8,9 +8,9 @@
 -- Finding every change takes a look at every object, which the first question after a step does.
 -- Those that follow compare the number of objects in each group, look at whoever they find nearby,
 -- and in a world of up to `FEW` objects again at everybody. What a later question in a larger world
--- may miss until the next update: an object that the game has, after the first question, moved by
--- more than `MARGIN`, or put into a group of the same size by assignment. `add`, `remove`, `move`
--- and `refresh` tell it at once.
+-- may miss until the next update: an object that the game has, after the first question, moved or
+-- made larger by more than `LEFT`, or put into a group of the same size by assignment. `add`,
+-- `remove`, `move` and `refresh` tell it at once.
 --
 -- Reads of the core only which objects are static and where those are: they are read once.
 
@@ -30,8 +30,9 @@ local STATIC = columns.STATIC
 
 -- Kind of an object that the core has read anew.
 local UNREAD = 0
--- px around an object in which it may move without being filed anew.
-local MARGIN = 6
+-- px around an object in which it may move without being filed anew, and what must be left of that
+-- when it is looked at.
+local MARGIN, LEFT = 6, 3
 -- px around a way within which somebody may be met.
 local SLACK = 1
 -- px, cells of the grid: what is up to 28 px wide fits into one with its margin.
@@ -66,6 +67,7 @@ local function new()
     movers = {}, -- slots of those whose fields may change: everybody but the static the core knows
     moverCount = 0,
     lengths = {}, -- of the groups' tables, by place of the group
+    isTold = false, -- somebody was added or removed since they were looked at
     roster = roster.new(),
     order = false,
     masks = false,
@@ -164,14 +166,14 @@ end
 
 -- The grid ----------------------------------------------------------------------------------------
 
-local function hasLeft(v, i)
+local function mustMove(v, i)
   local position, size, fatLow, fatHigh, k = v.position, v.size, v.fatLow, v.fatHigh, 2 * i
   return max(
     fatLow[k] - position[k],
     position[k] + size[k] - fatHigh[k],
     fatLow[k + 1] - position[k + 1],
     position[k + 1] + size[k + 1] - fatHigh[k + 1]
-  ) > 0
+  ) > -LEFT
 end
 
 local function fatten(v, i)
@@ -181,13 +183,13 @@ local function fatten(v, i)
   end
 end
 
--- Looks at those in list[1..count], and files anew who has left its place.
+-- Looks at those in list[1..count], and files anew who has nearly left its place.
 local function followAll(v, list, count)
   lookAtAll(v, list, count)
   local strays, m = v.strays, 0
   for n = 1, count do
     local i = list[n]
-    if hasLeft(v, i) then
+    if mustMove(v, i) then
       fatten(v, i)
       m = m + 1
       strays[m] = i
@@ -196,7 +198,7 @@ local function followAll(v, list, count)
   v.grid:update(strays, m)
 end
 
---- Looks at an object and files it anew if it has left its place.
+--- Looks at an object and files it anew if it has nearly left its place.
 --- Errors: a place, size or `active` that cannot be used.
 function view.follow(v, i)
   v.single[1] = i
@@ -271,6 +273,7 @@ local function lookAtGroups(v, world)
   for n = 1, r.groupCount do
     v.lengths[n] = #r.groups[n].source
   end
+  v.isTold = false
 end
 
 -- Whether a list still ends where it did. (`#` would look for its end anew.)
@@ -281,7 +284,7 @@ end
 -- Whether no group seems to have changed, in a world too large for looking at everybody.
 local function seemsUnchanged(v, world)
   local r, objects = v.roster, world.objects
-  if v.count <= FEW or not rawequal(r.source, objects) or world.order ~= v.order then
+  if v.isTold or v.count <= FEW or not rawequal(r.source, objects) or world.order ~= v.order then
     return false
   end
   for n = 1, r.groupCount do
@@ -351,12 +354,20 @@ function view.outdate(b)
   end
 end
 
+--- Somebody was added or removed: the groups are looked at before the next question.
+function view.tell(b)
+  if b.view then
+    b.view.isTold = true
+  end
+end
+
 --- The core has read an object anew, also what it reads only once.
 function view.refresh(b, object)
   local v = b.view
   local i = v and v.slotOf[object]
   if i then
     v.live[i], v.kind[i] = true, UNREAD
+    roster.reread(v.group[i])
     list(v, i)
     v.fresh = false
   end

@@ -200,6 +200,7 @@ local function put(self, group, object)
   local members = groupFor(self, group)
   members[#members + 1] = object
   self._bodies.roster.groupGiven[object] = group
+  view.tell(self._bodies)
   return object
 end
 
@@ -304,6 +305,7 @@ function World:remove(object)
     members[key] = nil
   end
   self._bodies.roster.groupGiven[object] = nil
+  view.tell(self._bodies)
   return true
 end
 
@@ -813,6 +815,7 @@ function World:setBounds(x, y, w, h)
     check.positive(h, "h", where)
   end
   self._walls = bounds.set(self.objects, self._walls, x, y, w, h)
+  view.tell(self._bodies)
 end
 
 --- Adds what stands in a map of the editor Tiled: its rectangles and tile objects, and its solid

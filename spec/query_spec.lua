@@ -500,6 +500,16 @@ describe("a filter", function()
     assert.are.equal("1 3 2 4", table.concat(asked, " "))
   end)
 
+  it("is told where it hits, also if it is as short as a number can be", function()
+    for _, length in ipairs({ 1e-290, 1e-305, 4.9406564584124654e-324 }) do
+      local left, above = still(), still()
+      left:add("a", tile(-16, -8, 16, 16))
+      above:add("a", tile(-8, -16, 16, 16))
+      assert.are.same({ 0, 0, 1, 0, 0 }, { select(2, left:raycast(0, 0, -length, 0)) })
+      assert.are.same({ 0, 0, 0, 1, 0 }, { select(2, above:raycast(0, 0, 0, -length)) })
+    end
+  end)
+
   -- A ray is looked at in pieces, the first of 48 px.
   it("is asked about nobody twice where two pieces of a ray meet", function()
     local world, asked = still(), {}
@@ -554,6 +564,44 @@ for name, build in pairs({ small = small, large = large }) do
         if step > 2 then
           world:update(1 / 60)
         end
+      end
+    end)
+
+    it("sees who came for somebody who went from the same group", function()
+      local world = build()
+      local first = world:add("a", box(0, 0, 10, 10))
+      world:add("a", box(30, 0, 10, 10))
+      world:update(1 / 60)
+      assert.are.equal(0, count(world, 105, 5))
+      world:remove(first)
+      local second = world:add("a", box(100, 0, 10, 10))
+      assert.are.equal(1, count(world, 105, 5))
+      assert.are.equal(second, (world:raycast(80, 5, 200, 5)))
+      world:add("a", box(200, 0, 10, 10))
+      world:remove(second)
+      assert.are.equal(1, count(world, 205, 5))
+      assert.are.equal(0, count(world, 105, 5))
+      world:setBounds(300, 0, 50, 50)
+      assert.are.equal(1, count(world, 299, 5))
+      world:setBounds(400, 0, 50, 50)
+      assert.are.equal(0, count(world, 299, 5))
+      assert.are.equal(1, count(world, 399, 5))
+    end)
+
+    -- Wherever the simulation has moved it before.
+    it("sees what was moved or made larger by 3 px by hand", function()
+      local world = build()
+      local object = world:add("a", box(0, 0, 10, 10, { vx = 60 }))
+      for step = 1, 12 do
+        world:update(1 / 60)
+        assert.are.equal(step, object.x)
+        assert.are.equal(0, count(world, step + 10.5, 5))
+        object.x, object.y = object.x + 3, 3
+        assert.are.equal(1, count(world, step + 12.5, 12.5))
+        assert.are.equal(0, count(world, step + 2.5, 5))
+        object.x, object.y, object.width = step, 0, 13
+        assert.are.equal(1, count(world, step + 12.5, 5))
+        object.width = 10
       end
     end)
 

@@ -306,6 +306,68 @@ describe("the roster", function()
     assert.equal(3, b.count)
   end)
 
+  it("sees that too where they became members of their class later", function()
+    local class = {
+      __eq = function(one, other)
+        return one.id == other.id
+      end,
+    }
+    for _, row in ipairs({ { "movers" }, { "static ones that are refreshed", true } }) do
+      local isStatic = row[2]
+      local world = physics.newWorld({ gravity = 0 })
+      local function newBox(x)
+        return { id = 1, x = x, y = 0, width = 10, height = 10, vx = 60, static = isStatic }
+      end
+      local first, second = world:add("a", newBox(0)), setmetatable(newBox(100), class)
+      world:update(1 / 60)
+      assert.equal(1, select(2, world:queryPoint(5, 5)))
+      setmetatable(first, class)
+      if isStatic then
+        world:refresh(first)
+        world:update(1 / 60)
+      end
+      world.objects.a[1] = second
+      world:update(1 / 60)
+      assert.equal(isStatic and 100 or 101, second.x)
+      local found, count = world:queryPoint(105, 5)
+      assert.equal(1, count, row[1])
+      assert.is_true(rawequal(second, found[1]))
+      assert.is_false(world:remove(first))
+    end
+  end)
+
+  -- On plain Lua the number after the last one may stand before that, where others have gone.
+  it("sees who is added to a table that holds its numbers in any order", function()
+    local tried = 0
+    for late = 1, 9 do
+      for gone = 1, 9 do
+        for count = 65, 68 do
+          local group = {}
+          for i = 1, 64 - late do
+            group[i] = newObject()
+          end
+          for i = 65, 64 + gone do
+            group[i] = true
+          end
+          for i = 65, 64 + gone do
+            group[i] = nil
+          end
+          for i = 65 - late, count do
+            group[i] = newObject()
+          end
+          local objects = { group = group }
+          local b, r = newBook(function() end), roster.new()
+          update(b, r, objects)
+          table.insert(group, newObject())
+          update(b, r, objects)
+          tried = tried + 1
+          assert.equal(count + 1, b.count, late .. " " .. gone .. " " .. count)
+        end
+      end
+    end
+    assert.equal(324, tried)
+  end)
+
   -- Passes the check, and fails when it is read.
   local function newUnreadable()
     local reads = 0
