@@ -112,12 +112,14 @@ end
 
 -- The first place, from n on, at which a numbered group does not hold who stood `gap` places
 -- further on in the list; behind the list if there is none. One comparison an object; a raw one,
--- since the objects of a game may be "equal" by a metamethod. Where none of them can be, and the
--- table has none either, that needs no call, which takes an interpreter three times as long. (Only
--- of static ones, which are read once: one that gets a metatable later is to be refreshed.)
+-- since the objects of a game may be "equal" by a metamethod. Where none of them can be, that needs
+-- no call, which takes an interpreter three times as long. (Only of static ones, which are read
+-- once: one that gets a metatable later is to be refreshed.)
 local function firstOther(record, n, gap)
   local source, list, last = record.source, record.list, record.count - gap
-  if gap == 0 and record.isSingular and getmetatable(source) == nil then
+  -- (Without a metatable every access is a raw one, and needs no call.)
+  local isRaw = getmetatable(source) == nil
+  if gap == 0 and isRaw and record.isSingular then
     for at = n, last do
       if source[at] ~= list[at] then
         return at
@@ -126,7 +128,13 @@ local function firstOther(record, n, gap)
     return last + 1
   end
   for at = n, last do
-    if not rawequal(rawget(source, at), list[at + gap]) then
+    local object
+    if isRaw then
+      object = source[at]
+    else
+      object = rawget(source, at)
+    end
+    if not rawequal(object, list[at + gap]) then
       return at
     end
   end
