@@ -93,6 +93,38 @@ describe("world:querySegment", function()
     assert.are.equal("", names(world:querySegment(-10, 50, 100, 50)))
   end)
 
+  -- In a grid of 64 buckets, in which cells that are far apart meet.
+  it("tells everybody once, among many", function()
+    local world, random, boxes = still(), newRandom(77), {}
+    for i = 1, 60 do
+      local x, y = random:between(-500, 500), random:between(-500, 500)
+      local size = random:pick({ 4, 12, 40, 150 })
+      boxes[i] = world:add("b", box(x, y, size, size, { name = tostring(i) }))
+    end
+    local function isOn(object, x, y, dx, dy)
+      local a, b = (object.x - x) / dx, (object.x + object.width - x) / dx
+      local c, d = (object.y - y) / dy, (object.y + object.height - y) / dy
+      local enters = math.max(math.min(a, b), math.min(c, d), 0)
+      return enters < math.min(math.max(a, b), math.max(c, d), 1)
+    end
+    local found = 0
+    for _ = 1, 400 do
+      local x, y = random:between(-500, 500), random:between(-500, 500)
+      local dx, dy = random:between(-600, 600), random:between(-600, 600)
+      local list, n = world:querySegment(x, y, x + dx, y + dy)
+      local expected = 0
+      for _, object in ipairs(boxes) do
+        expected = expected + (isOn(object, x, y, dx, dy) and 1 or 0)
+      end
+      assert.are.equal(expected, n)
+      for i = 2, n do
+        assert.are_not.equal(list[i - 1], list[i])
+      end
+      found = found + n
+    end
+    assert.is_true(found > 300)
+  end)
+
   it("tells equal ones in order", function()
     local world = still()
     for i = 1, 5 do
@@ -498,6 +530,17 @@ describe("a filter", function()
       asked[#asked + 1] = object.name
     end)
     assert.are.equal("1 3 2 4", table.concat(asked, " "))
+  end)
+
+  it("is told no negative zero", function()
+    local world = still()
+    world:add("b", box(-10, -10, 20, 20))
+    for _, line in ipairs({ { -20, 0 }, { 20, 0 }, { 0, -20 }, { 0, 20 }, { -10, 0 }, { 0, 10 } }) do
+      local _, x, y, nx, ny, fraction = world:raycast(line[1], line[2], -line[1] / 2, -line[2] / 2)
+      for _, number in ipairs({ x, y, nx, ny, fraction }) do
+        assert.is_true(number ~= 0 or 1 / number > 0)
+      end
+    end
   end)
 
   it("is told where it hits, also if it is as short as a number can be", function()

@@ -294,16 +294,22 @@ describe("the roster", function()
       end,
     }
     local function newEqual()
-      return setmetatable(newObject(), class)
+      local object = newObject()
+      object.static = true
+      return setmetatable(object, class)
     end
     local objects = { crates = setmetatable({ newEqual() }, class), tiles = newEqual(), [7] = {} }
+    objects.walls = { newEqual(), newEqual() }
     local b, r = newBook(function() end), roster.new()
     update(b, r, objects)
-    local old = objects.tiles
+    local old, wall = objects.tiles, objects.walls[2]
     objects.tiles, objects.crates = newEqual(), setmetatable({ newEqual(), newEqual() }, class)
+    objects.walls[2] = newEqual()
     update(b, r, objects)
     assert.is_nil(rawget(b.slotOf, old))
-    assert.equal(3, b.count)
+    assert.is_nil(rawget(b.slotOf, wall))
+    assert.is_not_nil(rawget(b.slotOf, objects.walls[2]))
+    assert.equal(5, b.count)
   end)
 
   it("sees that too where they became members of their class later", function()
