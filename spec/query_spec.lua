@@ -535,8 +535,10 @@ describe("a filter", function()
   it("is told no negative zero", function()
     local world = still()
     world:add("b", box(-10, -10, 20, 20))
-    for _, line in ipairs({ { -20, 0 }, { 20, 0 }, { 0, -20 }, { 0, 20 }, { -10, 0 }, { 0, 10 } }) do
-      local _, x, y, nx, ny, fraction = world:raycast(line[1], line[2], -line[1] / 2, -line[2] / 2)
+    local froms = { { -20, 0 }, { 20, 0 }, { 0, -20 }, { 0, 20 }, { -10, 0 }, { 0, 10 } }
+    for _, from in ipairs(froms) do
+      local x1, y1 = from[1], from[2]
+      local _, x, y, nx, ny, fraction = world:raycast(x1, y1, -x1 / 2, -y1 / 2)
       for _, number in ipairs({ x, y, nx, ny, fraction }) do
         assert.is_true(number ~= 0 or 1 / number > 0)
       end
