@@ -72,7 +72,6 @@ function grid.new(b, cellSize)
     bodies = b,
     cell = cellSize or DEFAULT_CELL,
     count = 0,
-    buckets = FIRST_BUCKETS,
     -- by level
     members = {},
     reach = {}, -- px: no box of a member is wider or higher; mostly less than the cell
@@ -429,7 +428,8 @@ local function walkLevel(self, level, cell, axis, x, y, dx, dy, line, visit, bou
     choose(x, y, axis), choose(y, x, axis), choose(dx, dy, axis), choose(dy, dx, axis)
   local keyA, keyB = choose(KEY_X, KEY_Y, axis), choose(KEY_Y, KEY_X, axis)
   local factorA, factorB = choose(FACTOR_X, FACTOR_Y, axis), choose(FACTOR_Y, FACTOR_X, axis)
-  local base, inverse, share, way = level * FACTOR_LEVEL, 1 / buckets, lineShare(da), wayOf(da)
+  local base, inverse = level * FACTOR_LEVEL, 1 / buckets
+  local share, way = choose(shareX, shareY, axis), wayOf(da)
   local lowest, highest, slope = min(a1, a1 + da), max(a1, a1 + da), db * share
   local reach, part, isBack = self.reach[level], 1 / cell, 0.5 - 0.5 * way
   local first, last = cellAt(lowest - reach, part), cellAt(highest, part)
