@@ -17,7 +17,7 @@ local bank = require(here .. ".bank")
 local grid = {}
 grid.__index = grid
 
-local floor, max, min = math.floor, math.max, math.min
+local floor, huge, max, min = math.floor, math.huge, math.max, math.min
 local passage = aabb.passage
 
 local DEFAULT_CELL = 48
@@ -76,6 +76,7 @@ function grid.new(b, cellSize)
     members = {},
     reach = {}, -- px: no box of a member is wider or higher; mostly less than the cell
     highest = 0,
+    vast = 0, -- huge while somebody is wider than the largest cells (see `lookForVast`)
     -- scratch of overlaps: cells to look at, and who asks
     cells = {},
     ranges = {},
@@ -239,10 +240,16 @@ end
 -- three times make bad traces.) A rectangle of cells is six numbers side by side, a cell is three.
 local RANGE, CELL = 6, 3
 
+-- Somebody who is wider than the largest cells may reach over any number of them: while there is
+-- one, everybody is asked.
+local function lookForVast(self)
+  self.vast = self.reach[LEVELS] > self.cell * 2 ^ LEVELS + SLACK and huge or 0
+end
+
 -- Whether so many cells are in question that looking at everybody is cheaper.
 local function isWide(self, width, height)
   local cell = self.cell
-  return (width / cell + 3) * (height / cell + 3) > 16 + self.count
+  return (width / cell + 3) * (height / cell + 3) > 16 + self.count - self.vast
 end
 
 -- Lists the cells of one level in which something may meet the fat boxes of those in `list`.
@@ -353,6 +360,7 @@ end
 --- it meets, itself included, into `found`; returns how many.
 function grid:overlaps(list, count, askers, found)
   local ranges, cell = 0, self.cell
+  lookForVast(self)
   for level = 0, self.highest do
     if self.members[level] > 0 then
       ranges = addRanges(self, list, count, level, cell, ranges)
@@ -499,8 +507,9 @@ end
 function grid:walk(x1, y1, x2, y2, line, visit)
   local dx, dy, cell, bound = x2 - x1, y2 - y1, self.cell, 1
   local wideX, wideY = max(dx, -dx), max(dy, -dy)
+  lookForVast(self)
   if
-    3 * (max(wideX, wideY) / cell + 2) > 16 + self.count
+    3 * (max(wideX, wideY) / cell + 2) > 16 + self.count - self.vast
     -- So far out cells are shared (see `cellAt`).
     or max(x1, -x1, x2, -x2, y1, -y1, y2, -y2) >= (FAR - 2) * cell
   then
