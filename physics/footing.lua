@@ -21,12 +21,12 @@ local STILL, TINY = columns.STILL, columns.TINY
 local EVEN, ROUNDING = impact.EVEN, impact.ROUNDING
 local max, min = math.max, math.min
 
--- The side towards the floor and the one away from it, as columns: held, holder, pressed.
+-- Columns of the side towards the floor: held, holder, pressed, and pressed away from it.
 local function sidesOf(b, isUp)
   if isUp then
-    return b.heldLow, b.heldHigh, b.holderLow, b.pressedLow, b.pressedHigh
+    return b.heldLow, b.holderLow, b.pressedLow, b.pressedHigh
   end
-  return b.heldHigh, b.heldLow, b.holderHigh, b.pressedHigh, b.pressedLow
+  return b.heldHigh, b.holderHigh, b.pressedHigh, b.pressedLow
 end
 
 -- A weight on slot i presses on all that it stands on, as in `grip`: notes it in that column, or
@@ -133,8 +133,11 @@ end
 
 -- Whether one that cannot give way has something on it that can, nothing is welded or backed, and
 -- they have not met again and again.
-local function isSimple(b, p, up, low, ku, kl, held, upHeld)
-  local weld, time = b.weld, b.time
+local function isSimple(b, p, up, low, ku, kl, isUp)
+  local weld, time, held, upHeld = b.weld, b.time, b.heldHigh, b.heldLow
+  if isUp then
+    held, upHeld = upHeld, held
+  end
   return held[kl] + (DYNAMIC - b.kind[low]) > 0
     and b.met[p] < WELDS
     and weld[ku] + weld[kl] == 0
@@ -147,8 +150,7 @@ end
 --- bounce, held from below. If that presses, notes for friction by how much, at place x, and that
 --- it was the n-th turn. Returns false if the case is another one; nothing has changed then.
 function footing.putOn(b, n, x, p, side, up, low, ku, kl, isUp, dt)
-  local held, upHeld, holder, pressed, pressedUp = sidesOf(b, isUp)
-  if not isSimple(b, p, up, low, ku, kl, held, upHeld) then
+  if not isSimple(b, p, up, low, ku, kl, isUp) then
     return false
   elseif b.hasCargo and b.down[ku] == 0 and b.cargo[up] > 0 then
     return false -- this is across its own gravity, and somebody may go along with it
@@ -168,6 +170,9 @@ function footing.putOn(b, n, x, p, side, up, low, ku, kl, isUp, dt)
     return false
   end
   press.noteHit(b, p, side, u)
+  -- (Asked for here, and not above: where somebody does not press the trace compiler would have to
+  -- keep them.)
+  local held, holder, pressed, pressedUp = sidesOf(b, isUp)
   local changes = b.changes
   to[ku], changes[ku] = goal, changes[ku] + 1
   if v > 0 then

@@ -326,6 +326,9 @@ end
 -- Lists the turns of pairs that are flush along an axis behind place `last`; returns the last place
 -- then. In the step before there were `before` of them.
 local function listAlong(b, flush, count, axis, last, before, theirs)
+  if count == 0 then
+    return last -- asked here, where the trace compiler need not keep the columns of `findLow`
+  end
   local first = last + 1
   last = findLow(b, flush, count, axis, last)
   if last >= first then
