@@ -155,38 +155,43 @@ function footing.putOn(b, n, x, p, side, up, low, ku, kl, isUp, dt)
   elseif b.hasCargo and b.down[ku] == 0 and b.cargo[up] > 0 then
     return false -- this is across its own gravity, and somebody may go along with it
   end
-  local to, size, speed, accel, drive = b.to, b.size, b.speed, b.accel, b.drive
-  local sign = isUp and -1 or 1
-  local v, pull = (speed[ku] - speed[kl]) * sign, (drive[ku] - drive[kl]) * sign
-  local goal = isUp and to[kl] + size[kl] or to[kl] - size[ku]
-  local o = isUp and goal - to[ku] or to[ku] + size[ku] - to[kl]
-  -- They touch already: the simple half of `impact.at`.
-  local start = v - (accel[ku] - accel[kl]) * sign * dt
-  if pull < -EVEN or start <= -STILL or o < (v + start) * 0.5 * dt * (1 - ROUNDING) then
-    return false
+  local v ---@type number
+  -- (A block, so that at the last question of all LuaJIT need not keep what is in it.)
+  do
+    local to, size, speed, accel, drive = b.to, b.size, b.speed, b.accel, b.drive
+    local sign = isUp and -1 or 1
+    v = (speed[ku] - speed[kl]) * sign
+    local pull = (drive[ku] - drive[kl]) * sign
+    local goal = isUp and to[kl] + size[kl] or to[kl] - size[ku]
+    local o = isUp and goal - to[ku] or to[ku] + size[ku] - to[kl]
+    -- They touch already: the simple half of `impact.at`.
+    local start = v - (accel[ku] - accel[kl]) * sign * dt
+    if pull < -EVEN or start <= -STILL or o < (v + start) * 0.5 * dt * (1 - ROUNDING) then
+      return false
+    end
+    local u = start > STILL and start or 0
+    if press.bounces(b, up, low, u, pull, dt) then
+      return false
+    end
+    press.noteHit(b, p, side, u)
+    -- (Asked for here, and not above: where somebody does not press the trace compiler would have to
+    -- keep them.)
+    local held, holder, pressed, pressedUp = sidesOf(b, isUp)
+    local changes = b.changes
+    to[ku], changes[ku] = goal, changes[ku] + 1
+    if v > 0 then
+      speed[ku] = speed[kl]
+      b.turnImpulse[x], b.turnShare[x], b.turnLeft[x] = v / b.inverseMass[up], min(u / v, 1.0), dt
+      b.isTurnStale[1] = true -- as after any change of a path, here or by friction
+    end
+    if v > -STILL then
+      -- It leans on `low` from now on.
+      accel[ku], drive[ku] = accel[kl], drive[kl]
+      pressed[ku], held[ku], holder[ku] = true, 1, low
+      pressedUp[kl] = true -- means nothing for one that is not dynamic
+    end
+    b.turnSeen[x] = changes[ku] + changes[kl]
   end
-  local u = start > STILL and start or 0
-  if press.bounces(b, up, low, u, pull, dt) then
-    return false
-  end
-  press.noteHit(b, p, side, u)
-  -- (Asked for here, and not above: where somebody does not press the trace compiler would have to
-  -- keep them.)
-  local held, holder, pressed, pressedUp = sidesOf(b, isUp)
-  local changes = b.changes
-  to[ku], changes[ku] = goal, changes[ku] + 1
-  if v > 0 then
-    speed[ku] = speed[kl]
-    b.turnImpulse[x], b.turnShare[x], b.turnLeft[x] = v / b.inverseMass[up], min(u / v, 1.0), dt
-    b.isTurnStale[1] = true -- as after any change of a path, here or by friction
-  end
-  if v > -STILL then
-    -- It leans on `low` from now on.
-    accel[ku], drive[ku] = accel[kl], drive[kl]
-    pressed[ku], held[ku], holder[ku] = true, 1, low
-    pressedUp[kl] = true -- means nothing for one that is not dynamic
-  end
-  b.turnSeen[x] = changes[ku] + changes[kl]
   -- Last, as many floors have no friction: what follows a branch is compiled for either way.
   if v > 0 and b.friction[up] ~= 0 and b.friction[low] ~= 0 then
     b.landedCount = b.landedCount + 1
