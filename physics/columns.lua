@@ -114,7 +114,7 @@ local SLOT = {
   nextCargo = 0, -- another one that stands where this does
   goesWith = 0, -- on what that is
   taken = 0, -- step in which it was taken along so
-  dragged = false, -- friction could not bring it to the speed it was last asked for (see tower)
+  dragged = 0, -- 1: friction could not bring it to the speed it was last asked for (see tower)
   dragImpulse = 0, -- what it could give then
   dragFrom = 0, -- the speed that it had before, px/s
   dragWay = 0, -- and how much further it goes now, px
@@ -423,6 +423,14 @@ function columns.new()
     turnLowTo = 0, -- where the low one would have come to, and the high one
     turnHighTo = 0,
     turnJoins = 0, -- 1: they go on as one
+    pushLowTo = 0, -- where two who push each other come to without that (see resolve)
+    pushHighTo = 0,
+    pushLowSpeed = 0, -- and how fast they are then
+    pushHighSpeed = 0,
+    pushLowWeight = 0, -- their inverse masses; 0: cannot give way
+    pushHighWeight = 0,
+    pushSpeed = 0, -- how much slower against each other their impact makes them, px/s
+    pushLends = false, -- what a limit kept from them has its part in it
     isTurnStale = { [0] = true, true }, -- somebody may press along gravity (0), across it (1)
     turnPass = -1, -- the pass, of all in this step, that has begun last (see meet)
     footingCount = 0, -- turns along gravity, which come first

@@ -156,7 +156,8 @@ function footing.putOn(b, n, x, p, side, up, low, ku, kl, isUp, dt)
     return false -- this is across its own gravity, and somebody may go along with it
   end
   local v ---@type number
-  -- (A block, so that at the last question of all LuaJIT need not keep what is in it.)
+  -- (A block, so that LuaJIT need not keep what is in it at the last question. For the same reason
+  -- the sides are asked for so late: where somebody does not press nobody needs them.)
   do
     local to, size, speed, accel, drive = b.to, b.size, b.speed, b.accel, b.drive
     local sign = isUp and -1 or 1
@@ -174,8 +175,6 @@ function footing.putOn(b, n, x, p, side, up, low, ku, kl, isUp, dt)
       return false
     end
     press.noteHit(b, p, side, u)
-    -- (Asked for here, and not above: where somebody does not press the trace compiler would have to
-    -- keep them.)
     local held, holder, pressed, pressedUp = sidesOf(b, isUp)
     local changes = b.changes
     to[ku], changes[ku] = goal, changes[ku] + 1

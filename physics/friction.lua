@@ -239,6 +239,20 @@ local function slideBoth(b, k, m, sign, isAgainst, u, a, tau, impact, weight)
   return stop * sign, way * sign, before * sign
 end
 
+-- Makes two slower against each other by what friction took off, each by its share (inverse masses
+-- `wl`, `wh`). `left` is 0 if they do not move against each other then.
+local function slow(b, kl, kh, wl, wh, dSpeed, dWay, left, tau, t)
+  if max(left, wh) == 0 then
+    return stick(b, kl, kh, dSpeed, tau, t)
+  elseif max(left, wl) == 0 then
+    return stick(b, kh, kl, -dSpeed, tau, t)
+  end
+  -- The shares first: that of one who rubs on a wall is 1 then, and it stops to the bit.
+  local shareL, shareH = wl / (wl + wh), wh / (wl + wh)
+  shift(b, kl, dSpeed * shareL, dWay * shareL, tau, t)
+  return shift(b, kh, -dSpeed * shareH, -dWay * shareH, tau, t)
+end
+
 local function rubBoth(b, lo, hi, kl, kh, mu, jn, share, tau, t)
   if b.weld[kl] ~= 0 and b.weld[kl] == b.weld[kh] then
     return
@@ -257,16 +271,8 @@ local function rubBoth(b, lo, hi, kl, kh, mu, jn, share, tau, t)
   local isWall = wl == 0 or wh == 0
   local impact, weight = limit * share, limit * (1 - share)
   local stop, way, before = slideBoth(b, k, m, sign, isWall, u, a, tau, impact, weight)
-  local dSpeed, dWay = stop - u, way - before
-  if stop == 0 and way == 0 and wh == 0 then
-    return stick(b, kl, kh, dSpeed, tau, t)
-  elseif stop == 0 and way == 0 and wl == 0 then
-    return stick(b, kh, kl, -dSpeed, tau, t)
-  end
-  -- The shares first: that of one who rubs on a wall is 1 then, and it stops to the bit.
-  local shareL, shareH = wl / w, wh / w
-  shift(b, kl, dSpeed * shareL, dWay * shareL, tau, t)
-  return shift(b, kh, -dSpeed * shareH, -dWay * shareH, tau, t)
+  local left = max(stop, -stop, way, -way)
+  return slow(b, kl, kh, wl, wh, stop - u, way - before, left, tau, t)
 end
 
 -- Adds to the accelerations of two what has made them faster by `gainU` and `gainL` px/s over the

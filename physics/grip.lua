@@ -23,10 +23,12 @@ grip.ALL = 1 - ROUNDING
 local ALL = grip.ALL
 
 -- Returns what slot i is rubbed by, if that is rubbed, too; else 0. (Levels go down: of two that
--- are inside each other either may have stood on the other for a moment.)
+-- are inside each other either may have stood on the other for a moment.) No branches: LuaJIT would
+-- have to keep most numbers of a push at each.
 local function below(b, i)
   local low = b.ground[i]
-  return b.level[low] < b.level[i] and b.level[low] > 0 and low or 0
+  local level = b.level[low]
+  return low * min(max(b.level[i] - level, 0), level, 1)
 end
 
 --- Notes what rubs `up`, across gravity: `low`, at a speed of its surface. It can give it an
@@ -128,11 +130,11 @@ function grip.hold(b, i, axis, tau)
   return grip.settle(b, k, goal)
 end
 
--- Whether friction may give slot i anything against going at v px/s.
+-- Whether friction may give slot i anything against going at v px/s. One question.
 local function mayResist(b, i, v)
-  local u = v - b.groundSpeed[i]
-  return b.grip[i] * max(u, -u) * ALL + b.gripUsed[i] * u > 0
-    and (b.level[i] == 1 or b.stuck[b.ground[i]] > 0)
+  local u, level = v - b.groundSpeed[i], b.level[i] - 1
+  local isOnFirm = max(1 - max(level, -level), b.stuck[b.ground[i]])
+  return min(b.grip[i] * max(u, -u) * ALL + b.gripUsed[i] * u, isOnFirm) > 0
 end
 
 --- Whether friction may bear some of a push across gravity, as `bear` does: one of the two, which

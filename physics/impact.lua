@@ -14,31 +14,31 @@ local ROUNDING = impact.ROUNDING
 impact.EVEN = 1e-6
 local EVEN = impact.EVEN
 
--- A speed > -STILL, or 0 if it is hardly one. No branches.
-local function calm(v)
-  return max(v, 0.0) * min(max((v - STILL) * VAST, 0), 1)
+-- px/s: what is slower does not close; with no more px than a number may have, in range.
+local SLOWEST = 1e-200
+
+-- 1 for a number > 0, else 0.
+local function isPositive(v)
+  return min(max(v * VAST, 0), 1)
 end
 
 --- Approach speed at the moment of contact and the time left after it, from what the paths will
--- have become at the end of the step: overlap o, closing speed v, closing acceleration a; `touches`
--- if the paths begin at the contact.
+--- have become at the end of the step: overlap o, closing speed v, closing acceleration a.
+--- `touches` is 1 if the paths begin at the contact, else 0. No branches: most numbers of a hit are
+--- needed later on, and LuaJIT would have to keep them at each.
 function impact.at(o, v, a, left, touches)
   local start = v - a * left
-  if touches and start > -STILL and o >= (v + start) * 0.5 * left * (1 - ROUNDING) then
-    -- They touch from the beginning of their paths on; the speed there is exact, no difference of
-    -- squares.
-    return calm(start), left
-  end
-  local square = v * v - 2 * a * o
-  local u = 0
-  if square > 0 and not (v <= 0 and a >= 0) then
-    u = sqrt(square)
-  end
-  local tau = left
-  if v + u > 0 then
-    tau = max(min(2 * o / (v + u), left), 0) -- who does not overlap yet has no time left
-  end
-  return u, tau
+  local way = (v + start) * 0.5 * left * (1 - ROUNDING)
+  local reaches = min(max((o - way) * VAST + 1, 0), 1) ---@type number
+  -- They touch from the beginning of their paths on; the speed there is exact, no difference of
+  -- squares.
+  local isThere = isPositive(start + STILL) * reaches * touches
+  local speed = max(start, 0.0) * isPositive(start - STILL) -- a speed that is hardly one is none
+  local u = sqrt(max(v * v - (a + a) * o, 0.0)) * isPositive(max(v, -a))
+  -- Who does not overlap yet has no time left.
+  local closes = isPositive(v + u)
+  local tau = max(min((o + o) / max(v + u, SLOWEST), left), 0.0) * closes + left * (1 - closes)
+  return speed * isThere + u * (1 - isThere), left * isThere + tau * (1 - isThere)
 end
 
 --- Gap and closing speed at the end of the step after the impact.

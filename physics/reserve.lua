@@ -168,18 +168,19 @@ local function hold(b, k, m, wk, wm, sign, v, lender, top, speed, goal, tau, spe
   return 0
 end
 
---- After a push, also one with what was lent last (`isLent`): who would be beyond its top stays at
---- that, and nobody is pushed beyond its limit. The two would have gone to `toL` and `toH` alone,
---- where they would have had these speeds. Returns the impulse that was too much.
-function reserve.settle(b, kl, kh, wl, wh, speedL, speedH, toL, toH, tau, isLent)
+--- After a push, also one with what was lent last (b.pushLends): who would be beyond its top stays
+--- at that, and nobody is pushed beyond its limit. How the two would have gone on alone is noted
+--- (b.pushLowTo, ...). Returns the impulse that was too much.
+function reserve.settle(b, kl, kh, wl, wh, tau)
   local v = b.speed[kl]
   if v ~= b.speed[kh] or min(wl, wh) <= 0 then
     return 0
   end
   local topL, topH = huge, huge
-  if isLent then
+  if b.pushLends then
     topL, topH = b.lentTopLow, b.lentTopHigh
   end
+  local toL, toH, speedL, speedH = b.pushLowTo, b.pushHighTo, b.pushLowSpeed, b.pushHighSpeed
   local low, high = b.lenderLow, b.lenderHigh
   return hold(b, kl, kh, wl, wh, 1, v, low, topL, speedL, toL, tau, speedH, toH)
     + hold(b, kh, kl, wh, wl, -1, v, high, topH, speedH, toH, tau, speedL, toL)

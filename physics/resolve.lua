@@ -40,7 +40,7 @@ local WELDS = resolve.WELDS
 --- The same: after which it is left alone.
 resolve.PATIENCE = 32
 local PATIENCE = resolve.PATIENCE
-local STILL = columns.STILL
+local STILL, VAST = columns.STILL, columns.VAST
 
 -- Whether k goes towards high (`sign` 1) or low coordinates (-1), and ends there, too: with `push =
 -- "first"` who shares a speed may be put back.
@@ -272,9 +272,10 @@ local function leave(b, i, k, axis, held, holder, sign, t)
   end
 end
 
--- Whether friction under the two may have to do with a push: it goes across gravity.
+-- Whether friction under the two may have to do with a push: it goes across gravity. One question.
 local function isRubbed(b, p, kl, kh, dv)
-  return dv > 0 and b.met[p] <= LEAVES and b.down[kl] == 0 and b.down[kh] == 0
+  local downL, downH = b.down[kl], b.down[kh]
+  return min(dv, LEAVES + 1 - b.met[p], 1 - downL * downL, 1 - downH * downH) > 0
 end
 
 -- Whether a push may be one of those in which what a limit keeps from somebody has its part.
@@ -299,7 +300,7 @@ end
 
 -- Whether slot i is rubbed, if at all, by one that nobody pushes, and nothing goes along with it.
 local function stands(b, i)
-  return b.level[i] <= 1 and b.cargo[i] == 0
+  return max(b.level[i] - 1, b.cargo[i]) <= 0
 end
 
 -- Whether friction would turn slot i round that has another speed now, within `tau` s.
@@ -331,6 +332,189 @@ local function braking(b, lo, hi, kl, kh, wl, wh, restitution, u, t, tau)
   return (turns(b, lo, speedL, tau) or turns(b, hi, speedH, tau)) and 0 or brake
 end
 
+-- How two part after an impact at u px/s, `tau` s before the step ends. Returns their restitution,
+-- and the gap and the closing speed (< 0) that they have then; 0, 0: they stay flush.
+local function parting(b, p, lo, hi, kl, kh, wl, wh, u, tau, t, dt)
+  -- From here on only what goes on pulling counts: drag ends with the speed it slows.
+  local a = b.drive[kl] - b.drive[kh]
+  local bounces = min(max((u - (a + a) * dt) * VAST, 0), 1) * min(max(BOUNCES + 1 - b.met[p], 0), 1)
+  local restitution = max(b.restitution[lo], b.restitution[hi]) * bounces
+  if restitution == 0 and b.reserves > 0 then
+    a = a + reserve.idle(b, kl, kh)
+  end
+  -- Who is pushed from behind by one that cannot be pushed has nowhere to leave to by itself.
+  local isPinned = restitution == 0 and (b.backedLow[kl] or b.backedHigh[kh])
+  if b.met[p] > LEAVES or isPinned then
+    return restitution, 0, 0
+  end
+  local brake = braking(b, lo, hi, kl, kh, wl, wh, restitution, u, t, tau)
+  return restitution, impact.rebound(restitution, u, a + brake, tau)
+end
+
+-- What a push needs until it is over waits in the columns' own fields: in locals it would be more
+-- numbers than there are registers, and LuaJIT could not continue what it has compiled.
+
+-- Notes how two are before they push each other.
+local function noteBefore(b, kl, kh, wl, wh)
+  local to, speed = b.to, b.speed
+  b.pushLowTo, b.pushHighTo = to[kl], to[kh]
+  b.pushLowSpeed, b.pushHighSpeed = speed[kl], speed[kh]
+  b.pushLowWeight, b.pushHighWeight, b.pushLends = wl, wh, false
+end
+
+-- After a push: what was rubbed by a floor goes on with that, and the two rub each other.
+local function rubAfter(b, p, lo, hi, kl, kh, axis, dv, impulse, tau, t, dt, flush, isDeep)
+  if not flush and isRubbed(b, p, kl, kh, dv) then
+    -- (As long as it could: `tau` may be next to nothing, by rounding.)
+    friction.brake(b, lo, axis, (1 - t) * dt, t)
+    friction.brake(b, hi, axis, (1 - t) * dt, t)
+  end
+  if t > 0 and not isDeep and isRubbed(b, p, kl, kh, dv) then
+    friction.hit(b, lo, axis, (1 - t) * dt, t)
+    friction.hit(b, hi, axis, (1 - t) * dt, t)
+  end
+  if dv > 0 then
+    local share = b.pushSpeed / dv
+    return friction.rub(b, lo, hi, axis, impulse, share < 1 and share or 1, tau, t)
+  end
+end
+
+-- Lets all that is welded to two, or goes along with them, follow them, and joins them if they have
+-- met often enough.
+local function follow(b, p, kl, kh, axis, wl, wh, t, dt, isLoaded, isJoining)
+  local to = b.to
+  local wayL, wayH = to[kl] - b.pushLowTo, to[kh] - b.pushHighTo
+  ring.follow(b, kl, wayL, t)
+  ring.follow(b, kh, wayH, t)
+  if isLoaded and wl ~= 0 then
+    cargo.follow(b, kl, false, axis, b.pushLowSpeed, wayL, dt)
+  end
+  if isLoaded and wh ~= 0 then
+    cargo.follow(b, kh, true, axis, b.pushHighSpeed, wayH, dt)
+  end
+  if isJoining and b.met[p] >= WELDS and wl > 0 and wh > 0 then
+    weld.join(b, kl, kh)
+  end
+end
+
+-- Gives two the speeds that they have after a push by dv px/s, a common one if they stay together.
+-- Friction lets `still` stand (0: neither). Returns the impulse of the contact.
+local function setMotion(b, lo, hi, kl, kh, axis, wl, wh, dv, impulse, still, tau, flush, isCommon)
+  local speed, to = b.speed, b.to
+  setSpeeds(b, kl, kh, wl, wh, dv, isCommon)
+  -- A hit from the side breaks the hold of friction.
+  b.stuck[lo] = b.down[kl] ~= 0 and b.stuck[lo] or 0
+  b.stuck[hi] = b.down[kh] ~= 0 and b.stuck[hi] or 0
+  if still == lo then
+    grip.hold(b, lo, axis, tau)
+    speed[kh], to[kh] = speed[kl], to[kl] + b.size[kl]
+  elseif still == hi then
+    grip.hold(b, hi, axis, tau)
+    speed[kl], to[kl] = speed[kh], to[kh] - b.size[kl]
+  elseif b.hasLimits and flush and b.down[kl] == 0 and b.down[kh] == 0 then
+    return impulse - reserve.settle(b, kl, kh, wl, wh, tau)
+  end
+  return impulse
+end
+
+-- What a push leads to: it makes two slower against each other by dv px/s, with an impulse, and
+-- friction lets `still` stand (0: neither). They are `flush` then, go on at a common speed, lean on
+-- each other, are inside each other, have something with them that goes along.
+local function goOn(
+  b,
+  p,
+  lo,
+  hi,
+  kl,
+  kh,
+  axis,
+  wl,
+  wh,
+  dv,
+  impulse,
+  still,
+  tau,
+  t,
+  dt,
+  flush,
+  isCommon,
+  leans,
+  isDeep,
+  isLoaded
+)
+  -- Two that push each other to and fro for positions alone go on together.
+  local moves = dv > 0 or (b.met[p] > LEAVES and wl > 0 and wh > 0)
+  if moves then
+    local left = t == 0 and dt or tau
+    impulse = setMotion(b, lo, hi, kl, kh, axis, wl, wh, dv, impulse, still, left, flush, isCommon)
+  end
+  release(b, kl, kh, axis, flush, tau)
+  if leans then
+    shareAccel(b.accel, kl, kh, wl, wh)
+    shareAccel(b.drive, kl, kh, wl, wh)
+    lean(b, lo, hi, kl, kh, b.pushLowWeight, b.pushHighWeight)
+  end
+  -- (Who stands may have been put back to where what it stands on takes it.)
+  if wl ~= 0 or b.to[kl] ~= b.pushLowTo then
+    change(b, lo)
+  end
+  if wh ~= 0 or b.to[kh] ~= b.pushHighTo then
+    change(b, hi)
+  end
+  follow(b, p, kl, kh, axis, wl, wh, t, dt, isLoaded, flush and moves)
+  return rubAfter(b, p, lo, hi, kl, kh, axis, dv, impulse, tau, t, dt, flush, isDeep)
+end
+
+-- Lets two push each other who hit at u px/s, close at v px/s at the end of the step, `tau` s
+-- later, and would overlap by o px then.
+local function push(b, p, lo, hi, kl, kh, axis, wl, wh, o, v, u, tau, t, dt, isDeep)
+  local restitution, gap, vEnd = parting(b, p, lo, hi, kl, kh, wl, wh, u, tau, t, dt)
+  local flush, dv = gap == 0 and vEnd == 0, v - vEnd
+  b.pushSpeed = u * (1 + restitution)
+  noteBefore(b, kl, kh, wl, wh)
+  if flush and not isDeep and lends(b, p, kl, kh, wl, wh, dv) then
+    local gain, further = reserve.lend(b, kl, kh, wl, wh, tau)
+    dv, o = dv + gain, o + further
+    b.pushLends = gain > 0
+  end
+  local impulse, still, isLoaded = dv / (wl + wh), 0, false
+  if flush and not isDeep and isRubbed(b, p, kl, kh, dv) then
+    if t == 0 then
+      wl, wh, dv, o, impulse, still, isLoaded =
+        withFriction(b, lo, hi, kl, kh, axis, wl, wh, dv, o, dt)
+    elseif stands(b, lo) and stands(b, hi) and grip.mayBear(b, lo, hi, kl, wl, wh, dv) then
+      wl, wh, impulse, still = grip.bear(b, lo, hi, kl, kh, wl, wh, dv, t, (1 - t) * dt)
+    end
+  end
+  local shareL, shareH = shares(b, lo, hi, kl, kh, wl, wh, isDeep or b.met[p] > BOUNCES)
+  place(b, lo, kl, kh, o + gap, shareL, shareH, flush)
+  -- Who is on the way apart already, and only flush through a push, leans on nobody; but who is
+  -- pushed back again and again is held between two.
+  local leans = flush and (v > -STILL or isDeep or b.met[p] > LEAVES)
+  return goOn(
+    b,
+    p,
+    lo,
+    hi,
+    kl,
+    kh,
+    axis,
+    wl,
+    wh,
+    dv,
+    impulse,
+    still,
+    tau,
+    t,
+    dt,
+    flush,
+    vEnd == 0,
+    leans,
+    isDeep,
+    isLoaded
+  )
+end
+
 --- Resolves pair p, which meets on `axis` at time t (0..1 of a step of dt s), `lo` being the one
 --- with the smaller coordinate; `isDeep` if they are inside each other. Lists whose path changed in
 --- b.changed[1..b.changedCount].
@@ -353,10 +537,10 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
     return
   end
   local wl, wh, headOn = weights(b, lo, hi, kl, kh)
-  local speed, accel, to = b.speed, b.accel, b.to
-  local o = to[kl] + b.size[kl] - to[kh]
-  local v, a = speed[kl] - speed[kh], accel[kl] - accel[kh]
-  local u, tau = impact.at(o, v, a, (1 - start) * dt, start == t)
+  local o, v = b.to[kl] + b.size[kl] - b.to[kh], b.speed[kl] - b.speed[kh]
+  local a = b.accel[kl] - b.accel[kh]
+  local touches = 1 - min((t - start) * VAST, 1)
+  local u, tau = impact.at(o, v, a, (1 - start) * dt, touches)
   noteHit(b, p, lo, hi, axis, u)
   if headOn then
     return stopBoth(b, lo, hi, kl, kh, t)
@@ -369,106 +553,7 @@ function resolve.run(b, p, lo, hi, axis, t, dt, isDeep)
   if b.met[p] > LEAVES and holdEachOther(b, lo, hi, axis, wl, wh) then
     return
   end
-
-  local restitution = max(b.restitution[lo], b.restitution[hi])
-  -- From here on only what goes on pulling counts: drag ends with the speed it slows.
-  a = b.drive[kl] - b.drive[kh]
-  if u <= 2 * a * dt or b.met[p] > BOUNCES then
-    restitution = 0
-  end
-  if restitution == 0 and b.reserves > 0 then
-    a = a + reserve.idle(b, kl, kh)
-  end
-  local gap, vEnd = 0, 0
-  -- Who is pushed from behind by one that cannot be pushed has nowhere to leave to by itself.
-  local isPinned = restitution == 0 and (b.backedLow[kl] or b.backedHigh[kh])
-  if b.met[p] <= LEAVES and not isPinned then
-    local brake = braking(b, lo, hi, kl, kh, wl, wh, restitution, u, t, tau)
-    gap, vEnd = impact.rebound(restitution, u, a + brake, tau)
-  end
-  local flush = gap == 0 and vEnd == 0
-  local oldL, oldH, ownL, ownH = to[kl], to[kh], wl, wh
-  local dv, speedL, speedH = v - vEnd, speed[kl], speed[kh]
-  local still, isLoaded, gain = 0, false, 0
-  if flush and not isDeep and lends(b, p, kl, kh, wl, wh, dv) then
-    local further
-    gain, further = reserve.lend(b, kl, kh, wl, wh, tau)
-    dv, o = dv + gain, o + further
-  end
-  local impulse = dv / (wl + wh)
-  if flush and t == 0 and not isDeep and isRubbed(b, p, kl, kh, dv) then
-    wl, wh, dv, o, impulse, still, isLoaded =
-      withFriction(b, lo, hi, kl, kh, axis, wl, wh, dv, o, dt)
-  elseif
-    flush
-    and not isDeep
-    and isRubbed(b, p, kl, kh, dv)
-    and stands(b, lo)
-    and stands(b, hi)
-  then
-    if grip.mayBear(b, lo, hi, kl, wl, wh, dv) then
-      wl, wh, impulse, still = grip.bear(b, lo, hi, kl, kh, wl, wh, dv, t, (1 - t) * dt)
-    end
-  end
-  local shareL, shareH = shares(b, lo, hi, kl, kh, wl, wh, isDeep or b.met[p] > BOUNCES)
-  place(b, lo, kl, kh, o + gap, shareL, shareH, flush)
-  -- Two that push each other to and fro for positions alone go on together.
-  local isStuck = b.met[p] > LEAVES and wl > 0 and wh > 0
-  if dv > 0 or isStuck then
-    setSpeeds(b, kl, kh, wl, wh, dv, vEnd == 0)
-    -- A hit from the side breaks the hold of friction.
-    b.stuck[lo] = b.down[kl] ~= 0 and b.stuck[lo] or 0
-    b.stuck[hi] = b.down[kh] ~= 0 and b.stuck[hi] or 0
-    if still == lo then
-      grip.hold(b, lo, axis, t == 0 and dt or tau)
-      speed[kh], to[kh] = speed[kl], to[kl] + b.size[kl]
-    elseif still == hi then
-      grip.hold(b, hi, axis, t == 0 and dt or tau)
-      speed[kl], to[kl] = speed[kh], to[kh] - b.size[kl]
-    elseif b.hasLimits and flush and b.down[kl] == 0 and b.down[kh] == 0 then
-      impulse = impulse
-        - reserve.settle(b, kl, kh, wl, wh, speedL, speedH, oldL, oldH, tau, gain > 0)
-    end
-  end
-  release(b, kl, kh, axis, flush, tau)
-  -- Who is on the way apart already, and only flush through a push, leans on nobody; but who is
-  -- pushed back again and again is held between two.
-  if flush and (v > -STILL or isDeep or b.met[p] > LEAVES) then
-    shareAccel(accel, kl, kh, wl, wh)
-    shareAccel(b.drive, kl, kh, wl, wh)
-    lean(b, lo, hi, kl, kh, ownL, ownH)
-  end
-  -- (Who stands may have been put back to where what it stands on takes it.)
-  if wl ~= 0 or to[kl] ~= oldL then
-    change(b, lo)
-  end
-  if wh ~= 0 or to[kh] ~= oldH then
-    change(b, hi)
-  end
-  ring.follow(b, kl, to[kl] - oldL, t)
-  ring.follow(b, kh, to[kh] - oldH, t)
-  if isLoaded and wl ~= 0 then
-    cargo.follow(b, kl, false, axis, speedL, to[kl] - oldL, dt)
-  end
-  if isLoaded and wh ~= 0 then
-    cargo.follow(b, kh, true, axis, speedH, to[kh] - oldH, dt)
-  end
-  if flush and (dv > 0 or isStuck) and b.met[p] >= WELDS and wl > 0 and wh > 0 then
-    weld.join(b, kl, kh)
-  end
-  if not flush and isRubbed(b, p, kl, kh, dv) then
-    -- (As long as it could: `tau` may be next to nothing, by rounding.)
-    friction.brake(b, lo, axis, (1 - t) * dt, t)
-    friction.brake(b, hi, axis, (1 - t) * dt, t)
-  end
-  if t > 0 and not isDeep and isRubbed(b, p, kl, kh, dv) then
-    friction.hit(b, lo, axis, (1 - t) * dt, t)
-    friction.hit(b, hi, axis, (1 - t) * dt, t)
-  end
-  if dv > 0 then
-    local share = u * (1 + restitution) / dv
-    return friction.rub(b, lo, hi, axis, impulse, share < 1 and share or 1, tau, t)
-  end
+  return push(b, p, lo, hi, kl, kh, axis, wl, wh, o, v, u, tau, t, dt, isDeep)
 end
 
 --- Notes that a sensor was met, and at which speed; that changes nobody's path.
@@ -476,7 +561,7 @@ function resolve.sense(b, p, lo, hi, axis, t, dt)
   local kl, kh = 2 * lo + axis, 2 * hi + axis
   local o = b.to[kl] + b.size[kl] - b.to[kh]
   local v, a = b.speed[kl] - b.speed[kh], b.accel[kl] - b.accel[kh]
-  noteHit(b, p, lo, hi, axis, (impact.at(o, v, a, (1 - t) * dt)))
+  noteHit(b, p, lo, hi, axis, (impact.at(o, v, a, (1 - t) * dt, 0)))
 end
 
 return resolve

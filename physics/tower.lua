@@ -11,12 +11,13 @@
 -- b.sumMass, which are 0 for everybody else.
 
 local here = (...):match("^(.*)%.[^.]+$")
+local columns = require(here .. ".columns")
 local grip = require(here .. ".grip")
 
 local tower = {}
 
-local huge, max = math.huge, math.max
-local ROUNDING = grip.ROUNDING
+local huge, max, min = math.huge, math.max, math.min
+local ROUNDING, VAST = grip.ROUNDING, columns.VAST
 
 -- Whether nothing but friction holds `up` on what it stands on (levels go up, see `grip`), and it
 -- goes at v px/s, but for `most`.
@@ -82,12 +83,12 @@ function tower.need(b, first, last, axis, v, root, impulse, mass)
   for n = first, last do
     local i, low, own = b.tower[n], b.towerOn[n], b.mass[b.tower[n]]
     local needed, its = own * (v - b.speed[2 * i + axis]) + sum[i], own + sumMass[i]
-    local sign = needed < 0 and -1 or 1
+    -- No branches: most numbers of a push wait until its load is known.
+    local sign = max(min(needed * VAST, 1), -1)
     local most = max(b.grip[i] - sign * b.gripUsed[i], 0.0)
-    local isDragged = needed * sign > most * (1 + ROUNDING)
-    if isDragged then
-      needed, its = most * sign, 0
-    end
+    local isDragged = min(max((needed * sign - most * (1 + ROUNDING)) * VAST, 0), 1)
+    needed = needed * (1 - isDragged) + most * sign * isDragged
+    its = its * (1 - isDragged)
     dragged[i], impulses[i] = isDragged, needed
     sum[i], sumMass[i] = 0, 0
     sum[low], sumMass[low] = sum[low] + needed, sumMass[low] + its
@@ -116,17 +117,17 @@ end
 function tower.take(b, first, last, axis, dt)
   local speed, accel, from, to = b.speed, b.accel, b.from, b.to
   local velocity, carried, count, n = b.velocity, b.carried, b.changedCount, last
-  while n >= first and not b.dragged[b.tower[n]] do
+  while n >= first and b.dragged[b.tower[n]] == 0 do
     local up, on = b.tower[n], b.towerOn[n]
     local k, m = 2 * up + axis, 2 * b.goesWith[up] + axis
     local before, was, new = speed[k], to[k], speed[m]
     speed[k], accel[k] = new, accel[m]
-    if velocity[k] + carried[k] == velocity[m] + carried[m] then
+    local began = velocity[k] + carried[k] - (velocity[m] + carried[m])
+    if began == 0 then
       to[k] = from[k] + (to[m] - from[m])
-    elseif before == b.dragFrom[on] then
-      to[k] = was + b.dragWay[on]
     else
-      to[k] = was + (new - before) * dt * 0.5
+      local isOther = min(max(before - b.dragFrom[on], b.dragFrom[on] - before) * VAST, 1)
+      to[k] = was + (b.dragWay[on] * (1 - isOther) + (new - before) * dt * 0.5 * isOther)
     end
     b.gripUsed[up] = b.gripUsed[up] + b.dragImpulse[up]
     b.groundSpeed[up], b.taken[up] = new, b.step
