@@ -398,23 +398,20 @@ local function follow(b, p, kl, kh, axis, wl, wh, t, dt, isLoaded, isJoining)
 end
 
 -- Gives two the speeds that they have after a push by dv px/s, a common one if they stay together.
--- Friction lets `still` stand (0: neither). Returns the impulse of the contact.
-local function setMotion(b, lo, hi, kl, kh, axis, wl, wh, dv, impulse, still, tau, flush, isCommon)
+-- Friction lets `still` stand for the `left` s of its path (0: neither).
+local function setMotion(b, lo, hi, kl, kh, axis, wl, wh, dv, still, left, isCommon)
   local speed, to = b.speed, b.to
   setSpeeds(b, kl, kh, wl, wh, dv, isCommon)
   -- A hit from the side breaks the hold of friction.
   b.stuck[lo] = b.down[kl] ~= 0 and b.stuck[lo] or 0
   b.stuck[hi] = b.down[kh] ~= 0 and b.stuck[hi] or 0
   if still == lo then
-    grip.hold(b, lo, axis, tau)
+    grip.hold(b, lo, axis, left)
     speed[kh], to[kh] = speed[kl], to[kl] + b.size[kl]
   elseif still == hi then
-    grip.hold(b, hi, axis, tau)
+    grip.hold(b, hi, axis, left)
     speed[kl], to[kl] = speed[kh], to[kh] - b.size[kl]
-  elseif b.hasLimits and flush and b.down[kl] == 0 and b.down[kh] == 0 then
-    return impulse - reserve.settle(b, kl, kh, wl, wh, tau)
   end
-  return impulse
 end
 
 -- What a push leads to: it makes two slower against each other by dv px/s, with an impulse, and
@@ -445,8 +442,10 @@ local function goOn(
   -- Two that push each other to and fro for positions alone go on together.
   local moves = dv > 0 or (b.met[p] > LEAVES and wl > 0 and wh > 0)
   if moves then
-    local left = t == 0 and dt or tau
-    impulse = setMotion(b, lo, hi, kl, kh, axis, wl, wh, dv, impulse, still, left, flush, isCommon)
+    setMotion(b, lo, hi, kl, kh, axis, wl, wh, dv, still, t == 0 and dt or tau, isCommon)
+    if still == 0 and flush and b.hasLimits and b.down[kl] == 0 and b.down[kh] == 0 then
+      impulse = impulse - reserve.settle(b, kl, kh, wl, wh, tau)
+    end
   end
   release(b, kl, kh, axis, flush, tau)
   if leans then
