@@ -1,7 +1,10 @@
 --- One scene with everything in it (spec/support/everything.lua) gives one number: on every Lua, in
 --- every process, however the objects got into their tables and whatever was there before.
 
+local case = require("spec.fuzz.case")
 local everything = require("spec.support.everything")
+local fold = require("spec.support.fold")
+local player = require("spec.fuzz.player")
 local newRandom = require("spec.support.random").new
 
 -- Changes whenever the behaviour does. The new one is what `luajit spec/support/everything.lua`
@@ -187,4 +190,34 @@ describe("a tie", function()
       assert.are.equal(0, box.vy)
     end
   end)
+end)
+
+-- As FOLD: the numbers of random games, which notice what no other spec does (how long a push at a
+-- speed limit takes, once). Ten are of engines at their limits.
+local GAMES = {
+  { first = 5000001, count = 16, fold = "1317725577" },
+  { first = 5000004, count = 10, step = 10, fold = "275724643" },
+}
+
+describe("random games", function()
+  for _, games in ipairs(GAMES) do
+    local text = "from seed %d on give the number that stands here"
+    it(text:format(games.first), function()
+      local sum, updates = fold.START, 0
+      for n = 0, games.count - 1 do
+        local one = case.new(games.first + n * (games.step or 1), 60)
+        local its = player.new(one)
+        for _, act in ipairs(one.acts) do
+          if act[1] ~= "twin" then
+            its:act(act)
+          end
+          if act[1] == "update" then
+            sum, updates = fold.number(sum, its.world:hash()), updates + 1
+          end
+        end
+      end
+      assert.are.equal(60 * games.count, updates)
+      assert.are.equal(games.fold, ("%.0f"):format(sum))
+    end)
+  end
 end)
