@@ -431,6 +431,11 @@ function columns.new()
     pushHighWeight = 0,
     pushSpeed = 0, -- how much slower against each other their impact makes them, px/s
     pushLends = false, -- what a limit kept from them has its part in it
+    pushIsFlush = false, -- they are flush then
+    pushIsCommon = false, -- and go on at a common speed
+    pushLeans = false, -- and lean on each other
+    pushIsDeep = false, -- they were inside each other
+    pushIsLoaded = false, -- something goes along with one of them
     isTurnStale = { [0] = true, true }, -- somebody may press along gravity (0), across it (1)
     turnPass = -1, -- the pass, of all in this step, that has begun last (see meet)
     footingCount = 0, -- turns along gravity, which come first

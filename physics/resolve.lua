@@ -363,13 +363,13 @@ local function noteBefore(b, kl, kh, wl, wh)
 end
 
 -- After a push: what was rubbed by a floor goes on with that, and the two rub each other.
-local function rubAfter(b, p, lo, hi, kl, kh, axis, dv, impulse, tau, t, dt, flush, isDeep)
-  if not flush and isRubbed(b, p, kl, kh, dv) then
+local function rubAfter(b, p, lo, hi, kl, kh, axis, dv, impulse, tau, t, dt)
+  if not b.pushIsFlush and isRubbed(b, p, kl, kh, dv) then
     -- (As long as it could: `tau` may be next to nothing, by rounding.)
     friction.brake(b, lo, axis, (1 - t) * dt, t)
     friction.brake(b, hi, axis, (1 - t) * dt, t)
   end
-  if t > 0 and not isDeep and isRubbed(b, p, kl, kh, dv) then
+  if t > 0 and not b.pushIsDeep and isRubbed(b, p, kl, kh, dv) then
     friction.hit(b, lo, axis, (1 - t) * dt, t)
     friction.hit(b, hi, axis, (1 - t) * dt, t)
   end
@@ -381,8 +381,8 @@ end
 
 -- Lets all that is welded to two, or goes along with them, follow them, and joins them if they have
 -- met often enough.
-local function follow(b, p, kl, kh, axis, wl, wh, t, dt, isLoaded, isJoining)
-  local to = b.to
+local function follow(b, p, kl, kh, axis, wl, wh, t, dt, isJoining)
+  local to, isLoaded = b.to, b.pushIsLoaded
   local wayL, wayH = to[kl] - b.pushLowTo, to[kh] - b.pushHighTo
   ring.follow(b, kl, wayL, t)
   ring.follow(b, kh, wayH, t)
@@ -399,9 +399,9 @@ end
 
 -- Gives two the speeds that they have after a push by dv px/s, a common one if they stay together.
 -- Friction lets `still` stand for the `left` s of its path (0: neither).
-local function setMotion(b, lo, hi, kl, kh, axis, wl, wh, dv, still, left, isCommon)
+local function setMotion(b, lo, hi, kl, kh, axis, wl, wh, dv, still, left)
   local speed, to = b.speed, b.to
-  setSpeeds(b, kl, kh, wl, wh, dv, isCommon)
+  setSpeeds(b, kl, kh, wl, wh, dv, b.pushIsCommon)
   -- A hit from the side breaks the hold of friction.
   b.stuck[lo] = b.down[kl] ~= 0 and b.stuck[lo] or 0
   b.stuck[hi] = b.down[kh] ~= 0 and b.stuck[hi] or 0
@@ -415,40 +415,19 @@ local function setMotion(b, lo, hi, kl, kh, axis, wl, wh, dv, still, left, isCom
 end
 
 -- What a push leads to: it makes two slower against each other by dv px/s, with an impulse, and
--- friction lets `still` stand (0: neither). They are `flush` then, go on at a common speed, lean on
--- each other, are inside each other, have something with them that goes along.
-local function goOn(
-  b,
-  p,
-  lo,
-  hi,
-  kl,
-  kh,
-  axis,
-  wl,
-  wh,
-  dv,
-  impulse,
-  still,
-  tau,
-  t,
-  dt,
-  flush,
-  isCommon,
-  leans,
-  isDeep,
-  isLoaded
-)
+-- friction lets `still` stand (0: neither).
+local function goOn(b, p, lo, hi, kl, kh, axis, wl, wh, dv, impulse, still, tau, t, dt)
+  local flush = b.pushIsFlush
   -- Two that push each other to and fro for positions alone go on together.
   local moves = dv > 0 or (b.met[p] > LEAVES and wl > 0 and wh > 0)
   if moves then
-    setMotion(b, lo, hi, kl, kh, axis, wl, wh, dv, still, t == 0 and dt or tau, isCommon)
+    setMotion(b, lo, hi, kl, kh, axis, wl, wh, dv, still, t == 0 and dt or tau)
     if still == 0 and flush and b.hasLimits and b.down[kl] == 0 and b.down[kh] == 0 then
       impulse = impulse - reserve.settle(b, kl, kh, wl, wh, tau)
     end
   end
   release(b, kl, kh, axis, flush, tau)
-  if leans then
+  if b.pushLeans then
     shareAccel(b.accel, kl, kh, wl, wh)
     shareAccel(b.drive, kl, kh, wl, wh)
     lean(b, lo, hi, kl, kh, b.pushLowWeight, b.pushHighWeight)
@@ -460,8 +439,8 @@ local function goOn(
   if wh ~= 0 or b.to[kh] ~= b.pushHighTo then
     change(b, hi)
   end
-  follow(b, p, kl, kh, axis, wl, wh, t, dt, isLoaded, flush and moves)
-  return rubAfter(b, p, lo, hi, kl, kh, axis, dv, impulse, tau, t, dt, flush, isDeep)
+  follow(b, p, kl, kh, axis, wl, wh, t, dt, flush and moves)
+  return rubAfter(b, p, lo, hi, kl, kh, axis, dv, impulse, tau, t, dt)
 end
 
 -- Lets two push each other who hit at u px/s, close at v px/s at the end of the step, `tau` s
@@ -489,29 +468,9 @@ local function push(b, p, lo, hi, kl, kh, axis, wl, wh, o, v, u, tau, t, dt, isD
   place(b, lo, kl, kh, o + gap, shareL, shareH, flush)
   -- Who is on the way apart already, and only flush through a push, leans on nobody; but who is
   -- pushed back again and again is held between two.
-  local leans = flush and (v > -STILL or isDeep or b.met[p] > LEAVES)
-  return goOn(
-    b,
-    p,
-    lo,
-    hi,
-    kl,
-    kh,
-    axis,
-    wl,
-    wh,
-    dv,
-    impulse,
-    still,
-    tau,
-    t,
-    dt,
-    flush,
-    vEnd == 0,
-    leans,
-    isDeep,
-    isLoaded
-  )
+  b.pushLeans = flush and (v > -STILL or isDeep or b.met[p] > LEAVES)
+  b.pushIsFlush, b.pushIsCommon, b.pushIsDeep, b.pushIsLoaded = flush, vEnd == 0, isDeep, isLoaded
+  return goOn(b, p, lo, hi, kl, kh, axis, wl, wh, dv, impulse, still, tau, t, dt)
 end
 
 --- Resolves pair p, which meets on `axis` at time t (0..1 of a step of dt s), `lo` being the one
