@@ -431,6 +431,7 @@ function columns.new()
     pushHighWeight = 0,
     pushSpeed = 0, -- how much slower against each other their impact makes them, px/s
     pushLends = false, -- what a limit kept from them has its part in it
+    pushIsRubbed = false, -- it goes across gravity
     pushIsFlush = false, -- they are flush then
     pushIsCommon = false, -- and go on at a common speed
     pushLeans = false, -- and lean on each other

@@ -17,11 +17,6 @@ local EVEN = impact.EVEN
 -- px/s: what is slower does not close; with no more px than a number may have, in range.
 local SLOWEST = 1e-200
 
--- 1 for a number > 0, else 0.
-local function isPositive(v)
-  return min(max(v * VAST, 0), 1)
-end
-
 --- Approach speed at the moment of contact and the time left after it, from what the paths will
 --- have become at the end of the step: overlap o, closing speed v, closing acceleration a.
 --- `touches` is 1 if the paths begin at the contact, else 0. No branches: most numbers of a hit are
@@ -32,11 +27,12 @@ function impact.at(o, v, a, left, touches)
   local reaches = min(max((o - way) * VAST + 1, 0), 1) ---@type number
   -- They touch from the beginning of their paths on; the speed there is exact, no difference of
   -- squares.
-  local isThere = isPositive(start + STILL) * reaches * touches
-  local speed = max(start, 0.0) * isPositive(start - STILL) -- a speed that is hardly one is none
-  local u = sqrt(max(v * v - (a + a) * o, 0.0)) * isPositive(max(v, -a))
+  local isThere = min(max((start + STILL) * VAST, 0), 1) * reaches * touches
+  -- A speed that is hardly one is none.
+  local speed = max(start, 0.0) * min(max((start - STILL) * VAST, 0), 1)
+  local u = sqrt(max(v * v - (a + a) * o, 0.0)) * min(max(v * VAST, -a * VAST, 0), 1)
   -- Who does not overlap yet has no time left.
-  local closes = isPositive(v + u)
+  local closes = min(max((v + u) * VAST, 0), 1) ---@type number
   local tau = max(min((o + o) / max(v + u, SLOWEST), left), 0.0) * closes + left * (1 - closes)
   return speed * isThere + u * (1 - isThere), left * isThere + tau * (1 - isThere)
 end

@@ -363,13 +363,13 @@ local function noteBefore(b, kl, kh, wl, wh)
 end
 
 -- After a push: what was rubbed by a floor goes on with that, and the two rub each other.
-local function rubAfter(b, p, lo, hi, kl, kh, axis, dv, impulse, tau, t, dt)
-  if not b.pushIsFlush and isRubbed(b, p, kl, kh, dv) then
+local function rubAfter(b, lo, hi, axis, dv, impulse, tau, t, dt)
+  if not b.pushIsFlush and b.pushIsRubbed then
     -- (As long as it could: `tau` may be next to nothing, by rounding.)
     friction.brake(b, lo, axis, (1 - t) * dt, t)
     friction.brake(b, hi, axis, (1 - t) * dt, t)
   end
-  if t > 0 and not b.pushIsDeep and isRubbed(b, p, kl, kh, dv) then
+  if t > 0 and not b.pushIsDeep and b.pushIsRubbed then
     friction.hit(b, lo, axis, (1 - t) * dt, t)
     friction.hit(b, hi, axis, (1 - t) * dt, t)
   end
@@ -440,7 +440,7 @@ local function goOn(b, p, lo, hi, kl, kh, axis, wl, wh, dv, impulse, still, tau,
     change(b, hi)
   end
   follow(b, p, kl, kh, axis, wl, wh, t, dt, flush and moves)
-  return rubAfter(b, p, lo, hi, kl, kh, axis, dv, impulse, tau, t, dt)
+  return rubAfter(b, lo, hi, axis, dv, impulse, tau, t, dt)
 end
 
 -- Lets two push each other who hit at u px/s, close at v px/s at the end of the step, `tau` s
@@ -456,7 +456,8 @@ local function push(b, p, lo, hi, kl, kh, axis, wl, wh, o, v, u, tau, t, dt, isD
     b.pushLends = gain > 0
   end
   local impulse, still, isLoaded = dv / (wl + wh), 0, false
-  if flush and not isDeep and isRubbed(b, p, kl, kh, dv) then
+  local rubbed = isRubbed(b, p, kl, kh, dv)
+  if rubbed and flush and not isDeep then
     if t == 0 then
       wl, wh, dv, o, impulse, still, isLoaded =
         withFriction(b, lo, hi, kl, kh, axis, wl, wh, dv, o, dt)
@@ -469,6 +470,7 @@ local function push(b, p, lo, hi, kl, kh, axis, wl, wh, o, v, u, tau, t, dt, isD
   -- Who is on the way apart already, and only flush through a push, leans on nobody; but who is
   -- pushed back again and again is held between two.
   b.pushLeans = flush and (v > -STILL or isDeep or b.met[p] > LEAVES)
+  b.pushIsRubbed = rubbed
   b.pushIsFlush, b.pushIsCommon, b.pushIsDeep, b.pushIsLoaded = flush, vEnd == 0, isDeep, isLoaded
   return goOn(b, p, lo, hi, kl, kh, axis, wl, wh, dv, impulse, still, tau, t, dt)
 end

@@ -84,9 +84,10 @@ function tower.need(b, first, last, axis, v, root, impulse, mass)
     local i, low, own = b.tower[n], b.towerOn[n], b.mass[b.tower[n]]
     local needed, its = own * (v - b.speed[2 * i + axis]) + sum[i], own + sumMass[i]
     -- No branches: most numbers of a push wait until its load is known.
-    local sign = max(min(needed * VAST, 1), -1)
+    local sign = max(min(needed * VAST, 1), -1) ---@type number
     local most = max(b.grip[i] - sign * b.gripUsed[i], 0.0)
-    local isDragged = min(max((needed * sign - most * (1 + ROUNDING)) * VAST, 0), 1)
+    local excess = needed * sign - most * (1 + ROUNDING)
+    local isDragged = min(max(excess * VAST, 0), 1) ---@type number
     needed = needed * (1 - isDragged) + most * sign * isDragged
     its = its * (1 - isDragged)
     dragged[i], impulses[i] = isDragged, needed
