@@ -332,38 +332,60 @@ local function braking(b, lo, hi, kl, kh, wl, wh, restitution, u, t, tau)
   return (turns(b, lo, speedL, tau) or turns(b, hi, speedH, tau)) and 0 or brake
 end
 
--- How two part after an impact at u px/s, `tau` s before the step ends. Returns their restitution,
--- and the gap and the closing speed (< 0) that they have then; 0, 0: they stay flush.
-local function parting(b, p, lo, hi, kl, kh, wl, wh, u, tau, t, dt)
-  -- From here on only what goes on pulling counts: drag ends with the speed it slows.
-  local a = b.drive[kl] - b.drive[kh]
-  local bounces = min(max((u - (a + a) * dt) * VAST, 0), 1) * min(max(BOUNCES + 1 - b.met[p], 0), 1)
-  local restitution = max(b.restitution[lo], b.restitution[hi]) * bounces
-  if restitution == 0 and b.reserves > 0 then
-    a = a + reserve.idle(b, kl, kh)
+-- What a push needs until it is over waits in fields, and what it needs for a while only is in a
+-- block: otherwise it would be more numbers than there are registers, and LuaJIT could not continue
+-- what it has compiled.
+
+-- What a push leads to: it makes two slower against each other by dv px/s, with an impulse, and
+-- friction lets `still` stand (0: neither).
+local function goOn(b, p, lo, hi, kl, kh, axis, wl, wh, dv, impulse, still, tau, t, dt)
+  do
+    local speed, to, flush = b.speed, b.to, b.pushIsFlush
+    -- Two that push each other to and fro for positions alone go on together.
+    local moves = dv > 0 or (b.met[p] > LEAVES and wl > 0 and wh > 0)
+    if moves then
+      setSpeeds(b, kl, kh, wl, wh, dv, b.pushIsCommon)
+      -- A hit from the side breaks the hold of friction.
+      b.stuck[lo] = b.down[kl] ~= 0 and b.stuck[lo] or 0
+      b.stuck[hi] = b.down[kh] ~= 0 and b.stuck[hi] or 0
+      if still == lo then
+        grip.hold(b, lo, axis, t == 0 and dt or tau)
+        speed[kh], to[kh] = speed[kl], to[kl] + b.size[kl]
+      elseif still == hi then
+        grip.hold(b, hi, axis, t == 0 and dt or tau)
+        speed[kl], to[kl] = speed[kh], to[kh] - b.size[kl]
+      elseif b.hasLimits and flush and b.down[kl] == 0 and b.down[kh] == 0 then
+        impulse = impulse - reserve.settle(b, kl, kh, wl, wh, tau)
+      end
+    end
+    release(b, kl, kh, axis, flush, tau)
+    if b.pushLeans then
+      shareAccel(b.accel, kl, kh, wl, wh)
+      shareAccel(b.drive, kl, kh, wl, wh)
+      lean(b, lo, hi, kl, kh, b.pushLowWeight, b.pushHighWeight)
+    end
+    -- (Who stands may have been put back to where what it stands on takes it.)
+    local wayL, wayH = to[kl] - b.pushLowTo, to[kh] - b.pushHighTo
+    if wl ~= 0 or wayL ~= 0 then
+      change(b, lo)
+    end
+    if wh ~= 0 or wayH ~= 0 then
+      change(b, hi)
+    end
+    ring.follow(b, kl, wayL, t)
+    ring.follow(b, kh, wayH, t)
+    if b.pushIsLoaded then
+      if wl ~= 0 then
+        cargo.follow(b, kl, false, axis, b.pushLowSpeed, wayL, dt)
+      end
+      if wh ~= 0 then
+        cargo.follow(b, kh, true, axis, b.pushHighSpeed, to[kh] - b.pushHighTo, dt)
+      end
+    end
+    if flush and moves and b.met[p] >= WELDS and wl > 0 and wh > 0 then
+      weld.join(b, kl, kh)
+    end
   end
-  -- Who is pushed from behind by one that cannot be pushed has nowhere to leave to by itself.
-  local isPinned = restitution == 0 and (b.backedLow[kl] or b.backedHigh[kh])
-  if b.met[p] > LEAVES or isPinned then
-    return restitution, 0, 0
-  end
-  local brake = braking(b, lo, hi, kl, kh, wl, wh, restitution, u, t, tau)
-  return restitution, impact.rebound(restitution, u, a + brake, tau)
-end
-
--- What a push needs until it is over waits in the columns' own fields: in locals it would be more
--- numbers than there are registers, and LuaJIT could not continue what it has compiled.
-
--- Notes how two are before they push each other.
-local function noteBefore(b, kl, kh, wl, wh)
-  local to, speed = b.to, b.speed
-  b.pushLowTo, b.pushHighTo = to[kl], to[kh]
-  b.pushLowSpeed, b.pushHighSpeed = speed[kl], speed[kh]
-  b.pushLowWeight, b.pushHighWeight, b.pushLends = wl, wh, false
-end
-
--- After a push: what was rubbed by a floor goes on with that, and the two rub each other.
-local function rubAfter(b, lo, hi, axis, dv, impulse, tau, t, dt)
   if not b.pushIsFlush and b.pushIsRubbed then
     -- (As long as it could: `tau` may be next to nothing, by rounding.)
     friction.brake(b, lo, axis, (1 - t) * dt, t)
@@ -379,77 +401,31 @@ local function rubAfter(b, lo, hi, axis, dv, impulse, tau, t, dt)
   end
 end
 
--- Lets all that is welded to two, or goes along with them, follow them, and joins them if they have
--- met often enough.
-local function follow(b, p, kl, kh, axis, wl, wh, t, dt, isJoining)
-  local to, isLoaded = b.to, b.pushIsLoaded
-  local wayL, wayH = to[kl] - b.pushLowTo, to[kh] - b.pushHighTo
-  ring.follow(b, kl, wayL, t)
-  ring.follow(b, kh, wayH, t)
-  if isLoaded and wl ~= 0 then
-    cargo.follow(b, kl, false, axis, b.pushLowSpeed, wayL, dt)
-  end
-  if isLoaded and wh ~= 0 then
-    cargo.follow(b, kh, true, axis, b.pushHighSpeed, wayH, dt)
-  end
-  if isJoining and b.met[p] >= WELDS and wl > 0 and wh > 0 then
-    weld.join(b, kl, kh)
-  end
-end
-
--- Gives two the speeds that they have after a push by dv px/s, a common one if they stay together.
--- Friction lets `still` stand for the `left` s of its path (0: neither).
-local function setMotion(b, lo, hi, kl, kh, axis, wl, wh, dv, still, left)
-  local speed, to = b.speed, b.to
-  setSpeeds(b, kl, kh, wl, wh, dv, b.pushIsCommon)
-  -- A hit from the side breaks the hold of friction.
-  b.stuck[lo] = b.down[kl] ~= 0 and b.stuck[lo] or 0
-  b.stuck[hi] = b.down[kh] ~= 0 and b.stuck[hi] or 0
-  if still == lo then
-    grip.hold(b, lo, axis, left)
-    speed[kh], to[kh] = speed[kl], to[kl] + b.size[kl]
-  elseif still == hi then
-    grip.hold(b, hi, axis, left)
-    speed[kl], to[kl] = speed[kh], to[kh] - b.size[kl]
-  end
-end
-
--- What a push leads to: it makes two slower against each other by dv px/s, with an impulse, and
--- friction lets `still` stand (0: neither).
-local function goOn(b, p, lo, hi, kl, kh, axis, wl, wh, dv, impulse, still, tau, t, dt)
-  local flush = b.pushIsFlush
-  -- Two that push each other to and fro for positions alone go on together.
-  local moves = dv > 0 or (b.met[p] > LEAVES and wl > 0 and wh > 0)
-  if moves then
-    setMotion(b, lo, hi, kl, kh, axis, wl, wh, dv, still, t == 0 and dt or tau)
-    if still == 0 and flush and b.hasLimits and b.down[kl] == 0 and b.down[kh] == 0 then
-      impulse = impulse - reserve.settle(b, kl, kh, wl, wh, tau)
-    end
-  end
-  release(b, kl, kh, axis, flush, tau)
-  if b.pushLeans then
-    shareAccel(b.accel, kl, kh, wl, wh)
-    shareAccel(b.drive, kl, kh, wl, wh)
-    lean(b, lo, hi, kl, kh, b.pushLowWeight, b.pushHighWeight)
-  end
-  -- (Who stands may have been put back to where what it stands on takes it.)
-  if wl ~= 0 or b.to[kl] ~= b.pushLowTo then
-    change(b, lo)
-  end
-  if wh ~= 0 or b.to[kh] ~= b.pushHighTo then
-    change(b, hi)
-  end
-  follow(b, p, kl, kh, axis, wl, wh, t, dt, flush and moves)
-  return rubAfter(b, lo, hi, axis, dv, impulse, tau, t, dt)
-end
-
 -- Lets two push each other who hit at u px/s, close at v px/s at the end of the step, `tau` s
 -- later, and would overlap by o px then.
 local function push(b, p, lo, hi, kl, kh, axis, wl, wh, o, v, u, tau, t, dt, isDeep)
-  local restitution, gap, vEnd = parting(b, p, lo, hi, kl, kh, wl, wh, u, tau, t, dt)
+  local gap, vEnd = 0, 0
+  do
+    -- From here on only what goes on pulling counts: drag ends with the speed it slows.
+    local a, met = b.drive[kl] - b.drive[kh], b.met[p]
+    local mayBounce = min(max(BOUNCES + 1 - met, 0), 1) ---@type number
+    local bounces = min(max((u - (a + a) * dt) * VAST, 0), mayBounce)
+    local restitution = max(b.restitution[lo], b.restitution[hi]) * bounces
+    if restitution == 0 and b.reserves > 0 then
+      a = a + reserve.idle(b, kl, kh)
+    end
+    -- Who is pushed from behind by one that cannot be pushed has nowhere to leave to by itself.
+    local isPinned = restitution == 0 and (b.backedLow[kl] or b.backedHigh[kh])
+    if met <= LEAVES and not isPinned then
+      local brake = braking(b, lo, hi, kl, kh, wl, wh, restitution, u, t, tau)
+      gap, vEnd = impact.rebound(restitution, u, a + brake, tau)
+    end
+    b.pushSpeed = u * (1 + restitution)
+    b.pushLowTo, b.pushHighTo = b.to[kl], b.to[kh]
+    b.pushLowSpeed, b.pushHighSpeed = b.speed[kl], b.speed[kh]
+    b.pushLowWeight, b.pushHighWeight, b.pushLends = wl, wh, false
+  end
   local flush, dv = gap == 0 and vEnd == 0, v - vEnd
-  b.pushSpeed = u * (1 + restitution)
-  noteBefore(b, kl, kh, wl, wh)
   if flush and not isDeep and lends(b, p, kl, kh, wl, wh, dv) then
     local gain, further = reserve.lend(b, kl, kh, wl, wh, tau)
     dv, o = dv + gain, o + further
@@ -470,8 +446,8 @@ local function push(b, p, lo, hi, kl, kh, axis, wl, wh, o, v, u, tau, t, dt, isD
   -- Who is on the way apart already, and only flush through a push, leans on nobody; but who is
   -- pushed back again and again is held between two.
   b.pushLeans = flush and (v > -STILL or isDeep or b.met[p] > LEAVES)
-  b.pushIsRubbed = rubbed
-  b.pushIsFlush, b.pushIsCommon, b.pushIsDeep, b.pushIsLoaded = flush, vEnd == 0, isDeep, isLoaded
+  b.pushIsFlush, b.pushIsCommon, b.pushIsRubbed = flush, vEnd == 0, rubbed
+  b.pushIsDeep, b.pushIsLoaded = isDeep, isLoaded
   return goOn(b, p, lo, hi, kl, kh, axis, wl, wh, dv, impulse, still, tau, t, dt)
 end
 
