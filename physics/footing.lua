@@ -136,7 +136,7 @@ end
 local function isSimple(b, p, up, low, ku, kl, isUp)
   local weld, time, held, upHeld = b.weld, b.time, b.heldHigh, b.heldLow
   if isUp then
-    held, upHeld = upHeld, held
+    held, upHeld = b.heldLow, b.heldHigh
   end
   return held[kl] + (DYNAMIC - b.kind[low]) > 0
     and b.met[p] < WELDS
