@@ -58,8 +58,8 @@ end
 
 --- Lets LuaJIT compile everything, also what happens to single objects, which is interpreted
 --- otherwise, and keeps the numbers of the worlds that are made after it in typed arrays (FFI).
---- Heaps then take three fifths of the time, boxes that bounce two thirds, crowds and walkers seven
---- to nine tenths, with the same results to the bit. Call it once, right after `require`: the
+--- Heaps and boxes that bounce then take three fifths of the time, crowds two thirds, walkers half
+--- to three quarters, with the same results to the bit. Call it once, right after `require`: the
 --- default world takes part as long as nothing has been in it.
 ---
 --- It raises two limits of LuaJIT, which are those of the whole program: 8000 traces instead of
