@@ -14,8 +14,9 @@ local ROUNDING = impact.ROUNDING
 impact.EVEN = 1e-6
 local EVEN = impact.EVEN
 
--- px/s: what is slower does not close; with no more px than a number may have, in range.
-local SLOWEST = 1e-200
+--- px/s: what is slower does not close; with no more px than a number may have, in range.
+impact.SLOWEST = 1e-200
+local SLOWEST = impact.SLOWEST
 
 --- Approach speed at the moment of contact and the time left after it, from what the paths will
 --- have become at the end of the step: overlap o, closing speed v, closing acceleration a.

@@ -18,11 +18,9 @@ local press = {}
 local ALL = require(here .. ".grip").ALL
 local DYNAMIC, STILL = columns.DYNAMIC, columns.STILL
 local TINY, VAST = columns.TINY, columns.VAST
-local EVEN, ROUNDING = impact.EVEN, impact.ROUNDING
+local EVEN, ROUNDING, SLOWEST = impact.EVEN, impact.ROUNDING, impact.SLOWEST
 local LEAVES, WELDS = resolve.LEAVES, resolve.WELDS
 local max, min, sqrt = math.max, math.min, math.sqrt
--- px/s: what is slower does not close; with no more px than a number may have, in range.
-local SLOWEST = 1e-200
 
 --- Coefficient of friction of a pair, as in `friction`. Who is not dynamic may have none (< 0).
 function press.coefficient(b, i, j)

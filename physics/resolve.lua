@@ -379,7 +379,7 @@ local function goOn(b, p, lo, hi, kl, kh, axis, wl, wh, dv, impulse, still, tau,
         cargo.follow(b, kl, false, axis, b.pushLowSpeed, wayL, dt)
       end
       if wh ~= 0 then
-        cargo.follow(b, kh, true, axis, b.pushHighSpeed, to[kh] - b.pushHighTo, dt)
+        cargo.follow(b, kh, true, axis, b.pushHighSpeed, wayH, dt)
       end
     end
     if flush and moves and b.met[p] >= WELDS and wl > 0 and wh > 0 then

@@ -76,7 +76,6 @@ function grid.new(b, cellSize)
     members = {},
     reach = {}, -- px: no box of a member is wider or higher; mostly less than the cell
     highest = 0,
-    vast = 0, -- huge while somebody is wider than the largest cells (see `lookForVast`)
     -- scratch of overlaps: cells to look at, and who asks
     cells = {},
     ranges = {},
@@ -240,26 +239,26 @@ end
 -- three times make bad traces.) A rectangle of cells is six numbers side by side, a cell is three.
 local RANGE, CELL = 6, 3
 
--- Somebody who is wider than the largest cells may reach over any number of them: while there is
--- one, everybody is asked.
-local function lookForVast(self)
-  self.vast = self.reach[LEVELS] > self.cell * 2 ^ LEVELS + SLACK and huge or 0
+-- Returns the number of cells from which on looking at everybody is cheaper. Somebody who is wider
+-- than the largest cells may reach over any number of them: then it always is.
+local function mostCells(self)
+  return self.reach[LEVELS] > self.cell * 2 ^ LEVELS + SLACK and -huge or 16 + self.count
 end
 
--- Whether so many cells are in question that looking at everybody is cheaper.
-local function isWide(self, width, height)
+-- Whether more cells than that are in question.
+local function isWide(self, width, height, most)
   local cell = self.cell
-  return (width / cell + 3) * (height / cell + 3) > 16 + self.count - self.vast
+  return (width / cell + 3) * (height / cell + 3) > most
 end
 
 -- Lists the cells of one level in which something may meet the fat boxes of those in `list`.
-local function addRanges(self, list, count, level, cell, n)
+local function addRanges(self, list, count, level, cell, most, n)
   local reach, share = self.reach[level], 1 / cell
   local ranges, fatLow, fatHigh = self.ranges, self.bodies.fatLow, self.bodies.fatHigh
   for m = 1, count do
     local k = 2 * list[m]
     local left, top, right, bottom = fatLow[k], fatLow[k + 1], fatHigh[k], fatHigh[k + 1]
-    if not isWide(self, right - left, bottom - top) then
+    if not isWide(self, right - left, bottom - top, most) then
       ranges[n + 1], ranges[n + 2] = m, level
       ranges[n + 3], ranges[n + 4] = cellAt(left - reach, share), cellAt(right, share)
       ranges[n + 5], ranges[n + 6] = cellAt(top - reach, share), cellAt(bottom, share)
@@ -359,11 +358,10 @@ end
 --- Finds all whose fat boxes meet those of `list[1..count]`: writes who asks into `askers` and whom
 --- it meets, itself included, into `found`; returns how many.
 function grid:overlaps(list, count, askers, found)
-  local ranges, cell = 0, self.cell
-  lookForVast(self)
+  local ranges, cell, most = 0, self.cell, mostCells(self)
   for level = 0, self.highest do
     if self.members[level] > 0 then
-      ranges = addRanges(self, list, count, level, cell, ranges)
+      ranges = addRanges(self, list, count, level, cell, most, ranges)
     end
     cell = cell * 2
   end
@@ -371,7 +369,7 @@ function grid:overlaps(list, count, askers, found)
   local fatLow, fatHigh = self.bodies.fatLow, self.bodies.fatHigh
   for m = 1, count do
     local k = 2 * list[m]
-    if isWide(self, fatHigh[k] - fatLow[k], fatHigh[k + 1] - fatLow[k + 1]) then
+    if isWide(self, fatHigh[k] - fatLow[k], fatHigh[k + 1] - fatLow[k + 1], most) then
       n = addAll(self, list[m], askers, found, n)
     end
   end
@@ -507,9 +505,8 @@ end
 function grid:walk(x1, y1, x2, y2, line, visit)
   local dx, dy, cell, bound = x2 - x1, y2 - y1, self.cell, 1
   local wideX, wideY = max(dx, -dx), max(dy, -dy)
-  lookForVast(self)
   if
-    3 * (max(wideX, wideY) / cell + 2) > 16 + self.count - self.vast
+    3 * (max(wideX, wideY) / cell + 2) > mostCells(self)
     -- So far out cells are shared (see `cellAt`).
     or max(x1, -x1, x2, -x2, y1, -y1, y2, -y2) >= (FAR - 2) * cell
   then
