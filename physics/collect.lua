@@ -222,6 +222,11 @@ function collect.newTouching()
   return { top = false, bottom = false, left = false, right = false }
 end
 
+-- Gives an object a table that will be its `touching`.
+local function takeTouching(b, i, touching)
+  b.touching[i], b.touchTold[4 * i + 1] = touching, columns.UNTOLD
+end
+
 local function enter(b, object, record, key)
   local i = columns.claim(b)
   b.slotOf[object] = i
@@ -232,7 +237,7 @@ local function enter(b, object, record, key)
   b.fresh[i] = true
   b.quiet[i] = false
   if b.kind[i] == DYNAMIC then
-    b.touching[i] = b.roster.given[object] or collect.newTouching()
+    takeTouching(b, i, b.roster.given[object] or collect.newTouching())
   end
   markMoved(b, i)
   rest.wake(b, i)
@@ -344,7 +349,7 @@ local function reread(b, i)
   if isNew then
     b.kind[i] = kind
     clearTouching(b.touching[i])
-    b.touching[i] = kind == DYNAMIC and collect.newTouching() or false
+    takeTouching(b, i, kind == DYNAMIC and collect.newTouching() or false)
     forgetMotion(b, i)
   end
   rest.wakeNeighbours(b, i)
@@ -578,9 +583,9 @@ function collect.refresh(b, i)
   if b.kind[i] ~= DYNAMIC then
     forgetMotion(b, i)
     clearTouching(b.touching[i])
-    b.touching[i] = false
+    takeTouching(b, i, false)
   elseif not b.touching[i] then
-    b.touching[i] = collect.newTouching()
+    takeTouching(b, i, collect.newTouching())
   end
   readAll(b, i, object, true)
   if not b.active[i] then

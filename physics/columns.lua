@@ -58,6 +58,8 @@ columns.RANKS = 2 ^ 40
 columns.NO_EVENT = -1
 --- What stands in `turnSeen` of a turn at which nobody has looked.
 columns.UNSEEN = -1
+--- What stands in `touchTold` at the first side of an object whose `touching` must be told anew.
+columns.UNTOLD = -1
 
 local HUGE = math.huge
 local floor, max, min = math.floor, math.max, math.min
@@ -275,10 +277,15 @@ local SLOT_LIST = {
   "movers", -- slots of everything that is not static
   "awakeList", -- of those who take part in this step
   "rich", -- scratch of collect
+  "outdated", -- scratch of publish
 }
 
--- Scratch of publish, by 4 * slot + side; sides are 1 to 4.
-local SIDE = { "touchBest", "touchWidth" }
+-- By 4 * slot + side; sides are 1 to 4.
+local SIDE = {
+  "touchBest", -- slot of whom it touches there at the end of this step
+  "touchTold", -- what `touching` of the game's object says; UNTOLD at its first side: nobody knows
+  "touchWidth", -- scratch of publish
+}
 
 -- Of all these, what holds whole numbers that stay small: slots, pairs, places, sides, counts of
 -- one step. (Not what counts steps, stamps or changes, which grows as long as the game is played.)
@@ -287,12 +294,12 @@ for _, names in ipairs({
   { "seat", "kind", "awakeAt", "ground", "level", "cargo", "nextCargo", "goesWith", "towerBegin" },
   { "towerThrough", "meetings", "loneOf", "follows", "lastFooting", "lastFlank", "support" },
   { "carrier", "carrierNow", "placed", "head", "holderLow", "holderHigh", "crushLow" },
-  { "crushHigh", "weld", "weldNext", "touchBest", "pairA", "pairB", "contact", "hit" },
+  { "crushHigh", "weld", "weldNext", "touchBest", "touchTold", "pairA", "pairB", "contact", "hit" },
   { "met", "nudged", "event", "waits", "turn", "lastTurn", "wedged", "touches" },
   { "live", "touchList", "flushAlong", "flushAcross", "turnPair", "turnUp", "turnLow" },
   { "turnSide", "turnOrder", "landed", "odd", "near", "nearCode", "touchPairs" },
   { "closePairs", "otherPairs", "other", "next", "previous", "movers", "awakeList", "rich" },
-  { "offerAt", "offerWho", "rivals", "sortFrom", "sortTo", "sortDigit" },
+  { "outdated", "offerAt", "offerWho", "rivals", "sortFrom", "sortTo", "sortDigit" },
 }) do
   for _, name in ipairs(names) do
     WHOLE[name] = true
@@ -737,6 +744,12 @@ function columns.unlinkAll(b, list, count)
   end
   for n = 1, count do
     unhang(b, 2 * list[n], pairB[list[n]])
+  end
+  -- Either slot may soon be somebody else's.
+  local told = b.touchTold
+  for n = 1, count do
+    local p = list[n]
+    told[4 * pairA[p] + 1], told[4 * pairB[p] + 1] = columns.UNTOLD, columns.UNTOLD
   end
   local event, waits, free, freeCount = b.event, b.waits, b.freePairs, b.freePairCount
   for n = 1, count do

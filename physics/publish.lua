@@ -271,25 +271,46 @@ local function tellCrushed(b)
   end
 end
 
-local function tellTouching(b)
-  local list, kind, objects, tables = b.awakeList, b.kind, b.object, b.touching
-  local best = b.touchBest
+-- Lists those who touch others than their `touching` says; returns how many. (From one step to the
+-- next few do, and the game's tables are far apart in memory.)
+local function listOutdated(b)
+  local list, best, told, outdated = b.awakeList, b.touchBest, b.touchTold, b.outdated
+  local count = 0 ---@type number
   for n = 1, b.awakeCount do
     local i = list[n]
-    if kind[i] == DYNAMIC then
-      local object, touching, at = objects[i], tables[i], 4 * i
-      -- (Slot 0 is nobody: false.)
-      touching.left, touching.right = objects[best[at + 1]], objects[best[at + 2]]
-      touching.top, touching.bottom = objects[best[at + 3]], objects[best[at + 4]]
-      if object.touching ~= touching then
-        object.touching = touching
-      end
+    local at = 4 * i
+    if
+      best[at + 1] ~= told[at + 1]
+      or best[at + 2] ~= told[at + 2]
+      or best[at + 3] ~= told[at + 3]
+      or best[at + 4] ~= told[at + 4]
+    then
+      count = count + 1
+      outdated[count] = i
     end
+  end
+  return count
+end
+
+local function tellTouching(b, count)
+  local outdated, objects, tables, best, told =
+    b.outdated, b.object, b.touching, b.touchBest, b.touchTold
+  for n = 1, count do
+    local i = outdated[n]
+    local touching, at = tables[i], 4 * i
+    local left, right, top, bottom = best[at + 1], best[at + 2], best[at + 3], best[at + 4]
+    if touching then -- it is dynamic
+      -- (Slot 0 is nobody: false.)
+      touching.left, touching.right = objects[left], objects[right]
+      touching.top, touching.bottom = objects[top], objects[bottom]
+    end
+    told[at + 1], told[at + 2], told[at + 3], told[at + 4] = left, right, top, bottom
   end
 end
 
 local function tellMotion(b)
   local list, kind, objects, quiet = b.awakeList, b.kind, b.object, b.quiet
+  local tables = b.touching
   local to, speed = b.to, b.speed
   local position, velocity, written = b.position, b.velocity, b.written
   for n = 1, b.awakeCount do
@@ -306,6 +327,9 @@ local function tellMotion(b)
         and not hasNews(b, i)
       -- Whether any of it is new is not asked: that costs more than to write it.
       object.x, object.y, object.vx, object.vy = x, y, vx, vy
+      if object.touching ~= tables[i] then
+        object.touching = tables[i]
+      end
       position[k], position[m], velocity[k], velocity[m] = x, y, vx, vy
       written[k], written[m] = x, y
     else
@@ -336,7 +360,7 @@ function publish.run(b)
   tellCrushed(b)
   findSupports(b)
   findCarriers(b)
-  tellTouching(b)
+  tellTouching(b, listOutdated(b))
   tellMotion(b)
   forgetMoved(b)
 end

@@ -323,6 +323,66 @@ describe("touching", function()
     assert.equal(floor, box.touching.bottom)
   end)
 
+  it("names who has taken the place of somebody, in the same update, and the same slot", function()
+    for _, rest in ipairs({ true, false }) do
+      local world = physics.newWorld({ rest = rest })
+      local floor = world:add("tiles", newFloor())
+      local box, sleeper = world:add("boxes", newBox(0, 84)), world:add("boxes", newBox(40, 84))
+      play(world, 120)
+      for _ = 1, 3 do
+        local before = floor
+        floor = newFloor()
+        world.objects.tiles[1] = floor
+        box.x = box.x + 1 -- it is awake, whatever the other one is
+        world:update(DT)
+        assert.equal(floor, box.touching.bottom)
+        assert.equal(floor, sleeper.touching.bottom)
+        -- What cannot meet any more, for a moment, is forgotten before it goes.
+        floor.mask = {}
+        world.objects.tiles[1] = before
+        world:update(DT)
+        assert.equal(before, box.touching.bottom)
+        assert.equal(before, sleeper.touching.bottom)
+        floor = before
+      end
+    end
+  end)
+
+  it(
+    "comes back, and tells all, when the game replaces it or the object changes its kind",
+    function()
+      local world = physics.newWorld({ rest = false })
+      local floor = world:add("tiles", newFloor())
+      local box = world:add("boxes", newBox(0, 84))
+      play(world, 3)
+      local touching = box.touching
+      box.touching = {}
+      world:update(DT)
+      assert.equal(touching, box.touching)
+      assert.equal(floor, box.touching.bottom)
+      box.kinematic = true
+      world:update(DT)
+      assert.is_false(touching.bottom)
+      box.kinematic = nil
+      play(world, 2)
+      assert.equal(floor, box.touching.bottom)
+      box.active = false
+      world:update(DT)
+      assert.is_false(box.touching.bottom)
+      box.active = nil
+      play(world, 2)
+      assert.equal(floor, box.touching.bottom)
+      -- On somebody whom it meets as either kind, and without a step between.
+      local rider = world:add("boxes", newBox(0, 68))
+      play(world, 3)
+      rider.kinematic = true
+      world:update(0)
+      rider.kinematic = nil
+      world:update(DT)
+      assert.equal(box, rider.touching.bottom)
+    end
+  )
+
   it("is the neighbour with the widest common edge, the first of equals", function()
     local world = physics.newWorld()
     local narrow = world:add("tiles", { x = 0, y = 16, width = 6, height = 8, static = true })
