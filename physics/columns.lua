@@ -421,6 +421,9 @@ function columns.new()
     isStale = false, -- the others have not, or not since paths have changed
     isQuiet = false, -- all who touch have turns and take them: nobody is followed
     isEager = false, -- no pair waits for its turn without being looked at
+    isMeeting = false, -- a step is on its way, or was given up there
+    stained = {}, -- pairs of which more must be forgotten than of others (see live)
+    stainCount = 0,
     links = 0, -- how often the pairs have changed
     awakenings = 0, -- how often it has changed who takes part
     liveLinks = -1, -- both, when `live` was listed

@@ -12,6 +12,7 @@ local ask = require(here .. ".ask")
 local columns = require(here .. ".columns")
 local events = require(here .. ".events")
 local interpreted = require(here .. ".interpreted")
+local live = require(here .. ".live")
 local oneway = require(here .. ".oneway")
 local sort = require(here .. ".sort")
 
@@ -193,6 +194,7 @@ function contact.ask(b)
     local i, j, axis = b.pairA[p], b.pairB[p], side > 2 and 1 or 0
     local isFirstLow = side % 2 == 0
     b.passing[p] = not ask.permits(b, isFirstLow and i or j, isFirstLow and j or i, axis)
+    live.stain(b, p)
   end
 end
 

@@ -28,17 +28,45 @@ end
 
 -- Nothing has happened to the pairs from place `first` of the list on.
 local function reset(b, first)
-  local live_, met, hit, passing, event = b.live, b.met, b.hit, b.passing, b.event
-  local nudged, turn, waits, touches, settled = b.nudged, b.turn, b.waits, b.touches, b.settled
+  local live_, met, hit, turn = b.live, b.met, b.hit, b.turn
   for n = first, b.liveCount do
     local p = live_[n]
-    met[p], hit[p], passing[p], event[p] = 0, 0, false, NO_EVENT
-    nudged[p], turn[p], waits[p], touches[p], settled[p] = 0, 0, 0, 0, 0
+    met[p], hit[p], turn[p] = 0, 0, 0
   end
 end
 
---- Lists the pairs of everybody in awakeList, for a new step.
-function live.list(b)
+--- Notes that more of a pair must be forgotten when the next step begins: whether it passes, was
+--- nudged or is settled, which few are.
+function live.stain(b, p)
+  b.stainCount = b.stainCount + 1
+  b.stained[b.stainCount] = p
+end
+
+-- Forgets it.
+local function clean(b)
+  local stained, passing, nudged, settled = b.stained, b.passing, b.nudged, b.settled
+  for n = 1, b.stainCount do
+    local p = stained[n]
+    passing[p], nudged[p], settled[p] = false, 0, 0
+  end
+  b.stainCount = 0
+end
+
+-- Forgets the events of all pairs. A step that has come to its end has left none.
+local function forgetEvents(b)
+  local event, waits = b.event, b.waits
+  for p = 1, b.pairSlots do
+    event[p], waits[p] = NO_EVENT, 0
+  end
+end
+
+--- Lists the pairs of everybody in awakeList, for a new step; `isBroken`: the last one was given
+--- up on its way.
+function live.list(b, isBroken)
+  if isBroken then
+    forgetEvents(b)
+  end
+  clean(b)
   if b.liveLinks ~= b.links or b.liveAwakenings ~= b.awakenings then
     b.liveLinks, b.liveAwakenings = b.links, b.awakenings
     b.liveStamp, b.liveCount = b.liveStamp + 1, 0
@@ -61,12 +89,13 @@ end
 --- Adds the pairs of those in awakeList from place `first` on, who have been woken in the step.
 function live.add(b, first)
   local live_, mark, stamp, from = b.live, b.liveMark, b.liveStamp, b.liveCount + 1
+  local touches = b.touches
   for n = first, b.awakeCount do
     local half = b.head[b.awakeList[n]]
     while half ~= 0 do
       local p = (half + half % 2) / 2
       if mark[p] ~= stamp then
-        mark[p], b.liveCount = stamp, b.liveCount + 1
+        mark[p], touches[p], b.liveCount = stamp, 0, b.liveCount + 1
         live_[b.liveCount] = p
       end
       half = b.next[half]

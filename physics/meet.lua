@@ -209,6 +209,7 @@ local function happen(b, p, code, t, dt)
   if b.dropping[p] or oneway.lets(b, low, high, 2 * axis + 2, kind) then
     return
   end
+  live.stain(b, p)
   if b.permitted[p] == b.step then
     b.permitted[p] = 0 -- was asked when it was its turn
   elseif not ask.permits(b, low, high, axis) then
@@ -342,6 +343,7 @@ local function askAboutTurn(b)
     b.permitted[p] = b.step
   else
     b.passing[p] = true
+    live.stain(b, p)
   end
 end
 
@@ -537,7 +539,8 @@ function meet.run(b, dt)
   b.lone.latest, b.lone.count, b.now = 0, 0, 0
   rounds.start(b)
   wakeAhead(b, dt)
-  live.list(b)
+  live.list(b, b.isMeeting)
+  b.isMeeting = true
   turns.list(b)
   b.isQuiet = not b.queueOnly and b.oddCount == 0
   if b.queueOnly then
@@ -551,6 +554,7 @@ function meet.run(b, dt)
     id = queue.pop(q)
   end
   crush.keepOut(b)
+  b.isMeeting = false
 end
 
 return meet

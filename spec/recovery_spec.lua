@@ -2,7 +2,9 @@
 --- update goes on. Objects fail here at every single point at which the library touches them, one
 --- after the other, as they would if memory ran out there.
 
+local columns = require("physics.columns")
 local effort = require("spec.support.effort")
+local newRandom = require("spec.support.random").new
 local physics = require("physics")
 local state = require("physics.state")
 
@@ -327,6 +329,115 @@ describe("after a callback has failed", function()
       end)
     end
   end
+end)
+
+-- Everybody wants to the middle, and jumps now and then; half of them cannot be pushed, and so have
+-- no turns: much is left in the queue by a step that is given up.
+describe("after canCollide has failed in a crowd", function()
+  local COUNT, STEPS = 24, 80
+
+  local function newCrowd()
+    local random = newRandom(11)
+    local world = physics.newWorld({ gravity = 800 })
+    world:add("floors", { x = -200, y = 100, width = 800, height = 16, static = true })
+    for i = 1, COUNT do
+      world:add("boxes", {
+        x = 20 * i - 20,
+        y = random:between(20, 84),
+        width = random:between(10, 20),
+        height = random:between(10, 16),
+        friction = i % 3 == 0 and 0.4 or nil,
+        restitution = i % 5 == 0 and 0.5 or nil,
+        pushable = i % 2 == 0,
+        oneWay = i % 3 == 0 and "top" or nil,
+      })
+    end
+    return world
+  end
+
+  local function push(world, step)
+    for i, box in ipairs(world.objects.boxes) do
+      box.vx = box.x < 220 and 120 or -120
+      if (step + 5 * i) % 20 == 0 then
+        box.vy = -200
+      end
+    end
+  end
+
+  -- A world, and a function that lets its n-th question from now on fail.
+  local function newAsking()
+    local world, left = newCrowd(), 0
+    function world.canCollide()
+      left = left - 1
+      if left == 0 then
+        error(FAILURE, 0)
+      end
+    end
+    return world, function(n)
+      left = n
+    end
+  end
+
+  -- Pairs that have an event in the queue, or wait for one.
+  local function countEvents(b)
+    local count = 0
+    for p = 1, b.pairSlots do
+      if b.event[p] ~= columns.NO_EVENT or b.waits[p] ~= 0 then
+        count = count + 1
+      end
+    end
+    return count
+  end
+
+  it("at any point, the world goes the way of one in which it did not", function()
+    local expected, twin = {}, newCrowd()
+    for step = 1, STEPS do
+      push(twin, step)
+      twin:update(DT)
+      expected[step] = twin:hash()
+    end
+    local failures = 0
+    for round = 1, 10 do
+      local world, failAt = newAsking()
+      for step = 1, STEPS do
+        push(world, step)
+        failAt((7 * round + 3 * step) % 29 + 1)
+        if not pcall(world.update, world, DT) then
+          failAt(0)
+          failures = failures + 1
+          world:update(DT) -- that step was not made
+        end
+        assert.equal(expected[step], world:hash(), "round " .. round .. ", step " .. step)
+      end
+    end
+    assert.is_true(failures > STEPS, "failures: " .. failures)
+  end)
+
+  it("no event is left, and the world goes the way of a restored one", function()
+    local failures, left = 0, 0
+    local world, failAt = newAsking()
+    for step = 1, 20 * STEPS do
+      push(world, step)
+      failAt(step % 29 + 1)
+      if not pcall(world.update, world, DT) then
+        failures, left = failures + 1, left + countEvents(world._bodies)
+        failAt(0)
+        local copy = newCrowd()
+        copy:restore(world:save())
+        for _, one in ipairs({ world, copy }) do
+          push(one, 13 * step)
+          for i = 1, COUNT, 1 + step % 5 do
+            local box = one.objects.boxes[i]
+            box.x, box.vx, box.vy = box.x + (i + step) % 9 - 4, -box.vx, 50
+          end
+          one:update(DT)
+        end
+        assert.equal(copy:hash(), world:hash(), "step " .. step)
+        assert.equal(0, countEvents(world._bodies), "step " .. step)
+      end
+    end
+    assert.is_true(failures > 5 * STEPS and left > 0, "failures: " .. failures)
+  end)
 end)
 
 -- Older states ------------------------------------------------------------------------------------

@@ -1,6 +1,7 @@
 --- Parts of the step, each by itself: sorting, queue, broad phases, forces, friction, welds, …
 
 local begin = require("physics.begin")
+local case = require("spec.fuzz.case")
 local columns = require("physics.columns")
 local everybody = require("physics.broadphase.pairs")
 local forces = require("physics.forces")
@@ -9,6 +10,7 @@ local grid = require("physics.broadphase.grid")
 local newRandom = require("spec.support.random").new
 local path = require("physics.path")
 local physics = require("physics")
+local player = require("spec.fuzz.player")
 local queue = require("physics.queue")
 local ring = require("physics.ring")
 local roster = require("physics.roster")
@@ -456,6 +458,42 @@ describe("the columns", function()
       end
     end
     assert.equal(40, b.slots)
+  end)
+end)
+
+describe("a step that has come to its end", function()
+  local function check(b, what)
+    local isStained, marks = {}, 0
+    for n = 1, b.stainCount do
+      isStained[b.stained[n]] = true
+    end
+    for p = 1, b.pairSlots do
+      assert.are.equal(columns.NO_EVENT, b.event[p], what)
+      assert.are.equal(0, b.waits[p], what)
+      if b.passing[p] or b.nudged[p] ~= 0 or b.settled[p] ~= 0 then
+        marks = marks + 1
+        assert.is_true(isStained[p], what)
+      end
+    end
+    return marks
+  end
+
+  it("has left no event, and noted of whom more must be forgotten than of others", function()
+    local updates, marks = 0, 0
+    for seed = 5100001, 5100024 do
+      local one = case.new(seed, 40)
+      local its = player.new(one)
+      for n, act in ipairs(one.acts) do
+        if act[1] ~= "twin" then
+          its:act(act)
+        end
+        if act[1] == "update" and not its.world._bodies.isMeeting then
+          updates, marks =
+            updates + 1, marks + check(its.world._bodies, ("seed %d, act %d"):format(seed, n))
+        end
+      end
+    end
+    assert.is_true(updates > 900 and marks > 50, updates .. " updates, " .. marks .. " marks")
   end)
 end)
 
