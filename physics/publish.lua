@@ -327,9 +327,7 @@ local function tellMotion(b)
         and not hasNews(b, i)
       -- Whether any of it is new is not asked: that costs more than to write it.
       object.x, object.y, object.vx, object.vy = x, y, vx, vy
-      if object.touching ~= tables[i] then
-        object.touching = tables[i]
-      end
+      object.touching = tables[i]
       position[k], position[m], velocity[k], velocity[m] = x, y, vx, vy
       written[k], written[m] = x, y
     else
