@@ -198,10 +198,12 @@ function collect.newTouching()
   return { top = false, bottom = false, left = false, right = false }
 end
 
--- Gives an object a table that will be its `touching`.
-local function takeTouching(b, i, touching)
+--- Gives a slot the table that will be `touching` of its object; false: it has none.
+function collect.takeTouching(b, i, touching)
   b.touching[i], b.touchTold[4 * i + 1] = touching, columns.UNTOLD
 end
+
+local takeTouching = collect.takeTouching
 
 local function enter(b, object, record, key)
   local i = columns.claim(b)

@@ -748,15 +748,12 @@ function columns.unlinkAll(b, list, count)
   for n = 1, count do
     unhang(b, 2 * list[n], pairB[list[n]])
   end
-  -- Either slot may soon be somebody else's.
+  local event, waits, free, freeCount = b.event, b.waits, b.freePairs, b.freePairCount
   local told = b.touchTold
   for n = 1, count do
     local p = list[n]
+    -- Either slot may soon be somebody else's.
     told[4 * pairA[p] + 1], told[4 * pairB[p] + 1] = columns.UNTOLD, columns.UNTOLD
-  end
-  local event, waits, free, freeCount = b.event, b.waits, b.freePairs, b.freePairCount
-  for n = 1, count do
-    local p = list[n]
     pairA[p], pairB[p], event[p], waits[p] = 0, 0, columns.NO_EVENT, 0
     free[freeCount + n] = p
   end

@@ -60,11 +60,10 @@ local function forgetEvents(b)
   end
 end
 
---- Lists the pairs of everybody in awakeList, for a new step; `isBroken`: the last one was given
---- up on its way.
-function live.list(b, isBroken)
-  if isBroken then
-    forgetEvents(b)
+--- Lists the pairs of everybody in awakeList, for a new step.
+function live.list(b)
+  if b.isMeeting then
+    forgetEvents(b) -- the last step was given up on its way
   end
   clean(b)
   if b.liveLinks ~= b.links or b.liveAwakenings ~= b.awakenings then

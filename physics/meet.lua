@@ -539,7 +539,7 @@ function meet.run(b, dt)
   b.lone.latest, b.lone.count, b.now = 0, 0, 0
   rounds.start(b)
   wakeAhead(b, dt)
-  live.list(b, b.isMeeting)
+  live.list(b)
   b.isMeeting = true
   turns.list(b)
   b.isQuiet = not b.queueOnly and b.oddCount == 0

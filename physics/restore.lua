@@ -438,7 +438,7 @@ local function rememberTouching(b, st, objects, named, slots)
         touching = b.touching[i]
         object.touching = touching
       end
-      b.touching[i], b.touchTold[4 * i + 1] = touching, columns.UNTOLD
+      collect.takeTouching(b, i, touching)
       touching.left, touching.right, touching.top, touching.bottom = false, false, false, false
     end
   end

@@ -348,40 +348,37 @@ describe("touching", function()
     end
   end)
 
-  it(
-    "comes back, and tells all, when the game replaces it or the object changes its kind",
-    function()
-      local world = physics.newWorld({ rest = false })
-      local floor = world:add("tiles", newFloor())
-      local box = world:add("boxes", newBox(0, 84))
-      play(world, 3)
-      local touching = box.touching
-      box.touching = {}
-      world:update(DT)
-      assert.equal(touching, box.touching)
-      assert.equal(floor, box.touching.bottom)
-      box.kinematic = true
-      world:update(DT)
-      assert.is_false(touching.bottom)
-      box.kinematic = nil
-      play(world, 2)
-      assert.equal(floor, box.touching.bottom)
-      box.active = false
-      world:update(DT)
-      assert.is_false(box.touching.bottom)
-      box.active = nil
-      play(world, 2)
-      assert.equal(floor, box.touching.bottom)
-      -- On somebody whom it meets as either kind, and without a step between.
-      local rider = world:add("boxes", newBox(0, 68))
-      play(world, 3)
-      rider.kinematic = true
-      world:update(0)
-      rider.kinematic = nil
-      world:update(DT)
-      assert.equal(box, rider.touching.bottom)
-    end
-  )
+  it("comes back when the game replaces it, or the object changes its kind", function()
+    local world = physics.newWorld({ rest = false })
+    local floor = world:add("tiles", newFloor())
+    local box = world:add("boxes", newBox(0, 84))
+    play(world, 3)
+    local touching = box.touching
+    box.touching = {}
+    world:update(DT)
+    assert.equal(touching, box.touching)
+    assert.equal(floor, box.touching.bottom)
+    box.kinematic = true
+    world:update(DT)
+    assert.is_false(touching.bottom)
+    box.kinematic = nil
+    play(world, 2)
+    assert.equal(floor, box.touching.bottom)
+    box.active = false
+    world:update(DT)
+    assert.is_false(box.touching.bottom)
+    box.active = nil
+    play(world, 2)
+    assert.equal(floor, box.touching.bottom)
+    -- On somebody whom it meets as either kind, and without a step between.
+    local rider = world:add("boxes", newBox(0, 68))
+    play(world, 3)
+    rider.kinematic = true
+    world:update(0)
+    rider.kinematic = nil
+    world:update(DT)
+    assert.equal(box, rider.touching.bottom)
+  end)
 
   it("is the neighbour with the widest common edge, the first of equals", function()
     local world = physics.newWorld()
