@@ -551,8 +551,8 @@ function collect.giveTouching(b)
   for n = 1, b.movedCount do
     local i = b.movedList[n]
     local object, touching = b.object[i], b.touching[i]
-    if object and touching and object.touching ~= touching then
-      object.touching = touching
+    if object and touching then
+      object.touching = touching -- without a look at what stands there, as in `publish`
     end
   end
 end

@@ -299,6 +299,23 @@ describe("touching", function()
     assert.equal(touching, box.touching)
   end)
 
+  it("takes the place of whatever stands there, also of a table that cannot be compared", function()
+    local world = physics.newWorld()
+    local function newOwn()
+      return setmetatable({}, {
+        __eq = function()
+          error("is not to be compared")
+        end,
+      })
+    end
+    local idle = newBox(0, 0, { active = false, touching = newOwn() })
+    local box = newBox(40, 0, { touching = newOwn() })
+    world.objects.boxes = { idle, box }
+    world:update(DT)
+    assert.is_false(idle.touching.bottom)
+    assert.is_false(box.touching.bottom)
+  end)
+
   it("belongs to dynamic objects only", function()
     local world = physics.newWorld()
     local floor = world:add("tiles", newFloor())
