@@ -30,12 +30,12 @@ local STATIC = columns.STATIC
 
 -- Kind of an object that the core has read anew.
 local UNREAD = 0
--- px around an object in which it may move without being filed anew, and what must be left of that
--- when it is looked at.
-local MARGIN, LEFT = 6, 3
+-- px around an object that has not moved yet, and around one that has, in which it may move without
+-- being filed anew; and what must be left of that when it is looked at.
+local STANDS, MOVES, LEFT = 4, 6, 3
 -- px around a way within which somebody may be met.
 local SLACK = 1
--- px, cells of the grid: what is up to 28 px wide fits into one with its margin.
+-- px, cells of the grid: what is up to 28 px wide fits into one with its margin, wherever it goes.
 local CELL = 40
 -- Numbers whose sum is no more than this are all in range.
 local MOST = 1e99
@@ -50,6 +50,7 @@ for _, kind in ipairs({
   { "any", 1, { "object", "group", "groupName", "key", "listed", "oneWay", "mask" } },
   { "boolean", 1, { "live", "active", "sensor" } },
   { "integer", 1, { "kind" } },
+  { "number", 1, { "leeway" } }, -- px by which it may be elsewhere than where it was seen
   { "number", 1, { "rank", "entry", "mark" } }, -- the last two are scratch
   { "number", 2, { "position", "size", "fatLow", "fatHigh" } },
 }) do
@@ -176,10 +177,12 @@ local function mustMove(v, i)
   ) > -LEFT
 end
 
-local function fatten(v, i)
-  local position, size, margin = v.position, v.size, v.live[i] and MARGIN or 0
+-- Gives an object a box with so much margin, if it may move.
+local function fatten(v, i, margin)
+  local position, size, room = v.position, v.size, v.live[i] and margin or 0
+  v.leeway[i] = min(room, LEFT)
   for k = 2 * i, 2 * i + 1 do
-    v.fatLow[k], v.fatHigh[k] = position[k] - margin, position[k] + size[k] + margin
+    v.fatLow[k], v.fatHigh[k] = position[k] - room, position[k] + size[k] + room
   end
 end
 
@@ -190,7 +193,7 @@ local function followAll(v, list, count)
   for n = 1, count do
     local i = list[n]
     if mustMove(v, i) then
-      fatten(v, i)
+      fatten(v, i, MOVES)
       m = m + 1
       strays[m] = i
     end
@@ -243,7 +246,7 @@ local function enter(v, object, record, key)
   v.listed[i], v.entry[i], v.mark[i], v.rank[i] = false, 0, 0, 0
   v.active[i], v.sensor[i], v.oneWay[i], v.mask[i] = true, false, false, false
   readAny(v, v.bodies, i)
-  fatten(v, i)
+  fatten(v, i, STANDS)
   v.grid:insert(i)
   list(v, i)
   return i
@@ -306,7 +309,7 @@ local function settle(v)
       readAny(v, v.bodies, i)
       if not v.live[i] then
         unlist(v, i)
-        fatten(v, i)
+        fatten(v, i, STANDS)
         v.single[1] = i
         v.grid:update(v.single, 1)
       end

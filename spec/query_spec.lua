@@ -600,11 +600,11 @@ for name, build in pairs({ small = small, large = large }) do
           world:refresh(object)
         end -- far away, and not the first question
         assert.are.equal(1, count(world, x + 5, 5))
-        object.x = x + 6 -- a question was asked before
-        assert.are.equal(0, count(world, x + 5, 5))
-        assert.are.equal(1, count(world, x + 15, 5))
+        object.x = x + 3 -- a question was asked before
+        assert.are.equal(0, count(world, x + 2, 5))
+        assert.are.equal(1, count(world, x + 12, 5))
         object.width = 3
-        assert.are.equal(0, count(world, x + 15, 5))
+        assert.are.equal(0, count(world, x + 12, 5))
         object.width = 10
         if step > 2 then
           world:update(1 / 60)
@@ -647,6 +647,32 @@ for name, build in pairs({ small = small, large = large }) do
         object.x, object.y, object.width = step, 0, 13
         assert.are.equal(1, count(world, step + 12.5, 5))
         object.width = 10
+      end
+    end)
+
+    -- Lines leave out who is further from where it was seen than that; from all four sides.
+    it("hits what was moved or made larger by 3 px by hand", function()
+      local world = build()
+      local object = world:add("a", box(0, 0, 10, 10, { vx = 60, vy = 60 }))
+      local function hits(x1, y1, x2, y2, x, y)
+        local found, hitX, hitY = world:raycast(x1, y1, x2, y2)
+        assert.are.equal(object, found)
+        assert.are.same({ x, y }, { hitX, hitY })
+      end
+      for step = 1, 12 do
+        world:update(1 / 60)
+        local at = object.x
+        assert.are.equal(step, at)
+        hits(at + 9.5, at + 30, at + 9.5, at - 30, at + 9.5, at + 10)
+        object.x, object.y = at + 3, at - 3
+        hits(at + 12.5, at + 30, at + 12.5, at - 30, at + 12.5, at + 7)
+        hits(at + 30, at - 2.5, at - 30, at - 2.5, at + 13, at - 2.5)
+        assert.is_nil(world:raycast(at + 2.5, at - 30, at + 2.5, at + 30))
+        assert.is_nil(world:raycast(at - 30, at + 7.5, at + 30, at + 7.5))
+        object.x, object.y, object.width, object.height = at, at, 13, 13
+        hits(at + 12.5, at - 30, at + 12.5, at + 30, at + 12.5, at)
+        hits(at - 30, at + 12.5, at + 30, at + 12.5, at, at + 12.5)
+        object.width, object.height = 10, 10
       end
     end)
 
