@@ -239,6 +239,7 @@ local function leave(b, i)
   detect.remove(b, i)
   rest.drop(b, i)
   clearTouching(b.touching[i])
+  b.roster.left[object] = b.touching[i] or nil
   b.slotOf[object] = nil
   columns.release(b, i)
   b.newcomers = true
@@ -321,7 +322,8 @@ local function reread(b, i)
   checkAgain(b, i)
   local kind = columns.kindOf(object, b.kind[i] == STATIC)
   local isNew = kind ~= b.kind[i]
-  if isNew or object.active == false or (b.carry[i] and object.carry == false) then
+  local isOff = object.active == false
+  if isNew or isOff or (b.carry[i] and object.carry == false) then
     carrier.forget(b, i)
   end
   if isNew then
@@ -332,7 +334,7 @@ local function reread(b, i)
   end
   rest.wakeNeighbours(b, i)
   -- One that takes no part goes nowhere: it is where it was put meanwhile.
-  readAll(b, i, object, isNew or not b.active[i])
+  readAll(b, i, object, isNew or isOff or not b.active[i])
   if not b.active[i] then
     clearTouching(b.touching[i])
   end
@@ -583,7 +585,7 @@ function collect.refresh(b, i)
     clearTouching(b.touching[i])
     takeTouching(b, i, false)
   elseif not b.touching[i] then
-    takeTouching(b, i, collect.newTouching())
+    takeTouching(b, i, b.roster.given[object] or collect.newTouching())
   end
   readAll(b, i, object, true)
   if not b.active[i] then

@@ -500,6 +500,7 @@ function columns.new()
     clear = 0, -- px by which two must be apart to be clear of each other (see gather)
     gatherStamp = 0,
     unasked = { pairs = {}, sides = {}, first = {}, second = {}, order = {} }, -- scratch of contact
+    touchingBefore = {}, -- scratch of restore
     found = {}, -- scratch of detect and part
     stoppedAt = {},
     stoppedTo = {},

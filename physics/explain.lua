@@ -139,7 +139,7 @@ end
 function explain.run(world, a, b)
   local v = view.of(world)
   local i, j = view.find(v, world, a), view.find(v, world, b)
-  if a == b then
+  if rawequal(a, b) then
     return "a and b are the same object, which never collides with itself."
   elseif not i and not j then
     return "a and b never collide: neither is in the world."
@@ -160,7 +160,7 @@ function explain.touching(world, a, b)
   end
   view.lookAtFilter(v, i)
   view.lookAtFilter(v, j)
-  if a == b or filter.reason(v, i, j) then
+  if rawequal(a, b) or filter.reason(v, i, j) then
     return nil
   end
   local flush = flushSide(v, i, j)

@@ -11,6 +11,7 @@ local contact = require(here .. ".contact")
 local crush = require(here .. ".crush")
 local interpreted = require(here .. ".interpreted")
 local oneway = require(here .. ".oneway")
+local view = require(here .. ".view")
 
 local publish = {}
 
@@ -353,6 +354,7 @@ end
 --- Publishes what the step has brought, for everybody who took part in it.
 function publish.run(b)
   contact.ask(b)
+  view.outdate(b) -- whom it has asked may have asked questions, and what follows may fail
   reset(b)
   findTouching(b, updateContacts(b))
   tellCrushed(b)

@@ -253,10 +253,22 @@ local function placeKnown(world, st, objects)
   end
 end
 
+-- Lists the tables that have been `touching` of the objects in this world, false: none. (What
+-- stands there now may be another world's, or the game's, and more than one object's.)
+local function listTouching(b, objects, count)
+  local list, r = b.touchingBefore, b.roster
+  for n = 1, count do
+    local object = objects[n]
+    local slot = b.slotOf[object]
+    list[n] = slot and b.touching[slot] or r.given[object] or r.left[object] or false
+  end
+  return list
+end
+
 -- Gives an object that was added since then the `touching` that `add` had given it.
-local function giveTouching(b, object, group)
+local function giveTouching(b, object, group, touching)
   if not object.static and not object.kinematic then
-    local touching = type(object.touching) == "table" and object.touching or collect.newTouching()
+    touching = touching or collect.newTouching()
     touching.left, touching.right, touching.top, touching.bottom = false, false, false, false
     object.touching = touching
     b.roster.given[object], b.roster.groupGiven[object] = touching, group
@@ -264,7 +276,7 @@ local function giveTouching(b, object, group)
 end
 
 -- Puts the objects where the game had put them since.
-local function placeNow(world, st, objects)
+local function placeNow(world, st, objects, touching)
   if not st.tables then
     return
   end
@@ -278,7 +290,7 @@ local function placeNow(world, st, objects)
         world.objects[group.name] = objects[n]
       end
       if n > st.known then
-        giveTouching(world._bodies, objects[n], group.name)
+        giveTouching(world._bodies, objects[n], group.name, touching[n])
       end
     end
   end
@@ -429,17 +441,14 @@ local function rememberContacts(b, st, slots)
   end
 end
 
-local function rememberTouching(b, st, objects, named, slots)
+local function rememberTouching(b, st, objects, named, slots, touching)
   for n = 1, st.known do
     local i, object = slots[n], objects[n]
     if b.kind[i] == DYNAMIC then
-      local touching = object.touching
-      if type(touching) ~= "table" then
-        touching = b.touching[i]
-        object.touching = touching
-      end
-      collect.takeTouching(b, i, touching)
-      touching.left, touching.right, touching.top, touching.bottom = false, false, false, false
+      local t = touching[n] or b.touching[i]
+      object.touching = t
+      collect.takeTouching(b, i, t)
+      t.left, t.right, t.top, t.bottom = false, false, false, false
     end
   end
   local list = st.touching
@@ -468,7 +477,7 @@ local function rememberEvents(b, st, named)
   e.sorted = max(st.sorted or 0, e.told)
 end
 
-local function remember(b, st, objects, named)
+local function remember(b, st, objects, named, touching)
   local slots = {}
   for n = 1, st.known do
     slots[n] = b.slotOf[objects[n]]
@@ -479,7 +488,7 @@ local function remember(b, st, objects, named)
   rememberSlots(b, st, slots)
   stand(b, st, slots)
   rememberContacts(b, st, slots)
-  rememberTouching(b, st, objects, named, slots)
+  rememberTouching(b, st, objects, named, slots, touching)
   rememberEvents(b, st, named)
 end
 
@@ -589,6 +598,7 @@ function restore.world(world, st)
   local tables = match(world, st)
   local objects, masks = tables.objects, tables.masks
   local named = recall(st, objects, tables.gone)
+  local touching = listTouching(b, objects, st.count)
   forget(b)
   restoreSettings(world, st.settings, tables)
   writeFields(st, objects, masks)
@@ -596,17 +606,20 @@ function restore.world(world, st)
   placeKnown(world, st, objects)
   readAgain(b, objects, st.known)
   collectKnown(world, st)
-  remember(b, st, objects, named)
+  remember(b, st, objects, named, touching)
   if unread then
     writeFields(st, objects, masks, unread)
   end
-  placeNow(world, st, objects)
+  placeNow(world, st, objects, touching)
   world._walls = {}
   for side, n in next, st.walls, nil do
     world._walls[side] = objects[n]
   end
   world._saved = st.saved
   world.alpha = world.timestep and max(0, min(st.saved / world.timestep, 1)) or 0
+  for n = 1, st.count do
+    touching[n] = false
+  end
   view.outdate(b)
 end
 

@@ -61,6 +61,7 @@ function roster.new()
     -- Objects that came through `add` and have not been read yet: their `touching`, their group.
     given = newWeak(),
     groupGiven = newWeak(),
+    left = newWeak(), -- the `touching` that those have had who are in the world no more
   }
 end
 

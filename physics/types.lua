@@ -215,8 +215,8 @@ local default = {}
 function default.update(dt) end
 
 --- Puts an object at the end of a group, which is made if it is not there. The same as
---- `table.insert(world.objects[group], object)`, but it checks the fields at once and gives the
---- object its `touching`.
+--- `table.insert(world.objects[group], object)`, but it checks the fields at once, gives the object
+--- its `touching`, and reads one anew that was taken out since the last update, also a static one.
 ---
 --- Errors: a group that is no name; no table; a field that cannot be used; an object that already
 --- stands in the world. Nothing has changed then. (One that was put in by hand since the last

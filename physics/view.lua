@@ -31,8 +31,9 @@ local STATIC = columns.STATIC
 -- Kind of an object that the core has read anew.
 local UNREAD = 0
 -- px around an object that has not moved yet, and around one that has, in which it may move without
--- being filed anew; and what must be left of that when it is looked at.
-local STANDS, MOVES, LEFT = 4, 6, 3
+-- being filed anew; and what must be left of that when it is looked at. (A question looks at all
+-- whose boxes it meets, with these margins.)
+local STANDS, MOVES, LEFT = 3.25, 6, 3
 -- px around a way within which somebody may be met.
 local SLACK = 1
 -- px, cells of the grid: what is up to 28 px wide fits into one with its margin, wherever it goes.
@@ -50,7 +51,6 @@ for _, kind in ipairs({
   { "any", 1, { "object", "group", "groupName", "key", "listed", "oneWay", "mask" } },
   { "boolean", 1, { "live", "active", "sensor" } },
   { "integer", 1, { "kind" } },
-  { "number", 1, { "leeway" } }, -- px by which it may be elsewhere than where it was seen
   { "number", 1, { "rank", "entry", "mark" } }, -- the last two are scratch
   { "number", 2, { "position", "size", "fatLow", "fatHigh" } },
 }) do
@@ -180,7 +180,6 @@ end
 -- Gives an object a box with so much margin, if it may move.
 local function fatten(v, i, margin)
   local position, size, room = v.position, v.size, v.live[i] and margin or 0
-  v.leeway[i] = min(room, LEFT)
   for k = 2 * i, 2 * i + 1 do
     v.fatLow[k], v.fatHigh[k] = position[k] - room, position[k] + size[k] + room
   end

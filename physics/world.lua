@@ -193,14 +193,26 @@ local function welcome(b, object)
   end
 end
 
+-- One that was taken out since the last update may have been changed meanwhile, also in what is
+-- read only once.
+local function readAgain(b, object)
+  local slot = b.slotOf[object]
+  if slot and (object.static or b.kind[slot] == columns.STATIC) then
+    collect.refresh(b, slot)
+  end
+  view.refresh(b, object)
+end
+
 -- Puts an object that was checked at the end of a group: last of all, so that one that fails when
 -- it is written to has not come in.
 local function put(self, group, object)
-  welcome(self._bodies, object)
+  local b = self._bodies
+  welcome(b, object)
   local members = groupFor(self, group)
   members[#members + 1] = object
-  self._bodies.roster.groupGiven[object] = group
-  view.tell(self._bodies)
+  b.roster.groupGiven[object] = group
+  view.tell(b)
+  readAgain(b, object)
   return object
 end
 
@@ -257,8 +269,8 @@ local function checkObjects(self)
 end
 
 --- Puts an object at the end of a group, which is made if it is not there. The same as
---- `table.insert(world.objects[group], object)`, but it checks the fields at once and gives the
---- object its `touching`.
+--- `table.insert(world.objects[group], object)`, but it checks the fields at once, gives the object
+--- its `touching`, and reads one anew that was taken out since the last update, also a static one.
 ---
 --- Errors: a group that is no name; no table; a field that cannot be used; an object that already
 --- stands in the world. Nothing has changed then. (One that was put in by hand since the last

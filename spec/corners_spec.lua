@@ -45,6 +45,40 @@ describe("a question", function()
     end
   end)
 
+  it("finds everybody where it is after an update that has failed half way", function()
+    local world = newWorld({ gravity = 0 })
+    local fast = world:add("a", box(0, 0, { vx = 6000 }))
+    for n = 1, 200 do
+      world:add("far", box(40 * n, 900))
+    end
+    local fields = { x = 0, y = 300, width = 16, height = 16, vx = 1, vy = 0 }
+    local isFull = false
+    world:add(
+      "z",
+      setmetatable({}, {
+        __index = fields,
+        __newindex = function(_, key, value)
+          if isFull and key == "x" then
+            error("full")
+          end
+          fields[key] = value
+        end,
+      })
+    )
+    world:add("walls", box(0, 100, { static = true }))
+    world:add("b", box(0, 80, { vy = 600 }))
+    world:update(DT)
+    world.objects.b[1].y, world.objects.b[1].vy = 80, 600
+    isFull = true
+    world.canCollide = function()
+      return world:queryPoint(-50, -50) ~= nil
+    end
+    refuses("full", world.update, world, DT)
+    assert.are.equal(200, fast.x)
+    assert.are.equal(fast, world:queryPoint(208, 8)[1])
+    assert.are.equal(fast, (world:raycast(208, -50, 208, 50)))
+  end)
+
   it("names the object whose size or `active` has turned bad", function()
     for _, row in ipairs({
       { "width", 0, "objects.boxes[1].width must be a number > 0, got 0" },
@@ -318,6 +352,68 @@ describe("a state", function()
     world:restore(state)
     assert.are.equal(touching, object.touching)
     assert.are.equal(world.objects.floor[1], touching.bottom)
+  end)
+
+  it("does not take the table `touching` of another world", function()
+    local one, other = newWorld(), newWorld()
+    local ground = one:add("floor", floor(100))
+    local object = one:add("boxes", box(0, 84))
+    one:update(DT)
+    local state, touching = one:save(), object.touching
+    one:remove(object)
+    one:update(DT)
+    other:add("boxes", object)
+    other:update(DT)
+    assert.are_not.equal(touching, object.touching)
+    other:remove(object)
+    one:restore(state)
+    other:update(DT) -- here it has left
+    for _ = 1, 3 do
+      object.vx = 10
+      one:update(DT)
+      assert.are.equal(touching, object.touching)
+      assert.are.equal(ground, object.touching.bottom)
+    end
+  end)
+
+  it("gives two a table `touching` each, whatever the game has put there", function()
+    local world = newWorld()
+    local ground = world:add("floor", floor(100))
+    local object, other = world:add("boxes", box(0, 84)), world:add("boxes", box(100, 0))
+    world:update(DT)
+    local shared = {}
+    object.touching, other.touching = shared, shared
+    world:restore(world:save())
+    world:update(DT)
+    assert.are_not.equal(object.touching, other.touching)
+    assert.are.equal(ground, object.touching.bottom)
+    assert.is_false(other.touching.bottom)
+  end)
+
+  it("knows a lift that was moved and switched off at once where it is", function()
+    local function lets()
+      return true
+    end
+    local world, copy = newWorld(), newWorld()
+    local lift = world:add("lifts", box(100, 84, { kinematic = true, canCollide = lets }))
+    world:update(DT)
+    lift.x, lift.active = 90, false
+    world:update(DT)
+    copy:restore(world:save())
+    assert.are.equal(world:hash(), copy:hash())
+    copy.objects.lifts[1].canCollide = lets
+    for _ = 1, 3 do
+      world:update(DT)
+      copy:update(DT)
+      assert.are.equal(world:hash(), copy:hash())
+    end
+    lift.active, copy.objects.lifts[1].active = nil, nil
+    for _ = 1, 3 do
+      world:update(DT)
+      copy:update(DT)
+      assert.are.equal(90, lift.x)
+      assert.are.equal(world:hash(), copy:hash())
+    end
   end)
 
   it("refuses an object that stands twice, as update does", function()

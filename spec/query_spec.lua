@@ -676,6 +676,53 @@ for name, build in pairs({ small = small, large = large }) do
       end
     end)
 
+    it("sees what goes to and fro around where it was first seen", function()
+      local world = build()
+      local object = world:add("a", box(100, 0, 20, 20))
+      world:update(1 / 60)
+      for _, x in ipairs({ 100, 103, 97, 100 }) do
+        object.x = x
+        for _, at in ipairs({ x + 1, x + 19 }) do
+          assert.are.equal(object, (world:raycast(at, -50, at, 50)))
+          assert.are.equal(1, select(2, world:querySegment(at, -50, at, 50)))
+          assert.are.equal(1, count(world, at, 10))
+        end
+      end
+      object.width = 5
+      assert.are.equal(object, (world:raycast(102, -50, 102, 50)))
+      object.width = 20
+      assert.are.equal(object, (world:raycast(119, -50, 119, 50)))
+    end)
+
+    -- As from a pool: it is the same table as before, in the same world.
+    for _, isStatic in ipairs({ false, true }) do
+      local kind = isStatic and "static" or "dynamic"
+      it("sees who was removed, put elsewhere and added again, " .. kind, function()
+        local world = build()
+        local object = world:add("a", box(0, 0, 10, 10, { static = isStatic }))
+        world:update(1 / 60)
+        for x = 100, 300, 100 do
+          assert.are.equal(1, count(world, x - 95, 5))
+          world:remove(object)
+          object.x = x
+          world:add(x == 200 and "b" or "a", object)
+          for _ = 1, 2 do
+            assert.are.equal(0, count(world, x - 95, 5))
+            assert.are.equal(1, count(world, x + 5, 5))
+            assert.are.equal(object, (world:raycast(x + 5, -50, x + 5, 50)))
+            assert.are.equal(object, (world:nearest(x + 5, 15, 10)))
+            world:update(1 / 60)
+          end
+        end
+        world:remove(object)
+        object.static, object.vx = not isStatic, 60
+        world:add("a", object)
+        world:update(1 / 60)
+        assert.are.equal(isStatic and 301 or 300, object.x)
+        assert.are.equal(1, count(world, object.x + 9.5, 5))
+      end)
+    end
+
     it("sees who was added and who was removed", function()
       local world = build()
       world:update(1 / 60)
@@ -1027,6 +1074,28 @@ describe("world:touching", function()
     assert.is_nil(world:touching(object, object))
     world.sideBySide, far.x, far.y = false, 16, 50 -- put there, not come
     assert.is_nil(world:touching(object, far))
+  end)
+
+  it("knows two apart that are equal by a metamethod", function()
+    local isAsked = false
+    local crates = {
+      __eq = function()
+        isAsked = true
+        return true
+      end,
+    }
+    local world = still()
+    local one = world:add("a", setmetatable(box(0, 0, 10, 10), crates))
+    local other = world:add("a", setmetatable(box(10, 0, 10, 10), crates))
+    world:add("walls", tile(20, 0, 10, 10))
+    one.vx = 10
+    world:update(1 / 60)
+    assert.is_true(rawequal(other, one.touching.right))
+    assert.are.equal("right", world:touching(one, other))
+    assert.is_nil(world:touching(one, one))
+    local text = world:explain(one, other)
+    assert.is_truthy(text:find("flush at the right", 1, true), text)
+    assert.is_false(isAsked)
   end)
 end)
 

@@ -405,12 +405,12 @@ local function choose(one, other, isOther)
   return one * (1 - isOther) + other * isOther
 end
 
--- Where the line enters the box of slot i with its leeway, up to rounding; more than 1 if it does
--- not. Without branches, as most are not entered, and nobody can tell which.
-local function entryOf(position, size, leeway, i, x, y, shareX, shareY)
-  local k, room = 2 * i, leeway[i] + SLACK
-  local left, top = position[k] - room - x, position[k + 1] - room - y
-  local right, bottom = position[k] + size[k] + room - x, position[k + 1] + size[k + 1] + room - y
+-- Where the line enters the fat box of slot i, up to rounding; more than 1 if it does not. Without
+-- branches, as most are not entered, and nobody can tell which.
+local function entryOf(fatLow, fatHigh, i, x, y, shareX, shareY)
+  local k = 2 * i
+  local left, top = fatLow[k] - SLACK - x, fatLow[k + 1] - SLACK - y
+  local right, bottom = fatHigh[k] + SLACK - x, fatHigh[k + 1] + SLACK - y
   local enters, leaves = passage(left, top, right, bottom, shareX, shareY)
   return max(enters, max(enters - leaves, -leaves) * VAST)
 end
@@ -427,8 +427,7 @@ end
 -- is arithmetic: with branches each of eight ways is a piece of code of its own.
 local function walkLevel(self, level, cell, axis, x, y, dx, dy, line, visit, bound)
   local heads, buckets, nextInBucket, keys = self.heads, self.buckets, self.next, self.key
-  local b = self.bodies
-  local position, size, leeway = b.position, b.size, b.leeway
+  local fatLow, fatHigh = self.bodies.fatLow, self.bodies.fatHigh
   local shareX, shareY = lineShare(dx), lineShare(dy)
   -- Along the line is a, across it b.
   local a1, b1, da, db =
@@ -447,7 +446,7 @@ local function walkLevel(self, level, cell, axis, x, y, dx, dy, line, visit, bou
   while left >= 0 do
     if i ~= 0 then
       if
-        entryOf(position, size, leeway, i, x, y, shareX, shareY) <= bound
+        entryOf(fatLow, fatHigh, i, x, y, shareX, shareY) <= bound
         and keys[i] == strip * keyA + at * keyB + level
       then
         bound = visit(line, i, bound)
@@ -474,12 +473,11 @@ end
 -- The same for all levels, looking at everybody: cheaper than at more cells than there are objects.
 -- The nearest one is visited first: it mostly is the only one.
 local function walkAll(self, x, y, dx, dy, line, visit)
-  local list, b = self.list, self.bodies
-  local position, size, leeway = b.position, b.size, b.leeway
+  local list, fatLow, fatHigh = self.list, self.bodies.fatLow, self.bodies.fatHigh
   local shareX, shareY = lineShare(dx), lineShare(dy)
   local nearest, bound = 0, 1 ---@type number, number
   for at = 1, self.count do
-    local enters = entryOf(position, size, leeway, list[at], x, y, shareX, shareY)
+    local enters = entryOf(fatLow, fatHigh, list[at], x, y, shareX, shareY)
     if enters <= bound then
       nearest, bound = list[at], enters
     end
@@ -492,15 +490,14 @@ local function walkAll(self, x, y, dx, dy, line, visit)
   while at < self.count and bound >= 0 do
     at = at + 1
     local i = list[at]
-    if i ~= nearest and entryOf(position, size, leeway, i, x, y, shareX, shareY) <= bound then
+    if i ~= nearest and entryOf(fatLow, fatHigh, i, x, y, shareX, shareY) <= bound then
       bound = visit(line, i, bound)
     end
   end
 end
 
---- Calls `visit(line, i, bound)` for every object i whose box, with its leeway, the line from
---- (x1, y1) to (x2, y2) may meet, more or less from near to far. (Not its fat box: twice as many
---- would be visited.) `line` is whatever `visit` wants to have;
+--- Calls `visit(line, i, bound)` for every object i whose fat box the line from (x1, y1) to
+--- (x2, y2) may meet, more or less from near to far. `line` is whatever `visit` wants to have;
 --- `bound` is 1 at first, then what `visit` has returned: who cannot be met before this share of
 --- the line is left out; < 0: nobody else is visited. Only this broad phase offers it: questions
 --- have a grid of their own.
