@@ -193,9 +193,13 @@ local function readAll(b, i, object, isNew)
   b.choosy[i] = b.sensor[i] or b.oneWay[i] ~= false or b.nudge[i] ~= 0 or not b.pushable[i]
 end
 
---- Returns the table that will be `touching` of an object; `publish` hands it over.
-function collect.newTouching()
-  return { top = false, bottom = false, left = false, right = false }
+--- Returns the table that will be `touching` of an object, the one that it has had in this world if
+--- it comes back; `publish` hands it over.
+function collect.newTouching(b, object)
+  local r = b.roster
+  return r.given[object]
+    or r.left[object]
+    or { top = false, bottom = false, left = false, right = false }
 end
 
 --- Gives a slot the table that will be `touching` of its object; false: it has none.
@@ -215,7 +219,7 @@ local function enter(b, object, record, key)
   b.fresh[i] = true
   b.quiet[i] = false
   if b.kind[i] == DYNAMIC then
-    takeTouching(b, i, b.roster.given[object] or collect.newTouching())
+    takeTouching(b, i, collect.newTouching(b, object))
   end
   markMoved(b, i)
   rest.wake(b, i)
@@ -231,6 +235,16 @@ local function clearTouching(touching)
   end
 end
 
+-- The same of one who is not dynamic any more, or not in the world; remembers the table.
+local function giveUpTouching(b, i)
+  local touching = b.touching[i]
+  if touching then
+    clearTouching(touching)
+    b.roster.left[b.object[i]] = touching
+    takeTouching(b, i, false)
+  end
+end
+
 local function leave(b, i)
   local object = b.object[i]
   carrier.forget(b, i)
@@ -238,8 +252,7 @@ local function leave(b, i)
   events.endContacts(b, i)
   detect.remove(b, i)
   rest.drop(b, i)
-  clearTouching(b.touching[i])
-  b.roster.left[object] = b.touching[i] or nil
+  giveUpTouching(b, i)
   b.slotOf[object] = nil
   columns.release(b, i)
   b.newcomers = true
@@ -328,8 +341,10 @@ local function reread(b, i)
   end
   if isNew then
     b.kind[i] = kind
-    clearTouching(b.touching[i])
-    takeTouching(b, i, kind == DYNAMIC and collect.newTouching() or false)
+    giveUpTouching(b, i)
+    if kind == DYNAMIC then
+      takeTouching(b, i, collect.newTouching(b, object))
+    end
     forgetMotion(b, i)
   end
   rest.wakeNeighbours(b, i)
@@ -524,30 +539,6 @@ local function endLeft(b)
   end
 end
 
---- Reads a world's tables: `objects` is the game's table of groups.
---- Errors: a group, key or field that cannot be used; an object in two places. Nothing has changed
---- for the game then, and the next call starts anew.
-function collect.run(b, objects)
-  local hasChanged = roster.update(b, b.roster, objects, enter, leave, rename, reorder)
-  if hasChanged or b.newcomers then
-    listMovers(b)
-    b.newcomers = false
-  end
-  compareMotion(b)
-  local count = listRich(b)
-  compareFilters(b, count)
-  compareMaterials(b, count)
-  compareLimits(b, count)
-  if hasChanged then
-    noteFilled(b.roster.groups)
-  end
-  endLeft(b)
-  -- Contacts that have ended by now were between objects that had other ranks.
-  if b.events.count > b.events.sorted then
-    events.arrange(b.events)
-  end
-end
-
 --- Gives those who are new their `touching`.
 function collect.giveTouching(b)
   for n = 1, b.movedCount do
@@ -571,10 +562,25 @@ local function goesOnCarrying(b, i)
     and object.height == size[k + 1]
 end
 
+-- Notes who is being read anew. If that fails on its way (an `__index` of the game's may), the next
+-- step reads it again: what is read once would stay half read for ever.
+local function begin(b, object)
+  local list, n = b.halfRead, b.halfReadCount
+  if n == 0 or not rawequal(list[n], object) then
+    list[n + 1], b.halfReadCount = object, n + 1
+  end
+end
+
+local function finish(b)
+  b.halfRead[b.halfReadCount] = nil
+  b.halfReadCount = b.halfReadCount - 1
+end
+
 --- Reads an object again, also its `static` field. It must be in the world.
 function collect.refresh(b, i)
   local object = b.object[i]
   checkAgain(b, i)
+  begin(b, object)
   rest.wakeNeighbours(b, i)
   if not goesOnCarrying(b, i) then
     carrier.forget(b, i)
@@ -582,10 +588,9 @@ function collect.refresh(b, i)
   b.kind[i] = columns.kindOf(object)
   if b.kind[i] ~= DYNAMIC then
     forgetMotion(b, i)
-    clearTouching(b.touching[i])
-    takeTouching(b, i, false)
+    giveUpTouching(b, i)
   elseif not b.touching[i] then
-    takeTouching(b, i, b.roster.given[object] or collect.newTouching())
+    takeTouching(b, i, collect.newTouching(b, object))
   end
   readAll(b, i, object, true)
   if not b.active[i] then
@@ -600,6 +605,44 @@ function collect.refresh(b, i)
   view.refresh(b, object)
   roster.reread(b.group[i])
   b.newcomers = true
+  finish(b)
+end
+
+-- Reads those again of whom that has failed, as far as they are in the world still.
+local function refreshHalfRead(b)
+  while b.halfReadCount > 0 do
+    local slot = b.slotOf[b.halfRead[b.halfReadCount]]
+    if slot then
+      collect.refresh(b, slot)
+    else
+      finish(b)
+    end
+  end
+end
+
+--- Reads a world's tables: `objects` is the game's table of groups.
+--- Errors: a group, key or field that cannot be used; an object in two places. Nothing has changed
+--- for the game then, and the next call starts anew.
+function collect.run(b, objects)
+  local hasChanged = roster.update(b, b.roster, objects, enter, leave, rename, reorder)
+  refreshHalfRead(b)
+  if hasChanged or b.newcomers then
+    listMovers(b)
+    b.newcomers = false
+  end
+  compareMotion(b)
+  local count = listRich(b)
+  compareFilters(b, count)
+  compareMaterials(b, count)
+  compareLimits(b, count)
+  if hasChanged then
+    noteFilled(b.roster.groups)
+  end
+  endLeft(b)
+  -- Contacts that have ended by now were between objects that had other ranks.
+  if b.events.count > b.events.sorted then
+    events.arrange(b.events)
+  end
 end
 
 --- The gravity of the world has changed.

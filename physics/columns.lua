@@ -500,7 +500,8 @@ function columns.new()
     clear = 0, -- px by which two must be apart to be clear of each other (see gather)
     gatherStamp = 0,
     unasked = { pairs = {}, sides = {}, first = {}, second = {}, order = {} }, -- scratch of contact
-    touchingBefore = {}, -- scratch of restore
+    halfRead = {}, -- objects that are being read anew (see collect)
+    halfReadCount = 0,
     found = {}, -- scratch of detect and part
     stoppedAt = {},
     stoppedTo = {},

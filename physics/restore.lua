@@ -180,7 +180,7 @@ local function writeRead(st, objects)
 end
 
 -- Gives somebody who had left the world the fields that it had.
-local function writeGone(object, saved)
+local function writeGone(b, object, saved)
   for _, name in ipairs(state.FIELDS) do
     if name == "mask" and saved.mask then
       writeMask(object, saved.mask)
@@ -189,13 +189,13 @@ local function writeGone(object, saved)
     end
   end
   if not (saved.static or saved.kinematic or type(object.touching) == "table") then
-    object.touching = collect.newTouching()
+    object.touching = collect.newTouching(b, object)
   end
 end
 
 -- Returns all that the state can name by number: the objects, then those who had left the world, as
 -- new tables if `gone` does not have them.
-local function recall(st, objects, gone)
+local function recall(b, st, objects, gone)
   if not st.gone then
     return objects
   end
@@ -205,7 +205,7 @@ local function recall(st, objects, gone)
   end
   for n, saved in ipairs(st.gone) do
     local object = gone[n] or {}
-    writeGone(object, saved)
+    writeGone(b, object, saved)
     named[st.count + n] = object
   end
   return named
@@ -253,14 +253,13 @@ local function placeKnown(world, st, objects)
   end
 end
 
--- Lists the tables that have been `touching` of the objects in this world, false: none. (What
--- stands there now may be another world's, or the game's, and more than one object's.)
-local function listTouching(b, objects, count)
-  local list, r = b.touchingBefore, b.roster
-  for n = 1, count do
-    local object = objects[n]
-    local slot = b.slotOf[object]
-    list[n] = slot and b.touching[slot] or r.given[object] or r.left[object] or false
+-- Lists the tables that have been, or will be, `touching` of those objects that had been added since
+-- the last step. (What stands there now may be another world's, or the game's.)
+local function listTouching(b, st, objects)
+  local list = {}
+  for n = st.known + 1, st.count do
+    local slot = b.slotOf[objects[n]]
+    list[n] = slot and b.touching[slot] or collect.newTouching(b, objects[n])
   end
   return list
 end
@@ -268,7 +267,6 @@ end
 -- Gives an object that was added since then the `touching` that `add` had given it.
 local function giveTouching(b, object, group, touching)
   if not object.static and not object.kinematic then
-    touching = touching or collect.newTouching()
     touching.left, touching.right, touching.top, touching.bottom = false, false, false, false
     object.touching = touching
     b.roster.given[object], b.roster.groupGiven[object] = touching, group
@@ -441,14 +439,15 @@ local function rememberContacts(b, st, slots)
   end
 end
 
-local function rememberTouching(b, st, objects, named, slots, touching)
+-- (Whatever stands in `object.touching` now may be another world's, or more than one object's.)
+local function rememberTouching(b, st, objects, named, slots)
   for n = 1, st.known do
     local i, object = slots[n], objects[n]
     if b.kind[i] == DYNAMIC then
-      local t = touching[n] or b.touching[i]
-      object.touching = t
-      collect.takeTouching(b, i, t)
-      t.left, t.right, t.top, t.bottom = false, false, false, false
+      local touching = b.touching[i]
+      object.touching = touching
+      collect.takeTouching(b, i, touching)
+      touching.left, touching.right, touching.top, touching.bottom = false, false, false, false
     end
   end
   local list = st.touching
@@ -477,7 +476,7 @@ local function rememberEvents(b, st, named)
   e.sorted = max(st.sorted or 0, e.told)
 end
 
-local function remember(b, st, objects, named, touching)
+local function remember(b, st, objects, named)
   local slots = {}
   for n = 1, st.known do
     slots[n] = b.slotOf[objects[n]]
@@ -488,7 +487,7 @@ local function remember(b, st, objects, named, touching)
   rememberSlots(b, st, slots)
   stand(b, st, slots)
   rememberContacts(b, st, slots)
-  rememberTouching(b, st, objects, named, slots, touching)
+  rememberTouching(b, st, objects, named, slots)
   rememberEvents(b, st, named)
 end
 
@@ -597,8 +596,8 @@ function restore.world(world, st)
   end
   local tables = match(world, st)
   local objects, masks = tables.objects, tables.masks
-  local named = recall(st, objects, tables.gone)
-  local touching = listTouching(b, objects, st.count)
+  local named = recall(b, st, objects, tables.gone)
+  local touching = listTouching(b, st, objects)
   forget(b)
   restoreSettings(world, st.settings, tables)
   writeFields(st, objects, masks)
@@ -606,7 +605,7 @@ function restore.world(world, st)
   placeKnown(world, st, objects)
   readAgain(b, objects, st.known)
   collectKnown(world, st)
-  remember(b, st, objects, named, touching)
+  remember(b, st, objects, named)
   if unread then
     writeFields(st, objects, masks, unread)
   end
@@ -617,9 +616,6 @@ function restore.world(world, st)
   end
   world._saved = st.saved
   world.alpha = world.timestep and max(0, min(st.saved / world.timestep, 1)) or 0
-  for n = 1, st.count do
-    touching[n] = false
-  end
   view.outdate(b)
 end
 

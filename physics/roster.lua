@@ -61,7 +61,9 @@ function roster.new()
     -- Objects that came through `add` and have not been read yet: their `touching`, their group.
     given = newWeak(),
     groupGiven = newWeak(),
-    left = newWeak(), -- the `touching` that those have had who are in the world no more
+    -- The `touching` that those have had who have none now, or are in the world no more. (A game
+    -- may have put anything in there, also what leads back to its object.)
+    left = setmetatable({}, { __mode = "kv" }),
   }
 end
 

@@ -187,7 +187,7 @@ end
 local function welcome(b, object)
   if not object.static and not object.kinematic then
     local slot = b.slotOf[object]
-    local touching = slot and b.touching[slot] or collect.newTouching()
+    local touching = slot and b.touching[slot] or collect.newTouching(b, object)
     object.vx, object.vy, object.touching = object.vx or 0, object.vy or 0, touching
     b.roster.given[object] = touching
   end
@@ -204,15 +204,15 @@ local function readAgain(b, object)
 end
 
 -- Puts an object that was checked at the end of a group: last of all, so that one that fails when
--- it is written to has not come in.
+-- it is written to, or read, has not come in.
 local function put(self, group, object)
   local b = self._bodies
   welcome(b, object)
+  readAgain(b, object)
   local members = groupFor(self, group)
   members[#members + 1] = object
   b.roster.groupGiven[object] = group
   view.tell(b)
-  readAgain(b, object)
   return object
 end
 

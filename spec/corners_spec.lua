@@ -354,6 +354,53 @@ describe("a state", function()
     assert.are.equal(world.objects.floor[1], touching.bottom)
   end)
 
+  it("keeps it of one that was something else meanwhile", function()
+    for _, kind in ipairs({ "static", "kinematic" }) do
+      local world = newWorld()
+      local ground = world:add("floor", floor(100))
+      local object = world:add("boxes", box(0, 84))
+      world:update(DT)
+      local state, touching = world:save(), object.touching
+      object[kind] = true
+      world:refresh(object)
+      world:update(DT)
+      assert.is_false(touching.bottom)
+      world:restore(state)
+      assert.are.equal(touching, object.touching)
+      assert.are.equal(ground, touching.bottom)
+      object[kind] = true
+      world:refresh(object)
+      world:update(DT)
+      object[kind] = nil
+      world:refresh(object)
+      for _ = 1, 3 do
+        world:update(DT)
+      end
+      assert.are.equal(touching, object.touching)
+      assert.are.equal(ground, touching.bottom)
+    end
+  end)
+
+  it("keeps nobody alive who has left, whatever the game has put into `touching`", function()
+    local world = newWorld()
+    local alive = setmetatable({}, { __mode = "k" })
+    for n = 1, 20 do
+      local object = world:add("boxes", box(40 * n, 0))
+      object.touching.owner, alive[object] = object, true
+      world:update(DT)
+      world:remove(object)
+    end
+    world:update(DT)
+    world:update(DT)
+    collectgarbage()
+    collectgarbage()
+    local count = 0
+    for _ in pairs(alive) do
+      count = count + 1
+    end
+    assert.are.equal(0, count)
+  end)
+
   it("does not take the table `touching` of another world", function()
     local one, other = newWorld(), newWorld()
     local ground = one:add("floor", floor(100))

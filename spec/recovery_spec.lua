@@ -243,6 +243,50 @@ describe("after an object has failed", function()
     end)
   end)
 
+  it("inside refresh, nothing has changed, or the next update does what is left", function()
+    local function narrow(scene)
+      run(5)(scene)
+      scene.floor.width = 180
+    end
+    local same, refreshed = newScene(), newScene()
+    narrow(same)
+    narrow(refreshed)
+    refreshed.world:refresh(refreshed.floor)
+    run(1)(same)
+    run(1)(refreshed)
+    local hashes = { [same.world:hash()] = 0, [refreshed.world:hash()] = 0 }
+    failEverywhere(narrow, function(scene)
+      scene.world:refresh(scene.floor)
+    end, function(scene, what)
+      run(1)(scene)
+      local hash = scene.world:hash()
+      assert(hashes[hash], what .. ": the floor is half read")
+      hashes[hash] = hashes[hash] + 1
+      checkGoesOn(scene, what)
+    end)
+    for _, count in pairs(hashes) do
+      assert.is_true(count > 1)
+    end
+  end)
+
+  it("inside add, it has not come in, also if it was in there before the update", function()
+    failEverywhere(function(scene)
+      run(5)(scene)
+      scene.world:remove(scene.floor)
+      scene.floor.x, scene.floor.width = -10, 220
+    end, function(scene)
+      scene.world:add("floors", scene.floor)
+    end, function(scene, what, ok)
+      if not ok then
+        assert.equal(0, #scene.world.objects.floors, what)
+        scene.world:add("floors", scene.floor)
+      end
+      checkGoesOn(scene, what)
+      assert.equal(scene.floor, scene.world:queryPoint(-5, 105)[1], what)
+      physics.newWorld():restore(scene.world:save())
+    end)
+  end)
+
   it("inside move, it stands where it was, or where it should", function()
     failEverywhere(run(5), function(scene)
       scene.world:move(scene.b, 100, 80)
