@@ -253,8 +253,8 @@ local function placeKnown(world, st, objects)
   end
 end
 
--- Lists the tables that have been, or will be, `touching` of those objects that had been added since
--- the last step. (What stands there now may be another world's, or the game's.)
+-- Lists the tables that have been, or will be, `touching` of those objects that had been added
+-- since the last step. (What stands there now may be another world's, or the game's.)
 local function listTouching(b, st, objects)
   local list = {}
   for n = st.known + 1, st.count do
