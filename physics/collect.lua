@@ -199,6 +199,7 @@ function collect.newTouching(b, object)
   local r = b.roster
   return r.given[object]
     or r.left[object]
+    or r.leftBefore[object]
     or { top = false, bottom = false, left = false, right = false }
 end
 
@@ -240,7 +241,7 @@ local function giveUpTouching(b, i)
   local touching = b.touching[i]
   if touching then
     clearTouching(touching)
-    b.roster.left[b.object[i]] = touching
+    roster.noteLeft(b.roster, b.object[i], touching)
     takeTouching(b, i, false)
   end
 end

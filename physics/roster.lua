@@ -35,6 +35,23 @@ local function newWeak()
   return setmetatable({}, { __mode = "k" })
 end
 
+-- Nor its values: a game may have put anything into a `touching`, also what leads back to its
+-- object.
+local function newFrail()
+  return setmetatable({}, { __mode = "kv" })
+end
+
+-- So many are remembered at least. (There are Luas whose weak tables are not weak.)
+local MOST_LEFT = 4096
+
+--- Remembers the `touching` of an object, in case it comes back.
+function roster.noteLeft(self, object, touching)
+  if self.leftCount == MOST_LEFT then
+    self.leftBefore, self.left, self.leftCount = self.left, newFrail(), 0
+  end
+  self.left[object], self.leftCount = touching, self.leftCount + 1
+end
+
 --- Returns an empty roster. `groups` are the records in order: a record is
 --- `{ name, number, source, direct, index, list, slots, keys, count, plain, stale, first, follows,
 --- gaps, gapCount, wasFilled, isSingular }`, where `number` stays as long as the world has a group
@@ -61,9 +78,11 @@ function roster.new()
     -- Objects that came through `add` and have not been read yet: their `touching`, their group.
     given = newWeak(),
     groupGiven = newWeak(),
-    -- The `touching` that those have had who have none now, or are in the world no more. (A game
-    -- may have put anything in there, also what leads back to its object.)
-    left = setmetatable({}, { __mode = "kv" }),
+    -- The `touching` that those have had who have none now, or are in the world no more: the last
+    -- ones, and those before (see `noteLeft`).
+    left = newFrail(),
+    leftBefore = newFrail(),
+    leftCount = 0,
   }
 end
 

@@ -401,6 +401,28 @@ describe("a state", function()
     assert.are.equal(0, count)
   end)
 
+  it("keeps the tables `touching` of the last few thousand who have left, no more", function()
+    local world, objects = newWorld(), {}
+    for n = 1, 10000 do
+      objects[n] = world:add("boxes", box(20 * n, 0, { active = false }))
+    end
+    world:update(0)
+    local first, last = objects[1].touching, objects[10000].touching
+    world.objects.boxes = nil
+    world:update(0)
+    local count, r = 0, world._bodies.roster
+    for _, list in ipairs({ r.left, r.leftBefore }) do
+      for _ in pairs(list) do
+        count = count + 1
+      end
+    end
+    assert.is_true(count >= 4096 and count <= 8192, count)
+    world.objects.boxes = { objects[1], objects[10000] }
+    world:update(0)
+    assert.are.equal(last, objects[10000].touching)
+    assert.are_not.equal(first, objects[1].touching)
+  end)
+
   it("does not take the table `touching` of another world", function()
     local one, other = newWorld(), newWorld()
     local ground = one:add("floor", floor(100))

@@ -3,6 +3,7 @@
 
 local CLOSURES = "an error that pcall catches takes local variables away from callbacks"
 local MEMORY = "collectgarbage cannot count"
+local WEAK = "weak tables are not weak"
 local LEVELS = "there is a debug library, and error counts levels in another way"
 
 local leftOut = {}
@@ -30,8 +31,9 @@ leftOut.specs = {
   ["the field onEnd that turns bad is refused when it would be called, and not lost"] = CLOSURES,
   ["a question can be asked inside canCollide and inside events, where nothing may be moved"] = CLOSURES,
   ["world:loadTiled refuses to be called from inside canCollide"] = CLOSURES,
-  ["a checked world keeps no world alive"] = "weak tables are not weak",
+  ["a checked world keeps no world alive"] = WEAK,
   ["a question leaves no garbage"] = MEMORY,
+  ["a state keeps nobody alive who has left, whatever the game has put into `touching`"] = WEAK,
   ["a busy scene loses nobody and keeps its memory"] = MEMORY,
   ["whoever falls for ever leaves nothing behind, grid"] = MEMORY,
   ["whoever falls for ever leaves nothing behind, pairs"] = MEMORY,
