@@ -193,9 +193,9 @@ local function readAll(b, i, object, isNew)
   b.choosy[i] = b.sensor[i] or b.oneWay[i] ~= false or b.nudge[i] ~= 0 or not b.pushable[i]
 end
 
---- Returns the table that will be `touching` of an object, the one that it has had in this world if
---- it comes back; `publish` hands it over.
-function collect.newTouching(b, object)
+--- Returns the table that will be `touching` of an object: the one that it has had in this world, if
+--- it comes back. `publish` hands it over.
+function collect.touchingFor(b, object)
   local r = b.roster
   return r.given[object]
     or r.left[object]
@@ -220,7 +220,7 @@ local function enter(b, object, record, key)
   b.fresh[i] = true
   b.quiet[i] = false
   if b.kind[i] == DYNAMIC then
-    takeTouching(b, i, collect.newTouching(b, object))
+    takeTouching(b, i, collect.touchingFor(b, object))
   end
   markMoved(b, i)
   rest.wake(b, i)
@@ -229,12 +229,14 @@ local function enter(b, object, record, key)
   return i
 end
 
--- What an object touched, it touches no more: it leaves, is switched off or cannot be pushed now.
-local function clearTouching(touching)
+--- What an object touched, it touches no more: it leaves, is switched off or cannot be pushed now.
+function collect.clearTouching(touching)
   if touching then
     touching.top, touching.bottom, touching.left, touching.right = false, false, false, false
   end
 end
+
+local clearTouching = collect.clearTouching
 
 -- The same of one who is not dynamic any more, or not in the world; remembers the table.
 local function giveUpTouching(b, i)
@@ -344,7 +346,7 @@ local function reread(b, i)
     b.kind[i] = kind
     giveUpTouching(b, i)
     if kind == DYNAMIC then
-      takeTouching(b, i, collect.newTouching(b, object))
+      takeTouching(b, i, collect.touchingFor(b, object))
     end
     forgetMotion(b, i)
   end
@@ -566,15 +568,14 @@ end
 -- Notes who is being read anew. If that fails on its way (an `__index` of the game's may), the next
 -- step reads it again: what is read once would stay half read for ever.
 local function begin(b, object)
-  local list, n = b.halfRead, b.halfReadCount
-  if n == 0 or not rawequal(list[n], object) then
-    list[n + 1], b.halfReadCount = object, n + 1
+  local list = b.halfRead
+  if not rawequal(list[#list], object) then
+    list[#list + 1] = object
   end
 end
 
 local function finish(b)
-  b.halfRead[b.halfReadCount] = nil
-  b.halfReadCount = b.halfReadCount - 1
+  b.halfRead[#b.halfRead] = nil
 end
 
 --- Reads an object again, also its `static` field. It must be in the world.
@@ -591,7 +592,7 @@ function collect.refresh(b, i)
     forgetMotion(b, i)
     giveUpTouching(b, i)
   elseif not b.touching[i] then
-    takeTouching(b, i, collect.newTouching(b, object))
+    takeTouching(b, i, collect.touchingFor(b, object))
   end
   readAll(b, i, object, true)
   if not b.active[i] then
@@ -611,8 +612,9 @@ end
 
 -- Reads those again of whom that has failed, as far as they are in the world still.
 local function refreshHalfRead(b)
-  while b.halfReadCount > 0 do
-    local slot = b.slotOf[b.halfRead[b.halfReadCount]]
+  local list = b.halfRead
+  while #list > 0 do
+    local slot = b.slotOf[list[#list]]
     if slot then
       collect.refresh(b, slot)
     else

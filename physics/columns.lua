@@ -501,7 +501,6 @@ function columns.new()
     gatherStamp = 0,
     unasked = { pairs = {}, sides = {}, first = {}, second = {}, order = {} }, -- scratch of contact
     halfRead = {}, -- objects that are being read anew (see collect)
-    halfReadCount = 0,
     found = {}, -- scratch of detect and part
     stoppedAt = {},
     stoppedTo = {},

@@ -189,7 +189,7 @@ local function writeGone(b, object, saved)
     end
   end
   if not (saved.static or saved.kinematic or type(object.touching) == "table") then
-    object.touching = collect.newTouching(b, object)
+    object.touching = collect.touchingFor(b, object)
   end
 end
 
@@ -253,28 +253,18 @@ local function placeKnown(world, st, objects)
   end
 end
 
--- Lists the tables that have been, or will be, `touching` of those objects that had been added
--- since the last step. (What stands there now may be another world's, or the game's.)
-local function listTouching(b, st, objects)
-  local list = {}
-  for n = st.known + 1, st.count do
-    local slot = b.slotOf[objects[n]]
-    list[n] = slot and b.touching[slot] or collect.newTouching(b, objects[n])
-  end
-  return list
-end
-
 -- Gives an object that was added since then the `touching` that `add` had given it.
-local function giveTouching(b, object, group, touching)
+local function giveTouching(b, object, group)
   if not object.static and not object.kinematic then
-    touching.left, touching.right, touching.top, touching.bottom = false, false, false, false
+    local touching = collect.touchingFor(b, object)
+    collect.clearTouching(touching)
     object.touching = touching
     b.roster.given[object], b.roster.groupGiven[object] = touching, group
   end
 end
 
 -- Puts the objects where the game had put them since.
-local function placeNow(world, st, objects, touching)
+local function placeNow(world, st, objects)
   if not st.tables then
     return
   end
@@ -288,7 +278,7 @@ local function placeNow(world, st, objects, touching)
         world.objects[group.name] = objects[n]
       end
       if n > st.known then
-        giveTouching(world._bodies, objects[n], group.name, touching[n])
+        giveTouching(world._bodies, objects[n], group.name)
       end
     end
   end
@@ -447,7 +437,7 @@ local function rememberTouching(b, st, objects, named, slots)
       local touching = b.touching[i]
       object.touching = touching
       collect.takeTouching(b, i, touching)
-      touching.left, touching.right, touching.top, touching.bottom = false, false, false, false
+      collect.clearTouching(touching)
     end
   end
   local list = st.touching
@@ -597,7 +587,6 @@ function restore.world(world, st)
   local tables = match(world, st)
   local objects, masks = tables.objects, tables.masks
   local named = recall(b, st, objects, tables.gone)
-  local touching = listTouching(b, st, objects)
   forget(b)
   restoreSettings(world, st.settings, tables)
   writeFields(st, objects, masks)
@@ -609,7 +598,7 @@ function restore.world(world, st)
   if unread then
     writeFields(st, objects, masks, unread)
   end
-  placeNow(world, st, objects, touching)
+  placeNow(world, st, objects)
   world._walls = {}
   for side, n in next, st.walls, nil do
     world._walls[side] = objects[n]

@@ -662,10 +662,13 @@ local function markStale(groups)
   return any
 end
 
--- Those who came through `add` have been read.
-local function forgetGiven(self)
+-- Those who came through `add` have been read, or are not there any more.
+local function forgetGiven(b, self)
   local given, groupGiven, n = self.given, self.groupGiven, 0
   for object in next, groupGiven, nil do
+    if given[object] and not b.slotOf[object] then
+      roster.noteLeft(self, object, given[object])
+    end
     given[object], groupGiven[object], n = nil, nil, n + 1
   end
   -- Many leave a large table behind, and it takes long to see that it is empty.
@@ -737,7 +740,7 @@ function roster.update(b, self, objects, enter, leave, rename, reorder)
     end
   end
   self.reorder = false
-  forgetGiven(self)
+  forgetGiven(b, self)
   return true
 end
 

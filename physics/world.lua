@@ -187,7 +187,7 @@ end
 local function welcome(b, object)
   if not object.static and not object.kinematic then
     local slot = b.slotOf[object]
-    local touching = slot and b.touching[slot] or collect.newTouching(b, object)
+    local touching = slot and b.touching[slot] or collect.touchingFor(b, object)
     object.vx, object.vy, object.touching = object.vx or 0, object.vy or 0, touching
     b.roster.given[object] = touching
   end
@@ -199,8 +199,9 @@ local function readAgain(b, object)
   local slot = b.slotOf[object]
   if slot and (object.static or b.kind[slot] == columns.STATIC) then
     collect.refresh(b, slot)
+  else
+    view.refresh(b, object)
   end
-  view.refresh(b, object)
 end
 
 -- Puts an object that was checked at the end of a group: last of all, so that one that fails when
@@ -341,8 +342,8 @@ function World:refresh(object)
     collect.refresh(b, slot)
   else
     check.object(object, check.place(name, members ~= self.objects and key or nil))
+    view.refresh(b, object)
   end
-  view.refresh(b, object)
 end
 
 --- Lets an object fall through the one-way objects it stands on. It passes them until it is clear

@@ -650,7 +650,7 @@ for name, build in pairs({ small = small, large = large }) do
       end
     end)
 
-    -- Lines leave out who is further from where it was seen than that; from all four sides.
+    -- From all four sides.
     it("hits what was moved or made larger by 3 px by hand", function()
       local world = build()
       local object = world:add("a", box(0, 0, 10, 10, { vx = 60, vy = 60 }))
