@@ -193,8 +193,8 @@ local function readAll(b, i, object, isNew)
   b.choosy[i] = b.sensor[i] or b.oneWay[i] ~= false or b.nudge[i] ~= 0 or not b.pushable[i]
 end
 
---- Returns the table that will be `touching` of an object: the one that it has had in this world, if
---- it comes back. `publish` hands it over.
+--- Returns the table that will be `touching` of an object: the one that it has had in this world,
+--- if it comes back. `publish` hands it over.
 function collect.touchingFor(b, object)
   local r = b.roster
   return r.given[object]
