@@ -188,6 +188,8 @@ local function readAll(b, i, object, isNew)
   b.hasLimits = b.hasLimits or min(b.maxSpeed[i], b.limit[2 * i], b.limit[2 * i + 1]) < HUGE
   b.hasBounces = b.hasBounces or b.restitution[i] ~= 0
   b.hasAskers = b.hasAskers or b.canCollide[i] ~= false
+  b.hasOneWays = b.hasOneWays or b.oneWay[i] ~= false
+  b.hasSensors = b.hasSensors or b.sensor[i]
   b.plain[i] = not b.sensor[i]
   noteEven(b, i)
   b.choosy[i] = b.sensor[i] or b.oneWay[i] ~= false or b.nudge[i] ~= 0 or not b.pushable[i]

@@ -137,6 +137,11 @@ local SLOT = {
   carrier = 0, -- slot of what carries it, through all that it stands on, 0: nothing
   carrierNow = 0, -- scratch of carrier
   carrierSeen = 0,
+  -- the solver
+  crowded = 0, -- 1: in a crowd (see crowd)
+  dirty = 0, -- 1: its path is new since it was last swept
+  impactsOf = 0, -- impacts in this step
+  inRound = 0, -- round in which it was last in an impact
   -- broad phase
   placed = 0, -- 0: not in the broad phase, 1: its neighbours must be looked up, 2: they are known
   head = 0, -- first half-edge
@@ -180,8 +185,8 @@ local AXIS = {
   carried = 0, -- velocity of its carrier in this step
   reserve = 0, -- how much faster it could get, px/s, but for its limit (see reserve)
   pace = 0, -- up to which speed, without its carrier
-  heldLow = 0, -- 1: cannot give way towards smaller coordinates
-  heldHigh = 0,
+  heldLow = 1, -- > 0: cannot give way towards smaller coordinates
+  heldHigh = 1,
   backedLow = false, -- pushed from this side by one that cannot be pushed back
   backedHigh = false,
   holderLow = 0, -- slot of who holds it there
@@ -196,6 +201,29 @@ local AXIS = {
   weld = 0, -- welded group on this axis (slot of its leader), 0: none
   weldNext = 0,
   weldMass = 0, -- at the leader
+  give = 0, -- inverse mass in this step, 0: cannot be moved
+  freeSpeed = 0, -- velocity at the end of the step without contacts, px/s
+  start = 0, -- velocity at its start
+  origin = 0, -- where it is then
+  swept = 0, -- end of the path that was swept last
+  squeezed = 0, -- px by which it is pressed between two that cannot give way
+  kinks = 0, -- list of what friction and limits do to it (see flow)
+  force = 0, -- and the force below all of them
+  hasForce = 0,
+  ownSpeed = 0, -- velocity at the end with these, but without contacts
+  bearer = 0, -- contact that bears its load
+  load = 0, -- impulse of what stands on it
+  weight = 0, -- of that, what is no impact
+  isPressed = false,
+  parent = 0, -- blocks (see pool): the next one on the way to the root
+  offset = 0, -- px from that
+  blockMass = 0, -- at the root: sums over the block
+  blockMomentum = 0,
+  blockSpeed = 0,
+  blockForce = 0,
+  blockKinks = 0,
+  blockStart = 0,
+  isFirm = false, -- is not pushable
   fatLow = 0, -- box with margin for which the neighbours are known
   fatHigh = 0,
 }
@@ -217,6 +245,13 @@ local PAIR = {
   "lastTurn", -- and among those of its kind when it last had one
   "liveMark",
   "wedged", -- 1 + code of the meeting along which two that are left inside each other may part
+  "contactLow", -- index of the low one of a contact on its axis
+  "contactHigh",
+  "contactKey", -- by which contacts are sorted
+  "separation", -- px that the two must be apart
+  "place", -- scratch of contacts
+  "pressed", -- 1: the two lean on each other
+  "asked", -- solve in which the game was last asked about it
   "touches", -- 1: may be met at the very beginning of the step
   "settled", -- 1 + the changes of both when the last meeting in this step changed nothing, 0: none
 }
@@ -254,6 +289,9 @@ local PAIR_LIST = {
   "near", -- scratch of meet
   "nearTime",
   "nearCode",
+  "apart", -- pairs to be swept (see contacts)
+  "overlaps",
+  "sortScratch",
   "touchPairs", -- scratch of publish
   "closePairs",
   "otherPairs",
@@ -492,6 +530,25 @@ function columns.new()
     hasCargo = false, -- somebody goes along with what it stands on, in this step
     isRemasked = false, -- anybody may be inside somebody whom it can meet only now
     maskCopy = false, -- the last one made of the mask of a static object (see filter)
+    hasOneWays = false, -- or is one-way
+    hasSensors = false, -- or a sensor
+    crowdCount = 0,
+    apartCount = 0,
+    seenCount = 0,
+    overlapCount = 0,
+    isViolated = false,
+    members = {}, -- of blocks
+    memberCount = 0,
+    kinkAt = {},
+    kinkJump = {},
+    kinkNext = {},
+    kinkCount = 0,
+    pulled = {}, -- what friction and limits act on
+    pulledCount = 0,
+    breaking = {},
+    forceStamp = 0,
+    roundStamp = 0,
+    solveStamp = 0,
     lost = {}, -- slots whose carrier went away since the last step
     lostCount = 0,
     changed = {}, -- scratch of resolve and meet
@@ -543,6 +600,7 @@ function columns.new()
   -- Slot 0 is nobody, that of pairs that were taken apart: less than nothing, so it meets nobody.
   b.object[0], b.awake[0], b.rank[0], b.time[0] = false, false, 0, 0
   b.head[0], b.next[0], b.previous[0], b.weldMass[0], b.stuck[0] = 0, 0, 0, 0, 0
+  b.dirty[0], b.crowded[0] = 0, 0
   b.dragFrom[0], b.dragWay[0], b.sum[0], b.sumMass[0] = 0, 0, 0, 0
   for k = 0, 1 do
     b.from[k], b.to[k], b.speed[k], b.size[k] = 0, 0, 0, -1
@@ -706,6 +764,7 @@ local function resetPairs(b, count)
     local p = linked[n]
     event[p], wedged[p], turn[p], waits[p], touches[p] = columns.NO_EVENT, 0, 0, 0, 0
     b.settled[p], b.lastTurn[p], b.gathered[p], b.permitted[p] = 0, 0, 0, 0
+    b.place[p], b.pressed[p], b.asked[p] = 0, 0, 0
   end
 end
 

@@ -44,6 +44,7 @@ World.__index = World
 local ceil, floor, max, min = math.ceil, math.floor, math.max, math.min
 local isFinite = check.isFinite
 
+local NEW = not os.getenv("OLD_SOLVER")
 -- Longest time that one update makes up for, s.
 local LONGEST = 0.25
 -- A way that the game has written, divided by less time than that, would be no speed any more, s.
@@ -84,7 +85,11 @@ local function step(self, dt)
   detect.runMoved(b)
   part.run(b)
   predict.run(b, dt) -- forces, move
-  meet.run(b, dt) -- detect, side, push, restitution, friction
+  if NEW then
+    require(here .. ".solver.solver").run(b, dt)
+  else
+    meet.run(b, dt) -- detect, side, push, restitution, friction
+  end
   publish.run(b)
   if b.rest then
     rest.settle(b, dt)
@@ -893,6 +898,7 @@ function world.new(given, where)
   check.settings(given, where)
   local b = columns.new()
   b.lone = lone.new()
+  require(here .. ".solver.solver").adopt(b)
   b.queue, b.events, b.roster = queue.new(), events.new(), roster.new()
   local self = setmetatable({
     objects = {},

@@ -1,0 +1,382 @@
+--- Contacts: pairs that touch where the step begins, as one sorted list for each axis.
+--
+-- A contact has one axis. `low` is the body with the smaller coordinate on it, `high` the other one.
+-- Which axis that is follows from where the two were apart. The list is sorted by the coordinate of
+-- `high`, so that one walk goes from each body to those behind it. It does not depend on the order
+-- in which pairs were found.
+--
+-- Reads from, size, restitution; writes the lists `b.contacts[axis]`, touches, and `b.apart`.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local columns = require(root .. ".columns")
+local approach = require(root .. ".approach")
+local rules = require(root .. ".solver.rules")
+
+local contacts = {}
+
+local EPSILON = columns.EPSILON
+local max = math.max
+
+--- Values of `touches`: the pair is swept; it is a contact; it is one that may bounce, and is swept,
+--- too; both are in a crowd, it does nothing.
+contacts.APART, contacts.CONTACT, contacts.ELASTIC, contacts.GHOST = 0, 1, 2, 3
+local APART, CONTACT = contacts.APART, contacts.CONTACT
+local ELASTIC, GHOST = contacts.ELASTIC, contacts.GHOST
+
+--- Returns an empty list of contacts.
+function contacts.newList(axis)
+  return {
+    axis = axis,
+    isNew = false, -- contacts were added since it was sorted
+    count = 0,
+    order = {}, -- pairs, sorted
+    recalled = 0, -- how many of them were there in the last step
+    pair = {}, -- by contact: its pair,
+    low = {}, -- index of the low body on the axis,
+    high = {}, -- index of the high one,
+    separation = {}, -- px from one to the other at least,
+    elastic = {}, -- 1: it may bounce
+    bearing = {}, -- which of the two leans on the other (see friction)
+    width = {}, -- px of their common edge
+    load = {}, -- impulse of the one on the other in this step
+    weight = {}, -- of that, what is no impact
+  }
+end
+
+-- Splits the live pairs: those within reach at the start go to `b.closePairs`, the others to
+-- `b.apart`. Returns how many are close.
+local function listClose(b)
+  local live, close, apart, touches = b.live, b.closePairs, b.apart, b.touches
+  local pairA, pairB, from, size = b.pairA, b.pairB, b.from, b.size
+  local closeCount, apartCount = 0, 0
+  for n = 1, b.liveCount do
+    local p = live[n]
+    local k, m = 2 * pairA[p], 2 * pairB[p]
+    local x, y = from[m] - from[k], from[m + 1] - from[k + 1]
+    local gap = max(x - size[k], -x - size[m], y - size[k + 1], -y - size[m + 1])
+    touches[p] = APART
+    if gap <= EPSILON then
+      closeCount = closeCount + 1
+      close[closeCount] = p
+    else
+      apartCount = apartCount + 1
+      apart[apartCount] = p
+    end
+  end
+  b.apartCount, b.seenCount = apartCount, b.liveCount
+  return closeCount
+end
+
+-- Leaves the pair to the sweep.
+local function leaveApart(b, p)
+  b.apartCount = b.apartCount + 1
+  b.apart[b.apartCount] = p
+end
+
+-- Takes pairs with a sensor out of the close ones: they are swept only. Returns how many are left.
+local function dropSensors(b, count)
+  local close, pairA, pairB, sensor, kept = b.closePairs, b.pairA, b.pairB, b.sensor, 0
+  for n = 1, count do
+    local p = close[n]
+    if sensor[pairA[p]] or sensor[pairB[p]] then
+      leaveApart(b, p)
+    else
+      kept = kept + 1
+      close[kept] = p
+    end
+  end
+  return kept
+end
+
+-- Takes the pairs out of a list of which both are in a crowd. Returns how many are left.
+local function dropGhosts(b, list, count)
+  local pairA, pairB, crowded, kept = b.pairA, b.pairB, b.crowded, 0
+  for n = 1, count do
+    local p = list[n]
+    if crowded[pairA[p]] + crowded[pairB[p]] == 2 then
+      b.touches[p] = GHOST
+    else
+      kept = kept + 1
+      list[kept] = p
+    end
+  end
+  return kept
+end
+
+-- Makes a contact of a pair; its lists are sorted later.
+local function put(b, p, axis, kl, kh, separation)
+  local list = b.contacts[axis]
+  local n = list.count + 1
+  list.count = n
+  list.pair[n] = p
+  b.touches[p] = CONTACT
+  b.contactLow[p], b.contactHigh[p], b.separation[p] = kl, kh, separation
+  b.contactKey[p] = b.from[kh]
+end
+
+-- Two that are inside each other may not get deeper, on the axis on which they came there, else on
+-- the shallower one. What was squeezed (`wedged`) comes out as soon as there is room.
+local function putDeep(b, p)
+  local i, j = b.pairA[p], b.pairB[p]
+  local from, size, ki, kj = b.from, b.size, 2 * i, 2 * j
+  if b.oneWay[i] or b.oneWay[j] then
+    return
+  end
+  local axis, secondIsLow
+  if b.wedged[p] ~= 0 then
+    local _
+    _, axis, secondIsLow = approach.decode(b.wedged[p] - 1)
+  else
+    local x, y = from[kj] - from[ki], from[kj + 1] - from[ki + 1]
+    local gapX, gapY = max(x - size[ki], -x - size[kj]), max(y - size[ki + 1], -y - size[kj + 1])
+    axis = gapY >= gapX and 1 or 0
+    local middle = (axis == 0 and x or y) + (size[kj + axis] - size[ki + axis]) * 0.5
+    secondIsLow = middle < 0 or (middle == 0 and b.rank[j] < b.rank[i])
+  end
+  local kl, kh = ki + axis, kj + axis
+  if secondIsLow then
+    kl, kh = kh, kl
+  end
+  if rules.passes(b, p, kl, kh, axis, true) then
+    return
+  end
+  put(b, p, axis, kl, kh, b.wedged[p] ~= 0 and size[kl] or from[kh] - from[kl])
+end
+
+-- Decides of each close pair on which axis it touches.
+local function classify(b, count)
+  local close, pairA, pairB, from, size = b.closePairs, b.pairA, b.pairB, b.from, b.size
+  local overlaps, overlapCount = b.overlaps, 0
+  for n = 1, count do
+    local p = close[n]
+    local i, j = pairA[p], pairB[p]
+    local k, m = 2 * i, 2 * j
+    local x, y = from[m] - from[k], from[m + 1] - from[k + 1]
+    local afterX, afterY = x - size[k], y - size[k + 1]
+    local beforeX, beforeY = -x - size[m], -y - size[m + 1]
+    local gapX, gapY = max(afterX, beforeX), max(afterY, beforeY)
+    if gapX < -EPSILON then
+      if gapY >= -EPSILON then
+        if afterY >= beforeY then
+          put(b, p, 1, k + 1, m + 1, size[k + 1])
+        else
+          put(b, p, 1, m + 1, k + 1, size[m + 1])
+        end
+      else
+        overlapCount = overlapCount + 1
+        overlaps[overlapCount] = p
+      end
+    elseif gapY < -EPSILON then
+      if afterX >= beforeX then
+        put(b, p, 0, k, m, size[k])
+      else
+        put(b, p, 0, m, k, size[m])
+      end
+    else
+      leaveApart(b, p) -- corner to corner
+    end
+  end
+  b.overlapCount = overlapCount
+end
+
+-- Whether contact p comes before contact q in a list.
+local function before(b, p, q)
+  local key = b.contactKey
+  if key[p] ~= key[q] then
+    return key[p] < key[q]
+  end
+  local rank, low, high = b.rank, b.contactLow, b.contactHigh
+  local axis = high[p] % 2
+  local one, other = rank[(high[p] - axis) * 0.5], rank[(high[q] - axis) * 0.5]
+  if one ~= other then
+    return one < other
+  end
+  return rank[(low[p] - axis) * 0.5] < rank[(low[q] - axis) * 0.5]
+end
+
+-- Merges the sorted runs [first, middle) and [middle, last] of `source` into `target`.
+local function mergeRuns(b, source, target, first, middle, last)
+  local i, j = first, middle
+  for n = first, last do
+    if j > last or (i < middle and not before(b, source[j], source[i])) then
+      target[n] = source[i]
+      i = i + 1
+    else
+      target[n] = source[j]
+      j = j + 1
+    end
+  end
+end
+
+-- Sorts list[1..count]: insertion while little is out of place, else bottom-up merging.
+local function sortOrder(b, list, count)
+  local patience = 4 * count + 64
+  for n = 2, count do
+    local p, at = list[n], n
+    while at > 1 and before(b, p, list[at - 1]) do
+      list[at] = list[at - 1]
+      at = at - 1
+    end
+    list[at] = p
+    patience = patience - (n - at)
+    if patience < 0 then
+      break
+    end
+  end
+  if patience >= 0 then
+    return
+  end
+  local source, target, width = list, b.sortScratch, 1
+  while width < count do
+    for first = 1, count, 2 * width do
+      local middle, last = first + width, first + 2 * width - 1
+      if middle > count + 1 then
+        middle = count + 1
+      end
+      mergeRuns(b, source, target, first, middle, last < count and last or count)
+    end
+    source, target, width = target, source, 2 * width
+  end
+  if source ~= list then
+    for n = 1, count do
+      list[n] = source[n]
+    end
+  end
+end
+
+-- The pairs of a list in their order: first as in the last step, then what is new, then sorted.
+local function arrange(b, list)
+  local order, pair, place, count = list.order, list.pair, b.place, list.count
+  for n = 1, count do
+    place[pair[n]] = 1
+  end
+  local kept = 0
+  for n = 1, list.recalled do
+    local p = order[n]
+    if place[p] == 1 then
+      kept = kept + 1
+      order[kept], place[p] = p, 2
+    end
+  end
+  for n = 1, count do
+    local p = pair[n]
+    if place[p] == 1 then
+      kept = kept + 1
+      order[kept] = p
+    end
+    place[p] = 0
+  end
+  list.recalled = kept
+  sortOrder(b, order, kept)
+end
+
+-- Writes what the passes need of each contact into the list.
+local function fill(b, list)
+  local order, pair, low, high = list.order, list.pair, list.low, list.high
+  local separation, elastic = list.separation, list.elastic
+  local contactLow, contactHigh, its = b.contactLow, b.contactHigh, b.separation
+  local touches = b.touches
+  for n = 1, list.count do
+    local p = order[n]
+    pair[n], low[n], high[n], separation[n] = p, contactLow[p], contactHigh[p], its[p]
+    elastic[n] = touches[p] == ELASTIC and 1 or 0
+  end
+end
+
+-- Drops the contacts of a list that may not act: open sides of one-ways, `canCollide`.
+local function dropRefused(b, list)
+  local order, kept = list.order, 0
+  for n = 1, list.count do
+    local p = order[n]
+    if rules.passes(b, p, b.contactLow[p], b.contactHigh[p], list.axis, false) then
+      b.touches[p] = APART
+    else
+      kept = kept + 1
+      order[kept] = p
+    end
+  end
+  list.count, list.recalled = kept, kept
+end
+
+-- Contacts that may bounce are swept, too.
+local function markElastic(b, list)
+  local order, restitution, pairA, pairB = list.order, b.restitution, b.pairA, b.pairB
+  for n = 1, list.count do
+    local p = order[n]
+    if max(restitution[pairA[p]], restitution[pairB[p]]) > 0 and b.wedged[p] == 0 then
+      b.touches[p] = ELASTIC
+      leaveApart(b, p)
+    end
+  end
+end
+
+--- Finds what touches at the start of the step.
+function contacts.find(b)
+  local down, across = b.contacts[b.downAxis], b.contacts[1 - b.downAxis]
+  down.count, across.count = 0, 0
+  local count = listClose(b)
+  if b.hasSensors then
+    count = dropSensors(b, count)
+  end
+  if b.crowdCount > 0 then
+    count = dropGhosts(b, b.closePairs, count)
+    b.apartCount = dropGhosts(b, b.apart, b.apartCount)
+  end
+  classify(b, count)
+  for n = 1, b.overlapCount do
+    putDeep(b, b.overlaps[n])
+  end
+  arrange(b, down)
+  arrange(b, across)
+  if b.hasAskers or b.hasOneWays then
+    dropRefused(b, down)
+    dropRefused(b, across)
+  end
+  if b.hasBounces then
+    markElastic(b, down)
+    markElastic(b, across)
+  end
+  fill(b, down)
+  fill(b, across)
+end
+
+--- Makes a contact of a pair that has met without a bounce.
+function contacts.add(b, axis, p, kl, kh)
+  if b.touches[p] == CONTACT then
+    return
+  elseif b.touches[p] == ELASTIC then -- it does not bounce any more
+    b.touches[p] = CONTACT
+    b.contacts[axis].isNew = true
+    return
+  end
+  put(b, p, axis, kl, kh, b.size[kl])
+  b.contacts[axis].isNew = true
+end
+
+--- Sorts contacts that were added into their lists.
+function contacts.rearrange(b)
+  for axis = 0, 1 do
+    local list = b.contacts[axis]
+    if list.isNew then
+      list.isNew = false
+      arrange(b, list)
+      fill(b, list)
+    end
+  end
+end
+
+--- Lists pairs that were found in the middle of the step among those to be swept.
+function contacts.noteNew(b)
+  for n = b.seenCount + 1, b.liveCount do
+    local p = b.live[n]
+    if b.crowded[b.pairA[p]] + b.crowded[b.pairB[p]] == 2 then
+      b.touches[p] = GHOST
+    else
+      b.touches[p] = APART
+      leaveApart(b, p)
+    end
+  end
+  b.seenCount = b.liveCount
+end
+
+return contacts

@@ -1,0 +1,36 @@
+--- Rules that decide whether a contact may act: open sides of one-ways, `dropThrough`, `canCollide`.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local approach = require(root .. ".approach")
+local ask = require(root .. ".ask")
+local live = require(root .. ".live")
+local oneway = require(root .. ".oneway")
+
+local rules = {}
+
+local floor = math.floor
+local FACE, DEEP = approach.FACE, approach.DEEP
+
+--- Returns whether pair p passes through each other on an axis. `kl` and `kh` are the indexes of
+--- the low body and the high one. The game is asked once a step for each pair.
+function rules.passes(b, p, kl, kh, axis, isDeep)
+  if b.passing[p] or b.dropping[p] then
+    return true
+  end
+  local low, high = floor(kl * 0.5), floor(kh * 0.5)
+  if oneway.lets(b, low, high, 2 * axis + 2, isDeep and DEEP or FACE) then
+    return true
+  end
+  if not b.hasAskers or b.asked[p] == b.solveStamp then
+    return false
+  end
+  b.asked[p] = b.solveStamp
+  if ask.permits(b, low, high, axis) then
+    return false
+  end
+  b.passing[p] = true
+  live.stain(b, p)
+  return true
+end
+
+return rules

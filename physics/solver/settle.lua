@@ -1,0 +1,149 @@
+--- Settling: what touches along an axis does not overlap at the end of the step.
+--
+-- Boxes do not turn, so along one axis the contacts are a partial order, and what inelastic contacts
+-- do to it has a closed answer. First, what an immovable body holds is put flush against it, from
+-- there on through all that lean on each other (`holdHigh`, `holdLow`). Then free bodies that press
+-- each other become blocks with a common velocity (see pool).
+--
+-- Reads contacts, give, start; writes to, speed, accel, heldLow, heldHigh, pressed, squeezed.
+-- heldLow and heldHigh are 0, or say by how many contacts an immovable body is away, and 1: a body
+-- that is held cannot give way to that side.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local columns = require(root .. ".columns")
+local pool = require(root .. ".solver.pool")
+
+local settle = {}
+
+local EPSILON = columns.EPSILON
+
+-- Nothing dynamic is held yet.
+local function release(b, axis)
+  local list, give, heldLow, heldHigh = b.awakeList, b.give, b.heldLow, b.heldHigh
+  local squeezed = b.squeezed
+  for n = 1, b.awakeCount do
+    local k = 2 * list[n] + axis
+    squeezed[k] = 0
+    if give[k] > 0 then
+      heldLow[k], heldHigh[k] = 0, 0
+    else
+      heldLow[k], heldHigh[k] = 1, 1
+    end
+  end
+end
+
+-- Towards high coordinates: from what cannot give way, down the list, what leans on it.
+local function holdHigh(b, list, slow)
+  local low, high, separation, elastic = list.low, list.high, list.separation, list.elastic
+  local pair, pressed = list.pair, b.pressed
+  local to, speed, accel, give, held = b.to, b.speed, b.accel, b.give, b.heldHigh
+  local wall = b.holderHigh
+  for c = list.count, 1, -1 do
+    local kl, kh = low[c], high[c]
+    if held[kh] > 0 and give[kl] > 0 then
+      local place = to[kh] - separation[c]
+      local over, closing = to[kl] - place, speed[kl] - speed[kh]
+      if over > -EPSILON and (over > 0 or closing >= 0) then
+        if elastic[c] == 0 or not pool.bounces(closing, accel[kl] - accel[kh], slow) then
+          to[kl], held[kl] = place, held[kh] + 1
+          wall[kl] = give[kh] > 0 and wall[kh] or kh
+          if closing > 0 then
+            speed[kl], accel[kl], pressed[pair[c]] = speed[kh], accel[kh], 1
+          elseif over > EPSILON then
+            pressed[pair[c]] = 1
+          end
+        end
+      end
+    end
+  end
+end
+
+-- Body kh is held on its high side and pressed by `over` px from its low side, where kl cannot give
+-- way either: it is squeezed. A row of them shares the overlap, and goes at the mean of the speeds of
+-- the two that press it.
+local function squeeze(b, kl, kh, over)
+  local depth = b.heldHigh[kh] - 1
+  b.squeezed[kh] = over
+  b.to[kh] = b.to[kh] + over * (depth / (depth + 1))
+  b.speed[kh] = (b.speed[b.holderLow[kh]] + b.speed[b.holderHigh[kh]]) * 0.5
+  b.accel[kh] = 0.0
+end
+
+-- Towards low coordinates. Returns whether free bodies still overlap.
+local function holdLow(b, list, slow)
+  local low, high, separation, elastic = list.low, list.high, list.separation, list.elastic
+  local pair, pressed = list.pair, b.pressed
+  local to, speed, accel, give, held = b.to, b.speed, b.accel, b.give, b.heldLow
+  local wall = b.holderLow
+  local isViolated = false
+  for c = 1, list.count do
+    local kl, kh = low[c], high[c]
+    local place = to[kl] + separation[c]
+    local over = place - to[kh]
+    if over > -EPSILON then
+      local closing = speed[kl] - speed[kh]
+      local isHeld = held[kl] > 0 and give[kh] > 0
+      if not isHeld then
+        isViolated = isViolated or over > EPSILON and (give[kl] > 0 or give[kh] > 0)
+      elseif
+        (over > 0 or closing >= 0)
+        and (elastic[c] == 0 or not pool.bounces(closing, accel[kl] - accel[kh], slow))
+      then
+        held[kh] = held[kl] + 1
+        wall[kh] = give[kl] > 0 and wall[kl] or kl
+        if b.heldHigh[kh] > 0 then
+          if over > EPSILON then
+            squeeze(b, kl, kh, over)
+            pressed[pair[c]] = 1
+          end
+        else
+          to[kh] = place
+          if closing > 0 then
+            speed[kh], accel[kh], pressed[pair[c]] = speed[kl], accel[kl], 1
+          elseif over > EPSILON then
+            pressed[pair[c]] = 1
+          end
+        end
+      end
+    end
+  end
+  return isViolated
+end
+
+--- The first half of settling: what immovable bodies hold. Returns whether free ones overlap.
+function settle.hold(b, axis, dt)
+  local list = b.contacts[axis]
+  release(b, axis)
+  local slow = 2 * dt
+  holdHigh(b, list, slow)
+  b.isViolated = holdLow(b, list, slow)
+end
+
+--- The second half: free bodies that overlap become blocks, beside those that friction has made.
+function settle.finish(b, axis, dt, isGlued)
+  if b.isViolated or isGlued then
+    pool.run(b, b.contacts[axis], dt, false)
+  end
+end
+
+--- Settles one axis. `isLate`: the paths have begun at different moments by now.
+function settle.axis(b, axis, dt, isLate)
+  settle.hold(b, axis, dt)
+  if b.isViolated then
+    pool.run(b, b.contacts[axis], dt, isLate)
+  end
+end
+
+--- Returns whether a contact of an axis is violated at the end of the step.
+function settle.isViolated(b, axis)
+  local list, to = b.contacts[axis], b.to
+  local low, high, separation = list.low, list.high, list.separation
+  for c = 1, list.count do
+    if to[low[c]] + separation[c] - to[high[c]] > EPSILON then
+      return true
+    end
+  end
+  return false
+end
+
+return settle

@@ -1,0 +1,315 @@
+--- The solver: settle what touches, then sweep, hit and settle again.
+--
+-- A step is bounded: at most ROUNDS rounds, in each of which a body takes part in one impact, and a
+-- fixed number of passes over the contacts in each. What cannot be finished goes on in the next step.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local columns = require(root .. ".columns")
+local contacts = require(root .. ".solver.contacts")
+local detect = require(root .. ".detect")
+local flow = require(root .. ".solver.flow")
+local friction = require(root .. ".solver.friction")
+local impact = require(root .. ".solver.impact")
+local live = require(root .. ".live")
+local move = require(root .. ".move")
+local nudge = require(root .. ".nudge")
+local predict = require(root .. ".predict")
+local rules = require(root .. ".solver.rules")
+local settle = require(root .. ".solver.settle")
+local sort = require(root .. ".sort")
+local sweep = require(root .. ".solver.sweep")
+
+local solver = {}
+
+local DYNAMIC, SIDE = columns.DYNAMIC, columns.SIDE
+local floor, max, min = math.floor, math.max, math.min
+
+--- Rounds of sweep, hit, settle in a step.
+solver.ROUNDS = 16
+local ROUNDS = solver.ROUNDS
+-- How often a step begins anew because its paths have come near to bodies that rested; then all are
+-- woken.
+local RESTARTS = 8
+-- Moments closer than this part of a step are simultaneous.
+local MOMENTS = 1e9
+-- Parts of a px to which common edges are compared.
+local WIDTHS = 2 ^ 20
+
+--- Gives a world what the solver needs.
+function solver.adopt(b)
+  b.contacts = { [0] = contacts.newList(0), contacts.newList(1) }
+  b.bonds, b.impacts = friction.newBonds(), sweep.newImpacts()
+end
+
+-- Everything awake as it is before contacts.
+local function begin(b, dt)
+  local list, kind, buried, give = b.awakeList, b.kind, b.buried, b.give
+  local free, start, speed, velocity, carried = b.freeSpeed, b.start, b.speed, b.velocity, b.carried
+  local from, origin, inverseMass, dirty = b.from, b.origin, b.inverseMass, b.dirty
+  local limit, kinks = b.limit, b.kinks
+  for n = 1, b.awakeCount do
+    local i = list[n]
+    dirty[i], b.impactsOf[i] = 1, 0
+    for k = 2 * i, 2 * i + 1 do
+      kinks[k], origin[k] = 0, from[k]
+      give[k] = kind[i] == DYNAMIC and not buried[i] and inverseMass[i] or 0
+      if kind[i] == DYNAMIC then
+        free[k] = speed[k]
+        start[k] = max(min(velocity[k], limit[k]), -limit[k]) + carried[k]
+      end
+    end
+  end
+  flow.reset(b)
+end
+
+-- Notes the sides at which bodies lean on each other, and the hits of those that begin to.
+local function notePressed(b, axis)
+  local list, pressed, pressedHigh, pressedLow = b.contacts[axis], b.pressed, b.pressedHigh, b.pressedLow
+  for c = 1, list.count do
+    local p = list.pair[c]
+    if pressed[p] == 1 then
+      local kl, kh = list.low[c], list.high[c]
+      pressedHigh[kl], pressedLow[kh] = true, true
+      if b.hit[p] == 0 and b.contact[p] == 0 then
+        local low = (kl - axis) * 0.5
+        impact.note(b, p, low, axis, max(b.start[kl] - b.start[kh], 0.0))
+      end
+    end
+  end
+end
+
+-- Notes what is squeezed along an axis, and between which two.
+local function noteSqueezed(b, axis)
+  local list, squeezed, crushed = b.contacts[axis], b.squeezed, b.crushed
+  local crushLow, crushHigh = b.crushLow, b.crushHigh
+  for c = 1, list.count do
+    local kl, kh = list.low[c], list.high[c]
+    if squeezed[kl] > 0 and b.pressed[list.pair[c]] == 1 then
+      crushHigh[kl] = (kh - axis) * 0.5
+    end
+    if squeezed[kh] > 0 and b.pressed[list.pair[c]] == 1 then
+      crushLow[kh] = (kl - axis) * 0.5
+    end
+  end
+  for n = 1, b.awakeCount do
+    local k = 2 * b.awakeList[n] + axis
+    if squeezed[k] > 0 then
+      crushed[k], b.hasCrushed = true, true
+    end
+  end
+end
+
+local function forgetPressed(b)
+  for axis = 0, 1 do
+    local list = b.contacts[axis]
+    for c = 1, list.count do
+      b.pressed[list.pair[c]] = 0
+    end
+  end
+end
+
+-- What touches at the start of the step: along gravity, then across it, each with its friction.
+local function settleTouching(b, dt)
+  contacts.find(b)
+  forgetPressed(b)
+  local down, across = b.downAxis, 1 - b.downAxis
+  settle.axis(b, down, dt, false)
+  if not b.hasFriction then
+    settle.axis(b, across, dt, false)
+  else
+    if not friction.run(b, down, dt) then
+      settle.axis(b, across, dt, false)
+    end
+    friction.run(b, across, dt)
+  end
+end
+
+-- Marks what has another path than when it was swept, and looks up its neighbours.
+local function findChanged(b)
+  local list, to, swept, dirty = b.awakeList, b.to, b.swept, b.dirty
+  for n = 1, b.awakeCount do
+    local i = list[n]
+    local k = 2 * i
+    if to[k] ~= swept[k] or to[k + 1] ~= swept[k + 1] then
+      dirty[i] = 1
+      swept[k], swept[k + 1] = to[k], to[k + 1]
+    end
+  end
+  detect.run(b, list, 1, b.awakeCount)
+end
+
+-- Sorts the impacts: by moment, solids before sensors, the wider common edge first, then in order.
+local function sortImpacts(b)
+  local impacts = b.impacts
+  for n = 1, impacts.count do
+    local i, j, axis = impacts.low[n], impacts.high[n], impacts.axis[n]
+    local isSensed = b.sensor[i] or b.sensor[j]
+    impacts.order[n] = n
+    impacts.moment[n] = floor(impacts.time[n] * MOMENTS + 0.5) + (isSensed and 4 or 0)
+    local k, m = 2 * i + 1 - axis, 2 * j + 1 - axis
+    local width = min(b.from[k] + b.size[k], b.from[m] + b.size[m]) - max(b.from[k], b.from[m])
+    impacts.width[n] = -floor(width * WIDTHS + 0.5)
+    impacts.first[n], impacts.second[n] = columns.ranks(b, i, j)
+  end
+  sort.by(impacts.order, impacts.count, impacts.moment, impacts.width, impacts.first, impacts.second)
+end
+
+-- A body enters a sensor, or passes through it.
+local function sense(b, p, i, j, axis, t, dt)
+  local kl, kh = 2 * i + axis, 2 * j + axis
+  local o = b.to[kl] + b.size[kl] - b.to[kh]
+  local v, a = b.speed[kl] - b.speed[kh], b.accel[kl] - b.accel[kh]
+  impact.note(b, p, i, axis, (impact.approach(o, v, a, (1 - t) * dt)))
+end
+
+-- Ends the path of a body where it is at moment t.
+local function stop(b, i, t)
+  if b.kind[i] == DYNAMIC then
+    impact.advance(b, i, t)
+    for k = 2 * i, 2 * i + 1 do
+      b.to[k] = b.from[k]
+    end
+  end
+end
+
+-- The n-th impact happens. Bodies that were in an earlier one of this round are swept anew.
+local function happen(b, n, dt, isLast)
+  local impacts, round = b.impacts, b.roundStamp
+  local p, t, axis = impacts.pair[n], impacts.time[n], impacts.axis[n]
+  local i, j = impacts.low[n], impacts.high[n]
+  local isSensed = b.sensor[i] or b.sensor[j]
+  if b.inRound[i] == round or b.inRound[j] == round then
+    if b.kind[i] == DYNAMIC then
+      b.dirty[i] = 1
+    end
+    if b.kind[j] == DYNAMIC then
+      b.dirty[j] = 1
+    end
+    if isLast and not isSensed then
+      stop(b, i, t)
+      stop(b, j, t)
+    end
+    return
+  end
+  if (isSensed and b.hit[p] ~= 0) or rules.passes(b, p, 2 * i + axis, 2 * j + axis, axis, impacts.isDeep[n]) then
+    return
+  elseif isSensed then
+    sense(b, p, i, j, axis, t, dt)
+    return
+  end
+  for side = 1, 2 do
+    local slot = side == 1 and i or j
+    if b.kind[slot] == DYNAMIC then
+      b.inRound[slot], b.dirty[slot] = round, 1
+    end
+  end
+  if b.hasNudges and not isLast and b.nudged[p] < 4 then
+    if nudge.try(b, i, j, axis, true, t) or nudge.try(b, j, i, axis, false, t) then
+      b.nudged[p] = b.nudged[p] + 1
+      live.stain(b, p)
+      return
+    end
+  end
+  local stays = impact.run(b, p, i, j, axis, t, dt, isLast)
+  if stays then
+    contacts.add(b, axis, p, 2 * i + axis, 2 * j + axis)
+    b.pressed[p] = 1
+  end
+  if isLast then
+    stop(b, i, t)
+    stop(b, j, t)
+  end
+end
+
+-- One round: what meets first, once for each body. Returns whether anything has met.
+local function round(b, dt, isLast)
+  local count = sweep.run(b)
+  local list, dirty = b.awakeList, b.dirty
+  for n = 1, b.awakeCount do
+    dirty[list[n]] = 0
+  end
+  if count == 0 then
+    return false
+  end
+  sortImpacts(b)
+  b.roundStamp = b.roundStamp + 1
+  for n = 1, count do
+    happen(b, b.impacts.order[n], dt, isLast)
+  end
+  contacts.rearrange(b)
+  return true
+end
+
+-- Settles again what impacts have changed.
+local function settleLate(b, dt)
+  local down, across = b.downAxis, 1 - b.downAxis
+  if settle.isViolated(b, down) then
+    settle.axis(b, down, dt, true)
+  end
+  if settle.isViolated(b, across) then
+    settle.axis(b, across, dt, true)
+  end
+end
+
+-- Solves a step for what is awake. Returns false if bodies have been woken on the way: then it was
+-- in vain.
+local function solve(b, dt)
+  local awakenings = b.awakenings
+  b.solveStamp = b.solveStamp + 1
+  begin(b, dt)
+  live.list(b)
+  settleTouching(b, dt)
+  findChanged(b)
+  contacts.noteNew(b)
+  for n = 1, ROUNDS do
+    if b.awakenings ~= awakenings then
+      return false
+    end
+    if not round(b, dt, n == ROUNDS) then
+      break
+    end
+    if n < ROUNDS then
+      settleLate(b, dt)
+      findChanged(b)
+      contacts.noteNew(b)
+    end
+  end
+  if b.awakenings ~= awakenings then
+    return false
+  end
+  for axis = 0, 1 do
+    notePressed(b, axis)
+    noteSqueezed(b, axis)
+  end
+  return true
+end
+
+-- Brings everything back to where the step began.
+local function restart(b, dt)
+  local list, from, origin, time = b.awakeList, b.from, b.origin, b.time
+  for n = 1, b.predicted do
+    local i = list[n]
+    from[2 * i], from[2 * i + 1] = origin[2 * i], origin[2 * i + 1]
+    time[i] = 0
+  end
+  b.predicted = 0
+  predict.run(b, dt)
+end
+
+--- Resolves all contacts of a step of dt s.
+function solver.run(b, dt)
+  b.resolved, b.step = 0, b.step + 1
+  for _ = 1, RESTARTS do
+    if solve(b, dt) then
+      return
+    end
+    restart(b, dt)
+  end
+  -- Wakes all: nothing can come near to what rests then.
+  local rest = require(root .. ".rest")
+  rest.wakeAll(b)
+  restart(b, dt)
+  solve(b, dt)
+end
+
+return solver
