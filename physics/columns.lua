@@ -215,6 +215,7 @@ local AXIS = {
   load = 0, -- impulse of what stands on it
   weight = 0, -- of that, what is no impact
   isPressed = false,
+  bondMark = 0, -- it is in a tower that friction holds together
   parent = 0, -- blocks (see pool): the next one on the way to the root
   offset = 0, -- px from that
   blockMass = 0, -- at the root: sums over the block

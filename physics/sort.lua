@@ -9,24 +9,27 @@ local sort = {}
 local FEW = 8
 
 -- x comes before y: smaller first, column by column.
-local function before(x, y, first, second, third)
+local function before(x, y, first, second, third, fourth)
   if first[x] ~= first[y] then
     return first[x] < first[y]
   end
   if second[x] ~= second[y] then
     return second[x] < second[y]
   end
-  return third[x] < third[y]
+  if third[x] ~= third[y] then
+    return third[x] < third[y]
+  end
+  return fourth ~= nil and fourth[x] < fourth[y]
 end
 
-local function sink(list, root, count, first, second, third)
+local function sink(list, root, count, first, second, third, fourth)
   local value = list[root]
   local child = 2 * root
   while child <= count do
-    if child < count and before(list[child], list[child + 1], first, second, third) then
+    if child < count and before(list[child], list[child + 1], first, second, third, fourth) then
       child = child + 1
     end
-    if not before(value, list[child], first, second, third) then
+    if not before(value, list[child], first, second, third, fourth) then
       break
     end
     list[root] = list[child]
@@ -35,10 +38,10 @@ local function sink(list, root, count, first, second, third)
   list[root] = value
 end
 
-local function insert(list, count, first, second, third)
+local function insert(list, count, first, second, third, fourth)
   for n = 2, count do
     local value, at = list[n], n
-    while at > 1 and before(value, list[at - 1], first, second, third) do
+    while at > 1 and before(value, list[at - 1], first, second, third, fourth) do
       list[at] = list[at - 1]
       at = at - 1
     end
@@ -46,19 +49,20 @@ local function insert(list, count, first, second, third)
   end
 end
 
---- Sorts `list[1..count]` by `first[x]`, then `second[x]`, then `third[x]`, ascending: few by
---- insertion, more by heapsort (J. W. J. Williams, 1964). No two should be equal in all three.
-function sort.by(list, count, first, second, third)
+--- Sorts `list[1..count]` by `first[x]`, then `second[x]`, `third[x]` and, if given, `fourth[x]`,
+--- ascending: few by insertion, more by heapsort (J. W. J. Williams, 1964). No two should be equal
+--- in all of them.
+function sort.by(list, count, first, second, third, fourth)
   if count <= FEW then
-    insert(list, count, first, second, third)
+    insert(list, count, first, second, third, fourth)
     return
   end
   for root = (count - count % 2) / 2, 1, -1 do
-    sink(list, root, count, first, second, third)
+    sink(list, root, count, first, second, third, fourth)
   end
   for last = count, 2, -1 do
     list[1], list[last] = list[last], list[1]
-    sink(list, 1, last - 1, first, second, third)
+    sink(list, 1, last - 1, first, second, third, fourth)
   end
 end
 

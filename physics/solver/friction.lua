@@ -20,8 +20,8 @@ local EPSILON, STILL = columns.EPSILON, columns.STILL
 local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
 -- How often a bond may break before the step goes on with what it has.
 local ATTEMPTS = 4
--- Of a bond: both go as one; it slips and friction does all it can; it slips and comes to rest.
-local BOND, SLIP, STOP = 1, 2, 3
+-- Of a bond: both go as one; it slips, and friction does all it can.
+local BOND, SLIP = 1, 2
 -- Kinds of support: the low body leans on the high one, or the other way round.
 local ON_HIGH, ON_LOW = 1, 2
 
@@ -156,7 +156,7 @@ local function addBond(b, bonds, up, low, limit)
   bonds.up[n], bonds.low[n], bonds.limit[n], bonds.tug[n] = up, low, limit, 0.0
   bonds.isGlued[n] = false
   local slip = b.start[up] - b.start[low]
-  bonds.state[n] = slip <= STILL and slip >= -STILL and BOND or SLIP
+  bonds.state[n] = max(slip, -slip) <= limit * b.give[up] and BOND or SLIP
 end
 
 -- Contact c rubs along the other axis.
@@ -225,47 +225,68 @@ local function slipWith(b, bonds, n, more, dt)
   return (run(b, bonds.up[n], more, dt)) - (run(b, bonds.low[n], -more, dt))
 end
 
--- A bond that slips from the start on: friction does all it can against that, or what brings the
--- two to a common velocity.
+-- A bond that slips from the start on: friction does all it can against that. If that would turn the
+-- slip round, the two go on as one.
 local function slide(b, bonds, n, dt)
-  local up, low = bonds.up[n], bonds.low[n]
-  local slip = b.start[up] - b.start[low]
+  local slip = b.start[bonds.up[n]] - b.start[bonds.low[n]]
   local limit = slip > 0 and -bonds.limit[n] or bonds.limit[n]
   pull(b, bonds, n, limit, dt)
-  local full = slipWith(b, bonds, n, 0, dt)
-  if full * slip < 0 then
-    local none = slipWith(b, bonds, n, -limit, dt)
-    pull(b, bonds, n, none * full < 0 and limit * none / (none - full) or 0.0, dt)
-    bonds.state[n] = STOP
+  local last = (run(b, bonds.up[n], 0, dt)) - (run(b, bonds.low[n], 0, dt))
+  if last * slip < 0 then
+    pull(b, bonds, n, 0.0, dt)
+    bonds.state[n] = BOND
   end
 end
 
 local function slideAll(b, bonds, dt)
   for n = 1, bonds.count do
-    if bonds.state[n] == SLIP or bonds.state[n] == STOP then
+    if bonds.state[n] == SLIP then
       slide(b, bonds, n, dt)
     end
   end
 end
 
--- Makes blocks of the bonds that are needed. Returns whether there are any.
-local function glue(b, bonds, dt)
-  local any = false
+-- Marks what is bonded, directly or through others, to a body that would not go along by itself.
+-- Returns whether there is any.
+local function markTowers(b, bonds)
+  local mark, stamp, any = b.bondMark, b.forceStamp, false
   for n = 1, bonds.count do
     local up, low = bonds.up[n], bonds.low[n]
     if bonds.state[n] == BOND then
       local isEven = b.speed[up] == b.speed[low]
         and b.to[up] - b.from[up] == b.to[low] - b.from[low]
-      bonds.isGlued[n] = bonds.isGlued[n] or not isEven
-      any = any or bonds.isGlued[n]
+      if bonds.isGlued[n] or not isEven then
+        mark[up], mark[low], any = stamp, stamp, true
+      end
+    end
+  end
+  for n = any and bonds.count or 0, 1, -1 do
+    if bonds.state[n] == BOND and mark[bonds.up[n]] == stamp then
+      mark[bonds.low[n]] = stamp
     end
   end
   for n = 1, any and bonds.count or 0 do
-    if bonds.state[n] == BOND then
-      pool.glue(b, bonds.up[n], bonds.low[n], dt)
+    if bonds.state[n] == BOND and mark[bonds.low[n]] == stamp then
+      mark[bonds.up[n]] = stamp
     end
   end
   return any
+end
+
+-- Makes blocks of the bonds that are needed. Returns whether there are any.
+local function glue(b, bonds, dt)
+  local mark, stamp = b.bondMark, b.forceStamp
+  if not markTowers(b, bonds) then
+    return false
+  end
+  for n = 1, bonds.count do
+    local up, low = bonds.up[n], bonds.low[n]
+    if bonds.state[n] == BOND and mark[up] == stamp and mark[low] == stamp then
+      bonds.isGlued[n] = true
+      pool.glue(b, up, low, dt)
+    end
+  end
+  return true
 end
 
 -- Which bodies of an axis are pressed by others: what a bond has to do there is not known.
@@ -297,7 +318,6 @@ local function check(b, list, bonds)
       local impulse = need[up] + (b.speed[up] - own) / b.give[up]
       if not isPressed[up] and max(impulse, -impulse) > limit * (1 + 1e-9) + 1e-12 then
         bonds.state[n], hasChanged = SLIP, true
-        bonds.tug[n] = 0.0
         b.breaking[n] = impulse > 0 and limit or -limit
       elseif not bonds.isGlued[n] and b.speed[up] ~= b.speed[low] then
         bonds.isGlued[n], hasChanged = true, true

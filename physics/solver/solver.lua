@@ -44,9 +44,9 @@ end
 -- Everything awake as it is before contacts.
 local function begin(b, dt)
   local list, kind, buried, give = b.awakeList, b.kind, b.buried, b.give
-  local free, start, speed, velocity, carried = b.freeSpeed, b.start, b.speed, b.velocity, b.carried
+  local freeSpeed, start, speed, velocity, carried = b.freeSpeed, b.start, b.speed, b.velocity, b.carried
   local from, origin, inverseMass, dirty = b.from, b.origin, b.inverseMass, b.dirty
-  local limit, kinks = b.limit, b.kinks
+  local limit, kinks, accel = b.limit, b.kinks, b.accel
   for n = 1, b.awakeCount do
     local i = list[n]
     dirty[i], b.impactsOf[i] = 1, 0
@@ -54,8 +54,9 @@ local function begin(b, dt)
       kinks[k], origin[k] = 0, from[k]
       give[k] = kind[i] == DYNAMIC and not buried[i] and inverseMass[i] or 0
       if kind[i] == DYNAMIC then
-        free[k] = speed[k]
+        freeSpeed[k] = speed[k]
         start[k] = max(min(velocity[k], limit[k]), -limit[k]) + carried[k]
+        accel[k] = (freeSpeed[k] - start[k]) / dt
       end
     end
   end
