@@ -82,12 +82,17 @@ local function given(v, c)
   return v > c and v or c
 end
 
---- Returns the velocity along k that slot i shows: relative to what carries it (c px/s). On the
---- first step on a carrier, and while something holds it back, or what it goes along with, only
---- what the carrier gave is off.
-function carrier.ownVelocity(b, i, k, c, isNew)
+-- Whether something that cannot give way stops k on its way with its carrier.
+local function isHeldBack(b, k, c)
+  return (c > 0 and b.pressedHigh[k] and b.heldHigh[k] > 0)
+    or (c < 0 and b.pressedLow[k] and b.heldLow[k] > 0)
+end
+
+--- Returns the velocity along k that an object shows: relative to what carries it (c px/s). On the
+--- first step on a carrier, and while something holds it back, only what the carrier gave is off.
+function carrier.ownVelocity(b, k, c, isNew)
   local v = b.speed[k]
-  if isNew or b.pressedLow[k] or b.pressedHigh[k] or b.taken[i] == b.step then
+  if isNew or isHeldBack(b, k, c) then
     return v - given(v, c)
   end
   return v - c

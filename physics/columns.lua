@@ -33,10 +33,7 @@ end
 --- How far apart two edges may be and still count as touching, px.
 columns.EPSILON = 1e-6
 
---- px/s below which two do not move against each other.
-columns.STILL = 1e-9
-
---- Makes any difference of two numbers around EPSILON or STILL more than 1, so that
+--- Makes any difference of two numbers around EPSILON more than 1, so that
 --- `min(max(d * VAST, 0), 1)` is 1 for d > 0 and 0 for d <= 0, and `min(max(d * VAST + 1, 0), 1)`
 --- is 1 for d >= 0 and 0 for d < 0. What would have branches is worked out with these: any way but
 --- the one compiled first takes 40 ns more.
@@ -45,19 +42,9 @@ columns.VAST = 1e300
 --- Keeps 0 / 0 out of what has no length: no more than that is added to what has one.
 columns.TINY = 1e-300
 
---- Parts of a px to which the places of faces are told apart where contacts are sorted, a power of
---- two: two that are flush are alike, however they were rounded.
-columns.FACES = 2 ^ 20
---- How firmly whatever never gives way stands (see `turns`): more than any coordinate.
-columns.FIRM = 1e300
-
 --- More than the ranks of all objects there may be.
 columns.RANKS = 2 ^ 40
 
---- Value of `event` for a pair that has none in the queue.
-columns.NO_EVENT = -1
---- What stands in `turnSeen` of a turn at which nobody has looked.
-columns.UNSEEN = -1
 --- What stands in `touchTold` at the first side of an object whose `touching` must be told anew.
 columns.UNTOLD = -1
 
@@ -103,36 +90,6 @@ local SLOT = {
   fresh = false, -- in its first step
   news = false, -- something else than its motion has changed in this step
   time = 0, -- fraction of the step at which its present path begins
-  stuck = 0, -- 1: friction holds it to something that does not slide
-  stickiness = 0, -- friction coefficient of that hold
-  grip = 0, -- impulse that friction can give it across gravity, from what it stands on
-  gripHit = 0, -- of that, what comes from impacts, which are over; the rest lasts as long as a step
-  gripAccel = 0, -- px/s² by which that brakes it until the end of the step
-  gripUsed = 0, -- of `grip`, what it has given (< 0: towards smaller coordinates)
-  ground = 0, -- what it stands on then
-  groundSpeed = 0, -- the speed of that along its surface, px/s
-  level = 0, -- how many dynamic ones are between it and the floor, and 1
-  cargo = 0, -- one that stands on it, rubs, and may go along with it (see cargo)
-  nextCargo = 0, -- another one that stands where this does
-  goesWith = 0, -- on what that is
-  taken = 0, -- step in which it was taken along so
-  dragged = 0, -- 1: friction could not bring it to the speed it was last asked for (see tower)
-  dragImpulse = 0, -- what it could give then
-  dragFrom = 0, -- the speed that it had before, px/s
-  dragWay = 0, -- and how much further it goes now, px
-  towerBegin = 0, -- place in the list at which what stands on it begins
-  towerMass = 0, -- mass of it, with all on it that is in the list
-  towerThrough = 0, -- 1: who gets an impulse stands on the tower through it
-  sum = 0, -- what those on it have added up to, while the list is walked: an impulse
-  sumMass = 0, -- and a mass
-  changedMark = 0,
-  meetings = 0, -- how many others it meets, while lone hits are looked for
-  loneOf = 0, -- its last lone hit (see lone)
-  follows = 0, -- leader of the ring whose motion was all that changed the path; 0: not all
-  watched = 0, -- step in which it touches somebody with whom it has no turn
-  lastFooting = 0, -- its place among the footings when it last leant on somebody, 0: never
-  lastFlank = 0, -- and among the flanks
-  looseAt = 0, -- step in which it may slide around a corner at the very beginning
   support = 0, -- slot of what it stands on, 0: nothing
   carrier = 0, -- slot of what carries it, through all that it stands on, 0: nothing
   carrierNow = 0, -- scratch of carrier
@@ -181,14 +138,11 @@ local AXIS = {
   to = 0, -- where it will be at the end of the step
   speed = 0, -- velocity at the end of the step, absolute
   accel = 0, -- acceleration during the step, drag and limits included
-  drive = 0, -- of it, what does not end with the speed: gravity and ax, ay
   carried = 0, -- velocity of its carrier in this step
   reserve = 0, -- how much faster it could get, px/s, but for its limit (see reserve)
   pace = 0, -- up to which speed, without its carrier
   heldLow = 1, -- > 0: cannot give way towards smaller coordinates
   heldHigh = 1,
-  backedLow = false, -- pushed from this side by one that cannot be pushed back
-  backedHigh = false,
   holderLow = 0, -- slot of who holds it there
   holderHigh = 0,
   crushed = false, -- in this step, between crushLow and crushHigh
@@ -197,10 +151,6 @@ local AXIS = {
   crushHigh = 0,
   pressedLow = false, -- something rested against this side in this step
   pressedHigh = false,
-  changes = 0, -- how often its path has changed on this axis by now
-  weld = 0, -- welded group on this axis (slot of its leader), 0: none
-  weldNext = 0,
-  weldMass = 0, -- at the leader
   give = 0, -- inverse mass in this step, 0: cannot be moved
   freeSpeed = 0, -- velocity at the end of the step without contacts, px/s
   start = 0, -- velocity at its start
@@ -236,14 +186,7 @@ local PAIR = {
   "contact", -- side of pairA that is in contact (see SIDES), 0: none
   "hit", -- side of pairA that was first hit in this step, 0: none
   "hitSpeed",
-  "met", -- how often it was resolved in this step
   "nudged", -- how often a corner was corrected in this step
-  "permitted", -- step in which the game was asked about its turn, and lets it collide
-  "event", -- its event in the queue
-  "waits", -- 1: that is at the very beginning and keeps its place; 2: its paths have changed since
-  "gathered", -- when it was last looked at because of who is in it (see gather.objects)
-  "turn", -- its place among the turns of the step, 0: none, -1: odd
-  "lastTurn", -- and among those of its kind when it last had one
   "liveMark",
   "wedged", -- 1 + code of the meeting along which two that are left inside each other may part
   "contactLow", -- index of the low one of a contact on its axis
@@ -254,7 +197,6 @@ local PAIR = {
   "pressed", -- 1: the two lean on each other
   "asked", -- solve in which the game was last asked about it
   "touches", -- 1: may be met at the very beginning of the step
-  "settled", -- 1 + the changes of both when the last meeting in this step changed nothing, 0: none
 }
 
 -- … and booleans.
@@ -268,28 +210,7 @@ local PAIR_FLAG = {
 -- Lists, from 1 on, that hold each pair once at most.
 local PAIR_LIST = {
   "live", -- pairs of those who take part in this step
-  "touchList", -- pairs that touch when the step begins, or may through a nudge
-  "touchGapX", -- px between them then, on each axis
-  "touchGapY",
-  "flushAlong", -- of those, who is flush along gravity
-  "flushAcross", -- and across
-  "turnPair", -- pairs that are flush when the step begins (see turns)
-  "turnUp", -- who leans
-  "turnLow", -- on whom
-  "turnSide", -- of the pair's first
-  "turnFirst", -- their ranks (see columns.ranks)
-  "turnSecond",
-  "turnSupport",
-  "turnSeen", -- the changes of both when they were looked at (see pass)
-  "turnImpulse", -- by which they have landed
-  "turnShare", -- of that, what was an impact
-  "turnLeft", -- s, the time left then
-  "turnOrder", -- by turn: places of the columns above
-  "landed", -- which of them have landed in this round
-  "odd", -- pairs that are flush, but have no turn
   "near", -- scratch of meet
-  "nearTime",
-  "nearCode",
   "apart", -- pairs to be swept (see contacts)
   "overlaps",
   "sortScratch",
@@ -306,9 +227,6 @@ local HALF_LIST = {
   "offerWho",
   "offerWidth",
   "rivals",
-  "sortFrom", -- scratch of turns
-  "sortTo",
-  "sortDigit",
 }
 
 -- Lists, from 1 on, that hold each object once at most.
@@ -330,15 +248,15 @@ local SIDE = {
 -- one step. (Not what counts steps, stamps or changes, which grows as long as the game is played.)
 local WHOLE = {}
 for _, names in ipairs({
-  { "seat", "kind", "awakeAt", "ground", "level", "cargo", "nextCargo", "goesWith", "towerBegin" },
-  { "towerThrough", "meetings", "loneOf", "follows", "lastFooting", "lastFlank", "support" },
+  { "seat", "kind", "awakeAt" },
+  { "support" },
   { "carrier", "carrierNow", "placed", "head", "holderLow", "holderHigh", "crushLow" },
-  { "crushHigh", "weld", "weldNext", "touchBest", "touchTold", "pairA", "pairB", "contact", "hit" },
-  { "met", "nudged", "event", "waits", "turn", "lastTurn", "wedged", "touches" },
-  { "live", "touchList", "flushAlong", "flushAcross", "turnPair", "turnUp", "turnLow" },
-  { "turnSide", "turnOrder", "landed", "odd", "near", "nearCode", "touchPairs" },
+  { "crushHigh", "touchBest", "touchTold", "pairA", "pairB", "contact", "hit" },
+  { "nudged", "wedged", "touches" },
+  { "live" },
+  { "near", "touchPairs" },
   { "closePairs", "otherPairs", "other", "next", "previous", "movers", "awakeList", "rich" },
-  { "outdated", "offerAt", "offerWho", "rivals", "sortFrom", "sortTo", "sortDigit" },
+  { "outdated", "offerAt", "offerWho", "rivals" },
 }) do
   for _, name in ipairs(names) do
     WHOLE[name] = true
@@ -348,18 +266,6 @@ end
 -- What a step leaves behind in an object, apart from where it is. Who is awake begins each step
 -- without most of it (see begin); of who becomes a wall nobody else would clear it.
 local STEP_SLOT = {
-  "stuck",
-  "stickiness",
-  "grip",
-  "gripHit",
-  "gripAccel",
-  "gripUsed",
-  "ground",
-  "groundSpeed",
-  "level",
-  "cargo",
-  "nextCargo",
-  "goesWith",
   "buried",
   "support",
   "carrier",
@@ -367,22 +273,17 @@ local STEP_SLOT = {
 }
 local STEP_AXIS = {
   "way",
-  "drive",
   "carried",
   "reserve",
   "pace",
   "heldLow",
   "heldHigh",
-  "backedLow",
-  "backedHigh",
   "holderLow",
   "holderHigh",
   "crushed",
   "wasCrushed",
   "pressedLow",
   "pressedHigh",
-  "weld",
-  "weldNext",
 }
 
 --- Sides are numbers inside: left, right, top, bottom are 1 to 4, so that the side on `axis` is
@@ -430,7 +331,6 @@ describe(PAIR_LAYOUT, PAIR_FLAG, "boolean", 1)
 describe(PAIR_LAYOUT, PAIR_LIST, "number", 1)
 describe(PAIR_LAYOUT, HALF, "number", 2)
 describe(PAIR_LAYOUT, HALF_LIST, "number", 2)
-describe(PAIR_LAYOUT, { "relative" }, "number", 4) -- scratch of approach, from 1 on
 
 --- Returns the empty columns of a world.
 function columns.new()
@@ -449,74 +349,16 @@ function columns.new()
     awakeCount = 0,
     island = {}, -- scratch of rest
     stack = {}, -- scratch of crush and carrier
-    givenUp = {}, -- low, high and axis of those who were left as they are in this step (see crush)
-    givenUpCount = 0,
     liveCount = 0,
     liveStamp = 0,
     step = 0, -- counts the steps, for `watched`
-    now = 0, -- the moment of the step (0..1) at which an event happens
-    isInstant = false, -- what is met at the very beginning of the step is not settled yet
-    isAllSeen = false, -- all have had their turns, and all pairs that touch have been looked at
-    isStale = false, -- the others have not, or not since paths have changed
-    isQuiet = false, -- all who touch have turns and take them: nobody is followed
-    isEager = false, -- no pair waits for its turn without being looked at
-    isMeeting = false, -- a step is on its way, or was given up there
     stained = {}, -- pairs of which more must be forgotten than of others (see live)
     stainCount = 0,
     links = 0, -- how often the pairs have changed
     awakenings = 0, -- how often it has changed who takes part
     liveLinks = -1, -- both, when `live` was listed
     liveAwakenings = -1,
-    touchCount = 0,
-    turnGives = 0, -- who has given way at the last one (see press)
-    turnLowTo = 0, -- where the low one would have come to, and the high one
-    turnHighTo = 0,
-    turnJoins = 0, -- 1: they go on as one
-    pushLowTo = 0, -- where two who push each other come to without that (see resolve)
-    pushHighTo = 0,
-    pushLowSpeed = 0, -- and how fast they are then
-    pushHighSpeed = 0,
-    pushLowWeight = 0, -- their inverse masses; 0: cannot give way
-    pushHighWeight = 0,
-    pushSpeed = 0, -- how much slower against each other their impact makes them, px/s
-    pushLends = false, -- what a limit kept from them has its part in it
-    pushIsRubbed = false, -- it goes across gravity
-    pushIsFlush = false, -- they are flush then
-    pushIsCommon = false, -- and go on at a common speed
-    pushLeans = false, -- and lean on each other
-    pushIsDeep = false, -- they were inside each other
-    pushIsLoaded = false, -- something goes along with one of them
-    isTurnStale = { [0] = true, true }, -- somebody may press along gravity (0), across it (1)
-    turnPass = -1, -- the pass, of all in this step, that has begun last (see meet)
-    footingCount = 0, -- turns along gravity, which come first
-    turnCount = 0, -- all
-    turnRound = 0, -- the first one is 0 (see rounds)
-    turnsDone = 0, -- how many of them have had their turn in this round
-    landedCount = 0,
-    slidCount = 0, -- of those, how many have rubbed
-    round = 0, -- where the rounds are: see rounds
-    roundAxis = -1,
-    roundSupport = 0,
-    roundFirst = 0,
-    roundSecond = 0,
-    resolvedBefore = 0, -- before this round
-    rubbed = {}, -- scratch of meet
-    oddFootings = 0, -- those along gravity, which come first
-    oddCount = 0, -- all
-    oddSeen = 0, -- of these, how many have been looked at when the step began
-    hasFlanksBegun = false, -- the turns of this round have come to the flanks
-    tower = {}, -- scratch of cargo and friction: who stands on somebody (see tower)
-    towerOn = {}, -- on whom
-    loadSplit = 0, -- place behind which those begin who stand on the higher one of two
-    loadCount = 0,
-    loadSpeed = 0, -- px/s, for which it was told last what those need
     rubs = 0, -- 1: friction has borne or braked somebody in this step
-    reserves = 0, -- 1: a limit has kept somebody from getting faster in this step (see reserve)
-    lentTopLow = 0, -- the tops of the two to whom was lent last, towards each other
-    lentTopHigh = 0,
-    lenderLow = 0, -- whose they are
-    lenderHigh = 0,
-    sortHeads = {}, -- scratch of turns
     hasCarriers = false, -- anything in the world that ever carried others
     hasFriction = false, -- or rubs
     hasNudges = false, -- or could slide around corners
@@ -527,8 +369,6 @@ function columns.new()
     hasCrushed = false, -- or was crushed
     hasInside = false, -- or was left inside another
     hasBuried = false, -- or had no way out
-    hasBacked = false, -- or was pushed by one that cannot be pushed
-    hasCargo = false, -- somebody goes along with what it stands on, in this step
     isRemasked = false, -- anybody may be inside somebody whom it can meet only now
     maskCopy = false, -- the last one made of the mask of a static object (see filter)
     hasOneWays = false, -- or is one-way
@@ -552,11 +392,6 @@ function columns.new()
     solveStamp = 0,
     lost = {}, -- slots whose carrier went away since the last step
     lostCount = 0,
-    changed = {}, -- scratch of resolve and meet
-    changedCount = 0,
-    changeStamp = 0,
-    clear = 0, -- px by which two must be apart to be clear of each other (see gather)
-    gatherStamp = 0,
     unasked = { pairs = {}, sides = {}, first = {}, second = {}, order = {} }, -- scratch of contact
     halfRead = {}, -- objects that are being read anew (see collect)
     found = {}, -- scratch of detect and part
@@ -600,9 +435,8 @@ function columns.new()
   end
   -- Slot 0 is nobody, that of pairs that were taken apart: less than nothing, so it meets nobody.
   b.object[0], b.awake[0], b.rank[0], b.time[0] = false, false, 0, 0
-  b.head[0], b.next[0], b.previous[0], b.weldMass[0], b.stuck[0] = 0, 0, 0, 0, 0
+  b.head[0], b.next[0], b.previous[0] = 0, 0, 0
   b.dirty[0], b.crowded[0] = 0, 0
-  b.dragFrom[0], b.dragWay[0], b.sum[0], b.sumMass[0] = 0, 0, 0, 0
   for k = 0, 1 do
     b.from[k], b.to[k], b.speed[k], b.size[k] = 0, 0, 0, -1
   end
@@ -750,22 +584,20 @@ end
 -- Nothing has happened to new pairs.
 local function resetPairs(b, count)
   local linked = b.linked
-  local contact, hit, hitSpeed, met, nudged = b.contact, b.hit, b.hitSpeed, b.met, b.nudged
+  local contact, hit, hitSpeed, nudged = b.contact, b.hit, b.hitSpeed, b.nudged
   for n = 1, count do
     local p = linked[n]
-    contact[p], hit[p], hitSpeed[p], met[p], nudged[p] = 0, 0, 0, 0, 0
+    contact[p], hit[p], hitSpeed[p], nudged[p] = 0, 0, 0, 0
   end
   local passing, overlapping, dropping, leaving = b.passing, b.overlapping, b.dropping, b.leaving
   for n = 1, count do
     local p = linked[n]
     passing[p], overlapping[p], dropping[p], leaving[p] = false, false, false, false
   end
-  local event, wedged, turn, waits, touches = b.event, b.wedged, b.turn, b.waits, b.touches
+  local wedged, touches, place, pressed, asked = b.wedged, b.touches, b.place, b.pressed, b.asked
   for n = 1, count do
     local p = linked[n]
-    event[p], wedged[p], turn[p], waits[p], touches[p] = columns.NO_EVENT, 0, 0, 0, 0
-    b.settled[p], b.lastTurn[p], b.gathered[p], b.permitted[p] = 0, 0, 0, 0
-    b.place[p], b.pressed[p], b.asked[p] = 0, 0, 0
+    wedged[p], touches[p], place[p], pressed[p], asked[p] = 0, 0, 0, 0, 0
   end
 end
 
@@ -809,13 +641,13 @@ function columns.unlinkAll(b, list, count)
   for n = 1, count do
     unhang(b, 2 * list[n], pairB[list[n]])
   end
-  local event, waits, free, freeCount = b.event, b.waits, b.freePairs, b.freePairCount
+  local free, freeCount = b.freePairs, b.freePairCount
   local told = b.touchTold
   for n = 1, count do
     local p = list[n]
     -- Either slot may soon be somebody else's.
     told[4 * pairA[p] + 1], told[4 * pairB[p] + 1] = columns.UNTOLD, columns.UNTOLD
-    pairA[p], pairB[p], event[p], waits[p] = 0, 0, columns.NO_EVENT, 0
+    pairA[p], pairB[p] = 0, 0
     free[freeCount + n] = p
   end
   b.freePairCount, b.pairCount, b.links = freeCount + count, b.pairCount - count, b.links + count

@@ -7,7 +7,6 @@
 
 local here = (...):match("^(.*)%.[^.]+$")
 local aabb = require(here .. ".aabb")
-local approach = require(here .. ".approach")
 local ask = require(here .. ".ask")
 local columns = require(here .. ".columns")
 local events = require(here .. ".events")
@@ -71,15 +70,10 @@ local function wedge(b, p, i, j)
     local ki, kj = 2 * i + axis, 2 * j + axis
     local r = position[kj] - position[ki]
     if r - size[ki] >= -EPSILON or -r - size[kj] >= -EPSILON then
-      b.wedged[p] = 1 + approach.code(approach.DEEP, axis, r < 0)
+      b.wedged[p] = 2 * axis + (r < 0 and 1 or 2)
       return
     end
   end
-end
-
-local function wedgedSide(b, p)
-  local _, axis, otherIsLow = approach.decode(b.wedged[p] - 1)
-  return 2 * axis + (otherIsLow and 1 or 2)
 end
 
 -- Who is dynamic will try to get out (see `part`).
@@ -100,7 +94,7 @@ local function solidContact(b, p, i, j)
     end
     wedge(b, p, i, j)
     if b.wedged[p] ~= 0 then
-      return wedgedSide(b, p)
+      return b.wedged[p]
     end
     leaveInside(b, i, j)
     return b.contact[p] ~= 0 and b.contact[p] or b.hit[p]
@@ -110,7 +104,7 @@ local function solidContact(b, p, i, j)
     b.dropping[p] = false
     return 0
   end
-  if b.passing[p] or b.dropping[p] or oneway.lets(b, i, j, side, approach.FACE) then
+  if b.passing[p] or b.dropping[p] or oneway.lets(b, i, j, side, false) then
     return 0
   end
   return isHeld(b, p, i, j, side) and side or 0
@@ -151,7 +145,7 @@ end
 -- two leans on that side on somebody else. Else 0.
 local function unmetSide(b, p, i, j)
   local side = flushSide(b, i, j)
-  if side <= 0 or b.dropping[p] or oneway.lets(b, i, j, side, approach.FACE) then
+  if side <= 0 or b.dropping[p] or oneway.lets(b, i, j, side, false) then
     return 0
   end
   return isHeld(b, p, i, j, side) and side or 0
@@ -295,7 +289,6 @@ interpreted.functions(
   listUnasked,
   contact.ask,
   wedge,
-  wedgedSide,
   leaveInside,
   solidContact,
   sensorContact,

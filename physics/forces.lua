@@ -67,9 +67,6 @@ end
 -- Notes what a limit has kept from k, at a speed of v px/s (see `reserve`).
 local function keep(b, k, v, left)
   b.reserve[k], b.pace[k] = left, v
-  if left ~= 0 then
-    b.reserves = 1
-  end
 end
 
 -- What is left of a loss of speed, for which k first makes up with what its limit keeps from it.

@@ -46,8 +46,7 @@ end
 -- Who is inside something immovable and has no way out stays there, and gives way to nobody.
 local function bury(b, i)
   for k = 2 * i, 2 * i + 1 do
-    b.to[k], b.speed[k], b.accel[k], b.drive[k] = b.from[k], 0, 0, 0
-    b.heldLow[k], b.heldHigh[k] = 1, 1
+    b.to[k], b.speed[k] = b.from[k], 0.0
   end
 end
 
@@ -64,18 +63,14 @@ local function findEnds(b, first, last, dt)
   end
 end
 
--- What drives them, and how fast they would be then.
-local function findDrives(b, first, last, dt)
-  local list, kind, velocity, speed, carried = b.awakeList, b.kind, b.velocity, b.speed, b.carried
-  local accel, drive, pull, push = b.accel, b.drive, b.pull, b.push
+-- How fast they would be then.
+local function findSpeeds(b, first, last)
+  local list, kind, speed, carried = b.awakeList, b.kind, b.speed, b.carried
   for n = first, last do
     local i = list[n]
     if kind[i] == DYNAMIC then
       local k, m = 2 * i, 2 * i + 1
-      local x, y = speed[k], speed[m]
-      accel[k], accel[m] = (x - velocity[k]) / dt, (y - velocity[m]) / dt
-      drive[k], drive[m] = pull[k] + push[k], pull[m] + push[m]
-      speed[k], speed[m] = x + carried[k], y + carried[m]
+      speed[k], speed[m] = speed[k] + carried[k], speed[m] + carried[m]
     end
   end
 end
@@ -96,7 +91,7 @@ function move.run(b, dt, first, last)
     end
   end
   findEnds(b, first, last, dt)
-  findDrives(b, first, last, dt)
+  findSpeeds(b, first, last)
   if b.hasBuried then
     for n = first, last do
       if buried[list[n]] and kind[list[n]] == DYNAMIC then

@@ -3,7 +3,7 @@
 local here = (...):match("^(.*)%.[^.]+$")
 local columns = require(here .. ".columns")
 local part = require(here .. ".part")
-local path = require(here .. ".path")
+local path = require(here .. ".motion.path")
 
 require(here .. ".interpreted").file()
 
@@ -62,7 +62,6 @@ function nudge.try(b, i, j, axis, iIsLow, t)
   end
   path.advance(b, i, t)
   b.from[k], b.to[k] = b.from[k] + way, b.to[k] + way
-  path.change(b, i)
   return true
 end
 

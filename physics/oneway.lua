@@ -1,7 +1,6 @@
 --- One-way objects: solid on one side, open on the others.
 
 local here = (...):match("^(.*)%.[^.]+$")
-local approach = require(here .. ".approach")
 local columns = require(here .. ".columns")
 local interpreted = require(here .. ".interpreted")
 
@@ -17,13 +16,13 @@ end
 
 local isOpen = oneway.isOpen
 
---- Returns whether two that meet on `side` of i pass through each other there. `kind` is that of
---- the meeting: who is inside a one-way already always passes.
-function oneway.lets(b, i, j, side, kind)
+--- Returns whether two that meet on `side` of i pass through each other there. What is inside a
+--- one-way already (`isDeep`) always passes.
+function oneway.lets(b, i, j, side, isDeep)
   if not (b.oneWay[i] or b.oneWay[j]) then
     return false
   end
-  return kind == approach.DEEP or isOpen(b, i, side) or isOpen(b, j, columns.OPPOSITE[side])
+  return isDeep or isOpen(b, i, side) or isOpen(b, j, columns.OPPOSITE[side])
 end
 
 -- The side of slot i with which it stands on what is below, as gravity sees it; 0: it floats.

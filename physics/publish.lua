@@ -8,7 +8,7 @@ local carrier = require(here .. ".carrier")
 local collect = require(here .. ".collect")
 local columns = require(here .. ".columns")
 local contact = require(here .. ".contact")
-local crush = require(here .. ".crush")
+local crush = require(here .. ".solver.crush")
 local interpreted = require(here .. ".interpreted")
 local oneway = require(here .. ".oneway")
 local view = require(here .. ".view")
@@ -208,8 +208,8 @@ local function takeOffCarrier(b, i)
   end
   if c ~= 0 then
     local x, y = carrier.velocity(b, c)
-    b.speed[k] = carrier.ownVelocity(b, i, k, x, isNew)
-    b.speed[k + 1] = carrier.ownVelocity(b, i, k + 1, y, isNew)
+    b.speed[k] = carrier.ownVelocity(b, k, x, isNew)
+    b.speed[k + 1] = carrier.ownVelocity(b, k + 1, y, isNew)
     local pullX, pullY = b.pull[k] + b.push[k], b.pull[k + 1] + b.push[k + 1]
     b.news[i] = b.news[i]
       or x * pullX < 0

@@ -48,7 +48,6 @@ effects.broadphase, effects.cellSize = newBroadphase, newBroadphase
 
 function effects.push(self, b)
   b.pushFirst = self.push == "first"
-  b.clear = b.pushFirst and columns.EPSILON or 0
   rest.wakeAll(b)
 end
 

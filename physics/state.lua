@@ -30,7 +30,6 @@
 -- stay where they are, on the objects.
 
 local here = (...):match("^(.*)%.[^.]+$")
-local approach = require(here .. ".approach")
 local carrier = require(here .. ".carrier")
 local check = require(here .. ".check")
 local columns = require(here .. ".columns")
@@ -48,12 +47,6 @@ local HUGE = math.huge
 
 --- Layout of a state; another one cannot be read.
 state.VERSION = 1
-
--- `wedged` of a pair whose two are exchanged.
-local MIRRORED = {}
-for code = 0, 11 do
-  MIRRORED[1 + code] = 1 + approach.mirrored(code)
-end
 
 -- Columns that outlive a step. Whoever adds one to columns.lua adds it here, too.
 
@@ -74,7 +67,7 @@ state.POINTS = {
 --- if the two of the pair are exchanged.
 state.PAIRS = {
   { "contact", 0, columns.OPPOSITE },
-  { "wedged", 0, MIRRORED },
+  { "wedged", 0, columns.OPPOSITE },
   { "overlapping", false, { [true] = true } },
   { "dropping", false, { [true] = true } },
 }

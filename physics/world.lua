@@ -13,19 +13,17 @@ local explain = require(here .. ".explain")
 local guard = require(here .. ".guard")
 local hash = require(here .. ".hash")
 local interpreted = require(here .. ".interpreted")
-local lone = require(here .. ".lone")
-local meet = require(here .. ".meet")
 local oneway = require(here .. ".oneway")
 local part = require(here .. ".part")
 local predict = require(here .. ".predict")
 local publish = require(here .. ".publish")
 local query = require(here .. ".query")
-local queue = require(here .. ".queue")
 local rest = require(here .. ".rest")
 local restore = require(here .. ".restore")
 local roster = require(here .. ".roster")
 local settings = require(here .. ".settings")
 local slide = require(here .. ".slide")
+local solver = require(here .. ".solver.solver")
 local state = require(here .. ".state")
 local view = require(here .. ".view")
 
@@ -44,7 +42,6 @@ World.__index = World
 local ceil, floor, max, min = math.ceil, math.floor, math.max, math.min
 local isFinite = check.isFinite
 
-local NEW = not os.getenv("OLD_SOLVER")
 -- Longest time that one update makes up for, s.
 local LONGEST = 0.25
 -- A way that the game has written, divided by less time than that, would be no speed any more, s.
@@ -80,16 +77,12 @@ local function step(self, dt)
     rest.wakeAll(b)
   end
 
-  b.begun, b.predicted, b.reserves, b.rubs = 0, 0, 0, 0
+  b.begun, b.predicted, b.rubs = 0, 0, 0
   begin.run(b)
   detect.runMoved(b)
   part.run(b)
   predict.run(b, dt) -- forces, move
-  if NEW then
-    require(here .. ".solver.solver").run(b, dt)
-  else
-    meet.run(b, dt) -- detect, side, push, restitution, friction
-  end
+  solver.run(b, dt) -- contacts, settle, friction, then sweep and hit
   publish.run(b)
   if b.rest then
     rest.settle(b, dt)
@@ -897,9 +890,8 @@ world.methods = World
 function world.new(given, where)
   check.settings(given, where)
   local b = columns.new()
-  b.lone = lone.new()
-  require(here .. ".solver.solver").adopt(b)
-  b.queue, b.events, b.roster = queue.new(), events.new(), roster.new()
+  solver.adopt(b)
+  b.events, b.roster = events.new(), roster.new()
   local self = setmetatable({
     objects = {},
     stats = newStats(),

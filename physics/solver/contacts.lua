@@ -9,7 +9,6 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".columns")
-local approach = require(root .. ".approach")
 local rules = require(root .. ".solver.rules")
 
 local contacts = {}
@@ -124,8 +123,7 @@ local function putDeep(b, p)
   end
   local axis, secondIsLow
   if b.wedged[p] ~= 0 then
-    local _
-    _, axis, secondIsLow = approach.decode(b.wedged[p] - 1)
+    axis, secondIsLow = columns.AXIS[b.wedged[p]], b.wedged[p] % 2 == 1
   else
     local x, y = from[kj] - from[ki], from[kj + 1] - from[ki + 1]
     local gapX, gapY = max(x - size[ki], -x - size[kj]), max(y - size[ki + 1], -y - size[kj + 1])

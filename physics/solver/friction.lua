@@ -16,7 +16,7 @@ local settle = require(root .. ".solver.settle")
 
 local friction = {}
 
-local EPSILON, STILL = columns.EPSILON, columns.STILL
+local EPSILON = columns.EPSILON
 local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
 -- How often a bond may break before the step goes on with what it has.
 local ATTEMPTS = 4
@@ -218,11 +218,6 @@ local function pull(b, bonds, n, tug, dt)
   addForce(b, low, dt)
   b.force[up], b.force[low] = b.force[up] + change / dt, b.force[low] - change / dt
   bonds.tug[n] = tug
-end
-
--- The slip of a bond at the end of the step if `more` is added to what it pulls with.
-local function slipWith(b, bonds, n, more, dt)
-  return (run(b, bonds.up[n], more, dt)) - (run(b, bonds.low[n], -more, dt))
 end
 
 -- A bond that slips from the start on: friction does all it can against that. If that would turn the

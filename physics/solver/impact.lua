@@ -9,6 +9,7 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".columns")
 local flow = require(root .. ".solver.flow")
 local friction = require(root .. ".solver.friction")
+local path = require(root .. ".motion.path")
 
 local impact = {}
 
@@ -17,20 +18,6 @@ local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
 -- Impacts of one body in a step after which it does not bounce any more, divided by 1 - restitution,
 -- and the most there are.
 local BOUNCES, MOST_BOUNCES = 4, 12
-
---- Lets the path of a dynamic body begin anew where it is at moment t.
-function impact.advance(b, i, t)
-  local start = b.time[i]
-  if b.kind[i] ~= DYNAMIC or t <= start then
-    return
-  end
-  t = min(t, 1)
-  local share = (t - start) / (1 - start)
-  local from, to, k = b.from, b.to, 2 * i
-  from[k] = from[k] + (to[k] - from[k]) * share
-  from[k + 1] = from[k + 1] + (to[k + 1] - from[k + 1]) * share
-  b.time[i] = t < 1 and t or 1 - 1e-12
-end
 
 --- Notes the first impact of a pair in the step: on which side, and at u px/s.
 function impact.note(b, p, low, axis, u)
@@ -194,8 +181,8 @@ end
 
 --- Two bodies meet on an axis at moment t. Returns whether they stay together.
 function impact.run(b, p, i, j, axis, t, dt, isLast)
-  impact.advance(b, i, t)
-  impact.advance(b, j, t)
+  path.advance(b, i, t)
+  path.advance(b, j, t)
   local kl, kh = 2 * i + axis, 2 * j + axis
   local o, v = b.to[kl] + b.size[kl] - b.to[kh], b.speed[kl] - b.speed[kh]
   local a = b.accel[kl] - b.accel[kh]

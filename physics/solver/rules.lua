@@ -1,7 +1,6 @@
 --- Rules that decide whether a contact may act: open sides of one-ways, `dropThrough`, `canCollide`.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local approach = require(root .. ".approach")
 local ask = require(root .. ".ask")
 local live = require(root .. ".live")
 local oneway = require(root .. ".oneway")
@@ -9,7 +8,6 @@ local oneway = require(root .. ".oneway")
 local rules = {}
 
 local floor = math.floor
-local FACE, DEEP = approach.FACE, approach.DEEP
 
 --- Returns whether pair p passes through each other on an axis. `kl` and `kh` are the indexes of
 --- the low body and the high one. The game is asked once a step for each pair.
@@ -18,7 +16,7 @@ function rules.passes(b, p, kl, kh, axis, isDeep)
     return true
   end
   local low, high = floor(kl * 0.5), floor(kh * 0.5)
-  if oneway.lets(b, low, high, 2 * axis + 2, isDeep and DEEP or FACE) then
+  if oneway.lets(b, low, high, 2 * axis + 2, isDeep) then
     return true
   end
   if not b.hasAskers or b.asked[p] == b.solveStamp then

@@ -6,14 +6,16 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".columns")
 local contacts = require(root .. ".solver.contacts")
+local crush = require(root .. ".solver.crush")
 local detect = require(root .. ".detect")
 local flow = require(root .. ".solver.flow")
 local friction = require(root .. ".solver.friction")
 local impact = require(root .. ".solver.impact")
 local live = require(root .. ".live")
-local move = require(root .. ".move")
 local nudge = require(root .. ".nudge")
+local path = require(root .. ".motion.path")
 local predict = require(root .. ".predict")
+local rest = require(root .. ".rest")
 local rules = require(root .. ".solver.rules")
 local settle = require(root .. ".solver.settle")
 local sort = require(root .. ".sort")
@@ -21,7 +23,7 @@ local sweep = require(root .. ".solver.sweep")
 
 local solver = {}
 
-local DYNAMIC, SIDE = columns.DYNAMIC, columns.SIDE
+local DYNAMIC = columns.DYNAMIC
 local floor, max, min = math.floor, math.max, math.min
 
 --- Rounds of sweep, hit, settle in a step.
@@ -75,27 +77,6 @@ local function notePressed(b, axis)
         local low = (kl - axis) * 0.5
         impact.note(b, p, low, axis, max(b.start[kl] - b.start[kh], 0.0))
       end
-    end
-  end
-end
-
--- Notes what is squeezed along an axis, and between which two.
-local function noteSqueezed(b, axis)
-  local list, squeezed, crushed = b.contacts[axis], b.squeezed, b.crushed
-  local crushLow, crushHigh = b.crushLow, b.crushHigh
-  for c = 1, list.count do
-    local kl, kh = list.low[c], list.high[c]
-    if squeezed[kl] > 0 and b.pressed[list.pair[c]] == 1 then
-      crushHigh[kl] = (kh - axis) * 0.5
-    end
-    if squeezed[kh] > 0 and b.pressed[list.pair[c]] == 1 then
-      crushLow[kh] = (kl - axis) * 0.5
-    end
-  end
-  for n = 1, b.awakeCount do
-    local k = 2 * b.awakeList[n] + axis
-    if squeezed[k] > 0 then
-      crushed[k], b.hasCrushed = true, true
     end
   end
 end
@@ -166,7 +147,7 @@ end
 -- Ends the path of a body where it is at moment t.
 local function stop(b, i, t)
   if b.kind[i] == DYNAMIC then
-    impact.advance(b, i, t)
+    path.advance(b, i, t)
     for k = 2 * i, 2 * i + 1 do
       b.to[k] = b.from[k]
     end
@@ -280,7 +261,7 @@ local function solve(b, dt)
   end
   for axis = 0, 1 do
     notePressed(b, axis)
-    noteSqueezed(b, axis)
+    crush.note(b, axis)
   end
   return true
 end
@@ -307,7 +288,6 @@ function solver.run(b, dt)
     restart(b, dt)
   end
   -- Wakes all: nothing can come near to what rests then.
-  local rest = require(root .. ".rest")
   rest.wakeAll(b)
   restart(b, dt)
   solve(b, dt)
