@@ -76,7 +76,7 @@ soak: setup ## plays a busy scene for ten million steps, in parts: STEPS=1000000
 coverage: setup ## shows the lines of the core that no spec runs; fails below 98 %
 	@bash scripts/coverage.sh
 
-mutants: setup ## changes one thing at a time and sees whether a spec fails: SAMPLE=200, SEED=1, FILE=physics/aabb.lua, RESUME=1
+mutants: setup ## changes one thing at a time and sees whether a spec fails: SAMPLE=200, SEED=1, FILE=physics/memory/aabb.lua, RESUME=1
 	@nice luajit scripts/mutants.lua --sample $(or $(SAMPLE),200) --seed $(or $(SEED),1) \
 	  $(if $(FILE),--file $(FILE)) $(if $(RESUME),--resume)
 

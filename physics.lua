@@ -13,13 +13,13 @@
 -- This file is only the door: constructors, the default world, the pure functions, the version.
 
 local path = ...
-local bank = require(path .. ".bank")
-local check = require(path .. ".check")
-local columns = require(path .. ".columns")
-local interpreted = require(path .. ".interpreted")
-local pure = require(path .. ".pure")
-local typed = require(path .. ".typed")
-local world = require(path .. ".world")
+local bank = require(path .. ".memory.columnStore")
+local check = require(path .. ".world.check")
+local columns = require(path .. ".memory.columns")
+local interpreted = require(path .. ".memory.jit")
+local pure = require(path .. ".world.tutorial")
+local typed = require(path .. ".memory.typedArrays")
+local world = require(path .. ".world.world")
 
 ---@class physics.Module: physics.DefaultWorld
 local physics = {

@@ -1,7 +1,7 @@
 -- What stands around every example, so that none has to bring it: the panel at its side with the
 -- source's comment and the times, pause, slow motion, single steps, and the physics made visible.
 
-local drawWorld = require("physics.draw").draw
+local drawWorld = require("physics.world.draw").draw
 local input = require("input")
 local inspector = require("inspector")
 local look = require("look")

@@ -8,7 +8,7 @@
 --- Source: the exporter's format, https://doc.mapeditor.org/en/stable/manual/export-generic/#lua
 
 local here = (...):match("^(.*)%.[^.]+$")
-local check = require(here .. ".check")
+local check = require(here .. ".world.check")
 local objectlayer = require(here .. ".tiled.objectlayer")
 local properties = require(here .. ".tiled.properties")
 local report = require(here .. ".tiled.report")

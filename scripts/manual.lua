@@ -1,11 +1,11 @@
---- Writes the reference from the docstrings and from physics/fields.lua:
+--- Writes the reference from the docstrings and from physics/world/fields.lua:
 ---
 ---   luajit scripts/manual.lua       writes docs/api.md
 
 package.path = "./?.lua;" .. package.path
 
 local docstrings = require("scripts.docstrings")
-local fields = require("physics.fields")
+local fields = require("physics.world.fields")
 local typedFields = require("scripts.typed_fields")
 
 local manual = {}
@@ -15,7 +15,7 @@ local HEAD = [[
 # Reference
 
 Everything that is public, from the source: `make docs` writes this page from the docstrings and
-from [physics/fields.lua](../physics/fields.lua). The [README](../README.md) explains, this page
+from [physics/world/fields.lua](../physics/world/fields.lua). The [README](../README.md) explains, this page
 lists. Editors that know LuaLS or EmmyLua annotations show the same while you type.
 
 x goes to the right, y **down**; `x, y` is the top-left corner; lengths are in px, times in s. A
@@ -163,7 +163,7 @@ end
 
 -- The fields of a world that are no settings.
 local function addWorldFields(lines)
-  for _, entry in ipairs(docstrings.read("physics/world.lua")) do
+  for _, entry in ipairs(docstrings.read("physics/world/world.lua")) do
     for _, field in ipairs(entry.name == "physics.World" and entry.fields or {}) do
       if field.name:find("^%a") then
         add(lines, item("world." .. field.name, field.type, field.text))
@@ -182,10 +182,10 @@ function manual.text()
   addFields(lines, fields.settings)
   add(lines, "## The module", "", MODULE)
   addFunctions(lines, "physics.lua", "physics", "physics.")
-  addFunctions(lines, "physics/pure.lua", "pure", "physics.")
+  addFunctions(lines, "physics/world/tutorial.lua", "pure", "physics.")
   add(lines, "## Worlds", "", WORLD)
   addWorldFields(lines)
-  addFunctions(lines, "physics/world.lua", "World", "world:")
+  addFunctions(lines, "physics/world/world.lua", "World", "world:")
   add(lines, "## Types", "")
   local files = { "types", "world", "draw", "tiled" }
   for _, file in ipairs(files) do

@@ -24,4 +24,4 @@ end
 
 -- Were the folder found, the specs would be about that.
 local source = debug.getinfo(require("physics").newWorld, "S").source
-assert(source == "@./physics.lua" and not io.open("physics/world.lua"), source)
+assert(source == "@./physics.lua" and not io.open("physics/world/world.lua"), source)

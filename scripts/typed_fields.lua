@@ -1,4 +1,4 @@
---- Says in words and in types what an entry of physics/fields.lua is.
+--- Says in words and in types what an entry of physics/world/fields.lua is.
 
 local typedFields = {}
 

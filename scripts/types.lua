@@ -1,4 +1,4 @@
---- Writes the types that editors read (LuaLS, EmmyLua): for what physics/fields.lua lists, and for
+--- Writes the types that editors read (LuaLS, EmmyLua): for what physics/world/fields.lua lists, and for
 --- the functions of the module that are the methods of the default world.
 ---
 ---   luajit scripts/types.lua        writes physics/types.lua
@@ -6,7 +6,7 @@
 package.path = "./?.lua;" .. package.path
 
 local docstrings = require("scripts.docstrings")
-local fields = require("physics.fields")
+local fields = require("physics.world.fields")
 local typedFields = require("scripts.typed_fields")
 
 local types = {}
@@ -16,7 +16,7 @@ local COLUMNS = 100
 local HEAD = [[
 ---@meta _
 --- The types of this library for editors (LuaLS, EmmyLua). Nothing requires this file.
---- Written by scripts/types.lua from physics/fields.lua and physics/world.lua: change those.
+--- Written by scripts/types.lua from physics/world/fields.lua and physics/world/world.lua: change those.
 
 ---@alias physics.Side "left"|"right"|"top"|"bottom"
 
@@ -126,7 +126,7 @@ end
 
 -- The fields of a world that its docstring names; those for the library alone begin with "_".
 local function addWorldFields(lines)
-  for _, entry in ipairs(docstrings.read("physics/world.lua")) do
+  for _, entry in ipairs(docstrings.read("physics/world/world.lua")) do
     for _, field in ipairs(entry.name == "physics.World" and entry.fields or {}) do
       add(lines, ("---@field %s %s %s"):format(field.name, field.type, field.text))
     end
@@ -143,7 +143,7 @@ function types.text()
   add(lines, "---@class physics.DefaultWorld: physics.WorldSettings")
   addWorldFields(lines)
   add(lines, "local default = {}")
-  local _, methods = docstrings.functions("physics/world.lua", "World")
+  local _, methods = docstrings.functions("physics/world/world.lua", "World")
   for _, entry in ipairs(methods) do
     addFunction(lines, entry)
   end

@@ -1,7 +1,7 @@
---- The memory of a world (physics/bank.lua): that typed columns, which nobody guards, are used as
+--- The memory of a world (physics/memory/columnStore.lua): that typed columns, which nobody guards, are used as
 --- they must be, and that they give the same bits as tables.
 
-local bank = require("physics.bank")
+local bank = require("physics.memory.columnStore")
 local case = require("spec.fuzz.case")
 local checked = require("spec.support.checked_columns")
 local effort = require("spec.support.effort")
@@ -166,7 +166,7 @@ if jit and jit.status() then
     -- The default world is the one on which `update` gets into `step`.
     local function defaultWorldOf(module)
       local found
-      local carrier = require("physics.carrier")
+      local carrier = require("physics.objects.carriers")
       local dismount = carrier.dismount
       function carrier.dismount(b)
         found = b.world

@@ -1,4 +1,4 @@
-local draw = require("physics.draw").draw
+local draw = require("physics.world.draw").draw
 
 local unpack = table.unpack or unpack -- luacheck: ignore (Lua 5.1 has it as a global)
 

@@ -1,7 +1,7 @@
 --- What scripts write from the source is what they would write now, and the source says it all.
 
 local docstrings = require("scripts.docstrings")
-local fields = require("physics.fields")
+local fields = require("physics.world.fields")
 local manual = require("scripts.manual")
 local physics = require("physics")
 local types = require("scripts.types")
@@ -25,8 +25,8 @@ end
 
 local SOURCES = {
   { "physics.lua", "physics" },
-  { "physics/pure.lua", "pure" },
-  { "physics/world.lua", "World" },
+  { "physics/world/tutorial.lua", "pure" },
+  { "physics/world/world.lua", "World" },
 }
 
 describe("docs/api.md", function()

@@ -1,6 +1,6 @@
 --- What holds for every scene, tried on random ones. Failures name the seed.
 
-local columns = require("physics.columns")
+local columns = require("physics.memory.columns")
 local fold = require("spec.support.fold")
 local effort = require("spec.support.effort")
 local newRandom = require("spec.support.random").new

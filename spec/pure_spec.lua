@@ -1,9 +1,9 @@
 --- The tutorial's pure functions, with checked arguments.
 
-local fields = require("physics.fields")
+local fields = require("physics.world.fields")
 local newRandom = require("spec.support.random").new
 local physics = require("physics")
-local pure = require("physics.pure")
+local pure = require("physics.world.tutorial")
 
 local NAN, INF = 0 / 0, 1 / 0
 

@@ -1,6 +1,6 @@
 --- The README is true: its snippets run, its tables are those of the library, nothing is missing.
 
-local fields = require("physics.fields")
+local fields = require("physics.world.fields")
 local physics = require("physics")
 local snippets = require("spec.support.snippets")
 

@@ -2,11 +2,11 @@
 --- update goes on. Objects fail here at every single point at which the library touches them, one
 --- after the other, as they would if memory ran out there.
 
-local columns = require("physics.columns")
+local columns = require("physics.memory.columns")
 local effort = require("spec.support.effort")
 local newRandom = require("spec.support.random").new
 local physics = require("physics")
-local state = require("physics.state")
+local state = require("physics.state.save")
 
 effort.interpret(setup, teardown)
 

@@ -2,7 +2,7 @@
 
 local newRandom = require("spec.support.random").new
 local physics = require("physics")
-local roster = require("physics.roster")
+local roster = require("physics.objects.registry")
 
 local NAMES = { 7, "crates", "tiles" }
 

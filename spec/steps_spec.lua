@@ -1,10 +1,10 @@
 --- Parts of the step, each by itself: sorting, queue, broad phases, forces, friction, welds, …
 
-local begin = require("physics.begin")
+local begin = require("physics.motion.begin")
 local case = require("spec.fuzz.case")
-local columns = require("physics.columns")
-local everybody = require("physics.broadphase.pairs")
-local forces = require("physics.forces")
+local columns = require("physics.memory.columns")
+local everybody = require("physics.broadphase.allPairs")
+local forces = require("physics.motion.forces")
 local friction = require("physics.friction")
 local grid = require("physics.broadphase.grid")
 local newRandom = require("spec.support.random").new
@@ -13,8 +13,8 @@ local physics = require("physics")
 local player = require("spec.fuzz.player")
 local queue = require("physics.queue")
 local ring = require("physics.ring")
-local roster = require("physics.roster")
-local sort = require("physics.sort")
+local roster = require("physics.objects.registry")
+local sort = require("physics.memory.sort")
 local weld = require("physics.weld")
 
 local DYNAMIC, STATIC = columns.DYNAMIC, columns.STATIC

@@ -1,6 +1,6 @@
 -- Step 10: drawing, and not looking at every pair.
 
-local drawWorld = require("physics.draw").draw
+local drawWorld = require("physics.world.draw").draw
 local look = require("look")
 local physics = require("physics")
 

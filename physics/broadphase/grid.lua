@@ -8,9 +8,9 @@
 -- Source: M. Teschner et al., "Optimized Spatial Hashing for Collision Detection of Deformable
 -- Objects" (2003), for the hash; T. Ulrich, "Loose Octrees", for one cell per object and level.
 
-local here = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local aabb = require(here .. ".aabb")
-local bank = require(here .. ".bank")
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local aabb = require(root .. ".memory.aabb")
+local bank = require(root .. ".memory.columnStore")
 
 ---@class physics.Grid
 ---@field [string] any

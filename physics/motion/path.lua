@@ -2,7 +2,7 @@
 --- end.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local columns = require(root .. ".columns")
+local columns = require(root .. ".memory.columns")
 
 local path = {}
 

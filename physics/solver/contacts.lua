@@ -8,7 +8,7 @@
 -- Reads from, size, restitution; writes the lists `b.contacts[axis]`, touches, and `b.apart`.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local columns = require(root .. ".columns")
+local columns = require(root .. ".memory.columns")
 local rules = require(root .. ".solver.rules")
 
 local contacts = {}

@@ -5,7 +5,7 @@
 -- along the same axis and is never squeezed out sideways.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local events = require(root .. ".events")
+local events = require(root .. ".contacts.events")
 
 local crush = {}
 

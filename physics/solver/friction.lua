@@ -9,7 +9,7 @@
 -- Reads contacts, free, start; writes kinks, force, and the paths on the rubbed axis.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local columns = require(root .. ".columns")
+local columns = require(root .. ".memory.columns")
 local flow = require(root .. ".solver.flow")
 local pool = require(root .. ".solver.pool")
 local settle = require(root .. ".solver.settle")

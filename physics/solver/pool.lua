@@ -10,7 +10,7 @@
 -- the one that comes from behind follows; two that meet head-on both stop.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local columns = require(root .. ".columns")
+local columns = require(root .. ".memory.columns")
 local flow = require(root .. ".solver.flow")
 
 local pool = {}

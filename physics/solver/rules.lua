@@ -1,9 +1,9 @@
 --- Rules that decide whether a contact may act: open sides of one-ways, `dropThrough`, `canCollide`.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local ask = require(root .. ".ask")
-local live = require(root .. ".live")
-local oneway = require(root .. ".oneway")
+local ask = require(root .. ".solver.permission")
+local live = require(root .. ".broadphase.activePairs")
+local oneway = require(root .. ".solver.oneWay")
 
 local rules = {}
 

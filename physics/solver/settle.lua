@@ -10,7 +10,7 @@
 -- that is held cannot give way to that side.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local columns = require(root .. ".columns")
+local columns = require(root .. ".memory.columns")
 local pool = require(root .. ".solver.pool")
 
 local settle = {}

@@ -4,21 +4,21 @@
 -- fixed number of passes over the contacts in each. What cannot be finished goes on in the next step.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local columns = require(root .. ".columns")
+local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
 local crush = require(root .. ".solver.crush")
-local detect = require(root .. ".detect")
+local detect = require(root .. ".broadphase.pairFinder")
 local flow = require(root .. ".solver.flow")
 local friction = require(root .. ".solver.friction")
 local impact = require(root .. ".solver.impact")
-local live = require(root .. ".live")
-local nudge = require(root .. ".nudge")
+local live = require(root .. ".broadphase.activePairs")
+local nudge = require(root .. ".solver.nudge")
 local path = require(root .. ".motion.path")
-local predict = require(root .. ".predict")
-local rest = require(root .. ".rest")
+local predict = require(root .. ".motion.predict")
+local rest = require(root .. ".sleep.islands")
 local rules = require(root .. ".solver.rules")
 local settle = require(root .. ".solver.settle")
-local sort = require(root .. ".sort")
+local sort = require(root .. ".memory.sort")
 local sweep = require(root .. ".solver.sweep")
 
 local solver = {}

@@ -7,7 +7,7 @@
 -- Reads the paths, b.apart; writes the list of impacts, b.impacts.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local columns = require(root .. ".columns")
+local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
 
 local sweep = {}

@@ -1,7 +1,7 @@
 --- Reads an object layer: one object for each rectangle and each tile object.
 
 local here = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local check = require(here .. ".check")
+local check = require(here .. ".world.check")
 local properties = require(here .. ".tiled.properties")
 local report = require(here .. ".tiled.report")
 local tileset = require(here .. ".tiled.tileset")

@@ -2,9 +2,9 @@
 --- become fields.
 
 local here = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local check = require(here .. ".check")
-local fields = require(here .. ".fields")
-local interpreted = require(here .. ".interpreted")
+local check = require(here .. ".world.check")
+local fields = require(here .. ".world.fields")
+local interpreted = require(here .. ".memory.jit")
 
 local properties = {}
 

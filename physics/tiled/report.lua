@@ -2,7 +2,7 @@
 --- supported.
 
 local here = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local check = require(here .. ".check")
+local check = require(here .. ".world.check")
 
 local report = {}
 

@@ -1,7 +1,7 @@
 --- Reads a tile layer: finds the boxes of its solid tiles and makes few large ones of them.
 
 local here = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local check = require(here .. ".check")
+local check = require(here .. ".world.check")
 local merge = require(here .. ".tiled.merge")
 local properties = require(here .. ".tiled.properties")
 local report = require(here .. ".tiled.report")

@@ -1,7 +1,7 @@
 --- The tiles of a map: whose a gid is, how it is flipped, where its collision rectangles are.
 
 local here = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local check = require(here .. ".check")
+local check = require(here .. ".world.check")
 local properties = require(here .. ".tiled.properties")
 local report = require(here .. ".tiled.report")
 

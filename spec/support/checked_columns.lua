@@ -1,8 +1,8 @@
---- A source of columns (see physics/bank.lua) that looks at what is done with them: each index, the
+--- A source of columns (see physics/memory/columnStore.lua) that looks at what is done with them: each index, the
 --- kind of each value, and that nobody keeps a column that has been replaced. It makes room for no
 --- more than is asked for.
 
-local bank = require("physics.bank")
+local bank = require("physics.memory.columnStore")
 
 local checked = {}
 

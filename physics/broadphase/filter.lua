@@ -1,0 +1,94 @@
+--- Which objects can meet at all: kinds, `active`, sensors and masks.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local columns = require(root .. ".memory.columns")
+local interpreted = require(root .. ".memory.jit")
+
+local filter = {}
+
+local DYNAMIC, STATIC = columns.DYNAMIC, columns.STATIC
+
+--- Returns whether two masks say the same, or neither is there (nil or false).
+function filter.isSameMask(mask, other)
+  if type(mask) ~= "table" or type(other) ~= "table" then
+    return (mask or false) == (other or false)
+  end
+  for group, collides in next, mask, nil do
+    if other[group] ~= collides then
+      return false
+    end
+  end
+  for group, collides in next, other, nil do
+    if mask[group] ~= collides then
+      return false
+    end
+  end
+  return true
+end
+
+--- Returns a mask that stays as it is when the game changes its own: that of a static object, which
+--- is read once. Many tiles have the same; those that come one after the other share the copy.
+function filter.copyMask(b, mask)
+  local class = getmetatable(mask)
+  local inherited = type(class) == "table" and rawget(class, "__index")
+  if not inherited and b.maskCopy and filter.isSameMask(mask, b.maskCopy) then
+    return b.maskCopy
+  end
+  local copy = {}
+  for group, collides in next, mask, nil do
+    copy[group] = collides
+  end
+  if inherited then
+    return setmetatable(copy, { __index = inherited })
+  end
+  b.maskCopy = copy
+  return copy
+end
+
+--- Returns "mask" or "masks" if an object refuses another by its own mask or by the world's.
+function filter.refusal(b, i, j)
+  local mask = b.mask[i]
+  if mask and mask[b.groupName[j]] == false then
+    return "mask"
+  end
+  local group = b.masks and b.masks[b.groupName[i]]
+  if group and group[b.groupName[j]] == false then
+    return "masks"
+  end
+end
+
+local refusal = filter.refusal
+
+--- Returns why two objects never meet (a word for `explain`), or nil if they can.
+function filter.reason(b, i, j)
+  local kindI, kindJ = b.kind[i], b.kind[j]
+  if not (b.active[i] and b.active[j]) then
+    return "inactive"
+  end
+  if kindI ~= DYNAMIC and kindJ ~= DYNAMIC then
+    if kindI == STATIC and kindJ == STATIC or not (b.sensor[i] or b.sensor[j]) then
+      return "immovable"
+    end
+  end
+  if refusal(b, i, j) or refusal(b, j, i) then
+    return "mask"
+  end
+end
+
+--- Returns whether two objects can meet.
+function filter.allows(b, i, j)
+  return filter.reason(b, i, j) == nil
+end
+
+--- Returns whether an object can be in the way of another: it is solid for it on every side.
+function filter.blocks(b, i, j)
+  return b.kind[j] ~= DYNAMIC
+    and not b.sensor[i]
+    and not b.sensor[j]
+    and not b.oneWay[j]
+    and filter.allows(b, i, j)
+end
+
+interpreted.always(filter.isSameMask, filter.copyMask)
+
+return filter

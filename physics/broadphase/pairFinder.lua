@@ -1,0 +1,371 @@
+--- Step 5, detect: all pairs whose paths may meet.
+--
+-- Each object has a fat box: the hull of its path plus a margin. Two objects whose fat boxes meet
+-- are neighbours, a pair. As long as a path stays inside the fat box, the neighbours stay the same
+-- and nothing is looked up. A larger set of neighbours changes no result, since each pair is tested
+-- exactly later on; so broad phases and margins may differ, the bits do not.
+--
+-- Reads from, to, size; writes fatLow, fatHigh, the pairs, and `support` of who has lost it.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local columns = require(root .. ".memory.columns")
+local filter = require(root .. ".broadphase.filter")
+local interpreted = require(root .. ".memory.jit")
+local rest = require(root .. ".sleep.islands")
+
+local detect = {}
+
+local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
+local floor, huge, max, min = math.floor, math.huge, math.max, math.min
+
+-- px around the path, and px around a static object, which does not move.
+local MARGIN = 1
+-- So many steps further in the same direction few objects leave their fat boxes, up to so many px.
+local AHEAD, FARTHEST = 10.0, 8.0
+
+-- Lists in b.parted the pairs of those in strays[1..count] whose fat boxes no longer meet; returns
+-- how many. One in contact stays until that has ended, one that was hit in this step until that
+-- has been told.
+local function listParted(b, strays, count)
+  local fatLow, fatHigh, other, nextHalf = b.fatLow, b.fatHigh, b.other, b.next
+  local parted, head, leaving, n = b.parted, b.head, b.leaving, 0
+  strays[count + 1], head[0] = 0, 0
+  local m, half = 1, head[strays[1]]
+  while m <= count do
+    if half == 0 then
+      m = m + 1
+      half = head[strays[m]]
+    else
+      local k, l = 2 * strays[m], 2 * other[half]
+      local apart = max(
+        fatLow[l] - fatHigh[k],
+        fatLow[k] - fatHigh[l],
+        fatLow[l + 1] - fatHigh[k + 1],
+        fatLow[k + 1] - fatHigh[l + 1]
+      )
+      if apart > 0 then
+        local p = floor(half * 0.5 + 0.5)
+        if b.contact[p] == 0 and b.hit[p] == 0 and b.touches[p] == 0 and not (b.overlapping[p] or leaving[p]) then
+          n = n + 1
+          parted[n], leaving[p] = p, true
+        end
+      end
+      half = nextHalf[half]
+    end
+  end
+  return n
+end
+
+-- Marks the neighbours of an object, so that they are not linked twice.
+local function markNeighbours(b, i)
+  b.stamp = b.stamp + 1
+  local stamp, mark, other, nextHalf = b.stamp, b.mark, b.other, b.next
+  local half = b.head[i]
+  while half ~= 0 do
+    mark[other[half]] = stamp
+    half = nextHalf[half]
+  end
+  return stamp
+end
+
+-- Of those who ask and whom they meet, keeps who are no neighbours yet, each two once: the earlier
+-- one of two strays asks. Returns how many.
+local function listNew(b, count)
+  local askers, found, mark, strayAt = b.askers, b.found, b.mark, b.strayAt
+  local ones, others, asker, stamp, at, n = b.linkOne, b.linkOther, 0, 0, 0, 0
+  for m = 1, count do
+    local i, j = askers[m], found[m]
+    if i ~= asker then
+      asker, stamp, at = i, markNeighbours(b, i), strayAt[i]
+    end
+    if mark[j] ~= stamp and strayAt[j] > at then
+      n = n + 1
+      mark[j], ones[n], others[n] = stamp, i, j
+    end
+  end
+  return n
+end
+
+-- Of those in b.linkOne and b.linkOther, keeps who can meet at all; returns how many.
+local function keepAllowed(b, count)
+  local ones, others, n = b.linkOne, b.linkOther, 0
+  for m = 1, count do
+    local i, j = ones[m], others[m]
+    if filter.allows(b, i, j) then
+      n = n + 1
+      ones[n], others[n] = i, j
+    end
+  end
+  return n
+end
+
+-- Wakes who has got a neighbour. A kinematic one that stands is a wall, which need not wake for a
+-- dynamic one.
+local function wakeLinked(b, count)
+  local ones, others, awake, kind = b.linkOne, b.linkOther, b.awake, b.kind
+  for n = 1, count do
+    local i, j = ones[n], others[n]
+    local matters = kind[j] == DYNAMIC or kind[i] ~= DYNAMIC
+    if matters and not awake[j] and (awake[i] or kind[i] == STATIC) then
+      rest.wake(b, j)
+    end
+  end
+end
+
+-- Links those in strays[1..count] with everybody whose fat boxes meet theirs.
+local function linkNear(b, strays, count)
+  local strayAt = b.strayAt
+  local n = keepAllowed(b, listNew(b, b.broadphase:overlaps(strays, count, b.askers, b.found)))
+  for m = 1, count do
+    strayAt[strays[m]] = huge
+  end
+  if n > 0 then
+    columns.linkAll(b, n)
+    wakeLinked(b, n)
+  end
+end
+
+-- The fat box on the axis of k. Where the step began it may end, too: see `crush.keepOut`.
+local function fatten(b, k)
+  local start, from, to, size = b.position[k], b.from[k], b.to[k], b.size[k]
+  local ahead = max(min((to - from) * AHEAD, FARTHEST), -FARTHEST)
+  b.fatLow[k] = min(start, from, to) - MARGIN + min(ahead, 0)
+  b.fatHigh[k] = max(start, from, to) + size + MARGIN + max(ahead, 0)
+end
+
+-- Gives those in strays[1..count] boxes around the paths that they have now.
+local function enlarge(b, strays, count)
+  local broadphase, placed = b.broadphase, b.placed
+  for m = 1, count do
+    fatten(b, 2 * strays[m])
+    fatten(b, 2 * strays[m] + 1)
+  end
+  for m = 1, count do
+    local i = strays[m]
+    if placed[i] == 0 then
+      broadphase:insert(i)
+    end
+    placed[i] = 2
+  end
+  broadphase:update(strays, count)
+end
+
+-- Looks up the neighbours of those in `strays[1..count]`.
+local function lookUp(b, strays, count)
+  -- All boxes first, so that no pair is linked by a box that is out of date.
+  enlarge(b, strays, count)
+  local partedCount = listParted(b, strays, count)
+  if partedCount > 0 then
+    columns.unlinkAll(b, b.parted, partedCount)
+  end
+  linkNear(b, strays, count)
+end
+
+-- These lead from loop to loop.
+interpreted.functions(linkNear, lookUp)
+
+-- Lists in b.strays those in `list[first..last]` whose paths leave their fat boxes, each once, and
+-- notes in `strayAt` where; returns how many.
+local function listStrays(b, list, first, last)
+  local strays, strayAt, active, placed, n = b.strays, b.strayAt, b.active, b.placed, 0
+  local from, to, size, fatLow, fatHigh = b.from, b.to, b.size, b.fatLow, b.fatHigh
+  for at = first, last do
+    local i = list[at]
+    local k, m = 2 * i, 2 * i + 1
+    local x, y, endX, endY = from[k], from[m], to[k], to[m]
+    local left, right, top, bottom = fatLow[k], fatHigh[k], fatLow[m], fatHigh[m]
+    local width, height = size[k], size[m]
+    -- No branches: whichever side it leaves on, the same happens.
+    local outX = max(left - x, left - endX, x + width - right, endX + width - right)
+    local outY = max(top - y, top - endY, y + height - bottom, endY + height - bottom)
+    if (max(outX, outY) > 0 or placed[i] ~= 2) and active[i] and strayAt[i] == huge then
+      n = n + 1
+      strays[n], strayAt[i] = i, n
+    end
+  end
+  return n
+end
+
+--- Looks up the neighbours of those in `list[first..last]` whose paths leave their fat boxes. Who
+--- stands there twice is looked at once.
+function detect.run(b, list, first, last)
+  local n = listStrays(b, list, first, last)
+  if n > 0 then
+    lookUp(b, b.strays, n)
+  end
+end
+
+-- Who leans on somebody goes no further that way, as far as is known yet: lets the path of k end
+-- where it begins, if it goes to a side on which the object touched somebody in the last step
+-- (`low` and the next are where that is noted).
+local function holdBack(b, k, low, count)
+  local way = b.to[k] - b.from[k]
+  if (way > 0 and b.touchBest[low + 1] or way < 0 and b.touchBest[low] or 0) ~= 0 then
+    count = count + 1
+    b.stoppedAt[count], b.stoppedTo[count] = k, b.to[k]
+    b.to[k] = b.from[k]
+  end
+  return count
+end
+
+local function holdAllBack(b)
+  local list, count = b.awakeList, 0
+  for n = 1, b.awakeCount do
+    local i = list[n]
+    count = holdBack(b, 2 * i, 4 * i + 1, count)
+    count = holdBack(b, 2 * i + 1, 4 * i + 3, count)
+  end
+  return count
+end
+
+local function letGo(b, count)
+  local to, at, before = b.to, b.stoppedAt, b.stoppedTo
+  for n = 1, count do
+    to[at[n]] = before[n]
+  end
+end
+
+-- Lists in b.present those in awakeList who have no neighbours: nothing will stop them before they
+-- meet somebody else. Returns how many.
+local function listLoners(b)
+  local list, loners, head, n = b.awakeList, b.present, b.head, 0
+  for m = 1, b.awakeCount do
+    local i = list[m]
+    if head[i] == 0 then
+      n = n + 1
+      loners[n] = i
+    end
+  end
+  return n
+end
+
+-- Gives those in strays[1..count] other fat boxes, and notes those that they had.
+local function lend(b, strays, count)
+  local fatLow, fatHigh, own = b.fatLow, b.fatHigh, b.ownFat
+  for n = 1, count do
+    local k, at = 2 * strays[n], 4 * n
+    own[at], own[at + 1], own[at + 2], own[at + 3] =
+      fatLow[k], fatLow[k + 1], fatHigh[k], fatHigh[k + 1]
+    fatten(b, k)
+    fatten(b, k + 1)
+  end
+end
+
+-- Gives them their own again; they are strays no more.
+local function giveBack(b, strays, count)
+  local fatLow, fatHigh, own, strayAt = b.fatLow, b.fatHigh, b.ownFat, b.strayAt
+  for n = 1, count do
+    strayAt[strays[n]] = huge
+    local k, at = 2 * strays[n], 4 * n
+    fatLow[k], fatLow[k + 1], fatHigh[k], fatHigh[k + 1] =
+      own[at], own[at + 1], own[at + 2], own[at + 3]
+  end
+end
+
+-- Wakes those of found[1..count] who rest and can be met by who asks.
+local function wakeFound(b, count)
+  local askers, found, awake, kind = b.askers, b.found, b.awake, b.kind
+  for n = 1, count do
+    local j = found[n]
+    if not awake[j] and kind[j] == DYNAMIC and filter.allows(b, askers[n], j) then
+      rest.wake(b, j)
+    end
+  end
+end
+
+--- Wakes whom those in awakeList may meet, before anything is resolved, when it is not known yet
+--- who will be stopped. Who may be becomes nobody's neighbour by that: neighbours of somebody awake
+--- do not come to rest.
+function detect.wakeAhead(b)
+  local stopped = holdAllBack(b)
+  detect.run(b, b.present, 1, listLoners(b))
+  local count = listStrays(b, b.awakeList, 1, b.awakeCount)
+  if count > 0 then
+    lend(b, b.strays, count)
+    local n = b.broadphase:overlaps(b.strays, count, b.askers, b.found)
+    giveBack(b, b.strays, count)
+    wakeFound(b, n)
+  end
+  return letGo(b, stopped)
+end
+
+interpreted.functions(detect.wakeAhead) -- leads from loop to loop
+
+-- As `detect.run`, for those in `list[1..count]` who are in the world still.
+local function runPresent(b, list, count)
+  local kind, present, n = b.kind, b.present, 0
+  for m = 1, count do
+    if kind[list[m]] ~= 0 then
+      n = n + 1
+      present[n] = list[m]
+    end
+  end
+  detect.run(b, present, 1, n)
+end
+
+--- Looks up the neighbours of whoever the game has placed, where it is now.
+function detect.runMoved(b)
+  runPresent(b, b.movedList, b.movedCount)
+end
+
+-- Who is no neighbour any more is nothing to stand on: its slot may soon be somebody else's.
+local function leaveSupport(b, i, j)
+  local support = b.support
+  if support[i] == j then
+    support[i] = 0
+  end
+  if support[j] == i then
+    support[j] = 0
+  end
+end
+
+--- Takes an object out: no neighbours, not in the broad phase. Nobody stands on it then, and it
+--- stands on nobody.
+function detect.remove(b, i)
+  local half, n = b.head[i], 0
+  while half ~= 0 do
+    n = n + 1
+    b.parted[n] = (half + half % 2) / 2
+    leaveSupport(b, i, b.other[half])
+    half = b.next[half]
+  end
+  columns.unlinkAll(b, b.parted, n)
+  if b.placed[i] ~= 0 then
+    b.broadphase:remove(i)
+    b.placed[i] = 0
+  end
+end
+
+--- What an object can meet has changed, or its size: forgets the neighbours it can no longer have,
+--- and has the others looked up anew. Contacts must have been ended before.
+function detect.refilter(b, i)
+  if not b.active[i] then
+    detect.remove(b, i)
+    rest.drop(b, i)
+    return
+  end
+  local half, n = b.head[i], 0
+  while half ~= 0 do
+    if not filter.allows(b, i, b.other[half]) then
+      n = n + 1
+      b.parted[n] = (half + half % 2) / 2
+      leaveSupport(b, i, b.other[half])
+    end
+    half = b.next[half]
+  end
+  columns.unlinkAll(b, b.parted, n)
+  b.placed[i] = min(b.placed[i], 1)
+end
+
+--- The masks of the world have changed: filters everybody anew, and finds whom they may meet now,
+--- before `part` looks at those who are inside each other.
+function detect.refilterAll(b)
+  for i = 1, b.slots do
+    if b.kind[i] ~= 0 then
+      detect.refilter(b, i)
+    end
+  end
+  runPresent(b, b.movers, b.moverCount)
+end
+
+return detect

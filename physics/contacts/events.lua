@@ -1,0 +1,288 @@
+--- Events: what the game is told after a step, when nothing is half done.
+--
+-- They wait in a list of their own, as objects and not as slots, because callbacks may do anything,
+-- remove objects included. An error in a callback leaves the rest in the list for the next update.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local aabb = require(root .. ".memory.aabb")
+local check = require(root .. ".world.check")
+local columns = require(root .. ".memory.columns")
+local filter = require(root .. ".broadphase.filter")
+local sort = require(root .. ".memory.sort")
+
+require(root .. ".memory.jit").file()
+
+local events = {}
+
+local EPSILON, SIDES, OPPOSITE = columns.EPSILON, columns.SIDES, columns.OPPOSITE
+local max, min = math.max, math.min
+
+-- Kinds, in the order in which the events of one pair are told.
+local END, BEGIN, STAY, LEFT, CRUSH = 1, 2, 3, 4, 5
+
+--- Returns an empty list of events.
+function events.new()
+  return {
+    count = 0, -- noted
+    told = 0, -- of these
+    sorted = 0, -- how many are in their order; what is noted later follows behind
+    heardBy = 3, -- of the last one told: by its first, its second, the world
+    order = {},
+    late = {},
+    kind = {},
+    rankA = {},
+    rankB = {},
+    kindAndNumber = {},
+    a = {},
+    b = {},
+    c = {},
+    side = {},
+    speed = {},
+  }
+end
+
+local CALLBACKS = {
+  [END] = "onEnd",
+  [BEGIN] = "onBegin",
+  [STAY] = "onStay",
+  [LEFT] = "onEnd",
+  [CRUSH] = "onCrush",
+}
+
+-- Whether anybody has a callback for an event of slots i and j. Most games listen to few contacts,
+-- and what nobody hears need not be sorted.
+local function hasListener(b, kind, i, j)
+  local name = CALLBACKS[kind]
+  return b.world[name] or b.object[i][name] or b.object[j][name]
+end
+
+-- Adds an event of the objects in slots i and j and, if there is one, of another one.
+local function note(b, kind, i, j, third, side, speed)
+  local e = b.events
+  local n = e.count + 1
+  e.count = n
+  e.order[n] = n
+  e.kind[n], e.kindAndNumber[n] = kind, n
+  e.rankA[n], e.rankB[n] = b.rank[i], b.rank[j]
+  e.a[n], e.b[n], e.c[n] = b.object[i], b.object[j], third
+  e.side[n], e.speed[n] = side, speed
+end
+
+-- Adds an event of the objects in slots i and j, if anybody hears of it. The first of them in the
+-- order of the world is told as `a`; `side` is that of i.
+local function add(b, kind, i, j, side, speed)
+  if not hasListener(b, kind, i, j) then
+    return
+  end
+  if b.rank[j] < b.rank[i] then
+    return note(b, kind, j, i, false, OPPOSITE[side], speed)
+  end
+  return note(b, kind, i, j, false, side, speed)
+end
+
+-- Whether anybody wants to be told of a contact at every step. Such objects cannot rest.
+local function isHeard(b, i, j)
+  if b.world.onStay or b.object[i].onStay or b.object[j].onStay then
+    b.heard[i], b.heard[j] = true, true
+    return true
+  end
+  return false
+end
+
+--- Notes that a contact of pair p has begun on `side` of the pair's first.
+function events.begin(b, p, side, speed)
+  local i, j = b.pairA[p], b.pairB[p]
+  isHeard(b, i, j)
+  add(b, BEGIN, i, j, side, speed)
+end
+
+--- Notes that a contact has ended.
+function events.finish(b, p, side)
+  add(b, END, b.pairA[p], b.pairB[p], side, 0)
+end
+
+--- Notes that pair p touched and parted within the step.
+function events.bounce(b, p, side, speed)
+  add(b, BEGIN, b.pairA[p], b.pairB[p], side, speed)
+  add(b, LEFT, b.pairA[p], b.pairB[p], side, 0)
+end
+
+--- Notes that a contact goes on, if anybody wants to know.
+function events.stay(b, p, side)
+  local i, j = b.pairA[p], b.pairB[p]
+  if isHeard(b, i, j) then
+    add(b, STAY, i, j, side, 0)
+  end
+end
+
+--- Notes that slot i is held between j and k on an axis ("x" or "y").
+function events.crush(b, i, j, k, axis)
+  if hasListener(b, CRUSH, i, i) then
+    note(b, CRUSH, i, j, b.object[k], axis, 0)
+  end
+end
+
+local function endContact(b, p)
+  if b.contact[p] ~= 0 then
+    events.finish(b, p, b.contact[p])
+    b.contact[p] = 0
+    b.contactCount = b.contactCount - 1
+  end
+end
+
+--- Ends all contacts of a slot: it leaves the world.
+function events.endContacts(b, i)
+  local half = b.head[i]
+  while half ~= 0 do
+    endContact(b, (half + half % 2) / 2)
+    half = b.next[half]
+  end
+end
+
+-- Whether two that are in contact do not touch any more, where they stand now.
+local function isApart(b, i, j)
+  local position, size, k, m = b.position, b.size, 2 * i, 2 * j
+  local width, height = aabb.overlap(
+    position[k],
+    position[k + 1],
+    size[k],
+    size[k + 1],
+    position[m],
+    position[m + 1],
+    size[m],
+    size[m + 1]
+  )
+  -- (A contact with one that has become a sensor goes on while somebody passes through it.)
+  local isSensed = b.sensor[i] or b.sensor[j]
+  return min(width, height) < -EPSILON or (not isSensed and max(width, height) <= EPSILON)
+end
+
+--- Ends the contacts of a slot that the game has put elsewhere with whom it has left by that; it
+--- may come back in the same step.
+function events.endLeft(b, i)
+  local half = b.head[i]
+  while half ~= 0 do
+    local p = (half + half % 2) / 2
+    if b.contact[p] ~= 0 and isApart(b, i, b.other[half]) then
+      endContact(b, p)
+    end
+    half = b.next[half]
+  end
+end
+
+--- Ends the contacts of a slot with whoever it can no longer meet.
+function events.endForbidden(b, i)
+  local half = b.head[i]
+  while half ~= 0 do
+    if not filter.allows(b, i, b.other[half]) then
+      endContact(b, (half + half % 2) / 2)
+    end
+    half = b.next[half]
+  end
+end
+
+-- Callbacks are read when they are called: a field may have turned bad since the object was read.
+local function checkCallback(b, owner, name)
+  local callback = owner[name]
+  if callback and type(callback) ~= "function" then
+    local slot = b.slotOf[owner]
+    local place = owner == b.world and "world"
+      or slot and check.place(b.group[slot].name, not b.group[slot].direct and b.key[slot] or nil)
+      or "removed object"
+    check.fail(place .. "." .. name .. " must be a function, got " .. check.show(callback))
+  end
+end
+
+-- Calls what one of an event's recipients has for it: 1 and 2 the two objects, 3 the world; each
+-- object gets the side that is its own, the world that of the first.
+local function tell(e, n, recipient, name, owner)
+  local callback = owner[name]
+  local a, b, side = e.a[n], e.b[n], e.side[n]
+  if not callback then
+    return
+  elseif e.kind[n] == CRUSH then
+    callback(a, b, e.c[n], side)
+    return
+  end
+  if recipient == 2 then
+    a, b, side = e.b[n], e.a[n], OPPOSITE[side]
+  end
+  if e.kind[n] == BEGIN then
+    callback(a, b, SIDES[side], e.speed[n])
+  else
+    callback(a, b, SIDES[side])
+  end
+end
+
+-- Tells one event to those who have not heard of it yet.
+local function tellAll(b, e, n)
+  local name = CALLBACKS[e.kind[n]]
+  while e.heardBy < 3 do
+    local recipient = e.heardBy + 1
+    local owner = recipient == 3 and b.world or recipient == 1 and e.a[n] or e.b[n]
+    local isSkipped = recipient == 2 and e.kind[n] == CRUSH
+    if not isSkipped then
+      checkCallback(b, owner, name) -- those before may have spoilt it
+    end
+    e.heardBy = recipient
+    if not isSkipped then
+      tell(e, n, recipient, name, owner)
+    end
+  end
+end
+
+--- Forgets all events, told or not.
+function events.forget(e)
+  for n = 1, e.count do
+    e.a[n], e.b[n], e.c[n] = false, false, false
+  end
+  e.count, e.told, e.heardBy, e.sorted = 0, 0, 3, 0
+end
+
+--- Lists those noted last in `e.late`, in order; returns how many. Changes nothing else.
+function events.sortLate(e)
+  local order, late, sorted, count = e.order, e.late, e.sorted, e.count - e.sorted
+  for n = 1, count do
+    late[n] = order[sorted + n]
+  end
+  sort.by(late, count, e.rankA, e.rankB, e.kindAndNumber)
+  return count
+end
+
+--- Puts those noted last in order, behind those that are in order already.
+function events.arrange(e)
+  for n = 1, events.sortLate(e) do
+    e.order[e.sorted + n] = e.late[n]
+  end
+  e.sorted = e.count
+end
+
+--- Tells the game all that was noted: in batches (see `arrange`), in each of them pairs in the
+--- order of the world. An error of a callback passes through; what was not told then is told by the
+--- next call.
+function events.tell(b)
+  local e = b.events
+  if e.count == 0 then
+    return
+  end
+  -- At once, since what is not told after an error is part of the state.
+  events.arrange(e)
+  tellAll(b, e, e.order[e.told]) -- the rest of one that a callback has interrupted
+  while e.told < e.count do
+    if e.told == e.sorted then
+      events.arrange(e) -- callbacks may have ended contacts
+    end
+    local n = e.order[e.told + 1]
+    local name = CALLBACKS[e.kind[n]]
+    checkCallback(b, e.a[n], name)
+    if e.kind[n] ~= CRUSH then
+      checkCallback(b, e.b[n], name)
+    end
+    checkCallback(b, b.world, name)
+    e.told, e.heardBy = e.told + 1, 0
+    tellAll(b, e, n)
+  end
+  events.forget(e)
+end
+
+return events

@@ -1,0 +1,69 @@
+--- Sorts a list by columns, in place and without garbage. (`table.sort` leaves a compiled trace and
+--- wants a closure; its order of equals is its own.)
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+require(root .. ".memory.jit").file()
+
+local sort = {}
+
+local FEW = 8
+
+-- x comes before y: smaller first, column by column.
+local function before(x, y, first, second, third, fourth)
+  if first[x] ~= first[y] then
+    return first[x] < first[y]
+  end
+  if second[x] ~= second[y] then
+    return second[x] < second[y]
+  end
+  if third[x] ~= third[y] then
+    return third[x] < third[y]
+  end
+  return fourth ~= nil and fourth[x] < fourth[y]
+end
+
+local function sink(list, root, count, first, second, third, fourth)
+  local value = list[root]
+  local child = 2 * root
+  while child <= count do
+    if child < count and before(list[child], list[child + 1], first, second, third, fourth) then
+      child = child + 1
+    end
+    if not before(value, list[child], first, second, third, fourth) then
+      break
+    end
+    list[root] = list[child]
+    root, child = child, 2 * child
+  end
+  list[root] = value
+end
+
+local function insert(list, count, first, second, third, fourth)
+  for n = 2, count do
+    local value, at = list[n], n
+    while at > 1 and before(value, list[at - 1], first, second, third, fourth) do
+      list[at] = list[at - 1]
+      at = at - 1
+    end
+    list[at] = value
+  end
+end
+
+--- Sorts `list[1..count]` by `first[x]`, then `second[x]`, `third[x]` and, if given, `fourth[x]`,
+--- ascending: few by insertion, more by heapsort (J. W. J. Williams, 1964). No two should be equal
+--- in all of them.
+function sort.by(list, count, first, second, third, fourth)
+  if count <= FEW then
+    insert(list, count, first, second, third, fourth)
+    return
+  end
+  for root = (count - count % 2) / 2, 1, -1 do
+    sink(list, root, count, first, second, third, fourth)
+  end
+  for last = count, 2, -1 do
+    list[1], list[last] = list[last], list[1]
+    sink(list, 1, last - 1, first, second, third, fourth)
+  end
+end
+
+return sort

@@ -1,0 +1,283 @@
+--- Step 3, forces: gravity, own acceleration, air friction, drag and speed limits.
+--
+-- Reads velocity, pull, push, airFriction, drag, limit, maxSpeed, support; writes speed (velocity
+-- at the end of the step) and way (displacement in the step), both of free flight and without a
+-- carrier; and of those with a limit, reserve and pace.
+-- All are exact solutions for a constant acceleration, so that arcs do not depend on dt.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local columns = require(root .. ".memory.columns")
+
+local forces = {}
+
+local DYNAMIC = columns.DYNAMIC
+local HUGE = math.huge
+local max, min, sqrt = math.max, math.min, math.sqrt
+local TINY = columns.TINY
+
+-- Returns e^-x, (1 - e^-x) / x and (e^-x - 1 + x) / x² for x >= 0, from + - * / alone, so that the
+-- bits are the same on every machine: x is halved to at most 1/8, the last of the three taken from
+-- its Taylor series, and the halving undone.
+local function damping(x)
+  local halvings = 0
+  while x > 0.125 do
+    x = x * 0.5
+    halvings = halvings + 1
+  end
+  local second = 0.5
+    - x * (1 / 6 - x * (1 / 24 - x * (1 / 120 - x * (1 / 720 - x * (1 / 5040 - x / 40320)))))
+  local first = 1 - x * second
+  local decay = 1 - x * first
+  for _ = 1, halvings do
+    x = x * 2
+    first = first * (1 + decay) * 0.5
+    decay = decay * decay
+    second = (1 - first) / x
+  end
+  return decay, first, second
+end
+
+-- One axis of free flight: returns the velocity at the end and the displacement.
+local function fly(v, a, airFriction, dt)
+  if airFriction == 0 then
+    local n = v + a * dt
+    return n, (v + n) * 0.5 * dt
+  end
+  local decay, first, second = damping(airFriction * dt)
+  return v * decay + a * dt * first, v * dt * first + a * dt * dt * second
+end
+
+local function clamp(v, limit)
+  return v > limit and limit or v < -limit and -limit or v
+end
+
+-- The same for an axis with a speed limit: the limit is reached inside the step. Third, by how much
+-- faster it would be.
+local function flyLimited(v, a, airFriction, limit, dt)
+  v = clamp(v, limit)
+  local n, way = fly(v, a, airFriction, dt)
+  local capped = clamp(n, limit)
+  if capped ~= n then
+    local share = (capped - v) / (n - v)
+    way = (v + capped) * 0.5 * share * dt + capped * (1 - share) * dt
+  end
+  return capped, way, n - capped
+end
+
+-- Notes what a limit has kept from k, at a speed of v px/s (see `reserve`).
+local function keep(b, k, v, left)
+  b.reserve[k], b.pace[k] = left, v
+end
+
+-- What is left of a loss of speed, for which k first makes up with what its limit keeps from it.
+local function lose(b, k, loss)
+  local kept = b.reserve[k]
+  local borne = max(min(loss, max(kept, 0)), min(kept, 0))
+  b.reserve[k] = kept - borne
+  return loss - borne
+end
+
+-- The end of a flight from the speed (startX, startY) to (x, y), when `drag` takes less than that:
+-- against the direction that it has halfway, or if it turns about, at the end.
+-- Source: the midpoint method, as in E. Hairer et al., Solving Ordinary Differential Equations I.
+local function slow(b, k, startX, startY, x, y, drag, dt)
+  local alongX, alongY = x, y
+  local dot, square = startX * x + startY * y, x * x + y * y
+  -- It turns by less than 60 degrees, whose cosine is 1/2.
+  if dot > 0 and 4 * dot * dot > (startX * startX + startY * startY) * square then
+    alongX, alongY = startX + x, startY + y
+  end
+  local share = drag * dt / max(sqrt(alongX * alongX + alongY * alongY), TINY)
+  local speed, way = b.speed, b.way
+  local lossX, lossY = lose(b, k, alongX * share), lose(b, k + 1, alongY * share)
+  speed[k], speed[k + 1] = x - lossX, y - lossY
+  way[k], way[k + 1] = way[k] - lossX * 0.5 * dt, way[k + 1] - lossY * 0.5 * dt
+end
+
+-- The same of one that stops on its way from a speed (x, y), as it slows down by `rate` px/s², and
+-- goes on under the acceleration (ax, ay).
+local function turn(b, k, x, y, rate, ax, ay, dt)
+  local stop = min(sqrt(x * x + y * y) / max(rate, TINY), dt)
+  local left = dt - stop
+  b.speed[k], b.speed[k + 1], b.reserve[k], b.reserve[k + 1] = ax * left, ay * left, 0, 0
+  b.way[k] = x * 0.5 * stop + ax * left * 0.5 * left
+  b.way[k + 1] = y * 0.5 * stop + ay * left * 0.5 * left
+end
+
+-- The index of the axis along which slot i stands on something, which takes away what it would fall
+-- in this step; 0: it does not stand.
+local function standsAlong(b, i)
+  local down, k = b.down, 2 * i
+  k = k + (down[k] ~= 0 and 0 or 1)
+  local isPulled = (b.pull[k] + b.push[k]) * down[k] > 0
+  return b.support[i] ~= 0 and isPulled and b.velocity[k] == 0 and k or 0
+end
+
+-- The flight of slot i, pulled by (ax, ay), against air friction and drag, exact as long as it
+-- moves along a line. Returns false if it would turn on its way; nothing has changed then.
+local function flyDragged(b, i, ax, ay, dt)
+  local limit, drag, air, k = b.limit, b.drag[i], b.airFriction[i], 2 * i
+  local x, y = clamp(b.velocity[k], limit[k]), clamp(b.velocity[k + 1], limit[k + 1])
+  -- Drag acts against the motion; against the pull on who stands, which it may hold.
+  local towardsX, towardsY = x, y
+  if x == 0 and y == 0 then
+    towardsX, towardsY = ax, ay
+    drag = min(drag, sqrt(ax * ax + ay * ay))
+  end
+  local share = drag / max(sqrt(towardsX * towardsX + towardsY * towardsY), TINY)
+  local endX, wayX, keptX = flyLimited(x, ax - towardsX * share, air, limit[k], dt)
+  local endY, wayY, keptY = flyLimited(y, ay - towardsY * share, air, limit[k + 1], dt)
+  if endX * towardsX + endY * towardsY < 0 then
+    return false
+  end
+  b.speed[k], b.speed[k + 1], b.way[k], b.way[k + 1] = endX, endY, wayX, wayY
+  keep(b, k, endX, keptX)
+  keep(b, k + 1, endY, keptY)
+  return true
+end
+
+-- Slows slot i by its drag along its motion. Exact as long as it moves along a line, but for who
+-- turns in the air. On the axis of `stands` it does not move.
+local function brakeSlot(b, i, stands, dt)
+  local velocity, limit, drag, k = b.velocity, b.limit, b.drag[i], 2 * i
+  if b.airFriction[i] ~= 0 then
+    local pullX = stands == k and 0 or b.pull[k] + b.push[k]
+    local pullY = stands == k + 1 and 0 or b.pull[k + 1] + b.push[k + 1]
+    if flyDragged(b, i, pullX, pullY, dt) then
+      return
+    end
+  end
+  local x, y = b.speed[k], b.speed[k + 1]
+  local startX, startY = clamp(velocity[k], limit[k]), clamp(velocity[k + 1], limit[k + 1])
+  local freeX, freeY = x + b.reserve[k], y + b.reserve[k + 1] -- but for its limits
+  local ax, ay = (freeX - startX) / dt, (freeY - startY) / dt
+  local a, start = sqrt(ax * ax + ay * ay), sqrt(startX * startX + startY * startY)
+  local along = start > 0 and (ax * startX + ay * startY) / start or 0
+  local isSlower = freeX * freeX + freeY * freeY <= drag * dt * (drag * dt)
+  if a <= drag and isSlower then
+    turn(b, k, startX, startY, drag - along, 0, 0, dt)
+  elseif a > drag and along < 0 and start < (drag - along) * dt and ax * startY == ay * startX then
+    local share = 1 - drag / a
+    turn(b, k, startX, startY, drag - along, ax * share, ay * share, dt)
+  elseif isSlower then
+    b.speed[k], b.speed[k + 1], b.reserve[k], b.reserve[k + 1] = 0, 0, 0, 0
+    b.way[k], b.way[k + 1] = startX * 0.5 * dt, startY * 0.5 * dt
+  else
+    slow(b, k, startX, startY, x, y, drag, dt)
+  end
+end
+
+-- Returns a vector in the direction of (x, y).
+local function scaled(x, y, length)
+  local share = length / max(sqrt(x * x + y * y), TINY)
+  return x * share, y * share
+end
+
+-- The part of a step after which a velocity that changes evenly, by (gainX, gainY), is as long as
+-- `limit`, which it is not longer than when the step begins.
+local function shareUntil(limit, startX, startY, gainX, gainY)
+  local square, dot = gainX * gainX + gainY * gainY, startX * gainX + startY * gainY
+  local missing = max(limit * limit - startX * startX - startY * startY, 0)
+  return max(0, min((sqrt(dot * dot + square * missing) - dot) / max(square, TINY), 1))
+end
+
+-- Limits the length of the velocity, which is reached inside the step. From there on only what is
+-- across the motion, halfway, changes it, as long as the rest of the step adds less than half of
+-- that: the direction turns at the same rate in steps of any length.
+local function limitLength(b, i, dt)
+  local speed, way, velocity, k = b.speed, b.way, b.velocity, 2 * i
+  local x, y, limit = speed[k], speed[k + 1], b.maxSpeed[i]
+  if x * x + y * y <= limit * limit then
+    return
+  end
+  local startX, startY = velocity[k], velocity[k + 1]
+  if startX * startX + startY * startY > limit * limit then
+    startX, startY = scaled(startX, startY, limit)
+    x, y = startX + (x - velocity[k]), startY + (y - velocity[k + 1])
+  end
+  if x * x + y * y <= limit * limit then -- it was faster than that, and has slowed down
+    speed[k], speed[k + 1] = x, y
+    way[k], way[k + 1] = (startX + x) * 0.5 * dt, (startY + y) * 0.5 * dt
+    return
+  end
+  local share, freeX, freeY = shareUntil(limit, startX, startY, x - startX, y - startY), x, y
+  local fullX, fullY = startX + (x - startX) * share, startY + (y - startY) * share
+  local gainX, gainY = x - fullX, y - fullY
+  local halfX, halfY = (fullX + x) * 0.5, (fullY + y) * 0.5
+  if (gainX * gainX + gainY * gainY) * 4 < limit * limit then
+    local gain = (gainX * halfX + gainY * halfY) / (halfX * halfX + halfY * halfY)
+    x, y = x - halfX * gain, y - halfY * gain
+  end
+  x, y = scaled(x, y, limit)
+  local before, after = share * 0.5 * dt, (1 - share) * 0.5 * dt
+  keep(b, k, x, b.reserve[k] + freeX - x)
+  keep(b, k + 1, y, b.reserve[k + 1] + freeY - y)
+  speed[k], speed[k + 1] = x, y
+  way[k] = (startX + fullX) * before + (fullX + x) * after
+  way[k + 1] = (startY + fullY) * before + (fullY + y) * after
+end
+
+-- What drag and maxSpeed make of the flight of slot i. They count what moves: of who stands, not
+-- the fall that the floor will take away.
+local function hinder(b, i, dt)
+  local speed, way, stands, k = b.speed, b.way, standsAlong(b, i), 2 * i
+  if b.airFriction[i] == 0 and b.limit[k] == HUGE and b.limit[k + 1] == HUGE then
+    b.reserve[k], b.reserve[k + 1] = 0, 0
+  end
+  if stands ~= 0 then
+    speed[stands], way[stands], b.reserve[stands] = 0, 0, 0
+  end
+  if b.drag[i] ~= 0 then
+    brakeSlot(b, i, stands, dt)
+  end
+  if b.maxSpeed[i] ~= HUGE then
+    limitLength(b, i, dt)
+  end
+  if stands ~= 0 then
+    -- What it stands on may let it through in this step.
+    local limit, pull = min(b.limit[stands], b.maxSpeed[i]), b.pull[stands] + b.push[stands]
+    local v, its, kept = flyLimited(0, pull, b.airFriction[i], limit, dt)
+    speed[stands], way[stands] = v, its
+    keep(b, stands, v, kept)
+  end
+end
+
+-- What drag and maxSpeed make of it all, for those who have one.
+local function hinderAll(b, dt, first, last)
+  local list, kind, drag, maxSpeed = b.awakeList, b.kind, b.drag, b.maxSpeed
+  for n = first, last do
+    local i = list[n]
+    if (drag[i] ~= 0 or maxSpeed[i] ~= HUGE) and kind[i] == DYNAMIC then
+      hinder(b, i, dt)
+    end
+  end
+end
+
+--- Computes the free flight of the dynamic objects in awakeList from `first` to `last`.
+function forces.run(b, dt, first, last)
+  local list, kind, airFriction, limit = b.awakeList, b.kind, b.airFriction, b.limit
+  local velocity, pull, push, speed, way = b.velocity, b.pull, b.push, b.speed, b.way
+  for n = first, last do
+    local i = list[n]
+    local k, m = 2 * i, 2 * i + 1
+    if kind[i] == DYNAMIC and airFriction[i] == 0 and limit[k] == HUGE and limit[m] == HUGE then
+      -- As `fly` for nearly all, written out: without a compiler calls cost more than what they do.
+      local x, y = velocity[k], velocity[m]
+      local endX, endY = x + (pull[k] + push[k]) * dt, y + (pull[m] + push[m]) * dt
+      speed[k], speed[m] = endX, endY
+      way[k], way[m] = (x + endX) * 0.5 * dt, (y + endY) * 0.5 * dt
+    elseif kind[i] == DYNAMIC then
+      local air = airFriction[i]
+      local x, wayX, keptX = flyLimited(velocity[k], pull[k] + push[k], air, limit[k], dt)
+      local y, wayY, keptY = flyLimited(velocity[m], pull[m] + push[m], air, limit[m], dt)
+      speed[k], way[k], speed[m], way[m] = x, wayX, y, wayY
+      keep(b, k, x, keptX)
+      keep(b, m, y, keptY)
+    end
+  end
+  if b.hasHinders then
+    hinderAll(b, dt, first, last)
+  end
+end
+
+return forces

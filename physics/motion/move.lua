@@ -1,0 +1,104 @@
+--- Step 4, move: the path of every object in this step, if nothing is in the way.
+--
+-- Reads from, velocity, written, speed, way, carrier; writes to, speed, accel, carried. From here
+-- to `publish` all velocities are absolute: what carries an object is added here and taken off
+-- there.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local carrier = require(root .. ".objects.carriers")
+local columns = require(root .. ".memory.columns")
+
+local move = {}
+
+local KINEMATIC, DYNAMIC = columns.KINEMATIC, columns.DYNAMIC
+
+-- Kinematic objects go where the game wrote them to be, and on by their own velocity. If the update
+-- has several steps, the written way is spread over those that remain, so that nobody is hit by a
+-- platform that hurries ahead and then waits.
+local function moveKinematicAlong(b, k, dt)
+  local v, behind = b.velocity[k], b.written[k] - b.from[k] + b.behind[k]
+  if b.remaining > 1 then
+    b.way[k] = behind / b.remaining
+    b.to[k] = b.from[k] + b.way[k] + v * dt
+  else
+    b.way[k] = behind
+    b.to[k] = b.written[k] + b.behind[k] + v * dt
+  end
+  b.speed[k] = v + b.way[k] / dt
+  b.accel[k] = 0
+end
+
+local function moveKinematic(b, i, dt)
+  moveKinematicAlong(b, 2 * i, dt)
+  moveKinematicAlong(b, 2 * i + 1, dt)
+end
+
+-- The velocity of what carries an object, this step.
+local function readCarrier(b, i)
+  local c, k, carried = b.carrier[i], 2 * i, b.carried
+  if c == 0 then
+    carried[k], carried[k + 1] = 0, 0
+  else
+    carried[k], carried[k + 1] = carrier.velocity(b, c)
+  end
+end
+
+-- Who is inside something immovable and has no way out stays there, and gives way to nobody.
+local function bury(b, i)
+  for k = 2 * i, 2 * i + 1 do
+    b.to[k], b.speed[k] = b.from[k], 0.0
+  end
+end
+
+-- Where the dynamic ones would come to.
+local function findEnds(b, first, last, dt)
+  local list, kind, from, to, way, carried = b.awakeList, b.kind, b.from, b.to, b.way, b.carried
+  for n = first, last do
+    local i = list[n]
+    if kind[i] == DYNAMIC then
+      local k, m = 2 * i, 2 * i + 1
+      to[k] = from[k] + way[k] + carried[k] * dt
+      to[m] = from[m] + way[m] + carried[m] * dt
+    end
+  end
+end
+
+-- How fast they would be then.
+local function findSpeeds(b, first, last)
+  local list, kind, speed, carried = b.awakeList, b.kind, b.speed, b.carried
+  for n = first, last do
+    local i = list[n]
+    if kind[i] == DYNAMIC then
+      local k, m = 2 * i, 2 * i + 1
+      speed[k], speed[m] = speed[k] + carried[k], speed[m] + carried[m]
+    end
+  end
+end
+
+--- Computes the paths of those in awakeList from `first` to `last`.
+function move.run(b, dt, first, last)
+  local list, kind, buried = b.awakeList, b.kind, b.buried
+  if b.hasCarriers then
+    for n = first, last do
+      if kind[list[n]] == KINEMATIC then
+        moveKinematic(b, list[n], dt)
+      end
+    end
+    for n = first, last do
+      if kind[list[n]] == DYNAMIC then
+        readCarrier(b, list[n])
+      end
+    end
+  end
+  findEnds(b, first, last, dt)
+  findSpeeds(b, first, last)
+  if b.hasBuried then
+    for n = first, last do
+      if buried[list[n]] and kind[list[n]] == DYNAMIC then
+        bury(b, list[n])
+      end
+    end
+  end
+end
+
+return move

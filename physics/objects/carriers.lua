@@ -1,0 +1,179 @@
+--- Riders: what carries an object, and how fast.
+--
+-- A kinematic object carries what stands on it, and what stands on that; a belt (`surfaceSpeed`)
+-- moves along x what stands on it. The velocity of the carrier is added to the rider's path in
+-- `move` and taken off in `publish`, so a rider's own velocity is relative to what carries it.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local aabb = require(root .. ".memory.aabb")
+local columns = require(root .. ".memory.columns")
+
+local carrier = {}
+
+local KINEMATIC, DYNAMIC = columns.KINEMATIC, columns.DYNAMIC
+local EPSILON = columns.EPSILON
+local min = math.min
+
+--- Returns the velocity, x and y, that slot c gives to its riders in this step.
+function carrier.velocity(b, c)
+  if b.kind[c] == KINEMATIC and b.carry[c] then
+    return b.speed[2 * c] + b.surfaceSpeed[c], b.speed[2 * c + 1]
+  end
+  return b.surfaceSpeed[c], 0
+end
+
+local function carries(b, c)
+  return b.surfaceSpeed[c] ~= 0 or (b.kind[c] == KINEMATIC and b.carry[c])
+end
+
+-- What carries slot i, as far as what it stands on tells; nil if that is known only of `support`.
+local function ends(b, i)
+  local below = b.support[i]
+  if below == 0 then
+    return 0
+  elseif b.kind[below] ~= DYNAMIC then
+    return carries(b, below) and below or 0
+  elseif b.surfaceSpeed[below] ~= 0 then
+    return below
+  end
+end
+
+-- Follows the supports of slot i down to where the carrier is known, and tells it to all on the
+-- way.
+local function follow(b, i, stamp)
+  local way, seen, found, support, count = b.stack, b.carrierSeen, b.carrierNow, b.support, 0
+  local c = nil
+  while c == nil do
+    if seen[i] == stamp then
+      c = found[i]
+    else
+      count = count + 1
+      -- Who meets itself in a ring of supports is carried by nothing.
+      way[count], seen[i], found[i] = i, stamp, 0
+      c = ends(b, i)
+      i = support[i]
+    end
+  end
+  for n = 1, count do
+    found[way[n]] = c
+  end
+end
+
+--- Finds what carries everybody in awakeList, at the end of the chain it stands on: writes
+--- carrierNow, 0: nothing.
+function carrier.find(b)
+  b.stamp = b.stamp + 1
+  local list, kind, stamp = b.awakeList, b.kind, b.stamp
+  for n = 1, b.awakeCount do
+    if kind[list[n]] == DYNAMIC then
+      follow(b, list[n], stamp)
+    end
+  end
+end
+
+-- The part of v that its carrier (c) gave it: as far as both point the same way.
+local function given(v, c)
+  if v * c <= 0 then
+    return 0
+  end
+  if c > 0 then
+    return v < c and v or c
+  end
+  return v > c and v or c
+end
+
+-- Whether something that cannot give way stops k on its way with its carrier.
+local function isHeldBack(b, k, c)
+  return (c > 0 and b.pressedHigh[k] and b.heldHigh[k] > 0)
+    or (c < 0 and b.pressedLow[k] and b.heldLow[k] > 0)
+end
+
+--- Returns the velocity along k that an object shows: relative to what carries it (c px/s). On the
+--- first step on a carrier, and while something holds it back, only what the carrier gave is off.
+function carrier.ownVelocity(b, k, c, isNew)
+  local v = b.speed[k]
+  if isNew or isHeldBack(b, k, c) then
+    return v - given(v, c)
+  end
+  return v - c
+end
+
+--- Slot i is carried by nothing any more: its velocity is what it shows.
+function carrier.leave(b, i)
+  b.carrier[i], b.carried[2 * i], b.carried[2 * i + 1] = 0, 0, 0
+end
+
+-- By how much slot i, where it is now, and slot j, where the last step has left it, overlap: on the
+-- axis on which they do so least.
+local function overlapOf(b, i, j)
+  local now, last, size, k, m = b.position, b.to, b.size, 2 * i, 2 * j
+  return min(
+    aabb.overlap(
+      now[k],
+      now[k + 1],
+      size[k],
+      size[k + 1],
+      last[m],
+      last[m + 1],
+      size[m],
+      size[m + 1]
+    )
+  )
+end
+
+--- Lets slot i leave what carries it if the game has switched it off, or put it further away than
+--- its own size, and not on what it stood on. Who is put aside by less goes on riding, or jumps
+--- with the speed of that.
+function carrier.check(b, i)
+  local below = b.support[i]
+  local isElsewhere = overlapOf(b, i, i) < 0 and (below == 0 or overlapOf(b, i, below) < -EPSILON)
+  if b.kind[i] == DYNAMIC and (isElsewhere or not b.active[i]) then
+    carrier.leave(b, i)
+  end
+end
+
+--- The same for all whom the game has moved since the last step. (Not when they are read: that may
+--- be refused, and depends on who is read first.)
+function carrier.checkMoved(b)
+  for n = 1, b.hasCarriers and b.movedCount or 0 do
+    carrier.check(b, b.movedList[n])
+  end
+end
+
+--- Marks the riders of a slot that goes away, ceases to carry or to be in their way. (Who stands on
+--- one that carries nobody is seen to by `detect` when the two are parted.)
+function carrier.forget(b, c)
+  if b.kind[c] == DYNAMIC and b.surfaceSpeed[c] == 0 then
+    return
+  end
+  for n = 1, b.moverCount do
+    local i = b.movers[n]
+    if b.carrier[i] == c then
+      b.carrier[i] = 0
+      b.lostCount = b.lostCount + 1
+      b.lost[b.lostCount] = i
+    end
+    if b.support[i] == c then
+      b.support[i] = 0
+    end
+  end
+end
+
+--- Gives those who lost their carrier between two steps its velocity to keep, unless they were put
+--- elsewhere.
+function carrier.dismount(b)
+  carrier.checkMoved(b)
+  for n = 1, b.lostCount do
+    local i = b.lost[n]
+    if b.kind[i] == DYNAMIC then
+      local object, k = b.object[i], 2 * i
+      b.velocity[k] = b.velocity[k] + b.carried[k]
+      b.velocity[k + 1] = b.velocity[k + 1] + b.carried[k + 1]
+      b.carried[k], b.carried[k + 1] = 0, 0
+      object.vx, object.vy = b.velocity[k], b.velocity[k + 1]
+    end
+  end
+  b.lostCount = 0
+end
+
+return carrier

@@ -1,0 +1,665 @@
+--- Step 1, collect: finds new and removed objects, checks the fields and reads them.
+--
+-- Reads the game's tables; writes the field columns (position, velocity, size, ...), `moved` for
+-- objects whose place, size or filter the game changed, and wakes whatever was written to. A static
+-- object is read once. Reading writes nothing of the game's, so a refusal leaves it as it was; only
+-- `giveTouching`, which is called when all has been read, gives objects their `touching`.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local carrier = require(root .. ".objects.carriers")
+local check = require(root .. ".world.check")
+local columns = require(root .. ".memory.columns")
+local detect = require(root .. ".broadphase.pairFinder")
+local events = require(root .. ".contacts.events")
+local filter = require(root .. ".broadphase.filter")
+local interpreted = require(root .. ".memory.jit")
+local rest = require(root .. ".sleep.islands")
+local roster = require(root .. ".objects.registry")
+local view = require(root .. ".queries.index")
+
+local collect = {}
+
+local HUGE, min = math.huge, math.min
+local UNREAD = 0 / 0 -- no place is equal to it
+local isFinite = check.isFinite
+local STATIC, KINEMATIC, DYNAMIC = columns.STATIC, columns.KINEMATIC, columns.DYNAMIC
+
+local function orDefault(value, default)
+  if value == nil then
+    return default
+  end
+  return value
+end
+
+-- Notes which groups a mask refuses, by their numbers: changes inside the same table are seen by
+-- it. The mask of a static object is copied.
+local function readMask(b, i, mask)
+  if b.kind[i] == STATIC then
+    b.mask[i] = filter.copyMask(b, mask)
+    return
+  end
+  local groups, seen = b.roster.groups, {}
+  for n = 1, #groups do
+    seen[groups[n].number] = mask[groups[n].name] == false or nil
+  end
+  b.maskSeen[i] = seen
+end
+
+-- Whether a mask says something else of a group than before. Of one that was empty, or not there,
+-- that is noted only: nobody has met anybody in it, and a restored world does not know it either.
+local function hasMaskChanged(b, mask, seen)
+  local groups, changed = b.roster.groups, false
+  for n = 1, #groups do
+    local group = groups[n]
+    local refuses = mask[group.name] == false
+    if refuses ~= (seen[group.number] or false) then
+      seen[group.number], changed = refuses or nil, changed or group.wasFilled
+    end
+  end
+  return changed
+end
+
+-- Notes which groups are known to what compares masks.
+local function noteFilled(groups)
+  for n = 1, #groups do
+    groups[n].wasFilled = groups[n].count > 0
+  end
+end
+
+local function markMoved(b, i)
+  if not b.moved[i] then
+    b.moved[i] = true
+    b.movedCount = b.movedCount + 1
+    b.movedList[b.movedCount] = i
+  end
+end
+
+-- Gravity that acts on an object, and where its "down" is: along the stronger axis, y in a tie.
+local function readPull(b, i)
+  local k = 2 * i
+  local gx, gy = b.ownGravityX[i], b.ownGravity[i]
+  if gx == false then
+    gx = b.gravityX
+  end
+  if gy == false then
+    gy = b.gravity
+  end
+  if b.kind[i] ~= DYNAMIC then
+    gx, gy = 0, 0
+  end
+  gx, gy = gx + 0.0, gy + 0.0 -- squares of integers would wrap
+  local vertical = gx * gx <= gy * gy
+  b.pull[k], b.pull[k + 1] = gx, gy
+  b.down[k] = vertical and 0 or (gx > 0 and 1 or -1)
+  b.down[k + 1] = vertical and (gy > 0 and 1 or gy < 0 and -1 or 0) or 0
+end
+
+-- Fields that few objects have and that are read as they are: name, column, what stands there if it
+-- is not set. (`listRich` asks for the same, and for those few that are not read as they are.)
+local RARE = {
+  { "active", "active", true },
+  { "sensor", "sensor", false },
+  { "pushable", "pushable", true },
+  { "oneWay", "oneWay", false },
+  { "carry", "carry", true },
+  { "canCollide", "canCollide", false },
+  { "onStay", "hears", false },
+  { "mask", "mask", false },
+  { "gravity", "ownGravity", false },
+  { "gravityX", "ownGravityX", false },
+  { "airFriction", "airFriction", 0 },
+  { "drag", "drag", 0 },
+  { "surfaceSpeed", "surfaceSpeed", 0 },
+  { "nudge", "nudge", 0 },
+  { "maxSpeed", "maxSpeed", HUGE },
+}
+local NAMES, COLUMNS, DEFAULTS = {}, {}, {}
+for n, field in ipairs(RARE) do
+  NAMES[n], COLUMNS[n], DEFAULTS[n] = field[1], field[2], field[3]
+end
+
+-- Reads them in a loop: all of them written out become a great deal of machine code at every place
+-- that reads objects. Returns whether the object has none of them.
+local function readRare(b, i, object)
+  local isBareSoFar = true
+  for n = 1, #NAMES do
+    local value = object[NAMES[n]]
+    if value == nil then
+      value = DEFAULTS[n]
+    else
+      isBareSoFar = false
+    end
+    b[COLUMNS[n]][i] = value
+  end
+  return isBareSoFar
+end
+
+local function readFields(b, i, object)
+  local k, isDynamic = 2 * i, b.kind[i] == DYNAMIC
+  local hasNoRare, mass = readRare(b, i, object), orDefault(object.mass, 1)
+  local ax, ay, topX, topY = object.ax, object.ay, object.maxSpeedX, object.maxSpeedY
+  if b.mask[i] then
+    readMask(b, i, b.mask[i])
+  end
+  b.mass[i], b.inverseMass[i] = mass, isDynamic and 1 / mass or 0
+  b.friction[i] = orDefault(object.friction, isDynamic and 0 or -1)
+  b.restitution[i] = orDefault(object.restitution, 0)
+  b.push[k], b.push[k + 1] = orDefault(ax, 0), orDefault(ay, 0)
+  b.limit[k], b.limit[k + 1] = orDefault(topX, HUGE), orDefault(topY, HUGE)
+  b.bare[i] = isDynamic and hasNoRare and not (ax or ay or topX or topY)
+  readPull(b, i)
+end
+
+local function readMotion(b, i, object, isNew)
+  local k = 2 * i
+  -- Adding 0.0 makes floats of the integers of Lua 5.3 and later, which would wrap.
+  local x, y = object.x + 0.0, object.y + 0.0
+  b.size[k], b.size[k + 1] = object.width + 0.0, object.height + 0.0
+  b.velocity[k], b.velocity[k + 1] = orDefault(object.vx, 0) + 0.0, orDefault(object.vy, 0) + 0.0
+  b.written[k], b.written[k + 1] = x, y
+  if isNew then
+    b.behind[k], b.behind[k + 1] = 0, 0
+  end
+  if isNew or b.kind[i] ~= KINEMATIC then
+    b.position[k], b.position[k + 1] = x, y
+    b.last[k], b.last[k + 1] = x, y
+  end
+  if b.kind[i] == STATIC then
+    b.velocity[k], b.velocity[k + 1] = 0, 0
+  end
+end
+
+-- Notes whether where it stands is all there is to know of a contact that goes on.
+local function noteEven(b, i)
+  b.even[i] = not (b.sensor[i] or b.hears[i] or b.oneWay[i])
+end
+
+-- Reads all fields, which must have been checked. If reading one fails all the same (an `__index`
+-- of the game's may), all are read again in the next step.
+local function readAll(b, i, object, isNew)
+  b.written[2 * i] = UNREAD
+  b.reserve[2 * i], b.reserve[2 * i + 1] = 0, 0
+  readFields(b, i, object)
+  readMotion(b, i, object, isNew)
+  b.hasCarriers = b.hasCarriers or b.kind[i] == KINEMATIC or b.surfaceSpeed[i] ~= 0
+  b.hasFriction = b.hasFriction or b.friction[i] > 0
+  b.hasNudges = b.hasNudges or b.nudge[i] ~= 0
+  b.hasHinders = b.hasHinders or b.drag[i] ~= 0 or b.maxSpeed[i] ~= HUGE
+  b.hasLimits = b.hasLimits or min(b.maxSpeed[i], b.limit[2 * i], b.limit[2 * i + 1]) < HUGE
+  b.hasBounces = b.hasBounces or b.restitution[i] ~= 0
+  b.hasAskers = b.hasAskers or b.canCollide[i] ~= false
+  b.hasOneWays = b.hasOneWays or b.oneWay[i] ~= false
+  b.hasSensors = b.hasSensors or b.sensor[i]
+  b.plain[i] = not b.sensor[i]
+  noteEven(b, i)
+  b.choosy[i] = b.sensor[i] or b.oneWay[i] ~= false or b.nudge[i] ~= 0 or not b.pushable[i]
+end
+
+--- Returns the table that will be `touching` of an object: the one that it has had in this world,
+--- if it comes back. `publish` hands it over.
+function collect.touchingFor(b, object)
+  local r = b.roster
+  return r.given[object]
+    or r.left[object]
+    or r.leftBefore[object]
+    or { top = false, bottom = false, left = false, right = false }
+end
+
+--- Gives a slot the table that will be `touching` of its object; false: it has none.
+function collect.takeTouching(b, i, touching)
+  b.touching[i], b.touchTold[4 * i + 1] = touching, columns.UNTOLD
+end
+
+local takeTouching = collect.takeTouching
+
+local function enter(b, object, record, key)
+  local i = columns.claim(b)
+  b.slotOf[object] = i
+  b.object[i], b.group[i], b.groupName[i], b.key[i] = object, record, record.name, key
+  b.kind[i] = columns.kindOf(object)
+  readAll(b, i, object, true)
+  columns.stand(b, i)
+  b.fresh[i] = true
+  b.quiet[i] = false
+  if b.kind[i] == DYNAMIC then
+    takeTouching(b, i, collect.touchingFor(b, object))
+  end
+  markMoved(b, i)
+  rest.wake(b, i)
+  view.refresh(b, object)
+  b.newcomers = true
+  return i
+end
+
+--- What an object touched, it touches no more: it leaves, is switched off or cannot be pushed now.
+function collect.clearTouching(touching)
+  if touching then
+    touching.top, touching.bottom, touching.left, touching.right = false, false, false, false
+  end
+end
+
+local clearTouching = collect.clearTouching
+
+-- The same of one who is not dynamic any more, or not in the world; remembers the table.
+local function giveUpTouching(b, i)
+  local touching = b.touching[i]
+  if touching then
+    clearTouching(touching)
+    roster.noteLeft(b.roster, b.object[i], touching)
+    takeTouching(b, i, false)
+  end
+end
+
+local function leave(b, i)
+  local object = b.object[i]
+  carrier.forget(b, i)
+  rest.wakeNeighbours(b, i)
+  events.endContacts(b, i)
+  detect.remove(b, i)
+  rest.drop(b, i)
+  giveUpTouching(b, i)
+  b.slotOf[object] = nil
+  columns.release(b, i)
+  b.newcomers = true
+end
+
+local function rename(b, i, record)
+  b.group[i], b.groupName[i] = record, record.name
+end
+
+-- Of two who are equally good to stand on, the first in order is touched; and in another group it
+-- may be others whom it can meet.
+local function reorder(b, i, isRenamed)
+  rest.wakeNeighbours(b, i)
+  if isRenamed then
+    events.endForbidden(b, i)
+    detect.refilter(b, i)
+    markMoved(b, i)
+  end
+  rest.wake(b, i)
+end
+
+-- The slots of everything in a group that is not static, in order.
+local function listGroup(b, record)
+  local movers, places, slots, kind = record.movers, record.moverPlaces, record.slots, b.kind
+  local first, n = record.newFrom, #movers
+  while n > 0 and places[n] >= record.sameUntil do
+    movers[n] = nil
+    first, n = record.sameUntil, n - 1
+  end
+  for m = first, record.count do
+    local i = slots[m]
+    if kind[i] > STATIC then
+      n = n + 1
+      movers[n], places[n] = i, m
+    end
+  end
+  record.isListed = true
+end
+
+-- The slots of everything that is not static, in the order of the world.
+local function listMovers(b)
+  local n, movers, groups = 0, b.movers, b.roster.groups
+  for g = 1, #groups do
+    local record = groups[g]
+    if not record.isListed then
+      listGroup(b, record)
+    end
+    local its = record.movers
+    for m = 1, #its do
+      n = n + 1
+      movers[n] = its[m]
+      b.seat[its[m]] = n
+    end
+  end
+  b.moverCount = n
+  b.awakenings = b.awakenings + 1
+end
+
+-- Who is of another kind now has no past.
+local function forgetMotion(b, i)
+  columns.forgetStep(b, i)
+  carrier.leave(b, i)
+  if b.kind[i] == STATIC then
+    rest.drop(b, i)
+  end
+end
+
+-- Checks an object again. Errors: a field that cannot be used. Only then its place is written out:
+-- games write to objects all the time, and the text would be garbage.
+local function checkAgain(b, i)
+  local object = b.object[i]
+  if check.badField(object) then
+    check.object(object, roster.place(b.group[i], b.key[i]))
+  end
+end
+
+-- Checks and reads an object anew after some of its fields changed.
+local function reread(b, i)
+  local object = b.object[i]
+  checkAgain(b, i)
+  local kind = columns.kindOf(object, b.kind[i] == STATIC)
+  local isNew = kind ~= b.kind[i]
+  local isOff = object.active == false
+  if isNew or isOff or (b.carry[i] and object.carry == false) then
+    carrier.forget(b, i)
+  end
+  if isNew then
+    b.kind[i] = kind
+    giveUpTouching(b, i)
+    if kind == DYNAMIC then
+      takeTouching(b, i, collect.touchingFor(b, object))
+    end
+    forgetMotion(b, i)
+  end
+  rest.wakeNeighbours(b, i)
+  -- One that takes no part goes nowhere: it is where it was put meanwhile.
+  readAll(b, i, object, isNew or isOff or not b.active[i])
+  if not b.active[i] then
+    clearTouching(b.touching[i])
+  end
+  events.endForbidden(b, i)
+  detect.refilter(b, i)
+  markMoved(b, i)
+  rest.wake(b, i)
+end
+
+-- The loops below compare what the game's tables say with the columns, a few fields each: a long
+-- loop body with many live values compiles badly. `false` in a column is nil in the table (a
+-- `false` in there is refused).
+
+-- Takes over a velocity that the game has written, or not set at all.
+local function readVelocity(b, i, object)
+  local velocity, k, vx, vy = b.velocity, 2 * i, object.vx, object.vy
+  if vx == nil or vy == nil then
+    vx, vy = orDefault(vx, 0), orDefault(vy, 0)
+    if b.kind[i] == DYNAMIC then
+      rest.wake(b, i) -- `publish` makes numbers of them
+    end
+  end
+  if vx ~= velocity[k] or vy ~= velocity[k + 1] then
+    if not (isFinite(vx) and isFinite(vy)) then
+      checkAgain(b, i)
+    end
+    velocity[k], velocity[k + 1] = vx + 0.0, vy + 0.0
+    rest.wake(b, i)
+  end
+end
+
+local function compareMotion(b)
+  local movers, objects = b.movers, b.object
+  local velocity, size, written = b.velocity, b.size, b.written
+  for n = 1, b.moverCount do
+    local i = movers[n]
+    local object, k = objects[i], 2 * i
+    if
+      object.x ~= written[k]
+      or object.y ~= written[k + 1]
+      or object.width ~= size[k]
+      or object.height ~= size[k + 1]
+    then
+      reread(b, i)
+    end
+    if object.vx ~= velocity[k] or object.vy ~= velocity[k + 1] then
+      readVelocity(b, i, object)
+    end
+  end
+end
+
+-- Who wants to hear of its contacts is awake; otherwise nothing has happened to it.
+local function hear(b, i)
+  local object = b.object[i]
+  checkAgain(b, i)
+  b.hears[i], b.bare[i] = object.onStay or false, false
+  noteEven(b, i)
+  rest.wake(b, i)
+end
+
+-- Lists those of whom more must be compared than these three, which many have: whoever has fields
+-- that few have, or had some. To ask whether a field is nil costs less than to compare it (and a
+-- call more than either, without a compiler). Returns how many they are.
+local function listRich(b)
+  local movers, objects, bare, rich, count = b.movers, b.object, b.bare, b.rich, 0
+  local mass, friction, restitution = b.mass, b.friction, b.restitution
+  for n = 1, b.moverCount do
+    local i = movers[n]
+    local object = objects[i]
+    local itsMass, itsFriction, itsRestitution = object.mass, object.friction, object.restitution
+    if
+      not bare[i] -- it is not dynamic, or had one of these
+      or object.active ~= nil
+      or object.kinematic ~= nil
+      or object.sensor ~= nil
+      or object.pushable ~= nil
+      or object.oneWay ~= nil
+      or object.mask ~= nil
+      or object.canCollide ~= nil
+      or object.onStay ~= nil
+      or object.gravity ~= nil
+      or object.gravityX ~= nil
+      or object.ax ~= nil
+      or object.ay ~= nil
+      or object.airFriction ~= nil
+      or object.drag ~= nil
+      or object.maxSpeed ~= nil
+      or object.maxSpeedX ~= nil
+      or object.maxSpeedY ~= nil
+      or object.carry ~= nil
+      or object.surfaceSpeed ~= nil
+      or object.nudge ~= nil
+      or (itsMass or 1) ~= mass[i]
+      or (itsFriction or 0) ~= friction[i]
+      or (itsRestitution or 0) ~= restitution[i]
+      or itsMass == false -- is refused
+      or itsFriction == false
+      or itsRestitution == false
+    then
+      count = count + 1
+      rich[count] = i
+    end
+  end
+  return count
+end
+
+local function compareFilters(b, count)
+  local rich, objects = b.rich, b.object
+  local active, sensor, pushable, kind = b.active, b.sensor, b.pushable, b.kind
+  local hears, oneWay, canCollide, mask, seen = b.hears, b.oneWay, b.canCollide, b.mask, b.maskSeen
+  for n = 1, count do
+    local i = rich[n]
+    local object = objects[i]
+    local its = object.mask
+    if
+      orDefault(object.active, true) ~= active[i]
+      or (object.sensor or false) ~= sensor[i]
+      or orDefault(object.pushable, true) ~= pushable[i]
+      or object.oneWay ~= (oneWay[i] or nil)
+      or object.canCollide ~= (canCollide[i] or nil)
+      or (object.kinematic or false) ~= (kind[i] == KINEMATIC)
+      or its ~= (mask[i] or nil)
+      or (its and hasMaskChanged(b, its, seen[i]))
+    then
+      reread(b, i)
+    elseif object.onStay ~= (hears[i] or nil) then
+      hear(b, i)
+    end
+  end
+end
+
+local function compareMaterials(b, count)
+  local rich, objects = b.rich, b.object
+  local mass, friction, restitution = b.mass, b.friction, b.restitution
+  local ownGravity, ownGravityX, push, kind = b.ownGravity, b.ownGravityX, b.push, b.kind
+  for n = 1, count do
+    local i = rich[n]
+    local object = objects[i]
+    if
+      orDefault(object.mass, 1) ~= mass[i]
+      or orDefault(object.friction, kind[i] == DYNAMIC and 0 or -1) ~= friction[i]
+      or object.friction == -1 -- in the columns that is "not set", from the game it is refused
+      or orDefault(object.restitution, 0) ~= restitution[i]
+      or object.gravity ~= (ownGravity[i] or nil)
+      or object.gravityX ~= (ownGravityX[i] or nil)
+      or orDefault(object.ax, 0) ~= push[2 * i]
+      or orDefault(object.ay, 0) ~= push[2 * i + 1]
+    then
+      reread(b, i)
+    end
+  end
+end
+
+local function compareLimits(b, count)
+  local rich, objects = b.rich, b.object
+  local airFriction, drag, maxSpeed, limit = b.airFriction, b.drag, b.maxSpeed, b.limit
+  local carry, surfaceSpeed, nudge = b.carry, b.surfaceSpeed, b.nudge
+  for n = 1, count do
+    local i = rich[n]
+    local object = objects[i]
+    local top, topX, topY = object.maxSpeed, object.maxSpeedX, object.maxSpeedY
+    if
+      orDefault(object.airFriction, 0) ~= airFriction[i]
+      or orDefault(object.drag, 0) ~= drag[i]
+      or orDefault(top, HUGE) ~= maxSpeed[i]
+      or orDefault(topX, HUGE) ~= limit[2 * i]
+      or orDefault(topY, HUGE) ~= limit[2 * i + 1]
+      or top == HUGE -- in the columns that is "no limit", from the game it is refused
+      or topX == HUGE
+      or topY == HUGE
+      or orDefault(object.carry, true) ~= carry[i]
+      or orDefault(object.surfaceSpeed, 0) ~= surfaceSpeed[i]
+      or orDefault(object.nudge, 0) ~= nudge[i]
+    then
+      reread(b, i)
+    end
+  end
+end
+
+-- Ends the contacts with those whom they have left of all whom the game has put elsewhere.
+local function endLeft(b)
+  for n = 1, b.movedCount do
+    local i = b.movedList[n]
+    if b.kind[i] ~= 0 then -- it may have left the world meanwhile
+      events.endLeft(b, i)
+    end
+  end
+end
+
+--- Gives those who are new their `touching`.
+function collect.giveTouching(b)
+  for n = 1, b.movedCount do
+    local i = b.movedList[n]
+    local object, touching = b.object[i], b.touching[i]
+    if object and touching then
+      object.touching = touching -- without a look at what stands there, as in `publish`
+    end
+  end
+end
+
+-- Whether an object can go on carrying whoever stands on it when it is read anew.
+local function goesOnCarrying(b, i)
+  local object, position, size, k = b.object[i], b.position, b.size, 2 * i
+  return columns.kindOf(object) == b.kind[i]
+    and object.active ~= false
+    and object.carry ~= false
+    and object.x == position[k]
+    and object.y == position[k + 1]
+    and object.width == size[k]
+    and object.height == size[k + 1]
+end
+
+-- Notes who is being read anew. If that fails on its way (an `__index` of the game's may), the next
+-- step reads it again: what is read once would stay half read for ever.
+local function begin(b, object)
+  local list = b.halfRead
+  if not rawequal(list[#list], object) then
+    list[#list + 1] = object
+  end
+end
+
+local function finish(b)
+  b.halfRead[#b.halfRead] = nil
+end
+
+--- Reads an object again, also its `static` field. It must be in the world.
+function collect.refresh(b, i)
+  local object = b.object[i]
+  checkAgain(b, i)
+  begin(b, object)
+  rest.wakeNeighbours(b, i)
+  if not goesOnCarrying(b, i) then
+    carrier.forget(b, i)
+  end
+  b.kind[i] = columns.kindOf(object)
+  if b.kind[i] ~= DYNAMIC then
+    forgetMotion(b, i)
+    giveUpTouching(b, i)
+  elseif not b.touching[i] then
+    takeTouching(b, i, collect.touchingFor(b, object))
+  end
+  readAll(b, i, object, true)
+  if not b.active[i] then
+    clearTouching(b.touching[i])
+  end
+  carrier.check(b, i)
+  columns.stand(b, i)
+  events.endForbidden(b, i)
+  detect.refilter(b, i)
+  markMoved(b, i)
+  rest.wake(b, i)
+  view.refresh(b, object)
+  roster.reread(b.group[i])
+  b.newcomers = true
+  finish(b)
+end
+
+-- Reads those again of whom that has failed, as far as they are in the world still.
+local function refreshHalfRead(b)
+  local list = b.halfRead
+  while #list > 0 do
+    local slot = b.slotOf[list[#list]]
+    if slot then
+      collect.refresh(b, slot)
+    else
+      finish(b)
+    end
+  end
+end
+
+--- Reads a world's tables: `objects` is the game's table of groups.
+--- Errors: a group, key or field that cannot be used; an object in two places. Nothing has changed
+--- for the game then, and the next call starts anew.
+function collect.run(b, objects)
+  local hasChanged = roster.update(b, b.roster, objects, enter, leave, rename, reorder)
+  refreshHalfRead(b)
+  if hasChanged or b.newcomers then
+    listMovers(b)
+    b.newcomers = false
+  end
+  compareMotion(b)
+  local count = listRich(b)
+  compareFilters(b, count)
+  compareMaterials(b, count)
+  compareLimits(b, count)
+  if hasChanged then
+    noteFilled(b.roster.groups)
+  end
+  endLeft(b)
+  -- Contacts that have ended by now were between objects that had other ranks.
+  if b.events.count > b.events.sorted then
+    events.arrange(b.events)
+  end
+end
+
+--- The gravity of the world has changed.
+function collect.newGravity(b)
+  for i = 1, b.slots do
+    if b.kind[i] == DYNAMIC then
+      readPull(b, i)
+    end
+  end
+  rest.wakeAll(b)
+end
+
+interpreted.functions(endLeft, collect.run) -- calls what is interpreted; leads from loop to loop
+
+return collect

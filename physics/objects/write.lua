@@ -1,0 +1,371 @@
+--- Step 7, publish: which contacts there are now, and what the game's tables are told.
+--
+-- Reads to, speed, carried, hit, pressed...; writes position, velocity, contact, support, carrier,
+-- quiet, the fields x, y, vx, vy and touching of the game's objects, and notes the events.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local carrier = require(root .. ".objects.carriers")
+local collect = require(root .. ".objects.read")
+local columns = require(root .. ".memory.columns")
+local contact = require(root .. ".contacts.contactState")
+local crush = require(root .. ".solver.crush")
+local interpreted = require(root .. ".memory.jit")
+local oneway = require(root .. ".solver.oneWay")
+local view = require(root .. ".queries.index")
+
+local publish = {}
+
+local DYNAMIC, GIVES = columns.DYNAMIC, columns.GIVES
+local AXIS, OPPOSITE = columns.AXIS, columns.OPPOSITE
+local EPSILON, VAST = columns.EPSILON, columns.VAST
+local max, min = math.max, math.min
+
+-- Lists the live pairs that are close enough to touch, or did; returns how many.
+local function listClose(b)
+  local list, close = b.live, b.closePairs
+  local count = 0 ---@type number
+  local pairA, pairB, contacts, hit = b.pairA, b.pairB, b.contact, b.hit
+  local to, size, overlapping, dropping, wedged = b.to, b.size, b.overlapping, b.dropping, b.wedged
+  for n = 1, b.liveCount do
+    local p = list[n]
+    local k, m = 2 * pairA[p], 2 * pairB[p]
+    local x, y = to[m] - to[k], to[m + 1] - to[k + 1]
+    local gap = max(x - size[k], -x - size[m], y - size[k + 1], -y - size[m + 1])
+    local isNear, isMet = (EPSILON - gap) * VAST + 1, contacts[p] + hit[p]
+    local isClose = min(max(isNear, isMet, 0), k, 1)
+    close[count + 1], wedged[p] = p, wedged[p] * isClose
+    count = count + isClose
+    if (overlapping[p] or dropping[p]) and isClose == 0 then
+      overlapping[p], dropping[p] = false, false
+    end
+  end
+  return count
+end
+
+-- Whether no more must be known of two in contact on `side` than where they are.
+local function isEven(b, i, j, side)
+  return b.plain[i]
+    and b.plain[j]
+    and not (b.hears[i] or b.hears[j])
+    and not (oneway.isOpen(b, i, side) or oneway.isOpen(b, j, OPPOSITE[side]))
+end
+
+-- Of these, lists those in contact behind b.touchPairs, if nobody hears of all that go on, and the
+-- others in b.otherPairs; returns how many these and those are.
+local function listKnown(b, closeCount, isQuiet)
+  local close, touchPairs, others, contacts = b.closePairs, b.touchPairs, b.otherPairs, b.contact
+  local known, otherCount = 0, 0 ---@type number, number
+  for n = 1, closeCount do
+    local p = close[n]
+    local isKnown = min(contacts[p], isQuiet)
+    others[otherCount + 1], touchPairs[known + 1] = p, p
+    otherCount, known = otherCount + 1 - isKnown, known + isKnown
+  end
+  return known, otherCount
+end
+
+-- Keeps those that are in contact on the same side as before, of which nobody wants to be told, and
+-- lists the others behind b.otherPairs. The side chooses what is read, not which way the code goes.
+local function listOn(b, known, otherCount)
+  local touchPairs, others, contacts, count = b.touchPairs, b.otherPairs, b.contact, 0
+  local pairA, pairB, to, size, even = b.pairA, b.pairB, b.to, b.size, b.even
+  local passing, dropping, overlapping = b.passing, b.dropping, b.overlapping
+  for n = 1, known do
+    local p = touchPairs[n]
+    local i, j, side = pairA[p], pairB[p], contacts[p]
+    local axis = AXIS[side]
+    local k, m, kc, mc = 2 * i + axis, 2 * j + axis, 2 * i + 1 - axis, 2 * j + 1 - axis
+    local isHigh = side - 2 * axis - 1 -- 0: the other is on the low side, 1: on the high side
+    local gap = (2 * isHigh - 1) * (to[m] - to[k]) - size[m + (k - m) * isHigh]
+    local rc = to[mc] - to[kc]
+    if
+      gap <= EPSILON
+      and gap >= -EPSILON
+      and rc - size[kc] < -EPSILON
+      and -rc - size[mc] < -EPSILON
+      and not (passing[p] or dropping[p] or overlapping[p])
+      and ((even[i] and even[j]) or isEven(b, i, j, side))
+    then
+      count = count + 1
+      touchPairs[count] = p
+    else
+      otherCount = otherCount + 1
+      others[otherCount] = p
+    end
+  end
+  return count, otherCount
+end
+
+-- Updates all pairs of whoever took part, and lists those in contact behind b.touchPairs; returns
+-- how many. Those of which more must be found out go last, one by one.
+local function updateContacts(b)
+  local known, otherCount = listKnown(b, listClose(b), b.world.onStay and 0 or 1)
+  local count
+  count, otherCount = listOn(b, known, otherCount)
+  return contact.updateAll(b, b.otherPairs, otherCount, b.touchPairs, count)
+end
+
+-- Lists what the dynamic ones touch: where that belongs in touchBest, who it is, how wide the
+-- common edge is; returns how many. Sensors touch nobody.
+local function listOffers(b, count)
+  local touchPairs, pairA, pairB, contacts = b.touchPairs, b.pairA, b.pairB, b.contact
+  local at, who, width, sensor, kind = b.offerAt, b.offerWho, b.offerWidth, b.sensor, b.kind
+  local to, size = b.to, b.size
+  local offers = 1 ---@type number
+  for n = 1, count do
+    local p = touchPairs[n]
+    local i, j, side = pairA[p], pairB[p], contacts[p]
+    if not (sensor[i] or sensor[j]) then
+      local across = 1 - AXIS[side]
+      local k, m = 2 * i + across, 2 * j + across
+      local x, y = to[k], to[m]
+      local edge = min(x + size[k], y + size[m]) - max(x, y)
+      at[offers], who[offers], width[offers] = 4 * i + side, j, edge
+      offers = offers + GIVES[kind[i]]
+      at[offers], who[offers], width[offers] = 4 * j + OPPOSITE[side], i, edge
+      offers = offers + GIVES[kind[j]]
+    end
+  end
+  return offers - 1
+end
+
+-- Nobody touches anybody, and nobody is inside anybody, until a contact says so.
+local function reset(b)
+  local list, best, inside = b.awakeList, b.touchBest, b.inside
+  for n = 1, b.awakeCount do
+    local i = list[n]
+    local at = 4 * i
+    best[at + 1], best[at + 2], best[at + 3], best[at + 4] = 0, 0, 0, 0
+    inside[i] = false
+  end
+end
+
+-- Takes the first one on each side; few have more. Lists the others in b.rivals; returns how many.
+local function takeFirst(b, count)
+  local best, bestWidth, rivals = b.touchBest, b.touchWidth, b.rivals
+  local places, who, width = b.offerAt, b.offerWho, b.offerWidth
+  local rivalCount = 0 ---@type number
+  for n = 1, count do
+    local at = places[n]
+    local first, widest = best[at], bestWidth[at]
+    local isTaken = min(first, 1)
+    best[at] = first + who[n] * (1 - isTaken)
+    bestWidth[at] = widest * isTaken + width[n] * (1 - isTaken)
+    rivals[rivalCount + 1] = n
+    rivalCount = rivalCount + isTaken
+  end
+  return rivalCount
+end
+
+-- Of those and the first, the widest wins.
+local function chooseRivals(b, rivalCount)
+  local best, bestWidth, rivals, rank = b.touchBest, b.touchWidth, b.rivals, b.rank
+  local places, who, width = b.offerAt, b.offerWho, b.offerWidth
+  for m = 1, rivalCount do
+    local n = rivals[m]
+    local at, j, w = places[n], who[n], width[n]
+    local widest = bestWidth[at]
+    if w > widest + EPSILON or (w >= widest - EPSILON and rank[j] < rank[best[at]]) then
+      best[at], bestWidth[at] = j, w
+    end
+  end
+end
+
+-- Finds what everybody touches, from the pairs in contact: the widest common edge wins, ties in
+-- order.
+local function findTouching(b, count)
+  chooseRivals(b, takeFirst(b, listOffers(b, count)))
+end
+
+-- What everybody stands on.
+local function findSupports(b)
+  local list, down, best, support, news = b.awakeList, b.down, b.touchBest, b.support, b.news
+  for n = 1, b.awakeCount do
+    local i = list[n]
+    local x, y = down[2 * i], down[2 * i + 1]
+    -- left, right, top and bottom are 1 to 4
+    local below = (x ~= 0 or y ~= 0) and best[4 * i + (x ~= 0 and 1.5 + 0.5 * x or 3.5 + 0.5 * y)]
+      or 0
+    if below ~= support[i] then
+      support[i], news[i] = below, true
+    end
+  end
+end
+
+-- Whether something stops k that is carried at c px/s.
+local function isStopped(b, k, c)
+  return (c < 0 and b.pressedLow[k]) or (c > 0 and b.pressedHigh[k])
+end
+
+-- Who is carried shows the velocity relative to that. Carried one way and pulled the other, how far
+-- it comes in a step depends on how long that is; so does whether it bounces off what it is carried
+-- against: no rest, even if it comes nowhere in this one.
+local function takeOffCarrier(b, i)
+  local c, k = b.carrierNow[i], 2 * i
+  local isNew = c ~= b.carrier[i]
+  if isNew then
+    b.carrier[i], b.news[i] = c, true
+  end
+  if c ~= 0 then
+    local x, y = carrier.velocity(b, c)
+    b.speed[k] = carrier.ownVelocity(b, k, x, isNew)
+    b.speed[k + 1] = carrier.ownVelocity(b, k + 1, y, isNew)
+    local pullX, pullY = b.pull[k] + b.push[k], b.pull[k + 1] + b.push[k + 1]
+    b.news[i] = b.news[i]
+      or x * pullX < 0
+      or y * pullY < 0
+      or (b.hasBounces and (isStopped(b, k, x) or isStopped(b, k + 1, y)))
+  end
+end
+
+-- Whether friction bears what depends on how long a step is: in a longer one air friction and speed
+-- limits take more off a pull, or a weight.
+local function isBorneByChance(b, i)
+  return b.rubs > 0
+    and (b.airFriction[i] ~= 0 or b.reserve[2 * i] ~= 0 or b.reserve[2 * i + 1] ~= 0)
+end
+
+-- Whether the next step may differ from this one although nothing moves.
+local function hasNews(b, i)
+  return b.news[i] or b.fresh[i] or b.moved[i] or b.heard[i] or b.inside[i] or isBorneByChance(b, i)
+end
+
+local function publishKinematic(b, i)
+  local object, k = b.object[i], 2 * i
+  local x, y = b.to[k], b.to[k + 1]
+  b.behind[k] = b.written[k] - b.position[k] + b.behind[k] - b.way[k]
+  b.behind[k + 1] = b.written[k + 1] - b.position[k + 1] + b.behind[k + 1] - b.way[k + 1]
+  b.quiet[i] = x == b.position[k]
+    and y == b.position[k + 1]
+    and b.velocity[k] == 0
+    and b.velocity[k + 1] == 0
+    and b.behind[k] == 0
+    and b.behind[k + 1] == 0
+    and not hasNews(b, i)
+  if x ~= object.x or y ~= object.y then
+    object.x, object.y = x, y
+  end
+  b.position[k], b.position[k + 1] = x, y
+  b.written[k], b.written[k + 1] = x, y
+end
+
+-- Also hands their `touching` to those who are new and take no part.
+local function forgetMoved(b)
+  collect.giveTouching(b)
+  for n = 1, b.movedCount do
+    local i = b.movedList[n]
+    b.moved[i], b.fresh[i] = false, false
+  end
+  b.movedCount = 0
+end
+
+local function tellCrushed(b)
+  if not b.hasCrushed then
+    return
+  end
+  local list, crushed, wasCrushed = b.awakeList, b.crushed, b.wasCrushed
+  for n = 1, b.awakeCount do
+    local k = 2 * list[n]
+    if crushed[k] or crushed[k + 1] or wasCrushed[k] or wasCrushed[k + 1] then
+      crush.tell(b, list[n])
+    end
+  end
+end
+
+-- Lists those who touch others than their `touching` says; returns how many. (From one step to the
+-- next few do, and the game's tables are far apart in memory.)
+local function listOutdated(b)
+  local list, best, told, outdated = b.awakeList, b.touchBest, b.touchTold, b.outdated
+  local count = 0 ---@type number
+  for n = 1, b.awakeCount do
+    local i = list[n]
+    local at = 4 * i
+    if
+      best[at + 1] ~= told[at + 1]
+      or best[at + 2] ~= told[at + 2]
+      or best[at + 3] ~= told[at + 3]
+      or best[at + 4] ~= told[at + 4]
+    then
+      count = count + 1
+      outdated[count] = i
+    end
+  end
+  return count
+end
+
+local function tellTouching(b, count)
+  local outdated, objects, tables, best, told =
+    b.outdated, b.object, b.touching, b.touchBest, b.touchTold
+  for n = 1, count do
+    local i = outdated[n]
+    local touching, at = tables[i], 4 * i
+    local left, right, top, bottom = best[at + 1], best[at + 2], best[at + 3], best[at + 4]
+    if touching then -- it is dynamic
+      -- (Slot 0 is nobody: false.)
+      touching.left, touching.right = objects[left], objects[right]
+      touching.top, touching.bottom = objects[top], objects[bottom]
+    end
+    told[at + 1], told[at + 2], told[at + 3], told[at + 4] = left, right, top, bottom
+  end
+end
+
+local function tellMotion(b)
+  local list, kind, objects, quiet = b.awakeList, b.kind, b.object, b.quiet
+  local tables = b.touching
+  local to, speed = b.to, b.speed
+  local position, velocity, written = b.position, b.velocity, b.written
+  for n = 1, b.awakeCount do
+    local i = list[n]
+    if kind[i] == DYNAMIC then
+      local object, k, m = objects[i], 2 * i, 2 * i + 1
+      local x, y, vx, vy = to[k], to[m], speed[k], speed[m]
+      quiet[i] = vx == 0
+        and vy == 0
+        and x == position[k]
+        and y == position[m]
+        and velocity[k] == 0
+        and velocity[m] == 0
+        and not hasNews(b, i)
+      -- Whether any of it is new is not asked: that costs more than to write it.
+      object.x, object.y, object.vx, object.vy = x, y, vx, vy
+      object.touching = tables[i]
+      position[k], position[m], velocity[k], velocity[m] = x, y, vx, vy
+      written[k], written[m] = x, y
+    else
+      publishKinematic(b, i)
+    end
+  end
+end
+
+local function findCarriers(b)
+  if not b.hasCarriers then
+    return
+  end
+  carrier.find(b)
+  local list, now, last = b.awakeList, b.carrierNow, b.carrier
+  for n = 1, b.awakeCount do
+    local i = list[n]
+    if now[i] ~= 0 or last[i] ~= 0 then
+      takeOffCarrier(b, i)
+    end
+  end
+end
+
+--- Publishes what the step has brought, for everybody who took part in it.
+function publish.run(b)
+  contact.ask(b)
+  view.outdate(b) -- whom it has asked may have asked questions, and what follows may fail
+  reset(b)
+  findTouching(b, updateContacts(b))
+  tellCrushed(b)
+  findSupports(b)
+  findCarriers(b)
+  tellTouching(b, listOutdated(b))
+  tellMotion(b)
+  forgetMoved(b)
+end
+
+-- These lead from loop to loop.
+interpreted.functions(publish.run, findTouching, updateContacts)
+
+return publish

@@ -1,0 +1,493 @@
+--- What questions see: the game's tables as they are now, not as the last step left them.
+--
+-- A question must not touch the columns of the simulation: what the game writes and takes back
+-- before the next update has never happened. So questions have columns of their own, with the same
+-- names, an own list of who is in the world (a roster) and an own grid. Worlds that never ask have
+-- none of this.
+--
+-- Finding every change takes a look at every object, which the first question after a step does.
+-- Those that follow compare the number of objects in each group, look at whoever they find nearby,
+-- and in a world of up to `FEW` objects again at everybody. What a later question in a larger world
+-- may miss until the next update: an object that the game has, after the first question, moved or
+-- made larger by more than `LEFT`, or put into a group of the same size by assignment. `add`,
+-- `remove`, `move` and `refresh` tell it at once.
+--
+-- Reads of the core only which objects are static and where those are: they are read once.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local aabb = require(root .. ".memory.aabb")
+local bank = require(root .. ".memory.columnStore")
+local check = require(root .. ".world.check")
+local columns = require(root .. ".memory.columns")
+local grid = require(root .. ".broadphase.grid")
+local interpreted = require(root .. ".memory.jit")
+local roster = require(root .. ".objects.registry")
+
+local view = {}
+
+local max, min = math.max, math.min
+local STATIC = columns.STATIC
+
+-- Kind of an object that the core has read anew.
+local UNREAD = 0
+-- px around an object that has not moved yet, and around one that has, in which it may move without
+-- being filed anew; and what must be left of that when it is looked at. (A question looks at all
+-- whose boxes it meets, with these margins.)
+local STANDS, MOVES, LEFT = 3.25, 6, 3
+-- px around a way within which somebody may be met.
+local SLACK = 1
+-- px, cells of the grid: what is up to 28 px wide fits into one with its margin, wherever it goes.
+local CELL = 40
+-- Numbers whose sum is no more than this are all in range.
+local MOST = 1e99
+-- So many can be looked at in a few microseconds.
+local FEW = 128
+
+-- Fields that a static object has as the core has read them.
+local FIELD = { "active", "sensor", "oneWay", "mask" }
+
+local LAYOUT = {}
+for _, kind in ipairs({
+  { "any", 1, { "object", "group", "groupName", "key", "listed", "oneWay", "mask" } },
+  { "boolean", 1, { "live", "active", "sensor" } },
+  { "integer", 1, { "kind" } },
+  { "number", 1, { "rank", "entry", "mark" } }, -- the last two are scratch
+  { "number", 2, { "position", "size", "fatLow", "fatHigh" } },
+}) do
+  for _, name in ipairs(kind[3]) do
+    LAYOUT[#LAYOUT + 1] = { name = name, kind = kind[1], width = kind[2] }
+  end
+end
+
+local function new()
+  local v = {
+    slots = 0,
+    count = 0,
+    free = {},
+    slotOf = {},
+    movers = {}, -- slots of those whose fields may change: everybody but the static the core knows
+    moverCount = 0,
+    lengths = {}, -- of the groups' tables, by place of the group
+    isTold = false, -- somebody was added or removed since they were looked at
+    roster = roster.new(),
+    order = false,
+    masks = false,
+    fresh = false, -- everybody was looked at since the last step
+    stamp = 0,
+    pool = {}, -- lists nobody uses, and how many
+    pooled = 0,
+    single = {}, -- a list of one
+    strays = {}, -- scratch of followAll
+  }
+  v.bank = bank.new(v, LAYOUT)
+  v.grid = grid.new(v, CELL)
+  return v
+end
+
+-- Reading -----------------------------------------------------------------------------------------
+
+local function kindOf(b, object)
+  local slot = b.slotOf[object]
+  return columns.kindOf(object, slot and b.kind[slot] == STATIC)
+end
+
+local function complain(v, i)
+  check.object(v.object[i], roster.place(v.group[i], v.key[i]))
+end
+
+-- Reads where an object is now.
+local function look(v, i)
+  local object, position, size, k = v.object[i], v.position, v.size, 2 * i
+  local x, y, width, height = object.x, object.y, object.width, object.height
+  local active = object.active
+  if
+    type(x) ~= "number"
+    or type(y) ~= "number"
+    or type(width) ~= "number"
+    or type(height) ~= "number"
+    or not (max(x, -x) + max(y, -y) + width + height <= MOST and min(width, height) > 0)
+    or (active ~= nil and type(active) ~= "boolean")
+  then
+    complain(v, i)
+  end
+  v.active[i] = active ~= false
+  -- Adding 0.0 makes floats of the integers of Lua 5.3 and later, which would wrap.
+  position[k], position[k + 1] = x + 0.0, y + 0.0
+  size[k], size[k + 1] = width + 0.0, height + 0.0
+end
+
+-- Reads where those in list[1..count] are now, as far as they are live.
+-- Errors: a place, size or `active` that cannot be used.
+local function lookAtAll(v, list, count)
+  local live = v.live
+  for n = 1, count do
+    if live[list[n]] then
+      look(v, list[n])
+    end
+  end
+end
+
+--- Reads what an object can meet. Errors: a field that cannot be used.
+function view.lookAtFilter(v, i)
+  if not v.live[i] then
+    return
+  end
+  local object = v.object[i]
+  local sensor, oneWay, mask = object.sensor or false, object.oneWay or false, object.mask or false
+  if sensor ~= v.sensor[i] or oneWay ~= v.oneWay[i] or mask ~= v.mask[i] then
+    complain(v, i)
+    v.sensor[i], v.oneWay[i], v.mask[i] = sensor, oneWay, mask
+  end
+  v.kind[i] = kindOf(v.bodies, object)
+end
+
+-- A static object is where the core read it.
+local function readStatic(v, b, i)
+  local slot = b.slotOf[v.object[i]]
+  local k, m = 2 * i, 2 * slot
+  v.position[k], v.position[k + 1] = b.position[m], b.position[m + 1]
+  v.size[k], v.size[k + 1] = b.size[m], b.size[m + 1]
+  for _, name in ipairs(FIELD) do
+    v[name][i] = b[name][slot]
+  end
+  v.kind[i], v.live[i] = STATIC, false
+end
+
+local function readAny(v, b, i)
+  local object = v.object[i]
+  local slot = b.slotOf[object]
+  if slot and b.kind[slot] == STATIC then
+    readStatic(v, b, i)
+  else
+    v.live[i], v.single[1] = true, i
+    v.kind[i] = kindOf(b, object)
+    lookAtAll(v, v.single, 1)
+  end
+end
+
+-- The grid ----------------------------------------------------------------------------------------
+
+local function mustMove(v, i)
+  local position, size, fatLow, fatHigh, k = v.position, v.size, v.fatLow, v.fatHigh, 2 * i
+  return max(
+    fatLow[k] - position[k],
+    position[k] + size[k] - fatHigh[k],
+    fatLow[k + 1] - position[k + 1],
+    position[k + 1] + size[k + 1] - fatHigh[k + 1]
+  ) > -LEFT
+end
+
+-- Gives an object a box with so much margin, if it may move.
+local function fatten(v, i, margin)
+  local position, size, room = v.position, v.size, v.live[i] and margin or 0
+  for k = 2 * i, 2 * i + 1 do
+    v.fatLow[k], v.fatHigh[k] = position[k] - room, position[k] + size[k] + room
+  end
+end
+
+-- Looks at those in list[1..count], and files anew who has nearly left its place.
+local function followAll(v, list, count)
+  lookAtAll(v, list, count)
+  local strays, m = v.strays, 0
+  for n = 1, count do
+    local i = list[n]
+    if mustMove(v, i) then
+      fatten(v, i, MOVES)
+      m = m + 1
+      strays[m] = i
+    end
+  end
+  v.grid:update(strays, m)
+end
+
+--- Looks at an object and files it anew if it has nearly left its place.
+--- Errors: a place, size or `active` that cannot be used.
+function view.follow(v, i)
+  v.single[1] = i
+  followAll(v, v.single, 1)
+end
+
+local function list(v, i)
+  if v.live[i] and not v.listed[i] then
+    v.moverCount = v.moverCount + 1
+    v.movers[v.moverCount] = i
+    v.listed[i] = v.moverCount
+  end
+end
+
+local function unlist(v, i)
+  local at = v.listed[i]
+  if at then
+    local last = v.movers[v.moverCount]
+    v.movers[at], v.listed[last] = last, at
+    v.movers[v.moverCount] = nil
+    v.moverCount = v.moverCount - 1
+    v.listed[i] = false
+  end
+end
+
+-- Who is there ------------------------------------------------------------------------------------
+
+local function enter(v, object, record, key)
+  local i = v.free[#v.free]
+  if i then
+    v.free[#v.free] = nil
+  else
+    i = v.slots + 1
+    v.slots = i
+    if i > v.bank.room then
+      bank.grow(v.bank, i)
+    end
+  end
+  v.count = v.count + 1
+  v.slotOf[object] = i
+  v.object[i], v.group[i], v.groupName[i], v.key[i] = object, record, record.name, key
+  v.listed[i], v.entry[i], v.mark[i], v.rank[i] = false, 0, 0, 0
+  v.active[i], v.sensor[i], v.oneWay[i], v.mask[i] = true, false, false, false
+  readAny(v, v.bodies, i)
+  fatten(v, i, STANDS)
+  v.grid:insert(i)
+  list(v, i)
+  return i
+end
+
+local function leave(v, i)
+  v.grid:remove(i)
+  unlist(v, i)
+  v.slotOf[v.object[i]] = nil
+  v.object[i], v.group[i], v.mask[i] = false, false, false
+  v.free[#v.free + 1] = i
+  v.count = v.count - 1
+end
+
+local function rename(v, i, record)
+  v.group[i], v.groupName[i] = record, record.name
+end
+
+local function lookAtGroups(v, world)
+  local r = v.roster
+  if world.order ~= v.order then
+    check.setting("order", world.order)
+    v.order = world.order
+    r.order, r.reorder = world.order or {}, true
+  end
+  roster.update(v, r, world.objects, enter, leave, rename)
+  for n = 1, r.groupCount do
+    v.lengths[n] = #r.groups[n].source
+  end
+  v.isTold = false
+end
+
+-- Whether a list still ends where it did. (`#` would look for its end anew.)
+local function endsAt(source, length)
+  return rawget(source, length + 1) == nil and (length == 0 or rawget(source, length) ~= nil)
+end
+
+-- Whether no group seems to have changed, in a world too large for looking at everybody.
+local function seemsUnchanged(v, world)
+  local r, objects = v.roster, world.objects
+  if v.isTold or v.count <= FEW or not rawequal(r.source, objects) or world.order ~= v.order then
+    return false
+  end
+  for n = 1, r.groupCount do
+    local record = r.groups[n]
+    local source = record.source
+    if not rawequal(objects[record.name], source) or not endsAt(source, v.lengths[n]) then
+      return false
+    end
+  end
+  return true
+end
+
+-- Static objects are live until the core has read them.
+local function settle(v)
+  local movers, kind = v.movers, v.kind
+  for n = v.moverCount, 1, -1 do
+    local i = movers[n]
+    if kind[i] <= STATIC then
+      readAny(v, v.bodies, i)
+      if not v.live[i] then
+        unlist(v, i)
+        fatten(v, i, STANDS)
+        v.single[1] = i
+        v.grid:update(v.single, 1)
+      end
+    end
+  end
+end
+
+local function lookAtEverybody(v, world)
+  lookAtGroups(v, world)
+  settle(v)
+  followAll(v, v.movers, v.moverCount)
+  v.fresh = true
+end
+
+--- Returns the view of a world, up to date.
+--- Errors: as in an update, a group, key or field that cannot be used.
+function view.of(world)
+  local b = world._bodies
+  local v = b.view
+  if not v or v.isBroken then
+    v = new()
+    v.bodies = b
+    b.view = v
+  end
+  v.masks = world.masks or false
+  v.isBroken = true -- if an object fails when it is looked at, the view is made anew
+  if not v.fresh then
+    lookAtEverybody(v, world)
+  else
+    if not seemsUnchanged(v, world) then
+      lookAtGroups(v, world)
+    end
+    if v.moverCount <= FEW then
+      followAll(v, v.movers, v.moverCount)
+    end
+  end
+  v.isBroken = false
+  return v
+end
+
+--- The core has made a step: everybody is looked at before the next question.
+function view.outdate(b)
+  if b.view then
+    b.view.fresh = false
+  end
+end
+
+--- Somebody was added or removed: the groups are looked at before the next question.
+function view.tell(b)
+  if b.view then
+    b.view.isTold = true
+  end
+end
+
+--- The core has read an object anew, also what it reads only once.
+function view.refresh(b, object)
+  local v = b.view
+  local i = v and v.slotOf[object]
+  if i then
+    v.live[i], v.kind[i] = true, UNREAD
+    roster.reread(v.group[i])
+    list(v, i)
+    v.fresh = false
+  end
+end
+
+--- Returns whether an object still stands where it was seen.
+function view.isThere(v, i)
+  local record = v.group[i]
+  return record.direct or rawequal(record.source[v.key[i]], v.object[i])
+end
+
+--- Returns the slot of an object; it may have been put in without `add` since everybody was looked
+--- at. nil: it is not in the world.
+function view.find(v, world, object)
+  local i = v.slotOf[object]
+  if not i or not view.isThere(v, i) then
+    lookAtGroups(v, world)
+    i = v.slotOf[object]
+  end
+  if i then
+    view.follow(v, i)
+  end
+  return i
+end
+
+--- Looks at an object that may have left since everybody was looked at; false: it has.
+function view.see(v, i)
+  if not view.isThere(v, i) then
+    return false
+  elseif v.live[i] then
+    look(v, i)
+  end
+  return true
+end
+
+local see = view.see
+
+-- Whoever a question is about to see is looked at, one after the other; false: somebody is gone.
+local function lookAtFound(v, found, count)
+  local n = 1
+  while n <= count and see(v, found[n]) do
+    n = n + 1
+  end
+  return n > count
+end
+
+--- Writes the slots of all who may be in a rectangle into `found`, where they are now; returns how
+--- many.
+function view.near(v, world, left, top, right, bottom, found)
+  local count = v.grid:query(left, top, right, bottom, found)
+  if not lookAtFound(v, found, count) then
+    lookAtGroups(v, world)
+    count = v.grid:query(left, top, right, bottom, found)
+    lookAtFound(v, found, count)
+  end
+  return count
+end
+
+local function walkOnce(v, x1, y1, x2, y2, line, visit)
+  line.isStale, line.count, line.best = false, 0, 0
+  v.grid:walk(x1, y1, x2, y2, line, visit)
+end
+
+--- Has everybody visited who may be on a line (see `walk` of the grid). Of the line, `count` and
+--- `best` are 0 at first, for `visit` to note whom it wants. It must `see` them; if one has left,
+--- it sets `line.isStale` and returns -1, and all goes again.
+function view.walk(v, world, x1, y1, x2, y2, line, visit)
+  walkOnce(v, x1, y1, x2, y2, line, visit)
+  if line.isStale then
+    lookAtGroups(v, world)
+    walkOnce(v, x1, y1, x2, y2, line, visit)
+  end
+end
+
+-- Keeps of `found` whom slot i may meet on its way from (x, y) to (toX, toY); returns how many.
+local function keepOnWay(v, found, count, i, x, y, toX, toY)
+  local position, size, n = v.position, v.size, 0
+  local w, h = size[2 * i] + SLACK, size[2 * i + 1] + SLACK
+  local backX, backY = x - SLACK, y - SLACK
+  local shareX, shareY = aabb.share(toX - x), aabb.share(toY - y)
+  for m = 1, count do
+    local j = found[m]
+    local k = 2 * j
+    local left, top = position[k] - w - x, position[k + 1] - h - y
+    local right, bottom = position[k] + size[k] - backX, position[k + 1] + size[k + 1] - backY
+    if aabb.crossing(left, top, right, bottom, shareX, shareY) >= 0 then
+      n = n + 1
+      found[n] = j
+    end
+  end
+  return n
+end
+
+--- The same for all whom the object in slot i may meet on its way from (x, y) to (toX, toY).
+function view.onWay(v, world, i, x, y, toX, toY, found)
+  local w, h = v.size[2 * i], v.size[2 * i + 1]
+  local left, top, right, bottom = min(x, toX), min(y, toY), max(x, toX) + w, max(y, toY) + h
+  local count = view.near(v, world, left, top, right, bottom, found)
+  return (keepOnWay(v, found, count, i, x, y, toX, toY))
+end
+
+--- Returns a list to work with. Filters may ask questions of their own, so each question takes one
+--- and gives it back; one that fails on the way leaves its list to the garbage collector.
+function view.take(v)
+  local n = v.pooled
+  if n == 0 then
+    return {}
+  end
+  v.pooled = n - 1
+  return v.pool[n]
+end
+
+--- Takes a list back.
+function view.give(v, found)
+  v.pooled = v.pooled + 1
+  v.pool[v.pooled] = found
+end
+
+interpreted.functions(view.lookAtFilter)
+
+return view

@@ -1,0 +1,68 @@
+--- Corner correction: a hit that misses by a few pixels slides around the corner.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local columns = require(root .. ".memory.columns")
+local part = require(root .. ".solver.separate")
+local path = require(root .. ".motion.path")
+
+require(root .. ".memory.jit").file()
+
+local nudge = {}
+
+local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
+-- px
+local AHEAD = 1e-3
+
+-- Where slot i is on k at time t.
+local function at(b, i, k, t)
+  local left = 1 - b.time[i]
+  if left <= 0 then
+    return b.from[k]
+  end
+  return b.from[k] + (b.to[k] - b.from[k]) * ((t - b.time[i]) / left)
+end
+
+-- How far, and to which side, i must go along the other axis to pass j at time t.
+local function detour(b, i, j, axis, t)
+  local ki, kj = 2 * i + 1 - axis, 2 * j + 1 - axis
+  local its, mine = at(b, j, kj, t), at(b, i, ki, t)
+  local low, high = its - b.size[ki] - mine, its + b.size[kj] - mine
+  return -low < high and low or high
+end
+
+--- Moves slot i past the corner of the immovable slot j, which it hits on `axis` at time t, if it
+--- misses by no more than its `nudge` and the place beside is free; returns whether it did. Never
+--- on the side that gravity presses, and never back against its own motion.
+function nudge.try(b, i, j, axis, iIsLow, t)
+  if b.nudge[i] == 0 or b.kind[i] ~= DYNAMIC or b.kind[j] == DYNAMIC then
+    return false
+  end
+  if b.down[2 * i + axis] == (iIsLow and 1 or -1) then
+    return false
+  end
+  local way = detour(b, i, j, axis, t)
+  if way > b.nudge[i] or way < -b.nudge[i] then
+    return false
+  elseif way <= EPSILON and way >= -EPSILON then
+    return false -- corner to corner: nothing to correct, it would be met again at once
+  end
+  local k = 2 * i + 1 - axis
+  if way * (b.to[k] - b.from[k]) < 0 then
+    return false
+  end
+  -- Flush with what it hits, it would not see what else is flush there: asked a little further on.
+  local ahead = iIsLow and AHEAD or -AHEAD
+  local x, y = at(b, i, 2 * i, t), at(b, i, 2 * i + 1, t)
+  x, y = x + (axis == 1 and way or ahead), y + (axis == 0 and way or ahead)
+  -- No rest: if it is pushed back to where it was, it may get by in a longer step; and who is in
+  -- the way beside it may go without being a neighbour.
+  b.news[i] = true
+  if part.isInside(b, i, x, y) then
+    return false
+  end
+  path.advance(b, i, t)
+  b.from[k], b.to[k] = b.from[k] + way, b.to[k] + way
+  return true
+end
+
+return nudge

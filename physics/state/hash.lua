@@ -1,0 +1,209 @@
+--- A number over a state, the same on every Lua.
+--
+-- It is folded from the bits of the doubles by arithmetic that is exact in doubles, so neither the
+-- width of integers nor the way in which numbers are written matters. Two remainders of 23 bits
+-- make one number below 10^14, which every Lua writes with all its digits.
+-- Source: polynomial rolling hash, R. M. Karp and M. O. Rabin (1987).
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local fields = require(root .. ".world.fields")
+local state = require(root .. ".state.save")
+
+local hash = {}
+
+local floor, max = math.floor, math.max
+
+local PRIME_A, PRIME_B = 8388593.0, 8388587.0 -- the two largest below 2^23
+local FACTOR_A, FACTOR_B = 131071.0, 99991.0 -- products with them stay below 2^41
+local FRACTION = 4503599627370496.0 -- 2^52: makes the fraction of a number >= 1 whole
+local BIG = 281474976710656.0 -- 2^48
+local TRUE, FALSE, TEXT = 5000011, 5000027, 5000039
+
+-- Folds a whole number below 2^52 into both remainders of `sum`.
+local function mix(sum, piece)
+  local a, b = sum.a * FACTOR_A + piece, sum.b * FACTOR_B + piece
+  sum.a = a - floor(a / PRIME_A) * PRIME_A
+  sum.b = b - floor(b / PRIME_B) * PRIME_B
+end
+
+-- A finite number as pieces below 2^52: whole part, sign and whether more follows; fraction; scale.
+local function mixNumber(sum, value)
+  value = value + 0.0
+  local sign = 0
+  if value < 0 then
+    value, sign = -value, 1
+  end
+  local scale = 0
+  while value ~= 0 and value < 1 do
+    value, scale = value * BIG, scale - 1
+  end
+  while value >= BIG do
+    value, scale = value / BIG, scale + 1
+  end
+  local whole = floor(value)
+  local fraction = (value - whole) * FRACTION
+  mix(sum, whole * 8 + sign * 4 + (fraction ~= 0 and 2 or 0) + (scale ~= 0 and 1 or 0))
+  if fraction ~= 0 then
+    mix(sum, fraction)
+  end
+  if scale ~= 0 then
+    mix(sum, scale + 64)
+  end
+end
+
+local function mixText(sum, text)
+  mix(sum, TEXT + #text)
+  for at = 1, #text do
+    mix(sum, text:byte(at))
+  end
+end
+
+local mixAny
+
+local function mixList(sum, list)
+  mix(sum, #list)
+  for at = 1, #list do
+    mixAny(sum, list[at])
+  end
+end
+
+function mixAny(sum, value)
+  local kind = type(value)
+  if kind == "number" then
+    mixNumber(sum, value)
+  elseif kind == "string" then
+    mixText(sum, value)
+  elseif kind == "table" then
+    mixList(sum, value)
+  else
+    mix(sum, value and TRUE or FALSE)
+  end
+end
+
+-- Nearly all of a state: one number for each object, false for those that have none.
+local function mixDense(sum, list, count)
+  for n = 1, count do
+    mixNumber(sum, list[n] or 0)
+  end
+end
+
+-- A sparse list of a field. `default`: a value that is as good as none.
+local function mixSparse(sum, name, list, default)
+  local isNamed = false
+  for at = 1, #list, 2 do
+    if default == nil or list[at + 1] ~= default then
+      if not isNamed then
+        mixText(sum, name)
+        isNamed = true
+      end
+      mix(sum, list[at])
+      mixAny(sum, list[at + 1])
+    end
+  end
+end
+
+-- Without a friction of its own a static object takes the other's, which is not the same as 0.
+local function defaultOf(name)
+  if name ~= "friction" then
+    return fields.objectByName[name].default
+  end
+end
+
+local function mixGroups(sum, out)
+  for _, group in ipairs(out.groups) do
+    if group.count > 0 then
+      mixAny(sum, group.name)
+      mix(sum, group.count)
+      mixAny(sum, group.direct)
+      mixAny(sum, group.keys or false)
+    end
+  end
+  for _, group in ipairs(out.tables or {}) do
+    if #group.objects > 0 then
+      mixAny(sum, group.name)
+      mixAny(sum, group.direct)
+      mixList(sum, group.keys)
+      mixList(sum, group.objects)
+    end
+  end
+end
+
+-- Who has left the world and is remembered.
+local function mixGone(sum, out)
+  for _, saved in ipairs(out.gone or {}) do
+    for _, name in ipairs(state.FIELDS) do
+      local value = saved[name]
+      mixAny(sum, value == nil and FALSE or value)
+    end
+  end
+end
+
+local function mixMemory(sum, out)
+  for _, name in ipairs(state.FLAGS) do
+    mixList(sum, out.memory[name])
+  end
+  for _, name in ipairs(state.LINKS) do
+    mixList(sum, out.memory[name])
+  end
+  for _, entry in ipairs(state.POINTS) do
+    if entry[1] ~= "last" then
+      mixList(sum, out.memory[entry[1]])
+    end
+  end
+  mixList(sum, out.memory.lost)
+  mixList(sum, out.touching)
+  mixList(sum, out.contacts)
+  mixList(sum, out.events)
+  if out.heardBy then
+    mix(sum, out.heardBy)
+  end
+  if out.sorted then
+    mix(sum, out.sorted)
+  end
+  mixGone(sum, out)
+end
+
+local function mixSettings(sum, out)
+  local settings = out.settings
+  for _, name in ipairs(state.SETTINGS) do
+    local value = settings[name]
+    mixAny(sum, value == nil and FALSE or value)
+  end
+  mixAny(sum, settings.masks or false)
+  mixAny(sum, settings.order or false)
+end
+
+--- Returns the number of a state, a whole one in 0..10^14.
+function hash.of(out)
+  local sum = { a = 1.0, b = 1.0 }
+  mixSettings(sum, out)
+  mixNumber(sum, out.saved)
+  mixGroups(sum, out)
+  for _, entry in ipairs(state.DENSE) do
+    mixDense(sum, out[entry[1]], out.count)
+  end
+  for _, entry in ipairs(state.SPARSE) do
+    mixSparse(sum, entry[1], out.fields[entry[1]], defaultOf(entry[1]))
+  end
+  for _, name in ipairs(state.FIELDS) do
+    local list = out.read[name]
+    if list and #list > 0 then
+      mix(sum, TEXT) -- what was read, not what is
+      mixSparse(sum, name, list)
+    end
+  end
+  mixMemory(sum, out)
+  mix(sum, 0)
+  return floor(max(sum.a, 0) * PRIME_B + max(sum.b, 0))
+end
+
+--- Returns the number of the present state of a world.
+--- Errors: something that `update` would refuse.
+function hash.world(world)
+  local b = world._bodies
+  b.hashed = b.hashed or {}
+  state.fill(world, b.hashed)
+  return hash.of(b.hashed)
+end
+
+return hash

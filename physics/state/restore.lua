@@ -1,0 +1,614 @@
+--- Puts a state back (see state.lua).
+--
+-- First the game's tables are made what they were when the library read them last, and read; then
+-- the library remembers what it remembered; then whatever the game had written since is written
+-- again. The next step finds everything as it was.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local check = require(root .. ".world.check")
+local collect = require(root .. ".objects.read")
+local columns = require(root .. ".memory.columns")
+local detect = require(root .. ".broadphase.pairFinder")
+local events = require(root .. ".contacts.events")
+local fields = require(root .. ".world.fields")
+local filter = require(root .. ".broadphase.filter")
+local interpreted = require(root .. ".memory.jit")
+local rest = require(root .. ".sleep.islands")
+local settings = require(root .. ".world.settings")
+local state = require(root .. ".state.save")
+local verify = require(root .. ".state.validate")
+local view = require(root .. ".queries.index")
+
+local restore = {}
+
+local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
+local max, min = math.max, math.min
+
+-- Which table is which object --------------------------------------------------------------------
+
+-- The object that stands at a place now, or nil.
+local function standing(world, group, direct, key)
+  local members = world.objects[group]
+  if type(members) ~= "table" then
+    return nil
+  end
+  local isDirect = type(members.width) == "number"
+  local object = nil
+  if direct then
+    object = isDirect and members
+  elseif not isDirect then
+    object = members[key]
+  end
+  return type(object) == "table" and object or nil
+end
+
+local function take(objects, taken, n, object)
+  if object and not objects[n] and not taken[object] then
+    objects[n], taken[object] = object, true
+  end
+end
+
+-- The objects of a state that came from elsewhere: whoever stands at the same place.
+local function matchByPlace(world, st)
+  local objects, taken = {}, {}
+  for _, group in ipairs(st.tables or {}) do
+    for m, n in ipairs(group.objects) do
+      take(objects, taken, n, standing(world, group.name, group.direct, group.keys[m]))
+    end
+  end
+  local n = 0
+  for _, group in ipairs(st.groups) do
+    for m = 1, group.count do
+      n = n + 1
+      local key = group.keys and group.keys[m] or m
+      if not st.tables then
+        take(objects, taken, n, standing(world, group.name, group.direct, key))
+      end
+    end
+  end
+  for m = 1, st.count do
+    objects[m] = objects[m] or {}
+  end
+  return objects
+end
+
+-- Which tables were what when the state was saved, as far as known: `objects` by number, and
+-- if this world has saved the state itself their `masks`, those who had `gone`, the masks of the
+-- world (`worldMasks`) and their `rows`.
+local function match(world, st)
+  local tables = world._bodies.tablesOf and world._bodies.tablesOf[st]
+  if tables and #tables.objects == st.count then
+    return tables
+  end
+  return { objects = matchByPlace(world, st), masks = {}, gone = {}, rows = {} }
+end
+
+-- Fields -----------------------------------------------------------------------------------------
+
+local function write(object, name, value)
+  if object[name] ~= value then
+    object[name] = value
+  end
+end
+
+local function maskOf(list)
+  local mask = {}
+  for at = 1, #list, 2 do
+    mask[list[at]] = list[at + 1]
+  end
+  return mask
+end
+
+-- Makes a table say what another says.
+local function overwrite(list, contents)
+  for key in next, list, nil do
+    list[key] = nil
+  end
+  for key, value in next, contents, nil do
+    list[key] = value
+  end
+end
+
+-- Writes a mask: into the table it was, if that is known.
+local function writeMask(object, list, known)
+  local wanted, mask = maskOf(list), known or object.mask
+  if type(mask) == "table" and filter.isSameMask(wanted, mask) then
+    wanted = mask
+  elseif known then
+    overwrite(known, wanted)
+    wanted = known
+  end
+  write(object, "mask", wanted)
+end
+
+-- Writes a sparse list of values; who is not in it has no value.
+local function writeSparse(objects, masks, name, list)
+  local at, isMask = 1, name == "mask"
+  for n = 1, #objects do
+    local object = objects[n]
+    if list[at] ~= n then
+      write(object, name, nil)
+    elseif isMask then
+      writeMask(object, list[at + 1], masks[n])
+      at = at + 2
+    else
+      write(object, name, list[at + 1])
+      at = at + 2
+    end
+  end
+end
+
+local function writeDense(objects, name, list)
+  for n = 1, #objects do
+    write(objects[n], name, list[n] or nil)
+  end
+end
+
+-- Writes the fields as they were when the state was saved; with `only`, just those.
+local function writeFields(st, objects, masks, only)
+  for _, entry in ipairs(state.DENSE) do
+    local name = entry[1]
+    if not only or only[name] then
+      writeDense(objects, name, st[name])
+    end
+  end
+  for _, entry in ipairs(state.SPARSE) do
+    local name = entry[1]
+    if not only or only[name] then
+      writeSparse(objects, masks, name, st.fields[name])
+    end
+  end
+end
+
+-- Writes what the library had read where that was something else; returns the names of the fields.
+local function writeRead(st, objects)
+  local names, any = {}, false
+  for name, list in next, st.read, nil do
+    local isBoolean = fields.objectByName[name] and fields.objectByName[name].type == "boolean"
+    for at = 1, #list, 2 do
+      local value = list[at + 1]
+      if name == "mask" and value then
+        value = maskOf(value)
+      elseif value == false and not isBoolean then
+        value = nil
+      end
+      objects[list[at]][name] = value
+      names[name], any = true, true
+    end
+  end
+  return any and names
+end
+
+-- Gives somebody who had left the world the fields that it had.
+local function writeGone(b, object, saved)
+  for _, name in ipairs(state.FIELDS) do
+    if name == "mask" and saved.mask then
+      writeMask(object, saved.mask)
+    else
+      write(object, name, saved[name])
+    end
+  end
+  if not (saved.static or saved.kinematic or type(object.touching) == "table") then
+    object.touching = collect.touchingFor(b, object)
+  end
+end
+
+-- Returns all that the state can name by number: the objects, then those who had left the world, as
+-- new tables if `gone` does not have them.
+local function recall(b, st, objects, gone)
+  if not st.gone then
+    return objects
+  end
+  local named = {}
+  for n = 1, st.count do
+    named[n] = objects[n]
+  end
+  for n, saved in ipairs(st.gone) do
+    local object = gone[n] or {}
+    writeGone(b, object, saved)
+    named[st.count + n] = object
+  end
+  return named
+end
+
+-- Tables -----------------------------------------------------------------------------------------
+
+local function emptyGroups(objects)
+  for name, members in next, objects, nil do
+    if type(members) ~= "table" or type(members.width) == "number" then
+      objects[name] = nil
+    else
+      for key in next, members, nil do
+        members[key] = nil
+      end
+    end
+  end
+end
+
+-- The table of a group to be filled; one object's own table is never a group.
+local function groupIn(objects, name)
+  local members = objects[name]
+  if members == nil then
+    members = {}
+    objects[name] = members
+  end
+  return members
+end
+
+-- Puts the objects where they were when the library looked last.
+local function placeKnown(world, st, objects)
+  emptyGroups(world.objects)
+  local n = 0
+  for _, group in ipairs(st.groups) do
+    if group.direct then
+      n = n + 1
+      world.objects[group.name] = objects[n]
+    else
+      local members = groupIn(world.objects, group.name)
+      for m = 1, group.count do
+        n = n + 1
+        members[group.keys and group.keys[m] or m] = objects[n]
+      end
+    end
+  end
+end
+
+-- Gives an object that was added since then the `touching` that `add` had given it.
+local function giveTouching(b, object, group)
+  if not object.static and not object.kinematic then
+    local touching = collect.touchingFor(b, object)
+    collect.clearTouching(touching)
+    object.touching = touching
+    b.roster.given[object], b.roster.groupGiven[object] = touching, group
+  end
+end
+
+-- Puts the objects where the game had put them since.
+local function placeNow(world, st, objects)
+  if not st.tables then
+    return
+  end
+  emptyGroups(world.objects)
+  for _, group in ipairs(st.tables) do
+    local members = not group.direct and groupIn(world.objects, group.name)
+    for m, n in ipairs(group.objects) do
+      if members then
+        members[group.keys[m]] = objects[n]
+      else
+        world.objects[group.name] = objects[n]
+      end
+      if n > st.known then
+        giveTouching(world._bodies, objects[n], group.name)
+      end
+    end
+  end
+end
+
+-- The library's memory ---------------------------------------------------------------------------
+
+-- Forgets all events and, without a word, all contacts.
+local function forget(b)
+  events.forget(b.events)
+  for p = 1, b.pairSlots do
+    for _, entry in ipairs(state.PAIRS) do
+      b[entry[1]][p] = entry[2]
+    end
+  end
+  b.contactCount = 0
+end
+
+-- Whether the columns hold what is in an object, as far as `update` would not notice.
+local function isRead(b, i, object)
+  if b.kind[i] ~= columns.kindOf(object) then
+    return false
+  elseif b.kind[i] ~= STATIC then
+    return true
+  end
+  for _, entry in ipairs(state.DENSE) do
+    local value = object[entry[1]]
+    if entry[2] ~= "velocity" and value ~= b[entry[2]][2 * i + entry[3]] then
+      return false
+    end
+  end
+  for _, entry in ipairs(state.SPARSE) do
+    if entry[2] then
+      local value, at = object[entry[1]], entry[4] and 2 * i + entry[4] or i
+      if value == nil then
+        value = entry[3]
+      end
+      if value ~= b[entry[2]][at] then
+        return false
+      end
+    end
+  end
+  local isSameMask = filter.isSameMask(object.mask, b.mask[i])
+  return isSameMask and (object.friction or -1) == b.friction[i]
+end
+
+-- Reads all that `collect` would take for read already.
+local function readAgain(b, objects, known)
+  for n = 1, known do
+    local slot = b.slotOf[objects[n]]
+    if slot and not isRead(b, slot, objects[n]) then
+      collect.refresh(b, slot)
+    end
+  end
+end
+
+-- Everybody stands where it is, has no past and is awake.
+local function settle(b, objects, known)
+  for n = 1, known do
+    local i = b.slotOf[objects[n]]
+    local k = 2 * i
+    for axis = k, k + 1 do
+      b.position[axis] = b.written[axis]
+    end
+    for _, name in ipairs(state.FLAGS) do
+      b[name][i] = false
+    end
+    for _, name in ipairs(state.LINKS) do
+      b[name][i] = 0
+    end
+    b.fresh[i] = false
+    rest.wake(b, i)
+  end
+  b.movedCount, b.lostCount = 0, 0
+end
+
+local function rememberPoints(b, st, slots)
+  for _, entry in ipairs(state.POINTS) do
+    local list, column, usual = st.memory[entry[1]], b[entry[1]], entry[2]
+    local model = b[usual]
+    for n = 1, st.known do
+      local k = 2 * slots[n]
+      column[k], column[k + 1] = model and model[k] or usual, model and model[k + 1] or usual
+    end
+    for at = 1, #list, 3 do
+      local k = 2 * slots[list[at]]
+      column[k], column[k + 1] = list[at + 1], list[at + 2]
+    end
+  end
+end
+
+-- What has happened in the world so far, as far as it leaves anything behind.
+local function rememberHistory(b, memory)
+  b.hasCarriers = b.hasCarriers or #memory.carrier > 0 or #memory.carried > 0
+  b.hasCrushed = b.hasCrushed or #memory.wasCrushed > 0
+  b.hasInside = b.hasInside or #memory.inside > 0
+end
+
+local function rememberSlots(b, st, slots)
+  for _, name in ipairs(state.FLAGS) do
+    local list = st.memory[name]
+    for at = 1, #list do
+      b[name][slots[list[at]]] = true
+    end
+  end
+  for _, name in ipairs(state.LINKS) do
+    local list = st.memory[name]
+    for at = 1, #list, 2 do
+      b[name][slots[list[at]]] = slots[list[at + 1]]
+    end
+  end
+  for n = 1, st.known do
+    if b.moved[slots[n]] then
+      b.movedCount = b.movedCount + 1
+      b.movedList[b.movedCount] = slots[n]
+    end
+  end
+  for at, n in ipairs(st.memory.lost) do
+    b.lost[at] = slots[n]
+  end
+  b.lostCount = #st.memory.lost
+end
+
+-- Everybody stands where it was.
+local function stand(b, st, slots)
+  for n = 1, st.known do
+    columns.stand(b, slots[n])
+  end
+  detect.run(b, slots, 1, st.known)
+end
+
+local function rememberContacts(b, st, slots)
+  local list, PAIRS = st.contacts, state.PAIRS
+  local step = 2 + #PAIRS
+  for at = 1, #list, step do
+    local i, j = slots[list[at]], slots[list[at + 1]]
+    local p = columns.pairOf(b, i, j) or columns.link(b, i, j)
+    for c = 1, #PAIRS do
+      local entry, value = PAIRS[c], list[at + 1 + c]
+      if b.pairA[p] ~= i and value ~= entry[2] then
+        value = entry[3][value]
+      end
+      b[entry[1]][p] = value
+    end
+    if b.contact[p] ~= 0 then
+      b.contactCount = b.contactCount + 1
+    end
+  end
+end
+
+-- (Whatever stands in `object.touching` now may be another world's, or more than one object's.)
+local function rememberTouching(b, st, objects, named, slots)
+  for n = 1, st.known do
+    local i, object = slots[n], objects[n]
+    if b.kind[i] == DYNAMIC then
+      local touching = b.touching[i]
+      object.touching = touching
+      collect.takeTouching(b, i, touching)
+      collect.clearTouching(touching)
+    end
+  end
+  local list = st.touching
+  for at = 1, #list, 5 do
+    local t = b.touching[slots[list[at]]]
+    if t then
+      t.left, t.right = named[list[at + 1]] or false, named[list[at + 2]] or false
+      t.top, t.bottom = named[list[at + 3]] or false, named[list[at + 4]] or false
+    end
+  end
+end
+
+local function rememberEvents(b, st, named)
+  local e, list, EVENT = b.events, st.events, state.EVENT
+  local n = 0
+  for at = 1, #list, 3 + #EVENT do
+    n = n + 1
+    e.order[n], e.kindAndNumber[n] = n, n
+    e.a[n], e.b[n] = named[list[at]], named[list[at + 1]]
+    e.c[n] = named[list[at + 2]] or false
+    for m = 1, #EVENT do
+      e[EVENT[m]][n] = list[at + 2 + m]
+    end
+  end
+  e.count, e.told, e.heardBy = n, st.heardBy and 1 or 0, st.heardBy or 3
+  e.sorted = max(st.sorted or 0, e.told)
+end
+
+local function remember(b, st, objects, named)
+  local slots = {}
+  for n = 1, st.known do
+    slots[n] = b.slotOf[objects[n]]
+  end
+  settle(b, objects, st.known)
+  rememberHistory(b, st.memory)
+  rememberPoints(b, st, slots)
+  rememberSlots(b, st, slots)
+  stand(b, st, slots)
+  rememberContacts(b, st, slots)
+  rememberTouching(b, st, objects, named, slots)
+  rememberEvents(b, st, named)
+end
+
+-- The world --------------------------------------------------------------------------------------
+
+-- The masks of a world as a table. A list cannot tell of rows that say nothing: those of `rows`.
+local function masksOf(list, rows)
+  local masks = {}
+  for group, row in next, rows, nil do
+    if type(row) == "table" and (type(group) == "string" or check.isFinite(group)) then
+      masks[group] = {}
+    end
+  end
+  for at = 1, #list, 3 do
+    local group = masks[list[at]] or {}
+    masks[list[at]] = group
+    group[list[at + 1]] = list[at + 2]
+  end
+  return masks
+end
+
+local function areSameMasks(masks, other)
+  for group, row in next, masks, nil do
+    if not filter.isSameMask(row, other[group]) then
+      return false
+    end
+  end
+  for group in next, other, nil do
+    if masks[group] == nil then
+      return false
+    end
+  end
+  return true
+end
+
+-- Writes the masks of a world: into the tables they were, if those are known.
+local function writeMasks(world, list, tables)
+  local known = tables.worldMasks
+  local masks = known or (type(world.masks) == "table" and world.masks) or {}
+  local wanted = masksOf(list, known and tables.rows or masks)
+  if areSameMasks(wanted, masks) then
+    wanted = masks
+  elseif known then
+    for group, row in next, tables.rows, nil do
+      overwrite(row, wanted[group])
+      wanted[group] = row
+    end
+    overwrite(known, wanted)
+    wanted = known
+  end
+  world.masks = wanted
+end
+
+local function isSameOrder(order, other)
+  for n = 1, max(#order, #other) do
+    if order[n] ~= other[n] then
+      return false
+    end
+  end
+  return true
+end
+
+-- A list or table of the world that already says the same stays the same table.
+local function restoreSettings(world, saved, tables)
+  for _, name in ipairs(state.SETTINGS) do
+    world[name] = saved[name]
+  end
+  if saved.masks then
+    writeMasks(world, saved.masks, tables)
+  else
+    world.masks = nil
+  end
+  if not saved.order then
+    world.order = nil
+  elseif not world.order or not isSameOrder(saved.order, world.order) then
+    world.order = {}
+    for n, name in ipairs(saved.order) do
+      world.order[n] = name
+    end
+  end
+  settings.apply(world)
+  -- Whatever the masks were before, they are applied anew by the next step.
+  world._bodies.masksSeen, world._bodies.isRemasked = false, true
+end
+
+-- Reads who is known, in the order in which they stood: another `order` that the game has set since
+-- the last step counts from the next one on.
+local function collectKnown(world, st)
+  local r, names = world._bodies.roster, {}
+  for n, group in ipairs(st.groups) do
+    names[n] = group.name
+  end
+  local order = r.order
+  r.order, r.reorder = names, true
+  collect.run(world._bodies, world.objects)
+  r.order, r.reorder = order, true
+end
+
+--- Makes a world what it was when `st` was saved.
+--- Errors: a state that cannot be used; nothing has changed then.
+function restore.world(world, st)
+  verify.state(st)
+  local b = world._bodies
+  if type(world.objects) ~= "table" then
+    world.objects = {}
+  end
+  local tables = match(world, st)
+  local objects, masks = tables.objects, tables.masks
+  local named = recall(b, st, objects, tables.gone)
+  forget(b)
+  restoreSettings(world, st.settings, tables)
+  writeFields(st, objects, masks)
+  local unread = writeRead(st, objects)
+  placeKnown(world, st, objects)
+  readAgain(b, objects, st.known)
+  collectKnown(world, st)
+  remember(b, st, objects, named)
+  if unread then
+    writeFields(st, objects, masks, unread)
+  end
+  placeNow(world, st, objects)
+  world._walls = {}
+  for side, n in next, st.walls, nil do
+    world._walls[side] = objects[n]
+  end
+  world._saved = st.saved
+  world.alpha = world.timestep and max(0, min(st.saved / world.timestep, 1)) or 0
+  view.outdate(b)
+end
+
+interpreted.always(overwrite, masksOf, areSameMasks, writeMasks)
+interpreted.always(writeRead, emptyGroups, restore.world)
+
+return restore

@@ -1,0 +1,758 @@
+--- States: all that a future step depends on, as a plain table of numbers, strings and booleans.
+--
+-- Objects are numbers in here: first those that the library knows, in the order of the world, then
+-- those that the game has added since. Lists are dense; "sparse" ones hold entries one behind the
+-- other, each beginning with the number of its object, for those objects only that have one.
+--
+--   version       of this layout
+--   settings      name -> value; masks = { group, other, collides, ... }
+--   saved         s, saved up for the next fixed step
+--   groups        { name, count, direct, keys } in order: who is known. Without keys: 1 to count
+--   tables        { name, direct, keys, objects } in order: what the game's tables hold now; only
+--                 if that is not the same
+--   count, known  number of objects, number of those that are known
+--   x, y, width, height, vx, vy   one entry for each object, false: not set
+--   fields        name -> sparse: value. The other fields, where they are set
+--   read          name -> sparse: value, false if not set. What the library has read, where the
+--                 game has written something else since
+--   memory        column -> sparse: value (see LINKS, POINTS); or just objects (see FLAGS; `lost`)
+--   walls         side -> object: what setBounds has put
+--   touching      sparse: object (0: none) at the left, right, top, bottom
+--   contacts      first, second, and a value for each of PAIRS, for each pair that has one
+--   events        three objects (0: none) and the values of EVENT each: what is still to be told
+--   sorted        how many of the events are in their order already, nil: none; the others follow
+--                 behind them
+--   heardBy       of the first event, if a callback has interrupted it: 1 or 2 have heard of it
+--   gone          fields by name of those that have left the world and are named in `touching` or
+--                 `events` nevertheless, nil: nobody. Their numbers follow behind all others
+--
+-- Broad phase and rest are not in here, they change no result; functions and the game's own fields
+-- stay where they are, on the objects.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local carrier = require(root .. ".objects.carriers")
+local check = require(root .. ".world.check")
+local columns = require(root .. ".memory.columns")
+local events = require(root .. ".contacts.events")
+local fields = require(root .. ".world.fields")
+local filter = require(root .. ".broadphase.filter")
+local interpreted = require(root .. ".memory.jit")
+local keyOrder = require(root .. ".memory.keyOrder")
+local roster = require(root .. ".objects.registry")
+
+local state = {}
+
+local STATIC, KINEMATIC, DYNAMIC = columns.STATIC, columns.KINEMATIC, columns.DYNAMIC
+local HUGE = math.huge
+
+--- Layout of a state; another one cannot be read.
+state.VERSION = 1
+
+-- Columns that outlive a step. Whoever adds one to columns.lua adds it here, too.
+
+--- By slot: whether it is so.
+state.FLAGS = { "moved", "inside" }
+--- By slot: a slot, 0 for none.
+state.LINKS = { "support", "carrier" }
+--- By slot and axis: name, and its usual value, or the column that has it. `last` is for drawing
+--- alone, in worlds with a `timestep`.
+state.POINTS = {
+  { "position", "written" },
+  { "last", "position" },
+  { "carried", 0 },
+  { "behind", 0 },
+  { "wasCrushed", false },
+}
+--- By pair: name, value of a pair that has nothing to remember, and what becomes of another value
+--- if the two of the pair are exchanged.
+state.PAIRS = {
+  { "contact", 0, columns.OPPOSITE },
+  { "wedged", 0, columns.OPPOSITE },
+  { "overlapping", false, { [true] = true } },
+  { "dropping", false, { [true] = true } },
+}
+
+--- Fields that every object has an entry for: name, column, axis, and what the column holds if the
+--- field is not set.
+state.DENSE = {
+  { "x", "written", 0 },
+  { "y", "written", 1 },
+  { "width", "size", 0 },
+  { "height", "size", 1 },
+  { "vx", "velocity", 0, 0 },
+  { "vy", "velocity", 1, 0 },
+}
+--- The other fields: name, column, what the column holds if the field is not set, axis. (`static`,
+--- `kinematic`, `friction` and `mask` are read in ways of their own.)
+state.SPARSE = {
+  { "static" },
+  { "kinematic" },
+  { "active", "active", true },
+  { "sensor", "sensor", false },
+  { "pushable", "pushable", true },
+  { "mass", "mass", 1 },
+  { "gravity", "ownGravity", false },
+  { "gravityX", "ownGravityX", false },
+  { "friction" },
+  { "restitution", "restitution", 0 },
+  { "airFriction", "airFriction", 0 },
+  { "drag", "drag", 0 },
+  { "maxSpeed", "maxSpeed", HUGE },
+  { "maxSpeedX", "limit", HUGE, 0 },
+  { "maxSpeedY", "limit", HUGE, 1 },
+  { "ax", "push", 0, 0 },
+  { "ay", "push", 0, 1 },
+  { "oneWay", "oneWay", false },
+  { "carry", "carry", true },
+  { "surfaceSpeed", "surfaceSpeed", 0 },
+  { "nudge", "nudge", 0 },
+  { "mask" },
+}
+
+--- The names of all of them.
+state.FIELDS = {}
+for _, entry in ipairs(state.DENSE) do
+  state.FIELDS[#state.FIELDS + 1] = entry[1]
+end
+for _, entry in ipairs(state.SPARSE) do
+  state.FIELDS[#state.FIELDS + 1] = entry[1]
+end
+
+-- Settings that are not saved: they change no result; masks and order, which do, are written out
+-- by themselves.
+local UNSAVED =
+  { broadphase = true, cellSize = true, rest = true, checked = true, masks = true, order = true }
+
+--- Settings in a state, in order, apart from masks and order.
+state.SETTINGS = {}
+for _, field in ipairs(fields.settings) do
+  if not UNSAVED[field.name] and field.type ~= "function" then
+    state.SETTINGS[#state.SETTINGS + 1] = field.name
+  end
+end
+
+-- Lists ------------------------------------------------------------------------------------------
+
+-- The list of that name, to be filled anew.
+local function listIn(owner, name)
+  local list = owner[name]
+  if type(list) ~= "table" then
+    list = {}
+    owner[name] = list
+  end
+  return list
+end
+
+-- Cuts off what an earlier state left behind the first n entries.
+local function cut(list, n)
+  for at = #list, n + 1, -1 do
+    list[at] = nil
+  end
+end
+
+-- A mask as { group, collides, ... }.
+local function listMask(mask)
+  local list = {}
+  for _, group in ipairs(keyOrder.sorted(mask)) do
+    list[#list + 1] = group
+    list[#list + 1] = mask[group]
+  end
+  return list
+end
+
+local function listMasks(masks)
+  local list = {}
+  for _, group in ipairs(keyOrder.sorted(masks)) do
+    for _, other in ipairs(keyOrder.sorted(masks[group])) do
+      local n = #list
+      list[n + 1], list[n + 2], list[n + 3] = group, other, masks[group][other]
+    end
+  end
+  return list
+end
+
+-- Who is there -----------------------------------------------------------------------------------
+
+-- The working lists of a world: `objects` and `slots` by number, `numbers` by slot.
+local function workOf(b)
+  b.saving = b.saving or { objects = {}, slots = {}, numbers = {} }
+  return b.saving
+end
+
+local function writeGroup(out, record)
+  out.name, out.count, out.direct = record.name, record.count, record.direct
+  out.keys = nil
+  if not record.plain then
+    local keys = {}
+    for n = 1, record.count do
+      keys[n] = record.keys[n]
+    end
+    out.keys = keys
+  end
+end
+
+-- Numbers everybody that is known.
+local function saveGroups(b, out, work)
+  local list, groups, n = listIn(out, "groups"), b.roster.groups, 0
+  local objects, slots, numbers = work.objects, work.slots, work.numbers
+  for g = 1, #groups do
+    local record = groups[g]
+    writeGroup(listIn(list, g), record)
+    for m = 1, record.count do
+      local object = record.list[m]
+      local slot = b.slotOf[object]
+      n = n + 1
+      objects[n], slots[n], numbers[slot] = object, slot, n
+    end
+  end
+  cut(list, #groups)
+  out.known = n
+end
+
+-- Notes what the tables hold now, if the library has not seen it yet.
+local function saveTables(b, objects, out, work)
+  out.tables, out.count = nil, out.known
+  if not roster.hasChanged(b.roster, objects) then
+    return
+  end
+  local list, numberOf = {}, {}
+  for g, record in ipairs(roster.look(b, b.roster, objects)) do
+    local numbers = {}
+    for m = 1, record.tailCount do
+      local object = record.tail[m]
+      local slot = b.slotOf[object]
+      if not slot then
+        out.count = out.count + 1
+        work.objects[out.count] = object
+        numberOf[object] = out.count
+      end
+      numbers[m] = slot and work.numbers[slot] or numberOf[object]
+    end
+    list[g] =
+      { name = record.name, direct = record.direct, keys = record.newKeys, objects = numbers }
+  end
+  out.tables = list
+end
+
+-- Fields -----------------------------------------------------------------------------------------
+
+-- Something was written that the library has not read: it must be of use.
+local function checkWritten(b, slot)
+  local record = b.group[slot]
+  check.object(b.object[slot], roster.place(record, b.key[slot]))
+end
+
+-- Notes what the library has read in field `name` of object n.
+local function noteRead(b, out, name, n, slot, value)
+  checkWritten(b, slot)
+  local list = listIn(out.read, name)
+  list[#list + 1] = n
+  list[#list + 1] = value
+end
+
+-- Saves a field that everybody has an entry for. The velocity of a static object is not read.
+local function saveDense(b, out, work, entry)
+  local name, column, axis, absent = entry[1], b[entry[2]], entry[3], entry[4]
+  local list, objects, slots, kind = listIn(out, name), work.objects, work.slots, b.kind
+  for n = 1, out.known do
+    local slot, value = slots[n], objects[n][name]
+    local read = column[2 * slot + axis]
+    list[n] = value or false
+    if value == nil then
+      value = absent
+    end
+    if value ~= read then
+      if absent and kind[slot] == STATIC then
+        checkWritten(b, slot)
+      else
+        noteRead(b, out, name, n, slot, read)
+      end
+    end
+  end
+  for n = out.known + 1, out.count do
+    list[n] = objects[n][name] or false
+  end
+  cut(list, out.count)
+end
+
+-- Saves a field that one column holds.
+local function saveColumn(b, out, work, entry)
+  local name, column, absent, axis = entry[1], b[entry[2]], entry[3], entry[4]
+  local list, objects, slots, at = listIn(out.fields, name), work.objects, work.slots, 0
+  local stride, offset = axis and 2 or 1, axis or 0
+  for n = 1, out.known do
+    local slot, value = slots[n], objects[n][name]
+    local read = column[stride * slot + offset]
+    if value ~= nil then
+      list[at + 1], list[at + 2] = n, value
+      at = at + 2
+      if value == HUGE then
+        checkWritten(b, slot) -- in the columns that is "no limit", from the game it is refused
+      end
+    else
+      value = absent
+    end
+    if value ~= read then
+      noteRead(b, out, name, n, slot, read ~= HUGE and read)
+    end
+  end
+  for n = out.known + 1, out.count do
+    local value = objects[n][name]
+    if value ~= nil then
+      list[at + 1], list[at + 2] = n, value
+      at = at + 2
+    end
+  end
+  cut(list, at)
+end
+
+-- What the library has read in the fields that have no column of their own.
+
+local function readStatic(b, slot)
+  return b.kind[slot] == STATIC
+end
+
+local function readKinematic(b, slot, object)
+  -- Of a static object it is not read.
+  return b.kind[slot] == STATIC and (object.kinematic or false) or b.kind[slot] == KINEMATIC
+end
+
+local function readFriction(b, slot)
+  return b.friction[slot] >= 0 and b.friction[slot]
+end
+
+---@type table<integer, number|false>
+local ABSENT_FRICTION = { [STATIC] = false, [KINEMATIC] = false, [DYNAMIC] = 0 }
+
+local function absentFriction(b, slot)
+  return ABSENT_FRICTION[b.kind[slot]]
+end
+
+local function never()
+  return false
+end
+
+-- Saves a field by means of functions.
+local function saveSpecial(b, out, work, name, read, absent)
+  local list, objects, slots, at = listIn(out.fields, name), work.objects, work.slots, 0
+  for n = 1, out.count do
+    local object, slot = objects[n], slots[n]
+    local value = object[name]
+    if value ~= nil then
+      list[at + 1], list[at + 2] = n, value
+      at = at + 2
+    elseif n <= out.known then
+      value = absent(b, slot)
+    end
+    if n <= out.known then
+      local was = read(b, slot, object)
+      if value ~= was then
+        noteRead(b, out, name, n, slot, was)
+      end
+    end
+  end
+  cut(list, at)
+end
+
+-- The mask as the library has read it: of a mover as far as it refuses somebody.
+local function listRead(b, slot)
+  if b.kind[slot] == STATIC then
+    return listMask(b.mask[slot])
+  end
+  local list, groups, seen = {}, b.roster.groups, b.maskSeen[slot]
+  for n = 1, #groups do
+    if seen[groups[n].number] then
+      list[#list + 1] = groups[n].name
+      list[#list + 1] = false
+    end
+  end
+  return list
+end
+
+-- Whether the mask of a mover is what it was when it was read.
+local function isSeen(b, slot, mask)
+  local groups, seen = b.roster.groups, b.maskSeen[slot]
+  for n = 1, #groups do
+    local group = groups[n]
+    -- Groups that were empty are looked up in the mask itself.
+    if group.wasFilled and (mask[group.name] == false) ~= (seen[group.number] or false) then
+      return false
+    end
+  end
+  return true
+end
+
+local function isMaskRead(b, slot, mask)
+  local read = b.mask[slot]
+  if b.kind[slot] == STATIC then
+    return filter.isSameMask(mask, read)
+  elseif not mask or mask ~= read then
+    return mask == read
+  elseif not check.accepts(fields.objectByName.mask, mask) then
+    checkWritten(b, slot)
+  end
+  return isSeen(b, slot, mask)
+end
+
+local function saveMasks(b, out, work)
+  local list, objects, slots, at = listIn(out.fields, "mask"), work.objects, work.slots, 0
+  for n = 1, out.count do
+    local mask, slot = objects[n].mask or false, slots[n]
+    if n <= out.known and not isMaskRead(b, slot, mask) then
+      noteRead(b, out, "mask", n, slot, b.mask[slot] and listRead(b, slot))
+    end
+    if mask then
+      list[at + 1], list[at + 2] = n, listMask(mask)
+      at = at + 2
+    end
+  end
+  cut(list, at)
+end
+
+local function saveFields(b, out, work)
+  listIn(out, "fields")
+  for _, list in next, listIn(out, "read"), nil do
+    cut(list, 0)
+  end
+  for n = 1, #state.DENSE do
+    saveDense(b, out, work, state.DENSE[n])
+  end
+  for n = 1, #state.SPARSE do
+    local entry = state.SPARSE[n]
+    if entry[2] then
+      saveColumn(b, out, work, entry)
+    end
+  end
+  saveSpecial(b, out, work, "static", readStatic, never)
+  saveSpecial(b, out, work, "kinematic", readKinematic, never)
+  saveSpecial(b, out, work, "friction", readFriction, absentFriction)
+  saveMasks(b, out, work)
+end
+
+-- Memory -----------------------------------------------------------------------------------------
+
+-- Whether the game has given an object another `canCollide` than the one that was read. The state
+-- does not hold it, but an update would look at the object as at one that has been moved.
+local function asksAnew(b, i)
+  return b.kind[i] ~= STATIC and (b.object[i].canCollide or false) ~= b.canCollide[i]
+end
+
+local function saveFlags(b, out, work)
+  local slots = work.slots
+  for m = 1, #state.FLAGS do
+    local name = state.FLAGS[m]
+    local list, column, at = listIn(out.memory, name), b[name], 0
+    for n = 1, out.known do
+      if column[slots[n]] or (name == "moved" and asksAnew(b, slots[n])) then
+        at = at + 1
+        list[at] = n
+      end
+    end
+    cut(list, at)
+  end
+end
+
+local function saveLinks(b, out, work)
+  local slots, numbers = work.slots, work.numbers
+  for m = 1, #state.LINKS do
+    local name = state.LINKS[m]
+    local list, column, at = listIn(out.memory, name), b[name], 0
+    for n = 1, out.known do
+      local other = column[slots[n]]
+      if other ~= 0 and b.kind[other] ~= 0 then
+        list[at + 1], list[at + 2] = n, numbers[other]
+        at = at + 2
+      end
+    end
+    cut(list, at)
+  end
+end
+
+local function savePoints(b, out, work)
+  local slots = work.slots
+  for m = 1, #state.POINTS do
+    local name, usual = state.POINTS[m][1], state.POINTS[m][2]
+    local list, column, model, at = listIn(out.memory, name), b[name], b[usual], 0
+    local isWanted = name ~= "last" or b.world.timestep
+    for n = 1, isWanted and out.known or 0 do
+      local k = 2 * slots[n]
+      local x, y = usual, usual
+      if model then
+        x, y = model[k], model[k + 1]
+      end
+      if column[k] ~= x or column[k + 1] ~= y then
+        list[at + 1], list[at + 2], list[at + 3] = n, column[k], column[k + 1]
+        at = at + 3
+      end
+    end
+    cut(list, at)
+  end
+end
+
+-- Riders that have lost their carrier since the last step.
+local function saveLost(b, out, work)
+  local list = listIn(out.memory, "lost")
+  local count = 0
+  for n = 1, b.lostCount do
+    local i = b.lost[n]
+    if b.kind[i] == DYNAMIC then
+      count = count + 1
+      list[count] = work.numbers[i]
+    end
+  end
+  cut(list, count)
+  table.sort(list)
+end
+
+-- The walls that `setBounds` has put.
+local function saveWalls(world, out, work)
+  local walls = listIn(out, "walls")
+  for side in next, walls, nil do
+    walls[side] = nil
+  end
+  if next(world._walls) ~= nil then
+    for n = 1, out.count do
+      for side, wall in next, world._walls, nil do
+        if work.objects[n] == wall then
+          walls[side] = n
+        end
+      end
+    end
+  end
+end
+
+-- The number of an object that the library remembers, 0 for none. Whoever is in the world no more
+-- gets one behind all others.
+local function numberOf(b, out, work, object)
+  if not object then
+    return 0
+  end
+  local slot, objects = b.slotOf[object], work.objects
+  local number = slot and work.numbers[slot]
+  if number and rawequal(objects[number], object) then
+    return number
+  end
+  local last = out.count + work.goneCount
+  for n = out.known + 1, last do
+    if rawequal(objects[n], object) then
+      return n
+    end
+  end
+  work.goneCount = work.goneCount + 1
+  objects[last + 1] = object
+  return last + 1
+end
+
+local function saveTouching(b, out, work)
+  local list, slots, at = listIn(out, "touching"), work.slots, 0
+  for n = 1, out.known do
+    local t = b.touching[slots[n]]
+    if t and (t.left or t.right or t.top or t.bottom) then
+      list[at + 1] = n
+      list[at + 2] = numberOf(b, out, work, t.left)
+      list[at + 3] = numberOf(b, out, work, t.right)
+      list[at + 4] = numberOf(b, out, work, t.top)
+      list[at + 5] = numberOf(b, out, work, t.bottom)
+      at = at + 5
+    end
+  end
+  cut(list, at)
+end
+
+-- Contacts ---------------------------------------------------------------------------------------
+
+local function remembers(b, p)
+  for c = 1, #state.PAIRS do
+    local entry = state.PAIRS[c]
+    if b[entry[1]][p] ~= entry[2] then
+      return true
+    end
+  end
+  return false
+end
+
+-- Lists the pairs of object n (in `slot`) with later ones that remember something, behind
+-- work.pairs, in the order of the others; returns how many.
+local function gatherPairs(b, work, n, slot)
+  local other, nextHalf, numbers, found = b.other, b.next, work.numbers, work.pairs
+  local count, half = 0, b.head[slot]
+  while half ~= 0 do
+    if remembers(b, (half + half % 2) / 2) then
+      local number = numbers[other[half]]
+      if number > n then
+        count = count + 1
+        local at = count
+        while at > 1 and numbers[other[found[at - 1]]] > number do
+          found[at] = found[at - 1]
+          at = at - 1
+        end
+        found[at] = half
+      end
+    end
+    half = nextHalf[half]
+  end
+  return count
+end
+
+local function saveContacts(b, out, work)
+  work.pairs = work.pairs or {}
+  local list, slots, numbers, at = listIn(out, "contacts"), work.slots, work.numbers, 0
+  local PAIRS, found = state.PAIRS, work.pairs
+  for n = 1, out.known do
+    for m = 1, gatherPairs(b, work, n, slots[n]) do
+      local half = found[m]
+      local p = (half + half % 2) / 2
+      list[at + 1], list[at + 2] = n, numbers[b.other[half]]
+      at = at + 2
+      for c = 1, #PAIRS do
+        local entry = PAIRS[c]
+        local value = b[entry[1]][p]
+        if half % 2 == 0 and value ~= entry[2] then
+          value = entry[3][value]
+        end
+        at = at + 1
+        list[at] = value
+      end
+    end
+  end
+  cut(list, at)
+end
+
+-- The world --------------------------------------------------------------------------------------
+
+-- What an event consists of, apart from its objects (`a`, `b`, `c`).
+state.EVENT = { "kind", "side", "speed", "rankA", "rankB" }
+
+-- Events wait only after a callback has failed, or inside of one; the first of them may have been
+-- told to some already: `heardBy`.
+local function saveEvents(b, out, work)
+  local list, e, at = listIn(out, "events"), b.events, 0
+  local isHalfTold = e.told > 0 and e.heardBy < 3
+  local first = isHalfTold and e.told or e.told + 1
+  out.heardBy = isHalfTold and e.heardBy or nil
+  out.sorted = first <= e.sorted and e.sorted - first + 1 or nil
+  -- Those that a callback has noted before it failed will be told in order, too.
+  events.sortLate(e)
+  for told = first, e.count do
+    local n = told <= e.sorted and e.order[told] or e.late[told - e.sorted]
+    list[at + 1] = numberOf(b, out, work, e.a[n])
+    list[at + 2] = numberOf(b, out, work, e.b[n])
+    list[at + 3] = numberOf(b, out, work, e.c[n])
+    at = at + 3
+    for m = 1, #state.EVENT do
+      list[at + m] = e[state.EVENT[m]][n]
+    end
+    at = at + #state.EVENT
+  end
+  cut(list, at)
+end
+
+-- What somebody who has left the world has in the library's fields, as far as they can be used.
+local function fieldsOf(object)
+  local saved = {}
+  for _, name in ipairs(state.FIELDS) do
+    local value = object[name]
+    if value ~= nil and check.accepts(fields.objectByName[name], value) then
+      saved[name] = name == "mask" and listMask(value) or value
+    end
+  end
+  return saved
+end
+
+local function saveGone(out, work)
+  out.gone = work.goneCount > 0 and {} or nil
+  for n = 1, work.goneCount do
+    out.gone[n] = fieldsOf(work.objects[out.count + n])
+  end
+end
+
+local function saveSettings(world, out)
+  local settings = listIn(out, "settings")
+  for _, name in ipairs(state.SETTINGS) do
+    check.setting(name, world[name])
+    settings[name] = world[name]
+  end
+  check.setting("masks", world.masks)
+  check.setting("order", world.order)
+  settings.masks = world.masks and listMasks(world.masks) or nil
+  settings.order = nil
+  if world.order then
+    settings.order = {}
+    for n, name in ipairs(world.order) do
+      settings.order[n] = name
+    end
+  end
+end
+
+--- Fills `out` with the state of a world; `work` has the objects by number then, and behind them
+--- the `goneCount` that have left.
+--- Errors: something that `update` would refuse.
+function state.fill(world, out)
+  local b = world._bodies
+  local work = workOf(b)
+  -- A copy could not tell any more who was put elsewhere since the last step, by what was refused.
+  carrier.checkMoved(b)
+  out.version = state.VERSION
+  saveSettings(world, out)
+  out.saved = world._saved
+  work.goneCount = 0
+  saveGroups(b, out, work)
+  saveTables(b, world.objects, out, work)
+  saveFields(b, out, work)
+  listIn(out, "memory")
+  saveFlags(b, out, work)
+  saveLinks(b, out, work)
+  savePoints(b, out, work)
+  saveLost(b, out, work)
+  saveWalls(world, out, work)
+  saveTouching(b, out, work)
+  saveContacts(b, out, work)
+  saveEvents(b, out, work)
+  saveGone(out, work)
+  cut(work.objects, out.count + work.goneCount)
+  return work
+end
+
+-- Remembers which table the masks of a world were, and which its rows were.
+local function noteMasks(tables, masks)
+  local rows = tables.rows
+  for group in next, rows, nil do
+    rows[group] = nil
+  end
+  if masks then
+    for group, row in next, masks, nil do
+      rows[group] = row
+    end
+  end
+  tables.worldMasks = masks or false
+end
+
+--- Returns the state of a world, in `out` if that is given. As long as that table lives, the world
+--- remembers which tables the objects in it were.
+function state.save(world, out)
+  local b = world._bodies
+  out = out or {}
+  local work = state.fill(world, out)
+  b.tablesOf = b.tablesOf or setmetatable({}, { __mode = "k" })
+  local tables = b.tablesOf[out]
+  if not tables then
+    tables = { objects = {}, masks = {}, gone = {}, rows = {} }
+    b.tablesOf[out] = tables
+  end
+  for n = 1, out.count do
+    tables.objects[n] = work.objects[n]
+    tables.masks[n] = work.objects[n].mask or false
+  end
+  for n = 1, work.goneCount do
+    tables.gone[n] = work.objects[out.count + n]
+  end
+  noteMasks(tables, world.masks)
+  cut(tables.objects, out.count)
+  cut(tables.masks, out.count)
+  cut(tables.gone, work.goneCount)
+  return out
+end
+
+interpreted.always(saveFields, saveWalls, noteMasks)
+
+return state

@@ -1,0 +1,636 @@
+--- Errors: what a wrong value is, how it is told, and whom it blames.
+--- A message names the place, the field, what was expected and what was found:
+---   physics: objects.boxes[3].width must be a number > 0, got nil
+--- and points at the caller's line: the first one that is not in a file of the library.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local fields = require(root .. ".world.fields")
+local interpreted = require(root .. ".memory.jit")
+local keyOrder = require(root .. ".memory.keyOrder")
+
+local floor = math.floor
+local huge = 1 / 0 -- math.huge is a finite number on gopher-lua
+local format = string.format
+
+local MAX_SHOWN = 40 -- characters of a string in a message
+-- Numbers beyond these are refused like infinity and 0: their squares and inverses would be those.
+local LARGEST, SMALLEST = 1e100, 1e-100
+
+local check = {}
+
+-- Blame ------------------------------------------------------------------------------------------
+
+local getinfo = type(debug) == "table" and debug.getinfo or nil
+local ownSources = {} -- chunk names that are the library's
+local ownFolder -- prefix of the chunk names in its folder, nil: it was joined in one file
+
+local function learnOwnSources()
+  local source = getinfo(1, "S").source
+  ownSources[source] = true
+  ownFolder = source:match("^([^\n]*[/\\])check%.lua$")
+  if ownFolder then
+    ownSources[ownFolder:sub(1, -2) .. ".lua"] = true
+  end
+end
+
+if getinfo then
+  learnOwnSources()
+end
+
+local function isOwn(source)
+  return ownSources[source] or (ownFolder and source:sub(1, #ownFolder) == ownFolder)
+end
+
+-- Returns the level of the next entry of the stack, if this one has no line of a game: a function
+-- in C (on gopher-lua: in Go), the gap that Lua 5.1 leaves for a tail call, or the library. On
+-- gopher-lua "tail" is the function that was called, and the entry after it is nobody.
+local function nextLevel(level, info)
+  local what = info.what
+  local isTailCalled = what == "tail" and info.currentline > 0
+  if what == "C" or what == "G" or (what == "tail" and not isTailCalled) then
+    return level + 1
+  elseif isOwn(info.source) then
+    return level + (isTailCalled and 2 or 1)
+  end
+end
+
+--- Raises `physics: message` at the line that called into the library. C functions (pcall) and the
+--- gaps that Lua 5.1 leaves for tail calls are no callers; without any caller no line is named.
+---@param message string
+function check.fail(message)
+  if not getinfo then
+    error("physics: " .. message, 3)
+  end
+  local level, info = 2, nil
+  while level do
+    info = getinfo(level, "Sl")
+    level = info and nextLevel(level, info)
+  end
+  -- Written here and not by `error`, which on gopher-lua counts levels in its own way.
+  local place = ""
+  if info and info.currentline > 0 then
+    place = (info.short_src or info.source:gsub("^@", "")) .. ":" .. info.currentline .. ": "
+  end
+  error(place .. "physics: " .. message, 0)
+end
+
+local fail = check.fail
+
+-- Show a value -----------------------------------------------------------------------------------
+
+local ESCAPES = { ["\n"] = "\\n", ["\t"] = "\\t", ["\r"] = "\\r", ['"'] = '\\"', ["\\"] = "\\\\" }
+
+local function escape(character)
+  return ESCAPES[character] or format("\\%03d", character:byte())
+end
+
+-- True for the second to fourth byte of a UTF-8 character, before which no text is cut.
+local function isContinuation(byte)
+  return byte >= 128 and byte < 192
+end
+
+local function quote(text)
+  if #text > MAX_SHOWN then
+    local last = MAX_SHOWN
+    while last > MAX_SHOWN - 3 and isContinuation(text:byte(last + 1)) do
+      last = last - 1
+    end
+    text = text:sub(1, last) .. "..."
+  end
+  return '"' .. text:gsub('[%c"\\]', escape) .. '"'
+end
+
+local function showNumber(value)
+  if value ~= value then
+    return "nan"
+  elseif value == huge then
+    return "inf"
+  elseif value == -huge then
+    return "-inf"
+  end
+  return format("%.14g", value)
+end
+
+--- Returns a short text for a value, the same on every Lua.
+---@param value any
+---@return string
+function check.show(value)
+  local kind = type(value)
+  if kind == "string" then
+    return quote(value)
+  elseif kind == "number" then
+    return showNumber(value)
+  elseif kind == "nil" or kind == "boolean" then
+    return tostring(value)
+  end
+  return kind
+end
+
+local show = check.show
+
+local KEYWORDS = {}
+for word in
+  ([[and break do else elseif end false for function goto if in local nil not or repeat return then
+  true until while]]):gmatch("%a+")
+do
+  KEYWORDS[word] = true
+end
+
+local function indexed(path, key)
+  if type(key) == "string" and key:find("^[%a_][%w_]*$") and not KEYWORDS[key] then
+    return path .. "." .. key
+  end
+  return path .. "[" .. show(key) .. "]"
+end
+
+--- Returns how the game would write the place of an object: `objects.boxes[3]`, `objects.player`.
+---@param group string|number
+---@param key string|number? nil: the object stands directly in `objects`
+---@return string
+function check.place(group, key)
+  local path = indexed("objects", group)
+  return key == nil and path or indexed(path, key)
+end
+
+-- What is expected -------------------------------------------------------------------------------
+
+local function isFinite(value)
+  return type(value) == "number" and value >= -LARGEST and value <= LARGEST
+end
+
+local function isName(value)
+  return type(value) == "string" or isFinite(value)
+end
+
+local function inRange(value, min, above, max)
+  return isFinite(value)
+    and (not min or value >= min)
+    and (not above or value > above and (above ~= 0 or value >= SMALLEST))
+    and (not max or value <= max)
+end
+
+local function describeNumber(value, min, above, max)
+  local text = "a number"
+  if value == huge or value == -huge then
+    text = "a finite number"
+  elseif not max and type(value) == "number" and (value > LARGEST or value < -LARGEST) then
+    if not min and not above then
+      min = -LARGEST
+    end
+    max = LARGEST
+  elseif above == 0 and type(value) == "number" and value > 0 and value < SMALLEST then
+    return text .. " >= " .. show(SMALLEST)
+  end
+  if min and max then
+    return format("%s in %s..%s", text, show(min), show(max))
+  end
+  text = text .. (min and " >= " .. show(min) or above and " > " .. show(above) or "")
+  return text .. (max and (above and " and <= " or " <= ") .. show(max) or "")
+end
+
+local function describeChoice(values)
+  local shown = {}
+  for i = 1, #values do
+    shown[i] = show(values[i])
+  end
+  local last = table.remove(shown)
+  return #shown == 0 and last or table.concat(shown, ", ") .. " or " .. last
+end
+
+-- Of all entries that a predicate refuses the first in order: no message may depend on the order of
+-- pairs().
+local function firstBad(map, isGood)
+  local found, bad = false, nil
+  for key, value in pairs(map) do
+    if not isGood(key, value) and (not found or keyOrder.comesBefore(key, bad)) then
+      found, bad = true, key
+    end
+  end
+  return found, bad
+end
+
+local function isMaskEntry(key, value)
+  return isName(key) and type(value) == "boolean"
+end
+
+local function isMasksEntry(key, value)
+  return isName(key) and type(value) == "table" and not firstBad(value, isMaskEntry)
+end
+
+-- Each type of field: `accepts(field, value)`, and `describe(path, field, value)`, which says what
+-- is wrong with a value that was not accepted.
+local TYPES = {}
+
+local function mustBe(path, expected, value)
+  return format("%s must be %s, got %s", path, expected, show(value))
+end
+
+TYPES.number = {
+  accepts = function(field, value)
+    return inRange(value, field.min, field.above, field.max)
+  end,
+  describe = function(path, field, value)
+    return mustBe(path, describeNumber(value, field.min, field.above, field.max), value)
+  end,
+}
+
+TYPES.boolean = {
+  accepts = function(_, value)
+    return type(value) == "boolean"
+  end,
+  describe = function(path, _, value)
+    return mustBe(path, "true or false", value)
+  end,
+}
+
+TYPES["function"] = {
+  accepts = function(_, value)
+    return type(value) == "function"
+  end,
+  describe = function(path, _, value)
+    return mustBe(path, "a function", value)
+  end,
+}
+
+TYPES.string = {
+  accepts = function(field, value)
+    for i = 1, #field.values do
+      if value == field.values[i] then
+        return true
+      end
+    end
+    return false
+  end,
+  describe = function(path, field, value)
+    return mustBe(path, describeChoice(field.values), value)
+  end,
+}
+
+local function describeMask(path, mask)
+  if type(mask) ~= "table" then
+    return mustBe(path, "a table { [group] = false }", mask)
+  end
+  local _, key = firstBad(mask, isMaskEntry)
+  if not isName(key) then
+    return format("%s must have group names as keys, got %s", path, show(key))
+  end
+  return mustBe(indexed(path, key), "true or false", mask[key])
+end
+
+TYPES.mask = {
+  accepts = function(_, value)
+    return type(value) == "table" and not firstBad(value, isMaskEntry)
+  end,
+  describe = function(path, _, value)
+    return describeMask(path, value)
+  end,
+}
+
+TYPES.masks = {
+  accepts = function(_, value)
+    return type(value) == "table" and not firstBad(value, isMasksEntry)
+  end,
+  describe = function(path, _, value)
+    if type(value) ~= "table" then
+      return mustBe(path, "a table { [group] = { [group] = false } }", value)
+    end
+    local _, key = firstBad(value, isMasksEntry)
+    if not isName(key) then
+      return format("%s must have group names as keys, got %s", path, show(key))
+    end
+    return describeMask(indexed(path, key), value[key])
+  end,
+}
+
+-- What breaks a list of names: its index and the index of an equal name before it, or nothing.
+local function badName(list)
+  local seen = {}
+  for i = 1, #list do
+    local name = list[i]
+    if not isName(name) or seen[name] then
+      return i, seen[name]
+    end
+    seen[name] = i
+  end
+end
+
+local function isEmpty(list)
+  return next(list) == nil
+end
+
+--- Whether a value is a list, or empty: a set (`{ players = true }`) would be taken for the latter.
+function check.isList(value)
+  return type(value) == "table" and (value[1] ~= nil or isEmpty(value))
+end
+
+TYPES.names = {
+  accepts = function(_, value)
+    return check.isList(value) and not badName(value)
+  end,
+  describe = function(path, _, value)
+    if not check.isList(value) then
+      return mustBe(path, "a list of group names", value)
+    end
+    local i, earlier = badName(value)
+    if earlier then
+      local name = show(value[i])
+      return format("%s must name each group once, got %s at [%d] and [%d]", path, name, earlier, i)
+    end
+    return mustBe(indexed(path, i), "a group name", value[i])
+  end,
+}
+
+-- A field of type "sides" is written by the library and never checked.
+
+local function isAccepted(field, value)
+  return TYPES[field.type].accepts(field, value)
+end
+
+local function describe(path, field, value)
+  return TYPES[field.type].describe(path, field, value)
+end
+
+--- Returns whether a value fits an entry of `fields.lua`; nil does not.
+---@type fun(field: physics.Field, value: any): boolean
+check.accepts = isAccepted
+
+--- Checks one value against an entry of `fields.lua`.
+--- Errors: it does not fit, nil included.
+---@param field physics.Field
+---@param value any
+---@param path string how the place of the value is written
+function check.value(field, value, path)
+  if not isAccepted(field, value) then
+    fail(describe(path, field, value))
+  end
+end
+
+-- Objects ----------------------------------------------------------------------------------------
+
+local function isBad(field, value)
+  if value == nil then
+    return field.required == true
+  end
+  return not field.written and not isAccepted(field, value)
+end
+
+--- Returns the first field, in the order of `fields.objects`, whose value cannot be used. Makes no
+--- garbage.
+---@param object table
+---@return physics.Field? field nil: all are fine
+function check.badField(object)
+  local list = fields.objects
+  for i = 1, #list do
+    local field = list[i]
+    local value = object[field.name]
+    if (value ~= nil or field.required) and isBad(field, value) then
+      return field
+    end
+  end
+end
+
+local function mustBeTable(value, path)
+  if type(value) ~= "table" then
+    fail(mustBe(path, "a table", value))
+  end
+end
+
+--- Checks some fields of an object, in the order given.
+--- Errors: no table; a field that is missing or cannot be used.
+---@param object any
+---@param place string how the game would write it: `objects.boxes[3]`
+---@param names string[] names from `fields.objects`
+function check.fields(object, place, names)
+  mustBeTable(object, place)
+  for i = 1, #names do
+    local field = fields.objectByName[names[i]]
+    local value = object[field.name]
+    if isBad(field, value) then
+      fail(describe(place .. "." .. field.name, field, value))
+    end
+  end
+end
+
+--- Checks an object and all its fields.
+--- Errors: no table; a field that is missing or cannot be used, the first in the listed order.
+---@param object any
+---@param place string how the game would write it: `objects.boxes[3]`
+function check.object(object, place)
+  mustBeTable(object, place)
+  local field = check.badField(object)
+  if field then
+    fail(describe(place .. "." .. field.name, field, object[field.name]))
+  end
+end
+
+-- Settings ---------------------------------------------------------------------------------------
+
+-- True for two names that one slip of the finger tells apart: a letter wrong, missing, too many, or
+-- swapped with its neighbour.
+local function isOneOff(a, b)
+  while a ~= "" and a:sub(1, 1) == b:sub(1, 1) do
+    a, b = a:sub(2), b:sub(2)
+  end
+  while a ~= "" and a:sub(-1) == b:sub(-1) do
+    a, b = a:sub(1, -2), b:sub(1, -2)
+  end
+  return #a <= 1 and #b <= 1 or #a == 2 and a == b:reverse()
+end
+
+--- Tells whether one name was probably meant to be another: it differs by one slip at most, or only
+--- by capitals.
+---@param name string
+---@param known string
+---@return boolean
+function check.isSlip(name, known)
+  return isOneOff(name:lower(), known:lower())
+end
+
+--- Returns the name in a list that an unknown one was probably meant to be: it differs by one slip,
+--- or only by capitals.
+---@param name any
+---@param names string[]
+---@return string? nil: there is none
+function check.guess(name, names)
+  local guess
+  for _, known in ipairs(names) do
+    if tostring(name):lower() == known:lower() then
+      return known
+    elseif not guess and check.isSlip(tostring(name), known) then
+      guess = known
+    end
+  end
+  return guess
+end
+
+local function describeUnknown(kind, name, names, where)
+  local guess = check.guess(name, names)
+  local hint = guess and format(" (did you mean %s?)", show(guess)) or ""
+  local known = table.concat(names, ", ")
+  return format("%s: unknown %s %s%s; the %ss are %s", where, kind, show(name), hint, kind, known)
+end
+
+local function isAmong(names, name)
+  for i = 1, #names do
+    if names[i] == name then
+      return true
+    end
+  end
+  return false
+end
+
+--- Checks that a table has no entries but those of these names.
+--- Errors: another name, the first in order, so that the message does not vary from run to run.
+---@param given table
+---@param kind string what an entry is: `setting`
+---@param names string[]
+---@param where string the call it was given to: `newWorld(settings)`
+function check.names(given, kind, names, where)
+  local isUnknown, name = firstBad(given, function(key)
+    return isAmong(names, key)
+  end)
+  if isUnknown then
+    fail(describeUnknown(kind, name, names, where))
+  end
+end
+
+--- Checks one setting.
+--- Errors: an unknown name; a value that cannot be used; nil where the setting has a default.
+---@param name string
+---@param value any
+---@param where string? the call it was given to, nil: it is read from a field of the world
+function check.setting(name, value, where)
+  local field = fields.settingByName[name]
+  if not field then
+    fail(describeUnknown("setting", name, fields.settingNames, where or "world"))
+  elseif value == nil and field.default == nil then
+    return
+  elseif not isAccepted(field, value) then
+    fail(describe(where and where .. ": " .. name or "world." .. name, field, value))
+  end
+end
+
+--- Checks a table of settings; what it does not give has its default.
+--- Errors: no table (nil is fine); an unknown setting; a value that cannot be used.
+---@param settings table?
+---@param where string the call it was given to: `newWorld(settings)`
+function check.settings(settings, where)
+  if settings == nil then
+    return
+  end
+  check.table(settings, "settings", where)
+  check.names(settings, "setting", fields.settingNames, where)
+  for _, field in ipairs(fields.settings) do
+    local value = settings[field.name]
+    if value ~= nil and not isAccepted(field, value) then
+      fail(describe(where .. ": " .. field.name, field, value))
+    end
+  end
+end
+
+-- Arguments --------------------------------------------------------------------------------------
+
+--- Returns whether a value is a number that the library can work with: finite, not huge.
+---@type fun(value: any): boolean
+check.isFinite = isFinite
+
+--- Returns whether a value can be the name of a group.
+---@type fun(value: any): boolean
+check.isName = isName
+
+--- Checks a number: finite, and in its range.
+---@param value any
+---@param what string name of the argument
+---@param where string the call: `world:update(dt)`
+---@param min number? smallest value allowed
+---@param max number? largest value allowed
+function check.number(value, what, where, min, max)
+  if not inRange(value, min, nil, max) then
+    fail(mustBe(where .. ": " .. what, describeNumber(value, min, nil, max), value))
+  end
+end
+
+--- Checks a number that must be > 0 and finite.
+---@param value any
+---@param what string name of the argument
+---@param where string the call
+function check.positive(value, what, where)
+  if not inRange(value, nil, 0, nil) then
+    fail(mustBe(where .. ": " .. what, describeNumber(value, nil, 0, nil), value))
+  end
+end
+
+--- Checks a whole number in a range.
+---@param value any
+---@param what string name of the argument
+---@param where string the call
+---@param min integer
+---@param max integer
+function check.integer(value, what, where, min, max)
+  if not inRange(value, min, nil, max) or floor(value) ~= value then
+    fail(mustBe(where .. ": " .. what, format("an integer in %d..%d", min, max), value))
+  end
+end
+
+---@param value any
+---@param what string name of the argument
+---@param where string the call
+function check.boolean(value, what, where)
+  if type(value) ~= "boolean" then
+    fail(mustBe(where .. ": " .. what, "true or false", value))
+  end
+end
+
+---@param value any
+---@param what string name of the argument
+---@param where string the call
+function check.table(value, what, where)
+  if type(value) ~= "table" then
+    fail(mustBe(where .. ": " .. what, "a table", value))
+  end
+end
+
+--- Checks a string that must be one of a few.
+---@param value any
+---@param what string name of the argument
+---@param where string the call
+---@param values string[]
+function check.choice(value, what, where, values)
+  for i = 1, #values do
+    if value == values[i] then
+      return
+    end
+  end
+  fail(mustBe(where .. ": " .. what, describeChoice(values), value))
+end
+
+--- Checks the name of a group: a string or a finite number.
+---@param value any
+---@param where string the call: `world:add(group, object)`
+---@param what string? name of the argument, default "group"
+function check.group(value, where, what)
+  if not isName(value) then
+    fail(mustBe(where .. ": " .. (what or "group"), "a string or a number", value))
+  end
+end
+
+--- Checks a filter of a query: a group name, a list of group names or a function; nil is none.
+---@param value any
+---@param where string the call
+function check.filter(value, where)
+  if value == nil or type(value) == "function" or isName(value) then
+    return
+  end
+  if not check.isList(value) then -- an object, or a set of names, would be nobody
+    fail(mustBe(where .. ": filter", "a group name, a list of them or a function", value))
+  end
+  for i = 1, #value do
+    if not isName(value[i]) then
+      fail(mustBe(format("%s: filter[%d]", where, i), "a group name", value[i]))
+    end
+  end
+end
+
+interpreted.always(firstBad, isEmpty)
+
+return check

@@ -1,0 +1,181 @@
+--- Why two objects do or do not collide, in one sentence.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local aabb = require(root .. ".memory.aabb")
+local check = require(root .. ".world.check")
+local columns = require(root .. ".memory.columns")
+local filter = require(root .. ".broadphase.filter")
+local roster = require(root .. ".objects.registry")
+local view = require(root .. ".queries.index")
+
+local explain = {}
+
+local EPSILON = columns.EPSILON
+local STATIC = columns.STATIC
+local format = string.format
+
+local function nameOf(v, i)
+  return roster.place(v.group[i], v.key[i])
+end
+
+-- The mask that keeps two apart, in words, or nil.
+local function explainMask(v, i, j)
+  local refusal = filter.refusal(v, i, j)
+  if refusal == "mask" then
+    return format("the mask of %s refuses the group %s", nameOf(v, i), check.show(v.groupName[j]))
+  elseif refusal == "masks" then
+    local one, other = check.show(v.groupName[i]), check.show(v.groupName[j])
+    return format("the world's masks let %s pass through %s", one, other)
+  end
+end
+
+local function kindName(v, i)
+  return v.kind[i] == STATIC and "static" or "kinematic"
+end
+
+-- What keeps two apart wherever they are, or nil.
+local function explainFilter(v, i, j)
+  for _, slot in ipairs({ i, j }) do
+    if not v.active[slot] then
+      return nameOf(v, slot) .. " is not active"
+    end
+  end
+  if filter.reason(v, i, j) == "immovable" then
+    local one, other = kindName(v, i), kindName(v, j)
+    if one == other then
+      return format("both are %s, which never bump each other", one)
+    end
+    return format("one is %s and the other %s, which never bump each other", one, other)
+  end
+  return explainMask(v, i, j) or explainMask(v, j, i)
+end
+
+-- Gaps on both axes, negative where they overlap.
+local function gapsOf(v, i, j)
+  local p, s, k, m = v.position, v.size, 2 * i, 2 * j
+  local width, height = aabb.overlap(p[k], p[k + 1], s[k], s[k + 1], p[m], p[m + 1], s[m], s[m + 1])
+  return -width, -height
+end
+
+local function show(px)
+  return check.show(math.floor(px * 1000 + 0.5) / 1000)
+end
+
+-- The side of slot i at which slot j is flush, or nil.
+local function flushSide(v, i, j)
+  local gapX, gapY = gapsOf(v, i, j)
+  local p, k, m = v.position, 2 * i, 2 * j
+  if gapX > EPSILON or gapY > EPSILON then
+    return nil
+  elseif gapX >= -EPSILON then
+    return gapY < -EPSILON and (p[k] < p[m] and "right" or "left") or nil
+  elseif gapY >= -EPSILON then
+    return p[k + 1] < p[m + 1] and "bottom" or "top"
+  end
+end
+
+-- The side of slot i at which it has left slot j the least room, or nil if they do not overlap.
+local function deepSide(v, i, j)
+  local gapX, gapY = gapsOf(v, i, j)
+  if gapX >= -EPSILON or gapY >= -EPSILON then
+    return nil
+  end
+  local p, s, k, m = v.position, v.size, 2 * i, 2 * j
+  return aabb.side(p[k], p[k + 1], s[k], s[k + 1], p[m], p[m + 1], s[m], s[m + 1])
+end
+
+local function explainPlace(v, i, j)
+  local gapX, gapY = gapsOf(v, i, j)
+  local side = flushSide(v, i, j)
+  if side then
+    return format("they are flush at the %s of %s", side, nameOf(v, i))
+  elseif gapX > EPSILON and gapY > EPSILON then
+    return format("they are %s px apart on x and %s px on y", show(gapX), show(gapY))
+  elseif gapX > EPSILON then
+    return format("they are %s px apart on x", show(gapX))
+  elseif gapY > EPSILON then
+    return format("they are %s px apart on y", show(gapY))
+  elseif gapX >= -EPSILON or gapY >= -EPSILON then
+    return "they are flush at a corner only"
+  end
+  return format("they overlap by %s x %s px", show(-gapX), show(-gapY))
+end
+
+-- Under which conditions they collide.
+local function conditions(v, world, i, j)
+  local list = {}
+  for _, slot in ipairs({ i, j }) do
+    local name = nameOf(v, slot)
+    if v.sensor[slot] then
+      list[#list + 1] = name .. " is a sensor: it reports contacts and bumps nobody"
+    end
+    if v.oneWay[slot] then
+      list[#list + 1] = format("%s is solid at its %s only", name, v.oneWay[slot])
+    end
+    if v.object[slot].canCollide then
+      list[#list + 1] = format("canCollide of %s is asked", name)
+    end
+  end
+  if world.canCollide then
+    list[#list + 1] = "canCollide of the world is asked"
+  end
+  return list
+end
+
+local function explainSlots(v, world, i, j)
+  view.lookAtFilter(v, i)
+  view.lookAtFilter(v, j)
+  local names = format("%s and %s ", nameOf(v, i), nameOf(v, j))
+  local why = explainFilter(v, i, j)
+  if why then
+    return format("%snever collide: %s.", names, why)
+  end
+  local list = conditions(v, world, i, j)
+  list[#list + 1] = "now " .. explainPlace(v, i, j)
+  return format("%scan collide: %s.", names, table.concat(list, "; "))
+end
+
+--- Returns the sentence.
+function explain.run(world, a, b)
+  local v = view.of(world)
+  local i, j = view.find(v, world, a), view.find(v, world, b)
+  if rawequal(a, b) then
+    return "a and b are the same object, which never collides with itself."
+  elseif not i and not j then
+    return "a and b never collide: neither is in the world."
+  elseif not i or not j then
+    return format("a and b never collide: %s is not in the world.", i and "b" or "a")
+  end
+  return explainSlots(v, world, i, j)
+end
+
+--- Returns the side of a at which it is in contact with b, or nil. A contact is what the last step
+--- left (see publish), as long as the game has not taken the two apart since; with `sideBySide` it
+--- is whoever is flush. Two that are not in the world: nil, and which one is missing.
+function explain.touching(world, a, b)
+  local v, core = view.of(world), world._bodies
+  local i, j = view.find(v, world, a), view.find(v, world, b)
+  if not i or not j then
+    return nil, i and "b" or "a"
+  end
+  view.lookAtFilter(v, i)
+  view.lookAtFilter(v, j)
+  if rawequal(a, b) or filter.reason(v, i, j) then
+    return nil
+  end
+  local flush = flushSide(v, i, j)
+  if flush and world.sideBySide and not (v.sensor[i] or v.sensor[j]) then
+    return flush
+  end
+  local deep = deepSide(v, i, j)
+  local slotA, slotB = core.slotOf[a], core.slotOf[b]
+  local p = (flush or deep) and slotA and slotB and columns.pairOf(core, slotA, slotB)
+  local contact = p and core.contact[p] or 0
+  if contact == 0 then
+    return nil
+  end
+  local side = columns.SIDES[core.pairA[p] == slotA and contact or columns.OPPOSITE[contact]]
+  return (deep or flush == side) and side or nil
+end
+
+return explain

@@ -1,0 +1,191 @@
+--- The settings of a world: plain fields that the game may change between two updates. What
+--- depends on them is brought up to date at the beginning of a step.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local check = require(root .. ".world.check")
+local columns = require(root .. ".memory.columns")
+local collect = require(root .. ".objects.read")
+local detect = require(root .. ".broadphase.pairFinder")
+local events = require(root .. ".contacts.events")
+local everybody = require(root .. ".broadphase.allPairs")
+local fields = require(root .. ".world.fields")
+local grid = require(root .. ".broadphase.grid")
+local rest = require(root .. ".sleep.islands")
+
+require(root .. ".memory.jit").file()
+
+local settings = {}
+
+local NONE = {} -- the mask of a group that has none
+local BROADPHASES = { auto = grid, grid = grid, pairs = everybody }
+
+-- What a change of a setting asks for.
+local effects = {}
+
+local function newGravity(self, b)
+  -- Adding 0.0 makes floats of the integers of Lua 5.3 and later, whose squares would wrap.
+  b.gravityX, b.gravity = self.gravityX + 0.0, self.gravity + 0.0
+  -- Which axis counts as "down" for the order of simultaneous contacts.
+  local vertical = b.gravityX * b.gravityX <= b.gravity * b.gravity
+  b.downAxis = vertical and 1 or 0
+  local down = (vertical and b.gravity or b.gravityX) < 0 and -1 or 1
+  b.orientation[b.downAxis] = down
+  b.orientation[1 - b.downAxis] = vertical and down or -down
+  collect.newGravity(b)
+end
+
+local function newBroadphase(self, b)
+  local old = b.broadphase
+  local new = BROADPHASES[self.broadphase].new(b, self.cellSize)
+  b.broadphase = new
+  for n = 1, old and old.count or 0 do
+    new:insert(old.list[n])
+  end
+end
+
+effects.gravity, effects.gravityX = newGravity, newGravity
+effects.broadphase, effects.cellSize = newBroadphase, newBroadphase
+
+function effects.push(self, b)
+  b.pushFirst = self.push == "first"
+  rest.wakeAll(b)
+end
+
+function effects.sideBySide(self, b)
+  b.sideBySide = self.sideBySide
+  rest.wakeAll(b)
+end
+
+function effects.rest(self, b)
+  b.rest = self.rest
+  rest.wakeAll(b)
+end
+
+function effects.onStay(_, b)
+  rest.wakeAll(b)
+end
+
+function effects.canCollide(self, b)
+  b.worldCanCollide = self.canCollide or false
+  b.hasAskers = b.hasAskers or b.worldCanCollide ~= false
+  rest.wakeAll(b)
+end
+
+function effects.order(self, b)
+  b.roster.order = self.order or {}
+  b.roster.reorder = true
+end
+
+function effects.masks(self, b)
+  b.masks = self.masks or false
+  rest.wakeAll(b)
+  for i = 1, b.slots do
+    if b.kind[i] ~= 0 then
+      events.endForbidden(b, i)
+    end
+  end
+  detect.refilterAll(b)
+  rest.wakeAll(b)
+  b.isRemasked = true
+end
+
+-- Notes in a row what the mask of a group says of each, by the number of the group. Returns
+-- whether that is something else than before.
+local function hasRowChanged(groups, mask, row)
+  local changed = false
+  for n = 1, #groups do
+    local refuses, number = mask[groups[n].name] == false, groups[n].number
+    if refuses ~= (row[number] or false) then
+      row[number], changed = refuses, true
+    end
+  end
+  return changed
+end
+
+-- What was seen of groups that are in the world; others have left since.
+local function withoutGone(groups, seen)
+  local kept = {}
+  for m = 1, #groups do
+    local number = groups[m].number
+    local row = seen[number]
+    kept[number] = row and {}
+    for n = 1, row and #groups or 0 do
+      kept[number][groups[n].number] = row[groups[n].number]
+    end
+  end
+  return kept
+end
+
+-- Whether the masks say something else than when they were last read: the game may change them
+-- inside the same table. Those of groups that are not in the world say nothing yet.
+local function haveMasksChanged(b, masks)
+  local groups, seen, changed = b.roster.groups, b.masksSeen, false
+  if not seen then -- never read, or forgotten by `restore`
+    seen, changed = {}, true
+  elseif seen[0] ~= b.roster.numbers then
+    seen = withoutGone(groups, seen)
+  end
+  seen[0], b.masksSeen = b.roster.numbers, seen
+  for n = 1, #groups do
+    local mask, row = masks[groups[n].name], seen[groups[n].number]
+    if mask or row then -- most have none
+      row = row or {}
+      seen[groups[n].number] = row
+      changed = hasRowChanged(groups, mask or NONE, row) or changed
+    end
+  end
+  return changed
+end
+
+--- Gives a new world its settings: those given, defaults for the rest.
+function settings.fill(self, given)
+  local b = self._bodies
+  for _, field in ipairs(fields.settings) do
+    local value = given and given[field.name]
+    if value == nil then
+      value = field.default
+    end
+    self[field.name] = value
+  end
+  b.applied = {}
+  b.masksSeen = false
+  b.orientation = {}
+  settings.apply(self)
+end
+
+--- Checks the settings that changed since the last step and puts them into effect.
+--- Errors: a value that cannot be used; nothing has changed then.
+function settings.apply(self)
+  local b, list = self._bodies, fields.settings
+  local applied = b.applied
+  local changed = false
+  for n = 1, #list do
+    local name = list[n].name
+    local value = self[name]
+    if value ~= applied[name] then
+      check.setting(name, value)
+      changed = true
+    end
+  end
+  if self.masks then
+    check.setting("masks", self.masks)
+    if haveMasksChanged(b, self.masks) then
+      effects.masks(self, b)
+    end
+  end
+  if not changed then
+    return
+  end
+  for n = 1, #list do
+    local name = list[n].name
+    local value = self[name]
+    if value ~= applied[name] then
+      applied[name] = value
+      if effects[name] then
+        effects[name](self, b)
+      end
+    end
+  end
+end
+
+return settings

@@ -1,0 +1,265 @@
+--- Guards for a game that is being written: what is too dear, or too strict, for every step. Only
+--- with the setting `checked`; changes nothing, and reads the game's tables and the columns.
+--
+--   a static object that was changed by hand: it is read once, the change would never be seen
+--   a field or setting whose name is one slip away from one that the library knows, and a mask
+--     that names a group which is so far from one of the world
+--   a mover so large that the grid's cells are of no use to it
+--   an object that stands in two worlds (both of them checked)
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local check = require(root .. ".world.check")
+local columns = require(root .. ".memory.columns")
+local fields = require(root .. ".world.fields")
+local filter = require(root .. ".broadphase.filter")
+local interpreted = require(root .. ".memory.jit")
+local roster = require(root .. ".objects.registry")
+local state = require(root .. ".state.save")
+
+local guard = {}
+
+local format, show = string.format, check.show
+local STATIC = columns.STATIC
+-- A mover may be this many cells long.
+local MOST_CELLS = 1024
+
+-- Names from other libraries, and what they are called here.
+local MEANT = {
+  velocity = "vx and vy",
+  velocityX = "vx",
+  velocityY = "vy",
+  isStatic = "static",
+  isKinematic = "kinematic",
+  isSensor = "sensor",
+  isActive = "active",
+  isPushable = "pushable",
+  weight = "mass",
+  bounciness = "restitution",
+  elasticity = "restitution",
+  damping = "airFriction",
+  linearDamping = "airFriction",
+  gravityScale = "gravity, in px/s²",
+  isTrigger = "sensor",
+  onCollide = "onBegin",
+  onCollision = "onBegin",
+}
+
+local function placeOf(b, i)
+  return roster.place(b.group[i], b.key[i])
+end
+
+-- Names -------------------------------------------------------------------------------------------
+
+-- What a name was probably meant to be, false if it looks like one of the game's own.
+local function meaningOf(name, names, byName)
+  if type(name) ~= "string" or byName[name] or name:sub(1, 1) == "_" then
+    return false
+  elseif byName == fields.objectByName and MEANT[name] then
+    return MEANT[name]
+  end
+  local guess = check.guess(name, names)
+  -- Short names are all alike: `w` and `z` may be the game's own.
+  local isSure = guess and (#guess > 3 and #name > 3 or guess == name:lower())
+  return isSure and guess or false
+end
+
+local function refuseName(place, name, meant)
+  check.fail(
+    format("%s.%s is no field of the library: did you mean %s?", place, tostring(name), meant)
+  )
+end
+
+-- Looks at the keys of a table itself, not at those of its class.
+local function checkNames(seen, object, names, byName, b, i)
+  for name in next, object, nil do
+    local meant = seen[name]
+    if meant == nil then
+      meant = meaningOf(name, names, byName)
+      seen[name] = meant
+    end
+    if meant then
+      refuseName(i and placeOf(b, i) or "world", name, meant)
+    end
+  end
+end
+
+-- The group of the world that a name was probably meant to be; nil: none, or it is one, or was.
+-- (It may also be that of a group that is still to come, so short ones are all left alone.)
+local function groupMeant(b, name)
+  if type(name) ~= "string" or #name < 4 then
+    return nil
+  elseif b.guarded.groups[name] or b.world.objects[name] ~= nil then
+    return nil
+  end
+  for n = 1, #b.roster.groups do
+    local known = b.roster.groups[n].name
+    if type(known) == "string" and #known > 3 and check.isSlip(name, known) then
+      return known
+    end
+  end
+end
+
+-- Looks at the groups that a mask names; `place` is how the game would write it.
+local function checkMask(b, mask, place)
+  for name in next, mask, nil do
+    local meant = groupMeant(b, name)
+    if meant then
+      check.fail(format("%s: there is no group %s, did you mean %s?", place, name, meant))
+    end
+  end
+end
+
+local function checkMasks(b, masks)
+  checkMask(b, masks, "world.masks")
+  for name, mask in next, masks, nil do
+    checkMask(b, mask, "world.masks." .. tostring(name))
+  end
+end
+
+-- Static objects ----------------------------------------------------------------------------------
+
+local function refuseStatic(b, i, name, value)
+  check.fail(
+    format(
+      "%s.%s was changed to %s by hand: a static object is read once, call world:refresh(object)",
+      placeOf(b, i),
+      name,
+      show(value)
+    )
+  )
+end
+
+-- Fields that every object has an entry for; the velocity of a static object is not read.
+local function checkDense(b, i, object)
+  for n = 1, #state.DENSE do
+    local entry = state.DENSE[n]
+    local value = object[entry[1]]
+    if entry[2] ~= "velocity" and value ~= b[entry[2]][2 * i + entry[3]] then
+      refuseStatic(b, i, entry[1], value)
+    end
+  end
+end
+
+local function checkSparse(b, i, object)
+  for n = 1, #state.SPARSE do
+    local entry = state.SPARSE[n]
+    local name, column, axis = entry[1], entry[2], entry[4]
+    local value = object[name]
+    if column and value == nil then
+      value = entry[3]
+    end
+    if column and value ~= b[column][axis and 2 * i + axis or i] then
+      refuseStatic(b, i, name, object[name])
+    end
+  end
+end
+
+-- The others: name, column, what the column holds if the field is not set.
+local OTHERS = {
+  { "friction", "friction", -1 },
+  { "canCollide", "canCollide", false },
+  { "onStay", "hears", false },
+}
+
+local function checkOthers(b, i, object)
+  for n = 1, #OTHERS do
+    local name, column, absent = OTHERS[n][1], OTHERS[n][2], OTHERS[n][3]
+    if (object[name] or absent) ~= b[column][i] then
+      refuseStatic(b, i, name, object[name])
+    end
+  end
+  if not filter.isSameMask(object.mask, b.mask[i]) then
+    refuseStatic(b, i, "mask", object.mask)
+  end
+end
+
+local function checkStatic(b, i, object)
+  if not object.static then
+    refuseStatic(b, i, "static", object.static)
+  end
+  checkDense(b, i, object)
+  checkSparse(b, i, object)
+  checkOthers(b, i, object)
+end
+
+-- Movers ------------------------------------------------------------------------------------------
+
+local function checkMover(b, i, object)
+  if object.static then
+    refuseStatic(b, i, "static", true)
+  end
+  local cell = b.broadphase.cell
+  if cell then
+    local name = object.width > object.height and "width" or "height"
+    if object[name] > MOST_CELLS * cell then
+      check.fail(
+        format(
+          "%s.%s must be at most %d cells of %s px, got %s: set world.cellSize to the size of most"
+            .. " objects",
+          placeOf(b, i),
+          name,
+          MOST_CELLS,
+          show(cell),
+          show(object[name])
+        )
+      )
+    end
+  end
+end
+
+-- Worlds ------------------------------------------------------------------------------------------
+
+-- The columns that an object was last seen in. The only memory that all worlds share: what stands
+-- in two of them cannot be known by one. It keeps nobody alive.
+local owners = setmetatable({}, { __mode = "kv" })
+
+-- Where it was seen in there; it may have been taken out since the last step.
+local function slotIn(owner, object)
+  local slot, objects = owner.slotOf[object], owner.world.objects
+  return slot and type(objects) == "table" and roster.whereSeen(owner, objects, slot) and slot
+end
+
+local function checkOwner(b, i, object)
+  local owner = owners[object]
+  if owner ~= b then
+    local slot = owner and slotIn(owner, object)
+    if slot then
+      check.fail(
+        format("%s stands in another world, too, as %s", placeOf(b, i), placeOf(owner, slot))
+      )
+    end
+    owners[object] = b
+  end
+end
+
+--- Looks at everybody. `collect` has read the game's tables just now.
+--- Errors: see the top of this file; nothing has changed then.
+function guard.run(world)
+  local b = world._bodies
+  b.guarded = b.guarded or { fields = {}, settings = {}, groups = {} }
+  local seen = b.guarded
+  for n = 1, #b.roster.groups do
+    seen.groups[b.roster.groups[n].name] = true
+  end
+  checkNames(seen.settings, world, fields.settingNames, fields.settingByName, b)
+  checkMasks(b, world.masks or {})
+  for i = 1, b.slots do
+    local object = b.object[i]
+    if object then
+      checkNames(seen.fields, object, fields.objectNames, fields.objectByName, b, i)
+      if b.kind[i] == STATIC then
+        checkStatic(b, i, object)
+      else
+        checkMover(b, i, object)
+      end
+      if object.mask then
+        checkMask(b, object.mask, placeOf(b, i) .. ".mask")
+      end
+      checkOwner(b, i, object)
+    end
+  end
+end
+
+interpreted.always(checkNames, checkMask, checkMasks)
+
+return guard
