@@ -88,10 +88,10 @@ end
 
 -- Of those in b.linkOne and b.linkOther, keeps who can meet at all; returns how many.
 local function keepAllowed(b, count)
-  local ones, others, n = b.linkOne, b.linkOther, 0
+  local ones, others, crowd, n = b.linkOne, b.linkOther, b.crowd, 0
   for m = 1, count do
     local i, j = ones[m], others[m]
-    if filter.allows(b, i, j) then
+    if min(crowd[i], crowd[j]) == 0 and filter.allows(b, i, j) then
       n = n + 1
       ones[n], others[n] = i, j
     end

@@ -94,6 +94,9 @@ local function solidContact(b, p, i, j)
     end
     wedge(b, p, i, j)
     if b.wedged[p] ~= 0 then
+      if b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC then
+        leaveInside(b, i, j)
+      end
       return b.wedged[p]
     end
     leaveInside(b, i, j)

@@ -95,7 +95,7 @@ local SLOT = {
   carrierNow = 0, -- scratch of carrier
   carrierSeen = 0,
   -- the solver
-  crowded = 0, -- 1: in a crowd (see crowd)
+  crowd = 0, -- what leads the crowd that it is in, 0: none (see crowd)
   dirty = 0, -- 1: its path is new since it was last swept
   impactsOf = 0, -- impacts in this step
   inRound = 0, -- round in which it was last in an impact
@@ -373,7 +373,18 @@ function columns.new()
     maskCopy = false, -- the last one made of the mask of a static object (see filter)
     hasOneWays = false, -- or is one-way
     hasSensors = false, -- or a sensor
-    crowdCount = 0,
+    hasCrowds = false, -- or was crowded
+    crowdCount = 0, -- crowded bodies in this step
+    crowdList = {}, -- scratch of crowd
+    crowdKey = {},
+    crowdNew = {},
+    crowdMark = {},
+    isOverlapped = {},
+    crowdColumn = {},
+    columnWidth = {},
+    shared = {},
+    leader = {},
+    leaderRank = {},
     apartCount = 0,
     seenCount = 0,
     overlapCount = 0,
@@ -420,6 +431,8 @@ function columns.new()
       count = 0,
       movedCount = 0,
       stamp = {},
+      seen = {},
+      isCrowded = {},
       pairs = {},
       depth = {},
       first = {},
@@ -436,7 +449,7 @@ function columns.new()
   -- Slot 0 is nobody, that of pairs that were taken apart: less than nothing, so it meets nobody.
   b.object[0], b.awake[0], b.rank[0], b.time[0] = false, false, 0, 0
   b.head[0], b.next[0], b.previous[0] = 0, 0, 0
-  b.dirty[0], b.crowded[0] = 0, 0
+  b.dirty[0], b.crowd[0] = 0, 0
   for k = 0, 1 do
     b.from[k], b.to[k], b.speed[k], b.size[k] = 0, 0, 0, -1
   end

@@ -227,7 +227,7 @@ end
 
 -- Whether the next step may differ from this one although nothing moves.
 local function hasNews(b, i)
-  return b.news[i] or b.fresh[i] or b.moved[i] or b.heard[i] or b.inside[i] or isBorneByChance(b, i)
+  return b.news[i] or b.fresh[i] or b.moved[i] or b.heard[i] or isBorneByChance(b, i)
 end
 
 local function publishKinematic(b, i)

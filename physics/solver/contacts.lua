@@ -9,12 +9,16 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
+local interpreted = require(root .. ".memory.jit")
 local rules = require(root .. ".solver.rules")
 
 local contacts = {}
 
-local EPSILON = columns.EPSILON
-local max = math.max
+local EPSILON, DYNAMIC = columns.EPSILON, columns.DYNAMIC
+--- Share of the smaller one's size by which two that overlap go apart in a step.
+contacts.PACE = 0.25
+local PACE = contacts.PACE
+local max, min = math.max, math.min
 
 --- Values of `touches`: the pair is swept; it is a contact; it is one that may bounce, and is swept,
 --- too; both are in a crowd, it does nothing.
@@ -89,10 +93,10 @@ end
 
 -- Takes the pairs out of a list of which both are in a crowd. Returns how many are left.
 local function dropGhosts(b, list, count)
-  local pairA, pairB, crowded, kept = b.pairA, b.pairB, b.crowded, 0
+  local pairA, pairB, crowd, kept = b.pairA, b.pairB, b.crowd, 0
   for n = 1, count do
     local p = list[n]
-    if crowded[pairA[p]] + crowded[pairB[p]] == 2 then
+    if min(crowd[pairA[p]], crowd[pairB[p]]) > 0 then
       b.touches[p] = GHOST
     else
       kept = kept + 1
@@ -138,7 +142,16 @@ local function putDeep(b, p)
   if rules.passes(b, p, kl, kh, axis, true) then
     return
   end
-  put(b, p, axis, kl, kh, b.wedged[p] ~= 0 and size[kl] or from[kh] - from[kl])
+  local separation = size[kl]
+  if b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC then
+    -- Some way out in each step; they keep to this axis.
+    local least = from[kh] - from[kl]
+    separation = min(separation, least + PACE * min(size[kl], size[kh]))
+    b.wedged[p] = kl == ki + axis and 2 * axis + 2 or 2 * axis + 1
+  elseif b.wedged[p] == 0 then
+    separation = from[kh] - from[kl]
+  end
+  put(b, p, axis, kl, kh, separation)
 end
 
 -- Decides of each close pair on which axis it touches.
@@ -367,7 +380,7 @@ end
 function contacts.noteNew(b)
   for n = b.seenCount + 1, b.liveCount do
     local p = b.live[n]
-    if b.crowded[b.pairA[p]] + b.crowded[b.pairB[p]] == 2 then
+    if min(b.crowd[b.pairA[p]], b.crowd[b.pairB[p]]) > 0 then
       b.touches[p] = GHOST
     else
       b.touches[p] = APART
@@ -376,5 +389,7 @@ function contacts.noteNew(b)
   end
   b.seenCount = b.liveCount
 end
+
+interpreted.functions(putDeep, dropRefused, contacts.find, contacts.add, contacts.rearrange)
 
 return contacts

@@ -8,6 +8,8 @@
 --
 -- Kinks are in lists, by rising velocity: `kinkAt`, `kinkJump`, `kinkNext`; 0 ends a list.
 
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+
 local flow = {}
 
 -- Stretches of time between two kinks, at most.

@@ -10,6 +10,7 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
+local interpreted = require(root .. ".memory.jit")
 local flow = require(root .. ".solver.flow")
 local pool = require(root .. ".solver.pool")
 local settle = require(root .. ".solver.settle")
@@ -379,5 +380,7 @@ function friction.run(b, axis, dt)
   end
   return true
 end
+
+interpreted.functions(friction.run) -- leads from loop to loop
 
 return friction

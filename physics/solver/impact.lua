@@ -11,6 +11,8 @@ local flow = require(root .. ".solver.flow")
 local friction = require(root .. ".solver.friction")
 local path = require(root .. ".motion.path")
 
+require(root .. ".memory.jit").file()
+
 local impact = {}
 
 local DYNAMIC, SIDE = columns.DYNAMIC, columns.SIDE

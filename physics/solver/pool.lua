@@ -12,6 +12,7 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local flow = require(root .. ".solver.flow")
+local interpreted = require(root .. ".memory.jit")
 
 local pool = {}
 
@@ -228,19 +229,43 @@ function pool.glue(b, kUp, kLow, dt)
   end
 end
 
+-- The next contact from place c on that may be violated at the end of the step: of two bodies that
+-- are in no block that can be seen at once.
+local function nextViolated(b, list, c, last, by)
+  local low, high, separation = list.low, list.high, list.separation
+  local to, parent = b.to, b.parent
+  while c ~= last do
+    local kl, kh = low[c], high[c]
+    if parent[kl] + parent[kh] > 0 or to[kl] + separation[c] - to[kh] > EPSILON then
+      return c
+    end
+    c = c + by
+  end
+  return c
+end
+
+-- One walk along the contacts. Returns whether something has changed.
+local function walk(b, list, first, last, by, dt, isLate)
+  local hasChanged = false
+  local c = nextViolated(b, list, first, last + by, by)
+  while c ~= last + by do
+    if look(b, list, c, dt, isLate) then
+      hasChanged = true
+    end
+    c = nextViolated(b, list, c + by, last + by, by)
+  end
+  return hasChanged
+end
+
 --- Makes blocks of what overlaps at the end of the step. Walks there and back, at most PASSES times.
 function pool.run(b, list, dt, isLate)
   local count = list.count
   for n = 1, PASSES do
-    local hasChanged = false
-    local first, last, by = 1, count, 1
-    if n % 2 == 0 then
-      first, last, by = count, 1, -1
-    end
-    for c = first, last, by do
-      if look(b, list, c, dt, isLate) then
-        hasChanged = true
-      end
+    local hasChanged
+    if n % 2 == 1 then
+      hasChanged = walk(b, list, 1, count, 1, dt, isLate)
+    else
+      hasChanged = walk(b, list, count, 1, -1, dt, isLate)
     end
     if not hasChanged then
       break
@@ -248,5 +273,8 @@ function pool.run(b, list, dt, isLate)
   end
   spread(b)
 end
+
+-- What happens to single contacts goes another way each time.
+interpreted.functions(pool.run)
 
 return pool

@@ -5,6 +5,8 @@ local ask = require(root .. ".solver.permission")
 local live = require(root .. ".broadphase.activePairs")
 local oneway = require(root .. ".solver.oneWay")
 
+require(root .. ".memory.jit").file()
+
 local rules = {}
 
 local floor = math.floor

@@ -24,6 +24,8 @@ local part = {}
 local huge, max, min = math.huge, math.max, math.min
 local EPSILON, DYNAMIC = columns.EPSILON, columns.DYNAMIC
 local ROUNDS = 8
+-- So many others that it overlaps, a body leaves at once; more, over several steps (see contacts).
+local MOST = 2
 
 -- The four ways out for the first of two, and the order among equals: the tutorial's.
 local AXIS = { 1, 1, 0, 0 } -- bottom, top, left, right
@@ -49,6 +51,27 @@ local function overlapOf(b, i, j)
   )
 end
 
+-- Whether a body overlaps more than MOST other dynamic ones: that is left to the contacts.
+local function isCrowded(b, i)
+  local work = b.partWork
+  if work.seen[i] == work.round then
+    return work.isCrowded[i]
+  end
+  local half, count = b.head[i], 0
+  while half ~= 0 and count <= MOST do
+    local j = b.other[half]
+    if b.kind[j] == DYNAMIC and not b.sensor[j] then
+      local width, height = overlapOf(b, i, j)
+      if width > EPSILON and height > EPSILON then
+        count = count + 1
+      end
+    end
+    half = b.next[half]
+  end
+  work.seen[i], work.isCrowded[i] = work.round, count > MOST
+  return count > MOST
+end
+
 -- Adds pair p to the work of this round if the two overlap.
 local function consider(b, p)
   local work = b.partWork
@@ -60,15 +83,19 @@ local function consider(b, p)
     return
   end
   local width, height = overlapOf(b, i, j)
-  if width > EPSILON and height > EPSILON then
+  local isImmovable = b.kind[i] ~= DYNAMIC or b.kind[j] ~= DYNAMIC
+  if
+    width > EPSILON
+    and height > EPSILON
+    and (isImmovable or not (isCrowded(b, i) or isCrowded(b, j)))
+  then
     work.stamp[p] = work.round
     local n = work.count + 1
     work.count = n
     work.pairs[n] = p
-    local immovable = b.kind[i] ~= DYNAMIC or b.kind[j] ~= DYNAMIC
     local depth = width < height and width or height
     -- Static partners first, then the deepest; a key of one number, since depth is finite.
-    work.depth[p] = immovable and -depth - work.far or -depth
+    work.depth[p] = isImmovable and -depth - work.far or -depth
     local first, second = b.rank[i], b.rank[j]
     work.first[p] = first < second and first or second
     work.second[p] = first < second and second or first

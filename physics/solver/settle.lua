@@ -11,6 +11,7 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
+local interpreted = require(root .. ".memory.jit")
 local pool = require(root .. ".solver.pool")
 
 local settle = {}
@@ -145,5 +146,7 @@ function settle.isViolated(b, axis)
   end
   return false
 end
+
+interpreted.functions(squeeze, settle.hold, settle.finish, settle.axis)
 
 return settle

@@ -11,6 +11,7 @@ local detect = require(root .. ".broadphase.pairFinder")
 local flow = require(root .. ".solver.flow")
 local friction = require(root .. ".solver.friction")
 local impact = require(root .. ".solver.impact")
+local interpreted = require(root .. ".memory.jit")
 local live = require(root .. ".broadphase.activePairs")
 local nudge = require(root .. ".solver.nudge")
 local path = require(root .. ".motion.path")
@@ -292,5 +293,9 @@ function solver.run(b, dt)
   restart(b, dt)
   solve(b, dt)
 end
+
+-- These lead from loop to loop, or go another way each time.
+interpreted.functions(settleTouching, sortImpacts, sense, stop, happen, round, settleLate, solve)
+interpreted.functions(restart, solver.run)
 
 return solver

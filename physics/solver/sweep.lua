@@ -9,6 +9,7 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
+local interpreted = require(root .. ".memory.jit")
 
 local sweep = {}
 
@@ -184,5 +185,8 @@ function sweep.run(b)
   impacts.count = count
   return count
 end
+
+-- Each pair goes another way.
+interpreted.functions(gaps, meetFace, meetCorner, at, meet, sweep.run)
 
 return sweep

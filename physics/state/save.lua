@@ -53,7 +53,7 @@ state.VERSION = 1
 --- By slot: whether it is so.
 state.FLAGS = { "moved", "inside" }
 --- By slot: a slot, 0 for none.
-state.LINKS = { "support", "carrier" }
+state.LINKS = { "support", "carrier", "crowd" }
 --- By slot and axis: name, and its usual value, or the column that has it. `last` is for drawing
 --- alone, in worlds with a `timestep`.
 state.POINTS = {

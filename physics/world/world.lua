@@ -7,6 +7,7 @@ local carrier = require(root .. ".objects.carriers")
 local check = require(root .. ".world.check")
 local collect = require(root .. ".objects.read")
 local columns = require(root .. ".memory.columns")
+local crowd = require(root .. ".solver.crowd")
 local detect = require(root .. ".broadphase.pairFinder")
 local events = require(root .. ".contacts.events")
 local explain = require(root .. ".world.explain")
@@ -79,7 +80,9 @@ local function step(self, dt)
 
   b.begun, b.predicted, b.rubs = 0, 0, 0
   begin.run(b)
+  crowd.mark(b)
   detect.runMoved(b)
+  crowd.run(b)
   part.run(b)
   predict.run(b, dt) -- forces, move
   solver.run(b, dt) -- contacts, settle, friction, then sweep and hit

@@ -1,0 +1,470 @@
+--- Crowds: many bodies at one spot, which no order of pushes between two could part in a few steps.
+--
+-- A body is *crowded* if it shares its place with several others. Two crowded bodies are no pair: in
+-- a step they pass through each other. Instead all that are in one crowd are sorted into columns, as
+-- many as there is room for between the walls around them, and each goes towards its place there,
+-- by no more than a fixed share of its size in a step. A crowd is left by what overlaps no other body
+-- of it. So the work grows with the number of bodies, not of pairs.
+--
+-- `crowd` of a body is 0 or the one that leads its crowd. Reads from, size, awakeList; writes crowd,
+-- from, to, velocity.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local columns = require(root .. ".memory.columns")
+local begin = require(root .. ".motion.begin")
+local filter = require(root .. ".broadphase.filter")
+local islands = require(root .. ".sleep.islands")
+local pairFinder = require(root .. ".broadphase.pairFinder")
+local separate = require(root .. ".solver.separate")
+local sort = require(root .. ".memory.sort")
+
+require(root .. ".memory.jit").file()
+
+local crowd = {}
+
+local DYNAMIC = columns.DYNAMIC
+local ceil, floor, huge, max, min, sqrt = math.ceil, math.floor, math.huge, math.max, math.min, math.sqrt
+--- A body is crowded if its middle is inside so many others, or theirs in it.
+local MANY = 4
+--- Share of its size by which it goes to its place in a step, along each axis.
+crowd.PACE = 0.5
+local PACE = crowd.PACE
+-- Share of its size that a body may be inside another without being in a crowd with it.
+local SLACK = 1 / 8
+-- Bodies behind it in the order along x that are asked whether they are in the same crowd.
+local LOOK = 16
+
+-- Wakes the rest of each crowd of which one is awake: they rest together or not at all.
+local function wake(b)
+  local awake, crowd_, mark, stamp = b.awakeList, b.crowd, b.crowdMark, b.step
+  for n = 1, b.awakeCount do
+    mark[crowd_[awake[n]]] = stamp
+  end
+  mark[0] = -1
+  for n = 1, b.moverCount do
+    local i = b.movers[n]
+    if mark[crowd_[i]] == stamp and not b.awake[i] then
+      islands.wake(b, i)
+    end
+  end
+  begin.run(b)
+end
+
+-- Lists what may be crowded: what was in a crowd, was placed by the game, or was left inside another.
+local function listCandidates(b)
+  local list, count = b.crowdList, 0
+  local awake, crowd_, inside, moved = b.awakeList, b.crowd, b.inside, b.moved
+  for n = 1, b.awakeCount do
+    local i = awake[n]
+    if crowd_[i] ~= 0 or inside[i] or moved[i] then
+      if b.kind[i] == DYNAMIC and b.pushable[i] and not b.sensor[i] then
+        count = count + 1
+        list[count] = i
+      end
+    end
+  end
+  return count
+end
+
+-- Twice the middle of a body on the axis of k.
+local function middle(b, k)
+  return 2 * b.from[k] + b.size[k]
+end
+
+-- Sorts list[1..count] by crowd, then by x.
+local function sortByX(b, list, count)
+  local key, leaderRank, rank, crowd_ = b.crowdKey, b.leaderRank, b.rank, b.crowd
+  for n = 1, count do
+    local i = list[n]
+    key[i] = middle(b, 2 * i)
+    leaderRank[i] = crowd_[i] ~= 0 and rank[crowd_[i]] or -1
+  end
+  sort.by(list, count, leaderRank, key, rank)
+end
+
+-- Whether two bodies overlap on an axis, by more than SLACK of the smaller one, and whether the middle
+-- of one is inside the other there.
+local function compare(b, k, m)
+  local apart, size, other = middle(b, k) - middle(b, m), b.size[k], b.size[m]
+  apart = max(apart, -apart)
+  return size + other - apart > 2 * SLACK * min(size, other), apart < max(size, other)
+end
+
+-- Whether two bodies that are near on x overlap and may meet, and whether they are at one spot.
+local function meets(b, i, j)
+  local overlapsX, isCloseX = compare(b, 2 * i, 2 * j)
+  local overlapsY, isCloseY = compare(b, 2 * i + 1, 2 * j + 1)
+  if overlapsX and overlapsY and filter.allows(b, i, j) then
+    return true, isCloseX and isCloseY
+  end
+  return false, false
+end
+
+-- Counts for each candidate, sorted by x, the others at its spot, up to MANY.
+local function countShared(b, list, n, widest)
+  local shared, key = b.shared, b.crowdKey
+  for at = 1, n do
+    shared[list[at]] = 0
+  end
+  for at = 1, n do
+    local i, other = list[at], at + 1
+    local last = key[i] + 2 * widest
+    while other <= n and key[list[other]] < last and shared[i] < MANY do
+      local j = list[other]
+      local _, isClose = meets(b, i, j)
+      if isClose then
+        shared[i], shared[j] = shared[i] + 1, shared[j] + 1
+      end
+      other = other + 1
+    end
+  end
+end
+
+-- The leader of the crowd of a body.
+local function leaderOf(leader, i)
+  while leader[i] ~= i do
+    i = leader[i]
+  end
+  return i
+end
+
+-- Makes one crowd of two; the first in order leads.
+local function unite(b, i, j)
+  local one, two = leaderOf(b.leader, i), leaderOf(b.leader, j)
+  if b.rank[two] < b.rank[one] then
+    one, two = two, one
+  end
+  b.leader[two] = one
+end
+
+-- Lets the candidates that share their spot with many into the crowd of those, or a new one.
+local function admit(b, list, n, widest)
+  local crowd_, shared, leader, key = b.crowd, b.shared, b.leader, b.crowdKey
+  for at = 1, n do
+    local i = list[at]
+    leader[i] = i
+  end
+  for at = 1, n do
+    local i = list[at]
+    if shared[i] >= MANY then
+      for other = at + 1, min(at + LOOK, n) do
+        local j = list[other]
+        if key[j] >= key[i] + 2 * widest then
+          break
+        elseif shared[j] >= MANY and meets(b, i, j) then
+          unite(b, i, j)
+        end
+      end
+    end
+  end
+  for at = 1, n do
+    local i = list[at]
+    if shared[i] >= MANY then
+      crowd_[i] = leaderOf(leader, i)
+    end
+  end
+end
+
+local function widestOf(b, list, first, last)
+  local widest = 0.0
+  for at = first, last do
+    widest = max(widest, b.size[2 * list[at]])
+  end
+  return widest
+end
+
+-- Notes of each member of a crowd, sorted by x, whether it overlaps another one. Returns whether any
+-- does.
+local function findOverlaps(b, list, first, last)
+  local overlapped, key, any = b.isOverlapped, b.crowdKey, false
+  local reach = 2 * widestOf(b, list, first, last)
+  for at = first, last do
+    overlapped[list[at]] = false
+  end
+  for at = first, last do
+    local i, other = list[at], at + 1
+    while not overlapped[i] and other <= last and key[list[other]] < key[i] + reach do
+      if meets(b, i, list[other]) then
+        overlapped[i], overlapped[list[other]], any = true, true, true
+      end
+      other = other + 1
+    end
+    other = at - 1
+    while not overlapped[i] and other >= first and key[list[other]] > key[i] - reach do
+      if meets(b, i, list[other]) then
+        overlapped[i] = true
+      end
+      other = other - 1
+    end
+  end
+  return any
+end
+
+-- A body leaves its crowd: those of it become neighbours.
+local function leave(b, i)
+  b.crowd[i], b.placed[i] = 0, min(b.placed[i], 1)
+end
+
+-- If the first of a crowd has left the world, another one leads it.
+local function findLeader(b, list, first, last)
+  local best = list[first]
+  for at = first + 1, last do
+    if b.rank[list[at]] < b.rank[best] then
+      best = list[at]
+    end
+  end
+  for at = first, last do
+    b.crowd[list[at]] = best
+  end
+end
+
+-- Calls `work` for each crowd in list[1..n], sorted by crowd: list[first..last].
+local function forEach(b, list, n, work)
+  local first = 1
+  for at = 1, n do
+    if at == n or b.leaderRank[list[at + 1]] ~= b.leaderRank[list[first]] then
+      work(b, list, first, at)
+      first = at + 1
+    end
+  end
+end
+
+-- Sums over a crowd: its middle, and the sizes of its members.
+local function measure(b, list, first, last)
+  local x, y, width, height, isStanding = 0.0, 0.0, 0.0, 0.0, false
+  for at = first, last do
+    local i = list[at]
+    local k = 2 * i
+    width, height = width + b.size[k], height + b.size[k + 1]
+    x, y = x + b.from[k] + b.size[k] * 0.5, y + b.from[k + 1] + b.size[k + 1] * 0.5
+    isStanding = isStanding or b.support[i] ~= 0
+  end
+  local n = last - first + 1
+  return x / n, y / n, width / n, height / n, isStanding
+end
+
+-- What overlaps no other body and is further from the middle of its crowd than the crowd needs has
+-- left it.
+local function dropFar(b, list, first, last)
+  local x, y, width, height = measure(b, list, first, last)
+  local reach = sqrt((last - first + 1) * width * height)
+  for at = first, last do
+    local i = list[at]
+    local farX, farY = middle(b, 2 * i) * 0.5 - x, middle(b, 2 * i + 1) * 0.5 - y
+    if not b.isOverlapped[i] and max(farX, -farX, farY, -farY) > reach then
+      leave(b, i)
+    end
+  end
+end
+
+-- Ends a crowd in which no two overlap any more.
+local function review(b, list, first, last)
+  if findOverlaps(b, list, first, last) then
+    findLeader(b, list, first, last)
+    dropFar(b, list, first, last)
+  else
+    for at = first, last do
+      leave(b, list[at])
+    end
+  end
+end
+
+-- Of list[1..n], keeps what is in a crowd; returns how many.
+local function keepCrowded(b, list, n)
+  local kept = 0
+  for at = 1, n do
+    if b.crowd[list[at]] ~= 0 then
+      kept = kept + 1
+      list[kept] = list[at]
+    end
+  end
+  return kept
+end
+
+-- Of the candidates, lets those into a crowd that are at one spot.
+local function findNew(b, list, n)
+  local new, count = b.crowdNew, 0
+  for at = 1, n do
+    local i = list[at]
+    if b.crowd[i] == 0 then
+      count = count + 1
+      new[count] = i
+    end
+  end
+  if count > MANY then
+    sortByX(b, new, count)
+    local widest = widestOf(b, new, 1, count)
+    countShared(b, new, count, widest)
+    admit(b, new, count, widest)
+  end
+end
+
+--- Finds what is crowded when the step begins.
+function crowd.mark(b)
+  b.crowdCount = 0
+  if not (b.hasInside or b.hasCrowds or b.movedCount > 0) then
+    return
+  end
+  if b.hasCrowds then
+    wake(b)
+  end
+  local list = b.crowdList
+  local n = listCandidates(b)
+  if n == 0 then
+    return
+  end
+  findNew(b, list, n)
+  n = keepCrowded(b, list, n)
+  sortByX(b, list, n)
+  forEach(b, list, n, review)
+  b.crowdCount = keepCrowded(b, list, n)
+  b.hasCrowds = b.hasCrowds or b.crowdCount > 0
+end
+
+-- The room around (x, y) up to `reach` px away: left, top, right, bottom edge. `half`: how far from
+-- the lines through that point walls count.
+local function findRoom(b, i, x, y, reach, halfW, halfH)
+  local left, top, right, bottom = x - reach, y - reach, x + reach, y + reach
+  local from, size, found = b.from, b.size, b.found
+  for n = 1, b.broadphase:query(left, top, right, bottom, found) do
+    local j = found[n]
+    if j ~= i and filter.blocks(b, i, j) then
+      local k = 2 * j
+      local x1, y1, x2, y2 = from[k], from[k + 1], from[k] + size[k], from[k + 1] + size[k + 1]
+      if y1 < y + halfH and y2 > y - halfH then
+        if x2 <= x then
+          left = max(left, x2)
+        elseif x1 >= x then
+          right = min(right, x1)
+        end
+      end
+      if x1 < x + halfW and x2 > x - halfW then
+        if y2 <= y then
+          top = max(top, y2)
+        elseif y1 >= y then
+          bottom = min(bottom, y1)
+        end
+      end
+    end
+  end
+  return left, top, right, bottom
+end
+
+-- Puts a stretch of `length` px around `middle` between two edges.
+local function fit(middle, length, low, high)
+  local at = middle - length * 0.5
+  return max(min(at, high - length), low)
+end
+
+-- Moves a body towards its place, where no wall is in the way: on both axes, or on one. Returns
+-- whether it has moved.
+local function go(b, i, x, y)
+  local k = 2 * i
+  local atX, atY = b.from[k], b.from[k + 1]
+  local stepX, stepY = b.size[k] * PACE, b.size[k + 1] * PACE
+  local toX = atX + max(min(x - atX, stepX), -stepX)
+  local toY = atY + max(min(y - atY, stepY), -stepY)
+  if toX == atX and toY == atY then
+    return false
+  elseif separate.isInside(b, i, toX, toY) then
+    if toX ~= atX and not separate.isInside(b, i, toX, atY) then
+      toY = atY
+    elseif toY ~= atY and not separate.isInside(b, i, atX, toY) then
+      toX = atX
+    else
+      return false
+    end
+  end
+  b.from[k], b.from[k + 1], b.to[k], b.to[k + 1] = toX, toY, toX, toY
+  return true
+end
+
+-- How many columns a crowd of n has: about as wide as high, if there is room for that.
+local function countColumns(n, width, height, roomW, roomH)
+  local across = ceil(sqrt(n * height / width))
+  local down = ceil(n / across)
+  if across * width > roomW then
+    across = max(floor(roomW / width), 1)
+    down = ceil(n / across)
+  end
+  if down * height > roomH then
+    down = max(floor(roomH / height), 1)
+    across = ceil(n / down)
+  end
+  return across
+end
+
+-- The members of a column, sorted by y, go below each other. Returns whether any has moved.
+local function layColumn(b, column, n, x, y, top, bottom)
+  local key, height = b.crowdKey, 0.0
+  for at = 1, n do
+    key[column[at]] = middle(b, 2 * column[at] + 1)
+    height = height + b.size[2 * column[at] + 1]
+  end
+  sort.by(column, n, key, b.rank, b.rank)
+  local place, hasMoved = fit(y, height, top, bottom), false
+  for at = 1, n do
+    local i = column[at]
+    hasMoved = go(b, i, x - b.size[2 * i] * 0.5, place) or hasMoved
+    place = place + b.size[2 * i + 1]
+  end
+  return hasMoved
+end
+
+-- What stands on something, or in a crowd that does, does not fall.
+local function stand(b, list, first, last)
+  for at = first, last do
+    local i = list[at]
+    for k = 2 * i, 2 * i + 1 do
+      if b.velocity[k] * b.down[k] > 0 then
+        b.velocity[k] = 0.0
+      end
+    end
+  end
+end
+
+-- Lays out a crowd, list[first..last], sorted by x.
+local function lay(b, list, first, last)
+  local n = last - first + 1
+  local x, y, width, height, isStanding = measure(b, list, first, last)
+  local reach = 2 * sqrt(n) * max(width, height) + max(width, height)
+  local left, top, right, bottom = findRoom(b, list[first], x, y, reach, width * 0.5, height * 0.5)
+  local across = countColumns(n, width, height, right - left, bottom - top)
+  local total, at, column = 0.0, first, b.crowdColumn
+  for c = 1, across do
+    local until_, widest = first + floor(n * c / across + 0.5) - 1, 0.0
+    for m = at, until_ do
+      widest = max(widest, b.size[2 * list[m]])
+    end
+    b.columnWidth[c], at = widest, until_ + 1
+    total = total + widest
+  end
+  local place, hasMoved = fit(x, total, left, right), false
+  at = first
+  for c = 1, across do
+    local until_, size = first + floor(n * c / across + 0.5) - 1, 0
+    for m = at, until_ do
+      size = size + 1
+      column[size] = list[m]
+    end
+    local middleX = place + b.columnWidth[c] * 0.5
+    hasMoved = layColumn(b, column, size, middleX, y, top, bottom) or hasMoved
+    place, at = place + b.columnWidth[c], until_ + 1
+  end
+  if isStanding then
+    stand(b, list, first, last)
+  end
+  for m = hasMoved and first or last + 1, last do
+    b.news[list[m]] = true -- none of them comes to rest before the others
+  end
+end
+
+--- Lets the bodies of each crowd go towards their places.
+function crowd.run(b)
+  if b.crowdCount > 0 then
+    forEach(b, b.crowdList, b.crowdCount, lay)
+    pairFinder.run(b, b.crowdList, 1, b.crowdCount)
+  end
+end
+
+return crowd
