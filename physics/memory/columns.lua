@@ -97,6 +97,7 @@ local SLOT = {
   -- the solver
   crowd = 0, -- what leads the crowd that it is in, 0: none (see crowd)
   dirty = 0, -- 1: its path is new since it was last swept
+  deepAt = 0, -- solve in which it was inside another dynamic body
   impactsOf = 0, -- impacts in this step
   inRound = 0, -- round in which it was last in an impact
   -- broad phase
@@ -156,6 +157,7 @@ local AXIS = {
   start = 0, -- velocity at its start
   origin = 0, -- where it is then
   swept = 0, -- end of the path that was swept last
+  jam = 0, -- steps for which it had no room (see contacts)
   squeezed = 0, -- px by which it is pressed between two that cannot give way
   kinks = 0, -- list of what friction and limits do to it (see flow)
   force = 0, -- and the force below all of them
@@ -195,6 +197,7 @@ local PAIR = {
   "separation", -- px that the two must be apart
   "place", -- scratch of contacts
   "pressed", -- 1: the two lean on each other
+  "sweptAt", -- sweep in which it was last listed
   "asked", -- solve in which the game was last asked about it
   "touches", -- 1: may be met at the very beginning of the step
 }
@@ -386,9 +389,14 @@ function columns.new()
     leader = {},
     leaderRank = {},
     apartCount = 0,
+    sweptStamp = 0,
+    changed = {}, -- bodies with new paths
+    changedCount = 0,
+    isChangeListed = false, -- these are all
     seenCount = 0,
     overlapCount = 0,
     isViolated = false,
+    isJammed = false, -- an impact of two that cannot give way
     members = {}, -- of blocks
     memberCount = 0,
     kinkAt = {},
@@ -611,6 +619,7 @@ local function resetPairs(b, count)
   for n = 1, count do
     local p = linked[n]
     wedged[p], touches[p], place[p], pressed[p], asked[p] = 0, 0, 0, 0, 0
+    b.sweptAt[p] = 0
   end
 end
 

@@ -18,6 +18,11 @@ local EPSILON, DYNAMIC = columns.EPSILON, columns.DYNAMIC
 --- Share of the smaller one's size by which two that overlap go apart in a step.
 contacts.PACE = 0.25
 local PACE = contacts.PACE
+-- The same of two that had no room lately, px, and for how many steps they go on trying.
+local CREEP = 0.5
+contacts.PATIENCE = 60
+-- After so many of them they try the other axis.
+local TURN = 30
 local max, min = math.max, math.min
 
 --- Values of `touches`: the pair is swept; it is a contact; it is one that may bounce, and is swept,
@@ -117,41 +122,71 @@ local function put(b, p, axis, kl, kh, separation)
   b.contactKey[p] = b.from[kh]
 end
 
--- Two that are inside each other may not get deeper, on the axis on which they came there, else on
--- the shallower one. What was squeezed (`wedged`) comes out as soon as there is room.
+-- The axis on which two that are inside each other go apart, and whether the second of the pair is the
+-- low one: that on which they came there, else the shallower one.
+local function deepAxis(b, p, ki, kj)
+  if b.wedged[p] ~= 0 then
+    return columns.AXIS[b.wedged[p]], b.wedged[p] % 2 == 1
+  end
+  local from, size = b.from, b.size
+  local x, y = from[kj] - from[ki], from[kj + 1] - from[ki + 1]
+  local gapX, gapY = max(x - size[ki], -x - size[kj]), max(y - size[ki + 1], -y - size[kj + 1])
+  local axis = gapY >= gapX and 1 or 0
+  local middle = (axis == 0 and x or y) + (size[kj + axis] - size[ki + axis]) * 0.5
+  return axis, middle < 0 or (middle == 0 and b.rank[kj * 0.5] < b.rank[ki * 0.5])
+end
+
+-- How much further apart two dynamic bodies must be at the end of the step than at its start. Less and
+-- less while there is no room.
+local function growthOf(b, kl, kh)
+  local jam = min(b.jam[kl], b.jam[kh])
+  if jam == 0 then
+    return PACE * min(b.size[kl], b.size[kh])
+  end
+  return CREEP * (1 - jam / contacts.PATIENCE)
+end
+
+-- Two dynamic bodies that have had no room on one axis for a while try the other one.
+local function turn(b, p, kl, kh, ki, kj)
+  local jam = b.jam
+  if max(jam[kl], jam[kh]) ~= TURN then
+    return false
+  end
+  jam[kl], jam[kh] = max(jam[kl], TURN + 1), max(jam[kh], TURN + 1)
+  local axis = 1 - kl % 2
+  local middle = 2 * (b.from[kj + axis] - b.from[ki + axis]) + b.size[kj + axis] - b.size[ki + axis]
+  local isSecondLow = middle < 0 or (middle == 0 and b.rank[kj * 0.5] < b.rank[ki * 0.5])
+  b.wedged[p] = isSecondLow and 2 * axis + 1 or 2 * axis + 2
+  return true
+end
+
+-- Two that are inside each other may not get deeper. What was squeezed (`wedged`) comes out as soon as
+-- there is room.
 local function putDeep(b, p)
   local i, j = b.pairA[p], b.pairB[p]
-  local from, size, ki, kj = b.from, b.size, 2 * i, 2 * j
   if b.oneWay[i] or b.oneWay[j] then
     return
   end
-  local axis, secondIsLow
-  if b.wedged[p] ~= 0 then
-    axis, secondIsLow = columns.AXIS[b.wedged[p]], b.wedged[p] % 2 == 1
-  else
-    local x, y = from[kj] - from[ki], from[kj + 1] - from[ki + 1]
-    local gapX, gapY = max(x - size[ki], -x - size[kj]), max(y - size[ki + 1], -y - size[kj + 1])
-    axis = gapY >= gapX and 1 or 0
-    local middle = (axis == 0 and x or y) + (size[kj + axis] - size[ki + axis]) * 0.5
-    secondIsLow = middle < 0 or (middle == 0 and b.rank[j] < b.rank[i])
-  end
+  local from, ki, kj = b.from, 2 * i, 2 * j
+  local axis, isSecondLow = deepAxis(b, p, ki, kj)
   local kl, kh = ki + axis, kj + axis
-  if secondIsLow then
+  if isSecondLow then
     kl, kh = kh, kl
   end
-  if rules.passes(b, p, kl, kh, axis, true) then
-    return
-  end
-  local separation = size[kl]
+  local separation = b.size[kl]
   if b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC then
-    -- Some way out in each step; they keep to this axis.
-    local least = from[kh] - from[kl]
-    separation = min(separation, least + PACE * min(size[kl], size[kh]))
-    b.wedged[p] = kl == ki + axis and 2 * axis + 2 or 2 * axis + 1
+    if turn(b, p, kl, kh, ki, kj) then
+      return putDeep(b, p)
+    end
+    b.wedged[p] = isSecondLow and 2 * axis + 1 or 2 * axis + 2
+    b.deepAt[i], b.deepAt[j] = b.solveStamp, b.solveStamp
+    separation = min(separation, from[kh] - from[kl] + growthOf(b, kl, kh))
   elseif b.wedged[p] == 0 then
     separation = from[kh] - from[kl]
   end
-  put(b, p, axis, kl, kh, separation)
+  if not rules.passes(b, p, kl, kh, axis, true) then
+    put(b, p, axis, kl, kh, separation)
+  end
 end
 
 -- Decides of each close pair on which axis it touches.
@@ -352,7 +387,7 @@ function contacts.find(b)
 end
 
 --- Makes a contact of a pair that has met without a bounce.
-function contacts.add(b, axis, p, kl, kh)
+function contacts.add(b, axis, p, kl, kh, separation)
   if b.touches[p] == CONTACT then
     return
   elseif b.touches[p] == ELASTIC then -- it does not bounce any more
@@ -360,7 +395,7 @@ function contacts.add(b, axis, p, kl, kh)
     b.contacts[axis].isNew = true
     return
   end
-  put(b, p, axis, kl, kh, b.size[kl])
+  put(b, p, axis, kl, kh, separation)
   b.contacts[axis].isNew = true
 end
 

@@ -5,9 +5,12 @@
 -- along the same axis and is never squeezed out sideways.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local contacts = require(root .. ".solver.contacts")
 local events = require(root .. ".contacts.events")
 
 local crush = {}
+
+local max, min = math.max, math.min
 
 --- Notes what is squeezed along an axis, and between which two.
 function crush.note(b, axis)
@@ -22,10 +25,19 @@ function crush.note(b, axis)
       crushLow[kh] = (kl - axis) * 0.5
     end
   end
+  local jam, patience = b.jam, contacts.PATIENCE
   for n = 1, b.awakeCount do
-    local k = 2 * b.awakeList[n] + axis
+    local i = b.awakeList[n]
+    local k = 2 * i + axis
     if squeezed[k] > 0 then
       crushed[k], b.hasCrushed = true, true
+    end
+    if b.deepAt[i] ~= b.solveStamp then
+      jam[k] = 0
+    elseif squeezed[k] > 0 then
+      jam[k] = min(jam[k] + 1, patience)
+    elseif jam[k] < patience then
+      jam[k] = max(jam[k] - 1, 0)
     end
   end
 end

@@ -135,29 +135,29 @@ local function rub(b, i, j, axis, wl, wh, jolt, press, tau)
 end
 
 -- Places and speeds of two after an impact without a bounce: flush, with a common velocity.
-local function stick(b, i, j, kl, kh, wl, wh, o, v)
-  local to, speed, accel, size = b.to, b.speed, b.accel, b.size
+local function stick(b, i, j, kl, kh, wl, wh, separation, o, v)
+  local to, speed, accel = b.to, b.speed, b.accel
   local total = wl + wh
   if wl == 0 then
-    to[kh] = to[kl] + size[kl]
+    to[kh] = to[kl] + separation
     if b.heldLow[kl] > 0 then
       b.heldLow[kh] = b.heldLow[kl] + 1
     end
   elseif wh == 0 then
-    to[kl] = to[kh] - size[kl]
+    to[kl] = to[kh] - separation
     if b.heldHigh[kh] > 0 then
       b.heldHigh[kl] = b.heldHigh[kh] + 1
     end
   elseif b.pushFirst then
     local towards, against = to[kl] - b.from[kl], b.from[kh] - to[kh]
     if towards > against or (towards == against and b.rank[i] < b.rank[j]) then
-      to[kl] = to[kh] - size[kl]
+      to[kl] = to[kh] - separation
     else
-      to[kh] = to[kl] + size[kl]
+      to[kh] = to[kl] + separation
     end
   else
     to[kl] = to[kl] - o * wl / total
-    to[kh] = to[kl] + size[kl]
+    to[kh] = to[kl] + separation
   end
   if v > 0 then
     if wl == 0 then
@@ -181,12 +181,18 @@ local function bounce(b, kl, kh, wl, wh, o, gap, v, vEnd)
   speed[kl], speed[kh] = speed[kl] - dv * wl, speed[kh] + dv * wh
 end
 
---- Two bodies meet on an axis at moment t. Returns whether they stay together.
-function impact.run(b, p, i, j, axis, t, dt, isLast)
+--- Two bodies meet on an axis at moment t. Two that are inside each other (`isDeep`) get no deeper.
+--- Returns whether they stay together, and how far apart, px from the low edge of one to that of the
+--- other.
+function impact.run(b, p, i, j, axis, t, dt, isLast, isDeep)
   path.advance(b, i, t)
   path.advance(b, j, t)
   local kl, kh = 2 * i + axis, 2 * j + axis
-  local o, v = b.to[kl] + b.size[kl] - b.to[kh], b.speed[kl] - b.speed[kh]
+  local separation = b.size[kl]
+  if isDeep then
+    separation = min(separation, b.from[kh] - b.from[kl])
+  end
+  local o, v = b.to[kl] + separation - b.to[kh], b.speed[kl] - b.speed[kh]
   local a = b.accel[kl] - b.accel[kh]
   local u, tau = approach(o, v, a, (1 - min(t, 1)) * dt)
   impact.note(b, p, i, axis, u)
@@ -196,13 +202,14 @@ function impact.run(b, p, i, j, axis, t, dt, isLast)
   local wl, wh = weigh(b, i, j, kl, kh)
   local total = wl + wh
   if total == 0 then
-    return true
+    b.isJammed = true
+    return true, separation
   end
   local isElastic = b.restitution[i] > 0 or b.restitution[j] > 0
   if v < 0 or (isElastic and v == 0 and a == 0) then
     -- They go apart by themselves, and overlap by what others have pushed.
     b.to[kl], b.to[kh] = b.to[kl] - o * wl / total, b.to[kh] + o * wh / total
-    return not isElastic
+    return not isElastic, separation
   end
   local gap, vEnd = 0.0, 0.0
   if r > 0 then
@@ -215,7 +222,7 @@ function impact.run(b, p, i, j, axis, t, dt, isLast)
   if leaves then
     bounce(b, kl, kh, wl, wh, o, gap, v, vEnd)
   else
-    stick(b, i, j, kl, kh, wl, wh, o, v)
+    stick(b, i, j, kl, kh, wl, wh, separation, o, v)
     jolt = min(max(v, 0.0), u) / total
   end
   if b.hasFriction or b.hasLimits then
@@ -226,7 +233,7 @@ function impact.run(b, p, i, j, axis, t, dt, isLast)
     local press = leaves and 0.0 or max(v / total - jolt, 0.0)
     rub(b, i, j, axis, wl, wh, jolt, press, tau)
   end
-  return not leaves
+  return not leaves, separation
 end
 
 return impact

@@ -275,6 +275,6 @@ function pool.run(b, list, dt, isLate)
 end
 
 -- What happens to single contacts goes another way each time.
-interpreted.functions(pool.run)
+interpreted.functions(yield, stopBoth, shift, walk, pool.run, spread)
 
 return pool

@@ -17,6 +17,7 @@ local pool = require(root .. ".solver.pool")
 local settle = {}
 
 local EPSILON = columns.EPSILON
+local min = math.min
 
 -- Nothing dynamic is held yet.
 local function release(b, axis)
@@ -60,13 +61,21 @@ local function holdHigh(b, list, slow)
 end
 
 -- Body kh is held on its high side and pressed by `over` px from its low side, where kl cannot give
--- way either: it is squeezed. A row of them shares the overlap, and goes at the mean of the speeds of
--- the two that press it.
+-- way either: it is squeezed. A row of them shares the overlap among its members, so that none goes
+-- into what presses the row; one alone shares it with both sides. They go at the mean of the speeds
+-- of those two.
 local function squeeze(b, kl, kh, over)
   local depth = b.heldHigh[kh] - 1
+  local place, wall = b.to[kh] + over * 0.5, b.holderHigh[kh]
+  if depth > 1 or b.give[kl] > 0 then
+    local share = b.give[kl] == 0 and 1 or (depth - 1) / depth
+    place = min(b.to[kh] + over * share, b.to[wall] - b.size[kh])
+  end
   b.squeezed[kh] = over
-  b.to[kh] = b.to[kh] + over * (depth / (depth + 1))
-  b.speed[kh] = (b.speed[b.holderLow[kh]] + b.speed[b.holderHigh[kh]]) * 0.5
+  local from = b.from[kh]
+  local isThere = place - from <= EPSILON and from - place <= EPSILON
+  b.to[kh] = isThere and from or place -- or rounding would move it for ever
+  b.speed[kh] = (b.speed[b.holderLow[kh]] + b.speed[wall]) * 0.5
   b.accel[kh] = 0.0
 end
 
@@ -135,12 +144,14 @@ function settle.axis(b, axis, dt, isLate)
   end
 end
 
---- Returns whether a contact of an axis is violated at the end of the step.
+--- Returns whether a contact of an axis is violated at the end of the step, apart from those that
+--- cannot be helped: neither body can give way.
 function settle.isViolated(b, axis)
-  local list, to = b.contacts[axis], b.to
+  local list, to, heldLow, heldHigh = b.contacts[axis], b.to, b.heldLow, b.heldHigh
   local low, high, separation = list.low, list.high, list.separation
   for c = 1, list.count do
-    if to[low[c]] + separation[c] - to[high[c]] > EPSILON then
+    local kl, kh = low[c], high[c]
+    if to[kl] + separation[c] - to[kh] > EPSILON and (heldLow[kl] == 0 or heldHigh[kh] == 0) then
       return true
     end
   end

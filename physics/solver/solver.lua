@@ -7,13 +7,13 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
 local crush = require(root .. ".solver.crush")
-local detect = require(root .. ".broadphase.pairFinder")
 local flow = require(root .. ".solver.flow")
 local friction = require(root .. ".solver.friction")
 local impact = require(root .. ".solver.impact")
 local interpreted = require(root .. ".memory.jit")
 local live = require(root .. ".broadphase.activePairs")
 local nudge = require(root .. ".solver.nudge")
+local pairFinder = require(root .. ".broadphase.pairFinder")
 local path = require(root .. ".motion.path")
 local predict = require(root .. ".motion.predict")
 local rest = require(root .. ".sleep.islands")
@@ -118,7 +118,25 @@ local function findChanged(b)
       swept[k], swept[k + 1] = to[k], to[k + 1]
     end
   end
-  detect.run(b, list, 1, b.awakeCount)
+  pairFinder.run(b, list, 1, b.awakeCount)
+end
+
+-- The same of the bodies in b.changed, which were in impacts.
+local function followChanged(b)
+  local list, to, swept = b.changed, b.to, b.swept
+  for n = 1, b.changedCount do
+    local k = 2 * list[n]
+    swept[k], swept[k + 1] = to[k], to[k + 1]
+  end
+  pairFinder.run(b, list, 1, b.changedCount)
+end
+
+-- The path of a dynamic body is a new one.
+local function change(b, i)
+  if b.kind[i] == DYNAMIC and b.dirty[i] == 0 then
+    b.dirty[i], b.changedCount = 1, b.changedCount + 1
+    b.changed[b.changedCount] = i
+  end
 end
 
 -- Sorts the impacts: by moment, solids before sensors, the wider common edge first, then in order.
@@ -162,12 +180,8 @@ local function happen(b, n, dt, isLast)
   local i, j = impacts.low[n], impacts.high[n]
   local isSensed = b.sensor[i] or b.sensor[j]
   if b.inRound[i] == round or b.inRound[j] == round then
-    if b.kind[i] == DYNAMIC then
-      b.dirty[i] = 1
-    end
-    if b.kind[j] == DYNAMIC then
-      b.dirty[j] = 1
-    end
+    change(b, i)
+    change(b, j)
     if isLast and not isSensed then
       stop(b, i, t)
       stop(b, j, t)
@@ -180,12 +194,10 @@ local function happen(b, n, dt, isLast)
     sense(b, p, i, j, axis, t, dt)
     return
   end
-  for side = 1, 2 do
-    local slot = side == 1 and i or j
-    if b.kind[slot] == DYNAMIC then
-      b.inRound[slot], b.dirty[slot] = round, 1
-    end
-  end
+  change(b, i)
+  change(b, j)
+  b.inRound[i] = b.kind[i] == DYNAMIC and round or 0
+  b.inRound[j] = b.kind[j] == DYNAMIC and round or 0
   if b.hasNudges and not isLast and b.nudged[p] < 4 then
     if nudge.try(b, i, j, axis, true, t) or nudge.try(b, j, i, axis, false, t) then
       b.nudged[p] = b.nudged[p] + 1
@@ -193,9 +205,9 @@ local function happen(b, n, dt, isLast)
       return
     end
   end
-  local stays = impact.run(b, p, i, j, axis, t, dt, isLast)
+  local stays, separation = impact.run(b, p, i, j, axis, t, dt, isLast, impacts.isDeep[n])
   if stays then
-    contacts.add(b, axis, p, 2 * i + axis, 2 * j + axis)
+    contacts.add(b, axis, p, 2 * i + axis, 2 * j + axis, separation)
     b.pressed[p] = 1
   end
   if isLast then
@@ -206,11 +218,12 @@ end
 
 -- One round: what meets first, once for each body. Returns whether anything has met.
 local function round(b, dt, isLast)
-  local count = sweep.run(b)
-  local list, dirty = b.awakeList, b.dirty
-  for n = 1, b.awakeCount do
+  local count = sweep.run(b, b.isChangeListed and b.changedCount)
+  local list, dirty = b.isChangeListed and b.changed or b.awakeList, b.dirty
+  for n = 1, b.isChangeListed and b.changedCount or b.awakeCount do
     dirty[list[n]] = 0
   end
+  b.changedCount = 0
   if count == 0 then
     return false
   end
@@ -223,15 +236,24 @@ local function round(b, dt, isLast)
   return true
 end
 
--- Settles again what impacts have changed.
+-- Settles again what impacts have changed, and looks up what comes near now.
 local function settleLate(b, dt)
   local down, across = b.downAxis, 1 - b.downAxis
-  if settle.isViolated(b, down) then
+  local isDown = b.isJammed or settle.isViolated(b, down)
+  if isDown then
     settle.axis(b, down, dt, true)
   end
-  if settle.isViolated(b, across) then
+  local isAcross = b.isJammed or settle.isViolated(b, across)
+  if isAcross then
     settle.axis(b, across, dt, true)
   end
+  b.isChangeListed, b.isJammed = not (isDown or isAcross), false
+  if b.isChangeListed then
+    followChanged(b)
+  else
+    findChanged(b)
+  end
+  contacts.noteNew(b)
 end
 
 -- Solves a step for what is awake. Returns false if bodies have been woken on the way: then it was
@@ -242,6 +264,7 @@ local function solve(b, dt)
   begin(b, dt)
   live.list(b)
   settleTouching(b, dt)
+  b.isChangeListed = false
   findChanged(b)
   contacts.noteNew(b)
   for n = 1, ROUNDS do
@@ -253,8 +276,6 @@ local function solve(b, dt)
     end
     if n < ROUNDS then
       settleLate(b, dt)
-      findChanged(b)
-      contacts.noteNew(b)
     end
   end
   if b.awakenings ~= awakenings then

@@ -14,8 +14,10 @@ local interpreted = require(root .. ".memory.jit")
 local sweep = {}
 
 local EPSILON = columns.EPSILON
-local CONTACT = contacts.CONTACT
-local max, min = math.max, math.min
+local APART, ELASTIC = contacts.APART, contacts.ELASTIC
+local floor, max, min = math.floor, math.max, math.min
+-- Of so many pairs, it is cheaper to ask one body for its own.
+local FEW = 8
 -- Two axes that close within this fraction of the step close together: a hit along gravity.
 local TIE = 1e-9
 -- Fraction of the step by which a corner is met later than a face.
@@ -39,10 +41,10 @@ function sweep.newImpacts()
   }
 end
 
--- Of b.apart, lists the pairs of which one has a new path and whose paths meet on x and y; returns
+-- Lists in b.near the pairs of b.apart of which one has a new path and whose paths meet on x; returns
 -- how many.
-local function listNear(b)
-  local apart, near, touches, dirty, count = b.apart, b.near, b.touches, b.dirty, 0
+local function listAll(b)
+  local apart, near, dirty, count = b.apart, b.near, b.dirty, 0
   local pairA, pairB, from, to, size = b.pairA, b.pairB, b.from, b.to, b.size
   for n = 1, b.apartCount do
     local p = apart[n]
@@ -56,13 +58,42 @@ local function listNear(b)
       end
     end
   end
-  local kept = 0
+  return count
+end
+
+-- The same of the pairs of list[1..n], bodies with new paths.
+local function listOf(b, list, n)
+  local near, swept, stamp, count = b.near, b.sweptAt, b.sweptStamp + 1, 0
+  local head, other, nextHalf, from, to, size = b.head, b.other, b.next, b.from, b.to, b.size
+  b.sweptStamp = stamp
+  for at = 1, n do
+    local i = list[at]
+    local half, k = head[i], 2 * i
+    while half ~= 0 do
+      local p, m = floor(half * 0.5 + 0.5), 2 * other[half]
+      local s, e, u, v = from[k], to[k], from[m], to[m]
+      if max(s, e) + size[k] > min(u, v) and max(u, v) + size[m] > min(s, e) then
+        if swept[p] ~= stamp then
+          swept[p], count = stamp, count + 1
+          near[count] = p
+        end
+      end
+      half = nextHalf[half]
+    end
+  end
+  return count
+end
+
+-- Of near[1..count], keeps the pairs whose paths meet on y, too, and that are swept at all.
+local function keepNear(b, count)
+  local near, touches, pairA, pairB = b.near, b.touches, b.pairA, b.pairB
+  local from, to, size, kept = b.from, b.to, b.size, 0
   for n = 1, count do
     local p = near[n]
     local k, m = 2 * pairA[p] + 1, 2 * pairB[p] + 1
     local s, e, u, v = from[k], to[k], from[m], to[m]
     if max(s, e) + size[k] > min(u, v) and max(u, v) + size[m] > min(s, e) then
-      if touches[p] ~= CONTACT then
+      if touches[p] == APART or touches[p] == ELASTIC then
         kept = kept + 1
         near[kept] = p
       end
@@ -168,11 +199,14 @@ end
 
 sweep.meet = meet
 
---- Finds the impacts of whatever has a new path; returns how many.
-function sweep.run(b)
-  local impacts, near, pairA, pairB, count = b.impacts, b.near, b.pairA, b.pairB, 0
-  for n = 1, listNear(b) do
-    local p = near[n]
+--- Finds the impacts of whatever has a new path: those in b.changed[1..count], if count is not nil.
+--- Returns how many there are.
+function sweep.run(b, changedCount)
+  local isFew = changedCount and changedCount * FEW < b.apartCount
+  local near = keepNear(b, isFew and listOf(b, b.changed, changedCount) or listAll(b))
+  local impacts, list, pairA, pairB, count = b.impacts, b.near, b.pairA, b.pairB, 0
+  for n = 1, near do
+    local p = list[n]
     local i, j = pairA[p], pairB[p]
     local t, axis, isLow, isDeep = meet(b, i, j)
     if t then

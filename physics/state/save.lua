@@ -62,6 +62,7 @@ state.POINTS = {
   { "carried", 0 },
   { "behind", 0 },
   { "wasCrushed", false },
+  { "jam", 0 },
 }
 --- By pair: name, value of a pair that has nothing to remember, and what becomes of another value
 --- if the two of the pair are exchanged.
