@@ -181,7 +181,8 @@ local function bounce(b, kl, kh, wl, wh, o, gap, v, vEnd)
   speed[kl], speed[kh] = speed[kl] - dv * wl, speed[kh] + dv * wh
 end
 
---- Two bodies meet on an axis at moment t. Two that are inside each other (`isDeep`) get no deeper.
+--- Two bodies meet on an axis at moment t. Two that are inside each other (`isDeep`) come apart, or in
+--- a heap that has no room get no deeper.
 --- Returns whether they stay together, and how far apart, px from the low edge of one to that of the
 --- other.
 function impact.run(b, p, i, j, axis, t, dt, isLast, isDeep)
@@ -189,7 +190,7 @@ function impact.run(b, p, i, j, axis, t, dt, isLast, isDeep)
   path.advance(b, j, t)
   local kl, kh = 2 * i + axis, 2 * j + axis
   local separation = b.size[kl]
-  if isDeep then
+  if isDeep and (b.deepAt[i] == b.solveStamp or b.deepAt[j] == b.solveStamp) then
     separation = min(separation, b.from[kh] - b.from[kl])
   end
   local o, v = b.to[kl] + separation - b.to[kh], b.speed[kl] - b.speed[kh]

@@ -79,6 +79,15 @@ local function squeeze(b, kl, kh, over)
   b.accel[kh] = 0.0
 end
 
+-- Body kl was put into the immovable kh by what holds it on its low side. It goes back to where it is
+-- flush, and into those; or half of the way if these cannot be moved either.
+local function squeezeBack(b, kl, kh, over)
+  b.squeezed[kl], b.heldHigh[kl], b.holderHigh[kl] = over, 2, kh
+  b.to[kl] = b.to[kl] - over * (b.heldLow[kl] > 2 and 1 or 0.5)
+  b.speed[kl] = (b.speed[b.holderLow[kl]] + b.speed[kh]) * 0.5
+  b.accel[kl] = 0.0
+end
+
 -- Towards low coordinates. Returns whether free bodies still overlap.
 local function holdLow(b, list, slow)
   local low, high, separation, elastic = list.low, list.high, list.separation, list.elastic
@@ -94,7 +103,12 @@ local function holdLow(b, list, slow)
       local closing = speed[kl] - speed[kh]
       local isHeld = held[kl] > 0 and give[kh] > 0
       if not isHeld then
-        isViolated = isViolated or over > EPSILON and (give[kl] > 0 or give[kh] > 0)
+        if give[kh] == 0 and give[kl] > 0 and held[kl] > 0 and b.heldHigh[kl] == 0 and over > EPSILON then
+          squeezeBack(b, kl, kh, over)
+          pressed[pair[c]] = 1
+        else
+          isViolated = isViolated or over > EPSILON and (give[kl] > 0 or give[kh] > 0)
+        end
       elseif
         (over > 0 or closing >= 0)
         and (elastic[c] == 0 or not pool.bounces(closing, accel[kl] - accel[kh], slow))
@@ -158,6 +172,6 @@ function settle.isViolated(b, axis)
   return false
 end
 
-interpreted.functions(squeeze, settle.hold, settle.finish, settle.axis)
+interpreted.functions(squeeze, squeezeBack, settle.hold, settle.finish, settle.axis)
 
 return settle
