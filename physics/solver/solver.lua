@@ -30,6 +30,11 @@ local floor, max, min = math.floor, math.max, math.min
 --- Rounds of sweep, hit, settle in a step.
 solver.ROUNDS = 16
 local ROUNDS = solver.ROUNDS
+--- Share of its size by which a body may be moved in a step, along each axis, to part what overlaps.
+solver.PARTING = 0.5
+local PARTING = solver.PARTING
+-- Impacts in a step of a body in a heap without room.
+local SPENT = 3
 -- How often a step begins anew because its paths have come near to bodies that rested; then all are
 -- woken.
 local RESTARTS = 8
@@ -173,12 +178,21 @@ local function stop(b, i, t)
   end
 end
 
+-- Whether a body in a heap without room has had so many impacts that others may go into it: that is
+-- left to the next step.
+local function isSpent(b, i)
+  return b.deepAt[i] == b.solveStamp and b.impactsOf[i] >= SPENT
+end
+
 -- The n-th impact happens. Bodies that were in an earlier one of this round are swept anew.
 local function happen(b, n, dt, isLast)
   local impacts, round = b.impacts, b.roundStamp
   local p, t, axis = impacts.pair[n], impacts.time[n], impacts.axis[n]
   local i, j = impacts.low[n], impacts.high[n]
   local isSensed = b.sensor[i] or b.sensor[j]
+  if b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC and (isSpent(b, i) or isSpent(b, j)) then
+    return
+  end
   if b.inRound[i] == round or b.inRound[j] == round then
     change(b, i)
     change(b, j)
@@ -256,6 +270,22 @@ local function settleLate(b, dt)
   contacts.noteNew(b)
 end
 
+-- Where bodies overlap, pushes may add up: no body ends the step further from its start than its fastest
+-- speed takes it, and PARTING of its size.
+local function limitMotion(b, dt)
+  local list, give, origin, to, size = b.awakeList, b.give, b.origin, b.to, b.size
+  local start, freeSpeed, speed = b.start, b.freeSpeed, b.speed
+  for n = 1, b.awakeCount do
+    for k = 2 * list[n], 2 * list[n] + 1 do
+      if give[k] > 0 then
+        local fastest = max(start[k], -start[k], freeSpeed[k], -freeSpeed[k], speed[k], -speed[k])
+        local most = fastest * dt + PARTING * size[k]
+        to[k] = max(min(to[k], origin[k] + most), origin[k] - most)
+      end
+    end
+  end
+end
+
 -- Solves a step for what is awake. Returns false if bodies have been woken on the way: then it was
 -- in vain.
 local function solve(b, dt)
@@ -280,6 +310,9 @@ local function solve(b, dt)
   end
   if b.awakenings ~= awakenings then
     return false
+  end
+  if b.overlapCount > 0 then
+    limitMotion(b, dt)
   end
   for axis = 0, 1 do
     notePressed(b, axis)
@@ -317,6 +350,6 @@ end
 
 -- These lead from loop to loop, or go another way each time.
 interpreted.functions(settleTouching, sortImpacts, sense, stop, happen, round, settleLate, solve)
-interpreted.functions(restart, solver.run)
+interpreted.functions(isSpent, restart, solver.run)
 
 return solver
