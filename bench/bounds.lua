@@ -160,11 +160,11 @@ end
 ---@param onStep? fun(watch: table, time: number) told after each step, with its time in ms
 ---@return table result `worst`, `p99`, `median`, `mean`, ms a step; `worstAt`; `steps` that were
 ---played, `isLimited` if these are not all; `apart` and `rest`, frames after the last one that is
----driven until no two overlap (by more than 0.01 px) and until nothing moves, nil: never; `restTime`,
----the median of the last 60 steps, ms; `pairs` that overlap at the end and `deepest` overlap, px;
----`outside`, most movers beyond the walls in any step; `jump`, px, the largest motion in a step
----beyond the fastest speed of the body in it, and `jumpAt`; `fastest` speed, px/s; `fold` of all
----positions and velocities at the end
+---driven until no two overlap (by more than 0.01 px) and until nothing moves, nil: never;
+---`restTime`, the median of the last 60 steps, ms; `pairs` that overlap at the end and `deepest`
+---overlap, px; `outside`, most movers beyond the walls in any step; `jump`, px, the largest motion
+---in a step beyond the fastest speed of the body in it, and `jumpAt`; `fastest` speed, px/s;
+---`fold` of all positions and velocities at the end
 function bounds.play(engine, scene, limit, onStep)
   local deadline = clock() + limit
   local watch = newWatch(engine, scene)

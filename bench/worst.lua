@@ -18,10 +18,10 @@ Plays scenes that ask for the most expensive steps, and shows the bounds that ho
   --list           shows the scenes
 
 Columns: worst, p99, median, ms a step. apart, rest: frames after the last one that is driven until
-no two overlap, until nothing moves; "-": never. idle: ms, median of the last 60 steps. pairs, deep:
-that overlap at the end, px. out: most that were beyond a wall in a step. jump: px, most that a body
-moved in a step beyond its fastest speed in it. speed: the fastest, px/s. fold: of the end, equal for
-equal ends.
+no two overlap, until nothing moves; "-": never. idle: ms, median of the last 60 steps. pairs,
+deep: that overlap at the end, px. out: most that were beyond a wall in a step. jump: px, most that
+a body moved in a step beyond its fastest speed in it. speed: the fastest, px/s. fold: of the end,
+equal for equal ends.
 ]]
 
 local here = arg[0]:match("^(.*)bench/worst%.lua$") or error("start it as .../bench/worst.lua", 0)
@@ -73,11 +73,10 @@ local function useRoot(root)
     end
     return path and "\n\tno module '" .. name .. "' in " .. root
   end
-  local searchers = package.loaders or package.searchers
-  table.insert(searchers, 2, search)
+  table.insert(rawget(package, "searchers") or package.loaders, 2, search)
 end
 
--- Playing one scene --------------------------------------------------------------------------------
+-- Playing one scene -------------------------------------------------------------------------------
 
 local REPORT_EVERY = 1000 -- ms, of steps
 
@@ -144,7 +143,7 @@ local function start(chosen, name, n, isInterpreted)
   return result
 end
 
--- Choosing -----------------------------------------------------------------------------------------
+-- Choosing ----------------------------------------------------------------------------------------
 
 local function isWorst(definition)
   return definition.growth ~= nil
@@ -174,9 +173,25 @@ local function choose(chosen)
   return list
 end
 
--- Showing ------------------------------------------------------------------------------------------
+-- Showing -----------------------------------------------------------------------------------------
 
-local HEAD = "%-18s %-4s %8s %8s %8s %6s %5s %7s %6s %7s %4s %7s %6s  %s"
+local ROW = "%-18s %-4s %8s %8s %8s %6s %5s %7s %6s %7s %4s %7s %6s  %s"
+local HEAD = ROW:format(
+  "scene",
+  "mode",
+  "worst",
+  "p99",
+  "median",
+  "apart",
+  "rest",
+  "idle",
+  "pairs",
+  "deep",
+  "out",
+  "jump",
+  "speed",
+  "fold"
+)
 
 local function number(format, value)
   return value and format:format(value) or "-"
@@ -193,7 +208,7 @@ local function show(chosen, job, result, isInterpreted)
     print(json.encode(result))
   else
     print(
-      HEAD:format(
+      ROW:format(
         job.name .. " " .. job.n,
         isInterpreted and "off" or "jit",
         milliseconds(result.worst),
@@ -290,12 +305,7 @@ elseif chosen.list then
   os.exit(0)
 end
 if not chosen.json then
-  local names = { "scene", "mode", "worst", "p99", "median", "apart", "rest", "idle", "pairs" }
-  local more = { "deep", "out", "jump", "speed", "fold" }
-  for _, name in ipairs(more) do
-    names[#names + 1] = name
-  end
-  print(HEAD:format((unpack or table.unpack)(names)))
+  print(HEAD)
 end
 for _, job in ipairs(jobs) do
   eachMode(chosen, function(isInterpreted)

@@ -1,5 +1,5 @@
---- What the scenes of the worst case have in common. They are no games: each asks for a step that is
---- as expensive as a step can be, with at most 300 movers, or leaves no room for what is in it.
+--- What the scenes of the worst case have in common. They are no games: each asks for a step that
+--- is as expensive as a step can be, with at most 300 movers, or leaves no room for what is in it.
 ---
 --- Beside the fields of every scene (bench/scenes.lua) each has
 ---
