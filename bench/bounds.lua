@@ -18,11 +18,20 @@ local clock = os.clock
 local Watch = {}
 Watch.__index = Watch
 
--- Notes where everything is before a step, and how fast it is going to be at most.
+-- Notes where everything is before a step, and how fast it is going to be at most: the speed of an
+-- object is relative to what carries it.
 local function note(watch)
   local list, before = watch.list, watch.before
   local pullX = DT * math.abs(watch.world.world.gravityX or 0)
   local pullY = DT * math.abs(watch.world.world.gravity or 0)
+  local carrierX, carrierY = 0, 0
+  for i = 1, #list do
+    if list[i].kinematic then
+      carrierX = math.max(carrierX, math.abs(list[i].vx))
+      carrierY = math.max(carrierY, math.abs(list[i].vy))
+    end
+  end
+  watch.carrierX, watch.carrierY = carrierX, carrierY
   for i = 1, #list do
     local object, k = list[i], 4 * i
     before[k], before[k + 1] = object.x, object.y
@@ -40,8 +49,8 @@ end
 local function excess(watch, i)
   local object, before, k = watch.list[i], watch.before, 4 * i
   local dx, dy = object.x - before[k], object.y - before[k + 1]
-  local vx = math.max(before[k + 2], math.abs(object.vx))
-  local vy = math.max(before[k + 3], math.abs(object.vy))
+  local vx = math.max(before[k + 2], math.abs(object.vx)) + watch.carrierX
+  local vy = math.max(before[k + 3], math.abs(object.vy)) + watch.carrierY
   local far = math.sqrt(dx * dx + dy * dy) - DT * math.sqrt(vx * vx + vy * vy)
   return far, math.sqrt(object.vx * object.vx + object.vy * object.vy)
 end
@@ -53,6 +62,9 @@ end
 
 local function countOutside(watch)
   local room = watch.scene.room
+  if not room then
+    return 0
+  end
   local x1, y1, x2, y2
   if type(room) == "function" then
     x1, y1, x2, y2 = room(watch.world)
@@ -87,8 +99,19 @@ local function watchMotion(watch)
   return isMoving
 end
 
+-- How far the object that must not move is from its start, px.
+local function watchStill(watch)
+  local still = watch.list[watch.scene.still]
+  if still then
+    local start = watch.scene.objects[watch.scene.still]
+    local dx, dy = still.x - start.x, still.y - start.y
+    watch.drift = math.max(watch.drift or 0, math.sqrt(dx * dx + dy * dy))
+  end
+end
+
 local function watchStep(watch)
   local isMoving = watchMotion(watch)
+  watchStill(watch)
   local deepest, _, _, pairsLeft = watch.findOverlaps()
   watch.deepest, watch.pairs = deepest, pairsLeft
   watch.outside = math.max(watch.outside, countOutside(watch))
@@ -105,16 +128,17 @@ local function since(watch, last)
   if watch.step - last < QUIET then
     return nil
   end
-  return math.max(last - watch.scene.driven, 0)
+  return math.max(last - (watch.scene.driven or watch.count), 0)
 end
 
 --- What has been seen up to now; see `bounds.play`.
 function Watch:result()
   local times = self.times
-  local result = { steps = #times, isLimited = #times < self.scene.steps }
+  local result = { steps = #times, isLimited = #times < self.count }
   result.worst, result.worstAt = self.worst, self.worstAt
   result.jump, result.jumpAt, result.fastest = self.jump, self.jumpAt, self.fastest
   result.outside, result.pairs, result.deepest = self.outside, self.pairs, self.deepest
+  result.drift = self.drift
   if #times > 0 then
     result.median, result.mean = statistics.median(times), statistics.mean(times)
     result.p99 = statistics.quantile(times, 0.99)
@@ -135,6 +159,7 @@ local function newWatch(engine, scene)
   local world = engine.new(scene)
   local watch = setmetatable({ world = world, scene = scene, list = world:list() }, Watch)
   watch.before, watch.times, watch.step = {}, {}, 0
+  watch.count = scene.warmUp + scene.steps
   watch.worst, watch.worstAt, watch.jump, watch.jumpAt, watch.fastest = 0, 0, 0, 0, 0
   watch.outside, watch.pairs, watch.deepest = 0, 0, 0
   watch.lastOverlap, watch.lastMotion = 0, 0
@@ -163,12 +188,13 @@ end
 ---driven until no two overlap (by more than 0.01 px) and until nothing moves, nil: never;
 ---`restTime`, the median of the last 60 steps, ms; `pairs` that overlap at the end and `deepest`
 ---overlap, px; `outside`, most movers beyond the walls in any step; `jump`, px, the largest motion
----in a step beyond the fastest speed of the body in it, and `jumpAt`; `fastest` speed, px/s;
+---in a step beyond the fastest speed of the body in it, and `jumpAt`; `drift`, px, how far what
+---must not move was from its start, nil: there is nothing of that; `fastest` speed, px/s;
 ---`fold` of all positions and velocities at the end
 function bounds.play(engine, scene, limit, onStep)
   local deadline = clock() + limit
   local watch = newWatch(engine, scene)
-  for step = 1, scene.steps do
+  for step = 1, watch.count do
     if clock() > deadline then
       break
     end

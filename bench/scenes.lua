@@ -8,8 +8,10 @@
 ---   startsInside  true: objects overlap at the start
 ---   build(n) -> a scene, which is told its name:
 ---     gravity   px/s²
+---     hasMasses true: boxes have a `mass`, 1 where none is given, in every engine
 ---     objects   descriptions of boxes: group, x, y, width, height, vx, vy, static, kinematic,
----               friction, restitution, gravity; the same fields as those of physics.lua
+---               friction, restitution, gravity, mass, pushable, maxSpeed; the same fields as those
+---               of physics.lua
 ---     rest      true: engines may skip what rests, and those that cannot do not play; false:
 ---               nobody may; nil: as the engine likes
 ---     needs     features of which an engine may say that it lacks them (bench/engines.lua)
@@ -18,6 +20,7 @@
 ---     frame(world, step)    what is measured, default: world:step(1 / 60)
 ---     between(world, step)  what happens before each frame and is not measured
 ---     driven, room          only of the worst cases, see bench/scenes/worst/shared.lua
+---     still                 number of an object that must not move (bench/bounds.lua)
 ---
 --- All of them are deterministic: every engine meets the same boxes and the same inputs.
 

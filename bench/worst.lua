@@ -15,13 +15,13 @@ Plays scenes that ask for the most expensive steps, and shows the bounds that ho
   --growth         also how the time grows from 50 to 400 objects
   --json           a line of JSON for each scene
   --here           no process of its own for each scene: for profilers; a step is not cut short
-  --list           shows the scenes
+  --list           shows the scenes; other scenes of the benchmark can be named, too: swarm:300
 
 Columns: worst, p99, median, ms a step. apart, rest: frames after the last one that is driven until
 no two overlap, until nothing moves; "-": never. idle: ms, median of the last 60 steps. pairs,
 deep: that overlap at the end, px. out: most that were beyond a wall in a step. jump: px, most that
-a body moved in a step beyond its fastest speed in it. speed: the fastest, px/s. fold: of the end,
-equal for equal ends.
+a body moved in a step beyond its fastest speed in it. speed: the fastest, px/s. drift: px, how far
+a player that must stand was moved. fold: of the end, equal for equal ends.
 ]]
 
 local here = arg[0]:match("^(.*)bench/worst%.lua$") or error("start it as .../bench/worst.lua", 0)
@@ -161,8 +161,10 @@ local function choose(chosen)
     for word in (chosen.only or "all"):gmatch("[^,]+") do
       local name, n = word:match("^([^:]+):(%d+)$")
       name = name or word
-      local isMeant = not chosen.only or definition.name:sub(1, #name) == name
-      if isWorst(definition) and isMeant then
+      local isMeant = isWorst(definition) and not chosen.only
+        or isWorst(definition) and definition.name:sub(1, #name) == name
+        or definition.name == name
+      if isMeant then
         addSizes(list, definition, n and { tonumber(n) } or definition.sizes)
       end
     end
@@ -175,7 +177,7 @@ end
 
 -- Showing -----------------------------------------------------------------------------------------
 
-local ROW = "%-18s %-4s %8s %8s %8s %6s %5s %7s %6s %7s %4s %7s %6s  %s"
+local ROW = "%-18s %-4s %8s %8s %8s %6s %5s %7s %6s %7s %4s %7s %6s %6s  %s"
 local HEAD = ROW:format(
   "scene",
   "mode",
@@ -190,6 +192,7 @@ local HEAD = ROW:format(
   "out",
   "jump",
   "speed",
+  "drift",
   "fold"
 )
 
@@ -222,6 +225,7 @@ local function show(chosen, job, result, isInterpreted)
         number("%d", result.outside),
         number("%.2f", result.jump),
         number("%.0f", result.fastest),
+        number("%.2f", result.drift),
         isDone and ("%.0f"):format(result.fold)
           or ("%s after %d steps, limit %g s"):format(
             result.ending,

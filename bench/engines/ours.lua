@@ -49,6 +49,12 @@ function World:setVelocity(index, vx, vy)
   object.vy = vy or object.vy
 end
 
+--- Accelerates an object until it is told otherwise, up to its `maxSpeed`.
+function World:accelerate(index, ax, ay)
+  local object = self.objects[index]
+  object.ax, object.ay = ax, ay
+end
+
 --- Makes a box grow, or shrink, about its middle.
 function World:setSize(index, width, height)
   local object = self.objects[index]

@@ -7,6 +7,8 @@
 ---   room      x1, y1, x2, y2: what must not be left by the middle of a mover; or function(world),
 ---             which returns these four
 
+local newRandom = require("spec.support.random").new
+
 local shared = {}
 
 local WALL = 16 -- px
@@ -41,14 +43,17 @@ function shared.addCrate(objects, x, y, size)
   }
 end
 
---- Adds `count` crates as a block: rows from the floor up, at most `columns` in each, `spacing` px
---- from one crate's left edge to the next.
----@param left number px
+--- Adds `count` crates of different sizes, each in a cell of its own: rows from the floor up, as
+--- many in each as fit into `width` px. The crates stand on the bottom of their cells.
 ---@param bottom number px, of the lowest row
-function shared.addBlock(objects, count, columns, left, bottom, size, spacing)
+---@param cell number px, the size of the largest; the smallest is three fifths of it
+function shared.addHeap(objects, count, width, bottom, cell)
+  local random, columns = newRandom(11), math.floor(width / cell)
   for i = 0, count - 1 do
     local row = math.floor(i / columns)
-    shared.addCrate(objects, left + spacing * (i - row * columns), bottom - size * (row + 1), size)
+    local size = random:between(0.6 * cell, cell)
+    local x = cell * (i - row * columns) + random:between(0, cell - size)
+    shared.addCrate(objects, x, bottom - cell * row - size, size)
   end
 end
 

@@ -3,13 +3,14 @@
 ---   |-> + + + <-|    |-> + + + |    |   + +   |    |-> + + +
 ---   |-> + + + <-|    |-> + + + |    |+ + + + +|    |-> + + +
 ---   +-----------+    +---------+    +---------+    +------------
----    shrink           piston         heap           bulldozer
+---    shrink           piston        overfull        bulldozer
 
 local newRandom = require("spec.support.random").new
 local shared = require("bench.scenes.worst.shared")
 
 local FAR = shared.FAR
-local SIZE = 12 -- px, of a crate
+local CELL = 15 -- px, of the largest crate
+local SIZE = 12.2 -- px, of a crate in the mean: the square has the mean area
 
 -- Adds something that the game moves; returns its number.
 local function addMachine(objects, x, y, width, height)
@@ -25,17 +26,17 @@ local function addMachine(objects, x, y, width, height)
   return #objects
 end
 
-local HEAP_COLUMNS = 16
+local BIN_WIDTH = 200 -- px
 
 -- Two thirds of the crates are there; the others come one a frame, at a place in the full heap.
-local function heap(count)
+local function overfull(count)
   local objects, random = {}, newRandom(3)
-  local width, first = HEAP_COLUMNS * SIZE, math.floor(count * 2 / 3)
-  local tall = SIZE * first / HEAP_COLUMNS
+  local width, first = BIN_WIDTH, math.floor(count * 2 / 3)
+  local tall = SIZE * SIZE * first / width
   shared.addWall(objects, -16, -4000, 16, 4016)
   shared.addWall(objects, width, -4000, 16, 4016)
   shared.addWall(objects, 0, 0, width, 16)
-  shared.addBlock(objects, first, HEAP_COLUMNS, 0, 0, SIZE, SIZE)
+  shared.addHeap(objects, first, width, 0, CELL)
   local function frame(world, step)
     if step <= count - first then
       world:add({
@@ -63,7 +64,7 @@ local function roomFor(count)
   return height, SIZE * SIZE * count / height
 end
 
-local WIDE, NARROW = 1.8, 0.8 -- of the width that the crates need: before, and at the end
+local WIDE, NARROW = 2.2, 0.8 -- of the width that the crates need: before, and at the end
 
 -- Two walls come nearer until a fifth of the crates has no room.
 local function shrink(count)
@@ -75,7 +76,7 @@ local function shrink(count)
   shared.addWall(objects, -500, -16, width + 1000, 16)
   local left = addMachine(objects, -200, 0, 200, height)
   local right = addMachine(objects, width, 0, 200, height)
-  shared.addBlock(objects, count, math.floor(width / (SIZE + 1)), 0, height, SIZE, SIZE + 1)
+  shared.addHeap(objects, count, width, height, CELL)
   local function frame(world, step)
     local isClosing = step <= closing
     world:setVelocity(left, isClosing and speed or 0, 0)
@@ -85,6 +86,7 @@ local function shrink(count)
   return shared.finish({
     objects = objects,
     driven = closing + 1,
+    needs = { "upright", "kinematic" },
     room = function(world)
       return world:read(left) + 200, 0, (world:read(right)), height
     end,
@@ -92,19 +94,19 @@ local function shrink(count)
   })
 end
 
-local CELL, SMALL, LARGE, SWELL = 24, 8, 26, 0.125 -- px; the last a frame
+local SPACE, SMALL, LARGE, SWELL = 24, 8, 26, 0.125 -- px; the last a frame
 
 -- Balloons in a room that holds them until they are 24 px wide; they grow to 26.
 local function balloons(count)
   local objects = {}
   local columns = math.ceil(math.sqrt(count))
-  local width, height = CELL * columns, CELL * math.ceil(count / columns)
+  local width, height = SPACE * columns, SPACE * math.ceil(count / columns)
   local growing = (LARGE - SMALL) / SWELL
   shared.addRoom(objects, width, height)
   local first = #objects + 1
   for i = 0, count - 1 do
     local row = math.floor(i / columns)
-    local x, y = CELL * (i - row * columns) + CELL / 3, CELL * row + CELL / 3
+    local x, y = SPACE * (i - row * columns) + SPACE / 3, SPACE * row + SPACE / 3
     shared.addCrate(objects, x, y, SMALL)
   end
   local function frame(world, step)
@@ -136,7 +138,7 @@ local function piston(count)
   shared.addWall(objects, -500, -16, width + 516, 16)
   shared.addWall(objects, width, 0, 16, height)
   local plate = addMachine(objects, -200, 0, 200, height)
-  shared.addBlock(objects, count, math.floor(width / (SIZE + 1)), 0, height, SIZE, SIZE + 1)
+  shared.addHeap(objects, count, width, height, CELL)
   local function frame(world, step)
     world:setVelocity(plate, step <= pressing and speed or 0, 0)
     world:step(1 / 60)
@@ -144,6 +146,7 @@ local function piston(count)
   return shared.finish({
     objects = objects,
     driven = pressing + 1,
+    needs = { "upright", "kinematic" },
     room = function(world)
       return world:read(plate) + 200, 0, width, height
     end,
@@ -163,7 +166,7 @@ local function lift(count)
   shared.addWall(objects, width, -16, 16, height + 500)
   shared.addWall(objects, 0, -16, width, 16)
   local car = addMachine(objects, 0, height, width, 100)
-  shared.addBlock(objects, count, math.floor(width / SIZE), 0, height, SIZE, SIZE)
+  shared.addHeap(objects, count, width, height, CELL)
   local function speedAt(step)
     if step <= pressing then
       return -speed
@@ -178,6 +181,7 @@ local function lift(count)
   return shared.finish({
     objects = objects,
     driven = pressing + STAY + DOWN + 1,
+    needs = { "upright", "kinematic" },
     room = function(world)
       local _, y = world:read(car)
       return 0, 0, width, y
@@ -192,7 +196,7 @@ local function bulldozer(count)
   local rows = math.ceil(math.sqrt(count / 2))
   shared.addWall(objects, -1000, 0, 5000, 16)
   local blade = addMachine(objects, -60, -120, 16, 120)
-  shared.addBlock(objects, count, math.ceil(count / rows), 0, 0, SIZE, SIZE)
+  shared.addHeap(objects, count, CELL * math.ceil(count / rows), 0, CELL)
   local function frame(world, step)
     world:setVelocity(blade, step <= pushing and speed or 0, 0)
     world:step(1 / 60)
@@ -200,6 +204,7 @@ local function bulldozer(count)
   return shared.finish({
     objects = objects,
     driven = pushing + 1,
+    needs = { "upright", "kinematic" },
     room = { -FAR, -FAR, FAR, 0 },
     frame = frame,
   })
@@ -210,11 +215,10 @@ local TURN, TURNS = 20, 16 -- frames; the last turn is down again
 
 -- Gravity turns every 20 frames; the crates fall through the room in a block.
 local function turning(count)
-  local objects, size = {}, 10 -- px
-  local side = size * math.ceil(1.5 * math.sqrt(count))
+  local objects, cell = {}, 12 -- px
+  local side = cell * math.ceil(1.4 * math.sqrt(count))
   shared.addRoom(objects, side, side)
-  local columns = math.floor(side / (size + 1))
-  shared.addBlock(objects, count, columns, 0, side, size, size + 1)
+  shared.addHeap(objects, count, side, side, cell)
   local function frame(world, step)
     local number = math.min(math.floor((step - 1) / TURN), TURNS)
     local pull = PULLS[number - 4 * math.floor(number / 4) + 1]
@@ -224,6 +228,7 @@ local function turning(count)
   return shared.finish({
     objects = objects,
     driven = TURN * TURNS + 1,
+    needs = { "upright", "gravity" },
     room = { 0, 0, side, side },
     frame = frame,
   })
@@ -243,7 +248,7 @@ local function definition(name, title, build, sizes)
 end
 
 return {
-  definition("heap", "one crate a frame into a full heap, n in the end", heap, { 300 }),
+  definition("overfull", "one crate a frame into a full heap, n in the end", overfull, { 300 }),
   definition("shrink", "a room that shrinks around n crates", shrink, { 200 }),
   definition("balloons", "n balloons grow in a room", balloons, { 100 }),
   definition("piston", "a piston presses n crates", piston, SIZES),
