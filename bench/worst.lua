@@ -204,16 +204,20 @@ local function milliseconds(value)
   return number(value and value >= 100 and "%.0f" or "%.2f", value)
 end
 
+local function modeName(isInterpreted)
+  return isInterpreted and "off" or "jit"
+end
+
 local function show(chosen, job, result, isInterpreted)
   local isDone = result.ending == "done"
   if chosen.json then
-    result.scene, result.n, result.mode = job.name, job.n, isInterpreted and "off" or "jit"
+    result.scene, result.n, result.mode = job.name, job.n, modeName(isInterpreted)
     print(json.encode(result))
   else
     print(
       ROW:format(
         job.name .. " " .. job.n,
-        isInterpreted and "off" or "jit",
+        modeName(isInterpreted),
         milliseconds(result.worst),
         milliseconds(result.p99),
         milliseconds(result.median),
@@ -248,10 +252,13 @@ end
 -- The exponents of one scene from 50 to 400 objects.
 local function showGrowth(chosen, definition, isInterpreted)
   local counts, worst, mean = {}, {}, {}
-  for _, n in ipairs(definition.growth) do
+  for _, n in ipairs(definition.growth or definition.sizes) do
     local result = run(chosen, { name = definition.name, n = n }, isInterpreted)
     if result.ending ~= "done" then
-      print(("%-18s %-4s given up at n = %d"):format(definition.name, "", n))
+      if not chosen.json then
+        local text = "%-18s %-4s given up at n = %d"
+        print(text:format(definition.name, modeName(isInterpreted), n))
+      end
       return
     end
     counts[#counts + 1], worst[#worst + 1], mean[#mean + 1] = n, result.worst, result.mean
@@ -261,10 +268,15 @@ local function showGrowth(chosen, definition, isInterpreted)
   for i, n in ipairs(counts) do
     figures[i] = ("%d: %.2f/%.3f"):format(n, worst[i], mean[i])
   end
-  local text = "%-18s %-4s worst n^%.2f, mean n^%.2f   worst/mean ms at %s"
-  local mode = isInterpreted and "off" or "jit"
-  local all = table.concat(figures, ", ")
-  print(text:format(definition.name, mode, exponent(counts, worst), exponent(counts, mean), all))
+  local mode = modeName(isInterpreted)
+  local ofWorst, ofMean = exponent(counts, worst), exponent(counts, mean)
+  if chosen.json then
+    local growth = { worst = ofWorst, mean = ofMean, n = counts }
+    print(json.encode({ scene = definition.name, mode = mode, growth = growth }))
+  else
+    local text = "%-18s %-4s worst n^%.2f, mean n^%.2f   worst/mean ms at %s"
+    print(text:format(definition.name, mode, ofWorst, ofMean, table.concat(figures, ", ")))
+  end
   io.stdout:flush()
 end
 
@@ -279,7 +291,9 @@ end
 
 local function growthOfAll(chosen, jobs)
   local scenes, seen = require("bench.scenes"), {}
-  print("\nGrowth with n")
+  if not chosen.json then
+    print("\nGrowth with n")
+  end
   for _, job in ipairs(jobs) do
     if not seen[job.name] then
       seen[job.name] = true

@@ -1,0 +1,176 @@
+--- Watches how far a step moves objects: no farther than the fastest speed of the step explains,
+--- plus what parting may add (spec/support/parting.lua); and that none gets past an immovable one.
+---
+---     local watch = motion.new(world, objects)
+---     watch:before()  world:update(dt)  local what = watch:after(dt)
+
+local parting = require("spec.support.parting")
+
+local motion = {}
+
+local abs, max, min, sqrt = math.abs, math.max, math.min, math.sqrt
+
+local Watch = {}
+Watch.__index = Watch
+
+local function isMover(object)
+  return not object.static and not object.kinematic
+end
+
+-- Adds the speed of an object to the fastest of the step. Two that bounce may pass on more than the
+-- speed of the one that hits. What is carried or on a belt has a speed relative to that.
+local function addSpeed(watch, object, vx, vy)
+  local belt = abs(object.surfaceSpeed or 0)
+  watch.carryX, watch.carryY = max(watch.carryX, belt), max(watch.carryY, belt)
+  if isMover(object) then
+    local factor = 1 + max(object.restitution or 0, 0)
+    watch.vx, watch.vy = max(watch.vx, factor * abs(vx)), max(watch.vy, factor * abs(vy))
+    watch.nudge = max(watch.nudge, object.nudge or 0)
+  else
+    watch.carryX, watch.carryY = max(watch.carryX, abs(vx)), max(watch.carryY, abs(vy))
+  end
+end
+
+-- What forces may add to a speed in `dt` seconds.
+local function addForces(watch, object, dt)
+  local world = watch.world
+  local gx = abs(object.gravityX or world.gravityX or 0) + abs(object.ax or 0)
+  local gy = abs(object.gravity or world.gravity or 0) + abs(object.ay or 0)
+  watch.pullX, watch.pullY = max(watch.pullX, gx * dt), max(watch.pullY, gy * dt)
+end
+
+--- To be called before an update, after everything that the game writes.
+function Watch:before()
+  local boxes = self.boxes
+  self.vx, self.vy, self.pullX, self.pullY, self.nudge = 0, 0, 0, 0, 0
+  self.carryX, self.carryY = 0, 0
+  self.count = #self.objects
+  for i = 1, self.count do
+    local object, k = self.objects[i], 4 * i
+    boxes[k], boxes[k + 1] = object.x, object.y
+    boxes[k + 2], boxes[k + 3] = object.width, object.height
+    addSpeed(self, object, object.vx or 0, object.vy or 0)
+  end
+end
+
+-- The speed with which the i-th object has moved in fact: machines that the game drives by writing
+-- their place carry and push, too.
+local function addMachines(watch, dt)
+  for i = 1, watch.count do
+    local object, last, k = watch.objects[i], watch.last, 4 * i
+    if object.kinematic and last[k] then
+      addSpeed(watch, object, (object.x - last[k]) / dt, (object.y - last[k + 1]) / dt)
+    end
+    last[k], last[k + 1] = object.x, object.y
+  end
+end
+
+-- px that the i-th object may move at most.
+local function limitOf(watch, i, dt)
+  local vx = watch.vx + watch.pullX + watch.carryX
+  local vy = watch.vy + watch.pullY + watch.carryY
+  local k = 4 * i
+  local parted = parting(watch.boxes[k + 2], watch.boxes[k + 3])
+  return sqrt(vx * vx + vy * vy) * dt + parted + watch.nudge
+end
+
+-- Whether a box that was on one side of a wall is on the other side now, while it was and is beside
+-- it. `near` and `far` are the wall's edges.
+local function hasCrossed(low, high, newLow, newHigh, near, far)
+  return high <= near and newLow >= far or low >= far and newHigh <= near
+end
+
+local function overlapOf(low, high, otherLow, otherHigh)
+  return min(high, otherHigh) - max(low, otherLow)
+end
+
+-- Whether the i-th object went through the m-th, which stands.
+local function isThrough(watch, i, m)
+  local boxes, k, w = watch.boxes, 4 * i, 4 * m
+  local a, wall = watch.objects[i], watch.objects[m]
+  local x, y, width, height = boxes[k], boxes[k + 1], boxes[k + 2], boxes[k + 3]
+  local left, top = wall.x, wall.y
+  local right, bottom = left + boxes[w + 2], top + boxes[w + 3]
+  local isBeside = overlapOf(y, y + height, top, bottom) > 0
+    and overlapOf(a.y, a.y + a.height, top, bottom) > 0
+  local isAbove = overlapOf(x, x + width, left, right) > 0
+    and overlapOf(a.x, a.x + a.width, left, right) > 0
+  return isBeside and hasCrossed(x, x + width, a.x, a.x + a.width, left, right)
+    or isAbove and hasCrossed(y, y + height, a.y, a.y + a.height, top, bottom)
+end
+
+-- Walls that the game has moved just now are no walls for this step.
+local function stands(watch, m)
+  local object, k = watch.objects[m], 4 * m
+  return not isMover(object)
+    and not (object.sensor or object.oneWay or object.active == false)
+    and object.x == watch.boxes[k]
+    and object.y == watch.boxes[k + 1]
+end
+
+--- The farthest motion of the step, measured by what is allowed.
+---@param dt number s
+---@return number excess px beyond the limit, negative: within
+---@return table? object
+---@return number? moved px
+function Watch:farthest(dt)
+  addMachines(self, dt)
+  for i = 1, self.count do
+    local object = self.objects[i]
+    addSpeed(self, object, object.vx or 0, object.vy or 0)
+    addForces(self, object, dt)
+  end
+  local worst, farthest, path = -math.huge, nil, nil
+  for i = 1, self.count do
+    local object, k = self.objects[i], 4 * i
+    if isMover(object) then
+      local dx, dy = object.x - self.boxes[k], object.y - self.boxes[k + 1]
+      local moved = sqrt(dx * dx + dy * dy)
+      local excess = moved - limitOf(self, i, dt)
+      if excess > worst or excess ~= excess then
+        worst, farthest, path = excess, object, moved
+      end
+    end
+  end
+  return worst, farthest, path
+end
+
+--- The first object that is now on the other side of an immovable one.
+---@return table? object
+---@return table? wall
+function Watch:through()
+  for m = 1, self.count do
+    if stands(self, m) then
+      for i = 1, self.count do
+        if isMover(self.objects[i]) and isThrough(self, i, m) then
+          return self.objects[i], self.objects[m]
+        end
+      end
+    end
+  end
+end
+
+--- To be called after the update: what does not hold, or nil.
+---@param dt number s
+---@return string? text
+function Watch:after(dt)
+  local excess, object, moved = self:farthest(dt)
+  if object and (excess > 1e-6 or excess ~= excess) then
+    local text = "an object of %.9g x %.9g px moved %.9g px in a step, %.9g px more than it may"
+    return text:format(object.width, object.height, moved, excess)
+  end
+  local a, wall = self:through()
+  if a then
+    local text = "an object at %.9g, %.9g has got past an immovable one at %.9g, %.9g"
+    return text:format(a.x, a.y, wall.x, wall.y)
+  end
+end
+
+--- Watches the objects of a list, which may grow.
+---@param world table whose gravity counts
+---@param objects table[]
+function motion.new(world, objects)
+  return setmetatable({ world = world, objects = objects, boxes = {}, last = {} }, Watch)
+end
+
+return motion
