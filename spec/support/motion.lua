@@ -10,6 +10,8 @@ local motion = {}
 
 local abs, max, min, sqrt = math.abs, math.max, math.min, math.sqrt
 
+local DEEP = 1e-6 -- px; less is not inside
+
 local Watch = {}
 Watch.__index = Watch
 
@@ -74,38 +76,56 @@ local function limitOf(watch, i, dt)
   return sqrt(vx * vx + vy * vy) * dt + parted + watch.nudge
 end
 
--- Whether a box that was on one side of a wall is on the other side now, while it was and is beside
--- it. `near` and `far` are the wall's edges.
-local function hasCrossed(low, high, newLow, newHigh, near, far)
-  return high <= near and newLow >= far or low >= far and newHigh <= near
-end
-
 local function overlapOf(low, high, otherLow, otherHigh)
   return min(high, otherHigh) - max(low, otherLow)
 end
 
--- Whether the i-th object went through the m-th, which stands.
-local function isThrough(watch, i, m)
+-- Whether a middle that was on one side of a wall is on the other side now.
+local function hasCrossed(at, newAt, near, far, newNear, newFar)
+  return at <= near and newAt >= newFar or at >= far and newAt <= newNear
+end
+
+local function isBetween(value, low, high)
+  return value > low + DEEP and value < high - DEEP
+end
+
+-- What the i-th object did to the m-th, which is immovable: its middle went into it, or past it.
+-- Into a machine it may be pressed.
+local function trespassOf(watch, i, m)
   local boxes, k, w = watch.boxes, 4 * i, 4 * m
   local a, wall = watch.objects[i], watch.objects[m]
   local x, y, width, height = boxes[k], boxes[k + 1], boxes[k + 2], boxes[k + 3]
-  local left, top = wall.x, wall.y
+  local left, top = boxes[w], boxes[w + 1]
   local right, bottom = left + boxes[w + 2], top + boxes[w + 3]
+  local newLeft, newTop = wall.x, wall.y
+  local newRight, newBottom = newLeft + wall.width, newTop + wall.height
   local isBeside = overlapOf(y, y + height, top, bottom) > 0
-    and overlapOf(a.y, a.y + a.height, top, bottom) > 0
+    and overlapOf(a.y, a.y + a.height, newTop, newBottom) > 0
   local isAbove = overlapOf(x, x + width, left, right) > 0
-    and overlapOf(a.x, a.x + a.width, left, right) > 0
-  return isBeside and hasCrossed(x, x + width, a.x, a.x + a.width, left, right)
-    or isAbove and hasCrossed(y, y + height, a.y, a.y + a.height, top, bottom)
+    and overlapOf(a.x, a.x + a.width, newLeft, newRight) > 0
+  local midX, midY = x + width / 2, y + height / 2
+  local newX, newY = a.x + a.width / 2, a.y + a.height / 2
+  if
+    isBeside and hasCrossed(midX, newX, left, right, newLeft, newRight)
+    or isAbove and hasCrossed(midY, newY, top, bottom, newTop, newBottom)
+  then
+    return "past"
+  elseif
+    wall.static
+    and isBetween(newX, newLeft, newRight)
+    and isBetween(newY, newTop, newBottom)
+    and not (isBetween(midX, left, right) and isBetween(midY, top, bottom))
+  then
+    return "into"
+  end
 end
 
--- Walls that the game has moved just now are no walls for this step.
-local function stands(watch, m)
-  local object, k = watch.objects[m], 4 * m
-  return not isMover(object)
-    and not (object.sensor or object.oneWay or object.active == false)
-    and object.x == watch.boxes[k]
-    and object.y == watch.boxes[k + 1]
+local function isWall(object)
+  return not isMover(object) and not (object.sensor or object.oneWay or object.active == false)
+end
+
+local function isSolid(object)
+  return isMover(object) and not object.sensor and object.active ~= false
 end
 
 --- The farthest motion of the step, measured by what is allowed.
@@ -135,15 +155,17 @@ function Watch:farthest(dt)
   return worst, farthest, path
 end
 
---- The first object that is now on the other side of an immovable one.
+--- The first object whose middle went into an immovable one, or past it.
+---@return string? how "into" or "past"
 ---@return table? object
 ---@return table? wall
-function Watch:through()
+function Watch:trespass()
   for m = 1, self.count do
-    if stands(self, m) then
+    if isWall(self.objects[m]) then
       for i = 1, self.count do
-        if isMover(self.objects[i]) and isThrough(self, i, m) then
-          return self.objects[i], self.objects[m]
+        local how = isSolid(self.objects[i]) and trespassOf(self, i, m)
+        if how then
+          return how, self.objects[i], self.objects[m]
         end
       end
     end
@@ -159,10 +181,10 @@ function Watch:after(dt)
     local text = "an object of %.9g x %.9g px moved %.9g px in a step, %.9g px more than it may"
     return text:format(object.width, object.height, moved, excess)
   end
-  local a, wall = self:through()
-  if a then
-    local text = "an object at %.9g, %.9g has got past an immovable one at %.9g, %.9g"
-    return text:format(a.x, a.y, wall.x, wall.y)
+  local how, a, wall = self:trespass()
+  if how then
+    local text = "the middle of an object at %.9g, %.9g went %s an immovable one at %.9g, %.9g"
+    return text:format(a.x, a.y, how, wall.x, wall.y)
   end
 end
 
