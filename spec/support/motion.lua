@@ -8,7 +8,7 @@ local parting = require("spec.support.parting")
 
 local motion = {}
 
-local abs, max, min, sqrt = math.abs, math.max, math.min, math.sqrt
+local abs, max, min = math.abs, math.max, math.min
 
 local DEEP = 1e-6 -- px; less is not inside
 
@@ -67,13 +67,18 @@ local function addMachines(watch, dt)
   end
 end
 
--- px that the i-th object may move at most.
-local function limitOf(watch, i, dt)
-  local vx = watch.vx + watch.pullX + watch.carryX
-  local vy = watch.vy + watch.pullY + watch.carryY
-  local k = 4 * i
-  local parted = parting(watch.boxes[k + 2], watch.boxes[k + 3])
-  return sqrt(vx * vx + vy * vy) * dt + parted + watch.nudge
+-- How much farther than it may the i-th object moved, px, along the axis where that is more; and
+-- how far it moved along it. A contact parts along one axis, so each axis has its own limit.
+local function excessOf(watch, i, dt, steps)
+  local object, boxes, k = watch.objects[i], watch.boxes, 4 * i
+  local dx, dy = abs(object.x - boxes[k]), abs(object.y - boxes[k + 1])
+  local parted = steps * (parting(boxes[k + 2], boxes[k + 3]) + watch.nudge)
+  local x = dx - (watch.vx + watch.pullX + watch.carryX) * dt - parted
+  local y = dy - (watch.vy + watch.pullY + watch.carryY) * dt - parted
+  if x > y or x ~= x then
+    return x, dx
+  end
+  return y, dy
 end
 
 local function overlapOf(low, high, otherLow, otherHigh)
@@ -128,12 +133,13 @@ local function isSolid(object)
   return isMover(object) and not object.sensor and object.active ~= false
 end
 
---- The farthest motion of the step, measured by what is allowed.
+--- The farthest motion of an update, measured by what is allowed.
 ---@param dt number s
+---@param steps? integer steps of the update, default 1
 ---@return number excess px beyond the limit, negative: within
 ---@return table? object
 ---@return number? moved px
-function Watch:farthest(dt)
+function Watch:farthest(dt, steps)
   addMachines(self, dt)
   for i = 1, self.count do
     local object = self.objects[i]
@@ -142,13 +148,10 @@ function Watch:farthest(dt)
   end
   local worst, farthest, path = -math.huge, nil, nil
   for i = 1, self.count do
-    local object, k = self.objects[i], 4 * i
-    if isMover(object) then
-      local dx, dy = object.x - self.boxes[k], object.y - self.boxes[k + 1]
-      local moved = sqrt(dx * dx + dy * dy)
-      local excess = moved - limitOf(self, i, dt)
+    if isMover(self.objects[i]) then
+      local excess, moved = excessOf(self, i, dt, steps or 1)
       if excess > worst or excess ~= excess then
-        worst, farthest, path = excess, object, moved
+        worst, farthest, path = excess, self.objects[i], moved
       end
     end
   end
@@ -174,9 +177,10 @@ end
 
 --- To be called after the update: what does not hold, or nil.
 ---@param dt number s
+---@param steps? integer steps of the update, default 1
 ---@return string? text
-function Watch:after(dt)
-  local excess, object, moved = self:farthest(dt)
+function Watch:after(dt, steps)
+  local excess, object, moved = self:farthest(dt, steps)
   if object and (excess > 1e-6 or excess ~= excess) then
     local text = "an object of %.9g x %.9g px moved %.9g px in a step, %.9g px more than it may"
     return text:format(object.width, object.height, moved, excess)

@@ -1,10 +1,11 @@
---- How far a step may move an object to part it from others that it overlaps, beyond what its speed
---- explains. The promise of the README's limits: half the object's size, or 8 px if that is more.
+--- How far a step may move an object along an axis to part it from others that it overlaps, beyond
+--- what its speed explains. The promise of the README's limits: half the object's size, or 8 px if
+--- that is more.
 
 local LEAST = 8 -- px
 local SHARE = 0.5 -- of the larger side
 
---- Returns the largest motion in px that parting may add to one step.
+--- Returns the largest motion in px that parting may add to one step, along each axis.
 ---@param width number px
 ---@param height number px
 ---@return number
