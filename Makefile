@@ -65,6 +65,10 @@ bench: setup ## measures the engines side by side; BENCH="--help" shows what to 
 bench-quick: setup ## looks whether the benchmark runs, without looking at times
 	@bash scripts/bench_quick.sh
 
+.PHONY: bench-worst
+bench-worst: setup ## plays the worst cases and shows which bounds hold: WORST="--only spot --both"
+	@luajit bench/worst.lua $(WORST)
+
 bench-docs: setup ## measures, and brings the figures into docs/performance.md
 	@bash scripts/bench_docs.sh $(BENCH)
 

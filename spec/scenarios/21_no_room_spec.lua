@@ -15,7 +15,7 @@ local DEPTH = 0.01 -- px; two that overlap by less are apart
 local STILL = 0.5 -- s, how long nothing may move
 
 local LEVELS = {
-  shift = { 0, 1 / 3, -1000.1 },
+  shift = { 0, 1 / 3 },
   order = { "forward", "shuffled" },
   push = { "both" },
   rate = { 60, 30, 144 },
@@ -144,7 +144,7 @@ local SPOTS = {
     spot(16, 0, 84, 16),
   },
   { "8 in a corridor of 100 px", { FLOOR, wall(-600, -16, 1200, 16) }, spot(8, 0, 40, 16) },
-  { "40 in a corridor of 20 px", { FLOOR, wall(-600, 64, 1200, 16) }, spot(30, 0, 85, 8) },
+  { "30 in a corridor of 20 px", { FLOOR, wall(-600, 64, 1200, 16) }, spot(30, 0, 85, 8) },
   { "30 under a ceiling of 4 px", { FLOOR, wall(-300, -104, 600, 4) }, spot(30, 0, -100, 8) },
   {
     "20 in a niche open to the right",

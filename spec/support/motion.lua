@@ -50,20 +50,22 @@ function Watch:before()
   for i = 1, self.count do
     local object, k = self.objects[i], 4 * i
     boxes[k], boxes[k + 1] = object.x, object.y
+    local x, y = self.lastX[object], self.lastY[object]
+    self.isWritten[i] = object.kinematic and x and (x ~= object.x or y ~= object.y)
     boxes[k + 2], boxes[k + 3] = object.width, object.height
     addSpeed(self, object, object.vx or 0, object.vy or 0)
   end
 end
 
--- The speed with which the i-th object has moved in fact: machines that the game drives by writing
--- their place carry and push, too.
+-- Machines that the game drives by writing their place carry and push, too.
 local function addMachines(watch, dt)
   for i = 1, watch.count do
-    local object, last, k = watch.objects[i], watch.last, 4 * i
-    if object.kinematic and last[k] then
-      addSpeed(watch, object, (object.x - last[k]) / dt, (object.y - last[k + 1]) / dt)
+    local object = watch.objects[i]
+    local x, y = watch.lastX[object], watch.lastY[object]
+    if x and not isMover(object) then
+      addSpeed(watch, object, (object.x - x) / dt, (object.y - y) / dt)
     end
-    last[k], last[k + 1] = object.x, object.y
+    watch.lastX[object], watch.lastY[object] = object.x, object.y
   end
 end
 
@@ -125,6 +127,7 @@ local function trespassOf(watch, i, m)
   end
 end
 
+-- (A machine that the game puts elsewhere is no wall in that step: it gets there on the way.)
 local function isWall(object)
   return not isMover(object) and not (object.sensor or object.oneWay or object.active == false)
 end
@@ -133,7 +136,7 @@ local function isSolid(object)
   return isMover(object) and not object.sensor and object.active ~= false
 end
 
---- The farthest motion of an update, measured by what is allowed.
+--- The farthest motion of an update, measured by what is allowed. To be called once after each.
 ---@param dt number s
 ---@param steps? integer steps of the update, default 1
 ---@return number excess px beyond the limit, negative: within
@@ -158,16 +161,23 @@ function Watch:farthest(dt, steps)
   return worst, farthest, path
 end
 
+--- Where the i-th object was before the update.
+---@return number x px
+---@return number y px
+function Watch:placeOf(i)
+  return self.boxes[4 * i], self.boxes[4 * i + 1]
+end
+
 --- The first object whose middle went into an immovable one, or past it.
 ---@return string? how "into" or "past"
 ---@return table? object
 ---@return table? wall
 function Watch:trespass()
   for m = 1, self.count do
-    if isWall(self.objects[m]) then
+    if isWall(self.objects[m]) and not self.isWritten[m] then
       for i = 1, self.count do
         local how = isSolid(self.objects[i]) and trespassOf(self, i, m)
-        if how then
+        if how and self.canMeet(self.objects[i], self.objects[m]) then
           return how, self.objects[i], self.objects[m]
         end
       end
@@ -195,8 +205,14 @@ end
 --- Watches the objects of a list, which may grow.
 ---@param world table whose gravity counts
 ---@param objects table[]
-function motion.new(world, objects)
-  return setmetatable({ world = world, objects = objects, boxes = {}, last = {} }, Watch)
+---@param canMeet? fun(a: table, b: table): boolean whether one stands in the way of the other
+function motion.new(world, objects, canMeet)
+  local self = { world = world, objects = objects, boxes = {}, lastX = {}, lastY = {} }
+  self.isWritten = {} -- by number: the game has put it elsewhere since the last update
+  self.canMeet = canMeet or function()
+    return true
+  end
+  return setmetatable(self, Watch)
 end
 
 return motion
