@@ -70,27 +70,27 @@ local HALL_WIDTH, HALL_HEIGHT = 400, 300 -- px
 
 -- n pieces at once from the middle of a room, three times over.
 local function debris(count)
-  local objects, random = {}, newRandom(5)
+  local objects, pieces, random = {}, {}, newRandom(5)
   shared.addRoom(objects, HALL_WIDTH, HALL_HEIGHT)
-  local function fling(world)
-    for _ = 1, count do
-      local size = random:between(6, 8)
-      world:add({
-        group = "crates",
-        x = (HALL_WIDTH - size) / 2,
-        y = (HALL_HEIGHT - size) / 2,
-        width = size,
-        height = size,
-        vx = random:between(-400, 400),
-        vy = random:between(-500, 100),
-        friction = shared.FRICTION,
-      })
-    end
+  for i = 1, FLINGS * count do
+    local size = random:between(6, 8)
+    pieces[i] = {
+      group = "crates",
+      x = (HALL_WIDTH - size) / 2,
+      y = (HALL_HEIGHT - size) / 2,
+      width = size,
+      height = size,
+      vx = random:between(-400, 400),
+      vy = random:between(-500, 100),
+      friction = shared.FRICTION,
+    }
   end
   local function frame(world, step)
     local number = (step - 1) / PAUSE
     if number < FLINGS and number == math.floor(number) then
-      fling(world)
+      for i = number * count + 1, (number + 1) * count do
+        world:add(pieces[i])
+      end
     end
     world:step(1 / 60)
   end

@@ -37,16 +37,14 @@ local function overfull(count)
   shared.addWall(objects, width, -4000, 16, 4016)
   shared.addWall(objects, 0, 0, width, 16)
   shared.addHeap(objects, first, width, 0, CELL)
+  local added = {}
+  for _ = first + 1, count do
+    local x, y = random:between(0, width - SIZE), random:between(-tall, -SIZE)
+    shared.addCrate(added, x, y, SIZE)
+  end
   local function frame(world, step)
-    if step <= count - first then
-      world:add({
-        group = "crates",
-        x = random:between(0, width - SIZE),
-        y = random:between(-tall, -SIZE),
-        width = SIZE,
-        height = SIZE,
-        friction = shared.FRICTION,
-      })
+    if added[step] then
+      world:add(added[step])
     end
     world:step(1 / 60)
   end
