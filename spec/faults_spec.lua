@@ -232,7 +232,7 @@ end)
 --     +-+
 --     | |     24 px high
 --   ########
--- Whoever grew came out on top of the ceiling or below the floor, and nothing told so.
+-- What grew came out on top of the ceiling or below the floor, and nothing told so.
 describe("F3: growing where there is no room", function()
   local function play(description, grow, low, high, axis)
     scene.each(TURNED, function(run)

@@ -35,7 +35,7 @@ function lovePhysics.new(scene, turns)
   return self
 end
 
--- What nobody may push has to be kinematic here.
+-- What cannot be pushed has to be kinematic here.
 local function kindOf(description)
   local isKinematic = description.kinematic or description.pushable == false
   return description.static and "static" or isKinematic and "kinematic" or "dynamic"

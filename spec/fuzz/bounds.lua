@@ -38,10 +38,10 @@ local function stepsOf(world, dt, saved)
 end
 
 --- To be called before an update.
----@param everybody table[] all objects in the world
-function Bounds:before(everybody)
-  self.everybody = everybody
-  self.watch.objects = everybody
+---@param objects table[] all objects in the world
+function Bounds:before(objects)
+  self.objects = objects
+  self.watch.objects = objects
   self.watch:before()
   self.saved = self.player.world._saved
   self.started = os.clock()
@@ -77,7 +77,7 @@ end
 
 -- The game is calm: nothing in it is driven, and all is where it belongs.
 local function isCalm(self, act)
-  for _, object in ipairs(self.everybody) do
+  for _, object in ipairs(self.objects) do
     if object.kinematic and ((object.vx or 0) ~= 0 or (object.vy or 0) ~= 0) then
       return false
     elseif not object.static and not object.kinematic then
@@ -105,7 +105,7 @@ function Bounds:checkRest(dt)
   if not wasLong or not isCalm(self, self.calmed) then
     return
   end
-  for i, object in ipairs(self.everybody) do
+  for i, object in ipairs(self.objects) do
     local x, y = self.watch:placeOf(i)
     if object.x ~= x or object.y ~= y then
       local text = "object %s moved by %.9g, %.9g px after %.3g s of rest"
@@ -118,7 +118,7 @@ end
 function Bounds:checkTime(steps)
   if self.taken > bounds.LONGEST * steps then
     local text = "an update of %d steps took %.3g s, with %d objects"
-    return "time", text:format(steps, self.taken, #self.everybody), self.taken
+    return "time", text:format(steps, self.taken, #self.objects), self.taken
   end
 end
 
@@ -129,7 +129,7 @@ end
 function Bounds:after(dt, groupOf)
   local steps, seconds = stepsOf(self.player.world, dt, self.saved)
   local isAll = true
-  for _, object in ipairs(self.everybody) do
+  for _, object in ipairs(self.objects) do
     isAll = isAll and self:isOwn(object, groupOf)
   end
   local name, text

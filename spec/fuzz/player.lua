@@ -320,7 +320,7 @@ function acts.reload(player)
   end
 end
 
--- Whoever plays several worlds makes the copy, and watches for rest.
+-- What plays several worlds makes the copy, and watches for rest.
 function acts.twin() end
 function acts.calm() end
 

@@ -31,7 +31,7 @@ local function open(count)
   })
 end
 
--- Two walls of 2 px; whoever leaves through one of them is outside.
+-- Two walls of 2 px; what leaves through one of them is outside.
 local function corner(count)
   local objects = {}
   shared.addWall(objects, -2, -2000, 2, 2002)
