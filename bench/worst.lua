@@ -58,8 +58,16 @@ local function readOptions(list)
   return chosen
 end
 
+local function isThere(file)
+  local handle = io.open(file)
+  return handle and handle:close()
+end
+
 -- The library of another folder: only the modules of the library come from there.
 local function useRoot(root)
+  if not (isThere(root .. "/physics.lua") or isThere(root .. "/physics/init.lua")) then
+    fail("--root %s: there is no physics.lua", root)
+  end
   local function search(name)
     local path = (name == "physics" or name:find("^physics%.")) and name:gsub("%.", "/")
     for _, form in ipairs(path and { "/%s.lua", "/%s/init.lua" } or {}) do
@@ -71,7 +79,9 @@ local function useRoot(root)
         error(problem, 0)
       end
     end
-    return path and "\n\tno module '" .. name .. "' in " .. root
+    if path then
+      fail("--root %s: there is no module %s", root, name)
+    end
   end
   table.insert(rawget(package, "searchers") or package.loaders, 2, search)
 end
@@ -305,6 +315,7 @@ local function growthOfAll(chosen, jobs)
 end
 
 local chosen = readOptions(arg)
+chosen.joff = chosen.joff or not rawget(_G, "jit")
 if chosen.help then
   io.stdout:write(help)
   os.exit(0)
