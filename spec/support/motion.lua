@@ -19,6 +19,19 @@ local function isMover(object)
   return not object.static and not object.kinematic
 end
 
+local function overlapOf(low, high, otherLow, otherHigh)
+  return min(high, otherHigh) - max(low, otherLow)
+end
+
+-- (A machine that the game puts elsewhere is no wall in that step: it gets there on the way.)
+local function isWall(object)
+  return not isMover(object) and not (object.sensor or object.oneWay or object.active == false)
+end
+
+local function isSolid(object)
+  return isMover(object) and not object.sensor and object.active ~= false
+end
+
 -- Adds the speed of an object to the fastest of the step. Two that bounce may pass on more than the
 -- speed of the one that hits. What is carried or on a belt has a speed relative to that.
 local function addSpeed(watch, object, vx, vy)
@@ -41,6 +54,29 @@ local function addForces(watch, object, dt)
   watch.pullX, watch.pullY = max(watch.pullX, gx * dt), max(watch.pullY, gy * dt)
 end
 
+-- The way out of a wall along an axis, px, if it is one that a body may take: the shorter of both
+-- axes, or one no longer than itself, where the shorter one ends in another wall.
+local function wayOut(way, other, size)
+  return (way <= other or way <= size) and way or 0
+end
+
+-- Out of what is immovable a body goes at once: how far that may be for the i-th, along each axis.
+local function noteWays(watch, i)
+  local body, sumX, sumY = watch.objects[i], 0, 0
+  for m = 1, watch.count do
+    local wall = watch.objects[m]
+    if isWall(wall) then
+      local left, right = body.x + body.width - wall.x, wall.x + wall.width - body.x
+      local top, bottom = body.y + body.height - wall.y, wall.y + wall.height - body.y
+      local x, y = min(left, right), min(top, bottom)
+      if x > 0 and y > 0 then
+        sumX, sumY = sumX + wayOut(x, y, body.width), sumY + wayOut(y, x, body.height)
+      end
+    end
+  end
+  watch.wayX[i], watch.wayY[i] = sumX, sumY
+end
+
 --- To be called before an update, after everything that the game writes.
 function Watch:before()
   local boxes = self.boxes
@@ -54,6 +90,9 @@ function Watch:before()
     self.isWritten[i] = object.kinematic and x and (x ~= object.x or y ~= object.y)
     boxes[k + 2], boxes[k + 3] = object.width, object.height
     addSpeed(self, object, object.vx or 0, object.vy or 0)
+  end
+  for i = 1, self.count do
+    noteWays(self, i)
   end
 end
 
@@ -75,16 +114,12 @@ local function excessOf(watch, i, dt, steps)
   local object, boxes, k = watch.objects[i], watch.boxes, 4 * i
   local dx, dy = abs(object.x - boxes[k]), abs(object.y - boxes[k + 1])
   local parted = steps * (parting(boxes[k + 2], boxes[k + 3]) + watch.nudge)
-  local x = dx - (watch.vx + watch.pullX + watch.carryX) * dt - parted
-  local y = dy - (watch.vy + watch.pullY + watch.carryY) * dt - parted
+  local x = dx - (watch.vx + watch.pullX + watch.carryX) * dt - parted - watch.wayX[i]
+  local y = dy - (watch.vy + watch.pullY + watch.carryY) * dt - parted - watch.wayY[i]
   if x > y or x ~= x then
     return x, dx
   end
   return y, dy
-end
-
-local function overlapOf(low, high, otherLow, otherHigh)
-  return min(high, otherHigh) - max(low, otherLow)
 end
 
 -- Whether a middle that was on one side of a wall is on the other side now.
@@ -125,15 +160,6 @@ local function trespassOf(watch, i, m)
   then
     return "into"
   end
-end
-
--- (A machine that the game puts elsewhere is no wall in that step: it gets there on the way.)
-local function isWall(object)
-  return not isMover(object) and not (object.sensor or object.oneWay or object.active == false)
-end
-
-local function isSolid(object)
-  return isMover(object) and not object.sensor and object.active ~= false
 end
 
 --- The farthest motion of an update, measured by what is allowed. To be called once after each.
@@ -208,6 +234,7 @@ end
 ---@param canMeet? fun(a: table, b: table): boolean whether one stands in the way of the other
 function motion.new(world, objects, canMeet)
   local self = { world = world, objects = objects, boxes = {}, lastX = {}, lastY = {} }
+  self.wayX, self.wayY = {}, {}
   self.isWritten = {} -- by number: the game has put it elsewhere since the last update
   self.canMeet = canMeet or function()
     return true
