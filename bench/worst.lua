@@ -336,11 +336,15 @@ end
 if not chosen.json then
   print(HEAD)
 end
+local isBroken = false
 for _, job in ipairs(jobs) do
   eachMode(chosen, function(isInterpreted)
-    show(chosen, job, run(chosen, job, isInterpreted), isInterpreted)
+    local result = run(chosen, job, isInterpreted)
+    isBroken = isBroken or result.ending == "FAILED"
+    show(chosen, job, result, isInterpreted)
   end)
 end
 if chosen.growth then
   growthOfAll(chosen, jobs)
 end
+os.exit(isBroken and 1 or 0)
