@@ -55,8 +55,9 @@ demo: setup ## opens the examples in LÖVE
 	@bash scripts/demo.sh
 
 .PHONY: fuzz
-fuzz: setup ## plays random games and checks them: SECONDS=60, SEED=1
-	@luajit scripts/fuzz.lua --seconds $(or $(SECONDS),60) --seed $(or $(SEED),1) --keep-going
+fuzz: setup ## plays random games and checks them: SECONDS=60, SEED=1, BOUNDS=all
+	@luajit scripts/fuzz.lua --seconds $(or $(SECONDS),60) --seed $(or $(SEED),1) --keep-going \
+	  $(if $(BOUNDS),--bounds $(BOUNDS))
 
 .PHONY: bench bench-quick bench-docs
 bench: setup ## measures the engines side by side; BENCH="--help" shows what to choose
@@ -64,6 +65,10 @@ bench: setup ## measures the engines side by side; BENCH="--help" shows what to 
 
 bench-quick: setup ## looks whether the benchmark runs, without looking at times
 	@bash scripts/bench_quick.sh
+
+.PHONY: bench-worst
+bench-worst: setup ## plays the worst cases and shows which bounds hold: WORST="--only spot --both"
+	@luajit bench/worst.lua $(WORST)
 
 bench-docs: setup ## measures, and brings the figures into docs/performance.md
 	@bash scripts/bench_docs.sh $(BENCH)

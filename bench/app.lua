@@ -116,7 +116,8 @@ local function jobsOf(host, chosen, definition, n)
   return jobs
 end
 
-local FIGURES = { "median", "p99", "mean", "memory", "resident", "atLeast", "build", "slowest" }
+local FIGURES =
+  { "median", "p99", "worst", "mean", "memory", "resident", "atLeast", "build", "slowest" }
 
 -- The figures of all rounds become one: their median.
 local function join(job)

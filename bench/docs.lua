@@ -109,6 +109,10 @@ local function hitchCell(job)
   return string.format("%s ms (%.1f×)", report.ms(job.p99), job.p99 / job.median)
 end
 
+local function worstCell(job)
+  return job.worst and report.ms(job.worst) .. " ms" or NONE
+end
+
 local function overlapCell(job)
   return job.overlap and report.pixels(job.overlap) .. " px" or NONE
 end
@@ -213,6 +217,14 @@ function docs.render(data)
     "In brackets: to the median.",
     matrix(first, hitchCell)
   )
+  local worst = select(first, function(job)
+    local definition = scenes.get(job.scene)
+    return definition and definition.growth ~= nil
+  end)
+  if worst[1] then
+    local text = "Of the worst cases, warm. A scene that was given up may have had slower ones."
+    addChapter(parts, "The slowest frame", text, matrix(worst, worstCell))
+  end
   addChapter(parts, "Largest overlap", nil, matrix(first, overlapCell))
   for _, mode in ipairs(modesIn(data.results)) do
     local title = "Garbage of a frame: " .. (MODES[mode] or mode)

@@ -10,6 +10,9 @@
 ---     step(dt)          moves the world on
 ---     read(i)           -> x, y of the i-th object, its left and top edge
 ---     setVelocity(i, vx, vy), either may be nil: stays
+---     accelerate(i, ax, ay), up to the `maxSpeed` of its description
+---     setSize(i, width, height), about its middle
+---     setGravity(x, y)
 ---     add(description)  -> i, as in the scene;  remove(i)
 ---     raycast(x1, y1, x2, y2) -> fraction of the line to the first hit, or nil
 ---     save(out), restore(state), hash()

@@ -84,11 +84,12 @@ local function row(results, job)
     median = report.limit(job)
   end
   return string.format(
-    "  %-6s %-16s %9s %9s %10s %9s %8s",
+    "  %-6s %-16s %9s %9s %9s %10s %9s %8s",
     job.mode,
     engines.title(job.engine),
     median,
     job.isLimited and "-" or report.ms(job.p99),
+    report.ms(job.worst),
     report.bytes(job.garbage),
     report.pixels(job.overlap),
     ratio and not job.isLimited and string.format("%.1fx", ratio) or "-"
@@ -96,11 +97,12 @@ local function row(results, job)
 end
 
 local HEAD = string.format(
-  "  %-6s %-16s %9s %9s %10s %9s %8s",
+  "  %-6s %-16s %9s %9s %9s %10s %9s %8s",
   "mode",
   "engine",
   "median ms",
   "p99 ms",
+  "worst ms",
   "garbage",
   "overlap",
   "to ours"

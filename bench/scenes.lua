@@ -4,10 +4,14 @@
 ---   title   for people
 ---   sizes   the values of n at which it is measured
 ---   quick   a small n, to see that it runs
+---   growth  values of n at which bench/worst.lua looks how the time grows
+---   startsInside  true: objects overlap at the start
 ---   build(n) -> a scene, which is told its name:
 ---     gravity   px/s²
+---     hasMasses true: boxes have a `mass`, 1 where none is given, in every engine
 ---     objects   descriptions of boxes: group, x, y, width, height, vx, vy, static, kinematic,
----               friction, restitution, gravity; the same fields as those of physics.lua
+---               friction, restitution, gravity, mass, pushable, maxSpeed; the same fields as those
+---               of physics.lua
 ---     rest      true: engines may skip what rests, and those that cannot do not play; false:
 ---               nobody may; nil: as the engine likes
 ---     needs     features of which an engine may say that it lacks them (bench/engines.lua)
@@ -15,13 +19,28 @@
 ---     steps, warmUp   numbers of frames that are measured, and that go before, default 600 and 60
 ---     frame(world, step)    what is measured, default: world:step(1 / 60)
 ---     between(world, step)  what happens before each frame and is not measured
+---     driven, room          only of the worst cases, see bench/scenes/worst/shared.lua
+---     still                 number of an object that must not move (bench/bounds.lua)
 ---
 --- All of them are deterministic: every engine meets the same boxes and the same inputs.
 
 local scenes = {}
 
-local FILES =
-  { "pile", "level", "gas", "swarm", "lifts", "rays", "spawn", "dig", "rooms", "rest", "state" }
+local FILES = {
+  "pile",
+  "level",
+  "gas",
+  "swarm",
+  "lifts",
+  "rays",
+  "spawn",
+  "dig",
+  "rooms",
+  "rest",
+  "state",
+  "worst.spots",
+  "worst.squeezes",
+}
 
 local STEPS, WARM_UP, DT = 600, 60, 1 / 60
 

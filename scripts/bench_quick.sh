@@ -23,6 +23,17 @@ measured() {
       end'
 }
 check "processes of their own bring figures of ours and of love.physics" measured
+worst() {
+  luajit bench/worst.lua --only spot-open:5,piston:5 --growth --json >build/bench-worst.json &&
+    luajit -e '
+      package.path = "./?.lua;" .. package.path
+      for line in io.lines("build/bench-worst.json") do
+        local job = require("bench.json").decode(line)
+        assert(job.growth or job.ending == "done" and job.worst and job.jump, line)
+      end'
+}
+check "the worst cases can be played alone" worst
+check "an unknown worst case is refused" refuses luajit bench/worst.lua --only nothing
 check "an unknown scene is refused" refuses bash scripts/bench.sh --quick --scene nothing
 
 finish

@@ -1,6 +1,9 @@
 -- Random games (spec/fuzz/), checked after every step, until the time is over:
 --
---   luajit scripts/fuzz.lua --seconds 60 [--seed 1] [--steps 80] [--keep-going]
+--   luajit scripts/fuzz.lua --seconds 60 [--seed 1] [--steps 80] [--keep-going] [--bounds NAMES]
+--
+-- `--bounds all`, or some of motion,past,rest,time (spec/fuzz/bounds.lua): these are checked, too,
+-- and every second game is one with too little room (spec/fuzz/crowded.lua).
 --
 -- A case that fails is made small and printed, to be pasted into spec/fuzz_found_spec.lua. Its seed
 -- plays it again: `--seed N --seconds 0` plays that one only, `--case FILE` one that was written
@@ -15,13 +18,22 @@ if jit and jit.opt then
   jit.opt.start("maxtrace=20000", "maxmcode=60000", "sizemcode=256", "maxirconst=2000")
 end
 
+local bounds = require("spec.fuzz.bounds")
 local case = require("spec.fuzz.case")
+local crowded = require("spec.fuzz.crowded")
 local shrink = require("spec.fuzz.shrink")
 local trial = require("spec.fuzz.trial")
 local write = require("spec.fuzz.write")
 
-local options =
-  { seconds = 60, seed = 1, steps = 80, ["keep-going"] = false, shrink = 30, case = "" }
+local options = {
+  seconds = 60,
+  seed = 1,
+  steps = 80,
+  ["keep-going"] = false,
+  shrink = 30,
+  case = "",
+  bounds = "",
+}
 
 local function readOptions(list)
   local n = 1
@@ -43,9 +55,39 @@ local function readOptions(list)
   end
 end
 
+-- The checks of bounds that were asked for, nil: none.
+local function readBounds(names)
+  local chosen, count = {}, 0
+  for name in (names == "all" and table.concat(bounds.NAMES, ",") or names):gmatch("[^,]+") do
+    local isKnown = ("," .. table.concat(bounds.NAMES, ",") .. ","):find(
+      "," .. name .. ",",
+      1,
+      true
+    )
+    if not isKnown then
+      error("--bounds knows " .. table.concat(bounds.NAMES, ", ") .. ", not " .. name, 0)
+    end
+    chosen[name], count = true, count + 1
+  end
+  return count > 0 and chosen or nil
+end
+
+local chosen -- checks of bounds
+
+local function try(one)
+  return trial.run(one, chosen)
+end
+
+local function newCase(seed)
+  if chosen and seed % 2 == 0 then
+    return crowded.new(seed, options.steps)
+  end
+  return case.new(seed, options.steps)
+end
+
 local function report(seed, failed, failure)
   print(("FAILED  seed %d: %s: %s"):format(seed, failure.check, failure.text))
-  local small, its = shrink.run(failed, failure, options.shrink)
+  local small, its = shrink.run(failed, failure, options.shrink, try)
   print(("        made small: %s: %s"):format(its.check, its.text))
   print((write.case(small):gsub("[^\n]+", "        %0")))
   io.stdout:flush()
@@ -55,8 +97,8 @@ local function run()
   local seed, played, failed, steps = options.seed, 0, 0, 0
   local stop = os.time() + options.seconds
   repeat
-    local one = case.new(seed, options.steps)
-    local failure, count = trial.run(one)
+    local one = newCase(seed)
+    local failure, count = try(one)
     played, steps = played + 1, steps + count
     if failure then
       failed = failed + 1
@@ -78,7 +120,7 @@ local function replay(path)
   local file = assert(io.open(path))
   local chunk = assert((loadstring or load)("return " .. file:read("*a")))
   file:close()
-  local failure = trial.run(chunk())
+  local failure = try(chunk())
   if failure then
     print(("%s: %s (act %d)"):format(failure.check, failure.text, failure.at))
   end
@@ -87,6 +129,7 @@ local function replay(path)
 end
 
 readOptions(arg)
+chosen = readBounds(options.bounds)
 if options.case ~= "" then
   os.exit(replay(options.case) and 0 or 1)
 end

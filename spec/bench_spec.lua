@@ -176,9 +176,16 @@ describe("a scene", function()
       assert.truthy(#first.objects > 0)
     end)
 
-    it("starts without overlaps: " .. definition.name, function()
+    local start = definition.startsInside and "starts or becomes full of" or "starts without"
+    it(start .. " overlaps: " .. definition.name, function()
       local objects = scenes.build(definition.name, definition.quick).objects
-      assert.equal(0, (overlap.checker(objects)()))
+      local deepest = overlap.checker(objects)()
+      if definition.startsInside then
+        local hasMovers = not objects[#objects].static
+        assert.equal(hasMovers, deepest > 0)
+      else
+        assert.equal(0, deepest)
+      end
     end)
   end
 
@@ -325,7 +332,16 @@ describe("a measurement", function()
     assert.is_false(result.isLimited)
     assert.is_nil(result.atLeast)
     assert.truthy(result.median <= result.p99)
+    assert.truthy(result.p99 <= result.worst)
     assert.same({ step = 44, between = 44, read = 0, free = 2 }, calls)
+  end)
+
+  it("is played once before when it is measured from its first frame", function()
+    local scene = newScene()
+    scene.warmUp = 0
+    local result = measure.times(engine, scene, 60)
+    assert.equal(20, result.steps)
+    assert.same({ step = 80, between = 80, read = 0, free = 4 }, calls)
   end)
 
   it("is given up when its time is over, and then has no figures", function()
@@ -406,6 +422,19 @@ describe("the report", function()
     }) do
       assert.truthy(text:find(expected .. "\n", 1, true), expected .. " in\n" .. text)
     end
+  end)
+
+  it("tells the slowest frame of the worst cases, and of no other scene", function()
+    local machine = { lua = "Lua", date = "" }
+    assert.is_nil(
+      docs.render({ machine = machine, results = results }):find("The slowest", 1, true)
+    )
+    local worst = job("ours", 200, "jit", 0.25, { worst = 12.34 })
+    worst.scene = "spot-open"
+    local text = docs.render({ machine = machine, results = { worst, results[1] } })
+    local chapter = text:match("### The slowest frame(.-)###")
+    assert.truthy(chapter:find("| spot-open | 200 | 12.3 ms |", 1, true), text)
+    assert.is_nil(chapter:find("pile", 1, true))
   end)
 
   it("leaves out rows without a figure", function()

@@ -2,6 +2,7 @@
 
 local case = require("spec.fuzz.case")
 local checks = require("spec.fuzz.checks")
+local crowded = require("spec.fuzz.crowded")
 local effort = require("spec.support.effort")
 local player = require("spec.fuzz.player")
 local shrink = require("spec.fuzz.shrink")
@@ -141,6 +142,164 @@ describe("the checks notice", function()
     one:act({ "update", 1 / 60 })
     one.list[3].vx = 4
     assert.equal("momentum", (watch:after(1 / 60)))
+  end)
+end)
+
+-- A floor, a box on it that the air brakes, and another one; the game is calm from the start.
+local CALM = {
+  settings = { gravity = 800 },
+  acts = {
+    { "add", 1, "floors", { x = 0, y = 100, width = 100, height = 10, static = true } },
+    { "add", 2, "boxes", { x = 20, y = 90, width = 10, height = 10, drag = 100 } },
+    { "add", 3, "boxes", { x = 50, y = 90, width = 10, height = 10, drag = 100 } },
+    { "calm", 0, 0, 100, 110 },
+  },
+}
+
+describe("the checks of bounds", function()
+  -- Plays CALM for some updates, changes what the last one has done, and returns what is noticed.
+  local function play(chosen, updates, change)
+    local one = player.new(CALM)
+    local watch = checks.new(one, false, { [chosen] = true })
+    for _, act in ipairs(CALM.acts) do
+      one:act(act)
+      if act[1] == "calm" then
+        watch:calm(act)
+      end
+    end
+    for n = 1, updates do
+      watch:before()
+      one:act({ "update", 1 / 60 })
+      watch:stop()
+      if n == updates then
+        change(one.list, watch)
+      end
+      local name, text = watch:after(1 / 60)
+      if name then
+        assert.equal(updates, n)
+        return name, text
+      end
+    end
+  end
+
+  for _, row in ipairs({
+    -- check, updates, what happens in the last one, whether it is noticed
+    {
+      "motion",
+      2,
+      function(list)
+        list[2].x = 20 + 8.01 + 800 / 3600
+      end,
+      true,
+    },
+    {
+      "motion",
+      2,
+      function(list)
+        list[2].x = 20 + 7.9
+      end,
+      false,
+    },
+    {
+      "motion",
+      2,
+      function(list)
+        list[2].x, list[2].vx = 38, 660 -- as fast as it went
+      end,
+      false,
+    },
+    {
+      "past",
+      2,
+      function(list)
+        list[3].y = 96
+      end,
+      true,
+    },
+    {
+      "past",
+      2,
+      function(list)
+        list[3].y = 112
+      end,
+      true,
+    },
+    {
+      "past",
+      2,
+      function(list)
+        list[3].y = 94.9
+      end,
+      false,
+    },
+    {
+      "rest",
+      122,
+      function(list)
+        list[2].x = 20.0001
+      end,
+      true,
+    },
+    {
+      "rest",
+      118,
+      function(list)
+        list[2].x = 20.0001
+      end,
+      false,
+    },
+    {
+      "time",
+      2,
+      function(_, watch)
+        watch.bounds.taken = 0.2
+      end,
+      true,
+    },
+    {
+      "time",
+      2,
+      function(_, watch)
+        watch.bounds.taken = 0.09
+      end,
+      false,
+    },
+  }) do
+    local chosen, updates, change, isNoticed = row[1], row[2], row[3], row[4]
+    local title = "%s, update %d: %s"
+    it(title:format(chosen, updates, isNoticed and "noticed" or "let pass"), function()
+      local name = play(chosen, updates, change)
+      if isNoticed then
+        assert.equal(chosen, name)
+      else
+        assert.not_equal(chosen, name)
+      end
+    end)
+  end
+
+  it("hold in games with too little room", function()
+    local chosen = { motion = true, past = true, rest = true }
+    for seed = 1, effort.share(24, 4) do
+      local one = crowded.new(seed, 30)
+      local failure = trial.run(one, chosen)
+      if failure then
+        error(("seed %d: %s: %s"):format(seed, failure.check, failure.text))
+      end
+    end
+  end)
+
+  it("are made in games that are the same each time, with a calm end", function()
+    local one = crowded.new(5, 20)
+    assert.same(one, crowded.new(5, 20))
+    local read = assert(loadText("return " .. write.case(one)))()
+    assert.same(one.acts, read.acts)
+    local calmed, updates = 0, 0
+    for _, act in ipairs(one.acts) do
+      calmed = calmed + (act[1] == "calm" and 1 or 0)
+      updates = updates + (act[1] == "update" and calmed or 0)
+    end
+    assert.equal(1, calmed)
+    assert.is_true(updates >= 70) -- two seconds at 30 Hz, and ten more
   end)
 end)
 

@@ -3,7 +3,13 @@
 
 local engine = {
   module = "bump",
-  lacks = { kinematic = "a game has to carry and push by itself", state = "no snapshots" },
+  lacks = {
+    kinematic = "a game has to carry and push by itself",
+    accelerations = "a game has to accelerate by itself",
+    gravity = "a game has to pull by itself",
+    sizes = "a game has to push by itself",
+    state = "no snapshots",
+  },
 }
 local World = {}
 World.__index = World

@@ -3,7 +3,15 @@
 
 local engine = {
   module = "fizzx",
-  lacks = { worlds = "one world a program", raycast = "no questions", state = "no snapshots" },
+  lacks = {
+    worlds = "one world a program",
+    raycast = "no questions",
+    state = "no snapshots",
+    crowds = "everything can be pushed",
+    accelerations = "a game has to accelerate by itself",
+    gravity = "gravity acts on what comes later",
+    sizes = "its shapes keep their size",
+  },
 }
 local World = {}
 World.__index = World

@@ -2,17 +2,22 @@
 
 local lovePhysics = {
   needsLove = true,
-  lacks = { state = "its state cannot be read out as a whole" },
+  lacks = {
+    state = "its state cannot be read out as a whole",
+    sizes = "its shapes keep their size",
+  },
 }
 local World = {}
 World.__index = World
 
 local METER = 64 -- px; Box2D is tuned for sizes of 0.1 to 10 m
+local DT = 1 / 60 -- s, a frame
 
 --- `turns`: the bodies do, which is what they do if nobody says otherwise.
 function lovePhysics.new(scene, turns)
   love.physics.setMeter(METER)
   local self = setmetatable({ bodies = {}, halves = {}, isFixed = not turns }, World)
+  self.maxSpeeds, self.hasMasses = {}, scene.hasMasses
   self.world = love.physics.newWorld(0, scene.gravity, scene.rest)
   for _, description in ipairs(scene.objects) do
     self:add(description)
@@ -30,8 +35,10 @@ function lovePhysics.new(scene, turns)
   return self
 end
 
+-- What cannot be pushed has to be kinematic here.
 local function kindOf(description)
-  return description.static and "static" or description.kinematic and "kinematic" or "dynamic"
+  local isKinematic = description.kinematic or description.pushable == false
+  return description.static and "static" or isKinematic and "kinematic" or "dynamic"
 end
 
 function World:add(description)
@@ -42,12 +49,16 @@ function World:add(description)
   local fixture = love.physics.newFixture(body, shape)
   fixture:setFriction(description.friction or 0)
   fixture:setRestitution(description.restitution or 0)
+  if self.hasMasses then
+    body:setMass(description.mass or 1)
+  end
   body:setFixedRotation(self.isFixed)
   body:setGravityScale(description.gravity == 0 and 0 or 1)
   body:setLinearVelocity(description.vx or 0, description.vy or 0)
   local index = #self.bodies + 1
   self.bodies[index] = body
   self.halves[2 * index - 1], self.halves[2 * index] = halfWidth, halfHeight
+  self.maxSpeeds[index] = description.maxSpeed
   return index
 end
 
@@ -68,6 +79,22 @@ function World:setVelocity(index, vx, vy)
   local body = self.bodies[index]
   local oldX, oldY = body:getLinearVelocity()
   body:setLinearVelocity(vx or oldX, vy or oldY)
+end
+
+-- There is no largest speed: a game that wants one writes this.
+function World:accelerate(index, ax, ay)
+  local body, maxSpeed = self.bodies[index], self.maxSpeeds[index]
+  local vx, vy = body:getLinearVelocity()
+  vx, vy = vx + ax * DT, vy + ay * DT
+  local speed = math.sqrt(vx * vx + vy * vy)
+  if speed > maxSpeed then
+    vx, vy = vx / speed * maxSpeed, vy / speed * maxSpeed
+  end
+  body:setLinearVelocity(vx, vy)
+end
+
+function World:setGravity(x, y)
+  self.world:setGravity(x, y)
 end
 
 function World:raycast(x1, y1, x2, y2)

@@ -49,6 +49,29 @@ function World:setVelocity(index, vx, vy)
   object.vy = vy or object.vy
 end
 
+--- Accelerates an object until it is told otherwise, up to its `maxSpeed`.
+function World:accelerate(index, ax, ay)
+  local object = self.objects[index]
+  object.ax, object.ay = ax, ay
+end
+
+--- Makes a box grow, or shrink, about its middle.
+function World:setSize(index, width, height)
+  local object = self.objects[index]
+  object.x = object.x - (width - object.width) / 2
+  object.y = object.y - (height - object.height) / 2
+  object.width, object.height = width, height
+end
+
+function World:setGravity(x, y)
+  self.world.gravityX, self.world.gravity = x, y
+end
+
+--- The game's own tables, in the order of their numbers.
+function World:list()
+  return self.objects
+end
+
 function World:raycast(x1, y1, x2, y2)
   local object, _, _, _, _, fraction = self.world:raycast(x1, y1, x2, y2)
   return object and fraction
@@ -69,5 +92,7 @@ end
 function World:free()
   self.world, self.objects = nil, nil
 end
+
+ours.World = World
 
 return ours

@@ -8,6 +8,7 @@ local turning = {
   isTurning = true,
   lacks = {
     state = lovePhysics.lacks.state,
+    sizes = lovePhysics.lacks.sizes,
     upright = "its boxes fall over",
   },
 }

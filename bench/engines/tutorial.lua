@@ -3,7 +3,15 @@
 --- Kindly read: lists instead of `pairs`, which LuaJIT does not compile.
 
 local tutorial = {
-  lacks = { kinematic = "no moving platforms", raycast = "no questions", state = "no snapshots" },
+  lacks = {
+    kinematic = "no moving platforms",
+    raycast = "no questions",
+    state = "no snapshots",
+    crowds = "everything can be pushed",
+    accelerations = "a game has to accelerate by itself",
+    gravity = "gravity cannot be turned",
+    sizes = "a game has to push by itself",
+  },
 }
 local World = {}
 World.__index = World

@@ -10,6 +10,8 @@ if jit then
   jit.off(true, true)
 end
 
+local bounds = require("spec.fuzz.bounds")
+
 local checks = {}
 
 local Watch = {}
@@ -443,8 +445,9 @@ local function countContacts(self)
   })
 end
 
---- Watches a player's world; in a `closed` one nothing adds energy.
-function checks.new(player, closed)
+--- Watches a player's world; in a `closed` one nothing adds energy. `chosen` checks of
+--- spec/fuzz/bounds.lua are made, too: name -> true; nil: none.
+function checks.new(player, closed, chosen)
   local self = setmetatable({
     player = player,
     closed = closed,
@@ -460,6 +463,11 @@ function checks.new(player, closed)
   if closed then
     countContacts(self)
   end
+  if chosen then
+    self.bounds = bounds.new(player, chosen, function(a, b)
+      return self:isBarred(a, b)
+    end)
+  end
   self:look()
   return self
 end
@@ -473,6 +481,23 @@ function Watch:before()
   self:noteSums()
   self.contacts = 0
   self.saved = self.player.world._saved
+  if self.bounds then
+    self.bounds:before(self.everybody)
+  end
+end
+
+--- To be called when an update is over, before `after`, if its time counts.
+function Watch:stop()
+  if self.bounds then
+    self.bounds:stop()
+  end
+end
+
+--- Notes that from now on nothing drives the game (spec/fuzz/crowded.lua).
+function Watch:calm(act)
+  if self.bounds then
+    self.bounds:calm(act)
+  end
 end
 
 -- Whether the update has made a step. Without one nothing is true yet of what the game has written.
@@ -496,7 +521,12 @@ function Watch:after(dt)
   if name or self.player.failed or not self:hasStepped(dt) then
     return name, text
   end
-  name, text = self:checkDepths()
+  if self.bounds then
+    name, text = self.bounds:after(dt, self.groupOf)
+  end
+  if not name then
+    name, text = self:checkDepths()
+  end
   if not name then
     name, text = self:checkOverlaps()
   end

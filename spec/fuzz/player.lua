@@ -320,8 +320,9 @@ function acts.reload(player)
   end
 end
 
--- Whoever plays several worlds makes the copy.
+-- What plays several worlds makes the copy, and watches for rest.
 function acts.twin() end
+function acts.calm() end
 
 function acts.update(player, dt)
   if player.inside then

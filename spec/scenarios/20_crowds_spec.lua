@@ -1,0 +1,132 @@
+--- Crowds that press to one point, or to one body: a step moves nothing farther than its speed
+--- explains, whatever they do to each other.
+---
+---    @ @  @ @ @
+---   @  @ > P < @ @     P: the player, in the middle
+---    @ @ ^ @ @
+
+local crowds = require("spec.support.crowd")
+local effort = require("spec.support.effort")
+local fold = require("spec.support.fold")
+local motion = require("spec.support.motion")
+local newRandom = require("spec.support.random").new
+local newOverlaps = require("spec.support.overlap").checker
+
+local DEPTH = 0.01 -- px, the largest overlap of a crowd that starts apart
+local LOOK_EVERY = 5 -- steps, between two looks at the overlaps
+
+-- Plays a crowd for some seconds and fails at the first step that breaks a bound.
+local function play(options, seconds, rate)
+  local crowd = crowds.new(options)
+  local watch = motion.new(crowd.world, crowd.objects)
+  local overlaps = newOverlaps(crowd.objects)
+  local player = crowd.player
+  local startX, startY = player and player.x, player and player.y
+  for step = 1, seconds * rate do
+    crowd:steer()
+    watch:before()
+    crowd.world:update(1 / rate)
+    crowd.time = crowd.time + 1 / rate
+    local problem = watch:after(1 / rate)
+    if not problem and not options.startsInside and step % LOOK_EVERY == 0 then
+      local depth = overlaps()
+      problem = depth > DEPTH and ("two overlap by %.9g px"):format(depth)
+    end
+    if not problem and options.goal == "firm" and (player.x ~= startX or player.y ~= startY) then
+      problem = ("the player was moved to %.17g, %.17g"):format(player.x, player.y)
+    end
+    if problem then
+      error(("step %d: %s"):format(step, problem), 2)
+    end
+  end
+  return crowd
+end
+
+describe("a crowd", function()
+  describe("of 300 that presses for a minute to a player that cannot be pushed", function()
+    for seed = 1, 3 do
+      it("keeps its bounds, and the player stays: seed " .. seed, function()
+        play({ count = effort.share(300, 60), seed = seed, goal = "firm", drive = "vx" }, 60, 60)
+      end)
+    end
+  end)
+
+  -- Its relatives, fewer and shorter, at other rates (Hz).
+  for _, goal in ipairs({ "point", "firm", "heavy", "walker" }) do
+    for _, drive in ipairs({ "vx", "ax" }) do
+      for _, rate in ipairs({ 60, 30, 144 }) do
+        it(("keeps its bounds: %s, by %s, %d Hz"):format(goal, drive, rate), function()
+          play({ count = 80, seed = 4, goal = goal, drive = drive }, 12, rate)
+        end)
+      end
+      it(
+        ("keeps the bound of motion, begun inside itself: %s, by %s"):format(goal, drive),
+        function()
+          local options = { count = 120, seed = 5, goal = goal, drive = drive, startsInside = true }
+          play(options, 10, 60)
+        end
+      )
+    end
+  end
+
+  it("comes near: it is the crowd that presses, not the bounds that hold it", function()
+    local crowd = play({ count = 80, seed = 4, goal = "firm", drive = "vx" }, 12, 60)
+    local near = 0
+    for _, enemy in ipairs(crowd.enemies) do
+      if enemy.x ^ 2 + enemy.y ^ 2 < 120 ^ 2 then
+        near = near + 1
+      end
+    end
+    assert.is_true(near >= 60, near .. " of 80 are near the player")
+  end)
+
+  it("goes the same way with either broad phase, and with rest or without", function()
+    for _, drive in ipairs({ "vx", "ax" }) do
+      local sums = {}
+      for i, settings in ipairs({
+        { broadphase = "grid" },
+        { broadphase = "pairs" },
+        { broadphase = "grid", rest = false },
+        { broadphase = "grid", cellSize = 100 },
+      }) do
+        local options = { count = 100, seed = 6, goal = "firm", drive = drive }
+        options.settings, options.startsInside = settings, true
+        local crowd, sum = crowds.new(options), fold.START
+        for _ = 1, effort.share(300) do
+          crowd:step(1 / 60)
+          sum = fold.objects(sum, crowd.enemies)
+        end
+        sums[i] = sum
+      end
+      assert.same({ sums[1], sums[1], sums[1], sums[1] }, sums)
+    end
+  end)
+
+  -- Most of them overlap the player, or each other; it must not go anywhere.
+  it("of bodies put onto an unpushable player at rest leaves it where it is", function()
+    for seed = 1, 5 do
+      local crowd = crowds.new({ count = 0, seed = seed, goal = "firm", drive = "vx" })
+      local random = newRandom(seed)
+      for _ = 1, 40 do
+        local size = random:between(10, 20)
+        local enemy = {
+          x = random:between(-30, 30) - size / 2,
+          y = random:between(-30, 30) - size / 2,
+          width = size,
+          height = size,
+        }
+        crowd.world:add("enemies", enemy)
+        crowd.objects[#crowd.objects + 1] = enemy
+      end
+      local watch, player = motion.new(crowd.world, crowd.objects), crowd.player
+      for step = 1, 120 do
+        watch:before()
+        crowd.world:update(1 / 60)
+        local problem = watch:after(1 / 60)
+        assert.is_nil(problem, problem and ("seed %d, step %d: %s"):format(seed, step, problem))
+        assert.same({ -8, -12 }, { player.x, player.y })
+      end
+      assert.is_true(newOverlaps(crowd.objects)() <= DEPTH)
+    end
+  end)
+end)

@@ -1,0 +1,422 @@
+--- More boxes than there is room for, or all at one spot. Whatever the game does to them: no step
+--- moves one farther than its speed and the stated parting explain, none gets past what does not
+--- give way, what has room is apart within a second, and what nothing drives is at rest within two.
+
+local effort = require("spec.support.effort")
+local fold = require("spec.support.fold")
+local motion = require("spec.support.motion")
+local newOverlaps = require("spec.support.overlap").checker
+local newRandom = require("spec.support.random").new
+local physics = require("physics")
+local scene = require("spec.support.scene")
+
+local APART, REST = 1, 2 -- s
+local DEPTH = 0.01 -- px; two that overlap by less are apart
+local STILL = 0.5 -- s, how long nothing may move
+
+local LEVELS = {
+  shift = { 0, 1 / 3 },
+  order = { "forward", "shuffled" },
+  push = { "both" },
+  rate = { 60, 30, 144 },
+  turn = { 0, 1 },
+}
+
+local function wall(x, y, width, height)
+  return { "walls", { x = x, y = y, width = width, height = height, static = true } }
+end
+
+local function machine(name, x, y, width, height)
+  return {
+    "machines",
+    { name = name, x = x, y = y, width = width, height = height, kinematic = true },
+  }
+end
+
+-- Adds the entries of a list to another.
+local function join(list, more)
+  for _, entry in ipairs(more) do
+    list[#list + 1] = entry
+  end
+  return list
+end
+
+local function spot(count, x, y, width, height)
+  local list = {}
+  for i = 1, count do
+    list[i] = { "boxes", { x = x, y = y, width = width, height = height or width, friction = 0.3 } }
+  end
+  return list
+end
+
+-- Boxes of half to one and a half of a size at random places in a room.
+local function scatter(count, seed, size, width, height)
+  local random, list = newRandom(seed), {}
+  for i = 1, count do
+    local w, h = size * random:between(0.5, 1.5), size * random:between(0.5, 1.5)
+    local x, y = random:between(0, width - w), random:between(0, height - h)
+    list[i] = { "boxes", { x = x, y = y, width = w, height = h, friction = 0.3 } }
+  end
+  return list
+end
+
+-- Boxes in cells of one size, from the floor up, clear of each other.
+local function heap(count, seed, cell, width, bottom, isEqual)
+  local random, list, columns = newRandom(seed), {}, math.floor(width / cell)
+  for i = 0, count - 1 do
+    local size = isEqual and cell or random:between(0.6, 1) * cell
+    local row = math.floor(i / columns)
+    local x, y = cell * (i - row * columns), bottom - cell * row - size
+    list[i + 1] = { "boxes", { x = x, y = y, width = size, height = size, friction = 0.3 } }
+  end
+  return list
+end
+
+local function walls(width, height)
+  return {
+    wall(-20, -20, 20, height + 40),
+    wall(width, -20, 20, height + 40),
+    wall(0, -20, width, 20),
+    wall(0, height, width, 20),
+  }
+end
+
+-- Plays some seconds under watch; `before(time)` writes what the game does before a step.
+local function play(run, watch, seconds, before)
+  for _, dt in ipairs(scene.times(seconds, run.rate)) do
+    if before then
+      before(run.time)
+    end
+    watch:before()
+    run:step(dt)
+    local problem = watch:after(dt)
+    run:check(not problem, "%s", problem)
+  end
+end
+
+local function build(run, description)
+  local named = run:build(description)
+  return named, motion.new(run.world, run.all)
+end
+
+local function expectApart(run)
+  local deepest, a, b = newOverlaps(run.all)()
+  if deepest > DEPTH then
+    local text = "two still overlap by %.9g px, at %.9g, %.9g and %.9g, %.9g"
+    run:check(false, text, deepest, a.x, a.y, b.x, b.y)
+  end
+end
+
+-- Fails unless nothing moves by a bit for half a second.
+local function expectRest(run, watch)
+  local before = {}
+  for i, object in ipairs(run.all) do
+    before[i] = { object.x, object.y }
+    local isStill = object.static or object.kinematic or object.vx == 0 and object.vy == 0
+    run:check(isStill, "an object goes on at %.9g, %.9g px/s", object.vx or 0, object.vy or 0)
+  end
+  play(run, watch, STILL)
+  for i, object in ipairs(run.all) do
+    local isSame = object.x == before[i][1] and object.y == before[i][2]
+    local text = "an object at rest went from %.17g, %.17g to %.17g, %.17g"
+    run:check(isSame, text, before[i][1], before[i][2], object.x, object.y)
+  end
+end
+
+-- Boxes at one spot -------------------------------------------------------------------------------
+
+local FLOOR = wall(-600, 100, 1200, 16)
+
+local SPOTS = {
+  { "20 in the open", { gravity = 0 }, spot(20, 0, 0, 8) },
+  { "60 in the open", { gravity = 0 }, spot(60, 0, 0, 8) },
+  { "20 wide ones in the open", { gravity = 0 }, spot(20, 0, 0, 24, 6) },
+  {
+    "40 in a corner of walls of 2 px",
+    { gravity = 0, wall(-2, -400, 2, 402), wall(0, 0, 400, 2) },
+    spot(40, 0, -8, 8),
+  },
+  { "40 in a corner of a floor", { FLOOR, wall(-20, -300, 20, 400) }, spot(40, 0, 92, 8) },
+  { "16 in a corridor of 64 px", { FLOOR, wall(-600, 20, 1200, 16) }, spot(16, 0, 60, 16) },
+  {
+    "16 in a corridor of 64 px, on its floor",
+    { FLOOR, wall(-600, 20, 1200, 16) },
+    spot(16, 0, 84, 16),
+  },
+  { "8 in a corridor of 100 px", { FLOOR, wall(-600, -16, 1200, 16) }, spot(8, 0, 40, 16) },
+  { "30 in a corridor of 20 px", { FLOOR, wall(-600, 64, 1200, 16) }, spot(30, 0, 85, 8) },
+  { "30 under a ceiling of 4 px", { FLOOR, wall(-300, -104, 600, 4) }, spot(30, 0, -100, 8) },
+  {
+    "20 in a niche open to the right",
+    { FLOOR, wall(-20, 0, 20, 100), wall(0, 40, 100, 8) },
+    spot(20, 0, 48, 8),
+  },
+  { "40 on a floor", { FLOOR }, spot(40, 0, 92, 8) },
+  { "20 on a thin shelf", { FLOOR, wall(-100, 40, 200, 1) }, spot(20, 0, 32, 8) },
+}
+
+-- Closed rooms ------------------------------------------------------------------------------------
+
+-- Width, height, boxes, their size in px: less than the area of the room, or more.
+local ROOMS = {
+  { 120, 120, 40, 12, 800 },
+  { 120, 120, 40, 12, 0 },
+  { 60, 60, 40, 12, 800 },
+  { 60, 60, 40, 12, 0 },
+  { 200, 14, 20, 14, 800 },
+}
+
+local MACHINES = {
+  { "a piston", 6, "equal" },
+  { "a piston", 20, "equal" },
+  { "a piston", 20, "different" },
+  { "a piston", 40, "different" },
+  { "a press from above", 20, "different" },
+  { "a lift under a ceiling", 20, "equal" },
+  { "a lift under a ceiling", 20, "different" },
+  { "two walls", 30, "different" },
+}
+
+-- Where each machine starts in a room of 120 x 120 px, and how far it goes for each px of the way.
+local WAYS = {
+  ["a piston"] = { { 0, 0, 1, 0 } },
+  ["a press from above"] = { { 0, 0, 0, 1 } },
+  ["a lift under a ceiling"] = { { 0, 0, 0, -1 } },
+  ["two walls"] = { { 0, 0, 0.5, 0 }, { 0, 0, -0.5, 0 } },
+}
+
+local ROOM, SPEED = 120, 60 -- px, px/s
+
+-- A machine of 200 px that closes the side from which it comes.
+local function machineFor(name, i, way)
+  local dx, dy = way[3], way[4]
+  if dx ~= 0 then
+    return machine(name .. i, dx > 0 and -200 or ROOM, 0, 200, ROOM)
+  end
+  return machine(name .. i, 0, dy > 0 and -200 or ROOM, ROOM, 200)
+end
+
+local function wallsFor(name)
+  local isUpright = name == "a piston" or name == "two walls"
+  local list = {}
+  if isUpright then
+    join(list, { wall(-300, -20, ROOM + 600, 20), wall(-300, ROOM, ROOM + 600, 20) })
+  else
+    join(list, { wall(-20, -300, 20, ROOM + 600), wall(ROOM, -300, 20, ROOM + 600) })
+  end
+  if name == "a piston" then
+    list[#list + 1] = wall(ROOM, 0, 20, ROOM)
+  elseif name == "a press from above" then
+    list[#list + 1] = wall(0, ROOM, ROOM, 20)
+  elseif name == "a lift under a ceiling" then
+    list[#list + 1] = wall(0, -20, ROOM, 20)
+  end
+  return list
+end
+
+describe("boxes at one spot", function()
+  for _, row in ipairs(SPOTS) do
+    it("come apart within a second and rest within two: " .. row[1], function()
+      scene.each(LEVELS, function(run)
+        local description = join({ gravity = row[2].gravity }, row[2])
+        local _, watch = build(run, join(description, row[3]))
+        play(run, watch, APART)
+        expectApart(run)
+        play(run, watch, REST)
+        expectApart(run)
+        expectRest(run, watch)
+      end)
+    end)
+  end
+
+  it("come apart when they are flung, three times over", function()
+    scene.each(LEVELS, function(run)
+      local _, watch = build(run, walls(300, 200))
+      local random = newRandom(8)
+      for fling = 1, 3 do
+        for _ = 1, 20 do
+          local vx, vy = random:between(-400, 400), random:between(-400, 100)
+          local piece = { x = 146, y = 96, width = 8, height = 8, vx = vx, vy = vy, friction = 0.4 }
+          run.all[#run.all + 1] = run:add("boxes", piece).raw
+        end
+        play(run, watch, fling < 3 and 0.5 or 3.5)
+      end
+      expectApart(run)
+      expectRest(run, watch)
+    end)
+  end)
+end)
+
+describe("a closed room", function()
+  for _, row in ipairs(ROOMS) do
+    local width, height, count, size, gravity = row[1], row[2], row[3], row[4], row[5]
+    local title = "of %g x %g px with %d boxes of about %g px, gravity %g,"
+    it(
+      title:format(width, height, count, size, gravity) .. " keeps them in, and they rest",
+      function()
+        scene.each(LEVELS, function(run)
+          local description = join({ gravity = gravity }, walls(width, height))
+          local _, watch = build(run, join(description, scatter(count, 3, size, width, height)))
+          play(run, watch, REST)
+          expectRest(run, watch)
+        end)
+      end
+    )
+  end
+
+  it("lets them out when a wall goes", function()
+    scene.each(LEVELS, function(run)
+      local description = join({ gravity = 0 }, walls(60, 60))
+      local way = description[2][2]
+      way.name = "way"
+      local named, watch = build(run, join(description, scatter(40, 3, 12, 60, 60)))
+      play(run, watch, 1)
+      local raw = named.way.raw
+      run.world:remove(raw)
+      for i = #run.all, 1, -1 do
+        if run.all[i] == raw then
+          table.remove(run.all, i)
+        end
+      end
+      watch = motion.new(run.world, run.all)
+      play(run, watch, APART)
+      expectApart(run)
+    end)
+  end)
+
+  it("in which boxes grow until there is no room keeps them in, and they rest", function()
+    for _, gravity in ipairs({ 0, 800 }) do
+      scene.each(LEVELS, function(run)
+        local description, boxes = join({ gravity = gravity }, walls(96, 96)), {}
+        for i = 0, 15 do
+          local x, y = 24 * (i % 4) + 8, 24 * math.floor(i / 4) + 8
+          boxes[i + 1] = { "boxes", { name = "box" .. i, x = x, y = y, width = 8, height = 8 } }
+          boxes[i + 1][2].friction = 0.3
+        end
+        local named, watch = build(run, join(description, boxes))
+        play(run, watch, 2, function(time)
+          local size = 8 + 9 * time -- px; at 24 px the room is full
+          for i = 0, 15 do
+            local raw = named["box" .. i].raw
+            local more = (size - raw.width) / 2
+            raw.x, raw.y, raw.width, raw.height = raw.x - more, raw.y - more, size, size
+          end
+        end)
+        play(run, watch, REST)
+        expectRest(run, watch)
+      end)
+    end
+  end)
+end)
+
+describe("a heap", function()
+  it("takes one crate a step into its middle: all are apart a second later, and rest", function()
+    scene.each(LEVELS, function(run)
+      local description =
+        { wall(-20, -600, 20, 800), wall(120, -600, 20, 800), wall(0, 200, 120, 16) }
+      local _, watch = build(run, join(description, heap(70, 4, 12, 120, 200)))
+      local random, added = newRandom(6), 0
+      play(run, watch, 0.5, function()
+        if added < 15 then
+          added = added + 1
+          local x, y = random:between(0, 108), random:between(120, 188)
+          local crate = { x = x, y = y, width = 12, height = 12, friction = 0.3 }
+          run.all[#run.all + 1] = run:add("boxes", crate).raw
+        end
+      end)
+      play(run, watch, APART)
+      expectApart(run)
+      play(run, watch, 1)
+      expectRest(run, watch)
+    end)
+  end)
+end)
+
+describe("a machine that leaves no room", function()
+  for _, row in ipairs(MACHINES) do
+    local name, count, sizes = row[1], row[2], row[3]
+    local title =
+      "%s, %d boxes of %s sizes: none gets out, they rest, and come apart when it goes back"
+    it(title:format(name, count, sizes), function()
+      scene.each(LEVELS, function(run)
+        local cell = math.floor(ROOM / math.ceil(math.sqrt(count)))
+        local description = join({}, wallsFor(name))
+        for i, way in ipairs(WAYS[name]) do
+          description[#description + 1] = machineFor("machine", i, way)
+        end
+        local boxes = heap(count, 2, cell, ROOM, ROOM, sizes == "equal")
+        local named, watch = build(run, join(description, boxes))
+        local crushed = 0
+        run.world.onCrush = function()
+          crushed = crushed + 1
+        end
+        local function drive(speed)
+          for i, way in ipairs(WAYS[name]) do
+            named["machine" .. i].vx, named["machine" .. i].vy = speed * way[3], speed * way[4]
+          end
+        end
+        drive(SPEED)
+        play(run, watch, 1.5) -- 30 px are left of 120
+        drive(0)
+        run:check(crushed > 0, "nothing was crushed")
+        play(run, watch, REST)
+        expectRest(run, watch)
+        drive(-SPEED)
+        play(run, watch, 1.5)
+        drive(0)
+        play(run, watch, APART)
+        expectApart(run)
+        play(run, watch, 1)
+        expectRest(run, watch)
+      end)
+    end)
+  end
+end)
+
+describe("what has no room", function()
+  -- Plays a description with some settings; returns the fold of all that it went through.
+  local function foldOf(description, more, settings)
+    local world = physics.newWorld(settings)
+    world.gravity = description.gravity or 800
+    local objects = {}
+    for _, list in ipairs({ description, more }) do
+      for _, entry in ipairs(list) do
+        local object = {}
+        for field, value in pairs(entry[2]) do
+          object[field] = value
+        end
+        objects[#objects + 1] = world:add(entry[1], object)
+        object.vx = object.kinematic and 60 or nil
+      end
+    end
+    local sum = fold.START
+    for _ = 1, effort.share(90, 30) do
+      world:update(1 / 60)
+      sum = fold.objects(sum, objects)
+    end
+    return sum
+  end
+
+  local function expectSame(description, more)
+    local first = foldOf(description, more, { broadphase = "pairs", rest = false })
+    assert.equal(first, foldOf(description, more, { broadphase = "grid", rest = false }))
+    assert.equal(first, foldOf(description, more, { broadphase = "grid" }))
+    assert.equal(first, foldOf(description, more, { broadphase = "grid", cellSize = 7 }))
+  end
+
+  for _, row in ipairs(SPOTS) do
+    it("goes the same way with either broad phase: " .. row[1], function()
+      expectSame(row[2], row[3])
+    end)
+  end
+
+  it("goes the same way with either broad phase: a closed room", function()
+    expectSame(walls(60, 60), scatter(40, 3, 12, 60, 60))
+  end)
+
+  it("goes the same way with either broad phase: a piston", function()
+    local description = wallsFor("a piston")
+    description[#description + 1] = machineFor("machine", 1, WAYS["a piston"][1])
+    expectSame(description, heap(20, 2, 20, ROOM, ROOM))
+  end)
+end)
