@@ -1,4 +1,4 @@
---- Says in words and in types what an entry of physics/fields.lua is.
+--- Writes an entry of physics/fields.lua in words and as a type.
 
 local typedFields = {}
 

@@ -279,7 +279,11 @@ describe("check", function()
       { { static = 1 }, ".static must be true or false, got 1" },
       { { active = "no" }, '.active must be true or false, got "no"' },
       { { mass = 0 }, ".mass must be a number > 0, got 0" },
-      { { mass = INF }, ".mass must be a finite number > 0, got inf" },
+      {
+        { mass = INF },
+        ".mass must be a finite number > 0, got inf (pushable = false: never pushed)",
+      },
+      { { width = false }, ".width must be a number > 0, got false" },
       { { gravity = "up" }, '.gravity must be a number, got "up"' },
       { { friction = -0.1 }, ".friction must be a number >= 0, got -0.1" },
       { { restitution = 1.5 }, ".restitution must be a number in 0..1, got 1.5" },
@@ -300,6 +304,22 @@ describe("check", function()
       it("refuses: " .. expected, function()
         refuses("physics: objects.boxes[3]" .. expected, function()
           check.object(object(changes), "objects.boxes[3]")
+        end)
+      end)
+    end
+
+    -- a wrong name for a field, the right one
+    for _, row in ipairs({ { "w", "width" }, { "h", "height" } }) do
+      it(("says how %s is called here"):format(row[1]), function()
+        local misnamed = object({ [row[1]] = 10 })
+        misnamed[row[2]] = nil
+        local text = "physics: objects.player." .. row[2] .. " must be a number > 0, got nil"
+        refuses(text .. (" (but %s is 10)"):format(row[1]), function()
+          check.object(misnamed, "objects.player")
+        end)
+        misnamed[row[1]] = "wide" -- not a size
+        refuses(text, function()
+          check.fields(misnamed, "objects.player", { row[2] })
         end)
       end)
     end
@@ -544,7 +564,7 @@ describe("check", function()
     for _, row in ipairs({
       { nil, "nil" },
       { true, "true" },
-      { {}, "table" },
+      { {}, "table (the group comes first, then the object)" },
       { NAN, "nan" },
       { INF, "inf" },
     }) do
