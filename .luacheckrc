@@ -22,5 +22,8 @@ files["examples/script.lua"] = { std = "min+love", globals = { "love" } }
 files["spec/gopher"] = { std = "min", globals = { "arg" }, max_line_length = false }
 files["web"] = { std = "min+love", globals = { "love" } }
 files["scripts"] = { std = "luajit" }
+-- Lines of a page of Markdown.
+files["scripts/manual_examples.lua"] = { max_line_length = false }
+files["scripts/pictures"] = { std = "luajit+love", globals = { "love" } }
 -- It plays an example without LÖVE and has to pretend a little.
 files["scripts/find_keys.lua"] = { std = "luajit", globals = { "love" } }

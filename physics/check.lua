@@ -197,8 +197,8 @@ local function describeChoice(values)
   return #shown == 0 and last or table.concat(shown, ", ") .. " or " .. last
 end
 
--- Returns the first entry, in order, that a predicate refuses: no message may depend on the order of
--- pairs().
+-- Returns the first entry, in order, that a predicate refuses: no message may depend on the order
+-- of pairs().
 local function firstBad(map, isGood)
   local found, bad = false, nil
   for key, value in pairs(map) do
@@ -302,7 +302,8 @@ TYPES.masks = {
   end,
 }
 
--- Returns the index of the first name that cannot be used, and the index of an equal name before it.
+-- Returns the index of the first name that cannot be used, and the index of an equal name before
+-- it.
 local function badName(list)
   local seen = {}
   for i = 1, #list do
@@ -396,7 +397,7 @@ local function mustBeTable(value, path)
 end
 
 -- What may help to mend a field, in parentheses, or "".
-local function hint(object, field, value)
+local function advice(object, field, value)
   local other = field.misnamed and object[field.misnamed]
   if value == nil and isFinite(other) then
     return format(" (but %s is %s)", field.misnamed, show(other))
@@ -408,7 +409,7 @@ end
 
 local function failField(object, place, field)
   local value = object[field.name]
-  fail(describe(place .. "." .. field.name, field, value) .. hint(object, field, value))
+  fail(describe(place .. "." .. field.name, field, value) .. advice(object, field, value))
 end
 
 --- Checks some fields of an object, in the order given.
@@ -453,8 +454,8 @@ local function isOneOff(a, b)
   return #a <= 1 and #b <= 1 or #a == 2 and a == b:reverse()
 end
 
---- Returns whether one name is probably a misspelling of another: it differs by one slip at most, or
---- only by capitals.
+--- Returns whether one name is probably a misspelling of another: it differs by one slip at most,
+--- or only by capitals.
 ---@param name string
 ---@param known string
 ---@return boolean

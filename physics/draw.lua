@@ -1,5 +1,6 @@
---- Draws a world as the physics sees it: for development, and as a start for a game's own drawing. It
---- reads `world.objects` and the fields of the objects, as a game could; only the grid is internal.
+--- Draws a world as the physics sees it: for development, and as a start for a game's own drawing.
+--- It reads `world.objects` and the fields of the objects, as a game could; only the grid is
+--- internal.
 --
 -- Every mark is a filled rectangle or polygon, and words are written afterwards: LÖVE collects such
 -- shapes, so that the whole world is a draw call or two, however many objects there are. Its lines

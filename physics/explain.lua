@@ -151,8 +151,8 @@ function explain.run(world, a, b)
 end
 
 --- Returns the side of a at which it is in contact with b, or nil. The contacts are those that the
---- last step left, unless the game has moved the two apart since; with `sideBySide` flush objects are
---- in contact. If one of them is not in the world: nil, and "a" or "b".
+--- last step left, unless the game has moved the two apart since; with `sideBySide` flush objects
+--- are in contact. If one of them is not in the world: nil, and "a" or "b".
 function explain.touching(world, a, b)
   local v, core = view.of(world), world._bodies
   local i, j = view.find(v, world, a), view.find(v, world, b)

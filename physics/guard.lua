@@ -1,5 +1,5 @@
---- The setting `checked`: finds common mistakes by checks that would be too slow, or too strict, for
---- every game. It reads the game's tables and the columns, and changes nothing.
+--- The setting `checked`: finds common mistakes by checks that would be too slow, or too strict,
+--- for every game. It reads the game's tables and the columns, and changes nothing.
 --
 --   a static object that was changed by hand: it is read once, so the change has no effect
 --   a field or setting whose name is one slip away from one that the library knows, and a mask
@@ -83,8 +83,8 @@ local function checkNames(seen, object, names, byName, b, i)
   end
 end
 
--- Returns the group whose name a name is probably a misspelling of; nil: there is none, or a group of
--- this name exists or existed. (A group may also come later, so short names are not checked.)
+-- Returns the group whose name a name is probably a misspelling of; nil: there is none, or a group
+-- of this name exists or existed. (A group may also come later, so short names are not checked.)
 local function groupMeant(b, name)
   if type(name) ~= "string" or #name < 4 then
     return nil

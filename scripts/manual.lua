@@ -16,47 +16,47 @@ local HEAD = [[
 # Reference
 
 Every public field, setting, function and type. `make docs` writes this page from the docstrings and
-from [physics/fields.lua](../physics/fields.lua). Editors that know LuaLS or EmmyLua annotations show
-the same texts while you type. The [guide](guide/objects.md) explains the ideas behind them.
+from [physics/fields.lua](../physics/fields.lua). Editors that know LuaLS or EmmyLua annotations
+show the same texts while you type. The [guide](guide/objects.md) explains the ideas behind them.
 
 - x grows to the right, y grows **down**. `x, y` is the top-left corner.
 - Lengths are in px, times in s, velocities in px/s, accelerations in px/s².
 - A `?` marks a parameter that you may leave out, and a result that may be nil.
-- A call with a value that it cannot use raises an error. The message names the place, the field, what
-  was expected and what was found, at the line of your game. Nothing has changed then.
-- Every method of a world is also a function of the module, for the default world. It is called with a
-  dot then: `physics.update(dt)`.
+- A call with a value that it cannot use raises an error. The message names the place, the field,
+  what was expected and what was found, at the line of your game. Nothing has changed then.
+- Every method of a world is also a function of the module, for the default world. It is called with
+  a dot then: `physics.update(dt)`.
 ]]
 
 local FIELDS = [[
-These are the fields of your tables that the library knows. Other fields are yours. The library writes
-`x, y, vx, vy` and `touching` of dynamic objects, and `x, y` of kinematic ones.
+These are the fields of your tables that the library knows. Other fields are yours. The library
+writes `x, y, vx, vy` and `touching` of dynamic objects, and `x, y` of kinematic ones.
 
 - Fields of dynamic and kinematic objects may change at any time.
 - A static object is read only once: after a change call [`world:refresh`](#worldrefresh). The
-  callbacks `onBegin`, `onEnd` and `onCrush` are always read when they are called.
+  callbacks `onBegin` and `onEnd` are read when they are called.
 ]]
 
 local SETTINGS = [[
-Settings are given to [`physics.newWorld`](#physicsnewworld) or [`physics.load`](#physicsload). After
-that they are plain fields of the world: `world.gravity = 0`. The list `order` must be replaced by
-another list to change it; `masks` may also be changed in place.
+Settings are given to [`physics.newWorld`](#physicsnewworld) or [`physics.load`](#physicsload).
+After that they are plain fields of the world: `world.gravity = 0`. The list `order` must be
+replaced by another list to change it; `masks` may also be changed in place.
 ]]
 
 local MODULE = [[
 `local physics = require "physics"`. Besides these functions the module has every method of a world,
-for the default world. `physics.gravity`, `physics.objects`, `physics.stats`, `physics.onBegin` and so
-on are fields of that world.
+for the default world. `physics.gravity`, `physics.objects`, `physics.stats`, `physics.onBegin` and
+so on are fields of that world.
 ]]
 
 local WORLD = [[
-`local world = physics.newWorld(settings)`. The [settings](#settings) are plain fields of a world, and
-so are these:
+`local world = physics.newWorld(settings)`. The [settings](#settings) are plain fields of a world,
+and so are these:
 ]]
 
 local TYPES = [[
-Names of types in the annotations. Your editor shows them; at run time they are plain tables. A class
-of your own is `---@class Player: physics.Object`, a local that is filled later is
+Names of types in the annotations. Your editor shows them; at run time they are plain tables. A
+class of your own is `---@class Player: physics.Object`. A local that is filled later is
 `local player ---@type physics.Object`.
 ]]
 
@@ -252,8 +252,8 @@ local function anchors()
   return found
 end
 
--- Makes links of the names and of the pages of docs/ in one line; `own` is the anchor of the section
--- that the line is in.
+-- Makes links of the names and of the pages of docs/ in one line; `own` is the anchor of the
+-- section that the line is in.
 local function linkLine(line, found, own)
   line = line:gsub("docs/([%l_/-]+)%.md", "[%1](%1.md)")
   return (

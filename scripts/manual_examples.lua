@@ -1,9 +1,9 @@
---- A short example for each public function, by name: scripts/manual.lua puts them into docs/api.md,
---- and the specs run them there (spec/docs_spec.lua).
+--- A short example for each public function, by name: scripts/manual.lua puts them into
+--- docs/api.md, and the specs run them there (spec/docs_spec.lua).
 ---
 --- An example finds what spec/support/snippets.lua prepares: `physics`, a `world` with gravity 800,
---- a `floor` at y 400 and a `player` of 24 x 32 px at x 40 that stands on it. What it prints must be
---- what its `-->` comments say.
+--- a `floor` at y 400 and a `player` of 24 x 32 px at x 40 that stands on it. What it prints must
+--- be what its `-->` comments say.
 
 local examples = {}
 
@@ -181,7 +181,8 @@ print(world:touching(player, floor), world:touching(floor, player)) --> bottom t
 examples["world:explain"] = [[
 player.mask = { tiles = false }
 print(world:explain(player, floor))
---> objects.players[1] and objects.tiles[1] never collide: the mask of objects.players[1] refuses the group "tiles".
+-- > objects.players[1] and objects.tiles[1] never collide: the mask of objects.players[1] refuses
+-- the group "tiles".
 ]]
 
 examples["world:move"] = [[

@@ -451,8 +451,8 @@ describe("the table of objects", function()
     },
     {
       "an object twice in its group",
-      "objects.boxes[3] is the same object as objects.boxes[1]: an object must be in one place only, "
-        .. "got table in two",
+      "objects.boxes[3] is the same object as objects.boxes[1]: an object must be "
+        .. "in one place only, got table in two",
       function(scene)
         scene.world.objects.boxes[3] = scene.box
       end,
@@ -462,8 +462,8 @@ describe("the table of objects", function()
     },
     {
       "an object in two groups",
-      "objects.coins.first is the same object as objects.boxes[2]: an object must be in one place only, "
-        .. "got table in two",
+      "objects.coins.first is the same object as objects.boxes[2]: an object must be "
+        .. "in one place only, got table in two",
       function(scene)
         scene.world.objects.coins = { first = scene.sleeper }
       end,
@@ -473,8 +473,8 @@ describe("the table of objects", function()
     },
     {
       "an object in a group and directly",
-      "objects.player is the same object as objects.lifts[1]: an object must be in one place only, "
-        .. "got table in two",
+      "objects.player is the same object as objects.lifts[1]: an object must be "
+        .. "in one place only, got table in two",
       function(scene)
         scene.world.objects.player = scene.lift
       end,
@@ -484,8 +484,8 @@ describe("the table of objects", function()
     },
     {
       "a new object in two places",
-      "objects.player is the same object as objects.boxes[3]: an object must be in one place only, "
-        .. "got table in two",
+      "objects.player is the same object as objects.boxes[3]: an object must be "
+        .. "in one place only, got table in two",
       function(scene)
         scene.world.objects.player = newBox()
         scene.world.objects.boxes[3] = scene.world.objects.player

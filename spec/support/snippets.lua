@@ -67,7 +67,8 @@ local function compileNothing()
   return false
 end
 
---- What the snippets find: a world at rest with a floor and a player, and a `print` that fills a list.
+--- What the snippets find: a world at rest with a floor and a player, and a `print` that fills a
+--- list.
 function snippets.newEnvironment(printed, held)
   local world = physics.newWorld({ gravity = 800 })
   local box = { x = 0, y = 400, width = 800, height = 40, static = true }
@@ -89,8 +90,8 @@ function snippets.newEnvironment(printed, held)
   return setmetatable(environment, { __index = _G })
 end
 
---- Runs a snippet; its `love` is the global one from then on. Returns its environment, what its `-->`
---- comments say that it prints, and what it printed.
+--- Runs a snippet; its `love` is the global one from then on. Returns its environment, what its
+--- `-->` comments say that it prints, and what it printed.
 function snippets.run(snippet)
   local printed, said = {}, {}
   local environment = snippets.newEnvironment(printed, { right = true })
