@@ -57,10 +57,10 @@ function physics.load(settings)
   default = world.new(settings, "load(settings)")
 end
 
---- Lets LuaJIT compile all code of the library, some of which is interpreted otherwise, and keeps
---- the numbers of worlds that are made later in typed arrays (FFI). The results are the same to the
---- bit, and most scenes get faster: see docs/performance.md. Call it once, right after `require`.
---- The default world takes part as long as no object has been in it.
+--- Lets LuaJIT compile all code of the library; some of it is interpreted otherwise. Worlds that
+--- are made later keep their numbers in typed arrays (FFI). The results are the same to the bit,
+--- and most scenes get faster: see docs/performance.md. Call it once, right after `require`. The
+--- default world takes part as long as no object has been in it.
 ---
 --- It raises two limits of LuaJIT for the whole program: 8000 traces instead of 1000, and 16 MB of
 --- machine code instead of 0.5 MB (LÖVE 11.4 sets 2000 and 16 MB). That is why the library does not

@@ -1,5 +1,5 @@
 -- A level from the editor Tiled. Its solid tiles become few large rectangles: press X to see them.
--- Its objects become objects of the world, with the fields that they were given in the editor.
+-- Its objects become objects of the world. Their fields are set in the editor.
 --
 -- The map is maps/hills.lua, an export as Lua; tiled_map.lua draws it.
 

@@ -375,8 +375,8 @@ local function isBad(field, value)
   return not field.written and not isAccepted(field, value)
 end
 
---- Returns the first field, in the order of `fields.objects`, whose value cannot be used. Makes no
---- garbage.
+--- Returns the first field, in the order of `fields.objects`, with a value that cannot be used.
+--- Makes no garbage.
 ---@param object table
 ---@return physics.Field? field nil: all are fine
 function check.badField(object)

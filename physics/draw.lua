@@ -161,7 +161,7 @@ local function kindOf(object)
   return rests and "resting" or "moving"
 end
 
--- A sensor is only an outline, since it stands in nobody's way. The darker border tells boxes that
+-- A sensor is only an outline, since it is in no object's way. The darker border tells boxes that
 -- stand side by side from each other.
 local function drawBox(object, color, isFilled, alpha)
   local x, y, width, height = object.x, object.y, object.width, object.height

@@ -381,8 +381,8 @@ fields.settings = {
     name = "rest",
     type = "boolean",
     default = true,
-    meaning = "Whether objects whose step would change nothing are skipped. The result is the same"
-      .. " to the bit.",
+    meaning = "Whether objects are skipped when a step would not change them. The result is the"
+      .. " same to the bit.",
   },
   {
     name = "checked",

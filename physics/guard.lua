@@ -2,8 +2,8 @@
 --- for every game. It reads the game's tables and the columns, and changes nothing.
 --
 --   a static object that was changed by hand: it is read once, so the change has no effect
---   a field or setting whose name is one slip away from one that the library knows, and a mask
---     that names a group whose name is one slip away from a group of the world
+--   a field or setting with a name that is one slip away from one that the library knows, and a
+--     mask with the name of a group that is one slip away from a group of the world
 --   a mover that is larger than a great many cells of the grid
 --   an object that is in two worlds (if both are checked)
 
@@ -83,7 +83,7 @@ local function checkNames(seen, object, names, byName, b, i)
   end
 end
 
--- Returns the group whose name a name is probably a misspelling of; nil: there is none, or a group
+-- Returns the group that a name is probably a misspelling of; nil: there is none, or a group
 -- of this name exists or existed. (A group may also come later, so short names are not checked.)
 local function groupMeant(b, name)
   if type(name) ~= "string" or #name < 4 then

@@ -134,7 +134,7 @@
 --- default numbers ascending, then strings. Group names from first to last. Groups that are not
 --- listed follow in the usual order.
 ---@field order? (string|number)[]
---- default true. Whether objects whose step would change nothing are skipped. The result is the
+--- default true. Whether objects are skipped when a step would not change them. The result is the
 --- same to the bit.
 ---@field rest? boolean
 --- default false. Whether every step also looks for common mistakes, such as a misspelt field or a
@@ -185,7 +185,7 @@
 --- default numbers ascending, then strings. Group names from first to last. Groups that are not
 --- listed follow in the usual order.
 ---@field order? (string|number)[]
---- default true. Whether objects whose step would change nothing are skipped. The result is the
+--- default true. Whether objects are skipped when a step would not change them. The result is the
 --- same to the bit.
 ---@field rest boolean
 --- default false. Whether every step also looks for common mistakes, such as a misspelt field or a
@@ -229,9 +229,9 @@ function default.update(dt) end
 
 --- Puts an object at the end of a group and returns it. A group that does not exist is made.
 ---
---- It does the same as `table.insert(world.objects[group], object)`, and three things more: it
---- checks the fields at once, gives a dynamic object its `vx`, `vy` and `touching`, and reads an
---- object again that was removed since the last update.
+--- It does the same as `table.insert(world.objects[group], object)`, and more. It checks the fields
+--- at once and gives a dynamic object its `vx`, `vy` and `touching`. An object that was removed
+--- since the last update is read again.
 ---
 --- Errors: the group is not a string or a number; the object is not a table; a field has a value
 --- that cannot be used; the object is already in the world. Nothing has changed then. (An object
@@ -258,8 +258,8 @@ function default.remove(object) end
 --- Reads an object again, also the fields that are read only once: `static`, and all fields of a
 --- static object. Call it after changing one of these by hand. Queries see the change at once.
 ---
---- On a kinematic object it also means "it is there now": without `refresh` an object whose `x, y`
---- you write gets there during the next step and pushes what is in its way.
+--- On a kinematic object it also means "it is there now": without `refresh` an object gets to
+--- the `x, y` that you write during the next step, and pushes what is in its way.
 ---
 --- Errors: the object is not a table, or not in the world; a field has a value that cannot be used.
 ---@param object physics.NewObject the object that you changed
@@ -278,10 +278,10 @@ function default.dropThrough(object) end
 --- write: numbers, strings, booleans and tables, without functions, cycles and infinities. After
 --- `restore` the run continues with the same bits, also in another process and on another Lua.
 ---
---- Saved are the objects with the fields that the library knows, the settings that change results,
---- contacts, riders, saved-up time, and events that an error in a callback has delayed. Not saved
---- are functions (callbacks, `canCollide`), your own fields, and the settings `broadphase`,
---- `cellSize`, `rest` and `checked`.
+--- - Saved: the objects with the fields that the library knows, the settings that change results,
+---   contacts, riders, saved-up time, and events that an error in a callback has delayed.
+--- - Not saved: functions (callbacks, `canCollide`), your own fields, and the settings
+---   `broadphase`, `cellSize`, `rest` and `checked`.
 ---
 --- The best moment is right before `update`, after you have written the input of the step. A state
 --- that is saved inside a callback holds the events that are still to come, without the current
@@ -304,8 +304,8 @@ function default.save(out) end
 --- - A state from elsewhere (a file, the network, another world): it is applied by group and key. A
 ---   new plain table, without callbacks, is made for each object that is missing.
 ---
---- Numbered keys shift when an object is removed, so an object with fields or callbacks of its own
---- needs a string key if states come from elsewhere: `world.objects.enemies.boss = boss`.
+--- Numbered keys shift when an object is removed. So, for states from elsewhere, give an object
+--- with fields or callbacks of its own a string key: `world.objects.enemies.boss = boss`.
 ---
 --- Events that were still to come when the state was saved are told after `restore`, also about
 --- objects that have left the world. In another world such an object is a new plain table.
@@ -346,7 +346,7 @@ function default.draw(options) end
 function default.interpolate(object) end
 
 --- Returns all objects at a point, and how many. The left and top edges of an object belong to it,
---- the right and bottom ones do not, so a point on a seam belongs to one tile.
+--- the right and bottom ones do not. So a point on a seam belongs to one tile.
 ---
 --- Errors: a coordinate is not a finite number; the filter cannot be used; `out` is not a table.
 ---@param x number px

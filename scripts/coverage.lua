@@ -60,7 +60,7 @@ end
 
 --- The source with a mark in front of each of these statements.
 ---@param text string Lua source
----@param name string of the global table whose fields, by the number of the line, become true
+---@param name string of the global table; its fields, by the number of the line, become true
 ---@return string text
 ---@return table lines `lines[n]` is false for each line that has a mark
 function coverage.marked(text, name)

@@ -80,7 +80,7 @@ fi
 packages=$(printf '%s\n' $packages | sort -u | tr '\n' ' ')
 as_root=""
 if [ "$(id -u)" -ne 0 ]; then
-  # -n: sudo must not ask for a password, a build has nobody who could answer.
+  # -n: sudo must not ask for a password, a build cannot answer.
   if ! command -v sudo >/dev/null 2>&1 || ! sudo -n true 2>/dev/null; then
     cat >&2 <<MESSAGE
 setup: installing needs root, and sudo is not there or asks for a password. Please run this once:

@@ -1,5 +1,5 @@
---- Errors: their words, and whom they blame. What loads physics/check.lua itself is tagged #files:
---- there is no such file when the library is one (scripts/single.sh).
+--- Errors: their words, and the line that they name. What loads physics/check.lua itself is tagged
+--- #files: there is no such file when the library is one (scripts/single.sh).
 
 local check = require("physics.check")
 local fields = require("physics.fields")
@@ -72,7 +72,7 @@ describe("check", function()
       assert.truthy(message:find("check_spec.lua:" .. line .. ": physics: oops", 1, true))
     end)
 
-    it("names no line when nobody outside the library is there", function()
+    it("names no line when there is no caller outside the library", function()
       local resume = coroutine.wrap(function()
         return pcall(coroutine.wrap(check.fail), "oops")
       end)

@@ -14,7 +14,7 @@ local function newWorld(settings)
   return world, floor, box
 end
 
--- Runs a step that must be refused, with this message, blaming this file, moving nobody.
+-- Runs a step that must be refused, with this message, naming this file, moving nothing.
 local function refusesStep(world, expected)
   local box = world.objects.boxes[1]
   local x, y, vx, vy = box.x, box.y, box.vx, box.vy
@@ -50,7 +50,7 @@ describe("a checked world", function()
   }) do
     local name, value = row[1], row[2]
 
-    it("refuses a static object whose " .. name .. " was changed, until it is refreshed", function()
+    it("refuses a static object with a changed " .. name .. ", until it is refreshed", function()
       local world, floor = newWorld()
       floor[name] = value
       refusesStep(world, "objects.floors[1]." .. name .. " was changed to " .. row[3] .. BY_HAND)
@@ -61,7 +61,7 @@ describe("a checked world", function()
   end
 
   it(
-    "refuses a static object whose mask was changed in place, not one that says the same",
+    "refuses a static object with a mask that was changed in place, not one that says the same",
     function()
       local world, floor = newWorld()
       floor.mask = { boxes = true }

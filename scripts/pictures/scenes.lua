@@ -34,7 +34,7 @@ local function addBox(world, x, y, width, height, fields)
   return world:add("boxes", object)
 end
 
--- Writes a text whose middle is at x.
+-- Writes a text with its middle at x.
 local function write(text, x, y)
   love.graphics.setColor(WORDS)
   love.graphics.printf(text, x - 100, y, 200, "center")
