@@ -511,7 +511,7 @@ recipes["A path for a lift"] = function(snippet)
   g.run(9, function()
     assert.equal(lift, g.player.touching.bottom)
     assert.near(lift.y - 32, g.player.y, 1e-9)
-    seen[("%d %d"):format(lift.x, lift.y)] = true
+    seen[("%.0f %.0f"):format(lift.x, lift.y)] = true
     highest = math.min(highest, lift.y)
   end)
   for _, corner in ipairs({ "30 370", "230 370", "230 220", "30 220" }) do

@@ -90,11 +90,14 @@ function snippets.newEnvironment(printed, held)
   return setmetatable(environment, { __index = _G })
 end
 
---- Runs a snippet; its `love` is the global one from then on. Returns its environment, what its
---- `-->` comments say that it prints, and what it printed.
-function snippets.run(snippet)
+--- Runs a snippet; its `love` is the global one from then on. `extra`: more names that it finds.
+--- Returns its environment, what its `-->` comments say that it prints, and what it printed.
+function snippets.run(snippet, extra)
   local printed, said = {}, {}
   local environment = snippets.newEnvironment(printed, { right = true })
+  for name, value in pairs(extra or {}) do
+    environment[name] = value
+  end
   rawset(_G, "love", environment.love)
   snippets.compile(snippet, "=snippet", environment)()
   for line in snippet:gmatch("%-%-> ([^\n]*)") do
