@@ -16,8 +16,8 @@ local HEAD = [[
 # Reference
 
 Every public field, setting, function and type. `make docs` writes this page from the docstrings and
-from `physics/fields.lua`. Editors that know LuaLS or EmmyLua annotations
-show the same texts while you type. The [guide](guide/objects.md) explains the ideas behind them.
+from [physics/fields.lua](../physics/fields.lua). Editors that know LuaLS or EmmyLua annotations
+show the same texts while you type. The [guide](guide/index.md) explains the ideas behind them.
 
 - x grows to the right, y grows **down**. `x, y` is the top-left corner.
 - Lengths are in px, times in s, velocities in px/s, accelerations in px/s².
