@@ -872,32 +872,28 @@ function World:setBounds(x, y, w, h)
   view.tell(self._bodies)
 end
 
---- Adds the objects of a map of the editor Tiled: its rectangles and tile objects, and its solid
+--- Adds what stands in a map of the editor Tiled: its rectangles and tile objects, and its solid
 --- tiles, merged into few large rectangles. The map is its Lua export (the table, or the path of
---- the file), or the table that STI makes of it. The map is not changed, and nothing is drawn.
+--- the file) or the table that STI makes of it; it is not changed, and nothing is drawn.
 ---
---- - The name of a layer is the group of its objects. Properties of an object are its fields.
----   Fields that the library knows are also taken from its tile, its layer and the layers around
----   it; the nearest one counts.
---- - Three properties are for the loader: `solid`, `merge`, and `group`, which replaces the name of
----   the layer.
---- - A tile is solid if it or its layer says so, or if it has collision rectangles, unless one of
----   them says `solid = false`. That property also leaves out objects. A layer without the property
----   takes it from the nearest layer around it.
---- - The option `solidTiles` replaces the property of a tile (not of a tile object), the option
----   `solidLayers` that of a layer.
---- - Solid tiles are static unless a property says otherwise. Equal static tiles are merged, except
----   sensors; merging changes no motion.
+--- The name of a layer is the group of its objects. Properties of an object are its fields; those
+--- that the library knows are also taken from its tile, its layer and the layers around it, the
+--- nearest first. Three properties are for the loader: `solid`, `merge`, and `group`, which is used
+--- instead of the layer's name. A tile is solid if it or its layer says so, or if it has collision
+--- rectangles, and neither says `solid = false`, which takes objects out, too. A layer that says
+--- nothing says what the nearest one around it does. An option counts as a yes instead of the own
+--- word: `solidTiles` of a tile (not for tile objects), `solidLayers` of a layer. Solid tiles are
+--- static unless they say otherwise. Static ones that are equal and no sensors become one; merging
+--- changes no motion.
 ---
---- Not supported, and listed in `unsupported` of the result: maps that are not orthogonal, rotated
---- objects, polygons, ellipses, points and texts, encoded layer data, parallax, and tilesets that
---- are not embedded in the export.
+--- Not supported, and named in `unsupported` of what is returned: maps that are not orthogonal,
+--- rotated objects, polygons, ellipses, points and texts, encoded layer data, parallax, tilesets
+--- that are not embedded in the export.
 ---
---- Errors: the map or the file does not exist; an unknown option; an option names a layer or a gid
---- that is not in the map; a gid belongs to no tileset; a property that is a field has a value that
---- cannot be used; a group is an object; it is called from inside `canCollide`. Nothing has been
---- added then.
----@param map table|string the table that the export or STI returns, or the path of the export
+--- Errors: no map, no such file; an unknown option; a layer or gid in an option that is not in the
+--- map; a gid of no tileset; a property that is a field and cannot be used; a group that is an
+--- object; called from inside `canCollide`. Nothing has been added then.
+---@param map table|string what the export returns, what STI returns, or the path of the export
 ---@param options physics.TiledOptions? where the map goes, and which of its tiles are solid
 ---@return physics.Level level the objects that were added, counts, and what is not supported
 function World:loadTiled(map, options)

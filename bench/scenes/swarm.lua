@@ -1,4 +1,4 @@
---- All walk to the same place, from all sides, for ever: a crowd that presses itself. The
+--- Everybody wants to the same place, from all sides, for ever: a crowd that presses itself. The
 --- game gives each its velocity in every frame, as for enemies that chase a player.
 ---
 ---   @ > @ > @@@ < @ < @
