@@ -87,11 +87,14 @@ local function fieldMeaning(field)
   return meaning
 end
 
+-- Types in a narrow column; the editor's types say more.
+local KINDS = { mask = "table", masks = "table", names = "list", sides = "table" }
+
 -- `place` begins the anchor of each row: "field-x", "setting-gravity".
 local function addFields(lines, list, place)
   add(lines, "| name | type | default | unit, range | meaning |", "|---|---|---|---|---|")
   for _, field in ipairs(list) do
-    local kind = field.type == "function" and "function" or typedFields.type(field)
+    local kind = KINDS[field.type] or field.type
     local range, unit = typedFields.range(field), field.unit or ""
     if range ~= "" then
       unit = unit == "" and range or unit .. ", " .. range

@@ -65,7 +65,10 @@ print(player.x, player.y) --> 70 368
 ]]
 
 examples["world:add"] = [[
-local crate = world:add("crates", { x = 200, y = 0, width = 16, height = 16, mass = 2 })
+local crate = world:add("crates", {
+  x = 200, y = 0, width = 16, height = 16,
+  mass = 2,
+})
 print(world.objects.crates[1] == crate, crate.touching.bottom) --> true false
 ]]
 
@@ -88,7 +91,10 @@ print(player.touching.bottom) --> false
 ]]
 
 examples["world:dropThrough"] = [[
-world:add("ledges", { x = 300, y = 300, width = 60, height = 8, static = true, oneWay = "top" })
+world:add("ledges", {
+  x = 300, y = 300, width = 60, height = 8,
+  static = true, oneWay = "top",
+})
 player.x, player.y = 310, 268
 world:update(1 / 60)
 print(world:dropThrough(player)) --> true
@@ -168,7 +174,10 @@ print(object == player, distance) --> true 36
 ]]
 
 examples["world:overlapping"] = [[
-local trap = world:add("traps", { x = 30, y = 380, width = 50, height = 10, static = true, sensor = true })
+local trap = world:add("traps", {
+  x = 30, y = 380, width = 50, height = 10,
+  static = true, sensor = true,
+})
 local list, count = world:overlapping(trap, "players")
 if count > 0 then list[1].health = 0 end
 print(count, player.health) --> 1 0
@@ -181,8 +190,7 @@ print(world:touching(player, floor), world:touching(floor, player)) --> bottom t
 examples["world:explain"] = [[
 player.mask = { tiles = false }
 print(world:explain(player, floor))
--- > objects.players[1] and objects.tiles[1] never collide: the mask of objects.players[1] refuses
--- the group "tiles".
+--> objects.players[1] and objects.tiles[1] never collide: the mask of objects.players[1] refuses the group "tiles".
 ]]
 
 examples["world:move"] = [[
@@ -193,7 +201,10 @@ print(x, y, count, hits[1].side) --> 184 20 1 right
 ]]
 
 examples["world:impulse"] = [[
-local crate = world:add("crates", { x = 200, y = 0, width = 16, height = 16, mass = 2 })
+local crate = world:add("crates", {
+  x = 200, y = 0, width = 16, height = 16,
+  mass = 2,
+})
 world:impulse(crate, 100, 0)
 print(crate.vx) --> 50
 ]]
