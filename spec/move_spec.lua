@@ -101,7 +101,7 @@ describe("world:move", function()
     assert.are.equal(wall, hit.other)
   end)
 
-  it("tells normals that point at who moves", function()
+  it("tells normals that point at the moving object", function()
     for _, row in ipairs({
       { 40, 0, "right", -1, 0 },
       { -40, 0, "left", 1, 0 },
