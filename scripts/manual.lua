@@ -251,7 +251,9 @@ local function anchors()
   for _, field in ipairs(fields.objects) do
     found[field.name] = "#field-" .. field.name:lower()
   end
-  found.side, found.x, found.y = nil, nil, nil -- mostly parameters and results
+  for _, name in ipairs({ "side", "x", "y" }) do -- mostly parameters and results
+    found[name] = nil
+  end
   return found
 end
 
