@@ -860,7 +860,7 @@ function World:loadTiled(map, options)
   checkSelf(self, call)
   checkIdle(self._bodies, call)
   checkObjects(self)
-  local level, groupOf, groups = require(here .. ".tiled").read(map, options)
+  local level, groupOf, groups = require(here .. ".maps.tiled").read(map, options)
   for i = 1, #groups do
     checkIsGroup(self, groups[i], "world:loadTiled(map)")
   end

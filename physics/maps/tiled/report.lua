@@ -1,8 +1,8 @@
 --- What the readers of a map share: how a place in it is called, and the list of what is not
 --- supported.
 
-local here = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local check = require(here .. ".check")
+local root = (...):match("^(.*)%.maps%.")
+local check = require(root .. ".check")
 
 local report = {}
 

@@ -1,10 +1,10 @@
 --- Reads an object layer: one object for each rectangle and each tile object.
 
-local here = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local check = require(here .. ".check")
-local properties = require(here .. ".tiled.properties")
-local report = require(here .. ".tiled.report")
-local tileset = require(here .. ".tiled.tileset")
+local root = (...):match("^(.*)%.maps%.")
+local check = require(root .. ".check")
+local properties = require(root .. ".maps.tiled.properties")
+local report = require(root .. ".maps.tiled.report")
+local tileset = require(root .. ".maps.tiled.tileset")
 
 local objectlayer = {}
 

@@ -1,11 +1,11 @@
 --- Reads a tile layer: finds the boxes of its solid tiles and makes few large ones of them.
 
-local here = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local check = require(here .. ".check")
-local merge = require(here .. ".tiled.merge")
-local properties = require(here .. ".tiled.properties")
-local report = require(here .. ".tiled.report")
-local tileset = require(here .. ".tiled.tileset")
+local root = (...):match("^(.*)%.maps%.")
+local check = require(root .. ".check")
+local merge = require(root .. ".maps.tiled.merge")
+local properties = require(root .. ".maps.tiled.properties")
+local report = require(root .. ".maps.tiled.report")
+local tileset = require(root .. ".maps.tiled.tileset")
 
 local floor = math.floor
 

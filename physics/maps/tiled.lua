@@ -7,13 +7,13 @@
 ---
 --- Source: the exporter's format, https://doc.mapeditor.org/en/stable/manual/export-generic/#lua
 
-local here = (...):match("^(.*)%.[^.]+$")
-local check = require(here .. ".check")
-local objectlayer = require(here .. ".tiled.objectlayer")
-local properties = require(here .. ".tiled.properties")
-local report = require(here .. ".tiled.report")
-local tilelayer = require(here .. ".tiled.tilelayer")
-local tileset = require(here .. ".tiled.tileset")
+local root = (...):match("^(.*)%.maps%.")
+local check = require(root .. ".check")
+local objectlayer = require(root .. ".maps.tiled.objectlayer")
+local properties = require(root .. ".maps.tiled.properties")
+local report = require(root .. ".maps.tiled.report")
+local tilelayer = require(root .. ".maps.tiled.tilelayer")
+local tileset = require(root .. ".maps.tiled.tileset")
 
 local tiled = {}
 

@@ -1,9 +1,9 @@
 --- The tiles of a map: whose a gid is, how it is flipped, where its collision rectangles are.
 
-local here = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local check = require(here .. ".check")
-local properties = require(here .. ".tiled.properties")
-local report = require(here .. ".tiled.report")
+local root = (...):match("^(.*)%.maps%.")
+local check = require(root .. ".check")
+local properties = require(root .. ".maps.tiled.properties")
+local report = require(root .. ".maps.tiled.report")
 
 local floor, min = math.floor, math.min
 

@@ -1,10 +1,10 @@
 --- Custom properties of layers, tiles and objects: what they say to the loader, and which of them
 --- become fields.
 
-local here = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local check = require(here .. ".check")
-local fields = require(here .. ".fields")
-local interpreted = require(here .. ".interpreted")
+local root = (...):match("^(.*)%.maps%.")
+local check = require(root .. ".check")
+local fields = require(root .. ".fields")
+local interpreted = require(root .. ".interpreted")
 
 local properties = {}
 
