@@ -64,9 +64,9 @@
 --- default collides with every group. `mask[group] = false` passes through that group; either side
 --- of a pair may refuse.
 ---@field mask? table<string|number, boolean>
---- default none: solid all around. The one side that is solid; the others let everything through,
---- floors included: it is for static and kinematic objects.
----@field oneWay? "top"|"bottom"|"left"|"right"
+--- default none: solid all around. The one side that is solid, `true` is the top; the others let
+--- everything through, floors included: it is for static and kinematic objects.
+---@field oneWay? boolean|"top"|"bottom"|"left"|"right"
 --- default true. A kinematic object takes its riders along; `false`: it slides away under them.
 ---@field carry? boolean
 --- px/s, default 0. A conveyor: what stands on it is moved along x at this speed.
@@ -486,28 +486,66 @@ function default.impulse(object, ix, iy) end
 ---@param h number? px, > 0
 function default.setBounds(x, y, w, h) end
 
---- Adds what stands in a map of the editor Tiled: its rectangles and tile objects, and its solid
---- tiles, merged into few large rectangles. The map is its Lua export (the table, or the path of
---- the file) or the table that STI makes of it; it is not changed, and nothing is drawn.
+--- Adds what stands in a map of the editor Tiled: its objects, and its solid tiles, merged into few
+--- large rectangles. The map is its Lua export (the table, or the path of the file) or the table
+--- that STI makes of it; it is not changed, and nothing is drawn. docs/maps.md tells everything.
 ---
 --- The name of a layer is the group of its objects. Properties of an object are its fields; those
 --- that the library knows are also taken from its tile, its layer and the layers around it, the
---- nearest first. Three properties are for the loader: `solid`, `merge`, and `group`, which is used
---- instead of the layer's name. A tile is solid if it or its layer says so, or if it has collision
---- rectangles, and neither says `solid = false`, which takes objects out, too. A layer that says
---- nothing says what the nearest one around it does. An option counts as a yes instead of the own
---- word: `solidTiles` of a tile (not for tile objects), `solidLayers` of a layer. Solid tiles are
---- static unless they say otherwise. Static ones that are equal and no sensors become one; merging
---- changes no motion.
+--- nearest first. `solid = true` (or `collidable`) on an object, a tile, a layer or a group of
+--- layers makes static. So does a layer's name (walls, collision, colliders, solid, ground,
+--- platforms), unless an option or a property says otherwise. `solid = false` takes out. A tile is
+--- also solid if it has collision rectangles. Points are in `level.points`, lines in `level.lines`.
+--- Tile objects about which the map says nothing are decoration, and not in the world.
 ---
---- Not supported, and named in `unsupported` of what is returned: maps that are not orthogonal,
---- rotated objects, polygons, ellipses, points and texts, encoded layer data, parallax, tilesets
---- that are not embedded in the export.
+--- What is not supported is named in `unsupported` of what is returned: maps that are not
+--- orthogonal, objects turned by other than quarters, polygons with other than level and upright
+--- edges, ellipses, capsules, texts, parallax, layers and tilesets that cannot be read, properties
+--- of ours with a value that cannot be.
 ---
 --- Errors: no map, no such file; an unknown option; a layer or gid in an option that is not in the
---- map; a gid of no tileset; a property that is a field and cannot be used; a group that is an
---- object; called from inside `canCollide`. Nothing has been added then.
+--- map; a layer in `solidLayers` that cannot be read; a gid of no tileset; a malformed part; with
+--- `strict` a property that cannot be used; a group that is an object; called from inside
+--- `canCollide`. Nothing has been added then.
 ---@param map table|string what the export returns, what STI returns, or the path of the export
----@param options physics.TiledOptions? where the map goes, and which of its tiles are solid
+---@param options physics.TiledOptions? where the map goes, and what of it is solid
 ---@return physics.Level level the objects that were added, counts, and what is not supported
 function default.loadTiled(map, options) end
+
+--- Adds the tiles of a plain array: each solid cell is static, equal ones are merged into few
+--- large objects, which changes no motion. One-way cells merge only along their solid side; sensors
+--- and what moves do not, unless their field `merge` says so. What is returned can dig, build, come
+--- and go: `tiles:setTile(column, row, value)`, `tiles:load()`, `tiles:unload()`.
+---
+--- The cells are one list, row by row, or a list of rows (`cells[row][column]`). A row may be a text
+--- (`"##..#"`), each character a cell. Columns and rows are counted from 1. The cells are copied:
+--- change them by `setTile`, too. Each object has the field `tile`: its `tiles`, `column`, `row`,
+--- `columns`, `rows` and `value`.
+---
+--- Errors: a group that is no name, or an object; no list of cells, a row of another length; a cell
+--- that is no number, text or boolean; no size; an unknown option, or a wrong value for one; called
+--- from inside `canCollide`. Nothing has been added then.
+---@param group string|number name of their group; the field `group` of a value goes before it
+---@param cells table list of values, or list of rows
+---@param columns integer? of a list of values: how many are a row
+---@param size number|number[] px, of a cell: one number, or width and height
+---@param options physics.TileOptions? which values are solid, and where the tiles go
+---@return physics.Tiles tiles
+function default.addTiles(group, cells, columns, size, options) end
+
+--- Adds a level of the editor LDtk: the solid cells of its IntGrid layers, merged into few large
+--- static objects, and its entities, with their fields. The project is decoded by any JSON library;
+--- it is not changed, and nothing is drawn. docs/maps.md tells more.
+---
+--- Cells stand in the group of their layer's identifier, entities in that of their own identifier.
+--- The fields `solid`, `group` and all fields of objects mean what they mean in a map from Tiled.
+---
+--- Errors: no project, no such level, one whose layers are in another file; an unknown option; a
+--- layer or value in an option that the level has not; a malformed part; with `strict` a field that
+--- cannot be used; a group that is an object; called from inside `canCollide`. Nothing has been
+--- added then.
+---@param project table what a JSON library makes of the .ldtk file
+---@param level string|integer|table|nil its identifier, iid or number, or what a JSON library makes of its .ldtkl file; default: the first
+---@param options physics.LDtkOptions? where the level goes, and what of it is solid
+---@return physics.LDtkLevel level the objects that were added, counts, and what is not supported
+function default.loadLDtk(project, level, options) end

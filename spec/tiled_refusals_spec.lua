@@ -259,8 +259,8 @@ describe("world:loadTiled refuses", function()
       function(map)
         map.tilesets[1].tiles[2].objectGroup.objects[1].properties.oneWay = "up"
       end,
-      'tileset "terrain", tile 1, shape 3: oneWay must be "top", "bottom", "left" or "right",'
-        .. ' got "up"',
+      'tileset "terrain", tile 1, shape 3: oneWay must be true, false, "top", "bottom", "left" or '
+        .. '"right", got "up"',
     },
     {
       function(map)
@@ -340,7 +340,7 @@ describe("world:loadTiled refuses", function()
     it(row[2], function()
       local map = newMap()
       row[1](map)
-      refuses(M .. row[2], map)
+      refuses(M .. row[2], map, { strict = true })
     end)
   end
 
@@ -359,8 +359,9 @@ describe("world:loadTiled refuses", function()
     { 5, "options must be a table, got 5" },
     {
       { solidLayer = { "ground" } },
-      'unknown option "solidLayer" (did you mean "solidLayers"?); the options are merge,'
-        .. " skipLayers, solidLayers, solidProperty, solidTiles, x, y",
+      'unknown option "solidLayer" (did you mean "solidLayers"?); the options are decompress,'
+        .. " folder, ignore, merge, onlyLayers, skipLayers, solidLayers, solidProperty,"
+        .. " solidTiles, strict, x, y",
     },
     { { merge = 1 }, "merge must be true or false, got 1" },
     { { x = NAN }, "x must be a number, got nan" },

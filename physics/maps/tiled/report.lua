@@ -28,11 +28,6 @@ function report.add(reading, kind, layer, id, reason)
   return entry
 end
 
---- Returns the reason why a property is not used.
-function report.ignored(name)
-  return ("property %s: the editor's own value counts"):format(check.show(name))
-end
-
 --- Returns the class that the editor gave to a tile or an object, nil: none. Tiled 1.9 calls it
 --- `class`, all others `type`.
 function report.typeOf(owner)

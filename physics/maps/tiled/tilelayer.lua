@@ -1,32 +1,19 @@
 --- Reads a tile layer: finds the boxes of its solid tiles and makes few large ones of them.
 
 local root = (...):match("^(.*)%.maps%.")
+local cells = require(root .. ".maps.cells")
 local check = require(root .. ".check")
-local merge = require(root .. ".maps.tiled.merge")
-local properties = require(root .. ".maps.tiled.properties")
+local decode = require(root .. ".maps.tiled.decode")
+local properties = require(root .. ".maps.properties")
 local report = require(root .. ".maps.tiled.report")
+local tiles = require(root .. ".maps.tiles")
 local tileset = require(root .. ".maps.tiled.tileset")
-
-local floor = math.floor
 
 local tilelayer = {}
 
---- Equal boxes in equal places of their cells: what can become one.
----@class physics.TileBoxes
----@field x number px, from the left edge of the cell
----@field y number px, from its upper edge
----@field width number px
----@field height number px
----@field traits physics.Traits
----@field gid number? nil: several
----@field isWide boolean may boxes of a row become one
----@field isTall boolean may boxes of a column become one
----@field cells integer[]
----@field count integer
-
 -- What a tile consists of -------------------------------------------------------------------------
 
--- Whoever says no is right; else somebody has to say yes. Collision shapes say yes.
+-- What says no is right; else something has to say yes. Collision shapes say yes.
 local function isSolid(reading, layerSolid, kind, gid)
   local tileSolid = kind.traits.solid
   if reading.isSolidGid[gid] then
@@ -38,11 +25,11 @@ local function isSolid(reading, layerSolid, kind, gid)
   return layerSolid or tileSolid or kind.shapes ~= nil
 end
 
--- Only what never moves becomes one, since nobody can tell. Sensors can be told apart: each coin is
--- one. A side that is solid while the one behind it is not must stay one row deep.
-local function setMerging(boxes, reading)
-  local given, map = boxes.traits.fields, reading.map
-  local isMerging = boxes.traits.merge
+-- Only what never moves becomes one, since nothing can tell it then. Sensors can be told apart:
+-- each coin is one. A side that is solid while the one behind it is not must stay one row deep.
+local function setMerging(boxes, merge, reading)
+  local given, map = boxes.fields, reading.map
+  local isMerging = merge
   if isMerging == nil then
     isMerging = given.static == true and not given.sensor
   end
@@ -82,41 +69,33 @@ local function boxesFor(state, tile, traits, x, y, width, height)
   local key = signature(traits, x, y, width, height)
   local boxes = state.boxesByKey[key]
   if not boxes then
-    boxes = { x = x, y = y, width = width, height = height, traits = traits, gid = tile.gid }
-    boxes.cells, boxes.count = {}, 0
-    setMerging(boxes, state.reading)
-    state.boxesByKey[key] = boxes
-    state.list[#state.list + 1] = boxes
-  elseif boxes.gid ~= tile.gid then
-    boxes.gid = nil
+    boxes = { x = x, y = y, width = width, height = height, fields = traits.fields }
+    boxes.group, boxes.value, boxes.first = traits.group, tile.gid, tile.value
+    setMerging(boxes, traits.merge, state.reading)
+    state.boxesByKey[key] = cells.addBoxes(state.tiles, boxes)
+  elseif boxes.value ~= tile.gid then
+    boxes.value = nil
   end
   return boxes
 end
 
 local function traitsOf(state, kind)
-  local traits = properties.combine(state.traits, kind.traits)
+  local traits = properties.combine(state.context.traits, kind.traits)
   traits.fields.type = traits.fields.type or kind.type
   return traits
 end
 
-local function makeStatic(traits)
-  if traits.fields.static == nil and not traits.fields.kinematic then
-    traits.fields.static = true
-  end
-  return traits
-end
-
--- The boxes of all rectangles of a tile, as a list; an empty one for who is not solid.
+-- The boxes of all rectangles of a tile, as a list; an empty one for what is not solid.
 local function piecesOf(state, tile)
   local kind, pieces = tile.kind, {}
-  if state.solid ~= false then
-    tileset.reportExternal(state.reading, state.layer, kind.set)
+  if state.context.solid ~= false then
+    tileset.reportExternal(state.reading, state.layer, kind)
   end
   if not isSolid(state.reading, state.solid, kind, tile.gid) then
     return pieces
   end
   tileset.report(state.reading, state.layer, kind)
-  local traits = traitsOf(state, kind)
+  local traits, makeStatic = traitsOf(state, kind), properties.makeStatic
   if not kind.shapes then
     pieces[1] = boxesFor(state, tile, makeStatic(traits), 0, 0, kind.width, kind.height)
   end
@@ -124,6 +103,20 @@ local function piecesOf(state, tile)
     local combined = makeStatic(properties.combine(traits, shape.traits))
     local x, y, width, height = shape.x, shape.y, shape.width, shape.height
     pieces[i] = boxesFor(state, tile, combined, x, y, width, height)
+  end
+  return pieces
+end
+
+-- The same for a gid as it stands in the map, remembered.
+local function piecesOfGid(state, gid, where)
+  local pieces = state.piecesByGid[gid]
+  if not pieces then
+    local tile = tileset.tile(state.reading, gid, where)
+    if tile then
+      tile.value = gid
+    end
+    pieces = tile and piecesOf(state, tile) or {}
+    state.piecesByGid[gid] = pieces
   end
   return pieces
 end
@@ -148,6 +141,9 @@ end
 local function checkGrid(grid, place)
   check.integer(grid.width, "width", place, 1, 1e6)
   check.integer(grid.height, "height", place, 1, 1e6)
+  if type(grid.data) == "string" then
+    return
+  end
   check.table(grid.data, "data", place)
   local count, expected = #grid.data, grid.width * grid.height
   if not isRows(grid.data) and count ~= expected then
@@ -163,24 +159,10 @@ local function checkGrid(grid, place)
   end
 end
 
-local function addCell(state, gid, column, row, place)
-  local pieces = state.piecesByGid[gid]
-  if not pieces then
-    local where = ("%s: the tile at column %d, row %d"):format(place, column, row)
-    local tile = tileset.tile(state.reading, gid, where)
-    pieces = tile and piecesOf(state, tile) or {}
-    state.piecesByGid[gid] = pieces
-  end
-  local index = (row - state.firstRow) * state.stride + column - state.firstColumn
-  for i = 1, #pieces do
-    local boxes = pieces[i]
-    boxes.count = boxes.count + 1
-    boxes.cells[boxes.count] = index
-  end
-end
-
-local function readGrid(state, grid, left, top, place)
-  local data, width, hasRows = grid.data, grid.width, isRows(grid.data)
+-- Calls f(state, gid, column, row, place) with each tile of a grid.
+local function eachTile(state, grid, f)
+  local data, width, left, top = grid.data, grid.width, grid.column, grid.row
+  local hasRows, place = isRows(data), grid.place
   for row = 0, grid.height - 1 do
     for column = 0, width - 1 do
       local gid
@@ -190,17 +172,43 @@ local function readGrid(state, grid, left, top, place)
         gid = data[row * width + column + 1]
       end
       if gid ~= 0 then
-        addCell(state, gid, left + column, top + row, place)
+        f(state, gid, left + column, top + row, place)
       end
     end
   end
 end
 
--- The parts of an infinite layer, or the one of a finite layer.
-local function gridsOf(layer, place)
+local function whereIs(column, row, place)
+  return ("%s: the tile at column %d, row %d"):format(place, column, row)
+end
+
+local function addCell(state, gid, column, row, place)
+  local pieces = state.piecesByGid[gid]
+  if not pieces then
+    pieces = piecesOfGid(state, gid, whereIs(column, row, place))
+  end
+  cells.fill(state.tiles, column, row, gid, pieces)
+end
+
+-- Grids -------------------------------------------------------------------------------------------
+
+local function newGrid(reading, layer, grid, column, row, place)
+  checkGrid(grid, place)
+  local data, reason = grid.data, nil
+  if type(data) == "string" then
+    data, reason = decode.gids(reading, layer, grid, place)
+  end
+  local made = { data = data, width = grid.width, height = grid.height }
+  made.column, made.row, made.place = column, row, place
+  return made, reason
+end
+
+-- The parts of an infinite layer, or the one of a finite layer; nil and the reason if they cannot
+-- be unpacked.
+local function gridsOf(reading, layer, place)
   if layer.chunks == nil then
-    checkGrid(layer, place)
-    return { { grid = layer, column = 0, row = 0, place = place } }
+    local grid, reason = newGrid(reading, layer, layer, 0, 0, place)
+    return not reason and { grid } or nil, reason
   end
   check.table(layer.chunks, "chunks", place)
   local grids = {}
@@ -209,80 +217,103 @@ local function gridsOf(layer, place)
     local chunkPlace = ("%s, chunk %d"):format(place, i)
     check.integer(chunk.x, "x", chunkPlace, -1e6, 1e6)
     check.integer(chunk.y, "y", chunkPlace, -1e6, 1e6)
-    checkGrid(chunk, chunkPlace)
-    grids[i] = { grid = chunk, column = chunk.x, row = chunk.y, place = chunkPlace }
+    local grid, reason = newGrid(reading, layer, chunk, chunk.x, chunk.y, chunkPlace)
+    if reason then
+      return nil, reason
+    end
+    grids[i] = grid
   end
   return grids
 end
 
--- Makes room in the numbering of cells for all parts, and in the map's own box.
-local function measure(state, grids)
+local function newTiles(state, grids)
   local left, top, right, bottom = math.huge, math.huge, -math.huge, -math.huge
-  for _, part in ipairs(grids) do
-    left, top = math.min(left, part.column), math.min(top, part.row)
-    right = math.max(right, part.column + part.grid.width)
-    bottom = math.max(bottom, part.row + part.grid.height)
+  for _, grid in ipairs(grids) do
+    left, top = math.min(left, grid.column), math.min(top, grid.row)
+    right = math.max(right, grid.column + grid.width)
+    bottom = math.max(bottom, grid.row + grid.height)
   end
-  state.firstColumn, state.firstRow, state.stride = left, top, right - left + 1
-  return left, top, right, bottom
+  local context, map = state.context, state.reading.map
+  return tiles.new({
+    x = context.x,
+    y = context.y,
+    zero = 0,
+    tileWidth = map.tilewidth,
+    tileHeight = map.tileheight,
+    firstColumn = left,
+    firstRow = top,
+    columns = right - left,
+    rows = bottom - top,
+    record = "tiled",
+    base = { layer = state.layer },
+    copy = properties.copy,
+    empty = 0,
+    piecesOf = function(gid, where)
+      return piecesOfGid(state, gid, where and where .. ": value")
+    end,
+  })
 end
 
--- Objects -----------------------------------------------------------------------------------------
+-- Solid by name -----------------------------------------------------------------------------------
 
-local function addObject(state, boxes, index, columns, rows)
-  local reading, context = state.reading, state.context
-  local map = reading.map
-  local row = floor(index / state.stride)
-  local column = index - row * state.stride + state.firstColumn
-  row = row + state.firstRow
-  local object = properties.newObject(
-    boxes.traits.fields,
-    context.x + (column * map.tilewidth + boxes.x),
-    context.y + (row * map.tileheight + boxes.y),
-    boxes.width + (columns - 1) * map.tilewidth,
-    boxes.height + (rows - 1) * map.tileheight
-  )
-  object.tiled = { layer = state.layer, column = column, row = row, columns = columns, rows = rows }
-  object.tiled.gid = boxes.gid
-  reading.add(reading, boxes.traits.group, object)
-end
-
-local function addObjects(state, boxes)
-  local reading = state.reading
-  table.sort(boxes.cells) -- the parts of an infinite layer come one by one
-  local found, count =
-    merge.cover(boxes.cells, boxes.count, state.stride, boxes.isWide, boxes.isTall)
-  for i = 1, count, 3 do
-    addObject(state, boxes, found[i], found[i + 1], found[i + 2])
-    reading.rectangles = reading.rectangles + 1
+local function countKind(state, gid, column, row, place)
+  state.filled = state.filled + 1
+  if state.isMarked[gid] == nil then
+    local tile = tileset.tile(state.reading, gid, whereIs(column, row, place))
+    local kind = tile and tile.kind
+    local isMarked = kind
+      and (kind.traits.solid or kind.shapes or state.reading.isSolidGid[tile.gid])
+    state.isMarked[gid] = isMarked and true or false
+    state.hasMarks = state.hasMarks or state.isMarked[gid]
   end
-  reading.tiles = reading.tiles + boxes.count
 end
+
+-- A layer that is solid by its name alone is not if its tiles say themselves which of them are; nor
+-- if it has no free cell: that is a floor seen from above.
+local function isNameTrue(state, grids)
+  local size = 0
+  state.filled, state.isMarked, state.hasMarks = 0, {}, false
+  for _, grid in ipairs(grids) do
+    size = size + grid.width * grid.height
+    eachTile(state, grid, countKind)
+  end
+  return state.filled > 0 and state.filled < size and not state.hasMarks
+end
+
+-- Reading -----------------------------------------------------------------------------------------
 
 --- Reads a tile layer.
---- Errors: a size, a chunk or a gid that cannot be used.
+--- Errors: a size, a chunk, data or a gid that cannot be used.
 ---@param reading table
 ---@param layer table
 ---@param context table what the layers around it and it itself say
+---@return string? reason why nothing of it can be read
 function tilelayer.read(reading, layer, context)
   local place = report.place(layer)
-  local grids = gridsOf(layer, place)
-  if #grids == 0 then
+  local grids, reason = gridsOf(reading, layer, place)
+  if not grids then
+    return reason
+  elseif #grids == 0 then
     return
   end
-  local state = { reading = reading, layer = layer, context = context, list = {} }
-  state.traits, state.solid = context.traits, context.solid
+  local state = { reading = reading, layer = layer, context = context, solid = context.solid }
   state.boxesByKey, state.piecesByGid = {}, {}
-  local left, top, right, bottom = measure(state, grids)
+  if context.isByName and not isNameTrue(state, grids) then
+    state.solid, context.solid = nil, nil
+  end
+  local made = newTiles(state, grids)
+  state.tiles = made
   if layer.chunks then
-    reading.extend(reading, left, top, right, bottom)
+    local right, bottom = made.firstColumn + made.columns, made.firstRow + made.rows
+    reading.extend(reading, made.firstColumn, made.firstRow, right, bottom)
   end
-  for _, part in ipairs(grids) do
-    readGrid(state, part.grid, part.column, part.row, part.place)
+  for _, grid in ipairs(grids) do
+    eachTile(state, grid, addCell)
   end
-  for _, boxes in ipairs(state.list) do
-    addObjects(state, boxes)
-  end
+  cells.build(made, function(group, object)
+    reading.add(reading, group, object)
+  end)
+  reading.addTiles(reading, layer, made)
 end
 
 return tilelayer
