@@ -154,6 +154,7 @@ local function newTiles(state, columns, rows, width, height)
     record = "tile",
     copy = values.copy,
     empty = 0,
+    isEmpty = IS_EMPTY,
     piecesOf = function(value, where)
       checkValue(value, where and where .. ": value" or WHERE)
       return values.piecesOf(state, value)

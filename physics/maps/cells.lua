@@ -37,7 +37,8 @@ local cells = {}
 ---  tileHeight, firstColumn, firstRow, columns, rows; `record`: name of the field that gets the
 ---  place of an object; `base`: what stands in each place; `copy`: makes new fields of those of the
 ---  boxes; `piecesOf(value, where)`: returns the list of boxes of a value, or raises an error;
----  `empty`: the value of a cell in which nothing is
+---  `empty`: the value of a cell in which nothing is; `isEmpty[value]`: true for others that mean
+---  the same, unless they have boxes
 function cells.open(self, given)
   self._x, self._y, self._zero = given.x, given.y, given.zero
   self.tileWidth, self.tileHeight = given.tileWidth, given.tileHeight
@@ -47,7 +48,7 @@ function cells.open(self, given)
   self.y = given.y + (given.firstRow - given.zero) * given.tileHeight
   self.tiles, self.rectangles = 0, 0
   self._record, self._base, self._copy = given.record, given.base or {}, given.copy
-  self._piecesOf, self._empty = given.piecesOf, given.empty
+  self._piecesOf, self._empty, self._isEmpty = given.piecesOf, given.empty, given.isEmpty or {}
   self._values, self._list = {}, {}
   self._waiting, self._isWaiting, self._next = {}, {}, 1
   self._restores = 0

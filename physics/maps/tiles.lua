@@ -99,6 +99,9 @@ function Tiles:setTile(column, row, value)
     value = self._empty
   end
   local after = self._piecesOf(value, where)
+  if #after == 0 and self._isEmpty[value] then
+    value = self._empty
+  end
   self._access.check(self.world, where, groupsOf(after))
   rewind.follow(self)
   local index = cells.indexOf(self, column, row)
