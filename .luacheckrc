@@ -17,6 +17,8 @@ files["bench/main.lua"] = { std = "luajit+love", globals = { "love" } }
 files["examples"] = { std = "min+love" }
 -- Lines of an export of Tiled are as long as the level.
 files["examples/maps"] = { max_line_length = false }
+files["spec/maps"] = { std = "min+busted", max_line_length = false }
+files["scripts/tiled_maps"] = { std = "luajit+love", globals = { "love" } }
 -- conf.lua and main.lua define the callbacks of LÖVE: that is what they are for.
 files["examples/conf.lua"] = { std = "min+love", globals = { "love" } }
 files["examples/main.lua"] = { std = "min+love", globals = { "love" } }

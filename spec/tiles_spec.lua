@@ -481,7 +481,7 @@ describe("world:addTiles", function()
     assert.same({ "0 0 10 20", "20 0 10 20" }, boxes(world))
   end)
 
-  -- Coming and going -------------------------------------------------------------------------------
+  -- Coming and going ------------------------------------------------------------------------------
 
   describe("gives tiles that", function()
     it("come later, some at a time, in order", function()
