@@ -904,9 +904,9 @@ end
 --- and go: `tiles:setTile(column, row, value)`, `tiles:load()`, `tiles:unload()`.
 ---
 --- The cells are one list, row by row, or a list of rows (`cells[row][column]`). A row may be a
---- text (`"##..#"`), each character a cell. Columns and rows are counted from 1. The cells are copied:
---- change them by `setTile`, too. Each object has the field `tile`: its `tiles`, `column`, `row`,
---- `columns`, `rows` and `value`.
+--- text (`"##..#"`), each character a cell. Columns and rows are counted from 1. The cells are
+--- copied: change them by `setTile`, too. Each object has the field `tile`: its `tiles`, `column`,
+--- `row`, `columns`, `rows` and `value`.
 ---
 --- Errors: a group that is no name, or an object; no list of cells, a row of another length; a cell
 --- that is no number, text or boolean; no size; an unknown option, or a wrong value for one; called

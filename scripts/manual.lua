@@ -34,6 +34,11 @@ local WORLD = [[
 `local world = physics.newWorld(settings)`. The [settings](#settings) are plain fields of a world.
 ]]
 
+local TILES = [[
+What [world:addTiles](#worldaddtilesgroup-cells-columns-size-options) returns, and what is in
+`level.tileLayers` of a map from Tiled or LDtk: see [Maps](maps.md).
+]]
+
 local function add(lines, ...)
   for i = 1, select("#", ...) do
     lines[#lines + 1] = (select(i, ...))
@@ -186,8 +191,13 @@ function manual.text()
   add(lines, "## Worlds", "", WORLD)
   addWorldFields(lines)
   addFunctions(lines, "physics/world.lua", "World", "world:")
+  add(lines, "## Tiles", "", TILES)
+  addFunctions(lines, "physics/maps/tiles.lua", "Tiles", "tiles:")
   add(lines, "## Types", "")
-  local files = { "types", "world", "draw", "maps/tiled" }
+  local files = { "types", "world", "draw", "maps/tiles", "maps/array", "maps/tiled" }
+  for _, file in ipairs({ "maps/tiled/options", "maps/ldtk", "maps/ldtk/project" }) do
+    files[#files + 1] = file
+  end
   for _, file in ipairs(files) do
     local path = "physics/" .. file .. ".lua"
     addTypes(lines, path)

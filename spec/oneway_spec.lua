@@ -46,7 +46,10 @@ describe("oneWay", function()
       assert.equal(side == nil, hit ~= nil)
       local y = select(2, world:move(box, 10, 60))
       assert.equal(side and 60 or 108, y)
-      assert.equal(side ~= nil, world:explain(box, world.objects.ledges[1]):find("its top only") ~= nil)
+      assert.equal(
+        side ~= nil,
+        world:explain(box, world.objects.ledges[1]):find("its top only") ~= nil
+      )
     end)
   end
 

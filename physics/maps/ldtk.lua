@@ -229,8 +229,8 @@ local function isListed(list, layer)
   return false
 end
 
-local function readLayer(reading, layer)
-  local place = project.checkLayer(layer)
+local function readLayer(reading, layer, i)
+  local place = project.checkLayer(layer, i)
   local isWanted = isListed(reading.onlyLayers, layer)
   if isListed(reading.skipLayers, layer) or (reading.onlyLayers and not isWanted) then
     return
@@ -263,7 +263,7 @@ function ldtk.read(given, wanted, options)
   reading.unsupported, reading.tiles, reading.rectangles = {}, 0, 0
   -- LDtk lists layers from the front to the back, and draws them the other way round.
   for i = #level.layerInstances, 1, -1 do
-    readLayer(reading, level.layerInstances[i])
+    readLayer(reading, level.layerInstances[i], i)
   end
   return {
     objects = reading.objects,

@@ -263,9 +263,10 @@ end
 
 --- Errors: a layer without a name, or with offsets that are no numbers.
 ---@param layer any
+---@param i integer which of the level
 ---@return string place how an error names it
-function project.checkLayer(layer)
-  check.table(layer, "level.layerInstances[n]", WHERE)
+function project.checkLayer(layer, i)
+  check.table(layer, ("level.layerInstances[%d]"):format(i), WHERE)
   if type(layer.__identifier) ~= "string" then
     fail("a layer's __identifier must be a string, got %s", check.show(layer.__identifier))
   end

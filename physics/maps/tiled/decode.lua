@@ -136,6 +136,11 @@ end
 ---@return string? reason why not
 function decode.gids(reading, layer, grid, place)
   local encoding, compression = layer.encoding or "text", layer.compression
+  for _, name in ipairs({ "encoding", "compression" }) do
+    if layer[name] ~= nil and type(layer[name]) ~= "string" then
+      check.fail(("%s: %s must be a string, got %s"):format(place, name, check.show(layer[name])))
+    end
+  end
   local packing = compression and compression .. ", " .. encoding or encoding
   local shown = ("encoded data (%s)"):format(packing)
   if encoding ~= "base64" then

@@ -85,12 +85,28 @@ local function snap(points, axis)
   return list
 end
 
--- The corners without those that stand on another one or in the middle of an edge.
+local function isSame(a, b)
+  return a.x == b.x and a.y == b.y
+end
+
+-- The corners, each once.
+local function distinct(points)
+  local kept = {}
+  for i = 1, #points do
+    local isLast = i == #points and #kept > 0 and isSame(points[i], kept[1])
+    if not isLast and (#kept == 0 or not isSame(points[i], kept[#kept])) then
+      kept[#kept + 1] = points[i]
+    end
+  end
+  return kept
+end
+
+-- The corners without those in the middle of a level or upright edge.
 local function corners(points)
   local kept = {}
   for i = 1, #points do
-    local before = kept[#kept] or points[#points]
-    local point, after = points[i], points[i % #points + 1]
+    local before, point = points[(i - 2) % #points + 1], points[i]
+    local after = points[i % #points + 1]
     local isOn = (before.x == point.x and point.x == after.x)
       or (before.y == point.y and point.y == after.y)
     if not isOn then
@@ -169,7 +185,7 @@ end
 function shapes.polygon(points)
   snap(points, "x")
   local ys = snap(points, "y")
-  points = corners(points)
+  points = corners(distinct(points))
   if #points < 3 then
     return nil, "polygon: it has no area"
   elseif isRightTriangle(points) then
