@@ -97,4 +97,25 @@ function ldtk.project(levels, values)
   }
 end
 
+-- A level with a start, a player, a door to another level, a ladder and a floor.
+local function newRoom(name, to, x)
+  local rows = { "2.......", "2.......", "11133333" }
+  local things = {
+    ldtk.entity("Start", x, 32, 8, 32, { static = true, sensor = true }),
+    ldtk.entity("Player", 24, 32, 16, 24, { lives = 3 }),
+    ldtk.entity("Door", 110, 32, 8, 32, { to = to, static = true, sensor = true }),
+  }
+  return ldtk.level(name, {
+    ldtk.entities("Entities", things),
+    ldtk.intGrid("Collisions", rows),
+    ldtk.intGrid("Background", rows, { __type = "AutoLayer" }),
+  })
+end
+
+--- The project of the manual's snippets: two levels whose doors lead to each other.
+function ldtk.cave()
+  local levels = { newRoom("Cave", "Top", 20), newRoom("Top", "Cave", 24) }
+  return ldtk.project(levels, { "dirt", "ladder", "stone" })
+end
+
 return ldtk
