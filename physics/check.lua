@@ -254,6 +254,9 @@ TYPES["function"] = {
 
 TYPES.string = {
   accepts = function(field, value)
+    if type(value) == "boolean" then
+      return field.yes ~= nil
+    end
     for i = 1, #field.values do
       if value == field.values[i] then
         return true
@@ -262,7 +265,8 @@ TYPES.string = {
     return false
   end,
   describe = function(path, field, value)
-    return mustBe(path, describeChoice(field.values), value)
+    local choice = describeChoice(field.values)
+    return mustBe(path, field.yes and "true, false, " .. choice or choice, value)
   end,
 }
 
@@ -350,6 +354,10 @@ end
 local function describe(path, field, value)
   return TYPES[field.type].describe(path, field, value)
 end
+
+--- Returns what is wrong with a value that does not fit an entry of `fields.lua`.
+---@type fun(path: string, field: physics.Field, value: any): string
+check.describe = describe
 
 --- Returns whether a value fits an entry of `fields.lua`; nil does not.
 ---@type fun(field: physics.Field, value: any): boolean

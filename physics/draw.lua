@@ -212,8 +212,9 @@ local function drawVelocity(object, alpha)
 end
 
 local function drawOneWay(object, alpha)
+  local side = object.oneWay == true and "top" or object.oneWay
   setColor(COLORS.oneWay, alpha)
-  drawSide(object.x, object.y, object.width, object.height, object.oneWay, SOLID)
+  drawSide(object.x, object.y, object.width, object.height, side, SOLID)
 end
 
 local function drawObject(object, options)

@@ -6,6 +6,7 @@
 ---   unit      "px", "px/s", "px/s²", "1/s", "s"
 ---   min, above, max   range of a number: >= min, > above, <= max
 ---   values    the strings that are allowed
+---   yes       the one of them that `true` stands for; `false` stands for none
 ---   required  true: has no default
 ---   written   true: the library writes it; what the game put there is not read
 ---   signature parameters of a function
@@ -27,6 +28,7 @@
 ---@field above number?
 ---@field max number?
 ---@field values string[]?
+---@field yes string?
 ---@field required boolean?
 ---@field written boolean?
 ---@field signature string?
@@ -221,9 +223,10 @@ fields.objects = {
     name = "oneWay",
     type = "string",
     values = SIDES,
+    yes = "top",
     absent = "none: solid all around",
-    meaning = "The one side that is solid; the others let everything through. For static and"
-      .. " kinematic objects.",
+    meaning = "The one side that is solid; `true` is the top. The others let everything through."
+      .. " For static and kinematic objects.",
   },
   {
     name = "carry",

@@ -67,9 +67,9 @@
 --- default collides with every group. `mask[group] = false`: passes through the objects of that
 --- group. `true` and nil collide. Either object of a pair may refuse.
 ---@field mask? table<string|number, boolean>
---- default none: solid all around. The one side that is solid; the others let everything through.
---- For static and kinematic objects.
----@field oneWay? "top"|"bottom"|"left"|"right"
+--- default none: solid all around. The one side that is solid; `true` is the top. The others let
+--- everything through. For static and kinematic objects.
+---@field oneWay? boolean|"top"|"bottom"|"left"|"right"
 --- default true. Whether a kinematic object takes its riders along. `false`: it slides away under
 --- them.
 ---@field carry? boolean
@@ -534,28 +534,69 @@ function default.impulse(object, ix, iy) end
 ---@param h number? px, > 0
 function default.setBounds(x, y, w, h) end
 
---- Adds what stands in a map of the editor Tiled: its rectangles and tile objects, and its solid
---- tiles, merged into few large rectangles. The map is its Lua export (the table, or the path of
---- the file) or the table that STI makes of it; it is not changed, and nothing is drawn.
+--- Adds the objects of a map of the editor Tiled, and its solid tiles, merged into few large
+--- rectangles. The map is its Lua export (the table, or the path of the file), or the table that
+--- STI makes of it. The map is not changed, and nothing is drawn. See docs/maps.md for all of it.
 ---
---- The name of a layer is the group of its objects. Properties of an object are its fields; those
---- that the library knows are also taken from its tile, its layer and the layers around it, the
---- nearest first. Three properties are for the loader: `solid`, `merge`, and `group`, which is used
---- instead of the layer's name. A tile is solid if it or its layer says so, or if it has collision
---- rectangles, and neither says `solid = false`, which takes objects out, too. A layer that says
---- nothing says what the nearest one around it does. An option counts as a yes instead of the own
---- word: `solidTiles` of a tile (not for tile objects), `solidLayers` of a layer. Solid tiles are
---- static unless they say otherwise. Static ones that are equal and no sensors become one; merging
---- changes no motion.
+--- - The name of a layer is the group of its objects. Properties of an object are its fields.
+---   Fields that the library knows are also taken from its tile, its layer and the layers around
+---   it; the nearest one counts.
+--- - `solid = true` (or `collidable`) on an object, a tile, a layer or a group of layers makes it
+---   static, and `solid = false` leaves it out. The name of a layer (walls, collision, colliders,
+---   solid, ground, platforms) does the same as `solid = true`, unless an option or a property says
+---   otherwise. A tile is also solid if it has collision rectangles.
+--- - Points are in `level.points`, lines in `level.lines`. Tile objects about which the map says
+---   nothing are decoration, and not in the world.
 ---
---- Not supported, and named in `unsupported` of what is returned: maps that are not orthogonal,
---- rotated objects, polygons, ellipses, points and texts, encoded layer data, parallax, tilesets
---- that are not embedded in the export.
+--- Not supported, and listed in `unsupported` of the result: maps that are not orthogonal, objects
+--- that are turned by other than quarters, polygons with other than level and upright edges,
+--- ellipses, capsules, texts, parallax, layers and tilesets that cannot be read, and properties
+--- with values that cannot be used.
 ---
---- Errors: no map, no such file; an unknown option; a layer or gid in an option that is not in the
---- map; a gid of no tileset; a property that is a field and cannot be used; a group that is an
---- object; called from inside `canCollide`. Nothing has been added then.
----@param map table|string what the export returns, what STI returns, or the path of the export
----@param options physics.TiledOptions? where the map goes, and which of its tiles are solid
+--- Errors: the map or the file does not exist; an unknown option; an option names a layer or a gid
+--- that is not in the map; a layer in `solidLayers` cannot be read; a gid belongs to no tileset; a
+--- part is malformed; with `strict` a property cannot be used; a group is an object; it is called
+--- from inside `canCollide`. Nothing has been added then.
+---@param map table|string the table that the export or STI returns, or the path of the export
+---@param options physics.TiledOptions? where the map goes, and what of it is solid
 ---@return physics.Level level the objects that were added, counts, and what is not supported
 function default.loadTiled(map, options) end
+
+--- Adds the tiles of a plain array. Each solid cell is static. Equal cells are merged into few
+--- large objects, which changes no motion. One-way cells merge only along their solid side; sensors
+--- and cells that move do not merge, unless their field `merge` says so. The result can change the
+--- tiles: `tiles:setTile(column, row, value)`, `tiles:load()`, `tiles:unload()`.
+---
+--- The cells are one list, row by row, or a list of rows (`cells[row][column]`). A row may be a
+--- string (`"##..#"`): each character is a cell. Columns and rows are counted from 1. The cells are
+--- copied, so change them with `setTile`, too. Each object has the field `tile` with its `tiles`,
+--- `column`, `row`, `columns`, `rows` and `value`.
+---
+--- Errors: the group is not a name, or is an object; the cells are not a list; a row has another
+--- length; a cell is not a number, string or boolean; the size is missing; an unknown option, or a
+--- wrong value for one; it is called from inside `canCollide`. Nothing has been added then.
+---@param group string|number name of their group; the field `group` of a value has precedence
+---@param cells table list of values, or list of rows
+---@param columns integer? of a list of values: how many are a row
+---@param size number|number[] px, of a cell: one number, or width and height
+---@param options physics.TileOptions? which values are solid, and where the tiles go
+---@return physics.Tiles tiles
+function default.addTiles(group, cells, columns, size, options) end
+
+--- Adds a level of the editor LDtk: the solid cells of its IntGrid layers, merged into few large
+--- static objects, and its entities with their fields. Any JSON library decodes the project. The
+--- project is not changed, and nothing is drawn. See docs/maps.md.
+---
+--- Cells are in the group of the identifier of their layer, entities in the group of their own
+--- identifier. The fields `solid`, `group` and all fields of objects mean what they mean in a map
+--- from Tiled.
+---
+--- Errors: the project or the level does not exist; the layers of the level are in another file; an
+--- unknown option; an option names a layer or value that the level does not have; a part is
+--- malformed; with `strict` a field cannot be used; a group is an object; it is called from inside
+--- `canCollide`. Nothing has been added then.
+---@param project table the .ldtk file, decoded by a JSON library
+---@param level string|integer|table|nil its identifier, iid or number, or its decoded .ldtkl file; default: the first level
+---@param options physics.LDtkOptions? where the level goes, and what of it is solid
+---@return physics.LDtkLevel level the objects that were added, counts, and what is not supported
+function default.loadLDtk(project, level, options) end

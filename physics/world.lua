@@ -37,6 +37,7 @@ local view = require(here .. ".view")
 ---@field alpha number share of a fixed step that is saved up, 0..1
 ---@field package _bodies table the columns of the simulation
 ---@field package _saved number s, time for which no fixed step was made yet
+---@field package _restores integer how often it was put back to an earlier state
 ---@field package _walls table what `setBounds` has put there
 local World = {}
 World.__index = World
@@ -449,6 +450,7 @@ function World:restore(saved)
   checkSelf(self, "restore(state)")
   checkIdle(self._bodies, "restore(state)")
   restore.world(self, saved)
+  self._restores = self._restores + 1
 end
 
 --- Returns a whole number in 0..10^14 over everything that `save` holds. It is the same on every
@@ -872,46 +874,134 @@ function World:setBounds(x, y, w, h)
   view.tell(self._bodies)
 end
 
---- Adds what stands in a map of the editor Tiled: its rectangles and tile objects, and its solid
---- tiles, merged into few large rectangles. The map is its Lua export (the table, or the path of
---- the file) or the table that STI makes of it; it is not changed, and nothing is drawn.
+-- Maps --------------------------------------------------------------------------------------------
+
+-- The functions of a world that layers of tiles use (physics/maps/tiles.lua).
+local MAPS = { put = put, remove = World.remove }
+
+function MAPS.check(self, where, groups)
+  if self._bodies.asking then
+    check.fail(where .. " cannot be called from inside canCollide")
+  end
+  checkObjects(self)
+  for i = 1, #groups do
+    checkIsGroup(self, groups[i], where)
+  end
+end
+
+-- Puts checked objects into the world, each into its group.
+local function putAll(self, objects, groupOf, groups, where)
+  for i = 1, #groups do
+    checkIsGroup(self, groups[i], where)
+  end
+  for i = 1, #groups do
+    groupFor(self, groups[i])
+  end
+  for i = 1, #objects do
+    put(self, groupOf[i], objects[i])
+  end
+end
+
+--- Adds the objects of a map of the editor Tiled, and its solid tiles, merged into few large
+--- rectangles. The map is its Lua export (the table, or the path of the file), or the table that
+--- STI makes of it. The map is not changed, and nothing is drawn. See docs/maps.md for all of it.
 ---
---- The name of a layer is the group of its objects. Properties of an object are its fields; those
---- that the library knows are also taken from its tile, its layer and the layers around it, the
---- nearest first. Three properties are for the loader: `solid`, `merge`, and `group`, which is used
---- instead of the layer's name. A tile is solid if it or its layer says so, or if it has collision
---- rectangles, and neither says `solid = false`, which takes objects out, too. A layer that says
---- nothing says what the nearest one around it does. An option counts as a yes instead of the own
---- word: `solidTiles` of a tile (not for tile objects), `solidLayers` of a layer. Solid tiles are
---- static unless they say otherwise. Static ones that are equal and no sensors become one; merging
---- changes no motion.
+--- - The name of a layer is the group of its objects. Properties of an object are its fields.
+---   Fields that the library knows are also taken from its tile, its layer and the layers around
+---   it; the nearest one counts.
+--- - `solid = true` (or `collidable`) on an object, a tile, a layer or a group of layers makes it
+---   static, and `solid = false` leaves it out. The name of a layer (walls, collision, colliders,
+---   solid, ground, platforms) does the same as `solid = true`, unless an option or a property says
+---   otherwise. A tile is also solid if it has collision rectangles.
+--- - Points are in `level.points`, lines in `level.lines`. Tile objects about which the map says
+---   nothing are decoration, and not in the world.
 ---
---- Not supported, and named in `unsupported` of what is returned: maps that are not orthogonal,
---- rotated objects, polygons, ellipses, points and texts, encoded layer data, parallax, tilesets
---- that are not embedded in the export.
+--- Not supported, and listed in `unsupported` of the result: maps that are not orthogonal, objects
+--- that are turned by other than quarters, polygons with other than level and upright edges,
+--- ellipses, capsules, texts, parallax, layers and tilesets that cannot be read, and properties
+--- with values that cannot be used.
 ---
---- Errors: no map, no such file; an unknown option; a layer or gid in an option that is not in the
---- map; a gid of no tileset; a property that is a field and cannot be used; a group that is an
---- object; called from inside `canCollide`. Nothing has been added then.
----@param map table|string what the export returns, what STI returns, or the path of the export
----@param options physics.TiledOptions? where the map goes, and which of its tiles are solid
+--- Errors: the map or the file does not exist; an unknown option; an option names a layer or a gid
+--- that is not in the map; a layer in `solidLayers` cannot be read; a gid belongs to no tileset; a
+--- part is malformed; with `strict` a property cannot be used; a group is an object; it is called
+--- from inside `canCollide`. Nothing has been added then.
+---@param map table|string the table that the export or STI returns, or the path of the export
+---@param options physics.TiledOptions? where the map goes, and what of it is solid
 ---@return physics.Level level the objects that were added, counts, and what is not supported
 function World:loadTiled(map, options)
   local call = "loadTiled(map, options)"
   checkSelf(self, call)
   checkIdle(self._bodies, call)
   checkObjects(self)
-  local level, groupOf, groups = require(here .. ".tiled").read(map, options)
-  for i = 1, #groups do
-    checkIsGroup(self, groups[i], "world:loadTiled(map)")
-  end
-  for i = 1, #groups do
-    groupFor(self, groups[i])
-  end
-  for i = 1, #level.objects do
-    put(self, groupOf[i], level.objects[i])
+  local level, groupOf, groups, tiles = require(here .. ".maps.tiled").read(map, options)
+  putAll(self, level.objects, groupOf, groups, "world:loadTiled(map)")
+  for i = 1, #tiles do
+    require(here .. ".maps.tiles").attach(tiles[i], self, MAPS)
   end
   return level
+end
+
+--- Adds the tiles of a plain array. Each solid cell is static. Equal cells are merged into few
+--- large objects, which changes no motion. One-way cells merge only along their solid side; sensors
+--- and cells that move do not merge, unless their field `merge` says so. The result can change the
+--- tiles: `tiles:setTile(column, row, value)`, `tiles:load()`, `tiles:unload()`.
+---
+--- The cells are one list, row by row, or a list of rows (`cells[row][column]`). A row may be a
+--- string (`"##..#"`): each character is a cell. Columns and rows are counted from 1. The cells are
+--- copied, so change them with `setTile`, too. Each object has the field `tile` with its `tiles`,
+--- `column`, `row`, `columns`, `rows` and `value`.
+---
+--- Errors: the group is not a name, or is an object; the cells are not a list; a row has another
+--- length; a cell is not a number, string or boolean; the size is missing; an unknown option, or a
+--- wrong value for one; it is called from inside `canCollide`. Nothing has been added then.
+---@param group string|number name of their group; the field `group` of a value has precedence
+---@param cells table list of values, or list of rows
+---@param columns integer? of a list of values: how many are a row
+---@param size number|number[] px, of a cell: one number, or width and height
+---@param options physics.TileOptions? which values are solid, and where the tiles go
+---@return physics.Tiles tiles
+function World:addTiles(group, cells, columns, size, options) -- luacheck: ignore 431
+  local call = "addTiles(group, cells, columns, size, options)"
+  checkSelf(self, call)
+  checkIdle(self._bodies, call)
+  checkObjects(self)
+  local read = require(here .. ".maps.array").read
+  local tiles, objects, groupOf, later = read(group, cells, columns, size, options)
+  checkIsGroup(self, group, "world:" .. call)
+  putAll(self, later and {} or objects, groupOf, groupOf, "world:" .. call)
+  groupFor(self, group)
+  require(here .. ".maps.tiles").attach(tiles, self, MAPS, later and objects)
+  return tiles
+end
+
+--- Adds a level of the editor LDtk: the solid cells of its IntGrid layers, merged into few large
+--- static objects, and its entities with their fields. Any JSON library decodes the project. The
+--- project is not changed, and nothing is drawn. See docs/maps.md.
+---
+--- Cells are in the group of the identifier of their layer, entities in the group of their own
+--- identifier. The fields `solid`, `group` and all fields of objects mean what they mean in a map
+--- from Tiled.
+---
+--- Errors: the project or the level does not exist; the layers of the level are in another file; an
+--- unknown option; an option names a layer or value that the level does not have; a part is
+--- malformed; with `strict` a field cannot be used; a group is an object; it is called from inside
+--- `canCollide`. Nothing has been added then.
+---@param project table the .ldtk file, decoded by a JSON library
+---@param level string|integer|table|nil its identifier, iid or number, or its decoded .ldtkl file;
+---  default: the first level
+---@param options physics.LDtkOptions? where the level goes, and what of it is solid
+---@return physics.LDtkLevel level the objects that were added, counts, and what is not supported
+function World:loadLDtk(project, level, options)
+  local call = "loadLDtk(project, level, options)"
+  checkSelf(self, call)
+  checkIdle(self._bodies, call)
+  checkObjects(self)
+  local found, groupOf, tiles = require(here .. ".maps.ldtk").read(project, level, options)
+  putAll(self, found.objects, groupOf, groupOf, "world:" .. call)
+  for i = 1, #tiles do
+    require(here .. ".maps.tiles").attach(tiles[i], self, MAPS)
+  end
+  return found
 end
 
 ---@class physics.Stats
@@ -941,6 +1031,7 @@ function world.new(given, where)
     alpha = 0,
     _bodies = b,
     _saved = 0,
+    _restores = 0,
     _walls = {},
   }, World)
   b.world = self

@@ -82,14 +82,13 @@ local function read(path)
   return text
 end
 
-local NOT_CORE = { ["physics/draw.lua"] = true, ["physics/tiled.lua"] = true }
-NOT_CORE["physics/types.lua"] = true
+local NOT_CORE = { ["physics/draw.lua"] = true, ["physics/types.lua"] = true }
 
 --- Whether a file is one of the core: what only loads maps, draws or helps editors is not.
 ---@param path string as in "physics/world.lua"
 ---@return boolean
 function coverage.isCore(path)
-  return not (NOT_CORE[path] or path:find("^physics/tiled/"))
+  return not (NOT_CORE[path] or path:find("^physics/maps/"))
 end
 
 -- Here from the first to the last spec ------------------------------------------------------------

@@ -107,6 +107,11 @@ check "tiled: and the hero was not hurt" is tiled deaths 0
 check "tiled: few rectangles" is tiled rectangles 38
 check "tiled plays with each tile an object" play tiled-tiles tiled 60 "g:5,x:10,x:12"
 check "tiled: as many as tiles" is tiled-tiles rectangles 540
+digs="down:5-200,e:40,e:70,right:125-300,e:150,e:165,e:190,e:205,e:230,e:245"
+check "tiled digs" play tiled-digs tiled 320 "$digs"
+check "tiled: a shaft and a tunnel" at_least tiled-digs dug 5
+check "tiled: and only what is around them is cut" is tiled-digs rectangles 41
+check "tiled: the hero fell into the shaft" at_least tiled-digs y 500
 check "breakout plays" play breakout breakout 828 "$(cat examples/demos/breakout.keys)"
 check "breakout: bricks were removed" at_least breakout broken 15
 check "breakout: bullets were shot" at_least breakout shots 10

@@ -60,6 +60,11 @@ class of your own is `---@class Player: physics.Object`. A local that is filled 
 `local player ---@type physics.Object`.
 ]]
 
+local TILES = [[
+What `world:addTiles` returns, and what is in `level.tileLayers` of a map from Tiled or LDtk: see
+[Maps](maps.md).
+]]
+
 local function add(lines, ...)
   for i = 1, select("#", ...) do
     lines[#lines + 1] = (select(i, ...))
@@ -238,6 +243,7 @@ local function anchors()
     { "physics.lua", "physics", "physics." },
     { "physics/pure.lua", "pure", "physics." },
     { "physics/world.lua", "World", "world:" },
+    { "physics/maps/tiles.lua", "Tiles", "tiles:" },
   }) do
     local _, list = docstrings.functions(source[1], source[2])
     for _, entry in ipairs(list) do
@@ -251,7 +257,7 @@ local function anchors()
   for _, field in ipairs(fields.objects) do
     found[field.name] = "#field-" .. field.name:lower()
   end
-  for _, name in ipairs({ "side", "x", "y" }) do -- mostly parameters and results
+  for _, name in ipairs({ "side", "x", "y", "load" }) do -- mostly parameters and results
     found[name] = nil
   end
   return found
@@ -307,8 +313,13 @@ function manual.text()
   add(lines, "## Worlds", "", WORLD)
   addWorldFields(lines)
   addFunctions(lines, "physics/world.lua", "World", "world:")
+  add(lines, "## Tiles", "", TILES)
+  addFunctions(lines, "physics/maps/tiles.lua", "Tiles", "tiles:")
   add(lines, "## Types", "", TYPES)
-  local files = { "types", "world", "draw", "tiled" }
+  local files = { "types", "world", "draw", "maps/tiles", "maps/array", "maps/tiled" }
+  for _, file in ipairs({ "maps/tiled/options", "maps/ldtk", "maps/ldtk/project" }) do
+    files[#files + 1] = file
+  end
   for _, file in ipairs(files) do
     local path = "physics/" .. file .. ".lua"
     addTypes(lines, path)

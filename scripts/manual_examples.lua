@@ -220,4 +220,43 @@ local level = world:loadTiled("maps/meadow.lua")
 print(level.tiles, level.rectangles, level.named.hero.lives) --> 33 7 3
 ]]
 
+examples["world:addTiles"] = [[
+local tiles = world:addTiles("earth", { "##..", "####" }, nil, 16)
+print(tiles.tiles, tiles.rectangles) --> 6 2
+]]
+
+examples["world:loadLDtk"] = [[
+local json = require "dkjson" -- or any other
+local project = json.decode(love.filesystem.read("maps/cave.ldtk"))
+local level = world:loadLDtk(project, "Cave")
+print(level.named.Start.x) --> 16
+]]
+
+examples["tiles:setTile"] = [[
+local tiles = world:addTiles("earth", { "####", "####" }, nil, 16)
+print(tiles:setTile(2, 1, ".")) --> true
+print(tiles.tiles) --> 7
+]]
+
+examples["tiles:getTile"] = [[
+local tiles = world:addTiles("earth", { "##..", "####" }, nil, 16)
+print(tiles:getTile(1, 1), tiles:getTile(3, 1)) --> # 0
+]]
+
+examples["tiles:cellAt"] = [[
+local tiles = world:addTiles("earth", { "##..", "####" }, nil, 16)
+local column, row = tiles:cellAt(20, 20)
+print(column, row) --> 2 2
+]]
+
+examples["tiles:load"] = [[
+local tiles = world:addTiles("earth", { "#.#.#" }, nil, 16, { later = true })
+print(#world.objects.earth, tiles:load(2), #world.objects.earth) --> 0 1 2
+]]
+
+examples["tiles:unload"] = [[
+local tiles = world:addTiles("earth", { "#.#.#" }, nil, 16)
+print(tiles:unload(), #world.objects.earth) --> 0 0
+]]
+
 return examples

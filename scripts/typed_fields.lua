@@ -39,7 +39,8 @@ function typedFields.type(field)
   if field.type == "function" then
     return callback(field)
   elseif field.type == "string" then
-    return '"' .. table.concat(field.values, '"|"') .. '"'
+    local choice = '"' .. table.concat(field.values, '"|"') .. '"'
+    return field.yes and "boolean|" .. choice or choice
   end
   return assert(TYPES[field.type], field.type)
 end

@@ -127,8 +127,8 @@ local NOT_NEGATIVE = with(ANY, -1)
 local SHARE = with(ANY, -0.1, 1.1)
 local SWITCH = { 1, "yes", {}, NAN }
 local CALLBACK = { 1, "print", true, {} }
-local SIDE = { 1, "north", "Top", true, {} }
-local SIDES = '"top", "bottom", "left" or "right"'
+local SIDE = { 1, "north", "Top", {} }
+local SIDES = 'true, false, "top", "bottom", "left" or "right"'
 
 -- name, what is refused, what is expected
 local FIELDS = {

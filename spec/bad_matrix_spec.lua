@@ -572,8 +572,11 @@ local FUNCTIONS = {
 }
 
 -- Not tried here: `draw` needs LÖVE (draw_spec.lua), `globals` and `compile` take nothing,
--- `loadTiled` has specs of its own.
-local ELSEWHERE = { draw = true, globals = true, compile = true, loadTiled = true }
+-- what reads maps has specs of its own.
+local ELSEWHERE = { draw = true, globals = true, compile = true }
+for _, name in ipairs({ "loadTiled", "loadLDtk", "addTiles" }) do
+  ELSEWHERE[name] = true
+end
 
 -- Trying ------------------------------------------------------------------------------------------
 

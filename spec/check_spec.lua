@@ -290,8 +290,10 @@ describe("check", function()
       { { restitution = INF }, ".restitution must be a finite number in 0..1, got inf" },
       { { maxSpeed = -1 }, ".maxSpeed must be a number >= 0, got -1" },
       { { nudge = -1 }, ".nudge must be a number >= 0, got -1" },
-      { { oneWay = "up" }, '.oneWay must be "top", "bottom", "left" or "right", got "up"' },
-      { { oneWay = true }, '.oneWay must be "top", "bottom", "left" or "right", got true' },
+      {
+        { oneWay = "up" },
+        '.oneWay must be true, false, "top", "bottom", "left" or "right", got "up"',
+      },
       { { onBegin = "boom" }, '.onBegin must be a function, got "boom"' },
       { { canCollide = false }, ".canCollide must be a function, got false" },
       { { mask = "enemies" }, '.mask must be a table { [group] = false }, got "enemies"' },

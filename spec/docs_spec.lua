@@ -74,15 +74,9 @@ local anchors = setmetatable({}, {
   end,
 })
 
--- Pages that are being written: links to them are allowed before they are there.
-local COMING = { ["docs/maps.md"] = true }
-
 local function checkLink(page, link)
   local target, anchor = link:match("^([^#]*)#?(.*)$")
   local path = target == "" and page or resolve(page:match("^(.*)/") or "", target)
-  if COMING[path] and not exists(path) then
-    return
-  end
   local isFolder = path:find("/$")
   assert.is_true(exists(isFolder and path .. "." or path), page .. ": no file " .. path)
   if anchor ~= "" then

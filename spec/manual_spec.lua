@@ -24,6 +24,7 @@ local SOURCES = {
   { "physics.lua", "physics" },
   { "physics/pure.lua", "pure" },
   { "physics/world.lua", "World" },
+  { "physics/maps/tiles.lua", "Tiles" },
 }
 
 describe("docs/api.md", function()
@@ -94,6 +95,18 @@ describe("docs/api.md", function()
       end
     end)
   end
+
+  it("has a heading for every method of tiles", function()
+    local tiles = physics.newWorld():addTiles("tiles", { 1 }, 1, 16)
+    local count = 0
+    for name, value in pairs(getmetatable(tiles).__index) do
+      if type(value) == "function" then
+        assert.truthy(page:find("\n### tiles:" .. name .. "\n", 1, true), name)
+        count = count + 1
+      end
+    end
+    assert.equal(5, count)
+  end)
 
   it("has every counter of world.stats, and nothing that only the library reads", function()
     local section = page:match("\n### physics%.Stats %(type%)\n(.-)\n### ")

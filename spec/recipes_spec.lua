@@ -652,6 +652,90 @@ recipes["Checkpoints"] = function(snippet)
   assert.same({ 40, 3, 0 }, { g.player.x, g.player.health, g.player.coins })
 end
 
+recipes["A level from Tiled"] = function(snippet)
+  local g = play(snippet)
+  local lift = g.world.objects.Platforms[6]
+  assert.equal("lift", lift.name)
+  g.run(1)
+  assert.equal(344 - 32, g.player.y) -- on the floor of the map
+  assert.equal(344, g.world.objects.Platforms[1].y)
+  local highest, farthest = lift.y, lift.x
+  g.run(4, function()
+    highest, farthest = math.min(highest, lift.y), math.max(farthest, lift.x)
+  end)
+  assert.same({ 248, 176 }, { highest, farthest })
+  local slime = g.world.objects.Enemies[1]
+  assert.equal("slime", slime.name)
+  g.player.x, g.player.y = slime.x, slime.y - 60
+  g.run(1)
+  assert.are_not.equal(slime, g.world.objects.Enemies[1])
+end
+
+recipes["Levels from LDtk"] = function(snippet)
+  local g = play(snippet, "level")
+  local cave = g.look()
+  assert.equal("Cave", cave.level.identifier)
+  assert.equal(16, g.player.x)
+  g.player.vx = 100
+  g.run(1)
+  assert.equal("Top", g.look().level.identifier)
+  assert.equal(1, #g.world.objects.Door)
+  assert.equal(1, #g.world.objects.Collisions)
+  assert.is_true(g.player.x >= 20)
+  g.player.vx = 100
+  g.run(0.5)
+  assert.equal("Cave", g.look().level.identifier)
+  assert.are_not.equal(cave, g.look())
+end
+
+recipes["Digging"] = function(snippet)
+  local g = play(snippet)
+  g.run(0.5)
+  assert.equal(368, g.player.y)
+  g.press("down")
+  g.run(0.5)
+  assert.equal(384, g.player.y) -- one cell deeper
+  for _ = 1, 9 do
+    g.press("down")
+    g.run(0.5)
+  end
+  assert.is_true(g.player.y > 528) -- through the whole earth, and no error below it
+end
+
+recipes["Chunks"] = function(snippet)
+  local g = play(snippet, "chunks, changes, dig, updateChunks")
+  g.world:remove(g.env.floor)
+  g.player.y, g.player.gravity, g.player.x = 0, 0, 8000
+  local function measure()
+    local count = 0
+    for _ in pairs((g.look())) do
+      count = count + 1
+    end
+    return count
+  end
+  g.run(1)
+  assert.equal(3, measure())
+  local _, changes, dig = g.look()
+  local objects = #g.world.objects.earth
+  assert.is_true(objects > 3)
+  local hit = g.world:raycast(8000, 300, 8000, 900)
+  assert.equal(1, hit.tile.value)
+  dig(8000, hit.y + 1)
+  assert.truthy(next(changes))
+  local deeper = select(3, g.world:raycast(8000, 300, 8000, 900))
+  assert.equal(hit.y + 16, deeper)
+  g.player.vx = 3000
+  g.run(3)
+  assert.equal(3, measure())
+  assert.is_true(#g.world.objects.earth < 2 * objects)
+  g.player.vx = -3000
+  g.run(3)
+  g.player.vx = 0
+  g.run(0.5)
+  assert.equal(3, measure())
+  assert.equal(deeper, (select(3, g.world:raycast(8000, 300, 8000, 900)))) -- it is still dug
+end
+
 describe("the recipe", function()
   local loveBefore
 

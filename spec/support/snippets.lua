@@ -1,5 +1,6 @@
 --- Runs the snippets of the pages: a world to play in, and a LÖVE that does nothing by itself.
 
+local ldtk = require("spec.support.ldtk")
 local physics = require("physics")
 
 local snippets = {}
@@ -54,6 +55,9 @@ function snippets.newLove(held)
       load = function(path)
         return loadfile("spec/" .. path)
       end,
+      read = function(path)
+        return assert(path == "maps/cave.ldtk" and "its text")
+      end,
     },
   }
 end
@@ -85,6 +89,9 @@ function snippets.newEnvironment(printed, held)
       texts[i] = show((select(i, ...)))
     end
     printed[#printed + 1] = table.concat(texts, " ")
+  end
+  function environment.require(name)
+    return name == "dkjson" and { decode = ldtk.cave } or require(name)
   end
   world:update(1 / 60)
   return setmetatable(environment, { __index = _G })
