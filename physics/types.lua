@@ -209,7 +209,7 @@
 ---@class physics.DefaultWorld: physics.WorldSettings
 ---@field objects table<string|number, any> the game's groups of objects
 ---@field stats physics.Stats counters of the last step
----@field alpha number share of a fixed step that is saved up, 0..1
+---@field alpha number share of a fixed step that is saved up, 0..1; your own loop may write it
 local default = {}
 
 --- Moves the world on by dt seconds: reads the game's tables, moves the objects, writes the results

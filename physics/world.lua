@@ -34,7 +34,7 @@ local view = require(here .. ".view")
 ---@class physics.World: physics.WorldSettings
 ---@field objects table<string|number, any> the game's groups of objects
 ---@field stats physics.Stats counters of the last step
----@field alpha number share of a fixed step that is saved up, 0..1
+---@field alpha number share of a fixed step that is saved up, 0..1; your own loop may write it
 ---@field package _bodies table the columns of the simulation
 ---@field package _saved number s, time for which no fixed step was made yet
 ---@field package _restores integer how often it was put back to an earlier state
