@@ -51,6 +51,10 @@ test-gopher: ## runs the specs on gopher-lua, a Lua in Go (spec/gopher/README.md
 test-arm64: ## runs most specs on LuaJIT for arm64, emulated; TEST="--all" for all
 	@bash scripts/setup.sh arm64 && bash scripts/arm64.sh $(TEST)
 
+.PHONY: test-tiled
+test-tiled: ## exports maps by the editor Tiled itself, and loads them in LÖVE
+	@bash scripts/setup.sh tiled && bash scripts/tiled_maps.sh
+
 demo: setup ## opens the examples in LÖVE
 	@bash scripts/demo.sh
 

@@ -10,7 +10,7 @@
 --   local player = physics.add("players", { x = 40, y = 40, width = 24, height = 32 })
 --   physics.update(dt)
 --
--- This file is only the door: constructors, the default world, the pure functions, the version.
+-- This file holds the constructors, the default world, the pure functions and the version.
 
 local path = ...
 local bank = require(path .. ".memory.columnStore")
@@ -37,9 +37,9 @@ local function checkDot(first, name)
   end
 end
 
---- Returns a new, independent world.
+--- Returns a new world, independent of all others.
 ---
---- Errors: an unknown setting; a value that cannot be used.
+--- Errors: a setting is unknown or has a value that cannot be used.
 ---@param settings physics.Settings? default: see "Settings"
 ---@return physics.World
 function physics.newWorld(settings)
@@ -47,26 +47,26 @@ function physics.newWorld(settings)
   return (world.new(settings, "newWorld(settings)"))
 end
 
---- Makes the default world anew, empty, with these settings.
+--- Replaces the default world by a new, empty one with these settings. Callbacks of the old world
+--- are gone: set `physics.onBegin` and the like afterwards.
 ---
---- Errors: an unknown setting; a value that cannot be used.
+--- Errors: a setting is unknown or has a value that cannot be used.
 ---@param settings physics.Settings? default: see "Settings"
 function physics.load(settings)
   checkDot(settings, "load")
   default = world.new(settings, "load(settings)")
 end
 
---- Lets LuaJIT compile everything, also what happens to single objects, which is interpreted
---- otherwise, and keeps the numbers of the worlds that are made after it in typed arrays (FFI).
---- Heaps and boxes that bounce then take three fifths of the time, crowds two thirds, walkers half
---- to three quarters, with the same results to the bit. Call it once, right after `require`: the
---- default world takes part as long as nothing has been in it.
+--- Lets LuaJIT compile all code of the library; some of it is interpreted otherwise. Worlds that
+--- are made later keep their numbers in typed arrays (FFI). The results are the same to the bit,
+--- and most scenes get faster: see docs/performance.md. Call it once, right after `require`. The
+--- default world takes part as long as no object has been in it.
 ---
---- It raises two limits of LuaJIT, which are those of the whole program: 8000 traces instead of
---- 1000, and 16 MB of machine code instead of 0.5 (LÖVE 11.4 has 2000 and 16 by itself). So the
---- library does not do it unasked; if you set limits of your own, do so after it.
+--- It raises two limits of LuaJIT for the whole program: 8000 traces instead of 1000, and 16 MB of
+--- machine code instead of 0.5 MB (LÖVE 11.4 sets 2000 and 16 MB). That is why the library does not
+--- do it by itself. If you set limits of your own, do so afterwards.
 ---@return boolean compiles false: there is no compiler, or it is off (iOS, LÖVE 11.5 on Apple
----silicon, browsers, plain Lua)
+---   silicon, browsers, plain Lua)
 function physics.compile()
   if not interpreted.lift() then
     return false
@@ -97,7 +97,7 @@ end
 interpreted.always(addMethods)
 addMethods()
 
--- The setting of the default world counts, unless the call says otherwise.
+-- Without `sideBySide` the setting of the default world decides.
 local function checkCollision(a, b, c, d, e, f, g, h, sideBySide)
   if type(a) ~= "number" then
     if c == nil then
@@ -127,8 +127,8 @@ physics.checkCollision = dotted("checkCollision", checkCollision)
 physics.bump = dotted("bump", pure.bump)
 
 --- Defines the global names of the tutorial: `objects`, `physics_load`, `physics_update`,
---- `checkCollision`, `inside` and `bump`. `physics_update` reads the global `objects` anew each
---- time, since the tutorial assigns it. Without this call the library sets no global.
+--- `checkCollision`, `inside` and `bump`. Each `physics_update` uses the table that the global
+--- `objects` holds at that moment. Without this call the library sets no global.
 function physics.globals()
   local globals = _G
   globals.objects = default.objects
@@ -149,8 +149,8 @@ function physics.globals()
   globals.bump = pure.bump
 end
 
--- `physics.objects`, `physics.gravity`, `physics.stats`, `physics.onBegin`, … are the default
--- world's.
+-- `physics.objects`, `physics.gravity`, `physics.stats`, `physics.onBegin`, … are fields of the
+-- default world.
 setmetatable(physics, {
   __index = function(_, name)
     return default[name]

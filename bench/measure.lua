@@ -1,5 +1,5 @@
---- Plays one scene with one engine: once for the times, and once for everything whose measuring
---- would disturb the times.
+--- Plays one scene with one engine: once for the times, and once for everything else, which would
+--- disturb the times.
 
 local overlap = require("spec.support.overlap")
 local statistics = require("bench.statistics")
@@ -44,7 +44,7 @@ local function playFrame(worlds, scene, step)
 end
 
 -- Plays the frames before the measuring starts. Returns whether there was time for all of them, how
--- long the slowest took, since the first ones read everybody and compile, and all of them, in ms.
+-- long the slowest took, since the first ones read all objects and compile, and all of them, in ms.
 local function warmUp(worlds, scene, deadline)
   local slowest, sum = 0, 0
   for step = 1, scene.warmUp do

@@ -22,7 +22,7 @@ end
 -- Lifts and crates pass through a coin: a sensor that one passes through says nothing.
 local COIN_MASK = { lifts = false, crates = false }
 
---- Adds a coin with its middle at x, y. Who takes it has one more in `purse.coins`.
+--- Adds a coin with its middle at x, y. Touching it adds one to `purse.coins`.
 function boxes.addCoin(world, x, y, purse)
   local coin = { static = true, sensor = true, isCoin = true, mask = COIN_MASK }
   function coin.onBegin()
@@ -32,7 +32,7 @@ function boxes.addCoin(world, x, y, purse)
   return boxes.add(world, "coins", "yellow", x - 9, y - 9, 18, 18, coin)
 end
 
---- Reads a level, whose lines are rows of characters: calls `build(character, x, y)` with the
+--- Reads a level, a text with a row of characters per line: calls `build(character, x, y)` with the
 --- top-left corner of each one's tile, row by row.
 function boxes.build(level, tile, build)
   local row = 0

@@ -1,6 +1,5 @@
--- Balls that lose no speed however often they bounce, and bullets that fly 200 px in a single step
--- and yet miss no brick. A white brick holds another ball. Where the ball meets the paddle says
--- where it goes.
+-- Balls bounce without losing speed. Bullets fly 200 px in a single step and miss no brick. A white
+-- brick holds another ball. Where the ball hits the paddle decides where it goes.
 
 local boxes = require("boxes")
 local input = require("input")

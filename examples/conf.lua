@@ -6,7 +6,7 @@ local view = require("view")
 local isReadable, problem = pcall(script.read, arg or {})
 
 if script.isOn then
-  -- LÖVE shows errors on a blue screen and waits for a key that nobody will press here.
+  -- LÖVE shows errors on a blue screen and waits for a key that is never pressed here.
   function love.errorhandler(message)
     io.stderr:write(debug.traceback(tostring(message), 2), "\n")
     os.exit(1)

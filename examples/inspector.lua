@@ -55,8 +55,8 @@ local function find(world, x, y)
   return found[1]
 end
 
---- Draws what there is to say about who is at a point of the picture. `cameraX, cameraY`: the place
---- of the world at the picture's top-left corner.
+--- Draws what there is to say about the object at a point of the picture. `cameraX, cameraY`: the
+--- place of the world at the picture's top-left corner.
 function inspector.draw(world, x, y, cameraX, cameraY)
   local object = find(world, x + cameraX, y + cameraY)
   if not object then

@@ -1,5 +1,5 @@
--- A factory. Who stands on a lift or a belt rides along, and who stands on a rider, too. Shelves
--- can be jumped through from below. The press crushes what lies under it. Take the five coins.
+-- A factory. What stands on a lift or a belt rides along, and so does what stands on a rider. You
+-- can jump through shelves from below. The press crushes what is under it. Take the five coins.
 
 local boxes = require("boxes")
 local hero = require("hero")
@@ -60,7 +60,7 @@ function lifts.load()
     local y = 466 - i * 90
     boxes.add(world, "shelves", "teal", 790, y, 130, 12, { static = true, oneWay = "top" })
   end
-  addLift("sky", 40, 540, 110, 16, 40, 210, 3, "top") -- one-way: it crushes nobody below
+  addLift("sky", 40, 540, 110, 16, 40, 210, 3, "top") -- one-way: it crushes nothing below
   addLift("sky", 180, 210, 150, 16, 610, 210, 3.5)
   press = addLift("slate", 454, 356, 76, 34, 454, 460 - SHEET - 34, 1.5)
   for i = 0, 2 do

@@ -91,7 +91,7 @@ function look.panel(x, y, width, height, radius)
   love.graphics.rectangle("fill", x, y, width, height, radius or 10)
 end
 
---- Draws a slider whose knob stands at a share (0..1) of its width.
+--- Draws a slider with its knob at a share (0..1) of its width.
 function look.slider(x, y, width, share, color)
   look.color("slate")
   love.graphics.rectangle("fill", x, y, width, 8, 4)

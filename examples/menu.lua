@@ -80,7 +80,7 @@ local function kick(box)
   box.vx, box.vy = random:random(-KICK, KICK) / 3, -random:random(KICK / 2, KICK)
 end
 
--- Returns the number of the example whose entry is at a point, or nil.
+-- Returns the number of the example that has its entry at a point, or nil.
 local function entryAt(x, y)
   for i = 1, #EXAMPLES do
     local top = Y + (i - 1) * (HEIGHT + GAP)

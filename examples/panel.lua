@@ -87,7 +87,7 @@ local function drawButton(button, y, isHovered)
   look.text(button.text, x + 6, y + 6, 14)
 end
 
---- Draws the panel. `about`: `{ title =, comment = }`; `world`: whose counters are shown, or nil;
+--- Draws the panel. `about`: `{ title =, comment = }`; `world`: its counters are shown, or nil;
 --- `hovered`: the button under the mouse, or nil.
 function panel.draw(about, world, buttons, hovered)
   look.color("night")

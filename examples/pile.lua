@@ -1,5 +1,5 @@
--- Many boxes dropped on each other. What lies still is darker: nothing is computed for it. Throw
--- some about, watch what a step costs, and let the broad phase look at all pairs instead.
+-- Many boxes are dropped on each other. Boxes at rest are darker: nothing is computed for them.
+-- Throw some, watch the time of a step, and let the broad phase look at all pairs instead.
 
 local look = require("look")
 local physics = require("physics")

@@ -1,8 +1,8 @@
--- A level to play: run, jump, push the crate, land on heads, get to the flag. Jumping forgives: a
--- key pressed a little early or late counts, and how long you hold it says how high.
+-- A level to play: run, jump, push the crate, land on heads, reach the flag. A jump key that is
+-- pressed a little early or late counts. The longer you hold it, the higher you jump.
 --
--- This file is the game: who is in the level and how the player moves. How it all looks is in
--- platformer_art.lua; the physics is the library's.
+-- This file is the game: what is in the level and how the player moves. How it looks is in
+-- platformer_art.lua. The physics is that of the library.
 
 local art = require("platformer_art")
 local input = require("input")
@@ -38,8 +38,8 @@ local STOMP_SPEED, SPRING_SPEED, ENEMY_SPEED = 520, 1180, 70 -- px/s
 
 local world, player, state ---@type physics.World, any, table
 
--- Who touches what is told by callbacks. They may remove objects or move them: the library calls
--- them when its step is done.
+-- Callbacks tell what touches what. They may remove and move objects, because the library calls
+-- them after the step.
 
 local function die()
   if not state.deadFor then
@@ -113,7 +113,7 @@ local build = {
     world:add("enemies", enemy)
   end,
   ["^"] = function(x, y)
-    -- Smaller than its picture: nobody likes to die beside a spike.
+    -- Smaller than its picture: no player likes to die beside a spike.
     local spikes = { x = x + 6, y = y + 22, width = 28, height = 18, static = true, sensor = true }
     spikes.onBegin = hitSpikes
     world:add("spikes", spikes)

@@ -1,6 +1,5 @@
--- Football for two, and a slider that turns back time. From there the game can be seen again, which
--- gives the same to the last bit, or be played on differently. Network games play on like that when
--- they hear late of a key.
+-- Football for two, and a slider that turns back time. From there you can watch the game again,
+-- the same to the last bit, or play on differently. Network games do this when a key arrives late.
 
 local football = require("football")
 local input = require("input")

@@ -5,7 +5,7 @@ local say = { isOn = false }
 
 local name, time, second ---@type string?, number, number
 
--- A line that is kept back until a buffer is full comes too late for who waits for it.
+-- A line that is kept back until a buffer is full comes too late for the program that waits for it.
 local function line(text)
   io.stdout:write(text, "\n")
   io.stdout:flush()

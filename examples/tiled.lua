@@ -1,10 +1,12 @@
 -- A level from the editor Tiled. Its solid tiles become few large rectangles: press X to see them.
--- Its objects become objects of the world, with the fields that they were given in the editor.
+-- Its objects become objects of the world. Their fields are set in the editor. Earth can be dug:
+-- only the rectangle that it is a part of is cut.
 --
 -- The map is maps/hills.lua, an export as Lua; tiled_map.lua draws it.
 
 local boxes = require("boxes")
 local hero = require("hero")
+local input = require("input")
 local look = require("look")
 local physics = require("physics")
 local sparks = require("sparks")
@@ -16,6 +18,7 @@ local tiled = {
     { "left", "right", "run" },
     { "space", "jump, swim" },
     { "down", "drop through" },
+    { "e", "dig ahead, with down below" },
     { "g", "merge tiles or not" },
   },
 }
@@ -68,7 +71,7 @@ function tiled.load()
   end
   player = level.named.hero
   player.lookX, player.lookY = 1, 0
-  state = { time = 0, coins = 0, deaths = 0, camera = 0, isWon = false }
+  state = { time = 0, coins = 0, deaths = 0, camera = 0, dug = 0, isWon = false }
   state.startX, state.startY, state.coinsInLevel = player.x, player.y, #world.objects.coins
   tiled.world = world
   tiledMap.load(level.map)
@@ -90,6 +93,38 @@ local function swim(dt)
   player.gravity = state.isInWater and IN_WATER or nil
   player.airFriction = state.isInWater and DRAG_IN_WATER or 0
   hero.run(player, dt, nil, state.isInWater and SWIM_SPEED or nil)
+end
+
+-- Digs out the cell of earth at a point, if there is one.
+local function digAt(x, y)
+  local tiles = level.tileLayers.ground
+  local column, row = tiles:cellAt(x, y)
+  for _, object in ipairs(world:queryPoint(x, y, "ground")) do
+    if column and object.type == "earth" and object.tiled.tiles == tiles then
+      tiles:setTile(column, row, 0)
+      tiledMap.clear("ground", column, row)
+      local size = tiles.tileWidth
+      local cell = { x = tiles.x + column * size, y = tiles.y + row * size }
+      cell.width, cell.height = size, size
+      sparks.burst(cell, 12, "plum")
+      state.dug = state.dug + 1
+      return true
+    end
+  end
+  return false
+end
+
+local function dig()
+  local feet = player.y + player.height
+  if input.isDown("down", "s") then -- all that it stands on
+    digAt(player.x + 1, feet + 1)
+    digAt(player.x + player.width - 1, feet + 1)
+    return
+  end
+  local x = player.lookX > 0 and player.x + player.width + 1 or player.x - 1
+  if not digAt(x, feet - 1) then
+    digAt(x, player.y + 1)
+  end
 end
 
 local function follow(dt)
@@ -120,6 +155,8 @@ function tiled.keypressed(key, isRepeat)
     end
   elseif key == "down" or key == "s" then
     world:dropThrough(player)
+  elseif key == "e" then
+    dig()
   elseif key == "g" then
     isMerging = not isMerging
     tiled.load()
@@ -128,6 +165,15 @@ end
 
 function tiled.camera()
   return math.floor(state.camera), 0
+end
+
+-- How many solid tiles there are now, or rectangles of them.
+local function count(what)
+  local sum = 0
+  for _, layer in ipairs({ "ground", "plants", "far hills" }) do
+    sum = sum + level.tileLayers[layer][what]
+  end
+  return sum
 end
 
 local function drawObjects()
@@ -163,21 +209,22 @@ function tiled.draw()
     "yellow",
     ("%d of %d coins"):format(state.coins, state.coinsInLevel),
     "white",
-    ("%d solid tiles, %d rectangles"):format(level.tiles, level.rectangles),
+    ("%d solid tiles, %d rectangles"):format(count("tiles"), count("rectangles")),
     "lime",
     state.isWon and "You made it!" or "",
   })
 end
 
 function tiled.report()
-  local result = "tiled: x=%d y=%d coins=%d deaths=%d tiles=%d rectangles=%d won=%s"
+  local result = "tiled: x=%d y=%d coins=%d deaths=%d tiles=%d rectangles=%d dug=%d won=%s"
   return result:format(
     player.x,
     player.y,
     state.coins,
     state.deaths,
     level.tiles,
-    level.rectangles,
+    count("rectangles"),
+    state.dug,
     tostring(state.isWon)
   )
 end

@@ -35,19 +35,21 @@ local function addTile(batch, value, x, y)
     angle, scaleX, scaleY = math.pi / 2, scaleY, -scaleX
   end
   local halfWidth, halfHeight = map.tilewidth / 2, map.tileheight / 2
-  batch:add(quads[gid], x + halfWidth, y + halfHeight, angle, scaleX, scaleY, halfWidth, halfHeight)
+  x, y = x + halfWidth, y + halfHeight
+  return batch:add(quads[gid], x, y, angle, scaleX, scaleY, halfWidth, halfHeight)
 end
 
 local function addLayer(layer)
-  local batch = love.graphics.newSpriteBatch(image, #layer.data)
+  local batch, sprites = love.graphics.newSpriteBatch(image, #layer.data), {}
   for i, gid in ipairs(layer.data) do
     if gid ~= 0 then
       local column = (i - 1) % layer.width
       local row = (i - 1 - column) / layer.width
-      addTile(batch, gid, column * map.tilewidth, row * map.tileheight)
+      sprites[i] = addTile(batch, gid, column * map.tilewidth, row * map.tileheight)
     end
   end
-  layers[layer.name] = { batch = batch, parallax = layer.parallaxx }
+  layers[layer.name] = { batch = batch, parallax = layer.parallaxx, sprites = sprites }
+  layers[layer.name].columns = layer.width
 end
 
 local function addLayers(list)
@@ -73,6 +75,15 @@ function tiledMap.drawLayer(name, x)
   love.graphics.setColor(1, 1, 1, 1)
   -- Whole pixels: between two of them, gaps would show between the tiles.
   love.graphics.draw(layer.batch, math.floor(x * (1 - layer.parallax)), 0)
+end
+
+--- Does not draw a tile any more; columns and rows from 0.
+function tiledMap.clear(name, column, row)
+  local layer = layers[name]
+  local sprite = layer.sprites[row * layer.columns + column + 1]
+  if sprite then
+    layer.batch:set(sprite, 0, 0, 0, 0, 0)
+  end
 end
 
 --- Draws a tile object where its box is: the box is a part of the tile, as the tileset says.

@@ -1,5 +1,5 @@
--- Rooms seen from above, with doors that are exactly as wide as you: who misses one by a little
--- slips in. The orange gate is open while a crate lies on the plate; the pale door lets only ghosts
+-- Rooms seen from above. The doors are exactly as wide as you: if you miss one by a little, you
+-- slip in. The orange gate is open while a crate is on the plate. The pale door lets only ghosts
 -- through. Take all the coins.
 
 local boxes = require("boxes")
@@ -33,14 +33,14 @@ local LEVEL = [[
 ########################
 ]]
 local TILE = 40 -- px, also the size of the player: it just fits through a door
-local NUDGE = 14 -- px: who misses a door by no more than this slips in
+local NUDGE = 14 -- px: a player that misses a door by at most this slips in
 local ENGINE, FLOOR_DRAG, MAX_SPEED = 2600, 1200, 230 -- px/s², px/s², px/s
 -- A mask names the groups that one passes through.
 local GHOST = { ghostDoors = false, crates = false, coins = false }
 
 local world, player, gate, state ---@type physics.World, any, physics.Object, table
 
--- A sensor tells who comes and who goes.
+-- A sensor tells what comes and what goes.
 local function setGate(change)
   return function()
     state.pressing = state.pressing + change
@@ -49,7 +49,7 @@ local function setGate(change)
   end
 end
 
--- What stands on the tile whose top-left corner is x, y.
+-- What stands on the tile with its top-left corner at x, y.
 local function build(character, x, y)
   local function add(group, color, size, object)
     local margin = (TILE - size) / 2

@@ -1,5 +1,5 @@
--- "Making a Simple 2D Physics Engine", the tutorial from which this library grew, in ten steps to
--- play with: move the boxes, with the mouse or the keys, and watch what the code makes of it.
+-- "Making a Simple 2D Physics Engine": the tutorial from which this library grew, in ten steps to
+-- play with. Move the boxes with the mouse or the keys, and watch what the code says.
 --
 -- This file turns the pages; each step is one file in lessons/.
 
@@ -47,7 +47,7 @@ function tutorial.load()
   open(1)
 end
 
---- Begins the page anew, and not the whole tutorial.
+--- Starts the page again, not the whole tutorial.
 function tutorial.restart()
   open(page)
 end

@@ -1,10 +1,10 @@
 ---@meta _
 --- The types of this library for editors (LuaLS, EmmyLua). Nothing requires this file.
---- Written by scripts/types.lua from physics/fields.lua and physics/world.lua: change those.
+--- scripts/types.lua writes it from physics/world/fields.lua and physics/world/world.lua: change those.
 
 ---@alias physics.Side "left"|"right"|"top"|"bottom"
 
---- A rectangle: left edge, top edge and size, in px. Fields of the game's own may stand beside.
+--- A rectangle: left edge, top edge and size, in px. It may have fields of your own.
 ---@class physics.Box
 ---@field x number px, the left edge
 ---@field y number px, the top edge; y grows downwards
@@ -19,37 +19,39 @@
 ---@field left physics.Object|false
 ---@field right physics.Object|false
 
---- What a game gives to `add`, or puts into a group: a table of its own.
+--- Your own table that you give to `add` or put into a group.
 ---@class physics.NewObject: physics.Box
---- px/s, default 0. The velocity along x; relative to what carries it, for a rider.
+--- px/s, default 0. The velocity along x. For a rider it is relative to what carries it.
 ---@field vx? number
---- px/s, default 0. The velocity along y, downwards; relative to what carries it, for a rider.
+--- px/s, default 0. The velocity along y, downwards. For a rider it is relative to what carries it.
 ---@field vy? number
 --- px/s², default 0. A constant acceleration along x: an engine, wind, a magnet.
 ---@field ax? number
 --- px/s², default 0. A constant acceleration along y, on top of gravity.
 ---@field ay? number
---- default false. It never moves; read once when it is first seen, `refresh` reads it again.
+--- default false. It never moves. A static object is read once, when it is first seen; `refresh`
+--- reads it again.
 ---@field static? boolean
---- default false. It moves by its own velocity or by the game writing x and y, pushes, is never
+--- default false. It moves by its own velocity, or by the game writing `x, y`. It pushes, is never
 --- pushed and feels no gravity.
 ---@field kinematic? boolean
 --- default true. `false` takes it out: no motion, no contacts, no queries.
 ---@field active? boolean
---- default false. It reports contacts, is never bumped and bumps nobody.
+--- default false. It reports contacts, but nothing bumps into it.
 ---@field sensor? boolean
---- default true. `false`: other objects cannot push it, walls still stop it.
+--- default true. `false`: other objects cannot push it, but it pushes them. Walls still stop it.
 ---@field pushable? boolean
---- > 0, default 1. Its weight in the sharing of pushes and momentum; only ratios matter.
+--- > 0, default 1. The weight in pushes and in the exchange of momentum. Only ratios matter.
 ---@field mass? number
---- px/s², default the world's. Replaces the world's downward gravity for this object; 0 floats.
+--- px/s², default the world's. Replaces the world's downward gravity for this object. An object
+--- with 0 floats.
 ---@field gravity? number
 --- px/s², default the world's. Replaces the world's sideways gravity for this object.
 ---@field gravityX? number
---- >= 0, default 0; static and kinematic: the other object's. The Coulomb coefficient of rubbing; a
---- pair uses the square root of the product.
+--- >= 0, default 0; static and kinematic: the other object's. The Coulomb coefficient. A pair uses
+--- the square root of the product.
 ---@field friction? number
---- 0..1, default 0. The bounciness, 0 none, 1 all of it; a pair uses the larger one.
+--- 0..1, default 0. The bounciness: 0 none, 1 all of it. A pair uses the larger one.
 ---@field restitution? number
 --- 1/s, >= 0, default 0. Damping: the speed falls as e^(-k t), the same at any frame rate.
 ---@field airFriction? number
@@ -59,54 +61,57 @@
 ---@field maxSpeed? number
 --- px/s, >= 0, default none. The limit of the speed along x, in both directions.
 ---@field maxSpeedX? number
---- px/s, >= 0, default none. The limit of the speed along y, in both directions.
+--- px/s, >= 0, default none. The limit of the speed along y, in both directions: it also cuts a
+--- jump that is faster.
 ---@field maxSpeedY? number
---- default collides with every group. `mask[group] = false` passes through that group; either side
---- of a pair may refuse.
+--- default collides with every group. `mask[group] = false`: passes through the objects of that
+--- group. `true` and nil collide. Either object of a pair may refuse.
 ---@field mask? table<string|number, boolean>
---- default none: solid all around. The one side that is solid; the others let everything through,
---- floors included: it is for static and kinematic objects.
----@field oneWay? "top"|"bottom"|"left"|"right"
---- default true. A kinematic object takes its riders along; `false`: it slides away under them.
+--- default none: solid all around. The one side that is solid; `true` is the top. The others let
+--- everything through. For static and kinematic objects.
+---@field oneWay? boolean|"top"|"bottom"|"left"|"right"
+--- default true. Whether a kinematic object takes its riders along. `false`: it slides away under
+--- them.
 ---@field carry? boolean
---- px/s, default 0. A conveyor: what stands on it is moved along x at this speed.
+--- px/s, default 0. A conveyor: what stands on it moves along x at this speed.
 ---@field surfaceSpeed? number
---- px, >= 0, default 0. Corner correction: a hit that misses by at most this much slides around the
---- corner; who lands on an edge is never moved off it.
+--- px, >= 0, default 0. Corner correction: an object that hits a static or kinematic corner by at
+--- most this much slides past it. One that lands on an edge is not moved.
 ---@field nudge? number
---- default none. Called once when a contact starts; side is the side of self that was hit, speed
---- the approach speed in px/s.
+--- default none. Called once when a contact starts. `side` is the side of `self` that was hit,
+--- `speed` the approach speed in px/s.
 ---@field onBegin? fun(self: physics.Object, other: physics.Object, side: physics.Side, speed: number)
 --- default none. Called at every further step of a contact.
 ---@field onStay? fun(self: physics.Object, other: physics.Object, side: physics.Side)
 --- default none. Called once when a contact ends, also when one of the two is removed or
 --- deactivated.
 ---@field onEnd? fun(self: physics.Object, other: physics.Object, side: physics.Side)
---- default none. Called once when self is held between a and b, which cannot give way; axis is "x"
---- or "y".
+--- default none. Called once when `self` is held between `a` and `b`, neither of which can give
+--- way. `axis` is "x" or "y".
 ---@field onCrush? fun(self: physics.Object, a: physics.Object, b: physics.Object, axis: "x"|"y")
---- default always. Asked before a contact: `false` lets the pair pass through for this step; it
---- must not change the world.
+--- default always. Asked before a contact: `false` lets the pair pass through each other for this
+--- step. It must not change the world.
 ---@field canCollide? fun(self: physics.Object, other: physics.Object, side: physics.Side): boolean?
 
---- An object in a world. `vx`, `vy` and `touching` are there when it is dynamic.
+--- An object in a world. A dynamic one always has `vx`, `vy` and `touching`.
 ---@class physics.Object: physics.NewObject
---- px/s, default 0. The velocity along x; relative to what carries it, for a rider.
+--- px/s, default 0. The velocity along x. For a rider it is relative to what carries it.
 ---@field vx number
---- px/s, default 0. The velocity along y, downwards; relative to what carries it, for a rider.
+--- px/s, default 0. The velocity along y, downwards. For a rider it is relative to what carries it.
 ---@field vy number
---- What a dynamic object touches: top, bottom, left and right, each the other object or false.
+--- What a dynamic object touches: `top`, `bottom`, `left` and `right`, each the other object or
+--- `false`.
 ---@field touching physics.Touching
 
 --- What `newWorld` and `load` take.
 ---@class physics.Settings
---- px/s², default 9.81 * 64. The downward acceleration of everything that moves, for 64 px to the
---- metre.
+--- px/s², default 9.81 * 64. The downward acceleration of everything that moves. The default is
+--- that of the earth at 64 px to the metre.
 ---@field gravity? number
 --- px/s², default 0. The sideways acceleration of everything that moves.
 ---@field gravityX? number
---- default "both". Who gives way: both of a pair by inverse mass, or only the object that ran into
---- the other.
+--- default "both". Which of two objects gives way: both, the lighter one more, or only the one that
+--- ran into the other.
 ---@field push? "both"|"first"
 --- default every group collides with every group. Groups that pass through each other: `masks = {
 --- bullets = { players = false } }`.
@@ -114,49 +119,50 @@
 --- default false. Whether flush neighbours that never pressed each other count as colliding: in
 --- events, `touching`, `queryRect`, `overlapping` and `checkCollision`.
 ---@field sideBySide? boolean
---- default "auto". How pairs that may meet are found, all with the same result to the bit; `auto`
+--- default "auto". How pairs that may meet are found, all with the same result to the bit. `auto`
 --- is the grid.
 ---@field broadphase? "auto"|"pairs"|"grid"
---- px, > 0, default 48. The width and height of the smallest cells of the grid: most objects should
---- fit into one, with some 10 px to spare. Larger ones stand in larger cells.
+--- px, > 0, default 48. The width and height of the smallest cells of the grid. Most objects should
+--- fit into one, with some 10 px to spare; larger objects use larger cells.
 ---@field cellSize? number
 --- s, 1e-05..0.25, default none: a step is as long as dt. A fixed step: `update` saves up dt and
---- makes as many of them as fit.
+--- makes as many of these steps as fit.
 ---@field timestep? number
---- s, 1e-05..0.25, default 1 / 30. The longest single step; a longer dt is split, but a `timestep`
---- is one step.
+--- s, 1e-05..0.25, default 1 / 30. The longest single step. A longer dt is split into equal steps.
+--- A `timestep` is never split.
 ---@field maxStep? number
---- default numbers ascending, then strings. Group names from first to last; those that are not
---- listed follow in usual order.
+--- default numbers ascending, then strings. Group names from first to last. Groups that are not
+--- listed follow in the usual order.
 ---@field order? (string|number)[]
---- default true. Whether objects whose step would change nothing are skipped; the result is the
+--- default true. Whether objects are skipped when a step would not change them. The result is the
 --- same to the bit.
 ---@field rest? boolean
---- default false. Whether every step also looks for what is easily done wrong: a static object
---- changed without `refresh`, a misspelled field, an object in two worlds; for a game that is being
---- written.
+--- default false. Whether every step also looks for common mistakes, such as a misspelt field or a
+--- static object that was changed without `refresh`. Use it while you write the game.
 ---@field checked? boolean
---- default none. Called once when a contact starts, a before b in order; side is the side of a.
+--- default none. Called once when a contact starts, with `a` before `b` in order. `side` is the
+--- side of `a`.
 ---@field onBegin? fun(a: physics.Object, b: physics.Object, side: physics.Side, speed: number)
 --- default none. Called at every further step of a contact.
 ---@field onStay? fun(a: physics.Object, b: physics.Object, side: physics.Side)
 --- default none. Called once when a contact ends.
 ---@field onEnd? fun(a: physics.Object, b: physics.Object, side: physics.Side)
---- default none. Called once when an object is held between a and b, which cannot give way.
+--- default none. Called once when an object is held between `a` and `b`, neither of which can give
+--- way.
 ---@field onCrush? fun(object: physics.Object, a: physics.Object, b: physics.Object, axis: "x"|"y")
---- default always. Asked before every contact: `false` lets the pair pass through for this step; it
---- must not change the world.
+--- default always. Asked before every contact: `false` lets the pair pass through each other for
+--- this step. It must not change the world.
 ---@field canCollide? fun(a: physics.Object, b: physics.Object, side: physics.Side): boolean?
 
---- The settings as fields of a world: they may change between two updates.
+--- The settings as fields of a world. They may change between two updates.
 ---@class physics.WorldSettings
---- px/s², default 9.81 * 64. The downward acceleration of everything that moves, for 64 px to the
---- metre.
+--- px/s², default 9.81 * 64. The downward acceleration of everything that moves. The default is
+--- that of the earth at 64 px to the metre.
 ---@field gravity number
 --- px/s², default 0. The sideways acceleration of everything that moves.
 ---@field gravityX number
---- default "both". Who gives way: both of a pair by inverse mass, or only the object that ran into
---- the other.
+--- default "both". Which of two objects gives way: both, the lighter one more, or only the one that
+--- ran into the other.
 ---@field push "both"|"first"
 --- default every group collides with every group. Groups that pass through each other: `masks = {
 --- bullets = { players = false } }`.
@@ -164,212 +170,240 @@
 --- default false. Whether flush neighbours that never pressed each other count as colliding: in
 --- events, `touching`, `queryRect`, `overlapping` and `checkCollision`.
 ---@field sideBySide boolean
---- default "auto". How pairs that may meet are found, all with the same result to the bit; `auto`
+--- default "auto". How pairs that may meet are found, all with the same result to the bit. `auto`
 --- is the grid.
 ---@field broadphase "auto"|"pairs"|"grid"
---- px, > 0, default 48. The width and height of the smallest cells of the grid: most objects should
---- fit into one, with some 10 px to spare. Larger ones stand in larger cells.
+--- px, > 0, default 48. The width and height of the smallest cells of the grid. Most objects should
+--- fit into one, with some 10 px to spare; larger objects use larger cells.
 ---@field cellSize? number
 --- s, 1e-05..0.25, default none: a step is as long as dt. A fixed step: `update` saves up dt and
---- makes as many of them as fit.
+--- makes as many of these steps as fit.
 ---@field timestep? number
---- s, 1e-05..0.25, default 1 / 30. The longest single step; a longer dt is split, but a `timestep`
---- is one step.
+--- s, 1e-05..0.25, default 1 / 30. The longest single step. A longer dt is split into equal steps.
+--- A `timestep` is never split.
 ---@field maxStep number
---- default numbers ascending, then strings. Group names from first to last; those that are not
---- listed follow in usual order.
+--- default numbers ascending, then strings. Group names from first to last. Groups that are not
+--- listed follow in the usual order.
 ---@field order? (string|number)[]
---- default true. Whether objects whose step would change nothing are skipped; the result is the
+--- default true. Whether objects are skipped when a step would not change them. The result is the
 --- same to the bit.
 ---@field rest boolean
---- default false. Whether every step also looks for what is easily done wrong: a static object
---- changed without `refresh`, a misspelled field, an object in two worlds; for a game that is being
---- written.
+--- default false. Whether every step also looks for common mistakes, such as a misspelt field or a
+--- static object that was changed without `refresh`. Use it while you write the game.
 ---@field checked boolean
---- default none. Called once when a contact starts, a before b in order; side is the side of a.
+--- default none. Called once when a contact starts, with `a` before `b` in order. `side` is the
+--- side of `a`.
 ---@field onBegin? fun(a: physics.Object, b: physics.Object, side: physics.Side, speed: number)
 --- default none. Called at every further step of a contact.
 ---@field onStay? fun(a: physics.Object, b: physics.Object, side: physics.Side)
 --- default none. Called once when a contact ends.
 ---@field onEnd? fun(a: physics.Object, b: physics.Object, side: physics.Side)
---- default none. Called once when an object is held between a and b, which cannot give way.
+--- default none. Called once when an object is held between `a` and `b`, neither of which can give
+--- way.
 ---@field onCrush? fun(object: physics.Object, a: physics.Object, b: physics.Object, axis: "x"|"y")
---- default always. Asked before every contact: `false` lets the pair pass through for this step; it
---- must not change the world.
+--- default always. Asked before every contact: `false` lets the pair pass through each other for
+--- this step. It must not change the world.
 ---@field canCollide? fun(a: physics.Object, b: physics.Object, side: physics.Side): boolean?
 
---- The default world, which the functions of the module mean.
+--- The default world, on which the functions of the module work.
 ---@class physics.DefaultWorld: physics.WorldSettings
 ---@field objects table<string|number, any> the game's groups of objects
 ---@field stats physics.Stats counters of the last step
----@field alpha number share of a fixed step that is saved up, 0..1
+---@field alpha number share of a fixed step that is saved up, 0..1; your own loop may write it
 local default = {}
 
---- Moves the world on by dt seconds: collects the game's tables, moves and bumps what is in them,
---- writes the results back and tells the events. More than `maxStep` is split into equal steps,
---- more than 0.25 s is cut to that; 0, or less than 1e-10 s, reads the tables and moves nothing.
+--- Moves the world on by dt seconds: reads the game's tables, moves the objects, writes the results
+--- back and calls the callbacks.
 ---
---- Errors: dt is no number >= 0; a group, key, field or setting that cannot be used (nothing has
---- changed then); called from inside `canCollide`; whatever a callback raises.
+--- A dt above `maxStep` is split into equal steps. A dt above 0.25 s is cut to 0.25 s, so a game
+--- that is too slow runs in slow motion. A dt of 0 (or below 1e-10 s) reads the tables and moves
+--- nothing.
+---
+--- With `timestep` an update makes one step, several, or none. Code that must run once per step,
+--- such as a jump buffer, then needs a loop of its own: see "A fixed step" in docs/recipes.md.
+---
+--- Errors: dt is not a number >= 0; a group, key, field or setting has a value that cannot be used
+--- (nothing has changed then); it is called from inside `canCollide`; a callback raises an error.
 ---@param dt number s, >= 0
 function default.update(dt) end
 
---- Puts an object at the end of a group, which is made if it is not there. The same as
---- `table.insert(world.objects[group], object)`, but it checks the fields at once, gives the object
---- its `touching`, and reads one anew that was taken out since the last update, also a static one.
+--- Puts an object at the end of a group and returns it. A group that does not exist is made.
 ---
---- Errors: a group that is no name; no table; a field that cannot be used; an object that already
---- stands in the world. Nothing has changed then. (One that was put in by hand since the last
---- update is only found by the next one: an object in two places.)
+--- It does the same as `table.insert(world.objects[group], object)`, and more. It checks the fields
+--- at once and gives a dynamic object its `vx`, `vy` and `touching`. An object that was removed
+--- since the last update is read again.
+---
+--- Errors: the group is not a string or a number; the object is not a table; a field has a value
+--- that cannot be used; the object is already in the world. Nothing has changed then. (An object
+--- that you put in by hand since the last update is found by the next update: "the same object
+--- as".)
 ---@param group string|number name of the group
----@param object physics.NewObject the game's own table: x, y, width, height and whatever else
+---@param object physics.NewObject your own table: x, y, width, height and any other fields
 ---@return physics.Object object the same table
 function default.add(group, object) end
 
---- Takes an object out of the world, out of its group's table. Its contacts end with `onEnd` at the
---- next update.
+--- Takes an object out of the world, that is out of its group's table. Its contacts end with
+--- `onEnd` at the next update. An object that is added again before that update has never been
+--- away.
 ---
---- Errors: no table.
----@param object physics.NewObject who is to go
+--- Later objects of the group move up one place, as with `table.remove`. Inside a loop go
+--- backwards, `for i = #group, 1, -1 do`, or loop over the list that a query returns. A forward
+--- `ipairs` over the group would skip the object after each removed one.
+---
+--- Errors: the object is not a table.
+---@param object physics.NewObject the object to remove
 ---@return boolean removed false: it was not in the world
 function default.remove(object) end
 
---- Reads an object anew, also the fields that are read only once: `static`, and everything of a
---- static object. Also tells later questions that it has gone far away.
+--- Reads an object again, also the fields that are read only once: `static`, and all fields of a
+--- static object. Call it after changing one of these by hand. Queries see the change at once.
 ---
---- Errors: no table; an object that is not in the world; a field that cannot be used.
----@param object physics.NewObject who was changed
+--- On a kinematic object it also means "it is there now": without `refresh` an object gets to
+--- the `x, y` that you write during the next step, and pushes what is in its way.
+---
+--- Errors: the object is not a table, or not in the world; a field has a value that cannot be used.
+---@param object physics.NewObject the object that you changed
 function default.refresh(object) end
 
---- Lets an object fall through the one-way objects it stands on. It passes them until it is clear
---- of them, also if something else holds it up until then.
+--- Lets an object fall through the one-way objects that it stands on. It passes through them until
+--- it is clear of them. If it also stands on something solid, it stays there, although the result
+--- is true; it passes through the one-way objects when it leaves the solid one.
 ---
---- Errors: no table; an object that is not in the world.
----@param object physics.NewObject who stands there
----@return boolean dropped false: it stands on none
+--- Errors: the object is not a table, or not in the world.
+---@param object physics.NewObject the object that stands on them
+---@return boolean dropped false: it stands on no one-way object
 function default.dropThrough(object) end
 
---- Returns all that a future step depends on, as a plain table of numbers, strings, booleans and
---- tables that any serializer can write: no functions, no cycles, no infinities. Restored, the run
---- goes on to the bit, also in another process and on another Lua. Saving changes nothing.
+--- Returns everything that a future step depends on, as a plain table that any serializer can
+--- write: numbers, strings, booleans and tables, without functions, cycles and infinities. After
+--- `restore` the run continues with the same bits, also in another process and on another Lua.
 ---
---- It holds the objects with the fields that the library knows, the settings that change results,
---- contacts, riders, saved-up time, and events that a failed callback has left behind. It does not
---- hold functions (callbacks, `canCollide`), fields of the game's own, `broadphase`, `cellSize`,
---- `rest` and `checked`.
+--- - Saved: the objects with the fields that the library knows, the settings that change results,
+---   contacts, riders, saved-up time, and events that an error in a callback has delayed.
+--- - Not saved: functions (callbacks, `canCollide`), your own fields, and the settings
+---   `broadphase`, `cellSize`, `rest` and `checked`.
 ---
---- The best place is right before `update`, when the input of the step has been written. Inside a
---- callback it holds what is still to be told; the event that is being told counts as told.
+--- The best moment is right before `update`, after you have written the input of the step. A state
+--- that is saved inside a callback holds the events that are still to come, without the current
+--- one.
 ---
---- Errors: something that `update` would refuse; called from inside `canCollide`; no table.
----@param out physics.State? a state of this world that is not needed any more, to be filled anew: in a steady scene nothing is left to the garbage collector then
+--- Errors: a field or setting that `update` would refuse; `out` is not a table; it is called from
+--- inside `canCollide`.
+---@param out physics.State? a state of this world that you no longer need. It is filled again, so that a steady scene makes no garbage
 ---@return physics.State state
 function default.save(out) end
 
---- Makes this world what it was when the state was saved. No event is told for the jump itself.
+--- Makes this world what it was when the state was saved. The jump itself calls no callback.
 ---
---- Objects that have been added since leave their groups, those that have left come back, all get
---- their fields again. If this world has saved the state itself, and it is still the same table,
---- they are the very tables that they were, so the game's references, callbacks and own fields stay
---- with them. A state from elsewhere (a file, the network, another world) goes to whoever stands
---- under the same group and key, and to new plain tables where nobody does. The tables of groups
---- stay the same; groups that are not in the state are emptied. Fields of the game's own are not
---- touched.
+--- Objects that were added since then leave their groups, removed ones come back, and all get their
+--- saved fields. The tables of groups stay the same. Groups that are not in the state are emptied.
+--- Your own fields are not touched.
 ---
---- Whoever had left the world, and of whom events were still to be told, is told of as before: in
---- this world as the table that it was, elsewhere as a new one with the fields that the library
---- knows, and without callbacks of its own.
+--- - A state of this same world, in the same table: each object is the very table that it was. Your
+---   references, callbacks and own fields stay with it.
+--- - A state from elsewhere (a file, the network, another world): it is applied by group and key. A
+---   new plain table, without callbacks, is made for each object that is missing.
 ---
---- Errors: no state, one of another version, or one that is damaged; called from inside
---- `canCollide`. Nothing has changed then.
+--- Numbered keys shift when an object is removed. So, for states from elsewhere, give an object
+--- with fields or callbacks of its own a string key: `world.objects.enemies.boss = boss`.
+---
+--- Events that were still to come when the state was saved are told after `restore`, also about
+--- objects that have left the world. In another world such an object is a new plain table.
+---
+--- Errors: the value is not a state, or one of another version, or damaged; it is called from
+--- inside `canCollide`. Nothing has changed then.
 ---@param saved physics.State what `save` returned, or a copy
 function default.restore(saved) end
 
---- Returns a number over all that `save` holds, a whole one in 0..10^14, the same on every Lua: two
---- worlds with the same number go on the same (to one in 10^13). For replays and for finding out
---- when two players' worlds have parted.
+--- Returns a whole number in 0..10^14 over everything that `save` holds. It is the same on every
+--- Lua. Two worlds with the same number continue in the same way (wrong once in 10^13). Use it for
+--- replays, and to find the step in which two players' worlds began to differ.
 ---
---- Errors: something that `update` would refuse; called from inside `canCollide`.
+--- Errors: a field or setting that `update` would refuse; it is called from inside `canCollide`.
 ---@return number
 function default.hash() end
 
---- Draws the world as the physics sees it (LÖVE only): static grey, kinematic blue, dynamic orange
---- (brown at rest), sensors as a green outline, inactive ones faintly, the solid side of one-way
---- objects violet, sides that touch light. It can be seen on dark and on light ground. Uses the
---- caller's transform; leaves colour, font and transform as they were.
+--- Draws the world as the physics sees it (LÖVE only). Static objects are grey, kinematic ones
+--- blue, dynamic ones orange (brown at rest), sensors have a green outline, inactive objects are
+--- faint. The solid side of a one-way object is violet, sides that touch are light.
 ---
---- Errors: an unknown option, or a wrong value for one.
+--- The colours can be seen on dark and on light ground. It draws with your transform, and leaves
+--- colour, font and transform as they were.
+---
+--- Errors: an unknown option, or a wrong value for one; there is no `love.graphics`.
 ---@param options physics.DrawOptions? what to show
 function default.draw(options) end
 
---- Returns where to draw an object between two fixed steps (`timestep`): on the way from where it
---- was before the last step to where it is now, by `alpha`. Who is new, static, not active, or was
---- put somewhere by the game is drawn where it is; without `timestep` everybody is.
+--- Returns where to draw an object between two fixed steps (`timestep`): on the way from its place
+--- before the last step to its place now, by the share `world.alpha`. Returns `object.x, object.y`
+--- if there is no `timestep`, and for an object that is new, static, not active, or was put
+--- somewhere by the game.
 ---
---- Errors: no table.
----@param object physics.NewObject who is to be drawn
+--- Errors: the object is not a table.
+---@param object physics.NewObject the object to draw
 ---@return number x px
 ---@return number y px
 function default.interpolate(object) end
 
---- Finds everybody at a point. The left and top edges of an object belong to it, the right and
---- bottom ones do not, so a point on a seam belongs to one tile.
+--- Returns all objects at a point, and how many. The left and top edges of an object belong to it,
+--- the right and bottom ones do not. So a point on a seam belongs to one tile.
 ---
---- Errors: no finite number; no filter; `out` is no table.
+--- Errors: a coordinate is not a finite number; the filter cannot be used; `out` is not a table.
 ---@param x number px
 ---@param y number px
----@param filter physics.Filter? default everybody
+---@param filter physics.Filter? which objects count, default all
 ---@param out physics.Object[]? list to fill, default a new one
 ---@return physics.Object[] objects in the order of the world
 ---@return integer count
 function default.queryPoint(x, y, filter, out) end
 
---- Finds everybody who overlaps a rectangle by more than 1e-6 px; with the setting `sideBySide`
---- also who is flush with it.
+--- Returns all objects that overlap a rectangle by more than 1e-6 px, and how many. With the
+--- setting `sideBySide` objects that are flush with it count, too.
 ---
---- Errors: no finite number; a size <= 0; no filter; `out` is no table.
+--- Errors: a number is not finite; a size is <= 0; the filter cannot be used; `out` is not a table.
 ---@param x number px, left edge
 ---@param y number px, top edge
 ---@param w number px, > 0
 ---@param h number px, > 0
----@param filter physics.Filter? default everybody
+---@param filter physics.Filter? which objects count, default all
 ---@param out physics.Object[]? list to fill, default a new one
 ---@return physics.Object[] objects in the order of the world
 ---@return integer count
 function default.queryRect(x, y, w, h, filter, out) end
 
---- Finds everybody on the line from (x1, y1) to (x2, y2), as `raycast` would hit them.
+--- Returns all objects on the line from (x1, y1) to (x2, y2), as `raycast` would hit them, and how
+--- many.
 ---
---- Errors: no finite number; no filter; `out` is no table.
+--- Errors: a coordinate is not a finite number; the filter cannot be used; `out` is not a table.
 ---@param x1 number px
 ---@param y1 number px
 ---@param x2 number px
 ---@param y2 number px
----@param filter physics.Filter? default everybody
+---@param filter physics.Filter? which objects count, default all
 ---@param out physics.Object[]? list to fill, default a new one
 ---@return physics.Object[] objects nearest first, ties in the order of the world
 ---@return integer count
 function default.querySegment(x1, y1, x2, y2, filter, out) end
 
---- Finds the first object on the line from (x1, y1) to (x2, y2).
+--- Returns the first object on the line from (x1, y1) to (x2, y2), and where the line hits it.
 ---
 ---     starts inside an object     hits it at fraction 0, normal 0, 0
 ---     starts on an edge           hits at fraction 0 with its normal if it goes in, else not
 ---     ends on an edge             hits at fraction 1
----     runs along an edge          hits whom the edge belongs to: the one below it or to its right,
----                                 so no ray slips between two tiles (to a millionth of a pixel)
+---     runs along an edge          hits the object that owns the edge: the one below it or to its
+---                                 right, so no ray slips between two tiles (to 1e-6 px)
 ---     meets a corner              of one object: no hit if it only grazes it; the normal is along
 ---                                 gravity, or that of the wall if a neighbour covers the other one
----     has no length               hits who is there, as queryPoint, fraction 0, normal 0, 0
+---     has no length               hits the object that queryPoint finds, fraction 0, normal 0, 0
 ---
 --- Source: slab method; the grid is walked in strips (see physics/broadphase/grid.lua).
 ---
---- Errors: no finite number; no filter.
+--- Errors: a coordinate is not a finite number; the filter cannot be used.
 ---@param x1 number px
 ---@param y1 number px
 ---@param x2 number px
 ---@param y2 number px
----@param filter physics.Filter? default everybody
+---@param filter physics.Filter? which objects count, default all
 ---@return physics.Object? object nil: the line is free, and nothing else is returned
 ---@return number x px, where it is hit
 ---@return number y px
@@ -378,16 +412,20 @@ function default.querySegment(x1, y1, x2, y2, filter, out) end
 ---@return number fraction of the line, 0..1
 function default.raycast(x1, y1, x2, y2, filter) end
 
---- Finds what would stop an object on its way by (dx, dy): solids that its mask, theirs and the
---- world's do not let pass, one-ways on their solid side; not sensors. `canCollide` is not asked.
---- Who overlaps it already is hit at fraction 0 with the normal 0, 0; who is flush beside its way
---- is not. Nothing moves.
+--- Returns what would stop an object on its way by (dx, dy), and where the object would be then.
+--- Nothing moves. `sweep(object, 0, -10)` answers "may it grow by 10 px upwards?".
 ---
---- Errors: no table; an object that is not in the world; no finite number; no filter.
----@param object physics.NewObject who would move
+--- Solid objects stop it, unless its mask, theirs or the world's says otherwise; one-way objects
+--- stop it on their solid side; sensors do not. `canCollide` is not called. An object that overlaps
+--- it already is hit at fraction 0 with the normal 0, 0. An object that is flush beside its way is
+--- not hit.
+---
+--- Errors: the object is not a table, or not in the world; a distance is not a finite number; the
+--- filter cannot be used.
+---@param object physics.NewObject the object that would move
 ---@param dx number px
 ---@param dy number px
----@param filter physics.Filter? default everybody
+---@param filter physics.Filter? which objects count, default all
 ---@return physics.Object? other nil: the way is free, and nothing else is returned
 ---@return number x px, where `object` would be then, flush
 ---@return number y px
@@ -396,118 +434,169 @@ function default.raycast(x1, y1, x2, y2, filter) end
 ---@return number fraction of the way, 0..1
 function default.sweep(object, dx, dy, filter) end
 
---- Finds the object nearest to a point; ties in the order of the world.
+--- Returns the object nearest to a point, and its distance. Of two at the same distance it is the
+--- first in the order of the world.
 ---
---- Errors: no finite number; a radius < 0; no filter.
+--- Errors: a number is not finite; the radius is < 0; the filter cannot be used.
 ---@param x number px
 ---@param y number px
 ---@param radius number px, >= 0: how far it looks
----@param filter physics.Filter? default everybody
+---@param filter physics.Filter? which objects count, default all
 ---@return physics.Object? object nil: there is none
 ---@return number distance px, from the point to the edge, 0: inside
 function default.nearest(x, y, radius, filter) end
 
---- Finds everybody who overlaps an object by more than 1e-6 px, whatever the masks say; with the
---- setting `sideBySide` also who is flush with it. An object that is not active overlaps nobody.
+--- Returns all objects that overlap an object by more than 1e-6 px, and how many; masks play no
+--- part. With the setting `sideBySide` objects that are flush with it count, too. An inactive
+--- object overlaps nothing.
 ---
---- Errors: no table; an object that is not in the world; no filter; `out` is no table.
----@param object physics.NewObject one of the world
----@param filter physics.Filter? default everybody
+--- Test the number, `count > 0`: an empty list is true in Lua. Removing objects while you loop over
+--- the list is safe.
+---
+--- Errors: the object is not a table, or not in the world; the filter cannot be used; `out` is not
+--- a table.
+---@param object physics.NewObject an object of the world
+---@param filter physics.Filter? which objects count, default all
 ---@param out physics.Object[]? list to fill, default a new one
 ---@return physics.Object[] objects in the order of the world, without `object`
 ---@return integer count
 function default.overlapping(object, filter, out) end
 
---- Returns the side of `a` at which it is in contact with `b`: the contact of which `onBegin` told
---- and `onEnd` has not, unless the game has taken the two apart since. With the setting
---- `sideBySide` who is flush is in contact.
+--- Returns the side of `a` at which it is in contact with `b`. A contact lasts from `onBegin` to
+--- `onEnd`, unless the game has moved the two apart since. With the setting `sideBySide` flush
+--- objects are in contact.
 ---
---- Errors: no table; an object that is not in the world.
+--- Errors: `a` or `b` is not a table, or not in the world.
 ---@param a physics.NewObject one of the two
 ---@param b physics.NewObject the other one
 ---@return physics.Side? side of `a`, nil: no contact
 function default.touching(a, b) end
 
---- Says in one sentence why two objects do or do not collide: for debugging, its words may change.
+--- Returns a sentence that says why two objects do or do not collide. It is for debugging: the
+--- words may change.
 ---
---- Errors: no table.
+--- Errors: `a` or `b` is not a table.
 ---@param a physics.NewObject one of the two
 ---@param b physics.NewObject the other one
 ---@return string sentence
 function default.explain(a, b) end
 
---- Moves one object to (x, y) now, with collisions and without physics: it writes `object.x` and
---- `object.y`, pushes nobody and changes no velocity. Any kind of object is in its way; masks,
---- `active` and `oneWay` hold as in a step, `canCollide` is not asked. It never ends inside a
---- solid, unless it was inside that one before: who overlaps it from the beginning is reported and
---- crossed.
+--- Moves one object to (x, y) now, with collisions and without physics. It writes `object.x` and
+--- `object.y`, pushes nothing and changes no velocity.
+---
+--- Static, kinematic and dynamic objects are in its way. Masks, `active` and `oneWay` hold as in a
+--- step; `canCollide` is not called. The object never ends inside a solid one, unless it was inside
+--- that one before: an object that it overlaps at the start is reported and crossed.
 ---
 ---     "slide"    goes on along the side that it hit (default)
 ---     "touch"    stays where it hit
 ---     "cross"    goes through
 ---     "bounce"   goes on mirrored
 ---
---- Sensors are crossed whatever the response. A function(object, other) says for each hit one of
---- these names (nil: "slide"), or false: `other` is not there; it must not change the world.
---- An object that is not active moves without any collision. After 64 hits the way ends.
+--- The response may be a function(object, other) that returns one of these names for each hit (nil:
+--- "slide"), or false, as if `other` were not there. It must not change the world. Sensors are
+--- crossed whatever the response. An inactive object moves without collisions. The move ends after
+--- 64 hits.
 --- Source: the responses are those of bump.lua (E. García Cota).
 ---
---- Errors: no table; an object that is not in the world; a static one; no finite number; an unknown
---- response; called from inside `canCollide`. Nothing has moved then.
+--- Errors: the object is not a table, not in the world, or static; a number is not finite; the
+--- response is unknown; it is called from inside `canCollide`. Nothing has moved then.
 ---@param object physics.NewObject dynamic or kinematic
 ---@param x number px, left edge where it should go
 ---@param y number px, top edge
 ---@param response physics.Response|physics.Respond|nil default "slide"
----@param out physics.Hit[]? list of an earlier call, to be filled anew
+---@param out physics.Hit[]? list of an earlier call, which is filled again
 ---@return number x px, where it is now
 ---@return number y px
 ---@return physics.Hit[] hits in the order in which they happened
 ---@return integer count
 function default.move(object, x, y, response, out) end
 
---- Pushes a dynamic object: its velocity changes by the impulse divided by its mass.
+--- Changes the velocity of a dynamic object by the impulse divided by its mass. A speed limit of
+--- the object (`maxSpeed`, `maxSpeedX`, `maxSpeedY`) cuts the new velocity in the next step.
 ---
---- Errors: no table; an object that is not in the world, or not dynamic; no finite number; a field
---- that cannot be used; called from inside `canCollide`.
----@param object physics.NewObject a dynamic one
----@param ix number px/s times mass
----@param iy number likewise
+--- Errors: the object is not a table, not in the world, or not dynamic; a number is not finite; its
+--- `vx`, `vy` or `mass` cannot be used; it is called from inside `canCollide`.
+---@param object physics.NewObject a dynamic object
+---@param ix number px/s times mass, along x
+---@param iy number px/s times mass, along y
 function default.impulse(object, ix, iy) end
 
---- Puts four static walls around a rectangle, the group `bounds` (`objects.bounds.top`, `.bottom`,
---- `.left`, `.right`; they may be given `friction` and so on before the next update). Called again,
---- it replaces them; without arguments it takes them away.
+--- Puts four static walls around a rectangle: `top`, `bottom`, `left` and `right` of the group
+--- `bounds`. You may give them `friction` and other fields before the next update. A second call
+--- replaces the walls; a call without arguments removes them.
 ---
---- Errors: no finite number; a size <= 0; the game has put something else under one of these names;
---- called from inside `canCollide`.
+--- Errors: a number is not finite; a size is <= 0; the game uses one of these names for something
+--- else; it is called from inside `canCollide`.
 ---@param x number? px, inner left edge; nil: no bounds
 ---@param y number? px, inner top edge
 ---@param w number? px, > 0
 ---@param h number? px, > 0
 function default.setBounds(x, y, w, h) end
 
---- Adds what stands in a map of the editor Tiled: its rectangles and tile objects, and its solid
---- tiles, merged into few large rectangles. The map is its Lua export (the table, or the path of
---- the file) or the table that STI makes of it; it is not changed, and nothing is drawn.
+--- Adds the objects of a map of the editor Tiled, and its solid tiles, merged into few large
+--- rectangles. The map is its Lua export (the table, or the path of the file), or the table that
+--- STI makes of it. The map is not changed, and nothing is drawn. See docs/maps.md for all of it.
 ---
---- The name of a layer is the group of its objects. Properties of an object are its fields; those
---- that the library knows are also taken from its tile, its layer and the layers around it, the
---- nearest first. Three properties are for the loader: `solid`, `merge`, and `group`, which is used
---- instead of the layer's name. A tile is solid if it or its layer says so, or if it has collision
---- rectangles, and neither says `solid = false`, which takes objects out, too. A layer that says
---- nothing says what the nearest one around it does. An option counts as a yes instead of the own
---- word: `solidTiles` of a tile (not for tile objects), `solidLayers` of a layer. Solid tiles are
---- static unless they say otherwise. Static ones that are equal and no sensors become one; merging
---- changes no motion.
+--- - The name of a layer is the group of its objects. Properties of an object are its fields.
+---   Fields that the library knows are also taken from its tile, its layer and the layers around
+---   it; the nearest one counts.
+--- - `solid = true` (or `collidable`) on an object, a tile, a layer or a group of layers makes it
+---   static, and `solid = false` leaves it out. The name of a layer (walls, collision, colliders,
+---   solid, ground, platforms) does the same as `solid = true`, unless an option or a property says
+---   otherwise. A tile is also solid if it has collision rectangles.
+--- - Points are in `level.points`, lines in `level.lines`. Tile objects about which the map says
+---   nothing are decoration, and not in the world.
 ---
---- Not supported, and named in `unsupported` of what is returned: maps that are not orthogonal,
---- rotated objects, polygons, ellipses, points and texts, encoded layer data, parallax, tilesets
---- that are not embedded in the export.
+--- Not supported, and listed in `unsupported` of the result: maps that are not orthogonal, objects
+--- that are turned by other than quarters, polygons with other than level and upright edges,
+--- ellipses, capsules, texts, parallax, layers and tilesets that cannot be read, and properties
+--- with values that cannot be used.
 ---
---- Errors: no map, no such file; an unknown option; a layer or gid in an option that is not in the
---- map; a gid of no tileset; a property that is a field and cannot be used; a group that is an
---- object; called from inside `canCollide`. Nothing has been added then.
----@param map table|string what the export returns, what STI returns, or the path of the export
----@param options physics.TiledOptions? where the map goes, and which of its tiles are solid
+--- Errors: the map or the file does not exist; an unknown option; an option names a layer or a gid
+--- that is not in the map; a layer in `solidLayers` cannot be read; a gid belongs to no tileset; a
+--- part is malformed; with `strict` a property cannot be used; a group is an object; it is called
+--- from inside `canCollide`. Nothing has been added then.
+---@param map table|string the table that the export or STI returns, or the path of the export
+---@param options physics.TiledOptions? where the map goes, and what of it is solid
 ---@return physics.Level level the objects that were added, counts, and what is not supported
 function default.loadTiled(map, options) end
+
+--- Adds the tiles of a plain array. Each solid cell is static. Equal cells are merged into few
+--- large objects, which changes no motion. One-way cells merge only along their solid side; sensors
+--- and cells that move do not merge, unless their field `merge` says so. The result can change the
+--- tiles: `tiles:setTile(column, row, value)`, `tiles:load()`, `tiles:unload()`.
+---
+--- The cells are one list, row by row, or a list of rows (`cells[row][column]`). A row may be a
+--- string (`"##..#"`): each character is a cell. Columns and rows are counted from 1. The cells are
+--- copied, so change them with `setTile`, too. Each object has the field `tile` with its `tiles`,
+--- `column`, `row`, `columns`, `rows` and `value`.
+---
+--- Errors: the group is not a name, or is an object; the cells are not a list; a row has another
+--- length; a cell is not a number, string or boolean; the size is missing; an unknown option, or a
+--- wrong value for one; it is called from inside `canCollide`. Nothing has been added then.
+---@param group string|number name of their group; the field `group` of a value has precedence
+---@param cells table list of values, or list of rows
+---@param columns integer? of a list of values: how many are a row
+---@param size number|number[] px, of a cell: one number, or width and height
+---@param options physics.TileOptions? which values are solid, and where the tiles go
+---@return physics.Tiles tiles
+function default.addTiles(group, cells, columns, size, options) end
+
+--- Adds a level of the editor LDtk: the solid cells of its IntGrid layers, merged into few large
+--- static objects, and its entities with their fields. Any JSON library decodes the project. The
+--- project is not changed, and nothing is drawn. See docs/maps.md.
+---
+--- Cells are in the group of the identifier of their layer, entities in the group of their own
+--- identifier. The fields `solid`, `group` and all fields of objects mean what they mean in a map
+--- from Tiled.
+---
+--- Errors: the project or the level does not exist; the layers of the level are in another file; an
+--- unknown option; an option names a layer or value that the level does not have; a part is
+--- malformed; with `strict` a field cannot be used; a group is an object; it is called from inside
+--- `canCollide`. Nothing has been added then.
+---@param project table the .ldtk file, decoded by a JSON library
+---@param level string|integer|table|nil its identifier, iid or number, or its decoded .ldtkl file; default: the first level
+---@param options physics.LDtkOptions? where the level goes, and what of it is solid
+---@return physics.LDtkLevel level the objects that were added, counts, and what is not supported
+function default.loadLDtk(project, level, options) end

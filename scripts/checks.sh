@@ -1,5 +1,5 @@
 # Sourced by the scripts that check something. Each check is a command that succeeds or not; a
-# script ends with `finish`, whose last line is "N passed, N failed". .ci/run adds those lines up.
+# script ends with `finish`; its last line is "N passed, N failed". .ci/run adds those lines up.
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
 mkdir -p build

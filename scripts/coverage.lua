@@ -60,7 +60,7 @@ end
 
 --- The source with a mark in front of each of these statements.
 ---@param text string Lua source
----@param name string of the global table whose fields, by the number of the line, become true
+---@param name string of the global table; its fields, by the number of the line, become true
 ---@return string text
 ---@return table lines `lines[n]` is false for each line that has a mark
 function coverage.marked(text, name)
@@ -82,14 +82,13 @@ local function read(path)
   return text
 end
 
-local NOT_CORE = { ["physics/world/draw.lua"] = true, ["physics/tiled.lua"] = true }
-NOT_CORE["physics/types.lua"] = true
+local NOT_CORE = { ["physics/world/draw.lua"] = true, ["physics/types.lua"] = true }
 
 --- Whether a file is one of the core: what only loads maps, draws or helps editors is not.
 ---@param path string as in "physics/world/world.lua"
 ---@return boolean
 function coverage.isCore(path)
-  return not (NOT_CORE[path] or path:find("^physics/tiled/"))
+  return not (NOT_CORE[path] or path:find("^physics/maps/"))
 end
 
 -- Here from the first to the last spec ------------------------------------------------------------

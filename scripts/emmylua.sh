@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The type checker, in the one version that everybody uses. Built by cargo the first time, which
+# The type checker, in the one version that is used everywhere. Built by cargo the first time, which
 # takes some minutes.
 set -uo pipefail
 

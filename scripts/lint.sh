@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# luacheck (.luacheckrc) and the formatter (stylua.toml).
+# luacheck (.luacheckrc), the formatter (stylua.toml) and the words (scripts/words.sh).
 set -uo pipefail
 . "$(dirname "$0")/checks.sh"
 
@@ -14,5 +14,9 @@ check "luacheck allows love in physics/world/draw.lua" names_love physics/world/
 
 check "StyLua starts" bash scripts/stylua.sh --version
 check "StyLua finds nothing to change" bash scripts/stylua.sh --check "${sources[@]}"
+
+check "an object is it, not a person" bash scripts/words.sh
+printf 'The box %s rests.\n' "wh""o" >build/words.md
+check "a word for a person is found" refuses bash scripts/words.sh build/words.md
 
 finish

@@ -29,7 +29,7 @@ local SURVIVORS_ALLOWED = 0.1
 local MEMORY = 4000000 -- kB: a change may make a loop that fills the memory
 
 -- Not the core: drawing, maps, types for editors.
-local NOT_CORE = { "/draw", "/tiled", "/types" }
+local NOT_CORE = { "/draw", "/maps/", "/types" }
 
 -- What looks at files, at LÖVE or at times, not at what the core does.
 local OTHER_SPECS =

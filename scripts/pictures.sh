@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Makes the pictures of the README, docs/pictures/, from the examples, played in a virtual display
-# with scripted keys. They are kept in the repository: make them anew when an example has changed.
+# Makes the pictures of the pages, docs/pictures/, in a virtual display: from the examples, played with
+# scripted keys, and from the scenes of scripts/pictures/. They are kept in the repository: make them
+# again when an example or a scene has changed.
 set -uo pipefail
 . "$(dirname "$0")/checks.sh"
 
@@ -42,6 +43,13 @@ still() {
   ffmpeg_quiet -i "$work/$1.png" -filter_complex "$filters;[b][p]paletteuse" "$target/$1.png"
 }
 
+# scene NAME: one of scripts/pictures/scenes.lua
+scene() {
+  local filters="split[a][b];[a]palettegen[p];[b][p]paletteuse"
+  xvfb-run -a timeout -k 2 60 love scripts/pictures "$1" "$work/$1.png" || return 1
+  ffmpeg_quiet -i "$work/$1.png" -filter_complex "$filters" "$target/$1.png"
+}
+
 smaller_than() {
   local size
   size=$(wc -c <"$2")
@@ -62,6 +70,11 @@ check "lifts is drawn" still lifts lifts 500 "$lifts"
 check "debug draw is drawn" still draw lifts 480 "x:5,$lifts"
 for name in pile lifts draw; do
   check "$name has less than 200 kB" smaller_than 200000 "$target/$name.png"
+done
+
+for name in objects steps motion contacts filters queries; do
+  check "the scene of guide/$name.md is drawn" scene "guide-$name"
+  check "guide-$name has less than 200 kB" smaller_than 200000 "$target/guide-$name.png"
 done
 
 echo "The pictures are in $target/"

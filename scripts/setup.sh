@@ -2,7 +2,7 @@
 # Installs what the other scripts call, from the packages of Debian or Ubuntu. Asks nothing, and
 # touches neither the network nor the system when everything is there. What only some targets need
 # is named: `setup.sh web` adds a browser, `gopher` Go, `arm64` qemu, `pictures` ffmpeg, `plot`
-# gnuplot.
+# gnuplot, `tiled` the editor Tiled.
 set -euo pipefail
 
 # Chromium has several names.
@@ -37,6 +37,7 @@ for extra in "$@"; do
   case $extra in
     web) browser >/dev/null || needs="${needs}chromium:chromium"$'\n' ;;
     pictures) needs="${needs}ffmpeg:ffmpeg"$'\n' ;;
+    tiled) needs="${needs}tiled:tiled"$'\n' ;;
     plot) needs="${needs}gnuplot:gnuplot-nox"$'\n' ;;
     gopher) needs="${needs}go:golang-go"$'\n' ;;
     arm64) needs="${needs}qemu-aarch64-static:qemu-user-static debian-archive-keyring"$'\n' ;;
@@ -70,6 +71,7 @@ setup: this installs by itself on Debian and Ubuntu only. Here, please install b
   Xvfb, xvfb-run and xauth     for the examples without a display
   Chromium or Chrome           for make test-web
   Go                           for make test-gopher
+  Tiled                        for make test-tiled
 What the game itself needs is only LÖVE: \`love examples\` runs without any of the others,
 and \`busted\` alone runs the specs on LuaJIT.
 MESSAGE
@@ -80,7 +82,7 @@ fi
 packages=$(printf '%s\n' $packages | sort -u | tr '\n' ' ')
 as_root=""
 if [ "$(id -u)" -ne 0 ]; then
-  # -n: sudo must not ask for a password, a build has nobody who could answer.
+  # -n: sudo must not ask for a password, a build cannot answer.
   if ! command -v sudo >/dev/null 2>&1 || ! sudo -n true 2>/dev/null; then
     cat >&2 <<MESSAGE
 setup: installing needs root, and sudo is not there or asks for a password. Please run this once:

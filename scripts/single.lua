@@ -1,4 +1,4 @@
--- Writes the whole library as one file, for those who want to copy one:
+-- Writes the whole library as one file, for games that want to copy one:
 --
 --   luajit scripts/single.lua build/physics.lua
 --

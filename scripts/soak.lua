@@ -3,7 +3,7 @@
 --   luajit scripts/soak.lua --steps 10000000 [--part 500000] [--resume build/soak.lua]
 --
 -- After each part the state is written to build/soak.lua, from which a later run can go on. It
--- fails if somebody is lost, and at the end if the memory or the time of a step has grown.
+-- fails if an object is lost, and at the end if the memory or the time of a step has grown.
 
 package.path = "./?.lua;" .. package.path
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The formatter, in the one version that everybody uses.
+# The formatter, in the one version that is used everywhere.
 set -uo pipefail
 
 # npm's own patience without a network is minutes.

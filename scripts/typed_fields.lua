@@ -1,4 +1,4 @@
---- Says in words and in types what an entry of physics/world/fields.lua is.
+--- Writes an entry of physics/world/fields.lua in words and as a type.
 
 local typedFields = {}
 
@@ -39,7 +39,8 @@ function typedFields.type(field)
   if field.type == "function" then
     return callback(field)
   elseif field.type == "string" then
-    return '"' .. table.concat(field.values, '"|"') .. '"'
+    local choice = '"' .. table.concat(field.values, '"|"') .. '"'
+    return field.yes and "boolean|" .. choice or choice
   end
   return assert(TYPES[field.type], field.type)
 end

@@ -16,11 +16,11 @@ local COLUMNS = 100
 local HEAD = [[
 ---@meta _
 --- The types of this library for editors (LuaLS, EmmyLua). Nothing requires this file.
---- Written by scripts/types.lua from physics/world/fields.lua and physics/world/world.lua: change those.
+--- scripts/types.lua writes it from physics/world/fields.lua and physics/world/world.lua: change those.
 
 ---@alias physics.Side "left"|"right"|"top"|"bottom"
 
---- A rectangle: left edge, top edge and size, in px. Fields of the game's own may stand beside.
+--- A rectangle: left edge, top edge and size, in px. It may have fields of your own.
 ---@class physics.Box
 ---@field x number px, the left edge
 ---@field y number px, the top edge; y grows downwards
@@ -73,7 +73,7 @@ local function addText(lines, text)
   add(lines, line)
 end
 
--- The text above a field is its own, below the head of its class.
+-- The text above a field belongs to the field, not to the class.
 local function addField(lines, field, isOptional)
   addText(lines, meaning(field))
   local name = field.name .. (isOptional and "?" or "")
@@ -81,18 +81,14 @@ local function addField(lines, field, isOptional)
 end
 
 local function addObjects(lines)
-  add(lines, "", "--- What a game gives to `add`, or puts into a group: a table of its own.")
+  add(lines, "", "--- Your own table that you give to `add` or put into a group.")
   add(lines, "---@class physics.NewObject: physics.Box")
   for _, field in ipairs(fields.objects) do
     if not field.required and not field.written then
       addField(lines, field, true)
     end
   end
-  add(
-    lines,
-    "",
-    "--- An object in a world. `vx`, `vy` and `touching` are there when it is dynamic."
-  )
+  add(lines, "", "--- An object in a world. A dynamic one always has `vx`, `vy` and `touching`.")
   add(lines, "---@class physics.Object: physics.NewObject")
   for _, field in ipairs(fields.objects) do
     if field.written or field.name == "vx" or field.name == "vy" then
@@ -106,7 +102,7 @@ local function addSettings(lines)
   for _, field in ipairs(fields.settings) do
     addField(lines, field, true)
   end
-  add(lines, "", "--- The settings as fields of a world: they may change between two updates.")
+  add(lines, "", "--- The settings as fields of a world. They may change between two updates.")
   add(lines, "---@class physics.WorldSettings")
   for _, field in ipairs(fields.settings) do
     addField(lines, field, field.default == nil)
@@ -124,7 +120,7 @@ local function addFunction(lines, entry)
   add(lines, ("function default.%s(%s) end"):format(entry.name, entry.arguments))
 end
 
--- The fields of a world that its docstring names; those for the library alone begin with "_".
+-- The public fields of a world, from its docstring.
 local function addWorldFields(lines)
   for _, entry in ipairs(docstrings.read("physics/world/world.lua")) do
     for _, field in ipairs(entry.name == "physics.World" and entry.fields or {}) do
@@ -139,7 +135,7 @@ function types.text()
   local lines = {}
   addObjects(lines)
   addSettings(lines)
-  add(lines, "", "--- The default world, which the functions of the module mean.")
+  add(lines, "", "--- The default world, on which the functions of the module work.")
   add(lines, "---@class physics.DefaultWorld: physics.WorldSettings")
   addWorldFields(lines)
   add(lines, "local default = {}")

@@ -43,7 +43,7 @@ allows() { check "types: $1 is allowed" says nothing "$2"; }
 
 allows "a field of the game's own" 'player.coins = player.coins + 1'
 allows "reading a velocity" 'player.vx = player.vx * 0.5'
-allows "asking who is touched" 'if player.touching.bottom then player.vy = -400 end'
+allows "asking what is touched" 'if player.touching.bottom then player.vy = -400 end'
 allows "a callback" 'function player.onBegin(_, other, _, speed) other.vx = speed end'
 allows "a setting of the default world" 'physics.gravity = physics.gravity * 2'
 allows "a method of the default world" 'physics.add("boxes", player).vx = 3; physics.update(1 / 60)'

@@ -127,8 +127,8 @@ local NOT_NEGATIVE = with(ANY, -1)
 local SHARE = with(ANY, -0.1, 1.1)
 local SWITCH = { 1, "yes", {}, NAN }
 local CALLBACK = { 1, "print", true, {} }
-local SIDE = { 1, "north", "Top", true, {} }
-local SIDES = '"top", "bottom", "left" or "right"'
+local SIDE = { 1, "north", "Top", {} }
+local SIDES = 'true, false, "top", "bottom", "left" or "right"'
 
 -- name, what is refused, what is expected
 local FIELDS = {
@@ -182,17 +182,18 @@ local function messageFor(place, name, expected, value)
   if value == INF or value == -INF then
     expected = expected:gsub("^a number", "a finite number")
   end
-  return place .. "." .. name .. " must be " .. expected .. ", got " .. shown(value)
+  local hint = name == "mass" and value == INF and " (pushable = false: never pushed)" or ""
+  return place .. "." .. name .. " must be " .. expected .. ", got " .. shown(value) .. hint
 end
 
 --- Puts a value into a field for one refused step.
-local function refusesLater(who, place, name, expected, value)
+local function refusesLater(part, place, name, expected, value)
   local old
   refusesStep(messageFor(place, name, expected, value), function(scene)
-    old = scene[who][name]
-    scene[who][name] = value
+    old = scene[part][name]
+    scene[part][name] = value
   end, function(scene)
-    scene[who][name] = old
+    scene[part][name] = old
   end)
 end
 
@@ -450,8 +451,8 @@ describe("the table of objects", function()
     },
     {
       "an object twice in its group",
-      "objects.boxes[3] is the same object as objects.boxes[1]: an object stands in one place, "
-        .. "table was found in two",
+      "objects.boxes[3] is the same object as objects.boxes[1]: an object must be "
+        .. "in one place only, got table in two",
       function(scene)
         scene.world.objects.boxes[3] = scene.box
       end,
@@ -461,8 +462,8 @@ describe("the table of objects", function()
     },
     {
       "an object in two groups",
-      "objects.coins.first is the same object as objects.boxes[2]: an object stands in one place, "
-        .. "table was found in two",
+      "objects.coins.first is the same object as objects.boxes[2]: an object must be "
+        .. "in one place only, got table in two",
       function(scene)
         scene.world.objects.coins = { first = scene.sleeper }
       end,
@@ -472,8 +473,8 @@ describe("the table of objects", function()
     },
     {
       "an object in a group and directly",
-      "objects.player is the same object as objects.lifts[1]: an object stands in one place, "
-        .. "table was found in two",
+      "objects.player is the same object as objects.lifts[1]: an object must be "
+        .. "in one place only, got table in two",
       function(scene)
         scene.world.objects.player = scene.lift
       end,
@@ -483,8 +484,8 @@ describe("the table of objects", function()
     },
     {
       "a new object in two places",
-      "objects.player is the same object as objects.boxes[3]: an object stands in one place, "
-        .. "table was found in two",
+      "objects.player is the same object as objects.boxes[3]: an object must be "
+        .. "in one place only, got table in two",
       function(scene)
         scene.world.objects.player = newBox()
         scene.world.objects.boxes[3] = scene.world.objects.player
@@ -683,7 +684,11 @@ end)
 describe("add", function()
   for _, row in ipairs({
     { "no group", nil, "group must be a string or a number, got nil" },
-    { "a group that is a table", {}, "group must be a string or a number, got table" },
+    {
+      "a group that is a table",
+      {},
+      "group must be a string or a number, got table (the group comes first, then the object)",
+    },
     { "a group that is true", true, "group must be a string or a number, got true" },
     { "a group that is NaN", NAN, "group must be a string or a number, got nan" },
   }) do
@@ -755,9 +760,12 @@ describe("remove and refresh", function()
   end)
 
   it("a stranger cannot be refreshed", function()
-    refuses("world:refresh(object): the object is not in the world, got table", function()
-      physics.newWorld():refresh(newBox())
-    end)
+    refuses(
+      "world:refresh(object): the object is not in the world (removed, or never added)",
+      function()
+        physics.newWorld():refresh(newBox())
+      end
+    )
   end)
 
   it("who is not in the world any more is neither refreshed nor dropped", function()
@@ -769,12 +777,18 @@ describe("remove and refresh", function()
       world:remove(box)
       world.objects.tile, world.objects.others = nil, nil
       for _, object in ipairs({ box, tile }) do
-        refuses("world:refresh(object): the object is not in the world, got table", function()
-          world:refresh(object)
-        end)
-        refuses("world:dropThrough(object): the object is not in the world, got table", function()
-          world:dropThrough(object)
-        end)
+        refuses(
+          "world:refresh(object): the object is not in the world (removed, or never added)",
+          function()
+            world:refresh(object)
+          end
+        )
+        refuses(
+          "world:dropThrough(object): the object is not in the world (removed, or never added)",
+          function()
+            world:dropThrough(object)
+          end
+        )
       end
       -- In another place they are.
       world.objects.others, world.objects.tile = { tile }, box

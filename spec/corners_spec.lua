@@ -116,7 +116,7 @@ describe("a question", function()
     assert.is_truthy(world:explain(a, b):find("they are flush at the bottom of", 1, true))
     assert.is_nil(world:explain(a, b):find("canCollide", 1, true))
     world.canCollide = function() end
-    assert.is_truthy(world:explain(a, b):find("canCollide of the world is asked", 1, true))
+    assert.is_truthy(world:explain(a, b):find("canCollide of the world may refuse", 1, true))
   end)
 end)
 
@@ -176,7 +176,7 @@ describe("an update", function()
       for _, path in ipairs({ "objects.b", "objects" }) do
         place[key] = path == "objects" and { object } or object
         place[1] = nil
-        local text = path .. " has a key that is no finite number, got " .. shown
+        local text = path .. " has a key that is not a finite number, got " .. shown
         refuses(text, world.update, world, DT)
         refuses(text, world.save, world)
         refuses(text, world.hash, world)

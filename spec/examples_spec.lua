@@ -227,7 +227,7 @@ describe("the examples", function()
       end
     end)
 
-    it("says who is under the mouse while the physics is visible", function()
+    it("says what is under the mouse while the physics is visible", function()
       start("lifts")
       step(30) -- the player has landed
       moveMouse(650, 470)
@@ -246,7 +246,7 @@ describe("the examples", function()
     it("shows the comment of the source, and the keys", function()
       start("breakout")
       local found = written()
-      assert.is_truthy(found:find("Balls that lose no speed", 1, true))
+      assert.is_truthy(found:find("Balls bounce without losing speed", 1, true))
       assert.is_truthy(found:find("shoot", 1, true))
       assert.is_truthy(found:find("slow motion", 1, true))
     end)

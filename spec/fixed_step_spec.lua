@@ -202,7 +202,7 @@ describe("world:interpolate", function()
     checkAt(object.x, object.y, object)
   end)
 
-  it("is x, y for who is new, static, not active or not in the world", function()
+  it("is x, y for an object that is new, static, not active or not in the world", function()
     local static = box({ static = true, x = 50 })
     world:update(0.25)
     world:update(0.125)

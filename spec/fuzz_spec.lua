@@ -305,7 +305,7 @@ end)
 
 describe("a case that fails", function()
   it("is made small, as long as it fails", function()
-    -- It "fails" if somebody wider than 5 px is removed after an update.
+    -- It "fails" if an object wider than 5 px is removed after an update.
     local function run(given)
       local isUpdated, isWide = false, {}
       for at, act in ipairs(given.acts) do

@@ -48,7 +48,7 @@ local function gas()
   return world, nothing
 end
 
--- A walker to and fro over tiles, a lift with a rider, and somebody who is told of everything.
+-- A walker to and fro over tiles, a lift with a rider, and an object with every callback.
 local function level()
   local world = physics.newWorld({ gravity = 800, timestep = 1 / 60 })
   for i = 0, 59 do
@@ -71,7 +71,7 @@ local function withFloor()
   return world
 end
 
--- Somebody who walks to and fro between two walls.
+-- A walker to and fro between two walls.
 local function sensors()
   local world = withFloor()
   world:add("walls", { x = 84, y = 200, width = 16, height = 100, static = true })
@@ -87,7 +87,7 @@ local function sensors()
   end
 end
 
--- Two that ask whom they touch, and a world that asks, too; nobody collides with the third.
+-- Two objects and a world with `canCollide`; nothing collides with the third object.
 local function questions()
   local world = withFloor()
   local function answer(one, other)
@@ -197,7 +197,7 @@ describe("an update of", function()
     { "a level with a walker, a lift and callbacks", level },
     { "a walker through sensors", sensors },
     { "boxes that ask whether they collide", questions },
-    { "a jumper whose corners are corrected", corners },
+    { "a jumper with `nudge`", corners },
     { "boxes that are crushed again and again", jaws },
     { "a jumper through a one-way ledge", ledge },
     { "boxes that rub each other and a wall", slides },
@@ -210,7 +210,7 @@ describe("an update of", function()
   end
 
   -- Each is written to once: the same text made twice would be one.
-  it("whom the game places, sizes and filters anew allocates no text either", function()
+  it("an object that the game places, sizes and filters again allocates no text either", function()
     local world, lifts, boxes, count = physics.newWorld({ gravity = 800 }), {}, {}, 0
     for i = 1, 90 do
       local lift = { x = 100 * i, y = 50, width = 60, height = 8, kinematic = true }

@@ -14,7 +14,7 @@ local function newWorld(settings)
   return world, floor, box
 end
 
--- Runs a step that must be refused, with this message, blaming this file, moving nobody.
+-- Runs a step that must be refused, with this message, naming this file, moving nothing.
 local function refusesStep(world, expected)
   local box = world.objects.boxes[1]
   local x, y, vx, vy = box.x, box.y, box.vx, box.vy
@@ -29,7 +29,7 @@ local function refusesStep(world, expected)
   end
 end
 
-local BY_HAND = " by hand: a static object is read once, call world:refresh(object)"
+local BY_HAND = ": a static object is read only once, so call world:refresh(object)"
 
 describe("a checked world", function()
   for _, row in ipairs({
@@ -50,7 +50,7 @@ describe("a checked world", function()
   }) do
     local name, value = row[1], row[2]
 
-    it("refuses a static object whose " .. name .. " was changed, until it is refreshed", function()
+    it("refuses a static object with a changed " .. name .. ", until it is refreshed", function()
       local world, floor = newWorld()
       floor[name] = value
       refusesStep(world, "objects.floors[1]." .. name .. " was changed to " .. row[3] .. BY_HAND)
@@ -61,7 +61,7 @@ describe("a checked world", function()
   end
 
   it(
-    "refuses a static object whose mask was changed in place, not one that says the same",
+    "refuses a static object with a mask that was changed in place, not one that says the same",
     function()
       local world, floor = newWorld()
       floor.mask = { boxes = true }
@@ -112,7 +112,7 @@ describe("a checked world", function()
   }) do
     it("takes " .. row[1] .. " for " .. row[2], function()
       local world, _, box = newWorld()
-      local text = " is no field of the library: did you mean " .. row[2] .. "?"
+      local text = " is not a field of the library: did you mean " .. row[2] .. "?"
       box[row[1]] = 1
       refusesStep(world, "objects.boxes[1]." .. row[1] .. text)
       box[row[1]] = nil
@@ -123,7 +123,7 @@ describe("a checked world", function()
   it("finds a misspelled setting", function()
     local world = newWorld()
     world.gravty = 0
-    refusesStep(world, "world.gravty is no field of the library: did you mean gravity?")
+    refusesStep(world, "world.gravty is not a field of the library: did you mean gravity?")
     world.gravty = nil
     world:update(DT)
   end)
@@ -178,7 +178,7 @@ describe("a checked world", function()
     other.objects.cursor = box
     local ok, message = pcall(other.update, other, DT)
     assert.is_false(ok)
-    local text = "physics: objects.cursor stands in another world, too, as objects.boxes[1]"
+    local text = "physics: objects.cursor is also in another world, as objects.boxes[1]"
     assert.truthy(message:find(text, 1, true), message)
     world:remove(box)
     world:update(DT)
@@ -229,7 +229,7 @@ describe("a checked world", function()
       world:add("boxes", box)
       local ok, message = pcall(world.update, world, DT)
       assert.is_false(ok)
-      local text = "physics: objects.boxes[1] stands in another world, too, as objects.game[1]"
+      local text = "physics: objects.boxes[1] is also in another world, as objects.game[1]"
       assert.truthy(message:find(text, 1, true), message)
     end)
   end

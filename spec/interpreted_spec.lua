@@ -186,7 +186,7 @@ describe("what LuaJIT compiles", function()
     end
   end
 
-  -- Files whose loops go over everybody, or over all contacts.
+  -- Files with loops over all objects, or over all contacts.
   local LOOPS = {}
   for _, name in ipairs({ "begin", "collect", "contact", "detect", "footing", "forces" }) do
     LOOPS[name] = true

@@ -1,17 +1,14 @@
 --- What scripts write from the source is what they would write now, and the source says it all.
 
 local docstrings = require("scripts.docstrings")
+local examples = require("scripts.manual_examples")
 local fields = require("physics.world.fields")
 local manual = require("scripts.manual")
 local physics = require("physics")
+local snippets = require("spec.support.snippets")
 local types = require("scripts.types")
 
-local function read(path)
-  local file = assert(io.open(path, "rb"))
-  local text = file:read("*a")
-  file:close()
-  return text
-end
+local read = snippets.read
 
 -- Compares line by line: two long texts that differ say nothing when shown as a whole.
 local function assertSame(expected, found)
@@ -27,6 +24,7 @@ local SOURCES = {
   { "physics.lua", "physics" },
   { "physics/world/tutorial.lua", "pure" },
   { "physics/world/world.lua", "World" },
+  { "physics/maps/tiles.lua", "Tiles" },
 }
 
 describe("docs/api.md", function()
@@ -41,15 +39,77 @@ describe("docs/api.md", function()
     for name, value in pairs(physics) do
       if type(value) == "function" then
         local place = methods[name] and "world:" or "physics."
-        assert.truthy(page:find("\n### " .. place .. name .. "(", 1, true), place .. name)
+        assert.truthy(page:find("\n### " .. place .. name .. "\n", 1, true), place .. name)
         count = count + 1
       end
     end
+    local _, ofModule = page:gsub("\n### physics%.%l%w*\n\n`[^`\n]+%(", "")
+    local _, ofWorlds = page:gsub("\n### world:%l%w*\n\n`[^`\n]+%(", "")
+    assert.equal(count, ofModule + ofWorlds)
     assert.is_true(count > 25)
   end)
 
+  it("has an example for every function, and none for others", function()
+    local headings = {}
+    for name in page:gmatch("\n### (%l+[:.]%l%w*)\n") do
+      headings[name] = true
+      assert.truthy(examples[name], "scripts/manual_examples.lua has none for " .. name)
+    end
+    for name in pairs(examples) do
+      assert.truthy(headings[name], name)
+    end
+  end)
+
+  it("links every mention of a function in a sentence to its section", function()
+    local isCode, own = false, nil
+    for line in page:gmatch("[^\n]*") do
+      own = line:match("^### (%l+[:.]%w+)$") or own
+      isCode = line:find("^```") and not isCode or isCode and not line:find("^```")
+      if not isCode and not line:find("^[|#-]") then
+        for name in line:gmatch("[^%[]`(world:%l%w*)`[^%]]") do
+          assert.equal(own, name, line)
+        end
+      end
+    end
+  end)
+
+  it("names the size of the grid's cells", function()
+    local cell = physics.newWorld()._bodies.broadphase.cell
+    assert.truthy(page:find(("`cellSize` | `number` | %d | px"):format(cell), 1, true))
+  end)
+
+  -- Every default that is written as Lua is the one that a new world or object has.
+  for kind, list in pairs({ field = fields.objects, setting = fields.settings }) do
+    it("has the default of each " .. kind, function()
+      for _, field in ipairs(list) do
+        local row = ('id="%s%%-%s"></a>'):format(kind, field.name:lower())
+          .. "`[^`]*` | `[^`]*` | ([^|\n]*) | [^|\n]* | [^\n]* |\n"
+        local default = assert(page:match(row), field.name)
+        local code = default:match("^`(.*)`$")
+        if code then
+          local value = snippets.compile("return " .. code, "=default", {})()
+          assert.equal(field.default, value, field.name)
+        else
+          assert.is_true(field.required or field.written or field.absent == default, field.name)
+        end
+      end
+    end)
+  end
+
+  it("has a heading for every method of tiles", function()
+    local tiles = physics.newWorld():addTiles("tiles", { 1 }, 1, 16)
+    local count = 0
+    for name, value in pairs(getmetatable(tiles).__index) do
+      if type(value) == "function" then
+        assert.truthy(page:find("\n### tiles:" .. name .. "\n", 1, true), name)
+        count = count + 1
+      end
+    end
+    assert.equal(5, count)
+  end)
+
   it("has every counter of world.stats, and nothing that only the library reads", function()
-    local section = page:match("\n### physics%.Stats\n(.-)\n### ")
+    local section = page:match("\n### physics%.Stats %(type%)\n(.-)\n### ")
     local world, count = physics.newWorld(), 0
     for name in pairs(world.stats) do
       assert.truthy(section:find("- `" .. name .. "` (`integer`): ", 1, true), name)
@@ -57,12 +117,6 @@ describe("docs/api.md", function()
     end
     assert.equal(6, count)
     assert.is_nil(page:find("world._", 1, true))
-  end)
-
-  it("links to files that exist", function()
-    for path in page:gmatch("%]%(([^#)]+)%)") do
-      read("docs/" .. path)
-    end
   end)
 end)
 
@@ -158,7 +212,7 @@ describe("the docstring", function()
   -- the lines of a docstring, the name and the type and the text that are read
   for _, row in ipairs({
     { "---@param x number px, left edge", "x", "number", "px, left edge" },
-    { "---@param f fun(a: table, b: T): any who", "f", "fun(a: table, b: T): any", "who" },
+    { "---@param f fun(a: table, b: T): any how", "f", "fun(a: table, b: T): any", "how" },
     { '---@param m "a" | "b"|nil which', "m", '"a" | "b"|nil', "which" },
     { "---@param o table?", "o", "table?", "" },
     { "---@param o table? one\n---  two", "o", "table?", "one two" },

@@ -101,7 +101,7 @@ describe("world:move", function()
     assert.are.equal(wall, hit.other)
   end)
 
-  it("tells normals that point at who moves", function()
+  it("tells normals that point at the moving object", function()
     for _, row in ipairs({
       { 40, 0, "right", -1, 0 },
       { -40, 0, "left", 1, 0 },
@@ -477,7 +477,11 @@ describe("what moves by hand refuses", function()
     },
     { "move", { "me", 0, 0, nil, 1 }, "world:move(object, x, y): out must be a table, got 1" },
     { "move", { "wall", 0, 0 }, "world:move(object, x, y): object must not be static" },
-    { "move", { {}, 0, 0 }, "world:move(object, x, y): the object is not in the world, got table" },
+    {
+      "move",
+      { {}, 0, 0 },
+      "world:move(object, x, y): the object is not in the world (removed, or never added)",
+    },
     {
       "impulse",
       { "wall", 0, 0 },

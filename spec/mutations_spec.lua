@@ -128,7 +128,7 @@ describe("scripts/coverage.lua", function()
   it("leaves out what only draws, loads maps or helps editors", function()
     assert.is_true(coverage.isCore("physics/broadphase/grid.lua"))
     assert.is_true(coverage.isCore("physics.lua"))
-    for _, name in ipairs({ "draw", "tiled", "tiled/tileset", "types" }) do
+    for _, name in ipairs({ "draw", "maps/tiled", "maps/tiled/tileset", "types" }) do
       assert.is_false(coverage.isCore("physics/" .. name .. ".lua"))
     end
   end)

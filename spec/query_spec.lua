@@ -1119,8 +1119,8 @@ describe("world:explain", function()
     },
     { { static = true }, { static = true }, "never collide: both are static" },
     { { sensor = true }, {}, "objects.b[1] is a sensor" },
-    { { oneWay = "top" }, {}, "objects.b[1] is solid at its top only" },
-    { { canCollide = function() end }, {}, "canCollide of objects.b[1] is asked" },
+    { { oneWay = "top" }, {}, "objects.b[1] is solid only at its top" },
+    { { canCollide = function() end }, {}, "canCollide of objects.b[1] may refuse" },
   }) do
     it("says: " .. row[3], function()
       local world = still()
@@ -1158,10 +1158,18 @@ describe("a question refuses", function()
     { "raycast", { 1, 2, 3 }, "raycast(x1, y1, x2, y2): y2 must be a number, got nil" },
     { "nearest", { 1, 2, -1 }, "nearest(x, y, radius): radius must be a number >= 0, got -1" },
     { "sweep", { 1, 2, 3 }, "sweep(object, dx, dy): object must be a table, got 1" },
-    { "sweep", { {}, 2, 3 }, "sweep(object, dx, dy): the object is not in the world, got table" },
+    {
+      "sweep",
+      { {}, 2, 3 },
+      "sweep(object, dx, dy): the object is not in the world (removed, or never added)",
+    },
     { "overlapping", {}, "overlapping(object): object must be a table, got nil" },
-    { "overlapping", { {} }, "overlapping(object): the object is not in the world, got table" },
-    { "touching", { {}, {} }, "touching(a, b): a is not in the world, got table" },
+    {
+      "overlapping",
+      { {} },
+      "overlapping(object): the object is not in the world (removed, or never added)",
+    },
+    { "touching", { {}, {} }, "touching(a, b): a is not in the world (removed, or never added)" },
     { "touching", { {} }, "touching(a, b): b must be a table, got nil" },
     { "explain", { 1, {} }, "explain(a, b): a must be a table, got 1" },
   }) do

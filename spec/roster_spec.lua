@@ -457,7 +457,7 @@ describe("the roster", function()
         end,
         "physics: objects.crates[102] is the same object as objects.tiles["
           .. (50 - #gone)
-          .. "]: an object stands in one place, table was found in two"
+          .. "]: an object must be in one place only, got table in two"
       )
       objects.crates[102] = nil
       update(b, r, objects)

@@ -50,7 +50,7 @@ describe("settings", function()
     assert.near(0.5 * 100 * 0.25, box.x, 1e-9)
   end)
 
-  it("push first: who runs into the other gives way", function()
+  it("push first: the one that runs into the other gives way", function()
     for _, row in ipairs({ { "both", 46 }, { "first", 44 } }) do
       local world = physics.newWorld({ gravity = 0, push = row[1], maxStep = 0.25 })
       local a = world:add("boxes", newBox(40, 0, { vx = 32 })) -- 8 px a step
@@ -124,7 +124,7 @@ describe("settings", function()
     assert.equal(0, garbage.bytes(step, 100, 1000))
   end)
 
-  -- Who asks for the mask of each group, and that for each group, asks a thousand times a thousand.
+  -- Reading the mask of each group for each group would be a thousand times a thousand reads.
   it("masks ask for the groups that are there, not for all that ever were", function()
     local count = 0
     local function counting(values)

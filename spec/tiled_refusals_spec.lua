@@ -259,8 +259,8 @@ describe("world:loadTiled refuses", function()
       function(map)
         map.tilesets[1].tiles[2].objectGroup.objects[1].properties.oneWay = "up"
       end,
-      'tileset "terrain", tile 1, shape 3: oneWay must be "top", "bottom", "left" or "right",'
-        .. ' got "up"',
+      'tileset "terrain", tile 1, shape 3: oneWay must be true, false, "top", "bottom", "left" or '
+        .. '"right", got "up"',
     },
     {
       function(map)
@@ -340,7 +340,7 @@ describe("world:loadTiled refuses", function()
     it(row[2], function()
       local map = newMap()
       row[1](map)
-      refuses(M .. row[2], map)
+      refuses(M .. row[2], map, { strict = true })
     end)
   end
 
@@ -359,8 +359,9 @@ describe("world:loadTiled refuses", function()
     { 5, "options must be a table, got 5" },
     {
       { solidLayer = { "ground" } },
-      'unknown option "solidLayer" (did you mean "solidLayers"?); the options are merge,'
-        .. " skipLayers, solidLayers, solidProperty, solidTiles, x, y",
+      'unknown option "solidLayer" (did you mean "solidLayers"?); the options are decompress,'
+        .. " folder, ignore, merge, onlyLayers, skipLayers, solidLayers, solidProperty,"
+        .. " solidTiles, strict, x, y",
     },
     { { merge = 1 }, "merge must be true or false, got 1" },
     { { x = NAN }, "x must be a number, got nan" },
@@ -373,6 +374,16 @@ describe("world:loadTiled refuses", function()
     { { solidTiles = { [5] = true } }, "solidTiles must be a list of gids, got table" },
     { { solidTiles = { 0 } }, "solidTiles[1] must be an integer in 1..268435455, got 0" },
     { { solidTiles = { 1, 17 } }, "solidTiles[2] must be a gid of one of the tilesets, got 17" },
+    { { strict = 1 }, "strict must be true or false, got 1" },
+    { { folder = 5 }, "folder must be a path, got 5" },
+    { { decompress = "zlib" }, 'decompress must be a function, got "zlib"' },
+    { { ignore = "drag" }, 'ignore must be a list of property names, got "drag"' },
+    { { ignore = { 5 } }, "ignore[1] must be a name, got 5" },
+    { { onlyLayers = "things" }, 'onlyLayers must be a list of layer names, got "things"' },
+    {
+      { onlyLayers = { "thngs" } },
+      'onlyLayers[1] must be a layer of the map, got "thngs"; they are "things", "all", "ground"',
+    },
     { { solidLayers = "ground" }, 'solidLayers must be a list of layer names, got "ground"' },
     { { skipLayers = { ground = true } }, "skipLayers must be a list of layer names, got table" },
     { { skipLayers = { true } }, "skipLayers[1] must be a string or a number, got true" },

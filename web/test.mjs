@@ -1,8 +1,8 @@
 // Plays the examples in a headless Chromium: CHROMIUM=/path node web/test.mjs FOLD EXAMPLE...
 //
 // Serves build/ on the loopback address, starts every example on the page, presses the keys that
-// move somebody, and reads from the lines of `--say` (examples/main.lua) that somebody moved. Then it
-// plays the scene of the determinism spec, whose number must be FOLD. Pictures go to
+// move an object, and reads from the lines of `--say` (examples/main.lua) that one moved. Then it
+// plays the scene of the determinism spec: its number must be FOLD. Pictures go to
 // build/web-pictures/. The last line is "N passed, N failed".
 
 import { createServer } from "node:http";

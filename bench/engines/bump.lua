@@ -1,5 +1,5 @@
 --- bump.lua, when it is found on `package.path`. It finds collisions and slides along them; what a
---- game adds itself stands here: gravity, velocities, bouncing. Nobody pushes anybody.
+--- game adds itself stands here: gravity, velocities, bouncing. No box pushes another.
 
 local engine = {
   module = "bump",

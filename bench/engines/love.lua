@@ -13,7 +13,7 @@ World.__index = World
 local METER = 64 -- px; Box2D is tuned for sizes of 0.1 to 10 m
 local DT = 1 / 60 -- s, a frame
 
---- `turns`: the bodies do, which is what they do if nobody says otherwise.
+--- `turns`: the bodies do, as they do by default.
 function lovePhysics.new(scene, turns)
   love.physics.setMeter(METER)
   local self = setmetatable({ bodies = {}, halves = {}, isFixed = not turns }, World)

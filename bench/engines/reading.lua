@@ -1,7 +1,8 @@
---- No engine: what there is to read before one can begin. Games write to their own tables whenever
---- they like and tell nobody, so each step of physics.lua looks at every field of all that may
+--- Not an engine: what a step has to read before it can begin. Games write to their own tables
+--- whenever they like, so each step of physics.lua looks at every field of all objects that may
 --- move, and whether every other object is still there. This does that in the fewest loops and
---- compares with what it saw last, and nothing else: what keeps the contract cannot be faster.
+--- compares with what it saw last, and nothing else: no engine that keeps the contract can be
+--- faster.
 
 local reading = { plays = { rest = true, level = true } }
 local World = {}
@@ -29,7 +30,7 @@ local function findMoved(movers, seen, count)
   return changed
 end
 
--- Fields that few have, in the boxes of the benchmark all but three of them nobody.
+-- Fields that few objects have. The boxes of the benchmark have only three of them.
 local function findRich(movers, frictions, count)
   local rich = 0
   for n = 1, count do

@@ -1,5 +1,5 @@
---- The ground is dug: in every frame one tile of it goes and the one before it comes back. Nobody
---- stands where that happens; what it costs to tell who is there is what is measured.
+--- The ground is dug: in every frame one tile of it goes and the one before it comes back. No
+--- object is where that happens: it measures what it costs to find out which objects there are.
 ---
 ---     # #   # #  #
 ---   ################

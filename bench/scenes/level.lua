@@ -47,7 +47,7 @@ local function build(tiles)
   return objects
 end
 
--- Everybody turns every 2 s and jumps every 1.5 s, each at a time of his own.
+-- Each walker turns every 2 s and jumps every 1.5 s, at times of its own.
 local function frame(world, step)
   for i = 1, WALKERS do
     local isLeft = math.floor((step + 7 * i) / 120) % 2 == 1

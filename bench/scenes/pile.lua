@@ -53,10 +53,10 @@ return {
     end,
   },
   {
-    -- On a smooth floor the heap slides about for a long time, and nobody may skip anything: this
+    -- On a smooth floor the heap slides about for a long time, and nothing may be skipped: this
     -- is the bare cost of a step.
     name = "pile-awake",
-    title = "pile, smooth floor, nobody rests",
+    title = "pile, smooth floor, without rest",
     sizes = sizes,
     quick = 60,
     build = function(count)

@@ -40,5 +40,5 @@ end
 
 return {
   scene("rest", "everything at rest", true),
-  scene("rest-awake", "the same, nobody may rest", false),
+  scene("rest-awake", "the same, without rest", false),
 }

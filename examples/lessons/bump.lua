@@ -7,15 +7,14 @@ local physics = require("physics")
 local lesson = {
   title = "Bumping",
   text = [[
-Now that the side is known, the boxes are moved apart until they are flush. Who has to move?
+The side is known. Now the boxes are moved apart until they are flush. Which one has to move?
 
-Push the first: box a goes back all the way, b stands like a wall.
+Push the first: box a moves back all the way, b stands like a wall.
 
-Push both: each one goes half of the way. A crate that is pushed gives way, and the pusher gets
-slower.
+Push both: each moves half of the way. A crate gives way, and the box that pushes it gets slower.
 
-Drag a into b and switch with space. What is static never gives way, and then the other one goes
-the whole way in both modes.]],
+Drag a into b and switch with space. A static box never gives way: then the other one moves the
+whole way in both modes.]],
   keys = { { "space", "push first or both" } },
 }
 

@@ -8,14 +8,14 @@ local lesson = {
   text = [[
 Objects keep their speed until something changes it.
 
-Gravity pulls everything down; each object may have its own, 0 floats. Friction slows what rubs
-on a floor, until it stops. Air friction takes a share of the speed every second, in the air
-too. A speed limit just cuts it off.
+Gravity pulls everything down. Each object may have its own; with 0 it floats. Friction brakes
+a box that slides on a floor, until it stops. Air friction takes a share of the speed every
+second, also in the air. A speed limit cuts the speed.
 
-The four boxes start alike with every space. All numbers are per second, not per frame: at 30
-and at 144 frames a second the boxes come equally far.]],
+Space starts the four boxes again. All numbers are per second, not per frame: at 30 and at 144
+frames a second the boxes get equally far.]],
   code = [[
-world.gravity = 800  -- px/s², for everyone
+world.gravity = 800  -- px/s², for all boxes
 box.gravity = 0  -- its own
 box.friction = 0.35  -- of its weight, on a floor
 box.airFriction = 1.2  -- e^(-1.2) is left after 1 s

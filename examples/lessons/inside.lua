@@ -7,13 +7,13 @@ local physics = require("physics")
 local lesson = {
   title = "Is a corner inside?",
   text = [[
-The first idea: two boxes touch when a corner of one lies in the other. A corner is a box
-without size, so one small function answers it.
+The first idea: two boxes touch when a corner of one is inside the other. A corner is a box
+without size, so one small function is enough.
 
-Ask for the corners of both boxes, or a big one that swallows a small one goes unseen.
+Test the corners of both boxes. Otherwise you miss a small box inside a big one.
 
-It is still not enough. Space shows the arrangements: in the last one the boxes cross, and no
-corner lies in anything.]],
+It is still not enough. Space shows three arrangements. In the last one the boxes cross, and no
+corner is inside a box.]],
   code = [[
 function inside(x1, y1, w1, h1, x2, y2, w2, h2)
   return x1 >= x2 and x1 + w1 < x2 + w2

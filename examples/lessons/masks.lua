@@ -5,17 +5,18 @@ local look = require("look")
 local physics = require("physics")
 
 local lesson = {
-  title = "Who meets whom",
+  title = "What meets what",
   text = [[
-Three switches decide what an object has to do with the others.
+Three switches decide how an object meets the others.
 
-A mask names the groups that it passes through: the ghost falls through clouds, and stands on
+A mask names the groups that it passes through: the ghost falls through clouds and stands on
 the floor.
 
-What is static never moves and is never pushed. It is read only once, so tell the world
-after changing it by hand.
+A static object never moves and is never pushed. It is read only once, so tell the world after
+you change it.
 
-What is not active is out of the game, until it is switched on again: the trapdoor opens.]],
+An object that is not active is out of the game until you switch it on again: the trapdoor
+opens.]],
   keys = { { "1", "2", "3", "switch" } },
 }
 

@@ -7,13 +7,12 @@ local physics = require("physics")
 local lesson = {
   title = "Objects are tables",
   text = [[
-A thing with a place and a size is an object. It is your own table: put into it whatever your
-game needs, a picture, a name, some points. The engine reads x, y, width and height and writes
-new places back.
+A table with a place and a size is an object. It is your own table: add whatever your game
+needs, such as a picture, a name, some points. The engine reads x, y, width and height and
+writes new places back.
 
-Sort the objects into groups, one table for each kind, or let them stand side by side in one
-table. Keys may be numbers or names. Both forms may be mixed, and the boxes on the right do not
-care.]],
+Sort the objects into groups, one table for each kind, or put them side by side into one table.
+Keys may be numbers or names. You may mix both forms; the boxes on the right behave the same.]],
   keys = { { "space", "other form" } },
 }
 

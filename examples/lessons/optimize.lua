@@ -7,17 +7,17 @@ local physics = require("physics")
 local lesson = {
   title = "Drawing, and doing less",
   text = [[
-To draw, go through the objects. For a first look the library draws them itself, each kind in
+To draw, loop over the objects. For a first look the library draws them itself: each kind in
 its colour, with the sides that touch (space).
 
-To compare every object with every other is simple, and slow: twice the objects are four times
-the work. So:
-- of a pair that was seen, skip its mirror image
-- two static objects never meet: skip them
-- only neighbours can meet: sort into a grid
-- what rests needs nothing at all
+Comparing every object with every other one is simple and slow: twice the objects are four
+times the work. So:
+- compare each pair only once
+- skip two static objects: they never meet
+- use a grid: only neighbours can meet
+- skip objects at rest
 
-The bars count the pairs of this very scene.]],
+The bars count the pairs of this scene.]],
   code = [[
 function love.draw()
   physics.draw({ velocity = true, touching = true })
@@ -104,7 +104,7 @@ function lesson.draw()
   local tiles, boxes = #world.objects.tiles, #world.objects.boxes
   local all = tiles + boxes
   drawBars({
-    { "everyone with everyone", all * (all - 1) },
+    { "each box with each", all * (all - 1) },
     { "each pair once", all * (all - 1) / 2 },
     { "not static with static", boxes * tiles + boxes * (boxes - 1) / 2 },
     { "neighbours in the grid", world.stats.pairs },

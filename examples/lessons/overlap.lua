@@ -10,7 +10,7 @@ local lesson = {
 Better: compute the rectangle that both boxes cover. It starts at the larger of the two left
 edges and ends at the smaller of the two right edges, and the same from top to bottom.
 
-If it has a width and a height, the boxes overlap, whatever their sizes and however they lie.
+If its width and height are above 0, the boxes overlap, whatever their sizes and places.
 
 A width of exactly 0 means side by side: they touch and share nothing. Whether that counts is
 your choice. Space switches it; drag a until it snaps to b.]],

@@ -9,10 +9,10 @@ local lesson = {
 Another idea: draw a line from the middle of one box to the middle of the other. If it runs more
 sideways than up or down, a left or right side was hit, otherwise a top or bottom.
 
-One step gives the axis and the direction, and with boxes of about the same size it is right.
+One step gives the axis and the direction. With boxes of about the same size it is right.
 
-With a wide box it is not: whoever lands near its end is far from its middle, and gets pushed
-sideways off a floor. Case 4 fools both ways at once.]],
+With a wide box it is wrong: a box that lands near its end is far from its middle, and is pushed
+off the floor sideways. Case 4 fools both methods at once.]],
   code = [[
 local dx = a.x + a.width / 2 - (b.x + b.width / 2)
 local dy = a.y + a.height / 2 - (b.y + b.height / 2)

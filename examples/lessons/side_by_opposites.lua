@@ -6,14 +6,14 @@ local sides = require("lessons.sides")
 local lesson = {
   title = "Which side? The shortest way out",
   text = [[
-The rule that lasts: measure how far box a would have to go to get out in each of the four
+The rule that stays: measure how far box a would have to move to get out in each of the four
 directions. That is the distance between a side of a and the opposite side of b. The smallest
-one names the side.
+distance names the side.
 
-It does not care how wide or tall the boxes are. In case 4 it is the only one that is right.
+The widths and heights do not matter. In case 4 it is the only method that is right.
 
-The last case beats it too: after one long step the box is more than half-way through. No look
-at a single moment can tell where it came from. That is why the library's update looks at the
+In the last case it is wrong, too: after one long step the box is more than half-way through.
+A single moment cannot tell where it came from. That is why the library's update looks at the
 path.]],
   code = [[
 local right = a.x + a.width - b.x

@@ -6,13 +6,13 @@ local sides = require("lessons.sides")
 local lesson = {
   title = "Which side? The shape of the overlap",
   text = [[
-To push a box out one has to know which of its sides was hit. Look at the rectangle that both
-share: when a box lands on another, it is wide and flat. When it runs into a wall, it is narrow
-and tall.
+To push a box out you must know which side was hit. Look at the rectangle that both share. When
+a box lands on another one, it is wide and flat. When it runs into a wall, it is narrow and
+tall.
 
-Which of the two sides it is follows from who is further left, or higher.
+Which of the two sides it is depends on which box is further left, or higher.
 
-Go through the cases with space: a thin post that sank deeper than it is wide looks like one
+Go through the cases with space. A thin post that sank deeper than it is wide looks like one
 that ran into a wall.]],
   code = [[
 if width > height then

@@ -18,7 +18,7 @@ local TRUTH = "bottom"
 
 local case = 1
 local a, b ---@type physics.Box, physics.Box
--- nobody has moved the boxes: the right answer is known
+-- while you have not moved the boxes, the right answer is known
 local isUntouched ---@type boolean
 
 local function boxFrom(numbers)

@@ -297,6 +297,11 @@ columns.OPPOSITE = { 2, 1, 4, 3 }
 --- On which axis a side is.
 columns.AXIS = { 0, 0, 1, 1 }
 
+--- Returns the side that the field `oneWay` means: `true` is the top, false: none.
+function columns.sideOf(value)
+  return value == true and "top" or value or false
+end
+
 local function namesOf(map)
   local names = {}
   for name in pairs(map) do

@@ -24,6 +24,8 @@ local UNREAD = 0 / 0 -- no place is equal to it
 local isFinite = check.isFinite
 local STATIC, KINEMATIC, DYNAMIC = columns.STATIC, columns.KINEMATIC, columns.DYNAMIC
 
+local sideOf = columns.sideOf
+
 local function orDefault(value, default)
   if value == nil then
     return default
@@ -141,6 +143,7 @@ local function readFields(b, i, object)
   if b.mask[i] then
     readMask(b, i, b.mask[i])
   end
+  b.oneWay[i] = sideOf(b.oneWay[i])
   b.mass[i], b.inverseMass[i] = mass, isDynamic and 1 / mass or 0
   b.friction[i] = orDefault(object.friction, isDynamic and 0 or -1)
   b.restitution[i] = orDefault(object.restitution, 0)
@@ -473,7 +476,7 @@ local function compareFilters(b, count)
       orDefault(object.active, true) ~= active[i]
       or (object.sensor or false) ~= sensor[i]
       or orDefault(object.pushable, true) ~= pushable[i]
-      or object.oneWay ~= (oneWay[i] or nil)
+      or sideOf(object.oneWay) ~= oneWay[i]
       or object.canCollide ~= (canCollide[i] or nil)
       or (object.kinematic or false) ~= (kind[i] == KINEMATIC)
       or its ~= (mask[i] or nil)

@@ -105,7 +105,7 @@ local function checkKey(key, path)
   if type(key) ~= "number" and type(key) ~= "string" then
     check.fail(path .. " has a key that is neither a number nor a string, got " .. check.show(key))
   elseif type(key) == "number" and not check.isFinite(key) then
-    check.fail(path .. " has a key that is no finite number, got " .. check.show(key))
+    check.fail(path .. " has a key that is not a finite number, got " .. check.show(key))
   end
 end
 
@@ -391,9 +391,9 @@ local function failTwice(object, first, second)
     second
       .. " is the same object as "
       .. first
-      .. ": an object stands in one place, "
+      .. ": an object must be in one place only, got "
       .. check.show(object)
-      .. " was found in two"
+      .. " in two"
   )
 end
 

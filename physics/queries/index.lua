@@ -133,7 +133,8 @@ function view.lookAtFilter(v, i)
     return
   end
   local object = v.object[i]
-  local sensor, oneWay, mask = object.sensor or false, object.oneWay or false, object.mask or false
+  local sensor, mask = object.sensor or false, object.mask or false
+  local oneWay = columns.sideOf(object.oneWay)
   if sensor ~= v.sensor[i] or oneWay ~= v.oneWay[i] or mask ~= v.mask[i] then
     complain(v, i)
     v.sensor[i], v.oneWay[i], v.mask[i] = sensor, oneWay, mask

@@ -1,4 +1,4 @@
---- Errors: what a wrong value is, how it is told, and whom it blames.
+--- Errors: which values are wrong, what the message says, and which line it names.
 --- A message names the place, the field, what was expected and what was found:
 ---   physics: objects.boxes[3].width must be a number > 0, got nil
 --- and points at the caller's line: the first one that is not in a file of the library.
@@ -18,7 +18,7 @@ local LARGEST, SMALLEST = 1e100, 1e-100
 
 local check = {}
 
--- Blame ------------------------------------------------------------------------------------------
+-- The line that is named -------------------------------------------------------------------------
 
 local getinfo = type(debug) == "table" and debug.getinfo or nil
 local ownSources = {} -- chunk names that are the library's
@@ -43,7 +43,7 @@ end
 
 -- Returns the level of the next entry of the stack, if this one has no line of a game: a function
 -- in C (on gopher-lua: in Go), the gap that Lua 5.1 leaves for a tail call, or the library. On
--- gopher-lua "tail" is the function that was called, and the entry after it is nobody.
+-- gopher-lua "tail" is the function that was called, and the entry after it stands for no function.
 local function nextLevel(level, info)
   local what = info.what
   local isTailCalled = what == "tail" and info.currentline > 0
@@ -197,8 +197,8 @@ local function describeChoice(values)
   return #shown == 0 and last or table.concat(shown, ", ") .. " or " .. last
 end
 
--- Of all entries that a predicate refuses the first in order: no message may depend on the order of
--- pairs().
+-- Returns the first entry, in order, that a predicate refuses: no message may depend on the order
+-- of pairs().
 local function firstBad(map, isGood)
   local found, bad = false, nil
   for key, value in pairs(map) do
@@ -254,6 +254,9 @@ TYPES["function"] = {
 
 TYPES.string = {
   accepts = function(field, value)
+    if type(value) == "boolean" then
+      return field.yes ~= nil
+    end
     for i = 1, #field.values do
       if value == field.values[i] then
         return true
@@ -262,7 +265,8 @@ TYPES.string = {
     return false
   end,
   describe = function(path, field, value)
-    return mustBe(path, describeChoice(field.values), value)
+    local choice = describeChoice(field.values)
+    return mustBe(path, field.yes and "true, false, " .. choice or choice, value)
   end,
 }
 
@@ -302,7 +306,8 @@ TYPES.masks = {
   end,
 }
 
--- What breaks a list of names: its index and the index of an equal name before it, or nothing.
+-- Returns the index of the first name that cannot be used, and the index of an equal name before
+-- it.
 local function badName(list)
   local seen = {}
   for i = 1, #list do
@@ -318,7 +323,7 @@ local function isEmpty(list)
   return next(list) == nil
 end
 
---- Whether a value is a list, or empty: a set (`{ players = true }`) would be taken for the latter.
+--- Returns whether a value is a list or an empty table. A set, `{ players = true }`, is neither.
 function check.isList(value)
   return type(value) == "table" and (value[1] ~= nil or isEmpty(value))
 end
@@ -350,6 +355,10 @@ local function describe(path, field, value)
   return TYPES[field.type].describe(path, field, value)
 end
 
+--- Returns what is wrong with a value that does not fit an entry of `fields.lua`.
+---@type fun(path: string, field: physics.Field, value: any): string
+check.describe = describe
+
 --- Returns whether a value fits an entry of `fields.lua`; nil does not.
 ---@type fun(field: physics.Field, value: any): boolean
 check.accepts = isAccepted
@@ -374,8 +383,8 @@ local function isBad(field, value)
   return not field.written and not isAccepted(field, value)
 end
 
---- Returns the first field, in the order of `fields.objects`, whose value cannot be used. Makes no
---- garbage.
+--- Returns the first field, in the order of `fields.objects`, with a value that cannot be used.
+--- Makes no garbage.
 ---@param object table
 ---@return physics.Field? field nil: all are fine
 function check.badField(object)
@@ -395,8 +404,24 @@ local function mustBeTable(value, path)
   end
 end
 
+-- What may help to mend a field, in parentheses, or "".
+local function advice(object, field, value)
+  local other = field.misnamed and object[field.misnamed]
+  if value == nil and isFinite(other) then
+    return format(" (but %s is %s)", field.misnamed, show(other))
+  elseif field.infinite and value == huge then
+    return format(" (%s)", field.infinite)
+  end
+  return ""
+end
+
+local function failField(object, place, field)
+  local value = object[field.name]
+  fail(describe(place .. "." .. field.name, field, value) .. advice(object, field, value))
+end
+
 --- Checks some fields of an object, in the order given.
---- Errors: no table; a field that is missing or cannot be used.
+--- Errors: the object is not a table; a field is missing or cannot be used.
 ---@param object any
 ---@param place string how the game would write it: `objects.boxes[3]`
 ---@param names string[] names from `fields.objects`
@@ -406,20 +431,20 @@ function check.fields(object, place, names)
     local field = fields.objectByName[names[i]]
     local value = object[field.name]
     if isBad(field, value) then
-      fail(describe(place .. "." .. field.name, field, value))
+      failField(object, place, field)
     end
   end
 end
 
 --- Checks an object and all its fields.
---- Errors: no table; a field that is missing or cannot be used, the first in the listed order.
+--- Errors: the object is not a table; a field is missing or cannot be used (the first in the list).
 ---@param object any
 ---@param place string how the game would write it: `objects.boxes[3]`
 function check.object(object, place)
   mustBeTable(object, place)
   local field = check.badField(object)
   if field then
-    fail(describe(place .. "." .. field.name, field, object[field.name]))
+    failField(object, place, field)
   end
 end
 
@@ -437,8 +462,8 @@ local function isOneOff(a, b)
   return #a <= 1 and #b <= 1 or #a == 2 and a == b:reverse()
 end
 
---- Tells whether one name was probably meant to be another: it differs by one slip at most, or only
---- by capitals.
+--- Returns whether one name is probably a misspelling of another: it differs by one slip at most,
+--- or only by capitals.
 ---@param name string
 ---@param known string
 ---@return boolean
@@ -446,8 +471,7 @@ function check.isSlip(name, known)
   return isOneOff(name:lower(), known:lower())
 end
 
---- Returns the name in a list that an unknown one was probably meant to be: it differs by one slip,
---- or only by capitals.
+--- Returns the name in a list that an unknown name is probably a misspelling of.
 ---@param name any
 ---@param names string[]
 ---@return string? nil: there is none
@@ -479,8 +503,8 @@ local function isAmong(names, name)
   return false
 end
 
---- Checks that a table has no entries but those of these names.
---- Errors: another name, the first in order, so that the message does not vary from run to run.
+--- Checks that a table has only entries with these names.
+--- Errors: another name (the first in order, so that the message does not vary from run to run).
 ---@param given table
 ---@param kind string what an entry is: `setting`
 ---@param names string[]
@@ -510,8 +534,8 @@ function check.setting(name, value, where)
   end
 end
 
---- Checks a table of settings; what it does not give has its default.
---- Errors: no table (nil is fine); an unknown setting; a value that cannot be used.
+--- Checks a table of settings; nil is allowed, for the table and for each setting.
+--- Errors: another type than table; an unknown setting; a value that cannot be used.
 ---@param settings table?
 ---@param where string the call it was given to: `newWorld(settings)`
 function check.settings(settings, where)
@@ -610,7 +634,9 @@ end
 ---@param what string? name of the argument, default "group"
 function check.group(value, where, what)
   if not isName(value) then
-    fail(mustBe(where .. ": " .. (what or "group"), "a string or a number", value))
+    local isSwapped = not what and type(value) == "table"
+    local order = isSwapped and " (the group comes first, then the object)" or ""
+    fail(mustBe(where .. ": " .. (what or "group"), "a string or a number", value) .. order)
   end
 end
 
@@ -621,7 +647,7 @@ function check.filter(value, where)
   if value == nil or type(value) == "function" or isName(value) then
     return
   end
-  if not check.isList(value) then -- an object, or a set of names, would be nobody
+  if not check.isList(value) then -- an object or a set of names would match nothing
     fail(mustBe(where .. ": filter", "a group name, a list of them or a function", value))
   end
   for i = 1, #value do

@@ -1,6 +1,6 @@
---- Shows a world as the physics sees it. For development, and as a start for a game's own drawing.
---- Reads what the game can read too, `world.objects` and the fields of the objects; only for the
---- grid it looks inside.
+--- Draws a world as the physics sees it: for development, and as a start for a game's own drawing.
+--- It reads `world.objects` and the fields of the objects, as a game could; only the grid is
+--- internal.
 --
 -- Every mark is a filled rectangle or polygon, and words are written afterwards: LÖVE collects such
 -- shapes, so that the whole world is a draw call or two, however many objects there are. Its lines
@@ -161,7 +161,7 @@ local function kindOf(object)
   return rests and "resting" or "moving"
 end
 
--- A sensor is only an outline, since it stands in nobody's way. The darker border tells boxes that
+-- A sensor is only an outline, since it is in no object's way. The darker border tells boxes that
 -- stand side by side from each other.
 local function drawBox(object, color, isFilled, alpha)
   local x, y, width, height = object.x, object.y, object.width, object.height
@@ -212,8 +212,9 @@ local function drawVelocity(object, alpha)
 end
 
 local function drawOneWay(object, alpha)
+  local side = object.oneWay == true and "top" or object.oneWay
   setColor(COLORS.oneWay, alpha)
-  drawSide(object.x, object.y, object.width, object.height, object.oneWay, SOLID)
+  drawSide(object.x, object.y, object.width, object.height, side, SOLID)
 end
 
 local function drawObject(object, options)

@@ -18,7 +18,7 @@ local function nameOf(v, i)
   return roster.place(v.group[i], v.key[i])
 end
 
--- The mask that keeps two apart, in words, or nil.
+-- Returns which mask lets two objects pass through each other, in words, or nil.
 local function explainMask(v, i, j)
   local refusal = filter.refusal(v, i, j)
   if refusal == "mask" then
@@ -33,7 +33,7 @@ local function kindName(v, i)
   return v.kind[i] == STATIC and "static" or "kinematic"
 end
 
--- What keeps two apart wherever they are, or nil.
+-- Returns why two objects never collide, wherever they are, or nil.
 local function explainFilter(v, i, j)
   for _, slot in ipairs({ i, j }) do
     if not v.active[slot] then
@@ -50,7 +50,7 @@ local function explainFilter(v, i, j)
   return explainMask(v, i, j) or explainMask(v, j, i)
 end
 
--- Gaps on both axes, negative where they overlap.
+-- Returns the gaps on both axes, negative where they overlap.
 local function gapsOf(v, i, j)
   local p, s, k, m = v.position, v.size, 2 * i, 2 * j
   local width, height = aabb.overlap(p[k], p[k + 1], s[k], s[k + 1], p[m], p[m + 1], s[m], s[m + 1])
@@ -61,7 +61,7 @@ local function show(px)
   return check.show(math.floor(px * 1000 + 0.5) / 1000)
 end
 
--- The side of slot i at which slot j is flush, or nil.
+-- Returns the side of slot i at which slot j is flush, or nil.
 local function flushSide(v, i, j)
   local gapX, gapY = gapsOf(v, i, j)
   local p, k, m = v.position, 2 * i, 2 * j
@@ -74,7 +74,8 @@ local function flushSide(v, i, j)
   end
 end
 
--- The side of slot i at which it has left slot j the least room, or nil if they do not overlap.
+-- Returns the side of slot i that is nearest to the opposite side of slot j, or nil if they do not
+-- overlap.
 local function deepSide(v, i, j)
   local gapX, gapY = gapsOf(v, i, j)
   if gapX >= -EPSILON or gapY >= -EPSILON then
@@ -101,23 +102,23 @@ local function explainPlace(v, i, j)
   return format("they overlap by %s x %s px", show(-gapX), show(-gapY))
 end
 
--- Under which conditions they collide.
+-- Returns the conditions under which they collide, in words.
 local function conditions(v, world, i, j)
   local list = {}
   for _, slot in ipairs({ i, j }) do
     local name = nameOf(v, slot)
     if v.sensor[slot] then
-      list[#list + 1] = name .. " is a sensor: it reports contacts and bumps nobody"
+      list[#list + 1] = name .. " is a sensor: it reports contacts, but nothing bumps into it"
     end
     if v.oneWay[slot] then
-      list[#list + 1] = format("%s is solid at its %s only", name, v.oneWay[slot])
+      list[#list + 1] = format("%s is solid only at its %s", name, v.oneWay[slot])
     end
     if v.object[slot].canCollide then
-      list[#list + 1] = format("canCollide of %s is asked", name)
+      list[#list + 1] = format("canCollide of %s may refuse", name)
     end
   end
   if world.canCollide then
-    list[#list + 1] = "canCollide of the world is asked"
+    list[#list + 1] = "canCollide of the world may refuse"
   end
   return list
 end
@@ -135,7 +136,7 @@ local function explainSlots(v, world, i, j)
   return format("%scan collide: %s.", names, table.concat(list, "; "))
 end
 
---- Returns the sentence.
+--- Returns a sentence that says why two objects do or do not collide.
 function explain.run(world, a, b)
   local v = view.of(world)
   local i, j = view.find(v, world, a), view.find(v, world, b)
@@ -149,9 +150,9 @@ function explain.run(world, a, b)
   return explainSlots(v, world, i, j)
 end
 
---- Returns the side of a at which it is in contact with b, or nil. A contact is what the last step
---- left (see publish), as long as the game has not taken the two apart since; with `sideBySide` it
---- is whoever is flush. Two that are not in the world: nil, and which one is missing.
+--- Returns the side of a at which it is in contact with b, or nil. The contacts are those that the
+--- last step left, unless the game has moved the two apart since; with `sideBySide` flush objects
+--- are in contact. If one of them is not in the world: nil, and "a" or "b".
 function explain.touching(world, a, b)
   local v, core = view.of(world), world._bodies
   local i, j = view.find(v, world, a), view.find(v, world, b)

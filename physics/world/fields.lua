@@ -6,9 +6,12 @@
 ---   unit      "px", "px/s", "px/s²", "1/s", "s"
 ---   min, above, max   range of a number: >= min, > above, <= max
 ---   values    the strings that are allowed
+---   yes       the one of them that `true` stands for; `false` stands for none
 ---   required  true: has no default
 ---   written   true: the library writes it; what the game put there is not read
 ---   signature parameters of a function
+---   infinite  what the message for an infinite number advises
+---   misnamed  another library's name for the field: the message for nil says if the object has it
 ---
 --- Types: "number" (finite), "boolean", "string" (one of `values`), "function",
 ---   "mask" (group name -> boolean), "masks" (group name -> mask), "names" (list of group names),
@@ -25,9 +28,12 @@
 ---@field above number?
 ---@field max number?
 ---@field values string[]?
+---@field yes string?
 ---@field required boolean?
 ---@field written boolean?
 ---@field signature string?
+---@field infinite string?
+---@field misnamed string?
 
 local SIDES = { "top", "bottom", "left", "right" }
 
@@ -55,7 +61,8 @@ fields.objects = {
     required = true,
     unit = "px",
     above = 0,
-    meaning = "The size along x; may change at run time.",
+    misnamed = "w",
+    meaning = "The size along x. It may change at run time.",
   },
   {
     name = "height",
@@ -63,21 +70,22 @@ fields.objects = {
     required = true,
     unit = "px",
     above = 0,
-    meaning = "The size along y; may change at run time.",
+    misnamed = "h",
+    meaning = "The size along y. It may change at run time.",
   },
   {
     name = "vx",
     type = "number",
     default = 0,
     unit = "px/s",
-    meaning = "The velocity along x; relative to what carries it, for a rider.",
+    meaning = "The velocity along x. For a rider it is relative to what carries it.",
   },
   {
     name = "vy",
     type = "number",
     default = 0,
     unit = "px/s",
-    meaning = "The velocity along y, downwards; relative to what carries it, for a rider.",
+    meaning = "The velocity along y, downwards. For a rider it is relative to what carries it.",
   },
   {
     name = "ax",
@@ -97,14 +105,15 @@ fields.objects = {
     name = "static",
     type = "boolean",
     default = false,
-    meaning = "It never moves; read once when it is first seen, `refresh` reads it again.",
+    meaning = "It never moves. A static object is read once, when it is first seen; `refresh`"
+      .. " reads it again.",
   },
   {
     name = "kinematic",
     type = "boolean",
     default = false,
-    meaning = "It moves by its own velocity or by the game writing x and y, pushes, is never pushed"
-      .. " and feels no gravity.",
+    meaning = "It moves by its own velocity, or by the game writing `x, y`. It pushes, is never"
+      .. " pushed and feels no gravity.",
   },
   {
     name = "active",
@@ -116,27 +125,28 @@ fields.objects = {
     name = "sensor",
     type = "boolean",
     default = false,
-    meaning = "It reports contacts, is never bumped and bumps nobody.",
+    meaning = "It reports contacts, but nothing bumps into it.",
   },
   {
     name = "pushable",
     type = "boolean",
     default = true,
-    meaning = "`false`: other objects cannot push it, walls still stop it.",
+    meaning = "`false`: other objects cannot push it, but it pushes them. Walls still stop it.",
   },
   {
     name = "mass",
     type = "number",
     default = 1,
     above = 0,
-    meaning = "Its weight in the sharing of pushes and momentum; only ratios matter.",
+    infinite = "pushable = false: never pushed",
+    meaning = "The weight in pushes and in the exchange of momentum. Only ratios matter.",
   },
   {
     name = "gravity",
     type = "number",
     absent = "the world's",
     unit = "px/s²",
-    meaning = "Replaces the world's downward gravity for this object; 0 floats.",
+    meaning = "Replaces the world's downward gravity for this object. An object with 0 floats.",
   },
   {
     name = "gravityX",
@@ -151,7 +161,7 @@ fields.objects = {
     default = 0,
     absent = "0; static and kinematic: the other object's",
     min = 0,
-    meaning = "The Coulomb coefficient of rubbing; a pair uses the square root of the product.",
+    meaning = "The Coulomb coefficient. A pair uses the square root of the product.",
   },
   {
     name = "restitution",
@@ -159,7 +169,7 @@ fields.objects = {
     default = 0,
     min = 0,
     max = 1,
-    meaning = "The bounciness, 0 none, 1 all of it; a pair uses the larger one.",
+    meaning = "The bounciness: 0 none, 1 all of it. A pair uses the larger one.",
   },
   {
     name = "airFriction",
@@ -199,34 +209,38 @@ fields.objects = {
     absent = "none",
     unit = "px/s",
     min = 0,
-    meaning = "The limit of the speed along y, in both directions.",
+    meaning = "The limit of the speed along y, in both directions: it also cuts a jump that is"
+      .. " faster.",
   },
   {
     name = "mask",
     type = "mask",
     absent = "collides with every group",
-    meaning = "`mask[group] = false` passes through that group; either side of a pair may refuse.",
+    meaning = "`mask[group] = false`: passes through the objects of that group. `true` and nil"
+      .. " collide. Either object of a pair may refuse.",
   },
   {
     name = "oneWay",
     type = "string",
     values = SIDES,
+    yes = "top",
     absent = "none: solid all around",
-    meaning = "The one side that is solid; the others let everything through, floors included: "
-      .. "it is for static and kinematic objects.",
+    meaning = "The one side that is solid; `true` is the top. The others let everything through."
+      .. " For static and kinematic objects.",
   },
   {
     name = "carry",
     type = "boolean",
     default = true,
-    meaning = "A kinematic object takes its riders along; `false`: it slides away under them.",
+    meaning = "Whether a kinematic object takes its riders along. `false`: it slides away under"
+      .. " them.",
   },
   {
     name = "surfaceSpeed",
     type = "number",
     default = 0,
     unit = "px/s",
-    meaning = "A conveyor: what stands on it is moved along x at this speed.",
+    meaning = "A conveyor: what stands on it moves along x at this speed.",
   },
   {
     name = "nudge",
@@ -234,23 +248,23 @@ fields.objects = {
     default = 0,
     unit = "px",
     min = 0,
-    meaning = "Corner correction: a hit that misses by at most this much slides around the corner;"
-      .. " who lands on an edge is never moved off it.",
+    meaning = "Corner correction: an object that hits a static or kinematic corner by at most this"
+      .. " much slides past it. One that lands on an edge is not moved.",
   },
   {
     name = "touching",
     type = "sides",
     written = true,
-    meaning = "What a dynamic object touches: top, bottom, left and right, each the other object or"
-      .. " false.",
+    meaning = "What a dynamic object touches: `top`, `bottom`, `left` and `right`, each the other"
+      .. " object or `false`.",
   },
   {
     name = "onBegin",
     type = "function",
     signature = "(self, other, side, speed)",
     absent = "none",
-    meaning = "Called once when a contact starts; side is the side of self that was hit, speed the"
-      .. " approach speed in px/s.",
+    meaning = "Called once when a contact starts. `side` is the side of `self` that was hit,"
+      .. " `speed` the approach speed in px/s.",
   },
   {
     name = "onStay",
@@ -272,16 +286,16 @@ fields.objects = {
     type = "function",
     signature = "(self, a, b, axis)",
     absent = "none",
-    meaning = "Called once when self is held between a and b, which cannot give way; axis is"
-      .. ' "x" or "y".',
+    meaning = "Called once when `self` is held between `a` and `b`, neither of which can give way."
+      .. ' `axis` is "x" or "y".',
   },
   {
     name = "canCollide",
     type = "function",
     signature = "(self, other, side)",
     absent = "always",
-    meaning = "Asked before a contact: `false` lets the pair pass through for this step; it must"
-      .. " not change the world.",
+    meaning = "Asked before a contact: `false` lets the pair pass through each other for this"
+      .. " step. It must not change the world.",
   },
 }
 
@@ -292,7 +306,8 @@ fields.settings = {
     type = "number",
     default = 9.81 * 64,
     unit = "px/s²",
-    meaning = "The downward acceleration of everything that moves, for 64 px to the metre.",
+    meaning = "The downward acceleration of everything that moves. The default is that of the"
+      .. " earth at 64 px to the metre.",
   },
   {
     name = "gravityX",
@@ -306,8 +321,8 @@ fields.settings = {
     type = "string",
     values = { "both", "first" },
     default = "both",
-    meaning = "Who gives way: both of a pair by inverse mass, or only the object that ran into the"
-      .. " other.",
+    meaning = "Which of two objects gives way: both, the lighter one more, or only the one that"
+      .. " ran into the other.",
   },
   {
     name = "masks",
@@ -327,7 +342,7 @@ fields.settings = {
     type = "string",
     values = { "auto", "pairs", "grid" },
     default = "auto",
-    meaning = "How pairs that may meet are found, all with the same result to the bit; `auto` is"
+    meaning = "How pairs that may meet are found, all with the same result to the bit. `auto` is"
       .. " the grid.",
   },
   {
@@ -336,8 +351,8 @@ fields.settings = {
     absent = "48",
     unit = "px",
     above = 0,
-    meaning = "The width and height of the smallest cells of the grid: most objects should fit into"
-      .. " one, with some 10 px to spare. Larger ones stand in larger cells.",
+    meaning = "The width and height of the smallest cells of the grid. Most objects should fit"
+      .. " into one, with some 10 px to spare; larger objects use larger cells.",
   },
   {
     name = "timestep",
@@ -346,7 +361,7 @@ fields.settings = {
     unit = "s",
     min = 1e-5,
     max = 0.25,
-    meaning = "A fixed step: `update` saves up dt and makes as many of them as fit.",
+    meaning = "A fixed step: `update` saves up dt and makes as many of these steps as fit.",
   },
   {
     name = "maxStep",
@@ -355,35 +370,37 @@ fields.settings = {
     unit = "s",
     min = 1e-5,
     max = 0.25,
-    meaning = "The longest single step; a longer dt is split, but a `timestep` is one step.",
+    meaning = "The longest single step. A longer dt is split into equal steps. A `timestep` is"
+      .. " never split.",
   },
   {
     name = "order",
     type = "names",
     absent = "numbers ascending, then strings",
-    meaning = "Group names from first to last; those that are not listed follow in usual order.",
+    meaning = "Group names from first to last. Groups that are not listed follow in the usual"
+      .. " order.",
   },
   {
     name = "rest",
     type = "boolean",
     default = true,
-    meaning = "Whether objects whose step would change nothing are skipped; the result is the same"
-      .. " to the bit.",
+    meaning = "Whether objects are skipped when a step would not change them. The result is the"
+      .. " same to the bit.",
   },
   {
     name = "checked",
     type = "boolean",
     default = false,
-    meaning = "Whether every step also looks for what is easily done wrong: a static object changed"
-      .. " without `refresh`, a misspelled field, an object in two worlds; for a game that is being"
-      .. " written.",
+    meaning = "Whether every step also looks for common mistakes, such as a misspelt field or a"
+      .. " static object that was changed without `refresh`. Use it while you write the game.",
   },
   {
     name = "onBegin",
     type = "function",
     signature = "(a, b, side, speed)",
     absent = "none",
-    meaning = "Called once when a contact starts, a before b in order; side is the side of a.",
+    meaning = "Called once when a contact starts, with `a` before `b` in order. `side` is the side"
+      .. " of `a`.",
   },
   {
     name = "onStay",
@@ -404,15 +421,16 @@ fields.settings = {
     type = "function",
     signature = "(object, a, b, axis)",
     absent = "none",
-    meaning = "Called once when an object is held between a and b, which cannot give way.",
+    meaning = "Called once when an object is held between `a` and `b`, neither of which can give"
+      .. " way.",
   },
   {
     name = "canCollide",
     type = "function",
     signature = "(a, b, side)",
     absent = "always",
-    meaning = "Asked before every contact: `false` lets the pair pass through for this step; it"
-      .. " must not change the world.",
+    meaning = "Asked before every contact: `false` lets the pair pass through each other for this"
+      .. " step. It must not change the world.",
   },
 }
 

@@ -1,11 +1,11 @@
---- Guards for a game that is being written: what is too dear, or too strict, for every step. Only
---- with the setting `checked`; changes nothing, and reads the game's tables and the columns.
+--- The setting `checked`: finds common mistakes by checks that would be too slow, or too strict,
+--- for every game. It reads the game's tables and the columns, and changes nothing.
 --
---   a static object that was changed by hand: it is read once, the change would never be seen
---   a field or setting whose name is one slip away from one that the library knows, and a mask
---     that names a group which is so far from one of the world
---   a mover so large that the grid's cells are of no use to it
---   an object that stands in two worlds (both of them checked)
+--   a static object that was changed by hand: it is read once, so the change has no effect
+--   a field or setting with a name that is one slip away from one that the library knows, and a
+--     mask with the name of a group that is one slip away from a group of the world
+--   a mover that is larger than a great many cells of the grid
+--   an object that is in two worlds (if both are checked)
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local check = require(root .. ".world.check")
@@ -50,7 +50,7 @@ end
 
 -- Names -------------------------------------------------------------------------------------------
 
--- What a name was probably meant to be, false if it looks like one of the game's own.
+-- Returns what a name is probably a misspelling of; false: it looks like one of the game's own.
 local function meaningOf(name, names, byName)
   if type(name) ~= "string" or byName[name] or name:sub(1, 1) == "_" then
     return false
@@ -58,14 +58,14 @@ local function meaningOf(name, names, byName)
     return MEANT[name]
   end
   local guess = check.guess(name, names)
-  -- Short names are all alike: `w` and `z` may be the game's own.
+  -- Short names are alike by chance: `w` and `z` may be the game's own.
   local isSure = guess and (#guess > 3 and #name > 3 or guess == name:lower())
   return isSure and guess or false
 end
 
 local function refuseName(place, name, meant)
   check.fail(
-    format("%s.%s is no field of the library: did you mean %s?", place, tostring(name), meant)
+    format("%s.%s is not a field of the library: did you mean %s?", place, tostring(name), meant)
   )
 end
 
@@ -83,8 +83,8 @@ local function checkNames(seen, object, names, byName, b, i)
   end
 end
 
--- The group of the world that a name was probably meant to be; nil: none, or it is one, or was.
--- (It may also be that of a group that is still to come, so short ones are all left alone.)
+-- Returns the group that a name is probably a misspelling of; nil: there is none, or a group
+-- of this name exists or existed. (A group may also come later, so short names are not checked.)
 local function groupMeant(b, name)
   if type(name) ~= "string" or #name < 4 then
     return nil
@@ -99,7 +99,7 @@ local function groupMeant(b, name)
   end
 end
 
--- Looks at the groups that a mask names; `place` is how the game would write it.
+-- Checks the groups that a mask names; `place` is how the game would write it.
 local function checkMask(b, mask, place)
   for name in next, mask, nil do
     local meant = groupMeant(b, name)
@@ -121,7 +121,7 @@ end
 local function refuseStatic(b, i, name, value)
   check.fail(
     format(
-      "%s.%s was changed to %s by hand: a static object is read once, call world:refresh(object)",
+      "%s.%s was changed to %s: a static object is read only once, so call world:refresh(object)",
       placeOf(b, i),
       name,
       show(value)
@@ -209,8 +209,8 @@ end
 
 -- Worlds ------------------------------------------------------------------------------------------
 
--- The columns that an object was last seen in. The only memory that all worlds share: what stands
--- in two of them cannot be known by one. It keeps nobody alive.
+-- The columns that an object was last seen in. This is the only memory that all worlds share: one
+-- world cannot know what is in another. The table is weak, so it keeps no object alive.
 local owners = setmetatable({}, { __mode = "kv" })
 
 -- Where it was seen in there; it may have been taken out since the last step.
@@ -224,15 +224,13 @@ local function checkOwner(b, i, object)
   if owner ~= b then
     local slot = owner and slotIn(owner, object)
     if slot then
-      check.fail(
-        format("%s stands in another world, too, as %s", placeOf(b, i), placeOf(owner, slot))
-      )
+      check.fail(format("%s is also in another world, as %s", placeOf(b, i), placeOf(owner, slot)))
     end
     owners[object] = b
   end
 end
 
---- Looks at everybody. `collect` has read the game's tables just now.
+--- Checks all objects and settings, right after the game's tables were read.
 --- Errors: see the top of this file; nothing has changed then.
 function guard.run(world)
   local b = world._bodies

@@ -1,5 +1,5 @@
 --- The pure functions of the tutorial, with checked arguments: no world, no state, no time.
---- They see rectangles only. Masks, sensors and one-way sides are the business of a step.
+--- They know rectangles only; masks, sensors and one-way sides belong to a step.
 --- Source: "Making a Simple 2D Physics Engine", part 1.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
@@ -7,8 +7,8 @@ local aabb = require(root .. ".memory.aabb")
 local check = require(root .. ".world.check")
 local fields = require(root .. ".world.fields")
 
--- px. Rectangles that were put flush may overlap or miss each other by a rounding error: whatever
--- is at most this far from flush is flush.
+-- px. Rectangles that were put flush may overlap or miss each other by a rounding error, so two
+-- that are at most this far from flush count as flush.
 local FLUSH = 1e-6
 
 local BOX = { "x", "y", "width", "height" }
@@ -21,7 +21,7 @@ local pure = {}
 
 -- Checking ---------------------------------------------------------------------------------------
 
--- Costs next to nothing while the box is right; if it is not, the slow check finds the words.
+-- A fast test for a usable box; the slow check then writes the message.
 local function checkBox(box, place)
   if type(box) == "table" then
     local x, y, width, height = box.x, box.y, box.width, box.height
@@ -75,11 +75,11 @@ end
 --- Tells whether the first rectangle lies inside the second. The left and top edges of the second
 --- belong to it, its right and bottom edges do not.
 ---
---- Errors: a number that is missing, NaN or infinite; a size of the first < 0; a size of the second
---- <= 0.
+--- Errors: a number is missing, NaN or infinite; a size of the first is < 0; a size of the second
+--- is <= 0.
 ---@param x1 number px, left edge of the first
 ---@param y1 number px, its top edge
----@param w1 number px, >= 0, its width; with w1 and h1 0 the question is about a point
+---@param w1 number px, >= 0, its width; with w1 and h1 0 it is a point
 ---@param h1 number px, >= 0, its height
 ---@param x2 number px, left edge of the second
 ---@param y2 number px, its top edge
@@ -123,16 +123,17 @@ function pure.side(a, b)
   return aabb.side(a.x, a.y, a.width, a.height, b.x, b.y, b.width, b.height)
 end
 
---- Returns the side of `a` that was hit by `b`, or `false` when the two do not overlap. Flush
---- neighbours, those that are at most 1e-6 px away from it, overlap only with `sideBySide`.
---- Takes eight numbers as well, as in the tutorial's first version:
---- `checkCollision(x1, y1, w1, h1, x2, y2, w2, h2[, sideBySide])`.
+--- Returns the side of `a` that `b` overlaps, or `false` if the two do not overlap. Flush
+--- neighbours (at most 1e-6 px apart) overlap only with `sideBySide`. It also takes eight numbers,
+--- as in the first version of the tutorial: `checkCollision(x1, y1, w1, h1, x2, y2, w2, h2[,
+--- sideBySide])`.
 --- Source: intersection rectangle, then opposite sides difference.
 ---
 --- Errors: `a` or `b` has no usable x, y, width, height; `sideBySide` is not a boolean.
 ---@param a physics.Box a rectangle: x, y, width, height in px
 ---@param b physics.Box the other one
----@param sideBySide boolean? true: flush neighbours count; default: that of the default world
+---@param sideBySide boolean? true: flush neighbours count; default: the setting of the default
+---   world
 ---@return physics.Side|false side of `a`; that of `b` is the opposite one
 ---@overload fun(x1: number, y1: number, ...: number|boolean): physics.Side|false
 function pure.checkCollision(a, b, sideBySide, ...)
@@ -151,8 +152,8 @@ local function isImmovable(box)
   return box.static or box.kinematic
 end
 
--- Whether a box gives way to another one. What is not pushable gives way only to its like and to
--- what never moves, as to a wall.
+-- Whether a box gives way to another one. A box that is not pushable gives way only to a box of the
+-- same kind and to one that never moves, such as a wall.
 local function givesWay(box, other)
   if isImmovable(box) then
     return false
@@ -160,7 +161,7 @@ local function givesWay(box, other)
   return box.pushable ~= false or other.pushable == false or isImmovable(other)
 end
 
--- The parts of the overlap that `a` and `b` move by: 0 and 0, or 1 together.
+-- Returns the shares of the overlap by which `a` and `b` move: 0 and 0, or together 1.
 local function shares(a, b, mode)
   local aGives, bGives = givesWay(a, b), givesWay(b, a)
   if aGives and bGives and mode == "both" then
@@ -208,20 +209,22 @@ local function part(a, b, side, mode)
   end
 end
 
---- Moves two overlapping objects apart, the short way out, until they are flush. Returns the side
---- of `a` that was hit, or `false` when they do not overlap (then nothing moves). Positions only.
+--- Moves two overlapping objects apart, the shortest way, until they are flush. Returns the side of
+--- `a` that was hit, or `false` if they do not overlap (then nothing moves). Velocities do not
+--- change.
 ---
 ---     mode "both"    each gives way by half; with `mass`, the heavier one by less
----     mode "first"   `a` gives way alone
+---     mode "first"   only `a` gives way
 ---
---- A static or kinematic object does not move, nor does one with `pushable = false` that meets one
---- that can be pushed: the other takes the whole way then. Where neither can, nothing moves.
+--- Static and kinematic objects do not move, nor does an object with `pushable = false` that
+--- overlaps a pushable one: the other object then moves the whole way. If neither can move, nothing
+--- moves.
 ---
---- Errors: an object has no usable x, y, width, height; the two are the same; an unknown mode; when
---- they overlap also an unusable static, kinematic, pushable or mass.
+--- Errors: an object has no usable x, y, width, height; both are the same object; the mode is
+--- unknown; they overlap, and static, kinematic, pushable or mass cannot be used.
 ---@param a physics.NewObject x, y, width, height in px, optional static, kinematic, pushable, mass
 ---@param b physics.NewObject the other one
----@param mode "both"|"first"|nil who gives way, default "both"
+---@param mode "both"|"first"|nil which of them moves, default "both"
 ---@return physics.Side|false side of `a`; that of `b` is the opposite one
 function pure.bump(a, b, mode)
   checkBox(a, "bump(a, b): a")

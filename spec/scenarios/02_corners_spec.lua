@@ -12,7 +12,7 @@ describe("corners", function()
   --      +--+
   --      |  |   leaves along the diagonal
   --      +--+
-  it("(2a) do not catch who moves away from them", function()
+  it("(2a) do not catch a box that moves away from them", function()
     scene.each(EVERYWHERE, function(run)
       local body = run:build({
         gravity = 0,
@@ -35,7 +35,7 @@ describe("corners", function()
   --      |  |
   --      +--+
   for _, group in ipairs({ "tiles", "boxes" }) do
-    it("(2b) land who meets them exactly, block in group " .. group, function()
+    it("(2b) land a box that meets them exactly, block in group " .. group, function()
       scene.each(nil, function(run)
         local named = run:build({
           gravity = 0,
@@ -103,7 +103,7 @@ describe("corners", function()
   --   +--+           the top of the block is exactly at the feet
   --         +-----+
   --         |block|
-  it("(2d) level with the feet do not stop who flies over them", function()
+  it("(2d) level with the feet do not stop a box that flies over them", function()
     scene.each(EVERYWHERE, function(run)
       local body = run:build({
         gravity = 0,
@@ -119,7 +119,7 @@ describe("corners", function()
     end)
   end)
 
-  it("(2d) level with the floor do not stop who walks on to them", function()
+  it("(2d) level with the floor do not stop a box that walks on to them", function()
     scene.each(EVERYWHERE, function(run)
       local body = run:build({
         { "tiles", { x = 0, y = 100, width = 96, height = 8, static = true } },

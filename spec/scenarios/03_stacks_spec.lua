@@ -182,7 +182,7 @@ describe("stacks", function()
   end)
 
   for _, count in ipairs({ 10, 20 }) do
-    it(("(3) of %d whose lowest is removed land one box lower"):format(count), function()
+    it(("(3) of %d without their lowest box land one box lower"):format(count), function()
       scene.each(EVERYWHERE, function(run)
         local named = run:build(tower(count, 16))
         run:play(0.5)

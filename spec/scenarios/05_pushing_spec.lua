@@ -6,7 +6,7 @@ local variants = require("spec.support.variants")
 local EVERYWHERE = { rate = variants.RATES, turn = variants.TURNS }
 local FEW = { rate = { 60, 144 }, turn = { 0, 1 }, shift = { 0, 1 / 3 } }
 
---- A pusher at x = 20, `count` boxes 20 px apart from x = 80 on, a wall whose face is at x = 200.
+--- A pusher at x = 20, `count` boxes 20 px apart from x = 80 on, a wall with its face at x = 200.
 local function row(count)
   local description = {
     { "tiles", { x = -200, y = 116, width = 800, height = 32, static = true } },

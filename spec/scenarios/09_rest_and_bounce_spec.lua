@@ -6,7 +6,7 @@ local variants = require("spec.support.variants")
 local TURNED = { turn = variants.TURNS }
 local EVERYWHERE = { rate = variants.RATES, turn = variants.TURNS }
 
---- A box at a height over a floor whose top is at y = 116.
+--- A box at a height over a floor with its top at y = 116.
 local function overFloor(y, restitution)
   local floor = { name = "floor", x = -200, y = 116, width = 800, height = 32, static = true }
   local box = { name = "box", x = 0, y = y, width = 16, height = 16, restitution = restitution }

@@ -157,7 +157,7 @@ describe("slowing down", function()
     { vx = 21, vy = -5, ax = -1415, gravity = 0, drag = 683 },
   }) do
     local name = fields.drag and "drag " .. fields.drag or "maxSpeed " .. fields.maxSpeed
-    it("by " .. name .. " turns nobody about", function()
+    it("by " .. name .. " reverses no velocity", function()
       scene.each(EVERYWHERE, function(run)
         local body = run:build({ box(0, 0, fields) }).box
         for _ in run:steps(0.5) do
@@ -198,7 +198,7 @@ describe("slowing down", function()
     end)
   end
 
-  it("by drag that is no less than the pull holds who stands, in any air", function()
+  it("by drag that is no less than the pull holds a box that stands, in any air", function()
     scene.each(EVERYWHERE, function(run)
       local fields = { airFriction = 3, drag = 250 }
       local body = run:build({ gravity = 250, box(0, 0, fields) }).box

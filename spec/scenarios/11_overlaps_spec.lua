@@ -306,7 +306,7 @@ describe("boxes on the very same spot", function()
     end)
   end
 
-  it("(11) part by the way of the first alone, if that is who gives way", function()
+  it("(11) part by the way of the first alone, if that is the one that gives way", function()
     scene.each({ push = { "first" }, order = { "forward" }, turn = variants.TURNS }, function(run)
       local named = run:build({
         gravity = 0,

@@ -363,7 +363,7 @@ describe("nudge", function()
       end)
     end)
 
-    it("lets slip off an edge who floats", function()
+    it("lets a box that floats slip off an edge", function()
       scene.each(SOME, function(run)
         local named = run:build({
           solid("block", 100, 50, 64, 16),

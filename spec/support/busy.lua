@@ -103,7 +103,8 @@ function busy.memory()
   return collectgarbage("count")
 end
 
---- Returns what is wrong with the scene, or nil: somebody has left the room or is no number.
+--- Returns what is wrong with the scene, or nil: an object has left the room or has a coordinate
+--- that is not a number.
 function busy.complaint(world)
   for _, name in ipairs({ "boxes", "bullets", "falling" }) do
     for i, object in ipairs(world.objects[name] or {}) do
@@ -116,7 +117,7 @@ function busy.complaint(world)
     end
   end
   if #world.objects.boxes ~= BOXES or #world.objects.falling ~= FALLING then
-    return "somebody is lost"
+    return "an object is lost"
   end
 end
 

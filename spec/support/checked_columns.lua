@@ -1,5 +1,5 @@
 --- A source of columns (see physics/memory/columnStore.lua) that looks at what is done with them: each index, the
---- kind of each value, and that nobody keeps a column that has been replaced. It makes room for no
+--- kind of each value, and that no code keeps a column that has been replaced. It makes room for no
 --- more than is asked for.
 
 local bank = require("physics.memory.columnStore")
@@ -71,7 +71,7 @@ function source.drop(columns)
   end
 end
 
---- Calls `f` with worlds whose columns are checked; returns what it returns.
+--- Calls `f` with worlds of checked columns; returns what it returns.
 function checked.during(f)
   local before = bank.use(source)
   local isDone, result = pcall(f)

@@ -124,7 +124,7 @@ local function onBegin(world)
   end
 end
 
--- Who is crushed gets thinner.
+-- A crushed object gets thinner.
 local function onCrush(object, _, _, axis)
   local side = axis == "x" and "width" or "height"
   object[side] = math.max(4, object[side] - 2)
@@ -249,7 +249,7 @@ end
 --- Writes what the game writes before step number n; `input` (integer, default 0) is what the
 --- player does.
 function everything.write(world, n, input)
-  -- Not always, because the step has a shorter way if nobody asks.
+  -- Not always, because the step has a shorter way without `canCollide`.
   world.canCollide = n % 5 < 2 and canCollide or nil
   if n % 40 == 15 then
     world:setBounds(0, -100 - n, ROOM + n, ROOM + 100 + n)

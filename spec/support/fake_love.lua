@@ -3,7 +3,7 @@
 
 local fakeLove = {}
 
--- Functions of love.graphics whose arguments are numbers, from the given one on.
+-- Functions of love.graphics with arguments that are numbers, from the given one on.
 local DRAWING = { rectangle = 2, circle = 2, ellipse = 2, line = 1, translate = 1 }
 
 local function nothing() end
@@ -89,7 +89,7 @@ local function newRandomGenerator(seed)
   }
 end
 
---- Returns a table to be the global `love`, whose files are those of a folder. `mouse.x`, `mouse.y`
+--- Returns a table to be the global `love`; its files are those of a folder. `mouse.x`, `mouse.y`
 --- and `mouse.isHeld` of the second result are the mouse; the third is a list of all texts that are
 --- written.
 function fakeLove.new(folder)

@@ -1,5 +1,6 @@
---- Runs the snippets of the manual: a world to play in, and a LÖVE that does nothing by itself.
+--- Runs the snippets of the pages: a world to play in, and a LÖVE that does nothing by itself.
 
+local ldtk = require("spec.support.ldtk")
 local physics = require("physics")
 
 local snippets = {}
@@ -20,15 +21,20 @@ function snippets.compile(text, name, environment)
   return assert(load(text, name, "t", environment))
 end
 
---- Stands in for LÖVE: `held[key]` says which keys are down, drawing does nothing, the maps of the
---- specs are the game's.
+--- Stands in for LÖVE: `held[key]` says which keys are down, drawing does nothing, and files come
+--- from spec/, where the maps are.
 function snippets.newLove(held)
   local function nothing()
     return 1, 1, 1, 1
   end
+  local function size()
+    return 800
+  end
+  local font = { getWidth = size, getHeight = size }
   local graphics = {
-    getWidth = function()
-      return 800
+    getWidth = size,
+    newFont = function()
+      return font
     end,
   }
   return {
@@ -49,6 +55,9 @@ function snippets.newLove(held)
       load = function(path)
         return loadfile("spec/" .. path)
       end,
+      read = function(path)
+        return assert(path == "maps/cave.ldtk" and "its text")
+      end,
     },
   }
 end
@@ -57,13 +66,19 @@ local function show(value)
   return type(value) == "number" and ("%.14g"):format(value) or tostring(value)
 end
 
---- What the snippets find: a world at rest with a floor and a player, and a `print` that listens.
+-- The real one would change LuaJIT for all specs that follow.
+local function compileNothing()
+  return false
+end
+
+--- What the snippets find: a world at rest with a floor and a player, and a `print` that fills a
+--- list.
 function snippets.newEnvironment(printed, held)
   local world = physics.newWorld({ gravity = 800 })
   local box = { x = 0, y = 400, width = 800, height = 40, static = true }
   local environment = {
     love = snippets.newLove(held),
-    physics = physics,
+    physics = setmetatable({ compile = compileNothing }, { __index = physics }),
     world = world,
     floor = world:add("tiles", box),
     player = world:add("players", { x = 40, y = 368, width = 24, height = 32 }),
@@ -75,8 +90,28 @@ function snippets.newEnvironment(printed, held)
     end
     printed[#printed + 1] = table.concat(texts, " ")
   end
+  function environment.require(name)
+    return name == "dkjson" and { decode = ldtk.cave } or require(name)
+  end
   world:update(1 / 60)
   return setmetatable(environment, { __index = _G })
+end
+
+--- Runs a snippet; its `love` is the global one from then on. `extra`: more names that it finds.
+--- Returns its environment, what its `-->` comments say that it prints, and what it printed.
+function snippets.run(snippet, extra)
+  local printed, said = {}, {}
+  local environment = snippets.newEnvironment(printed, { right = true })
+  for name, value in pairs(extra or {}) do
+    environment[name] = value
+  end
+  rawset(_G, "love", environment.love)
+  snippets.compile(snippet, "=snippet", environment)()
+  for line in snippet:gmatch("%-%-> ([^\n]*)") do
+    said[#said + 1] = line
+  end
+  environment.world:update(1 / 60)
+  return environment, said, printed
 end
 
 return snippets

@@ -197,6 +197,17 @@ local function toRows(grid, tiles)
   grid.data = rows
 end
 
+-- STI turns corners by sine and cosine, and moves them to where the object is.
+local function moveCorners(object, inner)
+  local angle = math.rad(object.rotation)
+  local cos, sin = math.cos(angle), math.sin(angle)
+  for _, corner in ipairs(object.polygon or object.polyline or {}) do
+    local x, y = corner.x, corner.y
+    corner.x = inner.x + object.x + cos * x - sin * y
+    corner.y = inner.y + object.y + sin * x + cos * y
+  end
+end
+
 --- The table that STI 1.2 makes of a map: layers without groups, also under their names; rows of
 --- tiles instead of gids; objects by id. What it adds only for drawing is left out.
 function tiled.sti(map, offsetX, offsetY)
@@ -211,6 +222,7 @@ function tiled.sti(map, offsetX, offsetY)
     end
     for _, object in ipairs(inner.objects or {}) do
       object.layer = inner
+      moveCorners(object, inner)
       map.objects[object.id] = object
     end
   end

@@ -1,8 +1,8 @@
 --- What the readers of a map share: how a place in it is called, and the list of what is not
 --- supported.
 
-local here = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local check = require(here .. ".world.check")
+local root = (...):match("^(.*)%.maps%.")
+local check = require(root .. ".world.check")
 
 local report = {}
 
@@ -26,11 +26,6 @@ function report.add(reading, kind, layer, id, reason)
   local entry = { kind = kind, layer = layer.name, id = id, reason = reason }
   reading.unsupported[#reading.unsupported + 1] = entry
   return entry
-end
-
---- Returns the reason why a property is not used.
-function report.ignored(name)
-  return ("property %s: the editor's own value counts"):format(check.show(name))
 end
 
 --- Returns the class that the editor gave to a tile or an object, nil: none. Tiled 1.9 calls it

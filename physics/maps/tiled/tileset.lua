@@ -1,9 +1,11 @@
 --- The tiles of a map: whose a gid is, how it is flipped, where its collision rectangles are.
 
-local here = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local check = require(here .. ".world.check")
-local properties = require(here .. ".tiled.properties")
-local report = require(here .. ".tiled.report")
+local root = (...):match("^(.*)%.maps%.")
+local check = require(root .. ".world.check")
+local properties = require(root .. ".maps.properties")
+local report = require(root .. ".maps.tiled.report")
+local shapes = require(root .. ".maps.tiled.shapes")
+local source = require(root .. ".maps.tiled.source")
 
 local floor, min = math.floor, math.min
 
@@ -34,6 +36,8 @@ local HEXAGONAL = 268435456 -- means nothing on orthogonal maps
 ---@field shapes table[]? its collision rectangles, nil: none were drawn
 ---@field problems table[] what of it is not supported, `{ id =, reason = }`
 ---@field isReported boolean were they told
+---@field hasProperties boolean
+---@field problem string? why its external tileset is not known
 
 local function take(gid, bit)
   if gid >= bit then
@@ -78,7 +82,6 @@ end
 
 local function checkSet(set, i)
   local what = ("map.tilesets[%d]"):format(i)
-  check.table(set, what, report.WHERE)
   check.integer(set.firstgid, what .. ".firstgid", report.WHERE, 1, HEXAGONAL)
   local place = ("%s: tileset %s"):format(report.WHERE, check.show(set.name or i))
   -- An export without "Embed tilesets" knows only the file of the tileset.
@@ -93,13 +96,16 @@ end
 --- gids first.
 --- Errors: no list; a tileset without firstgid or size.
 ---@param map table
+---@param folder string? where the map lies
 ---@return table[]
-function tileset.index(map)
+function tileset.index(map, folder)
   check.table(map.tilesets, "map.tilesets", report.WHERE)
   local index = {}
-  for i, set in ipairs(map.tilesets) do
+  for i, given in ipairs(map.tilesets) do
+    check.table(given, ("map.tilesets[%d]"):format(i), report.WHERE)
+    local set, problem = source.tileset(given, folder)
     local byId, behind = indexTiles(set, checkSet(set, i))
-    index[i] = { set = set, byId = byId, behind = behind, place = i }
+    index[i] = { set = set, byId = byId, behind = behind, place = i, problem = problem }
   end
   table.sort(index, function(a, b)
     -- An empty tileset has the firstgid of the next one.
@@ -129,41 +135,28 @@ end
 
 -- Collision shapes --------------------------------------------------------------------------------
 
---- Returns why a shape is no box, or nil: it is one.
----@param object table as Tiled exports it, in a layer or in a tile
----@return string?
-function tileset.whyNoBox(object)
-  local shape = object.shape or "rectangle"
-  if shape ~= "rectangle" then
-    return shape .. ": only rectangles are boxes"
-  elseif (object.rotation or 0) % 360 ~= 0 then
-    return ("rotated by %.14g degrees: boxes do not turn"):format(object.rotation)
-  elseif object.width == 0 or object.height == 0 then
-    return "it has no size"
-  end
-end
-
-local function readShape(kind, object, place, solidName)
+local function readShape(kind, object, place, rules)
   check.table(object, "a collision shape", place)
   place = ("%s, shape %s"):format(place, tostring(object.id))
   report.checkGeometry(object, place)
-  local traits = properties.read(object.properties, place, solidName)
-  local reason = tileset.whyNoBox(object)
+  local traits = properties.read(object.properties, place, rules)
+  local boxes, reason = shapes.boxes(object, place)
   if traits.solid == false then
     return
-  elseif reason then
+  elseif not boxes then
     kind.problems[#kind.problems + 1] = { id = object.id, reason = reason }
     return
   end
-  local x, y, width, height = object.x, object.y, object.width, object.height
-  local shape = { x = x, y = y, width = width, height = height, traits = traits }
-  kind.shapes[#kind.shapes + 1] = shape
-  for _, name in ipairs(traits.ignored) do
-    kind.problems[#kind.problems + 1] = { id = object.id, reason = report.ignored(name) }
+  for _, box in ipairs(boxes) do
+    box.traits = traits
+    kind.shapes[#kind.shapes + 1] = box
+  end
+  for _, text in ipairs(traits.problems) do
+    kind.problems[#kind.problems + 1] = { id = object.id, reason = text }
   end
 end
 
-local function readShapes(kind, objectGroup, place, solidName)
+local function readShapes(kind, objectGroup, place, rules)
   if objectGroup == nil then
     return
   end
@@ -173,7 +166,7 @@ local function readShapes(kind, objectGroup, place, solidName)
     kind.shapes = {}
   end
   for _, object in ipairs(objectGroup.objects) do
-    readShape(kind, object, place, solidName)
+    readShape(kind, object, place, rules)
   end
 end
 
@@ -182,17 +175,18 @@ end
 local function newKind(reading, entry, id)
   local set, tile, map = entry.set, entry.byId[id] or {}, reading.map
   local place = placeOf(set, id)
-  local kind = { set = set, id = id, problems = {}, isReported = false }
+  local kind = { set = set, id = id, problems = {}, isReported = false, problem = entry.problem }
   kind.width = tile.width or set.tilewidth or map.tilewidth
   kind.height = tile.height or set.tileheight or map.tileheight
   check.positive(kind.width, "width", place)
   check.positive(kind.height, "height", place)
   kind.type = report.typeOf(tile)
-  kind.traits = properties.read(tile.properties, place, reading.solidProperty)
-  for _, name in ipairs(kind.traits.ignored) do
-    kind.problems[#kind.problems + 1] = { reason = report.ignored(name) }
+  kind.hasProperties = not properties.isEmpty(tile.properties)
+  kind.traits = properties.read(tile.properties, place, reading.rules)
+  for _, text in ipairs(kind.traits.problems) do
+    kind.problems[#kind.problems + 1] = { reason = text }
   end
-  readShapes(kind, tile.objectGroup, place, reading.solidProperty)
+  readShapes(kind, tile.objectGroup, place, reading.rules)
   return kind
 end
 
@@ -239,14 +233,15 @@ end
 --- Tells, once, that a tileset is not in the export.
 ---@param reading table
 ---@param layer table where one of its tiles was found first
----@param set table
-function tileset.reportExternal(reading, layer, set)
+---@param kind physics.TileKind
+function tileset.reportExternal(reading, layer, kind)
+  local set = kind.set
   if set.tilewidth ~= nil or reading.reportedSets[set] then
     return
   end
   reading.reportedSets[set] = true
-  local reason = "external (%s): what its tiles are is not in this export, embed it"
-  reason = reason:format(check.show(set.filename))
+  local reason = kind.problem or "what its tiles are is not in this export, embed it"
+  reason = ("external (%s): "):format(check.show(set.filename or set.exportfilename)) .. reason
   report.add(reading, "tileset", layer, set.firstgid, reason).name = set.name
 end
 

@@ -1,0 +1,182 @@
+--- The pages are true: every Lua snippet runs and prints what it says, every link leads somewhere.
+
+local physics = require("physics")
+local snippets = require("spec.support.snippets")
+
+local unpack = table.unpack or unpack -- luacheck: ignore (Lua 5.1 has it as a global)
+
+local GLOBALS = { "objects", "physics_load", "physics_update", "checkCollision", "inside", "bump" }
+
+local function listPages()
+  local pages = {}
+  local listing = assert(io.popen("ls *.md && find docs -name '*.md' | LC_ALL=C sort"))
+  for path in listing:lines() do
+    pages[#pages + 1] = path
+  end
+  listing:close()
+  return pages
+end
+
+local PAGES = listPages()
+
+local function runBlock(_, block)
+  block()
+end
+
+-- A spec inside a snippet runs at once.
+local SPEC = { assert = assert, describe = runBlock, it = runBlock }
+
+--- Removes fenced code, in which nothing is a link or a heading.
+local function withoutCode(text)
+  return (("\n" .. text):gsub("\n```.-\n```", "\n"))
+end
+
+local function exists(path)
+  local file = io.open(path, "rb")
+  if file then
+    file:close()
+  end
+  return file ~= nil
+end
+
+--- "docs/guide", "../api.md" -> "docs/api.md". Folders end in "/".
+local function resolve(folder, target)
+  local parts = {}
+  for part in (folder .. "/" .. target):gmatch("[^/]+") do
+    if part == ".." then
+      parts[#parts] = nil
+    elseif part ~= "." then
+      parts[#parts + 1] = part
+    end
+  end
+  return table.concat(parts, "/") .. (target:find("/$") and "/" or "")
+end
+
+--- The anchors of a page, as GitHub and MkDocs make them of headings, and those of `<a id>`.
+local function anchorsOf(path)
+  local anchors, text = {}, withoutCode(snippets.read(path))
+  for title in text:gmatch("\n#+ ([^\n]+)") do
+    local anchor = title:lower():gsub("[^%w%-_ ]", ""):gsub(" ", "-")
+    assert.is_nil(anchors[anchor], path .. " has two headings " .. title)
+    anchors[anchor] = true
+  end
+  for anchor in text:gmatch('<a id="([^"]+)">') do
+    assert.is_nil(anchors[anchor], path .. " has two anchors " .. anchor)
+    anchors[anchor] = true
+  end
+  return anchors
+end
+
+local anchors = setmetatable({}, {
+  __index = function(self, path)
+    self[path] = anchorsOf(path)
+    return self[path]
+  end,
+})
+
+local function checkLink(page, link)
+  local target, anchor = link:match("^([^#]*)#?(.*)$")
+  local path = target == "" and page or resolve(page:match("^(.*)/") or "", target)
+  local isFolder = path:find("/$")
+  assert.is_true(exists(isFolder and path .. "." or path), page .. ": no file " .. path)
+  if anchor ~= "" then
+    assert.is_true(anchors[path][anchor] or false, ("%s: no anchor in %s"):format(page, link))
+  end
+end
+
+local function isElsewhere(link)
+  return link:find("^%a+:") ~= nil
+end
+
+--- Calls the callbacks of LÖVE that a snippet has defined, for some frames.
+local function playCallbacks(environment)
+  local calls = {
+    { "update", { 1 / 60 } },
+    { "draw", {} },
+    { "keypressed", { "space" } },
+    { "keypressed", { "x" } },
+    { "keyreleased", { "space" } },
+  }
+  if environment.love.load then
+    environment.love.load()
+  end
+  for _ = 1, 3 do
+    for _, call in ipairs(calls) do
+      if environment.love[call[1]] then
+        environment.love[call[1]](unpack(call[2]))
+      end
+    end
+  end
+end
+
+for _, path in ipairs(PAGES) do
+  describe("the page " .. path, function()
+    local loveBefore
+    local text = snippets.read(path)
+
+    before_each(function()
+      loveBefore = rawget(_G, "love")
+      physics.load()
+    end)
+
+    after_each(function()
+      rawset(_G, "love", loveBefore)
+      for _, name in ipairs(GLOBALS) do -- of the tutorial
+        rawset(_G, name, nil)
+      end
+      physics.load()
+    end)
+
+    local number = 0
+    for snippet in text:gmatch("\n```lua\n(.-)\n```\n") do
+      number = number + 1
+      local title = ("%d: %s"):format(number, snippet:match("[^\n]*"))
+      it("has a snippet that runs and prints what it says, " .. title, function()
+        local environment, said, printed = snippets.run(snippet, SPEC)
+        assert.same(said, printed)
+        playCallbacks(environment)
+      end)
+    end
+
+    it("leaves no Lua snippet out", function()
+      local _, fences = text:gsub("\n[ \t]*```lua", "")
+      assert.equal(fences, number)
+    end)
+
+    it("links only to what exists #files", function()
+      for link in withoutCode(text):gmatch("%]%(([^%s)]+)%)") do
+        if not isElsewhere(link) then
+          checkLink(path, link)
+        end
+      end
+    end)
+
+    it("has headings that make one anchor each", function()
+      assert.is_true(next(anchors[path]) ~= nil)
+    end)
+  end)
+end
+
+describe("the check of links", function()
+  -- a link of docs/faq.md, what is wrong with it
+  for _, row in ipairs({
+    { "nowhere.md", "no file docs/nowhere.md" },
+    { "../nowhere.md", "no file nowhere.md" },
+    { "api.md#nothing", "no anchor" },
+    { "#nothing", "no anchor" },
+  }) do
+    it("finds " .. row[1], function()
+      local ok, message = pcall(checkLink, "docs/faq.md", row[1])
+      assert.is_false(ok)
+      local said = type(message) == "table" and message.message or message
+      assert.truthy(tostring(said):find(row[2], 1, true), tostring(said))
+    end)
+  end
+
+  it("allows what is there #files", function()
+    checkLink("docs/faq.md", "api.md#worldmove")
+    checkLink("docs/faq.md", "../README.md#install")
+    checkLink("docs/faq.md", "../spec/")
+    checkLink("docs/guide/objects.md", "../api.md#field-oneway")
+  end)
+end)

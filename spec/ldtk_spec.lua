@@ -1,0 +1,529 @@
+--- Levels of the editor LDtk: cells, entities, what is solid, and what is refused.
+
+local ldtk = require("spec.support.ldtk")
+local physics = require("physics")
+
+local WHERE = "world:loadLDtk(project, level, options): "
+local VALUES = { "dirt", "ladder", "stone" }
+
+local function boxes(world, group)
+  local list = {}
+  for i, object in ipairs(world.objects[group] or {}) do
+    list[i] = ("%.14g %.14g %.14g %.14g"):format(object.x, object.y, object.width, object.height)
+  end
+  return list
+end
+
+local function load(project, level, options)
+  local world = physics.newWorld({ gravity = 800 })
+  local found = world:loadLDtk(project, level, options)
+  return found, world
+end
+
+--- A level with cells, a player, a chest and a door.
+local function newProject(values)
+  local rows = {
+    "2....",
+    "2....",
+    "11133",
+  }
+  local things = ldtk.entities("Entities", {
+    ldtk.entity("Player", 24, 32, 16, 24, { lives = 3, items = { "Knife", "Boots" } }),
+    ldtk.entity("Chest", 56, 32, 16, 16, { solid = true, name = "treasure" }),
+    ldtk.entity("Chest", 72, 32, 16, 16, { friction = 0.5 }, { iid = "second" }),
+    ldtk.entity("Door", 0, 0, 8, 32, {}, { __pivot = { 0, 0 } }),
+  })
+  local layers = { things, ldtk.intGrid("Collisions", rows) }
+  return ldtk.project({ ldtk.level("Cave", layers) }, values or VALUES)
+end
+
+describe("world:loadLDtk", function()
+  it("merges the cells of IntGrid layers, by the values that are solid", function()
+    local project = newProject()
+    local level, world = load(project, nil, { solid = { dirt = true, [3] = true } })
+    assert.same({ "0 32 80 16" }, boxes(world, "Collisions"))
+    assert.same({ 5, 1 }, { level.tiles, level.rectangles })
+    local floor = world.objects.Collisions[1]
+    assert.is_true(floor.static)
+    assert.same({ 0, 2, 5, 1 }, {
+      floor.ldtk.column,
+      floor.ldtk.row,
+      floor.ldtk.columns,
+      floor.ldtk.rows,
+    })
+    assert.is_nil(floor.ldtk.value) -- two of them
+    assert.equal(project.levels[1].layerInstances[2], floor.ldtk.layer)
+    assert.equal(1, #level.solidLayers)
+    assert.equal('option solid: "dirt", "stone"', level.solidLayers[1].reason)
+  end)
+
+  it("gives values fields", function()
+    local _, world = load(newProject(), nil, {
+      solid = {
+        dirt = true,
+        ladder = { sensor = true, group = "ladders", merge = true },
+        stone = { friction = 0.9, material = "stone" },
+      },
+    })
+    assert.same({ "0 32 48 16", "48 32 32 16" }, boxes(world, "Collisions"))
+    assert.same({ "0 0 16 32" }, boxes(world, "ladders"))
+    assert.is_true(world.objects.ladders[1].sensor)
+    assert.equal("stone", world.objects.Collisions[2].material)
+  end)
+
+  describe("without the option solid", function()
+    it("takes values whose name says so", function()
+      local level, world = load(newProject({ "Walls", "water", "ground" }))
+      assert.same({ "0 32 80 16" }, boxes(world, "Collisions"))
+      assert.equal('its values "Walls", "ground"', level.solidLayers[1].reason)
+    end)
+
+    it("takes all values if no name says so", function()
+      local level, world = load(newProject())
+      assert.same({ "0 0 16 32", "0 32 80 16" }, boxes(world, "Collisions"))
+      assert.equal('its values "dirt", "ladder", "stone"', level.solidLayers[1].reason)
+      level, world = load(newProject({ false, false, false }))
+      assert.equal(2, #boxes(world, "Collisions"))
+      assert.equal("its values 1, 2, 3", level.solidLayers[1].reason)
+    end)
+
+    it("and none in a level without cells", function()
+      local project = newProject()
+      project.levels[1].layerInstances[2] = ldtk.intGrid("Collisions", { "..." })
+      assert.same({}, load(project).solidLayers)
+    end)
+  end)
+
+  it("adds entities by their pivot, to the group of their identifier", function()
+    local level, world = load(newProject())
+    assert.same({ "16 8 16 24" }, boxes(world, "Player"))
+    assert.same({ "48 16 16 16", "64 16 16 16" }, boxes(world, "Chest"))
+    assert.same({ "0 0 8 32" }, boxes(world, "Door"))
+    local player, chest = level.named.Player, level.named.treasure
+    assert.same({ 3, { "Knife", "Boots" }, "Player" }, { player.lives, player.items, player.type })
+    assert.is_nil(player.static)
+    assert.is_true(chest.static)
+    assert.equal(chest, level.named.Chest)
+    assert.equal(chest, world.objects.Chest[1])
+    assert.equal(world.objects.Chest[2], level.byIid.second)
+    assert.equal("entity-Player", player.ldtk.entity.iid)
+    assert.equal(0.5, world.objects.Chest[2].friction)
+    assert.same({}, level.unsupported)
+  end)
+
+  it("to other groups, by the option groups or the field group", function()
+    local project = newProject()
+    local entities = project.levels[1].layerInstances[1].entityInstances
+    entities[4] = ldtk.entity("Door", 0, 0, 8, 32, { group = "exits" })
+    local _, world = load(project, nil, { groups = { Player = "players", Door = "doors" } })
+    assert.equal(1, #world.objects.players)
+    assert.equal(1, #world.objects.exits)
+    assert.is_nil(world.objects.doors)
+    assert.is_nil(world.objects.Player)
+    assert.equal(2, #world.objects.Chest)
+  end)
+
+  it("keeps a field named type, and leaves out what says solid = false", function()
+    local project = newProject()
+    project.levels[1].layerInstances[1].entityInstances = {
+      ldtk.entity("Mob", 8, 8, 8, 8, { type = "slime" }),
+      ldtk.entity("Mark", 8, 8, 8, 8, { solid = false }),
+    }
+    local level, world = load(project)
+    assert.equal("slime", world.objects.Mob[1].type)
+    assert.is_nil(world.objects.Mark)
+    assert.is_nil(level.named.Mark)
+  end)
+
+  it("and the world goes on with it", function()
+    local level, world = load(newProject(), nil, { solid = { dirt = true, stone = true } })
+    for _ = 1, 60 do
+      world:update(1 / 60)
+    end
+    assert.equal(8, level.named.Player.y)
+    assert.equal(level.named.Player.touching.bottom, world.objects.Collisions[1])
+  end)
+
+  it("does not change the project, and shares no table with it", function()
+    local project = newProject()
+    local function copy(value)
+      if type(value) ~= "table" then
+        return value
+      end
+      local copied = {}
+      for key, inner in pairs(value) do
+        copied[key] = copy(inner)
+      end
+      return copied
+    end
+    local before = copy(project)
+    local level = load(project)
+    level.named.Player.items[1] = "Sword"
+    assert.same(before, project)
+  end)
+
+  it("puts everything where the options and the layers say", function()
+    local project = newProject()
+    for _, layer in ipairs(project.levels[1].layerInstances) do
+      layer.__pxTotalOffsetX, layer.__pxTotalOffsetY = 3, -5
+    end
+    local level, world = load(project, nil, { x = 512, y = -64, solid = { dirt = true } })
+    assert.same({ "515 -37 48 16" }, boxes(world, "Collisions"))
+    assert.same({ "531 -61 16 24" }, boxes(world, "Player"))
+    assert.same({ 512, -64, 320, 160, 512, -64 }, {
+      level.x,
+      level.y,
+      level.width,
+      level.height,
+      level.worldX,
+      level.worldY,
+    })
+    assert.same({ music = "cave" }, level.fields)
+    assert.equal(project.levels[1], level.level)
+  end)
+
+  it("digs, counted from 0 as in the editor", function()
+    local level, world = load(newProject(), nil, { solid = { dirt = true, stone = true } })
+    local tiles = level.tileLayers.Collisions
+    assert.is_true(tiles:setTile(1, 2, 0))
+    assert.same({ "0 32 16 16", "32 32 48 16" }, boxes(world, "Collisions"))
+    assert.same({ 0, 1, 2 }, { tiles:getTile(1, 2), tiles:getTile(0, 2), tiles:getTile(0, 0) })
+    tiles:setTile(1, 2, 3)
+    assert.same({ "0 32 80 16" }, boxes(world, "Collisions"))
+    for _, row in ipairs({ { 7, "7" }, { "dirt", '"dirt"' } }) do
+      local isDone, message = pcall(tiles.setTile, tiles, 1, 1, row[1])
+      assert.is_false(isDone)
+      local expected = "tiles:setTile(column, row, value): value must be 0 or a value of layer"
+        .. ' "Collisions", got '
+        .. row[2]
+      assert.truthy(message:find(expected, 1, true), message)
+    end
+  end)
+
+  describe("finds the level", function()
+    local function newProjectOfTwo()
+      local project = newProject()
+      project.levels[2] = ldtk.level("Top", { ldtk.intGrid("Collisions", { "1" }) })
+      return project
+    end
+
+    it("by identifier, iid and number, or takes the first", function()
+      local project = newProjectOfTwo()
+      for _, row in ipairs({ { nil, 1 }, { 1, 1 }, { "Top", 2 }, { "level-Top", 2 }, { 2, 2 } }) do
+        assert.equal(project.levels[row[2]], load(project, row[1]).level)
+      end
+    end)
+
+    it("in the worlds of a project of several", function()
+      local project = newProjectOfTwo()
+      project.worlds, project.levels = { { levels = project.levels } }, {}
+      assert.equal("Top", load(project, "Top").level.identifier)
+      assert.equal("Cave", load(project).level.identifier)
+    end)
+
+    it("itself, as from a .ldtkl file", function()
+      local project = newProjectOfTwo()
+      local level = project.levels[2]
+      project.levels[2] = {
+        identifier = "Top",
+        externalRelPath = "cave/Top.ldtkl",
+      }
+      assert.equal(1, load(project, level).tiles)
+      local isDone, message = pcall(load, project, "Top")
+      assert.is_false(isDone)
+      assert.truthy(
+        message:find(WHERE .. 'level "Top" is in cave/Top.ldtkl: decode it and give that', 1, true)
+      )
+    end)
+  end)
+
+  it("reads only the layers that are wanted", function()
+    local project = newProject()
+    local _, world = load(project, nil, { onlyLayers = { "Entities" } })
+    assert.is_nil(world.objects.Collisions)
+    assert.equal(1, #world.objects.Player)
+    _, world = load(project, nil, { skipLayers = { "Entities" } })
+    assert.is_nil(world.objects.Player)
+    local tiles = ldtk.intGrid("Background", { "." }, { __type = "Tiles" })
+    project.levels[1].layerInstances[3] = tiles
+    assert.same({}, load(project).unsupported)
+    local level = load(project, nil, { onlyLayers = { "Background" } })
+    assert.equal("only IntGrid and entity layers have boxes", level.unsupported[1].reason)
+    assert.equal("Background", level.unsupported[1].layer)
+  end)
+
+  it("names fields that cannot be, refuses them if strict, and leaves those of the game", function()
+    local project = newProject()
+    project.levels[1].layerInstances[1].entityInstances = {
+      ldtk.entity("Mob", 8, 8, 8, 8, { drag = "yes", mass = "2", life = 5, x = 3 }),
+    }
+    local level, world = load(project)
+    local mob = world.objects.Mob[1]
+    assert.same({ 2, 5, 4 }, { mob.mass, mob.life, mob.x })
+    assert.is_nil(mob.drag)
+    assert.same(
+      { 'drag must be a number >= 0, got "yes"', 'property "x": the editor\'s own value counts' },
+      {
+        level.unsupported[1].reason,
+        level.unsupported[2].reason,
+      }
+    )
+    assert.same({ "object", "Entities", "entity-Mob", "Mob" }, {
+      level.unsupported[1].kind,
+      level.unsupported[1].layer,
+      level.unsupported[1].id,
+      level.unsupported[1].name,
+    })
+    assert.equal(1, #load(project, nil, { ignore = { "drag" } }).unsupported)
+    local isDone, message = pcall(load, project, nil, { strict = true })
+    assert.is_false(isDone)
+    local expected = 'layer "Entities", entityInstances[1]: drag must be a number >= 0, got "yes"'
+    assert.truthy(message:find(WHERE .. expected, 1, true), message)
+  end)
+
+  it("takes no notice of null, however a decoder says it", function()
+    local project = newProject()
+    local null = print -- json.null is a function in some, userdata in others
+    project.levels[1].layerInstances[1].entityInstances = {
+      ldtk.entity("Door", 8, 8, 8, 8, { lockedWith = null, mask = null }),
+    }
+    project.levels[1].externalRelPath = null
+    local door = load(project).named.Door
+    assert.is_nil(door.lockedWith)
+    assert.is_nil(door.mask)
+  end)
+
+  it("reads what a JSON library makes of a project", function()
+    local isThere, json = pcall(require, "dkjson")
+    if not isThere then
+      pending("dkjson is not here")
+      return
+    end
+    local text = json.encode(newProject(), { exception = nil })
+    local project = json.decode(text)
+    local level, world = load(project, "Cave", { solid = { dirt = true, stone = true } })
+    assert.same({ "0 32 80 16" }, boxes(world, "Collisions"))
+    assert.equal(3, level.named.Player.lives)
+    assert.equal(5, level.tiles)
+  end)
+
+  -- Bad input -------------------------------------------------------------------------------------
+
+  local NAN = 0 / 0
+  local function refuses(expected, project, level, options)
+    local world = physics.newWorld()
+    world.objects.Door = { { x = 0, y = 0, width = 8, height = 8 } }
+    local isDone, message = pcall(function()
+      world:loadLDtk(project, level, options)
+    end)
+    assert.is_false(isDone, "it was not refused: " .. expected)
+    local text = message:match("ldtk_spec%.lua:%d+: physics: (.*)$")
+    assert.equal(expected, text, message)
+    assert.equal(1, #world.objects.Door)
+    assert.is_nil(world.objects.Collisions)
+    assert.is_nil(world.objects.Player)
+  end
+
+  for _, row in ipairs({
+    { 5, "options must be a table, got 5" },
+    {
+      { sold = {} },
+      'unknown option "sold" (did you mean "solid"?); the options are groups, ignore, merge,'
+        .. " onlyLayers, skipLayers, solid, strict, x, y",
+    },
+    { { x = NAN }, "x must be a number, got nan" },
+    { { y = "1" }, 'y must be a number, got "1"' },
+    { { merge = 1 }, "merge must be true or false, got 1" },
+    { { strict = 1 }, "strict must be true or false, got 1" },
+    { { solid = 5 }, "solid must be a table, got 5" },
+    { { solid = { dirt = 5 } }, 'solid["dirt"] must be true, false or a table of fields, got 5' },
+    {
+      { solid = { dirt = { mass = 0 } } },
+      'solid["dirt"]: mass must be a number > 0, got 0',
+    },
+    {
+      { solid = { dirt = true, sand = true, mud = true } },
+      'solid["mud"] must be a value of an IntGrid layer; they are "dirt", "ladder", "stone"',
+    },
+    { { groups = 5 }, "groups must be a table, got 5" },
+    { { groups = { "a" } }, "groups must have identifiers of entities as keys, got 1" },
+    { { groups = { Player = true } }, "groups.Player must be a string or a number, got true" },
+    { { onlyLayers = "a" }, 'onlyLayers must be a list of names, got "a"' },
+    { { skipLayers = { 1 } }, "skipLayers[1] must be a name, got 1" },
+    { { ignore = { 1 } }, "ignore[1] must be a name, got 1" },
+    {
+      { skipLayers = { "Entitis" } },
+      'skipLayers[1] must be a layer of the level, got "Entitis"; they are "Entities",'
+        .. ' "Collisions"',
+    },
+  }) do
+    it("refuses options: " .. row[2], function()
+      refuses(WHERE .. row[2], newProject(), nil, row[1])
+    end)
+  end
+
+  it("refuses what is no project, and levels that are not there", function()
+    refuses(WHERE .. "project must be a decoded LDtk project, got nil", nil)
+    refuses(WHERE .. 'project must be a decoded LDtk project, got "a.ldtk"', "a.ldtk")
+    refuses(WHERE .. "project.levels must be a table, got nil", {})
+    local levels = "level must be the identifier, iid or number of a level, got %s; they are"
+    refuses(WHERE .. levels:format('"Attic"') .. ' "Cave"', newProject(), "Attic")
+    refuses(WHERE .. levels:format("2") .. ' "Cave"', newProject(), 2)
+    refuses(WHERE .. levels:format("true") .. ' "Cave"', newProject(), true)
+    refuses(WHERE .. "level.layerInstances must be a table, got nil", newProject(), {})
+    refuses(WHERE .. "project.levels[1] must be a table, got 5", { levels = { 5 } })
+  end)
+
+  --- Each row: how the level is damaged, and what is said.
+  local E = 'layer "Entities", entityInstances[1]'
+  for _, row in ipairs({
+    {
+      function(level)
+        level.pxWid = 0
+      end,
+      "level.pxWid must be a number > 0, got 0",
+    },
+    {
+      function(level)
+        level.layerInstances[1] = 5
+      end,
+      "level.layerInstances[1] must be a table, got 5",
+    },
+    {
+      function(level)
+        level.layerInstances[1].__identifier = nil
+      end,
+      "a layer's __identifier must be a string, got nil",
+    },
+    {
+      function(level)
+        level.layerInstances[2].__pxTotalOffsetX = NAN
+      end,
+      'layer "Collisions": __pxTotalOffsetX must be a number, got nan',
+    },
+    {
+      function(level)
+        level.layerInstances[2].__gridSize = 0
+      end,
+      'layer "Collisions": __gridSize must be a number > 0, got 0',
+    },
+    {
+      function(level)
+        level.layerInstances[2].__cWid = 1.5
+      end,
+      'layer "Collisions": __cWid must be an integer in 1..1000000, got 1.5',
+    },
+    {
+      function(level)
+        level.layerInstances[2].intGridCsv = nil
+      end,
+      'layer "Collisions": intGridCsv must be a table, got nil',
+    },
+    {
+      function(level)
+        level.layerInstances[2].intGridCsv[15] = nil
+      end,
+      'layer "Collisions": intGridCsv must hold 15 cells (5 x 3), got 14',
+    },
+    {
+      function(level)
+        level.layerInstances[2].intGridCsv[4] = -1
+      end,
+      'layer "Collisions": intGridCsv[4] must be an integer >= 0, got -1',
+    },
+    {
+      function(level)
+        level.layerInstances[2].intGridCsv[4] = "1"
+      end,
+      'layer "Collisions": intGridCsv[4] must be an integer >= 0, got "1"',
+    },
+    {
+      function(level)
+        level.layerInstances[2].intGridCsv[4] = NAN
+      end,
+      'layer "Collisions": intGridCsv[4] must be an integer >= 0, got nan',
+    },
+    {
+      function(level)
+        level.layerInstances[1].entityInstances = nil
+      end,
+      'layer "Entities": entityInstances must be a table, got nil',
+    },
+    {
+      function(level)
+        level.layerInstances[1].entityInstances[1] = 5
+      end,
+      E .. " must be a table, got 5",
+    },
+    {
+      function(level)
+        level.layerInstances[1].entityInstances[1].__identifier = 5
+      end,
+      E .. ": __identifier must be a string, got 5",
+    },
+    {
+      function(level)
+        level.layerInstances[1].entityInstances[1].width = 0
+      end,
+      E .. ' "Player": width must be a number > 0, got 0',
+    },
+    {
+      function(level)
+        level.layerInstances[1].entityInstances[1].px = nil
+      end,
+      E .. ' "Player": px must be a table, got nil',
+    },
+    {
+      function(level)
+        level.layerInstances[1].entityInstances[1].__pivot = { 0 }
+      end,
+      E .. ' "Player": __pivot[2] must be a number, got nil',
+    },
+    {
+      function(level)
+        level.layerInstances[1].entityInstances[1].fieldInstances = 5
+      end,
+      E .. ": fieldInstances must be a table, got 5",
+    },
+    {
+      function(level)
+        level.layerInstances[1].entityInstances[1].fieldInstances = { { __value = 5 } }
+      end,
+      E .. ": fieldInstances[1].__identifier must be a string, got nil",
+    },
+    {
+      function(level)
+        local items = {}
+        items[1] = items
+        local field = { __identifier = "items", __value = items }
+        level.layerInstances[1].entityInstances[1].fieldInstances = { field }
+      end,
+      E .. ': property "items" must not hold itself',
+    },
+  }) do
+    it("refuses: " .. row[2], function()
+      local project = newProject()
+      row[1](project.levels[1])
+      refuses(WHERE .. row[2], project)
+    end)
+  end
+
+  it("refuses a group that is an object, and to be called from inside canCollide", function()
+    local world = physics.newWorld()
+    world.objects.Player = { x = 0, y = 0, width = 8, height = 8 }
+    local isDone, message = pcall(world.loadLDtk, world, newProject())
+    assert.is_false(isDone)
+    assert.truthy(message:find("objects.Player is not a group, got an object", 1, true))
+    assert.is_nil(world.objects.Collisions)
+    world = physics.newWorld()
+    world:add("floors", { x = 0, y = 8, width = 99, height = 8, static = true })
+    local box = world:add("boxes", { x = 0, y = 0, width = 8, height = 8 })
+    function box.canCollide()
+      message = select(2, pcall(world.loadLDtk, world, newProject()))
+    end
+    for _ = 1, 5 do
+      world:update(1 / 60)
+    end
+    assert.truthy(message:find("cannot be called from inside canCollide", 1, true))
+  end)
+end)

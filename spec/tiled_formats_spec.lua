@@ -1,0 +1,876 @@
+--- The forms in which Tiled writes things: packed layers, tilesets in files of their own, points,
+--- turned shapes, polygons and lines, tiles in which to dig.
+
+local physics = require("physics")
+local tiled = require("spec.support.tiled")
+
+local load, boxes = tiled.load, tiled.boxes
+
+local function reasonsOf(level)
+  local list = {}
+  for i, part in ipairs(level.unsupported) do
+    list[i] = part.reason
+  end
+  return list
+end
+
+local function fails(expected, map, options)
+  local isDone, message = pcall(function()
+    physics.newWorld():loadTiled(map, options)
+  end)
+  assert.is_false(isDone, "it was not refused: " .. expected)
+  local text = message:match("tiled_formats_spec%.lua:%d+: physics: (.*)$")
+  assert.equal("world:loadTiled(map): " .. expected, text, message)
+end
+
+-- Puts something in place of a global name until the spec ends.
+local function pretend(name, value)
+  local before = rawget(_G, name)
+  finally(function()
+    rawset(_G, name, before)
+  end)
+  rawset(_G, name, value)
+end
+
+-- Packed layers -----------------------------------------------------------------------------------
+
+local CSV = "choose CSV as Tile Layer Format in the map's properties"
+
+describe("world:loadTiled, packed layers", function()
+  local PLAIN = dofile("spec/maps/packed_plain.lua")
+  local RAW -- the bytes of the layer
+
+  local function packed(compression)
+    return dofile("spec/maps/packed_" .. compression .. ".lua")
+  end
+
+  --- An unpacker for the two fixtures: knows what they are, and nothing else.
+  local function unpacker(log)
+    return function(data, compression)
+      log[#log + 1] = compression
+      local isKnown = #data > 40 and (data:byte(1) == 120 or data:byte(1) == 31)
+      return isKnown and RAW or nil
+    end
+  end
+
+  setup(function()
+    local bytes = {}
+    local function keep(data)
+      bytes[1] = data
+    end
+    -- The bytes come from the library itself: a map that says it is compressed, but is not.
+    local map = tiled.copy(PLAIN)
+    map.layers[1].compression = "none of these"
+    physics.newWorld():loadTiled(map, {
+      decompress = function(data)
+        keep(data)
+        return data
+      end,
+    })
+    RAW = bytes[1]
+  end)
+
+  it("in base64 are read by themselves", function()
+    assert.equal(4 * 24 * 12, #RAW)
+    local level, world = load(PLAIN)
+    assert.same({ 93, 9 }, { level.tiles, level.rectangles })
+    assert.equal("top", world.objects.collision[#world.objects.collision].oneWay)
+    local flipped = level.tileLayers.collision:getTile(5, 10)
+    assert.equal(2147483649, flipped)
+    assert.is_string(PLAIN.layers[1].data) -- the map is as it was
+  end)
+
+  for _, compression in ipairs({ "zlib", "gzip" }) do
+    it("with " .. compression .. " are unpacked by the option decompress", function()
+      local log = {}
+      local level, world = load(packed(compression), { decompress = unpacker(log) })
+      local _, plain = load(PLAIN)
+      assert.same({ compression }, log)
+      assert.same(boxes(plain, "collision"), boxes(world, "collision"))
+      assert.same({}, level.unsupported)
+    end)
+
+    it("with " .. compression .. " are unpacked by love.data where there is LÖVE", function()
+      local log = {}
+      local unpack = unpacker(log)
+      pretend("love", {
+        data = {
+          decompress = function(container, format, data)
+            assert.equal("string", container)
+            return unpack(data, format)
+          end,
+        },
+      })
+      assert.equal(93, (load(packed(compression))).tiles)
+      assert.same({ compression }, log)
+    end)
+
+    it("with " .. compression .. " are unpacked by LibDeflate where it is", function()
+      local log = {}
+      finally(function()
+        package.loaded.LibDeflate = nil
+      end)
+      package.loaded.LibDeflate = {
+        DecompressZlib = function(_, data)
+          log[#log + 1] = "zlib " .. data:byte(1)
+          return RAW, 0
+        end,
+        DecompressDeflate = function(_, data)
+          log[#log + 1] = "deflate " .. data:byte(1)
+          return RAW, 8
+        end,
+      }
+      assert.equal(93, (load(packed(compression))).tiles)
+      -- Behind the ten bytes of the head of a gzip file the data begins as behind two of zlib.
+      local first = compression == "gzip" and "deflate 99" or "zlib 120"
+      assert.same({ first }, log)
+    end)
+  end
+
+  it("in gzip may have a head with everything", function()
+    local seen
+    finally(function()
+      package.loaded.LibDeflate = nil
+    end)
+    package.loaded.LibDeflate = {
+      DecompressDeflate = function(_, data)
+        seen = data
+        return ("\1\0\0\0"):rep(2)
+      end,
+    }
+    local head = "\31\139\8" .. string.char(2 + 4 + 8 + 16) .. ("\0"):rep(6)
+    local text = head .. "\2\0ab" .. "name\0" .. "comment\0" .. "\5\5" .. "DATA"
+    local map = tiled.map({ tiled.tileset() }, { tiled.tiles(1, "walls", { "1." }) })
+    local layer = map.layers[1]
+    layer.encoding, layer.compression = "base64", "gzip"
+    local alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"
+    local function encode(data)
+      return (
+        data:gsub("..?.?", function(three)
+          local a, b, c = three:byte(1, 3)
+          local number = a * 65536 + (b or 0) * 256 + (c or 0)
+          local out = ""
+          for shift = 3, 0, -1 do
+            local n = math.floor(number / 64 ^ shift) % 64 + 1
+            local isPad = shift < 3 - #three
+            out = out .. (isPad and "=" or alphabet:sub(n, n))
+          end
+          return out
+        end)
+      )
+    end
+    layer.data = encode(text)
+    load(map)
+    assert.equal("DATA", seen)
+    -- And what is no gzip at all is damaged.
+    layer.data = encode("no head here")
+    fails('layer "walls": data cannot be unpacked (gzip): it is damaged', map)
+  end)
+
+  it("are named with what to do if nothing here can unpack them", function()
+    local neither = "neither LÖVE nor LibDeflate is here to unpack it"
+    for _, compression in ipairs({ "zlib", "gzip" }) do
+      local level, world = load(packed(compression))
+      local expected = ("encoded data (%s, base64): %s; %s"):format(compression, neither, CSV)
+      assert.same({ expected }, reasonsOf(level))
+      assert.same({ "layer", "collision", 1 }, {
+        level.unsupported[1].kind,
+        level.unsupported[1].layer,
+        level.unsupported[1].id,
+      })
+      assert.is_nil(world.objects.collision)
+    end
+  end)
+
+  it("with zstd are unpacked where LÖVE can, else named", function()
+    local map = packed("zlib")
+    map.layers[1].compression = "zstd"
+    local expected = "encoded data (zstd, base64): nothing here can unpack it; " .. CSV
+    assert.same({ expected }, reasonsOf(load(map)))
+    local can = false
+    pretend("love", {
+      data = {
+        decompress = function(_, format)
+          assert(can, "Invalid compressed data format: " .. format)
+          return RAW
+        end,
+      },
+    })
+    assert.same({ expected }, reasonsOf(load(map)))
+    can = true
+    assert.equal(93, (load(map)).tiles)
+    assert.equal(93, (load(map, { decompress = unpacker({}) })).tiles)
+  end)
+
+  it("of an infinite map are parts", function()
+    local map = tiled.copy(PLAIN)
+    local layer = map.layers[1]
+    local part = { x = -24, y = 0, width = 24, height = 12, data = layer.data }
+    layer.chunks = { part, { x = 0, y = 0, width = 24, height = 12, data = layer.data } }
+    layer.data = nil
+    assert.equal(186, (load(map)).tiles)
+  end)
+
+  it("in solidLayers must be readable", function()
+    local map = packed("zlib")
+    local reason =
+      "encoded data (zlib, base64): neither LÖVE nor LibDeflate is here to unpack it; "
+    fails('layer "collision": it is in solidLayers, but ' .. reason .. CSV, map, {
+      solidLayers = { "collision" },
+    })
+    map.orientation = "hexagonal"
+    fails(
+      'layer "collision": it is in solidLayers, but hexagonal map: only orthogonal ones have boxes',
+      map,
+      { solidLayers = { 1 } }
+    )
+  end)
+
+  it("with solid = false are not missed", function()
+    local map = packed("zlib")
+    map.layers[1].properties.solid = false
+    assert.same({}, load(map).unsupported)
+  end)
+
+  describe("are refused:", function()
+    local function with(data, compression)
+      local map = tiled.copy(PLAIN)
+      map.layers[1].data, map.layers[1].compression = data, compression
+      return map
+    end
+
+    it("what is no base64", function()
+      local where = 'layer "collision": data must be base64, got '
+      fails(where .. '"AAA"', with("AAA"))
+      fails(where .. '"AA$="', with("AA$="))
+      fails(where .. '"A=AA"', with("A=AA"))
+      fails(where .. '"===="', with("===="))
+      fails(where .. '"A==="', with("A==="))
+    end)
+
+    it("data of another length", function()
+      fails('layer "collision": data must hold 288 gids (24 x 12), got 0', with(""))
+      fails('layer "collision": data must hold 288 gids (24 x 12), got 1', with("AQAA\nAA=="))
+      fails('layer "collision": data must hold 288 gids (24 x 12), got 0.75', with("AQAA"))
+    end)
+
+    it("damaged data", function()
+      local map = with(packed("zlib").layers[1].data, "zlib")
+      local damaged = 'layer "collision": data cannot be unpacked (zlib): it is damaged'
+      pretend("love", {
+        data = {
+          decompress = function()
+            error("Could not decompress zlib-compressed data.")
+          end,
+        },
+      })
+      fails(damaged, map)
+      local options = {
+        decompress = function()
+          return 5
+        end,
+      }
+      fails(damaged, map, options)
+    end)
+
+    it("gids that no tileset has", function()
+      fails(
+        'layer "collision": the tile at column 0, row 0 must be a gid of one of the tilesets,'
+          .. " got 9999",
+        with((PLAIN.layers[1].data:gsub("^AQAAAAAA", "DycAAAAA")))
+      )
+    end)
+
+    it("an encoding or a compression that is no name", function()
+      fails('layer "collision": compression must be a string, got 1', with("AQAAAA==", 1))
+      local map = with("AQAAAA==")
+      map.layers[1].encoding = {}
+      fails('layer "collision": encoding must be a string, got table', map)
+    end)
+
+    it("another encoding is only named", function()
+      local map = with("1,2,3")
+      map.layers[1].encoding = "csv"
+      assert.same({ "encoded data (csv): " .. CSV }, reasonsOf(load(map)))
+    end)
+  end)
+
+  it("of which an unpacker of the game's fails tell the game", function()
+    local isDone, message = pcall(load, packed("zlib"), {
+      decompress = function()
+        error("no luck")
+      end,
+    })
+    assert.is_false(isDone)
+    assert.truthy(message:find("no luck", 1, true))
+  end)
+end)
+
+-- Tilesets ----------------------------------------------------------------------------------------
+
+describe("world:loadTiled, tilesets in files of their own", function()
+  local folder, files
+
+  before_each(function()
+    folder, files = os.tmpname(), {}
+    os.remove(folder)
+    folder = folder .. "_"
+  end)
+
+  after_each(function()
+    for _, path in ipairs(files) do
+      os.remove(path)
+    end
+  end)
+
+  --- Writes a Lua file into the folder (which is the beginning of its name) and returns its path.
+  local function write(name, text)
+    local path = folder .. name
+    local file = assert(io.open(path, "wb"))
+    file:write(text)
+    file:close()
+    files[#files + 1] = path
+    return path
+  end
+
+  local SET =
+    [[return { name = "earth", tilewidth = 16, tileheight = 16, tilecount = 4, columns = 4,
+    tiles = { { id = 1, type = "rock", properties = { solid = true } } } }]]
+
+  -- A map with such a tileset; `name` is that of its file, the end of a path.
+  local function newMap(exportName)
+    return tiled.map(
+      { { name = "earth", firstgid = 1, filename = "earth.tsx", exportfilename = exportName } },
+      { tiled.tiles(1, "land", { "12." }) }
+    )
+  end
+
+  it("are read from exportfilename, beside the map", function()
+    local path = write("earth.lua", SET)
+    local map = newMap(path:match("[^/]+$"))
+    local level = load(map, { folder = path:match("^(.*)/") })
+    assert.equal(1, level.tiles)
+    assert.equal("rock", level.objects[1].type)
+    assert.same({}, level.unsupported)
+    assert.is_nil(map.tilesets[1].tilewidth) -- the map is as it was
+  end)
+
+  it("are read from where a map by path lies", function()
+    local path = write("earth.lua", SET)
+    local name = path:match("[^/]+$")
+    local text = [[return { orientation = "orthogonal", width = 2, height = 1, tilewidth = 16,
+      tileheight = 16, tilesets = { { firstgid = 1, filename = "e.tsx", exportfilename = "%s" } },
+      layers = { { type = "tilelayer", id = 1, name = "land", width = 2, height = 1,
+      data = { 1, 2 } } } }]]
+    for _, way in ipairs({ name, "./" .. name, "nowhere/../" .. name }) do
+      local map = write("map.lua", text:format(way))
+      assert.equal(1, (load(map)).tiles)
+    end
+  end)
+
+  it("are looked for by love.filesystem without any ..", function()
+    local asked = {}
+    pretend("love", {
+      filesystem = {
+        getInfo = function(path)
+          asked[#asked + 1] = path
+          return path == "sets/earth.lua" and {} or nil
+        end,
+        load = function()
+          return (rawget(_G, "loadstring") or rawget(_G, "load"))(SET)
+        end,
+      },
+    })
+    assert.equal(1, (load(newMap("../sets/earth.lua"), { folder = "maps" })).tiles)
+    assert.equal(1, (load(newMap("earth.lua"), { folder = "sets" })).tiles)
+    load(newMap("../earth.lua"), { folder = "" })
+    assert.same({ "sets/earth.lua", "sets/earth.lua", "../earth.lua" }, asked)
+  end)
+
+  it("are named if they cannot be had, and then a layer can still be solid", function()
+    local head = 'external ("earth.tsx"): '
+    local function reason(map, options)
+      local level = load(map, options)
+      assert.same({ "tileset", 1, "earth" }, {
+        level.unsupported[1].kind,
+        level.unsupported[1].id,
+        level.unsupported[1].name,
+      })
+      assert.equal(1, #level.unsupported)
+      return level.unsupported[1].reason
+    end
+    assert.equal(head .. "what its tiles are is not in this export, embed it", reason(newMap()))
+    assert.equal(
+      head .. "where the map lies is not known: give the option folder",
+      reason(newMap("earth.lua"))
+    )
+    assert.equal(head .. "exportfilename must be a path, got 5", reason(newMap(5)))
+    local place = { folder = folder:match("^(.*)/") }
+    assert.truthy(reason(newMap("nothing%s.lua"), place):find(head .. "cannot read ", 1, true))
+    local name = write("bad.lua", "return 5"):match("[^/]+$")
+    assert.truthy(reason(newMap(name), place):find('bad.lua" is no tileset', 1, true))
+    local broken = write("broken.lua", "error('no luck')"):match("[^/]+$")
+    assert.truthy(reason(newMap(broken), place):find("no luck", 1, true))
+    assert.equal(2, (load(newMap(), { solidLayers = { "land" } })).tiles)
+  end)
+
+  it("given by mistake say so", function()
+    local set = (rawget(_G, "loadstring") or rawget(_G, "load"))(SET)()
+    fails("this is a tileset, not a map: load the map that uses it", set)
+    local path = write("earth.lua", SET)
+    fails("this is a tileset, not a map: load the map that uses it", path)
+    fails("map.layers must be a table, got nil", { tilewidth = 16 })
+  end)
+
+  it("that are malformed are refused", function()
+    local path =
+      write("odd.lua", [[return { name = "e", tilewidth = 16, tileheight = -1, tiles = {} }]])
+    fails(
+      'tileset "earth": tileheight must be a number > 0, got -1',
+      newMap(path:match("[^/]+$")),
+      { folder = path:match("^(.*)/") }
+    )
+  end)
+end)
+
+-- Points and lines --------------------------------------------------------------------------------
+
+describe("world:loadTiled, points and lines", function()
+  local function newMap(objects, extra)
+    return tiled.map({ tiled.tileset() }, { tiled.objects(4, "marks", objects, extra) })
+  end
+
+  it("are in level.points and level.named", function()
+    local map = newMap({
+      tiled.object(1, 30, 40, 0, 0, { shape = "point", name = "player", type = "spawn" }),
+      tiled.object(
+        2,
+        50,
+        60,
+        0,
+        0,
+        { name = "player", properties = { facing = "left", vx = "5" } }
+      ),
+      tiled.object(3, 1, 2, 0, 0, { shape = "point" }),
+    }, { offsetx = 100 })
+    local level, world = load(map, { y = 1000 })
+    assert.same({ 3, 0, 0 }, { #level.points, #level.objects, #level.unsupported })
+    local first, second, third = level.points[1], level.points[2], level.points[3]
+    assert.same({ 130, 1040, "player", "spawn" }, { first.x, first.y, first.name, first.type })
+    assert.same({ 150, 1060, "left", 5 }, { second.x, second.y, second.facing, second.vx })
+    assert.is_nil(third.name)
+    assert.equal(first, level.named.player)
+    assert.equal(map.layers[1].objects[1], first.tiled.object)
+    assert.equal(map.layers[1], first.tiled.layer)
+    assert.same({}, world.objects.marks)
+    world:add("players", { x = first.x, y = first.y, width = 8, height = 8 })
+  end)
+
+  it("stand behind objects of the same name", function()
+    local level = load(newMap({
+      tiled.object(1, 0, 0, 0, 0, { shape = "polyline", name = "a", polyline = {} }),
+      tiled.object(2, 0, 0, 0, 0, { shape = "point", name = "a" }),
+      tiled.object(3, 0, 0, 8, 8, { name = "a" }),
+      tiled.object(4, 0, 0, 0, 0, { shape = "polyline", name = "b", polyline = {} }),
+      tiled.object(5, 0, 0, 0, 0, { shape = "point", name = "b" }),
+    }))
+    assert.equal(level.objects[1], level.named.a)
+    assert.equal(level.points[2], level.named.b)
+  end)
+
+  it("of which a size is missing on one side only are named", function()
+    local level =
+      load(newMap({ tiled.object(1, 0, 0, 8, 0), tiled.object(2, 0, 0, 0, 8, { gid = 1 }) }))
+    assert.same({ "it has no size", "it has no size" }, reasonsOf(level))
+  end)
+
+  it("are also there in a layer that is not solid", function()
+    local point = tiled.object(1, 3, 4, 0, 0, { shape = "point" })
+    assert.equal(1, #load(newMap({ point }, { properties = { solid = false } })).points)
+    assert.equal(1, #load(newMap({ point }, { properties = { solid = true } })).points)
+  end)
+
+  --- A path of a lift:    o--+
+  ---                         |
+  ---                         +
+  for _, row in ipairs({
+    { 0, { 10, 20, 40, 20, 40, 60 } },
+    { 90, { 10, 20, 10, 50, -30, 50 } },
+    { 180, { 10, 20, -20, 20, -20, -20 } },
+    { -90, { 10, 20, 10, -10, 50, -10 } },
+  }) do
+    it("are lines with all their corners, turned by " .. row[1], function()
+      local object = tiled.object(9, 10, 20, 0, 0, {
+        shape = "polyline",
+        name = "path",
+        rotation = row[1],
+        polyline = { { x = 0, y = 0 }, { x = 30, y = 0 }, { x = 30, y = 40 } },
+        properties = { period = 4 },
+      })
+      for _, isSti in ipairs({ false, true }) do
+        local map = newMap({ object }, { offsetx = 100 })
+        local level = load(isSti and tiled.sti(map) or map)
+        local line = level.lines[1]
+        for i, point in ipairs(line.points) do
+          assert.near(row[2][2 * i - 1] + 100, point.x, 1e-9)
+          assert.near(row[2][2 * i], point.y, 1e-9)
+        end
+        assert.same(
+          { 3, 4, "path", 110, 20 },
+          { #line.points, line.period, line.name, line.x, line.y }
+        )
+        assert.equal(line, level.named.path)
+        assert.same({}, level.unsupported)
+      end
+    end)
+  end
+
+  it("turned otherwise are named: sines would not be the same everywhere", function()
+    local object =
+      tiled.object(9, 10, 20, 0, 0, { shape = "polyline", polyline = {}, rotation = 45 })
+    assert.same({ "rotated by 45 degrees: boxes do not turn" }, reasonsOf(load(newMap({ object }))))
+  end)
+
+  for _, row in ipairs({
+    { "polyline must be a table, got nil", { shape = "polyline" } },
+    { "polyline[1] must be a table, got 5", { shape = "polyline", polyline = { 5 } } },
+    { "polyline[1].y must be a number, got nil", { shape = "polyline", polyline = { { x = 1 } } } },
+    { "polygon must be a table, got 5", { shape = "polygon", polygon = 5 } },
+    {
+      "polygon[2].x must be a number, got nan",
+      { shape = "polygon", polygon = { { x = 1, y = 1 }, { x = 0 / 0, y = 1 } } },
+    },
+    { "rotation must be a number, got nan", { rotation = 0 / 0 } },
+  }) do
+    it("are refused: " .. row[1], function()
+      fails('layer "marks", object 9: ' .. row[1], newMap({ tiled.object(9, 0, 0, 8, 8, row[2]) }))
+    end)
+  end
+end)
+
+-- Turned shapes -----------------------------------------------------------------------------------
+
+describe("world:loadTiled, turned", function()
+  local function newMap(object, set)
+    return tiled.map({ set or tiled.tileset() }, { tiled.objects(1, "things", { object }) })
+  end
+
+  --- A rectangle of 30 x 10 px turns about its upper left corner, which stays at 100, 200.
+  for _, row in ipairs({
+    { 0, "100 200 30 10" },
+    { 90, "90 200 10 30" },
+    { 180, "70 190 30 10" },
+    { 270, "100 170 10 30" },
+    { -90, "100 170 10 30" },
+    { -270, "90 200 10 30" },
+    { 450, "90 200 10 30" },
+    { 89.99999, "90 200 10 30" },
+  }) do
+    it(("rectangles are boxes, by %g degrees"):format(row[1]), function()
+      local level, world = load(newMap(tiled.object(1, 100, 200, 30, 10, { rotation = row[1] })))
+      assert.same({ row[2] }, boxes(world, "things"))
+      assert.same({}, level.unsupported)
+    end)
+
+    it(("tile objects are boxes, by %g degrees"):format(row[1]), function()
+      -- It stands on its point: unturned at 100 190 30 10.
+      local expected = {
+        ["100 200 30 10"] = "100 190 30 10",
+        ["90 200 10 30"] = "100 200 10 30",
+        ["70 190 30 10"] = "70 200 30 10",
+        ["100 170 10 30"] = "90 170 10 30",
+      }
+      local object = tiled.object(1, 100, 200, 30, 10, { rotation = row[1], gid = 1, name = "a" })
+      local _, world = load(newMap(object))
+      assert.same({ expected[row[2]] }, boxes(world, "things"))
+    end)
+  end
+
+  it("by another angle they are named", function()
+    for _, rotation in ipairs({ 45, 0.01, -89.9 }) do
+      local level = load(newMap(tiled.object(1, 0, 0, 8, 8, { rotation = rotation })))
+      assert.same(
+        { ("rotated by %.14g degrees: boxes do not turn"):format(rotation) },
+        reasonsOf(level)
+      )
+    end
+  end)
+
+  it("tile objects turn with the rectangle of their tile", function()
+    -- The lower half of a tile of 16 px; turned clockwise it is the left half.
+    local set = tiled.tileset({ tiled.shapes(0, { tiled.object(1, 0, 8, 16, 8) }) })
+    local object = tiled.object(1, 100, 200, 16, 16, { rotation = 90, gid = 1 })
+    local _, world = load(newMap(object, set))
+    assert.same({ "100 200 8 16" }, boxes(world, "things"))
+  end)
+
+  it("shapes of tiles are boxes, too", function()
+    local set =
+      tiled.tileset({ tiled.shapes(0, { tiled.object(1, 16, 0, 4, 16, { rotation = 90 }) }) })
+    local _, world = load(tiled.map({ set }, { tiled.tiles(1, "land", { ".11" }) }))
+    assert.same({ "16 0 32 4" }, boxes(world, "land"))
+  end)
+end)
+
+describe("world:loadTiled, polygons", function()
+  local function points(list)
+    local polygon = {}
+    for i = 1, #list, 2 do
+      polygon[#polygon + 1] = { x = list[i], y = list[i + 1] }
+    end
+    return polygon
+  end
+
+  local function newMap(list, extra)
+    local object = tiled.object(1, 100, 200, 0, 0, extra)
+    object.shape, object.polygon = "polygon", points(list)
+    return tiled.map({ tiled.tileset() }, { tiled.objects(1, "walls", { object }) })
+  end
+
+  for _, row in ipairs({
+    { "a rectangle", { 0, 0, 40, 0, 40, 10, 0, 10 }, { "100 200 40 10" } },
+    { "the other way round", { 0, 0, 0, 10, 40, 10, 40, 0 }, { "100 200 40 10" } },
+    { "from another corner, to the left", { 0, 0, -40, 0, -40, -10, 0, -10 }, { "60 190 40 10" } },
+    {
+      "with corners in the middle of edges",
+      { 0, 0, 20, 0, 40, 0, 40, 10, 0, 10, 0, 5 },
+      { "100 200 40 10" },
+    },
+    { "closed by its first corner", { 0, 0, 40, 0, 40, 10, 0, 10, 0, 0 }, { "100 200 40 10" } },
+    {
+      "by a hand that trembles",
+      { 0, 0, 40, 0.004, 39.998, 10, 0, 10.001 },
+      { "100 200 39.998 10" },
+    },
+    {
+      "an L",
+      { 0, 0, 10, 0, 10, 20, 30, 20, 30, 30, 0, 30 },
+      { "100 200 10 20", "100 220 30 10" },
+    },
+    {
+      "a U",
+      { 0, 0, 10, 0, 10, 20, 20, 20, 20, 0, 30, 0, 30, 30, 0, 30 },
+      { "100 200 10 20", "120 200 10 20", "100 220 30 10" },
+    },
+    {
+      "a C, whose upright part goes on",
+      { 0, 0, 30, 0, 30, 10, 10, 10, 10, 20, 30, 20, 30, 30, 0, 30 },
+      { "100 200 30 10", "100 210 10 10", "100 220 30 10" },
+    },
+    {
+      "a stair",
+      { 0, 0, 10, 0, 10, 10, 20, 10, 20, 20, 30, 20, 30, 30, 0, 30 },
+      { "100 200 10 10", "100 210 20 10", "100 220 30 10" },
+    },
+  }) do
+    for _, isSti in ipairs({ false, true }) do
+      it("are boxes, " .. row[1] .. (isSti and ", through STI" or ""), function()
+        local map = newMap(row[2])
+        local level, world = load(isSti and tiled.sti(map) or map)
+        assert.same(row[3], boxes(world, "walls"))
+        assert.same({}, level.unsupported)
+        assert.is_true(level.objects[1].static)
+        assert.equal(1, level.objects[#level.objects].tiled.object.id)
+      end)
+    end
+  end
+
+  it("are boxes when they are turned by quarters, through STI, too", function()
+    local map = newMap({ 0, 0, 40, 0, 40, 10, 0, 10 }, { rotation = 90 })
+    map.layers[1].offsetx = 7
+    for _, given in ipairs({ map, tiled.sti(map) }) do
+      local level = load(given)
+      local box = level.objects[1]
+      for i, value in ipairs({ 97, 200, 10, 40 }) do
+        assert.near(value, ({ box.x, box.y, box.width, box.height })[i], 1e-9)
+      end
+    end
+  end)
+
+  it("cover what they enclose, whatever their form", function()
+    -- A ring with a gap, counted in cells of 10 px.
+    local _, world = load(newMap({
+      0,
+      0,
+      50,
+      0,
+      50,
+      50,
+      30,
+      50,
+      30,
+      40,
+      40,
+      40,
+      40,
+      10,
+      10,
+      10,
+      10,
+      40,
+      20,
+      40,
+      20,
+      50,
+      0,
+      50,
+    }))
+    local area = 0
+    for _, box in ipairs(world.objects.walls) do
+      area = area + box.width * box.height
+    end
+    assert.equal(1500, area)
+    for _, point in ipairs({ { 5, 5 }, { 45, 25 }, { 15, 45 }, { 35, 45 }, { 5, 45 } }) do
+      assert.equal(1, select(2, world:queryPoint(100 + point[1], 200 + point[2])))
+    end
+    assert.equal(0, select(2, world:queryPoint(125, 225)))
+    assert.equal(0, select(2, world:queryPoint(125, 245)))
+  end)
+
+  for _, row in ipairs({
+    {
+      "right triangles, as long as there are no slopes",
+      { 0, 0, 16, 0, 16, 16 },
+      "polygon: a right triangle would be a slope, and slopes are not supported",
+    },
+    {
+      "other triangles",
+      { 0, 0, 16, 0, 8, 16 },
+      "polygon: only those with level and upright edges are boxes",
+    },
+    {
+      "sloped ones",
+      { 0, 0, 16, 4, 16, 16, 0, 16 },
+      "polygon: only those with level and upright edges are boxes",
+    },
+    { "without area", { 0, 0, 16, 0, 0, 0 }, "polygon: it has no area" },
+    { "with too few corners", { 0, 0, 16, 0 }, "polygon: it has no area" },
+    { "without any corner", {}, "polygon: it has no area" },
+  }) do
+    it("are named: " .. row[1], function()
+      local level, world = load(newMap(row[2]))
+      assert.same({ row[3] }, reasonsOf(level))
+      assert.same({}, world.objects.walls)
+    end)
+  end
+
+  it("are named when they are turned otherwise", function()
+    local map = newMap({ 0, 0, 40, 0, 40, 10, 0, 10 }, { rotation = 30 })
+    assert.same({ "rotated by 30 degrees: boxes do not turn" }, reasonsOf(load(map)))
+  end)
+
+  it("of several boxes move only together, that is not at all", function()
+    local map = newMap({ 0, 0, 10, 0, 10, 20, 30, 20, 30, 30, 0, 30 })
+    map.layers[1].objects[1].properties = { static = false }
+    assert.same({ "polygon of 2 boxes: only static ones hold together" }, reasonsOf(load(map)))
+    map = newMap({ 0, 0, 40, 0, 40, 10, 0, 10 })
+    map.layers[1].objects[1].properties = { static = false }
+    assert.is_false(load(map).objects[1].static)
+  end)
+
+  it("are shapes of tiles, too", function()
+    local shape = tiled.object(5, 0, 16, 0, 0)
+    shape.shape, shape.polygon = "polygon", points({ 0, 0, 0, -16, 8, -16, 8, -8, 16, -8, 16, 0 })
+    local set = tiled.tileset({ tiled.shapes(0, { shape }) })
+    local level, world = load(tiled.map({ set }, { tiled.tiles(1, "land", { "11" }) }))
+    assert.same({ "0 0 8 8", "16 0 8 8", "0 8 32 8" }, boxes(world, "land"))
+    assert.same({}, level.unsupported)
+  end)
+
+  it("and capsules, ellipses and texts are named", function()
+    for _, shape in ipairs({ "capsule", "ellipse", "text" }) do
+      local object = tiled.object(1, 0, 0, 16, 32, { shape = shape })
+      local map = tiled.map({ tiled.tileset() }, { tiled.objects(1, "things", { object }) })
+      assert.same({ shape .. ": only rectangles are boxes" }, reasonsOf(load(map)))
+    end
+  end)
+end)
+
+-- Digging -----------------------------------------------------------------------------------------
+
+describe("world:loadTiled, level.tileLayers", function()
+  local function newMap()
+    local set = tiled.tileset({
+      { id = 0, type = "earth", properties = { solid = true } },
+      { id = 1, properties = { solid = true, group = "ice", friction = 0 } },
+      tiled.shapes(2, { tiled.object(1, 0, 8, 16, 8), tiled.object(2, 0, 0, 8, 8) }),
+    })
+    return tiled.map(
+      { set },
+      { tiled.tiles(1, "land", { "....", "1111", "1111" }, { offsetx = 5 }) }
+    )
+  end
+
+  it("dig and build, counted from 0 as in the editor", function()
+    local level, world = load(newMap(), { y = 100 })
+    local tiles = level.tileLayers.land
+    assert.same({ 0, 0, 4, 3, 5, 100 }, {
+      tiles.firstColumn,
+      tiles.firstRow,
+      tiles.columns,
+      tiles.rows,
+      tiles.x,
+      tiles.y,
+    })
+    assert.equal(tiles, world.objects.land[1].tiled.tiles)
+    tiles:setTile(1, 1, 0)
+    assert.same({ "5 116 16 16", "37 116 32 16", "5 132 64 16" }, boxes(world, "land"))
+    assert.equal("earth", world.objects.land[1].type)
+    assert.equal(1, world.objects.land[1].tiled.gid)
+    assert.same({ 0, 1, 1, 1 }, {
+      world.objects.land[1].tiled.column,
+      world.objects.land[1].tiled.row,
+      world.objects.land[1].tiled.columns,
+      world.objects.land[1].tiled.rows,
+    })
+    tiles:setTile(1, 1, 2)
+    assert.same({ "21 116 16 16" }, boxes(world, "ice"))
+    tiles:setTile(1, 1, 3 + tiled.FLIP_X) -- two rectangles, turned
+    assert.same({}, boxes(world, "ice"))
+    assert.same({
+      "5 116 16 16",
+      "37 116 32 16",
+      "5 132 64 16",
+      "21 124 16 8",
+      "29 116 8 8",
+    }, boxes(world, "land"))
+    tiles:setTile(1, 1, 1)
+    assert.same({ "5 116 64 32" }, boxes(world, "land"))
+    assert.equal(1, tiles:getTile(1, 1))
+    assert.same({ 1, 1 }, { tiles:cellAt(21, 131.9) })
+  end)
+
+  it("refuse what no tileset has", function()
+    local level, world = load(newMap())
+    for _, row in ipairs({
+      { 99, "must be a gid of one of the tilesets, got 99" },
+      { -1, "must be a gid, got -1" },
+      { "1", 'must be a gid, got "1"' },
+    }) do
+      local isDone, message = pcall(function()
+        level.tileLayers.land:setTile(1, 1, row[1])
+      end)
+      assert.is_false(isDone)
+      local expected = "tiles:setTile(column, row, value): value " .. row[2]
+      assert.truthy(message:find(expected, 1, true), message)
+    end
+    assert.same({ "5 16 64 32" }, boxes(world, "land"))
+  end)
+
+  it("are there for infinite maps, with columns below 0", function()
+    local level, world = load("spec/maps/cave.lua")
+    local tiles = level.tileLayers.rocks
+    assert.same({ -16, 0 }, { tiles.firstColumn, tiles.firstRow })
+    assert.equal(1, tiles:getTile(-10, 4))
+    tiles:setTile(-9, 4, 0)
+    assert.equal("-80 32 8 8", boxes(world, "rocks")[3])
+  end)
+
+  it("come and go as a whole", function()
+    local level, world = load(newMap())
+    level.tileLayers.land:unload()
+    assert.same({}, boxes(world, "land"))
+    level.tileLayers.land:load()
+    assert.same({ "5 16 64 32" }, boxes(world, "land"))
+  end)
+end)
