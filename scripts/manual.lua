@@ -1,4 +1,5 @@
---- Writes the reference from the docstrings, physics/world/fields.lua and scripts/manual_examples.lua:
+--- Writes the reference from the docstrings, physics/world/fields.lua and
+--- scripts/manual_examples.lua:
 ---
 ---   luajit scripts/manual.lua       writes docs/api.md
 

@@ -1,7 +1,8 @@
 -- Do the specs notice? Changes one thing of the core at a time (scripts/mutations.lua), in a copy
 -- of the project, and runs the specs one file after the other until one fails:
 --
---   luajit scripts/mutants.lua [--sample 200] [--seed 1] [--file physics/memory/aabb.lua] [--resume]
+--   luajit scripts/mutants.lua [--sample 200] [--seed 1] [--file physics/memory/aabb.lua]
+-- [--resume]
 --
 -- Without --sample all changes are tried, which takes days; --list shows them. What no spec notices
 -- survives, and is printed. Each result is written to build/mutants.txt at once; --resume leaves

@@ -1,5 +1,5 @@
---- Writes the types that editors read (LuaLS, EmmyLua): for what physics/world/fields.lua lists, and for
---- the functions of the module that are the methods of the default world.
+--- Writes the types that editors read (LuaLS, EmmyLua): for what physics/world/fields.lua lists,
+--- and for the functions of the module that are the methods of the default world.
 ---
 ---   luajit scripts/types.lua        writes physics/types.lua
 
@@ -16,7 +16,8 @@ local COLUMNS = 100
 local HEAD = [[
 ---@meta _
 --- The types of this library for editors (LuaLS, EmmyLua). Nothing requires this file.
---- scripts/types.lua writes it from physics/world/fields.lua and physics/world/world.lua: change those.
+--- scripts/types.lua writes it from physics/world/fields.lua and physics/world/world.lua: change
+--- those.
 
 ---@alias physics.Side "left"|"right"|"top"|"bottom"
 

@@ -45,7 +45,12 @@ local function listParted(b, strays, count)
       )
       if apart > 0 then
         local p = floor(half * 0.5 + 0.5)
-        if b.contact[p] == 0 and b.hit[p] == 0 and b.touches[p] == 0 and not (b.overlapping[p] or leaving[p]) then
+        if
+          b.contact[p] == 0
+          and b.hit[p] == 0
+          and b.touches[p] == 0
+          and not (b.overlapping[p] or leaving[p])
+        then
           n = n + 1
           parted[n], leaving[p] = p, true
         end

@@ -22,9 +22,9 @@ local function before(x, y, first, second, third, fourth)
   return fourth ~= nil and fourth[x] < fourth[y]
 end
 
-local function sink(list, root, count, first, second, third, fourth)
-  local value = list[root]
-  local child = 2 * root
+local function sink(list, node, count, first, second, third, fourth)
+  local value = list[node]
+  local child = 2 * node
   while child <= count do
     if child < count and before(list[child], list[child + 1], first, second, third, fourth) then
       child = child + 1
@@ -32,10 +32,10 @@ local function sink(list, root, count, first, second, third, fourth)
     if not before(value, list[child], first, second, third, fourth) then
       break
     end
-    list[root] = list[child]
-    root, child = child, 2 * child
+    list[node] = list[child]
+    node, child = child, 2 * child
   end
-  list[root] = value
+  list[node] = value
 end
 
 local function insert(list, count, first, second, third, fourth)
@@ -57,8 +57,8 @@ function sort.by(list, count, first, second, third, fourth)
     insert(list, count, first, second, third, fourth)
     return
   end
-  for root = (count - count % 2) / 2, 1, -1 do
-    sink(list, root, count, first, second, third, fourth)
+  for node = (count - count % 2) / 2, 1, -1 do
+    sink(list, node, count, first, second, third, fourth)
   end
   for last = count, 2, -1 do
     list[1], list[last] = list[last], list[1]

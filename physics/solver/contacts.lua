@@ -1,9 +1,9 @@
 --- Contacts: pairs that touch where the step begins, as one sorted list for each axis.
 --
--- A contact has one axis. `low` is the body with the smaller coordinate on it, `high` the other one.
--- Which axis that is follows from where the two were apart. The list is sorted by the coordinate of
--- `high`, so that one walk goes from each body to those behind it. It does not depend on the order
--- in which pairs were found.
+-- A contact has one axis. `low` is the body with the smaller coordinate on it, `high` the other
+-- one. Which axis that is follows from where the two were apart. The list is sorted by the
+-- coordinate of `high`, so that one walk goes from each body to those behind it. It does not depend
+-- on the order in which pairs were found.
 --
 -- Reads from, size, restitution; writes the lists `b.contacts[axis]`, touches, and `b.apart`.
 
@@ -25,8 +25,8 @@ contacts.PATIENCE = 60
 local TURN = 30
 local max, min = math.max, math.min
 
---- Values of `touches`: the pair is swept; it is a contact; it is one that may bounce, and is swept,
---- too; both are in a crowd, it does nothing.
+--- Values of `touches`: the pair is swept; it is a contact; it is one that may bounce, and is
+--- swept, too; both are in a crowd, it does nothing.
 contacts.APART, contacts.CONTACT, contacts.ELASTIC, contacts.GHOST = 0, 1, 2, 3
 local APART, CONTACT = contacts.APART, contacts.CONTACT
 local ELASTIC, GHOST = contacts.ELASTIC, contacts.GHOST
@@ -122,8 +122,8 @@ local function put(b, p, axis, kl, kh, separation)
   b.contactKey[p] = b.from[kh]
 end
 
--- The axis on which two that are inside each other go apart, and whether the second of the pair is the
--- low one: that on which they came there, else the shallower one.
+-- The axis on which two that are inside each other go apart, and whether the second of the pair is
+-- the low one: that on which they came there, else the shallower one.
 local function deepAxis(b, p, ki, kj)
   if b.wedged[p] ~= 0 then
     return columns.AXIS[b.wedged[p]], b.wedged[p] % 2 == 1
@@ -136,8 +136,8 @@ local function deepAxis(b, p, ki, kj)
   return axis, middle < 0 or (middle == 0 and b.rank[kj * 0.5] < b.rank[ki * 0.5])
 end
 
--- How much further apart two dynamic bodies must be at the end of the step than at its start. Less and
--- less while there is no room.
+-- How much further apart two dynamic bodies must be at the end of the step than at its start. Less
+-- and less while there is no room.
 local function growthOf(b, kl, kh)
   local jam = min(b.jam[kl], b.jam[kh])
   if jam == 0 then
@@ -160,8 +160,8 @@ local function turn(b, p, kl, kh, ki, kj)
   return true
 end
 
--- Two that are inside each other may not get deeper. What was squeezed (`wedged`) comes out as soon as
--- there is room.
+-- Two that are inside each other may not get deeper. What was squeezed (`wedged`) comes out as soon
+-- as there is room.
 local function putDeep(b, p)
   local i, j = b.pairA[p], b.pairB[p]
   if b.oneWay[i] or b.oneWay[j] then

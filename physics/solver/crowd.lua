@@ -1,13 +1,13 @@
 --- Crowds: many bodies at one spot, which no order of pushes between two could part in a few steps.
 --
--- A body is *crowded* if it shares its place with several others. Two crowded bodies are no pair: in
--- a step they pass through each other. Instead all that are in one crowd are sorted into columns, as
--- many as there is room for between the walls around them, and each goes towards its place there,
--- by no more than a fixed share of its size in a step. A crowd is left by what overlaps no other body
--- of it. So the work grows with the number of bodies, not of pairs.
+-- A body is *crowded* if it shares its place with several others. Two crowded bodies are no pair:
+-- in a step they pass through each other. Instead all that are in one crowd are sorted into
+-- columns, as many as there is room for between the walls around them, and each goes towards its
+-- place there, by no more than a fixed share of its size in a step. A crowd is left by what
+-- overlaps no other body of it. So the work grows with the number of bodies, not of pairs.
 --
--- `crowd` of a body is 0 or the one that leads its crowd. Reads from, size, awakeList; writes crowd,
--- from, to, velocity.
+-- `crowd` of a body is 0 or the one that leads its crowd. Reads from, size, awakeList; writes
+-- crowd, from, to, velocity.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -23,7 +23,8 @@ require(root .. ".memory.jit").file()
 local crowd = {}
 
 local DYNAMIC = columns.DYNAMIC
-local ceil, floor, huge, max, min, sqrt = math.ceil, math.floor, math.huge, math.max, math.min, math.sqrt
+local ceil, floor, huge, max, min, sqrt =
+  math.ceil, math.floor, math.huge, math.max, math.min, math.sqrt
 --- A body is crowded if its middle is inside so many others, or theirs in it.
 local MANY = 4
 --- Share of its size by which it goes to its place in a step, along each axis.
@@ -50,7 +51,8 @@ local function wake(b)
   begin.run(b)
 end
 
--- Lists what may be crowded: what was in a crowd, was placed by the game, or was left inside another.
+-- Lists what may be crowded: what was in a crowd, was placed by the game, or was left inside
+-- another.
 local function listCandidates(b)
   local list, count = b.crowdList, 0
   local awake, crowd_, inside, moved = b.awakeList, b.crowd, b.inside, b.moved
@@ -82,8 +84,8 @@ local function sortByX(b, list, count)
   sort.by(list, count, leaderRank, key, rank)
 end
 
--- Whether two bodies overlap on an axis, by more than SLACK of the smaller one, and whether the middle
--- of one is inside the other there.
+-- Whether two bodies overlap on an axis, by more than SLACK of the smaller one, and whether the
+-- middle of one is inside the other there.
 local function compare(b, k, m)
   local apart, size, other = middle(b, k) - middle(b, m), b.size[k], b.size[m]
   apart = max(apart, -apart)
@@ -173,8 +175,8 @@ local function widestOf(b, list, first, last)
   return widest
 end
 
--- Notes of each member of a crowd, sorted by x, whether it overlaps another one. Returns whether any
--- does.
+-- Notes of each member of a crowd, sorted by x, whether it overlaps another one. Returns whether
+-- any does.
 local function findOverlaps(b, list, first, last)
   local overlapped, key, any = b.isOverlapped, b.crowdKey, false
   local reach = 2 * widestOf(b, list, first, last)
@@ -350,9 +352,9 @@ local function findRoom(b, i, x, y, reach, halfW, halfH)
   return left, top, right, bottom
 end
 
--- Puts a stretch of `length` px around `middle` between two edges.
-local function fit(middle, length, low, high)
-  local at = middle - length * 0.5
+-- Puts a stretch of `length` px around `center` between two edges.
+local function fit(center, length, low, high)
+  local at = center - length * 0.5
   return max(min(at, high - length), low)
 end
 

@@ -1,8 +1,8 @@
 --- Crushed: pressed between two that cannot give way, on one axis.
 --
 -- The object stays where it overlaps its neighbours the least (see settle), and is free again as
--- soon as there is room. How it came there is remembered with the pair (`wedged`), so that it leaves
--- along the same axis and is never squeezed out sideways.
+-- soon as there is room. How it came there is remembered with the pair (`wedged`), so that it
+-- leaves along the same axis and is never squeezed out sideways.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local contacts = require(root .. ".solver.contacts")

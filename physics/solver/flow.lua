@@ -8,8 +8,6 @@
 --
 -- Kinks are in lists, by rising velocity: `kinkAt`, `kinkJump`, `kinkNext`; 0 ends a list.
 
-local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-
 local flow = {}
 
 -- Stretches of time between two kinks, at most.
@@ -102,8 +100,8 @@ function flow.run(b, list, mass, force, v, tau)
   return v, way + v * tau
 end
 
---- The same of one body with nothing but Coulomb friction: its own acceleration a, ground that moves
---- at `base`, and a deceleration by friction of `brake` px/s².
+--- The same of one body with nothing but Coulomb friction: its own acceleration a, ground that
+--- moves at `base`, and a deceleration by friction of `brake` px/s².
 function flow.slide(v, a, base, brake, tau)
   local slip, way = v - base, base * tau
   if slip ~= 0 then

@@ -1,10 +1,10 @@
 --- Coulomb friction: contacts of one axis rub along the other one.
 --
 -- The load of a contact is what settling took off the body that leans, and what leans on that. All
--- of it goes to the support under most of the body. A support that cannot be moved along the surface
--- is a kink in the motion of the body (see flow), so it slides, stops, turns or sticks exactly. A
--- body on a movable one is bonded to it: while friction can do that, both are one block (see pool).
--- Otherwise it slips, and both feel the limit.
+-- of it goes to the support under most of the body. A support that cannot be moved along the
+-- surface is a kink in the motion of the body (see flow), so it slides, stops, turns or sticks
+-- exactly. A body on a movable one is bonded to it: while friction can do that, both are one block
+-- (see pool). Otherwise it slips, and both feel the limit.
 --
 -- Reads contacts, free, start; writes kinks, force, and the paths on the rubbed axis.
 
@@ -221,8 +221,8 @@ local function pull(b, bonds, n, tug, dt)
   bonds.tug[n] = tug
 end
 
--- A bond that slips from the start on: friction does all it can against that. If that would turn the
--- slip round, the two go on as one.
+-- A bond that slips from the start on: friction does all it can against that. If that would turn
+-- the slip round, the two go on as one.
 local function slide(b, bonds, n, dt)
   local slip = b.start[bonds.up[n]] - b.start[bonds.low[n]]
   local limit = slip > 0 and -bonds.limit[n] or bonds.limit[n]
@@ -351,8 +351,8 @@ local function breakBonds(b, bonds, dt)
   end
 end
 
---- Lets the contacts of an axis, which is settled, rub along the other one, and settles that. Returns
---- false, and has done nothing, if none rubs.
+--- Lets the contacts of an axis, which is settled, rub along the other one, and settles that.
+--- Returns false, and has done nothing, if none rubs.
 function friction.run(b, axis, dt)
   local list, other, bonds = b.contacts[axis], 1 - axis, b.bonds
   findSupports(b, list, axis)

@@ -1,9 +1,9 @@
 --- Impacts: two bodies that meet in the middle of a step.
 --
--- Both go to the moment of the impact. What happens there is worked out from the end of their paths,
--- which is exact for constant acceleration: the overlap that they would have there, and how fast
--- they would close, tell how fast they meet and how much of the step is left. They bounce, or go on
--- flush with a common velocity, and are a contact for the rest of the step.
+-- Both go to the moment of the impact. What happens there is worked out from the end of their
+-- paths, which is exact for constant acceleration: the overlap that they would have there, and how
+-- fast they would close, tell how fast they meet and how much of the step is left. They bounce, or
+-- go on flush with a common velocity, and are a contact for the rest of the step.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -15,10 +15,10 @@ require(root .. ".memory.jit").file()
 
 local impact = {}
 
-local DYNAMIC, SIDE = columns.DYNAMIC, columns.SIDE
-local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
--- Impacts of one body in a step after which it does not bounce any more, divided by 1 - restitution,
--- and the most there are.
+local DYNAMIC = columns.DYNAMIC
+local max, min, sqrt = math.max, math.min, math.sqrt
+-- Impacts of one body in a step after which it does not bounce any more, divided by 1 -
+-- restitution, and the most there are.
 local BOUNCES, MOST_BOUNCES = 4, 12
 
 --- Notes the first impact of a pair in the step: on which side, and at u px/s.
@@ -29,8 +29,8 @@ function impact.note(b, p, low, axis, u)
   end
 end
 
--- How fast two meet, and how many seconds are left then: from the overlap o, the closing speed v and
--- the closing acceleration a at the end of the step, which is at most `left` s away.
+-- How fast two meet, and how many seconds are left then: from the overlap o, the closing speed v
+-- and the closing acceleration a at the end of the step, which is at most `left` s away.
 local function approach(o, v, a, left)
   local square = v * v - 2 * a * o
   local u = square > 0 and sqrt(square) or 0.0
@@ -101,8 +101,8 @@ local function reflow(b, k, tau)
   b.accel[k] = tau > 0 and (new - v) / tau or 0.0
 end
 
--- The impact rubs along the other axis, at once; what the two press with then, until the end. `jolt`
--- and `press` are impulses along the normal.
+-- The impact rubs along the other axis, at once; what the two press with then, until the end.
+-- `jolt` and `press` are impulses along the normal.
 local function rub(b, i, j, axis, wl, wh, jolt, press, tau)
   local mu = friction.coefficient(b, i, j)
   if mu <= 0 then
@@ -181,10 +181,10 @@ local function bounce(b, kl, kh, wl, wh, o, gap, v, vEnd)
   speed[kl], speed[kh] = speed[kl] - dv * wl, speed[kh] + dv * wh
 end
 
---- Two bodies meet on an axis at moment t. Two that are inside each other (`isDeep`) come apart, or in
---- a heap that has no room get no deeper.
---- Returns whether they stay together, and how far apart, px from the low edge of one to that of the
---- other.
+--- Two bodies meet on an axis at moment t. Two that are inside each other (`isDeep`) come apart, or
+--- in a heap that has no room get no deeper.
+--- Returns whether they stay together, and how far apart, px from the low edge of one to that of
+--- the other.
 function impact.run(b, p, i, j, axis, t, dt, isLast, isDeep)
   path.advance(b, i, t)
   path.advance(b, j, t)

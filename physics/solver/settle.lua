@@ -1,9 +1,9 @@
 --- Settling: what touches along an axis does not overlap at the end of the step.
 --
--- Boxes do not turn, so along one axis the contacts are a partial order, and what inelastic contacts
--- do to it has a closed answer. First, what an immovable body holds is put flush against it, from
--- there on through all that lean on each other (`holdHigh`, `holdLow`). Then free bodies that press
--- each other become blocks with a common velocity (see pool).
+-- Boxes do not turn, so along one axis the contacts are a partial order, and what inelastic
+-- contacts do to it has a closed answer. First, what an immovable body holds is put flush against
+-- it, from there on through all that lean on each other (`holdHigh`, `holdLow`). Then free bodies
+-- that press each other become blocks with a common velocity (see pool).
 --
 -- Reads contacts, give, start; writes to, speed, accel, heldLow, heldHigh, pressed, squeezed.
 -- heldLow and heldHigh are 0, or say by how many contacts an immovable body is away, and 1: a body
@@ -79,8 +79,8 @@ local function squeeze(b, kl, kh, over)
   b.accel[kh] = 0.0
 end
 
--- Body kl was put into the immovable kh by what holds it on its low side. It goes back to where it is
--- flush, and into those; or half of the way if these cannot be moved either.
+-- Body kl was put into the immovable kh by what holds it on its low side. It goes back to where it
+-- is flush, and into those; or half of the way if these cannot be moved either.
 local function squeezeBack(b, kl, kh, over)
   b.squeezed[kl], b.heldHigh[kl], b.holderHigh[kl] = over, 2, kh
   b.to[kl] = b.to[kl] - over * (b.heldLow[kl] > 2 and 1 or 0.5)
@@ -103,7 +103,13 @@ local function holdLow(b, list, slow)
       local closing = speed[kl] - speed[kh]
       local isHeld = held[kl] > 0 and give[kh] > 0
       if not isHeld then
-        if give[kh] == 0 and give[kl] > 0 and held[kl] > 0 and b.heldHigh[kl] == 0 and over > EPSILON then
+        if
+          give[kh] == 0
+          and give[kl] > 0
+          and held[kl] > 0
+          and b.heldHigh[kl] == 0
+          and over > EPSILON
+        then
           squeezeBack(b, kl, kh, over)
           pressed[pair[c]] = 1
         else

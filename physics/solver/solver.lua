@@ -1,7 +1,8 @@
 --- The solver: settle what touches, then sweep, hit and settle again.
 --
 -- A step is bounded: at most ROUNDS rounds, in each of which a body takes part in one impact, and a
--- fixed number of passes over the contacts in each. What cannot be finished goes on in the next step.
+-- fixed number of passes over the contacts in each. What cannot be finished goes on in the next
+-- step.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -30,7 +31,8 @@ local floor, max, min = math.floor, math.max, math.min
 --- Rounds of sweep, hit, settle in a step.
 solver.ROUNDS = 16
 local ROUNDS = solver.ROUNDS
---- Share of its size by which a body may be moved in a step, along each axis, to part what overlaps.
+--- Share of its size by which a body may be moved in a step, along each axis, to part what
+--- overlaps.
 solver.PARTING = 0.5
 local PARTING = solver.PARTING
 -- Impacts in a step of a body in a heap without room.
@@ -52,7 +54,8 @@ end
 -- Everything awake as it is before contacts.
 local function begin(b, dt)
   local list, kind, buried, give = b.awakeList, b.kind, b.buried, b.give
-  local freeSpeed, start, speed, velocity, carried = b.freeSpeed, b.start, b.speed, b.velocity, b.carried
+  local freeSpeed, start, speed, velocity, carried =
+    b.freeSpeed, b.start, b.speed, b.velocity, b.carried
   local from, origin, inverseMass, dirty = b.from, b.origin, b.inverseMass, b.dirty
   local limit, kinks, accel = b.limit, b.kinks, b.accel
   for n = 1, b.awakeCount do
@@ -73,7 +76,8 @@ end
 
 -- Notes the sides at which bodies lean on each other, and the hits of those that begin to.
 local function notePressed(b, axis)
-  local list, pressed, pressedHigh, pressedLow = b.contacts[axis], b.pressed, b.pressedHigh, b.pressedLow
+  local list, pressed, pressedHigh, pressedLow =
+    b.contacts[axis], b.pressed, b.pressedHigh, b.pressedLow
   for c = 1, list.count do
     local p = list.pair[c]
     if pressed[p] == 1 then
@@ -157,7 +161,14 @@ local function sortImpacts(b)
     impacts.width[n] = -floor(width * WIDTHS + 0.5)
     impacts.first[n], impacts.second[n] = columns.ranks(b, i, j)
   end
-  sort.by(impacts.order, impacts.count, impacts.moment, impacts.width, impacts.first, impacts.second)
+  sort.by(
+    impacts.order,
+    impacts.count,
+    impacts.moment,
+    impacts.width,
+    impacts.first,
+    impacts.second
+  )
 end
 
 -- A body enters a sensor, or passes through it.
@@ -202,7 +213,10 @@ local function happen(b, n, dt, isLast)
     end
     return
   end
-  if (isSensed and b.hit[p] ~= 0) or rules.passes(b, p, 2 * i + axis, 2 * j + axis, axis, impacts.isDeep[n]) then
+  if
+    (isSensed and b.hit[p] ~= 0)
+    or rules.passes(b, p, 2 * i + axis, 2 * j + axis, axis, impacts.isDeep[n])
+  then
     return
   elseif isSensed then
     sense(b, p, i, j, axis, t, dt)
@@ -270,8 +284,8 @@ local function settleLate(b, dt)
   contacts.noteNew(b)
 end
 
--- Where bodies overlap, pushes may add up: no body ends the step further from its start than its fastest
--- speed takes it, and PARTING of its size.
+-- Where bodies overlap, pushes may add up: no body ends the step further from its start than its
+-- fastest speed takes it, and PARTING of its size.
 local function limitMotion(b, dt)
   local list, give, origin, to, size = b.awakeList, b.give, b.origin, b.to, b.size
   local start, freeSpeed, speed = b.start, b.freeSpeed, b.speed

@@ -41,8 +41,8 @@ function sweep.newImpacts()
   }
 end
 
--- Lists in b.near the pairs of b.apart of which one has a new path and whose paths meet on x; returns
--- how many.
+-- Lists in b.near the pairs of b.apart of which one has a new path and whose paths meet on x;
+-- returns how many.
 local function listAll(b)
   local apart, near, dirty, count = b.apart, b.near, b.dirty, 0
   local pairA, pairB, from, to, size = b.pairA, b.pairB, b.from, b.to, b.size

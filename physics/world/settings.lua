@@ -3,7 +3,6 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local check = require(root .. ".world.check")
-local columns = require(root .. ".memory.columns")
 local collect = require(root .. ".objects.read")
 local detect = require(root .. ".broadphase.pairFinder")
 local events = require(root .. ".contacts.events")
