@@ -7,8 +7,10 @@ local librarySource, stageSource, measure, write = ...
 unpack, loadstring, math.pow = table.unpack, load, function(x, y)
   return x ^ y
 end
--- There are no files to find.
-io, package.path, package.cpath = nil, "", ""
+-- There are no files to find, and a program that comes with an address must not reach what lies
+-- behind Lua here.
+local traceback = debug.traceback
+io, package.loaded.io, package.path, package.cpath, package.loadlib = nil, nil, "", "", nil
 package.preload.physics = load(librarySource, "@physics.lua")
 
 function print(...)
@@ -20,6 +22,8 @@ function print(...)
 end
 
 local stage = load(stageSource, "@stage.lua")()
+debug = { traceback = traceback }
+package.loaded.debug = debug
 local run
 
 local actions = {}
@@ -33,7 +37,8 @@ function actions.isOver()
   return run.isOver and "yes" or ""
 end
 
-for _, name in ipairs({ "key", "moveMouse", "button", "step", "draw", "follow", "hash", "objects" }) do
+local NAMES = { "key", "moveMouse", "button", "step", "draw", "follow", "hash", "objects" }
+for _, name in ipairs(NAMES) do
   actions[name] = function(...)
     return run[name](run, ...)
   end
@@ -43,7 +48,7 @@ end
 -- known.
 local function describe(problem)
   local message = tostring(problem)
-  local line = message:match("^main%.lua:(%d+):") or debug.traceback():match("main%.lua:(%d+):")
+  local line = message:match("^main%.lua:(%d+):") or traceback():match("main%.lua:(%d+):")
   return { message, tonumber(line) or 0 }
 end
 

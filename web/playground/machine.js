@@ -23,7 +23,9 @@ export class Endless extends ProgramError {}
 export async function newFactory(wasm, library) {
   const factory = new LuaFactory(wasm);
   const module = await factory.getLuaModule();
-  return (host) => factory.createEngine().then((engine) => new Machine(engine, module, library, host));
+  // Without proxies no object of JavaScript is within the reach of Lua.
+  const options = { enableProxy: false, injectObjects: false };
+  return (host) => factory.createEngine(options).then((engine) => new Machine(engine, module, library, host));
 }
 
 class Machine {

@@ -372,8 +372,12 @@ window.addEventListener("hashchange", () => {
   if (location.hash.slice(1) !== written) openAddress();
 });
 
-openWorker();
-openAddress();
+if (HTMLCanvasElement.prototype.transferControlToOffscreen) {
+  openWorker();
+  openAddress();
+} else {
+  showProblem("The playground needs a browser of 2023 or later.", 0);
+}
 
 // For tests, and for curious ones: plays steps with written keys, "right:20-90,space:40".
 window.playground = {

@@ -19,6 +19,7 @@ local PUSH, POP, ORIGIN, TRANSLATE, SCALE, ROTATE, LINE_WIDTH = 10, 11, 12, 13, 
 local pack = rawget(string, "pack") or function()
   return ""
 end
+local getInfo = debug.getinfo
 local unpackTable = rawget(table, "unpack") or rawget(_G, "unpack")
 local compile = rawget(_G, "loadstring") or load
 
@@ -43,11 +44,12 @@ end
 
 -- Raises an error that names the line of the program from which LÖVE was called.
 local function blame(message)
-  local level, info = 2, nil
-  repeat
+  local level = 3
+  local info = getInfo(level, "Sl")
+  while info and info.source ~= "@" .. NAME do
     level = level + 1
-    info = debug.getinfo(level, "Sl")
-  until not info or info.source == "@" .. NAME
+    info = getInfo(level, "Sl")
+  end
   local place = info and ("%s:%d: "):format(NAME, info.currentline) or ""
   error(place .. message, 0)
 end
@@ -128,7 +130,8 @@ local function addColors(graphics, paint, state)
     if type(red) == "table" then
       red, green, blue, alpha = red[1], red[2], red[3], red[4]
     end
-    red, green, blue = checkNumber(red, name, 1), checkNumber(green, name, 2), checkNumber(blue, name, 3)
+    red, green, blue =
+      checkNumber(red, name, 1), checkNumber(green, name, 2), checkNumber(blue, name, 3)
     return red, green, blue, alpha == nil and 1 or checkNumber(alpha, name, 4)
   end
 
@@ -478,8 +481,8 @@ function Run:button(number, isDown)
   call(self, isDown and "mousepressed" or "mousereleased", self.pointer.x, self.pointer.y, number)
 end
 
--- Reads "right:20-90,space:40", see Run:follow.
-local function readKeys(text)
+--- Returns the list of { name =, from =, to = } for "right:20-90,space:40", see Run:follow.
+function stage.readKeys(text)
   local keys = {}
   for name, from, to in text:gmatch("([^,:]+):(%d+)%-?(%d*)") do
     keys[#keys + 1] = { name = name, from = tonumber(from), to = tonumber(to) or tonumber(from) }
@@ -516,7 +519,7 @@ end
 --- From now on keys are pressed as it is written: "right:20-90,space:40" holds the key right in
 --- steps 20 to 90 and hits space in step 40.
 function Run:follow(text)
-  self.script = readKeys(text)
+  self.script = stage.readKeys(text)
 end
 
 --- The hash of the default world, as text.

@@ -5,7 +5,7 @@ import { Endless, ProgramError, newFactory } from "./machine.js";
 import { Painter } from "./paint.js";
 
 const STEP = 1 / 60; // s
-const SAME = 0.004; // s: a frame that differs from a step by less is one step
+const SAME = 0.0015; // s: a frame that differs from a step by less is one step
 const MOST = 3; // steps in a frame; a slower machine plays slower
 const FIRST = 60; // steps that are watched for loops without an end
 const PERIOD = 200; // ms between two reports
@@ -173,9 +173,16 @@ const orders = {
   ping: () => tell("pong"),
 };
 
+// What is wrong with the playground itself, and with no program: the page hears of it (onerror).
+function fault(problem) {
+  setTimeout(() => {
+    throw problem;
+  });
+}
+
 // One after the other: `run` waits for a new machine.
 let last = Promise.resolve();
 onmessage = ({ data }) => {
   if (data.order === "ping") orders.ping();
-  else last = last.then(() => orders[data.order](data));
+  else last = last.then(() => orders[data.order](data)).catch(fault);
 };

@@ -52,7 +52,7 @@ EXAMPLE = """\
 
 <a href="../../play/?example={name}" target="_blank">Open it in a window of its own</a>
 
-## Source
+## Source {{ data-search-exclude }}
 
 `examples/{name}.lua`. The files that it requires are in the folder
 [examples]({repository}/tree/HEAD/examples).
@@ -79,6 +79,12 @@ Each one runs in its page, in your browser. `make demo` opens them in LÖVE.
 {cards}
 </div>
 """
+
+# What stands before the text of a page: how it is shown and found.
+HEADS = {
+    "index.md": "---\nhide: [navigation]\n---\n",
+    "api.md": "---\nsearch: { boost: 4 }\n---\n",
+}
 
 PLAYGROUND = """\
 ---
@@ -252,7 +258,7 @@ def main():
     def write(name, text):
         pages.append(name)
         (target / "docs" / name).parent.mkdir(parents=True, exist_ok=True)
-        (target / "docs" / name).write_text(text, encoding="utf-8")
+        (target / "docs" / name).write_text(HEADS.get(name, "") + text, encoding="utf-8")
 
     shutil.copytree(ROOT / "docs", target / "docs", dirs_exist_ok=True)
     for path in sorted((ROOT / "docs").rglob("*.md")):

@@ -2,8 +2,8 @@
 //
 // Serves build/site on the loopback address. Follows every link inside the site, opens every page and
 // listens for errors, searches, starts every example in its page, and plays in the playground: its
-// snippets must come to the same hash there as in LuaJIT (web/playground/native.lua). Pictures go to
-// build/site-pictures/. The last line is "N passed, N failed".
+// snippets must come to the same hash there as in LuaJIT (web/playground/native.lua) and in LÖVE
+// (web/playground/in_love). Pictures go to build/site-pictures/. The last line is "N passed, N failed".
 
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdirSync, readFileSync, readdirSync, statSync } from "node:fs";
@@ -131,7 +131,7 @@ async function checkSearch() {
     const results = told.page.locator(".md-search-result__item");
     await results.first().waitFor();
     const text = await results.first().innerText();
-    assert(/oneWay/i.test(text), `the first result: ${text}`);
+    assert(/^Reference/.test(text) && text.includes("oneWay"), `the first result: ${text}`);
     await told.page.screenshot({ path: join(PICTURES, "search.png") });
     await results.first().locator("a").first().click();
     await told.page.waitForLoadState();
@@ -395,8 +395,15 @@ async function checkSharing() {
   await told.close();
 }
 
-async function checkSnippet(page, name) {
-  await check(`${name}: ${STEPS} steps as in LuaJIT, to the bit`, async () => {
+// The hash of each snippet in LÖVE.
+function playInLove(names) {
+  const command = ["-a", "timeout", "-k", "2", "120", "love", "web/playground/in_love", String(STEPS), KEYS, ...names];
+  const text = execFileSync("xvfb-run", command, { encoding: "utf8" });
+  return Object.fromEntries(text.trim().split("\n").map((each) => each.split(" ")));
+}
+
+async function checkSnippet(page, name, inLove) {
+  await check(`${name}: ${STEPS} steps as in LuaJIT and in LÖVE, to the bit`, async () => {
     await page.locator("#pg-snippets").selectOption(name);
     await isRunning(page);
     await page.locator("#pg-pause").click();
@@ -408,6 +415,7 @@ async function checkSnippet(page, name) {
     const file = join(SNIPPETS, `${name}.lua`);
     const native = execFileSync("luajit", ["web/playground/native.lua", file, String(STEPS), KEYS], { encoding: "utf8" });
     assert(native === `hash ${hash}\n`, `${hash} in the browser, ${native} in LuaJIT`);
+    assert(inLove[name] === hash, `${hash} in the browser, ${inLove[name]} in LÖVE`);
     await page.locator("#pg-canvas").screenshot({ path: join(PICTURES, `snippet-${name}.png`) });
     return hash;
   });
@@ -422,7 +430,11 @@ async function checkSnippets() {
     assert(found.sort().join() === [...names].sort().join(), `${found} instead of ${names}`);
     return `${names.length}`;
   });
-  for (const name of names) await checkSnippet(told.page, name);
+  let inLove = {};
+  await check("the snippets run in LÖVE, too", () => {
+    inLove = playInLove(names);
+  });
+  for (const name of names) await checkSnippet(told.page, name, inLove);
   await check("no errors in the snippets", () => quiet(told));
   await told.close();
 }

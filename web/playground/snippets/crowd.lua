@@ -10,14 +10,16 @@ local player
 function love.load()
   physics.load({ gravity = 0 })
   physics.setBounds(0, 0, 800, 600)
-  physics.add("walls", { x = 250, y = 140, width = 20, height = 320, static = true })
-  physics.add("walls", { x = 530, y = 140, width = 20, height = 320, static = true })
-  player = physics.add("players", { x = 390, y = 290, width = 24, height = 24, mass = 20 })
+  for _, corner in ipairs({ { 240, 180 }, { 500, 180 }, { 240, 360 }, { 500, 360 } }) do
+    physics.add("pillars", { x = corner[1], y = corner[2], width = 60, height = 60, static = true })
+  end
+  player = physics.add("players", { x = 388, y = 288, width = 24, height = 24, mass = 20 })
+  -- Ten to a column, at the left and at the right edge.
   for i = 0, COUNT - 1 do
-    local isLeft = i % 2 == 0
+    local column = math.floor(i / 10)
     physics.add("visitors", {
-      x = (isLeft and 20 or 620) + 16 * math.floor(i / 20) * 1.5,
-      y = 60 + 48 * math.floor(i % 20 / 2),
+      x = column < 6 and 20 + 22 * column or 632 + 22 * (column - 6),
+      y = 50 + 50 * (i - 10 * column) + 5 * column,
       width = 14,
       height = 14,
     })

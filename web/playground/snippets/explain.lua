@@ -3,7 +3,8 @@
 
 local physics = require("physics")
 
-local QUESTIONS = { { "ghost", "wall" }, { "hero", "wall" }, { "hero", "coin" }, { "hero", "shelf" } }
+local QUESTIONS =
+  { { "ghost", "wall" }, { "hero", "wall" }, { "hero", "coin" }, { "hero", "shelf" } }
 
 local first, second, answer
 
@@ -19,9 +20,9 @@ function love.load()
     coin = { x = 185, y = 520, width = 20, height = 20, static = true, sensor = true },
     shelf = { x = 140, y = 460, width = 160, height = 10, static = true, oneWay = "top" },
   }
-  physics.objects.walls =
-    { wall = { x = 480, y = 300, width = 30, height = 300, static = true } }
-  physics.objects.ghosts = { ghost = { x = 380, y = 380, width = 32, height = 40, vx = 60, gravity = 0 } }
+  physics.objects.walls = { wall = { x = 480, y = 300, width = 30, height = 300, static = true } }
+  physics.objects.ghosts =
+    { ghost = { x = 380, y = 380, width = 32, height = 40, vx = 60, gravity = 0 } }
   add("crates", { x = 600, y = 400, width = 50, height = 50, active = false })
   first, second, answer = nil, nil, "Click on two objects."
 end

@@ -9,13 +9,21 @@ function love.load()
   physics.setBounds(0, 0, 800, 600)
   physics.add("floors", { x = 0, y = 560, width = 800, height = 40, static = true })
   physics.add("floors", { x = 600, y = 240, width = 200, height = 16, static = true })
-  physics.add("belts", { x = 300, y = 500, width = 200, height = 16, static = true, surfaceSpeed = 80 })
+  physics.add(
+    "belts",
+    { x = 300, y = 500, width = 200, height = 16, static = true, surfaceSpeed = 80 }
+  )
 
-  lift = physics.add("lifts", { x = 60, y = 540, width = 120, height = 16, kinematic = true, vy = -90 })
-  ferry = physics.add("lifts", { x = 200, y = 220, width = 120, height = 16, kinematic = true, vx = 110 })
+  lift =
+    physics.add("lifts", { x = 60, y = 540, width = 120, height = 16, kinematic = true, vy = -90 })
+  ferry =
+    physics.add("lifts", { x = 200, y = 220, width = 120, height = 16, kinematic = true, vx = 110 })
 
   for i = 0, 2 do
-    physics.add("crates", { x = 70 + 8 * i, y = 500 - 32 * i, width = 28, height = 28, friction = 0.6 })
+    physics.add(
+      "crates",
+      { x = 70 + 8 * i, y = 500 - 32 * i, width = 28, height = 28, friction = 0.6 }
+    )
     physics.add("crates", { x = 310 + 36 * i, y = 460, width = 28, height = 28, friction = 0.6 })
   end
   player = physics.add("players", { x = 140, y = 500, width = 24, height = 32 })

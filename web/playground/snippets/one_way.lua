@@ -19,9 +19,15 @@ function love.load()
     })
   end
   -- Its solid side is the right one: you pass it to the right, and not back.
-  physics.add("doors", { x = 600, y = 440, width = 10, height = 160, static = true, oneWay = "right" })
+  physics.add(
+    "doors",
+    { x = 600, y = 440, width = 10, height = 160, static = true, oneWay = "right" }
+  )
   for i = 0, 4 do
-    physics.add("balls", { x = 150 + 70 * i, y = -60 * i, width = 20, height = 20, restitution = 0.5 })
+    physics.add(
+      "balls",
+      { x = 150 + 70 * i, y = 20 + 30 * i, width = 20, height = 20, restitution = 0.5 }
+    )
   end
   player = physics.add("players", { x = 60, y = 560, width = 24, height = 32 })
 end

@@ -86,5 +86,10 @@ end
 
 function love.draw()
   physics.draw()
+  love.graphics.setColor(1, 0.8, 0.45)
+  for _, coin in pairs(physics.objects.coins) do
+    love.graphics.circle("fill", coin.x + 8, coin.y + 8, 8)
+  end
+  love.graphics.setColor(1, 1, 1)
   love.graphics.print(("coins: %d of 7"):format(coins), 48, 132)
 end

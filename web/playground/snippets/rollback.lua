@@ -4,19 +4,19 @@
 local physics = require("physics")
 
 local KEPT = 600 -- steps
-local BAR_X, BAR_Y, BAR_WIDTH = 100, 560, 600
+local BAR_X, BAR_Y, BAR_WIDTH = 100, 60, 600
 
 local states, now, last
 
 function love.load()
   physics.load({ gravity = 900 })
-  physics.setBounds(0, 0, 800, 540)
+  physics.setBounds(0, 0, 800, 600)
   local sizes = { 28, 40, 22, 34, 46 }
   for i = 0, 24 do
     local size = sizes[i % #sizes + 1]
     physics.add("boxes", {
       x = 60 + 140 * (i % 5) + 7 * math.floor(i / 5),
-      y = 40 + 60 * math.floor(i / 5),
+      y = 100 + 60 * math.floor(i / 5),
       width = size,
       height = size,
       vx = (i * 37) % 100 - 50,
@@ -34,7 +34,7 @@ end
 
 function love.update(dt)
   local x, y = love.mouse.getPosition()
-  if love.mouse.isDown(1) and y > BAR_Y - 20 then
+  if love.mouse.isDown(1) and y < BAR_Y + 40 then
     goTo(math.floor((x - BAR_X) / BAR_WIDTH * KEPT))
   elseif love.keyboard.isDown("left") then
     goTo(now - 2)

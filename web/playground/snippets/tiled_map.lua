@@ -107,6 +107,6 @@ end
 function love.draw()
   love.graphics.translate(0, 120)
   physics.draw()
-  local text = ("%d rectangles for %d tiles"):format(#level.objects - 1, 111)
+  local text = ("%d rectangles for %d solid tiles"):format(level.rectangles, level.tiles)
   love.graphics.print(text, 16, -100)
 end
