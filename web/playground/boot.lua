@@ -22,7 +22,7 @@ function print(...)
 end
 
 local stage = load(stageSource, "@stage.lua")()
-debug = { traceback = traceback }
+debug = { traceback = traceback, getinfo = debug.getinfo } -- the library asks where its caller is
 package.loaded.debug = debug
 local run
 
