@@ -26,7 +26,7 @@ files["web/playground/stage.lua"] = { std = "min" }
 files["web/playground/native.lua"] = { std = "min", globals = { "arg" } }
 files["web/playground/boot.lua"] = {
   std = "lua54",
-  globals = { "debug", "io", "loadstring", "math", "package", "print", "unpack" },
+  globals = { "debug", "io", "loadstring", "math", "os", "package", "print", "unpack" },
 }
 files["scripts"] = { std = "luajit" }
 -- It plays an example without LÖVE and has to pretend a little.

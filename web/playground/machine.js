@@ -6,6 +6,8 @@ import { LUA_REGISTRYINDEX, LuaEventMasks, LuaFactory } from "wasmoon";
 import boot from "./boot.lua";
 import stage from "./stage.lua";
 
+const decoder = new TextDecoder();
+
 const WATCHED = 100000; // instructions between two looks at the clock
 const PATIENCE = 2000; // ms that a watched call may take
 
@@ -17,8 +19,8 @@ export class ProgramError extends Error {
   }
 }
 
-// Ends a watched call that takes too long. Lua cannot catch it, and the machine is broken then.
-export class Endless extends ProgramError {}
+// Ends the machine, too: Lua was left in the middle, or has no memory any more.
+export class Breakdown extends ProgramError {}
 
 export async function newFactory(wasm, library) {
   const factory = new LuaFactory(wasm);
@@ -40,16 +42,16 @@ class Machine {
     this.entry = this.#boot(library, host);
   }
 
-  #boot(library, { measure, print }) {
+  #boot(library, measure) {
     const { lua, address, thread } = this;
     if (lua.luaL_loadstring(address, boot) !== 0) throw new Error(this.#text(-1));
-    for (const value of [library, stage, measure, print]) thread.pushValue(value);
-    if (lua.lua_pcallk(address, 4, 1, 0, 0, null) !== 0) throw new Error(this.#text(-1));
+    for (const value of [library, stage, measure]) thread.pushValue(value);
+    if (lua.lua_pcallk(address, 3, 1, 0, 0, null) !== 0) throw new Error(this.#text(-1));
     return lua.luaL_ref(address, LUA_REGISTRYINDEX);
   }
 
   #text(index) {
-    return this.lua.lua_tolstring(this.address, index, null);
+    return decoder.decode(this.#bytes(index));
   }
 
   // A string of Lua as bytes: texts of Lua may hold any byte, those of JavaScript may not.
@@ -73,7 +75,7 @@ class Machine {
   #look(state) {
     if (performance.now() < this.deadline) return;
     const line = this.#line(state);
-    throw new Endless(`main.lua:${line}: this goes on without an end`, line);
+    throw new Breakdown(`main.lua:${line}: this goes on without an end`, line);
   }
 
   // Watching finds the line of an endless loop, and makes Lua half as fast.
@@ -90,18 +92,25 @@ class Machine {
     lua.lua_settop(address, 0);
     lua.lua_rawgeti(address, LUA_REGISTRYINDEX, BigInt(this.entry));
     for (const value of [action, ...values]) thread.pushValue(value);
-    if (lua.lua_pcallk(address, 1 + values.length, 3, 0, 0, null) !== 0) {
-      throw new ProgramError(this.#text(-1), 0);
+    let code;
+    try {
+      code = lua.lua_pcallk(address, 1 + values.length, 3, 0, 0, null);
+    } catch (problem) {
+      if (problem instanceof ProgramError) throw problem;
+      throw new Breakdown(`The Lua machine broke: ${problem.message ?? problem}`, 0);
     }
+    if (code !== 0) throw new Breakdown("The program takes more memory than there is.", 0);
     if (lua.lua_toboolean(address, 1) === 0) {
-      throw new ProgramError(this.#text(2), lua.lua_tonumberx(address, 3, null));
+      const message = this.#text(2);
+      const Kind = message === "not enough memory" ? Breakdown : ProgramError;
+      throw new Kind(message, lua.lua_tonumberx(address, 3, null));
     }
     return this.#bytes(2);
   }
 
   // Likewise, as text.
   ask(action, ...values) {
-    return new TextDecoder().decode(this.call(action, ...values));
+    return decoder.decode(this.call(action, ...values));
   }
 
   close() {

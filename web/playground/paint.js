@@ -33,8 +33,8 @@ class Reader {
     return decoder.decode(this.bytes.subarray(start, this.at));
   }
   points() {
-    this.at += 2;
-    const count = this.view.getUint16(this.at - 2, true);
+    this.at += 4;
+    const count = this.view.getUint32(this.at - 4, true);
     return Array.from({ length: count }, () => this.float());
   }
 }

@@ -193,6 +193,7 @@ function setPaused(value) {
 
 function clear() {
   page.problem.hidden = true;
+  page.status.textContent = "";
   page.output.textContent = "";
   page.output.hidden = true;
   mark(0);

@@ -89,7 +89,7 @@ local function listOf(first, ...)
 end
 
 local function packPoints(kind, mode, points, name)
-  local parts = { pack("<BBI2", kind, mode, #points) }
+  local parts = { pack("<BBI4", kind, mode, #points) }
   for i = 1, #points do
     parts[i + 1] = pack("<f", checkNumber(points[i], name, i))
   end
@@ -402,7 +402,8 @@ end
 
 local function newLove(self)
   local love = {}
-  love.graphics, self.stack = newGraphics(self.host, self.paint, self.state)
+  self.graphics, self.stack = newGraphics(self.host, self.paint, self.state)
+  love.graphics = self.graphics
   love.keyboard = newKeyboard(self.held)
   love.mouse = newMouse(self.pointer)
   love.math = newRandom()
@@ -433,9 +434,12 @@ Run.__index = Run
 
 local function call(self, name, ...)
   local callback = self.love[name]
-  if callback then
-    callback(...)
+  if callback == nil then
+    return
+  elseif type(callback) ~= "function" then
+    error(("love.%s must be a function, got %s"):format(name, type(callback)), 0)
   end
+  callback(...)
 end
 
 --- Compiles a program and runs it up to the end of its love.load. Its globals are the globals.
@@ -507,8 +511,8 @@ function Run:draw()
   local red, green, blue = unpackTable(paint.background)
   paint.count = 0
   put(paint, pack("<Bfff", CLEAR, red, green, blue))
-  self.love.graphics.setColor(1, 1, 1, 1)
-  self.love.graphics.setLineWidth(state.lineWidth)
+  self.graphics.setColor(1, 1, 1, 1)
+  self.graphics.setLineWidth(state.lineWidth)
   for i = #self.stack, 1, -1 do
     self.stack[i] = nil -- a push without its pop ends with the picture, as in LÖVE
   end

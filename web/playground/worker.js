@@ -1,7 +1,7 @@
 // Runs the program beside the page: the editor never waits for it, and a program without an end
 // can be ended. Messages come from playground.js, each is a call of one function of `orders`.
 
-import { Endless, ProgramError, newFactory } from "./machine.js";
+import { Breakdown, ProgramError, newFactory } from "./machine.js";
 import { Painter } from "./paint.js";
 
 const STEP = 1 / 60; // s
@@ -9,41 +9,39 @@ const SAME = 0.0015; // s: a frame that differs from a step by less is one step
 const MOST = 3; // steps in a frame; a slower machine plays slower
 const FIRST = 60; // steps that are watched for loops without an end
 const PERIOD = 200; // ms between two reports
-const MOST_LINES = 200; // printed lines between two reports
 
 let painter, newMachine;
 let machine = null; // null: nothing runs
 let code = "";
 let isPaused = false;
-let isBroken = false; // the machine of a program that was ended must not be touched again
 let steps = 0;
 let left = 0; // s, not yet played
 let before = null; // ms, when the last frame was
 let spent = 0; // ms, the mean of what a frame costs
 let reported = 0;
-let lines = [];
 
 const tell = (kind, values = {}) => postMessage({ kind, ...values });
 
-function print(text) {
-  if (lines.length < MOST_LINES) lines.push(text);
-}
-
-function flush() {
-  if (lines.length > 0) tell("print", { lines });
-  lines = [];
+function tellPrinted() {
+  const text = machine.ask("printed");
+  if (text) tell("print", { lines: text.split("\n") });
 }
 
 function end() {
-  if (machine && !isBroken) machine.close();
+  machine?.close();
   machine = null;
 }
 
+// After a breakdown the page makes another worker.
 function fail(problem) {
-  flush();
   if (!(problem instanceof ProgramError)) throw problem;
-  isBroken = problem instanceof Endless;
-  end();
+  const isBroken = problem instanceof Breakdown;
+  if (isBroken) {
+    machine = null;
+  } else {
+    tellPrinted();
+    end();
+  }
   tell("error", { message: problem.message, line: problem.line, isBroken });
 }
 
@@ -53,8 +51,8 @@ function guard(run) {
   try {
     run();
     if (machine.ask("isOver")) {
+      tellPrinted();
       end();
-      flush();
       tell("over", { steps });
     }
   } catch (problem) {
@@ -62,11 +60,11 @@ function guard(run) {
   }
 }
 
-function report(isPausedNow = isPaused) {
+function report() {
   reported = performance.now();
-  flush();
+  tellPrinted();
   const objects = Number(machine.ask("objects"));
-  const hash = isPausedNow ? machine.ask("hash") : null;
+  const hash = isPaused ? machine.ask("hash") : null;
   tell("status", { steps, objects, hash, spent });
 }
 
@@ -105,8 +103,7 @@ function frame(time) {
 
 async function start() {
   end();
-  lines = [];
-  const made = await newMachine({ measure: (text, size) => painter.measure(text, size), print });
+  const made = await newMachine((text, size) => painter.measure(text, size));
   end(); // a run that was asked for while this one waited
   machine = made;
   steps = 0;

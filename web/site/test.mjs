@@ -301,6 +301,11 @@ async function checkErrors() {
     assert(/^main\.lua:6: the playground has no love\.graphics\.newImage/.test(text), text);
     return text;
   });
+  await check("nothing of the machine behind Lua can be reached", async () => {
+    await type(page, 'error(tostring(os.exit or io or debug.getregistry or debug.setmetatable or package.loadlib))');
+    const text = await fails(page);
+    assert(text === "main.lua:1: nil", text);
+  });
   await check("a loop without an end is ended, and shows its line", async () => {
     await type(page, `${FALLING}\nlocal n = 0\nwhile true do pcall(function() n = n + 1 end) end\n`);
     const text = await fails(page);
