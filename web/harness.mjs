@@ -86,8 +86,7 @@ export async function begin(folder) {
     const page = await context.newPage();
     const told = { page, lines: [], errors: [], close: () => context.close() };
     page.on("console", (message) => {
-      const list = message.type() === "error" ? told.errors : told.lines;
-      list.push(message.text());
+      (message.type() === "error" ? told.errors : told.lines).push(message.text());
     });
     page.on("pageerror", (problem) => told.errors.push(problem.message));
     page.on("response", (answer) => {
