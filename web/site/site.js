@@ -22,8 +22,13 @@ for (const example of document.querySelectorAll(".example")) {
   if (example.dataset.example === wished) start(example);
 }
 
-// A whole program: it can run by itself.
-const isProgram = (code) => /require\s*\(?\s*["']physics["']/.test(code) && /love\.(update|draw)/.test(code);
+// A whole program, which needs nothing that the playground does not have.
+const MISSING = /love\.(audio|filesystem|joystick|sound|system|thread|touch)|graphics\.new(?!Font)/;
+
+function isProgram(code) {
+  const isWhole = /require\s*\(?\s*["']physics["']/.test(code) && /love\.(update|draw)/.test(code);
+  return isWhole && !MISSING.test(code);
+}
 
 for (const block of document.querySelectorAll(".md-typeset .language-lua.highlight")) {
   const code = block.querySelector("code").textContent;
@@ -34,3 +39,5 @@ for (const block of document.querySelectorAll(".md-typeset .language-lua.highlig
   link.href = new URL(`playground/#code=${await pack(code)}`, root);
   block.after(link);
 }
+
+document.documentElement.dataset.isReady = ""; // for the tests
