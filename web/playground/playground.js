@@ -32,7 +32,6 @@ const page = {
   share: find("pg-share"),
   editor: find("pg-editor"),
   screen: find("pg-screen"),
-  hint: find("pg-hint"),
   status: find("pg-status"),
   problem: find("pg-problem"),
   output: find("pg-output"),
@@ -51,8 +50,6 @@ const COLORS = HighlightStyle.define([
   { tag: tags.standard(tags.variableName), color: "var(--md-code-hl-function-color)" },
   { tag: tags.operator, color: "var(--md-code-hl-operator-color)" },
 ]);
-
-let snippet = null; // the name of the snippet that the editor shows as it is
 
 const editor = new EditorView({
   parent: page.editor,
@@ -109,10 +106,9 @@ let written = ""; // the part of the address after "#", as it was last written h
 async function remember() {
   clearTimeout(timer);
   const code = codeNow();
-  const same = snippets.find((each) => each.code === code);
-  snippet = same?.name ?? null;
-  page.list.value = snippet ?? "";
-  const part = snippet ? `snippet=${snippet}` : `code=${await pack(code)}`;
+  const snippet = snippets.find((each) => each.code === code);
+  page.list.value = snippet?.name ?? "";
+  const part = snippet ? `snippet=${snippet.name}` : `code=${await pack(code)}`;
   if (code !== codeNow()) return; // it has been changed meanwhile, and will be remembered later
   written = part;
   history.replaceState(null, "", `#${part}`);
@@ -146,6 +142,7 @@ async function openAddress() {
 let worker = null;
 let canvas = null;
 let isPaused = false;
+let started = ""; // the program that runs
 let answered = 0; // ms, when the worker last answered; Infinity until it is ready
 
 const say = (order, values = {}, transfer = []) => worker.postMessage({ order, ...values }, transfer);
@@ -199,12 +196,17 @@ function clear() {
   mark(0);
 }
 
+function start(code) {
+  clear();
+  started = code;
+  page.screen.dataset.state = "waiting";
+  say("run", { code, isPaused });
+}
+
 // Starts what stands in the editor.
 function run() {
-  clear();
   setPaused(false);
-  page.screen.dataset.state = "waiting";
-  say("run", { code: codeNow(), isPaused });
+  start(codeNow());
   canvas.focus({ preventScroll: true });
 }
 
@@ -232,6 +234,7 @@ const news = {
   },
   over({ steps }) {
     page.screen.dataset.state = "over";
+    for (const { reject } of waiting.splice(0)) reject(new Error("the program ended itself"));
     page.status.textContent = `The program ended itself after ${steps} steps.`;
   },
   played({ hash }) {
@@ -345,10 +348,7 @@ page.step.addEventListener("click", () => {
   }
   say("step");
 });
-page.reset.addEventListener("click", () => {
-  clear();
-  say("reset");
-});
+page.reset.addEventListener("click", () => start(started));
 page.share.addEventListener("click", async () => {
   await remember();
   let text = "Copied";

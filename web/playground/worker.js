@@ -12,7 +12,6 @@ const PERIOD = 200; // ms between two reports
 
 let painter, newMachine;
 let machine = null; // null: nothing runs
-let code = "";
 let isPaused = false;
 let steps = 0;
 let left = 0; // s, not yet played
@@ -34,7 +33,10 @@ function end() {
 
 // After a breakdown the page makes another worker.
 function fail(problem) {
-  if (!(problem instanceof ProgramError)) throw problem;
+  if (!(problem instanceof ProgramError)) {
+    machine = null;
+    throw problem;
+  }
   const isBroken = problem instanceof Breakdown;
   if (isBroken) {
     machine = null;
@@ -101,11 +103,9 @@ function frame(time) {
   });
 }
 
-async function start() {
+async function start(code) {
   end();
-  const made = await newMachine((text, size) => painter.measure(text, size));
-  end(); // a run that was asked for while this one waited
-  machine = made;
+  machine = await newMachine((text, size) => painter.measure(text, size));
   steps = 0;
   left = 0;
   spent = 0;
@@ -132,11 +132,8 @@ const orders = {
     guard(draw);
   },
   async run(order) {
-    ({ code, isPaused } = order);
-    await start();
-  },
-  async reset() {
-    await start();
+    ({ isPaused } = order);
+    await start(order.code);
   },
   pause(order) {
     ({ isPaused } = order);
