@@ -41,9 +41,13 @@ bundle playground/playground.js esm web/playground/playground.js
 bundle playground/worker.js iife web/playground/worker.js
 cp web/playground/playground.css web/node_modules/wasmoon/dist/glue.wasm $source/docs/playground/
 luajit scripts/single.lua $source/docs/playground/physics.lua || exit 1
-# The variable keeps the theme from telling of another generator.
-NO_MKDOCS_2_WARNING=1 $environment/bin/mkdocs build --quiet --config-file $source/mkdocs.yml \
-  --site-dir "$PWD/build/site" || exit 1
+# The variable keeps the theme from telling of another generator. With --quiet warnings would not end
+# the build.
+if ! NO_MKDOCS_2_WARNING=1 $environment/bin/mkdocs build --config-file $source/mkdocs.yml \
+  --site-dir "$PWD/build/site" >build/site.log 2>&1; then
+  grep -v ^INFO build/site.log >&2
+  exit 1
+fi
 
 if [ "${1:-}" != --test ]; then
   echo "The site is build/site; serve that folder, a file:// address will not do."
