@@ -25,6 +25,13 @@ files["examples/main.lua"] = { std = "min+love", globals = { "love" } }
 files["examples/script.lua"] = { std = "min+love", globals = { "love" } }
 files["spec/gopher"] = { std = "min", globals = { "arg" }, max_line_length = false }
 files["web"] = { std = "min+love", globals = { "love" } }
+-- They stand in for LÖVE, or prepare the Lua of the page, which is 5.4.
+files["web/playground/stage.lua"] = { std = "min" }
+files["web/playground/native.lua"] = { std = "min", globals = { "arg" } }
+files["web/playground/boot.lua"] = {
+  std = "lua54",
+  globals = { "debug", "io", "loadstring", "math", "os", "package", "print", "unpack" },
+}
 files["scripts"] = { std = "luajit" }
 -- Lines of a page of Markdown.
 files["scripts/manual_examples.lua"] = { max_line_length = false }

@@ -67,7 +67,7 @@ finish() {
 # The Lua files of the project, as far as they exist.
 lua_sources() {
   local place
-  for place in physics.lua physics spec examples bench scripts web/determinism; do
+  for place in physics.lua physics spec examples bench scripts web/determinism web/playground; do
     [ ! -e "$place" ] || echo "$place"
   done
 }

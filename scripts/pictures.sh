@@ -67,8 +67,14 @@ check "the film has less than 1 MB" smaller_than 1000000 "$target/examples.gif"
 
 check "pile is drawn" still pile pile 56
 check "lifts is drawn" still lifts lifts 500 "$lifts"
+check "platformer is drawn" still platformer platformer 300 "$platformer"
+check "tutorial is drawn" still tutorial tutorial 800 "$(cat examples/demos/tutorial.keys)"
+check "topdown is drawn" still topdown topdown 400 "$(cat examples/demos/topdown.keys)"
+check "breakout is drawn" still breakout breakout 500 "$(cat examples/demos/breakout.keys)"
+check "rollback is drawn" still rollback rollback 260 "$(cat examples/demos/rollback.keys)"
+check "tiled is drawn" still tiled tiled 400 "$(cat examples/demos/tiled.keys)"
 check "debug draw is drawn" still draw lifts 480 "x:5,$lifts"
-for name in pile lifts draw; do
+for name in pile lifts draw platformer tutorial topdown breakout rollback tiled; do
   check "$name has less than 200 kB" smaller_than 200000 "$target/$name.png"
 done
 

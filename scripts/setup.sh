@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Installs what the other scripts call, from the packages of Debian or Ubuntu. Asks nothing, and
 # touches neither the network nor the system when everything is there. What only some targets need
-# is named: `setup.sh web` adds a browser, `gopher` Go, `arm64` qemu, `pictures` ffmpeg, `plot`
-# gnuplot, `tiled` the editor Tiled.
+# is named: `setup.sh web` adds a browser, `site` Python's environments, `gopher` Go, `arm64` qemu,
+# `pictures` ffmpeg, `plot` gnuplot, `tiled` the editor Tiled.
 set -euo pipefail
 
 # Chromium has several names.
@@ -33,9 +33,16 @@ xauth:xauth
 npx:nodejs npm
 "
 
+missing=""
+packages=""
 for extra in "$@"; do
   case $extra in
     web) browser >/dev/null || needs="${needs}chromium:chromium"$'\n' ;;
+    # No command tells whether Python can make an environment.
+    site) python3 -c "import ensurepip, venv" >/dev/null 2>&1 || {
+      missing=" python3"
+      packages=" python3 python3-venv"
+    } ;;
     pictures) needs="${needs}ffmpeg:ffmpeg"$'\n' ;;
     tiled) needs="${needs}tiled:tiled"$'\n' ;;
     plot) needs="${needs}gnuplot:gnuplot-nox"$'\n' ;;
@@ -45,8 +52,6 @@ for extra in "$@"; do
   esac
 done
 
-missing=""
-packages=""
 while IFS=: read -r name package; do
   [ -n "$name" ] || continue
   command -v "$name" >/dev/null 2>&1 && continue
@@ -69,7 +74,8 @@ setup: this installs by itself on Debian and Ubuntu only. Here, please install b
   Node.js with npx             https://nodejs.org (it brings StyLua, the formatter)
   cargo                        https://rustup.rs (it brings emmylua_check, for make types)
   Xvfb, xvfb-run and xauth     for the examples without a display
-  Chromium or Chrome           for make test-web
+  Chromium or Chrome           for make test-web and make test-site
+  Python 3 with venv and pip   for make site
   Go                           for make test-gopher
   Tiled                        for make test-tiled
 What the game itself needs is only LÖVE: \`love examples\` runs without any of the others,

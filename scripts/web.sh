@@ -4,15 +4,8 @@
 set -uo pipefail
 . "$(dirname "$0")/checks.sh"
 
-export npm_config_update_notifier=false npm_config_loglevel=error
-if ! diff -q web/package-lock.json web/node_modules/.installed >/dev/null 2>&1; then
-  if ! npm ci --prefix web --no-audit --no-fund </dev/null; then
-    echo "npm did not get what web/package.json names: the first time needs the network." >&2
-    echo "0 passed, 1 failed"
-    exit 1
-  fi
-  cp web/package-lock.json web/node_modules/.installed
-fi
+. scripts/node_modules.sh
+get_node_modules
 
 # pack FOLDER TARGET: LÖVE for the browser and the game in the folder.
 pack() {

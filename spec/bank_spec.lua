@@ -1,5 +1,5 @@
---- The memory of a world (physics/memory/columnStore.lua): that typed columns, which nobody guards, are used as
---- they must be, and that they give the same bits as tables.
+--- The memory of a world (physics/memory/columnStore.lua): that typed columns, which nobody guards,
+--- are used as they must be, and that they give the same bits as tables.
 
 local bank = require("physics.memory.columnStore")
 local case = require("spec.fuzz.case")

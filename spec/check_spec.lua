@@ -1,5 +1,5 @@
---- Errors: their words, and the line that they name. What loads physics/world/check.lua itself is tagged
---- #files: there is no such file when the library is one (scripts/single.sh).
+--- Errors: their words, and the line that they name. What loads physics/world/check.lua itself is
+--- tagged #files: there is no such file when the library is one (scripts/single.sh).
 
 local check = require("physics.world.check")
 local fields = require("physics.world.fields")

@@ -5,17 +5,13 @@
 // plays the scene of the determinism spec: its number must be FOLD. Pictures go to
 // build/web-pictures/. The last line is "N passed, N failed".
 
-import { createServer } from "node:http";
-import { createRequire } from "node:module";
-import { existsSync, mkdirSync, readFileSync } from "node:fs";
-import { extname, join, normalize } from "node:path";
+import { mkdirSync } from "node:fs";
+import { join } from "node:path";
 
-const { chromium } = createRequire(import.meta.url)("playwright-core");
+import { assert, begin, check, line, readPicture } from "./harness.mjs";
 
 const [FOLD, ...EXAMPLES] = process.argv.slice(2);
-const BUILD = "build";
-const PICTURES = join(BUILD, "web-pictures");
-const PATIENCE = 60000; // ms, for what takes a moment on a busy machine
+const PICTURES = join("build", "web-pictures");
 
 // Which key makes what larger; all others: the right arrow, x.
 const MOVES = {
@@ -28,85 +24,8 @@ const WINDOWS = [
   { width: 800, height: 900 },
   { width: 640, height: 360 },
 ];
-const TYPES = { ".html": "text/html", ".js": "text/javascript", ".wasm": "application/wasm" };
 
-let passed = 0;
-let failed = 0;
-
-async function check(what, run) {
-  try {
-    const told = await run();
-    passed += 1;
-    console.log(`ok      ${what}${told ? ": " + told : ""}`);
-  } catch (problem) {
-    failed += 1;
-    console.log(`FAILED  ${what}\n        ${String(problem.message).replaceAll("\n", "\n        ")}`);
-  }
-}
-
-function assert(holds, message) {
-  if (!holds) throw new Error(message);
-}
-
-function serve() {
-  const server = createServer((request, response) => {
-    let path = normalize(decodeURIComponent(new URL(request.url, "http://x").pathname));
-    if (path.endsWith("/")) path += "index.html";
-    const file = join(BUILD, path);
-    if (!existsSync(file)) {
-      response.writeHead(404).end();
-      return;
-    }
-    response.writeHead(200, { "content-type": TYPES[extname(file)] ?? "application/octet-stream" });
-    response.end(readFileSync(file));
-  });
-  return new Promise((done) => server.listen(0, "127.0.0.1", () => done(server)));
-}
-
-const server = await serve();
-const site = `http://127.0.0.1:${server.address().port}`;
-const browser = await chromium.launch({
-  executablePath: process.env.CHROMIUM,
-  args: [
-    "--no-sandbox",
-    "--disable-quic",
-    "--no-first-run",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-    "--enable-unsafe-swiftshader",
-  ],
-});
-
-// A page with all that it said: `lines` of the game, `errors` of the game and of the browser.
-async function open(path) {
-  const page = await browser.newPage({ viewport: WINDOWS[0] });
-  const told = { page, lines: [], errors: [] };
-  page.on("console", (message) => {
-    const list = message.type() === "error" ? told.errors : told.lines;
-    list.push(message.text());
-  });
-  page.on("pageerror", (problem) => told.errors.push(problem.message));
-  page.on("response", (answer) => {
-    if (answer.status() >= 400) told.errors.push(`${answer.status()} ${answer.url()}`);
-  });
-  await page.goto(site + path);
-  return told;
-}
-
-// Waits until a line from number `from` on fits, and returns the match.
-async function line(told, pattern, from = 0) {
-  const end = Date.now() + PATIENCE;
-  while (Date.now() < end) {
-    for (const text of told.lines.slice(from)) {
-      const match = text.match(pattern);
-      if (match) return match;
-    }
-    assert(told.errors.length === 0, told.errors.join("\n"));
-    await new Promise((done) => setTimeout(done, 50));
-  }
-  throw new Error(`no line ${pattern}; the last ones: ${told.lines.slice(-5).join("\n")}`);
-}
+const { open, finish } = await begin("build");
 
 // The value in the next line that `--say` writes.
 async function next(told, example, value) {
@@ -117,25 +36,19 @@ async function next(told, example, value) {
 // Saves a picture of the page and returns how many colours a grid of samples has.
 async function shoot(page, name) {
   const picture = await page.screenshot({ path: join(PICTURES, `${name}.png`) });
-  return page.evaluate(async (data) => {
-    const image = new Image();
-    image.src = "data:image/png;base64," + data;
-    await image.decode();
-    const sheet = new OffscreenCanvas(image.width, image.height).getContext("2d");
-    sheet.drawImage(image, 0, 0);
-    // The middle half: the game, without the page's own text.
-    const left = image.width / 4, top = image.height / 4;
-    const { data: bytes } = sheet.getImageData(left, top, image.width / 2, image.height / 2);
-    const colors = new Set();
-    for (let i = 0; i < bytes.length; i += 4 * 7) {
-      colors.add((bytes[i] << 16) | (bytes[i + 1] << 8) | bytes[i + 2]);
+  const { width, height, bytes } = await readPicture(page, picture);
+  const colors = new Set();
+  // The middle half: the game, without the page's own text.
+  for (let y = Math.floor(height / 4); y < (height * 3) / 4; y++) {
+    for (let x = Math.floor(width / 4); x < (width * 3) / 4; x += 7) {
+      colors.add(bytes.readUIntBE(4 * (y * width + x), 3));
     }
-    return colors.size;
-  }, picture.toString("base64"));
+  }
+  return colors.size;
 }
 
 async function play(example) {
-  const told = await open(`/web/?say&example=${example}`);
+  const told = await open(`/web/?say&example=${example}`, { viewport: WINDOWS[0] });
   const { key, value } = MOVES[example] ?? { key: "ArrowRight", value: "x" };
   await check(`${example} starts`, async () => {
     await line(told, new RegExp(`^example ${example} started$`));
@@ -159,11 +72,11 @@ async function play(example) {
   await check(`${example}: no errors`, async () => {
     assert(told.errors.length === 0, told.errors.join("\n"));
   });
-  await told.page.close();
+  await told.close();
 }
 
 async function playMenu() {
-  const told = await open("/web/?say");
+  const told = await open("/web/?say", { viewport: WINDOWS[0] });
   await check("the menu comes first", () => line(told, /^example menu started$/).then(() => ""));
   await check("Down and Enter start the second example, Esc leads back", async () => {
     for (const key of ["ArrowDown", "Enter"]) {
@@ -201,7 +114,7 @@ async function playMenu() {
       return `${Math.round(right - left)} x ${Math.round(bottom - top)}`;
     });
   }
-  await told.page.close();
+  await told.close();
 }
 
 mkdirSync(PICTURES, { recursive: true });
@@ -214,8 +127,5 @@ await check("the determinism scene gives the same number as here", async () => {
   return fold;
 });
 
-await browser.close();
-server.close();
 console.log(`The pictures are in ${PICTURES}/`);
-console.log(`${passed} passed, ${failed} failed`);
-process.exit(failed === 0 && passed > 0 ? 0 : 1);
+await finish();

@@ -23,8 +23,8 @@ require(root .. ".memory.jit").file()
 local crowd = {}
 
 local DYNAMIC = columns.DYNAMIC
-local ceil, floor, huge, max, min, sqrt =
-  math.ceil, math.floor, math.huge, math.max, math.min, math.sqrt
+local ceil, floor, sqrt = math.ceil, math.floor, math.sqrt
+local max, min = math.max, math.min
 --- A body is crowded if its middle is inside so many others, or theirs in it.
 local MANY = 4
 --- Share of its size by which it goes to its place in a step, along each axis.

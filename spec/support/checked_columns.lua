@@ -1,6 +1,6 @@
---- A source of columns (see physics/memory/columnStore.lua) that looks at what is done with them: each index, the
---- kind of each value, and that no code keeps a column that has been replaced. It makes room for no
---- more than is asked for.
+--- A source of columns (see physics/memory/columnStore.lua) that looks at what is done with them:
+--- each index, the kind of each value, and that no code keeps a column that has been replaced. It
+--- makes room for no more than is asked for.
 
 local bank = require("physics.memory.columnStore")
 

@@ -1,0 +1,43 @@
+// On every page of the site: examples start in their pictures, and programs lead to the playground.
+
+import { pack } from "../playground/link.js";
+
+const root = new URL("..", import.meta.url); // this file lies in assets/
+
+// Puts the game into the place of its picture.
+function start(example) {
+  const wishes = new URLSearchParams({ example: example.dataset.example });
+  if (new URLSearchParams(location.search).has("say")) wishes.set("say", "");
+  const frame = document.createElement("iframe");
+  frame.title = `The example ${example.dataset.example}`;
+  frame.allow = "autoplay; fullscreen";
+  frame.src = new URL(`play/?${wishes}`, root);
+  frame.addEventListener("load", () => frame.contentWindow.focus());
+  example.replaceChildren(frame);
+}
+
+const wished = new URLSearchParams(location.search).get("example");
+for (const example of document.querySelectorAll(".example")) {
+  example.querySelector("button").addEventListener("click", () => start(example));
+  if (example.dataset.example === wished) start(example);
+}
+
+// A whole program, which needs nothing that the playground does not have.
+const MISSING = /love\.(audio|filesystem|joystick|sound|system|thread|touch)|graphics\.new(?!Font)/;
+
+function isProgram(code) {
+  const isWhole = /require\s*\(?\s*["']physics["']/.test(code) && /love\.(update|draw)/.test(code);
+  return isWhole && !MISSING.test(code);
+}
+
+for (const block of document.querySelectorAll(".md-typeset .language-lua.highlight")) {
+  const code = block.querySelector("code").textContent;
+  if (!isProgram(code) || block.closest("[data-no-try]")) continue;
+  const link = document.createElement("a");
+  link.className = "try";
+  link.textContent = "Run it in the playground";
+  link.href = new URL(`playground/#code=${await pack(code)}`, root);
+  block.after(link);
+}
+
+document.documentElement.dataset.isReady = ""; // for the tests

@@ -1,0 +1,277 @@
+"""Lays out the pages of the site for the generator: python3 web/site/stage.py build/site-source
+
+What the repository has for its readers is Markdown for GitHub: README.md and docs/. This copies it
+into one folder, adds the pages of the examples and of the playground, turns links into links of the
+site, and writes mkdocs.yml with the menu. A link to a file that does not exist ends it.
+"""
+
+import json
+import posixpath
+import re
+import shutil
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+REPOSITORY = "https://github.com/physics-lua/physics.lua"
+
+# Files of the repository that are pages, too, and the places of these in the site.
+PAGES = {
+    "README.md": "index.md",
+    "CHANGELOG.md": "changelog.md",
+    "CONTRIBUTING.md": "contributing.md",
+    "ARCHITECTURE.md": "architecture.md",
+}
+
+# The menu. A page that does not exist is left out. A page of docs/ that is not named here stands at
+# the end of the last section. `guide/*` are all pages of the folder, in the order in which its
+# index.md names them.
+MENU = [
+    ("Start", ["index.md"]),
+    ("Guide", ["guide/*", "platformers.md", "topdown.md", "maps.md", "events.md", "state.md", "recipes.md"]),
+    ("Examples", ["examples/*"]),
+    ("Playground", ["playground.md"]),
+    ("Reference", ["api.md"]),
+    ("More", [
+        "coming-from.md", "faq.md", "performance.md", "reliability.md", "architecture.md",
+        "contributing.md", "changelog.md",
+    ]),
+]
+
+EXAMPLE = """\
+# {title}
+
+{text}
+
+<div class="example" data-example="{name}">
+<button type="button"><img src="../../pictures/{name}.png" alt="{title}"><span>▶ Play</span></button>
+</div>
+<p class="needs-keys">It is played with a keyboard.</p>
+
+{comment}
+
+<a href="../../play/?example={name}" target="_blank">Open it in a window of its own</a>
+
+## Source {{ data-search-exclude }}
+
+`examples/{name}.lua`. The files that it requires are in the folder
+[examples]({repository}/tree/HEAD/examples).
+
+<div data-no-try markdown>
+
+```lua
+{source}
+```
+
+</div>
+"""
+
+CARD = """\
+<a href="{name}/"><img src="../pictures/{name}.png" alt="" loading="lazy"><strong>{title}</strong>\
+<span>{text}</span></a>"""
+
+GALLERY = """\
+# Examples
+
+Each one runs in its page, in your browser. `make demo` opens them in LÖVE.
+
+<div class="gallery">
+{cards}
+</div>
+"""
+
+# What stands before the text of a page: how it is shown and found.
+HEADS = {
+    "index.md": "---\nhide: [navigation]\n---\n",
+    "api.md": "---\nsearch: { boost: 4 }\n---\n",
+}
+
+PLAYGROUND = """\
+---
+template: playground.html
+hide: [navigation, toc, footer]
+---
+# Playground
+
+A program on the left, its picture on the right.
+"""
+
+
+def fail(message):
+    sys.exit(f"stage.py: {message}")
+
+
+def read(path):
+    return (ROOT / path).read_text(encoding="utf-8")
+
+
+# Markdown of GitHub, for the generator -----------------------------------------------------------
+
+
+def split_code(markdown):
+    """Yields each line, and whether it belongs to a block of code."""
+    fence = None
+    for line in markdown.split("\n"):
+        mark = re.match(r"\s*(`{3,}|~{3,})", line)
+        if fence is None:
+            fence = mark and mark[1]
+            yield line, bool(mark)
+        else:
+            if mark and mark[1].startswith(fence) and line.strip() == mark[1]:
+                fence = None
+            yield line, True
+
+
+def space_lists(markdown):
+    """Lists of GitHub need no empty line before them, and inner items stand two spaces in. Python's
+    Markdown wants an empty line, and four spaces."""
+    lines = []
+    before = ""
+    is_in_list = False
+    for line, is_code in split_code(markdown):
+        item = not is_code and re.match(r"( *)([-*+]|\d+\.) ", line)
+        if item and is_in_list:
+            if len(item[1]) in (2, 3):
+                line = "    " + line.lstrip()
+        elif item:
+            if before.strip():
+                lines.append("")
+            is_in_list = True
+        elif line.strip() and not line.startswith(" ") and (is_code or not before.strip()):
+            is_in_list = False
+        lines.append(line)
+        before = line
+    return "\n".join(lines)
+
+
+def lead(target, source):
+    """Where a link of a file of the repository leads in the site."""
+    path, mark, anchor = target.partition("#")
+    place = posixpath.normpath(posixpath.join(posixpath.dirname(source), path))
+    page = PAGES.get(source, source.removeprefix("docs/"))
+    if place in PAGES:
+        inside = PAGES[place]
+    elif place.startswith("..") or not (ROOT / place).exists():
+        fail(f"{source}: the link to {target} leads nowhere")
+    elif place.startswith("docs/") and (ROOT / place).is_file():
+        inside = place.removeprefix("docs/")
+    else:
+        kind = "tree" if (ROOT / place).is_dir() else "blob"
+        return f"{REPOSITORY}/{kind}/HEAD/{place}{mark}{anchor}"
+    return posixpath.relpath(inside, posixpath.dirname(page) or ".") + mark + anchor
+
+
+LINK = re.compile(r'(\]\()([^)\s#:][^)\s:]*)(?=\)|\s+"[^"]*"\))')
+CODE = re.compile(r"(`+[^`]*`+)")
+
+
+def translate(markdown, source):
+    lines = []
+    for line, is_code in split_code(space_lists(markdown)):
+        if not is_code:
+            parts = CODE.split(line)
+            for i in range(0, len(parts), 2):
+                parts[i] = LINK.sub(lambda link: link[1] + lead(link[2], source), parts[i])
+            if line.startswith("|"):
+                # In a table GitHub wants "\\|" also inside of code, Python's Markdown shows it.
+                for i in range(1, len(parts), 2):
+                    parts[i] = parts[i].replace("\\|", "|")
+            line = "".join(parts)
+        lines.append(line)
+    return "\n".join(lines)
+
+
+# Examples ----------------------------------------------------------------------------------------
+
+
+def examples():
+    """The entries of the menu of the examples: name, title, text."""
+    entry = r'\{ name = "([^"]*)", title = "([^"]*)", text = "([^"]*)" \}'
+    return re.findall(entry, read("examples/menu.lua")) or fail("examples/menu.lua has no entries")
+
+
+def head_comment(source):
+    """The comment at the beginning of a source, as Markdown."""
+    lines = []
+    for line in source.split("\n"):
+        if not line.startswith("--"):
+            break
+        lines.append(line.lstrip("-").strip())
+    return "\n".join(lines)
+
+
+def write_examples(write):
+    cards = []
+    for name, title, text in examples():
+        if not (ROOT / f"docs/pictures/{name}.png").exists():
+            fail(f"docs/pictures/{name}.png is not there: make pictures makes it")
+        source = read(f"examples/{name}.lua").rstrip()
+        values = {"name": name, "title": title, "text": text, "repository": REPOSITORY}
+        comment = head_comment(source)
+        write(f"examples/{name}.md", EXAMPLE.format(**values, comment=comment, source=source))
+        cards.append(CARD.format(**values))
+    write("examples/index.md", GALLERY.format(cards="\n".join(cards)))
+
+
+# Menu --------------------------------------------------------------------------------------------
+
+
+def order_guide(pages):
+    """The pages of the guide in the order in which its index.md names them."""
+    text = read("docs/guide/index.md") if "guide/index.md" in pages else ""
+
+    def place(page):
+        at = text.find("(" + posixpath.basename(page))
+        return (page != "guide/index.md", at < 0, at, page)
+
+    return sorted(pages, key=place)
+
+
+def order_examples(pages):
+    return ["examples/index.md", *(f"examples/{name}.md" for name, _, _ in examples())]
+
+
+def make_menu(pages):
+    """Every page stands in the menu, once."""
+    left = set(pages)
+    menu = []
+    for title, names in MENU:
+        entries = []
+        for name in names:
+            if name in left:
+                entries.append(name)
+            elif name.endswith("/*"):
+                order = order_guide if name == "guide/*" else order_examples
+                entries += order([page for page in pages if page.startswith(name[:-1])])
+        left -= set(entries)
+        menu.append((title, entries))
+    menu[-1][1].extend(sorted(left))
+    return [
+        {title: entries[0] if len(entries) == 1 else entries} for title, entries in menu if entries
+    ]
+
+
+def main():
+    target = Path(sys.argv[1])
+    pages = []
+
+    def write(name, text):
+        pages.append(name)
+        (target / "docs" / name).parent.mkdir(parents=True, exist_ok=True)
+        (target / "docs" / name).write_text(HEADS.get(name, "") + text, encoding="utf-8")
+
+    shutil.copytree(ROOT / "docs", target / "docs", dirs_exist_ok=True)
+    for path in sorted((ROOT / "docs").rglob("*.md")):
+        source = path.relative_to(ROOT).as_posix()
+        write(source.removeprefix("docs/"), translate(read(source), source))
+    for source, name in PAGES.items():
+        if (ROOT / source).exists():
+            write(name, translate(read(source), source))
+    write_examples(write)
+    write("playground.md", PLAYGROUND)
+    # What is JSON is YAML.
+    menu = json.dumps(make_menu(pages), ensure_ascii=False, indent=2)
+    (target / "mkdocs.yml").write_text(f"{read('web/site/mkdocs.yml')}\nnav: {menu}\n", encoding="utf-8")
+
+
+main()

@@ -1,0 +1,511 @@
+// Opens the site in a headless Chromium: CHROMIUM=/path node web/site/test.mjs
+//
+// Serves build/site on the loopback address. Follows every link inside the site, opens every page and
+// listens for errors, searches, starts every example in its page, and plays in the playground: its
+// snippets must come to the same hash there as in LuaJIT (web/playground/native.lua) and in LÖVE
+// (web/playground/in_love). Pictures go to build/site-pictures/. The last line is "N passed, N failed".
+
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdirSync, readFileSync, readdirSync, statSync } from "node:fs";
+import { basename, join, posix } from "node:path";
+
+import { assert, begin, check, line, readPicture, until } from "../harness.mjs";
+
+const SITE = "build/site";
+const PICTURES = "build/site-pictures";
+const SNIPPETS = "web/playground/snippets";
+const STEPS = 300;
+const KEYS = "right:20-120,space:45-55,2:100,space:130-150,left:160-220,down:230-240,up:240-260";
+const DESKTOP = { viewport: { width: 1280, height: 800 } };
+const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
+
+const { site, open, finish } = await begin(SITE);
+mkdirSync(PICTURES, { recursive: true });
+
+const files = readdirSync(SITE, { recursive: true }).map((name) => name.replaceAll("\\", "/"));
+const pages = files.filter((name) => name.endsWith(".html")).sort();
+const articles = pages.filter((name) => !name.startsWith("play/"));
+const addressOf = (file) => "/" + file.replace(/(^|\/)index\.html$/, "$1");
+
+function quiet(told) {
+  assert(told.errors.length === 0, told.errors.join("\n"));
+}
+
+// Links -------------------------------------------------------------------------------------------
+
+// What each page holds: its links, its anchors, and lists that were not recognized as such.
+async function readPages() {
+  const { page, close } = await open("/", DESKTOP);
+  const texts = Object.fromEntries(pages.map((name) => [name, readFileSync(join(SITE, name), "utf8")]));
+  const found = await page.evaluate((texts) => {
+    const read = ([name, text]) => {
+      const document = new DOMParser().parseFromString(text, "text/html");
+      const all = (selector, get) => Array.from(document.querySelectorAll(selector), get);
+      const links = all("[href]", (each) => each.getAttribute("href"));
+      const sources = all("[src]", (each) => each.getAttribute("src"));
+      const anchors = all("[id], a[name]", (each) => each.id || each.name);
+      const lists = all("p, li", (each) => each.textContent).filter((text) => /\n([-*] |\d+\. )/.test(text));
+      return [name, { links: [...links, ...sources], anchors, lists }];
+    };
+    return Object.fromEntries(Object.entries(texts).map(read));
+  }, texts);
+  await close();
+  return found;
+}
+
+// Why a link of a page is dead, or null. Other sites are not asked.
+function whyDead(link, from, found) {
+  if (/^(https?:|mailto:|data:)/.test(link)) return null;
+  const url = new URL(link, "http://site/" + from);
+  let file = decodeURIComponent(url.pathname).slice(1);
+  if (file === "" || file.endsWith("/")) file += "index.html";
+  if (!files.includes(file) || statSync(join(SITE, file)).isDirectory()) return `there is no ${file}`;
+  const anchor = decodeURIComponent(url.hash.slice(1));
+  // The playground has programs there.
+  if (anchor === "" || !found[file] || (file === "playground/index.html" && anchor.includes("="))) return null;
+  return found[file].anchors.includes(anchor) ? null : `${file} has no #${anchor}`;
+}
+
+async function checkLinks() {
+  const found = await readPages();
+  let count = 0;
+  for (const name of pages) {
+    await check(`${name}: no dead link`, () => {
+      const { links } = found[name];
+      const dead = links.map((link) => [link, whyDead(link, name, found)]).filter(([, why]) => why);
+      count += links.length;
+      assert(dead.length === 0, dead.map(([link, why]) => `${link}: ${why}`).join("\n"));
+    });
+  }
+  await check("the links were really looked at", () => {
+    assert(count > 100, `${count} links`);
+    assert(whyDead("../nowhere/", "api/index.html", found) !== null, "a dead page counts as one");
+    assert(whyDead("#nowhere", "api/index.html", found) !== null, "so does a dead anchor");
+    return `${count} links`;
+  });
+  await check("every list is one", () => {
+    const broken = pages.flatMap((name) => found[name].lists.map((text) => `${name}: ${text}`));
+    assert(broken.length === 0, broken.join("\n"));
+  });
+}
+
+// Pages -------------------------------------------------------------------------------------------
+
+const scrollsSideways = (page) =>
+  page.evaluate(() => document.documentElement.scrollWidth > document.documentElement.clientWidth);
+
+// Returns the addresses of all programs that lead to the playground, and the pages that show them.
+async function checkArticles() {
+  const told = await open("/", DESKTOP);
+  const { page } = told;
+  const programs = new Map();
+  for (const name of articles) {
+    await check(`${name}: no errors, and it fits a desktop and a phone`, async () => {
+      told.errors = [];
+      await page.setViewportSize(DESKTOP.viewport);
+      await page.goto(site + addressOf(name));
+      await page.locator("html[data-is-ready]").waitFor();
+      const wide = await scrollsSideways(page);
+      await page.setViewportSize(PHONE.viewport);
+      const narrow = await scrollsSideways(page);
+      for (const link of await page.locator("a.try").all()) programs.set(await link.getAttribute("href"), name);
+      quiet(told);
+      assert(!wide, "it scrolls sideways on a desktop");
+      assert(!narrow, "it scrolls sideways on a phone");
+    });
+  }
+  await told.close();
+  return programs;
+}
+
+async function checkColors() {
+  const brightness = {};
+  for (const colorScheme of ["light", "dark"]) {
+    const { page, close } = await open("/", { ...DESKTOP, colorScheme });
+    const color = await page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+    brightness[colorScheme] = color.match(/\d+/g).slice(0, 3).reduce((sum, part) => sum + Number(part), 0);
+    await page.screenshot({ path: join(PICTURES, `start-${colorScheme}.png`) });
+    await close();
+  }
+  await check("the site is light or dark, as the system is", () => {
+    const text = JSON.stringify(brightness);
+    assert(brightness.light > 600 && brightness.dark < 200, text);
+    return text;
+  });
+}
+
+async function checkSearch() {
+  const told = await open("/", DESKTOP);
+  await check("the search finds oneWay", async () => {
+    await told.page.locator(".md-search__input").click();
+    await told.page.keyboard.type("oneWay");
+    const results = told.page.locator(".md-search-result__item");
+    await results.first().waitFor();
+    const text = await results.first().innerText();
+    assert(/^Reference/.test(text) && text.includes("oneWay"), `the first result: ${text}`);
+    await told.page.screenshot({ path: join(PICTURES, "search.png") });
+    await results.first().locator("a").first().click();
+    await told.page.waitForLoadState();
+    assert(/oneWay/.test(await told.page.locator("article").innerText()), told.page.url());
+    quiet(told);
+    return `${new URL(told.page.url()).pathname}`;
+  });
+  await told.close();
+}
+
+// Examples ----------------------------------------------------------------------------------------
+
+async function checkExample(name) {
+  await check(`${name} starts in its page, by a click`, async () => {
+    const told = await open(`/examples/${name}/?say`, DESKTOP);
+    assert((await told.page.locator("iframe").count()) === 0, "it has started before the click");
+    await told.page.getByRole("button", { name: "Play" }).click();
+    await line(told, new RegExp(`^example ${name} started$`));
+    await told.close();
+    quiet(told);
+  });
+}
+
+async function checkExamples() {
+  const names = pages.map((name) => name.match(/^examples\/(\w+)\/index\.html$/)?.[1]).filter(Boolean);
+  await check("there are all examples of the menu", () => {
+    const menu = readFileSync("examples/menu.lua", "utf8").matchAll(/\{ name = "(\w+)"/g);
+    const wanted = Array.from(menu, (match) => match[1]).sort();
+    assert(names.length > 0 && names.join() === wanted.join(), `${names} instead of ${wanted}`);
+    return names.join(", ");
+  });
+  for (const name of names) await checkExample(name);
+  await check("an address with ?example=lifts starts it", async () => {
+    const told = await open("/examples/lifts/?say&example=lifts", DESKTOP);
+    await line(told, /^example lifts started$/);
+    await told.page.screenshot({ path: join(PICTURES, "example.png") });
+    await told.close();
+    quiet(told);
+  });
+}
+
+// Playground --------------------------------------------------------------------------------------
+
+const FALLING = `local physics = require("physics")
+physics.load({ gravity = 400 })
+physics.add("floors", { x = 0, y = 500, width = 800, height = 20, static = true })
+physics.add("boxes", { x = 380, y = 20, width = 40, height = 40 })
+function love.update(dt) physics.update(dt) end
+function love.draw() physics.draw() end
+`;
+
+const stateOf = (page) => page.locator("#pg-screen").getAttribute("data-state");
+const problemOf = (page) => page.locator("#pg-problem").innerText();
+const stepOf = async (page) => {
+  return Number((await page.locator("#pg-status").innerText()).match(/^step (\d+)/)?.[1] ?? -1);
+};
+
+async function isRunning(page) {
+  await until(async () => (await stateOf(page)) === "running" && (await stepOf(page)) >= 0, () => "it does not run");
+}
+
+// Types a program into the editor, as a reader would, and presses Run.
+async function type(page, code) {
+  await page.locator(".cm-content").click();
+  await page.keyboard.press("Control+a");
+  await page.keyboard.insertText(code);
+  await page.locator("#pg-run").click();
+}
+
+async function fails(page) {
+  await until(async () => (await stateOf(page)) === "failed", "nothing fails");
+  return problemOf(page);
+}
+
+// The middle of all that is orange or brown on the canvas, in px of the program: a box.
+async function placeOfBox(page, name) {
+  const picture = await page.locator("#pg-canvas").screenshot({ path: join(PICTURES, `${name}.png`) });
+  const { width, height, bytes } = await readPicture(page, picture);
+  let count = 0, x = 0, y = 0;
+  for (let i = 0; i < width * height; i++) {
+    const [red, green, blue] = bytes.subarray(4 * i, 4 * i + 3);
+    if (red > 120 && red > 1.3 * green && green > 1.3 * blue) {
+      count += 1;
+      x += i % width;
+      y += Math.floor(i / width);
+    }
+  }
+  return { count, x: ((x / count) * 800) / width, y: ((y / count) * 600) / height };
+}
+
+async function checkTyping() {
+  const told = await open("/playground/", DESKTOP);
+  const { page } = told;
+  await check("the playground runs the first snippet at once", () => isRunning(page));
+  await check("a box that is typed in falls, and lies on the floor", async () => {
+    await type(page, FALLING);
+    await isRunning(page);
+    const first = await placeOfBox(page, "falling");
+    await until(async () => (await stepOf(page)) > 150, "it does not go on");
+    const last = await placeOfBox(page, "fallen");
+    const text = `from ${first.y.toFixed()} to ${last.y.toFixed()} px`;
+    assert(first.count > 0 && last.count > 0, "there is no box");
+    // It starts at 40 and ends at 480, the middle of a box of 40 px on a floor at 500.
+    assert(first.y < 400 && Math.abs(last.y - 480) < 3 && Math.abs(last.x - 400) < 3, text);
+    return text;
+  });
+  await check("it goes at about 60 steps a second", async () => {
+    const [before, from] = [await stepOf(page), performance.now()];
+    await new Promise((done) => setTimeout(done, 2000));
+    const rate = ((await stepOf(page)) - before) / ((performance.now() - from) / 1000);
+    // Slower on a busy machine; the status is written five times a second.
+    assert(rate > 20 && rate < 75, `${rate} steps a second`);
+    return rate.toFixed();
+  });
+  await check("Pause holds it, Step makes one step, Reset goes back", async () => {
+    await page.locator("#pg-pause").click();
+    await until(async () => (await page.locator("#pg-status").innerText()).includes("hash"), "no pause");
+    const paused = await stepOf(page);
+    await page.locator("#pg-step").click();
+    await until(async () => (await stepOf(page)) === paused + 1, "no step");
+    await page.locator("#pg-reset").click();
+    await until(async () => (await stepOf(page)) === 0, "no reset");
+    await new Promise((done) => setTimeout(done, 300));
+    assert((await stepOf(page)) === 0, "Reset ended the pause");
+    await page.locator("#pg-pause").click();
+    await until(async () => (await stepOf(page)) > 0, "it does not go on");
+  });
+  await check("the playground says nothing to the console", () => quiet(told));
+  await told.close();
+}
+
+async function checkErrors() {
+  const told = await open("/playground/", DESKTOP);
+  const { page } = told;
+  const markedLine = () => page.locator(".cm-line:has(.cm-lintRange-error)").innerText();
+  await isRunning(page);
+  await check("a wrong field shows the library's message and its line", async () => {
+    await type(page, FALLING.replace("height = 40", 'height = "tall"'));
+    const text = await fails(page);
+    const wanted = /^main\.lua:4: physics: .*height must be a number > 0, got "tall"/;
+    assert(wanted.test(text), text);
+    assert((await markedLine()).startsWith('physics.add("boxes"'), await markedLine());
+    await page.screenshot({ path: join(PICTURES, "playground-error.png") });
+    return text;
+  });
+  await check("an error in the middle of the run shows its line", async () => {
+    await type(page, FALLING.replace("physics.update(dt) end", "physics.update(dt)\n  if love.timer.getTime() > 0.2 then physics.objects.boxes[1].vx = 0 / 0 end end"));
+    const text = await fails(page);
+    assert(/^main\.lua:5: physics: .*boxes\[1\]\.vx/.test(text), text);
+    return text;
+  });
+  await check("what Lua cannot read shows its line", async () => {
+    await type(page, FALLING.replace("local physics =", "local physics = ="));
+    const text = await fails(page);
+    assert(/^main\.lua:1: /.test(text), text);
+    return text;
+  });
+  await check("an argument that LÖVE refuses shows its line", async () => {
+    await type(page, FALLING.replace("physics.draw()", 'love.graphics.rectangle("fill", 1, 2, {}, 4)'));
+    const text = await fails(page);
+    assert(/^main\.lua:6: love: argument 4 of rectangle must be a number/.test(text), text);
+    return text;
+  });
+  await check("a part of LÖVE that is not here says so", async () => {
+    await type(page, FALLING.replace("physics.draw()", 'love.graphics.newImage("hero.png")'));
+    const text = await fails(page);
+    assert(/^main\.lua:6: the playground has no love\.graphics\.newImage/.test(text), text);
+    return text;
+  });
+  await check("nothing of the machine behind Lua can be reached", async () => {
+    await type(page, 'error(tostring(os.exit or io or debug.getregistry or debug.setmetatable or package.loadlib))');
+    const text = await fails(page);
+    assert(text === "main.lua:1: nil", text);
+  });
+  await check("a loop without an end is ended, and shows its line", async () => {
+    await type(page, `${FALLING}\nlocal n = 0\nwhile true do pcall(function() n = n + 1 end) end\n`);
+    const text = await fails(page);
+    assert(/^main\.lua:9: /.test(text), text);
+    return text;
+  });
+  await check("also one that comes late", async () => {
+    const late = "function love.update() if love.timer.getTime() > 1.5 then while true do end end end";
+    await type(page, `${FALLING}\n${late}\n`);
+    await isRunning(page);
+    return fails(page);
+  });
+  await check("and the playground goes on", async () => {
+    await type(page, FALLING);
+    await isRunning(page);
+    assert(!(await page.locator("#pg-problem").isVisible()), "the old error is still there");
+  });
+  await check("errors of programs are none of the page", () => quiet(told));
+  await told.close();
+}
+
+async function checkKeys() {
+  const told = await open("/playground/", DESKTOP);
+  const { page } = told;
+  const printed = () => page.locator("#pg-output").innerText();
+  await isRunning(page);
+  await check("keys and clicks reach the program, and nothing else", async () => {
+    await type(
+      page,
+      `function love.keypressed(key) print("pressed " .. key) end
+function love.keyreleased(key) print("released " .. key) end
+function love.mousepressed(x, y, button) print(("button %d at %d"):format(button, x)) end
+function love.update() if love.keyboard.isDown("d") then print("held") end end
+`,
+    );
+    await isRunning(page);
+    await page.locator("#pg-canvas").click({ position: { x: 10, y: 10 } });
+    for (const key of ["ArrowRight", "s", "Space", "Shift", "f"]) await page.keyboard.press(key, { delay: 30 });
+    await page.keyboard.down("d");
+    await until(async () => /held/.test(await printed()), printed);
+    await page.keyboard.up("d");
+    await until(async () => /released d/.test(await printed()), printed);
+    const text = (await printed()).split("\n").filter((each) => each !== "held").join(", ");
+    const keys = ["right", "s", "space", "lshift", "f", "d"].flatMap((key) => [`pressed ${key}`, `released ${key}`]);
+    assert(/^button 1 at 1\d, /.test(text), text);
+    assert(text.endsWith(keys.join(", ")), text);
+    assert(!(await page.locator("#__search").isChecked()), "a key of the program opened the search");
+    return text;
+  });
+  await check("no errors while keys are pressed", () => quiet(told));
+  await told.close();
+}
+
+async function checkSharing() {
+  const told = await open("/playground/", DESKTOP);
+  const { page } = told;
+  const codeOf = (page) => page.evaluate(() => window.playground.editor.state.doc.toString());
+  const code = FALLING.replace("gravity = 400", "gravity = 500") + "-- ä ☃ 😀\n";
+  await isRunning(page);
+  await check("the address holds the program", async () => {
+    await type(page, code);
+    await until(() => page.url().includes("#code="), () => page.url());
+    const address = page.url().slice(site.length);
+    const other = await open(address, DESKTOP);
+    await isRunning(other.page);
+    const found = await codeOf(other.page);
+    await other.close();
+    quiet(other);
+    assert(found === code, found);
+    return `${code.length} letters in ${address.length}`;
+  });
+  await check("a snippet has its name in the address", async () => {
+    await page.locator("#pg-snippets").selectOption("lift");
+    await until(() => page.url().endsWith("#snippet=lift"), () => page.url());
+  });
+  await check("an address that is cut off is told of", async () => {
+    const other = await open("/playground/#code=abcd", DESKTOP);
+    await until(async () => /cannot be read/.test(await problemOf(other.page)), "no word of it");
+    await other.close();
+    quiet(other);
+  });
+  await check("no errors while programs are shared", () => quiet(told));
+  await told.close();
+}
+
+// The hash of each snippet in LÖVE.
+function playInLove(names) {
+  const command = ["-a", "timeout", "-k", "2", "120", "love", "web/playground/in_love", String(STEPS), KEYS, ...names];
+  const text = execFileSync("xvfb-run", command, { encoding: "utf8" });
+  return Object.fromEntries(text.trim().split("\n").map((each) => each.split(" ")));
+}
+
+async function checkPrograms(programs) {
+  await check("pages lead to the playground", () => {
+    assert(programs.size > 0, "there is no program in any page");
+    return `${programs.size} programs`;
+  });
+  for (const [address, name] of programs) {
+    await check(`${name}: its program of ${address.length} letters runs in the playground`, async () => {
+      const told = await open(address.slice(site.length), DESKTOP);
+      const find = async () => (await stateOf(told.page)) === "failed" || (await stepOf(told.page)) > 30;
+      await until(find, "it does not go on");
+      assert(!(await told.page.locator("#pg-problem").isVisible()), await problemOf(told.page));
+      await told.close();
+      quiet(told);
+    });
+  }
+}
+
+async function checkSnippet(page, name, inLove) {
+  await check(`${name}: ${STEPS} steps as in LuaJIT and in LÖVE, to the bit`, async () => {
+    await page.locator("#pg-snippets").selectOption(name);
+    await isRunning(page);
+    await page.locator("#pg-pause").click();
+    await page.locator("#pg-reset").click();
+    await until(async () => (await stepOf(page)) === 0, "no reset");
+    const play = ([steps, keys]) => window.playground.play(steps, keys);
+    const hash = await page.evaluate(play, [STEPS, KEYS]);
+    await until(async () => (await stepOf(page)) === STEPS, async () => `step ${await stepOf(page)}`);
+    const file = join(SNIPPETS, `${name}.lua`);
+    const native = execFileSync("luajit", ["web/playground/native.lua", file, String(STEPS), KEYS], { encoding: "utf8" });
+    assert(native === `hash ${hash}\n`, `${hash} in the browser, ${native} in LuaJIT`);
+    assert(inLove[name] === hash, `${hash} in the browser, ${inLove[name]} in LÖVE`);
+    await page.locator("#pg-canvas").screenshot({ path: join(PICTURES, `snippet-${name}.png`) });
+    return hash;
+  });
+}
+
+async function checkSnippets() {
+  const told = await open("/playground/", DESKTOP);
+  await isRunning(told.page);
+  const names = await told.page.evaluate(() => window.playground.snippets);
+  await check("every file of a snippet is in the list", () => {
+    const found = readdirSync(SNIPPETS).map((name) => basename(name, ".lua"));
+    assert(found.sort().join() === [...names].sort().join(), `${found} instead of ${names}`);
+    return `${names.length}`;
+  });
+  let inLove = {};
+  await check("the snippets run in LÖVE, too", () => {
+    inLove = playInLove(names);
+  });
+  for (const name of names) await checkSnippet(told.page, name, inLove);
+  await check("no errors in the snippets", () => quiet(told));
+  await told.close();
+}
+
+async function checkLayout() {
+  for (const [kind, options] of Object.entries({ desktop: DESKTOP, phone: PHONE })) {
+    for (const colorScheme of ["light", "dark"]) {
+      await check(`the playground fits a ${kind}, ${colorScheme}`, async () => {
+        const told = await open("/playground/#snippet=platformer", { ...options, colorScheme });
+        const { page } = told;
+        await isRunning(page);
+        await page.screenshot({ path: join(PICTURES, `playground-${kind}-${colorScheme}.png`) });
+        const { width, height } = options.viewport;
+        const box = await page.locator("#pg-canvas").boundingBox();
+        const sideways = await scrollsSideways(page);
+        const isPadThere = await page.locator("#pg-pad").isVisible();
+        if (kind === "phone") {
+          const before = await placeOfBox(page, "pad-before");
+          await page.locator('[data-key="right"]').dispatchEvent("pointerdown", { pointerId: 1 });
+          await until(async () => (await placeOfBox(page, "pad-after")).x > before.x + 2, "the button moves nothing");
+        }
+        await told.close();
+        quiet(told);
+        const text = JSON.stringify(box);
+        assert(!sideways, "it scrolls sideways");
+        assert(box.x >= 0 && box.y >= 0 && box.x + box.width <= width && box.y + box.height <= height, text);
+        assert(Math.abs(box.width / box.height - 4 / 3) < 0.02, text);
+        assert(isPadThere === (kind === "phone"), "buttons in place of keys are for phones only");
+        return `${Math.round(box.width)} x ${Math.round(box.height)}`;
+      });
+    }
+  }
+}
+
+await check("the site is there", () => assert(existsSync(join(SITE, "index.html")), SITE));
+await checkLinks();
+const programs = await checkArticles();
+await checkColors();
+await checkSearch();
+await checkExamples();
+await checkTyping();
+await checkErrors();
+await checkKeys();
+await checkSharing();
+await checkPrograms(programs);
+await checkSnippets();
+await checkLayout();
+
+console.log(`The pictures are in ${PICTURES}/`);
+await finish();
