@@ -1,6 +1,6 @@
 ---@meta _
 --- The types of this library for editors (LuaLS, EmmyLua). Nothing requires this file.
---- Written by scripts/types.lua from physics/fields.lua and physics/world.lua: change those.
+--- Written by scripts/types.lua from physics/world/fields.lua and physics/world/world.lua: change those.
 
 ---@alias physics.Side "left"|"right"|"top"|"bottom"
 

@@ -187,7 +187,7 @@ function manual.text()
   addWorldFields(lines)
   addFunctions(lines, "physics/world/world.lua", "World", "world:")
   add(lines, "## Types", "")
-  local files = { "types", "world", "draw", "tiled" }
+  local files = { "types", "world/world", "world/draw", "tiled" }
   for _, file in ipairs(files) do
     local path = "physics/" .. file .. ".lua"
     addTypes(lines, path)

@@ -133,7 +133,7 @@ local function putDeep(b, p)
   end
   local kl, kh = ki + axis, kj + axis
   if secondIsLow then
-    kl, kh = kh, kl
+    kl, kh = kj + axis, ki + axis
   end
   if rules.passes(b, p, kl, kh, axis, true) then
     return
