@@ -131,6 +131,7 @@ end
 -- firm stays in command of what it pushes. Returns whether something has changed.
 local function yield(b, low, high, offLow, offHigh, separation, stayLow, stayHigh)
   if stayLow and stayHigh then
+    b.isClamped = b.isClamped or b.heldLow[low] > 0 and b.heldHigh[high] > 0
     stopBoth(b, low, high)
     return false
   elseif stayHigh then
@@ -229,8 +230,10 @@ function pool.glue(b, kUp, kLow, dt)
 end
 
 --- Makes blocks of what overlaps at the end of the step. Walks there and back, at most PASSES times.
+--- Returns whether a block was found between two that cannot give way.
 function pool.run(b, list, dt, isLate)
   local count = list.count
+  b.isClamped = false
   for n = 1, PASSES do
     local hasChanged = false
     local first, last, by = 1, count, 1
@@ -247,6 +250,7 @@ function pool.run(b, list, dt, isLate)
     end
   end
   spread(b)
+  return b.isClamped
 end
 
 return pool

@@ -69,6 +69,27 @@ local function squeeze(b, kl, kh, over)
   b.accel[kh] = 0.0
 end
 
+-- The same from the other side: what is held on its low side alone has been pushed onto something on
+-- its high side that cannot give way, and what is between the two shares the overlap with it.
+local function pushBack(b, list)
+  local low, high, separation = list.low, list.high, list.separation
+  local to, give, heldLow, heldHigh = b.to, b.give, b.heldLow, b.heldHigh
+  for c = list.count, 1, -1 do
+    local kl, kh = low[c], high[c]
+    if heldHigh[kh] > 0 and heldLow[kl] > 0 and give[kl] > 0 and heldHigh[kl] == 0 then
+      local over = to[kl] + separation[c] - to[kh]
+      if over > EPSILON then
+        local depth = heldLow[kl] - 1
+        heldHigh[kl], b.holderHigh[kl] = heldHigh[kh] + 1, give[kh] > 0 and b.holderHigh[kh] or kh
+        b.squeezed[kl], b.pressed[list.pair[c]] = over, 1
+        to[kl] = to[kl] - over * (depth / (depth + 1))
+        b.speed[kl] = (b.speed[b.holderLow[kl]] + b.speed[b.holderHigh[kl]]) * 0.5
+        b.accel[kl] = 0.0
+      end
+    end
+  end
+end
+
 -- Towards low coordinates. Returns whether free bodies still overlap.
 local function holdLow(b, list, slow)
   local low, high, separation, elastic = list.low, list.high, list.separation, list.elastic
@@ -117,20 +138,23 @@ function settle.hold(b, axis, dt)
   local slow = 2 * dt
   holdHigh(b, list, slow)
   b.isViolated = holdLow(b, list, slow)
+  if b.isViolated then
+    pushBack(b, list)
+  end
 end
 
 --- The second half: free bodies that overlap become blocks, beside those that friction has made.
 function settle.finish(b, axis, dt, isGlued)
-  if b.isViolated or isGlued then
-    pool.run(b, b.contacts[axis], dt, false)
+  if (b.isViolated or isGlued) and pool.run(b, b.contacts[axis], dt, false) then
+    settle.hold(b, axis, dt)
   end
 end
 
 --- Settles one axis. `isLate`: the paths have begun at different moments by now.
 function settle.axis(b, axis, dt, isLate)
   settle.hold(b, axis, dt)
-  if b.isViolated then
-    pool.run(b, b.contacts[axis], dt, isLate)
+  if b.isViolated and pool.run(b, b.contacts[axis], dt, isLate) then
+    settle.hold(b, axis, dt) -- what is clamped shares the overlap
   end
 end
 
