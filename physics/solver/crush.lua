@@ -15,16 +15,16 @@ function crush.note(b, axis)
   local crushLow, crushHigh = b.crushLow, b.crushHigh
   for c = 1, list.count do
     local kl, kh = list.low[c], list.high[c]
-    if squeezed[kl] > 0 and b.pressed[list.pair[c]] == 1 then
+    if squeezed[kl] ~= 0 and b.pressed[list.pair[c]] == 1 then
       crushHigh[kl] = (kh - axis) * 0.5
     end
-    if squeezed[kh] > 0 and b.pressed[list.pair[c]] == 1 then
+    if squeezed[kh] ~= 0 and b.pressed[list.pair[c]] == 1 then
       crushLow[kh] = (kl - axis) * 0.5
     end
   end
   for n = 1, b.awakeCount do
     local k = 2 * b.awakeList[n] + axis
-    if squeezed[k] > 0 then
+    if squeezed[k] ~= 0 then
       crushed[k], b.hasCrushed = true, true
     end
   end

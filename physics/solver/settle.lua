@@ -5,7 +5,8 @@
 -- there on through all that lean on each other (`holdHigh`, `holdLow`). Then free bodies that press
 -- each other become blocks with a common velocity (see pool).
 --
--- Reads contacts, give, start; writes to, speed, accel, heldLow, heldHigh, pressed, squeezed.
+-- Reads contacts, give, start; writes to, speed, accel, heldLow, heldHigh, pressed, squeezed (px; below
+-- 0: towards low coordinates).
 -- heldLow and heldHigh are 0, or say by how many contacts an immovable body is away, and 1: a body
 -- that is held cannot give way to that side.
 
@@ -58,33 +59,38 @@ local function holdHigh(b, list, slow)
   end
 end
 
--- Body kh is held on its high side and pressed by `over` px from its low side, where kl cannot give
--- way either: it is squeezed. A row of them shares the overlap, and goes at the mean of the speeds of
--- the two that press it.
-local function squeeze(b, kl, kh, over)
-  local depth = b.heldHigh[kh] - 1
-  b.squeezed[kh] = over
-  b.to[kh] = b.to[kh] + over * (depth / (depth + 1))
-  b.speed[kh] = (b.speed[b.holderLow[kh]] + b.speed[b.holderHigh[kh]]) * 0.5
-  b.accel[kh] = 0.0
+-- Body k is held on one side, where `held` says how far what cannot give way is from it. `other`, which
+-- cannot give way either, presses it by `over` px more towards there: to higher coordinates (`sign`
+-- 1) or lower ones (-1). So it is squeezed. A row of such bodies shares the overlap, and goes at the
+-- mean of the speeds of the two that press it. Of several that press a body the one counts that
+-- does so most.
+local function squeeze(b, k, other, over, sign, held, pressing, holder)
+  local share, most = 1 - 1 / held[k], b.squeezed[k] * sign
+  over = over + most * share
+  if over > most then
+    b.squeezed[k] = sign * over
+    b.to[k] = b.to[k] + sign * (over - most) * share
+    pressing[k] = pressing[other] + 1
+    holder[k] = b.give[other] > 0 and holder[other] or other
+    b.speed[k] = (b.speed[b.holderLow[k]] + b.speed[b.holderHigh[k]]) * 0.5
+    b.accel[k] = 0.0
+  end
 end
 
--- The same from the other side: what is held on its low side alone has been pushed onto something on
--- its high side that cannot give way, and what is between the two shares the overlap with it.
+-- Towards high coordinates again: what is held on its low side alone has been pushed onto something on
+-- its high side that cannot give way.
 local function pushBack(b, list)
-  local low, high, separation = list.low, list.high, list.separation
+  local low, high, separation, pair, pressed =
+    list.low, list.high, list.separation, list.pair, b.pressed
   local to, give, heldLow, heldHigh = b.to, b.give, b.heldLow, b.heldHigh
   for c = list.count, 1, -1 do
     local kl, kh = low[c], high[c]
-    if heldHigh[kh] > 0 and heldLow[kl] > 0 and give[kl] > 0 and heldHigh[kl] == 0 then
+    local isFree = give[kl] > 0 and (heldHigh[kl] == 0 or b.squeezed[kl] < 0)
+    if heldHigh[kh] > 0 and heldLow[kl] > 0 and isFree then
       local over = to[kl] + separation[c] - to[kh]
       if over > EPSILON then
-        local depth = heldLow[kl] - 1
-        heldHigh[kl], b.holderHigh[kl] = heldHigh[kh] + 1, give[kh] > 0 and b.holderHigh[kh] or kh
-        b.squeezed[kl], b.pressed[list.pair[c]] = over, 1
-        to[kl] = to[kl] - over * (depth / (depth + 1))
-        b.speed[kl] = (b.speed[b.holderLow[kl]] + b.speed[b.holderHigh[kl]]) * 0.5
-        b.accel[kl] = 0.0
+        pressed[pair[c]] = 1
+        squeeze(b, kl, kh, over, -1, heldLow, heldHigh, b.holderHigh)
       end
     end
   end
@@ -110,15 +116,14 @@ local function holdLow(b, list, slow)
         (over > 0 or closing >= 0)
         and (elastic[c] == 0 or not pool.bounces(closing, accel[kl] - accel[kh], slow))
       then
-        held[kh] = held[kl] + 1
-        wall[kh] = give[kl] > 0 and wall[kl] or kl
         if b.heldHigh[kh] > 0 then
           if over > EPSILON then
-            squeeze(b, kl, kh, over)
             pressed[pair[c]] = 1
+            squeeze(b, kh, kl, over, 1, b.heldHigh, held, wall)
           end
         else
-          to[kh] = place
+          to[kh], held[kh] = place, held[kl] + 1
+          wall[kh] = give[kl] > 0 and wall[kl] or kl
           if closing > 0 then
             speed[kh], accel[kh], pressed[pair[c]] = speed[kl], accel[kl], 1
           elseif over > EPSILON then
