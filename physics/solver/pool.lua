@@ -177,10 +177,11 @@ local function look(b, list, c, dt, isLate)
   end
   local separation = list.separation[c]
   local over = b.to[low] + offLow + separation - b.to[high] - offHigh
-  if over <= EPSILON then
+  local closing = b.speed[low] - b.speed[high]
+  -- With `push = "first"` a block has speed, but goes nowhere: it presses on all the same.
+  if over <= EPSILON and not (b.pushFirst and over >= -EPSILON and closing > 0) then
     return false
   end
-  local closing = b.speed[low] - b.speed[high]
   if
     list.elastic[c] == 1 and pool.bounces(closing, b.accel[low] - b.accel[high], 2 * dt)
   then
