@@ -116,15 +116,18 @@ local function weigh(b, low, high)
   return b.isFirm[low], b.isFirm[high]
 end
 
--- Two firm blocks meet head-on: both stop where they were.
+-- Two firm blocks meet head-on: both stop where they were. Returns whether one has gone anywhere.
 local function stopBoth(b, low, high)
+  local hasMoved = false
   if b.isFirm[low] and b.isFirm[high] and b.heldLow[low] == 0 and b.heldHigh[high] == 0 then
     for side = 1, 2 do
       local k = side == 1 and low or high
-      b.to[k] = b.blockStart[k] / b.blockMass[k]
-      b.speed[k], b.accel[k] = 0.0, 0.0
+      local place = b.blockStart[k] / b.blockMass[k]
+      hasMoved = hasMoved or b.to[k] ~= place
+      b.to[k], b.speed[k], b.accel[k] = place, 0.0, 0.0
     end
   end
+  return hasMoved
 end
 
 -- A firm block and a free one, or one that is held: the other takes the whole push, and what is
@@ -132,8 +135,7 @@ end
 local function yield(b, low, high, offLow, offHigh, separation, stayLow, stayHigh)
   if stayLow and stayHigh then
     b.isClamped = b.isClamped or b.heldLow[low] > 0 and b.heldHigh[high] > 0
-    stopBoth(b, low, high)
-    return false
+    return stopBoth(b, low, high)
   elseif stayHigh then
     b.to[low] = b.to[high] + offHigh - separation - offLow
     if b.speed[low] > b.speed[high] then
