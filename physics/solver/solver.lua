@@ -93,6 +93,13 @@ end
 -- What touches at the start of the step: along gravity, then across it, each with its friction.
 local function settleTouching(b, dt)
   contacts.find(b)
+  for _ = 1, b.hasNudges and nudge.MOST or 0 do
+    if not nudge.run(b) then
+      break
+    end
+    detect.run(b, b.awakeList, 1, b.awakeCount)
+    contacts.find(b)
+  end
   forgetPressed(b)
   local down, across = b.downAxis, 1 - b.downAxis
   settle.axis(b, down, dt, false)
@@ -185,7 +192,7 @@ local function happen(b, n, dt, isLast)
       b.inRound[slot], b.dirty[slot] = round, 1
     end
   end
-  if b.hasNudges and not isLast and b.nudged[p] < 4 then
+  if b.hasNudges and not isLast and b.nudged[p] < nudge.MOST then
     if nudge.try(b, i, j, axis, true, t) or nudge.try(b, j, i, axis, false, t) then
       b.nudged[p] = b.nudged[p] + 1
       live.stain(b, p)
