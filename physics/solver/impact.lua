@@ -41,13 +41,14 @@ end
 
 impact.approach = approach
 
--- Shares of a push for two that can both give way, or one of them, or neither.
+-- Shares of a push for two that can both give way, or one of them, or neither. What has left the body
+-- that held it can.
 local function weigh(b, i, j, kl, kh)
   local wl, wh = b.give[kl], b.give[kh]
-  if b.heldLow[kl] > 0 then
+  if b.heldLow[kl] > 0 and b.speed[kl] <= b.speed[b.holderLow[kl]] then
     wl = 0
   end
-  if b.heldHigh[kh] > 0 then
+  if b.heldHigh[kh] > 0 and b.speed[kh] >= b.speed[b.holderHigh[kh]] then
     wh = 0
   end
   if wl > 0 and wh > 0 and not (b.pushable[i] and b.pushable[j]) then
@@ -140,11 +141,13 @@ local function stick(b, i, j, kl, kh, wl, wh, o, v)
     to[kh] = to[kl] + size[kl]
     if b.heldLow[kl] > 0 then
       b.heldLow[kh] = b.heldLow[kl] + 1
+      b.holderLow[kh] = b.give[kl] > 0 and b.holderLow[kl] or kl
     end
   elseif wh == 0 then
     to[kl] = to[kh] - size[kl]
     if b.heldHigh[kh] > 0 then
       b.heldHigh[kl] = b.heldHigh[kh] + 1
+      b.holderHigh[kl] = b.give[kh] > 0 and b.holderHigh[kh] or kh
     end
   elseif b.pushFirst then
     local towards, against = to[kl] - b.from[kl], b.from[kh] - to[kh]

@@ -63,8 +63,7 @@ local function finish(b, k, dt, isLate, place)
     b.to[k], b.speed[k] = place, b.blockSpeed[k] / mass
     return
   end
-  local v, way =
-    flow.run(b, b.blockKinks[k], mass, b.blockForce[k], b.blockMomentum[k] / mass, dt)
+  local v, way = flow.run(b, b.blockKinks[k], mass, b.blockForce[k], b.blockMomentum[k] / mass, dt)
   b.to[k], b.speed[k] = b.blockStart[k] / mass + way, v
 end
 
@@ -130,6 +129,19 @@ local function stopBoth(b, low, high)
   return hasMoved
 end
 
+--- Returns the speed of two that press each other, of which the first is held by what goes at `base`:
+--- that, or if they leave it together, their common one. `sign`: 1 if it is held on its low side.
+function pool.heldSpeed(mass, speed, otherMass, otherSpeed, base, sign)
+  local v = (mass * speed + otherMass * otherSpeed) / (mass + otherMass)
+  return (v - base) * sign > 0 and v or base
+end
+
+-- The same of two blocks.
+local function heldSpeed(b, held, other, base, sign)
+  local mass, speed = b.blockMass, b.speed
+  return pool.heldSpeed(mass[held], speed[held], mass[other], speed[other], base, sign)
+end
+
 -- A firm block and a free one, or one that is held: the other takes the whole push, and what is
 -- firm stays in command of what it pushes. Returns whether something has changed.
 local function yield(b, low, high, offLow, offHigh, separation, stayLow, stayHigh)
@@ -139,19 +151,29 @@ local function yield(b, low, high, offLow, offHigh, separation, stayLow, stayHig
   elseif stayHigh then
     b.to[low] = b.to[high] + offHigh - separation - offLow
     if b.speed[low] > b.speed[high] then
+      local base = b.heldHigh[high] > 0 and b.give[high] > 0 and b.speed[b.holderHigh[high]]
+      if base and b.speed[high] < base then
+        b.speed[high] = heldSpeed(b, high, low, base, -1)
+      end
       b.speed[low], b.accel[low] = b.speed[high], b.accel[high]
     end
     if b.heldHigh[high] > 0 then
       b.heldHigh[low] = b.heldHigh[high] + 1
+      b.holderHigh[low] = b.give[high] > 0 and b.holderHigh[high] or high
     end
     b.isFirm[low] = b.isFirm[low] or b.isFirm[high] and b.heldHigh[high] == 0
   else
     b.to[high] = b.to[low] + offLow + separation - offHigh
     if b.speed[low] > b.speed[high] then
+      local base = b.heldLow[low] > 0 and b.give[low] > 0 and b.speed[b.holderLow[low]]
+      if base and b.speed[low] > base then
+        b.speed[low] = heldSpeed(b, low, high, base, 1)
+      end
       b.speed[high], b.accel[high] = b.speed[low], b.accel[low]
     end
     if b.heldLow[low] > 0 then
       b.heldLow[high] = b.heldLow[low] + 1
+      b.holderLow[high] = b.give[low] > 0 and b.holderLow[low] or low
     end
     b.isFirm[high] = b.isFirm[high] or b.isFirm[low] and b.heldLow[low] == 0
   end
@@ -184,9 +206,7 @@ local function look(b, list, c, dt, isLate)
   if over <= EPSILON and not (b.pushFirst and over >= -EPSILON and closing > 0) then
     return false
   end
-  if
-    list.elastic[c] == 1 and pool.bounces(closing, b.accel[low] - b.accel[high], 2 * dt)
-  then
+  if list.elastic[c] == 1 and pool.bounces(closing, b.accel[low] - b.accel[high], 2 * dt) then
     return false
   end
   register(b, kl)
@@ -212,6 +232,7 @@ local function spread(b)
     if top ~= k then
       b.to[k], b.speed[k], b.accel[k] = b.to[top] + off, b.speed[top], b.accel[top]
       b.heldLow[k], b.heldHigh[k] = b.heldLow[top], b.heldHigh[top]
+      b.holderLow[k], b.holderHigh[k] = b.holderLow[top], b.holderHigh[top]
     end
   end
   for n = 1, b.memberCount do

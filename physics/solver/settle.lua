@@ -33,6 +33,13 @@ local function release(b, axis)
   end
 end
 
+-- Body k is leaving what has held it, `wall`, when `other` presses it back towards there.
+local function leave(b, k, other, wall, sign)
+  local give, speed = b.give, b.speed
+  local mass, otherMass = 1 / give[k], 1 / give[other]
+  speed[k] = pool.heldSpeed(mass, speed[k], otherMass, speed[other], speed[wall], sign)
+end
+
 -- Towards high coordinates: from what cannot give way, down the list, what leans on it.
 local function holdHigh(b, list, slow)
   local low, high, separation, elastic = list.low, list.high, list.separation, list.elastic
@@ -49,6 +56,9 @@ local function holdHigh(b, list, slow)
           to[kl], held[kl] = place, held[kh] + 1
           wall[kl] = give[kh] > 0 and wall[kh] or kh
           if closing > 0 then
+            if give[kh] > 0 and speed[kh] < speed[wall[kh]] then
+              leave(b, kh, kl, wall[kh], -1)
+            end
             speed[kl], accel[kl], pressed[pair[c]] = speed[kh], accel[kh], 1
           elseif over > EPSILON then
             pressed[pair[c]] = 1
@@ -125,6 +135,9 @@ local function holdLow(b, list, slow)
           to[kh], held[kh] = place, held[kl] + 1
           wall[kh] = give[kl] > 0 and wall[kl] or kl
           if closing > 0 then
+            if give[kl] > 0 and speed[kl] > speed[wall[kl]] then
+              leave(b, kl, kh, wall[kl], 1)
+            end
             speed[kh], accel[kh], pressed[pair[c]] = speed[kl], accel[kl], 1
           elseif over > EPSILON then
             pressed[pair[c]] = 1
