@@ -256,12 +256,12 @@ end
 --- Makes blocks of what overlaps at the end of the step. Walks there and back, at most PASSES times.
 --- Returns whether a block was found between two that cannot give way.
 function pool.run(b, list, dt, isLate)
-  local count = list.count
+  local count, isTurned = list.count, b.orientation[list.axis] < 0
   b.isClamped = false
   for n = 1, PASSES do
     local hasChanged = false
     local first, last, by = 1, count, 1
-    if n % 2 == 0 then
+    if (n % 2 == 0) ~= isTurned then
       first, last, by = count, 1, -1
     end
     for c = first, last, by do
