@@ -68,17 +68,16 @@ function nudge.try(b, i, j, axis, iIsLow, t)
   return true
 end
 
---- Moves bodies past the corners of what they touch and press against where the step begins. Returns
---- whether there were any: then others may touch.
+--- Moves bodies past the corners of what they touch where the step begins, and press against now that
+--- it is settled. Returns whether there were any: then others may touch.
 function nudge.run(b)
   local hasMoved = false
   for axis = 0, 1 do
-    local list, to, size = b.contacts[axis], b.to, b.size
+    local list, size, pressed = b.contacts[axis], b.size, b.pressed
     local low, high, separation, pair = list.low, list.high, list.separation, list.pair
     for c = 1, list.count do
       local kl, kh, p = low[c], high[c], pair[c]
-      local isPressed = to[kl] + separation[c] - to[kh] > EPSILON and separation[c] == size[kl]
-      if isPressed and b.nudged[p] < nudge.MOST then
+      if pressed[p] == 1 and separation[c] == size[kl] and b.nudged[p] < nudge.MOST then
         local i, j = (kl - axis) * 0.5, (kh - axis) * 0.5
         if nudge.try(b, i, j, axis, true, 0) or nudge.try(b, j, i, axis, false, 0) then
           b.nudged[p], hasMoved = b.nudged[p] + 1, true

@@ -43,12 +43,17 @@ function solver.adopt(b)
   b.bonds, b.impacts = friction.newBonds(), sweep.newImpacts()
 end
 
+-- The speed of body k where the step begins.
+local function startSpeed(b, k)
+  return max(min(b.velocity[k], b.limit[k]), -b.limit[k]) + b.carried[k]
+end
+
 -- Everything awake as it is before contacts.
 local function begin(b, dt)
   local list, kind, buried, give = b.awakeList, b.kind, b.buried, b.give
-  local freeSpeed, start, speed, velocity, carried = b.freeSpeed, b.start, b.speed, b.velocity, b.carried
+  local freeSpeed, start, speed = b.freeSpeed, b.start, b.speed
   local from, origin, inverseMass, dirty = b.from, b.origin, b.inverseMass, b.dirty
-  local limit, kinks, accel = b.limit, b.kinks, b.accel
+  local kinks, accel = b.kinks, b.accel
   for n = 1, b.awakeCount do
     local i = list[n]
     dirty[i], b.impactsOf[i] = 1, 0
@@ -57,7 +62,7 @@ local function begin(b, dt)
       give[k] = kind[i] == DYNAMIC and not buried[i] and inverseMass[i] or 0
       if kind[i] == DYNAMIC then
         freeSpeed[k] = speed[k]
-        start[k] = max(min(velocity[k], limit[k]), -limit[k]) + carried[k]
+        start[k] = startSpeed(b, k)
         accel[k] = (freeSpeed[k] - start[k]) / dt
       end
     end
@@ -93,13 +98,6 @@ end
 -- What touches at the start of the step: along gravity, then across it, each with its friction.
 local function settleTouching(b, dt)
   contacts.find(b)
-  for _ = 1, b.hasNudges and nudge.MOST or 0 do
-    if not nudge.run(b) then
-      break
-    end
-    detect.run(b, b.awakeList, 1, b.awakeCount)
-    contacts.find(b)
-  end
   forgetPressed(b)
   local down, across = b.downAxis, 1 - b.downAxis
   settle.axis(b, down, dt, false)
@@ -110,6 +108,25 @@ local function settleTouching(b, dt)
       settle.axis(b, across, dt, false)
     end
     friction.run(b, across, dt)
+  end
+end
+
+-- Nudges what is pressed against a corner, and settles anew from there.
+local function nudgeTouching(b, dt)
+  for _ = 1, nudge.MOST do
+    if not nudge.run(b) then
+      return
+    end
+    detect.run(b, b.awakeList, 1, b.awakeCount)
+    for n = 1, b.awakeCount do
+      for k = 2 * b.awakeList[n], 2 * b.awakeList[n] + 1 do
+        b.kinks[k], b.start[k] = 0, startSpeed(b, k)
+      end
+    end
+    flow.reset(b)
+    friction.reset(b, 0, dt)
+    friction.reset(b, 1, dt)
+    settleTouching(b, dt)
   end
 end
 
@@ -248,6 +265,9 @@ local function solve(b, dt)
   begin(b, dt)
   live.list(b)
   settleTouching(b, dt)
+  if b.hasNudges then
+    nudgeTouching(b, dt)
+  end
   findChanged(b)
   contacts.noteNew(b)
   for n = 1, ROUNDS do
