@@ -338,9 +338,9 @@ function contacts.find(b)
   fill(b, across)
 end
 
---- Makes a contact of a pair that has met without a bounce.
-function contacts.add(b, axis, p, kl, kh)
-  if b.touches[p] == CONTACT then
+--- Makes a contact of a pair that has met without a bounce, or `isElastic`: of one that may bounce yet.
+function contacts.add(b, axis, p, kl, kh, isElastic)
+  if b.touches[p] == CONTACT or (isElastic and b.touches[p] == ELASTIC) then
     return
   elseif b.touches[p] == ELASTIC then -- it does not bounce any more
     b.touches[p] = CONTACT
@@ -348,6 +348,7 @@ function contacts.add(b, axis, p, kl, kh)
     return
   end
   put(b, p, axis, kl, kh, b.size[kl])
+  b.touches[p] = isElastic and ELASTIC or CONTACT
   b.contacts[axis].isNew = true
 end
 

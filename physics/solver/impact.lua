@@ -182,7 +182,8 @@ local function bounce(b, kl, kh, wl, wh, o, gap, v, vEnd)
   speed[kl], speed[kh] = speed[kl] - dv * wl, speed[kh] + dv * wh
 end
 
---- Two bodies meet on an axis at moment t. Returns whether they stay together.
+--- Two bodies meet on an axis at moment t. Returns whether they stay together; second, whether they go
+--- apart and only may not overlap.
 function impact.run(b, p, i, j, axis, t, dt, isLast)
   path.advance(b, i, t)
   path.advance(b, j, t)
@@ -203,7 +204,7 @@ function impact.run(b, p, i, j, axis, t, dt, isLast)
   if v < 0 or (isElastic and v == 0 and a == 0) then
     -- They go apart by themselves, and overlap by what others have pushed.
     b.to[kl], b.to[kh] = b.to[kl] - o * wl / total, b.to[kh] + o * wh / total
-    return not isElastic
+    return not isElastic, isElastic
   end
   local gap, vEnd = 0.0, 0.0
   if r > 0 then

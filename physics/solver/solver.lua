@@ -216,10 +216,10 @@ local function happen(b, n, dt, isLast)
       return
     end
   end
-  local stays = impact.run(b, p, i, j, axis, t, dt, isLast)
-  if stays then
-    contacts.add(b, axis, p, 2 * i + axis, 2 * j + axis)
-    b.pressed[p] = 1
+  local stays, isElastic = impact.run(b, p, i, j, axis, t, dt, isLast)
+  if stays or isElastic then
+    contacts.add(b, axis, p, 2 * i + axis, 2 * j + axis, isElastic)
+    b.pressed[p] = stays and 1 or b.pressed[p]
   end
   if isLast then
     stop(b, i, t)
