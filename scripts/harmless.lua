@@ -80,12 +80,6 @@ return {
     "the size of nobody: less than nothing is never within reach",
   },
   {
-    "physics/crush.lua",
-    "local from, k, best, bestAt = b.from, 2 * i + axis, 0, 0.0",
-    "local from, k, best, bestAt = b.from, 2 * i + axis, 0, 1.0",
-    "read only where best is somebody, and written together with it",
-  },
-  {
     "physics/broadphase/pairFinder.lua",
     "or from[k] + size[k] > fatHigh[k]",
     "or from[k] + size[k] >= fatHigh[k]",
@@ -96,36 +90,6 @@ return {
     "return b.placed[i] ~= 2",
     "return b.placed[i] ~= 3",
     "everybody's neighbours are looked up in every step; more neighbours change no result",
-  },
-  {
-    "physics/turns.lua",
-    "sortAll(b, count, b.moverCount + 1, digits)",
-    "sortAll(b, count, b.moverCount + 2, digits)",
-    "at most one pass more, by a digit that is 0 for all",
-  },
-  {
-    "physics/footing.lua",
-    "if start <= -STILL or o < (v + start) * 0.5 * dt * (1 - ROUNDING) then",
-    "if start <= -STILL or o < (v + start) * 0.5 / dt * (1 - ROUNDING) then",
-    "more is left to the queue, which gives the same bits",
-  },
-  {
-    "physics/friction.lua",
-    "local up, low = 0, 0",
-    "local up, low = 1, 0",
-    "then low is 0, nobody, who is neither immovable nor stuck: as if up were 0",
-  },
-  {
-    "physics/pass.lua",
-    "local isUp, free = b.orientation[axis] < 0, freeUpTo(b, across, isNext)",
-    "local isUp, free = b.orientation[axis] < 1, freeUpTo(b, across, isNext)",
-    "the orientation of an axis is 1 or -1",
-  },
-  {
-    "physics/pass.lua",
-    "local isUp, free = b.orientation[axis] < 0, freeUpTo(b, across, isNext)",
-    "local isUp, free = b.orientation[axis] <= 0, freeUpTo(b, across, isNext)",
-    "the orientation of an axis is 1 or -1",
   },
   {
     "physics/queries/query.lua",

@@ -37,7 +37,7 @@ local function loadCheck(chunkName, environment)
   local file = assert(io.open((debug.getinfo(check.fail, "S").source:gsub("^@", ""))))
   local text = file:read("*a")
   file:close()
-  return compile(text, chunkName, environment or _G)("physics.check")
+  return compile(text, chunkName, environment or _G)("physics.world.check")
 end
 
 --- A function of the library in a chunk of this name, which fails.
@@ -92,7 +92,7 @@ describe("check", function()
         "@/usr/share/lua/5.1/physics.lua",
         "main.lua",
       },
-      { "Windows", "@.\\lib\\physics\\check.lua", "@.\\lib\\physics.lua", ".\\main.lua" },
+      { "Windows", "@.\\lib\\physics\\world\\check.lua", "@.\\lib\\physics.lua", ".\\main.lua" },
       { "one joined file", "@lib/physics.lua", "@lib/physics.lua", "lib/main.lua" },
       { "one joined file beside the game", "@physics.lua", "@physics.lua", "main.lua" },
       {

@@ -188,10 +188,10 @@ describe("what LuaJIT compiles", function()
 
   -- Files with loops over all objects, or over all contacts.
   local LOOPS = {}
-  for _, name in ipairs({ "begin", "collect", "contact", "detect", "footing", "forces" }) do
+  for _, name in ipairs({ "begin", "read", "contacts", "pairFinder", "sweep", "forces" }) do
     LOOPS[name] = true
   end
-  for _, name in ipairs({ "grid", "live", "move", "pass", "publish", "rest", "turns" }) do
+  for _, name in ipairs({ "grid", "activePairs", "move", "settle", "write", "islands", "pool" }) do
     LOOPS[name] = true
   end
 
@@ -298,11 +298,11 @@ describe("what LuaJIT compiles", function()
     it("is what happens to single objects only after compile()", function()
       fresh.during(function(module)
         jit.flush()
-        local before = tracesIn("meet", function()
+        local before = tracesIn("contacts/events", function()
           play(module)
         end)
         module.compile()
-        local after = tracesIn("meet", function()
+        local after = tracesIn("contacts/events", function()
           play(module)
         end)
         jit.opt.start("maxtrace=1000", "maxmcode=512")

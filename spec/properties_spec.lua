@@ -112,195 +112,8 @@ describe("the same scene goes the same way, to the bit,", function()
     end)
   end
 
-  -- What stands on something when a step begins has a shorter way through it (physics/turns.lua).
-  it("when every contact goes through the queue", function()
-    local settled = 0
-    for seed = 1, effort.share(5) do
-      for _, options in ipairs({ WILD, CALM, PLAIN }) do
-        local player = script.play(script.new(seed, options))
-        player.world._bodies.queueOnly = true
-        checkSame(seed, trackOf(seed, options), player)
-        player = script.play(script.new(seed, options))
-        while player:next() do
-          settled = settled + player.world._bodies.turnsDone
-        end
-      end
-    end
-    assert.is_true(settled > 1000)
-  end)
-
-  -- On a smooth floor nobody sticks: every footing rubs, and both of it slide.
-  it("when a heap that slides about goes through the queue", function()
-    local worlds = {}
-    for n = 1, 2 do
-      local random, world = newRandom(3), physics.newWorld({ gravity = 800, rest = false })
-      worlds[n] = world
-      world._bodies.queueOnly = n == 2
-      world:add("walls", { x = -100, y = 0, width = 400, height = 100, static = true })
-      world.objects.walls[1].friction = 0
-      for side = -100, 200, 300 do
-        world:add("walls", { x = side, y = -900, width = 100, height = 900, static = true })
-      end
-      for i = 0, 79 do
-        local box = { x = 25 * (i % 8), y = -25 * (i - i % 8) / 8 - 25, friction = 0.3 }
-        box.width, box.height = random:between(10, 20), random:between(10, 20)
-        box.vx, box.mass = random:between(-40, 40), random:between(0.5, 4)
-        world:add("boxes", box)
-      end
-    end
-    local b, footings, flanks = worlds[1]._bodies, 0, 0
-    for step = 1, effort.share(240) do
-      worlds[1]:update(1 / 60)
-      worlds[2]:update(1 / 60)
-      assert.are.equal(worlds[2]:hash(), worlds[1]:hash(), "step " .. step)
-      footings, flanks = footings + b.footingCount, flanks + b.turnsDone - b.footingCount
-    end
-    assert.is_true(
-      footings > 1000 and flanks > 50,
-      footings .. " footings, " .. flanks .. " flanks"
-    )
-    assert.equal(0, worlds[2]._bodies.turnsDone)
-  end)
-
-  -- Columns of boxes, flush to the bit, that push each other and a wall; some of them are no plain
-  -- boxes and are left to the queue, between the others. Upright, or with gravity to the right.
-  local ODDITIES = {
-    { restitution = 0.5 },
-    { pushable = false },
-    { sensor = true },
-    { oneWay = "top" },
-    { nudge = 9, vx = -400 },
-    { gravity = 0, gravityX = 300 },
-    { kinematic = true, vx = 30 },
-    { static = true },
-  }
-  local function addBox(world, isTurned, group, box)
-    if isTurned then
-      local x, width, vx = box.x, box.width, box.vx
-      box.x, box.width, box.vx = box.y, box.height, box.vy
-      box.y, box.height, box.vy = x, width, vx
-    end
-    world:add(group, box)
-  end
-  local function newColumns(seed)
-    local random, isTurned = newRandom(seed), seed % 3 == 0
-    local pull = seed % 4 == 0 and 0 or 700
-    local push = seed % 5 == 0 and "first" or "both"
-    local world = physics.newWorld({ rest = seed % 2 == 0, push = push })
-    world.gravity, world.gravityX = isTurned and 0 or pull, isTurned and pull or 0
-    addBox(world, isTurned, "walls", { x = -16, y = 0, width = 240, height = 16, static = true })
-    addBox(world, isTurned, "walls", { x = -16, y = -200, width = 16, height = 200, static = true })
-    local x = 0
-    for _ = 1, 8 do
-      local y, width = 0, random:between(8, 16)
-      for _ = 1, random:integer(1, 4) do
-        local box = { x = x, width = width, height = random:between(6, 20), friction = 0.4 }
-        y = y - box.height
-        box.y, box.vx, box.vy = y, random:between(-80, 80), random:between(-20, 20)
-        box.mass = random:between(0.2, 5)
-        for name, value in pairs(random:integer(1, 5) == 1 and random:pick(ODDITIES) or {}) do
-          box[name] = value
-        end
-        addBox(world, isTurned, "boxes", box)
-      end
-      x = x + width
-    end
-    return world
-  end
-  it("when columns that push each other go through the queue", function()
-    -- In these, the two ways once differed in rounds after the first.
-    local flanks, seeds = 0, { 1173, 1403, 2118, 5863, 5931, 5982 }
-    for seed = 1, effort.share(80) do
-      seeds[#seeds + 1] = seed
-    end
-    for _, seed in ipairs(seeds) do
-      local world, other = newColumns(seed), newColumns(seed)
-      other._bodies.queueOnly = true
-      for step = 1, 12 do
-        world:update(1 / 60)
-        other:update(1 / 60)
-        assert.are.equal(other:hash(), world:hash(), "seed " .. seed .. ", step " .. step)
-        flanks = flanks + world._bodies.turnsDone - world._bodies.footingCount
-      end
-    end
-    assert.is_true(flanks > 100, flanks .. " flanks")
-  end)
-
-  it("when who leans on a crate is hit in the middle of a step", function()
-    -- Asleep, it would be pushed before it has rubbed, in one of the two ways.
-    local function build(isQueueOnly)
-      local world = physics.newWorld({ gravity = 400 })
-      world._bodies.queueOnly = isQueueOnly or nil
-      world:add("floors", { x = -900, y = 100, width = 1800, height = 50, static = true })
-      for _, row in ipairs({
-        { 0, 80, 20, 10 },
-        { 0, 40, 20, 1 },
-        { 0, 20, 40, 10 },
-        { 20, 80, 20, 10 },
-      }) do
-        local box = { x = row[1], y = row[2], width = row[3], height = 20 }
-        box.mass, box.friction = row[4], 0.5
-        world:add("boxes", box)
-      end
-      world:add("boxes", { x = 50, y = 80, width = 20, height = 20, friction = 0 })
-      local player = { x = -36, y = 76, width = 20, height = 24, ax = 900, maxSpeedX = 50 }
-      player.mass, player.friction = 5, 1
-      world:add("players", player)
-      local other = { x = 100, y = 76, width = 20, height = 24, friction = 0 }
-      world:add("players", other)
-      return world, other
-    end
-    local world, walker = build(false)
-    local other, its = build(true)
-    for step = 1, 40 do
-      walker.vx, its.vx = -50, -50
-      world:update(1 / 30)
-      other:update(1 / 30)
-      assert.equal(other:hash(), world:hash(), "step " .. step)
-    end
-  end)
-
-  -- What makes no difference to a heap that stands must not cost what the queue costs.
-  for title, own in pairs({
-    ["could bounce"] = { box = { restitution = 0.2 } },
-    ["cannot be pushed"] = { box = { pushable = false } },
-    ["slide around corners"] = { box = { nudge = 4 } },
-    ["ask the game"] = {
-      box = {
-        canCollide = function()
-          return true
-        end,
-      },
-    },
-    ["stand on a one-way"] = { floor = { oneWay = "top" } },
-    ["give way by the order of who runs into whom"] = { push = "first" },
-  }) do
-    it("in turns when boxes " .. title, function()
-      local world = physics.newWorld({ rest = false, push = own.push })
-      local floor = { x = -50, y = 0, width = 500, height = 20, static = true }
-      for name, value in pairs(own.floor or {}) do
-        floor[name] = value
-      end
-      world:add("floors", floor)
-      for i = 0, 39 do
-        local column = math.floor(i / 4)
-        local box =
-          { x = 20 * column, y = -20 * (i % 4 + 1), width = 16, height = 16, friction = 1 }
-        for name, value in pairs(own.box or {}) do
-          box[name] = value
-        end
-        world:add("boxes", box)
-      end
-      for _ = 1, 60 do
-        world:update(1 / 60)
-      end
-      local b = world._bodies
-      assert.are.same({ 40, 40, 0, 0 }, { b.turnsDone, b.resolved, b.oddCount, b.queue.size })
-    end)
-  end
-
-  -- Scenes in which the two ways once differed: settings, dt, then group, x, y, width, height and
-  -- other fields of each object.
+  -- Scenes in which two ways through an earlier solver differed: settings, dt, then group, x, y, width,
+  -- height and other fields of each object.
   local ONCE_DIFFERENT = {
     {
       "one is crushed in a corner, and another two stand aside",
@@ -392,9 +205,9 @@ describe("the same scene goes the same way, to the bit,", function()
     },
   }
   -- Plays a scene for one step; returns what is told, and where everybody is then.
-  local function tellScene(scene, queueOnly)
+  local function tellScene(scene, broadphase)
     local world, names, told = physics.newWorld(scene[2]), {}, {}
-    world._bodies.queueOnly = queueOnly
+    world.broadphase = broadphase
     for n = 4, #scene do
       local row = scene[n]
       local object = { x = row[2], y = row[3], width = row[4], height = row[5] }
@@ -412,41 +225,14 @@ describe("the same scene goes the same way, to the bit,", function()
     return table.concat(told, ", "), world:hash()
   end
   for _, scene in ipairs(ONCE_DIFFERENT) do
-    it("when " .. scene[1] .. ", and all goes through the queue", function()
-      local told, hash = tellScene(scene, false)
-      local toldByQueue, hashByQueue = tellScene(scene, true)
-      assert.equal(toldByQueue, told)
-      assert.equal(hashByQueue, hash)
+    it("when " .. scene[1], function()
+      local told, hash = tellScene(scene, "grid")
+      local toldInPairs, hashInPairs = tellScene(scene, "pairs")
+      assert.equal(toldInPairs, told)
+      assert.equal(hashInPairs, hash)
       assert.is_true(#told > 0)
     end)
   end
-
-  -- Its own motor holds the lower one down, not gravity: friction does not make a floor of it.
-  it("when what stands on one that flies goes through the queue", function()
-    local boxes = {}
-    for n = 1, 2 do
-      local world = physics.newWorld({ gravity = 800 })
-      world._bodies.queueOnly = n == 2
-      world:add("floor", { x = -99, y = 200, width = 400, height = 9, static = true, friction = 1 })
-      local low = { x = 0, y = 180, width = 20, height = 20, friction = 1 }
-      low.gravity, low.ay = -400, 1600
-      world:add("boxes", low)
-      boxes[n] = world:add("boxes", {
-        x = 0,
-        y = 160,
-        width = 20,
-        height = 20,
-        friction = 1,
-        vx = 100,
-      })
-      for _ = 1, 4 do
-        world:update(1 / 60)
-      end
-      assert.is_true(low.x > 0, "the lower one is dragged along")
-    end
-    assert.are.equal(boxes[2].x, boxes[1].x)
-    assert.are.equal(boxes[2].vx, boxes[1].vx)
-  end)
 
   for _, name in ipairs({ "add", "insert", "assign" }) do
     it("put in by " .. name, function()
@@ -518,89 +304,6 @@ describe("the same scene goes the same way, to the bit,", function()
   end)
 end)
 
-describe("a crowd that presses itself", function()
-  -- Boxes that all want to the same place, some with friction, nudge or an engine; sometimes there
-  -- are a wall and a lift in the middle.
-  local function newCrowd(random)
-    local world = physics.newWorld({ gravity = random:pick({ 0, 0, 800 }), rest = false })
-    if world.gravity > 0 then
-      world:add("walls", { x = -100, y = 300, width = 700, height = 20, static = true })
-    end
-    for _ = 1, random:integer(6, 40) do
-      world:add("boxes", {
-        x = random:between(0, 300),
-        y = random:between(0, 280),
-        width = random:pick({ 10, 14, 20 }),
-        height = random:pick({ 10, 14, 20 }),
-        mass = random:pick({ 1, 1, 1, 5 }),
-        restitution = random:chance(0.1) and 0.5 or 0,
-        friction = random:chance(0.3) and 0.4 or 0,
-        pushable = not random:chance(0.06),
-        nudge = random:chance(0.05) and 4 or 0,
-        ax = random:chance(0.05) and 900 or 0,
-      })
-    end
-    if random:chance(0.5) then
-      world:add("walls", { x = 140, y = -200, width = 20, height = 170, kinematic = true, vy = 40 })
-      world:add("walls", { x = 170, y = 120, width = 30, height = 30, static = true })
-    end
-    return world
-  end
-
-  local function wantToTheMiddle(world)
-    for _, box in ipairs(world.objects.boxes) do
-      local dx, dy = 150 - box.x, 150 - box.y
-      local share = 80 / (math.sqrt(dx * dx + dy * dy) + 1)
-      box.vx = dx * share
-      box.vy = world.gravity == 0 and dy * share or box.vy
-    end
-  end
-
-  -- A column in which nobody has only followed: all are looked at. It counts who would have.
-  local function newNobody()
-    local counter = { count = 0 }
-    local column = setmetatable({}, {
-      __index = function()
-        return 0
-      end,
-      __newindex = function(_, _, leader)
-        counter.count = counter.count + (leader ~= 0 and 1 or 0)
-      end,
-    })
-    return column, counter
-  end
-
-  it("goes the same way if all are looked at whom a hit has changed, but for rounding", function()
-    local followers = 0
-    local seeds = { 383 } -- in this one somebody follows rings on both axes
-    for seed = 1, effort.share(30) do
-      seeds[#seeds + 1] = seed
-    end
-    for _, seed in ipairs(seeds) do
-      local random = newRandom(seed)
-      local world, other = newCrowd(random), physics.newWorld()
-      local nobody, counter = newNobody()
-      for step = 1, 80 do
-        wantToTheMiddle(world)
-        other:restore(world:save())
-        other._bodies.follows = nobody -- (columns that grow are replaced)
-        world:update(1 / 60)
-        other:update(1 / 60)
-        for n, box in ipairs(world.objects.boxes) do
-          local its = other.objects.boxes[n]
-          local off = math.max(math.abs(box.x - its.x), math.abs(box.y - its.y))
-          local offSpeed = math.max(math.abs(box.vx - its.vx), math.abs(box.vy - its.vy))
-          if off > 1e-9 or offSpeed > 1e-7 then
-            error(("seed %d, step %d: box %d is %g px off"):format(seed, step, n, off))
-          end
-        end
-      end
-      followers = followers + counter.count
-    end
-    assert.is_true(followers > 1000, followers .. " followers")
-  end)
-end)
-
 describe("whatever happens,", function()
   it("every number stays finite", function()
     for _, push in ipairs({ "both", "first" }) do
@@ -621,14 +324,18 @@ describe("whatever happens,", function()
     end
   end)
 
+  -- A step has an end: what still meets in its last round, as a box that rattles between two others,
+  -- may overlap by up to a px, and is apart after the next one.
   it("nothing sinks into anything, unless it is squeezed", function()
     for _, push in ipairs({ "both", "first" }) do
-      for seed = 200, 199 + effort.share(7) do
+      for seed = 200, 199 + effort.share(40) do
         local player = script.play(script.new(seed, PLAIN), { push = push })
-        local deepest = overlap.checker(player.list)
+        local deepest, before = overlap.checker(player.list), 0
         while player:next() do
           local depth, a, b = deepest()
-          if depth > 1e-6 then
+          local isKnot = depth <= 1 and before <= 1e-6
+          before = depth
+          if depth > 1e-6 and not isKnot then
             local text = "seed %d, push %s, step %d: objects %d and %d overlap by %.3g px"
             local first, second = player.indexOf[a], player.indexOf[b]
             error(text:format(seed, push, player.step, first, second, depth))
@@ -681,15 +388,13 @@ describe("a saved state", function()
   end)
 end)
 
--- The pass over the turns, and the queue, which takes all of them when asked to, must agree there,
--- too.
 describe("numbers that are hardly numbers any more", function()
-  local function play(settings, objects, queueOnly)
+  local function play(broadphase, settings, objects)
     local world = physics.newWorld(settings)
+    world.broadphase = broadphase
     for n = 1, #objects do
       world:add("things", objects[n])
     end
-    world._bodies.queueOnly = queueOnly
     for _ = 1, 3 do
       world:update(1 / 60)
     end
@@ -704,26 +409,25 @@ describe("numbers that are hardly numbers any more", function()
     assert.is_true(thin.y > 0)
   end)
 
-  it("end a tie as in the queue", function()
+  it("end a tie the same way in either broad phase", function()
     local function boxes()
       return {
         { x = 0, y = 0, width = 10, height = 1e-7, vx = 50, vy = 50 },
         { x = 0, y = 0, width = 10, height = 10 },
       }
     end
-    assert.equal(play({ gravity = -300 }, boxes(), true), play({ gravity = -300 }, boxes()))
+    local settings = { gravity = -300 }
+    assert.equal(play("pairs", settings, boxes()), play("grid", settings, boxes()))
   end)
 
-  it("rub as in the queue", function()
+  it("rub the same way in either broad phase", function()
     local function floorAndBox()
       return {
         { x = 0, y = 10, width = 100, height = 10, static = true, friction = 1e-200 },
         { x = 3, y = 0, width = 10, height = 10, friction = 1e-200, vx = 1e-12 },
       }
     end
-    assert.equal(
-      play({ gravity = 1000 }, floorAndBox(), true),
-      play({ gravity = 1000 }, floorAndBox())
-    )
+    local settings = { gravity = 1000 }
+    assert.equal(play("pairs", settings, floorAndBox()), play("grid", settings, floorAndBox()))
   end)
 end)

@@ -1,21 +1,16 @@
---- Parts of the step, each by itself: sorting, queue, broad phases, forces, friction, welds, …
+--- Parts of the step, each by itself: sorting, broad phases, forces, friction, columns.
 
 local begin = require("physics.motion.begin")
-local case = require("spec.fuzz.case")
 local columns = require("physics.memory.columns")
 local everybody = require("physics.broadphase.allPairs")
 local forces = require("physics.motion.forces")
-local friction = require("physics.friction")
+local friction = require("physics.solver.friction")
 local grid = require("physics.broadphase.grid")
 local newRandom = require("spec.support.random").new
-local path = require("physics.path")
+local path = require("physics.motion.path")
 local physics = require("physics")
-local player = require("spec.fuzz.player")
-local queue = require("physics.queue")
-local ring = require("physics.ring")
 local roster = require("physics.objects.registry")
 local sort = require("physics.memory.sort")
-local weld = require("physics.weld")
 
 local DYNAMIC, STATIC = columns.DYNAMIC, columns.STATIC
 local DT = 1 / 60
@@ -64,59 +59,6 @@ describe("sort.by", function()
       end
       assert.equal("end", list[count + 1])
     end
-  end)
-end)
-
-describe("the queue", function()
-  it("gives events back by key, then the larger support, then ranks", function()
-    local q = queue.new()
-    --           key, support, ranks, pair, code, time
-    queue.push(q, 2, 0, 1, 2, 10, 0, 0.5)
-    queue.push(q, 1, 5, 3, 4, 11, 1, 0.25)
-    queue.push(q, 1, 9, 5, 6, 12, 2, 0.25)
-    queue.push(q, 1, 5, 3, 1, 13, 3, 0.25)
-    queue.push(q, 1, 5, 2, 9, 14, 4, 0.25)
-    local found = {}
-    local id = queue.pop(q)
-    while id do
-      local pair, code, time = queue.read(q, id)
-      found[#found + 1] = ("%d %d %g"):format(pair, code, time)
-      id = queue.pop(q)
-    end
-    assert.same({ "12 2 0.25", "14 4 0.25", "13 3 0.25", "11 1 0.25", "10 0 0.5" }, found)
-  end)
-
-  it("keeps its order when events come, change and go", function()
-    local random, q = newRandom(5), queue.new()
-    local keys, count = {}, 0 -- by pair
-    local function first()
-      local best
-      for pair = 1, 40 do
-        if keys[pair] and (not best or keys[pair] < keys[best]) then
-          best = pair
-        end
-      end
-      return best
-    end
-    for _ = 1, 4000 do
-      if random:chance(0.6) then
-        local pair, key = random:integer(1, 40), random:integer(1, 30)
-        count = count + (keys[pair] and 0 or 1)
-        keys[pair] = key
-        queue.push(q, key, 0, 7, pair, pair, 0, 0)
-      else
-        local best, id = first(), queue.pop(q)
-        assert.equal(best, id and queue.read(q, id))
-        if best then
-          keys[best], count = nil, count - 1
-        end
-      end
-      assert.equal(count, q.size)
-    end
-    queue.clear(q)
-    assert.is_nil(queue.pop(q))
-    queue.push(q, 1, 0, 0, 0, 3, 0, 0)
-    assert.equal(3, (queue.read(q, queue.pop(q))))
   end)
 end)
 
@@ -347,39 +289,6 @@ describe("friction", function()
   end)
 end)
 
-describe("a weld", function()
-  it("joins masses, follows together, and is held together", function()
-    local b = newBodies(4)
-    for i = 1, 4 do
-      b.mass[i] = i
-    end
-    weld.join(b, 2, 4)
-    weld.join(b, 6, 8)
-    assert.near(1 / 3, weld.inverseMass(b, 2), 1e-12)
-    assert.near(1 / 7, weld.inverseMass(b, 8), 1e-12)
-    weld.join(b, 4, 6)
-    weld.join(b, 8, 2) -- they are joined already
-    for k = 2, 8, 2 do
-      assert.near(1 / 10, weld.inverseMass(b, k), 1e-12)
-    end
-    path.startChanges(b)
-    b.speed[4] = 7
-    ring.follow(b, 4, 5, 0)
-    assert.equal(0, b.to[4])
-    for _, k in ipairs({ 2, 6, 8 }) do
-      assert.equal(5, b.to[k])
-      assert.equal(7, b.speed[k])
-    end
-    assert.equal(3, b.changedCount)
-    ring.hold(b, 6, 0, 1)
-    for k = 2, 8, 2 do
-      assert.equal(1, b.heldHigh[k])
-      assert.equal(0, b.heldLow[k])
-    end
-    assert.equal(0, b.heldHigh[3]) -- the other axis has welds of its own
-  end)
-end)
-
 describe("a path", function()
   it("begins anew where the object is at a moment", function()
     local b = newBodies(1)
@@ -393,18 +302,6 @@ describe("a path", function()
     b.kind[1] = STATIC
     path.advance(b, 1, 1)
     assert.equal(0.75, b.time[1])
-  end)
-
-  it("that changed is noted once", function()
-    local b = newBodies(2)
-    path.startChanges(b)
-    path.change(b, 2)
-    path.change(b, 2)
-    path.change(b, 1)
-    assert.equal(2, b.changedCount)
-    assert.same({ 2, 1 }, { b.changed[1], b.changed[2] })
-    path.startChanges(b)
-    assert.equal(0, b.changedCount)
   end)
 end)
 
@@ -458,42 +355,6 @@ describe("the columns", function()
       end
     end
     assert.equal(40, b.slots)
-  end)
-end)
-
-describe("a step that has come to its end", function()
-  local function check(b, what)
-    local isStained, marks = {}, 0
-    for n = 1, b.stainCount do
-      isStained[b.stained[n]] = true
-    end
-    for p = 1, b.pairSlots do
-      assert.are.equal(columns.NO_EVENT, b.event[p], what)
-      assert.are.equal(0, b.waits[p], what)
-      if b.passing[p] or b.nudged[p] ~= 0 or b.settled[p] ~= 0 then
-        marks = marks + 1
-        assert.is_true(isStained[p], what)
-      end
-    end
-    return marks
-  end
-
-  it("has left no event, and noted of whom more must be forgotten than of others", function()
-    local updates, marks = 0, 0
-    for seed = 5100001, 5100024 do
-      local one = case.new(seed, 40)
-      local its = player.new(one)
-      for n, act in ipairs(one.acts) do
-        if act[1] ~= "twin" then
-          its:act(act)
-        end
-        if act[1] == "update" and not its.world._bodies.isMeeting then
-          updates, marks =
-            updates + 1, marks + check(its.world._bodies, ("seed %d, act %d"):format(seed, n))
-        end
-      end
-    end
-    assert.is_true(updates > 900 and marks > 50, updates .. " updates, " .. marks .. " marks")
   end)
 end)
 

@@ -82,6 +82,29 @@ local function leaveInside(b, i, j)
   b.hasInside = true
 end
 
+-- The side of slot i by which two that are inside each other would part on the shortest way.
+local function shortestSide(b, i, j)
+  -- A tie is decided by the order of the world.
+  local isSwapped = b.rank[j] < b.rank[i]
+  if isSwapped then
+    local first = j
+    j = i
+    i = first
+  end
+  local to, size, ki, kj = b.to, b.size, 2 * i, 2 * j
+  local side = columns.SIDE[aabb.side(
+    to[ki],
+    to[ki + 1],
+    size[ki],
+    size[ki + 1],
+    to[kj],
+    to[kj + 1],
+    size[kj],
+    size[kj + 1]
+  )]
+  return isSwapped and OPPOSITE[side] or side
+end
+
 -- The side on which a solid pair is in contact now, else 0.
 local function solidContact(b, p, i, j)
   local side = flushSide(b, i, j)
@@ -100,7 +123,9 @@ local function solidContact(b, p, i, j)
       return b.wedged[p]
     end
     leaveInside(b, i, j)
-    return b.contact[p] ~= 0 and b.contact[p] or b.hit[p]
+    side = b.contact[p] ~= 0 and b.contact[p] or b.hit[p]
+    -- What finds no way out touches what it is in.
+    return side == 0 and (b.buried[i] or b.buried[j]) and shortestSide(b, i, j) or side
   end
   b.wedged[p] = 0
   if side == 0 then
@@ -123,25 +148,7 @@ local function sensorContact(b, p, i, j)
   elseif b.hit[p] ~= 0 then
     return b.hit[p]
   end
-  -- A tie is decided by the order of the world.
-  local isSwapped = b.rank[j] < b.rank[i]
-  if isSwapped then
-    local first = j
-    j = i
-    i = first
-  end
-  local to, size, ki, kj = b.to, b.size, 2 * i, 2 * j
-  local side = columns.SIDE[aabb.side(
-    to[ki],
-    to[ki + 1],
-    size[ki],
-    size[ki + 1],
-    to[kj],
-    to[kj + 1],
-    size[kj],
-    size[kj + 1]
-  )]
-  return isSwapped and OPPOSITE[side] or side
+  return shortestSide(b, i, j)
 end
 
 -- The side on which solid pair p, which was not met in this step, will be in contact: one of the
@@ -163,7 +170,8 @@ local function listUnasked(b, work)
   for n = 1, b.liveCount do
     local p = b.live[n]
     local i, j = b.pairA[p], b.pairB[p]
-    if b.hit[p] == 0 and not b.passing[p] and ask.isAsked(b, i, j) then
+    local isOpen = b.hit[p] == 0 and not b.passing[p] and b.asked[p] ~= b.solveStamp
+    if isOpen and ask.isAsked(b, i, j) then
       local side = (b.sensor[i] or b.sensor[j]) and 0 or unmetSide(b, p, i, j)
       if side ~= 0 then
         local one, other = b.rank[i], b.rank[j]
@@ -294,6 +302,7 @@ interpreted.functions(
   wedge,
   leaveInside,
   solidContact,
+  shortestSide,
   sensorContact,
   update,
   contact.updateAll

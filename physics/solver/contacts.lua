@@ -171,7 +171,7 @@ local function putDeep(b, p)
   local axis, isSecondLow = deepAxis(b, p, ki, kj)
   local kl, kh = ki + axis, kj + axis
   if isSecondLow then
-    kl, kh = kh, kl
+    kl, kh = kj + axis, ki + axis
   end
   local separation = b.size[kl]
   if b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC then
@@ -386,9 +386,10 @@ function contacts.find(b)
   fill(b, across)
 end
 
---- Makes a contact of a pair that has met without a bounce.
-function contacts.add(b, axis, p, kl, kh, separation)
-  if b.touches[p] == CONTACT then
+--- Makes a contact of a pair that has met without a bounce, or `isElastic`: of one that may bounce
+--- yet. The two must be `separation` px apart.
+function contacts.add(b, axis, p, kl, kh, separation, isElastic)
+  if b.touches[p] == CONTACT or (isElastic and b.touches[p] == ELASTIC) then
     return
   elseif b.touches[p] == ELASTIC then -- it does not bounce any more
     b.touches[p] = CONTACT
@@ -396,6 +397,7 @@ function contacts.add(b, axis, p, kl, kh, separation)
     return
   end
   put(b, p, axis, kl, kh, separation)
+  b.touches[p] = isElastic and ELASTIC or CONTACT
   b.contacts[axis].isNew = true
 end
 

@@ -18,10 +18,10 @@ function crush.note(b, axis)
   local crushLow, crushHigh = b.crushLow, b.crushHigh
   for c = 1, list.count do
     local kl, kh = list.low[c], list.high[c]
-    if squeezed[kl] > 0 and b.pressed[list.pair[c]] == 1 then
+    if squeezed[kl] ~= 0 and b.pressed[list.pair[c]] == 1 then
       crushHigh[kl] = (kh - axis) * 0.5
     end
-    if squeezed[kh] > 0 and b.pressed[list.pair[c]] == 1 then
+    if squeezed[kh] ~= 0 and b.pressed[list.pair[c]] == 1 then
       crushLow[kh] = (kl - axis) * 0.5
     end
   end
@@ -29,12 +29,12 @@ function crush.note(b, axis)
   for n = 1, b.awakeCount do
     local i = b.awakeList[n]
     local k = 2 * i + axis
-    if squeezed[k] > 0 then
+    if squeezed[k] ~= 0 then
       crushed[k], b.hasCrushed = true, true
     end
     if b.deepAt[i] ~= b.solveStamp then
       jam[k] = 0
-    elseif squeezed[k] > 0 then
+    elseif squeezed[k] ~= 0 then
       jam[k] = min(jam[k] + 1, patience)
     elseif jam[k] < patience then
       jam[k] = max(jam[k] - 1, 0)

@@ -43,13 +43,14 @@ end
 
 impact.approach = approach
 
--- Shares of a push for two that can both give way, or one of them, or neither.
+-- Shares of a push for two that can both give way, or one of them, or neither. What has left the
+-- body that held it can.
 local function weigh(b, i, j, kl, kh)
   local wl, wh = b.give[kl], b.give[kh]
-  if b.heldLow[kl] > 0 then
+  if b.heldLow[kl] > 0 and b.speed[kl] <= b.speed[b.holderLow[kl]] then
     wl = 0
   end
-  if b.heldHigh[kh] > 0 then
+  if b.heldHigh[kh] > 0 and b.speed[kh] >= b.speed[b.holderHigh[kh]] then
     wh = 0
   end
   if wl > 0 and wh > 0 and not (b.pushable[i] and b.pushable[j]) then
@@ -142,11 +143,13 @@ local function stick(b, i, j, kl, kh, wl, wh, separation, o, v)
     to[kh] = to[kl] + separation
     if b.heldLow[kl] > 0 then
       b.heldLow[kh] = b.heldLow[kl] + 1
+      b.holderLow[kh] = b.give[kl] > 0 and b.holderLow[kl] or kl
     end
   elseif wh == 0 then
     to[kl] = to[kh] - separation
     if b.heldHigh[kh] > 0 then
       b.heldHigh[kl] = b.heldHigh[kh] + 1
+      b.holderHigh[kl] = b.give[kh] > 0 and b.holderHigh[kh] or kh
     end
   elseif b.pushFirst then
     local towards, against = to[kl] - b.from[kl], b.from[kh] - to[kh]
@@ -183,8 +186,8 @@ end
 
 --- Two bodies meet on an axis at moment t. Two that are inside each other (`isDeep`) come apart, or
 --- in a heap that has no room get no deeper.
---- Returns whether they stay together, and how far apart, px from the low edge of one to that of
---- the other.
+--- Returns whether they stay together; how far apart, px from the low edge of one to that of the
+--- other; and whether they go apart and only may not overlap.
 function impact.run(b, p, i, j, axis, t, dt, isLast, isDeep)
   path.advance(b, i, t)
   path.advance(b, j, t)
@@ -210,7 +213,7 @@ function impact.run(b, p, i, j, axis, t, dt, isLast, isDeep)
   if v < 0 or (isElastic and v == 0 and a == 0) then
     -- They go apart by themselves, and overlap by what others have pushed.
     b.to[kl], b.to[kh] = b.to[kl] - o * wl / total, b.to[kh] + o * wh / total
-    return not isElastic, separation
+    return not isElastic, separation, isElastic
   end
   local gap, vEnd = 0.0, 0.0
   if r > 0 then

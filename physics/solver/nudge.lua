@@ -2,6 +2,7 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
+local live = require(root .. ".broadphase.activePairs")
 local part = require(root .. ".solver.separate")
 local path = require(root .. ".motion.path")
 
@@ -12,8 +13,10 @@ local nudge = {}
 local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
 -- px
 local AHEAD = 1e-3
+--- Corners of one neighbour in a step.
+nudge.MOST = 4
 
--- Where slot i is on k at time t.
+-- Where slot i is on k at moment t.
 local function at(b, i, k, t)
   local left = 1 - b.time[i]
   if left <= 0 then
@@ -63,6 +66,27 @@ function nudge.try(b, i, j, axis, iIsLow, t)
   path.advance(b, i, t)
   b.from[k], b.to[k] = b.from[k] + way, b.to[k] + way
   return true
+end
+
+--- Moves bodies past the corners of what they touch where the step begins, and press against now
+--- that it is settled. Returns whether there were any: then others may touch.
+function nudge.run(b)
+  local hasMoved = false
+  for axis = 0, 1 do
+    local list, size, pressed = b.contacts[axis], b.size, b.pressed
+    local low, high, separation, pair = list.low, list.high, list.separation, list.pair
+    for c = 1, list.count do
+      local kl, kh, p = low[c], high[c], pair[c]
+      if pressed[p] == 1 and separation[c] == size[kl] and b.nudged[p] < nudge.MOST then
+        local i, j = (kl - axis) * 0.5, (kh - axis) * 0.5
+        if nudge.try(b, i, j, axis, true, 0) or nudge.try(b, j, i, axis, false, 0) then
+          b.nudged[p], hasMoved = b.nudged[p] + 1, true
+          live.stain(b, p)
+        end
+      end
+    end
+  end
+  return hasMoved
 end
 
 return nudge

@@ -116,39 +116,66 @@ local function weigh(b, low, high)
   return b.isFirm[low], b.isFirm[high]
 end
 
--- Two firm blocks meet head-on: both stop where they were.
+-- Two firm blocks meet head-on: both stop where they were. Returns whether one has gone anywhere.
 local function stopBoth(b, low, high)
+  local hasMoved = false
   if b.isFirm[low] and b.isFirm[high] and b.heldLow[low] == 0 and b.heldHigh[high] == 0 then
     for side = 1, 2 do
       local k = side == 1 and low or high
-      b.to[k] = b.blockStart[k] / b.blockMass[k]
-      b.speed[k], b.accel[k] = 0.0, 0.0
+      local place = b.blockStart[k] / b.blockMass[k]
+      hasMoved = hasMoved or b.to[k] ~= place
+      b.to[k], b.speed[k], b.accel[k] = place, 0.0, 0.0
     end
   end
+  return hasMoved
+end
+
+--- Returns the speed of two that press each other, of which the first is held by what goes at
+--- `base`: that, or if they leave it together, their common one. `sign`: 1 if it is held on its low
+--- side.
+function pool.heldSpeed(mass, speed, otherMass, otherSpeed, base, sign)
+  local v = (mass * speed + otherMass * otherSpeed) / (mass + otherMass)
+  return (v - base) * sign > 0 and v or base
+end
+
+-- The same of two blocks.
+local function heldSpeed(b, held, other, base, sign)
+  local mass, speed = b.blockMass, b.speed
+  return pool.heldSpeed(mass[held], speed[held], mass[other], speed[other], base, sign)
 end
 
 -- A firm block and a free one, or one that is held: the other takes the whole push, and what is
 -- firm stays in command of what it pushes. Returns whether something has changed.
 local function yield(b, low, high, offLow, offHigh, separation, stayLow, stayHigh)
   if stayLow and stayHigh then
-    stopBoth(b, low, high)
-    return false
+    b.isClamped = b.isClamped or b.heldLow[low] > 0 and b.heldHigh[high] > 0
+    return stopBoth(b, low, high)
   elseif stayHigh then
     b.to[low] = b.to[high] + offHigh - separation - offLow
     if b.speed[low] > b.speed[high] then
+      local base = b.heldHigh[high] > 0 and b.give[high] > 0 and b.speed[b.holderHigh[high]]
+      if base and b.speed[high] < base then
+        b.speed[high] = heldSpeed(b, high, low, base, -1)
+      end
       b.speed[low], b.accel[low] = b.speed[high], b.accel[high]
     end
     if b.heldHigh[high] > 0 then
       b.heldHigh[low] = b.heldHigh[high] + 1
+      b.holderHigh[low] = b.give[high] > 0 and b.holderHigh[high] or high
     end
     b.isFirm[low] = b.isFirm[low] or b.isFirm[high] and b.heldHigh[high] == 0
   else
     b.to[high] = b.to[low] + offLow + separation - offHigh
     if b.speed[low] > b.speed[high] then
+      local base = b.heldLow[low] > 0 and b.give[low] > 0 and b.speed[b.holderLow[low]]
+      if base and b.speed[low] > base then
+        b.speed[low] = heldSpeed(b, low, high, base, 1)
+      end
       b.speed[high], b.accel[high] = b.speed[low], b.accel[low]
     end
     if b.heldLow[low] > 0 then
       b.heldLow[high] = b.heldLow[low] + 1
+      b.holderLow[high] = b.give[low] > 0 and b.holderLow[low] or low
     end
     b.isFirm[high] = b.isFirm[high] or b.isFirm[low] and b.heldLow[low] == 0
   end
@@ -176,10 +203,11 @@ local function look(b, list, c, dt, isLate)
   end
   local separation = list.separation[c]
   local over = b.to[low] + offLow + separation - b.to[high] - offHigh
-  if over <= EPSILON then
+  local closing = b.speed[low] - b.speed[high]
+  -- With `push = "first"` a block has speed, but goes nowhere: it presses on all the same.
+  if over <= EPSILON and not (b.pushFirst and over >= -EPSILON and closing > 0) then
     return false
   end
-  local closing = b.speed[low] - b.speed[high]
   if list.elastic[c] == 1 and pool.bounces(closing, b.accel[low] - b.accel[high], 2 * dt) then
     return false
   end
@@ -206,6 +234,7 @@ local function spread(b)
     if top ~= k then
       b.to[k], b.speed[k], b.accel[k] = b.to[top] + off, b.speed[top], b.accel[top]
       b.heldLow[k], b.heldHigh[k] = b.heldLow[top], b.heldHigh[top]
+      b.holderLow[k], b.holderHigh[k] = b.holderLow[top], b.holderHigh[top]
     end
   end
   for n = 1, b.memberCount do
@@ -227,13 +256,13 @@ function pool.glue(b, kUp, kLow, dt)
 end
 
 -- The next contact from place c on that may be violated at the end of the step: of two bodies that
--- are in no block that can be seen at once.
-local function nextViolated(b, list, c, last, by)
+-- are in no block that can be seen at once. `least`: px of overlap that count.
+local function nextViolated(b, list, c, last, by, least)
   local low, high, separation = list.low, list.high, list.separation
   local to, parent = b.to, b.parent
   while c ~= last do
     local kl, kh = low[c], high[c]
-    if parent[kl] + parent[kh] > 0 or to[kl] + separation[c] - to[kh] > EPSILON then
+    if parent[kl] + parent[kh] > 0 or to[kl] + separation[c] - to[kh] > least then
       return c
     end
     c = c + by
@@ -243,24 +272,25 @@ end
 
 -- One walk along the contacts. Returns whether something has changed.
 local function walk(b, list, first, last, by, dt, isLate)
-  local hasChanged = false
-  local c = nextViolated(b, list, first, last + by, by)
+  local hasChanged, least = false, b.pushFirst and -EPSILON or EPSILON
+  local c = nextViolated(b, list, first, last + by, by, least)
   while c ~= last + by do
     if look(b, list, c, dt, isLate) then
       hasChanged = true
     end
-    c = nextViolated(b, list, c + by, last + by, by)
+    c = nextViolated(b, list, c + by, last + by, by, least)
   end
   return hasChanged
 end
 
 --- Makes blocks of what overlaps at the end of the step. Walks there and back, at most PASSES
---- times.
+--- times. Returns whether a block was found between two that cannot give way.
 function pool.run(b, list, dt, isLate)
-  local count = list.count
+  local count, isTurned = list.count, b.orientation[list.axis] < 0
+  b.isClamped = false
   for n = 1, PASSES do
     local hasChanged
-    if n % 2 == 1 then
+    if (n % 2 == 0) == isTurned then
       hasChanged = walk(b, list, 1, count, 1, dt, isLate)
     else
       hasChanged = walk(b, list, count, 1, -1, dt, isLate)
@@ -270,6 +300,7 @@ function pool.run(b, list, dt, isLate)
     end
   end
   spread(b)
+  return b.isClamped
 end
 
 -- What happens to single contacts goes another way each time.

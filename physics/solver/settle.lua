@@ -5,7 +5,8 @@
 -- it, from there on through all that lean on each other (`holdHigh`, `holdLow`). Then free bodies
 -- that press each other become blocks with a common velocity (see pool).
 --
--- Reads contacts, give, start; writes to, speed, accel, heldLow, heldHigh, pressed, squeezed.
+-- Reads contacts, give, start; writes to, speed, accel, heldLow, heldHigh, pressed, squeezed (px;
+-- below 0: towards low coordinates).
 -- heldLow and heldHigh are 0, or say by how many contacts an immovable body is away, and 1: a body
 -- that is held cannot give way to that side.
 
@@ -17,7 +18,7 @@ local pool = require(root .. ".solver.pool")
 local settle = {}
 
 local EPSILON = columns.EPSILON
-local min = math.min
+local max, min = math.max, math.min
 
 -- Nothing dynamic is held yet.
 local function release(b, axis)
@@ -32,6 +33,13 @@ local function release(b, axis)
       heldLow[k], heldHigh[k] = 1, 1
     end
   end
+end
+
+-- Body k is leaving what has held it, `wall`, when `other` presses it back towards there.
+local function leave(b, k, other, wall, sign)
+  local give, speed = b.give, b.speed
+  local mass, otherMass = 1 / give[k], 1 / give[other]
+  speed[k] = pool.heldSpeed(mass, speed[k], otherMass, speed[other], speed[wall], sign)
 end
 
 -- Towards high coordinates: from what cannot give way, down the list, what leans on it.
@@ -50,6 +58,9 @@ local function holdHigh(b, list, slow)
           to[kl], held[kl] = place, held[kh] + 1
           wall[kl] = give[kh] > 0 and wall[kh] or kh
           if closing > 0 then
+            if give[kh] > 0 and speed[kh] < speed[wall[kh]] then
+              leave(b, kh, kl, wall[kh], -1)
+            end
             speed[kl], accel[kl], pressed[pair[c]] = speed[kh], accel[kh], 1
           elseif over > EPSILON then
             pressed[pair[c]] = 1
@@ -60,32 +71,57 @@ local function holdHigh(b, list, slow)
   end
 end
 
--- Body kh is held on its high side and pressed by `over` px from its low side, where kl cannot give
--- way either: it is squeezed. A row of them shares the overlap among its members, so that none goes
--- into what presses the row; one alone shares it with both sides. They go at the mean of the speeds
--- of those two.
-local function squeeze(b, kl, kh, over)
-  local depth = b.heldHigh[kh] - 1
-  local place, wall = b.to[kh] + over * 0.5, b.holderHigh[kh]
-  if depth > 1 or b.give[kl] > 0 then
-    local share = b.give[kl] == 0 and 1 or (depth - 1) / depth
-    place = min(b.to[kh] + over * share, b.to[wall] - b.size[kh])
+-- Where a squeezed body k goes: its middle is not pushed into what cannot be moved on that side. (Where
+-- it was, if it is there again but for rounding, which would move it for ever.)
+local function keepOut(b, k, place, sign)
+  local half, from, to = b.size[k] * 0.5, b.from[k], b.to[k]
+  if sign > 0 then
+    place = min(place, max(to, b.to[b.holderHigh[k]] - half))
+  else
+    local wall = b.holderLow[k]
+    place = max(place, min(to, b.to[wall] + b.size[wall] - half))
   end
-  b.squeezed[kh] = over
-  local from = b.from[kh]
   local isThere = place - from <= EPSILON and from - place <= EPSILON
-  b.to[kh] = isThere and from or place -- or rounding would move it for ever
-  b.speed[kh] = (b.speed[b.holderLow[kh]] + b.speed[wall]) * 0.5
-  b.accel[kh] = 0.0
+  return isThere and from or place
 end
 
--- Body kl was put into the immovable kh by what holds it on its low side. It goes back to where it
--- is flush, and into those; or half of the way if these cannot be moved either.
-local function squeezeBack(b, kl, kh, over)
-  b.squeezed[kl], b.heldHigh[kl], b.holderHigh[kl] = over, 2, kh
-  b.to[kl] = b.to[kl] - over * (b.heldLow[kl] > 2 and 1 or 0.5)
-  b.speed[kl] = (b.speed[b.holderLow[kl]] + b.speed[kh]) * 0.5
-  b.accel[kl] = 0.0
+-- Body k is held on one side, where `held` says how far what cannot give way is from it. `other`,
+-- which cannot give way either, presses it by `over` px more towards there: to higher coordinates
+-- (`sign` 1) or lower ones (-1). So it is squeezed. A row of such bodies shares the overlap, and
+-- goes at the mean of the speeds of the two that press it. Of several that press a body the one
+-- counts that does so most.
+local function squeeze(b, k, other, over, sign, held, pressing, holder)
+  local share, most = 1 - 1 / held[k], b.squeezed[k] * sign
+  over = over + most * share
+  if over > most then
+    b.squeezed[k] = sign * over
+    local place = b.to[k] + sign * (over - most) * share
+    local isAlone = held[k] == 2 and b.give[other] == 0
+    b.to[k] = isAlone and place or keepOut(b, k, place, sign)
+    pressing[k] = pressing[other] + 1
+    holder[k] = b.give[other] > 0 and holder[other] or other
+    b.speed[k] = (b.speed[b.holderLow[k]] + b.speed[b.holderHigh[k]]) * 0.5
+    b.accel[k] = 0.0
+  end
+end
+
+-- Towards high coordinates again: what is held on its low side alone has been pushed onto something
+-- on its high side that cannot give way.
+local function pushBack(b, list)
+  local low, high, separation, pair, pressed =
+    list.low, list.high, list.separation, list.pair, b.pressed
+  local to, give, heldLow, heldHigh = b.to, b.give, b.heldLow, b.heldHigh
+  for c = list.count, 1, -1 do
+    local kl, kh = low[c], high[c]
+    local isFree = give[kl] > 0 and (heldHigh[kl] == 0 or b.squeezed[kl] < 0)
+    if heldHigh[kh] > 0 and heldLow[kl] > 0 and isFree then
+      local over = to[kl] + separation[c] - to[kh]
+      if over > EPSILON then
+        pressed[pair[c]] = 1
+        squeeze(b, kl, kh, over, -1, heldLow, heldHigh, b.holderHigh)
+      end
+    end
+  end
 end
 
 -- Towards low coordinates. Returns whether free bodies still overlap.
@@ -103,32 +139,23 @@ local function holdLow(b, list, slow)
       local closing = speed[kl] - speed[kh]
       local isHeld = held[kl] > 0 and give[kh] > 0
       if not isHeld then
-        if
-          give[kh] == 0
-          and give[kl] > 0
-          and held[kl] > 0
-          and b.heldHigh[kl] == 0
-          and over > EPSILON
-        then
-          squeezeBack(b, kl, kh, over)
-          pressed[pair[c]] = 1
-        else
-          isViolated = isViolated or over > EPSILON and (give[kl] > 0 or give[kh] > 0)
-        end
+        isViolated = isViolated or over > EPSILON and (give[kl] > 0 or give[kh] > 0)
       elseif
         (over > 0 or closing >= 0)
         and (elastic[c] == 0 or not pool.bounces(closing, accel[kl] - accel[kh], slow))
       then
-        held[kh] = held[kl] + 1
-        wall[kh] = give[kl] > 0 and wall[kl] or kl
         if b.heldHigh[kh] > 0 then
           if over > EPSILON then
-            squeeze(b, kl, kh, over)
             pressed[pair[c]] = 1
+            squeeze(b, kh, kl, over, 1, b.heldHigh, held, wall)
           end
         else
-          to[kh] = place
+          to[kh], held[kh] = place, held[kl] + 1
+          wall[kh] = give[kl] > 0 and wall[kl] or kl
           if closing > 0 then
+            if give[kl] > 0 and speed[kl] > speed[wall[kl]] then
+              leave(b, kl, kh, wall[kl], 1)
+            end
             speed[kh], accel[kh], pressed[pair[c]] = speed[kl], accel[kl], 1
           elseif over > EPSILON then
             pressed[pair[c]] = 1
@@ -147,20 +174,23 @@ function settle.hold(b, axis, dt)
   local slow = 2 * dt
   holdHigh(b, list, slow)
   b.isViolated = holdLow(b, list, slow)
+  if b.isViolated then
+    pushBack(b, list)
+  end
 end
 
 --- The second half: free bodies that overlap become blocks, beside those that friction has made.
 function settle.finish(b, axis, dt, isGlued)
-  if b.isViolated or isGlued then
-    pool.run(b, b.contacts[axis], dt, false)
+  if (b.isViolated or isGlued) and pool.run(b, b.contacts[axis], dt, false) then
+    settle.hold(b, axis, dt)
   end
 end
 
 --- Settles one axis. `isLate`: the paths have begun at different moments by now.
 function settle.axis(b, axis, dt, isLate)
   settle.hold(b, axis, dt)
-  if b.isViolated then
-    pool.run(b, b.contacts[axis], dt, isLate)
+  if b.isViolated and pool.run(b, b.contacts[axis], dt, isLate) then
+    settle.hold(b, axis, dt) -- what is clamped shares the overlap
   end
 end
 
@@ -178,6 +208,6 @@ function settle.isViolated(b, axis)
   return false
 end
 
-interpreted.functions(squeeze, squeezeBack, settle.hold, settle.finish, settle.axis)
+interpreted.functions(squeeze, pushBack, settle.hold, settle.finish, settle.axis)
 
 return settle

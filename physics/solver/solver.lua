@@ -51,13 +51,17 @@ function solver.adopt(b)
   b.bonds, b.impacts = friction.newBonds(), sweep.newImpacts()
 end
 
+-- The speed of body k where the step begins.
+local function startSpeed(b, k)
+  return max(min(b.velocity[k], b.limit[k]), -b.limit[k]) + b.carried[k]
+end
+
 -- Everything awake as it is before contacts.
 local function begin(b, dt)
   local list, kind, buried, give = b.awakeList, b.kind, b.buried, b.give
-  local freeSpeed, start, speed, velocity, carried =
-    b.freeSpeed, b.start, b.speed, b.velocity, b.carried
+  local freeSpeed, start, speed = b.freeSpeed, b.start, b.speed
   local from, origin, inverseMass, dirty = b.from, b.origin, b.inverseMass, b.dirty
-  local limit, kinks, accel = b.limit, b.kinks, b.accel
+  local kinks, accel = b.kinks, b.accel
   for n = 1, b.awakeCount do
     local i = list[n]
     dirty[i], b.impactsOf[i] = 1, 0
@@ -66,7 +70,7 @@ local function begin(b, dt)
       give[k] = kind[i] == DYNAMIC and not buried[i] and inverseMass[i] or 0
       if kind[i] == DYNAMIC then
         freeSpeed[k] = speed[k]
-        start[k] = max(min(velocity[k], limit[k]), -limit[k]) + carried[k]
+        start[k] = startSpeed(b, k)
         accel[k] = (freeSpeed[k] - start[k]) / dt
       end
     end
@@ -113,6 +117,25 @@ local function settleTouching(b, dt)
       settle.axis(b, across, dt, false)
     end
     friction.run(b, across, dt)
+  end
+end
+
+-- Nudges what is pressed against a corner, and settles anew from there.
+local function nudgeTouching(b, dt)
+  for _ = 1, nudge.MOST do
+    if not nudge.run(b) then
+      return
+    end
+    pairFinder.run(b, b.awakeList, 1, b.awakeCount)
+    for n = 1, b.awakeCount do
+      for k = 2 * b.awakeList[n], 2 * b.awakeList[n] + 1 do
+        b.kinks[k], b.start[k] = 0, startSpeed(b, k)
+      end
+    end
+    flow.reset(b)
+    friction.reset(b, 0, dt)
+    friction.reset(b, 1, dt)
+    settleTouching(b, dt)
   end
 end
 
@@ -226,17 +249,18 @@ local function happen(b, n, dt, isLast)
   change(b, j)
   b.inRound[i] = b.kind[i] == DYNAMIC and round or 0
   b.inRound[j] = b.kind[j] == DYNAMIC and round or 0
-  if b.hasNudges and not isLast and b.nudged[p] < 4 then
+  if b.hasNudges and not isLast and b.nudged[p] < nudge.MOST then
     if nudge.try(b, i, j, axis, true, t) or nudge.try(b, j, i, axis, false, t) then
       b.nudged[p] = b.nudged[p] + 1
       live.stain(b, p)
       return
     end
   end
-  local stays, separation = impact.run(b, p, i, j, axis, t, dt, isLast, impacts.isDeep[n])
-  if stays then
-    contacts.add(b, axis, p, 2 * i + axis, 2 * j + axis, separation)
-    b.pressed[p] = 1
+  local stays, separation, isElastic =
+    impact.run(b, p, i, j, axis, t, dt, isLast, impacts.isDeep[n])
+  if stays or isElastic then
+    contacts.add(b, axis, p, 2 * i + axis, 2 * j + axis, separation, isElastic)
+    b.pressed[p] = stays and 1 or b.pressed[p]
   end
   if isLast then
     stop(b, i, t)
@@ -308,6 +332,9 @@ local function solve(b, dt)
   begin(b, dt)
   live.list(b)
   settleTouching(b, dt)
+  if b.hasNudges then
+    nudgeTouching(b, dt)
+  end
   b.isChangeListed = false
   findChanged(b)
   contacts.noteNew(b)

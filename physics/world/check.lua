@@ -22,12 +22,12 @@ local check = {}
 
 local getinfo = type(debug) == "table" and debug.getinfo or nil
 local ownSources = {} -- chunk names that are the library's
-local ownFolder -- prefix of the chunk names in its folder, nil: it was joined in one file
+local ownFolder -- prefix of the chunk names in its folders, nil: it was joined in one file
 
 local function learnOwnSources()
   local source = getinfo(1, "S").source
   ownSources[source] = true
-  ownFolder = source:match("^([^\n]*[/\\])check%.lua$")
+  ownFolder = source:match("^([^\n]*[/\\])world[/\\]check%.lua$")
   if ownFolder then
     ownSources[ownFolder:sub(1, -2) .. ".lua"] = true
   end

@@ -278,8 +278,9 @@ describe("crushing", function()
             wall("R", 46, 100, 16, 16, vx, 0),
           })
           local log1, log2 = watch(run, named.box1), watch(run, named.box2)
-          run:step(1 / 60)
-          local overlap = (16 + 32 - (46 + vx / 60)) / 3
+          run:step(1 / 60) -- it comes out of the wall, into the other box,
+          run:step(1 / 60) -- and both share what they overlap
+          local overlap = (16 + 32 - (46 + 2 * vx / 60)) / 3
           run:at(named.box1, 16 - overlap, 100)
           run:at(named.box2, 32 - 2 * overlap, 100)
           crushed(run, log1, 1, named.L, named.box2, "x")
