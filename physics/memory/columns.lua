@@ -401,6 +401,7 @@ function columns.new()
     seenCount = 0,
     overlapCount = 0,
     isViolated = false,
+    isTorn = false, -- two of one block overlap
     isJammed = false, -- an impact of two that cannot give way
     members = {}, -- of blocks
     memberCount = 0,

@@ -22,7 +22,7 @@ local PACE = contacts.PACE
 local CREEP = 0.5
 contacts.PATIENCE = 60
 -- After so many of them they try the other axis.
-local TURN = 30
+contacts.TURN = 30
 local max, min = math.max, math.min
 
 --- Values of `touches`: the pair is swept; it is a contact; it is one that may bounce, and is
@@ -146,18 +146,16 @@ local function growthOf(b, kl, kh)
   return CREEP * (1 - jam / contacts.PATIENCE)
 end
 
--- Two dynamic bodies that have had no room on one axis for a while try the other one.
-local function turn(b, p, kl, kh, ki, kj)
+-- Two dynamic bodies that have had no room on one axis for a while try the other one: returns that, and
+-- whether the second of the pair is the low one there.
+local function turn(b, axis, isSecondLow, ki, kj)
   local jam = b.jam
-  if max(jam[kl], jam[kh]) ~= TURN then
-    return false
+  if max(jam[ki + axis], jam[kj + axis]) ~= contacts.TURN then
+    return axis, isSecondLow
   end
-  jam[kl], jam[kh] = max(jam[kl], TURN + 1), max(jam[kh], TURN + 1)
-  local axis = 1 - kl % 2
+  axis = 1 - axis
   local middle = 2 * (b.from[kj + axis] - b.from[ki + axis]) + b.size[kj + axis] - b.size[ki + axis]
-  local isSecondLow = middle < 0 or (middle == 0 and b.rank[kj * 0.5] < b.rank[ki * 0.5])
-  b.wedged[p] = isSecondLow and 2 * axis + 1 or 2 * axis + 2
-  return true
+  return axis, middle < 0 or (middle == 0 and b.rank[kj * 0.5] < b.rank[ki * 0.5])
 end
 
 -- Two that are inside each other may not get deeper. What was squeezed (`wedged`) comes out as soon
@@ -169,15 +167,16 @@ local function putDeep(b, p)
   end
   local from, ki, kj = b.from, 2 * i, 2 * j
   local axis, isSecondLow = deepAxis(b, p, ki, kj)
+  local areDynamic = b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC
+  if areDynamic then
+    axis, isSecondLow = turn(b, axis, isSecondLow, ki, kj)
+  end
   local kl, kh = ki + axis, kj + axis
   if isSecondLow then
     kl, kh = kj + axis, ki + axis
   end
   local separation = b.size[kl]
-  if b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC then
-    if turn(b, p, kl, kh, ki, kj) then
-      return putDeep(b, p)
-    end
+  if areDynamic then
     b.wedged[p] = isSecondLow and 2 * axis + 1 or 2 * axis + 2
     b.deepAt[i], b.deepAt[j] = b.solveStamp, b.solveStamp
     separation = min(separation, from[kh] - from[kl] + growthOf(b, kl, kh))

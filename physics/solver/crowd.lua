@@ -320,6 +320,9 @@ function crowd.mark(b)
   sortByX(b, list, n)
   forEach(b, list, n, review)
   b.crowdCount = keepCrowded(b, list, n)
+  if b.crowdCount < n then
+    pairFinder.run(b, b.awakeList, 1, b.awakeCount) -- what has left has neighbours now
+  end
   b.hasCrowds = b.hasCrowds or b.crowdCount > 0
 end
 

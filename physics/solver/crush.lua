@@ -25,7 +25,7 @@ function crush.note(b, axis)
       crushLow[kh] = (kl - axis) * 0.5
     end
   end
-  local jam, patience = b.jam, contacts.PATIENCE
+  local jam, patience, turn = b.jam, contacts.PATIENCE, contacts.TURN
   for n = 1, b.awakeCount do
     local i = b.awakeList[n]
     local k = 2 * i + axis
@@ -34,10 +34,10 @@ function crush.note(b, axis)
     end
     if b.deepAt[i] ~= b.solveStamp then
       jam[k] = 0
-    elseif squeezed[k] ~= 0 then
+    elseif squeezed[k] ~= 0 or jam[k] == turn then
       jam[k] = min(jam[k] + 1, patience)
     elseif jam[k] < patience then
-      jam[k] = max(jam[k] - 1, 0)
+      jam[k] = max(jam[k] - 1, jam[k] > turn and turn + 1 or 0)
     end
   end
 end

@@ -20,6 +20,8 @@ local EPSILON = columns.EPSILON
 local floor = math.floor
 -- Walks along the contacts, there and back.
 local PASSES = 8
+-- How often blocks in which two overlap are made anew.
+local TEARS = 4
 
 --- Returns whether an elastic pair bounces: it closes faster than its acceleration makes it in two
 --- steps (`slow` s).
@@ -198,10 +200,11 @@ local function look(b, list, c, dt, isLate)
   end
   local low, offLow = find(b, kl)
   local high, offHigh = find(b, kh)
+  local separation = list.separation[c]
   if low == high then
+    b.isTorn = b.isTorn or offLow + separation - offHigh > EPSILON
     return false
   end
-  local separation = list.separation[c]
   local over = b.to[low] + offLow + separation - b.to[high] - offHigh
   local closing = b.speed[low] - b.speed[high]
   -- With `push = "first"` a block has speed, but goes nowhere: it presses on all the same.
@@ -283,11 +286,10 @@ local function walk(b, list, first, last, by, dt, isLate)
   return hasChanged
 end
 
---- Makes blocks of what overlaps at the end of the step. Walks there and back, at most PASSES
---- times. Returns whether a block was found between two that cannot give way.
-function pool.run(b, list, dt, isLate)
+-- Walks there and back, at most PASSES times.
+local function pass(b, list, dt, isLate)
   local count, isTurned = list.count, b.orientation[list.axis] < 0
-  b.isClamped = false
+  b.isTorn = false
   for n = 1, PASSES do
     local hasChanged
     if (n % 2 == 0) == isTurned then
@@ -300,10 +302,24 @@ function pool.run(b, list, dt, isLate)
     end
   end
   spread(b)
+end
+
+--- Makes blocks of what overlaps at the end of the step. Two that came into one block by others may
+--- overlap still: they push each other apart afterwards. Returns whether a block was found between
+--- two that cannot give way.
+function pool.run(b, list, dt, isLate)
+  b.isClamped = false
+  pass(b, list, dt, isLate)
+  for _ = 1, TEARS do
+    if not b.isTorn then
+      break
+    end
+    pass(b, list, dt, true)
+  end
   return b.isClamped
 end
 
 -- What happens to single contacts goes another way each time.
-interpreted.functions(yield, stopBoth, shift, walk, pool.run, spread)
+interpreted.functions(yield, stopBoth, shift, walk, pass, pool.run, spread)
 
 return pool
