@@ -381,11 +381,14 @@ function columns.new()
     maskCopy = false, -- the last one made of the mask of a static object (see filter)
     hasOneWays = false, -- or is one-way
     hasSensors = false, -- or a sensor
+    hasFirm = false, -- or not pushable
     hasCrowds = false, -- or was crowded
     crowdCount = 0, -- crowded bodies in this step
     crowdList = {}, -- scratch of crowd
     crowdKey = {},
+    crowdStamp = 0,
     crowdNew = {},
+    stoodAt = {},
     crowdMark = {},
     isOverlapped = {},
     crowdColumn = {},

@@ -193,6 +193,7 @@ local function readAll(b, i, object, isNew)
   b.hasAskers = b.hasAskers or b.canCollide[i] ~= false
   b.hasOneWays = b.hasOneWays or b.oneWay[i] ~= false
   b.hasSensors = b.hasSensors or b.sensor[i]
+  b.hasFirm = b.hasFirm or not b.pushable[i]
   b.plain[i] = not b.sensor[i]
   noteEven(b, i)
   b.choosy[i] = b.sensor[i] or b.oneWay[i] ~= false or b.nudge[i] ~= 0 or not b.pushable[i]

@@ -34,10 +34,12 @@ local PACE = crowd.PACE
 local SLACK = 1 / 8
 -- Bodies behind it in the order along x that are asked whether they are in the same crowd.
 local LOOK = 16
+-- px from a wall at which a body still stands on it.
+local NEAR = 1
 
 -- Wakes the rest of each crowd of which one is awake: they rest together or not at all.
 local function wake(b)
-  local awake, crowd_, mark, stamp = b.awakeList, b.crowd, b.crowdMark, b.step
+  local awake, crowd_, mark, stamp = b.awakeList, b.crowd, b.crowdMark, b.crowdStamp
   for n = 1, b.awakeCount do
     mark[crowd_[awake[n]]] = stamp
   end
@@ -102,7 +104,8 @@ local function meets(b, i, j)
   return false, false
 end
 
--- Counts for each candidate, sorted by x, the others at its spot, up to MANY.
+-- Counts for each candidate, sorted by x, the others at its spot, up to MANY. One at the spot of a body
+-- that has enough of them has enough, too.
 local function countShared(b, list, n, widest)
   local shared, key = b.shared, b.crowdKey
   for at = 1, n do
@@ -110,12 +113,14 @@ local function countShared(b, list, n, widest)
   end
   for at = 1, n do
     local i, other = list[at], at + 1
-    local last = key[i] + 2 * widest
-    while other <= n and key[list[other]] < last and shared[i] < MANY do
+    local last, left = key[i] + 2 * widest, LOOK
+    while other <= n and key[list[other]] < last and (shared[i] < MANY or left > 0) do
       local j = list[other]
+      left = left - 1
       local _, isClose = meets(b, i, j)
       if isClose then
-        shared[i], shared[j] = shared[i] + 1, shared[j] + 1
+        local more = (shared[i] >= MANY or shared[j] >= MANY) and MANY or 1
+        shared[i], shared[j] = shared[i] + more, shared[j] + more
       end
       other = other + 1
     end
@@ -148,14 +153,12 @@ local function admit(b, list, n, widest)
   end
   for at = 1, n do
     local i = list[at]
-    if shared[i] >= MANY then
-      for other = at + 1, min(at + LOOK, n) do
-        local j = list[other]
-        if key[j] >= key[i] + 2 * widest then
-          break
-        elseif shared[j] >= MANY and meets(b, i, j) then
-          unite(b, i, j)
-        end
+    for other = at + 1, shared[i] >= MANY and min(at + LOOK, n) or 0 do
+      local j = list[other]
+      if key[j] >= key[i] + 2 * widest then
+        break
+      elseif shared[j] >= MANY and meets(b, i, j) then
+        unite(b, i, j)
       end
     end
   end
@@ -233,16 +236,15 @@ end
 
 -- Sums over a crowd: its middle, and the sizes of its members.
 local function measure(b, list, first, last)
-  local x, y, width, height, isStanding = 0.0, 0.0, 0.0, 0.0, false
+  local x, y, width, height = 0.0, 0.0, 0.0, 0.0
   for at = first, last do
     local i = list[at]
     local k = 2 * i
     width, height = width + b.size[k], height + b.size[k + 1]
     x, y = x + b.from[k] + b.size[k] * 0.5, y + b.from[k + 1] + b.size[k + 1] * 0.5
-    isStanding = isStanding or b.support[i] ~= 0
   end
   local n = last - first + 1
-  return x / n, y / n, width / n, height / n, isStanding
+  return x / n, y / n, width / n, height / n
 end
 
 -- What overlaps no other body and is further from the middle of its crowd than the crowd needs has
@@ -283,18 +285,18 @@ local function keepCrowded(b, list, n)
   return kept
 end
 
--- Of the candidates, lets those into a crowd that are at one spot.
+-- Of the candidates, lets those into a new crowd that are at one spot.
 local function findNew(b, list, n)
-  local new, count = b.crowdNew, 0
+  local new, key, count = b.crowdNew, b.crowdKey, 0
   for at = 1, n do
     local i = list[at]
     if b.crowd[i] == 0 then
       count = count + 1
-      new[count] = i
+      new[count], key[i] = i, middle(b, 2 * i)
     end
   end
   if count > MANY then
-    sortByX(b, new, count)
+    sort.by(new, count, key, b.rank, b.rank)
     local widest = widestOf(b, new, 1, count)
     countShared(b, new, count, widest)
     admit(b, new, count, widest)
@@ -303,7 +305,7 @@ end
 
 --- Finds what is crowded when the step begins.
 function crowd.mark(b)
-  b.crowdCount = 0
+  b.crowdCount, b.crowdStamp = 0, b.crowdStamp + 1
   if not (b.hasInside or b.hasCrowds or b.movedCount > 0) then
     return
   end
@@ -416,13 +418,35 @@ local function layColumn(b, column, n, x, y, top, bottom)
   return hasMoved
 end
 
--- What stands on something, or in a crowd that does, does not fall.
-local function stand(b, list, first, last)
+-- Whether a body is at the edge of the room of its crowd to which gravity points.
+local function isAtBottom(b, i, left, top, right, bottom)
+  local axis = b.downAxis
+  local k = 2 * i + axis
+  if b.orientation[axis] > 0 then
+    return b.from[k] + b.size[k] >= (axis == 1 and bottom or right) - NEAR
+  end
+  return b.from[k] <= (axis == 1 and top or left) + NEAR
+end
+
+-- What stands on something, or in a crowd that does, does not fall in this step.
+local function stand(b, list, first, last, left, top, right, bottom)
+  local isStanding = false
   for at = first, last do
     local i = list[at]
-    for k = 2 * i, 2 * i + 1 do
-      if b.velocity[k] * b.down[k] > 0 then
-        b.velocity[k] = 0.0
+    isStanding = isStanding or b.support[i] ~= 0 or isAtBottom(b, i, left, top, right, bottom)
+  end
+  for at = first, isStanding and last or 0 do
+    b.stoodAt[list[at]] = b.crowdStamp
+  end
+end
+
+--- Takes the fall off what stands in a crowd, once its path is known.
+function crowd.hold(b)
+  for at = 1, b.crowdCount do
+    local i = b.crowdList[at]
+    for k = 2 * i, b.stoodAt[i] == b.crowdStamp and 2 * i + 1 or 0 do
+      if b.speed[k] * b.down[k] > 0 then
+        b.speed[k], b.way[k], b.to[k] = b.carried[k], 0.0, b.from[k]
       end
     end
   end
@@ -431,7 +455,7 @@ end
 -- Lays out a crowd, list[first..last], sorted by x.
 local function lay(b, list, first, last)
   local n = last - first + 1
-  local x, y, width, height, isStanding = measure(b, list, first, last)
+  local x, y, width, height = measure(b, list, first, last)
   local reach = 2 * sqrt(n) * max(width, height) + max(width, height)
   local left, top, right, bottom = findRoom(b, list[first], x, y, reach, width * 0.5, height * 0.5)
   local across = countColumns(n, width, height, right - left, bottom - top)
@@ -456,9 +480,7 @@ local function lay(b, list, first, last)
     hasMoved = layColumn(b, column, size, middleX, y, top, bottom) or hasMoved
     place, at = place + b.columnWidth[c], until_ + 1
   end
-  if isStanding then
-    stand(b, list, first, last)
-  end
+  stand(b, list, first, last, left, top, right, bottom)
   for m = hasMoved and first or last + 1, last do
     b.news[list[m]] = true -- none of them comes to rest before the others
   end

@@ -7,6 +7,7 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
+local crowd = require(root .. ".solver.crowd")
 local crush = require(root .. ".solver.crush")
 local flow = require(root .. ".solver.flow")
 local friction = require(root .. ".solver.friction")
@@ -33,7 +34,7 @@ solver.ROUNDS = 16
 local ROUNDS = solver.ROUNDS
 --- Share of its size by which a body may be moved in a step, along each axis, to part what
 --- overlaps.
-solver.PARTING = 0.5
+solver.PARTING = 0.25
 local PARTING = solver.PARTING
 -- Impacts in a step of a body in a heap without room.
 local SPENT = 3
@@ -58,6 +59,9 @@ end
 
 -- Everything awake as it is before contacts.
 local function begin(b, dt)
+  if b.crowdCount > 0 then
+    crowd.hold(b)
+  end
   local list, kind, buried, give = b.awakeList, b.kind, b.buried, b.give
   local freeSpeed, start, speed = b.freeSpeed, b.start, b.speed
   local from, origin, inverseMass, dirty = b.from, b.origin, b.inverseMass, b.dirty
@@ -324,6 +328,21 @@ local function limitMotion(b, dt)
   end
 end
 
+-- A body that is not pushable ends between where it was and where it wanted to go, unless something
+-- immovable presses it.
+local function keepOwnWay(b, dt)
+  local list, origin, to = b.awakeList, b.origin, b.to
+  for n = 1, b.awakeCount do
+    local i = list[n]
+    for k = 2 * i, not b.pushable[i] and b.kind[i] == DYNAMIC and 2 * i + 1 or 0 do
+      if b.heldLow[k] ~= 2 and b.heldHigh[k] ~= 2 then
+        local start, goal = origin[k], origin[k] + b.way[k] + b.carried[k] * dt
+        to[k] = max(min(to[k], max(start, goal)), min(start, goal))
+      end
+    end
+  end
+end
+
 -- Solves a step for what is awake. Returns false if bodies have been woken on the way: then it was
 -- in vain.
 local function solve(b, dt)
@@ -354,6 +373,9 @@ local function solve(b, dt)
   end
   if b.overlapCount > 0 then
     limitMotion(b, dt)
+  end
+  if b.hasFirm then
+    keepOwnWay(b, dt)
   end
   for axis = 0, 1 do
     notePressed(b, axis)
