@@ -37,7 +37,7 @@ local ROUNDS = solver.ROUNDS
 solver.PARTING = 0.25
 local PARTING = solver.PARTING
 -- Impacts in a step of a body in a heap without room.
-local SPENT = 3
+local SPENT = 1
 -- How often a step begins anew because its paths have come near to bodies that rested; then all are
 -- woken.
 local RESTARTS = 8
@@ -316,13 +316,15 @@ end
 -- fastest speed takes it, and PARTING of its size.
 local function limitMotion(b, dt)
   local list, give, origin, to, size = b.awakeList, b.give, b.origin, b.to, b.size
-  local start, freeSpeed, speed = b.start, b.freeSpeed, b.speed
+  local start, freeSpeed, speed, position = b.start, b.freeSpeed, b.speed, b.position
   for n = 1, b.awakeCount do
     for k = 2 * list[n], 2 * list[n] + 1 do
       if give[k] > 0 then
         local fastest = max(start[k], -start[k], freeSpeed[k], -freeSpeed[k], speed[k], -speed[k])
         local most = fastest * dt + PARTING * size[k]
         to[k] = max(min(to[k], origin[k] + most), origin[k] - most)
+        local all = max(size[k], origin[k] - position[k], position[k] - origin[k]) + fastest * dt
+        to[k] = max(min(to[k], position[k] + all), position[k] - all)
       end
     end
   end
