@@ -20,14 +20,14 @@ local EPSILON = columns.EPSILON
 local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
 -- How often a bond may break before the step goes on with what it has.
 local ATTEMPTS = 4
--- Of a bond: both go as one; it slips, and friction does all it can.
-local BOND, SLIP = 1, 2
+-- Of a bond: both go as one; it slips, and friction does all it can; it has, and they go as one now.
+local BOND, SLIP, STUCK = 1, 2, 3
 -- Kinds of support: the low body leans on the high one, or the other way round.
 local ON_HIGH, ON_LOW = 1, 2
 
 --- Returns an empty list of bonds.
 function friction.newBonds()
-  return { count = 0, up = {}, low = {}, limit = {}, state = {}, tug = {}, isGlued = {} }
+  return { count = 0, up = {}, low = {}, limit = {}, state = {}, tug = {}, isGlued = {}, slipped = {} }
 end
 
 --- Returns the coefficient of a pair: the geometric mean; an immovable body without one takes the
@@ -119,44 +119,39 @@ local function sumLoads(b, list)
   end
 end
 
--- Prepares body k to be pulled by friction: its own force, and that of an engine as a kink at the
--- speed limit that keeps it from getting faster.
-local function addForce(b, k, dt)
-  if b.kinks[k] ~= 0 or b.hasForce[k] == b.forceStamp then
-    return
-  end
-  b.hasForce[k] = b.forceStamp
+-- Notes that body k does not go as it would by itself.
+local function addPulled(b, k)
   b.pulledCount = b.pulledCount + 1
   b.pulled[b.pulledCount] = k
-  local mass, reserve = 1 / b.give[k], b.reserve[k]
-  local force = mass * (b.freeSpeed[k] - b.start[k] + reserve) / dt
-  if reserve > 0 and force > 0 then
-    b.kinks[k] = flow.add(b, 0, b.pace[k] + b.carried[k], force)
-  elseif reserve < 0 and force < 0 then
-    b.kinks[k] = flow.add(b, 0, b.pace[k] + b.carried[k], -force)
-    force = 0.0
-  end
-  b.force[k] = force
 end
 
--- Body k rubs on what cannot be moved and goes at `base`.
+-- Body k rubs on what cannot be moved and goes at `base`. An impact rubs at once.
 local function addGround(b, k, base, load, weight, dt)
-  addForce(b, k, dt)
-  local slip, jolt = b.start[k] - base, (load - weight) * b.give[k]
-  if jolt > 0 then -- the impact rubs at once
-    b.start[k] = base + (slip > jolt and slip - jolt or slip < -jolt and slip + jolt or 0.0)
+  local slip, jolt = b.onset[k] - base, (load - weight) * b.give[k]
+  if jolt > 0 then
+    b.onset[k] = base + (slip > jolt and slip - jolt or slip < -jolt and slip + jolt or 0.0)
   end
-  b.kinks[k] = flow.add(b, b.kinks[k], base, 2 * weight / dt)
-  b.force[k] = b.force[k] + weight / dt
+  b.base[k], b.grip[k] = base, weight / dt
+  addPulled(b, k)
 end
 
+-- A bond slips, with an impulse of `tug` on the upper one.
+local function pull(b, bonds, n, tug)
+  local up, low, change = bonds.up[n], bonds.low[n], tug - bonds.tug[n]
+  b.tug[up], b.tug[low], bonds.tug[n] = b.tug[up] + change, b.tug[low] - change, tug
+end
+
+-- Body `up` rubs on `low`, which can be moved.
 local function addBond(b, bonds, up, low, limit)
-  local n = bonds.count + 1
+  local n, slip = bonds.count + 1, b.onset[up] - b.onset[low]
   bonds.count = n
   bonds.up[n], bonds.low[n], bonds.limit[n], bonds.tug[n] = up, low, limit, 0.0
-  bonds.isGlued[n] = false
-  local slip = b.start[up] - b.start[low]
-  bonds.state[n] = max(slip, -slip) <= limit * b.give[up] and BOND or SLIP
+  bonds.isGlued[n], bonds.slipped[n], bonds.state[n] = false, 0.0, slip == 0 and BOND or SLIP
+  if slip ~= 0 then
+    pull(b, bonds, n, slip > 0 and -limit or limit)
+  end
+  addPulled(b, up)
+  addPulled(b, low)
 end
 
 -- Contact c rubs along the other axis.
@@ -196,48 +191,14 @@ local function addContacts(b, list, bonds, dt)
   end
 end
 
--- The path of body k under what pulls it.
-local function run(b, k, tug, dt)
-  local mass = 1 / b.give[k]
-  local v, way = flow.run(b, b.kinks[k], mass, b.force[k] + tug / dt, b.start[k], dt)
-  return v, way
-end
-
+-- The paths of all that friction and limits act on, as far as contacts leave them alone.
 local function runAll(b, dt)
   for n = 1, b.pulledCount do
     local k = b.pulled[n]
-    local v, way = run(b, k, 0, dt)
-    b.speed[k], b.to[k], b.accel[k] = v, b.from[k] + way, (v - b.start[k]) / dt
-  end
-end
-
--- A bond slips with an impulse of `tug` on the upper one: adds that to both.
-local function pull(b, bonds, n, tug, dt)
-  local up, low, change = bonds.up[n], bonds.low[n], tug - bonds.tug[n]
-  addForce(b, up, dt)
-  addForce(b, low, dt)
-  b.force[up], b.force[low] = b.force[up] + change / dt, b.force[low] - change / dt
-  bonds.tug[n] = tug
-end
-
--- A bond that slips from the start on: friction does all it can against that. If that would turn the
--- slip round, the two go on as one.
-local function slide(b, bonds, n, dt)
-  local slip = b.start[bonds.up[n]] - b.start[bonds.low[n]]
-  local limit = slip > 0 and -bonds.limit[n] or bonds.limit[n]
-  pull(b, bonds, n, limit, dt)
-  local last = (run(b, bonds.up[n], 0, dt)) - (run(b, bonds.low[n], 0, dt))
-  if last * slip < 0 then
-    pull(b, bonds, n, 0.0, dt)
-    bonds.state[n] = BOND
-  end
-end
-
-local function slideAll(b, bonds, dt)
-  for n = 1, bonds.count do
-    if bonds.state[n] == SLIP then
-      slide(b, bonds, n, dt)
-    end
+    local onset = b.onset[k]
+    local v, way = flow.body(b, k, onset, flow.drive(b, k, dt), dt)
+    b.speed[k], b.to[k], b.accel[k] = v, b.from[k] + b.lead[k] + way, (v - onset) / dt
+    b.ownSpeed[k] = v
   end
 end
 
@@ -247,7 +208,7 @@ local function markTowers(b, bonds)
   local mark, stamp, any = b.bondMark, b.forceStamp, false
   for n = 1, bonds.count do
     local up, low = bonds.up[n], bonds.low[n]
-    if bonds.state[n] == BOND then
+    if bonds.state[n] ~= SLIP then
       local isEven = b.speed[up] == b.speed[low]
         and b.to[up] - b.from[up] == b.to[low] - b.from[low]
       if bonds.isGlued[n] or not isEven then
@@ -256,12 +217,12 @@ local function markTowers(b, bonds)
     end
   end
   for n = any and bonds.count or 0, 1, -1 do
-    if bonds.state[n] == BOND and mark[bonds.up[n]] == stamp then
+    if bonds.state[n] ~= SLIP and mark[bonds.up[n]] == stamp then
       mark[bonds.low[n]] = stamp
     end
   end
   for n = 1, any and bonds.count or 0 do
-    if bonds.state[n] == BOND and mark[bonds.low[n]] == stamp then
+    if bonds.state[n] ~= SLIP and mark[bonds.low[n]] == stamp then
       mark[bonds.up[n]] = stamp
     end
   end
@@ -276,9 +237,12 @@ local function glue(b, bonds, dt)
   end
   for n = 1, bonds.count do
     local up, low = bonds.up[n], bonds.low[n]
-    if bonds.state[n] == BOND and mark[up] == stamp and mark[low] == stamp then
+    if bonds.state[n] ~= SLIP and mark[up] == stamp and mark[low] == stamp then
       bonds.isGlued[n] = true
-      pool.glue(b, up, low, dt)
+      if b.lead[up] ~= b.lead[low] then -- it goes along with one that has stuck to what stands
+        b.lead[up], b.onset[up] = b.lead[low], b.onset[low]
+      end
+      pool.glue(b, up, low, bonds.slipped[n], dt)
     end
   end
   return true
@@ -297,24 +261,48 @@ local function findPressed(b, list, awakeCount)
   end
 end
 
--- Looks from the top down whether friction can do what the bonds ask for, and which bonds are asked
--- that were not. Returns whether something has changed.
-local function check(b, list, bonds)
+-- Bond n slips, and has come to the speed of the lower one: they go on as one. If the lower one is not
+-- moved by that, the upper one takes its speed; else both share their momentum.
+local function stick(b, bonds, n, slip, last, dt)
+  local up, low = bonds.up[n], bonds.low[n]
+  local way = slip * slip / (slip - last) * 0.5 * dt
+  pull(b, bonds, n, 0.0)
+  bonds.state[n], bonds.isGlued[n] = STUCK, true
+  if b.speed[low] == b.outset[low] then
+    b.lead[up], b.onset[up] = b.lead[low] + way, b.onset[low]
+  else
+    bonds.slipped[n] = way
+  end
+end
+
+-- Looks from the top down whether friction can do what the bonds ask for, which bonds are asked that
+-- were not, and which have slipped to their end. Returns whether something has changed.
+local function check(b, list, bonds, dt)
   local need, isPressed, hasChanged = b.load, b.isPressed, false
+  local speed, outset = b.speed, b.outset
   findPressed(b, list, b.awakeCount)
   for n = 1, bonds.count do
     local up, low = bonds.up[n], bonds.low[n]
     need[up], need[low] = 0, 0
   end
   for n = bonds.count, 1, -1 do
-    local up, low, limit = bonds.up[n], bonds.low[n], bonds.limit[n]
-    if bonds.state[n] == BOND then
-      local own = b.hasForce[up] == b.forceStamp and b.ownSpeed[up] or b.freeSpeed[up]
-      local impulse = need[up] + (b.speed[up] - own) / b.give[up]
-      if not isPressed[up] and max(impulse, -impulse) > limit * (1 + 1e-9) + 1e-12 then
+    local up, low, limit, state = bonds.up[n], bonds.low[n], bonds.limit[n], bonds.state[n]
+    if state == SLIP then
+      local slip, last = outset[up] - outset[low], speed[up] - speed[low]
+      if slip * bonds.tug[n] < 0 and last * bonds.tug[n] > 0 then
+        stick(b, bonds, n, slip, last, dt)
+        hasChanged = true
+      end
+    else
+      local impulse = need[up] + (speed[up] - b.ownSpeed[up]) / b.give[up]
+      if
+        state == BOND
+        and not isPressed[up]
+        and max(impulse, -impulse) > limit * (1 + 1e-9) + 1e-12
+      then
+        pull(b, bonds, n, impulse > 0 and limit or -limit)
         bonds.state[n], hasChanged = SLIP, true
-        b.breaking[n] = impulse > 0 and limit or -limit
-      elseif not bonds.isGlued[n] and b.speed[up] ~= b.speed[low] then
+      elseif not bonds.isGlued[n] and speed[up] ~= speed[low] then
         bonds.isGlued[n], hasChanged = true, true
       end
       need[low] = need[low] + impulse
@@ -337,16 +325,42 @@ local function reset(b, axis, dt)
   end
 end
 
-friction.reset = reset
+local function resetOutset(b, axis)
+  local list, onset, outset = b.awakeList, b.onset, b.outset
+  for n = 1, b.awakeCount do
+    local k = 2 * list[n] + axis
+    outset[k] = onset[k]
+  end
+end
 
--- Bonds that broke pull with all they can.
-local function breakBonds(b, bonds, dt)
-  for n = 1, bonds.count do
-    local tug = b.breaking[n]
-    if tug then
-      pull(b, bonds, n, tug, dt)
-      b.breaking[n] = false
+-- Limits of what is awake, with what carries it.
+local function findLimits(b)
+  local list, limit, carried, reserve, pace = b.awakeList, b.limit, b.carried, b.reserve, b.pace
+  for n = 1, b.awakeCount do
+    for k = 2 * list[n], 2 * list[n] + 1 do
+      local most, least = limit[k], -limit[k]
+      if reserve[k] > 0 then
+        most = pace[k]
+      elseif reserve[k] < 0 then
+        least = pace[k]
+      end
+      b.least[k], b.most[k] = least + carried[k], most + carried[k]
     end
+  end
+end
+
+--- Prepares what is awake for the step: nothing rubs yet.
+function friction.begin(b)
+  local list, onset, start, tug = b.awakeList, b.onset, b.start, b.tug
+  local grip, base, lead = b.grip, b.base, b.lead
+  flow.reset(b)
+  for n = 1, b.awakeCount do
+    for k = 2 * list[n], 2 * list[n] + 1 do
+      onset[k], tug[k], grip[k], base[k], lead[k] = start[k], 0, 0, 0, 0
+    end
+  end
+  if b.hasLimits then
+    findLimits(b)
   end
 end
 
@@ -358,24 +372,20 @@ function friction.run(b, axis, dt)
   sumLoads(b, list)
   bonds.count, b.pulledCount, b.forceStamp = 0, 0, b.forceStamp + 1
   addContacts(b, list, bonds, dt)
-  if b.pulledCount == 0 and bonds.count == 0 then
+  if b.pulledCount == 0 then
     return false
   end
   b.rubs = 1
-  slideAll(b, bonds, dt)
   for attempt = 1, ATTEMPTS do
     reset(b, other, dt)
+    resetOutset(b, other)
     runAll(b, dt)
-    for n = 1, b.pulledCount do
-      b.ownSpeed[b.pulled[n]] = b.speed[b.pulled[n]]
-    end
     settle.hold(b, other, dt)
     local isGlued = glue(b, bonds, dt)
     settle.finish(b, other, dt, isGlued)
-    if attempt == ATTEMPTS or not check(b, b.contacts[other], bonds) then
+    if attempt == ATTEMPTS or not check(b, b.contacts[other], bonds, dt) then
       return true
     end
-    breakBonds(b, bonds, dt)
   end
   return true
 end

@@ -14,7 +14,8 @@ local path = require(root .. ".motion.path")
 local impact = {}
 
 local DYNAMIC, SIDE = columns.DYNAMIC, columns.SIDE
-local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
+local HUGE = math.huge
+local max, min, sqrt = math.max, math.min, math.sqrt
 -- Impacts of one body in a step after which it does not bounce any more, divided by 1 - restitution,
 -- and the most there are.
 local BOUNCES, MOST_BOUNCES = 4, 12
@@ -87,14 +88,13 @@ end
 
 -- Friction and engines act on body k along this axis for the rest of the step, from the speed that
 -- it has after the impact.
-local function reflow(b, k, tau)
-  local kinks = b.kinks[k]
-  if kinks == 0 or b.give[k] == 0 then
+local function reflow(b, k, tau, dt)
+  if b.give[k] == 0 or (b.grip[k] == 0 and b.least[k] == -HUGE and b.most[k] == HUGE) then
     return
   end
   local last = b.speed[k]
   local v = last - b.accel[k] * tau
-  local new, way = flow.run(b, kinks, 1 / b.give[k], b.force[k], v, tau)
+  local new, way = flow.body(b, k, v, flow.drive(b, k, dt), tau)
   b.speed[k], b.to[k] = new, b.to[k] + way - (v + last) * 0.5 * tau
   b.accel[k] = tau > 0 and (new - v) / tau or 0.0
 end
@@ -217,8 +217,8 @@ function impact.run(b, p, i, j, axis, t, dt, isLast)
     jolt = min(max(v, 0.0), u) / total
   end
   if b.hasFriction or b.hasLimits then
-    reflow(b, kl, tau)
-    reflow(b, kh, tau)
+    reflow(b, kl, tau, dt)
+    reflow(b, kh, tau, dt)
   end
   if b.hasFriction and v > 0 then
     local press = leaves and 0.0 or max(v / total - jolt, 0.0)

@@ -8,7 +8,6 @@ local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
 local crush = require(root .. ".solver.crush")
 local detect = require(root .. ".broadphase.pairFinder")
-local flow = require(root .. ".solver.flow")
 local friction = require(root .. ".solver.friction")
 local impact = require(root .. ".solver.impact")
 local live = require(root .. ".broadphase.activePairs")
@@ -48,12 +47,12 @@ local function begin(b, dt)
   local list, kind, buried, give = b.awakeList, b.kind, b.buried, b.give
   local freeSpeed, start, speed, velocity, carried = b.freeSpeed, b.start, b.speed, b.velocity, b.carried
   local from, origin, inverseMass, dirty = b.from, b.origin, b.inverseMass, b.dirty
-  local limit, kinks, accel = b.limit, b.kinks, b.accel
+  local limit, accel = b.limit, b.accel
   for n = 1, b.awakeCount do
     local i = list[n]
     dirty[i], b.impactsOf[i] = 1, 0
     for k = 2 * i, 2 * i + 1 do
-      kinks[k], origin[k] = 0, from[k]
+      origin[k] = from[k]
       give[k] = kind[i] == DYNAMIC and not buried[i] and inverseMass[i] or 0
       if kind[i] == DYNAMIC then
         freeSpeed[k] = speed[k]
@@ -62,7 +61,7 @@ local function begin(b, dt)
       end
     end
   end
-  flow.reset(b)
+  friction.begin(b)
 end
 
 -- Notes the sides at which bodies lean on each other, and the hits of those that begin to.
