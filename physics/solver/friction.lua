@@ -239,7 +239,7 @@ local function glue(b, bonds, dt)
     local up, low = bonds.up[n], bonds.low[n]
     if bonds.state[n] ~= SLIP and mark[up] == stamp and mark[low] == stamp then
       bonds.isGlued[n] = true
-      if b.lead[up] ~= b.lead[low] then -- it goes along with one that has stuck to what stands
+      if bonds.state[n] == BOND and b.lead[up] ~= b.lead[low] then -- it goes along with one that has stuck to what stands
         b.lead[up], b.onset[up] = b.lead[low], b.onset[low]
       end
       pool.glue(b, up, low, bonds.slipped[n], dt)
