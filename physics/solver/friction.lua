@@ -126,12 +126,13 @@ local function addPulled(b, k)
 end
 
 -- Body k rubs on what cannot be moved and goes at `base`. An impact rubs at once.
-local function addGround(b, k, base, load, weight, dt)
+local function addGround(b, k, base, mu, load, weight, dt)
+  load, weight = mu * load, mu * weight
   local slip, jolt = b.onset[k] - base, (load - weight) * b.give[k]
   if jolt > 0 then
     b.onset[k] = base + (slip > jolt and slip - jolt or slip < -jolt and slip + jolt or 0.0)
   end
-  b.base[k], b.grip[k] = base, weight / dt
+  b.base[k], b.grip[k], b.rough[k] = base, weight / dt, mu
   addPulled(b, k)
 end
 
@@ -167,12 +168,11 @@ local function addContact(b, list, bonds, c, dt)
     return
   end
   local tu, ts = ku + 1 - 2 * axis, ks + 1 - 2 * axis
-  local load, weight = mu * list.load[c], mu * list.weight[c]
   if b.give[ts] == 0 then
     local base = b.speed[ts] + (axis == 1 and b.surfaceSpeed[j] or 0)
-    addGround(b, tu, base, load, weight, dt)
+    addGround(b, tu, base, mu, list.load[c], list.weight[c], dt)
   else
-    addBond(b, bonds, tu, ts, load)
+    addBond(b, bonds, tu, ts, mu * list.load[c])
   end
 end
 

@@ -86,38 +86,40 @@ local function restitution(b, i, j, u, a, dt)
   return r
 end
 
--- Friction and engines act on body k along this axis for the rest of the step, from the speed that
--- it has after the impact.
+-- Whether body k, which goes at v now, is on its way off what has held it in this step.
+local function leavesHolder(b, k, v)
+  return b.heldHigh[k] > 0 and v < b.speed[b.holderHigh[k]]
+    or b.heldLow[k] > 0 and v > b.speed[b.holderLow[k]]
+end
+
+-- What acts on body k by itself, friction and limits do so along this axis for the rest of the step,
+-- from the speed that it has after the impact.
 local function reflow(b, k, tau, dt)
-  if b.give[k] == 0 or (b.grip[k] == 0 and b.least[k] == -HUGE and b.most[k] == HUGE) then
-    return
-  end
+  local isFree = b.grip[k] == 0 and b.least[k] == -HUGE and b.most[k] == HUGE
   local last = b.speed[k]
   local v = last - b.accel[k] * tau
+  if b.give[k] == 0 or (isFree and not leavesHolder(b, k, v)) then
+    return
+  end
   local new, way = flow.body(b, k, v, flow.drive(b, k, dt), tau)
   b.speed[k], b.to[k] = new, b.to[k] + way - (v + last) * 0.5 * tau
   b.accel[k] = tau > 0 and (new - v) / tau or 0.0
 end
 
--- The impact rubs along the other axis, at once; what the two press with then, until the end. `jolt`
--- and `press` are impulses along the normal.
-local function rub(b, i, j, axis, wl, wh, jolt, press, tau)
-  local mu = friction.coefficient(b, i, j)
-  if mu <= 0 then
-    return
-  end
-  local kl, kh = 2 * i + 1 - axis, 2 * j + 1 - axis
-  local il, ih = b.give[kl], b.give[kh]
-  if (il == 0 or wl == 0) and (ih == 0 or wh == 0) then
-    il, ih = wl > 0 and il or 0, wh > 0 and ih or 0
-  end
-  local total = il + ih
-  if total == 0 then
-    return
-  end
-  local belt = axis == 1 and b.surfaceSpeed[j] - b.surfaceSpeed[i] or 0
-  local accel = b.accel[kl] - b.accel[kh]
-  local last = b.speed[kl] - b.speed[kh] - belt
+-- The ground under body k bears an impact, and rubs at once; then what presses until the end.
+local function bear(b, k, jolt, press, tau, dt)
+  local slip = b.speed[k] - b.accel[k] * tau - b.base[k]
+  local loss = b.rough[k] * jolt * b.give[k]
+  local change = slip > 0 and -min(loss, slip) or min(loss, -slip)
+  b.speed[k], b.to[k] = b.speed[k] + change, b.to[k] + change * tau
+  b.grip[k] = tau > 0 and b.grip[k] + b.rough[k] * press / tau or b.grip[k]
+  reflow(b, k, tau, dt)
+end
+
+-- Two that both give way rub on each other.
+local function rubBoth(b, kl, kh, mu, jolt, press, tau)
+  local il, ih, accel = b.give[kl], b.give[kh], b.accel[kl] - b.accel[kh]
+  local total, last = il + ih, b.speed[kl] - b.speed[kh]
   local v = last - accel * tau
   local loss = mu * jolt * total
   local after = v > loss and v - loss or v < -loss and v + loss or 0.0
@@ -127,8 +129,33 @@ local function rub(b, i, j, axis, wl, wh, jolt, press, tau)
   b.speed[kl], b.to[kl] = b.speed[kl] + dv * il, b.to[kl] + d * il
   b.speed[kh], b.to[kh] = b.speed[kh] - dv * ih, b.to[kh] - d * ih
   if tau > 0 then
-    b.accel[kl] = b.accel[kl] + (new - after - (last - v)) / tau * il / total
-    b.accel[kh] = b.accel[kh] - (new - after - (last - v)) / tau * ih / total
+    local change = (new - after - (last - v)) / tau / total
+    b.accel[kl], b.accel[kh] = b.accel[kl] + change * il, b.accel[kh] - change * ih
+  end
+end
+
+-- The impact rubs along the other axis, at once; what the two press with then, until the end. `jolt`
+-- and `press` are impulses along the normal.
+local function rub(b, i, j, axis, wl, wh, jolt, press, tau, dt)
+  local mu = friction.coefficient(b, i, j)
+  if mu <= 0 then
+    return
+  end
+  local kl, kh = 2 * i + 1 - axis, 2 * j + 1 - axis
+  local il, ih = b.give[kl], b.give[kh]
+  if il > 0 and ih > 0 then
+    rubBoth(b, kl, kh, mu, jolt, press, tau)
+    local k = wl == 0 and kl or wh == 0 and kh
+    if k and b.grip[k] > 0 then
+      bear(b, k, jolt, press, tau, dt)
+    end
+  elseif il + ih > 0 then
+    local k, ground, belt = kl, kh, axis == 1 and b.surfaceSpeed[j] or 0
+    if il == 0 then
+      k, ground, belt = kh, kl, axis == 1 and b.surfaceSpeed[i] or 0
+    end
+    b.base[k], b.grip[k], b.rough[k] = b.speed[ground] + belt, 0.0, mu
+    bear(b, k, jolt, press, tau, dt)
   end
 end
 
@@ -216,13 +243,11 @@ function impact.run(b, p, i, j, axis, t, dt, isLast)
     stick(b, i, j, kl, kh, wl, wh, o, v)
     jolt = min(max(v, 0.0), u) / total
   end
-  if b.hasFriction or b.hasLimits then
-    reflow(b, kl, tau, dt)
-    reflow(b, kh, tau, dt)
-  end
+  reflow(b, kl, tau, dt)
+  reflow(b, kh, tau, dt)
   if b.hasFriction and v > 0 then
     local press = leaves and 0.0 or max(v / total - jolt, 0.0)
-    rub(b, i, j, axis, wl, wh, jolt, press, tau)
+    rub(b, i, j, axis, wl, wh, jolt, press, tau, dt)
   end
   return not leaves
 end
