@@ -144,11 +144,11 @@ local function rub(b, i, j, axis, wl, wh, jolt, press, tau, dt)
   local kl, kh = 2 * i + 1 - axis, 2 * j + 1 - axis
   local il, ih = b.give[kl], b.give[kh]
   if il > 0 and ih > 0 then
-    rubBoth(b, kl, kh, mu, jolt, press, tau)
     local k = wl == 0 and kl or wh == 0 and kh
     if k and b.grip[k] > 0 then
       bear(b, k, jolt, press, tau, dt)
     end
+    rubBoth(b, kl, kh, mu, jolt, press, tau)
   elseif il + ih > 0 then
     local k, ground, belt = kl, kh, axis == 1 and b.surfaceSpeed[j] or 0
     if il == 0 then
@@ -208,12 +208,13 @@ end
 
 --- Two bodies meet on an axis at moment t. Returns whether they stay together.
 function impact.run(b, p, i, j, axis, t, dt, isLast)
+  local left = (1 - max(b.time[i], b.time[j])) * dt
   path.advance(b, i, t)
   path.advance(b, j, t)
   local kl, kh = 2 * i + axis, 2 * j + axis
   local o, v = b.to[kl] + b.size[kl] - b.to[kh], b.speed[kl] - b.speed[kh]
   local a = b.accel[kl] - b.accel[kh]
-  local u, tau = approach(o, v, a, (1 - min(t, 1)) * dt)
+  local u, tau = approach(o, v, a, left)
   impact.note(b, p, i, axis, u)
   b.impactsOf[i], b.impactsOf[j] = b.impactsOf[i] + 1, b.impactsOf[j] + 1
   b.resolved = b.resolved + 1
