@@ -27,7 +27,12 @@ local ON_HIGH, ON_LOW = 1, 2
 
 --- Returns an empty list of bonds.
 function friction.newBonds()
-  return { count = 0, up = {}, low = {}, limit = {}, state = {}, tug = {}, isGlued = {}, slipped = {} }
+  return { count = 0, up = {}, low = {}, limit = {}, state = {}, tug = {}, isGlued = {}, slipped = {}, next = {} }
+end
+
+--- Returns whether bond n holds its bodies together, or has done so before an impact.
+function friction.holds(bonds, n)
+  return bonds.state[n] ~= SLIP
 end
 
 --- Returns the coefficient of a pair: the geometric mean; an immovable body without one takes the
@@ -151,6 +156,7 @@ local function addBond(b, bonds, up, low, limit)
   if slip ~= 0 then
     pull(b, bonds, n, slip > 0 and -limit or limit)
   end
+  b.bondUnder[up], bonds.next[n], b.bondOn[low] = n, b.bondOn[low], n
   addPulled(b, up)
   addPulled(b, low)
 end
@@ -352,11 +358,12 @@ end
 --- Prepares what is awake for the step: nothing rubs yet.
 function friction.begin(b)
   local list, onset, start, tug = b.awakeList, b.onset, b.start, b.tug
-  local grip, base, lead = b.grip, b.base, b.lead
+  local grip, base, lead, bondUnder, bondOn = b.grip, b.base, b.lead, b.bondUnder, b.bondOn
   flow.reset(b)
   for n = 1, b.awakeCount do
     for k = 2 * list[n], 2 * list[n] + 1 do
       onset[k], tug[k], grip[k], base[k], lead[k] = start[k], 0, 0, 0, 0
+      bondUnder[k], bondOn[k] = 0, 0
     end
   end
   if b.hasLimits then
@@ -367,7 +374,7 @@ end
 --- Lets the contacts of an axis, which is settled, rub along the other one, and settles that. Returns
 --- false, and has done nothing, if none rubs.
 function friction.run(b, axis, dt)
-  local list, other, bonds = b.contacts[axis], 1 - axis, b.bonds
+  local list, other, bonds = b.contacts[axis], 1 - axis, b.bonds[1 - axis]
   findSupports(b, list, axis)
   sumLoads(b, list)
   bonds.count, b.pulledCount, b.forceStamp = 0, 0, b.forceStamp + 1

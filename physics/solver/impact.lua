@@ -19,6 +19,8 @@ local max, min, sqrt = math.max, math.min, math.sqrt
 -- Impacts of one body in a step after which it does not bounce any more, divided by 1 - restitution,
 -- and the most there are.
 local BOUNCES, MOST_BOUNCES = 4, 12
+-- Bonds in a row along which an impact drags others with it in its own step.
+local DEPTH = 8
 
 --- Notes the first impact of a pair in the step: on which side, and at u px/s.
 function impact.note(b, p, low, axis, u)
@@ -131,6 +133,38 @@ local function rubBoth(b, kl, kh, mu, jolt, press, tau)
   if tau > 0 then
     local change = (new - after - (last - v)) / tau / total
     b.accel[kl], b.accel[kh] = b.accel[kl] + change * il, b.accel[kh] - change * ih
+  end
+end
+
+local drag
+
+-- Friction has held the bodies of bond n together. An impact has given one of them another speed: they
+-- rub for the last tau s.
+local function dragBond(b, bonds, n, other, tau, dt, depth)
+  local up, low, press = bonds.up[n], bonds.low[n], bonds.limit[n] * tau / dt
+  if depth == 0 or not friction.holds(bonds, n) or b.speed[up] == b.speed[low] then
+    return
+  elseif other == low and b.speed[low] == b.base[low] and b.grip[low] * tau >= press then
+    b.base[up], b.grip[up] = b.speed[low], press / tau -- the ground holds the lower one
+    reflow(b, up, tau, dt)
+  else
+    rubBoth(b, up, low, 1, 0.0, press, tau)
+    drag(b, other, n, tau, dt, depth - 1)
+  end
+end
+
+-- The same for all bonds of body k but for `from`; and so on, `depth` times.
+function drag(b, k, from, tau, dt, depth)
+  local bonds, n = b.bonds[k % 2], b.bondUnder[k]
+  if n ~= 0 and n ~= from then
+    dragBond(b, bonds, n, bonds.low[n], tau, dt, depth)
+  end
+  n = b.bondOn[k]
+  while n ~= 0 do
+    if n ~= from then
+      dragBond(b, bonds, n, bonds.up[n], tau, dt, depth)
+    end
+    n = bonds.next[n]
   end
 end
 
@@ -247,6 +281,10 @@ function impact.run(b, p, i, j, axis, t, dt, isLast)
   reflow(b, kl, tau, dt)
   reflow(b, kh, tau, dt)
   if b.hasFriction and v > 0 then
+    if tau > 0 then
+      drag(b, kl, 0, tau, dt, DEPTH)
+      drag(b, kh, 0, tau, dt, DEPTH)
+    end
     local press = leaves and 0.0 or max(v / total - jolt, 0.0)
     rub(b, i, j, axis, wl, wh, jolt, press, tau, dt)
   end

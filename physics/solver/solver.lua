@@ -39,7 +39,8 @@ local WIDTHS = 2 ^ 20
 --- Gives a world what the solver needs.
 function solver.adopt(b)
   b.contacts = { [0] = contacts.newList(0), contacts.newList(1) }
-  b.bonds, b.impacts = friction.newBonds(), sweep.newImpacts()
+  b.bonds = { [0] = friction.newBonds(), friction.newBonds() }
+  b.impacts = sweep.newImpacts()
 end
 
 -- Everything awake as it is before contacts.
