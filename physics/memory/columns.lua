@@ -172,6 +172,7 @@ local AXIS = {
   bearer = 0, -- contact that bears its load
   load = 0, -- impulse of what stands on it
   weight = 0, -- of that, what is no impact
+  burden = 0, -- kg that stand on it
   isPressed = false,
   bondMark = 0, -- it is in a tower that friction holds together
   parent = 0, -- blocks (see pool): the next one on the way to the root

@@ -27,7 +27,7 @@ local ON_HIGH, ON_LOW = 1, 2
 
 --- Returns an empty list of bonds.
 function friction.newBonds()
-  return { count = 0, up = {}, low = {}, limit = {}, state = {}, tug = {}, isGlued = {}, slipped = {}, next = {} }
+  return { count = 0, up = {}, low = {}, limit = {}, state = {}, tug = {}, isGlued = {}, slipped = {}, onset = {}, next = {} }
 end
 
 --- Returns whether bond n holds its bodies together, or has done so before an impact.
@@ -145,20 +145,20 @@ end
 local function pull(b, bonds, n, tug)
   local up, low, change = bonds.up[n], bonds.low[n], tug - bonds.tug[n]
   b.tug[up], b.tug[low], bonds.tug[n] = b.tug[up] + change, b.tug[low] - change, tug
+  addPulled(b, up)
+  addPulled(b, low)
 end
 
 -- Body `up` rubs on `low`, which can be moved.
 local function addBond(b, bonds, up, low, limit)
-  local n, slip = bonds.count + 1, b.onset[up] - b.onset[low]
+  local n = bonds.count + 1
   bonds.count = n
   bonds.up[n], bonds.low[n], bonds.limit[n], bonds.tug[n] = up, low, limit, 0.0
-  bonds.isGlued[n], bonds.slipped[n], bonds.state[n] = false, 0.0, slip == 0 and BOND or SLIP
-  if slip ~= 0 then
-    pull(b, bonds, n, slip > 0 and -limit or limit)
+  bonds.isGlued[n], bonds.slipped[n], bonds.state[n] = false, 0.0, BOND
+  if b.onset[up] ~= b.onset[low] then
+    bonds.state[n], bonds.hasSlips = SLIP, true
   end
   b.bondUnder[up], bonds.next[n], b.bondOn[low] = n, b.bondOn[low], n
-  addPulled(b, up)
-  addPulled(b, low)
 end
 
 -- Contact c rubs along the other axis.
@@ -193,6 +193,80 @@ local function addContacts(b, list, bonds, dt)
   for c = 1, list.count do
     if bearing[c] == ON_LOW and bearer[high[c]] == c then
       addContact(b, list, bonds, c, dt)
+    end
+  end
+end
+
+-- Bond n has slipped `way` px until both are as fast, and they go on as one. If the lower one is not
+-- moved by that (`stands`), the upper one takes its speed; else both share their momentum.
+local function stick(b, bonds, n, way, stands)
+  local up, low = bonds.up[n], bonds.low[n]
+  bonds.state[n], bonds.isGlued[n] = STUCK, true
+  if stands then
+    bonds.onset[n] = b.onset[up]
+    b.lead[up], b.onset[up] = b.lead[low] + way, b.onset[low]
+    addPulled(b, up)
+  else
+    bonds.onset[n], bonds.slipped[n] = b.onset[up], way
+  end
+end
+
+-- Friction cannot do what bond n asks for.
+local function tear(b, bonds, n, tug)
+  if bonds.state[n] == STUCK then
+    local up = bonds.up[n]
+    b.onset[up], b.lead[up], bonds.slipped[n] = bonds.onset[n], 0.0, 0.0
+  end
+  bonds.state[n] = SLIP
+  pull(b, bonds, n, tug)
+end
+
+-- Whether body k stands on the ground, or on what does, when something on it pulls it with `limit`.
+local function standsFast(b, bonds, k, limit, dt)
+  local n = b.bondUnder[k]
+  while n ~= 0 do
+    local low = bonds.low[n]
+    if b.outset[k] ~= b.outset[low] or bonds.limit[n] < limit then
+      return false
+    end
+    k = low
+    n = b.bondUnder[k]
+  end
+  return b.grip[k] * dt >= limit and b.outset[k] == b.base[k]
+end
+
+-- Decides how bond n begins, of which the upper body slips on the lower one, and drives `burden` kg.
+local function slide(b, bonds, n, burden, dt)
+  local up, low, limit = bonds.up[n], bonds.low[n], bonds.limit[n]
+  local slip, stands = b.outset[up] - b.outset[low], standsFast(b, bonds, low, limit, dt)
+  local drive, give = flow.drive(b, up, dt), 1 / burden
+  if not stands then
+    drive, give = drive - flow.drive(b, low, dt), give + b.give[low]
+  end
+  local size, rate = max(slip, -slip), limit * give / dt + (slip > 0 and -drive or drive)
+  if size == 0 then
+    bonds.state[n] = BOND
+  elseif size <= rate * dt then
+    stick(b, bonds, n, slip * size / rate * 0.5, stands)
+  else
+    pull(b, bonds, n, slip > 0 and -limit or limit)
+  end
+end
+
+-- From the top down, with what each bond drives: what does not slip on it.
+local function slideAll(b, bonds, dt)
+  local burden, give = b.burden, b.give
+  for n = 1, bonds.count do
+    local up, low = bonds.up[n], bonds.low[n]
+    burden[up], burden[low] = 1 / give[up], 1 / give[low]
+  end
+  for n = bonds.count, 1, -1 do
+    local up, low = bonds.up[n], bonds.low[n]
+    if bonds.state[n] == SLIP then
+      slide(b, bonds, n, burden[up], dt)
+    end
+    if bonds.state[n] ~= SLIP then
+      burden[low] = burden[low] + burden[up]
     end
   end
 end
@@ -267,20 +341,6 @@ local function findPressed(b, list, awakeCount)
   end
 end
 
--- Bond n slips, and has come to the speed of the lower one: they go on as one. If the lower one is not
--- moved by that, the upper one takes its speed; else both share their momentum.
-local function stick(b, bonds, n, slip, last, dt)
-  local up, low = bonds.up[n], bonds.low[n]
-  local way = slip * slip / (slip - last) * 0.5 * dt
-  pull(b, bonds, n, 0.0)
-  bonds.state[n], bonds.isGlued[n] = STUCK, true
-  if b.speed[low] == b.outset[low] then
-    b.lead[up], b.onset[up] = b.lead[low] + way, b.onset[low]
-  else
-    bonds.slipped[n] = way
-  end
-end
-
 -- Looks from the top down whether friction can do what the bonds ask for, which bonds are asked that
 -- were not, and which have slipped to their end. Returns whether something has changed.
 local function check(b, list, bonds, dt)
@@ -296,18 +356,15 @@ local function check(b, list, bonds, dt)
     if state == SLIP then
       local slip, last = outset[up] - outset[low], speed[up] - speed[low]
       if slip * bonds.tug[n] < 0 and last * bonds.tug[n] > 0 then
-        stick(b, bonds, n, slip, last, dt)
+        pull(b, bonds, n, 0.0)
+        stick(b, bonds, n, slip * slip / (slip - last) * 0.5 * dt, speed[low] == outset[low])
         hasChanged = true
       end
     else
       local impulse = need[up] + (speed[up] - b.ownSpeed[up]) / b.give[up]
-      if
-        state == BOND
-        and not isPressed[up]
-        and max(impulse, -impulse) > limit * (1 + 1e-9) + 1e-12
-      then
-        pull(b, bonds, n, impulse > 0 and limit or -limit)
-        bonds.state[n], hasChanged = SLIP, true
+      if not isPressed[up] and max(impulse, -impulse) > limit * (1 + 1e-9) + 1e-12 then
+        tear(b, bonds, n, impulse > 0 and limit or -limit)
+        hasChanged = true
       elseif not bonds.isGlued[n] and speed[up] ~= speed[low] then
         bonds.isGlued[n], hasChanged = true, true
       end
@@ -333,9 +390,10 @@ end
 
 local function resetOutset(b, axis)
   local list, onset, outset = b.awakeList, b.onset, b.outset
+  local ownSpeed, free = b.ownSpeed, b.freeSpeed
   for n = 1, b.awakeCount do
     local k = 2 * list[n] + axis
-    outset[k] = onset[k]
+    outset[k], ownSpeed[k] = onset[k], free[k]
   end
 end
 
@@ -371,23 +429,46 @@ function friction.begin(b)
   end
 end
 
+-- Everything along an axis as it is with friction, but without contacts.
+local function place(b, axis, dt)
+  reset(b, axis, dt)
+  resetOutset(b, axis)
+  runAll(b, dt)
+  settle.hold(b, axis, dt)
+end
+
+-- What an immovable body pushes goes as that does from the start on.
+local function noteHeld(b, axis)
+  local list, outset, speed, heldLow, heldHigh = b.awakeList, b.outset, b.speed, b.heldLow, b.heldHigh
+  for n = 1, b.awakeCount do
+    local k = 2 * list[n] + axis
+    if b.give[k] > 0 and heldLow[k] + heldHigh[k] > 0 then
+      outset[k] = speed[k]
+    end
+  end
+end
+
 --- Lets the contacts of an axis, which is settled, rub along the other one, and settles that. Returns
 --- false, and has done nothing, if none rubs.
 function friction.run(b, axis, dt)
   local list, other, bonds = b.contacts[axis], 1 - axis, b.bonds[1 - axis]
   findSupports(b, list, axis)
   sumLoads(b, list)
-  bonds.count, b.pulledCount, b.forceStamp = 0, 0, b.forceStamp + 1
+  bonds.count, bonds.hasSlips = 0, false
+  b.pulledCount, b.forceStamp = 0, b.forceStamp + 1
   addContacts(b, list, bonds, dt)
-  if b.pulledCount == 0 then
+  if b.pulledCount == 0 and bonds.count == 0 then
     return false
   end
   b.rubs = 1
+  if bonds.hasSlips then
+    place(b, other, dt)
+    settle.finish(b, other, dt, false)
+    noteHeld(b, other)
+    slideAll(b, bonds, dt)
+  end
   for attempt = 1, ATTEMPTS do
-    reset(b, other, dt)
-    resetOutset(b, other)
-    runAll(b, dt)
-    settle.hold(b, other, dt)
+    place(b, other, dt)
     local isGlued = glue(b, bonds, dt)
     settle.finish(b, other, dt, isGlued)
     if attempt == ATTEMPTS or not check(b, b.contacts[other], bonds, dt) then

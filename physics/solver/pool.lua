@@ -49,7 +49,7 @@ local function register(b, k, dt)
   local n, mass, onset = b.memberCount + 1, 1 / b.give[k], b.onset[k]
   b.memberCount, b.members[n] = n, k
   b.parent[k], b.offset[k] = k, 0.0
-  b.blockMass[k], b.blockShift[k] = mass, mass * b.lead[k]
+  b.blockMass[k], b.blockShift[k] = mass, 0.0
   b.blockMomentum[k], b.blockSpeed[k] = mass * onset, mass * b.speed[k]
   b.blockForce[k] = mass * flow.drive(b, k, dt)
   local base, grip = b.base[k], b.grip[k]
@@ -57,6 +57,11 @@ local function register(b, k, dt)
   b.blockStand[k] = grip > 0 and base == onset and base or HUGE
   b.blockLeast[k], b.blockMost[k] = b.least[k], b.most[k]
   b.isFirm[k] = not b.pushable[floor(k * 0.5)]
+end
+
+-- Where a block was when the step began.
+local function origin(b, k)
+  return b.from[k] + b.lead[k] + b.blockShift[k] / b.blockMass[k]
 end
 
 -- The end of a block of which the parts are summed up, at its root. One that friction can hold, as a
@@ -72,12 +77,8 @@ local function finish(b, k, dt, isLate, place)
   end
   local start = b.blockMomentum[k] / mass
   local v, way = flow.run(b, b.blockKinks[k], mass, b.blockForce[k], start, dt, least, most)
-  b.to[k], b.speed[k] = b.from[k] + b.blockShift[k] / mass + (v == b.blockStand[k] and v * dt or way), v
-end
-
--- Where a block was when the step began.
-local function origin(b, k)
-  return b.from[k] + b.blockShift[k] / b.blockMass[k]
+  way = v == b.blockStand[k] and v * dt or way
+  b.to[k], b.speed[k] = origin(b, k) + way, v
 end
 
 -- Where a block of two goes, at the first's place, if the second is `off` px from it: to their
@@ -103,7 +104,7 @@ local function join(b, one, other, off, dt, isLate)
   b.blockMomentum[one] = b.blockMomentum[one] + b.blockMomentum[other]
   b.blockSpeed[one] = b.blockSpeed[one] + b.blockSpeed[other]
   b.blockForce[one] = b.blockForce[one] + b.blockForce[other]
-  local apart = b.from[other] - b.from[one]
+  local apart = b.from[other] + b.lead[other] - (b.from[one] + b.lead[one])
   b.blockShift[one] = b.blockShift[one] + b.blockShift[other] + massOther * (apart - off)
   b.blockKinks[one] = flow.merge(b, b.blockKinks[one], b.blockKinks[other])
   b.blockLeast[one] = max(b.blockLeast[one], b.blockLeast[other])
@@ -242,7 +243,7 @@ function pool.glue(b, kUp, kLow, slipped, dt)
   local up, offUp = find(b, kUp)
   local low, offLow = find(b, kLow)
   if up ~= low then
-    local apart = b.from[kUp] - b.from[kLow] + (b.lead[kUp] - b.lead[kLow] + slipped)
+    local apart = b.from[kUp] + b.lead[kUp] - (b.from[kLow] + b.lead[kLow]) + slipped
     join(b, low, up, offLow + apart - offUp, dt, false)
     b.heldLow[low], b.heldHigh[low] = 0, 0 -- its contacts find out anew
   end
