@@ -363,7 +363,8 @@ local function check(b, list, bonds, dt)
     else
       local impulse = need[up] + (speed[up] - b.ownSpeed[up]) / b.give[up]
       if not isPressed[up] and max(impulse, -impulse) > limit * (1 + 1e-9) + 1e-12 then
-        tear(b, bonds, n, impulse > 0 and limit or -limit)
+        impulse = impulse > 0 and limit or -limit
+        tear(b, bonds, n, impulse)
         hasChanged = true
       elseif not bonds.isGlued[n] and speed[up] ~= speed[low] then
         bonds.isGlued[n], hasChanged = true, true
