@@ -7,10 +7,13 @@
 --
 -- The kinks of a block are lists, by rising velocity: `kinkAt`, `kinkGrip`, `kinkNext`; 0 ends one.
 
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local forces = require(root .. ".motion.forces")
+
 local flow = {}
 
 local HUGE = math.huge
-local max, min = math.max, math.min
+local floor, max, min = math.floor, math.max, math.min
 -- Stretches of time between two kinks, at most.
 local STRETCHES = 8
 
@@ -106,19 +109,25 @@ function flow.slide(v, a, base, brake, tau)
   return base + d * tau, way + d * tau * 0.5 * tau
 end
 
---- The same of body k, with the friction of its ground, and its limits, from velocity v on.
-function flow.body(b, k, v, a, tau)
-  local give, grip, least, most = b.give[k], b.grip[k], b.least[k], b.most[k]
-  if least == -HUGE and most == HUGE then
-    return flow.slide(v, a, b.base[k], grip * give, tau)
-  end
-  local list = grip > 0 and flow.newKink(b, b.base[k], grip) or 0
-  return flow.run(b, list, 1 / give, a / give, v, tau, least, most)
+-- Acceleration of body k by itself, px/s²: what a limit keeps from it included.
+local function drive(b, k, dt)
+  return (b.freeSpeed[k] - b.start[k] + b.reserve[k] + b.tug[k] * b.give[k]) / dt
 end
 
---- Acceleration of body k by itself, px/s²: what a limit keeps from it included.
-function flow.drive(b, k, dt)
-  return (b.freeSpeed[k] - b.start[k] + b.reserve[k] + b.tug[k] * b.give[k]) / dt
+flow.drive = drive
+
+--- The same of body k, with the friction of its ground, and its limits, from velocity v on, for tau s
+--- of a step of dt s.
+function flow.body(b, k, v, tau, dt)
+  local give, grip, least, most = b.give[k], b.grip[k], b.least[k], b.most[k]
+  if least ~= -HUGE or most ~= HUGE then
+    local list = grip > 0 and flow.newKink(b, b.base[k], grip) or 0
+    return flow.run(b, list, 1 / give, drive(b, k, dt) / give, v, tau, least, most)
+  elseif b.airFriction[floor(k * 0.5)] ~= 0 then
+    local a = b.pull[k] + b.push[k] + b.tug[k] * give / dt
+    return forces.slide(b, k, v, a, b.base[k], grip * give, tau)
+  end
+  return flow.slide(v, drive(b, k, dt), b.base[k], grip * give, tau)
 end
 
 return flow

@@ -99,10 +99,13 @@ end
 
 -- Adds the load of contact c: what was taken off `up` in this step, of which at most what its own
 -- acceleration made is weight, the rest an impact; and what stands on it.
-local function addLoad(b, list, c, up, low, sign)
-  local mass = 1 / b.give[up]
-  local impulse = (b.freeSpeed[up] - b.speed[up]) * sign * mass
-  local pull = max((b.freeSpeed[up] - b.start[up]) * sign * mass, 0.0)
+local function addLoad(b, list, c, up, low, sign, dt)
+  local mass, start, speed = 1 / b.give[up], b.start[up], b.speed[up]
+  local free, air = b.freeSpeed[up] + b.reserve[up], b.airFriction[floor(up * 0.5)]
+  if air ~= 0 then -- what it would be slowed down by, if it fell, does not carry it
+    free = start + (b.pull[up] + b.push[up] - air * (speed - b.carried[up])) * dt
+  end
+  local impulse, pull = (free - speed) * sign * mass, max((free - start) * sign * mass, 0.0)
   local load = b.load[up] + impulse
   local weight = min(load, b.weight[up] + pull)
   list.load[c], list.weight[c] = load, weight
@@ -110,16 +113,16 @@ local function addLoad(b, list, c, up, low, sign)
 end
 
 -- Sums up the loads, from what nothing stands on down to the supports.
-local function sumLoads(b, list)
+local function sumLoads(b, list, dt)
   local low, high, bearing, bearer = list.low, list.high, list.bearing, b.bearer
   for c = 1, list.count do
     if bearing[c] == ON_HIGH and bearer[low[c]] == c then
-      addLoad(b, list, c, low[c], high[c], 1)
+      addLoad(b, list, c, low[c], high[c], 1, dt)
     end
   end
   for c = list.count, 1, -1 do
     if bearing[c] == ON_LOW and bearer[high[c]] == c then
-      addLoad(b, list, c, high[c], low[c], -1)
+      addLoad(b, list, c, high[c], low[c], -1, dt)
     end
   end
 end
@@ -276,7 +279,7 @@ local function runAll(b, dt)
   for n = 1, b.pulledCount do
     local k = b.pulled[n]
     local onset = b.onset[k]
-    local v, way = flow.body(b, k, onset, flow.drive(b, k, dt), dt)
+    local v, way = flow.body(b, k, onset, dt, dt)
     b.speed[k], b.to[k], b.accel[k] = v, b.from[k] + b.lead[k] + way, (v - onset) / dt
     b.ownSpeed[k] = v
   end
@@ -454,7 +457,7 @@ end
 function friction.run(b, axis, dt)
   local list, other, bonds = b.contacts[axis], 1 - axis, b.bonds[1 - axis]
   findSupports(b, list, axis)
-  sumLoads(b, list)
+  sumLoads(b, list, dt)
   bonds.count, bonds.hasSlips = 0, false
   b.pulledCount, b.forceStamp = 0, b.forceStamp + 1
   addContacts(b, list, bonds, dt)

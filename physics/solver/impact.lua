@@ -103,7 +103,7 @@ local function reflow(b, k, tau, dt)
   if b.give[k] == 0 or (isFree and not leavesHolder(b, k, v)) then
     return
   end
-  local new, way = flow.body(b, k, v, flow.drive(b, k, dt), tau)
+  local new, way = flow.body(b, k, v, tau, dt)
   b.speed[k], b.to[k] = new, b.to[k] + way - (v + last) * 0.5 * tau
   b.accel[k] = tau > 0 and (new - v) / tau or 0.0
 end
