@@ -392,7 +392,8 @@ local function reset(b, axis, dt)
   end
 end
 
-local function resetOutset(b, axis)
+-- And how it begins, and would end, without the others.
+local function resetOwn(b, axis)
   local list, onset, outset = b.awakeList, b.onset, b.outset
   local ownSpeed, free = b.ownSpeed, b.freeSpeed
   for n = 1, b.awakeCount do
@@ -436,7 +437,7 @@ end
 -- Everything along an axis as it is with friction, but without contacts.
 local function place(b, axis, dt)
   reset(b, axis, dt)
-  resetOutset(b, axis)
+  resetOwn(b, axis)
   runAll(b, dt)
   settle.hold(b, axis, dt)
 end
@@ -475,7 +476,8 @@ function friction.run(b, axis, dt)
     place(b, other, dt)
     local isGlued = glue(b, bonds, dt)
     settle.finish(b, other, dt, isGlued)
-    if attempt == ATTEMPTS or not check(b, b.contacts[other], bonds, dt) then
+    local mayChange = isGlued or b.isViolated or bonds.hasSlips
+    if attempt == ATTEMPTS or not (mayChange and check(b, b.contacts[other], bonds, dt)) then
       return true
     end
   end

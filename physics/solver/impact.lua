@@ -18,7 +18,7 @@ local HUGE = math.huge
 local max, min, sqrt = math.max, math.min, math.sqrt
 -- Impacts of one body in a step after which it does not bounce any more, divided by 1 - restitution,
 -- and the most there are.
-local BOUNCES, MOST_BOUNCES = 4, 12
+local BOUNCES, MOST_BOUNCES = 4, 15
 -- Bonds in a row along which an impact drags others with it in its own step.
 local DEPTH = 8
 
@@ -71,21 +71,16 @@ local function weigh(b, i, j, kl, kh)
   return wl, wh
 end
 
--- Whether a pair still bounces in this step: it closes faster than its acceleration makes it in two
--- steps, and neither has bounced too often.
+-- The restitution of a pair that closes at u px/s: 0, unless that is faster than its acceleration makes
+-- it in two steps.
 local function restitution(b, i, j, u, a, dt)
-  local r = max(b.restitution[i], b.restitution[j])
-  if r == 0 or u <= 2 * max(a, -a) * dt then
-    return 0
-  end
+  return u > 2 * max(a, -a) * dt and max(b.restitution[i], b.restitution[j]) or 0
+end
+
+-- Whether slot i has met others too often in this step to bounce once more.
+local function isSpent(b, i, r)
   local limit = min(BOUNCES / max(1 - r, 1e-3), MOST_BOUNCES)
-  if
-    (b.impactsOf[i] > limit and b.kind[i] == DYNAMIC)
-    or (b.impactsOf[j] > limit and b.kind[j] == DYNAMIC)
-  then
-    return 0
-  end
-  return r
+  return b.impactsOf[i] > limit and b.kind[i] == DYNAMIC
 end
 
 -- Whether body k, which goes at v now, is on its way off what has held it in this step.
@@ -252,7 +247,10 @@ function impact.run(b, p, i, j, axis, t, dt, isLast)
   impact.note(b, p, i, axis, u)
   b.impactsOf[i], b.impactsOf[j] = b.impactsOf[i] + 1, b.impactsOf[j] + 1
   b.resolved = b.resolved + 1
-  local r = isLast and 0 or restitution(b, i, j, u, a, dt)
+  local r = restitution(b, i, j, u, a, dt)
+  if r > 0 and (isLast or isSpent(b, i, r) or isSpent(b, j, r)) then
+    r = 0
+  end
   local wl, wh = weigh(b, i, j, kl, kh)
   local total = wl + wh
   if total == 0 then
