@@ -18,8 +18,8 @@ local friction = {}
 
 local EPSILON = columns.EPSILON
 local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
--- How often a bond may break before the step goes on with what it has.
-local ATTEMPTS = 4
+-- How often bonds may break, and how often all is tried: in the end bonds only stick.
+local TEARS, ATTEMPTS = 4, 8
 -- Of a bond: both go as one; it slips, and friction does all it can; it has, and they go as one now.
 local BOND, SLIP, STUCK = 1, 2, 3
 -- Kinds of support: the low body leans on the high one, or the other way round.
@@ -346,7 +346,7 @@ end
 
 -- Looks from the top down whether friction can do what the bonds ask for, which bonds are asked that
 -- were not, and which have slipped to their end. Returns whether something has changed.
-local function check(b, list, bonds, dt)
+local function check(b, list, bonds, dt, mayTear)
   local need, isPressed, hasChanged = b.load, b.isPressed, false
   local speed, outset = b.speed, b.outset
   findPressed(b, list, b.awakeCount)
@@ -358,14 +358,16 @@ local function check(b, list, bonds, dt)
     local up, low, limit, state = bonds.up[n], bonds.low[n], bonds.limit[n], bonds.state[n]
     if state == SLIP then
       local slip, last = outset[up] - outset[low], speed[up] - speed[low]
-      if slip * bonds.tug[n] < 0 and last * bonds.tug[n] > 0 then
+      if last * bonds.tug[n] > 0 then -- friction would have turned the slip round
+        local way = slip * last < 0 and slip * slip / (slip - last) * 0.5 * dt or 0.0
         pull(b, bonds, n, 0.0)
-        stick(b, bonds, n, slip * slip / (slip - last) * 0.5 * dt, speed[low] == outset[low])
+        stick(b, bonds, n, way, speed[low] == outset[low])
         hasChanged = true
       end
     else
       local impulse = need[up] + (speed[up] - b.ownSpeed[up]) / b.give[up]
-      if not isPressed[up] and max(impulse, -impulse) > limit * (1 + 1e-9) + 1e-12 then
+      local isTorn = mayTear and max(impulse, -impulse) > limit * (1 + 1e-9) + 1e-12
+      if isTorn and not isPressed[up] then
         impulse = impulse > 0 and limit or -limit
         tear(b, bonds, n, impulse)
         hasChanged = true
@@ -477,7 +479,7 @@ function friction.run(b, axis, dt)
     local isGlued = glue(b, bonds, dt)
     settle.finish(b, other, dt, isGlued)
     local mayChange = isGlued or b.isViolated or bonds.hasSlips
-    if attempt == ATTEMPTS or not (mayChange and check(b, b.contacts[other], bonds, dt)) then
+    if attempt == ATTEMPTS or not (mayChange and check(b, b.contacts[other], bonds, dt, attempt <= TEARS)) then
       return true
     end
   end
