@@ -63,8 +63,8 @@ local function timeUntil(v, a, airFriction, target, dt)
 end
 
 --- Flight with air friction of body k from a velocity of v px/s, pulled by a, for tau s, while it
---- rubs on ground that goes at `base` and brakes it by `brake` px/s². Returns the velocity at the end
---- and the displacement.
+--- rubs on ground that goes at `base` and brakes it by `brake` px/s². Returns the velocity at the
+--- end and the displacement.
 function forces.slide(b, k, v, a, base, brake, tau)
   local carried, air, way = b.carried[k], b.airFriction[(k - k % 2) * 0.5], 0.0
   local slip, own = v - base, base - carried
@@ -75,8 +75,8 @@ function forces.slide(b, k, v, a, base, brake, tau)
       return last + carried, its + carried * tau
     end
     local time = timeUntil(v - carried, pull, air, own, tau)
-    _, its = fly(v - carried, pull, air, time)
-    way, tau = its + carried * time, tau - time
+    local _, before = fly(v - carried, pull, air, time)
+    way, tau = before + carried * time, tau - time
   end
   local pull = a - air * own
   if pull <= brake and -pull <= brake then

@@ -30,7 +30,8 @@ function flow.newKink(b, at, grip)
   return n
 end
 
---- Merges two lists of kinks, which are lost, and returns the list. Kinks at one velocity become one.
+--- Merges two lists of kinks, which are lost, and returns the list. Kinks at one velocity become
+--- one.
 function flow.merge(b, one, other)
   local kinkAt, kinkGrip, kinkNext = b.kinkAt, b.kinkGrip, b.kinkNext
   local first, last = 0, 0
@@ -71,7 +72,8 @@ local function around(b, list, force, v)
 end
 
 --- Returns the velocity after `tau` s and the way until then, px, of what has this mass, this force
---- but for its kinks, and the velocity v, and goes no slower than `least` and no faster than `most`.
+--- but for its kinks, and the velocity v, and goes no slower than `least` and no faster than
+--- `most`.
 function flow.run(b, list, mass, force, v, tau, least, most)
   local way = 0.0
   v = max(min(v, most), least)
@@ -116,8 +118,8 @@ end
 
 flow.drive = drive
 
---- The same of body k, with the friction of its ground, and its limits, from velocity v on, for tau s
---- of a step of dt s.
+--- The same of body k, with the friction of its ground, and its limits, from velocity v on, for tau
+--- s of a step of dt s.
 function flow.body(b, k, v, tau, dt)
   local give, grip, least, most = b.give[k], b.grip[k], b.least[k], b.most[k]
   if least ~= -HUGE or most ~= HUGE then
@@ -128,6 +130,23 @@ function flow.body(b, k, v, tau, dt)
     return forces.slide(b, k, v, a, b.base[k], grip * give, tau)
   end
   return flow.slide(v, drive(b, k, dt), b.base[k], grip * give, tau)
+end
+
+--- Notes that body k does not go as it would by itself.
+function flow.notePulled(b, k)
+  b.pulledCount = b.pulledCount + 1
+  b.pulled[b.pulledCount] = k
+end
+
+--- Gives their paths to the bodies noted so, as far as contacts leave them alone.
+function flow.runAll(b, dt)
+  for n = 1, b.pulledCount do
+    local k = b.pulled[n]
+    local onset = b.onset[k]
+    local v, way = flow.body(b, k, onset, dt, dt)
+    b.speed[k], b.to[k], b.accel[k] = v, b.from[k] + b.lead[k] + way, (v - onset) / dt
+    b.ownSpeed[k] = v
+  end
 end
 
 return flow

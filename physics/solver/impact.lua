@@ -1,11 +1,12 @@
 --- Impacts: two bodies that meet in the middle of a step.
 --
--- Both go to the moment of the impact. What happens there is worked out from the end of their paths,
--- which is exact for constant acceleration: the overlap that they would have there, and how fast
--- they would close, tell how fast they meet and how much of the step is left. They bounce, or go on
--- flush with a common velocity, and are a contact for the rest of the step.
+-- Both go to the moment of the impact. What happens there is worked out from the end of their
+-- paths, which is exact for constant acceleration: the overlap that they would have there, and how
+-- fast they would close, tell how fast they meet and how much of the step is left. They bounce, or
+-- go on flush with a common velocity, and are a contact for the rest of the step.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local bonds = require(root .. ".solver.bonds")
 local columns = require(root .. ".memory.columns")
 local flow = require(root .. ".solver.flow")
 local friction = require(root .. ".solver.friction")
@@ -13,11 +14,11 @@ local path = require(root .. ".motion.path")
 
 local impact = {}
 
-local DYNAMIC, SIDE = columns.DYNAMIC, columns.SIDE
+local DYNAMIC = columns.DYNAMIC
 local HUGE = math.huge
 local max, min, sqrt = math.max, math.min, math.sqrt
--- Impacts of one body in a step after which it does not bounce any more, divided by 1 - restitution,
--- and the most there are.
+-- Impacts of one body in a step after which it does not bounce any more, divided by 1 -
+-- restitution, and the most there are.
 local BOUNCES, MOST_BOUNCES = 4, 15
 -- Bonds in a row along which an impact drags others with it in its own step.
 local DEPTH = 8
@@ -30,8 +31,8 @@ function impact.note(b, p, low, axis, u)
   end
 end
 
--- How fast two meet, and how many seconds are left then: from the overlap o, the closing speed v and
--- the closing acceleration a at the end of the step, which is at most `left` s away.
+-- How fast two meet, and how many seconds are left then: from the overlap o, the closing speed v
+-- and the closing acceleration a at the end of the step, which is at most `left` s away.
 local function approach(o, v, a, left)
   local square = v * v - 2 * a * o
   local u = square > 0 and sqrt(square) or 0.0
@@ -71,8 +72,8 @@ local function weigh(b, i, j, kl, kh)
   return wl, wh
 end
 
--- The restitution of a pair that closes at u px/s: 0, unless that is faster than its acceleration makes
--- it in two steps.
+-- The restitution of a pair that closes at u px/s: 0, unless that is faster than its acceleration
+-- makes it in two steps.
 local function restitution(b, i, j, u, a, dt)
   return u > 2 * max(a, -a) * dt and max(b.restitution[i], b.restitution[j]) or 0
 end
@@ -89,8 +90,8 @@ local function leavesHolder(b, k, v)
     or b.heldLow[k] > 0 and v > b.speed[b.holderLow[k]]
 end
 
--- What acts on body k by itself, friction and limits do so along this axis for the rest of the step,
--- from the speed that it has after the impact.
+-- What acts on body k by itself, friction and limits do so along this axis for the rest of the
+-- step, from the speed that it has after the impact.
 local function reflow(b, k, tau, dt)
   local isFree = b.grip[k] == 0 and b.least[k] == -HUGE and b.most[k] == HUGE
   local last = b.speed[k]
@@ -133,11 +134,11 @@ end
 
 local drag
 
--- Friction has held the bodies of bond n together. An impact has given one of them another speed: they
--- rub for the last tau s.
-local function dragBond(b, bonds, n, other, tau, dt, depth)
-  local up, low, press = bonds.up[n], bonds.low[n], bonds.limit[n] * tau / dt
-  if depth == 0 or not friction.holds(bonds, n) or b.speed[up] == b.speed[low] then
+-- Friction has held the bodies of bond n together. An impact has given one of them another speed:
+-- they rub for the last tau s.
+local function dragBond(b, list, n, other, tau, dt, depth)
+  local up, low, press = list.up[n], list.low[n], list.limit[n] * tau / dt
+  if depth == 0 or not bonds.holds(list, n) or b.speed[up] == b.speed[low] then
     return
   elseif other == low and b.speed[low] == b.base[low] and b.grip[low] * tau >= press then
     b.base[up], b.grip[up] = b.speed[low], press / tau -- the ground holds the lower one
@@ -150,21 +151,21 @@ end
 
 -- The same for all bonds of body k but for `from`; and so on, `depth` times.
 function drag(b, k, from, tau, dt, depth)
-  local bonds, n = b.bonds[k % 2], b.bondUnder[k]
+  local list, n = b.bonds[k % 2], b.bondUnder[k]
   if n ~= 0 and n ~= from then
-    dragBond(b, bonds, n, bonds.low[n], tau, dt, depth)
+    dragBond(b, list, n, list.low[n], tau, dt, depth)
   end
   n = b.bondOn[k]
   while n ~= 0 do
     if n ~= from then
-      dragBond(b, bonds, n, bonds.up[n], tau, dt, depth)
+      dragBond(b, list, n, list.up[n], tau, dt, depth)
     end
-    n = bonds.next[n]
+    n = list.next[n]
   end
 end
 
--- The impact rubs along the other axis, at once; what the two press with then, until the end. `jolt`
--- and `press` are impulses along the normal.
+-- The impact rubs along the other axis, at once; what the two press with then, until the end.
+-- `jolt` and `press` are impulses along the normal.
 local function rub(b, i, j, axis, wl, wh, jolt, press, tau, dt)
   local mu = friction.coefficient(b, i, j)
   if mu <= 0 then

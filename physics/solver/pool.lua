@@ -1,10 +1,10 @@
 --- Blocks: free bodies that press each other along an axis go on as one.
 --
 -- Source: pool adjacent violators, which solves isotonic regression (R. E. Barlow et al.,
--- Statistical Inference under Order Restrictions, 1972): walk along the contacts, and make one block
--- of two that overlap, with their common momentum. Bodies are in a forest (union-find); the offset
--- of each from the root of its block is kept, so that a block stays flush. Friction and engines of
--- its members act on a block as kinks (see flow).
+-- Statistical Inference under Order Restrictions, 1972): walk along the contacts, and make one
+-- block of two that overlap, with their common momentum. Bodies are in a forest (union-find); the
+-- offset of each from the root of its block is kept, so that a block stays flush. Friction and
+-- engines of its members act on a block as kinks (see flow).
 --
 -- A body that is not pushable is *firm*: a block with one moves as that does. Of two firm blocks
 -- the one that comes from behind follows; two that meet head-on both stop.
@@ -64,8 +64,8 @@ local function origin(b, k)
   return b.from[k] + b.lead[k] + b.blockShift[k] / b.blockMass[k]
 end
 
--- The end of a block of which the parts are summed up, at its root. One that friction can hold, as a
--- member stands, does not move: what pushes it pushes anew in each step.
+-- The end of a block of which the parts are summed up, at its root. One that friction can hold, as
+-- a member stands, does not move: what pushes it pushes anew in each step.
 local function finish(b, k, dt, isLate, place)
   local mass, least, most = b.blockMass[k], b.blockLeast[k], b.blockMost[k]
   if isLate then
@@ -198,9 +198,7 @@ local function look(b, list, c, dt, isLate)
     return false
   end
   local closing = b.speed[low] - b.speed[high]
-  if
-    list.elastic[c] == 1 and pool.bounces(closing, b.accel[low] - b.accel[high], 2 * dt)
-  then
+  if list.elastic[c] == 1 and pool.bounces(closing, b.accel[low] - b.accel[high], 2 * dt) then
     return false
   end
   register(b, kl, dt)
@@ -249,7 +247,8 @@ function pool.glue(b, kUp, kLow, slipped, dt)
   end
 end
 
---- Makes blocks of what overlaps at the end of the step. Walks there and back, at most PASSES times.
+--- Makes blocks of what overlaps at the end of the step. Walks there and back, at most PASSES
+--- times.
 function pool.run(b, list, dt, isLate)
   local count = list.count
   for n = 1, PASSES do

@@ -4,6 +4,7 @@
 -- fixed number of passes over the contacts in each. What cannot be finished goes on in the next step.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local bonds = require(root .. ".solver.bonds")
 local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
 local crush = require(root .. ".solver.crush")
@@ -39,14 +40,15 @@ local WIDTHS = 2 ^ 20
 --- Gives a world what the solver needs.
 function solver.adopt(b)
   b.contacts = { [0] = contacts.newList(0), contacts.newList(1) }
-  b.bonds = { [0] = friction.newBonds(), friction.newBonds() }
+  b.bonds = { [0] = bonds.new(), bonds.new() }
   b.impacts = sweep.newImpacts()
 end
 
 -- Everything awake as it is before contacts.
 local function begin(b, dt)
   local list, kind, buried, give = b.awakeList, b.kind, b.buried, b.give
-  local freeSpeed, start, speed, velocity, carried = b.freeSpeed, b.start, b.speed, b.velocity, b.carried
+  local freeSpeed, start, speed, velocity, carried =
+    b.freeSpeed, b.start, b.speed, b.velocity, b.carried
   local from, origin, inverseMass, dirty = b.from, b.origin, b.inverseMass, b.dirty
   local limit, accel = b.limit, b.accel
   for n = 1, b.awakeCount do
@@ -67,7 +69,8 @@ end
 
 -- Notes the sides at which bodies lean on each other, and the hits of those that begin to.
 local function notePressed(b, axis)
-  local list, pressed, pressedHigh, pressedLow = b.contacts[axis], b.pressed, b.pressedHigh, b.pressedLow
+  local list, pressed, pressedHigh, pressedLow =
+    b.contacts[axis], b.pressed, b.pressedHigh, b.pressedLow
   for c = 1, list.count do
     local p = list.pair[c]
     if pressed[p] == 1 then
@@ -133,7 +136,14 @@ local function sortImpacts(b)
     impacts.width[n] = -floor(width * WIDTHS + 0.5)
     impacts.first[n], impacts.second[n] = columns.ranks(b, i, j)
   end
-  sort.by(impacts.order, impacts.count, impacts.moment, impacts.width, impacts.first, impacts.second)
+  sort.by(
+    impacts.order,
+    impacts.count,
+    impacts.moment,
+    impacts.width,
+    impacts.first,
+    impacts.second
+  )
 end
 
 -- A body enters a sensor, or passes through it.
@@ -173,7 +183,10 @@ local function happen(b, n, dt, isLast)
     end
     return
   end
-  if (isSensed and b.hit[p] ~= 0) or rules.passes(b, p, 2 * i + axis, 2 * j + axis, axis, impacts.isDeep[n]) then
+  if
+    (isSensed and b.hit[p] ~= 0)
+    or rules.passes(b, p, 2 * i + axis, 2 * j + axis, axis, impacts.isDeep[n])
+  then
     return
   elseif isSensed then
     sense(b, p, i, j, axis, t, dt)
