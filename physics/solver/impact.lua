@@ -19,7 +19,7 @@ local HUGE = math.huge
 local max, min, sqrt = math.max, math.min, math.sqrt
 -- Impacts of one body in a step after which it does not bounce any more, divided by 1 -
 -- restitution, and the most there are.
-local BOUNCES, MOST_BOUNCES = 4, 15
+local BOUNCES, MOST_BOUNCES = 4, 13
 -- Bonds in a row along which an impact drags others with it in its own step.
 local DEPTH = 8
 
