@@ -112,8 +112,12 @@ local function join(b, one, other, off, dt, isLate)
   b.blockStand[one] = min(b.blockStand[one], b.blockStand[other])
   b.isFirm[one] = b.isFirm[one] or b.isFirm[other]
   b.parent[other], b.offset[other] = one, off
-  b.heldLow[one] = b.heldLow[one] + b.heldLow[other]
-  b.heldHigh[one] = b.heldHigh[one] + b.heldHigh[other]
+  if b.heldLow[other] > 0 then
+    b.heldLow[one], b.holderLow[one] = b.heldLow[one] + b.heldLow[other], b.holderLow[other]
+  end
+  if b.heldHigh[other] > 0 then
+    b.heldHigh[one], b.holderHigh[one] = b.heldHigh[one] + b.heldHigh[other], b.holderHigh[other]
+  end
   finish(b, one, dt, isLate, place)
 end
 
@@ -158,6 +162,7 @@ local function yield(b, low, high, offLow, offHigh, separation, stayLow, stayHig
     end
     if b.heldHigh[high] > 0 then
       b.heldHigh[low] = b.heldHigh[high] + 1
+      b.holderHigh[low] = b.give[high] > 0 and b.holderHigh[high] or high
     end
     b.isFirm[low] = b.isFirm[low] or b.isFirm[high] and b.heldHigh[high] == 0
   else
@@ -167,6 +172,7 @@ local function yield(b, low, high, offLow, offHigh, separation, stayLow, stayHig
     end
     if b.heldLow[low] > 0 then
       b.heldLow[high] = b.heldLow[low] + 1
+      b.holderLow[high] = b.give[low] > 0 and b.holderLow[low] or low
     end
     b.isFirm[high] = b.isFirm[high] or b.isFirm[low] and b.heldLow[low] == 0
   end
@@ -224,6 +230,7 @@ local function spread(b)
     if top ~= k then
       b.to[k], b.speed[k], b.accel[k] = b.to[top] + off, b.speed[top], b.accel[top]
       b.heldLow[k], b.heldHigh[k] = b.heldLow[top], b.heldHigh[top]
+      b.holderLow[k], b.holderHigh[k] = b.holderLow[top], b.holderHigh[top]
     end
     b.outset[k] = b.blockMomentum[top] / b.blockMass[top]
   end
