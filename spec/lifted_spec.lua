@@ -134,27 +134,4 @@ describe('what leans on a wall and on the floor, with push = "first",', function
       assert.equal(0, heavy.vy)
     end)
   end
-
-  it("goes the same way through the queue alone, in the shortest steps", function()
-    local function hashOf(x, dt, queueOnly)
-      local world = physics.newWorld({ gravity = 800, gravityX = 800, push = "first" })
-      world._bodies.queueOnly = queueOnly
-      world:add("walls", { x = 80, y = -10, width = 10, height = 100, static = true })
-      world:add("walls", { x = 0, y = 80, width = 80, height = 10, static = true })
-      world:add("a", { x = 60, y = 70, width = 20, height = 10, friction = 3 })
-      world:add("b", { x = x, y = 60, width = 20, height = 10, friction = 0.5 })
-      world:add("c", { x = 55, y = 70, width = 5, height = 10 })
-      world:add("a", { x = 40, y = 70, width = 5, height = 10, friction = 0.3 })
-      local heavy = { x = 45, y = 70, width = 10, height = 10, friction = 0.3, mass = 1000 }
-      heavy.restitution = 0.5
-      world:add("c", heavy)
-      world:update(dt)
-      return world:hash()
-    end
-    for _, dt in ipairs({ 1e-5, 2e-5, 1e-4 }) do
-      for x = 20, 60 do
-        assert.equal(hashOf(x, dt, true), hashOf(x, dt, false))
-      end
-    end
-  end)
 end)

@@ -51,15 +51,54 @@ local function clamp(v, limit)
   return v > limit and limit or v < -limit and -limit or v
 end
 
--- The same for an axis with a speed limit: the limit is reached inside the step. Third, by how much
+-- How many seconds a flight with air friction takes until it is as fast as `target`, which it is
+-- before dt is over. Source: Newton's method; the velocity is convex or concave, so it converges.
+local function timeUntil(v, a, airFriction, target, dt)
+  local time = 0.0
+  for _ = 1, 6 do
+    local now = fly(v, a, airFriction, time)
+    time = max(0.0, min(time + (target - now) / (a - airFriction * now), dt))
+  end
+  return time
+end
+
+--- Flight with air friction of body k from a velocity of v px/s, pulled by a, for tau s, while it
+--- rubs on ground that goes at `base` and brakes it by `brake` px/s². Returns the velocity at the
+--- end and the displacement.
+function forces.slide(b, k, v, a, base, brake, tau)
+  local carried, air, way = b.carried[k], b.airFriction[(k - k % 2) * 0.5], 0.0
+  local slip, own = v - base, base - carried
+  if slip ~= 0 then
+    local pull = slip > 0 and a - brake or a + brake
+    local last, its = fly(v - carried, pull, air, tau)
+    if (last - own) * slip >= 0 then
+      return last + carried, its + carried * tau
+    end
+    local time = timeUntil(v - carried, pull, air, own, tau)
+    local _, before = fly(v - carried, pull, air, time)
+    way, tau = before + carried * time, tau - time
+  end
+  local pull = a - air * own
+  if pull <= brake and -pull <= brake then
+    return base, way + base * tau
+  end
+  local last, its = fly(own, pull > 0 and a - brake or a + brake, air, tau)
+  return last + carried, way + its + carried * tau
+end
+
+-- Free flight of an axis with a speed limit: that is reached inside the step. Third, by how much
 -- faster it would be.
 local function flyLimited(v, a, airFriction, limit, dt)
   v = clamp(v, limit)
   local n, way = fly(v, a, airFriction, dt)
   local capped = clamp(n, limit)
-  if capped ~= n then
+  if capped ~= n and airFriction == 0 then
     local share = (capped - v) / (n - v)
     way = (v + capped) * 0.5 * share * dt + capped * (1 - share) * dt
+  elseif capped ~= n then
+    local time = timeUntil(v, a, airFriction, capped, dt)
+    local _, before = fly(v, a, airFriction, time)
+    way = before + capped * (dt - time)
   end
   return capped, way, n - capped
 end

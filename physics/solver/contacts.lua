@@ -146,8 +146,8 @@ local function growthOf(b, kl, kh)
   return CREEP * (1 - jam / contacts.PATIENCE)
 end
 
--- Two dynamic bodies that have had no room on one axis for a while try the other one: returns that, and
--- whether the second of the pair is the low one there.
+-- Two dynamic bodies that have had no room on one axis for a while try the other one: returns that,
+-- and whether the second of the pair is the low one there.
 local function turn(b, axis, isSecondLow, ki, kj)
   local jam = b.jam
   if max(jam[ki + axis], jam[kj + axis]) ~= contacts.TURN then

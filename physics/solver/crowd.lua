@@ -104,8 +104,8 @@ local function meets(b, i, j)
   return false, false
 end
 
--- Counts for each candidate, sorted by x, the others at its spot, up to MANY. One at the spot of a body
--- that has enough of them has enough, too.
+-- Counts for each candidate, sorted by x, the others at its spot, up to MANY. One at the spot of a
+-- body that has enough of them has enough, too.
 local function countShared(b, list, n, widest)
   local shared, key = b.shared, b.crowdKey
   for at = 1, n do

@@ -1,15 +1,19 @@
---- Motion of one body or block along an axis under constant forces, with kinks.
+--- Motion of a body or a block along an axis under a constant force, friction and speed limits.
 --
--- A kink is a velocity at which the force jumps down: Coulomb friction of limit L against a ground
--- that moves at v is a kink of 2 L at v; an engine that stops pulling at its speed limit is a kink
--- of its force there. The force is the least in the fastest motion, so the body comes to rest at a
--- kink when the force points to it from both sides, and stays there. Friction that stops a body,
--- turns it or holds it, and engines at their limit, are all found at their moment this way.
+-- Coulomb friction against ground that moves at v is a *kink* at v: the force jumps there, from
+-- +grip below to -grip above. A motion that comes to a kink stays there while the rest of the force
+-- is less than the grip. A speed limit holds what comes to it as long as the force drives it on. So
+-- friction that stops something, turns it or holds it, and limits, are all found at their moment.
 --
--- Kinks are in lists, by rising velocity: `kinkAt`, `kinkJump`, `kinkNext`; 0 ends a list.
+-- The kinks of a block are lists, by rising velocity: `kinkAt`, `kinkGrip`, `kinkNext`; 0 ends one.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local forces = require(root .. ".motion.forces")
 
 local flow = {}
 
+local HUGE = math.huge
+local floor, max, min = math.floor, math.max, math.min
 -- Stretches of time between two kinks, at most.
 local STRETCHES = 8
 
@@ -18,26 +22,18 @@ function flow.reset(b)
   b.kinkCount = 0
 end
 
---- Adds a kink to a list and returns the list.
-function flow.add(b, list, at, jump)
-  local kinkAt, kinkNext, n = b.kinkAt, b.kinkNext, b.kinkCount + 1
+--- Returns a list of one kink.
+function flow.newKink(b, at, grip)
+  local n = b.kinkCount + 1
   b.kinkCount = n
-  kinkAt[n], b.kinkJump[n], kinkNext[n] = at, jump, 0
-  if list == 0 or at < kinkAt[list] then
-    kinkNext[n] = list
-    return n
-  end
-  local before = list
-  while kinkNext[before] ~= 0 and kinkAt[kinkNext[before]] <= at do
-    before = kinkNext[before]
-  end
-  kinkNext[n], kinkNext[before] = kinkNext[before], n
-  return list
+  b.kinkAt[n], b.kinkGrip[n], b.kinkNext[n] = at, grip, 0
+  return n
 end
 
---- Merges two lists of kinks and returns the list. Kinks at one velocity become one.
+--- Merges two lists of kinks, which are lost, and returns the list. Kinks at one velocity become
+--- one.
 function flow.merge(b, one, other)
-  local kinkAt, kinkJump, kinkNext = b.kinkAt, b.kinkJump, b.kinkNext
+  local kinkAt, kinkGrip, kinkNext = b.kinkAt, b.kinkGrip, b.kinkNext
   local first, last = 0, 0
   while one ~= 0 or other ~= 0 do
     local n
@@ -47,7 +43,7 @@ function flow.merge(b, one, other)
       n, other = other, kinkNext[other]
     end
     if last ~= 0 and kinkAt[last] == kinkAt[n] then
-      kinkJump[last] = kinkJump[last] + kinkJump[n]
+      kinkGrip[last] = kinkGrip[last] + kinkGrip[n]
     elseif last == 0 then
       first, last = n, n
     else
@@ -62,46 +58,44 @@ end
 
 -- The force just below and just above velocity v, and the kinks next to it on both sides.
 local function around(b, list, force, v)
-  local kinkAt, kinkJump, kinkNext = b.kinkAt, b.kinkJump, b.kinkNext
-  local below, above, slower = force, force, 0
-  while list ~= 0 and kinkAt[list] <= v do
-    above = above - kinkJump[list]
-    if kinkAt[list] < v then
-      below, slower = above, list
-    end
+  local kinkAt, kinkGrip, kinkNext = b.kinkAt, b.kinkGrip, b.kinkNext
+  local below, above, slower, faster = force, force, -HUGE, HUGE
+  while list ~= 0 do
+    local at, grip = kinkAt[list], kinkGrip[list]
+    below = at < v and below - grip or below + grip
+    above = at > v and above + grip or above - grip
+    slower = at < v and at or slower
+    faster = at > v and min(at, faster) or faster
     list = kinkNext[list]
   end
-  return below, above, slower, list
+  return below, above, slower, faster
 end
 
---- Returns the velocity after `tau` s and the way until then, px, of a body of this mass that is
---- pulled by `force` below all kinks and starts at velocity v.
-function flow.run(b, list, mass, force, v, tau)
+--- Returns the velocity after `tau` s and the way until then, px, of what has this mass, this force
+--- but for its kinks, and the velocity v, and goes no slower than `least` and no faster than
+--- `most`.
+function flow.run(b, list, mass, force, v, tau, least, most)
   local way = 0.0
+  v = max(min(v, most), least)
   for _ = 1, STRETCHES do
     local below, above, slower, faster = around(b, list, force, v)
-    local a, kink = 0, 0
-    if above > 0 then
-      a, kink = above / mass, faster
-    elseif below < 0 then
-      a, kink = below / mass, slower
-    end
-    if a == 0 then
-      return v, way + v * tau
+    local a, target = 0, v
+    if above > 0 and v < most then
+      a, target = above / mass, min(faster, most)
+    elseif below < 0 and v > least then
+      a, target = below / mass, max(slower, least)
     end
     local last = v + a * tau
-    if kink == 0 or (b.kinkAt[kink] - last) * a >= 0 then
+    if a == 0 or (target - last) * a >= 0 then
       return last, way + (v + last) * 0.5 * tau
     end
-    local at = b.kinkAt[kink]
-    local time = (at - v) / a
-    v, way, tau = at, way + (v + at) * 0.5 * time, tau - time
+    local time = (target - v) / a
+    v, way, tau = target, way + (v + target) * 0.5 * time, tau - time
   end
   return v, way + v * tau
 end
 
---- The same of one body with nothing but Coulomb friction: its own acceleration a, ground that
---- moves at `base`, and a deceleration by friction of `brake` px/s².
+--- The same with a single kink at `base`, of `brake` px/s², and no limit.
 function flow.slide(v, a, base, brake, tau)
   local slip, way = v - base, base * tau
   if slip ~= 0 then
@@ -115,6 +109,44 @@ function flow.slide(v, a, base, brake, tau)
   end
   local d = a > brake and a - brake or a < -brake and a + brake or 0.0
   return base + d * tau, way + d * tau * 0.5 * tau
+end
+
+-- Acceleration of body k by itself, px/s²: what a limit keeps from it included.
+local function drive(b, k, dt)
+  return (b.freeSpeed[k] - b.start[k] + b.reserve[k] + b.tug[k] * b.give[k]) / dt
+end
+
+flow.drive = drive
+
+--- The same of body k, with the friction of its ground, and its limits, from velocity v on, for tau
+--- s of a step of dt s.
+function flow.body(b, k, v, tau, dt)
+  local give, grip, least, most = b.give[k], b.grip[k], b.least[k], b.most[k]
+  if least ~= -HUGE or most ~= HUGE then
+    local list = grip > 0 and flow.newKink(b, b.base[k], grip) or 0
+    return flow.run(b, list, 1 / give, drive(b, k, dt) / give, v, tau, least, most)
+  elseif b.airFriction[floor(k * 0.5)] ~= 0 then
+    local a = b.pull[k] + b.push[k] + b.tug[k] * give / dt
+    return forces.slide(b, k, v, a, b.base[k], grip * give, tau)
+  end
+  return flow.slide(v, drive(b, k, dt), b.base[k], grip * give, tau)
+end
+
+--- Notes that body k does not go as it would by itself.
+function flow.notePulled(b, k)
+  b.pulledCount = b.pulledCount + 1
+  b.pulled[b.pulledCount] = k
+end
+
+--- Gives their paths to the bodies noted so, as far as contacts leave them alone.
+function flow.runAll(b, dt)
+  for n = 1, b.pulledCount do
+    local k = b.pulled[n]
+    local onset = b.onset[k]
+    local v, way = flow.body(b, k, onset, dt, dt)
+    b.speed[k], b.to[k], b.accel[k] = v, b.from[k] + b.lead[k] + way, (v - onset) / dt
+    b.ownSpeed[k] = v
+  end
 end
 
 return flow

@@ -2,34 +2,26 @@
 --
 -- The load of a contact is what settling took off the body that leans, and what leans on that. All
 -- of it goes to the support under most of the body. A support that cannot be moved along the
--- surface is a kink in the motion of the body (see flow), so it slides, stops, turns or sticks
--- exactly. A body on a movable one is bonded to it: while friction can do that, both are one block
--- (see pool). Otherwise it slips, and both feel the limit.
+-- surface is ground (see flow): the body slides, stops, turns or sticks exactly. One that can be
+-- moved has a bond with the body (see bonds).
 --
--- Reads contacts, free, start; writes kinks, force, and the paths on the rubbed axis.
+-- Reads contacts, freeSpeed, start; writes base, grip, onset, bonds, and the paths on the rubbed
+-- axis.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local bonds = require(root .. ".solver.bonds")
 local columns = require(root .. ".memory.columns")
-local interpreted = require(root .. ".memory.jit")
 local flow = require(root .. ".solver.flow")
-local pool = require(root .. ".solver.pool")
 local settle = require(root .. ".solver.settle")
 
 local friction = {}
 
 local EPSILON = columns.EPSILON
 local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
--- How often a bond may break before the step goes on with what it has.
-local ATTEMPTS = 4
--- Of a bond: both go as one; it slips, and friction does all it can.
-local BOND, SLIP = 1, 2
+-- How often bonds may break, and how often all is tried: in the end bonds only stick.
+local TEARS, ATTEMPTS = 4, 8
 -- Kinds of support: the low body leans on the high one, or the other way round.
 local ON_HIGH, ON_LOW = 1, 2
-
---- Returns an empty list of bonds.
-function friction.newBonds()
-  return { count = 0, up = {}, low = {}, limit = {}, state = {}, tug = {}, isGlued = {} }
-end
 
 --- Returns the coefficient of a pair: the geometric mean; an immovable body without one takes the
 --- other's.
@@ -95,10 +87,13 @@ end
 
 -- Adds the load of contact c: what was taken off `up` in this step, of which at most what its own
 -- acceleration made is weight, the rest an impact; and what stands on it.
-local function addLoad(b, list, c, up, low, sign)
-  local mass = 1 / b.give[up]
-  local impulse = (b.freeSpeed[up] - b.speed[up]) * sign * mass
-  local pull = max((b.freeSpeed[up] - b.start[up]) * sign * mass, 0.0)
+local function addLoad(b, list, c, up, low, sign, dt)
+  local mass, start, speed = 1 / b.give[up], b.start[up], b.speed[up]
+  local free, air = b.freeSpeed[up] + b.reserve[up], b.airFriction[floor(up * 0.5)]
+  if air ~= 0 then -- what it would be slowed down by, if it fell, does not carry it
+    free = start + (b.pull[up] + b.push[up] - air * (speed - b.carried[up])) * dt
+  end
+  local impulse, pull = (free - speed) * sign * mass, max((free - start) * sign * mass, 0.0)
   local load = b.load[up] + impulse
   local weight = min(load, b.weight[up] + pull)
   list.load[c], list.weight[c] = load, weight
@@ -106,62 +101,33 @@ local function addLoad(b, list, c, up, low, sign)
 end
 
 -- Sums up the loads, from what nothing stands on down to the supports.
-local function sumLoads(b, list)
+local function sumLoads(b, list, dt)
   local low, high, bearing, bearer = list.low, list.high, list.bearing, b.bearer
   for c = 1, list.count do
     if bearing[c] == ON_HIGH and bearer[low[c]] == c then
-      addLoad(b, list, c, low[c], high[c], 1)
+      addLoad(b, list, c, low[c], high[c], 1, dt)
     end
   end
   for c = list.count, 1, -1 do
     if bearing[c] == ON_LOW and bearer[high[c]] == c then
-      addLoad(b, list, c, high[c], low[c], -1)
+      addLoad(b, list, c, high[c], low[c], -1, dt)
     end
   end
 end
 
--- Prepares body k to be pulled by friction: its own force, and that of an engine as a kink at the
--- speed limit that keeps it from getting faster.
-local function addForce(b, k, dt)
-  if b.kinks[k] ~= 0 or b.hasForce[k] == b.forceStamp then
-    return
+-- Body k rubs on what cannot be moved and goes at `base`. An impact rubs at once.
+local function addGround(b, k, base, mu, load, weight, dt)
+  load, weight = mu * load, mu * weight
+  local slip, jolt = b.onset[k] - base, (load - weight) * b.give[k]
+  if jolt > 0 then
+    b.onset[k] = base + (slip > jolt and slip - jolt or slip < -jolt and slip + jolt or 0.0)
   end
-  b.hasForce[k] = b.forceStamp
-  b.pulledCount = b.pulledCount + 1
-  b.pulled[b.pulledCount] = k
-  local mass, reserve = 1 / b.give[k], b.reserve[k]
-  local force = mass * (b.freeSpeed[k] - b.start[k] + reserve) / dt
-  if reserve > 0 and force > 0 then
-    b.kinks[k] = flow.add(b, 0, b.pace[k] + b.carried[k], force)
-  elseif reserve < 0 and force < 0 then
-    b.kinks[k] = flow.add(b, 0, b.pace[k] + b.carried[k], -force)
-    force = 0.0
-  end
-  b.force[k] = force
-end
-
--- Body k rubs on what cannot be moved and goes at `base`.
-local function addGround(b, k, base, load, weight, dt)
-  addForce(b, k, dt)
-  local slip, jolt = b.start[k] - base, (load - weight) * b.give[k]
-  if jolt > 0 then -- the impact rubs at once
-    b.start[k] = base + (slip > jolt and slip - jolt or slip < -jolt and slip + jolt or 0.0)
-  end
-  b.kinks[k] = flow.add(b, b.kinks[k], base, 2 * weight / dt)
-  b.force[k] = b.force[k] + weight / dt
-end
-
-local function addBond(b, bonds, up, low, limit)
-  local n = bonds.count + 1
-  bonds.count = n
-  bonds.up[n], bonds.low[n], bonds.limit[n], bonds.tug[n] = up, low, limit, 0.0
-  bonds.isGlued[n] = false
-  local slip = b.start[up] - b.start[low]
-  bonds.state[n] = max(slip, -slip) <= limit * b.give[up] and BOND or SLIP
+  b.base[k], b.grip[k], b.rough[k] = base, weight / dt, mu
+  flow.notePulled(b, k)
 end
 
 -- Contact c rubs along the other axis.
-local function addContact(b, list, bonds, c, dt)
+local function addContact(b, list, held, c, dt)
   local axis = list.axis
   local ku, ks = list.low[c], list.high[c]
   if list.bearing[c] == ON_LOW then
@@ -173,160 +139,31 @@ local function addContact(b, list, bonds, c, dt)
     return
   end
   local tu, ts = ku + 1 - 2 * axis, ks + 1 - 2 * axis
-  local load, weight = mu * list.load[c], mu * list.weight[c]
   if b.give[ts] == 0 then
     local base = b.speed[ts] + (axis == 1 and b.surfaceSpeed[j] or 0)
-    addGround(b, tu, base, load, weight, dt)
+    addGround(b, tu, base, mu, list.load[c], list.weight[c], dt)
   else
-    addBond(b, bonds, tu, ts, load)
+    bonds.add(b, held, tu, ts, mu * list.load[c])
   end
 end
 
 -- From the supports on.
-local function addContacts(b, list, bonds, dt)
+local function addContacts(b, list, held, dt)
   local bearing, bearer, low, high = list.bearing, b.bearer, list.low, list.high
   for c = list.count, 1, -1 do
     if bearing[c] == ON_HIGH and bearer[low[c]] == c then
-      addContact(b, list, bonds, c, dt)
+      addContact(b, list, held, c, dt)
     end
   end
   for c = 1, list.count do
     if bearing[c] == ON_LOW and bearer[high[c]] == c then
-      addContact(b, list, bonds, c, dt)
+      addContact(b, list, held, c, dt)
     end
   end
 end
 
--- The path of body k under what pulls it.
-local function run(b, k, tug, dt)
-  local mass = 1 / b.give[k]
-  local v, way = flow.run(b, b.kinks[k], mass, b.force[k] + tug / dt, b.start[k], dt)
-  return v, way
-end
-
-local function runAll(b, dt)
-  for n = 1, b.pulledCount do
-    local k = b.pulled[n]
-    local v, way = run(b, k, 0, dt)
-    b.speed[k], b.to[k], b.accel[k] = v, b.from[k] + way, (v - b.start[k]) / dt
-  end
-end
-
--- A bond slips with an impulse of `tug` on the upper one: adds that to both.
-local function pull(b, bonds, n, tug, dt)
-  local up, low, change = bonds.up[n], bonds.low[n], tug - bonds.tug[n]
-  addForce(b, up, dt)
-  addForce(b, low, dt)
-  b.force[up], b.force[low] = b.force[up] + change / dt, b.force[low] - change / dt
-  bonds.tug[n] = tug
-end
-
--- A bond that slips from the start on: friction does all it can against that. If that would turn
--- the slip round, the two go on as one.
-local function slide(b, bonds, n, dt)
-  local slip = b.start[bonds.up[n]] - b.start[bonds.low[n]]
-  local limit = slip > 0 and -bonds.limit[n] or bonds.limit[n]
-  pull(b, bonds, n, limit, dt)
-  local last = (run(b, bonds.up[n], 0, dt)) - (run(b, bonds.low[n], 0, dt))
-  if last * slip < 0 then
-    pull(b, bonds, n, 0.0, dt)
-    bonds.state[n] = BOND
-  end
-end
-
-local function slideAll(b, bonds, dt)
-  for n = 1, bonds.count do
-    if bonds.state[n] == SLIP then
-      slide(b, bonds, n, dt)
-    end
-  end
-end
-
--- Marks what is bonded, directly or through others, to a body that would not go along by itself.
--- Returns whether there is any.
-local function markTowers(b, bonds)
-  local mark, stamp, any = b.bondMark, b.forceStamp, false
-  for n = 1, bonds.count do
-    local up, low = bonds.up[n], bonds.low[n]
-    if bonds.state[n] == BOND then
-      local isEven = b.speed[up] == b.speed[low]
-        and b.to[up] - b.from[up] == b.to[low] - b.from[low]
-      if bonds.isGlued[n] or not isEven then
-        mark[up], mark[low], any = stamp, stamp, true
-      end
-    end
-  end
-  for n = any and bonds.count or 0, 1, -1 do
-    if bonds.state[n] == BOND and mark[bonds.up[n]] == stamp then
-      mark[bonds.low[n]] = stamp
-    end
-  end
-  for n = 1, any and bonds.count or 0 do
-    if bonds.state[n] == BOND and mark[bonds.low[n]] == stamp then
-      mark[bonds.up[n]] = stamp
-    end
-  end
-  return any
-end
-
--- Makes blocks of the bonds that are needed. Returns whether there are any.
-local function glue(b, bonds, dt)
-  local mark, stamp = b.bondMark, b.forceStamp
-  if not markTowers(b, bonds) then
-    return false
-  end
-  for n = 1, bonds.count do
-    local up, low = bonds.up[n], bonds.low[n]
-    if bonds.state[n] == BOND and mark[up] == stamp and mark[low] == stamp then
-      bonds.isGlued[n] = true
-      pool.glue(b, up, low, dt)
-    end
-  end
-  return true
-end
-
--- Which bodies of an axis are pressed by others: what a bond has to do there is not known.
-local function findPressed(b, list, awakeCount)
-  local awake, isPressed, axis = b.awakeList, b.isPressed, list.axis
-  for n = 1, awakeCount do
-    isPressed[2 * awake[n] + axis] = false
-  end
-  for c = 1, list.count do
-    if b.pressed[list.pair[c]] == 1 then
-      isPressed[list.low[c]], isPressed[list.high[c]] = true, true
-    end
-  end
-end
-
--- Looks from the top down whether friction can do what the bonds ask for, and which bonds are asked
--- that were not. Returns whether something has changed.
-local function check(b, list, bonds)
-  local need, isPressed, hasChanged = b.load, b.isPressed, false
-  findPressed(b, list, b.awakeCount)
-  for n = 1, bonds.count do
-    local up, low = bonds.up[n], bonds.low[n]
-    need[up], need[low] = 0, 0
-  end
-  for n = bonds.count, 1, -1 do
-    local up, low, limit = bonds.up[n], bonds.low[n], bonds.limit[n]
-    if bonds.state[n] == BOND then
-      local own = b.hasForce[up] == b.forceStamp and b.ownSpeed[up] or b.freeSpeed[up]
-      local impulse = need[up] + (b.speed[up] - own) / b.give[up]
-      if not isPressed[up] and max(impulse, -impulse) > limit * (1 + 1e-9) + 1e-12 then
-        bonds.state[n], hasChanged = SLIP, true
-        b.breaking[n] = impulse > 0 and limit or -limit
-      elseif not bonds.isGlued[n] and b.speed[up] ~= b.speed[low] then
-        bonds.isGlued[n], hasChanged = true, true
-      end
-      need[low] = need[low] + impulse
-      isPressed[low] = isPressed[low] or isPressed[up]
-    end
-  end
-  return hasChanged
-end
-
--- Everything along an axis as it would be without contacts.
-local function reset(b, axis, dt)
+--- Puts everything along an axis to where it would be without contacts.
+function friction.reset(b, axis, dt)
   local list, from, to, speed, free = b.awakeList, b.from, b.to, b.speed, b.freeSpeed
   local way, carried, accel, start = b.way, b.carried, b.accel, b.start
   for n = 1, b.awakeCount do
@@ -338,15 +175,64 @@ local function reset(b, axis, dt)
   end
 end
 
-friction.reset = reset
+-- And how it begins, and would end, without the others.
+local function resetOwn(b, axis)
+  local list, onset, outset = b.awakeList, b.onset, b.outset
+  local ownSpeed, free = b.ownSpeed, b.freeSpeed
+  for n = 1, b.awakeCount do
+    local k = 2 * list[n] + axis
+    outset[k], ownSpeed[k] = onset[k], free[k]
+  end
+end
 
--- Bonds that broke pull with all they can.
-local function breakBonds(b, bonds, dt)
-  for n = 1, bonds.count do
-    local tug = b.breaking[n]
-    if tug then
-      pull(b, bonds, n, tug, dt)
-      b.breaking[n] = false
+-- Limits of what is awake, with what carries it.
+local function findLimits(b)
+  local list, limit, carried, reserve, pace = b.awakeList, b.limit, b.carried, b.reserve, b.pace
+  for n = 1, b.awakeCount do
+    for k = 2 * list[n], 2 * list[n] + 1 do
+      local most, least = limit[k], -limit[k]
+      if reserve[k] > 0 then
+        most = pace[k]
+      elseif reserve[k] < 0 then
+        least = pace[k]
+      end
+      b.least[k], b.most[k] = least + carried[k], most + carried[k]
+    end
+  end
+end
+
+--- Prepares what is awake for the step: nothing rubs yet.
+function friction.begin(b)
+  local list, onset, start, tug = b.awakeList, b.onset, b.start, b.tug
+  local grip, base, lead, bondUnder, bondOn = b.grip, b.base, b.lead, b.bondUnder, b.bondOn
+  flow.reset(b)
+  for n = 1, b.awakeCount do
+    for k = 2 * list[n], 2 * list[n] + 1 do
+      onset[k], tug[k], grip[k], base[k], lead[k] = start[k], 0, 0, 0, 0
+      bondUnder[k], bondOn[k] = 0, 0
+    end
+  end
+  if b.hasLimits then
+    findLimits(b)
+  end
+end
+
+-- Everything along an axis as it is with friction, but without contacts.
+local function place(b, axis, dt)
+  friction.reset(b, axis, dt)
+  resetOwn(b, axis)
+  flow.runAll(b, dt)
+  settle.hold(b, axis, dt)
+end
+
+-- What an immovable body pushes goes as that does from the start on.
+local function noteHeld(b, axis)
+  local list, outset, speed, heldLow, heldHigh =
+    b.awakeList, b.outset, b.speed, b.heldLow, b.heldHigh
+  for n = 1, b.awakeCount do
+    local k = 2 * list[n] + axis
+    if b.give[k] > 0 and heldLow[k] + heldHigh[k] > 0 then
+      outset[k] = speed[k]
     end
   end
 end
@@ -354,33 +240,35 @@ end
 --- Lets the contacts of an axis, which is settled, rub along the other one, and settles that.
 --- Returns false, and has done nothing, if none rubs.
 function friction.run(b, axis, dt)
-  local list, other, bonds = b.contacts[axis], 1 - axis, b.bonds
+  local list, other, held = b.contacts[axis], 1 - axis, b.bonds[1 - axis]
   findSupports(b, list, axis)
-  sumLoads(b, list)
-  bonds.count, b.pulledCount, b.forceStamp = 0, 0, b.forceStamp + 1
-  addContacts(b, list, bonds, dt)
-  if b.pulledCount == 0 and bonds.count == 0 then
+  sumLoads(b, list, dt)
+  held.count, held.hasSlips = 0, false
+  b.pulledCount, b.forceStamp = 0, b.forceStamp + 1
+  addContacts(b, list, held, dt)
+  if b.pulledCount == 0 and held.count == 0 then
     return false
   end
   b.rubs = 1
-  slideAll(b, bonds, dt)
+  if held.hasSlips then
+    place(b, other, dt)
+    settle.finish(b, other, dt, false)
+    noteHeld(b, other)
+    bonds.begin(b, held, dt)
+  end
   for attempt = 1, ATTEMPTS do
-    reset(b, other, dt)
-    runAll(b, dt)
-    for n = 1, b.pulledCount do
-      b.ownSpeed[b.pulled[n]] = b.speed[b.pulled[n]]
-    end
-    settle.hold(b, other, dt)
-    local isGlued = glue(b, bonds, dt)
+    place(b, other, dt)
+    local isGlued = bonds.glue(b, held, dt)
     settle.finish(b, other, dt, isGlued)
-    if attempt == ATTEMPTS or not check(b, b.contacts[other], bonds) then
+    local mayChange = isGlued or b.isViolated or held.hasSlips
+    if
+      attempt == ATTEMPTS
+      or not (mayChange and bonds.check(b, b.contacts[other], held, dt, attempt <= TEARS))
+    then
       return true
     end
-    breakBonds(b, bonds, dt)
   end
   return true
 end
-
-interpreted.functions(friction.run) -- leads from loop to loop
 
 return friction

@@ -6,6 +6,7 @@
 -- go on flush with a common velocity, and are a contact for the rest of the step.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local bonds = require(root .. ".solver.bonds")
 local columns = require(root .. ".memory.columns")
 local flow = require(root .. ".solver.flow")
 local friction = require(root .. ".solver.friction")
@@ -16,10 +17,13 @@ require(root .. ".memory.jit").file()
 local impact = {}
 
 local DYNAMIC = columns.DYNAMIC
+local HUGE = math.huge
 local max, min, sqrt = math.max, math.min, math.sqrt
 -- Impacts of one body in a step after which it does not bounce any more, divided by 1 -
 -- restitution, and the most there are.
-local BOUNCES, MOST_BOUNCES = 4, 12
+local BOUNCES, MOST_BOUNCES = 4, 13
+-- Bonds in a row along which an impact drags others with it in its own step.
+local DEPTH = 8
 
 --- Notes the first impact of a pair in the step: on which side, and at u px/s.
 function impact.note(b, p, low, axis, u)
@@ -71,56 +75,52 @@ local function weigh(b, i, j, kl, kh)
   return wl, wh
 end
 
--- Whether a pair still bounces in this step: it closes faster than its acceleration makes it in two
--- steps, and neither has bounced too often.
+-- The restitution of a pair that closes at u px/s: 0, unless that is faster than its acceleration
+-- makes it in two steps.
 local function restitution(b, i, j, u, a, dt)
-  local r = max(b.restitution[i], b.restitution[j])
-  if r == 0 or u <= 2 * max(a, -a) * dt then
-    return 0
-  end
-  local limit = min(BOUNCES / max(1 - r, 1e-3), MOST_BOUNCES)
-  if
-    (b.impactsOf[i] > limit and b.kind[i] == DYNAMIC)
-    or (b.impactsOf[j] > limit and b.kind[j] == DYNAMIC)
-  then
-    return 0
-  end
-  return r
+  return u > 2 * max(a, -a) * dt and max(b.restitution[i], b.restitution[j]) or 0
 end
 
--- Friction and engines act on body k along this axis for the rest of the step, from the speed that
--- it has after the impact.
-local function reflow(b, k, tau)
-  local kinks = b.kinks[k]
-  if kinks == 0 or b.give[k] == 0 then
-    return
-  end
+-- Whether slot i has met others too often in this step to bounce once more.
+local function isSpent(b, i, r)
+  local limit = min(BOUNCES / max(1 - r, 1e-3), MOST_BOUNCES)
+  return b.impactsOf[i] > limit and b.kind[i] == DYNAMIC
+end
+
+-- Whether body k, which goes at v now, is on its way off what has held it in this step.
+local function leavesHolder(b, k, v)
+  return b.heldHigh[k] > 0 and v < b.speed[b.holderHigh[k]]
+    or b.heldLow[k] > 0 and v > b.speed[b.holderLow[k]]
+end
+
+-- What acts on body k by itself, friction and limits do so along this axis for the rest of the
+-- step, from the speed that it has after the impact.
+local function reflow(b, k, tau, dt)
+  local isFree = b.grip[k] == 0 and b.least[k] == -HUGE and b.most[k] == HUGE
   local last = b.speed[k]
   local v = last - b.accel[k] * tau
-  local new, way = flow.run(b, kinks, 1 / b.give[k], b.force[k], v, tau)
+  if b.give[k] == 0 or (isFree and not leavesHolder(b, k, v)) then
+    return
+  end
+  local new, way = flow.body(b, k, v, tau, dt)
   b.speed[k], b.to[k] = new, b.to[k] + way - (v + last) * 0.5 * tau
   b.accel[k] = tau > 0 and (new - v) / tau or 0.0
 end
 
--- The impact rubs along the other axis, at once; what the two press with then, until the end.
--- `jolt` and `press` are impulses along the normal.
-local function rub(b, i, j, axis, wl, wh, jolt, press, tau)
-  local mu = friction.coefficient(b, i, j)
-  if mu <= 0 then
-    return
-  end
-  local kl, kh = 2 * i + 1 - axis, 2 * j + 1 - axis
-  local il, ih = b.give[kl], b.give[kh]
-  if (il == 0 or wl == 0) and (ih == 0 or wh == 0) then
-    il, ih = wl > 0 and il or 0, wh > 0 and ih or 0
-  end
-  local total = il + ih
-  if total == 0 then
-    return
-  end
-  local belt = axis == 1 and b.surfaceSpeed[j] - b.surfaceSpeed[i] or 0
-  local accel = b.accel[kl] - b.accel[kh]
-  local last = b.speed[kl] - b.speed[kh] - belt
+-- The ground under body k bears an impact, and rubs at once; then what presses until the end.
+local function bear(b, k, jolt, press, tau, dt)
+  local slip = b.speed[k] - b.accel[k] * tau - b.base[k]
+  local loss = b.rough[k] * jolt * b.give[k]
+  local change = slip > 0 and -min(loss, slip) or min(loss, -slip)
+  b.speed[k], b.to[k] = b.speed[k] + change, b.to[k] + change * tau
+  b.grip[k] = tau > 0 and b.grip[k] + b.rough[k] * press / tau or b.grip[k]
+  reflow(b, k, tau, dt)
+end
+
+-- Two that both give way rub on each other.
+local function rubBoth(b, kl, kh, mu, jolt, press, tau)
+  local il, ih, accel = b.give[kl], b.give[kh], b.accel[kl] - b.accel[kh]
+  local total, last = il + ih, b.speed[kl] - b.speed[kh]
   local v = last - accel * tau
   local loss = mu * jolt * total
   local after = v > loss and v - loss or v < -loss and v + loss or 0.0
@@ -130,8 +130,65 @@ local function rub(b, i, j, axis, wl, wh, jolt, press, tau)
   b.speed[kl], b.to[kl] = b.speed[kl] + dv * il, b.to[kl] + d * il
   b.speed[kh], b.to[kh] = b.speed[kh] - dv * ih, b.to[kh] - d * ih
   if tau > 0 then
-    b.accel[kl] = b.accel[kl] + (new - after - (last - v)) / tau * il / total
-    b.accel[kh] = b.accel[kh] - (new - after - (last - v)) / tau * ih / total
+    local change = (new - after - (last - v)) / tau / total
+    b.accel[kl], b.accel[kh] = b.accel[kl] + change * il, b.accel[kh] - change * ih
+  end
+end
+
+local drag
+
+-- Friction has held the bodies of bond n together. An impact has given one of them another speed:
+-- they rub for the last tau s.
+local function dragBond(b, list, n, other, tau, dt, depth)
+  local up, low, press = list.up[n], list.low[n], list.limit[n] * tau / dt
+  if depth == 0 or not bonds.holds(list, n) or b.speed[up] == b.speed[low] then
+    return
+  elseif other == low and b.speed[low] == b.base[low] and b.grip[low] * tau >= press then
+    b.base[up], b.grip[up] = b.speed[low], press / tau -- the ground holds the lower one
+    reflow(b, up, tau, dt)
+  else
+    rubBoth(b, up, low, 1, 0.0, press, tau)
+    drag(b, other, n, tau, dt, depth - 1)
+  end
+end
+
+-- The same for all bonds of body k but for `from`; and so on, `depth` times.
+function drag(b, k, from, tau, dt, depth)
+  local list, n = b.bonds[k % 2], b.bondUnder[k]
+  if n ~= 0 and n ~= from then
+    dragBond(b, list, n, list.low[n], tau, dt, depth)
+  end
+  n = b.bondOn[k]
+  while n ~= 0 do
+    if n ~= from then
+      dragBond(b, list, n, list.up[n], tau, dt, depth)
+    end
+    n = list.next[n]
+  end
+end
+
+-- The impact rubs along the other axis, at once; what the two press with then, until the end.
+-- `jolt` and `press` are impulses along the normal.
+local function rub(b, i, j, axis, wl, wh, jolt, press, tau, dt)
+  local mu = friction.coefficient(b, i, j)
+  if mu <= 0 then
+    return
+  end
+  local kl, kh = 2 * i + 1 - axis, 2 * j + 1 - axis
+  local il, ih = b.give[kl], b.give[kh]
+  if il > 0 and ih > 0 then
+    local k = wl == 0 and kl or wh == 0 and kh
+    if k and b.grip[k] > 0 then
+      bear(b, k, jolt, press, tau, dt)
+    end
+    rubBoth(b, kl, kh, mu, jolt, press, tau)
+  elseif il + ih > 0 then
+    local k, ground, belt = kl, kh, axis == 1 and b.surfaceSpeed[j] or 0
+    if il == 0 then
+      k, ground, belt = kh, kl, axis == 1 and b.surfaceSpeed[i] or 0
+    end
+    b.base[k], b.grip[k], b.rough[k] = b.speed[ground] + belt, 0.0, mu
+    bear(b, k, jolt, press, tau, dt)
   end
 end
 
@@ -189,6 +246,7 @@ end
 --- Returns whether they stay together; how far apart, px from the low edge of one to that of the
 --- other; and whether they go apart and only may not overlap.
 function impact.run(b, p, i, j, axis, t, dt, isLast, isDeep)
+  local left = (1 - max(b.time[i], b.time[j])) * dt
   path.advance(b, i, t)
   path.advance(b, j, t)
   local kl, kh = 2 * i + axis, 2 * j + axis
@@ -198,11 +256,14 @@ function impact.run(b, p, i, j, axis, t, dt, isLast, isDeep)
   end
   local o, v = b.to[kl] + separation - b.to[kh], b.speed[kl] - b.speed[kh]
   local a = b.accel[kl] - b.accel[kh]
-  local u, tau = approach(o, v, a, (1 - min(t, 1)) * dt)
+  local u, tau = approach(o, v, a, left)
   impact.note(b, p, i, axis, u)
   b.impactsOf[i], b.impactsOf[j] = b.impactsOf[i] + 1, b.impactsOf[j] + 1
   b.resolved = b.resolved + 1
-  local r = isLast and 0 or restitution(b, i, j, u, a, dt)
+  local r = restitution(b, i, j, u, a, dt)
+  if r > 0 and (isLast or isSpent(b, i, r) or isSpent(b, j, r)) then
+    r = 0
+  end
   local wl, wh = weigh(b, i, j, kl, kh)
   local total = wl + wh
   if total == 0 then
@@ -229,13 +290,15 @@ function impact.run(b, p, i, j, axis, t, dt, isLast, isDeep)
     stick(b, i, j, kl, kh, wl, wh, separation, o, v)
     jolt = min(max(v, 0.0), u) / total
   end
-  if b.hasFriction or b.hasLimits then
-    reflow(b, kl, tau)
-    reflow(b, kh, tau)
-  end
+  reflow(b, kl, tau, dt)
+  reflow(b, kh, tau, dt)
   if b.hasFriction and v > 0 then
+    if tau > 0 then
+      drag(b, kl, 0, tau, dt, DEPTH)
+      drag(b, kh, 0, tau, dt, DEPTH)
+    end
     local press = leaves and 0.0 or max(v / total - jolt, 0.0)
-    rub(b, i, j, axis, wl, wh, jolt, press, tau)
+    rub(b, i, j, axis, wl, wh, jolt, press, tau, dt)
   end
   return not leaves, separation
 end

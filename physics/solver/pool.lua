@@ -17,7 +17,8 @@ local interpreted = require(root .. ".memory.jit")
 local pool = {}
 
 local EPSILON = columns.EPSILON
-local floor = math.floor
+local floor, max, min = math.floor, math.max, math.min
+local HUGE = math.huge
 -- Walks along the contacts, there and back.
 local PASSES = 8
 -- How often blocks in which two overlap are made anew.
@@ -44,38 +45,51 @@ local function find(b, k)
 end
 
 -- Makes a block of one body, unless it is in one.
-local function register(b, k)
+local function register(b, k, dt)
   if b.parent[k] ~= 0 or b.give[k] == 0 then
     return
   end
-  local n, mass, start = b.memberCount + 1, 1 / b.give[k], b.start[k]
+  local n, mass, onset = b.memberCount + 1, 1 / b.give[k], b.onset[k]
   b.memberCount, b.members[n] = n, k
   b.parent[k], b.offset[k] = k, 0.0
-  b.blockMass[k] = mass
-  b.blockMomentum[k], b.blockSpeed[k] = mass * start, mass * b.speed[k]
-  b.blockForce[k] = b.kinks[k] ~= 0 and b.force[k] or mass * b.accel[k]
-  b.blockKinks[k] = b.kinks[k]
-  b.blockStart[k] = mass * b.from[k]
+  b.blockMass[k], b.blockShift[k] = mass, 0.0
+  b.blockMomentum[k], b.blockSpeed[k] = mass * onset, mass * b.speed[k]
+  b.blockForce[k] = mass * flow.drive(b, k, dt)
+  local base, grip = b.base[k], b.grip[k]
+  b.blockKinks[k] = grip > 0 and flow.newKink(b, base, grip) or 0
+  b.blockStand[k] = grip > 0 and base == onset and base or HUGE
+  b.blockLeast[k], b.blockMost[k] = b.least[k], b.most[k]
   b.isFirm[k] = not b.pushable[floor(k * 0.5)]
 end
 
--- The end of a block of which the parts are summed up, at its root.
+-- Where a block was when the step began.
+local function origin(b, k)
+  return b.from[k] + b.lead[k] + b.blockShift[k] / b.blockMass[k]
+end
+
+-- The end of a block of which the parts are summed up, at its root. One that friction can hold, as
+-- a member stands, does not move: what pushes it pushes anew in each step.
 local function finish(b, k, dt, isLate, place)
-  local mass = b.blockMass[k]
-  if b.blockKinks[k] == 0 or isLate then
+  local mass, least, most = b.blockMass[k], b.blockLeast[k], b.blockMost[k]
+  if isLate then
+    b.to[k], b.speed[k] = place, max(min(b.blockSpeed[k] / mass, most), least)
+    return
+  elseif b.blockKinks[k] == 0 and least == -HUGE and most == HUGE then
     b.to[k], b.speed[k] = place, b.blockSpeed[k] / mass
     return
   end
-  local v, way = flow.run(b, b.blockKinks[k], mass, b.blockForce[k], b.blockMomentum[k] / mass, dt)
-  b.to[k], b.speed[k] = b.blockStart[k] / mass + way, v
+  local start = b.blockMomentum[k] / mass
+  local v, way = flow.run(b, b.blockKinks[k], mass, b.blockForce[k], start, dt, least, most)
+  way = v == b.blockStand[k] and v * dt or way
+  b.to[k], b.speed[k] = origin(b, k) + way, v
 end
 
 -- Where a block of two goes, at the first's place, if the second is `off` px from it: to their
 -- common centre of mass, or with `push = "first"` to the place of the one that was run into.
 local function meetingPlace(b, one, other, off)
-  local massOne, massOther, to, start = b.blockMass[one], b.blockMass[other], b.to, b.blockStart
+  local massOne, massOther, to = b.blockMass[one], b.blockMass[other], b.to
   if b.pushFirst then
-    local towards, against = to[one] - start[one] / massOne, start[other] / massOther - to[other]
+    local towards, against = to[one] - origin(b, one), origin(b, other) - to[other]
     local isFirst = towards > against
       or (towards == against and b.rank[floor(one * 0.5)] < b.rank[floor(other * 0.5)])
     return isFirst and to[other] - off or to[one]
@@ -93,11 +107,20 @@ local function join(b, one, other, off, dt, isLate)
   b.blockMomentum[one] = b.blockMomentum[one] + b.blockMomentum[other]
   b.blockSpeed[one] = b.blockSpeed[one] + b.blockSpeed[other]
   b.blockForce[one] = b.blockForce[one] + b.blockForce[other]
-  b.blockStart[one] = b.blockStart[one] + b.blockStart[other] - massOther * off
+  local apart = b.from[other] + b.lead[other] - (b.from[one] + b.lead[one])
+  b.blockShift[one] = b.blockShift[one] + b.blockShift[other] + massOther * (apart - off)
   b.blockKinks[one] = flow.merge(b, b.blockKinks[one], b.blockKinks[other])
+  b.blockLeast[one] = max(b.blockLeast[one], b.blockLeast[other])
+  b.blockMost[one] = min(b.blockMost[one], b.blockMost[other])
+  b.blockStand[one] = min(b.blockStand[one], b.blockStand[other])
+  b.isFirm[one] = b.isFirm[one] or b.isFirm[other]
   b.parent[other], b.offset[other] = one, off
-  b.heldLow[one] = b.heldLow[one] + b.heldLow[other]
-  b.heldHigh[one] = b.heldHigh[one] + b.heldHigh[other]
+  if b.heldLow[other] > 0 then
+    b.heldLow[one], b.holderLow[one] = b.heldLow[one] + b.heldLow[other], b.holderLow[other]
+  end
+  if b.heldHigh[other] > 0 then
+    b.heldHigh[one], b.holderHigh[one] = b.heldHigh[one] + b.heldHigh[other], b.holderHigh[other]
+  end
   finish(b, one, dt, isLate, place)
 end
 
@@ -124,7 +147,7 @@ local function stopBoth(b, low, high)
   if b.isFirm[low] and b.isFirm[high] and b.heldLow[low] == 0 and b.heldHigh[high] == 0 then
     for side = 1, 2 do
       local k = side == 1 and low or high
-      local place = b.blockStart[k] / b.blockMass[k]
+      local place = origin(b, k)
       hasMoved = hasMoved or b.to[k] ~= place
       b.to[k], b.speed[k], b.accel[k] = place, 0.0, 0.0
     end
@@ -214,8 +237,8 @@ local function look(b, list, c, dt, isLate)
   if list.elastic[c] == 1 and pool.bounces(closing, b.accel[low] - b.accel[high], 2 * dt) then
     return false
   end
-  register(b, kl)
-  register(b, kh)
+  register(b, kl, dt)
+  register(b, kh, dt)
   b.pressed[list.pair[c]] = 1
   local stayLow, stayHigh = weigh(b, low, high)
   if stayLow or stayHigh then
@@ -239,6 +262,7 @@ local function spread(b)
       b.heldLow[k], b.heldHigh[k] = b.heldLow[top], b.heldHigh[top]
       b.holderLow[k], b.holderHigh[k] = b.holderLow[top], b.holderHigh[top]
     end
+    b.outset[k] = b.blockMomentum[top] / b.blockMass[top]
   end
   for n = 1, b.memberCount do
     parent[members[n]] = 0
@@ -246,14 +270,16 @@ local function spread(b)
   b.memberCount = 0
 end
 
---- Makes one block of kUp and kLow, of which friction holds the first to the second.
-function pool.glue(b, kUp, kLow, dt)
-  register(b, kUp)
-  register(b, kLow)
+--- Makes one block of kUp and kLow, of which friction holds the first to the second, after it has
+--- slipped `slipped` px on it.
+function pool.glue(b, kUp, kLow, slipped, dt)
+  register(b, kUp, dt)
+  register(b, kLow, dt)
   local up, offUp = find(b, kUp)
   local low, offLow = find(b, kLow)
   if up ~= low then
-    join(b, low, up, offLow + b.from[kUp] - b.from[kLow] - offUp, dt, false)
+    local apart = b.from[kUp] + b.lead[kUp] - (b.from[kLow] + b.lead[kLow]) + slipped
+    join(b, low, up, offLow + apart - offUp, dt, false)
     b.heldLow[low], b.heldHigh[low] = 0, 0 -- its contacts find out anew
   end
 end

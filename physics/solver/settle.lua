@@ -71,8 +71,8 @@ local function holdHigh(b, list, slow)
   end
 end
 
--- Where a squeezed body k goes: its middle is not pushed into what cannot be moved on that side. (Where
--- it was, if it is there again but for rounding, which would move it for ever.)
+-- Where a squeezed body k goes: its middle is not pushed into what cannot be moved on that side.
+-- (Where it was, if it is there again but for rounding, which would move it for ever.)
 local function keepOut(b, k, place, sign)
   local half, from, to = b.size[k] * 0.5, b.from[k], b.to[k]
   if sign > 0 then

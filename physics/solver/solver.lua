@@ -5,11 +5,11 @@
 -- step.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local bonds = require(root .. ".solver.bonds")
 local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
 local crowd = require(root .. ".solver.crowd")
 local crush = require(root .. ".solver.crush")
-local flow = require(root .. ".solver.flow")
 local friction = require(root .. ".solver.friction")
 local impact = require(root .. ".solver.impact")
 local interpreted = require(root .. ".memory.jit")
@@ -49,7 +49,8 @@ local WIDTHS = 2 ^ 20
 --- Gives a world what the solver needs.
 function solver.adopt(b)
   b.contacts = { [0] = contacts.newList(0), contacts.newList(1) }
-  b.bonds, b.impacts = friction.newBonds(), sweep.newImpacts()
+  b.bonds = { [0] = bonds.new(), bonds.new() }
+  b.impacts = sweep.newImpacts()
 end
 
 -- The speed of body k where the step begins.
@@ -65,12 +66,12 @@ local function begin(b, dt)
   local list, kind, buried, give = b.awakeList, b.kind, b.buried, b.give
   local freeSpeed, start, speed = b.freeSpeed, b.start, b.speed
   local from, origin, inverseMass, dirty = b.from, b.origin, b.inverseMass, b.dirty
-  local kinks, accel = b.kinks, b.accel
+  local accel = b.accel
   for n = 1, b.awakeCount do
     local i = list[n]
     dirty[i], b.impactsOf[i] = 1, 0
     for k = 2 * i, 2 * i + 1 do
-      kinks[k], origin[k] = 0, from[k]
+      origin[k] = from[k]
       give[k] = kind[i] == DYNAMIC and not buried[i] and inverseMass[i] or 0
       if kind[i] == DYNAMIC then
         freeSpeed[k] = speed[k]
@@ -79,7 +80,7 @@ local function begin(b, dt)
       end
     end
   end
-  flow.reset(b)
+  friction.begin(b)
 end
 
 -- Notes the sides at which bodies lean on each other, and the hits of those that begin to.
@@ -133,10 +134,10 @@ local function nudgeTouching(b, dt)
     pairFinder.run(b, b.awakeList, 1, b.awakeCount)
     for n = 1, b.awakeCount do
       for k = 2 * b.awakeList[n], 2 * b.awakeList[n] + 1 do
-        b.kinks[k], b.start[k] = 0, startSpeed(b, k)
+        b.start[k] = startSpeed(b, k)
       end
     end
-    flow.reset(b)
+    friction.begin(b)
     friction.reset(b, 0, dt)
     friction.reset(b, 1, dt)
     settleTouching(b, dt)

@@ -255,7 +255,7 @@ describe("a bounce", function()
     end)
   end)
 
-  -- README, Limits: more than four hits of one pair in a step bounce no more.
+  -- README, Limits: after 13 hits in a step a body bounces no more.
   for _, row in ipairs({ { 1 / 30, 400, 0 }, { 1 / 30, 200, 200 }, { 1 / 240, 400, 400 } }) do
     local name = ("where there is 1 px of room, %d px/s in steps of 1/%d s"):format(
       row[2],

@@ -1,0 +1,236 @@
+--- Bonds: friction between two bodies that both give way.
+--
+-- A bond holds two bodies together as one block (see pool) while friction can do what that asks
+-- for. Otherwise it slips: both are pulled with the limit of friction, all of the step, or until
+-- they are as fast as each other and go on as one. Bonds are listed from the supports up. Which of
+-- them hold is tried out: `check` looks at the blocks that came out, and tells which break and
+-- which have slipped to their end.
+--
+-- Reads onset, base, grip and the paths on the rubbed axis; writes tug, lead, onset, and blocks.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local flow = require(root .. ".solver.flow")
+local pool = require(root .. ".solver.pool")
+
+local bonds = {}
+
+local max = math.max
+-- Both go as one; it slips, and friction does all it can; it has, and both go as one from then on.
+local BOND, SLIP, STUCK = 1, 2, 3
+
+--- Returns an empty list of bonds.
+function bonds.new()
+  return {
+    count = 0,
+    hasSlips = false, -- some slip as the step begins
+    up = {}, -- index of the body that leans,
+    low = {}, -- and of what it leans on
+    limit = {}, -- impulse that friction can give in the step
+    state = {},
+    tug = {}, -- impulse on the upper one, while it slips
+    isGlued = {}, -- both are one block
+    slipped = {}, -- px that the upper one has gone further until then
+    onset = {}, -- its velocity before it stuck to what stands
+    next = {}, -- the next one on the same lower body
+  }
+end
+
+--- Returns whether bond n holds, or has done so before an impact.
+function bonds.holds(list, n)
+  return list.state[n] ~= SLIP
+end
+
+-- A bond slips, with an impulse of `tug` on the upper one.
+local function pull(b, list, n, tug)
+  local up, low, change = list.up[n], list.low[n], tug - list.tug[n]
+  b.tug[up], b.tug[low], list.tug[n] = b.tug[up] + change, b.tug[low] - change, tug
+  flow.notePulled(b, up)
+  flow.notePulled(b, low)
+end
+
+--- Body `up` rubs on `low`, which can be moved, with an impulse of at most `limit`.
+function bonds.add(b, list, up, low, limit)
+  local n = list.count + 1
+  list.count = n
+  list.up[n], list.low[n], list.limit[n], list.tug[n] = up, low, limit, 0.0
+  list.isGlued[n], list.slipped[n], list.state[n] = false, 0.0, BOND
+  if b.onset[up] ~= b.onset[low] then
+    list.state[n], list.hasSlips = SLIP, true
+  end
+  b.bondUnder[up], list.next[n], b.bondOn[low] = n, b.bondOn[low], n
+end
+
+-- Bond n has slipped `way` px until both are as fast, and they go on as one. If the lower one is
+-- not moved by that (`stands`), the upper one takes its speed; else both share their momentum.
+local function stick(b, list, n, way, stands)
+  local up, low = list.up[n], list.low[n]
+  list.state[n], list.isGlued[n] = STUCK, true
+  if stands then
+    list.onset[n] = b.onset[up]
+    b.lead[up], b.onset[up] = b.lead[low] + way, b.onset[low]
+    flow.notePulled(b, up)
+  else
+    list.onset[n], list.slipped[n] = b.onset[up], way
+  end
+end
+
+-- Friction cannot do what bond n asks for.
+local function tear(b, list, n, tug)
+  if list.state[n] == STUCK then
+    local up = list.up[n]
+    b.onset[up], b.lead[up], list.slipped[n] = list.onset[n], 0.0, 0.0
+  end
+  list.state[n] = SLIP
+  pull(b, list, n, tug)
+end
+
+-- Whether body k stands on the ground, or on what does, when something on it pulls it with `limit`.
+local function standsFast(b, list, k, limit, dt)
+  local n = b.bondUnder[k]
+  while n ~= 0 do
+    local low = list.low[n]
+    if b.outset[k] ~= b.outset[low] or list.limit[n] < limit then
+      return false
+    end
+    k = low
+    n = b.bondUnder[k]
+  end
+  return b.grip[k] * dt >= limit and b.outset[k] == b.base[k]
+end
+
+-- Decides how bond n begins, of which the upper body slips on the lower one, and drives `burden`
+-- kg.
+local function slide(b, list, n, burden, dt)
+  local up, low, limit = list.up[n], list.low[n], list.limit[n]
+  local slip, stands = b.outset[up] - b.outset[low], standsFast(b, list, low, limit, dt)
+  local drive, give = flow.drive(b, up, dt), 1 / burden
+  if not stands then
+    drive, give = drive - flow.drive(b, low, dt), give + b.give[low]
+  end
+  local size, rate = max(slip, -slip), limit * give / dt + (slip > 0 and -drive or drive)
+  if size == 0 then
+    list.state[n] = BOND
+  elseif size <= rate * dt then
+    stick(b, list, n, slip * size / rate * 0.5, stands)
+  else
+    pull(b, list, n, slip > 0 and -limit or limit)
+  end
+end
+
+--- Decides of all that slip, from the top down, what becomes of them if contacts leave it alone.
+function bonds.begin(b, list, dt)
+  local burden, give = b.burden, b.give
+  for n = 1, list.count do
+    local up, low = list.up[n], list.low[n]
+    burden[up], burden[low] = 1 / give[up], 1 / give[low]
+  end
+  for n = list.count, 1, -1 do
+    local up, low = list.up[n], list.low[n]
+    if list.state[n] == SLIP then
+      slide(b, list, n, burden[up], dt)
+    end
+    if list.state[n] ~= SLIP then
+      burden[low] = burden[low] + burden[up]
+    end
+  end
+end
+
+-- Marks what is bonded, directly or through others, to a body that would not go along by itself.
+-- Returns whether there is any.
+local function markTowers(b, list)
+  local mark, stamp, any = b.bondMark, b.forceStamp, false
+  for n = 1, list.count do
+    local up, low = list.up[n], list.low[n]
+    if list.state[n] ~= SLIP then
+      local isEven = b.speed[up] == b.speed[low]
+        and b.to[up] - b.from[up] == b.to[low] - b.from[low]
+      if list.isGlued[n] or not isEven then
+        mark[up], mark[low], any = stamp, stamp, true
+      end
+    end
+  end
+  for n = any and list.count or 0, 1, -1 do
+    if list.state[n] ~= SLIP and mark[list.up[n]] == stamp then
+      mark[list.low[n]] = stamp
+    end
+  end
+  for n = 1, any and list.count or 0 do
+    if list.state[n] ~= SLIP and mark[list.low[n]] == stamp then
+      mark[list.up[n]] = stamp
+    end
+  end
+  return any
+end
+
+--- Makes blocks of the bonds that are needed. Returns whether there are any.
+function bonds.glue(b, list, dt)
+  local mark, stamp = b.bondMark, b.forceStamp
+  if not markTowers(b, list) then
+    return false
+  end
+  for n = 1, list.count do
+    local up, low = list.up[n], list.low[n]
+    if list.state[n] ~= SLIP and mark[up] == stamp and mark[low] == stamp then
+      list.isGlued[n] = true
+      if list.state[n] == BOND and b.lead[up] ~= b.lead[low] then
+        -- It goes along with one that has stuck to what stands.
+        b.lead[up], b.onset[up] = b.lead[low], b.onset[low]
+      end
+      pool.glue(b, up, low, list.slipped[n], dt)
+    end
+  end
+  return true
+end
+
+-- Which bodies of an axis are pressed by others: what a bond has to do there is not known.
+local function findPressed(b, contacts, awakeCount)
+  local awake, isPressed, axis = b.awakeList, b.isPressed, contacts.axis
+  for n = 1, awakeCount do
+    isPressed[2 * awake[n] + axis] = false
+  end
+  for c = 1, contacts.count do
+    if b.pressed[contacts.pair[c]] == 1 then
+      isPressed[contacts.low[c]], isPressed[contacts.high[c]] = true, true
+    end
+  end
+end
+
+--- Looks from the top down whether friction can do what the bonds ask for, which are asked that
+--- were not, and which have slipped to their end. `mayTear`: bonds may break. Returns whether
+--- something has changed.
+function bonds.check(b, contacts, list, dt, mayTear)
+  local need, isPressed, hasChanged = b.load, b.isPressed, false
+  local speed, outset = b.speed, b.outset
+  findPressed(b, contacts, b.awakeCount)
+  for n = 1, list.count do
+    local up, low = list.up[n], list.low[n]
+    need[up], need[low] = 0, 0
+  end
+  for n = list.count, 1, -1 do
+    local up, low, limit, state = list.up[n], list.low[n], list.limit[n], list.state[n]
+    if state == SLIP then
+      local slip, last = outset[up] - outset[low], speed[up] - speed[low]
+      if last * list.tug[n] > 0 then -- friction would have turned the slip round
+        local way = slip * last < 0 and slip * slip / (slip - last) * 0.5 * dt or 0.0
+        pull(b, list, n, 0.0)
+        stick(b, list, n, way, speed[low] == outset[low])
+        hasChanged = true
+      end
+    else
+      local impulse = need[up] + (speed[up] - b.ownSpeed[up]) / b.give[up]
+      local isTorn = mayTear and max(impulse, -impulse) > limit * (1 + 1e-9) + 1e-12
+      if isTorn and not isPressed[up] then
+        impulse = impulse > 0 and limit or -limit
+        tear(b, list, n, impulse)
+        hasChanged = true
+      elseif not list.isGlued[n] and speed[up] ~= speed[low] then
+        list.isGlued[n], hasChanged = true, true
+      end
+      need[low] = need[low] + impulse
+      isPressed[low] = isPressed[low] or isPressed[up]
+    end
+  end
+  return hasChanged
+end
+
+return bonds
