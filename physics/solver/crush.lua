@@ -5,12 +5,21 @@
 -- leaves along the same axis and is never squeezed out sideways.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
 local events = require(root .. ".contacts.events")
 
 local crush = {}
 
-local max, min = math.max, math.min
+local KINEMATIC = columns.KINEMATIC
+
+local floor, max, min = math.floor, math.max, math.min
+
+-- Whether one of the two that press body k in the end is a machine.
+local function isPressedByMachine(b, k)
+  local low, high = floor(b.holderLow[k] * 0.5), floor(b.holderHigh[k] * 0.5)
+  return b.kind[low] == KINEMATIC or b.kind[high] == KINEMATIC
+end
 
 --- Notes what is squeezed along an axis, and between which two.
 function crush.note(b, axis)
@@ -36,6 +45,9 @@ function crush.note(b, axis)
       jam[k] = 0
     elseif squeezed[k] ~= 0 or jam[k] == turn then
       jam[k] = min(jam[k] + 1, patience)
+      if jam[k] == turn and isPressedByMachine(b, k) then
+        jam[k] = turn + 1 -- it is never squeezed out sideways
+      end
     elseif jam[k] < patience then
       jam[k] = max(jam[k] - 1, jam[k] > turn and turn + 1 or 0)
     end

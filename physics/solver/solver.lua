@@ -37,7 +37,7 @@ local ROUNDS = solver.ROUNDS
 solver.PARTING = 0.25
 local PARTING = solver.PARTING
 -- Impacts in a step of a body in a heap without room.
-local SPENT = 1
+local SPENT = 2
 -- How often a step begins anew because its paths have come near to bodies that rested; then all are
 -- woken.
 local RESTARTS = 8
@@ -331,14 +331,14 @@ local function limitMotion(b, dt)
   end
 end
 
--- A body that is not pushable ends between where it was and where it wanted to go, unless something
--- immovable presses it.
+-- Across gravity a body that is not pushable ends between where it was and where it wanted to go, unless
+-- something immovable presses it.
 local function keepOwnWay(b, dt)
   local list, origin, to = b.awakeList, b.origin, b.to
   for n = 1, b.awakeCount do
     local i = list[n]
     for k = 2 * i, not b.pushable[i] and b.kind[i] == DYNAMIC and 2 * i + 1 or 0 do
-      if b.heldLow[k] ~= 2 and b.heldHigh[k] ~= 2 then
+      if b.down[k] == 0 and b.heldLow[k] ~= 2 and b.heldHigh[k] ~= 2 then
         local start, goal = origin[k], origin[k] + b.way[k] + b.carried[k] * dt
         to[k] = max(min(to[k], max(start, goal)), min(start, goal))
       end
