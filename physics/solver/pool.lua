@@ -85,23 +85,25 @@ local function finish(b, k, dt, isLate, place)
 end
 
 -- Where a block of two goes, at the first's place, if the second is `off` px from it: to their
--- common centre of mass, or with `push = "first"` to the place of the one that was run into.
-local function meetingPlace(b, one, other, off)
+-- common centre of mass, or if only the first one gives way (`push = "first"`), to the place of the
+-- one that was run into.
+local function meetingPlace(b, one, other, off, isFirst)
   local massOne, massOther, to = b.blockMass[one], b.blockMass[other], b.to
-  if b.pushFirst then
+  if isFirst then
     local towards, against = to[one] - origin(b, one), origin(b, other) - to[other]
-    local isFirst = towards > against
-      or (towards == against and b.rank[floor(one * 0.5)] < b.rank[floor(other * 0.5)])
-    return isFirst and to[other] - off or to[one]
+    local more = towards - against
+    local isEven = more <= EPSILON and more >= -EPSILON
+    local yields = isEven and b.rank[floor(one * 0.5)] < b.rank[floor(other * 0.5)]
+    return (yields or more > EPSILON) and to[other] - off or to[one]
   end
   return (massOne * to[one] + massOther * (to[other] - off)) / (massOne + massOther)
 end
 
 -- Makes one block of two, of which the second is `off` px from the first.
-local function join(b, one, other, off, dt, isLate)
+local function join(b, one, other, off, dt, isLate, isFirst)
   local massOne, massOther = b.blockMass[one], b.blockMass[other]
   local mass = massOne + massOther
-  local place = meetingPlace(b, one, other, off)
+  local place = meetingPlace(b, one, other, off, isFirst)
   b.accel[one] = (massOne * b.accel[one] + massOther * b.accel[other]) / mass
   b.blockMass[one] = mass
   b.blockMomentum[one] = b.blockMomentum[one] + b.blockMomentum[other]
@@ -246,7 +248,7 @@ local function look(b, list, c, dt, isLate)
   elseif closing <= 0 and list.elastic[c] == 1 then
     shift(b, low, high, over)
   else
-    join(b, low, high, offLow + separation - offHigh, dt, isLate)
+    join(b, low, high, offLow + separation - offHigh, dt, isLate, b.pushFirst)
   end
   return true
 end
@@ -279,7 +281,7 @@ function pool.glue(b, kUp, kLow, slipped, dt)
   local low, offLow = find(b, kLow)
   if up ~= low then
     local apart = b.from[kUp] + b.lead[kUp] - (b.from[kLow] + b.lead[kLow]) + slipped
-    join(b, low, up, offLow + apart - offUp, dt, false)
+    join(b, low, up, offLow + apart - offUp, dt, false, false)
     b.heldLow[low], b.heldHigh[low] = 0, 0 -- its contacts find out anew
   end
 end
