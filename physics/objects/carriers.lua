@@ -82,17 +82,17 @@ local function given(v, c)
   return v > c and v or c
 end
 
--- Whether something that cannot give way stops k on its way with its carrier.
-local function isHeldBack(b, k, c)
-  return (c > 0 and b.pressedHigh[k] and b.heldHigh[k] > 0)
-    or (c < 0 and b.pressedLow[k] and b.heldLow[k] > 0)
+-- Whether k leans on something that cannot give way.
+local function leans(b, k)
+  return (b.pressedHigh[k] and b.heldHigh[k] > 0) or (b.pressedLow[k] and b.heldLow[k] > 0)
 end
 
 --- Returns the velocity along k that an object shows: relative to what carries it (c px/s). On the
---- first step on a carrier, and while something holds it back, only what the carrier gave is off.
+--- first step on a carrier, and while it leans on something that cannot give way, only what the
+--- carrier gave is off.
 function carrier.ownVelocity(b, k, c, isNew)
   local v = b.speed[k]
-  if isNew or isHeldBack(b, k, c) then
+  if isNew or leans(b, k) then
     return v - given(v, c)
   end
   return v - c

@@ -46,7 +46,7 @@ local STATIC, KINEMATIC, DYNAMIC = columns.STATIC, columns.KINEMATIC, columns.DY
 local HUGE = math.huge
 
 --- Layout of a state; another one cannot be read.
-state.VERSION = 1
+state.VERSION = 2
 
 -- Columns that outlive a step. Whoever adds one to columns.lua adds it here, too.
 
