@@ -281,6 +281,8 @@ local STEP_AXIS = {
   "holderLow",
   "holderHigh",
   "give",
+  "start",
+  "freeSpeed",
   "squeezed",
   "kinks",
   "crushed",

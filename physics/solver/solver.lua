@@ -60,10 +60,12 @@ local function begin(b, dt)
     for k = 2 * i, 2 * i + 1 do
       kinks[k], origin[k] = 0, from[k]
       give[k] = kind[i] == DYNAMIC and not buried[i] and inverseMass[i] or 0
+      freeSpeed[k] = speed[k]
       if kind[i] == DYNAMIC then
-        freeSpeed[k] = speed[k]
         start[k] = startSpeed(b, k)
         accel[k] = (freeSpeed[k] - start[k]) / dt
+      else
+        start[k] = speed[k]
       end
     end
   end

@@ -17,6 +17,9 @@ Watch.__index = Watch
 
 --- px: two that press each other may overlap by this much; it is the promise of the README.
 checks.TOLERANCE = 1e-6
+--- px, and updates: what meets more often than the rounds of a step allow may overlap by so much, and
+--- is apart again by then.
+checks.KNOT, checks.KNOT_UPDATES = 15, 10
 
 local OPPOSITE = { left = "right", right = "left", top = "bottom", bottom = "top" }
 local FAR = 1e15 -- beyond this, px or px/s, something has gone wild; the games stay far below
@@ -169,28 +172,46 @@ function Watch:checkDepths()
   end
 end
 
--- The first two who overlap and must not.
-function Watch:findOverlap()
+-- Calls visit(key, a, b, depth) for each pair that overlaps and must not.
+function Watch:eachOverlap(visit)
   for n, a in ipairs(self.everybody) do
     for m = n + 1, #self.everybody do
       local b = self.everybody[m]
-      if (isDynamic(a) or isDynamic(b)) and depth(a, b) > slack(a, b) and self:isBarred(a, b) then
-        return a, b
+      if isDynamic(a) or isDynamic(b) then
+        local deep = depth(a, b)
+        if deep > slack(a, b) and self:isBarred(a, b) then
+          visit(nameOf(self, a) .. " and " .. nameOf(self, b), a, b, deep)
+        end
       end
     end
   end
 end
 
--- Where nobody overlapped, nobody comes to, unless somebody is crushed.
+-- Notes whether nothing overlaps before an update that was not left so by a step: what parts may push
+-- others into each other.
+function Watch:noteOverlaps()
+  self.isClean = not next(self.crushed)
+  self:eachOverlap(function(key)
+    self.isClean = self.isClean and self.knots[key] ~= nil
+  end)
+end
+
+-- Two that did not overlap come to do so only in a knot, which a step has to leave unsolved: not
+-- deep, and not for long, unless something is crushed.
 function Watch:checkOverlaps()
+  local before, name, text, how = self.knots, nil, nil, nil
+  self.knots = {}
   if not self.isClean or next(self.crushed) or next(self.player.touched) then
     return
   end
-  local a, b = self:findOverlap()
-  if a then
-    local text = "%s and %s overlap by %.9g px"
-    return "overlap", text:format(nameOf(self, a), nameOf(self, b), depth(a, b)), depth(a, b)
-  end
+  self:eachOverlap(function(key, _, _, deep)
+    self.knots[key] = (before[key] or 0) + 1
+    if deep > checks.KNOT or self.knots[key] > checks.KNOT_UPDATES then
+      name, how = "overlap", deep
+      text = ("%s overlap by %.9g px, for %d updates"):format(key, deep, self.knots[key])
+    end
+  end)
+  return name, text, how
 end
 
 -- Who was crushed stays so until it overlaps nobody it could push, and the world holds it no
@@ -450,6 +471,7 @@ function checks.new(player, closed)
     closed = closed,
     open = {}, -- contacts that have begun and not ended
     crushed = {}, -- ids
+    knots = {}, -- pairs that overlap -> for how many updates
     complaint = false,
     saved = 0,
     contacts = 0, -- of the update
@@ -469,7 +491,7 @@ function Watch:before()
   self:look()
   self:noteStatics()
   self:noteDepths()
-  self.isClean = not next(self.crushed) and not self:findOverlap()
+  self:noteOverlaps()
   self:noteSums()
   self.contacts = 0
   self.saved = self.player.world._saved
