@@ -77,8 +77,8 @@
 --- default none. Called once when a contact starts; side is the side of self that was hit, speed
 --- the approach speed in px/s.
 ---@field onBegin? fun(self: physics.Object, other: physics.Object, side: physics.Side, speed: number)
---- default none. Called at every further step of a contact.
----@field onStay? fun(self: physics.Object, other: physics.Object, side: physics.Side)
+--- default none. Called at every further step of a contact; dt is the length of that step in s.
+---@field onStay? fun(self: physics.Object, other: physics.Object, side: physics.Side, dt: number)
 --- default none. Called once when a contact ends, also when one of the two is removed or
 --- deactivated.
 ---@field onEnd? fun(self: physics.Object, other: physics.Object, side: physics.Side)
@@ -95,7 +95,8 @@
 ---@field vx number
 --- px/s, default 0. The velocity along y, downwards; relative to what carries it, for a rider.
 ---@field vy number
---- What a dynamic object touches: top, bottom, left and right, each the other object or false.
+--- What a dynamic object touches: top, bottom, left and right, each the other object or false; also
+--- one that was hit in the last update and left again in it.
 ---@field touching physics.Touching
 
 --- What `newWorld` and `load` take.
@@ -136,10 +137,16 @@
 --- changed without `refresh`, a misspelled field, an object in two worlds; for a game that is being
 --- written.
 ---@field checked? boolean
+--- default nothing is timed. A clock that returns seconds, as `os.clock` or `love.timer.getTime`:
+--- with one, `stats` tells how long the stages of the last step have taken.
+---@field profile? fun(): number
+--- default none. Called before every step, of dt s: the place for controllers where an update makes
+--- several steps (`timestep`, a long dt) or none. What it writes counts in that step.
+---@field onStep? fun(dt: number)
 --- default none. Called once when a contact starts, a before b in order; side is the side of a.
 ---@field onBegin? fun(a: physics.Object, b: physics.Object, side: physics.Side, speed: number)
---- default none. Called at every further step of a contact.
----@field onStay? fun(a: physics.Object, b: physics.Object, side: physics.Side)
+--- default none. Called at every further step of a contact; dt is the length of that step in s.
+---@field onStay? fun(a: physics.Object, b: physics.Object, side: physics.Side, dt: number)
 --- default none. Called once when a contact ends.
 ---@field onEnd? fun(a: physics.Object, b: physics.Object, side: physics.Side)
 --- default none. Called once when an object is held between a and b, which cannot give way.
@@ -186,10 +193,16 @@
 --- changed without `refresh`, a misspelled field, an object in two worlds; for a game that is being
 --- written.
 ---@field checked boolean
+--- default nothing is timed. A clock that returns seconds, as `os.clock` or `love.timer.getTime`:
+--- with one, `stats` tells how long the stages of the last step have taken.
+---@field profile? fun(): number
+--- default none. Called before every step, of dt s: the place for controllers where an update makes
+--- several steps (`timestep`, a long dt) or none. What it writes counts in that step.
+---@field onStep? fun(dt: number)
 --- default none. Called once when a contact starts, a before b in order; side is the side of a.
 ---@field onBegin? fun(a: physics.Object, b: physics.Object, side: physics.Side, speed: number)
---- default none. Called at every further step of a contact.
----@field onStay? fun(a: physics.Object, b: physics.Object, side: physics.Side)
+--- default none. Called at every further step of a contact; dt is the length of that step in s.
+---@field onStay? fun(a: physics.Object, b: physics.Object, side: physics.Side, dt: number)
 --- default none. Called once when a contact ends.
 ---@field onEnd? fun(a: physics.Object, b: physics.Object, side: physics.Side)
 --- default none. Called once when an object is held between a and b, which cannot give way.

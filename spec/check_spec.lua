@@ -83,9 +83,24 @@ describe("check", function()
     for _, row in ipairs({
       { "the folder of the game", "@physics/world/check.lua", "@physics.lua", "main.lua" },
       { "a folder for libraries", "@lib/physics/world/check.lua", "@lib/physics.lua", "main.lua" },
-      { "a subfolder", "@lib/physics/world/check.lua", "@lib/physics/broadphase/grid.lua", "main.lua" },
-      { "a folder with init.lua", "@lib/physics/world/check.lua", "@lib/physics/init.lua", "main.lua" },
-      { "a search path with a dot", "@./physics/world/check.lua", "@./physics.lua", "./spec/a_spec.lua" },
+      {
+        "a subfolder",
+        "@lib/physics/world/check.lua",
+        "@lib/physics/broadphase/grid.lua",
+        "main.lua",
+      },
+      {
+        "a folder with init.lua",
+        "@lib/physics/world/check.lua",
+        "@lib/physics/init.lua",
+        "main.lua",
+      },
+      {
+        "a search path with a dot",
+        "@./physics/world/check.lua",
+        "@./physics.lua",
+        "./spec/a_spec.lua",
+      },
       {
         "an installed rock",
         "@/usr/share/lua/5.1/physics/world/check.lua",
@@ -411,7 +426,7 @@ describe("check", function()
     end
 
     local ALL = "the settings are gravity, gravityX, push, masks, sideBySide, broadphase, cellSize,"
-      .. " timestep, maxStep, order, rest, checked, onBegin, onStay, onEnd, onCrush, canCollide"
+      .. " timestep, maxStep, order, rest, checked, profile, onStep, onBegin, onStay, onEnd, onCrush, canCollide"
 
     for _, row in ipairs({
       { "wind", '"wind"' },

@@ -37,7 +37,7 @@ function events.new()
     b = {},
     c = {},
     side = {},
-    speed = {},
+    speed = {}, -- px/s; of STAY: s, the length of its step
   }
 end
 
@@ -111,7 +111,7 @@ end
 function events.stay(b, p, side)
   local i, j = b.pairA[p], b.pairB[p]
   if isHeard(b, i, j) then
-    add(b, STAY, i, j, side, 0)
+    add(b, STAY, i, j, side, b.dt)
   end
 end
 
@@ -207,7 +207,7 @@ local function tell(e, n, recipient, name, owner)
   if recipient == 2 then
     a, b, side = e.b[n], e.a[n], OPPOSITE[side]
   end
-  if e.kind[n] == BEGIN then
+  if e.kind[n] == BEGIN or e.kind[n] == STAY then
     callback(a, b, SIDES[side], e.speed[n])
   else
     callback(a, b, SIDES[side])

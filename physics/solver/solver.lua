@@ -80,9 +80,12 @@ local function notePressed(b, axis)
     if pressed[p] == 1 then
       local kl, kh = list.low[c], list.high[c]
       pressedHigh[kl], pressedLow[kh] = true, true
-      if b.hit[p] == 0 and b.contact[p] == 0 then
-        local low = (kl - axis) * 0.5
-        impact.note(b, p, low, axis, max(b.start[kl] - b.start[kh], 0.0))
+      if b.hit[p] == 0 then
+        b.resolved = b.resolved + 1
+        if b.contact[p] == 0 then
+          local low = (kl - axis) * 0.5
+          impact.note(b, p, low, axis, max(b.start[kl] - b.start[kh], 0.0))
+        end
       end
     end
   end

@@ -242,7 +242,7 @@ fields.objects = {
     type = "sides",
     written = true,
     meaning = "What a dynamic object touches: top, bottom, left and right, each the other object or"
-      .. " false.",
+      .. " false; also one that was hit in the last update and left again in it.",
   },
   {
     name = "onBegin",
@@ -255,9 +255,9 @@ fields.objects = {
   {
     name = "onStay",
     type = "function",
-    signature = "(self, other, side)",
+    signature = "(self, other, side, dt)",
     absent = "none",
-    meaning = "Called at every further step of a contact.",
+    meaning = "Called at every further step of a contact; dt is the length of that step in s.",
   },
   {
     name = "onEnd",
@@ -379,6 +379,22 @@ fields.settings = {
       .. " written.",
   },
   {
+    name = "profile",
+    type = "function",
+    signature = "()",
+    absent = "nothing is timed",
+    meaning = "A clock that returns seconds, as `os.clock` or `love.timer.getTime`: with one, `stats`"
+      .. " tells how long the stages of the last step have taken.",
+  },
+  {
+    name = "onStep",
+    type = "function",
+    signature = "(dt)",
+    absent = "none",
+    meaning = "Called before every step, of dt s: the place for controllers where an update makes"
+      .. " several steps (`timestep`, a long dt) or none. What it writes counts in that step.",
+  },
+  {
     name = "onBegin",
     type = "function",
     signature = "(a, b, side, speed)",
@@ -388,9 +404,9 @@ fields.settings = {
   {
     name = "onStay",
     type = "function",
-    signature = "(a, b, side)",
+    signature = "(a, b, side, dt)",
     absent = "none",
-    meaning = "Called at every further step of a contact.",
+    meaning = "Called at every further step of a contact; dt is the length of that step in s.",
   },
   {
     name = "onEnd",

@@ -63,11 +63,39 @@ local function checkIdle(b, call)
   end
 end
 
+-- Notes how long a stage has taken, if there is a clock. Returns the time now.
+local function time(self, name, since)
+  local times = self.stats.times
+  if not times then
+    return 0
+  end
+  local now = self.profile()
+  now = type(now) == "number" and now or since
+  times[name] = now - since
+  return now
+end
+
+-- Lets the game act before a step. It may do anything but step again.
+local function tellStep(self, dt)
+  local b = self._bodies
+  settings.apply(self) -- a callback may have spoilt `onStep`
+  b.isTold = true
+  local ok, result = pcall(self.onStep, dt)
+  b.isTold = false
+  if not ok then
+    error(result, 0)
+  end
+end
+
 --- One step of dt seconds: the building of this library, room by room. Its events are told by the
 --- caller, once the time of the step is booked.
 local function step(self, dt)
+  if self.onStep then
+    tellStep(self, dt)
+  end
   local b = self._bodies
   settings.apply(self)
+  local now = time(self, "write", 0)
   collect.run(b, self.objects)
   if self.checked then
     guard.run(self)
@@ -76,18 +104,23 @@ local function step(self, dt)
   if dt < rest.SHORTEST then
     rest.wakeAll(b)
   end
+  now = time(self, "read", now)
 
-  b.begun, b.predicted, b.rubs = 0, 0, 0
+  b.begun, b.predicted, b.rubs, b.dt = 0, 0, 0, dt
   begin.run(b)
   detect.runMoved(b)
   part.run(b)
+  now = time(self, "separate", now)
   predict.run(b, dt) -- forces, move
+  now = time(self, "move", now)
   solver.run(b, dt) -- contacts, settle, friction, then sweep and hit
+  now = time(self, "solve", now)
   publish.run(b)
   if b.rest then
     rest.settle(b, dt)
   end
   view.outdate(b)
+  time(self, "write", now)
 
   local stats = self.stats
   stats.objects, stats.movers, stats.resting = b.count, b.moverCount, b.moverCount - b.awakeCount
@@ -100,6 +133,7 @@ local function split(self, dt)
   if steps < 1 then
     steps = 1
   end
+  publish.forgetHits(self._bodies)
   for remaining = steps, 1, -1 do
     self._bodies.remaining = remaining
     step(self, dt / steps)
@@ -115,6 +149,9 @@ local function stepFixed(self, dt)
     dt = max(0, min(dt, LONGEST - self._saved))
   end
   self._bodies.remaining = max(1, floor((self._saved + dt) / timestep + ROUNDING))
+  if self._saved + dt >= timestep * (1 - ROUNDING) then
+    publish.forgetHits(self._bodies)
+  end
   while self._saved + dt >= timestep * (1 - ROUNDING) do
     begin.keepPlaces(self._bodies)
     step(self, timestep)
@@ -139,6 +176,9 @@ function World:update(dt)
   check.number(dt, "dt", "world:update(dt)", 0)
   local b = self._bodies
   checkIdle(b, "update(dt)")
+  if b.isTold then
+    check.fail("world:update(dt) cannot be called from inside onStep")
+  end
   view.outdate(b) -- also if there is no step
   events.tell(b)
   if dt < SHORTEST then
@@ -871,6 +911,14 @@ function World:loadTiled(map, options)
   return level
 end
 
+--- How long the stages of the last step have taken, in s: see the setting `profile`.
+---@class physics.Times
+---@field read number reading the game's tables
+---@field separate number finding neighbours and parting what overlaps
+---@field move number gravity, engines, drag, limits
+---@field solve number contacts, friction and impacts
+---@field write number writing the tables, noting events, putting to sleep
+
 ---@class physics.Stats
 ---@field objects integer objects in the world
 ---@field movers integer of these, not static
@@ -878,6 +926,7 @@ end
 ---@field pairs integer neighbours that may meet
 ---@field contacts integer contacts at the end of the step
 ---@field events integer contacts resolved in the step
+---@field times physics.Times? how long the stages have taken, if `profile` is a clock
 local function newStats()
   return { objects = 0, movers = 0, resting = 0, pairs = 0, contacts = 0, events = 0 }
 end
@@ -891,7 +940,7 @@ function world.new(given, where)
   check.settings(given, where)
   local b = columns.new()
   solver.adopt(b)
-  b.events, b.roster = events.new(), roster.new()
+  b.events, b.roster, b.hits = events.new(), roster.new(), publish.newHits()
   local self = setmetatable({
     objects = {},
     stats = newStats(),

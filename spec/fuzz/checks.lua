@@ -233,6 +233,15 @@ function Watch:updateCrushed()
   end
 end
 
+-- A name for the pair, and whether the second of them comes first in it: who is told first may
+-- change when one moves to another group.
+local function keyOf(self, a, b)
+  local first, second = self.player.idOf[a], self.player.idOf[b]
+  if first and second then
+    return min(first, second) .. " " .. max(first, second), second < first
+  end
+end
+
 -- touching ---------------------------------------------------------------------------------------
 
 -- Whether b may stand in a.touching[side]; else what is wrong.
@@ -245,6 +254,10 @@ function Watch:judgeNeighbour(a, side, b)
     return "is a sensor, or the object is one"
   elseif not self:canMeet(a, b) then
     return "is somebody it cannot meet"
+  end
+  local key = keyOf(self, a, b)
+  if key and self.hits[key] and not self.player.world:touching(a, b) then
+    return -- it was hit in this update, and left again
   end
   local x, y = overlaps(a, b)
   local limit = slack(a, b)
@@ -285,15 +298,6 @@ end
 
 -- Events -----------------------------------------------------------------------------------------
 
--- A name for the pair, and whether the second of them comes first in it: who is told first may
--- change when one moves to another group.
-local function keyOf(self, a, b)
-  local first, second = self.player.idOf[a], self.player.idOf[b]
-  if first and second then
-    return min(first, second) .. " " .. max(first, second), second < first
-  end
-end
-
 function Watch:complain(name, text)
   if not self.complaint then
     self.complaint = { name, text }
@@ -312,7 +316,7 @@ function Watch:onBegin(key, a, b, side, speed)
       self:complain("masks", ("onBegin of %s, who cannot meet"):format(key))
     end
   end
-  self.open[key] = { a, b, side }
+  self.open[key], self.hits[key] = { a, b, side }, true
 end
 
 function Watch:onEnd(key, _, _, side)
@@ -470,6 +474,7 @@ function checks.new(player, closed)
     player = player,
     closed = closed,
     open = {}, -- contacts that have begun and not ended
+    hits = {}, -- pairs that have begun to touch in this update
     crushed = {}, -- ids
     knots = {}, -- pairs that overlap -> for how many updates
     complaint = false,
@@ -492,6 +497,7 @@ function Watch:before()
   self:noteStatics()
   self:noteDepths()
   self:noteOverlaps()
+  self.hits = {}
   self:noteSums()
   self.contacts = 0
   self.saved = self.player.world._saved

@@ -45,12 +45,15 @@ end
 --- Makes a function that finds the largest overlap of any two of a list of objects, at least one of
 --- them dynamic. Sensors, one-ways and inactive objects do not count; masks are not looked at.
 ---@param objects table[]
----@return fun(): number, table?, table? largest overlap in px (0: none) and the two objects
-function overlap.checker(objects)
+---@param least number? px, default 0: pairs that overlap by more than this are counted
+---@return fun(): number, table?, table?, integer largest overlap in px (0: none), the two objects,
+---and how many pairs overlap
+function overlap.checker(objects, least)
   local list = {}
+  least = least or 0
   return function()
     fromLeft(objects, list)
-    local deepest, first, second = 0, nil, nil
+    local deepest, first, second, count = 0, nil, nil, 0
     for i = 1, #list do
       local a = list[i]
       local right = a.x + a.width
@@ -62,11 +65,14 @@ function overlap.checker(objects)
           if depth > deepest then
             deepest, first, second = depth, a, b
           end
+          if depth > least then
+            count = count + 1
+          end
         end
         j = j + 1
       end
     end
-    return deepest, first, second
+    return deepest, first, second, count
   end
 end
 
