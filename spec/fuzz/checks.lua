@@ -256,7 +256,7 @@ function Watch:judgeNeighbour(a, side, b)
     return "is somebody it cannot meet"
   end
   local key = keyOf(self, a, b)
-  if key and self.hits[key] and not self.player.world:touching(a, b) then
+  if (not key or self.hits[key]) and not self.player.world:touching(a, b) then
     return -- it was hit in this update, and left again
   end
   local x, y = overlaps(a, b)
@@ -474,7 +474,7 @@ function checks.new(player, closed)
     player = player,
     closed = closed,
     open = {}, -- contacts that have begun and not ended
-    hits = {}, -- pairs that have begun to touch in this update
+    hits = {}, -- pairs that have touched in this update
     crushed = {}, -- ids
     knots = {}, -- pairs that overlap -> for how many updates
     complaint = false,
@@ -498,6 +498,9 @@ function Watch:before()
   self:noteDepths()
   self:noteOverlaps()
   self.hits = {}
+  for key in next, self.open do
+    self.hits[key] = true
+  end
   self:noteSums()
   self.contacts = 0
   self.saved = self.player.world._saved
