@@ -39,7 +39,7 @@ local function readCarrier(b, i)
   if c == 0 then
     carried[k], carried[k + 1] = 0, 0
   else
-    carried[k], carried[k + 1] = carrier.velocity(b, c)
+    carried[k], carried[k + 1] = carrier.velocity(b, c, i)
   end
 end
 

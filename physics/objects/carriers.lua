@@ -1,7 +1,7 @@
 --- Riders: what carries an object, and how fast.
 --
 -- A kinematic object carries what stands on it, and what stands on that; a belt (`surfaceSpeed`)
--- moves along x what stands on it. The velocity of the carrier is added to the rider's path in
+-- moves what stands on it along its surface. The velocity of the carrier is added to the rider's path in
 -- `move` and taken off in `publish`, so a rider's own velocity is relative to what carries it.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
@@ -14,12 +14,24 @@ local KINEMATIC, DYNAMIC = columns.KINEMATIC, columns.DYNAMIC
 local EPSILON = columns.EPSILON
 local min = math.min
 
---- Returns the velocity, x and y, that slot c gives to its riders in this step.
-function carrier.velocity(b, c)
-  if b.kind[c] == KINEMATIC and b.carry[c] then
-    return b.speed[2 * c] + b.surfaceSpeed[c], b.speed[2 * c + 1]
+--- Returns the velocity, x and y, that slot c gives to its rider i in this step. A belt moves along the
+--- surface that gravity presses on.
+function carrier.velocity(b, c, i)
+  local along = b.surfaceSpeed[c]
+  local x, y = along, 0
+  if b.down[2 * i] ~= 0 then
+    x, y = 0, along
   end
-  return b.surfaceSpeed[c], 0
+  if b.kind[c] == KINEMATIC and b.carry[c] then
+    return b.speed[2 * c] + x, b.speed[2 * c + 1] + y
+  end
+  return x, y
+end
+
+--- Returns the speed, along the other axis, of the belt j that slot i presses on along an axis.
+function carrier.beltSpeed(b, i, j, axis)
+  local isPressed = (b.down[2 * i] ~= 0) == (axis == 0)
+  return isPressed and b.surfaceSpeed[j] or 0
 end
 
 local function carries(b, c)

@@ -288,7 +288,7 @@ local function takeOffCarrier(b, i)
     b.carrier[i], b.news[i] = c, true
   end
   if c ~= 0 then
-    local x, y = carrier.velocity(b, c)
+    local x, y = carrier.velocity(b, c, i)
     b.speed[k] = carrier.ownVelocity(b, k, x, isNew)
     b.speed[k + 1] = carrier.ownVelocity(b, k + 1, y, isNew)
     local pullX, pullY = b.pull[k] + b.push[k], b.pull[k + 1] + b.push[k + 1]

@@ -9,6 +9,7 @@
 -- Reads contacts, free, start; writes kinks, force, and the paths on the rubbed axis.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local carrier = require(root .. ".objects.carriers")
 local columns = require(root .. ".memory.columns")
 local flow = require(root .. ".solver.flow")
 local pool = require(root .. ".solver.pool")
@@ -174,7 +175,7 @@ local function addContact(b, list, bonds, c, dt)
   local tu, ts = ku + 1 - 2 * axis, ks + 1 - 2 * axis
   local load, weight = mu * list.load[c], mu * list.weight[c]
   if b.give[ts] == 0 then
-    local base = b.speed[ts] + (axis == 1 and b.surfaceSpeed[j] or 0)
+    local base = b.speed[ts] + carrier.beltSpeed(b, i, j, axis)
     addGround(b, tu, base, load, weight, dt)
   else
     addBond(b, bonds, tu, ts, load)

@@ -6,6 +6,7 @@
 -- flush with a common velocity, and are a contact for the rest of the step.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local carrier = require(root .. ".objects.carriers")
 local columns = require(root .. ".memory.columns")
 local flow = require(root .. ".solver.flow")
 local friction = require(root .. ".solver.friction")
@@ -116,7 +117,7 @@ local function rub(b, i, j, axis, wl, wh, jolt, press, tau)
   if total == 0 then
     return
   end
-  local belt = axis == 1 and b.surfaceSpeed[j] - b.surfaceSpeed[i] or 0
+  local belt = carrier.beltSpeed(b, i, j, axis) - carrier.beltSpeed(b, j, i, axis)
   local accel = b.accel[kl] - b.accel[kh]
   local last = b.speed[kl] - b.speed[kh] - belt
   local v = last - accel * tau

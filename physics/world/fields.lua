@@ -226,7 +226,7 @@ fields.objects = {
     type = "number",
     default = 0,
     unit = "px/s",
-    meaning = "A conveyor: what stands on it is moved along x at this speed.",
+    meaning = "A conveyor: what stands on it is moved along x at this speed; along y where gravity acts sideways.",
   },
   {
     name = "nudge",
