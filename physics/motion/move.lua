@@ -84,6 +84,7 @@ function move.run(b, dt, first, last)
         moveKinematic(b, list[n], dt)
       end
     end
+    carrier.board(b)
     for n = first, last do
       if kind[list[n]] == DYNAMIC then
         readCarrier(b, list[n])

@@ -12,7 +12,8 @@ local carrier = {}
 
 local KINEMATIC, DYNAMIC = columns.KINEMATIC, columns.DYNAMIC
 local EPSILON = columns.EPSILON
-local min = math.min
+local SIDE = columns.SIDE
+local max, min = math.max, math.min
 
 --- Returns the velocity, x and y, that slot c gives to its rider i in this step. A belt moves along the
 --- surface that gravity presses on.
@@ -149,6 +150,58 @@ end
 function carrier.checkMoved(b)
   for n = 1, b.hasCarriers and b.movedCount or 0 do
     carrier.check(b, b.movedList[n])
+  end
+end
+
+-- The carrier that slot j is for what stands on `side` of it, or rides on; 0: it is none.
+local function carrierAt(b, i, j, side)
+  if b.sensor[j] or b.canCollide[i] or b.canCollide[j] or b.worldCanCollide then
+    return 0
+  elseif b.oneWay[j] and SIDE[b.oneWay[j]] ~= side then
+    return 0
+  elseif b.kind[j] == DYNAMIC then
+    return b.carrier[j]
+  end
+  return b.kind[j] == KINEMATIC and b.carry[j] and j or 0
+end
+
+-- The carrier on which slot i is put, flush, on an axis: the one below most of it, ties in order; 0:
+-- none.
+local function carrierBelow(b, i, axis)
+  local from, size, k = b.from, b.size, 2 * i + axis
+  local across, isHigh = k + 1 - 2 * axis, b.down[k] > 0
+  local best, widest, first, half = 0, EPSILON, 0, b.head[i]
+  while half ~= 0 do
+    local j = b.other[half]
+    local m, n = 2 * j + axis, 2 * j + 1 - axis
+    local edge = min(from[across] + size[across], from[n] + size[n]) - max(from[across], from[n])
+    local gap = isHigh and from[m] - from[k] - size[k] or from[k] - from[m] - size[m]
+    if edge > EPSILON and gap <= EPSILON and gap >= -EPSILON then
+      local c = carrierAt(b, i, j, 2 * axis + (isHigh and 1 or 2))
+      if c ~= 0 and (edge > widest or (edge == widest and b.rank[j] < b.rank[first])) then
+        best, widest, first = c, edge, j
+      end
+    end
+    half = b.next[half]
+  end
+  return best
+end
+
+--- Lets what the game has put onto a carrier that goes away from below it ride at once: nothing would
+--- press it there.
+function carrier.board(b)
+  for n = 1, b.movedCount do
+    local i = b.movedList[n]
+    local axis = b.down[2 * i] ~= 0 and 0 or 1
+    local k = 2 * i + axis
+    local down = b.down[k]
+    local isFree = b.kind[i] == DYNAMIC and b.active[i] and not b.sensor[i] and b.carrier[i] == 0
+    if isFree and down ~= 0 and b.velocity[k] * down >= 0 then
+      local c = carrierBelow(b, i, axis)
+      if c ~= 0 and b.speed[2 * c + axis] * down > 0 then
+        b.carrier[i] = c
+      end
+    end
   end
 end
 
