@@ -621,7 +621,7 @@ end
 -- The world --------------------------------------------------------------------------------------
 
 -- What an event consists of, apart from its objects (`a`, `b`, `c`).
-state.EVENT = { "kind", "side", "speed", "rankA", "rankB" }
+state.EVENT = { "kind", "side", "speed", "leant", "rankA", "rankB" }
 
 -- Events wait only after a callback has failed, or inside of one; the first of them may have been
 -- told to some already: `heardBy`.
