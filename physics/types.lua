@@ -1,6 +1,7 @@
 ---@meta _
 --- The types of this library for editors (LuaLS, EmmyLua). Nothing requires this file.
---- scripts/types.lua writes it from physics/world/fields.lua and physics/world/world.lua: change those.
+--- scripts/types.lua writes it from physics/world/fields.lua and physics/world/world.lua: change
+--- those.
 
 ---@alias physics.Side "left"|"right"|"top"|"bottom"
 
@@ -73,7 +74,8 @@
 --- default true. Whether a kinematic object takes its riders along. `false`: it slides away under
 --- them.
 ---@field carry? boolean
---- px/s, default 0. A conveyor: what stands on it moves along x at this speed.
+--- px/s, default 0. A conveyor: what stands on it moves along x at this speed; along y where
+--- gravity acts sideways.
 ---@field surfaceSpeed? number
 --- px, >= 0, default 0. Corner correction: an object that hits a static or kinematic corner by at
 --- most this much slides past it. One that lands on an edge is not moved.
@@ -81,8 +83,8 @@
 --- default none. Called once when a contact starts. `side` is the side of `self` that was hit,
 --- `speed` the approach speed in px/s.
 ---@field onBegin? fun(self: physics.Object, other: physics.Object, side: physics.Side, speed: number)
---- default none. Called at every further step of a contact.
----@field onStay? fun(self: physics.Object, other: physics.Object, side: physics.Side)
+--- default none. Called at every further step of a contact; dt is the length of that step in s.
+---@field onStay? fun(self: physics.Object, other: physics.Object, side: physics.Side, dt: number)
 --- default none. Called once when a contact ends, also when one of the two is removed or
 --- deactivated.
 ---@field onEnd? fun(self: physics.Object, other: physics.Object, side: physics.Side)
@@ -100,7 +102,7 @@
 --- px/s, default 0. The velocity along y, downwards. For a rider it is relative to what carries it.
 ---@field vy number
 --- What a dynamic object touches: `top`, `bottom`, `left` and `right`, each the other object or
---- `false`.
+--- `false`. An object that was hit in the last update, and left again, counts.
 ---@field touching physics.Touching
 
 --- What `newWorld` and `load` take.
@@ -140,11 +142,17 @@
 --- default false. Whether every step also looks for common mistakes, such as a misspelt field or a
 --- static object that was changed without `refresh`. Use it while you write the game.
 ---@field checked? boolean
+--- default nothing is timed. A clock that returns seconds, as `os.clock` or `love.timer.getTime`:
+--- with one, `stats` tells how long the stages of the last step have taken.
+---@field profile? fun(): number
+--- default none. Called before every step, of dt s: the place for controllers where an update makes
+--- several steps (`timestep`, a long dt) or none. What it writes counts in that step.
+---@field onStep? fun(dt: number)
 --- default none. Called once when a contact starts, with `a` before `b` in order. `side` is the
 --- side of `a`.
 ---@field onBegin? fun(a: physics.Object, b: physics.Object, side: physics.Side, speed: number)
---- default none. Called at every further step of a contact.
----@field onStay? fun(a: physics.Object, b: physics.Object, side: physics.Side)
+--- default none. Called at every further step of a contact; dt is the length of that step in s.
+---@field onStay? fun(a: physics.Object, b: physics.Object, side: physics.Side, dt: number)
 --- default none. Called once when a contact ends.
 ---@field onEnd? fun(a: physics.Object, b: physics.Object, side: physics.Side)
 --- default none. Called once when an object is held between `a` and `b`, neither of which can give
@@ -191,11 +199,17 @@
 --- default false. Whether every step also looks for common mistakes, such as a misspelt field or a
 --- static object that was changed without `refresh`. Use it while you write the game.
 ---@field checked boolean
+--- default nothing is timed. A clock that returns seconds, as `os.clock` or `love.timer.getTime`:
+--- with one, `stats` tells how long the stages of the last step have taken.
+---@field profile? fun(): number
+--- default none. Called before every step, of dt s: the place for controllers where an update makes
+--- several steps (`timestep`, a long dt) or none. What it writes counts in that step.
+---@field onStep? fun(dt: number)
 --- default none. Called once when a contact starts, with `a` before `b` in order. `side` is the
 --- side of `a`.
 ---@field onBegin? fun(a: physics.Object, b: physics.Object, side: physics.Side, speed: number)
---- default none. Called at every further step of a contact.
----@field onStay? fun(a: physics.Object, b: physics.Object, side: physics.Side)
+--- default none. Called at every further step of a contact; dt is the length of that step in s.
+---@field onStay? fun(a: physics.Object, b: physics.Object, side: physics.Side, dt: number)
 --- default none. Called once when a contact ends.
 ---@field onEnd? fun(a: physics.Object, b: physics.Object, side: physics.Side)
 --- default none. Called once when an object is held between `a` and `b`, neither of which can give
@@ -220,7 +234,7 @@ local default = {}
 --- nothing.
 ---
 --- With `timestep` an update makes one step, several, or none. Code that must run once per step,
---- such as a jump buffer, then needs a loop of its own: see "A fixed step" in docs/recipes.md.
+--- such as a jump buffer, belongs into `onStep`.
 ---
 --- Errors: dt is not a number >= 0; a group, key, field or setting has a value that cannot be used
 --- (nothing has changed then); it is called from inside `canCollide`; a callback raises an error.

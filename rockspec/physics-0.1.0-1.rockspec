@@ -75,6 +75,7 @@ build = {
     ["physics.queries.query"] = "physics/queries/query.lua",
     ["physics.queries.sweptAabb"] = "physics/queries/sweptAabb.lua",
     ["physics.sleep.islands"] = "physics/sleep/islands.lua",
+    ["physics.solver.bonds"] = "physics/solver/bonds.lua",
     ["physics.solver.contacts"] = "physics/solver/contacts.lua",
     ["physics.solver.crowd"] = "physics/solver/crowd.lua",
     ["physics.solver.crush"] = "physics/solver/crush.lua",

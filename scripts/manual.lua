@@ -17,7 +17,7 @@ local HEAD = [[
 # Reference
 
 Every public field, setting, function and type. `make docs` writes this page from the docstrings and
-from [physics/world/fields.lua](../physics/fields.lua). Editors that know LuaLS or EmmyLua annotations
+from [fields.lua](../physics/world/fields.lua). Editors that know LuaLS or EmmyLua annotations
 show the same texts while you type. The [guide](guide/index.md) explains the ideas behind them.
 
 - x grows to the right, y grows **down**. `x, y` is the top-left corner.
@@ -317,7 +317,7 @@ function manual.text()
   add(lines, "## Tiles", "", TILES)
   addFunctions(lines, "physics/maps/tiles.lua", "Tiles", "tiles:")
   add(lines, "## Types", "", TYPES)
-  local files = { "types", "world", "draw", "maps/tiles", "maps/array", "maps/tiled" }
+  local files = { "types", "world/world", "world/draw", "maps/tiles", "maps/array", "maps/tiled" }
   for _, file in ipairs({ "maps/tiled/options", "maps/ldtk", "maps/ldtk/project" }) do
     files[#files + 1] = file
   end

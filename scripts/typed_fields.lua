@@ -20,8 +20,12 @@ local PARAMETERS = {
   b = "physics.Object",
   side = "physics.Side",
   speed = "number",
+  dt = "number",
   axis = '"x"|"y"',
 }
+
+-- What a callback returns, if it does.
+local RETURNS = { canCollide = "boolean?", profile = "number" }
 
 local function callback(field)
   local parameters = {}
@@ -29,7 +33,8 @@ local function callback(field)
     parameters[#parameters + 1] = name .. ": " .. assert(PARAMETERS[name], name)
   end
   local text = "fun(" .. table.concat(parameters, ", ") .. ")"
-  return field.name == "canCollide" and text .. ": boolean?" or text
+  local returns = RETURNS[field.name]
+  return returns and text .. ": " .. returns or text
 end
 
 --- Returns the type of a field, without the mark of what may be left out.

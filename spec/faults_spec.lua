@@ -890,3 +890,254 @@ describe("F19: what is gone", function()
     end
   end)
 end)
+
+--   #####     hit, and left again in the same step
+--    +-+ ^
+-- `touching.top` was false in each update of each jump.
+describe("F12: a side that was hit and left again", function()
+  for _, rate in ipairs({ 60, 30, 144, 20 }) do
+    it(("shows in touching for one update, at %d Hz"):format(rate), function()
+      for _, rest in ipairs({ true, false }) do
+        local world = physics.newWorld({ gravity = 800, rest = rest })
+        world:add("tiles", { x = 0, y = 100, width = 100, height = 16, static = true })
+        local ceiling =
+          world:add("tiles", { x = 0, y = 40, width = 100, height = 16, static = true })
+        local man = world:add("men", { x = 10, y = 80, width = 10, height = 20 })
+        local hits, shown = 0, 0
+        function man.onBegin(_, _, side)
+          hits = hits + (side == "top" and 1 or 0)
+        end
+        for _ = 1, 3 do
+          world:update(1 / rate)
+          man.vy = -400
+          for _ = 1, rate do
+            local before = hits
+            world:update(1 / rate)
+            assert.equal(hits > before and ceiling or false, man.touching.top)
+            shown = shown + (man.touching.top and 1 or 0)
+          end
+        end
+        assert.equal(3, hits)
+        assert.equal(3, shown)
+      end
+    end)
+  end
+
+  it("shows on both who bounce, and the wider of two", function()
+    local world = physics.newWorld({ gravity = 0 })
+    local narrow = world:add("boxes", { x = 0, y = 0, width = 20, height = 20, vx = 100 })
+    narrow.restitution = 1
+    local first = world:add("walls", { x = 20.5, y = -20, width = 8, height = 25, static = true })
+    local second = world:add("walls", { x = 20.5, y = 5, width = 8, height = 25, static = true })
+    world:update(1 / 60)
+    assert.equal(second, narrow.touching.right)
+    assert.is_nil(first.touching)
+    world:update(1 / 60)
+    assert.is_false(narrow.touching.right)
+    local other = world:add("boxes", { x = narrow.x - 21, y = 0, width = 20, height = 20 })
+    world:update(1 / 60)
+    assert.equal(other, narrow.touching.left)
+    assert.equal(narrow, other.touching.right)
+    world:update(1 / 60)
+    assert.is_false(narrow.touching.left)
+    assert.is_false(other.touching.right)
+  end)
+
+  it("carries nothing and is no ground: a bounce on a lift takes no ride", function()
+    local world = physics.newWorld({ gravity = 800 })
+    local lift = { x = 0, y = 100, width = 60, height = 8, kinematic = true, vx = 200 }
+    world:add("lifts", lift)
+    local ball = world:add("balls", { x = 0, y = 60, width = 8, height = 8, restitution = 1 })
+    for _ = 1, 40 do
+      world:update(1 / 60)
+      assert.equal(0, ball.x)
+    end
+  end)
+
+  it("is not remembered of who has left, or of another that took its place", function()
+    local world = physics.newWorld({ gravity = 0 })
+    local ball = { x = 0, y = 0, width = 8, height = 8, vx = 600, restitution = 1 }
+    world:add("balls", ball)
+    local wall = world:add("walls", { x = 9, y = 0, width = 8, height = 8, static = true })
+    function ball.onBegin(_, other)
+      world:remove(other)
+      world:add("walls", { x = 900, y = 0, width = 8, height = 8, static = true })
+    end
+    world:update(1 / 10) -- four steps
+    assert.is_false(ball.touching.right)
+    assert.is_nil(wall.touching)
+  end)
+end)
+
+-- 10 hp a second cost 20 in two seconds at 60 Hz, 59 at 10 Hz and 8 with a timestep at 144 Hz.
+describe("F13: onStay", function()
+  for _, row in ipairs({
+    { 1 / 60 },
+    { 1 / 10 },
+    { 1 / 144, 1 / 60 },
+    { 1 / 60, 1 / 144 },
+    { 1 / 20, 1 / 90 },
+  }) do
+    local dt, timestep = row[1], row[2]
+    local title = "tells how long a step is: updates of %.4g s, timestep %s"
+    it(title:format(dt, timestep and ("%.4g s"):format(timestep) or "none"), function()
+      local world = physics.newWorld({ gravity = 800, timestep = timestep })
+      world:add("floors", { x = 0, y = 16, width = 16, height = 16, static = true })
+      local box = world:add("boxes", { x = 0, y = 0, width = 16, height = 16 })
+      local sums = { box = 0, world = 0 }
+      function box.onStay(_, _, _, time)
+        sums.box = sums.box + time
+      end
+      function world.onStay(_, _, _, time)
+        sums.world = sums.world + time
+      end
+      local longest = timestep or 1 / 30
+      local time = 0
+      while time < 2 - 1e-9 do
+        world:update(dt)
+        time = time + dt
+      end
+      -- The first step begins the contact; what is saved up is not played yet.
+      assert.near(2, sums.box, 2 * longest + 1e-9)
+      assert.equal(sums.box, sums.world)
+    end)
+  end
+end)
+
+-- A controller in front of `update` acted on what an earlier step had shown, or twice in none.
+describe("F15: onStep", function()
+  it("is called before every step, with its length", function()
+    for _, row in ipairs({
+      -- settings, dt, lengths of the steps of three updates
+      { {}, 1 / 60, { 1 / 60, 1 / 60, 1 / 60 } },
+      { {}, 1 / 15, { 1 / 30, 1 / 30, 1 / 30, 1 / 30, 1 / 30, 1 / 30 } },
+      { { timestep = 1 / 64 }, 1 / 128, { 1 / 64 } },
+      { { timestep = 1 / 64 }, 1 / 32, { 1 / 64, 1 / 64, 1 / 64, 1 / 64, 1 / 64, 1 / 64 } },
+      { {}, 0, {} },
+    }) do
+      local world, lengths = physics.newWorld(row[1]), {}
+      function world.onStep(dt)
+        lengths[#lengths + 1] = dt
+      end
+      for _ = 1, 3 do
+        world:update(row[2])
+      end
+      assert.equal(#row[3], #lengths)
+      for n, length in ipairs(row[3]) do
+        assert.near(length, lengths[n], 1e-15)
+      end
+    end
+  end)
+
+  it("makes a controller that jumps once, at any phase", function()
+    for phase = 0, 19 do
+      local world = physics.newWorld({ gravity = 800, timestep = 1 / 60 })
+      world:add("floors", { x = 0, y = 100, width = 100, height = 16, static = true })
+      local man = world:add("men", { x = 0, y = 76, width = 16, height = 24 })
+      local isPressed, jumps = false, 0
+      function world.onStep()
+        if isPressed and man.touching.bottom then
+          man.vy, isPressed, jumps = -400, false, jumps + 1
+        end
+      end
+      world:update((1 + phase / 20) / 60)
+      for frame = 1, 288 do
+        isPressed = isPressed or frame == 100
+        world:update(1 / 144)
+        assert.is_true(jumps == (frame < 102 and jumps or 1) and jumps <= 1)
+      end
+      assert.equal(1, jumps)
+      assert.equal(76, man.y)
+    end
+  end)
+
+  it(
+    "drives a lift to its goal by (goal - y) / dt, and what it writes counts in the step",
+    function()
+      for _, dt in ipairs({ 1 / 144, 1 / 60, 1 / 25 }) do
+        local world = physics.newWorld({ timestep = 1 / 60 })
+        local lift = world:add("lifts", { x = 0, y = 0, width = 8, height = 8, kinematic = true })
+        function world.onStep(step)
+          lift.vy = (100 - lift.y) / step
+        end
+        for _ = 1, 20 do
+          world:update(dt)
+        end
+        assert.near(100, lift.y, 1e-9)
+      end
+    end
+  )
+
+  it("may add and remove, and an error in it leaves the step to the next update", function()
+    local world, steps = physics.newWorld({ timestep = 1 / 60, gravity = 0 }), 0
+    local box = world:add("boxes", { x = 0, y = 0, width = 8, height = 8, vx = 60 })
+    function world.onStep()
+      steps = steps + 1
+      if steps == 2 then
+        error("oops", 0)
+      elseif steps == 3 then
+        world:add("boxes", { x = 90, y = 0, width = 8, height = 8 })
+      elseif steps == 4 then
+        world:remove(box)
+      end
+    end
+    world:update(1 / 60)
+    local ok, message = pcall(world.update, world, 1 / 60)
+    assert.same({ false, "oops" }, { ok, message })
+    assert.near(1, box.x, 1e-9)
+    world:update(1 / 60)
+    assert.near(2, box.x, 1e-9)
+    assert.equal(2, world.stats.objects)
+    world:update(1 / 60)
+    assert.near(2, box.x, 1e-9)
+    assert.equal(1, world.stats.objects)
+  end)
+
+  it("cannot update, and must be a function", function()
+    local world = physics.newWorld()
+    function world.onStep(dt)
+      world:update(dt)
+    end
+    local ok, message = pcall(world.update, world, 1 / 60)
+    assert.is_false(ok)
+    local _, text = message:match("^(.*faults_spec%.lua:%d+): (.*)$")
+    assert.equal("physics: world:update(dt) cannot be called from inside onStep", text)
+    world.onStep = 3
+    ok, message = pcall(world.update, world, 1 / 60)
+    assert.is_false(ok)
+    assert.truthy(message:find("onStep must be a function, got 3", 1, true), message)
+    world.onStep = nil
+    world:update(1 / 60)
+    physics.load()
+    local length
+    function physics.onStep(dt)
+      length = dt
+    end
+    physics.update(1 / 60)
+    assert.equal(1 / 60, length)
+    physics.load()
+  end)
+end)
+
+describe("a clock in world.profile", function()
+  it("tells how long the stages of a step took, and nothing without one", function()
+    local now, world = 0, physics.newWorld()
+    world:add("boxes", { x = 0, y = 0, width = 8, height = 8 })
+    world:update(1 / 60)
+    assert.is_nil(world.stats.times)
+    function world.profile()
+      now = now + 2
+      return now
+    end
+    world:update(1 / 60)
+    assert.same({ read = 2, separate = 2, move = 2, solve = 2, write = 2 }, world.stats.times)
+    world.profile = os.clock
+    world:update(1 / 60)
+    for name, time in pairs(world.stats.times) do
+      assert.is_true(time >= 0 and time < 1, name)
+    end
+    world.profile = nil
+    world:update(1 / 60)
+    assert.is_nil(world.stats.times)
+  end)
+end)

@@ -55,6 +55,8 @@ local SETTINGS = {
   { "order", nil },
   { "rest", true },
   { "checked", false },
+  { "profile", nil },
+  { "onStep", nil },
   { "onBegin", nil },
   { "onStay", nil },
   { "onEnd", nil },

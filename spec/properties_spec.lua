@@ -112,8 +112,8 @@ describe("the same scene goes the same way, to the bit,", function()
     end)
   end
 
-  -- Scenes in which two ways through an earlier solver differed: settings, dt, then group, x, y, width,
-  -- height and other fields of each object.
+  -- Scenes in which two ways through an earlier solver differed: settings, dt, then group, x, y,
+  -- width, height and other fields of each object.
   local ONCE_DIFFERENT = {
     {
       "one is crushed in a corner, and another two stand aside",
@@ -324,8 +324,8 @@ describe("whatever happens,", function()
     end
   end)
 
-  -- A step has an end: what still meets in its last round, as a box that rattles between two others,
-  -- may overlap by up to a px, and is apart after the next one.
+  -- A step has an end: what still meets in its last round, as a box that rattles between two
+  -- others, may overlap by up to a px, and is apart after the next one.
   it("nothing sinks into anything, unless it is squeezed", function()
     for _, push in ipairs({ "both", "first" }) do
       for seed = 200, 199 + effort.share(40) do

@@ -1042,9 +1042,9 @@ describe("a damaged state", function()
     {
       "another version",
       function(state)
-        state.version = 2
+        state.version = 1
       end,
-      "state.version must be 1 (it was saved by another version of the library), got 2",
+      "state.version must be 2 (it was saved by another version of the library), got 1",
     },
     {
       "a setting",

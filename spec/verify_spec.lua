@@ -42,7 +42,7 @@ local NAN, INFINITE = 0 / 0, 1 / 0
 
 -- path, the value that is put there, what the message says
 local ROWS = {
-  { "version", 0, "state.version must be 1 (it was saved by another version" },
+  { "version", 0, "state.version must be 2 (it was saved by another version" },
   { "settings", 1, "state.settings must be a table, got 1" },
   { "settings.push", "none", 'state.settings.push must be "both" or "first"' },
   { "settings.gravity", nil, "state.settings.gravity must be a number, got nil" },

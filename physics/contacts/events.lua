@@ -30,6 +30,7 @@ function events.new()
     order = {},
     late = {},
     kind = {},
+    leant = {}, -- 1: begins because one leans on another there, without a hit
     rankA = {},
     rankB = {},
     kindAndNumber = {},
@@ -37,7 +38,7 @@ function events.new()
     b = {},
     c = {},
     side = {},
-    speed = {},
+    speed = {}, -- px/s; of STAY: s, the length of its step
   }
 end
 
@@ -62,7 +63,7 @@ local function note(b, kind, i, j, third, side, speed)
   local n = e.count + 1
   e.count = n
   e.order[n] = n
-  e.kind[n], e.kindAndNumber[n] = kind, n
+  e.kind[n], e.kindAndNumber[n], e.leant[n] = kind, n, 0
   e.rankA[n], e.rankB[n] = b.rank[i], b.rank[j]
   e.a[n], e.b[n], e.c[n] = b.object[i], b.object[j], third
   e.side[n], e.speed[n] = side, speed
@@ -89,11 +90,16 @@ local function isHeard(b, i, j)
   return false
 end
 
---- Notes that a contact of pair p has begun on `side` of the pair's first.
+--- Notes that a contact of pair p has begun on `side` of the pair's first. Where two touch only as
+--- one leans on another on that side, that is told after all hits: of two bricks that are hit at
+--- once the one with the wider common edge is hit.
 function events.begin(b, p, side, speed)
-  local i, j = b.pairA[p], b.pairB[p]
+  local i, j, count = b.pairA[p], b.pairB[p], b.events.count
   isHeard(b, i, j)
   add(b, BEGIN, i, j, side, speed)
+  if b.events.count > count and b.hit[p] == 0 then
+    b.events.leant[b.events.count] = 1
+  end
 end
 
 --- Notes that a contact has ended.
@@ -111,7 +117,7 @@ end
 function events.stay(b, p, side)
   local i, j = b.pairA[p], b.pairB[p]
   if isHeard(b, i, j) then
-    add(b, STAY, i, j, side, 0)
+    add(b, STAY, i, j, side, b.dt)
   end
 end
 
@@ -207,7 +213,7 @@ local function tell(e, n, recipient, name, owner)
   if recipient == 2 then
     a, b, side = e.b[n], e.a[n], OPPOSITE[side]
   end
-  if e.kind[n] == BEGIN then
+  if e.kind[n] == BEGIN or e.kind[n] == STAY then
     callback(a, b, SIDES[side], e.speed[n])
   else
     callback(a, b, SIDES[side])
@@ -245,7 +251,7 @@ function events.sortLate(e)
   for n = 1, count do
     late[n] = order[sorted + n]
   end
-  sort.by(late, count, e.rankA, e.rankB, e.kindAndNumber)
+  sort.by(late, count, e.leant, e.rankA, e.rankB, e.kindAndNumber)
   return count
 end
 
@@ -258,8 +264,8 @@ function events.arrange(e)
 end
 
 --- Tells the game all that was noted: in batches (see `arrange`), in each of them pairs in the
---- order of the world. An error of a callback passes through; what was not told then is told by the
---- next call.
+--- order of the world, contacts that begin without a hit last. An error of a callback passes
+--- through; what was not told then is told by the next call.
 function events.tell(b)
   local e = b.events
   if e.count == 0 then

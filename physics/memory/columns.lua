@@ -295,6 +295,11 @@ local STEP_AXIS = {
   "heldHigh",
   "holderLow",
   "holderHigh",
+  "give",
+  "start",
+  "freeSpeed",
+  "squeezed",
+  "kinks",
   "crushed",
   "wasCrushed",
   "pressedLow",
@@ -429,6 +434,7 @@ function columns.new()
     forceStamp = 0,
     roundStamp = 0,
     solveStamp = 0,
+    dt = 0, -- s, of the step that is made
     lost = {}, -- slots whose carrier went away since the last step
     lostCount = 0,
     unasked = { pairs = {}, sides = {}, first = {}, second = {}, order = {} }, -- scratch of contact

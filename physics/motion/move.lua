@@ -39,7 +39,7 @@ local function readCarrier(b, i)
   if c == 0 then
     carried[k], carried[k + 1] = 0, 0
   else
-    carried[k], carried[k + 1] = carrier.velocity(b, c)
+    carried[k], carried[k + 1] = carrier.velocity(b, c, i)
   end
 end
 
@@ -84,6 +84,7 @@ function move.run(b, dt, first, last)
         moveKinematic(b, list[n], dt)
       end
     end
+    carrier.board(b)
     for n = first, last do
       if kind[list[n]] == DYNAMIC then
         readCarrier(b, list[n])

@@ -1,8 +1,9 @@
 --- Riders: what carries an object, and how fast.
 --
 -- A kinematic object carries what stands on it, and what stands on that; a belt (`surfaceSpeed`)
--- moves along x what stands on it. The velocity of the carrier is added to the rider's path in
--- `move` and taken off in `publish`, so a rider's own velocity is relative to what carries it.
+-- moves what stands on it along its surface. The velocity of the carrier is added to the rider's
+-- path in `move` and taken off in `publish`, so a rider's own velocity is relative to what carries
+-- it.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local aabb = require(root .. ".memory.aabb")
@@ -12,14 +13,27 @@ local carrier = {}
 
 local KINEMATIC, DYNAMIC = columns.KINEMATIC, columns.DYNAMIC
 local EPSILON = columns.EPSILON
-local min = math.min
+local SIDE = columns.SIDE
+local max, min = math.max, math.min
 
---- Returns the velocity, x and y, that slot c gives to its riders in this step.
-function carrier.velocity(b, c)
-  if b.kind[c] == KINEMATIC and b.carry[c] then
-    return b.speed[2 * c] + b.surfaceSpeed[c], b.speed[2 * c + 1]
+--- Returns the velocity, x and y, that slot c gives to its rider i in this step. A belt moves along
+--- the surface that gravity presses on.
+function carrier.velocity(b, c, i)
+  local along = b.surfaceSpeed[c]
+  local x, y = along, 0
+  if b.down[2 * i] ~= 0 then
+    x, y = 0, along
   end
-  return b.surfaceSpeed[c], 0
+  if b.kind[c] == KINEMATIC and b.carry[c] then
+    return b.speed[2 * c] + x, b.speed[2 * c + 1] + y
+  end
+  return x, y
+end
+
+--- Returns the speed, along the other axis, of the belt j that slot i presses on along an axis.
+function carrier.beltSpeed(b, i, j, axis)
+  local isPressed = (b.down[2 * i] ~= 0) == (axis == 0)
+  return isPressed and b.surfaceSpeed[j] or 0
 end
 
 local function carries(b, c)
@@ -82,17 +96,17 @@ local function given(v, c)
   return v > c and v or c
 end
 
--- Whether something that cannot give way stops k on its way with its carrier.
-local function isHeldBack(b, k, c)
-  return (c > 0 and b.pressedHigh[k] and b.heldHigh[k] > 0)
-    or (c < 0 and b.pressedLow[k] and b.heldLow[k] > 0)
+-- Whether k leans on something that cannot give way.
+local function leans(b, k)
+  return (b.pressedHigh[k] and b.heldHigh[k] > 0) or (b.pressedLow[k] and b.heldLow[k] > 0)
 end
 
 --- Returns the velocity along k that an object shows: relative to what carries it (c px/s). On the
---- first step on a carrier, and while something holds it back, only what the carrier gave is off.
+--- first step on a carrier, and while it leans on something that cannot give way, only what the
+--- carrier gave is off.
 function carrier.ownVelocity(b, k, c, isNew)
   local v = b.speed[k]
-  if isNew or isHeldBack(b, k, c) then
+  if isNew or leans(b, k) then
     return v - given(v, c)
   end
   return v - c
@@ -137,6 +151,58 @@ end
 function carrier.checkMoved(b)
   for n = 1, b.hasCarriers and b.movedCount or 0 do
     carrier.check(b, b.movedList[n])
+  end
+end
+
+-- The carrier that slot j is for what stands on `side` of it, or rides on; 0: it is none.
+local function carrierAt(b, i, j, side)
+  if b.sensor[j] or b.canCollide[i] or b.canCollide[j] or b.worldCanCollide then
+    return 0
+  elseif b.oneWay[j] and SIDE[b.oneWay[j]] ~= side then
+    return 0
+  elseif b.kind[j] == DYNAMIC then
+    return b.carrier[j]
+  end
+  return b.kind[j] == KINEMATIC and b.carry[j] and j or 0
+end
+
+-- The carrier on which slot i is put, flush, on an axis: the one below most of it, ties in order;
+-- 0: none.
+local function carrierBelow(b, i, axis)
+  local from, size, k = b.from, b.size, 2 * i + axis
+  local across, isHigh = k + 1 - 2 * axis, b.down[k] > 0
+  local best, widest, first, half = 0, EPSILON, 0, b.head[i]
+  while half ~= 0 do
+    local j = b.other[half]
+    local m, n = 2 * j + axis, 2 * j + 1 - axis
+    local edge = min(from[across] + size[across], from[n] + size[n]) - max(from[across], from[n])
+    local gap = isHigh and from[m] - from[k] - size[k] or from[k] - from[m] - size[m]
+    if edge > EPSILON and gap <= EPSILON and gap >= -EPSILON then
+      local c = carrierAt(b, i, j, 2 * axis + (isHigh and 1 or 2))
+      if c ~= 0 and (edge > widest or (edge == widest and b.rank[j] < b.rank[first])) then
+        best, widest, first = c, edge, j
+      end
+    end
+    half = b.next[half]
+  end
+  return best
+end
+
+--- Lets what the game has put onto a carrier that goes away from below it ride at once: nothing
+--- would press it there.
+function carrier.board(b)
+  for n = 1, b.movedCount do
+    local i = b.movedList[n]
+    local axis = b.down[2 * i] ~= 0 and 0 or 1
+    local k = 2 * i + axis
+    local down = b.down[k]
+    local isFree = b.kind[i] == DYNAMIC and b.active[i] and not b.sensor[i] and b.carrier[i] == 0
+    if isFree and down ~= 0 and b.velocity[k] * down >= 0 then
+      local c = carrierBelow(b, i, axis)
+      if c ~= 0 and b.speed[2 * c + axis] * down > 0 then
+        b.carrier[i] = c
+      end
+    end
   end
 end
 

@@ -18,7 +18,7 @@ local publish = {}
 local DYNAMIC, GIVES = columns.DYNAMIC, columns.GIVES
 local AXIS, OPPOSITE = columns.AXIS, columns.OPPOSITE
 local EPSILON, VAST = columns.EPSILON, columns.VAST
-local max, min = math.max, math.min
+local floor, max, min = math.floor, math.max, math.min
 
 -- Lists the live pairs that are close enough to touch, or did; returns how many.
 local function listClose(b)
@@ -99,10 +99,91 @@ end
 -- Updates all pairs of whoever took part, and lists those in contact behind b.touchPairs; returns
 -- how many. Those of which more must be found out go last, one by one.
 local function updateContacts(b)
-  local known, otherCount = listKnown(b, listClose(b), b.world.onStay and 0 or 1)
+  local closeCount = listClose(b)
+  local known, otherCount = listKnown(b, closeCount, b.world.onStay and 0 or 1)
   local count
   count, otherCount = listOn(b, known, otherCount)
-  return contact.updateAll(b, b.otherPairs, otherCount, b.touchPairs, count)
+  return contact.updateAll(b, b.otherPairs, otherCount, b.touchPairs, count), closeCount
+end
+
+-- px of the common edge of two that meet on an axis.
+local function edgeOf(b, i, j, axis)
+  local to, size, k, m = b.to, b.size, 2 * i + 1 - axis, 2 * j + 1 - axis
+  return min(to[k] + size[k], to[m] + size[m]) - max(to[k], to[m])
+end
+
+--- Returns an empty list of sides that were hit, by contacts that have ended since.
+function publish.newHits()
+  return {
+    count = 0,
+    at = {}, -- 4 * slot + side
+    owner = {}, -- the object in that slot
+    slot = {}, -- of the other one
+    other = {}, -- the object in that
+    width = {}, -- px of the common edge
+    chosen = {}, -- by `at`: which of them counts
+  }
+end
+
+--- Forgets the sides that were hit: another update begins.
+function publish.forgetHits(b)
+  local hits = b.hits
+  for n = 1, hits.count do
+    hits.owner[n], hits.other[n] = false, false
+  end
+  hits.count = 0
+end
+
+local function noteHit(b, i, side, j)
+  if b.kind[i] ~= DYNAMIC then
+    return
+  end
+  local hits = b.hits
+  local n = hits.count + 1
+  hits.count = n
+  hits.at[n], hits.owner[n], hits.slot[n], hits.other[n] = 4 * i + side, b.object[i], j, b.object[j]
+  hits.width[n] = edgeOf(b, i, j, AXIS[side])
+end
+
+-- Notes which sides were hit in this step, though the contact has ended in it, too.
+local function noteHits(b, closeCount)
+  local close, hit, contacts, sensor = b.closePairs, b.hit, b.contact, b.sensor
+  for n = 1, closeCount do
+    local p = close[n]
+    if hit[p] ~= 0 and contacts[p] == 0 then
+      local i, j = b.pairA[p], b.pairB[p]
+      if not (sensor[i] or sensor[j]) then
+        noteHit(b, i, hit[p], j)
+        noteHit(b, j, OPPOSITE[hit[p]], i)
+      end
+    end
+  end
+end
+
+-- Whether hit n shows rather than hit m on the same side: the wider common edge, ties in order.
+local function isWider(b, hits, n, m)
+  local more = hits.width[n] - hits.width[m]
+  return more > EPSILON or (more >= -EPSILON and b.rank[hits.slot[n]] < b.rank[hits.slot[m]])
+end
+
+-- Lets `touching` show the sides that were hit in this update, where nothing touches now.
+local function showHits(b)
+  local hits, best, chosen = b.hits, b.touchBest, b.hits.chosen
+  for n = 1, hits.count do
+    local at = hits.at[n]
+    local i = floor((at - 1) * 0.25)
+    -- A callback between two steps may have removed one of the two.
+    if b.object[i] == hits.owner[n] and b.object[hits.slot[n]] == hits.other[n] then
+      b.news[i] = true -- the next update shows it no more
+      local shown = chosen[at] -- a hit
+      if (best[at] == 0 and not shown) or (shown and isWider(b, hits, n, shown)) then
+        best[at], chosen[at] = hits.slot[n], n
+      end
+    end
+  end
+  for n = 1, hits.count do
+    chosen[hits.at[n]] = nil
+  end
 end
 
 -- Lists what the dynamic ones touch: where that belongs in touchBest, who it is, how wide the
@@ -207,7 +288,7 @@ local function takeOffCarrier(b, i)
     b.carrier[i], b.news[i] = c, true
   end
   if c ~= 0 then
-    local x, y = carrier.velocity(b, c)
+    local x, y = carrier.velocity(b, c, i)
     b.speed[k] = carrier.ownVelocity(b, k, x, isNew)
     b.speed[k + 1] = carrier.ownVelocity(b, k + 1, y, isNew)
     local pullX, pullY = b.pull[k] + b.push[k], b.pull[k + 1] + b.push[k + 1]
@@ -356,10 +437,15 @@ function publish.run(b)
   contact.ask(b)
   view.outdate(b) -- whom it has asked may have asked questions, and what follows may fail
   reset(b)
-  findTouching(b, updateContacts(b))
+  local count, closeCount = updateContacts(b)
+  findTouching(b, count)
   tellCrushed(b)
   findSupports(b)
   findCarriers(b)
+  if b.resolved > 0 then
+    noteHits(b, closeCount)
+  end
+  showHits(b)
   tellTouching(b, listOutdated(b))
   tellMotion(b)
   forgetMoved(b)

@@ -7,6 +7,7 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local bonds = require(root .. ".solver.bonds")
+local carrier = require(root .. ".objects.carriers")
 local columns = require(root .. ".memory.columns")
 local flow = require(root .. ".solver.flow")
 local friction = require(root .. ".solver.friction")
@@ -183,9 +184,9 @@ local function rub(b, i, j, axis, wl, wh, jolt, press, tau, dt)
     end
     rubBoth(b, kl, kh, mu, jolt, press, tau)
   elseif il + ih > 0 then
-    local k, ground, belt = kl, kh, axis == 1 and b.surfaceSpeed[j] or 0
+    local k, ground, belt = kl, kh, carrier.beltSpeed(b, i, j, axis)
     if il == 0 then
-      k, ground, belt = kh, kl, axis == 1 and b.surfaceSpeed[i] or 0
+      k, ground, belt = kh, kl, carrier.beltSpeed(b, j, i, axis)
     end
     b.base[k], b.grip[k], b.rough[k] = b.speed[ground] + belt, 0.0, mu
     bear(b, k, jolt, press, tau, dt)

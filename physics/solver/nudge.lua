@@ -44,13 +44,14 @@ function nudge.try(b, i, j, axis, iIsLow, t)
     return false
   end
   local way = detour(b, i, j, axis, t)
-  if way > b.nudge[i] or way < -b.nudge[i] then
+  if way > b.nudge[i] + EPSILON or way < -b.nudge[i] - EPSILON then
     return false
   elseif way <= EPSILON and way >= -EPSILON then
     return false -- corner to corner: nothing to correct, it would be met again at once
   end
   local k = 2 * i + 1 - axis
-  if way * (b.to[k] - b.from[k]) < 0 then
+  local motion = b.to[k] - b.from[k]
+  if (motion > EPSILON and way < 0) or (motion < -EPSILON and way > 0) then
     return false
   end
   -- Flush with what it hits, it would not see what else is flush there: asked a little further on.

@@ -233,8 +233,11 @@ local function look(b, list, c, dt, isLate)
   local over = b.to[low] + offLow + separation - b.to[high] - offHigh
   local closing = b.speed[low] - b.speed[high]
   -- With `push = "first"` a block has speed, but goes nowhere: it presses on all the same.
-  if over <= EPSILON and not (b.pushFirst and over >= -EPSILON and closing > 0) then
-    return false
+  if over <= EPSILON then
+    local isHeld = over > 0 and (b.heldLow[low] > 0 or b.heldHigh[high] > 0) -- flush to the bit
+    if closing <= 0 or not (isHeld or (b.pushFirst and over >= -EPSILON)) then
+      return false
+    end
   end
   if list.elastic[c] == 1 and pool.bounces(closing, b.accel[low] - b.accel[high], 2 * dt) then
     return false

@@ -73,10 +73,12 @@ local function begin(b, dt)
     for k = 2 * i, 2 * i + 1 do
       origin[k] = from[k]
       give[k] = kind[i] == DYNAMIC and not buried[i] and inverseMass[i] or 0
+      freeSpeed[k] = speed[k]
       if kind[i] == DYNAMIC then
-        freeSpeed[k] = speed[k]
         start[k] = startSpeed(b, k)
         accel[k] = (freeSpeed[k] - start[k]) / dt
+      else
+        start[k] = speed[k]
       end
     end
   end
@@ -92,9 +94,12 @@ local function notePressed(b, axis)
     if pressed[p] == 1 then
       local kl, kh = list.low[c], list.high[c]
       pressedHigh[kl], pressedLow[kh] = true, true
-      if b.hit[p] == 0 and b.contact[p] == 0 then
-        local low = (kl - axis) * 0.5
-        impact.note(b, p, low, axis, max(b.start[kl] - b.start[kh], 0.0))
+      if b.hit[p] == 0 then
+        b.resolved = b.resolved + 1
+        if b.contact[p] == 0 then
+          local low = (kl - axis) * 0.5
+          impact.note(b, p, low, axis, max(b.start[kl] - b.start[kh], 0.0))
+        end
       end
     end
   end
@@ -331,8 +336,8 @@ local function limitMotion(b, dt)
   end
 end
 
--- Across gravity a body that is not pushable ends between where it was and where it wanted to go, unless
--- something immovable presses it.
+-- Across gravity a body that is not pushable ends between where it was and where it wanted to go,
+-- unless something immovable presses it.
 local function keepOwnWay(b, dt)
   local list, origin, to = b.awakeList, b.origin, b.to
   for n = 1, b.awakeCount do

@@ -151,7 +151,8 @@ local function mixMemory(sum, out)
     end
   end
   mixList(sum, out.memory.lost)
-  mixList(sum, out.touching)
+  -- (Not `touching`, which follows from the contacts; what it shows of hits depends on how many
+  -- steps an update has made.)
   mixList(sum, out.contacts)
   mixList(sum, out.events)
   if out.heardBy then

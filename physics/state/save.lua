@@ -46,7 +46,7 @@ local STATIC, KINEMATIC, DYNAMIC = columns.STATIC, columns.KINEMATIC, columns.DY
 local HUGE = math.huge
 
 --- Layout of a state; another one cannot be read.
-state.VERSION = 1
+state.VERSION = 2
 
 -- Columns that outlive a step. Whoever adds one to columns.lua adds it here, too.
 
@@ -622,7 +622,7 @@ end
 -- The world --------------------------------------------------------------------------------------
 
 -- What an event consists of, apart from its objects (`a`, `b`, `c`).
-state.EVENT = { "kind", "side", "speed", "rankA", "rankB" }
+state.EVENT = { "kind", "side", "speed", "leant", "rankA", "rankB" }
 
 -- Events wait only after a callback has failed, or inside of one; the first of them may have been
 -- told to some already: `heardBy`.

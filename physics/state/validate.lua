@@ -349,9 +349,14 @@ local function needEvents(st)
     end,
     "a side",
   }
-  needList(st.events, "state.events", { object, object, none, kind, side, NUMBER, NUMBER, NUMBER })
+  needList(
+    st.events,
+    "state.events",
+    { object, object, none, kind, side, NUMBER, NUMBER, NUMBER, NUMBER }
+  )
   local list = st.events
-  for at = 4, #list, 8 do
+  local length = 3 + #state.EVENT
+  for at = 4, #list, length do
     if (list[at] == 5) ~= (type(list[at + 1]) == "string") then
       refuse("state.events[" .. (at + 1) .. "]", "a side of this kind of event", list[at + 1])
     end
@@ -360,8 +365,8 @@ local function needEvents(st)
   if heardBy ~= nil and not (#list > 0 and isCount(heardBy, 2) and heardBy > 0) then
     refuse("state.heardBy", "nil, or 1 or 2 where events wait", heardBy)
   end
-  if st.sorted ~= nil and not isCount(st.sorted, #list / 8) then
-    refuse("state.sorted", "nil, or an integer in 0.." .. show(#list / 8), st.sorted)
+  if st.sorted ~= nil and not isCount(st.sorted, #list / length) then
+    refuse("state.sorted", "nil, or an integer in 0.." .. show(#list / length), st.sorted)
   end
 end
 

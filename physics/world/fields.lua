@@ -240,7 +240,8 @@ fields.objects = {
     type = "number",
     default = 0,
     unit = "px/s",
-    meaning = "A conveyor: what stands on it moves along x at this speed.",
+    meaning = "A conveyor: what stands on it moves along x at this speed; along y where gravity"
+      .. " acts sideways.",
   },
   {
     name = "nudge",
@@ -256,7 +257,7 @@ fields.objects = {
     type = "sides",
     written = true,
     meaning = "What a dynamic object touches: `top`, `bottom`, `left` and `right`, each the other"
-      .. " object or `false`.",
+      .. " object or `false`. An object that was hit in the last update, and left again, counts.",
   },
   {
     name = "onBegin",
@@ -269,9 +270,9 @@ fields.objects = {
   {
     name = "onStay",
     type = "function",
-    signature = "(self, other, side)",
+    signature = "(self, other, side, dt)",
     absent = "none",
-    meaning = "Called at every further step of a contact.",
+    meaning = "Called at every further step of a contact; dt is the length of that step in s.",
   },
   {
     name = "onEnd",
@@ -395,6 +396,22 @@ fields.settings = {
       .. " static object that was changed without `refresh`. Use it while you write the game.",
   },
   {
+    name = "profile",
+    type = "function",
+    signature = "()",
+    absent = "nothing is timed",
+    meaning = "A clock that returns seconds, as `os.clock` or `love.timer.getTime`: with one,"
+      .. " `stats` tells how long the stages of the last step have taken.",
+  },
+  {
+    name = "onStep",
+    type = "function",
+    signature = "(dt)",
+    absent = "none",
+    meaning = "Called before every step, of dt s: the place for controllers where an update makes"
+      .. " several steps (`timestep`, a long dt) or none. What it writes counts in that step.",
+  },
+  {
     name = "onBegin",
     type = "function",
     signature = "(a, b, side, speed)",
@@ -405,9 +422,9 @@ fields.settings = {
   {
     name = "onStay",
     type = "function",
-    signature = "(a, b, side)",
+    signature = "(a, b, side, dt)",
     absent = "none",
-    meaning = "Called at every further step of a contact.",
+    meaning = "Called at every further step of a contact; dt is the length of that step in s.",
   },
   {
     name = "onEnd",

@@ -60,6 +60,11 @@ function effects.rest(self, b)
   rest.wakeAll(b)
 end
 
+function effects.profile(self)
+  local isTimed = self.profile ~= nil
+  self.stats.times = isTimed and { read = 0, separate = 0, move = 0, solve = 0, write = 0 } or nil
+end
+
 function effects.onStay(_, b)
   rest.wakeAll(b)
 end

@@ -65,11 +65,39 @@ local function checkIdle(b, call)
   end
 end
 
+-- Notes how long a stage has taken, if there is a clock. Returns the time now.
+local function time(self, name, since)
+  local times = self.stats.times
+  if not times then
+    return 0
+  end
+  local now = self.profile()
+  now = type(now) == "number" and now or since
+  times[name] = now - since
+  return now
+end
+
+-- Lets the game act before a step. It may do anything but step again.
+local function tellStep(self, dt)
+  local b = self._bodies
+  settings.apply(self) -- a callback may have spoilt `onStep`
+  b.isTold = true
+  local ok, result = pcall(self.onStep, dt)
+  b.isTold = false
+  if not ok then
+    error(result, 0)
+  end
+end
+
 --- One step of dt seconds, stage by stage. The caller calls the callbacks afterwards, once the time
 --- of the step is booked.
 local function step(self, dt)
+  if self.onStep then
+    tellStep(self, dt)
+  end
   local b = self._bodies
   settings.apply(self)
+  local now = time(self, "write", 0)
   collect.run(b, self.objects)
   if self.checked then
     guard.run(self)
@@ -78,20 +106,25 @@ local function step(self, dt)
   if dt < rest.SHORTEST then
     rest.wakeAll(b)
   end
+  now = time(self, "read", now)
 
-  b.begun, b.predicted, b.rubs = 0, 0, 0
+  b.begun, b.predicted, b.rubs, b.dt = 0, 0, 0, dt
   begin.run(b)
   crowd.mark(b)
   detect.runMoved(b)
   crowd.run(b)
   part.run(b)
+  now = time(self, "separate", now)
   predict.run(b, dt) -- forces, move
+  now = time(self, "move", now)
   solver.run(b, dt) -- contacts, settle, friction, then sweep and hit
+  now = time(self, "solve", now)
   publish.run(b)
   if b.rest then
     rest.settle(b, dt)
   end
   view.outdate(b)
+  time(self, "write", now)
 
   local stats = self.stats
   stats.objects, stats.movers, stats.resting = b.count, b.moverCount, b.moverCount - b.awakeCount
@@ -104,6 +137,7 @@ local function split(self, dt)
   if steps < 1 then
     steps = 1
   end
+  publish.forgetHits(self._bodies)
   for remaining = steps, 1, -1 do
     self._bodies.remaining = remaining
     step(self, dt / steps)
@@ -119,6 +153,9 @@ local function stepFixed(self, dt)
     dt = max(0, min(dt, LONGEST - self._saved))
   end
   self._bodies.remaining = max(1, floor((self._saved + dt) / timestep + ROUNDING))
+  if self._saved + dt >= timestep * (1 - ROUNDING) then
+    publish.forgetHits(self._bodies)
+  end
   while self._saved + dt >= timestep * (1 - ROUNDING) do
     begin.keepPlaces(self._bodies)
     step(self, timestep)
@@ -139,7 +176,7 @@ end
 --- nothing.
 ---
 --- With `timestep` an update makes one step, several, or none. Code that must run once per step,
---- such as a jump buffer, then needs a loop of its own: see "A fixed step" in docs/recipes.md.
+--- such as a jump buffer, belongs into `onStep`.
 ---
 --- Errors: dt is not a number >= 0; a group, key, field or setting has a value that cannot be used
 --- (nothing has changed then); it is called from inside `canCollide`; a callback raises an error.
@@ -149,6 +186,9 @@ function World:update(dt)
   check.number(dt, "dt", "world:update(dt)", 0)
   local b = self._bodies
   checkIdle(b, "update(dt)")
+  if b.isTold then
+    check.fail("world:update(dt) cannot be called from inside onStep")
+  end
   view.outdate(b) -- also if there is no step
   events.tell(b)
   if dt < SHORTEST then
@@ -1005,6 +1045,14 @@ function World:loadLDtk(project, level, options)
   return found
 end
 
+--- How long the stages of the last step have taken, in s: see the setting `profile`.
+---@class physics.Times
+---@field read number reading the game's tables
+---@field separate number finding neighbours and parting what overlaps
+---@field move number gravity, engines, drag, limits
+---@field solve number contacts, friction and impacts
+---@field write number writing the tables, noting events, putting to sleep
+
 ---@class physics.Stats
 ---@field objects integer objects in the world
 ---@field movers integer of these, not static
@@ -1012,6 +1060,7 @@ end
 ---@field pairs integer neighbours that may meet
 ---@field contacts integer contacts at the end of the step
 ---@field events integer contacts that were resolved in the step
+---@field times physics.Times? how long the stages have taken, if `profile` is a clock
 local function newStats()
   return { objects = 0, movers = 0, resting = 0, pairs = 0, contacts = 0, events = 0 }
 end
@@ -1025,7 +1074,7 @@ function world.new(given, where)
   check.settings(given, where)
   local b = columns.new()
   solver.adopt(b)
-  b.events, b.roster = events.new(), roster.new()
+  b.events, b.roster, b.hits = events.new(), roster.new(), publish.newHits()
   local self = setmetatable({
     objects = {},
     stats = newStats(),

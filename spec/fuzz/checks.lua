@@ -19,6 +19,9 @@ Watch.__index = Watch
 
 --- px: two that press each other may overlap by this much; it is the promise of the README.
 checks.TOLERANCE = 1e-6
+--- px, and updates: what meets more often than the rounds of a step allow may overlap by so much,
+--- and is apart again by then.
+checks.KNOT, checks.KNOT_UPDATES = 15, 10
 
 local OPPOSITE = { left = "right", right = "left", top = "bottom", bottom = "top" }
 local FAR = 1e15 -- beyond this, px or px/s, something has gone wild; the games stay far below
@@ -171,28 +174,46 @@ function Watch:checkDepths()
   end
 end
 
--- The first two who overlap and must not.
-function Watch:findOverlap()
+-- Calls visit(key, a, b, depth) for each pair that overlaps and must not.
+function Watch:eachOverlap(visit)
   for n, a in ipairs(self.everybody) do
     for m = n + 1, #self.everybody do
       local b = self.everybody[m]
-      if (isDynamic(a) or isDynamic(b)) and depth(a, b) > slack(a, b) and self:isBarred(a, b) then
-        return a, b
+      if isDynamic(a) or isDynamic(b) then
+        local deep = depth(a, b)
+        if deep > slack(a, b) and self:isBarred(a, b) then
+          visit(nameOf(self, a) .. " and " .. nameOf(self, b), a, b, deep)
+        end
       end
     end
   end
 end
 
--- Where nobody overlapped, nobody comes to, unless somebody is crushed.
+-- Notes whether nothing overlaps before an update that was not left so by a step: what parts may
+-- push others into each other.
+function Watch:noteOverlaps()
+  self.isClean = not next(self.crushed)
+  self:eachOverlap(function(key)
+    self.isClean = self.isClean and self.knots[key] ~= nil
+  end)
+end
+
+-- Two that did not overlap come to do so only in a knot, which a step has to leave unsolved: not
+-- deep, and not for long, unless something is crushed.
 function Watch:checkOverlaps()
+  local before, name, text, how = self.knots, nil, nil, nil
+  self.knots = {}
   if not self.isClean or next(self.crushed) or next(self.player.touched) then
     return
   end
-  local a, b = self:findOverlap()
-  if a then
-    local text = "%s and %s overlap by %.9g px"
-    return "overlap", text:format(nameOf(self, a), nameOf(self, b), depth(a, b)), depth(a, b)
-  end
+  self:eachOverlap(function(key, _, _, deep)
+    self.knots[key] = (before[key] or 0) + 1
+    if deep > checks.KNOT or self.knots[key] > checks.KNOT_UPDATES then
+      name, how = "overlap", deep
+      text = ("%s overlap by %.9g px, for %d updates"):format(key, deep, self.knots[key])
+    end
+  end)
+  return name, text, how
 end
 
 -- Who was crushed stays so until it overlaps nobody it could push, and the world holds it no
@@ -214,6 +235,15 @@ function Watch:updateCrushed()
   end
 end
 
+-- A name for the pair, and whether the second of them comes first in it: who is told first may
+-- change when one moves to another group.
+local function keyOf(self, a, b)
+  local first, second = self.player.idOf[a], self.player.idOf[b]
+  if first and second then
+    return min(first, second) .. " " .. max(first, second), second < first
+  end
+end
+
 -- touching ---------------------------------------------------------------------------------------
 
 -- Whether b may stand in a.touching[side]; else what is wrong.
@@ -226,6 +256,10 @@ function Watch:judgeNeighbour(a, side, b)
     return "is a sensor, or the object is one"
   elseif not self:canMeet(a, b) then
     return "is somebody it cannot meet"
+  end
+  local key = keyOf(self, a, b)
+  if (not key or self.hits[key]) and not self.player.world:touching(a, b) then
+    return -- it was hit in this update, and left again
   end
   local x, y = overlaps(a, b)
   local limit = slack(a, b)
@@ -266,15 +300,6 @@ end
 
 -- Events -----------------------------------------------------------------------------------------
 
--- A name for the pair, and whether the second of them comes first in it: who is told first may
--- change when one moves to another group.
-local function keyOf(self, a, b)
-  local first, second = self.player.idOf[a], self.player.idOf[b]
-  if first and second then
-    return min(first, second) .. " " .. max(first, second), second < first
-  end
-end
-
 function Watch:complain(name, text)
   if not self.complaint then
     self.complaint = { name, text }
@@ -293,7 +318,7 @@ function Watch:onBegin(key, a, b, side, speed)
       self:complain("masks", ("onBegin of %s, who cannot meet"):format(key))
     end
   end
-  self.open[key] = { a, b, side }
+  self.open[key], self.hits[key] = { a, b, side }, true
 end
 
 function Watch:onEnd(key, _, _, side)
@@ -452,7 +477,9 @@ function checks.new(player, closed, chosen)
     player = player,
     closed = closed,
     open = {}, -- contacts that have begun and not ended
+    hits = {}, -- pairs that have touched in this update
     crushed = {}, -- ids
+    knots = {}, -- pairs that overlap -> for how many updates
     complaint = false,
     saved = 0,
     contacts = 0, -- of the update
@@ -477,7 +504,11 @@ function Watch:before()
   self:look()
   self:noteStatics()
   self:noteDepths()
-  self.isClean = not next(self.crushed) and not self:findOverlap()
+  self:noteOverlaps()
+  self.hits = {}
+  for key in next, self.open do
+    self.hits[key] = true
+  end
   self:noteSums()
   self.contacts = 0
   self.saved = self.player.world._saved

@@ -396,8 +396,7 @@ end
 --- Begins to play a case.
 ---@param case table
 ---@param own table? settings that this player keeps whatever the case says: broadphase, cellSize,
----  rest; `queueOnly`: nothing takes the shorter way of physics/footing.lua; `guests`: others have
----  been in its world before
+---  rest; `guests`: others have been in its world before
 function player.new(case, own)
   local self = blank(highestId(case.acts))
   local settings = copyOf(case.settings)
@@ -406,7 +405,6 @@ function player.new(case, own)
   end
   self.own = own
   self.world = physics.newWorld(settings)
-  self.world._bodies.queueOnly = own and own.queueOnly
   if own and own.guests and not settings.timestep then
     receive(self.world)
   end
