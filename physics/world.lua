@@ -917,6 +917,7 @@ end
 ---@param size number|number[] px, of a cell: one number, or width and height
 ---@param options physics.TileOptions? which values are solid, and where the tiles go
 ---@return physics.Tiles tiles
+---@diagnostic disable-next-line: redefined-local
 function World:addTiles(group, cells, columns, size, options) -- luacheck: ignore 431
   local call = "addTiles(group, cells, columns, size, options)"
   checkSelf(self, call)

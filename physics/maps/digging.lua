@@ -130,7 +130,7 @@ function digging.has(list, wanted)
 end
 
 --- Changes what a cell consists of.
----@param self physics.Tiles
+---@param self table the tiles
 ---@param before physics.TileBoxes[] what was there
 ---@param after physics.TileBoxes[] what shall be there
 ---@param column integer

@@ -31,8 +31,8 @@ local function isOurs(self, object)
 end
 
 --- Calls f(self, object) with each object of these tiles that stands in the world.
----@param self physics.Tiles
----@param f fun(self: physics.Tiles, object: physics.Object)
+---@param self table the tiles
+---@param f fun(self: table, object: physics.Object)
 function rewind.eachInWorld(self, f)
   local isSeen = {}
   for _, boxes in ipairs(self._list) do
@@ -79,7 +79,7 @@ local function setValues(self, object)
 end
 
 --- Brings the books up to date if the world was put back to an earlier state since.
----@param self physics.Tiles
+---@param self table the tiles
 function rewind.follow(self)
   if self._restores == self.world._restores then
     return

@@ -35,6 +35,16 @@ local tiles = {}
 ---@field rows integer
 ---@field tiles integer how many solid boxes of tiles there are
 ---@field rectangles integer how many objects they are
+---@field package _access table what it may do with its world: check, put, remove
+---@field package _restores integer how often the world had been put back when it was looked at last
+---@field package _isAway boolean are its objects to stay out of the world
+---@field package _leaving physics.Object[]? those that go, some at a time
+---@field package _left integer how many of these have gone
+---@field package _values table<integer, any> cell -> value, of those that are not empty
+---@field package _empty any value of an empty cell
+---@field package _isEmpty table<any, boolean> other values that mean the same
+---@field package _list physics.TileBoxes[] all boxes
+---@field package _piecesOf fun(value: any, where: string?): physics.TileBoxes[]
 local Tiles = {}
 Tiles.__index = Tiles
 
@@ -42,14 +52,14 @@ Tiles.__index = Tiles
 ---@param given table
 ---@return physics.Tiles
 function tiles.new(given)
-  local self = setmetatable({}, Tiles)
+  local self = {} ---@type table
   cells.open(self, given)
-  return self
+  return setmetatable(self, Tiles)
 end
 
 --- Tells the tiles of which world their objects have become a part.
 ---@param self physics.Tiles
----@param world physics.World
+---@param world table
 ---@param access table what they may do with it: check, put, remove
 ---@param waiting physics.Object[]|false? those that are not a part of it yet
 function tiles.attach(self, world, access, waiting)

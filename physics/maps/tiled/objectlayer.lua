@@ -156,7 +156,8 @@ local function readBoxes(state, object, own, tile, place)
   end
   local traits = boxes and traitsOf(state, own, tile)
   if boxes and #boxes > 1 and not traits.fields.static then
-    boxes, reason = nil, ("polygon of %d boxes: only static ones hold together"):format(#boxes)
+    reason = ("polygon of %d boxes: only static ones hold together"):format(#boxes)
+    boxes = nil
   end
   if not boxes then
     addReport(state, object, reason)

@@ -26,7 +26,7 @@ local function run(path)
     problem = isRead and problem or chunk -- of the loader, or of pcall
     return nil, ("cannot read %s: %s"):format(check.show(path), tostring(problem))
   end
-  local isRun, result = pcall(chunk)
+  local isRun, result = pcall(chunk) ---@diagnostic disable-line: param-type-mismatch
   if not isRun then
     return nil, ("cannot run %s: %s"):format(check.show(path), tostring(result))
   end
