@@ -848,10 +848,21 @@ function MAPS.check(self, where, groups)
   end
 end
 
--- Puts checked objects into the world, each into its group.
+-- Sums of what a map says may be too large, though each of it is not.
+local function checkPlace(object, group, where)
+  local isGood = isFinite(object.x) and isFinite(object.y)
+  if not (isGood and isFinite(object.width) and isFinite(object.height)) then
+    check.object(object, where .. ": an object of " .. check.place(group))
+  end
+end
+
+-- Puts objects into the world, each into its group. Their fields were checked.
 local function putAll(self, objects, groupOf, groups, where)
   for i = 1, #groups do
     checkIsGroup(self, groups[i], where)
+  end
+  for i = 1, #objects do
+    checkPlace(objects[i], groupOf[i], where)
   end
   for i = 1, #groups do
     groupFor(self, groups[i])

@@ -56,6 +56,12 @@ local function checkSizes(map)
   check.positive(map.tileheight, "map.tileheight", WHERE)
   check.number(map.width, "map.width", WHERE, 0)
   check.number(map.height, "map.height", WHERE, 0)
+  check.optional(map.orientation, "string", "map.orientation", WHERE)
+  for _, name in ipairs({ "offsetx", "offsety" }) do -- of STI
+    if map[name] ~= nil then
+      check.number(map[name], "map." .. name, WHERE)
+    end
+  end
 end
 
 --- Returns a map, and the folder in which it lies, nil: nobody said.
