@@ -627,6 +627,10 @@ describe("world:addTiles", function()
       { "tiles", { 1 }, 1, 5, { fields = { solid = "x" } } },
       'fields: solid must be true or false, got "x"',
     },
+    {
+      { "tiles", { 1, 1 }, 1, { 1e60, 1e99 }, { y = 1e100, later = true, merge = false } },
+      "objects.tiles[n].y must be a number in -1e+100..1e+100, got 1.1e+100",
+    },
     { { "player", { 1 }, 1, 5 }, "objects.player is not a group, got an object" },
     {
       { "tiles", { 1 }, 1, 5, { solid = { [1] = { group = "player" } } } },
