@@ -481,6 +481,42 @@ describe("world:addTiles", function()
     assert.same({ "0 0 10 20", "20 0 10 20" }, boxes(world))
   end)
 
+  it("goes back also while it is away, to what stood there then", function()
+    local tiles, world = add({ "####" })
+    local state = world:save()
+    tiles:unload()
+    tiles:setTile(2, 1, 0)
+    world:restore(state)
+    assert.equal("#", tiles:getTile(2, 1))
+    assert.equal(0, tiles:load())
+    assert.same({ "0 0 40 10" }, boxes(world))
+    tiles:unload()
+    local gone = world:save()
+    tiles:load()
+    world:restore(gone)
+    assert.same({}, boxes(world))
+    assert.equal(0, tiles:getTile(1, 1))
+    assert.same({ 0, 0 }, { tiles.rectangles, tiles.tiles })
+  end)
+
+  it("knows what is empty where even 0 is solid", function()
+    local world = newWorld()
+    local solid = { [0] = true, [false] = true }
+    local tiles = world:addTiles("tiles", { { 0, nil, false } }, 3, 10, { solid = solid })
+    assert.same({ "0 0 10 10", "20 0 10 10" }, boxes(world))
+    assert.same({ 0, "", false }, {
+      tiles:getTile(1, 1),
+      tiles:getTile(2, 1),
+      tiles:getTile(3, 1),
+    })
+    assert.is_true(tiles:setTile(2, 1, false))
+    assert.same({ "0 0 30 10" }, boxes(world))
+    assert.is_true(tiles:setTile(2, 1, nil))
+    assert.is_true(tiles:setTile(2, 1, 0))
+    assert.is_false(tiles:setTile(2, 1, 0))
+    assert.equal(3, tiles.tiles)
+  end)
+
   -- Coming and going ------------------------------------------------------------------------------
 
   describe("gives tiles that", function()

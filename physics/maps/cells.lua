@@ -27,7 +27,7 @@ local cells = {}
 ---@field isWide boolean may boxes of a row become one
 ---@field isTall boolean may boxes of a column become one
 ---@field cells integer[]? while the layer is read: where they are
----@field count integer how many cells there are
+---@field count integer while the layer is read: how many cells there are
 ---@field owner table<integer, physics.Object> cell -> object whose rectangle begins in this row
 ---@field widest integer columns of the widest rectangle
 

@@ -79,7 +79,7 @@ end
 --      +-----------+
 local function cut(self, boxes, column, row)
   local object = find(self, boxes, column, row)
-  boxes.count, self.tiles = boxes.count - 1, self.tiles - 1
+  self.tiles = self.tiles - 1
   if not object then
     return
   end
@@ -101,7 +101,7 @@ local function cut(self, boxes, column, row)
 end
 
 local function fillIn(self, boxes, column, row)
-  boxes.count, self.tiles = boxes.count + 1, self.tiles + 1
+  self.tiles = self.tiles + 1
   grow(self, boxes, make(self, boxes, column, row, 1, 1))
 end
 

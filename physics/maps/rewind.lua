@@ -14,15 +14,27 @@ local rewind = {}
 local function forget(self)
   self.rectangles, self.tiles = 0, 0
   for _, boxes in ipairs(self._list) do
-    boxes.owner, boxes.widest, boxes.count = {}, 0, 0
+    boxes.owner, boxes.widest = {}, 0
   end
 end
 
 local function registerAgain(self, object)
   local place = object[self._record]
   register(self, place._boxes, object)
-  place._boxes.count = place._boxes.count + place.columns * place.rows
   self.tiles = self.tiles + place.columns * place.rows
+end
+
+-- Whether any cell of an object is covered by another one of its kind.
+local function isCovered(self, object)
+  local place = object[self._record]
+  for row = place.row, place.row + place.rows - 1 do
+    for column = place.column, place.column + place.columns - 1 do
+      if find(self, place._boxes, column, row) then
+        return true
+      end
+    end
+  end
+  return false
 end
 
 local function isOurs(self, object)
@@ -91,7 +103,9 @@ function rewind.follow(self)
     registerAgain(self, object)
   end)
   for _, object in ipairs(self._waiting) do
-    if self._isWaiting[object] then
+    if self._isWaiting[object] and isCovered(self, object) then
+      self._isWaiting[object] = nil -- it was made of what stands in the world again
+    elseif self._isWaiting[object] then
       registerAgain(self, object)
     end
   end

@@ -122,7 +122,10 @@ function Tiles:setTile(column, row, value)
   if old == value then
     return false
   end
-  self._values[index] = value ~= self._empty and value or nil
+  self._values[index] = nil
+  if value ~= self._empty then
+    self._values[index] = value
+  end
   digging.change(self, self._piecesOf(old, where), after, column, row)
   return true
 end
@@ -132,7 +135,7 @@ end
 --- Errors: a cell outside of the layer.
 ---@param column integer counted as the source counts
 ---@param row integer likewise
----@return any value as in the source; an empty cell is 0
+---@return any value as in the source; an empty cell is 0 (`false` if 0 is solid)
 function Tiles:getTile(column, row)
   checkSelf(self, "getTile(column, row)")
   checkCell(self, column, row, "tiles:getTile(column, row)")
