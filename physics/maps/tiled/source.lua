@@ -64,7 +64,7 @@ local function checkSizes(map)
   end
 end
 
---- Returns a map, and the folder in which it lies, nil: nobody said.
+--- Returns a map, and the folder in which it lies, nil: that is not known.
 --- Errors: no map, no such file; a tileset instead of a map; no layers, no sizes.
 ---@param given table|string
 ---@return table map

@@ -65,7 +65,7 @@ local function placeOf(set, id)
   return ("%s: tileset %s, tile %d"):format(report.WHERE, check.show(set.name or ""), id)
 end
 
--- The exported tiles of a tileset by id, and the first gid behind it (nil: nobody knows).
+-- The exported tiles of a tileset by id, and the first gid behind it (nil: not known).
 local function indexTiles(set, place)
   local byId, last = {}, (set.tilecount or 0) - 1
   if set.tiles ~= nil then
