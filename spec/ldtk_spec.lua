@@ -71,6 +71,13 @@ describe("world:loadLDtk", function()
     assert.equal("stone", world.objects.Collisions[2].material)
   end)
 
+  it("leaves each cell alone with merge = false", function()
+    local level, world = load(newProject(), nil, { solid = { stone = true }, merge = false })
+    assert.same({ "48 32 16 16", "64 32 16 16" }, boxes(world, "Collisions"))
+    assert.same({ 2, 2 }, { level.tiles, level.rectangles })
+    assert.equal(3, world.objects.Collisions[1].ldtk.value)
+  end)
+
   describe("without the option solid", function()
     it("takes values whose name says so", function()
       local level, world = load(newProject({ "Walls", "water", "ground" }))
