@@ -100,7 +100,7 @@ local function digAt(x, y)
   local tiles = level.tileLayers.ground
   local column, row = tiles:cellAt(x, y)
   for _, object in ipairs(world:queryPoint(x, y, "ground")) do
-    if column and object.type == "earth" and object.tiled.tiles == tiles then
+    if column and row and object.type == "earth" and object.tiled.tiles == tiles then
       tiles:setTile(column, row, 0)
       tiledMap.clear("ground", column, row)
       local size = tiles.tileWidth

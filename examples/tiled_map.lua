@@ -79,7 +79,7 @@ end
 
 --- Does not draw a tile any more; columns and rows from 0.
 function tiledMap.clear(name, column, row)
-  local layer = layers[name]
+  local layer = layers[name] ---@type table
   local sprite = layer.sprites[row * layer.columns + column + 1]
   if sprite then
     layer.batch:set(sprite, 0, 0, 0, 0, 0)

@@ -595,6 +595,7 @@ function default.loadTiled(map, options) end
 ---@param size number|number[] px, of a cell: one number, or width and height
 ---@param options physics.TileOptions? which values are solid, and where the tiles go
 ---@return physics.Tiles tiles
+---@diagnostic disable-next-line: redefined-local
 function default.addTiles(group, cells, columns, size, options) end
 
 --- Adds a level of the editor LDtk: the solid cells of its IntGrid layers, merged into few large

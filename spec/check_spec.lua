@@ -72,7 +72,7 @@ describe("check", function()
       assert.truthy(message:find("check_spec.lua:" .. line .. ": physics: oops", 1, true))
     end)
 
-    it("names no line when nobody outside the library is there", function()
+    it("names no line where there is no caller outside the library", function()
       local resume = coroutine.wrap(function()
         return pcall(coroutine.wrap(check.fail), "oops")
       end)

@@ -39,7 +39,7 @@ describe("docs/maps.md", function()
     assert.equal(5, count)
   end)
 
-  it("lists every option of every loader", function()
+  it("lists every option of every loader #files", function()
     for _, name in ipairs({ "maps/tiled/options", "maps/array", "maps/ldtk/project" }) do
       local text = snippets.read("physics/" .. name .. ".lua")
       local list = text:match("local OPTIONS =%s*(%b{})")

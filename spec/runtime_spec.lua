@@ -130,7 +130,8 @@ describe("a field of an object that had none", function()
 
   it("is refused when it is false and must be something else", function()
     for _, field in ipairs(fields.objects) do
-      if field.type ~= "boolean" and field.type ~= "function" and not field.written then
+      local isSwitch = field.type == "boolean" or field.yes -- false is a value of theirs
+      if not isSwitch and field.type ~= "function" and not field.written then
         local player = build()
         player.world:update(DT)
         player.box[field.name] = false

@@ -347,7 +347,7 @@ describe("world:save", function()
     for _, row in ipairs({
       { "x", 0 / 0, "physics: objects.boxes[1].x must be a number, got nan" },
       { "mass", -1, "physics: objects.boxes[1].mass must be a number > 0, got -1" },
-      { "oneWay", "up", 'must be "top", "bottom", "left" or "right", got "up"' },
+      { "oneWay", "up", 'must be true, false, "top", "bottom", "left" or "right", got "up"' },
       { "maxSpeed", 1 / 0, "must be a finite number >= 0, got inf" },
       { "mask", { [true] = 1 }, "mask" },
     }) do

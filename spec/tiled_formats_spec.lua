@@ -23,13 +23,20 @@ local function fails(expected, map, options)
   assert.equal("world:loadTiled(map): " .. expected, text, message)
 end
 
--- Puts something in place of a global name until the spec ends.
-local function pretend(name, value)
-  local before = rawget(_G, name)
-  finally(function()
-    rawset(_G, name, before)
-  end)
-  rawset(_G, name, value)
+-- What a spec may put there for a while.
+local loveBefore
+
+local function pretend(love)
+  rawset(_G, "love", love)
+end
+
+local function keepGlobals()
+  loveBefore = rawget(_G, "love")
+end
+
+local function restoreGlobals()
+  rawset(_G, "love", loveBefore)
+  package.loaded.LibDeflate = nil
 end
 
 -- Packed layers -----------------------------------------------------------------------------------
@@ -53,22 +60,20 @@ describe("world:loadTiled, packed layers", function()
     end
   end
 
-  setup(function()
-    local bytes = {}
-    local function keep(data)
-      bytes[1] = data
-    end
+  before_each(function()
+    keepGlobals()
     -- The bytes come from the library itself: a map that says it is compressed, but is not.
     local map = tiled.copy(PLAIN)
     map.layers[1].compression = "none of these"
     physics.newWorld():loadTiled(map, {
       decompress = function(data)
-        keep(data)
+        RAW = data
         return data
       end,
     })
-    RAW = bytes[1]
   end)
+
+  after_each(restoreGlobals)
 
   it("in base64 are read by themselves", function()
     assert.equal(4 * 24 * 12, #RAW)
@@ -93,7 +98,7 @@ describe("world:loadTiled, packed layers", function()
     it("with " .. compression .. " are unpacked by love.data where there is LÖVE", function()
       local log = {}
       local unpack = unpacker(log)
-      pretend("love", {
+      pretend({
         data = {
           decompress = function(container, format, data)
             assert.equal("string", container)
@@ -107,9 +112,6 @@ describe("world:loadTiled, packed layers", function()
 
     it("with " .. compression .. " are unpacked by LibDeflate where it is", function()
       local log = {}
-      finally(function()
-        package.loaded.LibDeflate = nil
-      end)
       package.loaded.LibDeflate = {
         DecompressZlib = function(_, data)
           log[#log + 1] = "zlib " .. data:byte(1)
@@ -129,9 +131,6 @@ describe("world:loadTiled, packed layers", function()
 
   it("in gzip may have a head with everything", function()
     local seen
-    finally(function()
-      package.loaded.LibDeflate = nil
-    end)
     package.loaded.LibDeflate = {
       DecompressDeflate = function(_, data)
         seen = data
@@ -188,7 +187,7 @@ describe("world:loadTiled, packed layers", function()
     local expected = "encoded data (zstd, base64): nothing here can unpack it; " .. CSV
     assert.same({ expected }, reasonsOf(load(map)))
     local can = false
-    pretend("love", {
+    pretend({
       data = {
         decompress = function(_, format)
           assert(can, "Invalid compressed data format: " .. format)
@@ -257,7 +256,7 @@ describe("world:loadTiled, packed layers", function()
     it("damaged data", function()
       local map = with(packed("zlib").layers[1].data, "zlib")
       local damaged = 'layer "collision": data cannot be unpacked (zlib): it is damaged'
-      pretend("love", {
+      pretend({
         data = {
           decompress = function()
             error("Could not decompress zlib-compressed data.")
@@ -312,12 +311,14 @@ describe("world:loadTiled, tilesets in files of their own", function()
   local folder, files
 
   before_each(function()
+    keepGlobals()
     folder, files = os.tmpname(), {}
     os.remove(folder)
     folder = folder .. "_"
   end)
 
   after_each(function()
+    restoreGlobals()
     for _, path in ipairs(files) do
       os.remove(path)
     end
@@ -370,7 +371,7 @@ describe("world:loadTiled, tilesets in files of their own", function()
 
   it("are looked for by love.filesystem without any ..", function()
     local asked = {}
-    pretend("love", {
+    pretend({
       filesystem = {
         getInfo = function(path)
           asked[#asked + 1] = path

@@ -461,7 +461,7 @@ describe("world:loadTiled, tiles", function()
     return rows
   end
 
-  it("400 x 50 of them become few in less than 50 ms on LuaJIT", function()
+  it("400 x 50 of them become few in at most 20 ms with LuaJIT, 150 ms interpreted", function()
     local map = newMap(newLarge(), {}, {})
     map.width, map.height = 400, 50
     local best, level = math.huge, nil
@@ -473,8 +473,8 @@ describe("world:loadTiled, tiles", function()
     end
     assert.is_true(level.tiles > 9000)
     assert.is_true(level.rectangles * 15 < level.tiles)
-    if rawget(_G, "jit") and rawget(_G, "jit").status() then
-      assert.is_true(best < 0.05, ("it took %.1f ms"):format(best * 1000))
-    end
+    local jit = rawget(_G, "jit")
+    local most = jit and jit.status() and 0.02 or 0.15
+    assert.is_true(best <= most, ("it took %.1f ms"):format(best * 1000))
   end)
 end)

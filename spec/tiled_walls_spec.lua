@@ -98,6 +98,15 @@ describe("world:loadTiled, walls", function()
       end
     end)
 
+    it("in a group of layers, as STI calls it", function()
+      local map = newObjects("left", { rectangle() })
+      map.layers = { tiled.group(2, "Walls", map.layers) }
+      local level = load(tiled.sti(map))
+      assert.equal("static", kindOf(level))
+      assert.same({ 'Walls.left: its name, "Walls.left"' }, solidOf(level))
+      assert.equal("dynamic", kindOf(load(newObjects("Walls.left", { rectangle() }))))
+    end)
+
     it("that do not fall, while the player stands on them", function()
       local map = newObjects("Platforms", { tiled.object(1, 0, 100, 200, 16) })
       map.layers[2] = tiled.objects(2, "Player", { tiled.object(2, 20, 50, 16, 16) })

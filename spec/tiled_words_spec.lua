@@ -25,7 +25,8 @@ describe("world:loadTiled, words", function()
   describe("makes values of strings", function()
     for _, row in ipairs({
       { "friction", "1.00", 1 },
-      { "mass", " 2e1 ", 20 },
+      { "mass", " 20.50 ", 20.5 },
+      { "mass", "2e1", 20 },
       { "vx", "-3.5", -3.5 },
       { "vy", "+.25", 0.25 },
       { "gravity", "0", 0 },

@@ -481,6 +481,42 @@ describe("world:addTiles", function()
     assert.same({ "0 0 10 20", "20 0 10 20" }, boxes(world))
   end)
 
+  it("goes back also while it is away, to what stood there then", function()
+    local tiles, world = add({ "####" })
+    local state = world:save()
+    tiles:unload()
+    tiles:setTile(2, 1, 0)
+    world:restore(state)
+    assert.equal("#", tiles:getTile(2, 1))
+    assert.equal(0, tiles:load())
+    assert.same({ "0 0 40 10" }, boxes(world))
+    tiles:unload()
+    local gone = world:save()
+    tiles:load()
+    world:restore(gone)
+    assert.same({}, boxes(world))
+    assert.equal(0, tiles:getTile(1, 1))
+    assert.same({ 0, 0 }, { tiles.rectangles, tiles.tiles })
+  end)
+
+  it("knows what is empty where even 0 is solid", function()
+    local world = newWorld()
+    local solid = { [0] = true, [false] = true }
+    local tiles = world:addTiles("tiles", { { 0, nil, false } }, 3, 10, { solid = solid })
+    assert.same({ "0 0 10 10", "20 0 10 10" }, boxes(world))
+    assert.same({ 0, "", false }, {
+      tiles:getTile(1, 1),
+      tiles:getTile(2, 1),
+      tiles:getTile(3, 1),
+    })
+    assert.is_true(tiles:setTile(2, 1, false))
+    assert.same({ "0 0 30 10" }, boxes(world))
+    assert.is_true(tiles:setTile(2, 1, nil))
+    assert.is_true(tiles:setTile(2, 1, 0))
+    assert.is_false(tiles:setTile(2, 1, 0))
+    assert.equal(3, tiles.tiles)
+  end)
+
   -- Coming and going ------------------------------------------------------------------------------
 
   describe("gives tiles that", function()
@@ -627,6 +663,10 @@ describe("world:addTiles", function()
       { "tiles", { 1 }, 1, 5, { fields = { solid = "x" } } },
       'fields: solid must be true or false, got "x"',
     },
+    {
+      { "tiles", { 1, 1 }, 1, { 1e60, 1e99 }, { y = 1e100, later = true, merge = false } },
+      "objects.tiles[n].y must be a number in -1e+100..1e+100, got 1.1e+100",
+    },
     { { "player", { 1 }, 1, 5 }, "objects.player is not a group, got an object" },
     {
       { "tiles", { 1 }, 1, 5, { solid = { [1] = { group = "player" } } } },
@@ -710,7 +750,7 @@ describe("world:addTiles", function()
     assert.is_true(best < (isCompiled and 0.02 or 0.15), ("it took %.1f ms"):format(best * 1000))
   end)
 
-  it("one setTile takes at most 0.05 ms with LuaJIT, 0.15 ms interpreted", function()
+  it("one setTile takes at most 0.05 ms with LuaJIT, 0.3 ms interpreted", function()
     local world = newWorld()
     local tiles = world:addTiles("tiles", newLevel(), 400, 16)
     world:update(DT)
@@ -724,6 +764,6 @@ describe("world:addTiles", function()
       best = math.min(best, (os.clock() - before) / 100)
       world:update(DT)
     end
-    assert.is_true(best < (isCompiled and 5e-5 or 1.5e-4), ("it took %.4f ms"):format(best * 1000))
+    assert.is_true(best < (isCompiled and 5e-5 or 3e-4), ("it took %.4f ms"):format(best * 1000))
   end)
 end)

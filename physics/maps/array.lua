@@ -140,6 +140,16 @@ local function readFlat(state, list)
   end
 end
 
+-- The value that a cell has in which there is nothing: the first of these that is not solid.
+local function emptyOf(state)
+  for _, value in ipairs({ 0, false, "", " ", "." }) do
+    if not state.traitsOf(value) then
+      return value
+    end
+  end
+  return "empty"
+end
+
 local function newTiles(state, columns, rows, width, height)
   return tiles.new({
     x = state.x,
@@ -153,7 +163,7 @@ local function newTiles(state, columns, rows, width, height)
     rows = rows,
     record = "tile",
     copy = values.copy,
-    empty = 0,
+    empty = emptyOf(state),
     isEmpty = IS_EMPTY,
     piecesOf = function(value, where)
       checkValue(value, where and where .. ": value" or WHERE)

@@ -27,12 +27,12 @@ local cells = {}
 ---@field isWide boolean may boxes of a row become one
 ---@field isTall boolean may boxes of a column become one
 ---@field cells integer[]? while the layer is read: where they are
----@field count integer how many cells there are
+---@field count integer while the layer is read: how many cells there are
 ---@field owner table<integer, physics.Object> cell -> object whose rectangle begins in this row
 ---@field widest integer columns of the widest rectangle
 
 --- Opens the books of a layer without any solid cell, in no world yet.
----@param self physics.Tiles
+---@param self table the tiles
 ---@param given table x, y: px, where the cell is whose column and row are `zero`; tileWidth,
 ---  tileHeight, firstColumn, firstRow, columns, rows; `record`: name of the field that gets the
 ---  place of an object; `base`: what stands in each place; `copy`: makes new fields of those of the
@@ -55,7 +55,7 @@ function cells.open(self, given)
 end
 
 --- Returns new boxes; they belong to one layer of tiles.
----@param self physics.Tiles
+---@param self table the tiles
 ---@param boxes table x, y, width, height, fields, group, value, isWide, isTall
 ---@return physics.TileBoxes
 function cells.addBoxes(self, boxes)
@@ -70,7 +70,7 @@ local function indexOf(self, column, row)
 end
 
 --- Sets a cell while the layer is read.
----@param self physics.Tiles
+---@param self table the tiles
 ---@param column integer
 ---@param row integer
 ---@param value any
@@ -134,7 +134,7 @@ local function build(self, boxes, add)
 end
 
 --- Makes the objects of all cells that were filled.
----@param self physics.Tiles
+---@param self table the tiles
 ---@param add fun(group: string|number, object: physics.Object)
 function cells.build(self, add)
   for _, boxes in ipairs(self._list) do
@@ -143,7 +143,7 @@ function cells.build(self, add)
 end
 
 --- Keeps an object of these tiles out of the world until `load` puts it there.
----@param self physics.Tiles
+---@param self table the tiles
 ---@param object physics.Object
 function cells.wait(self, object)
   self._waiting[#self._waiting + 1], self._isWaiting[object] = object, true
@@ -170,7 +170,7 @@ end
 -- Coming and going --------------------------------------------------------------------------------
 
 --- Puts the next objects that wait into the world.
----@param self physics.Tiles
+---@param self table the tiles
 ---@param most number how many at most
 ---@return integer left how many wait still
 function cells.bring(self, most)
@@ -183,7 +183,7 @@ function cells.bring(self, most)
       self._access.put(self.world, object[self._record]._boxes.group, object)
     end
   end
-  local left = 0
+  local left = 0 ---@type integer
   for n = self._next, #self._waiting do
     left = left + (self._isWaiting[self._waiting[n]] and 1 or 0)
   end
@@ -200,7 +200,7 @@ local function isKnown(self, object)
 end
 
 --- Takes the next objects that leave out of the world; they wait then.
----@param self physics.Tiles
+---@param self table the tiles
 ---@param most number how many at most
 ---@return integer left how many are still to leave
 function cells.takeOut(self, most)
@@ -214,6 +214,7 @@ function cells.takeOut(self, most)
     end
   end
   local left = #leaving - self._left
+  ---@cast left integer
   if left == 0 then
     self._leaving = nil
   end

@@ -79,7 +79,7 @@ end
 --      +-----------+
 local function cut(self, boxes, column, row)
   local object = find(self, boxes, column, row)
-  boxes.count, self.tiles = boxes.count - 1, self.tiles - 1
+  self.tiles = self.tiles - 1
   if not object then
     return
   end
@@ -101,7 +101,7 @@ local function cut(self, boxes, column, row)
 end
 
 local function fillIn(self, boxes, column, row)
-  boxes.count, self.tiles = boxes.count + 1, self.tiles + 1
+  self.tiles = self.tiles + 1
   grow(self, boxes, make(self, boxes, column, row, 1, 1))
 end
 
@@ -130,7 +130,7 @@ function digging.has(list, wanted)
 end
 
 --- Changes what a cell consists of.
----@param self physics.Tiles
+---@param self table the tiles
 ---@param before physics.TileBoxes[] what was there
 ---@param after physics.TileBoxes[] what shall be there
 ---@param column integer

@@ -29,8 +29,9 @@ local properties = {}
 
 -- Lua's own `tonumber` also takes "0x10", and on some systems "nan" and "inf".
 local function toNumber(text)
-  if text:match("^%s*[-+]?%d[%d.]*[eE]?[-+]?%d*%s*$") or text:match("^%s*[-+]?%.%d+%s*$") then
-    return tonumber(text)
+  local digits = text:match("^%s*(.-)%s*$")
+  if digits:match("^[-+]?%d[%d.]*[eE]?[-+]?%d*$") or digits:match("^[-+]?%.%d+$") then
+    return tonumber(digits)
   end
 end
 

@@ -14,15 +14,27 @@ local rewind = {}
 local function forget(self)
   self.rectangles, self.tiles = 0, 0
   for _, boxes in ipairs(self._list) do
-    boxes.owner, boxes.widest, boxes.count = {}, 0, 0
+    boxes.owner, boxes.widest = {}, 0
   end
 end
 
 local function registerAgain(self, object)
   local place = object[self._record]
   register(self, place._boxes, object)
-  place._boxes.count = place._boxes.count + place.columns * place.rows
   self.tiles = self.tiles + place.columns * place.rows
+end
+
+-- Whether any cell of an object is covered by another one of its kind.
+local function isCovered(self, object)
+  local place = object[self._record]
+  for row = place.row, place.row + place.rows - 1 do
+    for column = place.column, place.column + place.columns - 1 do
+      if find(self, place._boxes, column, row) then
+        return true
+      end
+    end
+  end
+  return false
 end
 
 local function isOurs(self, object)
@@ -31,8 +43,8 @@ local function isOurs(self, object)
 end
 
 --- Calls f(self, object) with each object of these tiles that stands in the world.
----@param self physics.Tiles
----@param f fun(self: physics.Tiles, object: physics.Object)
+---@param self table the tiles
+---@param f fun(self: table, object: physics.Object)
 function rewind.eachInWorld(self, f)
   local isSeen = {}
   for _, boxes in ipairs(self._list) do
@@ -79,7 +91,7 @@ local function setValues(self, object)
 end
 
 --- Brings the books up to date if the world was put back to an earlier state since.
----@param self physics.Tiles
+---@param self table the tiles
 function rewind.follow(self)
   if self._restores == self.world._restores then
     return
@@ -91,7 +103,9 @@ function rewind.follow(self)
     registerAgain(self, object)
   end)
   for _, object in ipairs(self._waiting) do
-    if self._isWaiting[object] then
+    if self._isWaiting[object] and isCovered(self, object) then
+      self._isWaiting[object] = nil -- it was made of what stands in the world again
+    elseif self._isWaiting[object] then
       registerAgain(self, object)
     end
   end

@@ -103,7 +103,7 @@ end
 
 ---@class physics.SolidLayer
 ---@field name string
----@field id integer?
+---@field id integer|string?
 ---@field reason string the option, the property or the name that says so
 ---@field layer table the layer of the map
 
@@ -111,7 +111,8 @@ end
 ---@class physics.Unsupported
 ---@field kind "layer"|"object"|"tile"|"tileset"
 ---@field layer string name of the layer; where a tile or tileset was found first
----@field id integer? of the layer, the object, or the tile in its tileset; a tileset's firstgid
+---@field id integer|string? of the layer, the object, or the tile in its tileset; a tileset's
+---  firstgid; in LDtk an iid
 ---@field reason string
 ---@field name string? of the object, the layer or the tileset, or class of the tile
 ---@field object table? the object as it stands in the map

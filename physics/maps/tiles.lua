@@ -35,6 +35,16 @@ local tiles = {}
 ---@field rows integer
 ---@field tiles integer how many solid boxes of tiles there are
 ---@field rectangles integer how many objects they are
+---@field package _access table what it may do with its world: check, put, remove
+---@field package _restores integer how often the world had been put back when it was looked at last
+---@field package _isAway boolean are its objects to stay out of the world
+---@field package _leaving physics.Object[]? those that go, some at a time
+---@field package _left integer how many of these have gone
+---@field package _values table<integer, any> cell -> value, of those that are not empty
+---@field package _empty any value of an empty cell
+---@field package _isEmpty table<any, boolean> other values that mean the same
+---@field package _list physics.TileBoxes[] all boxes
+---@field package _piecesOf fun(value: any, where: string?): physics.TileBoxes[]
 local Tiles = {}
 Tiles.__index = Tiles
 
@@ -42,14 +52,14 @@ Tiles.__index = Tiles
 ---@param given table
 ---@return physics.Tiles
 function tiles.new(given)
-  local self = setmetatable({}, Tiles)
+  local self = {} ---@type table
   cells.open(self, given)
-  return self
+  return setmetatable(self, Tiles)
 end
 
 --- Tells the tiles of which world their objects have become a part.
 ---@param self physics.Tiles
----@param world physics.World
+---@param world table
 ---@param access table what they may do with it: check, put, remove
 ---@param waiting physics.Object[]|false? those that are not a part of it yet
 function tiles.attach(self, world, access, waiting)
@@ -112,7 +122,10 @@ function Tiles:setTile(column, row, value)
   if old == value then
     return false
   end
-  self._values[index] = value ~= self._empty and value or nil
+  self._values[index] = nil
+  if value ~= self._empty then
+    self._values[index] = value
+  end
   digging.change(self, self._piecesOf(old, where), after, column, row)
   return true
 end
@@ -122,7 +135,7 @@ end
 --- Errors: the cell is outside of the layer.
 ---@param column integer counted as the source counts
 ---@param row integer likewise
----@return any value as in the source; an empty cell is 0
+---@return any value as in the source; an empty cell is 0 (`false` if 0 is solid)
 function Tiles:getTile(column, row)
   checkSelf(self, "getTile(column, row)")
   checkCell(self, column, row, "tiles:getTile(column, row)")

@@ -75,7 +75,7 @@ function values.readSolid(given, common, where)
       local text = "%s: %s must be true, false or a table of fields, got %s"
       check.fail(text:format(where, what, check.show(value)))
     end
-    local traits = value and values.readFields(value == true and {} or value, what, where)
+    local traits = value and values.readFields(type(value) == "table" and value or {}, what, where)
     solid[key] = traits and traits.solid ~= false and properties.combine(common, traits)
   end
   return solid
@@ -121,11 +121,11 @@ end
 ---@param value any
 ---@return physics.TileBoxes[]
 function values.piecesOf(state, value)
-  local pieces = state.pieces[value]
-  if pieces then
-    return pieces
+  local known = state.pieces[value]
+  if known then
+    return known
   end
-  pieces = {}
+  local pieces = {} ---@type physics.TileBoxes[]
   local traits = state.traitsOf(value)
   if traits then
     properties.makeStatic(traits)

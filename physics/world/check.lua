@@ -614,6 +614,17 @@ function check.table(value, what, where)
   end
 end
 
+--- Checks something that may be left out: a string, a table, a function.
+---@param value any
+---@param kind "string"|"table"|"function"
+---@param what string name of the argument
+---@param where string the call
+function check.optional(value, kind, what, where)
+  if value ~= nil and type(value) ~= kind then
+    fail(mustBe(where .. ": " .. what, "a " .. kind, value))
+  end
+end
+
 --- Checks a string that must be one of a few.
 ---@param value any
 ---@param what string name of the argument

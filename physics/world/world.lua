@@ -48,6 +48,8 @@ local isFinite = check.isFinite
 local LONGEST = 0.25
 -- A way that the game has written, divided by less time than that, would be no speed any more, s.
 local SHORTEST = 1e-10
+-- An object must be larger than that, px; see physics/world/check.lua for how much exactly.
+local SMALLEST = 1e-90
 -- Share of a fixed step that may be missing through rounding.
 local ROUNDING = 1e-9
 
@@ -930,14 +932,27 @@ function MAPS.check(self, where, groups)
   end
 end
 
--- Puts checked objects into the world, each into its group.
-local function putAll(self, objects, groupOf, groups, where)
+-- Places and sizes are sums and products of what a map says: they may be too large, or too small,
+-- though nothing of it is.
+local function checkPlace(object, group, where)
+  local isGood = isFinite(object.x) and isFinite(object.y)
+  isGood = isGood and isFinite(object.width) and isFinite(object.height)
+  if not (isGood and object.width > SMALLEST and object.height > SMALLEST) then
+    check.object(object, where .. ": " .. check.place(group) .. "[n]")
+  end
+end
+
+-- Checks whether objects, whose fields were checked, can be put into these groups.
+local function checkAll(self, objects, groupOf, groups, where)
   for i = 1, #groups do
     checkIsGroup(self, groups[i], where)
   end
-  for i = 1, #groups do
-    groupFor(self, groups[i])
+  for i = 1, #objects do
+    checkPlace(objects[i], groupOf[i], where)
   end
+end
+
+local function putAll(self, objects, groupOf)
   for i = 1, #objects do
     put(self, groupOf[i], objects[i])
   end
@@ -975,7 +990,11 @@ function World:loadTiled(map, options)
   checkIdle(self._bodies, call)
   checkObjects(self)
   local level, groupOf, groups, tiles = require(root .. ".maps.tiled").read(map, options)
-  putAll(self, level.objects, groupOf, groups, "world:loadTiled(map)")
+  checkAll(self, level.objects, groupOf, groups, "world:loadTiled(map)")
+  for i = 1, #groups do
+    groupFor(self, groups[i])
+  end
+  putAll(self, level.objects, groupOf)
   for i = 1, #tiles do
     require(root .. ".maps.tiles").attach(tiles[i], self, MAPS)
   end
@@ -1001,6 +1020,7 @@ end
 ---@param size number|number[] px, of a cell: one number, or width and height
 ---@param options physics.TileOptions? which values are solid, and where the tiles go
 ---@return physics.Tiles tiles
+---@diagnostic disable-next-line: redefined-local
 function World:addTiles(group, cells, columns, size, options) -- luacheck: ignore 431
   local call = "addTiles(group, cells, columns, size, options)"
   checkSelf(self, call)
@@ -1009,8 +1029,11 @@ function World:addTiles(group, cells, columns, size, options) -- luacheck: ignor
   local read = require(root .. ".maps.array").read
   local tiles, objects, groupOf, later = read(group, cells, columns, size, options)
   checkIsGroup(self, group, "world:" .. call)
-  putAll(self, later and {} or objects, groupOf, groupOf, "world:" .. call)
+  checkAll(self, objects, groupOf, groupOf, "world:" .. call)
   groupFor(self, group)
+  if not later then
+    putAll(self, objects, groupOf)
+  end
   require(root .. ".maps.tiles").attach(tiles, self, MAPS, later and objects)
   return tiles
 end
@@ -1038,7 +1061,8 @@ function World:loadLDtk(project, level, options)
   checkIdle(self._bodies, call)
   checkObjects(self)
   local found, groupOf, tiles = require(root .. ".maps.ldtk").read(project, level, options)
-  putAll(self, found.objects, groupOf, groupOf, "world:" .. call)
+  checkAll(self, found.objects, groupOf, groupOf, "world:" .. call)
+  putAll(self, found.objects, groupOf)
   for i = 1, #tiles do
     require(root .. ".maps.tiles").attach(tiles[i], self, MAPS)
   end

@@ -32,6 +32,9 @@ leftOut.specs = {
   ["the field onEnd that turns bad is refused when it would be called, and not lost"] = CLOSURES,
   ["a question can be asked inside canCollide and inside events, where nothing may be moved"] = CLOSURES,
   ["world:loadTiled refuses to be called from inside canCollide"] = CLOSURES,
+  ['world:loadTiled, words makes values of strings mass = "2e1"'] = "tonumber knows no exponent",
+  ["world:loadTiled, packed layers with zstd are unpacked where LÖVE can, else named"] = CLOSURES,
+  ["world:loadLDtk refuses to be called from inside canCollide"] = CLOSURES,
   ["a checked world keeps no world alive"] = WEAK,
   ["a question leaves no garbage"] = MEMORY,
   ["a state keeps nobody alive who has left, whatever the game has put into `touching`"] = WEAK,
@@ -41,6 +44,7 @@ leftOut.specs = {
   ["F19: what is gone leaves little memory behind"] = MEMORY,
   ["settings masks cost no garbage"] = MEMORY,
   ["world:move leaves no garbage then"] = MEMORY,
+  ["world:addTiles keeps no memory of what was dug and built a thousand times"] = MEMORY,
   ["world:save fills a table again, and leaves no garbage then"] = MEMORY,
   ["world :loadTiled reads an export of Tiled through love.filesystem where there is one"] = "about LÖVE",
 }

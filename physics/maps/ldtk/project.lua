@@ -203,7 +203,7 @@ function project.valuesOf(given, uid)
   for _, layer in ipairs(type(layers) == "table" and layers or {}) do
     local found = type(layer) == "table" and layer.uid == uid and layer.intGridValues
     for _, definition in ipairs(type(found) == "table" and found or {}) do
-      if type(definition) == "table" and type(definition.value) == "number" then
+      if type(definition) == "table" and check.isFinite(definition.value) then
         list[#list + 1] = definition
       end
     end

@@ -3,6 +3,8 @@
 local root = (...):match("^(.*)%.maps%.")
 local check = require(root .. ".world.check")
 
+local floor = math.floor
+
 local decode = {}
 
 local ALPHABET = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"
@@ -21,9 +23,8 @@ local function fromFour(text, at)
     return nil
   end
   local number = a * 262144 + b * 4096 + (c or 0) * 64 + (d or 0)
-  local low = number % 256
-  local middle = (number - low) / 256 % 256
-  local high = (number - low - middle * 256) / 65536
+  local high, middle = floor(number / 65536), floor(number / 256) % 256
+  local low = floor(number % 256)
   if d then
     return string.char(high, middle, low)
   end
@@ -67,7 +68,7 @@ local function behindHead(data)
   local at = 11
   if flags % 8 >= 4 then
     local low, high = data:byte(at, at + 1)
-    at = at + 2 + (low or 0) + 256 * (high or 0)
+    at = floor(at + 2 + (low or 0) + 256 * (high or 0))
   end
   for _, bit in ipairs({ 8, 16 }) do -- a name, a comment
     if flags % (2 * bit) >= bit then

@@ -26,6 +26,18 @@ local function saysSolid(name)
   return SOLID_NAMES[(name:lower():gsub("s$", ""))] or false
 end
 
+-- STI knows no groups of layers: it calls a layer in one "outer.inner".
+local function isNamedSolid(reading, name)
+  if reading.map.tileInstances then
+    for part in name:gmatch("[^.]+") do
+      if saysSolid(part) then
+        return true
+      end
+    end
+  end
+  return saysSolid(name)
+end
+
 local function isListed(list, layer)
   for i = 1, #(list or {}) do
     if list[i] == layer.name or list[i] == layer.id then
@@ -66,7 +78,7 @@ local function solidOf(reading, layer, own, outer)
     return true, outer.reason, true
   end
   local hasBoxes = layer.type ~= "imagelayer" and layer.type ~= "customlayer"
-  if not reading.solidLayers and hasBoxes and saysSolid(layer.name) then
+  if not reading.solidLayers and hasBoxes and isNamedSolid(reading, layer.name) then
     return true, ("its name, %s"):format(check.show(layer.name)), true
   end
 end

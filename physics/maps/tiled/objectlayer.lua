@@ -156,7 +156,8 @@ local function readBoxes(state, object, own, tile, place)
   end
   local traits = boxes and traitsOf(state, own, tile)
   if boxes and #boxes > 1 and not traits.fields.static then
-    boxes, reason = nil, ("polygon of %d boxes: only static ones hold together"):format(#boxes)
+    reason = ("polygon of %d boxes: only static ones hold together"):format(#boxes)
+    boxes = nil
   end
   if not boxes then
     addReport(state, object, reason)
@@ -192,7 +193,7 @@ end
 
 local function readObject(state, object, i)
   local reading, place = state.reading, placeOf(state, object, i)
-  report.checkGeometry(object, place)
+  report.checkObject(object, place)
   local own = properties.read(object.properties, place, reading.rules)
   local tile = object.gid ~= nil and tileset.tile(reading, object.gid, place .. ": gid") or nil
   local isMark = isPoint(object) or object.shape == "polyline"
@@ -219,7 +220,9 @@ end
 function objectlayer.read(reading, layer, context)
   local state = { reading = reading, layer = layer, context = context }
   if reading.map.tileInstances then -- STI was here
-    state.sti = { x = layer.x or 0, y = layer.y or 0 }
+    check.number(layer.x, "x", report.place(layer))
+    check.number(layer.y, "y", report.place(layer))
+    state.sti = { x = layer.x, y = layer.y }
   end
   check.table(layer.objects, "objects", report.place(layer))
   if context.solid ~= false then

@@ -32,15 +32,17 @@ end
 --- `class`, all others `type`.
 function report.typeOf(owner)
   local name = owner.type or owner.class
-  if name ~= "" then
+  if type(name) == "string" and name ~= "" then
     return name
   end
 end
 
---- Errors: no finite position, no size >= 0, no finite rotation.
+--- Errors: no finite position, no size >= 0, no finite rotation; a name or a shape that is no text.
 ---@param object table as Tiled exports it
 ---@param place string
-function report.checkGeometry(object, place)
+function report.checkObject(object, place)
+  check.optional(object.name, "string", "name", place)
+  check.optional(object.shape, "string", "shape", place)
   check.number(object.x, "x", place)
   check.number(object.y, "y", place)
   check.number(object.width, "width", place, 0)

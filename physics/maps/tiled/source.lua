@@ -26,7 +26,7 @@ local function run(path)
     problem = isRead and problem or chunk -- of the loader, or of pcall
     return nil, ("cannot read %s: %s"):format(check.show(path), tostring(problem))
   end
-  local isRun, result = pcall(chunk)
+  local isRun, result = pcall(chunk) ---@diagnostic disable-line: param-type-mismatch
   if not isRun then
     return nil, ("cannot run %s: %s"):format(check.show(path), tostring(result))
   end
@@ -56,9 +56,15 @@ local function checkSizes(map)
   check.positive(map.tileheight, "map.tileheight", WHERE)
   check.number(map.width, "map.width", WHERE, 0)
   check.number(map.height, "map.height", WHERE, 0)
+  check.optional(map.orientation, "string", "map.orientation", WHERE)
+  for _, name in ipairs({ "offsetx", "offsety" }) do -- of STI
+    if map[name] ~= nil then
+      check.number(map[name], "map." .. name, WHERE)
+    end
+  end
 end
 
---- Returns a map, and the folder in which it lies, nil: nobody said.
+--- Returns a map, and the folder in which it lies, nil: that is not known.
 --- Errors: no map, no such file; a tileset instead of a map; no layers, no sizes.
 ---@param given table|string
 ---@return table map

@@ -271,7 +271,7 @@ end
 -- A layer that is solid by its name alone is not if its tiles say themselves which of them are; nor
 -- if it has no free cell: that is a floor seen from above.
 local function isNameTrue(state, grids)
-  local size = 0
+  local size = 0.0
   state.filled, state.isMarked, state.hasMarks = 0, {}, false
   for _, grid in ipairs(grids) do
     size = size + grid.width * grid.height

@@ -65,7 +65,7 @@ local function placeOf(set, id)
   return ("%s: tileset %s, tile %d"):format(report.WHERE, check.show(set.name or ""), id)
 end
 
--- The exported tiles of a tileset by id, and the first gid behind it (nil: nobody knows).
+-- The exported tiles of a tileset by id, and the first gid behind it (nil: not known).
 local function indexTiles(set, place)
   local byId, last = {}, (set.tilecount or 0) - 1
   if set.tiles ~= nil then
@@ -88,6 +88,14 @@ local function checkSet(set, i)
   if set.tilewidth ~= nil or set.filename == nil then
     check.positive(set.tilewidth, "tilewidth", place)
     check.positive(set.tileheight, "tileheight", place)
+  end
+  if set.tilecount ~= nil then
+    check.integer(set.tilecount, "tilecount", place, 0, HEXAGONAL)
+  end
+  if set.tileoffset ~= nil then
+    check.table(set.tileoffset, "tileoffset", place)
+    check.number(set.tileoffset.x, "tileoffset.x", place)
+    check.number(set.tileoffset.y, "tileoffset.y", place)
   end
   return place
 end
@@ -138,7 +146,7 @@ end
 local function readShape(kind, object, place, rules)
   check.table(object, "a collision shape", place)
   place = ("%s, shape %s"):format(place, tostring(object.id))
-  report.checkGeometry(object, place)
+  report.checkObject(object, place)
   local traits = properties.read(object.properties, place, rules)
   local boxes, reason = shapes.boxes(object, place)
   if traits.solid == false then
@@ -181,8 +189,8 @@ local function newKind(reading, entry, id)
   check.positive(kind.width, "width", place)
   check.positive(kind.height, "height", place)
   kind.type = report.typeOf(tile)
-  kind.hasProperties = not properties.isEmpty(tile.properties)
   kind.traits = properties.read(tile.properties, place, reading.rules)
+  kind.hasProperties = not properties.isEmpty(tile.properties)
   for _, text in ipairs(kind.traits.problems) do
     kind.problems[#kind.problems + 1] = { reason = text }
   end

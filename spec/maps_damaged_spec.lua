@@ -1,0 +1,130 @@
+--- Maps that are damaged at random: whatever is wrong with them, they are loaded or refused with a
+--- message that blames the game's line, and the world goes on.
+
+local effort = require("spec.support.effort")
+local ldtk = require("spec.support.ldtk")
+local physics = require("physics")
+local random = require("spec.support.random")
+local tiled = require("spec.support.tiled")
+
+local NAN, INF = 0 / 0, 1 / 0
+
+-- What may stand in place of something. Functions, so that each damage has tables of its own.
+local DAMAGE = {
+  function() end,
+  function()
+    return {}
+  end,
+  function()
+    return { {} }
+  end,
+  function()
+    return { 5 }
+  end,
+  function()
+    return { x = 1 }
+  end,
+}
+for _, value in ipairs({ 5, -1, 1.5, 1e300, NAN, INF, true, "x", "", print }) do
+  DAMAGE[#DAMAGE + 1] = function()
+    return value
+  end
+end
+
+local MAPS = {
+  function()
+    return dofile("spec/maps/zoo.lua")
+  end,
+  function()
+    return dofile("spec/maps/cave.lua")
+  end,
+  function()
+    return dofile("spec/maps/course.lua")
+  end,
+  function()
+    return dofile("spec/maps/packed_plain.lua")
+  end,
+  function()
+    return tiled.sti(dofile("spec/maps/course.lua"))
+  end,
+}
+
+-- All places in a map, { table, key }, in one order.
+local function placesOf(value, list, seen)
+  if seen[value] then
+    return list
+  end
+  seen[value] = true
+  local keys = {}
+  for key in pairs(value) do
+    keys[#keys + 1] = key
+  end
+  table.sort(keys, function(a, b)
+    return type(a) == type(b) and a < b or type(a) < type(b)
+  end)
+  for _, key in ipairs(keys) do
+    list[#list + 1] = { value, key }
+    if type(value[key]) == "table" then
+      placesOf(value[key], list, seen)
+    end
+  end
+  return list
+end
+
+local function damage(map, generator)
+  for _ = 1, generator:integer(1, 3) do
+    local places = placesOf(map, {}, {})
+    local place = generator:pick(places)
+    place[1][place[2]] = generator:pick(DAMAGE)()
+  end
+end
+
+-- Digs, goes and comes back, as far as the map allows.
+local function tryTiles(level)
+  for _, tiles in pairs(level.tileLayers) do
+    tiles:setTile(tiles.firstColumn, tiles.firstRow, 0)
+    tiles:unload()
+    tiles:load()
+  end
+end
+
+local function isUntouched(world)
+  local count = 0
+  for _ in pairs(world.objects) do
+    count = count + 1
+  end
+  return count == 1 and world.objects.player ~= nil
+end
+
+describe("a damaged map", function()
+  for _, kind in ipairs({ "Tiled", "LDtk" }) do
+    it("of " .. kind .. " is loaded or refused, and never half", function()
+      local loaded, refused = 0, 0
+      for seed = 1, effort.share(300, 100) do
+        local generator = random.new(seed * 31)
+        local map = kind == "LDtk" and ldtk.cave() or generator:pick(MAPS)()
+        local options = { strict = generator:chance(0.2) }
+        damage(map, generator)
+        local world = physics.newWorld()
+        world.objects.player = { x = 0, y = 0, width = 5, height = 5 }
+        local isDone, level = pcall(function()
+          if kind == "LDtk" then
+            return (world:loadLDtk(map, nil, options))
+          end
+          return (world:loadTiled(map, options))
+        end)
+        if isDone then
+          loaded = loaded + 1
+          world:update(1 / 60)
+          tryTiles(level)
+          world:update(1 / 60)
+        else
+          refused = refused + 1
+          assert.truthy(level:find("maps_damaged_spec.lua:%d+: physics: "), seed .. ": " .. level)
+          assert.is_true(isUntouched(world))
+        end
+      end
+      assert.is_true(loaded > 10 and refused > 10)
+    end)
+  end
+end)
