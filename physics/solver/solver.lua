@@ -27,8 +27,10 @@ local DYNAMIC = columns.DYNAMIC
 local floor, max, min = math.floor, math.max, math.min
 
 --- Rounds of sweep, hit, settle in a step.
-solver.ROUNDS = 16
+solver.ROUNDS = 18
 local ROUNDS = solver.ROUNDS
+-- In so many last ones nothing bounces any more, so that what is left comes to terms.
+local LATE = 5
 -- How often a step begins anew because its paths have come near to bodies that rested; then all are
 -- woken.
 local RESTARTS = 8
@@ -164,18 +166,38 @@ local function stop(b, i, t)
   end
 end
 
+-- Whether an earlier impact of this round has changed the path of slot i, or, where something
+-- bounces, of a neighbour: that may be met before.
+local function isDisturbed(b, i, round, mayBounce)
+  if b.inRound[i] == round then
+    return true
+  elseif not mayBounce or b.kind[i] ~= DYNAMIC then
+    return false
+  end
+  local half, inRound = b.head[i], b.inRound
+  while half ~= 0 do
+    if inRound[b.other[half]] == round then
+      return true
+    end
+    half = b.next[half]
+  end
+  return false
+end
+
 -- The n-th impact happens. Bodies that were in an earlier one of this round are swept anew.
-local function happen(b, n, dt, isLast)
+local function happen(b, n, dt, isLast, isLate)
   local impacts, round = b.impacts, b.roundStamp
   local p, t, axis = impacts.pair[n], impacts.time[n], impacts.axis[n]
   local i, j = impacts.low[n], impacts.high[n]
   local isSensed = b.sensor[i] or b.sensor[j]
-  if b.inRound[i] == round or b.inRound[j] == round then
-    if b.kind[i] == DYNAMIC then
-      b.dirty[i] = 1
-    end
-    if b.kind[j] == DYNAMIC then
-      b.dirty[j] = 1
+  local mayBounce = max(b.restitution[i], b.restitution[j]) > 0
+  if isDisturbed(b, i, round, mayBounce) or isDisturbed(b, j, round, mayBounce) then
+    for side = 1, 2 do
+      local slot = side == 1 and i or j
+      if b.kind[slot] == DYNAMIC then
+        b.dirty[slot] = 1
+        b.inRound[slot] = mayBounce and round or b.inRound[slot]
+      end
     end
     if isLast and not isSensed then
       stop(b, i, t)
@@ -205,7 +227,7 @@ local function happen(b, n, dt, isLast)
       return
     end
   end
-  local stays = impact.run(b, p, i, j, axis, t, dt, isLast)
+  local stays = impact.run(b, p, i, j, axis, t, dt, isLate)
   if stays then
     contacts.add(b, axis, p, 2 * i + axis, 2 * j + axis)
     b.pressed[p] = 1
@@ -217,7 +239,7 @@ local function happen(b, n, dt, isLast)
 end
 
 -- One round: what meets first, once for each body. Returns whether anything has met.
-local function round(b, dt, isLast)
+local function round(b, dt, isLast, isLate)
   local count = sweep.run(b)
   local list, dirty = b.awakeList, b.dirty
   for n = 1, b.awakeCount do
@@ -229,7 +251,7 @@ local function round(b, dt, isLast)
   sortImpacts(b)
   b.roundStamp = b.roundStamp + 1
   for n = 1, count do
-    happen(b, b.impacts.order[n], dt, isLast)
+    happen(b, b.impacts.order[n], dt, isLast, isLate)
   end
   contacts.rearrange(b)
   return true
@@ -260,7 +282,7 @@ local function solve(b, dt)
     if b.awakenings ~= awakenings then
       return false
     end
-    if not round(b, dt, n == ROUNDS) then
+    if not round(b, dt, n == ROUNDS, n > ROUNDS - LATE) then
       break
     end
     if n < ROUNDS then
