@@ -1390,3 +1390,172 @@ describe("stacks that push each other", function()
     end
   end
 end)
+
+describe("one box", function()
+  local turn = require("spec.support.turn")
+
+  -- Plays `seconds` of a scene on a floor at y = 0, turned so that gravity points to each side,
+  -- with both ways to push. `check(placeOf, box, others)` is called at the end: `placeOf(object)`
+  -- returns x, y, vx and vy as if gravity pointed down.
+  local function each(rate, seconds, floor, fields, others, check)
+    for count = 0, 3 do
+      for _, push in ipairs({ "both", "first" }) do
+        local gx, gy = turn.vector(count, 0, 1000)
+        local world = physics.newWorld({ gravityX = gx, gravity = gy, push = push })
+        local function add(group, object)
+          local copy = {}
+          for name, value in pairs(object) do
+            copy[name] = value
+          end
+          copy.x, copy.y, copy.width, copy.height =
+            turn.box(count, object.x, object.y, object.width, object.height)
+          copy.vx, copy.vy = turn.vector(count, object.vx or 0, object.vy or 0)
+          copy.ax, copy.ay = turn.vector(count, object.ax or 0, object.ay or 0)
+          return world:add(group, copy)
+        end
+        floor.x, floor.y, floor.width, floor.height, floor.static = -2000, 0, 4000, 20, true
+        add("floors", floor)
+        fields.x, fields.y, fields.width, fields.height = 0, -20, 20, 20
+        local box, more = add("boxes", fields), {}
+        for n, other in ipairs(others or {}) do
+          more[n] = add("boxes", other)
+        end
+        for _ = 1, seconds * rate do
+          world:update(1 / rate)
+        end
+        local function placeOf(object)
+          local x, y = turn.box(turn.back(count), object.x, object.y, object.width, object.height)
+          local vx, vy = turn.vector(turn.back(count), object.vx, object.vy)
+          return x, y, vx, vy
+        end
+        check(placeOf, box, more)
+      end
+    end
+  end
+
+  for _, rate in ipairs({ 30, 60, 144 }) do
+    it(("slides and stops as by hand under each gravity, at %d Hz"):format(rate), function()
+      each(rate, 1, { friction = 0.3 }, { vx = 240, friction = 0.3 }, nil, function(placeOf, box)
+        local x, y, vx = placeOf(box)
+        assert.near(240 ^ 2 / 600, x, 1e-9)
+        assert.near(-20, y, 1e-9)
+        assert.near(0, vx, 0)
+      end)
+    end)
+
+    it(("slows down by air and floor as by hand, at %d Hz"):format(rate), function()
+      -- v' = -2 v - 300, until it stands: after log(5) / 2 s.
+      local time = math.log(5) / 2
+      local way = 375 * (1 - math.exp(-2 * time)) - 150 * time
+      local fields = { vx = 600, friction = 0.3, airFriction = 2 }
+      each(rate, 1, {}, fields, nil, function(placeOf, box)
+        local x, _, vx = placeOf(box)
+        assert.near(way, x, 1e-8)
+        assert.near(0, vx, 0)
+      end)
+    end)
+
+    it(("hangs on the wall that it is pressed to, at %d Hz"):format(rate), function()
+      -- 0.5 * 2100 px/s² bear more than its weight.
+      local wall = { x = 20, y = -500, width = 20, height = 490, static = true, friction = 0.5 }
+      local hanging = { x = 0, y = -300, width = 20, height = 20, friction = 0.5, ax = 2100 }
+      each(rate, 1, {}, {}, { wall, hanging }, function(placeOf, _, more)
+        local x, y, _, vy = placeOf(more[2])
+        assert.near(0, x, 1e-12)
+        assert.near(-300, y, 1e-12)
+        assert.near(0, vy, 0)
+      end)
+    end)
+
+    it(("pushes a crate with its engine as by hand, at %d Hz"):format(rate), function()
+      -- (1200 - 300) / 3 px/s² for both, as the crate has 2/3 of the mass, and rubs with 0.15.
+      local crate = { x = 20, y = -20, width = 20, height = 20, mass = 2, friction = 0.15 }
+      each(
+        rate,
+        1,
+        { friction = 0.15 },
+        { ax = 1200, friction = 0 },
+        { crate },
+        function(placeOf, box, more)
+          local x, _, vx = placeOf(box)
+          assert.near(150, x, 1e-9)
+          assert.near(300, vx, 1e-9)
+          assert.near(170, (placeOf(more[1])), 1e-9)
+        end
+      )
+    end)
+  end
+
+  for _, rate in ipairs({ 30, 60, 144, 1000 }) do
+    it(("falls as fast as its maxSpeedY through air as by hand, at %d Hz"):format(rate), function()
+      -- v' = 1000 - v / 2 until it goes at 300 px/s.
+      local world = physics.newWorld({ gravity = 1000 })
+      local fields = { x = 0, y = 0, width = 9, height = 9, airFriction = 0.5, maxSpeedY = 300 }
+      local box = world:add("boxes", fields)
+      for _ = 1, rate do
+        world:update(1 / rate)
+      end
+      local time = -math.log(1 - 0.15) / 0.5
+      local way = 2000 * time - 4000 * (1 - math.exp(-0.5 * time)) + 300 * (1 - time)
+      assert.near(way, box.y, 1e-8)
+      assert.equal(300, box.vy)
+    end)
+  end
+end)
+
+describe("stacks of different sizes, masses and speeds", function()
+  local function build(seed, isIce)
+    local random, boxes, x = newRandom(seed), {}, 0
+    local world = physics.newWorld({ gravity = 900, push = seed % 2 == 0 and "first" or "both" })
+    local rub = isIce and 0 or random:between(0.1, 1)
+    world:add(
+      "floors",
+      { x = -9000, y = 0, width = 18000, height = 16, static = true, friction = rub }
+    )
+    for _ = 1, math.floor(random:between(1, 5)) do
+      local top, vx = 0, random:between(-200, 200)
+      local isEach = random:between(0, 1) < 0.5
+      for _ = 1, math.floor(random:between(1, 5)) do
+        local box = { x = x, width = random:between(10, 40), height = random:between(8, 24) }
+        top = top - box.height
+        box.y, box.friction = top, random:between(0, 1)
+        box.mass = random:between(0, 1) < 0.2 and random:between(0.05, 20)
+          or random:between(0.5, 2.5)
+        box.vx = isEach and random:between(-200, 200) or vx
+        box.restitution = random:between(0, 1) < 0.15 and random:between(0, 1) or nil
+        boxes[#boxes + 1] = world:add("boxes", box)
+      end
+      x = x + 50 + math.max(random:between(-30, 30), 0)
+    end
+    return world, boxes
+  end
+
+  local function sumsOf(boxes)
+    local energy, momentum, moving = 0, 0, 0
+    for _, box in ipairs(boxes) do
+      local kinetic = box.mass * (box.vx ^ 2 + box.vy ^ 2) / 2
+      energy = energy + kinetic - box.mass * 900 * box.y
+      momentum, moving = momentum + box.mass * box.vx, moving + kinetic
+    end
+    return energy, momentum, moving
+  end
+
+  for _, rate in ipairs({ 30, 60, 144 }) do
+    it(("never get energy, and on ice keep their momentum, at %d Hz #slow"):format(rate), function()
+      for seed = 1, 12 do
+        for _, isIce in ipairs({ true, false }) do
+          local world, boxes = build(seed, isIce)
+          world:update(0)
+          local energy, momentum, moving = sumsOf(boxes)
+          for step = 1, rate do
+            world:update(1 / rate)
+            local now, its = sumsOf(boxes)
+            assert.is_true(now <= energy + 1e-6 * moving, ("seed %d, step %d"):format(seed, step))
+            assert.is_true(not isIce or math.abs(its - momentum) < 1e-9)
+            energy = now
+          end
+        end
+      end
+    end)
+  end
+end)

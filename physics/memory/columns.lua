@@ -299,7 +299,6 @@ local STEP_AXIS = {
   "start",
   "freeSpeed",
   "squeezed",
-  "kinks",
   "crushed",
   "wasCrushed",
   "pressedLow",

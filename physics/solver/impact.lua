@@ -246,7 +246,7 @@ end
 --- in a heap that has no room get no deeper.
 --- Returns whether they stay together; how far apart, px from the low edge of one to that of the
 --- other; and whether they go apart and only may not overlap.
-function impact.run(b, p, i, j, axis, t, dt, isLast, isDeep)
+function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
   local left = (1 - max(b.time[i], b.time[j])) * dt
   path.advance(b, i, t)
   path.advance(b, j, t)
@@ -262,7 +262,7 @@ function impact.run(b, p, i, j, axis, t, dt, isLast, isDeep)
   b.impactsOf[i], b.impactsOf[j] = b.impactsOf[i] + 1, b.impactsOf[j] + 1
   b.resolved = b.resolved + 1
   local r = restitution(b, i, j, u, a, dt)
-  if r > 0 and (isLast or isSpent(b, i, r) or isSpent(b, j, r)) then
+  if r > 0 and (isLate or isSpent(b, i, r) or isSpent(b, j, r)) then
     r = 0
   end
   local wl, wh = weigh(b, i, j, kl, kh)

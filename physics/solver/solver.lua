@@ -30,7 +30,7 @@ local DYNAMIC = columns.DYNAMIC
 local floor, max, min = math.floor, math.max, math.min
 
 --- Rounds of sweep, hit, settle in a step.
-solver.ROUNDS = 16
+solver.ROUNDS = 18
 local ROUNDS = solver.ROUNDS
 --- Share of its size by which a body may be moved in a step, along each axis, to part what
 --- overlaps.
@@ -38,6 +38,8 @@ solver.PARTING = 0.25
 local PARTING = solver.PARTING
 -- Impacts in a step of a body in a heap without room.
 local SPENT = 2
+-- In so many last ones nothing bounces any more, so that what is left comes to terms.
+local LATE = 5
 -- How often a step begins anew because its paths have come near to bodies that rested; then all are
 -- woken.
 local RESTARTS = 8
@@ -228,8 +230,26 @@ local function isSpent(b, i)
   return b.deepAt[i] == b.solveStamp and b.impactsOf[i] >= SPENT
 end
 
+-- Whether an earlier impact of this round has changed the path of slot i, or, where something
+-- bounces, of a neighbour: that may be met before.
+local function isDisturbed(b, i, round, mayBounce)
+  if b.inRound[i] == round then
+    return true
+  elseif not mayBounce or b.kind[i] ~= DYNAMIC then
+    return false
+  end
+  local half, inRound = b.head[i], b.inRound
+  while half ~= 0 do
+    if inRound[b.other[half]] == round then
+      return true
+    end
+    half = b.next[half]
+  end
+  return false
+end
+
 -- The n-th impact happens. Bodies that were in an earlier one of this round are swept anew.
-local function happen(b, n, dt, isLast)
+local function happen(b, n, dt, isLast, isLate)
   local impacts, round = b.impacts, b.roundStamp
   local p, t, axis = impacts.pair[n], impacts.time[n], impacts.axis[n]
   local i, j = impacts.low[n], impacts.high[n]
@@ -237,9 +257,14 @@ local function happen(b, n, dt, isLast)
   if b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC and (isSpent(b, i) or isSpent(b, j)) then
     return
   end
-  if b.inRound[i] == round or b.inRound[j] == round then
+  local mayBounce = max(b.restitution[i], b.restitution[j]) > 0
+  if isDisturbed(b, i, round, mayBounce) or isDisturbed(b, j, round, mayBounce) then
     change(b, i)
     change(b, j)
+    if mayBounce then
+      b.inRound[i] = b.kind[i] == DYNAMIC and round or 0
+      b.inRound[j] = b.kind[j] == DYNAMIC and round or 0
+    end
     if isLast and not isSensed then
       stop(b, i, t)
       stop(b, j, t)
@@ -267,7 +292,7 @@ local function happen(b, n, dt, isLast)
     end
   end
   local stays, separation, isElastic =
-    impact.run(b, p, i, j, axis, t, dt, isLast, impacts.isDeep[n])
+    impact.run(b, p, i, j, axis, t, dt, isLate, impacts.isDeep[n])
   if stays or isElastic then
     contacts.add(b, axis, p, 2 * i + axis, 2 * j + axis, separation, isElastic)
     b.pressed[p] = stays and 1 or b.pressed[p]
@@ -279,7 +304,7 @@ local function happen(b, n, dt, isLast)
 end
 
 -- One round: what meets first, once for each body. Returns whether anything has met.
-local function round(b, dt, isLast)
+local function round(b, dt, isLast, isLate)
   local count = sweep.run(b, b.isChangeListed and b.changedCount)
   local list, dirty = b.isChangeListed and b.changed or b.awakeList, b.dirty
   for n = 1, b.isChangeListed and b.changedCount or b.awakeCount do
@@ -292,7 +317,7 @@ local function round(b, dt, isLast)
   sortImpacts(b)
   b.roundStamp = b.roundStamp + 1
   for n = 1, count do
-    happen(b, b.impacts.order[n], dt, isLast)
+    happen(b, b.impacts.order[n], dt, isLast, isLate)
   end
   contacts.rearrange(b)
   return true
@@ -369,7 +394,7 @@ local function solve(b, dt)
     if b.awakenings ~= awakenings then
       return false
     end
-    if not round(b, dt, n == ROUNDS) then
+    if not round(b, dt, n == ROUNDS, n > ROUNDS - LATE) then
       break
     end
     if n < ROUNDS then
