@@ -86,6 +86,7 @@ local SLOT = {
   -- the step
   moved = false, -- placed, resized or filtered anew by the game: its overlaps must be parted
   inside = false, -- the last step left it inside another
+  jumped = false, -- a carrier that the game has put elsewhere by `refresh`
   buried = false, -- inside something immovable, with no way out
   fresh = false, -- in its first step
   news = false, -- something else than its motion has changed in this step

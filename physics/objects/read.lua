@@ -555,14 +555,12 @@ function collect.giveTouching(b)
   end
 end
 
--- Whether an object can go on carrying whoever stands on it when it is read anew.
+-- Whether an object can go on carrying what stands on it when it is read anew.
 local function goesOnCarrying(b, i)
-  local object, position, size, k = b.object[i], b.position, b.size, 2 * i
+  local object, size, k = b.object[i], b.size, 2 * i
   return columns.kindOf(object) == b.kind[i]
     and object.active ~= false
     and object.carry ~= false
-    and object.x == position[k]
-    and object.y == position[k + 1]
     and object.width == size[k]
     and object.height == size[k + 1]
 end
@@ -589,6 +587,7 @@ function collect.refresh(b, i)
   if not goesOnCarrying(b, i) then
     carrier.forget(b, i)
   end
+  local x, y = b.position[2 * i], b.position[2 * i + 1]
   b.kind[i] = columns.kindOf(object)
   if b.kind[i] ~= DYNAMIC then
     forgetMotion(b, i)
@@ -600,7 +599,9 @@ function collect.refresh(b, i)
   if not b.active[i] then
     clearTouching(b.touching[i])
   end
-  carrier.check(b, i)
+  if x ~= b.position[2 * i] or y ~= b.position[2 * i + 1] then
+    carrier.noteJump(b, i)
+  end
   columns.stand(b, i)
   events.endForbidden(b, i)
   detect.refilter(b, i)

@@ -51,7 +51,7 @@ state.VERSION = 2
 -- Columns that outlive a step. Whoever adds one to columns.lua adds it here, too.
 
 --- By slot: whether it is so.
-state.FLAGS = { "moved", "inside" }
+state.FLAGS = { "moved", "inside", "jumped" }
 --- By slot: a slot, 0 for none.
 state.LINKS = { "support", "carrier" }
 --- By slot and axis: name, and its usual value, or the column that has it. `last` is for drawing
