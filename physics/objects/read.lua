@@ -150,8 +150,20 @@ local function readFields(b, i, object)
   readPull(b, i)
 end
 
+-- Remembers where an object was that the game has made larger, until the next step.
+local function noteGrowth(b, i)
+  for k = 2 * i, 2 * i + 1 do
+    b.wasAt[k], b.wasSize[k] = b.position[k], b.size[k]
+  end
+  b.grown[i] = true
+end
+
 local function readMotion(b, i, object, isNew)
   local k = 2 * i
+  local isLarger = object.width > b.size[k] or object.height > b.size[k + 1]
+  if isLarger and not (isNew or b.grown[i]) and b.kind[i] == DYNAMIC then
+    noteGrowth(b, i)
+  end
   -- Adding 0.0 makes floats of the integers of Lua 5.3 and later, which would wrap.
   local x, y = object.x + 0.0, object.y + 0.0
   b.size[k], b.size[k + 1] = object.width + 0.0, object.height + 0.0
