@@ -257,7 +257,7 @@ function Watch:judgeNeighbour(a, side, b)
     return "is somebody it cannot meet"
   end
   local key = keyOf(self, a, b)
-  if (not key or self.hits[key]) and not self.player.world:touching(a, b) then
+  if (not key or self.hits[key]) and self.player.world:touching(a, b) ~= side then
     return -- it was hit in this update, and left again
   end
   local x, y = overlaps(a, b)
