@@ -86,6 +86,8 @@ local SLOT = {
   -- the step
   moved = false, -- placed, resized or filtered anew by the game: its overlaps must be parted
   inside = false, -- the last step left it inside another
+  grown = false, -- the game has made it larger: then it was at wasAt, and wasSize large
+  jumped = false, -- a carrier that the game has put elsewhere by `refresh`
   buried = false, -- inside something immovable, with no way out
   fresh = false, -- in its first step
   news = false, -- something else than its motion has changed in this step
@@ -152,6 +154,8 @@ local AXIS = {
   crushHigh = 0,
   pressedLow = false, -- something rested against this side in this step
   pressedHigh = false,
+  wasAt = 0,
+  wasSize = 0,
   give = 0, -- inverse mass in this step, 0: cannot be moved
   freeSpeed = 0, -- velocity at the end of the step without contacts, px/s
   start = 0, -- velocity at its start

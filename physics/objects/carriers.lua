@@ -6,7 +6,6 @@
 -- it.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local aabb = require(root .. ".memory.aabb")
 local columns = require(root .. ".memory.columns")
 
 local carrier = {}
@@ -112,45 +111,84 @@ function carrier.ownVelocity(b, k, c, isNew)
   return v - c
 end
 
+-- Whether slot i, where it is now, is apart from slot j, where `places` has that.
+local function isApart(b, i, j, places)
+  local now, size, k, m = b.position, b.size, 2 * i, 2 * j
+  local x, y = places[m] - now[k], places[m + 1] - now[k + 1]
+  return max(x - size[k], -x - size[m], y - size[k + 1], -y - size[m + 1]) > EPSILON
+end
+
+--- Notes that the game has put slot i elsewhere by `refresh`, if it has; it was read by now.
+function carrier.noteJump(b, i)
+  b.jumped[i] = b.jumped[i] or isApart(b, i, i, b.to) or b.kind[i] ~= DYNAMIC
+end
+
 --- Slot i is carried by nothing any more: its velocity is what it shows.
 function carrier.leave(b, i)
   b.carrier[i], b.carried[2 * i], b.carried[2 * i + 1] = 0, 0, 0
 end
 
--- By how much slot i, where it is now, and slot j, where the last step has left it, overlap: on the
--- axis on which they do so least.
-local function overlapOf(b, i, j)
-  local now, last, size, k, m = b.position, b.to, b.size, 2 * i, 2 * j
-  return min(
-    aabb.overlap(
-      now[k],
-      now[k + 1],
-      size[k],
-      size[k + 1],
-      last[m],
-      last[m + 1],
-      size[m],
-      size[m + 1]
-    )
-  )
+-- Whether slot i stands where it is now, directly or on others, on slot c: it was put elsewhere
+-- together with it.
+local function standsOn(b, i, c)
+  local support = b.support
+  for _ = 1, b.moverCount do
+    local j = support[i]
+    if j == 0 then
+      return false
+    end
+    if isApart(b, i, j, b.position) then
+      return false
+    elseif j == c then
+      return true
+    end
+    i = j
+  end
+  return false
 end
 
---- Lets slot i leave what carries it if the game has switched it off, or put it further away than
---- its own size, and not on what it stood on. Who is put aside by less goes on riding, or jumps
---- with the speed of that.
-function carrier.check(b, i)
-  local below = b.support[i]
-  local isElsewhere = overlapOf(b, i, i) < 0 and (below == 0 or overlapOf(b, i, below) < -EPSILON)
+-- Lets slot i leave what carries it if the game has switched it off, or put it further away than
+-- its own size, and not on that. What is put aside by less goes on riding, or jumps with the speed
+-- of that.
+local function check(b, i)
+  local isElsewhere = (b.jumped[i] or isApart(b, i, i, b.to)) and not standsOn(b, i, b.carrier[i])
   if b.kind[i] == DYNAMIC and (isElsewhere or not b.active[i]) then
     carrier.leave(b, i)
   end
 end
 
---- The same for all whom the game has moved since the last step. (Not when they are read: that may
---- be refused, and depends on who is read first.)
+local function lose(b, i)
+  b.carrier[i] = 0
+  b.lostCount = b.lostCount + 1
+  b.lost[b.lostCount] = i
+end
+
+-- Slot c was put elsewhere: what was not put there with it stands and rides on it no more.
+local function leaveBehind(b, c)
+  for n = 1, b.moverCount do
+    local i = b.movers[n]
+    if b.carrier[i] == c and not standsOn(b, i, c) then
+      lose(b, i)
+    end
+    if b.support[i] == c and isApart(b, i, c, b.position) then
+      b.support[i] = 0
+    end
+  end
+end
+
+--- Lets those leave their carrier that the game has put elsewhere since the last step, or whose
+--- carrier it has. (Not when they are read: that may be refused, and depends on which is read
+--- first.)
 function carrier.checkMoved(b)
   for n = 1, b.hasCarriers and b.movedCount or 0 do
-    carrier.check(b, b.movedList[n])
+    check(b, b.movedList[n])
+  end
+  for n = 1, b.movedCount do
+    local c = b.movedList[n]
+    if b.jumped[c] then
+      b.jumped[c] = false
+      leaveBehind(b, c)
+    end
   end
 end
 
@@ -188,20 +226,31 @@ local function carrierBelow(b, i, axis)
   return best
 end
 
---- Lets what the game has put onto a carrier that goes away from below it ride at once: nothing
---- would press it there.
+-- Lets slot i ride on what it was put on, if that goes away from below it; returns whether it does.
+local function boardOne(b, i)
+  local axis = b.down[2 * i] ~= 0 and 0 or 1
+  local k = 2 * i + axis
+  local down = b.down[k]
+  local isFree = b.kind[i] == DYNAMIC and b.active[i] and not b.sensor[i] and b.carrier[i] == 0
+  if not isFree or down == 0 or b.velocity[k] * down < 0 then
+    return false
+  end
+  local c = carrierBelow(b, i, axis)
+  if c == 0 or b.speed[2 * c + axis] * down <= 0 then
+    return false
+  end
+  b.carrier[i] = c
+  return true
+end
+
+--- Lets what the game has put onto a carrier that goes away from below it ride at once, also in
+--- stacks: nothing would press it there.
 function carrier.board(b)
-  for n = 1, b.movedCount do
-    local i = b.movedList[n]
-    local axis = b.down[2 * i] ~= 0 and 0 or 1
-    local k = 2 * i + axis
-    local down = b.down[k]
-    local isFree = b.kind[i] == DYNAMIC and b.active[i] and not b.sensor[i] and b.carrier[i] == 0
-    if isFree and down ~= 0 and b.velocity[k] * down >= 0 then
-      local c = carrierBelow(b, i, axis)
-      if c ~= 0 and b.speed[2 * c + axis] * down > 0 then
-        b.carrier[i] = c
-      end
+  local hasBoarded = true
+  while hasBoarded do
+    hasBoarded = false
+    for n = 1, b.movedCount do
+      hasBoarded = boardOne(b, b.movedList[n]) or hasBoarded
     end
   end
 end
@@ -215,9 +264,7 @@ function carrier.forget(b, c)
   for n = 1, b.moverCount do
     local i = b.movers[n]
     if b.carrier[i] == c then
-      b.carrier[i] = 0
-      b.lostCount = b.lostCount + 1
-      b.lost[b.lostCount] = i
+      lose(b, i)
     end
     if b.support[i] == c then
       b.support[i] = 0

@@ -153,8 +153,20 @@ local function readFields(b, i, object)
   readPull(b, i)
 end
 
+-- Remembers where an object was that the game has made larger, until the next step.
+local function noteGrowth(b, i)
+  for k = 2 * i, 2 * i + 1 do
+    b.wasAt[k], b.wasSize[k] = b.position[k], b.size[k]
+  end
+  b.grown[i] = true
+end
+
 local function readMotion(b, i, object, isNew)
   local k = 2 * i
+  local isLarger = object.width > b.size[k] or object.height > b.size[k + 1]
+  if isLarger and not (isNew or b.grown[i]) and b.kind[i] == DYNAMIC then
+    noteGrowth(b, i)
+  end
   -- Adding 0.0 makes floats of the integers of Lua 5.3 and later, which would wrap.
   local x, y = object.x + 0.0, object.y + 0.0
   b.size[k], b.size[k + 1] = object.width + 0.0, object.height + 0.0
@@ -559,14 +571,12 @@ function collect.giveTouching(b)
   end
 end
 
--- Whether an object can go on carrying whoever stands on it when it is read anew.
+-- Whether an object can go on carrying what stands on it when it is read anew.
 local function goesOnCarrying(b, i)
-  local object, position, size, k = b.object[i], b.position, b.size, 2 * i
+  local object, size, k = b.object[i], b.size, 2 * i
   return columns.kindOf(object) == b.kind[i]
     and object.active ~= false
     and object.carry ~= false
-    and object.x == position[k]
-    and object.y == position[k + 1]
     and object.width == size[k]
     and object.height == size[k + 1]
 end
@@ -593,6 +603,7 @@ function collect.refresh(b, i)
   if not goesOnCarrying(b, i) then
     carrier.forget(b, i)
   end
+  local x, y = b.position[2 * i], b.position[2 * i + 1]
   b.kind[i] = columns.kindOf(object)
   if b.kind[i] ~= DYNAMIC then
     forgetMotion(b, i)
@@ -604,7 +615,9 @@ function collect.refresh(b, i)
   if not b.active[i] then
     clearTouching(b.touching[i])
   end
-  carrier.check(b, i)
+  if x ~= b.position[2 * i] or y ~= b.position[2 * i + 1] then
+    carrier.noteJump(b, i)
+  end
   columns.stand(b, i)
   events.endForbidden(b, i)
   detect.refilter(b, i)

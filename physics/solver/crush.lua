@@ -11,9 +11,72 @@ local events = require(root .. ".contacts.events")
 
 local crush = {}
 
-local KINEMATIC = columns.KINEMATIC
-
+local DYNAMIC, KINEMATIC, EPSILON = columns.DYNAMIC, columns.KINEMATIC, columns.EPSILON
 local floor, max, min = math.floor, math.max, math.min
+
+-- px between the slot i, as it was before it grew, and slot j on an axis; and whether j is the low
+-- one.
+local function gapBefore(b, i, j, axis)
+  local k, m = 2 * i + axis, 2 * j + axis
+  local r = b.from[m] - b.wasAt[k]
+  local after, before = r - b.wasSize[k], -r - b.size[m]
+  return max(after, before), before > after
+end
+
+local function isInside(b, i, j)
+  local from, size, k, m = b.from, b.size, 2 * i, 2 * j
+  local x, y = from[m] - from[k], from[m + 1] - from[k + 1]
+  return max(x - size[k], -x - size[m], y - size[k + 1], -y - size[m + 1]) < -EPSILON
+end
+
+-- Wedges slot i into the immovable j, if it has grown into that along one axis.
+local function wedge(b, p, i, j)
+  local isSolid = not (b.sensor[i] or b.sensor[j] or b.oneWay[i] or b.oneWay[j])
+  if b.kind[j] == DYNAMIC or not isSolid or b.wedged[p] ~= 0 or not isInside(b, i, j) then
+    return
+  end
+  local gapX, isLowX = gapBefore(b, i, j, 0)
+  local gapY, isLowY = gapBefore(b, i, j, 1)
+  if (gapX >= -EPSILON) == (gapY >= -EPSILON) then
+    return -- inside it before, or beyond its corner
+  end
+  local axis, isLow = 0, isLowX
+  if gapY >= -EPSILON then
+    axis, isLow = 1, isLowY
+  end
+  local isOfFirst = b.pairA[p] == i
+  b.wedged[p] = 2 * axis + (isLow == isOfFirst and 1 or 2)
+end
+
+-- Whether slot i still stands over where it was: it was not put elsewhere, too.
+local function isThere(b, i)
+  for k = 2 * i, 2 * i + 1 do
+    local r = b.wasAt[k] - b.from[k]
+    if max(r - b.size[k], -r - b.wasSize[k]) >= -EPSILON then
+      return false
+    end
+  end
+  return true
+end
+
+--- What the game has made larger than the room it stands in comes out of walls as it got in, and
+--- not by the shortest way: that would lead through thin ones.
+function crush.wedgeGrown(b)
+  for n = 1, b.movedCount do
+    local i = b.movedList[n]
+    if b.grown[i] then
+      local half = isThere(b, i) and b.head[i] or 0
+      while half ~= 0 do
+        wedge(b, (half + half % 2) / 2, i, b.other[half])
+        half = b.next[half]
+      end
+      b.grown[i] = false
+      for k = 2 * i, 2 * i + 1 do
+        b.wasAt[k], b.wasSize[k] = 0, 0
+      end
+    end
+  end
+end
 
 -- Whether one of the two that press body k in the end is a machine.
 local function isPressedByMachine(b, k)

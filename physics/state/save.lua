@@ -51,7 +51,7 @@ state.VERSION = 2
 -- Columns that outlive a step. Whoever adds one to columns.lua adds it here, too.
 
 --- By slot: whether it is so.
-state.FLAGS = { "moved", "inside" }
+state.FLAGS = { "moved", "inside", "jumped", "grown" }
 --- By slot: a slot, 0 for none.
 state.LINKS = { "support", "carrier", "crowd" }
 --- By slot and axis: name, and its usual value, or the column that has it. `last` is for drawing
@@ -63,6 +63,8 @@ state.POINTS = {
   { "behind", 0 },
   { "wasCrushed", false },
   { "jam", 0 },
+  { "wasAt", 0 },
+  { "wasSize", 0 },
 }
 --- By pair: name, value of a pair that has nothing to remember, and what becomes of another value
 --- if the two of the pair are exchanged.

@@ -20,7 +20,7 @@ Watch.__index = Watch
 --- px: two that press each other may overlap by this much; it is the promise of the README.
 checks.TOLERANCE = 1e-6
 --- px, and updates: what meets more often than the rounds of a step allow may overlap by so much,
---- and is apart again by then.
+--- or a tenth of the smaller one, and is apart again by then.
 checks.KNOT, checks.KNOT_UPDATES = 15, 10
 
 local OPPOSITE = { left = "right", right = "left", top = "bottom", bottom = "top" }
@@ -206,9 +206,10 @@ function Watch:checkOverlaps()
   if not self.isClean or next(self.crushed) or next(self.player.touched) then
     return
   end
-  self:eachOverlap(function(key, _, _, deep)
+  self:eachOverlap(function(key, a, b, deep)
     self.knots[key] = (before[key] or 0) + 1
-    if deep > checks.KNOT or self.knots[key] > checks.KNOT_UPDATES then
+    local most = max(checks.KNOT, 0.1 * min(a.width, a.height, b.width, b.height))
+    if deep > most or self.knots[key] > checks.KNOT_UPDATES then
       name, how = "overlap", deep
       text = ("%s overlap by %.9g px, for %d updates"):format(key, deep, self.knots[key])
     end
@@ -258,7 +259,7 @@ function Watch:judgeNeighbour(a, side, b)
     return "is somebody it cannot meet"
   end
   local key = keyOf(self, a, b)
-  if (not key or self.hits[key]) and not self.player.world:touching(a, b) then
+  if (not key or self.hits[key]) and self.player.world:touching(a, b) ~= side then
     return -- it was hit in this update, and left again
   end
   local x, y = overlaps(a, b)
