@@ -82,7 +82,7 @@ describe("the scene with everything in it", function()
     assert.are.equal(FOLD, everything.fold(world))
   end)
 
-  it("gives it whatever came and went before", function()
+  it("gives it whatever came and went before #slow", function()
     for seed = 1, 3 do
       local world = everything.newWorld()
       comeAndGo(world, seed)
@@ -108,7 +108,7 @@ describe("the scene with everything in it", function()
     assert.are.equal(FOLD, everything.fold(world))
   end)
 
-  it("gives it whatever the garbage collector does", function()
+  it("gives it whatever the garbage collector does #slow", function()
     local pause, multiplier = collectgarbage("setpause", 100), collectgarbage("setstepmul", 400)
     local eager = everything.fold(nil, function(_, n)
       if n % 10 == 0 then
@@ -134,7 +134,7 @@ describe("the scene with everything in it", function()
     )
   end)
 
-  it("gives it beside another world that runs in between", function()
+  it("gives it beside another world that runs in between #slow", function()
     local other = everything.new({ push = "first" })
     assert.are.equal(
       FOLD,

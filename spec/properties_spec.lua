@@ -518,7 +518,7 @@ describe("the same scene goes the same way, to the bit,", function()
   end)
 end)
 
-describe("a crowd that presses itself", function()
+describe("a crowd that presses itself #slow", function()
   -- Boxes that all want to the same place, some with friction, nudge or an engine; sometimes there
   -- are a wall and a lift in the middle.
   local function newCrowd(random)

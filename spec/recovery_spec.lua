@@ -457,7 +457,7 @@ describe("after canCollide has failed in a crowd", function()
     assert.is_true(failures > STEPS, "failures: " .. failures)
   end)
 
-  it("no event is left, and the world goes the way of a restored one", function()
+  it("no event is left, and the world goes the way of a restored one #slow", function()
     local failures, left = 0, 0
     local world, failAt = newAsking()
     for step = 1, 20 * STEPS do

@@ -1,0 +1,29 @@
+--- The specs that `make test` leaves out and `make test-all` plays: their names hold the tag #slow.
+--- slow_spec.lua compares this list with the tags.
+
+local slow = {}
+
+--- Interpreters on which `make test-all` plays them, as scripts/interpreter.lua names them. Lua 5.2
+--- has the numbers of 5.1, and 5.3 and 5.5 have those of 5.4. That all of them compute the same bits
+--- is shown on each by determinism_spec.lua, so that a slow spec shows nothing new there.
+slow.interpreters = { "LuaJIT", "LuaJIT compiled", "LuaJIT -joff", "Lua 5.1", "Lua 5.4" }
+
+--- The files with such specs, the longest first, and what takes so long.
+slow.files = {
+  { "spec/properties_spec.lua", "a crowd in two worlds, both broad phases" },
+  { "spec/friction_spec.lua", "stacks compared with steps of 1/1500 to 1/4800 s" },
+  { "spec/recovery_spec.lua", "1600 steps of a crowd, most of them interrupted and restored" },
+  { "spec/scenarios/08_crushing_spec.lua", "a crowd on one spot, in a dozen corridors" },
+  { "spec/scenarios/17_pushable_spec.lua", "rows between two boxes, at five frame rates" },
+  { "spec/scenarios/13_piles_spec.lua", "1000 boxes without friction, for 20 s" },
+  { "spec/scenarios/12_momentum_spec.lua", "200 bouncing boxes, for a minute" },
+  { "spec/determinism_spec.lua", "the scene with everything in it, with other histories" },
+  { "spec/state_spec.lua", "a rollback of 8 steps, with each combination of settings" },
+  { "spec/roster_spec.lua", "eight more seeds of random edits" },
+  { "spec/limits_spec.lua", "engines in steps of 1/1000 s" },
+  { "spec/soak_spec.lua", "falls of 4600 steps" },
+  { "spec/examples_spec.lua", "whole levels of the examples, as recorded" },
+  { "spec/scenarios/01_seams_spec.lua", "a hundred landings, one by one" },
+}
+
+return slow
