@@ -15,11 +15,20 @@ snagging on tile seams, no tunnelling, the same result at every frame rate and o
 The game's own tables are the physics objects, nothing has to be synchronized.
 ]],
   homepage = "https://github.com/physics-lua/physics.lua",
+  issues_url = "https://github.com/physics-lua/physics.lua/issues",
   license = "MIT",
   labels = { "love", "game", "physics", "collision" },
 }
 
-dependencies = { "lua >= 5.1, < 5.5" }
+dependencies = { "lua >= 5.1, < 5.6" }
+
+-- `luarocks test`: the specs, on the Lua of that LuaRocks instead of the one in .busted.
+test_dependencies = { "busted >= 2.1" }
+
+test = {
+  type = "busted",
+  flags = { "--ignore-lua" },
+}
 
 build = {
   type = "builtin",
@@ -67,8 +76,8 @@ build = {
     ["physics.part"] = "physics/part.lua",
     ["physics.pass"] = "physics/pass.lua",
     ["physics.path"] = "physics/path.lua",
-    ["physics.press"] = "physics/press.lua",
     ["physics.predict"] = "physics/predict.lua",
+    ["physics.press"] = "physics/press.lua",
     ["physics.publish"] = "physics/publish.lua",
     ["physics.pure"] = "physics/pure.lua",
     ["physics.query"] = "physics/query.lua",
@@ -78,8 +87,8 @@ build = {
     ["physics.rest"] = "physics/rest.lua",
     ["physics.restore"] = "physics/restore.lua",
     ["physics.ring"] = "physics/ring.lua",
-    ["physics.rounds"] = "physics/rounds.lua",
     ["physics.roster"] = "physics/roster.lua",
+    ["physics.rounds"] = "physics/rounds.lua",
     ["physics.settings"] = "physics/settings.lua",
     ["physics.slide"] = "physics/slide.lua",
     ["physics.sort"] = "physics/sort.lua",

@@ -9,7 +9,7 @@
 -- are named by all the `describe` around them, and a tag stands in such a name, as in #slow. The
 -- module lists what is not run, files and specs by name, with reasons: spec/gopher/left_out.lua.
 
-package.path = "./?.lua"
+package.path = "./?.lua;" .. package.path
 
 local options, files = {}, {}
 for i = 1, #arg do
@@ -256,6 +256,7 @@ local function runFile(path)
   forgetModules()
   block = newBlock(nil, "")
   local root = block
+  root.last = {}
   assert(loadfile(path))()
   for _, spec in ipairs(root.specs) do
     if isExcluded(spec.name) then
@@ -265,6 +266,9 @@ local function runFile(path)
     else
       runSpec(spec)
     end
+  end
+  for _, hook in ipairs(root.last) do
+    hook()
   end
 end
 
@@ -286,6 +290,14 @@ local function install()
   end
   globals.setup = function(hook)
     block.once[#block.once + 1] = hook
+  end
+  -- Later than in busted: when the whole file has been run.
+  globals.teardown = function(hook)
+    local root = block
+    while root.parent do
+      root = root.parent
+    end
+    table.insert(root.last, 1, hook)
   end
   globals.before_each = function(hook)
     block.before[#block.before + 1] = hook

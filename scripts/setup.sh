@@ -31,6 +31,8 @@ Xvfb:xvfb
 xvfb-run:xvfb
 xauth:xauth
 npx:nodejs npm
+zip:zip
+unzip:unzip
 "
 
 for extra in "$@"; do
@@ -66,7 +68,9 @@ setup: this installs by itself on Debian and Ubuntu only. Here, please install b
   LuaRocks                     https://luarocks.org
   busted and luacheck          luarocks install busted; luarocks install luacheck
   Node.js with npx             https://nodejs.org (it brings StyLua, the formatter)
-  cargo                        https://rustup.rs (it brings emmylua_check, for make types)
+  cargo                        https://rustup.rs (it brings emmylua_check, for make types, and the
+                               sources of Lua 5.5, for make test-all)
+  zip and unzip                for make release
   Xvfb, xvfb-run and xauth     for the examples without a display
   Chromium or Chrome           for make test-web
   Go                           for make test-gopher

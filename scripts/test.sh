@@ -25,7 +25,7 @@ case $mode in
   --quick) export PHYSICS_SPEC=quick ;;
   --all)
     # Built only where there is none.
-    if ! lua55=$(bash scripts/lua55.sh); then
+    if ! lua55=$(bash scripts/puc_lua.sh 5.5); then
       echo "0 passed, 1 failed"
       exit 1
     fi

@@ -196,13 +196,13 @@ end)
 -- speed limit takes, once). Ten are of engines at their limits.
 local GAMES = {
   { first = 5000001, count = 16, fold = "1317725577" },
-  { first = 5000004, count = 10, step = 10, fold = "275724643" },
+  { first = 5000004, count = 10, step = 10, fold = "275724643", tag = " #slow" },
 }
 
 describe("random games", function()
   for _, games in ipairs(GAMES) do
     local text = "from seed %d on give the number that stands here"
-    it(text:format(games.first), function()
+    it(text:format(games.first) .. (games.tag or ""), function()
       local sum, updates = fold.START, 0
       for n = 0, games.count - 1 do
         local one = case.new(games.first + n * (games.step or 1), 60)

@@ -235,7 +235,7 @@ describe("a stack that is run into from afar, in the middle of a step #slow", fu
   end
 end)
 
-describe("a box that falls on one that slides over a rough floor", function()
+describe("a box that falls on one that slides over a rough floor #slow", function()
   --     +--+           it is dragged along, and brakes the lower one: by what falls on it at once,
   --     +--+  v        by its weight from then on. The floor bears both, and brakes with them: in
   --                    the end with all that gravity has given both, whenever they met.

@@ -23,6 +23,7 @@ slow.files = {
   { "spec/limits_spec.lua", "engines in steps of 1/1000 s" },
   { "spec/soak_spec.lua", "falls of 4600 steps" },
   { "spec/examples_spec.lua", "whole levels of the examples, as recorded" },
+  { "spec/bank_spec.lua", "the scene with everything in it, each access to a column checked" },
   { "spec/scenarios/01_seams_spec.lua", "a hundred landings, one by one" },
 }
 

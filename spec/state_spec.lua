@@ -67,7 +67,7 @@ local VARIANTS = {
   { "in cells of 20 px #slow", { broadphase = "grid", cellSize = 20 } },
   { "nothing skipped #slow", { rest = false } },
   { "nothing skipped, pair by pair #slow", { rest = false, broadphase = "pairs" } },
-  { "push first", { push = "first" } },
+  { "push first #slow", { push = "first" } },
 }
 
 describe("a rollback of 8 steps", function()

@@ -1,5 +1,5 @@
-/* A small stand-alone Lua, for scripts/lua55.sh: the crate that carries the sources of Lua 5.5 leaves
- * out the program `lua`. It takes what the specs and scripts need: -e CODE, or FILE ARGUMENT... */
+/* A small stand-alone Lua 5.1 to 5.5, for scripts/puc_lua.sh: the crate that carries the sources
+ * leaves out the program `lua`. It takes what the specs need: -e CODE, or FILE ARGUMENT... */
 
 #include <stdio.h>
 #include <string.h>
@@ -9,8 +9,12 @@
 #include "lualib.h"
 
 static int add_traceback(lua_State *L) {
-  const char *message = lua_tostring(L, 1);
-  luaL_traceback(L, L, message ? message : luaL_tolstring(L, 1, NULL), 1);
+  lua_getglobal(L, "debug");
+  lua_getfield(L, -1, "traceback");
+  lua_getglobal(L, "tostring");
+  lua_pushvalue(L, 1);
+  lua_call(L, 1, 1);
+  lua_call(L, 1, 1);
   return 1;
 }
 
@@ -27,12 +31,12 @@ static void set_arg(lua_State *L, int argc, char **argv) {
 int main(int argc, char **argv) {
   int is_code = argc == 3 && strcmp(argv[1], "-e") == 0;
   if (argc < 2 || (argv[1][0] == '-' && !is_code)) {
-    fprintf(stderr, "usage: lua5.5 -e CODE | FILE ARGUMENT...\n");
+    fprintf(stderr, "usage: %s -e CODE | FILE ARGUMENT...\n", argv[0]);
     return 2;
   }
   lua_State *L = luaL_newstate();
   if (L == NULL) {
-    fprintf(stderr, "lua5.5: not enough memory\n");
+    fprintf(stderr, "%s: not enough memory\n", argv[0]);
     return 1;
   }
   luaL_openlibs(L);
@@ -40,18 +44,18 @@ int main(int argc, char **argv) {
   lua_pushcfunction(L, add_traceback);
   int status = is_code ? luaL_loadstring(L, argv[2]) : luaL_loadfile(L, argv[1]);
   int count = 0;
-  if (status == LUA_OK && !is_code) {
+  if (status == 0 && !is_code) {
     luaL_checkstack(L, argc, "too many arguments");
     for (; count < argc - 2; count++) {
       lua_pushstring(L, argv[count + 2]);
     }
   }
-  if (status == LUA_OK) {
+  if (status == 0) {
     status = lua_pcall(L, count, 0, 1);
   }
-  if (status != LUA_OK) {
-    fprintf(stderr, "lua5.5: %s\n", lua_tostring(L, -1));
+  if (status != 0) {
+    fprintf(stderr, "%s: %s\n", argv[0], lua_tostring(L, -1));
   }
   lua_close(L);
-  return status == LUA_OK ? 0 : 1;
+  return status == 0 ? 0 : 1;
 }
