@@ -24,3 +24,5 @@ files["web"] = { std = "min+love", globals = { "love" } }
 files["scripts"] = { std = "luajit" }
 -- It plays an example without LÖVE and has to pretend a little.
 files["scripts/find_keys.lua"] = { std = "luajit", globals = { "love" } }
+-- It runs on every Lua, in the place of busted.
+files["scripts/plain_busted.lua"] = { std = "min+busted", globals = { "arg" } }

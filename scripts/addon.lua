@@ -1,6 +1,6 @@
---- Writes the library's addon for the Lua language server: config.json, and library/physics.lua with
---- all types and functions but no code. A game that has the library as the one file, or elsewhere
---- than in its workspace, gets names, types and texts from it.
+--- Writes the library's addon for the Lua language server: config.json, and library/physics.lua
+--- with all types and functions but no code. A game that has the library as the one file, or
+--- elsewhere than in its workspace, gets names, types and texts from it.
 ---
 ---   luajit scripts/addon.lua build/addon
 
@@ -26,7 +26,8 @@ local HEAD = [[
 ]]
 
 local function sources()
-  local list, pipe = { "physics.lua" }, assert(io.popen("find physics -name '*.lua' | LC_ALL=C sort"))
+  local list, pipe =
+    { "physics.lua" }, assert(io.popen("find physics -name '*.lua' | LC_ALL=C sort"))
   for path in pipe:lines() do
     if path ~= "physics/types.lua" then
       list[#list + 1] = path

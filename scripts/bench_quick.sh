@@ -23,6 +23,14 @@ measured() {
       end'
 }
 check "processes of their own bring figures of ours and of love.physics" measured
+sizes() {
+  luajit bench/size.lua --rounds 1 | tee build/sizes
+  for what in "source, kB" "\`require\`, ms, lua5.1" "an empty world, kB, luajit"; do
+    grep -qE "^\| $what \|( [0-9.]+ \|){3,}$" build/sizes || return 1
+  done
+}
+check "the sizes are measured" sizes
+check "an unknown option of it is refused" refuses luajit bench/size.lua --round 1
 check "an unknown scene is refused" refuses bash scripts/bench.sh --quick --scene nothing
 
 finish

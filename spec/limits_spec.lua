@@ -167,7 +167,8 @@ describe("an engine that pushes at its speed limit", function()
     local limit, ax, way, off = unpack(row)
     for _, rate in ipairs(RATES) do
       for _, side in ipairs({ 1, -1 }) do
-        local text = "goes as fast as one that may go at %d px/s, at %d Hz, to the %s" .. slowAt(rate)
+        local text = "goes as fast as one that may go at %d px/s, at %d Hz, to the %s"
+          .. slowAt(rate)
         it(text:format(limit, rate, side > 0 and "right" or "left"), function()
           local movers = play({
             FLOOR,

@@ -59,7 +59,8 @@ describe("the rockspec", function()
   end)
 
   it("allows the Lua that runs this", function()
-    local least, below = readRockspec(ROCKSPEC).dependencies[1]:match("^lua >= ([%d.]+), < ([%d.]+)$")
+    local least, below =
+      readRockspec(ROCKSPEC).dependencies[1]:match("^lua >= ([%d.]+), < ([%d.]+)$")
     local running = tonumber(_VERSION:match("%d+%.%d+"))
     assert.is_true(running >= tonumber(least) and running < tonumber(below))
   end)

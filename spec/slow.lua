@@ -4,8 +4,8 @@
 local slow = {}
 
 --- Interpreters on which `make test-all` plays them, as scripts/interpreter.lua names them. Lua 5.2
---- has the numbers of 5.1, and 5.3 and 5.5 have those of 5.4. That all of them compute the same bits
---- is shown on each by determinism_spec.lua, so that a slow spec shows nothing new there.
+--- has the numbers of 5.1; 5.3 and 5.5 have those of 5.4. That all of them compute the same bits is
+--- shown on each by determinism_spec.lua, so a slow spec would show nothing new there.
 slow.interpreters = { "LuaJIT", "LuaJIT compiled", "LuaJIT -joff", "Lua 5.1", "Lua 5.4" }
 
 --- The files with such specs, the longest first, and what takes so long.

@@ -1,4 +1,4 @@
---- What is different on Windows: paths with "\", in the names of chunks and in the game's own calls,
+--- What is different on Windows: paths with "\", in the names of chunks and in the calls of a game,
 --- and files with CR LF. The specs run on other systems, where these are made by hand.
 
 local fresh = require("spec.support.fresh")
@@ -27,9 +27,9 @@ local function during(change, f)
   end
   table.insert(searchers, 2, search)
   local config = package.config
-  package.config = "\\" .. config:sub(2)
+  rawset(package, "config", "\\" .. config:sub(2))
   local isDone, problem = pcall(fresh.during, f)
-  package.config = config
+  rawset(package, "config", config)
   table.remove(searchers, 2)
   assert(isDone, problem)
 end
