@@ -67,8 +67,11 @@ emmylua() {
   bash scripts/emmylua.sh --warnings-as-errors "$types"
 }
 finds() {
-  emmylua "$2"
-  [ $? -eq 1 ] && emmylua "$2" 2>&1 | grep -q "$1"
+  local found code
+  found=$(emmylua "$2" 2>&1)
+  code=$?
+  echo "$found"
+  [ $code -eq 1 ] && [[ "$found" == *"[$1]"* ]]
 }
 check "the addon knows all that the game calls" emmylua ""
 check "and what a query returns" emmylua \
