@@ -1,5 +1,5 @@
---- How large is the library, and how much memory does it take? Beside it stands bump.lua, where it is
---- found:
+--- How large is the library, and how much memory does it take? Beside it stands bump.lua, where it
+--- is found:
 ---
 ---   luajit bench/size.lua [--path DIR] [--rounds 15]
 ---
