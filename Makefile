@@ -1,7 +1,7 @@
 # The commands of this project. Each one sets up what it needs first (scripts/setup.sh).
 
 SHELL := bash
-.PHONY: help setup test test-all test-plain lint types format docs rock release single test-single examples pictures web test-web test-gopher test-arm64 test-love demo ci clean
+.PHONY: help setup test test-all test-plain lint types format docs rock release single test-single examples pictures web test-web test-gopher test-arm64 test-wine test-love demo ci clean
 
 help: ## shows this list
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' Makefile
@@ -59,6 +59,9 @@ test-gopher: ## runs the specs on gopher-lua, a Lua in Go (spec/gopher/README.md
 
 test-arm64: ## runs most specs on LuaJIT for arm64, emulated; TEST="--all" for all
 	@bash scripts/setup.sh arm64 && bash scripts/arm64.sh $(TEST)
+
+test-wine: ## runs most specs on Lua built for Windows, in Wine; LUA="5.1 5.4", else all
+	@bash scripts/setup.sh wine && bash scripts/wine.sh $(LUA)
 
 test-love: setup ## plays the determinism scene in LÖVE 11.5; TEST="--all" for the examples, too
 	@bash scripts/love.sh $(TEST)

@@ -3,15 +3,15 @@
 #
 #   scripts/plain.sh LUA...     LUA: the command of an interpreter, or 5.1 to 5.5 to have it built
 #
-# Left out are what is tagged #slow, what looks at files (#files), and files that are about the
-# scripts of this repository.
+# Left out are what is tagged #slow, what looks at files (#files), on Windows what needs a shell of
+# Unix (#posix), and files that are about the scripts of this repository.
 set -uo pipefail
 . "$(dirname "$0")/checks.sh"
 
 [ $# -gt 0 ] || set -- 5.1 5.2 5.3 5.4 5.5
 about_scripts="bench manual mutations portable rockspec slow"
 
-run_one() { "$1" scripts/plain_busted.lua --exclude-tags=slow,files "$2" </dev/null; }
+run_one() { "$1" scripts/plain_busted.lua --exclude-tags="$tags" "$2" </dev/null; }
 runs() { "$1" -e 'io.write(_VERSION)' >/dev/null 2>&1; }
 
 for lua in "$@"; do
@@ -23,6 +23,8 @@ for lua in "$@"; do
       ;;
   esac
   check "$lua runs" runs "$lua"
+  tags=slow,files
+  [ "$("$lua" -e 'io.write(package.config:sub(1, 1))')" = / ] || tags=slow,files,posix
   number=$("$lua" spec/support/everything.lua | tr -d '\r')
   known() { grep -qF "local FOLD = \"$number\"" spec/determinism_spec.lua; }
   check "the determinism scene gives the known number on $lua" known

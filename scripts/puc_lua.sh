@@ -2,9 +2,10 @@
 # Builds Lua 5.1, 5.2, 5.3, 5.4 or 5.5 into build/puc/, once, and prints the path of the program:
 #
 #   scripts/puc_lua.sh 5.5
+#   CC=x86_64-w64-mingw32-gcc scripts/puc_lua.sh 5.5 --windows
 #
 # Where there is a command like lua5.5, it prints that name instead; with --build it builds all the
-# same. Debian has no package of 5.5 yet, Windows and macOS have none of several. The sources are
+# same, with --windows a program for Windows. Debian has no package of 5.5 yet, Windows and macOS have none of several. The sources are
 # those in the crate lua-src, fetched by cargo; a C compiler (CC) makes the program (puc_lua.c).
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -14,11 +15,11 @@ version=$1
 place=build/puc
 program=$place/lua$version
 flags=(-O2 -DLUA_USE_POSIX)
-case $(uname -s) in
-  MINGW* | MSYS* | CYGWIN*) program=$program.exe flags=(-O2) ;;
+case ${2:-}$(uname -s) in
+  --windows* | MINGW* | MSYS* | CYGWIN*) program=$program.exe flags=(-O2) ;;
 esac
 
-if [ "${2:-}" != --build ] && command -v "lua$version" >/dev/null 2>&1; then
+if [ -z "${2:-}" ] && command -v "lua$version" >/dev/null 2>&1; then
   echo "lua$version"
   exit 0
 fi

@@ -53,7 +53,7 @@ describe("the scene with everything in it", function()
     assert.are.equal(FOLD, everything.fold())
   end)
 
-  it("gives it on every Lua that is installed, in a process of its own", function()
+  it("gives it on every Lua that is installed, in a process of its own #posix", function()
     local count = 0
     for _, interpreter in ipairs(INTERPRETERS) do
       if isInstalled(interpreter) then
