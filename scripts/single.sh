@@ -13,7 +13,7 @@ fi
 lua55=$(realpath -q "$(bash scripts/puc_lua.sh 5.5)" || echo lua5.5)
 stage=build/single
 rm -rf "$stage" && mkdir -p "$stage"
-for entry in * .busted; do
+for entry in * .busted .github; do
   case $entry in
     physics | build | lua_modules | node_modules | web) ;;
     *) cp -r "$entry" "$stage/" ;;
