@@ -1,4 +1,4 @@
--- Loaded by busted before the specs: fails unless they run on the interpreter that was asked for.
+-- Loaded before the specs, by busted or scripts/plain_busted.lua: fails unless they run on the interpreter that was asked for.
 -- Without it `busted` could quietly fall back to whatever `lua` is, or run "-joff" with the JIT on.
 -- Where SPEC_TIMES names a file, the seconds of the processor that each spec file took go there.
 local asked = assert(os.getenv("PHYSICS_LUA"), "PHYSICS_LUA is not set")
@@ -17,7 +17,7 @@ if running ~= asked then
 end
 
 local path = os.getenv("SPEC_TIMES")
-if path then
+if path and path ~= "" then
   local busted = require("busted")
   local times, started = assert(io.open(path, "w")), 0
   busted.subscribe({ "file", "start" }, function()

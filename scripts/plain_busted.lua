@@ -310,6 +310,9 @@ end
 -- As a spec expects it: the interpreter is there, and no file that is run by itself.
 arg = { [-1] = arg[-1], [0] = "busted" }
 install()
+if os.getenv("PHYSICS_LUA") then
+  dofile("scripts/interpreter.lua")
+end
 for _, path in ipairs(files) do
   if LEFT_OUT.files[path] then
     leaveOut(path, LEFT_OUT.files[path])

@@ -12,7 +12,7 @@ cd "$(dirname "$0")/.."
 
 crate=551.1.0
 version=$1
-place=build/puc
+place=$PWD/build/puc
 program=$place/lua$version
 flags=(-O2 -DLUA_USE_POSIX)
 case ${2:-}$(uname -s) in

@@ -10,7 +10,7 @@ if [ "${1:-}" != --test ]; then
   exit 0
 fi
 
-lua55=$(realpath -q "$(bash scripts/puc_lua.sh 5.5)" || echo lua5.5)
+lua55=$(bash scripts/puc_lua.sh 5.5) || exit 1
 stage=build/single
 rm -rf "$stage" && mkdir -p "$stage"
 for entry in * .busted .github; do

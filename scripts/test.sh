@@ -84,6 +84,20 @@ list_jobs() {
   for bundle in "${bundles[@]}"; do list_jobs "$bundle"; done
 } | nl -w 3 -n rz -s '|' >"$logs/jobs"
 
+# play_plainly LUA [--exclude-tags=slow] FILES...: a process for each, since they share what is global.
+play_plainly() {
+  local lua=$1 options=() file code=0
+  shift
+  if [[ "$1" == --* ]]; then
+    options=("$1")
+    shift
+  fi
+  for file in "$@"; do
+    SPEC_TIMES="" "$lua" scripts/plain_busted.lua "${options[@]}" "$file" || code=1
+  done
+  return $code
+}
+
 # run_job NUMBER|NAME|COMMAND|TAGS|FILES: leaves its output and "CODE SECONDS" of the processor.
 run_job() {
   local number name command tags list seconds options=()
@@ -93,8 +107,9 @@ run_job() {
   TIMEFORMAT=%U
   [ -z "$tags" ] || options+=("--exclude-tags=$tags")
   case $name in
-    # busted is not yet written for it.
-    "Lua 5.5") set -- "$command" scripts/plain_busted.lua "${options[@]}" "${list[@]}" ;;
+    # The modules of busted are not yet written for 5.5. Without it specs take two thirds of the time,
+    # so 5.2 and 5.3 do without, too; 5.1 and 5.4, which have the same numbers, run in busted.
+    "Lua 5.2" | "Lua 5.3" | "Lua 5.5") set -- play_plainly "$command" "${options[@]}" "${list[@]}" ;;
     *)
       local helper=interpreter
       [ "$name" != "LuaJIT -joff" ] || helper=coverage_helper
@@ -106,7 +121,7 @@ run_job() {
   seconds=$({ time "$@" </dev/null >"$log.log" 2>&1; } 2>&1)
   echo "$? $seconds" >"$log.status"
 }
-export -f run_job
+export -f run_job play_plainly
 export logs
 started=$SECONDS
 tr '\n' '\0' <"$logs/jobs" |
@@ -118,10 +133,12 @@ count_jobs() {
   local name=$1 log code seconds counts good bad broken pending all=0 lost=0 waiting=0 cpu=0
   for log in "$logs/"[0-9]*" $name.log"; do
     read -r code seconds <"${log%.log}.status"
-    counts=$(tail -n 50 "$log" | sed -nE \
+    # One line of counts from busted, or one for each file.
+    counts=$(sed -nE \
       -e 's/^([0-9]+) success(es)? \/ ([0-9]+) failures? \/ ([0-9]+) errors? \/ ([0-9]+) pending.*/\1 \3 \4 \5/p' \
-      -e 's/^([0-9]+) passed, ([0-9]+) failed, ([0-9]+) left out$/\1 \2 0 \3/p' | tail -n 1)
-    read -r good bad broken pending <<<"${counts:-0 0 1 0}"
+      -e 's/^([0-9]+) passed, ([0-9]+) failed, ([0-9]+) left out$/\1 \2 0 0/p' "$log" |
+      awk '{ a += $1; b += $2; c += $3; d += $4 } END { print a + 0, b + 0, NR ? c + 0 : 1, d + 0 }')
+    read -r good bad broken pending <<<"$counts"
     if [ "$code" -ne 0 ] && [ $((bad + broken)) -eq 0 ]; then
       broken=1
     fi
@@ -137,7 +154,7 @@ count_jobs() {
   if [ "$lost" -gt 0 ]; then
     echo "FAILED  specs on $name: $all passed, $lost failed ($cpu s of one core)"
   else
-    echo "ok      specs on $name: $all passed, $waiting left out by themselves ($cpu s of one core)"
+    echo "ok      specs on $name: $all passed, $waiting pending ($cpu s of one core)"
   fi
 }
 while IFS=: read -r name _; do

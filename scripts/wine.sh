@@ -14,7 +14,7 @@ wine=$(command -v wine64 || command -v wine || echo /usr/lib/wine/wine64)
 
 commands=()
 for version in "$@"; do
-  program=$PWD/$(CC=x86_64-w64-mingw32-gcc bash scripts/puc_lua.sh "$version" --windows) || exit 1
+  program=$(CC=x86_64-w64-mingw32-gcc bash scripts/puc_lua.sh "$version" --windows) || exit 1
   cat >"$place/lua$version" <<SCRIPT
 #!/bin/sh
 export WINEPREFIX='$place/prefix' WINEDEBUG=-all
