@@ -9,7 +9,7 @@ set -uo pipefail
 . "$(dirname "$0")/checks.sh"
 
 [ $# -gt 0 ] || set -- 5.1 5.2 5.3 5.4 5.5
-about_scripts="bench manual mutations portable rockspec slow"
+about_scripts="bench manual mutations plain_busted portable rockspec slow"
 
 run_one() { "$1" scripts/plain_busted.lua --exclude-tags="$tags" "$2" </dev/null; }
 runs() { "$1" -e 'io.write(_VERSION)' >/dev/null 2>&1; }

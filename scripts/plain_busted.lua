@@ -193,7 +193,7 @@ local function describe(name, define)
 end
 
 local function it(name, spec)
-  local full = block.name .. " " .. name
+  local full = (block.name .. " " .. name):gsub("^ ", "")
   local list = block
   while list.parent do
     list = list.parent

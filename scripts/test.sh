@@ -55,6 +55,8 @@ slow_interpreters=$(luajit -e 'print(table.concat(require("spec.slow").interpret
 # Each run below says which interpreter it wants; a run on another one has to be noticed.
 wrong_lua() { PHYSICS_LUA="LuaJIT -joff" busted --lua=luajit --helper=scripts/interpreter.lua; }
 check "specs on the wrong interpreter are refused" refuses wrong_lua
+wrong_plain_lua() { PHYSICS_LUA="Lua 5.3" lua5.4 scripts/plain_busted.lua spec/aabb_spec.lua; }
+check "specs on the wrong interpreter are refused without busted, too" refuses wrong_plain_lua
 
 # The library must stay loadable by plain Lua 5.1, love.js has nothing newer.
 while read -r file; do
