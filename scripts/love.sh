@@ -8,12 +8,15 @@ set -uo pipefail
 place=$PWD/build/love-11.5
 stage=$PWD/build/love-scene
 
-# apt for another Debian, in a folder of its own: LÖVE and all that it needs.
+# apt for another Debian, in a folder of its own: LÖVE and all that it needs, from where this machine
+# has its own packages.
 fetch_packages() {
-  local apt=$place/apt
+  local apt=$place/apt site
+  # shellcheck disable=SC2016 # it is apt that reads $(SITE)
+  site=$(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' | grep -v security | head -n 1)
   mkdir -p "$apt/state/lists/partial" "$apt/cache/archives/partial"
   echo "deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg]" \
-    "http://deb.debian.org/debian trixie main" >"$apt/sources.list"
+    "$site trixie main" >"$apt/sources.list"
   local options=(-qq -o "Dir::State=$apt/state" -o "Dir::Cache=$apt/cache"
     -o "Dir::State::status=/dev/null" -o "Dir::Etc::sourcelist=$apt/sources.list"
     -o "Dir::Etc::sourceparts=-" -o "APT::Architecture=amd64" -o "APT::Architectures=amd64"
