@@ -49,8 +49,9 @@ esac
 plays_slow() {
   [ "$mode" != --quick ] && grep -qxF "$1" <<<"$slow_interpreters"
 }
-slow_files=$(luajit -e 'for _, row in ipairs(require("spec.slow").files) do print(row[1]) end')
-slow_interpreters=$(luajit -e 'print(table.concat(require("spec.slow").interpreters, "\n"))')
+slow_files=$(luajit -e 'for _, row in ipairs(require("spec.slow").files) do print(row[1]) end') &&
+  slow_interpreters=$(luajit -e 'print(table.concat(require("spec.slow").interpreters, "\n"))') ||
+  exit 1
 
 # Each run below says which interpreter it wants; a run on another one has to be noticed.
 wrong_lua() { PHYSICS_LUA="LuaJIT -joff" busted --lua=luajit --helper=scripts/interpreter.lua; }
@@ -84,7 +85,7 @@ list_jobs() {
   done <<<"$interpreters"
 }
 {
-  while read -r file; do list_jobs "$file"; done <<<"$slow_files"
+  for file in $slow_files; do list_jobs "$file"; done
   for bundle in "${bundles[@]}"; do list_jobs "$bundle"; done
 } | nl -w 3 -n rz -s '|' >"$logs/jobs"
 
@@ -134,7 +135,9 @@ tr '\n' '\0' <"$logs/jobs" |
 count_jobs() {
   local name=$1 log code seconds counts good bad broken pending all=0 lost=0 waiting=0 cpu=0
   for log in "$logs/"[0-9]*" $name.log"; do
-    read -r code seconds <"${log%.log}.status"
+    # A job that was ended from outside has left no code.
+    code=1 seconds=0
+    [ ! -s "${log%.log}.status" ] || read -r code seconds <"${log%.log}.status"
     # One line of counts from busted, or one for each file.
     counts=$(sed -nE \
       -e 's/^([0-9]+) success(es)? \/ ([0-9]+) failures? \/ ([0-9]+) errors? \/ ([0-9]+) pending.*/\1 \3 \4 \5/p' \
