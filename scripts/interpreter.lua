@@ -1,6 +1,7 @@
--- Loaded before the specs, by busted or scripts/plain_busted.lua: fails unless they run on the interpreter that was asked for.
--- Without it `busted` could quietly fall back to whatever `lua` is, or run "-joff" with the JIT on.
--- Where SPEC_TIMES names a file, the seconds of the processor that each spec file took go there.
+-- Loaded before the specs, by busted or scripts/plain_busted.lua: fails unless they run on the
+-- interpreter that was asked for. Without it `busted` could quietly fall back to whatever `lua` is,
+-- or run "-joff" with the JIT on. Where SPEC_TIMES names a file, the seconds of the processor that
+-- each spec file took go there.
 local asked = assert(os.getenv("PHYSICS_LUA"), "PHYSICS_LUA is not set")
 
 local running = _VERSION

@@ -127,8 +127,11 @@ run_job() {
 export -f run_job play_plainly
 export logs
 started=$SECONDS
-tr '\n' '\0' <"$logs/jobs" |
-  xargs -0 -P "${JOBS:-$(getconf _NPROCESSORS_ONLN)}" -I{} bash -c 'run_job "$1"' _ {}
+play_jobs() {
+  tr '\n' '\0' <"$logs/jobs" |
+    xargs -0 -P "${JOBS:-$(getconf _NPROCESSORS_ONLN)}" -I{} bash -c 'run_job "$1"' _ {}
+}
+check "all jobs come to their end" play_jobs
 
 # count_jobs NAME: adds up what the jobs of an interpreter have counted. A job that dies, and an
 # interpreter that has played nothing, leave no number that would count: they fail as a whole.
