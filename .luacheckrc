@@ -38,3 +38,5 @@ files["scripts/manual_examples.lua"] = { max_line_length = false }
 files["scripts/pictures"] = { std = "luajit+love", globals = { "love" } }
 -- It plays an example without LÖVE and has to pretend a little.
 files["scripts/find_keys.lua"] = { std = "luajit", globals = { "love" } }
+-- It runs on every Lua, in the place of busted.
+files["scripts/plain_busted.lua"] = { std = "min+busted", globals = { "arg" } }

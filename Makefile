@@ -1,7 +1,7 @@
 # The commands of this project. Each one sets up what it needs first (scripts/setup.sh).
 
 SHELL := bash
-.PHONY: help setup test lint types format docs rock single test-single examples pictures web test-web test-gopher test-arm64 demo ci clean
+.PHONY: help setup test test-all test-plain lint types format docs rock release single test-single examples pictures web test-web test-gopher test-arm64 test-wine test-love demo ci clean
 
 help: ## shows this list
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' Makefile
@@ -9,8 +9,14 @@ help: ## shows this list
 setup: ## installs what the other targets need (Debian, Ubuntu)
 	@bash scripts/setup.sh
 
-test: setup ## runs the specs on every Lua: LuaJIT with and without JIT, 5.1 to 5.4
+test: setup ## runs the specs on LuaJIT and Lua 5.4 in a minute, without the slow ones (spec/slow.lua)
 	@bash scripts/test.sh
+
+test-all: setup ## runs all specs on every Lua: LuaJIT in three ways, 5.1 to 5.5; shows the coverage
+	@bash scripts/test.sh --all
+
+test-plain: ## runs the specs without busted, on any system: LUA="5.1 5.4", or an interpreter
+	@bash scripts/plain.sh $(LUA)
 
 lint: setup ## luacheck and StyLua
 	@bash scripts/lint.sh
@@ -24,8 +30,11 @@ docs: setup ## writes docs/api.md and physics/types.lua from the docstrings and 
 format: setup ## lets StyLua rewrite the sources
 	@. scripts/checks.sh && bash scripts/stylua.sh $$(lua_sources)
 
-rock: setup ## installs the rock into lua_modules/ and runs it from another folder
+rock: setup ## installs the rock into lua_modules/ and runs it from another folder; luarocks test
 	@bash scripts/rock.sh
+
+release: setup ## packs build/release/physics-VERSION.zip: one file, types, licence (docs/releasing.md)
+	@bash scripts/release.sh
 
 single: setup ## writes the whole library as one file, build/physics.lua
 	@bash scripts/single.sh
@@ -58,9 +67,14 @@ test-gopher: ## runs the specs on gopher-lua, a Lua in Go (spec/gopher/README.md
 test-arm64: ## runs most specs on LuaJIT for arm64, emulated; TEST="--all" for all
 	@bash scripts/setup.sh arm64 && bash scripts/arm64.sh $(TEST)
 
-.PHONY: test-tiled
 test-tiled: ## exports maps by the editor Tiled itself, and loads them in LÖVE
 	@bash scripts/setup.sh tiled && bash scripts/tiled_maps.sh
+
+test-wine: ## runs most specs on Lua built for Windows, in Wine; LUA="5.1 5.4", else all
+	@bash scripts/setup.sh wine && bash scripts/wine.sh $(LUA)
+
+test-love: setup ## plays the determinism scene in LÖVE 11.5; TEST="--all" for the examples, too
+	@bash scripts/love.sh $(TEST)
 
 demo: setup ## opens the examples in LÖVE
 	@bash scripts/demo.sh
@@ -70,16 +84,18 @@ fuzz: setup ## plays random games and checks them: SECONDS=60, SEED=1, BOUNDS=al
 	@luajit scripts/fuzz.lua --seconds $(or $(SECONDS),60) --seed $(or $(SEED),1) --keep-going \
 	  $(if $(BOUNDS),--bounds $(BOUNDS))
 
-.PHONY: bench bench-quick bench-docs
+.PHONY: bench bench-quick bench-docs bench-size
 bench: setup ## measures the engines side by side; BENCH="--help" shows what to choose
 	@bash scripts/bench.sh $(BENCH)
 
 bench-quick: setup ## looks whether the benchmark runs, without looking at times
 	@bash scripts/bench_quick.sh
 
-.PHONY: bench-worst
 bench-worst: setup ## plays the worst cases and shows which bounds hold: WORST="--only spot --both"
 	@luajit bench/worst.lua $(WORST)
+
+bench-size: setup ## measures size, time of require and memory; BENCH="--path DIR" to find bump.lua
+	@luajit bench/size.lua $(BENCH)
 
 bench-docs: setup ## measures, and brings the figures into docs/performance.md
 	@bash scripts/bench_docs.sh $(BENCH)
@@ -90,7 +106,7 @@ soak: setup ## plays a busy scene for ten million steps, in parts: STEPS=1000000
 
 .PHONY: coverage mutants
 coverage: setup ## shows the lines of the core that no spec runs; fails below 98 %
-	@bash scripts/coverage.sh
+	@bash scripts/test.sh --coverage
 
 mutants: setup ## changes one thing at a time and sees whether a spec fails: SAMPLE=200, SEED=1, FILE=physics/memory/aabb.lua, RESUME=1
 	@nice luajit scripts/mutants.lua --sample $(or $(SAMPLE),200) --seed $(or $(SEED),1) \

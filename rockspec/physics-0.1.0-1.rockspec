@@ -15,11 +15,20 @@ snagging on tile seams, no tunnelling, the same result at every frame rate and o
 The game's own tables are the physics objects, nothing has to be synchronized.
 ]],
   homepage = "https://github.com/physics-lua/physics.lua",
+  issues_url = "https://github.com/physics-lua/physics.lua/issues",
   license = "MIT",
   labels = { "love", "game", "physics", "collision" },
 }
 
-dependencies = { "lua >= 5.1, < 5.5" }
+dependencies = { "lua >= 5.1, < 5.6" }
+
+-- `luarocks test`: the specs, on the Lua of that LuaRocks instead of the one in .busted.
+test_dependencies = { "busted >= 2.1" }
+
+test = {
+  type = "busted",
+  flags = { "--ignore-lua" },
+}
 
 build = {
   type = "builtin",

@@ -34,6 +34,14 @@ worst() {
 }
 check "the worst cases can be played alone" worst
 check "an unknown worst case is refused" refuses luajit bench/worst.lua --only nothing
+sizes() {
+  luajit bench/size.lua --rounds 1 | tee build/sizes
+  for what in "source, kB" "\`require\`, ms, lua5.1" "an empty world, kB, luajit"; do
+    grep -qE "^\| $what \|( [0-9.]+ \|){3,}$" build/sizes || return 1
+  done
+}
+check "the sizes are measured" sizes
+check "an unknown option of it is refused" refuses luajit bench/size.lua --round 1
 check "an unknown scene is refused" refuses bash scripts/bench.sh --quick --scene nothing
 
 finish

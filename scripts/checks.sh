@@ -9,7 +9,7 @@ failed=0
 
 # check WHAT COMMAND...: runs the command and counts it. Its output is shown only when it fails.
 check() {
-  local what=$1 log=build/check.log
+  local what=$1 log=build/check-$$.log
   shift
   if "$@" >"$log" 2>&1 </dev/null; then
     passed=$((passed + 1))
@@ -20,6 +20,7 @@ check() {
     head -n 60 "$log" | sed 's/^/        /'
     [ "$(wc -l <"$log")" -le 60 ] || echo "        ... and $(($(wc -l <"$log") - 60)) lines more"
   fi
+  rm -f "$log"
 }
 
 # refuses COMMAND...: succeeds when the command fails. For checks of the checks themselves.

@@ -1,11 +1,15 @@
---- Which lines of the core do the specs run? Loaded by busted before the specs:
+--- Which lines of the core do the specs run?
 ---
----   COVERAGE=build/coverage.txt busted --lua=scripts/luajit-joff --helper=scripts/coverage.lua
+---   COVERAGE=build/a.marks busted --lua=scripts/luajit-joff --helper=scripts/coverage_helper.lua
+---   luajit scripts/coverage.lua build/*.marks
 ---
 --- Each file of the core is loaded with a mark in front of every statement that begins a line; it
 --- notes that the line was run. Lines stay where they are: errors name the same. (A hook of the
---- debug library, as LuaCov sets one, makes the specs eleven times as slow.) When they are over the
---- report is written: the files with lines that were never run, these lines, and the total.
+--- debug library, as LuaCov sets one, makes the specs eleven times as slow.) When the specs are
+--- over, the lines that were run are written. The second command adds up what several runs have
+--- written: it prints the files with lines that were never run, these lines, and the total.
+
+package.path = "./?.lua;" .. package.path
 
 local tokens = require("scripts.tokens")
 
@@ -74,11 +78,9 @@ function coverage.marked(text, name)
 end
 
 local function read(path)
-  local file = io.open(path, "rb")
-  local text = file and file:read("*a")
-  if file then
-    file:close()
-  end
+  local file = assert(io.open(path, "rb"))
+  local text = file:read("*a")
+  file:close()
   return text
 end
 
@@ -89,29 +91,6 @@ local NOT_CORE = { ["physics/world/draw.lua"] = true, ["physics/types.lua"] = tr
 ---@return boolean
 function coverage.isCore(path)
   return not (NOT_CORE[path] or path:find("^physics/maps/"))
-end
-
--- Here from the first to the last spec ------------------------------------------------------------
-
--- path -> lines
-local seen = {}
-
--- Instead of the loader of files, for the modules of the library.
-local function search(name)
-  local path = name:gsub("%.", "/") .. ".lua"
-  if not name:find("^physics%f[%.%z]") or not coverage.isCore(path) then
-    return nil
-  end
-  local text = read(path)
-  if not text then
-    return nil
-  end
-  -- One table for each file: no global of the library's own, and a name that no game would use.
-  local global = "COVERAGE_" .. path:gsub("%W", "_")
-  local marked, lines = coverage.marked(text, global)
-  seen[path] = seen[path] or lines
-  rawset(_G, global, seen[path])
-  return assert(loadstring(marked, "@./" .. path))
 end
 
 local function coreFiles()
@@ -170,15 +149,21 @@ function coverage.report(known, paths)
   return table.concat(out, "\n") .. "\n"
 end
 
-local target = os.getenv("COVERAGE")
-if target then
-  table.insert(package.loaders, 2, search)
-  require("busted").subscribe({ "exit" }, function()
-    local file = assert(io.open(target, "wb"))
-    file:write(coverage.report(seen, coreFiles()))
-    file:close()
-    return nil, true
-  end)
+-- Adds what a run has written (scripts/coverage_helper.lua) to `known`.
+local function readMarks(known, source)
+  for entry in io.lines(source) do
+    local path, line = entry:match("^(.*) (%d+)$")
+    known[path] = known[path] or select(2, coverage.marked(read(path), "_"))
+    known[path][tonumber(line)] = true
+  end
+end
+
+if arg and arg[0] and arg[0]:find("scripts/coverage.lua", 1, true) then
+  local known = {}
+  for n = 1, #arg do
+    readMarks(known, arg[n])
+  end
+  io.write(coverage.report(known, coreFiles()))
 end
 
 return coverage

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Plays every example in a virtual display with scripted keys, reads how far it got, and leaves its
-# picture in build/pictures/.
+# picture in build/pictures/. LOVE names another LÖVE than that of the system.
 set -uo pipefail
 . "$(dirname "$0")/checks.sh"
 
@@ -13,7 +13,7 @@ rm -rf "$pictures" "$reports" && mkdir -p "$pictures" "$reports"
 # LÖVE's when it cannot clean up.
 love_in() {
   rm -f build/love.code
-  xvfb-run -a bash -c 'timeout -k 2 120 love "$@"; echo $? >build/love.code' love "$@"
+  xvfb-run -a bash -c 'timeout -k 2 120 "${LOVE:-love}" "$@"; echo $? >build/love.code' love "$@"
   return "$(cat build/love.code)"
 }
 in_love() { love_in examples "$@"; }

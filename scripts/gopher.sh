@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs the library on gopher-lua, a Lua in Go (spec/gopher/README.md): the scene of the determinism
-# spec, and the specs. With --all the slowest specs, too.
+# spec, and the specs. With --all the slow ones, too (spec/slow.lua), and what is slow there only.
 set -uo pipefail
 . "$(dirname "$0")/checks.sh"
 
@@ -31,13 +31,18 @@ check "the determinism scene gives the same number as on LuaJIT" same_number
 
 # That a spec fails has to be seen.
 echo 'it("fails", function() assert.equal(1, 2) end)' >build/fails_spec.lua
-check "a spec that fails is noticed" refuses "$gopher" spec/gopher/run.lua build/fails_spec.lua
+check "a spec that fails is noticed" refuses "$gopher" scripts/plain_busted.lua build/fails_spec.lua
 
 logs=build/gopher-logs
 rm -rf "$logs" && mkdir -p "$logs"
 list_specs "$slow" "${1:-}"
-export gopher logs
-run_one() { "$gopher" spec/gopher/run.lua "$1" >"$logs/$(basename "$1").log" 2>&1 </dev/null; }
+tags=--exclude-tags=slow
+[ "${1:-}" != --all ] || tags=""
+export gopher logs tags
+run_one() {
+  "$gopher" scripts/plain_busted.lua --left-out=spec.gopher.left_out ${tags:+"$tags"} "$1" \
+    >"$logs/$(basename "$1").log" 2>&1 </dev/null
+}
 export -f run_one
 printf '%s\0' "${files[@]}" |
   xargs -0 -P "${JOBS:-$(getconf _NPROCESSORS_ONLN)}" -I{} bash -c 'run_one "$1" || true' _ {}

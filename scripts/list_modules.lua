@@ -1,8 +1,6 @@
--- Writes the list of modules in the rockspec anew, from the files of the library:
+-- Writes the list of modules in each rockspec anew, from the files of the library:
 --
---   luajit scripts/list_modules.lua rockspec/physics-0.1.0-1.rockspec
-
-local path = assert(arg[1], "which rockspec?")
+--   luajit scripts/list_modules.lua
 
 local function read(command)
   local pipe = assert(io.popen(command))
@@ -17,11 +15,17 @@ for file in read("find physics.lua physics -name '*.lua' | LC_ALL=C sort"):gmatc
   lines[#lines + 1] = ('    ["%s"] = "%s",\n'):format(name, file)
 end
 
-local input = assert(io.open(path))
-local text = input:read("*a")
-input:close()
+local function write(path)
+  local input = assert(io.open(path))
+  local text = input:read("*a")
+  input:close()
+  local before, after = text:match("^(.-  modules = {\n).-(  },\n.*)$")
+  assert(before, path .. ": no list of modules found")
+  local output = assert(io.open(path, "w"))
+  output:write(before, table.concat(lines), after)
+  output:close()
+end
 
-local before, after = text:match("^(.-  modules = {\n).-(  },\n.*)$")
-local output = assert(io.open(path, "w"))
-output:write(assert(before, "no list of modules found"), table.concat(lines), after)
-output:close()
+for path in read("ls rockspec/*.rockspec"):gmatch("[^\n]+") do
+  write(path)
+end

@@ -2,7 +2,7 @@
 # Installs what the other scripts call, from the packages of Debian or Ubuntu. Asks nothing, and
 # touches neither the network nor the system when everything is there. What only some targets need
 # is named: `setup.sh web` adds a browser, `site` Python's environments, `gopher` Go, `arm64` qemu,
-# `pictures` ffmpeg, `plot` gnuplot, `tiled` the editor Tiled.
+# `wine` Wine and a compiler for Windows, `pictures` ffmpeg, `plot` gnuplot, `tiled` the editor Tiled.
 set -euo pipefail
 
 # Chromium has several names.
@@ -31,6 +31,8 @@ Xvfb:xvfb
 xvfb-run:xvfb
 xauth:xauth
 npx:nodejs npm
+zip:zip
+unzip:unzip
 "
 
 missing=""
@@ -47,6 +49,7 @@ for extra in "$@"; do
     tiled) needs="${needs}tiled:tiled"$'\n' ;;
     plot) needs="${needs}gnuplot:gnuplot-nox"$'\n' ;;
     gopher) needs="${needs}go:golang-go"$'\n' ;;
+    wine) needs="${needs}x86_64-w64-mingw32-gcc:gcc-mingw-w64-x86-64-win32 wine64"$'\n' ;;
     arm64) needs="${needs}qemu-aarch64-static:qemu-user-static debian-archive-keyring"$'\n' ;;
     *) echo "setup: what is '$extra'?" >&2 && exit 1 ;;
   esac
@@ -72,7 +75,9 @@ setup: this installs by itself on Debian and Ubuntu only. Here, please install b
   LuaRocks                     https://luarocks.org
   busted and luacheck          luarocks install busted; luarocks install luacheck
   Node.js with npx             https://nodejs.org (it brings StyLua, the formatter)
-  cargo                        https://rustup.rs (it brings emmylua_check, for make types)
+  cargo                        https://rustup.rs (it brings emmylua_check, for make types, and the
+                               sources of Lua 5.5, for make test-all)
+  zip and unzip                for make release
   Xvfb, xvfb-run and xauth     for the examples without a display
   Chromium or Chrome           for make test-web and make test-site
   Python 3 with venv and pip   for make site

@@ -81,7 +81,7 @@ describe("columns that are checked", function()
     end)
   end)
 
-  it("are used as they must be, with the same bits, in the scene with everything in it", function()
+  it("are used as they must be, with the same bits, in the scene with all in it #slow", function()
     local expected = everything.fold(everything.new({}))
     local found = checked.during(function()
       return everything.fold(everything.new({}))

@@ -53,7 +53,7 @@ describe("the scene with everything in it", function()
     assert.are.equal(FOLD, everything.fold())
   end)
 
-  it("gives it on every Lua that is installed, in a process of its own", function()
+  it("gives it on every Lua that is installed, in a process of its own #posix", function()
     local count = 0
     for _, interpreter in ipairs(INTERPRETERS) do
       if isInstalled(interpreter) then
@@ -82,7 +82,7 @@ describe("the scene with everything in it", function()
     assert.are.equal(FOLD, everything.fold(world))
   end)
 
-  it("gives it whatever came and went before", function()
+  it("gives it whatever came and went before #slow", function()
     for seed = 1, 3 do
       local world = everything.newWorld()
       comeAndGo(world, seed)
@@ -108,7 +108,7 @@ describe("the scene with everything in it", function()
     assert.are.equal(FOLD, everything.fold(world))
   end)
 
-  it("gives it whatever the garbage collector does", function()
+  it("gives it whatever the garbage collector does #slow", function()
     local pause, multiplier = collectgarbage("setpause", 100), collectgarbage("setstepmul", 400)
     local eager = everything.fold(nil, function(_, n)
       if n % 10 == 0 then
@@ -134,7 +134,7 @@ describe("the scene with everything in it", function()
     )
   end)
 
-  it("gives it beside another world that runs in between", function()
+  it("gives it beside another world that runs in between #slow", function()
     local other = everything.new({ push = "first" })
     assert.are.equal(
       FOLD,
@@ -196,13 +196,13 @@ end)
 -- speed limit takes, once). Ten are of engines at their limits.
 local GAMES = {
   { first = 5000001, count = 16, fold = "1317725577" },
-  { first = 5000004, count = 10, step = 10, fold = "275724643" },
+  { first = 5000004, count = 10, step = 10, fold = "275724643", tag = " #slow" },
 }
 
 describe("random games", function()
   for _, games in ipairs(GAMES) do
     local text = "from seed %d on give the number that stands here"
-    it(text:format(games.first), function()
+    it(text:format(games.first) .. (games.tag or ""), function()
       local sum, updates = fold.START, 0
       for n = 0, games.count - 1 do
         local one = case.new(games.first + n * (games.step or 1), 60)

@@ -262,7 +262,7 @@ describe("the examples", function()
   end)
 
   -- What was recorded in LÖVE comes out the same here.
-  describe("played by what was recorded", function()
+  describe("played by what was recorded #slow", function()
     it("platformer: the flag is reached at the first try", function()
       playDemo("platformer")
       assert.equal("true", value("won"))

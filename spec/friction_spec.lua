@@ -138,7 +138,7 @@ describe("a box that comes down hard as a step begins, and is hit in that step",
   end
 end)
 
-describe("boxes that run into each other on a rough floor", function()
+describe("boxes that run into each other on a rough floor #slow", function()
   -- Two to four of different mass, some of which bounce, pull or touch from the beginning.
   local function newBox(random, x)
     local box = { x = x, y = 384, width = 16, height = 16 }
@@ -178,7 +178,7 @@ describe("boxes that run into each other on a rough floor", function()
   end
 end)
 
-describe("a stack that is run into from afar, in the middle of a step", function()
+describe("a stack that is run into from afar, in the middle of a step #slow", function()
   --            +--+      the box is as heavy as the stack, and smooth; friction takes 360 px/s² off
   --  +--+ 150 ->  |      a crate, or gives it to one: the lowest and the box go on together, braked
   --  +--+      +--+      by the floor and the others, until all go at 50 px/s, after 5/36 s; then
@@ -253,7 +253,7 @@ describe("a stack that is run into from afar, in the middle of a step", function
   end
 end)
 
-describe("a box that falls on one that slides over a rough floor", function()
+describe("a box that falls on one that slides over a rough floor #slow", function()
   --     +--+           it is dragged along, and brakes the lower one: by what falls on it at once,
   --     +--+  v        by its weight from then on. The floor bears both, and brakes with them: in
   --                    the end with all that gravity has given both, whenever they met.
@@ -379,7 +379,7 @@ describe("a stack of which the highest slides", function()
   end
 end)
 
-describe("a stack of which each slides at another speed", function()
+describe("a stack of which each slides at another speed #slow", function()
   local function play(seed, rate)
     local random, boxes = newRandom(seed), {}
     local world = physics.newWorld({ gravity = 900 })
@@ -1291,7 +1291,7 @@ describe("a tower that is hit above its lowest box", function()
   end
 end)
 
-describe("stacks that push each other", function()
+describe("stacks that push each other #slow", function()
   -- What comes of it cannot be worked out by hand any more: it is what very small steps lead to, as
   -- far as a step is long.
   -- By column, from the lowest up: friction, mass, ax, vx, height if it is not 16.

@@ -8,6 +8,10 @@ local unpack = rawget(table, "unpack") or rawget(_G, "unpack")
 local FLOOR = { x = -5000, y = 0, width = 10000, height = 20, static = true, friction = 0.5 }
 local RATES = { 30, 60, 144, 1000 }
 
+local function slowAt(rate)
+  return rate > 200 and " #slow" or ""
+end
+
 local function copyOf(object, changes)
   local copy = {}
   for field, value in pairs(object) do
@@ -136,7 +140,7 @@ describe("an engine that pushes at its speed limit", function()
     local name, fields, others, way, off = unpack(row)
     for _, rate in ipairs(RATES) do
       for _, side in ipairs({ 1, -1 }) do
-        local text = "goes as by hand with %s, at %d Hz, to the %s"
+        local text = "goes as by hand with %s, at %d Hz, to the %s" .. slowAt(rate)
         it(text:format(name, rate, side > 0 and "right" or "left"), function()
           local objects = { FLOOR, box(copyOf(fields, { ax = fields.ax * side, maxSpeedX = 100 })) }
           for _, other in ipairs(others) do
@@ -164,6 +168,7 @@ describe("an engine that pushes at its speed limit", function()
     for _, rate in ipairs(RATES) do
       for _, side in ipairs({ 1, -1 }) do
         local text = "goes as fast as one that may go at %d px/s, at %d Hz, to the %s"
+          .. slowAt(rate)
         it(text:format(limit, rate, side > 0 and "right" or "left"), function()
           local movers = play({
             FLOOR,

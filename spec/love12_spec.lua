@@ -50,7 +50,7 @@ local function findRemoved(text)
 end
 
 describe("LÖVE 12", function()
-  it("has everything that draw, tiled and the examples use", function()
+  it("has everything that draw, tiled and the examples use #posix", function()
     local count = 0
     for path, text in pairs(filesThatNameLove()) do
       count = count + 1

@@ -445,7 +445,7 @@ describe("after canCollide has failed in a crowd", function()
     assert.is_true(failures > STEPS, "failures: " .. failures)
   end)
 
-  it("nothing of that step is left: the world goes the way of a restored one", function()
+  it("nothing of that step is left: the world goes the way of a restored one #slow", function()
     local failures = 0
     local world, failAt = newAsking()
     for step = 1, 20 * STEPS do

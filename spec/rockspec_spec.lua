@@ -1,6 +1,7 @@
--- The rockspec and the changelog repeat what the files say; here they are compared.
+-- The rockspecs and the changelog repeat what the files say; here they are compared.
 
 local ROCKSPEC = "rockspec/physics-0.1.0-1.rockspec"
+local UNRELEASED = "rockspec/physics-scm-1.rockspec"
 
 local function read(path)
   local file = assert(io.open(path, "rb"))
@@ -10,12 +11,12 @@ local function read(path)
 end
 
 -- A rockspec is Lua that assigns globals. Read it into a table, whatever the version of Lua.
-local function readRockspec()
+local function readRockspec(path)
   local found = {}
   if setfenv then -- luacheck: ignore
-    setfenv(assert(loadstring(read(ROCKSPEC))), found)() -- luacheck: ignore
+    setfenv(assert(loadstring(read(path))), found)() -- luacheck: ignore
   else
-    assert(load(read(ROCKSPEC), ROCKSPEC, "t", found))() -- luacheck: ignore
+    assert(load(read(path), path, "t", found))() -- luacheck: ignore
   end
   return found
 end
@@ -32,16 +33,36 @@ local function modulesOnDisk()
 end
 
 describe("the rockspec", function()
-  it("installs every file of the library #files", function()
-    assert.same(modulesOnDisk(), readRockspec().build.modules)
-  end)
+  for _, path in ipairs({ ROCKSPEC, UNRELEASED }) do
+    it("installs every file of the library: " .. path .. " #files", function()
+      assert.same(modulesOnDisk(), readRockspec(path).build.modules)
+    end)
+  end
 
   it("has the version of the library", function()
-    local rockspec = readRockspec()
+    local rockspec = readRockspec(ROCKSPEC)
     local version = require("physics")._VERSION
     assert.equal(version .. "-1", rockspec.version)
     assert.equal("v" .. version, rockspec.source.tag)
     assert.equal("rockspec/physics-" .. rockspec.version .. ".rockspec", ROCKSPEC)
+  end)
+
+  it("of what is unreleased says the same, but for the version and its place", function()
+    local released, unreleased = readRockspec(ROCKSPEC), readRockspec(UNRELEASED)
+    assert.equal("scm-1", unreleased.version)
+    assert.equal(released.source.url, unreleased.source.url)
+    assert.is_nil(unreleased.source.tag)
+    for _, rockspec in ipairs({ released, unreleased }) do
+      rockspec.version, rockspec.source = nil, nil
+    end
+    assert.same(released, unreleased)
+  end)
+
+  it("allows the Lua that runs this", function()
+    local least, below =
+      readRockspec(ROCKSPEC).dependencies[1]:match("^lua >= ([%d.]+), < ([%d.]+)$")
+    local running = tonumber(_VERSION:match("%d+%.%d+"))
+    assert.is_true(running >= tonumber(least) and running < tonumber(below))
   end)
 end)
 

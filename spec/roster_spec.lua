@@ -222,7 +222,9 @@ end
 describe("the roster", function()
   for _, size in ipairs({ 4, 100 }) do
     for seed = 1, 12 do
-      it(("knows everybody after any edits of groups of %d, seed %d"):format(size, seed), function()
+      local tag = seed > 4 and " #slow" or ""
+      local edited = ("knows everybody after any edits of groups of %d, seed %d"):format(size, seed)
+      it(edited .. tag, function()
         local random = newRandom(seed)
         local objects = fill(size, size < 64 and seed % 2 == 0 and random)
         local b, r, places = newBook(function() end), roster.new(), {}
@@ -237,7 +239,8 @@ describe("the roster", function()
         assert.equal(b.count, b.entered - b.left)
       end)
 
-      it(("recovers from objects that fail, groups of %d, seed %d"):format(size, seed), function()
+      local failed = ("recovers from objects that fail, groups of %d, seed %d"):format(size, seed)
+      it(failed .. tag, function()
         local random = newRandom(1000 + seed)
         local objects = fill(size, size < 64 and seed % 2 == 0 and random)
         local broken, failures = {}, 0

@@ -27,7 +27,7 @@ end)
 
 describe("whoever falls for ever", function()
   for _, broadphase in ipairs({ "grid", "pairs" }) do
-    it("leaves nothing behind, " .. broadphase, function()
+    it("leaves nothing behind, " .. broadphase .. " #slow", function()
       local world = physics.newWorld({ gravity = 1000, broadphase = broadphase })
       for i = 1, 40 do
         local box = { x = 30 * i, y = 0, width = 16, height = 16, vx = 40 * (i % 7 - 3) }

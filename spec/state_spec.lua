@@ -63,11 +63,11 @@ end
 
 local VARIANTS = {
   { "with the default settings", {} },
-  { "pair by pair", { broadphase = "pairs" } },
-  { "in cells of 20 px", { broadphase = "grid", cellSize = 20 } },
-  { "nothing skipped", { rest = false } },
-  { "nothing skipped, pair by pair", { rest = false, broadphase = "pairs" } },
-  { "push first", { push = "first" } },
+  { "pair by pair #slow", { broadphase = "pairs" } },
+  { "in cells of 20 px #slow", { broadphase = "grid", cellSize = 20 } },
+  { "nothing skipped #slow", { rest = false } },
+  { "nothing skipped, pair by pair #slow", { rest = false, broadphase = "pairs" } },
+  { "push first #slow", { push = "first" } },
 }
 
 describe("a rollback of 8 steps", function()

@@ -63,6 +63,11 @@ describe("world:loadTiled refuses", function()
       os.remove(path)
     end)
 
+    -- As a message shows it: on Windows it has backslashes.
+    local function shown()
+      return '"' .. path:gsub("\\", "\\\\") .. '"'
+    end
+
     local function write(text)
       local file = assert(io.open(path, "wb"))
       file:write(text)
@@ -73,27 +78,27 @@ describe("world:loadTiled refuses", function()
       os.remove(path)
       local isDone, message = pcall(newWorld().loadTiled, newWorld(), path)
       assert.is_false(isDone)
-      assert.truthy(message:find('cannot read "' .. path .. '": ', 1, true), message)
+      assert.truthy(message:find("cannot read " .. shown() .. ": ", 1, true), message)
     end)
 
     it("that is not Lua", function()
       write("<map>")
       local isDone, message = pcall(newWorld().loadTiled, newWorld(), path)
       assert.is_false(isDone)
-      assert.truthy(message:find('cannot read "' .. path .. '": ', 1, true), message)
+      assert.truthy(message:find("cannot read " .. shown() .. ": ", 1, true), message)
     end)
 
     it("that fails", function()
       write("error('no luck')")
       local isDone, message = pcall(newWorld().loadTiled, newWorld(), path)
       assert.is_false(isDone)
-      assert.truthy(message:find('cannot run "' .. path .. '": ', 1, true), message)
+      assert.truthy(message:find("cannot run " .. shown() .. ": ", 1, true), message)
       assert.truthy(message:find("no luck", 1, true), message)
     end)
 
     it("that returns no map", function()
       write("return 5")
-      refuses(M .. '"' .. path .. '" must return a map, got 5', path)
+      refuses(M .. shown() .. " must return a map, got 5", path)
     end)
 
     it("of the editor that is not exported", function()

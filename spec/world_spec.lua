@@ -1097,7 +1097,7 @@ describe("the library in a folder of the game", function()
     file:close()
   end
 
-  it("works as lib.physics, blames the game, sets no global and needs nothing else", function()
+  it("works as lib.physics, blames the game, sets no global, needs nothing else #posix", function()
     local folder = os.tmpname()
     os.remove(folder)
     run(("mkdir -p '%s/lib' && cp -r physics.lua physics '%s/lib'"):format(folder, folder))

@@ -121,7 +121,7 @@ describe("seams", function()
       return { name = name, x = 0.13 * k, y = 70, width = 14, height = 24, vx = 100 + 4 * k }
     end
 
-    it("(1d) take no speed from any of 100 landings", function()
+    it("(1d) take no speed from any of 100 landings #slow", function()
       -- one world for each landing is slow: fewer variants
       local levels = { shift = { 0, 0.1, 1 / 3, 100000.3 }, order = { "forward", "backward" } }
       scene.each(levels, function(run)

@@ -592,7 +592,7 @@ end)
 
 -- Many who are pressed into much less than their place. How they lie then is nobody's business, but
 -- they stay where they are: one that others push through a wall is never free again.
-describe("a crowd that is crushed", function()
+describe("a crowd that is crushed #slow", function()
   local function coinsIn(height, count, settings, isClosed)
     local world, coins = physics.newWorld(settings), {}
     for _, y in ipairs({ 0, 16 + height }) do

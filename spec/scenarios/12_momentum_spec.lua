@@ -129,7 +129,7 @@ describe("a closed box of bouncing boxes", function()
   OTHER.broadphase, OTHER.push = { "pairs" }, { "first" }
   for _, levels in ipairs(effort.isWhole and { PLAIN, OTHER } or { PLAIN }) do
     local name = "(12) keeps its energy for 60 s; momentum changes only at walls, push "
-    it(name .. levels.push[1], function()
+    it(name .. levels.push[1] .. " #slow", function()
       scene.each(levels, function(run)
         run:build(balls(200, 3))
         local walled

@@ -123,7 +123,7 @@ describe("a pile", function()
 
   -- Who slides goes on sliding until it drops into a gap: the pile is lower than one with friction,
   -- and sinks for a long time.
-  it("(13) of 1000 boxes without friction slides together and does not overlap", function()
+  it("(13) of 1000 boxes without friction slides together and does not overlap #slow", function()
     scene.each(GRID, function(run)
       run:build(pile(COUNT, WIDTH, nil))
       playPile(run, 20)

@@ -335,7 +335,7 @@ describe("pushable = false", function()
   --   +-+-+-+-+   +-+
   --   |U|P|Q|..   |V|
   --   +-+-+-+-+   +-+
-  describe("with a row between two of them:", function()
+  describe("with a row between two of them: #slow", function()
     for _, row in ipairs({
       -- boxes, gap between all, vx of U, vx of V
       { 2, 0, 150, 0 },

@@ -1,16 +1,18 @@
 --- How much of the slow specs to play. All of it with the trace compiler; interpreters, which are
 --- slower, play a selection: they run the same code on the same numbers, and that the bits are the
 --- same is a spec of its own. So does `physics.compile`, which is slow to start in so many worlds.
---- `PHYSICS_SPEC=full` plays all of it everywhere.
+--- `PHYSICS_SPEC=full` plays all of it everywhere, `PHYSICS_SPEC=quick` the selection everywhere.
 
 local effort = {}
 
 local jit = rawget(_G, "jit")
-local isFull = os.getenv("PHYSICS_SPEC") == "full"
+local wanted = os.getenv("PHYSICS_SPEC")
 local isCompiled = os.getenv("PHYSICS_LUA") == "LuaJIT compiled"
 
 --- Whether everything is played.
-effort.isWhole = isFull or (jit and jit.status() and not isCompiled) or false
+effort.isWhole = wanted == "full"
+  or (wanted ~= "quick" and jit and jit.status() and not isCompiled)
+  or false
 
 --- A number of seeds, rounds or objects: all of them, or the share of a slow interpreter.
 function effort.share(count, least)

@@ -1,15 +1,38 @@
---- Runs specs where busted cannot run: it needs modules in C. In plain Lua, as much of `describe`,
---- `it` and `assert` as the specs use. (luassert would be plain Lua, but on gopher-lua some of its
---- assertions hold whatever they are given.)
+--- Runs specs where busted cannot run: it needs modules in C, and its own modules are not yet
+--- written for Lua 5.5. In plain Lua, as much of `describe`, `it` and `assert` as the specs use.
+--- (luassert would be plain Lua, but on gopher-lua some of its assertions hold whatever they are
+--- given.)
 --
---   LUA spec/gopher/run.lua SPEC...
+--   LUA scripts/plain_busted.lua [--left-out=MODULE] [--exclude-tags=slow] SPEC...
 --
--- Prints what failed, and a line of counts. As with busted every file loads the library anew, and
--- specs are named by all the `describe` around them.
+-- Prints what failed, and a line of counts. As with busted every file loads the library anew, specs
+-- are named by all the `describe` around them, and a tag stands in such a name, as in #slow. The
+-- module lists what is not run, files and specs by name, with reasons: spec/gopher/left_out.lua.
 
-package.path = "./?.lua"
+package.path = "./?.lua;" .. package.path
 
-local LEFT_OUT = require("spec.gopher.left_out")
+local options, files = {}, {}
+for i = 1, #arg do
+  local name, value = arg[i]:match("^%-%-([%w%-]+)=(.+)$")
+  if name == "left-out" or name == "exclude-tags" then
+    options[name] = value
+  elseif arg[i]:find("^%-") then
+    error("unknown option: " .. arg[i], 0)
+  else
+    files[#files + 1] = arg[i]
+  end
+end
+
+local LEFT_OUT = { files = {}, specs = {} }
+if options["left-out"] then
+  LEFT_OUT = require(options["left-out"])
+end
+
+-- The words of --exclude-tags, "slow,files".
+local excluded = {}
+for tag in (options["exclude-tags"] or ""):gmatch("[^,]+") do
+  excluded[#excluded + 1] = "#" .. tag
+end
 
 -- In a table: on gopher-lua an error takes local variables away from the closures that count.
 local count = { passed = 0, failed = 0, leftOut = 0 }
@@ -83,10 +106,28 @@ local function truthy(found, message)
   return found
 end
 
+-- As luassert does, without the place in front of a message.
 local function hasError(call, expected)
   local isFine, message = pcall(call)
+  if type(message) == "string" then
+    message = message:gsub("^.-:%d+: ", "", 1)
+  end
   if isFine or (expected ~= nil and not isSame(expected, message)) then
     fail("an error", message)
+  end
+end
+
+-- The pattern, and as in string.find where to begin and whether it is plain text.
+local function matches(pattern, found, init, plain)
+  if type(found) ~= "string" or not found:find(pattern, init or 1, plain) then
+    fail("what matches " .. show(pattern), found)
+  end
+end
+
+local function errorMatches(call, pattern, init, plain)
+  local isFine, message = pcall(call)
+  if isFine or type(message) ~= "string" or not message:find(pattern, init or 1, plain) then
+    fail("an error that matches " .. show(pattern), message)
   end
 end
 
@@ -98,6 +139,8 @@ local assertions = {
   truthy = truthy,
   is_truthy = truthy,
   has_error = hasError,
+  matches = matches,
+  error_matches = errorMatches,
   not_equal = notEqual,
   are = { equal = equal, same = same, near = near },
   are_not = { equal = notEqual },
@@ -108,6 +151,12 @@ for _, value in ipairs({ true, false }) do
       fail(tostring(value), found, message)
     end
   end
+end
+function assertions.is_not_nil(found, message)
+  if found == nil then
+    fail("anything but nil", found, message)
+  end
+  return found
 end
 for _, kind in ipairs({ "nil", "table", "function", "string", "number" }) do
   assertions["is_" .. kind] = function(found, message)
@@ -130,8 +179,11 @@ setmetatable(assertions, {
 -- A block is a `describe`, or the file around all of them.
 local block
 
+-- What the running spec has asked for, to be called after it.
+local final
+
 local function newBlock(parent, name)
-  return { parent = parent, name = name, before = {}, after = {}, specs = {} }
+  return { parent = parent, name = name, once = {}, before = {}, after = {}, specs = {} }
 end
 
 local function describe(name, define)
@@ -141,7 +193,7 @@ local function describe(name, define)
 end
 
 local function it(name, spec)
-  local full = block.name .. " " .. name
+  local full = (block.name .. " " .. name):gsub("^ ", "")
   local list = block
   while list.parent do
     list = list.parent
@@ -149,10 +201,13 @@ local function it(name, spec)
   list.specs[#list.specs + 1] = { name = full, run = spec, block = block }
 end
 
--- Calls the hooks of a block and of all around it, from the outside in.
+-- Calls the hooks of a block and of all around it, from the outside in; those of `setup` once.
 local function callHooks(which, inner)
   if inner then
     callHooks(which, inner.parent)
+    while which == "before" and inner.once[1] do
+      table.remove(inner.once, 1)()
+    end
     for _, hook in ipairs(inner[which]) do
       hook()
     end
@@ -161,7 +216,11 @@ end
 
 local function runSpec(spec)
   callHooks("before", spec.block)
+  final = nil
   local isFine, problem = pcall(spec.run)
+  if final then
+    final()
+  end
   callHooks("after", spec.block)
   if isFine then
     count.passed = count.passed + 1
@@ -184,17 +243,32 @@ local function leaveOut(name, reason)
   print("left out  " .. name .. ": " .. reason)
 end
 
+local function isExcluded(name)
+  for _, tag in ipairs(excluded) do
+    if name:find(tag, 1, true) then
+      return true
+    end
+  end
+  return false
+end
+
 local function runFile(path)
   forgetModules()
   block = newBlock(nil, "")
   local root = block
+  root.last = {}
   assert(loadfile(path))()
   for _, spec in ipairs(root.specs) do
-    if LEFT_OUT.specs[spec.name] then
+    if isExcluded(spec.name) then
+      count.leftOut = count.leftOut + 1
+    elseif LEFT_OUT.specs[spec.name] then
       leaveOut(spec.name, LEFT_OUT.specs[spec.name])
     else
       runSpec(spec)
     end
+  end
+  for _, hook in ipairs(root.last) do
+    hook()
   end
 end
 
@@ -211,6 +285,20 @@ local function install()
   local globals = _G
   globals.assert, globals.describe, globals.it = assertions, describe, it
   package.preload.busted = busted
+  globals.finally = function(call)
+    final = call
+  end
+  globals.setup = function(hook)
+    block.once[#block.once + 1] = hook
+  end
+  -- Later than in busted: when the whole file has been run.
+  globals.teardown = function(hook)
+    local root = block
+    while root.parent do
+      root = root.parent
+    end
+    table.insert(root.last, 1, hook)
+  end
   globals.before_each = function(hook)
     block.before[#block.before + 1] = hook
   end
@@ -219,13 +307,12 @@ local function install()
   end
 end
 
-local files = {}
-for i = 1, #arg do
-  files[i] = arg[i]
-end
 -- As a spec expects it: the interpreter is there, and no file that is run by itself.
 arg = { [-1] = arg[-1], [0] = "busted" }
 install()
+if os.getenv("PHYSICS_LUA") then
+  dofile("scripts/interpreter.lua")
+end
 for _, path in ipairs(files) do
   if LEFT_OUT.files[path] then
     leaveOut(path, LEFT_OUT.files[path])

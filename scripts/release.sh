@@ -1,0 +1,85 @@
+#!/usr/bin/env bash
+# Packs a release into build/release/physics-VERSION.zip: the library as one file, the addon for
+# editors, the changelog and the licence. Then unpacks it elsewhere, plays a game with the file, and
+# checks a game's types with the addon. The same sources give the same zip, to the bit.
+# What else a release needs: docs/releasing.md.
+set -uo pipefail
+. "$(dirname "$0")/checks.sh"
+
+version=$(luajit -e 'io.write(require("physics")._VERSION)') || exit 1
+name=physics-$version
+place=build/release
+zip=$PWD/$place/$name.zip
+
+pack() {
+  rm -rf "$place" && mkdir -p "$place/$name/addon/library" || return
+  luajit scripts/single.lua "$place/$name/physics.lua" || return
+  luajit scripts/addon.lua "$place/$name/addon" || return
+  cp LICENSE CHANGELOG.md "$place/$name/" || return
+  # Dates are those of the last commit; a copy without git has one that a zip can hold.
+  local date
+  date=$(git log -1 --format=%ct 2>/dev/null) || date=315619200
+  find "$place/$name" -exec touch -d "@$date" {} +
+  (cd "$place" && find "$name" -type f | LC_ALL=C sort | TZ=UTC zip -qX "$zip" -@)
+}
+check "packs $name.zip" pack
+first=$(sha256sum <"$zip")
+check "packs it again" pack
+same() { [ "$first" = "$(sha256sum <"$zip")" ]; }
+check "and it is the same, to the bit" same
+
+elsewhere=$(mktemp -d)
+trap 'rm -rf "$elsewhere"' EXIT
+check "it can be unpacked" unzip -q "$zip" -d "$elsewhere"
+holds() {
+  local found expected
+  found=$(cd "$elsewhere/$name" && find . -type f | LC_ALL=C sort)
+  expected=$(printf './%s\n' CHANGELOG.md LICENSE addon/config.json addon/library/physics.lua physics.lua)
+  echo "$found"
+  [ "$found" = "$expected" ]
+}
+check "it holds what it should" holds
+
+cat >"$elsewhere/game.lua" <<'LUA'
+local physics = require("physics")
+local world = physics.newWorld({ gravity = 800 })
+world:add("tiles", { x = 0, y = 100, width = 200, height = 16, static = true })
+local box = world:add("boxes", { x = 20, y = 0, width = 16, height = 16 })
+for _ = 1, 120 do
+  world:update(1 / 60)
+end
+assert(box.y == 84 and box.touching.bottom, "the box is not on the floor")
+LUA
+plays() {
+  (cd "$elsewhere" && env -u LUA_PATH_5_2 -u LUA_PATH_5_3 -u LUA_PATH_5_4 \
+    LUA_PATH="./$name/?.lua" "$1" game.lua)
+}
+for lua in luajit lua5.1 lua5.2 lua5.3 lua5.4; do
+  check "a game plays with the file on $lua" plays "$lua"
+done
+
+# The addon beside a game: no code of the library, so all that is known of it stands in the addon.
+types=$PWD/build/release/types
+mkdir -p "$types" && cp .emmyrc.json "$types/" && cp -r "$elsewhere/$name/addon/library" "$types/"
+emmylua() {
+  cp "$elsewhere/game.lua" "$types/game.lua"
+  echo "$1" >>"$types/game.lua"
+  bash scripts/emmylua.sh --warnings-as-errors "$types"
+}
+finds() {
+  local found code
+  found=$(emmylua "$2" 2>&1)
+  code=$?
+  echo "$found"
+  [ $code -eq 1 ] && [[ "$found" == *"[$1]"* ]]
+}
+check "the addon knows all that the game calls" emmylua ""
+check "and what a query returns" emmylua \
+  'for _, hit in ipairs((select(3, world:move(box, 3, 4)))) do print(hit.other, hit.nx + 1) end'
+check "it finds a method that does not exist" finds undefined-field 'world:updaet(1)'
+check "and a function that does not exist" finds undefined-field 'physics.updaet(1)'
+check "and an argument that is missing" finds missing-parameter 'world:update()'
+check "and a setting of the wrong type" finds param-type-mismatch 'physics.load({ gravity = "9" })'
+
+echo "The release is ${zip#"$PWD"/}"
+finish

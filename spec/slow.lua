@@ -1,0 +1,32 @@
+--- The specs that `make test` leaves out and `make test-all` plays: their names hold the tag #slow.
+--- slow_spec.lua compares this list with the tags.
+
+local slow = {}
+
+--- Interpreters on which `make test-all` plays them, as scripts/interpreter.lua names them: LuaJIT,
+--- which plays all their variants, in its three ways, and one of the others. Lua 5.1 and 5.2 have
+--- the numbers and the language of LuaJIT -joff; 5.3 and 5.5 have those of 5.4. Slow specs compare
+--- worlds with each other or with numbers worked out by hand. That every Lua computes the same bits
+--- is shown on each by determinism_spec.lua, so they would show nothing new there.
+slow.interpreters = { "LuaJIT", "LuaJIT compiled", "LuaJIT -joff", "Lua 5.4" }
+
+--- The files with such specs, the longest first, and what takes so long.
+slow.files = {
+  { "spec/properties_spec.lua", "a crowd in two worlds, both broad phases" },
+  { "spec/friction_spec.lua", "stacks compared with steps of 1/1500 to 1/4800 s" },
+  { "spec/recovery_spec.lua", "1600 steps of a crowd, most of them interrupted and restored" },
+  { "spec/scenarios/08_crushing_spec.lua", "a crowd on one spot, in a dozen corridors" },
+  { "spec/scenarios/17_pushable_spec.lua", "rows between two boxes, at five frame rates" },
+  { "spec/scenarios/13_piles_spec.lua", "1000 boxes without friction, for 20 s" },
+  { "spec/scenarios/12_momentum_spec.lua", "200 bouncing boxes, for a minute" },
+  { "spec/determinism_spec.lua", "the scene with everything in it, with other histories" },
+  { "spec/state_spec.lua", "a rollback of 8 steps, with each combination of settings" },
+  { "spec/roster_spec.lua", "eight more seeds of random edits" },
+  { "spec/limits_spec.lua", "engines in steps of 1/1000 s" },
+  { "spec/soak_spec.lua", "falls of 4600 steps" },
+  { "spec/examples_spec.lua", "whole levels of the examples, as recorded" },
+  { "spec/bank_spec.lua", "the scene with everything in it, each access to a column checked" },
+  { "spec/scenarios/01_seams_spec.lua", "a hundred landings, one by one" },
+}
+
+return slow

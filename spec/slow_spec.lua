@@ -1,0 +1,36 @@
+-- The list of slow specs (spec/slow.lua) and the tags in their names say the same.
+
+local slow = require("spec.slow")
+
+local function read(path)
+  local file = assert(io.open(path, "rb"))
+  local text = file:read("*a")
+  file:close()
+  return text
+end
+
+describe("the list of slow specs", function()
+  it("names every spec file that has one, and no other #files", function()
+    local listed, found = {}, {}
+    for _, row in ipairs(slow.files) do
+      assert.is_nil(listed[row[1]], row[1])
+      listed[row[1]] = true
+      assert.is_true(#row[2] > 0, row[1])
+    end
+    local listing = assert(io.popen("find spec -name '*_spec.lua'"))
+    for path in listing:lines() do
+      if path ~= "spec/slow_spec.lua" and read(path):find("#slow", 1, true) then
+        found[path] = true
+      end
+    end
+    listing:close()
+    assert.same(found, listed)
+  end)
+
+  it("names interpreters that scripts/test.sh plays #files", function()
+    local script = read("scripts/test.sh")
+    for _, name in ipairs(slow.interpreters) do
+      assert.truthy(script:find("\n" .. name .. ":", 1, true), name)
+    end
+  end)
+end)
