@@ -192,11 +192,13 @@ local function shift(b, low, high, over)
   b.to[high] = b.to[high] + share * massLow
 end
 
--- Two blocks that touch where the step begins, and close: the impact gives them a common velocity at
--- once. If what acts on each takes them apart from there, they do not become one. Returns whether.
-local function leave(b, low, high, gap, dt)
+-- Two blocks that touch where the step begins, the second `off` px from the first, and close: the
+-- impact gives them a common velocity at once. If what acts on each takes them apart from there,
+-- they do not become one. Returns whether that is so.
+local function leave(b, low, high, off, dt)
   local massLow, massHigh = b.blockMass[low], b.blockMass[high]
   local startLow, startHigh = b.blockMomentum[low] / massLow, b.blockMomentum[high] / massHigh
+  local gap = origin(b, high) - origin(b, low) - off
   if gap > EPSILON or gap < -EPSILON or startLow <= startHigh then
     return false
   end
@@ -241,10 +243,7 @@ local function look(b, list, c, dt, isLate)
     return yield(b, low, high, offLow, offHigh, separation, stayLow, stayHigh)
   elseif closing <= 0 and list.elastic[c] == 1 then
     shift(b, low, high, over)
-  elseif
-    isLate
-    or not leave(b, low, high, origin(b, high) + offHigh - origin(b, low) - offLow - separation, dt)
-  then
+  elseif isLate or not leave(b, low, high, offLow + separation - offHigh, dt) then
     join(b, low, high, offLow + separation - offHigh, dt, isLate)
   end
   return true
