@@ -276,6 +276,9 @@ local function solve(b, dt)
   begin(b, dt)
   live.list(b)
   settleTouching(b, dt)
+  if b.rubs > 0 then
+    settleLate(b, dt) -- what is still violated, as others may have it done for them
+  end
   findChanged(b)
   contacts.noteNew(b)
   for n = 1, ROUNDS do
