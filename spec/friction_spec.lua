@@ -1559,3 +1559,44 @@ describe("stacks of different sizes, masses and speeds", function()
     end)
   end
 end)
+
+describe("stacks beside other stacks, far away,", function()
+  local function add(world, seed, left, boxes)
+    local random, x = newRandom(seed), left
+    local floor = { x = left - 400, y = 0, width = 900, height = 16, static = true }
+    floor.friction = random:between(0, 1)
+    world:add("floors", floor)
+    for _ = 1, math.floor(random:between(1, 5)) do
+      local y = 0
+      for _ = 1, math.floor(random:between(1, 6)) do
+        local box = { x = x, width = random:integer(10, 40), height = random:integer(8, 24) }
+        y = y - box.height
+        box.y, box.friction, box.mass = y, random:between(0, 1), random:between(0.5, 3)
+        box.vx = random:between(0, 1) < 0.5 and random:between(-200, 200) or 0
+        box.ax = random:between(0, 1) < 0.3 and random:between(-900, 900) or 0
+        box.restitution = random:between(0, 1) < 0.15 and 1 or nil
+        boxes[#boxes + 1] = world:add("boxes", box)
+      end
+      x = x + 40
+    end
+  end
+
+  it("are tried as often as those need it, and come out the same to the bit #slow", function()
+    for seed = 1, 40 do
+      local together, alone =
+        physics.newWorld({ gravity = 900 }), physics.newWorld({ gravity = 900 })
+      local boxes, same = {}, {}
+      add(together, seed, 4096, boxes)
+      add(together, seed + 1000, 0, {})
+      add(alone, seed, 4096, same)
+      for step = 1, 60 do
+        together:update(1 / 60)
+        alone:update(1 / 60)
+        for n, box in ipairs(boxes) do
+          local isSame = box.x == same[n].x and box.y == same[n].y and box.vx == same[n].vx
+          assert.is_true(isSame, ("seed %d, step %d, box %d"):format(seed, step, n))
+        end
+      end
+    end
+  end)
+end)

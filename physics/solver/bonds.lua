@@ -60,6 +60,19 @@ function bonds.add(b, list, up, low, limit)
   b.bondUnder[up], list.next[n], b.bondOn[low] = n, b.bondOn[low], n
 end
 
+-- Body k begins with another velocity, and further on. What has not slipped on it does so, too.
+local function lead(b, list, k, way, onset)
+  b.lead[k], b.onset[k] = way, onset
+  flow.notePulled(b, k)
+  local n = b.bondOn[k]
+  while n ~= 0 do
+    if list.state[n] == BOND then
+      lead(b, list, list.up[n], way, onset)
+    end
+    n = list.next[n]
+  end
+end
+
 -- Bond n has slipped `way` px until both are as fast, and they go on as one. If the lower one is
 -- not moved by that (`stands`), the upper one takes its speed; else both share their momentum.
 local function stick(b, list, n, way, stands)
@@ -67,8 +80,7 @@ local function stick(b, list, n, way, stands)
   list.state[n], list.isGlued[n] = STUCK, true
   if stands then
     list.onset[n] = b.onset[up]
-    b.lead[up], b.onset[up] = b.lead[low] + way, b.onset[low]
-    flow.notePulled(b, up)
+    lead(b, list, up, b.lead[low] + way, b.onset[low])
   else
     list.onset[n], list.slipped[n] = b.onset[up], way
   end
@@ -77,8 +89,8 @@ end
 -- Friction cannot do what bond n asks for.
 local function tear(b, list, n, tug)
   if list.state[n] == STUCK then
-    local up = list.up[n]
-    b.onset[up], b.lead[up], list.slipped[n] = list.onset[n], 0.0, 0.0
+    lead(b, list, list.up[n], 0.0, list.onset[n])
+    list.slipped[n] = 0.0
   end
   list.state[n] = SLIP
   pull(b, list, n, tug)
@@ -172,10 +184,6 @@ function bonds.glue(b, list, dt)
     local up, low = list.up[n], list.low[n]
     if list.state[n] ~= SLIP and mark[up] == stamp and mark[low] == stamp then
       list.isGlued[n] = true
-      if list.state[n] == BOND and b.lead[up] ~= b.lead[low] then
-        -- It goes along with one that has stuck to what stands.
-        b.lead[up], b.onset[up] = b.lead[low], b.onset[low]
-      end
       pool.glue(b, up, low, list.slipped[n], dt)
     end
   end

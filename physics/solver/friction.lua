@@ -218,8 +218,13 @@ function friction.begin(b)
   end
 end
 
--- Everything along an axis as it is with friction, but without contacts.
+-- Everything along an axis as it is with friction, and what immovable bodies hold of that; nothing
+-- of an earlier attempt is left, which may have been made for others.
 local function place(b, axis, dt)
+  local list, pressed = b.contacts[axis], b.pressed
+  for c = 1, list.count do
+    pressed[list.pair[c]] = 0
+  end
   friction.reset(b, axis, dt)
   resetOwn(b, axis)
   flow.runAll(b, dt)

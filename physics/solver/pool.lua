@@ -67,6 +67,12 @@ local function origin(b, k)
   return b.from[k] + b.lead[k] + b.blockShift[k] / b.blockMass[k]
 end
 
+-- The velocity of a block that starts at v, and its way, in a step.
+local function fly(b, k, v, dt)
+  local mass, least, most = b.blockMass[k], b.blockLeast[k], b.blockMost[k]
+  return flow.run(b, b.blockKinks[k], mass, b.blockForce[k], v, dt, least, most)
+end
+
 -- The end of a block of which the parts are summed up, at its root. One that friction can hold, as
 -- a member stands, does not move: what pushes it pushes anew in each step.
 local function finish(b, k, dt, isLate, place)
@@ -78,8 +84,7 @@ local function finish(b, k, dt, isLate, place)
     b.to[k], b.speed[k] = place, b.blockSpeed[k] / mass
     return
   end
-  local start = b.blockMomentum[k] / mass
-  local v, way = flow.run(b, b.blockKinks[k], mass, b.blockForce[k], start, dt, least, most)
+  local v, way = fly(b, k, b.blockMomentum[k] / mass, dt)
   way = v == b.blockStand[k] and v * dt or way
   b.to[k], b.speed[k] = origin(b, k) + way, v
 end
@@ -217,6 +222,29 @@ local function shift(b, low, high, over)
   b.to[high] = b.to[high] + share * massLow
 end
 
+-- Two blocks that touch where the step begins, the second `off` px from the first, and close: the
+-- impact gives them a common velocity at once. If what acts on each takes them apart from there,
+-- they do not become one. Returns whether that is so.
+local function leave(b, low, high, off, dt)
+  local massLow, massHigh = b.blockMass[low], b.blockMass[high]
+  local startLow, startHigh = b.blockMomentum[low] / massLow, b.blockMomentum[high] / massHigh
+  local gap = origin(b, high) - origin(b, low) - off
+  if gap > EPSILON or gap < -EPSILON or startLow <= startHigh then
+    return false
+  end
+  local v = (b.blockMomentum[low] + b.blockMomentum[high]) / (massLow + massHigh)
+  local vLow, wayLow = fly(b, low, v, dt)
+  local vHigh, wayHigh = fly(b, high, v, dt)
+  if wayLow >= wayHigh then
+    return false
+  end
+  b.blockMomentum[low], b.blockMomentum[high] = massLow * v, massHigh * v
+  b.blockSpeed[low], b.blockSpeed[high] = massLow * vLow, massHigh * vHigh
+  b.to[low], b.speed[low], b.accel[low] = origin(b, low) + wayLow, vLow, (vLow - v) / dt
+  b.to[high], b.speed[high], b.accel[high] = origin(b, high) + wayHigh, vHigh, (vHigh - v) / dt
+  return true
+end
+
 -- Looks at contact c. Returns whether something has changed.
 local function look(b, list, c, dt, isLate)
   local kl, kh = list.low[c], list.high[c]
@@ -250,7 +278,7 @@ local function look(b, list, c, dt, isLate)
     return yield(b, low, high, offLow, offHigh, separation, stayLow, stayHigh)
   elseif closing <= 0 and list.elastic[c] == 1 then
     shift(b, low, high, over)
-  else
+  elseif isLate or not leave(b, low, high, offLow + separation - offHigh, dt) then
     join(b, low, high, offLow + separation - offHigh, dt, isLate, b.pushFirst)
   end
   return true

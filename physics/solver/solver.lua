@@ -323,18 +323,22 @@ local function round(b, dt, isLast, isLate)
   return true
 end
 
+-- Settles the axes on which a contact is violated. Returns whether one was.
+local function settleViolated(b, dt)
+  local isAny = false
+  for n = 0, 1 do
+    local axis = n == 0 and b.downAxis or 1 - b.downAxis
+    if b.isJammed or settle.isViolated(b, axis) then
+      settle.axis(b, axis, dt, true)
+      isAny = true
+    end
+  end
+  return isAny
+end
+
 -- Settles again what impacts have changed, and looks up what comes near now.
 local function settleLate(b, dt)
-  local down, across = b.downAxis, 1 - b.downAxis
-  local isDown = b.isJammed or settle.isViolated(b, down)
-  if isDown then
-    settle.axis(b, down, dt, true)
-  end
-  local isAcross = b.isJammed or settle.isViolated(b, across)
-  if isAcross then
-    settle.axis(b, across, dt, true)
-  end
-  b.isChangeListed, b.isJammed = not (isDown or isAcross), false
+  b.isChangeListed, b.isJammed = not settleViolated(b, dt), false
   if b.isChangeListed then
     followChanged(b)
   else
@@ -386,6 +390,9 @@ local function solve(b, dt)
   settleTouching(b, dt)
   if b.hasNudges then
     nudgeTouching(b, dt)
+  end
+  if b.rubs > 0 then
+    settleViolated(b, dt) -- by what friction has done for others
   end
   b.isChangeListed = false
   findChanged(b)
