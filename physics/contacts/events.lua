@@ -264,8 +264,8 @@ function events.arrange(e)
 end
 
 --- Tells the game all that was noted: in batches (see `arrange`), in each of them pairs in the
---- order of the world, contacts that begin without a hit last. An error of a callback passes through; what was not told then is told by the
---- next call.
+--- order of the world, contacts that begin without a hit last. An error of a callback passes
+--- through; what was not told then is told by the next call.
 function events.tell(b)
   local e = b.events
   if e.count == 0 then

@@ -1,8 +1,9 @@
 --- Riders: what carries an object, and how fast.
 --
 -- A kinematic object carries what stands on it, and what stands on that; a belt (`surfaceSpeed`)
--- moves what stands on it along its surface. The velocity of the carrier is added to the rider's path in
--- `move` and taken off in `publish`, so a rider's own velocity is relative to what carries it.
+-- moves what stands on it along its surface. The velocity of the carrier is added to the rider's
+-- path in `move` and taken off in `publish`, so a rider's own velocity is relative to what carries
+-- it.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -14,8 +15,8 @@ local EPSILON = columns.EPSILON
 local SIDE = columns.SIDE
 local max, min = math.max, math.min
 
---- Returns the velocity, x and y, that slot c gives to its rider i in this step. A belt moves along the
---- surface that gravity presses on.
+--- Returns the velocity, x and y, that slot c gives to its rider i in this step. A belt moves along
+--- the surface that gravity presses on.
 function carrier.velocity(b, c, i)
   local along = b.surfaceSpeed[c]
   local x, y = along, 0
@@ -127,8 +128,8 @@ function carrier.leave(b, i)
   b.carrier[i], b.carried[2 * i], b.carried[2 * i + 1] = 0, 0, 0
 end
 
--- Whether slot i stands where it is now, directly or on others, on slot c: it was put elsewhere together
--- with it.
+-- Whether slot i stands where it is now, directly or on others, on slot c: it was put elsewhere
+-- together with it.
 local function standsOn(b, i, c)
   local support = b.support
   for _ = 1, b.moverCount do
@@ -147,8 +148,8 @@ local function standsOn(b, i, c)
 end
 
 -- Lets slot i leave what carries it if the game has switched it off, or put it further away than
--- its own size, and not on that. What is put aside by less goes on riding, or jumps with the speed of
--- that.
+-- its own size, and not on that. What is put aside by less goes on riding, or jumps with the speed
+-- of that.
 local function check(b, i)
   local isElsewhere = (b.jumped[i] or isApart(b, i, i, b.to)) and not standsOn(b, i, b.carrier[i])
   if b.kind[i] == DYNAMIC and (isElsewhere or not b.active[i]) then
@@ -176,7 +177,8 @@ local function leaveBehind(b, c)
 end
 
 --- Lets those leave their carrier that the game has put elsewhere since the last step, or whose
---- carrier it has. (Not when they are read: that may be refused, and depends on which is read first.)
+--- carrier it has. (Not when they are read: that may be refused, and depends on which is read
+--- first.)
 function carrier.checkMoved(b)
   for n = 1, b.hasCarriers and b.movedCount or 0 do
     check(b, b.movedList[n])
@@ -202,8 +204,8 @@ local function carrierAt(b, i, j, side)
   return b.kind[j] == KINEMATIC and b.carry[j] and j or 0
 end
 
--- The carrier on which slot i is put, flush, on an axis: the one below most of it, ties in order; 0:
--- none.
+-- The carrier on which slot i is put, flush, on an axis: the one below most of it, ties in order;
+-- 0: none.
 local function carrierBelow(b, i, axis)
   local from, size, k = b.from, b.size, 2 * i + axis
   local across, isHigh = k + 1 - 2 * axis, b.down[k] > 0
@@ -241,8 +243,8 @@ local function boardOne(b, i)
   return true
 end
 
---- Lets what the game has put onto a carrier that goes away from below it ride at once, also in stacks:
---- nothing would press it there.
+--- Lets what the game has put onto a carrier that goes away from below it ride at once, also in
+--- stacks: nothing would press it there.
 function carrier.board(b)
   local hasBoarded = true
   while hasBoarded do

@@ -338,7 +338,8 @@ function contacts.find(b)
   fill(b, across)
 end
 
---- Makes a contact of a pair that has met without a bounce, or `isElastic`: of one that may bounce yet.
+--- Makes a contact of a pair that has met without a bounce, or `isElastic`: of one that may bounce
+--- yet.
 function contacts.add(b, axis, p, kl, kh, isElastic)
   if b.touches[p] == CONTACT or (isElastic and b.touches[p] == ELASTIC) then
     return

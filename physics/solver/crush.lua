@@ -1,8 +1,8 @@
 --- Crushed: pressed between two that cannot give way, on one axis.
 --
 -- The object stays where it overlaps its neighbours the least (see settle), and is free again as
--- soon as there is room. How it came there is remembered with the pair (`wedged`), so that it leaves
--- along the same axis and is never squeezed out sideways.
+-- soon as there is room. How it came there is remembered with the pair (`wedged`), so that it
+-- leaves along the same axis and is never squeezed out sideways.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -13,7 +13,8 @@ local crush = {}
 local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
 local max = math.max
 
--- px between the slot i, as it was before it grew, and slot j on an axis; and whether j is the low one.
+-- px between the slot i, as it was before it grew, and slot j on an axis; and whether j is the low
+-- one.
 local function gapBefore(b, i, j, axis)
   local k, m = 2 * i + axis, 2 * j + axis
   local r = b.from[m] - b.wasAt[k]
@@ -57,8 +58,8 @@ local function isThere(b, i)
   return true
 end
 
---- What the game has made larger than the room it stands in comes out of walls as it got in, and not by
---- the shortest way: that would lead through thin ones.
+--- What the game has made larger than the room it stands in comes out of walls as it got in, and
+--- not by the shortest way: that would lead through thin ones.
 function crush.wedgeGrown(b)
   for n = 1, b.movedCount do
     local i = b.movedList[n]

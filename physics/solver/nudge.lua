@@ -69,8 +69,8 @@ function nudge.try(b, i, j, axis, iIsLow, t)
   return true
 end
 
---- Moves bodies past the corners of what they touch where the step begins, and press against now that
---- it is settled. Returns whether there were any: then others may touch.
+--- Moves bodies past the corners of what they touch where the step begins, and press against now
+--- that it is settled. Returns whether there were any: then others may touch.
 function nudge.run(b)
   local hasMoved = false
   for axis = 0, 1 do

@@ -1,4 +1,5 @@
---- Rules that decide whether a contact may act: open sides of one-ways, `dropThrough`, `canCollide`.
+--- Rules that decide whether a contact may act: open sides of one-ways, `dropThrough`,
+--- `canCollide`.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ask = require(root .. ".solver.permission")
