@@ -69,7 +69,8 @@
 ---@field oneWay? "top"|"bottom"|"left"|"right"
 --- default true. A kinematic object takes its riders along; `false`: it slides away under them.
 ---@field carry? boolean
---- px/s, default 0. A conveyor: what stands on it is moved along x at this speed.
+--- px/s, default 0. A conveyor: what stands on it is moved along x at this speed; along y where
+--- gravity acts sideways.
 ---@field surfaceSpeed? number
 --- px, >= 0, default 0. Corner correction: a hit that misses by at most this much slides around the
 --- corner; who lands on an edge is never moved off it.
