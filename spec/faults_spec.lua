@@ -923,7 +923,7 @@ describe("F12: a side that was hit and left again", function()
     end)
   end
 
-  it("shows on both who bounce, and the wider of two", function()
+  it("shows on both that bounce, and the wider of two", function()
     local world = physics.newWorld({ gravity = 0 })
     local narrow = world:add("boxes", { x = 0, y = 0, width = 20, height = 20, vx = 100 })
     narrow.restitution = 1
@@ -954,7 +954,7 @@ describe("F12: a side that was hit and left again", function()
     end
   end)
 
-  it("is not remembered of who has left, or of another that took its place", function()
+  it("is not remembered of what has left, or of another that took its place", function()
     local world = physics.newWorld({ gravity = 0 })
     local ball = { x = 0, y = 0, width = 8, height = 8, vx = 600, restitution = 1 }
     world:add("balls", ball)

@@ -154,6 +154,7 @@ local AXIS = {
   crushHigh = 0,
   pressedLow = false, -- something rested against this side in this step
   pressedHigh = false,
+  widest = 0, -- contact that is hit, of several at once
   wasAt = 0,
   wasSize = 0,
   give = 0, -- inverse mass in this step, 0: cannot be moved

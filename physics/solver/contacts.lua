@@ -280,7 +280,9 @@ local function sortOrder(b, list, count)
       end
       mergeRuns(b, source, target, first, middle, last < count and last or count)
     end
-    source, target, width = target, source, 2 * width
+    local sorted = target
+    target = source
+    source, width = sorted, 2 * width
   end
   if source ~= list then
     for n = 1, count do

@@ -2,6 +2,7 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
+local filter = require(root .. ".broadphase.filter")
 local live = require(root .. ".broadphase.activePairs")
 local part = require(root .. ".solver.separate")
 local path = require(root .. ".motion.path")
@@ -11,6 +12,7 @@ require(root .. ".memory.jit").file()
 local nudge = {}
 
 local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
+local max = math.max
 -- px
 local AHEAD = 1e-3
 --- Corners of one neighbour in a step.
@@ -31,6 +33,24 @@ local function detour(b, i, j, axis, t)
   local its, mine = at(b, j, kj, t), at(b, i, ki, t)
   local low, high = its - b.size[ki] - mine, its + b.size[kj] - mine
   return -low < high and low or high
+end
+
+-- Whether another dynamic body is where slot i would be at (x, y) at moment t.
+local function isTaken(b, i, x, y, t)
+  local found, size = b.found, b.size
+  local width, height = size[2 * i], size[2 * i + 1]
+  for n = 1, b.broadphase:query(x, y, x + width, y + height, found) do
+    local j = found[n]
+    local isSolid = not (b.sensor[i] or b.sensor[j] or b.oneWay[i] or b.oneWay[j])
+    if j ~= i and b.kind[j] == DYNAMIC and isSolid and filter.allows(b, i, j) then
+      local dx, dy = at(b, j, 2 * j, t) - x, at(b, j, 2 * j + 1, t) - y
+      local gap = max(dx - width, -dx - size[2 * j], dy - height, -dy - size[2 * j + 1])
+      if gap < -EPSILON then
+        return true
+      end
+    end
+  end
+  return false
 end
 
 --- Moves slot i past the corner of the immovable slot j, which it hits on `axis` at time t, if it
@@ -61,7 +81,7 @@ function nudge.try(b, i, j, axis, iIsLow, t)
   -- No rest: if it is pushed back to where it was, it may get by in a longer step; and who is in
   -- the way beside it may go without being a neighbour.
   b.news[i] = true
-  if part.isInside(b, i, x, y) then
+  if part.isInside(b, i, x, y) or isTaken(b, i, x, y, t) then
     return false
   end
   path.advance(b, i, t)

@@ -26,7 +26,7 @@ local sweep = require(root .. ".solver.sweep")
 
 local solver = {}
 
-local DYNAMIC = columns.DYNAMIC
+local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
 local floor, max, min = math.floor, math.max, math.min
 
 --- Rounds of sweep, hit, settle in a step.
@@ -87,23 +87,79 @@ local function begin(b, dt)
   friction.begin(b)
 end
 
+-- The body that leans on the other one in contact c.
+local function leaning(b, list, c)
+  return b.heldHigh[list.high[c]] > 0 and list.low[c] or list.high[c]
+end
+
+-- Whether contact c is there for the first time, and its bodies are flush.
+local function isNew(b, list, c)
+  local p = list.pair[c]
+  local over = b.to[list.low[c]] + list.separation[c] - b.to[list.high[c]]
+  return b.hit[p] == 0 and b.contact[p] == 0 and over <= EPSILON and over >= -EPSILON
+end
+
+-- px of the common edge of contact c, and a rank that decides among equals.
+local function edgeOf(b, list, c)
+  local k, m = list.low[c] + 1 - 2 * list.axis, list.high[c] + 1 - 2 * list.axis
+  local edge = min(b.from[k] + b.size[k], b.from[m] + b.size[m]) - max(b.from[k], b.from[m])
+  local i, j = (k - 1 + list.axis) * 0.5, (m - 1 + list.axis) * 0.5
+  return edge, b.rank[i] + b.rank[j]
+end
+
+-- Finds for each body the new contact with the widest common edge of those it leans on: of several
+-- at once that one is hit.
+local function findWidest(b, list)
+  local widest, awake = b.widest, b.awakeList
+  for n = 1, b.awakeCount do
+    widest[2 * awake[n] + list.axis] = 0
+  end
+  for c = 1, list.count do
+    if isNew(b, list, c) then
+      local k = leaning(b, list, c)
+      local best = widest[k]
+      local edge, rank = edgeOf(b, list, c)
+      local most, first = 0, 0
+      if best ~= 0 then
+        most, first = edgeOf(b, list, best)
+      end
+      if best == 0 or edge > most + EPSILON or (edge >= most - EPSILON and rank < first) then
+        widest[k] = c
+      end
+    end
+  end
+end
+
+-- Notes the hits of those that begin to lean on each other.
+local function noteNewHits(b, list)
+  findWidest(b, list)
+  for c = 1, list.count do
+    local p = list.pair[c]
+    if b.pressed[p] == 1 and b.hit[p] == 0 and b.contact[p] == 0 then
+      local hit = isNew(b, list, c) and b.widest[leaning(b, list, c)] or c
+      local kl, kh = list.low[hit], list.high[hit]
+      local low, axis = (kl - list.axis) * 0.5, list.axis
+      impact.note(b, list.pair[hit], low, axis, max(b.start[kl] - b.start[kh], 0.0))
+    end
+  end
+end
+
 -- Notes the sides at which bodies lean on each other, and the hits of those that begin to.
 local function notePressed(b, axis)
-  local list, pressed, pressedHigh, pressedLow =
-    b.contacts[axis], b.pressed, b.pressedHigh, b.pressedLow
+  local list, pressed = b.contacts[axis], b.pressed
+  local pressedHigh, pressedLow, hasNew = b.pressedHigh, b.pressedLow, false
   for c = 1, list.count do
     local p = list.pair[c]
     if pressed[p] == 1 then
-      local kl, kh = list.low[c], list.high[c]
-      pressedHigh[kl], pressedLow[kh] = true, true
+      pressedHigh[list.low[c]], pressedLow[list.high[c]] = true, true
       if b.hit[p] == 0 then
         b.resolved = b.resolved + 1
-        if b.contact[p] == 0 then
-          local low = (kl - axis) * 0.5
-          impact.note(b, p, low, axis, max(b.start[kl] - b.start[kh], 0.0))
-        end
+        hasNew = hasNew or b.contact[p] == 0
       end
     end
+  end
+  if hasNew then
+    noteNewHits(b, list)
   end
 end
 

@@ -25,7 +25,6 @@ local MOST_CELLS = 1024
 
 -- Names from other libraries, and what they are called here.
 local MEANT = {
-  velocity = "vx and vy",
   velocityX = "vx",
   velocityY = "vy",
   isStatic = "static",
@@ -33,7 +32,6 @@ local MEANT = {
   isSensor = "sensor",
   isActive = "active",
   isPushable = "pushable",
-  weight = "mass",
   bounciness = "restitution",
   elasticity = "restitution",
   damping = "airFriction",
@@ -44,6 +42,10 @@ local MEANT = {
   onCollision = "onBegin",
 }
 
+-- Usual names of a game's own that look like slips.
+local OWN =
+  { draw = true, update = true, weight = true, velocity = true, fraction = true, masks = true }
+
 local function placeOf(b, i)
   return roster.place(b.group[i], b.key[i])
 end
@@ -52,7 +54,7 @@ end
 
 -- Returns what a name is probably a misspelling of; false: it looks like one of the game's own.
 local function meaningOf(name, names, byName)
-  if type(name) ~= "string" or byName[name] or name:sub(1, 1) == "_" then
+  if type(name) ~= "string" or byName[name] or OWN[name] or name:sub(1, 1) == "_" then
     return false
   elseif byName == fields.objectByName and MEANT[name] then
     return MEANT[name]
@@ -69,15 +71,23 @@ local function refuseName(place, name, meant)
   )
 end
 
+-- Whether a value may be meant for what is called so: a function for a callback, and for nothing
+-- else.
+local function mayBe(value, meant, byName)
+  local field = byName[meant]
+  local isCallback = field ~= nil and field.type == "function"
+  return isCallback == (type(value) == "function")
+end
+
 -- Looks at the keys of a table itself, not at those of its class.
 local function checkNames(seen, object, names, byName, b, i)
-  for name in next, object, nil do
+  for name, value in next, object, nil do
     local meant = seen[name]
     if meant == nil then
       meant = meaningOf(name, names, byName)
       seen[name] = meant
     end
-    if meant then
+    if meant and mayBe(value, meant, byName) then
       refuseName(i and placeOf(b, i) or "world", name, meant)
     end
   end
