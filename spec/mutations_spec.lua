@@ -90,7 +90,7 @@ describe("scripts/mutations.lua", function()
   end)
 
   it("finds something in files of the core #files", function()
-    for _, name in ipairs({ "aabb", "world", "footing", "broadphase/grid" }) do
+    for _, name in ipairs({ "memory/aabb", "world/world", "solver/friction", "broadphase/grid" }) do
       local file = assert(io.open("physics/" .. name .. ".lua"))
       local text, valid = file:read("*a"), 0
       file:close()
@@ -128,7 +128,7 @@ describe("scripts/coverage.lua", function()
   it("leaves out what only draws, loads maps or helps editors", function()
     assert.is_true(coverage.isCore("physics/broadphase/grid.lua"))
     assert.is_true(coverage.isCore("physics.lua"))
-    for _, name in ipairs({ "draw", "maps/tiled", "maps/tiled/tileset", "types" }) do
+    for _, name in ipairs({ "world/draw", "maps/tiled", "maps/tiled/tileset", "types" }) do
       assert.is_false(coverage.isCore("physics/" .. name .. ".lua"))
     end
   end)

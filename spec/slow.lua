@@ -12,7 +12,6 @@ slow.interpreters = { "LuaJIT", "LuaJIT compiled", "LuaJIT -joff", "Lua 5.4" }
 
 --- The files with such specs, the longest first, and what takes so long.
 slow.files = {
-  { "spec/properties_spec.lua", "a crowd in two worlds, both broad phases" },
   { "spec/friction_spec.lua", "stacks compared with steps of 1/1500 to 1/4800 s" },
   { "spec/recovery_spec.lua", "1600 steps of a crowd, most of them interrupted and restored" },
   { "spec/scenarios/08_crushing_spec.lua", "a crowd on one spot, in a dozen corridors" },

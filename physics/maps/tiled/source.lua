@@ -9,10 +9,13 @@ local source = {}
 
 local WHERE = report.WHERE
 
+local SLASHES = "; love.filesystem divides folders by / on every system"
+
 local function compile(path)
   if type(love) == "table" and love.filesystem then
     if not love.filesystem.getInfo(path, "file") then
-      return nil, "there is no such file"
+      local hint = path:find("\\", 1, true) and SLASHES or ""
+      return nil, "there is no such file" .. hint
     end
     return love.filesystem.load(path)
   end
