@@ -166,14 +166,16 @@ local function canGo(b, i, axis, way)
   return not part.isInside(b, i, placeOn(b, i, axis, way))
 end
 
--- Shares of the way for i and j, the first of the two in the order of the world: by mass, whoever
--- is in the way of nobody immovable.
+-- The share of the way that i goes, the first of the two in the order of the world, of i and j: by
+-- mass. What would come into something immovable stays. nil: that is so for both, or for the one
+-- that can be pushed.
 local function weigh(b, i, j, axis, sign, way)
   local wi, wj = b.inverseMass[i], b.inverseMass[j]
+  if wi > 0 and wj > 0 and b.pushable[i] ~= b.pushable[j] then
+    wi, wj = b.pushable[i] and wi or 0, b.pushable[j] and wj or 0
+  end
   if wi > 0 and wj > 0 then
-    if b.pushable[i] ~= b.pushable[j] then
-      wi, wj = b.pushable[i] and 1 or 0, b.pushable[j] and 1 or 0
-    elseif b.pushFirst then
+    if b.pushFirst then
       wi, wj = 1, 0
     end
     local share = wi / (wi + wj)
