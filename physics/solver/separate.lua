@@ -83,7 +83,10 @@ local function consider(b, p)
     return
   end
   local width, height = overlapOf(b, i, j)
-  local isImmovable = b.kind[i] ~= DYNAMIC or b.kind[j] ~= DYNAMIC
+  -- What cannot be pushed is as good as immovable to the other one.
+  local isImmovable = b.kind[i] ~= DYNAMIC
+    or b.kind[j] ~= DYNAMIC
+    or b.pushable[i] ~= b.pushable[j]
   if
     width > EPSILON
     and height > EPSILON
@@ -356,9 +359,19 @@ local function bury(b, i, j)
   end
 end
 
+-- Whether it is rather slot j that leaves slot i: what can be pushed, else the first in order.
+local function leavesLater(b, i, j)
+  if b.kind[i] ~= DYNAMIC or b.kind[j] ~= DYNAMIC then
+    return b.kind[i] ~= DYNAMIC
+  elseif b.pushable[i] ~= b.pushable[j] then
+    return b.pushable[j]
+  end
+  return b.rank[j] < b.rank[i]
+end
+
 local function separate(b, p)
   local i, j = b.pairA[p], b.pairB[p]
-  if b.kind[i] ~= DYNAMIC or (b.kind[j] == DYNAMIC and b.rank[j] < b.rank[i]) then
+  if leavesLater(b, i, j) then
     i, j = b.pairB[p], b.pairA[p]
   end
   local width, height = overlapOf(b, i, j)
