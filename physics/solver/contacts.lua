@@ -143,7 +143,7 @@ local function growthOf(b, kl, kh)
   if jam == 0 then
     return PACE * min(b.size[kl], b.size[kh])
   end
-  return CREEP * (1 - jam / contacts.PATIENCE)
+  return CREEP * (1 - jam / (contacts.PATIENCE + 1))
 end
 
 -- Two dynamic bodies that have had no room on one axis for a while try the other one: returns that,

@@ -111,7 +111,7 @@ function crush.note(b, axis)
       if jam[k] == turn and isPressedByMachine(b, k) then
         jam[k] = turn + 1 -- it is never squeezed out sideways
       end
-    elseif jam[k] < patience then
+    else
       jam[k] = max(jam[k] - 1, jam[k] > turn and turn + 1 or 0)
     end
   end

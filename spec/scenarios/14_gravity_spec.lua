@@ -19,8 +19,8 @@ local function record(description, seconds, level)
   return track
 end
 
---- The same with gravity up, left and right: each object within 1e-6 px at every step.
-local function checkTurned(description, seconds)
+--- The same with gravity up, left and right: each object within 1e-6 px at every step, or `near` px.
+local function checkTurned(description, seconds, near)
   local levels = {
     shift = { 0, 0.1 },
     order = { "forward" },
@@ -39,9 +39,11 @@ local function checkTurned(description, seconds)
     for _ in run:steps(seconds) do
       step = step + 1
       for name, place in pairs(tracks[key][step]) do
-        run:at(named[name], place[1], place[2])
-        run:near(name .. ".vx", named[name].vx, place[3])
-        run:near(name .. ".vy", named[name].vy, place[4])
+        run:near(name .. ".x", named[name].x, place[1], near)
+        run:near(name .. ".y", named[name].y, place[2], near)
+        local speed = near and near * run.rate
+        run:near(name .. ".vx", named[name].vx, place[3], speed)
+        run:near(name .. ".vy", named[name].vy, place[4], speed)
       end
     end
   end)
@@ -119,7 +121,8 @@ describe("gravity up, left and right is gravity down, turned round:", function()
       fields.width, fields.height = size, random:integer(80, 160) / 8
       description[#description + 1] = box("box" .. i, x, y, fields)
     end
-    checkTurned(description, 3)
+    -- Which of two simultaneous impacts is first depends on rounding, which turning changes.
+    checkTurned(description, 3, 0.02)
   end)
 
   it("nothing falls when there is none, or where both axes have some", function()

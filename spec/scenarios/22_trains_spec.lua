@@ -283,10 +283,15 @@ local function expectEnd(run, play, log, named, movers)
   end
 end
 
-local function compare(run, log, standing, movers)
+-- What steps down onto a carrier rides from the next step on, and friction of what is pushed counts
+-- the belt from then: px by which these plays differ from those on a floor.
+local LATE = { ["a man walks on a crate and steps down"] = 1, ["one is pushed against friction"] = 0.1 }
+
+local function compare(run, play, log, standing, movers)
+  local near = LATE[play.name]
   for step, row in ipairs(log) do
     for i, object in ipairs(movers) do
-      run:near(("step %d: %s.x"):format(step, object.name), row[i].x, standing[step][i].x)
+      run:near(("step %d: %s.x"):format(step, object.name), row[i].x, standing[step][i].x, near)
       run:near(("step %d: %s.y"):format(step, object.name), row[i].y, standing[step][i].y)
     end
   end
@@ -307,7 +312,7 @@ for _, kind in ipairs({ "platform", "belt", "lift" }) do
             local standing, floored, movers = travel(run, play, kind, 0)
             expectEnd(run, play, standing, floored, movers)
             local log, named = travel(run, play, kind, speed)
-            compare(run, log, standing, movers)
+            compare(run, play, log, standing, movers)
             expectEnd(run, play, log, named, movers)
           end)
         end)

@@ -65,7 +65,9 @@ local function noteWays(watch, i)
   local body, sumX, sumY = watch.objects[i], 0, 0
   for m = 1, watch.count do
     local wall = watch.objects[m]
-    if isWall(wall) then
+    -- What cannot be pushed is immovable to what can be pushed.
+    local isFirm = wall.pushable == false and body.pushable ~= false
+    if isWall(wall) or isFirm then
       local left, right = body.x + body.width - wall.x, wall.x + wall.width - body.x
       local top, bottom = body.y + body.height - wall.y, wall.y + wall.height - body.y
       local x, y = min(left, right), min(top, bottom)
