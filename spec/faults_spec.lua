@@ -380,7 +380,7 @@ describe("F4: parting from what cannot be pushed", function()
     end)
   end
 
-  pending("moves ten with `push = \"first\"`: two of them stay at one spot for a second and longer")
+  pending('moves ten with `push = "first"`: two of them stay at one spot for a second and longer')
 
   it("moves ten that are all inside it, and each other", function()
     local levels = { shift = FEW.shift, order = FEW.order, rate = FEW.rate, push = { "both" } }

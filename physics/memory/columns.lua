@@ -162,6 +162,7 @@ local AXIS = {
   start = 0, -- velocity at its start
   origin = 0, -- where it is then
   swept = 0, -- end of the path that was swept last
+  crowdAge = 0, -- on the first axis: steps for which it has been in its crowd
   jam = 0, -- steps for which it had no room (see contacts)
   squeezed = 0, -- px by which it is pressed between two that cannot give way
   base = 0, -- velocity of immovable ground that it rubs on,

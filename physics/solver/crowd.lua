@@ -3,7 +3,7 @@
 -- A body is *crowded* if it shares its place with several others. Two crowded bodies are no pair:
 -- in a step they pass through each other. Instead all that are in one crowd are sorted into
 -- columns, as many as there is room for between the walls around them, and each goes towards its
--- place there, by no more than a fixed share of its size in a step. A crowd is left by what
+-- place there, by no more than a fixed share of its size in a step. They share one velocity. A crowd is left by what
 -- overlaps no other body of it. So the work grows with the number of bodies, not of pairs.
 --
 -- `crowd` of a body is 0 or the one that leads its crowd. Reads from, size, awakeList; writes
@@ -34,6 +34,8 @@ local PACE = crowd.PACE
 local SLACK = 1 / 8
 -- Bodies behind it in the order along x that are asked whether they are in the same crowd.
 local LOOK = 16
+-- Steps after which a crowd ends: what overlaps then is left to the contacts.
+local LIFE = 60
 -- px from a wall at which a body still stands on it.
 local NEAR = 1
 
@@ -207,7 +209,7 @@ end
 
 -- A body leaves its crowd: those of it become neighbours.
 local function leave(b, i)
-  b.crowd[i], b.placed[i] = 0, min(b.placed[i], 1)
+  b.crowd[i], b.crowdAge[2 * i], b.placed[i] = 0, 0, min(b.placed[i], 1)
 end
 
 -- If the first of a crowd has left the world, another one leads it.
@@ -261,9 +263,13 @@ local function dropFar(b, list, first, last)
   end
 end
 
--- Ends a crowd in which no two overlap any more.
+-- Ends a crowd in which no two overlap any more, or that has been there for long.
 local function review(b, list, first, last)
-  if findOverlaps(b, list, first, last) then
+  local age = b.crowdAge
+  for at = first, last do
+    age[2 * list[at]] = age[2 * list[at]] + 1
+  end
+  if findOverlaps(b, list, first, last) and age[2 * list[first]] <= LIFE then
     findLeader(b, list, first, last)
     dropFar(b, list, first, last)
   else
@@ -452,9 +458,23 @@ function crowd.hold(b)
   end
 end
 
+-- What is in a crowd goes on at one velocity, as after impacts without a bounce: else its bodies would
+-- go through each other from one side of it to the other.
+local function joinSpeeds(b, list, first, last)
+  local velocity, mass, x, y, sum = b.velocity, b.mass, 0.0, 0.0, 0.0
+  for at = first, last do
+    local i = list[at]
+    sum, x, y = sum + mass[i], x + mass[i] * velocity[2 * i], y + mass[i] * velocity[2 * i + 1]
+  end
+  for at = first, last do
+    velocity[2 * list[at]], velocity[2 * list[at] + 1] = x / sum, y / sum
+  end
+end
+
 -- Lays out a crowd, list[first..last], sorted by x.
 local function lay(b, list, first, last)
   local n = last - first + 1
+  joinSpeeds(b, list, first, last)
   local x, y, width, height = measure(b, list, first, last)
   local reach = 2 * sqrt(n) * max(width, height) + max(width, height)
   local left, top, right, bottom = findRoom(b, list[first], x, y, reach, width * 0.5, height * 0.5)

@@ -84,9 +84,7 @@ local function consider(b, p)
   end
   local width, height = overlapOf(b, i, j)
   -- What cannot be pushed is as good as immovable to the other one.
-  local isImmovable = b.kind[i] ~= DYNAMIC
-    or b.kind[j] ~= DYNAMIC
-    or b.pushable[i] ~= b.pushable[j]
+  local isImmovable = b.kind[i] ~= DYNAMIC or b.kind[j] ~= DYNAMIC or b.pushable[i] ~= b.pushable[j]
   if
     width > EPSILON
     and height > EPSILON

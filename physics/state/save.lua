@@ -63,6 +63,7 @@ state.POINTS = {
   { "behind", 0 },
   { "wasCrushed", false },
   { "jam", 0 },
+  { "crowdAge", 0 },
   { "wasAt", 0 },
   { "wasSize", 0 },
 }

@@ -264,17 +264,14 @@ describe("a closed room", function()
   for _, row in ipairs(ROOMS) do
     local width, height, count, size, gravity = row[1], row[2], row[3], row[4], row[5]
     local title = "of %g x %g px with %d boxes of about %g px, gravity %g,"
-    it(
-      title:format(width, height, count, size, gravity) .. " keeps them in",
-      function()
-        scene.each(LEVELS, function(run)
-          local description = join({ gravity = gravity }, walls(width, height))
-          local _, watch = build(run, join(description, scatter(count, 3, size, width, height)))
-          play(run, watch, REST)
-          expectRestWithoutRoom(run, watch)
-        end)
-      end
-    )
+    it(title:format(width, height, count, size, gravity) .. " keeps them in", function()
+      scene.each(LEVELS, function(run)
+        local description = join({ gravity = gravity }, walls(width, height))
+        local _, watch = build(run, join(description, scatter(count, 3, size, width, height)))
+        play(run, watch, REST)
+        expectRestWithoutRoom(run, watch)
+      end)
+    end)
   end
 
   it("lets them out when a wall goes", function()

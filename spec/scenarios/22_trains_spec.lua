@@ -285,7 +285,8 @@ end
 
 -- What steps down onto a carrier rides from the next step on, and friction of what is pushed counts
 -- the belt from then: px by which these plays differ from those on a floor.
-local LATE = { ["a man walks on a crate and steps down"] = 1, ["one is pushed against friction"] = 0.1 }
+local LATE =
+  { ["a man walks on a crate and steps down"] = 1, ["one is pushed against friction"] = 0.1 }
 
 local function compare(run, play, log, standing, movers)
   local near = LATE[play.name]
