@@ -3,8 +3,9 @@
 -- A body is *crowded* if it shares its place with several others. Two crowded bodies are no pair:
 -- in a step they pass through each other. Instead all that are in one crowd are sorted into
 -- columns, as many as there is room for between the walls around them, and each goes towards its
--- place there, by no more than a fixed share of its size in a step. They share one velocity. A crowd is left by what
--- overlaps no other body of it. So the work grows with the number of bodies, not of pairs.
+-- place there, by no more than a fixed share of its size in a step. They share one velocity. A
+-- crowd is left by what overlaps no other body of it. So the work grows with the number of bodies,
+-- not of pairs.
 --
 -- `crowd` of a body is 0 or the one that leads its crowd. Reads from, size, awakeList; writes
 -- crowd, from, to, velocity.
@@ -458,8 +459,8 @@ function crowd.hold(b)
   end
 end
 
--- What is in a crowd goes on at one velocity, as after impacts without a bounce: else its bodies would
--- go through each other from one side of it to the other.
+-- What is in a crowd goes on at one velocity, as after impacts without a bounce: else its bodies
+-- would go through each other from one side of it to the other.
 local function joinSpeeds(b, list, first, last)
   local velocity, mass, x, y, sum = b.velocity, b.mass, 0.0, 0.0, 0.0
   for at = first, last do

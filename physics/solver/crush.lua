@@ -112,7 +112,7 @@ function crush.note(b, axis)
         jam[k] = turn + 1 -- it is never squeezed out sideways
       end
     else
-      jam[k] = max(jam[k] - 1, jam[k] > turn and turn + 1 or 0)
+      jam[k] = max(jam[k] - (jam[k] == turn + 1 and 2 or 1), 0) -- not turning back
     end
   end
 end
