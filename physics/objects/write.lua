@@ -443,6 +443,8 @@ function publish.run(b)
   contact.ask(b)
   view.outdate(b) -- whom it has asked may have asked questions, and what follows may fail
   reset(b)
+  crush.countJam(b, 0)
+  crush.countJam(b, 1)
   local count, closeCount = updateContacts(b)
   findTouching(b, count)
   tellCrushed(b)

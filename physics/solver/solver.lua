@@ -286,8 +286,15 @@ local function isSpent(b, i)
   return b.deepAt[i] == b.solveStamp and b.impactsOf[i] >= SPENT
 end
 
+-- Whether the paths of k and m cross on their axis, as they were swept.
+local function crosses(b, k, m)
+  local s, e, u, v = b.from[k], b.swept[k], b.from[m], b.swept[m]
+  return max(s, e) + b.size[k] > min(u, v) and max(u, v) + b.size[m] > min(s, e)
+end
+
 -- Whether an earlier impact of this round has changed the path of slot i, or, where something
--- bounces, of a neighbour: that may be met before.
+-- bounces, of one whose path crossed that: it may be met before. (Not of any neighbour: who is one
+-- depends on the broad phase.)
 local function isDisturbed(b, i, round, mayBounce)
   if b.inRound[i] == round then
     return true
@@ -296,7 +303,8 @@ local function isDisturbed(b, i, round, mayBounce)
   end
   local half, inRound = b.head[i], b.inRound
   while half ~= 0 do
-    if inRound[b.other[half]] == round then
+    local j = b.other[half]
+    if inRound[j] == round and crosses(b, 2 * i, 2 * j) and crosses(b, 2 * i + 1, 2 * j + 1) then
       return true
     end
     half = b.next[half]
@@ -509,6 +517,6 @@ end
 
 -- These lead from loop to loop, or go another way each time.
 interpreted.functions(settleTouching, sortImpacts, sense, stop, happen, round, settleLate, solve)
-interpreted.functions(isSpent, restart, solver.run)
+interpreted.functions(isSpent, crosses, isDisturbed, restart, solver.run)
 
 return solver
