@@ -294,15 +294,21 @@ describe("check", function()
       { { static = 1 }, ".static must be true or false, got 1" },
       { { active = "no" }, '.active must be true or false, got "no"' },
       { { mass = 0 }, ".mass must be a number > 0, got 0" },
-      { { mass = INF }, ".mass must be a finite number > 0, got inf" },
+      {
+        { mass = INF },
+        ".mass must be a finite number > 0, got inf (pushable = false: never pushed)",
+      },
       { { gravity = "up" }, '.gravity must be a number, got "up"' },
       { { friction = -0.1 }, ".friction must be a number >= 0, got -0.1" },
       { { restitution = 1.5 }, ".restitution must be a number in 0..1, got 1.5" },
       { { restitution = INF }, ".restitution must be a finite number in 0..1, got inf" },
       { { maxSpeed = -1 }, ".maxSpeed must be a number >= 0, got -1" },
       { { nudge = -1 }, ".nudge must be a number >= 0, got -1" },
-      { { oneWay = "up" }, '.oneWay must be "top", "bottom", "left" or "right", got "up"' },
-      { { oneWay = true }, '.oneWay must be "top", "bottom", "left" or "right", got true' },
+      {
+        { oneWay = "up" },
+        '.oneWay must be true, false, "top", "bottom", "left" or "right", got "up"',
+      },
+      { { oneWay = 1 }, '.oneWay must be true, false, "top", "bottom", "left" or "right", got 1' },
       { { onBegin = "boom" }, '.onBegin must be a function, got "boom"' },
       { { canCollide = false }, ".canCollide must be a function, got false" },
       { { mask = "enemies" }, '.mask must be a table { [group] = false }, got "enemies"' },
@@ -560,7 +566,7 @@ describe("check", function()
     for _, row in ipairs({
       { nil, "nil" },
       { true, "true" },
-      { {}, "table" },
+      { {}, "table (the group comes first, then the object)" },
       { NAN, "nan" },
       { INF, "inf" },
     }) do

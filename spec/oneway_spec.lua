@@ -58,7 +58,7 @@ describe("oneWay", function()
       assert.equal(side and 60 or 108, y)
       assert.equal(
         side ~= nil,
-        world:explain(box, world.objects.ledges[1]):find("its top only") ~= nil
+        world:explain(box, world.objects.ledges[1]):find("only at its top") ~= nil
       )
     end)
   end

@@ -62,7 +62,10 @@ end
 
 -- Remembers how two that are left inside each other came there: they may only part that way.
 local function wedge(b, p, i, j)
-  if b.wedged[p] ~= 0 then
+  if b.deepIn[p] == b.solveStamp then
+    b.wedged[p] = b.deepWay[p]
+    return
+  elseif b.wedged[p] ~= 0 then
     return
   end
   local position, size = b.position, b.size

@@ -164,12 +164,13 @@ local function isApart(b, i, j)
 end
 
 --- Ends the contacts of a slot that the game has put elsewhere with whom it has left by that; it
---- may come back in the same step.
+--- may come back in the same step. How it was inside of somebody counts no more then.
 function events.endLeft(b, i)
   local half = b.head[i]
   while half ~= 0 do
     local p = (half + half % 2) / 2
-    if b.contact[p] ~= 0 and isApart(b, i, b.other[half]) then
+    if (b.contact[p] ~= 0 or b.wedged[p] ~= 0) and isApart(b, i, b.other[half]) then
+      b.wedged[p] = 0
       endContact(b, p)
     end
     half = b.next[half]

@@ -209,6 +209,8 @@ local PAIR = {
   "nudged", -- how often a corner was corrected in this step
   "liveMark",
   "wedged", -- 1 + code of the meeting along which two that are left inside each other may part
+  "deepIn", -- solve in which two were inside each other
+  "deepWay", -- what `wedged` is after that
   "contactLow", -- index of the low one of a contact on its axis
   "contactHigh",
   "contactKey", -- by which contacts are sorted
@@ -650,7 +652,7 @@ local function resetPairs(b, count)
   for n = 1, count do
     local p = linked[n]
     wedged[p], touches[p], place[p], pressed[p], asked[p] = 0, 0, 0, 0, 0
-    b.sweptAt[p] = 0
+    b.sweptAt[p], b.deepIn[p] = 0, 0
   end
 end
 

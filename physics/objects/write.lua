@@ -306,9 +306,15 @@ local function isBorneByChance(b, i)
     and (b.airFriction[i] ~= 0 or b.reserve[2 * i] ~= 0 or b.reserve[2 * i + 1] ~= 0)
 end
 
--- Whether the next step may differ from this one although nothing moves.
+-- Whether the next step may differ from this one although nothing moves. (Whether a buried body
+-- finds a way out depends on walls that are not its neighbours.)
 local function hasNews(b, i)
-  return b.news[i] or b.fresh[i] or b.moved[i] or b.heard[i] or isBorneByChance(b, i)
+  return b.news[i]
+    or b.fresh[i]
+    or b.moved[i]
+    or b.heard[i]
+    or b.buried[i]
+    or isBorneByChance(b, i)
 end
 
 local function publishKinematic(b, i)
@@ -437,6 +443,8 @@ function publish.run(b)
   contact.ask(b)
   view.outdate(b) -- whom it has asked may have asked questions, and what follows may fail
   reset(b)
+  crush.countJam(b, 0)
+  crush.countJam(b, 1)
   local count, closeCount = updateContacts(b)
   findTouching(b, count)
   tellCrushed(b)

@@ -177,7 +177,8 @@ local function putDeep(b, p)
   end
   local separation = b.size[kl]
   if areDynamic then
-    b.wedged[p] = isSecondLow and 2 * axis + 1 or 2 * axis + 2
+    -- (The step may still be given up.)
+    b.deepIn[p], b.deepWay[p] = b.solveStamp, isSecondLow and 2 * axis + 1 or 2 * axis + 2
     b.deepAt[i], b.deepAt[j] = b.solveStamp, b.solveStamp
     separation = min(separation, from[kh] - from[kl] + growthOf(b, kl, kh))
   elseif b.wedged[p] == 0 then
@@ -348,9 +349,11 @@ end
 -- Contacts that may bounce are swept, too.
 local function markElastic(b, list)
   local order, restitution, pairA, pairB = list.order, b.restitution, b.pairA, b.pairB
+  local wedged, deepIn, stamp = b.wedged, b.deepIn, b.solveStamp
   for n = 1, list.count do
     local p = order[n]
-    if max(restitution[pairA[p]], restitution[pairB[p]]) > 0 and b.wedged[p] == 0 then
+    local isDeep = wedged[p] ~= 0 or deepIn[p] == stamp
+    if max(restitution[pairA[p]], restitution[pairB[p]]) > 0 and not isDeep then
       b.touches[p] = ELASTIC
       leaveApart(b, p)
     end

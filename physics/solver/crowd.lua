@@ -142,7 +142,9 @@ end
 local function unite(b, i, j)
   local one, two = leaderOf(b.leader, i), leaderOf(b.leader, j)
   if b.rank[two] < b.rank[one] then
-    one, two = two, one
+    local first = two
+    two = one
+    one = first
   end
   b.leader[two] = one
 end

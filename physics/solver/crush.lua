@@ -97,13 +97,21 @@ function crush.note(b, axis)
       crushLow[kh] = (kl - axis) * 0.5
     end
   end
-  local jam, patience, turn = b.jam, contacts.PATIENCE, contacts.TURN
   for n = 1, b.awakeCount do
-    local i = b.awakeList[n]
-    local k = 2 * i + axis
+    local k = 2 * b.awakeList[n] + axis
     if squeezed[k] ~= 0 then
       crushed[k], b.hasCrushed = true, true
     end
+  end
+end
+
+--- Counts for how many steps bodies that are inside others have had no room: at the end of the
+--- step, which may be given up before.
+function crush.countJam(b, axis)
+  local jam, squeezed, patience, turn = b.jam, b.squeezed, contacts.PATIENCE, contacts.TURN
+  for n = 1, b.awakeCount do
+    local i = b.awakeList[n]
+    local k = 2 * i + axis
     if b.deepAt[i] ~= b.solveStamp then
       jam[k] = 0
     elseif squeezed[k] ~= 0 or jam[k] == turn then

@@ -90,7 +90,8 @@ function flow.run(b, list, mass, force, v, tau, least, most)
       return last, way + (v + last) * 0.5 * tau
     end
     local time = (target - v) / a
-    v, way, tau = target, way + (v + target) * 0.5 * time, tau - time
+    way, tau = way + (v + target) * 0.5 * time, tau - time
+    v = target
   end
   return v, way + v * tau
 end

@@ -132,7 +132,7 @@ local function addContact(b, list, held, c, dt)
   local axis = list.axis
   local ku, ks = list.low[c], list.high[c]
   if list.bearing[c] == ON_LOW then
-    ku, ks = ks, ku
+    ku, ks = list.high[c], list.low[c]
   end
   local i, j = floor(ku * 0.5), floor(ks * 0.5)
   local mu = friction.coefficient(b, i, j)

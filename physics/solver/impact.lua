@@ -23,6 +23,8 @@ local max, min, sqrt = math.max, math.min, math.sqrt
 -- Impacts of one body in a step after which it does not bounce any more, divided by 1 -
 -- restitution, and the most there are.
 local BOUNCES, MOST_BOUNCES = 4, 13
+-- The same, after which it stays where it was hit, even below a ceiling: others push it there.
+local PUSHED = 3
 -- Bonds in a row along which an impact drags others with it in its own step.
 local DEPTH = 8
 
@@ -86,6 +88,12 @@ end
 local function isSpent(b, i, r)
   local limit = min(BOUNCES / max(1 - r, 1e-3), MOST_BOUNCES)
   return b.impactsOf[i] > limit and b.kind[i] == DYNAMIC
+end
+
+-- Whether one of two that have met has met others so often that these seem to push it on.
+local function isPushed(b, i, j)
+  return b.impactsOf[i] > PUSHED and b.kind[i] == DYNAMIC
+    or b.impactsOf[j] > PUSHED and b.kind[j] == DYNAMIC
 end
 
 -- Whether body k, which goes at v now, is on its way off what has held it in this step.
@@ -280,7 +288,7 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
   local gap, vEnd = 0.0, 0.0
   if r > 0 then
     gap, vEnd = r * u * tau - a * tau * tau * 0.5, a * tau - r * u
-  elseif a < 0 and (b.give[kl] == 0 or b.give[kh] == 0) then
+  elseif a < 0 and (b.give[kl] == 0 or b.give[kh] == 0) and not isPushed(b, i, j) then
     gap, vEnd = -a * tau * tau * 0.5, a * tau -- below a ceiling
   end
   local leaves = gap > 0 and vEnd < 0

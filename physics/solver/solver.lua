@@ -286,18 +286,37 @@ local function isSpent(b, i)
   return b.deepAt[i] == b.solveStamp and b.impactsOf[i] >= SPENT
 end
 
--- Whether an earlier impact of this round has changed the path of slot i, or, where something
--- bounces, of a neighbour: that may be met before.
+-- Whether the paths of k and m cross on their axis, as they were swept.
+local function crosses(b, k, m)
+  local s, e, u, v = b.from[k], b.swept[k], b.from[m], b.swept[m]
+  return max(s, e) + b.size[k] > min(u, v) and max(u, v) + b.size[m] > min(s, e)
+end
+
+-- Whether two that touch, of which one has a new path, would end far inside each other.
+local function isTorn(b, p)
+  local kl, kh = b.contactLow[p], b.contactHigh[p]
+  return b.touches[p] == contacts.CONTACT
+    and b.to[kl] + b.separation[p] - b.to[kh] > PARTING * min(b.size[kl], b.size[kh])
+end
+
+-- Whether an earlier impact of this round has changed the path of slot i, or of one that is in its
+-- way now; or, where something bounces, of one whose path crossed that: it may be met before. (Not
+-- of any neighbour: who is one depends on the broad phase.)
 local function isDisturbed(b, i, round, mayBounce)
   if b.inRound[i] == round then
     return true
-  elseif not mayBounce or b.kind[i] ~= DYNAMIC then
+  elseif b.kind[i] ~= DYNAMIC then
     return false
   end
   local half, inRound = b.head[i], b.inRound
   while half ~= 0 do
-    if inRound[b.other[half]] == round then
-      return true
+    local j = b.other[half]
+    if inRound[j] == round then
+      if isTorn(b, floor(half * 0.5 + 0.5)) then
+        return true
+      elseif mayBounce and crosses(b, 2 * i, 2 * j) and crosses(b, 2 * i + 1, 2 * j + 1) then
+        return true
+      end
     end
     half = b.next[half]
   end
@@ -509,6 +528,6 @@ end
 
 -- These lead from loop to loop, or go another way each time.
 interpreted.functions(settleTouching, sortImpacts, sense, stop, happen, round, settleLate, solve)
-interpreted.functions(isSpent, restart, solver.run)
+interpreted.functions(isSpent, crosses, isTorn, isDisturbed, restart, solver.run)
 
 return solver
