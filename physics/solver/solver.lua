@@ -43,6 +43,8 @@ local LATE = 5
 -- How often a step begins anew because its paths have come near to bodies that rested; then all are
 -- woken.
 local RESTARTS = 8
+-- Of so many bodies that bounce in a round it is asked whether they come in the way of others.
+local BOUNCED = 256
 -- Moments closer than this part of a step are simultaneous.
 local MOMENTS = 1e9
 -- Parts of a px to which common edges are compared.
@@ -292,6 +294,36 @@ local function crosses(b, k, m)
   return max(s, e) + b.size[k] > min(u, v) and max(u, v) + b.size[m] > min(s, e)
 end
 
+-- Whether the path of slot i crosses that of one in the list of those that may have bounced in this
+-- round.
+local function meetsBounced(b, i)
+  local list, from, to, size = b.bounced, b.from, b.to, b.size
+  local k = 2 * i
+  local left, right = min(from[k], to[k]), max(from[k], to[k]) + size[k]
+  local top, bottom = min(from[k + 1], to[k + 1]), max(from[k + 1], to[k + 1]) + size[k + 1]
+  for n = 1, b.bouncedCount do
+    local m = 2 * list[n]
+    local s, e, u, v = from[m], to[m], from[m + 1], to[m + 1]
+    if max(s, e) + size[m] > left and min(s, e) < right then
+      if max(u, v) + size[m + 1] > top and min(u, v) < bottom then
+        return true
+      end
+    end
+  end
+  return false
+end
+
+-- Bodies i and j may have bounced in this round.
+local function noteBounced(b, i, j)
+  for at = 1, b.bouncedCount < BOUNCED and 2 or 0 do
+    local k = at == 1 and i or j
+    if b.kind[k] == DYNAMIC then
+      b.bouncedCount = b.bouncedCount + 1
+      b.bounced[b.bouncedCount] = k
+    end
+  end
+end
+
 -- Whether two that touch, of which one has a new path, would end far inside each other.
 local function isTorn(b, p)
   local kl, kh = b.contactLow[p], b.contactHigh[p]
@@ -300,13 +332,15 @@ local function isTorn(b, p)
 end
 
 -- Whether an earlier impact of this round has changed the path of slot i, or of one that is in its
--- way now; or, where something bounces, of one whose path crossed that: it may be met before. (Not
--- of any neighbour: who is one depends on the broad phase.)
+-- way now; or, where something bounces, of one whose path crosses that, or did: it may be met
+-- before. (Not of any neighbour: who is one depends on the broad phase.)
 local function isDisturbed(b, i, round, mayBounce)
   if b.inRound[i] == round then
     return true
   elseif b.kind[i] ~= DYNAMIC then
     return false
+  elseif mayBounce and meetsBounced(b, i) then
+    return true
   end
   local half, inRound = b.head[i], b.inRound
   while half ~= 0 do
@@ -337,6 +371,7 @@ local function happen(b, n, dt, isLast, isLate)
     change(b, i)
     change(b, j)
     if mayBounce then
+      noteBounced(b, i, j)
       b.inRound[i] = b.kind[i] == DYNAMIC and round or 0
       b.inRound[j] = b.kind[j] == DYNAMIC and round or 0
     end
@@ -359,6 +394,9 @@ local function happen(b, n, dt, isLast, isLate)
   change(b, j)
   b.inRound[i] = b.kind[i] == DYNAMIC and round or 0
   b.inRound[j] = b.kind[j] == DYNAMIC and round or 0
+  if mayBounce then
+    noteBounced(b, i, j)
+  end
   if b.hasNudges and not isLast and b.nudged[p] < nudge.MOST then
     if nudge.try(b, i, j, axis, true, t) or nudge.try(b, j, i, axis, false, t) then
       b.nudged[p] = b.nudged[p] + 1
@@ -390,7 +428,7 @@ local function round(b, dt, isLast, isLate)
     return false
   end
   sortImpacts(b)
-  b.roundStamp = b.roundStamp + 1
+  b.roundStamp, b.bouncedCount = b.roundStamp + 1, 0
   for n = 1, count do
     happen(b, b.impacts.order[n], dt, isLast, isLate)
   end
