@@ -45,6 +45,8 @@ local LATE = 5
 local RESTARTS = 8
 -- Of so many bodies that bounce in a round it is asked whether they come in the way of others.
 local BOUNCED = 256
+-- px: that is asked of paths that are so near to each other.
+local NEAR = 24
 -- Moments closer than this part of a step are simultaneous.
 local MOMENTS = 1e9
 -- Parts of a px to which common edges are compared.
@@ -294,18 +296,20 @@ local function crosses(b, k, m)
   return max(s, e) + b.size[k] > min(u, v) and max(u, v) + b.size[m] > min(s, e)
 end
 
--- Whether the path of slot i crosses that of one in the list of those that may have bounced in this
--- round.
+-- Whether the path of slot i comes near to that of one in the list of those that have met others in
+-- this round: as it is now, or as it was swept.
 local function meetsBounced(b, i)
-  local list, from, to, size = b.bounced, b.from, b.to, b.size
-  local k = 2 * i
-  local left, right = min(from[k], to[k]), max(from[k], to[k]) + size[k]
-  local top, bottom = min(from[k + 1], to[k + 1]), max(from[k + 1], to[k + 1]) + size[k + 1]
+  local list, from, to, swept, size = b.bounced, b.from, b.to, b.swept, b.size
+  local k, l = 2 * i, 2 * i + 1
+  local left, top = min(from[k], to[k]) - NEAR, min(from[l], to[l]) - NEAR
+  local right = max(from[k], to[k]) + size[k] + NEAR
+  local bottom = max(from[l], to[l]) + size[l] + NEAR
   for n = 1, b.bouncedCount do
     local m = 2 * list[n]
-    local s, e, u, v = from[m], to[m], from[m + 1], to[m + 1]
-    if max(s, e) + size[m] > left and min(s, e) < right then
-      if max(u, v) + size[m + 1] > top and min(u, v) < bottom then
+    local s, e, o = from[m], to[m], swept[m]
+    if max(s, e, o) + size[m] > left and min(s, e, o) < right then
+      local u, v, w = from[m + 1], to[m + 1], swept[m + 1]
+      if max(u, v, w) + size[m + 1] > top and min(u, v, w) < bottom then
         return true
       end
     end
@@ -313,7 +317,7 @@ local function meetsBounced(b, i)
   return false
 end
 
--- Bodies i and j may have bounced in this round.
+-- Bodies i and j have met others in this round, in a world in which something bounces.
 local function noteBounced(b, i, j)
   for at = 1, b.bouncedCount < BOUNCED and 2 or 0 do
     local k = at == 1 and i or j
@@ -394,7 +398,7 @@ local function happen(b, n, dt, isLast, isLate)
   change(b, j)
   b.inRound[i] = b.kind[i] == DYNAMIC and round or 0
   b.inRound[j] = b.kind[j] == DYNAMIC and round or 0
-  if mayBounce then
+  if b.hasBounces then
     noteBounced(b, i, j)
   end
   if b.hasNudges and not isLast and b.nudged[p] < nudge.MOST then
