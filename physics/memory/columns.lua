@@ -424,6 +424,8 @@ function columns.new()
     sweptStamp = 0,
     changed = {}, -- bodies with new paths
     changedCount = 0,
+    bounced = {}, -- bodies that may have bounced in this round
+    bouncedCount = 0,
     isChangeListed = false, -- these are all
     seenCount = 0,
     overlapCount = 0,

@@ -10,6 +10,7 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local flow = require(root .. ".solver.flow")
+local interpreted = require(root .. ".memory.jit")
 local pool = require(root .. ".solver.pool")
 
 local bonds = {}
@@ -240,5 +241,8 @@ function bonds.check(b, contacts, list, dt, mayTear)
   end
   return hasChanged
 end
+
+-- Few slip, and each goes another way; the last one leads from loop to loop.
+interpreted.functions(stick, pull, tear, standsFast, slide, bonds.glue)
 
 return bonds

@@ -13,6 +13,7 @@ local bonds = require(root .. ".solver.bonds")
 local carrier = require(root .. ".objects.carriers")
 local columns = require(root .. ".memory.columns")
 local flow = require(root .. ".solver.flow")
+local interpreted = require(root .. ".memory.jit")
 local settle = require(root .. ".solver.settle")
 
 local friction = {}
@@ -276,5 +277,8 @@ function friction.run(b, axis, dt)
   end
   return true
 end
+
+-- These lead from loop to loop.
+interpreted.functions(addContact, place, friction.run)
 
 return friction

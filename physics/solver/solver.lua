@@ -43,6 +43,10 @@ local LATE = 5
 -- How often a step begins anew because its paths have come near to bodies that rested; then all are
 -- woken.
 local RESTARTS = 8
+-- Of so many bodies that bounce in a round it is asked whether they come in the way of others.
+local BOUNCED = 256
+-- px: that is asked of paths that are so near to each other.
+local NEAR = 24
 -- Moments closer than this part of a step are simultaneous.
 local MOMENTS = 1e9
 -- Parts of a px to which common edges are compared.
@@ -292,6 +296,38 @@ local function crosses(b, k, m)
   return max(s, e) + b.size[k] > min(u, v) and max(u, v) + b.size[m] > min(s, e)
 end
 
+-- Whether the path of slot i comes near to that of one in the list of those that have met others in
+-- this round: as it is now, or as it was swept.
+local function meetsBounced(b, i)
+  local list, from, to, swept, size = b.bounced, b.from, b.to, b.swept, b.size
+  local k, l = 2 * i, 2 * i + 1
+  local left, top = min(from[k], to[k]) - NEAR, min(from[l], to[l]) - NEAR
+  local right = max(from[k], to[k]) + size[k] + NEAR
+  local bottom = max(from[l], to[l]) + size[l] + NEAR
+  for n = 1, b.bouncedCount do
+    local m = 2 * list[n]
+    local s, e, o = from[m], to[m], swept[m]
+    if max(s, e, o) + size[m] > left and min(s, e, o) < right then
+      local u, v, w = from[m + 1], to[m + 1], swept[m + 1]
+      if max(u, v, w) + size[m + 1] > top and min(u, v, w) < bottom then
+        return true
+      end
+    end
+  end
+  return false
+end
+
+-- Bodies i and j have met others in this round, in a world in which something bounces.
+local function noteBounced(b, i, j)
+  for at = 1, b.bouncedCount < BOUNCED and 2 or 0 do
+    local k = at == 1 and i or j
+    if b.kind[k] == DYNAMIC then
+      b.bouncedCount = b.bouncedCount + 1
+      b.bounced[b.bouncedCount] = k
+    end
+  end
+end
+
 -- Whether two that touch, of which one has a new path, would end far inside each other.
 local function isTorn(b, p)
   local kl, kh = b.contactLow[p], b.contactHigh[p]
@@ -300,13 +336,15 @@ local function isTorn(b, p)
 end
 
 -- Whether an earlier impact of this round has changed the path of slot i, or of one that is in its
--- way now; or, where something bounces, of one whose path crossed that: it may be met before. (Not
--- of any neighbour: who is one depends on the broad phase.)
+-- way now; or, where something bounces, of one whose path crosses that, or did: it may be met
+-- before. (Not of any neighbour: who is one depends on the broad phase.)
 local function isDisturbed(b, i, round, mayBounce)
   if b.inRound[i] == round then
     return true
   elseif b.kind[i] ~= DYNAMIC then
     return false
+  elseif mayBounce and meetsBounced(b, i) then
+    return true
   end
   local half, inRound = b.head[i], b.inRound
   while half ~= 0 do
@@ -337,6 +375,7 @@ local function happen(b, n, dt, isLast, isLate)
     change(b, i)
     change(b, j)
     if mayBounce then
+      noteBounced(b, i, j)
       b.inRound[i] = b.kind[i] == DYNAMIC and round or 0
       b.inRound[j] = b.kind[j] == DYNAMIC and round or 0
     end
@@ -359,6 +398,9 @@ local function happen(b, n, dt, isLast, isLate)
   change(b, j)
   b.inRound[i] = b.kind[i] == DYNAMIC and round or 0
   b.inRound[j] = b.kind[j] == DYNAMIC and round or 0
+  if b.hasBounces then
+    noteBounced(b, i, j)
+  end
   if b.hasNudges and not isLast and b.nudged[p] < nudge.MOST then
     if nudge.try(b, i, j, axis, true, t) or nudge.try(b, j, i, axis, false, t) then
       b.nudged[p] = b.nudged[p] + 1
@@ -390,7 +432,7 @@ local function round(b, dt, isLast, isLate)
     return false
   end
   sortImpacts(b)
-  b.roundStamp = b.roundStamp + 1
+  b.roundStamp, b.bouncedCount = b.roundStamp + 1, 0
   for n = 1, count do
     happen(b, b.impacts.order[n], dt, isLast, isLate)
   end
