@@ -242,7 +242,7 @@ function bonds.check(b, contacts, list, dt, mayTear)
   return hasChanged
 end
 
--- Few slip, and each goes another way; the last one leads from loop to loop.
-interpreted.functions(stick, pull, tear, standsFast, slide, bonds.glue)
+-- Few slip, and each goes another way.
+interpreted.functions(tear, standsFast, slide)
 
 return bonds
