@@ -188,7 +188,7 @@ describe("the checks of bounds", function()
       "motion",
       2,
       function(list)
-        list[2].x = 20 + 8.01 + 800 / 3600
+        list[2].x = 20 + 10.01 + 800 / 3600
       end,
       true,
     },
@@ -196,7 +196,7 @@ describe("the checks of bounds", function()
       "motion",
       2,
       function(list)
-        list[2].x = 20 + 7.9
+        list[2].x = 20 + 9.9
       end,
       false,
     },

@@ -175,12 +175,9 @@ local function markTowers(b, list)
   return any
 end
 
---- Makes blocks of the bonds that are needed. Returns whether there are any.
-function bonds.glue(b, list, dt)
+-- Makes blocks of the bonds that are marked.
+local function glueMarked(b, list, dt)
   local mark, stamp = b.bondMark, b.forceStamp
-  if not markTowers(b, list) then
-    return false
-  end
   for n = 1, list.count do
     local up, low = list.up[n], list.low[n]
     if list.state[n] ~= SLIP and mark[up] == stamp and mark[low] == stamp then
@@ -188,7 +185,15 @@ function bonds.glue(b, list, dt)
       pool.glue(b, up, low, list.slipped[n], dt)
     end
   end
-  return true
+end
+
+--- Makes blocks of the bonds that are needed. Returns whether there are any.
+function bonds.glue(b, list, dt)
+  local isAny = markTowers(b, list)
+  if isAny then
+    glueMarked(b, list, dt)
+  end
+  return isAny
 end
 
 -- Which bodies of an axis are pressed by others: what a bond has to do there is not known.
@@ -204,13 +209,10 @@ local function findPressed(b, contacts, awakeCount)
   end
 end
 
---- Looks from the top down whether friction can do what the bonds ask for, which are asked that
---- were not, and which have slipped to their end. `mayTear`: bonds may break. Returns whether
---- something has changed.
-function bonds.check(b, contacts, list, dt, mayTear)
+-- Looks from the top down what becomes of the bonds (see bonds.check).
+local function checkAll(b, list, dt, mayTear)
   local need, isPressed, hasChanged = b.load, b.isPressed, false
   local speed, outset = b.speed, b.outset
-  findPressed(b, contacts, b.awakeCount)
   for n = 1, list.count do
     local up, low = list.up[n], list.low[n]
     need[up], need[low] = 0, 0
@@ -242,7 +244,15 @@ function bonds.check(b, contacts, list, dt, mayTear)
   return hasChanged
 end
 
--- Few slip, and each goes another way; the last one leads from loop to loop.
-interpreted.functions(stick, pull, tear, standsFast, slide, bonds.glue)
+--- Looks from the top down whether friction can do what the bonds ask for, which are asked that
+--- were not, and which have slipped to their end. `mayTear`: bonds may break. Returns whether
+--- something has changed.
+function bonds.check(b, contacts, list, dt, mayTear)
+  findPressed(b, contacts, b.awakeCount)
+  return checkAll(b, list, dt, mayTear)
+end
+
+-- Few slip, and each goes another way; the others lead from loop to loop.
+interpreted.functions(tear, standsFast, slide, bonds.glue, bonds.check)
 
 return bonds

@@ -279,6 +279,6 @@ function friction.run(b, axis, dt)
 end
 
 -- These lead from loop to loop.
-interpreted.functions(addContact, place, friction.run)
+interpreted.functions(place, friction.run)
 
 return friction

@@ -88,7 +88,6 @@ local function begin(b, dt)
       end
     end
   end
-  friction.begin(b)
 end
 
 -- The body that leans on the other one in contact c.
@@ -503,6 +502,7 @@ local function solve(b, dt)
   local awakenings = b.awakenings
   b.solveStamp = b.solveStamp + 1
   begin(b, dt)
+  friction.begin(b)
   live.list(b)
   settleTouching(b, dt)
   if b.hasNudges then
@@ -570,6 +570,6 @@ end
 
 -- These lead from loop to loop, or go another way each time.
 interpreted.functions(settleTouching, sortImpacts, sense, stop, happen, round, settleLate, solve)
-interpreted.functions(isSpent, crosses, isTorn, isDisturbed, restart, solver.run)
+interpreted.functions(settleViolated, isSpent, crosses, isTorn, isDisturbed, restart, solver.run)
 
 return solver
