@@ -372,8 +372,7 @@ local function fit(center, length, low, high)
   return max(min(at, high - length), low)
 end
 
--- Moves a body towards its place, where no wall is in the way: on both axes, or on one. Returns
--- whether it has moved.
+-- Moves a body towards its place, where no wall is in the way: on both axes, or on one.
 local function go(b, i, x, y)
   local k = 2 * i
   local atX, atY = b.from[k], b.from[k + 1]
@@ -381,18 +380,17 @@ local function go(b, i, x, y)
   local toX = atX + max(min(x - atX, stepX), -stepX)
   local toY = atY + max(min(y - atY, stepY), -stepY)
   if toX == atX and toY == atY then
-    return false
+    return
   elseif separate.isInside(b, i, toX, toY) then
     if toX ~= atX and not separate.isInside(b, i, toX, atY) then
       toY = atY
     elseif toY ~= atY and not separate.isInside(b, i, atX, toY) then
       toX = atX
     else
-      return false
+      return
     end
   end
   b.from[k], b.from[k + 1], b.to[k], b.to[k + 1] = toX, toY, toX, toY
-  return true
 end
 
 -- How many columns a crowd of n has: about as wide as high, if there is room for that.
@@ -410,7 +408,7 @@ local function countColumns(n, width, height, roomW, roomH)
   return across
 end
 
--- The members of a column, sorted by y, go below each other. Returns whether any has moved.
+-- The members of a column, sorted by y, go below each other.
 local function layColumn(b, column, n, x, y, top, bottom)
   local key, height = b.crowdKey, 0.0
   for at = 1, n do
@@ -418,13 +416,12 @@ local function layColumn(b, column, n, x, y, top, bottom)
     height = height + b.size[2 * column[at] + 1]
   end
   sort.by(column, n, key, b.rank, b.rank)
-  local place, hasMoved = fit(y, height, top, bottom), false
+  local place = fit(y, height, top, bottom)
   for at = 1, n do
     local i = column[at]
-    hasMoved = go(b, i, x - b.size[2 * i] * 0.5, place) or hasMoved
+    go(b, i, x - b.size[2 * i] * 0.5, place)
     place = place + b.size[2 * i + 1]
   end
-  return hasMoved
 end
 
 -- Whether a body is at the edge of the room of its crowd to which gravity points.
@@ -491,7 +488,7 @@ local function lay(b, list, first, last)
     b.columnWidth[c], at = widest, until_ + 1
     total = total + widest
   end
-  local place, hasMoved = fit(x, total, left, right), false
+  local place = fit(x, total, left, right)
   at = first
   for c = 1, across do
     local until_, size = first + floor(n * c / across + 0.5) - 1, 0
@@ -500,12 +497,12 @@ local function lay(b, list, first, last)
       column[size] = list[m]
     end
     local middleX = place + b.columnWidth[c] * 0.5
-    hasMoved = layColumn(b, column, size, middleX, y, top, bottom) or hasMoved
+    layColumn(b, column, size, middleX, y, top, bottom)
     place, at = place + b.columnWidth[c], until_ + 1
   end
   stand(b, list, first, last, left, top, right, bottom)
-  for m = hasMoved and first or last + 1, last do
-    b.news[list[m]] = true -- none of them comes to rest before the others
+  for m = first, last do
+    b.news[list[m]] = true -- none of them comes to rest in it
   end
 end
 

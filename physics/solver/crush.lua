@@ -112,6 +112,7 @@ function crush.countJam(b, axis)
   for n = 1, b.awakeCount do
     local i = b.awakeList[n]
     local k = 2 * i + axis
+    local before = jam[k]
     if b.deepAt[i] ~= b.solveStamp then
       jam[k] = 0
     elseif squeezed[k] ~= 0 or jam[k] == turn then
@@ -122,6 +123,7 @@ function crush.countJam(b, axis)
     else
       jam[k] = max(jam[k] - (jam[k] == turn + 1 and 2 or 1), 0) -- not turning back
     end
+    b.news[i] = b.news[i] or jam[k] ~= before -- it does not rest while that changes
   end
 end
 

@@ -21,7 +21,9 @@ Watch.__index = Watch
 checks.TOLERANCE = 1e-6
 --- px, and updates: what meets more often than the rounds of a step allow may overlap by so much,
 --- or a tenth of the smaller one, and is apart again by then.
-checks.KNOT, checks.KNOT_UPDATES = 15, 10
+checks.KNOT, checks.KNOT_UPDATES = 16, 20
+--- px: in a row that fills its room to the pixel two may go on overlapping by this much.
+checks.FULL = 0.2
 
 local OPPOSITE = { left = "right", right = "left", top = "bottom", bottom = "top" }
 local FAR = 1e15 -- beyond this, px or px/s, something has gone wild; the games stay far below
@@ -209,7 +211,8 @@ function Watch:checkOverlaps()
   self:eachOverlap(function(key, a, b, deep)
     self.knots[key] = (before[key] or 0) + 1
     local most = max(checks.KNOT, 0.1 * min(a.width, a.height, b.width, b.height))
-    if deep > most or self.knots[key] > checks.KNOT_UPDATES then
+    local isLong = deep > checks.FULL and self.knots[key] > checks.KNOT_UPDATES
+    if deep > most or isLong then
       name, how = "overlap", deep
       text = ("%s overlap by %.9g px, for %d updates"):format(key, deep, self.knots[key])
     end
