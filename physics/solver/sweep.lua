@@ -204,10 +204,13 @@ sweep.meet = meet
 function sweep.run(b, changedCount)
   local isFew = changedCount and changedCount * FEW < b.apartCount
   local near = keepNear(b, isFew and listOf(b, b.changed, changedCount) or listAll(b))
-  local impacts, list, pairA, pairB, count = b.impacts, b.near, b.pairA, b.pairB, 0
+  local impacts, list, pairA, pairB, rank, count = b.impacts, b.near, b.pairA, b.pairB, b.rank, 0
   for n = 1, near do
     local p = list[n]
     local i, j = pairA[p], pairB[p]
+    if rank[j] < rank[i] then -- where both are at one spot, the order of the world decides
+      i, j = pairB[p], pairA[p]
+    end
     local t, axis, isLow, isDeep = meet(b, i, j)
     if t then
       count = count + 1
