@@ -1,7 +1,7 @@
 --- Plays a scene and watches the bounds that a step has to keep: how long the slowest step takes,
 --- how far a body moves in one, what is left of overlaps, and when everything is at rest.
 ---
---- Only for engines whose objects can be looked at: those with `World:list()`.
+--- Only for engines that show their objects, by `World:list()`.
 
 local fold = require("spec.support.fold")
 local overlap = require("spec.support.overlap")

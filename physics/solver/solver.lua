@@ -335,8 +335,8 @@ local function isTorn(b, p)
 end
 
 -- Whether an earlier impact of this round has changed the path of slot i, or of one that is in its
--- way now; or, where something bounces, of one whose path crosses that, or did: it may be met
--- before. (Not of any neighbour: who is one depends on the broad phase.)
+-- way now; or, where something bounces, of one with a path that crosses that, or did: it may
+-- be met before. (Not of any neighbour: which ones there are depends on the broad phase.)
 local function isDisturbed(b, i, round, mayBounce)
   if b.inRound[i] == round then
     return true

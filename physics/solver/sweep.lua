@@ -41,7 +41,7 @@ function sweep.newImpacts()
   }
 end
 
--- Lists in b.near the pairs of b.apart of which one has a new path and whose paths meet on x;
+-- Lists in b.near the pairs of b.apart of which one has a new path, if the paths meet on x;
 -- returns how many.
 local function listAll(b)
   local apart, near, dirty, count = b.apart, b.near, b.dirty, 0
@@ -84,7 +84,7 @@ local function listOf(b, list, n)
   return count
 end
 
--- Of near[1..count], keeps the pairs whose paths meet on y, too, and that are swept at all.
+-- Of near[1..count], keeps the pairs with paths that meet on y, too, and that are swept at all.
 local function keepNear(b, count)
   local near, touches, pairA, pairB = b.near, b.touches, b.pairA, b.pairB
   local from, to, size, kept = b.from, b.to, b.size, 0

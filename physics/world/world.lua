@@ -944,7 +944,7 @@ local function checkPlace(object, group, where)
   end
 end
 
--- Checks whether objects, whose fields were checked, can be put into these groups.
+-- Checks whether objects can be put into these groups; their fields were checked before.
 local function checkAll(self, objects, groupOf, groups, where)
   for i = 1, #groups do
     checkIsGroup(self, groups[i], where)

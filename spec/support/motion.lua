@@ -196,7 +196,7 @@ function Watch:placeOf(i)
   return self.boxes[4 * i], self.boxes[4 * i + 1]
 end
 
---- The first object whose middle went into an immovable one, or past it.
+--- The first object that went with its middle into an immovable one, or past it.
 ---@return string? how "into" or "past"
 ---@return table? object
 ---@return table? wall
@@ -231,7 +231,7 @@ function Watch:after(dt, steps)
 end
 
 --- Watches the objects of a list, which may grow.
----@param world table whose gravity counts
+---@param world table its gravity counts
 ---@param objects table[]
 ---@param canMeet? fun(a: table, b: table): boolean whether one stands in the way of the other
 function motion.new(world, objects, canMeet)
