@@ -5,7 +5,7 @@ Plays scenes that ask for the most expensive steps, and shows the bounds that ho
 
   luajit bench/worst.lua [options]
 
-  --only NAMES     scenes with names that begin with one of these, separated by commas; NAME:N is one
+  --only NAMES     scenes with names that begin with one of these, split by commas; NAME:N is one
                    of its sizes, also a size of your own
   --joff           LuaJIT as an interpreter; otherwise a scene is played once before, to warm up
   --both           one line with the compiler, one as an interpreter

@@ -13,6 +13,8 @@ slow.interpreters = { "LuaJIT", "LuaJIT compiled", "LuaJIT -joff", "Lua 5.4" }
 --- The files with such specs, the longest first, and what takes so long.
 slow.files = {
   { "spec/friction_spec.lua", "stacks compared with steps of 1/1500 to 1/4800 s" },
+  { "spec/scenarios/20_crowds_spec.lua", "a crowd of 300 around a player, for a minute" },
+  { "spec/scenarios/21_no_room_spec.lua", "machines that leave no room, for eight seconds" },
   { "spec/recovery_spec.lua", "1600 steps of a crowd, most of them interrupted and restored" },
   { "spec/scenarios/08_crushing_spec.lua", "a crowd on one spot, in a dozen corridors" },
   { "spec/scenarios/17_pushable_spec.lua", "rows between two boxes, at five frame rates" },

@@ -131,7 +131,7 @@ local function join(b, one, other, off, dt, isLate, isFirst)
   finish(b, one, dt, isLate, place)
 end
 
--- Two firm blocks: which one gives way. Returns whether the low one stays, whether the high one does.
+-- Two firm blocks: which one gives way. Returns whether the low one stays, and the high one.
 local function meetFirm(b, low, high)
   local vl, vh = b.speed[low], b.speed[high]
   return vl <= 0 or vh < 0, vh >= 0 or vl > 0

@@ -347,7 +347,7 @@ end)
 describe("a machine that leaves no room", function()
   for _, row in ipairs(MACHINES) do
     local name, count, sizes = row[1], row[2], row[3]
-    local title = "%s, %d boxes of %s sizes: none gets out, also when it goes back"
+    local title = "%s, %d boxes of %s sizes: none gets out, also when it goes back #slow"
     it(title:format(name, count, sizes), function()
       scene.each(LEVELS, function(run)
         local cell = math.floor(ROOM / math.ceil(math.sqrt(count)))
