@@ -79,7 +79,7 @@ function flow.run(b, list, mass, force, v, tau, least, most)
   v = max(min(v, most), least)
   for _ = 1, STRETCHES do
     local below, above, slower, faster = around(b, list, force, v)
-    local a, target = 0, v
+    local a, target = 0.0, v
     if above > 0 and v < most then
       a, target = above / mass, min(faster, most)
     elseif below < 0 and v > least then
