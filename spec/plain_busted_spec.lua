@@ -92,7 +92,7 @@ describe("scripts/plain_busted.lua", function()
 
   it("counts what is pending as left out #files", function()
     local text = 'it("a", function() end)\npending("b", function() error("x") end)\npending("c")\n'
-    assert.equal("1 passed, 0 failed, 2 left out\n", run(text))
+    assert.equal("1 passed, 0 failed, 2 left out\n", run(text, ""))
   end)
 
   it("leaves out what is tagged, and counts it #files", function()
