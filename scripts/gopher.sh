@@ -10,7 +10,7 @@ if ! command -v go >/dev/null 2>&1; then
 fi
 
 # Each of these takes minutes there.
-slow="determinism properties 03_stacks 05_pushing 06_riding 12_momentum 13_piles"
+slow="determinism properties 03_stacks 05_pushing 06_riding 12_momentum 13_piles 20_crowds"
 gopher=$PWD/build/gopher
 
 build() { (cd spec/gopher && go build -mod=readonly -buildvcs=false -o "$gopher" .); }

@@ -786,9 +786,10 @@ describe("F11: surfaceSpeed where gravity presses sideways or upwards", function
           for _ = 1, rate do
             world:update(1 / rate)
           end
-          local along, across = box.y - fromY, box.x - fromX
+          local wayX, wayY = box.x - fromX, box.y - fromY
+          local along, across = wayY, wayX
           if axis == "x" then
-            along, across = across, along
+            along, across = wayX, wayY
           end
           assert.near(0, across, 1e-9)
           assert.near(math.abs(speed), math.abs(along), 1e-6)
