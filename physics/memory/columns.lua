@@ -57,11 +57,9 @@ local AHEAD = 8
 local SLOT = {
   -- who it is
   rank = 0, -- place in the order of the world
-  seat = 0, -- place among the movers, which are in that order
   kind = 0,
   plain = false, -- bumps whoever it meets
   even = false, -- and does so on all sides, and is not told of contacts that go on
-  choosy = false, -- does not, or what happens then depends on the side, or on who it is
   bare = false, -- dynamic, and had none of the fields that few have when it was last read
   -- fields of the object, defaults filled in
   active = true,
@@ -142,7 +140,7 @@ local AXIS = {
   speed = 0, -- velocity at the end of the step, absolute
   accel = 0, -- acceleration during the step, drag and limits included
   carried = 0, -- velocity of its carrier in this step
-  reserve = 0, -- how much faster it could get, px/s, but for its limit (see reserve)
+  reserve = 0, -- how much faster it could get, px/s, but for its limit
   pace = 0, -- up to which speed, without its carrier
   heldLow = 1, -- > 0: cannot give way towards smaller coordinates
   heldHigh = 1,
@@ -271,7 +269,7 @@ local SIDE = {
 -- one step. (Not what counts steps, stamps or changes, which grows as long as the game is played.)
 local WHOLE = {}
 for _, names in ipairs({
-  { "seat", "kind", "awakeAt" },
+  { "kind", "awakeAt" },
   { "support" },
   { "carrier", "carrierNow", "placed", "head", "holderLow", "holderHigh", "crushLow" },
   { "crushHigh", "touchBest", "touchTold", "pairA", "pairB", "contact", "hit" },

@@ -103,7 +103,7 @@ local function flyLimited(v, a, airFriction, limit, dt)
   return capped, way, n - capped
 end
 
--- Notes what a limit has kept from k, at a speed of v px/s (see `reserve`).
+-- Notes what a limit has kept from k, at a speed of v px/s.
 local function keep(b, k, v, left)
   b.reserve[k], b.pace[k] = left, v
 end

@@ -208,7 +208,6 @@ local function readAll(b, i, object, isNew)
   b.hasFirm = b.hasFirm or not b.pushable[i]
   b.plain[i] = not b.sensor[i]
   noteEven(b, i)
-  b.choosy[i] = b.sensor[i] or b.oneWay[i] ~= false or b.nudge[i] ~= 0 or not b.pushable[i]
 end
 
 --- Returns the table that will be `touching` of an object: the one that it has had in this world,
@@ -325,7 +324,6 @@ local function listMovers(b)
     for m = 1, #its do
       n = n + 1
       movers[n] = its[m]
-      b.seat[its[m]] = n
     end
   end
   b.moverCount = n
