@@ -259,14 +259,14 @@ function friction.run(b, axis, dt)
   b.rubs = 1
   if held.hasSlips then
     place(b, other, dt)
-    settle.finish(b, other, dt, false)
+    settle.finish(b, other, dt, false, false)
     noteHeld(b, other)
     bonds.begin(b, held, dt)
   end
   for attempt = 1, ATTEMPTS do
     place(b, other, dt)
     local isGlued = bonds.glue(b, held, dt)
-    settle.finish(b, other, dt, isGlued)
+    settle.finish(b, other, dt, isGlued, false)
     local mayChange = isGlued or b.isViolated or held.hasSlips
     if
       attempt == ATTEMPTS

@@ -12,6 +12,7 @@ local columns = require(root .. ".memory.columns")
 local flow = require(root .. ".solver.flow")
 local friction = require(root .. ".solver.friction")
 local path = require(root .. ".motion.path")
+local pool = require(root .. ".solver.pool")
 
 require(root .. ".memory.jit").file()
 
@@ -66,8 +67,7 @@ local function weigh(b, i, j, kl, kh)
     elseif b.pushable[j] then
       wl = 0
     else
-      local vl, vh = b.speed[kl], b.speed[kh]
-      local stayLow, stayHigh = vl <= 0 or vh < 0, vh >= 0 or vl > 0
+      local stayLow, stayHigh = pool.meetFirm(b.speed[kl], b.speed[kh])
       if stayLow and stayHigh then
         b.to[kl], b.to[kh] = b.from[kl], b.from[kh]
         b.speed[kl], b.speed[kh], b.accel[kl], b.accel[kh] = 0.0, 0.0, 0.0, 0.0
@@ -81,7 +81,7 @@ end
 -- The restitution of a pair that closes at u px/s: 0, unless that is faster than its acceleration
 -- makes it in two steps.
 local function restitution(b, i, j, u, a, dt)
-  return u > 2 * max(a, -a) * dt and max(b.restitution[i], b.restitution[j]) or 0
+  return pool.bounces(u, a, 2 * dt) and max(b.restitution[i], b.restitution[j]) or 0
 end
 
 -- Whether slot i has met others too often in this step to bounce once more.
@@ -207,16 +207,10 @@ local function stick(b, i, j, kl, kh, wl, wh, separation, o, v)
   local total = wl + wh
   if wl == 0 then
     to[kh] = to[kl] + separation
-    if b.heldLow[kl] > 0 then
-      b.heldLow[kh] = b.heldLow[kl] + 1
-      b.holderLow[kh] = b.give[kl] > 0 and b.holderLow[kl] or kl
-    end
+    pool.leanLow(b, kl, kh)
   elseif wh == 0 then
     to[kl] = to[kh] - separation
-    if b.heldHigh[kh] > 0 then
-      b.heldHigh[kl] = b.heldHigh[kh] + 1
-      b.holderHigh[kl] = b.give[kh] > 0 and b.holderHigh[kh] or kh
-    end
+    pool.leanHigh(b, kl, kh)
   elseif b.pushFirst then
     local towards, against = to[kl] - b.from[kl], b.from[kh] - to[kh]
     if towards > against or (towards == against and b.rank[i] < b.rank[j]) then

@@ -131,9 +131,9 @@ local function join(b, one, other, off, dt, isLate, isFirst)
   finish(b, one, dt, isLate, place)
 end
 
--- Two firm blocks: which one gives way. Returns whether the low one stays, and the high one.
-local function meetFirm(b, low, high)
-  local vl, vh = b.speed[low], b.speed[high]
+--- Two firm ones that press each other, of which the low one goes at vl and the high one at vh:
+--- which one gives way. Returns whether the low one stays, and the high one.
+function pool.meetFirm(vl, vh)
   return vl <= 0 or vh < 0, vh >= 0 or vl > 0
 end
 
@@ -143,7 +143,7 @@ local function weigh(b, low, high)
   if stayLow or stayHigh or not (b.isFirm[low] or b.isFirm[high]) then
     return stayLow, stayHigh
   elseif b.isFirm[low] and b.isFirm[high] then
-    return meetFirm(b, low, high)
+    return pool.meetFirm(b.speed[low], b.speed[high])
   end
   return b.isFirm[low], b.isFirm[high]
 end
@@ -176,6 +176,22 @@ local function heldSpeed(b, held, other, base, sign)
   return pool.heldSpeed(mass[held], speed[held], mass[other], speed[other], base, sign)
 end
 
+--- Body kl, or a block, leans on kh towards high coordinates: it is held by what holds that.
+function pool.leanHigh(b, kl, kh)
+  if b.heldHigh[kh] > 0 then
+    b.heldHigh[kl] = b.heldHigh[kh] + 1
+    b.holderHigh[kl] = b.give[kh] > 0 and b.holderHigh[kh] or kh
+  end
+end
+
+--- The same of kh, which leans on kl towards low coordinates.
+function pool.leanLow(b, kl, kh)
+  if b.heldLow[kl] > 0 then
+    b.heldLow[kh] = b.heldLow[kl] + 1
+    b.holderLow[kh] = b.give[kl] > 0 and b.holderLow[kl] or kl
+  end
+end
+
 -- A firm block and a free one, or one that is held: the other takes the whole push, and what is
 -- firm stays in command of what it pushes. Returns whether something has changed.
 local function yield(b, low, high, offLow, offHigh, separation, stayLow, stayHigh)
@@ -191,10 +207,7 @@ local function yield(b, low, high, offLow, offHigh, separation, stayLow, stayHig
       end
       b.speed[low], b.accel[low] = b.speed[high], b.accel[high]
     end
-    if b.heldHigh[high] > 0 then
-      b.heldHigh[low] = b.heldHigh[high] + 1
-      b.holderHigh[low] = b.give[high] > 0 and b.holderHigh[high] or high
-    end
+    pool.leanHigh(b, low, high)
     b.isFirm[low] = b.isFirm[low] or b.isFirm[high] and b.heldHigh[high] == 0
   else
     b.to[high] = b.to[low] + offLow + separation - offHigh
@@ -205,10 +218,7 @@ local function yield(b, low, high, offLow, offHigh, separation, stayLow, stayHig
       end
       b.speed[high], b.accel[high] = b.speed[low], b.accel[low]
     end
-    if b.heldLow[low] > 0 then
-      b.heldLow[high] = b.heldLow[low] + 1
-      b.holderLow[high] = b.give[low] > 0 and b.holderLow[low] or low
-    end
+    pool.leanLow(b, low, high)
     b.isFirm[high] = b.isFirm[high] or b.isFirm[low] and b.heldLow[low] == 0
   end
   return true
@@ -380,5 +390,6 @@ end
 
 -- What happens to single contacts goes another way each time.
 interpreted.functions(yield, stopBoth, shift, walk, pass, pool.run, spread)
+interpreted.functions(pool.leanHigh, pool.leanLow, pool.meetFirm)
 
 return pool

@@ -180,18 +180,17 @@ function settle.hold(b, axis, dt)
 end
 
 --- The second half: free bodies that overlap become blocks, beside those that friction has made.
-function settle.finish(b, axis, dt, isGlued)
-  if (b.isViolated or isGlued) and pool.run(b, b.contacts[axis], dt, false) then
-    settle.hold(b, axis, dt)
+--- `isLate`: the paths have begun at different moments by now.
+function settle.finish(b, axis, dt, isGlued, isLate)
+  if (b.isViolated or isGlued) and pool.run(b, b.contacts[axis], dt, isLate) then
+    settle.hold(b, axis, dt) -- what is clamped shares the overlap
   end
 end
 
---- Settles one axis. `isLate`: the paths have begun at different moments by now.
+--- Settles one axis.
 function settle.axis(b, axis, dt, isLate)
   settle.hold(b, axis, dt)
-  if b.isViolated and pool.run(b, b.contacts[axis], dt, isLate) then
-    settle.hold(b, axis, dt) -- what is clamped shares the overlap
-  end
+  settle.finish(b, axis, dt, false, isLate)
 end
 
 --- Returns whether a contact of an axis is violated at the end of the step, apart from those that
