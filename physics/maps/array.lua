@@ -26,21 +26,7 @@ local IS_EMPTY = { [0] = true, [false] = true, [""] = true, [" "] = true, ["."] 
 -- Options -----------------------------------------------------------------------------------------
 
 local function checkOptions(options)
-  if options == nil then
-    options = {}
-  end
-  check.table(options, "options", WHERE)
-  check.names(options, "option", OPTIONS, WHERE)
-  for _, name in ipairs({ "x", "y" }) do
-    if options[name] ~= nil then
-      check.number(options[name], name, WHERE)
-    end
-  end
-  for _, name in ipairs({ "later", "merge" }) do
-    if options[name] ~= nil then
-      check.boolean(options[name], name, WHERE)
-    end
-  end
+  options = values.readOptions(options, OPTIONS, { "later", "merge" }, WHERE)
   local common = values.readFields(options.fields == nil and {} or options.fields, "fields", WHERE)
   return {
     x = options.x or 0,

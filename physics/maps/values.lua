@@ -83,6 +83,32 @@ end
 
 -- What a value consists of ------------------------------------------------------------------------
 
+--- Returns the options of a loader, checked as far as all loaders have the same: that there are
+--- only these names, where `x` and `y` are, and which options are true or false.
+---@param given table?
+---@param names table the options that there are (see check.names)
+---@param flags string[] those that are true or false
+---@param where string the call, for messages
+---@return table options
+function values.readOptions(given, names, flags, where)
+  if given == nil then
+    given = {}
+  end
+  check.table(given, "options", where)
+  check.names(given, "option", names, where)
+  for _, name in ipairs({ "x", "y" }) do
+    if given[name] ~= nil then
+      check.number(given[name], name, where)
+    end
+  end
+  for _, name in ipairs(flags) do
+    if given[name] ~= nil then
+      check.boolean(given[name], name, where)
+    end
+  end
+  return given
+end
+
 --- Returns a copy. Tables in it are shared, as all that is the game's.
 ---@param given table
 ---@return table

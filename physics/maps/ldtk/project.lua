@@ -85,21 +85,7 @@ end
 ---@param options physics.LDtkOptions?
 ---@return table reading
 function project.checkOptions(options)
-  if options == nil then
-    options = {}
-  end
-  check.table(options, "options", WHERE)
-  check.names(options, "option", OPTIONS, WHERE)
-  for _, name in ipairs({ "x", "y" }) do
-    if options[name] ~= nil then
-      check.number(options[name], name, WHERE)
-    end
-  end
-  for _, name in ipairs({ "merge", "strict" }) do
-    if options[name] ~= nil then
-      check.boolean(options[name], name, WHERE)
-    end
-  end
+  options = values.readOptions(options, OPTIONS, { "merge", "strict" }, WHERE)
   local isIgnored = toSet(namesOf(options, "ignore"))
   return {
     x = options.x or 0,

@@ -2,6 +2,7 @@
 
 local root = (...):match("^(.*)%.maps%.")
 local check = require(root .. ".world.check")
+local values = require(root .. ".maps.values")
 
 local options = {}
 
@@ -91,30 +92,17 @@ local function checkKind(given, name, kind, expected)
   return given[name]
 end
 
-local function offsetOf(given, name)
-  local value = given[name]
-  if value == nil then
-    return 0
-  end
-  check.number(value, name, WHERE)
-  return value
-end
-
 --- Returns what a map is read by.
 --- Errors: an unknown option, or a wrong value for one.
 ---@param given physics.TiledOptions?
 ---@return table reading
 function options.check(given)
-  if given == nil then
-    given = {}
-  end
-  check.table(given, "options", WHERE)
-  check.names(given, "option", OPTIONS, WHERE)
+  given = values.readOptions(given, OPTIONS, { "merge", "strict" }, WHERE)
   local solidName = checkKind(given, "solidProperty", "string", "a name")
   return {
-    x = offsetOf(given, "x"),
-    y = offsetOf(given, "y"),
-    merge = checkKind(given, "merge", "boolean", "true or false") ~= false,
+    x = given.x or 0,
+    y = given.y or 0,
+    merge = given.merge ~= false,
     folder = checkKind(given, "folder", "string", "a path"),
     decompress = checkKind(given, "decompress", "function", "a function"),
     solidTiles = given.solidTiles,
@@ -125,7 +113,7 @@ function options.check(given)
     rules = {
       solidNames = solidName and { solidName } or { "solid", "collidable" },
       isIgnored = ignoredOf(given),
-      isStrict = checkKind(given, "strict", "boolean", "true or false") or false,
+      isStrict = given.strict or false,
     },
   }
 end
