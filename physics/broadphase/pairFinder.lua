@@ -308,7 +308,16 @@ local function runPresent(b, list, count)
   detect.run(b, present, 1, n)
 end
 
---- Looks up the neighbours of whoever the game has placed, where it is now.
+--- Notes that an object is elsewhere, or of another size, than its last step has left it.
+function detect.markMoved(b, i)
+  if not b.moved[i] then
+    b.moved[i] = true
+    b.movedCount = b.movedCount + 1
+    b.movedList[b.movedCount] = i
+  end
+end
+
+--- Looks up the neighbours of what was marked so, where it is now.
 function detect.runMoved(b)
   runPresent(b, b.movedList, b.movedCount)
 end

@@ -68,14 +68,6 @@ local function noteFilled(groups)
   end
 end
 
-local function markMoved(b, i)
-  if not b.moved[i] then
-    b.moved[i] = true
-    b.movedCount = b.movedCount + 1
-    b.movedList[b.movedCount] = i
-  end
-end
-
 -- Gravity that acts on an object, and where its "down" is: along the stronger axis, y in a tie.
 local function readPull(b, i)
   local k = 2 * i
@@ -239,7 +231,7 @@ local function enter(b, object, record, key)
   if b.kind[i] == DYNAMIC then
     takeTouching(b, i, collect.touchingFor(b, object))
   end
-  markMoved(b, i)
+  detect.markMoved(b, i)
   rest.wake(b, i)
   view.refresh(b, object)
   b.newcomers = true
@@ -289,7 +281,7 @@ local function reorder(b, i, isRenamed)
   if isRenamed then
     events.endForbidden(b, i)
     detect.refilter(b, i)
-    markMoved(b, i)
+    detect.markMoved(b, i)
   end
   rest.wake(b, i)
 end
@@ -374,7 +366,7 @@ local function reread(b, i)
   end
   events.endForbidden(b, i)
   detect.refilter(b, i)
-  markMoved(b, i)
+  detect.markMoved(b, i)
   rest.wake(b, i)
 end
 
@@ -619,7 +611,7 @@ function collect.refresh(b, i)
   columns.stand(b, i)
   events.endForbidden(b, i)
   detect.refilter(b, i)
-  markMoved(b, i)
+  detect.markMoved(b, i)
   rest.wake(b, i)
   view.refresh(b, object)
   roster.reread(b.group[i])

@@ -147,11 +147,7 @@ local function shift(b, i, axis, way, edge)
   local work = b.partWork
   work.movedCount = work.movedCount + 1
   work.moved[work.movedCount] = i
-  if not b.moved[i] then
-    b.moved[i] = true
-    b.movedCount = b.movedCount + 1
-    b.movedList[b.movedCount] = i
-  end
+  detect.markMoved(b, i)
 end
 
 -- Where slot i comes when it goes some px along an axis.
