@@ -2,17 +2,12 @@
 
 local ldtk = require("spec.support.ldtk")
 local physics = require("physics")
+local tiled = require("spec.support.tiled")
 
 local WHERE = "world:loadLDtk(project, level, options): "
 local VALUES = { "dirt", "ladder", "stone" }
 
-local function boxes(world, group)
-  local list = {}
-  for i, object in ipairs(world.objects[group] or {}) do
-    list[i] = ("%.14g %.14g %.14g %.14g"):format(object.x, object.y, object.width, object.height)
-  end
-  return list
-end
+local boxes = tiled.boxes
 
 local function load(project, level, options)
   local world = physics.newWorld({ gravity = 800 })
@@ -153,17 +148,7 @@ describe("world:loadLDtk", function()
 
   it("does not change the project, and shares no table with it", function()
     local project = newProject()
-    local function copy(value)
-      if type(value) ~= "table" then
-        return value
-      end
-      local copied = {}
-      for key, inner in pairs(value) do
-        copied[key] = copy(inner)
-      end
-      return copied
-    end
-    local before = copy(project)
+    local before = tiled.copy(project)
     local level = load(project)
     level.named.Player.items[1] = "Sword"
     assert.same(before, project)

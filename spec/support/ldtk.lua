@@ -1,13 +1,8 @@
 --- Projects of the editor LDtk 1.5, in few words: what a JSON library makes of them.
 
-local ldtk = {}
+local copyInto = require("spec.support.tiled").copyInto
 
-local function copyInto(target, extra)
-  for name, value in pairs(extra or {}) do
-    target[name] = value
-  end
-  return target
-end
+local ldtk = {}
 
 --- An IntGrid layer from a picture: "." is 0, a digit a value.
 function ldtk.intGrid(identifier, rows, extra)

@@ -30,6 +30,8 @@ local function copyInto(target, extra)
   return target
 end
 
+tiled.copyInto = copyInto
+
 --- A map of 16 px tiles around some tilesets and layers.
 function tiled.map(tilesets, layers, extra)
   return copyInto({
