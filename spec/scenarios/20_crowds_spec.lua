@@ -9,6 +9,7 @@ local crowds = require("spec.support.crowd")
 local effort = require("spec.support.effort")
 local fold = require("spec.support.fold")
 local motion = require("spec.support.motion")
+local physics = require("physics")
 local newRandom = require("spec.support.random").new
 local newOverlaps = require("spec.support.overlap").checker
 
@@ -132,6 +133,21 @@ describe("a crowd", function()
         assert.same({ -8, -12 }, { player.x, player.y })
       end
       assert.is_true(newOverlaps(crowd.objects)() <= DEPTH)
+    end
+  end)
+
+  -- Else they would go through each other from one side of the crowd to the other.
+  it("at one spot goes on at one velocity, with the momentum that it had", function()
+    local world, bodies, momentum, mass = physics.newWorld({ gravity = 0 }), {}, 0, 0
+    for i = 1, 12 do
+      bodies[i] = world:add("bodies", { x = 0, y = 0, width = 10, height = 10, mass = i })
+      bodies[i].vx, bodies[i].vy = 10 * (i % 5) - 20, 30
+      momentum, mass = momentum + i * bodies[i].vx, mass + i
+    end
+    world:update(1 / 60)
+    for _, body in ipairs(bodies) do
+      assert.near(momentum / mass, body.vx, 1e-9)
+      assert.near(30, body.vy, 1e-9)
     end
   end)
 end)
