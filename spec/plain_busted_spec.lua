@@ -41,8 +41,8 @@ local function write(path, text)
   file:close()
 end
 
--- What the runner prints about a spec file with this text. What scripts/test.sh asks of this process
--- is not for that one.
+-- What the runner prints about a spec file with this text. What scripts/test.sh asks of this
+-- process is not for that one.
 local function run(text, options)
   local path = os.tmpname()
   write(path, text)
