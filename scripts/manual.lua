@@ -282,7 +282,7 @@ end
 local function addLinks(text)
   local found, lines, own, isCode = anchors(), {}, nil, false
   for line in (text .. "\n"):gmatch("([^\n]*)\n") do
-    local title = line:match("^### (.*)$")
+    local title, linked = line:match("^### (.*)$"), line
     if title then
       own = "#" .. title:lower():gsub("[.:]", "")
     elseif line:find("^```") then
@@ -292,9 +292,9 @@ local function addLinks(text)
       if not head then
         head, rest = line:match("^(%- `[^`]*` %()(.*)$")
       end
-      line = (head or "") .. linkLine(rest or line, found, own)
+      linked = (head or "") .. linkLine(rest or line, found, own)
     end
-    lines[#lines + 1] = line
+    lines[#lines + 1] = linked
   end
   return table.concat(lines, "\n")
 end
