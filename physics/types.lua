@@ -65,6 +65,9 @@
 --- px/s, >= 0, default none. The limit of the speed along y, in both directions: it also cuts a
 --- jump that is faster.
 ---@field maxSpeedY? number
+--- px/s, >= 0, default none. The limit of the speed at which it falls, along gravity only: a jump
+--- may be faster.
+---@field maxFallSpeed? number
 --- default collides with every group. `mask[group] = false`: passes through the objects of that
 --- group. `true` and nil collide. Either object of a pair may refuse.
 ---@field mask? table<string|number, boolean>
@@ -80,6 +83,9 @@
 --- px, >= 0, default 0. Corner correction: an object that hits a static or kinematic corner by at
 --- most this much slides past it. One that lands on an edge is not moved.
 ---@field nudge? number
+--- px, >= 0, default 0. An object that stood on something, and does not jump, stays on the ground
+--- where that drops by at most this much: down stairs at any speed.
+---@field snap? number
 --- default none. Called once when a contact starts. `side` is the side of `self` that was hit,
 --- `speed` the approach speed in px/s.
 ---@field onBegin? fun(self: physics.Object, other: physics.Object, side: physics.Side, speed: number)

@@ -98,6 +98,7 @@ build = {
     ["physics.solver.rules"] = "physics/solver/rules.lua",
     ["physics.solver.separate"] = "physics/solver/separate.lua",
     ["physics.solver.settle"] = "physics/solver/settle.lua",
+    ["physics.solver.snap"] = "physics/solver/snap.lua",
     ["physics.solver.solver"] = "physics/solver/solver.lua",
     ["physics.solver.sweep"] = "physics/solver/sweep.lua",
     ["physics.state.hash"] = "physics/state/hash.lua",

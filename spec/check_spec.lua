@@ -251,6 +251,8 @@ describe("check", function()
           carry = false,
           surfaceSpeed = -20,
           nudge = 4,
+          snap = 8,
+          maxFallSpeed = 600,
           touching = "whatever the game put there",
           onBegin = print,
           onStay = print,

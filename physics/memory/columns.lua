@@ -75,6 +75,9 @@ local SLOT = {
   carry = true,
   surfaceSpeed = 0,
   nudge = 0,
+  snap = 0,
+  maxFallSpeed = HUGE,
+  isFree = true, -- has neither air friction nor limits along an axis
   -- rest
   awake = false,
   awakeAt = 0, -- place in the list of who is awake
@@ -100,6 +103,7 @@ local SLOT = {
   deepAt = 0, -- solve in which it was inside another dynamic body
   impactsOf = 0, -- impacts in this step
   inRound = 0, -- round in which it was last in an impact
+  lowered = 0, -- px by which it was lowered in this step (see snap)
   -- broad phase
   placed = 0, -- 0: not in the broad phase, 1: its neighbours must be looked up, 2: they are known
   head = 0, -- first half-edge
@@ -129,6 +133,8 @@ local AXIS = {
   size = 0,
   push = 0, -- ax, ay
   limit = HUGE, -- maxSpeedX, maxSpeedY
+  slowest = -HUGE, -- limits of the velocity by these and maxFallSpeed, without its carrier
+  fastest = HUGE,
   pull = 0, -- gravity that acts on it
   down = 0, -- -1, 0, 1: where its gravity points, on its stronger axis only
   last = 0, -- position before the last fixed step, for drawing
@@ -392,6 +398,7 @@ function columns.new()
     hasCarriers = false, -- anything in the world that ever carried others
     hasFriction = false, -- or rubs
     hasNudges = false, -- or could slide around corners
+    hasSnaps = false, -- or stays on ground that drops
     hasHinders = false, -- or has drag or a maxSpeed
     hasLimits = false, -- or has a limit of any kind
     hasBounces = false, -- or bounced
@@ -490,7 +497,7 @@ function columns.new()
   -- Slot 0 is nobody, that of pairs that were taken apart: less than nothing, so it meets nobody.
   b.object[0], b.awake[0], b.rank[0], b.time[0] = false, false, 0, 0
   b.head[0], b.next[0], b.previous[0] = 0, 0, 0
-  b.dirty[0], b.crowd[0] = 0, 0
+  b.dirty[0], b.crowd[0], b.lowered[0] = 0, 0, 0
   for k = 0, 1 do
     b.from[k], b.to[k], b.speed[k], b.size[k] = 0, 0, 0, -1
   end

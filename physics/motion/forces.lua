@@ -1,6 +1,6 @@
 --- Step 3, forces: gravity, own acceleration, air friction, drag and speed limits.
 --
--- Reads velocity, pull, push, airFriction, drag, limit, maxSpeed, support; writes speed (velocity
+-- Reads velocity, pull, push, airFriction, drag, slowest, fastest, maxSpeed, support; writes speed (velocity
 -- at the end of the step) and way (displacement in the step), both of free flight and without a
 -- carrier; and of those with a limit, reserve and pace.
 -- All are exact solutions for a constant acceleration, so that arcs do not depend on dt.
@@ -47,8 +47,8 @@ local function fly(v, a, airFriction, dt)
   return v * decay + a * dt * first, v * dt * first + a * dt * dt * second
 end
 
-local function clamp(v, limit)
-  return v > limit and limit or v < -limit and -limit or v
+local function clamp(v, least, most)
+  return v > most and most or v < least and least or v
 end
 
 -- How many seconds a flight with air friction takes until it is as fast as `target`, which it is
@@ -88,10 +88,10 @@ end
 
 -- Free flight of an axis with a speed limit: that is reached inside the step. Third, by how much
 -- faster it would be.
-local function flyLimited(v, a, airFriction, limit, dt)
-  v = clamp(v, limit)
+local function flyLimited(v, a, airFriction, least, most, dt)
+  v = clamp(v, least, most)
   local n, way = fly(v, a, airFriction, dt)
-  local capped = clamp(n, limit)
+  local capped = clamp(n, least, most)
   if capped ~= n and airFriction == 0 then
     local share = (capped - v) / (n - v)
     way = (v + capped) * 0.5 * share * dt + capped * (1 - share) * dt
@@ -101,6 +101,16 @@ local function flyLimited(v, a, airFriction, limit, dt)
     way = before + capped * (dt - time)
   end
   return capped, way, n - capped
+end
+
+-- The velocity of k when the step begins, without its carrier.
+local function startOf(b, k)
+  return clamp(b.velocity[k], b.slowest[k], b.fastest[k])
+end
+
+-- The same of k, pulled by a.
+local function flyAlong(b, k, a, airFriction, dt)
+  return flyLimited(b.velocity[k], a, airFriction, b.slowest[k], b.fastest[k], dt)
 end
 
 -- Notes what a limit has kept from k, at a speed of v px/s.
@@ -155,8 +165,8 @@ end
 -- The flight of slot i, pulled by (ax, ay), against air friction and drag, exact as long as it
 -- moves along a line. Returns false if it would turn on its way; nothing has changed then.
 local function flyDragged(b, i, ax, ay, dt)
-  local limit, drag, air, k = b.limit, b.drag[i], b.airFriction[i], 2 * i
-  local x, y = clamp(b.velocity[k], limit[k]), clamp(b.velocity[k + 1], limit[k + 1])
+  local drag, air, k = b.drag[i], b.airFriction[i], 2 * i
+  local x, y = startOf(b, k), startOf(b, k + 1)
   -- Drag acts against the motion; against the pull on who stands, which it may hold.
   local towardsX, towardsY = x, y
   if x == 0 and y == 0 then
@@ -164,8 +174,8 @@ local function flyDragged(b, i, ax, ay, dt)
     drag = min(drag, sqrt(ax * ax + ay * ay))
   end
   local share = drag / max(sqrt(towardsX * towardsX + towardsY * towardsY), TINY)
-  local endX, wayX, keptX = flyLimited(x, ax - towardsX * share, air, limit[k], dt)
-  local endY, wayY, keptY = flyLimited(y, ay - towardsY * share, air, limit[k + 1], dt)
+  local endX, wayX, keptX = flyAlong(b, k, ax - towardsX * share, air, dt)
+  local endY, wayY, keptY = flyAlong(b, k + 1, ay - towardsY * share, air, dt)
   if endX * towardsX + endY * towardsY < 0 then
     return false
   end
@@ -178,7 +188,7 @@ end
 -- Slows slot i by its drag along its motion. Exact as long as it moves along a line, but for who
 -- turns in the air. On the axis of `stands` it does not move.
 local function brakeSlot(b, i, stands, dt)
-  local velocity, limit, drag, k = b.velocity, b.limit, b.drag[i], 2 * i
+  local drag, k = b.drag[i], 2 * i
   if b.airFriction[i] ~= 0 then
     local pullX = stands == k and 0 or b.pull[k] + b.push[k]
     local pullY = stands == k + 1 and 0 or b.pull[k + 1] + b.push[k + 1]
@@ -187,7 +197,7 @@ local function brakeSlot(b, i, stands, dt)
     end
   end
   local x, y = b.speed[k], b.speed[k + 1]
-  local startX, startY = clamp(velocity[k], limit[k]), clamp(velocity[k + 1], limit[k + 1])
+  local startX, startY = startOf(b, k), startOf(b, k + 1)
   local freeX, freeY = x + b.reserve[k], y + b.reserve[k + 1] -- but for its limits
   local ax, ay = (freeX - startX) / dt, (freeY - startY) / dt
   local a, start = sqrt(ax * ax + ay * ay), sqrt(startX * startX + startY * startY)
@@ -260,7 +270,7 @@ end
 -- the fall that the floor will take away.
 local function hinder(b, i, dt)
   local speed, way, stands, k = b.speed, b.way, standsAlong(b, i), 2 * i
-  if b.airFriction[i] == 0 and b.limit[k] == HUGE and b.limit[k + 1] == HUGE then
+  if b.isFree[i] then
     b.reserve[k], b.reserve[k + 1] = 0, 0
   end
   if stands ~= 0 then
@@ -274,8 +284,9 @@ local function hinder(b, i, dt)
   end
   if stands ~= 0 then
     -- What it stands on may let it through in this step.
-    local limit, pull = min(b.limit[stands], b.maxSpeed[i]), b.pull[stands] + b.push[stands]
-    local v, its, kept = flyLimited(0, pull, b.airFriction[i], limit, dt)
+    local top, pull = b.maxSpeed[i], b.pull[stands] + b.push[stands]
+    local least, most = max(b.slowest[stands], -top), min(b.fastest[stands], top)
+    local v, its, kept = flyLimited(0, pull, b.airFriction[i], least, most, dt)
     speed[stands], way[stands] = v, its
     keep(b, stands, v, kept)
   end
@@ -294,21 +305,21 @@ end
 
 --- Computes the free flight of the dynamic objects in awakeList from `first` to `last`.
 function forces.run(b, dt, first, last)
-  local list, kind, airFriction, limit = b.awakeList, b.kind, b.airFriction, b.limit
+  local list, kind, isFree = b.awakeList, b.kind, b.isFree
   local velocity, pull, push, speed, way = b.velocity, b.pull, b.push, b.speed, b.way
   for n = first, last do
     local i = list[n]
     local k, m = 2 * i, 2 * i + 1
-    if kind[i] == DYNAMIC and airFriction[i] == 0 and limit[k] == HUGE and limit[m] == HUGE then
+    if kind[i] == DYNAMIC and isFree[i] then
       -- As `fly` for nearly all, written out: without a compiler calls cost more than what they do.
       local x, y = velocity[k], velocity[m]
       local endX, endY = x + (pull[k] + push[k]) * dt, y + (pull[m] + push[m]) * dt
       speed[k], speed[m] = endX, endY
       way[k], way[m] = (x + endX) * 0.5 * dt, (y + endY) * 0.5 * dt
     elseif kind[i] == DYNAMIC then
-      local air = airFriction[i]
-      local x, wayX, keptX = flyLimited(velocity[k], pull[k] + push[k], air, limit[k], dt)
-      local y, wayY, keptY = flyLimited(velocity[m], pull[m] + push[m], air, limit[m], dt)
+      local air = b.airFriction[i]
+      local x, wayX, keptX = flyAlong(b, k, pull[k] + push[k], air, dt)
+      local y, wayY, keptY = flyAlong(b, m, pull[m] + push[m], air, dt)
       speed[k], way[k], speed[m], way[m] = x, wayX, y, wayY
       keep(b, k, x, keptX)
       keep(b, m, y, keptY)

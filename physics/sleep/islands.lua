@@ -99,7 +99,7 @@ end
 -- Whether a speed limit takes off some of what pulls k in a step of `longest` s.
 local function isCapped(b, k, limit, longest)
   local pull = b.pull[k] + b.push[k]
-  return max(pull, -pull) * longest > min(limit, b.limit[k])
+  return max(pull, -pull) * longest > min(limit, b.fastest[k], -b.slowest[k])
 end
 
 -- Whether something pulls k, and nothing but friction holds it there.

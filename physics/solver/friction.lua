@@ -189,10 +189,10 @@ end
 
 -- Limits of what is awake, with what carries it.
 local function findLimits(b)
-  local list, limit, carried, reserve, pace = b.awakeList, b.limit, b.carried, b.reserve, b.pace
+  local list, carried, reserve, pace = b.awakeList, b.carried, b.reserve, b.pace
   for n = 1, b.awakeCount do
     for k = 2 * list[n], 2 * list[n] + 1 do
-      local most, least = limit[k], -limit[k]
+      local most, least = b.fastest[k], b.slowest[k]
       if reserve[k] > 0 then
         most = pace[k]
       elseif reserve[k] < 0 then

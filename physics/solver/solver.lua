@@ -21,6 +21,7 @@ local predict = require(root .. ".motion.predict")
 local rest = require(root .. ".sleep.islands")
 local rules = require(root .. ".solver.rules")
 local settle = require(root .. ".solver.settle")
+local snap = require(root .. ".solver.snap")
 local sort = require(root .. ".memory.sort")
 local sweep = require(root .. ".solver.sweep")
 
@@ -56,12 +57,12 @@ local WIDTHS = 2 ^ 20
 function solver.adopt(b)
   b.contacts = { [0] = contacts.newList(0), contacts.newList(1) }
   b.bonds = { [0] = bonds.new(), bonds.new() }
-  b.impacts = sweep.newImpacts()
+  b.impacts, b.snaps = sweep.newImpacts(), snap.new()
 end
 
 -- The speed of body k where the step begins.
 local function startSpeed(b, k)
-  return max(min(b.velocity[k], b.limit[k]), -b.limit[k]) + b.carried[k]
+  return max(min(b.velocity[k], b.fastest[k]), b.slowest[k]) + b.carried[k]
 end
 
 -- Everything awake as it is before contacts.
@@ -533,6 +534,12 @@ local function solve(b, dt)
   end
   if b.hasFirm then
     keepOwnWay(b, dt)
+  end
+  if b.hasSnaps then
+    snap.run(b, dt)
+    if b.awakenings ~= awakenings then
+      return false
+    end
   end
   for axis = 0, 1 do
     notePressed(b, axis)

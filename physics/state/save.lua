@@ -104,12 +104,14 @@ state.SPARSE = {
   { "maxSpeed", "maxSpeed", HUGE },
   { "maxSpeedX", "limit", HUGE, 0 },
   { "maxSpeedY", "limit", HUGE, 1 },
+  { "maxFallSpeed", "maxFallSpeed", HUGE },
   { "ax", "push", 0, 0 },
   { "ay", "push", 0, 1 },
   { "oneWay", "oneWay", false },
   { "carry", "carry", true },
   { "surfaceSpeed", "surfaceSpeed", 0 },
   { "nudge", "nudge", 0 },
+  { "snap", "snap", 0 },
   { "mask" },
 }
 

@@ -213,6 +213,14 @@ fields.objects = {
       .. " faster.",
   },
   {
+    name = "maxFallSpeed",
+    type = "number",
+    absent = "none",
+    unit = "px/s",
+    min = 0,
+    meaning = "The limit of the speed at which it falls, along gravity only: a jump may be faster.",
+  },
+  {
     name = "mask",
     type = "mask",
     absent = "collides with every group",
@@ -251,6 +259,15 @@ fields.objects = {
     min = 0,
     meaning = "Corner correction: an object that hits a static or kinematic corner by at most this"
       .. " much slides past it. One that lands on an edge is not moved.",
+  },
+  {
+    name = "snap",
+    type = "number",
+    default = 0,
+    unit = "px",
+    min = 0,
+    meaning = "An object that stood on something, and does not jump, stays on the ground where that"
+      .. " drops by at most this much: down stairs at any speed.",
   },
   {
     name = "touching",
