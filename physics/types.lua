@@ -87,8 +87,9 @@
 --- where that drops by at most this much: down stairs at any speed.
 ---@field snap? number
 --- default none. Called once when a contact starts. `side` is the side of `self` that was hit,
---- `speed` the approach speed in px/s.
----@field onBegin? fun(self: physics.Object, other: physics.Object, side: physics.Side, speed: number)
+--- `speed` the approach speed in px/s. The edge that the two have in common goes from `x1, y1` to
+--- `x2, y2`.
+---@field onBegin? fun(self: physics.Object, other: physics.Object, side: physics.Side, speed: number, x1: number, y1: number, x2: number, y2: number)
 --- default none. Called at every further step of a contact; dt is the length of that step in s.
 ---@field onStay? fun(self: physics.Object, other: physics.Object, side: physics.Side, dt: number)
 --- default none. Called once when a contact ends, also when one of the two is removed or
@@ -155,8 +156,8 @@
 --- several steps (`timestep`, a long dt) or none. What it writes counts in that step.
 ---@field onStep? fun(dt: number)
 --- default none. Called once when a contact starts, with `a` before `b` in order. `side` is the
---- side of `a`.
----@field onBegin? fun(a: physics.Object, b: physics.Object, side: physics.Side, speed: number)
+--- side of `a`; the edge that the two have in common goes from `x1, y1` to `x2, y2`.
+---@field onBegin? fun(a: physics.Object, b: physics.Object, side: physics.Side, speed: number, x1: number, y1: number, x2: number, y2: number)
 --- default none. Called at every further step of a contact; dt is the length of that step in s.
 ---@field onStay? fun(a: physics.Object, b: physics.Object, side: physics.Side, dt: number)
 --- default none. Called once when a contact ends.
@@ -212,8 +213,8 @@
 --- several steps (`timestep`, a long dt) or none. What it writes counts in that step.
 ---@field onStep? fun(dt: number)
 --- default none. Called once when a contact starts, with `a` before `b` in order. `side` is the
---- side of `a`.
----@field onBegin? fun(a: physics.Object, b: physics.Object, side: physics.Side, speed: number)
+--- side of `a`; the edge that the two have in common goes from `x1, y1` to `x2, y2`.
+---@field onBegin? fun(a: physics.Object, b: physics.Object, side: physics.Side, speed: number, x1: number, y1: number, x2: number, y2: number)
 --- default none. Called at every further step of a contact; dt is the length of that step in s.
 ---@field onStay? fun(a: physics.Object, b: physics.Object, side: physics.Side, dt: number)
 --- default none. Called once when a contact ends.
@@ -454,6 +455,34 @@ function default.raycast(x1, y1, x2, y2, filter) end
 ---@return number fraction of the way, 0..1
 function default.sweep(object, dx, dy, filter) end
 
+--- Returns whether a box of that place and size would be free: may it stand up here, is there room
+--- to appear? Solid objects are in the way, if they overlap the box by more than 1e-6 px. Sensors,
+--- one-way objects and inactive objects are not.
+---
+--- In place of the filter you may give the object that would be there. Then it is not in its own
+--- way, nor is what its mask, theirs or the world's lets it pass.
+---
+--- Errors: a number is not finite; a size is <= 0; the filter cannot be used, or is an object that
+--- is not in the world.
+---@param x number px, left edge
+---@param y number px, top edge
+---@param width number px, > 0
+---@param height number px, > 0
+---@param filter physics.Filter|physics.NewObject|nil which objects count, default all; or the object that would be there
+---@return boolean fits
+---@return physics.Object? other what is in the way, the first in the order of the world
+function default.fits(x, y, width, height, filter) end
+
+--- Returns the velocity of an object over ground. For a rider it is its own velocity and that of
+--- its carrier; for a kinematic object that you move by writing `x, y` it is how fast it went in the
+--- last step. Of a static object it is 0, 0.
+---
+--- Errors: the object is not a table, or not in the world.
+---@param object physics.NewObject the object
+---@return number vx px/s
+---@return number vy px/s
+function default.velocity(object) end
+
 --- Returns the object nearest to a point, and its distance. Of two at the same distance it is the
 --- first in the order of the world.
 ---
@@ -541,6 +570,19 @@ function default.move(object, x, y, response, out) end
 ---@param ix number px/s times mass, along x
 ---@param iy number px/s times mass, along y
 function default.impulse(object, ix, iy) end
+
+--- Moves the whole world by (dx, dy): every object, active or not, and the tiles of its maps. No
+--- callback is called, and riders, contacts and velocities stay as they are. So a level may wrap
+--- around, or the player stay near the origin. Move your camera by the same way.
+---
+--- The coordinates are sums, so they round: choose a whole number of px. A state that was saved
+--- before belongs to the old place.
+---
+--- Errors: a number is not finite; an object would be too far away, or has a field that cannot be
+--- used (nothing has moved then); it is called from inside `canCollide`.
+---@param dx number px
+---@param dy number px
+function default.shift(dx, dy) end
 
 --- Puts four static walls around a rectangle: `top`, `bottom`, `left` and `right` of the group
 --- `bounds`. You may give them `friction` and other fields before the next update. A second call

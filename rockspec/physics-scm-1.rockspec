@@ -77,6 +77,7 @@ build = {
     ["physics.objects.carriers"] = "physics/objects/carriers.lua",
     ["physics.objects.read"] = "physics/objects/read.lua",
     ["physics.objects.registry"] = "physics/objects/registry.lua",
+    ["physics.objects.shift"] = "physics/objects/shift.lua",
     ["physics.objects.write"] = "physics/objects/write.lua",
     ["physics.queries.index"] = "physics/queries/index.lua",
     ["physics.queries.move"] = "physics/queries/move.lua",

@@ -20,6 +20,10 @@ local PARAMETERS = {
   b = "physics.Object",
   side = "physics.Side",
   speed = "number",
+  x1 = "number",
+  y1 = "number",
+  x2 = "number",
+  y2 = "number",
   dt = "number",
   axis = '"x"|"y"',
 }

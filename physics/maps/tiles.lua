@@ -65,8 +65,21 @@ end
 function tiles.attach(self, world, access, waiting)
   self.world, self._access, self._restores = world, access, world._restores
   self._isAway = waiting and true or false
+  local b = world._bodies
+  b.tileLayers = b.tileLayers or setmetatable({}, { __mode = "k" })
+  b.tileLayers[self] = true
   for _, object in ipairs(waiting or {}) do
     cells.wait(self, object)
+  end
+end
+
+-- Moves the layer, and those of its objects that are not in the world, with a world that is moved.
+function Tiles:_shift(dx, dy)
+  self.x, self.y, self._x, self._y = self.x + dx, self.y + dy, self._x + dx, self._y + dy
+  for _, object in ipairs(self._waiting) do
+    if self._isWaiting[object] then
+      object.x, object.y = object.x + dx, object.y + dy
+    end
   end
 end
 

@@ -146,6 +146,8 @@ local AXIS = {
   speed = 0, -- velocity at the end of the step, absolute
   accel = 0, -- acceleration during the step, drag and limits included
   carried = 0, -- velocity of its carrier in this step
+  drift = 0, -- kinematic: velocity of the way that the game has written, in the last step
+  kept = 0, -- in the air: the part of its velocity that its last carrier gave it
   reserve = 0, -- how much faster it could get, px/s, but for its limit
   pace = 0, -- up to which speed, without its carrier
   heldLow = 1, -- > 0: cannot give way towards smaller coordinates
@@ -210,6 +212,9 @@ local PAIR = {
   "contact", -- side of pairA that is in contact (see SIDES), 0: none
   "hit", -- side of pairA that was first hit in this step, 0: none
   "hitSpeed",
+  "hitAt", -- place of that: coordinate on its axis, px,
+  "hitLow", -- and ends of the common edge on the other axis
+  "hitHigh",
   "nudged", -- how often a corner was corrected in this step
   "liveMark",
   "wedged", -- 1 + code of the meeting along which two that are left inside each other may part

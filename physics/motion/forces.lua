@@ -1,8 +1,8 @@
 --- Step 3, forces: gravity, own acceleration, air friction, drag and speed limits.
 --
--- Reads velocity, pull, push, airFriction, drag, slowest, fastest, maxSpeed, support; writes speed (velocity
--- at the end of the step) and way (displacement in the step), both of free flight and without a
--- carrier; and of those with a limit, reserve and pace.
+-- Reads velocity, pull, push, airFriction, drag, slowest, fastest, maxSpeed, support; writes speed
+-- (velocity at the end of the step) and way (displacement in the step), both of free flight and
+-- without a carrier; and of those with a limit, reserve and pace.
 -- All are exact solutions for a constant acceleration, so that arcs do not depend on dt.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")

@@ -10,7 +10,7 @@ local columns = require(root .. ".memory.columns")
 
 local carrier = {}
 
-local KINEMATIC, DYNAMIC = columns.KINEMATIC, columns.DYNAMIC
+local STATIC, KINEMATIC, DYNAMIC = columns.STATIC, columns.KINEMATIC, columns.DYNAMIC
 local EPSILON = columns.EPSILON
 local SIDE = columns.SIDE
 local max, min = math.max, math.min
@@ -27,6 +27,31 @@ function carrier.velocity(b, c, i)
     return b.speed[2 * c] + x, b.speed[2 * c + 1] + y
   end
   return x, y
+end
+
+-- The velocity that the game sees in slot i, and for what it moves by writing x, y that.
+local function shown(b, i)
+  local object, k = b.object[i], 2 * i
+  return (object.vx or 0) + b.drift[k], (object.vy or 0) + b.drift[k + 1]
+end
+
+--- Returns the velocity of slot i over ground, x and y: with that of its carrier, or of the way that
+--- the game has written.
+function carrier.overGround(b, i)
+  if b.kind[i] == STATIC then
+    return 0, 0
+  end
+  local x, y = shown(b, i)
+  local c = b.carrier[i]
+  if b.kind[i] ~= DYNAMIC or c == 0 then
+    return x, y
+  end
+  local belt, isUpright = b.surfaceSpeed[c], b.down[2 * i] ~= 0
+  if b.kind[c] == KINEMATIC and b.carry[c] then
+    local itsX, itsY = shown(b, c)
+    x, y = x + itsX, y + itsY
+  end
+  return isUpright and x or x + belt, isUpright and y + belt or y
 end
 
 --- Returns the speed, along the other axis, of the belt j that slot i presses on along an axis.
@@ -102,13 +127,30 @@ end
 
 --- Returns the velocity along k that an object shows: relative to what carries it (c px/s). On the
 --- first step on a carrier, and while it leans on something that cannot give way, only what the
---- carrier gave is off.
+--- carrier gave is off. What comes from another carrier, or has left one and comes back, has its
+--- own velocity beside what that gave it.
 function carrier.ownVelocity(b, k, c, isNew)
   local v = b.speed[k]
-  if isNew or leans(b, k) then
+  if leans(b, k) then
     return v - given(v, c)
+  elseif isNew then
+    local before = b.carried[k] ~= 0 and b.carried[k] or b.kept[k]
+    return v - given(before ~= 0 and before or v, c)
   end
   return v - c
+end
+
+--- Notes how much of the velocity of slot i in the air is what its last carrier gave it, which it
+--- has left in this step (`hasLeft`) or before. It keeps that until something else changes it.
+function carrier.keep(b, i, hasLeft)
+  local isInAir = b.carrierNow[i] == 0 and b.support[i] == 0
+  for k = 2 * i, 2 * i + 1 do
+    if hasLeft and isInAir and not (b.pressedLow[k] or b.pressedHigh[k]) then
+      b.kept[k] = b.carried[k]
+    elseif not isInAir or b.speed[k] ~= b.freeSpeed[k] then
+      b.kept[k] = 0
+    end
+  end
 end
 
 -- Whether slot i, where it is now, is apart from slot j, where `places` has that.
@@ -126,6 +168,7 @@ end
 --- Slot i is carried by nothing any more: its velocity is what it shows.
 function carrier.leave(b, i)
   b.carrier[i], b.carried[2 * i], b.carried[2 * i + 1] = 0, 0, 0
+  b.kept[2 * i], b.kept[2 * i + 1] = 0, 0
 end
 
 -- Whether slot i stands where it is now, directly or on others, on slot c: it was put elsewhere
@@ -282,6 +325,7 @@ function carrier.dismount(b)
       local object, k = b.object[i], 2 * i
       b.velocity[k] = b.velocity[k] + b.carried[k]
       b.velocity[k + 1] = b.velocity[k + 1] + b.carried[k + 1]
+      b.kept[k], b.kept[k + 1] = b.carried[k], b.carried[k + 1]
       b.carried[k], b.carried[k + 1] = 0, 0
       object.vx, object.vy = b.velocity[k], b.velocity[k + 1]
     end

@@ -397,6 +397,8 @@ local function readVelocity(b, i, object)
     if not (isFinite(vx) and isFinite(vy)) then
       checkAgain(b, i)
     end
+    b.kept[k] = vx == velocity[k] and b.kept[k] or 0
+    b.kept[k + 1] = vy == velocity[k + 1] and b.kept[k + 1] or 0
     velocity[k], velocity[k + 1] = vx + 0.0, vy + 0.0
     rest.wake(b, i)
   end

@@ -1,13 +1,13 @@
 --- Snap: an object that stood on something stays on the ground when that drops by a little.
 --
--- It is the other half of nudge: that goes up stairs, this goes down. When all paths of the step are
--- known, an object with `snap` that has run off what it stood on is lowered onto the ground below,
--- and what stands on it, too. It is lowered straight down, where it ends, onto the first thing there
--- is; so it passes through nothing. If it has run over several edges in the step, each of them may
--- be as high as `snap`.
+-- It is the other half of nudge: that goes up stairs, this goes down. When all paths of the step
+-- are known, an object with `snap` that has run off what it stood on is lowered onto the ground
+-- below, and what stands on it, too. It is lowered straight down, where it ends, onto the first
+-- thing there is; so it passes through nothing. If it has run over several edges in the step, each
+-- of them may be as high as `snap`.
 --
--- Reads support, velocity, to, speed, heldLow, heldHigh; writes to, speed, accel, lowered, pressedLow
--- or pressedHigh, and heldLow or heldHigh of what was lowered.
+-- Reads support, velocity, to, speed, heldLow, heldHigh; writes to, speed, accel, lowered,
+-- pressedLow or pressedHigh, and heldLow or heldHigh of what was lowered.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")

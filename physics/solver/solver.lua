@@ -143,7 +143,7 @@ local function noteNewHits(b, list)
       local hit = isNew(b, list, c) and b.widest[leaning(b, list, c)] or c
       local kl, kh = list.low[hit], list.high[hit]
       local low, axis = (kl - list.axis) * 0.5, list.axis
-      impact.note(b, list.pair[hit], low, axis, max(b.start[kl] - b.start[kh], 0.0))
+      impact.note(b, list.pair[hit], low, axis, max(b.start[kl] - b.start[kh], 0.0), 0)
     end
   end
 end
@@ -271,7 +271,8 @@ local function sense(b, p, i, j, axis, t, dt)
   local kl, kh = 2 * i + axis, 2 * j + axis
   local o = b.to[kl] + b.size[kl] - b.to[kh]
   local v, a = b.speed[kl] - b.speed[kh], b.accel[kl] - b.accel[kh]
-  impact.note(b, p, i, axis, (impact.approach(o, v, a, (1 - t) * dt)))
+  local u = impact.approach(o, v, a, (1 - t) * dt)
+  impact.note(b, p, i, axis, u, t)
 end
 
 -- Ends the path of a body where it is at moment t.

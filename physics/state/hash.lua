@@ -146,7 +146,7 @@ local function mixMemory(sum, out)
     mixList(sum, out.memory[name])
   end
   for _, entry in ipairs(state.POINTS) do
-    if entry[1] ~= "last" then
+    if entry[1] ~= "last" and entry[1] ~= "drift" then -- they change no motion
       mixList(sum, out.memory[entry[1]])
     end
   end

@@ -60,6 +60,8 @@ state.POINTS = {
   { "position", "written" },
   { "last", "position" },
   { "carried", 0 },
+  { "kept", 0 },
+  { "drift", 0 },
   { "behind", 0 },
   { "wasCrushed", false },
   { "jam", 0 },
@@ -627,7 +629,7 @@ end
 -- The world --------------------------------------------------------------------------------------
 
 -- What an event consists of, apart from its objects (`a`, `b`, `c`).
-state.EVENT = { "kind", "side", "speed", "leant", "rankA", "rankB" }
+state.EVENT = { "kind", "side", "speed", "leant", "rankA", "rankB", "x1", "y1", "x2", "y2" }
 
 -- Events wait only after a callback has failed, or inside of one; the first of them may have been
 -- told to some already: `heardBy`.

@@ -352,7 +352,21 @@ local function needEvents(st)
   needList(
     st.events,
     "state.events",
-    { object, object, none, kind, side, NUMBER, NUMBER, NUMBER, NUMBER }
+    {
+      object,
+      object,
+      none,
+      kind,
+      side,
+      NUMBER,
+      NUMBER,
+      NUMBER,
+      NUMBER,
+      NUMBER,
+      NUMBER,
+      NUMBER,
+      NUMBER,
+    }
   )
   local list = st.events
   local length = 3 + #state.EVENT

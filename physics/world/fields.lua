@@ -279,10 +279,11 @@ fields.objects = {
   {
     name = "onBegin",
     type = "function",
-    signature = "(self, other, side, speed)",
+    signature = "(self, other, side, speed, x1, y1, x2, y2)",
     absent = "none",
     meaning = "Called once when a contact starts. `side` is the side of `self` that was hit,"
-      .. " `speed` the approach speed in px/s.",
+      .. " `speed` the approach speed in px/s. The edge that the two have in common goes from"
+      .. " `x1, y1` to `x2, y2`.",
   },
   {
     name = "onStay",
@@ -431,10 +432,10 @@ fields.settings = {
   {
     name = "onBegin",
     type = "function",
-    signature = "(a, b, side, speed)",
+    signature = "(a, b, side, speed, x1, y1, x2, y2)",
     absent = "none",
     meaning = "Called once when a contact starts, with `a` before `b` in order. `side` is the side"
-      .. " of `a`.",
+      .. " of `a`; the edge that the two have in common goes from `x1, y1` to `x2, y2`.",
   },
   {
     name = "onStay",

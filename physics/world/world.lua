@@ -724,6 +724,62 @@ function World:sweep(object, dx, dy, filter)
   end
 end ---@diagnostic disable-line: missing-return
 
+--- Returns whether a box of that place and size would be free: may it stand up here, is there room
+--- to appear? Solid objects are in the way, if they overlap the box by more than 1e-6 px. Sensors,
+--- one-way objects and inactive objects are not.
+---
+--- In place of the filter you may give the object that would be there. Then it is not in its own
+--- way, nor is what its mask, theirs or the world's lets it pass.
+---
+--- Errors: a number is not finite; a size is <= 0; the filter cannot be used, or is an object that
+--- is not in the world.
+---@param x number px, left edge
+---@param y number px, top edge
+---@param width number px, > 0
+---@param height number px, > 0
+---@param filter physics.Filter|physics.NewObject|nil which objects count, default all; or the object
+---  that would be there
+---@return boolean fits
+---@return physics.Object? other what is in the way, the first in the order of the world
+function World:fits(x, y, width, height, filter)
+  local call, where = "fits(x, y, width, height)", "world:fits(x, y, width, height)"
+  local isObject = type(filter) == "table" and type(filter.width) == "number"
+  checkQuestion(self, call, not isObject and filter or nil)
+  checkPoint(x, y, where)
+  check.positive(width, "width", where)
+  check.positive(height, "height", where)
+  local w, h = width + 0.0, height + 0.0
+  local other, isThere = query.blocker(self, x + 0.0, y + 0.0, w, h, filter)
+  if not isThere then
+    failMissing(call, filter, "the object in place of the filter")
+  end
+  return not other, other or nil
+end
+
+--- Returns the velocity of an object over ground. For a rider it is its own velocity and that of
+--- its carrier; for a kinematic object that you move by writing `x, y` it is how fast it went in the
+--- last step. Of a static object it is 0, 0.
+---
+--- Errors: the object is not a table, or not in the world.
+---@param object physics.NewObject the object
+---@return number vx px/s
+---@return number vy px/s
+function World:velocity(object)
+  local call = "velocity(object)"
+  checkQuestion(self, call)
+  check.table(object, "object", "world:velocity(object)")
+  checkObjects(self)
+  if not search(self, object) then
+    failMissing(call, object)
+  end
+  local slot = self._bodies.slotOf[object]
+  if not slot then
+    return object.static and 0 or object.vx or 0, object.static and 0 or object.vy or 0
+  end
+  local vx, vy = carrier.overGround(self._bodies, slot)
+  return vx, vy
+end
+
 --- Returns the object nearest to a point, and its distance. Of two at the same distance it is the
 --- first in the order of the world.
 ---
@@ -894,6 +950,27 @@ function World:impulse(object, ix, iy)
   check.number(vx, "vx after it", where)
   check.number(vy, "vy after it", where)
   object.vx, object.vy = vx, vy
+end
+
+--- Moves the whole world by (dx, dy): every object, active or not, and the tiles of its maps. No
+--- callback is called, and riders, contacts and velocities stay as they are. So a level may wrap
+--- around, or the player stay near the origin. Move your camera by the same way.
+---
+--- The coordinates are sums, so they round: choose a whole number of px. A state that was saved
+--- before belongs to the old place.
+---
+--- Errors: a number is not finite; an object would be too far away, or has a field that cannot be
+--- used (nothing has moved then); it is called from inside `canCollide`.
+---@param dx number px
+---@param dy number px
+function World:shift(dx, dy)
+  local call, where = "shift(dx, dy)", "world:shift(dx, dy)"
+  checkSelf(self, call)
+  checkIdle(self._bodies, call)
+  check.number(dx, "dx", where)
+  check.number(dy, "dy", where)
+  checkObjects(self)
+  require(root .. ".objects.shift").run(self, dx, dy)
 end
 
 --- Puts four static walls around a rectangle: `top`, `bottom`, `left` and `right` of the group

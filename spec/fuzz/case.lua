@@ -610,8 +610,8 @@ local WALKER = {
   { "maxFallSpeed", 0.3 },
 }
 
--- Gives fields of a list to many of those who move. (With numbers of its own: it makes no other game
--- of the rest.)
+-- Gives fields of a list to many of those who move. (With numbers of its own: it makes no other
+-- game of the rest.)
 local function equip(acts, seed, list)
   local n = newNumbers(seed)
   for _, act in ipairs(acts) do

@@ -11,7 +11,7 @@ local motion = {}
 local abs, max, min = math.abs, math.max, math.min
 
 local DEEP = 1e-6 -- px; less is not inside
-local EDGES = 16 -- over so many edges, each as high as its `snap`, an object may come down in a step
+local EDGES = 16 -- so many edges, each as high as `snap`, an object may come down in a step
 
 local Watch = {}
 Watch.__index = Watch
