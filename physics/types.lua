@@ -474,8 +474,8 @@ function default.sweep(object, dx, dy, filter) end
 function default.fits(x, y, width, height, filter) end
 
 --- Returns the velocity of an object over ground. For a rider it is its own velocity and that of
---- its carrier; for a kinematic object that you move by writing `x, y` it is how fast it went in the
---- last step. Of a static object it is 0, 0.
+--- its carrier; for a kinematic object that you move by writing `x, y` it is how fast it went in
+--- the last step. Of a static object it is 0, 0.
 ---
 --- Errors: the object is not a table, or not in the world.
 ---@param object physics.NewObject the object

@@ -8,7 +8,7 @@ local RATES = { 30, 60, 144, 240 }
 
 local function near(expected, value, tolerance)
   local difference = math.abs(value - expected)
-  if not (difference <= (tolerance or 1e-9)) then
+  if difference > (tolerance or 1e-9) or difference ~= difference then
     error(("%.17g should be %.17g"):format(value, expected), 2)
   end
 end

@@ -57,6 +57,16 @@ function tiles.new(given)
   return setmetatable(self, Tiles)
 end
 
+-- Moves the layer, and those of its objects that are not in the world, with a world that is moved.
+local function shift(self, dx, dy)
+  self.x, self.y, self._x, self._y = self.x + dx, self.y + dy, self._x + dx, self._y + dy
+  for _, object in ipairs(self._waiting) do
+    if self._isWaiting[object] then
+      object.x, object.y = object.x + dx, object.y + dy
+    end
+  end
+end
+
 --- Tells the tiles of which world their objects have become a part.
 ---@param self physics.Tiles
 ---@param world table
@@ -67,19 +77,9 @@ function tiles.attach(self, world, access, waiting)
   self._isAway = waiting and true or false
   local b = world._bodies
   b.tileLayers = b.tileLayers or setmetatable({}, { __mode = "k" })
-  b.tileLayers[self] = true
+  b.tileLayers[self] = shift
   for _, object in ipairs(waiting or {}) do
     cells.wait(self, object)
-  end
-end
-
--- Moves the layer, and those of its objects that are not in the world, with a world that is moved.
-function Tiles:_shift(dx, dy)
-  self.x, self.y, self._x, self._y = self.x + dx, self.y + dy, self._x + dx, self._y + dy
-  for _, object in ipairs(self._waiting) do
-    if self._isWaiting[object] then
-      object.x, object.y = object.x + dx, object.y + dy
-    end
   end
 end
 

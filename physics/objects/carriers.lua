@@ -35,8 +35,8 @@ local function shown(b, i)
   return (object.vx or 0) + b.drift[k], (object.vy or 0) + b.drift[k + 1]
 end
 
---- Returns the velocity of slot i over ground, x and y: with that of its carrier, or of the way that
---- the game has written.
+--- Returns the velocity of slot i over ground, x and y: with that of its carrier, or of the way
+--- that the game has written.
 function carrier.overGround(b, i)
   if b.kind[i] == STATIC then
     return 0, 0

@@ -106,8 +106,8 @@ local function listGround(b, i, k, sign, x, depth)
   return count
 end
 
--- Of ground[1..count], the highest one below body k, if that is at x, and no higher than `least`; and
--- how deep that is.
+-- Of ground[1..count], the highest one below body k, if that is at x, and no higher than `least`;
+-- and how deep that is.
 local function highest(b, k, sign, count, x, least)
   local found, axis = b.snaps.ground, k % 2
   local best, depth, width = 0, huge, b.size[k + 1 - 2 * axis]
@@ -125,7 +125,8 @@ local function highest(b, k, sign, count, x, least)
   return best, depth
 end
 
--- Where ground as deep as `height` ends for body k, which stands on it at x and goes on by `way` px.
+-- Where ground as deep as `height` ends for body k, which stands on it at x and goes on by `way`
+-- px.
 local function endOf(b, k, sign, count, x, way, height)
   local found, axis, hasGone = b.snaps.ground, k % 2, true
   local width, goal = b.size[k + 1 - 2 * axis], b.to[k + 1 - 2 * axis]
@@ -163,8 +164,8 @@ local function reach(b, k, sign, count, way, most)
   return height + most
 end
 
--- Whether slot j, which i would be put onto, is held, and the two do not go apart.
-local function bears(b, i, j, k, sign)
+-- Whether slot j, which body k would be put onto, is held, and the two do not go apart.
+local function bears(b, j, k, sign)
   local m = 2 * j + k % 2
   local isHeld = b.kind[j] ~= DYNAMIC or (sign > 0 and b.heldHigh[m] or b.heldLow[m]) > 0
   local closing = (b.speed[k] - b.speed[m]) * sign
@@ -204,7 +205,7 @@ local function lower(b, i, most, dt)
   local foot, edges = footOf(b, k, sign), min(EDGES, 1 + floor(max(way, -way)))
   local count = listGround(b, i, k, sign, b.to[across] - way, foot + most * edges)
   local j, depth = highest(b, k, sign, count, b.to[across], foot)
-  if j == 0 or depth <= foot + EPSILON or not bears(b, i, j, k, sign) then
+  if j == 0 or depth <= foot + EPSILON or not bears(b, j, k, sign) then
     return false
   elseif depth > foot + most + EPSILON then
     if edges == 1 or depth > reach(b, k, sign, count, way, most) + EPSILON then

@@ -737,8 +737,8 @@ end ---@diagnostic disable-line: missing-return
 ---@param y number px, top edge
 ---@param width number px, > 0
 ---@param height number px, > 0
----@param filter physics.Filter|physics.NewObject|nil which objects count, default all; or the object
----  that would be there
+---@param filter physics.Filter|physics.NewObject|nil which objects count, default all; or the
+---  object that would be there
 ---@return boolean fits
 ---@return physics.Object? other what is in the way, the first in the order of the world
 function World:fits(x, y, width, height, filter)
@@ -757,8 +757,8 @@ function World:fits(x, y, width, height, filter)
 end
 
 --- Returns the velocity of an object over ground. For a rider it is its own velocity and that of
---- its carrier; for a kinematic object that you move by writing `x, y` it is how fast it went in the
---- last step. Of a static object it is 0, 0.
+--- its carrier; for a kinematic object that you move by writing `x, y` it is how fast it went in
+--- the last step. Of a static object it is 0, 0.
 ---
 --- Errors: the object is not a table, or not in the world.
 ---@param object physics.NewObject the object
