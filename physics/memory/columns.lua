@@ -396,6 +396,7 @@ function columns.new()
     stained = {}, -- pairs of which more must be forgotten than of others (see live)
     stainCount = 0,
     links = 0, -- how often the pairs have changed
+    staticVersion = 0, -- how often static objects have come, gone, or been read again
     awakenings = 0, -- how often it has changed who takes part
     liveLinks = -1, -- both, when `live` was listed
     liveAwakenings = -1,

@@ -229,11 +229,20 @@ end
 
 local takeTouching = collect.takeTouching
 
+-- Notes that an object has come, goes, or is read again, if it is static: what was noted of all
+-- static ones (see physics/state/save.lua) is out of date.
+local function noteStatic(b, i)
+  if b.kind[i] == STATIC then
+    b.staticVersion = b.staticVersion + 1
+  end
+end
+
 local function enter(b, object, record, key)
   local i = columns.claim(b)
   b.slotOf[object] = i
   b.object[i], b.group[i], b.groupName[i], b.key[i] = object, record, record.name, key
   b.kind[i] = columns.kindOf(object)
+  noteStatic(b, i)
   readAll(b, i, object, true)
   columns.stand(b, i)
   b.fresh[i] = true
@@ -269,6 +278,7 @@ end
 
 local function leave(b, i)
   local object = b.object[i]
+  noteStatic(b, i)
   carrier.forget(b, i)
   rest.wakeNeighbours(b, i)
   events.endContacts(b, i)
@@ -361,7 +371,9 @@ local function reread(b, i)
     carrier.forget(b, i)
   end
   if isNew then
+    noteStatic(b, i)
     b.kind[i] = kind
+    noteStatic(b, i)
     giveUpTouching(b, i)
     if kind == DYNAMIC then
       takeTouching(b, i, collect.touchingFor(b, object))
@@ -612,7 +624,9 @@ function collect.refresh(b, i)
     carrier.forget(b, i)
   end
   local x, y = b.position[2 * i], b.position[2 * i + 1]
+  noteStatic(b, i)
   b.kind[i] = columns.kindOf(object)
+  noteStatic(b, i)
   if b.kind[i] ~= DYNAMIC then
     forgetMotion(b, i)
     giveUpTouching(b, i)

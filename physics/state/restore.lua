@@ -83,6 +83,22 @@ local function match(world, st)
   return { objects = matchByPlace(world, st), masks = {}, gone = {}, rows = {} }
 end
 
+-- Lists the objects to look at, by number: all, or if no static object has come, gone or been read
+-- again since the state was saved, all others.
+local function listVisits(b, tables, count)
+  local visit, at = {}, 0
+  local isFixed = tables.staticVersion == b.staticVersion and not b.newcomers
+  local objects, slotOf, kind = tables.objects, b.slotOf, b.kind
+  for n = 1, count do
+    local slot = isFixed and slotOf[objects[n]]
+    if not slot or kind[slot] ~= STATIC then
+      at = at + 1
+      visit[at] = n
+    end
+  end
+  return visit
+end
+
 -- Fields -----------------------------------------------------------------------------------------
 
 local function write(object, name, value)
@@ -122,10 +138,14 @@ local function writeMask(object, list, known)
 end
 
 -- Writes a sparse list of values; who is not in it has no value.
-local function writeSparse(objects, masks, name, list)
+local function writeSparse(objects, masks, name, list, visit)
   local at, isMask = 1, name == "mask"
-  for n = 1, #objects do
+  for m = 1, #visit do
+    local n = visit[m]
     local object = objects[n]
+    while list[at] and list[at] < n do
+      at = at + 2
+    end
     if list[at] ~= n then
       write(object, name, nil)
     elseif isMask then
@@ -138,24 +158,26 @@ local function writeSparse(objects, masks, name, list)
   end
 end
 
-local function writeDense(objects, name, list)
-  for n = 1, #objects do
+local function writeDense(objects, name, list, visit)
+  for m = 1, #visit do
+    local n = visit[m]
     write(objects[n], name, list[n] or nil)
   end
 end
 
--- Writes the fields as they were when the state was saved; with `only`, just those.
-local function writeFields(st, objects, masks, only)
+-- Writes the fields of the objects to visit as they were when the state was saved; with `only`,
+-- those.
+local function writeFields(st, objects, masks, visit, only)
   for _, entry in ipairs(state.DENSE) do
     local name = entry[1]
     if not only or only[name] then
-      writeDense(objects, name, st[name])
+      writeDense(objects, name, st[name], visit)
     end
   end
   for _, entry in ipairs(state.SPARSE) do
     local name = entry[1]
     if not only or only[name] then
-      writeSparse(objects, masks, name, st.fields[name])
+      writeSparse(objects, masks, name, st.fields[name], visit)
     end
   end
 end
@@ -326,9 +348,10 @@ local function isRead(b, i, object)
 end
 
 -- Reads all that `collect` would take for read already.
-local function readAgain(b, objects, known)
-  for n = 1, known do
-    local slot = b.slotOf[objects[n]]
+local function readAgain(b, objects, known, visit)
+  for m = 1, #visit do
+    local n = visit[m]
+    local slot = n <= known and b.slotOf[objects[n]]
     if slot and not isRead(b, slot, objects[n]) then
       collect.refresh(b, slot)
     end
@@ -336,9 +359,9 @@ local function readAgain(b, objects, known)
 end
 
 -- Everybody stands where it is, has no past and is awake.
-local function settle(b, objects, known)
-  for n = 1, known do
-    local i = b.slotOf[objects[n]]
+local function settle(b, list)
+  for n = 1, #list do
+    local i = list[n]
     local k = 2 * i
     for axis = k, k + 1 do
       b.position[axis] = b.written[axis]
@@ -355,12 +378,12 @@ local function settle(b, objects, known)
   b.movedCount, b.lostCount = 0, 0
 end
 
-local function rememberPoints(b, st, slots)
+local function rememberPoints(b, st, slots, present)
   for _, entry in ipairs(state.POINTS) do
     local list, column, usual = st.memory[entry[1]], b[entry[1]], entry[2]
     local model = b[usual]
-    for n = 1, st.known do
-      local k = 2 * slots[n]
+    for n = 1, #present do
+      local k = 2 * present[n]
       column[k], column[k + 1] = model and model[k] or usual, model and model[k + 1] or usual
     end
     for at = 1, #list, 3 do
@@ -403,11 +426,11 @@ local function rememberSlots(b, st, slots)
 end
 
 -- Everybody stands where it was.
-local function stand(b, st, slots)
-  for n = 1, st.known do
-    columns.stand(b, slots[n])
+local function stand(b, list)
+  for n = 1, #list do
+    columns.stand(b, list[n])
   end
-  detect.run(b, slots, 1, st.known)
+  detect.run(b, list, 1, #list)
 end
 
 local function rememberContacts(b, st, slots)
@@ -466,16 +489,19 @@ local function rememberEvents(b, st, named)
   e.sorted = max(st.sorted or 0, e.told)
 end
 
-local function remember(b, st, objects, named)
-  local slots = {}
+local function remember(b, st, objects, named, visit)
+  local slots, present = {}, {}
   for n = 1, st.known do
     slots[n] = b.slotOf[objects[n]]
   end
-  settle(b, objects, st.known)
+  for m = 1, #visit do
+    present[m] = slots[visit[m]] -- (Those that are not known come last.)
+  end
+  settle(b, present)
   rememberHistory(b, st.memory)
-  rememberPoints(b, st, slots)
+  rememberPoints(b, st, slots, present)
   rememberSlots(b, st, slots)
-  stand(b, st, slots)
+  stand(b, present)
   rememberContacts(b, st, slots)
   rememberTouching(b, st, objects, named, slots)
   rememberEvents(b, st, named)
@@ -587,16 +613,17 @@ function restore.world(world, st)
   local tables = match(world, st)
   local objects, masks = tables.objects, tables.masks
   local named = recall(b, st, objects, tables.gone)
+  local visit = listVisits(b, tables, st.count)
   forget(b)
   restoreSettings(world, st.settings, tables)
-  writeFields(st, objects, masks)
+  writeFields(st, objects, masks, visit)
   local unread = writeRead(st, objects)
   placeKnown(world, st, objects)
-  readAgain(b, objects, st.known)
+  readAgain(b, objects, st.known, visit)
   collectKnown(world, st)
-  remember(b, st, objects, named)
+  remember(b, st, objects, named, visit)
   if unread then
-    writeFields(st, objects, masks, unread)
+    writeFields(st, objects, masks, visit, unread)
   end
   placeNow(world, st, objects)
   world._walls = {}

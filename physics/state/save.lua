@@ -242,6 +242,101 @@ local function saveTables(b, objects, out, work)
   out.tables = list
 end
 
+-- Static objects are read once, so what they have in their fields is noted once, too (`b.fixed`),
+-- until one of them comes, goes or is read again. A save looks at all others.
+
+local NONE = {}
+
+-- Whether static objects were read since the last step.
+local function hasMovedStatic(b)
+  for n = 1, b.movedCount do
+    if b.kind[b.movedList[n]] == STATIC then
+      return true
+    end
+  end
+  return false
+end
+
+-- Whether what was noted of the static objects is right: `slots` in their order, `has[name]`: slot,
+-- value of each one that has the field.
+local function isFixedRight(b, fixed, numbers)
+  if not fixed or fixed.version ~= b.staticVersion or b.newcomers then
+    return false
+  end
+  if hasMovedStatic(b) then
+    return false
+  end
+  local slots = fixed.slots
+  for n = 2, #slots do
+    if numbers[slots[n]] < numbers[slots[n - 1]] then
+      return false
+    end
+  end
+  return true
+end
+
+-- Lists in work.visit the objects to look at, by number.
+local function listVisits(b, out, work)
+  work.visit = work.visit or {}
+  local visit, count, numbers = work.visit, 0, work.numbers
+  work.fixed, work.isClean = isFixedRight(b, b.fixed, numbers) and b.fixed or false, true
+  if work.fixed then
+    for n = 1, b.moverCount do
+      visit[n] = numbers[b.movers[n]]
+    end
+    count = b.moverCount
+  end
+  for n = work.fixed and out.known + 1 or 1, out.count do
+    count = count + 1
+    visit[count] = n
+  end
+  cut(visit, count)
+  work.visitKnown = count - (out.count - out.known)
+end
+
+-- Adds what is noted of static objects before number n behind place `at` of a sparse list, from
+-- place i of `has` on; returns both.
+local function putFixed(list, at, has, i, n, numbers)
+  local slot = has[i]
+  while slot and numbers[slot] < n do
+    list[at + 1], list[at + 2] = numbers[slot], has[i + 1]
+    at, i = at + 2, i + 2
+    slot = has[i]
+  end
+  return at, i
+end
+
+-- Notes what the static objects have, of which a full save has found nothing that was written since
+-- it was read.
+local function noteFixed(b, out, work)
+  local fixed = { version = b.staticVersion, slots = {}, has = {}, dense = {} }
+  local slots, kind = work.slots, b.kind
+  for n = 1, out.known do
+    if kind[slots[n]] == STATIC then
+      fixed.slots[#fixed.slots + 1] = slots[n]
+    end
+  end
+  for m = 1, #state.SPARSE do
+    local name, has = state.SPARSE[m][1], {}
+    local list = out.fields[name]
+    for at = 1, #list, 2 do
+      local slot = list[at] <= out.known and slots[list[at]]
+      if slot and kind[slot] == STATIC then
+        has[#has + 1], has[#has + 2] = slot, list[at + 1]
+      end
+    end
+    fixed.has[name] = has
+  end
+  for m = 1, #state.DENSE do
+    local list, values = out[state.DENSE[m][1]], {}
+    for n = 1, #fixed.slots do
+      values[n] = list[work.numbers[fixed.slots[n]]]
+    end
+    fixed.dense[m] = values
+  end
+  b.fixed = fixed
+end
+
 -- Fields -----------------------------------------------------------------------------------------
 
 -- Something was written that the library has not read: it must be of use.
@@ -251,18 +346,29 @@ local function checkWritten(b, slot)
 end
 
 -- Notes what the library has read in field `name` of object n.
-local function noteRead(b, out, name, n, slot, value)
+local function noteRead(b, out, work, name, n, slot, value)
   checkWritten(b, slot)
+  work.isClean = work.isClean and b.kind[slot] ~= STATIC
   local list = listIn(out.read, name)
   list[#list + 1] = n
   list[#list + 1] = value
 end
 
 -- Saves a field that everybody has an entry for. The velocity of a static object is not read.
-local function saveDense(b, out, work, entry)
+local function saveDense(b, out, work, m)
+  local entry = state.DENSE[m]
   local name, column, axis, absent = entry[1], b[entry[2]], entry[3], entry[4]
   local list, objects, slots, kind = listIn(out, name), work.objects, work.slots, b.kind
-  for n = 1, out.known do
+  local fixed, visit, numbers = work.fixed and work.fixed.slots or NONE, work.visit, work.numbers
+  local values = work.fixed and work.fixed.dense[m]
+  for at = #list + 1, out.count do
+    list[at] = false -- so that it is filled from its beginning
+  end
+  for at = 1, #fixed do
+    list[numbers[fixed[at]]] = values[at]
+  end
+  for at = 1, work.visitKnown do
+    local n = visit[at]
     local slot, value = slots[n], objects[n][name]
     local read = column[2 * slot + axis]
     list[n] = value or false
@@ -273,7 +379,7 @@ local function saveDense(b, out, work, entry)
       if absent and kind[slot] == STATIC then
         checkWritten(b, slot)
       else
-        noteRead(b, out, name, n, slot, read)
+        noteRead(b, out, work, name, n, slot, read)
       end
     end
   end
@@ -288,9 +394,12 @@ local function saveColumn(b, out, work, entry)
   local name, column, absent, axis = entry[1], b[entry[2]], entry[3], entry[4]
   local list, objects, slots, at = listIn(out.fields, name), work.objects, work.slots, 0
   local stride, offset = axis and 2 or 1, axis or 0
-  for n = 1, out.known do
+  local has, i, visit = work.fixed and work.fixed.has[name] or NONE, 1, work.visit
+  for m = 1, work.visitKnown do
+    local n = visit[m]
     local slot, value = slots[n], objects[n][name]
     local read = column[stride * slot + offset]
+    at, i = putFixed(list, at, has, i, n, work.numbers)
     if value ~= nil then
       list[at + 1], list[at + 2] = n, value
       at = at + 2
@@ -301,9 +410,10 @@ local function saveColumn(b, out, work, entry)
       value = absent
     end
     if value ~= read then
-      noteRead(b, out, name, n, slot, read ~= HUGE and read)
+      noteRead(b, out, work, name, n, slot, read ~= HUGE and read)
     end
   end
+  at = putFixed(list, at, has, i, HUGE, work.numbers)
   for n = out.known + 1, out.count do
     local value = objects[n][name]
     if value ~= nil then
@@ -343,9 +453,12 @@ end
 -- Saves a field by means of functions.
 local function saveSpecial(b, out, work, name, read, absent)
   local list, objects, slots, at = listIn(out.fields, name), work.objects, work.slots, 0
-  for n = 1, out.count do
+  local has, i, visit = work.fixed and work.fixed.has[name] or NONE, 1, work.visit
+  for m = 1, #visit do
+    local n = visit[m]
     local object, slot = objects[n], slots[n]
     local value = object[name]
+    at, i = putFixed(list, at, has, i, n, work.numbers)
     if value ~= nil then
       list[at + 1], list[at + 2] = n, value
       at = at + 2
@@ -355,10 +468,11 @@ local function saveSpecial(b, out, work, name, read, absent)
     if n <= out.known then
       local was = read(b, slot, object)
       if value ~= was then
-        noteRead(b, out, name, n, slot, was)
+        noteRead(b, out, work, name, n, slot, was)
       end
     end
   end
+  at = putFixed(list, at, has, i, HUGE, work.numbers)
   cut(list, at)
 end
 
@@ -404,16 +518,20 @@ end
 
 local function saveMasks(b, out, work)
   local list, objects, slots, at = listIn(out.fields, "mask"), work.objects, work.slots, 0
-  for n = 1, out.count do
+  local has, i, visit = work.fixed and work.fixed.has.mask or NONE, 1, work.visit
+  for m = 1, #visit do
+    local n = visit[m]
     local mask, slot = objects[n].mask or false, slots[n]
+    at, i = putFixed(list, at, has, i, n, work.numbers)
     if n <= out.known and not isMaskRead(b, slot, mask) then
-      noteRead(b, out, "mask", n, slot, b.mask[slot] and listRead(b, slot))
+      noteRead(b, out, work, "mask", n, slot, b.mask[slot] and listRead(b, slot))
     end
     if mask then
       list[at + 1], list[at + 2] = n, listMask(mask)
       at = at + 2
     end
   end
+  at = putFixed(list, at, has, i, HUGE, work.numbers)
   cut(list, at)
 end
 
@@ -423,7 +541,7 @@ local function saveFields(b, out, work)
     cut(list, 0)
   end
   for n = 1, #state.DENSE do
-    saveDense(b, out, work, state.DENSE[n])
+    saveDense(b, out, work, n)
   end
   for n = 1, #state.SPARSE do
     local entry = state.SPARSE[n]
@@ -450,7 +568,8 @@ local function saveFlags(b, out, work)
   for m = 1, #state.FLAGS do
     local name = state.FLAGS[m]
     local list, column, at = listIn(out.memory, name), b[name], 0
-    for n = 1, out.known do
+    for v = 1, work.visitKnown do
+      local n = work.visit[v]
       if column[slots[n]] or (name == "moved" and asksAnew(b, slots[n])) then
         at = at + 1
         list[at] = n
@@ -465,7 +584,8 @@ local function saveLinks(b, out, work)
   for m = 1, #state.LINKS do
     local name = state.LINKS[m]
     local list, column, at = listIn(out.memory, name), b[name], 0
-    for n = 1, out.known do
+    for v = 1, work.visitKnown do
+      local n = work.visit[v]
       local other = column[slots[n]]
       if other ~= 0 and b.kind[other] ~= 0 then
         list[at + 1], list[at + 2] = n, numbers[other]
@@ -482,7 +602,8 @@ local function savePoints(b, out, work)
     local name, usual = state.POINTS[m][1], state.POINTS[m][2]
     local list, column, model, at = listIn(out.memory, name), b[name], b[usual], 0
     local isWanted = name ~= "last" or b.world.timestep
-    for n = 1, isWanted and out.known or 0 do
+    for v = 1, isWanted and work.visitKnown or 0 do
+      local n = work.visit[v]
       local k = 2 * slots[n]
       local x, y = usual, usual
       if model then
@@ -706,6 +827,7 @@ function state.fill(world, out)
   work.goneCount = 0
   saveGroups(b, out, work)
   saveTables(b, world.objects, out, work)
+  listVisits(b, out, work)
   saveFields(b, out, work)
   listIn(out, "memory")
   saveFlags(b, out, work)
@@ -718,6 +840,12 @@ function state.fill(world, out)
   saveEvents(b, out, work)
   saveGone(out, work)
   cut(work.objects, out.count + work.goneCount)
+  if not work.fixed then
+    b.fixed = false
+    if work.isClean and not hasMovedStatic(b) then
+      noteFixed(b, out, work)
+    end
+  end
   return work
 end
 
@@ -747,6 +875,7 @@ function state.save(world, out)
     tables = { objects = {}, masks = {}, gone = {}, rows = {} }
     b.tablesOf[out] = tables
   end
+  tables.staticVersion = b.fixed and b.staticVersion or false
   for n = 1, out.count do
     tables.objects[n] = work.objects[n]
     tables.masks[n] = work.objects[n].mask or false
