@@ -103,6 +103,7 @@ build = {
     ["physics.solver.solver"] = "physics/solver/solver.lua",
     ["physics.solver.sweep"] = "physics/solver/sweep.lua",
     ["physics.state.hash"] = "physics/state/hash.lua",
+    ["physics.state.own"] = "physics/state/own.lua",
     ["physics.state.restore"] = "physics/state/restore.lua",
     ["physics.state.save"] = "physics/state/save.lua",
     ["physics.state.validate"] = "physics/state/validate.lua",

@@ -8,6 +8,7 @@ local TYPES = {
   mask = "table<string|number, boolean>",
   masks = "table<string|number, table<string|number, boolean>>",
   names = "(string|number)[]",
+  ownFields = "string[]",
   sides = "physics.Touching",
 }
 

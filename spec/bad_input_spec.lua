@@ -548,6 +548,8 @@ local SETTINGS = {
   { "maxStep", 0, "must be a number in 1e-05..0.25" },
   { "maxStep", NAN, "must be a number in 1e-05..0.25" },
   { "order", "boxes", "must be a list of group names" },
+  { "ownFields", "hp", "must be a list of names of fields" },
+  { "ownFields", { hp = true }, "must be a list of names of fields" },
   { "rest", "off", "must be true or false" },
   { "onBegin", 1, "must be a function" },
   { "onStay", {}, "must be a function" },

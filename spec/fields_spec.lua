@@ -55,6 +55,7 @@ local SETTINGS = {
   { "timestep", nil, "s" },
   { "maxStep", 1 / 30, "s" },
   { "order", nil },
+  { "ownFields", nil },
   { "rest", true },
   { "checked", false },
   { "profile", nil },
@@ -74,6 +75,7 @@ local TYPES = {
   mask = true,
   masks = true,
   names = true,
+  ownFields = true,
   sides = true,
 }
 

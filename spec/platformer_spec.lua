@@ -234,7 +234,7 @@ describe("world:fits", function()
     assert.is_true(world:fits(4, 4, 8, 8))
   end)
 
-  it("agrees with what a step does: who grows where it fits is not moved", function()
+  it("agrees with what a step does: what grows where it fits is not moved", function()
     local random = newRandom(5)
     for _ = 1, 60 do
       local world = physics.newWorld({ gravity = 0 })

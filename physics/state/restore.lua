@@ -13,6 +13,7 @@ local events = require(root .. ".contacts.events")
 local fields = require(root .. ".world.fields")
 local filter = require(root .. ".broadphase.filter")
 local interpreted = require(root .. ".memory.jit")
+local own = require(root .. ".state.own")
 local rest = require(root .. ".sleep.islands")
 local settings = require(root .. ".world.settings")
 local state = require(root .. ".state.save")
@@ -626,6 +627,7 @@ function restore.world(world, st)
     writeFields(st, objects, masks, visit, unread)
   end
   placeNow(world, st, objects)
+  own.restore(st, objects)
   world._walls = {}
   for side, n in next, st.walls, nil do
     world._walls[side] = objects[n]

@@ -26,8 +26,10 @@
 --   gone          fields by name of those that have left the world and are named in `touching` or
 --                 `events` nevertheless, nil: nobody. Their numbers follow behind all others
 --
--- Broad phase and rest are not in here, they change no result; functions and the game's own fields
--- stay where they are, on the objects.
+--   own           the game's own fields that the setting `ownFields` names (see own.lua)
+--
+-- Broad phase and rest are not in here, they change no result; functions and the game's other
+-- fields stay where they are, on the objects.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local carrier = require(root .. ".objects.carriers")
@@ -38,6 +40,7 @@ local fields = require(root .. ".world.fields")
 local filter = require(root .. ".broadphase.filter")
 local interpreted = require(root .. ".memory.jit")
 local keyOrder = require(root .. ".memory.keyOrder")
+local own = require(root .. ".state.own")
 local roster = require(root .. ".objects.registry")
 
 local state = {}
@@ -130,6 +133,7 @@ end
 -- by themselves.
 local UNSAVED =
   { broadphase = true, cellSize = true, rest = true, checked = true, masks = true, order = true }
+UNSAVED.ownFields = true
 
 --- Settings in a state, in order, apart from masks and order.
 state.SETTINGS = {}
@@ -813,6 +817,12 @@ local function saveSettings(world, out)
   end
 end
 
+-- How the game would write object n.
+local function placeOf(b, out, work, n)
+  local slot = n <= out.known and work.slots[n]
+  return slot and roster.place(b.group[slot], b.key[slot]) or "an object that was added"
+end
+
 --- Fills `out` with the state of a world; `work` has the objects by number then, and behind them
 --- the `goneCount` that have left.
 --- Errors: something that `update` would refuse.
@@ -839,6 +849,7 @@ function state.fill(world, out)
   saveContacts(b, out, work)
   saveEvents(b, out, work)
   saveGone(out, work)
+  own.save(world, out, work, placeOf)
   cut(work.objects, out.count + work.goneCount)
   if not work.fixed then
     b.fixed = false

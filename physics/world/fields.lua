@@ -15,7 +15,7 @@
 ---
 --- Types: "number" (finite), "boolean", "string" (one of `values`), "function",
 ---   "mask" (group name -> boolean), "masks" (group name -> mask), "names" (list of group names),
----   "sides" (side -> object or false).
+---   "ownFields" (list of names of fields of the game), "sides" (side -> object or false).
 
 ---@class physics.Field
 ---@field name string
@@ -398,6 +398,13 @@ fields.settings = {
     absent = "numbers ascending, then strings",
     meaning = "Group names from first to last. Groups that are not listed follow in the usual"
       .. " order.",
+  },
+  {
+    name = "ownFields",
+    type = "ownFields",
+    absent = "none",
+    meaning = "Names of fields of your own objects that `save`, `restore` and `hash` count in:"
+      .. " numbers, strings, booleans and tables of these.",
   },
   {
     name = "rest",

@@ -446,15 +446,18 @@ end
 ---
 --- - Saved: the objects with the fields that the library knows, the settings that change results,
 ---   contacts, riders, saved-up time, and events that an error in a callback has delayed.
---- - Not saved: functions (callbacks, `canCollide`), your own fields, and the settings
----   `broadphase`, `cellSize`, `rest` and `checked`.
+--- - Not saved: functions (callbacks, `canCollide`), your own fields but for those that the setting
+---   `ownFields` names, and the settings `broadphase`, `cellSize`, `rest`, `checked` and
+---   `ownFields`.
+--- - Of a static object it is what `update` has read: call `refresh` after changing one.
 ---
 --- The best moment is right before `update`, after you have written the input of the step. A state
 --- that is saved inside a callback holds the events that are still to come, without the current
 --- one.
 ---
---- Errors: a field or setting that `update` would refuse; `out` is not a table; it is called from
---- inside `canCollide`.
+--- Errors: a field or setting that `update` would refuse; a field of your own in `ownFields` that
+--- is a function, infinite, or the like; `out` is not a table; it is called from inside
+--- `canCollide`.
 ---@param out physics.State? a state of this world that you no longer need. It is filled again, so
 ---   that a steady scene makes no garbage
 ---@return physics.State state
@@ -475,7 +478,7 @@ end
 ---
 --- Objects that were added since then leave their groups, removed ones come back, and all get their
 --- saved fields. The tables of groups stay the same. Groups that are not in the state are emptied.
---- Your own fields are not touched.
+--- Your own fields are not touched, but for those that the setting `ownFields` named.
 ---
 --- - A state of this same world, in the same table: each object is the very table that it was. Your
 ---   references, callbacks and own fields stay with it.
