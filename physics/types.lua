@@ -335,7 +335,8 @@ function default.save(out) end
 ---   new plain table, without callbacks, is made for each object that is missing.
 ---
 --- Numbered keys shift when an object is removed. So, for states from elsewhere, give an object
---- with fields or callbacks of its own a string key: `world.objects.enemies.boss = boss`.
+--- with fields or callbacks of its own a string key: `world.objects.enemies.boss = boss`. A group
+--- under numbers with another count of objects than in the state is named in the result.
 ---
 --- Events that were still to come when the state was saved are told after `restore`, also about
 --- objects that have left the world. In another world such an object is a new plain table.
@@ -343,6 +344,7 @@ function default.save(out) end
 --- Errors: the value is not a state, or one of another version, or damaged; it is called from
 --- inside `canCollide`. Nothing has changed then.
 ---@param saved physics.State what `save` returned, or a copy
+---@return string? misfit nil: the state fits; else a sentence about numbered keys that may be wrong
 function default.restore(saved) end
 
 --- Returns a whole number in 0..10^14 over everything that `save` holds. It is the same on every

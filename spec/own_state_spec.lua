@@ -219,6 +219,36 @@ describe("ownFields", function()
   end)
 end)
 
+describe("a state from elsewhere", function()
+  it("tells of a group under numbers that has another count here", function()
+    local host, client = newScene({ gravity = 800 }), newScene({ gravity = 800 })
+    host:remove(host.objects.men[1])
+    host:update(1 / 60)
+    local sentence = client:restore(host:save())
+    assert.matches("^objects.men has 2 objects in the state and 3 here: numbers shift", sentence)
+    assert.is_nil(client:restore(host:save()))
+    assert.equal(host:hash(), client:hash())
+  end)
+
+  it("says nothing of string keys, of empty groups, and of a state of the same world", function()
+    local host, client = physics.newWorld(), physics.newWorld()
+    for _, world in ipairs({ host, client }) do
+      world.objects.men = { a = { x = 0, y = 0, width = 1, height = 1 } }
+      world.objects.men.b = { x = 9, y = 0, width = 1, height = 1 }
+      world:update(1 / 60)
+    end
+    host.objects.men.a = nil
+    host:update(1 / 60)
+    assert.is_nil(client:restore(host:save()))
+    assert.is_nil(physics.newWorld():restore(newScene():save()))
+    local own = newScene()
+    local state = own:save()
+    own:remove(own.objects.men[1])
+    own:update(1 / 60)
+    assert.is_nil(own:restore(state))
+  end)
+end)
+
 describe("a save and a restore", function()
   -- Tiles that count how often their fields are read.
   local function newCounted(count)

@@ -73,6 +73,23 @@ local function matchByPlace(world, st)
   return objects
 end
 
+-- A sentence that names the first group under numbers that has another count of objects here than
+-- in a state from elsewhere: what the game has put into them may be on other objects. nil: none.
+local function misfit(world, st)
+  for _, group in ipairs(st.tables or st.groups) do
+    local members = world.objects[group.name]
+    local count = group.count or #group.objects
+    local isNumbered = not group.direct and (not group.keys or type(group.keys[count]) == "number")
+    local here = type(members) == "table" and type(members.width) ~= "number" and #members or 0
+    if isNumbered and count ~= here and here > 0 then
+      return (
+        "%s has %d objects in the state and %d here: numbers shift when an object is removed,"
+        .. " so your own fields may be on other objects. String keys stay."
+      ):format(check.place(group.name), count, here)
+    end
+  end
+end
+
 -- Which tables were what when the state was saved, as far as known: `objects` by number, and
 -- if this world has saved the state itself their `masks`, those who had `gone`, the masks of the
 -- world (`worldMasks`) and their `rows`.
@@ -81,7 +98,8 @@ local function match(world, st)
   if tables and #tables.objects == st.count then
     return tables
   end
-  return { objects = matchByPlace(world, st), masks = {}, gone = {}, rows = {} }
+  local sentence = misfit(world, st)
+  return { objects = matchByPlace(world, st), masks = {}, gone = {}, rows = {} }, sentence
 end
 
 -- Lists the objects to look at, by number: all, or if no static object has come, gone or been read
@@ -603,7 +621,8 @@ local function collectKnown(world, st)
   r.order, r.reorder = order, true
 end
 
---- Makes a world what it was when `st` was saved.
+--- Makes a world what it was when `st` was saved. Returns a sentence if it comes from elsewhere and
+--- does not fit the tables of the game.
 --- Errors: a state that cannot be used; nothing has changed then.
 function restore.world(world, st)
   verify.state(st)
@@ -611,7 +630,7 @@ function restore.world(world, st)
   if type(world.objects) ~= "table" then
     world.objects = {}
   end
-  local tables = match(world, st)
+  local tables, sentence = match(world, st)
   local objects, masks = tables.objects, tables.masks
   local named = recall(b, st, objects, tables.gone)
   local visit = listVisits(b, tables, st.count)
@@ -635,6 +654,7 @@ function restore.world(world, st)
   world._saved = st.saved
   world.alpha = world.timestep and max(0, min(st.saved / world.timestep, 1)) or 0
   view.outdate(b)
+  return sentence
 end
 
 interpreted.always(overwrite, masksOf, areSameMasks, writeMasks)
