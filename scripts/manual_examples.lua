@@ -171,8 +171,9 @@ print(ceiling ~= nil, y) --> true 356
 examples["world:fits"] = [[
 world:add("tiles", { x = 0, y = 340, width = 100, height = 16, static = true })
 player.y, player.height = 376, 24 -- it crouches
-print(world:fits(player.x, 368, 24, 32, player)) --> true
-print(world:fits(player.x, 350, 24, 50, player)) --> false table
+local isFree = world:fits(player.x, 368, 24, 32, player)
+local hasRoom, ceiling = world:fits(player.x, 350, 24, 50, player)
+print(isFree, hasRoom, ceiling.y) --> true false 340
 ]]
 
 examples["world:velocity"] = [[

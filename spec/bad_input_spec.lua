@@ -705,6 +705,18 @@ describe("add", function()
     end)
   end
 
+  it("refuses the place as arguments", function()
+    local world = physics.newWorld()
+    refuses(
+      "world:add(group, object): the place is a part of the object, as in"
+        .. ' world:add("boxes", { x = 0, y = 0, width = 16, height = 16 })',
+      function()
+        world:add(newBox(), 1, 2, 16, 16)
+      end
+    )
+    assert.is_nil(next(world.objects))
+  end)
+
   it("refuses what is no object", function()
     local world = physics.newWorld()
     refuses("world:add(group, object): object must be a table, got nil", function()

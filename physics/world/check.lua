@@ -456,7 +456,7 @@ end
 local function advice(object, field, value)
   local other = field.misnamed and object[field.misnamed]
   if value == nil and isFinite(other) then
-    return format(" (but %s is %s)", field.misnamed, show(other))
+    return format(" (but %s is %s: call it %s)", field.misnamed, show(other), field.name)
   elseif field.infinite and value == huge then
     return format(" (%s)", field.infinite)
   end

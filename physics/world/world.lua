@@ -193,6 +193,9 @@ function World:update(dt)
   if b.isTold then
     check.fail("world:update(dt) cannot be called from inside onStep")
   end
+  if self.checked then
+    guard.checkTime(self, dt)
+  end
   view.outdate(b) -- also if there is no step
   events.tell(b)
   if dt < SHORTEST then
@@ -337,6 +340,12 @@ end
 function World:add(group, object)
   checkSelf(self, "add(group, object)")
   checkIdle(self._bodies, "add(group, object)")
+  if type(group) == "table" and type(object) == "number" then
+    check.fail(
+      "world:add(group, object): the place is a part of the object, as in"
+        .. ' world:add("boxes", { x = 0, y = 0, width = 16, height = 16 })'
+    )
+  end
   check.group(group, "world:add(group, object)")
   check.table(object, "object", "world:add(group, object)")
   checkObjects(self)
