@@ -234,11 +234,9 @@ describe("a checked world", function()
       local world = newWorld()
       local wall = setmetatable({ x = 50, y = 0, width = 5, height = 5 }, Wall)
       world:add("walls", wall)
-      local text = ("objects.walls[1].%s is nil, but its class has %s = true: set it in the object,"):format(
-        name,
-        name
-      ) .. (" as in self.%s = true"):format(name)
-      refusesStep(world, text)
+      local text = "objects.walls[1].NAME is nil, but its class has NAME = true: set it in the"
+        .. " object, as in self.NAME = true"
+      refusesStep(world, (text:gsub("NAME", name)))
       wall[name] = false
       world:refresh(wall)
       world:update(DT)
