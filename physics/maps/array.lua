@@ -40,8 +40,19 @@ end
 
 -- Sizes -------------------------------------------------------------------------------------------
 
-local function checkSize(size)
-  if type(size) == "table" then
+-- Whether the first cell is a row, to all appearances.
+local function hasRows(list)
+  local first = type(list) == "table" and list[1]
+  return type(first) == "table" or (type(first) == "string" and #first > 1)
+end
+
+local function checkSize(size, list, columns)
+  local isMissing = size == nil or (type(size) == "table" and size[1] == nil)
+  if columns ~= nil and isMissing and hasRows(list) then
+    local text = "%s: size must be a number > 0, got %s: a list of rows needs no columns, so write"
+      .. " nil there, and then the size"
+    check.fail(text:format(WHERE, check.show(size)))
+  elseif type(size) == "table" then
     check.positive(size[1], "size[1]", WHERE)
     check.positive(size[2], "size[2]", WHERE)
     return size[1], size[2]
@@ -76,8 +87,9 @@ local function measure(list, columns)
   if isNested then
     return true, measureRows(list, columns)
   elseif #list % columns ~= 0 then
-    local text = "%s: cells must hold whole rows of %d, got %d cells"
-    check.fail(text:format(WHERE, columns, #list))
+    local hint = hasRows(list) and ": a list of rows needs no columns, so write nil there" or ""
+    local text = "%s: cells must hold whole rows of %d, got %d cells%s"
+    check.fail(text:format(WHERE, columns, #list, hint))
   end
   return false, #list / columns, columns
 end
@@ -171,7 +183,7 @@ end
 function array.read(group, list, columns, size, options)
   check.group(group, WHERE)
   local state = checkOptions(options)
-  local width, height = checkSize(size)
+  local width, height = checkSize(size, list, columns)
   local isNested, rows, itsColumns = measure(list, columns)
   state.group, state.pieces, state.boxesByKey = group, {}, {}
   function state.traitsOf(value)
