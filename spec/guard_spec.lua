@@ -140,8 +140,8 @@ describe("a checked world", function()
 
   it("refuses a dynamic object that is one-way, not a kinematic one", function()
     local world, _, box = newWorld()
-    local text = " must be nil, got %s: one-way objects are static or kinematic; a dynamic one falls"
-      .. " through the floor"
+    local text = " must be nil, got %s: one-way objects are static or kinematic; a dynamic one"
+      .. " falls through the floor"
     for _, side in ipairs({ true, "top", "left" }) do
       box.oneWay = side
       local shown = side == true and "true" or ('"%s"'):format(side)

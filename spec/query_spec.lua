@@ -1152,7 +1152,7 @@ describe("a question refuses", function()
     {
       "queryPoint",
       { 1, 2, { {} } },
-      "queryPoint(x, y): filter[1] must be a group name, got table (the name of a group, not its table)",
+      "filter[1] must be a group name, got table (the name of a group, not its table)",
     },
     { "queryPoint", { 1, 2, { boxes = true } }, "queryPoint(x, y): filter must be a group name" },
     { "queryPoint", { 1, 2, nil, 3 }, "queryPoint(x, y): out must be a table, got 3" },

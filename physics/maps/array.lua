@@ -15,7 +15,7 @@ local OPTIONS = { "fields", "later", "merge", "solid", "x", "y" }
 ---@field x? number px, default 0: left edge of the first column
 ---@field y? number px, default 0: upper edge of the first row
 ---@field solid? table<any, boolean|table> which values are solid: true, or the fields of their
----  objects; default: all but 0, false, "", " " and "."
+---  objects; values that are not in it are empty; default: all but 0, false, "", " " and "."
 ---@field fields? table<string, any> fields of all objects
 ---@field merge? boolean default true: equal solid cells become few objects; false: each is one
 ---@field later? boolean default false; true: nothing is in the world until `load` is called

@@ -201,8 +201,8 @@ local function checkMover(b, i, object)
   elseif object.oneWay and b.kind[i] == DYNAMIC then
     check.fail(
       format(
-        "%s.oneWay must be nil, got %s: one-way objects are static or kinematic; a dynamic one falls"
-          .. " through the floor",
+        "%s.oneWay must be nil, got %s: one-way objects are static or kinematic; a dynamic one"
+          .. " falls through the floor",
         placeOf(b, i),
         show(object.oneWay)
       )
