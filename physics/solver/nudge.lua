@@ -8,7 +8,7 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
 local live = require(root .. ".broadphase.activePairs")
-local part = require(root .. ".solver.separate")
+local separate = require(root .. ".solver.separate")
 local path = require(root .. ".motion.path")
 
 require(root .. ".memory.jit").file()
@@ -17,7 +17,7 @@ local nudge = {}
 
 local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
 local max = math.max
--- px by which the body is moved on, across the corner, for the test whether the place is free.
+-- px by which the tested place is further on, towards what the body hits.
 local AHEAD = 1e-3
 --- Maximum number of corrections of one pair in a step.
 nudge.MOST = 4
@@ -88,7 +88,7 @@ function nudge.try(b, i, j, axis, iIsLow, t)
   -- It must not sleep. If it is pushed back to where it was, it may pass in a longer step. And what
   -- is in the way beside it may leave without being a neighbour.
   b.news[i] = true
-  if part.isInside(b, i, x, y) or isTaken(b, i, x, y, t) then
+  if separate.isInside(b, i, x, y) or isTaken(b, i, x, y, t) then
     return false
   end
   path.advance(b, i, t)
