@@ -17,8 +17,8 @@ local crush = {}
 local DYNAMIC, KINEMATIC, EPSILON = columns.DYNAMIC, columns.KINEMATIC, columns.EPSILON
 local floor, max, min = math.floor, math.max, math.min
 
--- Returns the gap between slot i, as it was before it grew, and slot j on an axis, px, and whether
--- j is the low one.
+-- Returns the gap between slot i, as it was before it grew, and slot j on an axis, px. Returns also
+-- whether j is the low one.
 local function gapBefore(b, i, j, axis)
   local k, m = 2 * i + axis, 2 * j + axis
   local r = b.from[m] - b.wasAt[k]
@@ -125,7 +125,7 @@ function crush.countJam(b, axis)
         jam[k] = turn + 1 -- it is never squeezed out sideways
       end
     else
-      jam[k] = max(jam[k] - (jam[k] == turn + 1 and 2 or 1), 0) -- it does not change back to the first axis
+      jam[k] = max(jam[k] - (jam[k] == turn + 1 and 2 or 1), 0) -- skips `turn`: no way back
     end
     b.news[i] = b.news[i] or jam[k] ~= before -- it must not sleep while that changes
   end
