@@ -7,7 +7,8 @@
 --   around them. Each moves towards its place there, by at most a fixed share of its size in a
 --   step.
 -- - They share one velocity.
--- - A body that overlaps no other body of its crowd leaves it.
+-- - A body leaves its crowd if it overlaps no other member and is further away than the crowd
+--   needs.
 --
 -- So the work grows with the number of bodies, not of pairs.
 --
@@ -93,8 +94,8 @@ local function sortByX(b, list, count)
   sort.by(list, count, leaderRank, key, rank)
 end
 
--- Returns whether two bodies overlap on an axis by more than SLACK of the smaller size, and whether
--- the middle of one is inside the other there.
+-- Returns whether two bodies overlap on an axis by more than SLACK of the smaller size. Returns
+-- also whether the middle of one is inside the other there.
 local function compare(b, k, m)
   local apart, size, other = middle(b, k) - middle(b, m), b.size[k], b.size[m]
   apart = max(apart, -apart)
