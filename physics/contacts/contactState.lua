@@ -1,8 +1,8 @@
 --- Contact state: computes from the places at the end of a step whether a pair is in contact, and
 -- on which side.
 --
--- `objects/write.lua` calls it only for pairs whose contact does not simply go on. Contacts that
--- begin or end without a listener or a rule are found in a compiled loop; everything else is
+-- `objects/write.lua` calls it only if the contact of a pair does not simply go on. Contacts that
+-- begin or end without a listener or a rule are found in a compiled loop. Everything else is
 -- interpreted.
 --
 -- Reads to, position, hit, pressedLow, pressedHigh and others; writes contact, overlapping,
@@ -160,8 +160,8 @@ local function sensorContact(b, p, i, j)
   return shortestSide(b, i, j)
 end
 
--- Returns the side on which solid pair p will be in contact, although it was not hit in this step:
--- one of the two leans on another body on that side. Else returns 0.
+-- Returns the side on which solid pair p will be in contact, although it was not hit in this step.
+-- (One of the two leans on another body on that side.) Else returns 0.
 local function unmetSide(b, p, i, j)
   local side = flushSide(b, i, j)
   if side <= 0 or b.dropping[p] or oneway.lets(b, i, j, side, false) then
