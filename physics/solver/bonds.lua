@@ -196,8 +196,7 @@ local function glueMarked(b, list, dt)
   end
 end
 
---- Makes blocks of the bonds whose bodies would not move as one otherwise. Returns whether there
---- are any.
+--- Makes blocks of the bonds that would not hold otherwise. Returns whether there are any.
 function bonds.glue(b, list, dt)
   local isAny = markTowers(b, list)
   if isAny then
