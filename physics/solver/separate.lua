@@ -405,8 +405,8 @@ local function startRound(b)
   work.count, work.movedCount = 0, 0
 end
 
---- Separates overlapping bodies. Those that the game has moved, and those that the last step left
---- overlapping, are examined; after a change of the world's masks, all awake ones.
+--- Separates overlapping bodies: those that the game has moved, and those that the last step left
+--- overlapping. After a change of the world's masks all awake bodies are examined.
 function separate.run(b)
   local work = b.partWork
   startRound(b)
