@@ -86,8 +86,8 @@ local function listOf(b, list, n)
   return count
 end
 
--- Keeps the pairs of near[1..count] that are to be swept and whose paths overlap on y, too. Returns
--- how many there are.
+-- Keeps the pairs of near[1..count] that are to be swept and have paths that overlap on y, too.
+-- Returns how many there are.
 local function keepNear(b, count)
   local near, touches, pairA, pairB = b.near, b.touches, b.pairA, b.pairB
   local from, to, size, kept = b.from, b.to, b.size, 0
