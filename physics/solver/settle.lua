@@ -1,10 +1,11 @@
 --- Settling: computes from the contacts of an axis where their bodies end, so that none overlap at
--- the end of the step.
+-- the end of the step if there is room.
 --
 -- Boxes do not turn, so the contacts of an axis are a partial order, and the result of inelastic
 -- contacts can be computed directly:
 -- 1. Immovable bodies hold what is pushed against them: it ends flush, with their speed. So does
---    what leans on that, and so on (`holdHigh`, `holdLow`).
+--    what leans on that, and so on (`holdHigh`, `holdLow`). What is held on both sides is squeezed
+--    (`squeeze`).
 -- 2. Free bodies that press each other become blocks with a common velocity (see pool.lua).
 --
 -- For example, a box that is pushed against a wall ends flush with it at the speed of the wall.
@@ -97,8 +98,8 @@ end
 -- Squeezes body k between the body that holds it and `other`, which cannot give way either. `other`
 -- presses it by `over` px more, to higher coordinates (`sign` 1) or to lower ones (-1).
 --
--- - `held[k]` says how many contacts away the body is that holds k on the other side. A row of such
---   bodies shares the overlap.
+-- - `held` is heldLow or heldHigh, on the side to which k is pressed. A row of such bodies shares
+--   the overlap.
 -- - The body moves at the mean speed of the two immovable bodies.
 -- - If several bodies press it, the one with the largest overlap counts.
 local function squeeze(b, k, other, over, sign, held, pressing, holder)
@@ -116,8 +117,8 @@ local function squeeze(b, k, other, over, sign, held, pressing, holder)
   end
 end
 
--- Presses back bodies that are held on their low side and were pushed onto a body that is held on
--- its high side.
+-- Squeezes bodies that are held on their low side alone, but have been pushed onto a body that is
+-- held on its high side.
 local function pushBack(b, list)
   local low, high, separation, pair, pressed =
     list.low, list.high, list.separation, list.pair, b.pressed
