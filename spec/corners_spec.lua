@@ -410,7 +410,7 @@ describe("a state", function()
     local first, last = objects[1].touching, objects[10000].touching
     world.objects.boxes = nil
     world:update(0)
-    local count, r = 0, world._bodies.roster
+    local count, r = 0, world._bodies.registry
     for _, list in ipairs({ r.left, r.leftBefore }) do
       for _ in pairs(list) do
         count = count + 1

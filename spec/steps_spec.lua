@@ -9,7 +9,7 @@ local grid = require("physics.broadphase.grid")
 local newRandom = require("spec.support.random").new
 local path = require("physics.motion.path")
 local physics = require("physics")
-local roster = require("physics.objects.registry")
+local registry = require("physics.objects.registry")
 local sort = require("physics.memory.sort")
 
 local DYNAMIC, STATIC = columns.DYNAMIC, columns.STATIC
@@ -327,7 +327,7 @@ describe("the columns", function()
 
   it("gives each slot the same to begin with, whatever it held before", function()
     local b = columns.new()
-    local layout = b.slotBank.layout
+    local layout = b.slotStore.layout
     local function check(slot)
       for n = 1, #layout do
         local column, width = b[layout[n].name], layout[n].width
@@ -358,9 +358,9 @@ describe("the columns", function()
   end)
 end)
 
-describe("the roster", function()
+describe("the registry", function()
   it("reports who is new, who is gone and who moved, and nothing when all is the same", function()
-    local b, self = columns.new(), roster.new()
+    local b, self = columns.new(), registry.new()
     local lines = {}
     local function enter(_, object)
       local slot = columns.claim(b)
@@ -384,7 +384,7 @@ describe("the roster", function()
         b.group[slot], b.key[slot] = record, key
         return slot
       end
-      local changed = roster.update(b, self, objects, realEnter, leave, rename)
+      local changed = registry.update(b, self, objects, realEnter, leave, rename)
       return changed, table.concat(lines, " ")
     end
     local function newNamed(name)

@@ -9,7 +9,7 @@
 -- room must call `grow` first. After that the columns are different objects, so no local may hold
 -- one across that call.
 
-local bank = {}
+local columnStore = {}
 
 local HUGE = math.huge
 local KINDS = { "number", "integer", "boolean" }
@@ -23,7 +23,7 @@ local source = false ---@type any
 ---   block. The block must be kept while the columns are used, until `source.drop` gets it.
 --- - `source.room(old, last)` returns how much room to make for the indexes up to `last`, where
 ---   there was `old`.
-function bank.use(given)
+function columnStore.use(given)
   local before = source
   source = given
   return before
@@ -65,7 +65,7 @@ end
 --- Gives `owner` the columns of `layout`, a list of `{ name, kind, width }`. A column has `width`
 --- places for each index from 0 to `room`. Kinds: "number", "integer" (whole numbers of 32 bits),
 --- "boolean", "any" (always a table). Errors: the owner already has a field of one of these names.
-function bank.new(owner, layout)
+function columnStore.new(owner, layout)
   local self = { owner = owner, layout = layout, room = HUGE, source = false, kept = {} }
   for n = 1, #layout do
     local name = layout[n].name
@@ -74,13 +74,13 @@ function bank.new(owner, layout)
     end
     owner[name] = {}
   end
-  bank.adopt(self, -1)
+  columnStore.adopt(self, -1)
   return self
 end
 
 --- Changes to the current source if the columns were tables until now. `last` is the highest index
 --- in use.
-function bank.adopt(self, last)
+function columnStore.adopt(self, last)
   if source and not self.source then
     self.source = source
     replaceAll(self, source.room(0, last), last + 1)
@@ -88,8 +88,8 @@ function bank.adopt(self, last)
 end
 
 --- Makes room for the indexes up to `last`.
-function bank.grow(self, last)
+function columnStore.grow(self, last)
   replaceAll(self, self.source.room(self.room, last), self.room + 1)
 end
 
-return bank
+return columnStore

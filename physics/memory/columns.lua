@@ -9,7 +9,7 @@
 -- No column is shared between worlds: a callback may step another world.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local bank = require(root .. ".memory.columnStore")
+local columnStore = require(root .. ".memory.columnStore")
 local interpreted = require(root .. ".memory.jit")
 
 local columns = {}
@@ -484,8 +484,8 @@ function columns.new()
       ways = {},
     },
   }
-  b.slotBank, b.pairBank = bank.new(b, SLOT_LAYOUT), bank.new(b, PAIR_LAYOUT)
-  b.listBank = bank.new(b, LIST_LAYOUT)
+  b.slotStore, b.pairStore = columnStore.new(b, SLOT_LAYOUT), columnStore.new(b, PAIR_LAYOUT)
+  b.listStore = columnStore.new(b, LIST_LAYOUT)
   for n = 1, #AXIS_NAMES do
     b[AXIS_NAMES[n]][1] = AXIS[AXIS_NAMES[n]] -- belongs to slot 0
   end
@@ -502,9 +502,9 @@ end
 --- Moves the columns of an empty world, and those of its broad phase, to the current source (see
 --- columnStore).
 function columns.adopt(b)
-  bank.adopt(b.slotBank, b.slots)
-  bank.adopt(b.listBank, b.slots)
-  bank.adopt(b.pairBank, b.pairSlots)
+  columnStore.adopt(b.slotStore, b.slots)
+  columnStore.adopt(b.listStore, b.slots)
+  columnStore.adopt(b.pairStore, b.pairSlots)
   b.blankTo = b.slots -- prepared slots were not copied
   if b.broadphase.adopt then
     b.broadphase:adopt()
@@ -540,12 +540,12 @@ interpreted.functions(blank) -- leads from loop to loop
 local function takeNew(b)
   local i = b.slots + 1
   b.slots = i
-  if i > b.slotBank.room then
-    bank.grow(b.slotBank, i)
-    bank.grow(b.listBank, i)
+  if i > b.slotStore.room then
+    columnStore.grow(b.slotStore, i)
+    columnStore.grow(b.listStore, i)
   end
   if i > b.blankTo then
-    b.blankTo = min(i + floor(i / AHEAD), b.slotBank.room)
+    b.blankTo = min(i + floor(i / AHEAD), b.slotStore.room)
     blank(b, i, b.blankTo)
   end
   return i
@@ -615,8 +615,8 @@ end
 local function reserve(b, count)
   local free, have = b.freePairs, b.freePairCount
   local p = b.pairSlots + count - have
-  if p > b.pairBank.room then
-    bank.grow(b.pairBank, p)
+  if p > b.pairStore.room then
+    columnStore.grow(b.pairStore, p)
   end
   for n = have + 1, count do
     free[n], b.liveMark[p] = p, 0

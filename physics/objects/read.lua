@@ -16,10 +16,10 @@ local events = require(root .. ".contacts.events")
 local filter = require(root .. ".broadphase.filter")
 local interpreted = require(root .. ".memory.jit")
 local rest = require(root .. ".sleep.islands")
-local roster = require(root .. ".objects.registry")
+local registry = require(root .. ".objects.registry")
 local view = require(root .. ".queries.index")
 
-local collect = {}
+local read = {}
 
 local HUGE, min = math.huge, math.min
 local UNREAD = 0 / 0 -- NaN: no place is equal to it
@@ -42,7 +42,7 @@ local function readMask(b, i, mask)
     b.mask[i] = filter.copyMask(b, mask)
     return
   end
-  local groups, seen = b.roster.groups, {}
+  local groups, seen = b.registry.groups, {}
   for n = 1, #groups do
     seen[groups[n].number] = mask[groups[n].name] == false or nil
   end
@@ -53,7 +53,7 @@ end
 -- was empty, or absent, is only noted: nothing has met an object of it, and a restored world does
 -- not know it either.
 local function hasMaskChanged(b, mask, seen)
-  local groups, changed = b.roster.groups, false
+  local groups, changed = b.registry.groups, false
   for n = 1, #groups do
     local group = groups[n]
     local refuses = mask[group.name] == false
@@ -208,8 +208,8 @@ end
 
 --- Returns the table that will be `touching` of an object. An object that returns to this world
 --- gets its old one. `write` puts it into the object.
-function collect.touchingFor(b, object)
-  local r = b.roster
+function read.touchingFor(b, object)
+  local r = b.registry
   return r.given[object]
     or r.left[object]
     or r.leftBefore[object]
@@ -217,11 +217,11 @@ function collect.touchingFor(b, object)
 end
 
 --- Gives a slot the table that will be `touching` of its object; false: it has none.
-function collect.takeTouching(b, i, touching)
+function read.takeTouching(b, i, touching)
   b.touching[i], b.touchTold[4 * i + 1] = touching, columns.UNTOLD
 end
 
-local takeTouching = collect.takeTouching
+local takeTouching = read.takeTouching
 
 local function enter(b, object, record, key)
   local i = columns.claim(b)
@@ -233,7 +233,7 @@ local function enter(b, object, record, key)
   b.fresh[i] = true
   b.quiet[i] = false
   if b.kind[i] == DYNAMIC then
-    takeTouching(b, i, collect.touchingFor(b, object))
+    takeTouching(b, i, read.touchingFor(b, object))
   end
   detect.markMoved(b, i)
   rest.wake(b, i)
@@ -243,20 +243,20 @@ local function enter(b, object, record, key)
 end
 
 --- Clears all sides: the object leaves, is switched off or is not dynamic any more.
-function collect.clearTouching(touching)
+function read.clearTouching(touching)
   if touching then
     touching.top, touching.bottom, touching.left, touching.right = false, false, false, false
   end
 end
 
-local clearTouching = collect.clearTouching
+local clearTouching = read.clearTouching
 
 -- Clears and remembers the table of an object that is not dynamic any more, or not in the world.
 local function giveUpTouching(b, i)
   local touching = b.touching[i]
   if touching then
     clearTouching(touching)
-    roster.noteLeft(b.roster, b.object[i], touching)
+    registry.noteLeft(b.registry, b.object[i], touching)
     takeTouching(b, i, false)
   end
 end
@@ -310,7 +310,7 @@ end
 
 -- Lists the slots that are not static, in the order of the world.
 local function listMovers(b)
-  local n, movers, groups = 0, b.movers, b.roster.groups
+  local n, movers, groups = 0, b.movers, b.registry.groups
   for g = 1, #groups do
     local record = groups[g]
     if not record.isListed then
@@ -340,7 +340,7 @@ end
 local function checkAgain(b, i)
   local object = b.object[i]
   if check.badField(object) then
-    check.object(object, roster.place(b.group[i], b.key[i]))
+    check.object(object, registry.place(b.group[i], b.key[i]))
   end
 end
 
@@ -358,7 +358,7 @@ local function reread(b, i)
     b.kind[i] = kind
     giveUpTouching(b, i)
     if kind == DYNAMIC then
-      takeTouching(b, i, collect.touchingFor(b, object))
+      takeTouching(b, i, read.touchingFor(b, object))
     end
     forgetMotion(b, i)
   end
@@ -555,7 +555,7 @@ local function endLeft(b)
 end
 
 --- Writes `touching` into objects that are new or were moved by the game.
-function collect.giveTouching(b)
+function read.giveTouching(b)
   for n = 1, b.movedCount do
     local i = b.movedList[n]
     local object, touching = b.object[i], b.touching[i]
@@ -589,7 +589,7 @@ local function finish(b)
 end
 
 --- Reads an object again, including its `static` field. It must be in the world.
-function collect.refresh(b, i)
+function read.refresh(b, i)
   local object = b.object[i]
   checkAgain(b, i)
   begin(b, object)
@@ -603,7 +603,7 @@ function collect.refresh(b, i)
     forgetMotion(b, i)
     giveUpTouching(b, i)
   elseif not b.touching[i] then
-    takeTouching(b, i, collect.touchingFor(b, object))
+    takeTouching(b, i, read.touchingFor(b, object))
   end
   readAll(b, i, object, true)
   if not b.active[i] then
@@ -618,7 +618,7 @@ function collect.refresh(b, i)
   detect.markMoved(b, i)
   rest.wake(b, i)
   view.refresh(b, object)
-  roster.reread(b.group[i])
+  registry.reread(b.group[i])
   b.newcomers = true
   finish(b)
 end
@@ -629,7 +629,7 @@ local function refreshHalfRead(b)
   while #list > 0 do
     local slot = b.slotOf[list[#list]]
     if slot then
-      collect.refresh(b, slot)
+      read.refresh(b, slot)
     else
       finish(b)
     end
@@ -639,8 +639,8 @@ end
 --- Reads a world's tables; `objects` is the game's table of groups. Errors: a group, key or field
 --- that cannot be used; an object in two places. Then nothing has changed for the game, and the
 --- next call starts anew.
-function collect.run(b, objects)
-  local hasChanged = roster.update(b, b.roster, objects, enter, leave, rename, reorder)
+function read.run(b, objects)
+  local hasChanged = registry.update(b, b.registry, objects, enter, leave, rename, reorder)
   refreshHalfRead(b)
   if hasChanged or b.newcomers then
     listMovers(b)
@@ -652,7 +652,7 @@ function collect.run(b, objects)
   compareMaterials(b, count)
   compareLimits(b, count)
   if hasChanged then
-    noteFilled(b.roster.groups)
+    noteFilled(b.registry.groups)
   end
   endLeft(b)
   -- Contacts that have ended by now were between objects that had other ranks.
@@ -662,7 +662,7 @@ function collect.run(b, objects)
 end
 
 --- Reads a changed gravity of the world into all objects, and wakes them.
-function collect.newGravity(b)
+function read.newGravity(b)
   for i = 1, b.slots do
     if b.kind[i] == DYNAMIC then
       readPull(b, i)
@@ -671,6 +671,6 @@ function collect.newGravity(b)
   rest.wakeAll(b)
 end
 
-interpreted.functions(endLeft, collect.run) -- calls what is interpreted; leads from loop to loop
+interpreted.functions(endLeft, read.run) -- calls what is interpreted; leads from loop to loop
 
-return collect
+return read

@@ -13,7 +13,7 @@ local check = require(root .. ".world.check")
 local interpreted = require(root .. ".memory.jit")
 local keyOrder = require(root .. ".memory.keyOrder")
 
-local roster = {}
+local registry = {}
 
 local max, sort = math.max, table.sort
 local GROUP_SPAN = 4294967296 -- ranks per group
@@ -46,7 +46,7 @@ end
 local MOST_LEFT = 4096
 
 --- Remembers the `touching` of an object, in case it returns.
-function roster.noteLeft(self, object, touching)
+function registry.noteLeft(self, object, touching)
   if self.leftCount == MOST_LEFT then
     self.leftBefore, self.left, self.leftCount = self.left, newFrail(), 0
   end
@@ -65,7 +65,7 @@ end
 --- Of a stale record, the objects before place `follows` of the list stand before place `first` of
 --- the table now. Their order is the same, without those at the places in `gaps`. The objects
 --- behind them wait in `tail`.
-function roster.new()
+function registry.new()
   return {
     source = false,
     entering = false, -- the object that is being read for the first time
@@ -276,19 +276,19 @@ end
 
 --- Marks the list of movers of a group as out of date. When it is listed again, the members before
 --- place `sameUntil` are the same. Those from there to `newFrom` were in the group, too.
-function roster.relist(record)
+function registry.relist(record)
   record.isListed, record.sameUntil, record.newFrom = false, 1, 1
 end
 
 --- Notes that an object of a group was read anew. Its kind may have changed, and it may be equal to
 --- others.
-function roster.reread(record)
-  roster.relist(record)
+function registry.reread(record)
+  registry.relist(record)
   record.isSingular = false
 end
 
 --- Returns how the game would write the place of an object.
-function roster.place(record, key)
+function registry.place(record, key)
   if record.direct then
     return check.place(record.name)
   end
@@ -389,7 +389,7 @@ end
 
 -- Returns how the game would write the place of the n-th object of the tail.
 local function tailPlace(record, n)
-  return roster.place(record, record.newKeys and record.newKeys[n] or record.first - 1 + n)
+  return registry.place(record, record.newKeys and record.newKeys[n] or record.first - 1 + n)
 end
 
 local function failTwice(object, first, second)
@@ -461,7 +461,7 @@ local function checkKnown(b, self, groups, record, n, slot)
   end
   local place = placeNow(owner, b.key[slot])
   if place then
-    failTwice(object, roster.place(owner, place), tailPlace(record, n))
+    failTwice(object, registry.place(owner, place), tailPlace(record, n))
   end
   seen[slot] = self.stamp
 end
@@ -520,7 +520,7 @@ end
 -- Notes which part of a group's movers read.lua must list again.
 local function noteChange(record)
   local isListed, gaps = record.isListed, record.gapCount
-  roster.relist(record)
+  registry.relist(record)
   if isListed then
     record.sameUntil = gaps > 0 and record.gaps[1] or record.follows
     record.newFrom = record.first
@@ -675,7 +675,7 @@ local function forgetGiven(b, self)
   local given, groupGiven, n = self.given, self.groupGiven, 0
   for object in next, groupGiven, nil do
     if given[object] and not b.slotOf[object] then
-      roster.noteLeft(self, object, given[object])
+      registry.noteLeft(self, object, given[object])
     end
     given[object], groupGiven[object], n = nil, nil, n + 1
   end
@@ -694,7 +694,7 @@ end
 ---   another that it stood before.
 ---
 --- If the tables cannot be used, nothing is reported. Returns whether anything has changed.
-function roster.update(b, self, objects, enter, leave, rename, reorder)
+function registry.update(b, self, objects, enter, leave, rename, reorder)
   leaveHalf(b, self, leave)
   local groups, byName = self.groups, self.byName
   local regroup = not rawequal(self.source, objects)
@@ -756,7 +756,7 @@ function roster.update(b, self, objects, enter, leave, rename, reorder)
 end
 
 --- Returns whether the game's tables differ from what was seen last. Changes nothing.
-function roster.hasChanged(self, objects)
+function registry.hasChanged(self, objects)
   local isOther = not rawequal(self.source, objects)
   if type(objects) ~= "table" or isOther or haveGroupsChanged(self, objects) then
     return true
@@ -780,7 +780,7 @@ end
 
 --- Returns the game's tables as the next `update` would read them: records in order, the members in
 --- `tail[1..tailCount]`, their keys in `newKeys`. Changes nothing. Errors: those of `update`.
-function roster.look(b, self, objects)
+function registry.look(b, self, objects)
   if type(objects) ~= "table" then
     check.fail("objects must be a table of groups, got " .. check.show(objects))
   end
@@ -814,7 +814,7 @@ end
 
 --- Returns the key under which an object stands in its group's table now, or nil. `hint` is a key
 --- to try first; if it is a number, the numbers just before it, too.
-function roster.find(source, object, hint)
+function registry.find(source, object, hint)
   local key = hint
   if type(hint) == "number" then
     key = findBefore(source, object, hint)
@@ -831,7 +831,7 @@ end
 
 --- Returns the table that holds the object of a slot now, and its key there; nothing if the object
 --- no longer stands in the table in which it was seen. `objects` is the game's table of groups.
-function roster.whereSeen(b, objects, slot)
+function registry.whereSeen(b, objects, slot)
   local record, object = b.group[slot], b.object[slot]
   local source = objects[record.name]
   if record.direct then
@@ -839,7 +839,7 @@ function roster.whereSeen(b, objects, slot)
       return objects, record.name
     end
   elseif rawequal(source, record.source) then
-    local key = roster.find(source, object, b.key[slot])
+    local key = registry.find(source, object, b.key[slot])
     if key ~= nil then
       return source, key
     end
@@ -853,8 +853,8 @@ interpreted.always(
   sortedNames,
   readKeys,
   forgetGiven,
-  roster.update,
-  roster.find
+  registry.update,
+  registry.find
 )
 
-return roster
+return registry

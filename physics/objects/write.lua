@@ -5,7 +5,7 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local carrier = require(root .. ".objects.carriers")
-local collect = require(root .. ".objects.read")
+local read = require(root .. ".objects.read")
 local columns = require(root .. ".memory.columns")
 local contact = require(root .. ".contacts.contactState")
 local crush = require(root .. ".solver.crush")
@@ -13,7 +13,7 @@ local interpreted = require(root .. ".memory.jit")
 local oneway = require(root .. ".solver.oneWay")
 local view = require(root .. ".queries.index")
 
-local publish = {}
+local write = {}
 
 local DYNAMIC, GIVES = columns.DYNAMIC, columns.GIVES
 local AXIS, OPPOSITE = columns.AXIS, columns.OPPOSITE
@@ -113,7 +113,7 @@ local function edgeOf(b, i, j, axis)
 end
 
 --- Returns an empty list of hits: sides that were hit by contacts that have ended since.
-function publish.newHits()
+function write.newHits()
   return {
     count = 0,
     at = {}, -- 4 * slot + side
@@ -126,7 +126,7 @@ function publish.newHits()
 end
 
 --- Forgets the hits: another update begins.
-function publish.forgetHits(b)
+function write.forgetHits(b)
   local hits = b.hits
   for n = 1, hits.count do
     hits.owner[n], hits.other[n] = false, false
@@ -335,7 +335,7 @@ end
 
 -- Also gives `touching` to new objects that take no part in the step.
 local function forgetMoved(b)
-  collect.giveTouching(b)
+  read.giveTouching(b)
   for n = 1, b.movedCount do
     local i = b.movedList[n]
     b.moved[i], b.fresh[i] = false, false
@@ -436,7 +436,7 @@ local function findCarriers(b)
 end
 
 --- Writes the results of a step, for each object that took part in it.
-function publish.run(b)
+function write.run(b)
   contact.ask(b)
   view.outdate(b) -- canCollide may have made queries, and what follows may fail
   reset(b)
@@ -457,6 +457,6 @@ function publish.run(b)
 end
 
 -- These lead from loop to loop.
-interpreted.functions(publish.run, findTouching, updateContacts)
+interpreted.functions(write.run, findTouching, updateContacts)
 
-return publish
+return write

@@ -16,12 +16,12 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local aabb = require(root .. ".memory.aabb")
-local bank = require(root .. ".memory.columnStore")
+local columnStore = require(root .. ".memory.columnStore")
 local check = require(root .. ".world.check")
 local columns = require(root .. ".memory.columns")
 local grid = require(root .. ".broadphase.grid")
 local interpreted = require(root .. ".memory.jit")
-local roster = require(root .. ".objects.registry")
+local registry = require(root .. ".objects.registry")
 
 local view = {}
 
@@ -70,7 +70,7 @@ local function new()
     moverCount = 0,
     lengths = {}, -- of the groups' tables, by place of the group
     isTold = false, -- an object was added or removed since the groups were looked at
-    roster = roster.new(),
+    registry = registry.new(),
     order = false,
     masks = false,
     fresh = false, -- all objects were looked at since the last step
@@ -80,7 +80,7 @@ local function new()
     single = {}, -- a list of one
     strays = {}, -- scratch of followAll
   }
-  v.bank = bank.new(v, LAYOUT)
+  v.store = columnStore.new(v, LAYOUT)
   v.grid = grid.new(v, CELL)
   return v
 end
@@ -93,7 +93,7 @@ local function kindOf(b, object)
 end
 
 local function complain(v, i)
-  check.object(v.object[i], roster.place(v.group[i], v.key[i]))
+  check.object(v.object[i], registry.place(v.group[i], v.key[i]))
 end
 
 -- Reads where an object is now.
@@ -237,8 +237,8 @@ local function enter(v, object, record, key)
   else
     i = v.slots + 1
     v.slots = i
-    if i > v.bank.room then
-      bank.grow(v.bank, i)
+    if i > v.store.room then
+      columnStore.grow(v.store, i)
     end
   end
   v.count = v.count + 1
@@ -267,13 +267,13 @@ local function rename(v, i, record)
 end
 
 local function lookAtGroups(v, world)
-  local r = v.roster
+  local r = v.registry
   if world.order ~= v.order then
     check.setting("order", world.order)
     v.order = world.order
     r.order, r.reorder = world.order or {}, true
   end
-  roster.update(v, r, world.objects, enter, leave, rename)
+  registry.update(v, r, world.objects, enter, leave, rename)
   for n = 1, r.groupCount do
     v.lengths[n] = #r.groups[n].source
   end
@@ -287,7 +287,7 @@ end
 
 -- Returns whether no group seems to have changed, in a world too large for looking at all objects.
 local function seemsUnchanged(v, world)
-  local r, objects = v.roster, world.objects
+  local r, objects = v.registry, world.objects
   if v.isTold or v.count <= FEW or not rawequal(r.source, objects) or world.order ~= v.order then
     return false
   end
@@ -371,7 +371,7 @@ function view.refresh(b, object)
   local i = v and v.slotOf[object]
   if i then
     v.live[i], v.kind[i] = true, UNREAD
-    roster.reread(v.group[i])
+    registry.reread(v.group[i])
     list(v, i)
     v.fresh = false
   end

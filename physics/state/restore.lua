@@ -6,7 +6,7 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local check = require(root .. ".world.check")
-local collect = require(root .. ".objects.read")
+local read = require(root .. ".objects.read")
 local columns = require(root .. ".memory.columns")
 local detect = require(root .. ".broadphase.pairFinder")
 local events = require(root .. ".contacts.events")
@@ -190,7 +190,7 @@ local function writeGone(b, object, saved)
     end
   end
   if not (saved.static or saved.kinematic or type(object.touching) == "table") then
-    object.touching = collect.touchingFor(b, object)
+    object.touching = read.touchingFor(b, object)
   end
 end
 
@@ -257,10 +257,10 @@ end
 -- Gives an object that was added since then the `touching` that `add` had given it.
 local function giveTouching(b, object, group)
   if not object.static and not object.kinematic then
-    local touching = collect.touchingFor(b, object)
-    collect.clearTouching(touching)
+    local touching = read.touchingFor(b, object)
+    read.clearTouching(touching)
     object.touching = touching
-    b.roster.given[object], b.roster.groupGiven[object] = touching, group
+    b.registry.given[object], b.registry.groupGiven[object] = touching, group
   end
 end
 
@@ -332,7 +332,7 @@ local function readAgain(b, objects, known)
   for n = 1, known do
     local slot = b.slotOf[objects[n]]
     if slot and not isRead(b, slot, objects[n]) then
-      collect.refresh(b, slot)
+      read.refresh(b, slot)
     end
   end
 end
@@ -438,8 +438,8 @@ local function rememberTouching(b, st, objects, named, slots)
     if b.kind[i] == DYNAMIC then
       local touching = b.touching[i]
       object.touching = touching
-      collect.takeTouching(b, i, touching)
-      collect.clearTouching(touching)
+      read.takeTouching(b, i, touching)
+      read.clearTouching(touching)
     end
   end
   local list = st.touching
@@ -568,13 +568,13 @@ end
 -- Reads the known objects in their old order. If the game has set another `order` since the last
 -- step, it holds from the next step on.
 local function collectKnown(world, st)
-  local r, names = world._bodies.roster, {}
+  local r, names = world._bodies.registry, {}
   for n, group in ipairs(st.groups) do
     names[n] = group.name
   end
   local order = r.order
   r.order, r.reorder = names, true
-  collect.run(world._bodies, world.objects)
+  read.run(world._bodies, world.objects)
   r.order, r.reorder = order, true
 end
 

@@ -39,7 +39,7 @@ local fields = require(root .. ".world.fields")
 local filter = require(root .. ".broadphase.filter")
 local interpreted = require(root .. ".memory.jit")
 local keyOrder = require(root .. ".memory.keyOrder")
-local roster = require(root .. ".objects.registry")
+local registry = require(root .. ".objects.registry")
 
 local state = {}
 
@@ -198,7 +198,7 @@ end
 
 -- Gives each known object its number.
 local function saveGroups(b, out, work)
-  local list, groups, n = listIn(out, "groups"), b.roster.groups, 0
+  local list, groups, n = listIn(out, "groups"), b.registry.groups, 0
   local objects, slots, numbers = work.objects, work.slots, work.numbers
   for g = 1, #groups do
     local record = groups[g]
@@ -217,11 +217,11 @@ end
 -- Saves what the tables hold now, if the library has not seen it yet.
 local function saveTables(b, objects, out, work)
   out.tables, out.count = nil, out.known
-  if not roster.hasChanged(b.roster, objects) then
+  if not registry.hasChanged(b.registry, objects) then
     return
   end
   local list, numberOf = {}, {}
-  for g, record in ipairs(roster.look(b, b.roster, objects)) do
+  for g, record in ipairs(registry.look(b, b.registry, objects)) do
     local numbers = {}
     for m = 1, record.tailCount do
       local object = record.tail[m]
@@ -244,7 +244,7 @@ end
 -- Checks an object after a write that the library has not read yet: the values must be usable.
 local function checkWritten(b, slot)
   local record = b.group[slot]
-  check.object(b.object[slot], roster.place(record, b.key[slot]))
+  check.object(b.object[slot], registry.place(record, b.key[slot]))
 end
 
 -- Notes what the library has read in field `name` of object n.
@@ -364,7 +364,7 @@ local function listRead(b, slot)
   if b.kind[slot] == STATIC then
     return listMask(b.mask[slot])
   end
-  local list, groups, seen = {}, b.roster.groups, b.maskSeen[slot]
+  local list, groups, seen = {}, b.registry.groups, b.maskSeen[slot]
   for n = 1, #groups do
     if seen[groups[n].number] then
       list[#list + 1] = groups[n].name
@@ -376,7 +376,7 @@ end
 
 -- Returns whether the mask of a mover still says what was read.
 local function isSeen(b, slot, mask)
-  local groups, seen = b.roster.groups, b.maskSeen[slot]
+  local groups, seen = b.registry.groups, b.maskSeen[slot]
   for n = 1, #groups do
     local group = groups[n]
     -- Groups that were empty are looked up in the mask itself.

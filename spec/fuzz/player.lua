@@ -423,7 +423,7 @@ end
 -- Pairs everybody whom the worlds know; some of them may be in the tables no more.
 local function pairKnown(self, other)
   -- By name: the order of the groups is one that the next update will read.
-  local mine, its = self.world._bodies.roster.byName, other.world._bodies.roster.groups
+  local mine, its = self.world._bodies.registry.byName, other.world._bodies.registry.groups
   for _, record in ipairs(its) do
     for n = 1, record.count do
       pair(self, other, mine[record.name].list[n], record.list[n])

@@ -2,7 +2,7 @@
 
 local newRandom = require("spec.support.random").new
 local physics = require("physics")
-local roster = require("physics.objects.registry")
+local registry = require("physics.objects.registry")
 
 local NAMES = { 7, "crates", "tiles" }
 
@@ -54,7 +54,7 @@ local function newBook(isBroken)
 end
 
 local function update(b, r, objects)
-  return roster.update(b, r, objects, b.enter, b.leave, b.rename)
+  return registry.update(b, r, objects, b.enter, b.leave, b.rename)
 end
 
 -- Where everybody stands: in which table, and as the how manieth.
@@ -82,10 +82,10 @@ local function movedSince(places, objects)
   return moved
 end
 
--- Updates, and looks whom the roster reports as moved.
+-- Updates, and looks whom the registry reports as moved.
 local function updateMoved(b, r, objects, places)
   local expected, found = movedSince(places, objects), {}
-  roster.update(b, r, objects, b.enter, b.leave, b.rename, function(_, slot, isRenamed)
+  registry.update(b, r, objects, b.enter, b.leave, b.rename, function(_, slot, isRenamed)
     found[b.object[slot]] = not isRenamed or nil
   end)
   for _, entry in ipairs(inOrder(objects)) do
@@ -219,7 +219,7 @@ local function fill(size, random)
   return objects
 end
 
-describe("the roster", function()
+describe("the registry", function()
   for _, size in ipairs({ 4, 100 }) do
     for seed = 1, 12 do
       local tag = seed > 4 and " #slow" or ""
@@ -227,7 +227,7 @@ describe("the roster", function()
       it(edited .. tag, function()
         local random = newRandom(seed)
         local objects = fill(size, size < 64 and seed % 2 == 0 and random)
-        local b, r, places = newBook(function() end), roster.new(), {}
+        local b, r, places = newBook(function() end), registry.new(), {}
         for _ = 1, 80 do
           updateMoved(b, r, objects, places)
           assertKnows(b, objects)
@@ -247,7 +247,7 @@ describe("the roster", function()
         local b, r =
           newBook(function(object)
             return broken[object]
-          end), roster.new()
+          end), registry.new()
         update(b, r, objects)
         for _ = 1, 80 do
           for _ = 1, random:integer(1, 4) do
@@ -277,7 +277,7 @@ describe("the roster", function()
         local random = newRandom(seed)
         local objects = fill(n, random)
         objects.crates, objects[7] = {}, {}
-        local b, r = newBook(function() end), roster.new()
+        local b, r = newBook(function() end), registry.new()
         update(b, r, objects)
         objects.tiles[random:integer(n - 10, n)] = nil
         update(b, r, objects)
@@ -303,7 +303,7 @@ describe("the roster", function()
     end
     local objects = { crates = setmetatable({ newEqual() }, class), tiles = newEqual(), [7] = {} }
     objects.walls = { newEqual(), newEqual() }
-    local b, r = newBook(function() end), roster.new()
+    local b, r = newBook(function() end), registry.new()
     update(b, r, objects)
     local old, wall = objects.tiles, objects.walls[2]
     objects.tiles, objects.crates = newEqual(), setmetatable({ newEqual(), newEqual() }, class)
@@ -365,7 +365,7 @@ describe("the roster", function()
             group[i] = newObject()
           end
           local objects = { group = group }
-          local b, r = newBook(function() end), roster.new()
+          local b, r = newBook(function() end), registry.new()
           update(b, r, objects)
           table.insert(group, newObject())
           update(b, r, objects)
@@ -447,7 +447,7 @@ describe("the roster", function()
   it("names where one stands who has moved up, if it stands elsewhere, too", function()
     for _, gone in ipairs({ { 2 }, { 2, 3 }, { 9, 2 } }) do
       local objects = fill(100)
-      local b, r = newBook(function() end), roster.new()
+      local b, r = newBook(function() end), registry.new()
       update(b, r, objects)
       local twice, again = objects.tiles[50], nil
       for _, n in ipairs(gone) do
@@ -485,7 +485,7 @@ describe("the roster", function()
 
   it("changes nothing when a newcomer is of no use", function()
     local objects = fill(100)
-    local b, r = newBook(function() end), roster.new()
+    local b, r = newBook(function() end), registry.new()
     update(b, r, objects)
     local removed = table.remove(objects.tiles, 3)
     objects.crates[101] = { x = 0, y = 0, width = -1, height = 1 }
