@@ -1,4 +1,4 @@
---- Reads tiles from a plain array of a game: which values are solid, what they consist of.
+--- Reads the tiles of a plain array: which values are solid, and the fields of their objects.
 
 local root = (...):match("^(.*)%.maps%.")
 local cells = require(root .. ".maps.cells")
@@ -20,7 +20,7 @@ local OPTIONS = { "fields", "later", "merge", "solid", "x", "y" }
 ---@field merge? boolean default true: equal solid cells become few objects; false: each is one
 ---@field later? boolean default false; true: nothing is in the world until `load` is called
 
--- Empty by custom, where the option `solid` does not say otherwise.
+-- Values that are empty by custom, unless the option `solid` says otherwise.
 local IS_EMPTY = { [0] = true, [false] = true, [""] = true, [" "] = true, ["."] = true }
 
 -- Options -----------------------------------------------------------------------------------------
@@ -50,7 +50,7 @@ local function checkSize(size)
   return size, size
 end
 
--- The number of rows and columns of a list of rows; a row is a list or a text.
+-- Returns the number of rows and columns of a list of rows; a row is a list or a string.
 local function measureRows(list, columns)
   local widest = 1
   for row = 1, #list do
@@ -126,7 +126,7 @@ local function readFlat(state, list)
   end
 end
 
--- The value that a cell has in which there is nothing: the first of these that is not solid.
+-- Returns the value of an empty cell: the first of these values that is not solid.
 local function emptyOf(state)
   for _, value in ipairs({ 0, false, "", " ", "." }) do
     if not state.traitsOf(value) then

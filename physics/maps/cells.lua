@@ -1,10 +1,10 @@
---- The books of a layer of tiles: which cells are solid, and which object covers which of them.
+--- Records which cells of a layer of tiles are solid, and which object covers which of them.
 ---
---- What one value of a cell consists of is a list of *boxes*, each shared by all cells that have
---- the same one in the same place. The cells of one kind of boxes are covered by rectangles, one
---- object each (merge.lua). `owner` of the boxes knows the object at the left end of each row of
---- each rectangle; a cell finds its object by looking to the left. So a change costs what the
---- rectangle around the cell is wide and high, whatever the size of the layer.
+--- A value of a cell is a list of *boxes*. Cells that have the same box in the same place share it.
+--- The cells of one box are covered by rectangles, one object each (merge.lua). `owner` of the
+--- boxes has the object at the left end of each row of each rectangle; a cell finds its object by
+--- looking to the left. So a change costs as much as the rectangle around the cell is wide and
+--- high, whatever the size of the layer.
 
 local root = (...):match("^(.*)%.maps%.")
 local interpreted = require(root .. ".memory.jit")
@@ -14,7 +14,7 @@ local floor, max, min = math.floor, math.max, math.min
 
 local cells = {}
 
---- Equal boxes in equal places of their cells: what can become one object.
+--- Equal boxes in equal places of their cells, which may become one object.
 ---@class physics.TileBoxes
 ---@field x number px, from the left edge of the cell
 ---@field y number px, from its upper edge
@@ -31,7 +31,7 @@ local cells = {}
 ---@field owner table<integer, physics.Object> cell -> object whose rectangle begins in this row
 ---@field widest integer columns of the widest rectangle
 
---- Opens the books of a layer without any solid cell, in no world yet.
+--- Makes the records of a layer without any solid cell; it is in no world yet.
 ---@param self table the tiles
 ---@param given table x, y: px, where the cell is whose column and row are `zero`; tileWidth,
 ---  tileHeight, firstColumn, firstRow, columns, rows; `record`: name of the field that gets the
@@ -54,7 +54,7 @@ function cells.open(self, given)
   self._restores = 0
 end
 
---- Returns new boxes; they belong to one layer of tiles.
+--- Returns new boxes. They belong to one layer of tiles.
 ---@param self table the tiles
 ---@param boxes table x, y, width, height, fields, group, value, isWide, isTall
 ---@return physics.TileBoxes
@@ -64,7 +64,8 @@ function cells.addBoxes(self, boxes)
   return boxes
 end
 
--- More than the columns, so that no row runs into the next one.
+-- Returns the index of a cell. The stride is larger than the number of columns, so that no row runs
+-- into the next one.
 local function indexOf(self, column, row)
   return (row - self.firstRow) * (self.columns + 1) + column - self.firstColumn + 1
 end
@@ -85,7 +86,7 @@ function cells.fill(self, column, row, value, pieces)
   end
 end
 
--- Returns a new object for a rectangle of cells; it is in no book yet.
+-- Returns a new object for a rectangle of cells; it is not recorded yet.
 local function newObject(self, boxes, column, row, columns, rows)
   local object = self._copy(boxes.fields)
   object.x = self._x + ((column - self._zero) * self.tileWidth + boxes.x)
@@ -142,14 +143,14 @@ function cells.build(self, add)
   end
 end
 
---- Keeps an object of these tiles out of the world until `load` puts it there.
+--- Notes that an object of these tiles stays out of the world until `load` puts it there.
 ---@param self table the tiles
 ---@param object physics.Object
 function cells.wait(self, object)
   self._waiting[#self._waiting + 1], self._isWaiting[object] = object, true
 end
 
--- The object of these boxes that covers a cell.
+-- Returns the object of these boxes that covers a cell.
 local function find(self, boxes, column, row)
   local owner, index = boxes.owner, indexOf(self, column, row)
   for back = 0, min(boxes.widest - 1, column - self.firstColumn) do
@@ -167,9 +168,9 @@ local function isInside(self, column, row)
     and row < self.firstRow + self.rows
 end
 
--- Coming and going --------------------------------------------------------------------------------
+-- Loading and unloading ---------------------------------------------------------------------------
 
---- Puts the next objects that wait into the world.
+--- Puts the next waiting objects into the world.
 ---@param self table the tiles
 ---@param most number how many at most
 ---@return integer left how many wait still
@@ -193,13 +194,13 @@ function cells.bring(self, most)
   return left
 end
 
--- Whether an object is still in the books: `setTile` may have taken it apart.
+-- Returns whether an object is still recorded: `setTile` may have cut it.
 local function isKnown(self, object)
   local place = object[self._record]
   return place._boxes.owner[indexOf(self, place.column, place.row)] == object
 end
 
---- Takes the next objects that leave out of the world; they wait then.
+--- Takes the next objects that leave out of the world; after that they wait.
 ---@param self table the tiles
 ---@param most number how many at most
 ---@return integer left how many are still to leave
