@@ -1,5 +1,5 @@
---- The memory of a world (physics/memory/columnStore.lua): that typed columns, which nobody guards,
---- are used as they must be, and that they give the same bits as tables.
+--- The memory of a world (physics/memory/columnStore.lua): typed columns, which nothing guards, are
+--- used as they must be, and give the same bits as tables.
 
 local columnStore = require("physics.memory.columnStore")
 local case = require("spec.fuzz.case")
@@ -38,7 +38,7 @@ describe("a column store", function()
     end)
   end)
 
-  it("takes nobody's place", function()
+  it("takes no other field's place", function()
     assert.has_error(function()
       columnStore.new({ awake = 3 }, LAYOUT)
     end, "the owner has another awake")
@@ -60,7 +60,7 @@ end)
 
 -- Each index, each kind and each column that was kept too long is an error here.
 describe("columns that are checked", function()
-  it("notice what nobody else would", function()
+  it("notice what nothing else would", function()
     checked.during(function()
       local owner = {}
       columnStore.grow(columnStore.new(owner, LAYOUT), 1)
@@ -175,7 +175,7 @@ if jit and jit.status() then
       return found
     end
 
-    it("also to the default world, when nobody is in it any more", function()
+    it("also to the default world, when no object is in it any more", function()
       fresh.during(function(module)
         for i = 1, 16 do
           module.add("boxes", { x = 20 * i, y = 0, width = 10, height = 10 })
@@ -199,7 +199,7 @@ if jit and jit.status() then
       end)
     end)
 
-    it("also to the default world, as long as nobody has been in it", function()
+    it("also to the default world, as long as no object has been in it", function()
       fresh.during(function(module)
         module.add("boxes", { x = 0, y = 0, width = 10, height = 10 })
         module.compile()

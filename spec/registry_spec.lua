@@ -1,4 +1,5 @@
---- Who is in the world, and in which order, whatever the game does to its tables between updates.
+--- Which objects are in the world, and in which order, whatever the game does to its tables between
+--- updates.
 
 local newRandom = require("spec.support.random").new
 local physics = require("physics")
@@ -13,7 +14,7 @@ local function comesBefore(a, b)
   return a < b
 end
 
--- Everybody in the order that the README promises, with group and key.
+-- All objects in the order that the README promises, with group and key.
 local function inOrder(objects)
   local list = {}
   for _, name in ipairs(NAMES) do
@@ -29,7 +30,7 @@ local function inOrder(objects)
   return list
 end
 
--- A world that knows only who is there. `isBroken(object)`: it fails while it is read.
+-- A world that knows only its objects. `isBroken(object)`: it fails while it is read.
 local function newBook(isBroken)
   local b = { object = { [0] = false }, slotOf = {}, group = {}, key = {}, rank = {}, free = {} }
   b.count, b.entered, b.left = 0, 0, 0
@@ -57,7 +58,7 @@ local function update(b, r, objects)
   return registry.update(b, r, objects, b.enter, b.leave, b.rename)
 end
 
--- Where everybody stands: in which table, and as the how manieth.
+-- Where each object stands: in which table, and at which place.
 local function placesOf(objects)
   local places = {}
   for n, entry in ipairs(inOrder(objects)) do
@@ -66,7 +67,7 @@ local function placesOf(objects)
   return places
 end
 
--- Who stands in the table in which it stood, behind one before which it stood.
+-- Finds objects that stand in the same table as before, behind one that they stood before.
 local function movedSince(places, objects)
   local moved, last, group = {}, 0, nil
   for _, entry in ipairs(inOrder(objects)) do
@@ -82,7 +83,7 @@ local function movedSince(places, objects)
   return moved
 end
 
--- Updates, and looks whom the registry reports as moved.
+-- Updates, and checks which objects the registry reports as moved.
 local function updateMoved(b, r, objects, places)
   local expected, found = movedSince(places, objects), {}
   registry.update(b, r, objects, b.enter, b.leave, b.rename, function(_, slot, isRenamed)
@@ -144,7 +145,7 @@ local EDITS = {
       removeAt(list, random:integer(1, math.max(#list, 1)))
     end
   end,
-  function(list, random) -- some who stand side by side
+  function(list, random) -- some that stand side by side
     local first = random:integer(1, #list)
     for _ = 1, random:integer(2, 50) do
       removeAt(list, first)
@@ -223,7 +224,7 @@ describe("the registry", function()
   for _, size in ipairs({ 4, 100 }) do
     for seed = 1, 12 do
       local tag = seed > 4 and " #slow" or ""
-      local edited = ("knows everybody after any edits of groups of %d, seed %d"):format(size, seed)
+      local edited = ("knows all objects after edits of groups of %d, seed %d"):format(size, seed)
       it(edited .. tag, function()
         local random = newRandom(seed)
         local objects = fill(size, size < 64 and seed % 2 == 0 and random)
@@ -271,7 +272,7 @@ describe("the registry", function()
     end
   end
 
-  it("loses nobody of a group filled by id when one goes", function()
+  it("loses no object of a group filled by id when one goes", function()
     for _, n in ipairs({ 71, 271, 1025 }) do
       for seed = 1, 10 do
         local random = newRandom(seed)
@@ -346,7 +347,7 @@ describe("the registry", function()
   end)
 
   -- On plain Lua the number after the last one may stand before that, where others have gone.
-  it("sees who is added to a table that holds its numbers in any order", function()
+  it("sees an object that is added to a table that holds its numbers in any order", function()
     local tried = 0
     for late = 1, 9 do
       for gone = 1, 9 do
@@ -390,7 +391,7 @@ describe("the registry", function()
     })
   end
 
-  it("moves all but the static ones, whoever has left and come", function()
+  it("moves all but the static ones, whatever has left and come", function()
     local random = newRandom(5)
     local world, objects = physics.newWorld({ gravity = 800 }), {}
     world.objects.tiles = objects
@@ -444,7 +445,7 @@ describe("the registry", function()
     end
   end)
 
-  it("names where one stands who has moved up, if it stands elsewhere, too", function()
+  it("names where an object stands that has moved up, if it stands elsewhere, too", function()
     for _, gone in ipairs({ { 2 }, { 2, 3 }, { 9, 2 } }) do
       local objects = fill(100)
       local b, r = newBook(function() end), registry.new()

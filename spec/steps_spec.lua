@@ -2,7 +2,7 @@
 
 local begin = require("physics.motion.begin")
 local columns = require("physics.memory.columns")
-local everybody = require("physics.broadphase.allPairs")
+local allPairs = require("physics.broadphase.allPairs")
 local forces = require("physics.motion.forces")
 local friction = require("physics.solver.friction")
 local grid = require("physics.broadphase.grid")
@@ -74,7 +74,7 @@ describe("the broad phases", function()
     b.fatLow[2 * i + 1], b.fatHigh[2 * i + 1] = y, y + scale * random:between(0.1, 30)
   end
 
-  -- Puts boxes there for slot i and some of those who are in; returns the list of all these.
+  -- Puts boxes there for slot i and some of those that are in; returns the list of all these.
   local function placeSome(b, random, i, isIn)
     local list = { i }
     place(b, random, i)
@@ -105,7 +105,7 @@ describe("the broad phases", function()
     it(("find the same among %d, in cells of %g"):format(row[1], row[2]), function()
       local random = newRandom(9)
       local b = newBodies(row[1])
-      local phases = { everybody.new(b), grid.new(b, row[2]) }
+      local phases = { allPairs.new(b), grid.new(b, row[2]) }
       local isIn = {}
       for i = 1, row[1] do
         isIn[i] = false
@@ -142,9 +142,9 @@ describe("the broad phases", function()
     end)
   end
 
-  it("find who has become wider where it stands", function()
+  it("find a box that has become wider where it stands", function()
     local b = newBodies(1)
-    local phases = { everybody.new(b), grid.new(b, 32) }
+    local phases = { allPairs.new(b), grid.new(b, 32) }
     b.fatLow[2], b.fatHigh[2], b.fatLow[3], b.fatHigh[3] = 30, 34, 30, 34
     for _, phase in ipairs(phases) do
       phase:insert(1)
@@ -158,7 +158,7 @@ describe("the broad phases", function()
 
   it("work far out, and at the edges", function()
     local b = newBodies(3)
-    local phases = { everybody.new(b), grid.new(b) }
+    local phases = { allPairs.new(b), grid.new(b) }
     for i, x in ipairs({ -1e12, 0, 1e12 }) do
       b.fatLow[2 * i], b.fatHigh[2 * i] = x, x + 16
       b.fatLow[2 * i + 1], b.fatHigh[2 * i + 1] = 0, 16
@@ -359,7 +359,7 @@ describe("the columns", function()
 end)
 
 describe("the registry", function()
-  it("reports who is new, who is gone and who moved, and nothing when all is the same", function()
+  it("reports what is new, gone or moved, and nothing when all is the same", function()
     local b, self = columns.new(), registry.new()
     local lines = {}
     local function enter(_, object)
