@@ -560,7 +560,7 @@ function read.giveTouching(b)
     local i = b.movedList[n]
     local object, touching = b.object[i], b.touching[i]
     if object and touching then
-      object.touching = touching -- without a look at what stands there, as in `publish`
+      object.touching = touching -- without comparing it with what stands there, as in write.lua
     end
   end
 end
