@@ -449,9 +449,6 @@ function columns.new()
     unasked = { pairs = {}, sides = {}, first = {}, second = {}, order = {} }, -- of contactState
     halfRead = {}, -- objects that are being read anew (see read)
     found = {}, -- scratch of pairFinder, crowd, nudge and separate
-    stoppedAt = {},
-    stoppedTo = {},
-    ownFat = {},
     askers = {},
     present = {},
     strays = {},
