@@ -63,14 +63,14 @@ return {
   },
   {
     "physics/memory/columns.lua",
-    "pairSlots = 0,",
-    "pairSlots = 1,",
+    "b.pairSlots = 0",
+    "b.pairSlots = 1",
     "the first place of the pairs is never used; no awake body is in it",
   },
   {
     "physics/memory/columns.lua",
-    "hasCarriers = false, -- an object of the world has ever been a carrier",
-    "hasCarriers = true, -- an object of the world has ever been a carrier",
+    "b.hasCarriers = false -- an object has been a carrier",
+    "b.hasCarriers = true -- an object has been a carrier",
     "carriers are looked for where there are none",
   },
   {

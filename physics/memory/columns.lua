@@ -364,123 +364,152 @@ describe(PAIR_LAYOUT, PAIR_LIST, "number", 1)
 describe(PAIR_LAYOUT, HALF, "number", 2)
 describe(PAIR_LAYOUT, HALF_LIST, "number", 2)
 
+-- Adds the counts and free lists of slots and pairs.
+local function addObjects(b)
+  b.slots = 0 -- highest slot ever used
+  b.blankTo = 0 -- highest slot that is in use or prepared
+  b.free = {} -- slots to use again
+  b.freeCount = 0
+  b.count = 0 -- objects in the world
+  b.slotOf = {} -- object -> slot
+  b.pairSlots = 0
+  b.freePairs = {}
+  b.freePairCount = 0
+  b.pairCount = 0
+  b.links = 0 -- how often the pairs have changed
+  b.contactCount = 0
+  b.linkOne = {} -- objects that are about to be linked
+  b.linkOther = {}
+  b.linked = {} -- their pairs
+  b.parted = {} -- pairs that are about to be unlinked
+end
+
+-- Adds skip hints: true once an object of the world has had the feature. They change no result.
+local function addFlags(b)
+  b.hasCarriers = false -- an object has been a carrier
+  b.hasFriction = false -- or had friction
+  b.hasNudges = false -- or had `nudge`
+  b.hasHinders = false -- or had drag or a maxSpeed
+  b.hasLimits = false -- or had a limit of any kind
+  b.hasBounces = false -- or had restitution
+  b.hasAskers = false -- or had a canCollide
+  b.hasOneWays = false -- or was one-way
+  b.hasSensors = false -- or was a sensor
+  b.hasFirm = false -- or was not pushable
+  b.hasCrushed = false -- or was crushed
+  b.hasInside = false -- or was left inside another one
+  b.hasBuried = false -- or was buried
+  b.hasCrowds = false -- or was in a crowd
+end
+
+-- Adds the state of reading: the game's changes, carriers, queries.
+local function addReading(b)
+  b.isRemasked = false -- masks have changed: objects may overlap that could not meet before
+  b.maskCopy = false -- the last copy made of a static object's mask (see filter)
+  b.halfRead = {} -- objects that are being read anew (see read)
+  b.lost = {} -- slots that have lost their carrier since the last step
+  b.lostCount = 0
+  b.movedList = {}
+  b.movedCount = 0
+  b.stack = {} -- scratch of carriers
+  b.view = false -- the columns of the queries (see queries/index.lua)
+  b.unasked = { pairs = {}, sides = {}, first = {}, second = {}, order = {} } -- of contactState
+end
+
+-- Adds the state of the broad phase and of sleep: which bodies and pairs take part in a step.
+local function addAwake(b)
+  b.moverCount = 0
+  b.awakeCount = 0
+  b.island = {} -- scratch of islands
+  b.awakenings = 0 -- how often the set of awake objects has changed
+  b.liveCount = 0
+  b.liveStamp = 0
+  b.liveLinks = -1 -- `links` and `awakenings` when `live` was last listed
+  b.liveAwakenings = -1
+  b.stained = {} -- pairs with more to reset than others (see activePairs)
+  b.stainCount = 0
+  b.askers = {}
+  b.present = {}
+  b.strays = {}
+  b.found = {} -- scratch of pairFinder, crowd, nudge and separate
+  b.stamp = 0
+  b.remaining = 1 -- steps that are left in this update
+  b.begun = 0 -- places of awakeList that have begun this step
+  b.predicted = 0 -- places of awakeList that have a path
+end
+
+-- Adds the scratch memory of crowds and of separate.
+local function addCrowds(b)
+  b.crowdCount = 0 -- bodies in crowds in this step
+  b.crowdList = {} -- scratch of crowd
+  b.crowdKey = {}
+  b.crowdStamp = 0
+  b.crowdNew = {}
+  b.stoodAt = {}
+  b.crowdMark = {}
+  b.isOverlapped = {}
+  b.crowdColumn = {}
+  b.columnWidth = {}
+  b.shared = {}
+  b.leader = {}
+  b.leaderRank = {}
+  b.partWork = {
+    round = 0,
+    far = 1e18, -- larger than the depth of any overlap
+    count = 0,
+    movedCount = 0,
+    stamp = {},
+    seen = {},
+    isCrowded = {},
+    pairs = {},
+    depth = {},
+    first = {},
+    second = {},
+    moved = {},
+    ways = {},
+  }
+end
+
+-- Adds the state of the solver.
+local function addSolver(b)
+  b.step = 0 -- number of solves made
+  b.dt = 0 -- length of the current step, s
+  b.resolved = 0 -- impacts of the last step
+  b.rubs = 0 -- 1: friction has carried or braked something in this step
+  b.apartCount = 0
+  b.sweptStamp = 0
+  b.changed = {} -- bodies with new paths
+  b.changedCount = 0
+  b.bounced = {} -- bodies that may have bounced in this round
+  b.bouncedCount = 0
+  b.isChangeListed = false -- all new paths are in this list
+  b.seenCount = 0
+  b.overlapCount = 0
+  b.isViolated = false
+  b.isTorn = false -- two members of one block overlap
+  b.isJammed = false -- two bodies that cannot move have had an impact
+  b.members = {} -- of blocks
+  b.memberCount = 0
+  b.kinkAt = {}
+  b.kinkGrip = {}
+  b.kinkNext = {}
+  b.kinkCount = 0
+  b.pulled = {} -- bodies on which friction and limits act
+  b.pulledCount = 0
+  b.forceStamp = 0
+  b.roundStamp = 0
+  b.solveStamp = 0
+end
+
 --- Returns the empty columns of a world.
 function columns.new()
-  local b = {
-    slots = 0, -- highest slot ever used
-    blankTo = 0, -- highest slot that is in use or prepared
-    free = {}, -- slots to use again
-    freeCount = 0,
-    count = 0, -- objects in the world
-    slotOf = {}, -- object -> slot
-    pairSlots = 0,
-    freePairs = {},
-    freePairCount = 0,
-    pairCount = 0,
-    moverCount = 0,
-    awakeCount = 0,
-    island = {}, -- scratch of islands
-    stack = {}, -- scratch of carriers
-    liveCount = 0,
-    liveStamp = 0,
-    step = 0, -- number of solves made
-    stained = {}, -- pairs with more to reset than others (see activePairs)
-    stainCount = 0,
-    links = 0, -- how often the pairs have changed
-    awakenings = 0, -- how often the set of awake objects has changed
-    liveLinks = -1, -- both, when `live` was last listed
-    liveAwakenings = -1,
-    rubs = 0, -- 1: friction has carried or braked something in this step
-    hasCarriers = false, -- an object of the world has ever been a carrier
-    hasFriction = false, -- or had friction
-    hasNudges = false, -- or had `nudge`
-    hasHinders = false, -- or had drag or a maxSpeed
-    hasLimits = false, -- or had a limit of any kind
-    hasBounces = false, -- or had restitution
-    hasAskers = false, -- or had a canCollide
-    hasCrushed = false, -- or was crushed
-    hasInside = false, -- or was left inside another one
-    hasBuried = false, -- or was buried
-    isRemasked = false, -- masks have changed: objects may overlap that could not meet before
-    maskCopy = false, -- the last copy made of a static object's mask (see filter)
-    hasOneWays = false, -- or was one-way
-    hasSensors = false, -- or was a sensor
-    hasFirm = false, -- or was not pushable
-    hasCrowds = false, -- or was in a crowd
-    crowdCount = 0, -- bodies in crowds in this step
-    crowdList = {}, -- scratch of crowd
-    crowdKey = {},
-    crowdStamp = 0,
-    crowdNew = {},
-    stoodAt = {},
-    crowdMark = {},
-    isOverlapped = {},
-    crowdColumn = {},
-    columnWidth = {},
-    shared = {},
-    leader = {},
-    leaderRank = {},
-    apartCount = 0,
-    sweptStamp = 0,
-    changed = {}, -- bodies with new paths
-    changedCount = 0,
-    bounced = {}, -- bodies that may have bounced in this round
-    bouncedCount = 0,
-    isChangeListed = false, -- all new paths are in this list
-    seenCount = 0,
-    overlapCount = 0,
-    isViolated = false,
-    isTorn = false, -- two members of one block overlap
-    isJammed = false, -- two bodies that cannot move have had an impact
-    members = {}, -- of blocks
-    memberCount = 0,
-    kinkAt = {},
-    kinkGrip = {},
-    kinkNext = {},
-    kinkCount = 0,
-    pulled = {}, -- bodies on which friction and limits act
-    pulledCount = 0,
-    forceStamp = 0,
-    roundStamp = 0,
-    solveStamp = 0,
-    dt = 0, -- length of the current step, s
-    lost = {}, -- slots that have lost their carrier since the last step
-    lostCount = 0,
-    unasked = { pairs = {}, sides = {}, first = {}, second = {}, order = {} }, -- of contactState
-    halfRead = {}, -- objects that are being read anew (see read)
-    found = {}, -- scratch of pairFinder, crowd, nudge and separate
-    askers = {},
-    present = {},
-    strays = {},
-    linkOne = {}, -- objects that are about to be linked
-    linkOther = {},
-    linked = {}, -- their pairs
-    parted = {}, -- pairs that are about to be unlinked
-    movedList = {},
-    movedCount = 0,
-    remaining = 1, -- steps that are left in this update
-    begun = 0, -- places of awakeList that have begun this step
-    predicted = 0, -- places of awakeList that have a path
-    stamp = 0,
-    view = false, -- the columns of the queries (see queries/index.lua)
-    contactCount = 0,
-    resolved = 0, -- impacts of the last step
-    partWork = {
-      round = 0,
-      far = 1e18, -- larger than the depth of any overlap
-      count = 0,
-      movedCount = 0,
-      stamp = {},
-      seen = {},
-      isCrowded = {},
-      pairs = {},
-      depth = {},
-      first = {},
-      second = {},
-      moved = {},
-      ways = {},
-    },
-  }
+  local b = {}
+  addObjects(b)
+  addFlags(b)
+  addReading(b)
+  addAwake(b)
+  addCrowds(b)
+  addSolver(b)
   b.slotStore, b.pairStore = columnStore.new(b, SLOT_LAYOUT), columnStore.new(b, PAIR_LAYOUT)
   b.listStore = columnStore.new(b, LIST_LAYOUT)
   for n = 1, #AXIS_NAMES do
