@@ -257,7 +257,7 @@ local function newRecord(name, source, number, wasFilled)
     count = 0,
     plain = true,
     isSingular = not isEqualToAny,
-    movers = {}, -- these two: see collect
+    movers = {}, -- these two: see read.lua
     moverPlaces = {},
     isListed = false,
     sameUntil = 1,
