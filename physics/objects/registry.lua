@@ -685,6 +685,63 @@ local function forgetGiven(b, self)
   end
 end
 
+-- Marks the records of groups that are not in the game's tables any more as stale; returns them.
+local function markGone(self, byName)
+  local gone = {}
+  for _, record in ipairs(self.groups) do
+    if byName[record.name] ~= record then
+      record.stale = true
+      readFrom(record, 1)
+      gone[#gone + 1] = record
+    end
+  end
+  return gone
+end
+
+-- Reads and checks the stale groups. Errors: a group or object that cannot be used.
+local function readStale(b, self, groups)
+  for _, record in ipairs(groups) do
+    if record.stale then
+      readMembers(record, record.first)
+    end
+  end
+  checkMembers(b, self, groups)
+end
+
+-- Removes the objects that are in no group now.
+local function leaveStale(b, self, groups, gone, leave)
+  for _, record in ipairs(gone) do
+    leaveMissing(b, self, record, leave)
+  end
+  for _, record in ipairs(groups) do
+    if record.stale then
+      leaveMissing(b, self, record, leave)
+    end
+  end
+end
+
+-- Takes over what the stale groups hold now.
+local function applyStale(b, self, groups, enter, rename, reorder)
+  for _, record in ipairs(groups) do
+    if record.stale then
+      closeGaps(b, record)
+      takeTail(record)
+    end
+  end
+  for _, record in ipairs(groups) do
+    if record.stale then
+      applyKnown(b, self, record, rename)
+    end
+  end
+  reportMoved(b, self, reorder)
+  -- New objects come last: if one fails, all others are in their places.
+  for _, record in ipairs(groups) do
+    if record.stale then
+      applyNew(b, self, record, enter)
+    end
+  end
+end
+
 --- Compares the game's tables with what was seen last and reports the changes:
 --- - `enter(b, object, record, key)` for a new object; it returns the slot;
 --- - `leave(b, slot)` for one that has left;
@@ -709,47 +766,11 @@ function registry.update(b, self, objects, enter, leave, rename, reorder)
   if not markStale(groups) and not regroup then
     return false
   end
-  local gone = {}
-  for _, record in ipairs(self.groups) do
-    if byName[record.name] ~= record then
-      record.stale = true
-      readFrom(record, 1)
-      gone[#gone + 1] = record
-    end
-  end
-  for _, record in ipairs(groups) do
-    if record.stale then
-      readMembers(record, record.first)
-    end
-  end
-  checkMembers(b, self, groups)
-  for _, record in ipairs(gone) do
-    leaveMissing(b, self, record, leave)
-  end
-  for _, record in ipairs(groups) do
-    if record.stale then
-      leaveMissing(b, self, record, leave)
-    end
-  end
+  local gone = markGone(self, byName)
+  readStale(b, self, groups)
+  leaveStale(b, self, groups, gone, leave)
   applyGroups(b, self, objects, groups, byName, reorder)
-  for _, record in ipairs(groups) do
-    if record.stale then
-      closeGaps(b, record)
-      takeTail(record)
-    end
-  end
-  for _, record in ipairs(groups) do
-    if record.stale then
-      applyKnown(b, self, record, rename)
-    end
-  end
-  reportMoved(b, self, reorder)
-  -- New objects come last: if one fails, all others are in their places.
-  for _, record in ipairs(groups) do
-    if record.stale then
-      applyNew(b, self, record, enter)
-    end
-  end
+  applyStale(b, self, groups, enter, rename, reorder)
   self.reorder = false
   forgetGiven(b, self)
   return true
@@ -853,6 +874,10 @@ interpreted.always(
   sortedNames,
   readKeys,
   forgetGiven,
+  markGone,
+  readStale,
+  leaveStale,
+  applyStale,
   registry.update,
   registry.find
 )
