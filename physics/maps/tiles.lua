@@ -1,4 +1,4 @@
---- Tiles of one layer in a world: digging and building, coming and going.
+--- Tiles of one layer in a world: reads and changes cells, loads and unloads objects.
 
 local root = (...):match("^(.*)%.maps%.")
 local cells = require(root .. ".maps.cells")
@@ -57,7 +57,7 @@ function tiles.new(given)
   return setmetatable(self, Tiles)
 end
 
---- Tells the tiles of which world their objects have become a part.
+--- Sets the world that the objects of the tiles belong to.
 ---@param self physics.Tiles
 ---@param world table
 ---@param access table what they may do with it: check, put, remove

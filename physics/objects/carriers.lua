@@ -1,9 +1,9 @@
---- Riders: what carries an object, and how fast.
+--- Finds what carries each object, and how fast, from the chain of its supports.
 --
--- A kinematic object carries what stands on it, and what stands on that; a belt (`surfaceSpeed`)
--- moves what stands on it along its surface. The velocity of the carrier is added to the rider's
--- path in `move` and taken off in `publish`, so a rider's own velocity is relative to what carries
--- it.
+-- A kinematic object carries what stands on it, and what stands on that. A belt (`surfaceSpeed`)
+-- moves what stands on it along its surface. The carrier's velocity is added to the rider's path in
+-- motion/forces.lua and subtracted in objects/write.lua. So a rider's own velocity is relative to
+-- its carrier.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -39,7 +39,7 @@ local function carries(b, c)
   return b.surfaceSpeed[c] ~= 0 or (b.kind[c] == KINEMATIC and b.carry[c])
 end
 
--- What carries slot i, as far as what it stands on tells; nil if that is known only of `support`.
+-- Returns the carrier of slot i, 0: none; nil if that depends on what its support stands on.
 local function ends(b, i)
   local below = b.support[i]
   if below == 0 then
@@ -51,8 +51,8 @@ local function ends(b, i)
   end
 end
 
--- Follows the supports of slot i down to where the carrier is known, and tells it to all on the
--- way.
+-- Follows the supports of slot i down to where the carrier is known. Writes that carrier for each
+-- slot on the way.
 local function follow(b, i, stamp)
   local way, seen, found, support, count = b.stack, b.carrierSeen, b.carrierNow, b.support, 0
   local c = nil
@@ -61,7 +61,7 @@ local function follow(b, i, stamp)
       c = found[i]
     else
       count = count + 1
-      -- Who meets itself in a ring of supports is carried by nothing.
+      -- A ring of supports has no carrier.
       way[count], seen[i], found[i] = i, stamp, 0
       c = ends(b, i)
       i = support[i]
@@ -72,8 +72,8 @@ local function follow(b, i, stamp)
   end
 end
 
---- Finds what carries everybody in awakeList, at the end of the chain it stands on: writes
---- carrierNow, 0: nothing.
+--- Finds the carrier of each dynamic body in awakeList, at the end of its chain of supports. Writes
+--- carrierNow; 0: none.
 function carrier.find(b)
   b.stamp = b.stamp + 1
   local list, kind, stamp = b.awakeList, b.kind, b.stamp
@@ -84,7 +84,8 @@ function carrier.find(b)
   end
 end
 
--- The part of v that its carrier (c) gave it: as far as both point the same way.
+-- Returns the part of v that its carrier (at velocity c) gave it: as far as both point the same
+-- way.
 local function given(v, c)
   if v * c <= 0 then
     return 0
@@ -95,14 +96,14 @@ local function given(v, c)
   return v > c and v or c
 end
 
--- Whether k leans on something that cannot give way.
+-- Returns whether k leans on something that cannot move.
 local function leans(b, k)
   return (b.pressedHigh[k] and b.heldHigh[k] > 0) or (b.pressedLow[k] and b.heldLow[k] > 0)
 end
 
---- Returns the velocity along k that an object shows: relative to what carries it (c px/s). On the
---- first step on a carrier, and while it leans on something that cannot give way, only what the
---- carrier gave is off.
+--- Returns the velocity along k that an object shows: relative to its carrier at c px/s. In its
+--- first step on a carrier, and while it leans on something that cannot move, only the part that
+--- the carrier gave is subtracted.
 function carrier.ownVelocity(b, k, c, isNew)
   local v = b.speed[k]
   if isNew or leans(b, k) then
@@ -111,25 +112,25 @@ function carrier.ownVelocity(b, k, c, isNew)
   return v - c
 end
 
--- Whether slot i, where it is now, is apart from slot j, where `places` has that.
+-- Returns whether slot i, where it is now, is apart from slot j, where `places` has that.
 local function isApart(b, i, j, places)
   local now, size, k, m = b.position, b.size, 2 * i, 2 * j
   local x, y = places[m] - now[k], places[m + 1] - now[k + 1]
   return max(x - size[k], -x - size[m], y - size[k + 1], -y - size[m + 1]) > EPSILON
 end
 
---- Notes that the game has put slot i elsewhere by `refresh`, if it has; it was read by now.
+--- Notes that the game has moved slot i and called `refresh`. Call it after the slot was read.
 function carrier.noteJump(b, i)
   b.jumped[i] = b.jumped[i] or isApart(b, i, i, b.to) or b.kind[i] ~= DYNAMIC
 end
 
---- Slot i is carried by nothing any more: its velocity is what it shows.
+--- Ends the riding of slot i. The velocity that it shows is its own from now on.
 function carrier.leave(b, i)
   b.carrier[i], b.carried[2 * i], b.carried[2 * i + 1] = 0, 0, 0
 end
 
--- Whether slot i stands where it is now, directly or on others, on slot c: it was put elsewhere
--- together with it.
+-- Returns whether slot i, where it is now, stands on slot c, directly or through others. Then the
+-- game has moved it together with c.
 local function standsOn(b, i, c)
   local support = b.support
   for _ = 1, b.moverCount do
@@ -147,9 +148,9 @@ local function standsOn(b, i, c)
   return false
 end
 
--- Lets slot i leave what carries it if the game has switched it off, or put it further away than
--- its own size, and not on that. What is put aside by less goes on riding, or jumps with the speed
--- of that.
+-- Ends the riding of slot i if the game has switched it off, or has moved it by more than its own
+-- size and not onto its carrier. If the game has moved it by less, it goes on riding, or jumps with
+-- the carrier's velocity.
 local function check(b, i)
   local isElsewhere = (b.jumped[i] or isApart(b, i, i, b.to)) and not standsOn(b, i, b.carrier[i])
   if b.kind[i] == DYNAMIC and (isElsewhere or not b.active[i]) then
@@ -163,7 +164,7 @@ local function lose(b, i)
   b.lost[b.lostCount] = i
 end
 
--- Slot c was put elsewhere: what was not put there with it stands and rides on it no more.
+-- Slot c was moved by the game: what was not moved with it no longer stands or rides on it.
 local function leaveBehind(b, c)
   for n = 1, b.moverCount do
     local i = b.movers[n]
@@ -176,9 +177,8 @@ local function leaveBehind(b, c)
   end
 end
 
---- Lets those leave their carrier that the game has put elsewhere since the last step, or whose
---- carrier it has. (Not when they are read: that may be refused, and depends on which is read
---- first.)
+--- Ends the riding of objects if the game has moved them or their carrier since the last step. (Not
+--- while they are read: reading may be refused, and the result would depend on its order.)
 function carrier.checkMoved(b)
   for n = 1, b.hasCarriers and b.movedCount or 0 do
     check(b, b.movedList[n])
@@ -192,7 +192,7 @@ function carrier.checkMoved(b)
   end
 end
 
--- The carrier that slot j is for what stands on `side` of it, or rides on; 0: it is none.
+-- Returns the carrier that slot j is for what stands on its `side`; 0: none.
 local function carrierAt(b, i, j, side)
   if b.sensor[j] or b.canCollide[i] or b.canCollide[j] or b.worldCanCollide then
     return 0
@@ -204,8 +204,8 @@ local function carrierAt(b, i, j, side)
   return b.kind[j] == KINEMATIC and b.carry[j] and j or 0
 end
 
--- The carrier on which slot i is put, flush, on an axis: the one below most of it, ties in order;
--- 0: none.
+-- Returns the carrier below slot i, which the game has put flush on it along an axis: the one with
+-- the widest common edge, ties in the order of the world; 0: none.
 local function carrierBelow(b, i, axis)
   local from, size, k = b.from, b.size, 2 * i + axis
   local across, isHigh = k + 1 - 2 * axis, b.down[k] > 0
@@ -226,7 +226,8 @@ local function carrierBelow(b, i, axis)
   return best
 end
 
--- Lets slot i ride on what it was put on, if that goes away from below it; returns whether it does.
+-- Lets slot i ride on what it was put on, if that moves away from below it. Returns whether it
+-- does.
 local function boardOne(b, i)
   local axis = b.down[2 * i] ~= 0 and 0 or 1
   local k = 2 * i + axis
@@ -243,8 +244,8 @@ local function boardOne(b, i)
   return true
 end
 
---- Lets what the game has put onto a carrier that goes away from below it ride at once, also in
---- stacks: nothing would press it there.
+--- Lets objects that the game has put onto a carrier that moves away from below them ride at once,
+--- also in stacks. Nothing would press them onto it.
 function carrier.board(b)
   local hasBoarded = true
   while hasBoarded do
@@ -255,8 +256,9 @@ function carrier.board(b)
   end
 end
 
---- Marks the riders of a slot that goes away, ceases to carry or to be in their way. (Who stands on
---- one that carries nobody is seen to by `detect` when the two are parted.)
+--- Ends the riding on a slot that leaves the world, stops carrying or gets in the way of its
+--- riders. (The support of what stands on other objects is cleared by pairFinder, when the pair is
+--- unlinked.)
 function carrier.forget(b, c)
   if b.kind[c] == DYNAMIC and b.surfaceSpeed[c] == 0 then
     return
@@ -272,8 +274,8 @@ function carrier.forget(b, c)
   end
 end
 
---- Gives those who lost their carrier between two steps its velocity to keep, unless they were put
---- elsewhere.
+--- Adds the carrier's velocity to objects that lost their carrier between two steps, unless the
+--- game has moved them.
 function carrier.dismount(b)
   carrier.checkMoved(b)
   for n = 1, b.lostCount do
