@@ -234,7 +234,7 @@ fields.objects = {
     yes = "top",
     absent = "none: solid all around",
     meaning = "The one side that is solid; `true` is the top. The others let everything through."
-      .. " For static and kinematic objects.",
+      .. " For static and kinematic objects: a dynamic one would fall through the floor.",
   },
   {
     name = "carry",
@@ -281,9 +281,9 @@ fields.objects = {
     type = "function",
     signature = "(self, other, side, speed, x1, y1, x2, y2)",
     absent = "none",
-    meaning = "Called once when a contact starts. `side` is the side of `self` that was hit,"
-      .. " `speed` the approach speed in px/s. The edge that the two have in common goes from"
-      .. " `x1, y1` to `x2, y2`.",
+    meaning = "Called once when a contact starts, also with a sensor. `side` is the side of `self`"
+      .. " that was hit, `speed` the approach speed in px/s. The edge that the two have in"
+      .. " common goes from `x1, y1` to `x2, y2`.",
   },
   {
     name = "onStay",
