@@ -17,9 +17,12 @@ local bank = require(path .. ".memory.columnStore")
 local check = require(path .. ".world.check")
 local columns = require(path .. ".memory.columns")
 local interpreted = require(path .. ".memory.jit")
-local pure = require(path .. ".world.tutorial")
-local typed = require(path .. ".memory.typedArrays")
+local lazy = require(path .. ".memory.lazy")
 local world = require(path .. ".world.world")
+
+-- Loaded when they are first used.
+local pure = lazy(path .. ".world.tutorial")
+local typed = lazy(path .. ".memory.typedArrays")
 
 ---@class physics.Module: physics.DefaultWorld
 local physics = {
@@ -110,21 +113,18 @@ local function checkCollision(a, b, c, d, e, f, g, h, sideBySide)
   return pure.checkCollision(a, b, c, d, e, f, g, h, sideBySide)
 end
 
----@generic F
----@param name string
----@param f F
----@return F
-local function dotted(name, f)
+-- A function of a module that is loaded when it is first used.
+local function dotted(name, module)
   return function(first, ...)
     checkDot(first, name)
-    return f(first, ...)
+    return module[name](first, ...)
   end
 end
 
-physics.inside = dotted("inside", pure.inside)
-physics.side = dotted("side", pure.side)
-physics.checkCollision = dotted("checkCollision", checkCollision)
-physics.bump = dotted("bump", pure.bump)
+physics.inside = dotted("inside", pure)
+physics.side = dotted("side", pure)
+physics.checkCollision = dotted("checkCollision", { checkCollision = checkCollision })
+physics.bump = dotted("bump", pure)
 
 --- Defines the global names of the tutorial: `objects`, `physics_load`, `physics_update`,
 --- `checkCollision`, `inside` and `bump`. Each `physics_update` uses the table that the global

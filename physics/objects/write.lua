@@ -10,8 +10,8 @@ local columns = require(root .. ".memory.columns")
 local contact = require(root .. ".contacts.contactState")
 local crush = require(root .. ".solver.crush")
 local interpreted = require(root .. ".memory.jit")
+local notice = require(root .. ".queries.notice")
 local oneway = require(root .. ".solver.oneWay")
-local view = require(root .. ".queries.index")
 
 local publish = {}
 
@@ -436,7 +436,7 @@ end
 --- Publishes what the step has brought, for everybody who took part in it.
 function publish.run(b)
   contact.ask(b)
-  view.outdate(b) -- whom it has asked may have asked questions, and what follows may fail
+  notice.outdate(b) -- whom it has asked may have asked questions, and what follows may fail
   reset(b)
   crush.countJam(b, 0)
   crush.countJam(b, 1)

@@ -10,7 +10,7 @@
 -- and in a world of up to `FEW` objects again at everybody. What a later question in a larger world
 -- may miss until the next update: an object that the game has, after the first question, moved or
 -- made larger by more than `LEFT`, or put into a group of the same size by assignment. `add`,
--- `remove`, `move` and `refresh` tell it at once.
+-- `remove`, `move` and `refresh` tell it at once (see queries/notice).
 --
 -- Reads of the core only which objects are static and where those are: they are read once.
 
@@ -350,24 +350,9 @@ function view.of(world)
   return v
 end
 
---- The core has made a step: everybody is looked at before the next question.
-function view.outdate(b)
-  if b.view then
-    b.view.fresh = false
-  end
-end
-
---- Somebody was added or removed: the groups are looked at before the next question.
-function view.tell(b)
-  if b.view then
-    b.view.isTold = true
-  end
-end
-
 --- The core has read an object anew, also what it reads only once.
-function view.refresh(b, object)
-  local v = b.view
-  local i = v and v.slotOf[object]
+function view.refresh(v, object)
+  local i = v.slotOf[object]
   if i then
     v.live[i], v.kind[i] = true, UNREAD
     roster.reread(v.group[i])
