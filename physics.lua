@@ -31,7 +31,17 @@ local physics = {
   _LICENSE = "MIT",
 }
 
-local default = world.new(nil, "physics")
+-- The default world is made when it is first used: many games use only worlds of their own.
+local made = nil ---@type physics.World?
+
+local function default()
+  local found = made
+  if not found then
+    found = world.new(nil, "physics")
+    made = found
+  end
+  return found
+end
 
 -- A colon would give the module itself as the first argument.
 local function checkDot(first, name)
@@ -57,7 +67,7 @@ end
 ---@param settings physics.Settings? default: see "Settings"
 function physics.load(settings)
   checkDot(settings, "load")
-  default = world.new(settings, "load(settings)")
+  made = world.new(settings, "load(settings)")
 end
 
 --- Lets LuaJIT compile all code of the library; some of it is interpreted otherwise. Worlds that
@@ -75,8 +85,8 @@ function physics.compile()
     return false
   end
   bank.use(typed.source() or false)
-  if default._bodies.count == 0 then
-    columns.adopt(default._bodies)
+  if made and made._bodies.count == 0 then
+    columns.adopt(made._bodies)
   end
   return true
 end
@@ -84,7 +94,7 @@ end
 local function ofDefault(name, method)
   return function(first, ...)
     checkDot(first, name)
-    return method(default, first, ...)
+    return method(made or default(), first, ...)
   end
 end
 
@@ -104,11 +114,11 @@ addMethods()
 local function checkCollision(a, b, c, d, e, f, g, h, sideBySide)
   if type(a) ~= "number" then
     if c == nil then
-      c = default.sideBySide
+      c = default().sideBySide
     end
     return pure.checkCollision(a, b, c)
   elseif sideBySide == nil then
-    sideBySide = default.sideBySide
+    sideBySide = default().sideBySide
   end
   return pure.checkCollision(a, b, c, d, e, f, g, h, sideBySide)
 end
@@ -131,18 +141,18 @@ physics.bump = dotted("bump", pure)
 --- `objects` holds at that moment. Without this call the library sets no global.
 function physics.globals()
   local globals = _G
-  globals.objects = default.objects
+  globals.objects = default().objects
   globals.physics_load = function(settings)
     physics.load(settings)
     if type(globals.objects) == "table" then
-      default.objects = globals.objects
+      default().objects = globals.objects
     else
-      globals.objects = default.objects
+      globals.objects = default().objects
     end
   end
   globals.physics_update = function(dt)
-    default.objects = globals.objects
-    default:update(dt)
+    default().objects = globals.objects
+    default():update(dt)
   end
   globals.checkCollision = physics.checkCollision
   globals.inside = pure.inside
@@ -153,10 +163,10 @@ end
 -- default world.
 setmetatable(physics, {
   __index = function(_, name)
-    return default[name]
+    return default()[name]
   end,
   __newindex = function(_, name, value)
-    default[name] = value
+    default()[name] = value
   end,
 })
 

@@ -33,22 +33,23 @@ end
 -- Gives the owner columns of one kind from the source, with what the old ones have in their first
 -- `count` indexes.
 local function replace(self, kind, room, count)
-  local owner, list, lengths = self.owner, {}, {}
+  local owner, names, widths, lengths = self.owner, {}, {}, {}
   for n = 1, #self.layout do
-    local entry = self.layout[n]
-    if entry.kind == kind then
-      list[#list + 1], lengths[#list + 1] = entry, entry.width * (room + 1)
+    local part = self.layout[n]
+    for m = 1, part.kind == kind and #part.names or 0 do
+      local at = #names + 1
+      names[at], widths[at], lengths[at] = part.names[m], part.width, part.width * (room + 1)
     end
   end
   local given, block = self.source.give(kind, lengths)
-  for n = 1, #list do
-    local old, new = owner[list[n].name], given[n]
-    for k = 0, list[n].width * count - 1 do
+  for n = 1, #names do
+    local old, new = owner[names[n]], given[n]
+    for k = 0, widths[n] * count - 1 do
       if old[k] ~= nil then -- a table may have gaps
         new[k] = old[k]
       end
     end
-    owner[list[n].name] = new
+    owner[names[n]] = new
   end
   if self.kept[kind] then
     self.source.drop(self.kept[kind])
@@ -63,17 +64,18 @@ local function replaceAll(self, room, count)
   self.room = room
 end
 
---- Gives `owner` the columns of `layout`, a list of `{ name, kind, width }`: of numbers, of whole
+--- Gives `owner` the columns of `layout`, a list of `{ kind, width, names }`: of numbers, of whole
 --- numbers that 32 bits hold ("integer"), of booleans, or "any" (always a table), with `width`
 --- places for each index from 0 to `room`. An error if it has something else by one of these names.
 function bank.new(owner, layout)
   local self = { owner = owner, layout = layout, room = HUGE, source = false, kept = {} }
   for n = 1, #layout do
-    local name = layout[n].name
-    if owner[name] ~= nil then
-      error("the owner has another " .. name, 2)
+    for _, name in ipairs(layout[n].names) do
+      if owner[name] ~= nil then
+        error("the owner has another " .. name, 2)
+      end
+      owner[name] = {}
     end
-    owner[name] = {}
   end
   bank.adopt(self, -1)
   return self
@@ -91,6 +93,28 @@ end
 --- Makes room for the indexes up to `last`.
 function bank.grow(self, last)
   replaceAll(self, self.source.room(self.room, last), self.room + 1)
+end
+
+-- Returns the first `length` places of a table, from 0 on.
+local function head(column, length)
+  local new = {}
+  for k = 0, length - 1 do
+    new[k] = column[k]
+  end
+  return new
+end
+
+--- Gives back what is behind the index `last`.
+function bank.shrink(self, last)
+  if self.source then
+    replaceAll(self, self.source.room(0, last), last + 1)
+  end
+  for n = 1, #self.layout do
+    local part = self.layout[n]
+    for m = 1, (part.kind == "any" or not self.source) and #part.names or 0 do
+      self.owner[part.names[m]] = head(self.owner[part.names[m]], part.width * (last + 1))
+    end
+  end
 end
 
 return bank

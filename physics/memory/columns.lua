@@ -52,6 +52,8 @@ local HUGE = math.huge
 local floor, max, min = math.floor, math.max, math.min
 -- Of so many slots in use, one more is made ready with each new one.
 local AHEAD = 8
+-- Slots are given back if there are more than that, and no more than one of so many is needed.
+local FEW, SHARE = 64, 4
 
 -- Values of a fresh slot: numbers and booleans.
 local SLOT = {
@@ -336,17 +338,27 @@ interpreted.always(namesOf)
 
 local SLOT_NAMES, ANY_NAMES, AXIS_NAMES = namesOf(SLOT), namesOf(ANY), namesOf(AXIS)
 
+-- Adds columns to a layout; those that hold whole numbers are a part of their own.
 local function describe(layout, names, kind, width)
+  local plain, whole = {}, {}
   for n = 1, #names do
-    local its = WHOLE[names[n]] and "integer" or kind
-    layout[#layout + 1] = { name = names[n], kind = its, width = width }
+    local list = WHOLE[names[n]] and whole or plain
+    list[#list + 1] = names[n]
   end
+  layout[#layout + 1] = { kind = kind, width = width, names = plain }
+  layout[#layout + 1] = { kind = "integer", width = width, names = whole }
 end
 
 -- The same for columns with values of a fresh slot, which tell their kind.
 local function describeByValue(layout, names, values, width)
-  for n = 1, #names do
-    describe(layout, { names[n] }, type(values[names[n]]), width)
+  for _, kind in ipairs({ "number", "boolean" }) do
+    local list = {}
+    for n = 1, #names do
+      if type(values[names[n]]) == kind then
+        list[#list + 1] = names[n]
+      end
+    end
+    describe(layout, list, kind, width)
   end
 end
 
@@ -369,6 +381,7 @@ function columns.new()
     blankTo = 0, -- highest slot that is, or has what a fresh one has
     free = {}, -- slots to use again
     freeCount = 0,
+    freeSeen = 0, -- what it was when slots were last given back, or could not be
     count = 0, -- objects in the world
     slotOf = {}, -- object -> slot
     pairSlots = 0,
@@ -542,7 +555,11 @@ local function takeNew(b)
     bank.grow(b.listBank, i)
   end
   if i > b.blankTo then
-    b.blankTo = min(i + floor(i / AHEAD), b.slotBank.room)
+    local room = 1 -- Lua makes room up to the next power of two
+    while room <= i do
+      room = room * 2
+    end
+    b.blankTo = min(i + floor(i / AHEAD), max(i, room - 1), b.slotBank.room)
     blank(b, i, b.blankTo)
   end
   return i
@@ -593,6 +610,48 @@ function columns.release(b, i)
   b.free[b.freeCount] = i
   b.count = b.count - 1
 end
+
+-- Returns the highest slot that is in use.
+local function lastUsed(b)
+  local last = b.slots
+  while last > 0 and b.kind[last] == 0 do
+    last = last - 1
+  end
+  return last
+end
+
+-- Makes the first `last` slots all that there are.
+local function cut(b, last)
+  local free, count = {}, 0
+  for n = 1, b.freeCount do
+    if b.free[n] <= last then
+      count = count + 1
+      free[count] = b.free[n]
+    end
+  end
+  b.free, b.freeCount = free, count
+  bank.shrink(b.slotBank, last)
+  bank.shrink(b.listBank, last)
+  b.slots, b.blankTo = last, last
+end
+
+--- Gives back the memory of slots that are not used any more, if these are most of them. Between
+--- two steps only: lists of a step may hold such slots.
+function columns.shrink(b)
+  if
+    b.slots > FEW
+    and b.freeCount ~= b.freeSeen
+    and b.freeCount * SHARE > b.slots * (SHARE - 1)
+  then
+    local last = lastUsed(b)
+    if last * SHARE <= b.slots then
+      cut(b, last)
+    end
+    b.freeSeen = b.freeCount
+  end
+end
+
+interpreted.functions(columns.shrink, cut, lastUsed) -- rare
 
 -- The lists of half-edges are changed without branches: place 0 of each column takes what would be
 -- written to nobody.

@@ -46,18 +46,14 @@ local FEW = 128
 -- Fields that a static object has as the core has read them.
 local FIELD = { "active", "sensor", "oneWay", "mask" }
 
-local LAYOUT = {}
-for _, kind in ipairs({
-  { "any", 1, { "object", "group", "groupName", "key", "listed", "oneWay", "mask" } },
-  { "boolean", 1, { "live", "active", "sensor" } },
-  { "integer", 1, { "kind" } },
-  { "number", 1, { "rank", "entry", "mark" } }, -- the last two are scratch
-  { "number", 2, { "position", "size", "fatLow", "fatHigh" } },
-}) do
-  for _, name in ipairs(kind[3]) do
-    LAYOUT[#LAYOUT + 1] = { name = name, kind = kind[1], width = kind[2] }
-  end
-end
+local ANY = { "object", "group", "groupName", "key", "listed", "oneWay", "mask" }
+local LAYOUT = {
+  { kind = "any", width = 1, names = ANY },
+  { kind = "boolean", width = 1, names = { "live", "active", "sensor" } },
+  { kind = "integer", width = 1, names = { "kind" } },
+  { kind = "number", width = 1, names = { "rank", "entry", "mark" } }, -- the last two are scratch
+  { kind = "number", width = 2, names = { "position", "size", "fatLow", "fatHigh" } },
+}
 
 local function new()
   local v = {

@@ -135,6 +135,7 @@ local function step(self, dt)
   if b.rest then
     rest.settle(b, dt)
   end
+  columns.shrink(b)
   notice.outdate(b)
   time(self, "write", now)
 
