@@ -178,7 +178,7 @@ describe("world:addTiles", function()
 
   -- Changing --------------------------------------------------------------------------------------
 
-  describe("gives tiles whose setTile", function()
+  describe("gives tiles with a setTile that", function()
     --- x is dug out:     #####      #####
     ---                   #####  ->  ##x##
     ---                   #####      #####

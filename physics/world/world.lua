@@ -1,10 +1,10 @@
---- A world: its settings and the order of the steps.
+--- The public methods of a world, and the order of the stages of a step.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local begin = require(root .. ".motion.begin")
 local carrier = require(root .. ".objects.carriers")
 local check = require(root .. ".world.check")
-local collect = require(root .. ".objects.read")
+local read = require(root .. ".objects.read")
 local columns = require(root .. ".memory.columns")
 local crowd = require(root .. ".solver.crowd")
 local crush = require(root .. ".solver.crush")
@@ -14,11 +14,11 @@ local interpreted = require(root .. ".memory.jit")
 local lazy = require(root .. ".memory.lazy")
 local notice = require(root .. ".queries.notice")
 local oneway = require(root .. ".solver.oneWay")
-local part = require(root .. ".solver.separate")
+local separate = require(root .. ".solver.separate")
 local predict = require(root .. ".motion.predict")
-local publish = require(root .. ".objects.write")
+local write = require(root .. ".objects.write")
 local rest = require(root .. ".sleep.islands")
-local roster = require(root .. ".objects.registry")
+local registry = require(root .. ".objects.registry")
 local settings = require(root .. ".world.settings")
 local solver = require(root .. ".solver.solver")
 
@@ -53,13 +53,14 @@ World.__index = World
 local ceil, floor, max, min = math.ceil, math.floor, math.max, math.min
 local isFinite = check.isFinite
 
--- Longest time that one update makes up for, s.
+-- Longest time that one update simulates, s.
 local LONGEST = 0.25
--- A way that the game has written, divided by less time than that, would be no speed any more, s.
+-- Shortest dt that makes a step, s: a way that the game has written, divided by less, would be no
+-- usable speed.
 local SHORTEST = 1e-10
--- An object must be larger than that, px; see physics/world/check.lua for how much exactly.
+-- An object must be larger than this, px; physics/world/check.lua has the exact limit.
 local SMALLEST = 1e-90
--- Share of a fixed step that may be missing through rounding.
+-- Fraction of a fixed step that may be missing through rounding.
 local ROUNDING = 1e-9
 
 local function checkSelf(self, call)
@@ -88,10 +89,10 @@ local function time(self, name, since)
   return now
 end
 
--- Lets the game act before a step. It may do anything but step again.
+-- Calls `onStep`, which may do anything but make a step.
 local function tellStep(self, dt)
   local b = self._bodies
-  settings.apply(self) -- a callback may have spoilt `onStep`
+  settings.apply(self) -- a callback may have put a value into `onStep` that cannot be called
   b.isTold = true
   local ok, result = pcall(self.onStep, dt)
   b.isTold = false
@@ -100,8 +101,8 @@ local function tellStep(self, dt)
   end
 end
 
---- One step of dt seconds, stage by stage. The caller calls the callbacks afterwards, once the time
---- of the step is booked.
+--- Makes one step of dt seconds, stage by stage. The caller calls the callbacks afterwards, once
+--- the step's time is subtracted.
 local function step(self, dt)
   if self.onStep then
     tellStep(self, dt)
@@ -109,7 +110,7 @@ local function step(self, dt)
   local b = self._bodies
   settings.apply(self)
   local now = time(self, "write", 0)
-  collect.run(b, self.objects)
+  read.run(b, self.objects)
   if self.checked then
     guard.run(self)
   end
@@ -125,13 +126,13 @@ local function step(self, dt)
   detect.runMoved(b)
   crowd.run(b)
   crush.wedgeGrown(b)
-  part.run(b)
+  separate.run(b)
   now = time(self, "separate", now)
   predict.run(b, dt) -- forces, move
   now = time(self, "move", now)
   solver.run(b, dt) -- contacts, settle, friction, then sweep and hit
   now = time(self, "solve", now)
-  publish.run(b)
+  write.run(b)
   if b.rest then
     rest.settle(b, dt)
   end
@@ -144,13 +145,13 @@ local function step(self, dt)
   stats.pairs, stats.contacts, stats.events = b.pairCount, b.contactCount, b.resolved
 end
 
--- Makes steps of equal length that are at most `maxStep` long.
+-- Makes steps of equal length, at most `maxStep` long.
 local function split(self, dt)
   local steps = ceil(dt / self.maxStep - ROUNDING)
   if steps < 1 then
     steps = 1
   end
-  publish.forgetHits(self._bodies)
+  write.forgetHits(self._bodies)
   for remaining = steps, 1, -1 do
     self._bodies.remaining = remaining
     step(self, dt / steps)
@@ -158,8 +159,8 @@ local function split(self, dt)
   end
 end
 
--- Makes as many fixed steps as fit into the time that is saved up. A refused step uses up no time,
--- and none of a refused dt is saved. Time that an update with an error has left counts in this one.
+-- Makes as many fixed steps as fit into the saved time. A refused step uses up no time, and none of
+-- a refused dt is saved. Time that an update with an error has left counts in this one.
 local function stepFixed(self, dt)
   local timestep = self.timestep
   if self._saved >= timestep * (1 - ROUNDING) then
@@ -167,7 +168,7 @@ local function stepFixed(self, dt)
   end
   self._bodies.remaining = max(1, floor((self._saved + dt) / timestep + ROUNDING))
   if self._saved + dt >= timestep * (1 - ROUNDING) then
-    publish.forgetHits(self._bodies)
+    write.forgetHits(self._bodies)
   end
   while self._saved + dt >= timestep * (1 - ROUNDING) do
     begin.keepPlaces(self._bodies)
@@ -206,8 +207,8 @@ function World:update(dt)
   events.tell(b)
   if dt < SHORTEST then
     settings.apply(self)
-    collect.run(b, self.objects)
-    collect.giveTouching(b)
+    read.run(b, self.objects)
+    read.giveTouching(b)
     events.tell(b)
     return
   end
@@ -244,13 +245,13 @@ local function groupFor(self, group)
 end
 
 -- Gives an object the fields that `add` promises. An object that was removed since the last update
--- still has a slot and keeps its `touching`: while it rests no step would write it again.
+-- still has a slot and keeps its `touching`: while it sleeps no step would write it again.
 local function welcome(b, object)
   if not object.static and not object.kinematic then
     local slot = b.slotOf[object]
-    local touching = slot and b.touching[slot] or collect.touchingFor(b, object)
+    local touching = slot and b.touching[slot] or read.touchingFor(b, object)
     object.vx, object.vy, object.touching = object.vx or 0, object.vy or 0, touching
-    b.roster.given[object] = touching
+    b.registry.given[object] = touching
   end
 end
 
@@ -259,7 +260,7 @@ end
 local function readAgain(b, object)
   local slot = b.slotOf[object]
   if slot and (object.static or b.kind[slot] == columns.STATIC) then
-    collect.refresh(b, slot)
+    read.refresh(b, slot)
   else
     notice.refresh(b, object)
   end
@@ -273,28 +274,28 @@ local function put(self, group, object)
   readAgain(b, object)
   local members = groupFor(self, group)
   members[#members + 1] = object
-  b.roster.groupGiven[object] = group
+  b.registry.groupGiven[object] = group
   notice.tell(b)
   return object
 end
 
--- Returns where an object is now: the table that holds it, its key there, and the name of its group
--- (and the key again unless it is directly in `objects`). Looks where it was in the last step and
--- where it was added; nil: it is in neither place.
+-- Returns where an object is now: the table that holds it, its key there, and the name of its
+-- group. (And the key again, unless it is directly in `objects`.) Looks where the object was in the
+-- last step, and where it was added; nil: it is in neither place.
 local function whereIs(self, object)
   local b = self._bodies
   local slot = b.slotOf[object]
   if slot then
-    local members, key = roster.whereSeen(b, self.objects, slot)
+    local members, key = registry.whereSeen(b, self.objects, slot)
     if members then
       local record = b.group[slot]
       return members, key, record.name, not record.direct and key or nil
     end
   end
-  local group = b.roster.groupGiven[object]
+  local group = b.registry.groupGiven[object]
   local members = group ~= nil and self.objects[group]
   if type(members) == "table" then
-    local key = roster.find(members, object)
+    local key = registry.find(members, object)
     if key ~= nil then
       return members, key, group, key
     end
@@ -311,7 +312,7 @@ local function search(self, object)
     if rawequal(value, object) then
       return self.objects, group, group
     elseif type(value) == "table" and type(value.width) ~= "number" then
-      key = roster.find(value, object)
+      key = registry.find(value, object)
       if key ~= nil then
         return value, key, group
       end
@@ -386,7 +387,7 @@ function World:remove(object)
   else
     members[key] = nil
   end
-  self._bodies.roster.groupGiven[object] = nil
+  self._bodies.registry.groupGiven[object] = nil
   notice.tell(self._bodies)
   return true
 end
@@ -411,7 +412,7 @@ function World:refresh(object)
   end
   local slot = b.slotOf[object]
   if slot then
-    collect.refresh(b, slot)
+    read.refresh(b, slot)
   else
     check.object(object, check.place(name, members ~= self.objects and key or nil))
     notice.refresh(b, object)
@@ -520,7 +521,7 @@ function World:hash()
   return number
 end
 
--- Returns one coordinate between two fixed steps; `now` is the value in the game's table.
+-- Returns one coordinate between two fixed steps; `now` is its value in the game's table.
 local function between(b, slot, k, now, alpha)
   -- A dynamic object that the game has moved is there already; a kinematic one is on its way.
   if b.kind[slot] == columns.DYNAMIC and now ~= b.written[k] then
@@ -694,7 +695,7 @@ end
 function World:raycast(x1, y1, x2, y2, filter)
   checkQuestion(self, "raycast(x1, y1, x2, y2)", filter)
   checkLine(x1, y1, x2, y2, "world:raycast(x1, y1, x2, y2)")
-  -- (A tail call: what is done with the answer is compiled anew for each way to get there.)
+  -- (A tail call: the trace compiler would compile the code after it anew for each path.)
   ---@diagnostic disable-next-line: missing-return-value
   return query.raycast(self, x1 + 0.0, y1 + 0.0, x2 + 0.0, y2 + 0.0, filter)
 end
@@ -930,7 +931,7 @@ end
 
 -- Maps --------------------------------------------------------------------------------------------
 
--- The functions of a world that layers of tiles use (physics/maps/tiles.lua).
+-- Functions of a world that layers of tiles use (physics/maps/tiles.lua).
 local MAPS = { put = put, remove = World.remove }
 
 function MAPS.check(self, where, groups)
@@ -943,8 +944,8 @@ function MAPS.check(self, where, groups)
   end
 end
 
--- Places and sizes are sums and products of what a map says: they may be too large, or too small,
--- though nothing of it is.
+-- Checks a place and size. They are sums and products of a map's numbers, so they may be out of
+-- range although those are not.
 local function checkPlace(object, group, where)
   local isGood = isFinite(object.x) and isFinite(object.y)
   isGood = isGood and isFinite(object.width) and isFinite(object.height)
@@ -1108,7 +1109,7 @@ function world.new(given, where)
   check.settings(given, where)
   local b = columns.new()
   solver.adopt(b)
-  b.events, b.roster, b.hits = events.new(), roster.new(), publish.newHits()
+  b.events, b.registry, b.hits = events.new(), registry.new(), write.newHits()
   local self = setmetatable({
     objects = {},
     stats = newStats(),
