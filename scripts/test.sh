@@ -19,7 +19,7 @@ rm -rf "$logs" && mkdir -p "$logs"
 # The modules of busted are not yet written for 5.5. Without it (plain: scripts/plain_busted.lua)
 # specs take two thirds of the time, so others do without, too: 5.1 and 5.4 have the numbers of all.
 interpreters="
-LuaJIT:luajit
+LuaJIT:plain luajit
 Lua 5.4:plain lua5.4
 "
 case $mode in
@@ -98,8 +98,11 @@ play_plainly() {
     shift
   fi
   for file in "$@"; do
-    SPEC_TIMES="" "$lua" scripts/plain_busted.lua "${options[@]}" "$file" || code=1
+    { time SPEC_TIMES="" "$lua" scripts/plain_busted.lua "${options[@]}" "$file" 2>&3 || code=1; } \
+      3>&2 2>"$SPEC_TIMES.one"
+    echo "$(<"$SPEC_TIMES.one") $file" >>"$SPEC_TIMES"
   done
+  rm -f "$SPEC_TIMES.one"
   return $code
 }
 

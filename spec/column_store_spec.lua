@@ -59,12 +59,12 @@ describe("a column store", function()
 end)
 
 describe("the memory of objects that have left", function()
-  -- A level of 600 tiles with ten boxes that come to rest on its floor.
+  -- A level of 200 tiles with ten boxes that come to rest on its floor.
   local function newLevel()
     local world, tiles = physics.newWorld({ gravity = 800 }), {}
     local floor = { x = -100, y = 200, width = 900, height = 16, static = true, friction = 0.4 }
     world:add("floors", floor)
-    for i = 0, 599 do
+    for i = 0, 199 do
       local x, y = 16 * (i % 100), 400 + 16 * math.floor(i / 100)
       tiles[i + 1] = world:add("tiles", { x = x, y = y, width = 16, height = 16, static = true })
     end
@@ -107,21 +107,21 @@ describe("the memory of objects that have left", function()
     local expected = play(false)
     local found, slots = play(true)
     assert.same(expected, found)
-    assert.is_true(slots[20] > 600, "slots: " .. slots[20])
+    assert.is_true(slots[20] > 200, "slots: " .. slots[20])
     -- The boxes have the last slots: nothing can be given back as long as they are there.
-    assert.is_true(slots[120] > 600)
+    assert.is_true(slots[120] > 200)
   end
 
   it("is kept below what stays, which goes on with the same bits", check)
 
   -- The same with the boxes first.
-  local function checkCut(count)
+  local function checkCut(count, turns)
     local world = physics.newWorld({ gravity = 800 })
     world:add("floors", { x = -100, y = 200, width = 900, height = 16, static = true })
     addBoxes(world, 1, 10)
     world:update(1 / 60)
     local b = rawget(world, "_bodies")
-    for _ = 1, 3 do
+    for _ = 1, turns do
       for i = 1, count do
         local x, y = 16 * (i % 100), 400 + 16 * math.floor(i / 100)
         world:add("tiles", { x = x, y = y, width = 16, height = 16, static = true })
@@ -153,12 +153,12 @@ describe("the memory of objects that have left", function()
   end
 
   it("is given back behind what stays, which goes on with the same bits", function()
-    checkCut(600)
+    checkCut(200, 3)
   end)
 
   it("is given back as it must be", function()
     checked.during(function()
-      checkCut(80)
+      checkCut(70, 1)
     end)
   end)
 
