@@ -50,9 +50,11 @@ end
 describe("a crowd", function()
   describe("of 300 that presses for a minute to a player that cannot be pushed", function()
     for seed = 1, 3 do
-      it("keeps its bounds, and the player stays #slow: seed " .. seed, function()
-        play({ count = effort.share(300, 60), seed = seed, goal = "firm", drive = "vx" }, 60, 60)
-      end)
+      if effort.plays(seed, 3) then
+        it("keeps its bounds, and the player stays #slow: seed " .. seed, function()
+          play({ count = effort.share(300, 60), seed = seed, goal = "firm", drive = "vx" }, 60, 60)
+        end)
+      end
     end
   end)
 
