@@ -1149,7 +1149,11 @@ describe("a question refuses", function()
     { "queryPoint", { "1", 2 }, 'queryPoint(x, y): x must be a number, got "1"' },
     { "queryPoint", { 1, nan }, "queryPoint(x, y): y must be a number, got nan" },
     { "queryPoint", { 1, 2, true }, "queryPoint(x, y): filter must be a group name" },
-    { "queryPoint", { 1, 2, { {} } }, "queryPoint(x, y): filter[1] must be a group name" },
+    {
+      "queryPoint",
+      { 1, 2, { {} } },
+      "filter[1] must be a group name, got table (the name of a group, not its table)",
+    },
     { "queryPoint", { 1, 2, { boxes = true } }, "queryPoint(x, y): filter must be a group name" },
     { "queryPoint", { 1, 2, nil, 3 }, "queryPoint(x, y): out must be a table, got 3" },
     { "queryRect", { 1, 2, 0, 4 }, "queryRect(x, y, w, h): w must be a number > 0, got 0" },

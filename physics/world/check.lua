@@ -664,7 +664,8 @@ function check.filter(value, where)
   end
   for i = 1, #value do
     if not isName(value[i]) then
-      fail(mustBe(format("%s: filter[%d]", where, i), "a group name", value[i]))
+      local hint = type(value[i]) == "table" and " (the name of a group, not its table)" or ""
+      fail(mustBe(format("%s: filter[%d]", where, i), "a group name", value[i]) .. hint)
     end
   end
 end

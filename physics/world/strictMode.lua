@@ -5,6 +5,7 @@
 --   a field or setting with a name that is one slip away from one that the library knows, and a
 --     mask with the name of a group that is one slip away from a group of the world
 --   a mover that is larger than very many cells of the grid
+--   a dynamic object that is one-way: it is open to the floor below it
 --   an object that is in two worlds (if both are checked)
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
@@ -19,7 +20,7 @@ local state = require(root .. ".state.save")
 local guard = {}
 
 local format, show = string.format, check.show
-local STATIC = columns.STATIC
+local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
 -- Length that a mover may have, in cells.
 local MOST_CELLS = 1024
 
@@ -57,7 +58,7 @@ end
 local function meaningOf(name, names, byName)
   if type(name) ~= "string" or byName[name] or OWN[name] or name:sub(1, 1) == "_" then
     return false
-  elseif byName == fields.objectByName and MEANT[name] then
+  elseif MEANT[name] and (byName == fields.objectByName or byName[MEANT[name]]) then
     return MEANT[name]
   end
   local guess = check.guess(name, names)
@@ -198,6 +199,15 @@ end
 local function checkMover(b, i, object)
   if object.static then
     refuseStatic(b, i, "static", true)
+  elseif object.oneWay and b.kind[i] == DYNAMIC then
+    check.fail(
+      format(
+        "%s.oneWay must be nil, got %s: one-way objects are static or kinematic; a dynamic one"
+          .. " falls through the floor",
+        placeOf(b, i),
+        show(object.oneWay)
+      )
+    )
   end
   local cell = b.broadphase.cell
   if cell then
