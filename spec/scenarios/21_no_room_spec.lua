@@ -308,7 +308,7 @@ describe("a closed room", function()
   end)
 
   it("in which boxes grow until there is no room keeps them in", function()
-    for _, gravity in ipairs({ 0, 800 }) do
+    for _, gravity in ipairs(effort.isWhole and { 0, 800 } or { 800 }) do
       scene.each(LEVELS, function(run)
         local description, boxes = join({ gravity = gravity }, walls(96, 96)), {}
         for i = 0, 15 do
