@@ -32,7 +32,7 @@ local physics = {
 }
 
 -- The default world is made when it is first used: many games use only worlds of their own.
-local made = nil ---@type physics.World?
+local made = nil ---@type any
 
 local function default()
   local found = made
