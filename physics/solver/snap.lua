@@ -25,8 +25,8 @@ local floor, huge, max, min = math.floor, math.huge, math.max, math.min
 -- Edges that an object may run over in a step.
 local EDGES = 16
 
---- Returns the lists that a world needs.
-function snap.new()
+-- Returns the lists that a world needs.
+local function newLists()
   return { list = {}, depth = {}, count = 0, ground = {} }
 end
 
@@ -236,6 +236,7 @@ end
 
 --- Lowers what has run off the ground that it stood on, and what stands on that.
 function snap.run(b, dt)
+  b.snaps = b.snaps or newLists()
   local awake, support, lowered = b.awakeList, b.support, b.lowered
   for n = 1, b.awakeCount do
     local i = awake[n]

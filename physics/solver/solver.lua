@@ -28,7 +28,7 @@ local predict = require(root .. ".motion.predict")
 local rest = require(root .. ".sleep.islands")
 local rules = require(root .. ".solver.rules")
 local settle = require(root .. ".solver.settle")
-local snap = require(root .. ".solver.snap")
+local snap = require(root .. ".memory.lazy")(root .. ".solver.snap")
 local sort = require(root .. ".memory.sort")
 local sweep = require(root .. ".solver.sweep")
 
@@ -64,7 +64,7 @@ local WIDTHS = 2 ^ 20
 function solver.adopt(b)
   b.contacts = { [0] = contacts.newList(0), contacts.newList(1) }
   b.bonds = { [0] = bonds.new(), bonds.new() }
-  b.impacts, b.snaps = sweep.newImpacts(), snap.new()
+  b.impacts = sweep.newImpacts()
 end
 
 -- Returns the velocity of body k at the start of the step, its carrier included.
