@@ -108,6 +108,7 @@ build = {
     ["physics.state.own"] = "physics/state/own.lua",
     ["physics.state.restore"] = "physics/state/restore.lua",
     ["physics.state.save"] = "physics/state/save.lua",
+    ["physics.state.standing"] = "physics/state/standing.lua",
     ["physics.state.validate"] = "physics/state/validate.lua",
     ["physics.types"] = "physics/types.lua",
     ["physics.world.bounds"] = "physics/world/bounds.lua",

@@ -43,8 +43,11 @@ local interpreted = require(root .. ".memory.jit")
 local keyOrder = require(root .. ".memory.keyOrder")
 local own = require(root .. ".state.own")
 local registry = require(root .. ".objects.registry")
+local standing = require(root .. ".state.standing")
 
 local state = {}
+
+local NONE = {}
 
 local STATIC, KINEMATIC, DYNAMIC = columns.STATIC, columns.KINEMATIC, columns.DYNAMIC
 local HUGE = math.huge
@@ -247,101 +250,6 @@ local function saveTables(b, objects, out, work)
   out.tables = list
 end
 
--- Static objects are read once, so what they have in their fields is noted once, too (`b.fixed`),
--- until one of them comes, goes or is read again. A save looks at all others.
-
-local NONE = {}
-
--- Whether static objects were read since the last step.
-local function hasMovedStatic(b)
-  for n = 1, b.movedCount do
-    if b.kind[b.movedList[n]] == STATIC then
-      return true
-    end
-  end
-  return false
-end
-
--- Whether what was noted of the static objects is right: `slots` in their order, `has[name]`: slot,
--- value of each one that has the field.
-local function isFixedRight(b, fixed, numbers)
-  if not fixed or fixed.version ~= b.staticVersion or b.newcomers then
-    return false
-  end
-  if hasMovedStatic(b) then
-    return false
-  end
-  local slots = fixed.slots
-  for n = 2, #slots do
-    if numbers[slots[n]] < numbers[slots[n - 1]] then
-      return false
-    end
-  end
-  return true
-end
-
--- Lists in work.visit the objects to look at, by number.
-local function listVisits(b, out, work)
-  work.visit = work.visit or {}
-  local visit, count, numbers = work.visit, 0, work.numbers
-  work.fixed, work.isClean = isFixedRight(b, b.fixed, numbers) and b.fixed or false, true
-  if work.fixed then
-    for n = 1, b.moverCount do
-      visit[n] = numbers[b.movers[n]]
-    end
-    count = b.moverCount
-  end
-  for n = work.fixed and out.known + 1 or 1, out.count do
-    count = count + 1
-    visit[count] = n
-  end
-  cut(visit, count)
-  work.visitKnown = count - (out.count - out.known)
-end
-
--- Adds what is noted of static objects before number n behind place `at` of a sparse list, from
--- place i of `has` on; returns both.
-local function putFixed(list, at, has, i, n, numbers)
-  local slot = has[i]
-  while slot and numbers[slot] < n do
-    list[at + 1], list[at + 2] = numbers[slot], has[i + 1]
-    at, i = at + 2, i + 2
-    slot = has[i]
-  end
-  return at, i
-end
-
--- Notes what the static objects have, of which a full save has found nothing that was written since
--- it was read.
-local function noteFixed(b, out, work)
-  local fixed = { version = b.staticVersion, slots = {}, has = {}, dense = {} }
-  local slots, kind = work.slots, b.kind
-  for n = 1, out.known do
-    if kind[slots[n]] == STATIC then
-      fixed.slots[#fixed.slots + 1] = slots[n]
-    end
-  end
-  for m = 1, #state.SPARSE do
-    local name, has = state.SPARSE[m][1], {}
-    local list = out.fields[name]
-    for at = 1, #list, 2 do
-      local slot = list[at] <= out.known and slots[list[at]]
-      if slot and kind[slot] == STATIC then
-        has[#has + 1], has[#has + 2] = slot, list[at + 1]
-      end
-    end
-    fixed.has[name] = has
-  end
-  for m = 1, #state.DENSE do
-    local list, values = out[state.DENSE[m][1]], {}
-    for n = 1, #fixed.slots do
-      values[n] = list[work.numbers[fixed.slots[n]]]
-    end
-    fixed.dense[m] = values
-  end
-  b.fixed = fixed
-end
-
 -- Fields -----------------------------------------------------------------------------------------
 
 -- Checks an object after a write that the library has not read yet: the values must be usable.
@@ -404,7 +312,7 @@ local function saveColumn(b, out, work, entry)
     local n = visit[m]
     local slot, value = slots[n], objects[n][name]
     local read = column[stride * slot + offset]
-    at, i = putFixed(list, at, has, i, n, work.numbers)
+    at, i = standing.put(list, at, has, i, n, work.numbers)
     if value ~= nil then
       list[at + 1], list[at + 2] = n, value
       at = at + 2
@@ -418,7 +326,7 @@ local function saveColumn(b, out, work, entry)
       noteRead(b, out, work, name, n, slot, read ~= HUGE and read)
     end
   end
-  at = putFixed(list, at, has, i, HUGE, work.numbers)
+  at = standing.put(list, at, has, i, HUGE, work.numbers)
   for n = out.known + 1, out.count do
     local value = objects[n][name]
     if value ~= nil then
@@ -463,7 +371,7 @@ local function saveSpecial(b, out, work, name, read, absent)
     local n = visit[m]
     local object, slot = objects[n], slots[n]
     local value = object[name]
-    at, i = putFixed(list, at, has, i, n, work.numbers)
+    at, i = standing.put(list, at, has, i, n, work.numbers)
     if value ~= nil then
       list[at + 1], list[at + 2] = n, value
       at = at + 2
@@ -477,7 +385,7 @@ local function saveSpecial(b, out, work, name, read, absent)
       end
     end
   end
-  at = putFixed(list, at, has, i, HUGE, work.numbers)
+  at = standing.put(list, at, has, i, HUGE, work.numbers)
   cut(list, at)
 end
 
@@ -527,7 +435,7 @@ local function saveMasks(b, out, work)
   for m = 1, #visit do
     local n = visit[m]
     local mask, slot = objects[n].mask or false, slots[n]
-    at, i = putFixed(list, at, has, i, n, work.numbers)
+    at, i = standing.put(list, at, has, i, n, work.numbers)
     if n <= out.known and not isMaskRead(b, slot, mask) then
       noteRead(b, out, work, "mask", n, slot, b.mask[slot] and listRead(b, slot))
     end
@@ -536,7 +444,7 @@ local function saveMasks(b, out, work)
       at = at + 2
     end
   end
-  at = putFixed(list, at, has, i, HUGE, work.numbers)
+  at = standing.put(list, at, has, i, HUGE, work.numbers)
   cut(list, at)
 end
 
@@ -838,7 +746,7 @@ function state.fill(world, out)
   work.goneCount = 0
   saveGroups(b, out, work)
   saveTables(b, world.objects, out, work)
-  listVisits(b, out, work)
+  standing.listVisits(b, out, work)
   saveFields(b, out, work)
   listIn(out, "memory")
   saveFlags(b, out, work)
@@ -854,8 +762,8 @@ function state.fill(world, out)
   cut(work.objects, out.count + work.goneCount)
   if not work.fixed then
     b.fixed = false
-    if work.isClean and not hasMovedStatic(b) then
-      noteFixed(b, out, work)
+    if work.isClean and not standing.hasMoved(b) then
+      standing.note(b, out, work, state.DENSE, state.SPARSE)
     end
   end
   return work
