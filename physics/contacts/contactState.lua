@@ -13,6 +13,7 @@ local events = require(root .. ".contacts.events")
 local interpreted = require(root .. ".memory.jit")
 local live = require(root .. ".broadphase.activePairs")
 local oneway = require(root .. ".solver.oneWay")
+local slope = require(root .. ".solver.slope")
 local sort = require(root .. ".memory.sort")
 
 local contact = {}
@@ -42,6 +43,14 @@ local function flushSide(b, i, j)
   return flushX * (1 - apartY) * (1 + step(afterX - beforeX))
     + flushY * (1 - apartX) * (3 + step(afterY - beforeY))
     - (1 - apartX) * (1 - apartY)
+end
+
+-- The same where there are slopes.
+local function sideOf(b, i, j)
+  if b.hasSlopes and slope.isPair(b, i, j) then
+    return slope.side(b, i, j)
+  end
+  return flushSide(b, i, j)
 end
 
 -- Whether a side was leant on in this step, by either of the two.
@@ -110,7 +119,7 @@ end
 
 -- The side on which a solid pair is in contact now, else 0.
 local function solidContact(b, p, i, j)
-  local side = flushSide(b, i, j)
+  local side = sideOf(b, i, j)
   b.overlapping[p] = side == INSIDE
   if side == INSIDE then
     if b.passing[p] or b.oneWay[i] or b.oneWay[j] then
@@ -143,7 +152,7 @@ end
 
 -- The side on which a sensor was entered, while the two overlap, else 0.
 local function sensorContact(b, p, i, j)
-  if flushSide(b, i, j) ~= INSIDE or b.passing[p] then
+  if sideOf(b, i, j) ~= INSIDE or b.passing[p] then
     return 0
   end
   if b.contact[p] ~= 0 then
@@ -157,7 +166,7 @@ end
 -- The side on which solid pair p, which was not met in this step, will be in contact: one of the
 -- two leans on that side on somebody else. Else 0.
 local function unmetSide(b, p, i, j)
-  local side = flushSide(b, i, j)
+  local side = sideOf(b, i, j)
   if side <= 0 or b.dropping[p] or oneway.lets(b, i, j, side, false) then
     return 0
   end

@@ -30,6 +30,15 @@ function columns.kindOf(object, isStatic)
   return isStatic and columns.STATIC or object.kinematic and columns.KINEMATIC or columns.DYNAMIC
 end
 
+--- Values of the column `shape`. Slopes are named after their high side, `TOP` those that hang.
+columns.SHAPE_BOX, columns.SHAPE_CIRCLE = 0, 1
+columns.SHAPE_SLOPE_LEFT, columns.SHAPE_SLOPE_RIGHT = 2, 3
+columns.SHAPE_SLOPE_TOPLEFT, columns.SHAPE_SLOPE_TOPRIGHT = 4, 5
+
+--- Shapes by the field `slope`, and that field by shape.
+columns.SLOPES = { left = 2, right = 3, topleft = 4, topright = 5 }
+columns.SLOPE_NAMES = { [2] = "left", [3] = "right", [4] = "topleft", [5] = "topright" }
+
 --- How far apart two edges may be and still count as touching, px.
 columns.EPSILON = 1e-6
 
@@ -75,6 +84,7 @@ local SLOT = {
   carry = true,
   surfaceSpeed = 0,
   nudge = 0,
+  shape = 0, -- SHAPE_BOX and so on
   -- rest
   awake = false,
   awakeAt = 0, -- place in the list of who is awake
@@ -99,6 +109,8 @@ local SLOT = {
   dirty = 0, -- 1: its path is new since it was last swept
   deepAt = 0, -- solve in which it was inside another dynamic body
   impactsOf = 0, -- impacts in this step
+  pieceFirst = 0, -- pieces of its way along the ground (see walk),
+  pieceLast = 0, -- 0: none
   inRound = 0, -- round in which it was last in an impact
   -- broad phase
   placed = 0, -- 0: not in the broad phase, 1: its neighbours must be looked up, 2: they are known
@@ -269,7 +281,7 @@ local SIDE = {
 -- one step. (Not what counts steps, stamps or changes, which grows as long as the game is played.)
 local WHOLE = {}
 for _, names in ipairs({
-  { "kind", "awakeAt" },
+  { "kind", "shape", "awakeAt" },
   { "support" },
   { "carrier", "carrierNow", "placed", "head", "holderLow", "holderHigh", "crushLow" },
   { "crushHigh", "touchBest", "touchTold", "pairA", "pairB", "contact", "hit" },
@@ -322,6 +334,11 @@ columns.AXIS = { 0, 0, 1, 1 }
 --- Returns the side that the field `oneWay` means: `true` is the top, false: none.
 function columns.sideOf(value)
   return value == true and "top" or value or false
+end
+
+--- Returns the shape that the field `slope` means.
+function columns.shapeOf(value)
+  return value and columns.SLOPES[value] or columns.SHAPE_BOX
 end
 
 local function namesOf(map)
@@ -404,6 +421,21 @@ function columns.new()
     hasOneWays = false, -- or is one-way
     hasSensors = false, -- or a sensor
     hasFirm = false, -- or not pushable
+    hasSlopes = false, -- or a slope
+    steep = { [0] = 0, 0 }, -- by axis: the most that any slope has ever risen along it, px for 1 px
+    ground = { count = 0, slot = {}, low = {}, high = {}, turn = {}, main = 0 }, -- scratch of walk
+    walkers = {},
+    walkStamp = 0,
+    walkOn = {}, -- by slot: what it has come to stand on
+    walkAt = {}, -- by index: when it walked
+    pieceCount = 0,
+    piecePlace = {}, -- across gravity,
+    pieceHeight = {}, -- and along it
+    liftOf = {}, -- by index: px that walk has moved it by,
+    liftMark = {}, -- and when
+    room = {}, -- by index: how far it can be moved against gravity
+    blocked = {}, -- what a slope has pressed against a ceiling: slots, two for each
+    blockedCount = 0,
     hasCrowds = false, -- or was crowded
     crowdCount = 0, -- crowded bodies in this step
     crowdList = {}, -- scratch of crowd

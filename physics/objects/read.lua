@@ -19,12 +19,13 @@ local view = require(root .. ".queries.index")
 
 local collect = {}
 
-local HUGE, min = math.huge, math.min
+local HUGE, max, min = math.huge, math.max, math.min
+local SLOPE = columns.SHAPE_SLOPE_LEFT -- and above
 local UNREAD = 0 / 0 -- no place is equal to it
 local isFinite = check.isFinite
 local STATIC, KINEMATIC, DYNAMIC = columns.STATIC, columns.KINEMATIC, columns.DYNAMIC
 
-local sideOf = columns.sideOf
+local sideOf, shapeOf = columns.sideOf, columns.shapeOf
 
 local function orDefault(value, default)
   if value == nil then
@@ -136,6 +137,7 @@ local function readFields(b, i, object)
     readMask(b, i, b.mask[i])
   end
   b.oneWay[i] = sideOf(b.oneWay[i])
+  b.shape[i] = isDynamic and columns.SHAPE_BOX or shapeOf(object.slope)
   b.mass[i], b.inverseMass[i] = mass, isDynamic and 1 / mass or 0
   b.friction[i] = orDefault(object.friction, isDynamic and 0 or -1)
   b.restitution[i] = orDefault(object.restitution, 0)
@@ -178,7 +180,14 @@ end
 
 -- Notes whether where it stands is all there is to know of a contact that goes on.
 local function noteEven(b, i)
-  b.even[i] = not (b.sensor[i] or b.hears[i] or b.oneWay[i])
+  b.even[i] = not (b.sensor[i] or b.hears[i] or b.oneWay[i] or b.shape[i] >= SLOPE)
+end
+
+-- Notes how steep a slope is.
+local function noteSlope(b, i)
+  local width, height = b.size[2 * i], b.size[2 * i + 1]
+  b.hasSlopes = true
+  b.steep[0], b.steep[1] = max(b.steep[0], width / height), max(b.steep[1], height / width)
 end
 
 -- Reads all fields, which must have been checked. If reading one fails all the same (an `__index`
@@ -198,7 +207,10 @@ local function readAll(b, i, object, isNew)
   b.hasOneWays = b.hasOneWays or b.oneWay[i] ~= false
   b.hasSensors = b.hasSensors or b.sensor[i]
   b.hasFirm = b.hasFirm or not b.pushable[i]
-  b.plain[i] = not b.sensor[i]
+  if b.shape[i] >= SLOPE then
+    noteSlope(b, i)
+  end
+  b.plain[i] = not b.sensor[i] and b.shape[i] < SLOPE
   noteEven(b, i)
 end
 
@@ -453,6 +465,7 @@ local function listRich(b)
       or object.carry ~= nil
       or object.surfaceSpeed ~= nil
       or object.nudge ~= nil
+      or object.slope ~= nil
       or (itsMass or 1) ~= mass[i]
       or (itsFriction or 0) ~= friction[i]
       or (itsRestitution or 0) ~= restitution[i]
@@ -471,6 +484,7 @@ local function compareFilters(b, count)
   local rich, objects = b.rich, b.object
   local active, sensor, pushable, kind = b.active, b.sensor, b.pushable, b.kind
   local hears, oneWay, canCollide, mask, seen = b.hears, b.oneWay, b.canCollide, b.mask, b.maskSeen
+  local shape = b.shape
   for n = 1, count do
     local i = rich[n]
     local object = objects[i]
@@ -480,6 +494,8 @@ local function compareFilters(b, count)
       or (object.sensor or false) ~= sensor[i]
       or orDefault(object.pushable, true) ~= pushable[i]
       or sideOf(object.oneWay) ~= oneWay[i]
+      or (object.slope ~= nil or shape[i] >= SLOPE)
+        and (kind[i] == DYNAMIC or shapeOf(object.slope) ~= shape[i])
       or object.canCollide ~= (canCollide[i] or nil)
       or (object.kinematic or false) ~= (kind[i] == KINEMATIC)
       or its ~= (mask[i] or nil)

@@ -12,6 +12,7 @@ local crush = require(root .. ".solver.crush")
 local interpreted = require(root .. ".memory.jit")
 local oneway = require(root .. ".solver.oneWay")
 local view = require(root .. ".queries.index")
+local walk = require(root .. ".solver.walk")
 
 local publish = {}
 
@@ -442,6 +443,9 @@ function publish.run(b)
   crush.countJam(b, 1)
   local count, closeCount = updateContacts(b)
   findTouching(b, count)
+  if b.hasSlopes then
+    walk.showBlocked(b)
+  end
   tellCrushed(b)
   findSupports(b)
   findCarriers(b)

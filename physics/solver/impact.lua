@@ -13,6 +13,7 @@ local flow = require(root .. ".solver.flow")
 local friction = require(root .. ".solver.friction")
 local path = require(root .. ".motion.path")
 local pool = require(root .. ".solver.pool")
+local slope = require(root .. ".solver.slope")
 
 require(root .. ".memory.jit").file()
 
@@ -252,13 +253,19 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
   local left = (1 - max(b.time[i], b.time[j])) * dt
   path.advance(b, i, t)
   path.advance(b, j, t)
-  local kl, kh = 2 * i + axis, 2 * j + axis
+  local kl, kh, ti, tj = 2 * i + axis, 2 * j + axis, 2 * i + 1 - axis, 2 * j + 1 - axis
   local separation = b.size[kl]
   if isDeep and (b.deepAt[i] == b.solveStamp or b.deepAt[j] == b.solveStamp) then
     separation = min(separation, b.from[kh] - b.from[kl])
   end
   local o, v = b.to[kl] + separation - b.to[kh], b.speed[kl] - b.speed[kh]
   local a = b.accel[kl] - b.accel[kh]
+  if b.hasSlopes and slope.isPair(b, i, j) then
+    local lean
+    separation, lean = slope.lean(b, i, j, axis)
+    o, v = b.to[kl] + separation - b.to[kh], v + lean * (b.speed[tj] - b.speed[ti])
+    a = a + lean * (b.accel[tj] - b.accel[ti])
+  end
   local u, tau = approach(o, v, a, left)
   impact.note(b, p, i, axis, u)
   b.impactsOf[i], b.impactsOf[j] = b.impactsOf[i] + 1, b.impactsOf[j] + 1

@@ -23,6 +23,7 @@ local rules = require(root .. ".solver.rules")
 local settle = require(root .. ".solver.settle")
 local sort = require(root .. ".memory.sort")
 local sweep = require(root .. ".solver.sweep")
+local walk = require(root .. ".solver.walk")
 
 local solver = {}
 
@@ -452,6 +453,14 @@ local function settleViolated(b, dt)
   return isAny
 end
 
+-- Lets what stands on something follow it, where there are slopes.
+local function followGround(b, dt)
+  walk.run(b, dt)
+  b.isChangeListed = false
+  findChanged(b)
+  contacts.noteNew(b)
+end
+
 -- Settles again what impacts have changed, and looks up what comes near now.
 local function settleLate(b, dt)
   b.isChangeListed, b.isJammed = not settleViolated(b, dt), false
@@ -504,6 +513,9 @@ local function solve(b, dt)
   begin(b, dt)
   friction.begin(b)
   live.list(b)
+  if b.hasSlopes then
+    walk.begin(b)
+  end
   settleTouching(b, dt)
   if b.hasNudges then
     nudgeTouching(b, dt)
@@ -514,6 +526,9 @@ local function solve(b, dt)
   b.isChangeListed = false
   findChanged(b)
   contacts.noteNew(b)
+  if b.hasSlopes then
+    followGround(b, dt)
+  end
   for n = 1, ROUNDS do
     if b.awakenings ~= awakenings then
       return false
@@ -523,6 +538,9 @@ local function solve(b, dt)
     end
     if n < ROUNDS then
       settleLate(b, dt)
+      if b.hasSlopes then
+        followGround(b, dt)
+      end
     end
   end
   if b.awakenings ~= awakenings then
@@ -533,6 +551,9 @@ local function solve(b, dt)
   end
   if b.hasFirm then
     keepOwnWay(b, dt)
+  end
+  if b.hasSlopes then
+    walk.run(b, dt)
   end
   for axis = 0, 1 do
     notePressed(b, axis)

@@ -10,6 +10,7 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
 local interpreted = require(root .. ".memory.jit")
+local slope = require(root .. ".solver.slope")
 
 local sweep = {}
 
@@ -211,7 +212,12 @@ function sweep.run(b, changedCount)
     if rank[j] < rank[i] then -- where both are at one spot, the order of the world decides
       i, j = pairB[p], pairA[p]
     end
-    local t, axis, isLow, isDeep = meet(b, i, j)
+    local t, axis, isLow, isDeep
+    if b.hasSlopes then
+      t, axis, isLow, isDeep = slope.meetAny(b, i, j, meet)
+    else
+      t, axis, isLow, isDeep = meet(b, i, j)
+    end
     if t then
       count = count + 1
       impacts.pair[count], impacts.time[count], impacts.axis[count] = p, t, axis

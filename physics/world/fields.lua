@@ -229,6 +229,15 @@ fields.objects = {
       .. " For static and kinematic objects.",
   },
   {
+    name = "slope",
+    type = "string",
+    values = { "left", "right", "topleft", "topright" },
+    absent = "none: a box",
+    meaning = "A right triangle that fills its box, for static and kinematic objects. `left` and"
+      .. " `right` name the side that is high, solid below; `topleft` and `topright` hang from"
+      .. " above.",
+  },
+  {
     name = "carry",
     type = "boolean",
     default = true,

@@ -1,0 +1,458 @@
+--- Walking: what stands on the ground follows it, where there are slopes.
+--
+-- The solver settles a body on a slope as if that were level. Then `walk.run` follows the ground from
+-- where the body was to where it ends across gravity, piece by piece, and puts it there: up and down,
+-- over feet, crests and seams, at any speed. What stands on it is moved as much (`lift`). Where that
+-- would press it, or what stands on it, into what cannot give way, it stops: a slope is a wall there.
+--
+-- The way along the ground is a polyline, of which `b.piecePlace` (across gravity) and
+-- `b.pieceHeight` hold the corners. The sweep follows it, and `path.advance` stays on it.
+--
+-- Heights are counted against gravity here: `turn` is 1 where gravity points to high coordinates, -1
+-- else; a height times `turn` is less where it is further up.
+--
+-- Reads paths, contacts, heldLow, heldHigh; writes to, speed, give, separations.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local columns = require(root .. ".memory.columns")
+local contacts = require(root .. ".solver.contacts")
+local filter = require(root .. ".broadphase.filter")
+local pairFinder = require(root .. ".broadphase.pairFinder")
+local rules = require(root .. ".solver.rules")
+local settle = require(root .. ".solver.settle")
+local slope = require(root .. ".solver.slope")
+local triangle = require(root .. ".memory.triangle")
+
+require(root .. ".memory.jit").file()
+
+local walk = {}
+
+local EPSILON, DYNAMIC, SIDE = columns.EPSILON, columns.DYNAMIC, columns.SIDE
+local FIRST, SOLID = triangle.FIRST, triangle.SOLID
+local floor, max, min = math.floor, math.max, math.min
+local HUGE = math.huge
+-- Pieces of the way of one body in a step.
+local MOST = 256
+-- How often all walk in a step of the solver, as they get into each other's way.
+local PASSES = 4
+-- px: what is no support any more holds nothing.
+local FREE = -1e30
+
+-- Whether a slope is near slot i.
+local function isNearSlope(b, i)
+  local half = b.head[i]
+  while half ~= 0 do
+    if b.shape[b.other[half]] >= FIRST then
+      return true
+    end
+    half = b.next[half]
+  end
+  return false
+end
+
+-- Whether slot j can be ground for slot i, along an axis.
+local function isGround(b, i, j, axis, turn)
+  local isSolid = j ~= i and b.kind[j] ~= DYNAMIC and not (b.sensor[j] or b.sensor[i])
+  if not isSolid or not filter.allows(b, i, j) then
+    return false
+  end
+  local oneWay = b.oneWay[j]
+  if oneWay and SIDE[oneWay] ~= 2 * axis + (turn > 0 and 1 or 2) then
+    return false
+  end
+  local p = b.hasAskers and columns.pairOf(b, i, j) or nil
+  if b.hasOneWays or b.hasAskers then
+    p = p or columns.pairOf(b, i, j)
+    if p and (b.passing[p] or b.dropping[p]) then
+      return false
+    end
+  end
+  if not b.hasAskers then
+    return true
+  elseif not p then
+    return false
+  end
+  local ki, kj = 2 * i + axis, 2 * j + axis
+  return not rules.passes(b, p, turn > 0 and ki or kj, turn > 0 and kj or ki, axis, false)
+end
+
+-- The height of slot i on slot j, where it is at x across gravity.
+local function heightOn(b, i, j, axis, turn, x)
+  local k, m = 2 * i + axis, 2 * j + axis
+  local shape = b.shape[j]
+  if shape >= FIRST and SOLID[axis][shape] == turn then
+    local apart = slope.separation(b, i, j, axis, x, b.to[m + 1 - 2 * axis])
+    return turn * (b.to[m] - turn * apart)
+  end
+  return turn > 0 and b.to[m] - b.size[k] or -(b.to[m] + b.size[m])
+end
+
+-- Lists what may be ground on the way of slot i from x0 to x1, `height` high.
+local function listGround(b, i, axis, turn, x0, x1, height)
+  local list, found, count = b.ground, b.found, 0
+  local across, k = 1 - axis, 2 * i
+  local w, way = b.size[k + across], max(x1 - x0, x0 - x1)
+  local base = turn > 0 and height + b.size[k + axis] or -height
+  local reach = way * b.steep[axis] + 1
+  local left, right = min(x0, x1) - 1, max(x0, x1) + w + 1
+  local n
+  if axis == 1 then
+    n = b.broadphase:query(left, base - reach, right, base + reach, found)
+  else
+    n = b.broadphase:query(base - reach, left, base + reach, right, found)
+  end
+  for at = 1, n do
+    local j = found[at]
+    if isGround(b, i, j, axis, turn) then
+      count = count + 1
+      local low, size, shape = b.to[2 * j + across], b.size[2 * j + across], b.shape[j]
+      list.slot[count], list.low[count], list.high[count] = j, low, low + size
+      list.turn[count] = HUGE
+      if shape >= FIRST and SOLID[axis][shape] == turn then
+        list.turn[count] = SOLID[across][shape] > 0 and low + size - w or low
+      end
+    end
+  end
+  list.count = count
+end
+
+-- The next place from x on towards x1 at which something begins or ends to be ground.
+local function nextTurn(b, x, x1, w)
+  local list, way = b.ground, x1 >= x and 1 or -1
+  local nearest = x1
+  for n = 1, list.count do
+    for which = 1, 3 do
+      local at = which == 1 and list.low[n] - w or which == 2 and list.high[n] or list.turn[n]
+      if (at - x) * way > EPSILON and (nearest - at) * way > 0 then
+        nearest = at
+      end
+    end
+  end
+  return nearest
+end
+
+-- The height at the end of a piece from x to xEnd that begins `height` high, and what it is on there;
+-- 0: nothing is level with it.
+local function heightAt(b, i, axis, turn, x, xEnd, height)
+  local list, w = b.ground, b.size[2 * i + 1 - axis]
+  local middle = (x + xEnd) * 0.5
+  local best, top, isLevel = 0, HUGE, false
+  for n = 1, list.count do
+    if middle + w > list.low[n] and middle < list.high[n] then
+      local j = list.slot[n]
+      local first = heightOn(b, i, j, axis, turn, x)
+      if first >= height - EPSILON then
+        isLevel = isLevel or first <= height + EPSILON
+        local last = heightOn(b, i, j, axis, turn, xEnd)
+        if last < top or (last == top and b.rank[j] < b.rank[best]) then
+          best, top = j, last
+        end
+      end
+    end
+  end
+  if not isLevel then
+    return height, 0
+  end
+  return top, best
+end
+
+local function addPiece(b, x, height)
+  local n = b.pieceCount + 1
+  b.pieceCount = n
+  b.piecePlace[n], b.pieceHeight[n] = x, height
+end
+
+-- Follows the ground from (x0, height) to x1, no higher than `room`. Returns where it ends, how
+-- high, and what it is on there: 0, it has left the ground.
+local function follow(b, i, axis, turn, x0, x1, height, room)
+  local x, on, w = x0, 0, b.size[2 * i + 1 - axis]
+  for n = 1, MOST do
+    local xEnd = n < MOST and nextTurn(b, x, x1, w) or x1
+    local last, its = heightAt(b, i, axis, turn, x, xEnd, height)
+    if its == 0 then
+      addPiece(b, x1, height)
+      return x1, height, on
+    end
+    on = its
+    if last < room - EPSILON and last < height then
+      local share = max(min((height - room) / (height - last), 1), 0)
+      x, height = x + (xEnd - x) * share, min(height, room)
+      addPiece(b, x, height)
+      return x, height, on
+    end
+    x, height = xEnd, last
+    addPiece(b, x, height)
+    if x == x1 then
+      break
+    end
+  end
+  return x, height, on
+end
+
+-- The ground that holds slot i, or 0.
+local function groundUnder(b, i, k, turn)
+  local held, wall = b.heldHigh, b.holderHigh
+  if turn < 0 then
+    held, wall = b.heldLow, b.holderLow
+  end
+  return held[k] == 2 and floor(wall[k] * 0.5) or 0
+end
+
+-- Slot i cannot go on: a slope would press it against a ceiling.
+local function block(b, i, k, on, way)
+  b.speed[k], b.accel[k], b.give[k] = b.speed[2 * on + k % 2], 0.0, 0
+  if way > 0 then
+    b.pressedHigh[k] = true
+  else
+    b.pressedLow[k] = true
+  end
+  local n = b.blockedCount + 1
+  b.blockedCount = n
+  b.blocked[2 * n - 1], b.blocked[2 * n] = 4 * i + 2 * (k % 2) + (way > 0 and 2 or 1), on
+end
+
+-- Lets slot i follow the ground. Returns whether it has come elsewhere along gravity, and whether it
+-- was stopped.
+local function walkOne(b, i)
+  local axis = slope.axisOf(b, i)
+  local k, t, turn = 2 * i + axis, 2 * i + 1 - axis, b.down[2 * i + axis]
+  local j = groundUnder(b, i, k, turn)
+  b.pieceFirst[i], b.pieceLast[i] = 0, 0
+  if j == 0 or not isNearSlope(b, i) then
+    return false, false
+  end
+  -- The ground where it ends: what moves takes its riders there.
+  local m, left = 2 * j, 1 - b.time[i]
+  local shift = (b.to[m + 1 - axis] - b.from[m + 1 - axis]) * left
+  local rise = (b.to[m + axis] - b.from[m + axis]) * left
+  local x0, x1, height = b.from[t] + shift, b.to[t], turn * (b.from[k] + rise)
+  if x0 == x1 then
+    return false, false
+  end
+  listGround(b, i, axis, turn, x0, x1, height)
+  local first = b.pieceCount + 1
+  addPiece(b, x0, height)
+  local x, last, on = follow(b, i, axis, turn, x0, x1, height, b.room[k])
+  if on == 0 then
+    b.pieceCount = first - 1
+    return false, false
+  end
+  local isStill = shift == 0 and rise == 0 -- its way is the polyline
+  b.pieceFirst[i], b.pieceLast[i] = isStill and first or 0, isStill and b.pieceCount or 0
+  local place = turn * last
+  b.liftOf[k] = place - b.to[k]
+  b.to[k] = place
+  if x ~= x1 then
+    b.to[t] = x
+    block(b, i, t, on, x1 - x0)
+  end
+  b.ground.main = on
+  return true, x ~= x1
+end
+
+-- The supports of slot i are those where it is now: others hold it no more.
+local function updateSupports(b, list, turn)
+  local axis = list.axis
+  for c = 1, list.count do
+    local p = list.pair[c]
+    local k, m = list.low[c], list.high[c]
+    if turn < 0 then
+      k, m = m, k
+    end
+    local i, j = (k - axis) * 0.5, (m - axis) * 0.5
+    if b.liftMark[k] == b.walkStamp and b.give[m] == 0 and b.kind[j] ~= DYNAMIC then
+      local t, u = k + 1 - 2 * axis, m + 1 - 2 * axis
+      local isOn = b.to[t] + b.size[t] > b.to[u] + EPSILON
+        and b.to[t] < b.to[u] + b.size[u] - EPSILON
+      local apart = FREE
+      if isOn or b.walkOn[i] == j then
+        apart = b.size[turn > 0 and k or m]
+        if b.shape[j] >= FIRST and SOLID[axis][b.shape[j]] == turn then
+          apart = slope.separation(b, i, j, axis, b.to[t], b.to[u])
+        end
+      end
+      list.separation[c], b.separation[p] = apart, apart
+    end
+  end
+end
+
+-- What leans on something that has been lifted, or lowered, goes with it.
+local function liftStacks(b, list, turn)
+  local lift, mark, stamp = b.liftOf, b.liftMark, b.walkStamp
+  local first, last = list.count, 1
+  if turn < 0 then
+    first, last = 1, list.count
+  end
+  for c = first, last, -turn do
+    local k, m = list.low[c], list.high[c]
+    if turn < 0 then
+      k, m = m, k
+    end
+    if b.give[k] > 0 and b.down[k] == turn then
+      local its = mark[m] == stamp and lift[m] or 0.0
+      local place = b.to[m] - turn * list.separation[c]
+      local mine = mark[k] == stamp and lift[k] or nil
+      local before = b.to[k] - (mine or 0.0)
+      local gap = (place - its - before) * turn
+      local isLed = b.walkAt[k] == stamp -- by the ground
+      if gap <= EPSILON and gap >= -EPSILON and not isLed and (mine or its ~= 0) then
+        if not mine or (place - b.to[k]) * turn < 0 then
+          lift[k], mark[k] = place - before, stamp
+          b.to[k] = place
+        end
+      elseif gap <= EPSILON and gap >= -EPSILON and not isLed then
+        lift[k], mark[k] = 0.0, stamp -- something else holds it
+      end
+    end
+  end
+end
+
+-- How far everything can be moved against gravity.
+local function findRoom(b, list, turn)
+  local room = b.room
+  for n = 1, b.awakeCount do
+    room[2 * b.awakeList[n] + list.axis] = -HUGE
+  end
+  local first, last = 1, list.count
+  if turn < 0 then
+    first, last = list.count, 1
+  end
+  for c = first, last, turn do
+    local k, m = list.high[c], list.low[c] -- m is above k
+    if turn < 0 then
+      k, m = m, k
+    end
+    if b.give[k] > 0 then
+      if b.give[m] == 0 then
+        room[k] = max(room[k], turn * b.to[m] + list.separation[c])
+      elseif room[m] > -HUGE then
+        room[k] = max(room[k], room[m] + list.separation[c])
+      end
+    end
+  end
+end
+
+-- Lists those who may walk along an axis, with gravity on one side; returns how many.
+local function listWalkers(b, axis, turn)
+  local list, walkers, count = b.awakeList, b.walkers, 0
+  for n = 1, b.awakeCount do
+    local i = list[n]
+    if b.down[2 * i + axis] == turn and b.kind[i] == DYNAMIC and isNearSlope(b, i) then
+      count = count + 1
+      walkers[count] = i
+    end
+  end
+  return count
+end
+
+-- What walkers[1..count] have come onto holds them from now on.
+local function addSupports(b, axis, turn, count)
+  local walkers = b.walkers
+  pairFinder.run(b, walkers, 1, count)
+  contacts.noteNew(b)
+  for n = 1, count do
+    local i = walkers[n]
+    local j = b.walkOn[i]
+    local p = columns.pairOf(b, i, j)
+    if p and b.touches[p] == contacts.APART then
+      local k, m = 2 * i + axis, 2 * j + axis
+      local kl, kh = turn > 0 and k or m, turn > 0 and m or k
+      contacts.add(b, axis, p, kl, kh, b.size[kl], false)
+      b.pressed[p] = 1
+    end
+  end
+  contacts.rearrange(b)
+end
+
+-- Lets all with gravity on one side of an axis follow the ground; returns whether one was stopped.
+local function walkAlong(b, axis, turn)
+  local candidates = listWalkers(b, axis, turn)
+  if candidates == 0 then
+    return false
+  end
+  local list, walkers, count, isStopped = b.contacts[axis], b.walkers, 0, false
+  b.walkStamp = b.walkStamp + 1
+  findRoom(b, list, turn)
+  for n = 1, candidates do
+    local i = walkers[n]
+    local hasWalked, isBlocked = walkOne(b, i)
+    if hasWalked then
+      local k = 2 * i + axis
+      count = count + 1
+      walkers[count], b.walkOn[i] = i, b.ground.main
+      b.liftMark[k], b.walkAt[k] = b.walkStamp, b.walkStamp
+      isStopped = isStopped or isBlocked
+    end
+  end
+  if count > 0 then
+    addSupports(b, axis, turn, count)
+    updateSupports(b, list, turn)
+    liftStacks(b, list, turn)
+  end
+  return isStopped
+end
+
+-- Where the others that touch a slope end: it may have come nearer, as they go across it.
+local function updateOthers(b, axis)
+  local list = b.contacts[axis]
+  for c = 1, list.count do
+    local p = list.pair[c]
+    local i, j = slope.order(b, b.pairA[p], b.pairB[p])
+    local k = 2 * i + axis
+    if b.shape[j] >= FIRST and b.walkAt[k] ~= b.walkStamp and b.pieceLast[i] == 0 then
+      local kl, kh, t = list.low[c], list.high[c], 1 - axis
+      local apart =
+        slope.apartOn(b, i, j, axis, kl == k, b.to[2 * i + t], b.to[2 * j + t])
+      list.separation[c], b.separation[p] = apart, apart
+      if b.to[kl] + apart - b.to[kh] > EPSILON and b.give[k] > 0 then
+        b.speed[k], b.accel[k], b.pressed[p] = b.speed[2 * j + axis], 0.0, 1
+      end
+    end
+  end
+end
+
+--- Forgets all ways of an earlier attempt.
+function walk.begin(b)
+  for n = 1, b.awakeCount do
+    b.pieceFirst[b.awakeList[n]], b.pieceLast[b.awakeList[n]] = 0, 0
+  end
+  b.blockedCount = 0
+end
+
+--- Lets all bodies that stand on something follow the ground to where they are across gravity at the
+--- end of the step.
+function walk.run(b, dt)
+  for _ = 1, PASSES do
+    local isStopped = false
+    b.pieceCount = 0
+    for axis = 0, 1 do
+      for turn = 1, -1, -2 do
+        if walkAlong(b, axis, turn) then
+          isStopped = true
+          settle.axis(b, 1 - axis, dt, true) -- what pushes it is stopped, too
+        end
+      end
+      updateOthers(b, axis)
+    end
+    if not isStopped then
+      break
+    end
+  end
+  for axis = 0, 1 do
+    if settle.isViolated(b, axis) then
+      settle.axis(b, axis, dt, true)
+    end
+  end
+end
+
+--- Lets `touching` show the slopes at which bodies were stopped.
+function walk.showBlocked(b)
+  for n = 1, b.blockedCount do
+    local at, j = b.blocked[2 * n - 1], b.blocked[2 * n]
+    if b.touchBest[at] == 0 then
+      b.touchBest[at] = j
+    end
+  end
+end
+
+return walk
