@@ -74,7 +74,7 @@ local function wedge(b, p, i, j)
   if b.deepIn[p] == b.solveStamp then
     b.wedged[p] = b.deepWay[p]
     return
-  elseif b.wedged[p] ~= 0 then
+  elseif b.wedged[p] ~= 0 or (b.hasSlopes and slope.isPair(b, i, j)) then
     return
   end
   local position, size = b.position, b.size

@@ -203,6 +203,23 @@ function slope.inside(b, i, j, x, y)
   return -gap
 end
 
+--- Returns the axis along which box i leaves slope j over the sloped edge, and the direction.
+function slope.wayOut(b, i, j)
+  local axis = axisOf(b, i)
+  return axis, -SOLID[axis][b.shape[j]]
+end
+
+--- Returns where one of two, of which one is a slope, is flush with the other on an axis, on the low
+--- side of it (`sign` -1) or the high one.
+function slope.flushPlace(b, i, j, axis, sign)
+  local from, k, m = b.from, 2 * i + axis, 2 * j + axis
+  local box, its = order(b, i, j)
+  local isLow = (sign < 0) == (box == i)
+  local t = 1 - axis
+  local apart = apartOn(b, box, its, axis, isLow, from[2 * box + t], from[2 * its + t])
+  return from[m] + sign * apart
+end
+
 -- Where body k is at moment t, between its start and its end.
 local function at(b, k, start, t)
   local from = b.from[k]
