@@ -463,6 +463,9 @@ end
 
 -- Settles again what impacts have changed, and looks up what comes near now.
 local function settleLate(b, dt)
+  if b.hasSlopes then
+    walk.run(b, dt)
+  end
   b.isChangeListed, b.isJammed = not settleViolated(b, dt), false
   if b.isChangeListed then
     followChanged(b)

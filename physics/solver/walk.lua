@@ -226,7 +226,7 @@ local function walkOne(b, i)
   local shift = (b.to[m + 1 - axis] - b.from[m + 1 - axis]) * left
   local rise = (b.to[m + axis] - b.from[m + axis]) * left
   local x0, x1, height = b.from[t] + shift, b.to[t], turn * (b.from[k] + rise)
-  if x0 == x1 then
+  if x0 == x1 and b.to[k] == b.from[k] + rise then
     return false, false
   end
   listGround(b, i, axis, turn, x0, x1, height)
@@ -422,6 +422,7 @@ end
 --- Lets all bodies that stand on something follow the ground to where they are across gravity at the
 --- end of the step.
 function walk.run(b, dt)
+  local wasStopped = false
   for _ = 1, PASSES do
     local isStopped = false
     b.pieceCount = 0
@@ -434,12 +435,13 @@ function walk.run(b, dt)
       end
       updateOthers(b, axis)
     end
+    wasStopped = wasStopped or isStopped
     if not isStopped then
       break
     end
   end
   for axis = 0, 1 do
-    if settle.isViolated(b, axis) then
+    if wasStopped or settle.isViolated(b, axis) then
       settle.axis(b, axis, dt, true)
     end
   end
