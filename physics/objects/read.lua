@@ -494,8 +494,7 @@ local function compareFilters(b, count)
       or (object.sensor or false) ~= sensor[i]
       or orDefault(object.pushable, true) ~= pushable[i]
       or sideOf(object.oneWay) ~= oneWay[i]
-      or (object.slope ~= nil or shape[i] >= SLOPE)
-        and (kind[i] == DYNAMIC or shapeOf(object.slope) ~= shape[i])
+      or (object.slope ~= nil or shape[i] >= SLOPE) and (kind[i] == DYNAMIC or shapeOf(object.slope) ~= shape[i])
       or object.canCollide ~= (canCollide[i] or nil)
       or (object.kinematic or false) ~= (kind[i] == KINEMATIC)
       or its ~= (mask[i] or nil)

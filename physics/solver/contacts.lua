@@ -456,6 +456,13 @@ function contacts.noteNew(b)
   b.seenCount = b.liveCount
 end
 
-interpreted.functions(putSlopes, putDeep, dropRefused, contacts.find, contacts.add, contacts.rearrange)
+interpreted.functions(
+  putSlopes,
+  putDeep,
+  dropRefused,
+  contacts.find,
+  contacts.add,
+  contacts.rearrange
+)
 
 return contacts

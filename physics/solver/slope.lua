@@ -92,14 +92,8 @@ local function gapTo(b, i, j, face, axis, x, y, ox, oy)
     return isHigh and its - at - w or at - its - ow
   end
   local across, itsAcross = q == 1 and x or y, q == 1 and ox or oy
-  local way = line(
-    SOLID[1 - q][shape],
-    itsAcross,
-    size[2 * j + 1 - q],
-    ow,
-    across,
-    size[2 * i + 1 - q]
-  )
+  local way =
+    line(SOLID[1 - q][shape], itsAcross, size[2 * j + 1 - q], ow, across, size[2 * i + 1 - q])
   if isHigh then
     return its + way - at - w
   end
@@ -233,7 +227,8 @@ end
 local function enter(b, i, j, axis, x, y, ox, oy, endX, endY, endOx, endOy)
   local face, share, out = nil, -1, 2
   for n = 0, 4 do
-    local f = n == 0 and EDGE or n <= 2 and OPEN + (n == 1 and axis or 1 - axis)
+    local f = n == 0 and EDGE
+      or n <= 2 and OPEN + (n == 1 and axis or 1 - axis)
       or LEG + (n == 3 and axis or 1 - axis)
     local gap = gapTo(b, i, j, f, axis, x, y, ox, oy)
     local last = gapTo(b, i, j, f, axis, endX, endY, endOx, endOy)

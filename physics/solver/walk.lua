@@ -174,7 +174,7 @@ local function follow(b, i, axis, turn, x0, x1, height, room)
       return x1, height, on
     end
     on = its
-    if last < room - EPSILON and last < height then
+    if last < room and last < height then
       local share = max(min((height - room) / (height - last), 1), 0)
       x, height = x + (xEnd - x) * share, min(height, room)
       addPiece(b, x, height)
@@ -401,8 +401,7 @@ local function updateOthers(b, axis)
     local k = 2 * i + axis
     if b.shape[j] >= FIRST and b.walkAt[k] ~= b.walkStamp and b.pieceLast[i] == 0 then
       local kl, kh, t = list.low[c], list.high[c], 1 - axis
-      local apart =
-        slope.apartOn(b, i, j, axis, kl == k, b.to[2 * i + t], b.to[2 * j + t])
+      local apart = slope.apartOn(b, i, j, axis, kl == k, b.to[2 * i + t], b.to[2 * j + t])
       list.separation[c], b.separation[p] = apart, apart
       if b.to[kl] + apart - b.to[kh] > EPSILON and b.give[k] > 0 then
         b.speed[k], b.accel[k], b.pressed[p] = b.speed[2 * j + axis], 0.0, 1

@@ -421,8 +421,10 @@ end
 local function failField(object, place, field)
   local value = object[field.name]
   if field.name == "slope" and not isBad(field, value) then
-    fail(mustBe(place .. ".slope", "nil for a dynamic object", value)
-      .. " (set static = true or kinematic = true)")
+    fail(
+      mustBe(place .. ".slope", "nil for a dynamic object", value)
+        .. " (set static = true or kinematic = true)"
+    )
   end
   fail(describe(place .. "." .. field.name, field, value) .. advice(object, field, value))
 end
