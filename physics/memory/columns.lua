@@ -131,6 +131,7 @@ local ANY = {
   mask = false, -- the game's table; of a static object a copy that is never changed
   maskSeen = false, -- what the mask of a mover said of each group when it was last read
   oneWay = false,
+  slope = false, -- `shape` says the same
   canCollide = false,
   hears = false, -- its onStay
 }

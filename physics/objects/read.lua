@@ -96,6 +96,7 @@ local RARE = {
   { "sensor", "sensor", false },
   { "pushable", "pushable", true },
   { "oneWay", "oneWay", false },
+  { "slope", "slope", false },
   { "carry", "carry", true },
   { "canCollide", "canCollide", false },
   { "onStay", "hears", false },
@@ -137,7 +138,7 @@ local function readFields(b, i, object)
     readMask(b, i, b.mask[i])
   end
   b.oneWay[i] = sideOf(b.oneWay[i])
-  b.shape[i] = isDynamic and columns.SHAPE_BOX or shapeOf(object.slope)
+  b.shape[i] = isDynamic and columns.SHAPE_BOX or shapeOf(b.slope[i])
   b.mass[i], b.inverseMass[i] = mass, isDynamic and 1 / mass or 0
   b.friction[i] = orDefault(object.friction, isDynamic and 0 or -1)
   b.restitution[i] = orDefault(object.restitution, 0)
@@ -484,7 +485,7 @@ local function compareFilters(b, count)
   local rich, objects = b.rich, b.object
   local active, sensor, pushable, kind = b.active, b.sensor, b.pushable, b.kind
   local hears, oneWay, canCollide, mask, seen = b.hears, b.oneWay, b.canCollide, b.mask, b.maskSeen
-  local shape = b.shape
+  local slope = b.slope
   for n = 1, count do
     local i = rich[n]
     local object = objects[i]
@@ -494,7 +495,7 @@ local function compareFilters(b, count)
       or (object.sensor or false) ~= sensor[i]
       or orDefault(object.pushable, true) ~= pushable[i]
       or sideOf(object.oneWay) ~= oneWay[i]
-      or (object.slope ~= nil or shape[i] >= SLOPE) and (kind[i] == DYNAMIC or shapeOf(object.slope) ~= shape[i])
+      or object.slope ~= (slope[i] or nil)
       or object.canCollide ~= (canCollide[i] or nil)
       or (object.kinematic or false) ~= (kind[i] == KINEMATIC)
       or its ~= (mask[i] or nil)

@@ -4,11 +4,6 @@
 -- that of two boxes, but for its separation: how far the two must be apart depends on where the
 -- corner of the box is across gravity. So friction, stacks, belts and one-ways need no rule of their
 -- own. `walk` moves what stands on slopes along them.
---
--- For sweeping, a box that moves is its corner, and the triangle a pentagon: four sides of boxes and
--- the sloped edge, which is a line. A straight path enters it where it has crossed the last of these.
--- Source: line clipping by M. Cyrus and J. Beck, Generalized Two- and Three-Dimensional Clipping,
--- Computers and Graphics 3, 1978, on the Minkowski difference.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -19,13 +14,11 @@ require(root .. ".memory.jit").file()
 local slope = {}
 
 local EPSILON, DYNAMIC = columns.EPSILON, columns.DYNAMIC
-local FIRST, SOLID = triangle.FIRST, triangle.SOLID
-local line, depth = triangle.line, triangle.depth
+local FIRST, SOLID, EDGE = triangle.FIRST, triangle.SOLID, triangle.EDGE
+local depth = triangle.depth
 local max, min = math.max, math.min
--- Fraction of a step within which two faces are met together.
+-- Fraction of a step that ends of pieces may be off.
 local TIE = 1e-9
--- Faces: the legs (where the triangle is solid) and the open sides of its box, by axis, and the edge.
-local LEG, OPEN, EDGE = 0, 2, 4
 
 --- Returns whether one of two slots is a slope.
 function slope.isPair(b, i, j)
@@ -64,68 +57,19 @@ end
 
 local separation = slope.separation
 
---- Returns the index of the low one and that of the high one of box i and slope j where they meet at
---- the sloped edge.
-function slope.indexes(b, i, j, axis)
-  if SOLID[axis][b.shape[j]] > 0 then
-    return 2 * i + axis, 2 * j + axis
-  end
-  return 2 * j + axis, 2 * i + axis
-end
-
-local indexes = slope.indexes
-
--- px from box i at (x, y) to a face of slope j at (ox, oy), along the axis of that; below 0: it is
--- beyond it.
-local function gapTo(b, i, j, face, axis, x, y, ox, oy)
-  local size, shape = b.size, b.shape[j]
-  local q = face == EDGE and axis or face % 2
-  local at, its = x, ox
-  if q == 1 then
-    at, its = y, oy
-  end
-  local w, ow = size[2 * i + q], size[2 * j + q]
-  local isHigh = SOLID[q][shape] > 0
-  if face < OPEN then
-    return isHigh and at - its - ow or its - at - w
-  elseif face < EDGE then
-    return isHigh and its - at - w or at - its - ow
-  end
-  local across, itsAcross = q == 1 and x or y, q == 1 and ox or oy
-  local way =
-    line(SOLID[1 - q][shape], itsAcross, size[2 * j + 1 - q], ow, across, size[2 * i + 1 - q])
-  if isHigh then
-    return its + way - at - w
-  end
-  return at - its - ow + way
-end
-
--- Whether a box that comes to the open side across the axis, at (x, y), is level with the foot, or
--- above it: then it meets the edge.
-local function isAtFoot(b, i, j, axis, x, y, ox, oy)
-  return gapTo(b, i, j, LEG + axis, axis, x, y, ox, oy) < -EPSILON
-    and gapTo(b, i, j, EDGE, axis, x, y, ox, oy) >= -EPSILON
-end
-
--- Which face of slope j box i is nearest to beyond, and px to that: the greatest gap. The edge wins
--- against others as far, the axis of gravity against the other one.
-local function nearest(b, i, j, axis, x, y, ox, oy)
-  local face, gap = EDGE, gapTo(b, i, j, EDGE, axis, x, y, ox, oy)
-  for n = 1, 4 do
-    local q = n % 2 == 1 and axis or 1 - axis
-    local its = n <= 2 and LEG + q or OPEN + q
-    local way = gapTo(b, i, j, its, axis, x, y, ox, oy)
-    if way > gap + EPSILON then
-      face, gap = its, way
-    end
-  end
-  return face, gap
-end
-
--- Whether the box is the low one at a face.
-local function isLowAt(shape, face, axis)
-  local q = face == EDGE and axis or face % 2
-  return (SOLID[q][shape] > 0) == (face >= OPEN)
+-- Which face of slope j box i at (x, y) is furthest beyond, and px to that.
+local function nearest(b, i, j, x, y, ox, oy)
+  local size, k, m = b.size, 2 * i, 2 * j
+  return triangle.nearest(
+    b.shape[j],
+    axisOf(b, i),
+    x - ox,
+    y - oy,
+    size[k],
+    size[k + 1],
+    size[m],
+    size[m + 1]
+  )
 end
 
 --- Returns the face of slope j on which box i is flush, or inside by less than all others, as an axis
@@ -133,7 +77,7 @@ end
 function slope.touch(b, i, j, places)
   local axis, k, m = axisOf(b, i), 2 * i, 2 * j
   local x, y, ox, oy = places[k], places[k + 1], places[m], places[m + 1]
-  local face, gap = nearest(b, i, j, axis, x, y, ox, oy)
+  local face, gap = nearest(b, i, j, x, y, ox, oy)
   if gap > EPSILON then
     return nil, nil, gap
   end
@@ -146,7 +90,7 @@ function slope.touch(b, i, j, places)
       return nil, nil, gap
     end
   end
-  return q, isLowAt(b.shape[j], face, axis), gap
+  return q, triangle.isLow(face, b.shape[j], axis), gap
 end
 
 -- The px that box i and slope j must be apart where they meet on an axis: flush with the edge or the
@@ -193,7 +137,7 @@ end
 --- Returns px by which box i is inside slope j, along the nearest face; below 0: it is apart.
 function slope.inside(b, i, j, x, y)
   local from, m = b.from, 2 * j
-  local _, gap = nearest(b, i, j, axisOf(b, i), x, y, from[m], from[m + 1])
+  local _, gap = nearest(b, i, j, x, y, from[m], from[m + 1])
   return -gap
 end
 
@@ -223,33 +167,6 @@ local function at(b, k, start, t)
   return from + (b.to[k] - from) * ((t - start) / (1 - start))
 end
 
--- The face that a path enters last, and when (0..1 of it); nil: it never is inside.
-local function enter(b, i, j, axis, x, y, ox, oy, endX, endY, endOx, endOy)
-  local face, share, out = nil, -1, 2
-  for n = 0, 4 do
-    local f = n == 0 and EDGE
-      or n <= 2 and OPEN + (n == 1 and axis or 1 - axis)
-      or LEG + (n == 3 and axis or 1 - axis)
-    local gap = gapTo(b, i, j, f, axis, x, y, ox, oy)
-    local last = gapTo(b, i, j, f, axis, endX, endY, endOx, endOy)
-    if gap >= -EPSILON then
-      if last >= -EPSILON or last >= gap then
-        return nil
-      end
-      local s = max(gap, 0.0) / (gap - last)
-      if s > share + TIE then
-        face, share = f, s
-      end
-    elseif last > -EPSILON then
-      out = min(out, (gap + EPSILON) / (gap - last))
-    end
-  end
-  if face and share >= out then
-    return nil
-  end
-  return face, face and share or 0.0
-end
-
 --- When two of which one is a slope meet, as `sweep.meet`: moment, axis, whether the first is the low
 --- one, whether they are inside each other.
 function slope.meet(b, one, other)
@@ -259,45 +176,39 @@ function slope.meet(b, one, other)
   local start = max(startI, startJ)
   local x, y = at(b, k, startI, start), at(b, k + 1, startI, start)
   local ox, oy = at(b, m, startJ, start), at(b, m + 1, startJ, start)
-  local endX, endY, endOx, endOy = to[k], to[k + 1], to[m], to[m + 1]
-  local face, share = enter(b, i, j, axis, x, y, ox, oy, endX, endY, endOx, endOy)
+  local share, face, isDeep = triangle.meet(
+    b.shape[j],
+    axis,
+    x - ox,
+    y - oy,
+    b.size[k],
+    b.size[k + 1],
+    b.size[m],
+    b.size[m + 1],
+    to[k] - to[m] - (x - ox),
+    to[k + 1] - to[m + 1] - (y - oy)
+  )
   if not share then
     return nil
   end
-  local isDeep = not face
-  if isDeep then
-    local gap
-    face, gap = nearest(b, i, j, axis, endX, endY, endOx, endOy)
-    if gap >= -EPSILON then
-      return nil
-    end
-  elseif face == OPEN + 1 - axis then
-    local atX, atY = x + (endX - x) * share, y + (endY - y) * share
-    local itsX, itsY = ox + (endOx - ox) * share, oy + (endOy - oy) * share
-    if isAtFoot(b, i, j, axis, atX, atY, itsX, itsY) then
-      face = EDGE
-    end
-  end
-  local isLow = isLowAt(b.shape[j], face, axis)
+  local isLow = triangle.isLow(face, b.shape[j], axis)
   if i ~= one then
     isLow = not isLow
   end
   return start + (1 - start) * share, face == EDGE and axis or face % 2, isLow, isDeep
 end
 
---- Returns how far apart two that meet on an axis must be at the end of the step, and how much faster
---- they close for each px/s that they go across it (the speed of the second relative to the first).
+--- Returns how far apart two that meet on an axis must be at the end of the step, and how much
+--- faster they close for each px/s that the second goes across it, relative to the first.
 function slope.lean(b, i, j, axis)
   local box, its = order(b, i, j)
-  local shape, to, size = b.shape[its], b.to, b.size
+  local shape, to, size, t = b.shape[its], b.to, b.size, 1 - axis
   local isLow = i == box -- i is the low one of the impact
-  local t = 1 - axis
   local apart = apartOn(b, box, its, axis, isLow, to[2 * box + t], to[2 * its + t])
   if axis ~= axisOf(b, box) or isLow ~= (SOLID[axis][shape] > 0) then
     return apart, 0.0
   end
-  local rise = size[2 * its + axis] / size[2 * its + t] * SOLID[t][shape]
-  return apart, isLow and -rise or rise
+  return apart, triangle.slant(shape, axis, size[2 * its], size[2 * its + 1])
 end
 
 -- A walker and something immovable: piece by piece of its way, each taken as a path that goes on

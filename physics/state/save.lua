@@ -110,6 +110,7 @@ state.SPARSE = {
   { "carry", "carry", true },
   { "surfaceSpeed", "surfaceSpeed", 0 },
   { "nudge", "nudge", 0 },
+  { "slope", "slope", false },
   { "mask" },
 }
 
