@@ -84,6 +84,7 @@ local SLOT = {
   carry = true,
   surfaceSpeed = 0,
   nudge = 0,
+  constantSpeed = false,
   shape = 0, -- SHAPE_BOX and so on
   -- rest
   awake = false,
@@ -424,8 +425,9 @@ function columns.new()
     hasFirm = false, -- or not pushable
     hasSlopes = false, -- or a slope
     steep = { [0] = 0, 0 }, -- by axis: the most that any slope has ever risen along it, px for 1 px
-    ground = { count = 0, slot = {}, low = {}, high = {}, turn = {}, main = 0 }, -- scratch of walk
+    ground = { count = 0, slot = {}, low = {}, high = {}, turn = {}, turns = 0, main = 0 }, -- scratch of walk
     walkers = {},
+    isFirstWalk = false,
     walkStamp = 0,
     walkOn = {}, -- by slot: what it has come to stand on
     walkAt = {}, -- by index: when it walked
@@ -435,6 +437,7 @@ function columns.new()
     liftOf = {}, -- by index: px that walk has moved it by,
     liftMark = {}, -- and when
     room = {}, -- by index: how far it can be moved against gravity
+    roof = {}, -- by index: a slope above it
     blocked = {}, -- what a slope has pressed against a ceiling: slots, two for each
     blockedCount = 0,
     hasCrowds = false, -- or was crowded

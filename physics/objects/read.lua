@@ -107,6 +107,7 @@ local RARE = {
   { "drag", "drag", 0 },
   { "surfaceSpeed", "surfaceSpeed", 0 },
   { "nudge", "nudge", 0 },
+  { "constantSpeed", "constantSpeed", false },
   { "maxSpeed", "maxSpeed", HUGE },
 }
 local NAMES, COLUMNS, DEFAULTS = {}, {}, {}
@@ -467,6 +468,7 @@ local function listRich(b)
       or object.surfaceSpeed ~= nil
       or object.nudge ~= nil
       or object.slope ~= nil
+      or object.constantSpeed ~= nil
       or (itsMass or 1) ~= mass[i]
       or (itsFriction or 0) ~= friction[i]
       or (itsRestitution or 0) ~= restitution[i]
@@ -534,6 +536,7 @@ local function compareLimits(b, count)
   local rich, objects = b.rich, b.object
   local airFriction, drag, maxSpeed, limit = b.airFriction, b.drag, b.maxSpeed, b.limit
   local carry, surfaceSpeed, nudge = b.carry, b.surfaceSpeed, b.nudge
+  local constantSpeed = b.constantSpeed
   for n = 1, count do
     local i = rich[n]
     local object = objects[i]
@@ -550,6 +553,7 @@ local function compareLimits(b, count)
       or orDefault(object.carry, true) ~= carry[i]
       or orDefault(object.surfaceSpeed, 0) ~= surfaceSpeed[i]
       or orDefault(object.nudge, 0) ~= nudge[i]
+      or (object.constantSpeed or false) ~= constantSpeed[i]
     then
       reread(b, i)
     end

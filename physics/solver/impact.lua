@@ -260,8 +260,8 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
   end
   local o, v = b.to[kl] + separation - b.to[kh], b.speed[kl] - b.speed[kh]
   local a = b.accel[kl] - b.accel[kh]
+  local lean = 0.0
   if b.hasSlopes and slope.isPair(b, i, j) then
-    local lean
     separation, lean = slope.lean(b, i, j, axis)
     o, v = b.to[kl] + separation - b.to[kh], v + lean * (b.speed[tj] - b.speed[ti])
     a = a + lean * (b.accel[tj] - b.accel[ti])
@@ -279,6 +279,12 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
   if total == 0 then
     b.isJammed = true
     return true, separation
+  end
+  if lean ~= 0 and slope.isDeflected(b, i, j, lean, r) then
+    o = slope.overlap(b, i, j, axis)
+    u, tau = approach(o, v, a, left)
+    slope.deflect(b, i, j, axis, lean, r, o, v, a, u, tau)
+    return false, separation
   end
   local isElastic = b.restitution[i] > 0 or b.restitution[j] > 0
   if v < 0 or (isElastic and v == 0 and a == 0) then

@@ -105,14 +105,41 @@ end
 
 slope.apartOn = apartOn
 
+-- Whether no gravity presses slot i to anything: the edge of a slope is a wall for it.
+local function isFloating(b, i)
+  return b.down[2 * i] == 0 and b.down[2 * i + 1] == 0
+end
+
+-- How much further along its axis the edge of slope j is below box i for each px across it; 0: the
+-- box is beyond the crest.
+local function gradient(b, i, j, places)
+  local axis, size, shape = axisOf(b, i), b.size, b.shape[j]
+  local k, m, t = 2 * i, 2 * j, 1 - axis
+  local beyond = places[k + t] + size[k + t] - places[m + t] - size[m + t]
+  if SOLID[t][shape] < 0 then
+    beyond = places[m + t] - places[k + t]
+  end
+  return beyond < -EPSILON and triangle.slant(shape, axis, size[m], size[m + 1]) or 0
+end
+
+--- Returns the gradient of the ground, slot j, under slot i: px along gravity for each px across it.
+function slope.gradient(b, i, j)
+  local axis = axisOf(b, i)
+  if b.shape[j] < FIRST or SOLID[axis][b.shape[j]] ~= b.down[2 * i + axis] then
+    return 0
+  end
+  return gradient(b, i, j, b.position)
+end
+
 --- Returns for two that touch where the step begins: axis, low and high index, px that they must be
 --- apart; nil: they do not.
 function slope.contact(b, p)
   local i, j = order(b, b.pairA[p], b.pairB[p])
   local from = b.from
   local q, isLow, gap = slope.touch(b, i, j, from)
-  if not q or gap < -EPSILON then
-    return nil -- what is inside is left to the sweep
+  local isAside = q == axisOf(b, i) and isFloating(b, i)
+  if not q or gap < -EPSILON or isAside and gradient(b, i, j, from) ~= 0 then
+    return nil -- what is inside, or floats, is left to the sweep
   end
   local kl, kh = 2 * (isLow and i or j) + q, 2 * (isLow and j or i) + q
   return q, kl, kh, apartOn(b, i, j, q, isLow, from[2 * i + 1 - q], from[2 * j + 1 - q])
@@ -209,6 +236,38 @@ function slope.lean(b, i, j, axis)
     return apart, 0.0
   end
   return apart, triangle.slant(shape, axis, size[2 * its], size[2 * its + 1])
+end
+
+--- Whether two that meet at a sloped edge bounce, or slide, along its normal: with restitution r, or
+--- without gravity. `lean` is what `slope.lean` says.
+function slope.isDeflected(b, i, j, lean, r)
+  return lean ~= 0 and (r > 0 or isFloating(b, (order(b, i, j))))
+end
+
+--- Returns px by which two overlap along the edge, as if that had no ends, at the end of the step.
+function slope.overlap(b, i, j, axis)
+  local box, its = order(b, i, j)
+  local to, size, k, m = b.to, b.size, 2 * box, 2 * its
+  local x, y = to[k] - to[m], to[k + 1] - to[m + 1]
+  local w, h, ow, oh = size[k], size[k + 1], size[m], size[m + 1]
+  return -triangle.gap(EDGE, b.shape[its], axis, x, y, w, h, ow, oh)
+end
+
+--- Deflects one of two that meet at a sloped edge, along the normal of that: at the end of the step
+--- they overlap by o px along the axis, close at v px/s and accelerate towards each other by a; they
+--- have met at u px/s, tau s before.
+function slope.deflect(b, i, j, axis, lean, r, o, v, a, u, tau)
+  local box, its = order(b, i, j)
+  local way, change = o, max(v, 0.0)
+  if r > 0 then
+    way, change = o + r * u * tau - a * tau * tau * 0.5, v - a * tau + r * u
+  end
+  local k, t, shape = 2 * box + axis, 2 * box + 1 - axis, b.shape[its]
+  local share = -SOLID[axis][shape] / (1 + lean * lean)
+  if b.give[k] > 0 then
+    b.to[k], b.to[t] = b.to[k] + way * share, b.to[t] - way * share * lean
+    b.speed[k], b.speed[t] = b.speed[k] + change * share, b.speed[t] - change * share * lean
+  end
 end
 
 -- A walker and something immovable: piece by piece of its way, each taken as a path that goes on

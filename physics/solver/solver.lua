@@ -454,8 +454,8 @@ local function settleViolated(b, dt)
 end
 
 -- Lets what stands on something follow it, where there are slopes.
-local function followGround(b, dt)
-  walk.run(b, dt)
+local function followGround(b, dt, isFirst)
+  walk.run(b, dt, isFirst)
   b.isChangeListed = false
   findChanged(b)
   contacts.noteNew(b)
@@ -464,7 +464,7 @@ end
 -- Settles again what impacts have changed, and looks up what comes near now.
 local function settleLate(b, dt)
   if b.hasSlopes then
-    walk.run(b, dt)
+    walk.run(b, dt, false)
   end
   b.isChangeListed, b.isJammed = not settleViolated(b, dt), false
   if b.isChangeListed then
@@ -530,7 +530,7 @@ local function solve(b, dt)
   findChanged(b)
   contacts.noteNew(b)
   if b.hasSlopes then
-    followGround(b, dt)
+    followGround(b, dt, true)
   end
   for n = 1, ROUNDS do
     if b.awakenings ~= awakenings then
@@ -542,7 +542,7 @@ local function solve(b, dt)
     if n < ROUNDS then
       settleLate(b, dt)
       if b.hasSlopes then
-        followGround(b, dt)
+        followGround(b, dt, false)
       end
     end
   end
@@ -556,7 +556,7 @@ local function solve(b, dt)
     keepOwnWay(b, dt)
   end
   if b.hasSlopes then
-    walk.run(b, dt)
+    walk.run(b, dt, false)
   end
   for axis = 0, 1 do
     notePressed(b, axis)

@@ -29,7 +29,7 @@ local walk = {}
 
 local EPSILON, DYNAMIC, SIDE = columns.EPSILON, columns.DYNAMIC, columns.SIDE
 local FIRST, SOLID = triangle.FIRST, triangle.SOLID
-local floor, max, min = math.floor, math.max, math.min
+local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
 local HUGE = math.huge
 -- Pieces of the way of one body in a step.
 local MOST = 256
@@ -87,6 +87,17 @@ local function heightOn(b, i, j, axis, turn, x)
   return turn > 0 and b.to[m] - b.size[k] or -(b.to[m] + b.size[m])
 end
 
+-- Notes where slot j begins and ends to be ground (or with the other `turn` a roof) for a box of w px,
+-- and where that comes over its crest.
+local function noteTurns(b, list, n, j, axis, turn, w)
+  local m, shape, across = 2 * j + 1 - axis, b.shape[j], 1 - axis
+  local low, size = b.to[m], b.size[m]
+  list.slot[n], list.low[n], list.high[n], list.turn[n] = j, low, low + size, HUGE
+  if shape >= FIRST and SOLID[axis][shape] == turn then
+    list.turn[n] = SOLID[across][shape] > 0 and low + size - w or low
+  end
+end
+
 -- Lists what may be ground on the way of slot i from x0 to x1, `height` high.
 local function listGround(b, i, axis, turn, x0, x1, height)
   local list, found, count = b.ground, b.found, 0
@@ -102,25 +113,24 @@ local function listGround(b, i, axis, turn, x0, x1, height)
     n = b.broadphase:query(base - reach, left, base + reach, right, found)
   end
   for at = 1, n do
-    local j = found[at]
-    if isGround(b, i, j, axis, turn) then
+    if isGround(b, i, found[at], axis, turn) then
       count = count + 1
-      local low, size, shape = b.to[2 * j + across], b.size[2 * j + across], b.shape[j]
-      list.slot[count], list.low[count], list.high[count] = j, low, low + size
-      list.turn[count] = HUGE
-      if shape >= FIRST and SOLID[axis][shape] == turn then
-        list.turn[count] = SOLID[across][shape] > 0 and low + size - w or low
-      end
+      noteTurns(b, list, count, found[at], axis, turn, w)
     end
   end
-  list.count = count
+  list.count, list.turns = count, count
+  local roof = b.roof[k + axis]
+  if roof > 0 then
+    list.turns = count + 1
+    noteTurns(b, list, count + 1, roof, axis, -turn, w)
+  end
 end
 
 -- The next place from x on towards x1 at which something begins or ends to be ground.
 local function nextTurn(b, x, x1, w)
   local list, way = b.ground, x1 >= x and 1 or -1
   local nearest = x1
-  for n = 1, list.count do
+  for n = 1, list.turns do
     for which = 1, 3 do
       local at = which == 1 and list.low[n] - w or which == 2 and list.high[n] or list.turn[n]
       if (at - x) * way > EPSILON and (nearest - at) * way > 0 then
@@ -162,31 +172,60 @@ local function addPiece(b, x, height)
   b.piecePlace[n], b.pieceHeight[n] = x, height
 end
 
--- Follows the ground from (x0, height) to x1, no higher than `room`. Returns where it ends, how
--- high, and what it is on there: 0, it has left the ground.
-local function follow(b, i, axis, turn, x0, x1, height, room)
-  local x, on, w = x0, 0, b.size[2 * i + 1 - axis]
+-- How high slot i can be on a piece of which the middle is at `middle`, where it is at x.
+local function limitAt(b, i, axis, turn, x, middle)
+  local k, t = 2 * i + axis, 2 * i + 1 - axis
+  local room, j = b.room[k], b.roof[k]
+  local m, u = 2 * j + axis, 2 * j + 1 - axis
+  if j > 0 and middle + b.size[t] > b.to[u] and middle < b.to[u] + b.size[u] then
+    return max(room, turn * b.to[m] + slope.separation(b, i, j, axis, x, b.to[u]))
+  end
+  return room
+end
+
+-- The end of a piece from (x, height) to (xEnd, last), if only `way` px along the ground are left.
+local function shorten(x, height, xEnd, last, way)
+  local dx, dy = xEnd - x, last - height
+  local length = dy == 0 and max(dx, -dx) or sqrt(dx * dx + dy * dy)
+  if length <= way then
+    return xEnd, last, way - length
+  end
+  return x + dx * (way / length), height + dy * (way / length), 0
+end
+
+-- Follows the ground from (x0, height) to x1, as far as there is room; `isMeasured`: no further along
+-- the ground than that is away. Returns where it ends, how high, and what it is on there (0: it is on
+-- no ground); and whether it was stopped.
+local function follow(b, i, axis, turn, x0, x1, height, isMeasured)
+  local x, on, w, way = x0, 0, b.size[2 * i + 1 - axis], max(x1 - x0, x0 - x1)
   for n = 1, MOST do
     local xEnd = n < MOST and nextTurn(b, x, x1, w) or x1
     local last, its = heightAt(b, i, axis, turn, x, xEnd, height)
     if its == 0 then
-      addPiece(b, x1, height)
-      return x1, height, on
+      x = isMeasured and x + (x1 >= x0 and way or -way) or x1
+      addPiece(b, x, height)
+      return x, height, on, false
     end
     on = its
-    if last < room and last < height then
-      local share = max(min((height - room) / (height - last), 1), 0)
-      x, height = x + (xEnd - x) * share, min(height, room)
+    if isMeasured then
+      xEnd, last, way = shorten(x, height, xEnd, last, way)
+    end
+    local middle = (x + xEnd) * 0.5
+    local first = height - limitAt(b, i, axis, turn, x, middle)
+    local left = last - limitAt(b, i, axis, turn, xEnd, middle)
+    if left < 0 and left < first then
+      local share = max(min(first / (first - left), 1), 0)
+      x, height = x + (xEnd - x) * share, height + (last - height) * share
       addPiece(b, x, height)
-      return x, height, on
+      return x, height, on, true
     end
     x, height = xEnd, last
     addPiece(b, x, height)
-    if x == x1 then
+    if x == x1 or (isMeasured and way <= 0) then
       break
     end
   end
-  return x, height, on
+  return x, height, on, false
 end
 
 -- The ground that holds slot i, or 0.
@@ -232,7 +271,8 @@ local function walkOne(b, i)
   listGround(b, i, axis, turn, x0, x1, height)
   local first = b.pieceCount + 1
   addPiece(b, x0, height)
-  local x, last, on = follow(b, i, axis, turn, x0, x1, height, b.room[k])
+  local isMeasured = b.constantSpeed[i] and b.isFirstWalk
+  local x, last, on, isStopped = follow(b, i, axis, turn, x0, x1, height, isMeasured)
   if on == 0 then
     b.pieceCount = first - 1
     return false, false
@@ -242,12 +282,12 @@ local function walkOne(b, i)
   local place = turn * last
   b.liftOf[k] = place - b.to[k]
   b.to[k] = place
-  if x ~= x1 then
-    b.to[t] = x
-    block(b, i, t, on, x1 - x0)
+  b.to[t] = x
+  if isStopped then
+    block(b, i, t, b.roof[k] > 0 and b.roof[k] or on, x1 - x0)
   end
   b.ground.main = on
-  return true, x ~= x1
+  return true, isStopped
 end
 
 -- The supports of slot i are those where it is now: others hold it no more.
@@ -309,9 +349,10 @@ end
 
 -- How far everything can be moved against gravity.
 local function findRoom(b, list, turn)
-  local room = b.room
+  local room, roof, axis = b.room, b.roof, list.axis
   for n = 1, b.awakeCount do
-    room[2 * b.awakeList[n] + list.axis] = -HUGE
+    local k = 2 * b.awakeList[n] + axis
+    room[k], roof[k] = -HUGE, 0
   end
   local first, last = 1, list.count
   if turn < 0 then
@@ -323,7 +364,10 @@ local function findRoom(b, list, turn)
       k, m = m, k
     end
     if b.give[k] > 0 then
-      if b.give[m] == 0 then
+      local shape = b.shape[(m - axis) * 0.5]
+      if shape >= FIRST and SOLID[axis][shape] == -turn then
+        roof[k] = (m - axis) * 0.5
+      elseif b.give[m] == 0 then
         room[k] = max(room[k], turn * b.to[m] + list.separation[c])
       elseif room[m] > -HUGE then
         room[k] = max(room[k], room[m] + list.separation[c])
@@ -419,9 +463,10 @@ function walk.begin(b)
 end
 
 --- Lets all bodies that stand on something follow the ground to where they are across gravity at the
---- end of the step.
-function walk.run(b, dt)
+--- end of the step. `isFirst`: for the first time in this step, in which ways are measured.
+function walk.run(b, dt, isFirst)
   local wasStopped = false
+  b.isFirstWalk = isFirst
   for _ = 1, PASSES do
     local isStopped = false
     b.pieceCount = 0
@@ -434,7 +479,7 @@ function walk.run(b, dt)
       end
       updateOthers(b, axis)
     end
-    wasStopped = wasStopped or isStopped
+    b.isFirstWalk, wasStopped = false, wasStopped or isStopped
     if not isStopped then
       break
     end

@@ -111,6 +111,7 @@ state.SPARSE = {
   { "surfaceSpeed", "surfaceSpeed", 0 },
   { "nudge", "nudge", 0 },
   { "slope", "slope", false },
+  { "constantSpeed", "constantSpeed", false },
   { "mask" },
 }
 

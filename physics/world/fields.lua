@@ -262,6 +262,13 @@ fields.objects = {
       .. " much slides past it. One that lands on an edge is not moved.",
   },
   {
+    name = "constantSpeed",
+    type = "boolean",
+    default = false,
+    meaning = "On slopes `vx` is the speed along the ground: uphill and downhill it comes less far"
+      .. " along x. `false`: `vx` is the speed along x everywhere.",
+  },
+  {
     name = "touching",
     type = "sides",
     written = true,

@@ -82,6 +82,30 @@ describe("slopes", function()
     end)
   end
 
+  it("(P5) take as long as they are with constantSpeed", function()
+    scene.each(EVERYWHERE, function(run)
+      local it = run:build(hill(body({ x = 20, y = 376, constantSpeed = true }))).body
+      local up, down = math.sqrt(128 * 128 + 64 * 64), math.sqrt(64 * 64 * 2)
+      for time in run:steps(4, push(it, 120)) do
+        local way, x = 120 * time, 20 -- of the right edge: 44 flat, up, 116 flat, down, flat
+        if way <= 44 then
+          x = 20 + way
+        elseif way <= 44 + up then
+          x = 64 + (way - 44) * 128 / up
+        elseif way <= 44 + up + 116 then
+          x = 192 + way - 44 - up
+        elseif way <= 44 + up + 116 + down then
+          x = 308 + (way - 160 - up) * 64 / down
+        else
+          x = 372 + way - 160 - up - down
+        end
+        run:at(it, x, floorAt(x) - 24)
+        run:same("vx", it.vx, 120)
+        run:touches(it, "bottom")
+      end
+    end)
+  end)
+
   it("(P3) keep who jumps at the crest as high as on the flat", function()
     scene.each(EVERYWHERE, function(run)
       local it = run:build(hill(body({ x = 100, y = floorAt(100) - 24 }))).body
@@ -351,6 +375,94 @@ describe("slopes", function()
         run:play(1)
         run:same("crushes", log.crushes, 1)
       end)
+    end)
+  end)
+
+  --  a ball that falls on 45 degrees
+  it("(P11) bounce along their normal", function()
+    scene.each({ rate = variants.RATES, turn = variants.TURNS }, function(run)
+      local slope = static(0, 0, 100, 100, "right")
+      slope[2].restitution = 1
+      local it = run:build({ slope, body({ x = 34, y = -40, width = 16, height = 16 }) }).body
+      local log = run:listen(it)
+      run:play(0.5) -- the corner is at (50, 50) when it has fallen by 74 px
+      local u = math.sqrt(2 * 800 * 74)
+      run:same("begins and bounces", log.begins, 1)
+      run:near("speed", log.speed, u)
+      run:near("vx", it.vx, -u, 1e-6)
+      run:near("vy", it.vy, 800 * (0.5 - u / 800), 1e-6)
+    end)
+  end)
+
+  it("(P12) are diagonal walls without gravity", function()
+    scene.each(RATES, function(run)
+      for _, name in ipairs({ "left", "right", "topleft", "topright" }) do
+        local way = (name == "right" or name == "topright") and 1 or -1
+        local up = name:sub(1, 3) == "top" and 1 or -1
+        local list = { static(0, 0, 100, 50, name), gravity = 0 }
+        list[2] = body({ x = 42 - 100 * way, y = 20, width = 16, height = 10 })
+        local it = run:build(list).body
+        it.vx = 100 * way
+        run:play(2)
+        -- 100 px/s along x, less what goes into 1:2
+        run:near("vx", it.vx, 80 * way)
+        run:near("vy", it.vy, 40 * up)
+        -- it has met the edge after 0.82 s, at 82 px, and has left it at the crest
+        run:near("x", it.x, way > 0 and 118.4 or 84 - 118.4)
+        run:near("y", it.y, up < 0 and -27.2 or 40 + 27.2)
+      end
+    end)
+  end)
+
+  --   _________
+  --   \        |   topright
+  --  ->  \     |
+  --  -------\--+---
+  it("(P8) that hang from above stop who walks below", function()
+    scene.each(EVERYWHERE, function(run)
+      local list = { static(-400, 400, 1200, 40), static(0, 340, 100, 50, "topright") }
+      list[3] = body({ x = -60, y = 376 })
+      local it = run:build(list).body
+      local log = run:listen(it)
+      run:play(2, push(it, 100))
+      run:at(it, 56, 376) -- the edge is at 376 where x is 72
+      run:same("vx", it.vx, 0)
+      run:same("crushes", log.crushes, 0)
+      run:play(0.5, push(it, -100))
+      run:at(it, 6, 376)
+    end)
+  end)
+
+  it("that hang from above send who jumps against them down again", function()
+    scene.each(EVERYWHERE, function(run)
+      local list = { static(-400, 400, 1200, 40), static(0, 300, 100, 50, "topleft") }
+      list[3] = body({ x = 50, y = 376 })
+      local it = run:build(list).body
+      run:play(0.5)
+      it.vy = -400
+      for _ in run:steps(1) do
+        run:near("x", it.x, 50)
+        run:check(it.y >= 325 - 1e-6, "it should stay below the edge, is at %.9g", it.y)
+      end
+      run:at(it, 50, 376)
+    end)
+  end)
+
+  it("tell the ground and its gradient", function()
+    scene.each({ rate = { 60 }, turn = { 0, 2 } }, function(run)
+      local named = run:build(hill(body({ x = 20, y = 376 })))
+      local it = named.body
+      run:play(0.5)
+      local ground, gradient = run.world:ground(it.raw)
+      run:check(ground and not ground.slope, "it should stand on the flat")
+      run:same("gradient", gradient, 0)
+      run:play(1, push(it, 100)) -- to x = 120
+      ground, gradient = run.world:ground(it.raw)
+      run:check(ground and ground.slope, "it should stand on the slope")
+      run:near("gradient", gradient, -0.5)
+      it.vy = -300
+      run:play(0.5)
+      run:same("ground", run.world:ground(it.raw), nil)
     end)
   end)
 
