@@ -141,29 +141,33 @@ local function nextTurn(b, x, x1, w)
   return nearest
 end
 
--- The height at the end of a piece from x to xEnd that begins `height` high, and what it is on there;
--- 0: nothing is level with it.
-local function heightAt(b, i, axis, turn, x, xEnd, height)
+-- Where a piece of the way from x, `height` high, ends, if that is at xEnd at last: where another
+-- ground rises over the one that it is on, at the latest. Returns place, height, and what it is on
+-- there: 0, nothing is level with it.
+local function endOf(b, i, axis, turn, x, xEnd, height)
   local list, w = b.ground, b.size[2 * i + 1 - axis]
   local middle = (x + xEnd) * 0.5
-  local best, top, isLevel = 0, HUGE, false
+  local best, top, start, level = 0, HUGE, 0.0, HUGE
   for n = 1, list.count do
     if middle + w > list.low[n] and middle < list.high[n] then
       local j = list.slot[n]
       local first = heightOn(b, i, j, axis, turn, x)
       if first >= height - EPSILON then
-        isLevel = isLevel or first <= height + EPSILON
         local last = heightOn(b, i, j, axis, turn, xEnd)
+        level = first <= height + EPSILON and min(level, last) or level
         if last < top or (last == top and b.rank[j] < b.rank[best]) then
-          best, top = j, last
+          best, top, start = j, last, first
         end
       end
     end
   end
-  if not isLevel then
-    return height, 0
+  if level == HUGE then
+    return xEnd, height, 0
+  elseif start > height + EPSILON and level > top then
+    local share = (start - height) / (start - height + level - top)
+    return x + (xEnd - x) * share, height + (level - height) * share, best
   end
-  return top, best
+  return xEnd, top, best
 end
 
 local function addPiece(b, x, height)
@@ -199,8 +203,8 @@ end
 local function follow(b, i, axis, turn, x0, x1, height, isMeasured)
   local x, on, w, way = x0, 0, b.size[2 * i + 1 - axis], max(x1 - x0, x0 - x1)
   for n = 1, MOST do
-    local xEnd = n < MOST and nextTurn(b, x, x1, w) or x1
-    local last, its = heightAt(b, i, axis, turn, x, xEnd, height)
+    local xEnd, last, its = n < MOST and nextTurn(b, x, x1, w) or x1, 0, 0
+    xEnd, last, its = endOf(b, i, axis, turn, x, xEnd, height)
     if its == 0 then
       x = isMeasured and x + (x1 >= x0 and way or -way) or x1
       addPiece(b, x, height)
