@@ -118,7 +118,7 @@ describe("slopes", function()
     walk(151, 150 + effort.share(850))
   end)
 
-  it("let who walks come to one place at all rates", function()
+  it("lead a walker to one place at all rates", function()
     for seed = 1, 40 do
       local places = {}
       for _, rate in ipairs({ 30, 60, 144, 240, 0 }) do

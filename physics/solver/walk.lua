@@ -380,7 +380,7 @@ local function findRoom(b, list, turn)
   end
 end
 
--- Lists those who may walk along an axis, with gravity on one side; returns how many.
+-- Lists what may walk along an axis, with gravity on one side; returns how many.
 local function listWalkers(b, axis, turn)
   local list, walkers, count = b.awakeList, b.walkers, 0
   for n = 1, b.awakeCount do

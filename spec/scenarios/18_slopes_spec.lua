@@ -61,7 +61,7 @@ end
 
 describe("slopes", function()
   for _, speed in ipairs({ 40, 120, 600, 2400 }) do
-    it(("(P1, P2, P3, P4, P5) keep who walks at %d px/s on the ground"):format(speed), function()
+    it(("(P1, P2, P3, P4, P5) keep a walker of %d px/s on the ground"):format(speed), function()
       scene.each(EVERYWHERE, function(run)
         for way = 1, -1, -2 do
           local start = way > 0 and 20 or 420
@@ -106,7 +106,7 @@ describe("slopes", function()
     end)
   end)
 
-  it("(P3) keep who jumps at the crest as high as on the flat", function()
+  it("(P3) let a jump at the crest be as high as on the flat", function()
     scene.each(EVERYWHERE, function(run)
       local it = run:build(hill(body({ x = 100, y = floorAt(100) - 24 }))).body
       run:play(2 / 3, push(it, 120)) -- to x = 180
@@ -117,7 +117,7 @@ describe("slopes", function()
     end)
   end)
 
-  it("(P4) catch who lands on them, at the speed of the way towards them", function()
+  it("(P4) catch what lands on them, at the speed of the way towards them", function()
     scene.each(EVERYWHERE, function(run)
       local it = run:build(hill(body({ x = 120, y = 328 - 24, vx = 0 }))).body
       local log = run:listen(it)
@@ -130,7 +130,7 @@ describe("slopes", function()
     end)
   end)
 
-  it("(P4) let who jumps uphill and downhill go", function()
+  it("(P4) let a jumper go uphill and downhill", function()
     scene.each(EVERYWHERE, function(run)
       for way = 1, -1, -2 do
         local it = run:build(hill(body({ x = 120, y = floorAt(120) - 24 }))).body
@@ -198,7 +198,7 @@ describe("slopes", function()
   end)
 
   --  a pusher before three crates, on the hill and on a flat floor
-  it("(P7) take no work from who pushes a row of crates", function()
+  it("(P7) take no work from a row of crates that is pushed", function()
     local PUSH = { rate = variants.RATES, turn = variants.TURNS, push = { "both" } }
     scene.each(PUSH, function(run)
       for way = 1, -1, -2 do
@@ -229,7 +229,7 @@ describe("slopes", function()
     end)
   end)
 
-  it("(P7) let who walks carry who stands on it", function()
+  it("(P7) let a walker carry its rider", function()
     scene.each(EVERYWHERE, function(run)
       for way = 1, -1, -2 do
         local start = way > 0 and 40 or 400
@@ -284,7 +284,7 @@ describe("slopes", function()
       return { static(-400, 400, 1200, 40), slope, ... }
     end
 
-    it("(P9) bear who comes from above or from the foot", function()
+    it("(P9) bear what comes from above or from the foot", function()
       scene.each(EVERYWHERE, function(run)
         local it = run:build(oneWay(body({ x = 20, y = 376 }))).body
         for _ in run:steps(1.5, push(it, 100)) do
@@ -296,7 +296,7 @@ describe("slopes", function()
       end)
     end)
 
-    it("(P9) let pass who comes from below or behind", function()
+    it("(P9) let pass what comes from below or behind", function()
       scene.each(EVERYWHERE, function(run)
         local it = run:build(oneWay(body({ x = 250, y = 376 }))).body
         for time in run:steps(2, push(it, -100)) do
@@ -335,7 +335,7 @@ describe("slopes", function()
       return { { "ground", object }, ... }
     end
 
-    it("(P10) carry who stands and who walks", function()
+    it("(P10) carry what stands and what walks", function()
       scene.each(EVERYWHERE, function(run)
         for _, walk in ipairs({ 0, 40, -40 }) do
           local fields = { x = 130, y = floorAt(130) - 24 }
@@ -353,7 +353,7 @@ describe("slopes", function()
       end)
     end)
 
-    it("(P10) lift who is in their way, if they carry nobody", function()
+    it("(P10) lift what is in their way, if they do not carry", function()
       scene.each(EVERYWHERE, function(run)
         local list = moving({ vx = -60, carry = false }, body({ x = 40, y = 376 }))
         list[#list + 1] = static(-400, 400, 1200, 40)
@@ -365,7 +365,7 @@ describe("slopes", function()
       end)
     end)
 
-    it("(P10) crush who has no room", function()
+    it("(P10) crush what has no room", function()
       scene.each(EVERYWHERE, function(run)
         local fields = { x = 130, y = floorAt(130) - 24 }
         local list = moving({ vy = -30 }, body(fields))
@@ -418,7 +418,7 @@ describe("slopes", function()
   --   \        |   topright
   --  ->  \     |
   --  -------\--+---
-  it("(P8) that hang from above stop who walks below", function()
+  it("(P8) that hang from above stop what walks below", function()
     scene.each(EVERYWHERE, function(run)
       local list = { static(-400, 400, 1200, 40), static(0, 340, 100, 50, "topright") }
       list[3] = body({ x = -60, y = 376 })
@@ -433,7 +433,7 @@ describe("slopes", function()
     end)
   end)
 
-  it("that hang from above send who jumps against them down again", function()
+  it("that hang from above send a jumper down again", function()
     scene.each(EVERYWHERE, function(run)
       local list = { static(-400, 400, 1200, 40), static(0, 300, 100, 50, "topleft") }
       list[3] = body({ x = 50, y = 376 })
@@ -483,7 +483,7 @@ describe("slopes", function()
     end)
   end)
 
-  it("(P4) never let who is too low for the foot in", function()
+  it("(P4) are walls for what is too low for the foot", function()
     scene.each(RATES, function(run)
       run:build({ static(-400, 404, 480, 40), static(80, 336, 128, 64, "right") })
       local it = run:add("players", body({ x = 20, y = 380 })[2])
