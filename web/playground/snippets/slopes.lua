@@ -8,7 +8,10 @@ local STEP = 8 -- px, the height of a step
 local player, wagon
 
 local function slope(x, y, width, height, side)
-  physics.add("hills", { x = x, y = y, width = width, height = height, static = true, slope = side })
+  physics.add(
+    "hills",
+    { x = x, y = y, width = width, height = height, static = true, slope = side }
+  )
 end
 
 local function block(x, y, width, height)
