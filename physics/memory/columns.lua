@@ -429,6 +429,8 @@ function columns.new()
     walkers = {},
     isFirstWalk = false,
     walkStamp = 0,
+    walkFrom = {}, -- by slot: what it stood on where its way begins,
+    walkTime = {}, -- and when
     walkOn = {}, -- by slot: what it has come to stand on
     walkAt = {}, -- by index: when it walked
     pieceCount = 0,

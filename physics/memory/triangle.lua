@@ -16,8 +16,6 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 
-require(root .. ".memory.jit").file()
-
 local max, min, sqrt = math.max, math.min, math.sqrt
 local EPSILON = columns.EPSILON
 -- Fraction of a way within which two faces are met together.

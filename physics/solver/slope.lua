@@ -9,8 +9,6 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local triangle = require(root .. ".memory.triangle")
 
-require(root .. ".memory.jit").file()
-
 local slope = {}
 
 local EPSILON, DYNAMIC = columns.EPSILON, columns.DYNAMIC

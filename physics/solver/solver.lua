@@ -532,6 +532,7 @@ local function solve(b, dt)
   if b.hasSlopes then
     followGround(b, dt, true)
   end
+  local hasChanged = b.overlapCount > 0 or b.hasFirm -- since the ground was followed
   for n = 1, ROUNDS do
     if b.awakenings ~= awakenings then
       return false
@@ -545,6 +546,7 @@ local function solve(b, dt)
         followGround(b, dt, false)
       end
     end
+    hasChanged = hasChanged or n == ROUNDS
   end
   if b.awakenings ~= awakenings then
     return false
@@ -555,7 +557,7 @@ local function solve(b, dt)
   if b.hasFirm then
     keepOwnWay(b, dt)
   end
-  if b.hasSlopes then
+  if b.hasSlopes and hasChanged then
     walk.run(b, dt, false)
   end
   for axis = 0, 1 do

@@ -17,13 +17,12 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
 local filter = require(root .. ".broadphase.filter")
+local interpreted = require(root .. ".memory.jit")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local rules = require(root .. ".solver.rules")
 local settle = require(root .. ".solver.settle")
 local slope = require(root .. ".solver.slope")
 local triangle = require(root .. ".memory.triangle")
-
-require(root .. ".memory.jit").file()
 
 local walk = {}
 
@@ -35,6 +34,8 @@ local HUGE = math.huge
 local MOST = 256
 -- How often all walk in a step of the solver, as they get into each other's way.
 local PASSES = 4
+-- px by which what was stopped may be beyond that place, as it is rounded.
+local ROUNDING = 1e-8
 -- px: what is no support any more holds nothing.
 local FREE = -1e30
 
@@ -147,14 +148,16 @@ end
 local function endOf(b, i, axis, turn, x, xEnd, height)
   local list, w = b.ground, b.size[2 * i + 1 - axis]
   local middle = (x + xEnd) * 0.5
-  local best, top, start, level = 0, HUGE, 0.0, HUGE
+  local best, top, start, its, level = 0, HUGE, 0.0, 0, HUGE
   for n = 1, list.count do
     if middle + w > list.low[n] and middle < list.high[n] then
       local j = list.slot[n]
       local first = heightOn(b, i, j, axis, turn, x)
       if first >= height - EPSILON then
         local last = heightOn(b, i, j, axis, turn, xEnd)
-        level = first <= height + EPSILON and min(level, last) or level
+        if first <= height + EPSILON and last < level then
+          its, level = j, last
+        end
         if last < top or (last == top and b.rank[j] < b.rank[best]) then
           best, top, start = j, last, first
         end
@@ -165,7 +168,7 @@ local function endOf(b, i, axis, turn, x, xEnd, height)
     return xEnd, height, 0
   elseif start > height + EPSILON and level > top then
     local share = (start - height) / (start - height + level - top)
-    return x + (xEnd - x) * share, height + (level - height) * share, best
+    return x + (xEnd - x) * share, height + (level - height) * share, its
   end
   return xEnd, top, best
 end
@@ -197,10 +200,10 @@ local function shorten(x, height, xEnd, last, way)
   return x + dx * (way / length), height + dy * (way / length), 0
 end
 
--- Follows the ground from (x0, height) to x1, as far as there is room; `isMeasured`: no further along
--- the ground than that is away. Returns where it ends, how high, and what it is on there (0: it is on
--- no ground); and whether it was stopped.
-local function follow(b, i, axis, turn, x0, x1, height, isMeasured)
+-- Follows the ground from (x0, height) to x1, as far as there is room, or with `isFree` anyhow;
+-- `isMeasured`: no further along the ground than that is away. Returns where it ends, how high, and
+-- what it is on there (0: it is on no ground); and whether it was stopped.
+local function follow(b, i, axis, turn, x0, x1, height, isMeasured, isFree)
   local x, on, w, way = x0, 0, b.size[2 * i + 1 - axis], max(x1 - x0, x0 - x1)
   for n = 1, MOST do
     local xEnd, last, its = n < MOST and nextTurn(b, x, x1, w) or x1, 0, 0
@@ -217,7 +220,7 @@ local function follow(b, i, axis, turn, x0, x1, height, isMeasured)
     local middle = (x + xEnd) * 0.5
     local first = height - limitAt(b, i, axis, turn, x, middle)
     local left = last - limitAt(b, i, axis, turn, xEnd, middle)
-    if left < 0 and left < first then
+    if left < -ROUNDING and left < first and not isFree then
       local share = max(min(first / (first - left), 1), 0)
       x, height = x + (xEnd - x) * share, height + (last - height) * share
       addPiece(b, x, height)
@@ -260,6 +263,9 @@ local function walkOne(b, i)
   local axis = slope.axisOf(b, i)
   local k, t, turn = 2 * i + axis, 2 * i + 1 - axis, b.down[2 * i + axis]
   local j = groundUnder(b, i, k, turn)
+  if j ~= 0 and b.walkTime[i] == b.time[i] then
+    j = b.walkFrom[i] -- where its way begins
+  end
   b.pieceFirst[i], b.pieceLast[i] = 0, 0
   if j == 0 or not isNearSlope(b, i) then
     return false, false
@@ -276,7 +282,12 @@ local function walkOne(b, i)
   local first = b.pieceCount + 1
   addPiece(b, x0, height)
   local isMeasured = b.constantSpeed[i] and b.isFirstWalk
-  local x, last, on, isStopped = follow(b, i, axis, turn, x0, x1, height, isMeasured)
+  local x, last, on, isStopped = follow(b, i, axis, turn, x0, x1, height, isMeasured, false)
+  if isMeasured or isStopped then
+    -- As it will be when it is followed once more, to the bit.
+    b.pieceCount = first
+    x, last, on = follow(b, i, axis, turn, x0, x, height, false, true)
+  end
   if on == 0 then
     b.pieceCount = first - 1
     return false, false
@@ -290,7 +301,7 @@ local function walkOne(b, i)
   if isStopped then
     block(b, i, t, b.roof[k] > 0 and b.roof[k] or on, x1 - x0)
   end
-  b.ground.main = on
+  b.ground.main, b.walkFrom[i], b.walkTime[i] = on, j, b.time[i]
   return true, isStopped
 end
 
@@ -440,14 +451,15 @@ local function walkAlong(b, axis, turn)
   return isStopped
 end
 
--- Where the others that touch a slope end: it may have come nearer, as they go across it.
-local function updateOthers(b, axis)
+-- Where all else that touches a slope ends: it may have come nearer, as it goes across it.
+local function updateOthers(b, axis, firstStamp)
   local list = b.contacts[axis]
   for c = 1, list.count do
     local p = list.pair[c]
     local i, j = slope.order(b, b.pairA[p], b.pairB[p])
-    local k = 2 * i + axis
-    if b.shape[j] >= FIRST and b.walkAt[k] ~= b.walkStamp and b.pieceLast[i] == 0 then
+    local k, shape = 2 * i + axis, b.shape[j]
+    local hasWalked = (b.walkAt[k] or 0) >= firstStamp -- its ground is known
+    if shape >= FIRST and not (hasWalked and SOLID[axis][shape] == b.down[k]) then
       local kl, kh, t = list.low[c], list.high[c], 1 - axis
       local apart = slope.apartOn(b, i, j, axis, kl == k, b.to[2 * i + t], b.to[2 * j + t])
       list.separation[c], b.separation[p] = apart, apart
@@ -461,7 +473,8 @@ end
 --- Forgets all ways of an earlier attempt.
 function walk.begin(b)
   for n = 1, b.awakeCount do
-    b.pieceFirst[b.awakeList[n]], b.pieceLast[b.awakeList[n]] = 0, 0
+    local i = b.awakeList[n]
+    b.pieceFirst[i], b.pieceLast[i], b.walkTime[i] = 0, 0, -1
   end
   b.blockedCount = 0
 end
@@ -469,28 +482,25 @@ end
 --- Lets all bodies that stand on something follow the ground to where they are across gravity at the
 --- end of the step. `isFirst`: for the first time in this step, in which ways are measured.
 function walk.run(b, dt, isFirst)
-  local wasStopped = false
   b.isFirstWalk = isFirst
   for _ = 1, PASSES do
-    local isStopped = false
+    local isStopped, isSettled, firstStamp = false, false, b.walkStamp + 1
     b.pieceCount = 0
     for axis = 0, 1 do
-      for turn = 1, -1, -2 do
-        if walkAlong(b, axis, turn) then
-          isStopped = true
-          settle.axis(b, 1 - axis, dt, true) -- what pushes it is stopped, too
-        end
+      isStopped = walkAlong(b, axis, 1) or isStopped
+      isStopped = walkAlong(b, axis, -1) or isStopped
+      updateOthers(b, axis, firstStamp)
+    end
+    for axis = 0, 1 do
+      -- What pushes those that were stopped is stopped, too.
+      if isStopped or settle.isViolated(b, axis) then
+        settle.axis(b, axis, dt, true)
+        isSettled = true
       end
-      updateOthers(b, axis)
     end
-    b.isFirstWalk, wasStopped = false, wasStopped or isStopped
-    if not isStopped then
+    b.isFirstWalk = false
+    if not isSettled then
       break
-    end
-  end
-  for axis = 0, 1 do
-    if wasStopped or settle.isViolated(b, axis) then
-      settle.axis(b, axis, dt, true)
     end
   end
 end
@@ -504,5 +514,8 @@ function walk.showBlocked(b)
     end
   end
 end
+
+-- These lead from loop to loop.
+interpreted.functions(addSupports, walkAlong, walk.run)
 
 return walk
