@@ -1,5 +1,5 @@
---- Slopes in worlds at random, and what knows of them beside the step. What a step does with them is
---- in spec/scenarios/18_slopes_spec.lua.
+--- Slopes in worlds at random, and what knows of them beside the step. What a step does with them
+--- is in spec/scenarios/18_slopes_spec.lua.
 
 local effort = require("spec.support.effort")
 local newRandom = require("spec.support.random").new

@@ -425,7 +425,17 @@ function columns.new()
     hasFirm = false, -- or not pushable
     hasSlopes = false, -- or a slope
     steep = { [0] = 0, 0 }, -- by axis: the most that any slope has ever risen along it, px for 1 px
-    ground = { count = 0, slot = {}, low = {}, high = {}, turn = {}, turns = 0, main = 0 }, -- scratch of walk
+    -- scratch of walk
+    ground = {
+      count = 0,
+      slot = {},
+      low = {},
+      high = {},
+      turn = {},
+      turns = 0,
+      main = 0,
+      isLevel = true,
+    },
     walkers = {},
     isFirstWalk = false,
     walkStamp = 0,
@@ -528,7 +538,7 @@ function columns.new()
   -- Slot 0 is nobody, that of pairs that were taken apart: less than nothing, so it meets nobody.
   b.object[0], b.awake[0], b.rank[0], b.time[0] = false, false, 0, 0
   b.head[0], b.next[0], b.previous[0] = 0, 0, 0
-  b.dirty[0], b.crowd[0] = 0, 0
+  b.dirty[0], b.crowd[0], b.shape[0] = 0, 0, 0
   for k = 0, 1 do
     b.from[k], b.to[k], b.speed[k], b.size[k] = 0, 0, 0, -1
   end

@@ -31,8 +31,8 @@ triangle.SOLID = { [0] = { 0, -1, 1, -1, 1 }, { 0, 1, 1, -1, -1 } }
 triangle.LEG, triangle.OPEN, triangle.EDGE = 0, 2, 4
 local SOLID, LEG, OPEN, EDGE = triangle.SOLID, triangle.LEG, triangle.OPEN, triangle.EDGE
 
---- Returns how far the edge is from the side of the triangle's box that it begins on, along an axis,
---- at the corner of a box: 0 beyond the crest, the whole size before the foot.
+--- Returns how far the edge is from the side of the triangle's box that it begins on, along an
+--- axis, at the corner of a box: 0 beyond the crest, the whole size before the foot.
 ---@param sign number on which side across the axis it is solid
 ---@param at number px, its place across the axis
 ---@param across number px, its size there
@@ -68,8 +68,8 @@ local function toEdge(shape, axis, rx, ry, w, h, ow, oh)
   return r - its + way
 end
 
---- Returns px from a box to a face of a triangle, along the axis of that (of the edge: along `axis`);
---- below 0: it is beyond it.
+--- Returns px from a box to a face of a triangle, along the axis of that (of the edge: along
+--- `axis`); below 0: it is beyond it.
 function triangle.gap(face, shape, axis, rx, ry, w, h, ow, oh)
   if face == EDGE then
     return toEdge(shape, axis, rx, ry, w, h, ow, oh)
@@ -113,7 +113,8 @@ function triangle.isLow(face, shape, axis)
   return (SOLID[face == EDGE and axis or face % 2][shape] > 0) == (face >= OPEN)
 end
 
--- The face that a box on its way by (dx, dy) enters last, and when (0..1); nil, 0: it begins inside.
+-- The face that a box on its way by (dx, dy) enters last, and when (0..1); nil, 0: it begins
+-- inside.
 local function enter(shape, axis, rx, ry, w, h, ow, oh, dx, dy)
   local face, share, out = nil, -1, 2
   for n = 0, 4 do
@@ -138,8 +139,8 @@ local function enter(shape, axis, rx, ry, w, h, ow, oh, dx, dy)
   return face, face and share or 0.0
 end
 
---- Returns when a box on its way by (dx, dy), relative to a triangle, meets it (0..1), at which face,
---- and whether it was inside from the beginning; nil: never.
+--- Returns when a box on its way by (dx, dy), relative to a triangle, meets it (0..1), at which
+--- face, and whether it was inside from the beginning; nil: never.
 function triangle.meet(shape, axis, rx, ry, w, h, ow, oh, dx, dy)
   local face, share = enter(shape, axis, rx, ry, w, h, ow, oh, dx, dy)
   if not share then

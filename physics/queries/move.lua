@@ -175,7 +175,8 @@ local function endOfEdge(v, i, j, target)
   return max(min(target, high), low)
 end
 
--- The same after a hit at the edge of slope j: along that, and beyond its end on the level (`rest`).
+-- The same after a hit at the edge of slope j: along that, and beyond its end on the level
+-- (`rest`).
 local function turnAtEdge(v, journey, j, x, y, share, response)
   local dx, dy = journey.toX - x, journey.toY - y
   journey.start = journey.start + (1 - journey.start) * share

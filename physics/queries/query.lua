@@ -248,14 +248,14 @@ local function passage(v, i, x, y, dx, dy)
   return max(min(a, b), min(c, d)), min(max(a, b), max(c, d))
 end
 
--- The share of a line at which it crosses the edge of the slope i, and whether it goes in there; nil:
--- it does not come to it.
+-- The share of a line at which it crosses the edge of the slope i, and whether it goes in there;
+-- nil: it does not come to it.
 local function crossEdge(v, i, x, y, dx, dy)
-  local first, last = toEdge(v, i, x, y, 0, 0), toEdge(v, i, x + dx, y + dy, 0, 0)
-  if first > 0 and last > 0 then
+  local start, last = toEdge(v, i, x, y, 0, 0), toEdge(v, i, x + dx, y + dy, 0, 0)
+  if start > 0 and last > 0 then
     return NEVER, true
-  elseif first > 0 ~= (last > 0) then
-    return first / (first - last), first > 0
+  elseif start > 0 ~= (last > 0) then
+    return start / (start - last), start > 0
   end
   return nil
 end

@@ -190,8 +190,8 @@ local function putDeep(b, p)
   end
 end
 
--- Takes the pairs with a slope out of the close ones, and makes contacts of those that touch. Returns
--- how many are left.
+-- Takes the pairs with a slope out of the close ones, and makes contacts of those that touch.
+-- Returns how many are left.
 local function putSlopes(b, count)
   local close, kept = b.closePairs, 0
   for n = 1, count do

@@ -280,7 +280,7 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
     b.isJammed = true
     return true, separation
   end
-  if lean ~= 0 and slope.isDeflected(b, i, j, lean, r) then
+  if lean ~= 0 and slope.isDeflected(b, i, j, lean, r, isLate) then
     o = slope.overlap(b, i, j, axis)
     u, tau = approach(o, v, a, left)
     slope.deflect(b, i, j, axis, lean, r, o, v, a, u, tau)

@@ -2,8 +2,8 @@
 --
 -- A contact with the sloped edge is one along gravity (along y without gravity), and no other than
 -- that of two boxes, but for its separation: how far the two must be apart depends on where the
--- corner of the box is across gravity. So friction, stacks, belts and one-ways need no rule of their
--- own. `walk` moves what stands on slopes along them.
+-- corner of the box is across gravity. So friction, stacks, belts and one-ways need no rule of
+-- their own. `walk` moves what stands on slopes along them.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -15,6 +15,8 @@ local EPSILON, DYNAMIC = columns.EPSILON, columns.DYNAMIC
 local FIRST, SOLID, EDGE = triangle.FIRST, triangle.SOLID, triangle.EDGE
 local depth = triangle.depth
 local max, min = math.max, math.min
+-- Impacts of a body in a step until which it is deflected without gravity.
+local DEFLECTED = 3
 -- Fraction of a step that ends of pieces may be off.
 local TIE = 1e-9
 
@@ -70,8 +72,9 @@ local function nearest(b, i, j, x, y, ox, oy)
   )
 end
 
---- Returns the face of slope j on which box i is flush, or inside by less than all others, as an axis
---- and whether the box is low; px to it; nil as the first: it is apart, or flush with a corner only.
+--- Returns the face of slope j on which box i is flush, or inside by less than all others, as an
+--- axis and whether the box is low; px to it; nil as the first: it is apart, or flush with a corner
+--- only.
 function slope.touch(b, i, j, places)
   local axis, k, m = axisOf(b, i), 2 * i, 2 * j
   local x, y, ox, oy = places[k], places[k + 1], places[m], places[m + 1]
@@ -91,8 +94,8 @@ function slope.touch(b, i, j, places)
   return q, triangle.isLow(face, b.shape[j], axis), gap
 end
 
--- The px that box i and slope j must be apart where they meet on an axis: flush with the edge or the
--- top of the triangle, or with the side of its box.
+-- The px that box i and slope j must be apart where they meet on an axis: flush with the edge or
+-- the top of the triangle, or with the side of its box.
 local function apartOn(b, i, j, q, isLow, place, its)
   local isEdge = q == axisOf(b, i) and isLow == (SOLID[q][b.shape[j]] > 0)
   if isEdge then
@@ -120,7 +123,8 @@ local function gradient(b, i, j, places)
   return beyond < -EPSILON and triangle.slant(shape, axis, size[m], size[m + 1]) or 0
 end
 
---- Returns the gradient of the ground, slot j, under slot i: px along gravity for each px across it.
+--- Returns the gradient of the ground, slot j, under slot i: px along gravity for each px across
+--- it.
 function slope.gradient(b, i, j)
   local axis = axisOf(b, i)
   if b.shape[j] < FIRST or SOLID[axis][b.shape[j]] ~= b.down[2 * i + axis] then
@@ -143,8 +147,8 @@ function slope.contact(b, p)
   return q, kl, kh, apartOn(b, i, j, q, isLow, from[2 * i + 1 - q], from[2 * j + 1 - q])
 end
 
---- Returns the side of slot i at which the two are flush at the end of the step, else 0; -1: they are
---- inside each other.
+--- Returns the side of slot i at which the two are flush at the end of the step, else 0; -1: they
+--- are inside each other.
 function slope.side(b, i, j)
   local box, its = order(b, i, j)
   local q, isLow, gap = slope.touch(b, box, its, b.to)
@@ -172,10 +176,10 @@ function slope.wayOut(b, i, j)
   return axis, -SOLID[axis][b.shape[j]]
 end
 
---- Returns where one of two, of which one is a slope, is flush with the other on an axis, on the low
---- side of it (`sign` -1) or the high one.
+--- Returns where one of two, of which one is a slope, is flush with the other on an axis, on the
+--- low side of it (`sign` -1) or the high one.
 function slope.flushPlace(b, i, j, axis, sign)
-  local from, k, m = b.from, 2 * i + axis, 2 * j + axis
+  local from, m = b.from, 2 * j + axis
   local box, its = order(b, i, j)
   local isLow = (sign < 0) == (box == i)
   local t = 1 - axis
@@ -192,8 +196,8 @@ local function at(b, k, start, t)
   return from + (b.to[k] - from) * ((t - start) / (1 - start))
 end
 
---- When two of which one is a slope meet, as `sweep.meet`: moment, axis, whether the first is the low
---- one, whether they are inside each other.
+--- When two of which one is a slope meet, as `sweep.meet`: moment, axis, whether the first is the
+--- low one, whether they are inside each other.
 function slope.meet(b, one, other)
   local i, j = order(b, one, other)
   local axis, k, m = axisOf(b, i), 2 * i, 2 * j
@@ -233,13 +237,24 @@ function slope.lean(b, i, j, axis)
   if axis ~= axisOf(b, box) or isLow ~= (SOLID[axis][shape] > 0) then
     return apart, 0.0
   end
+  -- The crest is level.
+  local place = at(b, 2 * its + t, b.time[its], b.time[box])
+  local beyond = b.from[2 * box + t] + size[2 * box + t] - place - size[2 * its + t]
+  if SOLID[t][shape] < 0 then
+    beyond = place - b.from[2 * box + t]
+  end
+  if beyond > EPSILON then
+    return apart, 0.0
+  end
   return apart, triangle.slant(shape, axis, size[2 * its], size[2 * its + 1])
 end
 
---- Whether two that meet at a sloped edge bounce, or slide, along its normal: with restitution r, or
---- without gravity. `lean` is what `slope.lean` says.
-function slope.isDeflected(b, i, j, lean, r)
-  return lean ~= 0 and (r > 0 or isFloating(b, (order(b, i, j))))
+--- Whether two that meet at a sloped edge bounce, or slide, along its normal: with restitution r,
+--- or without gravity, unless others press them there. `lean` is what `slope.lean` says.
+function slope.isDeflected(b, i, j, lean, r, isLate)
+  local box = order(b, i, j)
+  return lean ~= 0
+    and (r > 0 or (isFloating(b, box) and b.impactsOf[box] <= DEFLECTED and not isLate))
 end
 
 --- Returns px by which two overlap along the edge, as if that had no ends, at the end of the step.
@@ -252,8 +267,8 @@ function slope.overlap(b, i, j, axis)
 end
 
 --- Deflects one of two that meet at a sloped edge, along the normal of that: at the end of the step
---- they overlap by o px along the axis, close at v px/s and accelerate towards each other by a; they
---- have met at u px/s, tau s before.
+--- they overlap by o px along the axis, close at v px/s and accelerate towards each other by a;
+--- they have met at u px/s, tau s before.
 function slope.deflect(b, i, j, axis, lean, r, o, v, a, u, tau)
   local box, its = order(b, i, j)
   local way, change = o, max(v, 0.0)

@@ -1,15 +1,16 @@
 --- Walking: what stands on the ground follows it, where there are slopes.
 --
--- The solver settles a body on a slope as if that were level. Then `walk.run` follows the ground from
--- where the body was to where it ends across gravity, piece by piece, and puts it there: up and down,
--- over feet, crests and seams, at any speed. What stands on it is moved as much (`lift`). Where that
--- would press it, or what stands on it, into what cannot give way, it stops: a slope is a wall there.
+-- The solver settles a body on a slope as if that were level. Then `walk.run` follows the ground
+-- from where the body was to where it ends across gravity, piece by piece, and puts it there: up
+-- and down, over feet, crests and seams, at any speed. What stands on it is moved as much (`lift`).
+-- Where that would press it, or what stands on it, into what cannot give way, it stops: a slope is
+-- a wall there.
 --
 -- The way along the ground is a polyline, of which `b.piecePlace` (across gravity) and
 -- `b.pieceHeight` hold the corners. The sweep follows it, and `path.advance` stays on it.
 --
--- Heights are counted against gravity here: `turn` is 1 where gravity points to high coordinates, -1
--- else; a height times `turn` is less where it is further up.
+-- Heights are counted against gravity here: `turn` is 1 where gravity points to high coordinates,
+-- -1 else; a height times `turn` is less where it is further up.
 --
 -- Reads paths, contacts, heldLow, heldHigh; writes to, speed, give, separations.
 
@@ -77,24 +78,28 @@ local function isGround(b, i, j, axis, turn)
   return not rules.passes(b, p, turn > 0 and ki or kj, turn > 0 and kj or ki, axis, false)
 end
 
+-- Whether slot j is a slope that bears what gravity presses on it.
+local function isRamp(b, j, axis, turn)
+  return b.shape[j] >= FIRST and SOLID[axis][b.shape[j]] == turn
+end
+
 -- The height of slot i on slot j, where it is at x across gravity.
 local function heightOn(b, i, j, axis, turn, x)
   local k, m = 2 * i + axis, 2 * j + axis
-  local shape = b.shape[j]
-  if shape >= FIRST and SOLID[axis][shape] == turn then
+  if isRamp(b, j, axis, turn) then
     local apart = slope.separation(b, i, j, axis, x, b.to[m + 1 - 2 * axis])
     return turn * (b.to[m] - turn * apart)
   end
   return turn > 0 and b.to[m] - b.size[k] or -(b.to[m] + b.size[m])
 end
 
--- Notes where slot j begins and ends to be ground (or with the other `turn` a roof) for a box of w px,
--- and where that comes over its crest.
+-- Notes where slot j begins and ends to be ground (or with the other `turn` a roof) for a box of w
+-- px, and where that comes over its crest.
 local function noteTurns(b, list, n, j, axis, turn, w)
   local m, shape, across = 2 * j + 1 - axis, b.shape[j], 1 - axis
   local low, size = b.to[m], b.size[m]
   list.slot[n], list.low[n], list.high[n], list.turn[n] = j, low, low + size, HUGE
-  if shape >= FIRST and SOLID[axis][shape] == turn then
+  if isRamp(b, j, axis, turn) then
     list.turn[n] = SOLID[across][shape] > 0 and low + size - w or low
   end
 end
@@ -142,6 +147,11 @@ local function nextTurn(b, x, x1, w)
   return nearest
 end
 
+-- Whether slot j, at a height, counts before the best one so far: by height, then in order.
+local function isFirst(b, j, best, height, top)
+  return height < top or (height == top and b.rank[j] < b.rank[best])
+end
+
 -- Where a piece of the way from x, `height` high, ends, if that is at xEnd at last: where another
 -- ground rises over the one that it is on, at the latest. Returns place, height, and what it is on
 -- there: 0, nothing is level with it.
@@ -155,10 +165,10 @@ local function endOf(b, i, axis, turn, x, xEnd, height)
       local first = heightOn(b, i, j, axis, turn, x)
       if first >= height - EPSILON then
         local last = heightOn(b, i, j, axis, turn, xEnd)
-        if first <= height + EPSILON and last < level then
+        if first <= height + EPSILON and isFirst(b, j, its, last, level) then
           its, level = j, last
         end
-        if last < top or (last == top and b.rank[j] < b.rank[best]) then
+        if isFirst(b, j, best, last, top) then
           best, top, start = j, last, first
         end
       end
@@ -206,14 +216,15 @@ end
 local function follow(b, i, axis, turn, x0, x1, height, isMeasured, isFree)
   local x, on, w, way = x0, 0, b.size[2 * i + 1 - axis], max(x1 - x0, x0 - x1)
   for n = 1, MOST do
-    local xEnd, last, its = n < MOST and nextTurn(b, x, x1, w) or x1, 0, 0
-    xEnd, last, its = endOf(b, i, axis, turn, x, xEnd, height)
+    local turnAt = n < MOST and nextTurn(b, x, x1, w) or x1
+    local xEnd, last, its = endOf(b, i, axis, turn, x, turnAt, height)
     if its == 0 then
       x = isMeasured and x + (x1 >= x0 and way or -way) or x1
       addPiece(b, x, height)
       return x, height, on, false
     end
     on = its
+    b.ground.isLevel = b.ground.isLevel and last == height and not isRamp(b, its, axis, turn)
     if isMeasured then
       xEnd, last, way = shorten(x, height, xEnd, last, way)
     end
@@ -236,7 +247,7 @@ local function follow(b, i, axis, turn, x0, x1, height, isMeasured, isFree)
 end
 
 -- The ground that holds slot i, or 0.
-local function groundUnder(b, i, k, turn)
+local function groundUnder(b, k, turn)
   local held, wall = b.heldHigh, b.holderHigh
   if turn < 0 then
     held, wall = b.heldLow, b.holderLow
@@ -257,12 +268,12 @@ local function block(b, i, k, on, way)
   b.blocked[2 * n - 1], b.blocked[2 * n] = 4 * i + 2 * (k % 2) + (way > 0 and 2 or 1), on
 end
 
--- Lets slot i follow the ground. Returns whether it has come elsewhere along gravity, and whether it
--- was stopped.
+-- Lets slot i follow the ground. Returns whether it has come elsewhere along gravity, and whether
+-- it was stopped.
 local function walkOne(b, i)
   local axis = slope.axisOf(b, i)
   local k, t, turn = 2 * i + axis, 2 * i + 1 - axis, b.down[2 * i + axis]
-  local j = groundUnder(b, i, k, turn)
+  local j = groundUnder(b, k, turn)
   if j ~= 0 and b.walkTime[i] == b.time[i] then
     j = b.walkFrom[i] -- where its way begins
   end
@@ -281,6 +292,7 @@ local function walkOne(b, i)
   listGround(b, i, axis, turn, x0, x1, height)
   local first = b.pieceCount + 1
   addPiece(b, x0, height)
+  b.ground.isLevel = true
   local isMeasured = b.constantSpeed[i] and b.isFirstWalk
   local x, last, on, isStopped = follow(b, i, axis, turn, x0, x1, height, isMeasured, false)
   if isMeasured or isStopped then
@@ -288,7 +300,9 @@ local function walkOne(b, i)
     b.pieceCount = first
     x, last, on = follow(b, i, axis, turn, x0, x, height, false, true)
   end
-  if on == 0 then
+  if on == 0 or (b.ground.isLevel and not isStopped) then
+    -- (What is on level ground is where it is anyway. Whether slopes are known to be near it
+    -- depends on the past.)
     b.pieceCount = first - 1
     return false, false
   end
@@ -322,7 +336,7 @@ local function updateSupports(b, list, turn)
       local apart = FREE
       if isOn or b.walkOn[i] == j then
         apart = b.size[turn > 0 and k or m]
-        if b.shape[j] >= FIRST and SOLID[axis][b.shape[j]] == turn then
+        if isRamp(b, j, axis, turn) then
           apart = slope.separation(b, i, j, axis, b.to[t], b.to[u])
         end
       end
@@ -479,10 +493,10 @@ function walk.begin(b)
   b.blockedCount = 0
 end
 
---- Lets all bodies that stand on something follow the ground to where they are across gravity at the
---- end of the step. `isFirst`: for the first time in this step, in which ways are measured.
-function walk.run(b, dt, isFirst)
-  b.isFirstWalk = isFirst
+--- Lets all bodies that stand on something follow the ground to where they are across gravity at
+--- the end of the step. `isMeasured`: for the first time in this step, in which ways are measured.
+function walk.run(b, dt, isMeasured)
+  b.isFirstWalk = isMeasured
   for _ = 1, PASSES do
     local isStopped, isSettled, firstStamp = false, false, b.walkStamp + 1
     b.pieceCount = 0

@@ -6,6 +6,7 @@ local check = require(root .. ".world.check")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
 local roster = require(root .. ".objects.registry")
+local slope = require(root .. ".solver.slope")
 local triangle = require(root .. ".memory.triangle")
 local view = require(root .. ".queries.index")
 
@@ -62,13 +63,15 @@ local function show(px)
   return check.show(math.floor(px * 1000 + 0.5) / 1000)
 end
 
--- Returns the side of slot i that is nearest to slot j, of which one is a slope, and px to that; the
--- side is nil if they meet at a corner only.
+-- Returns the side of slot i that is nearest to slot j, of which one is a slope, and px to that;
+-- the side is nil if they meet at a corner only.
 local function slopeSide(v, i, j)
-  local box, its, axis = i, j, v.bodies.downAxis
+  local box, its, core = i, j, v.bodies
   if v.shape[j] < triangle.FIRST then
     box, its = j, i
   end
+  local slot = core.slotOf[v.object[box]]
+  local axis = slot and slope.axisOf(core, slot) or core.downAxis
   local p, s, k, m = v.position, v.size, 2 * box, 2 * its
   local x, y = p[k] - p[m], p[k + 1] - p[m + 1]
   local face, gap = triangle.nearest(v.shape[its], axis, x, y, s[k], s[k + 1], s[m], s[m + 1])

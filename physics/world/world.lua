@@ -437,8 +437,8 @@ end
 --- Returns what an object stands on, as the last step has left it, and how steep that is under it:
 --- for a sprite that turns with the ground, `math.atan(gradient)`.
 ---
---- The gradient is in px along y for each px along x: -0.5 on a slope that rises to the right by 1 px
---- in 2, 0 on everything that is level. Where gravity acts sideways it is px along x for each px
+--- The gradient is in px along y for each px along x: -0.5 on a slope that rises to the right by 1
+--- px in 2, 0 on everything that is level. Where gravity acts sideways it is px along x for each px
 --- along y.
 ---
 --- Errors: the object is not a table, or not in the world.

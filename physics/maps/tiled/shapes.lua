@@ -234,7 +234,8 @@ local function slopesOf(points, xs, ys)
       end
     end
   end
-  local first, last, box = math.min(a.y, b.y), math.max(a.y, b.y), nil
+  local first, last = math.min(a.y, b.y), math.max(a.y, b.y)
+  local box
   if abs(a.x - b.x) == right - left then
     -- The box is below the edge, or above it.
     local isBelow = last < bottom
