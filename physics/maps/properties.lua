@@ -1,6 +1,6 @@
---- Properties that a map's author wrote: of layers, tiles and objects of Tiled, of entities of
---- LDtk, of values in a plain array. Finds which of them are words for the loader, and which are
---- fields.
+--- Reads the properties that a map's author wrote: of layers, tiles and objects of Tiled, of
+--- entities of LDtk, of values in a plain array. Separates words for the loader from fields of
+--- objects.
 
 local root = (...):match("^(.*)%.maps%.")
 local check = require(root .. ".world.check")
@@ -16,7 +16,7 @@ local properties = {}
 ---@field isStrict boolean a value that cannot be used is an error
 ---@field isCode boolean? the game's code says it: its tables may hold anything
 
---- What the properties of something say.
+--- The result of reading properties.
 ---@class physics.Traits
 ---@field fields table<string, any> fields that its objects get
 ---@field solid boolean? may it be in the world
@@ -63,7 +63,7 @@ end
 
 -- Reading -----------------------------------------------------------------------------------------
 
--- Where an object is and how large, and what it touches, is no matter of properties.
+-- Returns whether properties cannot set a field: place, size and contacts do not come from them.
 local function isTaken(field)
   return field.required or field.written or false
 end
@@ -76,7 +76,7 @@ local function sortedNames(given, place)
     end
     names[#names + 1] = name
   end
-  table.sort(names) -- so that of several wrong values always the same one is told
+  table.sort(names) -- so that of several wrong values always the same one is reported
   return names
 end
 
@@ -88,7 +88,7 @@ local function isSolidName(rules, name)
   end
 end
 
--- A value of ours that cannot be used.
+-- Refuses a value of one of the library's fields.
 local function refuse(traits, rules, place, text)
   if rules.isStrict then
     check.fail(place .. ": " .. text)
@@ -172,9 +172,9 @@ local function readOne(traits, name, value, place, rules)
   end
 end
 
---- Reads the properties of a tile, a collision shape, an object or an entity.
---- Errors: no table; a key that is no string; a table that holds itself; with `isStrict` a field
---- of the library that cannot be used.
+--- Reads the properties of a tile, a collision shape, an object or an entity. Errors: they are not
+--- a table; a key is not a string; a table contains itself; with `isStrict` a field of the library
+--- cannot be used.
 ---@param given table? names and values
 ---@param place string how an error names the owner
 ---@param rules physics.PropertyRules
@@ -191,8 +191,8 @@ function properties.read(given, place, rules)
   return traits
 end
 
---- Reads the properties of a layer. Those that are no fields of the library say something about the
---- layer, not about what is in it.
+--- Reads the properties of a layer. Those that are no fields of the library belong to the layer
+--- itself, not to its objects.
 ---@param given table?
 ---@param place string
 ---@param rules physics.PropertyRules
@@ -216,7 +216,7 @@ end
 
 -- Combining ---------------------------------------------------------------------------------------
 
--- `static` and `kinematic` are one choice: what is made the one is not the other any more.
+-- `static` and `kinematic` exclude each other: one that is set clears the other.
 local function choose(combined, inner)
   if inner.kinematic and inner.static == nil then
     combined.static = nil
@@ -225,8 +225,8 @@ local function choose(combined, inner)
   end
 end
 
---- Returns what both say together; where they differ, the inner one is right. `solid` is not
---- inherited: the caller weighs which word counts.
+--- Returns the two combined; where they differ, the inner one counts. `solid` is not inherited: the
+--- caller decides which of the two counts.
 ---@param outer physics.Traits
 ---@param inner physics.Traits
 ---@return physics.Traits
@@ -247,7 +247,7 @@ function properties.combine(outer, inner)
   return combined
 end
 
---- Makes static what says neither that it is nor that it moves.
+--- Makes an object static if nothing says whether it is, or that it moves.
 ---@param traits physics.Traits
 ---@return physics.Traits traits the same
 function properties.makeStatic(traits)
@@ -266,14 +266,14 @@ local function hasKnown(list)
   return false
 end
 
---- Returns whether the map says nothing: there are no properties, or none in the table.
+--- Returns whether the map says nothing: there are no properties, or the table is empty.
 ---@param given table?
 ---@return boolean
 function properties.isEmpty(given)
   return given == nil or next(given) == nil
 end
 
---- Returns whether any word of it is for the library.
+--- Returns whether any of the properties is for the library.
 ---@param traits physics.Traits
 ---@return boolean
 function properties.saysAnything(traits)
@@ -293,10 +293,10 @@ local function copy(value)
   return copied
 end
 
---- Returns a copy of a table without cycles, of which no table is shared.
+--- Returns a copy of a table without cycles. No table is shared with it.
 properties.copy = copy
 
---- Returns a new object with these fields. Nothing of it is shared with the map.
+--- Returns a new object with these fields. It shares no table with the map.
 ---@return table object
 function properties.newObject(given, x, y, width, height)
   local object = copy(given)

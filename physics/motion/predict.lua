@@ -1,6 +1,8 @@
---- Steps 3 and 4 for whoever is awake and has no path yet: forces, move. Step 5, detect, follows in
---- `meet`, when paths are known better; it can wake others, who are computed then as if they had
---- been awake from the beginning of the step.
+--- Predict: computes free flight and path (forces.lua, move.lua) of each awake body that has no
+-- path yet.
+--
+-- The solver may wake others. These are computed then as if they had been awake from the start of
+-- the step.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local begin = require(root .. ".motion.begin")
@@ -9,7 +11,7 @@ local move = require(root .. ".motion.move")
 
 local predict = {}
 
---- Gives a path to everybody in awakeList behind place `b.predicted`.
+--- Gives a path to each body in awakeList behind place `b.predicted`.
 function predict.run(b, dt)
   local first, last = b.predicted + 1, b.awakeCount
   begin.run(b)
