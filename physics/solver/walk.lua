@@ -319,15 +319,20 @@ local function walkOne(b, i)
   return true, isStopped
 end
 
+-- The indexes of contact c: that of the body further up, and that of the one below it.
+local function upAndDown(list, c, turn)
+  if turn < 0 then
+    return list.high[c], list.low[c]
+  end
+  return list.low[c], list.high[c]
+end
+
 -- The supports of slot i are those where it is now: others hold it no more.
 local function updateSupports(b, list, turn)
   local axis = list.axis
   for c = 1, list.count do
     local p = list.pair[c]
-    local k, m = list.low[c], list.high[c]
-    if turn < 0 then
-      k, m = m, k
-    end
+    local k, m = upAndDown(list, c, turn)
     local i, j = (k - axis) * 0.5, (m - axis) * 0.5
     if b.liftMark[k] == b.walkStamp and b.give[m] == 0 and b.kind[j] ~= DYNAMIC then
       local t, u = k + 1 - 2 * axis, m + 1 - 2 * axis
@@ -353,10 +358,7 @@ local function liftStacks(b, list, turn)
     first, last = 1, list.count
   end
   for c = first, last, -turn do
-    local k, m = list.low[c], list.high[c]
-    if turn < 0 then
-      k, m = m, k
-    end
+    local k, m = upAndDown(list, c, turn)
     if b.give[k] > 0 and b.down[k] == turn then
       local its = mark[m] == stamp and lift[m] or 0.0
       local place = b.to[m] - turn * list.separation[c]
@@ -388,10 +390,7 @@ local function findRoom(b, list, turn)
     first, last = list.count, 1
   end
   for c = first, last, turn do
-    local k, m = list.high[c], list.low[c] -- m is above k
-    if turn < 0 then
-      k, m = m, k
-    end
+    local m, k = upAndDown(list, c, turn)
     if b.give[k] > 0 then
       local shape = b.shape[(m - axis) * 0.5]
       if shape >= FIRST and SOLID[axis][shape] == -turn then

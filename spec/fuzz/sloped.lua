@@ -1,5 +1,5 @@
 --- Makes games with slopes: those of case.lua, in which a part of what is static or kinematic, and
---- stays so, is a slope. Energy is not watched in them: who walks uphill keeps its velocity.
+--- stays so, is a slope. Energy is not watched in them: what walks uphill keeps its velocity.
 
 local case = require("spec.fuzz.case")
 local newRandom = require("spec.support.random").new

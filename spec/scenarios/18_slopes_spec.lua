@@ -87,7 +87,7 @@ describe("slopes", function()
       local it = run:build(hill(body({ x = 20, y = 376, constantSpeed = true }))).body
       local up, down = math.sqrt(128 * 128 + 64 * 64), math.sqrt(64 * 64 * 2)
       for time in run:steps(4, push(it, 120)) do
-        local way, x = 120 * time, nil -- of the right edge: 44 flat, up, 116 flat, down, flat
+        local way, x = 120 * time -- of the right edge: 44 flat, up, 116 flat, down, flat
         if way <= 44 then
           x = 20 + way
         elseif way <= 44 + up then
