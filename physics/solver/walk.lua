@@ -268,6 +268,38 @@ local function block(b, i, k, on, way)
   b.blocked[2 * n - 1], b.blocked[2 * n] = 4 * i + 2 * (k % 2) + (way > 0 and 2 or 1), on
 end
 
+-- The same from (x0, height) on, on slot j, to x1. `isStill`: its way is the polyline.
+local function walkFrom(b, i, j, axis, turn, x0, x1, height, isStill)
+  local k, t = 2 * i + axis, 2 * i + 1 - axis
+  listGround(b, i, axis, turn, x0, x1, height)
+  local first = b.pieceCount + 1
+  addPiece(b, x0, height)
+  b.ground.isLevel = true
+  local isMeasured = b.constantSpeed[i] and b.isFirstWalk
+  local x, last, on, isStopped = follow(b, i, axis, turn, x0, x1, height, isMeasured, false)
+  if isMeasured or isStopped then
+    -- As it will be when it is followed once more, to the bit.
+    b.pieceCount = first
+    x, last, on = follow(b, i, axis, turn, x0, x, height, false, true)
+  end
+  if on == 0 or (b.ground.isLevel and not isStopped) then
+    -- (What is on level ground is where it is anyway. Whether slopes are known to be near it
+    -- depends on the past.)
+    b.pieceCount = first - 1
+    return false, false
+  end
+  b.pieceFirst[i], b.pieceLast[i] = isStill and first or 0, isStill and b.pieceCount or 0
+  local place = turn * last
+  b.liftOf[k] = place - b.to[k]
+  b.to[k] = place
+  b.to[t] = x
+  if isStopped then
+    block(b, i, t, b.roof[k] > 0 and b.roof[k] or on, x1 - x0)
+  end
+  b.ground.main, b.walkFrom[i], b.walkTime[i] = on, j, b.time[i]
+  return true, isStopped
+end
+
 -- Lets slot i follow the ground. Returns whether it has come elsewhere along gravity, and whether
 -- it was stopped.
 local function walkOne(b, i)
@@ -289,34 +321,7 @@ local function walkOne(b, i)
   if x0 == x1 and b.to[k] == b.from[k] + rise then
     return false, false
   end
-  listGround(b, i, axis, turn, x0, x1, height)
-  local first = b.pieceCount + 1
-  addPiece(b, x0, height)
-  b.ground.isLevel = true
-  local isMeasured = b.constantSpeed[i] and b.isFirstWalk
-  local x, last, on, isStopped = follow(b, i, axis, turn, x0, x1, height, isMeasured, false)
-  if isMeasured or isStopped then
-    -- As it will be when it is followed once more, to the bit.
-    b.pieceCount = first
-    x, last, on = follow(b, i, axis, turn, x0, x, height, false, true)
-  end
-  if on == 0 or (b.ground.isLevel and not isStopped) then
-    -- (What is on level ground is where it is anyway. Whether slopes are known to be near it
-    -- depends on the past.)
-    b.pieceCount = first - 1
-    return false, false
-  end
-  local isStill = shift == 0 and rise == 0 -- its way is the polyline
-  b.pieceFirst[i], b.pieceLast[i] = isStill and first or 0, isStill and b.pieceCount or 0
-  local place = turn * last
-  b.liftOf[k] = place - b.to[k]
-  b.to[k] = place
-  b.to[t] = x
-  if isStopped then
-    block(b, i, t, b.roof[k] > 0 and b.roof[k] or on, x1 - x0)
-  end
-  b.ground.main, b.walkFrom[i], b.walkTime[i] = on, j, b.time[i]
-  return true, isStopped
+  return walkFrom(b, i, j, axis, turn, x0, x1, height, shift == 0 and rise == 0)
 end
 
 -- The indexes of contact c: that of the body further up, and that of the one below it.
