@@ -281,6 +281,9 @@ function Watch:judgeNeighbour(a, side, b)
   if (not key or self.hits[key]) and self.player.world:touching(a, b) ~= side then
     return -- it was hit in this update, and left again
   end
+  if b.slope and self.player.world:touching(a, b) ~= side then
+    return -- it has stopped the object below a ceiling, beside which it is the ground, too
+  end
   local x, y = overlaps(a, b)
   local limit = slack(a, b)
   if x < -limit or y < -limit then
