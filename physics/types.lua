@@ -75,6 +75,10 @@
 --- everything through. For static and kinematic objects: a dynamic one would fall through the
 --- floor.
 ---@field oneWay? boolean|"top"|"bottom"|"left"|"right"
+--- default none: a box. A right triangle that fills its box, for static and kinematic objects.
+--- `left` and `right` name the side that is high, solid below; `topleft` and `topright` hang from
+--- above.
+---@field slope? "left"|"right"|"topleft"|"topright"
 --- default true. Whether a kinematic object takes its riders along. `false`: it slides away under
 --- them.
 ---@field carry? boolean
@@ -87,6 +91,9 @@
 --- px, >= 0, default 0. An object that stood on something, and does not jump, stays on the ground
 --- where that drops by at most this much: down stairs at any speed.
 ---@field snap? number
+--- default false. On slopes `vx` is the speed along the ground: uphill and downhill it comes less
+--- far along x. `false`: `vx` is the speed along x everywhere.
+---@field constantSpeed? boolean
 --- default none. Called once when a contact starts, also with a sensor. `side` is the side of
 --- `self` that was hit, `speed` the approach speed in px/s. The edge that the two have in common
 --- goes from `x1, y1` to `x2, y2`.
@@ -301,6 +308,19 @@ function default.refresh(object) end
 ---@param object physics.NewObject the object that stands on them
 ---@return boolean dropped false: it stands on no one-way object
 function default.dropThrough(object) end
+
+--- Returns what an object stands on, as the last step has left it, and how steep that is under it:
+--- for a sprite that turns with the ground, `math.atan(gradient)`.
+---
+--- The gradient is in px along y for each px along x: -0.5 on a slope that rises to the right by 1
+--- px in 2, 0 on everything that is level. Where gravity acts sideways it is px along x for each px
+--- along y.
+---
+--- Errors: the object is not a table, or not in the world.
+---@param object physics.NewObject a dynamic object
+---@return physics.NewObject? ground nil: it stands on nothing
+---@return number gradient
+function default.ground(object) end
 
 --- Returns everything that a future step depends on, as a plain table that any serializer can
 --- write: numbers, strings, booleans and tables, without functions, cycles and infinities. After

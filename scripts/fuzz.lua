@@ -1,9 +1,12 @@
 -- Random games (spec/fuzz/), checked after every step, until the time is over:
 --
---   luajit scripts/fuzz.lua --seconds 60 [--seed 1] [--steps 80] [--keep-going] [--bounds NAMES]
+--   luajit scripts/fuzz.lua --seconds 60 [--seed 1] [--steps 80] [--keep-going]
+--     [--bounds NAMES] [--slopes]
 --
 -- `--bounds all`, or some of motion,past,rest,time (spec/fuzz/bounds.lua): these are checked, too,
 -- and every second game is one with too little room (spec/fuzz/crowded.lua).
+--
+-- `--slopes`: games with slopes (spec/fuzz/sloped.lua).
 --
 -- A case that fails is made small and printed, to be pasted into spec/fuzz_found_spec.lua. Its seed
 -- plays it again: `--seed N --seconds 0` plays that one only, `--case FILE` one that was written
@@ -22,6 +25,7 @@ local bounds = require("spec.fuzz.bounds")
 local case = require("spec.fuzz.case")
 local crowded = require("spec.fuzz.crowded")
 local shrink = require("spec.fuzz.shrink")
+local sloped = require("spec.fuzz.sloped")
 local trial = require("spec.fuzz.trial")
 local write = require("spec.fuzz.write")
 
@@ -33,6 +37,7 @@ local options = {
   shrink = 30,
   case = "",
   bounds = "",
+  slopes = false,
 }
 
 local function readOptions(list)
@@ -41,7 +46,7 @@ local function readOptions(list)
     local name = list[n]:match("^%-%-(.+)$")
     if options[name] == nil then
       error("unknown option " .. list[n], 0)
-    elseif name == "keep-going" then
+    elseif name == "keep-going" or name == "slopes" then
       options[name] = true
     else
       n = n + 1
@@ -79,7 +84,9 @@ local function try(one)
 end
 
 local function newCase(seed)
-  if chosen and seed % 2 == 0 then
+  if options.slopes then
+    return sloped.new(seed, options.steps)
+  elseif chosen and seed % 2 == 0 then
     return crowded.new(seed, options.steps)
   end
   return case.new(seed, options.steps)

@@ -102,6 +102,17 @@ for _ = 1, 60 do world:update(1 / 60) end
 print(player.y) --> 368
 ]]
 
+examples["world:ground"] = [[
+world:add("ground", {
+  x = 100, y = 368, width = 64, height = 32,
+  static = true, slope = "right",
+})
+player.x, player.y = 110, 320
+for _ = 1, 60 do world:update(1 / 60) end
+local ground, gradient = world:ground(player)
+print(ground.slope, gradient) --> right -0.5
+]]
+
 examples["world:save"] = [[
 local checkpoint = world:save()
 player.x = 700

@@ -158,6 +158,8 @@ local FIELDS = {
   { "maxFallSpeed", NOT_NEGATIVE, "a number >= 0" },
   { "mask", { 1, "boxes", true }, "a table { [group] = false }" },
   { "oneWay", SIDE, SIDES },
+  { "slope", { 1, true, "up", "Left", {} }, '"left", "right", "topleft" or "topright"' },
+  { "constantSpeed", SWITCH, "true or false" },
   { "carry", SWITCH, "true or false" },
   { "surfaceSpeed", ANY, "a number" },
   { "nudge", NOT_NEGATIVE, "a number >= 0" },
@@ -258,6 +260,40 @@ local function checkValue(row, value)
     refusesLater("lift", "objects.lifts[1]", name, expected, value)
   end
 end
+
+describe("the field slope of a dynamic object", function()
+  local EXPECTED = 'slope must be nil for a dynamic object, got "left"'
+    .. " (set static = true or kinematic = true)"
+
+  it("is refused when it is added, and later", function()
+    local scene = newScene()
+    refuses("objects.boxes[3]." .. EXPECTED, function()
+      scene.world:add("boxes", newBox("slope", "left"))
+    end)
+    refusesStep("objects.boxes[1]." .. EXPECTED, function(its)
+      its.box.slope = "left"
+    end, function(its)
+      its.box.slope = nil
+    end)
+    refusesStep("objects.boxes[2]." .. EXPECTED, function(its)
+      its.sleeper.slope = "left"
+    end, function(its)
+      its.sleeper.slope = nil
+    end)
+  end)
+
+  it("is refused when a kinematic slope becomes dynamic", function()
+    local scene = newScene()
+    scene.lift.slope = "left"
+    scene.world:update(DT)
+    scene.lift.kinematic = nil
+    refuses("objects.lifts[1]." .. EXPECTED, function()
+      scene.world:update(DT)
+    end)
+    scene.lift.slope = nil
+    scene.world:update(DT)
+  end)
+end)
 
 describe("the field", function()
   for _, row in ipairs(FIELDS) do

@@ -388,6 +388,15 @@ local METHODS = {
     nothing,
   },
   {
+    "ground",
+    function(scene)
+      return { scene.box }
+    end,
+    function(object, gradient)
+      return (object == nil or isObject(object)) and isFinite(gradient)
+    end,
+  },
+  {
     "dropThrough",
     function(scene)
       return { scene.other }

@@ -228,6 +228,28 @@ describe("draw", function()
     end
   end)
 
+  it("draws slopes as triangles, filled, and sensors as outlines", function()
+    for _, row in ipairs({
+      { "right", "10 36 26 20 26 36" },
+      { "left", "26 36 10 20 10 36" },
+      { "topright", "10 20 26 36 26 20" },
+      { "topleft", "26 20 10 36 10 20" },
+    }) do
+      for _, isSensor in ipairs({ false, true }) do
+        graphics, calls = newRecorder()
+        local mode, points
+        function graphics.polygon(...)
+          mode, points = ..., table.concat({ select(2, ...) }, " ")
+        end
+        rawset(_G, "love", { graphics = graphics })
+        local fields = { x = 10, y = 20, static = true, slope = row[1], sensor = isSensor }
+        drawn({ hills = { box(fields) } })
+        assert.equal(row[2], points)
+        assert.equal(isSensor and "line" or "fill", mode)
+      end
+    end
+  end)
+
   it("draws one-way objects like others with oneWay = false", function()
     drawn({ shelves = { box({ static = true, oneWay = "top" }) } }, { oneWay = false })
     assert.equal(2, #calls)

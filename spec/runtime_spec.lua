@@ -41,9 +41,12 @@ local VALUES = {
 }
 
 -- Not here: where and how large it is, what a dynamic object does not feel, callbacks.
+-- (A slope is refused, and slopes are not here.)
 local OTHERS = { "x", "y", "width", "height", "vx", "vy", "static", "carry", "touching" }
 -- (`snap` is in spec/scenarios/24_snap_spec.lua: this scene has no stairs.)
-OTHERS[#OTHERS + 1] = "snap"
+for _, name in ipairs({ "snap", "slope", "constantSpeed" }) do
+  OTHERS[#OTHERS + 1] = name
+end
 local CALLBACKS = { "onBegin", "onStay", "onEnd", "onCrush" }
 
 -- A box that jumps against the corner of a ceiling, falls to the floor, jumps once more, gets

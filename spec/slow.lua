@@ -25,6 +25,7 @@ slow.files = {
   { "spec/scenarios/12_momentum_spec.lua", "200 bouncing boxes, for a minute" },
   { "spec/scenarios/01_seams_spec.lua", "a hundred landings, one by one" },
   { "spec/examples_spec.lua", "whole levels of the examples, as recorded" },
+  { "spec/slopes_spec.lua", "850 walks over hills" },
   { "spec/soak_spec.lua", "falls of 4600 steps" },
   { "spec/registry_spec.lua", "eight more seeds of random edits" },
   { "spec/limits_spec.lua", "engines in steps of 1/1000 s" },

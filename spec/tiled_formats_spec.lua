@@ -730,19 +730,19 @@ describe("world:loadTiled, polygons", function()
 
   for _, row in ipairs({
     {
-      "right triangles, as long as there are no slopes",
-      { 0, 0, 16, 0, 16, 16 },
-      "polygon: a right triangle would be a slope, and slopes are not supported",
-    },
-    {
       "other triangles",
       { 0, 0, 16, 0, 8, 16 },
-      "polygon: only those with level and upright edges are boxes",
+      "polygon: only those with level and upright edges are boxes, or with one that slopes",
     },
     {
-      "sloped ones",
-      { 0, 0, 16, 4, 16, 16, 0, 16 },
-      "polygon: only those with level and upright edges are boxes",
+      "those with two sloped edges",
+      { 0, 0, 16, 4, 16, 16, 0, 20 },
+      "polygon: only those with level and upright edges are boxes, or with one that slopes",
+    },
+    {
+      "those with five corners, of which one edge slopes",
+      { 0, 4, 4, 0, 16, 0, 16, 16, 0, 16 },
+      "polygon: only those with level and upright edges are boxes, or with one that slopes",
     },
     { "without area", { 0, 0, 16, 0, 0, 0 }, "polygon: it has no area" },
     { "with too few corners", { 0, 0, 16, 0 }, "polygon: it has no area" },
@@ -754,6 +754,65 @@ describe("world:loadTiled, polygons", function()
       assert.same({}, world.objects.walls)
     end)
   end
+
+  -- What polygons become: x, y, width, height and slope of each part.
+  for _, row in ipairs({
+    { "a triangle, high on the right", { 0, 16, 32, 0, 32, 16 }, "0 0 32 16 right" },
+    { "a triangle, high on the left", { 32, 16, 0, 0, 0, 16 }, "0 0 32 16 left" },
+    { "a triangle that hangs on the right", { 0, 0, 32, 0, 32, 16 }, "0 0 32 16 topright" },
+    { "a triangle that hangs on the left", { 0, 0, 0, 16, 32, 0 }, "0 0 32 16 topleft" },
+    { "a ramp on a box", { 0, 0, 16, 4, 16, 16, 0, 16 }, "0 0 16 4 left, 0 4 16 12 -" },
+    { "a ramp on a box, mirrored", { 0, 4, 16, 0, 16, 16, 0, 16 }, "0 0 16 4 right, 0 4 16 12 -" },
+    { "a ramp below a box", { 0, 0, 16, 0, 16, 16, 0, 12 }, "0 12 16 4 topright, 0 0 16 12 -" },
+    { "a ramp before a box", { 0, 16, 8, 0, 20, 0, 20, 16 }, "0 0 8 16 right, 8 0 12 16 -" },
+    { "a ramp behind a box", { 0, 0, 12, 0, 20, 16, 0, 16 }, "12 0 8 16 left, 0 0 12 16 -" },
+    { "an overhang", { 0, 0, 20, 0, 12, 16, 0, 16 }, "12 0 8 16 topleft, 0 0 12 16 -" },
+  }) do
+    it("are slopes: " .. row[1], function()
+      local level, world = load(newMap(row[2]))
+      local parts = {}
+      for i, part in ipairs(world.objects.walls) do
+        local x, y = part.x - 100, part.y - 200
+        parts[i] = ("%g %g %g %g %s"):format(x, y, part.width, part.height, part.slope or "-")
+      end
+      assert.same({}, reasonsOf(level))
+      assert.equal(row[3], table.concat(parts, ", "))
+    end)
+  end
+
+  it("are slopes that flip and turn with their tiles", function()
+    local shape = tiled.object(5, 0, 16, 0, 0)
+    shape.shape, shape.polygon = "polygon", points({ 0, 0, 0, -16, 16, 0 })
+    local set = tiled.tileset({ tiled.shapes(0, { shape }) })
+    local X, Y, T = 2 ^ 31, 2 ^ 30, 2 ^ 29
+    local layer = tiled.tiles(1, "walls", { "11111111" })
+    layer.data = { 1, 1 + X, 1 + Y, 1 + X + Y, 1 + T, 1 + T + X, 1 + T + Y, 1 + T + X + Y }
+    local _, world = load(tiled.map({ set }, { layer }))
+    table.sort(world.objects.walls, function(a, b)
+      return a.x < b.x
+    end)
+    local found = {}
+    for i, object in ipairs(world.objects.walls) do
+      found[i] = object.slope
+    end
+    assert.same(
+      { "left", "right", "topleft", "topright", "topright", "topleft", "right", "left" },
+      found
+    )
+  end)
+
+  it("that are slopes never move without being static or kinematic", function()
+    local map = newMap({ 0, 16, 32, 0, 32, 16 })
+    map.layers[1].objects[1].properties = { static = false }
+    local level, world = load(map)
+    assert.same({ "slope: only static and kinematic objects are slopes" }, reasonsOf(level))
+    assert.same({}, world.objects.walls)
+    map = newMap({ 0, 0, 40, 0, 40, 10, 0, 10 })
+    map.layers[1].objects[1].properties = { static = false, slope = "left" }
+    level, world = load(map)
+    assert.same({ "slope: only static and kinematic objects are slopes" }, reasonsOf(level))
+    assert.is_nil(world.objects.walls[1].slope)
+  end)
 
   it("are named when they are turned otherwise", function()
     local map = newMap({ 0, 0, 40, 0, 40, 10, 0, 10 }, { rotation = 30 })

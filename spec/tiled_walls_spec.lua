@@ -305,7 +305,9 @@ describe("world:loadTiled, walls", function()
       "240 64 64 16", -- a polygon like a gallows, two boxes
       "240 80 16 32",
       "128 96 32 8",
+      "16 128 32 16", -- a right triangle
     }, boxes(world, "Platforms"))
+    assert.equal("right", world.objects.Platforms[7].slope)
     assert.same({ "0 144 320 16" }, boxes(world, "scenery"))
     assert.same({ "64 84 12 12", "192 128 16 16" }, boxes(world, "Enemies"))
     assert.equal(2, #level.decoration)
@@ -318,7 +320,6 @@ describe("world:loadTiled, walls", function()
       reasons[i] = ("%s %d: %s"):format(part.layer, part.id, part.reason)
     end
     assert.same({
-      "Platforms 8: polygon: a right triangle would be a slope, and slopes are not supported",
       'Enemies 11: drag must be a number >= 0, got "true"',
     }, reasons)
     assert.equal(1, level.named.slime.friction)

@@ -61,6 +61,8 @@ local function findRich(movers, frictions, count)
       or object.surfaceSpeed ~= nil
       or object.nudge ~= nil
       or object.snap ~= nil
+      or object.slope ~= nil
+      or object.constantSpeed ~= nil
     then
       rich = rich + 1
     end

@@ -16,6 +16,7 @@ local events = require(root .. ".contacts.events")
 local interpreted = require(root .. ".memory.jit")
 local live = require(root .. ".broadphase.activePairs")
 local oneway = require(root .. ".solver.oneWay")
+local slope = require(root .. ".solver.slope")
 local sort = require(root .. ".memory.sort")
 
 local contact = {}
@@ -47,6 +48,14 @@ local function flushSide(b, i, j)
     - (1 - apartX) * (1 - apartY)
 end
 
+-- The same where there are slopes.
+local function sideOf(b, i, j)
+  if b.hasSlopes and slope.isPair(b, i, j) then
+    return slope.side(b, i, j)
+  end
+  return flushSide(b, i, j)
+end
+
 -- Returns whether something leans on that side of slot i, or on the opposite side of slot j, in
 -- this step.
 local function isPressed(b, i, j, side)
@@ -70,7 +79,7 @@ local function wedge(b, p, i, j)
   if b.deepIn[p] == b.solveStamp then
     b.wedged[p] = b.deepWay[p]
     return
-  elseif b.wedged[p] ~= 0 then
+  elseif b.wedged[p] ~= 0 or (b.hasSlopes and slope.isPair(b, i, j)) then
     return
   end
   local position, size = b.position, b.size
@@ -116,7 +125,7 @@ end
 
 -- Returns the side on which a solid pair is in contact now, else 0.
 local function solidContact(b, p, i, j)
-  local side = flushSide(b, i, j)
+  local side = sideOf(b, i, j)
   b.overlapping[p] = side == INSIDE
   if side == INSIDE then
     if b.passing[p] or b.oneWay[i] or b.oneWay[j] then
@@ -149,7 +158,7 @@ end
 
 -- Returns the side on which a sensor was entered, while the two overlap, else 0.
 local function sensorContact(b, p, i, j)
-  if flushSide(b, i, j) ~= INSIDE or b.passing[p] then
+  if sideOf(b, i, j) ~= INSIDE or b.passing[p] then
     return 0
   end
   if b.contact[p] ~= 0 then
@@ -163,7 +172,7 @@ end
 -- Returns the side on which solid pair p will be in contact, although it was not hit in this step.
 -- (One of the two leans on another body on that side.) Else returns 0.
 local function unmetSide(b, p, i, j)
-  local side = flushSide(b, i, j)
+  local side = sideOf(b, i, j)
   if side <= 0 or b.dropping[p] or oneway.lets(b, i, j, side, false) then
     return 0
   end

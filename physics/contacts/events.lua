@@ -9,6 +9,7 @@ local aabb = require(root .. ".memory.aabb")
 local check = require(root .. ".world.check")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
+local slope = require(root .. ".solver.slope")
 local sort = require(root .. ".memory.sort")
 
 require(root .. ".memory.jit").file()
@@ -80,12 +81,19 @@ end
 local function locate(b, p, side)
   local e, n, axis = b.events, b.events.count, columns.AXIS[side]
   local at, low, high = b.hitAt[p], b.hitLow[p], b.hitHigh[p]
+  local i, j = b.pairA[p], b.pairB[p]
+  if b.hasSlopes and slope.isPair(b, i, i) then
+    i, j, side = j, i, OPPOSITE[side] -- the box has the side, or the corner, that touches
+  end
   if b.hit[p] == 0 then
-    local i, j, to, size = b.pairA[p], b.pairB[p], b.to, b.size
+    local to, size = b.to, b.size
     local k, m, own = 2 * i + 1 - axis, 2 * j + 1 - axis, 2 * i + axis
     at = to[own] + (side % 2 == 0 and size[own] or 0)
     low = max(to[k], to[m])
     high = max(low, min(to[k] + size[k], to[m] + size[m]))
+  end
+  if b.hasSlopes and slope.isPair(b, i, j) then
+    low, high = slope.narrow(b, i, j, side, low, high)
   end
   if axis == 0 then
     e.x1[n], e.y1[n], e.x2[n], e.y2[n] = at, low, at, high

@@ -124,7 +124,7 @@ local function newBoxes(state, traits, value)
   if merge == nil then
     merge = fields.static == true and not fields.sensor
   end
-  merge = merge and state.merge
+  merge = merge and state.merge and not fields.slope
   local oneWay = fields.oneWay
   return cells.addBoxes(state.tiles, {
     x = 0,

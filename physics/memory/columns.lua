@@ -31,6 +31,15 @@ function columns.kindOf(object, isStatic)
   return isStatic and columns.STATIC or object.kinematic and columns.KINEMATIC or columns.DYNAMIC
 end
 
+--- Values of the column `shape`. Slopes are named after their high side, `TOP` those that hang.
+columns.SHAPE_BOX, columns.SHAPE_CIRCLE = 0, 1
+columns.SHAPE_SLOPE_LEFT, columns.SHAPE_SLOPE_RIGHT = 2, 3
+columns.SHAPE_SLOPE_TOPLEFT, columns.SHAPE_SLOPE_TOPRIGHT = 4, 5
+
+--- Shapes by the field `slope`, and that field by shape.
+columns.SLOPES = { left = 2, right = 3, topleft = 4, topright = 5 }
+columns.SLOPE_NAMES = { [2] = "left", [3] = "right", [4] = "topleft", [5] = "topright" }
+
 --- How far apart two edges may be and still count as touching, px.
 columns.EPSILON = 1e-6
 
@@ -82,6 +91,8 @@ local SLOT = {
   snap = 0,
   maxFallSpeed = HUGE,
   isFree = true, -- has neither air friction nor limits along an axis
+  constantSpeed = false,
+  shape = 0, -- SHAPE_BOX and so on
   -- sleep
   awake = false,
   awakeAt = 0, -- place in awakeList
@@ -106,6 +117,8 @@ local SLOT = {
   dirty = 0, -- 1: its path has changed since it was last swept
   deepAt = 0, -- solve in which it was last inside another dynamic body
   impactsOf = 0, -- number of impacts in this step
+  pieceFirst = 0, -- pieces of its way along the ground (see walk),
+  pieceLast = 0, -- 0: none
   inRound = 0, -- round in which it was last in an impact
   lowered = 0, -- px by which it was lowered in this step (see snap)
   -- broad phase
@@ -127,6 +140,7 @@ local ANY = {
   mask = false, -- the game's table; of a static object a copy that is never changed
   maskSeen = false, -- which groups the mask of a mover refused when it was last read
   oneWay = false,
+  slope = false, -- `shape` says the same
   canCollide = false,
   hears = false, -- its onStay
 }
@@ -284,7 +298,7 @@ local SIDE = {
 -- (Columns that count steps, stamps or changes grow as long as the game runs, and are not here.)
 local WHOLE = {}
 for _, names in ipairs({
-  { "kind", "awakeAt" },
+  { "kind", "shape", "awakeAt" },
   { "support" },
   { "carrier", "carrierNow", "placed", "head", "holderLow", "holderHigh", "crushLow" },
   { "crushHigh", "touchBest", "touchTold", "pairA", "pairB", "contact", "hit" },
@@ -337,6 +351,11 @@ columns.AXIS = { 0, 0, 1, 1 }
 --- Returns the side that a value of the field `oneWay` means: `true` is the top; false: none.
 function columns.sideOf(value)
   return value == true and "top" or value or false
+end
+
+--- Returns the shape that the field `slope` means.
+function columns.shapeOf(value)
+  return value and columns.SLOPES[value] or columns.SHAPE_BOX
 end
 
 local function namesOf(map)
@@ -529,6 +548,29 @@ local function addSolver(b)
   b.solveStamp = 0
 end
 
+-- Adds what walking over slopes needs (see walk).
+local function addSlopes(b)
+  b.hasSlopes = false -- a slope was ever in the world
+  b.steep = { [0] = 0, 0 } -- by axis: the most that any slope has ever risen along it, px for 1 px
+  -- scratch
+  b.ground = { slot = {}, low = {}, high = {}, turn = {}, count = 0, turns = 0 }
+  b.ground.main, b.ground.isLevel = 0, true
+  b.walkers, b.isFirstWalk, b.walkStamp = {}, false, 0
+  b.walkFrom = {} -- by slot: what it stood on where its way begins,
+  b.walkTime = {} -- and when
+  b.walkOn = {} -- by slot: what it has come to stand on
+  b.walkAt = {} -- by index: when it walked
+  b.pieceCount = 0
+  b.piecePlace = {} -- across gravity,
+  b.pieceHeight = {} -- and along it
+  b.liftOf = {} -- by index: px that walk has moved it by,
+  b.liftMark = {} -- and when
+  b.room = {} -- by index: how far it can be moved against gravity
+  b.roof = {} -- by index: a slope above it
+  b.blocked = {} -- what a slope has pressed against a ceiling: side and slope, in turns
+  b.blockedCount = 0
+end
+
 --- Returns the empty columns of a world.
 function columns.new()
   local b = {}
@@ -538,6 +580,7 @@ function columns.new()
   addAwake(b)
   addCrowds(b)
   addSolver(b)
+  addSlopes(b)
   b.slotStore, b.pairStore = columnStore.new(b, SLOT_LAYOUT), columnStore.new(b, PAIR_LAYOUT)
   b.listStore = columnStore.new(b, LIST_LAYOUT)
   for n = 1, #AXIS_NAMES do
@@ -546,7 +589,7 @@ function columns.new()
   -- Slot 0 is the empty slot, that of unlinked pairs. Its size is negative, so it meets nothing.
   b.object[0], b.awake[0], b.rank[0], b.time[0] = false, false, 0, 0
   b.head[0], b.next[0], b.previous[0] = 0, 0, 0
-  b.dirty[0], b.crowd[0], b.lowered[0] = 0, 0, 0
+  b.dirty[0], b.crowd[0], b.lowered[0], b.shape[0] = 0, 0, 0, 0
   for k = 0, 1 do
     b.from[k], b.to[k], b.speed[k], b.size[k] = 0, 0, 0, -1
   end

@@ -11,6 +11,20 @@ local min = math.min
 -- The last moment at which a path may begin anew.
 local LAST = 1 - 1e-12
 
+-- Puts what walks (see walk) onto its way along the ground.
+local function stay(b, i)
+  local axis = b.down[2 * i] ~= 0 and 0 or 1
+  local k, place, height = 2 * i + axis, b.piecePlace, b.pieceHeight
+  local x, first, last = b.from[2 * i + 1 - axis], b.pieceFirst[i], b.pieceLast[i]
+  local n = first + 1
+  while n < last and (place[n] - x) * (place[last] - place[first]) < 0 do
+    n = n + 1
+  end
+  local way = place[n] - place[n - 1]
+  local share = way ~= 0 and (x - place[n - 1]) / way or 1
+  b.from[k] = b.down[k] * (height[n - 1] + (height[n] - height[n - 1]) * share)
+end
+
 --- Lets the path of a dynamic body begin anew where it is at moment t.
 function path.advance(b, i, t)
   local start = b.time[i]
@@ -23,6 +37,9 @@ function path.advance(b, i, t)
   from[k] = from[k] + (to[k] - from[k]) * share
   from[k + 1] = from[k + 1] + (to[k + 1] - from[k + 1]) * share
   b.time[i] = min(t, LAST)
+  if b.hasSlopes and b.pieceLast[i] > 0 then
+    stay(b, i)
+  end
 end
 
 return path

@@ -21,12 +21,13 @@ local registry = require(root .. ".objects.registry")
 
 local read = {}
 
-local HUGE, min = math.huge, math.min
+local HUGE, max, min = math.huge, math.max, math.min
+local SLOPE = columns.SHAPE_SLOPE_LEFT -- and above
 local UNREAD = 0 / 0 -- NaN: no place is equal to it
 local isFinite = check.isFinite
 local STATIC, KINEMATIC, DYNAMIC = columns.STATIC, columns.KINEMATIC, columns.DYNAMIC
 
-local sideOf = columns.sideOf
+local sideOf, shapeOf = columns.sideOf, columns.shapeOf
 
 local function orDefault(value, default)
   if value == nil then
@@ -104,6 +105,7 @@ local RARE = {
   { "sensor", "sensor", false },
   { "pushable", "pushable", true },
   { "oneWay", "oneWay", false },
+  { "slope", "slope", false },
   { "carry", "carry", true },
   { "canCollide", "canCollide", false },
   { "onStay", "hears", false },
@@ -115,6 +117,7 @@ local RARE = {
   { "surfaceSpeed", "surfaceSpeed", 0 },
   { "nudge", "nudge", 0 },
   { "snap", "snap", 0 },
+  { "constantSpeed", "constantSpeed", false },
   { "maxSpeed", "maxSpeed", HUGE },
   { "maxFallSpeed", "maxFallSpeed", HUGE },
 }
@@ -147,6 +150,7 @@ local function readFields(b, i, object)
     readMask(b, i, b.mask[i])
   end
   b.oneWay[i] = sideOf(b.oneWay[i])
+  b.shape[i] = isDynamic and columns.SHAPE_BOX or shapeOf(b.slope[i])
   b.mass[i], b.inverseMass[i] = mass, isDynamic and 1 / mass or 0
   b.friction[i] = orDefault(object.friction, isDynamic and 0 or -1)
   b.restitution[i] = orDefault(object.restitution, 0)
@@ -191,7 +195,14 @@ end
 
 -- Notes whether its position alone decides if a contact of the object goes on.
 local function noteEven(b, i)
-  b.even[i] = not (b.sensor[i] or b.hears[i] or b.oneWay[i])
+  b.even[i] = not (b.sensor[i] or b.hears[i] or b.oneWay[i] or b.shape[i] >= SLOPE)
+end
+
+-- Notes how steep a slope is.
+local function noteSlope(b, i)
+  local width, height = b.size[2 * i], b.size[2 * i + 1]
+  b.hasSlopes = true
+  b.steep[0], b.steep[1] = max(b.steep[0], width / height), max(b.steep[1], height / width)
 end
 
 -- Reads all fields, which must have been checked. If reading still fails (the game's `__index` may
@@ -212,7 +223,10 @@ local function readAll(b, i, object, isNew)
   b.hasOneWays = b.hasOneWays or b.oneWay[i] ~= false
   b.hasSensors = b.hasSensors or b.sensor[i]
   b.hasFirm = b.hasFirm or not b.pushable[i]
-  b.plain[i] = not b.sensor[i]
+  if b.shape[i] >= SLOPE then
+    noteSlope(b, i)
+  end
+  b.plain[i] = not b.sensor[i] and b.shape[i] < SLOPE
   noteEven(b, i)
 end
 
@@ -483,6 +497,8 @@ local function listRich(b)
       or object.nudge ~= nil
       or object.snap ~= nil
       or object.maxFallSpeed ~= nil
+      or object.slope ~= nil
+      or object.constantSpeed ~= nil
       or (itsMass or 1) ~= mass[i]
       or (itsFriction or 0) ~= friction[i]
       or (itsRestitution or 0) ~= restitution[i]
@@ -501,6 +517,7 @@ local function compareFilters(b, count)
   local rich, objects = b.rich, b.object
   local active, sensor, pushable, kind = b.active, b.sensor, b.pushable, b.kind
   local hears, oneWay, canCollide, mask, seen = b.hears, b.oneWay, b.canCollide, b.mask, b.maskSeen
+  local slope = b.slope
   for n = 1, count do
     local i = rich[n]
     local object = objects[i]
@@ -510,6 +527,7 @@ local function compareFilters(b, count)
       or (object.sensor or false) ~= sensor[i]
       or orDefault(object.pushable, true) ~= pushable[i]
       or sideOf(object.oneWay) ~= oneWay[i]
+      or object.slope ~= (slope[i] or nil)
       or object.canCollide ~= (canCollide[i] or nil)
       or (object.kinematic or false) ~= (kind[i] == KINEMATIC)
       or its ~= (mask[i] or nil)
@@ -548,6 +566,7 @@ local function compareLimits(b, count)
   local rich, objects = b.rich, b.object
   local airFriction, drag, maxSpeed, limit = b.airFriction, b.drag, b.maxSpeed, b.limit
   local carry, surfaceSpeed, nudge, snap = b.carry, b.surfaceSpeed, b.nudge, b.snap
+  local constantSpeed = b.constantSpeed
   for n = 1, count do
     local i = rich[n]
     local object = objects[i]
@@ -568,6 +587,7 @@ local function compareLimits(b, count)
       or orDefault(object.surfaceSpeed, 0) ~= surfaceSpeed[i]
       or orDefault(object.nudge, 0) ~= nudge[i]
       or orDefault(object.snap, 0) ~= snap[i]
+      or (object.constantSpeed or false) ~= constantSpeed[i]
     then
       reread(b, i)
     end

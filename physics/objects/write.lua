@@ -12,6 +12,7 @@ local crush = require(root .. ".solver.crush")
 local interpreted = require(root .. ".memory.jit")
 local notice = require(root .. ".queries.notice")
 local oneway = require(root .. ".solver.oneWay")
+local walk = require(root .. ".solver.walk")
 
 local write = {}
 
@@ -445,6 +446,9 @@ function write.run(b)
   crush.countJam(b, 1)
   local count, closeCount = updateContacts(b)
   findTouching(b, count)
+  if b.hasSlopes then
+    walk.showBlocked(b)
+  end
   tellCrushed(b)
   findSupports(b)
   findCarriers(b)

@@ -26,7 +26,8 @@ local registry = require(root .. ".objects.registry")
 local view = {}
 
 local max, min = math.max, math.min
-local STATIC = columns.STATIC
+local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
+local shapeOf = columns.shapeOf
 
 -- Kind of an object that the simulation has read anew.
 local UNREAD = 0
@@ -45,13 +46,13 @@ local MOST = 1e99
 local FEW = 128
 
 -- Fields of a static object, copied from the simulation's columns.
-local FIELD = { "active", "sensor", "oneWay", "mask" }
+local FIELD = { "active", "sensor", "oneWay", "mask", "shape" }
 
 local ANY = { "object", "group", "groupName", "key", "listed", "oneWay", "mask" }
 local LAYOUT = {
   { kind = "any", width = 1, names = ANY },
   { kind = "boolean", width = 1, names = { "live", "active", "sensor" } },
-  { kind = "integer", width = 1, names = { "kind" } },
+  { kind = "integer", width = 1, names = { "kind", "shape" } },
   { kind = "number", width = 1, names = { "rank", "entry", "mark" } }, -- the last two are scratch
   { kind = "number", width = 2, names = { "position", "size", "fatLow", "fatHigh" } },
 }
@@ -106,6 +107,10 @@ local function look(v, i)
     or (active ~= nil and type(active) ~= "boolean")
   then
     complain(v, i)
+  end
+  if v.kind[i] ~= DYNAMIC and shapeOf(object.slope) ~= v.shape[i] then
+    complain(v, i)
+    v.shape[i] = shapeOf(object.slope)
   end
   v.active[i] = active ~= false
   -- Adding 0.0 makes floats of the integers of Lua 5.3 and later, which would wrap.
@@ -242,6 +247,7 @@ local function enter(v, object, record, key)
   v.object[i], v.group[i], v.groupName[i], v.key[i] = object, record, record.name, key
   v.listed[i], v.entry[i], v.mark[i], v.rank[i] = false, 0, 0, 0
   v.active[i], v.sensor[i], v.oneWay[i], v.mask[i] = true, false, false, false
+  v.shape[i] = columns.SHAPE_BOX
   readAny(v, v.bodies, i)
   fatten(v, i, STANDS)
   v.grid:insert(i)

@@ -13,13 +13,14 @@ local check = require(root .. ".world.check")
 local columns = require(root .. ".memory.columns")
 local interpreted = require(root .. ".memory.jit")
 local obstacle = require(root .. ".queries.obstacle")
+local triangle = require(root .. ".memory.triangle")
 local view = require(root .. ".queries.index")
 
 interpreted.file()
 
 local slide = {}
 
-local max = math.max
+local max, min = math.max, math.min
 -- A way that bounces between two walls ends after so many hits.
 local MOST_HITS = 64
 
@@ -86,12 +87,20 @@ local function tidy(journey)
   end
 end
 
-local function note(journey, other, side, x, y, share, response)
+-- The normal of the edge of slope j.
+local function normalOf(v, j)
+  return triangle.normal(v.shape[j], v.size[2 * j], v.size[2 * j + 1])
+end
+
+local function note(journey, other, side, x, y, share, response, isEdge)
   local hit = nextHit(journey)
   local sign = (side == "left" or side == "top") and 1 or -1
   local isAcross = AXIS_OF[side] == 0
   hit.other, hit.side, hit.x, hit.y = other, side, x, y
   hit.nx, hit.ny = isAcross and sign or 0, isAcross and 0 or sign
+  if isEdge then
+    hit.nx, hit.ny = normalOf(journey.view, journey.next)
+  end
   hit.fraction = journey.start + (1 - journey.start) * share
   hit.response = response
 end
@@ -156,6 +165,39 @@ local function turn(journey, x, y, axis, share, response)
   end
 end
 
+-- How far across gravity the object can go on along the edge of slope j towards `target`.
+local function endOfEdge(v, i, j, target)
+  local t = 1 - v.bodies.downAxis
+  local k, m, position, size = 2 * i + t, 2 * j + t, v.position, v.size
+  local low, high = position[m], position[m] + size[m] -- of its corner on the uphill side
+  if triangle.SOLID[t][v.shape[j]] > 0 then
+    low, high = low - size[k], high - size[k]
+  end
+  return max(min(target, high), low)
+end
+
+-- The same after a hit at the edge of slope j: along that, and beyond its end on the level
+-- (`rest`).
+local function turnAtEdge(v, journey, j, x, y, share, response)
+  local dx, dy = journey.toX - x, journey.toY - y
+  journey.start = journey.start + (1 - journey.start) * share
+  journey.x, journey.y = x, y
+  if response == "touch" then
+    journey.toX, journey.toY, journey.rest = x, y, 0
+  elseif response == "bounce" then
+    local nx, ny = normalOf(v, j)
+    local twice = 2 * (dx * nx + dy * ny)
+    journey.toX, journey.toY = x + dx - twice * nx, y + dy - twice * ny
+  else
+    local isUpright = v.bodies.downAxis == 1
+    local target = (isUpright and x + dx or y + dy) + journey.rest
+    local place = endOfEdge(v, journey.slot, j, target)
+    journey.rest = target - place
+    journey.toX, journey.toY =
+      obstacle.onEdge(v, journey.slot, j, isUpright and place or x, isUpright and y or place)
+  end
+end
+
 -- Returns the side of an object that overlaps another, by the opposite-sides rule.
 local function deepSide(v, i, j)
   local position, size, k, m = v.position, v.size, 2 * i, 2 * j
@@ -175,20 +217,25 @@ end
 local function meet(v, journey, j)
   local i = journey.slot
   local object, other = v.object[i], v.object[j]
-  local share, axis, isLow, x, y =
+  local share, axis, isLow, x, y, _, isEdge =
     obstacle.meet(v, i, j, journey.x, journey.y, journey.toX, journey.toY)
   -- An object that is inside another one at the start is not held there.
   local isSolid = axis ~= nil and obstacle.isSolid(v, i, j)
   local side = axis and obstacle.sides(axis, isLow) or deepSide(v, i, j)
   local response = respond(journey, object, other, isSolid)
   if response then
-    note(journey, other, side, x, y, share, response)
+    note(journey, other, side, x, y, share, response, isEdge)
   end
   if not response or response == "cross" then
     journey.passed[j] = true
     return false
   end
-  turn(journey, x, y, axis, share, response)
+  if isEdge then
+    turnAtEdge(v, journey, j, x, y, share, response)
+  else
+    journey.rest = axis == v.bodies.downAxis and journey.rest or 0
+    turn(journey, x, y, axis, share, response)
+  end
   return true
 end
 
@@ -204,6 +251,15 @@ local function walk(v, journey)
   end
   if not j then
     journey.x, journey.y = journey.toX, journey.toY
+  end
+  if not j and journey.rest ~= 0 then
+    if v.bodies.downAxis == 1 then
+      journey.toX = journey.x + journey.rest
+    else
+      journey.toY = journey.y + journey.rest
+    end
+    journey.rest = 0
+    return true
   end
   return false
 end
@@ -246,6 +302,7 @@ function slide.run(world, object, x, y, response, hits, where)
   journey.world, journey.slot, journey.where = world, i, where
   journey.response, journey.hits, journey.count = response or "slide", hits or {}, 0
   journey.x, journey.y, journey.start = v.position[k], v.position[k + 1], 0
+  journey.rest, journey.view = 0, v
   journey.toX, journey.toY = x + 0.0, y + 0.0
   if v.active[i] then
     while walk(v, journey) do

@@ -5,13 +5,14 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
 local sweep = require(root .. ".queries.sweptAabb")
+local triangle = require(root .. ".memory.triangle")
 local view = require(root .. ".queries.index")
 
 require(root .. ".memory.jit").file()
 
 local obstacle = {}
 
-local SIDES = columns.SIDES
+local SIDES, EPSILON = columns.SIDES, columns.EPSILON
 local floor = math.floor
 -- Times of impact closer than 1 / MOMENTS of the way are simultaneous.
 local MOMENTS = 1e9
@@ -50,14 +51,65 @@ local function isClosed(v, i, j, axis, isLow)
   return (not oneWay or oneWay == mine) and (not otherOneWay or otherOneWay == its)
 end
 
+-- As `obstacle.meet`, of the slope j.
+local function meetSlope(v, i, j, x, y, toX, toY)
+  local position, size, k, m = v.position, v.size, 2 * i, 2 * j
+  local w, h, ow, oh = size[k], size[k + 1], size[m], size[m + 1]
+  local ox, oy, shape, down = position[m], position[m + 1], v.shape[j], v.bodies.downAxis
+  local rx, ry = x - ox, y - oy
+  local share, face, isDeep = triangle.meet(shape, down, rx, ry, w, h, ow, oh, toX - x, toY - y)
+  if not share then
+    return nil
+  end
+  local _, most = triangle.nearest(shape, down, rx, ry, w, h, ow, oh)
+  if isDeep or most < -EPSILON then
+    if v.oneWay[i] or v.oneWay[j] then
+      return nil
+    end
+    return 0, nil, nil, x, y, sweep.FACE
+  end
+  local isEdge = face == triangle.EDGE
+  local axis, isLow = isEdge and down or face % 2, triangle.isLow(face, shape, down)
+  if obstacle.isSolid(v, i, j) and not isClosed(v, i, j, axis, isLow) then
+    return nil
+  end
+  local atX, atY = sweep.place(x, y, w, h, toX, toY, ox, oy, ow, oh, share, axis, isLow)
+  if isEdge then
+    atX, atY = obstacle.onEdge(v, i, j, x + (toX - x) * share, y + (toY - y) * share)
+  end
+  return share, axis, isLow, atX, atY, sweep.FACE, isEdge
+end
+
+--- Returns where object i, which is at (x, y), is flush with the edge of the slope j along gravity.
+function obstacle.onEdge(v, i, j, x, y)
+  local position, size, k, m, axis = v.position, v.size, 2 * i, 2 * j, v.bodies.downAxis
+  local solid, shape, t = triangle.SOLID, v.shape[j], 1 - axis
+  local across = axis == 1 and x or y
+  local way = triangle.depth(
+    solid[t][shape],
+    position[m + t],
+    size[m + t],
+    size[m + axis],
+    across,
+    size[k + t]
+  )
+  local place = position[m + axis] + size[m + axis] - way
+  if solid[axis][shape] > 0 then
+    place = position[m + axis] + way - size[k + axis]
+  end
+  return axis == 1 and across or place, axis == 1 and place or across
+end
+
 --- Returns when object i on its way from (x, y) meets object j: fraction, axis, whether i has the
 --- smaller coordinate, the place of i then, the kind of impact; nil: never. The axis is nil if they
---- overlap at the start.
+--- overlap at the start. Of slopes, a further true: at the sloped edge.
 function obstacle.meet(v, i, j, x, y, toX, toY)
   local position, size, k, m = v.position, v.size, 2 * i, 2 * j
   local w, h, ox, oy, ow, oh =
     size[k], size[k + 1], position[m], position[m + 1], size[m], size[m + 1]
-  if sweep.overlap(x, y, w, h, ox, oy, ow, oh) then
+  if v.shape[j] >= triangle.FIRST then
+    return meetSlope(v, i, j, x, y, toX, toY)
+  elseif sweep.overlap(x, y, w, h, ox, oy, ow, oh) then
     if v.oneWay[i] or v.oneWay[j] then
       return nil -- it is passing through
     end

@@ -20,6 +20,7 @@ local columns = require(root .. ".memory.columns")
 local interpreted = require(root .. ".memory.jit")
 local obstacle = require(root .. ".queries.obstacle")
 local sort = require(root .. ".memory.sort")
+local triangle = require(root .. ".memory.triangle")
 local view = require(root .. ".queries.index")
 
 local query = {}
@@ -27,6 +28,7 @@ local query = {}
 local EPSILON, TINY, VAST = columns.EPSILON, columns.TINY, columns.VAST
 local max, min, sqrt = math.max, math.min, math.sqrt
 local TIE = 1e-9
+local SLOPE = triangle.FIRST -- and above
 -- Larger than the whole of a line, which is 1: the fraction at which a line hits an object that it
 -- misses.
 local NEVER = 2
@@ -141,6 +143,13 @@ end
 
 -- Points and rectangles ---------------------------------------------------------------------------
 
+-- px from a rectangle to the edge of the slope i; below 0: it is inside.
+local function toEdge(v, i, x, y, w, h)
+  local p, s, k = v.position, v.size, 2 * i
+  local rx, ry = x - p[k], y - p[k + 1]
+  return triangle.gap(triangle.EDGE, v.shape[i], 1, rx, ry, w, h, s[k], s[k + 1])
+end
+
 -- Keeps in `found` the objects around a point; returns how many.
 local function keepAround(v, found, count, x, y)
   local position, size, active, n = v.position, v.size, v.active, 0
@@ -148,7 +157,11 @@ local function keepAround(v, found, count, x, y)
     local i = found[m]
     local k = 2 * i
     local left, top = position[k], position[k + 1]
-    if aabb.inside(x, y, 0, 0, left, top, size[k], size[k + 1]) and active[i] then
+    if
+      aabb.inside(x, y, 0, 0, left, top, size[k], size[k + 1])
+      and active[i]
+      and (v.shape[i] < SLOPE or toEdge(v, i, x, y, 0, 0) <= 0)
+    then
       n = n + 1
       found[n] = i
     end
@@ -176,7 +189,12 @@ local function keepOverlapping(v, found, count, x, y, w, h, depth, but)
     local k = 2 * i
     local width, height =
       aabb.overlap(x, y, w, h, position[k], position[k + 1], size[k], size[k + 1])
-    if min(width, height) > depth and i ~= but and active[i] then
+    if
+      min(width, height) > depth
+      and i ~= but
+      and active[i]
+      and (v.shape[i] < SLOPE or toEdge(v, i, x, y, w, h) < -depth)
+    then
       n = n + 1
       found[n] = i
     end
@@ -276,6 +294,30 @@ local function passage(v, i, x, y, dx, dy)
   return max(min(a, b), min(c, d)), min(max(a, b), max(c, d))
 end
 
+-- The share of a line at which it crosses the edge of the slope i, and whether it goes in there;
+-- nil: it does not come to it.
+local function crossEdge(v, i, x, y, dx, dy)
+  local start, last = toEdge(v, i, x, y, 0, 0), toEdge(v, i, x + dx, y + dy, 0, 0)
+  if start > 0 and last > 0 then
+    return NEVER, true
+  elseif start > 0 ~= (last > 0) then
+    return start / (start - last), start > 0
+  end
+  return nil
+end
+
+-- As `passage`, of a slope.
+local function passSlope(v, i, line)
+  local enters, leaves = passage(v, i, line.x, line.y, line.dx, line.dy)
+  local at, goesIn = crossEdge(v, i, line.x, line.y, line.dx, line.dy)
+  if at and goesIn then
+    enters = max(enters, at)
+  elseif at then
+    leaves = min(leaves, at)
+  end
+  return enters, leaves
+end
+
 -- Returns a line: a working list for the objects that it hits, with its data. `filter` is the
 -- query's filter, or false if that is a function, which is called later.
 local function takeLine(v, x1, y1, x2, y2, filter)
@@ -290,7 +332,12 @@ end
 -- Returns the fraction of the line at which it hits slot i, after `from` and up to `to`; NEVER: it
 -- does not. An object at the very beginning is hit at 0, which is after any `from` < 0.
 local function hitAt(line, v, i)
-  local enters, leaves = passage(v, i, line.x, line.y, line.dx, line.dy)
+  local enters, leaves
+  if v.shape[i] < SLOPE then
+    enters, leaves = passage(v, i, line.x, line.y, line.dx, line.dy)
+  else
+    enters, leaves = passSlope(v, i, line)
+  end
   local start = max(enters, 0)
   if
     min(leaves - enters, leaves) > 0
@@ -400,6 +447,15 @@ end
 local function describeHit(v, world, i, x1, y1, dx, dy, filter)
   local inX, inY = enterOn(v, 2 * i, x1, dx), enterOn(v, 2 * i + 1, y1, dy)
   local at = max(inX, inY)
+  if v.shape[i] >= SLOPE then
+    local share, goesIn = crossEdge(v, i, x1, y1, dx, dy)
+    if share and goesIn and share >= at - TIE then
+      local nx, ny = triangle.normal(v.shape[i], v.size[2 * i], v.size[2 * i + 1])
+      return v.object[i], x1 + dx * share, y1 + dy * share, nx, ny, share
+    elseif at < 0 then
+      return v.object[i], x1, y1, 0, 0, 0
+    end
+  end
   if at < 0 then
     return v.object[i], x1, y1, 0, 0, 0
   end
@@ -460,6 +516,12 @@ end
 local function distanceTo(v, i, x, y)
   local position, size, k = v.position, v.size, 2 * i
   local left, top = position[k], position[k + 1]
+  if v.shape[i] >= SLOPE then
+    local its = triangle.distance(v.shape[i], x - left, y - top, size[k], size[k + 1])
+    if its then
+      return its
+    end
+  end
   local dx = max(left - x, x - (left + size[k]), 0)
   local dy = max(top - y, y - (top + size[k + 1]), 0)
   return dx * dx + dy * dy
@@ -519,9 +581,12 @@ end
 
 local function describeStop(v, i, j, toX, toY)
   local p, k = v.position, 2 * i
-  local share, axis, isLow, x, y = obstacle.meet(v, i, j, p[k], p[k + 1], toX, toY)
+  local share, axis, isLow, x, y, _, isEdge = obstacle.meet(v, i, j, p[k], p[k + 1], toX, toY)
   if not axis then
     return v.object[j], x, y, 0, 0, 0
+  elseif isEdge then
+    local nx, ny = triangle.normal(v.shape[j], v.size[2 * j], v.size[2 * j + 1])
+    return v.object[j], x, y, nx, ny, share
   end
   local normal = isLow and -1 or 1
   return v.object[j], x, y, axis == 0 and normal or 0, axis == 1 and normal or 0, share

@@ -12,6 +12,7 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local interpreted = require(root .. ".memory.jit")
 local rules = require(root .. ".solver.rules")
+local slope = require(root .. ".solver.slope")
 
 local contacts = {}
 
@@ -195,6 +196,27 @@ local function putDeep(b, p)
   if not rules.passes(b, p, kl, kh, axis, true) then
     put(b, p, axis, kl, kh, separation)
   end
+end
+
+-- Takes the pairs with a slope out of the close ones, and makes contacts of those that touch.
+-- Returns how many are left.
+local function putSlopes(b, count)
+  local close, kept = b.closePairs, 0
+  for n = 1, count do
+    local p = close[n]
+    if slope.isPair(b, b.pairA[p], b.pairB[p]) then
+      local axis, kl, kh, separation = slope.contact(b, p)
+      if axis then
+        put(b, p, axis, kl, kh, separation)
+      else
+        leaveApart(b, p)
+      end
+    else
+      kept = kept + 1
+      close[kept] = p
+    end
+  end
+  return kept
 end
 
 -- Decides for each close pair on which axis it touches.
@@ -382,6 +404,9 @@ function contacts.find(b)
     count = dropGhosts(b, b.closePairs, count)
     b.apartCount = dropGhosts(b, b.apart, b.apartCount)
   end
+  if b.hasSlopes then
+    count = putSlopes(b, count)
+  end
   classify(b, count)
   for n = 1, b.overlapCount do
     putDeep(b, b.overlaps[n])
@@ -441,6 +466,13 @@ function contacts.noteNew(b)
   b.seenCount = b.liveCount
 end
 
-interpreted.functions(putDeep, dropRefused, contacts.find, contacts.add, contacts.rearrange)
+interpreted.functions(
+  putSlopes,
+  putDeep,
+  dropRefused,
+  contacts.find,
+  contacts.add,
+  contacts.rearrange
+)
 
 return contacts

@@ -15,6 +15,7 @@ local events = require(root .. ".contacts.events")
 local crush = {}
 
 local DYNAMIC, KINEMATIC, EPSILON = columns.DYNAMIC, columns.KINEMATIC, columns.EPSILON
+local SLOPE = columns.SHAPE_SLOPE_LEFT -- and above
 local floor, max, min = math.floor, math.max, math.min
 
 -- Returns the gap between slot i, as it was before it grew, and slot j on an axis, px. Returns also
@@ -35,6 +36,7 @@ end
 -- Marks slot i as wedged into the immovable slot j, if it has grown into that along one axis.
 local function wedge(b, p, i, j)
   local isSolid = not (b.sensor[i] or b.sensor[j] or b.oneWay[i] or b.oneWay[j])
+  isSolid = isSolid and b.shape[j] < SLOPE -- that is left over its edge
   if b.kind[j] == DYNAMIC or not isSolid or b.wedged[p] ~= 0 or not isInside(b, i, j) then
     return
   end

@@ -17,6 +17,7 @@ local flow = require(root .. ".solver.flow")
 local friction = require(root .. ".solver.friction")
 local path = require(root .. ".motion.path")
 local pool = require(root .. ".solver.pool")
+local slope = require(root .. ".solver.slope")
 
 require(root .. ".memory.jit").file()
 
@@ -53,7 +54,12 @@ function impact.note(b, p, low, axis, u, t)
   local x, y, size = placeAt(b, i, k, t), placeAt(b, j, m, t), b.size
   b.hit[p] = i == low and 2 * axis + 2 or 2 * axis + 1
   b.hitSpeed[p] = u
-  b.hitAt[p] = placeAt(b, low, l, t) + size[l]
+  if b.hasSlopes and slope.isPair(b, low, low) then
+    local box = low == i and j or i -- that leans on the edge, at its own side
+    b.hitAt[p] = placeAt(b, box, 2 * box + axis, t)
+  else
+    b.hitAt[p] = placeAt(b, low, l, t) + size[l]
+  end
   b.hitLow[p], b.hitHigh[p] = max(x, y), max(x, y, min(x + size[k], y + size[m]))
 end
 
@@ -283,13 +289,19 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
   local left = (1 - max(b.time[i], b.time[j])) * dt
   path.advance(b, i, t)
   path.advance(b, j, t)
-  local kl, kh = 2 * i + axis, 2 * j + axis
+  local kl, kh, ti, tj = 2 * i + axis, 2 * j + axis, 2 * i + 1 - axis, 2 * j + 1 - axis
   local separation = b.size[kl]
   if isDeep and (b.deepAt[i] == b.solveStamp or b.deepAt[j] == b.solveStamp) then
     separation = min(separation, b.from[kh] - b.from[kl])
   end
   local o, v = b.to[kl] + separation - b.to[kh], b.speed[kl] - b.speed[kh]
   local a = b.accel[kl] - b.accel[kh]
+  local lean = 0.0
+  if b.hasSlopes and slope.isPair(b, i, j) then
+    separation, lean = slope.lean(b, i, j, axis)
+    o, v = b.to[kl] + separation - b.to[kh], v + lean * (b.speed[tj] - b.speed[ti])
+    a = a + lean * (b.accel[tj] - b.accel[ti])
+  end
   local u, tau = approach(o, v, a, left)
   impact.note(b, p, i, axis, u, t)
   b.impactsOf[i], b.impactsOf[j] = b.impactsOf[i] + 1, b.impactsOf[j] + 1
@@ -303,6 +315,12 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
   if total == 0 then
     b.isJammed = true
     return true, separation
+  end
+  if lean ~= 0 and slope.isDeflected(b, i, j, lean, r, isLate) then
+    o = slope.overlap(b, i, j, axis)
+    u, tau = approach(o, v, a, left)
+    slope.deflect(b, i, j, axis, lean, r, o, v, a, u, tau)
+    return false, separation
   end
   local isElastic = b.restitution[i] > 0 or b.restitution[j] > 0
   if v < 0 or (isElastic and v == 0 and a == 0) then

@@ -23,12 +23,14 @@ local columns = require(root .. ".memory.columns")
 local detect = require(root .. ".broadphase.pairFinder")
 local filter = require(root .. ".broadphase.filter")
 local rest = require(root .. ".sleep.islands")
+local slope = require(root .. ".solver.slope")
 local sort = require(root .. ".memory.sort")
 
 local separate = {}
 
 local huge, max, min = math.huge, math.max, math.min
 local EPSILON, DYNAMIC = columns.EPSILON, columns.DYNAMIC
+local SLOPE = columns.SHAPE_SLOPE_LEFT -- and above
 local ROUNDS = 8
 -- Number of overlapped dynamic bodies that a body leaves at once; it leaves more of them over
 -- several steps (see contacts.lua).
@@ -47,6 +49,11 @@ end
 local function overlapOf(b, i, j)
   local from, size = b.from, b.size
   local ki, kj = 2 * i, 2 * j
+  if b.hasSlopes and slope.isPair(b, i, j) then
+    local box, its = slope.order(b, i, j)
+    local depth = slope.inside(b, box, its, from[2 * box], from[2 * box + 1])
+    return depth, depth
+  end
   return aabb.overlap(
     from[ki],
     from[ki + 1],
@@ -131,6 +138,9 @@ local function listBlockers(b, i, x, y)
     local k = 2 * j
     if j ~= i and filter.blocks(b, i, j) then
       local width, height = aabb.overlap(x, y, w, h, from[k], from[k + 1], size[k], size[k + 1])
+      if b.shape[j] >= SLOPE then
+        width = slope.inside(b, i, j, x, y)
+      end
       if width > EPSILON and height > EPSILON then
         count = count + 1
         found[count] = j
@@ -202,6 +212,9 @@ end
 -- (1).
 local function flushPlace(b, i, j, axis, sign)
   local k, m = 2 * i + axis, 2 * j + axis
+  if b.hasSlopes and slope.isPair(b, i, j) then
+    return slope.flushPlace(b, i, j, axis, sign)
+  end
   return sign < 0 and b.from[m] - b.size[k] or b.from[m] + b.size[m]
 end
 
@@ -288,6 +301,14 @@ local function closePassages(b, i, j, ways)
   end
 end
 
+-- The way out along gravity, over the sloped edge, is always open.
+local function openEdge(b, i, j, ways)
+  local axis, sign = slope.wayOut(b, i, j)
+  local k = 2 * i + axis
+  local way = (slope.flushPlace(b, i, j, axis, sign) - b.from[k]) * sign
+  ways[axis == 1 and 1.5 + 0.5 * sign or 3.5 - 0.5 * sign] = way
+end
+
 -- Tries the ways of i out of j, the shortest first. Returns whether one was free.
 local function tryWays(b, i, j, leaveBy)
   local from, size, ways = b.from, b.size, b.partWork.ways
@@ -303,6 +324,9 @@ local function tryWays(b, i, j, leaveBy)
     size[kj + 1]
   )
   closePassages(b, i, j, ways)
+  if b.shape[j] >= SLOPE then
+    openEdge(b, i, j, ways)
+  end
   for _ = 1, 4 do
     local exit = 1
     for other = 2, 4 do

@@ -4,7 +4,8 @@
 -- are known, an object with `snap` that has run off what it stood on is lowered onto the ground
 -- below, and what stands on it, too. It is lowered straight down, where it ends, onto the first
 -- thing there is; so it passes through nothing. If it has run over several edges in the step, each
--- of them may be as high as `snap`.
+-- of them may be as high as `snap`. On slopes the ground is as deep as its edge is where the object
+-- stands (see slope).
 --
 -- Reads support, velocity, to, speed, heldLow, heldHigh; writes to, speed, accel, lowered,
 -- pressedLow or pressedHigh, and heldLow or heldHigh of what was lowered.
@@ -14,6 +15,7 @@ local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local rules = require(root .. ".solver.rules")
+local slope = require(root .. ".solver.slope")
 local sort = require(root .. ".memory.sort")
 
 require(root .. ".memory.jit").file()
@@ -35,9 +37,14 @@ local function footOf(b, k, sign)
   return sign > 0 and b.to[k] + b.size[k] or -b.to[k]
 end
 
--- How deep the upper side of a body is.
-local function topOf(b, k, sign)
-  return sign > 0 and b.to[k] or -b.to[k] - b.size[k]
+-- How deep the upper side of slot j is along an axis, for body k that is at x across it.
+local function topOf(b, j, k, sign, x)
+  local m = 2 * j + k % 2
+  local top = sign > 0 and b.to[m] or -b.to[m] - b.size[m]
+  if b.hasSlopes and slope.bears(b, j, k % 2, sign) then
+    return top + slope.fall(b, k, j, x)
+  end
+  return top
 end
 
 -- The index of the axis along which slot i falls; 0: it does not.
@@ -60,8 +67,8 @@ end
 -- Whether slot i still stands on what it stood on.
 local function isOnSupport(b, i, k, sign)
   local j, axis = b.support[i], k % 2
-  local m, across, other = 2 * j + axis, k + 1 - 2 * axis, 2 * j + 1 - axis
-  local gap = topOf(b, m, sign) - footOf(b, k, sign)
+  local across, other = k + 1 - 2 * axis, 2 * j + 1 - axis
+  local gap = topOf(b, j, k, sign, b.to[across]) - footOf(b, k, sign)
   local r = b.to[other] - b.to[across]
   local isBeside = max(r - b.size[across], -r - b.size[other]) >= -EPSILON
   return gap <= EPSILON and gap >= -EPSILON and not isBeside
@@ -97,7 +104,9 @@ local function listGround(b, i, k, sign, x, depth)
   local count = 0
   for n = 1, b.broadphase:query(left, top, right, bottom, found) do
     local j = found[n]
-    local isBelow = topOf(b, 2 * j + axis, sign) >= foot - EPSILON
+    -- (The crest of a slope may be further up than the place where the object comes onto it.)
+    local isBelow = topOf(b, j, k, sign, x) >= foot - EPSILON
+      or (b.hasSlopes and slope.bears(b, j, axis, sign))
     if isBelow and isSolid(b, i, j, side) and not isDropping(b, i, j) then
       count = count + 1
       found[count] = j
@@ -113,7 +122,7 @@ local function highest(b, k, sign, count, x, least)
   local best, depth, width = 0, huge, b.size[k + 1 - 2 * axis]
   for n = 1, count do
     local j = found[n]
-    local other, its = 2 * j + 1 - axis, topOf(b, 2 * j + axis, sign)
+    local other, its = 2 * j + 1 - axis, topOf(b, j, k, sign, x)
     local r = b.to[other] - x
     local isBelow = r - width < -EPSILON and -r - b.size[other] < -EPSILON
     if isBelow and its >= least - EPSILON then
@@ -126,7 +135,7 @@ local function highest(b, k, sign, count, x, least)
 end
 
 -- Where ground as deep as `height` ends for body k, which stands on it at x and goes on by `way`
--- px.
+-- px; and how deep it is there.
 local function endOf(b, k, sign, count, x, way, height)
   local found, axis, hasGone = b.snaps.ground, k % 2, true
   local width, goal = b.size[k + 1 - 2 * axis], b.to[k + 1 - 2 * axis]
@@ -134,24 +143,28 @@ local function endOf(b, k, sign, count, x, way, height)
     hasGone = false
     for n = 1, count do
       local j = found[n]
-      local other, gap = 2 * j + 1 - axis, topOf(b, 2 * j + axis, sign) - height
+      local other, gap = 2 * j + 1 - axis, topOf(b, j, k, sign, x) - height
       local r = b.to[other] - x
       local isBelow = r - width < -EPSILON and -r - b.size[other] < -EPSILON
       if isBelow and gap <= EPSILON and gap >= -EPSILON then
         x, hasGone = way > 0 and b.to[other] + b.size[other] or b.to[other] - width, true
+        if b.hasSlopes and slope.bears(b, j, axis, sign) then
+          x = way > 0 and min(x, goal) or max(x, goal)
+          height = topOf(b, j, k, sign, x)
+        end
       end
     end
   end
-  return x
+  return x, height
 end
 
--- How deep the ground may be at the end of the way of slot i, which was `way` px long: from edge to
--- edge it drops by at most `most` px.
-local function reach(b, k, sign, count, way, most)
-  local goal, height = b.to[k + 1 - 2 * (k % 2)], footOf(b, k, sign)
+-- How deep the ground may be at the end of the way of body k, which was `way` px long and began on
+-- ground as deep as `height`: from edge to edge it drops by at most `most` px.
+local function reach(b, k, sign, count, way, height, most)
+  local goal = b.to[k + 1 - 2 * (k % 2)]
   local x = goal - way
   for _ = 1, EDGES do
-    x = endOf(b, k, sign, count, x, way, height)
+    x, height = endOf(b, k, sign, count, x, way, height)
     if (goal - x) * way <= 0 then
       break
     end
@@ -175,8 +188,12 @@ end
 -- Puts slot i onto slot j, unless the game lets it pass; returns whether it stands there.
 local function put(b, i, j, k, sign)
   local m, before, foot = 2 * j + k % 2, b.to[k], footOf(b, k, sign)
-  local list = b.snaps.list
-  b.to[k] = sign > 0 and b.to[m] - b.size[k] or b.to[m] + b.size[m]
+  local list, x = b.snaps.list, b.to[k + 1 - 2 * (k % 2)]
+  if b.hasSlopes and slope.bears(b, j, k % 2, sign) then
+    b.to[k] = b.to[m] - sign * slope.separation(b, i, j, k % 2, x, b.to[m + 1 - 2 * (k % 2)])
+  else
+    b.to[k] = sign > 0 and b.to[m] - b.size[k] or b.to[m] + b.size[m]
+  end
   list[0] = i
   pairFinder.run(b, list, 0, 0)
   local p = columns.pairOf(b, i, j)
@@ -202,13 +219,19 @@ local function lower(b, i, most, dt)
     return false
   end
   local way = b.to[across] - b.origin[across] - b.carried[across] * dt
-  local foot, edges = footOf(b, k, sign), min(EDGES, 1 + floor(max(way, -way)))
-  local count = listGround(b, i, k, sign, b.to[across] - way, foot + most * edges)
+  local foot, edges, start = footOf(b, k, sign), min(EDGES, 1 + floor(max(way, -way)))
+  local deepest = foot + most * edges
+  if b.hasSlopes then
+    deepest = deepest + max(way, -way) * b.steep[k % 2]
+    start = foot - (b.to[k] - b.origin[k] - b.carried[k] * dt) * sign
+  end
+  local count = listGround(b, i, k, sign, b.to[across] - way, deepest)
   local j, depth = highest(b, k, sign, count, b.to[across], foot)
   if j == 0 or depth <= foot + EPSILON or not bears(b, j, k, sign) then
     return false
   elseif depth > foot + most + EPSILON then
-    if edges == 1 or depth > reach(b, k, sign, count, way, most) + EPSILON then
+    local isOneEdge = edges == 1 and not b.hasSlopes
+    if isOneEdge or depth > reach(b, k, sign, count, way, start or foot, most) + EPSILON then
       return false
     end
   end

@@ -31,6 +31,7 @@ local settle = require(root .. ".solver.settle")
 local snap = require(root .. ".memory.lazy")(root .. ".solver.snap")
 local sort = require(root .. ".memory.sort")
 local sweep = require(root .. ".solver.sweep")
+local walk = require(root .. ".solver.walk")
 
 local solver = {}
 
@@ -472,8 +473,19 @@ local function settleViolated(b, dt)
   return isAny
 end
 
+-- Lets what stands on something follow it, where there are slopes.
+local function followGround(b, dt, isFirst)
+  walk.run(b, dt, isFirst)
+  b.isChangeListed = false
+  findChanged(b)
+  contacts.noteNew(b)
+end
+
 -- Settles what impacts have changed, and looks up the neighbours of the new paths.
 local function settleLate(b, dt)
+  if b.hasSlopes then
+    walk.run(b, dt, false)
+  end
   b.isChangeListed, b.isJammed = not settleViolated(b, dt), false
   if b.isChangeListed then
     followChanged(b)
@@ -524,6 +536,9 @@ local function solve(b, dt)
   begin(b, dt)
   friction.begin(b)
   live.list(b)
+  if b.hasSlopes then
+    walk.begin(b)
+  end
   settleTouching(b, dt)
   if b.hasNudges then
     nudgeTouching(b, dt)
@@ -534,6 +549,10 @@ local function solve(b, dt)
   b.isChangeListed = false
   findChanged(b)
   contacts.noteNew(b)
+  if b.hasSlopes then
+    followGround(b, dt, true)
+  end
+  local hasChanged = b.overlapCount > 0 or b.hasFirm -- since the ground was followed
   for n = 1, ROUNDS do
     if b.awakenings ~= awakenings then
       return false
@@ -543,7 +562,11 @@ local function solve(b, dt)
     end
     if n < ROUNDS then
       settleLate(b, dt)
+      if b.hasSlopes then
+        followGround(b, dt, false)
+      end
     end
+    hasChanged = hasChanged or n == ROUNDS
   end
   if b.awakenings ~= awakenings then
     return false
@@ -553,6 +576,9 @@ local function solve(b, dt)
   end
   if b.hasFirm then
     keepOwnWay(b, dt)
+  end
+  if b.hasSlopes and hasChanged then
+    walk.run(b, dt, false)
   end
   if b.hasSnaps then
     snap.run(b, dt)

@@ -11,6 +11,7 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
 local interpreted = require(root .. ".memory.jit")
+local slope = require(root .. ".solver.slope")
 
 local sweep = {}
 
@@ -209,13 +210,14 @@ function sweep.run(b, changedCount)
   local isFew = changedCount and changedCount * FEW < b.apartCount
   local near = keepNear(b, isFew and listOf(b, b.changed, changedCount) or listAll(b))
   local impacts, list, pairA, pairB, rank, count = b.impacts, b.near, b.pairA, b.pairB, b.rank, 0
+  local meetAny = b.hasSlopes and slope.meetAny or meet
   for n = 1, near do
     local p = list[n]
     local i, j = pairA[p], pairB[p]
     if rank[j] < rank[i] then -- if both are at one place, the order of the world decides
       i, j = pairB[p], pairA[p]
     end
-    local t, axis, isLow, isDeep = meet(b, i, j)
+    local t, axis, isLow, isDeep = meetAny(b, i, j, meet)
     if t then
       count = count + 1
       impacts.pair[count], impacts.time[count], impacts.axis[count] = p, t, axis

@@ -121,6 +121,8 @@ state.SPARSE = {
   { "surfaceSpeed", "surfaceSpeed", 0 },
   { "nudge", "nudge", 0 },
   { "snap", "snap", 0 },
+  { "slope", "slope", false },
+  { "constantSpeed", "constantSpeed", false },
   { "mask" },
 }
 

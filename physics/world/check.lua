@@ -445,6 +445,9 @@ function check.badField(object)
       return field
     end
   end
+  if object.slope ~= nil and not (object.static or object.kinematic) then
+    return fields.objectByName.slope
+  end
 end
 
 local function mustBeTable(value, path)
@@ -466,6 +469,12 @@ end
 
 local function failField(object, place, field)
   local value = object[field.name]
+  if field.name == "slope" and not isBad(field, value) then
+    fail(
+      mustBe(place .. ".slope", "nil for a dynamic object", value)
+        .. " (set static = true or kinematic = true)"
+    )
+  end
   fail(describe(place .. "." .. field.name, field, value) .. advice(object, field, value))
 end
 

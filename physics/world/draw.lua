@@ -161,9 +161,27 @@ local function kindOf(object)
   return rests and "resting" or "moving"
 end
 
+-- The corners of a slope: the ends of its edge, and the one between its legs.
+local function cornersOf(object)
+  local x, y, width, height = object.x, object.y, object.width, object.height
+  local slope = object.slope
+  local isLeft, isTop = slope == "left" or slope == "topleft", slope:sub(1, 3) == "top"
+  local cornerX, cornerY = isLeft and x or x + width, isTop and y or y + height
+  return isLeft and x + width or x, cornerY, cornerX, isTop and y + height or y, cornerX, cornerY
+end
+
+local function drawSlope(object, color, isFilled, alpha)
+  local x1, y1, x2, y2, x3, y3 = cornersOf(object)
+  setColor(color, alpha)
+  love.graphics.polygon(isFilled and "fill" or "line", x1, y1, x2, y2, x3, y3)
+end
+
 -- Draws a box. A sensor is only an outline, since it blocks nothing. The darker border separates
 -- boxes that stand side by side.
 local function drawBox(object, color, isFilled, alpha)
+  if object.slope then
+    return drawSlope(object, color, isFilled, alpha)
+  end
   local x, y, width, height = object.x, object.y, object.width, object.height
   if isFilled then
     local border = min(width / 4, height / 4, 1.0)
@@ -214,6 +232,12 @@ end
 local function drawOneWay(object, alpha)
   local side = object.oneWay == true and "top" or object.oneWay
   setColor(COLORS.oneWay, alpha)
+  if object.slope then
+    local x1, y1, x2, y2, _, cornerY = cornersOf(object)
+    local way = cornerY > min(y1, y2) and SOLID or -SOLID
+    love.graphics.polygon("fill", x1, y1, x2, y2, x2, y2 + way, x1, y1 + way)
+    return
+  end
   drawSide(object.x, object.y, object.width, object.height, side, SOLID)
 end
 

@@ -6,13 +6,15 @@ local check = require(root .. ".world.check")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
 local registry = require(root .. ".objects.registry")
+local slope = require(root .. ".solver.slope")
+local triangle = require(root .. ".memory.triangle")
 local view = require(root .. ".queries.index")
 
 local explain = {}
 
 local EPSILON = columns.EPSILON
 local STATIC = columns.STATIC
-local format = string.format
+local format, max = string.format, math.max
 
 local function nameOf(v, i)
   return registry.place(v.group[i], v.key[i])
@@ -61,8 +63,35 @@ local function show(px)
   return check.show(math.floor(px * 1000 + 0.5) / 1000)
 end
 
+-- Returns the side of slot i that is nearest to slot j, of which one is a slope, and px to that;
+-- the side is nil if they meet at a corner only.
+local function slopeSide(v, i, j)
+  local box, its, core = i, j, v.bodies
+  if v.shape[j] < triangle.FIRST then
+    box, its = j, i
+  end
+  local slot = core.slotOf[v.object[box]]
+  local axis = slot and slope.axisOf(core, slot) or core.downAxis
+  local p, s, k, m = v.position, v.size, 2 * box, 2 * its
+  local x, y = p[k] - p[m], p[k + 1] - p[m + 1]
+  local face, gap = triangle.nearest(v.shape[its], axis, x, y, s[k], s[k + 1], s[m], s[m + 1])
+  local gapX, gapY = gapsOf(v, i, j)
+  local q = face == triangle.EDGE and axis or face % 2
+  local isCorner = gap >= -EPSILON and (q == 0 and gapY or gapX) >= -EPSILON
+  local isLow = triangle.isLow(face, v.shape[its], axis) == (box == i)
+  return not isCorner and columns.SIDES[2 * q + (isLow and 2 or 1)] or nil, gap
+end
+
+local function isSlope(v, i, j)
+  return max(v.shape[i], v.shape[j]) >= triangle.FIRST
+end
+
 -- Returns the side of slot i at which slot j is flush, or nil.
 local function flushSide(v, i, j)
+  if isSlope(v, i, j) then
+    local side, gap = slopeSide(v, i, j)
+    return gap >= -EPSILON and gap <= EPSILON and side or nil
+  end
   local gapX, gapY = gapsOf(v, i, j)
   local p, k, m = v.position, 2 * i, 2 * j
   if gapX > EPSILON or gapY > EPSILON then
@@ -77,6 +106,10 @@ end
 -- Returns the side of slot i that is nearest to the opposite side of slot j, or nil if they do not
 -- overlap.
 local function deepSide(v, i, j)
+  if isSlope(v, i, j) then
+    local side, gap = slopeSide(v, i, j)
+    return gap < -EPSILON and side or nil
+  end
   local gapX, gapY = gapsOf(v, i, j)
   if gapX >= -EPSILON or gapY >= -EPSILON then
     return nil
@@ -90,6 +123,13 @@ local function explainPlace(v, i, j)
   local side = flushSide(v, i, j)
   if side then
     return format("they are flush at the %s of %s", side, nameOf(v, i))
+  elseif isSlope(v, i, j) and max(gapX, gapY) < -EPSILON then
+    local _, gap = slopeSide(v, i, j)
+    if gap > EPSILON then
+      return format("they are %s px apart at the sloped edge", show(gap))
+    end
+    return gap < -EPSILON and format("they overlap by %s px", show(-gap))
+      or "they are flush at a corner only"
   elseif gapX > EPSILON and gapY > EPSILON then
     return format("they are %s px apart on x and %s px on y", show(gapX), show(gapY))
   elseif gapX > EPSILON then
@@ -109,6 +149,10 @@ local function conditions(v, world, i, j)
     local name = nameOf(v, slot)
     if v.sensor[slot] then
       list[#list + 1] = name .. " is a sensor: it reports contacts, but nothing bumps into it"
+    end
+    if v.shape[slot] >= triangle.FIRST then
+      local side = columns.SLOPE_NAMES[v.shape[slot]]
+      list[#list + 1] = format("%s is a slope, high at its %s", name, side)
     end
     if v.oneWay[slot] then
       list[#list + 1] = format("%s is solid only at its %s", name, v.oneWay[slot])

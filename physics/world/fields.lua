@@ -237,6 +237,15 @@ fields.objects = {
       .. " For static and kinematic objects: a dynamic one would fall through the floor.",
   },
   {
+    name = "slope",
+    type = "string",
+    values = { "left", "right", "topleft", "topright" },
+    absent = "none: a box",
+    meaning = "A right triangle that fills its box, for static and kinematic objects. `left` and"
+      .. " `right` name the side that is high, solid below; `topleft` and `topright` hang from"
+      .. " above.",
+  },
+  {
     name = "carry",
     type = "boolean",
     default = true,
@@ -268,6 +277,13 @@ fields.objects = {
     min = 0,
     meaning = "An object that stood on something, and does not jump, stays on the ground where that"
       .. " drops by at most this much: down stairs at any speed.",
+  },
+  {
+    name = "constantSpeed",
+    type = "boolean",
+    default = false,
+    meaning = "On slopes `vx` is the speed along the ground: uphill and downhill it comes less far"
+      .. " along x. `false`: `vx` is the speed along x everywhere.",
   },
   {
     name = "touching",

@@ -15,6 +15,7 @@ local lazy = require(root .. ".memory.lazy")
 local notice = require(root .. ".queries.notice")
 local oneway = require(root .. ".solver.oneWay")
 local separate = require(root .. ".solver.separate")
+local slope = require(root .. ".solver.slope")
 local predict = require(root .. ".motion.predict")
 local write = require(root .. ".objects.write")
 local rest = require(root .. ".sleep.islands")
@@ -452,6 +453,33 @@ function World:dropThrough(object)
   end
   rest.wake(b, slot)
   return true
+end
+
+--- Returns what an object stands on, as the last step has left it, and how steep that is under it:
+--- for a sprite that turns with the ground, `math.atan(gradient)`.
+---
+--- The gradient is in px along y for each px along x: -0.5 on a slope that rises to the right by 1
+--- px in 2, 0 on everything that is level. Where gravity acts sideways it is px along x for each px
+--- along y.
+---
+--- Errors: the object is not a table, or not in the world.
+---@param object physics.NewObject a dynamic object
+---@return physics.NewObject? ground nil: it stands on nothing
+---@return number gradient
+function World:ground(object)
+  checkSelf(self, "ground(object)")
+  local b = self._bodies
+  check.table(object, "object", "world:ground(object)")
+  checkObjects(self)
+  if not search(self, object) then
+    failMissing("ground(object)", object)
+  end
+  local slot = b.slotOf[object]
+  local below = slot and b.support[slot] or 0
+  if below == 0 then
+    return nil, 0
+  end
+  return b.object[below], slope.gradient(b, slot, below)
 end
 
 -- State -------------------------------------------------------------------------------------------

@@ -37,8 +37,24 @@ local function overlaps(a, b)
     min(a.y + a.height, b.y + b.height) - max(a.y, b.y)
 end
 
+-- px from the corner of a box to the edge of a slope on y, or if that is less, on x.
+local function edgeGap(box, slope)
+  local isRight = slope.slope == "right" or slope.slope == "topright"
+  local isTop = slope.slope == "topleft" or slope.slope == "topright"
+  local x = isRight and slope.x + slope.width - box.x - box.width or box.x - slope.x
+  local y = isTop and box.y - slope.y or slope.y + slope.height - box.y - box.height
+  -- From the corner between the legs: the edge is where x / width + y / height is 1.
+  local gap = x / slope.width + y / slope.height - 1
+  return gap * min(slope.width, slope.height)
+end
+
 local function depth(a, b)
   local x, y = overlaps(a, b)
+  if a.slope and not b.slope then
+    return min(x, y, -edgeGap(b, a))
+  elseif b.slope and not a.slope then
+    return min(x, y, -edgeGap(a, b))
+  end
   return min(x, y)
 end
 
@@ -264,6 +280,9 @@ function Watch:judgeNeighbour(a, side, b)
   local key = keyOf(self, a, b)
   if (not key or self.hits[key]) and self.player.world:touching(a, b) ~= side then
     return -- it was hit in this update, and left again
+  end
+  if b.slope and self.player.world:touching(a, b) ~= side then
+    return -- it has stopped the object below a ceiling, beside which it is the ground, too
   end
   local x, y = overlaps(a, b)
   local limit = slack(a, b)

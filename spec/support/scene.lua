@@ -114,6 +114,9 @@ local function place(run, description)
   if run.turn % 2 == 1 then
     object.maxSpeedX, object.maxSpeedY = object.maxSpeedY, object.maxSpeedX
   end
+  if object.slope then
+    object.slope = turn.slope(run.turn, object.slope)
+  end
   if object.oneWay then
     object.oneWay = turn.side(run.turn, object.oneWay)
   end

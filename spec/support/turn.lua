@@ -48,6 +48,24 @@ function turn.side(count, side)
   return side
 end
 
+-- The sides on which slopes are solid.
+local SOLID = {
+  left = { "left", "bottom" },
+  right = { "right", "bottom" },
+  topleft = { "left", "top" },
+  topright = { "right", "top" },
+}
+
+--- Turns the value of the field `slope`.
+function turn.slope(count, name)
+  local one, other = turn.side(count, SOLID[name][1]), turn.side(count, SOLID[name][2])
+  for its, sides in pairs(SOLID) do
+    if (sides[1] == one and sides[2] == other) or (sides[1] == other and sides[2] == one) then
+      return its
+    end
+  end
+end
+
 --- The number of turns that undoes `count` turns.
 function turn.back(count)
   if count == 0 then

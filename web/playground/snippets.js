@@ -9,7 +9,7 @@ import lift from "./snippets/lift.lua";
 import oneWay from "./snippets/one_way.lua";
 import platformer from "./snippets/platformer.lua";
 import rollback from "./snippets/rollback.lua";
-import stairs from "./snippets/stairs.lua";
+import slopes from "./snippets/slopes.lua";
 import tiledMap from "./snippets/tiled_map.lua";
 
 const CODES = {
@@ -21,7 +21,7 @@ const CODES = {
   breakout,
   tiled_map: tiledMap,
   rollback,
-  stairs,
+  slopes,
   explain,
 };
 

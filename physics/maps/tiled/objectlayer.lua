@@ -49,6 +49,7 @@ local function boxOfTile(state, object, tile)
   local box = { object.width, object.height, shape.x, shape.y, shape.width, shape.height }
   box.x, box.y, box.width, box.height =
     tileset.place(tile, left, bottom, box[1], box[2], box[3], box[4], box[5], box[6])
+  box.slope = tileset.flipSlope(tile, shape.slope or kind.traits.fields.slope)
   return shapes.turnBox(box, object.x, object.y, shapes.quarters(object.rotation))
 end
 
@@ -111,6 +112,7 @@ end
 local function newObject(state, object, traits, box, tile)
   local made = newThing(state, object, traits.fields, box.x, box.y)
   made.width, made.height = box.width, box.height
+  made.slope = box.slope or made.slope
   made.type = made.type or tile and tile.kind.type
   made.tiled.gid = tile and tile.gid
   return made
@@ -149,6 +151,18 @@ local function reportTile(state, tile)
   end
 end
 
+-- Only what is static or kinematic is a slope. A property that says so of others is told.
+local function withoutSlopes(state, object, traits, boxes)
+  local reason = "slope: only static and kinematic objects are slopes"
+  if boxes[1].slope then
+    return nil, reason
+  elseif traits.fields.slope then
+    addReport(state, object, reason)
+    traits.fields.slope = nil
+  end
+  return boxes
+end
+
 local function readBoxes(state, object, own, tile, place)
   local boxes, reason = boxesOf(state, object, tile, place)
   if boxes and isDecoration(state, object, tile) then
@@ -159,6 +173,9 @@ local function readBoxes(state, object, own, tile, place)
   if boxes and #boxes > 1 and not traits.fields.static then
     reason = ("polygon of %d boxes: only static ones hold together"):format(#boxes)
     boxes = nil
+  end
+  if boxes and not traits.fields.static and not traits.fields.kinematic then
+    boxes, reason = withoutSlopes(state, object, traits, boxes)
   end
   if not boxes then
     addReport(state, object, reason)

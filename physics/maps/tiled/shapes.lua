@@ -1,5 +1,6 @@
 --- Makes boxes of a shape of the editor: a rectangle, also a turned one, or a polygon with only
---- level and upright edges.
+--- level and upright edges. A right triangle is a slope;
+--- four corners with one sloped edge are a slope and a box.
 
 local root = (...):match("^(.*)%.maps%.")
 local check = require(root .. ".world.check")
@@ -57,6 +58,7 @@ function shapes.turnBox(box, x, y, quarters)
     y = y + math.min(y1, y2),
     width = isUpright and box.height or box.width,
     height = isUpright and box.width or box.height,
+    slope = shapes.turnSlope(box.slope, quarters),
   }
 end
 
@@ -165,33 +167,103 @@ local function decompose(points, ys)
   return boxes
 end
 
-local function isRightTriangle(points)
-  if #points ~= 3 then
-    return false
+-- Slopes by the sides on which they are solid, x and y.
+local NAMES = { [-1] = { [-1] = "topleft", "left" }, { [-1] = "topright", "right" } }
+local SIGNS = { left = { -1, 1 }, right = { 1, 1 }, topleft = { -1, -1 }, topright = { 1, -1 } }
+
+--- Returns the slope that another one is when it is turned by quarters, clockwise.
+---@param slope string? nil: it is none
+---@param quarters integer
+---@return string?
+function shapes.turnSlope(slope, quarters)
+  if not slope then
+    return nil
   end
-  for i = 1, 3 do
-    local a, b, c = points[i], points[i % 3 + 1], points[(i + 1) % 3 + 1]
-    if (a.x == b.x and b.y == c.y) or (a.y == b.y and b.x == c.x) then
-      return true
+  local x, y = shapes.turn(SIGNS[slope][1], SIGNS[slope][2], quarters)
+  return NAMES[x][y]
+end
+
+--- Returns the slope that another one is when its tile is flipped: transposed first.
+---@param slope string? nil: it is none
+---@param isFlippedX boolean
+---@param isFlippedY boolean
+---@param isTransposed boolean
+---@return string?
+function shapes.flipSlope(slope, isFlippedX, isFlippedY, isTransposed)
+  if not slope then
+    return nil
+  end
+  local x, y = SIGNS[slope][1], SIGNS[slope][2]
+  if isTransposed then
+    x, y = SIGNS[slope][2], SIGNS[slope][1]
+  end
+  return NAMES[isFlippedX and -x or x][isFlippedY and -y or y]
+end
+
+-- The slope with an edge between two corners, of which the third one is at (x, y).
+local function newSlope(a, b, x, y)
+  local left, top = math.min(a.x, b.x), math.min(a.y, b.y)
+  local width, height = abs(a.x - b.x), abs(a.y - b.y)
+  local slope = NAMES[x > left and 1 or -1][y > top and 1 or -1]
+  return { x = left, y = top, width = width, height = height, slope = slope }
+end
+
+-- The sloped edges of a polygon: how many, and the ends of the last one.
+local function slopedEdges(points)
+  local count, a, b = 0, nil, nil
+  for i = 1, #points do
+    local point, after = points[i], points[i % #points + 1]
+    if point.x ~= after.x and point.y ~= after.y then
+      count, a, b = count + 1, point, after
     end
   end
-  return false
+  return count, a, b
+end
+
+-- The slope that a triangle is, and the box beside it of four corners; nil: it has other edges.
+local function slopesOf(points, xs, ys)
+  local count, a, b = slopedEdges(points)
+  if count ~= 1 or #points > 4 then
+    return nil
+  end
+  local left, right, top, bottom = xs[1], xs[#xs], ys[1], ys[#ys]
+  if #points == 3 then
+    for i = 1, 3 do
+      if points[i] ~= a and points[i] ~= b then
+        return { newSlope(a, b, points[i].x, points[i].y) }
+      end
+    end
+  end
+  local first, last = math.min(a.y, b.y), math.max(a.y, b.y)
+  local box
+  if abs(a.x - b.x) == right - left then
+    -- The box is below the edge, or above it.
+    local isBelow = last < bottom
+    box = { x = left, y = isBelow and last or top, width = right - left }
+    box.height = isBelow and bottom - last or first - top
+    local corner = (a.y < b.y) == isBelow and a or b
+    return { newSlope(a, b, corner.x, isBelow and last or first), box }
+  end
+  first, last = math.min(a.x, b.x), math.max(a.x, b.x)
+  local isRight = last < right
+  box = { x = isRight and last or left, y = top, height = bottom - top }
+  box.width = isRight and right - last or first - left
+  local corner = (a.x < b.x) == isRight and a or b
+  return { newSlope(a, b, isRight and last or first, corner.y), box }
 end
 
 --- Returns the boxes of a polygon, from top to bottom.
 ---@param points table[] { x =, y = }, px; they are changed
----@return table[]? boxes nil: it consists of none
+---@return table[]? boxes those that are slopes have `slope`; nil: it consists of none
 ---@return string? reason why not
 function shapes.polygon(points)
-  snap(points, "x")
-  local ys = snap(points, "y")
+  local xs, ys = snap(points, "x"), snap(points, "y")
   points = corners(distinct(points))
   if #points < 3 then
     return nil, "polygon: it has no area"
-  elseif isRightTriangle(points) then
-    return nil, "polygon: a right triangle would be a slope, and slopes are not supported"
   elseif not isLevel(points) then
-    return nil, "polygon: only those with level and upright edges are boxes"
+    return slopesOf(points, xs, ys),
+      "polygon: only those with level and upright edges are boxes, or with one that slopes"
   end
   local boxes = decompose(points, ys)
   if #boxes == 0 then

@@ -35,7 +35,7 @@ local function setMerging(boxes, merge, reading)
   if isMerging == nil then
     isMerging = given.static == true and not given.sensor
   end
-  isMerging = isMerging and reading.merge
+  isMerging = isMerging and reading.merge and not given.slope
   local oneWay = given.oneWay
   boxes.isWide = isMerging
     and boxes.width == map.tilewidth
@@ -59,8 +59,19 @@ local function signature(traits, x, y, width, height)
   })
 end
 
+-- Traits with another slope.
+local function withSlope(traits, slope)
+  if slope == traits.fields.slope then
+    return traits
+  end
+  local fields = properties.copy(traits.fields)
+  fields.slope = slope
+  return { fields = fields, group = traits.group, merge = traits.merge }
+end
+
 -- Returns the boxes to which one rectangle of a tile belongs.
-local function boxesFor(state, tile, traits, x, y, width, height)
+local function boxesFor(state, tile, traits, x, y, width, height, slope)
+  traits = withSlope(traits, tileset.flipSlope(tile, slope or traits.fields.slope))
   local map = state.reading.map
   local drawnWidth, drawnHeight = tile.kind.width, tile.kind.height
   if tile.kind.set.tilerendersize == "grid" then
@@ -104,7 +115,7 @@ local function piecesOf(state, tile)
   for i, shape in ipairs(kind.shapes or {}) do
     local combined = makeStatic(properties.combine(traits, shape.traits))
     local x, y, width, height = shape.x, shape.y, shape.width, shape.height
-    pieces[i] = boxesFor(state, tile, combined, x, y, width, height)
+    pieces[i] = boxesFor(state, tile, combined, x, y, width, height, shape.slope)
   end
   return pieces
 end

@@ -267,6 +267,14 @@ function tileset.report(reading, layer, kind)
   end
 end
 
+--- Returns what a slope of a tile is on the map; nil: it is none.
+---@param tile physics.Tile
+---@param slope string?
+---@return string?
+function tileset.flipSlope(tile, slope)
+  return shapes.flipSlope(slope, tile.isFlippedX, tile.isFlippedY, tile.isTransposed)
+end
+
 --- Returns where a rectangle of a tile lies on the map. The tile is drawn in a box with these left
 --- and lower edges. Turned tiles keep their lower left corner, as the editor draws them.
 ---@param tile physics.Tile

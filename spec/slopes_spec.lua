@@ -1,0 +1,468 @@
+--- Slopes in worlds at random, and what knows of them beside the step. What a step does with them
+--- is in spec/scenarios/18_slopes_spec.lua.
+
+local effort = require("spec.support.effort")
+local newRandom = require("spec.support.random").new
+local physics = require("physics")
+
+local GRADIENTS = { { 1, 1 }, { 1, 2 }, { 1, 3 }, { 2, 1 }, { 3, 1 } }
+local OFFSETS = { 0, 0.1, 1 / 3, -1000.1, 100000.3, 1234567.8, 9000000.7 }
+local HEIGHT = 24
+
+--- Hilly ground from (x, y) on: flats and slopes of one size of tile, with solid tiles below them.
+--- Returns the objects, and the pieces of the surface: left, right, height on the left and right.
+local function buildHills(random, x, y)
+  local size, list, pieces = random:pick({ 8, 16, 32 }), {}, {}
+  local function add(fields)
+    fields.static = true
+    list[#list + 1] = fields
+  end
+  for n = 1, 18 do
+    local kind, gradient = random:integer(0, 2), random:pick(GRADIENTS)
+    local width, height = size * gradient[2], size * gradient[1]
+    if n <= 3 or n > 15 then
+      kind = 0
+    end
+    if n == 1 or n == 18 then
+      width = 800
+    end
+    if kind == 0 then
+      add({ x = x, y = y, width = width, height = size })
+      pieces[n] = { x, x + width, y, y }
+    elseif kind == 1 then
+      add({ x = x, y = y - height, width = width, height = height, slope = "right" })
+      add({ x = x, y = y, width = width, height = size })
+      pieces[n] = { x, x + width, y, y - height }
+      y = y - height
+    else
+      add({ x = x, y = y, width = width, height = height, slope = "left" })
+      add({ x = x, y = y + height, width = width, height = size })
+      pieces[n] = { x, x + width, y, y + height }
+      y = y + height
+    end
+    x = x + width
+  end
+  return list, pieces
+end
+
+--- The highest place of the surface below a box.
+local function topBelow(pieces, x, width)
+  local best = math.huge
+  for _, piece in ipairs(pieces) do
+    local left, right = math.max(x, piece[1]), math.min(x + width, piece[2])
+    if right > left + 1e-6 then
+      local slant = (piece[4] - piece[3]) / (piece[2] - piece[1])
+      best =
+        math.min(best, piece[3] + (left - piece[1]) * slant, piece[3] + (right - piece[1]) * slant)
+    end
+  end
+  return best
+end
+
+--- One walk over hills. Returns what went wrong, or nil.
+local function walkOnce(seed)
+  local random = newRandom(seed)
+  local x, y = random:pick(OFFSETS), random:pick(OFFSETS)
+  local list, pieces = buildHills(random, x, y)
+  local width = random:integer(6, 40)
+  local speed = random:chance(0.2) and random:between(600, 3600) or random:between(40, 600)
+  local way, rate = random:chance(0.5) and 1 or -1, random:pick({ 30, 60, 144, 240, 0 })
+  local world = physics.newWorld({ gravity = 800, broadphase = random:pick({ "grid", "pairs" }) })
+  for _, object in ipairs(list) do
+    world:add("ground", object)
+  end
+  local first, last = pieces[1][1] + 200, pieces[#pieces][2] - 200
+  local start = way > 0 and first + 500 or last - 500
+  local body = { x = start, width = width, height = HEIGHT }
+  body.y = topBelow(pieces, start, width) - HEIGHT
+  world:add("players", body)
+  local hit
+  function body.onBegin(_, _, side)
+    hit = hit or side ~= "bottom" and side
+  end
+  local time, steps = 0, 0
+  while body.x > first and body.x < last do
+    local dt = rate == 0 and random:between(0.002, 1 / 30) or 1 / rate
+    body.vx = way * speed
+    world:update(dt)
+    time, steps = time + dt, steps + 1
+    local off = body.y - (topBelow(pieces, body.x, width) - HEIGHT)
+    -- What is added up at 9 million px is rounded to 2e-9 px in every step, on a flat floor, too.
+    local rounding = 1e-6 + steps * 2e-9 * math.abs(body.x) / 9e6
+    if hit or body.vx ~= way * speed then
+      return ("seed %d: hit on its %s, vx %g"):format(seed, tostring(hit), body.vx)
+    elseif math.abs(off) > 1e-9 * (1 + math.abs(body.y)) or body.vy ~= 0 then
+      return ("seed %d: %g px off the ground, vy %g"):format(seed, off, body.vy)
+    elseif not body.touching.bottom then
+      return ("seed %d: on nothing"):format(seed)
+    elseif math.abs(body.x - start - way * speed * time) > rounding then
+      return ("seed %d: %g px off its way"):format(seed, body.x - start - way * speed * time)
+    end
+  end
+end
+
+describe("slopes", function()
+  local function walk(first, last)
+    local failures = {}
+    for seed = first, last do
+      failures[#failures + 1] = walkOnce(seed)
+    end
+    assert.same({}, failures)
+  end
+
+  it("bear walks over hills: no hit, no hop, no loss", function()
+    walk(1, effort.isWhole and 150 or 20)
+  end)
+
+  it("bear 1000 of them #slow", function()
+    walk(151, 150 + effort.share(850))
+  end)
+
+  it("lead a walker to one place at all rates", function()
+    for seed = 1, 40 do
+      local places = {}
+      for _, rate in ipairs({ 30, 60, 144, 240, 0 }) do
+        local random = newRandom(seed)
+        local list, pieces = buildHills(random, 0, 0)
+        local world = physics.newWorld({ gravity = 800 })
+        for _, object in ipairs(list) do
+          world:add("ground", object)
+        end
+        local width, speed = random:integer(6, 40), random:between(20, 80)
+        local body =
+          { x = pieces[1][2] - 50, width = width, height = HEIGHT, constantSpeed = seed % 2 == 0 }
+        body.y = topBelow(pieces, body.x, width) - HEIGHT
+        world:add("players", body)
+        local left = 1.5
+        while left > 0 do
+          local dt = rate == 0 and math.min(left, random:between(0.002, 1 / 30)) or 1 / rate
+          dt = left < 1e-9 and left or dt
+          body.vx = speed
+          world:update(dt)
+          left = left - dt
+          left = left < 1e-9 and 0 or left
+        end
+        places[#places + 1] = body
+      end
+      for n = 2, #places do
+        assert.near(places[1].x, places[n].x, 1e-6)
+        assert.near(places[1].y, places[n].y, 1e-6)
+      end
+    end
+  end)
+
+  --- A world with slopes of all kinds, and what moves among them; what the game does in step n.
+  local function busyWorld(settings, seed)
+    local random = newRandom(seed)
+    settings.gravity = 800
+    local world = physics.newWorld(settings)
+    local list, pieces = buildHills(random, 0, 0)
+    for _, object in ipairs(list) do
+      object.friction = random:chance(0.3) and 0.4 or nil
+      object.restitution = object.slope and random:chance(0.1) and 0.5 or nil
+      world:add("ground", object)
+    end
+    local first, last = pieces[1][2], pieces[#pieces][1]
+    for _ = 1, 14 do
+      local width = random:integer(8, 24)
+      local x = random:between(first, last - width)
+      local body = { x = x, width = width, height = random:integer(8, 24) }
+      body.y = topBelow(pieces, x, width) - body.height - random:between(0, 80)
+      body.vx, body.mass = random:between(-150, 150), random:between(0.5, 4)
+      body.friction = random:chance(0.5) and 0.5 or nil
+      body.restitution = random:chance(0.2) and 0.6 or nil
+      body.constantSpeed = random:chance(0.3) or nil
+      world:add("boxes", body)
+    end
+    local x = (first + last) / 2
+    local y = topBelow(pieces, x, 64)
+    for n, slope in ipairs({ "left", "right", "topleft", "topright" }) do
+      world:add("movers", {
+        x = x - 100 + 40 * n,
+        y = y - 40 - 10 * n,
+        width = 32,
+        height = 16,
+        kinematic = true,
+        slope = slope,
+        carry = n ~= 2,
+        vx = 20 * n - 50,
+        vy = 15 - 6 * n,
+      })
+    end
+    return world
+  end
+
+  local function play(world, first, last)
+    for n = first, last do
+      for i, box in ipairs(world.objects.boxes) do
+        if (n + 7 * i) % 40 == 0 then
+          box.vx = (n * i) % 2 == 0 and 140 or -140
+          box.vy = box.vy - 150
+        end
+      end
+      world:update(n % 5 == 0 and 1 / 30 or 1 / 60)
+    end
+    return world:hash()
+  end
+
+  it("give the same bits with either broad phase, with rest and without", function()
+    for seed = 1, effort.share(20, 4) do
+      local hash = play(busyWorld({ broadphase = "grid" }, seed), 1, 120)
+      assert.equal(hash, play(busyWorld({ broadphase = "pairs" }, seed), 1, 120))
+      assert.equal(hash, play(busyWorld({ broadphase = "grid", rest = false }, seed), 1, 120))
+    end
+  end)
+
+  it("give the same bits after save and restore, at any step", function()
+    for seed = 1, effort.share(20, 4) do
+      local world = busyWorld({}, seed)
+      play(world, 1, 20 + seed)
+      local state = world:save()
+      local hash = play(world, 21 + seed, 90)
+      local other = physics.newWorld({ gravity = 800 })
+      other:restore(state)
+      assert.equal(hash, play(other, 21 + seed, 90))
+      world:restore(state)
+      assert.equal(hash, play(world, 21 + seed, 90))
+    end
+  end)
+
+  it("let no body in deeper than rounding while nothing presses it", function()
+    for seed = 1, effort.share(40, 8) do
+      local random = newRandom(seed)
+      local list, pieces = buildHills(random, 0, 0)
+      local world = physics.newWorld({ gravity = 800 })
+      for _, object in ipairs(list) do
+        world:add("ground", object)
+      end
+      local width = random:integer(6, 40)
+      local body = { width = width, height = HEIGHT, x = pieces[9][1], nudge = 0 }
+      body.y = topBelow(pieces, body.x, width) - HEIGHT - random:between(0, 200)
+      world:add("players", body)
+      for n = 1, 240 do
+        if n % 30 == 0 then
+          body.vx, body.vy = random:between(-500, 500), -random:between(0, 600)
+        end
+        world:update(1 / 60)
+        local off = body.y + HEIGHT - topBelow(pieces, body.x, width)
+        assert.is_true(off <= 1e-6, ("seed %d, step %d: %g px deep"):format(seed, n, off))
+      end
+    end
+  end)
+
+  -- Queries -------------------------------------------------------------------------------------
+
+  local NAMES = { "left", "right", "topleft", "topright" }
+
+  --- Whether a point is in a slope, by the sides of its three edges; px to the nearest edge, too.
+  local function isIn(slope, x, y)
+    local u, v = (x - slope.x) / slope.width, (y - slope.y) / slope.height
+    if slope.slope == "right" or slope.slope == "topright" then
+      u = 1 - u -- 0 at the upright side
+    end
+    if slope.slope == "left" or slope.slope == "right" then
+      v = 1 - v -- 0 at the level side
+    end
+    local least = math.min(u, v, 1 - u - v) * math.min(slope.width, slope.height)
+    return least > 0, math.abs(least)
+  end
+
+  local function newSlopes(seed)
+    local random, world = newRandom(seed), physics.newWorld({ gravity = 0 })
+    for _ = 1, 6 do
+      world:add(random:chance(0.5) and "hills" or "lifts", {
+        x = random:between(0, 200),
+        y = random:between(0, 200),
+        width = random:between(5, 80),
+        height = random:between(5, 80),
+        slope = random:pick(NAMES),
+        static = true,
+      })
+    end
+    return random, world
+  end
+
+  local function all(world)
+    local list = {}
+    for _, name in ipairs({ "hills", "lifts" }) do
+      for _, object in ipairs(world.objects[name] or {}) do
+        list[#list + 1] = object
+      end
+    end
+    return list
+  end
+
+  it("are found by points as a plain formula says", function()
+    for seed = 1, 50 do
+      local random, world = newSlopes(seed)
+      for _ = 1, 40 do
+        local x, y = random:between(-20, 300), random:between(-20, 300)
+        local found = {}
+        for _, object in ipairs((world:queryPoint(x, y))) do
+          found[object] = true
+        end
+        for _, slope in ipairs(all(world)) do
+          local isInside, margin = isIn(slope, x, y)
+          if margin > 1e-6 then
+            assert.equal(isInside, found[slope] or false)
+          end
+        end
+      end
+    end
+  end)
+
+  it("are found by rectangles and lines as by many points", function()
+    for seed = 1, 60 do
+      local random, world = newSlopes(seed)
+      local x, y = random:between(-20, 250), random:between(-20, 250)
+      local w, h = random:between(1, 80), random:between(1, 80)
+      local byRectangle, byLine = {}, {}
+      for _, object in ipairs((world:queryRect(x, y, w, h))) do
+        byRectangle[object] = true
+      end
+      for _, object in ipairs((world:querySegment(x, y, x + w, y + h))) do
+        byLine[object] = true
+      end
+      for _, slope in ipairs(all(world)) do
+        local isHit, isCrossed = false, false
+        for n = 0, 400 do
+          isCrossed = isCrossed or isIn(slope, x + w * n / 400, y + h * n / 400)
+          for m = 0, 40 do
+            isHit = isHit or isIn(slope, x + w * n / 400, y + h * m / 40)
+          end
+        end
+        -- Points may miss a sliver, but what they find is there.
+        assert.is_true(not isHit or byRectangle[slope] == true)
+        assert.is_true(not isCrossed or byLine[slope] == true)
+        if byLine[slope] and not isCrossed then
+          local _, atX, atY = world:raycast(x, y, x + w, y + h, function(object)
+            return object == slope
+          end)
+          local _, margin = isIn(slope, atX, atY)
+          assert.near(0, margin, 1e-6)
+        end
+      end
+    end
+  end)
+
+  it("tell a ray where it meets the edge, and the true normal there", function()
+    local world = physics.newWorld({ gravity = 800 })
+    local slope = { x = 80, y = 336, width = 128, height = 64, static = true, slope = "right" }
+    world:add("ground", slope)
+    local object, x, y, nx, ny, fraction = world:raycast(144, 0, 144, 736)
+    assert.equal(slope, object)
+    assert.near(144, x, 1e-9)
+    assert.near(368, y, 1e-9)
+    assert.near(-1 / math.sqrt(5), nx, 1e-12)
+    assert.near(-2 / math.sqrt(5), ny, 1e-12)
+    assert.near(0.5, fraction, 1e-12)
+    assert.same({ slope, 208, 380, 1, 0, 0.46 }, { world:raycast(300, 380, 100, 380) })
+    assert.is_nil((world:raycast(90, 300, 150, 360)))
+  end)
+
+  it("are as near as their edge", function()
+    for seed = 1, 50 do
+      local random, world = newSlopes(seed)
+      local x, y = random:between(-50, 300), random:between(-50, 300)
+      local _, distance = world:nearest(x, y, 500)
+      local best = math.huge
+      for _, slope in ipairs(all(world)) do
+        for n = 0, 200 do
+          for m = 0, 200 - n do
+            local u, v = n / 200, m / 200
+            local isRight = slope.slope == "right" or slope.slope == "topright"
+            local isLow = slope.slope == "left" or slope.slope == "right"
+            local px = slope.x + slope.width * (isRight and 1 - u or u)
+            local py = slope.y + slope.height * (isLow and 1 - v or v)
+            best = math.min(best, math.sqrt((px - x) * (px - x) + (py - y) * (py - y)))
+          end
+        end
+      end
+      assert.near(best, distance, 0.5)
+      assert.is_true(distance <= best + 1e-9)
+    end
+  end)
+
+  local function newHill()
+    local world = physics.newWorld({ gravity = 800 })
+    local function add(x, y, width, height, slope)
+      local object = { x = x, y = y, width = width, height = height, static = true, slope = slope }
+      return world:add("ground", object)
+    end
+    add(-400, 400, 480, 40)
+    local slope = add(80, 336, 128, 64, "right")
+    add(208, 336, 100, 64)
+    add(300, 200, 8, 136)
+    local body = world:add("players", { x = 20, y = 376, width = 16, height = 24 })
+    world:update(1 / 60)
+    return world, body, slope
+  end
+
+  it("stop a sweep at the edge, with its normal", function()
+    local world, body, slope = newHill()
+    local object, x, y, nx, ny, fraction = world:sweep(body, 176, 0)
+    assert.equal(slope, object)
+    assert.same({ 64, 376, 0.25 }, { x, y, fraction })
+    assert.near(-1 / math.sqrt(5), nx, 1e-12)
+    assert.near(-2 / math.sqrt(5), ny, 1e-12)
+    body.x, body.y = 100, 300
+    object, x, y = world:sweep(body, 0, 100)
+    assert.same({ slope, 100, 358 }, { object, x, y })
+  end)
+
+  it("lead a move along the edge, over the crest and to the wall", function()
+    local world, body, slope = newHill()
+    local x, y, hits = world:move(body, 260, 376)
+    assert.same({ 260, 312, 1, "bottom" }, { x, y, #hits, hits[1].side })
+    assert.equal(slope, hits[1].other)
+    assert.near(-2 / math.sqrt(5), hits[1].ny, 1e-12)
+    body.x, body.y = 20, 376
+    x, y, hits = world:move(body, 400, 376)
+    assert.same({ 284, 312, 2, "right" }, { x, y, #hits, hits[2].side })
+    body.x, body.y = 20, 376
+    x, y = world:move(body, 260, 376, "touch")
+    assert.same({ 64, 376 }, { x, y })
+    body.x, body.y = 100, 300
+    x, y = world:move(body, 100, 400, "bounce")
+    assert.near(100 - 42 * 0.8, x, 1e-9)
+    assert.near(358 - 42 * 0.6, y, 1e-9)
+  end)
+
+  it("are named by explain and told by touching", function()
+    local world, body, slope = newHill()
+    body.x, body.y = 100, 345
+    local text = world:explain(body, slope)
+    assert.truthy(text:find("objects.ground[2] is a slope, high at its right", 1, true))
+    assert.truthy(text:find("they are 13 px apart at the sloped edge", 1, true))
+    body.y = 358
+    assert.truthy(
+      world:explain(body, slope):find("flush at the bottom of objects.players[1]", 1, true)
+    )
+    for _ = 1, 3 do
+      world:update(1 / 60)
+    end
+    assert.equal("bottom", world:touching(body, slope))
+  end)
+
+  it("may change while the game runs, if they are kinematic", function()
+    local world = physics.newWorld({ gravity = 800 })
+    local ramp = { x = 0, y = 100, width = 400, height = 50, kinematic = true, slope = "right" }
+    world:add("ramps", ramp)
+    local body = world:add("players", { x = 150, y = 60, width = 10, height = 10 })
+    local function rest()
+      for _ = 1, 90 do
+        world:update(1 / 60)
+      end
+      return body.y
+    end
+    assert.near(120, rest(), 1e-6)
+    ramp.slope = "left"
+    assert.near(108.75, rest(), 1e-6)
+    ramp.slope = nil
+    assert.near(90, rest(), 1e-6)
+    ramp.slope = "right"
+    assert.near(120, rest(), 1e-6)
+    assert.equal(1, select(2, world:queryPoint(380, 140)))
+    assert.equal(0, select(2, world:queryPoint(20, 110)))
+  end)
+end)
