@@ -317,6 +317,106 @@ describe("snap", function()
   end)
 end)
 
+-- Ground that goes down from x = 0 on. Each piece is { width, px that it begins lower, px that it
+-- falls on its way }.
+local DESCENTS = {
+  ["from stairs onto a slope"] = {
+    { 12, 8, 0 },
+    { 12, 8, 0 },
+    { 64, 8, 32 },
+    { 12, 8, 0 },
+    { 64, 8, 64 },
+  },
+  ["from a crest onto a slope"] = { { 64, 8, 64 }, { 20, 0, 0 }, { 64, 3, 32 }, { 20, 0, 0 } },
+  ["from a slope onto the ground"] = { { 64, 0, 32 }, { 40, 8, 0 }, { 32, 0, 32 }, { 10, 5, 0 } },
+  ["where a slope falls away"] = { { 64, 0, 16 }, { 64, 0, 64 }, { 32, 6, 8 }, { 32, 8, 64 } },
+}
+
+-- Adds the ground, to one side (`way`); returns a function that says how deep it is below a box of
+-- 16 px with the left edge at x.
+local function descend(description, pieces, way)
+  local tops, x, y = { { -300, 0, 0, 300, 0 } }, 0, 0
+  for _, piece in ipairs(pieces) do
+    y = y + piece[2]
+    tops[#tops + 1] = { x, x + piece[1], y, piece[1], piece[3] }
+    x, y = x + piece[1], y + piece[3]
+  end
+  tops[#tops + 1] = { x, x + 4000, y, 4000, 0 }
+  for _, top in ipairs(tops) do
+    local left = way > 0 and top[1] or -top[2]
+    if top[5] > 0 then
+      local slope = way > 0 and "left" or "right"
+      description[#description + 1] = solid(left, top[3], top[4], top[5], { slope = slope })
+    end
+    local base = top[3] + top[5]
+    description[#description + 1] = solid(left, base, top[4], 400 - base)
+  end
+  return function(at)
+    local depth, from = math.huge, way > 0 and at or -at - 16
+    for _, top in ipairs(tops) do
+      if from + 16 > top[1] + 1e-6 and from < top[2] - 1e-6 then
+        local off = math.max(from - top[1], 0)
+        depth = math.min(depth, top[3] + off * top[5] / top[4])
+      end
+    end
+    return depth
+  end
+end
+
+local function eachWay(f)
+  for _, way in ipairs({ 1, -1 }) do
+    scene.each({ rate = RATES, turn = variants.TURNS }, function(run)
+      f(run, way)
+    end)
+  end
+end
+
+describe("snap and slopes:", function()
+  for title, pieces in pairs(DESCENTS) do
+    for _, speed in ipairs({ 60, 120, 200, 400 }) do
+      it(("%s, at %d px/s, it is on the ground in all steps"):format(title, speed), function()
+        eachWay(function(run, way)
+          local description = {}
+          local depthAt = descend(description, pieces, way)
+          local x = way > 0 and -40 or 24
+          description[#description + 1] = man(x, -24, { snap = 8 })
+          description[#description + 1] = body("crate", x, -40, 16, 16)
+          local named = run:build(description)
+          run:step(1 / run.rate)
+          local steps = math.floor(300 / speed * run.rate)
+          for _ = 1, steps do
+            named.man.vx, named.crate.vx = way * speed, way * speed
+            run:step(1 / run.rate)
+            local at = named.man
+            run:check(at.touching.bottom, "in the air at %.9g, %.9g", at.x, at.y)
+            run:near("the foot", at.y + 24, depthAt(at.x))
+            run:near("vy", at.vy, 0)
+            run:near("what it carries", named.crate.y + 16, at.y)
+          end
+          run:near("the way", named.man.x, x + way * speed * steps / run.rate)
+        end)
+      end)
+    end
+  end
+
+  it("leaves a slope alone that begins lower than that", function()
+    eachWay(function(run, way)
+      local description = {}
+      descend(description, { { 64, 8.01, 32 } }, way)
+      description[#description + 1] = man(way > 0 and -40 or 24, -24, { snap = 8 })
+      local named = run:build(description)
+      run:step(1 / run.rate)
+      local inAir = 0
+      for _ = 1, run.rate do
+        named.man.vx = way * 60
+        run:step(1 / run.rate)
+        inAir = inAir + (named.man.touching.bottom and 0 or 1)
+      end
+      run:check(inAir / run.rate > 0.1, "it fell for %d steps only", inAir)
+    end)
+  end)
+end)
+
 describe("snap that is set at run time", function()
   it("counts from the next step on, until it is taken back", function()
     local world = physics.newWorld({ gravity = 800 })
