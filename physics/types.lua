@@ -22,6 +22,9 @@
 
 --- Your own table that you give to `add` or put into a group.
 ---@class physics.NewObject: physics.Box
+--- px, > 0, default none: a box. A circle in its square: `x, y` is the corner of the square,
+--- `width` and `height` are 2 * radius. `add` writes both if they are nil.
+---@field radius? number
 --- px/s, default 0. The velocity along x. For a rider it is relative to what carries it.
 ---@field vx? number
 --- px/s, default 0. The velocity along y, downwards. For a rider it is relative to what carries it.
@@ -385,6 +388,22 @@ function default.queryPoint(x, y, filter, out) end
 ---@return integer count
 function default.queryRect(x, y, w, h, filter, out) end
 
+--- Returns all objects that overlap a circle by more than 1e-6 px, and how many: those of which a
+--- point is nearer to the centre than the radius. With the setting `sideBySide` objects that are
+--- flush with it count, too.
+--- Source: the point of a box that is nearest to the centre.
+---
+--- Errors: a number is not finite; the radius is <= 0; the filter cannot be used; `out` is not a
+--- table.
+---@param x number px, the centre
+---@param y number px
+---@param radius number px, > 0
+---@param filter physics.Filter? which objects count, default all
+---@param out physics.Object[]? list to fill, default a new one
+---@return physics.Object[] objects in the order of the world
+---@return integer count
+function default.queryCircle(x, y, radius, filter, out) end
+
 --- Returns all objects on the line from (x1, y1) to (x2, y2), as `raycast` would hit them, and how
 --- many.
 ---
@@ -421,7 +440,7 @@ function default.querySegment(x1, y1, x2, y2, filter, out) end
 ---@return physics.Object? object nil: the line is free, and nothing else is returned
 ---@return number x px, where it is hit
 ---@return number y px
----@return number nx normal of the side that is hit: -1, 0, 1
+---@return number nx normal where it is hit, of length 1: -1, 0, 1 at a box
 ---@return number ny likewise
 ---@return number fraction of the line, 0..1
 function default.raycast(x1, y1, x2, y2, filter) end
@@ -461,8 +480,8 @@ function default.sweep(object, dx, dy, filter) end
 function default.nearest(x, y, radius, filter) end
 
 --- Returns all objects that overlap an object by more than 1e-6 px, and how many; masks play no
---- part. With the setting `sideBySide` objects that are flush with it count, too. An inactive
---- object overlaps nothing.
+--- part. An object with a `radius` is the circle, not its square. With the setting `sideBySide`
+--- objects that are flush with it count, too. An inactive object overlaps nothing.
 ---
 --- Test the number, `count > 0`: an empty list is true in Lua. Removing objects while you loop over
 --- the list is safe.

@@ -146,6 +146,12 @@ local list, count = world:queryPoint(50, 380)
 print(count, list[1] == player) --> 1 true
 ]]
 
+examples["world:queryCircle"] = [[
+world:add("crates", { x = 100, y = 384, width = 16, height = 16 })
+local list, count = world:queryCircle(64, 384, 40, { "players", "crates" })
+print(count, list[2] == player, list[1].x) --> 2 true 100
+]]
+
 examples["world:queryRect"] = [[
 local list, count = world:queryRect(0, 300, 100, 150, { "players", "tiles" })
 print(count) --> 2

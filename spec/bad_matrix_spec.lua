@@ -442,6 +442,13 @@ local METHODS = {
     listAndCount,
   },
   {
+    "queryCircle",
+    function()
+      return { 25, 90, 40, { "boxes", "floors" }, {} }
+    end,
+    listAndCount,
+  },
+  {
     "querySegment",
     function()
       return { 0, 90, 400, 95, "boxes", {} }

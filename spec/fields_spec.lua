@@ -9,6 +9,7 @@ local OBJECTS = {
   { "y", nil, "px" },
   { "width", nil, "px" },
   { "height", nil, "px" },
+  { "radius", nil, "px" },
   { "vx", 0, "px/s" },
   { "vy", 0, "px/s" },
   { "ax", 0, "px/s²" },

@@ -40,7 +40,7 @@ local VALUES = {
 }
 
 -- Not here: where and how large it is, what a dynamic object does not feel, callbacks.
-local OTHERS = { "x", "y", "width", "height", "vx", "vy", "static", "carry", "touching" }
+local OTHERS = { "x", "y", "width", "height", "radius", "vx", "vy", "static", "carry", "touching" }
 local CALLBACKS = { "onBegin", "onStay", "onEnd", "onCrush" }
 
 -- A box that jumps against the corner of a ceiling, falls to the floor, jumps once more, gets

@@ -8,6 +8,7 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local aabb = require(root .. ".memory.aabb")
 local ask = require(root .. ".solver.permission")
+local ball = require(root .. ".solver.ball")
 local columns = require(root .. ".memory.columns")
 local events = require(root .. ".contacts.events")
 local interpreted = require(root .. ".memory.jit")
@@ -144,6 +145,8 @@ end
 -- The side on which a sensor was entered, while the two overlap, else 0.
 local function sensorContact(b, p, i, j)
   if flushSide(b, i, j) ~= INSIDE or b.passing[p] then
+    return 0
+  elseif b.hasCircles and ball.isRound(b, i, j) and not ball.overlaps(b, i, j) then
     return 0
   end
   if b.contact[p] ~= 0 then

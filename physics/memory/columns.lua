@@ -16,6 +16,9 @@ local columns = {}
 
 columns.STATIC, columns.KINEMATIC, columns.DYNAMIC = 1, 2, 3
 
+--- Values of `shape`: a box; a circle that fills its box.
+columns.SHAPE_BOX, columns.SHAPE_CIRCLE = 0, 1
+
 --- By kind: 1 for who is dynamic, a number for what has no branches. (0: nobody is there.)
 columns.GIVES = { [0] = 0, [columns.STATIC] = 0, [columns.KINEMATIC] = 0, [columns.DYNAMIC] = 1 }
 
@@ -58,6 +61,7 @@ local SLOT = {
   -- who it is
   rank = 0, -- place in the order of the world
   kind = 0,
+  shape = 0, -- SHAPE_BOX, SHAPE_CIRCLE
   plain = false, -- bumps whoever it meets
   even = false, -- and does so on all sides, and is not told of contacts that go on
   bare = false, -- dynamic, and had none of the fields that few have when it was last read
@@ -119,6 +123,7 @@ local ANY = {
   mask = false, -- the game's table; of a static object a copy that is never changed
   maskSeen = false, -- what the mask of a mover said of each group when it was last read
   oneWay = false,
+  radius = false,
   canCollide = false,
   hears = false, -- its onStay
 }
@@ -270,6 +275,7 @@ local SIDE = {
 local WHOLE = {}
 for _, names in ipairs({
   { "kind", "awakeAt" },
+  { "shape" },
   { "support" },
   { "carrier", "carrierNow", "placed", "head", "holderLow", "holderHigh", "crushLow" },
   { "crushHigh", "touchBest", "touchTold", "pairA", "pairB", "contact", "hit" },
@@ -403,6 +409,7 @@ function columns.new()
     maskCopy = false, -- the last one made of the mask of a static object (see filter)
     hasOneWays = false, -- or is one-way
     hasSensors = false, -- or a sensor
+    hasCircles = false, -- or is a circle
     hasFirm = false, -- or not pushable
     hasCrowds = false, -- or was crowded
     crowdCount = 0, -- crowded bodies in this step

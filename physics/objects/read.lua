@@ -95,6 +95,7 @@ local RARE = {
   { "sensor", "sensor", false },
   { "pushable", "pushable", true },
   { "oneWay", "oneWay", false },
+  { "radius", "radius", false },
   { "carry", "carry", true },
   { "canCollide", "canCollide", false },
   { "onStay", "hears", false },
@@ -136,6 +137,7 @@ local function readFields(b, i, object)
     readMask(b, i, b.mask[i])
   end
   b.oneWay[i] = sideOf(b.oneWay[i])
+  b.shape[i] = b.radius[i] and columns.SHAPE_CIRCLE or columns.SHAPE_BOX
   b.mass[i], b.inverseMass[i] = mass, isDynamic and 1 / mass or 0
   b.friction[i] = orDefault(object.friction, isDynamic and 0 or -1)
   b.restitution[i] = orDefault(object.restitution, 0)
@@ -197,6 +199,7 @@ local function readAll(b, i, object, isNew)
   b.hasAskers = b.hasAskers or b.canCollide[i] ~= false
   b.hasOneWays = b.hasOneWays or b.oneWay[i] ~= false
   b.hasSensors = b.hasSensors or b.sensor[i]
+  b.hasCircles = b.hasCircles or b.shape[i] == columns.SHAPE_CIRCLE
   b.hasFirm = b.hasFirm or not b.pushable[i]
   b.plain[i] = not b.sensor[i]
   noteEven(b, i)
@@ -438,6 +441,7 @@ local function listRich(b)
       or object.sensor ~= nil
       or object.pushable ~= nil
       or object.oneWay ~= nil
+      or object.radius ~= nil
       or object.mask ~= nil
       or object.canCollide ~= nil
       or object.onStay ~= nil
@@ -517,7 +521,7 @@ end
 local function compareLimits(b, count)
   local rich, objects = b.rich, b.object
   local airFriction, drag, maxSpeed, limit = b.airFriction, b.drag, b.maxSpeed, b.limit
-  local carry, surfaceSpeed, nudge = b.carry, b.surfaceSpeed, b.nudge
+  local carry, surfaceSpeed, nudge, radius = b.carry, b.surfaceSpeed, b.nudge, b.radius
   for n = 1, count do
     local i = rich[n]
     local object = objects[i]
@@ -534,6 +538,7 @@ local function compareLimits(b, count)
       or orDefault(object.carry, true) ~= carry[i]
       or orDefault(object.surfaceSpeed, 0) ~= surfaceSpeed[i]
       or orDefault(object.nudge, 0) ~= nudge[i]
+      or object.radius ~= (radius[i] or nil)
     then
       reread(b, i)
     end

@@ -26,7 +26,7 @@ local roster = require(root .. ".objects.registry")
 local view = {}
 
 local max, min = math.max, math.min
-local STATIC = columns.STATIC
+local STATIC, BOX, CIRCLE = columns.STATIC, columns.SHAPE_BOX, columns.SHAPE_CIRCLE
 
 -- Kind of an object that the core has read anew.
 local UNREAD = 0
@@ -44,13 +44,13 @@ local MOST = 1e99
 local FEW = 128
 
 -- Fields that a static object has as the core has read them.
-local FIELD = { "active", "sensor", "oneWay", "mask" }
+local FIELD = { "active", "sensor", "oneWay", "mask", "shape" }
 
 local LAYOUT = {}
 for _, kind in ipairs({
   { "any", 1, { "object", "group", "groupName", "key", "listed", "oneWay", "mask" } },
   { "boolean", 1, { "live", "active", "sensor" } },
-  { "integer", 1, { "kind" } },
+  { "integer", 1, { "kind", "shape" } },
   { "number", 1, { "rank", "entry", "mark" } }, -- the last two are scratch
   { "number", 2, { "position", "size", "fatLow", "fatHigh" } },
 }) do
@@ -63,6 +63,7 @@ local function new()
   local v = {
     slots = 0,
     count = 0,
+    hasCircles = false, -- ever
     free = {},
     slotOf = {},
     movers = {}, -- slots of those whose fields may change: everybody but the static the core knows
@@ -95,11 +96,20 @@ local function complain(v, i)
   check.object(v.object[i], roster.place(v.group[i], v.key[i]))
 end
 
+-- Reads the radius of an object that has one.
+local function lookAtRadius(v, i, radius)
+  local object = v.object[i]
+  if type(radius) ~= "number" or object.width ~= 2 * radius or object.height ~= 2 * radius then
+    complain(v, i)
+  end
+  v.shape[i], v.hasCircles = CIRCLE, true
+end
+
 -- Reads where an object is now.
 local function look(v, i)
   local object, position, size, k = v.object[i], v.position, v.size, 2 * i
   local x, y, width, height = object.x, object.y, object.width, object.height
-  local active = object.active
+  local active, radius = object.active, object.radius
   if
     type(x) ~= "number"
     or type(y) ~= "number"
@@ -110,7 +120,10 @@ local function look(v, i)
   then
     complain(v, i)
   end
-  v.active[i] = active ~= false
+  v.active[i], v.shape[i] = active ~= false, BOX
+  if radius ~= nil then
+    lookAtRadius(v, i, radius)
+  end
   -- Adding 0.0 makes floats of the integers of Lua 5.3 and later, which would wrap.
   position[k], position[k + 1] = x + 0.0, y + 0.0
   size[k], size[k + 1] = width + 0.0, height + 0.0
@@ -152,6 +165,7 @@ local function readStatic(v, b, i)
     v[name][i] = b[name][slot]
   end
   v.kind[i], v.live[i] = STATIC, false
+  v.hasCircles = v.hasCircles or v.shape[i] == CIRCLE
 end
 
 local function readAny(v, b, i)

@@ -2,6 +2,7 @@
 --- Knows the view, not the core.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local circle = require(root .. ".memory.circle")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
 local sweep = require(root .. ".queries.sweptAabb")
@@ -11,7 +12,7 @@ require(root .. ".memory.jit").file()
 
 local obstacle = {}
 
-local SIDES = columns.SIDES
+local SIDES, CIRCLE, EPSILON = columns.SIDES, columns.SHAPE_CIRCLE, columns.EPSILON
 local floor = math.floor
 -- Moments closer than this part of the way are simultaneous.
 local MOMENTS = 1e9
@@ -50,10 +51,33 @@ local function isClosed(v, i, j, axis, isLow)
   return (not oneWay or oneWay == mine) and (not otherOneWay or otherOneWay == its)
 end
 
+-- `meet` for two of which one is a circle: the axis is that on which the normal is steeper.
+local function meetRound(v, i, j, x, y, toX, toY)
+  local position, size, shape, k, m = v.position, v.size, v.shape, 2 * i, 2 * j
+  local isRound, isOtherRound = shape[i] == CIRCLE, shape[j] == CIRCLE
+  local w, h, ox, oy, ow, oh =
+    size[k], size[k + 1], position[m], position[m + 1], size[m], size[m + 1]
+  if circle.overlap(x, y, w, h, isRound, ox, oy, ow, oh, isOtherRound, EPSILON) then
+    return 0, nil, nil, x, y, sweep.FACE
+  end
+  local dx, dy = toX - x, toY - y
+  local share, nx, ny =
+    circle.meetPair(x, y, w, h, isRound, dx, dy, ox, oy, ow, oh, isOtherRound, EPSILON)
+  if not share then
+    return nil
+  end
+  local isLevel = nx * nx > ny * ny
+  local isLow = (isLevel and nx or ny) < 0
+  return share, isLevel and 0 or 1, isLow, x + dx * share, y + dy * share, sweep.FACE
+end
+
 --- Returns when object i on its way from (x, y) meets object j: share, axis, whether i is the one
 --- with the smaller coordinate, the place of i then, the kind of meeting; nil: never. The axis is
 --- nil if they overlap from the beginning.
 function obstacle.meet(v, i, j, x, y, toX, toY)
+  if v.hasCircles and (v.shape[i] == CIRCLE or v.shape[j] == CIRCLE) then
+    return meetRound(v, i, j, x, y, toX, toY)
+  end
   local position, size, k, m = v.position, v.size, 2 * i, 2 * j
   local w, h, ox, oy, ow, oh =
     size[k], size[k + 1], position[m], position[m + 1], size[m], size[m + 1]

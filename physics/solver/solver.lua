@@ -5,6 +5,7 @@
 -- step.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local ball = require(root .. ".solver.ball")
 local bonds = require(root .. ".solver.bonds")
 local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
@@ -267,6 +268,10 @@ end
 
 -- A body enters a sensor, or passes through it.
 local function sense(b, p, i, j, axis, t, dt)
+  if b.hasCircles and ball.isRound(b, i, j) then
+    impact.note(b, p, i, axis, ball.approach(b, i, j, t, dt))
+    return
+  end
   local kl, kh = 2 * i + axis, 2 * j + axis
   local o = b.to[kl] + b.size[kl] - b.to[kh]
   local v, a = b.speed[kl] - b.speed[kh], b.accel[kl] - b.accel[kh]

@@ -7,6 +7,7 @@
 -- Reads the paths, b.apart; writes the list of impacts, b.impacts.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local ball = require(root .. ".solver.ball")
 local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
 local interpreted = require(root .. ".memory.jit")
@@ -211,7 +212,12 @@ function sweep.run(b, changedCount)
     if rank[j] < rank[i] then -- where both are at one spot, the order of the world decides
       i, j = pairB[p], pairA[p]
     end
-    local t, axis, isLow, isDeep = meet(b, i, j)
+    local t, axis, isLow, isDeep
+    if b.hasCircles and ball.isRound(b, i, j) then
+      t, axis, isLow, isDeep = ball.meet(b, i, j)
+    else
+      t, axis, isLow, isDeep = meet(b, i, j)
+    end
     if t then
       count = count + 1
       impacts.pair[count], impacts.time[count], impacts.axis[count] = p, t, axis

@@ -107,6 +107,7 @@ state.SPARSE = {
   { "ax", "push", 0, 0 },
   { "ay", "push", 0, 1 },
   { "oneWay", "oneWay", false },
+  { "radius", "radius", false },
   { "carry", "carry", true },
   { "surfaceSpeed", "surfaceSpeed", 0 },
   { "nudge", "nudge", 0 },

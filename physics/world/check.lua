@@ -376,6 +376,21 @@ end
 
 -- Objects ----------------------------------------------------------------------------------------
 
+local RADIUS, ONE_WAY = fields.objectByName.radius, fields.objectByName.oneWay
+
+-- Returns the field that cannot be together with the others of a circle, and what it must be.
+local function badCircle(object, radius, size)
+  local width, height = size or object.width, size or object.height
+  if width ~= 2 * radius or height ~= 2 * radius then
+    local sizes = show(width) .. " and " .. show(height)
+    return RADIUS, "half of width and height, which are " .. sizes
+  elseif not object.sensor then
+    return RADIUS, "nil unless the object is a sensor"
+  elseif object.oneWay then
+    return ONE_WAY, "nil where there is a radius"
+  end
+end
+
 local function isBad(field, value)
   if value == nil then
     return field.required == true
@@ -384,17 +399,35 @@ local function isBad(field, value)
 end
 
 --- Returns the first field, in the order of `fields.objects`, with a value that cannot be used.
---- Makes no garbage.
+--- Makes no garbage if all are fine.
 ---@param object table
+---@param size number? px, what width and height are going to be (see `sizeToFill`)
 ---@return physics.Field? field nil: all are fine
-function check.badField(object)
+---@return string? expected what it must be, if the value is wrong only beside those of others
+function check.badField(object, size)
   local list = fields.objects
   for i = 1, #list do
     local field = list[i]
     local value = object[field.name]
     if (value ~= nil or field.required) and isBad(field, value) then
-      return field
+      if not (size and (field.name == "width" or field.name == "height")) then
+        return field
+      end
     end
+  end
+  local radius = object.radius
+  if radius ~= nil then
+    return badCircle(object, radius, size)
+  end
+end
+
+--- Returns the width and height that `add` writes: those of a circle that has none yet.
+---@param object table
+---@return number? size px
+function check.sizeToFill(object)
+  local radius = object.radius
+  if object.width == nil and object.height == nil and isFinite(radius) and radius > 0 then
+    return 2 * radius
   end
 end
 
@@ -409,14 +442,19 @@ local function advice(object, field, value)
   local other = field.misnamed and object[field.misnamed]
   if value == nil and isFinite(other) then
     return format(" (but %s is %s)", field.misnamed, show(other))
+  elseif value == nil and field.misnamed and isFinite(object.radius) then
+    return format(" (2 * radius is %s)", show(2 * object.radius))
   elseif field.infinite and value == huge then
     return format(" (%s)", field.infinite)
   end
   return ""
 end
 
-local function failField(object, place, field)
+local function failField(object, place, field, expected)
   local value = object[field.name]
+  if expected then
+    fail(mustBe(place .. "." .. field.name, expected, value))
+  end
   fail(describe(place .. "." .. field.name, field, value) .. advice(object, field, value))
 end
 
@@ -440,11 +478,12 @@ end
 --- Errors: the object is not a table; a field is missing or cannot be used (the first in the list).
 ---@param object any
 ---@param place string how the game would write it: `objects.boxes[3]`
-function check.object(object, place)
+---@param size number? px, what width and height are going to be
+function check.object(object, place, size)
   mustBeTable(object, place)
-  local field = check.badField(object)
+  local field, expected = check.badField(object, size)
   if field then
-    failField(object, place, field)
+    failField(object, place, field, expected)
   end
 end
 

@@ -161,6 +161,21 @@ local function kindOf(object)
   return rests and "resting" or "moving"
 end
 
+-- A circle: filled with a darker border, or the line around it.
+local function drawCircle(object, color, isFilled, alpha)
+  local r = object.width / 2
+  local x, y = object.x + r, object.y + r
+  if isFilled then
+    setColor(color, alpha, BORDER)
+    love.graphics.circle("fill", x, y, r)
+    setColor(color, alpha)
+    love.graphics.circle("fill", x, y, r - min(r / 2, 1.0))
+  else
+    setColor(color, alpha)
+    love.graphics.circle("line", x, y, r)
+  end
+end
+
 -- A sensor is only an outline, since it is in no object's way. The darker border tells boxes that
 -- stand side by side from each other.
 local function drawBox(object, color, isFilled, alpha)
@@ -225,7 +240,8 @@ local function drawObject(object, options)
     alpha = alpha * INACTIVE
   end
   local isOneWay = options.oneWay and object.oneWay
-  drawBox(object, color, isFilled, isOneWay and alpha * OPEN or alpha)
+  local draw = object.radius and drawCircle or drawBox
+  draw(object, color, isFilled, isOneWay and alpha * OPEN or alpha)
   if isOneWay then
     drawOneWay(object, alpha)
   end

@@ -3,6 +3,7 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local aabb = require(root .. ".memory.aabb")
 local check = require(root .. ".world.check")
+local circle = require(root .. ".memory.circle")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
 local roster = require(root .. ".objects.registry")
@@ -11,7 +12,7 @@ local view = require(root .. ".queries.index")
 local explain = {}
 
 local EPSILON = columns.EPSILON
-local STATIC = columns.STATIC
+local STATIC, CIRCLE = columns.STATIC, columns.SHAPE_CIRCLE
 local format = string.format
 
 local function nameOf(v, i)
@@ -57,6 +58,17 @@ local function gapsOf(v, i, j)
   return -width, -height
 end
 
+-- Returns how far two are apart, < 0: by how much they overlap, if one of them is a circle.
+local function roundGap(v, i, j)
+  if v.shape[i] ~= CIRCLE and v.shape[j] ~= CIRCLE then
+    return nil
+  end
+  local p, s, k, m = v.position, v.size, 2 * i, 2 * j
+  local isRound, isOtherRound = v.shape[i] == CIRCLE, v.shape[j] == CIRCLE
+  local x, y, w, h = p[k], p[k + 1], s[k], s[k + 1]
+  return (circle.gap(x, y, w, h, isRound, p[m], p[m + 1], s[m], s[m + 1], isOtherRound))
+end
+
 local function show(px)
   return check.show(math.floor(px * 1000 + 0.5) / 1000)
 end
@@ -81,14 +93,22 @@ local function deepSide(v, i, j)
   if gapX >= -EPSILON or gapY >= -EPSILON then
     return nil
   end
+  local gap = roundGap(v, i, j)
+  if gap and gap >= -EPSILON then
+    return nil
+  end
   local p, s, k, m = v.position, v.size, 2 * i, 2 * j
   return aabb.side(p[k], p[k + 1], s[k], s[k + 1], p[m], p[m + 1], s[m], s[m + 1])
 end
 
 local function explainPlace(v, i, j)
   local gapX, gapY = gapsOf(v, i, j)
-  local side = flushSide(v, i, j)
-  if side then
+  local side, gap = flushSide(v, i, j), roundGap(v, i, j)
+  if gap and gap > EPSILON then
+    return format("they are %s px apart", show(gap))
+  elseif gap and gap < -EPSILON then
+    return format("they overlap by %s px", show(-gap))
+  elseif side then
     return format("they are flush at the %s of %s", side, nameOf(v, i))
   elseif gapX > EPSILON and gapY > EPSILON then
     return format("they are %s px apart on x and %s px on y", show(gapX), show(gapY))

@@ -74,6 +74,15 @@ fields.objects = {
     meaning = "The size along y. It may change at run time.",
   },
   {
+    name = "radius",
+    type = "number",
+    absent = "none: a box",
+    unit = "px",
+    above = 0,
+    meaning = "A circle in its square: `x, y` is the corner of the square, `width` and `height` are"
+      .. " 2 * radius. `add` writes both if they are nil.",
+  },
+  {
     name = "vx",
     type = "number",
     default = 0,

@@ -259,7 +259,10 @@ end
 -- Puts a checked object at the end of a group. This comes last: an object that raises an error when
 -- it is read or written has not been added.
 local function put(self, group, object)
-  local b = self._bodies
+  local b, size = self._bodies, check.sizeToFill(object)
+  if size then
+    object.width, object.height = size, size
+  end
   welcome(b, object)
   readAgain(b, object)
   local members = groupFor(self, group)
@@ -342,7 +345,7 @@ function World:add(group, object)
   checkObjects(self)
   local known = self.objects[group]
   local n = type(known) == "table" and #known or 0
-  check.object(object, check.place(group, n + 1))
+  check.object(object, check.place(group, n + 1), check.sizeToFill(object))
   local found, _, name, key = whereIs(self, object)
   if found then
     check.fail("world:add(group, object): the object already stands at " .. check.place(name, key))
@@ -638,6 +641,29 @@ function World:queryRect(x, y, w, h, filter, out)
   return found, count
 end
 
+--- Returns all objects that overlap a circle by more than 1e-6 px, and how many: those of which a
+--- point is nearer to the centre than the radius. With the setting `sideBySide` objects that are
+--- flush with it count, too.
+--- Source: the point of a box that is nearest to the centre.
+---
+--- Errors: a number is not finite; the radius is <= 0; the filter cannot be used; `out` is not a
+--- table.
+---@param x number px, the centre
+---@param y number px
+---@param radius number px, > 0
+---@param filter physics.Filter? which objects count, default all
+---@param out physics.Object[]? list to fill, default a new one
+---@return physics.Object[] objects in the order of the world
+---@return integer count
+function World:queryCircle(x, y, radius, filter, out)
+  checkQuestion(self, "queryCircle(x, y, radius)", filter, out)
+  local where = "world:queryCircle(x, y, radius)"
+  checkPoint(x, y, where)
+  check.positive(radius, "radius", where)
+  local found, count = query.circle(self, x + 0.0, y + 0.0, radius + 0.0, filter, out)
+  return found, count
+end
+
 --- Returns all objects on the line from (x1, y1) to (x2, y2), as `raycast` would hit them, and how
 --- many.
 ---
@@ -679,7 +705,7 @@ end
 ---@return physics.Object? object nil: the line is free, and nothing else is returned
 ---@return number x px, where it is hit
 ---@return number y px
----@return number nx normal of the side that is hit: -1, 0, 1
+---@return number nx normal where it is hit, of length 1: -1, 0, 1 at a box
 ---@return number ny likewise
 ---@return number fraction of the line, 0..1
 function World:raycast(x1, y1, x2, y2, filter)
@@ -746,8 +772,8 @@ function World:nearest(x, y, radius, filter)
 end ---@diagnostic disable-line: missing-return
 
 --- Returns all objects that overlap an object by more than 1e-6 px, and how many; masks play no
---- part. With the setting `sideBySide` objects that are flush with it count, too. An inactive
---- object overlaps nothing.
+--- part. An object with a `radius` is the circle, not its square. With the setting `sideBySide`
+--- objects that are flush with it count, too. An inactive object overlaps nothing.
 ---
 --- Test the number, `count > 0`: an empty list is true in Lua. Removing objects while you loop over
 --- the list is safe.
