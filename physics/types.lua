@@ -43,6 +43,9 @@
 ---@field active? boolean
 --- default false. It reports contacts, but nothing bumps into it.
 ---@field sensor? boolean
+--- default none. Only of a sensor, which is a zone then: what acts on the dynamic objects inside
+--- it. Water, wind, low gravity, a magnet.
+---@field area? physics.Area
 --- default true. `false`: other objects cannot push it, but it pushes them. Walls still stop it.
 ---@field pushable? boolean
 --- > 0, default 1. The weight in pushes and in the exchange of momentum. Only ratios matter.
@@ -107,6 +110,28 @@
 --- What a dynamic object touches: `top`, `bottom`, `left` and `right`, each the other object or
 --- `false`. An object that was hit in the last update, and left again, counts.
 ---@field touching physics.Touching
+
+--- What the field `area` of a zone may hold.
+---@class physics.Area
+--- px/s², default that of the object. Replaces the downward gravity of what is inside. A negative
+--- one lifts, as in water.
+---@field gravity? number
+--- px/s², default that of the object. Replaces the sideways gravity of what is inside.
+---@field gravityX? number
+--- px/s², default 0. An acceleration along x on top: wind.
+---@field ax? number
+--- px/s², default 0. An acceleration along y on top.
+---@field ay? number
+--- 1/s, >= 0, default 0. Damping on top of that of the object: water, mud.
+---@field airFriction? number
+--- px/s², >= 0, default 0. A constant deceleration on top of that of the object.
+---@field drag? number
+--- px/s², default 0. An acceleration towards the centre of the zone; a negative one repels.
+---@field attract? number
+--- default "constant". How `attract`, which it is at the rim, depends on the distance from the
+--- centre: not at all, growing with it, as 1 / distance, or as 1 / distance². The rim is at half
+--- of the smaller size. Within an eighth of that the pull falls to 0 at the centre.
+---@field law? "constant"|"linear"|"inverse"|"square"
 
 --- What `newWorld` and `load` take.
 ---@class physics.Settings
@@ -554,6 +579,26 @@ function default.move(object, x, y, response, out) end
 ---@param ix number px/s times mass, along x
 ---@param iy number px/s times mass, along y
 function default.impulse(object, ix, iy) end
+
+--- Pushes all dynamic objects in a circle away from its centre, also sensors. An object gets the
+--- impulse at the centre of the circle, less and less with the distance of its nearest point, and
+--- nothing at the rim. The push goes to the middle of the object; straight up if that is the centre.
+---
+--- With `walls` only objects in sight are pushed: those that nothing of `walls` hides from the
+--- centre. It is a filter as for `raycast`, for instance the name of a group. Inside a wall an
+--- explosion pushes only that wall, if it is dynamic.
+---
+--- Errors: a number is not finite; the radius is <= 0; a filter cannot be used; `vx`, `vy` or `mass`
+--- of an object cannot be used; it is called from inside `canCollide`. Nothing has changed then.
+---@param x number px, the centre
+---@param y number px
+---@param radius number px, > 0
+---@param impulse number px/s times mass, at the centre; < 0: towards the centre
+---@param filter physics.Filter? which objects are pushed, default all
+---@param walls physics.Filter? what is in the way, default nothing
+---@return physics.Object[] objects those that were pushed, in the order of the world
+---@return integer count
+function default.explode(x, y, radius, impulse, filter, walls) end
 
 --- Puts four static walls around a rectangle: `top`, `bottom`, `left` and `right` of the group
 --- `bounds`. You may give them `friction` and other fields before the next update. A second call

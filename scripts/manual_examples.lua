@@ -215,6 +215,14 @@ world:impulse(crate, 100, 0)
 print(crate.vx) --> 50
 ]]
 
+examples["world:explode"] = [[
+world:add("walls", { x = 200, y = 300, width = 16, height = 100, static = true })
+local near = world:add("crates", { x = 120, y = 384, width = 16, height = 16 })
+local hidden = world:add("crates", { x = 240, y = 384, width = 16, height = 16 })
+local pushed, count = world:explode(100, 392, 200, 400, "crates", { "walls", "tiles" })
+print(count, pushed[1] == near, near.vx, hidden.vx) --> 1 true 360 0
+]]
+
 examples["world:setBounds"] = [[
 world:setBounds(0, 0, 800, 600)
 world.objects.bounds.bottom.friction = 0.5

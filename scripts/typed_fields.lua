@@ -9,6 +9,7 @@ local TYPES = {
   masks = "table<string|number, table<string|number, boolean>>",
   names = "(string|number)[]",
   sides = "physics.Touching",
+  area = "physics.Area",
 }
 
 -- Types of the parameters of callbacks, by their names.

@@ -516,6 +516,13 @@ local METHODS = {
     nothing,
   },
   {
+    "explode",
+    function()
+      return { 20, 90, 200, 300, "boxes", { "floors" } }
+    end,
+    listAndCount,
+  },
+  {
     "setBounds",
     function()
       return { 0, 0, 300, 200 }

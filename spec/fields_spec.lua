@@ -18,6 +18,7 @@ local OBJECTS = {
   { "kinematic", false },
   { "active", true },
   { "sensor", false },
+  { "area", nil },
   { "pushable", true },
   { "mass", 1 },
   { "gravity", nil, "px/s²" },
@@ -74,6 +75,7 @@ local TYPES = {
   masks = true,
   names = true,
   sides = true,
+  area = true,
 }
 
 --- Whether a value passes the check of a field of an object.

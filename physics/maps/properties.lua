@@ -136,6 +136,33 @@ local function readField(traits, field, value, place, rules)
   end
 end
 
+local function copy(value)
+  if type(value) ~= "table" then
+    return value
+  end
+  local copied = {}
+  for key, inner in pairs(value) do
+    copied[key] = copy(inner)
+  end
+  return copied
+end
+
+-- One entry of an area, for maps without tables: a property "area.gravity".
+local function readEntry(traits, name, value, place, rules)
+  local entry = fields.areaByName[name:sub(#"area." + 1)]
+  if not entry then
+    refuse(traits, rules, place, ("%s: an area has no such entry"):format(name))
+    return
+  end
+  value = convert(entry, value)
+  if not check.accepts(entry, value) then
+    refuse(traits, rules, place, check.describe(name, entry, value))
+    return
+  end
+  traits.fields.area = copy(traits.fields.area or {})
+  traits.fields.area[entry.name] = value
+end
+
 local function checkCycles(value, place, name, around)
   if type(value) ~= "table" then
     return
@@ -167,6 +194,8 @@ local function readOne(traits, name, value, place, rules)
     traits.problems[#traits.problems + 1] = text
   elseif field then
     readField(traits, field, value, place, rules)
+  elseif name:find("^area%.") and not rules.isCode then
+    readEntry(traits, name, value, place, rules)
   else
     traits.fields[name] = value
   end
@@ -281,17 +310,6 @@ function properties.saysAnything(traits)
 end
 
 -- Objects -----------------------------------------------------------------------------------------
-
-local function copy(value)
-  if type(value) ~= "table" then
-    return value
-  end
-  local copied = {}
-  for key, inner in pairs(value) do
-    copied[key] = copy(inner)
-  end
-  return copied
-end
 
 --- Returns a copy of a table without cycles, of which no table is shared.
 properties.copy = copy

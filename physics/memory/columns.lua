@@ -75,6 +75,8 @@ local SLOT = {
   restitution = 0,
   airFriction = 0,
   drag = 0,
+  zoneAir = 0, -- the same two with what zones add to them (see zones)
+  zoneDrag = 0,
   maxSpeed = HUGE,
   carry = true,
   surfaceSpeed = 0,
@@ -124,6 +126,7 @@ local ANY = {
   maskSeen = false, -- what the mask of a mover said of each group when it was last read
   oneWay = false,
   radius = false,
+  area = false, -- a copy of the game's table (see zones)
   canCollide = false,
   hears = false, -- its onStay
 }
@@ -135,6 +138,7 @@ local AXIS = {
   push = 0, -- ax, ay
   limit = HUGE, -- maxSpeedX, maxSpeedY
   pull = 0, -- gravity that acts on it
+  zonePull = 0, -- the same with what zones do
   down = 0, -- -1, 0, 1: where its gravity points, on its stronger axis only
   last = 0, -- position before the last fixed step, for drawing
   written = 0, -- x, y as the game has last written them; kinematic: where it shall go
@@ -410,6 +414,11 @@ function columns.new()
     hasOneWays = false, -- or is one-way
     hasSensors = false, -- or a sensor
     hasCircles = false, -- or is a circle
+    hasZones = false, -- or has an area
+    hasTurns = false, -- or one with a gravity of its own
+    zoneList = {}, -- slots with an area, in order when a step has begun
+    nearBody = {}, -- scratch of zones
+    nearZone = {},
     hasFirm = false, -- or not pushable
     hasCrowds = false, -- or was crowded
     crowdCount = 0, -- crowded bodies in this step
@@ -594,6 +603,7 @@ end
 function columns.release(b, i)
   b.object[i], b.group[i], b.touching[i], b.mask[i], b.canCollide[i] =
     false, false, false, false, false
+  b.area[i] = false
   b.kind[i] = 0
   b.awake[i] = false
   b.freeCount = b.freeCount + 1

@@ -1,8 +1,8 @@
 --- Step 3, forces: gravity, own acceleration, air friction, drag and speed limits.
 --
--- Reads velocity, pull, push, airFriction, drag, limit, maxSpeed, support; writes speed (velocity
--- at the end of the step) and way (displacement in the step), both of free flight and without a
--- carrier; and of those with a limit, reserve and pace.
+-- Reads velocity, push, flowPull, flowAir, flowDrag (see zones), limit, maxSpeed, support; writes
+-- speed (velocity at the end of the step) and way (displacement in the step), both of free flight
+-- and without a carrier; and of those with a limit, reserve and pace.
 -- All are exact solutions for a constant acceleration, so that arcs do not depend on dt.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
@@ -66,7 +66,7 @@ end
 --- rubs on ground that goes at `base` and brakes it by `brake` px/s². Returns the velocity at the
 --- end and the displacement.
 function forces.slide(b, k, v, a, base, brake, tau)
-  local carried, air, way = b.carried[k], b.airFriction[(k - k % 2) * 0.5], 0.0
+  local carried, air, way = b.carried[k], b.flowAir[(k - k % 2) * 0.5], 0.0
   local slip, own = v - base, base - carried
   if slip ~= 0 then
     local pull = slip > 0 and a - brake or a + brake
@@ -148,14 +148,14 @@ end
 local function standsAlong(b, i)
   local down, k = b.down, 2 * i
   k = k + (down[k] ~= 0 and 0 or 1)
-  local isPulled = (b.pull[k] + b.push[k]) * down[k] > 0
+  local isPulled = (b.flowPull[k] + b.push[k]) * down[k] > 0
   return b.support[i] ~= 0 and isPulled and b.velocity[k] == 0 and k or 0
 end
 
 -- The flight of slot i, pulled by (ax, ay), against air friction and drag, exact as long as it
 -- moves along a line. Returns false if it would turn on its way; nothing has changed then.
 local function flyDragged(b, i, ax, ay, dt)
-  local limit, drag, air, k = b.limit, b.drag[i], b.airFriction[i], 2 * i
+  local limit, drag, air, k = b.limit, b.flowDrag[i], b.flowAir[i], 2 * i
   local x, y = clamp(b.velocity[k], limit[k]), clamp(b.velocity[k + 1], limit[k + 1])
   -- Drag acts against the motion; against the pull on who stands, which it may hold.
   local towardsX, towardsY = x, y
@@ -178,10 +178,10 @@ end
 -- Slows slot i by its drag along its motion. Exact as long as it moves along a line, but for who
 -- turns in the air. On the axis of `stands` it does not move.
 local function brakeSlot(b, i, stands, dt)
-  local velocity, limit, drag, k = b.velocity, b.limit, b.drag[i], 2 * i
-  if b.airFriction[i] ~= 0 then
-    local pullX = stands == k and 0 or b.pull[k] + b.push[k]
-    local pullY = stands == k + 1 and 0 or b.pull[k + 1] + b.push[k + 1]
+  local velocity, limit, drag, k = b.velocity, b.limit, b.flowDrag[i], 2 * i
+  if b.flowAir[i] ~= 0 then
+    local pullX = stands == k and 0 or b.flowPull[k] + b.push[k]
+    local pullY = stands == k + 1 and 0 or b.flowPull[k + 1] + b.push[k + 1]
     if flyDragged(b, i, pullX, pullY, dt) then
       return
     end
@@ -260,13 +260,13 @@ end
 -- the fall that the floor will take away.
 local function hinder(b, i, dt)
   local speed, way, stands, k = b.speed, b.way, standsAlong(b, i), 2 * i
-  if b.airFriction[i] == 0 and b.limit[k] == HUGE and b.limit[k + 1] == HUGE then
+  if b.flowAir[i] == 0 and b.limit[k] == HUGE and b.limit[k + 1] == HUGE then
     b.reserve[k], b.reserve[k + 1] = 0, 0
   end
   if stands ~= 0 then
     speed[stands], way[stands], b.reserve[stands] = 0, 0, 0
   end
-  if b.drag[i] ~= 0 then
+  if b.flowDrag[i] ~= 0 then
     brakeSlot(b, i, stands, dt)
   end
   if b.maxSpeed[i] ~= HUGE then
@@ -274,8 +274,8 @@ local function hinder(b, i, dt)
   end
   if stands ~= 0 then
     -- What it stands on may let it through in this step.
-    local limit, pull = min(b.limit[stands], b.maxSpeed[i]), b.pull[stands] + b.push[stands]
-    local v, its, kept = flyLimited(0, pull, b.airFriction[i], limit, dt)
+    local limit, pull = min(b.limit[stands], b.maxSpeed[i]), b.flowPull[stands] + b.push[stands]
+    local v, its, kept = flyLimited(0, pull, b.flowAir[i], limit, dt)
     speed[stands], way[stands] = v, its
     keep(b, stands, v, kept)
   end
@@ -283,7 +283,7 @@ end
 
 -- What drag and maxSpeed make of it all, for those who have one.
 local function hinderAll(b, dt, first, last)
-  local list, kind, drag, maxSpeed = b.awakeList, b.kind, b.drag, b.maxSpeed
+  local list, kind, drag, maxSpeed = b.awakeList, b.kind, b.flowDrag, b.maxSpeed
   for n = first, last do
     local i = list[n]
     if (drag[i] ~= 0 or maxSpeed[i] ~= HUGE) and kind[i] == DYNAMIC then
@@ -294,8 +294,8 @@ end
 
 --- Computes the free flight of the dynamic objects in awakeList from `first` to `last`.
 function forces.run(b, dt, first, last)
-  local list, kind, airFriction, limit = b.awakeList, b.kind, b.airFriction, b.limit
-  local velocity, pull, push, speed, way = b.velocity, b.pull, b.push, b.speed, b.way
+  local list, kind, airFriction, limit = b.awakeList, b.kind, b.flowAir, b.limit
+  local velocity, pull, push, speed, way = b.velocity, b.flowPull, b.push, b.speed, b.way
   for n = first, last do
     local i = list[n]
     local k, m = 2 * i, 2 * i + 1

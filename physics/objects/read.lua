@@ -16,6 +16,7 @@ local interpreted = require(root .. ".memory.jit")
 local rest = require(root .. ".sleep.islands")
 local roster = require(root .. ".objects.registry")
 local view = require(root .. ".queries.index")
+local zones = require(root .. ".motion.zones")
 
 local collect = {}
 
@@ -82,10 +83,8 @@ local function readPull(b, i)
     gx, gy = 0, 0
   end
   gx, gy = gx + 0.0, gy + 0.0 -- squares of integers would wrap
-  local vertical = gx * gx <= gy * gy
   b.pull[k], b.pull[k + 1] = gx, gy
-  b.down[k] = vertical and 0 or (gx > 0 and 1 or -1)
-  b.down[k + 1] = vertical and (gy > 0 and 1 or gy < 0 and -1 or 0) or 0
+  zones.setDown(b, i, gx, gy)
 end
 
 -- Fields that few objects have and that are read as they are: name, column, what stands there if it
@@ -96,6 +95,7 @@ local RARE = {
   { "pushable", "pushable", true },
   { "oneWay", "oneWay", false },
   { "radius", "radius", false },
+  { "area", "area", false },
   { "carry", "carry", true },
   { "canCollide", "canCollide", false },
   { "onStay", "hears", false },
@@ -135,6 +135,10 @@ local function readFields(b, i, object)
   local ax, ay, topX, topY = object.ax, object.ay, object.maxSpeedX, object.maxSpeedY
   if b.mask[i] then
     readMask(b, i, b.mask[i])
+  end
+  if b.area[i] then
+    b.area[i] = zones.copy(b.area[i])
+    zones.note(b, i)
   end
   b.oneWay[i] = sideOf(b.oneWay[i])
   b.shape[i] = b.radius[i] and columns.SHAPE_CIRCLE or columns.SHAPE_BOX
@@ -442,6 +446,7 @@ local function listRich(b)
       or object.pushable ~= nil
       or object.oneWay ~= nil
       or object.radius ~= nil
+      or object.area ~= nil
       or object.mask ~= nil
       or object.canCollide ~= nil
       or object.onStay ~= nil
@@ -522,6 +527,7 @@ local function compareLimits(b, count)
   local rich, objects = b.rich, b.object
   local airFriction, drag, maxSpeed, limit = b.airFriction, b.drag, b.maxSpeed, b.limit
   local carry, surfaceSpeed, nudge, radius = b.carry, b.surfaceSpeed, b.nudge, b.radius
+  local area = b.area
   for n = 1, count do
     local i = rich[n]
     local object = objects[i]
@@ -539,6 +545,7 @@ local function compareLimits(b, count)
       or orDefault(object.surfaceSpeed, 0) ~= surfaceSpeed[i]
       or orDefault(object.nudge, 0) ~= nudge[i]
       or object.radius ~= (radius[i] or nil)
+      or ((object.area or area[i]) and not zones.isSame(object.area, area[i]))
     then
       reread(b, i)
     end

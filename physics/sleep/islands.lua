@@ -98,20 +98,20 @@ end
 
 -- Whether a speed limit takes off some of what pulls k in a step of `longest` s.
 local function isCapped(b, k, limit, longest)
-  local pull = b.pull[k] + b.push[k]
+  local pull = b.flowPull[k] + b.push[k]
   return max(pull, -pull) * longest > min(limit, b.limit[k])
 end
 
 -- Whether something pulls k, and nothing but friction holds it there.
 local function isRubbed(b, k)
-  local pull = b.pull[k] + b.push[k]
+  local pull = b.flowPull[k] + b.push[k]
   return pull > 0 and not b.pressedHigh[k] or pull < 0 and not b.pressedLow[k]
 end
 
 -- Whether something pulls k at one whom nothing but friction holds. (Whoever is woken in the middle
 -- of a step may be pushed before it has rubbed; this must have rubbed first.)
 local function leansOnRubbed(b, k)
-  local pull = b.pull[k] + b.push[k]
+  local pull = b.flowPull[k] + b.push[k]
   return pull > 0 and b.pressedHigh[k] and b.heldHigh[k] == 0
     or pull < 0 and b.pressedLow[k] and b.heldLow[k] == 0
 end

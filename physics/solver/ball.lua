@@ -1,7 +1,7 @@
 --- Circles in a step: when a path meets one, how fast, and whether two overlap.
 --
 -- A circle fills its square, which the broad phase and all axis contacts see. What is asked here is
--- asked of pairs of which one is a circle at least, whose squares meet already.
+-- asked of pairs that have a circle and whose squares meet already.
 --
 -- Source: the round box (see circle): the centre of a circle meets what it would touch, grown by
 -- its radius with rounded corners.
@@ -63,15 +63,11 @@ function ball.meet(b, i, j)
   local x, y, ox, oy = places(b, i, j, start)
   local isRound, isOtherRound = shape[i] == CIRCLE, shape[j] == CIRCLE
   local w, h, ow, oh = size[k], size[k + 1], size[m], size[m + 1]
-  local share, nx, ny
-  local isDeep = circle.overlap(x, y, w, h, isRound, ox, oy, ow, oh, isOtherRound, EPSILON)
-  if isDeep then
-    if not ball.overlaps(b, i, j) then
-      return nil
-    end
-    share, nx, ny = circle.gap(x, y, w, h, isRound, ox, oy, ow, oh, isOtherRound)
-    share = 0.0
-  else
+  local gap, nx, ny = circle.gap(x, y, w, h, isRound, ox, oy, ow, oh, isOtherRound)
+  local share, isDeep = 0.0, gap < -EPSILON
+  if isDeep and not ball.overlaps(b, i, j) then
+    return nil
+  elseif not isDeep then
     local dx, dy = to[k] - x - (to[m] - ox), to[k + 1] - y - (to[m + 1] - oy)
     share, nx, ny =
       circle.meetPair(x, y, w, h, isRound, dx, dy, ox, oy, ow, oh, isOtherRound, EPSILON)

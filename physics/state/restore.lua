@@ -18,6 +18,7 @@ local settings = require(root .. ".world.settings")
 local state = require(root .. ".state.save")
 local verify = require(root .. ".state.validate")
 local view = require(root .. ".queries.index")
+local zones = require(root .. ".motion.zones")
 
 local restore = {}
 
@@ -91,7 +92,7 @@ local function write(object, name, value)
   end
 end
 
-local function maskOf(list)
+local function tableOf(list)
   local mask = {}
   for at = 1, #list, 2 do
     mask[list[at]] = list[at + 1]
@@ -111,7 +112,7 @@ end
 
 -- Writes a mask: into the table it was, if that is known.
 local function writeMask(object, list, known)
-  local wanted, mask = maskOf(list), known or object.mask
+  local wanted, mask = tableOf(list), known or object.mask
   if type(mask) == "table" and filter.isSameMask(wanted, mask) then
     wanted = mask
   elseif known then
@@ -119,6 +120,14 @@ local function writeMask(object, list, known)
     wanted = known
   end
   write(object, "mask", wanted)
+end
+
+-- Writes an area; the table that is there stays if it says the same.
+local function writeArea(object, list)
+  local wanted = tableOf(list)
+  if not zones.isSame(object.area, wanted) then
+    object.area = wanted
+  end
 end
 
 -- Writes a sparse list of values; who is not in it has no value.
@@ -130,6 +139,9 @@ local function writeSparse(objects, masks, name, list)
       write(object, name, nil)
     elseif isMask then
       writeMask(object, list[at + 1], masks[n])
+      at = at + 2
+    elseif name == "area" then
+      writeArea(object, list[at + 1])
       at = at + 2
     else
       write(object, name, list[at + 1])
@@ -167,8 +179,8 @@ local function writeRead(st, objects)
     local isBoolean = fields.objectByName[name] and fields.objectByName[name].type == "boolean"
     for at = 1, #list, 2 do
       local value = list[at + 1]
-      if name == "mask" and value then
-        value = maskOf(value)
+      if (name == "mask" or name == "area") and value then
+        value = tableOf(value)
       elseif value == false and not isBoolean then
         value = nil
       end
@@ -184,6 +196,8 @@ local function writeGone(b, object, saved)
   for _, name in ipairs(state.FIELDS) do
     if name == "mask" and saved.mask then
       writeMask(object, saved.mask)
+    elseif name == "area" and saved.area then
+      writeArea(object, saved.area)
     else
       write(object, name, saved[name])
     end
@@ -322,7 +336,8 @@ local function isRead(b, i, object)
     end
   end
   local isSameMask = filter.isSameMask(object.mask, b.mask[i])
-  return isSameMask and (object.friction or -1) == b.friction[i]
+  local isSame = isSameMask and zones.isSame(object.area, b.area[i])
+  return isSame and (object.friction or -1) == b.friction[i]
 end
 
 -- Reads all that `collect` would take for read already.
@@ -605,6 +620,7 @@ function restore.world(world, st)
   end
   world._saved = st.saved
   world.alpha = world.timestep and max(0, min(st.saved / world.timestep, 1)) or 0
+  zones.restore(b)
   view.outdate(b)
 end
 

@@ -39,6 +39,7 @@ local filter = require(root .. ".broadphase.filter")
 local interpreted = require(root .. ".memory.jit")
 local keyOrder = require(root .. ".memory.keyOrder")
 local roster = require(root .. ".objects.registry")
+local zones = require(root .. ".motion.zones")
 
 local state = {}
 
@@ -112,6 +113,7 @@ state.SPARSE = {
   { "surfaceSpeed", "surfaceSpeed", 0 },
   { "nudge", "nudge", 0 },
   { "mask" },
+  { "area" },
 }
 
 --- The names of all of them.
@@ -161,6 +163,18 @@ local function listMask(mask)
   for _, group in ipairs(keyOrder.sorted(mask)) do
     list[#list + 1] = group
     list[#list + 1] = mask[group]
+  end
+  return list
+end
+
+-- An area as { name, value, ... }.
+local function listArea(area)
+  local list = {}
+  for _, name in ipairs(fields.areaNames) do
+    if area[name] ~= nil then
+      list[#list + 1] = name
+      list[#list + 1] = area[name]
+    end
   end
   return list
 end
@@ -414,6 +428,22 @@ local function saveMasks(b, out, work)
   cut(list, at)
 end
 
+local function saveAreas(b, out, work)
+  local list, objects, slots, at = listIn(out.fields, "area"), work.objects, work.slots, 0
+  for n = 1, out.count do
+    local area = objects[n].area
+    local read = n <= out.known and b.area[slots[n]]
+    if n <= out.known and not zones.isSame(area, read) then
+      noteRead(b, out, "area", n, slots[n], read and listArea(read))
+    end
+    if area ~= nil then
+      list[at + 1], list[at + 2] = n, listArea(area)
+      at = at + 2
+    end
+  end
+  cut(list, at)
+end
+
 local function saveFields(b, out, work)
   listIn(out, "fields")
   for _, list in next, listIn(out, "read"), nil do
@@ -432,6 +462,7 @@ local function saveFields(b, out, work)
   saveSpecial(b, out, work, "kinematic", readKinematic, never)
   saveSpecial(b, out, work, "friction", readFriction, absentFriction)
   saveMasks(b, out, work)
+  saveAreas(b, out, work)
 end
 
 -- Memory -----------------------------------------------------------------------------------------
@@ -658,7 +689,9 @@ local function fieldsOf(object)
   for _, name in ipairs(state.FIELDS) do
     local value = object[name]
     if value ~= nil and check.accepts(fields.objectByName[name], value) then
-      saved[name] = name == "mask" and listMask(value) or value
+      saved[name] = name == "mask" and listMask(value)
+        or name == "area" and listArea(value)
+        or value
     end
   end
   return saved

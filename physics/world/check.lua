@@ -209,17 +209,74 @@ local function firstBad(map, isGood)
   return found, bad
 end
 
-local function isMaskEntry(key, value)
-  return isName(key) and type(value) == "boolean"
+-- True for two names that one slip of the finger tells apart: a letter wrong, missing, too many, or
+-- swapped with its neighbour.
+local function isOneOff(a, b)
+  while a ~= "" and a:sub(1, 1) == b:sub(1, 1) do
+    a, b = a:sub(2), b:sub(2)
+  end
+  while a ~= "" and a:sub(-1) == b:sub(-1) do
+    a, b = a:sub(1, -2), b:sub(1, -2)
+  end
+  return #a <= 1 and #b <= 1 or #a == 2 and a == b:reverse()
 end
 
-local function isMasksEntry(key, value)
-  return isName(key) and type(value) == "table" and not firstBad(value, isMaskEntry)
+--- Returns whether one name is probably a misspelling of another: it differs by one slip at most,
+--- or only by capitals.
+---@param name string
+---@param known string
+---@return boolean
+function check.isSlip(name, known)
+  return isOneOff(name:lower(), known:lower())
+end
+
+--- Returns the name in a list that an unknown name is probably a misspelling of.
+---@param name any
+---@param names string[]
+---@return string? nil: there is none
+function check.guess(name, names)
+  local guess
+  for _, known in ipairs(names) do
+    if tostring(name):lower() == known:lower() then
+      return known
+    elseif not guess and check.isSlip(tostring(name), known) then
+      guess = known
+    end
+  end
+  return guess
+end
+
+local function describeUnknown(kind, name, names, where)
+  local guess = check.guess(name, names)
+  local hint = guess and format(" (did you mean %s?)", show(guess)) or ""
+  local known, plural = table.concat(names, ", "), kind == "entry" and "entries" or kind .. "s"
+  return format("%s: unknown %s %s%s; the %s are %s", where, kind, show(name), hint, plural, known)
 end
 
 -- Each type of field: `accepts(field, value)`, and `describe(path, field, value)`, which says what
 -- is wrong with a value that was not accepted.
 local TYPES = {}
+
+local function isAccepted(field, value)
+  return TYPES[field.type].accepts(field, value)
+end
+
+local function describe(path, field, value)
+  return TYPES[field.type].describe(path, field, value)
+end
+
+local function isMaskEntry(key, value)
+  return isName(key) and type(value) == "boolean"
+end
+
+local function isAreaEntry(key, value)
+  local field = fields.areaByName[key]
+  return field ~= nil and isAccepted(field, value)
+end
+
+local function isMasksEntry(key, value)
+  return isName(key) and type(value) == "table" and not firstBad(value, isMaskEntry)
+end
 
 local function mustBe(path, expected, value)
   return format("%s must be %s, got %s", path, expected, show(value))
@@ -306,6 +363,23 @@ TYPES.masks = {
   end,
 }
 
+TYPES.area = {
+  accepts = function(_, value)
+    return type(value) == "table" and not firstBad(value, isAreaEntry)
+  end,
+  describe = function(path, _, value)
+    if type(value) ~= "table" then
+      return mustBe(path, "a table { gravity = 100, … }", value)
+    end
+    local _, key = firstBad(value, isAreaEntry)
+    local field = fields.areaByName[key]
+    if field then
+      return describe(indexed(path, key), field, value[key])
+    end
+    return describeUnknown("entry", key, fields.areaNames, path)
+  end,
+}
+
 -- Returns the index of the first name that cannot be used, and the index of an equal name before
 -- it.
 local function badName(list)
@@ -347,14 +421,6 @@ TYPES.names = {
 
 -- A field of type "sides" is written by the library and never checked.
 
-local function isAccepted(field, value)
-  return TYPES[field.type].accepts(field, value)
-end
-
-local function describe(path, field, value)
-  return TYPES[field.type].describe(path, field, value)
-end
-
 --- Returns what is wrong with a value that does not fit an entry of `fields.lua`.
 ---@type fun(path: string, field: physics.Field, value: any): string
 check.describe = describe
@@ -377,6 +443,7 @@ end
 -- Objects ----------------------------------------------------------------------------------------
 
 local RADIUS, ONE_WAY = fields.objectByName.radius, fields.objectByName.oneWay
+local AREA = fields.objectByName.area
 
 -- Returns the field that cannot be together with the others of a circle, and what it must be.
 local function badCircle(object, radius, size)
@@ -416,7 +483,9 @@ function check.badField(object, size)
     end
   end
   local radius = object.radius
-  if radius ~= nil then
+  if object.area ~= nil and not object.sensor then
+    return AREA, "nil unless the object is a sensor"
+  elseif radius ~= nil then
     return badCircle(object, radius, size)
   end
 end
@@ -488,50 +557,6 @@ function check.object(object, place, size)
 end
 
 -- Settings ---------------------------------------------------------------------------------------
-
--- True for two names that one slip of the finger tells apart: a letter wrong, missing, too many, or
--- swapped with its neighbour.
-local function isOneOff(a, b)
-  while a ~= "" and a:sub(1, 1) == b:sub(1, 1) do
-    a, b = a:sub(2), b:sub(2)
-  end
-  while a ~= "" and a:sub(-1) == b:sub(-1) do
-    a, b = a:sub(1, -2), b:sub(1, -2)
-  end
-  return #a <= 1 and #b <= 1 or #a == 2 and a == b:reverse()
-end
-
---- Returns whether one name is probably a misspelling of another: it differs by one slip at most,
---- or only by capitals.
----@param name string
----@param known string
----@return boolean
-function check.isSlip(name, known)
-  return isOneOff(name:lower(), known:lower())
-end
-
---- Returns the name in a list that an unknown name is probably a misspelling of.
----@param name any
----@param names string[]
----@return string? nil: there is none
-function check.guess(name, names)
-  local guess
-  for _, known in ipairs(names) do
-    if tostring(name):lower() == known:lower() then
-      return known
-    elseif not guess and check.isSlip(tostring(name), known) then
-      guess = known
-    end
-  end
-  return guess
-end
-
-local function describeUnknown(kind, name, names, where)
-  local guess = check.guess(name, names)
-  local hint = guess and format(" (did you mean %s?)", show(guess)) or ""
-  local known = table.concat(names, ", ")
-  return format("%s: unknown %s %s%s; the %ss are %s", where, kind, show(name), hint, kind, known)
-end
 
 local function isAmong(names, name)
   for i = 1, #names do

@@ -130,6 +130,9 @@ local function conditions(v, world, i, j)
     if v.sensor[slot] then
       list[#list + 1] = name .. " is a sensor: it reports contacts, but nothing bumps into it"
     end
+    if v.object[slot].area then
+      list[#list + 1] = name .. " is a zone: its area acts on what is inside"
+    end
     if v.oneWay[slot] then
       list[#list + 1] = format("%s is solid only at its %s", name, v.oneWay[slot])
     end

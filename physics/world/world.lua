@@ -12,6 +12,7 @@ local crush = require(root .. ".solver.crush")
 local detect = require(root .. ".broadphase.pairFinder")
 local events = require(root .. ".contacts.events")
 local explain = require(root .. ".world.explain")
+local explosion = require(root .. ".world.explosion")
 local guard = require(root .. ".world.strictMode")
 local hash = require(root .. ".state.hash")
 local interpreted = require(root .. ".memory.jit")
@@ -28,6 +29,7 @@ local slide = require(root .. ".queries.move")
 local solver = require(root .. ".solver.solver")
 local state = require(root .. ".state.save")
 local view = require(root .. ".queries.index")
+local zones = require(root .. ".motion.zones")
 
 --- An independent world: a table of groups of objects, settings as plain fields, and the steps.
 --- Its settings are fields of it, too.
@@ -113,6 +115,7 @@ local function step(self, dt)
 
   b.begun, b.predicted, b.rubs, b.dt = 0, 0, 0, dt
   begin.run(b)
+  zones.begin(b, b.awakeList, b.awakeCount)
   crowd.mark(b)
   detect.runMoved(b)
   crowd.run(b)
@@ -922,6 +925,40 @@ function World:impulse(object, ix, iy)
   object.vx, object.vy = vx, vy
 end
 
+--- Pushes all dynamic objects in a circle away from its centre, also sensors. An object gets the
+--- impulse at the centre of the circle, less and less with the distance of its nearest point, and
+--- nothing at the rim. The push goes to the middle of the object; straight up if that is the centre.
+---
+--- With `walls` only objects in sight are pushed: those that nothing of `walls` hides from the
+--- centre. It is a filter as for `raycast`, for instance the name of a group. Inside a wall an
+--- explosion pushes only that wall, if it is dynamic.
+---
+--- Errors: a number is not finite; the radius is <= 0; a filter cannot be used; `vx`, `vy` or `mass`
+--- of an object cannot be used; it is called from inside `canCollide`. Nothing has changed then.
+---@param x number px, the centre
+---@param y number px
+---@param radius number px, > 0
+---@param impulse number px/s times mass, at the centre; < 0: towards the centre
+---@param filter physics.Filter? which objects are pushed, default all
+---@param walls physics.Filter? what is in the way, default nothing
+---@return physics.Object[] objects those that were pushed, in the order of the world
+---@return integer count
+function World:explode(x, y, radius, impulse, filter, walls)
+  local call = "explode(x, y, radius, impulse)"
+  local where = "world:" .. call
+  checkQuestion(self, call, filter)
+  checkIdle(self._bodies, call)
+  checkPoint(x, y, where)
+  check.positive(radius, "radius", where)
+  check.number(impulse, "impulse", where)
+  if walls ~= nil then
+    check.filter(walls, where .. ": walls")
+  end
+  x, y, radius, impulse = x + 0.0, y + 0.0, radius + 0.0, impulse + 0.0
+  local pushed, count = explosion.run(self, x, y, radius, impulse, filter, walls, where)
+  return pushed, count
+end
+
 --- Puts four static walls around a rectangle: `top`, `bottom`, `left` and `right` of the group
 --- `bounds`. You may give them `friction` and other fields before the next update. A second call
 --- replaces the walls; a call without arguments removes them.
@@ -965,6 +1002,7 @@ end
 local function checkPlace(object, group, where)
   local isGood = isFinite(object.x) and isFinite(object.y)
   isGood = isGood and isFinite(object.width) and isFinite(object.height)
+  isGood = isGood and object.radius == nil and object.area == nil -- these must fit to others
   if not (isGood and object.width > SMALLEST and object.height > SMALLEST) then
     check.object(object, where .. ": " .. check.place(group) .. "[n]")
   end
