@@ -580,16 +580,18 @@ function default.move(object, x, y, response, out) end
 ---@param iy number px/s times mass, along y
 function default.impulse(object, ix, iy) end
 
---- Pushes all dynamic objects in a circle away from its centre, also sensors. An object gets the
---- impulse at the centre of the circle, less and less with the distance of its nearest point, and
---- nothing at the rim. The push goes to the middle of the object; straight up if that is the centre.
+--- Pushes all dynamic objects in a circle away from its centre, also sensors. At the centre an
+--- object gets the whole impulse, at the rim nothing; in between it is less with the distance of
+--- the nearest point of the object. The push is towards the middle of the object, or straight up
+--- if that is the centre.
 ---
 --- With `walls` only objects in sight are pushed: those that nothing of `walls` hides from the
 --- centre. It is a filter as for `raycast`, for instance the name of a group. Inside a wall an
 --- explosion pushes only that wall, if it is dynamic.
 ---
---- Errors: a number is not finite; the radius is <= 0; a filter cannot be used; `vx`, `vy` or `mass`
---- of an object cannot be used; it is called from inside `canCollide`. Nothing has changed then.
+--- Errors: a number is not finite; the radius is <= 0; a filter cannot be used; `vx`, `vy` or
+--- `mass` of an object cannot be used; it is called from inside `canCollide`. Nothing has changed
+--- then.
 ---@param x number px, the centre
 ---@param y number px
 ---@param radius number px, > 0

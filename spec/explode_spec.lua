@@ -76,7 +76,8 @@ describe("world:explode", function()
     assert.are.same({ shown, hidden, gem }, pushed())
     assert.are.same({ shown, hidden }, pushed("crates"))
     assert.are.same({ shown }, pushed("crates", "walls"))
-    assert.are.same({ shown, gem }, pushed(nil, { "walls", "crates" })) -- a crate does not hide itself
+    -- A crate does not hide itself.
+    assert.are.same({ shown, gem }, pushed(nil, { "walls", "crates" }))
     assert.are.same(
       { gem },
       pushed("gems", function(object)

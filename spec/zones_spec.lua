@@ -174,6 +174,18 @@ describe("an area", function()
     near(0.22, object.vx, 1e-12)
   end)
 
+  it("goes on without a gap where zones are flush", function()
+    local world = physics.newWorld({ gravity = 800 })
+    world:add("lake", zone({ gravity = 100, airFriction = 2 }))
+    world:add("lake", zone({ gravity = 100, airFriction = 2 }, { x = 400 }))
+    local one = world:add("bodies", body({ x = 100, y = 200 }))
+    local other = world:add("bodies", body({ x = 390, y = 200 }))
+    for _ = 1, 20 do
+      world:update(1 / 60)
+      near(one.y, other.y, 1e-9)
+    end
+  end)
+
   it("respects masks and active, and acts on nothing but dynamic objects", function()
     local world = physics.newWorld({ gravity = 0, masks = { zones = { ghosts = false } } })
     local wind = world:add("zones", zone({ ax = 60 }))

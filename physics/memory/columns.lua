@@ -139,6 +139,7 @@ local AXIS = {
   limit = HUGE, -- maxSpeedX, maxSpeedY
   pull = 0, -- gravity that acts on it
   zonePull = 0, -- the same with what zones do
+  zoneLeft = 0, -- share of it of which no zone has the gravity
   down = 0, -- -1, 0, 1: where its gravity points, on its stronger axis only
   last = 0, -- position before the last fixed step, for drawing
   written = 0, -- x, y as the game has last written them; kinematic: where it shall go

@@ -152,13 +152,20 @@ function zones.setDown(b, i, gx, gy)
   b.down[k + 1] = isVertical and (gy > 0 and 1 or gy < 0 and -1 or 0) or 0
 end
 
--- The gravity of zone j in place of that of slot i: the last zone in order is on top.
+-- The gravity of a zone, g, in place of that of body k, for `share` of it as far as no zone on top
+-- has it already.
+local function replace(b, k, g, share)
+  local its = min(share, b.zoneLeft[k])
+  b.zonePull[k], b.zoneLeft[k] = b.zonePull[k] + (g - b.pull[k]) * its, b.zoneLeft[k] - its
+end
+
+-- The gravity of zone j in place of that of slot i.
 local function turn(b, i, j, time)
-  local area, pull, k = b.area[j], b.zonePull, 2 * i
+  local area = b.area[j]
   if area.gravity or area.gravityX then
-    local gx, gy, share = pull[k], pull[k + 1], actingShare(b, i, j, time)
-    pull[k] = gx + ((area.gravityX or gx) - gx) * share
-    pull[k + 1] = gy + ((area.gravity or gy) - gy) * share
+    local share, k = actingShare(b, i, j, time), 2 * i
+    replace(b, k, area.gravityX or b.pull[k], area.gravityX and share or 0.0)
+    replace(b, k + 1, area.gravity or b.pull[k + 1], area.gravity and share or 0.0)
   end
 end
 
@@ -214,19 +221,21 @@ end
 -- Lets what acts on those in list[first..last] be what their own fields say.
 local function reset(b, list, first, last)
   local pull, air, drag = b.pull, b.airFriction, b.drag
-  local zonePull, zoneAir, zoneDrag = b.zonePull, b.zoneAir, b.zoneDrag
+  local zonePull, zoneAir, zoneDrag, left = b.zonePull, b.zoneAir, b.zoneDrag, b.zoneLeft
   for n = first, last do
     local i = list[n]
+    left[2 * i], left[2 * i + 1] = 1, 1
     zonePull[2 * i], zonePull[2 * i + 1] = pull[2 * i], pull[2 * i + 1]
     zoneAir[i], zoneDrag[i] = air[i], drag[i]
   end
 end
 
--- Finds the gravity of those in list[first..last], `near` of which are near zones.
+-- Finds the gravity of those in list[first..last], `near` of which are near zones: the last zone is
+-- on top.
 local function turnAll(b, list, first, last, near, time)
   reset(b, list, first, last)
   if b.hasTurns then
-    for n = 1, near do
+    for n = near, 1, -1 do
       turn(b, b.nearBody[n], b.nearZone[n], time)
     end
     for n = first, last do
@@ -276,7 +285,8 @@ function zones.restore(b)
   zones.begin(b, b.movers, b.moverCount)
 end
 
-interpreted.functions(arrange, shareIn, actingShare, strength, attract, turn, push, listAllNear)
+interpreted.functions(arrange, shareIn, actingShare, strength, attract, replace, turn, push)
+interpreted.functions(listAllNear)
 interpreted.functions(turnAll, zones.copy, zones.isSame, zones.note, zones.run, zones.begin)
 
 return zones

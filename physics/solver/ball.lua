@@ -1,7 +1,7 @@
 --- Circles in a step: when a path meets one, how fast, and whether two overlap.
 --
 -- A circle fills its square, which the broad phase and all axis contacts see. What is asked here is
--- asked of pairs that have a circle and whose squares meet already.
+-- asked of pairs with a circle, where their squares meet.
 --
 -- Source: the round box (see circle): the centre of a circle meets what it would touch, grown by
 -- its radius with rounded corners.
