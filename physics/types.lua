@@ -487,7 +487,7 @@ function default.raycast(x1, y1, x2, y2, filter) end
 ---@return physics.Object? other nil: the way is free, and nothing else is returned
 ---@return number x px, where `object` would be then, flush
 ---@return number y px
----@return number nx normal of the side that is hit: -1, 0, 1
+---@return number nx normal where it is hit, of length 1: -1, 0, 1 on a side of a box
 ---@return number ny likewise
 ---@return number fraction of the way, 0..1
 function default.sweep(object, dx, dy, filter) end

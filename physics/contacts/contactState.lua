@@ -45,6 +45,14 @@ local function flushSide(b, i, j)
     - (1 - apartX) * (1 - apartY)
 end
 
+-- The same of any two.
+local function endSide(b, i, j)
+  if b.hasCircles and ball.isRound(b, i, j) then
+    return ball.side(b, i, j)
+  end
+  return flushSide(b, i, j)
+end
+
 -- Whether a side was leant on in this step, by either of the two.
 local function isPressed(b, i, j, side)
   local axis = side > 2 and 1 or 0
@@ -111,7 +119,7 @@ end
 
 -- The side on which a solid pair is in contact now, else 0.
 local function solidContact(b, p, i, j)
-  local side = flushSide(b, i, j)
+  local side = endSide(b, i, j)
   b.overlapping[p] = side == INSIDE
   if side == INSIDE then
     if b.passing[p] or b.oneWay[i] or b.oneWay[j] then
@@ -144,9 +152,7 @@ end
 
 -- The side on which a sensor was entered, while the two overlap, else 0.
 local function sensorContact(b, p, i, j)
-  if flushSide(b, i, j) ~= INSIDE or b.passing[p] then
-    return 0
-  elseif b.hasCircles and ball.isRound(b, i, j) and not ball.overlaps(b, i, j) then
+  if endSide(b, i, j) ~= INSIDE or b.passing[p] then
     return 0
   end
   if b.contact[p] ~= 0 then
@@ -160,7 +166,7 @@ end
 -- The side on which solid pair p, which was not met in this step, will be in contact: one of the
 -- two leans on that side on somebody else. Else 0.
 local function unmetSide(b, p, i, j)
-  local side = flushSide(b, i, j)
+  local side = endSide(b, i, j)
   if side <= 0 or b.dropping[p] or oneway.lets(b, i, j, side, false) then
     return 0
   end

@@ -242,6 +242,7 @@ local PAIR_FLAG = {
 local PAIR_LIST = {
   "live", -- pairs of those who take part in this step
   "near", -- scratch of meet
+  "roundPairs", -- scratch of contacts
   "apart", -- pairs to be swept (see contacts)
   "overlaps",
   "sortScratch",
@@ -286,7 +287,7 @@ for _, names in ipairs({
   { "crushHigh", "touchBest", "touchTold", "pairA", "pairB", "contact", "hit" },
   { "nudged", "wedged", "touches" },
   { "live" },
-  { "near", "touchPairs" },
+  { "near", "touchPairs", "roundPairs" },
   { "closePairs", "otherPairs", "other", "next", "previous", "movers", "awakeList", "rich" },
   { "outdated", "offerAt", "offerWho", "rivals" },
 }) do
@@ -444,6 +445,7 @@ function columns.new()
     isChangeListed = false, -- these are all
     seenCount = 0,
     overlapCount = 0,
+    roundCount = 0,
     isViolated = false,
     isTorn = false, -- two of one block overlap
     isJammed = false, -- an impact of two that cannot give way

@@ -184,7 +184,7 @@ end
 
 -- Notes whether where it stands is all there is to know of a contact that goes on.
 local function noteEven(b, i)
-  b.even[i] = not (b.sensor[i] or b.hears[i] or b.oneWay[i])
+  b.even[i] = not (b.sensor[i] or b.hears[i] or b.oneWay[i] or b.radius[i])
 end
 
 -- Reads all fields, which must have been checked. If reading one fails all the same (an `__index`
@@ -205,7 +205,7 @@ local function readAll(b, i, object, isNew)
   b.hasSensors = b.hasSensors or b.sensor[i]
   b.hasCircles = b.hasCircles or b.shape[i] == columns.SHAPE_CIRCLE
   b.hasFirm = b.hasFirm or not b.pushable[i]
-  b.plain[i] = not b.sensor[i]
+  b.plain[i] = not b.sensor[i] and b.shape[i] == columns.SHAPE_BOX
   noteEven(b, i)
 end
 

@@ -302,8 +302,7 @@ end
 -- Whether friction bears what depends on how long a step is: in a longer one air friction and speed
 -- limits take more off a pull, or a weight.
 local function isBorneByChance(b, i)
-  return b.rubs > 0
-    and (b.flowAir[i] ~= 0 or b.reserve[2 * i] ~= 0 or b.reserve[2 * i + 1] ~= 0)
+  return b.rubs > 0 and (b.flowAir[i] ~= 0 or b.reserve[2 * i] ~= 0 or b.reserve[2 * i + 1] ~= 0)
 end
 
 -- Whether the next step may differ from this one although nothing moves. (Whether a buried body

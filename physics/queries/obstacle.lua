@@ -96,6 +96,19 @@ function obstacle.meet(v, i, j, x, y, toX, toY)
   return share, axis, isLow, atX, atY, kind
 end
 
+--- Returns the unit normal from object j to object i, which is at (x, y), where one of them is a
+--- circle; nil: both are boxes.
+function obstacle.normal(v, i, j, x, y)
+  local position, size, shape, k, m = v.position, v.size, v.shape, 2 * i, 2 * j
+  local isRound, isOtherRound = shape[i] == CIRCLE, shape[j] == CIRCLE
+  if not (isRound or isOtherRound) then
+    return nil
+  end
+  local ox, oy, ow, oh = position[m], position[m + 1], size[m], size[m + 1]
+  local _, nx, ny = circle.gap(x, y, size[k], size[k + 1], isRound, ox, oy, ow, oh, isOtherRound)
+  return nx, ny
+end
+
 --- Returns a number that puts meetings in order: by moment, faces before corners, along gravity
 --- before across; nil: never.
 function obstacle.keyOf(v, i, j, x, y, toX, toY)

@@ -587,6 +587,10 @@ local function describeStop(v, i, j, toX, toY)
   if not axis then
     return v.object[j], x, y, 0, 0, 0
   end
+  local nx, ny = obstacle.normal(v, i, j, x, y)
+  if nx then
+    return v.object[j], x, y, nx + 0, ny + 0, share
+  end
   local normal = isLow and -1 or 1
   return v.object[j], x, y, axis == 0 and normal or 0, axis == 1 and normal or 0, share
 end

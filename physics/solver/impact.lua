@@ -6,6 +6,7 @@
 -- go on flush with a common velocity, and are a contact for the rest of the step.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local ball = require(root .. ".solver.ball")
 local bonds = require(root .. ".solver.bonds")
 local carrier = require(root .. ".objects.carriers")
 local columns = require(root .. ".memory.columns")
@@ -244,6 +245,20 @@ local function bounce(b, kl, kh, wl, wh, o, gap, v, vEnd)
   speed[kl], speed[kh] = speed[kl] - dv * wl, speed[kh] + dv * wh
 end
 
+-- The same of two that meet slanted, of which one is round.
+local function runRound(b, p, i, j, axis, left, dt, isLate, t)
+  local tau = min((1 - t) * dt, left)
+  local r = max(b.restitution[i], b.restitution[j])
+  b.impactsOf[i], b.impactsOf[j] = b.impactsOf[i] + 1, b.impactsOf[j] + 1
+  b.resolved = b.resolved + 1
+  if r > 0 and (isSpent(b, i, r) or isSpent(b, j, r)) then
+    r = 0
+  end
+  local u, stays = ball.impact(b, i, j, axis, true, tau, dt, isLate, r)
+  impact.note(b, p, i, axis, u)
+  return false, b.from[2 * j + axis] - b.from[2 * i + axis], stays
+end
+
 --- Two bodies meet on an axis at moment t. Two that are inside each other (`isDeep`) come apart, or
 --- in a heap that has no room get no deeper.
 --- Returns whether they stay together; how far apart, px from the low edge of one to that of the
@@ -252,6 +267,12 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
   local left = (1 - max(b.time[i], b.time[j])) * dt
   path.advance(b, i, t)
   path.advance(b, j, t)
+  if b.hasCircles and ball.isRound(b, i, j) then
+    local nx, ny, isSlanted = ball.normal(b, i, j)
+    if isSlanted or isDeep and (nx ~= 0 or ny ~= 0) then
+      return runRound(b, p, i, j, axis, left, dt, isLate, t)
+    end
+  end
   local kl, kh = 2 * i + axis, 2 * j + axis
   local separation = b.size[kl]
   if isDeep and (b.deepAt[i] == b.solveStamp or b.deepAt[j] == b.solveStamp) then

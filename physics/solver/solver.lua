@@ -41,6 +41,10 @@ local PARTING = solver.PARTING
 local SPENT = 2
 -- In so many last ones nothing bounces any more, so that what is left comes to terms.
 local LATE = 5
+-- Rounds after these in which what meets a circle only stops.
+local FREEZES = 16
+-- px and px/s of that.
+local CALM, CALM_SPEED = 4 * EPSILON, 1e-3
 -- How often a step begins anew because its paths have come near to bodies that rested; then all are
 -- woken.
 local RESTARTS = 8
@@ -278,12 +282,18 @@ local function sense(b, p, i, j, axis, t, dt)
   impact.note(b, p, i, axis, (impact.approach(o, v, a, (1 - t) * dt)))
 end
 
--- Ends the path of a body where it is at moment t.
-local function stop(b, i, t)
+-- Ends the path of a body where it is at moment t; `isRound`: it has no speed then, and what has
+-- moved by rounding only has not moved.
+local function stop(b, i, t, isRound)
   if b.kind[i] == DYNAMIC then
     path.advance(b, i, t)
     for k = 2 * i, 2 * i + 1 do
       b.to[k] = b.from[k]
+      if isRound then
+        local off = b.from[k] - b.origin[k]
+        b.to[k] = off <= EPSILON and off >= -EPSILON and b.origin[k] or b.to[k]
+        b.speed[k], b.accel[k] = 0.0, 0.0
+      end
     end
   end
 end
@@ -371,7 +381,9 @@ local function happen(b, n, dt, isLast, isLate)
   local p, t, axis = impacts.pair[n], impacts.time[n], impacts.axis[n]
   local i, j = impacts.low[n], impacts.high[n]
   local isSensed = b.sensor[i] or b.sensor[j]
-  if b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC and (isSpent(b, i) or isSpent(b, j)) then
+  local isRound = b.hasCircles and ball.isRound(b, i, j)
+  local areDynamic = b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC
+  if areDynamic and not isRound and (isSpent(b, i) or isSpent(b, j)) then
     return
   end
   local mayBounce = max(b.restitution[i], b.restitution[j]) > 0
@@ -384,8 +396,8 @@ local function happen(b, n, dt, isLast, isLate)
       b.inRound[j] = b.kind[j] == DYNAMIC and round or 0
     end
     if isLast and not isSensed then
-      stop(b, i, t)
-      stop(b, j, t)
+      stop(b, i, t, isRound)
+      stop(b, j, t, isRound)
     end
     return
   end
@@ -419,8 +431,8 @@ local function happen(b, n, dt, isLast, isLate)
     b.pressed[p] = stays and 1 or b.pressed[p]
   end
   if isLast then
-    stop(b, i, t)
-    stop(b, j, t)
+    stop(b, i, t, isRound)
+    stop(b, j, t, isRound)
   end
 end
 
@@ -501,6 +513,31 @@ local function keepOwnWay(b, dt)
   end
 end
 
+-- A circle that touches something, and has moved by no more than rounding, has not moved.
+local function calm(b)
+  for n = 1, 2 * b.roundCount do
+    local p = b.roundPairs[floor((n + 1) * 0.5)]
+    local k = 2 * (n % 2 == 0 and b.pairA[p] or b.pairB[p])
+    local x, y = b.to[k] - b.origin[k], b.to[k + 1] - b.origin[k + 1]
+    local way = max(x, -x, y, -y)
+    local speed = max(b.speed[k], -b.speed[k], b.speed[k + 1], -b.speed[k + 1])
+    if b.give[k] > 0 and way <= CALM and speed <= CALM_SPEED then
+      b.to[k], b.to[k + 1], b.speed[k], b.speed[k + 1] = b.origin[k], b.origin[k + 1], 0.0, 0.0
+    end
+  end
+end
+
+-- What still meets a circle stops there, and what meets that.
+local function freeze(b, dt)
+  for _ = 1, FREEZES do
+    b.isChangeListed = true
+    followChanged(b)
+    if not round(b, dt, true, true) then
+      return
+    end
+  end
+end
+
 -- Solves a step for what is awake. Returns false if bodies have been woken on the way: then it was
 -- in vain.
 local function solve(b, dt)
@@ -532,6 +569,12 @@ local function solve(b, dt)
   end
   if b.awakenings ~= awakenings then
     return false
+  end
+  if b.hasCircles then
+    if b.changedCount > 0 then
+      freeze(b, dt)
+    end
+    calm(b)
   end
   if b.overlapCount > 0 then
     limitMotion(b, dt)

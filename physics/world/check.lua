@@ -451,8 +451,6 @@ local function badCircle(object, radius, size)
   if width ~= 2 * radius or height ~= 2 * radius then
     local sizes = show(width) .. " and " .. show(height)
     return RADIUS, "half of width and height, which are " .. sizes
-  elseif not object.sensor then
-    return RADIUS, "nil unless the object is a sensor"
   elseif object.oneWay then
     return ONE_WAY, "nil where there is a radius"
   end

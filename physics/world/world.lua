@@ -736,7 +736,7 @@ end
 ---@return physics.Object? other nil: the way is free, and nothing else is returned
 ---@return number x px, where `object` would be then, flush
 ---@return number y px
----@return number nx normal of the side that is hit: -1, 0, 1
+---@return number nx normal where it is hit, of length 1: -1, 0, 1 on a side of a box
 ---@return number ny likewise
 ---@return number fraction of the way, 0..1
 function World:sweep(object, dx, dy, filter)
@@ -843,7 +843,7 @@ end
 ---@field side physics.Side side of the object that moved
 ---@field x number px, where the object was then
 ---@field y number px
----@field nx number normal of the side of `other`: -1, 0, 1
+---@field nx number normal of `other`, of length 1: -1, 0, 1 where a box is hit on a side
 ---@field ny number likewise
 ---@field fraction number of the way asked for, 0..1
 ---@field response physics.Response how the move went on
