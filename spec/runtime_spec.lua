@@ -37,10 +37,11 @@ local VALUES = {
   maxSpeedY = 20,
   surfaceSpeed = 40,
   nudge = 4,
+  radius = 8,
 }
 
 -- Not here: where and how large it is, what a dynamic object does not feel, callbacks.
-local OTHERS = { "x", "y", "width", "height", "radius", "vx", "vy", "static", "carry", "touching" }
+local OTHERS = { "x", "y", "width", "height", "area", "vx", "vy", "static", "carry", "touching" }
 local CALLBACKS = { "onBegin", "onStay", "onEnd", "onCrush" }
 
 -- A box that jumps against the corner of a ceiling, falls to the floor, jumps once more, gets

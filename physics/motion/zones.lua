@@ -37,7 +37,7 @@ end
 --- Returns whether a value of the game says what a copy says (false: there is no area).
 function zones.isSame(area, copy)
   if type(area) ~= "table" or not copy then
-    return (area or false) == copy
+    return area == nil and not copy
   end
   for n = 1, #NAMES do
     if area[NAMES[n]] ~= copy[NAMES[n]] then

@@ -545,7 +545,7 @@ local function compareLimits(b, count)
       or orDefault(object.surfaceSpeed, 0) ~= surfaceSpeed[i]
       or orDefault(object.nudge, 0) ~= nudge[i]
       or object.radius ~= (radius[i] or nil)
-      or ((object.area or area[i]) and not zones.isSame(object.area, area[i]))
+      or ((object.area ~= nil or area[i]) and not zones.isSame(object.area, area[i]))
     then
       reread(b, i)
     end
