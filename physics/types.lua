@@ -630,8 +630,8 @@ function default.setBounds(x, y, w, h) end
 ---
 --- Not supported, and listed in `unsupported` of the result: maps that are not orthogonal, objects
 --- that are turned by other than quarters, polygons with other than level and upright edges,
---- ellipses, capsules, texts, parallax, layers and tilesets that cannot be read, and properties
---- with values that cannot be used.
+--- ellipses that are no circles, capsules, texts, parallax, layers and tilesets that cannot be
+--- read, and properties with values that cannot be used.
 ---
 --- Errors: the map or the file does not exist; an unknown option; an option names a layer or a gid
 --- that is not in the map; a layer in `solidLayers` cannot be read; a gid belongs to no tileset; a

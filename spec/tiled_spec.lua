@@ -421,7 +421,7 @@ describe("world", function()
           "tile slopes 0: " .. slope,
           "tileset slopes 5: " .. external,
           "object shapes 1: " .. slope,
-          "object shapes 3: ellipse: only rectangles are boxes",
+          "object shapes 3: ellipse: only circles are round, with one width and height",
           "object shapes 5: text: only rectangles are boxes",
           "object shapes 6: rotated by 30 degrees: boxes do not turn",
           'object shapes 8: property "width": the editor\'s own value counts',

@@ -1,4 +1,4 @@
---- Reads an object layer: boxes of rectangles, tile objects and polygons, points, lines.
+--- Reads an object layer: boxes of rectangles, tile objects and polygons, circles, points, lines.
 
 local root = (...):match("^(.*)%.maps%.")
 local check = require(root .. ".world.check")
@@ -53,7 +53,7 @@ end
 
 -- The boxes of an object in the layer; nil and the reason if it has none.
 local function boxesOf(state, object, tile, place)
-  local boxes, reason = shapes.boxes(object, place, state.sti)
+  local boxes, reason = shapes.boxes(object, place, state.sti, true)
   if tile and boxes then
     return { boxOfTile(state, object, tile) }
   end
@@ -110,6 +110,10 @@ end
 local function newObject(state, object, traits, box, tile)
   local made = newThing(state, object, traits.fields, box.x, box.y)
   made.width, made.height = box.width, box.height
+  if made.radius and made.radius ~= box.radius then
+    addReport(state, object, 'property "radius": the editor\'s own shape counts')
+  end
+  made.radius = box.radius
   made.type = made.type or tile and tile.kind.type
   made.tiled.gid = tile and tile.gid
   return made
