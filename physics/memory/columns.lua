@@ -105,6 +105,7 @@ local SLOT = {
   dirty = 0, -- 1: its path is new since it was last swept
   deepAt = 0, -- solve in which it was inside another dynamic body
   impactsOf = 0, -- impacts in this step
+  deflectedAt = 0, -- solve in which it met something slanted (see ball)
   inRound = 0, -- round in which it was last in an impact
   -- broad phase
   placed = 0, -- 0: not in the broad phase, 1: its neighbours must be looked up, 2: they are known

@@ -28,6 +28,8 @@ local max, min, sqrt = math.max, math.min, math.sqrt
 local LOST = 0.25
 -- Fraction of the step by which a slanted contact is met later than a face.
 local CORNER = 2e-9
+-- px by which a path may lead into another: less than EPSILON, at which two overlap.
+local SLACK = EPSILON / 2
 -- px/s: what is as slow rests.
 local STILL = 1e-9
 
@@ -101,7 +103,7 @@ function ball.meet(b, i, j)
   elseif not isDeep then
     local dx, dy = to[k] - x - (to[m] - ox), to[k + 1] - y - (to[m + 1] - oy)
     share, nx, ny =
-      circle.meetPair(x, y, w, h, isRound, dx, dy, ox, oy, ow, oh, isOtherRound, EPSILON)
+      circle.meetPair(x, y, w, h, isRound, dx, dy, ox, oy, ow, oh, isOtherRound, SLACK)
     if not share then
       return nil
     end
@@ -333,6 +335,8 @@ function ball.impact(b, i, j, axis, isLow, tau, dt, isLate, restitution)
   local ix, iy, jx, jy = weigh(b, i, j, nx, ny)
   local total = nx * nx * (ix + jx) + ny * ny * (iy + jy)
   u = max(u, 0.0)
+  b.deflectedAt[i], b.deflectedAt[j] = b.solveStamp, b.solveStamp
+  b.news[i], b.news[j] = true, true -- no rest: how far it gets depends on how long a step is
   if total == 0 then
     b.isJammed = true
     return u, true

@@ -499,13 +499,14 @@ local function limitMotion(b, dt)
 end
 
 -- Across gravity a body that is not pushable ends between where it was and where it wanted to go,
--- unless something immovable presses it.
+-- unless something immovable presses it, or it was deflected by a slanted contact.
 local function keepOwnWay(b, dt)
   local list, origin, to = b.awakeList, b.origin, b.to
   for n = 1, b.awakeCount do
     local i = list[n]
     for k = 2 * i, not b.pushable[i] and b.kind[i] == DYNAMIC and 2 * i + 1 or 0 do
-      if b.down[k] == 0 and b.heldLow[k] ~= 2 and b.heldHigh[k] ~= 2 then
+      local isFree = b.heldLow[k] ~= 2 and b.heldHigh[k] ~= 2 and b.deflectedAt[i] ~= b.solveStamp
+      if b.down[k] == 0 and isFree then
         local start, goal = origin[k], origin[k] + b.way[k] + b.carried[k] * dt
         to[k] = max(min(to[k], max(start, goal)), min(start, goal))
       end
@@ -521,7 +522,9 @@ local function calm(b)
     local x, y = b.to[k] - b.origin[k], b.to[k + 1] - b.origin[k + 1]
     local way = max(x, -x, y, -y)
     local speed = max(b.speed[k], -b.speed[k], b.speed[k + 1], -b.speed[k + 1])
-    if b.give[k] > 0 and way <= CALM and speed <= CALM_SPEED then
+    local hasMoved = way > 0 or speed > 0
+    if hasMoved and b.give[k] > 0 and way <= CALM and speed <= CALM_SPEED then
+      b.news[k * 0.5] = true
       b.to[k], b.to[k + 1], b.speed[k], b.speed[k + 1] = b.origin[k], b.origin[k + 1], 0.0, 0.0
     end
   end

@@ -58,7 +58,12 @@ local function gapsOf(v, i, j)
   return -width, -height
 end
 
--- Returns how far two are apart, < 0: by how much they overlap, if one of them is a circle.
+local function show(px)
+  return check.show(math.floor(px * 1000 + 0.5) / 1000)
+end
+
+-- Returns how far two are apart, < 0: by how much they overlap, and the normal from j to i, if one
+-- of them is a circle.
 local function roundGap(v, i, j)
   if v.shape[i] ~= CIRCLE and v.shape[j] ~= CIRCLE then
     return nil
@@ -66,15 +71,17 @@ local function roundGap(v, i, j)
   local p, s, k, m = v.position, v.size, 2 * i, 2 * j
   local isRound, isOtherRound = v.shape[i] == CIRCLE, v.shape[j] == CIRCLE
   local x, y, w, h = p[k], p[k + 1], s[k], s[k + 1]
-  return (circle.gap(x, y, w, h, isRound, p[m], p[m + 1], s[m], s[m + 1], isOtherRound))
-end
-
-local function show(px)
-  return check.show(math.floor(px * 1000 + 0.5) / 1000)
+  return circle.gap(x, y, w, h, isRound, p[m], p[m + 1], s[m], s[m + 1], isOtherRound)
 end
 
 -- Returns the side of slot i at which slot j is flush, or nil.
 local function flushSide(v, i, j)
+  local gap, nx, ny = roundGap(v, i, j)
+  if gap then
+    local isFlush = gap <= EPSILON and gap >= -EPSILON
+    local side = nx * nx > ny * ny and (nx > 0 and "left" or "right") or ny > 0 and "top" or "bottom"
+    return isFlush and side or nil
+  end
   local gapX, gapY = gapsOf(v, i, j)
   local p, k, m = v.position, 2 * i, 2 * j
   if gapX > EPSILON or gapY > EPSILON then

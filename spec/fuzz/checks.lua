@@ -37,8 +37,26 @@ local function overlaps(a, b)
     min(a.y + a.height, b.y + b.height) - max(a.y, b.y)
 end
 
+-- px by which two overlap, one of which is a circle, negative: apart.
+local function roundDepth(a, b)
+  if not a.radius then
+    a, b = b, a
+  end
+  local x, y, reach = a.x + a.radius, a.y + a.radius, a.radius + (b.radius or 0)
+  local left, top, right, bottom = b.x, b.y, b.x + b.width, b.y + b.height
+  if b.radius then
+    left, top = left + b.radius, top + b.radius
+    right, bottom = left, top
+  end
+  local dx, dy = x - max(left, min(x, right)), y - max(top, min(y, bottom))
+  return reach - math.sqrt(dx * dx + dy * dy)
+end
+
 local function depth(a, b)
   local x, y = overlaps(a, b)
+  if a.radius or b.radius then
+    return min(x, y, roundDepth(a, b))
+  end
   return min(x, y)
 end
 
