@@ -241,20 +241,17 @@ describe("an area", function()
     for n, settings in ipairs({ {}, { rest = false }, { broadphase = "pairs" } }) do
       local world = physics.newWorld(copyOf({ gravity = 800 }, settings))
       world:add("zones", zone({ gravity = -300, airFriction = 2 }))
-      world:add(
-        "zones",
-        {
-          x = 300,
-          y = 0,
-          radius = 80,
-          width = 160,
-          height = 160,
-          kinematic = true,
-          sensor = true,
-          vx = -20,
-          area = { attract = 900, law = "inverse" },
-        }
-      )
+      world:add("zones", {
+        x = 300,
+        y = 0,
+        radius = 80,
+        width = 160,
+        height = 160,
+        kinematic = true,
+        sensor = true,
+        vx = -20,
+        area = { attract = 900, law = "inverse" },
+      })
       world:add("tiles", { x = 0, y = 400, width = 600, height = 20, static = true })
       for i = 0, 29 do
         world:add("bodies", body({ x = 18 * i, y = 40 + 30 * (i % 5), friction = 0.3 }))

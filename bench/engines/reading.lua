@@ -59,6 +59,8 @@ local function findRich(movers, frictions, count)
       or object.carry ~= nil
       or object.surfaceSpeed ~= nil
       or object.nudge ~= nil
+      or object.radius ~= nil
+      or object.area ~= nil
     then
       rich = rich + 1
     end

@@ -79,7 +79,9 @@ local function flushSide(v, i, j)
   local gap, nx, ny = roundGap(v, i, j)
   if gap then
     local isFlush = gap <= EPSILON and gap >= -EPSILON
-    local side = nx * nx > ny * ny and (nx > 0 and "left" or "right") or ny > 0 and "top" or "bottom"
+    local side = nx * nx > ny * ny and (nx > 0 and "left" or "right")
+      or ny > 0 and "top"
+      or "bottom"
     return isFlush and side or nil
   end
   local gapX, gapY = gapsOf(v, i, j)
