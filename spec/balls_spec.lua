@@ -272,7 +272,7 @@ describe("a ball", function()
       end
       assert.is_true(most < 1, most) -- px in a wall, in the fall
       local ofBalls, ofWalls = depths(world)
-      -- What has fallen into each other at once has no room to part in a heap (docs/reliability.md).
+      -- What has fallen into each other has no room to part in a heap (docs/reliability.md).
       assert.is_true(ofBalls < 1 and ofWalls < 1e-6, ofBalls .. " " .. ofWalls)
       local before = {}
       for n, b in ipairs(world.objects.balls) do
