@@ -71,10 +71,15 @@ local function places(b, i, j, t)
   return at(b, k, startI, t), at(b, k + 1, startI, t), at(b, m, startJ, t), at(b, m + 1, startJ, t)
 end
 
--- How far i is from j, and the normal from j to i, at the places in column `place`.
+-- How far i is from j, and the normal from j to i, at the places in column `place`. It is asked in
+-- the order of the world, since which of a pair is the first depends on the broad phase.
 local function gapIn(b, place, i, j)
+  local isSwapped = b.rank[j] < b.rank[i]
+  if isSwapped then
+    i, j = j, i
+  end
   local size, shape, k, m = b.size, b.shape, 2 * i, 2 * j
-  return circle.gap(
+  local gap, nx, ny = circle.gap(
     place[k],
     place[k + 1],
     size[k],
@@ -86,6 +91,7 @@ local function gapIn(b, place, i, j)
     size[m + 1],
     shape[j] == CIRCLE
   )
+  return gap, isSwapped and -nx or nx, isSwapped and -ny or ny
 end
 
 --- Returns when two bodies meet (0..1 of the step), on which axis, and whether the first is the low

@@ -553,8 +553,8 @@ local function solve(b, dt)
   if b.hasNudges then
     nudgeTouching(b, dt)
   end
-  if b.rubs > 0 then
-    settleViolated(b, dt) -- by what friction has done for others
+  if b.rubs > 0 or b.hasCircles then
+    settleViolated(b, dt) -- by what friction has done for others, or where circles are crushed
   end
   b.isChangeListed = false
   findChanged(b)
