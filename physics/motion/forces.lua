@@ -1,9 +1,10 @@
---- Step 3, forces: gravity, own acceleration, air friction, drag and speed limits.
+--- Forces: computes the free flight of a body in a step from gravity, its own acceleration, air
+-- friction, drag and speed limits.
 --
--- Reads velocity, push, flowPull, flowAir, flowDrag (see zones), limit, maxSpeed, support; writes
--- speed (velocity at the end of the step) and way (displacement in the step), both of free flight
--- and without a carrier; and of those with a limit, reserve and pace.
--- All are exact solutions for a constant acceleration, so that arcs do not depend on dt.
+-- Reads velocity, push, flowPull, flowAir, flowDrag (see zones), limit, maxSpeed, support. Writes
+-- speed (velocity at the end of the step) and way (displacement in the step), both without contacts
+-- and without a carrier. Writes reserve and pace of bodies with a limit. All are exact solutions
+-- for a constant acceleration, so that arcs do not depend on dt.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -15,9 +16,9 @@ local HUGE = math.huge
 local max, min, sqrt = math.max, math.min, math.sqrt
 local TINY = columns.TINY
 
--- Returns e^-x, (1 - e^-x) / x and (e^-x - 1 + x) / x² for x >= 0, from + - * / alone, so that the
--- bits are the same on every machine: x is halved to at most 1/8, the last of the three taken from
--- its Taylor series, and the halving undone.
+-- Returns e^-x, (1 - e^-x) / x and (e^-x - 1 + x) / x² for x >= 0. It uses + - * / alone, so that
+-- the bits are the same on every machine. x is halved until it is at most 1/8, the last of the
+-- three is taken from its Taylor series, and the halving is undone.
 local function damping(x)
   local halvings = 0
   while x > 0.125 do
@@ -37,7 +38,7 @@ local function damping(x)
   return decay, first, second
 end
 
--- One axis of free flight: returns the velocity at the end and the displacement.
+-- Returns the velocity at the end of a free flight on one axis, and the displacement.
 local function fly(v, a, airFriction, dt)
   if airFriction == 0 then
     local n = v + a * dt
@@ -51,8 +52,9 @@ local function clamp(v, limit)
   return v > limit and limit or v < -limit and -limit or v
 end
 
--- How many seconds a flight with air friction takes until it is as fast as `target`, which it is
--- before dt is over. Source: Newton's method; the velocity is convex or concave, so it converges.
+-- Returns how many seconds a flight with air friction takes until it is as fast as `target`, which
+-- it is before dt is over. Source: Newton's method. The velocity is convex or concave, so it
+-- converges.
 local function timeUntil(v, a, airFriction, target, dt)
   local time = 0.0
   for _ = 1, 6 do
@@ -62,9 +64,9 @@ local function timeUntil(v, a, airFriction, target, dt)
   return time
 end
 
---- Flight with air friction of body k from a velocity of v px/s, pulled by a, for tau s, while it
---- rubs on ground that goes at `base` and brakes it by `brake` px/s². Returns the velocity at the
---- end and the displacement.
+--- Computes the flight with air friction of body k for tau s, from a velocity of v px/s, under an
+--- acceleration of a px/s². Meanwhile it rubs on ground that moves at `base` and brakes it by
+--- `brake` px/s². Returns the velocity at the end and the displacement.
 function forces.slide(b, k, v, a, base, brake, tau)
   local carried, air, way = b.carried[k], b.flowAir[(k - k % 2) * 0.5], 0.0
   local slip, own = v - base, base - carried
@@ -86,8 +88,9 @@ function forces.slide(b, k, v, a, base, brake, tau)
   return last + carried, way + its + carried * tau
 end
 
--- Free flight of an axis with a speed limit: that is reached inside the step. Third, by how much
--- faster it would be.
+-- Computes the free flight on an axis with a speed limit, which may be reached inside the step.
+-- Returns the velocity at the end, the displacement, and by how much faster it would be without the
+-- limit.
 local function flyLimited(v, a, airFriction, limit, dt)
   v = clamp(v, limit)
   local n, way = fly(v, a, airFriction, dt)
@@ -108,7 +111,8 @@ local function keep(b, k, v, left)
   b.reserve[k], b.pace[k] = left, v
 end
 
--- What is left of a loss of speed, for which k first makes up with what its limit keeps from it.
+-- Returns what is left of a loss of speed of k, after it is made up with what the limit of k keeps
+-- back.
 local function lose(b, k, loss)
   local kept = b.reserve[k]
   local borne = max(min(loss, max(kept, 0)), min(kept, 0))
@@ -116,13 +120,14 @@ local function lose(b, k, loss)
   return loss - borne
 end
 
--- The end of a flight from the speed (startX, startY) to (x, y), when `drag` takes less than that:
--- against the direction that it has halfway, or if it turns about, at the end.
--- Source: the midpoint method, as in E. Hairer et al., Solving Ordinary Differential Equations I.
+-- Ends a flight from the speed (startX, startY) to (x, y), of which `drag` takes only a part. Drag
+-- acts against the direction that the flight has halfway, or against that at the end if it turns
+-- about. Source: the midpoint method, as in E. Hairer et al., Solving Ordinary Differential
+-- Equations I.
 local function slow(b, k, startX, startY, x, y, drag, dt)
   local alongX, alongY = x, y
   local dot, square = startX * x + startY * y, x * x + y * y
-  -- It turns by less than 60 degrees, whose cosine is 1/2.
+  -- If it turns by less than 60 degrees; the cosine of 60 degrees is 1/2.
   if dot > 0 and 4 * dot * dot > (startX * startX + startY * startY) * square then
     alongX, alongY = startX + x, startY + y
   end
@@ -133,8 +138,8 @@ local function slow(b, k, startX, startY, x, y, drag, dt)
   way[k], way[k + 1] = way[k] - lossX * 0.5 * dt, way[k + 1] - lossY * 0.5 * dt
 end
 
--- The same of one that stops on its way from a speed (x, y), as it slows down by `rate` px/s², and
--- goes on under the acceleration (ax, ay).
+-- Ends the flight of a body that slows down from (x, y) by `rate` px/s², stops, and goes on under
+-- the acceleration (ax, ay).
 local function turn(b, k, x, y, rate, ax, ay, dt)
   local stop = min(sqrt(x * x + y * y) / max(rate, TINY), dt)
   local left = dt - stop
@@ -143,8 +148,8 @@ local function turn(b, k, x, y, rate, ax, ay, dt)
   b.way[k + 1] = y * 0.5 * stop + ay * left * 0.5 * left
 end
 
--- The index of the axis along which slot i stands on something, which takes away what it would fall
--- in this step; 0: it does not stand.
+-- Returns the index of the axis along which slot i stands on something, 0 if there is none. What it
+-- stands on will take away its fall in this step.
 local function standsAlong(b, i)
   local down, k = b.down, 2 * i
   k = k + (down[k] ~= 0 and 0 or 1)
@@ -152,12 +157,14 @@ local function standsAlong(b, i)
   return b.support[i] ~= 0 and isPulled and b.velocity[k] == 0 and k or 0
 end
 
--- The flight of slot i, pulled by (ax, ay), against air friction and drag, exact as long as it
--- moves along a line. Returns false if it would turn on its way; nothing has changed then.
+-- Computes the flight of slot i under the acceleration (ax, ay), against air friction and drag. It
+-- is exact as long as the motion is along a line. Returns false, and changes nothing, if it would
+-- turn round on its way.
 local function flyDragged(b, i, ax, ay, dt)
   local limit, drag, air, k = b.limit, b.flowDrag[i], b.flowAir[i], 2 * i
   local x, y = clamp(b.velocity[k], limit[k]), clamp(b.velocity[k + 1], limit[k + 1])
-  -- Drag acts against the motion; against the pull on who stands, which it may hold.
+  -- Drag acts against the motion. If the body does not move, it acts against the pull, which it may
+  -- hold.
   local towardsX, towardsY = x, y
   if x == 0 and y == 0 then
     towardsX, towardsY = ax, ay
@@ -175,8 +182,8 @@ local function flyDragged(b, i, ax, ay, dt)
   return true
 end
 
--- Slows slot i by its drag along its motion. Exact as long as it moves along a line, but for who
--- turns in the air. On the axis of `stands` it does not move.
+-- Slows slot i by its drag along its motion. That is exact as long as it moves along a line, unless
+-- it turns round against air friction. On the axis of `stands` it does not move.
 local function brakeSlot(b, i, stands, dt)
   local velocity, limit, drag, k = b.velocity, b.limit, b.flowDrag[i], 2 * i
   if b.flowAir[i] ~= 0 then
@@ -188,7 +195,7 @@ local function brakeSlot(b, i, stands, dt)
   end
   local x, y = b.speed[k], b.speed[k + 1]
   local startX, startY = clamp(velocity[k], limit[k]), clamp(velocity[k + 1], limit[k + 1])
-  local freeX, freeY = x + b.reserve[k], y + b.reserve[k + 1] -- but for its limits
+  local freeX, freeY = x + b.reserve[k], y + b.reserve[k + 1] -- without its limits
   local ax, ay = (freeX - startX) / dt, (freeY - startY) / dt
   local a, start = sqrt(ax * ax + ay * ay), sqrt(startX * startX + startY * startY)
   local along = start > 0 and (ax * startX + ay * startY) / start or 0
@@ -212,17 +219,17 @@ local function scaled(x, y, length)
   return x * share, y * share
 end
 
--- The part of a step after which a velocity that changes evenly, by (gainX, gainY), is as long as
--- `limit`, which it is not longer than when the step begins.
+-- Returns the part of a step after which a velocity is as long as `limit`. It changes evenly by
+-- (gainX, gainY), and is not longer than `limit` when the step begins.
 local function shareUntil(limit, startX, startY, gainX, gainY)
   local square, dot = gainX * gainX + gainY * gainY, startX * gainX + startY * gainY
   local missing = max(limit * limit - startX * startX - startY * startY, 0)
   return max(0, min((sqrt(dot * dot + square * missing) - dot) / max(square, TINY), 1))
 end
 
--- Limits the length of the velocity, which is reached inside the step. From there on only what is
--- across the motion, halfway, changes it, as long as the rest of the step adds less than half of
--- that: the direction turns at the same rate in steps of any length.
+-- Limits the length of the velocity, which may reach its limit inside the step. From there on, only
+-- the gain across the motion, halfway, changes it, if the rest of the step adds less than half of
+-- the limit. So the direction turns at the same rate in steps of any length.
 local function limitLength(b, i, dt)
   local speed, way, velocity, k = b.speed, b.way, b.velocity, 2 * i
   local x, y, limit = speed[k], speed[k + 1], b.maxSpeed[i]
@@ -234,7 +241,7 @@ local function limitLength(b, i, dt)
     startX, startY = scaled(startX, startY, limit)
     x, y = startX + (x - velocity[k]), startY + (y - velocity[k + 1])
   end
-  if x * x + y * y <= limit * limit then -- it was faster than that, and has slowed down
+  if x * x + y * y <= limit * limit then -- it was faster than the limit, and has slowed down
     speed[k], speed[k + 1] = x, y
     way[k], way[k + 1] = (startX + x) * 0.5 * dt, (startY + y) * 0.5 * dt
     return
@@ -256,8 +263,8 @@ local function limitLength(b, i, dt)
   way[k + 1] = (startY + fullY) * before + (fullY + y) * after
 end
 
--- What drag and maxSpeed make of the flight of slot i. They count what moves: of who stands, not
--- the fall that the floor will take away.
+-- Applies drag and maxSpeed to the flight of slot i. Both act on motion: of a body that stands, the
+-- fall that the floor will take away does not count.
 local function hinder(b, i, dt)
   local speed, way, stands, k = b.speed, b.way, standsAlong(b, i), 2 * i
   if b.flowAir[i] == 0 and b.limit[k] == HUGE and b.limit[k + 1] == HUGE then
@@ -281,7 +288,7 @@ local function hinder(b, i, dt)
   end
 end
 
--- What drag and maxSpeed make of it all, for those who have one.
+-- Applies drag and maxSpeed to the bodies that have one.
 local function hinderAll(b, dt, first, last)
   local list, kind, drag, maxSpeed = b.awakeList, b.kind, b.flowDrag, b.maxSpeed
   for n = first, last do
@@ -300,7 +307,8 @@ function forces.run(b, dt, first, last)
     local i = list[n]
     local k, m = 2 * i, 2 * i + 1
     if kind[i] == DYNAMIC and airFriction[i] == 0 and limit[k] == HUGE and limit[m] == HUGE then
-      -- As `fly` for nearly all, written out: without a compiler calls cost more than what they do.
+      -- The same as `fly`, written out for the usual case: without a compiler the calls would cost
+      -- more than the work.
       local x, y = velocity[k], velocity[m]
       local endX, endY = x + (pull[k] + push[k]) * dt, y + (pull[m] + push[m]) * dt
       speed[k], speed[m] = endX, endY

@@ -2,9 +2,9 @@
 --- It reads `world.objects` and the fields of the objects, as a game could; only the grid is
 --- internal.
 --
--- Every mark is a filled rectangle or polygon, and words are written afterwards: LÖVE collects such
--- shapes, so that the whole world is a draw call or two, however many objects there are. Its lines
--- cost several times as much as the four rectangles that an outline takes.
+-- Every mark is a filled rectangle or polygon, and texts are written last. LÖVE batches such
+-- shapes, so the whole world takes one or two draw calls, however many objects there are. LÖVE's
+-- lines cost several times as much as the four rectangles of an outline.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local check = require(root .. ".world.check")
@@ -13,8 +13,8 @@ local keyOrder = require(root .. ".memory.keyOrder")
 
 local drawing = {}
 
--- Fills have a contrast of at least 3 to 1 to black and to white (spec/draw_spec.lua measures it):
--- a game's background may be either.
+-- Fills have a contrast of at least 3 to 1 to black and to white, since a game's background may be
+-- either (spec/draw_spec.lua measures it).
 local COLORS = {
   static = { 0.47, 0.51, 0.58 },
   kinematic = { 0.22, 0.52, 0.88 },
@@ -52,7 +52,7 @@ local min, sqrt = math.min, math.sqrt
 
 -- Order -------------------------------------------------------------------------------------------
 
--- Whether the keys are 1, 2, 3, … and nothing else: then there is nothing to sort.
+-- Returns whether the keys are 1, 2, 3, … and nothing else: then nothing must be sorted.
 local function isPlainList(group)
   local count = 0
   for _ in pairs(group) do
@@ -78,7 +78,7 @@ local function visitGroup(group, name, visit, options)
 end
 
 -- Calls visit(object, options, name of the group, key) for every object of a world, in the order of
--- the library: what is drawn on top must not change by chance.
+-- the world: what is drawn on top must not vary.
 local function visitAll(world, visit, options)
   for _, name in ipairs(keyOrder.sorted(world.objects)) do
     local value = world.objects[name]
@@ -127,7 +127,7 @@ local function fill(x, y, width, height)
   love.graphics.rectangle("fill", x, y, width, height)
 end
 
--- Four rectangles inside of the box, so that the line covers its pixels and not their neighbours.
+-- Draws four rectangles inside the box, so that the outline covers no pixels of its neighbours.
 local function drawOutline(x, y, width, height, thickness)
   local t = min(thickness, width / 2, height / 2)
   fill(x, y, width, t)
@@ -136,7 +136,7 @@ local function drawOutline(x, y, width, height, thickness)
   fill(x + width - t, y + t, t, height - 2 * t)
 end
 
--- The strip along one side of a box.
+-- Draws the strip along one side of a box.
 local function drawSide(x, y, width, height, side, thickness)
   if side == "top" or side == "bottom" then
     local t = min(thickness, height)
@@ -176,8 +176,8 @@ local function drawCircle(object, color, isFilled, alpha)
   end
 end
 
--- A sensor is only an outline, since it is in no object's way. The darker border tells boxes that
--- stand side by side from each other.
+-- Draws a box. A sensor is only an outline, since it blocks nothing. The darker border separates
+-- boxes that stand side by side.
 local function drawBox(object, color, isFilled, alpha)
   local x, y, width, height = object.x, object.y, object.width, object.height
   if isFilled then
@@ -253,7 +253,7 @@ local function drawObject(object, options)
   end
 end
 
--- The cells in which the objects are filed; the more stand in one, the stronger it shows. The plain
+-- Draws the grid's cells in which objects are filed; the more objects, the stronger. The plain
 -- broad phase has none.
 local function drawGrid(world, options)
   local grid = world._bodies and world._bodies.broadphase
@@ -269,7 +269,7 @@ end
 
 -- Words -------------------------------------------------------------------------------------------
 
--- White with a dark shadow can be read on everything.
+-- White with a dark shadow is readable on every colour.
 local function write(text, x, y, alpha)
   love.graphics.setColor(0, 0, 0, alpha)
   love.graphics.print(text, x + 1, y + 1)
@@ -283,7 +283,7 @@ local function writeName(object, options, group, key)
   write(name, object.x + EDGE, object.y + EDGE, alpha)
 end
 
--- In the corner of the window, whatever the camera does.
+-- Writes the counters into the corner of the window, whatever the camera does.
 local function writeCounters(stats, font, options)
   local parts = {}
   for i, name in ipairs(COUNTERS) do
@@ -298,7 +298,7 @@ local function writeCounters(stats, font, options)
   love.graphics.pop()
 end
 
--- A font for each love.graphics that there has been.
+-- A font for each `love.graphics` table that has been used.
 local fonts = setmetatable({}, { __mode = "k" })
 
 local function writeWords(world, options)

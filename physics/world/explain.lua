@@ -1,4 +1,4 @@
---- Why two objects do or do not collide, in one sentence.
+--- Explains in one sentence why two objects do or do not collide.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local aabb = require(root .. ".memory.aabb")
@@ -6,7 +6,7 @@ local check = require(root .. ".world.check")
 local circle = require(root .. ".memory.circle")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
-local roster = require(root .. ".objects.registry")
+local registry = require(root .. ".objects.registry")
 local view = require(root .. ".queries.index")
 
 local explain = {}
@@ -16,7 +16,7 @@ local STATIC, CIRCLE = columns.STATIC, columns.SHAPE_CIRCLE
 local format = string.format
 
 local function nameOf(v, i)
-  return roster.place(v.group[i], v.key[i])
+  return registry.place(v.group[i], v.key[i])
 end
 
 -- Returns which mask lets two objects pass through each other, in words, or nil.

@@ -1,4 +1,5 @@
---- Reads an object layer: boxes of rectangles, tile objects and polygons, circles, points, lines.
+--- Reads an object layer: makes boxes of rectangles, tile objects and polygons, and circles; lists
+--- points and lines.
 
 local root = (...):match("^(.*)%.maps%.")
 local check = require(root .. ".world.check")
@@ -9,7 +10,7 @@ local tileset = require(root .. ".maps.tiled.tileset")
 
 local objectlayer = {}
 
--- Where the left and lower edges of a tile object are, as shares of its size from its x and y.
+-- Where the left and lower edges of a tile object are from its x and y, as fractions of its size.
 local ALIGNMENTS = {
   topleft = { 0, 1 },
   top = { 0.5, 1 },
@@ -31,8 +32,8 @@ end
 
 -- Boxes -------------------------------------------------------------------------------------------
 
--- The box of a tile object: the collision rectangle of its tile if there is just one, else the
--- whole tile.
+-- Returns the box of a tile object: the collision rectangle of its tile if there is just one, else
+-- the whole tile.
 local function boxOfTile(state, object, tile)
   local kind = tile.kind
   local aligned = ALIGNMENTS[kind.set.objectalignment or "unspecified"] or ALIGNMENTS.unspecified
@@ -51,7 +52,7 @@ local function boxOfTile(state, object, tile)
   return shapes.turnBox(box, object.x, object.y, shapes.quarters(object.rotation))
 end
 
--- The boxes of an object in the layer; nil and the reason if it has none.
+-- Returns the boxes of an object in the layer; nil and the reason if it has none.
 local function boxesOf(state, object, tile, place)
   local boxes, reason = shapes.boxes(object, place, state.sti, true)
   if tile and boxes then
@@ -60,7 +61,7 @@ local function boxesOf(state, object, tile, place)
   return boxes, reason
 end
 
--- What the map says of an object ------------------------------------------------------------------
+-- Which objects are in the world -----------------------------------------------------------------
 
 local function traitsOf(state, own, tile)
   local traits = state.context.traits
@@ -76,15 +77,15 @@ local function traitsOf(state, own, tile)
   return isWall and properties.makeStatic(traits) or traits
 end
 
--- One no is enough; without a word an object is in.
+-- Returns whether the map leaves an object out: one `solid = false` is enough.
 local function isOut(state, own, tile)
   return state.context.solid == false
     or own.solid == false
     or tile and tile.kind.traits.solid == false
 end
 
--- A picture of which the map says nothing at all: no property, no name, no class, no shape, and no
--- word of its layer.
+-- Returns whether an object is a mere picture: it has no name, neither it nor its tile has a
+-- property, class or shape, and its layer says nothing.
 local function isDecoration(state, object, tile)
   local context = state.context
   if not tile or context.solid or context.isWanted or context.isSpoken then
@@ -174,7 +175,7 @@ local function readBoxes(state, object, own, tile, place)
   end
 end
 
--- A click in the editor makes a rectangle without a size.
+-- (A click in the editor makes a rectangle without a size.)
 local function isPoint(object)
   local shape = object.shape or "rectangle"
   local isEmpty = object.width == 0 and object.height == 0
@@ -216,14 +217,13 @@ local function readObject(state, object, i)
   end
 end
 
---- Reads an object layer.
---- Errors: a position, a size, a gid or a property that cannot be used.
+--- Reads an object layer. Errors: a position, a size, a gid or a property that cannot be used.
 ---@param reading table
 ---@param layer table
 ---@param context table what the layers around it and it itself say
 function objectlayer.read(reading, layer, context)
   local state = { reading = reading, layer = layer, context = context }
-  if reading.map.tileInstances then -- STI was here
+  if reading.map.tileInstances then -- the map comes from STI
     check.number(layer.x, "x", report.place(layer))
     check.number(layer.y, "y", report.place(layer))
     state.sti = { x = layer.x, y = layer.y }
