@@ -76,7 +76,9 @@ end
 local function gapIn(b, place, i, j)
   local isSwapped = b.rank[j] < b.rank[i]
   if isSwapped then
-    i, j = j, i
+    local first = j
+    j = i
+    i = first
   end
   local size, shape, k, m = b.size, b.shape, 2 * i, 2 * j
   local gap, nx, ny = circle.gap(

@@ -685,7 +685,7 @@ function case.new(seed, steps)
   if seed % 10 == 4 then
     drive(self.acts, seed)
   end
-  if seed % 7 == 6 then
+  if seed % 7 == 5 then
     round(self.acts, seed)
   end
   if seed % 3 == 2 then

@@ -315,7 +315,9 @@ function acts.ask(player, x, y, w, h)
   local world = player.world
   tellList(player, "point", world:queryPoint(x, y))
   tellList(player, "rect", world:queryRect(x, y, w, h))
-  tellList(player, "circle", world:queryCircle(x, y, w))
+  if world._bodies.hasCircles then
+    tellList(player, "circle", world:queryCircle(x, y, w))
+  end
   tellList(player, "segment", world:querySegment(x, y, x + w, y - h))
   player:tell("ray", world:raycast(x + w, y, x - w, y + h))
   player:tell("nearest", world:nearest(x, y, w))
