@@ -107,6 +107,7 @@ local SLOT = {
   dirty = 0, -- 1: its path has changed since it was last swept
   deepAt = 0, -- solve in which it was last inside another dynamic body
   impactsOf = 0, -- number of impacts in this step
+  frozenAt = 0, -- solve in which it was stopped where it met a circle
   deflectedAt = 0, -- solve in which it met something slanted (see ball)
   inRound = 0, -- round in which it was last in an impact
   -- broad phase

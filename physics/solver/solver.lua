@@ -300,6 +300,7 @@ local function stop(b, i, t, isRound)
     for k = 2 * i, 2 * i + 1 do
       b.to[k] = b.from[k]
       if isRound then
+        b.frozenAt[i] = b.solveStamp
         local off = b.from[k] - b.origin[k]
         b.to[k] = off <= EPSILON and off >= -EPSILON and b.origin[k] or b.to[k]
         b.speed[k], b.accel[k] = 0.0, 0.0
@@ -549,12 +550,44 @@ local function calm(b)
   end
 end
 
--- What still meets a circle stops there, and what meets that.
+-- Takes back what body k, of slot i, has moved towards a contact, up to `over` px. `sign`: 1 if it
+-- is the low one. Returns what is left of that.
+local function takeBack(b, i, k, over, sign)
+  local way = min(over, max((b.to[k] - b.from[k]) * sign, 0.0))
+  if way == 0 or b.kind[i] ~= DYNAMIC then
+    return over
+  end
+  b.to[k], b.speed[k], b.accel[k] = b.to[k] - sign * way, 0.0, 0.0
+  b.frozenAt[i] = b.solveStamp
+  change(b, i)
+  return over - way
+end
+
+-- What leans on a stopped body does not go into it. Returns whether something has changed.
+local function holdBack(b)
+  local hasChanged, frozenAt, stamp = false, b.frozenAt, b.solveStamp
+  for axis = 0, 1 do
+    local list = b.contacts[axis]
+    for c = 1, list.count do
+      local kl, kh = list.low[c], list.high[c]
+      local i, j = (kl - axis) * 0.5, (kh - axis) * 0.5
+      local over = b.to[kl] + list.separation[c] - b.to[kh]
+      if over > EPSILON and (frozenAt[i] == stamp or frozenAt[j] == stamp) then
+        local left = takeBack(b, j, kh, takeBack(b, i, kl, over, 1), -1)
+        hasChanged = hasChanged or left < over
+      end
+    end
+  end
+  return hasChanged
+end
+
+-- What still meets a circle stops there, and what meets that, or leans on it.
 local function freeze(b, dt)
   for _ = 1, FREEZES do
+    local isHeld = holdBack(b)
     b.isChangeListed = true
     followChanged(b)
-    if not round(b, dt, true, true) then
+    if not round(b, dt, true, true) and not isHeld then
       return
     end
   end

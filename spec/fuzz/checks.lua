@@ -24,7 +24,7 @@ checks.TOLERANCE = 1e-6
 checks.KNOT, checks.KNOT_UPDATES = 16, 20
 --- Share of the smaller one by which circles may overlap in a knot, and by which they may go on
 --- overlapping in a heap.
-checks.ROUND_KNOT, checks.ROUND_HEAP = 0.25, 0.125
+checks.ROUND_KNOT, checks.ROUND_HEAP = 0.5, 0.125
 --- px: in a row that fills its room to the pixel two may go on overlapping by this much.
 checks.FULL = 0.2
 
