@@ -56,16 +56,21 @@ function zones.note(b, i)
   b.hasHinders = b.hasHinders or (area.drag or 0) > 0
 end
 
+-- Returns whether slot i has an area still. (Slots at the end may have been given back.)
+local function isZone(b, i)
+  return i <= b.slots and b.kind[i] ~= 0 and b.area[i] ~= false
+end
+
 -- Puts the list in the order of the world, without those that are zones no more.
 local function arrange(b)
-  local list, area, kind, rank, count = b.zoneList, b.area, b.kind, b.rank, 0
+  local list, rank, count = b.zoneList, b.rank, 0
   for n = 1, #list do
-    local i, at, isNew = list[n], count, true
-    while at > 0 and rank[list[at]] >= rank[i] do
-      isNew = isNew and list[at] ~= i
+    local i, at, isNew = list[n], count, isZone(b, list[n])
+    while isNew and at > 0 and rank[list[at]] >= rank[i] do
+      isNew = list[at] ~= i
       at = at - 1
     end
-    if kind[i] ~= 0 and area[i] and isNew then
+    if isNew then
       for m = count, at + 1, -1 do
         list[m + 1] = list[m]
       end
@@ -285,7 +290,7 @@ function zones.restore(b)
   zones.begin(b, b.movers, b.moverCount)
 end
 
-interpreted.functions(arrange, shareIn, actingShare, strength, attract, replace, turn, push)
+interpreted.functions(isZone, arrange, shareIn, actingShare, strength, attract, replace, turn, push)
 interpreted.functions(listAllNear)
 interpreted.functions(turnAll, zones.copy, zones.isSame, zones.note, zones.run, zones.begin)
 
