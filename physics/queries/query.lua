@@ -347,7 +347,7 @@ end
 -- Returns the fraction of the line at which it hits slot i, after `from` and up to `to`; NEVER: it
 -- does not. An object at the very beginning is hit at 0, which is after any `from` < 0.
 local function hitAt(line, v, i)
-  local enters, leaves
+  local enters, leaves ---@type number, number
   if v.shape[i] == CIRCLE then
     enters, leaves = passageRound(v, i, line.x, line.y, line.dx, line.dy)
   else
