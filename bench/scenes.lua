@@ -10,8 +10,8 @@
 ---     gravity   px/s²
 ---     hasMasses true: boxes have a `mass`, 1 where none is given, in every engine
 ---     objects   descriptions of boxes: group, x, y, width, height, vx, vy, static, kinematic,
----               friction, restitution, gravity, mass, pushable, maxSpeed; the same fields as those
----               of physics.lua
+---               friction, restitution, gravity, mass, pushable, maxSpeed, radius, sensor, area;
+---               the same fields as those of physics.lua
 ---     rest      true: engines may skip what rests, and those that cannot do not play; false:
 ---               no engine may; nil: as the engine likes
 ---     needs     features of which an engine may say that it lacks them (bench/engines.lua)
@@ -30,6 +30,8 @@ local FILES = {
   "pile",
   "level",
   "gas",
+  "balls",
+  "zones",
   "swarm",
   "lifts",
   "rays",

@@ -81,7 +81,11 @@ local function drawObject(object, time)
     return drawCoin(object, time)
   end
   local alpha = (object.sensor or object.active == false) and 0.35 or object.alpha
-  look.box(x, y, width, height, object.color, alpha)
+  if object.radius then
+    look.ball(x, y, object.radius, object.color, alpha)
+  else
+    look.box(x, y, width, height, object.color, alpha)
+  end
   if object.surfaceSpeed then
     drawBelt(object, time)
   elseif object.lookX then

@@ -26,7 +26,8 @@ local function send(ball, dx, dy)
 end
 
 local function addBall(x, y, dx, dy)
-  send(boxes.add(world, "balls", "white", x, y, BALL, BALL, { restitution = 1 }), dx, dy)
+  local ball = { radius = BALL / 2, restitution = 1 } -- round: it flies off corners askew
+  send(boxes.add(world, "balls", "white", x, y, BALL, BALL, ball), dx, dy)
 end
 
 -- Callbacks may remove and add what they like: the library calls them when its step is done.

@@ -110,6 +110,16 @@ function look.box(x, y, width, height, color, alpha)
   love.graphics.rectangle("fill", x + 2, y + 2, width - 4, math.min(4, height / 4), 2)
 end
 
+--- Draws a ball in its square, with the same shadow and light.
+function look.ball(x, y, radius, color, alpha)
+  look.color("night", 0.25 * (alpha or 1))
+  love.graphics.circle("fill", x + radius + 3, y + radius + 4, radius)
+  look.color(color, alpha)
+  love.graphics.circle("fill", x + radius, y + radius, radius)
+  love.graphics.setColor(1, 1, 1, 0.22 * (alpha or 1))
+  love.graphics.circle("fill", x + radius * 0.7, y + radius * 0.6, radius * 0.3)
+end
+
 --- Draws two eyes in a box, which look to the given direction (-1..1 on both axes).
 function look.eyes(x, y, width, height, lookX, lookY)
   local radius = math.min(width, height) * 0.17

@@ -22,6 +22,9 @@
 
 --- Your own table that you give to `add` or put into a group.
 ---@class physics.NewObject: physics.Box
+--- px, > 0, default none: a box. A circle in its square: `x, y` is the corner of the square,
+--- `width` and `height` are 2 * radius. `add` writes both if they are nil.
+---@field radius? number
 --- px/s, default 0. The velocity along x. For a rider it is relative to what carries it.
 ---@field vx? number
 --- px/s, default 0. The velocity along y, downwards. For a rider it is relative to what carries it.
@@ -40,6 +43,9 @@
 ---@field active? boolean
 --- default false. It reports contacts, but nothing bumps into it.
 ---@field sensor? boolean
+--- default none. Only of a sensor, which is a zone then: what acts on the dynamic objects inside
+--- it. Water, wind, low gravity, a magnet.
+---@field area? physics.Area
 --- default true. `false`: other objects cannot push it, but it pushes them. Walls still stop it.
 ---@field pushable? boolean
 --- > 0, default 1. The weight in pushes and in the exchange of momentum. Only ratios matter.
@@ -119,6 +125,28 @@
 --- What a dynamic object touches: `top`, `bottom`, `left` and `right`, each the other object or
 --- `false`. An object that was hit in the last update, and left again, counts.
 ---@field touching physics.Touching
+
+--- What the field `area` of a zone may hold.
+---@class physics.Area
+--- px/s², default that of the object. Replaces the downward gravity of what is inside. A negative
+--- one lifts, as in water.
+---@field gravity? number
+--- px/s², default that of the object. Replaces the sideways gravity of what is inside.
+---@field gravityX? number
+--- px/s², default 0. An acceleration along x on top: wind.
+---@field ax? number
+--- px/s², default 0. An acceleration along y on top.
+---@field ay? number
+--- 1/s, >= 0, default 0. Damping on top of that of the object: water, mud.
+---@field airFriction? number
+--- px/s², >= 0, default 0. A constant deceleration on top of that of the object.
+---@field drag? number
+--- px/s², default 0. An acceleration towards the centre of the zone; a negative one repels.
+---@field attract? number
+--- default "constant". How `attract`, which it is at the rim, depends on the distance from the
+--- centre: not at all, growing with it, as 1 / distance, or as 1 / distance². The rim is at half
+--- of the smaller size. Within an eighth of that the pull falls to 0 at the centre.
+---@field law? "constant"|"linear"|"inverse"|"square"
 
 --- What `newWorld` and `load` take.
 ---@class physics.Settings
@@ -430,6 +458,22 @@ function default.queryPoint(x, y, filter, out) end
 ---@return integer count
 function default.queryRect(x, y, w, h, filter, out) end
 
+--- Returns all objects that overlap a circle by more than 1e-6 px, and how many: those of which a
+--- point is nearer to the centre than the radius. With the setting `sideBySide` objects that are
+--- flush with it count, too.
+--- Source: the point of a box that is nearest to the centre.
+---
+--- Errors: a number is not finite; the radius is <= 0; the filter cannot be used; `out` is not a
+--- table.
+---@param x number px, the centre
+---@param y number px
+---@param radius number px, > 0
+---@param filter physics.Filter? which objects count, default all
+---@param out physics.Object[]? list to fill, default a new one
+---@return physics.Object[] objects in the order of the world
+---@return integer count
+function default.queryCircle(x, y, radius, filter, out) end
+
 --- Returns all objects on the line from (x1, y1) to (x2, y2), as `raycast` would hit them, and how
 --- many.
 ---
@@ -466,7 +510,7 @@ function default.querySegment(x1, y1, x2, y2, filter, out) end
 ---@return physics.Object? object nil: the line is free, and nothing else is returned
 ---@return number x px, where it is hit
 ---@return number y px
----@return number nx normal of the side that is hit: -1, 0, 1
+---@return number nx normal where it is hit, of length 1: -1, 0, 1 at a box
 ---@return number ny likewise
 ---@return number fraction of the line, 0..1
 function default.raycast(x1, y1, x2, y2, filter) end
@@ -488,7 +532,7 @@ function default.raycast(x1, y1, x2, y2, filter) end
 ---@return physics.Object? other nil: the way is free, and nothing else is returned
 ---@return number x px, where `object` would be then, flush
 ---@return number y px
----@return number nx normal of the side that is hit: -1, 0, 1
+---@return number nx normal where it is hit, of length 1: -1, 0, 1 on a side of a box
 ---@return number ny likewise
 ---@return number fraction of the way, 0..1
 function default.sweep(object, dx, dy, filter) end
@@ -534,8 +578,8 @@ function default.velocity(object) end
 function default.nearest(x, y, radius, filter) end
 
 --- Returns all objects that overlap an object by more than 1e-6 px, and how many; masks play no
---- part. With the setting `sideBySide` objects that are flush with it count, too. An inactive
---- object overlaps nothing.
+--- part. An object with a `radius` is the circle, not its square. With the setting `sideBySide`
+--- objects that are flush with it count, too. An inactive object overlaps nothing.
 ---
 --- Test the number, `count > 0`: an empty list is true in Lua. Removing objects while you loop over
 --- the list is safe.
@@ -622,6 +666,28 @@ function default.impulse(object, ix, iy) end
 ---@param dy number px
 function default.shift(dx, dy) end
 
+--- Pushes all dynamic objects in a circle away from its centre, also sensors. At the centre an
+--- object gets the whole impulse, at the rim nothing; in between it is less with the distance of
+--- the nearest point of the object. The push is towards the middle of the object, or straight up
+--- if that is the centre.
+---
+--- With `walls` only objects in sight are pushed: those that nothing of `walls` hides from the
+--- centre. It is a filter as for `raycast`, for instance the name of a group. Inside a wall an
+--- explosion pushes only that wall, if it is dynamic.
+---
+--- Errors: a number is not finite; the radius is <= 0; a filter cannot be used; `vx`, `vy` or
+--- `mass` of an object cannot be used; it is called from inside `canCollide`. Nothing has changed
+--- then.
+---@param x number px, the centre
+---@param y number px
+---@param radius number px, > 0
+---@param impulse number px/s times mass, at the centre; < 0: towards the centre
+---@param filter physics.Filter? which objects are pushed, default all
+---@param walls physics.Filter? what is in the way, default nothing
+---@return physics.Object[] objects those that were pushed, in the order of the world
+---@return integer count
+function default.explode(x, y, radius, impulse, filter, walls) end
+
 --- Puts four static walls around a rectangle: `top`, `bottom`, `left` and `right` of the group
 --- `bounds`. You may give them `friction` and other fields before the next update. A second call
 --- replaces the walls; a call without arguments removes them.
@@ -654,8 +720,8 @@ function default.setBounds(x, y, w, h) end
 ---
 --- Not supported, and listed in `unsupported` of the result: maps that are not orthogonal, objects
 --- that are turned by other than quarters, polygons with other than level and upright edges,
---- ellipses, capsules, texts, parallax, layers and tilesets that cannot be read, and properties
---- with values that cannot be used.
+--- ellipses that are no circles, capsules, texts, parallax, layers and tilesets that cannot be
+--- read, and properties with values that cannot be used.
 ---
 --- Errors: the map or the file does not exist; an unknown option; an option names a layer or a gid
 --- that is not in the map; a layer in `solidLayers` cannot be read; a gid belongs to no tileset; a

@@ -38,6 +38,10 @@ writes `x, y, vx, vy` and `touching` of dynamic objects, and `x, y` of kinematic
   callbacks `onBegin` and `onEnd` are read when they are called.
 ]]
 
+local AREAS = [[
+What the field [`area`](#field-area) of a zone may hold. See [Zones](guide/motion.md#zones).
+]]
+
 local SETTINGS = [[
 Settings are given to [`physics.newWorld`](#physicsnewworld) or [`physics.load`](#physicsload).
 After that they are plain fields of the world: `world.gravity = 0`. The list `order` must be
@@ -94,7 +98,7 @@ local function fieldMeaning(field)
 end
 
 -- Types in a narrow column; the editor's types say more.
-local KINDS = { mask = "table", masks = "table", names = "list", sides = "table" }
+local KINDS = { mask = "table", masks = "table", names = "list", sides = "table", area = "table" }
 KINDS.ownFields = "list"
 
 -- `place` begins the anchor of each row: "field-x", "setting-gravity".
@@ -123,6 +127,7 @@ local HIDDEN = {
   ["physics.Settings"] = true,
   ["physics.WorldSettings"] = true,
   ["physics.DefaultWorld"] = true,
+  ["physics.Area"] = true,
 }
 
 -- A type, with a link if it has a section under "Types".
@@ -307,6 +312,8 @@ end
 function manual.text()
   local lines = { HEAD, "## Fields of objects", "", FIELDS }
   addFields(lines, fields.objects, "field")
+  add(lines, "## Areas", "", AREAS)
+  addFields(lines, fields.area, "area")
   add(lines, "## Settings", "", SETTINGS)
   addFields(lines, fields.settings, "setting")
   add(lines, "## The module", "", MODULE)

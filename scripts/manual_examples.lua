@@ -157,6 +157,12 @@ local list, count = world:queryPoint(50, 380)
 print(count, list[1] == player) --> 1 true
 ]]
 
+examples["world:queryCircle"] = [[
+world:add("crates", { x = 100, y = 384, width = 16, height = 16 })
+local list, count = world:queryCircle(64, 384, 40, { "players", "crates" })
+print(count, list[2] == player, list[1].x) --> 2 true 100
+]]
+
 examples["world:queryRect"] = [[
 local list, count = world:queryRect(0, 300, 100, 150, { "players", "tiles" })
 print(count) --> 2
@@ -243,6 +249,14 @@ examples["world:shift"] = [[
 local x = player.x
 world:shift(-1000, 0)
 print(player.x - x, player.touching.bottom == floor) --> -1000 true
+]]
+
+examples["world:explode"] = [[
+world:add("walls", { x = 200, y = 300, width = 16, height = 100, static = true })
+local near = world:add("crates", { x = 120, y = 384, width = 16, height = 16 })
+local hidden = world:add("crates", { x = 240, y = 384, width = 16, height = 16 })
+local pushed, count = world:explode(100, 392, 200, 400, "crates", { "walls", "tiles" })
+print(count, pushed[1] == near, near.vx, hidden.vx) --> 1 true 360 0
 ]]
 
 examples["world:setBounds"] = [[

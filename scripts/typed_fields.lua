@@ -10,6 +10,7 @@ local TYPES = {
   names = "(string|number)[]",
   ownFields = "string[]",
   sides = "physics.Touching",
+  area = "physics.Area",
 }
 
 -- Types of the parameters of callbacks, by their names.

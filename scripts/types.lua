@@ -98,6 +98,13 @@ local function addObjects(lines)
   end
 end
 
+local function addAreas(lines)
+  add(lines, "", "--- What the field `area` of a zone may hold.", "---@class physics.Area")
+  for _, field in ipairs(fields.area) do
+    addField(lines, field, true)
+  end
+end
+
 local function addSettings(lines)
   add(lines, "", "--- What `newWorld` and `load` take.", "---@class physics.Settings")
   for _, field in ipairs(fields.settings) do
@@ -135,6 +142,7 @@ end
 function types.text()
   local lines = {}
   addObjects(lines)
+  addAreas(lines)
   addSettings(lines)
   add(lines, "", "--- The default world, on which the functions of the module work.")
   add(lines, "---@class physics.DefaultWorld: physics.WorldSettings")

@@ -451,6 +451,13 @@ local METHODS = {
     listAndCount,
   },
   {
+    "queryCircle",
+    function()
+      return { 25, 90, 40, { "boxes", "floors" }, {} }
+    end,
+    listAndCount,
+  },
+  {
     "querySegment",
     function()
       return { 0, 90, 400, 95, "boxes", {} }
@@ -541,6 +548,13 @@ local METHODS = {
       return { scene.box, 10, 10 }
     end,
     nothing,
+  },
+  {
+    "explode",
+    function()
+      return { 20, 90, 200, 300, "boxes", { "floors" } }
+    end,
+    listAndCount,
   },
   {
     "setBounds",

@@ -42,7 +42,7 @@ local function newRecorder()
   function graphics.pop()
     depth = depth - 1
   end
-  for _, name in ipairs({ "rectangle", "polygon", "print", "origin" }) do
+  for _, name in ipairs({ "rectangle", "circle", "polygon", "print", "origin" }) do
     graphics[name] = function(...)
       calls[#calls + 1] = { name = name, color = color, depth = depth, font = font, ... }
     end
@@ -88,6 +88,16 @@ describe("draw", function()
     draw({ objects = objects }, options)
     return calls
   end
+
+  it("draws circles as circles", function()
+    local found = {}
+    drawn({ coins = { box({ x = 10, y = 20, radius = 8, sensor = true }) } })
+    drawn({ balls = { box({ x = 30, y = 20, radius = 8 }) } }, { touching = false })
+    for n, call in ipairs(calls) do
+      found[n] = ("%s %s %g %g %g"):format(call.name, unpack(call, 1, 4))
+    end
+    assert.are.same({ "circle line 18 28 8", "circle fill 38 28 8", "circle fill 38 28 7" }, found)
+  end)
 
   local function colorOf(object, options)
     drawn({ boxes = { object } }, options)

@@ -9,6 +9,7 @@ local OBJECTS = {
   { "y", nil, "px" },
   { "width", nil, "px" },
   { "height", nil, "px" },
+  { "radius", nil, "px" },
   { "vx", 0, "px/s" },
   { "vy", 0, "px/s" },
   { "ax", 0, "px/s²" },
@@ -17,6 +18,7 @@ local OBJECTS = {
   { "kinematic", false },
   { "active", true },
   { "sensor", false },
+  { "area", nil },
   { "pushable", true },
   { "mass", 1 },
   { "gravity", nil, "px/s²" },
@@ -79,6 +81,7 @@ local TYPES = {
   names = true,
   ownFields = true,
   sides = true,
+  area = true,
 }
 
 --- Whether a value passes the check of a field of an object.

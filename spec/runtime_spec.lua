@@ -38,11 +38,12 @@ local VALUES = {
   surfaceSpeed = 40,
   nudge = 4,
   maxFallSpeed = 20,
+  radius = 8,
 }
 
 -- Not here: where and how large it is, what a dynamic object does not feel, callbacks.
 -- (A slope is refused, and slopes are not here.)
-local OTHERS = { "x", "y", "width", "height", "vx", "vy", "static", "carry", "touching" }
+local OTHERS = { "x", "y", "width", "height", "area", "vx", "vy", "static", "carry", "touching" }
 -- (`snap` is in spec/scenarios/24_snap_spec.lua: this scene has no stairs.)
 for _, name in ipairs({ "snap", "slope", "constantSpeed" }) do
   OTHERS[#OTHERS + 1] = name

@@ -838,11 +838,29 @@ describe("world:loadTiled, polygons", function()
   end)
 
   it("and capsules, ellipses and texts are named", function()
-    for _, shape in ipairs({ "capsule", "ellipse", "text" }) do
+    for shape, reason in pairs({
+      capsule = "capsule: only rectangles are boxes",
+      ellipse = "ellipse: only circles are round, with one width and height",
+      text = "text: only rectangles are boxes",
+    }) do
       local object = tiled.object(1, 0, 0, 16, 32, { shape = shape })
       local map = tiled.map({ tiled.tileset() }, { tiled.objects(1, "things", { object }) })
-      assert.same({ shape .. ": only rectangles are boxes" }, reasonsOf(load(map)))
+      assert.same({ reason }, reasonsOf(load(map)))
     end
+  end)
+
+  it("and ellipses that are circles have a radius", function()
+    local object = tiled.object(1, 40, 8, 24, 24, { shape = "ellipse", rotation = 90 })
+    object.properties = { sensor = true }
+    local box = tiled.object(2, 0, 0, 16, 16)
+    box.properties = { radius = 8 }
+    local map = tiled.map({ tiled.tileset() }, { tiled.objects(1, "things", { object, box }) })
+    local level, world = load(map)
+    local coin = world.objects.things[1]
+    assert.same({ 16, 8, 24, 24, 12 }, { coin.x, coin.y, coin.width, coin.height, coin.radius })
+    assert.is_nil(world.objects.things[2].radius)
+    assert.same({ 'property "radius": the editor\'s own shape counts' }, reasonsOf(level))
+    world:update(1 / 60)
   end)
 end)
 

@@ -419,7 +419,7 @@ describe("world", function()
         assert.same({
           "tileset slopes 5: " .. external,
           "object shapes 1: slope: only static and kinematic objects are slopes",
-          "object shapes 3: ellipse: only rectangles are boxes",
+          "object shapes 3: ellipse: only circles are round, with one width and height",
           "object shapes 5: text: only rectangles are boxes",
           "object shapes 6: rotated by 30 degrees: boxes do not turn",
           'object shapes 8: property "width": the editor\'s own value counts',

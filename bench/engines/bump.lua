@@ -9,6 +9,8 @@ local engine = {
     gravity = "a game has to pull by itself",
     sizes = "a game has to push by itself",
     state = "no snapshots",
+    circles = "boxes only",
+    zones = "a game has to accelerate by itself",
   },
 }
 local World = {}

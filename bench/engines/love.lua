@@ -5,6 +5,7 @@ local lovePhysics = {
   lacks = {
     state = "its state cannot be read out as a whole",
     sizes = "its shapes keep their size",
+    zones = "a game has to accelerate by itself",
   },
 }
 local World = {}
@@ -45,7 +46,8 @@ function World:add(description)
   local halfWidth, halfHeight = description.width / 2, description.height / 2
   local x, y = description.x + halfWidth, description.y + halfHeight
   local body = love.physics.newBody(self.world, x, y, kindOf(description))
-  local shape = love.physics.newRectangleShape(description.width, description.height)
+  local shape = description.radius and love.physics.newCircleShape(description.radius)
+    or love.physics.newRectangleShape(description.width, description.height)
   local fixture = love.physics.newFixture(body, shape)
   fixture:setFriction(description.friction or 0)
   fixture:setRestitution(description.restitution or 0)

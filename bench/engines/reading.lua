@@ -63,6 +63,8 @@ local function findRich(movers, frictions, count)
       or object.snap ~= nil
       or object.slope ~= nil
       or object.constantSpeed ~= nil
+      or object.radius ~= nil
+      or object.area ~= nil
     then
       rich = rich + 1
     end

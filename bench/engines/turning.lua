@@ -9,6 +9,7 @@ local turning = {
   lacks = {
     state = lovePhysics.lacks.state,
     sizes = lovePhysics.lacks.sizes,
+    zones = lovePhysics.lacks.zones,
     upright = "its boxes fall over",
   },
 }

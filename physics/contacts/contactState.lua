@@ -11,6 +11,7 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local aabb = require(root .. ".memory.aabb")
 local ask = require(root .. ".solver.permission")
+local ball = require(root .. ".solver.ball")
 local columns = require(root .. ".memory.columns")
 local events = require(root .. ".contacts.events")
 local interpreted = require(root .. ".memory.jit")
@@ -48,10 +49,12 @@ local function flushSide(b, i, j)
     - (1 - apartX) * (1 - apartY)
 end
 
--- The same where there are slopes.
+-- The same of any two.
 local function sideOf(b, i, j)
   if b.hasSlopes and slope.isPair(b, i, j) then
     return slope.side(b, i, j)
+  elseif b.hasCircles and ball.isRound(b, i, j) then
+    return ball.side(b, i, j)
   end
   return flushSide(b, i, j)
 end

@@ -6,6 +6,7 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local aabb = require(root .. ".memory.aabb")
+local ball = require(root .. ".solver.ball")
 local check = require(root .. ".world.check")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
@@ -85,7 +86,11 @@ local function locate(b, p, side)
   if b.hasSlopes and slope.isPair(b, i, i) then
     i, j, side = j, i, OPPOSITE[side] -- the box has the side, or the corner, that touches
   end
-  if b.hit[p] == 0 then
+  if b.hit[p] == 0 and b.hasCircles and ball.isRound(b, i, j) then
+    local x, y = ball.point(b, i, j)
+    at, low = axis == 0 and x or y, axis == 0 and y or x
+    high = low
+  elseif b.hit[p] == 0 then
     local to, size = b.to, b.size
     local k, m, own = 2 * i + 1 - axis, 2 * j + 1 - axis, 2 * i + axis
     at = to[own] + (side % 2 == 0 and size[own] or 0)

@@ -16,6 +16,9 @@ local columns = {}
 
 columns.STATIC, columns.KINEMATIC, columns.DYNAMIC = 1, 2, 3
 
+--- Values of `shape`: a box; a circle that fills its box.
+columns.SHAPE_BOX, columns.SHAPE_CIRCLE = 0, 1
+
 --- By kind: 1 for a dynamic object, else 0, as a factor instead of a branch. (0 is an empty slot.)
 columns.GIVES = { [0] = 0, [columns.STATIC] = 0, [columns.KINEMATIC] = 0, [columns.DYNAMIC] = 1 }
 
@@ -84,6 +87,8 @@ local SLOT = {
   restitution = 0,
   airFriction = 0,
   drag = 0,
+  zoneAir = 0, -- the same two with what zones add to them (see zones)
+  zoneDrag = 0,
   maxSpeed = HUGE,
   carry = true,
   surfaceSpeed = 0,
@@ -119,6 +124,8 @@ local SLOT = {
   impactsOf = 0, -- number of impacts in this step
   pieceFirst = 0, -- pieces of its way along the ground (see walk),
   pieceLast = 0, -- 0: none
+  frozenAt = 0, -- solve in which it was stopped where it met a circle
+  deflectedAt = 0, -- solve in which it met something slanted (see ball)
   inRound = 0, -- round in which it was last in an impact
   lowered = 0, -- px by which it was lowered in this step (see snap)
   -- broad phase
@@ -141,6 +148,8 @@ local ANY = {
   maskSeen = false, -- which groups the mask of a mover refused when it was last read
   oneWay = false,
   slope = false, -- `shape` says the same
+  radius = false,
+  area = false, -- a copy of the game's table (see zones)
   canCollide = false,
   hears = false, -- its onStay
 }
@@ -154,6 +163,8 @@ local AXIS = {
   slowest = -HUGE, -- limits of the velocity by these and maxFallSpeed, without its carrier
   fastest = HUGE,
   pull = 0, -- gravity that acts on it, px/s²
+  zonePull = 0, -- the same with what zones do
+  zoneLeft = 0, -- share of it of which no zone has the gravity
   down = 0, -- -1, 0, 1: where its gravity points, on its stronger axis only
   last = 0, -- position before the last fixed step, for drawing
   written = 0, -- x, y as the game has last written them; kinematic: its target
@@ -261,6 +272,7 @@ local PAIR_FLAG = {
 local PAIR_LIST = {
   "live", -- pairs of which one body is awake
   "near", -- scratch of sweep
+  "roundPairs", -- scratch of contacts
   "apart", -- pairs to be swept (see contacts)
   "overlaps",
   "sortScratch",
@@ -304,7 +316,7 @@ for _, names in ipairs({
   { "crushHigh", "touchBest", "touchTold", "pairA", "pairB", "contact", "hit" },
   { "nudged", "wedged", "touches" },
   { "live" },
-  { "near", "touchPairs" },
+  { "near", "touchPairs", "roundPairs" },
   { "closePairs", "otherPairs", "other", "next", "previous", "movers", "awakeList", "rich" },
   { "outdated", "offerAt", "offerOther", "rivals" },
 }) do
@@ -440,6 +452,9 @@ local function addFlags(b)
   b.hasAskers = false -- or had a canCollide
   b.hasOneWays = false -- or was one-way
   b.hasSensors = false -- or was a sensor
+  b.hasCircles = false -- or was a circle
+  b.hasZones = false -- or had an area
+  b.hasTurns = false -- or one with a gravity of its own
   b.hasFirm = false -- or was not pushable
   b.hasCrushed = false -- or was crushed
   b.hasInside = false -- or was left inside another one
@@ -450,6 +465,9 @@ end
 -- Adds the state of reading: the game's changes, carriers, queries.
 local function addReading(b)
   b.isRemasked = false -- masks have changed: objects may overlap that could not meet before
+  b.zoneList = {} -- slots with an area, in order when a step has begun
+  b.nearBody = {} -- scratch of zones
+  b.nearZone = {}
   b.maskCopy = false -- the last copy made of a static object's mask (see filter)
   b.halfRead = {} -- objects that are being read anew (see read)
   b.lost = {} -- slots that have lost their carrier since the last step
@@ -532,6 +550,7 @@ local function addSolver(b)
   b.isChangeListed = false -- all new paths are in this list
   b.seenCount = 0
   b.overlapCount = 0
+  b.roundCount = 0
   b.isViolated = false
   b.isTorn = false -- two members of one block overlap
   b.isJammed = false -- two bodies that cannot move have had an impact
@@ -691,6 +710,7 @@ end
 function columns.release(b, i)
   b.object[i], b.group[i], b.touching[i], b.mask[i], b.canCollide[i] =
     false, false, false, false, false
+  b.area[i] = false
   b.kind[i] = 0
   b.awake[i] = false
   b.freeCount = b.freeCount + 1

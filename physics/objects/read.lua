@@ -18,11 +18,12 @@ local interpreted = require(root .. ".memory.jit")
 local notice = require(root .. ".queries.notice")
 local rest = require(root .. ".sleep.islands")
 local registry = require(root .. ".objects.registry")
+local zones = require(root .. ".motion.zones")
 
 local read = {}
 
 local HUGE, max, min = math.huge, math.max, math.min
-local SLOPE = columns.SHAPE_SLOPE_LEFT -- and above
+local BOX, SLOPE = columns.SHAPE_BOX, columns.SHAPE_SLOPE_LEFT -- and above
 local UNREAD = 0 / 0 -- NaN: no place is equal to it
 local isFinite = check.isFinite
 local STATIC, KINEMATIC, DYNAMIC = columns.STATIC, columns.KINEMATIC, columns.DYNAMIC
@@ -87,15 +88,8 @@ local function readPull(b, i)
     gx, gy = 0, 0
   end
   gx, gy = gx + 0.0, gy + 0.0 -- floats: squares of integers would wrap
-  local vertical = gx * gx <= gy * gy
   b.pull[k], b.pull[k + 1] = gx, gy
-  b.down[k] = vertical and 0 or (gx > 0 and 1 or -1)
-  b.down[k + 1] = vertical and (gy > 0 and 1 or gy < 0 and -1 or 0) or 0
-  for m = k, k + 1 do
-    local limit, fall = b.limit[m], b.maxFallSpeed[i]
-    b.slowest[m] = -(b.down[m] < 0 and min(limit, fall) or limit)
-    b.fastest[m] = b.down[m] > 0 and min(limit, fall) or limit
-  end
+  zones.setDown(b, i, gx, gy)
 end
 
 -- Fields that few objects have and that are copied as they are: name, column, default. (`listRich`
@@ -106,6 +100,8 @@ local RARE = {
   { "pushable", "pushable", true },
   { "oneWay", "oneWay", false },
   { "slope", "slope", false },
+  { "radius", "radius", false },
+  { "area", "area", false },
   { "carry", "carry", true },
   { "canCollide", "canCollide", false },
   { "onStay", "hears", false },
@@ -149,8 +145,12 @@ local function readFields(b, i, object)
   if b.mask[i] then
     readMask(b, i, b.mask[i])
   end
+  if b.area[i] then
+    b.area[i] = zones.copy(b.area[i])
+    zones.note(b, i)
+  end
   b.oneWay[i] = sideOf(b.oneWay[i])
-  b.shape[i] = isDynamic and columns.SHAPE_BOX or shapeOf(b.slope[i])
+  b.shape[i] = b.radius[i] and columns.SHAPE_CIRCLE or isDynamic and BOX or shapeOf(b.slope[i])
   b.mass[i], b.inverseMass[i] = mass, isDynamic and 1 / mass or 0
   b.friction[i] = orDefault(object.friction, isDynamic and 0 or -1)
   b.restitution[i] = orDefault(object.restitution, 0)
@@ -195,7 +195,7 @@ end
 
 -- Notes whether its position alone decides if a contact of the object goes on.
 local function noteEven(b, i)
-  b.even[i] = not (b.sensor[i] or b.hears[i] or b.oneWay[i] or b.shape[i] >= SLOPE)
+  b.even[i] = not (b.sensor[i] or b.hears[i] or b.oneWay[i]) and b.shape[i] == BOX
 end
 
 -- Notes how steep a slope is.
@@ -222,11 +222,12 @@ local function readAll(b, i, object, isNew)
   b.hasAskers = b.hasAskers or b.canCollide[i] ~= false
   b.hasOneWays = b.hasOneWays or b.oneWay[i] ~= false
   b.hasSensors = b.hasSensors or b.sensor[i]
+  b.hasCircles = b.hasCircles or b.shape[i] == columns.SHAPE_CIRCLE
   b.hasFirm = b.hasFirm or not b.pushable[i]
   if b.shape[i] >= SLOPE then
     noteSlope(b, i)
   end
-  b.plain[i] = not b.sensor[i] and b.shape[i] < SLOPE
+  b.plain[i] = not b.sensor[i] and b.shape[i] == BOX
   noteEven(b, i)
 end
 
@@ -480,6 +481,8 @@ local function listRich(b)
       or object.sensor ~= nil
       or object.pushable ~= nil
       or object.oneWay ~= nil
+      or object.radius ~= nil
+      or object.area ~= nil
       or object.mask ~= nil
       or object.canCollide ~= nil
       or object.onStay ~= nil
@@ -566,7 +569,7 @@ local function compareLimits(b, count)
   local rich, objects = b.rich, b.object
   local airFriction, drag, maxSpeed, limit = b.airFriction, b.drag, b.maxSpeed, b.limit
   local carry, surfaceSpeed, nudge, snap = b.carry, b.surfaceSpeed, b.nudge, b.snap
-  local constantSpeed = b.constantSpeed
+  local constantSpeed, radius, area = b.constantSpeed, b.radius, b.area
   for n = 1, count do
     local i = rich[n]
     local object = objects[i]
@@ -588,6 +591,8 @@ local function compareLimits(b, count)
       or orDefault(object.nudge, 0) ~= nudge[i]
       or orDefault(object.snap, 0) ~= snap[i]
       or (object.constantSpeed or false) ~= constantSpeed[i]
+      or object.radius ~= (radius[i] or nil)
+      or ((object.area ~= nil or area[i]) and not zones.isSame(object.area, area[i]))
     then
       reread(b, i)
     end

@@ -294,7 +294,7 @@ local function takeOffCarrier(b, i)
     local x, y = carrier.velocity(b, c, i)
     b.speed[k] = carrier.ownVelocity(b, k, x, isNew)
     b.speed[k + 1] = carrier.ownVelocity(b, k + 1, y, isNew)
-    local pullX, pullY = b.pull[k] + b.push[k], b.pull[k + 1] + b.push[k + 1]
+    local pullX, pullY = b.flowPull[k] + b.push[k], b.flowPull[k + 1] + b.push[k + 1]
     b.news[i] = b.news[i]
       or x * pullX < 0
       or y * pullY < 0
@@ -306,8 +306,7 @@ end
 -- Returns whether friction holds the object only at this length of a step. In a longer step, air
 -- friction and speed limits take more off a force or a weight.
 local function isBorneByChance(b, i)
-  return b.rubs > 0
-    and (b.airFriction[i] ~= 0 or b.reserve[2 * i] ~= 0 or b.reserve[2 * i + 1] ~= 0)
+  return b.rubs > 0 and (b.flowAir[i] ~= 0 or b.reserve[2 * i] ~= 0 or b.reserve[2 * i + 1] ~= 0)
 end
 
 -- Returns whether the next step may differ from this one although nothing moves. (Whether a buried

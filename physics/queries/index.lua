@@ -27,7 +27,7 @@ local view = {}
 
 local max, min = math.max, math.min
 local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
-local shapeOf = columns.shapeOf
+local BOX, CIRCLE, shapeOf = columns.SHAPE_BOX, columns.SHAPE_CIRCLE, columns.shapeOf
 
 -- Kind of an object that the simulation has read anew.
 local UNREAD = 0
@@ -61,6 +61,7 @@ local function new()
   local v = {
     slots = 0,
     count = 0,
+    hasCircles = false, -- ever
     free = {},
     slotOf = {},
     movers = {}, -- slots with fields that may change: all but static objects that were read
@@ -93,11 +94,26 @@ local function complain(v, i)
   check.object(v.object[i], registry.place(v.group[i], v.key[i]))
 end
 
+-- Reads the radius of an object that has one; returns its shape.
+local function lookAtRadius(v, i, radius)
+  local object = v.object[i]
+  if
+    type(radius) ~= "number"
+    or object.width ~= 2 * radius
+    or object.height ~= 2 * radius
+    or object.slope ~= nil
+  then
+    complain(v, i)
+  end
+  v.hasCircles = true
+  return CIRCLE
+end
+
 -- Reads where an object is now.
 local function look(v, i)
   local object, position, size, k = v.object[i], v.position, v.size, 2 * i
   local x, y, width, height = object.x, object.y, object.width, object.height
-  local active = object.active
+  local active, radius = object.active, object.radius
   if
     type(x) ~= "number"
     or type(y) ~= "number"
@@ -108,11 +124,13 @@ local function look(v, i)
   then
     complain(v, i)
   end
-  if v.kind[i] ~= DYNAMIC and shapeOf(object.slope) ~= v.shape[i] then
+  local shape = v.kind[i] ~= DYNAMIC and shapeOf(object.slope) or BOX
+  if radius ~= nil then
+    shape = lookAtRadius(v, i, radius)
+  elseif shape ~= v.shape[i] then
     complain(v, i)
-    v.shape[i] = shapeOf(object.slope)
   end
-  v.active[i] = active ~= false
+  v.active[i], v.shape[i] = active ~= false, shape
   -- Adding 0.0 makes floats of the integers of Lua 5.3 and later, which would wrap.
   position[k], position[k + 1] = x + 0.0, y + 0.0
   size[k], size[k + 1] = width + 0.0, height + 0.0
@@ -154,6 +172,7 @@ local function readStatic(v, b, i)
     v[name][i] = b[name][slot]
   end
   v.kind[i], v.live[i] = STATIC, false
+  v.hasCircles = v.hasCircles or v.shape[i] == CIRCLE
 end
 
 local function readAny(v, b, i)

@@ -92,15 +92,12 @@ local function normalOf(v, j)
   return triangle.normal(v.shape[j], v.size[2 * j], v.size[2 * j + 1])
 end
 
-local function note(journey, other, side, x, y, share, response, isEdge)
+local function note(journey, other, side, x, y, share, response, nx, ny)
   local hit = nextHit(journey)
   local sign = (side == "left" or side == "top") and 1 or -1
   local isAcross = AXIS_OF[side] == 0
   hit.other, hit.side, hit.x, hit.y = other, side, x, y
-  hit.nx, hit.ny = isAcross and sign or 0, isAcross and 0 or sign
-  if isEdge then
-    hit.nx, hit.ny = normalOf(journey.view, journey.next)
-  end
+  hit.nx, hit.ny = nx or isAcross and sign or 0, ny or isAcross and 0 or sign
   hit.fraction = journey.start + (1 - journey.start) * share
   hit.response = response
 end
@@ -198,6 +195,18 @@ local function turnAtEdge(v, journey, j, x, y, share, response)
   end
 end
 
+-- The same after a hit on a slanted normal: what is left of the way goes along the tangent.
+local function turnAlong(journey, x, y, nx, ny, share, response)
+  journey.start = journey.start + (1 - journey.start) * share
+  journey.x, journey.y = x, y
+  local dx, dy = journey.toX - x, journey.toY - y
+  local into = min(dx * nx + dy * ny, 0.0) * (response == "bounce" and 2 or 1)
+  if response == "touch" then
+    dx, dy, into = 0.0, 0.0, 0.0
+  end
+  journey.toX, journey.toY = x + dx - nx * into, y + dy - ny * into
+end
+
 -- Returns the side of an object that overlaps another, by the opposite-sides rule.
 local function deepSide(v, i, j)
   local position, size, k, m = v.position, v.size, 2 * i, 2 * j
@@ -223,8 +232,14 @@ local function meet(v, journey, j)
   local isSolid = axis ~= nil and obstacle.isSolid(v, i, j)
   local side = axis and obstacle.sides(axis, isLow) or deepSide(v, i, j)
   local response = respond(journey, object, other, isSolid)
+  local nx, ny
+  if isEdge then
+    nx, ny = normalOf(v, j)
+  else
+    nx, ny = obstacle.normal(v, i, j, x, y)
+  end
   if response then
-    note(journey, other, side, x, y, share, response, isEdge)
+    note(journey, other, side, x, y, share, response, nx, ny)
   end
   if not response or response == "cross" then
     journey.passed[j] = true
@@ -232,6 +247,9 @@ local function meet(v, journey, j)
   end
   if isEdge then
     turnAtEdge(v, journey, j, x, y, share, response)
+  elseif nx and nx ~= 0 and ny ~= 0 then
+    journey.rest = 0
+    turnAlong(journey, x, y, nx, ny, share, response)
   else
     journey.rest = axis == v.bodies.downAxis and journey.rest or 0
     turn(journey, x, y, axis, share, response)

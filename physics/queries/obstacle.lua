@@ -2,6 +2,7 @@
 --- columns of the queries (see index.lua).
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local circle = require(root .. ".memory.circle")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
 local sweep = require(root .. ".queries.sweptAabb")
@@ -12,8 +13,8 @@ require(root .. ".memory.jit").file()
 
 local obstacle = {}
 
-local SIDES, EPSILON = columns.SIDES, columns.EPSILON
-local floor = math.floor
+local SIDES, CIRCLE, EPSILON = columns.SIDES, columns.SHAPE_CIRCLE, columns.EPSILON
+local floor, max = math.floor, math.max
 -- Times of impact closer than 1 / MOMENTS of the way are simultaneous.
 local MOMENTS = 1e9
 
@@ -100,10 +101,38 @@ function obstacle.onEdge(v, i, j, x, y)
   return axis == 1 and across or place, axis == 1 and place or across
 end
 
+-- Whether one of two is a circle. On a slope a circle is its box.
+local function isRoundPair(v, i, j)
+  return max(v.shape[i], v.shape[j]) == CIRCLE
+end
+
+-- `meet` for two of which one is a circle: the axis is that on which the normal is steeper.
+local function meetRound(v, i, j, x, y, toX, toY)
+  local position, size, shape, k, m = v.position, v.size, v.shape, 2 * i, 2 * j
+  local isRound, isOtherRound = shape[i] == CIRCLE, shape[j] == CIRCLE
+  local w, h, ox, oy, ow, oh =
+    size[k], size[k + 1], position[m], position[m + 1], size[m], size[m + 1]
+  if circle.overlap(x, y, w, h, isRound, ox, oy, ow, oh, isOtherRound, EPSILON) then
+    return 0, nil, nil, x, y, sweep.FACE
+  end
+  local dx, dy = toX - x, toY - y
+  local share, nx, ny =
+    circle.meetPair(x, y, w, h, isRound, dx, dy, ox, oy, ow, oh, isOtherRound, EPSILON)
+  if not share then
+    return nil
+  end
+  local isLevel = nx * nx > ny * ny
+  local isLow = (isLevel and nx or ny) < 0
+  return share, isLevel and 0 or 1, isLow, x + dx * share, y + dy * share, sweep.FACE
+end
+
 --- Returns when object i on its way from (x, y) meets object j: fraction, axis, whether i has the
 --- smaller coordinate, the place of i then, the kind of impact; nil: never. The axis is nil if they
 --- overlap at the start. Of slopes, a further true: at the sloped edge.
 function obstacle.meet(v, i, j, x, y, toX, toY)
+  if v.hasCircles and isRoundPair(v, i, j) then
+    return meetRound(v, i, j, x, y, toX, toY)
+  end
   local position, size, k, m = v.position, v.size, 2 * i, 2 * j
   local w, h, ox, oy, ow, oh =
     size[k], size[k + 1], position[m], position[m + 1], size[m], size[m + 1]
@@ -122,6 +151,19 @@ function obstacle.meet(v, i, j, x, y, toX, toY)
   end
   local atX, atY = sweep.place(x, y, w, h, toX, toY, ox, oy, ow, oh, share, axis, isLow)
   return share, axis, isLow, atX, atY, kind
+end
+
+--- Returns the unit normal from object j to object i, which is at (x, y), where one of them is a
+--- circle; nil: both are boxes.
+function obstacle.normal(v, i, j, x, y)
+  local position, size, shape, k, m = v.position, v.size, v.shape, 2 * i, 2 * j
+  if not isRoundPair(v, i, j) then
+    return nil
+  end
+  local isRound, isOtherRound = shape[i] == CIRCLE, shape[j] == CIRCLE
+  local ox, oy, ow, oh = position[m], position[m + 1], size[m], size[m + 1]
+  local _, nx, ny = circle.gap(x, y, size[k], size[k + 1], isRound, ox, oy, ow, oh, isOtherRound)
+  return nx, ny
 end
 
 --- Returns a number that puts impacts in order: by time, faces before corners, along gravity before

@@ -16,6 +16,7 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local aabb = require(root .. ".memory.aabb")
+local circle = require(root .. ".memory.circle")
 local columns = require(root .. ".memory.columns")
 local interpreted = require(root .. ".memory.jit")
 local obstacle = require(root .. ".queries.obstacle")
@@ -26,6 +27,7 @@ local view = require(root .. ".queries.index")
 local query = {}
 
 local EPSILON, TINY, VAST = columns.EPSILON, columns.TINY, columns.VAST
+local BOX, CIRCLE = columns.SHAPE_BOX, columns.SHAPE_CIRCLE
 local max, min, sqrt = math.max, math.min, math.sqrt
 local TIE = 1e-9
 local SLOPE = triangle.FIRST -- and above
@@ -150,6 +152,56 @@ local function toEdge(v, i, x, y, w, h)
   return triangle.gap(triangle.EDGE, v.shape[i], 1, rx, ry, w, h, s[k], s[k + 1])
 end
 
+-- The square of the distance of a point from an object.
+local function distanceTo(v, i, x, y)
+  local position, size, k = v.position, v.size, 2 * i
+  local left, top = position[k], position[k + 1]
+  if v.shape[i] == CIRCLE then
+    local r = size[k] * 0.5
+    local far = max(sqrt(circle.square(x, y, left + r, top + r, left + r, top + r)) - r, 0.0)
+    return far * far
+  elseif v.shape[i] >= SLOPE then
+    local its = triangle.distance(v.shape[i], x - left, y - top, size[k], size[k + 1])
+    if its then
+      return its
+    end
+  end
+  return circle.square(x, y, left, top, left + size[k], top + size[k + 1])
+end
+
+-- Keeps of `found` what overlaps a circle by more than `depth`, but for slot `but`; returns how
+-- many.
+local function keepInCircle(v, found, count, x, y, radius, depth, but)
+  local position, size, shape, active, n = v.position, v.size, v.shape, v.active, 0
+  for m = 1, count do
+    local i = found[m]
+    local k = 2 * i
+    local left, top, right, bottom = position[k], position[k + 1], size[k], size[k + 1]
+    local reach = radius - depth
+    if shape[i] == CIRCLE then
+      reach = reach + right * 0.5
+      left, top, right, bottom = left + right * 0.5, top + bottom * 0.5, 0.0, 0.0
+    end
+    local square = shape[i] >= SLOPE and distanceTo(v, i, x, y)
+      or circle.square(x, y, left, top, left + right, top + bottom)
+    if square < reach * max(reach, 0.0) and i ~= but and active[i] then
+      n = n + 1
+      found[n] = i
+    end
+  end
+  return n
+end
+
+-- Everything but slot `but` in a circle, in order.
+local function inCircle(v, world, x, y, radius, but, filter, out)
+  local found = view.take(v)
+  local depth, reach = world.sideBySide and -EPSILON or EPSILON, radius + EPSILON
+  local n = view.near(v, world, x - reach, y - reach, x + reach, y + reach, found)
+  n = keepNamed(v, found, keepInCircle(v, found, n, x, y, radius, depth, but), filter)
+  sort.by(found, n, v.rank, v.rank, v.rank)
+  return publish(v, found, n, filter, out)
+end
+
 -- Keeps in `found` the objects around a point; returns how many.
 local function keepAround(v, found, count, x, y)
   local position, size, active, n = v.position, v.size, v.active, 0
@@ -169,12 +221,28 @@ local function keepAround(v, found, count, x, y)
   return n
 end
 
+-- Keeps of `found` all but circles that a point is not in; returns how many.
+local function keepRoundAround(v, found, count, x, y)
+  local n = 0
+  for m = 1, count do
+    local i = found[m]
+    if v.shape[i] ~= CIRCLE or distanceTo(v, i, x, y) == 0 then
+      n = n + 1
+      found[n] = i
+    end
+  end
+  return n
+end
+
 --- Returns the objects around a point. Left and top edges belong to an object, right and bottom
 --- ones do not.
 function query.point(world, x, y, filter, out)
   local v = view.of(world)
   local found = view.take(v)
   local n = keepAround(v, found, view.near(v, world, x, y, x, y, found), x, y)
+  if v.hasCircles then
+    n = keepRoundAround(v, found, n, x, y)
+  end
   n = keepNamed(v, found, n, filter)
   sort.by(found, n, v.rank, v.rank, v.rank)
   return publish(v, found, n, filter, out)
@@ -202,6 +270,24 @@ local function keepOverlapping(v, found, count, x, y, w, h, depth, but)
   return n
 end
 
+-- Keeps of `found` all but circles that a rectangle does not meet by more than `depth`.
+local function keepRoundOverlapping(v, found, count, x, y, w, h, depth)
+  local position, size, n = v.position, v.size, 0
+  for m = 1, count do
+    local i = found[m]
+    local r = size[2 * i] * 0.5
+    local centerX, centerY, reach = position[2 * i] + r, position[2 * i + 1] + r, r - depth
+    if
+      v.shape[i] ~= CIRCLE
+      or circle.square(centerX, centerY, x, y, x + w, y + h) < reach * reach
+    then
+      n = n + 1
+      found[n] = i
+    end
+  end
+  return n
+end
+
 -- Returns the objects in a rectangle except slot `but`, in the order of the world.
 local function inRectangle(v, world, x, y, w, h, but, filter, out)
   local found = view.take(v)
@@ -209,7 +295,11 @@ local function inRectangle(v, world, x, y, w, h, but, filter, out)
   local depth = world.sideBySide and -EPSILON or EPSILON
   local left, top, right, bottom = x - EPSILON, y - EPSILON, x + w + EPSILON, y + h + EPSILON
   local n = view.near(v, world, left, top, right, bottom, found)
-  n = keepNamed(v, found, keepOverlapping(v, found, n, x, y, w, h, depth, but), filter)
+  n = keepOverlapping(v, found, n, x, y, w, h, depth, but)
+  if v.hasCircles then
+    n = keepRoundOverlapping(v, found, n, x, y, w, h, depth)
+  end
+  n = keepNamed(v, found, n, filter)
   sort.by(found, n, v.rank, v.rank, v.rank)
   return publish(v, found, n, filter, out)
 end
@@ -250,8 +340,11 @@ function query.blocker(world, x, y, w, h, filter)
   end
   local found = view.take(v)
   local n = view.near(v, world, x, y, x + w, y + h, found)
-  n = keepNamed(v, found, keepOverlapping(v, found, n, x, y, w, h, EPSILON, i), filter)
-  n = keepSolid(v, found, n, i)
+  n = keepOverlapping(v, found, n, x, y, w, h, EPSILON, i)
+  if v.hasCircles then
+    n = keepRoundOverlapping(v, found, n, x, y, w, h, EPSILON)
+  end
+  n = keepSolid(v, found, keepNamed(v, found, n, filter), i)
   local entry = v.entry
   for m = 1, n do
     entry[found[m]] = 0
@@ -259,6 +352,11 @@ function query.blocker(world, x, y, w, h, filter)
   local hit = pick(v, found, n, filter)
   view.give(v, found)
   return hit and v.object[hit], true
+end
+
+--- Everything that overlaps a circle.
+function query.circle(world, x, y, radius, filter, out)
+  return inCircle(view.of(world), world, x, y, radius, 0, filter, out)
 end
 
 --- Returns the objects that overlap an object; nil: it is not in the world.
@@ -271,6 +369,10 @@ function query.overlapping(world, object, filter, out)
     return publish(v, view.take(v), 0, filter, out)
   end
   local p, s, k = v.position, v.size, 2 * i
+  if v.shape[i] == CIRCLE then
+    local r = s[k] * 0.5
+    return inCircle(v, world, p[k] + r, p[k + 1] + r, r, i, filter, out)
+  end
   return inRectangle(v, world, p[k], p[k + 1], s[k], s[k + 1], i, filter, out)
 end
 
@@ -318,6 +420,12 @@ local function passSlope(v, i, line)
   return enters, leaves
 end
 
+-- The same of a circle.
+local function passageRound(v, i, x, y, dx, dy)
+  local position, k, r = v.position, 2 * i, v.size[2 * i] * 0.5
+  return circle.passage(x - position[k] - r, y - position[k + 1] - r, dx, dy, r)
+end
+
 -- Returns a line: a working list for the objects that it hits, with its data. `filter` is the
 -- query's filter, or false if that is a function, which is called later.
 local function takeLine(v, x1, y1, x2, y2, filter)
@@ -332,9 +440,11 @@ end
 -- Returns the fraction of the line at which it hits slot i, after `from` and up to `to`; NEVER: it
 -- does not. An object at the very beginning is hit at 0, which is after any `from` < 0.
 local function hitAt(line, v, i)
-  local enters, leaves
-  if v.shape[i] < SLOPE then
+  local enters, leaves ---@type number, number
+  if v.shape[i] == BOX then
     enters, leaves = passage(v, i, line.x, line.y, line.dx, line.dy)
+  elseif v.shape[i] == CIRCLE then
+    enters, leaves = passageRound(v, i, line.x, line.y, line.dx, line.dy)
   else
     enters, leaves = passSlope(v, i, line)
   end
@@ -442,9 +552,26 @@ local function enterOn(v, k, p, d)
   return min(low / d, high / d)
 end
 
+-- The same of a circle: the normal points from its centre.
+local function describeRound(v, i, x1, y1, dx, dy)
+  local position, k, r = v.position, 2 * i, v.size[2 * i] * 0.5
+  local at = passageRound(v, i, x1, y1, dx, dy)
+  if at < 0 then
+    return v.object[i], x1, y1, 0, 0, 0
+  end
+  at = min(at, 1) + 0
+  local x, y = x1 + dx * at, y1 + dy * at
+  local centerX, centerY = position[k] + r, position[k + 1] + r
+  local nx, ny = circle.normal(x, y, centerX, centerY, centerX, centerY)
+  return v.object[i], x, y, nx + 0, ny + 0, at
+end
+
 -- Returns what a ray reports about the object that it hits. There are no branches for the sides:
 -- each would lead to a trace of its own for all that the game does with the answer.
 local function describeHit(v, world, i, x1, y1, dx, dy, filter)
+  if v.shape[i] == CIRCLE then
+    return describeRound(v, i, x1, y1, dx, dy)
+  end
   local inX, inY = enterOn(v, 2 * i, x1, dx), enterOn(v, 2 * i + 1, y1, dy)
   local at = max(inX, inY)
   if v.shape[i] >= SLOPE then
@@ -512,21 +639,6 @@ end
 
 -- Near --------------------------------------------------------------------------------------------
 
--- Returns the square of the distance of a point from an object.
-local function distanceTo(v, i, x, y)
-  local position, size, k = v.position, v.size, 2 * i
-  local left, top = position[k], position[k + 1]
-  if v.shape[i] >= SLOPE then
-    local its = triangle.distance(v.shape[i], x - left, y - top, size[k], size[k + 1])
-    if its then
-      return its
-    end
-  end
-  local dx = max(left - x, x - (left + size[k]), 0)
-  local dy = max(top - y, y - (top + size[k + 1]), 0)
-  return dx * dx + dy * dy
-end
-
 -- Keeps in `found` the objects further from a point than `last`, but not further than `most`
 -- (squares), with their distance as `entry`; returns how many.
 local function keepWithin(v, found, count, x, y, last, most)
@@ -587,6 +699,10 @@ local function describeStop(v, i, j, toX, toY)
   elseif isEdge then
     local nx, ny = triangle.normal(v.shape[j], v.size[2 * j], v.size[2 * j + 1])
     return v.object[j], x, y, nx, ny, share
+  end
+  local nx, ny = obstacle.normal(v, i, j, x, y)
+  if nx then
+    return v.object[j], x, y, nx + 0, ny + 0, share
   end
   local normal = isLow and -1 or 1
   return v.object[j], x, y, axis == 0 and normal or 0, axis == 1 and normal or 0, share

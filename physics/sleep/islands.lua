@@ -104,20 +104,20 @@ end
 
 -- Returns whether a speed limit takes off some of the pull on k in a step of `longest` s.
 local function isCapped(b, k, limit, longest)
-  local pull = b.pull[k] + b.push[k]
+  local pull = b.flowPull[k] + b.push[k]
   return max(pull, -pull) * longest > min(limit, b.fastest[k], -b.slowest[k])
 end
 
 -- Returns whether k is pulled, and only friction holds it there.
 local function isRubbed(b, k)
-  local pull = b.pull[k] + b.push[k]
+  local pull = b.flowPull[k] + b.push[k]
   return pull > 0 and not b.pressedHigh[k] or pull < 0 and not b.pressedLow[k]
 end
 
 -- Returns whether k is pulled towards a body that only friction holds. (A body that is woken in the
 -- middle of a step may be pushed before it has rubbed; this one must have rubbed first.)
 local function leansOnRubbed(b, k)
-  local pull = b.pull[k] + b.push[k]
+  local pull = b.flowPull[k] + b.push[k]
   return pull > 0 and b.pressedHigh[k] and b.heldHigh[k] == 0
     or pull < 0 and b.pressedLow[k] and b.heldLow[k] == 0
 end

@@ -9,6 +9,7 @@
 -- Reads from, size, restitution; writes the lists `b.contacts[axis]`, touches, and `b.apart`.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local ball = require(root .. ".solver.ball")
 local columns = require(root .. ".memory.columns")
 local interpreted = require(root .. ".memory.jit")
 local rules = require(root .. ".solver.rules")
@@ -16,7 +17,7 @@ local slope = require(root .. ".solver.slope")
 
 local contacts = {}
 
-local EPSILON, DYNAMIC = columns.EPSILON, columns.DYNAMIC
+local EPSILON, DYNAMIC, CIRCLE = columns.EPSILON, columns.DYNAMIC, columns.SHAPE_CIRCLE
 --- Share of the smaller size by which two overlapping dynamic bodies separate in a step.
 contacts.PACE = 0.25
 local PACE = contacts.PACE
@@ -104,6 +105,24 @@ local function dropSensors(b, count)
   return kept
 end
 
+-- Moves pairs with a circle from the close ones to b.roundPairs. Returns how many are left.
+local function takeRound(b, count)
+  local close, round, pairA, pairB, shape = b.closePairs, b.roundPairs, b.pairA, b.pairB, b.shape
+  local kept, roundCount = 0, 0
+  for n = 1, count do
+    local p = close[n]
+    if shape[pairA[p]] == CIRCLE or shape[pairB[p]] == CIRCLE then
+      roundCount = roundCount + 1
+      round[roundCount] = p
+    else
+      kept = kept + 1
+      close[kept] = p
+    end
+  end
+  b.roundCount = roundCount
+  return kept
+end
+
 -- Removes from a list the pairs with both bodies in a crowd. Returns the number that is left.
 local function dropGhosts(b, list, count)
   local pairA, pairB, crowd, kept = b.pairA, b.pairB, b.crowd, 0
@@ -175,7 +194,14 @@ local function putDeep(b, p)
     return
   end
   local from, ki, kj = b.from, 2 * i, 2 * j
-  local axis, isSecondLow = deepAxis(b, p, ki, kj)
+  local axis, isSecondLow
+  local isRound = b.hasCircles and ball.isRound(b, i, j)
+  if isRound and b.wedged[p] == 0 then
+    axis, isSecondLow = ball.deepAxis(b, i, j)
+  end
+  if not axis then
+    axis, isSecondLow = deepAxis(b, p, ki, kj)
+  end
   local areDynamic = b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC
   if areDynamic then
     axis, isSecondLow = turn(b, axis, isSecondLow, ki, kj)
@@ -185,16 +211,25 @@ local function putDeep(b, p)
     kl, kh = kj + axis, ki + axis
   end
   local separation = b.size[kl]
+  if isRound then
+    separation = ball.separation(b, (kl - axis) * 0.5, (kh - axis) * 0.5, axis)
+  end
   if areDynamic then
     -- These are valid for this solve only, since the step may be started again.
     b.deepIn[p], b.deepWay[p] = b.solveStamp, isSecondLow and 2 * axis + 1 or 2 * axis + 2
     b.deepAt[i], b.deepAt[j] = b.solveStamp, b.solveStamp
     separation = min(separation, from[kh] - from[kl] + growthOf(b, kl, kh))
+  elseif isRound then
+    separation = min(separation, from[kh] - from[kl] + PACE * min(b.size[kl], b.size[kh]))
   elseif b.wedged[p] == 0 then
     separation = from[kh] - from[kl]
   end
   if not rules.passes(b, p, kl, kh, axis, true) then
     put(b, p, axis, kl, kh, separation)
+    if isRound then
+      b.touches[p] = ELASTIC
+      leaveApart(b, p)
+    end
   end
 end
 
@@ -253,6 +288,28 @@ local function classify(b, count)
     end
   end
   b.overlapCount = overlapCount
+end
+
+-- Decides of the pairs with a circle whether they touch, and on which axis.
+local function classifyRound(b)
+  for n = 1, b.roundCount do
+    local p = b.roundPairs[n]
+    local i, j = b.pairA[p], b.pairB[p]
+    local axis, isLow, isSlanted = ball.touch(b, i, j)
+    if axis then
+      local kl, kh = 2 * (isLow and i or j) + axis, 2 * (isLow and j or i) + axis
+      put(b, p, axis, kl, kh, isSlanted and b.from[kh] - b.from[kl] or b.size[kl])
+      if isSlanted then
+        b.touches[p] = ELASTIC
+        leaveApart(b, p)
+      end
+    elseif isLow then -- they overlap
+      b.overlapCount = b.overlapCount + 1
+      b.overlaps[b.overlapCount] = p
+    else
+      leaveApart(b, p)
+    end
+  end
 end
 
 -- Returns whether contact p comes before contact q in a list.
@@ -385,7 +442,8 @@ local function markElastic(b, list)
   for n = 1, list.count do
     local p = order[n]
     local isDeep = wedged[p] ~= 0 or deepIn[p] == stamp
-    if max(restitution[pairA[p]], restitution[pairB[p]]) > 0 and not isDeep then
+    local isElastic = max(restitution[pairA[p]], restitution[pairB[p]]) > 0
+    if isElastic and not isDeep and b.touches[p] ~= ELASTIC then
       b.touches[p] = ELASTIC
       leaveApart(b, p)
     end
@@ -407,7 +465,13 @@ function contacts.find(b)
   if b.hasSlopes then
     count = putSlopes(b, count)
   end
+  if b.hasCircles then
+    count = takeRound(b, count)
+  end
   classify(b, count)
+  if b.hasCircles then
+    classifyRound(b)
+  end
   for n = 1, b.overlapCount do
     putDeep(b, b.overlaps[n])
   end
@@ -466,13 +530,7 @@ function contacts.noteNew(b)
   b.seenCount = b.liveCount
 end
 
-interpreted.functions(
-  putSlopes,
-  putDeep,
-  dropRefused,
-  contacts.find,
-  contacts.add,
-  contacts.rearrange
-)
+interpreted.functions(classifyRound, putSlopes)
+interpreted.functions(putDeep, dropRefused, contacts.find, contacts.add, contacts.rearrange)
 
 return contacts

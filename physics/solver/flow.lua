@@ -128,8 +128,8 @@ function flow.body(b, k, v, tau, dt)
   if least ~= -HUGE or most ~= HUGE then
     local list = grip > 0 and flow.newKink(b, b.base[k], grip) or 0
     return flow.run(b, list, 1 / give, drive(b, k, dt) / give, v, tau, least, most)
-  elseif b.airFriction[floor(k * 0.5)] ~= 0 then
-    local a = b.pull[k] + b.push[k] + b.tug[k] * give / dt
+  elseif b.flowAir[floor(k * 0.5)] ~= 0 then
+    local a = b.flowPull[k] + b.push[k] + b.tug[k] * give / dt
     return forces.slide(b, k, v, a, b.base[k], grip * give, tau)
   end
   return flow.slide(v, drive(b, k, dt), b.base[k], grip * give, tau)

@@ -99,9 +99,9 @@ end
 -- stands on it. At most what its own acceleration made counts as weight; the rest is an impact.
 local function addLoad(b, list, c, up, low, sign, dt)
   local mass, start, speed = 1 / b.give[up], b.start[up], b.speed[up]
-  local free, air = b.freeSpeed[up] + b.reserve[up], b.airFriction[floor(up * 0.5)]
+  local free, air = b.freeSpeed[up] + b.reserve[up], b.flowAir[floor(up * 0.5)]
   if air ~= 0 then -- air friction that would slow its fall bears no load
-    free = start + (b.pull[up] + b.push[up] - air * (speed - b.carried[up])) * dt
+    free = start + (b.flowPull[up] + b.push[up] - air * (speed - b.carried[up])) * dt
   end
   local impulse, pull = (free - speed) * sign * mass, max((free - start) * sign * mass, 0.0)
   local load = b.load[up] + impulse

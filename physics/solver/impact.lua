@@ -10,6 +10,7 @@
 -- Reads the paths, give, restitution, bonds, ground; writes the paths, hit, hitSpeed.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local ball = require(root .. ".solver.ball")
 local bonds = require(root .. ".solver.bonds")
 local carrier = require(root .. ".objects.carriers")
 local columns = require(root .. ".memory.columns")
@@ -54,6 +55,13 @@ function impact.note(b, p, low, axis, u, t)
   local x, y, size = placeAt(b, i, k, t), placeAt(b, j, m, t), b.size
   b.hit[p] = i == low and 2 * axis + 2 or 2 * axis + 1
   b.hitSpeed[p] = u
+  if b.hasCircles and ball.isRound(b, i, j) then
+    x, y = ball.point(b, i, j, t)
+    local at = axis == 0 and x or y
+    local across = axis == 0 and y or x
+    b.hitAt[p], b.hitLow[p], b.hitHigh[p] = at, across, across
+    return
+  end
   if b.hasSlopes and slope.isPair(b, low, low) then
     local box = low == i and j or i -- that leans on the edge, at its own side
     b.hitAt[p] = placeAt(b, box, 2 * box + axis, t)
@@ -278,6 +286,20 @@ local function bounce(b, kl, kh, wl, wh, o, gap, v, vEnd)
   speed[kl], speed[kh] = speed[kl] - dv * wl, speed[kh] + dv * wh
 end
 
+-- The same of two that meet slanted, of which one is round.
+local function runRound(b, p, i, j, axis, left, dt, isLate, t)
+  local tau = min((1 - t) * dt, left)
+  local r = max(b.restitution[i], b.restitution[j])
+  b.impactsOf[i], b.impactsOf[j] = b.impactsOf[i] + 1, b.impactsOf[j] + 1
+  b.resolved = b.resolved + 1
+  if r > 0 and (isSpent(b, i, r) or isSpent(b, j, r)) then
+    r = 0
+  end
+  local u, stays = ball.impact(b, i, j, axis, true, tau, dt, isLate, r)
+  impact.note(b, p, i, axis, u, t)
+  return false, b.from[2 * j + axis] - b.from[2 * i + axis], stays
+end
+
 --- Resolves the impact of two bodies on an axis at moment t. Two that overlap already (`isDeep`)
 --- separate, or if they had no room get no deeper. `isLate`: nothing bounces any more.
 ---
@@ -289,6 +311,12 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
   local left = (1 - max(b.time[i], b.time[j])) * dt
   path.advance(b, i, t)
   path.advance(b, j, t)
+  if b.hasCircles and ball.isRound(b, i, j) then
+    local nx, ny, isSlanted = ball.normal(b, i, j)
+    if isSlanted or isDeep and (nx ~= 0 or ny ~= 0) then
+      return runRound(b, p, i, j, axis, left, dt, isLate, t)
+    end
+  end
   local kl, kh, ti, tj = 2 * i + axis, 2 * j + axis, 2 * i + 1 - axis, 2 * j + 1 - axis
   local separation = b.size[kl]
   if isDeep and (b.deepAt[i] == b.solveStamp or b.deepAt[j] == b.solveStamp) then

@@ -18,6 +18,7 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local aabb = require(root .. ".memory.aabb")
 local ask = require(root .. ".solver.permission")
+local ball = require(root .. ".solver.ball")
 local begin = require(root .. ".motion.begin")
 local columns = require(root .. ".memory.columns")
 local detect = require(root .. ".broadphase.pairFinder")
@@ -96,6 +97,8 @@ local function consider(b, p)
   end
   local i, j = b.pairA[p], b.pairB[p]
   if b.kind[i] ~= DYNAMIC and b.kind[j] ~= DYNAMIC then
+    return
+  elseif b.hasCircles and ball.isRound(b, i, j) and not ball.isLost(b, i, j) then
     return
   end
   local width, height = overlapOf(b, i, j)

@@ -337,7 +337,7 @@ local function meetPieces(b, i, j, meet)
   return moment, q, isLow, isDeep
 end
 
---- As `sweep.meet`, which is passed, in a world with slopes.
+--- As `meet`, which is that of two boxes or of circles, in a world with slopes.
 function slope.meetAny(b, one, other, meet)
   local its = slope.isPair(b, one, other) and slope.meet or meet
   if b.pieceLast[one] > 0 and b.kind[other] ~= DYNAMIC then

@@ -23,6 +23,7 @@ require(root .. ".memory.jit").file()
 local snap = {}
 
 local DYNAMIC, EPSILON, SIDE = columns.DYNAMIC, columns.EPSILON, columns.SIDE
+local CIRCLE = columns.SHAPE_CIRCLE
 local floor, huge, max, min = math.floor, math.huge, math.max, math.min
 -- Edges that an object may run over in a step.
 local EDGES = 16
@@ -53,13 +54,14 @@ local function downOf(b, i)
   return b.down[k] ~= 0 and k or b.down[k + 1] ~= 0 and k + 1 or 0
 end
 
--- Whether slot i has begun the step standing, and does not go up from there.
+-- Whether slot i has begun the step standing, and does not go up from there. (What is round rolls
+-- over edges.)
 local function stands(b, i)
   local k = downOf(b, i)
   return b.support[i] ~= 0
     and k ~= 0
     and b.kind[i] == DYNAMIC
-    and not (b.sensor[i] or b.buried[i])
+    and not (b.sensor[i] or b.buried[i] or b.shape[i] == CIRCLE)
     and b.crowd[i] == 0
     and b.velocity[k] * b.down[k] >= 0
 end
@@ -227,7 +229,7 @@ local function lower(b, i, most, dt)
   end
   local count = listGround(b, i, k, sign, b.to[across] - way, deepest)
   local j, depth = highest(b, k, sign, count, b.to[across], foot)
-  if j == 0 or depth <= foot + EPSILON or not bears(b, j, k, sign) then
+  if j == 0 or depth <= foot + EPSILON or b.shape[j] == CIRCLE or not bears(b, j, k, sign) then
     return false
   elseif depth > foot + most + EPSILON then
     local isOneEdge = edges == 1 and not b.hasSlopes

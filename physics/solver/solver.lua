@@ -12,6 +12,7 @@
 -- goes on in the next step.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local ball = require(root .. ".solver.ball")
 local bonds = require(root .. ".solver.bonds")
 local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
@@ -48,6 +49,10 @@ local PARTING = solver.PARTING
 local SPENT = 2
 -- Number of last rounds in which nothing bounces, so that the remaining contacts settle.
 local LATE = 5
+-- Rounds after these in which what meets a circle only stops.
+local FREEZES = 16
+-- px and px/s of that.
+local CALM, CALM_SPEED = 4 * EPSILON, 1e-3
 -- Maximum number of restarts of a step because a path came near a sleeping body. After these, all
 -- bodies are woken.
 local RESTARTS = 8
@@ -279,6 +284,10 @@ end
 
 -- Notes the hit of a sensor that a body enters or passes through.
 local function sense(b, p, i, j, axis, t, dt)
+  if b.hasCircles and ball.isRound(b, i, j) then
+    impact.note(b, p, i, axis, ball.approach(b, i, j, t, dt), t)
+    return
+  end
   local kl, kh = 2 * i + axis, 2 * j + axis
   local o = b.to[kl] + b.size[kl] - b.to[kh]
   local v, a = b.speed[kl] - b.speed[kh], b.accel[kl] - b.accel[kh]
@@ -286,12 +295,19 @@ local function sense(b, p, i, j, axis, t, dt)
   impact.note(b, p, i, axis, u, t)
 end
 
--- Ends the path of a dynamic body at its place at moment t.
-local function stop(b, i, t)
+-- Ends the path of a dynamic body at its place at moment t. If it `isRound`, it has no speed then,
+-- and has not moved if that was by rounding only.
+local function stop(b, i, t, isRound)
   if b.kind[i] == DYNAMIC then
     path.advance(b, i, t)
     for k = 2 * i, 2 * i + 1 do
       b.to[k] = b.from[k]
+      if isRound then
+        b.frozenAt[i] = b.solveStamp
+        local off = b.from[k] - b.origin[k]
+        b.to[k] = off <= EPSILON and off >= -EPSILON and b.origin[k] or b.to[k]
+        b.speed[k], b.accel[k] = 0.0, 0.0
+      end
     end
   end
 end
@@ -386,7 +402,9 @@ local function happen(b, n, dt, isLast, isLate)
   local p, t, axis = impacts.pair[n], impacts.time[n], impacts.axis[n]
   local i, j = impacts.low[n], impacts.high[n]
   local isSensed = b.sensor[i] or b.sensor[j]
-  if b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC and (isSpent(b, i) or isSpent(b, j)) then
+  local isRound = b.hasCircles and ball.isRound(b, i, j)
+  local areDynamic = b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC
+  if areDynamic and not isRound and (isSpent(b, i) or isSpent(b, j)) then
     return
   end
   local mayBounce = max(b.restitution[i], b.restitution[j]) > 0
@@ -399,8 +417,8 @@ local function happen(b, n, dt, isLast, isLate)
       b.inRound[j] = b.kind[j] == DYNAMIC and round or 0
     end
     if isLast and not isSensed then
-      stop(b, i, t)
-      stop(b, j, t)
+      stop(b, i, t, isRound)
+      stop(b, j, t, isRound)
     end
     return
   end
@@ -434,8 +452,8 @@ local function happen(b, n, dt, isLast, isLate)
     b.pressed[p] = stays and 1 or b.pressed[p]
   end
   if isLast then
-    stop(b, i, t)
-    stop(b, j, t)
+    stop(b, i, t, isRound)
+    stop(b, j, t, isRound)
   end
 end
 
@@ -514,16 +532,77 @@ local function limitMotion(b, dt)
 end
 
 -- Keeps the end of each body that is not pushable between its start and its own goal, across
--- gravity. A body that is pressed directly by something immovable is left out.
+-- gravity. A body that is pressed directly by something immovable, or was deflected by a slanted
+-- contact, is left out.
 local function keepOwnWay(b, dt)
   local list, origin, to = b.awakeList, b.origin, b.to
   for n = 1, b.awakeCount do
     local i = list[n]
     for k = 2 * i, not b.pushable[i] and b.kind[i] == DYNAMIC and 2 * i + 1 or 0 do
-      if b.down[k] == 0 and b.heldLow[k] ~= 2 and b.heldHigh[k] ~= 2 then
+      local isFree = b.heldLow[k] ~= 2 and b.heldHigh[k] ~= 2 and b.deflectedAt[i] ~= b.solveStamp
+      if b.down[k] == 0 and isFree then
         local start, goal = origin[k], origin[k] + b.way[k] + b.carried[k] * dt
         to[k] = max(min(to[k], max(start, goal)), min(start, goal))
       end
+    end
+  end
+end
+
+-- A circle that touches something, and has moved by no more than rounding, has not moved.
+local function calm(b)
+  for n = 1, 2 * b.roundCount do
+    local p = b.roundPairs[floor((n + 1) * 0.5)]
+    local k = 2 * (n % 2 == 0 and b.pairA[p] or b.pairB[p])
+    local x, y = b.to[k] - b.origin[k], b.to[k + 1] - b.origin[k + 1]
+    local way = max(x, -x, y, -y)
+    local speed = max(b.speed[k], -b.speed[k], b.speed[k + 1], -b.speed[k + 1])
+    local hasMoved = way > 0 or speed > 0
+    if hasMoved and b.give[k] > 0 and way <= CALM and speed <= CALM_SPEED then
+      b.news[k * 0.5] = true
+      b.to[k], b.to[k + 1], b.speed[k], b.speed[k + 1] = b.origin[k], b.origin[k + 1], 0.0, 0.0
+    end
+  end
+end
+
+-- Takes back what body k, of slot i, has moved towards a contact, up to `over` px. `sign`: 1 if it
+-- is the low one. Returns what is left of that.
+local function takeBack(b, i, k, over, sign)
+  local way = min(over, max((b.to[k] - b.from[k]) * sign, 0.0))
+  if way == 0 or b.kind[i] ~= DYNAMIC then
+    return over
+  end
+  b.to[k], b.speed[k], b.accel[k] = b.to[k] - sign * way, 0.0, 0.0
+  b.frozenAt[i] = b.solveStamp
+  change(b, i)
+  return over - way
+end
+
+-- What leans on a stopped body does not go into it. Returns whether something has changed.
+local function holdBack(b)
+  local hasChanged, frozenAt, stamp = false, b.frozenAt, b.solveStamp
+  for axis = 0, 1 do
+    local list = b.contacts[axis]
+    for c = 1, list.count do
+      local kl, kh = list.low[c], list.high[c]
+      local i, j = (kl - axis) * 0.5, (kh - axis) * 0.5
+      local over = b.to[kl] + list.separation[c] - b.to[kh]
+      if over > EPSILON and (frozenAt[i] == stamp or frozenAt[j] == stamp) then
+        local left = takeBack(b, j, kh, takeBack(b, i, kl, over, 1), -1)
+        hasChanged = hasChanged or left < over
+      end
+    end
+  end
+  return hasChanged
+end
+
+-- What still meets a circle stops there, and what meets that, or leans on it.
+local function freeze(b, dt)
+  for _ = 1, FREEZES do
+    local isHeld = holdBack(b)
+    b.isChangeListed = true
+    followChanged(b)
+    if not round(b, dt, true, true) and not isHeld then
+      return
     end
   end
 end
@@ -543,8 +622,8 @@ local function solve(b, dt)
   if b.hasNudges then
     nudgeTouching(b, dt)
   end
-  if b.rubs > 0 then
-    settleViolated(b, dt) -- friction may have violated other contacts
+  if b.rubs > 0 or b.hasCircles then
+    settleViolated(b, dt) -- friction, or crushed circles, may have violated other contacts
   end
   b.isChangeListed = false
   findChanged(b)
@@ -570,6 +649,13 @@ local function solve(b, dt)
   end
   if b.awakenings ~= awakenings then
     return false
+  end
+  if b.hasCircles then
+    if b.changedCount > 0 then
+      freeze(b, dt)
+      hasChanged = true
+    end
+    calm(b)
   end
   if b.overlapCount > 0 then
     limitMotion(b, dt)

@@ -8,6 +8,7 @@
 -- Reads the paths, b.apart; writes the list of impacts, b.impacts.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local ball = require(root .. ".solver.ball")
 local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
 local interpreted = require(root .. ".memory.jit")
@@ -210,14 +211,22 @@ function sweep.run(b, changedCount)
   local isFew = changedCount and changedCount * FEW < b.apartCount
   local near = keepNear(b, isFew and listOf(b, b.changed, changedCount) or listAll(b))
   local impacts, list, pairA, pairB, rank, count = b.impacts, b.near, b.pairA, b.pairB, b.rank, 0
-  local meetAny = b.hasSlopes and slope.meetAny or meet
+  local hasSlopes, hasCircles = b.hasSlopes, b.hasCircles
   for n = 1, near do
     local p = list[n]
     local i, j = pairA[p], pairB[p]
     if rank[j] < rank[i] then -- if both are at one place, the order of the world decides
       i, j = pairB[p], pairA[p]
     end
-    local t, axis, isLow, isDeep = meetAny(b, i, j, meet)
+    local isRound = hasCircles and ball.isRound(b, i, j)
+    local t, axis, isLow, isDeep
+    if hasSlopes then
+      t, axis, isLow, isDeep = slope.meetAny(b, i, j, isRound and ball.meet or meet)
+    elseif isRound then
+      t, axis, isLow, isDeep = ball.meet(b, i, j)
+    else
+      t, axis, isLow, isDeep = meet(b, i, j)
+    end
     if t then
       count = count + 1
       impacts.pair[count], impacts.time[count], impacts.axis[count] = p, t, axis

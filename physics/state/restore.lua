@@ -19,6 +19,7 @@ local rest = require(root .. ".sleep.islands")
 local settings = require(root .. ".world.settings")
 local state = require(root .. ".state.save")
 local verify = require(root .. ".state.validate")
+local zones = require(root .. ".motion.zones")
 
 local restore = {}
 
@@ -126,7 +127,7 @@ local function write(object, name, value)
   end
 end
 
-local function maskOf(list)
+local function tableOf(list)
   local mask = {}
   for at = 1, #list, 2 do
     mask[list[at]] = list[at + 1]
@@ -146,7 +147,7 @@ end
 
 -- Writes a mask, into its old table if that is known.
 local function writeMask(object, list, known)
-  local wanted, mask = maskOf(list), known or object.mask
+  local wanted, mask = tableOf(list), known or object.mask
   if type(mask) == "table" and filter.isSameMask(wanted, mask) then
     wanted = mask
   elseif known then
@@ -154,6 +155,14 @@ local function writeMask(object, list, known)
     wanted = known
   end
   write(object, "mask", wanted)
+end
+
+-- Writes an area; the table that is there stays if it says the same.
+local function writeArea(object, list)
+  local wanted = tableOf(list)
+  if not zones.isSame(object.area, wanted) then
+    object.area = wanted
+  end
 end
 
 -- Writes a sparse list of values. Objects that are not in it have no value.
@@ -169,6 +178,9 @@ local function writeSparse(objects, masks, name, list, visit)
       write(object, name, nil)
     elseif isMask then
       writeMask(object, list[at + 1], masks[n])
+      at = at + 2
+    elseif name == "area" then
+      writeArea(object, list[at + 1])
       at = at + 2
     else
       write(object, name, list[at + 1])
@@ -209,8 +221,8 @@ local function writeRead(st, objects)
     local isBoolean = fields.objectByName[name] and fields.objectByName[name].type == "boolean"
     for at = 1, #list, 2 do
       local value = list[at + 1]
-      if name == "mask" and value then
-        value = maskOf(value)
+      if (name == "mask" or name == "area") and value then
+        value = tableOf(value)
       elseif value == false and not isBoolean then
         value = nil
       end
@@ -226,6 +238,8 @@ local function writeGone(b, object, saved)
   for _, name in ipairs(state.FIELDS) do
     if name == "mask" and saved.mask then
       writeMask(object, saved.mask)
+    elseif name == "area" and saved.area then
+      writeArea(object, saved.area)
     else
       write(object, name, saved[name])
     end
@@ -365,7 +379,8 @@ local function isRead(b, i, object)
     end
   end
   local isSameMask = filter.isSameMask(object.mask, b.mask[i])
-  return isSameMask and (object.friction or -1) == b.friction[i]
+  local isSame = isSameMask and zones.isSame(object.area, b.area[i])
+  return isSame and (object.friction or -1) == b.friction[i]
 end
 
 -- Reads the objects again that `update` would not read again.
@@ -654,6 +669,7 @@ function restore.world(world, st)
   end
   world._saved = st.saved
   world.alpha = world.timestep and max(0, min(st.saved / world.timestep, 1)) or 0
+  zones.restore(b)
   notice.outdate(b)
   return sentence
 end

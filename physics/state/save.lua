@@ -44,6 +44,7 @@ local keyOrder = require(root .. ".memory.keyOrder")
 local own = require(root .. ".state.own")
 local registry = require(root .. ".objects.registry")
 local standing = require(root .. ".state.standing")
+local zones = require(root .. ".motion.zones")
 
 local state = {}
 
@@ -117,6 +118,7 @@ state.SPARSE = {
   { "ax", "push", 0, 0 },
   { "ay", "push", 0, 1 },
   { "oneWay", "oneWay", false },
+  { "radius", "radius", false },
   { "carry", "carry", true },
   { "surfaceSpeed", "surfaceSpeed", 0 },
   { "nudge", "nudge", 0 },
@@ -124,6 +126,7 @@ state.SPARSE = {
   { "slope", "slope", false },
   { "constantSpeed", "constantSpeed", false },
   { "mask" },
+  { "area" },
 }
 
 --- The names of all these fields.
@@ -174,6 +177,18 @@ local function listMask(mask)
   for _, group in ipairs(keyOrder.sorted(mask)) do
     list[#list + 1] = group
     list[#list + 1] = mask[group]
+  end
+  return list
+end
+
+-- An area as { name, value, ... }.
+local function listArea(area)
+  local list = {}
+  for _, name in ipairs(fields.areaNames) do
+    if area[name] ~= nil then
+      list[#list + 1] = name
+      list[#list + 1] = area[name]
+    end
   end
   return list
 end
@@ -450,6 +465,26 @@ local function saveMasks(b, out, work)
   cut(list, at)
 end
 
+local function saveAreas(b, out, work)
+  local list, objects, slots, at = listIn(out.fields, "area"), work.objects, work.slots, 0
+  local has, i, visit = work.fixed and work.fixed.has.area or NONE, 1, work.visit
+  for m = 1, #visit do
+    local n = visit[m]
+    local area = objects[n].area
+    local read = n <= out.known and b.area[slots[n]]
+    at, i = standing.put(list, at, has, i, n, work.numbers)
+    if n <= out.known and not zones.isSame(area, read) then
+      noteRead(b, out, work, "area", n, slots[n], read and listArea(read))
+    end
+    if area ~= nil then
+      list[at + 1], list[at + 2] = n, listArea(area)
+      at = at + 2
+    end
+  end
+  at = standing.put(list, at, has, i, HUGE, work.numbers)
+  cut(list, at)
+end
+
 local function saveFields(b, out, work)
   listIn(out, "fields")
   for _, list in next, listIn(out, "read"), nil do
@@ -468,6 +503,7 @@ local function saveFields(b, out, work)
   saveSpecial(b, out, work, "kinematic", readKinematic, never)
   saveSpecial(b, out, work, "friction", readFriction, absentFriction)
   saveMasks(b, out, work)
+  saveAreas(b, out, work)
 end
 
 -- Memory -----------------------------------------------------------------------------------------
@@ -697,7 +733,9 @@ local function fieldsOf(object)
   for _, name in ipairs(state.FIELDS) do
     local value = object[name]
     if value ~= nil and check.accepts(fields.objectByName[name], value) then
-      saved[name] = name == "mask" and listMask(value) or value
+      saved[name] = name == "mask" and listMask(value)
+        or name == "area" and listArea(value)
+        or value
     end
   end
   return saved

@@ -200,9 +200,23 @@ end
 
 local MASK = { NAME, BOOLEAN }
 
+-- An area as { name, value, ... }.
+local function needArea(list, path)
+  needTable(list, path)
+  for at = 1, #list, 2 do
+    local field = fields.areaByName[list[at]]
+    if not field then
+      refuse(path .. "[" .. at .. "]", "the name of an entry of an area", list[at])
+    end
+    check.value(field, list[at + 1], WHERE .. path .. "." .. field.name)
+  end
+end
+
 local function needField(st, field, n, value, path)
   if field.type == "mask" then
     needList(value, path, MASK)
+  elseif field.type == "area" then
+    needArea(value, path)
   elseif not check.accepts(field, value) then
     check.value(field, value, WHERE .. placeOf(st, n) .. "." .. field.name)
   end
@@ -267,6 +281,8 @@ local function needGone(st)
       local field, value = fields.objectByName[name], saved[name]
       if value ~= nil and field.type == "mask" then
         needList(value, path .. "." .. name, MASK)
+      elseif value ~= nil and field.type == "area" then
+        needArea(value, path .. "." .. name)
       elseif value ~= nil then
         check.value(field, value, WHERE .. path .. "." .. name)
       end

@@ -210,17 +210,74 @@ local function firstBad(map, isGood)
   return found, bad
 end
 
-local function isMaskEntry(key, value)
-  return isName(key) and type(value) == "boolean"
+-- Returns whether two names differ by one slip: a letter wrong, missing, too many, or swapped with
+-- its neighbour.
+local function isOneOff(a, b)
+  while a ~= "" and a:sub(1, 1) == b:sub(1, 1) do
+    a, b = a:sub(2), b:sub(2)
+  end
+  while a ~= "" and a:sub(-1) == b:sub(-1) do
+    a, b = a:sub(1, -2), b:sub(1, -2)
+  end
+  return #a <= 1 and #b <= 1 or #a == 2 and a == b:reverse()
 end
 
-local function isMasksEntry(key, value)
-  return isName(key) and type(value) == "table" and not firstBad(value, isMaskEntry)
+--- Returns whether one name is probably a misspelling of another: it differs by one slip at most,
+--- or only by capitals.
+---@param name string
+---@param known string
+---@return boolean
+function check.isSlip(name, known)
+  return isOneOff(name:lower(), known:lower())
+end
+
+--- Returns the name in a list that an unknown name is probably a misspelling of.
+---@param name any
+---@param names string[]
+---@return string? nil: there is none
+function check.guess(name, names)
+  local guess
+  for _, known in ipairs(names) do
+    if tostring(name):lower() == known:lower() then
+      return known
+    elseif not guess and check.isSlip(tostring(name), known) then
+      guess = known
+    end
+  end
+  return guess
+end
+
+local function describeUnknown(kind, name, names, where)
+  local guess = check.guess(name, names)
+  local hint = guess and format(" (did you mean %s?)", show(guess)) or ""
+  local known, plural = table.concat(names, ", "), kind == "entry" and "entries" or kind .. "s"
+  return format("%s: unknown %s %s%s; the %s are %s", where, kind, show(name), hint, plural, known)
 end
 
 -- Each type of field: `accepts(field, value)`, and `describe(path, field, value)`, which says what
 -- is wrong with a value that was not accepted.
 local TYPES = {}
+
+local function isAccepted(field, value)
+  return TYPES[field.type].accepts(field, value)
+end
+
+local function describe(path, field, value)
+  return TYPES[field.type].describe(path, field, value)
+end
+
+local function isMaskEntry(key, value)
+  return isName(key) and type(value) == "boolean"
+end
+
+local function isAreaEntry(key, value)
+  local field = fields.areaByName[key]
+  return field ~= nil and isAccepted(field, value)
+end
+
+local function isMasksEntry(key, value)
+  return isName(key) and type(value) == "table" and not firstBad(value, isMaskEntry)
+end
 
 local function mustBe(path, expected, value)
   return format("%s must be %s, got %s", path, expected, show(value))
@@ -304,6 +361,23 @@ TYPES.masks = {
       return format("%s must have group names as keys, got %s", path, show(key))
     end
     return describeMask(indexed(path, key), value[key])
+  end,
+}
+
+TYPES.area = {
+  accepts = function(_, value)
+    return type(value) == "table" and not firstBad(value, isAreaEntry)
+  end,
+  describe = function(path, _, value)
+    if type(value) ~= "table" then
+      return mustBe(path, "a table { gravity = 100, … }", value)
+    end
+    local _, key = firstBad(value, isAreaEntry)
+    local field = fields.areaByName[key]
+    if field then
+      return describe(indexed(path, key), field, value[key])
+    end
+    return describeUnknown("entry", key, fields.areaNames, path)
   end,
 }
 
@@ -396,14 +470,6 @@ TYPES.ownFields = {
 
 -- A field of type "sides" is written by the library and never checked.
 
-local function isAccepted(field, value)
-  return TYPES[field.type].accepts(field, value)
-end
-
-local function describe(path, field, value)
-  return TYPES[field.type].describe(path, field, value)
-end
-
 --- Returns what is wrong with a value that does not fit an entry of `fields.lua`.
 ---@type fun(path: string, field: physics.Field, value: any): string
 check.describe = describe
@@ -425,6 +491,22 @@ end
 
 -- Objects ----------------------------------------------------------------------------------------
 
+local RADIUS, ONE_WAY = fields.objectByName.radius, fields.objectByName.oneWay
+local AREA, SLOPE = fields.objectByName.area, fields.objectByName.slope
+
+-- Returns the field that cannot be together with the others of a circle, and what it must be.
+local function badCircle(object, radius, size)
+  local width, height = size or object.width, size or object.height
+  if width ~= 2 * radius or height ~= 2 * radius then
+    local sizes = show(width) .. " and " .. show(height)
+    return RADIUS, "half of width and height, which are " .. sizes
+  elseif object.oneWay then
+    return ONE_WAY, "nil where there is a radius"
+  elseif object.slope then
+    return SLOPE, "nil where there is a radius"
+  end
+end
+
 local function isBad(field, value)
   if value == nil then
     return field.required == true
@@ -433,20 +515,41 @@ local function isBad(field, value)
 end
 
 --- Returns the first field, in the order of `fields.objects`, with a value that cannot be used.
---- Makes no garbage.
+--- Makes no garbage if all are fine.
 ---@param object table
+---@param size number? px, what width and height are going to be (see `sizeToFill`)
 ---@return physics.Field? field nil: all are fine
-function check.badField(object)
+---@return string? expected what it must be, if the value is wrong only beside those of others
+---@return string? hint how that can be mended
+function check.badField(object, size)
   local list = fields.objects
   for i = 1, #list do
     local field = list[i]
     local value = object[field.name]
     if (value ~= nil or field.required) and isBad(field, value) then
-      return field
+      if not (size and (field.name == "width" or field.name == "height")) then
+        return field
+      end
     end
   end
   if object.slope ~= nil and not (object.static or object.kinematic) then
-    return fields.objectByName.slope
+    return SLOPE, "nil for a dynamic object", " (set static = true or kinematic = true)"
+  end
+  local radius = object.radius
+  if object.area ~= nil and not object.sensor then
+    return AREA, "nil unless the object is a sensor"
+  elseif radius ~= nil then
+    return badCircle(object, radius, size)
+  end
+end
+
+--- Returns the width and height that `add` writes: those of a circle that has none yet.
+---@param object table
+---@return number? size px
+function check.sizeToFill(object)
+  local radius = object.radius
+  if object.width == nil and object.height == nil and isFinite(radius) and radius > 0 then
+    return 2 * radius
   end
 end
 
@@ -461,19 +564,18 @@ local function advice(object, field, value)
   local other = field.misnamed and object[field.misnamed]
   if value == nil and isFinite(other) then
     return format(" (but %s is %s: call it %s)", field.misnamed, show(other), field.name)
+  elseif value == nil and field.misnamed and isFinite(object.radius) then
+    return format(" (2 * radius is %s)", show(2 * object.radius))
   elseif field.infinite and value == huge then
     return format(" (%s)", field.infinite)
   end
   return ""
 end
 
-local function failField(object, place, field)
+local function failField(object, place, field, expected, hint)
   local value = object[field.name]
-  if field.name == "slope" and not isBad(field, value) then
-    fail(
-      mustBe(place .. ".slope", "nil for a dynamic object", value)
-        .. " (set static = true or kinematic = true)"
-    )
+  if expected then
+    fail(mustBe(place .. "." .. field.name, expected, value) .. (hint or ""))
   end
   fail(describe(place .. "." .. field.name, field, value) .. advice(object, field, value))
 end
@@ -498,59 +600,16 @@ end
 --- Errors: the object is not a table; a field is missing or cannot be used (the first in the list).
 ---@param object any
 ---@param place string how the game would write it: `objects.boxes[3]`
-function check.object(object, place)
+---@param size number? px, what width and height are going to be
+function check.object(object, place, size)
   mustBeTable(object, place)
-  local field = check.badField(object)
+  local field, expected, hint = check.badField(object, size)
   if field then
-    failField(object, place, field)
+    failField(object, place, field, expected, hint)
   end
 end
 
 -- Settings ---------------------------------------------------------------------------------------
-
--- Returns whether two names differ by one slip: a letter wrong, missing, too many, or swapped with
--- its neighbour.
-local function isOneOff(a, b)
-  while a ~= "" and a:sub(1, 1) == b:sub(1, 1) do
-    a, b = a:sub(2), b:sub(2)
-  end
-  while a ~= "" and a:sub(-1) == b:sub(-1) do
-    a, b = a:sub(1, -2), b:sub(1, -2)
-  end
-  return #a <= 1 and #b <= 1 or #a == 2 and a == b:reverse()
-end
-
---- Returns whether one name is probably a misspelling of another: it differs by one slip at most,
---- or only by capitals.
----@param name string
----@param known string
----@return boolean
-function check.isSlip(name, known)
-  return isOneOff(name:lower(), known:lower())
-end
-
---- Returns the name in a list that an unknown name is probably a misspelling of.
----@param name any
----@param names string[]
----@return string? nil: there is none
-function check.guess(name, names)
-  local guess
-  for _, known in ipairs(names) do
-    if tostring(name):lower() == known:lower() then
-      return known
-    elseif not guess and check.isSlip(tostring(name), known) then
-      guess = known
-    end
-  end
-  return guess
-end
-
-local function describeUnknown(kind, name, names, where)
-  local guess = check.guess(name, names)
-  local hint = guess and format(" (did you mean %s?)", show(guess)) or ""
-  local known = table.concat(names, ", ")
-  return format("%s: unknown %s %s%s; the %ss are %s", where, kind, show(name), hint, kind, known)
-end
 
 local function isAmong(names, name)
   for i = 1, #names do

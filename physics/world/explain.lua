@@ -3,6 +3,7 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local aabb = require(root .. ".memory.aabb")
 local check = require(root .. ".world.check")
+local circle = require(root .. ".memory.circle")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
 local registry = require(root .. ".objects.registry")
@@ -13,7 +14,7 @@ local view = require(root .. ".queries.index")
 local explain = {}
 
 local EPSILON = columns.EPSILON
-local STATIC = columns.STATIC
+local STATIC, CIRCLE = columns.STATIC, columns.SHAPE_CIRCLE
 local format, max = string.format, math.max
 
 local function nameOf(v, i)
@@ -86,11 +87,31 @@ local function isSlope(v, i, j)
   return max(v.shape[i], v.shape[j]) >= triangle.FIRST
 end
 
+-- Returns how far two are apart, < 0: by how much they overlap, and the normal from j to i, if one
+-- of them is a circle.
+local function roundGap(v, i, j)
+  if max(v.shape[i], v.shape[j]) ~= CIRCLE then
+    return nil
+  end
+  local p, s, k, m = v.position, v.size, 2 * i, 2 * j
+  local isRound, isOtherRound = v.shape[i] == CIRCLE, v.shape[j] == CIRCLE
+  local x, y, w, h = p[k], p[k + 1], s[k], s[k + 1]
+  return circle.gap(x, y, w, h, isRound, p[m], p[m + 1], s[m], s[m + 1], isOtherRound)
+end
+
 -- Returns the side of slot i at which slot j is flush, or nil.
 local function flushSide(v, i, j)
   if isSlope(v, i, j) then
     local side, gap = slopeSide(v, i, j)
     return gap >= -EPSILON and gap <= EPSILON and side or nil
+  end
+  local gap, nx, ny = roundGap(v, i, j)
+  if gap then
+    local isFlush = gap <= EPSILON and gap >= -EPSILON
+    local side = nx * nx > ny * ny and (nx > 0 and "left" or "right")
+      or ny > 0 and "top"
+      or "bottom"
+    return isFlush and side or nil
   end
   local gapX, gapY = gapsOf(v, i, j)
   local p, k, m = v.position, 2 * i, 2 * j
@@ -114,21 +135,29 @@ local function deepSide(v, i, j)
   if gapX >= -EPSILON or gapY >= -EPSILON then
     return nil
   end
+  local gap = roundGap(v, i, j)
+  if gap and gap >= -EPSILON then
+    return nil
+  end
   local p, s, k, m = v.position, v.size, 2 * i, 2 * j
   return aabb.side(p[k], p[k + 1], s[k], s[k + 1], p[m], p[m + 1], s[m], s[m + 1])
 end
 
 local function explainPlace(v, i, j)
   local gapX, gapY = gapsOf(v, i, j)
-  local side = flushSide(v, i, j)
-  if side then
+  local side, gap = flushSide(v, i, j), roundGap(v, i, j)
+  if gap and gap > EPSILON then
+    return format("they are %s px apart", show(gap))
+  elseif gap and gap < -EPSILON then
+    return format("they overlap by %s px", show(-gap))
+  elseif side then
     return format("they are flush at the %s of %s", side, nameOf(v, i))
   elseif isSlope(v, i, j) and max(gapX, gapY) < -EPSILON then
-    local _, gap = slopeSide(v, i, j)
-    if gap > EPSILON then
-      return format("they are %s px apart at the sloped edge", show(gap))
+    local _, off = slopeSide(v, i, j)
+    if off > EPSILON then
+      return format("they are %s px apart at the sloped edge", show(off))
     end
-    return gap < -EPSILON and format("they overlap by %s px", show(-gap))
+    return off < -EPSILON and format("they overlap by %s px", show(-off))
       or "they are flush at a corner only"
   elseif gapX > EPSILON and gapY > EPSILON then
     return format("they are %s px apart on x and %s px on y", show(gapX), show(gapY))
@@ -153,6 +182,9 @@ local function conditions(v, world, i, j)
     if v.shape[slot] >= triangle.FIRST then
       local side = columns.SLOPE_NAMES[v.shape[slot]]
       list[#list + 1] = format("%s is a slope, high at its %s", name, side)
+    end
+    if v.object[slot].area then
+      list[#list + 1] = name .. " is a zone: its area acts on what is inside"
     end
     if v.oneWay[slot] then
       list[#list + 1] = format("%s is solid only at its %s", name, v.oneWay[slot])

@@ -15,7 +15,8 @@
 ---
 --- Types: "number" (finite), "boolean", "string" (one of `values`), "function",
 ---   "mask" (group name -> boolean), "masks" (group name -> mask), "names" (list of group names),
----   "ownFields" (list of names of fields of the game), "sides" (side -> object or false).
+---   "ownFields" (list of names of fields of the game), "sides" (side -> object or false), "area"
+---   (name -> value, see `fields.area`).
 
 ---@class physics.Field
 ---@field name string
@@ -74,6 +75,15 @@ fields.objects = {
     meaning = "The size along y. It may change at run time.",
   },
   {
+    name = "radius",
+    type = "number",
+    absent = "none: a box",
+    unit = "px",
+    above = 0,
+    meaning = "A circle in its square: `x, y` is the corner of the square, `width` and `height` are"
+      .. " 2 * radius. `add` writes both if they are nil.",
+  },
+  {
     name = "vx",
     type = "number",
     default = 0,
@@ -126,6 +136,13 @@ fields.objects = {
     type = "boolean",
     default = false,
     meaning = "It reports contacts, but nothing bumps into it.",
+  },
+  {
+    name = "area",
+    type = "area",
+    absent = "none",
+    meaning = "Only of a sensor, which is a zone then: what acts on the dynamic objects inside it."
+      .. " Water, wind, low gravity, a magnet.",
   },
   {
     name = "pushable",
@@ -334,6 +351,71 @@ fields.objects = {
   },
 }
 
+--- What the field `area` of a zone may hold.
+---@type physics.Field[]
+fields.area = {
+  {
+    name = "gravity",
+    type = "number",
+    absent = "that of the object",
+    unit = "px/s²",
+    meaning = "Replaces the downward gravity of what is inside. A negative one lifts, as in water.",
+  },
+  {
+    name = "gravityX",
+    type = "number",
+    absent = "that of the object",
+    unit = "px/s²",
+    meaning = "Replaces the sideways gravity of what is inside.",
+  },
+  {
+    name = "ax",
+    type = "number",
+    default = 0,
+    unit = "px/s²",
+    meaning = "An acceleration along x on top: wind.",
+  },
+  {
+    name = "ay",
+    type = "number",
+    default = 0,
+    unit = "px/s²",
+    meaning = "An acceleration along y on top.",
+  },
+  {
+    name = "airFriction",
+    type = "number",
+    default = 0,
+    unit = "1/s",
+    min = 0,
+    meaning = "Damping on top of that of the object: water, mud.",
+  },
+  {
+    name = "drag",
+    type = "number",
+    default = 0,
+    unit = "px/s²",
+    min = 0,
+    meaning = "A constant deceleration on top of that of the object.",
+  },
+  {
+    name = "attract",
+    type = "number",
+    default = 0,
+    unit = "px/s²",
+    meaning = "An acceleration towards the centre of the zone; a negative one repels.",
+  },
+  {
+    name = "law",
+    type = "string",
+    values = { "constant", "linear", "inverse", "square" },
+    default = "constant",
+    meaning = "How `attract`, which it is at the rim, depends on the distance from the centre:"
+      .. " not at all, growing with it, as 1 / distance, or as 1 / distance². The rim is at half of"
+      .. " the smaller size. Within an eighth of that the pull falls to 0 at the centre.",
+  },
+}
+
 ---@type physics.Field[]
 fields.settings = {
   {
@@ -513,6 +595,7 @@ local function namesOf(list)
 end
 
 fields.objectNames, fields.settingNames = namesOf(fields.objects), namesOf(fields.settings)
+fields.areaNames, fields.areaByName = namesOf(fields.area), byName(fields.area)
 fields.objectByName = byName(fields.objects)
 fields.settingByName = byName(fields.settings)
 

@@ -22,6 +22,7 @@ local filter = require(root .. ".broadphase.filter")
 local interpreted = require(root .. ".memory.jit")
 local registry = require(root .. ".objects.registry")
 local state = require(root .. ".state.save")
+local zones = require(root .. ".motion.zones")
 
 local guard = {}
 
@@ -258,6 +259,8 @@ local function checkOthers(b, i, object)
   end
   if not filter.isSameMask(object.mask, b.mask[i]) then
     refuseStatic(b, i, "mask", object.mask)
+  elseif not zones.isSame(object.area, b.area[i]) then
+    refuseStatic(b, i, "area", object.area)
   end
 end
 

@@ -22,10 +22,12 @@ local rest = require(root .. ".sleep.islands")
 local registry = require(root .. ".objects.registry")
 local settings = require(root .. ".world.settings")
 local solver = require(root .. ".solver.solver")
+local zones = require(root .. ".motion.zones")
 
 -- What is loaded when it is first used.
 local bounds = lazy(root .. ".world.bounds")
 local explain = lazy(root .. ".world.explain")
+local explosion = lazy(root .. ".world.explosion")
 local guard = lazy(root .. ".world.strictMode")
 local hash = lazy(root .. ".state.hash")
 local query = lazy(root .. ".queries.query")
@@ -125,6 +127,7 @@ local function step(self, dt)
 
   b.begun, b.predicted, b.rubs, b.dt = 0, 0, 0, dt
   begin.run(b)
+  zones.begin(b, b.awakeList, b.awakeCount)
   crowd.mark(b)
   detect.runMoved(b)
   crowd.run(b)
@@ -275,7 +278,10 @@ end
 -- Puts a checked object at the end of a group. This comes last: an object that raises an error when
 -- it is read or written has not been added.
 local function put(self, group, object)
-  local b = self._bodies
+  local b, size = self._bodies, check.sizeToFill(object)
+  if size then
+    object.width, object.height = size, size
+  end
   welcome(b, object)
   readAgain(b, object)
   local members = groupFor(self, group)
@@ -364,7 +370,7 @@ function World:add(group, object)
   checkObjects(self)
   local known = self.objects[group]
   local n = type(known) == "table" and #known or 0
-  check.object(object, check.place(group, n + 1))
+  check.object(object, check.place(group, n + 1), check.sizeToFill(object))
   local found, _, name, key = whereIs(self, object)
   if found then
     check.fail("world:add(group, object): the object already stands at " .. check.place(name, key))
@@ -699,6 +705,29 @@ function World:queryRect(x, y, w, h, filter, out)
   return found, count
 end
 
+--- Returns all objects that overlap a circle by more than 1e-6 px, and how many: those of which a
+--- point is nearer to the centre than the radius. With the setting `sideBySide` objects that are
+--- flush with it count, too.
+--- Source: the point of a box that is nearest to the centre.
+---
+--- Errors: a number is not finite; the radius is <= 0; the filter cannot be used; `out` is not a
+--- table.
+---@param x number px, the centre
+---@param y number px
+---@param radius number px, > 0
+---@param filter physics.Filter? which objects count, default all
+---@param out physics.Object[]? list to fill, default a new one
+---@return physics.Object[] objects in the order of the world
+---@return integer count
+function World:queryCircle(x, y, radius, filter, out)
+  checkQuestion(self, "queryCircle(x, y, radius)", filter, out)
+  local where = "world:queryCircle(x, y, radius)"
+  checkPoint(x, y, where)
+  check.positive(radius, "radius", where)
+  local found, count = query.circle(self, x + 0.0, y + 0.0, radius + 0.0, filter, out)
+  return found, count
+end
+
 --- Returns all objects on the line from (x1, y1) to (x2, y2), as `raycast` would hit them, and how
 --- many.
 ---
@@ -740,7 +769,7 @@ end
 ---@return physics.Object? object nil: the line is free, and nothing else is returned
 ---@return number x px, where it is hit
 ---@return number y px
----@return number nx normal of the side that is hit: -1, 0, 1
+---@return number nx normal where it is hit, of length 1: -1, 0, 1 at a box
 ---@return number ny likewise
 ---@return number fraction of the line, 0..1
 function World:raycast(x1, y1, x2, y2, filter)
@@ -768,7 +797,7 @@ end
 ---@return physics.Object? other nil: the way is free, and nothing else is returned
 ---@return number x px, where `object` would be then, flush
 ---@return number y px
----@return number nx normal of the side that is hit: -1, 0, 1
+---@return number nx normal where it is hit, of length 1: -1, 0, 1 on a side of a box
 ---@return number ny likewise
 ---@return number fraction of the way, 0..1
 function World:sweep(object, dx, dy, filter)
@@ -863,8 +892,8 @@ function World:nearest(x, y, radius, filter)
 end ---@diagnostic disable-line: missing-return
 
 --- Returns all objects that overlap an object by more than 1e-6 px, and how many; masks play no
---- part. With the setting `sideBySide` objects that are flush with it count, too. An inactive
---- object overlaps nothing.
+--- part. An object with a `radius` is the circle, not its square. With the setting `sideBySide`
+--- objects that are flush with it count, too. An inactive object overlaps nothing.
 ---
 --- Test the number, `count > 0`: an empty list is true in Lua. Removing objects while you loop over
 --- the list is safe.
@@ -931,7 +960,7 @@ end
 ---@field side physics.Side side of the object that moved
 ---@field x number px, where the object was then
 ---@field y number px
----@field nx number normal of the side of `other`: -1, 0, 1
+---@field nx number normal of `other`, of length 1: -1, 0, 1 where a box is hit on a side
 ---@field ny number likewise
 ---@field fraction number of the way asked for, 0..1
 ---@field response physics.Response how the move went on
@@ -1034,6 +1063,42 @@ function World:shift(dx, dy)
   shift.run(self, dx, dy)
 end
 
+--- Pushes all dynamic objects in a circle away from its centre, also sensors. At the centre an
+--- object gets the whole impulse, at the rim nothing; in between it is less with the distance of
+--- the nearest point of the object. The push is towards the middle of the object, or straight up
+--- if that is the centre.
+---
+--- With `walls` only objects in sight are pushed: those that nothing of `walls` hides from the
+--- centre. It is a filter as for `raycast`, for instance the name of a group. Inside a wall an
+--- explosion pushes only that wall, if it is dynamic.
+---
+--- Errors: a number is not finite; the radius is <= 0; a filter cannot be used; `vx`, `vy` or
+--- `mass` of an object cannot be used; it is called from inside `canCollide`. Nothing has changed
+--- then.
+---@param x number px, the centre
+---@param y number px
+---@param radius number px, > 0
+---@param impulse number px/s times mass, at the centre; < 0: towards the centre
+---@param filter physics.Filter? which objects are pushed, default all
+---@param walls physics.Filter? what is in the way, default nothing
+---@return physics.Object[] objects those that were pushed, in the order of the world
+---@return integer count
+function World:explode(x, y, radius, impulse, filter, walls)
+  local call = "explode(x, y, radius, impulse)"
+  local where = "world:" .. call
+  checkQuestion(self, call, filter)
+  checkIdle(self._bodies, call)
+  checkPoint(x, y, where)
+  check.positive(radius, "radius", where)
+  check.number(impulse, "impulse", where)
+  if walls ~= nil then
+    check.filter(walls, where .. ": walls")
+  end
+  x, y, radius, impulse = x + 0.0, y + 0.0, radius + 0.0, impulse + 0.0
+  local pushed, count = explosion.run(self, x, y, radius, impulse, filter, walls, where)
+  return pushed, count
+end
+
 --- Puts four static walls around a rectangle: `top`, `bottom`, `left` and `right` of the group
 --- `bounds`. You may give them `friction` and other fields before the next update. A second call
 --- replaces the walls; a call without arguments removes them.
@@ -1081,6 +1146,7 @@ end
 local function checkPlace(object, group, where)
   local isGood = isFinite(object.x) and isFinite(object.y)
   isGood = isGood and isFinite(object.width) and isFinite(object.height)
+  isGood = isGood and object.radius == nil and object.area == nil -- these must fit to others
   if not (isGood and object.width > SMALLEST and object.height > SMALLEST) then
     check.object(object, where .. ": " .. check.place(group) .. "[n]")
   end
@@ -1118,8 +1184,8 @@ end
 ---
 --- Not supported, and listed in `unsupported` of the result: maps that are not orthogonal, objects
 --- that are turned by other than quarters, polygons with other than level and upright edges,
---- ellipses, capsules, texts, parallax, layers and tilesets that cannot be read, and properties
---- with values that cannot be used.
+--- ellipses that are no circles, capsules, texts, parallax, layers and tilesets that cannot be
+--- read, and properties with values that cannot be used.
 ---
 --- Errors: the map or the file does not exist; an unknown option; an option names a layer or a gid
 --- that is not in the map; a layer in `solidLayers` cannot be read; a gid belongs to no tileset; a

@@ -626,8 +626,39 @@ local function equip(acts, seed, list)
   end
 end
 
+local AREAS = {
+  function(n)
+    return { gravity = n:acceleration() }
+  end,
+  function(n)
+    return { ax = n:acceleration(), airFriction = n.random:between(0, 3) }
+  end,
+  function(n)
+    return { attract = n:acceleration(), law = "square" }
+  end,
+  function(n)
+    return { drag = n.random:between(0, 20) * n.unit, gravityX = n:acceleration() }
+  end,
+}
+
+-- Makes circles and zones of many that are added.
+local function round(acts, seed)
+  local n = newNumbers(seed)
+  for _, act in ipairs(acts) do
+    local object = FIELDS_AT[act[1]] == 4 and act[4]
+    if object and n.random:chance(0.05) then
+      object.sensor, object.area = true, n.random:pick(AREAS)(n)
+      object.width, object.height = 6 * n.unit, 6 * n.unit
+    end
+    if object and not object.oneWay and object.width < 7 * n.unit and n.random:chance(0.5) then
+      object.height, object.radius = object.width, object.width / 2
+    end
+  end
+end
+
 --- Makes the case of a seed. Every third is about the origin, where coordinates change their sign,
---- every tenth is about engines and their limits, and every tenth about walkers with `snap`.
+--- every tenth is about engines and their limits, every tenth about walkers with `snap`, every
+--- seventh has circles and zones.
 ---@param seed integer
 ---@param steps integer updates
 ---@return table case `{ seed, settings, acts, closed }`
@@ -669,6 +700,9 @@ function case.new(seed, steps)
     equip(self.acts, seed, ENGINE)
   elseif seed % 10 == 7 then
     equip(self.acts, seed, WALKER)
+  end
+  if seed % 7 == 5 then
+    round(self.acts, seed)
   end
   if seed % 3 == 2 then
     shift(self.acts, -ROOM / 2 * n.unit)

@@ -22,6 +22,9 @@ checks.TOLERANCE = 1e-6
 --- px, and updates: what meets more often than the rounds of a step allow may overlap by so much,
 --- or a tenth of the smaller one, and is apart again by then.
 checks.KNOT, checks.KNOT_UPDATES = 16, 20
+--- Share of the smaller one by which circles may overlap in a knot, and by which they may go on
+--- overlapping in a heap.
+checks.ROUND_KNOT, checks.ROUND_HEAP = 0.5, 0.125
 --- px: in a row that fills its room to the pixel two may go on overlapping by this much.
 checks.FULL = 0.2
 
@@ -48,14 +51,37 @@ local function edgeGap(box, slope)
   return gap * min(slope.width, slope.height)
 end
 
+-- px by which two overlap, one of which is a circle, negative: apart.
+local function roundDepth(a, b)
+  if not a.radius then
+    a, b = b, a
+  end
+  local x, y, reach = a.x + a.radius, a.y + a.radius, a.radius + (b.radius or 0)
+  local left, top, right, bottom = b.x, b.y, b.x + b.width, b.y + b.height
+  if b.radius then
+    left, top = left + b.radius, top + b.radius
+    right, bottom = left, top
+  end
+  local dx, dy = x - max(left, min(x, right)), y - max(top, min(y, bottom))
+  return reach - math.sqrt(dx * dx + dy * dy)
+end
+
 local function depth(a, b)
   local x, y = overlaps(a, b)
   if a.slope and not b.slope then
     return min(x, y, -edgeGap(b, a))
   elseif b.slope and not a.slope then
     return min(x, y, -edgeGap(a, b))
+  elseif a.radius or b.radius then
+    return min(x, y, roundDepth(a, b))
   end
   return min(x, y)
+end
+
+-- px by which two may overlap in a knot; `usual`: of two boxes.
+local function most(a, b, share, usual)
+  local size = min(a.width, a.height, b.width, b.height)
+  return max(usual, (a.radius or b.radius) and share * size or 0)
 end
 
 -- What rounding may add at these coordinates.
@@ -178,7 +204,7 @@ function Watch:checkDepths()
       for object, before in next, row do
         local now = depth(a, object)
         if
-          now > before + slack(a, object)
+          now > before + most(a, object, checks.ROUND_KNOT, slack(a, object))
           and self:isSettled(object)
           and self:isBarred(a, object)
         then
@@ -226,9 +252,10 @@ function Watch:checkOverlaps()
   end
   self:eachOverlap(function(key, a, b, deep)
     self.knots[key] = (before[key] or 0) + 1
-    local most = max(checks.KNOT, 0.1 * min(a.width, a.height, b.width, b.height))
-    local isLong = deep > checks.FULL and self.knots[key] > checks.KNOT_UPDATES
-    if deep > most or isLong then
+    local usual = max(checks.KNOT, 0.1 * min(a.width, a.height, b.width, b.height))
+    local full = most(a, b, checks.ROUND_HEAP, checks.FULL)
+    local isLong = deep > full and self.knots[key] > checks.KNOT_UPDATES
+    if deep > most(a, b, checks.ROUND_KNOT, usual) or isLong then
       name, how = "overlap", deep
       text = ("%s overlap by %.9g px, for %d updates"):format(key, deep, self.knots[key])
     end

@@ -151,13 +151,24 @@ function acts.insert(player, id, group, fields)
   end
 end
 
+-- Whether a circle or a zone cannot have a field with that value.
+local function isUnfit(object, name, value)
+  return object.radius and name == "oneWay" or object.area and name == "sensor" and not value
+end
+
 function acts.write(player, id, fields)
   local object = player.list[id]
   if object then
     note(player, id)
     local wasStatic = object.static
     for name, value in next, fields do
-      object[name] = copyOf(value)
+      if not isUnfit(object, name, value) then
+        object[name] = copyOf(value)
+      end
+    end
+    local size = object.radius and object.radius * 2
+    if size and (object.width ~= size or object.height ~= size) then
+      object.radius = nil -- it has become a box
     end
     if wasStatic and player.present[id] then
       player.world:refresh(object)
@@ -171,7 +182,9 @@ function acts.erase(player, id, name)
   local object = player.list[id]
   if object then
     note(player, id)
-    object[name] = nil
+    if not isUnfit(object, name, nil) then
+      object[name] = nil
+    end
     reread(player, id)
   end
 end
@@ -302,6 +315,9 @@ function acts.ask(player, x, y, w, h)
   local world = player.world
   tellList(player, "point", world:queryPoint(x, y))
   tellList(player, "rect", world:queryRect(x, y, w, h))
+  if world._bodies.hasCircles then
+    tellList(player, "circle", world:queryCircle(x, y, w))
+  end
   tellList(player, "segment", world:querySegment(x, y, x + w, y - h))
   player:tell("ray", world:raycast(x + w, y, x - w, y + h))
   player:tell("nearest", world:nearest(x, y, w))

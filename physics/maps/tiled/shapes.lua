@@ -308,14 +308,34 @@ function shapes.points(object, name, place, sti)
   return points
 end
 
---- Returns the boxes of a rectangle or polygon. Errors: a polygon without a list of points.
+-- Returns the square of an ellipse that is a circle, with its `radius`.
+local function circleOf(object)
+  local size, quarters = object.width, shapes.quarters(object.rotation)
+  if size ~= object.height then
+    return nil, "ellipse: only circles are round, with one width and height"
+  elseif not quarters then
+    return nil, rotated(object)
+  elseif size == 0 then
+    return nil, "it has no size"
+  end
+  local box = shapes.turnBox(object, object.x, object.y, quarters)
+  box.radius = size / 2
+  return { box }
+end
+
+--- Returns the boxes of a rectangle or polygon, or the square of a circle. Errors: a polygon
+--- without a list of points.
 ---@param object table as Tiled exports it, in a layer or in a tile
 ---@param place string how an error names it
 ---@param sti table? see `points`
----@return table[]? boxes in the layer; nil: it consists of none
+---@param mayBeRound boolean? whether an ellipse can be a circle
+---@return table[]? boxes in the layer, a circle with its `radius`; nil: it consists of none
 ---@return string? reason why not
-function shapes.boxes(object, place, sti)
+function shapes.boxes(object, place, sti, mayBeRound)
   local kind = object.shape or "rectangle"
+  if kind == "ellipse" and mayBeRound then
+    return circleOf(object)
+  end
   if kind == "polygon" then
     local points, reason = shapes.points(object, kind, place, sti)
     if not points then

@@ -1,0 +1,303 @@
+--- Zones: sensors with an `area` act on the dynamic objects inside them: water, wind, low gravity,
+--- attractors.
+--
+-- A zone acts by the share of the object that is inside, where the object is halfway through the
+-- step: so nothing depends on the step in which an edge is crossed.
+-- Source: the midpoint method, as in E. Hairer et al., Solving Ordinary Differential Equations I.
+--
+-- Reads area, position, velocity, pull, airFriction, drag; writes zonePull, zoneAir, zoneDrag and,
+-- where a zone has a gravity of its own, down, slowest and fastest. `forces` and all that come
+-- after it read flowPull, flowAir and flowDrag: these columns, or those of the objects in a world
+-- without zones.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local columns = require(root .. ".memory.columns")
+local fields = require(root .. ".world.fields")
+local filter = require(root .. ".broadphase.filter")
+local interpreted = require(root .. ".memory.jit")
+
+local zones = {}
+
+local DYNAMIC, STATIC, CIRCLE = columns.DYNAMIC, columns.STATIC, columns.SHAPE_CIRCLE
+local max, min, sqrt = math.max, math.min, math.sqrt
+local NAMES = fields.areaNames
+-- Share of the radius within which an attractor gets weaker towards its centre.
+local CORE = 0.125
+
+-- Areas -------------------------------------------------------------------------------------------
+
+--- Returns a copy of the game's table, which stays as it is.
+function zones.copy(area)
+  local copy = {}
+  for n = 1, #NAMES do
+    copy[NAMES[n]] = area[NAMES[n]]
+  end
+  return copy
+end
+
+--- Returns whether a value of the game says what a copy says (false: there is no area).
+function zones.isSame(area, copy)
+  if type(area) ~= "table" or not copy then
+    return area == nil and not copy
+  end
+  for n = 1, #NAMES do
+    if area[NAMES[n]] ~= copy[NAMES[n]] then
+      return false
+    end
+  end
+  return true
+end
+
+--- Notes that slot i has an area.
+function zones.note(b, i)
+  local area, list = b.area[i], b.zoneList
+  list[#list + 1] = i
+  b.hasZones = true
+  b.hasTurns = b.hasTurns or area.gravity ~= nil or area.gravityX ~= nil
+  b.hasHinders = b.hasHinders or (area.drag or 0) > 0
+end
+
+-- Returns whether slot i has an area still. (Slots at the end may have been given back.)
+local function isZone(b, i)
+  return i <= b.slots and b.kind[i] ~= 0 and b.area[i] ~= false
+end
+
+-- Puts the list in the order of the world, without those that are zones no more.
+local function arrange(b)
+  local list, rank, count = b.zoneList, b.rank, 0
+  for n = 1, #list do
+    local i, at, isNew = list[n], count, isZone(b, list[n])
+    while isNew and at > 0 and rank[list[at]] >= rank[i] do
+      isNew = list[at] ~= i
+      at = at - 1
+    end
+    if isNew then
+      for m = count, at + 1, -1 do
+        list[m + 1] = list[m]
+      end
+      count = count + 1
+      list[at + 1] = i
+    end
+  end
+  for n = #list, count + 1, -1 do
+    list[n] = nil
+  end
+end
+
+-- Shares ------------------------------------------------------------------------------------------
+
+-- Where body k is `time` s after the beginning of the step, if nothing acts on it.
+local function place(b, k, time)
+  return b.from[k] + b.velocity[k] * time
+end
+
+-- The share of slot i, 0..1, that is in zone j: of its box in a box, of its width towards the
+-- centre in a circle.
+local function shareIn(b, i, j, time)
+  local size, k, m = b.size, 2 * i, 2 * j
+  local later = b.kind[j] == STATIC and 0 or time
+  local x, y, left, top =
+    place(b, k, time), place(b, k + 1, time), place(b, m, later), place(b, m + 1, later)
+  local w, h = size[k], size[k + 1]
+  if b.shape[j] ~= CIRCLE then
+    local wide = min(x + w, left + size[m]) - max(x, left)
+    local high = min(y + h, top + size[m + 1]) - max(y, top)
+    return max(wide, 0.0) / w * (max(high, 0.0) / h)
+  end
+  local radius, half = size[m] * 0.5, (w + h) * 0.25
+  local dx, dy = x + w * 0.5 - left - radius, y + h * 0.5 - top - radius
+  return max(0.0, min((radius + half - sqrt(dx * dx + dy * dy)) / (2 * half), 1.0))
+end
+
+-- The share of slot i in zone j, if that acts on it at all.
+local function actingShare(b, i, j, time)
+  if i == j or not b.active[j] then
+    return 0
+  end
+  local share = shareIn(b, i, j, time)
+  if share > 0 and not (filter.refusal(b, i, j) or filter.refusal(b, j, i)) then
+    return share
+  end
+  return 0
+end
+
+-- Forces ------------------------------------------------------------------------------------------
+
+-- How an attractor of 1 px/s² at its rim pulls at d radii from its centre.
+local function strength(law, d)
+  local far = max(d, CORE)
+  local pull = 1.0
+  if law == "linear" then
+    pull = far
+  elseif law == "inverse" then
+    pull = 1 / far
+  elseif law == "square" then
+    pull = 1 / (far * far)
+  end
+  return pull * min(d / CORE, 1.0)
+end
+
+-- Zone j attracts slot i.
+local function attract(b, i, j, share, time)
+  local size, k, m, area = b.size, 2 * i, 2 * j, b.area[j]
+  local later = b.kind[j] == STATIC and 0 or time
+  local dx = place(b, m, later) + size[m] * 0.5 - place(b, k, time) - size[k] * 0.5
+  local dy = place(b, m + 1, later) + size[m + 1] * 0.5 - place(b, k + 1, time) - size[k + 1] * 0.5
+  local distance, radius = sqrt(dx * dx + dy * dy), min(size[m], size[m + 1]) * 0.5
+  if distance > 0 then
+    local pull = share * area.attract * strength(area.law, distance / radius) / distance
+    b.zonePull[k], b.zonePull[k + 1] = b.zonePull[k] + dx * pull, b.zonePull[k + 1] + dy * pull
+  end
+end
+
+--- Notes where "down" is of slot i under a gravity of (gx, gy): along the stronger axis, in a tie
+--- along y; and its speed limits, of which one is for falling.
+function zones.setDown(b, i, gx, gy)
+  local k, isVertical = 2 * i, gx * gx <= gy * gy
+  b.down[k] = isVertical and 0 or (gx > 0 and 1 or -1)
+  b.down[k + 1] = isVertical and (gy > 0 and 1 or gy < 0 and -1 or 0) or 0
+  for m = k, k + 1 do
+    local limit, fall = b.limit[m], b.maxFallSpeed[i]
+    b.slowest[m] = -(b.down[m] < 0 and min(limit, fall) or limit)
+    b.fastest[m] = b.down[m] > 0 and min(limit, fall) or limit
+  end
+end
+
+-- The gravity of a zone, g, in place of that of body k, for `share` of it as far as no zone on top
+-- has it already.
+local function replace(b, k, g, share)
+  local its = min(share, b.zoneLeft[k])
+  b.zonePull[k], b.zoneLeft[k] = b.zonePull[k] + (g - b.pull[k]) * its, b.zoneLeft[k] - its
+end
+
+-- The gravity of zone j in place of that of slot i.
+local function turn(b, i, j, time)
+  local area = b.area[j]
+  if area.gravity or area.gravityX then
+    local share, k = actingShare(b, i, j, time), 2 * i
+    replace(b, k, area.gravityX or b.pull[k], area.gravityX and share or 0.0)
+    replace(b, k + 1, area.gravity or b.pull[k + 1], area.gravity and share or 0.0)
+  end
+end
+
+-- What zone j does to slot i beyond gravity.
+local function push(b, i, j, time)
+  local pull, air, drag, k = b.zonePull, b.zoneAir, b.zoneDrag, 2 * i
+  local area, share = b.area[j], actingShare(b, i, j, time)
+  if share > 0 then
+    pull[k] = pull[k] + (area.ax or 0) * share
+    pull[k + 1] = pull[k + 1] + (area.ay or 0) * share
+    air[i] = air[i] + (area.airFriction or 0) * share
+    drag[i] = drag[i] + (area.drag or 0) * share
+    if area.attract then
+      attract(b, i, j, share, time)
+    end
+  end
+end
+
+-- Lists the dynamic ones of list[first..last] that are near zone j, behind place `count` of
+-- b.nearZone; returns how many there are then.
+local function listNear(b, list, first, last, j, time, count)
+  local kind, size, from, velocity = b.kind, b.size, b.from, b.velocity
+  local nearBody, nearZone, m = b.nearBody, b.nearZone, 2 * j
+  local later = kind[j] == STATIC and 0 or time
+  local x, y = place(b, m, later) + size[m] * 0.5, place(b, m + 1, later) + size[m + 1] * 0.5
+  local reachX, reachY = size[m] * 0.5, size[m + 1] * 0.5
+  for n = first, last do
+    local i = list[n]
+    local k = 2 * i
+    local w, h = size[k], size[k + 1]
+    local dx = from[k] + velocity[k] * time + w * 0.5 - x
+    local dy = from[k + 1] + velocity[k + 1] * time + h * 0.5 - y
+    local half = max(w, h) * 0.5
+    if max(max(dx, -dx) - reachX, max(dy, -dy) - reachY) < half and kind[i] == DYNAMIC then
+      count = count + 1
+      nearBody[count], nearZone[count] = i, j
+    end
+  end
+  return count
+end
+
+-- The same of all zones.
+local function listAllNear(b, list, first, last, time)
+  local slots, count = b.zoneList, 0
+  for n = 1, #slots do
+    if b.active[slots[n]] then
+      count = listNear(b, list, first, last, slots[n], time, count)
+    end
+  end
+  return count
+end
+
+-- Lets what acts on those in list[first..last] be what their own fields say.
+local function reset(b, list, first, last)
+  local pull, air, drag = b.pull, b.airFriction, b.drag
+  local zonePull, zoneAir, zoneDrag, left = b.zonePull, b.zoneAir, b.zoneDrag, b.zoneLeft
+  for n = first, last do
+    local i = list[n]
+    left[2 * i], left[2 * i + 1] = 1, 1
+    zonePull[2 * i], zonePull[2 * i + 1] = pull[2 * i], pull[2 * i + 1]
+    zoneAir[i], zoneDrag[i] = air[i], drag[i]
+  end
+end
+
+-- Finds the gravity of those in list[first..last], `near` of which are near zones: the last zone is
+-- on top.
+local function turnAll(b, list, first, last, near, time)
+  reset(b, list, first, last)
+  if b.hasTurns then
+    for n = near, 1, -1 do
+      turn(b, b.nearBody[n], b.nearZone[n], time)
+    end
+    for n = first, last do
+      if b.kind[list[n]] == DYNAMIC then
+        zones.setDown(b, list[n], b.zonePull[2 * list[n]], b.zonePull[2 * list[n] + 1])
+      end
+    end
+  end
+end
+
+-- The columns that act in this step.
+local function choose(b)
+  b.flowPull = b.hasZones and b.zonePull or b.pull
+  b.flowAir = b.hasZones and b.zoneAir or b.airFriction
+  b.flowDrag = b.hasZones and b.zoneDrag or b.drag
+end
+
+--- Finds what acts on the dynamic objects in awakeList from `first` to `last` in a step of dt s.
+function zones.run(b, dt, first, last)
+  choose(b)
+  if b.hasZones then
+    local time = dt * 0.5
+    local near = listAllNear(b, b.awakeList, first, last, time)
+    turnAll(b, b.awakeList, first, last, near, time)
+    for n = 1, near do
+      push(b, b.nearBody[n], b.nearZone[n], time)
+    end
+  end
+end
+
+--- Begins a step: finds the zones, and where "down" is of those in list[1..count].
+function zones.begin(b, list, count)
+  if b.hasZones then
+    arrange(b)
+    if b.hasTurns then
+      turnAll(b, list, 1, count, listAllNear(b, list, 1, count, 0), 0)
+    end
+  end
+end
+
+--- Finds where "down" is of everything in a world that was restored.
+function zones.restore(b)
+  for n = 1, b.moverCount do
+    local k = 2 * b.movers[n]
+    b.from[k], b.from[k + 1] = b.position[k], b.position[k + 1]
+  end
+  zones.begin(b, b.movers, b.moverCount)
+end
+
+interpreted.functions(isZone, arrange, shareIn, actingShare, strength, attract, replace, turn, push)
+interpreted.functions(listAllNear)
+interpreted.functions(turnAll, zones.copy, zones.isSame, zones.note, zones.run, zones.begin)
+
+return zones

@@ -1,0 +1,345 @@
+--- Balls: circles that are no sensors.
+
+local newRandom = require("spec.support.random").new
+local physics = require("physics")
+
+local RATES = { 30, 60, 144, 240 }
+-- px/s: a corner is met 2e-9 of a step later than a face, so its normal is a little another one.
+local LATER = 1e-6
+
+local function ball(x, y, radius, changes)
+  local object = { x = x - radius, y = y - radius, radius = radius }
+  for name, value in pairs(changes or {}) do
+    object[name] = value
+  end
+  return object
+end
+
+local function tile(x, y, width, height, changes)
+  local object = { x = x, y = y, width = width, height = height, static = true }
+  for name, value in pairs(changes or {}) do
+    object[name] = value
+  end
+  return object
+end
+
+local function near(expected, value, tolerance)
+  assert.is_true(
+    math.abs(expected - value) <= (tolerance or 1e-9),
+    ("%.12g, not %.12g"):format(value, expected)
+  )
+end
+
+local function run(world, seconds, rate)
+  for _ = 1, seconds * (rate or 60) + 0.5 do
+    world:update(1 / (rate or 60))
+  end
+end
+
+local function addRoom(world, width, height)
+  world:add("walls", tile(-20, height, width + 40, 20))
+  world:add("walls", tile(-20, -20, width + 40, 20))
+  world:add("walls", tile(-20, 0, 20, height))
+  world:add("walls", tile(width, 0, 20, height))
+end
+
+-- The deepest overlap of two balls, and of a ball and a wall.
+local function depths(world)
+  local balls, ofBalls, ofWalls = world.objects.balls, 0, 0
+  for n, a in ipairs(balls) do
+    local x, y = a.x + a.radius, a.y + a.radius
+    for m = n + 1, #balls do
+      local b = balls[m]
+      local dx, dy = x - b.x - b.radius, y - b.y - b.radius
+      ofBalls = math.max(ofBalls, a.radius + b.radius - math.sqrt(dx * dx + dy * dy))
+    end
+    for _, wall in ipairs(world.objects.walls) do
+      local dx = x - math.max(wall.x, math.min(x, wall.x + wall.width))
+      local dy = y - math.max(wall.y, math.min(y, wall.y + wall.height))
+      ofWalls = math.max(ofWalls, a.radius - math.sqrt(dx * dx + dy * dy))
+    end
+  end
+  return ofBalls, ofWalls
+end
+
+local function energy(world, floor, gravity)
+  local sum = 0
+  for _, b in ipairs(world.objects.balls) do
+    sum = sum + (b.vx * b.vx + b.vy * b.vy) / 2 + gravity * (floor - b.y - b.height)
+  end
+  return sum
+end
+
+describe("a ball", function()
+  it("moves and collides as its square does where it meets faces only", function()
+    local worlds = {}
+    for n = 1, 2 do
+      local world = physics.newWorld({ gravity = 700 })
+      addRoom(world, 300, 200)
+      local object = ball(60, 60, 10, { vx = 130, restitution = 0.7, friction = 0.2 })
+      if n == 2 then
+        object.radius, object.width, object.height = nil, 20, 20
+      end
+      world:add("balls", object)
+      worlds[n] = world
+    end
+    for _ = 1, 300 do
+      local one, other = worlds[1].objects.balls[1], worlds[2].objects.balls[1]
+      worlds[1]:update(1 / 60)
+      worlds[2]:update(1 / 60)
+      near(other.x, one.x)
+      near(other.y, one.y)
+      near(other.vy, one.vy)
+    end
+  end)
+
+  -- Corner at (100, 100) of a box to the right and below; the ball's radius is 10.
+  --
+  --      o ->      The normal is (-0.6, -0.8): the ball's centre is at (94, 92).
+  --        \ +----
+  --          |
+  for _, rate in ipairs(RATES) do
+    it(("bounces off a corner along the true normal, at %d Hz"):format(rate), function()
+      local world = physics.newWorld({ gravity = 0 })
+      world:add("walls", tile(100, 100, 50, 50))
+      local object = world:add("balls", ball(54, 92, 10, { vx = 200, restitution = 1 }))
+      run(world, 1, rate)
+      -- v - 2 n (n v) = (200, 0) - 2 (-0.6, -0.8) (-120); it is there after 0.2 s.
+      near(56, object.vx, LATER)
+      near(-192, object.vy, LATER)
+      near(94 + 0.8 * 56 - 10, object.x, 1e-6)
+      near(92 - 0.8 * 192 - 10, object.y, 1e-6)
+    end)
+
+    it(("slides off it without a bounce, at %d Hz"):format(rate), function()
+      local world = physics.newWorld({ gravity = 0 })
+      world:add("walls", tile(100, 100, 50, 50))
+      local object = world:add("balls", ball(54, 92, 10, { vx = 200 }))
+      run(world, 0.5, rate)
+      near(200 - 0.6 * 120, object.vx, LATER)
+      near(-0.8 * 120, object.vy, LATER)
+    end)
+
+    it(("shares its momentum with another along the normal, at %d Hz"):format(rate), function()
+      local world = physics.newWorld({ gravity = 0 })
+      local one = world:add("balls", ball(0, 0, 10, { vx = 100, restitution = 1 }))
+      local other = world:add("balls", ball(66, 8, 6, { mass = 3, restitution = 1 }))
+      run(world, 1, rate)
+      -- 16 px from centre to centre, 8 px across: the normal is (sqrt(0.75), 0.5).
+      local u = 100 * math.sqrt(0.75)
+      local change = 2 * u / (1 + 1 / 3)
+      near(100 - change * math.sqrt(0.75), one.vx, LATER)
+      near(-change * 0.5, one.vy, LATER)
+      near(change * math.sqrt(0.75) / 3, other.vx, LATER)
+      near(change * 0.5 / 3, other.vy, LATER)
+      assert.are.equal(1, one.restitution)
+    end)
+  end
+
+  it("flies through no corner and no thin wall, at 20 000 px/s", function()
+    for n = 0, 40 do
+      local world = physics.newWorld({ gravity = 0 })
+      world:add("walls", tile(200, 0, 1, 400))
+      world:add("walls", tile(200, 400, 300, 1))
+      local object = world:add("balls", ball(50, 180 + 6 * n, 8, { vx = 20000, restitution = 1 }))
+      run(world, 0.1)
+      local x, y = object.x + 8, object.y + 8
+      assert.is_true(x < 200 or y > 401 + 8 - 1e-6, n)
+    end
+  end)
+
+  -- Tiles of 16 px side by side, and one that stands 8 px higher at the end.
+  it("rolls over no seam: a row of tiles is as smooth as one", function()
+    for _, offset in ipairs({ 0, 1 / 3, -1000.1, 100000.3 }) do
+      for _, rate in ipairs(RATES) do
+        for _, radius in ipairs({ 3, 8, 20 }) do
+          local world = physics.newWorld({ gravity = 800 })
+          for i = 0, 39 do
+            world:add("tiles", tile(offset + 16 * i, 100, 16, 16))
+          end
+          local object = world:add("balls", ball(offset + 30, 100 - radius, radius, { vx = 180 }))
+          object.restitution = 0.8
+          for _ = 1, 2 * rate do
+            world:update(1 / rate)
+            assert.are.equal(180, object.vx)
+            near(100, object.y + object.height, 1e-6)
+            assert.is_truthy(object.touching.bottom)
+          end
+          near(offset + 30 + 360 - radius, object.x, 1e-5)
+        end
+      end
+    end
+  end)
+
+  it("falls on a seam as on a face", function()
+    for _, off in ipairs({ 0, 1e-7, 1e-3, 0.2, 3 }) do
+      local world = physics.newWorld({ gravity = 0 })
+      world:add("tiles", tile(0, 100, 50, 20))
+      world:add("tiles", tile(50, 100, 50, 20))
+      local object =
+        world:add("balls", ball(50 - off, 50, 10, { vx = 30, vy = 300, restitution = 1 }))
+      run(world, 0.25)
+      near(30, object.vx, 1e-3)
+      near(-300, object.vy, 1e-3)
+    end
+  end)
+
+  it("rests on the floor, carries, is carried, and sleeps", function()
+    local world = physics.newWorld({ gravity = 800 })
+    local lift = world:add("lifts", tile(0, 200, 300, 10, { kinematic = true, vx = 40 }))
+    lift.static = nil
+    local one = world:add("balls", ball(50, 150, 10, { friction = 1 }))
+    local plank = world:add("planks", { x = 40, y = 100, width = 20, height = 8 })
+    local top = world:add("balls", ball(50, 80, 6))
+    run(world, 2)
+    near(80, one.x - 0, 45)
+    near(180, one.y)
+    near(172, plank.y)
+    near(160, top.y)
+    assert.are.equal(one, plank.touching.bottom)
+    local x = top.x
+    run(world, 0.5)
+    near(x + 20, top.x)
+    lift.vx = 0
+    run(world, 0.5)
+    assert.are.equal(4, world.stats.resting)
+  end)
+
+  it("stands on the shoulder of another if it is slow, and slides off if it is not", function()
+    for _, row in ipairs({ { 0.1, true }, { 20, false } }) do
+      local world = physics.newWorld({ gravity = 800 })
+      world:add("stones", ball(100, 100, 20, { static = true }))
+      -- 30 px from centre to centre, 18 px across, 24 px up.
+      local object = world:add("balls", ball(118, 76 - row[1], 10))
+      run(world, 1)
+      if row[2] then
+        near(118, object.x + 10, 1e-6)
+        near(76, object.y + 10, 1e-6)
+        assert.are.equal(1, world.stats.resting)
+      else
+        assert.is_true(object.y > 200)
+        assert.is_true(object.vx > 0)
+      end
+    end
+  end)
+
+  it("slides down the flank of a stone without friction: its energy is kept", function()
+    local world = physics.newWorld({ gravity = 800 })
+    world:add("stones", ball(100, 100, 50, { static = true }))
+    -- At 45 degrees and a bit; 60 px from centre to centre.
+    local object = world:add("balls", ball(100 + 48, 100 - 36, 10))
+    local from = object.y
+    run(world, 0.4, 240)
+    local speed = math.sqrt(object.vx ^ 2 + object.vy ^ 2)
+    near(math.sqrt(2 * 800 * (object.y - from)), speed, 4)
+    assert.is_true(object.vx > 20)
+  end)
+
+  it("200 keep their energy for a minute within 1 %, and overlap nothing #slow", function()
+    for _, gravity in ipairs({ 0, 400 }) do
+      local world, random = physics.newWorld({ gravity = gravity }), newRandom(3)
+      addRoom(world, 600, 400)
+      for i = 0, 199 do
+        local object = ball(22 + (i % 20) * 29, 22 + (i - i % 20) / 20 * 36, random:between(4, 10))
+        object.vx, object.vy = random:between(-200, 200), random:between(-200, 200)
+        object.restitution = 1
+        world:add("balls", object)
+      end
+      local before = energy(world, 400, gravity)
+      for _ = 1, 60 do
+        run(world, 1)
+        local ofBalls, ofWalls = depths(world)
+        assert.is_true(ofBalls < 1e-5 and ofWalls < 1e-5)
+      end
+      near(1, energy(world, 400, gravity) / before, gravity == 0 and 1e-9 or 0.01)
+    end
+  end)
+
+  it("a heap of them comes to rest, and none gets through a wall", function()
+    for seed, restitution in ipairs({ 0, 0.3 }) do
+      local world, random = physics.newWorld({ gravity = 800 }), newRandom(seed)
+      addRoom(world, 160, 400)
+      for i = 0, 59 do
+        local radius = random:between(7, 10)
+        local x = 14 + (i % 6) * 25 + random:between(0, 4)
+        local object = ball(x, 20 + (i - i % 6) / 6 * 26, radius, { restitution = restitution })
+        world:add("balls", object)
+      end
+      local most = 0
+      for _ = 1, 480 do
+        world:update(1 / 60)
+        most = math.max(most, select(2, depths(world)))
+      end
+      assert.is_true(most < 1, most) -- px in a wall, in the fall
+      local ofBalls, ofWalls = depths(world)
+      -- What has fallen into each other has no room to part in a heap (docs/reliability.md).
+      assert.is_true(ofBalls < 1 and ofWalls < 1e-6, ofBalls .. " " .. ofWalls)
+      local before = {}
+      for n, b in ipairs(world.objects.balls) do
+        before[n] = { b.x, b.y }
+        assert.is_true(b.x > -1 and b.y > -1 and b.x + b.width < 161 and b.y + b.height < 401)
+      end
+      run(world, 1)
+      for n, b in ipairs(world.objects.balls) do
+        near(before[n][1], b.x, 0.05)
+        near(before[n][2], b.y, 0.05)
+      end
+    end
+  end)
+
+  it("is what world:move and world:sweep see", function()
+    local world = physics.newWorld({ gravity = 0 })
+    world:add("stones", ball(100, 100, 20, { static = true }))
+    local object = world:add("balls", ball(50, 88, 10))
+    local other, x, y, nx, ny, fraction = world:sweep(object, 100, 0)
+    -- 30 px from centre to centre, 12 px up.
+    local across = math.sqrt(900 - 144)
+    assert.are.equal(world.objects.stones[1], other)
+    near(100 - across - 10, x, 1e-6)
+    near(78, y)
+    near(-across / 30, nx, 1e-6)
+    near(-0.4, ny, 1e-6)
+    near((50 - across) / 100, fraction, 1e-6)
+    assert.is_nil((world:sweep(object, 0, -100)))
+    local toX, toY, hits, count = world:move(object, object.x + 60, object.y)
+    assert.are.equal(1, count)
+    near(-0.4, hits[1].ny, 1e-6)
+    assert.is_true(toX > 62 and toY < 78) -- along the tangent
+    assert.are.equal(0, select(2, world:overlapping(object)))
+  end)
+
+  it("is the same with and without rest, with either broad phase, and restored", function()
+    local function build(settings)
+      local world, random = physics.newWorld(settings), newRandom(5)
+      world.gravity = 600
+      addRoom(world, 300, 300)
+      world:add("stones", ball(120, 220, 20, { static = true }))
+      world:add("stones", ball(215, 165, 15, { kinematic = true, vx = -10 }))
+      world:add("ledges", tile(60, 120, 60, 8, { oneWay = true }))
+      for i = 0, 39 do
+        local object = { x = 10 + (i % 10) * 28, y = 10 + (i - i % 10) / 10 * 26, mass = i % 5 + 1 }
+        object.vx, object.vy = random:between(-150, 150), random:between(-150, 150)
+        object.restitution, object.friction = i % 3 / 2, i % 4 == 0 and 0.4 or nil
+        if i % 3 == 0 then
+          object.width, object.height = random:between(6, 18), random:between(6, 18)
+        else
+          object.radius = random:between(4, 10)
+        end
+        world:add("balls", object)
+      end
+      return world
+    end
+    local hashes = {}
+    for n, settings in ipairs({ {}, { rest = false }, { broadphase = "pairs" } }) do
+      local world = build(settings)
+      run(world, 4)
+      hashes[n] = world:hash()
+    end
+    local world, other = build({}), physics.newWorld()
+    run(world, 2)
+    other:restore(world:save())
+    run(other, 2)
+    hashes[4] = other:hash()
+    assert.are.same({ hashes[1], hashes[1], hashes[1], hashes[1] }, hashes)
+  end)
+end)

@@ -1,0 +1,331 @@
+--- Circles: queries and sensors with a `radius`, exact as a plain loop says.
+
+local garbage = require("spec.support.garbage")
+local newRandom = require("spec.support.random").new
+local physics = require("physics")
+
+local BROADPHASES = { "grid", "pairs" }
+
+-- The distance of two shapes, < 0: they overlap. A shape is an object, or { x =, y =, r = } around
+-- a centre; worked out in the plain way.
+local function centerOf(shape)
+  if shape.r then
+    return shape.x, shape.y, shape.r
+  elseif shape.radius then
+    return shape.x + shape.radius, shape.y + shape.radius, shape.radius
+  end
+end
+
+local function distance(a, b)
+  local ax, ay, ar = centerOf(a)
+  local bx, by, br = centerOf(b)
+  if not ax then
+    if not bx then
+      local gapX = math.max(a.x - b.x - b.width, b.x - a.x - a.width)
+      local gapY = math.max(a.y - b.y - b.height, b.y - a.y - a.height)
+      return math.max(gapX, gapY)
+    end
+    return distance(b, a)
+  end
+  local dx, dy
+  if bx then
+    dx, dy = ax - bx, ay - by
+  else
+    dx = ax - math.max(b.x, math.min(ax, b.x + b.width))
+    dy = ay - math.max(b.y, math.min(ay, b.y + b.height))
+    br = 0
+  end
+  return math.sqrt(dx * dx + dy * dy) - ar - br
+end
+
+-- Boxes and circles, static, kinematic and dynamic, spread over 600 px.
+local function crowd(settings, seed)
+  settings.gravity = 0
+  local world, random, all = physics.newWorld(settings), newRandom(seed), {}
+  for i = 1, 150 do
+    local object = { x = random:between(-300, 300), y = random:between(-300, 300), n = i }
+    if i % 2 == 0 then
+      object.radius, object.sensor = random:pick({ 3, 10, 40 }), true
+    else
+      object.width, object.height = random:between(4, 50), random:between(4, 50)
+      object.sensor = true
+    end
+    object.static = i % 3 == 0 or nil
+    all[i] = world:add(i % 5 == 0 and "fifth" or "others", object)
+  end
+  return world, all, random
+end
+
+-- Their numbers, those of the group "fifth" first, as the world has them in order.
+local function numbersOf(list, accept)
+  local numbers = {}
+  for pass = 1, 2 do
+    for _, object in ipairs(list) do
+      if (object.n % 5 == 0) == (pass == 1) and accept(object) then
+        numbers[#numbers + 1] = object.n
+      end
+    end
+  end
+  return table.concat(numbers, " ")
+end
+
+local function told(list, count)
+  local numbers = {}
+  assert.are.equal(#list, count)
+  for n, object in ipairs(list) do
+    numbers[n] = object.n
+  end
+  return table.concat(numbers, " ")
+end
+
+describe("world:queryCircle", function()
+  -- A box from (10, 10) to (30, 20).
+  for _, row in ipairs({
+    { "beside", 0, 15, 10.1, 1 },
+    { "flush", 0, 15, 10, 0 },
+    { "beyond a corner, in the square of the circle only", 6, 6, 5.6, 0 },
+    { "at a corner", 7, 6, 5.1, 1 },
+    { "flush at a corner", 7, 6, 5, 0 },
+    { "inside", 20, 15, 0.5, 1 },
+    { "all of it", 20, 15, 500, 1 },
+  }) do
+    it("finds what the circle overlaps: " .. row[1], function()
+      local world = physics.newWorld({ gravity = 0 })
+      world:add("a", { x = 10, y = 10, width = 20, height = 10 })
+      assert.are.equal(row[5], select(2, world:queryCircle(row[2], row[3], row[4])))
+      world.sideBySide = true
+      local isFlush = row[1]:find("flush") ~= nil
+      local count = select(2, world:queryCircle(row[2], row[3], row[4]))
+      assert.are.equal(isFlush and 1 or row[5], count)
+    end)
+  end
+
+  for _, broadphase in ipairs(BROADPHASES) do
+    it("says what a plain loop says, and so do the other queries: " .. broadphase, function()
+      local world, all, random = crowd({ broadphase = broadphase }, 3)
+      local found = 0
+      for turn = 1, 200 do
+        local x, y = random:between(-350, 350), random:between(-350, 350)
+        local r, filter = random:between(1, 90), turn % 2 == 0 and "fifth" or nil
+        local function isWanted(object)
+          return not filter or object.n % 5 == 0
+        end
+        local expected = numbersOf(all, function(object)
+          return isWanted(object) and distance({ x = x, y = y, r = r }, object) < -1e-6
+        end)
+        assert.are.equal(expected, told(world:queryCircle(x, y, r, filter)))
+        found = found + #expected
+        local rect = { x = x, y = y, width = r, height = 40 }
+        expected = numbersOf(all, function(object)
+          return isWanted(object) and distance(object, rect) < -1e-6
+        end)
+        assert.are.equal(expected, told(world:queryRect(x, y, r, 40, filter)))
+        expected = numbersOf(all, function(object)
+          return isWanted(object) and distance(object, { x = x, y = y, width = 0, height = 0 }) < 0
+        end)
+        assert.are.equal(expected, told(world:queryPoint(x, y, filter)))
+        local one = all[random:integer(1, #all)]
+        expected = numbersOf(all, function(object)
+          return object ~= one and distance(object, one) < -1e-6
+        end)
+        assert.are.equal(expected, told(world:overlapping(one)))
+        local nearest, px = world:nearest(x, y, 1000, filter)
+        for _, object in ipairs(all) do
+          if isWanted(object) then
+            local its = math.max(distance({ x = x, y = y, r = 0 }, object), 0)
+            assert.is_true(its >= px - 1e-9)
+            assert.is_true(object ~= nearest or math.abs(its - px) < 1e-9)
+          end
+        end
+        if turn % 20 == 0 then
+          world:update(1 / 60)
+        end
+      end
+      assert.is_true(found > 500)
+    end)
+  end
+
+  it("makes no garbage with a list of its own", function()
+    local world, _, random = crowd({}, 4)
+    local out = {}
+    local function ask()
+      world:queryCircle(random:between(-300, 300), random:between(-300, 300), 80, nil, out)
+      world:overlapping(world.objects.others[2], nil, out)
+    end
+    assert.is_true(garbage.bytes(ask, 600, 100) <= 100)
+  end)
+end)
+
+describe("a ray", function()
+  -- A circle of 20 px around (50, 50).
+  for _, row in ipairs({
+    { "through the middle", { 0, 50, 100, 50 }, { 30, 50, -1, 0, 0.3 } },
+    { "from above", { 50, 0, 50, 50 }, { 50, 30, 0, -1, 0.6 } },
+    { "off the middle", { 0, 34, 100, 34 }, { 38, 34, -0.6, -0.8, 0.38 } },
+    { "past it, through its square", { 0, 31, 32, 31 }, nil },
+    { "that ends before it", { 0, 50, 29, 50 }, nil },
+    { "from inside", { 50, 50, 100, 50 }, { 50, 50, 0, 0, 0 } },
+    { "without length inside", { 40, 50, 40, 50 }, { 40, 50, 0, 0, 0 } },
+    { "without length in the corner of its square", { 31, 31, 31, 31 }, nil },
+    { "away from it", { 29, 50, 0, 50 }, nil },
+  }) do
+    it("meets a circle: " .. row[1], function()
+      local world = physics.newWorld({ gravity = 0 })
+      local coin = world:add("coins", { x = 30, y = 30, radius = 20, sensor = true })
+      local from, expected = row[2], row[3]
+      local hit = { world:raycast(from[1], from[2], from[3], from[4]) }
+      local _, count = world:querySegment(from[1], from[2], from[3], from[4])
+      assert.are.equal(expected and 1 or 0, count)
+      assert.are.equal(expected and coin or nil, hit[1])
+      for n = 1, expected and 5 or 0 do
+        assert.is_true(math.abs(expected[n] - hit[n + 1]) < 1e-9)
+      end
+    end)
+  end
+end)
+
+describe("a sensor with a radius", function()
+  it("gets its width and height from add", function()
+    local world = physics.newWorld()
+    local coin = world:add("coins", { x = 3, y = 4, radius = 2.5, sensor = true })
+    assert.are.same({ 5, 5 }, { coin.width, coin.height })
+  end)
+
+  -- A box of 4 px that flies by a circle of 20 px around (50, 50).
+  local function fly(kind, x, y, vx, vy, dt)
+    local world, log = physics.newWorld({ gravity = 0 }), {}
+    local blast = { x = 30, y = 30, radius = 20, sensor = true }
+    blast[kind] = true
+    function blast.onBegin(_, other, side, speed)
+      log[#log + 1] = { side, speed, other.x }
+    end
+    function blast.onEnd()
+      log[#log + 1] = "end"
+    end
+    world:add("blasts", blast)
+    world:add("boxes", { x = x, y = y, width = 4, height = 4, vx = vx, vy = vy })
+    for _ = 1, 1 / dt + 0.5 do
+      world:update(dt)
+    end
+    return log
+  end
+
+  for _, kind in ipairs({ "static", "kinematic", "dynamic" }) do
+    for _, dt in ipairs({ 1 / 4000, 1 / 240, 1 / 60, 1 / 30 }) do
+      local name = (" (%s, %.5f s)"):format(kind, dt)
+      it("feels what enters it, however fast, and nothing else" .. name, function()
+        assert.are.same({}, fly(kind, -50, 25.9, 400, 0, dt)) -- above
+        assert.are.same({}, fly(kind, -35, 67, 200, 200, dt)) -- past below its square's corner
+        assert.are.same({}, fly(kind, -20, 78, 300, -400, dt)) -- through that, past the circle
+        local log = fly(kind, -50, 48, 400, 0, dt)
+        assert.are.equal("left", log[1][1])
+        assert.is_true(math.abs(log[1][2] - 400) < 1e-9)
+        assert.are.equal("end", log[2])
+        assert.are.equal(2, #log)
+        assert.are.equal("left", fly(kind, -10, 35.2, 9000, 0, dt)[1][1])
+      end)
+    end
+  end
+
+  it("tells the approach along its normal", function()
+    -- The box's corner meets the circle where its normal is (-0.6, -0.8).
+    local log = fly("static", 0, 30, 300, 0, 1 / 60)
+    assert.is_true(math.abs(log[1][2] - 180) < 1e-6)
+    assert.are.equal("top", log[1][1])
+  end)
+
+  it("feels circles as circles", function()
+    local world, begun = physics.newWorld({ gravity = 0 }), 0
+    local function note()
+      begun = begun + 1
+    end
+    world:add("blasts", { x = 0, y = 0, radius = 10, sensor = true, static = true, onBegin = note })
+    local coin = world:add("coins", { x = 15.2, y = 13.2, radius = 10, sensor = true, vy = -1 })
+    world:update(0.1)
+    assert.are.equal(0, begun) -- 20.1 px from centre to centre
+    world:update(0.25)
+    assert.are.equal(1, begun)
+    assert.are.equal("right", world:touching(world.objects.blasts[1], coin))
+    assert.is_truthy(world:explain(coin, world.objects.blasts[1]):find("they overlap by", 1, true))
+  end)
+
+  it("may grow and shrink at run time", function()
+    local world, log = physics.newWorld({ gravity = 0 }), {}
+    local box = world:add("boxes", { x = 40, y = 40, width = 10, height = 10 })
+    local blast = world:add("blasts", { x = 0, y = 0, radius = 10, sensor = true })
+    function blast.onBegin()
+      log[#log + 1] = "in"
+    end
+    function blast.onEnd()
+      log[#log + 1] = "out"
+    end
+    world:update(1 / 60)
+    blast.radius, blast.width, blast.height = 30, 60, 60
+    world:update(1 / 60)
+    assert.are.same({ "in" }, log)
+    blast.radius, blast.width, blast.height = 22, 44, 44 -- the square overlaps, the circle not
+    world:update(1 / 60)
+    assert.are.same({ "in", "out" }, log)
+    assert.are.equal(0, select(2, world:overlapping(blast)))
+    blast.radius = nil
+    world:update(1 / 60)
+    assert.are.same({ "in", "out", "in" }, log)
+    assert.are.equal(box, (world:overlapping(blast))[1])
+  end)
+
+  it("plays on after restore with the same bits", function()
+    local world = crowd({}, 7)
+    for _, object in ipairs(world.objects.others) do
+      object.vx, object.vy = object.n % 7 * 20 - 60, object.n % 5 * 20 - 40
+    end
+    world:update(1 / 60)
+    local other = physics.newWorld()
+    other:restore(world:save())
+    assert.are.equal(world:hash(), other:hash())
+    for _ = 1, 30 do
+      world:update(1 / 60)
+      other:update(1 / 60)
+    end
+    assert.are.equal(world:hash(), other:hash())
+    assert.are.equal(10, other.objects.others[2].radius * 0 + 10)
+  end)
+
+  it("refuses what is no circle, and changes nothing", function()
+    local world = physics.newWorld()
+    for _, row in ipairs({
+      { { radius = 0 }, "coins[1].width must be a number > 0, got nil (2 * radius is 0)" },
+      { { radius = -1 }, "coins[1].width must be a number > 0, got nil (2 * radius is -2)" },
+      { { radius = "8" }, "coins[1].width must be a number > 0, got nil" },
+      {
+        { radius = 8, width = 16 },
+        "coins[1].height must be a number > 0, got nil (2 * radius is 16)",
+      },
+      {
+        { radius = 8, width = 16, height = 17 },
+        "coins[1].radius must be half of width and height, which are 16 and 17, got 8",
+      },
+      {
+        { radius = 8, oneWay = true },
+        "coins[1].oneWay must be nil where there is a radius, got true",
+      },
+    }) do
+      local object = row[1]
+      object.x, object.y, object.sensor = 0, 0, true
+      local width = object.width
+      local ok, message = pcall(world.add, world, "coins", object)
+      assert.is_false(ok)
+      assert.is_truthy(message:find("circles_spec.lua", 1, true), message)
+      assert.is_truthy(message:find(row[2], 1, true), message)
+      assert.are.equal(width, object.width)
+      assert.is_nil(world.objects.coins)
+    end
+    local coin = world:add("coins", { x = 0, y = 0, radius = 8, sensor = true })
+    coin.radius = 9
+    local ok, message = pcall(world.update, world, 1 / 60)
+    assert.is_false(ok)
+    assert.is_truthy(message:find("which are 16 and 16, got 9", 1, true), message)
+    assert.is_false((pcall(world.queryPoint, world, 0, 0)))
+    coin.radius = 8
+    world:update(1 / 60)
+  end)
+end)

@@ -1,0 +1,123 @@
+--- world:explode: what is pushed, how far, and what is in the way.
+
+local physics = require("physics")
+
+local function still()
+  return physics.newWorld({ gravity = 0 })
+end
+
+local function crate(x, y, changes)
+  local object = { x = x, y = y, width = 20, height = 20 }
+  for name, value in pairs(changes or {}) do
+    object[name] = value
+  end
+  return object
+end
+
+local function near(expected, value)
+  assert.is_true(math.abs(expected - value) < 1e-9, ("%g, not %g"):format(value, expected))
+end
+
+describe("world:explode", function()
+  -- A crate of 20 px, an explosion at (0, 0) of 100 px and 600.
+  for _, row in ipairs({
+    { "to the right", 30, -10, {}, 420, 0 },
+    { "its mass counts", 30, -10, { mass = 2 }, 210, 0 },
+    { "what it had is kept", 30, -10, { vx = -20, vy = 7 }, 400, 7 },
+    { "around the centre", -5, -10, {}, 600, 0 },
+    { "in the centre: up", -10, -10, {}, 0, -600 },
+    { "nearly at the rim", 99, -10, {}, 6, 0 },
+    { "beyond the rim", 100, -10, {}, nil, nil },
+    { "beyond the rim, in its square", 80, 80, {}, nil, nil },
+    -- The nearest corner is 50 px away, the middle at (40, 50) of 64 px.
+    { "askew", 30, 40, {}, 300 * 40 / math.sqrt(4100), 300 * 50 / math.sqrt(4100) },
+    -- A circle: its middle is 50 px away, its rim 40 px.
+    { "a circle", 20, 30, { radius = 10, sensor = true }, 360 * 0.6, 360 * 0.8 },
+    { "what is inactive", 30, -10, { active = false }, nil, nil },
+    { "what is static", 30, -10, { static = true }, nil, nil },
+    { "what is kinematic", 30, -10, { kinematic = true }, nil, nil },
+  }) do
+    it("pushes away: " .. row[1], function()
+      local world = still()
+      local object = world:add("crates", crate(row[2], row[3], row[4]))
+      local vx, vy = object.vx, object.vy
+      local list, count = world:explode(0, 0, 100, 600)
+      assert.are.equal(row[5] and 1 or 0, count)
+      assert.are.equal(row[5] and object or nil, list[1])
+      if row[5] then
+        near(row[5], object.vx)
+        near(row[6], object.vy)
+      else
+        assert.are.same({ vx, vy }, { object.vx, object.vy })
+      end
+    end)
+  end
+
+  it("draws in with a negative impulse, and wakes what rests", function()
+    local world = still()
+    local object = world:add("crates", crate(30, -10))
+    world:update(1 / 60)
+    world:update(1 / 60)
+    world:explode(0, 0, 100, -100)
+    world:update(1 / 60)
+    assert.is_true(object.x < 30)
+  end)
+
+  it("pushes those that the filter names, and are in sight", function()
+    local world = still()
+    local shown, hidden = world:add("crates", crate(-60, -10)), world:add("crates", crate(60, -10))
+    local gem = world:add("gems", crate(-60, 20))
+    local wall = world:add("walls", crate(30, -50, { height = 100, static = true }))
+    local function pushed(...)
+      local list, count = world:explode(0, 0, 100, 10, ...)
+      assert.are.equal(count, #list)
+      return list
+    end
+    assert.are.same({ shown, hidden, gem }, pushed())
+    assert.are.same({ shown, hidden }, pushed("crates"))
+    assert.are.same({ shown }, pushed("crates", "walls"))
+    -- A crate does not hide itself.
+    assert.are.same({ shown, gem }, pushed(nil, { "walls", "crates" }))
+    assert.are.same(
+      { gem },
+      pushed("gems", function(object)
+        return object == wall
+      end)
+    )
+  end)
+
+  it("is refused where something is wrong, and has changed nothing", function()
+    local world = still()
+    local one, other = world:add("crates", crate(30, -10)), world:add("crates", crate(30, -40))
+    local function refuses(text, ...)
+      local ok, message = pcall(world.explode, world, ...)
+      assert.is_false(ok)
+      assert.is_truthy(message:find("explode_spec.lua", 1, true), message)
+      assert.is_truthy(message:find(text, 1, true), message)
+      assert.are.same({ 0, 0 }, { one.vx, one.vy })
+    end
+    refuses("x must be a number, got nil", nil, 0, 100, 1)
+    refuses("radius must be a number > 0, got 0", 0, 0, 0, 1)
+    refuses("impulse must be a finite number, got inf", 0, 0, 100, 1 / 0)
+    refuses("filter must be a group name", 0, 0, 100, 1, true)
+    refuses("walls: filter must be a group name", 0, 0, 100, 1, nil, true)
+    other.mass = 1e-99
+    refuses("after it must be a number in", 0, 0, 100, 1e50)
+    other.mass = "heavy"
+    refuses('mass must be a number > 0, got "heavy"', 0, 0, 100, 1)
+    other.mass, other.vx = 1, nil
+    world:explode(0, 0, 100, 1)
+    assert.is_true(one.vx > 0 and other.vx > 0)
+    world.canCollide = function()
+      world:explode(0, 0, 100, 1)
+    end
+    one.vx, other.x, other.y, other.vx = 50, 60, -10, -50
+    local ok, message = pcall(function()
+      for _ = 1, 60 do
+        world:update(1 / 60)
+      end
+    end)
+    assert.is_false(ok)
+    assert.is_truthy(message:find("cannot be called from inside canCollide", 1, true), message)
+  end)
+end)
