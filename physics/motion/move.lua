@@ -93,9 +93,9 @@ function move.run(b, dt, first, last)
   end
   findEnds(b, first, last, dt)
   findSpeeds(b, first, last)
-  if b.hasBuried then
+  if b.hasBuried or b.hasStuck then
     for n = first, last do
-      if buried[list[n]] and kind[list[n]] == DYNAMIC then
+      if (buried[list[n]] or b.stuck[list[n]]) and kind[list[n]] == DYNAMIC then
         bury(b, list[n])
       end
     end

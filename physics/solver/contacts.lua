@@ -22,7 +22,7 @@ local PACE = contacts.PACE
 local CREEP = 0.5
 contacts.PATIENCE = 60
 -- After so many of them they try the other axis.
-contacts.TURN = 30
+contacts.TURN = tonumber(os.getenv("TURN") or 30)
 local max, min = math.max, math.min
 
 --- Values of `touches`: the pair is swept; it is a contact; it is one that may bounce, and is
