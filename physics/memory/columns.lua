@@ -456,9 +456,6 @@ function columns.new()
     unasked = { pairs = {}, sides = {}, first = {}, second = {}, order = {} }, -- scratch of contact
     halfRead = {}, -- objects that are being read anew (see collect)
     found = {}, -- scratch of detect and part
-    stoppedAt = {},
-    stoppedTo = {},
-    ownFat = {},
     askers = {},
     present = {},
     strays = {},
