@@ -96,7 +96,7 @@ function move.run(b, dt, first, last)
   findSpeeds(b, first, last)
   if b.hasBuried or b.hasStuck then
     for n = first, last do
-      if (buried[list[n]] or b.stuck[list[n]]) and kind[list[n]] == DYNAMIC then
+      if (buried[list[n]] or b.stuck[list[n]] or b.exiting[list[n]]) and kind[list[n]] == DYNAMIC then
         bury(b, list[n])
       end
     end

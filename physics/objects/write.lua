@@ -439,8 +439,6 @@ function publish.run(b)
   contact.ask(b)
   view.outdate(b) -- whom it has asked may have asked questions, and what follows may fail
   reset(b)
-  crush.countJam(b, 0)
-  crush.countJam(b, 1)
   stuck.note(b)
   local count, closeCount = updateContacts(b)
   findTouching(b, count)

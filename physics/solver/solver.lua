@@ -85,7 +85,7 @@ local function begin(b, dt)
     dirty[i], b.impactsOf[i] = 1, 0
     for k = 2 * i, 2 * i + 1 do
       origin[k] = from[k]
-      give[k] = kind[i] == DYNAMIC and not (buried[i] or b.stuck[i]) and inverseMass[i] or 0
+      give[k] = kind[i] == DYNAMIC and not (buried[i] or b.stuck[i] or b.exiting[i]) and inverseMass[i] or 0
       freeSpeed[k] = speed[k]
       if kind[i] == DYNAMIC then
         start[k] = startSpeed(b, k)

@@ -62,7 +62,6 @@ state.POINTS = {
   { "carried", 0 },
   { "behind", 0 },
   { "wasCrushed", false },
-  { "jam", 0 },
   { "crowdAge", 0 },
   { "wasAt", 0 },
   { "wasSize", 0 },

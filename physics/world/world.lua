@@ -114,7 +114,7 @@ local function step(self, dt)
 
   b.begun, b.predicted, b.rubs, b.dt = 0, 0, 0, dt
   begin.run(b)
-  stuck.free(b)
+  stuck.run(b)
   crowd.mark(b)
   detect.runMoved(b)
   crowd.run(b)

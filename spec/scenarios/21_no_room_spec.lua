@@ -64,7 +64,7 @@ end
 local function heap(count, seed, cell, width, bottom, isEqual)
   local random, list, columns = newRandom(seed), {}, math.floor(width / cell)
   for i = 0, count - 1 do
-    local size = isEqual and cell or random:between(0.6, 1) * cell
+    local size = isEqual and 0.8 * cell or random:between(0.6, 1) * cell
     local row = math.floor(i / columns)
     local x, y = cell * (i - row * columns), bottom - cell * row - size
     list[i + 1] = { "boxes", { x = x, y = y, width = size, height = size, friction = 0.3 } }
