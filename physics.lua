@@ -13,7 +13,7 @@
 -- This file holds the constructors, the default world, the pure functions and the version.
 
 local path = ...
-local bank = require(path .. ".memory.columnStore")
+local columnStore = require(path .. ".memory.columnStore")
 local check = require(path .. ".world.check")
 local columns = require(path .. ".memory.columns")
 local interpreted = require(path .. ".memory.jit")
@@ -30,7 +30,7 @@ local physics = {
 
 local default = world.new(nil, "physics")
 
--- A colon would give the module itself as the first argument.
+-- Refuses a call with a colon, which would give the module as the first argument.
 local function checkDot(first, name)
   if rawequal(first, physics) then
     check.fail("physics." .. name .. " must be called with a dot, not with a colon")
@@ -71,7 +71,7 @@ function physics.compile()
   if not interpreted.lift() then
     return false
   end
-  bank.use(typed.source() or false)
+  columnStore.use(typed.source() or false)
   if default._bodies.count == 0 then
     columns.adopt(default._bodies)
   end
@@ -85,7 +85,7 @@ local function ofDefault(name, method)
   end
 end
 
--- Every method of a world is a function of the default world, too.
+-- Makes every method of a world a function of the default world, too.
 local function addMethods()
   for name, method in pairs(world.methods) do
     if type(method) == "function" then
@@ -97,7 +97,7 @@ end
 interpreted.always(addMethods)
 addMethods()
 
--- Without `sideBySide` the setting of the default world decides.
+-- Without `sideBySide` it takes the setting of the default world.
 local function checkCollision(a, b, c, d, e, f, g, h, sideBySide)
   if type(a) ~= "number" then
     if c == nil then

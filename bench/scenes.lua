@@ -13,7 +13,7 @@
 ---               friction, restitution, gravity, mass, pushable, maxSpeed; the same fields as those
 ---               of physics.lua
 ---     rest      true: engines may skip what rests, and those that cannot do not play; false:
----               nobody may; nil: as the engine likes
+---               no engine may; nil: as the engine likes
 ---     needs     features of which an engine may say that it lacks them (bench/engines.lua)
 ---     worlds    number of independent worlds made of it, default 1
 ---     steps, warmUp   numbers of frames that are measured, and that go before, default 600 and 60

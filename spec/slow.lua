@@ -22,11 +22,11 @@ slow.files = {
   { "spec/scenarios/12_momentum_spec.lua", "200 bouncing boxes, for a minute" },
   { "spec/determinism_spec.lua", "the scene with everything in it, with other histories" },
   { "spec/state_spec.lua", "a rollback of 8 steps, with each combination of settings" },
-  { "spec/roster_spec.lua", "eight more seeds of random edits" },
+  { "spec/registry_spec.lua", "eight more seeds of random edits" },
   { "spec/limits_spec.lua", "engines in steps of 1/1000 s" },
   { "spec/soak_spec.lua", "falls of 4600 steps" },
   { "spec/examples_spec.lua", "whole levels of the examples, as recorded" },
-  { "spec/bank_spec.lua", "the scene with everything in it, each access to a column checked" },
+  { "spec/column_store_spec.lua", "the scene with everything in it, each access checked" },
   { "spec/scenarios/01_seams_spec.lua", "a hundred landings, one by one" },
 }
 

@@ -1,14 +1,17 @@
---- Keeps the trace compiler of LuaJIT out of what it is bad at.
+--- Decides which functions LuaJIT's trace compiler may compile. On other Luas this does nothing.
 --
--- A compiled trace is one way through the code, branch by branch; code that goes another way at
+-- A compiled trace is one path through the code, branch by branch. Code that takes another path for
 -- every object becomes hundreds of traces. LuaJIT has room for 1000 of them, in 512 KB, for the
--- whole program (LÖVE 11.4 gives it 2000, in 16 MB); when that is full, all are thrown away and
--- compiled again for ever. So the loops over all objects or pairs are short, with few branches, and
--- compiled; what happens to single ones, in the order of events, is interpreted. So is what leads
--- from one loop to the next: in a small world loops go round a few times, are not compiled by
--- themselves, and are unrolled into whatever comes before them, with all that follows, at each way
--- that goes there. A program that gives LuaJIT more room may have all of it compiled (`lift`). On
--- other Luas this does nothing.
+-- whole program. (LÖVE 11.4 gives it 2000, in 16 MB.) When the room is full, all traces are thrown
+-- away and compiled again, for ever.
+--
+-- So the loops over all objects or pairs are short, with few branches, and compiled. What happens
+-- to single ones, in the order of events, is interpreted. The code that leads from one loop to the
+-- next is interpreted, too. In a small world its loops are short and are not compiled by
+-- themselves. They would be unrolled into whatever comes before them, once for each path that leads
+-- there.
+--
+-- A program that gives LuaJIT more room may have everything compiled (`lift`).
 
 local interpreted = {}
 

@@ -78,7 +78,7 @@ end
 
 --- Computes the paths of those in awakeList from `first` to `last`.
 function move.run(b, dt, first, last)
-  local list, kind, buried = b.awakeList, b.kind, b.buried
+  local list, kind, buried, stuck = b.awakeList, b.kind, b.buried, b.stuck
   if b.hasCarriers then
     for n = first, last do
       if kind[list[n]] == KINEMATIC then
@@ -94,9 +94,9 @@ function move.run(b, dt, first, last)
   end
   findEnds(b, first, last, dt)
   findSpeeds(b, first, last)
-  if b.hasBuried or b.hasStuck then
+  if b.hasBuried or b.hasKnots then
     for n = first, last do
-      if (buried[list[n]] or b.stuck[list[n]] or b.exiting[list[n]]) and kind[list[n]] == DYNAMIC then
+      if (buried[list[n]] or stuck[list[n]]) and kind[list[n]] == DYNAMIC then
         bury(b, list[n])
       end
     end

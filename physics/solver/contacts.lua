@@ -11,8 +11,8 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local interpreted = require(root .. ".memory.jit")
+local knots = require(root .. ".solver.knots")
 local rules = require(root .. ".solver.rules")
-local stuck = require(root .. ".solver.stuck")
 
 local contacts = {}
 
@@ -20,7 +20,7 @@ local EPSILON, DYNAMIC = columns.EPSILON, columns.DYNAMIC
 --- Share of the smaller size by which two overlapping dynamic bodies separate in a step.
 contacts.PACE = 0.25
 local PACE = contacts.PACE
-local PATIENCE = stuck.PATIENCE
+local PATIENCE = knots.PATIENCE
 local floor, max, min = math.floor, math.max, math.min
 
 --- Values of `touches`:
@@ -151,7 +151,7 @@ end
 -- at its start, px. It shrinks while there is no room.
 local function growthOf(b, kl, kh)
   local i, j = floor(kl * 0.5), floor(kh * 0.5)
-  local waited = max(b.waited[i], b.waited[j])
+  local waited = max(b.knotted[2 * i], b.knotted[2 * j])
   return PACE * min(b.size[kl], b.size[kh]) * (1 - waited / PATIENCE)
 end
 
@@ -364,7 +364,7 @@ function contacts.find(b)
   if b.hasSensors then
     count = dropSensors(b, count)
   end
-  if b.crowdCount > 0 or b.hasStuck then
+  if b.crowdCount > 0 or b.hasKnots then
     count = dropGhosts(b, b.closePairs, count)
     b.apartCount = dropGhosts(b, b.apart, b.apartCount)
   end

@@ -69,7 +69,7 @@ local function listCandidates(b)
   for n = 1, b.awakeCount do
     local i = awake[n]
     if crowd_[i] ~= 0 or inside[i] or moved[i] then
-      if b.kind[i] == DYNAMIC and b.pushable[i] and not (b.sensor[i] or b.stuck[i] or b.exiting[i]) then
+      if b.kind[i] == DYNAMIC and b.pushable[i] and not (b.sensor[i] or b.stuck[i]) then
         count = count + 1
         list[count] = i
       end

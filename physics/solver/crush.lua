@@ -5,17 +5,16 @@
 -- again as soon as there is room. How it came there is remembered with the pair (`wedged`). So it
 -- leaves along the same axis and is never squeezed out sideways.
 --
--- Reads contacts, squeezed, pressed; writes crushed, crushLow, crushHigh, wedged, jam.
+-- Reads contacts, squeezed, pressed; writes crushed, crushLow, crushHigh, wedged.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
-local contacts = require(root .. ".solver.contacts")
 local events = require(root .. ".contacts.events")
 
 local crush = {}
 
-local DYNAMIC, KINEMATIC, EPSILON = columns.DYNAMIC, columns.KINEMATIC, columns.EPSILON
-local floor, max, min = math.floor, math.max, math.min
+local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
+local max = math.max
 
 -- Returns the gap between slot i, as it was before it grew, and slot j on an axis, px. Returns also
 -- whether j is the low one.

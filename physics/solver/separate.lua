@@ -88,7 +88,7 @@ local function consider(b, p)
     return
   end
   local i, j = b.pairA[p], b.pairB[p]
-  if (b.kind[i] ~= DYNAMIC and b.kind[j] ~= DYNAMIC) or b.stuck[i] or b.stuck[j] or b.exiting[i] or b.exiting[j] then
+  if (b.kind[i] ~= DYNAMIC and b.kind[j] ~= DYNAMIC) or b.stuck[i] or b.stuck[j] then
     return
   end
   local width, height = overlapOf(b, i, j)

@@ -76,7 +76,7 @@ local function begin(b, dt)
   if b.crowdCount > 0 then
     crowd.hold(b)
   end
-  local list, kind, buried, give = b.awakeList, b.kind, b.buried, b.give
+  local list, kind, buried, stuck, give = b.awakeList, b.kind, b.buried, b.stuck, b.give
   local freeSpeed, start, speed = b.freeSpeed, b.start, b.speed
   local from, origin, inverseMass, dirty = b.from, b.origin, b.inverseMass, b.dirty
   local accel = b.accel
@@ -85,7 +85,7 @@ local function begin(b, dt)
     dirty[i], b.impactsOf[i] = 1, 0
     for k = 2 * i, 2 * i + 1 do
       origin[k] = from[k]
-      give[k] = kind[i] == DYNAMIC and not (buried[i] or b.stuck[i] or b.exiting[i]) and inverseMass[i] or 0
+      give[k] = kind[i] == DYNAMIC and not (buried[i] or stuck[i]) and inverseMass[i] or 0
       freeSpeed[k] = speed[k]
       if kind[i] == DYNAMIC then
         start[k] = startSpeed(b, k)

@@ -1,7 +1,7 @@
---- The memory of a world (physics/memory/columnStore.lua): that typed columns, which nobody guards,
---- are used as they must be, and that they give the same bits as tables.
+--- The memory of a world (physics/memory/columnStore.lua): typed columns, which nothing guards, are
+--- used as they must be, and give the same bits as tables.
 
-local bank = require("physics.memory.columnStore")
+local columnStore = require("physics.memory.columnStore")
 local case = require("spec.fuzz.case")
 local checked = require("spec.support.checked_columns")
 local effort = require("spec.support.effort")
@@ -19,15 +19,15 @@ local LAYOUT = {
   { name = "object", kind = "any", width = 1 },
 }
 
-describe("a bank", function()
+describe("a column store", function()
   it("keeps what is in its columns when they grow", function()
     checked.during(function()
       local owner = {}
-      local self = bank.new(owner, LAYOUT)
+      local self = columnStore.new(owner, LAYOUT)
       assert.equal(0, self.room)
       owner.mass[0], owner.place[1], owner.awake[0], owner.object[7] = 1, 2, true, "anything"
       local old = owner.mass
-      bank.grow(self, 3)
+      columnStore.grow(self, 3)
       assert.is_true(self.room >= 3)
       assert.same({ 1, 2, true }, { owner.mass[0], owner.place[1], owner.awake[0] })
       assert.same({ 0, 0, false }, { owner.mass[3], owner.place[7], owner.awake[3] })
@@ -38,20 +38,20 @@ describe("a bank", function()
     end)
   end)
 
-  it("takes nobody's place", function()
+  it("takes no other field's place", function()
     assert.has_error(function()
-      bank.new({ awake = 3 }, LAYOUT)
+      columnStore.new({ awake = 3 }, LAYOUT)
     end, "the owner has another awake")
   end)
 
   it("that began with tables takes over what they hold", function()
-    local before = bank.use(false)
+    local before = columnStore.use(false)
     local owner = {}
-    local self = bank.new(owner, LAYOUT)
-    bank.use(before)
+    local self = columnStore.new(owner, LAYOUT)
+    columnStore.use(before)
     owner.mass[0], owner.mass[2], owner.place[5], owner.awake[1] = 1, 3, 4, true
     checked.during(function()
-      bank.adopt(self, 2)
+      columnStore.adopt(self, 2)
     end)
     assert.same({ 1, 0, 3, 4 }, { owner.mass[0], owner.mass[1], owner.mass[2], owner.place[5] })
     assert.same({ false, true }, { owner.awake[0], owner.awake[1] })
@@ -60,10 +60,10 @@ end)
 
 -- Each index, each kind and each column that was kept too long is an error here.
 describe("columns that are checked", function()
-  it("notice what nobody else would", function()
+  it("notice what nothing else would", function()
     checked.during(function()
       local owner = {}
-      bank.grow(bank.new(owner, LAYOUT), 1)
+      columnStore.grow(columnStore.new(owner, LAYOUT), 1)
       for _, row in ipairs({
         { "mass", 2, 1, "index 2 in a column of 2" },
         { "mass", -1, 1, "index -1 in a column of 2" },
@@ -175,7 +175,7 @@ if jit and jit.status() then
       return found
     end
 
-    it("also to the default world, when nobody is in it any more", function()
+    it("also to the default world, when no object is in it any more", function()
       fresh.during(function(module)
         for i = 1, 16 do
           module.add("boxes", { x = 20 * i, y = 0, width = 10, height = 10 })
@@ -199,7 +199,7 @@ if jit and jit.status() then
       end)
     end)
 
-    it("also to the default world, as long as nobody has been in it", function()
+    it("also to the default world, as long as no object has been in it", function()
       fresh.during(function(module)
         module.add("boxes", { x = 0, y = 0, width = 10, height = 10 })
         module.compile()
