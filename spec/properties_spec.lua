@@ -304,6 +304,24 @@ describe("the same scene goes the same way, to the bit,", function()
   end)
 end)
 
+-- Nothing overlaps at the end of a step of a game, unless it is squeezed. A step has an end: what
+-- still meets in its last round, as a box that rattles between two others, may overlap by up to a
+-- px, and is apart after the next one.
+local function expectApart(seed, push)
+  local player = script.play(script.new(seed, PLAIN), { push = push })
+  local deepest, before = overlap.checker(player.list), 0
+  while player:next() do
+    local depth, a, b = deepest()
+    local isKnot = depth <= 1 and before <= 1e-6
+    before = depth
+    if depth > 1e-6 and not isKnot then
+      local text = "seed %d, push %s, step %d: objects %d and %d overlap by %.3g px"
+      local first, second = player.indexOf[a], player.indexOf[b]
+      error(text:format(seed, push, player.step, first, second, depth))
+    end
+  end
+end
+
 describe("whatever happens,", function()
   it("every number stays finite", function()
     for _, push in ipairs({ "both", "first" }) do
@@ -324,22 +342,11 @@ describe("whatever happens,", function()
     end
   end)
 
-  -- A step has an end: what still meets in its last round, as a box that rattles between two
-  -- others, may overlap by up to a px, and is apart after the next one.
   it("nothing sinks into anything, unless it is squeezed", function()
     for _, push in ipairs({ "both", "first" }) do
-      for seed = 200, 199 + effort.share(40) do
-        local player = script.play(script.new(seed, PLAIN), { push = push })
-        local deepest, before = overlap.checker(player.list), 0
-        while player:next() do
-          local depth, a, b = deepest()
-          local isKnot = depth <= 1 and before <= 1e-6
-          before = depth
-          if depth > 1e-6 and not isKnot then
-            local text = "seed %d, push %s, step %d: objects %d and %d overlap by %.3g px"
-            local first, second = player.indexOf[a], player.indexOf[b]
-            error(text:format(seed, push, player.step, first, second, depth))
-          end
+      for seed = 200, 239 do
+        if effort.plays(seed, 10) then
+          expectApart(seed, push)
         end
       end
     end

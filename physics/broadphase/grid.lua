@@ -41,19 +41,20 @@ local FACTOR_X, FACTOR_Y, FACTOR_LEVEL = 73856093, 19349663, 83492791
 -- three.
 local KEY_X, KEY_Y = 1073741824, 64
 
-local LAYOUT = { { name = "key", kind = "number", width = 1 } } -- of the cell
-for _, name in ipairs({
+local INTEGERS = {
   "list", -- slots in the grid, from 1 on
   "placeOf", -- by slot: place in the list
   "next", -- in the bucket
   "previous",
   "bucket",
   "level",
-}) do
-  LAYOUT[#LAYOUT + 1] = { name = name, kind = "integer", width = 1 }
-end
+}
+local LAYOUT = {
+  { kind = "number", width = 1, names = { "key" } }, -- of the cell
+  { kind = "integer", width = 1, names = INTEGERS },
+}
 -- By bucket, from 1 on: the first slot in it.
-local BUCKET_LAYOUT = { { name = "heads", kind = "integer", width = 1 } }
+local BUCKET_LAYOUT = { { kind = "integer", width = 1, names = { "heads" } } }
 
 local function clear(self)
   local heads = self.heads

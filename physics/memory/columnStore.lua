@@ -32,22 +32,23 @@ end
 -- Replaces the owner's columns of one kind by columns of the source. Copies the first `count`
 -- indexes.
 local function replace(self, kind, room, count)
-  local owner, list, lengths = self.owner, {}, {}
+  local owner, names, widths, lengths = self.owner, {}, {}, {}
   for n = 1, #self.layout do
-    local entry = self.layout[n]
-    if entry.kind == kind then
-      list[#list + 1], lengths[#list + 1] = entry, entry.width * (room + 1)
+    local part = self.layout[n]
+    for m = 1, part.kind == kind and #part.names or 0 do
+      local at = #names + 1
+      names[at], widths[at], lengths[at] = part.names[m], part.width, part.width * (room + 1)
     end
   end
   local given, block = self.source.give(kind, lengths)
-  for n = 1, #list do
-    local old, new = owner[list[n].name], given[n]
-    for k = 0, list[n].width * count - 1 do
+  for n = 1, #names do
+    local old, new = owner[names[n]], given[n]
+    for k = 0, widths[n] * count - 1 do
       if old[k] ~= nil then -- a table may have gaps
         new[k] = old[k]
       end
     end
-    owner[list[n].name] = new
+    owner[names[n]] = new
   end
   if self.kept[kind] then
     self.source.drop(self.kept[kind])
@@ -62,17 +63,18 @@ local function replaceAll(self, room, count)
   self.room = room
 end
 
---- Gives `owner` the columns of `layout`, a list of `{ name, kind, width }`. A column has `width`
+--- Gives `owner` the columns of `layout`, a list of `{ kind, width, names }`. A column has `width`
 --- places for each index from 0 to `room`. Kinds: "number", "integer" (whole numbers of 32 bits),
 --- "boolean", "any" (always a table). Errors: the owner already has a field of one of these names.
 function columnStore.new(owner, layout)
   local self = { owner = owner, layout = layout, room = HUGE, source = false, kept = {} }
   for n = 1, #layout do
-    local name = layout[n].name
-    if owner[name] ~= nil then
-      error("the owner has another " .. name, 2)
+    for _, name in ipairs(layout[n].names) do
+      if owner[name] ~= nil then
+        error("the owner has another " .. name, 2)
+      end
+      owner[name] = {}
     end
-    owner[name] = {}
   end
   columnStore.adopt(self, -1)
   return self
@@ -90,6 +92,29 @@ end
 --- Makes room for the indexes up to `last`.
 function columnStore.grow(self, last)
   replaceAll(self, self.source.room(self.room, last), self.room + 1)
+end
+
+-- Returns the first `length` places of a table, from 0 on.
+local function head(column, length)
+  local new = {}
+  for k = 0, length - 1 do
+    new[k] = column[k]
+  end
+  return new
+end
+
+--- Gives back the memory behind the index `last`. As after `grow`, the columns are different
+--- objects.
+function columnStore.shrink(self, last)
+  if self.source then
+    replaceAll(self, self.source.room(0, last), last + 1)
+  end
+  for n = 1, #self.layout do
+    local part = self.layout[n]
+    for m = 1, (part.kind == "any" or not self.source) and #part.names or 0 do
+      self.owner[part.names[m]] = head(self.owner[part.names[m]], part.width * (last + 1))
+    end
+  end
 end
 
 return columnStore

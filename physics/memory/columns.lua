@@ -54,6 +54,8 @@ local HUGE = math.huge
 local floor, max, min = math.floor, math.max, math.min
 -- Slots are prepared ahead: one for each so many that are in use.
 local AHEAD = 8
+-- Slots are given back if there are more than FEW, and at most one of SHARE is needed.
+local FEW, SHARE = 64, 4
 
 -- Values of a fresh slot, in columns of numbers and booleans.
 local SLOT = {
@@ -341,17 +343,27 @@ interpreted.always(namesOf)
 
 local SLOT_NAMES, ANY_NAMES, AXIS_NAMES = namesOf(SLOT), namesOf(ANY), namesOf(AXIS)
 
+-- Adds columns to a layout. Those of whole numbers are a part of their own.
 local function describe(layout, names, kind, width)
+  local plain, whole = {}, {}
   for n = 1, #names do
-    local its = WHOLE[names[n]] and "integer" or kind
-    layout[#layout + 1] = { name = names[n], kind = its, width = width }
+    local list = WHOLE[names[n]] and whole or plain
+    list[#list + 1] = names[n]
   end
+  layout[#layout + 1] = { kind = kind, width = width, names = plain }
+  layout[#layout + 1] = { kind = "integer", width = width, names = whole }
 end
 
 -- The same for columns with values of a fresh slot; their type tells the kind.
 local function describeByValue(layout, names, values, width)
-  for n = 1, #names do
-    describe(layout, { names[n] }, type(values[names[n]]), width)
+  for _, kind in ipairs({ "number", "boolean" }) do
+    local list = {}
+    for n = 1, #names do
+      if type(values[names[n]]) == kind then
+        list[#list + 1] = names[n]
+      end
+    end
+    describe(layout, list, kind, width)
   end
 end
 
@@ -373,6 +385,7 @@ local function addObjects(b)
   b.blankTo = 0 -- highest slot that is in use or prepared
   b.free = {} -- slots to use again
   b.freeCount = 0
+  b.freeSeen = 0 -- freeCount when `shrink` last looked
   b.count = 0 -- objects in the world
   b.slotOf = {} -- object -> slot
   b.pairSlots = 0
@@ -580,7 +593,11 @@ local function takeNew(b)
     columnStore.grow(b.listStore, i)
   end
   if i > b.blankTo then
-    b.blankTo = min(i + floor(i / AHEAD), b.slotStore.room)
+    local room = 1 -- Lua makes room up to the next power of two
+    while room <= i do
+      room = room * 2
+    end
+    b.blankTo = min(i + floor(i / AHEAD), max(i, room - 1), b.slotStore.room)
     blank(b, i, b.blankTo)
   end
   return i
@@ -631,6 +648,48 @@ function columns.release(b, i)
   b.free[b.freeCount] = i
   b.count = b.count - 1
 end
+
+-- Returns the highest slot that is in use.
+local function lastUsed(b)
+  local last = b.slots
+  while last > 0 and b.kind[last] == 0 do
+    last = last - 1
+  end
+  return last
+end
+
+-- Keeps the first `last` slots only.
+local function cut(b, last)
+  local free, count = {}, 0
+  for n = 1, b.freeCount do
+    if b.free[n] <= last then
+      count = count + 1
+      free[count] = b.free[n]
+    end
+  end
+  b.free, b.freeCount = free, count
+  columnStore.shrink(b.slotStore, last)
+  columnStore.shrink(b.listStore, last)
+  b.slots, b.blankTo = last, last
+end
+
+--- Gives back the memory of free slots behind the last one in use, if most slots are free. Call it
+--- between two steps only: lists of a step may hold such slots.
+function columns.shrink(b)
+  if
+    b.slots > FEW
+    and b.freeCount ~= b.freeSeen
+    and b.freeCount * SHARE > b.slots * (SHARE - 1)
+  then
+    local last = lastUsed(b)
+    if last * SHARE <= b.slots then
+      cut(b, last)
+    end
+    b.freeSeen = b.freeCount
+  end
+end
+
+interpreted.functions(columns.shrink, cut, lastUsed) -- rare
 
 -- The lists of half-edges are changed without branches: a write that is not needed goes to place 0.
 

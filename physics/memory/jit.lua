@@ -19,11 +19,15 @@ local jit = rawget(_G, "jit")
 local off = type(jit) == "table" and jit.off
 local getinfo = type(debug) == "table" and debug.getinfo
 local kept = {} -- main chunks and functions that are kept interpreted
+local isLifted = false -- nothing is kept any more; files are loaded later, too
 
 -- What `lift` gives the compiler: traces, KB of machine code.
 local ROOM = { "maxtrace=8000", "maxmcode=16384" }
 
 local function keep(f)
+  if isLifted then
+    return
+  end
   off(f, true) -- `true`: also the functions inside
   kept[#kept + 1] = f
 end
@@ -63,6 +67,7 @@ function interpreted.lift()
   for n = 1, #kept do
     jit.on(kept[n], true)
   end
+  isLifted = true
   return true
 end
 

@@ -15,9 +15,9 @@ local detect = require(root .. ".broadphase.pairFinder")
 local events = require(root .. ".contacts.events")
 local filter = require(root .. ".broadphase.filter")
 local interpreted = require(root .. ".memory.jit")
+local notice = require(root .. ".queries.notice")
 local rest = require(root .. ".sleep.islands")
 local registry = require(root .. ".objects.registry")
-local view = require(root .. ".queries.index")
 
 local read = {}
 
@@ -237,7 +237,7 @@ local function enter(b, object, record, key)
   end
   detect.markMoved(b, i)
   rest.wake(b, i)
-  view.refresh(b, object)
+  notice.refresh(b, object)
   b.newcomers = true
   return i
 end
@@ -617,7 +617,7 @@ function read.refresh(b, i)
   detect.refilter(b, i)
   detect.markMoved(b, i)
   rest.wake(b, i)
-  view.refresh(b, object)
+  notice.refresh(b, object)
   registry.reread(b.group[i])
   b.newcomers = true
   finish(b)

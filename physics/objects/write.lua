@@ -11,8 +11,8 @@ local columns = require(root .. ".memory.columns")
 local contact = require(root .. ".contacts.contactState")
 local crush = require(root .. ".solver.crush")
 local interpreted = require(root .. ".memory.jit")
+local notice = require(root .. ".queries.notice")
 local oneway = require(root .. ".solver.oneWay")
-local view = require(root .. ".queries.index")
 
 local write = {}
 
@@ -439,7 +439,7 @@ end
 --- Writes the results of a step, for each object that took part in it.
 function write.run(b)
   contact.ask(b)
-  view.outdate(b) -- canCollide may have made queries, and what follows may fail
+  notice.outdate(b) -- canCollide may have made queries, and what follows may fail
   reset(b)
   knots.note(b)
   local count, closeCount = updateContacts(b)

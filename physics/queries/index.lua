@@ -47,18 +47,14 @@ local FEW = 128
 -- Fields of a static object, copied from the simulation's columns.
 local FIELD = { "active", "sensor", "oneWay", "mask" }
 
-local LAYOUT = {}
-for _, kind in ipairs({
-  { "any", 1, { "object", "group", "groupName", "key", "listed", "oneWay", "mask" } },
-  { "boolean", 1, { "live", "active", "sensor" } },
-  { "integer", 1, { "kind" } },
-  { "number", 1, { "rank", "entry", "mark" } }, -- the last two are scratch
-  { "number", 2, { "position", "size", "fatLow", "fatHigh" } },
-}) do
-  for _, name in ipairs(kind[3]) do
-    LAYOUT[#LAYOUT + 1] = { name = name, kind = kind[1], width = kind[2] }
-  end
-end
+local ANY = { "object", "group", "groupName", "key", "listed", "oneWay", "mask" }
+local LAYOUT = {
+  { kind = "any", width = 1, names = ANY },
+  { kind = "boolean", width = 1, names = { "live", "active", "sensor" } },
+  { kind = "integer", width = 1, names = { "kind" } },
+  { kind = "number", width = 1, names = { "rank", "entry", "mark" } }, -- the last two are scratch
+  { kind = "number", width = 2, names = { "position", "size", "fatLow", "fatHigh" } },
+}
 
 local function new()
   local v = {
@@ -351,24 +347,9 @@ function view.of(world)
   return v
 end
 
---- Notes a step: the next query looks at all objects.
-function view.outdate(b)
-  if b.view then
-    b.view.fresh = false
-  end
-end
-
---- Notes that an object was added or removed: the next query looks at the groups.
-function view.tell(b)
-  if b.view then
-    b.view.isTold = true
-  end
-end
-
---- Notes that the simulation has read an object anew, including what is read only once.
-function view.refresh(b, object)
-  local v = b.view
-  local i = v and v.slotOf[object]
+--- Notes that the simulation has read an object anew (see queries/notice).
+function view.refresh(v, object)
+  local i = v.slotOf[object]
   if i then
     v.live[i], v.kind[i] = true, UNREAD
     registry.reread(v.group[i])

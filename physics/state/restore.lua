@@ -13,11 +13,11 @@ local events = require(root .. ".contacts.events")
 local fields = require(root .. ".world.fields")
 local filter = require(root .. ".broadphase.filter")
 local interpreted = require(root .. ".memory.jit")
+local notice = require(root .. ".queries.notice")
 local rest = require(root .. ".sleep.islands")
 local settings = require(root .. ".world.settings")
 local state = require(root .. ".state.save")
 local verify = require(root .. ".state.validate")
-local view = require(root .. ".queries.index")
 
 local restore = {}
 
@@ -608,7 +608,7 @@ function restore.world(world, st)
   end
   world._saved = st.saved
   world.alpha = world.timestep and max(0, min(st.saved / world.timestep, 1)) or 0
-  view.outdate(b)
+  notice.outdate(b)
 end
 
 interpreted.always(overwrite, masksOf, areSameMasks, writeMasks)

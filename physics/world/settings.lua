@@ -6,10 +6,12 @@ local check = require(root .. ".world.check")
 local read = require(root .. ".objects.read")
 local detect = require(root .. ".broadphase.pairFinder")
 local events = require(root .. ".contacts.events")
-local allPairs = require(root .. ".broadphase.allPairs")
 local fields = require(root .. ".world.fields")
 local grid = require(root .. ".broadphase.grid")
+local lazy = require(root .. ".memory.lazy")
 local rest = require(root .. ".sleep.islands")
+
+local allPairs = lazy(root .. ".broadphase.allPairs") -- loaded when it is first used
 
 require(root .. ".memory.jit").file()
 

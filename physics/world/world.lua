@@ -2,7 +2,6 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local begin = require(root .. ".motion.begin")
-local bounds = require(root .. ".world.bounds")
 local carrier = require(root .. ".objects.carriers")
 local check = require(root .. ".world.check")
 local knots = require(root .. ".solver.knots")
@@ -12,23 +11,32 @@ local crowd = require(root .. ".solver.crowd")
 local crush = require(root .. ".solver.crush")
 local detect = require(root .. ".broadphase.pairFinder")
 local events = require(root .. ".contacts.events")
-local explain = require(root .. ".world.explain")
-local guard = require(root .. ".world.strictMode")
-local hash = require(root .. ".state.hash")
 local interpreted = require(root .. ".memory.jit")
+local lazy = require(root .. ".memory.lazy")
+local notice = require(root .. ".queries.notice")
 local oneway = require(root .. ".solver.oneWay")
 local separate = require(root .. ".solver.separate")
 local predict = require(root .. ".motion.predict")
 local write = require(root .. ".objects.write")
-local query = require(root .. ".queries.query")
 local rest = require(root .. ".sleep.islands")
-local restore = require(root .. ".state.restore")
 local registry = require(root .. ".objects.registry")
 local settings = require(root .. ".world.settings")
-local slide = require(root .. ".queries.move")
 local solver = require(root .. ".solver.solver")
-local state = require(root .. ".state.save")
-local view = require(root .. ".queries.index")
+
+-- What is loaded when it is first used.
+local bounds = lazy(root .. ".world.bounds")
+local explain = lazy(root .. ".world.explain")
+local guard = lazy(root .. ".world.strictMode")
+local hash = lazy(root .. ".state.hash")
+local query = lazy(root .. ".queries.query")
+local restore = lazy(root .. ".state.restore")
+local slide = lazy(root .. ".queries.move")
+local state = lazy(root .. ".state.save")
+local draw = lazy(root .. ".world.draw")
+local tiled = lazy(root .. ".maps.tiled")
+local array = lazy(root .. ".maps.array")
+local ldtk = lazy(root .. ".maps.ldtk")
+local tileLayers = lazy(root .. ".maps.tiles")
 
 --- An independent world: a table of groups of objects, settings as plain fields, and the steps.
 --- Its settings are fields of it, too.
@@ -131,7 +139,8 @@ local function step(self, dt)
   if b.rest then
     rest.settle(b, dt)
   end
-  view.outdate(b)
+  columns.shrink(b)
+  notice.outdate(b)
   time(self, "write", now)
 
   local stats = self.stats
@@ -197,7 +206,7 @@ function World:update(dt)
   if b.isTold then
     check.fail("world:update(dt) cannot be called from inside onStep")
   end
-  view.outdate(b) -- also if there is no step
+  notice.outdate(b) -- also if there is no step
   events.tell(b)
   if dt < SHORTEST then
     settings.apply(self)
@@ -256,7 +265,7 @@ local function readAgain(b, object)
   if slot and (object.static or b.kind[slot] == columns.STATIC) then
     read.refresh(b, slot)
   else
-    view.refresh(b, object)
+    notice.refresh(b, object)
   end
 end
 
@@ -269,7 +278,7 @@ local function put(self, group, object)
   local members = groupFor(self, group)
   members[#members + 1] = object
   b.registry.groupGiven[object] = group
-  view.tell(b)
+  notice.tell(b)
   return object
 end
 
@@ -382,7 +391,7 @@ function World:remove(object)
     members[key] = nil
   end
   self._bodies.registry.groupGiven[object] = nil
-  view.tell(self._bodies)
+  notice.tell(self._bodies)
   return true
 end
 
@@ -409,7 +418,7 @@ function World:refresh(object)
     read.refresh(b, slot)
   else
     check.object(object, check.place(name, members ~= self.objects and key or nil))
-    view.refresh(b, object)
+    notice.refresh(b, object)
   end
 end
 
@@ -537,7 +546,7 @@ end
 ---@param options physics.DrawOptions? what to show
 function World:draw(options)
   checkSelf(self, "draw(options)")
-  require(root .. ".world.draw").draw(self, options)
+  draw.draw(self, options)
 end
 
 --- Returns where to draw an object between two fixed steps (`timestep`): on the way from its place
@@ -930,7 +939,7 @@ function World:setBounds(x, y, w, h)
     check.positive(h, "h", where)
   end
   self._walls = bounds.set(self.objects, self._walls, x, y, w, h)
-  view.tell(self._bodies)
+  notice.tell(self._bodies)
 end
 
 -- Maps --------------------------------------------------------------------------------------------
@@ -1005,14 +1014,14 @@ function World:loadTiled(map, options)
   checkSelf(self, call)
   checkIdle(self._bodies, call)
   checkObjects(self)
-  local level, groupOf, groups, tiles = require(root .. ".maps.tiled").read(map, options)
+  local level, groupOf, groups, tiles = tiled.read(map, options)
   checkAll(self, level.objects, groupOf, groups, "world:loadTiled(map)")
   for i = 1, #groups do
     groupFor(self, groups[i])
   end
   putAll(self, level.objects, groupOf)
   for i = 1, #tiles do
-    require(root .. ".maps.tiles").attach(tiles[i], self, MAPS)
+    tileLayers.attach(tiles[i], self, MAPS)
   end
   return level
 end
@@ -1044,15 +1053,14 @@ function World:addTiles(group, cells, columns, size, options) -- luacheck: ignor
   checkSelf(self, call)
   checkIdle(self._bodies, call)
   checkObjects(self)
-  local readArray = require(root .. ".maps.array").read
-  local tiles, objects, groupOf, later = readArray(group, cells, columns, size, options)
+  local tiles, objects, groupOf, later = array.read(group, cells, columns, size, options)
   checkIsGroup(self, group, "world:" .. call)
   checkAll(self, objects, groupOf, groupOf, "world:" .. call)
   groupFor(self, group)
   if not later then
     putAll(self, objects, groupOf)
   end
-  require(root .. ".maps.tiles").attach(tiles, self, MAPS, later and objects)
+  tileLayers.attach(tiles, self, MAPS, later and objects)
   return tiles
 end
 
@@ -1078,11 +1086,11 @@ function World:loadLDtk(project, level, options)
   checkSelf(self, call)
   checkIdle(self._bodies, call)
   checkObjects(self)
-  local found, groupOf, tiles = require(root .. ".maps.ldtk").read(project, level, options)
+  local found, groupOf, tiles = ldtk.read(project, level, options)
   checkAll(self, found.objects, groupOf, groupOf, "world:" .. call)
   putAll(self, found.objects, groupOf)
   for i = 1, #tiles do
-    require(root .. ".maps.tiles").attach(tiles[i], self, MAPS)
+    tileLayers.attach(tiles[i], self, MAPS)
   end
   return found
 end
