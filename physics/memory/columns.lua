@@ -295,6 +295,8 @@ end
 -- without most of it (see begin). An object that becomes static must be cleared here.
 local STEP_SLOT = {
   "buried",
+  "stuck",
+  "exiting",
   "support",
   "carrier",
   "carrierNow",
@@ -312,6 +314,8 @@ local STEP_AXIS = {
   "start",
   "freeSpeed",
   "squeezed",
+  "knotted",
+  "knotWas",
   "crushed",
   "wasCrushed",
   "pressedLow",
