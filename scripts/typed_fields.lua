@@ -8,6 +8,7 @@ local TYPES = {
   mask = "table<string|number, boolean>",
   masks = "table<string|number, table<string|number, boolean>>",
   names = "(string|number)[]",
+  ownFields = "string[]",
   sides = "physics.Touching",
 }
 
@@ -20,6 +21,10 @@ local PARAMETERS = {
   b = "physics.Object",
   side = "physics.Side",
   speed = "number",
+  x1 = "number",
+  y1 = "number",
+  x2 = "number",
+  y2 = "number",
   dt = "number",
   axis = '"x"|"y"',
 }

@@ -300,6 +300,7 @@ local function takeOffCarrier(b, i)
       or y * pullY < 0
       or (b.hasBounces and (isStopped(b, k, x) or isStopped(b, k + 1, y)))
   end
+  carrier.keep(b, i, isNew and c == 0)
 end
 
 -- Returns whether friction holds the object only at this length of a step. In a longer step, air
@@ -427,10 +428,10 @@ local function findCarriers(b)
     return
   end
   carrier.find(b)
-  local list, now, last = b.awakeList, b.carrierNow, b.carrier
+  local list, now, last, kept = b.awakeList, b.carrierNow, b.carrier, b.kept
   for n = 1, b.awakeCount do
     local i = list[n]
-    if now[i] ~= 0 or last[i] ~= 0 then
+    if now[i] ~= 0 or last[i] ~= 0 or kept[2 * i] ~= 0 or kept[2 * i + 1] ~= 0 then
       takeOffCarrier(b, i)
     end
   end

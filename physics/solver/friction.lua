@@ -198,10 +198,10 @@ end
 
 -- Computes the speed limits of all awake bodies, with the velocity of their carriers.
 local function findLimits(b)
-  local list, limit, carried, reserve, pace = b.awakeList, b.limit, b.carried, b.reserve, b.pace
+  local list, carried, reserve, pace = b.awakeList, b.carried, b.reserve, b.pace
   for n = 1, b.awakeCount do
     for k = 2 * list[n], 2 * list[n] + 1 do
-      local most, least = limit[k], -limit[k]
+      local most, least = b.fastest[k], b.slowest[k]
       if reserve[k] > 0 then
         most = pace[k]
       elseif reserve[k] < 0 then

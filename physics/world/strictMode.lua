@@ -7,6 +7,12 @@
 --   a mover that is larger than very many cells of the grid
 --   a dynamic object that is one-way: it is open to the floor below it
 --   an object that is in two worlds (if both are checked)
+--   a class that has `static`, `kinematic` or `sensor`, which its objects do not see; a method
+--     `touching`, which the field of that name hides
+--   a mask that refuses no group, of a new object
+--   a side that `touching` does not have (from then on, the table tells by itself)
+--   a dt in milliseconds
+--   `canCollide` that returns nothing (see permission.lua)
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local check = require(root .. ".world.check")
@@ -125,6 +131,76 @@ local function checkMasks(b, masks)
   checkMask(b, masks, "world.masks")
   for name, mask in next, masks, nil do
     checkMask(b, mask, "world.masks." .. tostring(name))
+  end
+end
+
+-- A mask in which all groups collide is meant for the only groups to collide with.
+local function checkRefuses(b, i, mask)
+  local group = nil
+  for name, collides in next, mask, nil do
+    if collides == false then
+      return
+    end
+    group = name
+  end
+  if group ~= nil then
+    local text = "%s.mask = { [%s] = true } refuses nothing: true collides, as nil does, and false"
+      .. " passes through"
+    check.fail(format(text, placeOf(b, i), show(group)))
+  end
+end
+
+-- Classes -----------------------------------------------------------------------------------------
+
+-- Fields of a class that its objects must see.
+local KINDS = { "static", "kinematic", "sensor" }
+
+-- Looks for a field that a class has in its own table, of which its objects see nothing.
+local function checkClass(b, i, object, class)
+  for n = 1, type(class) == "table" and #KINDS or 0 do
+    local name = KINDS[n]
+    if rawget(class, name) == true and object[name] == nil then
+      local text = "%s.%s is nil, but its class has %s = true: set it in the object, as in"
+        .. " self.%s = true"
+      check.fail(format(text, placeOf(b, i), name, name, name))
+    end
+  end
+end
+
+-- Looks for a method that the field of that name hides.
+local function checkMethod(b, i, class)
+  local index = type(class) == "table" and rawget(class, "__index")
+  if type(index) == "table" and type(index.touching) == "function" then
+    check.fail(
+      placeOf(b, i)
+        .. ".touching is written by the library, and hides the method touching of its"
+        .. " class: give that another name"
+    )
+  end
+end
+
+-- What a `touching` says that is asked for a side that there is not.
+local SIDES = {
+  __index = function(_, side)
+    local text = "touching.%s is no side: there are top, bottom, left and right"
+    check.fail(format(text, tostring(side)))
+  end,
+}
+
+local function watchSides(b, i)
+  local touching = b.touching[i]
+  if touching and not getmetatable(touching) then
+    setmetatable(touching, SIDES)
+  end
+end
+
+local function checkClasses(b, i, object)
+  local class = getmetatable(object)
+  checkClass(b, i, object, class)
+  checkClass(b, i, object, object.class)
+  if b.kind[i] == columns.DYNAMIC then
+    checkMethod(b, i, class)
+    watchSides(b, i)
   end
 end
 
@@ -251,8 +327,22 @@ local function checkOwner(b, i, object)
   end
 end
 
---- Checks all objects and settings, right after the game's tables were read. Errors: see the top of
---- this file; nothing has changed then.
+--- Notes the dt of an update. One of more than a second may be a game that was stopped; two after
+--- each other are milliseconds.
+--- Errors: that.
+function guard.checkTime(world, dt)
+  local b = world._bodies
+  local wasLong = b.wasLong
+  b.wasLong = dt > 1
+  if b.wasLong and wasLong then
+    check.fail(
+      "world:update(dt): dt is in seconds, got " .. show(dt) .. " (milliseconds? divide by 1000)"
+    )
+  end
+end
+
+--- Checks all objects and settings, right after the game's tables were read.
+--- Errors: see the top of this file; nothing has changed then.
 function guard.run(world)
   local b = world._bodies
   b.guarded = b.guarded or { fields = {}, settings = {}, groups = {} }
@@ -273,12 +363,16 @@ function guard.run(world)
       end
       if object.mask then
         checkMask(b, object.mask, placeOf(b, i) .. ".mask")
+        if b.fresh[i] then
+          checkRefuses(b, i, object.mask)
+        end
       end
+      checkClasses(b, i, object)
       checkOwner(b, i, object)
     end
   end
 end
 
-interpreted.always(checkNames, checkMask, checkMasks)
+interpreted.always(checkNames, checkMask, checkMasks, checkRefuses)
 
 return guard
