@@ -465,8 +465,7 @@ describe("F6: a squeezed heap", function()
     { 40, "different", 80, 0, 0.3 },
   }) do
     local count, sizes, left, restitution, friction = row[1], row[2], row[3], row[4], row[5]
-    local title =
-      "of %d crates of %s sizes in %d px, restitution %g, friction %g, rests"
+    local title = "of %d crates of %s sizes in %d px, restitution %g, friction %g, rests"
     it(title:format(count, sizes, left, restitution, friction), function()
       scene.each(UPRIGHT, function(run)
         local random, rows = newRandom(12), 5

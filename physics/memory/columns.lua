@@ -33,6 +33,9 @@ end
 
 --- How far apart two edges may be and still count as touching, px.
 columns.EPSILON = 1e-6
+--- Widths of common edges are rounded to 1 / WIDTHS px before they are compared: that two are equal
+--- does not depend on which of them is looked at first.
+columns.WIDTHS = 2 ^ 20
 
 --- Makes any difference of two numbers around EPSILON more than 1. So `min(max(d * VAST, 0), 1)` is
 --- 1 for d > 0 and 0 for d <= 0, and `min(max(d * VAST + 1, 0), 1)` is 1 for d >= 0 and 0 for d <

@@ -103,16 +103,22 @@ end
 
 -- Frees the stuck bodies that may have room now.
 local function freeSome(b)
+  local list, count = b.knotList, 0
   for n = 1, b.awakeCount do
     local i = b.awakeList[n]
     if b.stuck[i] and not b.exiting[i] then
       local walls, moves = countWalls(b, i)
       local isWritten = b.moved[i] or b.velocity[2 * i] ~= 0 or b.velocity[2 * i + 1] ~= 0
       if moves or isWritten or walls < b.knotWas[2 * i + 1] then
-        free(b, i)
+        count = count + 1
+        list[count] = i
       end
+      b.news[i] = b.news[i] or walls ~= b.knotWas[2 * i + 1]
       b.knotWas[2 * i + 1] = walls
     end
+  end
+  for n = 1, count do
+    free(b, list[n])
   end
 end
 
@@ -160,13 +166,13 @@ end
 -- found[1..count].
 local function nearestFree(b, i, axis, sign, count)
   local from, size, found, k = b.from, b.size, b.found, 2 * i + axis
-  local place, before = from[k], nil
-  while place ~= before do
-    before = place
+  local place, next_ = nil, from[k]
+  while next_ ~= place do
+    place = next_
     for n = 1, count do
       local m = 2 * found[n] + axis
       if place + size[k] > from[m] + EPSILON and place < from[m] + size[m] - EPSILON then
-        place = sign > 0 and max(place, from[m] + size[m]) or min(place, from[m] - size[k])
+        next_ = sign > 0 and max(next_, from[m] + size[m]) or min(next_, from[m] - size[k])
       end
     end
   end
@@ -222,8 +228,8 @@ function knots.run(b)
     sort.by(list, count, rank, rank, rank)
     for n = 1, count do
       exit(b, list[n])
+      pairFinder.run(b, list, n, n) -- the next one looks where this one is now
     end
-    pairFinder.run(b, list, 1, count)
   end
 end
 
@@ -339,7 +345,7 @@ local function decide(b, list, count)
     knotted[2 * i], knotted[2 * i + 1] = 0, tries < TRIES and tries + 1 or tries
     if not b.exiting[i] and waits[leaderOf(knot, i)] >= PATIENCE then
       b.stuck[i], b.knotWas[2 * i + 1] = true, 0
-      b.speed[2 * i], b.speed[2 * i + 1] = 0.0, 0.0
+      b.speed[2 * i], b.speed[2 * i + 1], b.news[i] = 0.0, 0.0, true
     end
   end
 end

@@ -57,8 +57,7 @@ local BOUNCED = 256
 local NEAR = 24
 -- Impacts are simultaneous if their times, rounded to 1 / MOMENTS of a step, are equal.
 local MOMENTS = 1e9
--- Widths of common edges are rounded to 1 / WIDTHS px before they are compared.
-local WIDTHS = 2 ^ 20
+local WIDTHS = columns.WIDTHS
 
 --- Creates the lists that the solver needs in the columns of a world.
 function solver.adopt(b)
@@ -110,13 +109,13 @@ local function isNew(b, list, c)
   return b.hit[p] == 0 and b.contact[p] == 0 and over <= EPSILON and over >= -EPSILON
 end
 
--- Returns the length of the common edge of contact c, px, and a rank that decides between equal
+-- Returns the length of the common edge of contact c, in parts of a px, and a rank that decides between equal
 -- edges.
 local function edgeOf(b, list, c)
   local k, m = list.low[c] + 1 - 2 * list.axis, list.high[c] + 1 - 2 * list.axis
   local edge = min(b.from[k] + b.size[k], b.from[m] + b.size[m]) - max(b.from[k], b.from[m])
   local i, j = (k - 1 + list.axis) * 0.5, (m - 1 + list.axis) * 0.5
-  return edge, b.rank[i] + b.rank[j]
+  return floor(edge * WIDTHS + 0.5), b.rank[i] + b.rank[j]
 end
 
 -- Finds for each body the new contact with the widest common edge among those that it leans on. If
@@ -135,7 +134,7 @@ local function findWidest(b, list)
       if best ~= 0 then
         most, first = edgeOf(b, list, best)
       end
-      if best == 0 or edge > most + EPSILON or (edge >= most - EPSILON and rank < first) then
+      if best == 0 or edge > most or (edge == most and rank < first) then
         widest[k] = c
       end
     end
