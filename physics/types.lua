@@ -68,6 +68,9 @@
 --- default collides with every group. `mask[group] = false`: passes through the objects of that
 --- group. `true` and nil collide. Either object of a pair may refuse.
 ---@field mask? table<string|number, boolean>
+--- default every group that no mask refuses. Collides with the objects of these groups and of no
+--- others: `hits = { "players" }`. The list is read when it is set; to change it, set another list.
+---@field hits? (string|number)[]
 --- default none: solid all around. The one side that is solid; `true` is the top. The others let
 --- everything through. For static and kinematic objects.
 ---@field oneWay? boolean|"top"|"bottom"|"left"|"right"

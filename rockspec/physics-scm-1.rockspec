@@ -70,6 +70,7 @@ build = {
     ["physics.memory.sort"] = "physics/memory/sort.lua",
     ["physics.memory.typedArrays"] = "physics/memory/typedArrays.lua",
     ["physics.motion.begin"] = "physics/motion/begin.lua",
+    ["physics.motion.flight"] = "physics/motion/flight.lua",
     ["physics.motion.forces"] = "physics/motion/forces.lua",
     ["physics.motion.move"] = "physics/motion/move.lua",
     ["physics.motion.path"] = "physics/motion/path.lua",

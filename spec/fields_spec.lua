@@ -29,6 +29,7 @@ local OBJECTS = {
   { "maxSpeedX", nil, "px/s" },
   { "maxSpeedY", nil, "px/s" },
   { "mask", nil },
+  { "hits", nil },
   { "oneWay", nil },
   { "carry", true },
   { "surfaceSpeed", 0, "px/s" },

@@ -22,6 +22,10 @@ local floor, huge, max, min = math.floor, math.huge, math.max, math.min
 local MARGIN = 1
 -- So many steps further in the same direction few objects leave their fat boxes, up to so many px.
 local AHEAD, FARTHEST = 10.0, 8.0
+-- px: the same of those who fly and have few to hit, who meet nothing else in a larger box.
+local AIMED_FARTHEST = 96.0
+-- Up to so many objects are asked one by one.
+local FEW_TARGETS = 16
 
 -- Lists in b.parted the pairs of those in strays[1..count] whose fat boxes no longer meet; returns
 -- how many. One in contact stays until that has ended, one that was hit in this step until that
@@ -117,10 +121,11 @@ local function wakeLinked(b, count)
   end
 end
 
--- Links those in strays[1..count] with everybody whose fat boxes meet theirs.
-local function linkNear(b, strays, count)
+-- Links those in strays[1..count], of whom b.linkOne and b.linkOther list `n` meetings, if they can
+-- meet at all; they are strays no more.
+local function linkListed(b, strays, count, n)
   local strayAt = b.strayAt
-  local n = keepAllowed(b, listNew(b, b.broadphase:overlaps(strays, count, b.askers, b.found)))
+  n = keepAllowed(b, n)
   for m = 1, count do
     strayAt[strays[m]] = huge
   end
@@ -130,20 +135,25 @@ local function linkNear(b, strays, count)
   end
 end
 
+-- Links those in strays[1..count] with everybody whose fat boxes meet theirs.
+local function linkNear(b, strays, count)
+  linkListed(b, strays, count, listNew(b, b.broadphase:overlaps(strays, count, b.askers, b.found)))
+end
+
 -- The fat box on the axis of k. Where the step began it may end, too: see `crush.keepOut`.
-local function fatten(b, k)
+local function fatten(b, k, farthest)
   local start, from, to, size = b.position[k], b.from[k], b.to[k], b.size[k]
-  local ahead = max(min((to - from) * AHEAD, FARTHEST), -FARTHEST)
+  local ahead = max(min((to - from) * AHEAD, farthest), -farthest)
   b.fatLow[k] = min(start, from, to) - MARGIN + min(ahead, 0)
   b.fatHigh[k] = max(start, from, to) + size + MARGIN + max(ahead, 0)
 end
 
 -- Gives those in strays[1..count] boxes around the paths that they have now.
-local function enlarge(b, strays, count)
+local function enlarge(b, strays, count, farthest)
   local broadphase, placed = b.broadphase, b.placed
   for m = 1, count do
-    fatten(b, 2 * strays[m])
-    fatten(b, 2 * strays[m] + 1)
+    fatten(b, 2 * strays[m], farthest)
+    fatten(b, 2 * strays[m] + 1, farthest)
   end
   for m = 1, count do
     local i = strays[m]
@@ -158,7 +168,7 @@ end
 -- Looks up the neighbours of those in `strays[1..count]`.
 local function lookUp(b, strays, count)
   -- All boxes first, so that no pair is linked by a box that is out of date.
-  enlarge(b, strays, count)
+  enlarge(b, strays, count, FARTHEST)
   local partedCount = listParted(b, strays, count)
   if partedCount > 0 then
     columns.unlinkAll(b, b.parted, partedCount)
@@ -166,8 +176,74 @@ local function lookUp(b, strays, count)
   linkNear(b, strays, count)
 end
 
+-- Lists the objects that each list of `hits` names, if they are few.
+local function listTargets(b)
+  local byName = b.roster.byName
+  for n = 1, #b.hitLists do
+    local read, count = b.hitLists[n], 0
+    for m = 1, #read.names do
+      local group = byName[read.names[m]]
+      count = count + (group and group.count or 0)
+    end
+    read.targetCount = count
+    count = 0
+    for m = 1, read.targetCount <= FEW_TARGETS and #read.names or 0 do
+      local group = byName[read.names[m]]
+      for at = 1, group and group.count or 0 do
+        count = count + 1
+        read.targets[count] = group.slots[at]
+      end
+    end
+  end
+end
+
+-- Of strays[1..count], keeps those who must be looked up in the broad phase, and lists in b.aimed
+-- those who have few to hit; returns how many both are.
+local function splitAimed(b, strays, count)
+  local aimed, hits, strayAt, n, aimedCount = b.aimed, b.hits, b.strayAt, 0, 0
+  for m = 1, count do
+    local i = strays[m]
+    local read = hits[i]
+    if read and read.targetCount <= FEW_TARGETS then
+      aimedCount = aimedCount + 1
+      aimed[aimedCount] = i
+    else
+      n = n + 1
+      strays[n], strayAt[i] = i, n
+    end
+  end
+  return n, aimedCount
+end
+
+-- Lists in b.linkOne and b.linkOther those in list[1..count] and what they may hit; returns how
+-- many. They have no neighbours.
+local function listAimed(b, list, count)
+  local fatLow, fatHigh, hits, placed, strayAt = b.fatLow, b.fatHigh, b.hits, b.placed, b.strayAt
+  local ones, others, n = b.linkOne, b.linkOther, 0
+  for m = 1, count do
+    local i = list[m]
+    local read, k, place = hits[i], 2 * i, strayAt[i]
+    for at = 1, read.targetCount do
+      local j = read.targets[at]
+      local l = 2 * j
+      if
+        fatLow[l] <= fatHigh[k]
+        and fatHigh[l] >= fatLow[k]
+        and fatLow[l + 1] <= fatHigh[k + 1]
+        and fatHigh[l + 1] >= fatLow[k + 1]
+        and placed[j] ~= 0
+        and strayAt[j] > place -- each two once
+      then
+        n = n + 1
+        ones[n], others[n] = i, j
+      end
+    end
+  end
+  return n
+end
+
 -- These lead from loop to loop.
-interpreted.functions(linkNear, lookUp)
+interpreted.functions(linkNear, lookUp, listTargets)
 
 -- Lists in b.strays those in `list[first..last]` whose paths leave their fat boxes, each once, and
 -- notes in `strayAt` where; returns how many.
@@ -199,6 +275,28 @@ function detect.run(b, list, first, last)
     lookUp(b, b.strays, n)
   end
 end
+
+--- The same for those in `list[1..count]` who fly: they have no neighbours.
+function detect.follow(b, list, count)
+  local n = listStrays(b, list, 1, count)
+  if n == 0 then
+    return
+  end
+  local aimedCount = 0
+  if #b.hitLists > 0 then
+    listTargets(b)
+    n, aimedCount = splitAimed(b, b.strays, n)
+  end
+  if aimedCount > 0 then
+    enlarge(b, b.aimed, aimedCount, AIMED_FARTHEST)
+    linkListed(b, b.aimed, aimedCount, listAimed(b, b.aimed, aimedCount))
+  end
+  if n > 0 then
+    lookUp(b, b.strays, n)
+  end
+end
+
+interpreted.functions(detect.follow) -- leads from loop to loop
 
 -- Who leans on somebody goes no further that way, as far as is known yet: lets the path of k end
 -- where it begins, if it goes to a side on which the object touched somebody in the last step
@@ -251,8 +349,8 @@ local function lend(b, strays, count)
     local k, at = 2 * strays[n], 4 * n
     own[at], own[at + 1], own[at + 2], own[at + 3] =
       fatLow[k], fatLow[k + 1], fatHigh[k], fatHigh[k + 1]
-    fatten(b, k)
-    fatten(b, k + 1)
+    fatten(b, k, FARTHEST)
+    fatten(b, k + 1, FARTHEST)
   end
 end
 

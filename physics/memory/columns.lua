@@ -60,7 +60,8 @@ local SLOT = {
   kind = 0,
   plain = false, -- bumps whoever it meets
   even = false, -- and does so on all sides, and is not told of contacts that go on
-  bare = false, -- dynamic, and had none of the fields that few have when it was last read
+  bare = false, -- dynamic, and had none of the fields that few have when it was last read, but for
+  -- `sensor` and `hits`
   -- fields of the object, defaults filled in
   active = true,
   sensor = false,
@@ -81,6 +82,7 @@ local SLOT = {
   quiet = false, -- its last step changed nothing
   heard = false, -- somebody is told of its contacts, or asked about them, at every step
   visited = 0,
+  flying = false, -- near nothing: moves like a point (see flight)
   -- the step
   moved = false, -- placed, resized or filtered anew by the game: its overlaps must be parted
   inside = false, -- the last step left it inside another
@@ -118,6 +120,9 @@ local ANY = {
   ownGravityX = false,
   mask = false, -- the game's table; of a static object a copy that is never changed
   maskSeen = false, -- what the mask of a mover said of each group when it was last read
+  hits = false, -- the only groups that it can meet (see filter), false: all
+  hitsGiven = false, -- the game's list of them,
+  hitsRead = false, -- and what was read of it
   oneWay = false,
   canCollide = false,
   hears = false, -- its onStay
@@ -254,6 +259,7 @@ local HALF_LIST = {
 local SLOT_LIST = {
   "movers", -- slots of everything that is not static
   "awakeList", -- of those who take part in this step
+  "flyers", -- of those who fly (see flight)
   "rich", -- scratch of collect
   "outdated", -- scratch of publish
 }
@@ -277,6 +283,7 @@ for _, names in ipairs({
   { "live" },
   { "near", "touchPairs" },
   { "closePairs", "otherPairs", "other", "next", "previous", "movers", "awakeList", "rich" },
+  { "flyers" },
   { "outdated", "offerAt", "offerWho", "rivals" },
 }) do
   for _, name in ipairs(names) do
@@ -377,6 +384,7 @@ function columns.new()
     pairCount = 0,
     moverCount = 0,
     awakeCount = 0,
+    flyerCount = 0,
     island = {}, -- scratch of rest
     stack = {}, -- scratch of crush and carrier
     liveCount = 0,
@@ -401,6 +409,7 @@ function columns.new()
     hasBuried = false, -- or had no way out
     isRemasked = false, -- anybody may be inside somebody whom it can meet only now
     maskCopy = false, -- the last one made of the mask of a static object (see filter)
+    hitLists = {}, -- the different lists of `hits` (see filter)
     hasOneWays = false, -- or is one-way
     hasSensors = false, -- or a sensor
     hasFirm = false, -- or not pushable
@@ -453,6 +462,7 @@ function columns.new()
     askers = {},
     present = {},
     strays = {},
+    aimed = {},
     linkOne = {}, -- who is about to be linked
     linkOther = {},
     linked = {}, -- their pairs
@@ -587,6 +597,7 @@ end
 function columns.release(b, i)
   b.object[i], b.group[i], b.touching[i], b.mask[i], b.canCollide[i] =
     false, false, false, false, false
+  b.hits[i], b.hitsGiven[i], b.hitsRead[i] = false, false, false
   b.kind[i] = 0
   b.awake[i] = false
   b.freeCount = b.freeCount + 1

@@ -99,6 +99,7 @@ local RARE = {
   { "canCollide", "canCollide", false },
   { "onStay", "hears", false },
   { "mask", "mask", false },
+  { "hits", "hits", false },
   { "gravity", "ownGravity", false },
   { "gravityX", "ownGravityX", false },
   { "airFriction", "airFriction", 0 },
@@ -112,6 +113,9 @@ for n, field in ipairs(RARE) do
   NAMES[n], COLUMNS[n], DEFAULTS[n] = field[1], field[2], field[3]
 end
 
+-- Those that are compared for all: bullets and gems have them.
+local OFTEN = { sensor = true, hits = true }
+
 -- Reads them in a loop: all of them written out become a great deal of machine code at every place
 -- that reads objects. Returns whether the object has none of them.
 local function readRare(b, i, object)
@@ -121,11 +125,20 @@ local function readRare(b, i, object)
     if value == nil then
       value = DEFAULTS[n]
     else
-      isBareSoFar = false
+      isBareSoFar = isBareSoFar and OFTEN[NAMES[n]] ~= nil
     end
     b[COLUMNS[n]][i] = value
   end
   return isBareSoFar
+end
+
+-- Reads the list of groups that an object hits, if it is another one.
+local function readHits(b, i, list)
+  if list ~= b.hitsGiven[i] then
+    b.hitsGiven[i] = list
+    b.hitsRead[i] = list and filter.readHits(b, list)
+  end
+  b.hits[i] = b.hitsRead[i]
 end
 
 local function readFields(b, i, object)
@@ -135,6 +148,7 @@ local function readFields(b, i, object)
   if b.mask[i] then
     readMask(b, i, b.mask[i])
   end
+  readHits(b, i, b.hits[i])
   b.oneWay[i] = sideOf(b.oneWay[i])
   b.mass[i], b.inverseMass[i] = mass, isDynamic and 1 / mass or 0
   b.friction[i] = orDefault(object.friction, isDynamic and 0 or -1)
@@ -427,6 +441,7 @@ end
 local function listRich(b)
   local movers, objects, bare, rich, count = b.movers, b.object, b.bare, b.rich, 0
   local mass, friction, restitution = b.mass, b.friction, b.restitution
+  local sensor, hits = b.sensor, b.hitsGiven
   for n = 1, b.moverCount do
     local i = movers[n]
     local object = objects[i]
@@ -435,7 +450,8 @@ local function listRich(b)
       not bare[i] -- it is not dynamic, or had one of these
       or object.active ~= nil
       or object.kinematic ~= nil
-      or object.sensor ~= nil
+      or (object.sensor or false) ~= sensor[i]
+      or (object.hits or false) ~= hits[i]
       or object.pushable ~= nil
       or object.oneWay ~= nil
       or object.mask ~= nil
@@ -471,6 +487,7 @@ local function compareFilters(b, count)
   local rich, objects = b.rich, b.object
   local active, sensor, pushable, kind = b.active, b.sensor, b.pushable, b.kind
   local hears, oneWay, canCollide, mask, seen = b.hears, b.oneWay, b.canCollide, b.mask, b.maskSeen
+  local hits = b.hitsGiven
   for n = 1, count do
     local i = rich[n]
     local object = objects[i]
@@ -483,6 +500,7 @@ local function compareFilters(b, count)
       or object.canCollide ~= (canCollide[i] or nil)
       or (object.kinematic or false) ~= (kind[i] == KINEMATIC)
       or its ~= (mask[i] or nil)
+      or object.hits ~= (hits[i] or nil)
       or (its and hasMaskChanged(b, its, seen[i]))
     then
       reread(b, i)

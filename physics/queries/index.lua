@@ -19,6 +19,7 @@ local aabb = require(root .. ".memory.aabb")
 local bank = require(root .. ".memory.columnStore")
 local check = require(root .. ".world.check")
 local columns = require(root .. ".memory.columns")
+local filter = require(root .. ".broadphase.filter")
 local grid = require(root .. ".broadphase.grid")
 local interpreted = require(root .. ".memory.jit")
 local roster = require(root .. ".objects.registry")
@@ -44,11 +45,12 @@ local MOST = 1e99
 local FEW = 128
 
 -- Fields that a static object has as the core has read them.
-local FIELD = { "active", "sensor", "oneWay", "mask" }
+local FIELD = { "active", "sensor", "oneWay", "mask", "hits", "hitsGiven" }
 
 local LAYOUT = {}
 for _, kind in ipairs({
   { "any", 1, { "object", "group", "groupName", "key", "listed", "oneWay", "mask" } },
+  { "any", 1, { "hits", "hitsGiven" } },
   { "boolean", 1, { "live", "active", "sensor" } },
   { "integer", 1, { "kind" } },
   { "number", 1, { "rank", "entry", "mark" } }, -- the last two are scratch
@@ -133,11 +135,15 @@ function view.lookAtFilter(v, i)
     return
   end
   local object = v.object[i]
-  local sensor, mask = object.sensor or false, object.mask or false
+  local sensor, mask, hits = object.sensor or false, object.mask or false, object.hits or false
   local oneWay = columns.sideOf(object.oneWay)
   if sensor ~= v.sensor[i] or oneWay ~= v.oneWay[i] or mask ~= v.mask[i] then
     complain(v, i)
     v.sensor[i], v.oneWay[i], v.mask[i] = sensor, oneWay, mask
+  end
+  if hits ~= v.hitsGiven[i] then
+    complain(v, i)
+    v.hits[i], v.hitsGiven[i] = hits and filter.readHits(v.bodies, hits), hits
   end
   v.kind[i] = kindOf(v.bodies, object)
 end
@@ -245,6 +251,7 @@ local function enter(v, object, record, key)
   v.object[i], v.group[i], v.groupName[i], v.key[i] = object, record, record.name, key
   v.listed[i], v.entry[i], v.mark[i], v.rank[i] = false, 0, 0, 0
   v.active[i], v.sensor[i], v.oneWay[i], v.mask[i] = true, false, false, false
+  v.hits[i], v.hitsGiven[i] = false, false
   readAny(v, v.bodies, i)
   fatten(v, i, STANDS)
   v.grid:insert(i)
@@ -257,6 +264,7 @@ local function leave(v, i)
   unlist(v, i)
   v.slotOf[v.object[i]] = nil
   v.object[i], v.group[i], v.mask[i] = false, false, false
+  v.hits[i], v.hitsGiven[i] = false, false
   v.free[#v.free + 1] = i
   v.count = v.count - 1
 end

@@ -91,6 +91,23 @@ local function write(object, name, value)
   end
 end
 
+local function isSameList(list, other)
+  for n = 1, max(#list, #other) do
+    if list[n] ~= other[n] then
+      return false
+    end
+  end
+  return true
+end
+
+local function copyList(list)
+  local copy = {}
+  for n = 1, #list do
+    copy[n] = list[n]
+  end
+  return copy
+end
+
 local function maskOf(list)
   local mask = {}
   for at = 1, #list, 2 do
@@ -121,6 +138,14 @@ local function writeMask(object, list, known)
   write(object, "mask", wanted)
 end
 
+-- Writes a list of what an object hits; one that says the same stays the same list.
+local function writeHits(object, list)
+  local now = object.hits
+  if not (type(now) == "table" and isSameList(list, now)) then
+    write(object, "hits", copyList(list))
+  end
+end
+
 -- Writes a sparse list of values; who is not in it has no value.
 local function writeSparse(objects, masks, name, list)
   local at, isMask = 1, name == "mask"
@@ -130,6 +155,9 @@ local function writeSparse(objects, masks, name, list)
       write(object, name, nil)
     elseif isMask then
       writeMask(object, list[at + 1], masks[n])
+      at = at + 2
+    elseif name == "hits" then
+      writeHits(object, list[at + 1])
       at = at + 2
     else
       write(object, name, list[at + 1])
@@ -169,6 +197,8 @@ local function writeRead(st, objects)
       local value = list[at + 1]
       if name == "mask" and value then
         value = maskOf(value)
+      elseif name == "hits" and value then
+        value = copyList(value)
       elseif value == false and not isBoolean then
         value = nil
       end
@@ -184,6 +214,8 @@ local function writeGone(b, object, saved)
   for _, name in ipairs(state.FIELDS) do
     if name == "mask" and saved.mask then
       writeMask(object, saved.mask)
+    elseif name == "hits" and saved.hits then
+      writeHits(object, saved.hits)
     else
       write(object, name, saved[name])
     end
@@ -322,7 +354,8 @@ local function isRead(b, i, object)
     end
   end
   local isSameMask = filter.isSameMask(object.mask, b.mask[i])
-  return isSameMask and (object.friction or -1) == b.friction[i]
+  local isSameHits = object.hits == (b.hitsGiven[i] or nil)
+  return isSameMask and isSameHits and (object.friction or -1) == b.friction[i]
 end
 
 -- Reads all that `collect` would take for read already.
@@ -531,15 +564,6 @@ local function writeMasks(world, list, tables)
   world.masks = wanted
 end
 
-local function isSameOrder(order, other)
-  for n = 1, max(#order, #other) do
-    if order[n] ~= other[n] then
-      return false
-    end
-  end
-  return true
-end
-
 -- A list or table of the world that already says the same stays the same table.
 local function restoreSettings(world, saved, tables)
   for _, name in ipairs(state.SETTINGS) do
@@ -552,11 +576,8 @@ local function restoreSettings(world, saved, tables)
   end
   if not saved.order then
     world.order = nil
-  elseif not world.order or not isSameOrder(saved.order, world.order) then
-    world.order = {}
-    for n, name in ipairs(saved.order) do
-      world.order[n] = name
-    end
+  elseif not world.order or not isSameList(saved.order, world.order) then
+    world.order = copyList(saved.order)
   end
   settings.apply(world)
   -- Whatever the masks were before, they are applied anew by the next step.

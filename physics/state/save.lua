@@ -87,7 +87,7 @@ state.DENSE = {
   { "vy", "velocity", 1, 0 },
 }
 --- The other fields: name, column, what the column holds if the field is not set, axis. (`static`,
---- `kinematic`, `friction` and `mask` are read in ways of their own.)
+--- `kinematic`, `friction`, `mask` and `hits` are read in ways of their own.)
 state.SPARSE = {
   { "static" },
   { "kinematic" },
@@ -111,6 +111,7 @@ state.SPARSE = {
   { "surfaceSpeed", "surfaceSpeed", 0 },
   { "nudge", "nudge", 0 },
   { "mask" },
+  { "hits" },
 }
 
 --- The names of all of them.
@@ -152,6 +153,14 @@ local function cut(list, n)
   for at = #list, n + 1, -1 do
     list[at] = nil
   end
+end
+
+local function copyList(list)
+  local copy = {}
+  for n = 1, #list do
+    copy[n] = list[n]
+  end
+  return copy
 end
 
 -- A mask as { group, collides, ... }.
@@ -413,6 +422,23 @@ local function saveMasks(b, out, work)
   cut(list, at)
 end
 
+local function saveHits(b, out, work)
+  local list, objects, slots, at = listIn(out.fields, "hits"), work.objects, work.slots, 0
+  for n = 1, out.count do
+    local hits, slot = objects[n].hits, slots[n]
+    local read = n <= out.known and b.hitsRead[slot]
+    local isRead = hits == (read and b.hitsGiven[slot] or nil)
+    if n <= out.known and not isRead then
+      noteRead(b, out, "hits", n, slot, read and copyList(read.names))
+    end
+    if hits then
+      list[at + 1], list[at + 2] = n, copyList(isRead and read and read.names or hits)
+      at = at + 2
+    end
+  end
+  cut(list, at)
+end
+
 local function saveFields(b, out, work)
   listIn(out, "fields")
   for _, list in next, listIn(out, "read"), nil do
@@ -431,6 +457,7 @@ local function saveFields(b, out, work)
   saveSpecial(b, out, work, "kinematic", readKinematic, never)
   saveSpecial(b, out, work, "friction", readFriction, absentFriction)
   saveMasks(b, out, work)
+  saveHits(b, out, work)
 end
 
 -- Memory -----------------------------------------------------------------------------------------
@@ -657,7 +684,9 @@ local function fieldsOf(object)
   for _, name in ipairs(state.FIELDS) do
     local value = object[name]
     if value ~= nil and check.accepts(fields.objectByName[name], value) then
-      saved[name] = name == "mask" and listMask(value) or value
+      saved[name] = name == "mask" and listMask(value)
+        or name == "hits" and copyList(value)
+        or value
     end
   end
   return saved
@@ -679,13 +708,7 @@ local function saveSettings(world, out)
   check.setting("masks", world.masks)
   check.setting("order", world.order)
   settings.masks = world.masks and listMasks(world.masks) or nil
-  settings.order = nil
-  if world.order then
-    settings.order = {}
-    for n, name in ipairs(world.order) do
-      settings.order[n] = name
-    end
-  end
+  settings.order = world.order and copyList(world.order)
 end
 
 --- Fills `out` with the state of a world; `work` has the objects by number then, and behind them

@@ -23,6 +23,8 @@ local function explainMask(v, i, j)
   local refusal = filter.refusal(v, i, j)
   if refusal == "mask" then
     return format("the mask of %s refuses the group %s", nameOf(v, i), check.show(v.groupName[j]))
+  elseif refusal == "hits" then
+    return format("%s does not hit the group %s", nameOf(v, i), check.show(v.groupName[j]))
   elseif refusal == "masks" then
     local one, other = check.show(v.groupName[i]), check.show(v.groupName[j])
     return format("the world's masks let %s pass through %s", one, other)

@@ -220,6 +220,13 @@ fields.objects = {
       .. " collide. Either object of a pair may refuse.",
   },
   {
+    name = "hits",
+    type = "names",
+    absent = "every group that no mask refuses",
+    meaning = "Collides with the objects of these groups and of no others: `hits = { \"players\" }`."
+      .. " The list is read when it is set; to change it, set another list.",
+  },
+  {
     name = "oneWay",
     type = "string",
     values = SIDES,

@@ -4,6 +4,7 @@
 --   a static object that was changed by hand: it is read once, so the change has no effect
 --   a field or setting with a name that is one slip away from one that the library knows, and a
 --     mask with the name of a group that is one slip away from a group of the world
+--   a mask that refuses no group, and a filter of a query with such a name
 --   a mover that is larger than a great many cells of the grid
 --   an object that is in two worlds (if both are checked)
 
@@ -13,6 +14,7 @@ local columns = require(root .. ".memory.columns")
 local fields = require(root .. ".world.fields")
 local filter = require(root .. ".broadphase.filter")
 local interpreted = require(root .. ".memory.jit")
+local keyOrder = require(root .. ".memory.keyOrder")
 local roster = require(root .. ".objects.registry")
 local state = require(root .. ".state.save")
 
@@ -98,7 +100,7 @@ end
 local function groupMeant(b, name)
   if type(name) ~= "string" or #name < 4 then
     return nil
-  elseif b.guarded.groups[name] or b.world.objects[name] ~= nil then
+  elseif b.guarded and b.guarded.groups[name] or b.world.objects[name] ~= nil then
     return nil
   end
   for n = 1, #b.roster.groups do
@@ -109,12 +111,60 @@ local function groupMeant(b, name)
   end
 end
 
+local function failGroup(place, name, meant)
+  check.fail(format("%s: there is no group %s, did you mean %s?", place, name, meant))
+end
+
+-- Returns a group that a mask lets collide, if it says nothing else: it refuses no group.
+local function onlyTrue(mask)
+  local first
+  for name, collides in next, mask, nil do
+    if not collides then
+      return nil
+    end
+    if first == nil or keyOrder.comesBefore(name, first) then
+      first = name
+    end
+  end
+  return first
+end
+
+-- The mask of an object that names groups with `true` alone is meant as a list of `hits`.
+local function checkMeant(b, i, mask)
+  local name = onlyTrue(mask)
+  if name ~= nil then
+    check.fail(
+      format(
+        "%s.mask refuses no group, as only `false` refuses: did you mean hits = { %s }?",
+        placeOf(b, i),
+        show(name)
+      )
+    )
+  end
+end
+
 -- Checks the groups that a mask names; `place` is how the game would write it.
 local function checkMask(b, mask, place)
   for name in next, mask, nil do
     local meant = groupMeant(b, name)
     if meant then
-      check.fail(format("%s: there is no group %s, did you mean %s?", place, name, meant))
+      failGroup(place, name, meant)
+    end
+  end
+end
+
+local function checkHits(b, i, hits)
+  if not filter.isSameHits(hits, b.hitsRead[i]) then
+    check.fail(
+      placeOf(b, i)
+        .. ".hits was changed inside its table: the list is read when it is set, so set another"
+        .. " list"
+    )
+  end
+  for n = 1, #hits do
+    local meant = groupMeant(b, hits[n])
+    if meant then
+      failGroup(placeOf(b, i) .. ".hits", hits[n], meant)
     end
   end
 end
@@ -181,6 +231,9 @@ local function checkOthers(b, i, object)
   if not filter.isSameMask(object.mask, b.mask[i]) then
     refuseStatic(b, i, "mask", object.mask)
   end
+  if object.hits ~= (b.hitsGiven[i] or nil) then
+    refuseStatic(b, i, "hits", object.hits)
+  end
 end
 
 local function checkStatic(b, i, object)
@@ -240,6 +293,21 @@ local function checkOwner(b, i, object)
   end
 end
 
+--- Checks the groups that the filter of a query names: a list of them, or one.
+--- Errors: a name that is one slip away from a group of the world.
+function guard.filter(world, wanted, where)
+  local b, names = world._bodies, wanted
+  if type(wanted) ~= "table" then
+    names = { wanted }
+  end
+  for n = 1, #names do
+    local meant = groupMeant(b, names[n])
+    if meant then
+      failGroup(where .. ": filter", names[n], meant)
+    end
+  end
+end
+
 --- Checks all objects and settings, right after the game's tables were read.
 --- Errors: see the top of this file; nothing has changed then.
 function guard.run(world)
@@ -260,14 +328,18 @@ function guard.run(world)
       else
         checkMover(b, i, object)
       end
+      if object.hits then
+        checkHits(b, i, object.hits)
+      end
       if object.mask then
         checkMask(b, object.mask, placeOf(b, i) .. ".mask")
+        checkMeant(b, i, object.mask)
       end
       checkOwner(b, i, object)
     end
   end
 end
 
-interpreted.always(checkNames, checkMask, checkMasks)
+interpreted.always(checkNames, onlyTrue, checkMask, checkMasks)
 
 return guard

@@ -12,6 +12,7 @@ local crush = require(root .. ".solver.crush")
 local detect = require(root .. ".broadphase.pairFinder")
 local events = require(root .. ".contacts.events")
 local explain = require(root .. ".world.explain")
+local flight = require(root .. ".motion.flight")
 local guard = require(root .. ".world.strictMode")
 local hash = require(root .. ".state.hash")
 local interpreted = require(root .. ".memory.jit")
@@ -111,6 +112,7 @@ local function step(self, dt)
   end
   now = time(self, "read", now)
 
+  flight.begin(b, dt)
   b.begun, b.predicted, b.rubs, b.dt = 0, 0, 0, dt
   begin.run(b)
   crowd.mark(b)
@@ -124,6 +126,7 @@ local function step(self, dt)
   solver.run(b, dt) -- contacts, settle, friction, then sweep and hit
   now = time(self, "solve", now)
   publish.run(b)
+  flight.finish(b, dt)
   if b.rest then
     rest.settle(b, dt)
   end
@@ -131,7 +134,8 @@ local function step(self, dt)
   time(self, "write", now)
 
   local stats = self.stats
-  stats.objects, stats.movers, stats.resting = b.count, b.moverCount, b.moverCount - b.awakeCount
+  stats.objects, stats.movers = b.count, b.moverCount
+  stats.resting = b.moverCount - b.awakeCount - b.flyerCount
   stats.pairs, stats.contacts, stats.events = b.pairCount, b.contactCount, b.resolved
 end
 
@@ -570,6 +574,9 @@ local function checkQuestion(self, call, filter, out)
   checkSelf(self, call)
   if filter ~= nil then
     check.filter(filter, "world:" .. call)
+    if self.checked then
+      guard.filter(self, filter, "world:" .. call)
+    end
   end
   if out ~= nil and type(out) ~= "table" then
     check.table(out, "out", "world:" .. call)

@@ -35,6 +35,15 @@ local function newMask(n)
   return { [random:pick(GROUPS)] = false, [random:pick(GROUPS)] = random:chance(0.5) }
 end
 
+local function newHits(n)
+  local list = n.random:shuffled(GROUPS)
+  list[#list + 1] = "statics"
+  for _ = 1, n.random:integer(0, #list) do
+    list[#list] = nil
+  end
+  return list
+end
+
 -- How to make a value for each field that may be there or not.
 local OPTIONAL = {
   ax = function(n)
@@ -83,6 +92,7 @@ local OPTIONAL = {
     return n.random:between(0, 20) * n.unit
   end,
   mask = newMask,
+  hits = newHits,
   oneWay = function(n)
     return n.random:pick(SIDES)
   end,
@@ -119,6 +129,7 @@ local SHARES = {
   { "carry", 0.04 },
   { "surfaceSpeed", 0.05 },
   { "nudge", 0.08 },
+  { "hits", 0.05 },
 }
 
 local function addOptional(n, object, share)

@@ -54,7 +54,19 @@ local function isDynamic(object)
   return not object.static and not object.kinematic
 end
 
+local function isListed(list, name)
+  for _, listed in ipairs(list) do
+    if listed == name then
+      return true
+    end
+  end
+  return false
+end
+
 local function refuses(a, groupA, groupB, masks)
+  if a.hits and not isListed(a.hits, groupB) then
+    return true
+  end
   local row = masks and masks[groupA]
   return a.mask and a.mask[groupB] == false or row and row[groupB] == false
 end

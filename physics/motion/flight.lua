@@ -1,0 +1,122 @@
+--- Free flight: what is near nothing moves like a point.
+--
+-- A dynamic body without neighbours, on which nothing acts but gravity, flies on as long as its
+-- path stays in its fat box: nothing can be met there. It takes no part in the step. Whatever comes near
+-- wakes it, as it wakes what rests, and it is computed then as if it had been awake from the
+-- beginning of the step. So this changes no result.
+--
+-- Reads position, velocity, pull and the fat boxes of those in b.flyers; writes position, velocity
+-- and the fields x, y, vx, vy and touching of the game's objects.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local columns = require(root .. ".memory.columns")
+local detect = require(root .. ".broadphase.pairFinder")
+local interpreted = require(root .. ".memory.jit")
+local rest = require(root .. ".sleep.islands")
+
+local flight = {}
+
+local DYNAMIC = columns.DYNAMIC
+
+-- Gives those who still fly the path of this step; returns how many. What acts on them is as in
+-- `forces` and `move`, to the bit.
+local function predict(b, dt)
+  local list, flying, n = b.flyers, b.flying, 0
+  local position, velocity, pull, from, to = b.position, b.velocity, b.pull, b.from, b.to
+  for m = 1, b.flyerCount do
+    local i = list[m]
+    if flying[i] then
+      local k, l = 2 * i, 2 * i + 1
+      local x, y, vx, vy = position[k], position[l], velocity[k], velocity[l]
+      n = n + 1
+      list[n] = i
+      from[k], from[l] = x, y
+      to[k] = x + (vx + (vx + pull[k] * dt)) * 0.5 * dt
+      to[l] = y + (vy + (vy + pull[l] * dt)) * 0.5 * dt
+    end
+  end
+  return n
+end
+
+-- Wakes those who have neighbours now, and so take part in this step.
+local function wakeMet(b)
+  local list, head = b.flyers, b.head
+  for n = 1, b.flyerCount do
+    if head[list[n]] ~= 0 then
+      rest.wake(b, list[n])
+    end
+  end
+end
+
+--- Begins a step of dt s for those who fly.
+function flight.begin(b, dt)
+  b.flyerCount = predict(b, dt)
+  if b.flyerCount > 0 then
+    detect.follow(b, b.flyers, b.flyerCount)
+    wakeMet(b)
+  end
+end
+
+-- Whether the past of slot i, which has no neighbours, says anything of its next step.
+local function hasPast(b, i)
+  local k = 2 * i
+  return b.news[i]
+    or b.buried[i]
+    or b.inside[i]
+    or b.carrier[i] ~= 0
+    or b.crowd[i] ~= 0
+    or b.carried[k] ~= 0
+    or b.carried[k + 1] ~= 0
+    or b.jam[k] ~= 0
+    or b.jam[k + 1] ~= 0
+    or b.crowdAge[k] ~= 0
+    or b.wasCrushed[k]
+    or b.wasCrushed[k + 1]
+end
+
+-- Lets those fly on who are awake and near nothing.
+local function admit(b)
+  local list, kind, bare, head, quiet = b.awakeList, b.kind, b.bare, b.head, b.quiet
+  local flyers, flying = b.flyers, b.flying
+  for n = b.awakeCount, 1, -1 do
+    local i = list[n]
+    if head[i] == 0 and bare[i] and not quiet[i] and kind[i] == DYNAMIC and not hasPast(b, i) then
+      rest.drop(b, i)
+      b.flyerCount = b.flyerCount + 1
+      flyers[b.flyerCount], flying[i] = i, true
+    end
+  end
+end
+
+-- Moves those who have flown through the whole step.
+local function move(b, dt)
+  local list, flying, objects, tables = b.flyers, b.flying, b.object, b.touching
+  local position, velocity, written, to, pull = b.position, b.velocity, b.written, b.to, b.pull
+  local n = 0
+  for m = 1, b.flyerCount do
+    local i = list[m]
+    if flying[i] then
+      local object, k, l = objects[i], 2 * i, 2 * i + 1
+      local x, y = to[k], to[l]
+      local vx, vy = velocity[k] + pull[k] * dt, velocity[l] + pull[l] * dt
+      n = n + 1
+      list[n] = i
+      object.x, object.y, object.vx, object.vy, object.touching = x, y, vx, vy, tables[i]
+      position[k], position[l], velocity[k], velocity[l] = x, y, vx, vy
+      written[k], written[l] = x, y
+    end
+  end
+  return n
+end
+
+--- Ends the step: moves those who have flown through it, and lets others fly from here on.
+function flight.finish(b, dt)
+  b.flyerCount = move(b, dt)
+  if b.rest and dt >= rest.SHORTEST then
+    admit(b)
+  end
+end
+
+interpreted.functions(flight.begin, wakeMet, flight.finish) -- these lead from loop to loop
+
+return flight
