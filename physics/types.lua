@@ -121,6 +121,10 @@
 --- default every group collides with every group. Groups that pass through each other: `masks = {
 --- bullets = { players = false } }`.
 ---@field masks? table<string|number, table<string|number, boolean>>
+--- px/s, default no group is soft to another. Groups that overlap and drift apart instead of
+--- colliding: `soft = { enemies = { enemies = 400 } }`. Two at one place part at this speed, two
+--- that overlap by half at half of it. Static objects and sensors are not soft.
+---@field soft? table<string|number, table<string|number, number>>
 --- default false. Whether flush neighbours that never pressed each other count as colliding: in
 --- events, `touching`, `queryRect`, `overlapping` and `checkCollision`.
 ---@field sideBySide? boolean
@@ -178,6 +182,10 @@
 --- default every group collides with every group. Groups that pass through each other: `masks = {
 --- bullets = { players = false } }`.
 ---@field masks? table<string|number, table<string|number, boolean>>
+--- px/s, default no group is soft to another. Groups that overlap and drift apart instead of
+--- colliding: `soft = { enemies = { enemies = 400 } }`. Two at one place part at this speed, two
+--- that overlap by half at half of it. Static objects and sensors are not soft.
+---@field soft? table<string|number, table<string|number, number>>
 --- default false. Whether flush neighbours that never pressed each other count as colliding: in
 --- events, `touching`, `queryRect`, `overlapping` and `checkCollision`.
 ---@field sideBySide boolean

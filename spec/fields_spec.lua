@@ -48,6 +48,7 @@ local SETTINGS = {
   { "gravityX", 0, "px/s²" },
   { "push", "both" },
   { "masks", nil },
+  { "soft", nil, "px/s" },
   { "sideBySide", false },
   { "broadphase", "auto" },
   { "cellSize", nil, "px" },
@@ -72,6 +73,7 @@ local TYPES = {
   ["function"] = true,
   mask = true,
   masks = true,
+  soft = true,
   names = true,
   sides = true,
 }

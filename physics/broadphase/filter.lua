@@ -83,8 +83,8 @@ end
 --- Returns "mask", "hits" or "masks" if an object refuses another by its own mask or list, or by
 --- the world's masks.
 function filter.refusal(b, i, j)
-  local hits = b.hits[i]
-  if hits and not hits.has[b.groupName[j]] then
+  local only = b.only[i]
+  if only and not only.has[b.groupName[j]] then
     return "hits"
   end
   local mask = b.mask[i]
@@ -99,6 +99,17 @@ end
 
 local refusal = filter.refusal
 
+--- Returns whether two objects are soft to each other: then they drift apart instead of colliding
+--- (see drift). Static objects and sensors are soft to nothing.
+function filter.isSoft(b, i, j)
+  local row = b.soft and b.soft[b.groupName[i]]
+  return row
+    and row[b.groupName[j]] ~= nil
+    and b.kind[i] ~= STATIC
+    and b.kind[j] ~= STATIC
+    and not (b.sensor[i] or b.sensor[j])
+end
+
 --- Returns why two objects never meet (a word for `explain`), or nil if they can.
 function filter.reason(b, i, j)
   local kindI, kindJ = b.kind[i], b.kind[j]
@@ -112,6 +123,8 @@ function filter.reason(b, i, j)
   end
   if refusal(b, i, j) or refusal(b, j, i) then
     return "mask"
+  elseif filter.isSoft(b, i, j) then
+    return "soft"
   end
 end
 

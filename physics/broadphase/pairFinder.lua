@@ -200,10 +200,10 @@ end
 -- Of strays[1..count], keeps those who must be looked up in the broad phase, and lists in b.aimed
 -- those who have few to hit; returns how many both are.
 local function splitAimed(b, strays, count)
-  local aimed, hits, strayAt, n, aimedCount = b.aimed, b.hits, b.strayAt, 0, 0
+  local aimed, only, strayAt, n, aimedCount = b.aimed, b.only, b.strayAt, 0, 0
   for m = 1, count do
     local i = strays[m]
-    local read = hits[i]
+    local read = only[i]
     if read and read.targetCount <= FEW_TARGETS then
       aimedCount = aimedCount + 1
       aimed[aimedCount] = i
@@ -218,11 +218,11 @@ end
 -- Lists in b.linkOne and b.linkOther those in list[1..count] and what they may hit; returns how
 -- many. They have no neighbours.
 local function listAimed(b, list, count)
-  local fatLow, fatHigh, hits, placed, strayAt = b.fatLow, b.fatHigh, b.hits, b.placed, b.strayAt
+  local fatLow, fatHigh, only, placed, strayAt = b.fatLow, b.fatHigh, b.only, b.placed, b.strayAt
   local ones, others, n = b.linkOne, b.linkOther, 0
   for m = 1, count do
     local i = list[m]
-    local read, k, place = hits[i], 2 * i, strayAt[i]
+    local read, k, place = only[i], 2 * i, strayAt[i]
     for at = 1, read.targetCount do
       local j = read.targets[at]
       local l = 2 * j

@@ -120,7 +120,7 @@ local ANY = {
   ownGravityX = false,
   mask = false, -- the game's table; of a static object a copy that is never changed
   maskSeen = false, -- what the mask of a mover said of each group when it was last read
-  hits = false, -- the only groups that it can meet (see filter), false: all
+  only = false, -- the only groups that it can meet (see filter), false: all
   hitsGiven = false, -- the game's list of them,
   hitsRead = false, -- and what was read of it
   oneWay = false,
@@ -142,6 +142,8 @@ local AXIS = {
   way = 0, -- how far it goes in this step by itself, px
   from = 0, -- start of the present path
   to = 0, -- where it will be at the end of the step
+  drift = 0, -- velocity apart from what it overlaps and is soft to, px/s (see drift)
+  undrifted = 0, -- velocity at the end of the step without that
   speed = 0, -- velocity at the end of the step, absolute
   accel = 0, -- acceleration during the step, drag and limits included
   carried = 0, -- velocity of its carrier in this step
@@ -411,6 +413,7 @@ function columns.new()
     maskCopy = false, -- the last one made of the mask of a static object (see filter)
     hitLists = {}, -- the different lists of `hits` (see filter)
     hasOneWays = false, -- or is one-way
+    soft = false, -- px/s, by two group names: how fast what overlaps drifts apart
     hasSensors = false, -- or a sensor
     hasFirm = false, -- or not pushable
     hasCrowds = false, -- or was crowded
@@ -597,7 +600,7 @@ end
 function columns.release(b, i)
   b.object[i], b.group[i], b.touching[i], b.mask[i], b.canCollide[i] =
     false, false, false, false, false
-  b.hits[i], b.hitsGiven[i], b.hitsRead[i] = false, false, false
+  b.only[i], b.hitsGiven[i], b.hitsRead[i] = false, false, false
   b.kind[i] = 0
   b.awake[i] = false
   b.freeCount = b.freeCount + 1

@@ -74,13 +74,25 @@ local function hasPast(b, i)
     or b.wasCrushed[k + 1]
 end
 
+-- Whether slot i moves in the next step. What does not will rest.
+local function isMoving(b, i)
+  local velocity, pull, k = b.velocity, b.pull, 2 * i
+  return velocity[k] ~= 0 or velocity[k + 1] ~= 0 or pull[k] ~= 0 or pull[k + 1] ~= 0
+end
+
 -- Lets those fly on who are awake and near nothing.
 local function admit(b)
-  local list, kind, bare, head, quiet = b.awakeList, b.kind, b.bare, b.head, b.quiet
+  local list, kind, bare, head = b.awakeList, b.kind, b.bare, b.head
   local flyers, flying = b.flyers, b.flying
   for n = b.awakeCount, 1, -1 do
     local i = list[n]
-    if head[i] == 0 and bare[i] and not quiet[i] and kind[i] == DYNAMIC and not hasPast(b, i) then
+    if
+      head[i] == 0
+      and bare[i]
+      and kind[i] == DYNAMIC
+      and isMoving(b, i)
+      and not hasPast(b, i)
+    then
       rest.drop(b, i)
       b.flyerCount = b.flyerCount + 1
       flyers[b.flyerCount], flying[i] = i, true

@@ -99,7 +99,7 @@ local RARE = {
   { "canCollide", "canCollide", false },
   { "onStay", "hears", false },
   { "mask", "mask", false },
-  { "hits", "hits", false },
+  { "hits", "only", false },
   { "gravity", "ownGravity", false },
   { "gravityX", "ownGravityX", false },
   { "airFriction", "airFriction", 0 },
@@ -138,7 +138,7 @@ local function readHits(b, i, list)
     b.hitsGiven[i] = list
     b.hitsRead[i] = list and filter.readHits(b, list)
   end
-  b.hits[i] = b.hitsRead[i]
+  b.only[i] = b.hitsRead[i]
 end
 
 local function readFields(b, i, object)
@@ -148,7 +148,7 @@ local function readFields(b, i, object)
   if b.mask[i] then
     readMask(b, i, b.mask[i])
   end
-  readHits(b, i, b.hits[i])
+  readHits(b, i, b.only[i])
   b.oneWay[i] = sideOf(b.oneWay[i])
   b.mass[i], b.inverseMass[i] = mass, isDynamic and 1 / mass or 0
   b.friction[i] = orDefault(object.friction, isDynamic and 0 or -1)

@@ -45,12 +45,12 @@ local MOST = 1e99
 local FEW = 128
 
 -- Fields that a static object has as the core has read them.
-local FIELD = { "active", "sensor", "oneWay", "mask", "hits", "hitsGiven" }
+local FIELD = { "active", "sensor", "oneWay", "mask", "only", "hitsGiven" }
 
 local LAYOUT = {}
 for _, kind in ipairs({
   { "any", 1, { "object", "group", "groupName", "key", "listed", "oneWay", "mask" } },
-  { "any", 1, { "hits", "hitsGiven" } },
+  { "any", 1, { "only", "hitsGiven" } },
   { "boolean", 1, { "live", "active", "sensor" } },
   { "integer", 1, { "kind" } },
   { "number", 1, { "rank", "entry", "mark" } }, -- the last two are scratch
@@ -143,7 +143,7 @@ function view.lookAtFilter(v, i)
   end
   if hits ~= v.hitsGiven[i] then
     complain(v, i)
-    v.hits[i], v.hitsGiven[i] = hits and filter.readHits(v.bodies, hits), hits
+    v.only[i], v.hitsGiven[i] = hits and filter.readHits(v.bodies, hits), hits
   end
   v.kind[i] = kindOf(v.bodies, object)
 end
@@ -251,7 +251,7 @@ local function enter(v, object, record, key)
   v.object[i], v.group[i], v.groupName[i], v.key[i] = object, record, record.name, key
   v.listed[i], v.entry[i], v.mark[i], v.rank[i] = false, 0, 0, 0
   v.active[i], v.sensor[i], v.oneWay[i], v.mask[i] = true, false, false, false
-  v.hits[i], v.hitsGiven[i] = false, false
+  v.only[i], v.hitsGiven[i] = false, false
   readAny(v, v.bodies, i)
   fatten(v, i, STANDS)
   v.grid:insert(i)
@@ -264,7 +264,7 @@ local function leave(v, i)
   unlist(v, i)
   v.slotOf[v.object[i]] = nil
   v.object[i], v.group[i], v.mask[i] = false, false, false
-  v.hits[i], v.hitsGiven[i] = false, false
+  v.only[i], v.hitsGiven[i] = false, false
   v.free[#v.free + 1] = i
   v.count = v.count - 1
 end
@@ -342,7 +342,7 @@ function view.of(world)
     v.bodies = b
     b.view = v
   end
-  v.masks = world.masks or false
+  v.masks, v.soft = world.masks or false, b.soft
   v.isBroken = true -- if an object fails when it is looked at, the view is made anew
   if not v.fresh then
     lookAtEverybody(v, world)

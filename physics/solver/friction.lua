@@ -190,6 +190,7 @@ end
 -- Limits of what is awake, with what carries it.
 local function findLimits(b)
   local list, limit, carried, reserve, pace = b.awakeList, b.limit, b.carried, b.reserve, b.pace
+  local drift = b.drift
   for n = 1, b.awakeCount do
     for k = 2 * list[n], 2 * list[n] + 1 do
       local most, least = limit[k], -limit[k]
@@ -198,7 +199,8 @@ local function findLimits(b)
       elseif reserve[k] < 0 then
         least = pace[k]
       end
-      b.least[k], b.most[k] = least + carried[k], most + carried[k]
+      local base = carried[k] + drift[k]
+      b.least[k], b.most[k] = least + base, most + base
     end
   end
 end

@@ -172,6 +172,9 @@ local function mixSettings(sum, out)
   end
   mixAny(sum, settings.masks or false)
   mixAny(sum, settings.order or false)
+  if settings.soft then
+    mixList(sum, settings.soft)
+  end
 end
 
 --- Returns the number of a state, a whole one in 0..10^14.

@@ -564,6 +564,14 @@ local function writeMasks(world, list, tables)
   world.masks = wanted
 end
 
+-- Writes what is soft; a table that says the same stays the same table.
+local function writeSoft(world, list)
+  local wanted = list and masksOf(list, {}) or nil
+  if not (wanted and type(world.soft) == "table" and areSameMasks(wanted, world.soft)) then
+    world.soft = wanted
+  end
+end
+
 -- A list or table of the world that already says the same stays the same table.
 local function restoreSettings(world, saved, tables)
   for _, name in ipairs(state.SETTINGS) do
@@ -574,6 +582,7 @@ local function restoreSettings(world, saved, tables)
   else
     world.masks = nil
   end
+  writeSoft(world, saved.soft)
   if not saved.order then
     world.order = nil
   elseif not world.order or not isSameList(saved.order, world.order) then

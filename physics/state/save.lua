@@ -5,7 +5,8 @@
 -- other, each beginning with the number of its object, for those objects only that have one.
 --
 --   version       of this layout
---   settings      name -> value; masks = { group, other, collides, ... }
+--   settings      name -> value; masks = { group, other, collides, ... }; soft = { group, other,
+--                 px/s, ... }
 --   saved         s, saved up for the next fixed step
 --   groups        { name, count, direct, keys } in order: who is known. Without keys: 1 to count
 --   tables        { name, direct, keys, objects } in order: what the game's tables hold now; only
@@ -123,12 +124,12 @@ for _, entry in ipairs(state.SPARSE) do
   state.FIELDS[#state.FIELDS + 1] = entry[1]
 end
 
--- Settings that are not saved: they change no result; masks and order, which do, are written out
--- by themselves.
+-- Settings that are not saved: they change no result; masks, soft and order, which do, are written
+-- out by themselves.
 local UNSAVED =
-  { broadphase = true, cellSize = true, rest = true, checked = true, masks = true, order = true }
+  { broadphase = true, cellSize = true, rest = true, checked = true, masks = true, order = true, soft = true }
 
---- Settings in a state, in order, apart from masks and order.
+--- Settings in a state, in order, apart from masks, soft and order.
 state.SETTINGS = {}
 for _, field in ipairs(fields.settings) do
   if not UNSAVED[field.name] and field.type ~= "function" then
@@ -173,6 +174,7 @@ local function listMask(mask)
   return list
 end
 
+-- The masks of a world, or what is soft, as { group, other, value, ... }.
 local function listMasks(masks)
   local list = {}
   for _, group in ipairs(keyOrder.sorted(masks)) do
@@ -707,7 +709,9 @@ local function saveSettings(world, out)
   end
   check.setting("masks", world.masks)
   check.setting("order", world.order)
+  check.setting("soft", world.soft)
   settings.masks = world.masks and listMasks(world.masks) or nil
+  settings.soft = world.soft and listMasks(world.soft) or nil
   settings.order = world.order and copyList(world.order)
 end
 

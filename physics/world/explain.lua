@@ -31,6 +31,13 @@ local function explainMask(v, i, j)
   end
 end
 
+local function explainSoft(v, i, j)
+  if filter.isSoft(v, i, j) then
+    local one, other = check.show(v.groupName[i]), check.show(v.groupName[j])
+    return format("%s and %s are soft to each other, and drift apart", one, other)
+  end
+end
+
 local function kindName(v, i)
   return v.kind[i] == STATIC and "static" or "kinematic"
 end
@@ -49,7 +56,7 @@ local function explainFilter(v, i, j)
     end
     return format("one is %s and the other %s, which never bump each other", one, other)
   end
-  return explainMask(v, i, j) or explainMask(v, j, i)
+  return explainMask(v, i, j) or explainMask(v, j, i) or explainSoft(v, i, j)
 end
 
 -- Returns the gaps on both axes, negative where they overlap.

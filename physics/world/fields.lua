@@ -14,8 +14,8 @@
 ---   misnamed  another library's name for the field: the message for nil says if the object has it
 ---
 --- Types: "number" (finite), "boolean", "string" (one of `values`), "function",
----   "mask" (group name -> boolean), "masks" (group name -> mask), "names" (list of group names),
----   "sides" (side -> object or false).
+---   "mask" (group name -> boolean), "masks" (group name -> mask), "soft" (group name -> group name
+---   -> number in 0..10^6), "names" (list of group names), "sides" (side -> object or false).
 
 ---@class physics.Field
 ---@field name string
@@ -223,7 +223,7 @@ fields.objects = {
     name = "hits",
     type = "names",
     absent = "every group that no mask refuses",
-    meaning = "Collides with the objects of these groups and of no others: `hits = { \"players\" }`."
+    meaning = 'Collides with the objects of these groups and of no others: `hits = { "players" }`.'
       .. " The list is read when it is set; to change it, set another list.",
   },
   {
@@ -337,6 +337,15 @@ fields.settings = {
     type = "masks",
     absent = "every group collides with every group",
     meaning = "Groups that pass through each other: `masks = { bullets = { players = false } }`.",
+  },
+  {
+    name = "soft",
+    type = "soft",
+    absent = "no group is soft to another",
+    unit = "px/s",
+    meaning = "Groups that overlap and drift apart instead of colliding:"
+      .. " `soft = { enemies = { enemies = 400 } }`. Two at one place part at this speed, two that"
+      .. " overlap by half at half of it. Static objects and sensors are not soft.",
   },
   {
     name = "sideBySide",

@@ -169,10 +169,10 @@ local function checkHits(b, i, hits)
   end
 end
 
-local function checkMasks(b, masks)
-  checkMask(b, masks, "world.masks")
+local function checkMasks(b, masks, place)
+  checkMask(b, masks, place)
   for name, mask in next, masks, nil do
-    checkMask(b, mask, "world.masks." .. tostring(name))
+    checkMask(b, mask, place .. "." .. tostring(name))
   end
 end
 
@@ -318,7 +318,8 @@ function guard.run(world)
     seen.groups[b.roster.groups[n].name] = true
   end
   checkNames(seen.settings, world, fields.settingNames, fields.settingByName, b)
-  checkMasks(b, world.masks or {})
+  checkMasks(b, world.masks or {}, "world.masks")
+  checkMasks(b, world.soft or {}, "world.soft")
   for i = 1, b.slots do
     local object = b.object[i]
     if object then

@@ -10,6 +10,7 @@ local columns = require(root .. ".memory.columns")
 local crowd = require(root .. ".solver.crowd")
 local crush = require(root .. ".solver.crush")
 local detect = require(root .. ".broadphase.pairFinder")
+local drift = require(root .. ".motion.drift")
 local events = require(root .. ".contacts.events")
 local explain = require(root .. ".world.explain")
 local flight = require(root .. ".motion.flight")
@@ -120,10 +121,12 @@ local function step(self, dt)
   crowd.run(b)
   crush.wedgeGrown(b)
   part.run(b)
+  drift.run(b, dt)
   now = time(self, "separate", now)
   predict.run(b, dt) -- forces, move
   now = time(self, "move", now)
   solver.run(b, dt) -- contacts, settle, friction, then sweep and hit
+  drift.takeOff(b)
   now = time(self, "solve", now)
   publish.run(b)
   flight.finish(b, dt)
@@ -1108,6 +1111,7 @@ function world.new(given, where)
   local b = columns.new()
   solver.adopt(b)
   b.events, b.roster, b.hits = events.new(), roster.new(), publish.newHits()
+  b.drifts = drift.new()
   local self = setmetatable({
     objects = {},
     stats = newStats(),

@@ -282,6 +282,10 @@ local SETTINGS = {
   masks = function(n)
     return { [n.random:pick(GROUPS)] = newMask(n) }
   end,
+  soft = function(n)
+    local row = { [n.random:pick(GROUPS)] = n:spread(0.1, 400) * n.unit }
+    return { [n.random:pick(GROUPS)] = row, lifts = n.random:chance(0.2) and row or nil }
+  end,
   sideBySide = function(n)
     return n.random:chance(0.5)
   end,
@@ -307,6 +311,7 @@ local NAMES = {
   "gravityX",
   "push",
   "masks",
+  "soft",
   "sideBySide",
   "broadphase",
   "cellSize",
@@ -314,7 +319,7 @@ local NAMES = {
   "order",
   "rest",
 }
-local MAY_BE_NIL = { masks = true, cellSize = true, order = true }
+local MAY_BE_NIL = { masks = true, soft = true, cellSize = true, order = true }
 
 local function newSetting(self)
   local name = self.n.random:pick(NAMES)

@@ -71,13 +71,24 @@ local function refuses(a, groupA, groupB, masks)
   return a.mask and a.mask[groupB] == false or row and row[groupB] == false
 end
 
+-- Whether two are soft to each other.
+local function areSoft(a, b, groupA, groupB, soft)
+  local row, other = soft and soft[groupA], soft and soft[groupB]
+  return (row and row[groupB] or other and other[groupA])
+    and not (a.static or b.static or a.sensor or b.sensor)
+end
+
 function Watch:canMeet(a, b)
   local groupA, groupB = self.groupOf[a], self.groupOf[b]
   local masks = self.player.world.masks
   if not groupA or not groupB or a.active == false or b.active == false then
     return false
   end
-  return not (refuses(a, groupA, groupB, masks) or refuses(b, groupB, groupA, masks))
+  return not (
+    refuses(a, groupA, groupB, masks)
+    or refuses(b, groupB, groupA, masks)
+    or areSoft(a, b, groupA, groupB, self.player.world.soft)
+  )
 end
 
 -- Whether two must not overlap: nothing lets one pass through the other.

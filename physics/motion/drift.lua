@@ -1,0 +1,495 @@
+--- Soft crowds: bodies of two groups that are soft to each other overlap, and drift apart.
+--
+-- Two that overlap get a velocity apart, in proportion to how deep: `soft` px/s for two at one
+-- place, shared by their masses. The velocities of all its pairs add up to the *drift* of a body,
+-- which is at most the largest `soft` of its group. The drift is added to the path of this step and
+-- taken off again after it, so that what is solid stops it as any other motion.
+--
+-- Overlaps are found in cells that are sorted by counting; the cells of the plane are wound around
+-- a ring. Two bodies are compared once. Sums do not depend on the order: all velocities are rounded
+-- to multiples of 2^-20 px/s, which add up exactly.
+-- Source: M. Müller et al., "Position Based Dynamics" (2007), section 3.3, for the shares; S. Green,
+-- "Particle Simulation using CUDA" (2008), for the sorted cells.
+--
+-- Reads from, size, mass, group; writes drift, and wakes who has one.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local columns = require(root .. ".memory.columns")
+local filter = require(root .. ".broadphase.filter")
+local interpreted = require(root .. ".memory.jit")
+local rest = require(root .. ".sleep.islands")
+
+local drift = {}
+
+local DYNAMIC = columns.DYNAMIC
+local ceil, floor, max, min, sqrt = math.ceil, math.floor, math.max, math.min, math.sqrt
+
+-- Adding it and taking it off again rounds what is below 2^31 to a multiple of 2^-20.
+local ROUNDING = 6442450944.0
+-- The fewest cells; there are about twice as many as bodies.
+local FEWEST_CELLS = 16.0
+-- A cell is so many times as wide as the mean body. Few bodies may be larger; they are compared
+-- with all others.
+local CELL, FEW_LARGE = 1.5, 8
+-- Less than that apart, in px, two are at one place.
+local NEAREST = 1e-6
+-- A step is made in parts, in which the drift changes by little; at most so many.
+local STIFFNESS, MOST_PARTS = 3, 8
+-- Directions in which two at one place part, by the order of the world.
+local WAYS_X = { 1.0, 0.0, 0.6, -0.8, 0.8, 0.6, -0.6, 0.28 }
+local WAYS_Y = { 0.0, 1.0, 0.8, 0.6, 0.6, -0.8, 0.8, 0.96 }
+
+--- Returns the scratch lists of a world.
+function drift.new()
+  return {
+    count = 0, -- bodies of soft groups
+    slot = {}, -- of each, and what follows, in the order of the world
+    x = {}, -- of its middle, px
+    y = {},
+    halfX = {}, -- half of its size, px
+    halfY = {},
+    kind = {}, -- number of its group among the soft ones
+    cell = {},
+    start = {}, -- of each cell: where it begins in `sorted`
+    sorted = {},
+    sx = {}, -- place and half size in the order of the cells
+    sy = {},
+    shx = {},
+    shy = {},
+    large = {},
+    from = {}, -- ranges of `sorted` with what may be near one body
+    last = {},
+    asker = {},
+    one = {}, -- those that overlap
+    other = {},
+    partSpeed = {}, -- px/s, of each pair
+    shareOne = {},
+    shareOther = {},
+    nowX = {}, -- velocity apart in a part of the step
+    nowY = {},
+    meanSize = 1, -- px
+    drifted = {}, -- slots with a drift
+    driftedCount = 0,
+    speeds = {}, -- px/s, by kind + kinds * other kind; false: not soft to each other
+    most = {}, -- px/s, by kind: the largest of these
+    names = {}, -- of the soft groups, by kind
+    kinds = 0,
+  }
+end
+
+-- Lists the bodies of the soft groups, in the order of the world.
+local function listGroup(b, work, group, kind, n)
+  local movers, from, size = group.movers, b.from, b.size
+  local active, sensor = b.active, b.sensor
+  local slot, x, y, halfX, halfY, kinds =
+    work.slot, work.x, work.y, work.halfX, work.halfY, work.kind
+  for m = 1, #movers do
+    local i = movers[m]
+    if active[i] and not sensor[i] then
+      local k = 2 * i
+      local w, h = size[k] * 0.5, size[k + 1] * 0.5
+      n = n + 1
+      slot[n], x[n], y[n], halfX[n], halfY[n] = i, from[k] + w, from[k + 1] + h, w, h
+      kinds[n] = kind
+    end
+  end
+  return n
+end
+
+local function list(b, work)
+  local groups, soft, n, kinds = b.roster.groups, b.soft, 0, 0
+  for g = 1, #groups do
+    if soft[groups[g].name] then
+      kinds = kinds + 1
+      n = listGroup(b, work, groups[g], kinds, n)
+      work.names[kinds] = groups[g].name
+    end
+  end
+  work.count, work.kinds = n, kinds
+end
+
+-- Notes how fast bodies of two soft groups part, by the numbers of these.
+local function readSpeeds(b, work)
+  local names, kinds = work.names, work.kinds
+  for m = 1, kinds do
+    work.most[m] = 0.0
+    for n = 1, kinds do
+      local speed = b.soft[names[m]][names[n]] or false
+      work.speeds[m + kinds * n] = speed
+      work.most[m] = max(work.most[m], speed or 0)
+    end
+  end
+end
+
+-- How wide a cell is: few bodies are larger.
+local function cellSize(work)
+  local halfX, halfY, sum, count = work.halfX, work.halfY, 0.0, work.count
+  for n = 1, count do
+    sum = sum + (halfX[n] + halfY[n] + ROUNDING - ROUNDING)
+  end
+  work.meanSize = max(sum / count, columns.TINY)
+  local size = work.meanSize * CELL
+  for _ = 1, 64 do
+    local large = 0 ---@type number
+    for n = 1, count do
+      large = large + (2 * max(halfX[n], halfY[n]) > size and 1 or 0)
+    end
+    if large <= FEW_LARGE then
+      break
+    end
+    size = size * 1.5
+  end
+  return size
+end
+
+-- Sorts the bodies by cells; returns the number of those that fit into one, and the large ones'.
+-- Cell (x, y) is number (x + y * row) of a ring of `cells`.
+local function sortCells(work, size, cells, row)
+  local x, y, halfX, halfY, cell, start =
+    work.x, work.y, work.halfX, work.halfY, work.cell, work.start
+  local large, largeCount, part, share = work.large, 0, 1 / size, 1 / cells
+  for c = 0, cells + 4 do
+    start[c] = 0
+  end
+  for n = 1, work.count do
+    if 2 * max(halfX[n], halfY[n]) > size then
+      largeCount = largeCount + 1
+      large[largeCount], cell[n] = n, -1
+    else
+      local at = floor(x[n] * part) + floor(y[n] * part) * row
+      at = at - floor(at * share) * cells
+      cell[n], start[at] = at, start[at] + 1
+    end
+  end
+  local sum = 1 ---@type number
+  for c = 0, cells - 1 do
+    sum = sum + start[c]
+    start[c] = sum -- where the next one begins
+  end
+  return sum - 1, largeCount
+end
+
+-- Puts them in that order. The last ones go first, so that each cell keeps the order of the world.
+local function place(work, count, cells)
+  local cell, start, sorted = work.cell, work.start, work.sorted
+  for n = work.count, 1, -1 do
+    local at = cell[n]
+    if at >= 0 then
+      start[at] = start[at] - 1
+      sorted[start[at]] = n
+    end
+  end
+  -- Behind the end of the ring it begins anew.
+  for c = cells, cells + 4 do
+    start[c] = count + 1
+  end
+  local x, y, halfX, halfY = work.x, work.y, work.halfX, work.halfY
+  local sx, sy, shx, shy = work.sx, work.sy, work.shx, work.shy
+  for p = 1, count do
+    local n = sorted[p]
+    sx[p], sy[p], shx[p], shy[p] = x[n], y[n], halfX[n], halfY[n]
+  end
+end
+
+-- Lists the ranges that are to be compared with each body: what follows in its cell and the next
+-- one, and three cells of the next row. Returns how many.
+local function listRanges(work, count, cells, row)
+  local sorted, cell, start = work.sorted, work.cell, work.start
+  local asker, from, last, n = work.asker, work.from, work.last, 0
+  for p = 1, count do
+    local at = cell[sorted[p]]
+    local final = start[at + 2] - 1
+    if at + 2 > cells then -- the next cell is the first one of the ring
+      final = count
+      if start[1] > 1 then
+        n = n + 1
+        asker[n], from[n], last[n] = p, 1, start[1] - 1
+      end
+    end
+    if final > p then
+      n = n + 1
+      asker[n], from[n], last[n] = p, p + 1, final
+    end
+    local below = at + row - 1
+    below = below >= cells and below - cells or below
+    local first, beyond = start[below], below + 3 - cells
+    local till = start[below + 3] - 1
+    if beyond > 0 then
+      till = count
+      if start[beyond] > 1 then
+        n = n + 1
+        asker[n], from[n], last[n] = p, 1, start[beyond] - 1
+      end
+    end
+    if till >= first then
+      n = n + 1
+      asker[n], from[n], last[n] = p, first, till
+    end
+  end
+  return n
+end
+
+-- Lists those that overlap in the ranges; returns how many.
+local function compare(work, ranges)
+  if ranges == 0 then
+    return 0
+  end
+  local sx, sy, shx, shy, sorted = work.sx, work.sy, work.shx, work.shy, work.sorted
+  local asker, from, last, one, other = work.asker, work.from, work.last, work.one, work.other
+  local r, count = 1, 0
+  local p, q, final = asker[1], from[1], last[1]
+  while r <= ranges do
+    local dx, dy = sx[q] - sx[p], sy[q] - sy[p]
+    local w, h = shx[p] + shx[q], shy[p] + shy[q]
+    if dx < w and -dx < w and dy < h and -dy < h then
+      count = count + 1
+      one[count], other[count] = sorted[p], sorted[q]
+    end
+    q = q + 1
+    if q > final then
+      r = r + 1
+      p, q, final = asker[r] or 1, from[r] or 1, last[r] or 1
+    end
+  end
+  return count
+end
+
+-- The same of the large ones and all others.
+local function compareLarge(work, largeCount, count)
+  local x, y, halfX, halfY, cell = work.x, work.y, work.halfX, work.halfY, work.cell
+  local one, other = work.one, work.other
+  for m = 1, largeCount do
+    local n = work.large[m]
+    for o = 1, work.count do
+      local dx, dy = x[o] - x[n], y[o] - y[n]
+      local w, h = halfX[n] + halfX[o], halfY[n] + halfY[o]
+      if dx < w and -dx < w and dy < h and -dy < h and (cell[o] >= 0 or o > n) then
+        count = count + 1
+        one[count], other[count] = n, o
+      end
+    end
+  end
+  return count
+end
+
+-- Finds those that overlap; returns how many pairs.
+local function findOverlaps(work)
+  local cells = FEWEST_CELLS ---@type number
+  while cells < 2 * work.count do
+    cells = cells * 2
+  end
+  local row = floor(cells * 0.381966) + 0.0 -- rows that follow each other lie far apart on the ring
+  local count, largeCount = sortCells(work, cellSize(work), cells, row)
+  place(work, count, cells)
+  local found = compare(work, listRanges(work, count, cells, row))
+  return compareLarge(work, largeCount, found)
+end
+
+-- Shares of what takes two apart: 0 for what is not moved by the other.
+local function weigh(b, i, j)
+  local wi, wj = b.inverseMass[i], b.inverseMass[j]
+  if b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC and b.pushable[i] ~= b.pushable[j] then
+    wi, wj = b.pushable[i] and wi or 0, b.pushable[j] and wj or 0
+  elseif not (b.pushable[i] or b.pushable[j]) then
+    wi, wj = 0, 0
+  end
+  local total = max(wi + wj, columns.TINY)
+  return wi / total, wj / total
+end
+
+-- Of those that overlap, keeps those that are soft to each other and not refused by a mask; returns
+-- how many. Notes how fast they part, and the share of each.
+local function keepSoft(b, work, count)
+  local one, other, slot, kind, speeds, kinds =
+    work.one, work.other, work.slot, work.kind, work.speeds, work.kinds
+  local partSpeed, shareOne, shareOther = work.partSpeed, work.shareOne, work.shareOther
+  local mass, pushable, mask, only, masks = b.mass, b.pushable, b.mask, b.only, b.masks
+  local isPlain, kept = not b.hasCarriers, 0
+  for c = 1, count do
+    local m, n = one[c], other[c]
+    local i, j, speed = slot[m], slot[n], speeds[kind[m] + kinds * kind[n]]
+    if speed and (masks or mask[i] or mask[j] or only[i] or only[j]) then
+      speed = not (filter.refusal(b, i, j) or filter.refusal(b, j, i)) and speed
+    end
+    if speed then
+      kept = kept + 1
+      one[kept], other[kept], partSpeed[kept] = m, n, speed
+      if isPlain and mass[i] == mass[j] and pushable[i] and pushable[j] then
+        shareOne[kept], shareOther[kept] = 0.5, 0.5
+      else
+        shareOne[kept], shareOther[kept] = weigh(b, i, j)
+      end
+    end
+  end
+  return kept
+end
+
+-- A way in which two at one place part.
+local function wayOf(b, i, j)
+  local at = b.rank[i] + b.rank[j]
+  at = at - floor(at / #WAYS_X) * #WAYS_X + 1
+  local sign = b.rank[i] < b.rank[j] and 1 or -1
+  return WAYS_X[at] * sign, WAYS_Y[at] * sign
+end
+
+-- Adds up what each pair does to both.
+local function push(b, work, count)
+  local one, other, partSpeed, shareOne, shareOther =
+    work.one, work.other, work.partSpeed, work.shareOne, work.shareOther
+  local x, y, halfX, halfY, nowX, nowY =
+    work.x, work.y, work.halfX, work.halfY, work.nowX, work.nowY
+  for n = 1, work.count do
+    nowX[n], nowY[n] = 0.0, 0.0
+  end
+  for c = 1, count do
+    local m, n = one[c], other[c]
+    local dx, dy = x[n] - x[m], y[n] - y[m]
+    local far = max(max(dx, -dx) / (halfX[m] + halfX[n]), max(dy, -dy) / (halfY[m] + halfY[n]))
+    if far < 1 then
+      local length = sqrt(dx * dx + dy * dy)
+      if length < NEAREST then
+        dx, dy = wayOf(b, work.slot[m], work.slot[n])
+        length = 1.0
+      end
+      local v, wm, wn = partSpeed[c] * (1 - far) / length, shareOne[c], shareOther[c]
+      local vx, vy = v * dx, v * dy
+      nowX[m] = nowX[m] - (vx * wm + ROUNDING - ROUNDING)
+      nowY[m] = nowY[m] - (vy * wm + ROUNDING - ROUNDING)
+      nowX[n] = nowX[n] + (vx * wn + ROUNDING - ROUNDING)
+      nowY[n] = nowY[n] + (vy * wn + ROUNDING - ROUNDING)
+    end
+  end
+end
+
+-- Moves the bodies for a part of the step, and adds this part of the drift to the whole.
+local function advance(b, work, part, dt)
+  local slot, kind, most, drifts, velocity = work.slot, work.kind, work.most, b.drift, b.velocity
+  local x, y, nowX, nowY = work.x, work.y, work.nowX, work.nowY
+  for n = 1, work.count do
+    local k, limit, dx, dy = 2 * slot[n], most[kind[n]], nowX[n], nowY[n]
+    local square = dx * dx + dy * dy
+    if square > limit * limit then
+      local share = limit / sqrt(square)
+      dx, dy = dx * share, dy * share
+    end
+    drifts[k], drifts[k + 1] = drifts[k] + dx * part, drifts[k + 1] + dy * part
+    x[n] = x[n] + (velocity[k] + dx) * part * dt
+    y[n] = y[n] + (velocity[k + 1] + dy) * part * dt
+  end
+end
+
+-- Lists those that drift, and wakes them.
+local function listDrifted(b, work)
+  local slot, drifts, drifted, awake, count = work.slot, b.drift, work.drifted, b.awake, 0
+  for n = 1, work.count do
+    local i = slot[n]
+    if drifts[2 * i] ~= 0 or drifts[2 * i + 1] ~= 0 then
+      count = count + 1
+      drifted[count] = i
+      if not awake[i] then
+        rest.wake(b, i)
+      end
+    end
+  end
+  work.driftedCount = count
+end
+
+-- In how many parts a step of dt s is made, so that what is pressed does not tremble.
+local function countParts(work, dt)
+  local fastest = 0.0
+  for kind = 1, work.kinds do
+    fastest = max(fastest, work.most[kind])
+  end
+  return max(1, min(ceil(fastest / work.meanSize * dt * STIFFNESS), MOST_PARTS))
+end
+
+-- Finds the drift in a step of dt s.
+local function find(b, work, dt)
+  readSpeeds(b, work)
+  local count = keepSoft(b, work, findOverlaps(work))
+  if count == 0 then
+    return
+  end
+  local parts = countParts(work, dt)
+  for _ = 1, parts do
+    push(b, work, count)
+    advance(b, work, 1 / parts, dt)
+  end
+  listDrifted(b, work)
+end
+
+-- Nothing drifts any more.
+local function reset(b, work)
+  local drifted, drifts = work.drifted, b.drift
+  for n = 1, work.driftedCount do
+    local k = 2 * drifted[n]
+    drifts[k], drifts[k + 1] = 0, 0
+  end
+  work.driftedCount = 0
+end
+
+--- Finds the drift of all that are soft to what they overlap, in a step of dt s.
+function drift.run(b, dt)
+  local work = b.drifts
+  reset(b, work)
+  if not b.soft then
+    return
+  end
+  list(b, work)
+  if work.count > 1 then
+    find(b, work, dt)
+  end
+end
+
+--- Adds the drift to the free flight of those in awakeList from `first` to `last`.
+function drift.add(b, dt, first, last)
+  local awakeList, kind, drifts, way, speed = b.awakeList, b.kind, b.drift, b.way, b.speed
+  local undrifted, carried = b.undrifted, b.carried
+  for n = first, last do
+    local k = 2 * awakeList[n]
+    if kind[awakeList[n]] == DYNAMIC then
+      undrifted[k], undrifted[k + 1] = speed[k] + carried[k], speed[k + 1] + carried[k + 1]
+      way[k], way[k + 1] = way[k] + drifts[k] * dt, way[k + 1] + drifts[k + 1] * dt
+      speed[k], speed[k + 1] = speed[k] + drifts[k], speed[k + 1] + drifts[k + 1]
+    end
+  end
+end
+
+--- Gives those with a drift the velocity at which they start, drift included, and the acceleration
+--- without it.
+function drift.start(b, dt)
+  local work = b.drifts
+  for n = 1, work.driftedCount do
+    local i = work.drifted[n]
+    for k = 2 * i, b.kind[i] == DYNAMIC and 2 * i + 1 or 0 do
+      local gain = b.undrifted[k] - b.start[k]
+      b.start[k], b.accel[k] = b.freeSpeed[k] - gain, gain / dt
+    end
+  end
+end
+
+-- The velocity of its own that k has left, of `own`, after it has met something: what has changed
+-- its speed has not turned it about.
+local function ownAfter(own, speed, change)
+  if change < 0 then
+    return min(own, max(own + change, speed))
+  end
+  return max(own, min(own + change, speed))
+end
+
+--- Takes the drift off the velocities again, after a step.
+function drift.takeOff(b)
+  local work = b.drifts
+  for n = 1, work.driftedCount do
+    local i = work.drifted[n]
+    b.news[i] = true -- it does not rest
+    for k = 2 * i, b.kind[i] == DYNAMIC and 2 * i + 1 or 0 do
+      local own, change = b.undrifted[k], b.speed[k] - b.freeSpeed[k]
+      b.speed[k] = change == 0 and own or ownAfter(own, b.speed[k], change)
+    end
+  end
+end
+
+interpreted.functions(list, readSpeeds, findOverlaps, find, drift.run, drift.takeOff)
+
+return drift
