@@ -42,6 +42,9 @@
 ---@field sensor? boolean
 --- default true. `false`: other objects cannot push it, but it pushes them. Walls still stop it.
 ---@field pushable? boolean
+--- default 0. Of two objects the one with the larger strength is not moved by the other, and pushes
+--- it as if that had a fifth of its mass.
+---@field strength? number
 --- > 0, default 1. The weight in pushes and in the exchange of momentum. Only ratios matter.
 ---@field mass? number
 --- px/s², default the world's. Replaces the world's downward gravity for this object. An object

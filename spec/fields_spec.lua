@@ -18,6 +18,7 @@ local OBJECTS = {
   { "active", true },
   { "sensor", false },
   { "pushable", true },
+  { "strength", 0 },
   { "mass", 1 },
   { "gravity", nil, "px/s²" },
   { "gravityX", nil, "px/s²" },

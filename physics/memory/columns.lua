@@ -66,6 +66,8 @@ local SLOT = {
   active = true,
   sensor = false,
   pushable = true,
+  strength = 0,
+  power = 0, -- that, or infinite if it is not pushable
   mass = 1,
   inverseMass = 0,
   friction = -1, -- -1: not set
@@ -200,6 +202,7 @@ local AXIS = {
   blockMost = 0,
   blockStand = 0, -- velocity of ground on which a member stands
   isFirm = false, -- is not pushable
+  blockPower = 0, -- of its strongest member
   fatLow = 0, -- box with margin for which the neighbours are known
   fatHigh = 0,
 }

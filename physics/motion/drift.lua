@@ -288,8 +288,8 @@ end
 -- Shares of what takes two apart: 0 for what is not moved by the other.
 local function weigh(b, i, j)
   local wi, wj = b.inverseMass[i], b.inverseMass[j]
-  if b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC and b.pushable[i] ~= b.pushable[j] then
-    wi, wj = b.pushable[i] and wi or 0, b.pushable[j] and wj or 0
+  if b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC and b.power[i] ~= b.power[j] then
+    wi, wj = b.power[i] < b.power[j] and wi or 0, b.power[j] < b.power[i] and wj or 0
   elseif not (b.pushable[i] or b.pushable[j]) then
     wi, wj = 0, 0
   end
@@ -303,8 +303,8 @@ local function keepSoft(b, work, count)
   local one, other, slot, kind, speeds, kinds =
     work.one, work.other, work.slot, work.kind, work.speeds, work.kinds
   local partSpeed, shareOne, shareOther = work.partSpeed, work.shareOne, work.shareOther
-  local mass, pushable, mask, only, masks = b.mass, b.pushable, b.mask, b.only, b.masks
-  local isPlain, kept = not b.hasCarriers, 0
+  local mass, power, mask, only, masks = b.mass, b.power, b.mask, b.only, b.masks
+  local pushable, isPlain, kept = b.pushable, not b.hasCarriers, 0
   for c = 1, count do
     local m, n = one[c], other[c]
     local i, j, speed = slot[m], slot[n], speeds[kind[m] + kinds * kind[n]]
@@ -314,7 +314,7 @@ local function keepSoft(b, work, count)
     if speed then
       kept = kept + 1
       one[kept], other[kept], partSpeed[kept] = m, n, speed
-      if isPlain and mass[i] == mass[j] and pushable[i] and pushable[j] then
+      if isPlain and mass[i] == mass[j] and power[i] == power[j] and pushable[i] then
         shareOne[kept], shareOther[kept] = 0.5, 0.5
       else
         shareOne[kept], shareOther[kept] = weigh(b, i, j)

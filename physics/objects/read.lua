@@ -94,6 +94,7 @@ local RARE = {
   { "active", "active", true },
   { "sensor", "sensor", false },
   { "pushable", "pushable", true },
+  { "strength", "strength", 0 },
   { "oneWay", "oneWay", false },
   { "carry", "carry", true },
   { "canCollide", "canCollide", false },
@@ -212,6 +213,7 @@ local function readAll(b, i, object, isNew)
   b.hasOneWays = b.hasOneWays or b.oneWay[i] ~= false
   b.hasSensors = b.hasSensors or b.sensor[i]
   b.hasFirm = b.hasFirm or not b.pushable[i]
+  b.power[i] = b.pushable[i] and b.strength[i] or HUGE
   b.plain[i] = not b.sensor[i]
   noteEven(b, i)
 end
@@ -453,6 +455,7 @@ local function listRich(b)
       or (object.sensor or false) ~= sensor[i]
       or (object.hits or false) ~= hits[i]
       or object.pushable ~= nil
+      or object.strength ~= nil
       or object.oneWay ~= nil
       or object.mask ~= nil
       or object.canCollide ~= nil
@@ -535,7 +538,7 @@ end
 local function compareLimits(b, count)
   local rich, objects = b.rich, b.object
   local airFriction, drag, maxSpeed, limit = b.airFriction, b.drag, b.maxSpeed, b.limit
-  local carry, surfaceSpeed, nudge = b.carry, b.surfaceSpeed, b.nudge
+  local carry, surfaceSpeed, nudge, strength = b.carry, b.surfaceSpeed, b.nudge, b.strength
   for n = 1, count do
     local i = rich[n]
     local object = objects[i]
@@ -552,6 +555,7 @@ local function compareLimits(b, count)
       or orDefault(object.carry, true) ~= carry[i]
       or orDefault(object.surfaceSpeed, 0) ~= surfaceSpeed[i]
       or orDefault(object.nudge, 0) ~= nudge[i]
+      or orDefault(object.strength, 0) ~= strength[i]
     then
       reread(b, i)
     end

@@ -95,6 +95,7 @@ state.SPARSE = {
   { "active", "active", true },
   { "sensor", "sensor", false },
   { "pushable", "pushable", true },
+  { "strength", "strength", 0 },
   { "mass", "mass", 1 },
   { "gravity", "ownGravity", false },
   { "gravityX", "ownGravityX", false },

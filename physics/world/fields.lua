@@ -134,6 +134,13 @@ fields.objects = {
     meaning = "`false`: other objects cannot push it, but it pushes them. Walls still stop it.",
   },
   {
+    name = "strength",
+    type = "number",
+    default = 0,
+    meaning = "Of two objects the one with the larger strength is not moved by the other, and pushes"
+      .. " it as if that had a fifth of its mass.",
+  },
+  {
     name = "mass",
     type = "number",
     default = 1,

@@ -93,6 +93,9 @@ local OPTIONAL = {
   end,
   mask = newMask,
   hits = newHits,
+  strength = function(n)
+    return n.random:integer(-1, 2)
+  end,
   oneWay = function(n)
     return n.random:pick(SIDES)
   end,
@@ -130,6 +133,7 @@ local SHARES = {
   { "surfaceSpeed", 0.05 },
   { "nudge", 0.08 },
   { "hits", 0.05 },
+  { "strength", 0.1 },
 }
 
 local function addOptional(n, object, share)
