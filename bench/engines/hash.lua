@@ -66,10 +66,10 @@ local function part(a, b, soft)
   local dy = b.y + b.height / 2 - a.y - a.height / 2
   local w, h = (a.width + b.width) / 2, (a.height + b.height) / 2
   if dx < w and -dx < w and dy < h and -dy < h then
-    local far = max(max(dx, -dx) / w, max(dy, -dy) / h)
-    local length = sqrt(dx * dx + dy * dy)
-    if length > 0 then
-      local v = soft * (1 - far) / length / 2
+    dx, dy = dx / w, dy / h
+    local far = max(max(dx, -dx), max(dy, -dy))
+    if far > 0 then
+      local v = soft * (1 / far - 1) / 2
       a.driftX, a.driftY = a.driftX - v * dx, a.driftY - v * dy
       b.driftX, b.driftY = b.driftX + v * dx, b.driftY + v * dy
     end

@@ -1,7 +1,7 @@
 --- Soft crowds: bodies of two groups that are soft to each other overlap, and drift apart.
 --
--- Two that overlap get a velocity apart, in proportion to how deep: `soft` px/s for two at one
--- place, shared by their masses. The velocities of all its pairs add up to the *drift* of a body,
+-- Two that overlap get a velocity apart along the line between their middles, in proportion to how
+-- deep: `soft` px/s on the longer axis for two at one place, shared by their masses. The velocities of all its pairs add up to the *drift* of a body,
 -- which is at most the largest `soft` of its group. The drift is added to the path of this step and
 -- taken off again after it, so that what is solid stops it as any other motion.
 --
@@ -31,13 +31,13 @@ local FEWEST_CELLS = 16.0
 -- A cell is so many times as wide as the mean body. Few bodies may be larger; they are compared
 -- with all others.
 local CELL, FEW_LARGE = 1.5, 8
--- Less than that apart, in px, two are at one place.
+-- Less than that part of their size apart, two are at one place.
 local NEAREST = 1e-6
 -- A step is made in parts, in which the drift changes by little; at most so many.
 local STIFFNESS, MOST_PARTS = 3, 8
 -- Directions in which two at one place part, by the order of the world.
-local WAYS_X = { 1.0, 0.0, 0.6, -0.8, 0.8, 0.6, -0.6, 0.28 }
-local WAYS_Y = { 0.0, 1.0, 0.8, 0.6, 0.6, -0.8, 0.8, 0.96 }
+local WAYS_X = { 1.0, 0.25, 0.5, -1.0, 1.0, 0.75, -0.5, 0.5 }
+local WAYS_Y = { 0.5, 1.0, 1.0, 0.75, 0.25, -1.0, 1.0, -1.0 }
 
 --- Returns the scratch lists of a world.
 function drift.new()
@@ -63,6 +63,8 @@ function drift.new()
     one = {}, -- those that overlap
     other = {},
     partSpeed = {}, -- px/s, of each pair
+    nearX = {}, -- 1/px: how far apart it is when it touches
+    nearY = {},
     shareOne = {},
     shareOther = {},
     nowX = {}, -- velocity apart in a part of the step
@@ -304,6 +306,7 @@ local function keepSoft(b, work, count)
     work.one, work.other, work.slot, work.kind, work.speeds, work.kinds
   local partSpeed, shareOne, shareOther = work.partSpeed, work.shareOne, work.shareOther
   local mass, power, mask, only, masks = b.mass, b.power, b.mask, b.only, b.masks
+  local halfX, halfY, nearX, nearY = work.halfX, work.halfY, work.nearX, work.nearY
   local pushable, isPlain, kept = b.pushable, not b.hasCarriers, 0
   for c = 1, count do
     local m, n = one[c], other[c]
@@ -314,6 +317,7 @@ local function keepSoft(b, work, count)
     if speed then
       kept = kept + 1
       one[kept], other[kept], partSpeed[kept] = m, n, speed
+      nearX[kept], nearY[kept] = 1 / (halfX[m] + halfX[n]), 1 / (halfY[m] + halfY[n])
       if isPlain and mass[i] == mass[j] and power[i] == power[j] and pushable[i] then
         shareOne[kept], shareOther[kept] = 0.5, 0.5
       else
@@ -329,34 +333,35 @@ local function wayOf(b, i, j)
   local at = b.rank[i] + b.rank[j]
   at = at - floor(at / #WAYS_X) * #WAYS_X + 1
   local sign = b.rank[i] < b.rank[j] and 1 or -1
-  return WAYS_X[at] * sign, WAYS_Y[at] * sign
+  return WAYS_X[at] * sign * NEAREST, WAYS_Y[at] * sign * NEAREST
 end
 
 -- Adds up what each pair does to both.
 local function push(b, work, count)
   local one, other, partSpeed, shareOne, shareOther =
     work.one, work.other, work.partSpeed, work.shareOne, work.shareOther
-  local x, y, halfX, halfY, nowX, nowY =
-    work.x, work.y, work.halfX, work.halfY, work.nowX, work.nowY
+  local x, y, nearX, nearY, nowX, nowY =
+    work.x, work.y, work.nearX, work.nearY, work.nowX, work.nowY
   for n = 1, work.count do
     nowX[n], nowY[n] = 0.0, 0.0
   end
   for c = 1, count do
     local m, n = one[c], other[c]
-    local dx, dy = x[n] - x[m], y[n] - y[m]
-    local far = max(max(dx, -dx) / (halfX[m] + halfX[n]), max(dy, -dy) / (halfY[m] + halfY[n]))
+    local dx, dy = (x[n] - x[m]) * nearX[c], (y[n] - y[m]) * nearY[c]
+    local far = max(dx, -dx, dy, -dy)
     if far < 1 then
-      local length = sqrt(dx * dx + dy * dy)
-      if length < NEAREST then
+      if far < NEAREST then
         dx, dy = wayOf(b, work.slot[m], work.slot[n])
-        length = 1.0
+        far = NEAREST
       end
-      local v, wm, wn = partSpeed[c] * (1 - far) / length, shareOne[c], shareOther[c]
-      local vx, vy = v * dx, v * dy
-      nowX[m] = nowX[m] - (vx * wm + ROUNDING - ROUNDING)
-      nowY[m] = nowY[m] - (vy * wm + ROUNDING - ROUNDING)
-      nowX[n] = nowX[n] + (vx * wn + ROUNDING - ROUNDING)
-      nowY[n] = nowY[n] + (vy * wn + ROUNDING - ROUNDING)
+      local v, share = partSpeed[c] * (1 / far - 1), shareOne[c]
+      local vx, vy = v * share * dx + ROUNDING - ROUNDING, v * share * dy + ROUNDING - ROUNDING
+      nowX[m], nowY[m] = nowX[m] - vx, nowY[m] - vy
+      if share ~= shareOther[c] then
+        share = shareOther[c]
+        vx, vy = v * share * dx + ROUNDING - ROUNDING, v * share * dy + ROUNDING - ROUNDING
+      end
+      nowX[n], nowY[n] = nowX[n] + vx, nowY[n] + vy
     end
   end
 end
@@ -378,15 +383,16 @@ local function advance(b, work, part, dt)
   end
 end
 
--- Lists those that drift, and wakes them.
+-- Lists those that drift, and wakes them, unless they fly.
 local function listDrifted(b, work)
-  local slot, drifts, drifted, awake, count = work.slot, b.drift, work.drifted, b.awake, 0
+  local slot, drifts, drifted, count = work.slot, b.drift, work.drifted, 0
+  local awake, flying = b.awake, b.flying
   for n = 1, work.count do
     local i = slot[n]
     if drifts[2 * i] ~= 0 or drifts[2 * i + 1] ~= 0 then
       count = count + 1
       drifted[count] = i
-      if not awake[i] then
+      if not (awake[i] or flying[i]) then
         rest.wake(b, i)
       end
     end
@@ -461,7 +467,7 @@ function drift.start(b, dt)
   local work = b.drifts
   for n = 1, work.driftedCount do
     local i = work.drifted[n]
-    for k = 2 * i, b.kind[i] == DYNAMIC and 2 * i + 1 or 0 do
+    for k = 2 * i, b.awake[i] and 2 * i + 1 or 0 do
       local gain = b.undrifted[k] - b.start[k]
       b.start[k], b.accel[k] = b.freeSpeed[k] - gain, gain / dt
     end
@@ -482,8 +488,7 @@ function drift.takeOff(b)
   local work = b.drifts
   for n = 1, work.driftedCount do
     local i = work.drifted[n]
-    b.news[i] = true -- it does not rest
-    for k = 2 * i, b.kind[i] == DYNAMIC and 2 * i + 1 or 0 do
+    for k = 2 * i, b.awake[i] and 2 * i + 1 or 0 do
       local own, change = b.undrifted[k], b.speed[k] - b.freeSpeed[k]
       b.speed[k] = change == 0 and own or ownAfter(own, b.speed[k], change)
     end

@@ -5,7 +5,7 @@
 -- wakes it, as it wakes what rests, and it is computed then as if it had been awake from the
 -- beginning of the step. So this changes no result.
 --
--- Reads position, velocity, pull and the fat boxes of those in b.flyers; writes position, velocity
+-- Reads position, velocity, pull, drift and the fat boxes of those in b.flyers; writes position, velocity
 -- and the fields x, y, vx, vy and touching of the game's objects.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
@@ -22,7 +22,7 @@ local DYNAMIC = columns.DYNAMIC
 -- `forces` and `move`, to the bit.
 local function predict(b, dt)
   local list, flying, n = b.flyers, b.flying, 0
-  local position, velocity, pull, from, to = b.position, b.velocity, b.pull, b.from, b.to
+  local position, velocity, pull, drift, to = b.position, b.velocity, b.pull, b.drift, b.to
   for m = 1, b.flyerCount do
     local i = list[m]
     if flying[i] then
@@ -30,25 +30,26 @@ local function predict(b, dt)
       local x, y, vx, vy = position[k], position[l], velocity[k], velocity[l]
       n = n + 1
       list[n] = i
-      from[k], from[l] = x, y
-      to[k] = x + (vx + (vx + pull[k] * dt)) * 0.5 * dt
-      to[l] = y + (vy + (vy + pull[l] * dt)) * 0.5 * dt
+      to[k] = x + ((vx + (vx + pull[k] * dt)) * 0.5 * dt + drift[k] * dt)
+      to[l] = y + ((vy + (vy + pull[l] * dt)) * 0.5 * dt + drift[l] * dt)
     end
   end
   return n
 end
 
--- Wakes those who have neighbours now, and so take part in this step.
+-- Wakes those who have neighbours now, and so take part in this step, and those who stand.
 local function wakeMet(b)
-  local list, head = b.flyers, b.head
+  local list, head, from, to = b.flyers, b.head, b.from, b.to
   for n = 1, b.flyerCount do
-    if head[list[n]] ~= 0 then
-      rest.wake(b, list[n])
+    local i = list[n]
+    local k = 2 * i
+    if head[i] ~= 0 or (from[k] == to[k] and from[k + 1] == to[k + 1]) then
+      rest.wake(b, i)
     end
   end
 end
 
---- Begins a step of dt s for those who fly.
+--- Finds the paths of those who fly in a step of dt s. Until then they stand where they are.
 function flight.begin(b, dt)
   b.flyerCount = predict(b, dt)
   if b.flyerCount > 0 then
@@ -74,10 +75,15 @@ local function hasPast(b, i)
     or b.wasCrushed[k + 1]
 end
 
--- Whether slot i moves in the next step. What does not will rest.
+-- Whether slot i goes on to move. What does not will rest.
 local function isMoving(b, i)
-  local velocity, pull, k = b.velocity, b.pull, 2 * i
-  return velocity[k] ~= 0 or velocity[k + 1] ~= 0 or pull[k] ~= 0 or pull[k + 1] ~= 0
+  local velocity, pull, drift, k = b.velocity, b.pull, b.drift, 2 * i
+  return velocity[k] ~= 0
+    or velocity[k + 1] ~= 0
+    or pull[k] ~= 0
+    or pull[k + 1] ~= 0
+    or drift[k] ~= 0
+    or drift[k + 1] ~= 0
 end
 
 -- Lets those fly on who are awake and near nothing.
@@ -86,16 +92,11 @@ local function admit(b)
   local flyers, flying = b.flyers, b.flying
   for n = b.awakeCount, 1, -1 do
     local i = list[n]
-    if
-      head[i] == 0
-      and bare[i]
-      and kind[i] == DYNAMIC
-      and isMoving(b, i)
-      and not hasPast(b, i)
-    then
+    if head[i] == 0 and bare[i] and kind[i] == DYNAMIC and isMoving(b, i) and not hasPast(b, i) then
       rest.drop(b, i)
       b.flyerCount = b.flyerCount + 1
       flyers[b.flyerCount], flying[i] = i, true
+      columns.stand(b, i)
     end
   end
 end
@@ -104,7 +105,7 @@ end
 local function move(b, dt)
   local list, flying, objects, tables = b.flyers, b.flying, b.object, b.touching
   local position, velocity, written, to, pull = b.position, b.velocity, b.written, b.to, b.pull
-  local n = 0
+  local from, n = b.from, 0
   for m = 1, b.flyerCount do
     local i = list[m]
     if flying[i] then
@@ -115,7 +116,7 @@ local function move(b, dt)
       list[n] = i
       object.x, object.y, object.vx, object.vy, object.touching = x, y, vx, vy, tables[i]
       position[k], position[l], velocity[k], velocity[l] = x, y, vx, vy
-      written[k], written[l] = x, y
+      written[k], written[l], from[k], from[l] = x, y, x, y
     end
   end
   return n

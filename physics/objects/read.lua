@@ -404,7 +404,9 @@ local function readVelocity(b, i, object)
       checkAgain(b, i)
     end
     velocity[k], velocity[k + 1] = vx + 0.0, vy + 0.0
-    rest.wake(b, i)
+    if not b.flying[i] then
+      rest.wake(b, i)
+    end
   end
 end
 

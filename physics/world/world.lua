@@ -113,7 +113,6 @@ local function step(self, dt)
   end
   now = time(self, "read", now)
 
-  flight.begin(b, dt)
   b.begun, b.predicted, b.rubs, b.dt = 0, 0, 0, dt
   begin.run(b)
   crowd.mark(b)
@@ -122,6 +121,7 @@ local function step(self, dt)
   crush.wedgeGrown(b)
   part.run(b)
   drift.run(b, dt)
+  flight.begin(b, dt)
   now = time(self, "separate", now)
   predict.run(b, dt) -- forces, move
   now = time(self, "move", now)
