@@ -1,17 +1,17 @@
 --- Soft crowds: bodies of two groups that are soft to each other overlap, and drift apart.
 --
 -- Two that overlap get a velocity apart along the line between their middles, in proportion to how
--- deep: `soft` px/s on the longer axis for two at one place, shared by their masses. The velocities of all its pairs add up to the *drift* of a body,
--- which is at most the largest `soft` of its group. The drift is added to the path of this step and
--- taken off again after it, so that what is solid stops it as any other motion.
+-- deep: `soft` px/s on the longer axis for two at one place, shared by their masses. The velocities
+-- of all its pairs add up to the *drift* of a body, which is at most the largest `soft` of its group.
+-- The drift is added to the path of this step and taken off again after it, so that what is solid
+-- stops it as any other motion.
 --
 -- Overlaps are found in cells that are sorted by counting; the cells of the plane are wound around
 -- a ring. Two bodies are compared once. Sums do not depend on the order: all velocities are rounded
 -- to multiples of 2^-20 px/s, which add up exactly.
--- Source: M. Müller et al., "Position Based Dynamics" (2007), section 3.3, for the shares; S. Green,
--- "Particle Simulation using CUDA" (2008), for the sorted cells.
+-- Source: S. Green, "Particle Simulation using CUDA" (2008), for the sorted cells.
 --
--- Reads from, size, mass, group; writes drift, and wakes who has one.
+-- Reads from, size, mass, group; writes drift, and wakes what has one.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")

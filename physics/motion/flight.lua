@@ -1,12 +1,12 @@
 --- Free flight: what is near nothing moves like a point.
 --
--- A dynamic body without neighbours, on which nothing acts but gravity, flies on as long as its
--- path stays in its fat box: nothing can be met there. It takes no part in the step. Whatever comes near
--- wakes it, as it wakes what rests, and it is computed then as if it had been awake from the
--- beginning of the step. So this changes no result.
+-- A dynamic body without neighbours, on which nothing acts but gravity and drift, flies on as long as
+-- its path stays in its fat box: nothing can be met there. It takes no part in the step. Whatever
+-- comes near wakes it, as it wakes what rests, and it is computed then as if it had been awake from
+-- the beginning of the step. So this changes no result.
 --
--- Reads position, velocity, pull, drift and the fat boxes of those in b.flyers; writes position, velocity
--- and the fields x, y, vx, vy and touching of the game's objects.
+-- Reads position, velocity, pull, drift and the fat boxes of the bodies in b.flyers; writes position,
+-- velocity and the fields x, y, vx, vy and touching of the game's objects.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -18,7 +18,7 @@ local flight = {}
 
 local DYNAMIC = columns.DYNAMIC
 
--- Gives those who still fly the path of this step; returns how many. What acts on them is as in
+-- Gives what still flies the path of this step; returns how many. What acts on them is as in
 -- `forces` and `move`, to the bit.
 local function predict(b, dt)
   local list, flying, n = b.flyers, b.flying, 0
@@ -37,7 +37,7 @@ local function predict(b, dt)
   return n
 end
 
--- Wakes those who have neighbours now, and so take part in this step, and those who stand.
+-- Wakes what has neighbours now, and so takes part in this step, and what stands.
 local function wakeMet(b)
   local list, head, from, to = b.flyers, b.head, b.from, b.to
   for n = 1, b.flyerCount do
@@ -49,7 +49,7 @@ local function wakeMet(b)
   end
 end
 
---- Finds the paths of those who fly in a step of dt s. Until then they stand where they are.
+--- Finds the paths of what flies in a step of dt s. Until then it stands where it is.
 function flight.begin(b, dt)
   b.flyerCount = predict(b, dt)
   if b.flyerCount > 0 then
@@ -86,7 +86,7 @@ local function isMoving(b, i)
     or drift[k + 1] ~= 0
 end
 
--- Lets those fly on who are awake and near nothing.
+-- Lets fly from here on what is awake and near nothing.
 local function admit(b)
   local list, kind, bare, head = b.awakeList, b.kind, b.bare, b.head
   local flyers, flying = b.flyers, b.flying
@@ -101,7 +101,7 @@ local function admit(b)
   end
 end
 
--- Moves those who have flown through the whole step.
+-- Moves what has flown through the whole step; returns how many.
 local function move(b, dt)
   local list, flying, objects, tables = b.flyers, b.flying, b.object, b.touching
   local position, velocity, written, to, pull = b.position, b.velocity, b.written, b.to, b.pull
@@ -122,7 +122,7 @@ local function move(b, dt)
   return n
 end
 
---- Ends the step: moves those who have flown through it, and lets others fly from here on.
+--- Ends the step: moves what has flown through it, and lets others fly from here on.
 function flight.finish(b, dt)
   b.flyerCount = move(b, dt)
   if b.rest and dt >= rest.SHORTEST then

@@ -127,8 +127,15 @@ end
 
 -- Settings that are not saved: they change no result; masks, soft and order, which do, are written
 -- out by themselves.
-local UNSAVED =
-  { broadphase = true, cellSize = true, rest = true, checked = true, masks = true, order = true, soft = true }
+local UNSAVED = {
+  broadphase = true,
+  cellSize = true,
+  rest = true,
+  checked = true,
+  masks = true,
+  soft = true,
+  order = true,
+}
 
 --- Settings in a state, in order, apart from masks, soft and order.
 state.SETTINGS = {}

@@ -137,8 +137,8 @@ fields.objects = {
     name = "strength",
     type = "number",
     default = 0,
-    meaning = "Of two objects the one with the larger strength is not moved by the other, and pushes"
-      .. " it as if that had a fifth of its mass.",
+    meaning = "Of two objects the one with the larger strength is not moved by the other, and"
+      .. " pushes it as if that had a fifth of its mass.",
   },
   {
     name = "mass",
