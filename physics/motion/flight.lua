@@ -1,12 +1,12 @@
 --- Free flight: what is near nothing moves like a point.
 --
--- A dynamic body without neighbours, on which nothing acts but gravity and drift, flies on as long as
--- its path stays in its fat box: nothing can be met there. It takes no part in the step. Whatever
+-- A dynamic body without neighbours, on which nothing acts but gravity and drift, flies on as long
+-- as its path stays in its fat box: nothing can be met there. It takes no part in the step. Whatever
 -- comes near wakes it, as it wakes what rests, and it is computed then as if it had been awake from
 -- the beginning of the step. So this changes no result.
 --
--- Reads position, velocity, pull, drift and the fat boxes of the bodies in b.flyers; writes position,
--- velocity and the fields x, y, vx, vy and touching of the game's objects.
+-- Reads position, velocity, pull, drift and the fat boxes of the bodies in b.flyers; writes
+-- position, velocity and the fields x, y, vx, vy and touching of the game's objects.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")

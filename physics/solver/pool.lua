@@ -7,8 +7,8 @@
 -- engines of its members act on a block as kinks (see flow).
 --
 -- A block that is stronger (see `strength`) pushes a weaker one as if that had a fifth of its mass,
--- and is not moved by it. A body that is not pushable is *firm*: a block with one moves as that does.
--- Of two firm blocks the one that comes from behind follows; two that meet head-on both stop.
+-- and is not moved by it. A body that is not pushable is *firm*: a block with one moves as that
+-- does. Of two firm blocks the one that comes from behind follows; two that meet head-on both stop.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
