@@ -20,6 +20,8 @@ local floor, huge, max, min = math.floor, math.huge, math.max, math.min
 
 -- px around the path, and px around a static object, which does not move.
 local MARGIN = 1
+-- px around one that flies: it meets little, and turns often in a crowd.
+local FLYING_MARGIN = 4
 -- So many steps further in the same direction few objects leave their fat boxes, up to so many px.
 local AHEAD, FARTHEST = 10.0, 8.0
 -- px: the same of those who fly and have few to hit, who meet nothing else in a larger box.
@@ -98,9 +100,12 @@ end
 -- Of those in b.linkOne and b.linkOther, keeps who can meet at all; returns how many.
 local function keepAllowed(b, count)
   local ones, others, crowd, n = b.linkOne, b.linkOther, b.crowd, 0
+  local soft, groupName = b.soft, b.groupName
   for m = 1, count do
     local i, j = ones[m], others[m]
-    if min(crowd[i], crowd[j]) == 0 and filter.allows(b, i, j) then
+    local row = soft and soft[groupName[i]]
+    local isSoft = row and row[groupName[j]] and filter.isSoft(b, i, j) -- most, in a crowd
+    if not isSoft and min(crowd[i], crowd[j]) == 0 and filter.allows(b, i, j) then
       n = n + 1
       ones[n], others[n] = i, j
     end
@@ -141,19 +146,19 @@ local function linkNear(b, strays, count)
 end
 
 -- The fat box on the axis of k. Where the step began it may end, too: see `crush.keepOut`.
-local function fatten(b, k, farthest)
+local function fatten(b, k, farthest, margin)
   local start, from, to, size = b.position[k], b.from[k], b.to[k], b.size[k]
   local ahead = max(min((to - from) * AHEAD, farthest), -farthest)
-  b.fatLow[k] = min(start, from, to) - MARGIN + min(ahead, 0)
-  b.fatHigh[k] = max(start, from, to) + size + MARGIN + max(ahead, 0)
+  b.fatLow[k] = min(start, from, to) - margin + min(ahead, 0)
+  b.fatHigh[k] = max(start, from, to) + size + margin + max(ahead, 0)
 end
 
 -- Gives those in strays[1..count] boxes around the paths that they have now.
-local function enlarge(b, strays, count, farthest)
+local function enlarge(b, strays, count, farthest, margin)
   local broadphase, placed = b.broadphase, b.placed
   for m = 1, count do
-    fatten(b, 2 * strays[m], farthest)
-    fatten(b, 2 * strays[m] + 1, farthest)
+    fatten(b, 2 * strays[m], farthest, margin)
+    fatten(b, 2 * strays[m] + 1, farthest, margin)
   end
   for m = 1, count do
     local i = strays[m]
@@ -166,9 +171,9 @@ local function enlarge(b, strays, count, farthest)
 end
 
 -- Looks up the neighbours of those in `strays[1..count]`.
-local function lookUp(b, strays, count)
+local function lookUp(b, strays, count, margin)
   -- All boxes first, so that no pair is linked by a box that is out of date.
-  enlarge(b, strays, count, FARTHEST)
+  enlarge(b, strays, count, FARTHEST, margin)
   local partedCount = listParted(b, strays, count)
   if partedCount > 0 then
     columns.unlinkAll(b, b.parted, partedCount)
@@ -272,7 +277,7 @@ end
 function detect.run(b, list, first, last)
   local n = listStrays(b, list, first, last)
   if n > 0 then
-    lookUp(b, b.strays, n)
+    lookUp(b, b.strays, n, MARGIN)
   end
 end
 
@@ -288,11 +293,11 @@ function detect.follow(b, list, count)
     n, aimedCount = splitAimed(b, b.strays, n)
   end
   if aimedCount > 0 then
-    enlarge(b, b.aimed, aimedCount, AIMED_FARTHEST)
+    enlarge(b, b.aimed, aimedCount, AIMED_FARTHEST, MARGIN)
     linkListed(b, b.aimed, aimedCount, listAimed(b, b.aimed, aimedCount))
   end
   if n > 0 then
-    lookUp(b, b.strays, n)
+    lookUp(b, b.strays, n, FLYING_MARGIN)
   end
 end
 
@@ -349,8 +354,8 @@ local function lend(b, strays, count)
     local k, at = 2 * strays[n], 4 * n
     own[at], own[at + 1], own[at + 2], own[at + 3] =
       fatLow[k], fatLow[k + 1], fatHigh[k], fatHigh[k + 1]
-    fatten(b, k, FARTHEST)
-    fatten(b, k + 1, FARTHEST)
+    fatten(b, k, FARTHEST, MARGIN)
+    fatten(b, k + 1, FARTHEST, MARGIN)
   end
 end
 

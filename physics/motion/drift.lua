@@ -43,6 +43,7 @@ function drift.new()
     halfX = {}, -- half of its size, px
     halfY = {},
     kind = {}, -- number of its group among the soft ones
+    plainMass = {}, -- its mass, if it has no mask, no `hits` and no strength; else false
     cell = {},
     start = {}, -- of each cell: where it begins in `sorted`
     sorted = {},
@@ -76,7 +77,8 @@ end
 -- Lists the bodies of the soft groups, in the order of the world.
 local function listGroup(b, work, group, kind, n)
   local movers, from, size = group.movers, b.from, b.size
-  local active, sensor = b.active, b.sensor
+  local active, sensor, mask, only = b.active, b.sensor, b.mask, b.only
+  local power, kindOf, mass, plainMass = b.power, b.kind, b.mass, work.plainMass
   local slot, x, y, halfX, halfY, kinds =
     work.slot, work.x, work.y, work.halfX, work.halfY, work.kind
   for m = 1, #movers do
@@ -87,6 +89,8 @@ local function listGroup(b, work, group, kind, n)
       n = n + 1
       slot[n], x[n], y[n], halfX[n], halfY[n] = i, from[k] + w, from[k + 1] + h, w, h
       kinds[n] = kind
+      local isPlain = power[i] == 0 and kindOf[i] == DYNAMIC and not (mask[i] or only[i])
+      plainMass[n] = isPlain and mass[i]
     end
   end
   return n
@@ -135,24 +139,23 @@ local function keepSoft(b, work, count)
   local one, other, slot, kind, speeds, kinds =
     work.one, work.other, work.slot, work.kind, work.speeds, work.kinds
   local partSpeed, shareOne, shareOther = work.partSpeed, work.shareOne, work.shareOther
-  local mass, power, mask, only, masks = b.mass, b.power, b.mask, b.only, b.masks
   local halfX, halfY, nearX, nearY = work.halfX, work.halfY, work.nearX, work.nearY
-  local pushable, isPlain, kept = b.pushable, not b.hasCarriers, 0
+  local plainMass, masks, kept = work.plainMass, b.masks, 0
   for c = 1, count do
     local m, n = one[c], other[c]
-    local i, j, speed = slot[m], slot[n], speeds[kind[m] + kinds * kind[n]]
-    if speed and (masks or mask[i] or mask[j] or only[i] or only[j]) then
+    local speed, mass = speeds[kind[m] + kinds * kind[n]], plainMass[m]
+    local isEven = mass and mass == plainMass[n] and not masks
+    if speed and not isEven then
+      local i, j = slot[m], slot[n]
       speed = not (filter.refusal(b, i, j) or filter.refusal(b, j, i)) and speed
+      shareOne[kept + 1], shareOther[kept + 1] = weigh(b, i, j)
+    elseif speed then
+      shareOne[kept + 1], shareOther[kept + 1] = 0.5, 0.5
     end
     if speed then
       kept = kept + 1
       one[kept], other[kept], partSpeed[kept] = m, n, speed
       nearX[kept], nearY[kept] = 1 / (halfX[m] + halfX[n]), 1 / (halfY[m] + halfY[n])
-      if isPlain and mass[i] == mass[j] and power[i] == power[j] and pushable[i] then
-        shareOne[kept], shareOther[kept] = 0.5, 0.5
-      else
-        shareOne[kept], shareOther[kept] = weigh(b, i, j)
-      end
     end
   end
   return kept

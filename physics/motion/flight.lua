@@ -1,7 +1,7 @@
 --- Free flight: what is near nothing moves like a point.
 --
 -- A dynamic body without neighbours, on which nothing acts but gravity and drift, flies on as long
--- as its path stays in its fat box: nothing can be met there. It takes no part in the step. Whatever
+-- as its path stays in its fat box: nothing can be met there. It takes no part in the step. What
 -- comes near wakes it, as it wakes what rests, and it is computed then as if it had been awake from
 -- the beginning of the step. So this changes no result.
 --

@@ -1,6 +1,6 @@
 --- The cells in which bodies that overlap softly are found (see drift).
 --
--- They are sorted by counting. The plane is wound around a ring of cells, so it has no edge. Each two
+-- They are sorted by counting. The plane is wound around a ring of cells, so it has no edge. Two
 -- bodies are compared once.
 -- Source: S. Green, "Particle Simulation using CUDA" (2008).
 --
