@@ -13,13 +13,16 @@
 -- This file holds the constructors, the default world, the pure functions and the version.
 
 local path = ...
-local bank = require(path .. ".memory.columnStore")
+local columnStore = require(path .. ".memory.columnStore")
 local check = require(path .. ".world.check")
 local columns = require(path .. ".memory.columns")
 local interpreted = require(path .. ".memory.jit")
-local pure = require(path .. ".world.tutorial")
-local typed = require(path .. ".memory.typedArrays")
+local lazy = require(path .. ".memory.lazy")
 local world = require(path .. ".world.world")
+
+-- Loaded when they are first used.
+local pure = lazy(path .. ".world.tutorial")
+local typed = lazy(path .. ".memory.typedArrays")
 
 ---@class physics.Module: physics.DefaultWorld
 local physics = {
@@ -28,9 +31,19 @@ local physics = {
   _LICENSE = "MIT",
 }
 
-local default = world.new(nil, "physics")
+-- The default world is made when it is first used: many games use only worlds of their own.
+local made = nil ---@type any
 
--- A colon would give the module itself as the first argument.
+local function default()
+  local found = made
+  if not found then
+    found = world.new(nil, "physics")
+    made = found
+  end
+  return found
+end
+
+-- Refuses a call with a colon, which would give the module as the first argument.
 local function checkDot(first, name)
   if rawequal(first, physics) then
     check.fail("physics." .. name .. " must be called with a dot, not with a colon")
@@ -54,7 +67,7 @@ end
 ---@param settings physics.Settings? default: see "Settings"
 function physics.load(settings)
   checkDot(settings, "load")
-  default = world.new(settings, "load(settings)")
+  made = world.new(settings, "load(settings)")
 end
 
 --- Lets LuaJIT compile all code of the library; some of it is interpreted otherwise. Worlds that
@@ -71,9 +84,9 @@ function physics.compile()
   if not interpreted.lift() then
     return false
   end
-  bank.use(typed.source() or false)
-  if default._bodies.count == 0 then
-    columns.adopt(default._bodies)
+  columnStore.use(typed.source() or false)
+  if made and made._bodies.count == 0 then
+    columns.adopt(made._bodies)
   end
   return true
 end
@@ -81,11 +94,11 @@ end
 local function ofDefault(name, method)
   return function(first, ...)
     checkDot(first, name)
-    return method(default, first, ...)
+    return method(made or default(), first, ...)
   end
 end
 
--- Every method of a world is a function of the default world, too.
+-- Makes every method of a world a function of the default world, too.
 local function addMethods()
   for name, method in pairs(world.methods) do
     if type(method) == "function" then
@@ -97,52 +110,49 @@ end
 interpreted.always(addMethods)
 addMethods()
 
--- Without `sideBySide` the setting of the default world decides.
+-- Without `sideBySide` it takes the setting of the default world.
 local function checkCollision(a, b, c, d, e, f, g, h, sideBySide)
   if type(a) ~= "number" then
     if c == nil then
-      c = default.sideBySide
+      c = default().sideBySide
     end
     return pure.checkCollision(a, b, c)
   elseif sideBySide == nil then
-    sideBySide = default.sideBySide
+    sideBySide = default().sideBySide
   end
   return pure.checkCollision(a, b, c, d, e, f, g, h, sideBySide)
 end
 
----@generic F
----@param name string
----@param f F
----@return F
-local function dotted(name, f)
+-- A function of a module that is loaded when it is first used.
+local function dotted(name, module)
   return function(first, ...)
     checkDot(first, name)
-    return f(first, ...)
+    return module[name](first, ...)
   end
 end
 
-physics.inside = dotted("inside", pure.inside)
-physics.side = dotted("side", pure.side)
-physics.checkCollision = dotted("checkCollision", checkCollision)
-physics.bump = dotted("bump", pure.bump)
+physics.inside = dotted("inside", pure)
+physics.side = dotted("side", pure)
+physics.checkCollision = dotted("checkCollision", { checkCollision = checkCollision })
+physics.bump = dotted("bump", pure)
 
 --- Defines the global names of the tutorial: `objects`, `physics_load`, `physics_update`,
 --- `checkCollision`, `inside` and `bump`. Each `physics_update` uses the table that the global
 --- `objects` holds at that moment. Without this call the library sets no global.
 function physics.globals()
   local globals = _G
-  globals.objects = default.objects
+  globals.objects = default().objects
   globals.physics_load = function(settings)
     physics.load(settings)
     if type(globals.objects) == "table" then
-      default.objects = globals.objects
+      default().objects = globals.objects
     else
-      globals.objects = default.objects
+      globals.objects = default().objects
     end
   end
   globals.physics_update = function(dt)
-    default.objects = globals.objects
-    default:update(dt)
+    default().objects = globals.objects
+    default():update(dt)
   end
   globals.checkCollision = physics.checkCollision
   globals.inside = pure.inside
@@ -153,10 +163,10 @@ end
 -- default world.
 setmetatable(physics, {
   __index = function(_, name)
-    return default[name]
+    return default()[name]
   end,
   __newindex = function(_, name, value)
-    default[name] = value
+    default()[name] = value
   end,
 })
 

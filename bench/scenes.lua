@@ -12,10 +12,10 @@
 ---     objects   descriptions of boxes: group, x, y, width, height, vx, vy, static, kinematic,
 ---               friction, restitution, gravity, mass, pushable, maxSpeed, sensor, hits; the same
 ---               fields as those of physics.lua
----     soft      groups whose objects may overlap and drift apart, as in physics.lua; engines that
----               know nothing like it keep them solid
+---     soft      groups with objects that may overlap and drift apart, as in physics.lua; engines
+---               that know nothing like it keep them solid
 ---     rest      true: engines may skip what rests, and those that cannot do not play; false:
----               nobody may; nil: as the engine likes
+---               no engine may; nil: as the engine likes
 ---     needs     features of which an engine may say that it lacks them (bench/engines.lua)
 ---     worlds    number of independent worlds made of it, default 1
 ---     steps, warmUp   numbers of frames that are measured, and that go before, default 600 and 60

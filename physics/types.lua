@@ -75,7 +75,8 @@
 --- others: `hits = { "players" }`. The list is read when it is set; to change it, set another list.
 ---@field hits? (string|number)[]
 --- default none: solid all around. The one side that is solid; `true` is the top. The others let
---- everything through. For static and kinematic objects.
+--- everything through. For static and kinematic objects: a dynamic one would fall through the
+--- floor.
 ---@field oneWay? boolean|"top"|"bottom"|"left"|"right"
 --- default true. Whether a kinematic object takes its riders along. `false`: it slides away under
 --- them.
@@ -86,8 +87,8 @@
 --- px, >= 0, default 0. Corner correction: an object that hits a static or kinematic corner by at
 --- most this much slides past it. One that lands on an edge is not moved.
 ---@field nudge? number
---- default none. Called once when a contact starts. `side` is the side of `self` that was hit,
---- `speed` the approach speed in px/s.
+--- default none. Called once when a contact starts, also with a sensor. `side` is the side of
+--- `self` that was hit, `speed` the approach speed in px/s.
 ---@field onBegin? fun(self: physics.Object, other: physics.Object, side: physics.Side, speed: number)
 --- default none. Called at every further step of a contact; dt is the length of that step in s.
 ---@field onStay? fun(self: physics.Object, other: physics.Object, side: physics.Side, dt: number)
@@ -237,7 +238,7 @@
 ---@class physics.DefaultWorld: physics.WorldSettings
 ---@field objects table<string|number, any> the game's groups of objects
 ---@field stats physics.Stats counters of the last step
----@field alpha number share of a fixed step that is saved up, 0..1; your own loop may write it
+---@field alpha number share of a fixed step that is saved up, 0..1; your own loop may write it (see `interpolate`)
 local default = {}
 
 --- Moves the world on by dt seconds: reads the game's tables, moves the objects, writes the results
@@ -311,9 +312,9 @@ function default.dropThrough(object) end
 --- - Not saved: functions (callbacks, `canCollide`), your own fields, and the settings
 ---   `broadphase`, `cellSize`, `rest` and `checked`.
 ---
---- The best moment is right before `update`, after you have written the input of the step. A state
---- that is saved inside a callback holds the events that are still to come, without the current
---- one.
+--- A state also holds what you have written since the last step. For rollback save before you write
+--- the input of a step: a late input must not find the guessed one in the state. A state that is
+--- saved inside a callback holds the events that are still to come, without the current one.
 ---
 --- Errors: a field or setting that `update` would refuse; `out` is not a table; it is called from
 --- inside `canCollide`.
@@ -345,7 +346,8 @@ function default.restore(saved) end
 
 --- Returns a whole number in 0..10^14 over everything that `save` holds. It is the same on every
 --- Lua. Two worlds with the same number continue in the same way (wrong once in 10^13). Use it for
---- replays, and to find the step in which two players' worlds began to differ.
+--- replays, and to find the step in which two players' worlds began to differ. Your own fields
+--- (`health`) are not in it: compare them beside it.
 ---
 --- Errors: a field or setting that `update` would refuse; it is called from inside `canCollide`.
 ---@return number
@@ -356,7 +358,8 @@ function default.hash() end
 --- faint. The solid side of a one-way object is violet, sides that touch are light.
 ---
 --- The colours can be seen on dark and on light ground. It draws with your transform, and leaves
---- colour, font and transform as they were.
+--- colour, font and transform as they were. It draws at `x, y`, also with a `timestep`: what you
+--- draw at `interpolate` is up to one step behind it.
 ---
 --- Errors: an unknown option, or a wrong value for one; there is no `love.graphics`.
 ---@param options physics.DrawOptions? what to show
@@ -366,6 +369,10 @@ function default.draw(options) end
 --- before the last step to its place now, by the share `world.alpha`. Returns `object.x, object.y`
 --- if there is no `timestep`, and for an object that is new, static, not active, or was put
 --- somewhere by the game.
+---
+--- A loop of your own, as for rollback, sets `timestep`, too. `world:update(world.timestep)` is
+--- then exactly one step, and sets `world.alpha` to 0. After its last step the loop writes
+--- `world.alpha`.
 ---
 --- Errors: the object is not a table.
 ---@param object physics.NewObject the object to draw
@@ -554,6 +561,10 @@ function default.impulse(object, ix, iy) end
 --- `bounds`. You may give them `friction` and other fields before the next update. A second call
 --- replaces the walls; a call without arguments removes them.
 ---
+--- The lower wall is a floor. A level with pits needs a rectangle that is higher than the level, so
+--- that the player falls out of sight. Filters and masks that name only your own walls leave
+--- `bounds` out.
+---
 --- Errors: a number is not finite; a size is <= 0; the game uses one of these names for something
 --- else; it is called from inside `canCollide`.
 ---@param x number? px, inner left edge; nil: no bounds
@@ -596,16 +607,18 @@ function default.loadTiled(map, options) end
 --- tiles: `tiles:setTile(column, row, value)`, `tiles:load()`, `tiles:unload()`.
 ---
 --- The cells are one list, row by row, or a list of rows (`cells[row][column]`). A row may be a
---- string (`"##..#"`): each character is a cell. Columns and rows are counted from 1. The cells are
---- copied, so change them with `setTile`, too. Each object has the field `tile` with its `tiles`,
---- `column`, `row`, `columns`, `rows` and `value`.
+--- string (`"##..#"`): each character is a cell. For a list of rows `columns` is nil, and a short
+--- row ends with empty cells. Columns and rows are counted from 1. The cells are copied, so change
+--- them with `setTile`, too. Each object has the field `tile` with its `tiles`, `column`, `row`,
+--- `columns`, `rows` and `value`.
 ---
---- Errors: the group is not a name, or is an object; the cells are not a list; a row has another
---- length; a cell is not a number, string or boolean; the size is missing; an unknown option, or a
---- wrong value for one; it is called from inside `canCollide`. Nothing has been added then.
+--- Errors: the group is not a name, or is an object; the cells are not a list; a list of values
+--- ends within a row; a row is longer than `columns`; a cell is not a number, string or boolean;
+--- the size is missing; an unknown option, or a wrong value for one; it is called from
+--- inside `canCollide`. Nothing has been added then.
 ---@param group string|number name of their group; the field `group` of a value has precedence
 ---@param cells table list of values, or list of rows
----@param columns integer? of a list of values: how many are a row
+---@param columns integer? of a list of values: how many are a row; nil for a list of rows
 ---@param size number|number[] px, of a cell: one number, or width and height
 ---@param options physics.TileOptions? which values are solid, and where the tiles go
 ---@return physics.Tiles tiles

@@ -40,21 +40,23 @@ OTHER_SPECS[#OTHER_SPECS + 1], OTHER_SPECS[#OTHER_SPECS + 2] = "plain_busted", "
 -- file -> the specs to begin with, besides the one of the same name
 local FIRST = {
   restore = { "state", "recovery" },
-  verify = { "state", "recovery" },
+  validate = { "verify", "state", "recovery" },
   hash = { "state" },
-  sweep = { "query" },
-  view = { "query" },
-  path = { "query" },
+  sweptAabb = { "query" },
+  obstacle = { "query" },
+  index = { "query" },
   explain = { "query" },
-  ask = { "query" },
-  slide = { "move" },
   bounds = { "world" },
-  live = { "settings", "fields" },
+  activePairs = { "settings", "fields" },
   fields = { "settings" },
   settings = { "fields", "world" },
-  collect = { "fields", "world", "recovery" },
-  roster = { "world", "fields", "recovery" },
-  pure = { "aabb" },
+  strictMode = { "guard" },
+  read = { "fields", "world", "recovery" },
+  registry = { "world", "fields", "recovery" },
+  columnStore = { "column_store" },
+  islands = { "rest" },
+  jit = { "interpreted" },
+  tutorial = { "pure", "aabb" },
 }
 
 local function read(path)

@@ -12,11 +12,9 @@ local function upvalue(f, wanted)
   end
 end
 
--- `physics.draw` calls the method of that name, and that one requires its module when it is called.
-local function inner(name)
-  local method = upvalue(require("physics").draw, "method")
-  return upvalue(method, "require")(name)
-end
+-- `physics.draw` calls the method of that name, and that one loads its module when it is called.
+local method = upvalue(require("physics").draw, "method")
+local inner = upvalue(getmetatable(upvalue(method, "draw")).__index, "require")
 
 for name in io.lines("modules.txt") do
   package.preload[name] = inner

@@ -74,7 +74,7 @@ local function refuses(expected, call)
   local ok, message = pcall(call)
   assert.is_false(ok, "it was not refused: " .. expected)
   local line, text = message:match("bad_input_spec%.lua:(%d+): physics: (.*)$")
-  assert.truthy(line, "blames somebody else: " .. tostring(message))
+  assert.truthy(line, "blames another line: " .. tostring(message))
   assert.equal(expected, text)
   local info = debug.getinfo(call, "S")
   line = tonumber(line)
@@ -344,8 +344,8 @@ describe("a callback that another one spoils", function()
     { "crate", 'objects.crates[1].onBegin must be a function, got "boom"' },
     { "world", 'world.onBegin must be a function, got "boom"' },
   }) do
-    local whose, message = row[1], row[2]
-    it("is refused before it is called, and not lost: " .. whose, function()
+    local which, message = row[1], row[2]
+    it("is refused before it is called, and not lost: " .. which, function()
       local world = physics.newWorld({ gravity = 0 })
       local coin = { x = 0, y = 0, width = 8, height = 8, static = true, sensor = true }
       local crate = world:add("crates", { x = 40, y = 0, width = 16, height = 16, vx = 0.5 })
@@ -354,7 +354,7 @@ describe("a callback that another one spoils", function()
       world:add("coins", coin)
       local guest = world:add("aGuest", { x = 2, y = 2, width = 4, height = 4 })
       local owner, told = { player = player, crate = crate, world = world }, { count = 0 }
-      owner = owner[whose]
+      owner = owner[which]
       local function count()
         told.count = told.count + 1
       end
@@ -366,7 +366,7 @@ describe("a callback that another one spoils", function()
         world:update(DT)
       end)
       -- By then only the world has heard, of the guest's event.
-      assert.equal(whose == "world" and 0 or 1, told.count)
+      assert.equal(which == "world" and 0 or 1, told.count)
       owner.onBegin = count
       world:update(DT)
       assert.equal(4, told.count)
@@ -607,7 +607,7 @@ describe("the setting", function()
     )
   end)
 
-  it("that nobody knows is refused, with a guess", function()
+  it("that is unknown is refused, with a guess", function()
     local ok, message = pcall(function()
       physics.newWorld({ gravty = 5 })
     end)
@@ -768,7 +768,7 @@ describe("remove and refresh", function()
     )
   end)
 
-  it("who is not in the world any more is neither refreshed nor dropped", function()
+  it("an object that is not in the world any more is neither refreshed nor dropped", function()
     local world = physics.newWorld()
     local box, tile = world:add("boxes", newBox()), newBox()
     tile.static, world.objects.tile = true, tile
@@ -798,7 +798,7 @@ describe("remove and refresh", function()
     end
   end)
 
-  it("who was not seen yet is checked by refresh, too", function()
+  it("an object that was not seen yet is checked by refresh, too", function()
     local world = physics.newWorld()
     local box, player = world:add("boxes", newBox()), newBox()
     box.mass, player.mass, world.objects.player = -1, 0, player
@@ -916,18 +916,18 @@ describe("from inside canCollide", function()
     },
   }) do
     it(row[1] .. " is refused", function()
-      for _, who in ipairs({ "sleeper", "floor", "world" }) do
+      for _, which in ipairs({ "sleeper", "floor", "world" }) do
         local function make()
           local scene = newScene({ gravity = 800, rest = false })
-          scene[who].canCollide = function()
+          scene[which].canCollide = function()
             return true
           end
           scene.world:refresh(scene.floor)
           return scene
         end
         local scene, twin = make(), make()
-        local works = scene[who].canCollide
-        scene[who].canCollide = function()
+        local works = scene[which].canCollide
+        scene[which].canCollide = function()
           row[2](scene)
         end
         scene.world:refresh(scene.floor)
@@ -938,7 +938,7 @@ describe("from inside canCollide", function()
         assert.truthy(message:find(words, 1, true), message)
         assert.truthy(message:find("bad_input_spec.lua:", 1, true))
         assert.equal(before, snapshot(scene))
-        scene[who].canCollide = works
+        scene[which].canCollide = works
         scene.world:refresh(scene.floor)
         checkGoesOn(scene, twin, 11)
       end

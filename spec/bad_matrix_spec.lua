@@ -585,10 +585,10 @@ local unpackList = rawget(_G, "unpack") or rawget(table, "unpack")
 -- What the game sees of a scene, by raw access.
 local function snapshot(scene)
   local lines = {}
-  for _, who in ipairs({ "floor", "shelf", "box", "other", "lift", "gate", "removed" }) do
-    for key, value in next, scene[who] do
+  for _, which in ipairs({ "floor", "shelf", "box", "other", "lift", "gate", "removed" }) do
+    for key, value in next, scene[which] do
       if type(value) ~= "table" then
-        lines[#lines + 1] = who .. "." .. tostring(key) .. "=" .. tostring(value)
+        lines[#lines + 1] = which .. "." .. tostring(key) .. "=" .. tostring(value)
       end
     end
   end
@@ -635,10 +635,10 @@ local function checkGoesOn(scene, what)
     local ok, message = pcall(scene.world.update, scene.world, DT)
     assert(ok or message == THROWN, what .. ": the next update fails: " .. tostring(message))
   end
-  for _, who in ipairs({ "floor", "box", "other", "lift" }) do
-    local object = scene[who]
-    assert(isFinite(object.x) and isFinite(object.y), what .. ": " .. who .. " is lost")
-    assert(isFinite(object.vx or 0) and isFinite(object.vy or 0), what .. ": " .. who)
+  for _, which in ipairs({ "floor", "box", "other", "lift" }) do
+    local object = scene[which]
+    assert(isFinite(object.x) and isFinite(object.y), what .. ": " .. which .. " is lost")
+    assert(isFinite(object.vx or 0) and isFinite(object.vy or 0), what .. ": " .. which)
   end
 end
 

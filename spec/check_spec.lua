@@ -591,7 +591,10 @@ describe("check", function()
     for _, row in ipairs({
       { true, "filter must be a group name, a list of them or a function, got true" },
       { NAN, "filter must be a group name, a list of them or a function, got nan" },
-      { { "boxes", {} }, "filter[2] must be a group name, got table" },
+      {
+        { "boxes", {} },
+        "filter[2] must be a group name, got table (the name of a group, not its table)",
+      },
     }) do
       local filter, expected = row[1], row[2]
       it("refuses: " .. expected, function()

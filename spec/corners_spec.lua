@@ -45,7 +45,7 @@ describe("a question", function()
     end
   end)
 
-  it("finds everybody where it is after an update that has failed half way", function()
+  it("finds every object where it is after an update that has failed half way", function()
     local world = newWorld({ gravity = 0 })
     local fast = world:add("a", box(0, 0, { vx = 6000 }))
     for n = 1, 200 do
@@ -79,7 +79,7 @@ describe("a question", function()
     assert.are.equal(fast, (world:raycast(208, -50, 208, 50)))
   end)
 
-  it("names the object whose size or `active` has turned bad", function()
+  it("names the object with a size or `active` that has turned bad", function()
     for _, row in ipairs({
       { "width", 0, "objects.boxes[1].width must be a number > 0, got 0" },
       { "height", -1, "objects.boxes[1].height must be a number > 0, got -1" },
@@ -130,7 +130,7 @@ describe("an update", function()
     assert.are.near(0.01 + 1e-7, object.x, 1e-12)
   end)
 
-  it("of less than 1e-10 s counts as none, so nobody becomes infinitely fast", function()
+  it("of less than 1e-10 s counts as none, so no object becomes infinitely fast", function()
     for _, dt in ipairs({ 5e-324, 1e-310, 1e-100, 9.9e-11, 1e-10 }) do
       local world = newWorld()
       local lift = world:add("lifts", { x = 0, y = 16, width = 100, height = 8, kinematic = true })
@@ -290,7 +290,7 @@ describe("a state", function()
     end)
   end)
 
-  it("knows riders whose lift is gone, and who was moved by the game", function()
+  it("knows riders that lost their lift, and objects that the game has moved", function()
     local world = newWorld()
     local lift = { x = 0, y = 100, width = 100, height = 16, kinematic = true, vx = 30, vy = -20 }
     world:add("lifts", lift)
@@ -381,7 +381,7 @@ describe("a state", function()
     end
   end)
 
-  it("keeps nobody alive who has left, whatever the game has put into `touching`", function()
+  it("keeps no object alive that has left, whatever the game has put into `touching`", function()
     local world = newWorld()
     local alive = setmetatable({}, { __mode = "k" })
     for n = 1, 20 do
@@ -401,7 +401,7 @@ describe("a state", function()
     assert.are.equal(0, count)
   end)
 
-  it("keeps the tables `touching` of the last few thousand who have left, no more", function()
+  it("keeps the tables `touching` of the last few thousand that have left, no more", function()
     local world, objects = newWorld(), {}
     for n = 1, 10000 do
       objects[n] = world:add("boxes", box(20 * n, 0, { active = false }))
@@ -410,7 +410,7 @@ describe("a state", function()
     local first, last = objects[1].touching, objects[10000].touching
     world.objects.boxes = nil
     world:update(0)
-    local count, r = 0, world._bodies.roster
+    local count, r = 0, world._bodies.registry
     for _, list in ipairs({ r.left, r.leftBefore }) do
       for _ in pairs(list) do
         count = count + 1

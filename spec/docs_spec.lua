@@ -157,6 +157,86 @@ for _, path in ipairs(PAGES) do
   end)
 end
 
+describe("the whole game of a page", function()
+  local loveBefore, held
+
+  before_each(function()
+    loveBefore, held = rawget(_G, "love"), {}
+  end)
+
+  after_each(function()
+    rawset(_G, "love", loveBefore)
+  end)
+
+  --- Starts it. Returns its `love`, and a function that returns some of its locals.
+  local function start(path, peek)
+    local text = snippets.read(path):match("\n## A whole game.-\n```lua\n(.-)\n```\n")
+    local environment = snippets.newEnvironment({}, held)
+    rawset(_G, "love", environment.love)
+    text = ("%s\nreturn function() return %s end"):format(text, peek)
+    local look = snippets.compile(text, "=game", environment)()
+    environment.love.load()
+    return environment.love, look
+  end
+
+  it("platformers: jumps as high as it says, stomps, and does not jump from an enemy", function()
+    local game, look = start("docs/platformers.md", "player, world")
+    local player, world = look()
+    local function run(steps)
+      local top = player.y
+      for _ = 1, steps do
+        game.update(1 / 60)
+        top = math.min(top, player.y)
+      end
+      return top
+    end
+    run(60)
+    local ground = player.y
+    assert.is_truthy(player.touching.bottom)
+    game.keypressed("space")
+    assert.near(ground - 113, run(60), 0.5)
+    local enemy = world.objects.enemies[1]
+    player.x, player.y, player.vy = enemy.x, enemy.y - 80, 0
+    repeat
+      game.update(1 / 60)
+    until player.vy < 0
+    assert.equal(0, #world.objects.enemies)
+    local y = player.y
+    game.keypressed("space")
+    assert.near(y - 300 * 300 / (2 * 1200), run(20), 0.5)
+  end)
+
+  it(
+    "topdown: walks at its speed, also on the diagonal, shoots, and goes through the door",
+    function()
+      local game, look = start("docs/topdown.md", "player, world")
+      local player, world = look()
+      held.right, held.down = true, true
+      game.update(1 / 60)
+      assert.near(160, math.sqrt(player.vx * player.vx + player.vy * player.vy), 1e-9)
+      held.right, held.down = nil, nil
+      for _, enemy in ipairs(world.objects.enemies) do
+        enemy.active = false
+      end
+      local enemy = world.objects.enemies[1]
+      enemy.active, enemy.x, enemy.y = true, player.x + 100, player.y
+      for _ = 1, 3 do
+        game.keypressed("space")
+        for _ = 1, 20 do
+          game.update(1 / 60)
+        end
+      end
+      assert.equal(9, #world.objects.enemies)
+      assert.equal(0, #world.objects.bullets)
+      player.x, player.y, held.right = 260, 256, true -- the door is at 260
+      for _ = 1, 60 do
+        game.update(1 / 60)
+      end
+      assert.is_true(player.x > 324)
+    end
+  )
+end)
+
 describe("the check of links", function()
   -- a link of docs/faq.md, what is wrong with it
   for _, row in ipairs({

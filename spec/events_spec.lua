@@ -1,4 +1,4 @@
---- Events: what the game is told, by whom, in which order, and what its callbacks may do.
+--- Events: what the game is told about which objects, in which order, and what callbacks may do.
 
 local newBox = require("spec.support.box")
 local physics = require("physics")
@@ -37,8 +37,8 @@ local function checkLog(log, begins, ends)
   assert.equal(ends, log.ends, "ends")
 end
 
-describe("a contact of one who is inside something solid and cannot get out", function()
-  -- 12 px between floor and ceiling, in which somebody of 12 px stands up.
+describe("a contact of an object that is inside something solid and cannot get out", function()
+  -- 12 px between floor and ceiling, in which an object of 12 px stands up.
   for _, row in ipairs({
     { "with its feet on the floor", 84, 16 },
     { "with its head at the ceiling", 88, 16 },
@@ -119,12 +119,12 @@ describe("a contact", function()
     local wall = world:add("walls", newWall(16.5, 0, 16, 16))
     local box = world:add("boxes", newBox(0, 0, { vx = 60 }))
     local lines = {}
-    local function note(who, what)
+    local function note(which, what)
       return function(a, b, side, speed)
         local other = type(b) == "table" and (b == box and "box" or "wall") or "?"
         local first = a == box and "box" or "wall"
         lines[#lines + 1] = ("%s %s: %s %s %s %s"):format(
-          who,
+          which,
           what,
           first,
           other,
@@ -174,7 +174,7 @@ describe("a contact", function()
   -- The box stands before the crate in the order of the world, and so do the walls.
   for _, hasWalls in ipairs({ false, true }) do
     local name = hasWalls and ", if groups have come" or ""
-    it("that ended because somebody left is told before those of the step" .. name, function()
+    it("that ended because an object left is told before those of the step" .. name, function()
       local told = {}
       world = physics.newWorld({ gravity = 800 })
       local function note(kind)
@@ -221,7 +221,7 @@ describe("the life of a contact", function()
     floor = world:add("tiles", newWall(-200, 100, 800, 16))
   end)
 
-  it("lasts while standing, also when nobody computes it any more", function()
+  it("lasts while standing, also when it is not computed any more", function()
     local box = world:add("boxes", newBox(0, 84))
     local log = listen(box)
     box.onStay = nil
@@ -232,20 +232,20 @@ describe("the life of a contact", function()
   end)
 
   it("is told at every step, also of one that rests", function()
-    for _, who in ipairs({ "box", "floor", "world" }) do
+    for _, which in ipairs({ "box", "floor", "world" }) do
       local box = world:add("boxes", newBox(0, 84))
-      local owner = who == "box" and box or who == "floor" and floor or world
+      local owner = which == "box" and box or which == "floor" and floor or world
       play(world, 60)
       local stays = 0
       owner.onStay = function()
         stays = stays + 1
       end
       assert.equal(1, world.stats.resting)
-      if who == "floor" then
+      if which == "floor" then
         world:refresh(floor) -- of a static object it is read once
       end
       play(world, 100)
-      assert.equal(100, stays, who)
+      assert.equal(100, stays, which)
       owner.onStay = nil
       world:remove(box)
       world:update(DT)
@@ -309,7 +309,7 @@ describe("the life of a contact", function()
   end)
 
   -- It stands on the edge, and is past it at the end of the step.
-  it("begins and ends in its step for who runs off an edge, wherever down is", function()
+  it("begins and ends in its step for a box that runs off an edge, wherever down is", function()
     for _, row in ipairs({
       { 0, 800, "bottom", "top" },
       { 0, -800, "top", "bottom" },
@@ -352,7 +352,7 @@ describe("the life of a contact", function()
   end)
 end)
 
-describe("the contact of who is put elsewhere", function()
+describe("the contact of an object that is put elsewhere", function()
   -- A bullet from a pool: it is fired again before the next update, and hits the same one in that.
   for _, row in ipairs({
     { "also when it is switched off in between", { active = false } },
@@ -566,7 +566,7 @@ describe("a sensor", function()
     return world:add("sensors", sensor)
   end
 
-  it("tells who comes, stays and goes, and stops nobody", function()
+  it("reports what comes, stays and goes, and stops nothing", function()
     local sensor = newSensor(100, -50, 50, 200)
     local box = world:add("boxes", newBox(0, 0, { vx = 600 }))
     local ofSensor, ofBox = listen(sensor), listen(box)
@@ -582,7 +582,7 @@ describe("a sensor", function()
     assert.equal(5, ofSensor.stays)
   end)
 
-  it("sees who crosses it in one step", function()
+  it("sees what crosses it in one step", function()
     for _, y in ipairs({ -5000, -333.3, -40 }) do
       local sensor = newSensor(-50, 0, 100, 2)
       local bullet = world:add("bullets", { x = 0, y = y, width = 4, height = 4, vy = -y * 120 })
@@ -596,7 +596,7 @@ describe("a sensor", function()
     end
   end)
 
-  it("is told whoever is in it when it appears", function()
+  it("is told what is in it when it appears", function()
     local box = world:add("boxes", newBox(0, 0))
     play(world, 10)
     local sensor = newSensor(8, -10, 50, 50)
@@ -638,7 +638,7 @@ describe("a sensor", function()
     end
   end)
 
-  it("does not see who is only flush", function()
+  it("does not see what is only flush", function()
     local log = listen(newSensor(16, 0, 16, 16))
     local box = world:add("boxes", newBox(0, 0))
     play(world, 5)
@@ -649,7 +649,7 @@ describe("a sensor", function()
   end)
 
   for _, rest in ipairs({ true, false }) do
-    it("does not see who stands flush on it and on a tile, rest = " .. tostring(rest), function()
+    it("does not see what stands flush on it and on a tile, rest = " .. tostring(rest), function()
       local own = physics.newWorld({ gravity = 600, rest = rest })
       local log = listen(own:add("tiles", newWall(0, 100, 16, 16, { sensor = true })))
       own:add("tiles", newWall(16, 100, 16, 16))
@@ -730,7 +730,7 @@ describe("a callback", function()
     assert.is_true(begins > 0)
   end)
 
-  it("may remove self, the other, or whoever has not been told yet", function()
+  it("may remove self, the other, or an object that has not been told yet", function()
     local told = 0
     local boxes = {}
     for n = 1, 6 do
@@ -846,10 +846,10 @@ describe("canCollide", function()
 
   it("is asked with self, the other and the side of self; of the world with both", function()
     local lines = {}
-    local function note(who)
+    local function note(which)
       return function(self, other, side)
         local first, second = self == box and "box" or "floor", other == box and "box" or "floor"
-        lines[who] = ("%s %s %s"):format(first, second, side)
+        lines[which] = ("%s %s %s"):format(first, second, side)
         return true
       end
     end
@@ -892,7 +892,7 @@ describe("canCollide", function()
     checkLog(log, 1, 0)
   end)
 
-  it("is asked by those who rest, too: it may say something else today", function()
+  it("is asked by objects that rest, too: it may say something else today", function()
     local open = false
     box.canCollide = function()
       return not open
@@ -1013,7 +1013,7 @@ describe("canCollide", function()
     end)
   end)
 
-  it("is asked in every step about a wall beside somebody who does not press it", function()
+  it("is asked in every step about a wall beside an object that does not press it", function()
     local wall = world:add("tiles", newWall(16, 0, 16, 100))
     box.y, box.vx = 84, 60
     local isWall, log = true, listen(wall)

@@ -478,7 +478,7 @@ describe("a box that slides over two tiles at once", function()
   end
 end)
 
-describe("who stands on two floors that rub differently", function()
+describe("a box that stands on two floors that rub differently", function()
   -- Rubs on the one that counts as its support, which carries it, too: the one under more of it.
   for _, row in ipairs({ { 1, 1 }, { 1, 2 }, { -1, 1 }, { -1, 2 } }) do
     local way, first = row[1], row[2]
@@ -564,8 +564,8 @@ describe("a box that slides on two stacks", function()
 end)
 
 describe("a tall box that hits a stack in the middle of a step", function()
-  -- The same one of the two is pushed first at every rate, from either side: it is not for rounding
-  -- to decide whose face is met first, as both are. (Where they are at 4800 Hz.)
+  -- The same one of the two is pushed first at every rate, from either side. Rounding must not
+  -- decide which face is met first, as both are met. (Where they are at 4800 Hz.)
   for _, rate in ipairs({ 30, 60, 144 }) do
     for _, way in ipairs({ 1, -1 }) do
       it(
@@ -705,7 +705,7 @@ describe("a box that runs into a crate next to it", function()
   end
 end)
 
-describe("who leans on what friction holds", function()
+describe("a box that leans on what friction holds", function()
   --   +--+--+       gravity 800, friction 0.5: the floor bears 400 px/s² of each kg of a crate, and
   --  -> 1| 1|       of what stands on it
   -- =========
@@ -879,11 +879,11 @@ describe("who leans on what friction holds", function()
   end)
 end)
 
--- The two push as hard as each other, anew in every update, so nobody goes anywhere. One push comes
--- first, and gave the one between more than the other took back: it crept by up to 9 px/s.
+-- The two push as hard as each other, anew in every update, so nothing moves. One push comes first,
+-- and gave the one between more than the other took back: it crept by up to 9 px/s.
 --
 --     > [ ] <
-describe("who stands between two that press it", function()
+describe("a box between two that press it", function()
   local ROWS = {
     { name = "a player", friction = 0.5, isWritten = true, speed = 60 },
     { name = "a rough player", friction = 1, isWritten = true, speed = 60 },
@@ -975,9 +975,9 @@ describe("a stack that slides over a rough floor", function()
   end
 end)
 
-describe("who stands on a crate that is pushed over a rough floor", function()
+describe("a box that stands on a crate that is pushed over a rough floor", function()
   --         +--+        gravity 800, friction 0.5; the crate and what stands on it weigh as much as
-  --  +--+---+--+---+    who pushes, each
+  --  +--+---+--+---+    each pusher
   -- ->  |          |
   -- ================
   local function build(rate, way, pusher, heights, own)
@@ -1027,7 +1027,7 @@ describe("who stands on a crate that is pushed over a rough floor", function()
         assert.near(way * 60, list[3].vx, 1e-9)
       end)
 
-      it(("goes along with it, if somebody leans on it" .. text):format(rate), function()
+      it(("goes along with it, if another box leans on it" .. text):format(rate), function()
         -- The floor takes 0.5 * 800 px/s² of the two: (1000 - 800) / 3 is left for all three.
         local list, play = build(rate, way, { ax = 1000 }, 2)
         play(1)
@@ -1079,7 +1079,7 @@ end)
 
 describe("a push with friction under it", function()
   -- Found by a review: each once made speed or way out of nothing.
-  it("moves nobody further than what pushes, if they hardly close", function()
+  it("moves nothing further than what pushes, if they hardly close", function()
     local world = physics.newWorld({ gravity = 600 })
     world:add("floors", { x = -3000, y = 100, width = 6000, height = 50, static = true })
     local list = {}
@@ -1099,7 +1099,7 @@ describe("a push with friction under it", function()
   end)
 
   for _, mass in ipairs({ 5, 100, 1000 }) do
-    it(("makes nobody faster, under a box of mass %d"):format(mass), function()
+    it(("makes nothing faster, under a box of mass %d"):format(mass), function()
       local world, list = physics.newWorld({ gravity = 1600 }), {}
       world:add("floors", { x = -2000, y = 100, width = 4000, height = 50, static = true })
       for n, x in ipairs({ 0, 0, 20 }) do

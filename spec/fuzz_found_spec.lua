@@ -116,7 +116,7 @@ local FOUND = {
     },
   },
   {
-    "who is put back to what it stands on is looked at again",
+    "an object that is put back to what it stands on is looked at again",
     {
       settings = {},
       acts = {
@@ -192,7 +192,7 @@ local FOUND = {
     },
   },
   {
-    "the game is asked about both floors on which somebody stands",
+    "the game is asked about both floors on which a box stands",
     {
       settings = {},
       acts = {
@@ -209,7 +209,7 @@ local FOUND = {
     },
   },
   {
-    "who bounces off a rough floor and is reached then is held by that no more",
+    "what bounces off a rough floor and is reached then is not held by that any more",
     {
       settings = { gravity = 10 },
       acts = {
@@ -239,7 +239,7 @@ local FOUND = {
     },
   },
   {
-    "whoever the game has put in by hand can be pushed at once",
+    "an object that the game has put in by hand can be pushed at once",
     {
       settings = {},
       acts = {
@@ -250,7 +250,7 @@ local FOUND = {
     },
   },
   {
-    "whoever the game has put in by hand stands on nothing yet",
+    "an object that the game has put in by hand stands on nothing yet",
     {
       settings = {},
       acts = {
@@ -353,7 +353,7 @@ local FOUND = {
     },
   },
   {
-    "who stands under a ceiling is not dragged into it",
+    "a box that stands under a ceiling is not dragged into it",
     {
       settings = {},
       acts = {
@@ -401,7 +401,7 @@ local FOUND = {
     },
   },
   {
-    "a restored copy is told of those who had left after a callback had failed",
+    "a restored copy is told of objects that had left after a callback had failed",
     {
       settings = {},
       acts = {
@@ -418,7 +418,7 @@ local FOUND = {
     },
   },
   {
-    "a stack that is pushed off a wall again and again takes along who cannot be pushed",
+    "a stack that is pushed off a wall again and again takes along what cannot be pushed",
     {
       settings = { timestep = 0.008333333333333333 },
       acts = {
@@ -553,7 +553,7 @@ local FOUND = {
     },
   },
   {
-    "who hangs on a wall by friction stays at every dt",
+    "what hangs on a wall by friction stays at every dt",
     {
       settings = { gravity = 4000 },
       acts = {
@@ -622,7 +622,7 @@ local FOUND = {
     },
   },
   {
-    "who is static stands on nothing that it could drop through",
+    "what is static stands on nothing that it could drop through",
     {
       settings = {},
       acts = {
@@ -636,7 +636,7 @@ local FOUND = {
     },
   },
   {
-    "who rests on two that are exchanged in the order of the groups touches the first",
+    "what rests on two that are exchanged in the order of the groups touches the first",
     {
       settings = { masks = { [2.5] = { [2.5] = false, crates = false } } },
       acts = {
@@ -663,7 +663,7 @@ local FOUND = {
     },
   },
   {
-    "who rests on two that are exchanged in their group touches the first",
+    "what rests on two that are exchanged in their group touches the first",
     {
       settings = {},
       acts = {
@@ -701,7 +701,7 @@ local FOUND = {
     },
   },
   {
-    "who is crushed takes nobody into the wall that it was pushed along with",
+    "what is crushed takes nothing into the wall that it was pushed along with",
     {
       settings = { gravity = 320 },
       acts = {
@@ -788,7 +788,7 @@ local FOUND = {
     },
   },
   {
-    "who is given a callback has not been moved by that, restored or not",
+    "an object that is given a callback has not been moved by that, restored or not",
     {
       settings = {},
       acts = {
@@ -801,7 +801,7 @@ local FOUND = {
     },
   },
   {
-    "a belt that is read anew goes on carrying whoever stands on it",
+    "a belt that is read anew goes on carrying what stands on it",
     {
       settings = {},
       acts = {
@@ -832,7 +832,7 @@ local FOUND = {
     },
   },
   {
-    "who is moved out of two others at once gets each neighbour once",
+    "a body that is moved out of two others at once gets each neighbour once",
     {
       settings = {},
       acts = {
@@ -867,7 +867,7 @@ local FOUND = {
     },
   },
   {
-    "who bounces in a column that fits exactly is not left in the floor",
+    "what bounces in a column that fits exactly is not left in the floor",
     {
       settings = { gravity = 0 },
       acts = {
@@ -893,7 +893,7 @@ local FOUND = {
     },
   },
   {
-    "friction drags nobody out of a row that fits exactly into a wall",
+    "friction drags nothing out of a row that fits exactly into a wall",
     {
       settings = { gravity = 0 },
       acts = {
@@ -968,7 +968,7 @@ local FOUND = {
     },
   },
   {
-    "who is pulled by little more than its drag does not rest in the air",
+    "what is pulled by little more than its drag does not rest in the air",
     {
       settings = { gravity = 250 },
       acts = {
@@ -1072,7 +1072,7 @@ local FOUND = {
     },
   },
   {
-    "who is kept out of a wall meets whom it stood beside when the step began",
+    "what is kept out of a wall meets what it stood beside when the step began",
     {
       settings = { gravity = 40000 },
       acts = {
@@ -1173,7 +1173,7 @@ local FOUND = {
     },
   },
   {
-    "what begins and ends in every step is told to those who do not move, too",
+    "what begins and ends in every step is told to objects that do not move, too",
     {
       settings = { gravityX = 900 },
       acts = followedBy({
@@ -1270,7 +1270,7 @@ local FOUND = {
     },
   },
   {
-    "who fits exactly between two walls is pushed into neither",
+    "what fits exactly between two walls is pushed into neither",
     {
       settings = {},
       acts = {
@@ -1318,7 +1318,7 @@ local FOUND = {
     },
   },
   {
-    "who may meet the one it is inside of leaves it, whoever else has changed",
+    "what may meet the one it is inside of leaves it, whichever others have changed",
     {
       settings = {},
       acts = {
@@ -1334,7 +1334,7 @@ local FOUND = {
     },
   },
   {
-    "nobody is passed over in a round while the queue has something for it",
+    "no body is passed over in a round while the queue has something for it",
     {
       settings = { gravity = 0 },
       acts = {
@@ -1373,7 +1373,7 @@ local FOUND = {
     },
   },
   {
-    "who is inside another may leave it when there are no masks any more, restored or not",
+    "an object inside another may leave it when there are no masks any more, restored or not",
     {
       settings = {},
       acts = {
@@ -1405,7 +1405,7 @@ local FOUND = {
     },
   },
   {
-    "nobody is skipped in a step that is too short to come to rest in",
+    "no body is skipped in a step that is too short to come to rest in",
     {
       settings = { gravity = 40000 },
       acts = {
@@ -1443,7 +1443,7 @@ local FOUND = {
     },
   },
   {
-    "nobody is left in a wall by others who hold each other all round",
+    "no body is left in a wall by others that hold each other all round",
     {
       settings = {},
       acts = {
@@ -1470,7 +1470,7 @@ local FOUND = {
     },
   },
   {
-    "who was pushed beyond a wall is back where it was, on both axes",
+    "what was pushed beyond a wall is back where it was, on both axes",
     {
       settings = {},
       acts = {
@@ -1620,7 +1620,7 @@ local FOUND = {
     },
   },
   {
-    "a row that falls on one that cannot be pushed does not stop who falls behind it",
+    "a row that falls on one that cannot be pushed does not stop what falls behind it",
     {
       settings = { gravity = 10 },
       acts = followedBy({
@@ -1696,7 +1696,7 @@ local FOUND = {
     },
   },
   {
-    "who would slide in a longer step, as a speed limit takes off its weight, is awake",
+    "what would slide in a longer step, as a speed limit takes off its weight, is awake",
     {
       settings = { gravity = 4000, gravityX = 3000 },
       acts = {
@@ -1714,8 +1714,8 @@ local FOUND = {
     },
   },
   {
-    -- Friction in the pass of footings did not ask who is backed.
-    "who leans on one that cannot be pushed is not dragged into it by what lands on it",
+    -- Friction of supporting contacts did not test what holds a body.
+    "what leans on one that cannot be pushed is not dragged into it by what lands on it",
     {
       settings = { gravity = 0 },
       acts = {
@@ -1760,7 +1760,7 @@ local FOUND = {
   },
   {
     -- The pass of footings did not count that as a change of the way across.
-    "who goes along with what it stands on, as that stops in a later round, pushes whom it meets",
+    "what goes along with its support, as that stops in a later round, pushes what it meets",
     {
       settings = {},
       acts = {
@@ -1781,8 +1781,8 @@ local FOUND = {
     },
   },
   {
-    -- The pass of footings put it on what it stands on, and told nobody who is behind it.
-    "who stands under one that cannot be pushed is backed by it, in any order",
+    -- It was put on its support, and what is behind it was not informed.
+    "what stands under one that cannot be pushed is backed by it, in any order",
     {
       settings = {},
       acts = {
@@ -1816,7 +1816,7 @@ local FOUND = {
   },
   {
     -- In steps of 1/60 s it is pushed back to where it was each time, in a longer one it is not.
-    "who is moved aside at a corner does not rest",
+    "what is moved aside at a corner does not rest",
     {
       settings = { gravity = 40000 },
       acts = {
@@ -1911,7 +1911,7 @@ local FOUND = {
     },
   },
   {
-    "who becomes faster within its cell of the grid meets who is beyond it",
+    "what becomes faster within its cell of the grid meets what is beyond it",
     {
       settings = { order = { "boxes", "crates", 1 } },
       acts = {
@@ -1922,7 +1922,7 @@ local FOUND = {
     },
   },
   {
-    "who has flown off from what held it is no wall to the next one that hits it",
+    "what has flown off from what held it is no wall to the next one that hits it",
     {
       closed = true,
       settings = { gravity = 0, push = "first" },
@@ -2057,7 +2057,7 @@ local FOUND = {
     },
   },
   {
-    "who weighs less on others in a longer step, as the air takes more of that, stays awake",
+    "what weighs less on others in a longer step, as the air takes more of that, stays awake",
     {
       settings = { gravity = 40000 },
       acts = {
@@ -2132,7 +2132,7 @@ local FOUND = {
     },
   },
   {
-    "whom drag stops below its limit is at a stop, and not kept from going",
+    "what drag stops below its limit is at a stop, and not kept from going",
     {
       settings = { gravity = 10, maxStep = 0.01 },
       acts = {
@@ -2206,10 +2206,10 @@ describe("a random game has found that", function()
 end)
 
 describe("a review has found that", function()
-  -- Three inside each other, each in front of the next: each push moves one by what the others are
-  -- wide, 23 px in a round, until it is seen who holds whom, after eight meetings. Before, it went
-  -- on until patience was used up: 736 px in a step.
-  it("those who hold each other in a ring do not push each other on and on", function()
+  -- Three inside each other, each in front of the next. Each push moves one by the width of the
+  -- others, 23 px in a round, until it is known which one holds which, after eight impacts. Before,
+  -- it went on up to the limit of impacts: 736 px in a step.
+  it("bodies that hold each other in a ring do not push each other on and on", function()
     local world = physics.newWorld({ gravityX = 300, gravity = 0 })
     local boxes = {}
     for n, box in ipairs({

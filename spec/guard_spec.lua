@@ -130,6 +130,27 @@ describe("a checked world", function()
     refusesStep(world, "world.gravty is not a field of the library: did you mean gravity?")
     world.gravty = nil
     world:update(DT)
+    world.onCollide = 1 -- the game's own
+    world:update(DT)
+    function world.onCollide() end
+    refusesStep(world, "world.onCollide is not a field of the library: did you mean onBegin?")
+    world.onCollide = nil
+    world:update(DT)
+  end)
+
+  it("refuses a dynamic object that is one-way, not a kinematic one", function()
+    local world, _, box = newWorld()
+    local text = " must be nil, got %s: one-way objects are static or kinematic; a dynamic one"
+      .. " falls through the floor"
+    for _, side in ipairs({ true, "top", "left" }) do
+      box.oneWay = side
+      local shown = side == true and "true" or ('"%s"'):format(side)
+      refusesStep(world, "objects.boxes[1].oneWay" .. text:format(shown))
+    end
+    box.oneWay = false
+    world:update(DT)
+    box.oneWay, box.kinematic = "top", true
+    world:update(DT)
   end)
 
   it("finds a mask that names a group which is not there, but one with nearly that name", function()

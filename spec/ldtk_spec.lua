@@ -74,7 +74,7 @@ describe("world:loadLDtk", function()
   end)
 
   describe("without the option solid", function()
-    it("takes values whose name says so", function()
+    it("takes values with a name that says so", function()
       local level, world = load(newProject({ "Walls", "water", "ground" }))
       assert.same({ "0 32 80 16" }, boxes(world, "Collisions"))
       assert.equal('its values "Walls", "ground"', level.solidLayers[1].reason)

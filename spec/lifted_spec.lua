@@ -1,5 +1,5 @@
---- Who loses its hold in the middle of a step: from then on it holds nothing up, and falls. And who
---- does not, since its weight is more than what would lift it.
+--- A box that loses its hold in the middle of a step: from then on it holds nothing up, and falls.
+--- And one that does not, since its weight is more than what would lift it.
 
 local physics = require("physics")
 
@@ -14,7 +14,7 @@ local function energyOf(objects)
   return sum
 end
 
-describe("who is hit from below, off its shelf,", function()
+describe("a box that is hit from below, off its shelf,", function()
   --    +------+
   --    |      |
   --    +------+
@@ -27,15 +27,15 @@ describe("who is hit from below, off its shelf,", function()
       local crate = world:add("boxes", { x = 0, y = 80, width = 20, height = 20 })
       local ball =
         world:add("boxes", { x = 12, y = 110, width = 8, height = 8, vy = -400, restitution = 1 })
-      local everybody = { crate, ball }
+      local bodies = { crate, ball }
       world:update(0)
-      local before = energyOf(everybody)
+      local before = energyOf(bodies)
       local steps = math.floor(rate / 15)
       for _ = 1, steps do
         world:update(1 / rate)
       end
       assert.is_true(crate.y < 70)
-      assert.near(before, energyOf(everybody), 1e-9 * math.abs(before))
+      assert.near(before, energyOf(bodies), 1e-9 * math.abs(before))
       -- They have swapped their speeds: together they have gone up as one ball and fallen as one.
       local t = steps / rate
       local hit = (400 - math.sqrt(400 ^ 2 - 2 * GRAVITY * 10)) / GRAVITY
@@ -115,7 +115,8 @@ describe("a box that leans on a lift that rises", function()
 end)
 
 describe('what leans on a wall and on the floor, with push = "first",', function()
-  -- By rounding, who does not overlap yet has less than no time left: nothing may fall for so long.
+  -- By rounding, a box that does not overlap yet has slightly less than no time left: nothing may
+  -- fall for so long.
   for _, rate in ipairs({ 30, 60, 144 }) do
     it(("does not leap when light ones rub it, at %d Hz"):format(rate), function()
       local world = physics.newWorld({ gravity = 800, gravityX = 800, push = "first" })

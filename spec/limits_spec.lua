@@ -1,5 +1,5 @@
---- Who pulls harder than its speed limit lets it go: an engine (`ax`) with friction, drag or crates
---- in its way.
+--- An object that pulls harder than its speed limit lets it go: an engine (`ax`) with friction,
+--- drag or crates in its way.
 
 local physics = require("physics")
 local unpack = rawget(table, "unpack") or rawget(_G, "unpack")
@@ -58,7 +58,7 @@ describe("an engine at its speed limit", function()
     { "that turns it round", { ax = -600, maxSpeedX = 300, vx = 300 }, -4, -140 },
     -- It begins at 100 px/s: 0.1 s and 5 px, then 1/2 s and 25 px back, then at the limit.
     { "the other way round", { ax = -600, maxSpeedX = 100, vx = 300 }, -60, -100 },
-    -- (Only then, as who has not stood yet is dragged along its fall, too.)
+    -- (Only then, since an object that has not stood yet is dragged along its fall, too.)
     { "with some drag, as well", { ax = 700, drag = 100, maxSpeed = 100 }, 75, 100, true },
   }
   for _, row in ipairs(ROWS) do

@@ -61,7 +61,7 @@ local function isFinite(value)
 end
 
 describe("what is static", function()
-  -- Where it is given a place by whoever is flush with it, that is rounded.
+  -- Where a box that is flush with it gives it a place, that is rounded.
   it("is not moved by rounding", function()
     for seed = 16, 18 do
       local plan = script.new(seed, WILD)
@@ -139,7 +139,7 @@ describe("the same scene goes the same way, to the bit,", function()
       { "zed", 8, -104, 16, 16 },
     },
     {
-      "one that slides around a lift no longer touches whom it touched",
+      "one that slides around a lift no longer touches what it touched",
       { gravity = 0 },
       1 / 240,
       { "walls", 16, -99853.7, 16, 32, { static = true } },
@@ -163,7 +163,7 @@ describe("the same scene goes the same way, to the bit,", function()
       { "crates", 16.04, 8, 16, 16, { vx = 2.86 } },
     },
     {
-      "a row is crushed, of whom some are neighbours that have not met",
+      "a row is crushed, and some of it are neighbours that have not met",
       { gravity = 500, gravityX = -250, maxStep = 1 / 60, push = "first" },
       1 / 30,
       { "walls", 99990, -180, 10, 370, { static = true } },
@@ -186,7 +186,7 @@ describe("the same scene goes the same way, to the bit,", function()
       { "crates", 100090, 140, 20, 20 },
     },
     {
-      "one is moved around a corner after others have changed who is met at a corner",
+      "one is moved around a corner after others have changed what is met at a corner",
       { gravity = 0 },
       1 / 60,
       { "walls", 76, -16, 16, 16, { static = true } },
@@ -204,7 +204,7 @@ describe("the same scene goes the same way, to the bit,", function()
       { "boxes", 16, 48, 16, 16 },
     },
   }
-  -- Plays a scene for one step; returns what is told, and where everybody is then.
+  -- Plays a scene for one step; returns what is told, and where all objects are then.
   local function tellScene(scene, broadphase)
     local world, names, told = physics.newWorld(scene[2]), {}, {}
     world.broadphase = broadphase
@@ -304,6 +304,24 @@ describe("the same scene goes the same way, to the bit,", function()
   end)
 end)
 
+-- Nothing overlaps at the end of a step of a game, unless it is squeezed. A step has an end: what
+-- still meets in its last round, as a box that rattles between two others, may overlap by up to a
+-- px, and is apart after the next one.
+local function expectApart(seed, push)
+  local player = script.play(script.new(seed, PLAIN), { push = push })
+  local deepest, before = overlap.checker(player.list), 0
+  while player:next() do
+    local depth, a, b = deepest()
+    local isKnot = depth <= 1 and before <= 1e-6
+    before = depth
+    if depth > 1e-6 and not isKnot then
+      local text = "seed %d, push %s, step %d: objects %d and %d overlap by %.3g px"
+      local first, second = player.indexOf[a], player.indexOf[b]
+      error(text:format(seed, push, player.step, first, second, depth))
+    end
+  end
+end
+
 describe("whatever happens,", function()
   it("every number stays finite", function()
     for _, push in ipairs({ "both", "first" }) do
@@ -324,22 +342,11 @@ describe("whatever happens,", function()
     end
   end)
 
-  -- A step has an end: what still meets in its last round, as a box that rattles between two
-  -- others, may overlap by up to a px, and is apart after the next one.
   it("nothing sinks into anything, unless it is squeezed", function()
     for _, push in ipairs({ "both", "first" }) do
-      for seed = 200, 199 + effort.share(40) do
-        local player = script.play(script.new(seed, PLAIN), { push = push })
-        local deepest, before = overlap.checker(player.list), 0
-        while player:next() do
-          local depth, a, b = deepest()
-          local isKnot = depth <= 1 and before <= 1e-6
-          before = depth
-          if depth > 1e-6 and not isKnot then
-            local text = "seed %d, push %s, step %d: objects %d and %d overlap by %.3g px"
-            local first, second = player.indexOf[a], player.indexOf[b]
-            error(text:format(seed, push, player.step, first, second, depth))
-          end
+      for seed = 200, 239 do
+        if effort.plays(seed, 10) then
+          expectApart(seed, push)
         end
       end
     end

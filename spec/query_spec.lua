@@ -59,9 +59,9 @@ describe("world:queryPoint", function()
     { "on a right edge", 40, 5, "" },
     { "on a bottom edge", 65, 30, "" },
     { "where three are, in order", 21, 15, "2 3" },
-    { "where nobody is", 50, 5, "" },
+    { "where nothing is", 50, 5, "" },
   }) do
-    it("finds who is there: " .. row[1], function()
+    it("finds what is there: " .. row[1], function()
       assert.are.equal(row[4], names(four():queryPoint(row[2], row[3])))
     end)
   end
@@ -76,7 +76,7 @@ describe("world:queryRect", function()
     { "corner to corner", { 80, 30, 5, 5 }, "", "4" },
     { "a little in", { 39.999, 0, 5, 40 }, "2", "2" },
   }) do
-    it("finds who overlaps: " .. row[1], function()
+    it("finds what overlaps: " .. row[1], function()
       local r = row[2]
       assert.are.equal(row[3], names(four():queryRect(r[1], r[2], r[3], r[4])))
       local world = four({ sideBySide = true })
@@ -86,7 +86,7 @@ describe("world:queryRect", function()
 end)
 
 describe("world:querySegment", function()
-  it("finds who is on the line, nearest first", function()
+  it("finds what is on the line, nearest first", function()
     local world = four()
     assert.are.equal("1 3 2 4", names(world:querySegment(-10, 15, 100, 15)))
     assert.are.equal("4 2 3 1", names(world:querySegment(100, 15, -10, 15)))
@@ -94,7 +94,7 @@ describe("world:querySegment", function()
   end)
 
   -- In a grid of 64 buckets, in which cells that are far apart meet.
-  it("tells everybody once, among many", function()
+  it("reports each object once, among many", function()
     local world, random, boxes = still(), newRandom(77), {}
     for i = 1, 60 do
       local x, y = random:between(-500, 500), random:between(-500, 500)
@@ -453,7 +453,7 @@ describe("world:sweep", function()
 end)
 
 describe("world:overlapping", function()
-  it("finds who overlaps an object", function()
+  it("finds what overlaps an object", function()
     local world = four()
     local one, three = world.objects.a[1], world.objects.b[1]
     assert.are.equal("3", names(world:overlapping(one)))
@@ -524,7 +524,7 @@ describe("a filter", function()
     assert.are.equal("1 2 3 4", names(world:queryRect(-10, -10, 100, 100)))
   end)
 
-  it("is asked in order, about nobody twice", function()
+  it("is asked in order, about no object twice", function()
     local world, asked = four(), {}
     world:raycast(-1000, 15, 1000, 15, function(object)
       asked[#asked + 1] = object.name
@@ -556,7 +556,7 @@ describe("a filter", function()
   end)
 
   -- A ray is looked at in pieces, the first of 48 px.
-  it("is asked about nobody twice where two pieces of a ray meet", function()
+  it("is asked about no object twice where two pieces of a ray meet", function()
     local world, asked = still(), {}
     for _, x in ipairs({ 48, 40, 56 }) do
       world:add("a", tile(x, 0, 16, 16))
@@ -612,7 +612,7 @@ for name, build in pairs({ small = small, large = large }) do
       end
     end)
 
-    it("sees who came for somebody who went from the same group", function()
+    it("sees an object that replaced another one of its group", function()
       local world = build()
       local first = world:add("a", box(0, 0, 10, 10))
       world:add("a", box(30, 0, 10, 10))
@@ -697,7 +697,7 @@ for name, build in pairs({ small = small, large = large }) do
     -- As from a pool: it is the same table as before, in the same world.
     for _, isStatic in ipairs({ false, true }) do
       local kind = isStatic and "static" or "dynamic"
-      it("sees who was removed, put elsewhere and added again, " .. kind, function()
+      it("sees an object that was removed, put elsewhere and added again, " .. kind, function()
         local world = build()
         local object = world:add("a", box(0, 0, 10, 10, { static = isStatic }))
         world:update(1 / 60)
@@ -723,7 +723,7 @@ for name, build in pairs({ small = small, large = large }) do
       end)
     end
 
-    it("sees who was added and who was removed", function()
+    it("sees what was added and what was removed", function()
       local world = build()
       world:update(1 / 60)
       local first = world:add("a", box(0, 0, 10, 10))
@@ -741,7 +741,7 @@ for name, build in pairs({ small = small, large = large }) do
       assert.are.equal(0, count(world, 5, 5))
     end)
 
-    it("sees who is active", function()
+    it("sees which objects are active", function()
       local world = build()
       local object = world:add("a", box(0, 0, 10, 10, { active = false }))
       assert.are.equal(0, count(world, 5, 5))
@@ -845,7 +845,7 @@ describe("a question", function()
     assert.is_true(least < 0.1, ("%.3f KB"):format(least))
   end)
 
-  it("is told who is on a line that is shorter than numbers can divide by", function()
+  it("finds what is on a line that is shorter than numbers can divide by", function()
     local world = still()
     for i = 0, 9 do
       world:add("boxes", box(100 * i - 5, -5, 10, 10))
@@ -865,7 +865,7 @@ describe("a question", function()
 
   it("costs what the neighbourhood costs, not the world", function()
     local reads = 0
-    --- Boxes in rows of 50, whose x is read through a counter.
+    --- Boxes in rows of 50; their x is read through a counter.
     local function crowd(count)
       local world = still()
       for i = 0, count - 1 do
@@ -892,7 +892,7 @@ describe("a question", function()
       local costs = {}
       local object = world.objects.boxes[52]
       for i, ask in ipairs({
-        function() -- the first one looks at everybody
+        function() -- the first one looks at all objects
           return select(2, world:queryPoint(5, 5))
         end,
         function()
@@ -989,7 +989,7 @@ describe("a question", function()
     end
   end)
 
-  it("finds what looking at everybody finds", function()
+  it("finds what looking at all objects finds", function()
     for seed = 1, 8 do
       local random, world, all = newRandom(seed), still(), {}
       for i = 1, random:integer(5, 300) do
@@ -1132,7 +1132,7 @@ describe("world:explain", function()
     end)
   end
 
-  it("says who is not there and which masks are the world's", function()
+  it("says which object is not there and which masks are the world's", function()
     local world = still({ masks = { a = { b = false } } })
     local a, b = world:add("a", box(0, 0, 1, 1)), world:add("b", box(0, 0, 1, 1))
     local text = 'the world\'s masks let "a" pass through "b"'
@@ -1149,7 +1149,11 @@ describe("a question refuses", function()
     { "queryPoint", { "1", 2 }, 'queryPoint(x, y): x must be a number, got "1"' },
     { "queryPoint", { 1, nan }, "queryPoint(x, y): y must be a number, got nan" },
     { "queryPoint", { 1, 2, true }, "queryPoint(x, y): filter must be a group name" },
-    { "queryPoint", { 1, 2, { {} } }, "queryPoint(x, y): filter[1] must be a group name" },
+    {
+      "queryPoint",
+      { 1, 2, { {} } },
+      "filter[1] must be a group name, got table (the name of a group, not its table)",
+    },
     { "queryPoint", { 1, 2, { boxes = true } }, "queryPoint(x, y): filter must be a group name" },
     { "queryPoint", { 1, 2, nil, 3 }, "queryPoint(x, y): out must be a table, got 3" },
     { "queryRect", { 1, 2, 0, 4 }, "queryRect(x, y, w, h): w must be a number > 0, got 0" },

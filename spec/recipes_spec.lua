@@ -87,6 +87,17 @@ recipes["Coyote time"] = function(snippet)
   g.press("space")
   assert.near(100, g.jumpHeight(), 0.1)
   assert.equal(368, g.player.y)
+  -- A spring is no ground to jump from.
+  g = play(snippet)
+  g.player.y = 300
+  function g.env.floor.onBegin(_, other)
+    other.vy = -300
+  end
+  repeat
+    g.run(DT)
+  until g.player.vy < 0
+  g.press("space")
+  assert.near(300 * 300 / 1600, g.jumpHeight(0.5), 0.1)
 end
 
 recipes["Variable jump"] = function(snippet)
@@ -278,6 +289,16 @@ recipes["Bullets"] = function(snippet)
   g.run(0.5)
   assert.equal(2, (low.health or 0) + (high.health or 0))
   assert.is_true(low.x < 303 and high.x < 303)
+  -- A sensor does not stop it; what hits nothing is removed after 2 s.
+  g = play(snippet)
+  local water = { x = 200, y = 300, width = 50, height = 100, static = true, sensor = true }
+  g.world:add("water", water)
+  g.press("x")
+  g.run(1)
+  assert.is_nil(water.health)
+  assert.equal(1, #g.world.objects.bullets)
+  g.run(1.1)
+  assert.equal(0, #g.world.objects.bullets)
 end
 
 recipes["Doors"] = function(snippet)
@@ -381,6 +402,13 @@ recipes["Camera"] = function(snippet)
   assert.near(1512 - 400, g.look(), 0.1)
   g.env.love.draw()
   assert.equal(-math.floor(g.look()), translated)
+  local drawn = 0
+  function g.env.love.graphics.rectangle()
+    drawn = drawn + 1
+  end
+  g.world:add("boxes", { x = 0, y = 300, width = 8, height = 8, static = true }) -- out of view
+  g.env.love.draw()
+  assert.equal(1, drawn) -- the player; the floor ends at 800, out of view
   g.player.x = 2990
   g.run(2)
   assert.near(2200, g.look(), 0.1)

@@ -1,4 +1,4 @@
---- After an error that came out of the library, whoever raised it, the world is whole: the next
+--- After an error that came out of the library, whatever raised it, the world is whole: the next
 --- update goes on. Objects fail here at every single point at which the library touches them, one
 --- after the other, as they would if memory ran out there.
 
@@ -24,7 +24,7 @@ local function burn()
   end
 end
 
--- An object whose fields stand elsewhere, so that every access is a call.
+-- An object that keeps its fields elsewhere, so that every access is a call.
 local function newFailing(values)
   return setmetatable({}, {
     __index = function(_, name)
@@ -166,7 +166,7 @@ describe("after an object has failed", function()
     return true
   end
 
-  it("at any point before somebody has moved, the next one takes over what was written", function()
+  it("at any point before an object has moved, the next one takes over what was written", function()
     local function prepare(scene)
       run(3)(scene)
       scene.a.kinematic, scene.a.vx, scene.a.oneWay = true, 30, "bottom"
@@ -315,11 +315,11 @@ end)
 -- Callbacks ---------------------------------------------------------------------------------------
 
 describe("after a callback has failed", function()
-  it("those who have not heard of the event are told at the next update", function()
+  it("objects that have not heard of the event are told at the next update", function()
     local scene, told = newScene(), {}
-    local function listen(who)
+    local function listen(which)
       return function()
-        told[#told + 1] = who
+        told[#told + 1] = which
       end
     end
     scene.a.onBegin, scene.floor.onBegin = error, listen("floor")
@@ -336,46 +336,52 @@ describe("after a callback has failed", function()
 
   -- Each of them fails once, at its first, second, ... call.
   for _, name in ipairs({ "onBegin", "onStay", "onEnd", "canCollide" }) do
-    for _, who in ipairs({ "world", "a", "b" }) do
-      it(name .. " of " .. who .. ", the world goes the way of one in which it did not", function()
-        local failures = 0
-        for at = 1, 12 do
-          local calls, armed = 0, true
-          local function callback()
-            calls = calls + 1
-            if armed and calls == at then
-              failures = failures + 1
-              error(FAILURE, 0)
+    for _, which in ipairs({ "world", "a", "b" }) do
+      it(
+        name .. " of " .. which .. ", the world goes the way of one in which it did not",
+        function()
+          local failures = 0
+          for at = 1, 12 do
+            local calls, armed = 0, true
+            local function callback()
+              calls = calls + 1
+              if armed and calls == at then
+                failures = failures + 1
+                error(FAILURE, 0)
+              end
+              return true
             end
-            return true
-          end
-          local scene, twin = newScene(), newScene()
-          scene.world.onBegin, scene.world.onEnd = nil, nil
-          twin.world.onBegin, twin.world.onEnd = nil, nil
-          scene[who][name] = callback
-          twin[who][name] = function()
-            return true
-          end
-          for _ = 1, 60 do
-            local ok, message = pcall(scene.world.update, scene.world, DT)
-            assert(ok or message == FAILURE, message)
-            if not ok and name == "canCollide" then
-              scene.world:update(DT) -- that step was not made
+            local scene, twin = newScene(), newScene()
+            scene.world.onBegin, scene.world.onEnd = nil, nil
+            twin.world.onBegin, twin.world.onEnd = nil, nil
+            scene[which][name] = callback
+            twin[which][name] = function()
+              return true
             end
-            twin.world:update(DT)
-            assert.same(snapshot(twin), snapshot(scene))
+            for _ = 1, 60 do
+              local ok, message = pcall(scene.world.update, scene.world, DT)
+              assert(ok or message == FAILURE, message)
+              if not ok and name == "canCollide" then
+                scene.world:update(DT) -- that step was not made
+              end
+              twin.world:update(DT)
+              assert.same(snapshot(twin), snapshot(scene))
+            end
+            armed = false
           end
-          armed = false
+          -- Some of them are never called here.
+          assert.is_true(
+            failures > 0 or (name == "onEnd" and which ~= "b"),
+            "failures: " .. failures
+          )
         end
-        -- Some of them are never called here.
-        assert.is_true(failures > 0 or (name == "onEnd" and who ~= "b"), "failures: " .. failures)
-      end)
+      )
     end
   end
 end)
 
--- Everybody wants to the middle, and jumps now and then; half of them cannot be pushed, and so have
--- no turns: much is left in the queue by a step that is given up.
+-- All of them want to the middle, and jump now and then; half of them cannot be pushed. So much is
+-- left to do in a step that is given up.
 describe("after canCollide has failed in a crowd", function()
   local COUNT, STEPS = 24, 80
 

@@ -5,7 +5,7 @@ local physics = require("physics")
 
 local unpack = rawget(table, "unpack") or rawget(_G, "unpack")
 
--- Who is in the scene, by number, and what they are told.
+-- What is in the scene, by number, and what it is told.
 local function newPlayer(settings, rest)
   local all = { rest = rest }
   for key, value in pairs(settings or {}) do
@@ -216,9 +216,9 @@ describe("rest changes nothing:", function()
     assert.are.same({ 96.125, 96, 296, 96.125 }, { one.x, one.y, other.x, other.y })
   end)
 
-  -- A ball that a moving wall throws back meets somebody who rests, and all that in the step in
-  -- which another one far away meets a wall, after that.
-  it("somebody is woken in the middle of a step", function()
+  -- A ball that a moving wall throws back meets a box that rests. All that is in the step in which
+  -- another one far away meets a wall, after that.
+  it("a body is woken in the middle of a step", function()
     local player = checkSame({ gravity = 0 }, {
       { "add", 1, "a", { x = -40, y = 0, width = 10, height = 10 } },
       { "update", 1 / 60 },
@@ -292,7 +292,7 @@ end)
 
 describe("a crate behind a thin wall", function()
   for _, speed in ipairs({ 100, 200, 300 }) do
-    it("rests while somebody presses the wall at " .. speed .. " px/s", function()
+    it("rests while a box presses the wall at " .. speed .. " px/s", function()
       local world = physics.newWorld({ gravity = 600 })
       world:add("tiles", { x = 0, y = 600, width = 400, height = 20, static = true })
       world:add("tiles", { x = 200, y = 0, width = 4, height = 600, static = true })
@@ -340,7 +340,7 @@ describe("an object that becomes static", function()
 end)
 
 describe("one of a row that is pushed", function()
-  it("stops who pushes it once it is a wall", function()
+  it("stops what pushes it once it is a wall", function()
     local world = physics.newWorld()
     local boxes = {}
     for n = 1, 3 do

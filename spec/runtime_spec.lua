@@ -5,8 +5,8 @@ local fields = require("physics.world.fields")
 local physics = require("physics")
 
 local DT = 1 / 60
--- Before which update something happens. Whoever is put elsewhere is read anew, so a field is set
--- (and taken back) before that as well as after it.
+-- Before which update something happens. An object that is put elsewhere is read anew, so a field
+-- is set (and taken back) before that as well as after it.
 local JUMP, LAND, LAST = 52, 116, 200
 local TIMES = { { set = 3, takeBack = 50 }, { set = 120, takeBack = 150 } }
 
@@ -44,7 +44,7 @@ local OTHERS = { "x", "y", "width", "height", "vx", "vy", "static", "carry", "to
 local CALLBACKS = { "onBegin", "onStay", "onEnd", "onCrush" }
 
 -- A box that jumps against the corner of a ceiling, falls to the floor, jumps once more, gets
--- another one on top, and is pushed by a third. Returns the world, who may change, what happens.
+-- another one on top, and is pushed by a third. Returns the world, changing objects, events.
 local function build()
   local world = physics.newWorld({ gravity = 800 })
   world:add("floors", { x = -400, y = 100, width = 900, height = 20, static = true })

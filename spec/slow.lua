@@ -12,22 +12,22 @@ slow.interpreters = { "LuaJIT", "LuaJIT compiled", "LuaJIT -joff", "Lua 5.4" }
 
 --- The files with such specs, the longest first, and what takes so long.
 slow.files = {
-  { "spec/friction_spec.lua", "stacks compared with steps of 1/1500 to 1/4800 s" },
   { "spec/scenarios/20_crowds_spec.lua", "a crowd of 300 around a player, for a minute" },
   { "spec/scenarios/21_no_room_spec.lua", "machines that leave no room, for eight seconds" },
   { "spec/recovery_spec.lua", "1600 steps of a crowd, most of them interrupted and restored" },
-  { "spec/scenarios/08_crushing_spec.lua", "a crowd on one spot, in a dozen corridors" },
-  { "spec/scenarios/17_pushable_spec.lua", "rows between two boxes, at five frame rates" },
-  { "spec/scenarios/13_piles_spec.lua", "1000 boxes without friction, for 20 s" },
-  { "spec/scenarios/12_momentum_spec.lua", "200 bouncing boxes, for a minute" },
   { "spec/determinism_spec.lua", "the scene with everything in it, with other histories" },
+  { "spec/column_store_spec.lua", "the scene with everything in it, each access checked" },
   { "spec/state_spec.lua", "a rollback of 8 steps, with each combination of settings" },
-  { "spec/roster_spec.lua", "eight more seeds of random edits" },
-  { "spec/limits_spec.lua", "engines in steps of 1/1000 s" },
-  { "spec/soak_spec.lua", "falls of 4600 steps" },
-  { "spec/examples_spec.lua", "whole levels of the examples, as recorded" },
-  { "spec/bank_spec.lua", "the scene with everything in it, each access to a column checked" },
+  { "spec/friction_spec.lua", "stacks compared with steps of 1/1500 to 1/4800 s" },
+  { "spec/scenarios/13_piles_spec.lua", "1000 boxes without friction, for 20 s" },
+  { "spec/scenarios/17_pushable_spec.lua", "rows between two boxes, at five frame rates" },
+  { "spec/scenarios/08_crushing_spec.lua", "a crowd on one spot, in a dozen corridors" },
+  { "spec/scenarios/12_momentum_spec.lua", "200 bouncing boxes, for a minute" },
   { "spec/scenarios/01_seams_spec.lua", "a hundred landings, one by one" },
+  { "spec/examples_spec.lua", "whole levels of the examples, as recorded" },
+  { "spec/soak_spec.lua", "falls of 4600 steps" },
+  { "spec/registry_spec.lua", "eight more seeds of random edits" },
+  { "spec/limits_spec.lua", "engines in steps of 1/1000 s" },
 }
 
 return slow

@@ -7,7 +7,7 @@ local overlap = require("spec.support.overlap")
 local physics = require("physics")
 
 describe("a busy scene", function()
-  it("loses nobody and keeps its memory", function()
+  it("loses no object and keeps its memory", function()
     local world, length = busy.new(), effort.share(4000)
     local n = 0
     local function play()
@@ -25,7 +25,7 @@ describe("a busy scene", function()
   end)
 end)
 
-describe("whoever falls for ever", function()
+describe("what falls for ever", function()
   for _, broadphase in ipairs({ "grid", "pairs" }) do
     it("leaves nothing behind, " .. broadphase .. " #slow", function()
       local world = physics.newWorld({ gravity = 1000, broadphase = broadphase })

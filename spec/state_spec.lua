@@ -136,12 +136,12 @@ describe("a state from elsewhere", function()
     end
   end)
 
-  -- What a world does not look for if it never happened there. Who, the step before which the state
-  -- is saved, after the game has written; how often somebody is crushed before and after; objects;
-  -- what the game writes before step n.
+  -- What a world does not look for if it never happened there. The columns: what happened; the step
+  -- before which the state is saved, after the game has written; how often a box is crushed before
+  -- and after; objects; what the game writes before step n.
   local HISTORIES = {
     {
-      "who was crushed",
+      "one was crushed",
       50,
       { 1, 1 },
       {
@@ -158,7 +158,7 @@ describe("a state from elsewhere", function()
       end,
     },
     {
-      "who is inside of walls",
+      "one is inside of walls",
       20,
       { 1, 0 },
       {
@@ -178,7 +178,7 @@ describe("a state from elsewhere", function()
       end,
     },
     {
-      "who has just landed on a belt that has stopped",
+      "one has just landed on a belt that has stopped",
       5,
       { 0, 0 },
       {
@@ -193,7 +193,7 @@ describe("a state from elsewhere", function()
       end,
     },
     {
-      "whose lift has gone",
+      "one has lost its lift",
       30,
       { 0, 0 },
       {
@@ -390,7 +390,7 @@ describe("world:restore", function()
     assert.are.equal(1, told)
   end)
 
-  it("gives a state from elsewhere to who stands at the same place", function()
+  it("gives a state from elsewhere to the object at the same place", function()
     local world, box = smallWorld()
     local state = read(write(world:save()))
     local x, y = world.objects.boxes[2].x, world.objects.boxes[2].y
@@ -521,7 +521,7 @@ describe("world:restore", function()
     assert.is_near(310, bullet.x, 1e-9)
   end)
 
-  it("finds who was read again and not stepped yet", function()
+  it("finds an object that was read again and not stepped yet", function()
     local world = physics.newWorld({ gravity = 0 })
     local wall = world:add("walls", { x = 0, y = 0, width = 20, height = 100, static = true })
     local box = world:add("boxes", { x = 30, y = 40, width = 20, height = 20 })
@@ -561,13 +561,13 @@ describe("world:restore", function()
 
   for _, row in ipairs({
     {
-      "who has lost what it stood on falls as in the straight run",
+      "one that has lost what it stood on falls as in the straight run",
       function(world, low)
         world:remove(low)
       end,
     },
     {
-      "the same if somebody else has come since, in any place of the memory",
+      "the same if another object has come since, in any place of the memory",
       function(world, low)
         world:remove(low)
         world:update(0)
@@ -660,7 +660,7 @@ describe("world:restore", function()
     end
   end
 
-  it("leaves who was added just before its `touching`", function()
+  it("leaves an object that was added just before its `touching`", function()
     local world = physics.newWorld({ gravity = 0 })
     world:update(1 / 60)
     local box = world:add("boxes", { x = 30, y = 40, width = 20, height = 20 })
@@ -757,7 +757,7 @@ describe("world:restore", function()
     return told, heard
   end
 
-  it("keeps events of those who have left the world", function()
+  it("keeps events of objects that have left the world", function()
     local world, boxes = leaveBehind()
     local state, hash = world:save(), world:hash()
     assert.are.same({ "150 0" }, (hearEnds(world)))
@@ -791,7 +791,7 @@ describe("world:restore", function()
     assert.are.equal(last, twin:hash())
   end)
 
-  it("drops what a world could not use of those who have left", function()
+  it("drops what a world could not use of objects that have left", function()
     local world, boxes = leaveBehind()
     boxes[3].width, boxes[3].mask, boxes[3].vx = -1, "no", 0 / 0
     local twin = physics.newWorld()
@@ -817,7 +817,7 @@ describe("world:restore", function()
     end
   end)
 
-  it("looks at who has got a canCollide since the last step as the world itself would", function()
+  it("looks at an object with a new canCollide as the world itself would", function()
     local hashes = {}
     for n = 1, 2 do
       local world = physics.newWorld()
@@ -837,7 +837,7 @@ describe("world:restore", function()
 
   it("keeps the order of events if one was noted after others had been told", function()
     local world, boxes = leaveBehind()
-    world.onEnd = function() end -- what nobody hears is not noted
+    world.onEnd = function() end -- an event without a callback is not noted
     boxes[1].static, boxes[1].active = true, false
     world:refresh(boxes[1])
     local state = world:save()
@@ -850,7 +850,7 @@ describe("world:restore", function()
     assert.are.same({ "150 0", "50 0" }, (hearEnds(world)))
   end)
 
-  it("says that somebody touches whoever has left since the last step", function()
+  it("says that an object touches one that has left since the last step", function()
     local world = physics.newWorld({ gravity = 800 })
     local floor = world:add("floor", { x = 0, y = 100, width = 200, height = 20, static = true })
     local box = world:add("boxes", { x = 50, y = 90, width = 10, height = 10 })

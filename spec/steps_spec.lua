@@ -2,14 +2,14 @@
 
 local begin = require("physics.motion.begin")
 local columns = require("physics.memory.columns")
-local everybody = require("physics.broadphase.allPairs")
+local allPairs = require("physics.broadphase.allPairs")
 local forces = require("physics.motion.forces")
 local friction = require("physics.solver.friction")
 local grid = require("physics.broadphase.grid")
 local newRandom = require("spec.support.random").new
 local path = require("physics.motion.path")
 local physics = require("physics")
-local roster = require("physics.objects.registry")
+local registry = require("physics.objects.registry")
 local sort = require("physics.memory.sort")
 
 local DYNAMIC, STATIC = columns.DYNAMIC, columns.STATIC
@@ -74,7 +74,7 @@ describe("the broad phases", function()
     b.fatLow[2 * i + 1], b.fatHigh[2 * i + 1] = y, y + scale * random:between(0.1, 30)
   end
 
-  -- Puts boxes there for slot i and some of those who are in; returns the list of all these.
+  -- Puts boxes there for slot i and some of those that are in; returns the list of all these.
   local function placeSome(b, random, i, isIn)
     local list = { i }
     place(b, random, i)
@@ -105,7 +105,7 @@ describe("the broad phases", function()
     it(("find the same among %d, in cells of %g"):format(row[1], row[2]), function()
       local random = newRandom(9)
       local b = newBodies(row[1])
-      local phases = { everybody.new(b), grid.new(b, row[2]) }
+      local phases = { allPairs.new(b), grid.new(b, row[2]) }
       local isIn = {}
       for i = 1, row[1] do
         isIn[i] = false
@@ -142,9 +142,9 @@ describe("the broad phases", function()
     end)
   end
 
-  it("find who has become wider where it stands", function()
+  it("find a box that has become wider where it stands", function()
     local b = newBodies(1)
-    local phases = { everybody.new(b), grid.new(b, 32) }
+    local phases = { allPairs.new(b), grid.new(b, 32) }
     b.fatLow[2], b.fatHigh[2], b.fatLow[3], b.fatHigh[3] = 30, 34, 30, 34
     for _, phase in ipairs(phases) do
       phase:insert(1)
@@ -158,7 +158,7 @@ describe("the broad phases", function()
 
   it("work far out, and at the edges", function()
     local b = newBodies(3)
-    local phases = { everybody.new(b), grid.new(b) }
+    local phases = { allPairs.new(b), grid.new(b) }
     for i, x in ipairs({ -1e12, 0, 1e12 }) do
       b.fatLow[2 * i], b.fatHigh[2 * i] = x, x + 16
       b.fatLow[2 * i + 1], b.fatHigh[2 * i + 1] = 0, 16
@@ -327,7 +327,13 @@ describe("the columns", function()
 
   it("gives each slot the same to begin with, whatever it held before", function()
     local b = columns.new()
-    local layout = b.slotBank.layout
+    local layout = {}
+    for _, part in ipairs(b.slotStore.layout) do
+      for _, name in ipairs(part.names) do
+        layout[#layout + 1] = { name = name, width = part.width }
+      end
+    end
+    assert.is_true(#layout > 100)
     local function check(slot)
       for n = 1, #layout do
         local column, width = b[layout[n].name], layout[n].width
@@ -358,9 +364,9 @@ describe("the columns", function()
   end)
 end)
 
-describe("the roster", function()
-  it("reports who is new, who is gone and who moved, and nothing when all is the same", function()
-    local b, self = columns.new(), roster.new()
+describe("the registry", function()
+  it("reports what is new, gone or moved, and nothing when all is the same", function()
+    local b, self = columns.new(), registry.new()
     local lines = {}
     local function enter(_, object)
       local slot = columns.claim(b)
@@ -384,7 +390,7 @@ describe("the roster", function()
         b.group[slot], b.key[slot] = record, key
         return slot
       end
-      local changed = roster.update(b, self, objects, realEnter, leave, rename)
+      local changed = registry.update(b, self, objects, realEnter, leave, rename)
       return changed, table.concat(lines, " ")
     end
     local function newNamed(name)

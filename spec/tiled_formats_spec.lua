@@ -654,7 +654,7 @@ describe("world:loadTiled, polygons", function()
       { "100 200 10 20", "120 200 10 20", "100 220 30 10" },
     },
     {
-      "a C, whose upright part goes on",
+      "a C, with an upright part that goes on",
       { 0, 0, 30, 0, 30, 10, 10, 10, 10, 20, 30, 20, 30, 30, 0, 30 },
       { "100 200 30 10", "100 210 10 10", "100 220 30 10" },
     },

@@ -37,7 +37,7 @@ local function refuses(expected, map, options)
   end)
   assert.is_false(isDone, "it was not refused: " .. expected)
   local text = message:match("tiled_refusals_spec%.lua:%d+: physics: (.*)$")
-  assert.truthy(text, "blames somebody else: " .. message)
+  assert.truthy(text, "blames another line: " .. message)
   assert.equal(expected, text)
   assert.same(before, world.objects)
   world:loadTiled(newMap()) -- and it can still be used

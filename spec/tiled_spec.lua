@@ -367,7 +367,7 @@ describe("world", function()
         assert.equal(3, made.tiled.gid)
       end)
 
-      --- A tile of 16 x 16 px whose one rectangle is 4 px from the left, 6 from the top, 8 x 10.
+      --- A tile of 16 x 16 px with one rectangle, 4 px from the left, 6 from the top, 8 x 10.
       for _, row in ipairs({
         { "as large as it is", 16, 16, 0, "104 190 8 10" },
         { "twice as wide", 32, 16, 0, "108 190 16 10" },
@@ -486,7 +486,7 @@ describe("world", function()
         end)
       end
 
-      it("also a type of layer that nobody knows", function()
+      it("also a type of layer that is unknown", function()
         local map = newObjects({})
         map.layers[1].type = "hologram"
         local entry = load(map).unsupported[1]

@@ -1,5 +1,5 @@
---- Solid tiles of Tiled maps: which are, where, how many rectangles become of them, and that nobody
---- notices.
+--- Solid tiles of Tiled maps: which are, where, how many rectangles become of them, and that
+--- merging changes no motion.
 
 local physics = require("physics")
 local effort = require("spec.support.effort")
@@ -347,7 +347,7 @@ describe("world:loadTiled, tiles", function()
     assert.same({ "0 8 32 8" }, boxes(world, "ground"))
   end)
 
-  -- Nobody notices --------------------------------------------------------------------------------
+  -- No motion changes -----------------------------------------------------------------------------
 
   --- A level with floors, pillars, ceilings, ledges and rough patches.
   local function newLevel(generator)
@@ -377,7 +377,7 @@ describe("world:loadTiled, tiles", function()
     return rows
   end
 
-  --- Who walks, jumps, is nudged around corners and bounces, by the same will in both worlds.
+  --- Boxes that walk, jumps, are nudged around corners and bounce, by the same will in both worlds.
   local function addWalkers(world)
     local walkers = {}
     for i = 1, 6 do
@@ -412,7 +412,7 @@ describe("world:loadTiled, tiles", function()
   end
 
   for seed = 1, effort.share(8, 2) do
-    it("nobody who walks on them can tell whether they are merged, seed " .. seed, function()
+    it("no walker on them can tell whether they are merged, seed " .. seed, function()
       local generator = random.new(seed * 7)
       local map = newMap(newLevel(generator))
       local placed = { x = -64 + seed, y = 32.5 }

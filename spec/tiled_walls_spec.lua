@@ -218,7 +218,7 @@ describe("world:loadTiled, walls", function()
     end)
   end)
 
-  it("are tile objects whose tile says so", function()
+  it("are tile objects with a tile that says so", function()
     local tiles = { { id = 0, properties = { collidable = true } } }
     local object = tiled.object(1, 0, 16, 16, 16, { gid = 1 })
     assert.equal("static", kindOf(load(newObjects("things", { object }, nil, tiles))))

@@ -178,7 +178,7 @@ describe("world:addTiles", function()
 
   -- Changing --------------------------------------------------------------------------------------
 
-  describe("gives tiles whose setTile", function()
+  describe("gives tiles with a setTile that", function()
     --- x is dug out:     #####      #####
     ---                   #####  ->  ##x##
     ---                   #####      #####
@@ -629,6 +629,21 @@ describe("world:addTiles", function()
       "cells[1][2] must be a number, a string or a boolean, got nan",
     },
     { { "tiles", { 1 }, 1 }, "size must be a number > 0, got nil" },
+    {
+      { "tiles", { "#.#", "###" }, 32 },
+      "size must be a number > 0, got nil: a list of rows needs no columns, so write nil there, and"
+        .. " then the size",
+    },
+    {
+      { "tiles", { "#.#", "###" }, 32, { solid = { ["#"] = true } } },
+      "size must be a number > 0, got table: a list of rows needs no columns, so write nil there,"
+        .. " and then the size",
+    },
+    {
+      { "tiles", { "#.#", "###" }, 32, 32 },
+      "cells must hold whole rows of 32, got 2 cells: a list of rows needs no columns, so write nil"
+        .. " there",
+    },
     { { "tiles", { 1 }, 1, 0 }, "size must be a number > 0, got 0" },
     { { "tiles", { 1 }, 1, { 5 } }, "size[2] must be a number > 0, got nil" },
     { { "tiles", { 1 }, 1, 5, 5 }, "options must be a table, got 5" },

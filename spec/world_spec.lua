@@ -1,4 +1,4 @@
---- Worlds: who is in them, how they come and go, and what may change at run time.
+--- Worlds: which objects are in them, how these come and go, and what may change at run time.
 
 local newBox = require("spec.support.box")
 local physics = require("physics")
@@ -101,7 +101,7 @@ describe("objects", function()
     world.objects.b = { named("b", 3) }
     world.objects.c = { named("c", 4) }
     assert.equal("caAb", orderOf(world))
-    world.order = { "b", "nobody", "c" }
+    world.order = { "b", "absent", "c" }
     assert.equal("bcaA", orderOf(world))
     world.order = nil
     assert.equal("aAbc", orderOf(world))
@@ -316,7 +316,7 @@ describe("touching", function()
     assert.is_false(box.touching.bottom)
   end)
 
-  it("is for reading: what the game writes stays until somebody else is touched there", function()
+  it("is for reading: what the game writes stays until another object is touched there", function()
     local world = physics.newWorld({ rest = false })
     local floor = world:add("tiles", newFloor())
     local box = world:add("boxes", newBox(0, 84))
@@ -339,7 +339,7 @@ describe("touching", function()
     assert.is_nil(lift.touching)
   end)
 
-  it("is put back when the game takes it away, and names nobody who has left", function()
+  it("is put back when the game takes it away, and names no object that has left", function()
     local world = physics.newWorld()
     local floor = world:add("tiles", newFloor())
     local box = world:add("boxes", newBox(0, 84))
@@ -354,7 +354,7 @@ describe("touching", function()
     assert.equal(floor, box.touching.bottom)
   end)
 
-  it("names who has taken the place of somebody, in the same update, and the same slot", function()
+  it("names the successor of an object, in the same update and the same slot", function()
     for _, rest in ipairs({ true, false }) do
       local world = physics.newWorld({ rest = rest })
       local floor = world:add("tiles", newFloor())
@@ -401,7 +401,7 @@ describe("touching", function()
     box.active = nil
     play(world, 2)
     assert.equal(floor, box.touching.bottom)
-    -- On somebody whom it meets as either kind, and without a step between.
+    -- On a box that it meets as either kind, and without a step between.
     local rider = world:add("boxes", newBox(0, 68))
     play(world, 3)
     rider.kinematic = true
@@ -481,7 +481,7 @@ describe("add, remove and refresh", function()
     assert.equal(0, world.stats.objects)
   end)
 
-  it("remove finds an object whose group was replaced, or that changed group", function()
+  it("remove finds an object of a replaced group, or one that changed its group", function()
     local boxes = { newBox(0, 0), newBox(20, 0), newBox(40, 0) }
     world.objects.boxes = { boxes[1], boxes[2], boxes[3] }
     world:update(DT)
@@ -550,7 +550,7 @@ describe("add, remove and refresh", function()
   end)
 
   for _, rest in ipairs({ true, false }) do
-    local name = "who is taken out and put in again " .. (rest and "while it rests " or "")
+    local name = "an object taken out and put in again " .. (rest and "while it rests " or "")
     it(name .. "touches what it touched", function()
       world.rest = rest
       local floor = world:add("tiles", newFloor())
@@ -604,9 +604,9 @@ describe("add, remove and refresh", function()
     end)
   end
 
-  -- In worlds of more than 128 objects only the first question after an update looks at everybody.
+  -- In worlds of more than 128 objects only the first query after an update looks at all objects.
   for _, row in ipairs({ { "too short for a fixed step", 1 / 144 }, { "of no time", 0 } }) do
-    it("the first question after an update " .. row[1] .. " sees who was put elsewhere", function()
+    it("the first query after an update " .. row[1] .. " sees what was put elsewhere", function()
       world.gravity, world.timestep = 0, 1 / 60
       local boxes = {}
       for i = 1, 200 do
@@ -638,7 +638,7 @@ describe("add, remove and refresh", function()
     assert.equal(500, lift.x)
   end)
 
-  it("refresh reads all of a static object anew, and wakes who rests there", function()
+  it("refresh reads all of a static object anew, and wakes what rests there", function()
     local floor = world:add("tiles", newFloor())
     local box = world:add("boxes", newBox(0, 84))
     play(world, 30)
@@ -654,9 +654,9 @@ describe("add, remove and refresh", function()
     assert.is_true(box.y > 140)
   end)
 
-  -- `drag` brakes who falls along gravity, not who stands.
+  -- `drag` brakes an object that falls along gravity, not one that stands.
   for _, kind in ipairs({ "static", "kinematic" }) do
-    it("who stood on a " .. kind .. " object that refresh finds elsewhere falls at once", function()
+    it("a box on a " .. kind .. " object that refresh finds elsewhere falls at once", function()
       local floor = world:add("floors", { x = 0, y = 20, width = 20, height = 20, [kind] = true })
       local box = world:add("boxes", { x = 0, y = 0, width = 20, height = 20, drag = 500 })
       for _ = 1, 10 do
@@ -768,7 +768,7 @@ describe("at run time", function()
     assert.equal(84, box.y)
   end)
 
-  -- Far away nobody has been asked yet whether the two can meet.
+  -- Far away it has not been tested yet whether the two can meet.
   for _, row in ipairs({ { "near", 26 }, { "far away", 300 } }) do
     it("the mask of a static object is read once, " .. row[1], function()
       world = physics.newWorld({ gravity = 0 })
@@ -792,15 +792,15 @@ describe("at run time", function()
     end)
   end
 
-  it("a static object may pass through all whom its mask inherits a refusal of", function()
+  it("a static object may pass through all that its mask inherits a refusal of", function()
     world = physics.newWorld({ gravity = 0 })
-    local nobody = {
+    local refusing = {
       __index = function()
         return false
       end,
     }
     world:add("walls", { x = 20, y = 0, width = 10, height = 10, static = true }).mask =
-      setmetatable({}, nobody)
+      setmetatable({}, refusing)
     local player = world:add("players", { x = 0, y = 0, width = 10, height = 10, vx = 600 })
     for _ = 1, 60 do
       world:update(1 / 60)

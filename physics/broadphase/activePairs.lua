@@ -1,7 +1,7 @@
---- Active pairs: those of whatever is awake. They take part in a step.
+--- Active pairs: lists from all pairs those with an awake body. They take part in a step.
 --
--- They are listed anew only when a pair or an awake body came or went. Pairs that are linked in the
--- middle of a step join at the end (`columns.linkAll`).
+-- They are listed anew only when a pair was made or ended, or a body woke or fell asleep. Pairs
+-- that are linked in the middle of a step are appended (`columns.linkAll`).
 --
 -- Reads the pairs, awake; writes live and the step columns of the pairs.
 
@@ -29,14 +29,14 @@ local function reset(b)
   end
 end
 
---- Notes that more of a pair must be forgotten when the next step begins: whether it passes or was
---- nudged, which few are.
+--- Notes that more columns of a pair must be reset when the next step begins: whether it passes or
+--- was nudged. Few pairs need that.
 function live.stain(b, p)
   b.stainCount = b.stainCount + 1
   b.stained[b.stainCount] = p
 end
 
--- Forgets it.
+-- Resets these columns.
 local function clean(b)
   local stained, passing, nudged = b.stained, b.passing, b.nudged
   for n = 1, b.stainCount do
@@ -46,7 +46,7 @@ local function clean(b)
   b.stainCount = 0
 end
 
---- Lists the pairs of what is awake, for a new step. Nothing has happened to them yet.
+--- Lists the pairs with an awake body for a new step, and resets their step columns.
 function live.list(b)
   clean(b)
   if b.liveLinks ~= b.links or b.liveAwakenings ~= b.awakenings then

@@ -1,26 +1,28 @@
---- The plain broad phase: everybody against everybody. It is the reference for all others.
+--- All pairs, the plain broad phase: compares every fat box with every other one. It is the
+-- reference for all other broad phases.
 --
--- A broad phase knows the fat boxes of the objects that were inserted (columns `fatLow`, `fatHigh`)
--- and answers one question, for many at once (`overlaps`) or for a rectangle (`query`): which of
--- them meet it. All broad phases have this interface and find the same, in an order of their own.
+-- A broad phase knows the fat boxes of the objects that were inserted (columns `fatLow`,
+-- `fatHigh`). It finds those that meet the fat boxes of a list of objects (`overlaps`), or a
+-- rectangle (`query`). All broad phases have this interface and find the same, in an order of
+-- their own.
 
----@class physics.Everybody
+---@class physics.AllPairs
 ---@field [string] any
-local everybody = {}
-everybody.__index = everybody
+local allPairs = {}
+allPairs.__index = allPairs
 
 --- Returns an empty broad phase over the columns `b`.
-function everybody.new(b)
-  return setmetatable({ bodies = b, list = {}, count = 0, placeOf = {}, answers = {} }, everybody)
+function allPairs.new(b)
+  return setmetatable({ bodies = b, list = {}, count = 0, placeOf = {}, answers = {} }, allPairs)
 end
 
-function everybody:insert(i)
+function allPairs:insert(i)
   self.count = self.count + 1
   self.list[self.count] = i
   self.placeOf[i] = self.count
 end
 
-function everybody:remove(i)
+function allPairs:remove(i)
   local place, last = self.placeOf[i], self.list[self.count]
   self.list[place] = last
   self.placeOf[last] = place
@@ -28,10 +30,10 @@ function everybody:remove(i)
   self.count = self.count - 1
 end
 
---- The fat boxes of those in `list[1..count]` have changed, each of whom stands there once.
-function everybody.update() end
+--- Notes that the fat boxes of the objects in `list[1..count]` have changed. Each is listed once.
+function allPairs.update() end
 
--- Lists everybody whose fat box meets that of `asker` behind place n.
+-- Lists all objects with a fat box that meets that of slot `asker`, behind place n.
 local function add(self, asker, askers, found, n)
   local b, list = self.bodies, self.list
   local fatLow, fatHigh, k = b.fatLow, b.fatHigh, 2 * asker
@@ -51,9 +53,10 @@ local function add(self, asker, askers, found, n)
   return n
 end
 
---- Finds all whose fat boxes meet those of `list[1..count]`: writes who asks into `askers` and whom
---- it meets, itself included, into `found`; returns how many.
-function everybody:overlaps(list, count, askers, found)
+--- Finds for each object in `list[1..count]` all objects with a fat box that meets its own, itself
+--- included. Writes the object of the list into `askers` and the one that it meets into `found`.
+--- Returns how many there are.
+function allPairs:overlaps(list, count, askers, found)
   local n = 0
   for m = 1, count do
     n = add(self, list[m], askers, found, n)
@@ -61,12 +64,13 @@ function everybody:overlaps(list, count, askers, found)
   return n
 end
 
---- Writes the slots of all objects whose fat boxes meet the rectangle into `out`; returns how many.
-function everybody:query(left, top, right, bottom, out)
-  -- Asked in the name of slot 0, which nobody has.
+--- Writes the slots of all objects with a fat box that meets the rectangle into `out`. Returns how
+--- many there are.
+function allPairs:query(left, top, right, bottom, out)
+  -- Slot 0, which is no object, gets the rectangle as its fat box.
   local fatLow, fatHigh = self.bodies.fatLow, self.bodies.fatHigh
   fatLow[0], fatLow[1], fatHigh[0], fatHigh[1] = left, top, right, bottom
   return add(self, 0, self.answers, out, 0)
 end
 
-return everybody
+return allPairs

@@ -1,4 +1,4 @@
---- Which objects can meet at all: kinds, `active`, sensors, masks and `hits`.
+--- Filter: decides from kinds, `active`, sensors, masks and `hits` which objects can meet at all.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -29,8 +29,8 @@ function filter.isSameMask(mask, other)
   return true
 end
 
---- Returns a mask that stays as it is when the game changes its own: that of a static object, which
---- is read once. Many tiles have the same; those that come one after the other share the copy.
+--- Returns a copy of a mask, which stays as it is when the game changes its own. It is for static
+--- objects, which are read once. Many tiles have the same mask; tiles in a row share the copy.
 function filter.copyMask(b, mask)
   local class = getmetatable(mask)
   local inherited = type(class) == "table" and rawget(class, "__index")

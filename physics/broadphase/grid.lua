@@ -1,10 +1,13 @@
---- A hierarchical grid in a hash table of fixed arrays.
+--- Grid: finds in a hierarchical grid which fat boxes meet others, a rectangle or a line. It is a
+-- hash table of fixed arrays.
 --
--- An object stands in exactly one cell: the one that holds the top-left corner of its fat box, on
--- the first level whose cells are at least as large as the box. Each level doubles the cell. A
--- query looks, on every level in use, at the cells from as far before the rectangle as the boxes
--- there are wide to its end: no object that meets the rectangle can start elsewhere. Cells are
--- lists in a fixed number of buckets, so empty ones cost nothing and leave nothing behind.
+-- An object is in exactly one cell: the one that holds the top-left corner of its fat box. Its
+-- level is the first one with cells at least as large as the box; each level doubles the size of
+-- the cells. A query looks at the cells of the rectangle on every level in use. It also looks as
+-- far before the rectangle as the boxes of the level are wide. No object that meets the rectangle
+-- can start in another cell. Cells are lists in a fixed number of buckets, so empty ones cost
+-- nothing and leave nothing behind.
+--
 -- Source: M. Teschner et al., "Optimized Spatial Hashing for Collision Detection of Deformable
 -- Objects" (2003), for the hash; T. Ulrich, "Loose Octrees", for one cell per object and level.
 
@@ -23,32 +26,35 @@ local passage = aabb.passage
 local DEFAULT_CELL = 48
 local LEVELS = 48
 local FIRST_BUCKETS = 64
--- Cells further out share the outermost one, so that the arithmetic stays exact.
+-- Cells further out than this share the outermost one, so that the arithmetic stays exact.
 local FAR = 4194304
--- px by which the place of a line may be rounded.
+-- Rounding error of the place of a line, px.
 local SLACK = 1e-3
--- A line that goes less than this on an axis, in px, stays within SLACK of where it begins.
+-- A line that is shorter than this on an axis, px, stays within SLACK of where it begins.
 local SHORTEST = 1e-9
--- Makes any number but 0 more than 1 or less than -1; the smallest ones if it is done twice.
+-- Multiplied by this, any number but 0 is more than 1 or less than -1; the smallest ones need it
+-- twice.
 local VAST = 1e300
--- By which `hash` multiplies a cell's place and level.
+-- Factors of `hash` for the place and the level of a cell.
 local FACTOR_X, FACTOR_Y, FACTOR_LEVEL = 73856093, 19349663, 83492791
--- The same in its key, which no other cell has: a whole number below 2^53 that holds all three.
+-- Factors of the key of a cell, which no other cell has: a whole number below 2^53 that holds all
+-- three.
 local KEY_X, KEY_Y = 1073741824, 64
 
-local LAYOUT = { { name = "key", kind = "number", width = 1 } } -- of the cell
-for _, name in ipairs({
-  "list", -- who is in the grid, from 1 on
+local INTEGERS = {
+  "list", -- slots in the grid, from 1 on
   "placeOf", -- by slot: place in the list
   "next", -- in the bucket
   "previous",
   "bucket",
   "level",
-}) do
-  LAYOUT[#LAYOUT + 1] = { name = name, kind = "integer", width = 1 }
-end
--- By bucket, from 1 on: who is first in it.
-local BUCKET_LAYOUT = { { name = "heads", kind = "integer", width = 1 } }
+}
+local LAYOUT = {
+  { kind = "number", width = 1, names = { "key" } }, -- of the cell
+  { kind = "integer", width = 1, names = INTEGERS },
+}
+-- By bucket, from 1 on: the first slot in it.
+local BUCKET_LAYOUT = { { kind = "integer", width = 1, names = { "heads" } } }
 
 local function clear(self)
   local heads = self.heads
@@ -57,7 +63,7 @@ local function clear(self)
   end
 end
 
--- Empties all buckets, and makes so many of them.
+-- Sets the number of buckets, all empty.
 local function makeBuckets(self, count)
   if count > self.bucketBank.room then
     bank.grow(self.bucketBank, count)
@@ -74,12 +80,12 @@ function grid.new(b, cellSize)
     count = 0,
     -- by level
     members = {},
-    reach = {}, -- px: no box of a member is wider or higher; mostly less than the cell
+    reach = {}, -- px: no box of a member is wider or higher; mostly below the cell size
     highest = 0,
-    -- scratch of overlaps: cells to look at, and who asks
+    -- scratch of overlaps: cells to look at, and the objects that ask for them
     cells = {},
     ranges = {},
-    nobody = { 0 },
+    querySlots = { 0 },
     answers = {},
     -- scratch of update
     moved = {},
@@ -125,8 +131,8 @@ local function levelFor(self, size)
   return level, cell
 end
 
--- The lists are changed without branches: place 0 of each column, and bucket 0, take what would be
--- written to nobody.
+-- The lists are changed without branches (jit: 2): place 0 of each column, and bucket 0, take what
+-- would be written to no object.
 
 local function file(self, i, level, cellX, cellY)
   local bucket = bucketOf(hash(cellX, cellY, level), self.buckets, 1 / self.buckets)
@@ -144,18 +150,18 @@ local function unfile(self, i)
   self.heads[self.bucket[i] * (1 - min(before, 1))] = after -- only if it was the first
   local level, members, reach = self.level[i], self.members, self.reach
   members[level] = members[level] - 1
-  reach[level] = reach[level] * min(members[level], 1) -- nobody there: anew
+  reach[level] = reach[level] * min(members[level], 1) -- 0 if the level is empty now
 end
 
--- After some were taken out.
+-- Lowers `highest` after objects were taken out.
 local function findHighest(self)
   while self.highest > 0 and self.members[self.highest] == 0 do
     self.highest = self.highest - 1
   end
 end
 
--- Where slot i belongs, which is known to reach that far then: also who stays in its cell may have
--- become wider there.
+-- Returns the cell to which slot i belongs: level, x, y. Extends the reach of the level, since an
+-- object that stays in its cell may have become wider.
 local function place(self, i)
   local b, reach = self.bodies, self.reach
   local fatLow, fatHigh = b.fatLow, b.fatHigh
@@ -179,7 +185,7 @@ local function grow(self)
   end
 end
 
---- Gives a grid in which nobody is the source of columns that is used now (see bank).
+--- Moves an empty grid to the source of columns that is used now (see columnStore.lua).
 function grid:adopt()
   bank.adopt(self.bank, -1)
   bank.adopt(self.bucketBank, self.buckets)
@@ -207,8 +213,8 @@ function grid:remove(i)
   self.count = self.count - 1
 end
 
--- Lists those in `list[1..count]` whose fat boxes belong in other cells than they stand in;
--- returns how many. No branches: each is written behind the list, which gets longer by 0 or 1.
+-- Lists the objects in `list[1..count]` that belong in another cell than they are in. Returns how
+-- many there are. Each is written behind the list, which gets longer by 0 or 1. (jit: 2)
 local function listMoved(self, list, count)
   local moved, keys = self.moved, self.key
   local n = 0 ---@type number
@@ -222,7 +228,7 @@ local function listMoved(self, list, count)
   return n
 end
 
---- The fat boxes of those in `list[1..count]` have changed, each of whom stands there once.
+--- Notes that the fat boxes of the objects in `list[1..count]` have changed. Each is listed once.
 function grid:update(list, count)
   local moved, n = self.moved, listMoved(self, list, count)
   for m = 1, n do
@@ -234,24 +240,28 @@ function grid:update(list, count)
   findHighest(self)
 end
 
--- The questions of many at once go in stages, each one loop: which rectangles of cells to look at,
--- which of those cells hold anything, and who is in them. (Loops in loops that go round two or
--- three times make bad traces.) A rectangle of cells is six numbers side by side, a cell is three.
+-- Overlaps of many objects are found in stages, each of which is one loop (jit: 3):
+-- 1. which rectangles of cells to look at;
+-- 2. which of those cells hold anything;
+-- 3. what is in them.
+--
+-- A rectangle of cells is six numbers side by side, a cell is three.
 local RANGE, CELL = 6, 3
 
--- Returns the number of cells from which on looking at everybody is cheaper. Somebody who is wider
--- than the largest cells may reach over any number of them: then it always is.
+-- Returns the number of cells from which on comparing with all objects is cheaper. If an object is
+-- wider than the largest cells, it may reach over any number of them: then it always is.
 local function mostCells(self)
   return self.reach[LEVELS] > self.cell * 2 ^ LEVELS + SLACK and -huge or 16 + self.count
 end
 
--- Whether more cells than that are in question.
+-- Returns whether a rectangle takes more than `most` cells.
 local function isWide(self, width, height, most)
   local cell = self.cell
   return (width / cell + 3) * (height / cell + 3) > most
 end
 
--- Lists the cells of one level in which something may meet the fat boxes of those in `list`.
+-- Lists the rectangles of cells of one level in which something may meet the fat boxes of those in
+-- `list`.
 local function addRanges(self, list, count, level, cell, most, n)
   local reach, share = self.reach[level], 1 / cell
   local ranges, fatLow, fatHigh = self.ranges, self.bodies.fatLow, self.bodies.fatHigh
@@ -268,7 +278,8 @@ local function addRanges(self, list, count, level, cell, most, n)
   return n
 end
 
--- Of these, lists the cells that hold anything: the first in it, who asks, and its key.
+-- Lists the cells of these rectangles that hold anything. Each is the first slot in it, the place
+-- in `list` of the object that asks, and its key.
 local function addCells(self, rangeCount)
   local ranges, cells, heads, buckets = self.ranges, self.cells, self.heads, self.buckets
   local n, at, share = 0, 0, 1 / buckets
@@ -294,7 +305,7 @@ local function addCells(self, rangeCount)
   return n
 end
 
--- >= 0 if two fat boxes meet. No branches.
+-- Returns a number >= 0 if two fat boxes meet. (jit: 2)
 local function contact(fatLow, fatHigh, k, m)
   return min(
     fatHigh[k] - fatLow[m],
@@ -304,7 +315,7 @@ local function contact(fatLow, fatHigh, k, m)
   )
 end
 
--- Walks through the cells, and lists who is in them and meets who asks.
+-- Walks through the cells, and lists what is in them and meets the object that asks.
 local function addMembers(self, list, cellCount, askers, found)
   local cells, nextInBucket, keys = self.cells, self.next, self.key
   local fatLow, fatHigh = self.bodies.fatLow, self.bodies.fatHigh
@@ -331,9 +342,9 @@ local function addMembers(self, list, cellCount, askers, found)
   return n
 end
 
--- Finds who stands in the cells of the listed ranges and meets who asks.
+-- Finds what is in the cells of the listed ranges and meets the object that asks.
 local function findIn(self, rangeCount, list, askers, found)
-  -- What lies behind the end is read, and not used.
+  -- The numbers behind the end are read, but not used.
   for n = rangeCount + 2, rangeCount + 5 do
     self.ranges[n] = 0
   end
@@ -342,7 +353,7 @@ local function findIn(self, rangeCount, list, askers, found)
   return addMembers(self, list, cells, askers, found)
 end
 
--- Asks for one whose box is wide.
+-- Compares one object with all others, if its box is wide.
 local function addAll(self, asker, askers, found, n)
   local fatLow, fatHigh, all = self.bodies.fatLow, self.bodies.fatHigh, self.list
   for at = 1, self.count do
@@ -355,8 +366,9 @@ local function addAll(self, asker, askers, found, n)
   return n
 end
 
---- Finds all whose fat boxes meet those of `list[1..count]`: writes who asks into `askers` and whom
---- it meets, itself included, into `found`; returns how many.
+--- Finds for each object in `list[1..count]` all objects with a fat box that meets its own, itself
+--- included. Writes the object of the list into `askers` and the one that it meets into `found`.
+--- Returns how many there are.
 function grid:overlaps(list, count, askers, found)
   local ranges, cell, most = 0, self.cell, mostCells(self)
   for level = 0, self.highest do
@@ -376,37 +388,39 @@ function grid:overlaps(list, count, askers, found)
   return n
 end
 
--- Gives slot 0, which nobody has, a box: in its name somebody asks who is in no grid.
+-- Gives slot 0, which is no object, a fat box: it stands for a rectangle that belongs to no object.
 local function askFor(self, left, top, right, bottom)
   local fatLow, fatHigh = self.bodies.fatLow, self.bodies.fatHigh
   fatLow[0], fatLow[1], fatHigh[0], fatHigh[1] = left, top, right, bottom
 end
 
---- Writes the slots of all objects whose fat boxes meet the rectangle into `out`; returns how many.
+--- Writes the slots of all objects with a fat box that meets the rectangle into `out`. Returns how
+--- many there are.
 function grid:query(left, top, right, bottom, out)
   askFor(self, left, top, right, bottom)
-  local n = self:overlaps(self.nobody, 1, self.answers, out)
+  local n = self:overlaps(self.querySlots, 1, self.answers, out)
   return n
 end
 
--- Which way a line goes that goes by d on an axis: 1 or -1.
+-- Returns the direction of a line that goes by d on an axis: 1 or -1.
 local function wayOf(d)
   return max(min(d * VAST * VAST + 1, 1), -1)
 end
 
--- What share of such a line 1 px is, as `aabb.share`; smaller, so that nothing that is worked out
--- with it is infinite.
+-- Returns what share of such a line 1 px is, like `aabb.share`, but limited, so that nothing that
+-- is computed with it is infinite.
 local function lineShare(d)
   return wayOf(d) / max(d, -d, SHORTEST)
 end
 
--- One of two numbers, the other one if `isOther` is 1.
+-- Returns `one`, or `other` if `isOther` is 1.
 local function choose(one, other, isOther)
   return one * (1 - isOther) + other * isOther
 end
 
--- Where the line enters the fat box of slot i, up to rounding; more than 1 if it does not. Without
--- branches, as most are not entered, and nobody can tell which.
+-- Returns where the line enters the fat box of slot i, up to rounding; more than 1 if it does not.
+-- It has no branches, since most boxes are not entered, and no processor can predict which.
+-- (jit: 2)
 local function entryOf(fatLow, fatHigh, i, x, y, shareX, shareY)
   local k = 2 * i
   local left, top = fatLow[k] - SLACK - x, fatLow[k + 1] - SLACK - y
@@ -418,13 +432,14 @@ end
 -- Walks along a line through the cells of one level, strip by strip across `axis`, its longer one
 -- (0: x, 1: y); see `walk`. The line begins at (x, y) and goes by (dx, dy).
 --
---     +---+---+---+     An object that starts in a strip reaches into the next one at most, so a
---     |   | . |.  |     strip looks at the piece of the line up to there, and no cell is looked at
---     |  .|   |   |     twice.
+--     +---+---+---+     An object that starts in a strip reaches into the next one at most. So
+--     |   | . |.  |     a strip looks at the piece of the line up to there, and no cell is
+--     |  .|   |   |     looked at twice.
 --     +---+---+---+
 --
--- Members, cells and strips go through one loop, since a line passes few of each. Which way it goes
--- is arithmetic: with branches each of eight ways is a piece of code of its own.
+-- Members, cells and strips go through one loop, since a line passes few of each. The direction of
+-- the line is arithmetic, since branches would make a piece of code of each of eight directions.
+-- (jit: 2)
 local function walkLevel(self, level, cell, axis, x, y, dx, dy, line, visit, bound)
   local heads, buckets, nextInBucket, keys = self.heads, self.buckets, self.next, self.key
   local fatLow, fatHigh = self.bodies.fatLow, self.bodies.fatHigh
@@ -441,7 +456,8 @@ local function walkLevel(self, level, cell, axis, x, y, dx, dy, line, visit, bou
   local first, last = cellAt(lowest - reach, part), cellAt(highest, part)
   local strip, edge =
     choose(first - 1, last + 1, isBack), choose(-SLACK, cell + reach + SLACK, isBack)
-  -- Strips left behind this one, < 0: it is over; cell of this strip, its last one; who is in it.
+  -- Strips left after this one (below 0: the end), the present cell of this strip, its last cell,
+  -- and the slot that is looked at.
   local left, at, lastB, i = last - first + 1, 0, -1, 0
   while left >= 0 do
     if i ~= 0 then
@@ -463,15 +479,15 @@ local function walkLevel(self, level, cell, axis, x, y, dx, dy, line, visit, bou
       at, lastB =
         cellAt(min(from, till) - SLACK - reach, part) - 1, cellAt(max(from, till) + SLACK, part)
       if (strip * cell + edge - a1) * share > bound then
-        left = -1 -- who starts in this strip, or in one further on, is met too late
+        left = -1 -- what starts in this strip, or further on, is met too late
       end
     end
   end
   return bound
 end
 
--- The same for all levels, looking at everybody: cheaper than at more cells than there are objects.
--- The nearest one is visited first: it mostly is the only one.
+-- Does the same for all levels, looking at all objects: cheaper than at more cells than there are
+-- objects. The nearest object is visited first: mostly it is the only one.
 local function walkAll(self, x, y, dx, dy, line, visit)
   local list, fatLow, fatHigh = self.list, self.bodies.fatLow, self.bodies.fatHigh
   local shareX, shareY = lineShare(dx), lineShare(dy)
@@ -496,11 +512,15 @@ local function walkAll(self, x, y, dx, dy, line, visit)
   end
 end
 
---- Calls `visit(line, i, bound)` for every object i whose fat box the line from (x1, y1) to
---- (x2, y2) may meet, more or less from near to far. `line` is whatever `visit` wants to have;
---- `bound` is 1 at first, then what `visit` has returned: who cannot be met before this share of
---- the line is left out; < 0: nobody else is visited. Only this broad phase offers it: questions
---- have a grid of their own.
+--- Calls `visit(line, i, bound)` for every object i that the line from (x1, y1) to (x2, y2) may
+--- meet, by its fat box. The order is more or less from near to far.
+---
+--- - `line` is any value for `visit`.
+--- - `bound` is 1 at first, then what `visit` has returned. Objects that cannot be met before this
+---   share of the line are left out. Below 0 no more objects are visited.
+---
+--- Only this broad phase offers it: queries have a grid of their own.
+---
 --- Source: J. Amanatides and A. Woo, "A Fast Voxel Traversal Algorithm" (1987), by strips.
 function grid:walk(x1, y1, x2, y2, line, visit)
   local dx, dy, cell, bound = x2 - x1, y2 - y1, self.cell, 1
@@ -521,7 +541,7 @@ function grid:walk(x1, y1, x2, y2, line, visit)
   end
 end
 
---- Returns the cell in which slot i stands, counted from 0, 0, and how wide it is, in px.
+--- Returns the cell of slot i, counted from 0, 0, and its width in px.
 function grid:cellOf(i)
   local level, key = self.level[i], self.key[i]
   local cellX = floor((key - level) / KEY_X + 0.5)

@@ -1,11 +1,11 @@
---- Step 5, detect: all pairs whose paths may meet.
+--- Pair finder: computes from the paths of bodies all pairs that may meet.
 --
--- Each object has a fat box: the hull of its path plus a margin. Two objects whose fat boxes meet
--- are neighbours, a pair. As long as a path stays inside the fat box, the neighbours stay the same
--- and nothing is looked up. A larger set of neighbours changes no result, since each pair is tested
--- exactly later on; so broad phases and margins may differ, the bits do not.
+-- Each object has a fat box: the hull of its path plus a margin. Two objects are neighbours, a
+-- pair, if their fat boxes meet. As long as a path stays inside the fat box, the neighbours stay
+-- the same, and nothing is looked up. A larger set of neighbours changes no result, since each
+-- pair is tested exactly later on. So broad phases and margins may differ, the bits do not.
 --
--- Reads from, to, size; writes fatLow, fatHigh, the pairs, and `support` of who has lost it.
+-- Reads from, to, size; writes fatLow, fatHigh, the pairs, and `support` where that has ended.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -18,20 +18,21 @@ local detect = {}
 local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
 local floor, huge, max, min = math.floor, math.huge, math.max, math.min
 
--- px around the path, and px around a static object, which does not move.
+-- Margin around a path, px, and around a static object, which does not move.
 local MARGIN = 1
 -- px around one that flies: it meets little, and turns often in a crowd.
 local FLYING_MARGIN = 4
--- So many steps further in the same direction few objects leave their fat boxes, up to so many px.
+-- A fat box reaches AHEAD steps further in the direction of motion, but no more than FARTHEST px.
+-- Few objects leave it in that time.
 local AHEAD, FARTHEST = 10.0, 8.0
--- px: the same of those who fly and have few to hit, who meet nothing else in a larger box.
+-- px: the same of bodies that fly and can hit few others. They meet nothing else in a larger box.
 local AIMED_FARTHEST = 96.0
 -- Up to so many objects are asked one by one.
 local FEW_TARGETS = 16
 
--- Lists in b.parted the pairs of those in strays[1..count] whose fat boxes no longer meet; returns
--- how many. One in contact stays until that has ended, one that was hit in this step until that
--- has been told.
+-- Lists in b.parted the pairs of the bodies in strays[1..count] with fat boxes that no longer meet.
+-- Returns how many there are. A pair stays until its contact has ended, and until its hit in this
+-- step has been told.
 local function listParted(b, strays, count)
   local fatLow, fatHigh, other, nextHalf = b.fatLow, b.fatHigh, b.other, b.next
   local parted, head, leaving, n = b.parted, b.head, b.leaving, 0
@@ -79,8 +80,8 @@ local function markNeighbours(b, i)
   return stamp
 end
 
--- Of those who ask and whom they meet, keeps who are no neighbours yet, each two once: the earlier
--- one of two strays asks. Returns how many.
+-- Keeps in b.linkOne and b.linkOther the found pairs that are no neighbours yet, each once: of two
+-- strays, the earlier one counts. Returns how many there are.
 local function listNew(b, count)
   local askers, found, mark, strayAt = b.askers, b.found, b.mark, b.strayAt
   local ones, others, asker, stamp, at, n = b.linkOne, b.linkOther, 0, 0, 0, 0
@@ -97,7 +98,7 @@ local function listNew(b, count)
   return n
 end
 
--- Of those in b.linkOne and b.linkOther, keeps who can meet at all; returns how many.
+-- Keeps the pairs of b.linkOne and b.linkOther that can meet at all. Returns how many there are.
 local function keepAllowed(b, count)
   local ones, others, crowd, n = b.linkOne, b.linkOther, b.crowd, 0
   local soft, groupName = b.soft, b.groupName
@@ -113,8 +114,8 @@ local function keepAllowed(b, count)
   return n
 end
 
--- Wakes who has got a neighbour. A kinematic one that stands is a wall, which need not wake for a
--- dynamic one.
+-- Wakes bodies that have a new neighbour. A kinematic one that stands is a wall, and need not wake
+-- for a dynamic one.
 local function wakeLinked(b, count)
   local ones, others, awake, kind = b.linkOne, b.linkOther, b.awake, b.kind
   for n = 1, count do
@@ -126,8 +127,8 @@ local function wakeLinked(b, count)
   end
 end
 
--- Links those in strays[1..count], of whom b.linkOne and b.linkOther list `n` meetings, if they can
--- meet at all; they are strays no more.
+-- Links the `n` pairs of b.linkOne and b.linkOther that can meet at all. The bodies in
+-- strays[1..count] are strays no more.
 local function linkListed(b, strays, count, n)
   local strayAt = b.strayAt
   n = keepAllowed(b, n)
@@ -140,12 +141,13 @@ local function linkListed(b, strays, count, n)
   end
 end
 
--- Links those in strays[1..count] with everybody whose fat boxes meet theirs.
+-- Links the bodies in strays[1..count] with all bodies that their fat boxes meet.
 local function linkNear(b, strays, count)
   linkListed(b, strays, count, listNew(b, b.broadphase:overlaps(strays, count, b.askers, b.found)))
 end
 
--- The fat box on the axis of k. Where the step began it may end, too: see `crush.keepOut`.
+-- Computes the fat box on the axis of k. It includes the place where the step began, since the path
+-- may end there, too.
 local function fatten(b, k, farthest, margin)
   local start, from, to, size = b.position[k], b.from[k], b.to[k], b.size[k]
   local ahead = max(min((to - from) * AHEAD, farthest), -farthest)
@@ -153,7 +155,7 @@ local function fatten(b, k, farthest, margin)
   b.fatHigh[k] = max(start, from, to) + size + margin + max(ahead, 0)
 end
 
--- Gives those in strays[1..count] boxes around the paths that they have now.
+-- Gives the bodies in strays[1..count] fat boxes around their present paths.
 local function enlarge(b, strays, count, farthest, margin)
   local broadphase, placed = b.broadphase, b.placed
   for m = 1, count do
@@ -170,9 +172,9 @@ local function enlarge(b, strays, count, farthest, margin)
   broadphase:update(strays, count)
 end
 
--- Looks up the neighbours of those in `strays[1..count]`.
+-- Looks up the neighbours of the bodies in `strays[1..count]`.
 local function lookUp(b, strays, count, margin)
-  -- All boxes first, so that no pair is linked by a box that is out of date.
+  -- All boxes come first, so that no pair is linked by an outdated box.
   enlarge(b, strays, count, FARTHEST, margin)
   local partedCount = listParted(b, strays, count)
   if partedCount > 0 then
@@ -183,7 +185,7 @@ end
 
 -- Lists the objects that each list of `hits` names, if they are few.
 local function listTargets(b)
-  local byName = b.roster.byName
+  local byName = b.registry.byName
   for n = 1, #b.hitLists do
     local read, count = b.hitLists[n], 0
     for m = 1, #read.names do
@@ -202,8 +204,8 @@ local function listTargets(b)
   end
 end
 
--- Of strays[1..count], keeps those who must be looked up in the broad phase, and lists in b.aimed
--- those who have few to hit; returns how many both are.
+-- Of strays[1..count], keeps the bodies that must be looked up in the broad phase, and lists in
+-- b.aimed those that can hit few others. Returns how many both are.
 local function splitAimed(b, strays, count)
   local aimed, only, strayAt, n, aimedCount = b.aimed, b.only, b.strayAt, 0, 0
   for m = 1, count do
@@ -247,11 +249,11 @@ local function listAimed(b, list, count)
   return n
 end
 
--- These lead from loop to loop.
+-- These call one loop after the other. (jit: 4)
 interpreted.functions(linkNear, lookUp, listTargets)
 
--- Lists in b.strays those in `list[first..last]` whose paths leave their fat boxes, each once, and
--- notes in `strayAt` where; returns how many.
+-- Lists in b.strays the bodies in `list[first..last]` with paths that leave their fat boxes, each
+-- once, and notes in `strayAt` where. Returns how many there are.
 local function listStrays(b, list, first, last)
   local strays, strayAt, active, placed, n = b.strays, b.strayAt, b.active, b.placed, 0
   local from, to, size, fatLow, fatHigh = b.from, b.to, b.size, b.fatLow, b.fatHigh
@@ -261,7 +263,7 @@ local function listStrays(b, list, first, last)
     local x, y, endX, endY = from[k], from[m], to[k], to[m]
     local left, right, top, bottom = fatLow[k], fatHigh[k], fatLow[m], fatHigh[m]
     local width, height = size[k], size[m]
-    -- No branches: whichever side it leaves on, the same happens.
+    -- The same happens on whichever side it leaves. (jit: 2)
     local outX = max(left - x, left - endX, x + width - right, endX + width - right)
     local outY = max(top - y, top - endY, y + height - bottom, endY + height - bottom)
     if (max(outX, outY) > 0 or placed[i] ~= 2) and active[i] and strayAt[i] == huge then
@@ -272,8 +274,8 @@ local function listStrays(b, list, first, last)
   return n
 end
 
---- Looks up the neighbours of those in `list[first..last]` whose paths leave their fat boxes. Who
---- stands there twice is looked at once.
+--- Looks up the neighbours of the bodies in `list[first..last]` with paths that leave their fat
+--- boxes. A body that is listed twice is looked at once.
 function detect.run(b, list, first, last)
   local n = listStrays(b, list, first, last)
   if n > 0 then
@@ -281,7 +283,7 @@ function detect.run(b, list, first, last)
   end
 end
 
---- The same for those in `list[1..count]` who fly: they have no neighbours.
+--- Does the same for the bodies in `list[1..count]` that fly: they have no neighbours.
 function detect.follow(b, list, count)
   local n = listStrays(b, list, 1, count)
   if n == 0 then
@@ -303,103 +305,7 @@ end
 
 interpreted.functions(detect.follow) -- leads from loop to loop
 
--- Who leans on somebody goes no further that way, as far as is known yet: lets the path of k end
--- where it begins, if it goes to a side on which the object touched somebody in the last step
--- (`low` and the next are where that is noted).
-local function holdBack(b, k, low, count)
-  local way = b.to[k] - b.from[k]
-  if (way > 0 and b.touchBest[low + 1] or way < 0 and b.touchBest[low] or 0) ~= 0 then
-    count = count + 1
-    b.stoppedAt[count], b.stoppedTo[count] = k, b.to[k]
-    b.to[k] = b.from[k]
-  end
-  return count
-end
-
-local function holdAllBack(b)
-  local list, count = b.awakeList, 0
-  for n = 1, b.awakeCount do
-    local i = list[n]
-    count = holdBack(b, 2 * i, 4 * i + 1, count)
-    count = holdBack(b, 2 * i + 1, 4 * i + 3, count)
-  end
-  return count
-end
-
-local function letGo(b, count)
-  local to, at, before = b.to, b.stoppedAt, b.stoppedTo
-  for n = 1, count do
-    to[at[n]] = before[n]
-  end
-end
-
--- Lists in b.present those in awakeList who have no neighbours: nothing will stop them before they
--- meet somebody else. Returns how many.
-local function listLoners(b)
-  local list, loners, head, n = b.awakeList, b.present, b.head, 0
-  for m = 1, b.awakeCount do
-    local i = list[m]
-    if head[i] == 0 then
-      n = n + 1
-      loners[n] = i
-    end
-  end
-  return n
-end
-
--- Gives those in strays[1..count] other fat boxes, and notes those that they had.
-local function lend(b, strays, count)
-  local fatLow, fatHigh, own = b.fatLow, b.fatHigh, b.ownFat
-  for n = 1, count do
-    local k, at = 2 * strays[n], 4 * n
-    own[at], own[at + 1], own[at + 2], own[at + 3] =
-      fatLow[k], fatLow[k + 1], fatHigh[k], fatHigh[k + 1]
-    fatten(b, k, FARTHEST, MARGIN)
-    fatten(b, k + 1, FARTHEST, MARGIN)
-  end
-end
-
--- Gives them their own again; they are strays no more.
-local function giveBack(b, strays, count)
-  local fatLow, fatHigh, own, strayAt = b.fatLow, b.fatHigh, b.ownFat, b.strayAt
-  for n = 1, count do
-    strayAt[strays[n]] = huge
-    local k, at = 2 * strays[n], 4 * n
-    fatLow[k], fatLow[k + 1], fatHigh[k], fatHigh[k + 1] =
-      own[at], own[at + 1], own[at + 2], own[at + 3]
-  end
-end
-
--- Wakes those of found[1..count] who rest and can be met by who asks.
-local function wakeFound(b, count)
-  local askers, found, awake, kind = b.askers, b.found, b.awake, b.kind
-  for n = 1, count do
-    local j = found[n]
-    if not awake[j] and kind[j] == DYNAMIC and filter.allows(b, askers[n], j) then
-      rest.wake(b, j)
-    end
-  end
-end
-
---- Wakes whom those in awakeList may meet, before anything is resolved, when it is not known yet
---- who will be stopped. Who may be becomes nobody's neighbour by that: neighbours of somebody awake
---- do not come to rest.
-function detect.wakeAhead(b)
-  local stopped = holdAllBack(b)
-  detect.run(b, b.present, 1, listLoners(b))
-  local count = listStrays(b, b.awakeList, 1, b.awakeCount)
-  if count > 0 then
-    lend(b, b.strays, count)
-    local n = b.broadphase:overlaps(b.strays, count, b.askers, b.found)
-    giveBack(b, b.strays, count)
-    wakeFound(b, n)
-  end
-  return letGo(b, stopped)
-end
-
-interpreted.functions(detect.wakeAhead) -- leads from loop to loop
-
--- As `detect.run`, for those in `list[1..count]` who are in the world still.
+-- Does the same as `detect.run` for those in `list[1..count]` that are still in the world.
 local function runPresent(b, list, count)
   local kind, present, n = b.kind, b.present, 0
   for m = 1, count do
@@ -411,7 +317,7 @@ local function runPresent(b, list, count)
   detect.run(b, present, 1, n)
 end
 
---- Notes that an object is elsewhere, or of another size, than its last step has left it.
+--- Notes that the game has moved or resized an object since its last step.
 function detect.markMoved(b, i)
   if not b.moved[i] then
     b.moved[i] = true
@@ -420,12 +326,12 @@ function detect.markMoved(b, i)
   end
 end
 
---- Looks up the neighbours of what was marked so, where it is now.
+--- Looks up the neighbours of the objects that were noted so, at their present places.
 function detect.runMoved(b)
   runPresent(b, b.movedList, b.movedCount)
 end
 
--- Who is no neighbour any more is nothing to stand on: its slot may soon be somebody else's.
+-- Clears `support` when a pair ends, because the slot may be used for another object soon.
 local function leaveSupport(b, i, j)
   local support = b.support
   if support[i] == j then
@@ -436,8 +342,8 @@ local function leaveSupport(b, i, j)
   end
 end
 
---- Takes an object out: no neighbours, not in the broad phase. Nobody stands on it then, and it
---- stands on nobody.
+--- Takes an object out of the pairs and the broad phase. It supports nothing then, and stands on
+--- nothing.
 function detect.remove(b, i)
   local half, n = b.head[i], 0
   while half ~= 0 do
@@ -453,8 +359,9 @@ function detect.remove(b, i)
   end
 end
 
---- What an object can meet has changed, or its size: forgets the neighbours it can no longer have,
---- and has the others looked up anew. Contacts must have been ended before.
+--- Updates the pairs of an object that can meet other objects than before, or has another size. It
+--- ends the pairs that are no longer possible and has the neighbours looked up anew. Contacts must
+--- have been ended before.
 function detect.refilter(b, i)
   if not b.active[i] then
     detect.remove(b, i)
@@ -474,8 +381,8 @@ function detect.refilter(b, i)
   b.placed[i] = min(b.placed[i], 1)
 end
 
---- The masks of the world have changed: filters everybody anew, and finds whom they may meet now,
---- before `part` looks at those who are inside each other.
+--- Updates the pairs of all objects after the masks of the world have changed. It runs before
+--- overlaps are separated (solver/separate.lua).
 function detect.refilterAll(b)
   for i = 1, b.slots do
     if b.kind[i] ~= 0 then

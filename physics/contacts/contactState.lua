@@ -1,9 +1,12 @@
---- Step 7, publish: whether a pair is in contact at the end of a step, and on which side.
+--- Contact state: computes from the places at the end of a step whether a pair is in contact, and
+-- on which side.
 --
--- Reads to, position, hit, pressed...; writes contact, overlapping, wedged, dropping, inside,
--- passing, and notes the events. `publish` asks it only for pairs whose contact does not simply go
--- on. What begins or ends without more to it is found in a compiled loop, everything else is
+-- `objects/write.lua` calls it only if the contact of a pair does not simply go on. Contacts that
+-- begin or end without a listener or a rule are found in a compiled loop. Everything else is
 -- interpreted.
+--
+-- Reads to, position, hit, pressedLow, pressedHigh and others; writes contact, overlapping,
+-- wedged, dropping, inside, passing, and notes the events.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local aabb = require(root .. ".memory.aabb")
@@ -21,16 +24,16 @@ local DYNAMIC = columns.DYNAMIC
 local EPSILON, OPPOSITE = columns.EPSILON, columns.OPPOSITE
 local floor, max, min = math.floor, math.max, math.min
 
--- What `flushSide` says of two that are inside each other.
+-- Result of `flushSide` for two bodies that overlap.
 local INSIDE = -1
 
--- 1 for a number >= 0, else 0.
+-- Returns 1 for a number >= 0, else 0. (jit: 2)
 local function step(v)
   return max(min(floor(v) + 1, 1), 0)
 end
 
--- The side of the pair's first at which the two are flush at the end of the step, else 0; INSIDE.
--- No branches, so that whatever follows is compiled once.
+-- Returns the side of slot i on which the two are flush at the end of the step, else 0; INSIDE if
+-- they overlap. (jit: 2)
 local function flushSide(b, i, j)
   local to, size, k, m = b.to, b.size, 2 * i, 2 * j
   local x, y = to[m] - to[k], to[m + 1] - to[k + 1]
@@ -44,7 +47,8 @@ local function flushSide(b, i, j)
     - (1 - apartX) * (1 - apartY)
 end
 
--- Whether a side was leant on in this step, by either of the two.
+-- Returns whether something leans on that side of slot i, or on the opposite side of slot j, in
+-- this step.
 local function isPressed(b, i, j, side)
   local axis = side > 2 and 1 or 0
   local ki, kj = 2 * i + axis, 2 * j + axis
@@ -55,12 +59,13 @@ local function isPressed(b, i, j, side)
   return iDynamic and b.pressedLow[ki] or jDynamic and b.pressedHigh[kj]
 end
 
--- Whether two that are flush on a side and may meet there are in contact.
+-- Returns whether two that are flush on a side, and may meet there, are in contact.
 local function isHeld(b, p, i, j, side)
   return b.contact[p] == side or b.hit[p] == side or b.sideBySide or isPressed(b, i, j, side)
 end
 
--- Remembers how two that are left inside each other came there: they may only part that way.
+-- Remembers on which axis two that are left overlapping came into each other: they may only
+-- separate there.
 local function wedge(b, p, i, j)
   if b.deepIn[p] == b.solveStamp then
     b.wedged[p] = b.deepWay[p]
@@ -79,13 +84,14 @@ local function wedge(b, p, i, j)
   end
 end
 
--- Who is dynamic will try to get out (see `part`).
+-- Notes that the dynamic ones of two overlapping bodies must be separated (see
+-- solver/separate.lua).
 local function leaveInside(b, i, j)
   b.inside[i], b.inside[j] = b.kind[i] == DYNAMIC, b.kind[j] == DYNAMIC
   b.hasInside = true
 end
 
--- The side of slot i by which two that are inside each other would part on the shortest way.
+-- Returns the side of slot i on which two overlapping bodies would separate by the shortest way.
 local function shortestSide(b, i, j)
   -- A tie is decided by the order of the world.
   local isSwapped = b.rank[j] < b.rank[i]
@@ -108,7 +114,7 @@ local function shortestSide(b, i, j)
   return isSwapped and OPPOSITE[side] or side
 end
 
--- The side on which a solid pair is in contact now, else 0.
+-- Returns the side on which a solid pair is in contact now, else 0.
 local function solidContact(b, p, i, j)
   local side = flushSide(b, i, j)
   b.overlapping[p] = side == INSIDE
@@ -127,7 +133,7 @@ local function solidContact(b, p, i, j)
     end
     leaveInside(b, i, j)
     side = b.contact[p] ~= 0 and b.contact[p] or b.hit[p]
-    -- What finds no way out touches what it is in.
+    -- A buried body touches what it is in.
     return side == 0 and (b.buried[i] or b.buried[j]) and shortestSide(b, i, j) or side
   end
   b.wedged[p] = 0
@@ -141,7 +147,7 @@ local function solidContact(b, p, i, j)
   return isHeld(b, p, i, j, side) and side or 0
 end
 
--- The side on which a sensor was entered, while the two overlap, else 0.
+-- Returns the side on which a sensor was entered, while the two overlap, else 0.
 local function sensorContact(b, p, i, j)
   if flushSide(b, i, j) ~= INSIDE or b.passing[p] then
     return 0
@@ -154,8 +160,8 @@ local function sensorContact(b, p, i, j)
   return shortestSide(b, i, j)
 end
 
--- The side on which solid pair p, which was not met in this step, will be in contact: one of the
--- two leans on that side on somebody else. Else 0.
+-- Returns the side on which solid pair p will be in contact, although it was not hit in this step.
+-- (One of the two leans on another body on that side.) Else returns 0.
 local function unmetSide(b, p, i, j)
   local side = flushSide(b, i, j)
   if side <= 0 or b.dropping[p] or oneway.lets(b, i, j, side, false) then
@@ -164,8 +170,8 @@ local function unmetSide(b, p, i, j)
   return isHeld(b, p, i, j, side) and side or 0
 end
 
--- Lists the pairs about which the game is still to be asked, in the order of the world; returns how
--- many.
+-- Lists the pairs about which the game must still be asked, in the order of the world. Returns how
+-- many there are.
 local function listUnasked(b, work)
   local pairs, sides, first, second, order =
     work.pairs, work.sides, work.first, work.second, work.order
@@ -188,9 +194,8 @@ local function listUnasked(b, work)
   return count
 end
 
---- Asks the game about those who will be in contact without having been met: who stands on two
---- floors is held by one of them. Writes nothing but that they pass, since the game's function may
---- fail.
+--- Asks the game about pairs that will be in contact without a hit. (An object that stands on two
+--- floors is held by one of them.) Writes only `passing`, since the function of the game may fail.
 function contact.ask(b)
   if not b.hasAskers then
     return
@@ -206,7 +211,7 @@ function contact.ask(b)
   end
 end
 
--- Finds out whether pair p is in contact now, and notes what there is to tell of that.
+-- Updates whether pair p is in contact now, and notes its events.
 local function update(b, p)
   local i, j = b.pairA[p], b.pairB[p]
   local now
@@ -221,7 +226,7 @@ local function update(b, p)
       events.stay(b, p, now)
     elseif b.hit[p] ~= 0 then
       events.bounce(b, p, b.hit[p], b.hitSpeed[p])
-      b.news[i], b.news[j] = true, true -- it is told as often as it happens
+      b.news[i], b.news[j] = true, true -- each bounce is an event, so they must not sleep
     end
     return
   end
@@ -237,13 +242,13 @@ local function update(b, p)
   b.news[i], b.news[j] = true, true
 end
 
--- Whether somebody wants to be told when a contact begins or ends.
+-- Returns whether an object or the world has a callback for contacts.
 local function hears(listener)
   return listener.onBegin or listener.onEnd or listener.onStay
 end
 
--- Whether where two stand says all about their contact: both are solid on all sides, were not
--- inside each other, and neither wants to hear of it.
+-- Returns whether the places of two bodies decide their contact alone. Both are solid on all sides,
+-- did not overlap before, and neither has a callback.
 local function isPlain(b, p, i, j)
   return b.plain[i]
     and b.plain[j]
@@ -252,8 +257,8 @@ local function isPlain(b, p, i, j)
     and not (hears(b.object[i]) or hears(b.object[j]))
 end
 
--- Updates those of `list[1..listCount]` of which no more than that must be known. Returns how many
--- are left in `list`, and how many are in `touching`.
+-- Updates the plain pairs of `list[1..listCount]` (see `isPlain`). Returns how many pairs are left
+-- in `list`, and how many are in `touching`.
 local function updatePlain(b, list, listCount, touching, count)
   local pairA, pairB, contacts, news, left = b.pairA, b.pairB, b.contact, b.news, 0
   local hit = b.hit
@@ -274,15 +279,15 @@ local function updatePlain(b, list, listCount, touching, count)
         contacts[p], news[i], news[j] = now, true, true
         b.contactCount = b.contactCount + min(now, 1) - min(before, 1)
       elseif now == 0 and hit[p] ~= 0 then
-        news[i], news[j] = true, true -- as in `update`: somebody may want to hear of the next one
+        news[i], news[j] = true, true -- as in `update`: the next bounce may be an event
       end
     end
   end
   return left, count
 end
 
---- Updates the pairs in `list[1..listCount]`, and lists those in contact behind place `count` of
---- `touching`; returns how many these are then.
+--- Updates the pairs in `list[1..listCount]`, and lists those in contact in `touching`, from place
+--- `count` + 1 on. Returns how many are in `touching` then.
 function contact.updateAll(b, list, listCount, touching, count)
   if not hears(b.world) then
     listCount, count = updatePlain(b, list, listCount, touching, count)

@@ -1,7 +1,8 @@
---- Events: what the game is told after a step, when nothing is half done.
+--- Events: collects from a step what has happened, and calls the callbacks of the game after it.
 --
--- They wait in a list of their own, as objects and not as slots, because callbacks may do anything,
--- remove objects included. An error in a callback leaves the rest in the list for the next update.
+-- Events wait in a list of their own, as objects and not as slots, because callbacks may do
+-- anything, also remove objects. An error in a callback leaves the rest in the list for the next
+-- update.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local aabb = require(root .. ".memory.aabb")
@@ -17,20 +18,20 @@ local events = {}
 local EPSILON, SIDES, OPPOSITE = columns.EPSILON, columns.SIDES, columns.OPPOSITE
 local max, min = math.max, math.min
 
--- Kinds, in the order in which the events of one pair are told.
+-- Kinds, in the order in which the events of a pair are told.
 local END, BEGIN, STAY, LEFT, CRUSH = 1, 2, 3, 4, 5
 
 --- Returns an empty list of events.
 function events.new()
   return {
-    count = 0, -- noted
-    told = 0, -- of these
-    sorted = 0, -- how many are in their order; what is noted later follows behind
-    heardBy = 3, -- of the last one told: by its first, its second, the world
+    count = 0, -- number of events
+    told = 0, -- how many of them were told
+    sorted = 0, -- how many are in order; later ones follow behind them
+    heardBy = 3, -- of the last one told, recipients called: its first object, its second, the world
     order = {},
     late = {},
     kind = {},
-    leant = {}, -- 1: begins because one leans on another there, without a hit
+    leant = {}, -- 1: the contact begins because one leans on the other, without a hit
     rankA = {},
     rankB = {},
     kindAndNumber = {},
@@ -50,14 +51,14 @@ local CALLBACKS = {
   [CRUSH] = "onCrush",
 }
 
--- Whether anybody has a callback for an event of slots i and j. Most games listen to few contacts,
--- and what nobody hears need not be sorted.
+-- Returns whether there is a callback for an event of slots i and j. Most games listen to few
+-- contacts, and an event without a callback need not be sorted.
 local function hasListener(b, kind, i, j)
   local name = CALLBACKS[kind]
   return b.world[name] or b.object[i][name] or b.object[j][name]
 end
 
--- Adds an event of the objects in slots i and j and, if there is one, of another one.
+-- Adds an event of the objects in slots i and j, and of a third object if there is one.
 local function note(b, kind, i, j, third, side, speed)
   local e = b.events
   local n = e.count + 1
@@ -69,8 +70,8 @@ local function note(b, kind, i, j, third, side, speed)
   e.side[n], e.speed[n] = side, speed
 end
 
--- Adds an event of the objects in slots i and j, if anybody hears of it. The first of them in the
--- order of the world is told as `a`; `side` is that of i.
+-- Adds an event of the objects in slots i and j, if it has a callback. The first one in the order
+-- of the world becomes `a`. `side` is that of slot i.
 local function add(b, kind, i, j, side, speed)
   if not hasListener(b, kind, i, j) then
     return
@@ -81,7 +82,8 @@ local function add(b, kind, i, j, side, speed)
   return note(b, kind, i, j, false, side, speed)
 end
 
--- Whether anybody wants to be told of a contact at every step. Such objects cannot rest.
+-- Returns whether a contact has an `onStay`, which is called in every step. Such objects cannot
+-- sleep.
 local function isHeard(b, i, j)
   if b.world.onStay or b.object[i].onStay or b.object[j].onStay then
     b.heard[i], b.heard[j] = true, true
@@ -90,9 +92,9 @@ local function isHeard(b, i, j)
   return false
 end
 
---- Notes that a contact of pair p has begun on `side` of the pair's first. Where two touch only as
---- one leans on another on that side, that is told after all hits: of two bricks that are hit at
---- once the one with the wider common edge is hit.
+--- Notes that a contact of pair p has begun on `side` of its first object. Contacts that begin
+--- because one object leans on the other, without a hit, are told after all hits. (Of two bricks
+--- that are hit at once, the one with the wider common edge is hit.)
 function events.begin(b, p, side, speed)
   local i, j, count = b.pairA[p], b.pairB[p], b.events.count
   isHeard(b, i, j)
@@ -107,13 +109,13 @@ function events.finish(b, p, side)
   add(b, END, b.pairA[p], b.pairB[p], side, 0)
 end
 
---- Notes that pair p touched and parted within the step.
+--- Notes that the objects of pair p touched and separated within the step.
 function events.bounce(b, p, side, speed)
   add(b, BEGIN, b.pairA[p], b.pairB[p], side, speed)
   add(b, LEFT, b.pairA[p], b.pairB[p], side, 0)
 end
 
---- Notes that a contact goes on, if anybody wants to know.
+--- Notes that a contact goes on, if there is an `onStay`.
 function events.stay(b, p, side)
   local i, j = b.pairA[p], b.pairB[p]
   if isHeard(b, i, j) then
@@ -136,7 +138,7 @@ local function endContact(b, p)
   end
 end
 
---- Ends all contacts of a slot: it leaves the world.
+--- Ends all contacts of a slot that leaves the world.
 function events.endContacts(b, i)
   local half = b.head[i]
   while half ~= 0 do
@@ -145,7 +147,7 @@ function events.endContacts(b, i)
   end
 end
 
--- Whether two that are in contact do not touch any more, where they stand now.
+-- Returns whether two slots that are in contact do not touch any more where they are now.
 local function isApart(b, i, j)
   local position, size, k, m = b.position, b.size, 2 * i, 2 * j
   local width, height = aabb.overlap(
@@ -158,13 +160,14 @@ local function isApart(b, i, j)
     size[m],
     size[m + 1]
   )
-  -- (A contact with one that has become a sensor goes on while somebody passes through it.)
+  -- (A contact with an object that has become a sensor goes on while the other one passes through
+  -- it.)
   local isSensed = b.sensor[i] or b.sensor[j]
   return min(width, height) < -EPSILON or (not isSensed and max(width, height) <= EPSILON)
 end
 
---- Ends the contacts of a slot that the game has put elsewhere with whom it has left by that; it
---- may come back in the same step. How it was inside of somebody counts no more then.
+--- Ends the contacts of a slot with what it no longer touches, because the game has put it
+--- elsewhere. (It may come back in the same step.) It is no longer wedged into these objects then.
 function events.endLeft(b, i)
   local half = b.head[i]
   while half ~= 0 do
@@ -177,7 +180,7 @@ function events.endLeft(b, i)
   end
 end
 
---- Ends the contacts of a slot with whoever it can no longer meet.
+--- Ends the contacts of a slot with objects that it can no longer meet.
 function events.endForbidden(b, i)
   local half = b.head[i]
   while half ~= 0 do
@@ -188,7 +191,8 @@ function events.endForbidden(b, i)
   end
 end
 
--- Callbacks are read when they are called: a field may have turned bad since the object was read.
+-- Checks a callback. Callbacks are read when they are called, so a field may have changed since the
+-- object was read.
 local function checkCallback(b, owner, name)
   local callback = owner[name]
   if callback and type(callback) ~= "function" then
@@ -200,8 +204,8 @@ local function checkCallback(b, owner, name)
   end
 end
 
--- Calls what one of an event's recipients has for it: 1 and 2 the two objects, 3 the world; each
--- object gets the side that is its own, the world that of the first.
+-- Calls the callback of one recipient of an event: 1 and 2 are the two objects, 3 is the world.
+-- Each object gets its own side, and the world that of the first object.
 local function tell(e, n, recipient, name, owner)
   local callback = owner[name]
   local a, b, side = e.a[n], e.b[n], e.side[n]
@@ -221,7 +225,7 @@ local function tell(e, n, recipient, name, owner)
   end
 end
 
--- Tells one event to those who have not heard of it yet.
+-- Tells one event to the recipients that have not been called yet.
 local function tellAll(b, e, n)
   local name = CALLBACKS[e.kind[n]]
   while e.heardBy < 3 do
@@ -229,7 +233,7 @@ local function tellAll(b, e, n)
     local owner = recipient == 3 and b.world or recipient == 1 and e.a[n] or e.b[n]
     local isSkipped = recipient == 2 and e.kind[n] == CRUSH
     if not isSkipped then
-      checkCallback(b, owner, name) -- those before may have spoilt it
+      checkCallback(b, owner, name) -- earlier callbacks may have changed it
     end
     e.heardBy = recipient
     if not isSkipped then
@@ -246,7 +250,8 @@ function events.forget(e)
   e.count, e.told, e.heardBy, e.sorted = 0, 0, 3, 0
 end
 
---- Lists those noted last in `e.late`, in order; returns how many. Changes nothing else.
+--- Lists the events that are not in order yet in `e.late`, in order. Returns how many there are.
+--- Changes nothing else.
 function events.sortLate(e)
   local order, late, sorted, count = e.order, e.late, e.sorted, e.count - e.sorted
   for n = 1, count do
@@ -256,7 +261,7 @@ function events.sortLate(e)
   return count
 end
 
---- Puts those noted last in order, behind those that are in order already.
+--- Puts the events that are not in order yet in order, behind the others.
 function events.arrange(e)
   for n = 1, events.sortLate(e) do
     e.order[e.sorted + n] = e.late[n]
@@ -264,17 +269,17 @@ function events.arrange(e)
   e.sorted = e.count
 end
 
---- Tells the game all that was noted: in batches (see `arrange`), in each of them pairs in the
---- order of the world, contacts that begin without a hit last. An error of a callback passes
---- through; what was not told then is told by the next call.
+--- Tells the game all events, in batches (see `arrange`). In a batch, pairs are in the order of the
+--- world, and contacts that begin without a hit come last. An error in a callback passes through;
+--- the next call tells the rest.
 function events.tell(b)
   local e = b.events
   if e.count == 0 then
     return
   end
-  -- At once, since what is not told after an error is part of the state.
+  -- The list is put in order first, since events that an error delays are part of the state.
   events.arrange(e)
-  tellAll(b, e, e.order[e.told]) -- the rest of one that a callback has interrupted
+  tellAll(b, e, e.order[e.told]) -- the rest of an event that an error has interrupted
   while e.told < e.count do
     if e.told == e.sorted then
       events.arrange(e) -- callbacks may have ended contacts

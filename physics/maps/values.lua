@@ -1,5 +1,4 @@
---- What the values of cells consist of, where the game itself says which are solid: in plain arrays
---- and in LDtk.
+--- Makes the boxes of cell values in plain arrays and in LDtk, where the game says which are solid.
 
 local root = (...):match("^(.*)%.maps%.")
 local cells = require(root .. ".maps.cells")
@@ -15,7 +14,8 @@ local function showKey(value)
   return ("solid[%s]"):format(check.show(value))
 end
 
--- A key that must not depend on the order of `pairs`: of several wrong ones the first is told.
+-- Returns the keys in an order that does not depend on `pairs`: of several wrong ones always the
+-- same is reported.
 local function sortedKeys(given)
   local keys = {}
   for key in pairs(given) do
@@ -39,8 +39,7 @@ function values.isValue(value)
   return (kind == "number" and value == value) or kind == "string" or kind == "boolean"
 end
 
---- Reads a table of fields.
---- Errors: no table; a field that cannot be used.
+--- Reads a table of fields. Errors: it is not a table; a field cannot be used.
 ---@param given table
 ---@param place string how the game writes it
 ---@param where string the call
@@ -51,8 +50,8 @@ function values.readFields(given, place, where)
   return traits
 end
 
---- Reads the option `solid`.
---- Errors: no table; keys that are no values of cells; fields that cannot be used.
+--- Reads the option `solid`. Errors: it is not a table; a key is not a value of cells; a field
+--- cannot be used.
 ---@param given table<any, boolean|table>?
 ---@param common physics.Traits what holds for all
 ---@param where string the call
@@ -81,10 +80,10 @@ function values.readSolid(given, common, where)
   return solid
 end
 
--- What a value consists of ------------------------------------------------------------------------
+-- Boxes of a value --------------------------------------------------------------------------------
 
---- Returns the options of a loader, checked as far as all loaders have the same: that there are
---- only these names, where `x` and `y` are, and which options are true or false.
+--- Returns the options of a loader after the checks that all loaders share: unknown names, `x` and
+--- `y`, options that are true or false.
 ---@param given table?
 ---@param names table the options that there are (see check.names)
 ---@param flags string[] those that are true or false
@@ -109,7 +108,7 @@ function values.readOptions(given, names, flags, where)
   return given
 end
 
---- Returns a copy. Tables in it are shared, as all that is the game's.
+--- Returns a copy. Tables in it are shared, since they are the game's.
 ---@param given table
 ---@return table
 function values.copy(given)
@@ -141,7 +140,7 @@ local function newBoxes(state, traits, value)
   })
 end
 
---- Returns the boxes of a value, as a list; an empty one for what is not solid.
+--- Returns the boxes of a value as a list, empty if it is not solid.
 ---@param state table `tiles`; `group`: of what says none; `merge`; `traitsOf(value)`: what holds
 ---  for it, false: it is not solid; `pieces` and `boxesByKey`: tables for what is known already
 ---@param value any

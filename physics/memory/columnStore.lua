@@ -1,16 +1,15 @@
 --- Columns that grow together: tables, or typed arrays in a program that has everything compiled.
 --
--- A table grows by itself and takes whatever is written to it, so compiled code looks at each value
--- whether it is there, and of which kind it is. A typed array (`double[]` or `bool[]` of LuaJIT's
--- FFI) needs no such look; that is a fifth to a third of a step. But interpreted code takes ten
--- times as long with it, so typed arrays come with `physics.compile()`, for worlds that are made
--- after it.
+-- A table grows by itself and takes any value, so compiled code checks each value that it reads: is
+-- it there, and of which type? A typed array (`double[]` or `bool[]` of LuaJIT's FFI) needs no such
+-- check, which saves a fifth to a third of a step. But interpreted code takes ten times as long
+-- with it. So typed arrays come with `physics.compile()`, for worlds that are made after it.
 --
--- A typed array holds as much as it was made for, and nobody stops who writes behind its end.
--- Whoever needs more says so before (`grow`). The columns are others afterwards: nobody may hold
--- one in a local meanwhile.
+-- A typed array has a fixed length, and nothing stops a write behind its end. Code that needs more
+-- room must call `grow` first. After that the columns are different objects, so no local may hold
+-- one across that call.
 
-local bank = {}
+local columnStore = {}
 
 local HUGE = math.huge
 local KINDS = { "number", "integer", "boolean" }
@@ -18,37 +17,38 @@ local KINDS = { "number", "integer", "boolean" }
 -- Where typed arrays come from; false: columns are tables.
 local source = false ---@type any
 
---- Lets banks that are made from now on have their columns from a source; false: they are tables.
---- `source.give(kind, lengths)` returns a list of columns of these lengths, all 0 or false, and
---- what must be kept as long as they are used, until `source.drop` gets it;
---- `source.room(old, last)` says how much room to make for the indexes up to `last`, where there
---- was `old`.
---- Returns what was used before.
-function bank.use(given)
+--- Sets where the columns of stores made from now on come from; false: they are tables. Returns
+--- what was set before. A source has three functions:
+--- - `source.give(kind, lengths)` returns a list of columns of these lengths, all 0 or false, and a
+---   block. The block must be kept while the columns are used, until `source.drop` gets it.
+--- - `source.room(old, last)` returns how much room to make for the indexes up to `last`, where
+---   there was `old`.
+function columnStore.use(given)
   local before = source
   source = given
   return before
 end
 
--- Gives the owner columns of one kind from the source, with what the old ones have in their first
--- `count` indexes.
+-- Replaces the owner's columns of one kind by columns of the source. Copies the first `count`
+-- indexes.
 local function replace(self, kind, room, count)
-  local owner, list, lengths = self.owner, {}, {}
+  local owner, names, widths, lengths = self.owner, {}, {}, {}
   for n = 1, #self.layout do
-    local entry = self.layout[n]
-    if entry.kind == kind then
-      list[#list + 1], lengths[#list + 1] = entry, entry.width * (room + 1)
+    local part = self.layout[n]
+    for m = 1, part.kind == kind and #part.names or 0 do
+      local at = #names + 1
+      names[at], widths[at], lengths[at] = part.names[m], part.width, part.width * (room + 1)
     end
   end
   local given, block = self.source.give(kind, lengths)
-  for n = 1, #list do
-    local old, new = owner[list[n].name], given[n]
-    for k = 0, list[n].width * count - 1 do
+  for n = 1, #names do
+    local old, new = owner[names[n]], given[n]
+    for k = 0, widths[n] * count - 1 do
       if old[k] ~= nil then -- a table may have gaps
         new[k] = old[k]
       end
     end
-    owner[list[n].name] = new
+    owner[names[n]] = new
   end
   if self.kept[kind] then
     self.source.drop(self.kept[kind])
@@ -63,25 +63,26 @@ local function replaceAll(self, room, count)
   self.room = room
 end
 
---- Gives `owner` the columns of `layout`, a list of `{ name, kind, width }`: of numbers, of whole
---- numbers that 32 bits hold ("integer"), of booleans, or "any" (always a table), with `width`
---- places for each index from 0 to `room`. An error if it has something else by one of these names.
-function bank.new(owner, layout)
+--- Gives `owner` the columns of `layout`, a list of `{ kind, width, names }`. A column has `width`
+--- places for each index from 0 to `room`. Kinds: "number", "integer" (whole numbers of 32 bits),
+--- "boolean", "any" (always a table). Errors: the owner already has a field of one of these names.
+function columnStore.new(owner, layout)
   local self = { owner = owner, layout = layout, room = HUGE, source = false, kept = {} }
   for n = 1, #layout do
-    local name = layout[n].name
-    if owner[name] ~= nil then
-      error("the owner has another " .. name, 2)
+    for _, name in ipairs(layout[n].names) do
+      if owner[name] ~= nil then
+        error("the owner has another " .. name, 2)
+      end
+      owner[name] = {}
     end
-    owner[name] = {}
   end
-  bank.adopt(self, -1)
+  columnStore.adopt(self, -1)
   return self
 end
 
---- Changes to the source that is used now, if that was a table until now; `last` is the highest
---- index in use.
-function bank.adopt(self, last)
+--- Changes to the current source if the columns were tables until now. `last` is the highest index
+--- in use.
+function columnStore.adopt(self, last)
   if source and not self.source then
     self.source = source
     replaceAll(self, source.room(0, last), last + 1)
@@ -89,8 +90,31 @@ function bank.adopt(self, last)
 end
 
 --- Makes room for the indexes up to `last`.
-function bank.grow(self, last)
+function columnStore.grow(self, last)
   replaceAll(self, self.source.room(self.room, last), self.room + 1)
 end
 
-return bank
+-- Returns the first `length` places of a table, from 0 on.
+local function head(column, length)
+  local new = {}
+  for k = 0, length - 1 do
+    new[k] = column[k]
+  end
+  return new
+end
+
+--- Gives back the memory behind the index `last`. As after `grow`, the columns are different
+--- objects.
+function columnStore.shrink(self, last)
+  if self.source then
+    replaceAll(self, self.source.room(0, last), last + 1)
+  end
+  for n = 1, #self.layout do
+    local part = self.layout[n]
+    for m = 1, (part.kind == "any" or not self.source) and #part.names or 0 do
+      self.owner[part.names[m]] = head(self.owner[part.names[m]], part.width * (last + 1))
+    end
+  end
+end
+
+return columnStore

@@ -1,27 +1,28 @@
 --- The memory of a world: one array ("column") per property, one index ("slot") per object.
 --
--- Every step of the simulation reads and writes these columns and nothing else; the game's tables
--- are read in `collect` and written in `publish`. Columns that hold a value for each axis are
+-- Every stage of a step reads and writes these columns and nothing else. The game's tables are read
+-- in objects/read.lua and written in objects/write.lua. Columns with a value for each axis are
 -- interleaved: `column[2 * slot]` is x and `column[2 * slot + 1]` is y, so that one function serves
--- both axes. Pairs of neighbours have columns of their own; each pair hangs in the lists of both of
+-- both axes. Pairs of neighbours have columns of their own. Each pair is in the lists of both of
 -- its objects by two half-edges (`2 * pair - 1` and `2 * pair`).
 --
--- No column is ever shared between worlds: callbacks may step another world.
+-- No column is shared between worlds: a callback may step another world.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local bank = require(root .. ".memory.columnStore")
+local columnStore = require(root .. ".memory.columnStore")
 local interpreted = require(root .. ".memory.jit")
 
 local columns = {}
 
 columns.STATIC, columns.KINEMATIC, columns.DYNAMIC = 1, 2, 3
 
---- By kind: 1 for who is dynamic, a number for what has no branches. (0: nobody is there.)
+--- By kind: 1 for a dynamic object, else 0, as a factor instead of a branch. (0 is an empty slot.)
 columns.GIVES = { [0] = 0, [columns.STATIC] = 0, [columns.KINEMATIC] = 0, [columns.DYNAMIC] = 1 }
 
---- Returns the kind that an object's fields say, which is read again in each step but for `static`.
+--- Returns the kind that an object's fields say. `kinematic` is read again in each step, `static`
+--- is not.
 ---@param object physics.Object
----@param isStatic boolean? what is known of that; nil: as the field says
+---@param isStatic boolean? whether it is static; nil: as its field says
 ---@return integer
 function columns.kindOf(object, isStatic)
   if isStatic == nil then
@@ -33,34 +34,37 @@ end
 --- How far apart two edges may be and still count as touching, px.
 columns.EPSILON = 1e-6
 
---- Makes any difference of two numbers around EPSILON more than 1, so that
---- `min(max(d * VAST, 0), 1)` is 1 for d > 0 and 0 for d <= 0, and `min(max(d * VAST + 1, 0), 1)`
---- is 1 for d >= 0 and 0 for d < 0. What would have branches is worked out with these: any way but
---- the one compiled first takes 40 ns more.
+--- Makes any difference of two numbers around EPSILON more than 1. So `min(max(d * VAST, 0), 1)` is
+--- 1 for d > 0 and 0 for d <= 0, and `min(max(d * VAST + 1, 0), 1)` is 1 for d >= 0 and 0 for d <
+--- 0. These stand for branches in measured loops: each branch direction but the one compiled first
+--- costs 40 ns more.
 columns.VAST = 1e300
 
---- Keeps 0 / 0 out of what has no length: no more than that is added to what has one.
+--- Is added to lengths before a division, so that 0 / 0 cannot arise. It changes no other length.
 columns.TINY = 1e-300
 
---- More than the ranks of all objects there may be.
+--- A number larger than the rank of any object.
 columns.RANKS = 2 ^ 40
 
---- What stands in `touchTold` at the first side of an object whose `touching` must be told anew.
+--- Value of `touchTold` at the first side of an object with a `touching` that must be written
+--- again.
 columns.UNTOLD = -1
 
 local HUGE = math.huge
 local floor, max, min = math.floor, math.max, math.min
--- Of so many slots in use, one more is made ready with each new one.
+-- Slots are prepared ahead: one for each so many that are in use.
 local AHEAD = 8
+-- Slots are given back if there are more than FEW, and at most one of SHARE is needed.
+local FEW, SHARE = 64, 4
 
--- Values of a fresh slot: numbers and booleans.
+-- Values of a fresh slot, in columns of numbers and booleans.
 local SLOT = {
-  -- who it is
+  -- identity
   rank = 0, -- place in the order of the world
   kind = 0,
-  plain = false, -- bumps whoever it meets
-  even = false, -- and does so on all sides, and is not told of contacts that go on
-  bare = false, -- dynamic, and had none of the fields that few have when it was last read, but for
+  plain = false, -- is not a sensor
+  even = false, -- is neither a sensor nor one-way, and has no onStay
+  bare = false, -- is dynamic, and had none of the rare fields when it was last read, but for
   -- `sensor` and `hits`
   -- fields of the object, defaults filled in
   active = true,
@@ -78,50 +82,50 @@ local SLOT = {
   carry = true,
   surfaceSpeed = 0,
   nudge = 0,
-  -- rest
+  -- sleep
   awake = false,
-  awakeAt = 0, -- place in the list of who is awake
+  awakeAt = 0, -- place in awakeList
   quiet = false, -- its last step changed nothing
-  heard = false, -- somebody is told of its contacts, or asked about them, at every step
+  heard = false, -- onStay or canCollide must be called for its contacts at every step
   visited = 0,
   flying = false, -- near nothing: moves like a point (see flight)
   -- the step
-  moved = false, -- placed, resized or filtered anew by the game: its overlaps must be parted
+  moved = false, -- placed, resized or filtered anew by the game: its overlaps must be separated
   inside = false, -- the last step left it inside another
-  grown = false, -- the game has made it larger: then it was at wasAt, and wasSize large
-  jumped = false, -- a carrier that the game has put elsewhere by `refresh`
+  grown = false, -- the game has made it larger: before, it was at wasAt with the size wasSize
+  jumped = false, -- a carrier that the game has moved and called `refresh` for
   buried = false, -- inside something immovable, with no way out
   fresh = false, -- in its first step
-  news = false, -- something else than its motion has changed in this step
+  news = false, -- something other than its motion has changed in this step
   time = 0, -- fraction of the step at which its present path begins
   support = 0, -- slot of what it stands on, 0: nothing
-  carrier = 0, -- slot of what carries it, through all that it stands on, 0: nothing
-  carrierNow = 0, -- scratch of carrier
+  carrier = 0, -- slot of the carrier at the end of the chain of supports, 0: nothing
+  carrierNow = 0, -- scratch of carriers
   carrierSeen = 0,
   -- the solver
-  crowd = 0, -- what leads the crowd that it is in, 0: none (see crowd)
-  dirty = 0, -- 1: its path is new since it was last swept
-  deepAt = 0, -- solve in which it was inside another dynamic body
-  impactsOf = 0, -- impacts in this step
+  crowd = 0, -- slot that leads its crowd, 0: it is in none (see crowd)
+  dirty = 0, -- 1: its path has changed since it was last swept
+  deepAt = 0, -- solve in which it was last inside another dynamic body
+  impactsOf = 0, -- number of impacts in this step
   inRound = 0, -- round in which it was last in an impact
   -- broad phase
   placed = 0, -- 0: not in the broad phase, 1: its neighbours must be looked up, 2: they are known
   head = 0, -- first half-edge
   mark = 0,
-  strayAt = HUGE, -- place among those whose neighbours are looked up now
+  strayAt = HUGE, -- place in the list of slots to look up neighbours for
 }
 
--- The same, of columns that may hold anything; `false`: the field is not set.
+-- The same, in columns that may hold anything; `false`: the field is not set.
 local ANY = {
   object = false,
-  group = false, -- the record of its group (see roster)
+  group = false, -- the record of its group (see registry)
   groupName = false,
   key = false,
-  touching = false, -- the table published as object.touching
+  touching = false, -- the table that is object.touching
   ownGravity = false,
   ownGravityX = false,
   mask = false, -- the game's table; of a static object a copy that is never changed
-  maskSeen = false, -- what the mask of a mover said of each group when it was last read
+  maskSeen = false, -- which groups the mask of a mover refused when it was last read
   only = false, -- the only groups that it can meet (see filter), false: all
   hitsGiven = false, -- the game's list of them,
   hitsRead = false, -- and what was read of it
@@ -131,29 +135,29 @@ local ANY = {
 }
 
 local AXIS = {
-  position = 0, -- where the game sees it
+  position = 0, -- as the game sees it
   velocity = 0,
   size = 0,
   push = 0, -- ax, ay
   limit = HUGE, -- maxSpeedX, maxSpeedY
-  pull = 0, -- gravity that acts on it
+  pull = 0, -- gravity that acts on it, px/s²
   down = 0, -- -1, 0, 1: where its gravity points, on its stronger axis only
   last = 0, -- position before the last fixed step, for drawing
-  written = 0, -- x, y as the game has last written them; kinematic: where it shall go
-  behind = 0, -- kinematic: part of that way which is left for the next steps of an update
-  way = 0, -- how far it goes in this step by itself, px
+  written = 0, -- x, y as the game has last written them; kinematic: its target
+  behind = 0, -- kinematic: what is left of the way to its target, for the next steps of an update
+  way = 0, -- displacement by its own motion in this step, px
   from = 0, -- start of the present path
-  to = 0, -- where it will be at the end of the step
+  to = 0, -- end of the path: its position at the end of the step
   drift = 0, -- velocity apart from what it overlaps and is soft to, px/s (see drift)
   undrifted = 0, -- velocity at the end of the step without that
   speed = 0, -- velocity at the end of the step, absolute
   accel = 0, -- acceleration during the step, drag and limits included
   carried = 0, -- velocity of its carrier in this step
-  reserve = 0, -- how much faster it could get, px/s, but for its limit
-  pace = 0, -- up to which speed, without its carrier
-  heldLow = 1, -- > 0: cannot give way towards smaller coordinates
+  reserve = 0, -- px/s that its speed limit has taken off
+  pace = 0, -- speed limit without the carrier, px/s
+  heldLow = 1, -- > 0: cannot move towards smaller coordinates
   heldHigh = 1,
-  holderLow = 0, -- slot of who holds it there
+  holderLow = 0, -- slot of what blocks it there
   holderHigh = 0,
   crushed = false, -- in this step, between crushLow and crushHigh
   wasCrushed = false, -- in the step before
@@ -161,123 +165,123 @@ local AXIS = {
   crushHigh = 0,
   pressedLow = false, -- something rested against this side in this step
   pressedHigh = false,
-  widest = 0, -- contact that is hit, of several at once
+  widest = 0, -- the contact that is hit, of several at once
   wasAt = 0,
   wasSize = 0,
-  give = 0, -- inverse mass in this step, 0: cannot be moved
+  give = 0, -- inverse mass in this step, 1/kg; 0: cannot be moved
   freeSpeed = 0, -- velocity at the end of the step without contacts, px/s
-  start = 0, -- velocity at its start
-  origin = 0, -- where it is then
+  start = 0, -- velocity at the start of the step
+  origin = 0, -- position then
   swept = 0, -- end of the path that was swept last
-  crowdAge = 0, -- on the first axis: steps for which it has been in its crowd
-  jam = 0, -- steps for which it had no room (see contacts)
-  squeezed = 0, -- px by which it is pressed between two that cannot give way
-  base = 0, -- velocity of immovable ground that it rubs on,
-  grip = 0, -- and how strongly, N at most,
-  rough = 0, -- with this coefficient
-  tug = 0, -- impulse of bonds that slip
-  bondUnder = 0, -- bond with what it stands on (see friction)
-  bondOn = 0, -- first one with what stands on it
+  crowdAge = 0, -- on the first axis: number of steps that it has been in its crowd
+  jam = 0, -- number of steps for which it had no room (see contacts)
+  squeezed = 0, -- px by which it is pressed between two bodies that cannot move
+  base = 0, -- velocity of the immovable ground that it rubs on,
+  grip = 0, -- the friction limit there, N,
+  rough = 0, -- and the coefficient of friction
+  tug = 0, -- impulse of slipping bonds
+  bondUnder = 0, -- bond with its support (see friction)
+  bondOn = 0, -- first bond with a body that it supports
   least = -HUGE, -- its speed limits, carrier included
   most = HUGE,
-  onset = 0, -- velocity at the start of the step, after what acts at once,
-  outset = 0, -- and that of the block it is in
+  onset = 0, -- velocity at the start of the step, after impulses that act at once,
+  outset = 0, -- and that of its block
   lead = 0, -- px by which it has slipped on before it stuck
-  ownSpeed = 0, -- velocity at the end with all these, but without contacts
+  ownSpeed = 0, -- velocity at the end of the step with all these, but without contacts
   bearer = 0, -- contact that bears its load
-  load = 0, -- impulse of what stands on it
-  weight = 0, -- of that, what is no impact
-  burden = 0, -- kg that stand on it
+  load = 0, -- impulse of what it supports
+  weight = 0, -- the part of that which is no impact
+  burden = 0, -- kg that it supports
   isPressed = false,
-  bondMark = 0, -- it is in a tower that friction holds together
-  parent = 0, -- blocks (see pool): the next one on the way to the root
-  offset = 0, -- px from that
+  bondMark = 0, -- it is in a stack that friction holds together
+  parent = 0, -- next body on the way to the root of its block (see pool)
+  offset = 0, -- px from that body
   blockMass = 0, -- at the root: sums over the block
   blockMomentum = 0,
   blockSpeed = 0,
   blockForce = 0,
   blockKinks = 0,
-  blockShift = 0, -- px that its mass is off from where it would be with the members where they were
+  blockShift = 0, -- px between the block's centre of mass and where its members alone would have it
   blockLeast = 0,
   blockMost = 0,
   blockStand = 0, -- velocity of ground on which a member stands
   isFirm = false, -- is not pushable
   blockPower = 0, -- of its strongest member
-  fatLow = 0, -- box with margin for which the neighbours are known
+  fatLow = 0, -- box with a margin for which the neighbours are known
   fatHigh = 0,
 }
 
--- What a pair begins with is written in `linkAll`: numbers …
+-- Columns of pairs; `linkAll` writes their initial values. First numbers …
 local PAIR = {
   "pairA",
   "pairB",
   "contact", -- side of pairA that is in contact (see SIDES), 0: none
   "hit", -- side of pairA that was first hit in this step, 0: none
   "hitSpeed",
-  "nudged", -- how often a corner was corrected in this step
+  "nudged", -- number of corner corrections in this step
   "liveMark",
-  "wedged", -- 1 + code of the meeting along which two that are left inside each other may part
-  "deepIn", -- solve in which two were inside each other
-  "deepWay", -- what `wedged` is after that
-  "contactLow", -- index of the low one of a contact on its axis
+  "wedged", -- 1 + code of the direction in which an overlapping pair may separate
+  "deepIn", -- solve in which the two overlapped
+  "deepWay", -- the value of `wedged` after that
+  "contactLow", -- index of the contact's low body on its axis
   "contactHigh",
-  "contactKey", -- by which contacts are sorted
-  "separation", -- px that the two must be apart
+  "contactKey", -- sort key of the contact
+  "separation", -- distance in px that the two must keep
   "place", -- scratch of contacts
-  "pressed", -- 1: the two lean on each other
+  "pressed", -- 1: the two press each other
   "sweptAt", -- sweep in which it was last listed
-  "asked", -- solve in which the game was last asked about it
-  "touches", -- 1: may be met at the very beginning of the step
+  "asked", -- solve in which canCollide was last called for it
+  "touches", -- 1: may meet at the very beginning of the step
 }
 
 -- … and booleans.
 local PAIR_FLAG = {
-  "passing", -- lets pass for this step (canCollide, dropThrough)
-  "dropping", -- falls through (dropThrough) until the two are apart
-  "overlapping", -- was left inside each other at the end of the last step
-  "leaving", -- is about to be taken apart
+  "passing", -- may pass through each other in this step (canCollide, dropThrough)
+  "dropping", -- fall through each other (dropThrough) until they are apart
+  "overlapping", -- overlapped at the end of the last step
+  "leaving", -- is about to be unlinked
 }
 
--- Lists, from 1 on, that hold each pair once at most.
+-- Lists, from 1 on, that hold each pair at most once.
 local PAIR_LIST = {
-  "live", -- pairs of those who take part in this step
-  "near", -- scratch of meet
+  "live", -- pairs of which one body is awake
+  "near", -- scratch of sweep
   "apart", -- pairs to be swept (see contacts)
   "overlaps",
   "sortScratch",
-  "touchPairs", -- scratch of publish
+  "touchPairs", -- scratch of write
   "closePairs",
   "otherPairs",
 }
 
 local HALF = { "other", "next", "previous" }
 
--- Lists, from 1 on, that hold each pair twice at most.
+-- Lists, from 1 on, that hold each pair at most twice.
 local HALF_LIST = {
-  "offerAt", -- scratch of publish
-  "offerWho",
+  "offerAt", -- scratch of write
+  "offerOther",
   "offerWidth",
   "rivals",
 }
 
--- Lists, from 1 on, that hold each object once at most.
+-- Lists, from 1 on, that hold each object at most once.
 local SLOT_LIST = {
   "movers", -- slots of everything that is not static
-  "awakeList", -- of those who take part in this step
-  "flyers", -- of those who fly (see flight)
-  "rich", -- scratch of collect
-  "outdated", -- scratch of publish
+  "awakeList", -- slots that take part in this step
+  "flyers", -- slots that fly (see motion/flight.lua)
+  "rich", -- scratch of read
+  "outdated", -- scratch of write
 }
 
 -- By 4 * slot + side; sides are 1 to 4.
 local SIDE = {
-  "touchBest", -- slot of whom it touches there at the end of this step
-  "touchTold", -- what `touching` of the game's object says; UNTOLD at its first side: nobody knows
-  "touchWidth", -- scratch of publish
+  "touchBest", -- slot of the object that it touches there at the end of this step
+  "touchTold", -- what `touching` of the game's object says; UNTOLD at its first side: unknown
+  "touchWidth", -- scratch of write
 }
 
--- Of all these, what holds whole numbers that stay small: slots, pairs, places, sides, counts of
--- one step. (Not what counts steps, stamps or changes, which grows as long as the game is played.)
+-- Columns of these that hold small whole numbers: slots, pairs, places, sides, counts of one step.
+-- (Columns that count steps, stamps or changes grow as long as the game runs, and are not here.)
 local WHOLE = {}
 for _, names in ipairs({
   { "kind", "awakeAt" },
@@ -289,15 +293,15 @@ for _, names in ipairs({
   { "near", "touchPairs" },
   { "closePairs", "otherPairs", "other", "next", "previous", "movers", "awakeList", "rich" },
   { "flyers" },
-  { "outdated", "offerAt", "offerWho", "rivals" },
+  { "outdated", "offerAt", "offerOther", "rivals" },
 }) do
   for _, name in ipairs(names) do
     WHOLE[name] = true
   end
 end
 
--- What a step leaves behind in an object, apart from where it is. Who is awake begins each step
--- without most of it (see begin); of who becomes a wall nobody else would clear it.
+-- What a step leaves in an object's columns besides its position. An awake object begins each step
+-- without most of it (see begin). An object that becomes static must be cleared here.
 local STEP_SLOT = {
   "buried",
   "support",
@@ -328,10 +332,10 @@ local STEP_AXIS = {
 columns.SIDES = { "left", "right", "top", "bottom" }
 columns.SIDE = { left = 1, right = 2, top = 3, bottom = 4 }
 columns.OPPOSITE = { 2, 1, 4, 3 }
---- On which axis a side is.
+--- The axis of each side.
 columns.AXIS = { 0, 0, 1, 1 }
 
---- Returns the side that the field `oneWay` means: `true` is the top, false: none.
+--- Returns the side that a value of the field `oneWay` means: `true` is the top; false: none.
 function columns.sideOf(value)
   return value == true and "top" or value or false
 end
@@ -348,17 +352,27 @@ interpreted.always(namesOf)
 
 local SLOT_NAMES, ANY_NAMES, AXIS_NAMES = namesOf(SLOT), namesOf(ANY), namesOf(AXIS)
 
+-- Adds columns to a layout. Those of whole numbers are a part of their own.
 local function describe(layout, names, kind, width)
+  local plain, whole = {}, {}
   for n = 1, #names do
-    local its = WHOLE[names[n]] and "integer" or kind
-    layout[#layout + 1] = { name = names[n], kind = its, width = width }
+    local list = WHOLE[names[n]] and whole or plain
+    list[#list + 1] = names[n]
   end
+  layout[#layout + 1] = { kind = kind, width = width, names = plain }
+  layout[#layout + 1] = { kind = "integer", width = width, names = whole }
 end
 
--- The same for columns with values of a fresh slot, which tell their kind.
+-- The same for columns with values of a fresh slot; their type tells the kind.
 local function describeByValue(layout, names, values, width)
-  for n = 1, #names do
-    describe(layout, { names[n] }, type(values[names[n]]), width)
+  for _, kind in ipairs({ "number", "boolean" }) do
+    local list = {}
+    for n = 1, #names do
+      if type(values[names[n]]) == kind then
+        list[#list + 1] = names[n]
+      end
+    end
+    describe(layout, list, kind, width)
   end
 end
 
@@ -374,136 +388,163 @@ describe(PAIR_LAYOUT, PAIR_LIST, "number", 1)
 describe(PAIR_LAYOUT, HALF, "number", 2)
 describe(PAIR_LAYOUT, HALF_LIST, "number", 2)
 
+-- Adds the counts and free lists of slots and pairs.
+local function addObjects(b)
+  b.slots = 0 -- highest slot ever used
+  b.blankTo = 0 -- highest slot that is in use or prepared
+  b.free = {} -- slots to use again
+  b.freeCount = 0
+  b.freeSeen = 0 -- freeCount when `shrink` last looked
+  b.count = 0 -- objects in the world
+  b.slotOf = {} -- object -> slot
+  b.pairSlots = 0
+  b.freePairs = {}
+  b.freePairCount = 0
+  b.pairCount = 0
+  b.links = 0 -- how often the pairs have changed
+  b.contactCount = 0
+  b.linkOne = {} -- objects that are about to be linked
+  b.linkOther = {}
+  b.linked = {} -- their pairs
+  b.parted = {} -- pairs that are about to be unlinked
+end
+
+-- Adds skip hints: true once an object of the world has had the feature. They change no result.
+local function addFlags(b)
+  b.hasCarriers = false -- an object has been a carrier
+  b.hasFriction = false -- or had friction
+  b.hasNudges = false -- or had `nudge`
+  b.hasHinders = false -- or had drag or a maxSpeed
+  b.hasLimits = false -- or had a limit of any kind
+  b.hasBounces = false -- or had restitution
+  b.hasAskers = false -- or had a canCollide
+  b.hasOneWays = false -- or was one-way
+  b.hasSensors = false -- or was a sensor
+  b.hasFirm = false -- or was not pushable
+  b.hasCrushed = false -- or was crushed
+  b.hasInside = false -- or was left inside another one
+  b.hasBuried = false -- or was buried
+  b.hasCrowds = false -- or was in a crowd
+end
+
+-- Adds the state of reading: the game's changes, carriers, queries.
+local function addReading(b)
+  b.isRemasked = false -- masks have changed: objects may overlap that could not meet before
+  b.hitLists = {} -- the different lists of `hits` (see filter)
+  b.soft = false -- px/s, by two group names: how fast two that overlap drift apart
+  b.maskCopy = false -- the last copy made of a static object's mask (see filter)
+  b.halfRead = {} -- objects that are being read anew (see read)
+  b.lost = {} -- slots that have lost their carrier since the last step
+  b.lostCount = 0
+  b.movedList = {}
+  b.movedCount = 0
+  b.stack = {} -- scratch of carriers
+  b.view = false -- the columns of the queries (see queries/index.lua)
+  b.unasked = { pairs = {}, sides = {}, first = {}, second = {}, order = {} } -- of contactState
+end
+
+-- Adds the state of the broad phase and of sleep: which bodies and pairs take part in a step.
+local function addAwake(b)
+  b.moverCount = 0
+  b.awakeCount = 0
+  b.flyerCount = 0
+  b.island = {} -- scratch of islands
+  b.awakenings = 0 -- how often the set of awake objects has changed
+  b.liveCount = 0
+  b.liveStamp = 0
+  b.liveLinks = -1 -- `links` and `awakenings` when `live` was last listed
+  b.liveAwakenings = -1
+  b.stained = {} -- pairs with more to reset than others (see activePairs)
+  b.stainCount = 0
+  b.askers = {}
+  b.present = {}
+  b.strays = {}
+  b.aimed = {}
+  b.found = {} -- scratch of pairFinder, crowd, nudge and separate
+  b.stamp = 0
+  b.remaining = 1 -- steps that are left in this update
+  b.begun = 0 -- places of awakeList that have begun this step
+  b.predicted = 0 -- places of awakeList that have a path
+end
+
+-- Adds the scratch memory of crowds and of separate.
+local function addCrowds(b)
+  b.crowdCount = 0 -- bodies in crowds in this step
+  b.crowdList = {} -- scratch of crowd
+  b.crowdKey = {}
+  b.crowdStamp = 0
+  b.crowdNew = {}
+  b.stoodAt = {}
+  b.crowdMark = {}
+  b.isOverlapped = {}
+  b.crowdColumn = {}
+  b.columnWidth = {}
+  b.shared = {}
+  b.leader = {}
+  b.leaderRank = {}
+  b.partWork = {
+    round = 0,
+    far = 1e18, -- larger than the depth of any overlap
+    count = 0,
+    movedCount = 0,
+    stamp = {},
+    seen = {},
+    isCrowded = {},
+    pairs = {},
+    depth = {},
+    first = {},
+    second = {},
+    moved = {},
+    ways = {},
+  }
+end
+
+-- Adds the state of the solver.
+local function addSolver(b)
+  b.step = 0 -- number of solves made
+  b.dt = 0 -- length of the current step, s
+  b.resolved = 0 -- impacts of the last step
+  b.rubs = 0 -- 1: friction has carried or braked something in this step
+  b.apartCount = 0
+  b.sweptStamp = 0
+  b.changed = {} -- bodies with new paths
+  b.changedCount = 0
+  b.bounced = {} -- bodies that may have bounced in this round
+  b.bouncedCount = 0
+  b.isChangeListed = false -- all new paths are in this list
+  b.seenCount = 0
+  b.overlapCount = 0
+  b.isViolated = false
+  b.isTorn = false -- two members of one block overlap
+  b.isJammed = false -- two bodies that cannot move have had an impact
+  b.members = {} -- of blocks
+  b.memberCount = 0
+  b.kinkAt = {}
+  b.kinkGrip = {}
+  b.kinkNext = {}
+  b.kinkCount = 0
+  b.pulled = {} -- bodies on which friction and limits act
+  b.pulledCount = 0
+  b.forceStamp = 0
+  b.roundStamp = 0
+  b.solveStamp = 0
+end
+
 --- Returns the empty columns of a world.
 function columns.new()
-  local b = {
-    slots = 0, -- highest slot ever used
-    blankTo = 0, -- highest slot that is, or has what a fresh one has
-    free = {}, -- slots to use again
-    freeCount = 0,
-    count = 0, -- objects in the world
-    slotOf = {}, -- object -> slot
-    pairSlots = 0,
-    freePairs = {},
-    freePairCount = 0,
-    pairCount = 0,
-    moverCount = 0,
-    awakeCount = 0,
-    flyerCount = 0,
-    island = {}, -- scratch of rest
-    stack = {}, -- scratch of crush and carrier
-    liveCount = 0,
-    liveStamp = 0,
-    step = 0, -- counts the steps, for `watched`
-    stained = {}, -- pairs of which more must be forgotten than of others (see live)
-    stainCount = 0,
-    links = 0, -- how often the pairs have changed
-    awakenings = 0, -- how often it has changed who takes part
-    liveLinks = -1, -- both, when `live` was listed
-    liveAwakenings = -1,
-    rubs = 0, -- 1: friction has borne or braked somebody in this step
-    hasCarriers = false, -- anything in the world that ever carried others
-    hasFriction = false, -- or rubs
-    hasNudges = false, -- or could slide around corners
-    hasHinders = false, -- or has drag or a maxSpeed
-    hasLimits = false, -- or has a limit of any kind
-    hasBounces = false, -- or bounced
-    hasAskers = false, -- or has a canCollide
-    hasCrushed = false, -- or was crushed
-    hasInside = false, -- or was left inside another
-    hasBuried = false, -- or had no way out
-    isRemasked = false, -- anybody may be inside somebody whom it can meet only now
-    maskCopy = false, -- the last one made of the mask of a static object (see filter)
-    hitLists = {}, -- the different lists of `hits` (see filter)
-    hasOneWays = false, -- or is one-way
-    soft = false, -- px/s, by two group names: how fast what overlaps drifts apart
-    hasSensors = false, -- or a sensor
-    hasFirm = false, -- or not pushable
-    hasCrowds = false, -- or was crowded
-    crowdCount = 0, -- crowded bodies in this step
-    crowdList = {}, -- scratch of crowd
-    crowdKey = {},
-    crowdStamp = 0,
-    crowdNew = {},
-    stoodAt = {},
-    crowdMark = {},
-    isOverlapped = {},
-    crowdColumn = {},
-    columnWidth = {},
-    shared = {},
-    leader = {},
-    leaderRank = {},
-    apartCount = 0,
-    sweptStamp = 0,
-    changed = {}, -- bodies with new paths
-    changedCount = 0,
-    bounced = {}, -- bodies that may have bounced in this round
-    bouncedCount = 0,
-    isChangeListed = false, -- these are all
-    seenCount = 0,
-    overlapCount = 0,
-    isViolated = false,
-    isTorn = false, -- two of one block overlap
-    isJammed = false, -- an impact of two that cannot give way
-    members = {}, -- of blocks
-    memberCount = 0,
-    kinkAt = {},
-    kinkGrip = {},
-    kinkNext = {},
-    kinkCount = 0,
-    pulled = {}, -- what friction and limits act on
-    pulledCount = 0,
-    forceStamp = 0,
-    roundStamp = 0,
-    solveStamp = 0,
-    dt = 0, -- s, of the step that is made
-    lost = {}, -- slots whose carrier went away since the last step
-    lostCount = 0,
-    unasked = { pairs = {}, sides = {}, first = {}, second = {}, order = {} }, -- scratch of contact
-    halfRead = {}, -- objects that are being read anew (see collect)
-    found = {}, -- scratch of detect and part
-    stoppedAt = {},
-    stoppedTo = {},
-    ownFat = {},
-    askers = {},
-    present = {},
-    strays = {},
-    aimed = {},
-    linkOne = {}, -- who is about to be linked
-    linkOther = {},
-    linked = {}, -- their pairs
-    parted = {}, -- pairs that are about to be taken apart
-    movedList = {},
-    movedCount = 0,
-    remaining = 1, -- steps that are left in this update
-    begun = 0, -- places of awakeList that have begun this step
-    predicted = 0, -- places of awakeList that have a path
-    stamp = 0,
-    view = false, -- what questions see (see view)
-    contactCount = 0,
-    resolved = 0, -- contacts resolved in the last step
-    partWork = {
-      round = 0,
-      far = 1e18, -- more than any overlap is deep
-      count = 0,
-      movedCount = 0,
-      stamp = {},
-      seen = {},
-      isCrowded = {},
-      pairs = {},
-      depth = {},
-      first = {},
-      second = {},
-      moved = {},
-      ways = {},
-    },
-  }
-  b.slotBank, b.pairBank = bank.new(b, SLOT_LAYOUT), bank.new(b, PAIR_LAYOUT)
-  b.listBank = bank.new(b, LIST_LAYOUT)
+  local b = {}
+  addObjects(b)
+  addFlags(b)
+  addReading(b)
+  addAwake(b)
+  addCrowds(b)
+  addSolver(b)
+  b.slotStore, b.pairStore = columnStore.new(b, SLOT_LAYOUT), columnStore.new(b, PAIR_LAYOUT)
+  b.listStore = columnStore.new(b, LIST_LAYOUT)
   for n = 1, #AXIS_NAMES do
     b[AXIS_NAMES[n]][1] = AXIS[AXIS_NAMES[n]] -- belongs to slot 0
   end
-  -- Slot 0 is nobody, that of pairs that were taken apart: less than nothing, so it meets nobody.
+  -- Slot 0 is the empty slot, that of unlinked pairs. Its size is negative, so it meets nothing.
   b.object[0], b.awake[0], b.rank[0], b.time[0] = false, false, 0, 0
   b.head[0], b.next[0], b.previous[0] = 0, 0, 0
   b.dirty[0], b.crowd[0] = 0, 0
@@ -513,13 +554,13 @@ function columns.new()
   return b
 end
 
---- Gives the columns of a world with nobody in it, and those of its broad phase, the source that is
---- used now (see bank).
+--- Moves the columns of an empty world, and those of its broad phase, to the current source (see
+--- columnStore).
 function columns.adopt(b)
-  bank.adopt(b.slotBank, b.slots)
-  bank.adopt(b.listBank, b.slots)
-  bank.adopt(b.pairBank, b.pairSlots)
-  b.blankTo = b.slots -- those behind were not taken over
+  columnStore.adopt(b.slotStore, b.slots)
+  columnStore.adopt(b.listStore, b.slots)
+  columnStore.adopt(b.pairStore, b.pairSlots)
+  b.blankTo = b.slots -- prepared slots were not copied
   if b.broadphase.adopt then
     b.broadphase:adopt()
   end
@@ -531,7 +572,8 @@ local function fill(column, first, last, value)
   end
 end
 
--- Gives slots what fresh ones have, column by column: one by one 20 000 tiles take twice as long.
+-- Gives slots their initial values, column by column. (Slot by slot, 20 000 tiles take twice as
+-- long.)
 local function blank(b, first, last)
   for n = 1, #SLOT_NAMES do
     fill(b[SLOT_NAMES[n]], first, last, SLOT[SLOT_NAMES[n]])
@@ -549,22 +591,26 @@ end
 
 interpreted.functions(blank) -- leads from loop to loop
 
--- Takes a slot that was never used. A few behind it are made ready, too: more will come.
+-- Takes a slot that was never used. Prepares a few slots behind it, too: more objects will come.
 local function takeNew(b)
   local i = b.slots + 1
   b.slots = i
-  if i > b.slotBank.room then
-    bank.grow(b.slotBank, i)
-    bank.grow(b.listBank, i)
+  if i > b.slotStore.room then
+    columnStore.grow(b.slotStore, i)
+    columnStore.grow(b.listStore, i)
   end
   if i > b.blankTo then
-    b.blankTo = min(i + floor(i / AHEAD), b.slotBank.room)
+    local room = 1 -- Lua makes room up to the next power of two
+    while room <= i do
+      room = room * 2
+    end
+    b.blankTo = min(i + floor(i / AHEAD), max(i, room - 1), b.slotStore.room)
     blank(b, i, b.blankTo)
   end
   return i
 end
 
---- Takes a slot for a new object and returns it, all columns at their defaults.
+--- Takes a slot for a new object and returns it. All its columns have their initial values.
 function columns.claim(b)
   local i = b.free[b.freeCount]
   if i then
@@ -578,7 +624,7 @@ function columns.claim(b)
   return i
 end
 
---- Takes from a slot what the last step has left in it.
+--- Resets what the last step has left in a slot.
 function columns.forgetStep(b, i)
   for n = 1, #STEP_SLOT do
     b[STEP_SLOT[n]][i] = SLOT[STEP_SLOT[n]]
@@ -589,8 +635,8 @@ function columns.forgetStep(b, i)
   end
 end
 
---- Lets an object stand where it is, as an obstacle and for the broad phase. Who is awake gets its
---- path when a step begins.
+--- Gives an object a path of length 0 at its position, as an obstacle and for the broad phase. An
+--- awake object gets its path when a step begins.
 function columns.stand(b, i)
   local k = 2 * i
   b.from[k], b.from[k + 1] = b.position[k], b.position[k + 1]
@@ -611,8 +657,49 @@ function columns.release(b, i)
   b.count = b.count - 1
 end
 
--- The lists of half-edges are changed without branches: place 0 of each column takes what would be
--- written to nobody.
+-- Returns the highest slot that is in use.
+local function lastUsed(b)
+  local last = b.slots
+  while last > 0 and b.kind[last] == 0 do
+    last = last - 1
+  end
+  return last
+end
+
+-- Keeps the first `last` slots only.
+local function cut(b, last)
+  local free, count = {}, 0
+  for n = 1, b.freeCount do
+    if b.free[n] <= last then
+      count = count + 1
+      free[count] = b.free[n]
+    end
+  end
+  b.free, b.freeCount = free, count
+  columnStore.shrink(b.slotStore, last)
+  columnStore.shrink(b.listStore, last)
+  b.slots, b.blankTo = last, last
+end
+
+--- Gives back the memory of free slots behind the last one in use, if most slots are free. Call it
+--- between two steps only: lists of a step may hold such slots.
+function columns.shrink(b)
+  if
+    b.slots > FEW
+    and b.freeCount ~= b.freeSeen
+    and b.freeCount * SHARE > b.slots * (SHARE - 1)
+  then
+    local last = lastUsed(b)
+    if last * SHARE <= b.slots then
+      cut(b, last)
+    end
+    b.freeSeen = b.freeCount
+  end
+end
+
+interpreted.functions(columns.shrink, cut, lastUsed) -- rare
+
+-- The lists of half-edges are changed without branches: a write that is not needed goes to place 0.
 
 local function hang(b, half, i, j)
   local first = b.head[i]
@@ -626,12 +713,12 @@ local function unhang(b, half, i)
   b.head[i * (1 - min(before, 1))] = after -- only if it was the first
 end
 
--- Sees to it that so many pairs are free.
+-- Makes sure that so many pairs are free.
 local function reserve(b, count)
   local free, have = b.freePairs, b.freePairCount
   local p = b.pairSlots + count - have
-  if p > b.pairBank.room then
-    bank.grow(b.pairBank, p)
+  if p > b.pairStore.room then
+    columnStore.grow(b.pairStore, p)
   end
   for n = have + 1, count do
     free[n], b.liveMark[p] = p, 0
@@ -640,7 +727,7 @@ local function reserve(b, count)
   b.pairSlots, b.freePairCount = b.pairSlots + max(0, count - have), max(count, have)
 end
 
--- Takes pairs for b.linkOne[1..count] and b.linkOther[1..count] into b.linked.
+-- Takes `count` free pairs for b.linkOne[1..count] and b.linkOther[1..count] into b.linked.
 local function takePairs(b, count)
   reserve(b, count)
   local free, top, linked = b.freePairs, b.freePairCount + 1, b.linked
@@ -652,7 +739,7 @@ local function takePairs(b, count)
   b.freePairCount = b.freePairCount - count
 end
 
--- Nothing has happened to new pairs.
+-- Gives new pairs their initial values.
 local function resetPairs(b, count)
   local linked = b.linked
   local contact, hit, hitSpeed, nudged = b.contact, b.hit, b.hitSpeed, b.nudged
@@ -673,8 +760,8 @@ local function resetPairs(b, count)
   end
 end
 
---- Makes neighbours of b.linkOne[n] and b.linkOther[n], for n from 1 to `count`; their pairs are
---- in b.linked then. They must not be neighbours yet, nor stand there twice.
+--- Makes neighbours of b.linkOne[n] and b.linkOther[n], for n from 1 to `count`. Their pairs are in
+--- b.linked afterwards. They must not be neighbours yet, nor be listed twice.
 function columns.linkAll(b, count)
   takePairs(b, count)
   resetPairs(b, count)
@@ -703,8 +790,8 @@ function columns.link(b, i, j)
   return b.linked[1]
 end
 
---- Takes the neighbours of the pairs in list[1..count] apart, each of which stands there once.
---- Contacts of theirs must have been ended.
+--- Unlinks the pairs in list[1..count], each of which is listed once. Their contacts must have
+--- ended.
 function columns.unlinkAll(b, list, count)
   local pairA, pairB = b.pairA, b.pairB
   for n = 1, count do
@@ -717,7 +804,7 @@ function columns.unlinkAll(b, list, count)
   local told = b.touchTold
   for n = 1, count do
     local p = list[n]
-    -- Either slot may soon be somebody else's.
+    -- Either slot may soon belong to another object.
     told[4 * pairA[p] + 1], told[4 * pairB[p] + 1] = columns.UNTOLD, columns.UNTOLD
     pairA[p], pairB[p] = 0, 0
     free[freeCount + n] = p
@@ -725,10 +812,10 @@ function columns.unlinkAll(b, list, count)
   b.freePairCount, b.pairCount, b.links = freeCount + count, b.pairCount - count, b.links + count
 end
 
---- Returns the ranks that decide between simultaneous meetings of a pair: that of the dynamic one
---- first, of two the lower. If one stands on the other, the second, and if both are dynamic the
---- first, too, is made less than all ranks: of several that hold it up, the one that counts as its
---- support, and carries it, bears its weight.
+--- Returns the two ranks that decide between simultaneous impacts of a pair. The first is the rank
+--- of the dynamic object; of two dynamic ones, the lower rank. If one stands on the other, the
+--- second rank is made lower than all ranks; if both are dynamic, the first one, too. So of several
+--- objects below, the one that counts as the support and carrier bears the weight.
 function columns.ranks(b, i, j)
   local one, other = b.rank[i], b.rank[j]
   local iDynamic, jDynamic = b.kind[i] == columns.DYNAMIC, b.kind[j] == columns.DYNAMIC

@@ -1,14 +1,17 @@
---- Keeps the trace compiler of LuaJIT out of what it is bad at.
+--- Decides which functions LuaJIT's trace compiler may compile. On other Luas this does nothing.
 --
--- A compiled trace is one way through the code, branch by branch; code that goes another way at
+-- A compiled trace is one path through the code, branch by branch. Code that takes another path for
 -- every object becomes hundreds of traces. LuaJIT has room for 1000 of them, in 512 KB, for the
--- whole program (LÖVE 11.4 gives it 2000, in 16 MB); when that is full, all are thrown away and
--- compiled again for ever. So the loops over all objects or pairs are short, with few branches, and
--- compiled; what happens to single ones, in the order of events, is interpreted. So is what leads
--- from one loop to the next: in a small world loops go round a few times, are not compiled by
--- themselves, and are unrolled into whatever comes before them, with all that follows, at each way
--- that goes there. A program that gives LuaJIT more room may have all of it compiled (`lift`). On
--- other Luas this does nothing.
+-- whole program. (LÖVE 11.4 gives it 2000, in 16 MB.) When the room is full, all traces are thrown
+-- away and compiled again, for ever.
+--
+-- So the loops over all objects or pairs are short, with few branches, and compiled. What happens
+-- to single ones, in the order of events, is interpreted. The code that leads from one loop to the
+-- next is interpreted, too. In a small world its loops are short and are not compiled by
+-- themselves. They would be unrolled into whatever comes before them, once for each path that leads
+-- there.
+--
+-- A program that gives LuaJIT more room may have everything compiled (`lift`).
 
 local interpreted = {}
 
@@ -16,11 +19,15 @@ local jit = rawget(_G, "jit")
 local off = type(jit) == "table" and jit.off
 local getinfo = type(debug) == "table" and debug.getinfo
 local kept = {} -- main chunks and functions that are kept interpreted
+local isLifted = false -- nothing is kept any more; files are loaded later, too
 
 -- What `lift` gives the compiler: traces, KB of machine code.
 local ROOM = { "maxtrace=8000", "maxmcode=16384" }
 
 local function keep(f)
+  if isLifted then
+    return
+  end
   off(f, true) -- `true`: also the functions inside
   kept[#kept + 1] = f
 end
@@ -60,6 +67,7 @@ function interpreted.lift()
   for n = 1, #kept do
     jit.on(kept[n], true)
   end
+  isLifted = true
   return true
 end
 

@@ -1,5 +1,5 @@
---- Sorts a list by columns, in place and without garbage. (`table.sort` leaves a compiled trace and
---- wants a closure; its order of equals is its own.)
+--- Sorts a list of indexes by the values of columns, in place and without garbage. (`table.sort`
+--- leaves a compiled trace, needs a closure, and leaves the order of equal items open.)
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 require(root .. ".memory.jit").file()
@@ -8,7 +8,7 @@ local sort = {}
 
 local FEW = 8
 
--- x comes before y: smaller first, column by column.
+-- Returns whether x comes before y: the smaller value first, column by column.
 local function before(x, y, first, second, third, fourth)
   if first[x] ~= first[y] then
     return first[x] < first[y]
@@ -50,8 +50,8 @@ local function insert(list, count, first, second, third, fourth)
 end
 
 --- Sorts `list[1..count]` by `first[x]`, then `second[x]`, `third[x]` and, if given, `fourth[x]`,
---- ascending: few by insertion, more by heapsort (J. W. J. Williams, 1964). No two should be equal
---- in all of them.
+--- ascending. Short lists are sorted by insertion, longer ones by heapsort (J. W. J. Williams,
+--- 1964). No two items should be equal in all of them.
 function sort.by(list, count, first, second, third, fourth)
   if count <= FEW then
     insert(list, count, first, second, third, fourth)

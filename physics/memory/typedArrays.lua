@@ -1,25 +1,25 @@
---- Typed arrays of LuaJIT's FFI (see bank).
+--- Makes columns as typed arrays of LuaJIT's FFI, for columnStore.
 
 local typed = {}
 
 local max = math.max
 
 local TYPES = { { "number", "double" }, { "integer", "int32_t" }, { "boolean", "bool" } }
--- Bytes between two columns. Without them those of a large world would all begin at the same place
--- of a page of memory, and compete for the few places in the cache that belong to it.
+-- Bytes between two columns. Without them the columns of a large world would all begin at the same
+-- offset of a memory page, and compete for the same few lines of the cache.
 local GAP = 320
 
--- The garbage collector takes what is not used any more.
+-- The garbage collector frees blocks that are not used any more.
 local function drop() end
 
--- Room of a new bank: a server may have hundreds of worlds of a few objects.
+-- Room of a new store, in indexes: a server may have hundreds of worlds of a few objects.
 local FIRST = 16
 
 local function room(old, last)
   return max(FIRST, 2 * old, last)
 end
 
---- Returns a source of columns for `bank.use`, or nil where there is no FFI.
+--- Returns a source of columns for `columnStore.use`, or nil where there is no FFI.
 function typed.source()
   local hasFfi, ffi = pcall(require, "ffi")
   if not hasFfi then

@@ -1,4 +1,5 @@
---- Beginning of a step: what is awake has a path where it stands, and nothing has touched it yet.
+--- Begin: resets the columns of a step of each awake body. It has a path of length 0 where it is,
+-- and nothing has touched it yet.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local interpreted = require(root .. ".memory.jit")
@@ -43,7 +44,7 @@ function begin.run(b)
   b.begun = last
 end
 
-interpreted.functions(begin.run) -- leads from loop to loop
+interpreted.functions(begin.run) -- calls one loop after the other (jit: 4)
 
 --- Notes where everything is before a fixed step.
 function begin.keepPlaces(b)

@@ -97,7 +97,7 @@ local function listGroup(b, work, group, kind, n)
 end
 
 local function list(b, work)
-  local groups, soft, n, kinds = b.roster.groups, b.soft, 0, 0
+  local groups, soft, n, kinds = b.registry.groups, b.soft, 0, 0
   for g = 1, #groups do
     if soft[groups[g].name] then
       kinds = kinds + 1

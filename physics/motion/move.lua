@@ -1,8 +1,9 @@
---- Step 4, move: the path of every object in this step, if nothing is in the way.
+--- Move: computes the path of every body in this step from its free flight and its carrier, as if
+-- nothing were in the way.
 --
 -- Reads from, velocity, written, speed, way, carrier; writes to, speed, accel, carried. From here
--- to `publish` all velocities are absolute: what carries an object is added here and taken off
--- there.
+-- until objects/write.lua all velocities are absolute. The velocity of a carrier is added here and
+-- taken off there.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local carrier = require(root .. ".objects.carriers")
@@ -13,9 +14,9 @@ local move = {}
 
 local KINEMATIC, DYNAMIC = columns.KINEMATIC, columns.DYNAMIC
 
--- Kinematic objects go where the game wrote them to be, and on by their own velocity. If the update
--- has several steps, the written way is spread over those that remain, so that nobody is hit by a
--- platform that hurries ahead and then waits.
+-- Computes the path of a kinematic object on an axis. It moves to where the game has written it,
+-- and further by its own velocity. If the update has several steps, the written way is spread over
+-- those that remain. Otherwise a platform would hurry ahead, hit things, and then wait.
 local function moveKinematicAlong(b, k, dt)
   local v, behind = b.velocity[k], b.written[k] - b.from[k] + b.behind[k]
   if b.remaining > 1 then
@@ -34,7 +35,7 @@ local function moveKinematic(b, i, dt)
   moveKinematicAlong(b, 2 * i + 1, dt)
 end
 
--- The velocity of what carries an object, this step.
+-- Reads the velocity of what carries an object in this step.
 local function readCarrier(b, i)
   local c, k, carried = b.carrier[i], 2 * i, b.carried
   if c == 0 then
@@ -44,14 +45,14 @@ local function readCarrier(b, i)
   end
 end
 
--- Who is inside something immovable and has no way out stays there, and gives way to nobody.
+-- Keeps a body that is buried in something immovable where it is. It gives way to nothing.
 local function bury(b, i)
   for k = 2 * i, 2 * i + 1 do
     b.to[k], b.speed[k] = b.from[k], 0.0
   end
 end
 
--- Where the dynamic ones would come to.
+-- Computes where dynamic bodies would end.
 local function findEnds(b, first, last, dt)
   local list, kind, from, to, way, carried = b.awakeList, b.kind, b.from, b.to, b.way, b.carried
   for n = first, last do
@@ -64,7 +65,7 @@ local function findEnds(b, first, last, dt)
   end
 end
 
--- How fast they would be then.
+-- Computes how fast they would be then.
 local function findSpeeds(b, first, last)
   local list, kind, speed, carried = b.awakeList, b.kind, b.speed, b.carried
   for n = first, last do

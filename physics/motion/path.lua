@@ -1,5 +1,5 @@
---- Paths inside a step: from the place `from` at `time` (0..1) in a straight line to `to` at its
---- end.
+--- Path: computes where a body is inside a step. A path leads in a straight line from the place
+-- `from` at `time` (0..1 of the step) to `to` at its end.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")

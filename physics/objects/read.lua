@@ -1,9 +1,11 @@
---- Step 1, collect: finds new and removed objects, checks the fields and reads them.
+--- Reads the game's tables into columns: finds new and removed objects, checks fields, notes
+--- changes.
 --
--- Reads the game's tables; writes the field columns (position, velocity, size, ...), `moved` for
--- objects whose place, size or filter the game changed, and wakes whatever was written to. A static
--- object is read once. Reading writes nothing of the game's, so a refusal leaves it as it was; only
--- `giveTouching`, which is called when all has been read, gives objects their `touching`.
+-- Writes the columns of the fields (position, velocity, size, ...), and `moved` of objects if the
+-- game has changed their place, size or filter. Wakes every object that was written to. A static
+-- object is read once. Reading writes nothing into the game's tables, so a refusal leaves them as
+-- they were. Only `giveTouching`, which is called when all has been read, gives objects their
+-- `touching`.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local carrier = require(root .. ".objects.carriers")
@@ -13,14 +15,14 @@ local detect = require(root .. ".broadphase.pairFinder")
 local events = require(root .. ".contacts.events")
 local filter = require(root .. ".broadphase.filter")
 local interpreted = require(root .. ".memory.jit")
+local notice = require(root .. ".queries.notice")
 local rest = require(root .. ".sleep.islands")
-local roster = require(root .. ".objects.registry")
-local view = require(root .. ".queries.index")
+local registry = require(root .. ".objects.registry")
 
-local collect = {}
+local read = {}
 
 local HUGE, min = math.huge, math.min
-local UNREAD = 0 / 0 -- no place is equal to it
+local UNREAD = 0 / 0 -- NaN: no place is equal to it
 local isFinite = check.isFinite
 local STATIC, KINEMATIC, DYNAMIC = columns.STATIC, columns.KINEMATIC, columns.DYNAMIC
 
@@ -33,24 +35,25 @@ local function orDefault(value, default)
   return value
 end
 
--- Notes which groups a mask refuses, by their numbers: changes inside the same table are seen by
--- it. The mask of a static object is copied.
+-- Notes which groups a mask refuses, by their numbers, to notice changes inside the same table. The
+-- mask of a static object is copied.
 local function readMask(b, i, mask)
   if b.kind[i] == STATIC then
     b.mask[i] = filter.copyMask(b, mask)
     return
   end
-  local groups, seen = b.roster.groups, {}
+  local groups, seen = b.registry.groups, {}
   for n = 1, #groups do
     seen[groups[n].number] = mask[groups[n].name] == false or nil
   end
   b.maskSeen[i] = seen
 end
 
--- Whether a mask says something else of a group than before. Of one that was empty, or not there,
--- that is noted only: nobody has met anybody in it, and a restored world does not know it either.
+-- Returns whether a mask says something else of a group than before. A change about a group that
+-- was empty, or absent, is only noted: nothing has met an object of it, and a restored world does
+-- not know it either.
 local function hasMaskChanged(b, mask, seen)
-  local groups, changed = b.roster.groups, false
+  local groups, changed = b.registry.groups, false
   for n = 1, #groups do
     local group = groups[n]
     local refuses = mask[group.name] == false
@@ -61,14 +64,15 @@ local function hasMaskChanged(b, mask, seen)
   return changed
 end
 
--- Notes which groups are known to what compares masks.
+-- Notes which groups have objects, for the next comparison of masks.
 local function noteFilled(groups)
   for n = 1, #groups do
     groups[n].wasFilled = groups[n].count > 0
   end
 end
 
--- Gravity that acts on an object, and where its "down" is: along the stronger axis, y in a tie.
+-- Reads the gravity that acts on an object, and where its "down" is: along the stronger axis, y in
+-- a tie.
 local function readPull(b, i)
   local k = 2 * i
   local gx, gy = b.ownGravityX[i], b.ownGravity[i]
@@ -81,15 +85,15 @@ local function readPull(b, i)
   if b.kind[i] ~= DYNAMIC then
     gx, gy = 0, 0
   end
-  gx, gy = gx + 0.0, gy + 0.0 -- squares of integers would wrap
+  gx, gy = gx + 0.0, gy + 0.0 -- floats: squares of integers would wrap
   local vertical = gx * gx <= gy * gy
   b.pull[k], b.pull[k + 1] = gx, gy
   b.down[k] = vertical and 0 or (gx > 0 and 1 or -1)
   b.down[k + 1] = vertical and (gy > 0 and 1 or gy < 0 and -1 or 0) or 0
 end
 
--- Fields that few objects have and that are read as they are: name, column, what stands there if it
--- is not set. (`listRich` asks for the same, and for those few that are not read as they are.)
+-- Fields that few objects have and that are copied as they are: name, column, default. (`listRich`
+-- tests the same fields, and those few that are not copied as they are.)
 local RARE = {
   { "active", "active", true },
   { "sensor", "sensor", false },
@@ -117,8 +121,8 @@ end
 -- Those that are compared for all: bullets and gems have them.
 local OFTEN = { sensor = true, hits = true }
 
--- Reads them in a loop: all of them written out become a great deal of machine code at every place
--- that reads objects. Returns whether the object has none of them.
+-- Reads them in a loop: written out, they become much machine code at every place that reads
+-- objects. Returns whether the object has none of them.
 local function readRare(b, i, object)
   local isBareSoFar = true
   for n = 1, #NAMES do
@@ -160,7 +164,7 @@ local function readFields(b, i, object)
   readPull(b, i)
 end
 
--- Remembers where an object was that the game has made larger, until the next step.
+-- Keeps the place and size of an object before the game made it larger, until the next step.
 local function noteGrowth(b, i)
   for k = 2 * i, 2 * i + 1 do
     b.wasAt[k], b.wasSize[k] = b.position[k], b.size[k]
@@ -191,13 +195,13 @@ local function readMotion(b, i, object, isNew)
   end
 end
 
--- Notes whether where it stands is all there is to know of a contact that goes on.
+-- Notes whether its position alone decides if a contact of the object goes on.
 local function noteEven(b, i)
   b.even[i] = not (b.sensor[i] or b.hears[i] or b.oneWay[i])
 end
 
--- Reads all fields, which must have been checked. If reading one fails all the same (an `__index`
--- of the game's may), all are read again in the next step.
+-- Reads all fields, which must have been checked. If reading still fails (the game's `__index` may
+-- raise an error), the next step reads all of them again.
 local function readAll(b, i, object, isNew)
   b.written[2 * i] = UNREAD
   b.reserve[2 * i], b.reserve[2 * i + 1] = 0, 0
@@ -218,10 +222,10 @@ local function readAll(b, i, object, isNew)
   noteEven(b, i)
 end
 
---- Returns the table that will be `touching` of an object: the one that it has had in this world,
---- if it comes back. `publish` hands it over.
-function collect.touchingFor(b, object)
-  local r = b.roster
+--- Returns the table that will be `touching` of an object. An object that returns to this world
+--- gets its old one. `write` puts it into the object.
+function read.touchingFor(b, object)
+  local r = b.registry
   return r.given[object]
     or r.left[object]
     or r.leftBefore[object]
@@ -229,11 +233,11 @@ function collect.touchingFor(b, object)
 end
 
 --- Gives a slot the table that will be `touching` of its object; false: it has none.
-function collect.takeTouching(b, i, touching)
+function read.takeTouching(b, i, touching)
   b.touching[i], b.touchTold[4 * i + 1] = touching, columns.UNTOLD
 end
 
-local takeTouching = collect.takeTouching
+local takeTouching = read.takeTouching
 
 local function enter(b, object, record, key)
   local i = columns.claim(b)
@@ -245,30 +249,30 @@ local function enter(b, object, record, key)
   b.fresh[i] = true
   b.quiet[i] = false
   if b.kind[i] == DYNAMIC then
-    takeTouching(b, i, collect.touchingFor(b, object))
+    takeTouching(b, i, read.touchingFor(b, object))
   end
   detect.markMoved(b, i)
   rest.wake(b, i)
-  view.refresh(b, object)
+  notice.refresh(b, object)
   b.newcomers = true
   return i
 end
 
---- What an object touched, it touches no more: it leaves, is switched off or cannot be pushed now.
-function collect.clearTouching(touching)
+--- Clears all sides: the object leaves, is switched off or is not dynamic any more.
+function read.clearTouching(touching)
   if touching then
     touching.top, touching.bottom, touching.left, touching.right = false, false, false, false
   end
 end
 
-local clearTouching = collect.clearTouching
+local clearTouching = read.clearTouching
 
--- The same of one who is not dynamic any more, or not in the world; remembers the table.
+-- Clears and remembers the table of an object that is not dynamic any more, or not in the world.
 local function giveUpTouching(b, i)
   local touching = b.touching[i]
   if touching then
     clearTouching(touching)
-    roster.noteLeft(b.roster, b.object[i], touching)
+    registry.noteLeft(b.registry, b.object[i], touching)
     takeTouching(b, i, false)
   end
 end
@@ -290,8 +294,8 @@ local function rename(b, i, record)
   b.group[i], b.groupName[i] = record, record.name
 end
 
--- Of two who are equally good to stand on, the first in order is touched; and in another group it
--- may be others whom it can meet.
+-- Notes a change of the order. Of two equally good supports the first in order is touched. In
+-- another group the object may meet other objects.
 local function reorder(b, i, isRenamed)
   rest.wakeNeighbours(b, i)
   if isRenamed then
@@ -302,7 +306,7 @@ local function reorder(b, i, isRenamed)
   rest.wake(b, i)
 end
 
--- The slots of everything in a group that is not static, in order.
+-- Lists the slots of a group that are not static, in order.
 local function listGroup(b, record)
   local movers, places, slots, kind = record.movers, record.moverPlaces, record.slots, b.kind
   local first, n = record.newFrom, #movers
@@ -320,9 +324,9 @@ local function listGroup(b, record)
   record.isListed = true
 end
 
--- The slots of everything that is not static, in the order of the world.
+-- Lists the slots that are not static, in the order of the world.
 local function listMovers(b)
-  local n, movers, groups = 0, b.movers, b.roster.groups
+  local n, movers, groups = 0, b.movers, b.registry.groups
   for g = 1, #groups do
     local record = groups[g]
     if not record.isListed then
@@ -338,7 +342,7 @@ local function listMovers(b)
   b.awakenings = b.awakenings + 1
 end
 
--- Who is of another kind now has no past.
+-- Clears what steps have left in an object that has changed its kind.
 local function forgetMotion(b, i)
   columns.forgetStep(b, i)
   carrier.leave(b, i)
@@ -347,12 +351,12 @@ local function forgetMotion(b, i)
   end
 end
 
--- Checks an object again. Errors: a field that cannot be used. Only then its place is written out:
--- games write to objects all the time, and the text would be garbage.
+-- Checks an object again. Errors: a field that cannot be used. Only then the text of its place is
+-- made: games write to objects all the time, and the text would be garbage.
 local function checkAgain(b, i)
   local object = b.object[i]
   if check.badField(object) then
-    check.object(object, roster.place(b.group[i], b.key[i]))
+    check.object(object, registry.place(b.group[i], b.key[i]))
   end
 end
 
@@ -370,7 +374,7 @@ local function reread(b, i)
     b.kind[i] = kind
     giveUpTouching(b, i)
     if kind == DYNAMIC then
-      takeTouching(b, i, collect.touchingFor(b, object))
+      takeTouching(b, i, read.touchingFor(b, object))
     end
     forgetMotion(b, i)
   end
@@ -386,17 +390,17 @@ local function reread(b, i)
   rest.wake(b, i)
 end
 
--- The loops below compare what the game's tables say with the columns, a few fields each: a long
--- loop body with many live values compiles badly. `false` in a column is nil in the table (a
--- `false` in there is refused).
+-- The loops below compare the game's tables with the columns, a few fields each: a long loop body
+-- with many live values compiles badly. `false` in a column means nil in the table (a `false` there
+-- is refused).
 
--- Takes over a velocity that the game has written, or not set at all.
+-- Reads a velocity that the game has written, or removed.
 local function readVelocity(b, i, object)
   local velocity, k, vx, vy = b.velocity, 2 * i, object.vx, object.vy
   if vx == nil or vy == nil then
     vx, vy = orDefault(vx, 0), orDefault(vy, 0)
     if b.kind[i] == DYNAMIC then
-      rest.wake(b, i) -- `publish` makes numbers of them
+      rest.wake(b, i) -- `write` sets both fields to numbers
     end
   end
   if vx ~= velocity[k] or vy ~= velocity[k + 1] then
@@ -430,7 +434,7 @@ local function compareMotion(b)
   end
 end
 
--- Who wants to hear of its contacts is awake; otherwise nothing has happened to it.
+-- Reads a new onStay. The object wakes; nothing else has happened to it.
 local function hear(b, i)
   local object = b.object[i]
   checkAgain(b, i)
@@ -439,9 +443,9 @@ local function hear(b, i)
   rest.wake(b, i)
 end
 
--- Lists those of whom more must be compared than these three, which many have: whoever has fields
--- that few have, or had some. To ask whether a field is nil costs less than to compare it (and a
--- call more than either, without a compiler). Returns how many they are.
+-- Lists the objects that need more comparisons than the three fields that many objects have: those
+-- with a rare field now or at the last reading. Testing a field for nil costs less than comparing
+-- it. (A call costs more than either, without a compiler.) Returns how many they are.
 local function listRich(b)
   local movers, objects, bare, rich, count = b.movers, b.object, b.bare, b.rich, 0
   local mass, friction, restitution = b.mass, b.friction, b.restitution
@@ -451,7 +455,7 @@ local function listRich(b)
     local object = objects[i]
     local itsMass, itsFriction, itsRestitution = object.mass, object.friction, object.restitution
     if
-      not bare[i] -- it is not dynamic, or had one of these
+      not bare[i] -- not dynamic, or had a rare field
       or object.active ~= nil
       or object.kinematic ~= nil
       or (object.sensor or false) ~= sensor[i]
@@ -564,28 +568,28 @@ local function compareLimits(b, count)
   end
 end
 
--- Ends the contacts with those whom they have left of all whom the game has put elsewhere.
+-- Ends the contacts that objects have left because the game has moved them.
 local function endLeft(b)
   for n = 1, b.movedCount do
     local i = b.movedList[n]
-    if b.kind[i] ~= 0 then -- it may have left the world meanwhile
+    if b.kind[i] ~= 0 then -- it may have left the world since
       events.endLeft(b, i)
     end
   end
 end
 
---- Gives those who are new their `touching`.
-function collect.giveTouching(b)
+--- Writes `touching` into objects that are new or were moved by the game.
+function read.giveTouching(b)
   for n = 1, b.movedCount do
     local i = b.movedList[n]
     local object, touching = b.object[i], b.touching[i]
     if object and touching then
-      object.touching = touching -- without a look at what stands there, as in `publish`
+      object.touching = touching -- without comparing it with what stands there, as in write.lua
     end
   end
 end
 
--- Whether an object can go on carrying what stands on it when it is read anew.
+-- Returns whether an object can go on carrying what stands on it, after it is read anew.
 local function goesOnCarrying(b, i)
   local object, size, k = b.object[i], b.size, 2 * i
   return columns.kindOf(object) == b.kind[i]
@@ -595,8 +599,8 @@ local function goesOnCarrying(b, i)
     and object.height == size[k + 1]
 end
 
--- Notes who is being read anew. If that fails on its way (an `__index` of the game's may), the next
--- step reads it again: what is read once would stay half read for ever.
+-- Notes that an object is being read anew. If that fails (the game's `__index` may raise an error),
+-- the next step reads it again. Otherwise fields that are read once would stay half read.
 local function begin(b, object)
   local list = b.halfRead
   if not rawequal(list[#list], object) then
@@ -608,8 +612,8 @@ local function finish(b)
   b.halfRead[#b.halfRead] = nil
 end
 
---- Reads an object again, also its `static` field. It must be in the world.
-function collect.refresh(b, i)
+--- Reads an object again, including its `static` field. It must be in the world.
+function read.refresh(b, i)
   local object = b.object[i]
   checkAgain(b, i)
   begin(b, object)
@@ -623,7 +627,7 @@ function collect.refresh(b, i)
     forgetMotion(b, i)
     giveUpTouching(b, i)
   elseif not b.touching[i] then
-    takeTouching(b, i, collect.touchingFor(b, object))
+    takeTouching(b, i, read.touchingFor(b, object))
   end
   readAll(b, i, object, true)
   if not b.active[i] then
@@ -637,30 +641,30 @@ function collect.refresh(b, i)
   detect.refilter(b, i)
   detect.markMoved(b, i)
   rest.wake(b, i)
-  view.refresh(b, object)
-  roster.reread(b.group[i])
+  notice.refresh(b, object)
+  registry.reread(b.group[i])
   b.newcomers = true
   finish(b)
 end
 
--- Reads those again of whom that has failed, as far as they are in the world still.
+-- Reads the objects again that could not be read, if they are still in the world.
 local function refreshHalfRead(b)
   local list = b.halfRead
   while #list > 0 do
     local slot = b.slotOf[list[#list]]
     if slot then
-      collect.refresh(b, slot)
+      read.refresh(b, slot)
     else
       finish(b)
     end
   end
 end
 
---- Reads a world's tables: `objects` is the game's table of groups.
---- Errors: a group, key or field that cannot be used; an object in two places. Nothing has changed
---- for the game then, and the next call starts anew.
-function collect.run(b, objects)
-  local hasChanged = roster.update(b, b.roster, objects, enter, leave, rename, reorder)
+--- Reads a world's tables; `objects` is the game's table of groups. Errors: a group, key or field
+--- that cannot be used; an object in two places. Then nothing has changed for the game, and the
+--- next call starts anew.
+function read.run(b, objects)
+  local hasChanged = registry.update(b, b.registry, objects, enter, leave, rename, reorder)
   refreshHalfRead(b)
   if hasChanged or b.newcomers then
     listMovers(b)
@@ -672,7 +676,7 @@ function collect.run(b, objects)
   compareMaterials(b, count)
   compareLimits(b, count)
   if hasChanged then
-    noteFilled(b.roster.groups)
+    noteFilled(b.registry.groups)
   end
   endLeft(b)
   -- Contacts that have ended by now were between objects that had other ranks.
@@ -681,8 +685,8 @@ function collect.run(b, objects)
   end
 end
 
---- The gravity of the world has changed.
-function collect.newGravity(b)
+--- Reads a changed gravity of the world into all objects, and wakes them.
+function read.newGravity(b)
   for i = 1, b.slots do
     if b.kind[i] == DYNAMIC then
       readPull(b, i)
@@ -691,6 +695,6 @@ function collect.newGravity(b)
   rest.wakeAll(b)
 end
 
-interpreted.functions(endLeft, collect.run) -- calls what is interpreted; leads from loop to loop
+interpreted.functions(endLeft, read.run) -- calls what is interpreted; leads from loop to loop
 
-return collect
+return read

@@ -1,76 +1,80 @@
---- Who is in the world, and in which order.
+--- Finds which objects are in the world, and in which order, by comparing tables with the last
+--- look.
 --
--- The game keeps its objects in plain tables and tells nobody when it adds or removes one. The
--- roster remembers what it saw and compares: as long as nothing changed, that is one comparison an
--- object. Only groups that changed are read again.
+-- The game keeps its objects in plain tables and does not say when it adds or removes one. The
+-- registry remembers what it saw and compares. As long as nothing has changed, that is one
+-- comparison an object. Only groups that have changed are read again.
 --
--- Nothing here follows `pairs` order. Groups: those listed in `order`, then by name, numbers before
--- strings; in a group by key, numbers before strings.
+-- Nothing here follows the order of `pairs`. Groups come in the order of `order`, then by name,
+-- numbers before strings. Objects in a group come by key, numbers before strings.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local check = require(root .. ".world.check")
 local interpreted = require(root .. ".memory.jit")
 local keyOrder = require(root .. ".memory.keyOrder")
 
-local roster = {}
+local registry = {}
 
 local max, sort = math.max, table.sort
 local GROUP_SPAN = 4294967296 -- ranks per group
-local FEW = 64 -- objects of a group that are counted each time
--- So many may have left a group, and who stays is found where it is now without being read anew.
+local FEW = 64 -- groups up to this size are counted each time
+-- Up to so many objects may have left a group without the others being read anew.
 local MOST_GAPS = 32
--- So many of a group may have been taken out since it was read, and who stood behind them is found
--- without looking at all.
+-- Up to so many objects may have left a group since it was read, and those behind them are found by
+-- going back from their old number.
 local MOST_GONE = 64
 
--- Whether two tables may be equal by a metamethod that only one of them has, as since Lua 5.3.
+-- Returns true where `==` calls a metamethod that only one of the two has (since Lua 5.3).
 local isEqualToAny = setmetatable({}, {
   __eq = function()
     return true
   end,
 }) == {}
 
--- Keeps none of its keys alive.
+-- Returns a table that keeps none of its keys alive.
 local function newWeak()
   return setmetatable({}, { __mode = "k" })
 end
 
--- Nor its values: a game may have put anything into a `touching`, also what leads back to its
--- object.
+-- Returns a table that keeps neither keys nor values alive. A game may have put anything into a
+-- `touching`, also something that refers to its object.
 local function newFrail()
   return setmetatable({}, { __mode = "kv" })
 end
 
--- So many are remembered at least. (There are Luas whose weak tables are not weak.)
+-- At least so many are remembered. (On some Luas weak tables are not weak.)
 local MOST_LEFT = 4096
 
---- Remembers the `touching` of an object, in case it comes back.
-function roster.noteLeft(self, object, touching)
+--- Remembers the `touching` of an object, in case it returns.
+function registry.noteLeft(self, object, touching)
   if self.leftCount == MOST_LEFT then
     self.leftBefore, self.left, self.leftCount = self.left, newFrail(), 0
   end
   self.left[object], self.leftCount = touching, self.leftCount + 1
 end
 
---- Returns an empty roster. `groups` are the records in order: a record is
---- `{ name, number, source, direct, index, list, slots, keys, count, plain, stale, first, follows,
---- gaps, gapCount, wasFilled, isSingular }`, where `number` stays as long as the world has a group
---- of this name, and is nobody else's ever, `wasFilled` is for `collect`, `source` is the game's
---- table (the object itself if `direct`), `list` who was in it and `slots` theirs, `plain` says
---- that the keys are just 1 to `count`, `mixed` that they once were others, or out of order, and
---- `isSingular` that everybody in it is static and equal to nobody else (see `firstOther`). Of a
---- stale one those before place `follows` of the list stand before place `first` of the table now,
---- in the same order, without those at the places in `gaps`; what is behind waits in `tail`.
-function roster.new()
+--- Returns an empty registry. `groups` are the records in order. A record has these fields:
+--- - `number`: stays as long as the world has a group of this name, and is never used again;
+--- - `wasFilled`: for the comparison of masks in read.lua;
+--- - `source`: the game's table (the object itself if `direct`);
+--- - `list`, `slots`: the objects that were in it, and their slots;
+--- - `plain`: the keys are just 1 to `count`;
+--- - `mixed`: the keys once were others, or out of order;
+--- - `isSingular`: all objects are static and equal to no other one (see `firstOther`).
+---
+--- Of a stale record, the objects before place `follows` of the list stand before place `first` of
+--- the table now. Their order is the same, without those at the places in `gaps`. The objects
+--- behind them wait in `tail`.
+function registry.new()
   return {
     source = false,
-    entering = false, -- who is being read for the first time
+    entering = false, -- the object that is being read for the first time
     order = {},
     groups = {},
     groupCount = 0,
     byName = {},
     numbers = 0, -- the last number of a group
-    moved = {}, -- slots of those who have changed their group or their order in an update
+    moved = {}, -- slots that have changed their group or their order in an update
     isRenamed = {},
     movedCount = 0,
     seen = {}, -- by slot: the stamp of the last update that has found it in a stale group
@@ -78,16 +82,16 @@ function roster.new()
     -- Objects that came through `add` and have not been read yet: their `touching`, their group.
     given = newWeak(),
     groupGiven = newWeak(),
-    -- The `touching` that those have had who have none now, or are in the world no more: the last
-    -- ones, and those before (see `noteLeft`).
+    -- The `touching` of objects that have none now, or have left the world: the latest, and those
+    -- before (see `noteLeft`).
     left = newFrail(),
     leftBefore = newFrail(),
     leftCount = 0,
   }
 end
 
--- An object is told from a group by its first field; also one whose width is missing or wrong, so
--- that the message is about the width.
+-- Returns whether a value is an object, and not a group, from its first field. One with a
+-- missing or wrong width counts as one, so that the error is about the width.
 local function isObject(value)
   if type(value.width) == "number" then
     return true
@@ -109,7 +113,7 @@ local function checkKey(key, path)
   end
 end
 
--- How many keys a table has, and whether they are 1, 2, 3, … in the order in which it holds them.
+-- Returns how many keys a table has, and whether they are 1, 2, 3, … in the order of `next`.
 local function countKeys(source)
   local n, isInOrder = 0, true
   for key in next, source, nil do
@@ -119,7 +123,7 @@ local function countKeys(source)
   return n, isInOrder
 end
 
--- Whether the keys of a group are just 1 to `count`, which it has.
+-- Returns whether the keys of a group, which include 1 to `count`, are no others.
 local function hasJust(record, count)
   local source = record.source
   if count <= FEW or record.mixed then
@@ -132,14 +136,15 @@ local function hasJust(record, count)
   return next(source, count) == nil or countKeys(source) == count
 end
 
--- The first place, from n on, at which a numbered group does not hold who stood `gap` places
--- further on in the list; behind the list if there is none. One comparison an object; a raw one,
--- since the objects of a game may be "equal" by a metamethod. Where none of them can be, that needs
--- no call, which takes an interpreter three times as long. (Only of static ones, which are read
--- once: one that gets a metatable later is to be refreshed.)
+-- Returns the first place, from n on, at which a numbered group does not hold the object that stood
+-- `gap` places further on in the list; the place behind the list if there is none. It takes one
+-- comparison an object. The comparison is raw, since a game's objects may be "equal" by a
+-- metamethod. Where none of them can be, no call of `rawequal` is needed, which takes an
+-- interpreter three times as long. (That is known of static objects only, which are read once. One
+-- that gets a metatable later must be refreshed.)
 local function firstOther(record, n, gap)
   local source, list, last = record.source, record.list, record.count - gap
-  -- (Without a metatable every access is a raw one, and needs no call.)
+  -- (Without a metatable every access is raw, and needs no call.)
   local isRaw = getmetatable(source) == nil
   if gap == 0 and isRaw and record.isSingular then
     for at = n, last do
@@ -163,7 +168,7 @@ local function firstOther(record, n, gap)
   return last + 1
 end
 
--- The place from which on a group does not hold what was read last; nil: it does.
+-- Returns the place from which on a group differs from what was read last; nil: it does not.
 local function firstChange(record)
   if record.direct then
     return nil
@@ -182,8 +187,8 @@ local function firstChange(record)
   return (n <= count or not hasJust(record, count)) and n or nil
 end
 
--- Looks who has left a numbered group that holds another one at place `first`: those behind who has
--- left follow each other as before.
+-- Finds the objects that have left a numbered group, which holds another object at place `first`.
+-- The objects behind one that has left follow each other as before.
 local function findGaps(record)
   local source, list, count, gaps = record.source, record.list, record.count, record.gaps
   local n, gap = record.first, 0
@@ -252,7 +257,7 @@ local function newRecord(name, source, number, wasFilled)
     count = 0,
     plain = true,
     isSingular = not isEqualToAny,
-    movers = {}, -- these two: see collect
+    movers = {}, -- these two: see read.lua
     moverPlaces = {},
     isListed = false,
     sameUntil = 1,
@@ -269,20 +274,21 @@ local function newRecord(name, source, number, wasFilled)
   }
 end
 
---- Says that it is not known any more who of a group are movers. When they are listed, those before
---- place `sameUntil` are who they were, and those from there to `newFrom` were in the group, too.
-function roster.relist(record)
+--- Marks the list of movers of a group as out of date. When it is listed again, the members before
+--- place `sameUntil` are the same. Those from there to `newFrom` were in the group, too.
+function registry.relist(record)
   record.isListed, record.sameUntil, record.newFrom = false, 1, 1
 end
 
---- Says that somebody in a group was read anew: it may be of another kind, and equal to others.
-function roster.reread(record)
-  roster.relist(record)
+--- Notes that an object of a group was read anew. Its kind may have changed, and it may be equal to
+--- others.
+function registry.reread(record)
+  registry.relist(record)
   record.isSingular = false
 end
 
 --- Returns how the game would write the place of an object.
-function roster.place(record, key)
+function registry.place(record, key)
   if record.direct then
     return check.place(record.name)
   end
@@ -300,8 +306,8 @@ local function checkGroup(name, source)
   return source
 end
 
--- Returns what stays of the last group of the same name (nil: there was none): its number, and
--- whether anybody was in it.
+-- Returns what a group takes over from the last group of the same name (nil: there was none): its
+-- number, and whether it had objects.
 local function inherit(self, last)
   if last then
     return last.number, last.wasFilled
@@ -310,7 +316,7 @@ local function inherit(self, last)
   return self.numbers, false
 end
 
--- Returns the records of all groups in order, old ones where the table is the same.
+-- Returns the records of all groups in order; old ones where the table is the same.
 local function readGroups(self, objects)
   local groups, byName = {}, {}
   for index, name in ipairs(sortedNames(self, objects)) do
@@ -325,12 +331,12 @@ local function readGroups(self, objects)
   return groups, byName
 end
 
--- Says that a group must be read anew from place `first` on, and that those before stand as before.
+-- Marks a group to be read anew from place `first` on. The objects before stand as before.
 local function readFrom(record, first)
   record.first, record.follows, record.gapCount = first, first, 0
 end
 
--- Reads into the tail who stands under the numbers from `first` on.
+-- Reads the objects under the numbers from `first` on into the tail.
 local function readNumbered(record, first)
   local source, tail, n = record.source, record.tail, 0
   local object = rawget(source, first)
@@ -358,7 +364,7 @@ local function readKeys(record)
   readFrom(record, 1)
 end
 
--- Reads who is in a group from `first` on; changes nothing else.
+-- Reads the objects of a group from `first` on into the tail; changes nothing else.
 local function readMembers(record, first)
   if record.count == 0 then
     record.direct = isObject(record.source) -- it may have been filled since it was first seen
@@ -370,7 +376,7 @@ local function readMembers(record, first)
   end
   readNumbered(record, record.plain and first or 1)
   local count = record.first - 1 + record.tailCount
-  -- One that has grown is counted to be sure: it may hold its new numbers in any order.
+  -- A group that has grown is counted to be sure: it may hold its new numbers in any order.
   if record.plain and count <= record.count and hasJust(record, count) then
     return
   end
@@ -381,9 +387,9 @@ local function readMembers(record, first)
   end
 end
 
--- How the game would write the place of the n-th in the tail.
+-- Returns how the game would write the place of the n-th object of the tail.
 local function tailPlace(record, n)
-  return roster.place(record, record.newKeys and record.newKeys[n] or record.first - 1 + n)
+  return registry.place(record, record.newKeys and record.newKeys[n] or record.first - 1 + n)
 end
 
 local function failTwice(object, first, second)
@@ -397,8 +403,8 @@ local function failTwice(object, first, second)
   )
 end
 
--- Finds the slots of those in the tail, 0 for who is new. Most of them stood in the list in the
--- same order, with one missing now and then.
+-- Finds the slots of the objects in the tail, 0 for a new one. Most of them stood in the list in
+-- the same order, with one missing now and then.
 local function matchTail(b, record)
   local tail, slots, list, known = record.tail, record.tailSlots, record.list, record.slots
   local objects, slotOf, m = b.object, b.slotOf, record.follows
@@ -417,7 +423,7 @@ local function matchTail(b, record)
   end
 end
 
--- The place in which an object was found first.
+-- Returns the place in which an object was found first.
 local function firstPlace(groups, object)
   for _, record in ipairs(groups) do
     for n = 1, record.stale and record.tailCount or 0 do
@@ -428,12 +434,13 @@ local function firstPlace(groups, object)
   end
 end
 
--- Where somebody who stood under a key stands in its group now; nil: it left, or is read anew.
+-- Returns where an object that stood under a key stands in its group now. nil: it has left, or is
+-- read anew.
 local function placeNow(record, key)
   if not record.stale then
     return key
   elseif record.follows == 1 or key >= record.follows then
-    return nil -- (keys that are no numbers: all are read anew)
+    return nil -- (keys that are no numbers: all objects are read anew)
   end
   local place = key
   for n = 1, record.gapCount do
@@ -446,7 +453,7 @@ local function placeNow(record, key)
   return place
 end
 
--- Somebody in the tail who is known must stand nowhere else.
+-- Checks that a known object in the tail stands in no other place.
 local function checkKnown(b, self, groups, record, n, slot)
   local object, owner, seen = record.tail[n], b.group[slot], self.seen
   if seen[slot] == self.stamp then
@@ -454,12 +461,12 @@ local function checkKnown(b, self, groups, record, n, slot)
   end
   local place = placeNow(owner, b.key[slot])
   if place then
-    failTwice(object, roster.place(owner, place), tailPlace(record, n))
+    failTwice(object, registry.place(owner, place), tailPlace(record, n))
   end
   seen[slot] = self.stamp
 end
 
--- Somebody who is new must be of use, and stand nowhere else.
+-- Checks that a new object can be used, and stands in no other place.
 local function checkNew(groups, record, n, found)
   local object = record.tail[n]
   if type(object) ~= "table" then
@@ -471,7 +478,7 @@ local function checkNew(groups, record, n, found)
   check.object(object, tailPlace(record, n))
 end
 
--- Checks that nobody in the stale records stands in two places, and all who are new.
+-- Checks that no object in the stale records stands in two places, and checks all new ones.
 local function checkMembers(b, self, groups)
   local found = {}
   self.stamp = self.stamp + 1
@@ -490,7 +497,7 @@ local function checkMembers(b, self, groups)
   end
 end
 
--- Moves those that stand at places `first` to `last` now up by `gap` places in the list.
+-- Moves the objects at places `first + gap` to `last + gap` of the list up by `gap` places.
 local function moveUp(b, record, first, last, gap)
   local list, slots, rank, key = record.list, record.slots, b.rank, b.key
   local base = record.index * GROUP_SPAN
@@ -501,7 +508,7 @@ local function moveUp(b, record, first, last, gap)
   end
 end
 
--- Closes the gaps that those who have left leave in the list.
+-- Closes the gaps in the list that objects have left.
 local function closeGaps(b, record)
   local gaps, count = record.gaps, record.gapCount
   for gap = 1, count do
@@ -510,17 +517,17 @@ local function closeGaps(b, record)
   end
 end
 
--- For whom `collect` must look when it lists the movers of a group.
+-- Notes which part of a group's movers read.lua must list again.
 local function noteChange(record)
   local isListed, gaps = record.isListed, record.gapCount
-  roster.relist(record)
+  registry.relist(record)
   if isListed then
     record.sameUntil = gaps > 0 and record.gaps[1] or record.follows
     record.newFrom = record.first
   end
 end
 
--- Puts the tail into the list.
+-- Appends the tail to the list.
 local function takeTail(record)
   local list, slots, tail, tailSlots = record.list, record.slots, record.tail, record.tailSlots
   local before = record.first - 1
@@ -529,7 +536,7 @@ local function takeTail(record)
     local object = tail[n]
     list[before + n], slots[before + n] = object, tailSlots[n]
     record.isSingular = record.isSingular and getmetatable(object) == nil and object.static == true
-    tail[n] = nil -- keeps nobody alive
+    tail[n] = nil -- keeps no object alive
   end
   for n = count + 1, record.count do
     list[n], slots[n] = nil, nil
@@ -539,13 +546,13 @@ local function takeTail(record)
   noteChange(record)
 end
 
--- Gives the known members of a record their keys, ranks and group; lists those who are in another
--- group than before, or behind one that they stood before.
+-- Gives the known members of a record their keys, ranks and group. Lists those that have changed
+-- their group, or stand behind one that they stood before.
 local function applyKnown(b, self, record, rename)
   local slots, keys, plain = record.slots, record.keys, record.plain
   local moved, isRenamed = self.moved, self.isRenamed
   local rank, key, groups, base = b.rank, b.key, b.group, record.index * GROUP_SPAN
-  local last = base + record.follows - 1 -- the rank of the last one before them, or a larger one
+  local last = base + record.follows - 1 -- the rank of the last one before them, or a higher one
   for n = record.first, record.count do
     local slot = slots[n]
     if slot ~= 0 then
@@ -564,8 +571,8 @@ local function applyKnown(b, self, record, rename)
   end
 end
 
--- Reports who has moved. Not before all have their ranks and groups: what ends because of that is
--- told in the order of the world.
+-- Reports the objects that have moved, after all have their ranks and groups. Contacts that end
+-- because of that are reported in the order of the world.
 local function reportMoved(b, self, reorder)
   for n = 1, reorder and self.movedCount or 0 do
     reorder(b, self.moved[n], self.isRenamed[n])
@@ -573,7 +580,7 @@ local function reportMoved(b, self, reorder)
   self.movedCount = 0
 end
 
--- Lets in who is new.
+-- Enters the new objects.
 local function applyNew(b, self, record, enter)
   local list, slots, keys, plain = record.list, record.slots, record.keys, record.plain
   for n = record.first, record.count do
@@ -589,7 +596,7 @@ local function applyNew(b, self, record, enter)
   record.stale = false -- not before: an object may fail when it is read
 end
 
--- Somebody has failed while it was read: only half of it is there.
+-- Removes an object that could not be read, so that only half of it is there.
 local function leaveHalf(b, self, leave)
   local slot = self.entering and b.slotOf[self.entering]
   self.entering = false
@@ -598,7 +605,7 @@ local function leaveHalf(b, self, leave)
   end
 end
 
--- Whoever stood at place n of a stale record and is in none now leaves.
+-- Removes the object at place n of a stale record if it is in no record now.
 local function leaveIfMissing(b, self, record, n, leave)
   local slot = record.slots[n]
   if self.seen[slot] ~= self.stamp and rawequal(b.object[slot], record.list[n]) then
@@ -606,7 +613,7 @@ local function leaveIfMissing(b, self, record, n, leave)
   end
 end
 
--- Whoever was in a stale record and is in none now leaves.
+-- Removes the objects of a stale record that are in no record now.
 local function leaveMissing(b, self, record, leave)
   for n = 1, record.gapCount do
     leaveIfMissing(b, self, record, record.gaps[n], leave)
@@ -616,7 +623,8 @@ local function leaveMissing(b, self, record, leave)
   end
 end
 
--- Ranks a record anew; `isBehind`: behind one that it stood before.
+-- Gives the objects of a record new ranks. `isBehind`: the record is now behind one that it stood
+-- before.
 local function applyIndex(b, record, index, isBehind, reorder)
   record.index = index
   for n = 1, record.count do
@@ -630,7 +638,7 @@ local function applyIndex(b, record, index, isBehind, reorder)
   end
 end
 
--- Puts the records in order and ranks anew those that moved.
+-- Puts the records in order and gives new ranks to those that have moved.
 local function applyGroups(b, self, objects, groups, byName, reorder)
   local last = 0
   for index, record in ipairs(groups) do
@@ -643,12 +651,12 @@ local function applyGroups(b, self, objects, groups, byName, reorder)
   self.source, self.groups, self.byName, self.groupCount = objects, groups, byName, #groups
 end
 
--- Notes which records differ from the game's tables, and from where on.
+-- Notes which records differ from the game's tables, and from which place on.
 local function markStale(groups)
   local any = false
   for n = 1, #groups do
     local record = groups[n]
-    -- One that is stale already is new, or was left half done by an error.
+    -- A record that is stale already is new, or an error has left it half done.
     local isNew, change = record.stale, 1 ---@type boolean, integer?
     if not isNew then
       change = firstChange(record)
@@ -662,28 +670,88 @@ local function markStale(groups)
   return any
 end
 
--- Those who came through `add` have been read, or are not there any more.
+-- Forgets what `add` has noted: these objects have been read, or have been removed again.
 local function forgetGiven(b, self)
   local given, groupGiven, n = self.given, self.groupGiven, 0
   for object in next, groupGiven, nil do
     if given[object] and not b.slotOf[object] then
-      roster.noteLeft(self, object, given[object])
+      registry.noteLeft(self, object, given[object])
     end
     given[object], groupGiven[object], n = nil, nil, n + 1
   end
-  -- Many leave a large table behind, and it takes long to see that it is empty.
+  -- After many objects the table stays large, and finding it empty takes long.
   if n > FEW then
     self.groupGiven = newWeak()
   end
 end
 
---- Compares the game's tables with what was seen last and reports what changed, nothing if the
---- tables cannot be used: `enter(b, object, record, key)` for a new object (returns its slot),
---- `leave(b, slot)` for one that is gone, `rename(b, slot, record)` for one whose group is another
---- now, while others still have their old one; then `reorder(b, slot, isRenamed)`, if it is given,
---- for all these and for whoever now stands behind another before which it stood. Returns whether
---- anything changed.
-function roster.update(b, self, objects, enter, leave, rename, reorder)
+-- Marks the records of groups that are not in the game's tables any more as stale; returns them.
+local function markGone(self, byName)
+  local gone = {}
+  for _, record in ipairs(self.groups) do
+    if byName[record.name] ~= record then
+      record.stale = true
+      readFrom(record, 1)
+      gone[#gone + 1] = record
+    end
+  end
+  return gone
+end
+
+-- Reads and checks the stale groups. Errors: a group or object that cannot be used.
+local function readStale(b, self, groups)
+  for _, record in ipairs(groups) do
+    if record.stale then
+      readMembers(record, record.first)
+    end
+  end
+  checkMembers(b, self, groups)
+end
+
+-- Removes the objects that are in no group now.
+local function leaveStale(b, self, groups, gone, leave)
+  for _, record in ipairs(gone) do
+    leaveMissing(b, self, record, leave)
+  end
+  for _, record in ipairs(groups) do
+    if record.stale then
+      leaveMissing(b, self, record, leave)
+    end
+  end
+end
+
+-- Takes over what the stale groups hold now.
+local function applyStale(b, self, groups, enter, rename, reorder)
+  for _, record in ipairs(groups) do
+    if record.stale then
+      closeGaps(b, record)
+      takeTail(record)
+    end
+  end
+  for _, record in ipairs(groups) do
+    if record.stale then
+      applyKnown(b, self, record, rename)
+    end
+  end
+  reportMoved(b, self, reorder)
+  -- New objects come last: if one fails, all others are in their places.
+  for _, record in ipairs(groups) do
+    if record.stale then
+      applyNew(b, self, record, enter)
+    end
+  end
+end
+
+--- Compares the game's tables with what was seen last and reports the changes:
+--- - `enter(b, object, record, key)` for a new object; it returns the slot;
+--- - `leave(b, slot)` for one that has left;
+--- - `rename(b, slot, record)` for one that has changed its group, while others still have their
+---   old one;
+--- - then `reorder(b, slot, isRenamed)`, if given, for these and for each one that is now behind
+---   another that it stood before.
+---
+--- If the tables cannot be used, nothing is reported. Returns whether anything has changed.
+function registry.update(b, self, objects, enter, leave, rename, reorder)
   leaveHalf(b, self, leave)
   local groups, byName = self.groups, self.byName
   local regroup = not rawequal(self.source, objects)
@@ -698,54 +766,18 @@ function roster.update(b, self, objects, enter, leave, rename, reorder)
   if not markStale(groups) and not regroup then
     return false
   end
-  local gone = {}
-  for _, record in ipairs(self.groups) do
-    if byName[record.name] ~= record then
-      record.stale = true
-      readFrom(record, 1)
-      gone[#gone + 1] = record
-    end
-  end
-  for _, record in ipairs(groups) do
-    if record.stale then
-      readMembers(record, record.first)
-    end
-  end
-  checkMembers(b, self, groups)
-  for _, record in ipairs(gone) do
-    leaveMissing(b, self, record, leave)
-  end
-  for _, record in ipairs(groups) do
-    if record.stale then
-      leaveMissing(b, self, record, leave)
-    end
-  end
+  local gone = markGone(self, byName)
+  readStale(b, self, groups)
+  leaveStale(b, self, groups, gone, leave)
   applyGroups(b, self, objects, groups, byName, reorder)
-  for _, record in ipairs(groups) do
-    if record.stale then
-      closeGaps(b, record)
-      takeTail(record)
-    end
-  end
-  for _, record in ipairs(groups) do
-    if record.stale then
-      applyKnown(b, self, record, rename)
-    end
-  end
-  reportMoved(b, self, reorder)
-  -- Last of all: should somebody fail now, everybody else is where it stands.
-  for _, record in ipairs(groups) do
-    if record.stale then
-      applyNew(b, self, record, enter)
-    end
-  end
+  applyStale(b, self, groups, enter, rename, reorder)
   self.reorder = false
   forgetGiven(b, self)
   return true
 end
 
 --- Returns whether the game's tables differ from what was seen last. Changes nothing.
-function roster.hasChanged(self, objects)
+function registry.hasChanged(self, objects)
   local isOther = not rawequal(self.source, objects)
   if type(objects) ~= "table" or isOther or haveGroupsChanged(self, objects) then
     return true
@@ -768,9 +800,8 @@ local function numbersTo(count)
 end
 
 --- Returns the game's tables as the next `update` would read them: records in order, the members in
---- `tail[1..tailCount]`, their keys in `newKeys`. Changes nothing.
---- Errors: as `update`.
-function roster.look(b, self, objects)
+--- `tail[1..tailCount]`, their keys in `newKeys`. Changes nothing. Errors: those of `update`.
+function registry.look(b, self, objects)
   if type(objects) ~= "table" then
     check.fail("objects must be a table of groups, got " .. check.show(objects))
   end
@@ -792,8 +823,8 @@ function roster.look(b, self, objects)
   return records
 end
 
--- Where an object stands that stood under a number: there, or a little before that if others have
--- left. (No further: a number may be any, such as an id.)
+-- Returns the number under which an object stands now: its old one, or a little less if others have
+-- left. (Not much less: a number may be anything, such as an id.)
 local function findBefore(source, object, hint)
   for key = hint, max(hint - MOST_GONE, 1), -1 do
     if rawequal(rawget(source, key), object) then
@@ -802,9 +833,9 @@ local function findBefore(source, object, hint)
   end
 end
 
---- Returns the key under which an object stands in its group's table now, or nil. `hint`: it may be
---- that one, or one a little before it.
-function roster.find(source, object, hint)
+--- Returns the key under which an object stands in its group's table now, or nil. `hint` is a key
+--- to try first; if it is a number, the numbers just before it, too.
+function registry.find(source, object, hint)
   local key = hint
   if type(hint) == "number" then
     key = findBefore(source, object, hint)
@@ -819,9 +850,9 @@ function roster.find(source, object, hint)
   end
 end
 
---- Returns the table that holds the object of a slot now, and its key in there, if it still stands
---- in the table in which it was seen; `objects` is the game's table of groups.
-function roster.whereSeen(b, objects, slot)
+--- Returns the table that holds the object of a slot now, and its key there; nothing if the object
+--- no longer stands in the table in which it was seen. `objects` is the game's table of groups.
+function registry.whereSeen(b, objects, slot)
   local record, object = b.group[slot], b.object[slot]
   local source = objects[record.name]
   if record.direct then
@@ -829,7 +860,7 @@ function roster.whereSeen(b, objects, slot)
       return objects, record.name
     end
   elseif rawequal(source, record.source) then
-    local key = roster.find(source, object, b.key[slot])
+    local key = registry.find(source, object, b.key[slot])
     if key ~= nil then
       return source, key
     end
@@ -843,8 +874,12 @@ interpreted.always(
   sortedNames,
   readKeys,
   forgetGiven,
-  roster.update,
-  roster.find
+  markGone,
+  readStale,
+  leaveStale,
+  applyStale,
+  registry.update,
+  registry.find
 )
 
-return roster
+return registry

@@ -1,19 +1,19 @@
---- Step 7, publish: which contacts there are now, and what the game's tables are told.
+--- Decides which contacts there are after a step, and writes the results into the game's tables.
 --
 -- Reads to, speed, carried, hit, pressed...; writes position, velocity, contact, support, carrier,
 -- quiet, the fields x, y, vx, vy and touching of the game's objects, and notes the events.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local carrier = require(root .. ".objects.carriers")
-local collect = require(root .. ".objects.read")
+local read = require(root .. ".objects.read")
 local columns = require(root .. ".memory.columns")
 local contact = require(root .. ".contacts.contactState")
 local crush = require(root .. ".solver.crush")
 local interpreted = require(root .. ".memory.jit")
+local notice = require(root .. ".queries.notice")
 local oneway = require(root .. ".solver.oneWay")
-local view = require(root .. ".queries.index")
 
-local publish = {}
+local write = {}
 
 local DYNAMIC, GIVES = columns.DYNAMIC, columns.GIVES
 local AXIS, OPPOSITE = columns.AXIS, columns.OPPOSITE
@@ -42,7 +42,7 @@ local function listClose(b)
   return count
 end
 
--- Whether no more must be known of two in contact on `side` than where they are.
+-- Returns whether positions alone decide if two bodies in contact on `side` stay in contact.
 local function isEven(b, i, j, side)
   return b.plain[i]
     and b.plain[j]
@@ -50,8 +50,8 @@ local function isEven(b, i, j, side)
     and not (oneway.isOpen(b, i, side) or oneway.isOpen(b, j, OPPOSITE[side]))
 end
 
--- Of these, lists those in contact behind b.touchPairs, if nobody hears of all that go on, and the
--- others in b.otherPairs; returns how many these and those are.
+-- Splits the close pairs. Lists pairs in contact in b.touchPairs if the world has no onStay, and
+-- all others in b.otherPairs. Returns both counts.
 local function listKnown(b, closeCount, isQuiet)
   local close, touchPairs, others, contacts = b.closePairs, b.touchPairs, b.otherPairs, b.contact
   local known, otherCount = 0, 0 ---@type number, number
@@ -64,8 +64,8 @@ local function listKnown(b, closeCount, isQuiet)
   return known, otherCount
 end
 
--- Keeps those that are in contact on the same side as before, of which nobody wants to be told, and
--- lists the others behind b.otherPairs. The side chooses what is read, not which way the code goes.
+-- Keeps in b.touchPairs the pairs in contact on the same side as before, if the bodies have no
+-- onStay. Moves the others to b.otherPairs. The side selects indexes, not branches.
 local function listOn(b, known, otherCount)
   local touchPairs, others, contacts, count = b.touchPairs, b.otherPairs, b.contact, 0
   local pairA, pairB, to, size, even = b.pairA, b.pairB, b.to, b.size, b.even
@@ -96,8 +96,8 @@ local function listOn(b, known, otherCount)
   return count, otherCount
 end
 
--- Updates all pairs of whoever took part, and lists those in contact behind b.touchPairs; returns
--- how many. Those of which more must be found out go last, one by one.
+-- Updates all live pairs and lists those in contact in b.touchPairs; returns how many, and the
+-- number of close pairs. Pairs that need more tests come last, one by one.
 local function updateContacts(b)
   local closeCount = listClose(b)
   local known, otherCount = listKnown(b, closeCount, b.world.onStay and 0 or 1)
@@ -106,27 +106,27 @@ local function updateContacts(b)
   return contact.updateAll(b, b.otherPairs, otherCount, b.touchPairs, count), closeCount
 end
 
--- px of the common edge of two that meet on an axis.
+-- Returns the length of the common edge of two bodies that meet on an axis, px.
 local function edgeOf(b, i, j, axis)
   local to, size, k, m = b.to, b.size, 2 * i + 1 - axis, 2 * j + 1 - axis
   return min(to[k] + size[k], to[m] + size[m]) - max(to[k], to[m])
 end
 
---- Returns an empty list of sides that were hit, by contacts that have ended since.
-function publish.newHits()
+--- Returns an empty list of hits: sides that were hit by contacts that have ended since.
+function write.newHits()
   return {
     count = 0,
     at = {}, -- 4 * slot + side
     owner = {}, -- the object in that slot
-    slot = {}, -- of the other one
-    other = {}, -- the object in that
+    slot = {}, -- of the other object
+    other = {}, -- that object
     width = {}, -- px of the common edge
-    chosen = {}, -- by `at`: which of them counts
+    chosen = {}, -- by `at`: the hit that is shown
   }
 end
 
---- Forgets the sides that were hit: another update begins.
-function publish.forgetHits(b)
+--- Forgets the hits: another update begins.
+function write.forgetHits(b)
   local hits = b.hits
   for n = 1, hits.count do
     hits.owner[n], hits.other[n] = false, false
@@ -145,7 +145,7 @@ local function noteHit(b, i, side, j)
   hits.width[n] = edgeOf(b, i, j, AXIS[side])
 end
 
--- Notes which sides were hit in this step, though the contact has ended in it, too.
+-- Notes the hits of this step if their contact has also ended in it.
 local function noteHits(b, closeCount)
   local close, hit, contacts, sensor = b.closePairs, b.hit, b.contact, b.sensor
   for n = 1, closeCount do
@@ -160,13 +160,14 @@ local function noteHits(b, closeCount)
   end
 end
 
--- Whether hit n shows rather than hit m on the same side: the wider common edge, ties in order.
+-- Returns whether hit n is shown rather than hit m on the same side: the wider common edge wins,
+-- ties in the order of the world.
 local function isWider(b, hits, n, m)
   local more = hits.width[n] - hits.width[m]
   return more > EPSILON or (more >= -EPSILON and b.rank[hits.slot[n]] < b.rank[hits.slot[m]])
 end
 
--- Lets `touching` show the sides that were hit in this update, where nothing touches now.
+-- Shows the hits of this update in `touching`, at sides where nothing touches now.
 local function showHits(b)
   local hits, best, chosen = b.hits, b.touchBest, b.hits.chosen
   for n = 1, hits.count do
@@ -174,7 +175,7 @@ local function showHits(b)
     local i = floor((at - 1) * 0.25)
     -- A callback between two steps may have removed one of the two.
     if b.object[i] == hits.owner[n] and b.object[hits.slot[n]] == hits.other[n] then
-      b.news[i] = true -- the next update shows it no more
+      b.news[i] = true -- the next update must remove it
       local shown = chosen[at] -- a hit
       if (best[at] == 0 and not shown) or (shown and isWider(b, hits, n, shown)) then
         best[at], chosen[at] = hits.slot[n], n
@@ -186,11 +187,11 @@ local function showHits(b)
   end
 end
 
--- Lists what the dynamic ones touch: where that belongs in touchBest, who it is, how wide the
--- common edge is; returns how many. Sensors touch nobody.
+-- Lists what dynamic objects touch: index in touchBest, slot of the other object, length of the
+-- common edge. Returns how many. Sensors touch nothing.
 local function listOffers(b, count)
   local touchPairs, pairA, pairB, contacts = b.touchPairs, b.pairA, b.pairB, b.contact
-  local at, who, width, sensor, kind = b.offerAt, b.offerWho, b.offerWidth, b.sensor, b.kind
+  local at, others, width, sensor, kind = b.offerAt, b.offerOther, b.offerWidth, b.sensor, b.kind
   local to, size = b.to, b.size
   local offers = 1 ---@type number
   for n = 1, count do
@@ -201,16 +202,16 @@ local function listOffers(b, count)
       local k, m = 2 * i + across, 2 * j + across
       local x, y = to[k], to[m]
       local edge = min(x + size[k], y + size[m]) - max(x, y)
-      at[offers], who[offers], width[offers] = 4 * i + side, j, edge
+      at[offers], others[offers], width[offers] = 4 * i + side, j, edge
       offers = offers + GIVES[kind[i]]
-      at[offers], who[offers], width[offers] = 4 * j + OPPOSITE[side], i, edge
+      at[offers], others[offers], width[offers] = 4 * j + OPPOSITE[side], i, edge
       offers = offers + GIVES[kind[j]]
     end
   end
   return offers - 1
 end
 
--- Nobody touches anybody, and nobody is inside anybody, until a contact says so.
+-- Clears what awake objects touch, and whether they are inside others.
 local function reset(b)
   local list, best, inside = b.awakeList, b.touchBest, b.inside
   for n = 1, b.awakeCount do
@@ -221,16 +222,17 @@ local function reset(b)
   end
 end
 
--- Takes the first one on each side; few have more. Lists the others in b.rivals; returns how many.
+-- Takes the first offer for each side; few sides have more. Lists the others in b.rivals; returns
+-- how many.
 local function takeFirst(b, count)
   local best, bestWidth, rivals = b.touchBest, b.touchWidth, b.rivals
-  local places, who, width = b.offerAt, b.offerWho, b.offerWidth
+  local places, others, width = b.offerAt, b.offerOther, b.offerWidth
   local rivalCount = 0 ---@type number
   for n = 1, count do
     local at = places[n]
     local first, widest = best[at], bestWidth[at]
     local isTaken = min(first, 1)
-    best[at] = first + who[n] * (1 - isTaken)
+    best[at] = first + others[n] * (1 - isTaken)
     bestWidth[at] = widest * isTaken + width[n] * (1 - isTaken)
     rivals[rivalCount + 1] = n
     rivalCount = rivalCount + isTaken
@@ -238,13 +240,13 @@ local function takeFirst(b, count)
   return rivalCount
 end
 
--- Of those and the first, the widest wins.
+-- Of those and the first, the widest common edge wins; ties in the order of the world.
 local function chooseRivals(b, rivalCount)
   local best, bestWidth, rivals, rank = b.touchBest, b.touchWidth, b.rivals, b.rank
-  local places, who, width = b.offerAt, b.offerWho, b.offerWidth
+  local places, others, width = b.offerAt, b.offerOther, b.offerWidth
   for m = 1, rivalCount do
     local n = rivals[m]
-    local at, j, w = places[n], who[n], width[n]
+    local at, j, w = places[n], others[n], width[n]
     local widest = bestWidth[at]
     if w > widest + EPSILON or (w >= widest - EPSILON and rank[j] < rank[best[at]]) then
       best[at], bestWidth[at] = j, w
@@ -252,13 +254,13 @@ local function chooseRivals(b, rivalCount)
   end
 end
 
--- Finds what everybody touches, from the pairs in contact: the widest common edge wins, ties in
--- order.
+-- Finds what each object touches, from the pairs in contact: the widest common edge wins, ties in
+-- the order of the world.
 local function findTouching(b, count)
   chooseRivals(b, takeFirst(b, listOffers(b, count)))
 end
 
--- What everybody stands on.
+-- Finds the support of each awake object.
 local function findSupports(b)
   local list, down, best, support, news = b.awakeList, b.down, b.touchBest, b.support, b.news
   for n = 1, b.awakeCount do
@@ -273,14 +275,14 @@ local function findSupports(b)
   end
 end
 
--- Whether something stops k that is carried at c px/s.
+-- Returns whether something stops k, which is carried at c px/s.
 local function isStopped(b, k, c)
   return (c < 0 and b.pressedLow[k]) or (c > 0 and b.pressedHigh[k])
 end
 
--- Who is carried shows the velocity relative to that. Carried one way and pulled the other, how far
--- it comes in a step depends on how long that is; so does whether it bounces off what it is carried
--- against: no rest, even if it comes nowhere in this one.
+-- Makes a rider's velocity relative to its carrier. If carrier and forces point in opposite
+-- directions, the way of a step depends on dt. So does a bounce off what the rider is carried
+-- against. Such a rider must not sleep, even if it stands still in this step.
 local function takeOffCarrier(b, i)
   local c, k = b.carrierNow[i], 2 * i
   local isNew = c ~= b.carrier[i]
@@ -299,15 +301,15 @@ local function takeOffCarrier(b, i)
   end
 end
 
--- Whether friction bears what depends on how long a step is: in a longer one air friction and speed
--- limits take more off a pull, or a weight.
+-- Returns whether friction holds the object only at this length of a step. In a longer step, air
+-- friction and speed limits take more off a force or a weight.
 local function isBorneByChance(b, i)
   return b.rubs > 0
     and (b.airFriction[i] ~= 0 or b.reserve[2 * i] ~= 0 or b.reserve[2 * i + 1] ~= 0)
 end
 
--- Whether the next step may differ from this one although nothing moves. (Whether a buried body
--- finds a way out depends on walls that are not its neighbours.)
+-- Returns whether the next step may differ from this one although nothing moves. (Whether a buried
+-- body finds a way out depends on walls that are not its neighbours.)
 local function hasNews(b, i)
   return b.news[i]
     or b.fresh[i]
@@ -338,9 +340,9 @@ local function publishKinematic(b, i)
   b.written[k], b.written[k + 1] = x, y
 end
 
--- Also hands their `touching` to those who are new and take no part.
+-- Also gives `touching` to new objects that take no part in the step.
 local function forgetMoved(b)
-  collect.giveTouching(b)
+  read.giveTouching(b)
   for n = 1, b.movedCount do
     local i = b.movedList[n]
     b.moved[i], b.fresh[i] = false, false
@@ -361,8 +363,8 @@ local function tellCrushed(b)
   end
 end
 
--- Lists those who touch others than their `touching` says; returns how many. (From one step to the
--- next few do, and the game's tables are far apart in memory.)
+-- Lists the objects with a `touching` that is out of date; returns how many. (From one step to the
+-- next few are, and the game's tables are far apart in memory.)
 local function listOutdated(b)
   local list, best, told, outdated = b.awakeList, b.touchBest, b.touchTold, b.outdated
   local count = 0 ---@type number
@@ -390,7 +392,7 @@ local function tellTouching(b, count)
     local touching, at = tables[i], 4 * i
     local left, right, top, bottom = best[at + 1], best[at + 2], best[at + 3], best[at + 4]
     if touching then -- it is dynamic
-      -- (Slot 0 is nobody: false.)
+      -- (object[0] is false)
       touching.left, touching.right = objects[left], objects[right]
       touching.top, touching.bottom = objects[top], objects[bottom]
     end
@@ -415,7 +417,7 @@ local function tellMotion(b)
         and velocity[k] == 0
         and velocity[m] == 0
         and not hasNews(b, i)
-      -- Whether any of it is new is not asked: that costs more than to write it.
+      -- Writing is cheaper than testing whether a value is new.
       object.x, object.y, object.vx, object.vy = x, y, vx, vy
       object.touching = tables[i]
       position[k], position[m], velocity[k], velocity[m] = x, y, vx, vy
@@ -440,10 +442,10 @@ local function findCarriers(b)
   end
 end
 
---- Publishes what the step has brought, for everybody who took part in it.
-function publish.run(b)
+--- Writes the results of a step, for each object that took part in it.
+function write.run(b)
   contact.ask(b)
-  view.outdate(b) -- whom it has asked may have asked questions, and what follows may fail
+  notice.outdate(b) -- canCollide may have made queries, and what follows may fail
   reset(b)
   crush.countJam(b, 0)
   crush.countJam(b, 1)
@@ -462,6 +464,6 @@ function publish.run(b)
 end
 
 -- These lead from loop to loop.
-interpreted.functions(publish.run, findTouching, updateContacts)
+interpreted.functions(write.run, findTouching, updateContacts)
 
-return publish
+return write

@@ -1,65 +1,62 @@
---- What questions see: the game's tables as they are now, not as the last step left them.
+--- Gives queries the objects as the game's tables are now, not as the last step left them.
 --
--- A question must not touch the columns of the simulation: what the game writes and takes back
--- before the next update has never happened. So questions have columns of their own, with the same
--- names, an own list of who is in the world (a roster) and an own grid. Worlds that never ask have
--- none of this.
+-- A query must not touch the columns of the simulation. What the game writes and takes back before
+-- the next update has never happened. So queries have columns of their own, with the same names, a
+-- registry and a grid. Worlds without queries have none of this.
 --
--- Finding every change takes a look at every object, which the first question after a step does.
--- Those that follow compare the number of objects in each group, look at whoever they find nearby,
--- and in a world of up to `FEW` objects again at everybody. What a later question in a larger world
--- may miss until the next update: an object that the game has, after the first question, moved or
--- made larger by more than `LEFT`, or put into a group of the same size by assignment. `add`,
--- `remove`, `move` and `refresh` tell it at once.
+-- To find every change, the first query after a step looks at every object. Later queries compare
+-- the number of objects in each group, and look at the objects that they find nearby. In a world of
+-- up to `FEW` objects they look at all objects again. In a larger world a later query may miss two
+-- changes until the next update. The first is an object that the game has moved or made larger by
+-- more than `LEFT`. The second is an object that was put into a group of the same size by
+-- assignment. `add`, `remove`, `move` and `refresh` report changes at once.
 --
--- Reads of the core only which objects are static and where those are: they are read once.
+-- Of the simulation's columns it reads only which objects are static and where they are, which are
+-- read once.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local aabb = require(root .. ".memory.aabb")
-local bank = require(root .. ".memory.columnStore")
+local columnStore = require(root .. ".memory.columnStore")
 local check = require(root .. ".world.check")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
 local grid = require(root .. ".broadphase.grid")
 local interpreted = require(root .. ".memory.jit")
-local roster = require(root .. ".objects.registry")
+local registry = require(root .. ".objects.registry")
 
 local view = {}
 
 local max, min = math.max, math.min
 local STATIC = columns.STATIC
 
--- Kind of an object that the core has read anew.
+-- Kind of an object that the simulation has read anew.
 local UNREAD = 0
--- px around an object that has not moved yet, and around one that has, in which it may move without
--- being filed anew; and what must be left of that when it is looked at. (A question looks at all
--- whose boxes it meets, with these margins.)
+-- Margins in px around an object that has not moved yet, and around one that has. It may move
+-- inside them without being filed anew. LEFT is how much of the margin must remain. (A query looks
+-- at all objects with boxes, margins included, that it meets.)
 local STANDS, MOVES, LEFT = 3.25, 6, 3
--- px around a way within which somebody may be met.
+-- px around a way within which objects may be met.
 local SLACK = 1
--- px, cells of the grid: what is up to 28 px wide fits into one with its margin, wherever it goes.
+-- px, size of the grid's cells: a box up to 28 px wide fits into one with its margin, wherever it
+-- is.
 local CELL = 40
--- Numbers whose sum is no more than this are all in range.
+-- Numbers with a sum up to this are all in range.
 local MOST = 1e99
--- So many can be looked at in a few microseconds.
+-- Up to so many objects can be looked at in a few microseconds.
 local FEW = 128
 
--- Fields that a static object has as the core has read them.
+-- Fields of a static object, copied from the simulation's columns.
 local FIELD = { "active", "sensor", "oneWay", "mask", "only", "hitsGiven" }
 
-local LAYOUT = {}
-for _, kind in ipairs({
-  { "any", 1, { "object", "group", "groupName", "key", "listed", "oneWay", "mask" } },
-  { "any", 1, { "only", "hitsGiven" } },
-  { "boolean", 1, { "live", "active", "sensor" } },
-  { "integer", 1, { "kind" } },
-  { "number", 1, { "rank", "entry", "mark" } }, -- the last two are scratch
-  { "number", 2, { "position", "size", "fatLow", "fatHigh" } },
-}) do
-  for _, name in ipairs(kind[3]) do
-    LAYOUT[#LAYOUT + 1] = { name = name, kind = kind[1], width = kind[2] }
-  end
-end
+local ANY = { "object", "group", "groupName", "key", "listed", "oneWay", "mask" }
+local LAYOUT = {
+  { kind = "any", width = 1, names = ANY },
+  { kind = "any", width = 1, names = { "only", "hitsGiven" } },
+  { kind = "boolean", width = 1, names = { "live", "active", "sensor" } },
+  { kind = "integer", width = 1, names = { "kind" } },
+  { kind = "number", width = 1, names = { "rank", "entry", "mark" } }, -- the last two are scratch
+  { kind = "number", width = 2, names = { "position", "size", "fatLow", "fatHigh" } },
+}
 
 local function new()
   local v = {
@@ -67,21 +64,21 @@ local function new()
     count = 0,
     free = {},
     slotOf = {},
-    movers = {}, -- slots of those whose fields may change: everybody but the static the core knows
+    movers = {}, -- slots with fields that may change: all but static objects that were read
     moverCount = 0,
     lengths = {}, -- of the groups' tables, by place of the group
-    isTold = false, -- somebody was added or removed since they were looked at
-    roster = roster.new(),
+    isTold = false, -- an object was added or removed since the groups were looked at
+    registry = registry.new(),
     order = false,
     masks = false,
-    fresh = false, -- everybody was looked at since the last step
+    fresh = false, -- all objects were looked at since the last step
     stamp = 0,
-    pool = {}, -- lists nobody uses, and how many
+    pool = {}, -- unused lists, and how many
     pooled = 0,
     single = {}, -- a list of one
     strays = {}, -- scratch of followAll
   }
-  v.bank = bank.new(v, LAYOUT)
+  v.store = columnStore.new(v, LAYOUT)
   v.grid = grid.new(v, CELL)
   return v
 end
@@ -94,7 +91,7 @@ local function kindOf(b, object)
 end
 
 local function complain(v, i)
-  check.object(v.object[i], roster.place(v.group[i], v.key[i]))
+  check.object(v.object[i], registry.place(v.group[i], v.key[i]))
 end
 
 -- Reads where an object is now.
@@ -118,8 +115,8 @@ local function look(v, i)
   size[k], size[k + 1] = width + 0.0, height + 0.0
 end
 
--- Reads where those in list[1..count] are now, as far as they are live.
--- Errors: a place, size or `active` that cannot be used.
+-- Reads where the objects in list[1..count] are now, if they are live. Errors: a place, size or
+-- `active` that cannot be used.
 local function lookAtAll(v, list, count)
   local live = v.live
   for n = 1, count do
@@ -129,7 +126,7 @@ local function lookAtAll(v, list, count)
   end
 end
 
---- Reads what an object can meet. Errors: a field that cannot be used.
+--- Reads what decides which objects an object can meet. Errors: a field that cannot be used.
 function view.lookAtFilter(v, i)
   if not v.live[i] then
     return
@@ -148,7 +145,7 @@ function view.lookAtFilter(v, i)
   v.kind[i] = kindOf(v.bodies, object)
 end
 
--- A static object is where the core read it.
+-- A static object is where the simulation read it.
 local function readStatic(v, b, i)
   local slot = b.slotOf[v.object[i]]
   local k, m = 2 * i, 2 * slot
@@ -184,7 +181,7 @@ local function mustMove(v, i)
   ) > -LEFT
 end
 
--- Gives an object a box with so much margin, if it may move.
+-- Gives an object a box with this margin, if it may move.
 local function fatten(v, i, margin)
   local position, size, room = v.position, v.size, v.live[i] and margin or 0
   for k = 2 * i, 2 * i + 1 do
@@ -192,7 +189,7 @@ local function fatten(v, i, margin)
   end
 end
 
--- Looks at those in list[1..count], and files anew who has nearly left its place.
+-- Looks at the objects in list[1..count], and files those anew that have nearly left their boxes.
 local function followAll(v, list, count)
   lookAtAll(v, list, count)
   local strays, m = v.strays, 0
@@ -207,8 +204,8 @@ local function followAll(v, list, count)
   v.grid:update(strays, m)
 end
 
---- Looks at an object and files it anew if it has nearly left its place.
---- Errors: a place, size or `active` that cannot be used.
+--- Looks at an object and files it anew if it has nearly left its box. Errors: a place, size or
+--- `active` that cannot be used.
 function view.follow(v, i)
   v.single[1] = i
   followAll(v, v.single, 1)
@@ -233,7 +230,7 @@ local function unlist(v, i)
   end
 end
 
--- Who is there ------------------------------------------------------------------------------------
+-- Objects -----------------------------------------------------------------------------------------
 
 local function enter(v, object, record, key)
   local i = v.free[#v.free]
@@ -242,8 +239,8 @@ local function enter(v, object, record, key)
   else
     i = v.slots + 1
     v.slots = i
-    if i > v.bank.room then
-      bank.grow(v.bank, i)
+    if i > v.store.room then
+      columnStore.grow(v.store, i)
     end
   end
   v.count = v.count + 1
@@ -274,27 +271,27 @@ local function rename(v, i, record)
 end
 
 local function lookAtGroups(v, world)
-  local r = v.roster
+  local r = v.registry
   if world.order ~= v.order then
     check.setting("order", world.order)
     v.order = world.order
     r.order, r.reorder = world.order or {}, true
   end
-  roster.update(v, r, world.objects, enter, leave, rename)
+  registry.update(v, r, world.objects, enter, leave, rename)
   for n = 1, r.groupCount do
     v.lengths[n] = #r.groups[n].source
   end
   v.isTold = false
 end
 
--- Whether a list still ends where it did. (`#` would look for its end anew.)
+-- Returns whether a list still ends where it did. (`#` would search for its end anew.)
 local function endsAt(source, length)
   return rawget(source, length + 1) == nil and (length == 0 or rawget(source, length) ~= nil)
 end
 
--- Whether no group seems to have changed, in a world too large for looking at everybody.
+-- Returns whether no group seems to have changed, in a world too large for looking at all objects.
 local function seemsUnchanged(v, world)
-  local r, objects = v.roster, world.objects
+  local r, objects = v.registry, world.objects
   if v.isTold or v.count <= FEW or not rawequal(r.source, objects) or world.order ~= v.order then
     return false
   end
@@ -308,7 +305,7 @@ local function seemsUnchanged(v, world)
   return true
 end
 
--- Static objects are live until the core has read them.
+-- Takes static objects off the list of movers once the simulation has read them.
 local function settle(v)
   local movers, kind = v.movers, v.kind
   for n = v.moverCount, 1, -1 do
@@ -332,8 +329,8 @@ local function lookAtEverybody(v, world)
   v.fresh = true
 end
 
---- Returns the view of a world, up to date.
---- Errors: as in an update, a group, key or field that cannot be used.
+--- Returns the columns for queries of a world, up to date. Errors: those of an update, a group, key
+--- or field that cannot be used.
 function view.of(world)
   local b = world._bodies
   local v = b.view
@@ -343,7 +340,7 @@ function view.of(world)
     b.view = v
   end
   v.masks, v.soft = world.masks or false, b.soft
-  v.isBroken = true -- if an object fails when it is looked at, the view is made anew
+  v.isBroken = true -- if reading an object fails, everything is made anew
   if not v.fresh then
     lookAtEverybody(v, world)
   else
@@ -358,27 +355,12 @@ function view.of(world)
   return v
 end
 
---- The core has made a step: everybody is looked at before the next question.
-function view.outdate(b)
-  if b.view then
-    b.view.fresh = false
-  end
-end
-
---- Somebody was added or removed: the groups are looked at before the next question.
-function view.tell(b)
-  if b.view then
-    b.view.isTold = true
-  end
-end
-
---- The core has read an object anew, also what it reads only once.
-function view.refresh(b, object)
-  local v = b.view
-  local i = v and v.slotOf[object]
+--- Notes that the simulation has read an object anew (see queries/notice).
+function view.refresh(v, object)
+  local i = v.slotOf[object]
   if i then
     v.live[i], v.kind[i] = true, UNREAD
-    roster.reread(v.group[i])
+    registry.reread(v.group[i])
     list(v, i)
     v.fresh = false
   end
@@ -390,8 +372,8 @@ function view.isThere(v, i)
   return record.direct or rawequal(record.source[v.key[i]], v.object[i])
 end
 
---- Returns the slot of an object; it may have been put in without `add` since everybody was looked
---- at. nil: it is not in the world.
+--- Returns the slot of an object, nil: it is not in the world. It may have been put in without
+--- `add` since all objects were looked at.
 function view.find(v, world, object)
   local i = v.slotOf[object]
   if not i or not view.isThere(v, i) then
@@ -404,7 +386,7 @@ function view.find(v, world, object)
   return i
 end
 
---- Looks at an object that may have left since everybody was looked at; false: it has.
+--- Looks at an object that may have left since all objects were looked at; false: it has left.
 function view.see(v, i)
   if not view.isThere(v, i) then
     return false
@@ -416,7 +398,7 @@ end
 
 local see = view.see
 
--- Whoever a question is about to see is looked at, one after the other; false: somebody is gone.
+-- Looks at the objects that a query has found, one after the other; false: one has left.
 local function lookAtFound(v, found, count)
   local n = 1
   while n <= count and see(v, found[n]) do
@@ -425,8 +407,8 @@ local function lookAtFound(v, found, count)
   return n > count
 end
 
---- Writes the slots of all who may be in a rectangle into `found`, where they are now; returns how
---- many.
+--- Writes the slots of all objects that may be in a rectangle into `found`; returns how many. Their
+--- positions are up to date.
 function view.near(v, world, left, top, right, bottom, found)
   local count = v.grid:query(left, top, right, bottom, found)
   if not lookAtFound(v, found, count) then
@@ -442,9 +424,9 @@ local function walkOnce(v, x1, y1, x2, y2, line, visit)
   v.grid:walk(x1, y1, x2, y2, line, visit)
 end
 
---- Has everybody visited who may be on a line (see `walk` of the grid). Of the line, `count` and
---- `best` are 0 at first, for `visit` to note whom it wants. It must `see` them; if one has left,
---- it sets `line.isStale` and returns -1, and all goes again.
+--- Calls `visit` for all objects that may be on a line (see `walk` of the grid). `count` and `best`
+--- of the line are 0 at first; `visit` may note its results there. It must call `see` for each
+--- object. If one has left, `visit` sets `line.isStale` and returns -1, and all starts again.
 function view.walk(v, world, x1, y1, x2, y2, line, visit)
   walkOnce(v, x1, y1, x2, y2, line, visit)
   if line.isStale then
@@ -453,7 +435,8 @@ function view.walk(v, world, x1, y1, x2, y2, line, visit)
   end
 end
 
--- Keeps of `found` whom slot i may meet on its way from (x, y) to (toX, toY); returns how many.
+-- Keeps in `found` the slots that slot i may meet on its way from (x, y) to (toX, toY); returns how
+-- many.
 local function keepOnWay(v, found, count, i, x, y, toX, toY)
   local position, size, n = v.position, v.size, 0
   local w, h = size[2 * i] + SLACK, size[2 * i + 1] + SLACK
@@ -472,7 +455,7 @@ local function keepOnWay(v, found, count, i, x, y, toX, toY)
   return n
 end
 
---- The same for all whom the object in slot i may meet on its way from (x, y) to (toX, toY).
+--- The same as `near`, for the objects that slot i may meet on its way from (x, y) to (toX, toY).
 function view.onWay(v, world, i, x, y, toX, toY, found)
   local w, h = v.size[2 * i], v.size[2 * i + 1]
   local left, top, right, bottom = min(x, toX), min(y, toY), max(x, toX) + w, max(y, toY) + h
@@ -480,8 +463,8 @@ function view.onWay(v, world, i, x, y, toX, toY, found)
   return (keepOnWay(v, found, count, i, x, y, toX, toY))
 end
 
---- Returns a list to work with. Filters may ask questions of their own, so each question takes one
---- and gives it back; one that fails on the way leaves its list to the garbage collector.
+--- Returns a list to work with. Filters may make queries of their own, so each query takes a list
+--- and gives it back. A query that fails leaves its list to the garbage collector.
 function view.take(v)
   local n = v.pooled
   if n == 0 then

@@ -1,11 +1,11 @@
---- Moves one object now, with collisions and without physics: nothing is pushed, no time goes by.
+--- Moves one object with collisions, without a step: nothing is pushed, no time passes.
 --
--- The way is walked in legs. A leg is a straight line; the first solid on it ends the leg, and the
--- response says where the next one goes. What the object passes on a leg (sensors, and what the
--- response lets pass) is reported in the order in which it is met.
+-- The way is walked in legs. A leg is a straight line. The first solid on it ends the leg, and the
+-- response gives the next leg. What the object passes on a leg (sensors, and what the response lets
+-- pass) is reported in the order in which it is met.
 --
--- The responses are those that users of bump.lua know (E. García Cota, 2012): slide, touch, cross,
--- bounce. The sweep is that of `sweep`, so tiles have no seams here either.
+-- The responses are those of bump.lua (E. García Cota, 2012): slide, touch, cross, bounce. The
+-- swept AABB is that of `sweep`, so tiles have no seams here either.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local aabb = require(root .. ".memory.aabb")
@@ -33,7 +33,7 @@ function slide.check(response, where)
   end
 end
 
--- What happens between two who meet: the name of a response, or false.
+-- Returns what happens when two objects meet: the name of a response, or false.
 local function respond(journey, object, other, isSolid)
   local response = journey.response
   if type(response) == "function" then
@@ -52,8 +52,8 @@ end
 
 -- Hits --------------------------------------------------------------------------------------------
 
--- Whether something in the list is a hit of an earlier call. A game may use one list for moves and
--- for questions: the objects in there are not ours to write to.
+-- Returns whether an entry of the list is a hit of an earlier call. A game may use one list for
+-- moves and queries: the objects in there must not be written to.
 local function isHit(value)
   return type(value) == "table"
     and rawget(value, "response") ~= nil
@@ -61,7 +61,7 @@ local function isHit(value)
     and rawget(value, "width") == nil
 end
 
--- The table for the next hit: one that stands in the list already, or was there at an earlier call.
+-- Returns the table for the next hit: one that is in the list, or a spare one of an earlier call.
 local function nextHit(journey)
   local hits, n = journey.hits, journey.count + 1
   journey.count = n
@@ -74,7 +74,7 @@ local function nextHit(journey)
   return hit
 end
 
--- Puts the tables that were not needed aside, so that the list is as long as it says.
+-- Keeps unused tables as spares, so that the length of the list is the number of hits.
 local function tidy(journey)
   local hits = journey.hits
   for n = #hits, journey.count + 1, -1 do
@@ -103,7 +103,7 @@ local function findNear(v, journey)
   journey.near = view.onWay(v, journey.world, i, x, y, toX, toY, journey.found)
 end
 
--- By how much the object would have two edges in common with j, at a place next to it.
+-- Returns how long the common edge of the object and j would be, with the object at (x, y).
 local function commonEdge(v, i, j, x, y)
   local position, size, k, m = v.position, v.size, 2 * i, 2 * j
   local width, height =
@@ -111,7 +111,8 @@ local function commonEdge(v, i, j, x, y)
   return max(width, height)
 end
 
--- Whether j is met before the best so far: by moment, then the widest common edge, then in order.
+-- Returns whether j is met before the best so far: by time, then by the widest common edge, then in
+-- the order of the world.
 local function isBefore(v, journey, j, key, edge)
   if not journey.next or key ~= journey.nextKey then
     return not journey.next or key < journey.nextKey
@@ -121,7 +122,7 @@ local function isBefore(v, journey, j, key, edge)
   return v.rank[j] < v.rank[journey.next]
 end
 
--- Finds who is met next on this leg.
+-- Finds the object that is met next on this leg.
 local function findNext(v, journey)
   local i, passed = journey.slot, journey.passed
   local x, y, toX, toY = journey.x, journey.y, journey.toX, journey.toY
@@ -142,7 +143,7 @@ local function findNext(v, journey)
   return journey.next
 end
 
--- Where the next leg goes after a hit at (x, y), after `share` of this one.
+-- Sets the next leg after a hit at (x, y), at fraction `share` of this one.
 local function turn(journey, x, y, axis, share, response)
   journey.start = journey.start + (1 - journey.start) * share
   journey.x, journey.y = x, y
@@ -155,7 +156,7 @@ local function turn(journey, x, y, axis, share, response)
   end
 end
 
--- The side of an object that overlaps another, by the opposite-sides rule.
+-- Returns the side of an object that overlaps another, by the opposite-sides rule.
 local function deepSide(v, i, j)
   local position, size, k, m = v.position, v.size, 2 * i, 2 * j
   return aabb.side(
@@ -170,13 +171,13 @@ local function deepSide(v, i, j)
   )
 end
 
--- Meets slot j; returns whether that ends the leg.
+-- Handles the impact with slot j; returns whether it ends the leg.
 local function meet(v, journey, j)
   local i = journey.slot
   local object, other = v.object[i], v.object[j]
   local share, axis, isLow, x, y =
     obstacle.meet(v, i, j, journey.x, journey.y, journey.toX, journey.toY)
-  -- Whoever is inside another from the beginning is not held there.
+  -- An object that is inside another one at the start is not held there.
   local isSolid = axis ~= nil and obstacle.isSolid(v, i, j)
   local side = axis and obstacle.sides(axis, isLow) or deepSide(v, i, j)
   local response = respond(journey, object, other, isSolid)
@@ -209,7 +210,7 @@ end
 
 -- Journeys ----------------------------------------------------------------------------------------
 
--- A journey that nobody is on; one that fails on the way is left to the garbage collector.
+-- Returns a journey that is not in use. One that fails on the way is left to the garbage collector.
 local function takeJourney(v)
   local pool = v.journeys
   if not pool then
@@ -229,7 +230,7 @@ local function giveJourney(v, journey)
   v.journeys[#v.journeys + 1] = journey
 end
 
---- Moves an object towards (x, y). Returns where it ends, the hits and their number; nil: it
+--- Moves an object towards (x, y). Returns its final position, the hits and their number; nil: it
 --- is not in the world; false: it is static.
 function slide.run(world, object, x, y, response, hits, where)
   local v = view.of(world)

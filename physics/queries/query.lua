@@ -1,17 +1,18 @@
---- Questions: who is at a point, in a rectangle, on a line, near, in the way. They see the game's
---- tables as they are now (see view), change nothing, and make no garbage unless they have to make
---- the list that they return.
+--- Finds objects at a point, in a rectangle, on a line, near a point, or in the way of an object.
+--- Queries see the game's tables as they are now (see index.lua) and change nothing. They make no
+--- garbage unless they have to make the list that they return.
 --
--- Every question goes the same way: the view offers whoever may be meant, each is tested exactly,
--- and what is left is put in order. A filter that is a function is asked last, in that order, about
--- as few as possible.
+-- All queries have the same steps. The index offers candidates, each is tested exactly, and the
+-- rest is put in order. A filter that is a function is called last, in that order, for as few
+-- objects as possible.
 --
--- Inactive objects are not found. Sensors are, except by `sweep`, which nothing stops but solids.
+-- Inactive objects are not found. Sensors are, except by `sweep`, which only solids stop.
 --
--- A game may ask a thousand times a frame, and lists, the nearest and ways take another way through
--- the code each time. So what leads there from one loop to the next is interpreted; the loops over
--- candidates are compiled, and stand in functions of their own (see interpreted). Rays are compiled
--- as a whole, since most of them take one of a few ways, but for those with a filter that asks.
+-- A game may make a thousand queries a frame, and lists, `nearest` and `sweep` take another path
+-- through the code each time. So the code that leads from one loop to the next is interpreted. The
+-- loops over candidates are compiled, in functions of their own (see memory/jit.lua). Rays are
+-- compiled as a whole, since most of them take one of a few paths; those with a filter function are
+-- not.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local aabb = require(root .. ".memory.aabb")
@@ -26,16 +27,17 @@ local query = {}
 local EPSILON, TINY, VAST = columns.EPSILON, columns.TINY, columns.VAST
 local max, min, sqrt = math.max, math.min, math.sqrt
 local TIE = 1e-9
--- More than the whole of a line, which is 1: where it hits who is not hit.
+-- Larger than the whole of a line, which is 1: the fraction at which a line hits an object that it
+-- misses.
 local NEVER = 2
--- px of a ray that are looked at first; each further piece is twice as long.
+-- px of a ray that are searched first; each further piece is twice as long.
 local FIRST_PIECE = 48
--- px around a point in which the nearest is looked for first.
+-- px around a point that are searched first for the nearest object.
 local FIRST_RADIUS = 32
 
 -- Filters and results -----------------------------------------------------------------------------
 
--- Whether the filter, if it is no function, lets a group of that name pass.
+-- Returns whether a filter that is no function accepts a group of that name.
 local function isNamed(filter, name)
   if type(filter) ~= "table" then
     return filter == name
@@ -47,7 +49,7 @@ local function isNamed(filter, name)
   return filter[at] ~= nil
 end
 
--- Keeps whom a filter that is no function lets pass; one that is a function is asked later.
+-- Keeps the objects that a filter accepts if it is no function; a function is called later.
 local function keepNamed(v, found, count, filter)
   if filter == nil or type(filter) == "function" then
     return count
@@ -65,7 +67,7 @@ end
 
 local function accepts(v, i, filter)
   local object = v.object[i]
-  -- A filter that asks may have noticed that somebody has left.
+  -- A filter function may have found that the object has left.
   return object and filter(object)
 end
 
@@ -77,7 +79,7 @@ local function writeAll(v, found, count, out)
   return count
 end
 
--- Writes those that a filter which is a function accepts; returns how many.
+-- Writes the objects that a filter function accepts; returns how many.
 local function writeAccepted(v, found, count, filter, out)
   local n = 0
   for m = 1, count do
@@ -89,7 +91,7 @@ local function writeAccepted(v, found, count, filter, out)
   return n
 end
 
--- Takes out of a list what is behind place n.
+-- Removes the entries of a list behind place n.
 local function shorten(out, n)
   for m = #out, n + 1, -1 do
     out[m] = nil
@@ -112,7 +114,7 @@ local function publish(v, found, count, filter, out)
   return out, n
 end
 
--- The first of `found`, by `entry` and then in order.
+-- Returns the first of `found`, by `entry`, then in the order of the world.
 local function first(v, found, count)
   local entry, rank, best = v.entry, v.rank, found[1]
   for n = 2, count do
@@ -124,7 +126,7 @@ local function first(v, found, count)
   return best
 end
 
--- The first that the filter accepts; nil: none.
+-- Returns the first slot that the filter accepts; nil: none.
 local function pick(v, found, count, filter)
   if type(filter) ~= "function" then
     return count > 0 and first(v, found, count) or nil
@@ -139,7 +141,7 @@ end
 
 -- Points and rectangles ---------------------------------------------------------------------------
 
--- Keeps of `found` who is around a point; returns how many.
+-- Keeps in `found` the objects around a point; returns how many.
 local function keepAround(v, found, count, x, y)
   local position, size, active, n = v.position, v.size, v.active, 0
   for m = 1, count do
@@ -154,7 +156,8 @@ local function keepAround(v, found, count, x, y)
   return n
 end
 
---- Everybody around a point. Left and top edges belong to an object, right and bottom ones do not.
+--- Returns the objects around a point. Left and top edges belong to an object, right and bottom
+--- ones do not.
 function query.point(world, x, y, filter, out)
   local v = view.of(world)
   local found = view.take(v)
@@ -164,8 +167,8 @@ function query.point(world, x, y, filter, out)
   return publish(v, found, n, filter, out)
 end
 
--- Keeps of `found` who overlaps a rectangle by more than `depth`, but for slot `but`; returns how
--- many.
+-- Keeps in `found` the objects that overlap a rectangle by more than `depth`, except slot `but`;
+-- returns how many.
 local function keepOverlapping(v, found, count, x, y, w, h, depth, but)
   local position, size, active, n = v.position, v.size, v.active, 0
   for m = 1, count do
@@ -181,10 +184,10 @@ local function keepOverlapping(v, found, count, x, y, w, h, depth, but)
   return n
 end
 
--- Everybody but slot `but` in a rectangle, in order.
+-- Returns the objects in a rectangle except slot `but`, in the order of the world.
 local function inRectangle(v, world, x, y, w, h, but, filter, out)
   local found = view.take(v)
-  -- Flush is flush to a millionth of a pixel, on either side.
+  -- Flush means within a millionth of a pixel, on either side.
   local depth = world.sideBySide and -EPSILON or EPSILON
   local left, top, right, bottom = x - EPSILON, y - EPSILON, x + w + EPSILON, y + h + EPSILON
   local n = view.near(v, world, left, top, right, bottom, found)
@@ -193,12 +196,12 @@ local function inRectangle(v, world, x, y, w, h, but, filter, out)
   return publish(v, found, n, filter, out)
 end
 
---- Everybody who overlaps a rectangle.
+--- Returns the objects that overlap a rectangle.
 function query.rectangle(world, x, y, w, h, filter, out)
   return inRectangle(view.of(world), world, x, y, w, h, 0, filter, out)
 end
 
---- Everybody who overlaps an object; nil: it is not in the world.
+--- Returns the objects that overlap an object; nil: it is not in the world.
 function query.overlapping(world, object, filter, out)
   local v = view.of(world)
   local i = view.find(v, world, object)
@@ -213,15 +216,16 @@ end
 
 -- Lines -------------------------------------------------------------------------------------------
 
--- Where a line is told to begin on an axis, and how far it goes. A line along an edge belongs to
--- the box below it or to its right, so that it slips through no seam; to a millionth of a pixel.
+-- Returns where a line begins on an axis, and its length there. A line along an edge belongs to the
+-- box below it or to its right, so that it slips through no seam. The shift is a millionth of a
+-- pixel.
 local function begins(p, d)
   return d == 0 and p + EPSILON or p, d == 0 and TINY or d
 end
 
--- Where a line from (x, y) by (dx, dy), as `begins` tells it, enters a box and leaves it. Divides,
--- since what it says is told to the game; `aabb.passage` is rounded twice. No branches, so that it
--- is one piece of code for all.
+-- Returns where a line from (x, y) by (dx, dy), shifted by `begins`, enters and leaves a box. It
+-- divides, since the result goes to the game; `aabb.passage` is rounded twice. The code has no
+-- branches, so that one trace serves all lines.
 local function passage(v, i, x, y, dx, dy)
   local position, size, k = v.position, v.size, 2 * i
   local left, top = position[k] - x, position[k + 1] - y
@@ -230,8 +234,8 @@ local function passage(v, i, x, y, dx, dy)
   return max(min(a, b), min(c, d)), min(max(a, b), max(c, d))
 end
 
--- A line that is asked about is a list to work with, too: of whom it hits. `filter` is what it is
--- asked with, or false if that is a function, which is asked later.
+-- Returns a line: a working list for the objects that it hits, with its data. `filter` is the
+-- query's filter, or false if that is a function, which is called later.
 local function takeLine(v, x1, y1, x2, y2, filter)
   local line = view.take(v)
   line.view, line.from, line.to = v, -1, 1
@@ -241,8 +245,8 @@ local function takeLine(v, x1, y1, x2, y2, filter)
   return line
 end
 
--- The share of the line at which it hits slot i, after `from` and up to `to`; NEVER: not at all.
--- Who is hit at the very beginning is hit after any `from` < 0.
+-- Returns the fraction of the line at which it hits slot i, after `from` and up to `to`; NEVER: it
+-- does not. An object at the very beginning is hit at 0, which is after any `from` < 0.
 local function hitAt(line, v, i)
   local enters, leaves = passage(v, i, line.x, line.y, line.dx, line.dy)
   local start = max(enters, 0)
@@ -258,7 +262,8 @@ local function hitAt(line, v, i)
   return NEVER
 end
 
--- Notes the first who is hit; of several at the same place, the first in order.
+-- Notes the first object that is hit; of several at the same place, the first in the order of the
+-- world.
 local function visitFirst(line, i, bound)
   local v, best = line.view, line.best
   if not view.see(v, i) then
@@ -273,7 +278,7 @@ local function visitFirst(line, i, bound)
   return bound
 end
 
--- Lists everybody who is hit, with its `entry`.
+-- Lists every object that is hit, with its `entry`.
 local function visitAll(line, i, bound)
   local v = line.view
   if not view.see(v, i) then
@@ -288,7 +293,7 @@ local function visitAll(line, i, bound)
   return bound
 end
 
---- Everybody on a line, nearest first.
+--- Returns the objects on a line, nearest first.
 function query.segment(world, x1, y1, x2, y2, filter, out)
   local v = view.of(world)
   local line = takeLine(v, x1, y1, x2, y2, filter)
@@ -297,7 +302,7 @@ function query.segment(world, x1, y1, x2, y2, filter, out)
   return publish(v, line, line.count, filter, out)
 end
 
--- Whether somebody fills the quarter beside a point towards (sx, sy).
+-- Returns whether an object fills the quarter beside a point towards (sx, sy).
 local function isFilled(v, found, count, x, y, sx, sy)
   local position, size = v.position, v.size
   for n = 1, count do
@@ -316,8 +321,8 @@ local function isFilled(v, found, count, x, y, sx, sy)
   return false
 end
 
--- The axis whose face is hit by a line that meets a corner: the one that no neighbour covers, else
--- along gravity.
+-- Returns the axis of the face that is hit by a line through a corner: the one that no neighbour
+-- covers, else the axis of gravity.
 --
 --        .     +---+    The line meets two tiles of a wall where they join: the top edge of the
 --          .   |   |    lower one is covered by the upper one, so it hits the wall.
@@ -338,7 +343,8 @@ local function cornerAxis(v, world, x, y, dx, dy, filter)
   return coversX and 1 or 0
 end
 
--- Where a line enters a box on the axis of k, as in `passage`; -1 if it does not go along it.
+-- Returns where a line enters a box on the axis of k, as in `passage`; -1 if it does not move on
+-- it.
 local function enterOn(v, k, p, d)
   if d == 0 then
     return -1
@@ -347,8 +353,8 @@ local function enterOn(v, k, p, d)
   return min(low / d, high / d)
 end
 
--- What a ray is told about the object it hits. Without branches for the sides: each would lead to a
--- piece of code of its own for all that the game does with the answer.
+-- Returns what a ray reports about the object that it hits. There are no branches for the sides:
+-- each would lead to a trace of its own for all that the game does with the answer.
 local function describeHit(v, world, i, x1, y1, dx, dy, filter)
   local inX, inY = enterOn(v, 2 * i, x1, dx), enterOn(v, 2 * i + 1, y1, dy)
   local at = max(inX, inY)
@@ -361,7 +367,7 @@ local function describeHit(v, world, i, x1, y1, dx, dy, filter)
   if max(inX - inY, inY - inX) <= TIE then
     axis = cornerAxis(v, world, x, y, dx, dy, filter)
   end
-  -- (Twice, since a line may be as short as a number can be.)
+  -- (Multiplied twice, since a line may be as short as a number can be.)
   local back = (dx * (axis - 1) - dy * axis) * VAST * VAST
   local other, isBack = 1 - axis, max(min(back, 1), 0) ---@type number, number
   local k = 2 * i + axis
@@ -370,8 +376,8 @@ local function describeHit(v, world, i, x1, y1, dx, dy, filter)
   return v.object[i], x, y, normal * other + 0, normal * axis + 0, at
 end
 
--- The first on a line whom a filter that is a function accepts. The line is looked at in pieces, so
--- that a hit nearby costs little, however long the line is.
+-- Returns the first object on a line that a filter function accepts. The line is searched in
+-- pieces, so that a hit nearby costs little, however long the line is.
 local function firstAccepted(v, world, x1, y1, x2, y2, line, filter)
   local dx, dy = x2 - x1, y2 - y1
   local length = max(dx, -dx, dy, -dy)
@@ -389,7 +395,7 @@ local function firstAccepted(v, world, x1, y1, x2, y2, line, filter)
   return hit
 end
 
---- The first on a line: object, x, y, nx, ny, fraction.
+--- Returns the first hit on a line: object, x, y, nx, ny, fraction.
 function query.raycast(world, x1, y1, x2, y2, filter)
   local v = view.of(world)
   local line = takeLine(v, x1, y1, x2, y2, filter)
@@ -408,7 +414,7 @@ end
 
 -- Near --------------------------------------------------------------------------------------------
 
--- The square of the distance of a point from an object.
+-- Returns the square of the distance of a point from an object.
 local function distanceTo(v, i, x, y)
   local position, size, k = v.position, v.size, 2 * i
   local left, top = position[k], position[k + 1]
@@ -417,8 +423,8 @@ local function distanceTo(v, i, x, y)
   return dx * dx + dy * dy
 end
 
--- Keeps of `found` who is further from a point than `last`, and not further than `most` (squares),
--- with that as its `entry`; returns how many.
+-- Keeps in `found` the objects further from a point than `last`, but not further than `most`
+-- (squares), with their distance as `entry`; returns how many.
 local function keepWithin(v, found, count, x, y, last, most)
   local entry, active, n = v.entry, v.active, 0
   for m = 1, count do
@@ -432,8 +438,8 @@ local function keepWithin(v, found, count, x, y, last, most)
   return n
 end
 
---- The nearest object and its distance. A growing square is looked at, so that one nearby costs
---- little, however large the radius is.
+--- Returns the nearest object and its distance. A growing square is searched, so that an object
+--- nearby costs little, however large the radius is.
 function query.nearest(world, x, y, radius, filter)
   local v = view.of(world)
   local found = view.take(v)
@@ -453,7 +459,7 @@ end
 
 -- In the way --------------------------------------------------------------------------------------
 
--- Keeps of `found` who stops an object on its way; writes when into `entry`.
+-- Keeps in `found` the objects that stop an object on its way; writes their order into `entry`.
 local function keepStopping(v, found, count, i, toX, toY)
   local entry, n = v.entry, 0
   for m = 1, count do
@@ -479,8 +485,8 @@ local function describeStop(v, i, j, toX, toY)
   return v.object[j], x, y, axis == 0 and normal or 0, axis == 1 and normal or 0, share
 end
 
---- What would stop an object on its way by (dx, dy): object, x, y, nx, ny, fraction. The second
---- value is whether the object is in the world at all.
+--- Returns what would stop an object on its way by (dx, dy): object, x, y, nx, ny, fraction. If the
+--- object is not in the world, it returns nil, false.
 function query.sweep(world, object, dx, dy, filter)
   local v = view.of(world)
   local i = view.find(v, world, object)
@@ -504,7 +510,7 @@ end
 
 interpreted.functions(
   accepts,
-  shorten, -- mostly by one or two: unrolled, it is followed by all that comes, each time
+  shorten, -- mostly by one or two entries: unrolled, all that follows is compiled each time
   writeAccepted,
   pick,
   query.segment,

@@ -1,8 +1,9 @@
---- When (the time of impact) and on which side one box on its way meets another that stands still.
---- Scalars only.
+--- Swept AABB: computes the time of impact and the side at which a moving box meets one that stands
+--- still. Scalars only.
 --
--- The rules are those of a step (see approach): the side is the axis on which the two were apart
--- last, whoever slides past flush meets nobody, and the place at the hit is flush to the bit.
+-- The rules are those of a step (see solver/sweep.lua). The side is on the axis on which the two
+-- were apart last. A box that slides past flush meets nothing. The place at the hit is flush to the
+-- bit.
 --
 -- Source: slab method on the Minkowski difference of the two boxes.
 
@@ -15,13 +16,14 @@ local sweep = {}
 
 local EPSILON = columns.EPSILON
 local min = math.min
--- Two axes that close within this part of the way close together.
+-- Two axes that close within this fraction of the way close together.
 local TIE = 1e-9
 
---- Kinds of meeting, in the order in which simultaneous ones count.
+--- Kinds of impact, in the order in which simultaneous ones count.
 sweep.FACE, sweep.CORNER = 0, 1
 
--- Gap between two intervals, negative: overlap; and whether the first is the low one.
+-- Returns the gap between two intervals, negative: overlap; and whether the first one is the low
+-- one.
 local function gapOf(at, size, other, otherSize)
   local r = other - at
   local after, before = r - size, -r - otherSize
@@ -31,7 +33,7 @@ local function gapOf(at, size, other, otherSize)
   return before, false
 end
 
--- Gap on the side of the first gap, at another place.
+-- Returns the gap on the same side as the first gap, at another place.
 local function gapAgain(at, size, other, otherSize, isLow)
   if isLow then
     return other - at - size
@@ -39,8 +41,9 @@ local function gapAgain(at, size, other, otherSize, isLow)
   return at - other - otherSize
 end
 
--- By how much the two overlap at the end of the way. Both ways to round are asked, so that a box
--- that was put flush against the other, from either side, does not overlap it.
+-- Returns by how much the two overlap at the end of the way. It rounds in both ways and takes the
+-- smaller result, so that a box that was put flush against the other, from either side, does not
+-- overlap it.
 local function endOverlap(to, size, other, otherSize, isLow)
   if isLow then
     return min(to + size - other, to - (other - size))
@@ -48,7 +51,8 @@ local function endOverlap(to, size, other, otherSize, isLow)
   return min(other + otherSize - to, other - (to - otherSize))
 end
 
--- Meets on this axis, overlapping on the other (b): returns the share of the way, or nil.
+-- Returns the fraction of the way at which the two meet on this axis, overlapping on the other (b);
+-- nil: never.
 local function meetFace(at, size, to, other, otherSize, atB, sizeB, toB, otherB, otherSizeB)
   local gap, isLow = gapOf(at, size, other, otherSize)
   local closes = isLow and to > at or not isLow and to < at
@@ -64,8 +68,8 @@ local function meetFace(at, size, to, other, otherSize, atB, sizeB, toB, otherB,
   return share, isLow
 end
 
--- The part of the way on which two slightly shrunk boxes overlap on an axis on which they are still
--- apart.
+-- Returns the part of the way on which two slightly shrunk boxes overlap on an axis on which they
+-- are still apart.
 local function span(at, size, to, other, otherSize)
   local gap, isLow = gapOf(at, size, other, otherSize)
   local gapEnd = gapAgain(to, size, other, otherSize, isLow) + 2 * EPSILON
@@ -87,8 +91,8 @@ local function shareOn(at, size, to, other, otherSize)
 end
 
 --- Returns when a box on its way from (x, y) to (toX, toY) meets another one that it does not
---- overlap yet: the share of the way, the axis (0: x, 1: y), whether the moving box is the one with
---- the smaller coordinate, and the kind of meeting; nil: never.
+--- overlap yet. The values are the fraction of the way, the axis (0: x, 1: y), whether the moving
+--- box has the smaller coordinate, and the kind of impact. nil: never.
 ---@param downAxis integer 0 or 1: the axis that counts if both close together
 function sweep.meet(x, y, w, h, toX, toY, ox, oy, ow, oh, downAxis)
   local share, isLow
@@ -117,7 +121,7 @@ function sweep.meet(x, y, w, h, toX, toY, ox, oy, ow, oh, downAxis)
   return share, axis, isLow, sweep.CORNER
 end
 
---- Returns where the moving box is at a meeting: flush on its axis.
+--- Returns where the moving box is at an impact: flush on its axis.
 function sweep.place(x, y, w, h, toX, toY, ox, oy, ow, oh, share, axis, isLow)
   if axis == 0 then
     return isLow and ox - w or ox + ow, y + (toY - y) * share

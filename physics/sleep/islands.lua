@@ -1,12 +1,17 @@
---- The rest cache: who sleeps is not computed.
+--- Islands: computes from the last step which bodies may sleep. A sleeping body is not computed.
 --
--- Objects whose fat boxes meet, directly or through others, form an island. An island in which the
--- last step changed no bit and nobody has any speed would repeat that step for ever: its movers
--- fall asleep together, and stand as obstacles that do not move. Whatever could make a difference
--- wakes the whole island before it can be noticed: a field that the game wrote, a new or lost
--- neighbour, a moving kinematic object, a path that comes near. So this changes no result.
+-- Objects with fat boxes that meet, directly or through others, form an island. If the last step
+-- changed no bit in an island and nothing in it has any speed, the next step would be the same. So
+-- its movers fall asleep together, and are obstacles that do not move. Whatever could make a
+-- difference wakes the whole island before it could have an effect:
 --
--- A kinematic object sleeps alone: as long as it stands, it is nothing but a wall.
+-- - a field that the game wrote;
+-- - a new or lost neighbour;
+-- - a moving kinematic object;
+-- - a path that comes near.
+--
+-- So sleeping changes no result. A kinematic object sleeps alone: as long as it stands, it is only
+-- a wall.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -16,8 +21,9 @@ local rest = {}
 local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
 local max, min = math.max, math.min
 
---- s; in a shorter step nobody comes to rest, as what happens may only be too little to show, and
---- nobody who rests is skipped: what a long step takes back may be too little to be taken back.
+--- The shortest step in which bodies fall asleep, s: what happens in a shorter one may be too
+--- little to show. In a shorter step no sleeping body is skipped either: what a long step takes
+--- back may be too little in a short one.
 rest.SHORTEST = 1 / 2000
 
 local function rouse(b, i)
@@ -34,8 +40,8 @@ local function rouse(b, i)
   end
 end
 
--- Wakes the sleeping dynamic neighbours of everybody in awakeList from place `from` on: the list
--- itself is the queue of the flood.
+-- Wakes the sleeping dynamic neighbours of all bodies in awakeList from place `from` on. The list
+-- itself is the queue of this flood fill.
 local function flood(b, from)
   local list, kind, awake = b.awakeList, b.kind, b.awake
   local head, other, nextHalf = b.head, b.other, b.next
@@ -75,14 +81,14 @@ function rest.wakeNeighbours(b, i)
   end
 end
 
---- Wakes everybody: a setting has changed.
+--- Wakes all bodies, for example because a setting has changed.
 function rest.wakeAll(b)
   for n = 1, b.moverCount do
     rest.wake(b, b.movers[n])
   end
 end
 
---- Takes an object out of the list of who is awake.
+--- Takes an object out of the list of awake bodies.
 function rest.drop(b, i)
   b.flying[i] = false
   if b.awake[i] then
@@ -95,36 +101,36 @@ function rest.drop(b, i)
   end
 end
 
--- Sends an object to sleep, where it is in the way of others until it wakes.
+-- Puts an object to sleep. It is an obstacle for others until it wakes.
 local function sleep(b, i)
   columns.stand(b, i)
   rest.drop(b, i)
 end
 
--- Whether a speed limit takes off some of what pulls k in a step of `longest` s.
+-- Returns whether a speed limit takes off some of the pull on k in a step of `longest` s.
 local function isCapped(b, k, limit, longest)
   local pull = b.pull[k] + b.push[k]
   return max(pull, -pull) * longest > min(limit, b.limit[k])
 end
 
--- Whether something pulls k, and nothing but friction holds it there.
+-- Returns whether k is pulled, and only friction holds it there.
 local function isRubbed(b, k)
   local pull = b.pull[k] + b.push[k]
   return pull > 0 and not b.pressedHigh[k] or pull < 0 and not b.pressedLow[k]
 end
 
--- Whether something pulls k at one whom nothing but friction holds. (Whoever is woken in the middle
--- of a step may be pushed before it has rubbed; this must have rubbed first.)
+-- Returns whether k is pulled towards a body that only friction holds. (A body that is woken in the
+-- middle of a step may be pushed before it has rubbed; this one must have rubbed first.)
 local function leansOnRubbed(b, k)
   local pull = b.pull[k] + b.push[k]
   return pull > 0 and b.pressedHigh[k] and b.heldHigh[k] == 0
     or pull < 0 and b.pressedLow[k] and b.heldLow[k] == 0
 end
 
--- Gathers the island of an awake dynamic object behind `b.island`; returns its size and whether
--- all of it may sleep: whether nobody would do anything in the next step, however long that is.
--- Where a speed limit takes off some of the pull, or of what presses, friction may bear the rest in
--- a long step, and not in a short one, or the other way round.
+-- Lists the island of an awake dynamic object in `b.island`. Returns its size, and whether all of
+-- it may sleep: whether none of it would do anything in the next step, however long that is. A
+-- speed limit may take off some of the pull, or of what presses. Then friction may bear the rest in
+-- a long step and not in a short one, or the other way round.
 local function gather(b, i, stamp)
   local island, kind, awake, quiet, visited = b.island, b.kind, b.awake, b.quiet, b.visited
   local head, other, nextHalf, maxSpeed = b.head, b.other, b.next, b.maxSpeed
@@ -160,7 +166,7 @@ local function gather(b, i, stamp)
   return count, calm and not (capped and rubbed)
 end
 
---- Puts to sleep every island that is calm after a step of dt s.
+--- Puts every island to sleep that is calm after a step of dt s.
 function rest.settle(b, dt)
   if dt < rest.SHORTEST then
     return
@@ -169,7 +175,7 @@ function rest.settle(b, dt)
   local stamp, list, kind, quiet, visited = b.stamp, b.awakeList, b.kind, b.quiet, b.visited
   for n = b.awakeCount, 1, -1 do
     local i = list[n]
-    -- Sleepers are dropped from the list, which may bring others to this place.
+    -- Sleeping bodies are dropped from the list, which may bring others to this place.
     if i and n <= b.awakeCount and quiet[i] and visited[i] ~= stamp then
       if kind[i] ~= DYNAMIC then
         sleep(b, i)

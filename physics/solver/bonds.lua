@@ -1,10 +1,11 @@
---- Bonds: friction between two bodies that both give way.
+--- Bonds: computes which bodies friction holds together, and how the others slip, if both bodies of
+-- a contact give way.
 --
--- A bond holds two bodies together as one block (see pool) while friction can do what that asks
--- for. Otherwise it slips: both are pulled with the limit of friction, all of the step, or until
--- they are as fast as each other and go on as one. Bonds are listed from the supports up. Which of
--- them hold is tried out: `check` looks at the blocks that came out, and tells which break and
--- which have slipped to their end.
+-- A bond holds two bodies together as one block (see pool.lua) while friction can give the impulse
+-- that this takes. Otherwise it slips: friction pulls both with its limit for the whole step, or
+-- until they are equally fast and go on as one. Bonds are listed from the supports up. Which of
+-- them hold is found by trial. `check` looks at the blocks that came out, and finds the bonds that
+-- break and those that have slipped to their end.
 --
 -- Reads onset, base, grip and the paths on the rubbed axis; writes tug, lead, onset, and blocks.
 
@@ -16,32 +17,36 @@ local pool = require(root .. ".solver.pool")
 local bonds = {}
 
 local max = math.max
--- Both go as one; it slips, and friction does all it can; it has, and both go as one from then on.
+-- States of a bond:
+--
+-- - BOND: both move as one.
+-- - SLIP: the two slip, and friction pulls with its limit.
+-- - STUCK: they have slipped, and move as one from then on.
 local BOND, SLIP, STUCK = 1, 2, 3
 
 --- Returns an empty list of bonds.
 function bonds.new()
   return {
     count = 0,
-    hasSlips = false, -- some slip as the step begins
-    up = {}, -- index of the body that leans,
-    low = {}, -- and of what it leans on
-    limit = {}, -- impulse that friction can give in the step
+    hasSlips = false, -- some bonds slip when the step begins
+    up = {}, -- index of the body that leans
+    low = {}, -- index of the body that it leans on
+    limit = {}, -- maximum impulse of friction in the step
     state = {},
-    tug = {}, -- impulse on the upper one, while it slips
-    isGlued = {}, -- both are one block
-    slipped = {}, -- px that the upper one has gone further until then
-    onset = {}, -- its velocity before it stuck to what stands
-    next = {}, -- the next one on the same lower body
+    tug = {}, -- impulse on the upper body while it slips
+    isGlued = {}, -- the two are in one block
+    slipped = {}, -- px that the upper body slips before it sticks
+    onset = {}, -- velocity of the upper body at the start, before it stuck
+    next = {}, -- next bond on the same lower body
   }
 end
 
---- Returns whether bond n holds, or has done so before an impact.
+--- Returns whether bond n holds, or held until an impact.
 function bonds.holds(list, n)
   return list.state[n] ~= SLIP
 end
 
--- A bond slips, with an impulse of `tug` on the upper one.
+-- Lets bond n pull the upper body with an impulse of `tug`, and the lower body back.
 local function pull(b, list, n, tug)
   local up, low, change = list.up[n], list.low[n], tug - list.tug[n]
   b.tug[up], b.tug[low], list.tug[n] = b.tug[up] + change, b.tug[low] - change, tug
@@ -49,7 +54,7 @@ local function pull(b, list, n, tug)
   flow.notePulled(b, low)
 end
 
---- Body `up` rubs on `low`, which can be moved, with an impulse of at most `limit`.
+--- Adds a bond: body `up` rubs on `low`, which can be moved, with an impulse of at most `limit`.
 function bonds.add(b, list, up, low, limit)
   local n = list.count + 1
   list.count = n
@@ -61,7 +66,8 @@ function bonds.add(b, list, up, low, limit)
   b.bondUnder[up], list.next[n], b.bondOn[low] = n, b.bondOn[low], n
 end
 
--- Body k begins with another velocity, and further on. What has not slipped on it does so, too.
+-- Lets body k begin the step with velocity `onset` and `way` px further on, and what is bonded to
+-- it as well.
 local function lead(b, list, k, way, onset)
   b.lead[k], b.onset[k] = way, onset
   flow.notePulled(b, k)
@@ -74,8 +80,9 @@ local function lead(b, list, k, way, onset)
   end
 end
 
--- Bond n has slipped `way` px until both are as fast, and they go on as one. If the lower one is
--- not moved by that (`stands`), the upper one takes its speed; else both share their momentum.
+-- Ends the slip of bond n: after `way` px both bodies are equally fast and go on as one. If the
+-- lower body is not moved by that (`stands`), the upper one takes its speed. Else both share their
+-- momentum.
 local function stick(b, list, n, way, stands)
   local up, low = list.up[n], list.low[n]
   list.state[n], list.isGlued[n] = STUCK, true
@@ -87,7 +94,7 @@ local function stick(b, list, n, way, stands)
   end
 end
 
--- Friction cannot do what bond n asks for.
+-- Breaks bond n, which takes more than friction can give. `tug` is the impulse on the upper body.
 local function tear(b, list, n, tug)
   if list.state[n] == STUCK then
     lead(b, list, list.up[n], 0.0, list.onset[n])
@@ -97,7 +104,8 @@ local function tear(b, list, n, tug)
   pull(b, list, n, tug)
 end
 
--- Whether body k stands on the ground, or on what does, when something on it pulls it with `limit`.
+-- Returns whether ground holds body k, directly or through bonds, when something on it pulls it
+-- with an impulse of `limit`.
 local function standsFast(b, list, k, limit, dt)
   local n = b.bondUnder[k]
   while n ~= 0 do
@@ -111,8 +119,8 @@ local function standsFast(b, list, k, limit, dt)
   return b.grip[k] * dt >= limit and b.outset[k] == b.base[k]
 end
 
--- Decides how bond n begins, of which the upper body slips on the lower one, and drives `burden`
--- kg.
+-- Decides how bond n begins if its upper body slips on the lower one and carries a total of
+-- `burden` kg.
 local function slide(b, list, n, burden, dt)
   local up, low, limit = list.up[n], list.low[n], list.limit[n]
   local slip, stands = b.outset[up] - b.outset[low], standsFast(b, list, low, limit, dt)
@@ -130,7 +138,8 @@ local function slide(b, list, n, burden, dt)
   end
 end
 
---- Decides of all that slip, from the top down, what becomes of them if contacts leave it alone.
+--- Decides for all slipping bonds, from the top down, how they go on if other contacts do not
+--- interfere.
 function bonds.begin(b, list, dt)
   local burden, give = b.burden, b.give
   for n = 1, list.count do
@@ -148,8 +157,8 @@ function bonds.begin(b, list, dt)
   end
 end
 
--- Marks what is bonded, directly or through others, to a body that would not go along by itself.
--- Returns whether there is any.
+-- Marks the bodies that are bonded, directly or through others, to a body that would not move along
+-- by itself. Returns whether there are any.
 local function markTowers(b, list)
   local mark, stamp, any = b.bondMark, b.forceStamp, false
   for n = 1, list.count do
@@ -175,7 +184,7 @@ local function markTowers(b, list)
   return any
 end
 
--- Makes blocks of the bonds that are marked.
+-- Makes blocks of the marked bonds.
 local function glueMarked(b, list, dt)
   local mark, stamp = b.bondMark, b.forceStamp
   for n = 1, list.count do
@@ -187,7 +196,7 @@ local function glueMarked(b, list, dt)
   end
 end
 
---- Makes blocks of the bonds that are needed. Returns whether there are any.
+--- Makes blocks of the bonds that would not hold otherwise. Returns whether there are any.
 function bonds.glue(b, list, dt)
   local isAny = markTowers(b, list)
   if isAny then
@@ -196,7 +205,8 @@ function bonds.glue(b, list, dt)
   return isAny
 end
 
--- Which bodies of an axis are pressed by others: what a bond has to do there is not known.
+-- Finds which bodies are pressed by others on the axis: the impulse that their bonds must give is
+-- not known.
 local function findPressed(b, contacts, awakeCount)
   local awake, isPressed, axis = b.awakeList, b.isPressed, contacts.axis
   for n = 1, awakeCount do
@@ -209,7 +219,7 @@ local function findPressed(b, contacts, awakeCount)
   end
 end
 
--- Looks from the top down what becomes of the bonds (see bonds.check).
+-- Updates the states of all bonds (see bonds.check).
 local function checkAll(b, list, dt, mayTear)
   local need, isPressed, hasChanged = b.load, b.isPressed, false
   local speed, outset = b.speed, b.outset
@@ -221,7 +231,7 @@ local function checkAll(b, list, dt, mayTear)
     local up, low, limit, state = list.up[n], list.low[n], list.limit[n], list.state[n]
     if state == SLIP then
       local slip, last = outset[up] - outset[low], speed[up] - speed[low]
-      if last * list.tug[n] > 0 then -- friction would have turned the slip round
+      if last * list.tug[n] > 0 then -- friction would have reversed the slip
         local way = slip * last < 0 and slip * slip / (slip - last) * 0.5 * dt or 0.0
         pull(b, list, n, 0.0)
         stick(b, list, n, way, speed[low] == outset[low])
@@ -244,15 +254,19 @@ local function checkAll(b, list, dt, mayTear)
   return hasChanged
 end
 
---- Looks from the top down whether friction can do what the bonds ask for, which are asked that
---- were not, and which have slipped to their end. `mayTear`: bonds may break. Returns whether
---- something has changed.
+--- Updates the states of all bonds, from the top down:
+---
+--- - bonds break that take more than friction can give, if `mayTear`;
+--- - bodies become one block that had not moved as one;
+--- - slips end that have come to their end.
+---
+--- Returns whether something has changed.
 function bonds.check(b, contacts, list, dt, mayTear)
   findPressed(b, contacts, b.awakeCount)
   return checkAll(b, list, dt, mayTear)
 end
 
--- Few slip, and each goes another way; the others lead from loop to loop.
+-- Bonds seldom slip, and each in its own way. The others call one loop after the other. (jit: 4)
 interpreted.functions(tear, standsFast, slide, bonds.glue, bonds.check)
 
 return bonds

@@ -1,9 +1,10 @@
---- Contacts: pairs that touch where the step begins, as one sorted list for each axis.
+--- Contacts: computes from the places at the start of the step which pairs touch, as one sorted
+-- list for each axis.
 --
 -- A contact has one axis. `low` is the body with the smaller coordinate on it, `high` the other
--- one. Which axis that is follows from where the two were apart. The list is sorted by the
--- coordinate of `high`, so that one walk goes from each body to those behind it. It does not depend
--- on the order in which pairs were found.
+-- one. The axis is the one on which the two are apart. The list is sorted by the coordinate of
+-- `high`, so that one walk goes from each body to those behind it. The order does not depend on
+-- the order in which pairs were found.
 --
 -- Reads from, size, restitution; writes the lists `b.contacts[axis]`, touches, and `b.apart`.
 
@@ -15,18 +16,23 @@ local rules = require(root .. ".solver.rules")
 local contacts = {}
 
 local EPSILON, DYNAMIC = columns.EPSILON, columns.DYNAMIC
---- Share of the smaller one's size by which two that overlap go apart in a step.
+--- Share of the smaller size by which two overlapping dynamic bodies separate in a step.
 contacts.PACE = 0.25
 local PACE = contacts.PACE
--- The same of two that had no room lately, px, and for how many steps they go on trying.
+-- px by which such bodies separate in a step if they had no room in the last one. It shrinks with
+-- every step without room, for PATIENCE steps.
 local CREEP = 0.5
 contacts.PATIENCE = 60
--- After so many of them they try the other axis.
+-- Number of steps without room after which they try the other axis.
 contacts.TURN = 30
 local max, min = math.max, math.min
 
---- Values of `touches`: the pair is swept; it is a contact; it is one that may bounce, and is
---- swept, too; both are in a crowd, it does nothing.
+--- Values of `touches`:
+---
+--- - APART: the pair is swept.
+--- - CONTACT: it is a contact.
+--- - ELASTIC: it is a contact that may bounce, and it is swept, too.
+--- - GHOST: both bodies are in a crowd; the pair does nothing.
 contacts.APART, contacts.CONTACT, contacts.ELASTIC, contacts.GHOST = 0, 1, 2, 3
 local APART, CONTACT = contacts.APART, contacts.CONTACT
 local ELASTIC, GHOST = contacts.ELASTIC, contacts.GHOST
@@ -35,24 +41,24 @@ local ELASTIC, GHOST = contacts.ELASTIC, contacts.GHOST
 function contacts.newList(axis)
   return {
     axis = axis,
-    isNew = false, -- contacts were added since it was sorted
+    isNew = false, -- contacts were added since it was sorted, or have changed
     count = 0,
     order = {}, -- pairs, sorted
-    recalled = 0, -- how many of them were there in the last step
-    pair = {}, -- by contact: its pair,
-    low = {}, -- index of the low body on the axis,
-    high = {}, -- index of the high one,
-    separation = {}, -- px from one to the other at least,
-    elastic = {}, -- 1: it may bounce
-    bearing = {}, -- which of the two leans on the other (see friction)
-    width = {}, -- px of their common edge
-    load = {}, -- impulse of the one on the other in this step
-    weight = {}, -- of that, what is no impact
+    recalled = 0, -- number of those that stood in `order` when it was last sorted
+    pair = {}, -- by contact: its pair
+    low = {}, -- index of the low body on the axis
+    high = {}, -- index of the high body
+    separation = {}, -- minimum px from the low edge of `low` to that of `high`
+    elastic = {}, -- 1: the contact may bounce
+    bearing = {}, -- which body leans on the other (see friction.lua)
+    width = {}, -- px of the common edge
+    load = {}, -- normal impulse in this step, impacts included
+    weight = {}, -- the part of the load that is no impact
   }
 end
 
 -- Splits the live pairs: those within reach at the start go to `b.closePairs`, the others to
--- `b.apart`. Returns how many are close.
+-- `b.apart`. Returns the number of close pairs.
 local function listClose(b)
   local live, close, apart, touches = b.live, b.closePairs, b.apart, b.touches
   local pairA, pairB, from, size = b.pairA, b.pairB, b.from, b.size
@@ -75,13 +81,14 @@ local function listClose(b)
   return closeCount
 end
 
--- Leaves the pair to the sweep.
+-- Adds the pair to those that are swept.
 local function leaveApart(b, p)
   b.apartCount = b.apartCount + 1
   b.apart[b.apartCount] = p
 end
 
--- Takes pairs with a sensor out of the close ones: they are swept only. Returns how many are left.
+-- Moves pairs with a sensor from the close pairs to those that are only swept. Returns the number
+-- of pairs that are left.
 local function dropSensors(b, count)
   local close, pairA, pairB, sensor, kept = b.closePairs, b.pairA, b.pairB, b.sensor, 0
   for n = 1, count do
@@ -96,7 +103,7 @@ local function dropSensors(b, count)
   return kept
 end
 
--- Takes the pairs out of a list of which both are in a crowd. Returns how many are left.
+-- Removes from a list the pairs with both bodies in a crowd. Returns the number that is left.
 local function dropGhosts(b, list, count)
   local pairA, pairB, crowd, kept = b.pairA, b.pairB, b.crowd, 0
   for n = 1, count do
@@ -111,7 +118,7 @@ local function dropGhosts(b, list, count)
   return kept
 end
 
--- Makes a contact of a pair; its lists are sorted later.
+-- Makes a contact of a pair. The list of its axis is sorted later.
 local function put(b, p, axis, kl, kh, separation)
   local list = b.contacts[axis]
   local n = list.count + 1
@@ -122,8 +129,9 @@ local function put(b, p, axis, kl, kh, separation)
   b.contactKey[p] = b.from[kh]
 end
 
--- The axis on which two that are inside each other go apart, and whether the second of the pair is
--- the low one: that on which they came there, else the shallower one.
+-- Returns the axis on which two overlapping bodies separate, and whether the second of the pair is
+-- the low one. The axis is that along which they came into each other (`wedged`), else the one with
+-- the smaller overlap.
 local function deepAxis(b, p, ki, kj)
   if b.wedged[p] ~= 0 then
     return columns.AXIS[b.wedged[p]], b.wedged[p] % 2 == 1
@@ -136,8 +144,8 @@ local function deepAxis(b, p, ki, kj)
   return axis, middle < 0 or (middle == 0 and b.rank[kj * 0.5] < b.rank[ki * 0.5])
 end
 
--- How much further apart two dynamic bodies must be at the end of the step than at its start. Less
--- and less while there is no room.
+-- Returns how much further apart two overlapping dynamic bodies must be at the end of the step than
+-- at its start, px. It shrinks while there is no room.
 local function growthOf(b, kl, kh)
   local jam = min(b.jam[kl], b.jam[kh])
   if jam == 0 then
@@ -146,7 +154,7 @@ local function growthOf(b, kl, kh)
   return CREEP * (1 - jam / (contacts.PATIENCE + 1))
 end
 
--- Two dynamic bodies that have had no room on one axis for a while try the other one: returns that,
+-- Switches two dynamic bodies to the other axis after TURN steps without room. Returns the axis,
 -- and whether the second of the pair is the low one there.
 local function turn(b, axis, isSecondLow, ki, kj)
   local jam = b.jam
@@ -158,8 +166,8 @@ local function turn(b, axis, isSecondLow, ki, kj)
   return axis, middle < 0 or (middle == 0 and b.rank[kj * 0.5] < b.rank[ki * 0.5])
 end
 
--- Two that are inside each other may not get deeper. What was squeezed (`wedged`) comes out as soon
--- as there is room.
+-- Makes a contact of two overlapping bodies, which must not get deeper. Two that were squeezed into
+-- each other (`wedged`) separate as soon as there is room.
 local function putDeep(b, p)
   local i, j = b.pairA[p], b.pairB[p]
   if b.oneWay[i] or b.oneWay[j] then
@@ -177,7 +185,7 @@ local function putDeep(b, p)
   end
   local separation = b.size[kl]
   if areDynamic then
-    -- (The step may still be given up.)
+    -- These are valid for this solve only, since the step may be started again.
     b.deepIn[p], b.deepWay[p] = b.solveStamp, isSecondLow and 2 * axis + 1 or 2 * axis + 2
     b.deepAt[i], b.deepAt[j] = b.solveStamp, b.solveStamp
     separation = min(separation, from[kh] - from[kl] + growthOf(b, kl, kh))
@@ -189,7 +197,7 @@ local function putDeep(b, p)
   end
 end
 
--- Decides of each close pair on which axis it touches.
+-- Decides for each close pair on which axis it touches.
 local function classify(b, count)
   local close, pairA, pairB, from, size = b.closePairs, b.pairA, b.pairB, b.from, b.size
   local overlaps, overlapCount = b.overlaps, 0
@@ -225,7 +233,7 @@ local function classify(b, count)
   b.overlapCount = overlapCount
 end
 
--- Whether contact p comes before contact q in a list.
+-- Returns whether contact p comes before contact q in a list.
 local function before(b, p, q)
   local key = b.contactKey
   if key[p] ~= key[q] then
@@ -254,7 +262,7 @@ local function mergeRuns(b, source, target, first, middle, last)
   end
 end
 
--- Sorts list[1..count]: insertion while little is out of place, else bottom-up merging.
+-- Sorts list[1..count]: by insertion while little is out of place, else by bottom-up merging.
 local function sortOrder(b, list, count)
   local patience = 4 * count + 64
   for n = 2, count do
@@ -292,7 +300,8 @@ local function sortOrder(b, list, count)
   end
 end
 
--- The pairs of a list in their order: first as in the last step, then what is new, then sorted.
+-- Puts the pairs of a list in order. It starts from the order of the last step, appends new pairs,
+-- and sorts.
 local function arrange(b, list)
   local order, pair, place, count = list.order, list.pair, b.place, list.count
   for n = 1, count do
@@ -318,7 +327,7 @@ local function arrange(b, list)
   sortOrder(b, order, kept)
 end
 
--- Writes what the passes need of each contact into the list.
+-- Writes the numbers of each contact that the passes over the list need.
 local function fill(b, list)
   local order, pair, low, high = list.order, list.pair, list.low, list.high
   local separation, elastic = list.separation, list.elastic
@@ -331,7 +340,8 @@ local function fill(b, list)
   end
 end
 
--- Drops the contacts of a list that may not act: open sides of one-ways, `canCollide`.
+-- Drops the contacts of a list that must not act: open sides of one-ways, `dropThrough`,
+-- `canCollide`.
 local function dropRefused(b, list)
   local order, kept = list.order, 0
   for n = 1, list.count do
@@ -346,7 +356,7 @@ local function dropRefused(b, list)
   list.count, list.recalled = kept, kept
 end
 
--- Contacts that may bounce are swept, too.
+-- Marks the contacts that may bounce. They are swept, too.
 local function markElastic(b, list)
   local order, restitution, pairA, pairB = list.order, b.restitution, b.pairA, b.pairB
   local wedged, deepIn, stamp = b.wedged, b.deepIn, b.solveStamp
@@ -360,7 +370,7 @@ local function markElastic(b, list)
   end
 end
 
---- Finds what touches at the start of the step.
+--- Finds the contacts at the start of the step.
 function contacts.find(b)
   local down, across = b.contacts[b.downAxis], b.contacts[1 - b.downAxis]
   down.count, across.count = 0, 0
@@ -390,12 +400,12 @@ function contacts.find(b)
   fill(b, across)
 end
 
---- Makes a contact of a pair that has met without a bounce, or `isElastic`: of one that may bounce
---- yet. The two must be `separation` px apart.
+--- Makes a contact of a pair that has met. It did not bounce, or it may bounce again (`isElastic`).
+--- `separation` is the minimum px between the low edges of the two.
 function contacts.add(b, axis, p, kl, kh, separation, isElastic)
   if b.touches[p] == CONTACT or (isElastic and b.touches[p] == ELASTIC) then
     return
-  elseif b.touches[p] == ELASTIC then -- it does not bounce any more
+  elseif b.touches[p] == ELASTIC then -- it no longer bounces
     b.touches[p] = CONTACT
     b.contacts[axis].isNew = true
     return
@@ -405,7 +415,7 @@ function contacts.add(b, axis, p, kl, kh, separation, isElastic)
   b.contacts[axis].isNew = true
 end
 
---- Sorts contacts that were added into their lists.
+--- Sorts contacts that were added during the step into their lists.
 function contacts.rearrange(b)
   for axis = 0, 1 do
     local list = b.contacts[axis]
@@ -417,7 +427,7 @@ function contacts.rearrange(b)
   end
 end
 
---- Lists pairs that were found in the middle of the step among those to be swept.
+--- Adds pairs that were found in the middle of the step to those that are swept.
 function contacts.noteNew(b)
   for n = b.seenCount + 1, b.liveCount do
     local p = b.live[n]

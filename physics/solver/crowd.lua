@@ -1,14 +1,19 @@
---- Crowds: many bodies at one spot, which no order of pushes between two could part in a few steps.
+--- Crowds: computes from many bodies at one spot a layout in columns, since no order of pushes
+-- could separate them in a few steps.
 --
--- A body is *crowded* if it shares its place with several others. Two crowded bodies are no pair:
--- in a step they pass through each other. Instead all that are in one crowd are sorted into
--- columns, as many as there is room for between the walls around them, and each goes towards its
--- place there, by no more than a fixed share of its size in a step. They share one velocity. A
--- crowd is left by what overlaps no other body of it. So the work grows with the number of bodies,
--- not of pairs.
+-- - A body is *crowded* if it shares its place with several others.
+-- - Two crowded bodies are no pair: they pass through each other.
+-- - All bodies of a crowd are sorted into columns, as many as there is room for between the walls
+--   around them. Each moves towards its place there, by at most a fixed share of its size in a
+--   step.
+-- - They share one velocity.
+-- - A body leaves its crowd if it overlaps no other member and is further away than the crowd
+--   needs.
 --
--- `crowd` of a body is 0 or the one that leads its crowd. Reads from, size, awakeList; writes
--- crowd, from, to, velocity.
+-- So the work grows with the number of bodies, not of pairs.
+--
+-- `crowd` of a body is 0 or the slot of the body that leads its crowd. Reads from, size,
+-- awakeList; writes crowd, from, to, velocity.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -26,21 +31,21 @@ local crowd = {}
 local DYNAMIC = columns.DYNAMIC
 local ceil, floor, sqrt = math.ceil, math.floor, math.sqrt
 local max, min = math.max, math.min
---- A body is crowded if its middle is inside so many others, or theirs in it.
+--- A body is crowded if its middle is inside this many others, or theirs in it.
 local MANY = 4
---- Share of its size by which it goes to its place in a step, along each axis.
+--- Share of its size by which it moves to its place in a step, along each axis.
 crowd.PACE = 0.5
 local PACE = crowd.PACE
--- Share of its size that a body may be inside another without being in a crowd with it.
+-- Share of the smaller size by which two bodies may overlap without being in one crowd.
 local SLACK = 1 / 8
--- Bodies behind it in the order along x that are asked whether they are in the same crowd.
+-- Number of the next bodies in the order along x that are tested for being in the same crowd.
 local LOOK = 16
--- Steps after which a crowd ends: what overlaps then is left to the contacts.
+-- Number of steps after which a crowd ends. What overlaps then is left to the contacts.
 local LIFE = 60
--- px from a wall at which a body still stands on it.
+-- Distance from a wall at which a body still stands on it, px.
 local NEAR = 1
 
--- Wakes the rest of each crowd of which one is awake: they rest together or not at all.
+-- Wakes the rest of each crowd with an awake body: they sleep together or not at all.
 local function wake(b)
   local awake, crowd_, mark, stamp = b.awakeList, b.crowd, b.crowdMark, b.crowdStamp
   for n = 1, b.awakeCount do
@@ -56,8 +61,8 @@ local function wake(b)
   begin.run(b)
 end
 
--- Lists what may be crowded: what was in a crowd, was placed by the game, or was left inside
--- another.
+-- Lists the bodies that may be crowded: they were in a crowd, were placed by the game, or were left
+-- overlapping others. Returns how many there are.
 local function listCandidates(b)
   local list, count = b.crowdList, 0
   local awake, crowd_, inside, moved = b.awakeList, b.crowd, b.inside, b.moved
@@ -73,7 +78,7 @@ local function listCandidates(b)
   return count
 end
 
--- Twice the middle of a body on the axis of k.
+-- Returns twice the middle of a body on the axis of k.
 local function middle(b, k)
   return 2 * b.from[k] + b.size[k]
 end
@@ -89,15 +94,16 @@ local function sortByX(b, list, count)
   sort.by(list, count, leaderRank, key, rank)
 end
 
--- Whether two bodies overlap on an axis, by more than SLACK of the smaller one, and whether the
--- middle of one is inside the other there.
+-- Returns whether two bodies overlap on an axis by more than SLACK of the smaller size. Returns
+-- also whether the middle of one is inside the other there.
 local function compare(b, k, m)
   local apart, size, other = middle(b, k) - middle(b, m), b.size[k], b.size[m]
   apart = max(apart, -apart)
   return size + other - apart > 2 * SLACK * min(size, other), apart < max(size, other)
 end
 
--- Whether two bodies that are near on x overlap and may meet, and whether they are at one spot.
+-- Returns whether two bodies that are near on x overlap and may meet, and whether they are at one
+-- spot.
 local function meets(b, i, j)
   local overlapsX, isCloseX = compare(b, 2 * i, 2 * j)
   local overlapsY, isCloseY = compare(b, 2 * i + 1, 2 * j + 1)
@@ -107,8 +113,8 @@ local function meets(b, i, j)
   return false, false
 end
 
--- Counts for each candidate, sorted by x, the others at its spot, up to MANY. One at the spot of a
--- body that has enough of them has enough, too.
+-- Counts for each candidate, sorted by x, the others at its spot, up to MANY. A candidate at the
+-- spot of a body that has enough of them has enough, too.
 local function countShared(b, list, n, widest)
   local shared, key = b.shared, b.crowdKey
   for at = 1, n do
@@ -130,7 +136,7 @@ local function countShared(b, list, n, widest)
   end
 end
 
--- The leader of the crowd of a body.
+-- Returns the leader of the crowd of a body.
 local function leaderOf(leader, i)
   while leader[i] ~= i do
     i = leader[i]
@@ -138,7 +144,7 @@ local function leaderOf(leader, i)
   return i
 end
 
--- Makes one crowd of two; the first in order leads.
+-- Makes one crowd of two. The first in the order of the world leads it.
 local function unite(b, i, j)
   local one, two = leaderOf(b.leader, i), leaderOf(b.leader, j)
   if b.rank[two] < b.rank[one] then
@@ -149,7 +155,7 @@ local function unite(b, i, j)
   b.leader[two] = one
 end
 
--- Lets the candidates that share their spot with many into the crowd of those, or a new one.
+-- Adds the candidates that share their spot with many to the crowd of those, or to a new one.
 local function admit(b, list, n, widest)
   local crowd_, shared, leader, key = b.crowd, b.shared, b.leader, b.crowdKey
   for at = 1, n do
@@ -183,7 +189,7 @@ local function widestOf(b, list, first, last)
   return widest
 end
 
--- Notes of each member of a crowd, sorted by x, whether it overlaps another one. Returns whether
+-- Notes for each member of a crowd, sorted by x, whether it overlaps another one. Returns whether
 -- any does.
 local function findOverlaps(b, list, first, last)
   local overlapped, key, any = b.isOverlapped, b.crowdKey, false
@@ -210,12 +216,12 @@ local function findOverlaps(b, list, first, last)
   return any
 end
 
--- A body leaves its crowd: those of it become neighbours.
+-- Takes a body out of its crowd. The members may become its neighbours then.
 local function leave(b, i)
   b.crowd[i], b.crowdAge[2 * i], b.placed[i] = 0, 0, min(b.placed[i], 1)
 end
 
--- If the first of a crowd has left the world, another one leads it.
+-- Gives a crowd a new leader, in case the first one has left the world.
 local function findLeader(b, list, first, last)
   local best = list[first]
   for at = first + 1, last do
@@ -228,7 +234,8 @@ local function findLeader(b, list, first, last)
   end
 end
 
--- Calls `work` for each crowd in list[1..n], sorted by crowd: list[first..last].
+-- Calls `work` for each crowd in list[1..n], which is sorted by crowd, with its part
+-- list[first..last].
 local function forEach(b, list, n, work)
   local first = 1
   for at = 1, n do
@@ -239,7 +246,7 @@ local function forEach(b, list, n, work)
   end
 end
 
--- Sums over a crowd: its middle, and the sizes of its members.
+-- Returns the middle of a crowd, x and y, and the mean width and height of its members.
 local function measure(b, list, first, last)
   local x, y, width, height = 0.0, 0.0, 0.0, 0.0
   for at = first, last do
@@ -252,8 +259,8 @@ local function measure(b, list, first, last)
   return x / n, y / n, width / n, height / n
 end
 
--- What overlaps no other body and is further from the middle of its crowd than the crowd needs has
--- left it.
+-- Takes bodies out of a crowd that overlap no other member and are further from its middle than the
+-- crowd needs.
 local function dropFar(b, list, first, last)
   local x, y, width, height = measure(b, list, first, last)
   local reach = sqrt((last - first + 1) * width * height)
@@ -266,7 +273,7 @@ local function dropFar(b, list, first, last)
   end
 end
 
--- Ends a crowd in which no two overlap any more, or that has been there for long.
+-- Ends a crowd in which no two bodies overlap, or that has existed for more than LIFE steps.
 local function review(b, list, first, last)
   local age = b.crowdAge
   for at = first, last do
@@ -282,7 +289,7 @@ local function review(b, list, first, last)
   end
 end
 
--- Of list[1..n], keeps what is in a crowd; returns how many.
+-- Keeps the bodies of list[1..n] that are in a crowd. Returns how many there are.
 local function keepCrowded(b, list, n)
   local kept = 0
   for at = 1, n do
@@ -294,7 +301,7 @@ local function keepCrowded(b, list, n)
   return kept
 end
 
--- Of the candidates, lets those into a new crowd that are at one spot.
+-- Makes new crowds of the candidates that are at one spot.
 local function findNew(b, list, n)
   local new, key, count = b.crowdNew, b.crowdKey, 0
   for at = 1, n do
@@ -312,7 +319,7 @@ local function findNew(b, list, n)
   end
 end
 
---- Finds what is crowded when the step begins.
+--- Finds the crowded bodies at the start of the step.
 function crowd.mark(b)
   b.crowdCount, b.crowdStamp = 0, b.crowdStamp + 1
   if not (b.hasInside or b.hasCrowds or b.movedCount > 0) then
@@ -332,13 +339,13 @@ function crowd.mark(b)
   forEach(b, list, n, review)
   b.crowdCount = keepCrowded(b, list, n)
   if b.crowdCount < n then
-    pairFinder.run(b, b.awakeList, 1, b.awakeCount) -- what has left has neighbours now
+    pairFinder.run(b, b.awakeList, 1, b.awakeCount) -- what has left a crowd has neighbours now
   end
   b.hasCrowds = b.hasCrowds or b.crowdCount > 0
 end
 
--- The room around (x, y) up to `reach` px away: left, top, right, bottom edge. `half`: how far from
--- the lines through that point walls count.
+-- Returns the edges of the room around (x, y), up to `reach` px away: left, top, right, bottom.
+-- Walls count that are less than `halfW` or `halfH` px from the lines through that point.
 local function findRoom(b, i, x, y, reach, halfW, halfH)
   local left, top, right, bottom = x - reach, y - reach, x + reach, y + reach
   local from, size, found = b.from, b.size, b.found
@@ -366,13 +373,14 @@ local function findRoom(b, i, x, y, reach, halfW, halfH)
   return left, top, right, bottom
 end
 
--- Puts a stretch of `length` px around `center` between two edges.
+-- Returns where a stretch of `length` px begins that is centred on `center`, but kept between two
+-- edges. The low edge wins.
 local function fit(center, length, low, high)
   local at = center - length * 0.5
   return max(min(at, high - length), low)
 end
 
--- Moves a body towards its place, where no wall is in the way: on both axes, or on one.
+-- Moves a body towards its place, unless a wall is in the way: on both axes, or on one.
 local function go(b, i, x, y)
   local k = 2 * i
   local atX, atY = b.from[k], b.from[k + 1]
@@ -393,7 +401,7 @@ local function go(b, i, x, y)
   b.from[k], b.from[k + 1], b.to[k], b.to[k + 1] = toX, toY, toX, toY
 end
 
--- How many columns a crowd of n has: about as wide as high, if there is room for that.
+-- Returns the number of columns of a crowd of n bodies: about as wide as high, if there is room.
 local function countColumns(n, width, height, roomW, roomH)
   local across = ceil(sqrt(n * height / width))
   local down = ceil(n / across)
@@ -408,7 +416,7 @@ local function countColumns(n, width, height, roomW, roomH)
   return across
 end
 
--- The members of a column, sorted by y, go below each other.
+-- Puts the members of a column below each other, in the order of y.
 local function layColumn(b, column, n, x, y, top, bottom)
   local key, height = b.crowdKey, 0.0
   for at = 1, n do
@@ -424,7 +432,7 @@ local function layColumn(b, column, n, x, y, top, bottom)
   end
 end
 
--- Whether a body is at the edge of the room of its crowd to which gravity points.
+-- Returns whether a body is at the edge of the room of its crowd to which gravity points.
 local function isAtBottom(b, i, left, top, right, bottom)
   local axis = b.downAxis
   local k = 2 * i + axis
@@ -434,7 +442,7 @@ local function isAtBottom(b, i, left, top, right, bottom)
   return b.from[k] <= (axis == 1 and top or left) + NEAR
 end
 
--- What stands on something, or in a crowd that does, does not fall in this step.
+-- Notes that a crowd does not fall in this step, if one of its members stands on something.
 local function stand(b, list, first, last, left, top, right, bottom)
   local isStanding = false
   for at = first, last do
@@ -446,7 +454,7 @@ local function stand(b, list, first, last, left, top, right, bottom)
   end
 end
 
---- Takes the fall off what stands in a crowd, once its path is known.
+--- Takes the fall off the bodies of standing crowds, once their free flight is known.
 function crowd.hold(b)
   for at = 1, b.crowdCount do
     local i = b.crowdList[at]
@@ -458,8 +466,8 @@ function crowd.hold(b)
   end
 end
 
--- What is in a crowd goes on at one velocity, as after impacts without a bounce: else its bodies
--- would go through each other from one side of it to the other.
+-- Gives all bodies of a crowd their common velocity, as impacts without a bounce would. Otherwise
+-- they would pass through each other from one side to the other.
 local function joinSpeeds(b, list, first, last)
   local velocity, mass, x, y, sum = b.velocity, b.mass, 0.0, 0.0, 0.0
   for at = first, last do
@@ -471,7 +479,7 @@ local function joinSpeeds(b, list, first, last)
   end
 end
 
--- Lays out a crowd, list[first..last], sorted by x.
+-- Lays out the crowd list[first..last], which is sorted by x, in columns.
 local function lay(b, list, first, last)
   local n = last - first + 1
   joinSpeeds(b, list, first, last)
@@ -502,11 +510,11 @@ local function lay(b, list, first, last)
   end
   stand(b, list, first, last, left, top, right, bottom)
   for m = first, last do
-    b.news[list[m]] = true -- none of them comes to rest in it
+    b.news[list[m]] = true -- none of them sleeps in this step
   end
 end
 
---- Lets the bodies of each crowd go towards their places.
+--- Moves the bodies of each crowd towards their places.
 function crowd.run(b)
   if b.crowdCount > 0 then
     forEach(b, b.crowdList, b.crowdCount, lay)

@@ -1,8 +1,11 @@
---- Crushed: pressed between two that cannot give way, on one axis.
+--- Crushing: notes from the settled contacts which bodies are pressed between two that cannot give
+-- way, on one axis.
 --
--- The object stays where it overlaps its neighbours the least (see settle), and is free again as
--- soon as there is room. How it came there is remembered with the pair (`wedged`), so that it
+-- A crushed body stays where it overlaps its neighbours the least (see settle.lua), and is free
+-- again as soon as there is room. How it came there is remembered with the pair (`wedged`). So it
 -- leaves along the same axis and is never squeezed out sideways.
+--
+-- Reads contacts, squeezed, pressed; writes crushed, crushLow, crushHigh, wedged, jam.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -14,8 +17,8 @@ local crush = {}
 local DYNAMIC, KINEMATIC, EPSILON = columns.DYNAMIC, columns.KINEMATIC, columns.EPSILON
 local floor, max, min = math.floor, math.max, math.min
 
--- px between the slot i, as it was before it grew, and slot j on an axis; and whether j is the low
--- one.
+-- Returns the gap between slot i, as it was before it grew, and slot j on an axis, px. Returns also
+-- whether j is the low one.
 local function gapBefore(b, i, j, axis)
   local k, m = 2 * i + axis, 2 * j + axis
   local r = b.from[m] - b.wasAt[k]
@@ -29,7 +32,7 @@ local function isInside(b, i, j)
   return max(x - size[k], -x - size[m], y - size[k + 1], -y - size[m + 1]) < -EPSILON
 end
 
--- Wedges slot i into the immovable j, if it has grown into that along one axis.
+-- Marks slot i as wedged into the immovable slot j, if it has grown into that along one axis.
 local function wedge(b, p, i, j)
   local isSolid = not (b.sensor[i] or b.sensor[j] or b.oneWay[i] or b.oneWay[j])
   if b.kind[j] == DYNAMIC or not isSolid or b.wedged[p] ~= 0 or not isInside(b, i, j) then
@@ -38,7 +41,7 @@ local function wedge(b, p, i, j)
   local gapX, isLowX = gapBefore(b, i, j, 0)
   local gapY, isLowY = gapBefore(b, i, j, 1)
   if (gapX >= -EPSILON) == (gapY >= -EPSILON) then
-    return -- inside it before, or beyond its corner
+    return -- it overlapped before, or was beyond the corner
   end
   local axis, isLow = 0, isLowX
   if gapY >= -EPSILON then
@@ -48,7 +51,8 @@ local function wedge(b, p, i, j)
   b.wedged[p] = 2 * axis + (isLow == isOfFirst and 1 or 2)
 end
 
--- Whether slot i still stands over where it was: it was not put elsewhere, too.
+-- Returns whether slot i still overlaps the place where it was, so that it was not also put
+-- elsewhere.
 local function isThere(b, i)
   for k = 2 * i, 2 * i + 1 do
     local r = b.wasAt[k] - b.from[k]
@@ -59,8 +63,8 @@ local function isThere(b, i)
   return true
 end
 
---- What the game has made larger than the room it stands in comes out of walls as it got in, and
---- not by the shortest way: that would lead through thin ones.
+--- Marks what the game has made larger than its room. It leaves walls the way it came in, and not
+--- by the shortest way, which would lead through thin walls.
 function crush.wedgeGrown(b)
   for n = 1, b.movedCount do
     local i = b.movedList[n]
@@ -78,13 +82,13 @@ function crush.wedgeGrown(b)
   end
 end
 
--- Whether one of the two that press body k in the end is a machine.
+-- Returns whether a kinematic object is one of the two that press body k in the end.
 local function isPressedByMachine(b, k)
   local low, high = floor(b.holderLow[k] * 0.5), floor(b.holderHigh[k] * 0.5)
   return b.kind[low] == KINEMATIC or b.kind[high] == KINEMATIC
 end
 
---- Notes what is squeezed along an axis, and between which two.
+--- Notes which bodies are squeezed along an axis, and between which two.
 function crush.note(b, axis)
   local list, squeezed, crushed = b.contacts[axis], b.squeezed, b.crushed
   local crushLow, crushHigh = b.crushLow, b.crushHigh
@@ -105,8 +109,8 @@ function crush.note(b, axis)
   end
 end
 
---- Counts for how many steps bodies that are inside others have had no room: at the end of the
---- step, which may be given up before.
+--- Counts for how many steps overlapping bodies have had no room. It is called at the end of the
+--- step, since a step may be started again before.
 function crush.countJam(b, axis)
   local jam, squeezed, patience, turn = b.jam, b.squeezed, contacts.PATIENCE, contacts.TURN
   for n = 1, b.awakeCount do
@@ -121,13 +125,13 @@ function crush.countJam(b, axis)
         jam[k] = turn + 1 -- it is never squeezed out sideways
       end
     else
-      jam[k] = max(jam[k] - (jam[k] == turn + 1 and 2 or 1), 0) -- not turning back
+      jam[k] = max(jam[k] - (jam[k] == turn + 1 and 2 or 1), 0) -- skips `turn`: no way back
     end
-    b.news[i] = b.news[i] or jam[k] ~= before -- it does not rest while that changes
+    b.news[i] = b.news[i] or jam[k] ~= before -- it must not sleep while that changes
   end
 end
 
---- Tells that an object has begun to be crushed in this step.
+--- Notes the event of an object that begins to be crushed in this step.
 function crush.tell(b, i)
   for axis = 0, 1 do
     local k = 2 * i + axis

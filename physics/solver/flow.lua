@@ -1,11 +1,12 @@
---- Motion of a body or a block along an axis under a constant force, friction and speed limits.
+--- Flow: computes the motion of a body or a block along an axis from a constant force, friction and
+-- speed limits.
 --
 -- Coulomb friction against ground that moves at v is a *kink* at v: the force jumps there, from
--- +grip below to -grip above. A motion that comes to a kink stays there while the rest of the force
--- is less than the grip. A speed limit holds what comes to it as long as the force drives it on. So
--- friction that stops something, turns it or holds it, and limits, are all found at their moment.
+-- +grip below to -grip above. A motion that comes to a kink stays there while the rest of the
+-- force is less than the grip. A speed limit holds what comes to it as long as the force drives it
+-- on. So friction stops, turns or holds a body at the exact moment, and so do limits.
 --
--- The kinks of a block are lists, by rising velocity: `kinkAt`, `kinkGrip`, `kinkNext`; 0 ends one.
+-- The kinks of a block are a list by rising velocity: `kinkAt`, `kinkGrip`, `kinkNext`. 0 ends it.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local forces = require(root .. ".motion.forces")
@@ -14,7 +15,7 @@ local flow = {}
 
 local HUGE = math.huge
 local floor, max, min = math.floor, math.max, math.min
--- Stretches of time between two kinks, at most.
+-- Maximum number of stretches of time between two kinks in a step.
 local STRETCHES = 8
 
 --- Forgets all kinks.
@@ -22,7 +23,7 @@ function flow.reset(b)
   b.kinkCount = 0
 end
 
---- Returns a list of one kink.
+--- Returns a new list of one kink at velocity `at` with a force of `grip`.
 function flow.newKink(b, at, grip)
   local n = b.kinkCount + 1
   b.kinkCount = n
@@ -30,8 +31,8 @@ function flow.newKink(b, at, grip)
   return n
 end
 
---- Merges two lists of kinks, which are lost, and returns the list. Kinks at one velocity become
---- one.
+--- Merges two lists of kinks and returns the new list; the old ones are no longer valid. Kinks at
+--- the same velocity become one.
 function flow.merge(b, one, other)
   local kinkAt, kinkGrip, kinkNext = b.kinkAt, b.kinkGrip, b.kinkNext
   local first, last = 0, 0
@@ -56,7 +57,8 @@ function flow.merge(b, one, other)
   return first
 end
 
--- The force just below and just above velocity v, and the kinks next to it on both sides.
+-- Returns the force just below and just above velocity v, and the velocities of the next kinks on
+-- both sides.
 local function around(b, list, force, v)
   local kinkAt, kinkGrip, kinkNext = b.kinkAt, b.kinkGrip, b.kinkNext
   local below, above, slower, faster = force, force, -HUGE, HUGE
@@ -71,9 +73,9 @@ local function around(b, list, force, v)
   return below, above, slower, faster
 end
 
---- Returns the velocity after `tau` s and the way until then, px, of what has this mass, this force
---- but for its kinks, and the velocity v, and goes no slower than `least` and no faster than
---- `most`.
+--- Returns the velocity after `tau` s and the displacement until then, px. The body has this mass,
+--- this force without its kinks, and the velocity v. It moves no slower than `least` and no faster
+--- than `most`.
 function flow.run(b, list, mass, force, v, tau, least, most)
   local way = 0.0
   v = max(min(v, most), least)
@@ -96,7 +98,7 @@ function flow.run(b, list, mass, force, v, tau, least, most)
   return v, way + v * tau
 end
 
---- The same with a single kink at `base`, of `brake` px/s², and no limit.
+--- Returns the same with a single kink at `base`, of `brake` px/s², and no limit.
 function flow.slide(v, a, base, brake, tau)
   local slip, way = v - base, base * tau
   if slip ~= 0 then
@@ -112,15 +114,15 @@ function flow.slide(v, a, base, brake, tau)
   return base + d * tau, way + d * tau * 0.5 * tau
 end
 
--- Acceleration of body k by itself, px/s²: what a limit keeps from it included.
+-- Returns the acceleration of body k by itself, px/s², with what a speed limit keeps from it.
 local function drive(b, k, dt)
   return (b.freeSpeed[k] - b.start[k] + b.reserve[k] + b.tug[k] * b.give[k]) / dt
 end
 
 flow.drive = drive
 
---- The same of body k, with the friction of its ground, and its limits, from velocity v on, for tau
---- s of a step of dt s.
+--- Returns the same for body k, from velocity v on, for `tau` s of a step of dt s. The friction of
+--- its ground and its limits act on it.
 function flow.body(b, k, v, tau, dt)
   local give, grip, least, most = b.give[k], b.grip[k], b.least[k], b.most[k]
   if least ~= -HUGE or most ~= HUGE then
@@ -133,13 +135,13 @@ function flow.body(b, k, v, tau, dt)
   return flow.slide(v, drive(b, k, dt), b.base[k], grip * give, tau)
 end
 
---- Notes that body k does not go as it would by itself.
+--- Notes that friction or a bond acts on body k, so that its path must be computed anew.
 function flow.notePulled(b, k)
   b.pulledCount = b.pulledCount + 1
   b.pulled[b.pulledCount] = k
 end
 
---- Gives their paths to the bodies noted so, as far as contacts leave them alone.
+--- Computes the paths of the bodies that were noted so, as if they had no contacts on this axis.
 function flow.runAll(b, dt)
   for n = 1, b.pulledCount do
     local k = b.pulled[n]

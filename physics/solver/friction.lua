@@ -1,9 +1,16 @@
---- Coulomb friction: contacts of one axis rub along the other one.
+--- Coulomb friction: computes from the loads of the contacts of one axis how they brake their
+-- bodies along the other axis.
 --
--- The load of a contact is what settling took off the body that leans, and what leans on that. All
--- of it goes to the support under most of the body. A support that cannot be moved along the
--- surface is ground (see flow): the body slides, stops, turns or sticks exactly. One that can be
--- moved has a bond with the body (see bonds).
+-- The load of a contact is the impulse that settling took off the body that leans, plus that of
+-- what leans on it. All of it goes to the support with the widest common edge. There are two
+-- cases:
+--
+-- - Ground is a support that cannot be moved along the surface. The body slides, stops, turns or
+--   sticks on it exactly (see flow.lua).
+-- - A support that can be moved has a bond with the body (see bonds.lua).
+--
+-- The coefficient of a pair is `friction.coefficient`. Friction of two that meet inside the step
+-- is `rub` in impact.lua.
 --
 -- Reads contacts, freeSpeed, start; writes base, grip, onset, bonds, and the paths on the rubbed
 -- axis.
@@ -20,13 +27,14 @@ local friction = {}
 
 local EPSILON = columns.EPSILON
 local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
--- How often bonds may break, and how often all is tried: in the end bonds only stick.
+-- Number of attempts in which bonds may break, and of all attempts. In the later ones bonds only
+-- stick.
 local TEARS, ATTEMPTS = 4, 8
--- Kinds of support: the low body leans on the high one, or the other way round.
+-- Values of `bearing`: the low body leans on the high one, or the high one on the low one.
 local ON_HIGH, ON_LOW = 1, 2
 
---- Returns the coefficient of a pair: the geometric mean; an immovable body without one takes the
---- other's.
+--- Returns the coefficient of friction of a pair: the geometric mean of both. If one body has none
+--- of its own (an immovable one), it is that of the other.
 function friction.coefficient(b, i, j)
   local one, other = b.friction[i], b.friction[j]
   if other < 0 or one == other then
@@ -37,8 +45,8 @@ function friction.coefficient(b, i, j)
   return sqrt(one * other)
 end
 
--- Gives body k, of which the contact c is one more support, the one under more of it; of equal ones
--- the first in order.
+-- Chooses the support of body k, of which contact c is one more candidate. The one with the widest
+-- common edge wins, and of equal ones the first in the order of the world.
 local function chooseSupport(b, list, k, c, other)
   local best = b.bearer[k]
   if best == 0 then
@@ -53,7 +61,7 @@ local function chooseSupport(b, list, k, c, other)
   end
 end
 
--- Finds which contacts bear a load, and which one bears that of each body.
+-- Finds which contacts bear a load, and which one bears the load of each body.
 local function findSupports(b, list, axis)
   local awake, bearer, load, weight = b.awakeList, b.bearer, b.load, b.weight
   for n = 1, b.awakeCount do
@@ -87,12 +95,12 @@ local function findSupports(b, list, axis)
   end
 end
 
--- Adds the load of contact c: what was taken off `up` in this step, of which at most what its own
--- acceleration made is weight, the rest an impact; and what stands on it.
+-- Adds the load of contact c: the impulse that was taken off `up` in this step, plus the load that
+-- stands on it. At most what its own acceleration made counts as weight; the rest is an impact.
 local function addLoad(b, list, c, up, low, sign, dt)
   local mass, start, speed = 1 / b.give[up], b.start[up], b.speed[up]
   local free, air = b.freeSpeed[up] + b.reserve[up], b.airFriction[floor(up * 0.5)]
-  if air ~= 0 then -- what it would be slowed down by, if it fell, does not carry it
+  if air ~= 0 then -- air friction that would slow its fall bears no load
     free = start + (b.pull[up] + b.push[up] - air * (speed - b.carried[up])) * dt
   end
   local impulse, pull = (free - speed) * sign * mass, max((free - start) * sign * mass, 0.0)
@@ -102,7 +110,7 @@ local function addLoad(b, list, c, up, low, sign, dt)
   b.load[low], b.weight[low] = b.load[low] + load, b.weight[low] + weight
 end
 
--- Sums up the loads, from what nothing stands on down to the supports.
+-- Sums up the loads from the uppermost bodies down to the supports.
 local function sumLoads(b, list, dt)
   local low, high, bearing, bearer = list.low, list.high, list.bearing, b.bearer
   for c = 1, list.count do
@@ -117,7 +125,8 @@ local function sumLoads(b, list, dt)
   end
 end
 
--- Body k rubs on what cannot be moved and goes at `base`. An impact rubs at once.
+-- Lets body k rub on ground that moves at `base`. The part of the load that is an impact rubs at
+-- once.
 local function addGround(b, k, base, mu, load, weight, dt)
   load, weight = mu * load, mu * weight
   local slip, jolt = b.onset[k] - base, (load - weight) * b.give[k]
@@ -128,7 +137,7 @@ local function addGround(b, k, base, mu, load, weight, dt)
   flow.notePulled(b, k)
 end
 
--- Contact c rubs along the other axis.
+-- Lets contact c rub along the other axis: on ground, or through a bond.
 local function addContact(b, list, held, c, dt)
   local axis = list.axis
   local ku, ks = list.low[c], list.high[c]
@@ -149,7 +158,7 @@ local function addContact(b, list, held, c, dt)
   end
 end
 
--- From the supports on.
+-- Lets all contacts rub, from the supports up.
 local function addContacts(b, list, held, dt)
   local bearing, bearer, low, high = list.bearing, b.bearer, list.low, list.high
   for c = list.count, 1, -1 do
@@ -164,7 +173,7 @@ local function addContacts(b, list, held, dt)
   end
 end
 
---- Puts everything along an axis to where it would be without contacts.
+--- Puts all movable bodies on an axis to where they would be without contacts.
 function friction.reset(b, axis, dt)
   local list, from, to, speed, free = b.awakeList, b.from, b.to, b.speed, b.freeSpeed
   local way, carried, accel, start = b.way, b.carried, b.accel, b.start
@@ -177,7 +186,7 @@ function friction.reset(b, axis, dt)
   end
 end
 
--- And how it begins, and would end, without the others.
+-- Resets the velocities at which bodies begin and end the step if they are alone.
 local function resetOwn(b, axis)
   local list, onset, outset = b.awakeList, b.onset, b.outset
   local ownSpeed, free = b.ownSpeed, b.freeSpeed
@@ -187,7 +196,7 @@ local function resetOwn(b, axis)
   end
 end
 
--- Limits of what is awake, with what carries it.
+-- Computes the speed limits of all awake bodies, with the velocity of their carriers.
 local function findLimits(b)
   local list, limit, carried, reserve, pace = b.awakeList, b.limit, b.carried, b.reserve, b.pace
   local drift = b.drift
@@ -205,7 +214,7 @@ local function findLimits(b)
   end
 end
 
---- Prepares what is awake for the step: nothing rubs yet.
+--- Prepares all awake bodies for the step: nothing rubs yet.
 function friction.begin(b)
   local list, onset, start, tug = b.awakeList, b.onset, b.start, b.tug
   local grip, base, lead, bondUnder, bondOn = b.grip, b.base, b.lead, b.bondUnder, b.bondOn
@@ -221,8 +230,8 @@ function friction.begin(b)
   end
 end
 
--- Everything along an axis as it is with friction, and what immovable bodies hold of that; nothing
--- of an earlier attempt is left, which may have been made for others.
+-- Puts all bodies on an axis to where they are with friction, and then against what immovable
+-- bodies hold. Notes of an earlier attempt are forgotten, since they may be wrong now.
 local function place(b, axis, dt)
   local list, pressed = b.contacts[axis], b.pressed
   for c = 1, list.count do
@@ -234,7 +243,7 @@ local function place(b, axis, dt)
   settle.hold(b, axis, dt)
 end
 
--- What an immovable body pushes goes as that does from the start on.
+-- Notes that what an immovable body pushes moves with it from the start of the step.
 local function noteHeld(b, axis)
   local list, outset, speed, heldLow, heldHigh =
     b.awakeList, b.outset, b.speed, b.heldLow, b.heldHigh
@@ -246,8 +255,8 @@ local function noteHeld(b, axis)
   end
 end
 
---- Lets the contacts of an axis, which is settled, rub along the other one, and settles that.
---- Returns false, and has done nothing, if none rubs.
+--- Lets the contacts of an axis, which is settled, rub along the other one, and settles that axis.
+--- Returns false, and does nothing, if no contact rubs.
 function friction.run(b, axis, dt)
   local list, other, held = b.contacts[axis], 1 - axis, b.bonds[1 - axis]
   findSupports(b, list, axis)
@@ -280,7 +289,7 @@ function friction.run(b, axis, dt)
   return true
 end
 
--- These lead from loop to loop.
+-- These call one loop after the other. (jit: 4)
 interpreted.functions(place, friction.run)
 
 return friction

@@ -1,9 +1,13 @@
---- Impacts: two bodies that meet in the middle of a step.
+--- Impacts: computes the paths of two bodies after they meet inside a step.
 --
--- Both go to the moment of the impact. What happens there is worked out from the end of their
--- paths, which is exact for constant acceleration: the overlap that they would have there, and how
--- fast they would close, tell how fast they meet and how much of the step is left. They bounce, or
--- go on flush with a common velocity, and are a contact for the rest of the step.
+-- Both go to the moment of the impact. From the end of their paths follow the closing speed there
+-- and the time that is left. That is exact for constant acceleration. The two bounce, or go on
+-- flush with a common velocity and are a contact for the rest of the step.
+--
+-- The impact also has friction along the other axis (`rub`). Friction of contacts that exist when
+-- the step begins is computed in friction.lua.
+--
+-- Reads the paths, give, restitution, bonds, ground; writes the paths, hit, hitSpeed.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local bonds = require(root .. ".solver.bonds")
@@ -21,15 +25,16 @@ local impact = {}
 local DYNAMIC = columns.DYNAMIC
 local HUGE = math.huge
 local max, min, sqrt = math.max, math.min, math.sqrt
--- Impacts of one body in a step after which it does not bounce any more, divided by 1 -
--- restitution, and the most there are.
+-- Maximum number of impacts of a body in a step with which it still bounces: BOUNCES / (1 -
+-- restitution), but no more than MOST_BOUNCES.
 local BOUNCES, MOST_BOUNCES = 4, 13
--- The same, after which it stays where it was hit, even below a ceiling: others push it there.
+-- Number of impacts in a step after which a body counts as pushed on by others. It stays where it
+-- was hit then, even below a ceiling.
 local PUSHED = 3
--- Bonds in a row along which an impact drags others with it in its own step.
+-- Maximum number of bonds in a row along which an impact drags other bodies in the same step.
 local DEPTH = 8
 
---- Notes the first impact of a pair in the step: on which side, and at u px/s.
+--- Notes the first impact of a pair in the step, with its side and its closing speed of u px/s.
 function impact.note(b, p, low, axis, u)
   if b.hit[p] == 0 then
     b.hit[p] = b.pairA[p] == low and 2 * axis + 2 or 2 * axis + 1
@@ -37,8 +42,12 @@ function impact.note(b, p, low, axis, u)
   end
 end
 
--- How fast two meet, and how many seconds are left then: from the overlap o, the closing speed v
--- and the closing acceleration a at the end of the step, which is at most `left` s away.
+-- Returns the closing speed of two bodies at their impact, px/s, and the time left after it, s.
+-- They follow from what would be at the end of the step, which is at most `left` s away:
+--
+-- - the overlap o, px;
+-- - the closing speed v, px/s;
+-- - the closing acceleration a, px/s².
 local function approach(o, v, a, left)
   local square = v * v - 2 * a * o
   local u = square > 0 and sqrt(square) or 0.0
@@ -51,8 +60,8 @@ end
 
 impact.approach = approach
 
--- Shares of a push for two that can both give way, or one of them, or neither. What has left the
--- body that held it can.
+-- Returns the inverse masses of the low and the high body for this impact; 0 for a body that does
+-- not give way. A body that is held, but is leaving its holder, does give way.
 local function weigh(b, i, j, kl, kh)
   local wl, wh = b.give[kl], b.give[kh]
   if b.heldLow[kl] > 0 and b.speed[kl] <= b.speed[b.holderLow[kl]] then
@@ -80,32 +89,32 @@ local function weigh(b, i, j, kl, kh)
   return wl, wh
 end
 
--- The restitution of a pair that closes at u px/s: 0, unless that is faster than its acceleration
--- makes it in two steps.
+-- Returns the restitution of a pair that closes at u px/s. It is 0 unless that is faster than its
+-- acceleration alone would make it in two steps.
 local function restitution(b, i, j, u, a, dt)
   return pool.bounces(u, a, 2 * dt) and max(b.restitution[i], b.restitution[j]) or 0
 end
 
--- Whether slot i has met others too often in this step to bounce once more.
+-- Returns whether slot i has had too many impacts in this step to bounce once more.
 local function isSpent(b, i, r)
   local limit = min(BOUNCES / max(1 - r, 1e-3), MOST_BOUNCES)
   return b.impactsOf[i] > limit and b.kind[i] == DYNAMIC
 end
 
--- Whether one of two that have met has met others so often that these seem to push it on.
+-- Returns whether one of two bodies has had so many impacts that others seem to push it on.
 local function isPushed(b, i, j)
   return b.impactsOf[i] > PUSHED and b.kind[i] == DYNAMIC
     or b.impactsOf[j] > PUSHED and b.kind[j] == DYNAMIC
 end
 
--- Whether body k, which goes at v now, is on its way off what has held it in this step.
+-- Returns whether body k, which moves at v now, is leaving the body that has held it in this step.
 local function leavesHolder(b, k, v)
   return b.heldHigh[k] > 0 and v < b.speed[b.holderHigh[k]]
     or b.heldLow[k] > 0 and v > b.speed[b.holderLow[k]]
 end
 
--- What acts on body k by itself, friction and limits do so along this axis for the rest of the
--- step, from the speed that it has after the impact.
+-- Computes the rest of the path of body k after an impact from its own forces, its friction and its
+-- limits along this axis. `tau` is the time left, s.
 local function reflow(b, k, tau, dt)
   local isFree = b.grip[k] == 0 and b.least[k] == -HUGE and b.most[k] == HUGE
   local last = b.speed[k]
@@ -118,7 +127,8 @@ local function reflow(b, k, tau, dt)
   b.accel[k] = tau > 0 and (new - v) / tau or 0.0
 end
 
--- The ground under body k bears an impact, and rubs at once; then what presses until the end.
+-- Lets body k rub on its ground: at once with the impulse `jolt` of the impact, then with `press`
+-- until the end of the step.
 local function bear(b, k, jolt, press, tau, dt)
   local slip = b.speed[k] - b.accel[k] * tau - b.base[k]
   local loss = b.rough[k] * jolt * b.give[k]
@@ -128,7 +138,8 @@ local function bear(b, k, jolt, press, tau, dt)
   reflow(b, k, tau, dt)
 end
 
--- Two that both give way rub on each other.
+-- Lets two bodies that both give way rub on each other: at once with the impulse `jolt`, then with
+-- `press` for the last tau s.
 local function rubBoth(b, kl, kh, mu, jolt, press, tau)
   local il, ih, accel = b.give[kl], b.give[kh], b.accel[kl] - b.accel[kh]
   local total, last = il + ih, b.speed[kl] - b.speed[kh]
@@ -148,14 +159,14 @@ end
 
 local drag
 
--- Friction has held the bodies of bond n together. An impact has given one of them another speed:
--- they rub for the last tau s.
+-- Lets the bodies of bond n rub for the last tau s if an impact has given one of them another
+-- speed. Friction has held them together until then.
 local function dragBond(b, list, n, other, tau, dt, depth)
   local up, low, press = list.up[n], list.low[n], list.limit[n] * tau / dt
   if depth == 0 or not bonds.holds(list, n) or b.speed[up] == b.speed[low] then
     return
   elseif other == low and b.speed[low] == b.base[low] and b.grip[low] * tau >= press then
-    b.base[up], b.grip[up] = b.speed[low], press / tau -- the ground holds the lower one
+    b.base[up], b.grip[up] = b.speed[low], press / tau -- the ground holds the lower body
     reflow(b, up, tau, dt)
   else
     rubBoth(b, up, low, 1, 0.0, press, tau)
@@ -163,7 +174,8 @@ local function dragBond(b, list, n, other, tau, dt, depth)
   end
 end
 
--- The same for all bonds of body k but for `from`; and so on, `depth` times.
+-- Does the same for all bonds of body k except `from`, and for those of the bodies there, `depth`
+-- times.
 function drag(b, k, from, tau, dt, depth)
   local list, n = b.bonds[k % 2], b.bondUnder[k]
   if n ~= 0 and n ~= from then
@@ -178,8 +190,8 @@ function drag(b, k, from, tau, dt, depth)
   end
 end
 
--- The impact rubs along the other axis, at once; what the two press with then, until the end.
--- `jolt` and `press` are impulses along the normal.
+-- Lets the bodies of an impact rub along the other axis. The impulse `jolt` acts at once, then
+-- `press` until the end of the step; both are along the normal.
 local function rub(b, i, j, axis, wl, wh, jolt, press, tau, dt)
   local mu = friction.coefficient(b, i, j)
   if mu <= 0 then
@@ -203,7 +215,8 @@ local function rub(b, i, j, axis, wl, wh, jolt, press, tau, dt)
   end
 end
 
--- Places and speeds of two after an impact without a bounce: flush, with a common velocity.
+-- Sets the places and speeds of two bodies after an impact without a bounce: flush, with a common
+-- velocity.
 local function stick(b, i, j, kl, kh, wl, wh, separation, o, v)
   local to, speed, accel = b.to, b.speed, b.accel
   local total = wl + wh
@@ -238,7 +251,7 @@ local function stick(b, i, j, kl, kh, wl, wh, separation, o, v)
   end
 end
 
--- The same with a bounce, after which they are `gap` px apart and close at `vEnd`.
+-- Sets them after a bounce: at the end of the step the two are `gap` px apart and close at `vEnd`.
 local function bounce(b, kl, kh, wl, wh, o, gap, v, vEnd)
   local to, speed, total = b.to, b.speed, wl + wh
   local way, dv = (o + gap) / total, (v - vEnd) / total
@@ -246,10 +259,13 @@ local function bounce(b, kl, kh, wl, wh, o, gap, v, vEnd)
   speed[kl], speed[kh] = speed[kl] - dv * wl, speed[kh] + dv * wh
 end
 
---- Two bodies meet on an axis at moment t. Two that are inside each other (`isDeep`) come apart, or
---- in a heap that has no room get no deeper.
---- Returns whether they stay together; how far apart, px from the low edge of one to that of the
---- other; and whether they go apart and only may not overlap.
+--- Resolves the impact of two bodies on an axis at moment t. Two that overlap already (`isDeep`)
+--- separate, or if they had no room get no deeper. `isLate`: nothing bounces any more.
+---
+--- Returns:
+--- - whether they stay together;
+--- - the minimum distance between their low edges, px;
+--- - whether they move apart by themselves and only must not overlap.
 function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
   local left = (1 - max(b.time[i], b.time[j])) * dt
   path.advance(b, i, t)
@@ -277,7 +293,7 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
   end
   local isElastic = b.restitution[i] > 0 or b.restitution[j] > 0
   if v < 0 or (isElastic and v == 0 and a == 0) then
-    -- They go apart by themselves, and overlap by what others have pushed.
+    -- They move apart by themselves, and overlap only by what others have pushed.
     b.to[kl], b.to[kh] = b.to[kl] - o * wl / total, b.to[kh] + o * wh / total
     return not isElastic, separation, isElastic
   end

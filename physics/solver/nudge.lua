@@ -1,10 +1,14 @@
---- Corner correction: a hit that misses by a few pixels slides around the corner.
+--- Corner correction: computes from a hit that overlaps a corner by a few pixels the way around
+-- that corner.
+--
+-- A body with the field `nudge` is moved sideways by at most that many px, if the place there is
+-- free.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
 local live = require(root .. ".broadphase.activePairs")
-local part = require(root .. ".solver.separate")
+local separate = require(root .. ".solver.separate")
 local path = require(root .. ".motion.path")
 
 require(root .. ".memory.jit").file()
@@ -13,12 +17,12 @@ local nudge = {}
 
 local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
 local max = math.max
--- px
+-- px by which the tested place is further on, towards what the body hits.
 local AHEAD = 1e-3
---- Corners of one neighbour in a step.
+--- Maximum number of corrections of one pair in a step.
 nudge.MOST = 4
 
--- Where slot i is on k at moment t.
+-- Returns where slot i is on the axis of k at moment t.
 local function at(b, i, k, t)
   local left = 1 - b.time[i]
   if left <= 0 then
@@ -27,7 +31,8 @@ local function at(b, i, k, t)
   return b.from[k] + (b.to[k] - b.from[k]) * ((t - b.time[i]) / left)
 end
 
--- How far, and to which side, i must go along the other axis to pass j at time t.
+-- Returns how far, px, and to which side (its sign) slot i must go along the other axis to pass j
+-- at moment t.
 local function detour(b, i, j, axis, t)
   local ki, kj = 2 * i + 1 - axis, 2 * j + 1 - axis
   local its, mine = at(b, j, kj, t), at(b, i, ki, t)
@@ -35,7 +40,7 @@ local function detour(b, i, j, axis, t)
   return -low < high and low or high
 end
 
--- Whether another dynamic body is where slot i would be at (x, y) at moment t.
+-- Returns whether another dynamic body is at moment t where slot i would be, at (x, y).
 local function isTaken(b, i, x, y, t)
   local found, size = b.found, b.size
   local width, height = size[2 * i], size[2 * i + 1]
@@ -53,9 +58,10 @@ local function isTaken(b, i, x, y, t)
   return false
 end
 
---- Moves slot i past the corner of the immovable slot j, which it hits on `axis` at time t, if it
---- misses by no more than its `nudge` and the place beside is free; returns whether it did. Never
---- on the side that gravity presses, and never back against its own motion.
+--- Moves slot i past the corner of the immovable slot j, which it hits on `axis` at moment t. The
+--- two must overlap across the axis by no more than `nudge` px, and the place beside must be free.
+--- It is never moved on the side that gravity presses, and never back against its own motion.
+--- Returns whether it was moved.
 function nudge.try(b, i, j, axis, iIsLow, t)
   if b.nudge[i] == 0 or b.kind[i] ~= DYNAMIC or b.kind[j] == DYNAMIC then
     return false
@@ -67,21 +73,22 @@ function nudge.try(b, i, j, axis, iIsLow, t)
   if way > b.nudge[i] + EPSILON or way < -b.nudge[i] - EPSILON then
     return false
   elseif way <= EPSILON and way >= -EPSILON then
-    return false -- corner to corner: nothing to correct, it would be met again at once
+    return false -- corner to corner: nothing to correct, they would meet again at once
   end
   local k = 2 * i + 1 - axis
   local motion = b.to[k] - b.from[k]
   if (motion > EPSILON and way < 0) or (motion < -EPSILON and way > 0) then
     return false
   end
-  -- Flush with what it hits, it would not see what else is flush there: asked a little further on.
+  -- A body that is flush with what it hits overlaps nothing else that is flush there. So the place
+  -- a little further on is tested.
   local ahead = iIsLow and AHEAD or -AHEAD
   local x, y = at(b, i, 2 * i, t), at(b, i, 2 * i + 1, t)
   x, y = x + (axis == 1 and way or ahead), y + (axis == 0 and way or ahead)
-  -- No rest: if it is pushed back to where it was, it may get by in a longer step; and who is in
-  -- the way beside it may go without being a neighbour.
+  -- It must not sleep. If it is pushed back to where it was, it may pass in a longer step. And what
+  -- is in the way beside it may leave without being a neighbour.
   b.news[i] = true
-  if part.isInside(b, i, x, y) or isTaken(b, i, x, y, t) then
+  if separate.isInside(b, i, x, y) or isTaken(b, i, x, y, t) then
     return false
   end
   path.advance(b, i, t)
@@ -89,8 +96,8 @@ function nudge.try(b, i, j, axis, iIsLow, t)
   return true
 end
 
---- Moves bodies past the corners of what they touch where the step begins, and press against now
---- that it is settled. Returns whether there were any: then others may touch.
+--- Moves bodies past the corners that they touch at the start of the step and press against now
+--- that it is settled. Returns whether a body was moved: then other pairs may touch.
 function nudge.run(b)
   local hasMoved = false
   for axis = 0, 1 do

@@ -1,4 +1,7 @@
---- One-way objects: solid on one side, open on the others.
+--- One-way objects: decides from the side of a contact whether a one-way object is solid there or
+-- open.
+--
+-- The side in the field `oneWay` is solid, the others are open.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -8,7 +11,7 @@ local oneway = {}
 
 local SIDE = columns.SIDE
 
---- Returns whether slot i is open where it was hit: on `side` of it.
+--- Returns whether slot i is a one-way object that is open on `side`.
 function oneway.isOpen(b, i, side)
   local solid = b.oneWay[i]
   return solid and SIDE[solid] ~= side
@@ -16,8 +19,8 @@ end
 
 local isOpen = oneway.isOpen
 
---- Returns whether two that meet on `side` of i pass through each other there. What is inside a
---- one-way already (`isDeep`) always passes.
+--- Returns whether i and j, which meet on `side` of i, pass through each other because one is a
+--- one-way object. What overlaps a one-way object already (`isDeep`) always passes.
 function oneway.lets(b, i, j, side, isDeep)
   if not (b.oneWay[i] or b.oneWay[j]) then
     return false
@@ -25,7 +28,8 @@ function oneway.lets(b, i, j, side, isDeep)
   return isDeep or isOpen(b, i, side) or isOpen(b, j, columns.OPPOSITE[side])
 end
 
--- The side of slot i with which it stands on what is below, as gravity sees it; 0: it floats.
+-- Returns the side of slot i that points along its gravity, with which it stands; 0 without
+-- gravity.
 local function footOf(b, i)
   local x, y = b.down[2 * i], b.down[2 * i + 1]
   if x ~= 0 then
@@ -36,8 +40,8 @@ local function footOf(b, i)
   return 0
 end
 
---- Lets slot i fall through the one-way objects it stands on; returns whether there were any. What
---- is not dynamic stands on nothing.
+--- Lets slot i fall through the one-way objects that it stands on. Returns whether there were any.
+--- An object that is not dynamic stands on nothing.
 function oneway.drop(b, i)
   if b.kind[i] ~= columns.DYNAMIC then
     return false
@@ -45,7 +49,7 @@ function oneway.drop(b, i)
   local half, foot, any = b.head[i], footOf(b, i), false
   while half ~= 0 do
     local p, j = (half + half % 2) / 2, b.other[half]
-    local side = b.contact[p] -- of the pair's first
+    local side = b.contact[p] -- side of the first body of the pair
     if side ~= 0 and b.pairA[p] ~= i then
       side = columns.OPPOSITE[side]
     end

@@ -1,4 +1,5 @@
---- Asks the game whether a pair may collide (`canCollide` of an object or of the world).
+--- Permission: asks the game whether a pair may collide (`canCollide` of an object or of the
+-- world).
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -19,19 +20,20 @@ local function answer(b, callback, one, other, side)
   return result ~= false
 end
 
---- Returns whether the game is asked about two.
+--- Returns whether the game must be asked about a pair.
 function ask.isAsked(b, i, j)
   return b.worldCanCollide or b.canCollide[i] or b.canCollide[j]
 end
 
---- Returns whether a pair may collide on `axis`; asks each side, then the world. An error in the
---- game's function passes through, and the step is given up with nothing changed.
+--- Returns whether a pair may collide on `axis`. It asks `canCollide` of both objects, then that of
+--- the world. An error in one of them passes through, and the step is given up with nothing
+--- changed.
 function ask.permits(b, low, high, axis)
   local world = b.worldCanCollide
   if not ask.isAsked(b, low, high) then
     return true
   end
-  -- The answer may be another one in the next step: who is asked about does not rest.
+  -- The answer may be different in the next step, so these two must not sleep.
   b.heard[low], b.heard[high] = true, true
   local one, other = low, high
   if b.rank[high] < b.rank[low] then

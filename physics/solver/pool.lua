@@ -1,14 +1,19 @@
---- Blocks: free bodies that press each other along an axis go on as one.
+--- Blocks: computes from the contacts of an axis which free bodies move as one, and their common
+-- velocity.
 --
 -- Source: pool adjacent violators, which solves isotonic regression (R. E. Barlow et al.,
--- Statistical Inference under Order Restrictions, 1972): walk along the contacts, and make one
--- block of two that overlap, with their common momentum. Bodies are in a forest (union-find); the
--- offset of each from the root of its block is kept, so that a block stays flush. Friction and
--- engines of its members act on a block as kinks (see flow).
+-- Statistical Inference under Order Restrictions, 1972). Walk along the contacts, and join two
+-- blocks that overlap into one with their common momentum. Bodies are in a forest (union-find).
+-- Each body has its offset from the root of its block, so that a block stays flush. Friction and
+-- engines of its members act on a block as kinks (see flow.lua).
 --
 -- A block that is stronger (see `strength`) pushes a weaker one as if that had a fifth of its mass,
--- and is not moved by it. A body that is not pushable is *firm*: a block with one moves as that
--- does. Of two firm blocks the one that comes from behind follows; two that meet head-on both stop.
+-- and is not moved by it. A body that is not pushable is *firm*: a block with a firm body moves as
+-- that body does. If two firm blocks meet, the one that comes from behind follows; if they meet
+-- head-on, both stop.
+--
+-- Reads contacts, give, onset, and to, speed, accel; writes to, speed, accel, pressed, outset, and
+-- what holds the bodies (heldLow, heldHigh, holderLow, holderHigh).
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -20,20 +25,20 @@ local pool = {}
 local EPSILON = columns.EPSILON
 local floor, max, min = math.floor, math.max, math.min
 local HUGE = math.huge
--- Walks along the contacts, there and back.
+-- Maximum number of walks along the contacts, forwards and backwards.
 local PASSES = 8
 -- What is pushed by something stronger counts as this share of its mass.
 local WEAK = 0.2
--- How often blocks in which two overlap are made anew.
+-- Maximum number of times that blocks are made anew because two of their bodies overlap.
 local TEARS = 4
 
---- Returns whether an elastic pair bounces: it closes faster than its acceleration makes it in two
---- steps (`slow` s).
+--- Returns whether an elastic pair bounces: it closes faster than its acceleration alone would make
+--- it close in two steps (`slow` s).
 function pool.bounces(closing, accel, slow)
   return closing > (accel < 0 and -accel or accel) * slow
 end
 
--- The root of the block of k, and how far k is from it.
+-- Returns the root of the block of k, and the offset of k from it, px.
 local function find(b, k)
   local parent, offset = b.parent, b.offset
   local top, way = k, 0.0
@@ -47,7 +52,7 @@ local function find(b, k)
   return top, way
 end
 
--- Makes a block of one body, unless it is in one.
+-- Makes a block of one body, unless it is in one or cannot be moved.
 local function register(b, k, dt)
   if b.parent[k] ~= 0 or b.give[k] == 0 then
     return
@@ -66,19 +71,20 @@ local function register(b, k, dt)
   b.blockPower[k] = b.power[floor(k * 0.5)]
 end
 
--- Where a block was when the step began.
+-- Returns where a block was at the start of the step.
 local function origin(b, k)
   return b.from[k] + b.lead[k] + b.blockShift[k] / b.blockMass[k]
 end
 
--- The velocity of a block that starts at v, and its way, in a step.
+-- Returns the velocity at the end of the step of a block that starts at v, and its displacement,
+-- px.
 local function fly(b, k, v, dt)
   local mass, least, most = b.blockMass[k], b.blockLeast[k], b.blockMost[k]
   return flow.run(b, b.blockKinks[k], mass, b.blockForce[k], v, dt, least, most)
 end
 
--- The end of a block of which the parts are summed up, at its root. One that friction can hold, as
--- a member stands, does not move: what pushes it pushes anew in each step.
+-- Computes the end of a block from the sums at its root k. A block that friction can hold in place
+-- does not move: what pushes it pushes anew in each step.
 local function finish(b, k, dt, isLate, place)
   local mass, least, most = b.blockMass[k], b.blockLeast[k], b.blockMost[k]
   if isLate then
@@ -93,9 +99,9 @@ local function finish(b, k, dt, isLate, place)
   b.to[k], b.speed[k] = origin(b, k) + way, v
 end
 
--- Where a block of two goes, at the first's place, if the second is `off` px from it: to their
--- common centre of mass, or if only the first one gives way (`push = "first"`), to the place of the
--- one that was run into.
+-- Returns where the block of two ends, as the place of `one`, if `other` is `off` px from it: at
+-- their common centre of mass. If only one of them gives way (`push = "first"`), the block ends at
+-- the place of the one that was run into.
 local function meetingPlace(b, one, other, off, isFirst)
   local massOne, massOther, to = b.blockMass[one], b.blockMass[other], b.to
   if isFirst then
@@ -108,7 +114,7 @@ local function meetingPlace(b, one, other, off, isFirst)
   return (massOne * to[one] + massOther * (to[other] - off)) / (massOne + massOther)
 end
 
--- Makes one block of two, of which the second is `off` px from the first.
+-- Joins two blocks into one. `other` is `off` px from `one`.
 local function join(b, one, other, off, dt, isLate, isFirst)
   local massOne, massOther = b.blockMass[one], b.blockMass[other]
   local mass = massOne + massOther
@@ -136,14 +142,14 @@ local function join(b, one, other, off, dt, isLate, isFirst)
   finish(b, one, dt, isLate, place)
 end
 
---- Two firm ones that press each other, of which the low one goes at vl and the high one at vh:
---- which one gives way. Returns whether the low one stays, and the high one.
+--- Decides which of two firm bodies gives way when they press each other; the low one moves at vl,
+--- the high one at vh. Returns whether the low one stays, and whether the high one does.
 function pool.meetFirm(vl, vh)
   return vl <= 0 or vh < 0, vh >= 0 or vl > 0
 end
 
--- Whether the low block stays, and the high one. The stronger one stays unless it moves towards the
--- other one.
+-- Returns whether the low block keeps its motion in this contact, and whether the high one does.
+-- The stronger one does unless it moves towards the other one.
 local function weigh(b, low, high)
   local stayLow, stayHigh = b.heldLow[low] > 0, b.heldHigh[high] > 0
   if stayLow or stayHigh then
@@ -157,7 +163,7 @@ local function weigh(b, low, high)
   return b.isFirm[low], b.isFirm[high]
 end
 
--- Two firm blocks meet head-on: both stop where they were. Returns whether one has gone anywhere.
+-- Stops two firm blocks that meet head-on where they were. Returns whether one of them had moved.
 local function stopBoth(b, low, high)
   local hasMoved = false
   if b.isFirm[low] and b.isFirm[high] and b.heldLow[low] == 0 and b.heldHigh[high] == 0 then
@@ -171,21 +177,22 @@ local function stopBoth(b, low, high)
   return hasMoved
 end
 
---- Returns the speed of two that press each other, of which the first is held by what goes at
---- `base`: that, or if they leave it together, their common one. `sign`: 1 if it is held on its low
---- side.
+--- Returns the speed of a body that is held by one that moves at `base` and pressed against it by
+--- another. The speed is `base`, or the common speed of the two bodies if that leads away from the
+--- holder. `sign`: 1 if it is held on its low side.
 function pool.heldSpeed(mass, speed, otherMass, otherSpeed, base, sign)
   local v = (mass * speed + otherMass * otherSpeed) / (mass + otherMass)
   return (v - base) * sign > 0 and v or base
 end
 
--- The same of two blocks.
+-- Returns the same for two blocks.
 local function heldSpeed(b, held, other, base, sign)
   local mass, speed = b.blockMass, b.speed
   return pool.heldSpeed(mass[held], speed[held], mass[other], speed[other], base, sign)
 end
 
---- Body kl, or a block, leans on kh towards high coordinates: it is held by what holds that.
+--- Notes that body kl, or a block, leans on kh towards high coordinates: what holds kh holds it,
+--- too.
 function pool.leanHigh(b, kl, kh)
   if b.heldHigh[kh] > 0 then
     b.heldHigh[kl] = b.heldHigh[kh] + 1
@@ -193,7 +200,7 @@ function pool.leanHigh(b, kl, kh)
   end
 end
 
---- The same of kh, which leans on kl towards low coordinates.
+--- Notes the same for kh, which leans on kl towards low coordinates.
 function pool.leanLow(b, kl, kh)
   if b.heldLow[kl] > 0 then
     b.heldLow[kh] = b.heldLow[kl] + 1
@@ -201,8 +208,9 @@ function pool.leanLow(b, kl, kh)
   end
 end
 
--- A firm block and a free one, or one that is held: the other takes the whole push, and what is
--- firm stays in command of what it pushes. Returns whether something has changed.
+-- Resolves a contact in which at least one block stays, because it is firm or held. The other block
+-- takes the whole push, and becomes firm if a firm block pushes it. Returns whether something has
+-- changed.
 local function yield(b, low, high, offLow, offHigh, separation, stayLow, stayHigh)
   if stayLow and stayHigh then
     b.isClamped = b.isClamped or b.heldLow[low] > 0 and b.heldHigh[high] > 0
@@ -274,7 +282,8 @@ function pool.share(isLow, wl, wh, vl, vh)
   return isLow and strong or weak, isLow and weak or strong
 end
 
--- They have bounced, and overlap only by what they were pushed since: places alone.
+-- Moves two blocks apart that have bounced and overlap only because others pushed them since.
+-- Speeds stay as they are.
 local function shift(b, low, high, over)
   local massLow, massHigh = b.blockMass[low], b.blockMass[high]
   local share = over / (massLow + massHigh)
@@ -282,9 +291,9 @@ local function shift(b, low, high, over)
   b.to[high] = b.to[high] + share * massLow
 end
 
--- Two blocks that touch where the step begins, the second `off` px from the first, and close: the
--- impact gives them a common velocity at once. If what acts on each takes them apart from there,
--- they do not become one. Returns whether that is so.
+-- Gives two blocks that touch at the start of the step, and close, a common velocity at once, if
+-- they separate again from there. The second is `off` px from the first. Returns false, and changes
+-- nothing, if they do not touch or would stay together: then they become one block.
 local function leave(b, low, high, off, dt)
   local massLow, massHigh = b.blockMass[low], b.blockMass[high]
   local startLow, startHigh = b.blockMomentum[low] / massLow, b.blockMomentum[high] / massHigh
@@ -305,7 +314,7 @@ local function leave(b, low, high, off, dt)
   return true
 end
 
--- Looks at contact c. Returns whether something has changed.
+-- Resolves contact c if it is violated. Returns whether something has changed.
 local function look(b, list, c, dt, isLate)
   local kl, kh = list.low[c], list.high[c]
   if b.give[kl] == 0 and b.give[kh] == 0 then
@@ -320,9 +329,10 @@ local function look(b, list, c, dt, isLate)
   end
   local over = b.to[low] + offLow + separation - b.to[high] - offHigh
   local closing = b.speed[low] - b.speed[high]
-  -- With `push = "first"` a block has speed, but goes nowhere: it presses on all the same.
+  -- With `push = "first"` a block may have speed but not move: it presses on all the same.
   if over <= EPSILON then
-    local isHeld = over > 0 and (b.heldLow[low] > 0 or b.heldHigh[high] > 0) -- flush to the bit
+    -- What is held is made exactly flush.
+    local isHeld = over > 0 and (b.heldLow[low] > 0 or b.heldHigh[high] > 0)
     if closing <= 0 or not (isHeld or (b.pushFirst and over >= -EPSILON)) then
       return false
     end
@@ -346,7 +356,7 @@ local function look(b, list, c, dt, isLate)
   return true
 end
 
--- Gives the members of blocks what has become of those.
+-- Gives the members of each block its path, and ends all blocks.
 local function spread(b)
   local members, parent = b.members, b.parent
   for n = 1, b.memberCount do
@@ -365,8 +375,8 @@ local function spread(b)
   b.memberCount = 0
 end
 
---- Makes one block of kUp and kLow, of which friction holds the first to the second, after it has
---- slipped `slipped` px on it.
+--- Makes one block of kUp and kLow, because friction holds the upper one to the lower one after it
+--- has slipped `slipped` px.
 function pool.glue(b, kUp, kLow, slipped, dt)
   register(b, kUp, dt)
   register(b, kLow, dt)
@@ -375,12 +385,13 @@ function pool.glue(b, kUp, kLow, slipped, dt)
   if up ~= low then
     local apart = b.from[kUp] + b.lead[kUp] - (b.from[kLow] + b.lead[kLow]) + slipped
     join(b, low, up, offLow + apart - offUp, dt, false, false)
-    b.heldLow[low], b.heldHigh[low] = 0, 0 -- its contacts find out anew
+    b.heldLow[low], b.heldHigh[low] = 0, 0 -- its contacts decide that again
   end
 end
 
--- The next contact from place c on that may be violated at the end of the step: of two bodies that
--- are in no block that can be seen at once. `least`: px of overlap that count.
+-- Returns the next contact from place c on that may be violated at the end of the step. Its bodies
+-- overlap by more than `least` px, or one of them is in a block. (The place of a member of a block
+-- is not known here.)
 local function nextViolated(b, list, c, last, by, least)
   local low, high, separation = list.low, list.high, list.separation
   local to, parent = b.to, b.parent
@@ -394,7 +405,7 @@ local function nextViolated(b, list, c, last, by, least)
   return c
 end
 
--- One walk along the contacts. Returns whether something has changed.
+-- Walks along the contacts once. Returns whether something has changed.
 local function walk(b, list, first, last, by, dt, isLate)
   local hasChanged, least = false, b.pushFirst and -EPSILON or EPSILON
   local c = nextViolated(b, list, first, last + by, by, least)
@@ -407,7 +418,8 @@ local function walk(b, list, first, last, by, dt, isLate)
   return hasChanged
 end
 
--- Walks there and back, at most PASSES times.
+-- Walks along the contacts forwards and backwards, at most PASSES times. (Where gravity points to
+-- low coordinates the order is reversed, so that a turned scene gives a turned result.)
 local function pass(b, list, dt, isLate)
   local count, isTurned = list.count, b.orientation[list.axis] < 0
   b.isTorn = false
@@ -425,9 +437,9 @@ local function pass(b, list, dt, isLate)
   spread(b)
 end
 
---- Makes blocks of what overlaps at the end of the step. Two that came into one block by others may
---- overlap still: they push each other apart afterwards. Returns whether a block was found between
---- two that cannot give way.
+--- Makes blocks of free bodies that overlap at the end of the step. Two bodies that came into one
+--- block through others may still overlap: the blocks are made anew from there, TEARS times.
+--- Returns whether a block was found between two that cannot give way.
 function pool.run(b, list, dt, isLate)
   b.isClamped = false
   pass(b, list, dt, isLate)
@@ -440,7 +452,7 @@ function pool.run(b, list, dt, isLate)
   return b.isClamped
 end
 
--- What happens to single contacts goes another way each time.
+-- These take another branch for each contact. (jit: 4)
 interpreted.functions(yield, stopBoth, shift, walk, pass, pool.run, spread)
 interpreted.functions(pool.leanHigh, pool.leanLow, pool.meetFirm, pool.share, weakenOne)
 

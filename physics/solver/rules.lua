@@ -1,5 +1,5 @@
---- Rules that decide whether a contact may act: open sides of one-ways, `dropThrough`,
---- `canCollide`.
+--- Rules: decides whether a contact may act, from open sides of one-ways, `dropThrough` and
+-- `canCollide`.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ask = require(root .. ".solver.permission")
@@ -12,8 +12,9 @@ local rules = {}
 
 local floor = math.floor
 
---- Returns whether pair p passes through each other on an axis. `kl` and `kh` are the indexes of
---- the low body and the high one. The game is asked once a step for each pair.
+--- Returns whether the bodies of pair p pass through each other on an axis. `kl` and `kh` are the
+--- indices of the low body and the high one. `isDeep`: they overlap already. The game is asked once
+--- a step about each pair.
 function rules.passes(b, p, kl, kh, axis, isDeep)
   if b.passing[p] or b.dropping[p] then
     return true

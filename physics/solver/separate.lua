@@ -1,13 +1,19 @@
---- Step 2, part: what overlaps already leaves each other. Positions only.
+--- Separate: computes from bodies that overlap when the step begins the places where they do not.
+-- Positions only.
 --
--- Who was placed by the game or was left inside another is moved out by the smallest way that is
--- free: intersection rectangle, then the opposite-sides rule. A way that would end inside another
--- immovable object is none, or a box that stands deep in a floor of tiles would be thrown sideways.
--- Who is inside two of them in a corner leaves by one way after the other. Who finds no way out of
--- something immovable is `buried`: it stays where it is, and is crushed by the two that hold it.
--- Two that were squeezed into each other (`wedged`) are left to `meet`: they part as they came.
+-- A body that was placed by the game, or was left overlapping another, is moved out by the
+-- shortest way that is free. The ways come from the rule of the intersection rectangle, then that
+-- of the opposite sides.
 --
--- Reads and writes from, to; writes buried, and crushed, crushLow and crushHigh of who is.
+-- - A way that would end inside another immovable object does not count. Otherwise a box deep in a
+--   floor of tiles would be thrown sideways.
+-- - A body that overlaps two immovable ones in a corner leaves by one way after the other.
+-- - A body that finds no way out of something immovable is `buried`. It stays where it is, and is
+--   crushed by the two that hold it.
+-- - Two bodies that were squeezed into each other (`wedged`) are left to contacts.lua. They
+--   separate the way they came in.
+--
+-- Reads and writes from, to; writes buried, and crushed, crushLow and crushHigh of buried bodies.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local aabb = require(root .. ".memory.aabb")
@@ -19,17 +25,19 @@ local filter = require(root .. ".broadphase.filter")
 local rest = require(root .. ".sleep.islands")
 local sort = require(root .. ".memory.sort")
 
-local part = {}
+local separate = {}
 
 local huge, max, min = math.huge, math.max, math.min
 local EPSILON, DYNAMIC = columns.EPSILON, columns.DYNAMIC
 local ROUNDS = 8
--- So many others that it overlaps, a body leaves at once; more, over several steps (see contacts).
+-- Number of overlapped dynamic bodies that a body leaves at once; it leaves more of them over
+-- several steps (see contacts.lua).
 local MOST = 2
 
--- The four ways out for the first of two, and the order among equals: the tutorial's.
+-- The four ways out for the first of two bodies. Their order decides between equal ones, as in the
+-- tutorial.
 local AXIS = { 1, 1, 0, 0 } -- bottom, top, left, right
-local SIGN = { -1, 1, 1, -1 } -- where the first goes when that side of it was hit
+local SIGN = { -1, 1, 1, -1 } -- where the first body goes when that side of it was hit
 
 local function isOpen(b, p)
   local i, j = b.pairA[p], b.pairB[p]
@@ -51,7 +59,8 @@ local function overlapOf(b, i, j)
   )
 end
 
--- Whether a body overlaps more than MOST other dynamic ones: that is left to the contacts.
+-- Returns whether a body overlaps more than MOST other dynamic ones. These are left to
+-- contacts.lua.
 local function isCrowded(b, i)
   local work = b.partWork
   if work.seen[i] == work.round then
@@ -72,7 +81,7 @@ local function isCrowded(b, i)
   return count > MOST
 end
 
--- Adds pair p to the work of this round if the two overlap.
+-- Adds pair p to the work of this round if its bodies overlap.
 local function consider(b, p)
   local work = b.partWork
   if work.stamp[p] == work.round or not isOpen(b, p) then
@@ -83,7 +92,7 @@ local function consider(b, p)
     return
   end
   local width, height = overlapOf(b, i, j)
-  -- What cannot be pushed is as good as immovable to the other one.
+  -- For a body that can be pushed, one that cannot is like an immovable one.
   local isImmovable = b.kind[i] ~= DYNAMIC or b.kind[j] ~= DYNAMIC or b.power[i] ~= b.power[j]
   if
     width > EPSILON
@@ -95,7 +104,8 @@ local function consider(b, p)
     work.count = n
     work.pairs[n] = p
     local depth = width < height and width or height
-    -- Static partners first, then the deepest; a key of one number, since depth is finite.
+    -- Pairs with an immovable body come first, then the deepest. One number is enough as the key,
+    -- since depths are finite.
     work.depth[p] = isImmovable and -depth - work.far or -depth
     local first, second = b.rank[i], b.rank[j]
     work.first[p] = first < second and first or second
@@ -111,7 +121,8 @@ local function considerAll(b, i)
   end
 end
 
--- Lists in b.found the immovable ones that slot i would be inside of at (x, y); returns how many.
+-- Lists in b.found the immovable objects that slot i would overlap at (x, y). Returns how many
+-- there are.
 local function listBlockers(b, i, x, y)
   local found, w, h, count = b.found, b.size[2 * i], b.size[2 * i + 1], 0
   local from, size = b.from, b.size
@@ -129,12 +140,12 @@ local function listBlockers(b, i, x, y)
   return count
 end
 
---- Returns whether slot i at (x, y) would be inside something immovable.
-function part.isInside(b, i, x, y)
+--- Returns whether slot i at (x, y) would overlap an immovable object.
+function separate.isInside(b, i, x, y)
   return listBlockers(b, i, x, y) > 0
 end
 
--- Moves slot i by `way` px along an axis; flush against `edge` if that is given.
+-- Moves slot i by `way` px along an axis, or flush against `edge` if that is given.
 local function shift(b, i, axis, way, edge)
   if b.kind[i] ~= DYNAMIC or way == 0 then
     return
@@ -150,7 +161,7 @@ local function shift(b, i, axis, way, edge)
   detect.markMoved(b, i)
 end
 
--- Where slot i comes when it goes some px along an axis.
+-- Returns where slot i is after it has moved `way` px along an axis.
 local function placeOn(b, i, axis, way)
   local x, y = b.from[2 * i], b.from[2 * i + 1]
   return x + (axis == 0 and way or 0), y + (axis == 1 and way or 0)
@@ -160,12 +171,11 @@ local function canGo(b, i, axis, way)
   if b.kind[i] ~= DYNAMIC then
     return false
   end
-  return not part.isInside(b, i, placeOn(b, i, axis, way))
+  return not separate.isInside(b, i, placeOn(b, i, axis, way))
 end
 
--- The share of the way that i goes, the first of the two in the order of the world, of i and j: by
--- mass. What would come into something immovable stays. nil: that is so for both, or for the one
--- that can be pushed.
+-- Returns the share of the way that i moves, by mass; j moves the rest. A body that would move into
+-- something immovable stays. Returns nil if both would, or the only one that can be pushed.
 local function weigh(b, i, j, axis, sign, way)
   local wi, wj = b.inverseMass[i], b.inverseMass[j]
   if wi > 0 and wj > 0 and b.power[i] ~= b.power[j] then
@@ -188,13 +198,14 @@ local function weigh(b, i, j, axis, sign, way)
   return canGo(b, j, axis, -sign * way) and 0 or nil
 end
 
--- Where slot i is flush with j on an axis, on the low side of it (`sign` -1) or the high one (1).
+-- Returns where slot i is flush with j on an axis, on its low side (`sign` -1) or its high side
+-- (1).
 local function flushPlace(b, i, j, axis, sign)
   local k, m = 2 * i + axis, 2 * j + axis
   return sign < 0 and b.from[m] - b.size[k] or b.from[m] + b.size[m]
 end
 
--- Tries the way out on one side of i; returns whether it was free.
+-- Tries the way out on one side of i. Returns whether it was free.
 local function leave(b, i, j, exit, way)
   local axis, sign = AXIS[exit], SIGN[exit]
   local share = weigh(b, i, j, axis, sign, way)
@@ -211,9 +222,11 @@ local function leave(b, i, j, exit, way)
   return true
 end
 
--- Of those in b.found, who are in the way of slot i, the one that it leaves last if it goes along
--- an axis towards `sign`, and how far that is; 0, 0: further than it overlaps one of them, or the
--- game may let it pass through one.
+-- Returns the object in b.found that slot i leaves last if it moves along an axis towards `sign`,
+-- and how far that is, px. Returns 0, 0 if that way is no good:
+--
+-- - it is longer than the overlap with one of the objects;
+-- - the game may let slot i pass through one of them (`canCollide`).
 local function furthest(b, i, axis, sign, count)
   local from, size, last = b.from, b.size, 0
   local most = 0 ---@type number
@@ -232,8 +245,8 @@ local function furthest(b, i, axis, sign, count)
   return last, most
 end
 
--- Tries the way out on one side of i, after which it is still inside others, and out of those
--- across it: i is in a corner. Returns whether that was free.
+-- Tries a way out of a corner. It leads out on one side of i, and then along the other axis out of
+-- what i still overlaps. Returns whether that was free.
 local function leaveCorner(b, i, j, exit, way)
   local axis, sign = AXIS[exit], SIGN[exit]
   local x, y = placeOn(b, i, axis, sign * way)
@@ -243,7 +256,7 @@ local function leaveCorner(b, i, j, exit, way)
   local isLow = low ~= 0 and (high == 0 or lowWay <= highWay)
   local other, side = isLow and low or high, isLow and -lowWay or highWay
   if
-    other == 0 or part.isInside(b, i, axis == 0 and x or x + side, axis == 0 and y + side or y)
+    other == 0 or separate.isInside(b, i, axis == 0 and x or x + side, axis == 0 and y + side or y)
   then
     return false
   end
@@ -252,14 +265,14 @@ local function leaveCorner(b, i, j, exit, way)
   return true
 end
 
--- Whether an object that sticks out by `gap` px on a side may leave there: if it is only flush, if
--- that is the shortest way of all.
+-- Returns whether an object that sticks out by `gap` px on a side may leave there. If it is only
+-- flush, this must be the shortest way of all.
 local function isOpenOn(gap, way, shortest)
   return gap > EPSILON or (gap >= -EPSILON and way == shortest)
 end
 
--- Closes the ways out on which the first would pass right through the second: if it sticks out on
--- some sides, only those are ways out; if it is wholly inside, all are.
+-- Closes the ways out on which the first body would pass right through the second. If it sticks out
+-- on some sides, only those are ways out. If it is wholly inside, all are.
 local function closePassages(b, i, j, ways)
   local from, size = b.from, b.size
   local ki, kj = 2 * i, 2 * j
@@ -275,7 +288,7 @@ local function closePassages(b, i, j, ways)
   end
 end
 
--- Tries the ways of i out of j, the shortest first; returns whether one was free.
+-- Tries the ways of i out of j, the shortest first. Returns whether one was free.
 local function tryWays(b, i, j, leaveBy)
   local from, size, ways = b.from, b.size, b.partWork.ways
   local ki, kj = 2 * i, 2 * j
@@ -307,8 +320,9 @@ local function tryWays(b, i, j, leaveBy)
   return false
 end
 
--- Returns the first in the order of the world of those who are in the way of slot i, `way` px along
--- an axis, and in the middle beyond it; 0: nobody is. `isApart`: only who is not in it yet counts.
+-- Returns the first object in the order of the world that is in the way of slot i, `way` px along
+-- an axis. The middle of the object must be beyond that of slot i. Returns 0 if there is none.
+-- `isApart`: objects that slot i overlaps already do not count.
 local function blockerOn(b, i, axis, way, isApart)
   local from, size, first = b.from, b.size, 0
   local k, sign = 2 * i + axis, way < 0 and -1 or 1
@@ -325,8 +339,8 @@ local function blockerOn(b, i, axis, way, isApart)
   return first
 end
 
--- Notes that slot i, which finds no way out of j, is held between that and somebody on the short
--- way out along an axis; returns whether somebody is there.
+-- Notes that slot i, which finds no way out of j, is held between j and another object. That one is
+-- on the shorter way out along an axis. Returns whether there is such an object.
 local function noteHeldOn(b, i, j, axis, isApart)
   local from, size, k, m = b.from, b.size, 2 * i + axis, 2 * j + axis
   local down, up = from[k] + size[k] - from[m], from[m] + size[m] - from[k]
@@ -339,13 +353,13 @@ local function noteHeldOn(b, i, j, axis, isApart)
   return other ~= 0
 end
 
--- Slot i finds no way out of j.
+-- Notes that slot i finds no way out of j.
 local function bury(b, i, j)
   local width, height = overlapOf(b, i, j)
   local axis = height <= width and 1 or 0
   b.buried[i], b.hasBuried = true, true
   if not (b.crushed[2 * i] or b.crushed[2 * i + 1]) then
-    -- Rather a ceiling than the next tile of the floor that it is in, too.
+    -- A ceiling is preferred to the next tile of the floor that it overlaps, too.
     return noteHeldOn(b, i, j, axis, true)
       or noteHeldOn(b, i, j, 1 - axis, true)
       or noteHeldOn(b, i, j, axis, false)
@@ -353,7 +367,8 @@ local function bury(b, i, j)
   end
 end
 
--- Whether it is rather slot j that leaves slot i: what can be pushed, else the first in order.
+-- Returns whether slot j is to leave slot i, and not the other way round. The body that can be
+-- pushed leaves, else the first in the order of the world.
 local function leavesLater(b, i, j)
   if b.kind[i] ~= DYNAMIC or b.kind[j] ~= DYNAMIC then
     return b.kind[i] ~= DYNAMIC
@@ -363,7 +378,7 @@ local function leavesLater(b, i, j)
   return b.rank[j] < b.rank[i]
 end
 
-local function separate(b, p)
+local function separatePair(b, p)
   local i, j = b.pairA[p], b.pairB[p]
   if leavesLater(b, i, j) then
     i, j = b.pairB[p], b.pairA[p]
@@ -372,7 +387,7 @@ local function separate(b, p)
   if width <= EPSILON or height <= EPSILON then
     return
   end
-  -- Who sleeps begins the step before it is judged, or what is noted here would be forgotten then.
+  -- A sleeping body begins the step first: otherwise what is noted here would be forgotten then.
   rest.wake(b, i)
   begin.run(b)
   local axis = height < width and 1 or 0
@@ -390,9 +405,9 @@ local function startRound(b)
   work.count, work.movedCount = 0, 0
 end
 
---- Parts whoever was moved by the game, was left inside another by the last step, or is inside one
---- whom it may meet because of new masks.
-function part.run(b)
+--- Separates overlapping bodies: those that the game has moved, and those that the last step left
+--- overlapping. After a change of the world's masks all awake bodies are examined.
+function separate.run(b)
   local work = b.partWork
   startRound(b)
   for n = 1, b.movedCount do
@@ -413,7 +428,7 @@ function part.run(b)
     end
     sort.by(work.pairs, work.count, work.depth, work.first, work.second)
     for n = 1, work.count do
-      separate(b, work.pairs[n])
+      separatePair(b, work.pairs[n])
     end
     local movedCount = work.movedCount
     detect.run(b, work.moved, 1, movedCount)
@@ -424,4 +439,4 @@ function part.run(b)
   end
 end
 
-return part
+return separate

@@ -1,14 +1,21 @@
---- Settling: what touches along an axis does not overlap at the end of the step.
+--- Settling: computes from the contacts of an axis where their bodies end, so that none overlap at
+-- the end of the step if there is room.
 --
--- Boxes do not turn, so along one axis the contacts are a partial order, and what inelastic
--- contacts do to it has a closed answer. First, what an immovable body holds is put flush against
--- it, from there on through all that lean on each other (`holdHigh`, `holdLow`). Then free bodies
--- that press each other become blocks with a common velocity (see pool).
+-- Boxes do not turn, so the contacts of an axis are a partial order, and the result of inelastic
+-- contacts can be computed directly:
+-- 1. Immovable bodies hold what is pushed against them: it ends flush, with their speed. So does
+--    what leans on that, and so on (`holdHigh`, `holdLow`). What is held on both sides is squeezed
+--    (`squeeze`).
+-- 2. Free bodies that press each other become blocks with a common velocity (see pool.lua).
 --
--- Reads contacts, give, start; writes to, speed, accel, heldLow, heldHigh, pressed, squeezed (px;
--- below 0: towards low coordinates).
--- heldLow and heldHigh are 0, or say by how many contacts an immovable body is away, and 1: a body
--- that is held cannot give way to that side.
+-- For example, a box that is pushed against a wall ends flush with it at the speed of the wall.
+-- What pushes it is held in the same way.
+--
+-- heldLow and heldHigh of a body are 0 if it can give way to that side. Otherwise they are 1 plus
+-- the number of contacts between it and the immovable body that holds it there.
+--
+-- Reads contacts, give, start; writes to, speed, accel, heldLow, heldHigh, holderLow, holderHigh,
+-- pressed, and squeezed (px; below 0: towards low coordinates).
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -20,7 +27,7 @@ local settle = {}
 local EPSILON = columns.EPSILON
 local max, min = math.max, math.min
 
--- Nothing dynamic is held yet.
+-- Resets an axis: no movable body is held yet.
 local function release(b, axis)
   local list, give, heldLow, heldHigh = b.awakeList, b.give, b.heldLow, b.heldHigh
   local squeezed = b.squeezed
@@ -35,14 +42,16 @@ local function release(b, axis)
   end
 end
 
--- Body k is leaving what has held it, `wall`, when `other` presses it back towards there.
+-- Lets `other` press body k back towards the body that held it (`wall`), which k is leaving. The
+-- two share their momentum, but k is never faster towards `wall` than that goes.
 local function leave(b, k, other, wall, sign)
   local give, speed = b.give, b.speed
   local mass, otherMass = 1 / give[k], 1 / give[other]
   speed[k] = pool.heldSpeed(mass, speed[k], otherMass, speed[other], speed[wall], sign)
 end
 
--- Towards high coordinates: from what cannot give way, down the list, what leans on it.
+-- Puts bodies flush against what holds them on their high side, from immovable bodies down the
+-- list.
 local function holdHigh(b, list, slow)
   local low, high, separation, elastic = list.low, list.high, list.separation, list.elastic
   local pair, pressed = list.pair, b.pressed
@@ -71,8 +80,9 @@ local function holdHigh(b, list, slow)
   end
 end
 
--- Where a squeezed body k goes: its middle is not pushed into what cannot be moved on that side.
--- (Where it was, if it is there again but for rounding, which would move it for ever.)
+-- Returns where a squeezed body k goes: not so far that its middle is pushed into the immovable
+-- body on that side. The place is its start if they differ by rounding only, which would move it
+-- for ever.
 local function keepOut(b, k, place, sign)
   local half, from, to = b.size[k] * 0.5, b.from[k], b.to[k]
   if sign > 0 then
@@ -85,11 +95,13 @@ local function keepOut(b, k, place, sign)
   return isThere and from or place
 end
 
--- Body k is held on one side, where `held` says how far what cannot give way is from it. `other`,
--- which cannot give way either, presses it by `over` px more towards there: to higher coordinates
--- (`sign` 1) or lower ones (-1). So it is squeezed. A row of such bodies shares the overlap, and
--- goes at the mean of the speeds of the two that press it. Of several that press a body the one
--- counts that does so most.
+-- Squeezes body k between the body that holds it and `other`, which cannot give way either. `other`
+-- presses it by `over` px more, to higher coordinates (`sign` 1) or to lower ones (-1).
+--
+-- - `held` is heldLow or heldHigh, on the side to which k is pressed. A row of such bodies shares
+--   the overlap.
+-- - The body moves at the mean speed of the two immovable bodies.
+-- - If several bodies press it, the one with the largest overlap counts.
 local function squeeze(b, k, other, over, sign, held, pressing, holder)
   local share, most = 1 - 1 / held[k], b.squeezed[k] * sign
   over = over + most * share
@@ -105,8 +117,8 @@ local function squeeze(b, k, other, over, sign, held, pressing, holder)
   end
 end
 
--- Towards high coordinates again: what is held on its low side alone has been pushed onto something
--- on its high side that cannot give way.
+-- Squeezes bodies that are held on their low side alone, but have been pushed onto a body that is
+-- held on its high side.
 local function pushBack(b, list)
   local low, high, separation, pair, pressed =
     list.low, list.high, list.separation, list.pair, b.pressed
@@ -124,7 +136,8 @@ local function pushBack(b, list)
   end
 end
 
--- Towards low coordinates. Returns whether free bodies still overlap.
+-- Puts bodies flush against what holds them on their low side. Returns whether free bodies still
+-- overlap.
 local function holdLow(b, list, slow)
   local low, high, separation, elastic = list.low, list.high, list.separation, list.elastic
   local pair, pressed = list.pair, b.pressed
@@ -167,7 +180,8 @@ local function holdLow(b, list, slow)
   return isViolated
 end
 
---- The first half of settling: what immovable bodies hold. Returns whether free ones overlap.
+--- Settles what immovable bodies hold, the first half of settling. `b.isViolated` says afterwards
+--- whether free bodies overlap.
 function settle.hold(b, axis, dt)
   local list = b.contacts[axis]
   release(b, axis)
@@ -179,11 +193,11 @@ function settle.hold(b, axis, dt)
   end
 end
 
---- The second half: free bodies that overlap become blocks, beside those that friction has made.
---- `isLate`: the paths have begun at different moments by now.
+--- Makes blocks of free bodies that overlap, the second half of settling. `isGlued`: friction has
+--- made blocks already. `isLate`: the paths begin at different moments of the step.
 function settle.finish(b, axis, dt, isGlued, isLate)
   if (b.isViolated or isGlued) and pool.run(b, b.contacts[axis], dt, isLate) then
-    settle.hold(b, axis, dt) -- what is clamped shares the overlap
+    settle.hold(b, axis, dt) -- bodies between two immovable ones share the overlap
   end
 end
 
@@ -193,8 +207,8 @@ function settle.axis(b, axis, dt, isLate)
   settle.finish(b, axis, dt, false, isLate)
 end
 
---- Returns whether a contact of an axis is violated at the end of the step, apart from those that
---- cannot be helped: neither body can give way.
+--- Returns whether a contact of an axis is violated at the end of the step. Contacts in which
+--- neither body can give way do not count.
 function settle.isViolated(b, axis)
   local list, to, heldLow, heldHigh = b.contacts[axis], b.to, b.heldLow, b.heldHigh
   local low, high, separation = list.low, list.high, list.separation

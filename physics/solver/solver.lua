@@ -1,8 +1,15 @@
---- The solver: settle what touches, then sweep, hit and settle again.
+--- The solver: computes where each body ends a step, and how fast, from its path of free flight and
+-- from what it touches or meets.
 --
--- A step is bounded: at most ROUNDS rounds, in each of which a body takes part in one impact, and a
--- fixed number of passes over the contacts in each. What cannot be finished goes on in the next
--- step.
+-- The stages are in `solve`:
+-- 1. Settle contacts that exist at the start, with their friction (`settleTouching`).
+-- 2. Correct corners (`nudgeTouching`).
+-- 3. Rounds: sweep, let the first impacts happen (`round`), settle again (`settleLate`).
+-- 4. Limit the motion of overlapping bodies, note what is pressed and what is crushed.
+--
+-- A step is bounded. It has at most ROUNDS rounds, in each of which a body takes part in one
+-- impact. Each round makes a fixed number of passes over the contacts. What cannot be finished
+-- goes on in the next step.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local bonds = require(root .. ".solver.bonds")
@@ -30,42 +37,42 @@ local solver = {}
 local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
 local floor, max, min = math.floor, math.max, math.min
 
---- Rounds of sweep, hit, settle in a step.
+--- Maximum number of rounds (sweep, impacts, settle) in a step.
 solver.ROUNDS = 18
 local ROUNDS = solver.ROUNDS
---- Share of its size by which a body may be moved in a step, along each axis, to part what
---- overlaps.
+--- Share of its size by which separating overlaps may move a body in a step, along each axis.
 solver.PARTING = 0.25
 local PARTING = solver.PARTING
--- Impacts in a step of a body in a heap without room.
+-- Maximum number of impacts in a step of a body that overlaps others and has no room.
 local SPENT = 2
--- In so many last ones nothing bounces any more, so that what is left comes to terms.
+-- Number of last rounds in which nothing bounces, so that the remaining contacts settle.
 local LATE = 5
--- How often a step begins anew because its paths have come near to bodies that rested; then all are
--- woken.
+-- Maximum number of restarts of a step because a path came near a sleeping body. After these, all
+-- bodies are woken.
 local RESTARTS = 8
--- Of so many bodies that bounce in a round it is asked whether they come in the way of others.
+-- Maximum number of bodies in `b.bounced`, the list that later impacts of a round are compared
+-- with.
 local BOUNCED = 256
--- px: that is asked of paths that are so near to each other.
+-- px by which a path is widened for that comparison.
 local NEAR = 24
--- Moments closer than this part of a step are simultaneous.
+-- Impacts are simultaneous if their times, rounded to 1 / MOMENTS of a step, are equal.
 local MOMENTS = 1e9
--- Parts of a px to which common edges are compared.
+-- Widths of common edges are rounded to 1 / WIDTHS px before they are compared.
 local WIDTHS = 2 ^ 20
 
---- Gives a world what the solver needs.
+--- Creates the lists that the solver needs in the columns of a world.
 function solver.adopt(b)
   b.contacts = { [0] = contacts.newList(0), contacts.newList(1) }
   b.bonds = { [0] = bonds.new(), bonds.new() }
   b.impacts = sweep.newImpacts()
 end
 
--- The speed of body k where the step begins.
+-- Returns the velocity of body k at the start of the step, its carrier included.
 local function startSpeed(b, k)
   return max(min(b.velocity[k], b.limit[k]), -b.limit[k]) + b.carried[k]
 end
 
--- Everything awake as it is before contacts.
+-- Resets the solver's columns of all awake bodies to free flight, before any contact acts.
 local function begin(b, dt)
   if b.crowdCount > 0 then
     crowd.hold(b)
@@ -94,19 +101,20 @@ local function begin(b, dt)
   end
 end
 
--- The body that leans on the other one in contact c.
+-- Returns the body that leans on the other one in contact c.
 local function leaning(b, list, c)
   return b.heldHigh[list.high[c]] > 0 and list.low[c] or list.high[c]
 end
 
--- Whether contact c is there for the first time, and its bodies are flush.
+-- Returns whether contact c did not exist in the last step, was not hit in this one, and is flush.
 local function isNew(b, list, c)
   local p = list.pair[c]
   local over = b.to[list.low[c]] + list.separation[c] - b.to[list.high[c]]
   return b.hit[p] == 0 and b.contact[p] == 0 and over <= EPSILON and over >= -EPSILON
 end
 
--- px of the common edge of contact c, and a rank that decides among equals.
+-- Returns the length of the common edge of contact c, px, and a rank that decides between equal
+-- edges.
 local function edgeOf(b, list, c)
   local k, m = list.low[c] + 1 - 2 * list.axis, list.high[c] + 1 - 2 * list.axis
   local edge = min(b.from[k] + b.size[k], b.from[m] + b.size[m]) - max(b.from[k], b.from[m])
@@ -114,8 +122,8 @@ local function edgeOf(b, list, c)
   return edge, b.rank[i] + b.rank[j]
 end
 
--- Finds for each body the new contact with the widest common edge of those it leans on: of several
--- at once that one is hit.
+-- Finds for each body the new contact with the widest common edge among those that it leans on. If
+-- several begin at once, only that one counts as hit.
 local function findWidest(b, list)
   local widest, awake = b.widest, b.awakeList
   for n = 1, b.awakeCount do
@@ -137,7 +145,7 @@ local function findWidest(b, list)
   end
 end
 
--- Notes the hits of those that begin to lean on each other.
+-- Notes the hit of each contact in which two bodies begin to lean on each other.
 local function noteNewHits(b, list)
   findWidest(b, list)
   for c = 1, list.count do
@@ -151,7 +159,7 @@ local function noteNewHits(b, list)
   end
 end
 
--- Notes the sides at which bodies lean on each other, and the hits of those that begin to.
+-- Notes the sides on which bodies lean on each other, and the hits of contacts that begin so.
 local function notePressed(b, axis)
   local list, pressed = b.contacts[axis], b.pressed
   local pressedHigh, pressedLow, hasNew = b.pressedHigh, b.pressedLow, false
@@ -179,7 +187,8 @@ local function forgetPressed(b)
   end
 end
 
--- What touches at the start of the step: along gravity, then across it, each with its friction.
+-- Settles what touches at the start of the step: first along gravity, then across it, each followed
+-- by its friction.
 local function settleTouching(b, dt)
   contacts.find(b)
   forgetPressed(b)
@@ -195,7 +204,7 @@ local function settleTouching(b, dt)
   end
 end
 
--- Nudges what is pressed against a corner, and settles anew from there.
+-- Nudges bodies that are pressed against a corner, and settles again from their new places.
 local function nudgeTouching(b, dt)
   for _ = 1, nudge.MOST do
     if not nudge.run(b) then
@@ -214,7 +223,7 @@ local function nudgeTouching(b, dt)
   end
 end
 
--- Marks what has another path than when it was swept, and looks up its neighbours.
+-- Marks bodies with another path than the one that was swept last, and looks up their neighbours.
 local function findChanged(b)
   local list, to, swept, dirty = b.awakeList, b.to, b.swept, b.dirty
   for n = 1, b.awakeCount do
@@ -228,7 +237,7 @@ local function findChanged(b)
   pairFinder.run(b, list, 1, b.awakeCount)
 end
 
--- The same of the bodies in b.changed, which were in impacts.
+-- Does the same for the bodies in b.changed, which were in impacts and are marked already.
 local function followChanged(b)
   local list, to, swept = b.changed, b.to, b.swept
   for n = 1, b.changedCount do
@@ -238,7 +247,7 @@ local function followChanged(b)
   pairFinder.run(b, list, 1, b.changedCount)
 end
 
--- The path of a dynamic body is a new one.
+-- Notes that the path of a dynamic body has changed.
 local function change(b, i)
   if b.kind[i] == DYNAMIC and b.dirty[i] == 0 then
     b.dirty[i], b.changedCount = 1, b.changedCount + 1
@@ -246,7 +255,8 @@ local function change(b, i)
   end
 end
 
--- Sorts the impacts: by moment, solids before sensors, the wider common edge first, then in order.
+-- Sorts the impacts by moment, solids before sensors, then the wider common edge first, then by the
+-- order of the world.
 local function sortImpacts(b)
   local impacts = b.impacts
   for n = 1, impacts.count do
@@ -269,7 +279,7 @@ local function sortImpacts(b)
   )
 end
 
--- A body enters a sensor, or passes through it.
+-- Notes the hit of a sensor that a body enters or passes through.
 local function sense(b, p, i, j, axis, t, dt)
   local kl, kh = 2 * i + axis, 2 * j + axis
   local o = b.to[kl] + b.size[kl] - b.to[kh]
@@ -277,7 +287,7 @@ local function sense(b, p, i, j, axis, t, dt)
   impact.note(b, p, i, axis, (impact.approach(o, v, a, (1 - t) * dt)))
 end
 
--- Ends the path of a body where it is at moment t.
+-- Ends the path of a dynamic body at its place at moment t.
 local function stop(b, i, t)
   if b.kind[i] == DYNAMIC then
     path.advance(b, i, t)
@@ -287,20 +297,20 @@ local function stop(b, i, t)
   end
 end
 
--- Whether a body in a heap without room has had so many impacts that others may go into it: that is
--- left to the next step.
+-- Returns whether a body that overlaps others has used up its impacts for this step. Other dynamic
+-- bodies may move into it then; their impact is left to the next step.
 local function isSpent(b, i)
   return b.deepAt[i] == b.solveStamp and b.impactsOf[i] >= SPENT
 end
 
--- Whether the paths of k and m cross on their axis, as they were swept.
+-- Returns whether the paths of k and m, as they were swept, cross on their axis.
 local function crosses(b, k, m)
   local s, e, u, v = b.from[k], b.swept[k], b.from[m], b.swept[m]
   return max(s, e) + b.size[k] > min(u, v) and max(u, v) + b.size[m] > min(s, e)
 end
 
--- Whether the path of slot i comes near to that of one in the list of those that have met others in
--- this round: as it is now, or as it was swept.
+-- Returns whether the path of slot i comes near that of a body in b.bounced. The paths of those
+-- count as they are now and as they were swept.
 local function meetsBounced(b, i)
   local list, from, to, swept, size = b.bounced, b.from, b.to, b.swept, b.size
   local k, l = 2 * i, 2 * i + 1
@@ -320,7 +330,8 @@ local function meetsBounced(b, i)
   return false
 end
 
--- Bodies i and j have met others in this round, in a world in which something bounces.
+-- Adds the dynamic ones of bodies i and j to b.bounced: an impact has changed their paths in this
+-- round.
 local function noteBounced(b, i, j)
   for at = 1, b.bouncedCount < BOUNCED and 2 or 0 do
     local k = at == 1 and i or j
@@ -331,16 +342,21 @@ local function noteBounced(b, i, j)
   end
 end
 
--- Whether two that touch, of which one has a new path, would end far inside each other.
+-- Returns whether the bodies of contact p, one of which has a new path, would end far inside each
+-- other.
 local function isTorn(b, p)
   local kl, kh = b.contactLow[p], b.contactHigh[p]
   return b.touches[p] == contacts.CONTACT
     and b.to[kl] + b.separation[p] - b.to[kh] > PARTING * min(b.size[kl], b.size[kh])
 end
 
--- Whether an earlier impact of this round has changed the path of slot i, or of one that is in its
--- way now; or, where something bounces, of one with a path that crosses that, or did: it may
--- be met before. (Not of any neighbour: which ones there are depends on the broad phase.)
+-- Returns whether an earlier impact of this round may have invalidated the impact of slot i:
+--
+-- - it changed the path of slot i, or of a body that would end far inside it now;
+-- - `mayBounce`: it changed a path that crosses that of slot i, or that did before. Slot i may meet
+--   that body first.
+--
+-- Not every changed neighbour counts, because the neighbours depend on the broad phase.
 local function isDisturbed(b, i, round, mayBounce)
   if b.inRound[i] == round then
     return true
@@ -364,7 +380,8 @@ local function isDisturbed(b, i, round, mayBounce)
   return false
 end
 
--- The n-th impact happens. Bodies that were in an earlier one of this round are swept anew.
+-- Resolves the n-th impact. If an earlier one of this round has disturbed its bodies, they are
+-- swept again instead.
 local function happen(b, n, dt, isLast, isLate)
   local impacts, round = b.impacts, b.roundStamp
   local p, t, axis = impacts.pair[n], impacts.time[n], impacts.axis[n]
@@ -423,7 +440,8 @@ local function happen(b, n, dt, isLast, isLate)
   end
 end
 
--- One round: what meets first, once for each body. Returns whether anything has met.
+-- Makes one round: sweeps changed paths, then resolves the first impact of each body. Returns
+-- whether there was any impact.
 local function round(b, dt, isLast, isLate)
   local count = sweep.run(b, b.isChangeListed and b.changedCount)
   local list, dirty = b.isChangeListed and b.changed or b.awakeList, b.dirty
@@ -443,7 +461,7 @@ local function round(b, dt, isLast, isLate)
   return true
 end
 
--- Settles the axes on which a contact is violated. Returns whether one was.
+-- Settles the axes on which a contact is violated at the end of the step. Returns whether one was.
 local function settleViolated(b, dt)
   local isAny = false
   for n = 0, 1 do
@@ -456,7 +474,7 @@ local function settleViolated(b, dt)
   return isAny
 end
 
--- Settles again what impacts have changed, and looks up what comes near now.
+-- Settles what impacts have changed, and looks up the neighbours of the new paths.
 local function settleLate(b, dt)
   b.isChangeListed, b.isJammed = not settleViolated(b, dt), false
   if b.isChangeListed then
@@ -467,8 +485,8 @@ local function settleLate(b, dt)
   contacts.noteNew(b)
 end
 
--- Where bodies overlap, pushes may add up: no body ends the step further from its start than its
--- fastest speed takes it, and PARTING of its size.
+-- Limits the motion of the step, since pushes may add up where bodies overlap. A body ends no
+-- further from its start than its fastest speed takes it, and PARTING of its size.
 local function limitMotion(b, dt)
   local list, give, origin, to, size = b.awakeList, b.give, b.origin, b.to, b.size
   local start, freeSpeed, speed, position = b.start, b.freeSpeed, b.speed, b.position
@@ -485,8 +503,8 @@ local function limitMotion(b, dt)
   end
 end
 
--- Across gravity a body that is not pushable ends between where it was and where it wanted to go,
--- unless something immovable presses it.
+-- Keeps the end of each body that is not pushable between its start and its own goal, across
+-- gravity. A body that is pressed directly by something immovable is left out.
 local function keepOwnWay(b, dt)
   local list, origin, to = b.awakeList, b.origin, b.to
   for n = 1, b.awakeCount do
@@ -500,8 +518,8 @@ local function keepOwnWay(b, dt)
   end
 end
 
--- Solves a step for what is awake. Returns false if bodies have been woken on the way: then it was
--- in vain.
+-- Solves a step for all awake bodies. Returns false if bodies were woken on the way; the result is
+-- void then.
 local function solve(b, dt)
   local awakenings = b.awakenings
   b.solveStamp = b.solveStamp + 1
@@ -513,7 +531,7 @@ local function solve(b, dt)
     nudgeTouching(b, dt)
   end
   if b.rubs > 0 then
-    settleViolated(b, dt) -- by what friction has done for others
+    settleViolated(b, dt) -- friction may have violated other contacts
   end
   b.isChangeListed = false
   findChanged(b)
@@ -545,7 +563,7 @@ local function solve(b, dt)
   return true
 end
 
--- Brings everything back to where the step began.
+-- Puts everything back to the start of the step and computes the free flight again.
 local function restart(b, dt)
   local list, from, origin, time = b.awakeList, b.from, b.origin, b.time
   for n = 1, b.predicted do
@@ -557,7 +575,7 @@ local function restart(b, dt)
   predict.run(b, dt)
 end
 
---- Resolves all contacts of a step of dt s.
+--- Resolves all contacts and impacts of a step of dt s.
 function solver.run(b, dt)
   b.resolved, b.step = 0, b.step + 1
   for _ = 1, RESTARTS do
@@ -566,13 +584,13 @@ function solver.run(b, dt)
     end
     restart(b, dt)
   end
-  -- Wakes all: nothing can come near to what rests then.
+  -- With all bodies awake, no path can come near a sleeping one.
   rest.wakeAll(b)
   restart(b, dt)
   solve(b, dt)
 end
 
--- These lead from loop to loop, or go another way each time.
+-- These call one loop after the other, or take another branch for each body. (jit: 4)
 interpreted.functions(settleTouching, sortImpacts, sense, stop, happen, round, settleLate, solve)
 interpreted.functions(settleViolated, isSpent, crosses, isTorn, isDisturbed, restart, solver.run)
 

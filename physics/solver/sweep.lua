@@ -1,8 +1,9 @@
---- Sweep: when do bodies meet that were apart?
+--- Sweep: computes from the paths of two bodies that were apart when they meet in the step (the
+-- time of impact), and on which side.
 --
 -- Every body moves in a straight line from `from` at `time` (0..1 of the step) to `to` at its end.
--- Source: slab method on the Minkowski difference of two boxes; the side is the axis on which the
--- two were apart, on both: the one that closes last.
+-- Source: slab method on the Minkowski difference of two boxes. The side is on the axis on which
+-- the two were apart. If they were apart on both, it is the axis that closes last.
 --
 -- Reads the paths, b.apart; writes the list of impacts, b.impacts.
 
@@ -16,11 +17,12 @@ local sweep = {}
 local EPSILON = columns.EPSILON
 local APART, ELASTIC = contacts.APART, contacts.ELASTIC
 local floor, max, min = math.floor, math.max, math.min
--- Of so many pairs, it is cheaper to ask one body for its own.
+-- If there are more than FEW pairs per changed body, the pair lists of these bodies are searched
+-- instead of all pairs.
 local FEW = 8
--- Two axes that close within this fraction of the step close together: a hit along gravity.
+-- Two axes that close within this fraction of the step close together: the hit is along gravity.
 local TIE = 1e-9
--- Fraction of the step by which a corner is met later than a face.
+-- Fraction of the step by which a corner is met later than a face at the same place.
 local CORNER = 2e-9
 
 --- Returns an empty list of impacts.
@@ -33,16 +35,16 @@ function sweep.newImpacts()
     axis = {},
     low = {}, -- slot of the low body on the axis
     high = {},
-    isDeep = {}, -- they are inside each other
-    moment = {}, -- keys of the order: when,
-    width = {}, -- the wider common edge first,
-    first = {}, -- ranks
+    isDeep = {}, -- the two overlap already
+    moment = {}, -- sort keys: the time, rounded
+    width = {}, -- width of the common edge, negative: the widest comes first
+    first = {}, -- ranks of the two
     second = {},
   }
 end
 
--- Lists in b.near the pairs of b.apart of which one has a new path, if the paths meet on x;
--- returns how many.
+-- Lists in b.near the pairs of b.apart with at least one new path, if their paths overlap on x.
+-- Returns how many there are.
 local function listAll(b)
   local apart, near, dirty, count = b.apart, b.near, b.dirty, 0
   local pairA, pairB, from, to, size = b.pairA, b.pairB, b.from, b.to, b.size
@@ -61,7 +63,7 @@ local function listAll(b)
   return count
 end
 
--- The same of the pairs of list[1..n], bodies with new paths.
+-- Does the same for the pairs of the bodies in list[1..n], which have new paths.
 local function listOf(b, list, n)
   local near, swept, stamp, count = b.near, b.sweptAt, b.sweptStamp + 1, 0
   local head, other, nextHalf, from, to, size = b.head, b.other, b.next, b.from, b.to, b.size
@@ -84,7 +86,8 @@ local function listOf(b, list, n)
   return count
 end
 
--- Of near[1..count], keeps the pairs with paths that meet on y, too, and that are swept at all.
+-- Keeps the pairs of near[1..count] that are to be swept and have paths that overlap on y, too.
+-- Returns how many there are.
 local function keepNear(b, count)
   local near, touches, pairA, pairB = b.near, b.touches, b.pairA, b.pairB
   local from, to, size, kept = b.from, b.to, b.size, 0
@@ -102,8 +105,8 @@ local function keepNear(b, count)
   return kept
 end
 
--- Gap on an axis at the beginning and, on the same side, at the end, of two with offset r and rEnd;
--- and whether the first is the low one.
+-- Returns the gap on an axis at the start, that on the same side at the end, and whether the first
+-- is the low body. `r` and `rEnd` are the offsets of the second body from the first.
 local function gaps(r, rEnd, sizeA, sizeB)
   local after, before = r - sizeA, -r - sizeB
   if after >= before then
@@ -112,8 +115,8 @@ local function gaps(r, rEnd, sizeA, sizeB)
   return before, -rEnd - sizeB, false
 end
 
--- The fraction of the path at which two that are apart on one axis, by `gap`, meet on it, or nil.
--- r, rEnd: their offsets on the other axis.
+-- Returns the fraction of the path at which two bodies meet that are apart by `gap` on one axis
+-- only, or nil. r, rEnd: their offsets on the other axis.
 local function meetFace(gap, gapEnd, r, rEnd, sizeA, sizeB)
   if gapEnd >= -EPSILON or gapEnd >= gap then
     return nil
@@ -126,8 +129,8 @@ local function meetFace(gap, gapEnd, r, rEnd, sizeA, sizeB)
   return share
 end
 
--- The same of two that are apart on both axes, and on which axis. Whether they meet is asked of
--- slightly shrunk boxes, so that one that slides past flush does not.
+-- Returns the same for two bodies that are apart on both axes, and the axis of the hit. The boxes
+-- are shrunk a little for this test, so that a body that slides past flush does not hit.
 local function meetCorner(gapX, endX, gapY, endY, depthX, depthY, down)
   if endX >= -EPSILON or endY >= -EPSILON then
     return nil
@@ -149,7 +152,7 @@ local function meetCorner(gapX, endX, gapY, endY, depthX, depthY, down)
   return max(gap, 0.0) / (gap - gapEnd) + CORNER, axis
 end
 
--- Where body k is at moment t, between its start and its end.
+-- Returns where body k is at moment t. Its path starts at moment `start`.
 local function at(b, k, start, t)
   local from = b.from[k]
   if t <= start then
@@ -158,7 +161,8 @@ local function at(b, k, start, t)
   return from + (b.to[k] - from) * ((t - start) / (1 - start))
 end
 
--- When two bodies meet (0..1 of the step), on which axis, whether the first is the low one.
+-- Returns when two bodies meet (0..1 of the step), on which axis, whether the first one is the low
+-- one, and whether they overlap already. Returns nil if they do not meet.
 local function meet(b, i, j)
   local size, to, k, m = b.size, b.to, 2 * i, 2 * j
   local startI, startJ = b.time[i], b.time[j]
@@ -170,7 +174,7 @@ local function meet(b, i, j)
   local gapY, gapEndY, isLowY = gaps(y, endY, size[k + 1], size[m + 1])
   local share, axis
   if gapX < -EPSILON and gapY < -EPSILON then
-    -- Inside each other: along the shallower axis, if they are so at the end.
+    -- They overlap already: on the axis with the smaller overlap, if they still overlap at the end.
     if gapEndX >= -EPSILON or gapEndY >= -EPSILON then
       return nil
     end
@@ -199,8 +203,8 @@ end
 
 sweep.meet = meet
 
---- Finds the impacts of whatever has a new path: those in b.changed[1..count], if count is not nil.
---- Returns how many there are.
+--- Finds the impacts of all bodies with new paths. If `changedCount` is not nil, these are
+--- b.changed[1..changedCount]. Returns the number of impacts.
 function sweep.run(b, changedCount)
   local isFew = changedCount and changedCount * FEW < b.apartCount
   local near = keepNear(b, isFew and listOf(b, b.changed, changedCount) or listAll(b))
@@ -208,7 +212,7 @@ function sweep.run(b, changedCount)
   for n = 1, near do
     local p = list[n]
     local i, j = pairA[p], pairB[p]
-    if rank[j] < rank[i] then -- where both are at one spot, the order of the world decides
+    if rank[j] < rank[i] then -- if both are at one place, the order of the world decides
       i, j = pairB[p], pairA[p]
     end
     local t, axis, isLow, isDeep = meet(b, i, j)
@@ -223,7 +227,7 @@ function sweep.run(b, changedCount)
   return count
 end
 
--- Each pair goes another way.
+-- These take another branch for each pair. (jit: 4)
 interpreted.functions(gaps, meetFace, meetCorner, at, meet, sweep.run)
 
 return sweep

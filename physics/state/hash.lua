@@ -1,9 +1,9 @@
---- A number over a state, the same on every Lua.
+--- Computes a number from a state, the same on every Lua.
 --
--- It is folded from the bits of the doubles by arithmetic that is exact in doubles, so neither the
--- width of integers nor the way in which numbers are written matters. Two remainders of 23 bits
--- make one number below 10^14, which every Lua writes with all its digits.
--- Source: polynomial rolling hash, R. M. Karp and M. O. Rabin (1987).
+-- The bits of the doubles are folded by arithmetic that is exact in doubles. So neither the width
+-- of integers nor the way in which numbers are written matters. Two remainders of 23 bits make one
+-- number below 10^14, which every Lua writes with all its digits. Source: polynomial rolling hash,
+-- R. M. Karp and M. O. Rabin (1987).
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local fields = require(root .. ".world.fields")
@@ -26,7 +26,7 @@ local function mix(sum, piece)
   sum.b = b - floor(b / PRIME_B) * PRIME_B
 end
 
--- A finite number as pieces below 2^52: whole part, sign and whether more follows; fraction; scale.
+-- Folds a finite number in pieces below 2^52: whole part, sign and what follows; fraction; scale.
 local function mixNumber(sum, value)
   value = value + 0.0
   local sign = 0
@@ -80,14 +80,14 @@ function mixAny(sum, value)
   end
 end
 
--- Nearly all of a state: one number for each object, false for those that have none.
+-- Folds a list with one number for each object, or false; nearly all of a state is in such lists.
 local function mixDense(sum, list, count)
   for n = 1, count do
     mixNumber(sum, list[n] or 0)
   end
 end
 
--- A sparse list of a field. `default`: a value that is as good as none.
+-- Folds a sparse list of a field. `default` is a value that means the same as none.
 local function mixSparse(sum, name, list, default)
   local isNamed = false
   for at = 1, #list, 2 do
@@ -102,7 +102,8 @@ local function mixSparse(sum, name, list, default)
   end
 end
 
--- Without a friction of its own a static object takes the other's, which is not the same as 0.
+-- Returns the default of a field. Without friction of its own a static object takes the other
+-- object's, which is not the same as 0.
 local function defaultOf(name)
   if name ~= "friction" then
     return fields.objectByName[name].default
@@ -128,7 +129,7 @@ local function mixGroups(sum, out)
   end
 end
 
--- Who has left the world and is remembered.
+-- Folds the objects that have left the world and are remembered.
 local function mixGone(sum, out)
   for _, saved in ipairs(out.gone or {}) do
     for _, name in ipairs(state.FIELDS) do
@@ -177,7 +178,7 @@ local function mixSettings(sum, out)
   end
 end
 
---- Returns the number of a state, a whole one in 0..10^14.
+--- Returns the hash of a state, a whole number in 0..10^14.
 function hash.of(out)
   local sum = { a = 1.0, b = 1.0 }
   mixSettings(sum, out)
@@ -192,7 +193,7 @@ function hash.of(out)
   for _, name in ipairs(state.FIELDS) do
     local list = out.read[name]
     if list and #list > 0 then
-      mix(sum, TEXT) -- what was read, not what is
+      mix(sum, TEXT) -- marks values that were read
       mixSparse(sum, name, list)
     end
   end
@@ -201,8 +202,7 @@ function hash.of(out)
   return floor(max(sum.a, 0) * PRIME_B + max(sum.b, 0))
 end
 
---- Returns the number of the present state of a world.
---- Errors: something that `update` would refuse.
+--- Returns the hash of the present state of a world. Errors: something that `update` would refuse.
 function hash.world(world)
   local b = world._bodies
   b.hashed = b.hashed or {}

@@ -1,23 +1,23 @@
---- Puts a state back (see state.lua).
+--- Restores a world from a state (see save.lua).
 --
--- First the game's tables are made what they were when the library read them last, and read; then
--- the library remembers what it remembered; then whatever the game had written since is written
--- again. The next step finds everything as it was.
+-- First the game's tables get what the library read from them last, and are read. Then the columns
+-- that outlive a step are filled. Then the values are written that the game had written since. So
+-- the next step finds everything as it was.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local check = require(root .. ".world.check")
-local collect = require(root .. ".objects.read")
+local read = require(root .. ".objects.read")
 local columns = require(root .. ".memory.columns")
 local detect = require(root .. ".broadphase.pairFinder")
 local events = require(root .. ".contacts.events")
 local fields = require(root .. ".world.fields")
 local filter = require(root .. ".broadphase.filter")
 local interpreted = require(root .. ".memory.jit")
+local notice = require(root .. ".queries.notice")
 local rest = require(root .. ".sleep.islands")
 local settings = require(root .. ".world.settings")
 local state = require(root .. ".state.save")
 local verify = require(root .. ".state.validate")
-local view = require(root .. ".queries.index")
 
 local restore = {}
 
@@ -26,7 +26,7 @@ local max, min = math.max, math.min
 
 -- Which table is which object --------------------------------------------------------------------
 
--- The object that stands at a place now, or nil.
+-- Returns the object that stands at a place now, or nil.
 local function standing(world, group, direct, key)
   local members = world.objects[group]
   if type(members) ~= "table" then
@@ -48,7 +48,7 @@ local function take(objects, taken, n, object)
   end
 end
 
--- The objects of a state that came from elsewhere: whoever stands at the same place.
+-- Finds objects for a state that another world saved: those that stand at the same places.
 local function matchByPlace(world, st)
   local objects, taken = {}, {}
   for _, group in ipairs(st.tables or {}) do
@@ -72,9 +72,9 @@ local function matchByPlace(world, st)
   return objects
 end
 
--- Which tables were what when the state was saved, as far as known: `objects` by number, and
--- if this world has saved the state itself their `masks`, those who had `gone`, the masks of the
--- world (`worldMasks`) and their `rows`.
+-- Returns which tables the objects were when the state was saved, as far as known: `objects` by
+-- number. If this world has saved the state, also their `masks`, the objects that had `gone`, the
+-- masks of the world (`worldMasks`) and their `rows`.
 local function match(world, st)
   local tables = world._bodies.tablesOf and world._bodies.tablesOf[st]
   if tables and #tables.objects == st.count then
@@ -116,7 +116,7 @@ local function maskOf(list)
   return mask
 end
 
--- Makes a table say what another says.
+-- Gives a table the contents of another one.
 local function overwrite(list, contents)
   for key in next, list, nil do
     list[key] = nil
@@ -126,7 +126,7 @@ local function overwrite(list, contents)
   end
 end
 
--- Writes a mask: into the table it was, if that is known.
+-- Writes a mask, into its old table if that is known.
 local function writeMask(object, list, known)
   local wanted, mask = maskOf(list), known or object.mask
   if type(mask) == "table" and filter.isSameMask(wanted, mask) then
@@ -146,7 +146,7 @@ local function writeHits(object, list)
   end
 end
 
--- Writes a sparse list of values; who is not in it has no value.
+-- Writes a sparse list of values. Objects that are not in it have no value.
 local function writeSparse(objects, masks, name, list)
   local at, isMask = 1, name == "mask"
   for n = 1, #objects do
@@ -188,7 +188,8 @@ local function writeFields(st, objects, masks, only)
   end
 end
 
--- Writes what the library had read where that was something else; returns the names of the fields.
+-- Writes what the library had read, where that was something else. Returns the names of these
+-- fields.
 local function writeRead(st, objects)
   local names, any = {}, false
   for name, list in next, st.read, nil do
@@ -209,7 +210,7 @@ local function writeRead(st, objects)
   return any and names
 end
 
--- Gives somebody who had left the world the fields that it had.
+-- Writes the fields of an object that had left the world.
 local function writeGone(b, object, saved)
   for _, name in ipairs(state.FIELDS) do
     if name == "mask" and saved.mask then
@@ -221,12 +222,12 @@ local function writeGone(b, object, saved)
     end
   end
   if not (saved.static or saved.kinematic or type(object.touching) == "table") then
-    object.touching = collect.touchingFor(b, object)
+    object.touching = read.touchingFor(b, object)
   end
 end
 
--- Returns all that the state can name by number: the objects, then those who had left the world, as
--- new tables if `gone` does not have them.
+-- Returns all objects that a state names by number: those of the world, then those that had left
+-- it, as new tables if `gone` does not have them.
 local function recall(b, st, objects, gone)
   if not st.gone then
     return objects
@@ -257,7 +258,7 @@ local function emptyGroups(objects)
   end
 end
 
--- The table of a group to be filled; one object's own table is never a group.
+-- Returns the table of a group to be filled. An object's own table is never a group.
 local function groupIn(objects, name)
   local members = objects[name]
   if members == nil then
@@ -288,14 +289,14 @@ end
 -- Gives an object that was added since then the `touching` that `add` had given it.
 local function giveTouching(b, object, group)
   if not object.static and not object.kinematic then
-    local touching = collect.touchingFor(b, object)
-    collect.clearTouching(touching)
+    local touching = read.touchingFor(b, object)
+    read.clearTouching(touching)
     object.touching = touching
-    b.roster.given[object], b.roster.groupGiven[object] = touching, group
+    b.registry.given[object], b.registry.groupGiven[object] = touching, group
   end
 end
 
--- Puts the objects where the game had put them since.
+-- Puts the objects where the game had put them since then.
 local function placeNow(world, st, objects)
   if not st.tables then
     return
@@ -318,7 +319,7 @@ end
 
 -- The library's memory ---------------------------------------------------------------------------
 
--- Forgets all events and, without a word, all contacts.
+-- Forgets all events and all contacts, without events about it.
 local function forget(b)
   events.forget(b.events)
   for p = 1, b.pairSlots do
@@ -329,7 +330,8 @@ local function forget(b)
   b.contactCount = 0
 end
 
--- Whether the columns hold what is in an object, as far as `update` would not notice.
+-- Returns whether the columns hold an object's fields, for those fields that `update` does not
+-- compare.
 local function isRead(b, i, object)
   if b.kind[i] ~= columns.kindOf(object) then
     return false
@@ -358,17 +360,17 @@ local function isRead(b, i, object)
   return isSameMask and isSameHits and (object.friction or -1) == b.friction[i]
 end
 
--- Reads all that `collect` would take for read already.
+-- Reads the objects again that `update` would not read again.
 local function readAgain(b, objects, known)
   for n = 1, known do
     local slot = b.slotOf[objects[n]]
     if slot and not isRead(b, slot, objects[n]) then
-      collect.refresh(b, slot)
+      read.refresh(b, slot)
     end
   end
 end
 
--- Everybody stands where it is, has no past and is awake.
+-- Gives all objects their written positions, clears their past and wakes them.
 local function settle(b, objects, known)
   for n = 1, known do
     local i = b.slotOf[objects[n]]
@@ -403,7 +405,7 @@ local function rememberPoints(b, st, slots)
   end
 end
 
--- What has happened in the world so far, as far as it leaves anything behind.
+-- Sets what the world knows of its past, as far as it still matters.
 local function rememberHistory(b, memory)
   b.hasCarriers = b.hasCarriers or #memory.carrier > 0 or #memory.carried > 0
   b.hasCrushed = b.hasCrushed or #memory.wasCrushed > 0
@@ -435,7 +437,7 @@ local function rememberSlots(b, st, slots)
   b.lostCount = #st.memory.lost
 end
 
--- Everybody stands where it was.
+-- Lets all objects stand where they were, and finds their neighbours.
 local function stand(b, st, slots)
   for n = 1, st.known do
     columns.stand(b, slots[n])
@@ -462,15 +464,15 @@ local function rememberContacts(b, st, slots)
   end
 end
 
--- (Whatever stands in `object.touching` now may be another world's, or more than one object's.)
+-- (`object.touching` may be the table of another world now, or of several objects.)
 local function rememberTouching(b, st, objects, named, slots)
   for n = 1, st.known do
     local i, object = slots[n], objects[n]
     if b.kind[i] == DYNAMIC then
       local touching = b.touching[i]
       object.touching = touching
-      collect.takeTouching(b, i, touching)
-      collect.clearTouching(touching)
+      read.takeTouching(b, i, touching)
+      read.clearTouching(touching)
     end
   end
   local list = st.touching
@@ -516,7 +518,7 @@ end
 
 -- The world --------------------------------------------------------------------------------------
 
--- The masks of a world as a table. A list cannot tell of rows that say nothing: those of `rows`.
+-- Returns the masks of a world as a table. A list cannot hold empty rows: they come from `rows`.
 local function masksOf(list, rows)
   local masks = {}
   for group, row in next, rows, nil do
@@ -546,7 +548,7 @@ local function areSameMasks(masks, other)
   return true
 end
 
--- Writes the masks of a world: into the tables they were, if those are known.
+-- Writes the masks of a world, into their old tables if those are known.
 local function writeMasks(world, list, tables)
   local known = tables.worldMasks
   local masks = known or (type(world.masks) == "table" and world.masks) or {}
@@ -572,7 +574,7 @@ local function writeSoft(world, list)
   end
 end
 
--- A list or table of the world that already says the same stays the same table.
+-- Writes the settings. A list or table of the world that already says the same is kept.
 local function restoreSettings(world, saved, tables)
   for _, name in ipairs(state.SETTINGS) do
     world[name] = saved[name]
@@ -589,25 +591,25 @@ local function restoreSettings(world, saved, tables)
     world.order = copyList(saved.order)
   end
   settings.apply(world)
-  -- Whatever the masks were before, they are applied anew by the next step.
+  -- Whatever the masks were before, the next step applies them anew.
   world._bodies.masksSeen, world._bodies.isRemasked = false, true
 end
 
--- Reads who is known, in the order in which they stood: another `order` that the game has set since
--- the last step counts from the next one on.
+-- Reads the known objects in their old order. If the game has set another `order` since the last
+-- step, it holds from the next step on.
 local function collectKnown(world, st)
-  local r, names = world._bodies.roster, {}
+  local r, names = world._bodies.registry, {}
   for n, group in ipairs(st.groups) do
     names[n] = group.name
   end
   local order = r.order
   r.order, r.reorder = names, true
-  collect.run(world._bodies, world.objects)
+  read.run(world._bodies, world.objects)
   r.order, r.reorder = order, true
 end
 
---- Makes a world what it was when `st` was saved.
---- Errors: a state that cannot be used; nothing has changed then.
+--- Makes a world what it was when `st` was saved. Errors: a state that cannot be used; then nothing
+--- has changed.
 function restore.world(world, st)
   verify.state(st)
   local b = world._bodies
@@ -635,7 +637,7 @@ function restore.world(world, st)
   end
   world._saved = st.saved
   world.alpha = world.timestep and max(0, min(st.saved / world.timestep, 1)) or 0
-  view.outdate(b)
+  notice.outdate(b)
 end
 
 interpreted.always(overwrite, masksOf, areSameMasks, writeMasks)

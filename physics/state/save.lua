@@ -1,34 +1,35 @@
---- States: all that a future step depends on, as a plain table of numbers, strings and booleans.
+--- Makes the state of a world: all that a future step depends on, as tables of plain values.
 --
--- Objects are numbers in here: first those that the library knows, in the order of the world, then
--- those that the game has added since. Lists are dense; "sparse" ones hold entries one behind the
--- other, each beginning with the number of its object, for those objects only that have one.
+-- In a state, objects are numbers: first those that the library knows, in the order of the world,
+-- then those that the game has added since. Lists are dense. A "sparse" list has entries one after
+-- the other, for the objects only that have one; each entry begins with the number of its object.
 --
 --   version       of this layout
 --   settings      name -> value; masks = { group, other, collides, ... }; soft = { group, other,
 --                 px/s, ... }
 --   saved         s, saved up for the next fixed step
---   groups        { name, count, direct, keys } in order: who is known. Without keys: 1 to count
+--   groups        { name, count, direct, keys } in order: the known objects. Without keys: 1 to
+--                 count
 --   tables        { name, direct, keys, objects } in order: what the game's tables hold now; only
---                 if that is not the same
---   count, known  number of objects, number of those that are known
+--                 if that differs
+--   count, known  number of objects, number of known objects
 --   x, y, width, height, vx, vy   one entry for each object, false: not set
 --   fields        name -> sparse: value. The other fields, where they are set
 --   read          name -> sparse: value, false if not set. What the library has read, where the
 --                 game has written something else since
 --   memory        column -> sparse: value (see LINKS, POINTS); or just objects (see FLAGS; `lost`)
---   walls         side -> object: what setBounds has put
+--   walls         side -> object: the walls of setBounds
 --   touching      sparse: object (0: none) at the left, right, top, bottom
 --   contacts      first, second, and a value for each of PAIRS, for each pair that has one
---   events        three objects (0: none) and the values of EVENT each: what is still to be told
---   sorted        how many of the events are in their order already, nil: none; the others follow
---                 behind them
---   heardBy       of the first event, if a callback has interrupted it: 1 or 2 have heard of it
---   gone          fields by name of those that have left the world and are named in `touching` or
---                 `events` nevertheless, nil: nobody. Their numbers follow behind all others
+--   events        three objects (0: none) and the values of EVENT each: the events that wait
+--   sorted        how many of the events are in order already, nil: none; the others follow them
+--   heardBy       if a callback has interrupted the first event: how many objects have heard of it,
+--                 1 or 2
+--   gone          fields by name of objects that have left the world, but are named in `touching`
+--                 or `events`; nil: none. Their numbers follow all others
 --
--- Broad phase and rest are not in here, they change no result; functions and the game's own fields
--- stay where they are, on the objects.
+-- The broad phase and sleep are not saved, since they change no result. Functions and the game's
+-- own fields stay on the objects.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local carrier = require(root .. ".objects.carriers")
@@ -39,24 +40,24 @@ local fields = require(root .. ".world.fields")
 local filter = require(root .. ".broadphase.filter")
 local interpreted = require(root .. ".memory.jit")
 local keyOrder = require(root .. ".memory.keyOrder")
-local roster = require(root .. ".objects.registry")
+local registry = require(root .. ".objects.registry")
 
 local state = {}
 
 local STATIC, KINEMATIC, DYNAMIC = columns.STATIC, columns.KINEMATIC, columns.DYNAMIC
 local HUGE = math.huge
 
---- Layout of a state; another one cannot be read.
+--- Version of the layout of a state; states of other versions are refused.
 state.VERSION = 2
 
--- Columns that outlive a step. Whoever adds one to columns.lua adds it here, too.
+-- Columns that outlive a step. A new column of this kind in columns.lua must be added here, too.
 
---- By slot: whether it is so.
+--- By slot: flags, saved where they are true.
 state.FLAGS = { "moved", "inside", "jumped", "grown" }
 --- By slot: a slot, 0 for none.
 state.LINKS = { "support", "carrier", "crowd" }
---- By slot and axis: name, and its usual value, or the column that has it. `last` is for drawing
---- alone, in worlds with a `timestep`.
+--- By slot and axis: name, and the usual value or the column that has it. `last` is only for
+--- drawing, in worlds with a `timestep`.
 state.POINTS = {
   { "position", "written" },
   { "last", "position" },
@@ -68,8 +69,8 @@ state.POINTS = {
   { "wasAt", 0 },
   { "wasSize", 0 },
 }
---- By pair: name, value of a pair that has nothing to remember, and what becomes of another value
---- if the two of the pair are exchanged.
+--- By pair: name, the value of a pair with nothing to remember, and what another value becomes if
+--- the two of the pair are swapped.
 state.PAIRS = {
   { "contact", 0, columns.OPPOSITE },
   { "wedged", 0, columns.OPPOSITE },
@@ -77,8 +78,8 @@ state.PAIRS = {
   { "dropping", false, { [true] = true } },
 }
 
---- Fields that every object has an entry for: name, column, axis, and what the column holds if the
---- field is not set.
+--- Fields with an entry for every object: name, column, axis, and the column's value if the field
+--- is not set.
 state.DENSE = {
   { "x", "written", 0 },
   { "y", "written", 1 },
@@ -87,8 +88,8 @@ state.DENSE = {
   { "vx", "velocity", 0, 0 },
   { "vy", "velocity", 1, 0 },
 }
---- The other fields: name, column, what the column holds if the field is not set, axis. (`static`,
---- `kinematic`, `friction`, `mask` and `hits` are read in ways of their own.)
+--- The other fields: name, column, the column's value if the field is not set, axis. (`static`,
+--- `kinematic`, `friction`, `mask` and `hits` are read by functions of their own.)
 state.SPARSE = {
   { "static" },
   { "kinematic" },
@@ -116,7 +117,7 @@ state.SPARSE = {
   { "hits" },
 }
 
---- The names of all of them.
+--- The names of all these fields.
 state.FIELDS = {}
 for _, entry in ipairs(state.DENSE) do
   state.FIELDS[#state.FIELDS + 1] = entry[1]
@@ -125,8 +126,8 @@ for _, entry in ipairs(state.SPARSE) do
   state.FIELDS[#state.FIELDS + 1] = entry[1]
 end
 
--- Settings that are not saved: they change no result; masks, soft and order, which do, are written
--- out by themselves.
+-- Settings that are not in SETTINGS. All but `masks`, `soft` and `order` change no result; these
+-- have a format of their own.
 local UNSAVED = {
   broadphase = true,
   cellSize = true,
@@ -147,7 +148,7 @@ end
 
 -- Lists ------------------------------------------------------------------------------------------
 
--- The list of that name, to be filled anew.
+-- Returns the list of that name; makes it if there is none.
 local function listIn(owner, name)
   local list = owner[name]
   if type(list) ~= "table" then
@@ -172,7 +173,7 @@ local function copyList(list)
   return copy
 end
 
--- A mask as { group, collides, ... }.
+-- Returns a mask as { group, collides, ... }.
 local function listMask(mask)
   local list = {}
   for _, group in ipairs(keyOrder.sorted(mask)) do
@@ -194,9 +195,9 @@ local function listMasks(masks)
   return list
 end
 
--- Who is there -----------------------------------------------------------------------------------
+-- Objects ----------------------------------------------------------------------------------------
 
--- The working lists of a world: `objects` and `slots` by number, `numbers` by slot.
+-- Returns the working lists of a world: `objects` and `slots` by number, `numbers` by slot.
 local function workOf(b)
   b.saving = b.saving or { objects = {}, slots = {}, numbers = {} }
   return b.saving
@@ -214,9 +215,9 @@ local function writeGroup(out, record)
   end
 end
 
--- Numbers everybody that is known.
+-- Gives each known object its number.
 local function saveGroups(b, out, work)
-  local list, groups, n = listIn(out, "groups"), b.roster.groups, 0
+  local list, groups, n = listIn(out, "groups"), b.registry.groups, 0
   local objects, slots, numbers = work.objects, work.slots, work.numbers
   for g = 1, #groups do
     local record = groups[g]
@@ -232,14 +233,14 @@ local function saveGroups(b, out, work)
   out.known = n
 end
 
--- Notes what the tables hold now, if the library has not seen it yet.
+-- Saves what the tables hold now, if the library has not seen it yet.
 local function saveTables(b, objects, out, work)
   out.tables, out.count = nil, out.known
-  if not roster.hasChanged(b.roster, objects) then
+  if not registry.hasChanged(b.registry, objects) then
     return
   end
   local list, numberOf = {}, {}
-  for g, record in ipairs(roster.look(b, b.roster, objects)) do
+  for g, record in ipairs(registry.look(b, b.registry, objects)) do
     local numbers = {}
     for m = 1, record.tailCount do
       local object = record.tail[m]
@@ -259,10 +260,10 @@ end
 
 -- Fields -----------------------------------------------------------------------------------------
 
--- Something was written that the library has not read: it must be of use.
+-- Checks an object after a write that the library has not read yet: the values must be usable.
 local function checkWritten(b, slot)
   local record = b.group[slot]
-  check.object(b.object[slot], roster.place(record, b.key[slot]))
+  check.object(b.object[slot], registry.place(record, b.key[slot]))
 end
 
 -- Notes what the library has read in field `name` of object n.
@@ -273,7 +274,7 @@ local function noteRead(b, out, name, n, slot, value)
   list[#list + 1] = value
 end
 
--- Saves a field that everybody has an entry for. The velocity of a static object is not read.
+-- Saves a field with an entry for every object. The velocity of a static object is not read.
 local function saveDense(b, out, work, entry)
   local name, column, axis, absent = entry[1], b[entry[2]], entry[3], entry[4]
   local list, objects, slots, kind = listIn(out, name), work.objects, work.slots, b.kind
@@ -298,7 +299,7 @@ local function saveDense(b, out, work, entry)
   cut(list, out.count)
 end
 
--- Saves a field that one column holds.
+-- Saves a field that has one column.
 local function saveColumn(b, out, work, entry)
   local name, column, absent, axis = entry[1], b[entry[2]], entry[3], entry[4]
   local list, objects, slots, at = listIn(out.fields, name), work.objects, work.slots, 0
@@ -310,7 +311,7 @@ local function saveColumn(b, out, work, entry)
       list[at + 1], list[at + 2] = n, value
       at = at + 2
       if value == HUGE then
-        checkWritten(b, slot) -- in the columns that is "no limit", from the game it is refused
+        checkWritten(b, slot) -- in a column that means no limit, from the game it is refused
       end
     else
       value = absent
@@ -329,14 +330,14 @@ local function saveColumn(b, out, work, entry)
   cut(list, at)
 end
 
--- What the library has read in the fields that have no column of their own.
+-- The next functions return what the library has read in fields without a column of their own.
 
 local function readStatic(b, slot)
   return b.kind[slot] == STATIC
 end
 
 local function readKinematic(b, slot, object)
-  -- Of a static object it is not read.
+  -- (It is not read of a static object.)
   return b.kind[slot] == STATIC and (object.kinematic or false) or b.kind[slot] == KINEMATIC
 end
 
@@ -377,12 +378,12 @@ local function saveSpecial(b, out, work, name, read, absent)
   cut(list, at)
 end
 
--- The mask as the library has read it: of a mover as far as it refuses somebody.
+-- Returns the mask as the library has read it: of a mover only the groups that it refuses.
 local function listRead(b, slot)
   if b.kind[slot] == STATIC then
     return listMask(b.mask[slot])
   end
-  local list, groups, seen = {}, b.roster.groups, b.maskSeen[slot]
+  local list, groups, seen = {}, b.registry.groups, b.maskSeen[slot]
   for n = 1, #groups do
     if seen[groups[n].number] then
       list[#list + 1] = groups[n].name
@@ -392,9 +393,9 @@ local function listRead(b, slot)
   return list
 end
 
--- Whether the mask of a mover is what it was when it was read.
+-- Returns whether the mask of a mover still says what was read.
 local function isSeen(b, slot, mask)
-  local groups, seen = b.roster.groups, b.maskSeen[slot]
+  local groups, seen = b.registry.groups, b.maskSeen[slot]
   for n = 1, #groups do
     local group = groups[n]
     -- Groups that were empty are looked up in the mask itself.
@@ -472,8 +473,8 @@ end
 
 -- Memory -----------------------------------------------------------------------------------------
 
--- Whether the game has given an object another `canCollide` than the one that was read. The state
--- does not hold it, but an update would look at the object as at one that has been moved.
+-- Returns whether the game has given an object another `canCollide` than the one that was read. The
+-- state does not hold functions, but an update would treat the object as moved.
 local function asksAnew(b, i)
   return b.kind[i] ~= STATIC and (b.object[i].canCollide or false) ~= b.canCollide[i]
 end
@@ -530,7 +531,7 @@ local function savePoints(b, out, work)
   end
 end
 
--- Riders that have lost their carrier since the last step.
+-- Saves the riders that have lost their carrier since the last step.
 local function saveLost(b, out, work)
   local list = listIn(out.memory, "lost")
   local count = 0
@@ -545,7 +546,7 @@ local function saveLost(b, out, work)
   table.sort(list)
 end
 
--- The walls that `setBounds` has put.
+-- Saves the walls of `setBounds`.
 local function saveWalls(world, out, work)
   local walls = listIn(out, "walls")
   for side in next, walls, nil do
@@ -562,8 +563,8 @@ local function saveWalls(world, out, work)
   end
 end
 
--- The number of an object that the library remembers, 0 for none. Whoever is in the world no more
--- gets one behind all others.
+-- Returns the number of an object that the library remembers, 0 for none. An object that has left
+-- the world gets a number behind all others.
 local function numberOf(b, out, work, object)
   if not object then
     return 0
@@ -612,8 +613,8 @@ local function remembers(b, p)
   return false
 end
 
--- Lists the pairs of object n (in `slot`) with later ones that remember something, behind
--- work.pairs, in the order of the others; returns how many.
+-- Lists in work.pairs the pairs of object n (in `slot`) with later objects, if there is something
+-- to remember, by the number of the other. Returns how many.
 local function gatherPairs(b, work, n, slot)
   local other, nextHalf, numbers, found = b.other, b.next, work.numbers, work.pairs
   local count, half = 0, b.head[slot]
@@ -661,18 +662,18 @@ end
 
 -- The world --------------------------------------------------------------------------------------
 
--- What an event consists of, apart from its objects (`a`, `b`, `c`).
+-- What an event holds besides its objects (`a`, `b`, `c`).
 state.EVENT = { "kind", "side", "speed", "leant", "rankA", "rankB" }
 
--- Events wait only after a callback has failed, or inside of one; the first of them may have been
--- told to some already: `heardBy`.
+-- Saves the waiting events. Events wait only after a callback has failed, or inside one. Some
+-- objects may have heard of the first event already: `heardBy`.
 local function saveEvents(b, out, work)
   local list, e, at = listIn(out, "events"), b.events, 0
   local isHalfTold = e.told > 0 and e.heardBy < 3
   local first = isHalfTold and e.told or e.told + 1
   out.heardBy = isHalfTold and e.heardBy or nil
   out.sorted = first <= e.sorted and e.sorted - first + 1 or nil
-  -- Those that a callback has noted before it failed will be told in order, too.
+  -- Events that a callback noted before it failed are told in order, too.
   events.sortLate(e)
   for told = first, e.count do
     local n = told <= e.sorted and e.order[told] or e.late[told - e.sorted]
@@ -688,7 +689,7 @@ local function saveEvents(b, out, work)
   cut(list, at)
 end
 
--- What somebody who has left the world has in the library's fields, as far as they can be used.
+-- Returns the library's fields of an object that has left the world, as far as they are valid.
 local function fieldsOf(object)
   local saved = {}
   for _, name in ipairs(state.FIELDS) do
@@ -723,13 +724,13 @@ local function saveSettings(world, out)
   settings.order = world.order and copyList(world.order)
 end
 
---- Fills `out` with the state of a world; `work` has the objects by number then, and behind them
---- the `goneCount` that have left.
---- Errors: something that `update` would refuse.
+--- Fills `out` with the state of a world. Returns `work` with the objects by number, and behind
+--- them the `goneCount` objects that have left. Errors: something that `update` would refuse.
 function state.fill(world, out)
   local b = world._bodies
   local work = workOf(b)
-  -- A copy could not tell any more who was put elsewhere since the last step, by what was refused.
+  -- A restored world could not tell what the game has moved since the last step; so this is done
+  -- now.
   carrier.checkMoved(b)
   out.version = state.VERSION
   saveSettings(world, out)
@@ -752,7 +753,7 @@ function state.fill(world, out)
   return work
 end
 
--- Remembers which table the masks of a world were, and which its rows were.
+-- Remembers which tables the masks of a world and their rows are.
 local function noteMasks(tables, masks)
   local rows = tables.rows
   for group in next, rows, nil do
@@ -767,7 +768,7 @@ local function noteMasks(tables, masks)
 end
 
 --- Returns the state of a world, in `out` if that is given. As long as that table lives, the world
---- remembers which tables the objects in it were.
+--- remembers which tables its objects are.
 function state.save(world, out)
   local b = world._bodies
   out = out or {}

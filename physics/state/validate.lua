@@ -1,5 +1,5 @@
---- Checks of a state before it is restored: whatever a state holds, either all of it can be used or
---- the message says what cannot, and nothing has changed.
+--- Checks a state before it is restored. Either all of it can be used, or the error says what
+--- cannot, and nothing has changed.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local check = require(root .. ".world.check")
@@ -10,7 +10,7 @@ local state = require(root .. ".state.save")
 local verify = {}
 
 local WHERE = "world:restore(state): "
--- As in world.lua: the longest time that can be saved up, and what rounding takes from it, s.
+-- As in world.lua, s: the longest time that can be saved up, and its tolerance for rounding.
 local LONGEST, ROUNDING = 0.25, 1e-9
 local floor = math.floor
 local isFinite, show = check.isFinite, check.show
@@ -27,7 +27,7 @@ local function isBoolean(value)
   return type(value) == "boolean"
 end
 
--- A table at `path`.
+-- Returns a value that must be a table; `path` names it in the error.
 local function needTable(value, path)
   if type(value) ~= "table" then
     refuse(path, "a table", value)
@@ -41,8 +41,8 @@ local function needCount(value, path, most)
   end
 end
 
--- Checks every entry of a list; `kinds` say what follows upon each other in it:
--- { test, expectation }.
+-- Checks every entry of a list. `kinds` are { test, expectation }, in the order in which entries
+-- follow each other.
 local function needList(list, path, kinds)
   needTable(list, path)
   local step = #kinds
@@ -66,7 +66,7 @@ end
 local SPEED = { isSoftSpeed, "a number in 0.." .. show(check.FASTEST) }
 local NAME = { check.isName, "a string or a number" }
 
--- The kind of a number of an object.
+-- Returns the kind of an entry that is the number of an object.
 local function objectKind(first, last)
   return {
     function(value)
@@ -76,7 +76,7 @@ local function objectKind(first, last)
   }
 end
 
--- The first entries of a sparse list ascend.
+-- Checks that the first values of a sparse list's entries ascend.
 local function needAscent(list, path, step)
   for at = 1 + step, #list, step do
     if list[at] <= list[at - step] then
@@ -111,7 +111,7 @@ local function needSettings(settings)
   end
 end
 
--- Who is there -----------------------------------------------------------------------------------
+-- Objects ----------------------------------------------------------------------------------------
 
 -- Checks that a list of names or keys has none twice.
 local function needUnique(list, path)
@@ -189,7 +189,7 @@ end
 
 -- Fields -----------------------------------------------------------------------------------------
 
--- How the place of object n is written in a message.
+-- Returns how the game would write the place of object n.
 local function placeOf(st, n)
   local before = 0
   for _, group in ipairs(st.groups) do
@@ -265,7 +265,7 @@ local function needFields(st)
   end
 end
 
--- Those who have left the world and are remembered.
+-- Checks the objects that have left the world and are remembered.
 local function needGone(st)
   for n, saved in ipairs(st.gone == nil and {} or needTable(st.gone, "state.gone")) do
     local path = "state.gone[" .. n .. "]"
@@ -283,7 +283,7 @@ end
 
 -- Memory -----------------------------------------------------------------------------------------
 
--- How many objects have a number.
+-- Returns how many objects have a number.
 local function countNamed(st)
   return st.count + (st.gone and #st.gone or 0)
 end
@@ -310,7 +310,7 @@ local function needMemory(st)
   end
 end
 
--- A value of a pair that it has by default, or that has a counterpart.
+-- Returns the kind of a pair's value: its default, or a value that can be swapped.
 local function pairKind(entry)
   return {
     function(value)
@@ -378,8 +378,8 @@ local function needEvents(st)
   end
 end
 
---- Checks a state from its beginning to its end.
---- Errors: no table; another version; something in it that cannot be used.
+--- Checks a whole state. Errors: it is not a table; another version; something in it that cannot be
+--- used.
 function verify.state(st)
   needTable(st, "state")
   if st.version == nil then
@@ -389,7 +389,7 @@ function verify.state(st)
     refuse("state.version", expected, st.version)
   end
   needSettings(st.settings)
-  -- Rounding may leave a little less than nothing; more than an update takes would be no state.
+  -- Rounding may leave slightly less than 0. More than LONGEST cannot come from an update.
   if not isFinite(st.saved) or st.saved < -ROUNDING or st.saved > LONGEST then
     refuse("state.saved", "a number in 0..0.25", st.saved)
   end

@@ -1,7 +1,7 @@
---- Errors: which values are wrong, what the message says, and which line it names.
---- A message names the place, the field, what was expected and what was found:
+--- Checks values and raises errors: which values are wrong, what the message says, which line it
+--- names. A message names the place, the field, what was expected and what was found:
 ---   physics: objects.boxes[3].width must be a number > 0, got nil
---- and points at the caller's line: the first one that is not in a file of the library.
+--- It points at the caller's line: the first one that is not in a file of the library.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local fields = require(root .. ".world.fields")
@@ -13,7 +13,8 @@ local huge = 1 / 0 -- math.huge is a finite number on gopher-lua
 local format = string.format
 
 local MAX_SHOWN = 40 -- characters of a string in a message
--- Numbers beyond these are refused like infinity and 0: their squares and inverses would be those.
+-- Numbers beyond these are refused, like infinity and 0: their squares or inverses would be
+-- infinite.
 local LARGEST, SMALLEST = 1e100, 1e-100
 
 local check = {}
@@ -21,8 +22,8 @@ local check = {}
 -- The line that is named -------------------------------------------------------------------------
 
 local getinfo = type(debug) == "table" and debug.getinfo or nil
-local ownSources = {} -- chunk names that are the library's
-local ownFolder -- prefix of the chunk names in its folders, nil: it was joined in one file
+local ownSources = {} -- chunk names of the library's files
+local ownFolder -- prefix of the library's chunk names; nil: the library is one file
 
 local function learnOwnSources()
   local source = getinfo(1, "S").source
@@ -41,9 +42,9 @@ local function isOwn(source)
   return ownSources[source] or (ownFolder and source:sub(1, #ownFolder) == ownFolder)
 end
 
--- Returns the level of the next entry of the stack, if this one has no line of a game: a function
--- in C (on gopher-lua: in Go), the gap that Lua 5.1 leaves for a tail call, or the library. On
--- gopher-lua "tail" is the function that was called, and the entry after it stands for no function.
+-- Returns the level of the next entry of the stack, if this one has no line of a game. That is a C
+-- function (on gopher-lua: Go), the gap that Lua 5.1 leaves for a tail call, or the library. On
+-- gopher-lua "tail" is the function that was called; the entry after it stands for no function.
 local function nextLevel(level, info)
   local what = info.what
   local isTailCalled = what == "tail" and info.currentline > 0
@@ -66,7 +67,7 @@ function check.fail(message)
     info = getinfo(level, "Sl")
     level = info and nextLevel(level, info)
   end
-  -- Written here and not by `error`, which on gopher-lua counts levels in its own way.
+  -- The place is put in here, since `error` of gopher-lua counts levels in another way.
   local place = ""
   if info and info.currentline > 0 then
     place = (info.short_src or info.source:gsub("^@", "")) .. ":" .. info.currentline .. ": "
@@ -84,7 +85,7 @@ local function escape(character)
   return ESCAPES[character] or format("\\%03d", character:byte())
 end
 
--- True for the second to fourth byte of a UTF-8 character, before which no text is cut.
+-- Returns whether a byte is the second to fourth of a UTF-8 character: text is not cut before it.
 local function isContinuation(byte)
   return byte >= 128 and byte < 192
 end
@@ -443,7 +444,7 @@ local function mustBeTable(value, path)
   end
 end
 
--- What may help to mend a field, in parentheses, or "".
+-- Returns advice on how to fix a field, in parentheses, or "".
 local function advice(object, field, value)
   local other = field.misnamed and object[field.misnamed]
   if value == nil and isFinite(other) then
@@ -489,8 +490,8 @@ end
 
 -- Settings ---------------------------------------------------------------------------------------
 
--- True for two names that one slip of the finger tells apart: a letter wrong, missing, too many, or
--- swapped with its neighbour.
+-- Returns whether two names differ by one slip: a letter wrong, missing, too many, or swapped with
+-- its neighbour.
 local function isOneOff(a, b)
   while a ~= "" and a:sub(1, 1) == b:sub(1, 1) do
     a, b = a:sub(2), b:sub(2)
@@ -653,7 +654,7 @@ function check.table(value, what, where)
   end
 end
 
---- Checks something that may be left out: a string, a table, a function.
+--- Checks an optional argument: a string, a table, a function.
 ---@param value any
 ---@param kind "string"|"table"|"function"
 ---@param what string name of the argument
@@ -702,7 +703,8 @@ function check.filter(value, where)
   end
   for i = 1, #value do
     if not isName(value[i]) then
-      fail(mustBe(format("%s: filter[%d]", where, i), "a group name", value[i]))
+      local hint = type(value[i]) == "table" and " (the name of a group, not its table)" or ""
+      fail(mustBe(format("%s: filter[%d]", where, i), "a group name", value[i]) .. hint)
     end
   end
 end

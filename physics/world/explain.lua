@@ -1,11 +1,11 @@
---- Why two objects do or do not collide, in one sentence.
+--- Explains in one sentence why two objects do or do not collide.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local aabb = require(root .. ".memory.aabb")
 local check = require(root .. ".world.check")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
-local roster = require(root .. ".objects.registry")
+local registry = require(root .. ".objects.registry")
 local view = require(root .. ".queries.index")
 
 local explain = {}
@@ -15,7 +15,7 @@ local STATIC = columns.STATIC
 local format = string.format
 
 local function nameOf(v, i)
-  return roster.place(v.group[i], v.key[i])
+  return registry.place(v.group[i], v.key[i])
 end
 
 -- Returns which mask lets two objects pass through each other, in words, or nil.

@@ -240,7 +240,7 @@ fields.objects = {
     yes = "top",
     absent = "none: solid all around",
     meaning = "The one side that is solid; `true` is the top. The others let everything through."
-      .. " For static and kinematic objects.",
+      .. " For static and kinematic objects: a dynamic one would fall through the floor.",
   },
   {
     name = "carry",
@@ -278,8 +278,8 @@ fields.objects = {
     type = "function",
     signature = "(self, other, side, speed)",
     absent = "none",
-    meaning = "Called once when a contact starts. `side` is the side of `self` that was hit,"
-      .. " `speed` the approach speed in px/s.",
+    meaning = "Called once when a contact starts, also with a sensor. `side` is the side of `self`"
+      .. " that was hit, `speed` the approach speed in px/s.",
   },
   {
     name = "onStay",

@@ -1,15 +1,17 @@
---- The settings of a world: plain fields that the game may change between two updates. What
---- depends on them is brought up to date at the beginning of a step.
+--- Checks the settings of a world and puts changes into effect at the beginning of a step. Settings
+--- are plain fields that the game may change between two updates.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local check = require(root .. ".world.check")
-local collect = require(root .. ".objects.read")
+local read = require(root .. ".objects.read")
 local detect = require(root .. ".broadphase.pairFinder")
 local events = require(root .. ".contacts.events")
-local everybody = require(root .. ".broadphase.allPairs")
 local fields = require(root .. ".world.fields")
 local grid = require(root .. ".broadphase.grid")
+local lazy = require(root .. ".memory.lazy")
 local rest = require(root .. ".sleep.islands")
+
+local allPairs = lazy(root .. ".broadphase.allPairs") -- loaded when it is first used
 
 local interpreted = require(root .. ".memory.jit")
 interpreted.file()
@@ -17,21 +19,21 @@ interpreted.file()
 local settings = {}
 
 local NONE = {} -- the mask of a group that has none
-local BROADPHASES = { auto = grid, grid = grid, pairs = everybody }
+local BROADPHASES = { auto = grid, grid = grid, pairs = allPairs }
 
--- What a change of a setting asks for.
+-- By name of a setting: what a change of it does.
 local effects = {}
 
 local function newGravity(self, b)
-  -- Adding 0.0 makes floats of the integers of Lua 5.3 and later, whose squares would wrap.
+  -- Adding 0.0 turns the integers of Lua 5.3 and later into floats: squares of integers would wrap.
   b.gravityX, b.gravity = self.gravityX + 0.0, self.gravity + 0.0
-  -- Which axis counts as "down" for the order of simultaneous contacts.
+  -- The axis that counts as "down" for the order of simultaneous contacts.
   local vertical = b.gravityX * b.gravityX <= b.gravity * b.gravity
   b.downAxis = vertical and 1 or 0
   local down = (vertical and b.gravity or b.gravityX) < 0 and -1 or 1
   b.orientation[b.downAxis] = down
   b.orientation[1 - b.downAxis] = vertical and down or -down
-  collect.newGravity(b)
+  read.newGravity(b)
 end
 
 local function newBroadphase(self, b)
@@ -77,8 +79,8 @@ function effects.canCollide(self, b)
 end
 
 function effects.order(self, b)
-  b.roster.order = self.order or {}
-  b.roster.reorder = true
+  b.registry.order = self.order or {}
+  b.registry.reorder = true
 end
 
 -- What can meet what has changed.
@@ -147,8 +149,8 @@ local function applySoft(self, b)
   end
 end
 
--- Notes in a row what the mask of a group says of each, by the number of the group. Returns
--- whether that is something else than before.
+-- Writes into a row what a mask says of each group, by the number of the group. Returns whether
+-- that has changed.
 local function hasRowChanged(groups, mask, row)
   local changed = false
   for n = 1, #groups do
@@ -160,7 +162,7 @@ local function hasRowChanged(groups, mask, row)
   return changed
 end
 
--- What was seen of groups that are in the world; others have left since.
+-- Returns what was seen of groups that are still in the world.
 local function withoutGone(groups, seen)
   local kept = {}
   for m = 1, #groups do
@@ -174,16 +176,16 @@ local function withoutGone(groups, seen)
   return kept
 end
 
--- Whether the masks say something else than when they were last read: the game may change them
--- inside the same table. Those of groups that are not in the world say nothing yet.
+-- Returns whether the masks say something else than when they were last read: the game may change
+-- them inside the same table. Masks of groups that are not in the world count for nothing yet.
 local function haveMasksChanged(b, masks)
-  local groups, seen, changed = b.roster.groups, b.masksSeen, false
+  local groups, seen, changed = b.registry.groups, b.masksSeen, false
   if not seen then -- never read, or forgotten by `restore`
     seen, changed = {}, true
-  elseif seen[0] ~= b.roster.numbers then
+  elseif seen[0] ~= b.registry.numbers then
     seen = withoutGone(groups, seen)
   end
-  seen[0], b.masksSeen = b.roster.numbers, seen
+  seen[0], b.masksSeen = b.registry.numbers, seen
   for n = 1, #groups do
     local mask, row = masks[groups[n].name], seen[groups[n].number]
     if mask or row then -- most have none

@@ -1,11 +1,12 @@
---- The setting `checked`: finds common mistakes by checks that would be too slow, or too strict,
---- for every game. It reads the game's tables and the columns, and changes nothing.
+--- Finds common mistakes in the game's tables (the setting `checked`), by checks that would be too
+--- slow or too strict for every game. It changes nothing.
 --
 --   a static object that was changed by hand: it is read once, so the change has no effect
 --   a field or setting with a name that is one slip away from one that the library knows, and a
 --     mask with the name of a group that is one slip away from a group of the world
 --   a mask that refuses no group, and a filter of a query with such a name
---   a mover that is larger than a great many cells of the grid
+--   a mover that is larger than very many cells of the grid
+--   a dynamic object that is one-way: it is open to the floor below it
 --   an object that is in two worlds (if both are checked)
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
@@ -15,17 +16,17 @@ local fields = require(root .. ".world.fields")
 local filter = require(root .. ".broadphase.filter")
 local interpreted = require(root .. ".memory.jit")
 local keyOrder = require(root .. ".memory.keyOrder")
-local roster = require(root .. ".objects.registry")
+local registry = require(root .. ".objects.registry")
 local state = require(root .. ".state.save")
 
 local guard = {}
 
 local format, show = string.format, check.show
-local STATIC = columns.STATIC
--- A mover may be this many cells long.
+local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
+-- Length that a mover may have, in cells.
 local MOST_CELLS = 1024
 
--- Names from other libraries, and what they are called here.
+-- Names of other libraries, and the names here.
 local MEANT = {
   velocityX = "vx",
   velocityY = "vy",
@@ -44,21 +45,22 @@ local MEANT = {
   onCollision = "onBegin",
 }
 
--- Usual names of a game's own that look like slips.
+-- Common names of a game's own that look like slips.
 local OWN =
   { draw = true, update = true, weight = true, velocity = true, fraction = true, masks = true }
 
 local function placeOf(b, i)
-  return roster.place(b.group[i], b.key[i])
+  return registry.place(b.group[i], b.key[i])
 end
 
 -- Names -------------------------------------------------------------------------------------------
 
--- Returns what a name is probably a misspelling of; false: it looks like one of the game's own.
+-- Returns the name that a name is probably a misspelling of; false: it looks like one of the game's
+-- own.
 local function meaningOf(name, names, byName)
   if type(name) ~= "string" or byName[name] or OWN[name] or name:sub(1, 1) == "_" then
     return false
-  elseif byName == fields.objectByName and MEANT[name] then
+  elseif MEANT[name] and (byName == fields.objectByName or byName[MEANT[name]]) then
     return MEANT[name]
   end
   local guess = check.guess(name, names)
@@ -73,7 +75,7 @@ local function refuseName(place, name, meant)
   )
 end
 
--- Whether a value may be meant for what is called so: a function for a callback, and for nothing
+-- Returns whether a value fits the field that is meant: a function for a callback, and for nothing
 -- else.
 local function mayBe(value, meant, byName)
   local field = byName[meant]
@@ -103,8 +105,8 @@ local function groupMeant(b, name)
   elseif b.guarded and b.guarded.groups[name] or b.world.objects[name] ~= nil then
     return nil
   end
-  for n = 1, #b.roster.groups do
-    local known = b.roster.groups[n].name
+  for n = 1, #b.registry.groups do
+    local known = b.registry.groups[n].name
     if type(known) == "string" and #known > 3 and check.isSlip(name, known) then
       return known
     end
@@ -189,7 +191,7 @@ local function refuseStatic(b, i, name, value)
   )
 end
 
--- Fields that every object has an entry for; the velocity of a static object is not read.
+-- Fields that every object has. The velocity of a static object is not read.
 local function checkDense(b, i, object)
   for n = 1, #state.DENSE do
     local entry = state.DENSE[n]
@@ -214,7 +216,7 @@ local function checkSparse(b, i, object)
   end
 end
 
--- The others: name, column, what the column holds if the field is not set.
+-- The other fields: name, column, the column's value if the field is not set.
 local OTHERS = {
   { "friction", "friction", -1 },
   { "canCollide", "canCollide", false },
@@ -250,6 +252,15 @@ end
 local function checkMover(b, i, object)
   if object.static then
     refuseStatic(b, i, "static", true)
+  elseif object.oneWay and b.kind[i] == DYNAMIC then
+    check.fail(
+      format(
+        "%s.oneWay must be nil, got %s: one-way objects are static or kinematic; a dynamic one"
+          .. " falls through the floor",
+        placeOf(b, i),
+        show(object.oneWay)
+      )
+    )
   end
   local cell = b.broadphase.cell
   if cell then
@@ -272,14 +283,14 @@ end
 
 -- Worlds ------------------------------------------------------------------------------------------
 
--- The columns that an object was last seen in. This is the only memory that all worlds share: one
--- world cannot know what is in another. The table is weak, so it keeps no object alive.
+-- The columns in which an object was last seen. All worlds share only this memory: one world cannot
+-- know the objects of another. The table is weak, so it keeps no object alive.
 local owners = setmetatable({}, { __mode = "kv" })
 
--- Where it was seen in there; it may have been taken out since the last step.
+-- Returns the slot of an object there; it may have been removed since the last step.
 local function slotIn(owner, object)
   local slot, objects = owner.slotOf[object], owner.world.objects
-  return slot and type(objects) == "table" and roster.whereSeen(owner, objects, slot) and slot
+  return slot and type(objects) == "table" and registry.whereSeen(owner, objects, slot) and slot
 end
 
 local function checkOwner(b, i, object)
@@ -308,14 +319,14 @@ function guard.filter(world, wanted, where)
   end
 end
 
---- Checks all objects and settings, right after the game's tables were read.
---- Errors: see the top of this file; nothing has changed then.
+--- Checks all objects and settings, right after the game's tables were read. Errors: see the top of
+--- this file; nothing has changed then.
 function guard.run(world)
   local b = world._bodies
   b.guarded = b.guarded or { fields = {}, settings = {}, groups = {} }
   local seen = b.guarded
-  for n = 1, #b.roster.groups do
-    seen.groups[b.roster.groups[n].name] = true
+  for n = 1, #b.registry.groups do
+    seen.groups[b.registry.groups[n].name] = true
   end
   checkNames(seen.settings, world, fields.settingNames, fields.settingByName, b)
   checkMasks(b, world.masks or {}, "world.masks")

@@ -1,42 +1,51 @@
---- A world: its settings and the order of the steps.
+--- The public methods of a world, and the order of the stages of a step.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local begin = require(root .. ".motion.begin")
-local bounds = require(root .. ".world.bounds")
 local carrier = require(root .. ".objects.carriers")
 local check = require(root .. ".world.check")
-local collect = require(root .. ".objects.read")
+local read = require(root .. ".objects.read")
 local columns = require(root .. ".memory.columns")
 local crowd = require(root .. ".solver.crowd")
 local crush = require(root .. ".solver.crush")
 local detect = require(root .. ".broadphase.pairFinder")
 local drift = require(root .. ".motion.drift")
 local events = require(root .. ".contacts.events")
-local explain = require(root .. ".world.explain")
 local flight = require(root .. ".motion.flight")
-local guard = require(root .. ".world.strictMode")
-local hash = require(root .. ".state.hash")
 local interpreted = require(root .. ".memory.jit")
+local lazy = require(root .. ".memory.lazy")
+local notice = require(root .. ".queries.notice")
 local oneway = require(root .. ".solver.oneWay")
-local part = require(root .. ".solver.separate")
+local separate = require(root .. ".solver.separate")
 local predict = require(root .. ".motion.predict")
-local publish = require(root .. ".objects.write")
-local query = require(root .. ".queries.query")
+local write = require(root .. ".objects.write")
 local rest = require(root .. ".sleep.islands")
-local restore = require(root .. ".state.restore")
-local roster = require(root .. ".objects.registry")
+local registry = require(root .. ".objects.registry")
 local settings = require(root .. ".world.settings")
-local slide = require(root .. ".queries.move")
 local solver = require(root .. ".solver.solver")
-local state = require(root .. ".state.save")
-local view = require(root .. ".queries.index")
+
+-- What is loaded when it is first used.
+local bounds = lazy(root .. ".world.bounds")
+local explain = lazy(root .. ".world.explain")
+local guard = lazy(root .. ".world.strictMode")
+local hash = lazy(root .. ".state.hash")
+local query = lazy(root .. ".queries.query")
+local restore = lazy(root .. ".state.restore")
+local slide = lazy(root .. ".queries.move")
+local state = lazy(root .. ".state.save")
+local draw = lazy(root .. ".world.draw")
+local tiled = lazy(root .. ".maps.tiled")
+local array = lazy(root .. ".maps.array")
+local ldtk = lazy(root .. ".maps.ldtk")
+local tileLayers = lazy(root .. ".maps.tiles")
 
 --- An independent world: a table of groups of objects, settings as plain fields, and the steps.
 --- Its settings are fields of it, too.
 ---@class physics.World: physics.WorldSettings
 ---@field objects table<string|number, any> the game's groups of objects
 ---@field stats physics.Stats counters of the last step
----@field alpha number share of a fixed step that is saved up, 0..1; your own loop may write it
+---@field alpha number share of a fixed step that is saved up, 0..1; your own loop may write it (see
+---  `interpolate`)
 ---@field package _bodies table the columns of the simulation
 ---@field package _saved number s, time for which no fixed step was made yet
 ---@field package _restores integer how often it was put back to an earlier state
@@ -47,13 +56,14 @@ World.__index = World
 local ceil, floor, max, min = math.ceil, math.floor, math.max, math.min
 local isFinite = check.isFinite
 
--- Longest time that one update makes up for, s.
+-- Longest time that one update simulates, s.
 local LONGEST = 0.25
--- A way that the game has written, divided by less time than that, would be no speed any more, s.
+-- Shortest dt that makes a step, s: a way that the game has written, divided by less, would be no
+-- usable speed.
 local SHORTEST = 1e-10
--- An object must be larger than that, px; see physics/world/check.lua for how much exactly.
+-- An object must be larger than this, px; physics/world/check.lua has the exact limit.
 local SMALLEST = 1e-90
--- Share of a fixed step that may be missing through rounding.
+-- Fraction of a fixed step that may be missing through rounding.
 local ROUNDING = 1e-9
 
 local function checkSelf(self, call)
@@ -82,10 +92,10 @@ local function time(self, name, since)
   return now
 end
 
--- Lets the game act before a step. It may do anything but step again.
+-- Calls `onStep`, which may do anything but make a step.
 local function tellStep(self, dt)
   local b = self._bodies
-  settings.apply(self) -- a callback may have spoilt `onStep`
+  settings.apply(self) -- a callback may have put a value into `onStep` that cannot be called
   b.isTold = true
   local ok, result = pcall(self.onStep, dt)
   b.isTold = false
@@ -94,8 +104,8 @@ local function tellStep(self, dt)
   end
 end
 
---- One step of dt seconds, stage by stage. The caller calls the callbacks afterwards, once the time
---- of the step is booked.
+--- Makes one step of dt seconds, stage by stage. The caller calls the callbacks afterwards, once
+--- the step's time is subtracted.
 local function step(self, dt)
   if self.onStep then
     tellStep(self, dt)
@@ -103,7 +113,7 @@ local function step(self, dt)
   local b = self._bodies
   settings.apply(self)
   local now = time(self, "write", 0)
-  collect.run(b, self.objects)
+  read.run(b, self.objects)
   if self.checked then
     guard.run(self)
   end
@@ -119,7 +129,7 @@ local function step(self, dt)
   detect.runMoved(b)
   crowd.run(b)
   crush.wedgeGrown(b)
-  part.run(b)
+  separate.run(b)
   drift.run(b, dt)
   flight.begin(b, dt)
   now = time(self, "separate", now)
@@ -128,12 +138,13 @@ local function step(self, dt)
   solver.run(b, dt) -- contacts, settle, friction, then sweep and hit
   drift.takeOff(b)
   now = time(self, "solve", now)
-  publish.run(b)
+  write.run(b)
   flight.finish(b, dt)
   if b.rest then
     rest.settle(b, dt)
   end
-  view.outdate(b)
+  columns.shrink(b)
+  notice.outdate(b)
   time(self, "write", now)
 
   local stats = self.stats
@@ -142,13 +153,13 @@ local function step(self, dt)
   stats.pairs, stats.contacts, stats.events = b.pairCount, b.contactCount, b.resolved
 end
 
--- Makes steps of equal length that are at most `maxStep` long.
+-- Makes steps of equal length, at most `maxStep` long.
 local function split(self, dt)
   local steps = ceil(dt / self.maxStep - ROUNDING)
   if steps < 1 then
     steps = 1
   end
-  publish.forgetHits(self._bodies)
+  write.forgetHits(self._bodies)
   for remaining = steps, 1, -1 do
     self._bodies.remaining = remaining
     step(self, dt / steps)
@@ -156,8 +167,8 @@ local function split(self, dt)
   end
 end
 
--- Makes as many fixed steps as fit into the time that is saved up. A refused step uses up no time,
--- and none of a refused dt is saved. Time that an update with an error has left counts in this one.
+-- Makes as many fixed steps as fit into the saved time. A refused step uses up no time, and none of
+-- a refused dt is saved. Time that an update with an error has left counts in this one.
 local function stepFixed(self, dt)
   local timestep = self.timestep
   if self._saved >= timestep * (1 - ROUNDING) then
@@ -165,7 +176,7 @@ local function stepFixed(self, dt)
   end
   self._bodies.remaining = max(1, floor((self._saved + dt) / timestep + ROUNDING))
   if self._saved + dt >= timestep * (1 - ROUNDING) then
-    publish.forgetHits(self._bodies)
+    write.forgetHits(self._bodies)
   end
   while self._saved + dt >= timestep * (1 - ROUNDING) do
     begin.keepPlaces(self._bodies)
@@ -200,12 +211,12 @@ function World:update(dt)
   if b.isTold then
     check.fail("world:update(dt) cannot be called from inside onStep")
   end
-  view.outdate(b) -- also if there is no step
+  notice.outdate(b) -- also if there is no step
   events.tell(b)
   if dt < SHORTEST then
     settings.apply(self)
-    collect.run(b, self.objects)
-    collect.giveTouching(b)
+    read.run(b, self.objects)
+    read.giveTouching(b)
     events.tell(b)
     return
   end
@@ -242,13 +253,13 @@ local function groupFor(self, group)
 end
 
 -- Gives an object the fields that `add` promises. An object that was removed since the last update
--- still has a slot and keeps its `touching`: while it rests no step would write it again.
+-- still has a slot and keeps its `touching`: while it sleeps no step would write it again.
 local function welcome(b, object)
   if not object.static and not object.kinematic then
     local slot = b.slotOf[object]
-    local touching = slot and b.touching[slot] or collect.touchingFor(b, object)
+    local touching = slot and b.touching[slot] or read.touchingFor(b, object)
     object.vx, object.vy, object.touching = object.vx or 0, object.vy or 0, touching
-    b.roster.given[object] = touching
+    b.registry.given[object] = touching
   end
 end
 
@@ -257,9 +268,9 @@ end
 local function readAgain(b, object)
   local slot = b.slotOf[object]
   if slot and (object.static or b.kind[slot] == columns.STATIC) then
-    collect.refresh(b, slot)
+    read.refresh(b, slot)
   else
-    view.refresh(b, object)
+    notice.refresh(b, object)
   end
 end
 
@@ -271,28 +282,28 @@ local function put(self, group, object)
   readAgain(b, object)
   local members = groupFor(self, group)
   members[#members + 1] = object
-  b.roster.groupGiven[object] = group
-  view.tell(b)
+  b.registry.groupGiven[object] = group
+  notice.tell(b)
   return object
 end
 
--- Returns where an object is now: the table that holds it, its key there, and the name of its group
--- (and the key again unless it is directly in `objects`). Looks where it was in the last step and
--- where it was added; nil: it is in neither place.
+-- Returns where an object is now: the table that holds it, its key there, and the name of its
+-- group. (And the key again, unless it is directly in `objects`.) Looks where the object was in the
+-- last step, and where it was added; nil: it is in neither place.
 local function whereIs(self, object)
   local b = self._bodies
   local slot = b.slotOf[object]
   if slot then
-    local members, key = roster.whereSeen(b, self.objects, slot)
+    local members, key = registry.whereSeen(b, self.objects, slot)
     if members then
       local record = b.group[slot]
       return members, key, record.name, not record.direct and key or nil
     end
   end
-  local group = b.roster.groupGiven[object]
+  local group = b.registry.groupGiven[object]
   local members = group ~= nil and self.objects[group]
   if type(members) == "table" then
-    local key = roster.find(members, object)
+    local key = registry.find(members, object)
     if key ~= nil then
       return members, key, group, key
     end
@@ -309,7 +320,7 @@ local function search(self, object)
     if rawequal(value, object) then
       return self.objects, group, group
     elseif type(value) == "table" and type(value.width) ~= "number" then
-      key = roster.find(value, object)
+      key = registry.find(value, object)
       if key ~= nil then
         return value, key, group
       end
@@ -384,8 +395,8 @@ function World:remove(object)
   else
     members[key] = nil
   end
-  self._bodies.roster.groupGiven[object] = nil
-  view.tell(self._bodies)
+  self._bodies.registry.groupGiven[object] = nil
+  notice.tell(self._bodies)
   return true
 end
 
@@ -409,10 +420,10 @@ function World:refresh(object)
   end
   local slot = b.slotOf[object]
   if slot then
-    collect.refresh(b, slot)
+    read.refresh(b, slot)
   else
     check.object(object, check.place(name, members ~= self.objects and key or nil))
-    view.refresh(b, object)
+    notice.refresh(b, object)
   end
 end
 
@@ -456,9 +467,9 @@ end
 --- - Not saved: functions (callbacks, `canCollide`), your own fields, and the settings
 ---   `broadphase`, `cellSize`, `rest` and `checked`.
 ---
---- The best moment is right before `update`, after you have written the input of the step. A state
---- that is saved inside a callback holds the events that are still to come, without the current
---- one.
+--- A state also holds what you have written since the last step. For rollback save before you write
+--- the input of a step: a late input must not find the guessed one in the state. A state that is
+--- saved inside a callback holds the events that are still to come, without the current one.
 ---
 --- Errors: a field or setting that `update` would refuse; `out` is not a table; it is called from
 --- inside `canCollide`.
@@ -507,7 +518,8 @@ end
 
 --- Returns a whole number in 0..10^14 over everything that `save` holds. It is the same on every
 --- Lua. Two worlds with the same number continue in the same way (wrong once in 10^13). Use it for
---- replays, and to find the step in which two players' worlds began to differ.
+--- replays, and to find the step in which two players' worlds began to differ. Your own fields
+--- (`health`) are not in it: compare them beside it.
 ---
 --- Errors: a field or setting that `update` would refuse; it is called from inside `canCollide`.
 ---@return number
@@ -518,7 +530,7 @@ function World:hash()
   return number
 end
 
--- Returns one coordinate between two fixed steps; `now` is the value in the game's table.
+-- Returns one coordinate between two fixed steps; `now` is its value in the game's table.
 local function between(b, slot, k, now, alpha)
   -- A dynamic object that the game has moved is there already; a kinematic one is on its way.
   if b.kind[slot] == columns.DYNAMIC and now ~= b.written[k] then
@@ -532,19 +544,24 @@ end
 --- faint. The solid side of a one-way object is violet, sides that touch are light.
 ---
 --- The colours can be seen on dark and on light ground. It draws with your transform, and leaves
---- colour, font and transform as they were.
+--- colour, font and transform as they were. It draws at `x, y`, also with a `timestep`: what you
+--- draw at `interpolate` is up to one step behind it.
 ---
 --- Errors: an unknown option, or a wrong value for one; there is no `love.graphics`.
 ---@param options physics.DrawOptions? what to show
 function World:draw(options)
   checkSelf(self, "draw(options)")
-  require(root .. ".world.draw").draw(self, options)
+  draw.draw(self, options)
 end
 
 --- Returns where to draw an object between two fixed steps (`timestep`): on the way from its place
 --- before the last step to its place now, by the share `world.alpha`. Returns `object.x, object.y`
 --- if there is no `timestep`, and for an object that is new, static, not active, or was put
 --- somewhere by the game.
+---
+--- A loop of your own, as for rollback, sets `timestep`, too. `world:update(world.timestep)` is
+--- then exactly one step, and sets `world.alpha` to 0. After its last step the loop writes
+--- `world.alpha`.
 ---
 --- Errors: the object is not a table.
 ---@param object physics.NewObject the object to draw
@@ -695,7 +712,7 @@ end
 function World:raycast(x1, y1, x2, y2, filter)
   checkQuestion(self, "raycast(x1, y1, x2, y2)", filter)
   checkLine(x1, y1, x2, y2, "world:raycast(x1, y1, x2, y2)")
-  -- (A tail call: what is done with the answer is compiled anew for each way to get there.)
+  -- (A tail call: the trace compiler would compile the code after it anew for each path.)
   ---@diagnostic disable-next-line: missing-return-value
   return query.raycast(self, x1 + 0.0, y1 + 0.0, x2 + 0.0, y2 + 0.0, filter)
 end
@@ -910,6 +927,10 @@ end
 --- `bounds`. You may give them `friction` and other fields before the next update. A second call
 --- replaces the walls; a call without arguments removes them.
 ---
+--- The lower wall is a floor. A level with pits needs a rectangle that is higher than the level, so
+--- that the player falls out of sight. Filters and masks that name only your own walls leave
+--- `bounds` out.
+---
 --- Errors: a number is not finite; a size is <= 0; the game uses one of these names for something
 --- else; it is called from inside `canCollide`.
 ---@param x number? px, inner left edge; nil: no bounds
@@ -926,12 +947,12 @@ function World:setBounds(x, y, w, h)
     check.positive(h, "h", where)
   end
   self._walls = bounds.set(self.objects, self._walls, x, y, w, h)
-  view.tell(self._bodies)
+  notice.tell(self._bodies)
 end
 
 -- Maps --------------------------------------------------------------------------------------------
 
--- The functions of a world that layers of tiles use (physics/maps/tiles.lua).
+-- Functions of a world that layers of tiles use (physics/maps/tiles.lua).
 local MAPS = { put = put, remove = World.remove }
 
 function MAPS.check(self, where, groups)
@@ -944,8 +965,8 @@ function MAPS.check(self, where, groups)
   end
 end
 
--- Places and sizes are sums and products of what a map says: they may be too large, or too small,
--- though nothing of it is.
+-- Checks a place and size. They are sums and products of a map's numbers, so they may be out of
+-- range although those are not.
 local function checkPlace(object, group, where)
   local isGood = isFinite(object.x) and isFinite(object.y)
   isGood = isGood and isFinite(object.width) and isFinite(object.height)
@@ -1001,14 +1022,14 @@ function World:loadTiled(map, options)
   checkSelf(self, call)
   checkIdle(self._bodies, call)
   checkObjects(self)
-  local level, groupOf, groups, tiles = require(root .. ".maps.tiled").read(map, options)
+  local level, groupOf, groups, tiles = tiled.read(map, options)
   checkAll(self, level.objects, groupOf, groups, "world:loadTiled(map)")
   for i = 1, #groups do
     groupFor(self, groups[i])
   end
   putAll(self, level.objects, groupOf)
   for i = 1, #tiles do
-    require(root .. ".maps.tiles").attach(tiles[i], self, MAPS)
+    tileLayers.attach(tiles[i], self, MAPS)
   end
   return level
 end
@@ -1019,16 +1040,18 @@ end
 --- tiles: `tiles:setTile(column, row, value)`, `tiles:load()`, `tiles:unload()`.
 ---
 --- The cells are one list, row by row, or a list of rows (`cells[row][column]`). A row may be a
---- string (`"##..#"`): each character is a cell. Columns and rows are counted from 1. The cells are
---- copied, so change them with `setTile`, too. Each object has the field `tile` with its `tiles`,
---- `column`, `row`, `columns`, `rows` and `value`.
+--- string (`"##..#"`): each character is a cell. For a list of rows `columns` is nil, and a short
+--- row ends with empty cells. Columns and rows are counted from 1. The cells are copied, so change
+--- them with `setTile`, too. Each object has the field `tile` with its `tiles`, `column`, `row`,
+--- `columns`, `rows` and `value`.
 ---
---- Errors: the group is not a name, or is an object; the cells are not a list; a row has another
---- length; a cell is not a number, string or boolean; the size is missing; an unknown option, or a
---- wrong value for one; it is called from inside `canCollide`. Nothing has been added then.
+--- Errors: the group is not a name, or is an object; the cells are not a list; a list of values
+--- ends within a row; a row is longer than `columns`; a cell is not a number, string or boolean;
+--- the size is missing; an unknown option, or a wrong value for one; it is called from
+--- inside `canCollide`. Nothing has been added then.
 ---@param group string|number name of their group; the field `group` of a value has precedence
 ---@param cells table list of values, or list of rows
----@param columns integer? of a list of values: how many are a row
+---@param columns integer? of a list of values: how many are a row; nil for a list of rows
 ---@param size number|number[] px, of a cell: one number, or width and height
 ---@param options physics.TileOptions? which values are solid, and where the tiles go
 ---@return physics.Tiles tiles
@@ -1038,15 +1061,14 @@ function World:addTiles(group, cells, columns, size, options) -- luacheck: ignor
   checkSelf(self, call)
   checkIdle(self._bodies, call)
   checkObjects(self)
-  local read = require(root .. ".maps.array").read
-  local tiles, objects, groupOf, later = read(group, cells, columns, size, options)
+  local tiles, objects, groupOf, later = array.read(group, cells, columns, size, options)
   checkIsGroup(self, group, "world:" .. call)
   checkAll(self, objects, groupOf, groupOf, "world:" .. call)
   groupFor(self, group)
   if not later then
     putAll(self, objects, groupOf)
   end
-  require(root .. ".maps.tiles").attach(tiles, self, MAPS, later and objects)
+  tileLayers.attach(tiles, self, MAPS, later and objects)
   return tiles
 end
 
@@ -1072,11 +1094,11 @@ function World:loadLDtk(project, level, options)
   checkSelf(self, call)
   checkIdle(self._bodies, call)
   checkObjects(self)
-  local found, groupOf, tiles = require(root .. ".maps.ldtk").read(project, level, options)
+  local found, groupOf, tiles = ldtk.read(project, level, options)
   checkAll(self, found.objects, groupOf, groupOf, "world:" .. call)
   putAll(self, found.objects, groupOf)
   for i = 1, #tiles do
-    require(root .. ".maps.tiles").attach(tiles[i], self, MAPS)
+    tileLayers.attach(tiles[i], self, MAPS)
   end
   return found
 end
@@ -1110,7 +1132,7 @@ function world.new(given, where)
   check.settings(given, where)
   local b = columns.new()
   solver.adopt(b)
-  b.events, b.roster, b.hits = events.new(), roster.new(), publish.newHits()
+  b.events, b.registry, b.hits = events.new(), registry.new(), write.newHits()
   b.drifts = drift.new()
   local self = setmetatable({
     objects = {},

@@ -1,6 +1,6 @@
--- Loads the maps that scripts/tiled_maps.sh has exported, in LÖVE, whose `love.data` unpacks the
--- layers: `love FOLDER NAME COUNT` says whether maps/NAME.lua has at least COUNT tiles when all its
--- tile layers are solid, and goes on with it for a second, also as it is without options.
+-- Loads the maps that scripts/tiled_maps.sh has exported, in LÖVE, since its `love.data` unpacks
+-- the layers. `love FOLDER NAME COUNT` says whether maps/NAME.lua has at least COUNT tiles when all
+-- its tile layers are solid. It plays on with it for a second, also as the map is without options.
 
 local physics = require("physics")
 

@@ -458,7 +458,7 @@ local CLOSED = { { "friction", 0.4 }, { "restitution", 0.5 }, { "mass", 0.5 } }
 local function makeClosedBox(self, column, row)
   local n = self.n
   local box = {
-    -- On a raster wide enough that nobody stands in another at first.
+    -- On a raster wide enough that no box stands in another at first.
     x = n:snap((2.5 * column + 1) * n.unit),
     y = n:snap((2.5 * row + 1) * n.unit),
     width = n:snap(n.random:between(0.5, 2) * n.unit),
@@ -501,7 +501,7 @@ end
 -- Squeezed games ----------------------------------------------------------------------------------
 
 -- A stack, or a row, between two ends that do not give way, one of which may come nearer, and more
--- and more boxes that appear in it and in the ends: everybody is crushed, pushed out or pushed on.
+-- and more boxes that appear in it and in the ends: all boxes are crushed, pushed out or pushed on.
 
 local SQUEEZED = {
   { "pushable", 0.25 },
@@ -617,7 +617,7 @@ local ENGINE = {
   { "maxSpeedY", 0.15 },
 }
 
--- Gives engines to many of those who move. (With numbers of its own: it makes no other game of the
+-- Gives engines to many of the movers. (With numbers of its own: it makes no other game of the
 -- rest.)
 local function drive(acts, seed)
   local n = newNumbers(seed)

@@ -100,13 +100,13 @@ end
 
 -- The world --------------------------------------------------------------------------------------
 
--- Lists who is in the game's tables.
+-- Lists the objects in the game's tables.
 function Watch:look()
-  self.everybody, self.groupOf = {}, {}
+  self.all, self.groupOf = {}, {}
   for group, members in next, self.player.world.objects do
     for _, object in next, members do
       self.groupOf[object] = group
-      self.everybody[#self.everybody + 1] = object
+      self.all[#self.all + 1] = object
     end
   end
   self.asked = next(self.player.refusals) ~= nil
@@ -125,7 +125,7 @@ end
 -- Finite -----------------------------------------------------------------------------------------
 
 function Watch:checkFinite()
-  for _, object in ipairs(self.everybody) do
+  for _, object in ipairs(self.all) do
     for _, field in ipairs({ "x", "y", "vx", "vy" }) do
       local value = object[field]
       if value and not (value > -FAR and value < FAR) then
@@ -141,7 +141,7 @@ local KEPT = { "x", "y", "vx", "vy", "width", "height", "static", "touching" }
 
 function Watch:noteStatics()
   self.statics = {}
-  for _, object in ipairs(self.everybody) do
+  for _, object in ipairs(self.all) do
     if object.static then
       local copy = {}
       for _, field in ipairs(KEPT) do
@@ -165,7 +165,7 @@ end
 -- How deep each dynamic object stands in each static one it must not be in.
 function Watch:noteDepths()
   self.depths = {}
-  for _, a in ipairs(self.everybody) do
+  for _, a in ipairs(self.all) do
     if isDynamic(a) then
       local row = {}
       self.depths[a] = row
@@ -176,10 +176,10 @@ function Watch:noteDepths()
   end
 end
 
--- It may come out of a wall, or stay where the game has put it, but never go in. Who is crushed may
--- be pressed into one, until it is free again.
+-- It may come out of a wall, or stay where the game has put it, but never go in. A crushed object
+-- may be pressed into one, until it is free again.
 function Watch:checkDepths()
-  for _, a in ipairs(self.everybody) do
+  for _, a in ipairs(self.all) do
     local row, id = self.depths[a], self.player.idOf[a]
     if row and isDynamic(a) and self:isSettled(a) and not self.crushed[id] then
       for object, before in next, row do
@@ -201,9 +201,9 @@ end
 
 -- Calls visit(key, a, b, depth) for each pair that overlaps and must not.
 function Watch:eachOverlap(visit)
-  for n, a in ipairs(self.everybody) do
-    for m = n + 1, #self.everybody do
-      local b = self.everybody[m]
+  for n, a in ipairs(self.all) do
+    for m = n + 1, #self.all do
+      local b = self.all[m]
       if isDynamic(a) or isDynamic(b) then
         local deep = depth(a, b)
         if deep > slack(a, b) and self:isBarred(a, b) then
@@ -243,14 +243,14 @@ function Watch:checkOverlaps()
   return name, text, how
 end
 
--- Who was crushed stays so until it overlaps nobody it could push, and the world holds it no
--- longer: of a row that is crushed, one alone may be inside the wall for a step.
+-- A crushed object stays so until it overlaps nothing that it could push, and the world no longer
+-- holds it. Of a crushed row, one alone may be inside the wall for a step.
 function Watch:updateCrushed()
   for id in next, self.crushed do
     local a, bodies = self.player.list[id], self.player.world._bodies
     local k = 2 * (bodies.slotOf[a] or 0)
     local isFree = not (bodies.wasCrushed[k] or bodies.wasCrushed[k + 1])
-    for _, b in ipairs(self.everybody) do
+    for _, b in ipairs(self.all) do
       if a ~= b and depth(a, b) > slack(a, b) and self:isBarred(a, b) then
         isFree = false
         break
@@ -262,8 +262,8 @@ function Watch:updateCrushed()
   end
 end
 
--- A name for the pair, and whether the second of them comes first in it: who is told first may
--- change when one moves to another group.
+-- Returns a name for the pair, and whether its second object comes first in the name. Which one is
+-- told first may change when one moves to another group.
 local function keyOf(self, a, b)
   local first, second = self.player.idOf[a], self.player.idOf[b]
   if first and second then
@@ -282,7 +282,7 @@ function Watch:judgeNeighbour(a, side, b)
   elseif a.sensor or b.sensor then
     return "is a sensor, or the object is one"
   elseif not self:canMeet(a, b) then
-    return "is somebody it cannot meet"
+    return "is an object that it cannot meet"
   end
   local key = keyOf(self, a, b)
   if (not key or self.hits[key]) and self.player.world:touching(a, b) ~= side then
@@ -306,7 +306,7 @@ function Watch:judgeNeighbour(a, side, b)
 end
 
 function Watch:checkTouching()
-  for _, a in ipairs(self.everybody) do
+  for _, a in ipairs(self.all) do
     if isDynamic(a) and self:isSettled(a) then
       for _, side in ipairs({ "top", "bottom", "left", "right" }) do
         if not a.touching and a.active ~= false then
@@ -342,7 +342,7 @@ function Watch:onBegin(key, a, b, side, speed)
     -- After a callback has failed, what is told now may have waited since then.
     local isNew = not self.player.failed and self:isSettled(a) and self:isSettled(b)
     if isNew and not self:canMeet(a, b) then
-      self:complain("masks", ("onBegin of %s, who cannot meet"):format(key))
+      self:complain("masks", ("onBegin of %s, which cannot meet"):format(key))
     end
   end
   self.open[key], self.hits[key] = { a, b, side }, true
@@ -394,9 +394,9 @@ end
 
 function Watch:checkUntold()
   local world = self.player.world
-  for n, a in ipairs(self.everybody) do
-    for m = n + 1, #self.everybody do
-      local b = self.everybody[m]
+  for n, a in ipairs(self.all) do
+    for m = n + 1, #self.all do
+      local b = self.all[m]
       local key = keyOf(self, a, b)
       if key and not self.open[key] and depth(a, b) >= -checks.TOLERANCE then
         if self:isSettled(a) and self:isSettled(b) and world:touching(a, b) then
@@ -411,7 +411,7 @@ end
 
 -- Share of the whole that rounding may add in a step.
 local ROUNDING = 1e-9
--- The same under gravity for each contact: who is pushed upwards out of the way of another gains
+-- The same under gravity for each contact. A body that is pushed upwards out of another one gains
 -- height for nothing, hardly any if both give way.
 local LIFTED = 1e-6
 
@@ -419,7 +419,7 @@ local LIFTED = 1e-6
 function Watch:sums()
   local world = self.player.world
   local kinetic, potential, x, y, sizeX, sizeY = 0, 0, 0, 0, 0, 0
-  for _, object in ipairs(self.everybody) do
+  for _, object in ipairs(self.all) do
     if isDynamic(object) then
       local mass, vx, vy = object.mass or 1, object.vx or 0, object.vy or 0
       kinetic = kinetic + 0.5 * mass * (vx * vx + vy * vy)
@@ -451,7 +451,7 @@ function Watch:energyLimit(before, dt)
   local contacts = self.contacts
   local limit, heaviest, fastest = LIFTED * max(1, contacts) * math.abs(before), 0, 0
   if world.push == "first" then
-    for _, object in ipairs(self.everybody) do
+    for _, object in ipairs(self.all) do
       if isDynamic(object) then
         heaviest = max(heaviest, object.mass or 1)
         fastest = max(fastest, math.abs(object.vy or 0))
@@ -540,7 +540,7 @@ function Watch:before()
   self.contacts = 0
   self.saved = self.player.world._saved
   if self.bounds then
-    self.bounds:before(self.everybody)
+    self.bounds:before(self.all)
   end
 end
 

@@ -1,7 +1,7 @@
 --- Plays the acts of a case (spec/fuzz/case.lua) in one world and writes down what is told.
 --
--- Who is acted upon from inside a callback is noted in `touched`: what the last step has left of
--- such an object need not be true any more when the step is judged.
+-- An object that is acted upon inside a callback is noted in `touched`: what the last step has left
+-- of it need not be true any more when the step is judged.
 
 local physics = require("physics")
 
@@ -14,7 +14,7 @@ end
 local Player = {}
 Player.__index = Player
 
-local EVENTS = { "onBegin", "onEnd", "onCrush" } -- onStay would keep everybody awake
+local EVENTS = { "onBegin", "onEnd", "onCrush" } -- onStay would keep all awake
 -- Settings that change no result; a player of a fixed kind keeps its own.
 local OWN = { broadphase = true, cellSize = true, rest = true }
 local MESSAGE = "fuzz: a callback fails"
@@ -86,8 +86,8 @@ local function reread(player, id)
   end
 end
 
--- Whether there is anybody to give a callback to: 0 is the world. Who comes later must not have it
--- in a restored copy only.
+-- Returns whether the object exists that gets a callback; 0 is the world. An object that comes
+-- later must not have it in a restored copy only.
 local function isThere(player, id)
   return id == 0 or player.list[id] ~= nil
 end
@@ -253,7 +253,7 @@ function acts.move(player, id, x, y, response)
   end
 end
 
--- Who can meet whom has changed, for everybody.
+-- What can meet what has changed, for all objects.
 local function noteAll(player)
   for id = 1, player.highest do
     note(player, id)
@@ -420,10 +420,10 @@ local function pair(self, other, mine, its)
   end
 end
 
--- Pairs everybody whom the worlds know; some of them may be in the tables no more.
+-- Pairs the objects that the worlds know; some of them may not be in the tables any more.
 local function pairKnown(self, other)
   -- By name: the order of the groups is one that the next update will read.
-  local mine, its = self.world._bodies.roster.byName, other.world._bodies.roster.groups
+  local mine, its = self.world._bodies.registry.byName, other.world._bodies.registry.groups
   for _, record in ipairs(its) do
     for n = 1, record.count do
       pair(self, other, mine[record.name].list[n], record.list[n])
@@ -431,13 +431,15 @@ local function pairKnown(self, other)
   end
 end
 
--- Pairs everybody in the tables of two worlds, and whom they touch, who may have left them.
+-- Pairs the objects in the tables of two worlds, and those that they touch, which may have left
+-- them.
 local function pairPresent(self, other)
   for group, members in next, other.world.objects do
     for key, its in next, members do
       local mine = self.world.objects[group][key]
       pair(self, other, mine, its)
-      -- Whoever is dynamic no more keeps the table that it had; its copy never gets one.
+      -- An object that is not dynamic any more keeps the table that it had; its copy never gets
+      -- one.
       for side, neighbour in next, mine.touching and its.touching or {} do
         pair(self, other, mine.touching[side], neighbour)
       end
@@ -445,7 +447,7 @@ local function pairPresent(self, other)
   end
 end
 
--- Pairs those of whom is still to be told. They may have left, and no table leads to them.
+-- Pairs the objects of events that wait. They may have left, and no table leads to them.
 local function pairTold(self, other)
   local mine, its = self.world._bodies.events, other.world._bodies.events
   for n = 1, mine.count do
@@ -467,7 +469,7 @@ function player.copy(other, own)
   pairPresent(self, other)
   pairTold(self, other)
   for id, object in next, other.list do
-    if not self.list[id] then -- not in the world: nobody else will look at it again
+    if not self.list[id] then -- not in the world: nothing else will look at it again
       local touching = object.touching
       object.touching = nil
       local copy = copyOf(object)

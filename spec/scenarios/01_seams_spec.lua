@@ -31,7 +31,7 @@ describe("seams", function()
       return { name = "body", x = 0, y = 76, width = 14, height = 24, vx = 200 }
     end
 
-    it("(1a) do not slow, lift or stop who walks over them", function()
+    it("(1a) do not slow, lift or stop what walks over them", function()
       scene.each(EVERYWHERE, function(run)
         local body = run:build(with(floorOfTiles(), "players", walker())).body
         for time in run:steps(2) do
@@ -65,7 +65,7 @@ describe("seams", function()
   --     +--+   +---+
   --      g     |   |
   describe("of a wall", function()
-    it("(1b) do not hold who slides down along them", function()
+    it("(1b) do not hold what slides down along them", function()
       scene.each(EVERYWHERE, function(run)
         local body = { name = "body", x = 86, y = 0, width = 14, height = 24 }
         body = run:build(with(wallOfTiles(), "players", body)).body
@@ -85,7 +85,7 @@ describe("seams", function()
     end)
 
     for _, start in ipairs({ 80, 79.3, 70 }) do
-      it(("(1c) do not stop who jumps up along them, from x = %g"):format(start), function()
+      it(("(1c) do not stop what jumps up along them, from x = %g"):format(start), function()
         scene.each(EVERYWHERE, function(run)
           local body = { name = "body", x = start, y = 500, width = 14, height = 24, vy = -600 }
           body = run:build(with(wallOfTiles(), "players", body)).body
@@ -161,7 +161,7 @@ describe("seams", function()
       return scene.tiles(list, 50, 100 + width, top, 16, 16, 0, 16)
     end
 
-    it("(1e) do not brake who falls through it", function()
+    it("(1e) do not brake what falls through it", function()
       scene.each(EVERYWHERE, function(run)
         local body = { name = "body", x = 100, y = 0, width = 14, height = 24 }
         body = run:build(with(shaft(14, 0), "players", body)).body
@@ -174,7 +174,7 @@ describe("seams", function()
       end)
     end)
 
-    it("(1e) do not brake who presses against a side of it", function()
+    it("(1e) do not brake what presses against a side of it", function()
       scene.each(EVERYWHERE, function(run)
         local body = { name = "body", x = 100, y = 0, width = 14, height = 24 }
         body = run:build(with(shaft(14, 0), "players", body)).body

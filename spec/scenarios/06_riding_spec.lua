@@ -337,7 +337,7 @@ describe("riding", function()
       end)
     end)
 
-    it("gives who jumps its velocity", function()
+    it("gives a rider that jumps its velocity", function()
       scene.each(SOME, function(run)
         local named = settled(run)
         local lift = named.platform
@@ -376,8 +376,8 @@ describe("riding", function()
         named.platform.x = 112
         run:step(0.1)
         run:near("platform.x", named.platform.x, 112)
-        run:near("vx of who was pushed", named.rider.vx, 120)
-        run:near("x of who was pushed", named.rider.x, 176)
+        run:near("vx of the pushed rider", named.rider.vx, 120)
+        run:near("x of the pushed rider", named.rider.x, 176)
       end)
     end)
   end)
@@ -539,7 +539,7 @@ describe("riding", function()
       end)
     end)
 
-    it("on the way down a lift does not pull who leans on it off the wall", function()
+    it("on the way down a lift does not pull what leans on it off the wall", function()
       scene.each(SOME, function(run)
         local named, log = settled(run, { platform(), rider(), tile("wall", 136, 300, 16, 100) })
         named.platform.vy = 60
@@ -604,7 +604,7 @@ describe("riding", function()
 
     for _, row in ipairs({ { 0, -60 }, { 0, 60 }, { 60, -60 }, { -80, 500 }, { 60, -300 } }) do
       local vx, vy = row[1], row[2]
-      it(("who jumps straight up on a lift at (%g, %g) lands at rest"):format(vx, vy), function()
+      it(("a jump straight up on a lift at (%g, %g) ends at rest"):format(vx, vy), function()
         scene.each(SOME, function(run)
           local named, log = settled(run)
           named.platform.vx, named.platform.vy = vx, vy
@@ -627,7 +627,7 @@ describe("riding", function()
     end
 
     for _, vx in ipairs({ 200, -200, 61 }) do
-      it(("who walks off at %g px/s keeps the platform's velocity"):format(vx), function()
+      it(("a rider that walks off at %g px/s keeps the platform's velocity"):format(vx), function()
         scene.each(SOME, function(run)
           local named = settled(run)
           named.platform.vx = 60
@@ -649,7 +649,7 @@ describe("riding", function()
       end)
     end
 
-    it("who walks off a sinking lift keeps its fall", function()
+    it("a rider that walks off a sinking lift keeps its fall", function()
       scene.each(SOME, function(run)
         local named = settled(run)
         named.platform.vy = 300
@@ -672,7 +672,7 @@ describe("riding", function()
     --- own vx before and after the landing on a platform at 60 px/s
     for _, row in ipairs({ { 0, 0 }, { 30, 0 }, { 60, 0 }, { 100, 40 }, { -50, -50 } }) do
       local before, after = row[1], row[2]
-      it(("who lands with vx = %g has vx = %g there"):format(before, after), function()
+      it(("a box that lands with vx = %g has vx = %g there"):format(before, after), function()
         scene.each(SOME, function(run)
           local named = run:build({
             platform({ x = 0, width = 400, vx = 60 }),
@@ -695,7 +695,7 @@ describe("riding", function()
     end
 
     for _, vy in ipairs({ -60, 60, 300, -1000 }) do
-      it(("who lands on a lift at %g px/s rides it at once"):format(vy), function()
+      it(("a box that lands on a lift at %g px/s rides it at once"):format(vy), function()
         scene.each(SOME, function(run)
           local named = run:build({ platform({ vy = vy }), rider({ y = 340 }) })
           local log, landed = run:listen(named.rider), false
@@ -713,7 +713,7 @@ describe("riding", function()
       end)
     end
 
-    it("who changes from one platform to another has the other's velocity", function()
+    it("a rider that changes from one platform to another has the other's velocity", function()
       scene.each(SOME, function(run)
         local named = settled(run, {
           platform(),
@@ -747,7 +747,7 @@ describe("riding", function()
     end)
   end)
 
-  describe("who is put elsewhere", function()
+  describe("an object that is put elsewhere", function()
     local function put(view)
       view.x, view.y = 300, -500
     end
@@ -1008,7 +1008,7 @@ describe("riding", function()
   end)
 
   describe("with carry = false", function()
-    it("the platform slides away under who stands on it", function()
+    it("the platform slides away under what stands on it", function()
       scene.each(SOME, function(run)
         local named, log =
           settled(run, { platform({ x = 0, width = 200, carry = false }), rider() })
@@ -1021,7 +1021,7 @@ describe("riding", function()
       end)
     end)
 
-    it("the platform lifts who stands on it", function()
+    it("the platform lifts what stands on it", function()
       scene.each(SOME, function(run)
         local named, log = settled(run, { platform({ carry = false }), rider() })
         named.platform.vy = -60
@@ -1033,7 +1033,7 @@ describe("riding", function()
       end)
     end)
 
-    it("the platform drags who stands on it by friction only", function()
+    it("the platform drags what stands on it by friction only", function()
       scene.each(SOME, function(run)
         local named = settled(run, {
           platform({ x = 0, width = 400, carry = false }),
@@ -1111,7 +1111,7 @@ describe("riding", function()
     end)
 
     for _, own in ipairs({ 50, -60, -100, 300 }) do
-      it(("adds to the %g px/s of who walks on it"):format(own), function()
+      it(("adds to the %g px/s of what walks on it"):format(own), function()
         scene.each(ALONG, function(run)
           local named = settled(run, { belt(run, { x = -1000, width = 2000 }), rider() })
           local x = named.rider.x
@@ -1127,7 +1127,7 @@ describe("riding", function()
       end)
     end
 
-    it("gives who leaves it its speed", function()
+    it("gives what leaves it its speed", function()
       scene.each(ALONG, function(run)
         local named = settled(run, { belt(run, { width = 200 }), rider() })
         local x = named.rider.x
@@ -1189,7 +1189,7 @@ describe("riding", function()
       end)
     end)
 
-    it("that is switched round or off moves who stands on it accordingly", function()
+    it("that is switched round or off moves what stands on it accordingly", function()
       scene.each(ALONG, function(run)
         local fields = { static = false, kinematic = true }
         local named = settled(run, { belt(run, fields), rider({ x = 200 }) })
@@ -1305,7 +1305,7 @@ describe("riding", function()
       end)
     end)
 
-    it("a lift that comes up under who stands on a floor takes it over", function()
+    it("a lift that comes up under a box that stands on a floor takes it over", function()
       scene.each(SOME, function(run)
         local named = settled(run, {
           platform({ y = 430.5 }),

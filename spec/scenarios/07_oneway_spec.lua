@@ -189,7 +189,7 @@ describe("a one-way platform", function()
       end)
     end)
 
-    it("who begins inside it falls out of it", function()
+    it("what begins inside it falls out of it", function()
       scene.each(SOME, function(run)
         local named = run:build({ way(), tile(), body({ y = 79 }) })
         for time in run:steps(0.5) do
@@ -200,7 +200,7 @@ describe("a one-way platform", function()
   end)
 
   describe("dropped through", function()
-    it("(7) at rest lets fall, once, and only who asked", function()
+    it("(7) at rest lets fall, once, and only the one that asked", function()
       scene.each(EVERYWHERE, function(run)
         local second = body({ name = "other", x = 80, y = 76 })
         local named = run:build({ way(), tile(), body({ y = 76 }), second })
@@ -258,7 +258,7 @@ describe("a one-way platform", function()
       end)
     end)
 
-    it("with somebody on the head, that one lands on it", function()
+    it("with a box on the head, that one lands on it", function()
       scene.each(SOME, function(run)
         local named = run:build({ way(), tile(), body({ y = 76 }), body({ name = "top", y = 52 }) })
         run:play(SETTLE)
@@ -270,7 +270,7 @@ describe("a one-way platform", function()
       end)
     end)
 
-    it("by somebody on the head of another does nothing", function()
+    it("by a box on the head of another does nothing", function()
       scene.each(SOME, function(run)
         local named = run:build({ way(), tile(), body({ y = 76 }), body({ name = "top", y = 52 }) })
         run:play(SETTLE)
@@ -520,10 +520,10 @@ describe("a one-way platform", function()
     end)
   end)
 
-  describe("with somebody on the head", function()
+  describe("with a box on the head", function()
     for _, row in ipairs({ { 1, 0 }, { 100, 0 }, { 1000, 2000 }, { 100, 90000 } }) do
       local mass, vy = row[1], row[2]
-      it(("(7) of mass %g who comes at %g px/s still holds"):format(mass, vy), function()
+      it(("(7) of mass %g that comes at %g px/s still holds"):format(mass, vy), function()
         scene.each(EVERYWHERE, function(run)
           local named = run:build({
             way(),
@@ -583,7 +583,7 @@ describe("a one-way platform", function()
 
       for _, factor in ipairs({ 1, 30, 450 }) do
         local speed = 200 * factor
-        it(("%s stops who comes from there at %g px/s"):format(side, speed), function()
+        it(("%s stops what comes from there at %g px/s"):format(side, speed), function()
           scene.each(SOME, function(run)
             local stop = { x = x, y = y }
             if side == "bottom" then
@@ -602,7 +602,7 @@ describe("a one-way platform", function()
           end)
         end)
 
-        it(("%s lets through who comes from elsewhere at %g px/s"):format(side, speed), function()
+        it(("%s lets through what comes from elsewhere at %g px/s"):format(side, speed), function()
           scene.each(SOME, function(run)
             for _, path in ipairs({ { -vx, -vy }, { vy, vx }, { -vy, -vx } }) do
               local box = { name = "body", width = 16, height = 16 }
@@ -639,7 +639,7 @@ describe("a one-way platform", function()
   end)
 
   describe("with canCollide", function()
-    it("asks who comes from the solid side, with its own side", function()
+    it("asks what comes from the solid side, with its own side", function()
       scene.each(SOME, function(run)
         local named = run:build({ way(), tile(), body({ y = 276 }) })
         run:play(SETTLE)
@@ -661,19 +661,19 @@ describe("a one-way platform", function()
       end)
     end)
 
-    for _, who in ipairs({ "body", "way" }) do
-      it("of the " .. who .. " that says no lets fall through", function()
+    for _, which in ipairs({ "body", "way" }) do
+      it("of the " .. which .. " that says no lets fall through", function()
         scene.each(SOME, function(run)
           local named = run:build({ way(), tile(), body({ y = 20 }) })
           local log = run:listen(named.body)
           local no = named.way.raw
-          if who == "way" then
+          if which == "way" then
             no = named.body.raw
           end
-          named[who].canCollide = function(_, other)
+          named[which].canCollide = function(_, other)
             return other ~= no
           end
-          if who == "way" then
+          if which == "way" then
             run.world:refresh(named.way.raw)
           end
           for time in run:steps(1) do

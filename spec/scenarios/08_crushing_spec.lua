@@ -48,7 +48,7 @@ local function between(count, fields)
   return description
 end
 
---- Counts who is crushed, and between whom, from now on.
+--- Counts which objects are crushed, and between which, from now on.
 local function watch(run, view)
   local log = { count = 0 }
   view.raw.onCrush = function(_, a, b, axis)
@@ -80,7 +80,7 @@ local function reach(count, deep)
   return count > 1 and deep / 2 + 1e-6 or 1e-6
 end
 
-describe("who is inside something and finds no way out", function()
+describe("an object that is inside something and finds no way out", function()
   --   ## ## ## ##
   --      +-+         grows from 16 to 24 px
   --   ## ## ## ##
@@ -369,7 +369,7 @@ describe("crushing", function()
       end)
     end
 
-    it("disturbs nobody else", function()
+    it("disturbs nothing else", function()
       scene.each(SOME, function(run)
         local description = between(1)
         description[#description + 1] = box("rider", 92, 84)
@@ -458,7 +458,7 @@ describe("crushing", function()
       end
     end
 
-    it("a lift that stops in time crushes nobody", function()
+    it("a lift that stops in time crushes nothing", function()
       scene.each(SOME, function(run)
         local named = run:build(stack(2, 30))
         run:play(1 / 6)
@@ -529,7 +529,7 @@ describe("crushing", function()
       end)
     end
 
-    it("a heavy one falls on a box and crushes nobody: it is no wall", function()
+    it("a heavy one falls on a box and crushes nothing: it is no wall", function()
       scene.each(SOME, function(run)
         local named = run:build({
           FLOOR,
@@ -545,7 +545,7 @@ describe("crushing", function()
       end)
     end)
 
-    it("who walks out in time is not crushed, who is held cannot walk", function()
+    it("one that walks out in time is not crushed, one that is held cannot walk", function()
       scene.each(SOME, function(run)
         local named = run:build({
           FLOOR,
@@ -558,7 +558,7 @@ describe("crushing", function()
           named.box2.vx = 100
         end)
         run:same("onCrush", log.count, 1)
-        run:same("onCrush of who left", log2.count, 0)
+        run:same("onCrush of the one that left", log2.count, 0)
         run:near("x", named.box2.x, 210)
         run:near("y", named.box2.y, 100)
       end)
@@ -590,8 +590,8 @@ describe("crushing", function()
   end)
 end)
 
--- Many who are pressed into much less than their place. How they lie then is nobody's business, but
--- they stay where they are: one that others push through a wall is never free again.
+-- Many objects that are pressed into much less than their place. How they lie then does not matter,
+-- but they stay where they are: one that others push through a wall is never free again.
 describe("a crowd that is crushed #slow", function()
   local function coinsIn(height, count, settings, isClosed)
     local world, coins = physics.newWorld(settings), {}
@@ -631,7 +631,7 @@ describe("a crowd that is crushed #slow", function()
     end
   end)
 
-  it("does not leave the room whose bounds are less far apart than its column is high", function()
+  it("does not leave a room with bounds less far apart than its column is high", function()
     local world, zombies = physics.newWorld({ gravity = 0 }), {}
     world:setBounds(0, 0, 300, 200)
     for i = 1, 20 do

@@ -14,7 +14,7 @@ local SMALL = {
   push = { "both" },
 }
 
---- `count` boxes of 10 to 20 px in rows over a container `width` px wide, whose floor is at y = 0.
+--- `count` boxes of 10 to 20 px in rows over a container `width` px wide, with its floor at y = 0.
 ---
 ---   |  +-+  +-+  +--+ |
 ---   |  +-+  +-+  +--+ |
@@ -84,7 +84,7 @@ local function checkInside(run, width)
   end
 end
 
---- Who does not fall stands on something.
+--- An object that does not fall stands on something.
 local function checkSupported(run)
   for _, object in ipairs(run.all) do
     if not object.static and object.vy == 0 then
@@ -121,8 +121,8 @@ describe("a pile", function()
     end)
   end)
 
-  -- Who slides goes on sliding until it drops into a gap: the pile is lower than one with friction,
-  -- and sinks for a long time.
+  -- Sliding boxes go on sliding until they drop into a gap: the pile is lower than one with
+  -- friction, and sinks for a long time.
   it("(13) of 1000 boxes without friction slides together and does not overlap #slow", function()
     scene.each(GRID, function(run)
       run:build(pile(COUNT, WIDTH, nil))

@@ -379,7 +379,7 @@ describe("pushable = false", function()
       end)
     end
 
-    -- Wherever the gaps are, and whoever is told his speed once or at every step.
+    -- Wherever the gaps are, and whichever box gets its speed once or at every step.
     for count = 2, 4, 2 do
       it(("%d boxes, they stop head-on for good"):format(count), function()
         scene.each({ rate = { 60, 30 }, order = { "forward", "shuffled" } }, function(run)
@@ -420,7 +420,7 @@ describe("pushable = false", function()
       { 3, 1, -30, -90, true },
     }) do
       local count, gap, left, right, isDriven = row[1], row[2], row[3], row[4], row[5]
-      local name = "%d boxes, %g px apart, at %g and %g px/s%s: who comes up behind follows them"
+      local name = "%d boxes, %g px apart, at %g and %g px/s%s: what comes up behind follows them"
       it(name:format(count, gap, left, right, isDriven and " at every step" or ""), function()
         scene.each(SOME, function(run)
           local list, size = { gravity = 0, firm("U", 0, 0, { vx = left }) }, 16 + gap

@@ -214,18 +214,24 @@ local function wallsFor(name)
 end
 
 describe("boxes at one spot", function()
-  for _, row in ipairs(SPOTS) do
-    it("come apart within a second and rest within two: " .. row[1], function()
-      scene.each(LEVELS, function(run)
-        local description = join({ gravity = row[2].gravity }, row[2])
-        local _, watch = build(run, join(description, row[3]))
-        play(run, watch, APART)
-        expectApart(run)
-        play(run, watch, REST)
-        expectApart(run)
-        expectRest(run, watch)
-      end)
+  local function expectParted(row)
+    scene.each(LEVELS, function(run)
+      local description = join({ gravity = row[2].gravity }, row[2])
+      local _, watch = build(run, join(description, row[3]))
+      play(run, watch, APART)
+      expectApart(run)
+      play(run, watch, REST)
+      expectApart(run)
+      expectRest(run, watch)
     end)
+  end
+
+  for i, row in ipairs(SPOTS) do
+    if effort.plays(i, 2) then
+      it("come apart within a second and rest within two: " .. row[1], function()
+        expectParted(row)
+      end)
+    end
   end
 
   it("come apart when they are flung, three times over", function()
@@ -258,14 +264,18 @@ local function expectRestWithoutRoom(run, watch)
   end
 end
 
+-- For rows that another interpreter plays.
+local function leaveOut() end
+
 describe("a closed room", function()
   pending("comes to rest, or is apart within a second when there is room again")
   pending("of 200 x 14 px keeps in 20 boxes of about 14 px, of which some are higher than it")
 
-  for _, row in ipairs(ROOMS) do
+  for i, row in ipairs(ROOMS) do
     local width, height, count, size, gravity = row[1], row[2], row[3], row[4], row[5]
     local title = "of %g x %g px with %d boxes of about %g px, gravity %g,"
-    it(title:format(width, height, count, size, gravity) .. " keeps them in", function()
+    local define = effort.plays(i, 2) and it or leaveOut
+    define(title:format(width, height, count, size, gravity) .. " keeps them in", function()
       scene.each(LEVELS, function(run)
         local description = join({ gravity = gravity }, walls(width, height))
         local _, watch = build(run, join(description, scatter(count, 3, size, width, height)))
@@ -298,7 +308,7 @@ describe("a closed room", function()
   end)
 
   it("in which boxes grow until there is no room keeps them in", function()
-    for _, gravity in ipairs({ 0, 800 }) do
+    for _, gravity in ipairs(effort.isWhole and { 0, 800 } or { 800 }) do
       scene.each(LEVELS, function(run)
         local description, boxes = join({ gravity = gravity }, walls(96, 96)), {}
         for i = 0, 15 do
@@ -418,10 +428,12 @@ describe("what has no room", function()
     assert.equal(first, foldOf(description, more, { broadphase = "grid", cellSize = 7 }))
   end
 
-  for _, row in ipairs(SPOTS) do
-    it("goes the same way with either broad phase: " .. row[1], function()
-      expectSame(row[2], row[3])
-    end)
+  for i, row in ipairs(SPOTS) do
+    if effort.plays(i, 3) then
+      it("goes the same way with either broad phase: " .. row[1], function()
+        expectSame(row[2], row[3])
+      end)
+    end
   end
 
   it("goes the same way with either broad phase: a closed room", function()

@@ -5,6 +5,7 @@
 ---       |P|     | |
 ---   ------------------   -300, -46, -1, 1 or 100 px/s, either way or upwards and downwards
 
+local effort = require("spec.support.effort")
 local scene = require("spec.support.scene")
 
 local SPEEDS = { -300, -46, -1, 1, 100 } -- px/s
@@ -298,6 +299,7 @@ local function compare(run, play, log, standing, movers)
   end
 end
 
+local row = 0 -- of kind, play and speed
 for _, kind in ipairs({ "platform", "belt", "lift" }) do
   describe("on a " .. kind, function()
     for _, play in ipairs(PLAYS) do
@@ -310,8 +312,12 @@ for _, kind in ipairs({ "platform", "belt", "lift" }) do
       for _, speed in ipairs(isLeftOut and {} or SPEEDS) do
         -- Not reached yet: the crate stops when the man steps down from it onto what goes left.
         local isOpen = speed < 0 and play.name == "a man walks on a crate and steps down"
-        local row = isOpen and pending or it
-        row(("of %g px/s it is as on a floor: %s"):format(speed, play.name), function()
+        local define = isOpen and pending or it
+        row = row + 1
+        if not effort.plays(row, 2) then
+          define = function() end
+        end
+        define(("of %g px/s it is as on a floor: %s"):format(speed, play.name), function()
           scene.each(LEVELS, function(run)
             local standing, floored, movers = travel(run, play, kind, 0)
             expectEnd(run, play, standing, floored, movers)

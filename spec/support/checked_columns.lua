@@ -2,7 +2,7 @@
 --- each index, the kind of each value, and that no code keeps a column that has been replaced. It
 --- makes room for no more than is asked for.
 
-local bank = require("physics.memory.columnStore")
+local columnStore = require("physics.memory.columnStore")
 
 local checked = {}
 
@@ -73,9 +73,9 @@ end
 
 --- Calls `f` with worlds of checked columns; returns what it returns.
 function checked.during(f)
-  local before = bank.use(source)
+  local before = columnStore.use(source)
   local isDone, result = pcall(f)
-  bank.use(before)
+  columnStore.use(before)
   if not isDone then
     error(result, 0)
   end

@@ -2,12 +2,22 @@
 --- slower, play a selection: they run the same code on the same numbers, and that the bits are the
 --- same is a spec of its own. So does `physics.compile`, which is slow to start in so many worlds.
 --- `PHYSICS_SPEC=full` plays all of it everywhere, `PHYSICS_SPEC=quick` the selection everywhere.
+---
+--- Each interpreter selects other rows and variants (`plays`). So the two of `make test` together
+--- play more than each of them, and those of `make test-all` all of it several times.
 
 local effort = {}
 
 local jit = rawget(_G, "jit")
 local wanted = os.getenv("PHYSICS_SPEC")
-local isCompiled = os.getenv("PHYSICS_LUA") == "LuaJIT compiled"
+local asked = os.getenv("PHYSICS_LUA")
+local isCompiled = asked == "LuaJIT compiled"
+
+-- By which the interpreters select; those of `make test` come first.
+local NUMBERS = { ["LuaJIT"] = 0, ["Lua 5.4"] = 1, ["LuaJIT -joff"] = 2, ["Lua 5.1"] = 3 }
+NUMBERS["Lua 5.2"], NUMBERS["Lua 5.3"] = 4, 5
+NUMBERS["LuaJIT compiled"], NUMBERS["Lua 5.5"] = 6, 7
+local own = NUMBERS[asked or jit and "LuaJIT" or _VERSION] or 0
 
 --- Whether everything is played.
 effort.isWhole = wanted == "full"
@@ -21,6 +31,16 @@ function effort.share(count, least)
   end
   return math.max(least or 1, math.floor(count / 5))
 end
+
+--- Whether to play a row: where not everything is played, each interpreter plays one of `share`
+--- rows, and the next interpreter the next ones.
+function effort.plays(row, share)
+  return effort.isWhole or (row - own) % share == 0
+end
+
+--- Whether this process plays what one interpreter shows for all: LuaJIT, as LÖVE has it, or
+--- whatever was not asked for by name.
+effort.isFirst = asked == nil or asked == "LuaJIT"
 
 --- Switches the trace compiler off for the specs of a file: what plays thousands of small worlds
 --- would keep it busy with each of them for nothing. Takes busted's `setup` and `teardown`.

@@ -107,7 +107,7 @@ local function newRoom(name, to, x)
   })
 end
 
---- The project of the manual's snippets: two levels whose doors lead to each other.
+--- The project of the manual's snippets: two levels with doors that lead to each other.
 function ldtk.cave()
   local levels = { newRoom("Cave", "Top", 20), newRoom("Top", "Cave", 24) }
   return ldtk.project(levels, { "dirt", "ladder", "stone" })

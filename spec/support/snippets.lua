@@ -33,6 +33,9 @@ function snippets.newLove(held)
   local font = { getWidth = size, getHeight = size }
   local graphics = {
     getWidth = size,
+    getDimensions = function()
+      return 800, 600
+    end,
     newFont = function()
       return font
     end,

@@ -1,5 +1,5 @@
---- Which boxes a shape of the editor is: a rectangle, also a turned one, and a polygon all of whose
---- edges are level or upright.
+--- Makes boxes of a shape of the editor: a rectangle, also a turned one, or a polygon with only
+--- level and upright edges.
 
 local root = (...):match("^(.*)%.maps%.")
 local check = require(root .. ".world.check")
@@ -8,12 +8,12 @@ local shapes = {}
 
 local abs, floor = math.abs, math.floor
 
--- Closer together, two corners have the same coordinate: hands and sines are not more exact, px.
+-- px. Closer corners have the same coordinate: drawing by hand and sines are not more exact.
 local SAME = 0.01
--- A rotation so close to a quarter turn is one, degrees.
+-- Degrees. A rotation this close to a quarter turn counts as one.
 local SAME_ANGLE = 0.001
 
---- Returns the number of quarter turns, 0..3, clockwise; nil: it is turned otherwise.
+--- Returns the number of quarter turns, 0..3, clockwise; nil: it is turned by another angle.
 ---@param rotation number? degrees
 ---@return integer?
 function shapes.quarters(rotation)
@@ -89,7 +89,7 @@ local function isSame(a, b)
   return a.x == b.x and a.y == b.y
 end
 
--- The corners, each once.
+-- Returns the corners, each once.
 local function distinct(points)
   local kept = {}
   for i = 1, #points do
@@ -101,7 +101,7 @@ local function distinct(points)
   return kept
 end
 
--- The corners without those in the middle of a level or upright edge.
+-- Returns the corners without those in the middle of a level or upright edge.
 local function corners(points)
   local kept = {}
   for i = 1, #points do
@@ -126,7 +126,7 @@ local function isLevel(points)
   return true
 end
 
--- Where upright edges cross the height y, ascending.
+-- Returns where upright edges cross the height y, ascending.
 local function crossings(points, y)
   local xs = {}
   for i = 1, #points do
@@ -139,7 +139,7 @@ local function crossings(points, y)
   return xs
 end
 
--- A box that ends where this one begins, and is as wide, goes on over it.
+-- Adds a box. It is joined to a box of the same width that ends where it begins.
 local function addBox(boxes, x, y, width, height)
   for i = 1, #boxes do
     local box = boxes[i]
@@ -151,7 +151,7 @@ local function addBox(boxes, x, y, width, height)
   boxes[#boxes + 1] = { x = x, y = y, width = width, height = height }
 end
 
--- Cuts along every height at which there is a corner.
+-- Cuts a polygon along every height at which there is a corner.
 local function decompose(points, ys)
   local boxes = {}
   for i = 1, #ys - 1 do
@@ -178,7 +178,7 @@ local function isRightTriangle(points)
   return false
 end
 
---- Returns the boxes that a polygon consists of, from top to bottom.
+--- Returns the boxes of a polygon, from top to bottom.
 ---@param points table[] { x =, y = }, px; they are changed
 ---@return table[]? boxes nil: it consists of none
 ---@return string? reason why not
@@ -206,8 +206,8 @@ local function rotated(object)
   return ("rotated by %.14g degrees: boxes do not turn"):format(object.rotation)
 end
 
---- Returns the corners of a polygon or a polyline, as new tables.
---- Errors: no list of points.
+--- Returns the corners of a polygon or a polyline, as new tables. Errors: there is no list of
+--- points.
 ---@param object table
 ---@param name "polygon"|"polyline"
 ---@param place string how an error names the object
@@ -236,8 +236,7 @@ function shapes.points(object, name, place, sti)
   return points
 end
 
---- Returns the boxes that a rectangle or polygon consists of.
---- Errors: a polygon without a list of points.
+--- Returns the boxes of a rectangle or polygon. Errors: a polygon without a list of points.
 ---@param object table as Tiled exports it, in a layer or in a tile
 ---@param place string how an error names it
 ---@param sti table? see `points`

@@ -1,4 +1,4 @@
---- Reads a tile layer: finds the boxes of its solid tiles and makes few large ones of them.
+--- Reads a tile layer: finds the boxes of its solid tiles, for merging into few large ones.
 
 local root = (...):match("^(.*)%.maps%.")
 local cells = require(root .. ".maps.cells")
@@ -11,9 +11,10 @@ local tileset = require(root .. ".maps.tiled.tileset")
 
 local tilelayer = {}
 
--- What a tile consists of -------------------------------------------------------------------------
+-- Boxes of a tile ---------------------------------------------------------------------------------
 
--- What says no is right; else something has to say yes. Collision shapes say yes.
+-- Returns whether a tile is solid. A property that says no decides; else one must say yes.
+-- Collision shapes say yes.
 local function isSolid(reading, layerSolid, kind, gid)
   local tileSolid = kind.traits.solid
   if reading.isSolidGid[gid] then
@@ -25,8 +26,9 @@ local function isSolid(reading, layerSolid, kind, gid)
   return layerSolid or tileSolid or kind.shapes ~= nil
 end
 
--- Only what never moves becomes one, since nothing can tell it then. Sensors can be told apart:
--- each coin is one. A side that is solid while the one behind it is not must stay one row deep.
+-- Sets which boxes may merge. By default only static boxes do, since the game cannot notice it
+-- then. Sensors can be counted: each coin is one. A one-way box must stay one row deep if the side
+-- behind it is not solid.
 local function setMerging(boxes, merge, reading)
   local given, map = boxes.fields, reading.map
   local isMerging = merge
@@ -57,7 +59,7 @@ local function signature(traits, x, y, width, height)
   })
 end
 
--- The boxes in which one rectangle of a tile belongs.
+-- Returns the boxes to which one rectangle of a tile belongs.
 local function boxesFor(state, tile, traits, x, y, width, height)
   local map = state.reading.map
   local drawnWidth, drawnHeight = tile.kind.width, tile.kind.height
@@ -85,7 +87,7 @@ local function traitsOf(state, kind)
   return traits
 end
 
--- The boxes of all rectangles of a tile, as a list; an empty one for what is not solid.
+-- Returns the boxes of all rectangles of a tile as a list, empty if it is not solid.
 local function piecesOf(state, tile)
   local kind, pieces = tile.kind, {}
   if state.context.solid ~= false then
@@ -107,7 +109,7 @@ local function piecesOf(state, tile)
   return pieces
 end
 
--- The same for a gid as it stands in the map, remembered.
+-- Returns the same for a gid as it stands in the map, and remembers it.
 local function piecesOfGid(state, gid, where)
   local pieces = state.piecesByGid[gid]
   if not pieces then
@@ -123,7 +125,7 @@ end
 
 -- Cells -------------------------------------------------------------------------------------------
 
--- STI makes rows of tiles of the list of gids.
+-- Returns whether STI has replaced the list of gids by rows of tiles.
 local function isRows(data)
   return type(data[1]) == "table"
 end
@@ -159,7 +161,7 @@ local function checkGrid(grid, place)
   end
 end
 
--- Calls f(state, gid, column, row, place) with each tile of a grid.
+-- Calls f(state, gid, column, row, place) for each tile of a grid.
 local function eachTile(state, grid, f)
   local data, width, left, top = grid.data, grid.width, grid.column, grid.row
   local hasRows, place = isRows(data), grid.place
@@ -203,8 +205,8 @@ local function newGrid(reading, layer, grid, column, row, place)
   return made, reason
 end
 
--- The parts of an infinite layer, or the one of a finite layer; nil and the reason if they cannot
--- be unpacked.
+-- Returns the parts of an infinite layer, or the one of a finite layer; nil and the reason if they
+-- cannot be unpacked.
 local function gridsOf(reading, layer, place)
   if layer.chunks == nil then
     local grid, reason = newGrid(reading, layer, layer, 0, 0, place)
@@ -268,8 +270,8 @@ local function countKind(state, gid, column, row, place)
   end
 end
 
--- A layer that is solid by its name alone is not if its tiles say themselves which of them are; nor
--- if it has no free cell: that is a floor seen from above.
+-- Returns whether a layer that is solid only by its name is so. It is not if its tiles say
+-- themselves which of them are solid, nor if it has no free cell: that is a floor seen from above.
 local function isNameTrue(state, grids)
   local size = 0.0
   state.filled, state.isMarked, state.hasMarks = 0, {}, false
@@ -282,8 +284,7 @@ end
 
 -- Reading -----------------------------------------------------------------------------------------
 
---- Reads a tile layer.
---- Errors: a size, a chunk, data or a gid that cannot be used.
+--- Reads a tile layer. Errors: a size, a chunk, data or a gid that cannot be used.
 ---@param reading table
 ---@param layer table
 ---@param context table what the layers around it and it itself say

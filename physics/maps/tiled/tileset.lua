@@ -1,4 +1,4 @@
---- The tiles of a map: whose a gid is, how it is flipped, where its collision rectangles are.
+--- Finds the tile of a gid: its tileset, how it is flipped, where its collision rectangles are.
 
 local root = (...):match("^(.*)%.maps%.")
 local check = require(root .. ".world.check")
@@ -11,7 +11,7 @@ local floor, min = math.floor, math.min
 
 local tileset = {}
 
--- The upper bits of a gid. Arithmetic instead of bit operations: those differ between the Luas.
+-- The upper bits of a gid. Arithmetic replaces bit operations, which differ between the Luas.
 local FLIP_X = 2147483648
 local FLIP_Y = 1073741824
 local TRANSPOSE = 536870912 -- x and y swapped, before the other two
@@ -46,7 +46,7 @@ local function take(gid, bit)
   return gid, false
 end
 
---- Takes a gid apart.
+--- Splits a gid into the tile's own gid and its flips.
 ---@param gid number integer in 0..2^32 - 1
 ---@return number gid without the bits that flip
 ---@return boolean isFlippedX
@@ -65,7 +65,7 @@ local function placeOf(set, id)
   return ("%s: tileset %s, tile %d"):format(report.WHERE, check.show(set.name or ""), id)
 end
 
--- The exported tiles of a tileset by id, and the first gid behind it (nil: not known).
+-- Returns the exported tiles of a tileset by id, and the first gid after it (nil: not known).
 local function indexTiles(set, place)
   local byId, last = {}, (set.tilecount or 0) - 1
   if set.tiles ~= nil then
@@ -84,7 +84,7 @@ local function checkSet(set, i)
   local what = ("map.tilesets[%d]"):format(i)
   check.integer(set.firstgid, what .. ".firstgid", report.WHERE, 1, HEXAGONAL)
   local place = ("%s: tileset %s"):format(report.WHERE, check.show(set.name or i))
-  -- An export without "Embed tilesets" knows only the file of the tileset.
+  -- An export without "Embed tilesets" has only the file name of the tileset.
   if set.tilewidth ~= nil or set.filename == nil then
     check.positive(set.tilewidth, "tilewidth", place)
     check.positive(set.tileheight, "tileheight", place)
@@ -100,9 +100,8 @@ local function checkSet(set, i)
   return place
 end
 
---- Returns the tilesets of a map, `{ set =, byId =, behind =, place = }`, highest
---- gids first.
---- Errors: no list; a tileset without firstgid or size.
+--- Returns the tilesets of a map, `{ set =, byId =, behind =, place = }`, highest gids first.
+--- Errors: there is no list; a tileset has no firstgid or size.
 ---@param map table
 ---@param folder string? where the map lies
 ---@return table[]
@@ -126,14 +125,14 @@ local function find(index, gid)
   for i = 1, #index do
     local entry = index[i]
     if gid >= entry.set.firstgid then
-      -- Behind the last tileset comes nothing; behind the others comes the next one.
+      -- After the last tileset there is none; after the others comes the next one.
       local isBehind = i == 1 and entry.behind and gid >= entry.behind
       return not isBehind and entry or nil
     end
   end
 end
 
---- Returns whether a gid, without the bits that flip, belongs to one of the tilesets.
+--- Returns whether a gid, without the bits that flip it, belongs to one of the tilesets.
 ---@param index table[] what `tileset.index` returned
 ---@param gid number
 ---@return boolean
@@ -211,8 +210,8 @@ local function kindOf(reading, gid)
   return kind
 end
 
---- Returns the tile of a gid; nil for 0, which is no tile.
---- Errors: no gid, or one that belongs to no tileset.
+--- Returns the tile of a gid; nil for 0, which is no tile. Errors: it is not a gid, or belongs to
+--- no tileset.
 ---@param reading table
 ---@param value any the gid as it stands in the map
 ---@param place string how an error names where it stands
@@ -238,7 +237,7 @@ function tileset.tile(reading, value, place)
   }
 end
 
---- Tells, once, that a tileset is not in the export.
+--- Reports, once, that a tileset is not in the export.
 ---@param reading table
 ---@param layer table where one of its tiles was found first
 ---@param kind physics.TileKind
@@ -253,7 +252,7 @@ function tileset.reportExternal(reading, layer, kind)
   report.add(reading, "tileset", layer, set.firstgid, reason).name = set.name
 end
 
---- Tells, once, what of a tile is not supported.
+--- Reports, once, what of a tile is not supported.
 ---@param reading table
 ---@param layer table where it was found first
 ---@param kind physics.TileKind
@@ -268,8 +267,8 @@ function tileset.report(reading, layer, kind)
   end
 end
 
---- Returns where a rectangle of a tile lies on the map, when the tile is drawn in a box whose left
---- and lower edges are given. Turned tiles keep their lower left corner, as the editor draws them.
+--- Returns where a rectangle of a tile lies on the map. The tile is drawn in a box with these left
+--- and lower edges. Turned tiles keep their lower left corner, as the editor draws them.
 ---@param tile physics.Tile
 ---@param left number px
 ---@param bottom number px

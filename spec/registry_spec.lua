@@ -1,8 +1,9 @@
---- Who is in the world, and in which order, whatever the game does to its tables between updates.
+--- Which objects are in the world, and in which order, whatever the game does to its tables between
+--- updates.
 
 local newRandom = require("spec.support.random").new
 local physics = require("physics")
-local roster = require("physics.objects.registry")
+local registry = require("physics.objects.registry")
 
 local NAMES = { 7, "crates", "tiles" }
 
@@ -13,7 +14,7 @@ local function comesBefore(a, b)
   return a < b
 end
 
--- Everybody in the order that the README promises, with group and key.
+-- All objects in the order that the README promises, with group and key.
 local function inOrder(objects)
   local list = {}
   for _, name in ipairs(NAMES) do
@@ -29,7 +30,7 @@ local function inOrder(objects)
   return list
 end
 
--- A world that knows only who is there. `isBroken(object)`: it fails while it is read.
+-- A world that knows only its objects. `isBroken(object)`: it fails while it is read.
 local function newBook(isBroken)
   local b = { object = { [0] = false }, slotOf = {}, group = {}, key = {}, rank = {}, free = {} }
   b.count, b.entered, b.left = 0, 0, 0
@@ -54,10 +55,10 @@ local function newBook(isBroken)
 end
 
 local function update(b, r, objects)
-  return roster.update(b, r, objects, b.enter, b.leave, b.rename)
+  return registry.update(b, r, objects, b.enter, b.leave, b.rename)
 end
 
--- Where everybody stands: in which table, and as the how manieth.
+-- Where each object stands: in which table, and at which place.
 local function placesOf(objects)
   local places = {}
   for n, entry in ipairs(inOrder(objects)) do
@@ -66,7 +67,7 @@ local function placesOf(objects)
   return places
 end
 
--- Who stands in the table in which it stood, behind one before which it stood.
+-- Finds objects that stand in the same table as before, behind one that they stood before.
 local function movedSince(places, objects)
   local moved, last, group = {}, 0, nil
   for _, entry in ipairs(inOrder(objects)) do
@@ -82,10 +83,10 @@ local function movedSince(places, objects)
   return moved
 end
 
--- Updates, and looks whom the roster reports as moved.
+-- Updates, and checks which objects the registry reports as moved.
 local function updateMoved(b, r, objects, places)
   local expected, found = movedSince(places, objects), {}
-  roster.update(b, r, objects, b.enter, b.leave, b.rename, function(_, slot, isRenamed)
+  registry.update(b, r, objects, b.enter, b.leave, b.rename, function(_, slot, isRenamed)
     found[b.object[slot]] = not isRenamed or nil
   end)
   for _, entry in ipairs(inOrder(objects)) do
@@ -144,7 +145,7 @@ local EDITS = {
       removeAt(list, random:integer(1, math.max(#list, 1)))
     end
   end,
-  function(list, random) -- some who stand side by side
+  function(list, random) -- some that stand side by side
     local first = random:integer(1, #list)
     for _ = 1, random:integer(2, 50) do
       removeAt(list, first)
@@ -219,15 +220,15 @@ local function fill(size, random)
   return objects
 end
 
-describe("the roster", function()
+describe("the registry", function()
   for _, size in ipairs({ 4, 100 }) do
     for seed = 1, 12 do
       local tag = seed > 4 and " #slow" or ""
-      local edited = ("knows everybody after any edits of groups of %d, seed %d"):format(size, seed)
+      local edited = ("knows all objects after edits of groups of %d, seed %d"):format(size, seed)
       it(edited .. tag, function()
         local random = newRandom(seed)
         local objects = fill(size, size < 64 and seed % 2 == 0 and random)
-        local b, r, places = newBook(function() end), roster.new(), {}
+        local b, r, places = newBook(function() end), registry.new(), {}
         for _ = 1, 80 do
           updateMoved(b, r, objects, places)
           assertKnows(b, objects)
@@ -247,7 +248,7 @@ describe("the roster", function()
         local b, r =
           newBook(function(object)
             return broken[object]
-          end), roster.new()
+          end), registry.new()
         update(b, r, objects)
         for _ = 1, 80 do
           for _ = 1, random:integer(1, 4) do
@@ -271,13 +272,13 @@ describe("the roster", function()
     end
   end
 
-  it("loses nobody of a group filled by id when one goes", function()
+  it("loses no object of a group filled by id when one goes", function()
     for _, n in ipairs({ 71, 271, 1025 }) do
       for seed = 1, 10 do
         local random = newRandom(seed)
         local objects = fill(n, random)
         objects.crates, objects[7] = {}, {}
-        local b, r = newBook(function() end), roster.new()
+        local b, r = newBook(function() end), registry.new()
         update(b, r, objects)
         objects.tiles[random:integer(n - 10, n)] = nil
         update(b, r, objects)
@@ -303,7 +304,7 @@ describe("the roster", function()
     end
     local objects = { crates = setmetatable({ newEqual() }, class), tiles = newEqual(), [7] = {} }
     objects.walls = { newEqual(), newEqual() }
-    local b, r = newBook(function() end), roster.new()
+    local b, r = newBook(function() end), registry.new()
     update(b, r, objects)
     local old, wall = objects.tiles, objects.walls[2]
     objects.tiles, objects.crates = newEqual(), setmetatable({ newEqual(), newEqual() }, class)
@@ -346,7 +347,7 @@ describe("the roster", function()
   end)
 
   -- On plain Lua the number after the last one may stand before that, where others have gone.
-  it("sees who is added to a table that holds its numbers in any order", function()
+  it("sees an object that is added to a table that holds its numbers in any order", function()
     local tried = 0
     for late = 1, 9 do
       for gone = 1, 9 do
@@ -365,7 +366,7 @@ describe("the roster", function()
             group[i] = newObject()
           end
           local objects = { group = group }
-          local b, r = newBook(function() end), roster.new()
+          local b, r = newBook(function() end), registry.new()
           update(b, r, objects)
           table.insert(group, newObject())
           update(b, r, objects)
@@ -390,7 +391,7 @@ describe("the roster", function()
     })
   end
 
-  it("moves all but the static ones, whoever has left and come", function()
+  it("moves all but the static ones, whatever has left and come", function()
     local random = newRandom(5)
     local world, objects = physics.newWorld({ gravity = 800 }), {}
     world.objects.tiles = objects
@@ -444,10 +445,10 @@ describe("the roster", function()
     end
   end)
 
-  it("names where one stands who has moved up, if it stands elsewhere, too", function()
+  it("names where an object stands that has moved up, if it stands elsewhere, too", function()
     for _, gone in ipairs({ { 2 }, { 2, 3 }, { 9, 2 } }) do
       local objects = fill(100)
-      local b, r = newBook(function() end), roster.new()
+      local b, r = newBook(function() end), registry.new()
       update(b, r, objects)
       local twice, again = objects.tiles[50], nil
       for _, n in ipairs(gone) do
@@ -485,7 +486,7 @@ describe("the roster", function()
 
   it("changes nothing when a newcomer is of no use", function()
     local objects = fill(100)
-    local b, r = newBook(function() end), roster.new()
+    local b, r = newBook(function() end), registry.new()
     update(b, r, objects)
     local removed = table.remove(objects.tiles, 3)
     objects.crates[101] = { x = 0, y = 0, width = -1, height = 1 }

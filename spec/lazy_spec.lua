@@ -1,0 +1,165 @@
+--- What is loaded with the library, what only when it is first used, and that a game sees no
+--- difference.
+
+local fresh = require("spec.support.fresh")
+
+-- What calls load, by the file that they need.
+local USES = {
+  ["physics.broadphase.allPairs"] = function(physics)
+    physics.newWorld({ broadphase = "pairs" })
+  end,
+  ["physics.maps.array"] = function(_, world)
+    world:addTiles("tiles", { "#" }, nil, 16)
+  end,
+  ["physics.maps.ldtk"] = function(_, world)
+    pcall(world.loadLDtk, world, {})
+  end,
+  ["physics.maps.tiled"] = function(_, world)
+    pcall(world.loadTiled, world, {})
+  end,
+  ["physics.queries.index"] = function(_, world)
+    world:queryPoint(0, 0)
+  end,
+  ["physics.queries.move"] = function(_, world, box)
+    world:move(box, 8, 8)
+  end,
+  ["physics.queries.query"] = function(_, world)
+    world:raycast(0, 0, 10, 10)
+  end,
+  ["physics.state.hash"] = function(_, world)
+    world:hash()
+  end,
+  ["physics.state.restore"] = function(_, world)
+    world:restore(world:save())
+  end,
+  ["physics.state.save"] = function(_, world)
+    world:save()
+  end,
+  ["physics.world.bounds"] = function(_, world)
+    world:setBounds(0, 0, 10, 10)
+  end,
+  ["physics.world.draw"] = function(_, world)
+    pcall(world.draw, world)
+  end,
+  ["physics.world.explain"] = function(_, world, box, floor)
+    world:explain(box, floor)
+  end,
+  ["physics.world.strictMode"] = function(_, world)
+    world.checked = true
+    world:update(1 / 60)
+  end,
+  ["physics.world.tutorial"] = function(physics, _, box, floor)
+    physics.bump(box, floor)
+  end,
+}
+
+local jit = rawget(_G, "jit")
+if jit and jit.status() then
+  USES["physics.memory.typedArrays"] = function(physics)
+    physics.compile()
+    jit.opt.start("maxtrace=1000", "maxmcode=512")
+  end
+end
+
+-- A world that has made some steps, in which a box has landed.
+local function play(physics)
+  local world = physics.newWorld({ gravity = 800 })
+  local floor = world:add("floors", { x = 0, y = 100, width = 200, height = 16, static = true })
+  local box = world:add("boxes", { x = 20, y = 0, width = 16, height = 16 })
+  for _ = 1, 60 do
+    world:update(1 / 60)
+  end
+  assert.equal(84, box.y)
+  world:remove(world:add("boxes", { x = 60, y = 0, width = 16, height = 16 }))
+  return world, box, floor
+end
+
+describe("a part of the library that the first step does not need", function()
+  local names = {}
+  for name in pairs(USES) do
+    names[#names + 1] = name
+  end
+  table.sort(names)
+
+  for _, name in ipairs(names) do
+    -- (In one file nothing is in package.loaded.)
+    it(name .. " #files is loaded when it is first used", function()
+      fresh.during(function(physics)
+        local world, box, floor = play(physics)
+        assert.is_nil(package.loaded[name])
+        USES[name](physics, world, box, floor)
+        assert.is_not_nil(package.loaded[name])
+      end)
+    end)
+  end
+
+  it("#files is found under the name of the folder that the game gave it", function()
+    local function rename(name)
+      if name == "engine" or name:find("^engine%.") then
+        local path = name:gsub("^engine", "physics"):gsub("%.", "/") .. ".lua"
+        return loadfile(path)
+      end
+    end
+    local searchers = rawget(package, "searchers") or rawget(package, "loaders")
+    table.insert(searchers, 2, rename)
+    local isDone, problem = pcall(function()
+      local world, box = play(require("engine"))
+      assert.equal(box, (world:raycast(28, 50, 28, 99)))
+      assert.is_number(world:hash())
+    end)
+    table.remove(searchers, 2)
+    for name in pairs(package.loaded) do
+      if name:find("^engine") then
+        package.loaded[name] = nil
+      end
+    end
+    assert(isDone, problem)
+  end)
+
+  it("#files is a plain table of functions from then on", function()
+    local lazy = require("physics.memory.lazy")
+    local stand, module = lazy("physics.world.bounds"), require("physics.world.bounds")
+    assert.is_not_nil(getmetatable(stand))
+    assert.equal(module.set, stand.set)
+    assert.is_nil(getmetatable(stand))
+    assert.is_nil(stand.missing)
+    for name, value in pairs(module) do
+      assert.equal(value, rawget(stand, name))
+    end
+  end)
+
+  it("that is missing is #files named when it is used, each time", function()
+    local stand = require("physics.memory.lazy")("physics.world.no_such_file")
+    for _ = 1, 2 do
+      local isDone, problem = pcall(function()
+        return stand.run
+      end)
+      assert.is_false(isDone)
+      assert.is_truthy(tostring(problem):find("no_such_file", 1, true))
+    end
+  end)
+
+  if jit and jit.status() then
+    it("is compiled after compile(), too, #files if it is loaded later", function()
+      fresh.during(function(physics)
+        assert.is_true(physics.compile())
+        local world = play(physics)
+        jit.flush()
+        local count, util = 0, require("jit.util")
+        local function note(what, _, func)
+          if what == "start" and (util.funcinfo(func).source or ""):find("queries", 1, true) then
+            count = count + 1
+          end
+        end
+        jit.attach(note, "trace")
+        for n = 1, 2000 do
+          world:move(world.objects.boxes[1], 20 + n % 7, 60, "slide")
+        end
+        jit.attach(note)
+        jit.opt.start("maxtrace=1000", "maxmcode=512")
+        jit.flush()
+        assert.is_true(count > 0)
+      end)
+    end)
+  end
+end)
