@@ -156,7 +156,6 @@ local function definition(name, title, options)
     name = name,
     title = title,
     sizes = SIZES,
-    startsInside = options.soft ~= nil,
     quick = 20,
     build = function(count)
       return build(count, options)
