@@ -50,8 +50,7 @@ return {
     name = "bullets",
     title = "n bullets fly straight and can hit one object",
     sizes = { 500, 2000 },
-    quick = 200,
-    startsInside = true,
+    quick = 20,
     build = build,
   },
 }
