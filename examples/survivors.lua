@@ -45,7 +45,7 @@ local BULLET_HITS, SHOT_HITS =
   { "enemies", "bosses", "walls", "bounds" }, { "players", "walls", "bounds" }
 local GEM_HITS = { "players" }
 
-local world, player, state, random ---@type physics.World, any, table, any
+local world, player, state, random ---@type physics.World, any, table<string, number>, any
 
 local function middle(object)
   return object.x + object.width / 2, object.y + object.height / 2
@@ -258,9 +258,8 @@ end
 function survivors.camera()
   local x = player.x + 13 - view.gameWidth / 2
   local y = player.y + 13 - (view.height - BAR) / 2
-  x = math.max(0, math.min(x, WIDTH - view.gameWidth))
-  y = math.max(0, math.min(y, HEIGHT - view.height + BAR))
-  return math.floor(x), math.floor(y)
+  local left = math.max(0, math.min(x, WIDTH - view.gameWidth))
+  return math.floor(left), math.floor(math.max(0, math.min(y, HEIGHT - view.height + BAR)))
 end
 
 local function drawFloor(cameraX, cameraY)

@@ -30,7 +30,9 @@ local NEAREST = 1e-6
 -- A step is made in parts, in which the drift changes by little; at most so many.
 local STIFFNESS, MOST_PARTS = 3, 8
 -- Directions in which two at one place part, by the order of the world.
+---@type table<number, number>
 local WAYS_X = { 1.0, 0.25, 0.5, -1.0, 1.0, 0.75, -0.5, 0.5 }
+---@type table<number, number>
 local WAYS_Y = { 0.5, 1.0, 1.0, 0.75, 0.25, -1.0, 1.0, -1.0 }
 
 --- Returns the scratch lists of a world, for softCells, too.
