@@ -37,6 +37,8 @@ local VALUES = {
   maxSpeedY = 20,
   surfaceSpeed = 40,
   nudge = 4,
+  strength = 2,
+  hits = { "others" },
 }
 
 -- Not here: where and how large it is, what a dynamic object does not feel, callbacks.

@@ -459,7 +459,7 @@ local function listRich(b)
       or object.active ~= nil
       or object.kinematic ~= nil
       or (object.sensor or false) ~= sensor[i]
-      or (object.hits or false) ~= hits[i]
+      or object.hits ~= (hits[i] or nil)
       or object.pushable ~= nil
       or object.strength ~= nil
       or object.oneWay ~= nil
