@@ -431,7 +431,8 @@ describe("check", function()
       end)
     end
 
-    local ALL = "the settings are gravity, gravityX, push, masks, soft, sideBySide, broadphase, cellSize,"
+    local ALL = "the settings are gravity, gravityX, push, masks, soft, sideBySide, broadphase,"
+      .. " cellSize,"
       .. " timestep, maxStep, order, rest, checked, profile, onStep, onBegin, onStay, onEnd,"
       .. " onCrush, canCollide"
 
