@@ -68,6 +68,9 @@
 --- px/s, >= 0, default none. The limit of the speed along y, in both directions: it also cuts a
 --- jump that is faster.
 ---@field maxSpeedY? number
+--- px/s, >= 0, default none. The limit of the speed at which it falls, along gravity only: a jump
+--- may be faster.
+---@field maxFallSpeed? number
 --- default collides with every group. `mask[group] = false`: passes through the objects of that
 --- group. `true` and nil collide. Either object of a pair may refuse.
 ---@field mask? table<string|number, boolean>
@@ -87,9 +90,13 @@
 --- px, >= 0, default 0. Corner correction: an object that hits a static or kinematic corner by at
 --- most this much slides past it. One that lands on an edge is not moved.
 ---@field nudge? number
+--- px, >= 0, default 0. An object that stood on something, and does not jump, stays on the ground
+--- where that drops by at most this much: down stairs at any speed.
+---@field snap? number
 --- default none. Called once when a contact starts, also with a sensor. `side` is the side of
---- `self` that was hit, `speed` the approach speed in px/s.
----@field onBegin? fun(self: physics.Object, other: physics.Object, side: physics.Side, speed: number)
+--- `self` that was hit, `speed` the approach speed in px/s. The edge that the two have in common
+--- goes from `x1, y1` to `x2, y2`.
+---@field onBegin? fun(self: physics.Object, other: physics.Object, side: physics.Side, speed: number, x1: number, y1: number, x2: number, y2: number)
 --- default none. Called at every further step of a contact; dt is the length of that step in s.
 ---@field onStay? fun(self: physics.Object, other: physics.Object, side: physics.Side, dt: number)
 --- default none. Called once when a contact ends, also when one of the two is removed or
@@ -147,6 +154,9 @@
 --- default numbers ascending, then strings. Group names from first to last. Groups that are not
 --- listed follow in the usual order.
 ---@field order? (string|number)[]
+--- default none. Names of fields of your own objects that `save`, `restore` and `hash` count in:
+--- numbers, strings, booleans and tables of these.
+---@field ownFields? string[]
 --- default true. Whether objects are skipped when a step would not change them. The result is the
 --- same to the bit.
 ---@field rest? boolean
@@ -160,8 +170,8 @@
 --- several steps (`timestep`, a long dt) or none. What it writes counts in that step.
 ---@field onStep? fun(dt: number)
 --- default none. Called once when a contact starts, with `a` before `b` in order. `side` is the
---- side of `a`.
----@field onBegin? fun(a: physics.Object, b: physics.Object, side: physics.Side, speed: number)
+--- side of `a`; the edge that the two have in common goes from `x1, y1` to `x2, y2`.
+---@field onBegin? fun(a: physics.Object, b: physics.Object, side: physics.Side, speed: number, x1: number, y1: number, x2: number, y2: number)
 --- default none. Called at every further step of a contact; dt is the length of that step in s.
 ---@field onStay? fun(a: physics.Object, b: physics.Object, side: physics.Side, dt: number)
 --- default none. Called once when a contact ends.
@@ -208,6 +218,9 @@
 --- default numbers ascending, then strings. Group names from first to last. Groups that are not
 --- listed follow in the usual order.
 ---@field order? (string|number)[]
+--- default none. Names of fields of your own objects that `save`, `restore` and `hash` count in:
+--- numbers, strings, booleans and tables of these.
+---@field ownFields? string[]
 --- default true. Whether objects are skipped when a step would not change them. The result is the
 --- same to the bit.
 ---@field rest boolean
@@ -221,8 +234,8 @@
 --- several steps (`timestep`, a long dt) or none. What it writes counts in that step.
 ---@field onStep? fun(dt: number)
 --- default none. Called once when a contact starts, with `a` before `b` in order. `side` is the
---- side of `a`.
----@field onBegin? fun(a: physics.Object, b: physics.Object, side: physics.Side, speed: number)
+--- side of `a`; the edge that the two have in common goes from `x1, y1` to `x2, y2`.
+---@field onBegin? fun(a: physics.Object, b: physics.Object, side: physics.Side, speed: number, x1: number, y1: number, x2: number, y2: number)
 --- default none. Called at every further step of a contact; dt is the length of that step in s.
 ---@field onStay? fun(a: physics.Object, b: physics.Object, side: physics.Side, dt: number)
 --- default none. Called once when a contact ends.
@@ -309,15 +322,18 @@ function default.dropThrough(object) end
 ---
 --- - Saved: the objects with the fields that the library knows, the settings that change results,
 ---   contacts, riders, saved-up time, and events that an error in a callback has delayed.
---- - Not saved: functions (callbacks, `canCollide`), your own fields, and the settings
----   `broadphase`, `cellSize`, `rest` and `checked`.
+--- - Not saved: functions (callbacks, `canCollide`), your own fields but for those that the setting
+---   `ownFields` names, and the settings `broadphase`, `cellSize`, `rest`, `checked` and
+---   `ownFields`.
+--- - Of a static object it is what `update` has read: call `refresh` after changing one.
 ---
 --- A state also holds what you have written since the last step. For rollback save before you write
 --- the input of a step: a late input must not find the guessed one in the state. A state that is
 --- saved inside a callback holds the events that are still to come, without the current one.
 ---
---- Errors: a field or setting that `update` would refuse; `out` is not a table; it is called from
---- inside `canCollide`.
+--- Errors: a field or setting that `update` would refuse; a field of your own in `ownFields` that
+--- is a function, infinite, or the like; `out` is not a table; it is called from inside
+--- `canCollide`.
 ---@param out physics.State? a state of this world that you no longer need. It is filled again, so that a steady scene makes no garbage
 ---@return physics.State state
 function default.save(out) end
@@ -326,7 +342,7 @@ function default.save(out) end
 ---
 --- Objects that were added since then leave their groups, removed ones come back, and all get their
 --- saved fields. The tables of groups stay the same. Groups that are not in the state are emptied.
---- Your own fields are not touched.
+--- Your own fields are not touched, but for those that the setting `ownFields` named.
 ---
 --- - A state of this same world, in the same table: each object is the very table that it was. Your
 ---   references, callbacks and own fields stay with it.
@@ -334,7 +350,8 @@ function default.save(out) end
 ---   new plain table, without callbacks, is made for each object that is missing.
 ---
 --- Numbered keys shift when an object is removed. So, for states from elsewhere, give an object
---- with fields or callbacks of its own a string key: `world.objects.enemies.boss = boss`.
+--- with fields or callbacks of its own a string key: `world.objects.enemies.boss = boss`. A group
+--- under numbers with another count of objects than in the state is named in the result.
 ---
 --- Events that were still to come when the state was saved are told after `restore`, also about
 --- objects that have left the world. In another world such an object is a new plain table.
@@ -342,6 +359,7 @@ function default.save(out) end
 --- Errors: the value is not a state, or one of another version, or damaged; it is called from
 --- inside `canCollide`. Nothing has changed then.
 ---@param saved physics.State what `save` returned, or a copy
+---@return string? misfit nil: the state fits; else a sentence about numbered keys that may be wrong
 function default.restore(saved) end
 
 --- Returns a whole number in 0..10^14 over everything that `save` holds. It is the same on every
@@ -469,6 +487,34 @@ function default.raycast(x1, y1, x2, y2, filter) end
 ---@return number fraction of the way, 0..1
 function default.sweep(object, dx, dy, filter) end
 
+--- Returns whether a box of that place and size would be free: may it stand up here, is there room
+--- to appear? Solid objects are in the way, if they overlap the box by more than 1e-6 px. Sensors,
+--- one-way objects and inactive objects are not.
+---
+--- In place of the filter you may give the object that would be there. Then it is not in its own
+--- way, nor is what its mask, theirs or the world's lets it pass.
+---
+--- Errors: a number is not finite; a size is <= 0; the filter cannot be used, or is an object that
+--- is not in the world.
+---@param x number px, left edge
+---@param y number px, top edge
+---@param width number px, > 0
+---@param height number px, > 0
+---@param filter physics.Filter|physics.NewObject|nil which objects count, default all; or the object that would be there
+---@return boolean fits
+---@return physics.Object? other what is in the way, the first in the order of the world
+function default.fits(x, y, width, height, filter) end
+
+--- Returns the velocity of an object over ground. For a rider it is its own velocity and that of
+--- its carrier; for a kinematic object that you move by writing `x, y` it is how fast it went in
+--- the last step. Of a static object it is 0, 0.
+---
+--- Errors: the object is not a table, or not in the world.
+---@param object physics.NewObject the object
+---@return number vx px/s
+---@return number vy px/s
+function default.velocity(object) end
+
 --- Returns the object nearest to a point, and its distance. Of two at the same distance it is the
 --- first in the order of the world.
 ---
@@ -556,6 +602,19 @@ function default.move(object, x, y, response, out) end
 ---@param ix number px/s times mass, along x
 ---@param iy number px/s times mass, along y
 function default.impulse(object, ix, iy) end
+
+--- Moves the whole world by (dx, dy): every object, active or not, and the tiles of its maps. No
+--- callback is called, and riders, contacts and velocities stay as they are. So a level may wrap
+--- around, or the player stay near the origin. Move your camera by the same way.
+---
+--- The coordinates are sums, so they round: choose a whole number of px. A state that was saved
+--- before belongs to the old place.
+---
+--- Errors: a number is not finite; an object would be too far away, or has a field that cannot be
+--- used (nothing has moved then); it is called from inside `canCollide`.
+---@param dx number px
+---@param dy number px
+function default.shift(dx, dy) end
 
 --- Puts four static walls around a rectangle: `top`, `bottom`, `left` and `right` of the group
 --- `bounds`. You may give them `friction` and other fields before the next update. A second call

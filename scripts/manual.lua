@@ -95,6 +95,7 @@ end
 
 -- Types in a narrow column; the editor's types say more.
 local KINDS = { mask = "table", masks = "table", soft = "table", names = "list", sides = "table" }
+KINDS.ownFields = "list"
 
 -- `place` begins the anchor of each row: "field-x", "setting-gravity".
 local function addFields(lines, list, place)

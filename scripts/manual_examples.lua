@@ -168,6 +168,25 @@ local ceiling, x, y = world:sweep(player, 0, -20)
 print(ceiling ~= nil, y) --> true 356
 ]]
 
+examples["world:fits"] = [[
+world:add("tiles", { x = 0, y = 340, width = 100, height = 16, static = true })
+player.y, player.height = 376, 24 -- it crouches
+local isFree = world:fits(player.x, 368, 24, 32, player)
+local hasRoom, ceiling = world:fits(player.x, 350, 24, 50, player)
+print(isFree, hasRoom, ceiling.y) --> true false 340
+]]
+
+examples["world:velocity"] = [[
+local lift = world:add("lifts", {
+  x = 200, y = 400, width = 80, height = 16,
+  kinematic = true, vy = -60,
+})
+player.x, player.y = 220, 368
+for _ = 1, 2 do world:update(1 / 60) end
+player.vx = 30
+print(world:velocity(player)) --> 30 -60
+]]
+
 examples["world:nearest"] = [[
 local object, distance = world:nearest(100, 384, 200, "players")
 print(object == player, distance) --> true 36
@@ -207,6 +226,12 @@ local crate = world:add("crates", {
 })
 world:impulse(crate, 100, 0)
 print(crate.vx) --> 50
+]]
+
+examples["world:shift"] = [[
+local x = player.x
+world:shift(-1000, 0)
+print(player.x - x, player.touching.bottom == floor) --> -1000 true
 ]]
 
 examples["world:setBounds"] = [[

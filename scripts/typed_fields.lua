@@ -9,6 +9,7 @@ local TYPES = {
   masks = "table<string|number, table<string|number, boolean>>",
   soft = "table<string|number, table<string|number, number>>",
   names = "(string|number)[]",
+  ownFields = "string[]",
   sides = "physics.Touching",
 }
 
@@ -21,6 +22,10 @@ local PARAMETERS = {
   b = "physics.Object",
   side = "physics.Side",
   speed = "number",
+  x1 = "number",
+  y1 = "number",
+  x2 = "number",
+  y2 = "number",
   dt = "number",
   axis = '"x"|"y"',
 }

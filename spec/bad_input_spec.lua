@@ -155,11 +155,13 @@ local FIELDS = {
   { "maxSpeed", NOT_NEGATIVE, "a number >= 0" },
   { "maxSpeedX", NOT_NEGATIVE, "a number >= 0" },
   { "maxSpeedY", NOT_NEGATIVE, "a number >= 0" },
+  { "maxFallSpeed", NOT_NEGATIVE, "a number >= 0" },
   { "mask", { 1, "boxes", true }, "a table { [group] = false }" },
   { "oneWay", SIDE, SIDES },
   { "carry", SWITCH, "true or false" },
   { "surfaceSpeed", ANY, "a number" },
   { "nudge", NOT_NEGATIVE, "a number >= 0" },
+  { "snap", NOT_NEGATIVE, "a number >= 0" },
   { "onBegin", CALLBACK, "a function", told = true },
   { "onStay", CALLBACK, "a function" },
   { "onEnd", CALLBACK, "a function", told = true },
@@ -546,6 +548,8 @@ local SETTINGS = {
   { "maxStep", 0, "must be a number in 1e-05..0.25" },
   { "maxStep", NAN, "must be a number in 1e-05..0.25" },
   { "order", "boxes", "must be a list of group names" },
+  { "ownFields", "hp", "must be a list of names of fields" },
+  { "ownFields", { hp = true }, "must be a list of names of fields" },
   { "rest", "off", "must be true or false" },
   { "onBegin", 1, "must be a function" },
   { "onStay", {}, "must be a function" },
@@ -700,6 +704,18 @@ describe("add", function()
       assert.is_nil(next(world.objects))
     end)
   end
+
+  it("refuses the place as arguments", function()
+    local world = physics.newWorld()
+    refuses(
+      "world:add(group, object): the place is a part of the object, as in"
+        .. ' world:add("boxes", { x = 0, y = 0, width = 16, height = 16 })',
+      function()
+        world:add(newBox(), 1, 2, 16, 16)
+      end
+    )
+    assert.is_nil(next(world.objects))
+  end)
 
   it("refuses what is no object", function()
     local world = physics.newWorld()

@@ -463,6 +463,31 @@ local METHODS = {
     aHit,
   },
   {
+    "fits",
+    function()
+      return { 20, 90, 40, 30, "boxes" }
+    end,
+    function(isFree, other)
+      return type(isFree) == "boolean" and isFree == (other == nil)
+    end,
+  },
+  {
+    "velocity",
+    function(scene)
+      return { scene.box }
+    end,
+    function(vx, vy)
+      return type(vx) == "number" and type(vy) == "number"
+    end,
+  },
+  {
+    "shift",
+    function()
+      return { 10, 20 }
+    end,
+    nothing,
+  },
+  {
     "nearest",
     function()
       return { 10, 10, 300, "boxes" }

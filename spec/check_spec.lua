@@ -251,6 +251,8 @@ describe("check", function()
           carry = false,
           surfaceSpeed = -20,
           nudge = 4,
+          snap = 8,
+          maxFallSpeed = 600,
           touching = "whatever the game put there",
           onBegin = print,
           onStay = print,
@@ -432,9 +434,8 @@ describe("check", function()
     end
 
     local ALL = "the settings are gravity, gravityX, push, masks, soft, sideBySide, broadphase,"
-      .. " cellSize,"
-      .. " timestep, maxStep, order, rest, checked, profile, onStep, onBegin, onStay, onEnd,"
-      .. " onCrush, canCollide"
+      .. " cellSize, timestep, maxStep, order, ownFields, rest, checked, profile, onStep, onBegin,"
+      .. " onStay, onEnd, onCrush, canCollide"
 
     for _, row in ipairs({
       { "wind", '"wind"' },

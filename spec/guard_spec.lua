@@ -29,6 +29,16 @@ local function refusesStep(world, expected)
   end
 end
 
+-- The same of an update by `dt` s that comes after a long one.
+local function refusesTime(world, dt)
+  local ok, message = pcall(function()
+    world:update(dt)
+  end)
+  assert.is_false(ok)
+  local text = "guard_spec%.lua:%d+: physics: world:update%(dt%): dt is in seconds, got "
+  assert.matches(text .. dt .. " %(milliseconds%? divide by 1000%)", message)
+end
+
 local BY_HAND = ": a static object is read only once, so call world:refresh(object)"
 
 describe("a checked world", function()
@@ -201,6 +211,101 @@ describe("a checked world", function()
     Crate.__index = Crate
     world:add("boxes", setmetatable({ x = 50, y = 0, width = 5, height = 5 }, Crate))
     world:update(DT)
+  end)
+
+  it("finds dt in milliseconds, but not a game that was stopped for a while", function()
+    local world = newWorld()
+    world:update(3)
+    world:update(DT)
+    world:update(5)
+    refusesTime(world, 16.7)
+    world.checked = false
+    world:update(16.7)
+    world:update(16.7)
+  end)
+
+  it("finds a mask that refuses nothing, when its object is new", function()
+    local world, _, box = newWorld()
+    local one = world:add("boxes", { x = 50, y = 0, width = 5, height = 5, mask = { men = true } })
+    refusesStep(
+      world,
+      'objects.boxes[2].mask = { ["men"] = true } refuses nothing: true collides, as nil does, and'
+        .. ' false passes through (did you mean hits = { "men" }?)'
+    )
+    one.mask = { men = true, floors = false }
+    world:update(DT)
+    box.mask = { men = true } -- it is switched in the game
+    world:update(DT)
+  end)
+
+  it("finds canCollide that returns nothing", function()
+    local world, _, box = newWorld()
+    box.canCollide = function() end
+    box.y = 90
+    refusesStep(world, "canCollide must return true or false, got nothing (which means true)")
+    box.canCollide = function()
+      return true
+    end
+    world:update(DT)
+  end)
+
+  it("finds a class that keeps static, kinematic or sensor for itself", function()
+    for _, name in ipairs({ "static", "kinematic", "sensor" }) do
+      local Wall = { [name] = true }
+      local world = newWorld()
+      local wall = setmetatable({ x = 50, y = 0, width = 5, height = 5 }, Wall)
+      world:add("walls", wall)
+      local text = "objects.walls[1].NAME is nil, but its class has NAME = true: set it in the"
+        .. " object, as in self.NAME = true"
+      refusesStep(world, (text:gsub("NAME", name)))
+      wall[name] = false
+      world:refresh(wall)
+      world:update(DT)
+      wall[name] = nil
+      Wall.__index = Wall
+      world:refresh(wall)
+      world:update(DT)
+    end
+    -- As middleclass does: the class is in the field `class`, and has a table of that name.
+    local Class = { static = {} }
+    local world = newWorld()
+    local one = world:add("walls", { x = 50, y = 0, width = 5, height = 5, class = Class })
+    world:update(DT)
+    Class.static = true
+    local text = "objects.walls[1].static is nil, but its class has static = true: set it in the"
+      .. " object, as in self.static = true"
+    refusesStep(world, text)
+    one.class = nil
+    world:update(DT)
+  end)
+
+  it("finds a method that the field touching hides", function()
+    local Player = {}
+    Player.__index = Player
+    function Player.touching() end
+    local world = newWorld()
+    world:add("men", setmetatable({ x = 50, y = 0, width = 5, height = 5 }, Player))
+    refusesStep(
+      world,
+      "objects.men[1].touching is written by the library, and hides the method touching of its"
+        .. " class: give that another name"
+    )
+    Player.touching = nil
+    world:update(DT)
+  end)
+
+  it("tells of a side that is none", function()
+    local world, _, box = newWorld()
+    world:update(DT)
+    assert.is_false(box.touching.bottom)
+    local ok, message = pcall(function()
+      return box.touching.ground and 1
+    end)
+    assert.is_false(ok)
+    assert.matches(
+      "guard_spec.lua:%d+: physics: touching.ground is no side: there are top, bottom, left and",
+      message
+    )
   end)
 
   it("refuses an object that stands in another checked world, until it has left it", function()

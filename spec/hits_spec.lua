@@ -155,21 +155,6 @@ describe("hits, checked,", function()
     )
   end)
 
-  it("finds a mask that is meant as a list of hits", function()
-    bullet.mask = { players = true }
-    fails(
-      "objects.bullets[1].mask refuses no group, as only `false` refuses: did you mean hits ="
-        .. ' { "players" }?'
-    )
-  end)
-
-  it("lets a mask be empty, or refuse some and not others", function()
-    bullet.mask = {}
-    world:update(DT)
-    bullet.mask = { players = true, walls = false }
-    world:update(DT)
-  end)
-
   it("finds a filter of a query that is one slip away from a group", function()
     world:update(DT)
     for _, filter in ipairs({ "palyers", { "bullets", "palyers" } }) do

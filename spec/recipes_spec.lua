@@ -167,20 +167,28 @@ recipes["Wall jump"] = function(snippet)
 end
 
 recipes["Stairs"] = function(snippet)
-  local g = play(snippet, "isGrounded")
+  local g = play(snippet)
   local highest = 400
   g.press("right")
   g.run(2.8, function()
     highest = math.min(highest, g.player.y)
-    assert.is_true(g.look())
+    assert.truthy(g.player.touching.bottom)
+    assert.equal(0, g.player.vy)
   end)
   assert.equal(400 - 30 - 32, highest) -- up, and down again
   assert.equal(368, g.player.y)
   assert.is_true(g.player.x > 320)
-  local without = play((snippet:gsub("player.nudge = 6", "")))
+  local without = play((snippet:gsub("player.nudge, player.snap = 6, 6", "player.snap = 6")))
   without.press("right")
   without.run(2)
   assert.equal(96 - 24, without.player.x) -- before the first step
+  -- With its sides in the way of a jump: as high as ever, from every stair.
+  local jump = play(snippet)
+  jump.press("right")
+  jump.run(1.2)
+  assert.is_true(jump.player.y < 368)
+  jump.player.vy = -400
+  assert.near(100, jump.jumpHeight(0.6), 0.1)
 end
 
 recipes["Ladders"] = function(snippet)
@@ -644,15 +652,109 @@ recipes["Carry and throw"] = function(snippet)
   g.run(0.1)
   assert.equal(crate, g.look())
   assert.is_false(crate.active)
+  assert.same({ 352, 48 }, { g.player.y, g.player.height })
+  assert.truthy(g.player.touching.bottom)
   g.player.x = 300
   g.run(0.1)
   assert.same({ 304, 352 }, { crate.x, crate.y })
+  -- Under a low ceiling the crate stops the jump.
+  g.world:add("tiles", { x = 200, y = 320, width = 200, height = 16, static = true })
+  g.player.vy = -400
+  g.run(0.05)
+  local top = g.player.y
+  g.run(0.3, function()
+    top = math.min(top, g.player.y)
+  end)
+  assert.near(336, top, 0.05)
+  g.world:remove(g.world.objects.tiles[2])
+  g.run(0.5)
+  -- On a lift it comes along in the same step.
+  g.world:add("lifts", { x = 290, y = 400, width = 60, height = 8, kinematic = true, vy = -90 })
+  g.run(1, function()
+    assert.same({ g.player.x + 4, g.player.y }, { crate.x, crate.y })
+  end)
+  g.world.objects.lifts[1].vy = 90
+  g.run(1.2, function()
+    assert.same({ g.player.x + 4, g.player.y }, { crate.x, crate.y })
+  end)
+  g.world:remove(g.world.objects.lifts[1])
+  g.run(0.5)
   g.press("x")
+  assert.equal(32, g.player.height)
   g.run(1.5)
   assert.is_nil(g.look())
   assert.equal(384, crate.y)
   assert.is_true(crate.x > 380)
-  assert.equal(300, g.player.x)
+  assert.same({ 300, 368 }, { g.player.x, g.player.y })
+  -- There is no room to lift it.
+  local low = play(snippet, "held")
+  low.world:add("tiles", { x = 0, y = 356, width = 200, height = 8, static = true })
+  low.press("x")
+  low.run(0.1)
+  assert.is_nil(low.look())
+  assert.same({ true, 32 }, { low.world.objects.crates[1].active, low.player.height })
+end
+
+recipes["Sword"] = function(snippet)
+  local g = play(snippet)
+  local enemy = g.world:add("enemies", { x = 74, y = 368, width = 24, height = 32, mass = 2 })
+  local far = g.world:add("enemies", { x = 200, y = 368, width = 24, height = 32 })
+  g.run(0.1)
+  assert.is_nil(enemy.health)
+  g.press("x")
+  g.run(0.3)
+  assert.equal(2, enemy.health) -- once
+  assert.is_true(enemy.x > 74)
+  assert.is_nil(far.health)
+  enemy.x, enemy.vx = 74, 0
+  g.press("x")
+  g.run(0.3)
+  assert.equal(1, enemy.health)
+end
+
+recipes["A boss that pushes"] = function(snippet)
+  local g = play(snippet)
+  local boss = g.world.objects.bosses[1]
+  g.run(6)
+  assert.equal(0, g.player.x) -- pushed to the wall
+  assert.near(24, boss.x, 1e-6)
+  assert.is_true(g.player.health < 3)
+  local health = g.player.health
+  g.run(1)
+  assert.equal(health - 1, g.player.health)
+  -- The player cannot push it back, and gets away over it.
+  g.player.vx = 400
+  g.run(0.1)
+  assert.is_true(boss.x < 25)
+end
+
+recipes["Portals"] = function(snippet)
+  local g = play(snippet)
+  g.press("right")
+  g.run(1.1)
+  assert.is_true(g.player.x > 600 and g.player.x < 650)
+  assert.near(150, g.player.vx, 1e-9)
+  g.run(1)
+  assert.equal(368, g.player.y)
+end
+
+recipes["Wrap-around"] = function(snippet)
+  local g = play(snippet)
+  local lift = g.world.objects.lifts[1]
+  g.player.x, g.player.y = lift.x + 10, 268
+  local ended, wraps, last = 0, 0, 0
+  g.run(0.1)
+  function g.player.onEnd()
+    ended = ended + 1
+  end
+  g.run(20, function()
+    assert.near(300 - 32, g.player.y, 1e-6)
+    assert.near(10, g.player.x - lift.x, 1.7) -- it rides from the second update on
+    assert.equal(lift, g.player.touching.bottom)
+    wraps = wraps + (lift.x < last and 1 or 0)
+    last = lift.x
+  end)
+  assert.same({ 3, 0 }, { wraps, ended })
 end
 
 recipes["A fixed step"] = function(snippet)

@@ -37,12 +37,15 @@ local VALUES = {
   maxSpeedY = 20,
   surfaceSpeed = 40,
   nudge = 4,
+  maxFallSpeed = 20,
   strength = 2,
   hits = { "others" },
 }
 
 -- Not here: where and how large it is, what a dynamic object does not feel, callbacks.
 local OTHERS = { "x", "y", "width", "height", "vx", "vy", "static", "carry", "touching" }
+-- (`snap` is in spec/scenarios/24_snap_spec.lua: this scene has no stairs.)
+OTHERS[#OTHERS + 1] = "snap"
 local CALLBACKS = { "onBegin", "onStay", "onEnd", "onCrush" }
 
 -- A box that jumps against the corner of a ceiling, falls to the floor, jumps once more, gets

@@ -956,6 +956,8 @@ describe("world:hash", function()
     { "carry", false },
     { "surfaceSpeed", 5 },
     { "nudge", 2 },
+    { "snap", 2 },
+    { "maxFallSpeed", 1e4 },
   }) do
     it(("changes with %s = %s"):format(row[1], tostring(row[2])), function()
       local world, box = smallWorld()

@@ -221,7 +221,9 @@ describe("forces", function()
         local b = newBodies(1)
         local k = 2 + axis
         b.velocity[k], b.pull[k], b.airFriction[1], b.drag[1] = row[2], row[3], row[4], row[5]
-        b.limit[k] = row[6] or math.huge
+        b.fastest[k] = row[6] or math.huge
+        b.slowest[k] = -b.fastest[k]
+        b.isFree[1] = not row[6] and row[4] == 0
         b.hasHinders = true
         forces.run(b, row[7], 1, 1)
         assert.near(row[8], b.speed[k], 1e-9)

@@ -58,9 +58,11 @@ local function findRich(movers, frictions, count)
       or object.maxSpeed ~= nil
       or object.maxSpeedX ~= nil
       or object.maxSpeedY ~= nil
+      or object.maxFallSpeed ~= nil
       or object.carry ~= nil
       or object.surfaceSpeed ~= nil
       or object.nudge ~= nil
+      or object.snap ~= nil
     then
       rich = rich + 1
     end

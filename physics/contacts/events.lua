@@ -40,6 +40,10 @@ function events.new()
     c = {},
     side = {},
     speed = {}, -- px/s; of STAY: s, the length of its step
+    x1 = {}, -- of BEGIN: the ends of the common edge
+    y1 = {},
+    x2 = {},
+    y2 = {},
   }
 end
 
@@ -68,6 +72,26 @@ local function note(b, kind, i, j, third, side, speed)
   e.rankA[n], e.rankB[n] = b.rank[i], b.rank[j]
   e.a[n], e.b[n], e.c[n] = b.object[i], b.object[j], third
   e.side[n], e.speed[n] = side, speed
+  e.x1[n], e.y1[n], e.x2[n], e.y2[n] = 0, 0, 0, 0
+end
+
+-- Tells the last event, of pair p on `side` of its first, where it was: where the two hit, or where
+-- they touch at the end of the step.
+local function locate(b, p, side)
+  local e, n, axis = b.events, b.events.count, columns.AXIS[side]
+  local at, low, high = b.hitAt[p], b.hitLow[p], b.hitHigh[p]
+  if b.hit[p] == 0 then
+    local i, j, to, size = b.pairA[p], b.pairB[p], b.to, b.size
+    local k, m, own = 2 * i + 1 - axis, 2 * j + 1 - axis, 2 * i + axis
+    at = to[own] + (side % 2 == 0 and size[own] or 0)
+    low = max(to[k], to[m])
+    high = max(low, min(to[k] + size[k], to[m] + size[m]))
+  end
+  if axis == 0 then
+    e.x1[n], e.y1[n], e.x2[n], e.y2[n] = at, low, at, high
+  else
+    e.x1[n], e.y1[n], e.x2[n], e.y2[n] = low, at, high, at
+  end
 end
 
 -- Adds an event of the objects in slots i and j, if it has a callback. The first one in the order
@@ -99,8 +123,9 @@ function events.begin(b, p, side, speed)
   local i, j, count = b.pairA[p], b.pairB[p], b.events.count
   isHeard(b, i, j)
   add(b, BEGIN, i, j, side, speed)
-  if b.events.count > count and b.hit[p] == 0 then
-    b.events.leant[b.events.count] = 1
+  if b.events.count > count then
+    b.events.leant[b.events.count] = b.hit[p] == 0 and 1 or 0
+    locate(b, p, side)
   end
 end
 
@@ -111,7 +136,11 @@ end
 
 --- Notes that the objects of pair p touched and separated within the step.
 function events.bounce(b, p, side, speed)
+  local count = b.events.count
   add(b, BEGIN, b.pairA[p], b.pairB[p], side, speed)
+  if b.events.count > count then
+    locate(b, p, side)
+  end
   add(b, LEFT, b.pairA[p], b.pairB[p], side, 0)
 end
 
@@ -218,7 +247,9 @@ local function tell(e, n, recipient, name, owner)
   if recipient == 2 then
     a, b, side = e.b[n], e.a[n], OPPOSITE[side]
   end
-  if e.kind[n] == BEGIN or e.kind[n] == STAY then
+  if e.kind[n] == BEGIN then
+    callback(a, b, SIDES[side], e.speed[n], e.x1[n], e.y1[n], e.x2[n], e.y2[n])
+  elseif e.kind[n] == STAY then
     callback(a, b, SIDES[side], e.speed[n])
   else
     callback(a, b, SIDES[side])

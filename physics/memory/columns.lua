@@ -82,6 +82,9 @@ local SLOT = {
   carry = true,
   surfaceSpeed = 0,
   nudge = 0,
+  snap = 0,
+  maxFallSpeed = HUGE,
+  isFree = true, -- has neither air friction nor limits along an axis
   -- sleep
   awake = false,
   awakeAt = 0, -- place in awakeList
@@ -108,6 +111,7 @@ local SLOT = {
   deepAt = 0, -- solve in which it was last inside another dynamic body
   impactsOf = 0, -- number of impacts in this step
   inRound = 0, -- round in which it was last in an impact
+  lowered = 0, -- px by which it was lowered in this step (see snap)
   -- broad phase
   placed = 0, -- 0: not in the broad phase, 1: its neighbours must be looked up, 2: they are known
   head = 0, -- first half-edge
@@ -140,6 +144,8 @@ local AXIS = {
   size = 0,
   push = 0, -- ax, ay
   limit = HUGE, -- maxSpeedX, maxSpeedY
+  slowest = -HUGE, -- limits of the velocity by these and maxFallSpeed, without its carrier
+  fastest = HUGE,
   pull = 0, -- gravity that acts on it, px/s²
   down = 0, -- -1, 0, 1: where its gravity points, on its stronger axis only
   last = 0, -- position before the last fixed step, for drawing
@@ -148,11 +154,13 @@ local AXIS = {
   way = 0, -- displacement by its own motion in this step, px
   from = 0, -- start of the present path
   to = 0, -- end of the path: its position at the end of the step
-  drift = 0, -- velocity apart from what it overlaps and is soft to, px/s (see drift)
+  softSpeed = 0, -- velocity apart from what it overlaps and is soft to, px/s (see drift)
   undrifted = 0, -- velocity at the end of the step without that
   speed = 0, -- velocity at the end of the step, absolute
   accel = 0, -- acceleration during the step, drag and limits included
   carried = 0, -- velocity of its carrier in this step
+  drift = 0, -- kinematic: velocity of the way that the game has written, in the last step
+  kept = 0, -- in the air: the part of its velocity that its last carrier gave it
   reserve = 0, -- px/s that its speed limit has taken off
   pace = 0, -- speed limit without the carrier, px/s
   heldLow = 1, -- > 0: cannot move towards smaller coordinates
@@ -218,6 +226,9 @@ local PAIR = {
   "contact", -- side of pairA that is in contact (see SIDES), 0: none
   "hit", -- side of pairA that was first hit in this step, 0: none
   "hitSpeed",
+  "hitAt", -- place of that: coordinate on its axis, px,
+  "hitLow", -- and ends of the common edge on the other axis
+  "hitHigh",
   "nudged", -- number of corner corrections in this step
   "liveMark",
   "wedged", -- 1 + code of the direction in which an overlapping pair may separate
@@ -402,6 +413,7 @@ local function addObjects(b)
   b.freePairCount = 0
   b.pairCount = 0
   b.links = 0 -- how often the pairs have changed
+  b.staticVersion = 0 -- how often static objects have come, gone, or been read again
   b.contactCount = 0
   b.linkOne = {} -- objects that are about to be linked
   b.linkOther = {}
@@ -414,6 +426,7 @@ local function addFlags(b)
   b.hasCarriers = false -- an object has been a carrier
   b.hasFriction = false -- or had friction
   b.hasNudges = false -- or had `nudge`
+  b.hasSnaps = false -- or had `snap`
   b.hasHinders = false -- or had drag or a maxSpeed
   b.hasLimits = false -- or had a limit of any kind
   b.hasBounces = false -- or had restitution
@@ -440,6 +453,8 @@ local function addReading(b)
   b.movedCount = 0
   b.stack = {} -- scratch of carriers
   b.view = false -- the columns of the queries (see queries/index.lua)
+  b.fixed = false -- what static objects have in their fields (see state/save)
+  b.snaps = false -- scratch of snap
   b.unasked = { pairs = {}, sides = {}, first = {}, second = {}, order = {} } -- of contactState
 end
 
@@ -547,7 +562,7 @@ function columns.new()
   -- Slot 0 is the empty slot, that of unlinked pairs. Its size is negative, so it meets nothing.
   b.object[0], b.awake[0], b.rank[0], b.time[0] = false, false, 0, 0
   b.head[0], b.next[0], b.previous[0] = 0, 0, 0
-  b.dirty[0], b.crowd[0] = 0, 0
+  b.dirty[0], b.crowd[0], b.lowered[0] = 0, 0, 0
   for k = 0, 1 do
     b.from[k], b.to[k], b.speed[k], b.size[k] = 0, 0, 0, -1
   end

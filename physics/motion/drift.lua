@@ -203,7 +203,8 @@ end
 
 -- Moves the bodies for a part of the step, and adds this part of the drift to the whole.
 local function advance(b, work, part, dt)
-  local slot, kind, most, drifts, velocity = work.slot, work.kind, work.most, b.drift, b.velocity
+  local slot, kind, most, drifts, velocity =
+    work.slot, work.kind, work.most, b.softSpeed, b.velocity
   local x, y, nowX, nowY = work.x, work.y, work.nowX, work.nowY
   for n = 1, work.count do
     local k, limit, dx, dy = 2 * slot[n], most[kind[n]], nowX[n], nowY[n]
@@ -220,7 +221,7 @@ end
 
 -- Lists those that drift, and wakes them, unless they fly.
 local function listDrifted(b, work)
-  local slot, drifts, drifted, count = work.slot, b.drift, work.drifted, 0
+  local slot, drifts, drifted, count = work.slot, b.softSpeed, work.drifted, 0
   local awake, flying = b.awake, b.flying
   for n = 1, work.count do
     local i = slot[n]
@@ -261,7 +262,7 @@ end
 
 -- Nothing drifts any more.
 local function reset(b, work)
-  local drifted, drifts = work.drifted, b.drift
+  local drifted, drifts = work.drifted, b.softSpeed
   for n = 1, work.driftedCount do
     local k = 2 * drifted[n]
     drifts[k], drifts[k + 1] = 0, 0
@@ -284,7 +285,7 @@ end
 
 --- Adds the drift to the free flight of those in awakeList from `first` to `last`.
 function drift.add(b, dt, first, last)
-  local awakeList, kind, drifts, way, speed = b.awakeList, b.kind, b.drift, b.way, b.speed
+  local awakeList, kind, drifts, way, speed = b.awakeList, b.kind, b.softSpeed, b.way, b.speed
   local undrifted, carried = b.undrifted, b.carried
   for n = first, last do
     local k = 2 * awakeList[n]

@@ -22,7 +22,7 @@ local DYNAMIC = columns.DYNAMIC
 -- `forces` and `move`, to the bit.
 local function predict(b, dt)
   local list, flying, n = b.flyers, b.flying, 0
-  local position, velocity, pull, drift, to = b.position, b.velocity, b.pull, b.drift, b.to
+  local position, velocity, pull, drift, to = b.position, b.velocity, b.pull, b.softSpeed, b.to
   for m = 1, b.flyerCount do
     local i = list[m]
     if flying[i] then
@@ -68,6 +68,8 @@ local function hasPast(b, i)
     or b.crowd[i] ~= 0
     or b.carried[k] ~= 0
     or b.carried[k + 1] ~= 0
+    or b.kept[k] ~= 0
+    or b.kept[k + 1] ~= 0
     or b.jam[k] ~= 0
     or b.jam[k + 1] ~= 0
     or b.crowdAge[k] ~= 0
@@ -77,7 +79,7 @@ end
 
 -- Whether slot i goes on to move. What does not will rest.
 local function isMoving(b, i)
-  local velocity, pull, drift, k = b.velocity, b.pull, b.drift, 2 * i
+  local velocity, pull, drift, k = b.velocity, b.pull, b.softSpeed, 2 * i
   return velocity[k] ~= 0
     or velocity[k + 1] ~= 0
     or pull[k] ~= 0

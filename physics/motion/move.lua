@@ -26,7 +26,8 @@ local function moveKinematicAlong(b, k, dt)
     b.way[k] = behind
     b.to[k] = b.written[k] + b.behind[k] + v * dt
   end
-  b.speed[k] = v + b.way[k] / dt
+  b.drift[k] = b.way[k] / dt
+  b.speed[k] = v + b.drift[k]
   b.accel[k] = 0
 end
 

@@ -90,6 +90,11 @@ local function readPull(b, i)
   b.pull[k], b.pull[k + 1] = gx, gy
   b.down[k] = vertical and 0 or (gx > 0 and 1 or -1)
   b.down[k + 1] = vertical and (gy > 0 and 1 or gy < 0 and -1 or 0) or 0
+  for m = k, k + 1 do
+    local limit, fall = b.limit[m], b.maxFallSpeed[i]
+    b.slowest[m] = -(b.down[m] < 0 and min(limit, fall) or limit)
+    b.fastest[m] = b.down[m] > 0 and min(limit, fall) or limit
+  end
 end
 
 -- Fields that few objects have and that are copied as they are: name, column, default. (`listRich`
@@ -111,7 +116,9 @@ local RARE = {
   { "drag", "drag", 0 },
   { "surfaceSpeed", "surfaceSpeed", 0 },
   { "nudge", "nudge", 0 },
+  { "snap", "snap", 0 },
   { "maxSpeed", "maxSpeed", HUGE },
+  { "maxFallSpeed", "maxFallSpeed", HUGE },
 }
 local NAMES, COLUMNS, DEFAULTS = {}, {}, {}
 for n, field in ipairs(RARE) do
@@ -161,6 +168,8 @@ local function readFields(b, i, object)
   b.push[k], b.push[k + 1] = orDefault(ax, 0), orDefault(ay, 0)
   b.limit[k], b.limit[k + 1] = orDefault(topX, HUGE), orDefault(topY, HUGE)
   b.bare[i] = isDynamic and hasNoRare and not (ax or ay or topX or topY)
+  local least = min(b.limit[k], b.limit[k + 1], b.maxFallSpeed[i])
+  b.isFree[i] = b.airFriction[i] == 0 and least == HUGE
   readPull(b, i)
 end
 
@@ -210,8 +219,9 @@ local function readAll(b, i, object, isNew)
   b.hasCarriers = b.hasCarriers or b.kind[i] == KINEMATIC or b.surfaceSpeed[i] ~= 0
   b.hasFriction = b.hasFriction or b.friction[i] > 0
   b.hasNudges = b.hasNudges or b.nudge[i] ~= 0
+  b.hasSnaps = b.hasSnaps or b.snap[i] ~= 0
   b.hasHinders = b.hasHinders or b.drag[i] ~= 0 or b.maxSpeed[i] ~= HUGE
-  b.hasLimits = b.hasLimits or min(b.maxSpeed[i], b.limit[2 * i], b.limit[2 * i + 1]) < HUGE
+  b.hasLimits = b.hasLimits or not b.isFree[i] or b.maxSpeed[i] < HUGE
   b.hasBounces = b.hasBounces or b.restitution[i] ~= 0
   b.hasAskers = b.hasAskers or b.canCollide[i] ~= false
   b.hasOneWays = b.hasOneWays or b.oneWay[i] ~= false
@@ -239,11 +249,20 @@ end
 
 local takeTouching = read.takeTouching
 
+-- Notes that an object has come, goes, or is read again, if it is static: what was noted of all
+-- static ones (see physics/state/save.lua) is out of date.
+local function noteStatic(b, i)
+  if b.kind[i] == STATIC then
+    b.staticVersion = b.staticVersion + 1
+  end
+end
+
 local function enter(b, object, record, key)
   local i = columns.claim(b)
   b.slotOf[object] = i
   b.object[i], b.group[i], b.groupName[i], b.key[i] = object, record, record.name, key
   b.kind[i] = columns.kindOf(object)
+  noteStatic(b, i)
   readAll(b, i, object, true)
   columns.stand(b, i)
   b.fresh[i] = true
@@ -279,6 +298,7 @@ end
 
 local function leave(b, i)
   local object = b.object[i]
+  noteStatic(b, i)
   carrier.forget(b, i)
   rest.wakeNeighbours(b, i)
   events.endContacts(b, i)
@@ -371,7 +391,9 @@ local function reread(b, i)
     carrier.forget(b, i)
   end
   if isNew then
+    noteStatic(b, i)
     b.kind[i] = kind
+    noteStatic(b, i)
     giveUpTouching(b, i)
     if kind == DYNAMIC then
       takeTouching(b, i, read.touchingFor(b, object))
@@ -407,6 +429,8 @@ local function readVelocity(b, i, object)
     if not (isFinite(vx) and isFinite(vy)) then
       checkAgain(b, i)
     end
+    b.kept[k] = vx == velocity[k] and b.kept[k] or 0
+    b.kept[k + 1] = vy == velocity[k + 1] and b.kept[k + 1] or 0
     velocity[k], velocity[k + 1] = vx + 0.0, vy + 0.0
     if not b.flying[i] then
       rest.wake(b, i)
@@ -478,6 +502,8 @@ local function listRich(b)
       or object.carry ~= nil
       or object.surfaceSpeed ~= nil
       or object.nudge ~= nil
+      or object.snap ~= nil
+      or object.maxFallSpeed ~= nil
       or (itsMass or 1) ~= mass[i]
       or (itsFriction or 0) ~= friction[i]
       or (itsRestitution or 0) ~= restitution[i]
@@ -544,11 +570,13 @@ end
 local function compareLimits(b, count)
   local rich, objects = b.rich, b.object
   local airFriction, drag, maxSpeed, limit = b.airFriction, b.drag, b.maxSpeed, b.limit
-  local carry, surfaceSpeed, nudge, strength = b.carry, b.surfaceSpeed, b.nudge, b.strength
+  local carry, surfaceSpeed, nudge, snap = b.carry, b.surfaceSpeed, b.nudge, b.snap
+  local strength = b.strength
   for n = 1, count do
     local i = rich[n]
     local object = objects[i]
     local top, topX, topY = object.maxSpeed, object.maxSpeedX, object.maxSpeedY
+    local fall = object.maxFallSpeed
     if
       orDefault(object.airFriction, 0) ~= airFriction[i]
       or orDefault(object.drag, 0) ~= drag[i]
@@ -558,10 +586,13 @@ local function compareLimits(b, count)
       or top == HUGE -- in the columns that is "no limit", from the game it is refused
       or topX == HUGE
       or topY == HUGE
+      or orDefault(fall, HUGE) ~= b.maxFallSpeed[i]
+      or fall == HUGE
       or orDefault(object.carry, true) ~= carry[i]
       or orDefault(object.surfaceSpeed, 0) ~= surfaceSpeed[i]
       or orDefault(object.nudge, 0) ~= nudge[i]
       or orDefault(object.strength, 0) ~= strength[i]
+      or orDefault(object.snap, 0) ~= snap[i]
     then
       reread(b, i)
     end
@@ -622,7 +653,9 @@ function read.refresh(b, i)
     carrier.forget(b, i)
   end
   local x, y = b.position[2 * i], b.position[2 * i + 1]
+  noteStatic(b, i)
   b.kind[i] = columns.kindOf(object)
+  noteStatic(b, i)
   if b.kind[i] ~= DYNAMIC then
     forgetMotion(b, i)
     giveUpTouching(b, i)

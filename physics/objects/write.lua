@@ -299,6 +299,7 @@ local function takeOffCarrier(b, i)
       or y * pullY < 0
       or (b.hasBounces and (isStopped(b, k, x) or isStopped(b, k + 1, y)))
   end
+  carrier.keep(b, i, isNew and c == 0)
 end
 
 -- Returns whether friction holds the object only at this length of a step. In a longer step, air
@@ -316,8 +317,8 @@ local function hasNews(b, i)
     or b.moved[i]
     or b.heard[i]
     or b.buried[i]
-    or b.drift[2 * i] ~= 0
-    or b.drift[2 * i + 1] ~= 0
+    or b.softSpeed[2 * i] ~= 0
+    or b.softSpeed[2 * i + 1] ~= 0
     or isBorneByChance(b, i)
 end
 
@@ -433,10 +434,10 @@ local function findCarriers(b)
     return
   end
   carrier.find(b)
-  local list, now, last = b.awakeList, b.carrierNow, b.carrier
+  local list, now, last, kept = b.awakeList, b.carrierNow, b.carrier, b.kept
   for n = 1, b.awakeCount do
     local i = list[n]
-    if now[i] ~= 0 or last[i] ~= 0 then
+    if now[i] ~= 0 or last[i] ~= 0 or kept[2 * i] ~= 0 or kept[2 * i + 1] ~= 0 then
       takeOffCarrier(b, i)
     end
   end

@@ -201,6 +201,48 @@ function query.rectangle(world, x, y, w, h, filter, out)
   return inRectangle(view.of(world), world, x, y, w, h, 0, filter, out)
 end
 
+-- Keeps of `found` what is solid on all sides; with i ~= 0: for slot i, as far as masks allow.
+local function keepSolid(v, found, count, i)
+  local n = 0
+  for m = 1, count do
+    local j = found[m]
+    view.lookAtFilter(v, j)
+    if
+      not (v.sensor[j] or v.oneWay[j])
+      and (i == 0 or (obstacle.isMet(v, i, j) and obstacle.isSolid(v, i, j)))
+    then
+      n = n + 1
+      found[n] = j
+    end
+  end
+  return n
+end
+
+--- The first solid object in a rectangle, nil: it is free. `filter` may be the object that would be
+--- there; if it is not in the world, the second value is false.
+function query.blocker(world, x, y, w, h, filter)
+  local v, i = view.of(world), 0
+  if type(filter) == "table" and type(filter.width) == "number" then
+    i = view.find(v, world, filter)
+    if not i then
+      return nil, false
+    end
+    obstacle.look(v, i)
+    filter = nil
+  end
+  local found = view.take(v)
+  local n = view.near(v, world, x, y, x + w, y + h, found)
+  n = keepNamed(v, found, keepOverlapping(v, found, n, x, y, w, h, EPSILON, i), filter)
+  n = keepSolid(v, found, n, i)
+  local entry = v.entry
+  for m = 1, n do
+    entry[found[m]] = 0
+  end
+  local hit = pick(v, found, n, filter)
+  view.give(v, found)
+  return hit and v.object[hit], true
+end
+
 --- Returns the objects that overlap an object; nil: it is not in the world.
 function query.overlapping(world, object, filter, out)
   local v = view.of(world)
@@ -513,6 +555,8 @@ interpreted.functions(
   shorten, -- mostly by one or two entries: unrolled, all that follows is compiled each time
   writeAccepted,
   pick,
+  keepSolid,
+  query.blocker,
   query.segment,
   isFilled,
   cornerAxis,

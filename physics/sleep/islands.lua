@@ -110,7 +110,7 @@ end
 -- Returns whether a speed limit takes off some of the pull on k in a step of `longest` s.
 local function isCapped(b, k, limit, longest)
   local pull = b.pull[k] + b.push[k]
-  return max(pull, -pull) * longest > min(limit, b.limit[k])
+  return max(pull, -pull) * longest > min(limit, b.fastest[k], -b.slowest[k])
 end
 
 -- Returns whether k is pulled, and only friction holds it there.

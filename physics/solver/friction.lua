@@ -198,17 +198,17 @@ end
 
 -- Computes the speed limits of all awake bodies, with the velocity of their carriers.
 local function findLimits(b)
-  local list, limit, carried, reserve, pace = b.awakeList, b.limit, b.carried, b.reserve, b.pace
-  local drift = b.drift
+  local list, carried, reserve, pace = b.awakeList, b.carried, b.reserve, b.pace
+  local softSpeed = b.softSpeed
   for n = 1, b.awakeCount do
     for k = 2 * list[n], 2 * list[n] + 1 do
-      local most, least = limit[k], -limit[k]
+      local most, least = b.fastest[k], b.slowest[k]
       if reserve[k] > 0 then
         most = pace[k]
       elseif reserve[k] < 0 then
         least = pace[k]
       end
-      local base = carried[k] + drift[k]
+      local base = carried[k] + softSpeed[k]
       b.least[k], b.most[k] = least + base, most + base
     end
   end

@@ -34,12 +34,27 @@ local PUSHED = 3
 -- Maximum number of bonds in a row along which an impact drags other bodies in the same step.
 local DEPTH = 8
 
---- Notes the first impact of a pair in the step, with its side and its closing speed of u px/s.
-function impact.note(b, p, low, axis, u)
-  if b.hit[p] == 0 then
-    b.hit[p] = b.pairA[p] == low and 2 * axis + 2 or 2 * axis + 1
-    b.hitSpeed[p] = u
+-- Where body k is at moment t of the step, which is not before its present path.
+local function placeAt(b, i, k, t)
+  local left = 1 - b.time[i]
+  if left <= 0 or t <= b.time[i] then
+    return b.from[k]
   end
+  return b.from[k] + (b.to[k] - b.from[k]) * ((t - b.time[i]) / left)
+end
+
+--- Notes the first impact of a pair in the step: on which side, at u px/s, and where, at moment t.
+function impact.note(b, p, low, axis, u, t)
+  if b.hit[p] ~= 0 then
+    return
+  end
+  local i, j = b.pairA[p], b.pairB[p]
+  local k, m, l = 2 * i + 1 - axis, 2 * j + 1 - axis, 2 * low + axis
+  local x, y, size = placeAt(b, i, k, t), placeAt(b, j, m, t), b.size
+  b.hit[p] = i == low and 2 * axis + 2 or 2 * axis + 1
+  b.hitSpeed[p] = u
+  b.hitAt[p] = placeAt(b, low, l, t) + size[l]
+  b.hitLow[p], b.hitHigh[p] = max(x, y), max(x, y, min(x + size[k], y + size[m]))
 end
 
 -- Returns the closing speed of two bodies at their impact, px/s, and the time left after it, s.
@@ -278,7 +293,7 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
   local o, v = b.to[kl] + separation - b.to[kh], b.speed[kl] - b.speed[kh]
   local a = b.accel[kl] - b.accel[kh]
   local u, tau = approach(o, v, a, left)
-  impact.note(b, p, i, axis, u)
+  impact.note(b, p, i, axis, u, t)
   b.impactsOf[i], b.impactsOf[j] = b.impactsOf[i] + 1, b.impactsOf[j] + 1
   b.resolved = b.resolved + 1
   local r = restitution(b, i, j, u, a, dt)

@@ -3,6 +3,7 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
+local fail = require(root .. ".world.check").fail
 
 require(root .. ".memory.jit").file()
 
@@ -16,6 +17,9 @@ local function answer(b, callback, one, other, side)
   b.asking = false
   if not ok then
     error(result, 0)
+  end
+  if result == nil and b.world.checked then
+    fail("canCollide must return true or false, got nothing (which means true)")
   end
   return result ~= false
 end

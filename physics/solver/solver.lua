@@ -29,6 +29,7 @@ local predict = require(root .. ".motion.predict")
 local rest = require(root .. ".sleep.islands")
 local rules = require(root .. ".solver.rules")
 local settle = require(root .. ".solver.settle")
+local snap = require(root .. ".memory.lazy")(root .. ".solver.snap")
 local sort = require(root .. ".memory.sort")
 local sweep = require(root .. ".solver.sweep")
 
@@ -69,7 +70,7 @@ end
 
 -- Returns the velocity of body k at the start of the step, its carrier included.
 local function startSpeed(b, k)
-  return max(min(b.velocity[k], b.limit[k]), -b.limit[k]) + b.carried[k]
+  return max(min(b.velocity[k], b.fastest[k]), b.slowest[k]) + b.carried[k]
 end
 
 -- Resets the solver's columns of all awake bodies to free flight, before any contact acts.
@@ -154,7 +155,7 @@ local function noteNewHits(b, list)
       local hit = isNew(b, list, c) and b.widest[leaning(b, list, c)] or c
       local kl, kh = list.low[hit], list.high[hit]
       local low, axis = (kl - list.axis) * 0.5, list.axis
-      impact.note(b, list.pair[hit], low, axis, max(b.start[kl] - b.start[kh], 0.0))
+      impact.note(b, list.pair[hit], low, axis, max(b.start[kl] - b.start[kh], 0.0), 0)
     end
   end
 end
@@ -284,7 +285,8 @@ local function sense(b, p, i, j, axis, t, dt)
   local kl, kh = 2 * i + axis, 2 * j + axis
   local o = b.to[kl] + b.size[kl] - b.to[kh]
   local v, a = b.speed[kl] - b.speed[kh], b.accel[kl] - b.accel[kh]
-  impact.note(b, p, i, axis, (impact.approach(o, v, a, (1 - t) * dt)))
+  local u = impact.approach(o, v, a, (1 - t) * dt)
+  impact.note(b, p, i, axis, u, t)
 end
 
 -- Ends the path of a dynamic body at its place at moment t.
@@ -555,6 +557,12 @@ local function solve(b, dt)
   end
   if b.hasFirm then
     keepOwnWay(b, dt)
+  end
+  if b.hasSnaps then
+    snap.run(b, dt)
+    if b.awakenings ~= awakenings then
+      return false
+    end
   end
   for axis = 0, 1 do
     notePressed(b, axis)

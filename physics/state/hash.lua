@@ -7,6 +7,7 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local fields = require(root .. ".world.fields")
+local keyOrder = require(root .. ".memory.keyOrder")
 local state = require(root .. ".state.save")
 
 local hash = {}
@@ -129,6 +130,30 @@ local function mixGroups(sum, out)
   end
 end
 
+-- Values of the game: tables by their keys, in order.
+local function mixPlain(sum, value)
+  if type(value) ~= "table" then
+    return mixAny(sum, value)
+  end
+  local keys = keyOrder.sorted(value)
+  mix(sum, #keys)
+  for n = 1, #keys do
+    mixAny(sum, keys[n])
+    mixPlain(sum, value[keys[n]])
+  end
+end
+
+-- The fields of the game that are saved.
+local function mixOwn(sum, out)
+  for _, entry in ipairs(out.own or {}) do
+    mixText(sum, entry.name)
+    for at = 1, #entry.values, 2 do
+      mix(sum, entry.values[at])
+      mixPlain(sum, entry.values[at + 1])
+    end
+  end
+end
+
 -- Folds the objects that have left the world and are remembered.
 local function mixGone(sum, out)
   for _, saved in ipairs(out.gone or {}) do
@@ -147,7 +172,7 @@ local function mixMemory(sum, out)
     mixList(sum, out.memory[name])
   end
   for _, entry in ipairs(state.POINTS) do
-    if entry[1] ~= "last" then
+    if entry[1] ~= "last" and entry[1] ~= "drift" then -- they change no motion
       mixList(sum, out.memory[entry[1]])
     end
   end
@@ -198,6 +223,7 @@ function hash.of(out)
     end
   end
   mixMemory(sum, out)
+  mixOwn(sum, out)
   mix(sum, 0)
   return floor(max(sum.a, 0) * PRIME_B + max(sum.b, 0))
 end

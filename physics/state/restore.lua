@@ -14,6 +14,7 @@ local fields = require(root .. ".world.fields")
 local filter = require(root .. ".broadphase.filter")
 local interpreted = require(root .. ".memory.jit")
 local notice = require(root .. ".queries.notice")
+local own = require(root .. ".state.own")
 local rest = require(root .. ".sleep.islands")
 local settings = require(root .. ".world.settings")
 local state = require(root .. ".state.save")
@@ -72,15 +73,49 @@ local function matchByPlace(world, st)
   return objects
 end
 
+-- A sentence that names the first group under numbers that has another count of objects here than
+-- in a state from elsewhere: what the game has put into them may be on other objects. nil: none.
+local function misfit(world, st)
+  for _, group in ipairs(st.tables or st.groups) do
+    local members = world.objects[group.name]
+    local count = group.count or #group.objects
+    local isNumbered = not group.direct and (not group.keys or type(group.keys[count]) == "number")
+    local here = type(members) == "table" and type(members.width) ~= "number" and #members or 0
+    if isNumbered and count ~= here and here > 0 then
+      return (
+        "%s has %d objects in the state and %d here: numbers shift when an object is removed,"
+        .. " so your own fields may be on other objects. String keys stay."
+      ):format(check.place(group.name), count, here)
+    end
+  end
+end
+
 -- Returns which tables the objects were when the state was saved, as far as known: `objects` by
 -- number. If this world has saved the state, also their `masks`, the objects that had `gone`, the
--- masks of the world (`worldMasks`) and their `rows`.
+-- masks of the world (`worldMasks`) and their `rows`. Second: what does not fit (see misfit).
 local function match(world, st)
   local tables = world._bodies.tablesOf and world._bodies.tablesOf[st]
   if tables and #tables.objects == st.count then
     return tables
   end
-  return { objects = matchByPlace(world, st), masks = {}, gone = {}, rows = {} }
+  local sentence = misfit(world, st)
+  return { objects = matchByPlace(world, st), masks = {}, gone = {}, rows = {} }, sentence
+end
+
+-- Lists the objects to look at, by number: all, or if no static object has come, gone or been read
+-- again since the state was saved, all others.
+local function listVisits(b, tables, count)
+  local visit, at = {}, 0
+  local isFixed = tables.staticVersion == b.staticVersion and not b.newcomers
+  local objects, slotOf, kind = tables.objects, b.slotOf, b.kind
+  for n = 1, count do
+    local slot = isFixed and slotOf[objects[n]]
+    if not slot or kind[slot] ~= STATIC then
+      at = at + 1
+      visit[at] = n
+    end
+  end
+  return visit
 end
 
 -- Fields -----------------------------------------------------------------------------------------
@@ -147,10 +182,14 @@ local function writeHits(object, list)
 end
 
 -- Writes a sparse list of values. Objects that are not in it have no value.
-local function writeSparse(objects, masks, name, list)
+local function writeSparse(objects, masks, name, list, visit)
   local at, isMask = 1, name == "mask"
-  for n = 1, #objects do
+  for m = 1, #visit do
+    local n = visit[m]
     local object = objects[n]
+    while list[at] and list[at] < n do
+      at = at + 2
+    end
     if list[at] ~= n then
       write(object, name, nil)
     elseif isMask then
@@ -166,24 +205,26 @@ local function writeSparse(objects, masks, name, list)
   end
 end
 
-local function writeDense(objects, name, list)
-  for n = 1, #objects do
+local function writeDense(objects, name, list, visit)
+  for m = 1, #visit do
+    local n = visit[m]
     write(objects[n], name, list[n] or nil)
   end
 end
 
--- Writes the fields as they were when the state was saved; with `only`, just those.
-local function writeFields(st, objects, masks, only)
+-- Writes the fields of the objects to visit as they were when the state was saved; with `only`,
+-- just those.
+local function writeFields(st, objects, masks, visit, only)
   for _, entry in ipairs(state.DENSE) do
     local name = entry[1]
     if not only or only[name] then
-      writeDense(objects, name, st[name])
+      writeDense(objects, name, st[name], visit)
     end
   end
   for _, entry in ipairs(state.SPARSE) do
     local name = entry[1]
     if not only or only[name] then
-      writeSparse(objects, masks, name, st.fields[name])
+      writeSparse(objects, masks, name, st.fields[name], visit)
     end
   end
 end
@@ -361,19 +402,20 @@ local function isRead(b, i, object)
 end
 
 -- Reads the objects again that `update` would not read again.
-local function readAgain(b, objects, known)
-  for n = 1, known do
-    local slot = b.slotOf[objects[n]]
+local function readAgain(b, objects, known, visit)
+  for m = 1, #visit do
+    local n = visit[m]
+    local slot = n <= known and b.slotOf[objects[n]]
     if slot and not isRead(b, slot, objects[n]) then
       read.refresh(b, slot)
     end
   end
 end
 
--- Gives all objects their written positions, clears their past and wakes them.
-local function settle(b, objects, known)
-  for n = 1, known do
-    local i = b.slotOf[objects[n]]
+-- Gives objects their written positions, clears their past and wakes them.
+local function settle(b, list)
+  for n = 1, #list do
+    local i = list[n]
     local k = 2 * i
     for axis = k, k + 1 do
       b.position[axis] = b.written[axis]
@@ -390,12 +432,12 @@ local function settle(b, objects, known)
   b.movedCount, b.lostCount = 0, 0
 end
 
-local function rememberPoints(b, st, slots)
+local function rememberPoints(b, st, slots, present)
   for _, entry in ipairs(state.POINTS) do
     local list, column, usual = st.memory[entry[1]], b[entry[1]], entry[2]
     local model = b[usual]
-    for n = 1, st.known do
-      local k = 2 * slots[n]
+    for n = 1, #present do
+      local k = 2 * present[n]
       column[k], column[k + 1] = model and model[k] or usual, model and model[k + 1] or usual
     end
     for at = 1, #list, 3 do
@@ -437,12 +479,12 @@ local function rememberSlots(b, st, slots)
   b.lostCount = #st.memory.lost
 end
 
--- Lets all objects stand where they were, and finds their neighbours.
-local function stand(b, st, slots)
-  for n = 1, st.known do
-    columns.stand(b, slots[n])
+-- Lets objects stand where they are.
+local function stand(b, list)
+  for n = 1, #list do
+    columns.stand(b, list[n])
   end
-  detect.run(b, slots, 1, st.known)
+  detect.run(b, list, 1, #list)
 end
 
 local function rememberContacts(b, st, slots)
@@ -501,16 +543,19 @@ local function rememberEvents(b, st, named)
   e.sorted = max(st.sorted or 0, e.told)
 end
 
-local function remember(b, st, objects, named)
-  local slots = {}
+local function remember(b, st, objects, named, visit)
+  local slots, present = {}, {}
   for n = 1, st.known do
     slots[n] = b.slotOf[objects[n]]
   end
-  settle(b, objects, st.known)
+  for m = 1, #visit do
+    present[m] = slots[visit[m]] -- (Those that are not known come last.)
+  end
+  settle(b, present)
   rememberHistory(b, st.memory)
-  rememberPoints(b, st, slots)
+  rememberPoints(b, st, slots, present)
   rememberSlots(b, st, slots)
-  stand(b, st, slots)
+  stand(b, present)
   rememberContacts(b, st, slots)
   rememberTouching(b, st, objects, named, slots)
   rememberEvents(b, st, named)
@@ -616,21 +661,23 @@ function restore.world(world, st)
   if type(world.objects) ~= "table" then
     world.objects = {}
   end
-  local tables = match(world, st)
+  local tables, sentence = match(world, st)
   local objects, masks = tables.objects, tables.masks
   local named = recall(b, st, objects, tables.gone)
+  local visit = listVisits(b, tables, st.count)
   forget(b)
   restoreSettings(world, st.settings, tables)
-  writeFields(st, objects, masks)
+  writeFields(st, objects, masks, visit)
   local unread = writeRead(st, objects)
   placeKnown(world, st, objects)
-  readAgain(b, objects, st.known)
+  readAgain(b, objects, st.known, visit)
   collectKnown(world, st)
-  remember(b, st, objects, named)
+  remember(b, st, objects, named, visit)
   if unread then
-    writeFields(st, objects, masks, unread)
+    writeFields(st, objects, masks, visit, unread)
   end
   placeNow(world, st, objects)
+  own.restore(st, objects)
   world._walls = {}
   for side, n in next, st.walls, nil do
     world._walls[side] = objects[n]
@@ -638,6 +685,7 @@ function restore.world(world, st)
   world._saved = st.saved
   world.alpha = world.timestep and max(0, min(st.saved / world.timestep, 1)) or 0
   notice.outdate(b)
+  return sentence
 end
 
 interpreted.always(overwrite, masksOf, areSameMasks, writeMasks)

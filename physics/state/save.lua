@@ -28,8 +28,10 @@
 --   gone          fields by name of objects that have left the world, but are named in `touching`
 --                 or `events`; nil: none. Their numbers follow all others
 --
+--   own           the game's own fields that the setting `ownFields` names (see own.lua)
+--
 -- The broad phase and sleep are not saved, since they change no result. Functions and the game's
--- own fields stay on the objects.
+-- other fields stay on the objects.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local carrier = require(root .. ".objects.carriers")
@@ -40,9 +42,13 @@ local fields = require(root .. ".world.fields")
 local filter = require(root .. ".broadphase.filter")
 local interpreted = require(root .. ".memory.jit")
 local keyOrder = require(root .. ".memory.keyOrder")
+local own = require(root .. ".state.own")
 local registry = require(root .. ".objects.registry")
+local standing = require(root .. ".state.standing")
 
 local state = {}
+
+local NONE = {}
 
 local STATIC, KINEMATIC, DYNAMIC = columns.STATIC, columns.KINEMATIC, columns.DYNAMIC
 local HUGE = math.huge
@@ -62,6 +68,8 @@ state.POINTS = {
   { "position", "written" },
   { "last", "position" },
   { "carried", 0 },
+  { "kept", 0 },
+  { "drift", 0 },
   { "behind", 0 },
   { "wasCrushed", false },
   { "jam", 0 },
@@ -107,12 +115,14 @@ state.SPARSE = {
   { "maxSpeed", "maxSpeed", HUGE },
   { "maxSpeedX", "limit", HUGE, 0 },
   { "maxSpeedY", "limit", HUGE, 1 },
+  { "maxFallSpeed", "maxFallSpeed", HUGE },
   { "ax", "push", 0, 0 },
   { "ay", "push", 0, 1 },
   { "oneWay", "oneWay", false },
   { "carry", "carry", true },
   { "surfaceSpeed", "surfaceSpeed", 0 },
   { "nudge", "nudge", 0 },
+  { "snap", "snap", 0 },
   { "mask" },
   { "hits" },
 }
@@ -136,6 +146,7 @@ local UNSAVED = {
   masks = true,
   soft = true,
   order = true,
+  ownFields = true,
 }
 
 --- Settings in a state, in order, apart from masks, soft and order.
@@ -267,18 +278,29 @@ local function checkWritten(b, slot)
 end
 
 -- Notes what the library has read in field `name` of object n.
-local function noteRead(b, out, name, n, slot, value)
+local function noteRead(b, out, work, name, n, slot, value)
   checkWritten(b, slot)
+  work.isClean = work.isClean and b.kind[slot] ~= STATIC
   local list = listIn(out.read, name)
   list[#list + 1] = n
   list[#list + 1] = value
 end
 
 -- Saves a field with an entry for every object. The velocity of a static object is not read.
-local function saveDense(b, out, work, entry)
+local function saveDense(b, out, work, m)
+  local entry = state.DENSE[m]
   local name, column, axis, absent = entry[1], b[entry[2]], entry[3], entry[4]
   local list, objects, slots, kind = listIn(out, name), work.objects, work.slots, b.kind
-  for n = 1, out.known do
+  local fixed, visit, numbers = work.fixed and work.fixed.slots or NONE, work.visit, work.numbers
+  local values = work.fixed and work.fixed.dense[m]
+  for at = #list + 1, out.count do
+    list[at] = false -- so that it is filled from its beginning
+  end
+  for at = 1, #fixed do
+    list[numbers[fixed[at]]] = values[at]
+  end
+  for at = 1, work.visitKnown do
+    local n = visit[at]
     local slot, value = slots[n], objects[n][name]
     local read = column[2 * slot + axis]
     list[n] = value or false
@@ -289,7 +311,7 @@ local function saveDense(b, out, work, entry)
       if absent and kind[slot] == STATIC then
         checkWritten(b, slot)
       else
-        noteRead(b, out, name, n, slot, read)
+        noteRead(b, out, work, name, n, slot, read)
       end
     end
   end
@@ -304,9 +326,12 @@ local function saveColumn(b, out, work, entry)
   local name, column, absent, axis = entry[1], b[entry[2]], entry[3], entry[4]
   local list, objects, slots, at = listIn(out.fields, name), work.objects, work.slots, 0
   local stride, offset = axis and 2 or 1, axis or 0
-  for n = 1, out.known do
+  local has, i, visit = work.fixed and work.fixed.has[name] or NONE, 1, work.visit
+  for m = 1, work.visitKnown do
+    local n = visit[m]
     local slot, value = slots[n], objects[n][name]
     local read = column[stride * slot + offset]
+    at, i = standing.put(list, at, has, i, n, work.numbers)
     if value ~= nil then
       list[at + 1], list[at + 2] = n, value
       at = at + 2
@@ -317,9 +342,10 @@ local function saveColumn(b, out, work, entry)
       value = absent
     end
     if value ~= read then
-      noteRead(b, out, name, n, slot, read ~= HUGE and read)
+      noteRead(b, out, work, name, n, slot, read ~= HUGE and read)
     end
   end
+  at = standing.put(list, at, has, i, HUGE, work.numbers)
   for n = out.known + 1, out.count do
     local value = objects[n][name]
     if value ~= nil then
@@ -359,9 +385,12 @@ end
 -- Saves a field by means of functions.
 local function saveSpecial(b, out, work, name, read, absent)
   local list, objects, slots, at = listIn(out.fields, name), work.objects, work.slots, 0
-  for n = 1, out.count do
+  local has, i, visit = work.fixed and work.fixed.has[name] or NONE, 1, work.visit
+  for m = 1, #visit do
+    local n = visit[m]
     local object, slot = objects[n], slots[n]
     local value = object[name]
+    at, i = standing.put(list, at, has, i, n, work.numbers)
     if value ~= nil then
       list[at + 1], list[at + 2] = n, value
       at = at + 2
@@ -371,10 +400,11 @@ local function saveSpecial(b, out, work, name, read, absent)
     if n <= out.known then
       local was = read(b, slot, object)
       if value ~= was then
-        noteRead(b, out, name, n, slot, was)
+        noteRead(b, out, work, name, n, slot, was)
       end
     end
   end
+  at = standing.put(list, at, has, i, HUGE, work.numbers)
   cut(list, at)
 end
 
@@ -420,33 +450,41 @@ end
 
 local function saveMasks(b, out, work)
   local list, objects, slots, at = listIn(out.fields, "mask"), work.objects, work.slots, 0
-  for n = 1, out.count do
+  local has, i, visit = work.fixed and work.fixed.has.mask or NONE, 1, work.visit
+  for m = 1, #visit do
+    local n = visit[m]
     local mask, slot = objects[n].mask or false, slots[n]
+    at, i = standing.put(list, at, has, i, n, work.numbers)
     if n <= out.known and not isMaskRead(b, slot, mask) then
-      noteRead(b, out, "mask", n, slot, b.mask[slot] and listRead(b, slot))
+      noteRead(b, out, work, "mask", n, slot, b.mask[slot] and listRead(b, slot))
     end
     if mask then
       list[at + 1], list[at + 2] = n, listMask(mask)
       at = at + 2
     end
   end
+  at = standing.put(list, at, has, i, HUGE, work.numbers)
   cut(list, at)
 end
 
 local function saveHits(b, out, work)
   local list, objects, slots, at = listIn(out.fields, "hits"), work.objects, work.slots, 0
-  for n = 1, out.count do
+  local has, i, visit = work.fixed and work.fixed.has.hits or NONE, 1, work.visit
+  for m = 1, #visit do
+    local n = visit[m]
     local hits, slot = objects[n].hits, slots[n]
     local read = n <= out.known and b.hitsRead[slot]
+    at, i = standing.put(list, at, has, i, n, work.numbers)
     local isRead = hits == (read and b.hitsGiven[slot] or nil)
     if n <= out.known and not isRead then
-      noteRead(b, out, "hits", n, slot, read and copyList(read.names))
+      noteRead(b, out, work, "hits", n, slot, read and copyList(read.names))
     end
     if hits then
       list[at + 1], list[at + 2] = n, copyList(isRead and read and read.names or hits)
       at = at + 2
     end
   end
+  at = standing.put(list, at, has, i, HUGE, work.numbers)
   cut(list, at)
 end
 
@@ -456,7 +494,7 @@ local function saveFields(b, out, work)
     cut(list, 0)
   end
   for n = 1, #state.DENSE do
-    saveDense(b, out, work, state.DENSE[n])
+    saveDense(b, out, work, n)
   end
   for n = 1, #state.SPARSE do
     local entry = state.SPARSE[n]
@@ -484,7 +522,8 @@ local function saveFlags(b, out, work)
   for m = 1, #state.FLAGS do
     local name = state.FLAGS[m]
     local list, column, at = listIn(out.memory, name), b[name], 0
-    for n = 1, out.known do
+    for v = 1, work.visitKnown do
+      local n = work.visit[v]
       if column[slots[n]] or (name == "moved" and asksAnew(b, slots[n])) then
         at = at + 1
         list[at] = n
@@ -499,7 +538,8 @@ local function saveLinks(b, out, work)
   for m = 1, #state.LINKS do
     local name = state.LINKS[m]
     local list, column, at = listIn(out.memory, name), b[name], 0
-    for n = 1, out.known do
+    for v = 1, work.visitKnown do
+      local n = work.visit[v]
       local other = column[slots[n]]
       if other ~= 0 and b.kind[other] ~= 0 then
         list[at + 1], list[at + 2] = n, numbers[other]
@@ -516,7 +556,8 @@ local function savePoints(b, out, work)
     local name, usual = state.POINTS[m][1], state.POINTS[m][2]
     local list, column, model, at = listIn(out.memory, name), b[name], b[usual], 0
     local isWanted = name ~= "last" or b.world.timestep
-    for n = 1, isWanted and out.known or 0 do
+    for v = 1, isWanted and work.visitKnown or 0 do
+      local n = work.visit[v]
       local k = 2 * slots[n]
       local x, y = usual, usual
       if model then
@@ -663,7 +704,7 @@ end
 -- The world --------------------------------------------------------------------------------------
 
 -- What an event holds besides its objects (`a`, `b`, `c`).
-state.EVENT = { "kind", "side", "speed", "leant", "rankA", "rankB" }
+state.EVENT = { "kind", "side", "speed", "leant", "rankA", "rankB", "x1", "y1", "x2", "y2" }
 
 -- Saves the waiting events. Events wait only after a callback has failed, or inside one. Some
 -- objects may have heard of the first event already: `heardBy`.
@@ -724,6 +765,12 @@ local function saveSettings(world, out)
   settings.order = world.order and copyList(world.order)
 end
 
+-- How the game would write object n.
+local function placeOf(b, out, work, n)
+  local slot = n <= out.known and work.slots[n]
+  return slot and registry.place(b.group[slot], b.key[slot]) or "an object that was added"
+end
+
 --- Fills `out` with the state of a world. Returns `work` with the objects by number, and behind
 --- them the `goneCount` objects that have left. Errors: something that `update` would refuse.
 function state.fill(world, out)
@@ -738,6 +785,7 @@ function state.fill(world, out)
   work.goneCount = 0
   saveGroups(b, out, work)
   saveTables(b, world.objects, out, work)
+  standing.listVisits(b, out, work)
   saveFields(b, out, work)
   listIn(out, "memory")
   saveFlags(b, out, work)
@@ -749,7 +797,14 @@ function state.fill(world, out)
   saveContacts(b, out, work)
   saveEvents(b, out, work)
   saveGone(out, work)
+  own.save(world, out, work, placeOf)
   cut(work.objects, out.count + work.goneCount)
+  if not work.fixed then
+    b.fixed = false
+    if work.isClean and not standing.hasMoved(b) then
+      standing.note(b, out, work, state.DENSE, state.SPARSE)
+    end
+  end
   return work
 end
 
@@ -779,6 +834,7 @@ function state.save(world, out)
     tables = { objects = {}, masks = {}, gone = {}, rows = {} }
     b.tablesOf[out] = tables
   end
+  tables.staticVersion = b.fixed and b.staticVersion or false
   for n = 1, out.count do
     tables.objects[n] = work.objects[n]
     tables.masks[n] = work.objects[n].mask or false

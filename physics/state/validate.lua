@@ -5,6 +5,7 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local check = require(root .. ".world.check")
 local fields = require(root .. ".world.fields")
 local interpreted = require(root .. ".memory.jit")
+local own = require(root .. ".state.own")
 local state = require(root .. ".state.save")
 
 local verify = {}
@@ -357,11 +358,21 @@ local function needEvents(st)
     end,
     "a side",
   }
-  needList(
-    st.events,
-    "state.events",
-    { object, object, none, kind, side, NUMBER, NUMBER, NUMBER, NUMBER }
-  )
+  needList(st.events, "state.events", {
+    object,
+    object,
+    none,
+    kind,
+    side,
+    NUMBER,
+    NUMBER,
+    NUMBER,
+    NUMBER,
+    NUMBER,
+    NUMBER,
+    NUMBER,
+    NUMBER,
+  })
   local list = st.events
   local length = 3 + #state.EVENT
   for at = 4, #list, length do
@@ -402,6 +413,7 @@ function verify.state(st)
   needMemory(st)
   needContacts(st)
   needEvents(st)
+  own.verify(st, WHERE)
 end
 
 interpreted.always(needMemory)

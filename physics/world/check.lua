@@ -385,6 +385,54 @@ TYPES.names = {
   end,
 }
 
+-- Returns what is wrong with the name of a field of the game; nil: it can be used.
+local function describeOwn(path, name)
+  if type(name) ~= "string" then
+    return mustBe(path, "the name of a field", name)
+  elseif fields.objectByName[name] then
+    return format("%s must be a field of your own; %s is saved anyway", path, name)
+  end
+end
+
+--- Checks the name of a field of the game.
+--- Errors: it is no string, or a field of the library.
+---@param name any
+---@param path string how the place of the name is written
+function check.ownField(name, path)
+  local problem = describeOwn(path, name)
+  if problem then
+    fail(problem)
+  end
+end
+
+TYPES.ownFields = {
+  accepts = function(_, value)
+    if not check.isList(value) or badName(value) then
+      return false
+    end
+    for i = 1, #value do
+      if describeOwn("", value[i]) then
+        return false
+      end
+    end
+    return true
+  end,
+  describe = function(path, _, value)
+    if not check.isList(value) then
+      return mustBe(path, "a list of names of fields", value)
+    end
+    for i = 1, #value do
+      local problem = describeOwn(indexed(path, i), value[i])
+      if problem then
+        return problem
+      end
+    end
+    local i, earlier = badName(value)
+    local text = "%s must name each field once, got %s at [%d] and [%d]"
+    return format(text, path, show(value[i]), earlier, i)
+  end,
+}
+
 -- A field of type "sides" is written by the library and never checked.
 
 local function isAccepted(field, value)
@@ -448,7 +496,7 @@ end
 local function advice(object, field, value)
   local other = field.misnamed and object[field.misnamed]
   if value == nil and isFinite(other) then
-    return format(" (but %s is %s)", field.misnamed, show(other))
+    return format(" (but %s is %s: call it %s)", field.misnamed, show(other), field.name)
   elseif field.infinite and value == huge then
     return format(" (%s)", field.infinite)
   end

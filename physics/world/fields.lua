@@ -15,7 +15,8 @@
 ---
 --- Types: "number" (finite), "boolean", "string" (one of `values`), "function",
 ---   "mask" (group name -> boolean), "masks" (group name -> mask), "soft" (group name -> group name
----   -> number in 0..10^6), "names" (list of group names), "sides" (side -> object or false).
+---   -> number in 0..10^6), "names" (list of group names), "ownFields" (list of names of fields of
+---   the game), "sides" (side -> object or false).
 
 ---@class physics.Field
 ---@field name string
@@ -220,6 +221,14 @@ fields.objects = {
       .. " faster.",
   },
   {
+    name = "maxFallSpeed",
+    type = "number",
+    absent = "none",
+    unit = "px/s",
+    min = 0,
+    meaning = "The limit of the speed at which it falls, along gravity only: a jump may be faster.",
+  },
+  {
     name = "mask",
     type = "mask",
     absent = "collides with every group",
@@ -267,6 +276,15 @@ fields.objects = {
       .. " much slides past it. One that lands on an edge is not moved.",
   },
   {
+    name = "snap",
+    type = "number",
+    default = 0,
+    unit = "px",
+    min = 0,
+    meaning = "An object that stood on something, and does not jump, stays on the ground where that"
+      .. " drops by at most this much: down stairs at any speed.",
+  },
+  {
     name = "touching",
     type = "sides",
     written = true,
@@ -276,10 +294,11 @@ fields.objects = {
   {
     name = "onBegin",
     type = "function",
-    signature = "(self, other, side, speed)",
+    signature = "(self, other, side, speed, x1, y1, x2, y2)",
     absent = "none",
     meaning = "Called once when a contact starts, also with a sensor. `side` is the side of `self`"
-      .. " that was hit, `speed` the approach speed in px/s.",
+      .. " that was hit, `speed` the approach speed in px/s. The edge that the two have in"
+      .. " common goes from `x1, y1` to `x2, y2`.",
   },
   {
     name = "onStay",
@@ -405,6 +424,13 @@ fields.settings = {
       .. " order.",
   },
   {
+    name = "ownFields",
+    type = "ownFields",
+    absent = "none",
+    meaning = "Names of fields of your own objects that `save`, `restore` and `hash` count in:"
+      .. " numbers, strings, booleans and tables of these.",
+  },
+  {
     name = "rest",
     type = "boolean",
     default = true,
@@ -437,10 +463,10 @@ fields.settings = {
   {
     name = "onBegin",
     type = "function",
-    signature = "(a, b, side, speed)",
+    signature = "(a, b, side, speed, x1, y1, x2, y2)",
     absent = "none",
     meaning = "Called once when a contact starts, with `a` before `b` in order. `side` is the side"
-      .. " of `a`.",
+      .. " of `a`; the edge that the two have in common goes from `x1, y1` to `x2, y2`.",
   },
   {
     name = "onStay",

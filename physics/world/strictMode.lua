@@ -8,6 +8,12 @@
 --   a mover that is larger than very many cells of the grid
 --   a dynamic object that is one-way: it is open to the floor below it
 --   an object that is in two worlds (if both are checked)
+--   a class that has `static`, `kinematic` or `sensor`, which its objects do not see; a method
+--     `touching`, which the field of that name hides
+--   a mask that refuses no group, of a new object
+--   a side that `touching` does not have (from then on, the table tells by itself)
+--   a dt in milliseconds
+--   `canCollide` that returns nothing (see permission.lua)
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local check = require(root .. ".world.check")
@@ -15,7 +21,6 @@ local columns = require(root .. ".memory.columns")
 local fields = require(root .. ".world.fields")
 local filter = require(root .. ".broadphase.filter")
 local interpreted = require(root .. ".memory.jit")
-local keyOrder = require(root .. ".memory.keyOrder")
 local registry = require(root .. ".objects.registry")
 local state = require(root .. ".state.save")
 
@@ -117,34 +122,6 @@ local function failGroup(place, name, meant)
   check.fail(format("%s: there is no group %s, did you mean %s?", place, name, meant))
 end
 
--- Returns a group that a mask lets collide, if it says nothing else: it refuses no group.
-local function onlyTrue(mask)
-  local first
-  for name, collides in next, mask, nil do
-    if not collides then
-      return nil
-    end
-    if first == nil or keyOrder.comesBefore(name, first) then
-      first = name
-    end
-  end
-  return first
-end
-
--- The mask of an object that names groups with `true` alone is meant as a list of `hits`.
-local function checkMeant(b, i, mask)
-  local name = onlyTrue(mask)
-  if name ~= nil then
-    check.fail(
-      format(
-        "%s.mask refuses no group, as only `false` refuses: did you mean hits = { %s }?",
-        placeOf(b, i),
-        show(name)
-      )
-    )
-  end
-end
-
 -- Checks the groups that a mask names; `place` is how the game would write it.
 local function checkMask(b, mask, place)
   for name in next, mask, nil do
@@ -175,6 +152,76 @@ local function checkMasks(b, masks, place)
   checkMask(b, masks, place)
   for name, mask in next, masks, nil do
     checkMask(b, mask, place .. "." .. tostring(name))
+  end
+end
+
+-- A mask in which all groups collide is meant for the only groups to collide with.
+local function checkRefuses(b, i, mask)
+  local group = nil
+  for name, collides in next, mask, nil do
+    if collides == false then
+      return
+    end
+    group = name
+  end
+  if group ~= nil then
+    local text = "%s.mask = { [%s] = true } refuses nothing: true collides, as nil does, and false"
+      .. " passes through (did you mean hits = { %s }?)"
+    check.fail(format(text, placeOf(b, i), show(group), show(group)))
+  end
+end
+
+-- Classes -----------------------------------------------------------------------------------------
+
+-- Fields of a class that its objects must see.
+local KINDS = { "static", "kinematic", "sensor" }
+
+-- Looks for a field that a class has in its own table, of which its objects see nothing.
+local function checkClass(b, i, object, class)
+  for n = 1, type(class) == "table" and #KINDS or 0 do
+    local name = KINDS[n]
+    if rawget(class, name) == true and object[name] == nil then
+      local text = "%s.%s is nil, but its class has %s = true: set it in the object, as in"
+        .. " self.%s = true"
+      check.fail(format(text, placeOf(b, i), name, name, name))
+    end
+  end
+end
+
+-- Looks for a method that the field of that name hides.
+local function checkMethod(b, i, class)
+  local index = type(class) == "table" and rawget(class, "__index")
+  if type(index) == "table" and type(index.touching) == "function" then
+    check.fail(
+      placeOf(b, i)
+        .. ".touching is written by the library, and hides the method touching of its"
+        .. " class: give that another name"
+    )
+  end
+end
+
+-- What a `touching` says that is asked for a side that there is not.
+local SIDES = {
+  __index = function(_, side)
+    local text = "touching.%s is no side: there are top, bottom, left and right"
+    check.fail(format(text, tostring(side)))
+  end,
+}
+
+local function watchSides(b, i)
+  local touching = b.touching[i]
+  if touching and not getmetatable(touching) then
+    setmetatable(touching, SIDES)
+  end
+end
+
+local function checkClasses(b, i, object)
+  local class = getmetatable(object)
+  checkClass(b, i, object, class)
+  checkClass(b, i, object, object.class)
+  if b.kind[i] == columns.DYNAMIC then
+    checkMethod(b, i, class)
+    watchSides(b, i)
   end
 end
 
@@ -319,8 +366,22 @@ function guard.filter(world, wanted, where)
   end
 end
 
---- Checks all objects and settings, right after the game's tables were read. Errors: see the top of
---- this file; nothing has changed then.
+--- Notes the dt of an update. One of more than a second may be a game that was stopped; two after
+--- each other are milliseconds.
+--- Errors: that.
+function guard.checkTime(world, dt)
+  local b = world._bodies
+  local wasLong = b.wasLong
+  b.wasLong = dt > 1
+  if b.wasLong and wasLong then
+    check.fail(
+      "world:update(dt): dt is in seconds, got " .. show(dt) .. " (milliseconds? divide by 1000)"
+    )
+  end
+end
+
+--- Checks all objects and settings, right after the game's tables were read.
+--- Errors: see the top of this file; nothing has changed then.
 function guard.run(world)
   local b = world._bodies
   b.guarded = b.guarded or { fields = {}, settings = {}, groups = {} }
@@ -345,13 +406,16 @@ function guard.run(world)
       end
       if object.mask then
         checkMask(b, object.mask, placeOf(b, i) .. ".mask")
-        checkMeant(b, i, object.mask)
+        if b.fresh[i] then
+          checkRefuses(b, i, object.mask)
+        end
       end
+      checkClasses(b, i, object)
       checkOwner(b, i, object)
     end
   end
 end
 
-interpreted.always(checkNames, onlyTrue, checkMask, checkMasks)
+interpreted.always(checkNames, checkMask, checkMasks, checkRefuses)
 
 return guard

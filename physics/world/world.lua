@@ -38,6 +38,7 @@ local tiled = lazy(root .. ".maps.tiled")
 local array = lazy(root .. ".maps.array")
 local ldtk = lazy(root .. ".maps.ldtk")
 local tileLayers = lazy(root .. ".maps.tiles")
+local shift = lazy(root .. ".objects.shift")
 
 --- An independent world: a table of groups of objects, settings as plain fields, and the steps.
 --- Its settings are fields of it, too.
@@ -211,6 +212,9 @@ function World:update(dt)
   if b.isTold then
     check.fail("world:update(dt) cannot be called from inside onStep")
   end
+  if self.checked then
+    guard.checkTime(self, dt)
+  end
   notice.outdate(b) -- also if there is no step
   events.tell(b)
   if dt < SHORTEST then
@@ -355,6 +359,12 @@ end
 function World:add(group, object)
   checkSelf(self, "add(group, object)")
   checkIdle(self._bodies, "add(group, object)")
+  if type(group) == "table" and type(object) == "number" then
+    check.fail(
+      "world:add(group, object): the place is a part of the object, as in"
+        .. ' world:add("boxes", { x = 0, y = 0, width = 16, height = 16 })'
+    )
+  end
   check.group(group, "world:add(group, object)")
   check.table(object, "object", "world:add(group, object)")
   checkObjects(self)
@@ -464,15 +474,18 @@ end
 ---
 --- - Saved: the objects with the fields that the library knows, the settings that change results,
 ---   contacts, riders, saved-up time, and events that an error in a callback has delayed.
---- - Not saved: functions (callbacks, `canCollide`), your own fields, and the settings
----   `broadphase`, `cellSize`, `rest` and `checked`.
+--- - Not saved: functions (callbacks, `canCollide`), your own fields but for those that the setting
+---   `ownFields` names, and the settings `broadphase`, `cellSize`, `rest`, `checked` and
+---   `ownFields`.
+--- - Of a static object it is what `update` has read: call `refresh` after changing one.
 ---
 --- A state also holds what you have written since the last step. For rollback save before you write
 --- the input of a step: a late input must not find the guessed one in the state. A state that is
 --- saved inside a callback holds the events that are still to come, without the current one.
 ---
---- Errors: a field or setting that `update` would refuse; `out` is not a table; it is called from
---- inside `canCollide`.
+--- Errors: a field or setting that `update` would refuse; a field of your own in `ownFields` that
+--- is a function, infinite, or the like; `out` is not a table; it is called from inside
+--- `canCollide`.
 ---@param out physics.State? a state of this world that you no longer need. It is filled again, so
 ---   that a steady scene makes no garbage
 ---@return physics.State state
@@ -493,7 +506,7 @@ end
 ---
 --- Objects that were added since then leave their groups, removed ones come back, and all get their
 --- saved fields. The tables of groups stay the same. Groups that are not in the state are emptied.
---- Your own fields are not touched.
+--- Your own fields are not touched, but for those that the setting `ownFields` named.
 ---
 --- - A state of this same world, in the same table: each object is the very table that it was. Your
 ---   references, callbacks and own fields stay with it.
@@ -501,7 +514,8 @@ end
 ---   new plain table, without callbacks, is made for each object that is missing.
 ---
 --- Numbered keys shift when an object is removed. So, for states from elsewhere, give an object
---- with fields or callbacks of its own a string key: `world.objects.enemies.boss = boss`.
+--- with fields or callbacks of its own a string key: `world.objects.enemies.boss = boss`. A group
+--- under numbers with another count of objects than in the state is named in the result.
 ---
 --- Events that were still to come when the state was saved are told after `restore`, also about
 --- objects that have left the world. In another world such an object is a new plain table.
@@ -509,11 +523,13 @@ end
 --- Errors: the value is not a state, or one of another version, or damaged; it is called from
 --- inside `canCollide`. Nothing has changed then.
 ---@param saved physics.State what `save` returned, or a copy
+---@return string? misfit nil: the state fits; else a sentence about numbered keys that may be wrong
 function World:restore(saved)
   checkSelf(self, "restore(state)")
   checkIdle(self._bodies, "restore(state)")
-  restore.world(self, saved)
+  local misfit = restore.world(self, saved)
   self._restores = self._restores + 1
+  return misfit
 end
 
 --- Returns a whole number in 0..10^14 over everything that `save` holds. It is the same on every
@@ -751,6 +767,62 @@ function World:sweep(object, dx, dy, filter)
   end
 end ---@diagnostic disable-line: missing-return
 
+--- Returns whether a box of that place and size would be free: may it stand up here, is there room
+--- to appear? Solid objects are in the way, if they overlap the box by more than 1e-6 px. Sensors,
+--- one-way objects and inactive objects are not.
+---
+--- In place of the filter you may give the object that would be there. Then it is not in its own
+--- way, nor is what its mask, theirs or the world's lets it pass.
+---
+--- Errors: a number is not finite; a size is <= 0; the filter cannot be used, or is an object that
+--- is not in the world.
+---@param x number px, left edge
+---@param y number px, top edge
+---@param width number px, > 0
+---@param height number px, > 0
+---@param filter physics.Filter|physics.NewObject|nil which objects count, default all; or the
+---  object that would be there
+---@return boolean fits
+---@return physics.Object? other what is in the way, the first in the order of the world
+function World:fits(x, y, width, height, filter)
+  local call, where = "fits(x, y, width, height)", "world:fits(x, y, width, height)"
+  local isObject = type(filter) == "table" and type(filter.width) == "number"
+  checkQuestion(self, call, not isObject and filter or nil)
+  checkPoint(x, y, where)
+  check.positive(width, "width", where)
+  check.positive(height, "height", where)
+  local w, h = width + 0.0, height + 0.0
+  local other, isThere = query.blocker(self, x + 0.0, y + 0.0, w, h, filter)
+  if not isThere then
+    failMissing(call, filter, "the object in place of the filter")
+  end
+  return not other, other or nil
+end
+
+--- Returns the velocity of an object over ground. For a rider it is its own velocity and that of
+--- its carrier; for a kinematic object that you move by writing `x, y` it is how fast it went in
+--- the last step. Of a static object it is 0, 0.
+---
+--- Errors: the object is not a table, or not in the world.
+---@param object physics.NewObject the object
+---@return number vx px/s
+---@return number vy px/s
+function World:velocity(object)
+  local call = "velocity(object)"
+  checkQuestion(self, call)
+  check.table(object, "object", "world:velocity(object)")
+  checkObjects(self)
+  if not search(self, object) then
+    failMissing(call, object)
+  end
+  local slot = self._bodies.slotOf[object]
+  if not slot then
+    return object.static and 0 or object.vx or 0, object.static and 0 or object.vy or 0
+  end
+  local vx, vy = carrier.overGround(self._bodies, slot)
+  return vx, vy
+end
+
 --- Returns the object nearest to a point, and its distance. Of two at the same distance it is the
 --- first in the order of the world.
 ---
@@ -921,6 +993,27 @@ function World:impulse(object, ix, iy)
   check.number(vx, "vx after it", where)
   check.number(vy, "vy after it", where)
   object.vx, object.vy = vx, vy
+end
+
+--- Moves the whole world by (dx, dy): every object, active or not, and the tiles of its maps. No
+--- callback is called, and riders, contacts and velocities stay as they are. So a level may wrap
+--- around, or the player stay near the origin. Move your camera by the same way.
+---
+--- The coordinates are sums, so they round: choose a whole number of px. A state that was saved
+--- before belongs to the old place.
+---
+--- Errors: a number is not finite; an object would be too far away, or has a field that cannot be
+--- used (nothing has moved then); it is called from inside `canCollide`.
+---@param dx number px
+---@param dy number px
+function World:shift(dx, dy)
+  local call, where = "shift(dx, dy)", "world:shift(dx, dy)"
+  checkSelf(self, call)
+  checkIdle(self._bodies, call)
+  check.number(dx, "dx", where)
+  check.number(dy, "dy", where)
+  checkObjects(self)
+  shift.run(self, dx, dy)
 end
 
 --- Puts four static walls around a rectangle: `top`, `bottom`, `left` and `right` of the group

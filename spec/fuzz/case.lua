@@ -108,6 +108,12 @@ local OPTIONAL = {
   nudge = function(n)
     return n.random:between(0, 1) * n.unit
   end,
+  snap = function(n)
+    return n.random:between(0, 1) * n.unit
+  end,
+  maxFallSpeed = function(n)
+    return n.random:between(0, 20) * n.unit
+  end,
 }
 
 -- In a fixed order, and how often a new object has each.
@@ -617,14 +623,21 @@ local ENGINE = {
   { "maxSpeedY", 0.15 },
 }
 
--- Gives engines to many of the movers. (With numbers of its own: it makes no other game of the
--- rest.)
-local function drive(acts, seed)
+-- What makes a walker on stairs.
+local WALKER = {
+  { "snap", 0.7 },
+  { "nudge", 0.4 },
+  { "maxFallSpeed", 0.3 },
+}
+
+-- Gives fields of a list to many of the movers. (With numbers of its own: it makes no other
+-- game of the rest.)
+local function equip(acts, seed, list)
   local n = newNumbers(seed)
   for _, act in ipairs(acts) do
     local object = FIELDS_AT[act[1]] == 4 and act[4]
     if object and not (object.static or object.kinematic) then
-      for _, field in ipairs(ENGINE) do
+      for _, field in ipairs(list) do
         if n.random:chance(field[2]) then
           object[field[1]] = OPTIONAL[field[1]](n)
         end
@@ -634,7 +647,7 @@ local function drive(acts, seed)
 end
 
 --- Makes the case of a seed. Every third is about the origin, where coordinates change their sign,
---- every tenth is about engines and their limits.
+--- every tenth is about engines and their limits, and every tenth about walkers with `snap`.
 ---@param seed integer
 ---@param steps integer updates
 ---@return table case `{ seed, settings, acts, closed }`
@@ -673,7 +686,9 @@ function case.new(seed, steps)
     makeTurn(self)
   end
   if seed % 10 == 4 then
-    drive(self.acts, seed)
+    equip(self.acts, seed, ENGINE)
+  elseif seed % 10 == 7 then
+    equip(self.acts, seed, WALKER)
   end
   if seed % 3 == 2 then
     shift(self.acts, -ROOM / 2 * n.unit)

@@ -308,6 +308,8 @@ function acts.ask(player, x, y, w, h)
   local object = player.list[1]
   if player.present[1] then
     player:tell("sweep", world:sweep(object, w, h))
+    player:tell("fits", world:fits(x, y, w, h, object))
+    player:tell("velocity", world:velocity(object))
     tellList(player, "overlapping", world:overlapping(object))
   end
 end

@@ -84,6 +84,9 @@ local function makeBoxes(put)
     if i % 8 == 1 then
       box.maxSpeedX, box.maxSpeedY = 90, 300
     end
+    if i % 8 == 5 then
+      box.snap, box.maxFallSpeed = 6, 200
+    end
     if i % 9 == 1 then
       box.gravity = random:pick({ -50, 0, 1200 })
     end

@@ -11,6 +11,7 @@ local motion = {}
 local abs, max, min = math.abs, math.max, math.min
 
 local DEEP = 1e-6 -- px; less is not inside
+local EDGES = 16 -- so many edges, each as high as `snap`, an object may come down in a step
 
 local Watch = {}
 Watch.__index = Watch
@@ -40,7 +41,7 @@ local function addSpeed(watch, object, vx, vy)
   if isMover(object) then
     local factor = 1 + max(object.restitution or 0, 0)
     watch.vx, watch.vy = max(watch.vx, factor * abs(vx)), max(watch.vy, factor * abs(vy))
-    watch.nudge = max(watch.nudge, object.nudge or 0)
+    watch.nudge = max(watch.nudge, object.nudge or 0, EDGES * (object.snap or 0))
   else
     watch.carryX, watch.carryY = max(watch.carryX, abs(vx)), max(watch.carryY, abs(vy))
   end

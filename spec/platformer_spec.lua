@@ -1,0 +1,573 @@
+--- What platformers ask for: a limit for falling, velocities over ground, room to stand up, the
+--- place of a contact, a world that moves.
+
+local newRandom = require("spec.support.random").new
+local physics = require("physics")
+
+local RATES = { 30, 60, 144, 240 }
+
+local function near(expected, value, tolerance)
+  local difference = math.abs(value - expected)
+  if difference > (tolerance or 1e-9) or difference ~= difference then
+    error(("%.17g should be %.17g"):format(value, expected), 2)
+  end
+end
+
+describe("maxFallSpeed", function()
+  for _, rate in ipairs(RATES) do
+    it(("limits the fall and not the jump, exactly, at %d Hz"):format(rate), function()
+      local world = physics.newWorld({ gravity = 800 })
+      local one = world:add("men", { x = 0, y = 0, width = 8, height = 8, vy = -400 })
+      one.maxFallSpeed = 200
+      local highest = 0
+      for n = 1, 2 * rate do
+        world:update(1 / rate)
+        highest = math.min(highest, one.y)
+        local t = n / rate
+        -- Up and down for 0.75 s, until it falls at 200 px/s; then evenly.
+        local y = t < 0.75 and -400 * t + 400 * t * t or -75 + 200 * (t - 0.75)
+        near(y, one.y, 1e-8)
+        near(t < 0.75 and -400 + 800 * t or 200, one.vy, 1e-8)
+      end
+      assert.is_true(highest < -99)
+    end)
+  end
+
+  it("cuts a fall that is faster already, and counts along any gravity", function()
+    for _, row in ipairs({
+      { 800, 0, "vy", 500 },
+      { -800, 0, "vy", -500 },
+      { 0, 800, "vx", 500 },
+      { 0, -800, "vx", -500 },
+    }) do
+      local world = physics.newWorld({ gravity = row[1], gravityX = row[2] })
+      local fast = { x = 0, y = 0, width = 8, height = 8, maxFallSpeed = 100 }
+      fast[row[3]] = row[4]
+      local up = { x = 40, y = 0, width = 8, height = 8, maxFallSpeed = 100 }
+      up[row[3]] = -row[4]
+      local across = { x = 80, y = 80, width = 8, height = 8, maxFallSpeed = 100 }
+      across[row[3] == "vx" and "vy" or "vx"] = row[4]
+      world:add("men", fast)
+      world:add("men", up)
+      world:add("men", across)
+      world:update(1 / 60)
+      assert.equal(row[4] / 5, fast[row[3]])
+      near(-row[4] + row[4] / 500 * 800 / 60, up[row[3]])
+      assert.equal(row[4], across[row[3] == "vx" and "vy" or "vx"])
+    end
+  end)
+
+  it("goes with the gravity of the object, and holds with air friction and drag", function()
+    local world = physics.newWorld({ gravity = 800 })
+    local one = world:add("men", { x = 0, y = 0, width = 8, height = 8, maxFallSpeed = 100 })
+    local thick = { x = 40, y = 0, width = 8, height = 8, maxFallSpeed = 100, airFriction = 2 }
+    local slow = { x = 80, y = 0, width = 8, height = 8, maxFallSpeed = 100, drag = 50 }
+    world:add("men", thick)
+    world:add("men", slow)
+    for _ = 1, 60 do
+      world:update(1 / 60)
+    end
+    assert.equal(100, one.vy)
+    assert.equal(100, thick.vy)
+    near(100, slow.vy, 1e-9)
+    one.gravity = -800
+    for _ = 1, 60 do
+      world:update(1 / 60)
+    end
+    assert.equal(-100, one.vy)
+    one.gravity, one.maxFallSpeed = 0, nil
+    one.vy = 700
+    world:update(1 / 60)
+    assert.equal(700, one.vy)
+  end)
+
+  it("changes nothing of what stands, and rides on", function()
+    local world = physics.newWorld({ gravity = 800 })
+    world:add("lifts", { x = 0, y = 8, width = 80, height = 8, kinematic = true, vy = 300 })
+    local one = world:add("men", { x = 0, y = 0, width = 8, height = 8, maxFallSpeed = 50 })
+    for _ = 1, 60 do
+      world:update(1 / 60)
+      near(world.objects.lifts[1].y - 8, one.y, 1e-6)
+      assert.equal(0, one.vy)
+    end
+  end)
+end)
+
+describe("world:velocity", function()
+  local function newScene(fields)
+    local world = physics.newWorld({ gravity = 800 })
+    world:add("tiles", { x = -500, y = 100, width = 300, height = 16, static = true })
+    local lift = { x = 0, y = 100, width = 100, height = 8, kinematic = true }
+    for name, value in pairs(fields) do
+      lift[name] = value
+    end
+    world:add("lifts", lift)
+    local one = world:add("men", { x = 40, y = 76, width = 16, height = 24 })
+    for _ = 1, 10 do
+      world:update(1 / 60)
+    end
+    return world, one, lift
+  end
+
+  it("is that of the rider and of its carrier", function()
+    local world, one, lift = newScene({ vx = 40, vy = -20 })
+    one.vx = 25
+    local vx, vy = world:velocity(one)
+    near(65, vx)
+    near(-20, vy)
+    vx, vy = world:velocity(lift)
+    near(40, vx)
+    near(-20, vy)
+    world:update(1 / 60)
+    near(65, (world:velocity(one)))
+    near(25, one.vx)
+  end)
+
+  it("knows a lift that the game moves by writing its place, also after a restore", function()
+    local world, one, lift = newScene({})
+    for _ = 1, 5 do
+      lift.x, lift.y = lift.x + 1, lift.y - 0.5
+      world:update(1 / 60)
+    end
+    local vx, vy = world:velocity(lift)
+    near(60, vx, 1e-6)
+    near(-30, vy, 1e-6)
+    vx, vy = world:velocity(one)
+    near(60, vx, 1e-6)
+    near(-30, vy, 1e-6)
+    local state = world:save()
+    for _ = 1, 5 do
+      world:update(1 / 60)
+    end
+    assert.equal(0, (world:velocity(lift)))
+    assert.equal(0, (world:velocity(one)))
+    world:restore(state)
+    near(60, (world:velocity(lift)), 1e-6)
+    near(60, (world:velocity(one)), 1e-6)
+  end)
+
+  it("is the speed of the jump that comes, and what it has after it", function()
+    local world, one = newScene({ vy = -60 })
+    one.vy = -300
+    local _, vy = world:velocity(one)
+    near(-360, vy)
+    world:update(1 / 60)
+    near(-360 + 800 / 60, one.vy)
+    _, vy = world:velocity(one)
+    near(one.vy, vy)
+  end)
+
+  it("counts belts, stacks, and what does not move or was not read yet", function()
+    local world = physics.newWorld({ gravity = 800 })
+    local belt = { x = 0, y = 100, width = 900, height = 16, static = true, surfaceSpeed = 30 }
+    world:add("belts", belt)
+    local low = world:add("men", { x = 40, y = 84, width = 16, height = 16 })
+    local top = world:add("men", { x = 40, y = 68, width = 16, height = 16 })
+    for _ = 1, 10 do
+      world:update(1 / 60)
+    end
+    near(30, (world:velocity(low)))
+    near(30, (world:velocity(top)))
+    assert.same({ 0, 0 }, { world:velocity(belt) })
+    local new = world:add("men", { x = 400, y = 0, width = 4, height = 4, vx = 3, vy = 4 })
+    assert.same({ 3, 4 }, { world:velocity(new) })
+  end)
+
+  it("refuses what is not in the world", function()
+    local world = physics.newWorld()
+    assert.error_matches(function()
+      world:velocity({ x = 0, y = 0, width = 1, height = 1 })
+    end, "physics: world:velocity%(object%): the object is not in the world")
+    assert.error_matches(function()
+      world:velocity()
+    end, "object must be a table, got nil")
+  end)
+end)
+
+describe("world:fits", function()
+  local function newScene()
+    local world = physics.newWorld({ gravity = 800 })
+    world:add("tiles", { x = 0, y = 100, width = 200, height = 16, static = true })
+    world:add("tiles", { x = 50, y = 60, width = 50, height = 10, static = true })
+    world:add("ledges", { x = 150, y = 60, width = 50, height = 8, static = true, oneWay = "top" })
+    world:add("water", { x = 0, y = 0, width = 200, height = 100, static = true, sensor = true })
+    world:add("crates", { x = 110, y = 84, width = 16, height = 16 })
+    local one = world:add("men", { x = 60, y = 82, width = 16, height = 18 })
+    world:update(1 / 60)
+    return world, one
+  end
+
+  it("answers whether an object may stand up", function()
+    local world, one = newScene()
+    local isFree, other = world:fits(60, 68, 16, 32, one)
+    assert.is_false(isFree)
+    assert.equal(world.objects.tiles[2], other)
+    assert.is_true(world:fits(60, 70, 16, 30, one)) -- flush with the ceiling and the floor
+    assert.is_false(world:fits(60, 69.99, 16, 30.01, one))
+    assert.is_true(world:fits(20, 60, 16, 40, one))
+    assert.is_false(world:fits(100, 60, 16, 40, one)) -- the crate
+    assert.is_true(world:fits(160, 50, 16, 50, one)) -- a one-way ledge
+    one.mask = { tiles = false }
+    assert.is_true(world:fits(60, 68, 16, 32, one))
+  end)
+
+  it("answers whether there is room, by groups or by a function", function()
+    local world, one = newScene()
+    assert.is_false(world:fits(60, 70, 16, 30))
+    assert.is_true(world:fits(60, 70, 16, 30, "tiles"))
+    assert.is_false(world:fits(60, 70, 16, 30, { "tiles", "men" }))
+    assert.is_true(world:fits(60, 70, 16, 30, function(other)
+      return other ~= one
+    end))
+    world.objects.crates[1].active = false
+    assert.is_true(world:fits(110, 80, 16, 20))
+  end)
+
+  it("sees what was changed since the last step, and changes nothing", function()
+    local world, one = newScene()
+    local before = world:hash()
+    world:fits(0, 0, 500, 500, one)
+    assert.equal(before, world:hash())
+    local crate = world:add("crates", { x = 0, y = 0, width = 8, height = 8 })
+    assert.is_false(world:fits(4, 4, 8, 8))
+    world:remove(crate)
+    assert.is_true(world:fits(4, 4, 8, 8))
+  end)
+
+  it("agrees with what a step does: what grows where it fits is not moved", function()
+    local random = newRandom(5)
+    for _ = 1, 60 do
+      local world = physics.newWorld({ gravity = 0 })
+      for _ = 1, 12 do
+        world:add("tiles", {
+          x = random:integer(0, 20) * 5,
+          y = random:integer(0, 20) * 5,
+          width = random:integer(1, 4) * 5,
+          height = random:integer(1, 4) * 5,
+          static = true,
+        })
+      end
+      local one = { x = random:integer(0, 100), y = random:integer(0, 100), width = 6, height = 6 }
+      if world:fits(one.x, one.y, 6, 6) then
+        world:add("men", one)
+        local x, y, height = one.x, one.y - 10, 16
+        local isFree = world:fits(x, y, 6, height, one)
+        world:update(1 / 60)
+        one.y, one.height = y, height
+        world:update(1 / 60)
+        local isThere = one.x == x and one.y == y
+        local found, count = world:overlapping(one, "tiles")
+        assert.equal(isFree, isThere and count == 0, tostring(#found))
+      end
+    end
+  end)
+
+  it("refuses what it cannot use, and blames the line", function()
+    local world = physics.newWorld()
+    local other = { x = 0, y = 0, width = 1, height = 1 }
+    for _, row in ipairs({
+      { { nil, 0, 1, 1 }, "x must be a number, got nil" },
+      { { 0, 0 / 0, 1, 1 }, "y must be a number, got nan" },
+      { { 0, 0, 0, 1 }, "width must be a number > 0, got 0" },
+      { { 0, 0, 1, -1 }, "height must be a number > 0, got %-1" },
+      { { 0, 0, 1, 1, 5.5 }, nil },
+      { { 0, 0, 1, 1, true }, "filter must be a group name, a list of them or a function" },
+      { { 0, 0, 1, 1, other }, "not in the world" },
+    }) do
+      local ok, text = pcall(function()
+        world:fits(row[1][1], row[1][2], row[1][3], row[1][4], row[1][5])
+      end)
+      assert.equal(row[2] == nil, ok)
+      if row[2] then
+        assert.matches("platformer_spec.lua:%d+: physics: world:fits%(", text)
+        assert.matches(row[2], text)
+      end
+    end
+  end)
+end)
+
+describe("the place of a contact", function()
+  local function play(world, steps, listen, dt)
+    local told = {}
+    listen.onBegin = function(...)
+      told[#told + 1] = { ... }
+    end
+    for _ = 1, steps do
+      world:update(dt or 1 / 60)
+    end
+    return told
+  end
+
+  local function expectPlace(event, x1, y1, x2, y2)
+    for n, value in ipairs({ x1, y1, x2, y2 }) do
+      near(value, event[4 + n], 1e-6)
+    end
+  end
+
+  it("is the edge that the two have in common", function()
+    local world = physics.newWorld({ gravity = 800 })
+    world:add("tiles", { x = 0, y = 100, width = 50, height = 16, static = true })
+    local one = world:add("men", { x = 42, y = 60, width = 16, height = 24 })
+    local told = play(world, 60, one)
+    assert.equal(1, #told)
+    assert.equal("bottom", told[1][3])
+    expectPlace(told[1], 42, 100, 50, 100)
+  end)
+
+  it("is the same for both, and for the world, whichever side", function()
+    for _, row in ipairs({
+      { 0, 300, "bottom", 40, 90, 56, 90 },
+      { 0, -300, "top", 40, 30, 56, 30 },
+      { 300, 0, "right", 80, 50, 80, 74 },
+      { -300, 0, "left", 10, 50, 10, 74 },
+    }) do
+      local world = physics.newWorld({ gravity = 0 })
+      local box = { static = true, x = 0, y = 0, width = 200, height = 30 }
+      world:add("tiles", box)
+      world:add("tiles", { static = true, x = 0, y = 90, width = 200, height = 30 })
+      world:add("tiles", { static = true, x = 0, y = 30, width = 10, height = 60 })
+      world:add("tiles", { static = true, x = 80, y = 30, width = 10, height = 60 })
+      local one = { x = 40, y = 50, width = 16, height = 24, vx = row[1], vy = row[2] }
+      world:add("men", one)
+      local ofWorld = {}
+      function world.onBegin(...)
+        ofWorld[#ofWorld + 1] = { ... }
+      end
+      local ofTile = {}
+      for _, tile in ipairs(world.objects.tiles) do
+        tile.onBegin = function(...)
+          ofTile[#ofTile + 1] = { ... }
+        end
+      end
+      local told = play(world, 30, one)
+      assert.equal(row[3], told[1][3])
+      for _, event in ipairs({ told[1], ofWorld[1], ofTile[1] }) do
+        expectPlace(event, row[4], row[5], row[6], row[7])
+      end
+    end
+  end)
+
+  it("is where they met, though they have parted since", function()
+    local world = physics.newWorld({ gravity = 0 })
+    world:add("tiles", { x = 100, y = 0, width = 16, height = 400, static = true })
+    local ball = { x = 0, y = 0, width = 10, height = 10, vx = 3000, vy = 1000, restitution = 1 }
+    world:add("balls", ball)
+    local told = play(world, 10, ball)
+    assert.equal(1, #told)
+    expectPlace(told[1], 100, 30, 100, 40)
+  end)
+
+  it("of a sensor is where it was entered", function()
+    local world = physics.newWorld({ gravity = 0 })
+    local goal = { x = 100, y = 0, width = 4, height = 60, static = true, sensor = true }
+    world:add("goals", goal)
+    world:add("balls", { x = 0, y = 40, width = 10, height = 40, vx = 9000 })
+    local told = play(world, 3, goal)
+    assert.equal(1, #told)
+    assert.equal("left", told[1][3])
+    expectPlace(told[1], 100, 40, 100, 60)
+  end)
+
+  it("is told after an error and a restore, too", function()
+    local world = physics.newWorld({ gravity = 800 })
+    world:add("tiles", { x = 0, y = 100, width = 50, height = 16, static = true })
+    local one = world:add("men", { x = 42, y = 75.9, width = 16, height = 24 })
+    local place
+    one.onBegin = function()
+      error("stop")
+    end
+    function world.onBegin(_, _, _, _, x1, y1, x2, y2)
+      place = { x1, y1, x2, y2 }
+    end
+    assert.is_false(pcall(world.update, world, 1 / 20))
+    local state = world:save()
+    world:restore(state)
+    world:update(1 / 60)
+    assert.same({ 42, 100, 50, 100 }, place)
+  end)
+end)
+
+describe("world:shift", function()
+  local function newScene()
+    local world = physics.newWorld({ gravity = 800 })
+    world:add("tiles", { x = -400, y = 100, width = 1000, height = 16, static = true })
+    world:add("tiles", { x = 300, y = 0, width = 16, height = 100, static = true })
+    world:add("lifts", { x = 0, y = 60, width = 64, height = 8, kinematic = true, vx = 20 })
+    world:add("belts", {
+      x = -200,
+      y = 84,
+      width = 100,
+      height = 16,
+      static = true,
+      surfaceSpeed = 30,
+    })
+    world:add("coins", { x = 20, y = 40, width = 8, height = 8, static = true, sensor = true })
+    world:add("off", { x = 90, y = 40, width = 8, height = 8, active = false })
+    for i = 1, 8 do
+      local one = { x = 40 * i - 160, y = -20 - i, width = 14, height = 20, friction = 0.3 }
+      one.restitution = i % 4 == 0 and 0.5 or nil
+      world:add("men", one)
+    end
+    return world
+  end
+
+  local function eachObject(world, f)
+    for _, name in ipairs({ "belts", "coins", "lifts", "men", "off", "tiles" }) do
+      for _, object in ipairs(world.objects[name]) do
+        f(object)
+      end
+    end
+  end
+
+  it("moves everything, and nothing else happens: the same game goes on elsewhere", function()
+    for _, way in ipairs({ { 1024, -512 }, { -4096, 0 }, { 3, 70000 } }) do
+      for _, settings in ipairs({ {}, { rest = false }, { broadphase = "pairs" } }) do
+        local here, there, log, logThere = newScene(), newScene(), {}, {}
+        for name, value in pairs(settings) do
+          here[name], there[name] = value, value
+        end
+        for world, list in pairs({ [here] = log, [there] = logThere }) do
+          for _, name in ipairs({ "onBegin", "onEnd", "onCrush" }) do
+            world[name] = function(a, b, side)
+              list[#list + 1] = name .. " " .. tostring(side) .. " " .. a.width .. " " .. b.width
+            end
+          end
+        end
+        for n = 1, 200 do
+          if n % 40 == 0 then
+            there:shift(way[1], way[2])
+            local count = #logThere
+            assert.equal(#log, count)
+          end
+          here:update(1 / 60)
+          there:update(1 / 60)
+          local shifts = math.floor(n / 40)
+          for i, one in ipairs(here.objects.men) do
+            local other = there.objects.men[i]
+            near(one.x + shifts * way[1], other.x, 1e-6)
+            near(one.y + shifts * way[2], other.y, 1e-6)
+            near(one.vx, other.vx, 1e-6)
+          end
+        end
+        assert.same(log, logThere)
+      end
+    end
+  end)
+
+  it("moves each object and no field beside", function()
+    local world = newScene()
+    world:update(1 / 60)
+    local before = {}
+    eachObject(world, function(object)
+      before[object] = { object.x, object.y, object.vx, object.vy, object.width }
+    end)
+    world:shift(16, 32)
+    eachObject(world, function(object)
+      local was = before[object]
+      assert.same({ was[1] + 16, was[2] + 32, was[3], was[4], was[5] }, {
+        object.x,
+        object.y,
+        object.vx,
+        object.vy,
+        object.width,
+      })
+    end)
+    local _, count = world:queryRect(16 - 400, 132, 1000, 16, "tiles")
+    assert.equal(1, count)
+  end)
+
+  it("keeps what the game has written since the last step, and new objects", function()
+    local world = newScene()
+    world:update(1 / 60)
+    local one = world.objects.men[1]
+    one.x, one.y = 200, 40
+    local new = world:add("men", { x = 250, y = 40, width = 8, height = 8 })
+    world.objects.lifts[1].x = world.objects.lifts[1].x + 3
+    world:shift(100, 0)
+    assert.equal(300, one.x)
+    world:update(1 / 60)
+    near(300, one.x, 1e-9)
+    near(350, new.x, 1e-9)
+  end)
+
+  it(
+    "goes on to the same bits with rest and without, in both broad phases, and restored",
+    function()
+      local function play(settings, isRestored)
+        local world = newScene()
+        for name, value in pairs(settings) do
+          world[name] = value
+        end
+        for n = 1, 200 do
+          if n % 30 == 0 then
+            world:shift(1 / 3, -77.7)
+          elseif n % 30 == 1 and isRestored then
+            world:restore(world:save())
+          end
+          world:update(1 / 60)
+        end
+        return world:hash()
+      end
+      local expected = play({})
+      assert.equal(expected, play({ rest = false }))
+      assert.equal(expected, play({ broadphase = "pairs" }))
+      assert.equal(expected, play({}, true))
+    end
+  )
+
+  it("takes along interpolation, tiles, and tiles that wait", function()
+    local world = physics.newWorld({ gravity = 800, timestep = 1 / 60 })
+    local tiles = world:addTiles("earth", { "####", "####" }, nil, 16, { y = 100 })
+    local away = world:addTiles("more", { "##" }, nil, 16, { x = 200, y = 100, later = true })
+    local one = world:add("men", { x = 4, y = 60, width = 8, height = 8, vx = 30 })
+    world:update(1 / 60)
+    world:update(1 / 120)
+    local x, y = world:interpolate(one)
+    world:shift(50, -20)
+    local x2, y2 = world:interpolate(one)
+    near(x + 50, x2)
+    near(y - 20, y2)
+    assert.same({ 1, 1 }, { tiles:cellAt(51, 81) })
+    assert.is_true(tiles:setTile(1, 1, 0))
+    assert.is_true(world:fits(50, 80, 16, 16))
+    assert.is_false(world:fits(66, 80, 16, 16))
+    away:load()
+    assert.is_false(world:fits(250, 80, 16, 16))
+    tiles:setTile(1, 1, "#")
+    assert.is_false(world:fits(50, 80, 16, 16))
+  end)
+
+  it("refuses what it cannot use, and moves nothing then", function()
+    local world = newScene()
+    world:update(1 / 60)
+    world.objects.tiles[2].width = -1
+    local x = world.objects.tiles[1].x
+    for _, row in ipairs({
+      { 1, nil, "dy must be a number, got nil" },
+      { 1 / 0, 0, "dx must be a finite number, got inf" },
+      { 0, 0, "objects.tiles%[2%].width must be a number > 0, got %-1" },
+    }) do
+      local ok, text = pcall(function()
+        world:shift(row[1], row[2])
+      end)
+      assert.is_false(ok)
+      assert.matches("platformer_spec.lua:%d+: physics: ", text)
+      assert.matches(row[3], text)
+    end
+    world.objects.tiles[2].width = 16
+    assert.error_matches(function()
+      world:shift(9e99, 0)
+      world:shift(9e99, 0)
+    end, "world:shift%(dx, dy%): objects%.[a-z]+%[1%] would be too far away")
+    world:shift(-9e99, 0)
+    assert.equal(x < 0, world.objects.tiles[1].x <= 0)
+    function world.canCollide()
+      world:shift(1, 1)
+    end
+    assert.error_matches(function()
+      for _ = 1, 200 do
+        world:update(1 / 60)
+      end
+    end, "cannot be called from inside canCollide")
+  end)
+end)
