@@ -41,7 +41,7 @@ writes `x, y, vx, vy` and `touching` of dynamic objects, and `x, y` of kinematic
 local SETTINGS = [[
 Settings are given to [`physics.newWorld`](#physicsnewworld) or [`physics.load`](#physicsload).
 After that they are plain fields of the world: `world.gravity = 0`. The list `order` must be
-replaced by another list to change it; `masks` may also be changed in place.
+replaced by another list to change it; `masks` and `soft` may also be changed in place.
 ]]
 
 local MODULE = [[
@@ -94,7 +94,7 @@ local function fieldMeaning(field)
 end
 
 -- Types in a narrow column; the editor's types say more.
-local KINDS = { mask = "table", masks = "table", names = "list", sides = "table" }
+local KINDS = { mask = "table", masks = "table", soft = "table", names = "list", sides = "table" }
 KINDS.ownFields = "list"
 
 -- `place` begins the anchor of each row: "field-x", "setting-gravity".

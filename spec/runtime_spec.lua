@@ -38,6 +38,8 @@ local VALUES = {
   surfaceSpeed = 40,
   nudge = 4,
   maxFallSpeed = 20,
+  strength = 2,
+  hits = { "others" },
 }
 
 -- Not here: where and how large it is, what a dynamic object does not feel, callbacks.

@@ -67,11 +67,14 @@ local SLOT = {
   kind = 0,
   plain = false, -- is not a sensor
   even = false, -- is neither a sensor nor one-way, and has no onStay
-  bare = false, -- is dynamic, and had none of the rare fields when it was last read
+  bare = false, -- is dynamic, and had none of the rare fields when it was last read, but for
+  -- `sensor` and `hits`
   -- fields of the object, defaults filled in
   active = true,
   sensor = false,
   pushable = true,
+  strength = 0,
+  power = 0, -- that, or infinite if it is not pushable
   mass = 1,
   inverseMass = 0,
   friction = -1, -- -1: not set
@@ -91,6 +94,7 @@ local SLOT = {
   quiet = false, -- its last step changed nothing
   heard = false, -- onStay or canCollide must be called for its contacts at every step
   visited = 0,
+  flying = false, -- near nothing: moves like a point (see flight)
   -- the step
   moved = false, -- placed, resized or filtered anew by the game: its overlaps must be separated
   inside = false, -- the last step left it inside another
@@ -131,6 +135,9 @@ local ANY = {
   ownGravityX = false,
   mask = false, -- the game's table; of a static object a copy that is never changed
   maskSeen = false, -- which groups the mask of a mover refused when it was last read
+  only = false, -- the only groups that it can meet (see filter), false: all
+  hitsGiven = false, -- the game's list of them,
+  hitsRead = false, -- and what was read of it
   oneWay = false,
   canCollide = false,
   hears = false, -- its onStay
@@ -152,6 +159,8 @@ local AXIS = {
   way = 0, -- displacement by its own motion in this step, px
   from = 0, -- start of the present path
   to = 0, -- end of the path: its position at the end of the step
+  softSpeed = 0, -- velocity apart from what it overlaps and is soft to, px/s (see drift)
+  undrifted = 0, -- velocity at the end of the step without that
   speed = 0, -- velocity at the end of the step, absolute
   accel = 0, -- acceleration during the step, drag and limits included
   carried = 0, -- velocity of its carrier in this step
@@ -211,6 +220,7 @@ local AXIS = {
   blockMost = 0,
   blockStand = 0, -- velocity of ground on which a member stands
   isFirm = false, -- is not pushable
+  blockPower = 0, -- of its strongest member
   fatLow = 0, -- box with a margin for which the neighbours are known
   fatHigh = 0,
 }
@@ -275,6 +285,7 @@ local HALF_LIST = {
 local SLOT_LIST = {
   "movers", -- slots of everything that is not static
   "awakeList", -- slots that take part in this step
+  "flyers", -- slots that fly (see motion/flight.lua)
   "rich", -- scratch of read
   "outdated", -- scratch of write
 }
@@ -298,6 +309,7 @@ for _, names in ipairs({
   { "live" },
   { "near", "touchPairs" },
   { "closePairs", "otherPairs", "other", "next", "previous", "movers", "awakeList", "rich" },
+  { "flyers" },
   { "outdated", "offerAt", "offerOther", "rivals" },
 }) do
   for _, name in ipairs(names) do
@@ -447,6 +459,8 @@ end
 -- Adds the state of reading: the game's changes, carriers, queries.
 local function addReading(b)
   b.isRemasked = false -- masks have changed: objects may overlap that could not meet before
+  b.hitLists = {} -- the different lists of `hits` (see filter)
+  b.soft = false -- px/s, by two group names: how fast two that overlap drift apart
   b.maskCopy = false -- the last copy made of a static object's mask (see filter)
   b.halfRead = {} -- objects that are being read anew (see read)
   b.lost = {} -- slots that have lost their carrier since the last step
@@ -464,6 +478,7 @@ end
 local function addAwake(b)
   b.moverCount = 0
   b.awakeCount = 0
+  b.flyerCount = 0
   b.island = {} -- scratch of islands
   b.awakenings = 0 -- how often the set of awake objects has changed
   b.liveCount = 0
@@ -475,6 +490,7 @@ local function addAwake(b)
   b.askers = {}
   b.present = {}
   b.strays = {}
+  b.aimed = {}
   b.found = {} -- scratch of pairFinder, crowd, nudge and separate
   b.stamp = 0
   b.remaining = 1 -- steps that are left in this update
@@ -664,6 +680,7 @@ end
 function columns.release(b, i)
   b.object[i], b.group[i], b.touching[i], b.mask[i], b.canCollide[i] =
     false, false, false, false, false
+  b.only[i], b.hitsGiven[i], b.hitsRead[i] = false, false, false
   b.kind[i] = 0
   b.awake[i] = false
   b.freeCount = b.freeCount + 1

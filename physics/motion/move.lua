@@ -8,6 +8,7 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local carrier = require(root .. ".objects.carriers")
 local columns = require(root .. ".memory.columns")
+local drift = require(root .. ".motion.drift")
 
 local move = {}
 
@@ -92,6 +93,9 @@ function move.run(b, dt, first, last)
         readCarrier(b, list[n])
       end
     end
+  end
+  if b.drifts.driftedCount > 0 then
+    drift.add(b, dt, first, last)
   end
   findEnds(b, first, last, dt)
   findSpeeds(b, first, last)

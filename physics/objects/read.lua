@@ -103,11 +103,13 @@ local RARE = {
   { "active", "active", true },
   { "sensor", "sensor", false },
   { "pushable", "pushable", true },
+  { "strength", "strength", 0 },
   { "oneWay", "oneWay", false },
   { "carry", "carry", true },
   { "canCollide", "canCollide", false },
   { "onStay", "hears", false },
   { "mask", "mask", false },
+  { "hits", "only", false },
   { "gravity", "ownGravity", false },
   { "gravityX", "ownGravityX", false },
   { "airFriction", "airFriction", 0 },
@@ -123,6 +125,9 @@ for n, field in ipairs(RARE) do
   NAMES[n], COLUMNS[n], DEFAULTS[n] = field[1], field[2], field[3]
 end
 
+-- Those that are compared for all: bullets and gems have them.
+local OFTEN = { sensor = true, hits = true }
+
 -- Reads them in a loop: written out, they become much machine code at every place that reads
 -- objects. Returns whether the object has none of them.
 local function readRare(b, i, object)
@@ -132,11 +137,20 @@ local function readRare(b, i, object)
     if value == nil then
       value = DEFAULTS[n]
     else
-      isBareSoFar = false
+      isBareSoFar = isBareSoFar and OFTEN[NAMES[n]] ~= nil
     end
     b[COLUMNS[n]][i] = value
   end
   return isBareSoFar
+end
+
+-- Reads the list of groups that an object hits, if it is another one.
+local function readHits(b, i, list)
+  if list ~= b.hitsGiven[i] then
+    b.hitsGiven[i] = list
+    b.hitsRead[i] = list and filter.readHits(b, list)
+  end
+  b.only[i] = b.hitsRead[i]
 end
 
 local function readFields(b, i, object)
@@ -146,6 +160,7 @@ local function readFields(b, i, object)
   if b.mask[i] then
     readMask(b, i, b.mask[i])
   end
+  readHits(b, i, b.only[i])
   b.oneWay[i] = sideOf(b.oneWay[i])
   b.mass[i], b.inverseMass[i] = mass, isDynamic and 1 / mass or 0
   b.friction[i] = orDefault(object.friction, isDynamic and 0 or -1)
@@ -212,6 +227,7 @@ local function readAll(b, i, object, isNew)
   b.hasOneWays = b.hasOneWays or b.oneWay[i] ~= false
   b.hasSensors = b.hasSensors or b.sensor[i]
   b.hasFirm = b.hasFirm or not b.pushable[i]
+  b.power[i] = b.pushable[i] and b.strength[i] or HUGE
   b.plain[i] = not b.sensor[i]
   noteEven(b, i)
 end
@@ -416,7 +432,9 @@ local function readVelocity(b, i, object)
     b.kept[k] = vx == velocity[k] and b.kept[k] or 0
     b.kept[k + 1] = vy == velocity[k + 1] and b.kept[k + 1] or 0
     velocity[k], velocity[k + 1] = vx + 0.0, vy + 0.0
-    rest.wake(b, i)
+    if not b.flying[i] then
+      rest.wake(b, i)
+    end
   end
 end
 
@@ -455,6 +473,7 @@ end
 local function listRich(b)
   local movers, objects, bare, rich, count = b.movers, b.object, b.bare, b.rich, 0
   local mass, friction, restitution = b.mass, b.friction, b.restitution
+  local sensor, hits = b.sensor, b.hitsGiven
   for n = 1, b.moverCount do
     local i = movers[n]
     local object = objects[i]
@@ -463,8 +482,10 @@ local function listRich(b)
       not bare[i] -- not dynamic, or had a rare field
       or object.active ~= nil
       or object.kinematic ~= nil
-      or object.sensor ~= nil
+      or (object.sensor or false) ~= sensor[i]
+      or object.hits ~= (hits[i] or nil)
       or object.pushable ~= nil
+      or object.strength ~= nil
       or object.oneWay ~= nil
       or object.mask ~= nil
       or object.canCollide ~= nil
@@ -501,6 +522,7 @@ local function compareFilters(b, count)
   local rich, objects = b.rich, b.object
   local active, sensor, pushable, kind = b.active, b.sensor, b.pushable, b.kind
   local hears, oneWay, canCollide, mask, seen = b.hears, b.oneWay, b.canCollide, b.mask, b.maskSeen
+  local hits = b.hitsGiven
   for n = 1, count do
     local i = rich[n]
     local object = objects[i]
@@ -513,6 +535,7 @@ local function compareFilters(b, count)
       or object.canCollide ~= (canCollide[i] or nil)
       or (object.kinematic or false) ~= (kind[i] == KINEMATIC)
       or its ~= (mask[i] or nil)
+      or object.hits ~= (hits[i] or nil)
       or (its and hasMaskChanged(b, its, seen[i]))
     then
       reread(b, i)
@@ -548,6 +571,7 @@ local function compareLimits(b, count)
   local rich, objects = b.rich, b.object
   local airFriction, drag, maxSpeed, limit = b.airFriction, b.drag, b.maxSpeed, b.limit
   local carry, surfaceSpeed, nudge, snap = b.carry, b.surfaceSpeed, b.nudge, b.snap
+  local strength = b.strength
   for n = 1, count do
     local i = rich[n]
     local object = objects[i]
@@ -567,6 +591,7 @@ local function compareLimits(b, count)
       or orDefault(object.carry, true) ~= carry[i]
       or orDefault(object.surfaceSpeed, 0) ~= surfaceSpeed[i]
       or orDefault(object.nudge, 0) ~= nudge[i]
+      or orDefault(object.strength, 0) ~= strength[i]
       or orDefault(object.snap, 0) ~= snap[i]
     then
       reread(b, i)

@@ -313,7 +313,14 @@ end
 -- Returns whether the next step may differ from this one although nothing moves. (Whether a buried
 -- body finds a way out depends on walls that are not its neighbours.)
 local function hasNews(b, i)
-  return b.news[i] or b.fresh[i] or b.moved[i] or b.heard[i] or b.buried[i] or isBorneByChance(b, i)
+  return b.news[i]
+    or b.fresh[i]
+    or b.moved[i]
+    or b.heard[i]
+    or b.buried[i]
+    or b.softSpeed[2 * i] ~= 0
+    or b.softSpeed[2 * i + 1] ~= 0
+    or isBorneByChance(b, i)
 end
 
 local function publishKinematic(b, i)

@@ -17,6 +17,7 @@ local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
 local crowd = require(root .. ".solver.crowd")
 local crush = require(root .. ".solver.crush")
+local drift = require(root .. ".motion.drift")
 local friction = require(root .. ".solver.friction")
 local impact = require(root .. ".solver.impact")
 local interpreted = require(root .. ".memory.jit")
@@ -94,6 +95,9 @@ local function begin(b, dt)
         start[k] = speed[k]
       end
     end
+  end
+  if b.drifts.driftedCount > 0 then
+    drift.start(b, dt)
   end
 end
 
