@@ -70,8 +70,8 @@ local function hasPast(b, i)
     or b.carried[k + 1] ~= 0
     or b.kept[k] ~= 0
     or b.kept[k + 1] ~= 0
-    or b.jam[k] ~= 0
-    or b.jam[k + 1] ~= 0
+    or b.stuck[i]
+    or b.knotted[k] ~= 0
     or b.crowdAge[k] ~= 0
     or b.wasCrushed[k]
     or b.wasCrushed[k + 1]

@@ -399,6 +399,7 @@ local function go(b, i, x, y)
     end
   end
   b.from[k], b.from[k + 1], b.to[k], b.to[k + 1] = toX, toY, toX, toY
+  islands.wakeNeighbours(b, i)
 end
 
 -- Returns the number of columns of a crowd of n bodies: about as wide as high, if there is room.
@@ -519,6 +520,7 @@ function crowd.run(b)
   if b.crowdCount > 0 then
     forEach(b, b.crowdList, b.crowdCount, lay)
     pairFinder.run(b, b.crowdList, 1, b.crowdCount)
+    begin.run(b)
   end
 end
 

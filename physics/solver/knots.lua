@@ -15,11 +15,14 @@
 --
 -- What a machine has squeezed does not exit: it stays between the two that squeeze it.
 --
--- Reads contacts, deepIn, deepAt, squeezed, to; writes stuck, exiting, knotted, knotWas, from, news.
+-- Reads contacts, deepIn, deepAt, squeezed, to; writes stuck, exiting, knotted, knotWas, from and
+-- news.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local begin = require(root .. ".motion.begin")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
+local islands = require(root .. ".sleep.islands")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local sort = require(root .. ".memory.sort")
 
@@ -209,6 +212,7 @@ local function exit(b, i)
   local step = PACE * b.size[k]
   b.from[k] = max(min(place, b.from[k] + step), b.from[k] - step)
   b.to[k] = b.from[k]
+  islands.wakeNeighbours(b, i)
 end
 
 --- Frees the stuck bodies that may have room now, and moves those that exit.
@@ -230,6 +234,7 @@ function knots.run(b)
       exit(b, list[n])
       pairFinder.run(b, list, n, n) -- the next one looks where this one is now
     end
+    begin.run(b)
   end
 end
 
