@@ -113,8 +113,8 @@ local function isNew(b, list, c)
   return b.hit[p] == 0 and b.contact[p] == 0 and over <= EPSILON and over >= -EPSILON
 end
 
--- Returns the length of the common edge of contact c, in parts of a px, and a rank that decides between equal
--- edges.
+-- Returns the length of the common edge of contact c, in parts of a px, and a rank that decides
+-- between equal edges.
 local function edgeOf(b, list, c)
   local k, m = list.low[c] + 1 - 2 * list.axis, list.high[c] + 1 - 2 * list.axis
   local edge = min(b.from[k] + b.size[k], b.from[m] + b.size[m]) - max(b.from[k], b.from[m])
