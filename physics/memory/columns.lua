@@ -187,7 +187,7 @@ local AXIS = {
   origin = 0, -- position then
   swept = 0, -- end of the path that was swept last
   crowdAge = 0, -- on the first axis: number of steps that it has been in its crowd
-  knotted = 0, -- x: s for which its knot has not come apart; y: how often it has left one
+  knotted = 0, -- x: s for which its knot has not come apart; y: how often that was too long
   knotWas = 0, -- x: sum of the overlaps of the knot then, px; y: walls beside it when it got stuck
   squeezed = 0, -- px by which it is pressed between two bodies that cannot move
   base = 0, -- velocity of the immovable ground that it rubs on,
@@ -451,7 +451,7 @@ local function addFlags(b)
   b.isNearMachine = false -- scratch of knots
   b.knot = {} -- by slot: a slot of the same knot, nearer to the one that leads it
   b.knotSum = {} -- by leader: sum of the overlaps, px
-  b.knotWaits = {} -- by leader: s for which they have not fallen
+  b.knotStates = {} -- by leader: what is known of the knot in this step
   b.knotList = {}
   b.hasCrowds = false -- or was in a crowd
 end

@@ -72,6 +72,7 @@ local function hasPast(b, i)
     or b.kept[k + 1] ~= 0
     or b.stuck[i]
     or b.knotted[k] ~= 0
+    or b.knotted[k + 1] ~= 0
     or b.crowdAge[k] ~= 0
     or b.wasCrushed[k]
     or b.wasCrushed[k + 1]

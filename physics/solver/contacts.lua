@@ -151,7 +151,7 @@ end
 -- at its start, px. It shrinks while there is no room.
 local function growthOf(b, kl, kh)
   local i, j = floor(kl * 0.5), floor(kh * 0.5)
-  local waited = max(b.knotted[2 * i], b.knotted[2 * j])
+  local waited = max(b.knotted[2 * i], b.knotted[2 * j], 0)
   return PACE * min(b.size[kl], b.size[kh]) * (1 - waited / PATIENCE)
 end
 

@@ -39,10 +39,13 @@ local PATIENCE = knots.PATIENCE
 local PROGRESS = 0.95
 -- A sum that has grown so many times replaces what it was.
 local GROWTH = 2
--- Of the time for which it has waited, a body that overlaps nothing loses so much in a second, s.
+-- Share of a second by which a body that overlaps no other has waited less after a second.
 local RECOVERY = 0.25
 -- How often bodies of a knot exit before it is stuck.
 local TRIES = 3
+-- What is known of a knot in a step: nothing; the game has put a body into it; a body of it exits,
+-- or may have room soon.
+local CALM, DISTURBED, HOPEFUL = 0, 1, 2
 -- The number of tries of a body that a machine squeezes.
 local CAUGHT = TRIES + 1
 -- Bodies that begin to exit in a step, at most.
@@ -263,10 +266,10 @@ end
 
 -- Ties the bodies that overlap into knots, and sums the overlaps of each.
 local function tie(b)
-  local knot, sum, waits = b.knot, b.knotSum, b.knotWaits
+  local knot, sum, states = b.knot, b.knotSum, b.knotStates
   for n = 1, b.awakeCount do
     local i = b.awakeList[n]
-    knot[i], sum[i], waits[i] = i, 0.0, PATIENCE
+    knot[i], sum[i], states[i] = i, 0.0, CALM
   end
   for axis = 0, 1 do
     local list = b.contacts[axis]
@@ -288,6 +291,19 @@ local function isPressedByMachine(b, k)
     or (b.kind[floor(high * 0.5)] == KINEMATIC and b.speed[high] < 0)
 end
 
+-- Returns what a body has waited and tried after a step of dt s in which it overlaps no other. Below
+-- 0 it is the time since then; after PATIENCE all is forgotten.
+local function recover(waited, tries, dt)
+  if waited == 0 and tries == 0 then
+    return 0, 0
+  elseif waited > 0 then
+    return max(waited - dt * RECOVERY, 0), tries
+  elseif waited - dt > -PATIENCE then
+    return waited - dt, tries
+  end
+  return 0, 0
+end
+
 -- Counts for how long slot i has been in a knot of which the overlaps, `sum` px, do not fall.
 local function wait(b, i, sum)
   local knotted, was, k = b.knotted, b.knotWas, 2 * i
@@ -297,9 +313,8 @@ local function wait(b, i, sum)
     isPressed = isPressed or (b.squeezed[m] ~= 0 and isPressedByMachine(b, m))
   end
   if b.deepAt[i] ~= b.solveStamp then
-    waited = max(waited - b.dt * RECOVERY, 0)
-    tries = waited > 0 and tries or 0
-  elseif waited == 0 or sum < was[k] * PROGRESS then
+    waited, tries = recover(waited, tries, b.dt)
+  elseif waited <= 0 or sum < was[k] * PROGRESS then
     waited, was[k] = b.dt, sum
   else
     waited = min(waited + b.dt, PATIENCE)
@@ -329,29 +344,32 @@ local function canExit(b, i)
   return true
 end
 
--- Lets bodies of list[1..count], which have waited for long, exit. The others are stuck, unless one
--- of their knot exits, or a machine near it moves: then there may be room soon.
+-- Lets bodies of list[1..count], which have waited for long, exit. The others are stuck, unless a
+-- body of their knot exits and they have not tried often, or a machine near them moves: then there
+-- may be room soon.
 local function decide(b, list, count)
-  local knot, waits, knotted, rank, exits = b.knot, b.knotWaits, b.knotted, b.rank, 0
+  local knot, states, knotted, rank, exits = b.knot, b.knotStates, b.knotted, b.rank, 0
   sort.by(list, count, rank, rank, rank)
   for n = 1, count do
     local i = list[n]
     b.isNearMachine = false
     if exits < MOST and canExit(b, i) then
       b.stuck[i], b.exiting[i], exits = true, true, exits + 1
-      waits[leaderOf(knot, i)] = 0
+      states[leaderOf(knot, i)] = HOPEFUL
     elseif b.isNearMachine then
-      waits[leaderOf(knot, i)] = 0
+      states[leaderOf(knot, i)] = HOPEFUL
+      knotted[2 * i] = 0
     end
   end
   for n = 1, count do
     local i = list[n]
     local tries = knotted[2 * i + 1]
-    knotted[2 * i], knotted[2 * i + 1] = 0, tries < TRIES and tries + 1 or tries
-    if not b.exiting[i] and waits[leaderOf(knot, i)] >= PATIENCE then
+    local isHopeful = states[leaderOf(knot, i)] == HOPEFUL and tries < TRIES
+    if not (b.exiting[i] or isHopeful) and knotted[2 * i] > 0 then
       b.stuck[i], b.knotWas[2 * i + 1] = true, 0
       b.speed[2 * i], b.speed[2 * i + 1], b.news[i] = 0.0, 0.0, true
     end
+    knotted[2 * i], knotted[2 * i + 1] = 0, tries < TRIES and tries + 1 or tries
   end
 end
 
@@ -362,27 +380,22 @@ local function hasKnots(b)
   end
   for n = 1, b.hasKnots and b.awakeCount or 0 do
     local i = b.awakeList[n]
-    if b.knotted[2 * i] > 0 or b.stuck[i] then
+    if b.knotted[2 * i] ~= 0 or b.knotted[2 * i + 1] ~= 0 or b.stuck[i] then
       return true
     end
   end
   return false
 end
 
--- Counts how long all knots have waited: in `knotWaits` the least of its bodies, -1 if the game has
--- put one of them there.
+-- Counts how long all bodies have waited, and marks the knots that the game has put a body into.
 local function waitAll(b)
-  local knot, waits, deepAt = b.knot, b.knotWaits, b.deepAt
+  local knot, states = b.knot, b.knotStates
   for n = 1, b.awakeCount do
     local i = b.awakeList[n]
     if b.kind[i] == DYNAMIC and not b.stuck[i] then
       local leader = leaderOf(knot, i)
       wait(b, i, b.knotSum[leader])
-      if b.moved[i] then
-        waits[leader] = -1
-      elseif deepAt[i] == b.solveStamp then
-        waits[leader] = min(waits[leader], b.knotted[2 * i])
-      end
+      states[leader] = b.moved[i] and DISTURBED or states[leader]
     end
   end
 end
@@ -395,14 +408,14 @@ function knots.note(b)
   b.hasKnots = true
   tie(b)
   waitAll(b)
-  local knot, waits, list, count = b.knot, b.knotWaits, b.knotList, 0
+  local knot, states, list, count = b.knot, b.knotStates, b.knotList, 0
   for n = 1, b.awakeCount do
     local i = b.awakeList[n]
     if b.deepAt[i] == b.solveStamp then
-      local waited = waits[leaderOf(knot, i)]
-      if b.stuck[i] and waited < 0 then
+      local isDisturbed = states[leaderOf(knot, i)] == DISTURBED
+      if b.stuck[i] and isDisturbed then
         free(b, i)
-      elseif not b.stuck[i] and waited >= PATIENCE then
+      elseif not (b.stuck[i] or isDisturbed) and b.knotted[2 * i] >= PATIENCE then
         count = count + 1
         list[count] = i
       end
@@ -414,7 +427,9 @@ function knots.note(b)
   for n = 1, b.awakeCount do
     local i = b.awakeList[n]
     local isDeep = b.deepAt[i] == b.solveStamp and not b.stuck[i]
-    b.news[i] = b.news[i] or isDeep or b.exiting[i] or b.knotted[2 * i] > 0
+    local isKnotted = b.knotted[2 * i] ~= 0 or b.knotted[2 * i + 1] ~= 0
+    local isBusy = isDeep or b.exiting[i] or (isKnotted and not b.stuck[i])
+    b.news[i] = b.news[i] or isBusy
   end
 end
 
