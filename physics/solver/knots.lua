@@ -188,7 +188,8 @@ end
 -- Returns the axis on which slot i has the nearest free place, that place, and how far away it is;
 -- nil: there is none.
 local function findRoom(b, i)
-  local bestAxis, bestPlace, bestWay = nil, 0, huge
+  local bestAxis ---@type integer?
+  local bestPlace, bestWay = 0, huge
   for n = 0, 1 do
     local axis = n == 0 and b.downAxis or 1 - b.downAxis
     local count, low, high = listOnLine(b, i, axis)
@@ -291,7 +292,7 @@ local function isPressedByMachine(b, k)
     or (b.kind[floor(high * 0.5)] == KINEMATIC and b.speed[high] < 0)
 end
 
--- Returns what a body has waited and tried after a step of dt s in which it overlaps no other. Below
+-- Returns what a body has waited and tried after a step of dt s without an overlap. Below
 -- 0 it is the time since then; after PATIENCE all is forgotten.
 local function recover(waited, tries, dt)
   if waited == 0 and tries == 0 then

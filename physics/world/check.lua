@@ -439,6 +439,7 @@ local function isAccepted(field, value)
   return TYPES[field.type].accepts(field, value)
 end
 
+---@return string
 local function describe(path, field, value)
   return TYPES[field.type].describe(path, field, value)
 end

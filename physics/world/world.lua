@@ -370,7 +370,8 @@ function World:add(group, object)
   check.group(group, "world:add(group, object)")
   check.table(object, "object", "world:add(group, object)")
   checkObjects(self)
-  local known = self.objects[group]
+  local objects = self.objects ---@type table<any, any>
+  local known = objects[group]
   local n = type(known) == "table" and #known or 0
   check.object(object, check.place(group, n + 1))
   local found, _, name, key = whereIs(self, object)
