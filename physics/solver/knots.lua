@@ -172,16 +172,16 @@ end
 -- found[1..count].
 local function nearestFree(b, i, axis, sign, count)
   local from, size, found, k = b.from, b.size, b.found, 2 * i + axis
-  local place, next_ = nil, from[k]
-  while next_ ~= place do
-    place = next_
+  local place = from[k]
+  repeat
+    local before = place
     for n = 1, count do
       local m = 2 * found[n] + axis
-      if place + size[k] > from[m] + EPSILON and place < from[m] + size[m] - EPSILON then
-        next_ = sign > 0 and max(next_, from[m] + size[m]) or min(next_, from[m] - size[k])
+      if before + size[k] > from[m] + EPSILON and before < from[m] + size[m] - EPSILON then
+        place = sign > 0 and max(place, from[m] + size[m]) or min(place, from[m] - size[k])
       end
     end
-  end
+  until place == before
   return place
 end
 
