@@ -30,11 +30,13 @@ local TITLES = {
   tutorial = "tutorial's loop",
   bump = "bump.lua",
   fizzx = "FizzX",
+  hash = "plain hash",
   reading = "reading alone",
 }
 
 --- The names, ours first, in the order in which they are measured and printed.
-engines.names = { "ours", "compiled", "love", "turning", "tutorial", "bump", "fizzx", "reading" }
+engines.names =
+  { "ours", "compiled", "love", "turning", "tutorial", "bump", "fizzx", "hash", "reading" }
 
 --- What an engine is called in tables.
 ---@param name string one of `engines.names`

@@ -10,8 +10,10 @@
 ---     gravity   px/s²
 ---     hasMasses true: boxes have a `mass`, 1 where none is given, in every engine
 ---     objects   descriptions of boxes: group, x, y, width, height, vx, vy, static, kinematic,
----               friction, restitution, gravity, mass, pushable, maxSpeed, radius, sensor, area;
----               the same fields as those of physics.lua
+---               friction, restitution, gravity, mass, pushable, maxSpeed, sensor, hits, radius,
+---               area; the same fields as those of physics.lua
+---     soft      groups with objects that may overlap and drift apart, as in physics.lua; engines
+---               that know nothing like it keep them solid
 ---     rest      true: engines may skip what rests, and those that cannot do not play; false:
 ---               no engine may; nil: as the engine likes
 ---     needs     features of which an engine may say that it lacks them (bench/engines.lua)
@@ -33,6 +35,7 @@ local FILES = {
   "balls",
   "zones",
   "swarm",
+  "bullets",
   "lifts",
   "rays",
   "spawn",

@@ -2,7 +2,7 @@
 -- fields of its own, of which the library takes no notice:
 --
 --   color        a name from the palette; without one it is not drawn
---   alpha        its opacity; sensors, and what is not active, are translucent anyway
+--   alpha        its opacity; without one sensors, and what is not active, are translucent
 --   isTile       it is one of many that look like one; a whole group is or is not
 --   isCoin       it is round and bobs
 --   lookX lookY  it has eyes, which look there (-1..1)
@@ -80,7 +80,8 @@ local function drawObject(object, time)
   if object.isCoin then
     return drawCoin(object, time)
   end
-  local alpha = (object.sensor or object.active == false) and 0.35 or object.alpha
+  local isPale = object.sensor or object.active == false
+  local alpha = object.alpha or isPale and 0.35 or nil
   if object.radius then
     look.ball(x, y, object.radius, object.color, alpha)
   else

@@ -15,12 +15,13 @@ local EXAMPLES = {
   { name = "tutorial", title = "Tutorial", text = "How such an engine works, in ten steps." },
   { name = "lifts", title = "Lifts", text = "Riders, belts, one-way shelves, a press." },
   { name = "topdown", title = "Top-down", text = "Rooms, narrow doors, crates, a ghost." },
+  { name = "survivors", title = "Survivors", text = "A thousand enemies around you." },
   { name = "breakout", title = "Breakout", text = "Balls that bounce, bullets that hit." },
   { name = "rollback", title = "Rollback", text = "Football, and time that turns back." },
   { name = "tiled", title = "Tiled", text = "A level from the editor, few rectangles." },
   { name = "pile", title = "Pile", text = "What it costs to stack many boxes." },
 }
-local X, Y, WIDTH, HEIGHT, GAP = 40, 146, 440, 46, 6
+local X, Y, WIDTH, HEIGHT, GAP = 40, 146, 440, 40, 4
 local SHOW_X, SHOW_Y, SHOW_SCALE = 520, 122, 2 / 3
 local SHOW_WIDTH, SHOW_HEIGHT = view.gameWidth * SHOW_SCALE, view.height * SHOW_SCALE
 local COLORS = { "red", "orange", "yellow", "green", "sky", "blue", "plum" }
@@ -126,9 +127,9 @@ local function drawEntry(entry, y, isChosen)
     love.graphics.rectangle("fill", X, y, WIDTH, HEIGHT, 10)
   end
   look.color("white", isChosen and 1 or 0.8)
-  look.text(entry.title, X + 18, y + 11, 20)
+  look.text(entry.title, X + 18, y + 8, 20)
   look.color(isChosen and "white" or "silver", isChosen and 1 or 0.8)
-  look.text(entry.text, X + 142, y + 15, 14)
+  look.text(entry.text, X + 142, y + 12, 14)
 end
 
 local function drawShow()

@@ -48,6 +48,9 @@
 ---@field area? physics.Area
 --- default true. `false`: other objects cannot push it, but it pushes them. Walls still stop it.
 ---@field pushable? boolean
+--- default 0. Of two objects the one with the larger strength is not moved by the other, and pushes
+--- it as if that had a fifth of its mass.
+---@field strength? number
 --- > 0, default 1. The weight in pushes and in the exchange of momentum. Only ratios matter.
 ---@field mass? number
 --- px/s², default the world's. Replaces the world's downward gravity for this object. An object
@@ -77,6 +80,9 @@
 --- default collides with every group. `mask[group] = false`: passes through the objects of that
 --- group. `true` and nil collide. Either object of a pair may refuse.
 ---@field mask? table<string|number, boolean>
+--- default every group that no mask refuses. Collides with the objects of these groups and of no
+--- others: `hits = { "players" }`. The list is read when it is set; to change it, set another list.
+---@field hits? (string|number)[]
 --- default none: solid all around. The one side that is solid; `true` is the top. The others let
 --- everything through. For static and kinematic objects: a dynamic one would fall through the
 --- floor.
@@ -161,6 +167,10 @@
 --- default every group collides with every group. Groups that pass through each other: `masks = {
 --- bullets = { players = false } }`.
 ---@field masks? table<string|number, table<string|number, boolean>>
+--- px/s, default no group is soft to another. Groups that overlap and drift apart instead of
+--- colliding: `soft = { enemies = { enemies = 400 } }`. Two at one place part at this speed, two
+--- that overlap by half at half of it. Static objects and sensors are not soft.
+---@field soft? table<string|number, table<string|number, number>>
 --- default false. Whether flush neighbours that never pressed each other count as colliding: in
 --- events, `touching`, `queryRect`, `overlapping` and `checkCollision`.
 ---@field sideBySide? boolean
@@ -221,6 +231,10 @@
 --- default every group collides with every group. Groups that pass through each other: `masks = {
 --- bullets = { players = false } }`.
 ---@field masks? table<string|number, table<string|number, boolean>>
+--- px/s, default no group is soft to another. Groups that overlap and drift apart instead of
+--- colliding: `soft = { enemies = { enemies = 400 } }`. Two at one place part at this speed, two
+--- that overlap by half at half of it. Static objects and sensors are not soft.
+---@field soft? table<string|number, table<string|number, number>>
 --- default false. Whether flush neighbours that never pressed each other count as colliding: in
 --- events, `touching`, `queryRect`, `overlapping` and `checkCollision`.
 ---@field sideBySide boolean

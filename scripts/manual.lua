@@ -45,7 +45,7 @@ What the field [`area`](#field-area) of a zone may hold. See [Zones](guide/motio
 local SETTINGS = [[
 Settings are given to [`physics.newWorld`](#physicsnewworld) or [`physics.load`](#physicsload).
 After that they are plain fields of the world: `world.gravity = 0`. The list `order` must be
-replaced by another list to change it; `masks` may also be changed in place.
+replaced by another list to change it; `masks` and `soft` may also be changed in place.
 ]]
 
 local MODULE = [[
@@ -98,7 +98,14 @@ local function fieldMeaning(field)
 end
 
 -- Types in a narrow column; the editor's types say more.
-local KINDS = { mask = "table", masks = "table", names = "list", sides = "table", area = "table" }
+local KINDS = {
+  mask = "table",
+  masks = "table",
+  soft = "table",
+  names = "list",
+  sides = "table",
+  area = "table",
+}
 KINDS.ownFields = "list"
 
 -- `place` begins the anchor of each row: "field-x", "setting-gravity".

@@ -71,10 +71,11 @@ check "platformer is drawn" still platformer platformer 300 "$platformer"
 check "tutorial is drawn" still tutorial tutorial 800 "$(cat examples/demos/tutorial.keys)"
 check "topdown is drawn" still topdown topdown 400 "$(cat examples/demos/topdown.keys)"
 check "breakout is drawn" still breakout breakout 500 "$(cat examples/demos/breakout.keys)"
+check "survivors is drawn" still survivors survivors 1000 "$(cat examples/demos/survivors.keys)"
 check "rollback is drawn" still rollback rollback 260 "$(cat examples/demos/rollback.keys)"
 check "tiled is drawn" still tiled tiled 400 "$(cat examples/demos/tiled.keys)"
 check "debug draw is drawn" still draw lifts 480 "x:5,$lifts"
-for name in pile lifts draw platformer tutorial topdown breakout rollback tiled; do
+for name in pile lifts draw platformer tutorial topdown survivors breakout rollback tiled; do
   check "$name has less than 200 kB" smaller_than 200000 "$target/$name.png"
 done
 

@@ -7,6 +7,7 @@ local TYPES = {
   boolean = "boolean",
   mask = "table<string|number, boolean>",
   masks = "table<string|number, table<string|number, boolean>>",
+  soft = "table<string|number, table<string|number, number>>",
   names = "(string|number)[]",
   ownFields = "string[]",
   sides = "physics.Touching",

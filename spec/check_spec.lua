@@ -433,9 +433,9 @@ describe("check", function()
       end)
     end
 
-    local ALL = "the settings are gravity, gravityX, push, masks, sideBySide, broadphase, cellSize,"
-      .. " timestep, maxStep, order, ownFields, rest, checked, profile, onStep, onBegin, onStay,"
-      .. " onEnd, onCrush, canCollide"
+    local ALL = "the settings are gravity, gravityX, push, masks, soft, sideBySide, broadphase,"
+      .. " cellSize, timestep, maxStep, order, ownFields, rest, checked, profile, onStep, onBegin,"
+      .. " onStay, onEnd, onCrush, canCollide"
 
     for _, row in ipairs({
       { "wind", '"wind"' },

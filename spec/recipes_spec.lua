@@ -860,6 +860,95 @@ recipes["Chunks"] = function(snippet)
   assert.equal(deeper, (select(3, g.world:raycast(8000, 300, 8000, 900)))) -- it is still dug
 end
 
+recipes["Survivors"] = function(snippet)
+  local g = play(snippet, "killed, gems")
+  local world, player = g.env.world, g.env.player
+  world.checked = true
+  g.run(8)
+  local killed, gems = g.look()
+  assert.is_true(killed >= 10 and gems >= 5)
+  assert.equal(300, #world.objects.enemies)
+  assert.near(800, player.x, 1)
+  g.press("right")
+  local x = player.x
+  g.run(2)
+  assert.is_true(player.x - x > 60 and player.x - x < 360)
+end
+
+recipes["Magnet pick-ups"] = function(snippet)
+  local g = play(snippet, "purse")
+  g.run(2)
+  assert.equal(1, g.look())
+  assert.equal(1, #g.world.objects.coins)
+  g.player.x = g.world.objects.coins[1].x - 100
+  g.run(1)
+  assert.equal(2, g.look())
+end
+
+recipes["Knock-back of a crowd"] = function(snippet)
+  local g = play(snippet)
+  g.run(0.1)
+  local places = {}
+  for n, enemy in ipairs(g.world.objects.enemies) do
+    places[n] = enemy.x
+  end
+  g.press("e")
+  g.run(0.3)
+  local thrown = 0
+  for n, enemy in ipairs(g.world.objects.enemies) do
+    thrown = thrown + (enemy.x - places[n] > 60 and 1 or 0)
+  end
+  assert.is_true(thrown >= 5)
+  g.run(3)
+  for _, enemy in ipairs(g.world.objects.enemies) do
+    assert.is_true(enemy.vx <= 0)
+  end
+end
+
+recipes["A boss in a crowd"] = function(snippet)
+  local g = play(snippet, "boss")
+  local boss = g.look()
+  g.run(2)
+  assert.near(500 - 2 * 45, boss.x, 1e-6)
+  g.player.x, g.player.y = boss.x - 40, boss.y
+  local x = boss.x
+  g.run(0.5, function()
+    g.player.vx = 200
+  end)
+  assert.is_true(boss.x <= x)
+end
+
+recipes["Sliding doors"] = function(snippet)
+  local g = play(snippet, "door")
+  local door = g.look()
+  g.run(1)
+  assert.equal(340, door.y)
+  g.player.y = 350
+  local function walk()
+    g.player.vx = 100
+  end
+  g.run(1.2, walk)
+  assert.is_true(door.y < 340)
+  g.run(1.3, walk)
+  assert.is_true(g.player.x > 212)
+  g.run(1.5, walk)
+  assert.near(340, door.y, 1e-6)
+end
+
+recipes["Minimap"] = function(snippet)
+  local g = play(snippet, "drawMinimap")
+  local dots = {}
+  g.run(0.1)
+  local count = g.look()(function(x, y, object)
+    dots[object] = { x, y }
+  end)
+  assert.is_true(count > 3 and count < 30)
+  assert.near(10 + 60 - 1.2, dots[g.player][1], 0.01)
+  for _, dot in pairs(dots) do
+    assert.is_true(dot[1] >= 10 - 2 and dot[1] <= 130)
+  end
+end
+
 describe("the recipe", function()
   local loveBefore
 

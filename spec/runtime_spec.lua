@@ -39,6 +39,8 @@ local VALUES = {
   nudge = 4,
   maxFallSpeed = 20,
   radius = 8,
+  strength = 2,
+  hits = { "others" },
 }
 
 -- Not here: where and how large it is, what a dynamic object does not feel, callbacks.

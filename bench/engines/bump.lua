@@ -4,6 +4,7 @@
 local engine = {
   module = "bump",
   lacks = {
+    sensors = "everything bumps",
     kinematic = "a game has to carry and push by itself",
     accelerations = "a game has to accelerate by itself",
     gravity = "a game has to pull by itself",

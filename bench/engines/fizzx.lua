@@ -4,6 +4,7 @@
 local engine = {
   module = "fizzx",
   lacks = {
+    sensors = "everything bumps",
     worlds = "one world a program",
     raycast = "no questions",
     state = "no snapshots",

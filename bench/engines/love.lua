@@ -51,6 +51,10 @@ function World:add(description)
   local fixture = love.physics.newFixture(body, shape)
   fixture:setFriction(description.friction or 0)
   fixture:setRestitution(description.restitution or 0)
+  if description.hits then -- what has no list of hits is in category 1
+    fixture:setFilterData(2, 1, 0)
+  end
+  fixture:setSensor(description.sensor or false)
   if self.hasMasses then
     body:setMass(description.mass or 1)
   end

@@ -17,7 +17,11 @@ end
 
 function ours.new(scene)
   local self = setmetatable({ objects = {} }, World)
-  self.world = physics.newWorld({ gravity = scene.gravity, rest = scene.rest })
+  self.world = physics.newWorld({
+    gravity = scene.gravity,
+    rest = scene.rest,
+    soft = scene.soft,
+  })
   for _, description in ipairs(scene.objects) do
     self:add(description)
   end

@@ -43,8 +43,10 @@ local function findRich(movers, frictions, count)
       or object.kinematic ~= nil
       or object.sensor ~= nil
       or object.pushable ~= nil
+      or object.strength ~= nil
       or object.oneWay ~= nil
       or object.mask ~= nil
+      or object.hits ~= nil
       or object.canCollide ~= nil
       or object.onStay ~= nil
       or object.gravity ~= nil

@@ -4,6 +4,7 @@
 
 local tutorial = {
   lacks = {
+    sensors = "everything bumps",
     kinematic = "no moving platforms",
     raycast = "no questions",
     state = "no snapshots",

@@ -141,6 +141,7 @@ local function build(count, options)
     objects = objects,
     hasMasses = true,
     still = isStill and 1 or nil,
+    soft = options.soft,
     needs = { "upright", "crowds", options.isPulled and "accelerations" or nil },
     warmUp = 120,
     steps = 600,
@@ -164,6 +165,9 @@ end
 
 local STANDS = { isPushable = false }
 local GIVES_WAY = {}
+local SOFT = { enemies = { enemies = 400 } } -- px/s
+local SOFT_STANDS = { isPushable = false, soft = SOFT }
+local SOFT_WALKS = { isPushable = false, isWalking = true, soft = SOFT }
 local WALKS = { isPushable = false, isWalking = true }
 
 local function pulled(options)
@@ -181,4 +185,6 @@ return {
   definition("swarm-heavy-ax", "the same by ax and maxSpeed", pulled(GIVES_WAY)),
   definition("swarm-kite", "they follow one that walks, by vx", WALKS),
   definition("swarm-kite-ax", "the same by ax and maxSpeed", pulled(WALKS)),
+  definition("swarm-soft", "n enemies, soft to each other, press to a player", SOFT_STANDS),
+  definition("swarm-soft-kite", "they follow one that walks", SOFT_WALKS),
 }

@@ -1,4 +1,4 @@
---- Filter: decides from kinds, `active`, sensors and masks which objects can meet at all.
+--- Filter: decides from kinds, `active`, sensors, masks and `hits` which objects can meet at all.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -7,6 +7,9 @@ local interpreted = require(root .. ".memory.jit")
 local filter = {}
 
 local DYNAMIC, STATIC = columns.DYNAMIC, columns.STATIC
+local max = math.max
+-- So many different lists of `hits` are shared by the objects that have equal ones.
+local MOST_LISTS = 16
 
 --- Returns whether two masks say the same, or neither is there (nil or false).
 function filter.isSameMask(mask, other)
@@ -45,8 +48,45 @@ function filter.copyMask(b, mask)
   return copy
 end
 
---- Returns "mask" or "masks" if an object refuses another by its own mask or by the world's.
+--- Returns whether a list of `hits` says what was read, or neither is there (nil or false).
+function filter.isSameHits(list, read)
+  if type(list) ~= "table" or not read then
+    return not list and not read
+  end
+  local names = read.names
+  for n = 1, max(#names, #list) do
+    if list[n] ~= names[n] then
+      return false
+    end
+  end
+  return true
+end
+
+--- Returns what the library keeps of a list of `hits`: `names`, a copy, and `has`, by name; and
+--- `targetCount` and `targets`, slots of what it can hit (see pairFinder). Objects with equal lists
+--- share it.
+function filter.readHits(b, list)
+  local lists = b.hitLists
+  for n = 1, #lists do
+    if filter.isSameHits(list, lists[n]) then
+      return lists[n]
+    end
+  end
+  local read = { names = {}, has = {}, targets = {}, targetCount = math.huge }
+  for n = 1, #list do
+    read.names[n], read.has[list[n]] = list[n], true
+  end
+  lists[#lists % MOST_LISTS + 1] = read
+  return read
+end
+
+--- Returns "mask", "hits" or "masks" if an object refuses another by its own mask or list, or by
+--- the world's masks.
 function filter.refusal(b, i, j)
+  local only = b.only[i]
+  if only and not only.has[b.groupName[j]] then
+    return "hits"
+  end
   local mask = b.mask[i]
   if mask and mask[b.groupName[j]] == false then
     return "mask"
@@ -58,6 +98,17 @@ function filter.refusal(b, i, j)
 end
 
 local refusal = filter.refusal
+
+--- Returns whether two objects are soft to each other: then they drift apart instead of colliding
+--- (see drift). Static objects and sensors are soft to nothing.
+function filter.isSoft(b, i, j)
+  local row = b.soft and b.soft[b.groupName[i]]
+  return row
+    and row[b.groupName[j]] ~= nil
+    and b.kind[i] ~= STATIC
+    and b.kind[j] ~= STATIC
+    and not (b.sensor[i] or b.sensor[j])
+end
 
 --- Returns why two objects never meet (a word for `explain`), or nil if they can.
 function filter.reason(b, i, j)
@@ -72,6 +123,8 @@ function filter.reason(b, i, j)
   end
   if refusal(b, i, j) or refusal(b, j, i) then
     return "mask"
+  elseif filter.isSoft(b, i, j) then
+    return "soft"
   end
 end
 
@@ -90,5 +143,6 @@ function filter.blocks(b, i, j)
 end
 
 interpreted.always(filter.isSameMask, filter.copyMask)
+interpreted.functions(filter.isSameHits, filter.readHits)
 
 return filter

@@ -45,6 +45,9 @@ columns.SLOPE_NAMES = { [2] = "left", [3] = "right", [4] = "topleft", [5] = "top
 
 --- How far apart two edges may be and still count as touching, px.
 columns.EPSILON = 1e-6
+--- Widths of common edges are rounded to 1 / WIDTHS px before they are compared: that two are equal
+--- does not depend on which of them is looked at first.
+columns.WIDTHS = 2 ^ 20
 
 --- Makes any difference of two numbers around EPSILON more than 1. So `min(max(d * VAST, 0), 1)` is
 --- 1 for d > 0 and 0 for d <= 0, and `min(max(d * VAST + 1, 0), 1)` is 1 for d >= 0 and 0 for d <
@@ -76,11 +79,14 @@ local SLOT = {
   kind = 0,
   plain = false, -- is not a sensor
   even = false, -- is neither a sensor nor one-way, and has no onStay
-  bare = false, -- is dynamic, and had none of the rare fields when it was last read
+  bare = false, -- is dynamic, and had none of the rare fields when it was last read, but for
+  -- `sensor` and `hits`
   -- fields of the object, defaults filled in
   active = true,
   sensor = false,
   pushable = true,
+  strength = 0,
+  power = 0, -- that, or infinite if it is not pushable
   mass = 1,
   inverseMass = 0,
   friction = -1, -- -1: not set
@@ -104,6 +110,7 @@ local SLOT = {
   quiet = false, -- its last step changed nothing
   heard = false, -- onStay or canCollide must be called for its contacts at every step
   visited = 0,
+  flying = false, -- near nothing: moves like a point (see flight)
   -- the step
   moved = false, -- placed, resized or filtered anew by the game: its overlaps must be separated
   inside = false, -- the last step left it inside another
@@ -120,6 +127,8 @@ local SLOT = {
   -- the solver
   crowd = 0, -- slot that leads its crowd, 0: it is in none (see crowd)
   dirty = 0, -- 1: its path has changed since it was last swept
+  stuck = false, -- keeps its place: its knot has no room, or it exits (see knots)
+  exiting = false, -- on its way out of a knot
   deepAt = 0, -- solve in which it was last inside another dynamic body
   impactsOf = 0, -- number of impacts in this step
   pieceFirst = 0, -- pieces of its way along the ground (see walk),
@@ -146,6 +155,9 @@ local ANY = {
   ownGravityX = false,
   mask = false, -- the game's table; of a static object a copy that is never changed
   maskSeen = false, -- which groups the mask of a mover refused when it was last read
+  only = false, -- the only groups that it can meet (see filter), false: all
+  hitsGiven = false, -- the game's list of them,
+  hitsRead = false, -- and what was read of it
   oneWay = false,
   slope = false, -- `shape` says the same
   radius = false,
@@ -172,6 +184,8 @@ local AXIS = {
   way = 0, -- displacement by its own motion in this step, px
   from = 0, -- start of the present path
   to = 0, -- end of the path: its position at the end of the step
+  softSpeed = 0, -- velocity apart from what it overlaps and is soft to, px/s (see drift)
+  undrifted = 0, -- velocity at the end of the step without that
   speed = 0, -- velocity at the end of the step, absolute
   accel = 0, -- acceleration during the step, drag and limits included
   carried = 0, -- velocity of its carrier in this step
@@ -198,7 +212,8 @@ local AXIS = {
   origin = 0, -- position then
   swept = 0, -- end of the path that was swept last
   crowdAge = 0, -- on the first axis: number of steps that it has been in its crowd
-  jam = 0, -- number of steps for which it had no room (see contacts)
+  knotted = 0, -- x: s for which its knot has not come apart; y: how often that was too long
+  knotWas = 0, -- x: sum of the overlaps of the knot then, px; y: walls beside it when it got stuck
   squeezed = 0, -- px by which it is pressed between two bodies that cannot move
   base = 0, -- velocity of the immovable ground that it rubs on,
   grip = 0, -- the friction limit there, N,
@@ -230,6 +245,7 @@ local AXIS = {
   blockMost = 0,
   blockStand = 0, -- velocity of ground on which a member stands
   isFirm = false, -- is not pushable
+  blockPower = 0, -- of its strongest member
   fatLow = 0, -- box with a margin for which the neighbours are known
   fatHigh = 0,
 }
@@ -295,6 +311,7 @@ local HALF_LIST = {
 local SLOT_LIST = {
   "movers", -- slots of everything that is not static
   "awakeList", -- slots that take part in this step
+  "flyers", -- slots that fly (see motion/flight.lua)
   "rich", -- scratch of read
   "outdated", -- scratch of write
 }
@@ -318,6 +335,7 @@ for _, names in ipairs({
   { "live" },
   { "near", "touchPairs", "roundPairs" },
   { "closePairs", "otherPairs", "other", "next", "previous", "movers", "awakeList", "rich" },
+  { "flyers" },
   { "outdated", "offerAt", "offerOther", "rivals" },
 }) do
   for _, name in ipairs(names) do
@@ -329,6 +347,8 @@ end
 -- without most of it (see begin). An object that becomes static must be cleared here.
 local STEP_SLOT = {
   "buried",
+  "stuck",
+  "exiting",
   "support",
   "carrier",
   "carrierNow",
@@ -346,6 +366,8 @@ local STEP_AXIS = {
   "start",
   "freeSpeed",
   "squeezed",
+  "knotted",
+  "knotWas",
   "crushed",
   "wasCrushed",
   "pressedLow",
@@ -459,6 +481,12 @@ local function addFlags(b)
   b.hasCrushed = false -- or was crushed
   b.hasInside = false -- or was left inside another one
   b.hasBuried = false -- or was buried
+  b.hasKnots = false -- or was in a knot
+  b.isNearMachine = false -- scratch of knots
+  b.knot = {} -- by slot: a slot of the same knot, nearer to the one that leads it
+  b.knotSum = {} -- by leader: sum of the overlaps, px
+  b.knotStates = {} -- by leader: what is known of the knot in this step
+  b.knotList = {}
   b.hasCrowds = false -- or was in a crowd
 end
 
@@ -468,6 +496,8 @@ local function addReading(b)
   b.zoneList = {} -- slots with an area, in order when a step has begun
   b.nearBody = {} -- scratch of zones
   b.nearZone = {}
+  b.hitLists = {} -- the different lists of `hits` (see filter)
+  b.soft = false -- px/s, by two group names: how fast two that overlap drift apart
   b.maskCopy = false -- the last copy made of a static object's mask (see filter)
   b.halfRead = {} -- objects that are being read anew (see read)
   b.lost = {} -- slots that have lost their carrier since the last step
@@ -485,6 +515,7 @@ end
 local function addAwake(b)
   b.moverCount = 0
   b.awakeCount = 0
+  b.flyerCount = 0
   b.island = {} -- scratch of islands
   b.awakenings = 0 -- how often the set of awake objects has changed
   b.liveCount = 0
@@ -496,6 +527,7 @@ local function addAwake(b)
   b.askers = {}
   b.present = {}
   b.strays = {}
+  b.aimed = {}
   b.found = {} -- scratch of pairFinder, crowd, nudge and separate
   b.stamp = 0
   b.remaining = 1 -- steps that are left in this update
@@ -711,6 +743,7 @@ function columns.release(b, i)
   b.object[i], b.group[i], b.touching[i], b.mask[i], b.canCollide[i] =
     false, false, false, false, false
   b.area[i] = false
+  b.only[i], b.hitsGiven[i], b.hitsRead[i] = false, false, false
   b.kind[i] = 0
   b.awake[i] = false
   b.freeCount = b.freeCount + 1

@@ -8,6 +8,7 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local carrier = require(root .. ".objects.carriers")
 local columns = require(root .. ".memory.columns")
+local drift = require(root .. ".motion.drift")
 
 local move = {}
 
@@ -79,7 +80,7 @@ end
 
 --- Computes the paths of those in awakeList from `first` to `last`.
 function move.run(b, dt, first, last)
-  local list, kind, buried = b.awakeList, b.kind, b.buried
+  local list, kind, buried, stuck = b.awakeList, b.kind, b.buried, b.stuck
   if b.hasCarriers then
     for n = first, last do
       if kind[list[n]] == KINEMATIC then
@@ -93,11 +94,14 @@ function move.run(b, dt, first, last)
       end
     end
   end
+  if b.drifts.driftedCount > 0 then
+    drift.add(b, dt, first, last)
+  end
   findEnds(b, first, last, dt)
   findSpeeds(b, first, last)
-  if b.hasBuried then
+  if b.hasBuried or b.hasKnots then
     for n = first, last do
-      if buried[list[n]] and kind[list[n]] == DYNAMIC then
+      if (buried[list[n]] or stuck[list[n]]) and kind[list[n]] == DYNAMIC then
         bury(b, list[n])
       end
     end

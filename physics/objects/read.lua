@@ -98,6 +98,7 @@ local RARE = {
   { "active", "active", true },
   { "sensor", "sensor", false },
   { "pushable", "pushable", true },
+  { "strength", "strength", 0 },
   { "oneWay", "oneWay", false },
   { "slope", "slope", false },
   { "radius", "radius", false },
@@ -106,6 +107,7 @@ local RARE = {
   { "canCollide", "canCollide", false },
   { "onStay", "hears", false },
   { "mask", "mask", false },
+  { "hits", "only", false },
   { "gravity", "ownGravity", false },
   { "gravityX", "ownGravityX", false },
   { "airFriction", "airFriction", 0 },
@@ -122,6 +124,9 @@ for n, field in ipairs(RARE) do
   NAMES[n], COLUMNS[n], DEFAULTS[n] = field[1], field[2], field[3]
 end
 
+-- Those that are compared for all: bullets and gems have them.
+local OFTEN = { sensor = true, hits = true }
+
 -- Reads them in a loop: written out, they become much machine code at every place that reads
 -- objects. Returns whether the object has none of them.
 local function readRare(b, i, object)
@@ -131,11 +136,20 @@ local function readRare(b, i, object)
     if value == nil then
       value = DEFAULTS[n]
     else
-      isBareSoFar = false
+      isBareSoFar = isBareSoFar and OFTEN[NAMES[n]] ~= nil
     end
     b[COLUMNS[n]][i] = value
   end
   return isBareSoFar
+end
+
+-- Reads the list of groups that an object hits, if it is another one.
+local function readHits(b, i, list)
+  if list ~= b.hitsGiven[i] then
+    b.hitsGiven[i] = list
+    b.hitsRead[i] = list and filter.readHits(b, list)
+  end
+  b.only[i] = b.hitsRead[i]
 end
 
 local function readFields(b, i, object)
@@ -149,6 +163,7 @@ local function readFields(b, i, object)
     b.area[i] = zones.copy(b.area[i])
     zones.note(b, i)
   end
+  readHits(b, i, b.only[i])
   b.oneWay[i] = sideOf(b.oneWay[i])
   b.shape[i] = b.radius[i] and columns.SHAPE_CIRCLE or isDynamic and BOX or shapeOf(b.slope[i])
   b.mass[i], b.inverseMass[i] = mass, isDynamic and 1 / mass or 0
@@ -227,6 +242,7 @@ local function readAll(b, i, object, isNew)
   if b.shape[i] >= SLOPE then
     noteSlope(b, i)
   end
+  b.power[i] = b.pushable[i] and b.strength[i] or HUGE
   b.plain[i] = not b.sensor[i] and b.shape[i] == BOX
   noteEven(b, i)
 end
@@ -431,7 +447,9 @@ local function readVelocity(b, i, object)
     b.kept[k] = vx == velocity[k] and b.kept[k] or 0
     b.kept[k + 1] = vy == velocity[k + 1] and b.kept[k + 1] or 0
     velocity[k], velocity[k + 1] = vx + 0.0, vy + 0.0
-    rest.wake(b, i)
+    if not b.flying[i] then
+      rest.wake(b, i)
+    end
   end
 end
 
@@ -470,6 +488,7 @@ end
 local function listRich(b)
   local movers, objects, bare, rich, count = b.movers, b.object, b.bare, b.rich, 0
   local mass, friction, restitution = b.mass, b.friction, b.restitution
+  local sensor, hits = b.sensor, b.hitsGiven
   for n = 1, b.moverCount do
     local i = movers[n]
     local object = objects[i]
@@ -478,8 +497,10 @@ local function listRich(b)
       not bare[i] -- not dynamic, or had a rare field
       or object.active ~= nil
       or object.kinematic ~= nil
-      or object.sensor ~= nil
+      or (object.sensor or false) ~= sensor[i]
+      or object.hits ~= (hits[i] or nil)
       or object.pushable ~= nil
+      or object.strength ~= nil
       or object.oneWay ~= nil
       or object.radius ~= nil
       or object.area ~= nil
@@ -521,6 +542,7 @@ local function compareFilters(b, count)
   local active, sensor, pushable, kind = b.active, b.sensor, b.pushable, b.kind
   local hears, oneWay, canCollide, mask, seen = b.hears, b.oneWay, b.canCollide, b.mask, b.maskSeen
   local slope = b.slope
+  local hits = b.hitsGiven
   for n = 1, count do
     local i = rich[n]
     local object = objects[i]
@@ -534,6 +556,7 @@ local function compareFilters(b, count)
       or object.canCollide ~= (canCollide[i] or nil)
       or (object.kinematic or false) ~= (kind[i] == KINEMATIC)
       or its ~= (mask[i] or nil)
+      or object.hits ~= (hits[i] or nil)
       or (its and hasMaskChanged(b, its, seen[i]))
     then
       reread(b, i)
@@ -570,6 +593,7 @@ local function compareLimits(b, count)
   local airFriction, drag, maxSpeed, limit = b.airFriction, b.drag, b.maxSpeed, b.limit
   local carry, surfaceSpeed, nudge, snap = b.carry, b.surfaceSpeed, b.nudge, b.snap
   local constantSpeed, radius, area = b.constantSpeed, b.radius, b.area
+  local strength = b.strength
   for n = 1, count do
     local i = rich[n]
     local object = objects[i]
@@ -589,6 +613,7 @@ local function compareLimits(b, count)
       or orDefault(object.carry, true) ~= carry[i]
       or orDefault(object.surfaceSpeed, 0) ~= surfaceSpeed[i]
       or orDefault(object.nudge, 0) ~= nudge[i]
+      or orDefault(object.strength, 0) ~= strength[i]
       or orDefault(object.snap, 0) ~= snap[i]
       or (object.constantSpeed or false) ~= constantSpeed[i]
       or object.radius ~= (radius[i] or nil)

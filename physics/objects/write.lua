@@ -5,6 +5,7 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local carrier = require(root .. ".objects.carriers")
+local knots = require(root .. ".solver.knots")
 local read = require(root .. ".objects.read")
 local columns = require(root .. ".memory.columns")
 local contact = require(root .. ".contacts.contactState")
@@ -18,7 +19,7 @@ local write = {}
 
 local DYNAMIC, GIVES = columns.DYNAMIC, columns.GIVES
 local AXIS, OPPOSITE = columns.AXIS, columns.OPPOSITE
-local EPSILON, VAST = columns.EPSILON, columns.VAST
+local EPSILON, VAST, WIDTHS = columns.EPSILON, columns.VAST, columns.WIDTHS
 local floor, max, min = math.floor, math.max, math.min
 
 -- Lists the live pairs that are close enough to touch, or did; returns how many.
@@ -107,10 +108,10 @@ local function updateContacts(b)
   return contact.updateAll(b, b.otherPairs, otherCount, b.touchPairs, count), closeCount
 end
 
--- Returns the length of the common edge of two bodies that meet on an axis, px.
+-- Returns the length of the common edge of two bodies that meet on an axis, in parts of a px.
 local function edgeOf(b, i, j, axis)
   local to, size, k, m = b.to, b.size, 2 * i + 1 - axis, 2 * j + 1 - axis
-  return min(to[k] + size[k], to[m] + size[m]) - max(to[k], to[m])
+  return floor((min(to[k] + size[k], to[m] + size[m]) - max(to[k], to[m])) * WIDTHS + 0.5)
 end
 
 --- Returns an empty list of hits: sides that were hit by contacts that have ended since.
@@ -165,7 +166,7 @@ end
 -- ties in the order of the world.
 local function isWider(b, hits, n, m)
   local more = hits.width[n] - hits.width[m]
-  return more > EPSILON or (more >= -EPSILON and b.rank[hits.slot[n]] < b.rank[hits.slot[m]])
+  return more > 0 or (more == 0 and b.rank[hits.slot[n]] < b.rank[hits.slot[m]])
 end
 
 -- Shows the hits of this update in `touching`, at sides where nothing touches now.
@@ -202,7 +203,7 @@ local function listOffers(b, count)
       local across = 1 - AXIS[side]
       local k, m = 2 * i + across, 2 * j + across
       local x, y = to[k], to[m]
-      local edge = min(x + size[k], y + size[m]) - max(x, y)
+      local edge = floor((min(x + size[k], y + size[m]) - max(x, y)) * WIDTHS + 0.5)
       at[offers], others[offers], width[offers] = 4 * i + side, j, edge
       offers = offers + GIVES[kind[i]]
       at[offers], others[offers], width[offers] = 4 * j + OPPOSITE[side], i, edge
@@ -249,7 +250,7 @@ local function chooseRivals(b, rivalCount)
     local n = rivals[m]
     local at, j, w = places[n], others[n], width[n]
     local widest = bestWidth[at]
-    if w > widest + EPSILON or (w >= widest - EPSILON and rank[j] < rank[best[at]]) then
+    if w > widest or (w == widest and rank[j] < rank[best[at]]) then
       best[at], bestWidth[at] = j, w
     end
   end
@@ -312,7 +313,14 @@ end
 -- Returns whether the next step may differ from this one although nothing moves. (Whether a buried
 -- body finds a way out depends on walls that are not its neighbours.)
 local function hasNews(b, i)
-  return b.news[i] or b.fresh[i] or b.moved[i] or b.heard[i] or b.buried[i] or isBorneByChance(b, i)
+  return b.news[i]
+    or b.fresh[i]
+    or b.moved[i]
+    or b.heard[i]
+    or b.buried[i]
+    or b.softSpeed[2 * i] ~= 0
+    or b.softSpeed[2 * i + 1] ~= 0
+    or isBorneByChance(b, i)
 end
 
 local function publishKinematic(b, i)
@@ -441,8 +449,7 @@ function write.run(b)
   contact.ask(b)
   notice.outdate(b) -- canCollide may have made queries, and what follows may fail
   reset(b)
-  crush.countJam(b, 0)
-  crush.countJam(b, 1)
+  knots.note(b)
   local count, closeCount = updateContacts(b)
   findTouching(b, count)
   if b.hasSlopes then

@@ -19,6 +19,7 @@ local aabb = require(root .. ".memory.aabb")
 local columnStore = require(root .. ".memory.columnStore")
 local check = require(root .. ".world.check")
 local columns = require(root .. ".memory.columns")
+local filter = require(root .. ".broadphase.filter")
 local grid = require(root .. ".broadphase.grid")
 local interpreted = require(root .. ".memory.jit")
 local registry = require(root .. ".objects.registry")
@@ -46,11 +47,12 @@ local MOST = 1e99
 local FEW = 128
 
 -- Fields of a static object, copied from the simulation's columns.
-local FIELD = { "active", "sensor", "oneWay", "mask", "shape" }
+local FIELD = { "active", "sensor", "oneWay", "mask", "shape", "only", "hitsGiven" }
 
 local ANY = { "object", "group", "groupName", "key", "listed", "oneWay", "mask" }
 local LAYOUT = {
   { kind = "any", width = 1, names = ANY },
+  { kind = "any", width = 1, names = { "only", "hitsGiven" } },
   { kind = "boolean", width = 1, names = { "live", "active", "sensor" } },
   { kind = "integer", width = 1, names = { "kind", "shape" } },
   { kind = "number", width = 1, names = { "rank", "entry", "mark" } }, -- the last two are scratch
@@ -153,11 +155,15 @@ function view.lookAtFilter(v, i)
     return
   end
   local object = v.object[i]
-  local sensor, mask = object.sensor or false, object.mask or false
+  local sensor, mask, hits = object.sensor or false, object.mask or false, object.hits or false
   local oneWay = columns.sideOf(object.oneWay)
   if sensor ~= v.sensor[i] or oneWay ~= v.oneWay[i] or mask ~= v.mask[i] then
     complain(v, i)
     v.sensor[i], v.oneWay[i], v.mask[i] = sensor, oneWay, mask
+  end
+  if hits ~= v.hitsGiven[i] then
+    complain(v, i)
+    v.only[i], v.hitsGiven[i] = hits and filter.readHits(v.bodies, hits), hits
   end
   v.kind[i] = kindOf(v.bodies, object)
 end
@@ -267,6 +273,7 @@ local function enter(v, object, record, key)
   v.listed[i], v.entry[i], v.mark[i], v.rank[i] = false, 0, 0, 0
   v.active[i], v.sensor[i], v.oneWay[i], v.mask[i] = true, false, false, false
   v.shape[i] = columns.SHAPE_BOX
+  v.only[i], v.hitsGiven[i] = false, false
   readAny(v, v.bodies, i)
   fatten(v, i, STANDS)
   v.grid:insert(i)
@@ -279,6 +286,7 @@ local function leave(v, i)
   unlist(v, i)
   v.slotOf[v.object[i]] = nil
   v.object[i], v.group[i], v.mask[i] = false, false, false
+  v.only[i], v.hitsGiven[i] = false, false
   v.free[#v.free + 1] = i
   v.count = v.count - 1
 end
@@ -356,7 +364,7 @@ function view.of(world)
     v.bodies = b
     b.view = v
   end
-  v.masks = world.masks or false
+  v.masks, v.soft = world.masks or false, b.soft
   v.isBroken = true -- if reading an object fails, everything is made anew
   if not v.fresh then
     lookAtEverybody(v, world)

@@ -28,7 +28,7 @@ function obstacle.isMet(v, i, j)
     return false
   end
   view.lookAtFilter(v, j)
-  return not (filter.refusal(v, i, j) or filter.refusal(v, j, i))
+  return not (filter.refusal(v, i, j) or filter.refusal(v, j, i) or filter.isSoft(v, i, j))
 end
 
 --- Returns whether two objects that meet block each other.

@@ -34,6 +34,10 @@ local function rouse(b, i)
   b.awake[i] = true
   b.quiet[i] = false
   b.awakenings = b.awakenings + 1
+  if b.flying[i] then
+    b.flying[i] = false
+    columns.stand(b, i)
+  end
 end
 
 -- Wakes the sleeping dynamic neighbours of all bodies in awakeList from place `from` on. The list
@@ -86,6 +90,7 @@ end
 
 --- Takes an object out of the list of awake bodies.
 function rest.drop(b, i)
+  b.flying[i] = false
   if b.awake[i] then
     local at, last = b.awakeAt[i], b.awakeList[b.awakeCount]
     b.awakeList[at] = last

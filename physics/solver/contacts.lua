@@ -12,6 +12,7 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".solver.ball")
 local columns = require(root .. ".memory.columns")
 local interpreted = require(root .. ".memory.jit")
+local knots = require(root .. ".solver.knots")
 local rules = require(root .. ".solver.rules")
 local slope = require(root .. ".solver.slope")
 
@@ -21,13 +22,8 @@ local EPSILON, DYNAMIC, CIRCLE = columns.EPSILON, columns.DYNAMIC, columns.SHAPE
 --- Share of the smaller size by which two overlapping dynamic bodies separate in a step.
 contacts.PACE = 0.25
 local PACE = contacts.PACE
--- px by which such bodies separate in a step if they had no room in the last one. It shrinks with
--- every step without room, for PATIENCE steps.
-local CREEP = 0.5
-contacts.PATIENCE = 60
--- Number of steps without room after which they try the other axis.
-contacts.TURN = 30
-local max, min = math.max, math.min
+local PATIENCE = knots.PATIENCE
+local floor, max, min = math.floor, math.max, math.min
 
 --- Values of `touches`:
 ---
@@ -123,12 +119,19 @@ local function takeRound(b, count)
   return kept
 end
 
+-- Whether slots i and j pass through each other: both are in a crowd, or one leaves a knot.
+local function isGhost(b, i, j)
+  return min(b.crowd[i], b.crowd[j]) > 0
+    or (b.exiting[i] and b.kind[j] == DYNAMIC)
+    or (b.exiting[j] and b.kind[i] == DYNAMIC)
+end
+
 -- Removes from a list the pairs with both bodies in a crowd. Returns the number that is left.
 local function dropGhosts(b, list, count)
-  local pairA, pairB, crowd, kept = b.pairA, b.pairB, b.crowd, 0
+  local pairA, pairB, kept = b.pairA, b.pairB, 0
   for n = 1, count do
     local p = list[n]
-    if min(crowd[pairA[p]], crowd[pairB[p]]) > 0 then
+    if isGhost(b, pairA[p], pairB[p]) then
       b.touches[p] = GHOST
     else
       kept = kept + 1
@@ -167,23 +170,9 @@ end
 -- Returns how much further apart two overlapping dynamic bodies must be at the end of the step than
 -- at its start, px. It shrinks while there is no room.
 local function growthOf(b, kl, kh)
-  local jam = min(b.jam[kl], b.jam[kh])
-  if jam == 0 then
-    return PACE * min(b.size[kl], b.size[kh])
-  end
-  return CREEP * (1 - jam / (contacts.PATIENCE + 1))
-end
-
--- Switches two dynamic bodies to the other axis after TURN steps without room. Returns the axis,
--- and whether the second of the pair is the low one there.
-local function turn(b, axis, isSecondLow, ki, kj)
-  local jam = b.jam
-  if max(jam[ki + axis], jam[kj + axis]) ~= contacts.TURN then
-    return axis, isSecondLow
-  end
-  axis = 1 - axis
-  local middle = 2 * (b.from[kj + axis] - b.from[ki + axis]) + b.size[kj + axis] - b.size[ki + axis]
-  return axis, middle < 0 or (middle == 0 and b.rank[kj * 0.5] < b.rank[ki * 0.5])
+  local i, j = floor(kl * 0.5), floor(kh * 0.5)
+  local waited = max(b.knotted[2 * i], b.knotted[2 * j], 0)
+  return PACE * min(b.size[kl], b.size[kh]) * (1 - waited / PATIENCE)
 end
 
 -- Makes a contact of two overlapping bodies, which must not get deeper. Two that were squeezed into
@@ -203,9 +192,6 @@ local function putDeep(b, p)
     axis, isSecondLow = deepAxis(b, p, ki, kj)
   end
   local areDynamic = b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC
-  if areDynamic then
-    axis, isSecondLow = turn(b, axis, isSecondLow, ki, kj)
-  end
   local kl, kh = ki + axis, kj + axis
   if isSecondLow then
     kl, kh = kj + axis, ki + axis
@@ -458,7 +444,7 @@ function contacts.find(b)
   if b.hasSensors then
     count = dropSensors(b, count)
   end
-  if b.crowdCount > 0 then
+  if b.crowdCount > 0 or b.hasKnots then
     count = dropGhosts(b, b.closePairs, count)
     b.apartCount = dropGhosts(b, b.apart, b.apartCount)
   end
@@ -520,7 +506,7 @@ end
 function contacts.noteNew(b)
   for n = b.seenCount + 1, b.liveCount do
     local p = b.live[n]
-    if min(b.crowd[b.pairA[p]], b.crowd[b.pairB[p]]) > 0 then
+    if isGhost(b, b.pairA[p], b.pairB[p]) then
       b.touches[p] = GHOST
     else
       b.touches[p] = APART

@@ -69,7 +69,7 @@ local function listCandidates(b)
   for n = 1, b.awakeCount do
     local i = awake[n]
     if crowd_[i] ~= 0 or inside[i] or moved[i] then
-      if b.kind[i] == DYNAMIC and b.pushable[i] and not b.sensor[i] then
+      if b.kind[i] == DYNAMIC and b.pushable[i] and not (b.sensor[i] or b.stuck[i]) then
         count = count + 1
         list[count] = i
       end
@@ -399,6 +399,7 @@ local function go(b, i, x, y)
     end
   end
   b.from[k], b.from[k + 1], b.to[k], b.to[k + 1] = toX, toY, toX, toY
+  islands.wakeNeighbours(b, i)
 end
 
 -- Returns the number of columns of a crowd of n bodies: about as wide as high, if there is room.
@@ -519,6 +520,7 @@ function crowd.run(b)
   if b.crowdCount > 0 then
     forEach(b, b.crowdList, b.crowdCount, lay)
     pairFinder.run(b, b.crowdList, 1, b.crowdCount)
+    begin.run(b)
   end
 end
 

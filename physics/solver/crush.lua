@@ -5,18 +5,17 @@
 -- again as soon as there is room. How it came there is remembered with the pair (`wedged`). So it
 -- leaves along the same axis and is never squeezed out sideways.
 --
--- Reads contacts, squeezed, pressed; writes crushed, crushLow, crushHigh, wedged, jam.
+-- Reads contacts, squeezed, pressed; writes crushed, crushLow, crushHigh, wedged.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
-local contacts = require(root .. ".solver.contacts")
 local events = require(root .. ".contacts.events")
 
 local crush = {}
 
-local DYNAMIC, KINEMATIC, EPSILON = columns.DYNAMIC, columns.KINEMATIC, columns.EPSILON
+local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
 local SLOPE = columns.SHAPE_SLOPE_LEFT -- and above
-local floor, max, min = math.floor, math.max, math.min
+local max = math.max
 
 -- Returns the gap between slot i, as it was before it grew, and slot j on an axis, px. Returns also
 -- whether j is the low one.
@@ -84,12 +83,6 @@ function crush.wedgeGrown(b)
   end
 end
 
--- Returns whether a kinematic object is one of the two that press body k in the end.
-local function isPressedByMachine(b, k)
-  local low, high = floor(b.holderLow[k] * 0.5), floor(b.holderHigh[k] * 0.5)
-  return b.kind[low] == KINEMATIC or b.kind[high] == KINEMATIC
-end
-
 --- Notes which bodies are squeezed along an axis, and between which two.
 function crush.note(b, axis)
   local list, squeezed, crushed = b.contacts[axis], b.squeezed, b.crushed
@@ -108,28 +101,6 @@ function crush.note(b, axis)
     if squeezed[k] ~= 0 then
       crushed[k], b.hasCrushed = true, true
     end
-  end
-end
-
---- Counts for how many steps overlapping bodies have had no room. It is called at the end of the
---- step, since a step may be started again before.
-function crush.countJam(b, axis)
-  local jam, squeezed, patience, turn = b.jam, b.squeezed, contacts.PATIENCE, contacts.TURN
-  for n = 1, b.awakeCount do
-    local i = b.awakeList[n]
-    local k = 2 * i + axis
-    local before = jam[k]
-    if b.deepAt[i] ~= b.solveStamp then
-      jam[k] = 0
-    elseif squeezed[k] ~= 0 or jam[k] == turn then
-      jam[k] = min(jam[k] + 1, patience)
-      if jam[k] == turn and isPressedByMachine(b, k) then
-        jam[k] = turn + 1 -- it is never squeezed out sideways
-      end
-    else
-      jam[k] = max(jam[k] - (jam[k] == turn + 1 and 2 or 1), 0) -- skips `turn`: no way back
-    end
-    b.news[i] = b.news[i] or jam[k] ~= before -- it must not sleep while that changes
   end
 end
 

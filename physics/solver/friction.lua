@@ -199,6 +199,7 @@ end
 -- Computes the speed limits of all awake bodies, with the velocity of their carriers.
 local function findLimits(b)
   local list, carried, reserve, pace = b.awakeList, b.carried, b.reserve, b.pace
+  local softSpeed = b.softSpeed
   for n = 1, b.awakeCount do
     for k = 2 * list[n], 2 * list[n] + 1 do
       local most, least = b.fastest[k], b.slowest[k]
@@ -207,7 +208,8 @@ local function findLimits(b)
       elseif reserve[k] < 0 then
         least = pace[k]
       end
-      b.least[k], b.most[k] = least + carried[k], most + carried[k]
+      local base = carried[k] + softSpeed[k]
+      b.least[k], b.most[k] = least + base, most + base
     end
   end
 end

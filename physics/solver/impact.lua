@@ -112,6 +112,8 @@ local function weigh(b, i, j, kl, kh)
       end
       wl, wh = stayLow and 0 or wl, stayHigh and 0 or wh
     end
+  elseif wl > 0 and wh > 0 and b.power[i] ~= b.power[j] then
+    return pool.share(b.power[i] > b.power[j], wl, wh, b.speed[kl], b.speed[kh])
   end
   return wl, wh
 end

@@ -7,8 +7,10 @@
 -- Each body has its offset from the root of its block, so that a block stays flush. Friction and
 -- engines of its members act on a block as kinks (see flow.lua).
 --
--- A body that is not pushable is *firm*: a block with a firm body moves as that body does. If two
--- firm blocks meet, the one that comes from behind follows; if they meet head-on, both stop.
+-- A block that is stronger (see `strength`) pushes a weaker one as if that had a fifth of its mass,
+-- and is not moved by it. A body that is not pushable is *firm*: a block with a firm body moves as
+-- that body does. If two firm blocks meet, the one that comes from behind follows; if they meet
+-- head-on, both stop.
 --
 -- Reads contacts, give, onset, and to, speed, accel; writes to, speed, accel, pressed, outset, and
 -- what holds the bodies (heldLow, heldHigh, holderLow, holderHigh).
@@ -25,6 +27,8 @@ local floor, max, min = math.floor, math.max, math.min
 local HUGE = math.huge
 -- Maximum number of walks along the contacts, forwards and backwards.
 local PASSES = 8
+-- What is pushed by something stronger counts as this share of its mass.
+local WEAK = 0.2
 -- Maximum number of times that blocks are made anew because two of their bodies overlap.
 local TEARS = 4
 
@@ -64,6 +68,7 @@ local function register(b, k, dt)
   b.blockStand[k] = grip > 0 and base == onset and base or HUGE
   b.blockLeast[k], b.blockMost[k] = b.least[k], b.most[k]
   b.isFirm[k] = not b.pushable[floor(k * 0.5)]
+  b.blockPower[k] = b.power[floor(k * 0.5)]
 end
 
 -- Returns where a block was at the start of the step.
@@ -126,6 +131,7 @@ local function join(b, one, other, off, dt, isLate, isFirst)
   b.blockMost[one] = min(b.blockMost[one], b.blockMost[other])
   b.blockStand[one] = min(b.blockStand[one], b.blockStand[other])
   b.isFirm[one] = b.isFirm[one] or b.isFirm[other]
+  b.blockPower[one] = max(b.blockPower[one], b.blockPower[other])
   b.parent[other], b.offset[other] = one, off
   if b.heldLow[other] > 0 then
     b.heldLow[one], b.holderLow[one] = b.heldLow[one] + b.heldLow[other], b.holderLow[other]
@@ -143,10 +149,14 @@ function pool.meetFirm(vl, vh)
 end
 
 -- Returns whether the low block keeps its motion in this contact, and whether the high one does.
+-- The stronger one does unless it moves towards the other one.
 local function weigh(b, low, high)
   local stayLow, stayHigh = b.heldLow[low] > 0, b.heldHigh[high] > 0
-  if stayLow or stayHigh or not (b.isFirm[low] or b.isFirm[high]) then
+  if stayLow or stayHigh then
     return stayLow, stayHigh
+  elseif not (b.isFirm[low] or b.isFirm[high]) then
+    local powerLow, powerHigh = b.blockPower[low], b.blockPower[high]
+    return powerLow > powerHigh and b.speed[low] <= 0, powerHigh > powerLow and b.speed[high] >= 0
   elseif b.isFirm[low] and b.isFirm[high] then
     return pool.meetFirm(b.speed[low], b.speed[high])
   end
@@ -216,6 +226,7 @@ local function yield(b, low, high, offLow, offHigh, separation, stayLow, stayHig
     end
     pool.leanHigh(b, low, high)
     b.isFirm[low] = b.isFirm[low] or b.isFirm[high] and b.heldHigh[high] == 0
+    b.blockPower[low] = max(b.blockPower[low], b.blockPower[high])
   else
     b.to[high] = b.to[low] + offLow + separation - offHigh
     if b.speed[low] > b.speed[high] then
@@ -227,8 +238,48 @@ local function yield(b, low, high, offLow, offHigh, separation, stayLow, stayHig
     end
     pool.leanLow(b, low, high)
     b.isFirm[high] = b.isFirm[high] or b.isFirm[low] and b.heldLow[low] == 0
+    b.blockPower[high] = max(b.blockPower[low], b.blockPower[high])
   end
   return true
+end
+
+-- A block that something stronger pushes, to high coordinates (`sign` 1) or low ones (-1): its mass
+-- counts as a share of what it is, and what it does against the push not at all.
+local function weaken(b, k, sign)
+  local start = origin(b, k)
+  b.to[k] = start + sign * max((b.to[k] - start) * sign, 0)
+  b.blockMass[k], b.blockShift[k] = b.blockMass[k] * WEAK, b.blockShift[k] * WEAK
+  b.blockMomentum[k] = sign * max(b.blockMomentum[k] * sign, 0) * WEAK
+  b.blockSpeed[k] = sign * max(b.blockSpeed[k] * sign, 0) * WEAK
+  b.blockForce[k] = sign * max(b.blockForce[k] * sign, 0) * WEAK
+  b.blockLeast[k], b.blockMost[k] = -HUGE, HUGE
+end
+
+-- Weakens the weaker one of two blocks. Returns whether there is one.
+local function weakenOne(b, low, high)
+  local powerLow, powerHigh = b.blockPower[low], b.blockPower[high]
+  if powerLow > powerHigh then
+    weaken(b, high, 1)
+  elseif powerHigh > powerLow then
+    weaken(b, low, -1)
+  end
+  return powerLow ~= powerHigh
+end
+
+--- Shares of a push for two of different power that both can give way, of which the low one goes at
+--- vl and the high one at vh: what is stronger is not moved by what runs into it, and pushes the
+--- other one as in `weaken`. `wl`, `wh`: their inverse masses.
+function pool.share(isLow, wl, wh, vl, vh)
+  local strong, weak, v, other = wl, wh, vl, vh
+  if not isLow then
+    strong, weak, v, other = wh, wl, -vh, -vl
+  end
+  weak = weak / WEAK
+  local total = strong + weak
+  local lost = v > 0 and v - (v * weak + max(other, 0) * strong) / total or 0.0
+  local share = lost > 0 and min(lost / (v - other), 1) or 0.0
+  strong, weak = share * total, (1 - share) * total
+  return isLow and strong or weak, isLow and weak or strong
 end
 
 -- Moves two blocks apart that have bounced and overlap only because others pushed them since.
@@ -297,6 +348,8 @@ local function look(b, list, c, dt, isLate)
     return yield(b, low, high, offLow, offHigh, separation, stayLow, stayHigh)
   elseif closing <= 0 and list.elastic[c] == 1 then
     shift(b, low, high, over)
+  elseif weakenOne(b, low, high) then
+    join(b, low, high, offLow + separation - offHigh, dt, isLate, b.pushFirst)
   elseif isLate or not leave(b, low, high, offLow + separation - offHigh, dt) then
     join(b, low, high, offLow + separation - offHigh, dt, isLate, b.pushFirst)
   end
@@ -401,6 +454,6 @@ end
 
 -- These take another branch for each contact. (jit: 4)
 interpreted.functions(yield, stopBoth, shift, walk, pass, pool.run, spread)
-interpreted.functions(pool.leanHigh, pool.leanLow, pool.meetFirm)
+interpreted.functions(pool.leanHigh, pool.leanLow, pool.meetFirm, pool.share, weakenOne)
 
 return pool

@@ -96,14 +96,14 @@ local function consider(b, p)
     return
   end
   local i, j = b.pairA[p], b.pairB[p]
-  if b.kind[i] ~= DYNAMIC and b.kind[j] ~= DYNAMIC then
+  if (b.kind[i] ~= DYNAMIC and b.kind[j] ~= DYNAMIC) or b.stuck[i] or b.stuck[j] then
     return
   elseif b.hasCircles and ball.isRound(b, i, j) and not ball.isLost(b, i, j) then
     return
   end
   local width, height = overlapOf(b, i, j)
   -- For a body that can be pushed, one that cannot is like an immovable one.
-  local isImmovable = b.kind[i] ~= DYNAMIC or b.kind[j] ~= DYNAMIC or b.pushable[i] ~= b.pushable[j]
+  local isImmovable = b.kind[i] ~= DYNAMIC or b.kind[j] ~= DYNAMIC or b.power[i] ~= b.power[j]
   if
     width > EPSILON
     and height > EPSILON
@@ -191,8 +191,8 @@ end
 -- something immovable stays. Returns nil if both would, or the only one that can be pushed.
 local function weigh(b, i, j, axis, sign, way)
   local wi, wj = b.inverseMass[i], b.inverseMass[j]
-  if wi > 0 and wj > 0 and b.pushable[i] ~= b.pushable[j] then
-    wi, wj = b.pushable[i] and wi or 0, b.pushable[j] and wj or 0
+  if wi > 0 and wj > 0 and b.power[i] ~= b.power[j] then
+    wi, wj = b.power[i] < b.power[j] and wi or 0, b.power[j] < b.power[i] and wj or 0
   end
   if wi > 0 and wj > 0 then
     if b.pushFirst then
@@ -399,8 +399,8 @@ end
 local function leavesLater(b, i, j)
   if b.kind[i] ~= DYNAMIC or b.kind[j] ~= DYNAMIC then
     return b.kind[i] ~= DYNAMIC
-  elseif b.pushable[i] ~= b.pushable[j] then
-    return b.pushable[j]
+  elseif b.power[i] ~= b.power[j] then
+    return b.power[j] < b.power[i]
   end
   return b.rank[j] < b.rank[i]
 end

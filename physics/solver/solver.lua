@@ -18,6 +18,7 @@ local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
 local crowd = require(root .. ".solver.crowd")
 local crush = require(root .. ".solver.crush")
+local drift = require(root .. ".motion.drift")
 local friction = require(root .. ".solver.friction")
 local impact = require(root .. ".solver.impact")
 local interpreted = require(root .. ".memory.jit")
@@ -63,8 +64,7 @@ local BOUNCED = 256
 local NEAR = 24
 -- Impacts are simultaneous if their times, rounded to 1 / MOMENTS of a step, are equal.
 local MOMENTS = 1e9
--- Widths of common edges are rounded to 1 / WIDTHS px before they are compared.
-local WIDTHS = 2 ^ 20
+local WIDTHS = columns.WIDTHS
 
 --- Creates the lists that the solver needs in the columns of a world.
 function solver.adopt(b)
@@ -83,7 +83,7 @@ local function begin(b, dt)
   if b.crowdCount > 0 then
     crowd.hold(b)
   end
-  local list, kind, buried, give = b.awakeList, b.kind, b.buried, b.give
+  local list, kind, buried, stuck, give = b.awakeList, b.kind, b.buried, b.stuck, b.give
   local freeSpeed, start, speed = b.freeSpeed, b.start, b.speed
   local from, origin, inverseMass, dirty = b.from, b.origin, b.inverseMass, b.dirty
   local accel = b.accel
@@ -92,7 +92,7 @@ local function begin(b, dt)
     dirty[i], b.impactsOf[i] = 1, 0
     for k = 2 * i, 2 * i + 1 do
       origin[k] = from[k]
-      give[k] = kind[i] == DYNAMIC and not buried[i] and inverseMass[i] or 0
+      give[k] = kind[i] == DYNAMIC and not (buried[i] or stuck[i]) and inverseMass[i] or 0
       freeSpeed[k] = speed[k]
       if kind[i] == DYNAMIC then
         start[k] = startSpeed(b, k)
@@ -101,6 +101,9 @@ local function begin(b, dt)
         start[k] = speed[k]
       end
     end
+  end
+  if b.drifts.driftedCount > 0 then
+    drift.start(b, dt)
   end
 end
 
@@ -116,13 +119,13 @@ local function isNew(b, list, c)
   return b.hit[p] == 0 and b.contact[p] == 0 and over <= EPSILON and over >= -EPSILON
 end
 
--- Returns the length of the common edge of contact c, px, and a rank that decides between equal
--- edges.
+-- Returns the length of the common edge of contact c, in parts of a px, and a rank that decides
+-- between equal edges.
 local function edgeOf(b, list, c)
   local k, m = list.low[c] + 1 - 2 * list.axis, list.high[c] + 1 - 2 * list.axis
   local edge = min(b.from[k] + b.size[k], b.from[m] + b.size[m]) - max(b.from[k], b.from[m])
   local i, j = (k - 1 + list.axis) * 0.5, (m - 1 + list.axis) * 0.5
-  return edge, b.rank[i] + b.rank[j]
+  return floor(edge * WIDTHS + 0.5), b.rank[i] + b.rank[j]
 end
 
 -- Finds for each body the new contact with the widest common edge among those that it leans on. If
@@ -141,7 +144,7 @@ local function findWidest(b, list)
       if best ~= 0 then
         most, first = edgeOf(b, list, best)
       end
-      if best == 0 or edge > most + EPSILON or (edge >= most - EPSILON and rank < first) then
+      if best == 0 or edge > most or (edge == most and rank < first) then
         widest[k] = c
       end
     end

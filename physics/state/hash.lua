@@ -198,6 +198,9 @@ local function mixSettings(sum, out)
   end
   mixAny(sum, settings.masks or false)
   mixAny(sum, settings.order or false)
+  if settings.soft then
+    mixList(sum, settings.soft)
+  end
 end
 
 --- Returns the hash of a state, a whole number in 0..10^14.

@@ -127,6 +127,23 @@ local function write(object, name, value)
   end
 end
 
+local function isSameList(list, other)
+  for n = 1, max(#list, #other) do
+    if list[n] ~= other[n] then
+      return false
+    end
+  end
+  return true
+end
+
+local function copyList(list)
+  local copy = {}
+  for n = 1, #list do
+    copy[n] = list[n]
+  end
+  return copy
+end
+
 local function tableOf(list)
   local mask = {}
   for at = 1, #list, 2 do
@@ -165,6 +182,14 @@ local function writeArea(object, list)
   end
 end
 
+-- Writes a list of what an object hits; one that says the same stays the same list.
+local function writeHits(object, list)
+  local now = object.hits
+  if not (type(now) == "table" and isSameList(list, now)) then
+    write(object, "hits", copyList(list))
+  end
+end
+
 -- Writes a sparse list of values. Objects that are not in it have no value.
 local function writeSparse(objects, masks, name, list, visit)
   local at, isMask = 1, name == "mask"
@@ -181,6 +206,9 @@ local function writeSparse(objects, masks, name, list, visit)
       at = at + 2
     elseif name == "area" then
       writeArea(object, list[at + 1])
+      at = at + 2
+    elseif name == "hits" then
+      writeHits(object, list[at + 1])
       at = at + 2
     else
       write(object, name, list[at + 1])
@@ -223,6 +251,8 @@ local function writeRead(st, objects)
       local value = list[at + 1]
       if (name == "mask" or name == "area") and value then
         value = tableOf(value)
+      elseif name == "hits" and value then
+        value = copyList(value)
       elseif value == false and not isBoolean then
         value = nil
       end
@@ -240,6 +270,8 @@ local function writeGone(b, object, saved)
       writeMask(object, saved.mask)
     elseif name == "area" and saved.area then
       writeArea(object, saved.area)
+    elseif name == "hits" and saved.hits then
+      writeHits(object, saved.hits)
     else
       write(object, name, saved[name])
     end
@@ -380,7 +412,8 @@ local function isRead(b, i, object)
   end
   local isSameMask = filter.isSameMask(object.mask, b.mask[i])
   local isSame = isSameMask and zones.isSame(object.area, b.area[i])
-  return isSame and (object.friction or -1) == b.friction[i]
+  local isSameHits = object.hits == (b.hitsGiven[i] or nil)
+  return isSame and isSameHits and (object.friction or -1) == b.friction[i]
 end
 
 -- Reads the objects again that `update` would not read again.
@@ -434,6 +467,7 @@ local function rememberHistory(b, memory)
   b.hasCarriers = b.hasCarriers or #memory.carrier > 0 or #memory.carried > 0
   b.hasCrushed = b.hasCrushed or #memory.wasCrushed > 0
   b.hasInside = b.hasInside or #memory.inside > 0
+  b.hasKnots = b.hasKnots or #memory.stuck > 0 or #memory.exiting > 0 or #memory.knotted > 0
 end
 
 local function rememberSlots(b, st, slots)
@@ -593,13 +627,12 @@ local function writeMasks(world, list, tables)
   world.masks = wanted
 end
 
-local function isSameOrder(order, other)
-  for n = 1, max(#order, #other) do
-    if order[n] ~= other[n] then
-      return false
-    end
+-- Writes what is soft; a table that says the same stays the same table.
+local function writeSoft(world, list)
+  local wanted = list and masksOf(list, {}) or nil
+  if not (wanted and type(world.soft) == "table" and areSameMasks(wanted, world.soft)) then
+    world.soft = wanted
   end
-  return true
 end
 
 -- Writes the settings. A list or table of the world that already says the same is kept.
@@ -612,13 +645,11 @@ local function restoreSettings(world, saved, tables)
   else
     world.masks = nil
   end
+  writeSoft(world, saved.soft)
   if not saved.order then
     world.order = nil
-  elseif not world.order or not isSameOrder(saved.order, world.order) then
-    world.order = {}
-    for n, name in ipairs(saved.order) do
-      world.order[n] = name
-    end
+  elseif not world.order or not isSameList(saved.order, world.order) then
+    world.order = copyList(saved.order)
   end
   settings.apply(world)
   -- Whatever the masks were before, the next step applies them anew.

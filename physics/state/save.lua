@@ -5,7 +5,8 @@
 -- the other, for the objects only that have one; each entry begins with the number of its object.
 --
 --   version       of this layout
---   settings      name -> value; masks = { group, other, collides, ... }
+--   settings      name -> value; masks = { group, other, collides, ... }; soft = { group, other,
+--                 px/s, ... }
 --   saved         s, saved up for the next fixed step
 --   groups        { name, count, direct, keys } in order: the known objects. Without keys: 1 to
 --                 count
@@ -59,7 +60,7 @@ state.VERSION = 2
 -- Columns that outlive a step. A new column of this kind in columns.lua must be added here, too.
 
 --- By slot: flags, saved where they are true.
-state.FLAGS = { "moved", "inside", "jumped", "grown" }
+state.FLAGS = { "moved", "inside", "jumped", "grown", "stuck", "exiting" }
 --- By slot: a slot, 0 for none.
 state.LINKS = { "support", "carrier", "crowd" }
 --- By slot and axis: name, and the usual value or the column that has it. `last` is only for
@@ -72,8 +73,9 @@ state.POINTS = {
   { "drift", 0 },
   { "behind", 0 },
   { "wasCrushed", false },
-  { "jam", 0 },
   { "crowdAge", 0 },
+  { "knotted", 0 },
+  { "knotWas", 0 },
   { "wasAt", 0 },
   { "wasSize", 0 },
 }
@@ -97,13 +99,14 @@ state.DENSE = {
   { "vy", "velocity", 1, 0 },
 }
 --- The other fields: name, column, the column's value if the field is not set, axis. (`static`,
---- `kinematic`, `friction` and `mask` are read by functions of their own.)
+--- `kinematic`, `friction`, `mask` and `hits` are read by functions of their own.)
 state.SPARSE = {
   { "static" },
   { "kinematic" },
   { "active", "active", true },
   { "sensor", "sensor", false },
   { "pushable", "pushable", true },
+  { "strength", "strength", 0 },
   { "mass", "mass", 1 },
   { "gravity", "ownGravity", false },
   { "gravityX", "ownGravityX", false },
@@ -127,6 +130,7 @@ state.SPARSE = {
   { "constantSpeed", "constantSpeed", false },
   { "mask" },
   { "area" },
+  { "hits" },
 }
 
 --- The names of all these fields.
@@ -138,13 +142,20 @@ for _, entry in ipairs(state.SPARSE) do
   state.FIELDS[#state.FIELDS + 1] = entry[1]
 end
 
--- Settings that are not in SETTINGS. All but `masks` and `order` change no result; these two have a
--- format of their own.
-local UNSAVED =
-  { broadphase = true, cellSize = true, rest = true, checked = true, masks = true, order = true }
-UNSAVED.ownFields = true
+-- Settings that are not in SETTINGS. All but `masks`, `soft` and `order` change no result; these
+-- have a format of their own.
+local UNSAVED = {
+  broadphase = true,
+  cellSize = true,
+  rest = true,
+  checked = true,
+  masks = true,
+  soft = true,
+  order = true,
+  ownFields = true,
+}
 
---- Settings in a state, in order, apart from masks and order.
+--- Settings in a state, in order, apart from masks, soft and order.
 state.SETTINGS = {}
 for _, field in ipairs(fields.settings) do
   if not UNSAVED[field.name] and field.type ~= "function" then
@@ -171,6 +182,14 @@ local function cut(list, n)
   end
 end
 
+local function copyList(list)
+  local copy = {}
+  for n = 1, #list do
+    copy[n] = list[n]
+  end
+  return copy
+end
+
 -- Returns a mask as { group, collides, ... }.
 local function listMask(mask)
   local list = {}
@@ -193,6 +212,7 @@ local function listArea(area)
   return list
 end
 
+-- The masks of a world, or what is soft, as { group, other, value, ... }.
 local function listMasks(masks)
   local list = {}
   for _, group in ipairs(keyOrder.sorted(masks)) do
@@ -481,6 +501,26 @@ local function saveAreas(b, out, work)
       at = at + 2
     end
   end
+  cut(list, at)
+end
+
+local function saveHits(b, out, work)
+  local list, objects, slots, at = listIn(out.fields, "hits"), work.objects, work.slots, 0
+  local has, i, visit = work.fixed and work.fixed.has.hits or NONE, 1, work.visit
+  for m = 1, #visit do
+    local n = visit[m]
+    local hits, slot = objects[n].hits, slots[n]
+    local read = n <= out.known and b.hitsRead[slot]
+    at, i = standing.put(list, at, has, i, n, work.numbers)
+    local isRead = hits == (read and b.hitsGiven[slot] or nil)
+    if n <= out.known and not isRead then
+      noteRead(b, out, work, "hits", n, slot, read and copyList(read.names))
+    end
+    if hits then
+      list[at + 1], list[at + 2] = n, copyList(isRead and read and read.names or hits)
+      at = at + 2
+    end
+  end
   at = standing.put(list, at, has, i, HUGE, work.numbers)
   cut(list, at)
 end
@@ -504,6 +544,7 @@ local function saveFields(b, out, work)
   saveSpecial(b, out, work, "friction", readFriction, absentFriction)
   saveMasks(b, out, work)
   saveAreas(b, out, work)
+  saveHits(b, out, work)
 end
 
 -- Memory -----------------------------------------------------------------------------------------
@@ -735,6 +776,7 @@ local function fieldsOf(object)
     if value ~= nil and check.accepts(fields.objectByName[name], value) then
       saved[name] = name == "mask" and listMask(value)
         or name == "area" and listArea(value)
+        or name == "hits" and copyList(value)
         or value
     end
   end
@@ -756,14 +798,10 @@ local function saveSettings(world, out)
   end
   check.setting("masks", world.masks)
   check.setting("order", world.order)
+  check.setting("soft", world.soft)
   settings.masks = world.masks and listMasks(world.masks) or nil
-  settings.order = nil
-  if world.order then
-    settings.order = {}
-    for n, name in ipairs(world.order) do
-      settings.order[n] = name
-    end
-  end
+  settings.soft = world.soft and listMasks(world.soft) or nil
+  settings.order = world.order and copyList(world.order)
 end
 
 -- How the game would write object n.

@@ -60,6 +60,11 @@ end
 
 local NUMBER = { isFinite, "a number in -1e+100..1e+100" }
 local BOOLEAN = { isBoolean, "true or false" }
+local function isSoftSpeed(value)
+  return isFinite(value) and value >= 0 and value <= check.FASTEST
+end
+
+local SPEED = { isSoftSpeed, "a number in 0.." .. show(check.FASTEST) }
 local NAME = { check.isName, "a string or a number" }
 
 -- Returns the kind of an entry that is the number of an object.
@@ -98,6 +103,9 @@ local function needSettings(settings)
   end
   if settings.masks ~= nil then
     needList(settings.masks, "state.settings.masks", { NAME, NAME, BOOLEAN })
+  end
+  if settings.soft ~= nil then
+    needList(settings.soft, "state.settings.soft", { NAME, NAME, SPEED })
   end
   if settings.order ~= nil then
     check.value(fields.settingByName.order, settings.order, WHERE .. "state.settings.order")

@@ -262,6 +262,7 @@ local function isAccepted(field, value)
   return TYPES[field.type].accepts(field, value)
 end
 
+---@return string
 local function describe(path, field, value)
   return TYPES[field.type].describe(path, field, value)
 end
@@ -378,6 +379,45 @@ TYPES.area = {
       return describe(indexed(path, key), field, value[key])
     end
     return describeUnknown("entry", key, fields.areaNames, path)
+  end,
+}
+
+--- The largest speed of `soft`, px/s.
+check.FASTEST = 1e6
+local FASTEST = check.FASTEST
+
+local function isSoftEntry(key, value)
+  return isName(key) and inRange(value, 0, nil, FASTEST)
+end
+
+local function isSoftRow(key, value)
+  return isName(key) and type(value) == "table" and not firstBad(value, isSoftEntry)
+end
+
+local function describeSoftRow(path, row)
+  if type(row) ~= "table" then
+    return mustBe(path, "a table { [group] = px/s }", row)
+  end
+  local _, key = firstBad(row, isSoftEntry)
+  if not isName(key) then
+    return format("%s must have group names as keys, got %s", path, show(key))
+  end
+  return mustBe(indexed(path, key), describeNumber(row[key], 0, nil, FASTEST), row[key])
+end
+
+TYPES.soft = {
+  accepts = function(_, value)
+    return type(value) == "table" and not firstBad(value, isSoftRow)
+  end,
+  describe = function(path, _, value)
+    if type(value) ~= "table" then
+      return mustBe(path, "a table { [group] = { [group] = px/s } }", value)
+    end
+    local _, key = firstBad(value, isSoftRow)
+    if not isName(key) then
+      return format("%s must have group names as keys, got %s", path, show(key))
+    end
+    return describeSoftRow(indexed(path, key), value[key])
   end,
 }
 

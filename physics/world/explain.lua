@@ -26,9 +26,18 @@ local function explainMask(v, i, j)
   local refusal = filter.refusal(v, i, j)
   if refusal == "mask" then
     return format("the mask of %s refuses the group %s", nameOf(v, i), check.show(v.groupName[j]))
+  elseif refusal == "hits" then
+    return format("%s does not hit the group %s", nameOf(v, i), check.show(v.groupName[j]))
   elseif refusal == "masks" then
     local one, other = check.show(v.groupName[i]), check.show(v.groupName[j])
     return format("the world's masks let %s pass through %s", one, other)
+  end
+end
+
+local function explainSoft(v, i, j)
+  if filter.isSoft(v, i, j) then
+    local one, other = check.show(v.groupName[i]), check.show(v.groupName[j])
+    return format("%s and %s are soft to each other, and drift apart", one, other)
   end
 end
 
@@ -50,7 +59,7 @@ local function explainFilter(v, i, j)
     end
     return format("one is %s and the other %s, which never bump each other", one, other)
   end
-  return explainMask(v, i, j) or explainMask(v, j, i)
+  return explainMask(v, i, j) or explainMask(v, j, i) or explainSoft(v, i, j)
 end
 
 -- Returns the gaps on both axes, negative where they overlap.

@@ -14,9 +14,10 @@
 ---   misnamed  another library's name for the field: the message for nil says if the object has it
 ---
 --- Types: "number" (finite), "boolean", "string" (one of `values`), "function",
----   "mask" (group name -> boolean), "masks" (group name -> mask), "names" (list of group names),
----   "ownFields" (list of names of fields of the game), "sides" (side -> object or false), "area"
----   (name -> value, see `fields.area`).
+---   "mask" (group name -> boolean), "masks" (group name -> mask), "soft" (group name -> group name
+---   -> number in 0..10^6), "names" (list of group names), "ownFields" (list of names of fields of
+---   the game), "sides" (side -> object or false),
+---   "area" (name -> value, see `fields.area`).
 
 ---@class physics.Field
 ---@field name string
@@ -151,6 +152,13 @@ fields.objects = {
     meaning = "`false`: other objects cannot push it, but it pushes them. Walls still stop it.",
   },
   {
+    name = "strength",
+    type = "number",
+    default = 0,
+    meaning = "Of two objects the one with the larger strength is not moved by the other, and"
+      .. " pushes it as if that had a fifth of its mass.",
+  },
+  {
     name = "mass",
     type = "number",
     default = 1,
@@ -243,6 +251,13 @@ fields.objects = {
     absent = "collides with every group",
     meaning = "`mask[group] = false`: passes through the objects of that group. `true` and nil"
       .. " collide. Either object of a pair may refuse.",
+  },
+  {
+    name = "hits",
+    type = "names",
+    absent = "every group that no mask refuses",
+    meaning = 'Collides with the objects of these groups and of no others: `hits = { "players" }`.'
+      .. " The list is read when it is set; to change it, set another list.",
   },
   {
     name = "oneWay",
@@ -446,6 +461,15 @@ fields.settings = {
     type = "masks",
     absent = "every group collides with every group",
     meaning = "Groups that pass through each other: `masks = { bullets = { players = false } }`.",
+  },
+  {
+    name = "soft",
+    type = "soft",
+    absent = "no group is soft to another",
+    unit = "px/s",
+    meaning = "Groups that overlap and drift apart instead of colliding:"
+      .. " `soft = { enemies = { enemies = 400 } }`. Two at one place part at this speed, two that"
+      .. " overlap by half at half of it. Static objects and sensors are not soft.",
   },
   {
     name = "sideBySide",

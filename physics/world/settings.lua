@@ -13,7 +13,8 @@ local rest = require(root .. ".sleep.islands")
 
 local allPairs = lazy(root .. ".broadphase.allPairs") -- loaded when it is first used
 
-require(root .. ".memory.jit").file()
+local interpreted = require(root .. ".memory.jit")
+interpreted.file()
 
 local settings = {}
 
@@ -82,8 +83,8 @@ function effects.order(self, b)
   b.registry.reorder = true
 end
 
-function effects.masks(self, b)
-  b.masks = self.masks or false
+-- What can meet what has changed.
+local function refilter(b)
   rest.wakeAll(b)
   for i = 1, b.slots do
     if b.kind[i] ~= 0 then
@@ -93,6 +94,59 @@ function effects.masks(self, b)
   detect.refilterAll(b)
   rest.wakeAll(b)
   b.isRemasked = true
+end
+
+function effects.masks(self, b)
+  b.masks = self.masks or false
+  refilter(b)
+end
+
+local function copyRows(given)
+  local copy = {}
+  for group, row in next, given, nil do
+    copy[group] = {}
+    for other, speed in next, row, nil do
+      copy[group][other] = speed
+    end
+  end
+  return copy
+end
+
+-- A copy of `soft` in which each of two groups names the other one.
+local function mirror(given)
+  local copy = {}
+  for group, row in next, given, nil do
+    for other, speed in next, row, nil do
+      copy[group], copy[other] = copy[group] or {}, copy[other] or {}
+      local most = copy[group][other] or 0
+      if speed + 0.0 >= most then
+        copy[group][other], copy[other][group] = speed + 0.0, speed + 0.0
+      end
+    end
+  end
+  return next(copy) ~= nil and copy or false
+end
+
+-- Whether one table of rows says something that the other one does not.
+local function differs(rows, others)
+  for group, row in next, rows, nil do
+    local other = others[group] or NONE
+    for name, speed in next, row, nil do
+      if other[name] ~= speed then
+        return true
+      end
+    end
+  end
+  return false
+end
+
+-- Takes over what is soft to what, which may have changed inside the same tables.
+local function applySoft(self, b)
+  local soft = self.soft or NONE
+  if differs(soft, b.softSeen) or differs(b.softSeen, soft) then
+    b.softSeen, b.soft = copyRows(soft), mirror(soft)
+    refilter(b)
+  end
 end
 
 -- Writes into a row what a mask says of each group, by the number of the group. Returns whether
@@ -154,7 +208,7 @@ function settings.fill(self, given)
     self[field.name] = value
   end
   b.applied = {}
-  b.masksSeen = false
+  b.masksSeen, b.soft, b.softSeen = false, false, NONE
   b.orientation = {}
   settings.apply(self)
 end
@@ -179,6 +233,10 @@ function settings.apply(self)
       effects.masks(self, b)
     end
   end
+  if self.soft or b.soft then
+    check.setting("soft", self.soft)
+    applySoft(self, b)
+  end
   if not changed then
     return
   end
@@ -193,5 +251,7 @@ function settings.apply(self)
     end
   end
 end
+
+interpreted.always(copyRows, mirror, differs)
 
 return settings

@@ -4,6 +4,7 @@
 --   a static object that was changed by hand: it is read once, so the change has no effect
 --   a field or setting with a name that is one slip away from one that the library knows, and a
 --     mask with the name of a group that is one slip away from a group of the world
+--   a mask that refuses no group, and a filter of a query with such a name
 --   a mover that is larger than very many cells of the grid
 --   a dynamic object that is one-way: it is open to the floor below it
 --   an object that is in two worlds (if both are checked)
@@ -107,7 +108,7 @@ end
 local function groupMeant(b, name)
   if type(name) ~= "string" or #name < 4 then
     return nil
-  elseif b.guarded.groups[name] or b.world.objects[name] ~= nil then
+  elseif b.guarded and b.guarded.groups[name] or b.world.objects[name] ~= nil then
     return nil
   end
   for n = 1, #b.registry.groups do
@@ -118,20 +119,40 @@ local function groupMeant(b, name)
   end
 end
 
+local function failGroup(place, name, meant)
+  check.fail(format("%s: there is no group %s, did you mean %s?", place, name, meant))
+end
+
 -- Checks the groups that a mask names; `place` is how the game would write it.
 local function checkMask(b, mask, place)
   for name in next, mask, nil do
     local meant = groupMeant(b, name)
     if meant then
-      check.fail(format("%s: there is no group %s, did you mean %s?", place, name, meant))
+      failGroup(place, name, meant)
     end
   end
 end
 
-local function checkMasks(b, masks)
-  checkMask(b, masks, "world.masks")
+local function checkHits(b, i, hits)
+  if not filter.isSameHits(hits, b.hitsRead[i]) then
+    check.fail(
+      placeOf(b, i)
+        .. ".hits was changed inside its table: the list is read when it is set, so set another"
+        .. " list"
+    )
+  end
+  for n = 1, #hits do
+    local meant = groupMeant(b, hits[n])
+    if meant then
+      failGroup(placeOf(b, i) .. ".hits", hits[n], meant)
+    end
+  end
+end
+
+local function checkMasks(b, masks, place)
+  checkMask(b, masks, place)
   for name, mask in next, masks, nil do
-    checkMask(b, mask, "world.masks." .. tostring(name))
+    checkMask(b, mask, place .. "." .. tostring(name))
   end
 end
 
@@ -146,8 +167,8 @@ local function checkRefuses(b, i, mask)
   end
   if group ~= nil then
     local text = "%s.mask = { [%s] = true } refuses nothing: true collides, as nil does, and false"
-      .. " passes through"
-    check.fail(format(text, placeOf(b, i), show(group)))
+      .. " passes through (did you mean hits = { %s }?)"
+    check.fail(format(text, placeOf(b, i), show(group), show(group)))
   end
 end
 
@@ -262,6 +283,9 @@ local function checkOthers(b, i, object)
   elseif not zones.isSame(object.area, b.area[i]) then
     refuseStatic(b, i, "area", object.area)
   end
+  if object.hits ~= (b.hitsGiven[i] or nil) then
+    refuseStatic(b, i, "hits", object.hits)
+  end
 end
 
 local function checkStatic(b, i, object)
@@ -330,6 +354,21 @@ local function checkOwner(b, i, object)
   end
 end
 
+--- Checks the groups that the filter of a query names: a list of them, or one.
+--- Errors: a name that is one slip away from a group of the world.
+function guard.filter(world, wanted, where)
+  local b, names = world._bodies, wanted
+  if type(wanted) ~= "table" then
+    names = { wanted }
+  end
+  for n = 1, #names do
+    local meant = groupMeant(b, names[n])
+    if meant then
+      failGroup(where .. ": filter", names[n], meant)
+    end
+  end
+end
+
 --- Notes the dt of an update. One of more than a second may be a game that was stopped; two after
 --- each other are milliseconds.
 --- Errors: that.
@@ -354,7 +393,8 @@ function guard.run(world)
     seen.groups[b.registry.groups[n].name] = true
   end
   checkNames(seen.settings, world, fields.settingNames, fields.settingByName, b)
-  checkMasks(b, world.masks or {})
+  checkMasks(b, world.masks or {}, "world.masks")
+  checkMasks(b, world.soft or {}, "world.soft")
   for i = 1, b.slots do
     local object = b.object[i]
     if object then
@@ -363,6 +403,9 @@ function guard.run(world)
         checkStatic(b, i, object)
       else
         checkMover(b, i, object)
+      end
+      if object.hits then
+        checkHits(b, i, object.hits)
       end
       if object.mask then
         checkMask(b, object.mask, placeOf(b, i) .. ".mask")

@@ -4,12 +4,15 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local begin = require(root .. ".motion.begin")
 local carrier = require(root .. ".objects.carriers")
 local check = require(root .. ".world.check")
+local knots = require(root .. ".solver.knots")
 local read = require(root .. ".objects.read")
 local columns = require(root .. ".memory.columns")
 local crowd = require(root .. ".solver.crowd")
 local crush = require(root .. ".solver.crush")
 local detect = require(root .. ".broadphase.pairFinder")
+local drift = require(root .. ".motion.drift")
 local events = require(root .. ".contacts.events")
+local flight = require(root .. ".motion.flight")
 local interpreted = require(root .. ".memory.jit")
 local lazy = require(root .. ".memory.lazy")
 local notice = require(root .. ".queries.notice")
@@ -127,18 +130,23 @@ local function step(self, dt)
 
   b.begun, b.predicted, b.rubs, b.dt = 0, 0, 0, dt
   begin.run(b)
+  knots.run(b)
   zones.begin(b, b.awakeList, b.awakeCount)
   crowd.mark(b)
   detect.runMoved(b)
   crowd.run(b)
   crush.wedgeGrown(b)
   separate.run(b)
+  drift.run(b, dt)
+  flight.begin(b, dt)
   now = time(self, "separate", now)
   predict.run(b, dt) -- forces, move
   now = time(self, "move", now)
   solver.run(b, dt) -- contacts, settle, friction, then sweep and hit
+  drift.takeOff(b)
   now = time(self, "solve", now)
   write.run(b)
+  flight.finish(b, dt)
   if b.rest then
     rest.settle(b, dt)
   end
@@ -147,7 +155,8 @@ local function step(self, dt)
   time(self, "write", now)
 
   local stats = self.stats
-  stats.objects, stats.movers, stats.resting = b.count, b.moverCount, b.moverCount - b.awakeCount
+  stats.objects, stats.movers = b.count, b.moverCount
+  stats.resting = b.moverCount - b.awakeCount - b.flyerCount
   stats.pairs, stats.contacts, stats.events = b.pairCount, b.contactCount, b.resolved
 end
 
@@ -368,7 +377,8 @@ function World:add(group, object)
   check.group(group, "world:add(group, object)")
   check.table(object, "object", "world:add(group, object)")
   checkObjects(self)
-  local known = self.objects[group]
+  local objects = self.objects ---@type table<any, any>
+  local known = objects[group]
   local n = type(known) == "table" and #known or 0
   check.object(object, check.place(group, n + 1), check.sizeToFill(object))
   local found, _, name, key = whereIs(self, object)
@@ -637,6 +647,9 @@ local function checkQuestion(self, call, filter, out)
   checkSelf(self, call)
   if filter ~= nil then
     check.filter(filter, "world:" .. call)
+    if self.checked then
+      guard.filter(self, filter, "world:" .. call)
+    end
   end
   if out ~= nil and type(out) ~= "table" then
     check.table(out, "out", "world:" .. call)
@@ -1310,6 +1323,7 @@ function world.new(given, where)
   local b = columns.new()
   solver.adopt(b)
   b.events, b.registry, b.hits = events.new(), registry.new(), write.newHits()
+  b.drifts = drift.new()
   local self = setmetatable({
     objects = {},
     stats = newStats(),

@@ -35,6 +35,15 @@ local function newMask(n)
   return { [random:pick(GROUPS)] = false, [random:pick(GROUPS)] = random:chance(0.5) }
 end
 
+local function newHits(n)
+  local list = n.random:shuffled(GROUPS)
+  list[#list + 1] = "statics"
+  for _ = 1, n.random:integer(0, #list) do
+    list[#list] = nil
+  end
+  return list
+end
+
 -- How to make a value for each field that may be there or not.
 local OPTIONAL = {
   ax = function(n)
@@ -83,6 +92,10 @@ local OPTIONAL = {
     return n.random:between(0, 20) * n.unit
   end,
   mask = newMask,
+  hits = newHits,
+  strength = function(n)
+    return n.random:integer(-1, 2)
+  end,
   oneWay = function(n)
     return n.random:pick(SIDES)
   end,
@@ -125,6 +138,8 @@ local SHARES = {
   { "carry", 0.04 },
   { "surfaceSpeed", 0.05 },
   { "nudge", 0.08 },
+  { "hits", 0.05 },
+  { "strength", 0.1 },
 }
 
 local function addOptional(n, object, share)
@@ -277,6 +292,10 @@ local SETTINGS = {
   masks = function(n)
     return { [n.random:pick(GROUPS)] = newMask(n) }
   end,
+  soft = function(n)
+    local row = { [n.random:pick(GROUPS)] = n:spread(0.1, 400) * n.unit }
+    return { [n.random:pick(GROUPS)] = row, lifts = n.random:chance(0.2) and row or nil }
+  end,
   sideBySide = function(n)
     return n.random:chance(0.5)
   end,
@@ -302,6 +321,7 @@ local NAMES = {
   "gravityX",
   "push",
   "masks",
+  "soft",
   "sideBySide",
   "broadphase",
   "cellSize",
@@ -309,7 +329,7 @@ local NAMES = {
   "order",
   "rest",
 }
-local MAY_BE_NIL = { masks = true, cellSize = true, order = true }
+local MAY_BE_NIL = { masks = true, soft = true, cellSize = true, order = true }
 
 local function newSetting(self)
   local name = self.n.random:pick(NAMES)

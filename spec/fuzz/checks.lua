@@ -96,9 +96,28 @@ local function isDynamic(object)
   return not object.static and not object.kinematic
 end
 
+local function isListed(list, name)
+  for _, listed in ipairs(list) do
+    if listed == name then
+      return true
+    end
+  end
+  return false
+end
+
 local function refuses(a, groupA, groupB, masks)
+  if a.hits and not isListed(a.hits, groupB) then
+    return true
+  end
   local row = masks and masks[groupA]
   return a.mask and a.mask[groupB] == false or row and row[groupB] == false
+end
+
+-- Whether two are soft to each other.
+local function areSoft(a, b, groupA, groupB, soft)
+  local row, other = soft and soft[groupA], soft and soft[groupB]
+  return (row and row[groupB] or other and other[groupA])
+    and not (a.static or b.static or a.sensor or b.sensor)
 end
 
 function Watch:canMeet(a, b)
@@ -107,7 +126,11 @@ function Watch:canMeet(a, b)
   if not groupA or not groupB or a.active == false or b.active == false then
     return false
   end
-  return not (refuses(a, groupA, groupB, masks) or refuses(b, groupB, groupA, masks))
+  return not (
+    refuses(a, groupA, groupB, masks)
+    or refuses(b, groupB, groupA, masks)
+    or areSoft(a, b, groupA, groupB, self.player.world.soft)
+  )
 end
 
 -- Whether two must not overlap: nothing lets one pass through the other.

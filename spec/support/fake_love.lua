@@ -80,10 +80,12 @@ local function newRandomGenerator(seed)
   local state = seed * 16807
   return {
     random = function(_, low, high)
-      if not high then
+      state = state * 16807 % 2147483647
+      if not low then
+        return state / 2147483647
+      elseif not high then
         low, high = 1, low
       end
-      state = state * 16807 % 2147483647
       return math.floor(low + state % (high - low + 1))
     end,
   }

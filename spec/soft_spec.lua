@@ -1,0 +1,343 @@
+-- Soft crowds: objects of groups that are soft to each other overlap, and drift apart.
+
+local newRandom = require("spec.support.random").new
+local physics = require("physics")
+
+local DT = 1 / 60
+
+local function newWorld(soft, settings)
+  settings = settings or {}
+  settings.gravity, settings.soft = settings.gravity or 0, soft
+  return physics.newWorld(settings)
+end
+
+local function box(x, y, fields)
+  local object = { x = x, y = y, width = 20, height = 20 }
+  for name, value in pairs(fields or {}) do
+    object[name] = value
+  end
+  return object
+end
+
+local function run(world, steps, dt)
+  for _ = 1, steps do
+    world:update(dt or DT)
+  end
+end
+
+local SOFT = { enemies = { enemies = 100 } }
+
+-- Two enemies side by side, the second `gap` px behind where it would overlap nothing.
+local function pair(one, other, soft, settings)
+  local world = newWorld(soft or SOFT, settings)
+  local a = world:add("enemies", box(100, 0, one))
+  local b = world:add("enemies", box(110, 0, other))
+  return world, a, b
+end
+
+describe("soft objects", function()
+  it("drift apart, the slower the less they overlap, and stop", function()
+    local world, a, b = pair()
+    run(world, 1, 1e-3)
+    assert.near(105, (a.x + b.x) / 2, 1e-9)
+    assert.near(0.05, b.x - a.x - 10, 1e-4) -- half of 100 px/s for 1 ms
+    run(world, 60)
+    assert.near(20 - 10 * math.exp(-100 / 20), b.x - a.x, 0.05) -- the overlap decays
+    assert.near(105, (a.x + b.x) / 2, 1e-6)
+  end)
+
+  it("keep their velocities, which do not count the drift", function()
+    local world, a, b = pair({ vx = 30, vy = -7 }, { vx = 30, vy = -7 })
+    run(world, 20)
+    for _, object in ipairs({ a, b }) do
+      assert.equal(30, object.vx)
+      assert.equal(-7, object.vy)
+    end
+    assert.is_true(b.x - a.x > 14)
+  end)
+
+  it("touch nothing and hear of nothing", function()
+    local heard = 0
+    local function hear()
+      heard = heard + 1
+    end
+    local world, a, b = pair({ onBegin = hear, onStay = hear, onEnd = hear })
+    run(world, 30)
+    assert.equal(0, heard)
+    assert.is_false(a.touching.right)
+    assert.equal(0, world.stats.contacts)
+    assert.is_nil(world:touching(a, b))
+    assert.equal(
+      "objects.enemies[1] and objects.enemies[2] never collide:"
+        .. ' "enemies" and "enemies" are soft to each other, and drift apart.',
+      world:explain(a, b)
+    )
+    assert.is_nil((world:sweep(a, 300, 0)))
+  end)
+
+  for _, row in ipairs({
+    { "by their masses", { mass = 3 }, {}, 0.25, 0.75 },
+    { "with one that is not pushable", { pushable = false }, {}, 0, 1 },
+    { "with one that is kinematic", { kinematic = true }, {}, 0, 1 },
+    {
+      "equally if both are not pushable: not at all",
+      { pushable = false },
+      { pushable = false },
+      0,
+      0,
+    },
+  }) do
+    it("share the drift " .. row[1], function()
+      local world, a, b = pair(row[2], row[3])
+      run(world, 30)
+      local left, right = 100 - a.x, b.x - 110
+      local whole = row[4] + row[5]
+      assert.near(row[4] * (left + right), left * whole, 1e-6)
+      assert.equal(whole > 0, left + right > 5)
+    end)
+  end
+
+  it("part also if they are at one place, the same in every world", function()
+    local places = {}
+    for n = 1, 2 do
+      local world = newWorld(SOFT, { broadphase = n == 1 and "pairs" or "grid" })
+      for _ = 1, 30 do
+        world:add("enemies", box(50, 50))
+      end
+      run(world, 300)
+      local overlaps = 0
+      for i, enemy in ipairs(world.objects.enemies) do
+        places[i] = places[i] or enemy.x
+        assert.equal(places[i], enemy.x)
+        local _, others = world:queryRect(enemy.x + 4, enemy.y + 4, 12, 12)
+        overlaps = overlaps + others - 1
+      end
+      assert.equal(0, overlaps)
+    end
+  end)
+
+  it("may be of different groups, named in either order", function()
+    for _, soft in ipairs({ { crates = { enemies = 60 } }, { enemies = { crates = 60 } } }) do
+      local world, a, b = pair(nil, nil, soft)
+      local crate = world:add("crates", box(100, 0))
+      run(world, 60)
+      assert.is_true(math.abs(a.x - crate.x) + math.abs(a.y - crate.y) > 5)
+      assert.is_true(b.x - a.x >= 20 - 1e-6) -- enemies are solid to each other
+    end
+  end)
+
+  it("are solid to all others, and to what is static", function()
+    local world, a = pair({ vx = 100 })
+    local wall = world:add("enemies", box(200, 0, { static = true }))
+    world:remove(world.objects.enemies[2])
+    run(world, 60)
+    assert.equal(wall, a.touching.right)
+    assert.near(180, a.x, 1e-9)
+  end)
+
+  it("do not act through a mask, and not on sensors", function()
+    for _, fields in ipairs({
+      { mask = { enemies = false } },
+      { hits = { "players" } },
+      { sensor = true },
+      { active = false },
+    }) do
+      local world, a, b = pair(nil, fields)
+      run(world, 10)
+      assert.equal(100, a.x)
+      assert.equal(110, b.x)
+    end
+  end)
+
+  it("rest when they are apart, and are woken by others", function()
+    local world, a, b = pair()
+    run(world, 600)
+    b.x = a.x + 25
+    run(world, 2)
+    assert.equal(2, world.stats.resting)
+    world:add("enemies", box(a.x - 40, 0, { vx = 50 }))
+    run(world, 60)
+    assert.is_true(b.x - a.x < 20 and a.x > 100)
+  end)
+
+  it("change when the setting does, also inside the same table", function()
+    local soft = { enemies = { enemies = 0 } }
+    local world, a, b = pair(nil, nil, soft)
+    run(world, 10)
+    assert.equal(10, b.x - a.x)
+    soft.enemies.enemies = 100
+    run(world, 10)
+    assert.is_true(b.x - a.x > 11)
+    world.soft = nil
+    run(world, 10)
+    assert.near(20, b.x - a.x, 1e-6)
+    assert.matches("can collide", world:explain(a, b))
+  end)
+end)
+
+-- A room full of enemies of many sizes that press to a player.
+local function press(settings, count, dt, seconds)
+  local random = newRandom(3)
+  local world = newWorld({ enemies = { enemies = 400, bosses = 200 } }, settings)
+  world:setBounds(0, 0, 600, 600)
+  local player = world:add("players", box(290, 290, { pushable = false }))
+  for _ = 1, 10 do
+    world:add("walls", box(random:between(0, 580), random:between(0, 580), { static = true }))
+  end
+  world:add("bosses", { x = 60, y = 60, width = 70, height = 60, mass = 30 })
+  for _ = 1, count do
+    local size = random:between(14, 20)
+    world:add("enemies", {
+      x = random:between(0, 580),
+      y = random:between(0, 580),
+      width = size,
+      height = size,
+      speed = random:between(60, 90),
+    })
+  end
+  local function steer(enemy)
+    local dx, dy = player.x - enemy.x, player.y - enemy.y
+    local distance = math.max(1, math.sqrt(dx * dx + dy * dy))
+    enemy.vx, enemy.vy = dx / distance * enemy.speed, dy / distance * enemy.speed
+  end
+  local function step()
+    for _, enemy in ipairs(world.objects.enemies) do
+      steer(enemy)
+    end
+    world:update(dt)
+  end
+  for _ = 1, math.floor(seconds / dt + 0.5) do
+    step()
+  end
+  return world, player, step
+end
+
+local function isInWall(world, enemy)
+  for _, wall in ipairs(world.objects.walls) do
+    local x = math.min(enemy.x + enemy.width, wall.x + 20) - math.max(enemy.x, wall.x)
+    local y = math.min(enemy.y + enemy.height, wall.y + 20) - math.max(enemy.y, wall.y)
+    if math.min(x, y) > 1e-6 then
+      return true
+    end
+  end
+  return enemy.x < -1e-6 or enemy.y < -1e-6 or enemy.x > 600 or enemy.y > 600
+end
+
+describe("a soft crowd", function()
+  it("stays out of walls, and moves nothing further than its speeds and the drift", function()
+    local world, player, step = press({}, 200, DT, 3)
+    for _ = 1, 120 do
+      local before = {}
+      for n, enemy in ipairs(world.objects.enemies) do
+        before[n] = { enemy.x, enemy.y }
+      end
+      step()
+      for n, enemy in ipairs(world.objects.enemies) do
+        local moved = math.max(math.abs(enemy.x - before[n][1]), math.abs(enemy.y - before[n][2]))
+        assert.is_true(moved <= (90 + 400) * DT + 1e-9)
+        assert.is_false(isInWall(world, enemy))
+      end
+    end
+    assert.equal(290, player.x)
+  end)
+
+  it("is the same at every frame rate within 2 %", function()
+    local means = {}
+    for n, rate in ipairs({ 30, 60, 144, 240 }) do
+      local world, player = press({}, 150, 1 / rate, 8)
+      local sum = 0
+      for _, enemy in ipairs(world.objects.enemies) do
+        local dx, dy = enemy.x - player.x, enemy.y - player.y
+        sum = sum + math.sqrt(dx * dx + dy * dy)
+      end
+      means[n] = sum / 150
+    end
+    for n = 1, 3 do
+      assert.near(1, means[n] / means[4], 0.02)
+    end
+  end)
+
+  it(
+    "goes on to the same bit after it was saved, in every broad phase, with rest or without",
+    function()
+      local world, _, step = press({}, 80, DT, 2)
+      local other = physics.newWorld({})
+      other:restore(world:save())
+      assert.equal(world:hash(), other:hash())
+      assert.same({ enemies = { enemies = 400, bosses = 200 } }, other.soft)
+      other.broadphase, other.rest = "pairs", false
+      for _ = 1, 40 do
+        step()
+        for n, enemy in ipairs(world.objects.enemies) do
+          local its = other.objects.enemies[n]
+          if n % 2 == 0 then
+            its.vx, its.vy = 0, 0
+            enemy.vx, enemy.vy = 0, 0
+          end
+        end
+      end
+      local worlds =
+        { (press({}, 80, DT, 3)), (press({ broadphase = "pairs", rest = false }, 80, DT, 3)) }
+      assert.equal(worlds[1]:hash(), worlds[2]:hash())
+      other = physics.newWorld({})
+      other:restore(worlds[1]:save())
+      for _ = 1, 60 do
+        worlds[1]:update(DT)
+        worlds[2]:update(DT)
+        other:update(DT)
+        assert.equal(worlds[1]:hash(), worlds[2]:hash())
+        assert.equal(worlds[1]:hash(), other:hash())
+      end
+    end
+  )
+
+  it("counts in the hash", function()
+    local world = pair()
+    local before = world:hash()
+    world.soft = { enemies = { enemies = 101 } }
+    assert.not_equal(before, world:hash())
+  end)
+end)
+
+describe("the setting soft", function()
+  for _, row in ipairs({
+    { 5, "soft must be a table { [group] = { [group] = px/s } }, got 5" },
+    { { enemies = 5 }, "soft.enemies must be a table { [group] = px/s }, got 5" },
+    {
+      { enemies = { enemies = -1 } },
+      "soft.enemies.enemies must be a number in 0..1000000, got -1",
+    },
+    {
+      { enemies = { enemies = true } },
+      "soft.enemies.enemies must be a number in 0..1000000, got true",
+    },
+    { { [true] = {} }, "soft must have group names as keys, got true" },
+    { { enemies = { [true] = 1 } }, "soft.enemies must have group names as keys, got true" },
+  }) do
+    it("is refused: " .. row[2], function()
+      local ok, message = pcall(physics.newWorld, { soft = row[1] })
+      assert.is_false(ok)
+      assert.equal(
+        row[2],
+        message:match("spec/soft_spec.lua:%d+: physics: newWorld%(settings%): (.*)")
+          or message:match("physics: (.*)")
+      )
+      local world = newWorld({})
+      world.soft = row[1]
+      ok, message = pcall(world.update, world, DT)
+      assert.is_false(ok)
+      assert.equal("world." .. row[2], message:match("physics: (.*)"))
+    end)
+  end
+
+  it("must name groups of the world, if that is checked", function()
+    local world = newWorld({ enemies = { enemeis = 5 } }, { checked = true })
+    world:add("enemies", box(0, 0))
+    local ok, message = pcall(world.update, world, DT)
+    assert.is_false(ok)
+    assert.equal(
+      "physics: world.soft.enemies: there is no group enemeis, did you mean enemies?",
+      message:match("physics: .*")
+    )
+  end)
+end)

@@ -1,0 +1,144 @@
+-- The field `strength`: the stronger object pushes weaker ones, and is not moved by them.
+
+local physics = require("physics")
+
+local DT = 1 / 60
+
+-- Two boxes on a line along x or y, `gap` px apart. Returns them and the velocities after a second.
+local function meet(one, other, gap, settings)
+  settings = settings or {}
+  local isTurned = settings.isTurned
+  local world =
+    physics.newWorld({ gravity = 0, broadphase = settings.broadphase, rest = settings.rest })
+  local objects = {}
+  for n, fields in ipairs({ one, other }) do
+    local at = n == 1 and 0 or 10 + gap
+    local v = fields.v or 0
+    objects[n] = world:add("boxes", {
+      x = isTurned and 0 or at,
+      y = isTurned and at or 0,
+      width = 10,
+      height = 10,
+      vx = isTurned and 0 or v,
+      vy = isTurned and v or 0,
+      mass = fields.mass,
+      strength = fields.strength,
+      restitution = fields.restitution,
+    })
+  end
+  for _ = 1, 60 do
+    world:update(DT)
+  end
+  local name = isTurned and "vy" or "vx"
+  return objects[1][name], objects[2][name], objects[1], objects[2]
+end
+
+describe("strength", function()
+  for _, gap in ipairs({ 0, 20 }) do
+    for _, row in ipairs({
+      { "stands, and is run into", { strength = 1 }, { v = -60 }, 0, 0 },
+      {
+        "stands, and is run into by ten times its mass",
+        { strength = 1 },
+        { v = -60, mass = 10 },
+        0,
+        0,
+      },
+      { "pushes a fifth of what stands", { v = 60, strength = 1 }, {}, 50, 50 },
+      { "pushes a fifth of what comes towards it", { v = 60, strength = 1 }, { v = -90 }, 50, 50 },
+      { "pushes a fifth of five times its mass", { v = 60, strength = 1 }, { mass = 5 }, 30, 30 },
+      { "pushes what flees slowly", { v = 60, strength = 1 }, { v = 30 }, 55, 55 },
+      { "flees, and is caught up", { v = 90 }, { v = 60, strength = 1 }, 60, 60 },
+      { "is as strong", { v = 60, strength = 1 }, { v = -60, strength = 1 }, 0, 0 },
+      { "is weaker than 0", { v = -0.0, strength = 0 }, { v = -60, strength = -1 }, 0, 0 },
+    }) do
+      it(("of one that %s, %d px apart"):format(row[1], gap), function()
+        for _, isTurned in ipairs({ false, true }) do
+          local one, other = meet(row[2], row[3], gap, { isTurned = isTurned })
+          assert.near(row[4], one, 1e-9)
+          assert.near(row[5], other, 1e-9)
+          -- Mirrored.
+          local a, b = { v = -(row[3].v or 0) }, { v = -(row[2].v or 0) }
+          for _, name in ipairs({ "mass", "strength" }) do
+            a[name], b[name] = row[3][name], row[2][name]
+          end
+          one, other = meet(a, b, gap, { isTurned = isTurned })
+          assert.near(-row[5], one, 1e-9)
+          assert.near(-row[4], other, 1e-9)
+        end
+      end)
+    end
+  end
+
+  it("leaves no overlap when the two are put into each other: the weaker one leaves", function()
+    local _, _, one, other = meet({ strength = 1 }, {}, -4)
+    assert.equal(0, one.x)
+    assert.near(10, other.x, 1e-6)
+  end)
+
+  it("lets the weaker one bounce", function()
+    local one, other = meet({ strength = 2 }, { v = -60, restitution = 1 }, 20)
+    assert.equal(0, one)
+    assert.near(60, other, 1e-9)
+  end)
+
+  it("does not let it through walls, nor what it pushes", function()
+    local world = physics.newWorld({ gravity = 0 })
+    local player = world:add("players", { x = 0, y = 0, width = 10, height = 10, strength = 1 })
+    world:add("crates", { x = 20, y = 0, width = 10, height = 10 })
+    world:add("walls", { x = 50, y = 0, width = 10, height = 10, static = true })
+    for _ = 1, 60 do
+      player.vx = 300
+      world:update(DT)
+    end
+    assert.near(30, player.x, 1e-9)
+  end)
+
+  it("is saved, restored and hashed", function()
+    local world = physics.newWorld({ gravity = 0 })
+    local player = world:add("players", { x = 0, y = 0, width = 10, height = 10, strength = 3 })
+    local state, hash = world:save(), world:hash()
+    player.strength = 2
+    assert.not_equal(hash, world:hash())
+    world:restore(state)
+    assert.equal(3, player.strength)
+  end)
+
+  for _, count in ipairs({ 40, 100 }) do
+    it(
+      "keeps a player where it stands among " .. count .. " that press, and lets it walk out",
+      function()
+        local world = physics.newWorld({ gravity = 0 })
+        local player = world:add("players", { x = 390, y = 290, width = 20, height = 20 })
+        player.strength, player.mass = 1, 10
+        for n = 1, count do
+          world:add("enemies", {
+            x = n * 97 % 780,
+            y = n * 61 % 580 * (n % 2) + (1 - n % 2) * (n * 41 % 580),
+            width = 16,
+            height = 16,
+          })
+        end
+        local function step(vx)
+          for _, enemy in ipairs(world.objects.enemies) do
+            local dx, dy = player.x - enemy.x, player.y - enemy.y
+            local distance = math.max(1, math.sqrt(dx * dx + dy * dy))
+            enemy.vx, enemy.vy = 75 * dx / distance, 75 * dy / distance
+          end
+          player.vx, player.vy = vx, 0
+          world:update(DT)
+        end
+        for _ = 1, 480 do
+          step(0)
+        end
+        assert.near(390, player.x, 0.5)
+        assert.near(290, player.y, 0.5)
+        local x = player.x
+        for _ = 1, 120 do
+          step(150)
+        end
+        assert.is_true(player.x - x > 120 and player.x - x < 299)
+      end
+    )
+  end
+end)
