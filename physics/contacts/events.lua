@@ -84,7 +84,10 @@ local function locate(b, p, side)
   local at, low, high = b.hitAt[p], b.hitLow[p], b.hitHigh[p]
   local i, j = b.pairA[p], b.pairB[p]
   if b.hasSlopes and slope.isPair(b, i, i) then
-    i, j, side = j, i, OPPOSITE[side] -- the box has the side, or the corner, that touches
+    -- The box has the side, or the corner, that touches.
+    local first = j
+    j = i
+    i, side = first, OPPOSITE[side]
   end
   if b.hit[p] == 0 and b.hasCircles and ball.isRound(b, i, j) then
     local x, y = ball.point(b, i, j)

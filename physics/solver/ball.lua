@@ -249,7 +249,9 @@ local function pointAt(b, i, j, x, y, ox, oy)
   if b.shape[i] ~= CIRCLE then
     local px, py = x, y
     x, y, ox, oy = ox, oy, px, py
-    i, j = j, i
+    local first = j
+    j = i
+    i = first
   end
   local size, k, m = b.size, 2 * i, 2 * j
   local w, h, r = size[k], size[k + 1], size[k] * 0.5

@@ -31,6 +31,7 @@ require(root .. ".memory.jit").file()
 local knots = {}
 
 local DYNAMIC, KINEMATIC, EPSILON = columns.DYNAMIC, columns.KINEMATIC, columns.EPSILON
+local CIRCLE = columns.SHAPE_CIRCLE
 local floor, huge, max, min = math.floor, math.huge, math.max, math.min
 --- s for which the overlaps of a knot may stay as they are.
 knots.PATIENCE = 0.2
@@ -401,6 +402,17 @@ local function waitAll(b)
   end
 end
 
+-- Whether slot i has waited for long, and is a box.
+local function isLate(b, i)
+  return b.knotted[2 * i] >= PATIENCE and b.shape[i] ~= CIRCLE
+end
+
+-- Whether slot i is a ball that has waited for long. Balls neither exit nor get stuck: two that have
+-- no room stay a little inside each other, and can be pushed.
+local function isSettledBall(b, i)
+  return b.knotted[2 * i] >= PATIENCE and b.shape[i] == CIRCLE
+end
+
 --- Decides at the end of a step which bodies exit, and which are stuck.
 function knots.note(b)
   if not hasKnots(b) then
@@ -416,7 +428,7 @@ function knots.note(b)
       local isDisturbed = states[leaderOf(knot, i)] == DISTURBED
       if b.stuck[i] and isDisturbed then
         free(b, i)
-      elseif not (b.stuck[i] or isDisturbed) and b.knotted[2 * i] >= PATIENCE then
+      elseif isLate(b, i) and not (b.stuck[i] or isDisturbed) then
         count = count + 1
         list[count] = i
       end
@@ -427,9 +439,10 @@ function knots.note(b)
   end
   for n = 1, b.awakeCount do
     local i = b.awakeList[n]
-    local isDeep = b.deepAt[i] == b.solveStamp and not b.stuck[i]
+    local isDeep = b.deepAt[i] == b.solveStamp and not b.stuck[i] and not isSettledBall(b, i)
     local isKnotted = b.knotted[2 * i] ~= 0 or b.knotted[2 * i + 1] ~= 0
-    local isBusy = isDeep or b.exiting[i] or (isKnotted and not b.stuck[i])
+    local isStill = b.stuck[i] or isSettledBall(b, i)
+    local isBusy = isDeep or b.exiting[i] or (isKnotted and not isStill)
     b.news[i] = b.news[i] or isBusy
   end
 end

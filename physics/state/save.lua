@@ -501,6 +501,7 @@ local function saveAreas(b, out, work)
       at = at + 2
     end
   end
+  at = standing.put(list, at, has, i, HUGE, work.numbers)
   cut(list, at)
 end
 
