@@ -868,7 +868,7 @@ recipes["Survivors"] = function(snippet)
   local killed, gems = g.look()
   assert.is_true(killed >= 10 and gems >= 5)
   local enemies = #world.objects.enemies
-  assert.is_true(enemies > 290 and enemies <= 300) -- one that was hit comes back with the next update
+  assert.is_true(enemies > 290 and enemies <= 300) -- the next update replaces what was just hit
   assert.near(800, player.x, 1)
   g.press("right")
   local x = player.x

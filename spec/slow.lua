@@ -24,6 +24,7 @@ slow.files = {
   { "spec/scenarios/08_crushing_spec.lua", "a crowd on one spot, in a dozen corridors" },
   { "spec/scenarios/12_momentum_spec.lua", "200 bouncing boxes, for a minute" },
   { "spec/scenarios/01_seams_spec.lua", "a hundred landings, one by one" },
+  { "spec/balls_spec.lua", "200 balls, for a minute" },
   { "spec/examples_spec.lua", "whole levels of the examples, as recorded" },
   { "spec/slopes_spec.lua", "850 walks over hills" },
   { "spec/soak_spec.lua", "falls of 4600 steps" },

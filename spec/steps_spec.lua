@@ -26,6 +26,7 @@ local function newBodies(count)
     b.awakeList[n], b.awake[i] = i, true
   end
   b.awakeCount = count
+  b.flowPull, b.flowAir, b.flowDrag = b.pull, b.airFriction, b.drag -- as without zones
   begin.run(b)
   return b
 end

@@ -407,8 +407,8 @@ local function isLate(b, i)
   return b.knotted[2 * i] >= PATIENCE and b.shape[i] ~= CIRCLE
 end
 
--- Whether slot i is a ball that has waited for long. Balls neither exit nor get stuck: two that have
--- no room stay a little inside each other, and can be pushed.
+-- Whether slot i is a ball that has waited for long. Balls neither exit nor get stuck: two without
+-- room stay a little inside each other, and can be pushed.
 local function isSettledBall(b, i)
   return b.knotted[2 * i] >= PATIENCE and b.shape[i] == CIRCLE
 end
@@ -439,10 +439,10 @@ function knots.note(b)
   end
   for n = 1, b.awakeCount do
     local i = b.awakeList[n]
-    local isDeep = b.deepAt[i] == b.solveStamp and not b.stuck[i] and not isSettledBall(b, i)
+    local isDeep = b.deepAt[i] == b.solveStamp
     local isKnotted = b.knotted[2 * i] ~= 0 or b.knotted[2 * i + 1] ~= 0
     local isStill = b.stuck[i] or isSettledBall(b, i)
-    local isBusy = isDeep or b.exiting[i] or (isKnotted and not isStill)
+    local isBusy = b.exiting[i] or (isDeep or isKnotted) and not isStill
     b.news[i] = b.news[i] or isBusy
   end
 end
