@@ -228,7 +228,7 @@ local function follow(b, i, axis, turn, x0, x1, height, isMeasured, isFree)
     local first = height - limitAt(b, i, axis, turn, x, middle)
     local left = last - limitAt(b, i, axis, turn, xEnd, middle)
     if left < -ROUNDING and left < first and not isFree then
-      local share = max(min(first / (first - left), 1), 0)
+      local share = max(min(first / (first - left), 1.0), 0.0)
       x, height = x + (xEnd - x) * share, height + (last - height) * share
       addPiece(b, x, height)
       return x, height, on, true
@@ -454,7 +454,7 @@ local function walkAlong(b, axis, turn)
       count = count + 1
       walkers[count], b.walkOn[i] = i, b.ground.main
       b.liftMark[k], b.walkAt[k] = b.walkStamp, b.walkStamp
-      isStopped = isStopped or isBlocked
+      isStopped = isStopped or isBlocked == true
     end
   end
   if count > 0 then
