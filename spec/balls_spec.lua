@@ -343,3 +343,35 @@ describe("a ball", function()
     assert.are.same({ hashes[1], hashes[1], hashes[1], hashes[1] }, hashes)
   end)
 end)
+
+describe("a ball on a slope", function()
+  it("is its box: it follows the ground, up and down, and does not roll by itself", function()
+    for _, rate in ipairs(RATES) do
+      for _, radius in ipairs({ 8, false }) do
+        local world = physics.newWorld({ gravity = 800 })
+        world:add("walls", tile(-200, 0, 200, 80))
+        world:add("walls", tile(0, 0, 64, 64, { slope = "left" }))
+        world:add("walls", tile(0, 64, 300, 16))
+        world:add("walls", tile(164, 32, 64, 32, { slope = "right" }))
+        world:add("walls", tile(228, 32, 400, 40))
+        local one = { x = -40, y = -16, width = 16, height = 16, radius = radius or nil }
+        local still = { x = 20, y = 4, width = 16, height = 16, radius = radius or nil }
+        world:add("balls", one)
+        world:add("others", still)
+        still.mask = { balls = false }
+        run(world, 1 / rate, rate)
+        for n = 1, 3 * rate do
+          one.vx = 100
+          run(world, 1 / rate, rate)
+          local x = -40 + 100 * n / rate
+          local y = math.min(math.max(x, 0), 64, 64 - (x - 148) / 2 * (x > 148 and 1 or 0))
+          near(x, one.x, 1e-6)
+          near(math.max(y, x > 148 and 32 or 0) - 16, one.y, 1e-6)
+          near(0, one.vy)
+        end
+        near(20, still.x)
+        near(4, still.y)
+      end
+    end
+  end)
+end)

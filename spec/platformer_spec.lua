@@ -368,6 +368,26 @@ describe("the place of a contact", function()
     expectPlace(told[1], 100, 40, 100, 60)
   end)
 
+  it("is the corner that is on a slope, and the point where a circle touches", function()
+    for _, row in ipairs({
+      { { x = 0, y = 0, width = 64, height = 64, slope = "left" }, 20, 20 },
+      { { x = 0, y = 0, width = 64, height = 64, slope = "right" }, 36, 28 },
+      { { x = 0, y = 20, width = 64, height = 64 }, 28, 20, 8 },
+      { { x = 27, y = 20, width = 10, height = 10, radius = 5 }, 28 + 4 * 8 / 13, nil, 8 },
+    }) do
+      local world = physics.newWorld({ gravity = 800 })
+      row[1].static = true
+      world:add("tiles", row[1])
+      local one = { x = 20, y = -60, width = 16, height = 16, radius = row[4] }
+      world:add("men", one)
+      local told = play(world, 60, one)
+      assert.equal("bottom", told[1][3])
+      local x = row[2]
+      local y = row[3] or 25 - math.sqrt(25 - (32 - x) ^ 2)
+      expectPlace(told[1], x, y, x, y)
+    end
+  end)
+
   it("is told after an error and a restore, too", function()
     local world = physics.newWorld({ gravity = 800 })
     world:add("tiles", { x = 0, y = 100, width = 50, height = 16, static = true })

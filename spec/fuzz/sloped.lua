@@ -35,6 +35,9 @@ function sloped.new(seed, steps)
     if object and (object.static or object.kinematic) and not changing[act[2]] then
       local share = act[3] == "tiles" and 0.2 or act[3] == "walls" and 0.1 or 0.6
       object.slope = random:chance(share) and random:pick(NAMES) or nil
+      if object.radius then
+        object.slope = nil -- it is round
+      end
     elseif object and not (object.static or object.kinematic) then
       object.constantSpeed = random:chance(0.2) or nil
     end
