@@ -35,7 +35,9 @@ local function setMerging(boxes, merge, reading)
   if isMerging == nil then
     isMerging = given.static == true and not given.sensor
   end
-  isMerging = isMerging and reading.merge and not given.slope
+  if given.slope or not reading.merge then
+    isMerging = false
+  end
   local oneWay = given.oneWay
   boxes.isWide = isMerging
     and boxes.width == map.tilewidth
