@@ -136,14 +136,6 @@ local function isSameList(list, other)
   return true
 end
 
-local function copyList(list)
-  local copy = {}
-  for n = 1, #list do
-    copy[n] = list[n]
-  end
-  return copy
-end
-
 local function tableOf(list)
   local mask = {}
   for at = 1, #list, 2 do
@@ -186,7 +178,7 @@ end
 local function writeHits(object, list)
   local now = object.hits
   if not (type(now) == "table" and isSameList(list, now)) then
-    write(object, "hits", copyList(list))
+    write(object, "hits", state.copyList(list))
   end
 end
 
@@ -252,7 +244,7 @@ local function writeRead(st, objects)
       if (name == "mask" or name == "area") and value then
         value = tableOf(value)
       elseif name == "hits" and value then
-        value = copyList(value)
+        value = state.copyList(value)
       elseif value == false and not isBoolean then
         value = nil
       end
@@ -649,7 +641,7 @@ local function restoreSettings(world, saved, tables)
   if not saved.order then
     world.order = nil
   elseif not world.order or not isSameList(saved.order, world.order) then
-    world.order = copyList(saved.order)
+    world.order = state.copyList(saved.order)
   end
   settings.apply(world)
   -- Whatever the masks were before, the next step applies them anew.

@@ -182,7 +182,8 @@ local function cut(list, n)
   end
 end
 
-local function copyList(list)
+--- Returns a copy of a list.
+function state.copyList(list)
   local copy = {}
   for n = 1, #list do
     copy[n] = list[n]
@@ -426,9 +427,12 @@ local function saveSpecial(b, out, work, name, read, absent)
   cut(list, at)
 end
 
--- Returns the mask as the library has read it: of a mover only the groups that it refuses.
-local function listRead(b, slot)
-  if b.kind[slot] == STATIC then
+-- Returns the mask as the library has read it, false: none. Of a mover these are only the groups
+-- that it refuses.
+local function listMaskRead(b, slot)
+  if not b.mask[slot] then
+    return false
+  elseif b.kind[slot] == STATIC then
     return listMask(b.mask[slot])
   end
   local list, groups, seen = {}, b.registry.groups, b.maskSeen[slot]
@@ -454,8 +458,8 @@ local function isSeen(b, slot, mask)
   return true
 end
 
-local function isMaskRead(b, slot, mask)
-  local read = b.mask[slot]
+local function isMaskRead(b, slot, given)
+  local read, mask = b.mask[slot], given or false
   if b.kind[slot] == STATIC then
     return filter.isSameMask(mask, read)
   elseif not mask or mask ~= read then
@@ -466,59 +470,51 @@ local function isMaskRead(b, slot, mask)
   return isSeen(b, slot, mask)
 end
 
-local function saveMasks(b, out, work)
-  local list, objects, slots, at = listIn(out.fields, "mask"), work.objects, work.slots, 0
-  local has, i, visit = work.fixed and work.fixed.has.mask or NONE, 1, work.visit
-  for m = 1, #visit do
-    local n = visit[m]
-    local mask, slot = objects[n].mask or false, slots[n]
-    at, i = standing.put(list, at, has, i, n, work.numbers)
-    if n <= out.known and not isMaskRead(b, slot, mask) then
-      noteRead(b, out, work, "mask", n, slot, b.mask[slot] and listRead(b, slot))
-    end
-    if mask then
-      list[at + 1], list[at + 2] = n, listMask(mask)
-      at = at + 2
-    end
-  end
-  at = standing.put(list, at, has, i, HUGE, work.numbers)
-  cut(list, at)
+local function listMaskGiven(_, _, mask)
+  return listMask(mask)
 end
 
-local function saveAreas(b, out, work)
-  local list, objects, slots, at = listIn(out.fields, "area"), work.objects, work.slots, 0
-  local has, i, visit = work.fixed and work.fixed.has.area or NONE, 1, work.visit
-  for m = 1, #visit do
-    local n = visit[m]
-    local area = objects[n].area
-    local read = n <= out.known and b.area[slots[n]]
-    at, i = standing.put(list, at, has, i, n, work.numbers)
-    if n <= out.known and not zones.isSame(area, read) then
-      noteRead(b, out, work, "area", n, slots[n], read and listArea(read))
-    end
-    if area ~= nil then
-      list[at + 1], list[at + 2] = n, listArea(area)
-      at = at + 2
-    end
-  end
-  at = standing.put(list, at, has, i, HUGE, work.numbers)
-  cut(list, at)
+local function isAreaRead(b, slot, area)
+  return zones.isSame(area, b.area[slot])
 end
 
-local function saveHits(b, out, work)
-  local list, objects, slots, at = listIn(out.fields, "hits"), work.objects, work.slots, 0
-  local has, i, visit = work.fixed and work.fixed.has.hits or NONE, 1, work.visit
+local function listAreaRead(b, slot)
+  return b.area[slot] and listArea(b.area[slot])
+end
+
+local function listAreaGiven(_, _, area)
+  return listArea(area)
+end
+
+local function isHitsRead(b, slot, hits)
+  return hits == (b.hitsGiven[slot] or nil)
+end
+
+local function listHitsRead(b, slot)
+  return b.hitsRead[slot] and state.copyList(b.hitsRead[slot].names)
+end
+
+-- Returns a list of `hits`, as it was read: a change in place counts only when it is read.
+local function listHitsGiven(b, slot, hits)
+  local isRead = slot and isHitsRead(b, slot, hits)
+  return isRead and listHitsRead(b, slot) or state.copyList(hits)
+end
+
+-- Saves a field that is a table. `isRead(b, slot, value)`: whether that is what the library has
+-- read; `listRead(b, slot)` lists what it has, false: nothing; `listGiven(b, slot, value)` lists a
+-- value, without a slot that of an object not known yet.
+local function saveTable(b, out, work, name, isRead, listRead, listGiven)
+  local list, objects, slots, at = listIn(out.fields, name), work.objects, work.slots, 0
+  local has, i, visit = work.fixed and work.fixed.has[name] or NONE, 1, work.visit
   for m = 1, #visit do
     local n = visit[m]
-    local hits, slot = objects[n].hits, slots[n]
-    local read = n <= out.known and b.hitsRead[slot]
+    local value, slot = objects[n][name], n <= out.known and slots[n]
     at, i = standing.put(list, at, has, i, n, work.numbers)
-    local isRead = hits == (read and b.hitsGiven[slot] or nil)
-    if n <= out.known and not isRead then
-      noteRead(b, out, work, "hits", n, slot, read and copyList(read.names))
+    if slot and not isRead(b, slot, value) then
+      noteRead(b, out, work, name, n, slot, listRead(b, slot))
     end
-    if hits then
-      list[at + 1], list[at + 2] = n, copyList(isRead and read and read.names or hits)
+    if value then
+      list[at + 1], list[at + 2] = n, listGiven(b, slot, value)
       at = at + 2
     end
   end
@@ -543,9 +539,9 @@ local function saveFields(b, out, work)
   saveSpecial(b, out, work, "static", readStatic, never)
   saveSpecial(b, out, work, "kinematic", readKinematic, never)
   saveSpecial(b, out, work, "friction", readFriction, absentFriction)
-  saveMasks(b, out, work)
-  saveAreas(b, out, work)
-  saveHits(b, out, work)
+  saveTable(b, out, work, "mask", isMaskRead, listMaskRead, listMaskGiven)
+  saveTable(b, out, work, "area", isAreaRead, listAreaRead, listAreaGiven)
+  saveTable(b, out, work, "hits", isHitsRead, listHitsRead, listHitsGiven)
 end
 
 -- Memory -----------------------------------------------------------------------------------------
@@ -777,7 +773,7 @@ local function fieldsOf(object)
     if value ~= nil and check.accepts(fields.objectByName[name], value) then
       saved[name] = name == "mask" and listMask(value)
         or name == "area" and listArea(value)
-        or name == "hits" and copyList(value)
+        or name == "hits" and state.copyList(value)
         or value
     end
   end
@@ -802,7 +798,7 @@ local function saveSettings(world, out)
   check.setting("soft", world.soft)
   settings.masks = world.masks and listMasks(world.masks) or nil
   settings.soft = world.soft and listMasks(world.soft) or nil
-  settings.order = world.order and copyList(world.order)
+  settings.order = world.order and state.copyList(world.order)
 end
 
 -- How the game would write object n.
