@@ -284,6 +284,10 @@ local function mustBe(path, expected, value)
   return format("%s must be %s, got %s", path, expected, show(value))
 end
 
+local function describeBoolean(path, value)
+  return mustBe(path, "true or false", value)
+end
+
 TYPES.number = {
   accepts = function(field, value)
     return inRange(value, field.min, field.above, field.max)
@@ -298,7 +302,7 @@ TYPES.boolean = {
     return type(value) == "boolean"
   end,
   describe = function(path, _, value)
-    return mustBe(path, "true or false", value)
+    return describeBoolean(path, value)
   end,
 }
 
@@ -329,15 +333,22 @@ TYPES.string = {
   end,
 }
 
-local function describeMask(path, mask)
-  if type(mask) ~= "table" then
-    return mustBe(path, "a table { [group] = false }", mask)
+-- Says what is wrong with a table that has group names as keys, and entries that fit `isEntry(key,
+-- value)`. `describeEntry(path, value)` says what is wrong with one of them.
+local function describeByGroup(path, value, expected, isEntry, describeEntry)
+  if type(value) ~= "table" then
+    return mustBe(path, expected, value)
   end
-  local _, key = firstBad(mask, isMaskEntry)
+  local _, key = firstBad(value, isEntry)
   if not isName(key) then
     return format("%s must have group names as keys, got %s", path, show(key))
   end
-  return mustBe(indexed(path, key), "true or false", mask[key])
+  return describeEntry(indexed(path, key), value[key])
+end
+
+local function describeMask(path, mask)
+  local expected = "a table { [group] = false }"
+  return describeByGroup(path, mask, expected, isMaskEntry, describeBoolean)
 end
 
 TYPES.mask = {
@@ -354,14 +365,8 @@ TYPES.masks = {
     return type(value) == "table" and not firstBad(value, isMasksEntry)
   end,
   describe = function(path, _, value)
-    if type(value) ~= "table" then
-      return mustBe(path, "a table { [group] = { [group] = false } }", value)
-    end
-    local _, key = firstBad(value, isMasksEntry)
-    if not isName(key) then
-      return format("%s must have group names as keys, got %s", path, show(key))
-    end
-    return describeMask(indexed(path, key), value[key])
+    local expected = "a table { [group] = { [group] = false } }"
+    return describeByGroup(path, value, expected, isMasksEntry, describeMask)
   end,
 }
 
@@ -394,15 +399,12 @@ local function isSoftRow(key, value)
   return isName(key) and type(value) == "table" and not firstBad(value, isSoftEntry)
 end
 
+local function describeSoftEntry(path, value)
+  return mustBe(path, describeNumber(value, 0, nil, FASTEST), value)
+end
+
 local function describeSoftRow(path, row)
-  if type(row) ~= "table" then
-    return mustBe(path, "a table { [group] = px/s }", row)
-  end
-  local _, key = firstBad(row, isSoftEntry)
-  if not isName(key) then
-    return format("%s must have group names as keys, got %s", path, show(key))
-  end
-  return mustBe(indexed(path, key), describeNumber(row[key], 0, nil, FASTEST), row[key])
+  return describeByGroup(path, row, "a table { [group] = px/s }", isSoftEntry, describeSoftEntry)
 end
 
 TYPES.soft = {
@@ -410,14 +412,8 @@ TYPES.soft = {
     return type(value) == "table" and not firstBad(value, isSoftRow)
   end,
   describe = function(path, _, value)
-    if type(value) ~= "table" then
-      return mustBe(path, "a table { [group] = { [group] = px/s } }", value)
-    end
-    local _, key = firstBad(value, isSoftRow)
-    if not isName(key) then
-      return format("%s must have group names as keys, got %s", path, show(key))
-    end
-    return describeSoftRow(indexed(path, key), value[key])
+    local expected = "a table { [group] = { [group] = px/s } }"
+    return describeByGroup(path, value, expected, isSoftRow, describeSoftRow)
   end,
 }
 
