@@ -482,7 +482,6 @@ local function addFlags(b)
   b.hasInside = false -- or was left inside another one
   b.hasBuried = false -- or was buried
   b.hasKnots = false -- or was in a knot
-  b.isNearMachine = false -- scratch of knots
   b.knot = {} -- by slot: a slot of the same knot, nearer to the one that leads it
   b.knotSum = {} -- by leader: sum of the overlaps, px
   b.knotStates = {} -- by leader: what is known of the knot in this step
@@ -904,6 +903,13 @@ function columns.unlinkAll(b, list, count)
     free[freeCount + n] = p
   end
   b.freePairCount, b.pairCount, b.links = freeCount + count, b.pairCount - count, b.links + count
+end
+
+--- Returns the gap between slots i and j at the places in a column, px; below 0: they overlap.
+function columns.gap(b, place, i, j)
+  local size, k, m = b.size, 2 * i, 2 * j
+  local x, y = place[m] - place[k], place[m + 1] - place[k + 1]
+  return max(x - size[k], -x - size[m], y - size[k + 1], -y - size[m + 1])
 end
 
 --- Returns the two ranks that decide between simultaneous impacts of a pair. The first is the rank

@@ -31,7 +31,7 @@ require(root .. ".memory.jit").file()
 local knots = {}
 
 local DYNAMIC, KINEMATIC, EPSILON = columns.DYNAMIC, columns.KINEMATIC, columns.EPSILON
-local CIRCLE = columns.SHAPE_CIRCLE
+local CIRCLE, gapOf = columns.SHAPE_CIRCLE, columns.gap
 local floor, huge, max, min = math.floor, math.huge, math.max, math.min
 --- s for which the overlaps of a knot may stay as they are.
 knots.PATIENCE = 0.2
@@ -53,13 +53,6 @@ local CAUGHT = TRIES + 1
 local MOST = 24
 -- How far away a body looks for room, and how far it goes in a step: in sizes along the axis.
 local REACH, PACE = 16, 0.25
-
--- Returns the px between slots i and j at the places in a column; below 0: they overlap.
-local function gapOf(b, place, i, j)
-  local size, k, m = b.size, 2 * i, 2 * j
-  local x, y = place[m] - place[k], place[m + 1] - place[k + 1]
-  return max(x - size[k], -x - size[m], y - size[k + 1], -y - size[m + 1])
-end
 
 -- Whether slot j is a machine that moves in this step.
 local function isMachine(b, j)
@@ -139,12 +132,13 @@ local function slidesAlong(b, i, j, axis)
 end
 
 -- Lists in b.found the bodies on the line through slot i along an axis. Returns how many there are,
--- and the least and the greatest coordinate between the walls on that line. Notes in
--- `isNearMachine` if one of these walls moves.
+-- the least and the greatest coordinate between the walls on that line, and whether one of these
+-- walls moves.
 local function listOnLine(b, i, axis)
   local from, size, found, k, c = b.from, b.size, b.found, 2 * i + axis, 2 * i + 1 - axis
   local low, high = from[k] - REACH * size[k], from[k] + (REACH + 1) * size[k]
-  local near, far, count = from[c] + EPSILON, from[c] + size[c] - EPSILON, 0
+  local near, far = from[c] + EPSILON, from[c] + size[c] - EPSILON
+  local count, isNearMachine = 0, false
   local total = axis == 0 and b.broadphase:query(low, near, high, far, found)
     or b.broadphase:query(near, low, far, high, found)
   for n = 1, total do
@@ -157,7 +151,7 @@ local function listOnLine(b, i, axis)
         count = count + 1
         found[count] = j
       elseif not slidesAlong(b, i, j, axis) then
-        b.isNearMachine = b.isNearMachine or isMachine(b, j)
+        isNearMachine = isNearMachine or isMachine(b, j)
         if 2 * from[m] + size[m] < 2 * from[k] + size[k] then
           low = max(low, from[m] + size[m])
         else
@@ -166,7 +160,7 @@ local function listOnLine(b, i, axis)
       end
     end
   end
-  return count, low, high - size[k]
+  return count, low, high - size[k], isNearMachine
 end
 
 -- Returns the nearest place for slot i towards `sign` along an axis at which it overlaps none of
@@ -187,13 +181,14 @@ local function nearestFree(b, i, axis, sign, count)
 end
 
 -- Returns the axis on which slot i has the nearest free place, that place, and how far away it is;
--- nil: there is none.
+-- nil: there is none. Returns last whether a machine near it moves.
 local function findRoom(b, i)
   local bestAxis ---@type integer?
-  local bestPlace, bestWay = 0, huge
+  local bestPlace, bestWay, isNearMachine = 0, huge, false
   for n = 0, 1 do
     local axis = n == 0 and b.downAxis or 1 - b.downAxis
-    local count, low, high = listOnLine(b, i, axis)
+    local count, low, high, isNear = listOnLine(b, i, axis)
+    isNearMachine = isNearMachine or isNear
     for sign = -1, 1, 2 do
       local place = nearestFree(b, i, axis, sign, count)
       local way = max(place - b.from[2 * i + axis], b.from[2 * i + axis] - place)
@@ -202,7 +197,7 @@ local function findRoom(b, i)
       end
     end
   end
-  return bestAxis, bestPlace, bestWay
+  return bestAxis, bestPlace, bestWay, isNearMachine
 end
 
 -- Moves the exiting slot i towards the nearest free place. It is there when it overlaps no body.
@@ -330,20 +325,24 @@ local function wait(b, i, sum)
   knotted[k], knotted[k + 1] = waited, tries
 end
 
--- Whether slot i may exit: it has not done so often, no machine squeezes it, no body exits that
--- overlaps it, and there is room.
-local function canExit(b, i)
-  if not findRoom(b, i) or b.knotted[2 * i + 1] >= TRIES then
-    return false
-  end
+-- Whether a body that overlaps slot i exits.
+local function isBesideExit(b, i)
   local half = b.head[i]
   while half ~= 0 do
     if b.exiting[b.other[half]] and gapOf(b, b.to, i, b.other[half]) < -EPSILON then
-      return false
+      return true
     end
     half = b.next[half]
   end
-  return true
+  return false
+end
+
+-- Returns whether slot i may exit: it has not done so often, no machine squeezes it, no body exits
+-- that overlaps it, and there is room. Returns also whether a machine near it moves.
+local function canExit(b, i)
+  local axis, _, _, isNearMachine = findRoom(b, i)
+  local isOpen = axis ~= nil and b.knotted[2 * i + 1] < TRIES
+  return isOpen and not isBesideExit(b, i), isNearMachine
 end
 
 -- Lets bodies of list[1..count], which have waited for long, exit. The others are stuck, unless a
@@ -354,11 +353,14 @@ local function decide(b, list, count)
   sort.by(list, count, rank, rank, rank)
   for n = 1, count do
     local i = list[n]
-    b.isNearMachine = false
-    if exits < MOST and canExit(b, i) then
+    local isExit, isNearMachine = false, false
+    if exits < MOST then
+      isExit, isNearMachine = canExit(b, i)
+    end
+    if isExit then
       b.stuck[i], b.exiting[i], exits = true, true, exits + 1
       states[leaderOf(knot, i)] = HOPEFUL
-    elseif b.isNearMachine then
+    elseif isNearMachine then
       states[leaderOf(knot, i)] = HOPEFUL
       knotted[2 * i] = 0
     end
