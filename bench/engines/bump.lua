@@ -1,6 +1,8 @@
 --- bump.lua, when it is found on `package.path`. It finds collisions and slides along them; what a
 --- game adds itself stands here: gravity, velocities, bouncing. No box pushes another.
 
+local tables = require("bench.engines.tables")
+
 local engine = {
   module = "bump",
   lacks = {
@@ -88,16 +90,7 @@ function World:step(dt)
   end
 end
 
-function World:read(index)
-  local object = self.objects[index]
-  return object.x, object.y
-end
-
-function World:setVelocity(index, vx, vy)
-  local object = self.objects[index]
-  object.vx = vx or object.vx
-  object.vy = vy or object.vy
-end
+World.read, World.setVelocity = tables.read, tables.setVelocity
 
 function World:raycast(x1, y1, x2, y2)
   local hits, count = self.world:querySegmentWithCoords(x1, y1, x2, y2)

@@ -2,6 +2,8 @@
 --- scenes: a soft crowd by the same rule as physics.lua (`soft`), which goes round pillars, and
 --- bullets that can hit one object.
 
+local tables = require("bench.engines.tables")
+
 local hash = {
   plays = { ["swarm-soft"] = true, ["swarm-soft-kite"] = true, bullets = true },
 }
@@ -155,16 +157,7 @@ function World:step(dt)
   moveBullets(self, dt)
 end
 
-function World:read(index)
-  local object = self.objects[index]
-  return object.x, object.y
-end
-
-function World:setVelocity(index, vx, vy)
-  local object = self.objects[index]
-  object.vx = vx or object.vx
-  object.vy = vy or object.vy
-end
+World.read, World.setVelocity = tables.read, tables.setVelocity
 
 function World:free()
   self.objects, self.enemies, self.bullets = nil, nil, nil

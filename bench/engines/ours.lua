@@ -1,6 +1,7 @@
 --- physics.lua. The objects of a scene are copied once: afterwards they are the game's own tables.
 
 local physics = require("physics")
+local tables = require("bench.engines.tables")
 
 local ours = {}
 local World = {}
@@ -42,16 +43,7 @@ function World:step(dt)
   self.world:update(dt)
 end
 
-function World:read(index)
-  local object = self.objects[index]
-  return object.x, object.y
-end
-
-function World:setVelocity(index, vx, vy)
-  local object = self.objects[index]
-  object.vx = vx or object.vx
-  object.vy = vy or object.vy
-end
+World.read, World.setVelocity = tables.read, tables.setVelocity
 
 --- Accelerates an object until it is told otherwise, up to its `maxSpeed`.
 function World:accelerate(index, ax, ay)

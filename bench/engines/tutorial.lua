@@ -2,6 +2,8 @@
 --- is compared with every other one, and what overlaps is bumped apart at once, half each.
 --- Kindly read: lists instead of `pairs`, which LuaJIT does not compile.
 
+local tables = require("bench.engines.tables")
+
 local tutorial = {
   lacks = {
     sensors = "everything bumps",
@@ -128,16 +130,7 @@ function World:step(dt)
   end
 end
 
-function World:read(index)
-  local object = self.objects[index]
-  return object.x, object.y
-end
-
-function World:setVelocity(index, vx, vy)
-  local object = self.objects[index]
-  object.vx = vx or object.vx
-  object.vy = vy or object.vy
-end
+World.read, World.setVelocity = tables.read, tables.setVelocity
 
 function World:free()
   self.objects, self.all, self.movers = nil, nil, nil

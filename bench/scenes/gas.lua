@@ -1,6 +1,7 @@
 --- Boxes that bounce off each other and off four walls for ever, without gravity.
 
 local newRandom = require("spec.support.random").new
+local newRoom = require("bench.room")
 
 local SPACING = 25 -- px: boxes of 8 to 12 px fill a sixth of the room
 
@@ -8,15 +9,7 @@ local function build(count)
   local random = newRandom(29)
   local columns = math.ceil(math.sqrt(count))
   local size = columns * SPACING
-  local objects = {
-    { x = -100, y = -100, width = size + 200, height = 100 },
-    { x = -100, y = size, width = size + 200, height = 100 },
-    { x = -100, y = 0, width = 100, height = size },
-    { x = size, y = 0, width = 100, height = size },
-  }
-  for _, wall in ipairs(objects) do
-    wall.group, wall.static = "walls", true
-  end
+  local objects = newRoom(size)
   for i = 0, count - 1 do
     local row = math.floor(i / columns)
     objects[#objects + 1] = {

@@ -1,6 +1,7 @@
 --- Boxes in a pond, in wind and around magnets: ten zones that act on all that is in them.
 
 local newRandom = require("spec.support.random").new
+local newRoom = require("bench.room")
 
 local SIZE = 1000 -- px, width and height of the room
 
@@ -19,12 +20,7 @@ end
 
 local function build(count)
   local random = newRandom(37)
-  local objects = {
-    { group = "walls", x = -100, y = SIZE, width = SIZE + 200, height = 100, static = true },
-    { group = "walls", x = -100, y = -100, width = SIZE + 200, height = 100, static = true },
-    { group = "walls", x = -100, y = 0, width = 100, height = SIZE, static = true },
-    { group = "walls", x = SIZE, y = 0, width = 100, height = SIZE, static = true },
-  }
+  local objects = newRoom(SIZE)
   for i = 0, 4 do
     addZone(objects, 200 * i, 800, 200, { gravity = -400, airFriction = 3 })
   end
