@@ -302,6 +302,24 @@ local function runRound(b, p, i, j, axis, left, dt, isLate, t)
   return false, b.from[2 * j + axis] - b.from[2 * i + axis], stays
 end
 
+-- Returns how two bodies meet on an axis: their minimum distance, px; how far they would overlap at
+-- the end of the step, px; their closing velocity and acceleration there; and, where one is a slope,
+-- its lean.
+local function meet(b, i, j, axis, isDeep)
+  local kl, kh, ti, tj = 2 * i + axis, 2 * j + axis, 2 * i + 1 - axis, 2 * j + 1 - axis
+  local separation, lean = b.size[kl], 0.0
+  if isDeep and (b.deepAt[i] == b.solveStamp or b.deepAt[j] == b.solveStamp) then
+    separation = min(separation, b.from[kh] - b.from[kl])
+  end
+  local v, a = b.speed[kl] - b.speed[kh], b.accel[kl] - b.accel[kh]
+  if b.hasSlopes and slope.isPair(b, i, j) then
+    separation, lean = slope.lean(b, i, j, axis)
+    v = v + lean * (b.speed[tj] - b.speed[ti])
+    a = a + lean * (b.accel[tj] - b.accel[ti])
+  end
+  return separation, b.to[kl] + separation - b.to[kh], v, a, lean
+end
+
 --- Resolves the impact of two bodies on an axis at moment t. Two that overlap already (`isDeep`)
 --- separate, or if they had no room get no deeper. `isLate`: nothing bounces any more.
 ---
@@ -319,19 +337,8 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
       return runRound(b, p, i, j, axis, left, dt, isLate, t)
     end
   end
-  local kl, kh, ti, tj = 2 * i + axis, 2 * j + axis, 2 * i + 1 - axis, 2 * j + 1 - axis
-  local separation = b.size[kl]
-  if isDeep and (b.deepAt[i] == b.solveStamp or b.deepAt[j] == b.solveStamp) then
-    separation = min(separation, b.from[kh] - b.from[kl])
-  end
-  local o, v = b.to[kl] + separation - b.to[kh], b.speed[kl] - b.speed[kh]
-  local a = b.accel[kl] - b.accel[kh]
-  local lean = 0.0
-  if b.hasSlopes and slope.isPair(b, i, j) then
-    separation, lean = slope.lean(b, i, j, axis)
-    o, v = b.to[kl] + separation - b.to[kh], v + lean * (b.speed[tj] - b.speed[ti])
-    a = a + lean * (b.accel[tj] - b.accel[ti])
-  end
+  local kl, kh = 2 * i + axis, 2 * j + axis
+  local separation, o, v, a, lean = meet(b, i, j, axis, isDeep)
   local u, tau = approach(o, v, a, left)
   impact.note(b, p, i, axis, u, t)
   b.impactsOf[i], b.impactsOf[j] = b.impactsOf[i] + 1, b.impactsOf[j] + 1
@@ -359,10 +366,9 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
     return not isElastic, separation, isElastic
   end
   local gap, vEnd = 0.0, 0.0
-  if r > 0 then
+  local isBelow = a < 0 and (b.give[kl] == 0 or b.give[kh] == 0) and not isPushed(b, i, j)
+  if r > 0 or isBelow then -- below a ceiling
     gap, vEnd = r * u * tau - a * tau * tau * 0.5, a * tau - r * u
-  elseif a < 0 and (b.give[kl] == 0 or b.give[kh] == 0) and not isPushed(b, i, j) then
-    gap, vEnd = -a * tau * tau * 0.5, a * tau -- below a ceiling
   end
   local leaves = gap > 0 and vEnd < 0
   local jolt = (1 + r) * u / total

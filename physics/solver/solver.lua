@@ -610,10 +610,8 @@ local function freeze(b, dt)
   end
 end
 
--- Solves a step for all awake bodies. Returns false if bodies were woken on the way; the result is
--- void then.
-local function solve(b, dt)
-  local awakenings = b.awakenings
+-- Settles what touches when the step begins, and follows the ground.
+local function prepare(b, dt)
   b.solveStamp = b.solveStamp + 1
   begin(b, dt)
   friction.begin(b)
@@ -634,10 +632,15 @@ local function solve(b, dt)
   if b.hasSlopes then
     followGround(b, dt, true)
   end
-  local hasChanged = b.overlapCount > 0 or b.hasFirm -- since the ground was followed
+end
+
+-- Makes the rounds. Returns whether bodies may have left the ground since it was followed; nil:
+-- bodies were woken on the way.
+local function runRounds(b, dt, awakenings)
+  local hasChanged = b.overlapCount > 0 or b.hasFirm
   for n = 1, ROUNDS do
     if b.awakenings ~= awakenings then
-      return false
+      return nil
     end
     if not round(b, dt, n == ROUNDS, n > ROUNDS - LATE) then
       break
@@ -651,8 +654,13 @@ local function solve(b, dt)
     hasChanged = hasChanged or n == ROUNDS
   end
   if b.awakenings ~= awakenings then
-    return false
+    return nil
   end
+  return hasChanged
+end
+
+-- Bounds where bodies have come to.
+local function boundMotion(b, dt, hasChanged)
   if b.hasCircles then
     if b.changedCount > 0 then
       freeze(b, dt)
@@ -669,6 +677,18 @@ local function solve(b, dt)
   if b.hasSlopes and hasChanged then
     walk.run(b, dt, false)
   end
+end
+
+-- Solves a step for all awake bodies. Returns false if bodies were woken on the way; the result is
+-- void then.
+local function solve(b, dt)
+  local awakenings = b.awakenings
+  prepare(b, dt)
+  local hasChanged = runRounds(b, dt, awakenings)
+  if hasChanged == nil then
+    return false
+  end
+  boundMotion(b, dt, hasChanged)
   if b.hasSnaps then
     snap.run(b, dt)
     if b.awakenings ~= awakenings then
@@ -712,5 +732,6 @@ end
 -- These call one loop after the other, or take another branch for each body. (jit: 4)
 interpreted.functions(settleTouching, sortImpacts, sense, stop, happen, round, settleLate, solve)
 interpreted.functions(settleViolated, isSpent, crosses, isTorn, isDisturbed, restart, solver.run)
+interpreted.functions(prepare, runRounds, boundMotion)
 
 return solver
