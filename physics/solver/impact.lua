@@ -303,8 +303,7 @@ local function runRound(b, p, i, j, axis, left, dt, isLate, t)
 end
 
 -- Returns how two bodies meet on an axis: their minimum distance, px; how far they would overlap at
--- the end of the step, px; their closing velocity and acceleration there; and, where one is a slope,
--- its lean.
+-- the end of the step, px; their closing velocity and acceleration there; and the lean of a slope.
 local function meet(b, i, j, axis, isDeep)
   local kl, kh, ti, tj = 2 * i + axis, 2 * j + axis, 2 * i + 1 - axis, 2 * j + 1 - axis
   local separation, lean = b.size[kl], 0.0
