@@ -83,9 +83,12 @@ describe("a knot", function()
   it("begins anew when the game gives one of it a velocity", function()
     local closet = newCloset()
     play(closet.world, 2)
+    local x = closet.two.x
     closet.one.vx = 50
     closet.world:update(DT)
     assert.equal(0, closet.world.stats.resting)
+    closet.world:update(DT)
+    assert.is_true(math.abs(closet.two.x - x) > 0.1) -- the other one begins anew, too
     play(closet.world, 2)
     assert.equal(2, closet.world.stats.resting)
   end)
@@ -93,9 +96,12 @@ describe("a knot", function()
   it("begins anew when another body is put into it", function()
     local closet = newCloset()
     play(closet.world, 2)
+    local x = closet.two.x
     local third = closet.world:add("boxes", { x = 5, y = 4, width = 8, height = 8 })
     closet.world:update(DT)
     assert.equal(0, closet.world.stats.resting)
+    play(closet.world, 0.1)
+    assert.is_true(math.abs(closet.two.x - x) > 0.1)
     play(closet.world, 2)
     assert.equal(3, closet.world.stats.resting)
     assert.is_true(third.x > -4 and third.x < 26) -- its middle is in the closet
