@@ -304,7 +304,7 @@ end
 
 -- Returns how two bodies meet on an axis: their minimum distance, px; how far they would overlap at
 -- the end of the step, px; their closing velocity and acceleration there; and the lean of a slope.
----@return number, number, number, number, number
+---@return number, number, number, number, number?
 local function meet(b, i, j, axis, isDeep)
   local kl, kh, ti, tj = 2 * i + axis, 2 * j + axis, 2 * i + 1 - axis, 2 * j + 1 - axis
   local separation, lean = b.size[kl], 0.0
