@@ -82,6 +82,7 @@ build = {
     ["physics.motion.softCells"] = "physics/motion/softCells.lua",
     ["physics.motion.zones"] = "physics/motion/zones.lua",
     ["physics.objects.carriers"] = "physics/objects/carriers.lua",
+    ["physics.objects.fieldColumns"] = "physics/objects/fieldColumns.lua",
     ["physics.objects.read"] = "physics/objects/read.lua",
     ["physics.objects.registry"] = "physics/objects/registry.lua",
     ["physics.objects.shift"] = "physics/objects/shift.lua",

@@ -13,6 +13,7 @@ local check = require(root .. ".world.check")
 local columns = require(root .. ".memory.columns")
 local detect = require(root .. ".broadphase.pairFinder")
 local events = require(root .. ".contacts.events")
+local fieldColumns = require(root .. ".objects.fieldColumns")
 local filter = require(root .. ".broadphase.filter")
 local interpreted = require(root .. ".memory.jit")
 local notice = require(root .. ".queries.notice")
@@ -92,40 +93,27 @@ local function readPull(b, i)
   zones.setDown(b, i, gx, gy)
 end
 
--- Fields that few objects have and that are copied as they are: name, column, default. (`listRich`
--- tests the same fields, and those few that are not copied as they are.)
+-- Fields that are copied as they are: name, column, default. (`listRich` tests the same fields, and
+-- those few that are not copied as they are.)
 local RARE = {
-  { "active", "active", true },
-  { "sensor", "sensor", false },
-  { "pushable", "pushable", true },
-  { "strength", "strength", 0 },
-  { "oneWay", "oneWay", false },
-  { "slope", "slope", false },
-  { "radius", "radius", false },
-  { "area", "area", false },
-  { "carry", "carry", true },
   { "canCollide", "canCollide", false },
   { "onStay", "hears", false },
   { "mask", "mask", false },
+  { "area", "area", false },
   { "hits", "only", false },
-  { "gravity", "ownGravity", false },
-  { "gravityX", "ownGravityX", false },
-  { "airFriction", "airFriction", 0 },
-  { "drag", "drag", 0 },
-  { "surfaceSpeed", "surfaceSpeed", 0 },
-  { "nudge", "nudge", 0 },
-  { "snap", "snap", 0 },
-  { "constantSpeed", "constantSpeed", false },
-  { "maxSpeed", "maxSpeed", HUGE },
-  { "maxFallSpeed", "maxFallSpeed", HUGE },
 }
+for _, entry in ipairs(fieldColumns.SOME) do
+  if entry[2] and not entry[4] then
+    RARE[#RARE + 1] = entry
+  end
+end
 local NAMES, COLUMNS, DEFAULTS = {}, {}, {}
 for n, field in ipairs(RARE) do
   NAMES[n], COLUMNS[n], DEFAULTS[n] = field[1], field[2], field[3]
 end
 
--- Those that are compared for all: bullets and gems have them.
-local OFTEN = { sensor = true, hits = true }
+-- Those that are compared for all: many objects have them.
+local OFTEN = { sensor = true, hits = true, mass = true, restitution = true }
 
 -- Reads them in a loop: written out, they become much machine code at every place that reads
 -- objects. Returns whether the object has none of them.
@@ -154,7 +142,7 @@ end
 
 local function readFields(b, i, object)
   local k, isDynamic = 2 * i, b.kind[i] == DYNAMIC
-  local hasNoRare, mass = readRare(b, i, object), orDefault(object.mass, 1)
+  local hasNoRare = readRare(b, i, object)
   local ax, ay, topX, topY = object.ax, object.ay, object.maxSpeedX, object.maxSpeedY
   if b.mask[i] then
     readMask(b, i, b.mask[i])
@@ -166,9 +154,8 @@ local function readFields(b, i, object)
   readHits(b, i, b.only[i])
   b.oneWay[i] = sideOf(b.oneWay[i])
   b.shape[i] = b.radius[i] and columns.SHAPE_CIRCLE or isDynamic and BOX or shapeOf(b.slope[i])
-  b.mass[i], b.inverseMass[i] = mass, isDynamic and 1 / mass or 0
+  b.inverseMass[i] = isDynamic and 1 / b.mass[i] or 0
   b.friction[i] = orDefault(object.friction, isDynamic and 0 or -1)
-  b.restitution[i] = orDefault(object.restitution, 0)
   b.push[k], b.push[k + 1] = orDefault(ax, 0), orDefault(ay, 0)
   b.limit[k], b.limit[k + 1] = orDefault(topX, HUGE), orDefault(topY, HUGE)
   b.bare[i] = isDynamic and hasNoRare and not (ax or ay or topX or topY)

@@ -10,6 +10,7 @@ local read = require(root .. ".objects.read")
 local columns = require(root .. ".memory.columns")
 local detect = require(root .. ".broadphase.pairFinder")
 local events = require(root .. ".contacts.events")
+local fieldColumns = require(root .. ".objects.fieldColumns")
 local fields = require(root .. ".world.fields")
 local filter = require(root .. ".broadphase.filter")
 local interpreted = require(root .. ".memory.jit")
@@ -182,30 +183,32 @@ local function writeHits(object, list)
   end
 end
 
+-- By name: how the fields that are tables are written.
+local WRITE = { mask = writeMask, area = writeArea, hits = writeHits }
+
+-- Writes what a state holds of a field, nil: nothing. `known` is the table that was its mask, if that
+-- is known.
+local function writeField(object, name, value, known)
+  if value ~= nil and WRITE[name] then
+    WRITE[name](object, value, known)
+  else
+    write(object, name, value)
+  end
+end
+
 -- Writes a sparse list of values. Objects that are not in it have no value.
 local function writeSparse(objects, masks, name, list, visit)
-  local at, isMask = 1, name == "mask"
+  local at = 1
   for m = 1, #visit do
     local n = visit[m]
-    local object = objects[n]
     while list[at] and list[at] < n do
       at = at + 2
     end
-    if list[at] ~= n then
-      write(object, name, nil)
-    elseif isMask then
-      writeMask(object, list[at + 1], masks[n])
-      at = at + 2
-    elseif name == "area" then
-      writeArea(object, list[at + 1])
-      at = at + 2
-    elseif name == "hits" then
-      writeHits(object, list[at + 1])
-      at = at + 2
-    else
-      write(object, name, list[at + 1])
-      at = at + 2
+    local value = nil
+    if list[at] == n then
+      value, at = list[at + 1], at + 2
     end
+    writeField(objects[n], name, value, masks[n])
   end
 end
 
@@ -219,13 +222,13 @@ end
 -- Writes the fields of the objects to visit as they were when the state was saved; with `only`,
 -- just those.
 local function writeFields(st, objects, masks, visit, only)
-  for _, entry in ipairs(state.DENSE) do
+  for _, entry in ipairs(fieldColumns.EVERY) do
     local name = entry[1]
     if not only or only[name] then
       writeDense(objects, name, st[name], visit)
     end
   end
-  for _, entry in ipairs(state.SPARSE) do
+  for _, entry in ipairs(fieldColumns.SOME) do
     local name = entry[1]
     if not only or only[name] then
       writeSparse(objects, masks, name, st.fields[name], visit)
@@ -257,16 +260,8 @@ end
 
 -- Writes the fields of an object that had left the world.
 local function writeGone(b, object, saved)
-  for _, name in ipairs(state.FIELDS) do
-    if name == "mask" and saved.mask then
-      writeMask(object, saved.mask)
-    elseif name == "area" and saved.area then
-      writeArea(object, saved.area)
-    elseif name == "hits" and saved.hits then
-      writeHits(object, saved.hits)
-    else
-      write(object, name, saved[name])
-    end
+  for _, name in ipairs(fieldColumns.NAMES) do
+    writeField(object, name, saved[name])
   end
   if not (saved.static or saved.kinematic or type(object.touching) == "table") then
     object.touching = read.touchingFor(b, object)
@@ -385,27 +380,7 @@ local function isRead(b, i, object)
   elseif b.kind[i] ~= STATIC then
     return true
   end
-  for _, entry in ipairs(state.DENSE) do
-    local value = object[entry[1]]
-    if entry[2] ~= "velocity" and value ~= b[entry[2]][2 * i + entry[3]] then
-      return false
-    end
-  end
-  for _, entry in ipairs(state.SPARSE) do
-    if entry[2] then
-      local value, at = object[entry[1]], entry[4] and 2 * i + entry[4] or i
-      if value == nil then
-        value = entry[3]
-      end
-      if value ~= b[entry[2]][at] then
-        return false
-      end
-    end
-  end
-  local isSameMask = filter.isSameMask(object.mask, b.mask[i])
-  local isSame = isSameMask and zones.isSame(object.area, b.area[i])
-  local isSameHits = object.hits == (b.hitsGiven[i] or nil)
-  return isSame and isSameHits and (object.friction or -1) == b.friction[i]
+  return not fieldColumns.firstChanged(b, i, object)
 end
 
 -- Reads the objects again that `update` would not read again.

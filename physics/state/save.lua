@@ -38,6 +38,7 @@ local carrier = require(root .. ".objects.carriers")
 local check = require(root .. ".world.check")
 local columns = require(root .. ".memory.columns")
 local events = require(root .. ".contacts.events")
+local fieldColumns = require(root .. ".objects.fieldColumns")
 local fields = require(root .. ".world.fields")
 local filter = require(root .. ".broadphase.filter")
 local interpreted = require(root .. ".memory.jit")
@@ -87,60 +88,6 @@ state.PAIRS = {
   { "overlapping", false, { [true] = true } },
   { "dropping", false, { [true] = true } },
 }
-
---- Fields with an entry for every object: name, column, axis, and the column's value if the field
---- is not set.
-state.DENSE = {
-  { "x", "written", 0 },
-  { "y", "written", 1 },
-  { "width", "size", 0 },
-  { "height", "size", 1 },
-  { "vx", "velocity", 0, 0 },
-  { "vy", "velocity", 1, 0 },
-}
---- The other fields: name, column, the column's value if the field is not set, axis. (`static`,
---- `kinematic`, `friction`, `mask` and `hits` are read by functions of their own.)
-state.SPARSE = {
-  { "static" },
-  { "kinematic" },
-  { "active", "active", true },
-  { "sensor", "sensor", false },
-  { "pushable", "pushable", true },
-  { "strength", "strength", 0 },
-  { "mass", "mass", 1 },
-  { "gravity", "ownGravity", false },
-  { "gravityX", "ownGravityX", false },
-  { "friction" },
-  { "restitution", "restitution", 0 },
-  { "airFriction", "airFriction", 0 },
-  { "drag", "drag", 0 },
-  { "maxSpeed", "maxSpeed", HUGE },
-  { "maxSpeedX", "limit", HUGE, 0 },
-  { "maxSpeedY", "limit", HUGE, 1 },
-  { "maxFallSpeed", "maxFallSpeed", HUGE },
-  { "ax", "push", 0, 0 },
-  { "ay", "push", 0, 1 },
-  { "oneWay", "oneWay", false },
-  { "radius", "radius", false },
-  { "carry", "carry", true },
-  { "surfaceSpeed", "surfaceSpeed", 0 },
-  { "nudge", "nudge", 0 },
-  { "snap", "snap", 0 },
-  { "slope", "slope", false },
-  { "constantSpeed", "constantSpeed", false },
-  { "mask" },
-  { "area" },
-  { "hits" },
-}
-
---- The names of all these fields.
-state.FIELDS = {}
-for _, entry in ipairs(state.DENSE) do
-  state.FIELDS[#state.FIELDS + 1] = entry[1]
-end
-for _, entry in ipairs(state.SPARSE) do
-  state.FIELDS[#state.FIELDS + 1] = entry[1]
-end
 
 -- Settings that are not in SETTINGS. All but `masks`, `soft` and `order` change no result; these
 -- have a format of their own.
@@ -212,6 +159,9 @@ local function listArea(area)
   end
   return list
 end
+
+-- By name: how a state lists fields that are tables.
+local LISTED = { mask = listMask, area = listArea, hits = state.copyList }
 
 -- The masks of a world, or what is soft, as { group, other, value, ... }.
 local function listMasks(masks)
@@ -307,7 +257,7 @@ end
 
 -- Saves a field with an entry for every object. The velocity of a static object is not read.
 local function saveDense(b, out, work, m)
-  local entry = state.DENSE[m]
+  local entry = fieldColumns.EVERY[m]
   local name, column, axis, absent = entry[1], b[entry[2]], entry[3], entry[4]
   local list, objects, slots, kind = listIn(out, name), work.objects, work.slots, b.kind
   local fixed, visit, numbers = work.fixed and work.fixed.slots or NONE, work.visit, work.numbers
@@ -343,6 +293,7 @@ end
 -- Saves a field that has one column.
 local function saveColumn(b, out, work, entry)
   local name, column, absent, axis = entry[1], b[entry[2]], entry[3], entry[4]
+  local convert = entry[5]
   local list, objects, slots, at = listIn(out.fields, name), work.objects, work.slots, 0
   local stride, offset = axis and 2 or 1, axis or 0
   local has, i, visit = work.fixed and work.fixed.has[name] or NONE, 1, work.visit
@@ -356,6 +307,8 @@ local function saveColumn(b, out, work, entry)
       at = at + 2
       if value == HUGE then
         checkWritten(b, slot) -- in a column that means no limit, from the game it is refused
+      elseif convert then
+        value = convert(value)
       end
     else
       value = absent
@@ -527,11 +480,11 @@ local function saveFields(b, out, work)
   for _, list in next, listIn(out, "read"), nil do
     cut(list, 0)
   end
-  for n = 1, #state.DENSE do
+  for n = 1, #fieldColumns.EVERY do
     saveDense(b, out, work, n)
   end
-  for n = 1, #state.SPARSE do
-    local entry = state.SPARSE[n]
+  for n = 1, #fieldColumns.SOME do
+    local entry = fieldColumns.SOME[n]
     if entry[2] then
       saveColumn(b, out, work, entry)
     end
@@ -768,13 +721,10 @@ end
 -- Returns the library's fields of an object that has left the world, as far as they are valid.
 local function fieldsOf(object)
   local saved = {}
-  for _, name in ipairs(state.FIELDS) do
+  for _, name in ipairs(fieldColumns.NAMES) do
     local value = object[name]
     if value ~= nil and check.accepts(fields.objectByName[name], value) then
-      saved[name] = name == "mask" and listMask(value)
-        or name == "area" and listArea(value)
-        or name == "hits" and state.copyList(value)
-        or value
+      saved[name] = LISTED[name] and LISTED[name](value) or value
     end
   end
   return saved
@@ -838,7 +788,7 @@ function state.fill(world, out)
   if not work.fixed then
     b.fixed = false
     if work.isClean and not standing.hasMoved(b) then
-      standing.note(b, out, work, state.DENSE, state.SPARSE)
+      standing.note(b, out, work, fieldColumns.EVERY, fieldColumns.SOME)
     end
   end
   return work

@@ -3,6 +3,7 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local check = require(root .. ".world.check")
+local fieldColumns = require(root .. ".objects.fieldColumns")
 local fields = require(root .. ".world.fields")
 local interpreted = require(root .. ".memory.jit")
 local own = require(root .. ".state.own")
@@ -220,13 +221,14 @@ local function needArea(list, path)
   end
 end
 
-local function needField(st, field, n, value, path)
+-- Checks a value of a field; `path` is its place in the state, n the number of its object.
+local function needField(field, value, path, st, n)
   if field.type == "mask" then
     needList(value, path, MASK)
   elseif field.type == "area" then
     needArea(value, path)
   elseif not check.accepts(field, value) then
-    check.value(field, value, WHERE .. placeOf(st, n) .. "." .. field.name)
+    check.value(field, value, WHERE .. (n and placeOf(st, n) .. "." .. field.name or path))
   end
 end
 
@@ -239,7 +241,7 @@ local function needDense(st, name)
   for n = 1, st.count do
     local value = list[n]
     if value ~= false or field.required then
-      needField(st, field, n, value, path)
+      needField(field, value, path, st, n)
     end
   end
 end
@@ -257,7 +259,7 @@ local function needSparseField(st, list, name, path, last, isRead)
       refuse(path .. "[" .. at .. "]", "an integer in 1.." .. last, n)
     end
     if not (isRead and value == false) then
-      needField(st, field, n, value, path .. "[" .. (at + 1) .. "]")
+      needField(field, value, path .. "[" .. (at + 1) .. "]", st, n)
     end
   end
   needAscent(list, path, 2)
@@ -266,14 +268,14 @@ end
 local function needFields(st)
   needTable(st.fields, "state.fields")
   needTable(st.read, "state.read")
-  for _, entry in ipairs(state.DENSE) do
+  for _, entry in ipairs(fieldColumns.EVERY) do
     needDense(st, entry[1])
   end
-  for _, entry in ipairs(state.SPARSE) do
+  for _, entry in ipairs(fieldColumns.SOME) do
     local name = entry[1]
     needSparseField(st, st.fields[name], name, "state.fields", st.count, false)
   end
-  for _, name in ipairs(state.FIELDS) do
+  for _, name in ipairs(fieldColumns.NAMES) do
     if st.read[name] ~= nil then
       needSparseField(st, st.read[name], name, "state.read", st.known, true)
     end
@@ -285,14 +287,10 @@ local function needGone(st)
   for n, saved in ipairs(st.gone == nil and {} or needTable(st.gone, "state.gone")) do
     local path = "state.gone[" .. n .. "]"
     needTable(saved, path)
-    for _, name in ipairs(state.FIELDS) do
+    for _, name in ipairs(fieldColumns.NAMES) do
       local field, value = fields.objectByName[name], saved[name]
-      if value ~= nil and field.type == "mask" then
-        needList(value, path .. "." .. name, MASK)
-      elseif value ~= nil and field.type == "area" then
-        needArea(value, path .. "." .. name)
-      elseif value ~= nil then
-        check.value(field, value, WHERE .. path .. "." .. name)
+      if value ~= nil then
+        needField(field, value, path .. "." .. name)
       end
     end
   end
