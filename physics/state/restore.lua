@@ -186,8 +186,8 @@ end
 -- By name: how the fields that are tables are written.
 local WRITE = { mask = writeMask, area = writeArea, hits = writeHits }
 
--- Writes what a state holds of a field, nil: nothing. `known` is the table that was its mask, if that
--- is known.
+-- Writes what a state holds of a field, nil: nothing. `known` is the table that was its mask,
+-- if that is known.
 local function writeField(object, name, value, known)
   if value ~= nil and WRITE[name] then
     WRITE[name](object, value, known)

@@ -12,7 +12,7 @@ local state = require(root .. ".state.save")
 local verify = {}
 
 local WHERE = "world:restore(state): "
--- As in world.lua, s: the longest time that can be saved up, and its tolerance for rounding.
+-- As in step.lua, s: the longest time that can be saved up, and its tolerance for rounding.
 local LONGEST, ROUNDING = 0.25, 1e-9
 local floor = math.floor
 local isFinite, show = check.isFinite, check.show
