@@ -136,6 +136,7 @@ build = {
     ["physics.world.step"] = "physics/world/step.lua",
     ["physics.world.strictMode"] = "physics/world/strictMode.lua",
     ["physics.world.tutorial"] = "physics/world/tutorial.lua",
+    ["physics.world.wording"] = "physics/world/wording.lua",
     ["physics.world.world"] = "physics/world/world.lua",
   },
 }

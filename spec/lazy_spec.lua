@@ -48,6 +48,9 @@ local USES = {
     world.checked = true
     world:update(1 / 60)
   end,
+  ["physics.world.wording"] = function(_, world)
+    pcall(world.add, world)
+  end,
   ["physics.world.tutorial"] = function(physics, _, box, floor)
     physics.bump(box, floor)
   end,

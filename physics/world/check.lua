@@ -1,5 +1,6 @@
---- Checks values and raises errors: which values are wrong, what the message says, which line it
---- names. A message names the place, the field, what was expected and what was found:
+--- Checks values and raises errors: which values are wrong, and which line the error names. What
+--- the message says is in wording.lua. It names the place, the field, what was expected and what was
+--- found:
 ---   physics: objects.boxes[3].width must be a number > 0, got nil
 --- It points at the caller's line: the first one that is not in a file of the library.
 
@@ -7,17 +8,16 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local fields = require(root .. ".world.fields")
 local interpreted = require(root .. ".memory.jit")
 local keyOrder = require(root .. ".memory.keyOrder")
+local wording = require(root .. ".memory.lazy")(root .. ".world.wording")
 
 local floor = math.floor
-local huge = 1 / 0 -- math.huge is a finite number on gopher-lua
 local format = string.format
 
-local MAX_SHOWN = 40 -- characters of a string in a message
 -- Numbers beyond these are refused, like infinity and 0: their squares or inverses would be
 -- infinite.
 local LARGEST, SMALLEST = 1e100, 1e-100
 
-local check = {}
+local check = { LARGEST = LARGEST, SMALLEST = SMALLEST }
 
 -- The line that is named -------------------------------------------------------------------------
 
@@ -77,71 +77,13 @@ end
 
 local fail = check.fail
 
--- Show a value -----------------------------------------------------------------------------------
-
-local ESCAPES = { ["\n"] = "\\n", ["\t"] = "\\t", ["\r"] = "\\r", ['"'] = '\\"', ["\\"] = "\\\\" }
-
-local function escape(character)
-  return ESCAPES[character] or format("\\%03d", character:byte())
-end
-
--- Returns whether a byte is the second to fourth of a UTF-8 character: text is not cut before it.
-local function isContinuation(byte)
-  return byte >= 128 and byte < 192
-end
-
-local function quote(text)
-  if #text > MAX_SHOWN then
-    local last = MAX_SHOWN
-    while last > MAX_SHOWN - 3 and isContinuation(text:byte(last + 1)) do
-      last = last - 1
-    end
-    text = text:sub(1, last) .. "..."
-  end
-  return '"' .. text:gsub('[%c"\\]', escape) .. '"'
-end
-
-local function showNumber(value)
-  if value ~= value then
-    return "nan"
-  elseif value == huge then
-    return "inf"
-  elseif value == -huge then
-    return "-inf"
-  end
-  return format("%.14g", value)
-end
+-- Words ------------------------------------------------------------------------------------------
 
 --- Returns a short text for a value, the same on every Lua.
 ---@param value any
 ---@return string
 function check.show(value)
-  local kind = type(value)
-  if kind == "string" then
-    return quote(value)
-  elseif kind == "number" then
-    return showNumber(value)
-  elseif kind == "nil" or kind == "boolean" then
-    return tostring(value)
-  end
-  return kind
-end
-
-local show = check.show
-
-local KEYWORDS = {}
-for word in
-  ([[and break do else elseif end false for function goto if in local nil not or repeat return then
-  true until while]]):gmatch("%a+")
-do
-  KEYWORDS[word] = true
-end
-
-local function indexed(path, key)
-  if type(key) == "string" and key:find("^[%a_][%w_]*$") and not KEYWORDS[key] then
-    return path .. "." .. key
-  end
-  return path .. "[" .. show(key) .. "]"
+  return (wording.show(value))
 end
 
 --- Returns how the game would write the place of an object: `objects.boxes[3]`, `objects.player`.
@@ -149,19 +91,43 @@ end
 ---@param key string|number? nil: the object stands directly in `objects`
 ---@return string
 function check.place(group, key)
-  local path = indexed("objects", group)
-  return key == nil and path or indexed(path, key)
+  return (wording.place(group, key))
 end
 
--- What is expected -------------------------------------------------------------------------------
+--- Returns what is wrong with a value that does not fit an entry of `fields.lua`.
+---@param path string
+---@param field physics.Field
+---@param value any
+---@return string
+function check.describe(path, field, value)
+  return (wording.describe(path, field, value))
+end
 
-local function isFinite(value)
+local show = check.show
+
+local function failValue(path, expected, value)
+  fail(wording.mustBe(path, expected, value))
+end
+
+-- What is accepted -------------------------------------------------------------------------------
+
+--- Returns whether a value is a number that the library can work with: finite, not huge.
+---@param value any
+---@return boolean
+function check.isFinite(value)
   return type(value) == "number" and value >= -LARGEST and value <= LARGEST
 end
 
-local function isName(value)
+local isFinite = check.isFinite
+
+--- Returns whether a value can be the name of a group.
+---@param value any
+---@return boolean
+function check.isName(value)
   return type(value) == "string" or isFinite(value)
 end
+
+local isName = check.isName
 
 local function inRange(value, min, above, max)
   return isFinite(value)
@@ -170,37 +136,9 @@ local function inRange(value, min, above, max)
     and (not max or value <= max)
 end
 
-local function describeNumber(value, min, above, max)
-  local text = "a number"
-  if value == huge or value == -huge then
-    text = "a finite number"
-  elseif not max and type(value) == "number" and (value > LARGEST or value < -LARGEST) then
-    if not min and not above then
-      min = -LARGEST
-    end
-    max = LARGEST
-  elseif above == 0 and type(value) == "number" and value > 0 and value < SMALLEST then
-    return text .. " >= " .. show(SMALLEST)
-  end
-  if min and max then
-    return format("%s in %s..%s", text, show(min), show(max))
-  end
-  text = text .. (min and " >= " .. show(min) or above and " > " .. show(above) or "")
-  return text .. (max and (above and " and <= " or " <= ") .. show(max) or "")
-end
-
-local function describeChoice(values)
-  local shown = {}
-  for i = 1, #values do
-    shown[i] = show(values[i])
-  end
-  local last = table.remove(shown)
-  return #shown == 0 and last or table.concat(shown, ", ") .. " or " .. last
-end
-
--- Returns the first entry, in order, that a predicate refuses: no message may depend on the order
--- of pairs().
-local function firstBad(map, isGood)
+--- Returns whether a predicate refuses an entry, and the first one in order: no message may depend
+--- on the order of pairs().
+function check.firstBad(map, isGood)
   local found, bad = false, nil
   for key, value in pairs(map) do
     if not isGood(key, value) and (not found or keyOrder.comesBefore(key, bad)) then
@@ -210,216 +148,11 @@ local function firstBad(map, isGood)
   return found, bad
 end
 
--- Returns whether two names differ by one slip: a letter wrong, missing, too many, or swapped with
--- its neighbour.
-local function isOneOff(a, b)
-  while a ~= "" and a:sub(1, 1) == b:sub(1, 1) do
-    a, b = a:sub(2), b:sub(2)
-  end
-  while a ~= "" and a:sub(-1) == b:sub(-1) do
-    a, b = a:sub(1, -2), b:sub(1, -2)
-  end
-  return #a <= 1 and #b <= 1 or #a == 2 and a == b:reverse()
-end
+local firstBad = check.firstBad
 
---- Returns whether one name is probably a misspelling of another: it differs by one slip at most,
---- or only by capitals.
----@param name string
----@param known string
----@return boolean
-function check.isSlip(name, known)
-  return isOneOff(name:lower(), known:lower())
-end
-
---- Returns the name in a list that an unknown name is probably a misspelling of.
----@param name any
----@param names string[]
----@return string? nil: there is none
-function check.guess(name, names)
-  local guess
-  for _, known in ipairs(names) do
-    if tostring(name):lower() == known:lower() then
-      return known
-    elseif not guess and check.isSlip(tostring(name), known) then
-      guess = known
-    end
-  end
-  return guess
-end
-
-local function describeUnknown(kind, name, names, where)
-  local guess = check.guess(name, names)
-  local hint = guess and format(" (did you mean %s?)", show(guess)) or ""
-  local known, plural = table.concat(names, ", "), kind == "entry" and "entries" or kind .. "s"
-  return format("%s: unknown %s %s%s; the %s are %s", where, kind, show(name), hint, plural, known)
-end
-
--- Each type of field: `accepts(field, value)`, and `describe(path, field, value)`, which says what
--- is wrong with a value that was not accepted.
-local TYPES = {}
-
-local function isAccepted(field, value)
-  return TYPES[field.type].accepts(field, value)
-end
-
----@return string
-local function describe(path, field, value)
-  return TYPES[field.type].describe(path, field, value)
-end
-
-local function isMaskEntry(key, value)
-  return isName(key) and type(value) == "boolean"
-end
-
-local function isAreaEntry(key, value)
-  local field = fields.areaByName[key]
-  return field ~= nil and isAccepted(field, value)
-end
-
-local function isMasksEntry(key, value)
-  return isName(key) and type(value) == "table" and not firstBad(value, isMaskEntry)
-end
-
-local function mustBe(path, expected, value)
-  return format("%s must be %s, got %s", path, expected, show(value))
-end
-
-local function describeBoolean(path, value)
-  return mustBe(path, "true or false", value)
-end
-
-TYPES.number = {
-  accepts = function(field, value)
-    return inRange(value, field.min, field.above, field.max)
-  end,
-  describe = function(path, field, value)
-    return mustBe(path, describeNumber(value, field.min, field.above, field.max), value)
-  end,
-}
-
-TYPES.boolean = {
-  accepts = function(_, value)
-    return type(value) == "boolean"
-  end,
-  describe = function(path, _, value)
-    return describeBoolean(path, value)
-  end,
-}
-
-TYPES["function"] = {
-  accepts = function(_, value)
-    return type(value) == "function"
-  end,
-  describe = function(path, _, value)
-    return mustBe(path, "a function", value)
-  end,
-}
-
-TYPES.string = {
-  accepts = function(field, value)
-    if type(value) == "boolean" then
-      return field.yes ~= nil
-    end
-    for i = 1, #field.values do
-      if value == field.values[i] then
-        return true
-      end
-    end
-    return false
-  end,
-  describe = function(path, field, value)
-    local choice = describeChoice(field.values)
-    return mustBe(path, field.yes and "true, false, " .. choice or choice, value)
-  end,
-}
-
--- Says what is wrong with a table that has group names as keys, and entries that fit `isEntry(key,
--- value)`. `describeEntry(path, value)` says what is wrong with one of them.
-local function describeByGroup(path, value, expected, isEntry, describeEntry)
-  if type(value) ~= "table" then
-    return mustBe(path, expected, value)
-  end
-  local _, key = firstBad(value, isEntry)
-  if not isName(key) then
-    return format("%s must have group names as keys, got %s", path, show(key))
-  end
-  return describeEntry(indexed(path, key), value[key])
-end
-
-local function describeMask(path, mask)
-  local expected = "a table { [group] = false }"
-  return describeByGroup(path, mask, expected, isMaskEntry, describeBoolean)
-end
-
-TYPES.mask = {
-  accepts = function(_, value)
-    return type(value) == "table" and not firstBad(value, isMaskEntry)
-  end,
-  describe = function(path, _, value)
-    return describeMask(path, value)
-  end,
-}
-
-TYPES.masks = {
-  accepts = function(_, value)
-    return type(value) == "table" and not firstBad(value, isMasksEntry)
-  end,
-  describe = function(path, _, value)
-    local expected = "a table { [group] = { [group] = false } }"
-    return describeByGroup(path, value, expected, isMasksEntry, describeMask)
-  end,
-}
-
-TYPES.area = {
-  accepts = function(_, value)
-    return type(value) == "table" and not firstBad(value, isAreaEntry)
-  end,
-  describe = function(path, _, value)
-    if type(value) ~= "table" then
-      return mustBe(path, "a table { gravity = 100, … }", value)
-    end
-    local _, key = firstBad(value, isAreaEntry)
-    local field = fields.areaByName[key]
-    if field then
-      return describe(indexed(path, key), field, value[key])
-    end
-    return describeUnknown("entry", key, fields.areaNames, path)
-  end,
-}
-
---- The largest speed of `soft`, px/s.
-check.FASTEST = 1e6
-local FASTEST = check.FASTEST
-
-local function isSoftEntry(key, value)
-  return isName(key) and inRange(value, 0, nil, FASTEST)
-end
-
-local function isSoftRow(key, value)
-  return isName(key) and type(value) == "table" and not firstBad(value, isSoftEntry)
-end
-
-local function describeSoftEntry(path, value)
-  return mustBe(path, describeNumber(value, 0, nil, FASTEST), value)
-end
-
-local function describeSoftRow(path, row)
-  return describeByGroup(path, row, "a table { [group] = px/s }", isSoftEntry, describeSoftEntry)
-end
-
-TYPES.soft = {
-  accepts = function(_, value)
-    return type(value) == "table" and not firstBad(value, isSoftRow)
-  end,
-  describe = function(path, _, value)
-    local expected = "a table { [group] = { [group] = px/s } }"
-    return describeByGroup(path, value, expected, isSoftRow, describeSoftRow)
-  end,
-}
-
--- Returns the index of the first name that cannot be used, and the index of an equal name before
--- it.
-local function badName(list)
+--- Returns the index of the first name that cannot be used, and the index of an equal name before
+--- it.
+function check.badName(list)
   local seen = {}
   for i = 1, #list do
     local name = list[i]
@@ -439,30 +172,92 @@ function check.isList(value)
   return type(value) == "table" and (value[1] ~= nil or isEmpty(value))
 end
 
-TYPES.names = {
-  accepts = function(_, value)
-    return check.isList(value) and not badName(value)
-  end,
-  describe = function(path, _, value)
-    if not check.isList(value) then
-      return mustBe(path, "a list of group names", value)
-    end
-    local i, earlier = badName(value)
-    if earlier then
-      local name = show(value[i])
-      return format("%s must name each group once, got %s at [%d] and [%d]", path, name, earlier, i)
-    end
-    return mustBe(indexed(path, i), "a group name", value[i])
-  end,
-}
+local function isNames(value)
+  return check.isList(value) and not check.badName(value)
+end
 
--- Returns what is wrong with the name of a field of the game; nil: it can be used.
-local function describeOwn(path, name)
-  if type(name) ~= "string" then
-    return mustBe(path, "the name of a field", name)
-  elseif fields.objectByName[name] then
-    return format("%s must be a field of your own; %s is saved anyway", path, name)
+--- The largest speed of `soft`, px/s.
+check.FASTEST = 1e6
+
+--- By type of a field that is a table: whether an entry of it can be used. ("speeds" is a row of
+--- "soft".)
+check.ENTRIES = {}
+local ENTRIES = check.ENTRIES
+
+-- By type of the other fields. A field of type "sides" is written by the library and never checked.
+local ACCEPTS = {}
+
+--- Returns whether a value fits an entry of `fields.lua`; nil does not.
+---@param field physics.Field
+---@param value any
+---@return boolean
+function check.accepts(field, value)
+  local isEntry = ENTRIES[field.type]
+  if isEntry then
+    return type(value) == "table" and not firstBad(value, isEntry)
   end
+  return ACCEPTS[field.type](value, field)
+end
+
+local isAccepted = check.accepts
+
+function ENTRIES.mask(key, value)
+  return isName(key) and type(value) == "boolean"
+end
+
+function ENTRIES.masks(key, value)
+  return isName(key) and type(value) == "table" and not firstBad(value, ENTRIES.mask)
+end
+
+function ENTRIES.area(key, value)
+  local field = fields.areaByName[key]
+  return field ~= nil and isAccepted(field, value)
+end
+
+function ENTRIES.speeds(key, value)
+  return isName(key) and inRange(value, 0, nil, check.FASTEST)
+end
+
+function ENTRIES.soft(key, value)
+  return isName(key) and type(value) == "table" and not firstBad(value, ENTRIES.speeds)
+end
+
+function ACCEPTS.number(value, field)
+  return inRange(value, field.min, field.above, field.max)
+end
+
+function ACCEPTS.boolean(value)
+  return type(value) == "boolean"
+end
+
+ACCEPTS["function"] = function(value)
+  return type(value) == "function"
+end
+
+function ACCEPTS.string(value, field)
+  if type(value) == "boolean" then
+    return field.yes ~= nil
+  end
+  for i = 1, #field.values do
+    if value == field.values[i] then
+      return true
+    end
+  end
+  return false
+end
+
+ACCEPTS.names = isNames
+
+local function isOwnName(name)
+  return type(name) == "string" and not fields.objectByName[name]
+end
+
+function ACCEPTS.ownFields(value)
+  local isGood = isNames(value)
+  for i = 1, isGood and #value or 0 do
+    isGood = isGood and isOwnName(value[i])
+  end
+  return isGood
 end
 
 --- Checks the name of a field of the game.
@@ -470,49 +265,10 @@ end
 ---@param name any
 ---@param path string how the place of the name is written
 function check.ownField(name, path)
-  local problem = describeOwn(path, name)
-  if problem then
-    fail(problem)
+  if not isOwnName(name) then
+    fail(wording.ownField(path, name))
   end
 end
-
-TYPES.ownFields = {
-  accepts = function(_, value)
-    if not check.isList(value) or badName(value) then
-      return false
-    end
-    for i = 1, #value do
-      if describeOwn("", value[i]) then
-        return false
-      end
-    end
-    return true
-  end,
-  describe = function(path, _, value)
-    if not check.isList(value) then
-      return mustBe(path, "a list of names of fields", value)
-    end
-    for i = 1, #value do
-      local problem = describeOwn(indexed(path, i), value[i])
-      if problem then
-        return problem
-      end
-    end
-    local i, earlier = badName(value)
-    local text = "%s must name each field once, got %s at [%d] and [%d]"
-    return format(text, path, show(value[i]), earlier, i)
-  end,
-}
-
--- A field of type "sides" is written by the library and never checked.
-
---- Returns what is wrong with a value that does not fit an entry of `fields.lua`.
----@type fun(path: string, field: physics.Field, value: any): string
-check.describe = describe
-
---- Returns whether a value fits an entry of `fields.lua`; nil does not.
----@type fun(field: physics.Field, value: any): boolean
-check.accepts = isAccepted
 
 --- Checks one value against an entry of `fields.lua`.
 --- Errors: it does not fit, nil included.
@@ -521,7 +277,7 @@ check.accepts = isAccepted
 ---@param path string how the place of the value is written
 function check.value(field, value, path)
   if not isAccepted(field, value) then
-    fail(describe(path, field, value))
+    fail(wording.describe(path, field, value))
   end
 end
 
@@ -591,29 +347,8 @@ end
 
 local function mustBeTable(value, path)
   if type(value) ~= "table" then
-    fail(mustBe(path, "a table", value))
+    failValue(path, "a table", value)
   end
-end
-
--- Returns advice on how to fix a field, in parentheses, or "".
-local function advice(object, field, value)
-  local other = field.misnamed and object[field.misnamed]
-  if value == nil and isFinite(other) then
-    return format(" (but %s is %s: call it %s)", field.misnamed, show(other), field.name)
-  elseif value == nil and field.misnamed and isFinite(object.radius) then
-    return format(" (2 * radius is %s)", show(2 * object.radius))
-  elseif field.infinite and value == huge then
-    return format(" (%s)", field.infinite)
-  end
-  return ""
-end
-
-local function failField(object, place, field, expected, hint)
-  local value = object[field.name]
-  if expected then
-    fail(mustBe(place .. "." .. field.name, expected, value) .. (hint or ""))
-  end
-  fail(describe(place .. "." .. field.name, field, value) .. advice(object, field, value))
 end
 
 --- Checks some fields of an object, in the order given.
@@ -627,7 +362,7 @@ function check.fields(object, place, names)
     local field = fields.objectByName[names[i]]
     local value = object[field.name]
     if isBad(field, value) then
-      failField(object, place, field)
+      fail(wording.field(object, place, field))
     end
   end
 end
@@ -641,7 +376,7 @@ function check.object(object, place, size)
   mustBeTable(object, place)
   local field, expected, hint = check.badField(object, size)
   if field then
-    failField(object, place, field, expected, hint)
+    fail(wording.field(object, place, field, expected, hint))
   end
 end
 
@@ -667,7 +402,7 @@ function check.names(given, kind, names, where)
     return isAmong(names, key)
   end)
   if isUnknown then
-    fail(describeUnknown(kind, name, names, where))
+    fail(wording.unknown(kind, name, names, where))
   end
 end
 
@@ -679,11 +414,11 @@ end
 function check.setting(name, value, where)
   local field = fields.settingByName[name]
   if not field then
-    fail(describeUnknown("setting", name, fields.settingNames, where or "world"))
+    fail(wording.unknown("setting", name, fields.settingNames, where or "world"))
   elseif value == nil and field.default == nil then
     return
   elseif not isAccepted(field, value) then
-    fail(describe(where and where .. ": " .. name or "world." .. name, field, value))
+    fail(wording.describe(where and where .. ": " .. name or "world." .. name, field, value))
   end
 end
 
@@ -700,20 +435,12 @@ function check.settings(settings, where)
   for _, field in ipairs(fields.settings) do
     local value = settings[field.name]
     if value ~= nil and not isAccepted(field, value) then
-      fail(describe(where .. ": " .. field.name, field, value))
+      fail(wording.describe(where .. ": " .. field.name, field, value))
     end
   end
 end
 
 -- Arguments --------------------------------------------------------------------------------------
-
---- Returns whether a value is a number that the library can work with: finite, not huge.
----@type fun(value: any): boolean
-check.isFinite = isFinite
-
---- Returns whether a value can be the name of a group.
----@type fun(value: any): boolean
-check.isName = isName
 
 --- Checks a number: finite, and in its range.
 ---@param value any
@@ -723,7 +450,7 @@ check.isName = isName
 ---@param max number? largest value allowed
 function check.number(value, what, where, min, max)
   if not inRange(value, min, nil, max) then
-    fail(mustBe(where .. ": " .. what, describeNumber(value, min, nil, max), value))
+    failValue(where .. ": " .. what, wording.number(value, min, nil, max), value)
   end
 end
 
@@ -733,7 +460,7 @@ end
 ---@param where string the call
 function check.positive(value, what, where)
   if not inRange(value, nil, 0, nil) then
-    fail(mustBe(where .. ": " .. what, describeNumber(value, nil, 0, nil), value))
+    failValue(where .. ": " .. what, wording.number(value, nil, 0, nil), value)
   end
 end
 
@@ -745,7 +472,7 @@ end
 ---@param max integer
 function check.integer(value, what, where, min, max)
   if not inRange(value, min, nil, max) or floor(value) ~= value then
-    fail(mustBe(where .. ": " .. what, format("an integer in %d..%d", min, max), value))
+    failValue(where .. ": " .. what, format("an integer in %d..%d", min, max), value)
   end
 end
 
@@ -754,7 +481,7 @@ end
 ---@param where string the call
 function check.boolean(value, what, where)
   if type(value) ~= "boolean" then
-    fail(mustBe(where .. ": " .. what, "true or false", value))
+    failValue(where .. ": " .. what, "true or false", value)
   end
 end
 
@@ -763,7 +490,7 @@ end
 ---@param where string the call
 function check.table(value, what, where)
   if type(value) ~= "table" then
-    fail(mustBe(where .. ": " .. what, "a table", value))
+    failValue(where .. ": " .. what, "a table", value)
   end
 end
 
@@ -774,7 +501,7 @@ end
 ---@param where string the call
 function check.optional(value, kind, what, where)
   if value ~= nil and type(value) ~= kind then
-    fail(mustBe(where .. ": " .. what, "a " .. kind, value))
+    failValue(where .. ": " .. what, "a " .. kind, value)
   end
 end
 
@@ -789,7 +516,7 @@ function check.choice(value, what, where, values)
       return
     end
   end
-  fail(mustBe(where .. ": " .. what, describeChoice(values), value))
+  failValue(where .. ": " .. what, wording.choice(values), value)
 end
 
 --- Checks the name of a group: a string or a finite number.
@@ -800,7 +527,7 @@ function check.group(value, where, what)
   if not isName(value) then
     local isSwapped = not what and type(value) == "table"
     local order = isSwapped and " (the group comes first, then the object)" or ""
-    fail(mustBe(where .. ": " .. (what or "group"), "a string or a number", value) .. order)
+    fail(wording.mustBe(where .. ": " .. (what or "group"), "a string or a number", value) .. order)
   end
 end
 
@@ -812,16 +539,16 @@ function check.filter(value, where)
     return
   end
   if not check.isList(value) then -- an object or a set of names would match nothing
-    fail(mustBe(where .. ": filter", "a group name, a list of them or a function", value))
+    failValue(where .. ": filter", "a group name, a list of them or a function", value)
   end
   for i = 1, #value do
     if not isName(value[i]) then
       local hint = type(value[i]) == "table" and " (the name of a group, not its table)" or ""
-      fail(mustBe(format("%s: filter[%d]", where, i), "a group name", value[i]) .. hint)
+      fail(wording.mustBe(format("%s: filter[%d]", where, i), "a group name", value[i]) .. hint)
     end
   end
 end
 
-interpreted.always(firstBad, isEmpty)
+interpreted.always(check.firstBad, isEmpty)
 
 return check

@@ -23,6 +23,16 @@ local checkSelf, checkIdle, checkObjects = class.checkSelf, class.checkIdle, cla
 local checkPoint, checkQuestion = class.checkPoint, class.checkQuestion
 local failMissing, search, whereIs = class.failMissing, class.search, class.whereIs
 
+-- Checks an object. Only if it cannot be used, the text of its place is made.
+local function checkNew(self, group, object)
+  local size = check.sizeToFill(object)
+  if check.badField(object, size) then
+    local known = self.objects[group]
+    local n = type(known) == "table" and #known or 0
+    check.object(object, check.place(group, n + 1), size)
+  end
+end
+
 --- Puts an object at the end of a group and returns it. A group that does not exist is made.
 ---
 --- It does the same as `table.insert(world.objects[group], object)`, and more. It checks the fields
@@ -48,10 +58,7 @@ function World:add(group, object)
   check.group(group, "world:add(group, object)")
   check.table(object, "object", "world:add(group, object)")
   checkObjects(self)
-  local objects = self.objects ---@type table<any, any>
-  local known = objects[group]
-  local n = type(known) == "table" and #known or 0
-  check.object(object, check.place(group, n + 1), check.sizeToFill(object))
+  checkNew(self, group, object)
   local found, _, name, key = whereIs(self, object)
   if found then
     check.fail("world:add(group, object): the object already stands at " .. check.place(name, key))

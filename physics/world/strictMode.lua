@@ -23,6 +23,7 @@ local fields = require(root .. ".world.fields")
 local filter = require(root .. ".broadphase.filter")
 local interpreted = require(root .. ".memory.jit")
 local registry = require(root .. ".objects.registry")
+local wording = require(root .. ".world.wording")
 
 local guard = {}
 
@@ -68,7 +69,7 @@ local function meaningOf(name, names, byName)
   elseif MEANT[name] and (byName == fields.objectByName or byName[MEANT[name]]) then
     return MEANT[name]
   end
-  local guess = check.guess(name, names)
+  local guess = wording.guess(name, names)
   -- Short names are alike by chance: `w` and `z` may be the game's own.
   local isSure = guess and (#guess > 3 and #name > 3 or guess == name:lower())
   return isSure and guess or false
@@ -112,7 +113,7 @@ local function groupMeant(b, name)
   end
   for n = 1, #b.registry.groups do
     local known = b.registry.groups[n].name
-    if type(known) == "string" and #known > 3 and check.isSlip(name, known) then
+    if type(known) == "string" and #known > 3 and wording.isSlip(name, known) then
       return known
     end
   end
