@@ -58,7 +58,7 @@ local HUGE = math.huge
 --- Version of the layout of a state; states of other versions are refused.
 state.VERSION = 2
 
--- Columns that outlive a step. A new column of this kind in columns.lua must be added here, too.
+-- Columns that outlive a step. A new column of this kind in layout.lua must be added here, too.
 
 --- By slot: flags, saved where they are true.
 state.FLAGS = { "moved", "inside", "jumped", "grown", "stuck", "exiting" }

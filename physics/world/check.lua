@@ -1,6 +1,6 @@
 --- Checks values and raises errors: which values are wrong, and which line the error names. What
---- the message says is in wording.lua. It names the place, the field, what was expected and what was
---- found:
+--- the message says is in wording.lua. It names the place, the field, what was expected and what
+--- was found:
 ---   physics: objects.boxes[3].width must be a number > 0, got nil
 --- It points at the caller's line: the first one that is not in a file of the library.
 
