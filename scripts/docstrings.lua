@@ -80,7 +80,7 @@ end
 
 function readTag.class(entry, text)
   entry.kind = "class"
-  entry.name, entry.type = text:match("^([%w_.]+):?%s*(.*)$")
+  entry.name, entry.type = text:gsub("^%(partial%) ", ""):match("^([%w_.]+):?%s*(.*)$")
 end
 
 function readTag.alias(entry, text)

@@ -14,15 +14,15 @@ local guard = lazy(root .. ".world.strictMode") -- loaded when it is first used
 
 --- An independent world: a table of groups of objects, settings as plain fields, and the steps.
 --- Its settings are fields of it, too.
----@class physics.World: physics.WorldSettings
+---@class (partial) physics.World: physics.WorldSettings
 ---@field objects table<string|number, any> the game's groups of objects
 ---@field stats physics.Stats counters of the last step
 ---@field alpha number share of a fixed step that is saved up, 0..1; your own loop may write it (see
 ---  `interpolate`)
----@field package _bodies table the columns of the simulation
----@field package _saved number s, time for which no fixed step was made yet
----@field package _restores integer how often it was put back to an earlier state
----@field package _walls table what `setBounds` has put there
+---@field protected _bodies table the columns of the simulation
+---@field protected _saved number s, time for which no fixed step was made yet
+---@field protected _restores integer how often it was put back to an earlier state
+---@field protected _walls table what `setBounds` has put there
 local World = {}
 World.__index = World
 

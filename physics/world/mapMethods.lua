@@ -11,7 +11,7 @@ local ldtk = lazy(root .. ".maps.ldtk")
 local tiled = lazy(root .. ".maps.tiled")
 local tileLayers = lazy(root .. ".maps.tiles")
 
----@class physics.World
+---@class (partial) physics.World
 local World = class.World
 
 local isFinite = check.isFinite

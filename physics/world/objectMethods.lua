@@ -16,7 +16,7 @@ local explosion = lazy(root .. ".world.explosion")
 local shift = lazy(root .. ".objects.shift")
 local slide = lazy(root .. ".queries.move")
 
----@class physics.World
+---@class (partial) physics.World
 local World = class.World
 
 local checkSelf, checkIdle, checkObjects = class.checkSelf, class.checkIdle, class.checkObjects

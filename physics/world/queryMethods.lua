@@ -19,7 +19,7 @@ local lazy = require(root .. ".memory.lazy")
 local explain = lazy(root .. ".world.explain")
 local query = lazy(root .. ".queries.query")
 
----@class physics.World
+---@class (partial) physics.World
 local World = class.World
 
 local isFinite = check.isFinite

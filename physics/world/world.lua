@@ -28,7 +28,7 @@ local hash = lazy(root .. ".state.hash")
 local restore = lazy(root .. ".state.restore")
 local state = lazy(root .. ".state.save")
 
----@class physics.World
+---@class (partial) physics.World
 local World = class.World
 
 local checkSelf, checkIdle = class.checkSelf, class.checkIdle
