@@ -9,6 +9,7 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local fieldColumns = require(root .. ".objects.fieldColumns")
 local fields = require(root .. ".world.fields")
 local keyOrder = require(root .. ".memory.keyOrder")
+local format = require(root .. ".state.format")
 local state = require(root .. ".state.save")
 
 local hash = {}
@@ -166,13 +167,13 @@ local function mixGone(sum, out)
 end
 
 local function mixMemory(sum, out)
-  for _, name in ipairs(state.FLAGS) do
+  for _, name in ipairs(format.FLAGS) do
     mixList(sum, out.memory[name])
   end
-  for _, name in ipairs(state.LINKS) do
+  for _, name in ipairs(format.LINKS) do
     mixList(sum, out.memory[name])
   end
-  for _, entry in ipairs(state.POINTS) do
+  for _, entry in ipairs(format.POINTS) do
     if entry[1] ~= "last" and entry[1] ~= "drift" then -- they change no motion
       mixList(sum, out.memory[entry[1]])
     end
@@ -193,7 +194,7 @@ end
 
 local function mixSettings(sum, out)
   local settings = out.settings
-  for _, name in ipairs(state.SETTINGS) do
+  for _, name in ipairs(format.SETTINGS) do
     local value = settings[name]
     mixAny(sum, value == nil and FALSE or value)
   end

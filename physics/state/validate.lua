@@ -7,7 +7,7 @@ local fieldColumns = require(root .. ".objects.fieldColumns")
 local fields = require(root .. ".world.fields")
 local interpreted = require(root .. ".memory.jit")
 local own = require(root .. ".state.own")
-local state = require(root .. ".state.save")
+local format = require(root .. ".state.format")
 
 local verify = {}
 
@@ -96,7 +96,7 @@ end
 
 local function needSettings(settings)
   needTable(settings, "state.settings")
-  for _, name in ipairs(state.SETTINGS) do
+  for _, name in ipairs(format.SETTINGS) do
     local field, value = fields.settingByName[name], settings[name]
     if value ~= nil or field.default ~= nil then
       check.value(field, value, WHERE .. "state.settings." .. name)
@@ -305,14 +305,14 @@ end
 
 local function needMemory(st)
   local memory, object = needTable(st.memory, "state.memory"), objectKind(1, st.known)
-  for _, name in ipairs(state.FLAGS) do
+  for _, name in ipairs(format.FLAGS) do
     needSparse(memory[name], "state.memory." .. name, { object })
   end
   needSparse(memory.lost, "state.memory.lost", { object })
-  for _, name in ipairs(state.LINKS) do
+  for _, name in ipairs(format.LINKS) do
     needSparse(memory[name], "state.memory." .. name, { object, object })
   end
-  for _, entry in ipairs(state.POINTS) do
+  for _, entry in ipairs(format.POINTS) do
     local kind = type(entry[2]) == "boolean" and BOOLEAN or NUMBER
     needSparse(memory[entry[1]], "state.memory." .. entry[1], { object, kind, kind })
   end
@@ -338,7 +338,7 @@ end
 local function needContacts(st)
   local object = objectKind(1, st.known)
   local kinds = { object, object }
-  for _, entry in ipairs(state.PAIRS) do
+  for _, entry in ipairs(format.PAIRS) do
     kinds[#kinds + 1] = pairKind(entry)
   end
   local list = st.contacts
@@ -388,7 +388,7 @@ local function needEvents(st)
     NUMBER,
   })
   local list = st.events
-  local length = 3 + #state.EVENT
+  local length = 3 + #format.EVENT
   for at = 4, #list, length do
     if (list[at] == 5) ~= (type(list[at + 1]) == "string") then
       refuse("state.events[" .. (at + 1) .. "]", "a side of this kind of event", list[at + 1])
@@ -409,8 +409,8 @@ function verify.state(st)
   needTable(st, "state")
   if st.version == nil then
     check.fail(WHERE .. "state must be what world:save() returns, got " .. show(st))
-  elseif st.version ~= state.VERSION then
-    local expected = show(state.VERSION) .. " (it was saved by another version of the library)"
+  elseif st.version ~= format.VERSION then
+    local expected = show(format.VERSION) .. " (it was saved by another version of the library)"
     refuse("state.version", expected, st.version)
   end
   needSettings(st.settings)
