@@ -38,7 +38,7 @@ return {
     "what lies behind the end is read and not used, be it a number or nothing",
   },
   {
-    "physics/objects/read.lua",
+    "physics/objects/readFields.lua",
     "b.hasCarriers = b.hasCarriers or b.kind[i] == KINEMATIC or b.surfaceSpeed[i] ~= 0",
     "b.hasCarriers = b.hasCarriers or b.kind[i] ~= KINEMATIC or b.surfaceSpeed[i] ~= 0",
     "carriers are looked for where there are none; without a rider none is found",
