@@ -24,6 +24,9 @@ local USES = {
     world:move(box, 8, 8)
   end,
   ["physics.queries.query"] = function(_, world)
+    world:nearest(0, 0, 10)
+  end,
+  ["physics.queries.rays"] = function(_, world)
     world:raycast(0, 0, 10, 10)
   end,
   ["physics.state.hash"] = function(_, world)

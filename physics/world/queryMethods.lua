@@ -18,6 +18,7 @@ local lazy = require(root .. ".memory.lazy")
 -- What is loaded when it is first used.
 local explain = lazy(root .. ".world.explain")
 local query = lazy(root .. ".queries.query")
+local rays = lazy(root .. ".queries.rays")
 
 ---@class (partial) physics.World
 local World = class.World
@@ -115,7 +116,7 @@ end
 function World:querySegment(x1, y1, x2, y2, filter, out)
   checkQuestion(self, "querySegment(x1, y1, x2, y2)", filter, out)
   checkLine(x1, y1, x2, y2, "world:querySegment(x1, y1, x2, y2)")
-  local found, count = query.segment(self, x1 + 0.0, y1 + 0.0, x2 + 0.0, y2 + 0.0, filter, out)
+  local found, count = rays.segment(self, x1 + 0.0, y1 + 0.0, x2 + 0.0, y2 + 0.0, filter, out)
   return found, count
 end
 
@@ -149,7 +150,7 @@ function World:raycast(x1, y1, x2, y2, filter)
   checkLine(x1, y1, x2, y2, "world:raycast(x1, y1, x2, y2)")
   -- (A tail call: the trace compiler would compile the code after it anew for each path.)
   ---@diagnostic disable-next-line: missing-return-value
-  return query.raycast(self, x1 + 0.0, y1 + 0.0, x2 + 0.0, y2 + 0.0, filter)
+  return rays.raycast(self, x1 + 0.0, y1 + 0.0, x2 + 0.0, y2 + 0.0, filter)
 end
 
 --- Returns what would stop an object on its way by (dx, dy), and where the object would be then.
