@@ -305,11 +305,14 @@ end
 local function wait(b, i, sum)
   local knotted, was, k = b.knotted, b.knotWas, 2 * i
   local waited, tries = knotted[k], knotted[k + 1]
+  local isDeep = b.deepAt[i] == b.solveStamp
   local isSqueezed, isPressed = b.squeezed[k] ~= 0 or b.squeezed[k + 1] ~= 0, false
-  for m = k, isSqueezed and k + 1 or 0 do
+  -- What begins to be squeezed in this step is not looked at yet, as if there were no other knot.
+  local isKnown = isDeep or waited ~= 0 or tries ~= 0
+  for m = k, isSqueezed and isKnown and k + 1 or 0 do
     isPressed = isPressed or (b.squeezed[m] ~= 0 and isPressedByMachine(b, m))
   end
-  if b.deepAt[i] ~= b.solveStamp then
+  if not isDeep then
     waited, tries = recover(waited, tries, b.dt)
   elseif waited <= 0 or sum < was[k] * PROGRESS then
     waited, was[k] = b.dt, sum
