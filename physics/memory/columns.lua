@@ -130,6 +130,7 @@ local SLOT = {
   stuck = false, -- keeps its place: its knot has no room, or it exits (see knots)
   exiting = false, -- on its way out of a knot
   deepAt = 0, -- solve in which it was last inside another dynamic body
+  limitedAt = 0, -- solve in which its motion is limited, as overlaps may push it
   impactsOf = 0, -- number of impacts in this step
   pieceFirst = 0, -- pieces of its way along the ground (see walk),
   pieceLast = 0, -- 0: none
@@ -346,6 +347,8 @@ end
 -- without most of it (see begin). An object that becomes static must be cleared here.
 local STEP_SLOT = {
   "buried",
+  "crowd",
+  "inside",
   "stuck",
   "exiting",
   "support",
@@ -367,6 +370,7 @@ local STEP_AXIS = {
   "squeezed",
   "knotted",
   "knotWas",
+  "crowdAge",
   "crushed",
   "wasCrushed",
   "pressedLow",

@@ -213,6 +213,7 @@ local function putDeep(b, p)
   end
   if not rules.passes(b, p, kl, kh, axis, true) then
     put(b, p, axis, kl, kh, separation)
+    b.limitedAt[i], b.limitedAt[j] = b.solveStamp, b.solveStamp
     if isRound then
       b.touches[p] = ELASTIC
       leaveApart(b, p)

@@ -21,16 +21,47 @@ local FREEZES = 16
 -- px and px/s of that.
 local CALM, CALM_SPEED = 4 * EPSILON, 1e-3
 
+-- Returns the highest speed that body k had in this step.
+local function fastestOf(b, k)
+  local start, free, speed = b.start[k], b.freeSpeed[k], b.speed[k]
+  return max(start, -start, free, -free, speed, -speed)
+end
+
+-- What touches a body that is limited is limited, too, on one side of a list of contacts.
+local function spreadLimit(b, list, first, last, step)
+  local limitedAt, kind, stamp = b.limitedAt, b.kind, b.solveStamp
+  for c = first, last, step do
+    local i, j = (list.low[c] - list.axis) * 0.5, (list.high[c] - list.axis) * 0.5
+    if kind[i] == DYNAMIC and kind[j] == DYNAMIC then
+      local latest = max(limitedAt[i], limitedAt[j])
+      if latest == stamp then
+        limitedAt[i], limitedAt[j] = stamp, stamp
+      end
+    end
+  end
+end
+
 -- Limits the motion of the step, since pushes may add up where bodies overlap. A body ends no
--- further from its start than its fastest speed takes it, PARTING of its size, and its `nudge`.
+-- further from its start than its fastest speed takes it, PARTING of its size, and its `nudge`. What a slanted
+-- contact has deflected may have turned its speed from one axis to the other. (What has nothing to
+-- do with an overlap is left out: whether there is one elsewhere depends on what rests.)
 local function limitMotion(b, dt)
   local list, give, origin, to, size = b.awakeList, b.give, b.origin, b.to, b.size
-  local start, freeSpeed, speed, position = b.start, b.freeSpeed, b.speed, b.position
+  local position = b.position
+  for pass = 0, 3 do
+    local its = b.contacts[pass % 2]
+    spreadLimit(b, its, 1, its.count, 1)
+    spreadLimit(b, its, its.count, 1, -1)
+  end
   for n = 1, b.awakeCount do
-    for k = 2 * list[n], 2 * list[n] + 1 do
-      if give[k] > 0 then
-        local fastest = max(start[k], -start[k], freeSpeed[k], -freeSpeed[k], speed[k], -speed[k])
-        local most = fastest * dt + PARTING * size[k] + b.nudge[list[n]]
+    local i = list[n]
+    for k = 2 * i, 2 * i + 1 do
+      if give[k] > 0 and b.limitedAt[i] == b.solveStamp then
+        local fastest = fastestOf(b, k)
+        if b.deflectedAt[i] == b.solveStamp then
+          fastest = max(fastest, fastestOf(b, 4 * i + 1 - k))
+        end
+        local most = fastest * dt + PARTING * size[k] + b.nudge[i]
         to[k] = max(min(to[k], origin[k] + most), origin[k] - most)
         local all = max(size[k], origin[k] - position[k], position[k] - origin[k]) + fastest * dt
         to[k] = max(min(to[k], position[k] + all), position[k] - all)

@@ -162,7 +162,7 @@ end
 
 -- Settles what touches when the step begins, and follows the ground.
 local function prepare(b, dt)
-  b.solveStamp = b.solveStamp + 1
+  b.solveStamp, b.isJammed = b.solveStamp + 1, false
   begin(b, dt)
   friction.begin(b)
   live.list(b)
