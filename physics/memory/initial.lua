@@ -12,6 +12,8 @@ local function addObjects(b)
   b.pairSlots = 0
   b.freePairs = {}
   b.freePairCount = 0
+  b.endedPairs = {} -- not free yet
+  b.endedPairCount = 0
   b.pairCount = 0
   b.links = 0 -- how often the pairs have changed
   b.staticVersion = 0 -- how often static objects have come, gone, or been read again
@@ -78,7 +80,6 @@ local function addAwake(b)
   b.island = {} -- scratch of islands
   b.awakenings = 0 -- how often the set of awake objects has changed
   b.liveCount = 0
-  b.liveStamp = 0
   b.liveLinks = -1 -- `links` and `awakenings` when `live` was last listed
   b.liveAwakenings = -1
   b.stained = {} -- pairs with more to reset than others (see activePairs)

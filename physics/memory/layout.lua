@@ -68,6 +68,7 @@ layout.SLOT = {
   stuck = false, -- keeps its place: its knot has no room, or it exits (see knots)
   exiting = false, -- on its way out of a knot
   deepAt = 0, -- solve in which it was last inside another dynamic body
+  limitedAt = 0, -- solve in which its motion is limited, as overlaps may push it
   impactsOf = 0, -- number of impacts in this step
   pieceFirst = 0, -- pieces of its way along the ground (see walk),
   pieceLast = 0, -- 0: none
@@ -199,7 +200,6 @@ local PAIR = {
   "hitLow", -- and ends of the common edge on the other axis
   "hitHigh",
   "nudged", -- number of corner corrections in this step
-  "liveMark",
   "wedged", -- 1 + code of the direction in which an overlapping pair may separate
   "deepIn", -- solve in which the two overlapped
   "deepWay", -- the value of `wedged` after that
@@ -285,6 +285,8 @@ end
 -- without most of it (see begin). An object that becomes static must be cleared here.
 layout.STEP_SLOT = {
   "buried",
+  "crowd",
+  "inside",
   "stuck",
   "exiting",
   "support",
@@ -306,6 +308,7 @@ layout.STEP_AXIS = {
   "squeezed",
   "knotted",
   "knotWas",
+  "crowdAge",
   "crushed",
   "wasCrushed",
   "pressedLow",

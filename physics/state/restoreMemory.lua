@@ -87,6 +87,7 @@ local function rememberHistory(b, saved)
   b.hasCarriers = b.hasCarriers or #saved.carrier > 0 or #saved.carried > 0
   b.hasCrushed = b.hasCrushed or #saved.wasCrushed > 0
   b.hasInside = b.hasInside or #saved.inside > 0
+  b.hasCrowds = b.hasCrowds or #saved.crowd > 0
   b.hasKnots = b.hasKnots or #saved.stuck > 0 or #saved.exiting > 0 or #saved.knotted > 0
 end
 
