@@ -17,6 +17,10 @@ local USES = {
   ["physics.maps.tiled"] = function(_, world)
     pcall(world.loadTiled, world, {})
   end,
+  ["physics.motion.softDrift"] = function(_, world)
+    world.soft = { boxes = { boxes = 100 } }
+    world:update(1 / 60)
+  end,
   ["physics.queries.index"] = function(_, world)
     world:queryPoint(0, 0)
   end,

@@ -51,9 +51,9 @@ end
 --     |  .|   |   |     looked at twice.
 --     +---+---+---+
 --
--- Members, cells and strips go through one loop, since a line passes few of each. The direction of
--- the line is arithmetic, since branches would make a piece of code of each of eight directions.
--- (jit: 2)
+-- Members, cells and strips go through one loop, since a line passes few of each: so this is one
+-- function. The direction of the line is arithmetic, since branches would make a piece of code of
+-- each of eight directions. (jit: 2)
 local function walkLevel(self, level, cell, axis, x, y, dx, dy, line, visit, bound)
   local heads, buckets, nextInBucket, keys = self.heads, self.buckets, self.next, self.key
   local fatLow, fatHigh = self.bodies.fatLow, self.bodies.fatHigh

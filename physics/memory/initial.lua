@@ -59,6 +59,7 @@ local function addReading(b)
   b.nearZone = {}
   b.hitLists = {} -- the different lists of `hits` (see filter)
   b.soft = false -- px/s, by two group names: how fast two that overlap drift apart
+  b.drifts = { driftedCount = 0 } -- what is soft (see softDrift)
   b.maskCopy = false -- the last copy made of a static object's mask (see filter)
   b.halfRead = {} -- objects that are being read anew (see read)
   b.lost = {} -- slots that have lost their carrier since the last step

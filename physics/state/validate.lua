@@ -372,23 +372,12 @@ local function needEvents(st)
     end,
     "a side",
   }
-  needList(st.events, "state.events", {
-    object,
-    object,
-    none,
-    kind,
-    side,
-    NUMBER,
-    NUMBER,
-    NUMBER,
-    NUMBER,
-    NUMBER,
-    NUMBER,
-    NUMBER,
-    NUMBER,
-  })
-  local list = st.events
-  local length = 3 + #format.EVENT
+  local kinds = { object, object, none, kind, side }
+  for n = #kinds + 1, 3 + #format.EVENT do
+    kinds[n] = NUMBER
+  end
+  needList(st.events, "state.events", kinds)
+  local list, length = st.events, #kinds
   for at = 4, #list, length do
     if (list[at] == 5) ~= (type(list[at + 1]) == "string") then
       refuse("state.events[" .. (at + 1) .. "]", "a side of this kind of event", list[at + 1])

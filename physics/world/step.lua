@@ -58,9 +58,8 @@ local function tellStep(self, dt)
   end
 end
 
--- Makes one step of dt seconds, stage by stage. The caller calls the callbacks afterwards, once
--- the step's time is subtracted.
-local function step(self, dt)
+-- Reads the game's tables before a step of dt s. Returns the time now.
+local function look(self, dt)
   if self.onStep then
     tellStep(self, dt)
   end
@@ -75,8 +74,13 @@ local function step(self, dt)
   if dt < rest.SHORTEST then
     rest.wakeAll(b)
   end
-  now = time(self, "read", now)
+  return time(self, "read", now)
+end
 
+-- Makes one step of dt seconds, stage by stage. The caller calls the callbacks afterwards, once
+-- the step's time is subtracted.
+local function step(self, dt)
+  local b, now = self._bodies, look(self, dt)
   b.begun, b.predicted, b.rubs, b.dt = 0, 0, 0, dt
   begin.run(b)
   knots.run(b)

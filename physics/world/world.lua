@@ -5,7 +5,6 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local check = require(root .. ".world.check")
 local class = require(root .. ".world.class")
 local columns = require(root .. ".memory.columns")
-local drift = require(root .. ".motion.drift")
 local events = require(root .. ".contacts.events")
 local interpreted = require(root .. ".memory.jit")
 local lazy = require(root .. ".memory.lazy")
@@ -237,7 +236,6 @@ function world.new(given, where)
   local b = columns.new()
   solver.adopt(b)
   b.events, b.registry, b.hits = events.new(), registry.new(), write.newHits()
-  b.drifts = drift.new()
   local self = setmetatable({
     objects = {},
     stats = newStats(),
