@@ -383,7 +383,7 @@ function registry.update(b, self, objects, enter, leave, rename, reorder)
     or haveGroupsChanged(self, objects)
   if regroup then
     if type(objects) ~= "table" then
-      check.fail("objects must be a table of records, got " .. check.show(objects))
+      check.fail("objects must be a table of groups, got " .. check.show(objects))
     end
     records, byName = readGroups(self, objects)
   end

@@ -28,19 +28,18 @@ World.__index = World
 
 local class = { World = World }
 
---- Refuses a call without a world, as by a dot.
-function class.checkSelf(self, call)
+--- Refuses a call without a world, as by a dot. `where` is how the game writes the call.
+function class.checkSelf(self, where)
   if getmetatable(self) ~= World then
-    check.fail(
-      "world:" .. call .. " must be called with a colon on a world, got " .. check.show(self)
-    )
+    check.fail(where .. " must be called with a colon on a world, got " .. check.show(self))
   end
 end
 
---- Refuses a call from inside `canCollide`.
-function class.checkIdle(b, call)
-  if b.asking then
-    check.fail("world:" .. call .. " cannot be called from inside canCollide")
+--- Does the same, and refuses a call from inside `canCollide`.
+function class.checkCall(self, where)
+  class.checkSelf(self, where)
+  if self._bodies.asking then
+    check.fail(where .. " cannot be called from inside canCollide")
   end
 end
 
@@ -155,33 +154,33 @@ function class.search(self, object)
 end
 
 --- Refuses an object that is not in the world. `name` is that of the argument, if it is another.
-function class.failMissing(call, object, name)
+function class.failMissing(where, object, name)
   local why = type(object) == "table" and " (removed, or never added)" or ""
-  check.fail("world:" .. call .. ": " .. (name or "the object") .. " is not in the world" .. why)
+  check.fail(where .. ": " .. (name or "the object") .. " is not in the world" .. why)
 end
 
 --- Does the same as `search`. Errors: the object is no table, or not in the world.
-function class.find(self, object, call)
-  check.table(object, "object", "world:" .. call)
+function class.find(self, object, where)
+  check.table(object, "object", where)
   class.checkObjects(self)
   local members, key, name = class.search(self, object)
   if not members then
-    class.failMissing(call, object)
+    class.failMissing(where, object)
   end
   return members, key, name
 end
 
 --- Checks what queries have in common.
-function class.checkQuestion(self, call, filter, out)
-  class.checkSelf(self, call)
+function class.checkQuestion(self, where, filter, out)
+  class.checkSelf(self, where)
   if filter ~= nil then
-    check.filter(filter, "world:" .. call)
+    check.filter(filter, where)
     if self.checked then
-      guard.filter(self, filter, "world:" .. call)
+      guard.filter(self, filter, where)
     end
   end
   if out ~= nil and type(out) ~= "table" then
-    check.table(out, "out", "world:" .. call)
+    check.table(out, "out", where)
   end
   if type(self.sideBySide) ~= "boolean" then
     check.setting("sideBySide", self.sideBySide)

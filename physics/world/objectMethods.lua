@@ -19,7 +19,7 @@ local slide = lazy(root .. ".queries.move")
 ---@class (partial) physics.World
 local World = class.World
 
-local checkSelf, checkIdle, checkObjects = class.checkSelf, class.checkIdle, class.checkObjects
+local checkCall, checkObjects = class.checkCall, class.checkObjects
 local checkPoint, checkQuestion = class.checkPoint, class.checkQuestion
 local failMissing, search, whereIs = class.failMissing, class.search, class.whereIs
 
@@ -47,23 +47,23 @@ end
 ---@param object physics.NewObject your own table: x, y, width, height and any other fields
 ---@return physics.Object object the same table
 function World:add(group, object)
-  checkSelf(self, "add(group, object)")
-  checkIdle(self._bodies, "add(group, object)")
+  local where = "world:add(group, object)"
+  checkCall(self, where)
   if type(group) == "table" and type(object) == "number" then
     check.fail(
       "world:add(group, object): the place is a part of the object, as in"
         .. ' world:add("boxes", { x = 0, y = 0, width = 16, height = 16 })'
     )
   end
-  check.group(group, "world:add(group, object)")
-  check.table(object, "object", "world:add(group, object)")
+  check.group(group, where)
+  check.table(object, "object", where)
   checkObjects(self)
   checkNew(self, group, object)
   local found, _, name, key = whereIs(self, object)
   if found then
     check.fail("world:add(group, object): the object already stands at " .. check.place(name, key))
   end
-  class.checkIsGroup(self, group, "world:add(group, object)")
+  class.checkIsGroup(self, group, where)
   return class.put(self, group, object)
 end
 
@@ -79,9 +79,9 @@ end
 ---@param object physics.NewObject the object to remove
 ---@return boolean removed false: it was not in the world
 function World:remove(object)
-  checkSelf(self, "remove(object)")
-  checkIdle(self._bodies, "remove(object)")
-  check.table(object, "object", "world:remove(object)")
+  local where = "world:remove(object)"
+  checkCall(self, where)
+  check.table(object, "object", where)
   checkObjects(self)
   local members, key = search(self, object)
   if not members then
@@ -107,10 +107,10 @@ end
 --- Errors: the object is not a table, or not in the world; a field has a value that cannot be used.
 ---@param object physics.NewObject the object that you changed
 function World:refresh(object)
-  checkSelf(self, "refresh(object)")
+  local where = "world:refresh(object)"
+  checkCall(self, where)
   local b = self._bodies
-  checkIdle(b, "refresh(object)")
-  local members, key, name = class.find(self, object, "refresh(object)")
+  local members, key, name = class.find(self, object, where)
   local slot = b.slotOf[object]
   if slot then
     read.refresh(b, slot)
@@ -128,10 +128,10 @@ end
 ---@param object physics.NewObject the object that stands on them
 ---@return boolean dropped false: it stands on no one-way object
 function World:dropThrough(object)
-  checkSelf(self, "dropThrough(object)")
+  local where = "world:dropThrough(object)"
+  checkCall(self, where)
   local b = self._bodies
-  checkIdle(b, "dropThrough(object)")
-  class.find(self, object, "dropThrough(object)")
+  class.find(self, object, where)
   local slot = b.slotOf[object]
   if not slot or not oneway.drop(b, slot) then
     return false
@@ -152,9 +152,10 @@ end
 ---@return physics.NewObject? ground nil: it stands on nothing
 ---@return number gradient
 function World:ground(object)
-  checkSelf(self, "ground(object)")
+  local where = "world:ground(object)"
+  class.checkSelf(self, where)
   local b = self._bodies
-  class.find(self, object, "ground(object)")
+  class.find(self, object, where)
   local slot = b.slotOf[object]
   local below = slot and b.support[slot] or 0
   if below == 0 then
@@ -209,15 +210,15 @@ end
 ---@return physics.Hit[] hits in the order in which they happened
 ---@return integer count
 function World:move(object, x, y, response, out)
-  local call, where = "move(object, x, y)", "world:move(object, x, y)"
-  checkQuestion(self, call, nil, out)
-  checkIdle(self._bodies, call)
+  local where = "world:move(object, x, y)"
+  checkQuestion(self, where, nil, out)
+  checkCall(self, where)
   check.table(object, "object", where)
   checkPoint(x, y, where)
   slide.check(response, where)
   local atX, atY, hits, count = slide.run(self, object, x, y, response, out, where)
   if atX == nil then
-    failMissing(call, object)
+    failMissing(where, object)
   elseif atX == false then
     check.fail(where .. ": object must not be static (write x, y and call world:refresh(object))")
   end
@@ -235,15 +236,14 @@ local PUSHED = { "vx", "vy", "mass" }
 ---@param ix number px/s times mass, along x
 ---@param iy number px/s times mass, along y
 function World:impulse(object, ix, iy)
-  local call, where = "impulse(object, ix, iy)", "world:impulse(object, ix, iy)"
-  checkSelf(self, call)
-  checkIdle(self._bodies, call)
+  local where = "world:impulse(object, ix, iy)"
+  checkCall(self, where)
   check.table(object, "object", where)
   check.number(ix, "ix", where)
   check.number(iy, "iy", where)
   checkObjects(self)
   if not search(self, object) then
-    failMissing(call, object)
+    failMissing(where, object)
   elseif object.static or object.kinematic then
     local kind = object.static and "static" or "kinematic"
     check.fail(where .. ": object must be dynamic, got a " .. kind .. " one")
@@ -268,9 +268,8 @@ end
 ---@param dx number px
 ---@param dy number px
 function World:shift(dx, dy)
-  local call, where = "shift(dx, dy)", "world:shift(dx, dy)"
-  checkSelf(self, call)
-  checkIdle(self._bodies, call)
+  local where = "world:shift(dx, dy)"
+  checkCall(self, where)
   check.number(dx, "dx", where)
   check.number(dy, "dy", where)
   checkObjects(self)
@@ -298,10 +297,9 @@ end
 ---@return physics.Object[] objects those that were pushed, in the order of the world
 ---@return integer count
 function World:explode(x, y, radius, impulse, filter, walls)
-  local call = "explode(x, y, radius, impulse)"
-  local where = "world:" .. call
-  checkQuestion(self, call, filter)
-  checkIdle(self._bodies, call)
+  local where = "world:explode(x, y, radius, impulse)"
+  checkQuestion(self, where, filter)
+  checkCall(self, where)
   checkPoint(x, y, where)
   check.positive(radius, "radius", where)
   check.number(impulse, "impulse", where)
@@ -328,9 +326,8 @@ end
 ---@param w number? px, > 0
 ---@param h number? px, > 0
 function World:setBounds(x, y, w, h)
-  local call, where = "setBounds(x, y, w, h)", "world:setBounds(x, y, w, h)"
-  checkSelf(self, call)
-  checkIdle(self._bodies, call)
+  local where = "world:setBounds(x, y, w, h)"
+  checkCall(self, where)
   if x ~= nil or y ~= nil or w ~= nil or h ~= nil then
     checkPoint(x, y, where)
     check.positive(w, "w", where)

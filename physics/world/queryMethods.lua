@@ -49,9 +49,9 @@ end
 ---@return physics.Object[] objects in the order of the world
 ---@return integer count
 function World:queryPoint(x, y, filter, out)
-  local call = "queryPoint(x, y)"
-  checkQuestion(self, call, filter, out)
-  checkPoint(x, y, "world:queryPoint(x, y)")
+  local where = "world:queryPoint(x, y)"
+  checkQuestion(self, where, filter, out)
+  checkPoint(x, y, where)
   local found, count = query.point(self, x + 0.0, y + 0.0, filter, out)
   return found, count
 end
@@ -69,8 +69,8 @@ end
 ---@return physics.Object[] objects in the order of the world
 ---@return integer count
 function World:queryRect(x, y, w, h, filter, out)
-  checkQuestion(self, "queryRect(x, y, w, h)", filter, out)
   local where = "world:queryRect(x, y, w, h)"
+  checkQuestion(self, where, filter, out)
   checkPoint(x, y, where)
   check.positive(w, "w", where)
   check.positive(h, "h", where)
@@ -93,8 +93,8 @@ end
 ---@return physics.Object[] objects in the order of the world
 ---@return integer count
 function World:queryCircle(x, y, radius, filter, out)
-  checkQuestion(self, "queryCircle(x, y, radius)", filter, out)
   local where = "world:queryCircle(x, y, radius)"
+  checkQuestion(self, where, filter, out)
   checkPoint(x, y, where)
   check.positive(radius, "radius", where)
   local found, count = query.circle(self, x + 0.0, y + 0.0, radius + 0.0, filter, out)
@@ -114,8 +114,9 @@ end
 ---@return physics.Object[] objects nearest first, ties in the order of the world
 ---@return integer count
 function World:querySegment(x1, y1, x2, y2, filter, out)
-  checkQuestion(self, "querySegment(x1, y1, x2, y2)", filter, out)
-  checkLine(x1, y1, x2, y2, "world:querySegment(x1, y1, x2, y2)")
+  local where = "world:querySegment(x1, y1, x2, y2)"
+  checkQuestion(self, where, filter, out)
+  checkLine(x1, y1, x2, y2, where)
   local found, count = rays.segment(self, x1 + 0.0, y1 + 0.0, x2 + 0.0, y2 + 0.0, filter, out)
   return found, count
 end
@@ -146,8 +147,9 @@ end
 ---@return number ny likewise
 ---@return number fraction of the line, 0..1
 function World:raycast(x1, y1, x2, y2, filter)
-  checkQuestion(self, "raycast(x1, y1, x2, y2)", filter)
-  checkLine(x1, y1, x2, y2, "world:raycast(x1, y1, x2, y2)")
+  local where = "world:raycast(x1, y1, x2, y2)"
+  checkQuestion(self, where, filter)
+  checkLine(x1, y1, x2, y2, where)
   -- (A tail call: the trace compiler would compile the code after it anew for each path.)
   ---@diagnostic disable-next-line: missing-return-value
   return rays.raycast(self, x1 + 0.0, y1 + 0.0, x2 + 0.0, y2 + 0.0, filter)
@@ -175,7 +177,7 @@ end
 ---@return number fraction of the way, 0..1
 function World:sweep(object, dx, dy, filter)
   local where = "world:sweep(object, dx, dy)"
-  checkQuestion(self, "sweep(object, dx, dy)", filter)
+  checkQuestion(self, where, filter)
   check.table(object, "object", where)
   check.number(dx, "dx", where)
   check.number(dy, "dy", where)
@@ -183,7 +185,7 @@ function World:sweep(object, dx, dy, filter)
   if other then
     return other, x, y, nx, ny, fraction
   elseif x == false then
-    failMissing("sweep(object, dx, dy)", object)
+    failMissing(where, object)
   end
 end ---@diagnostic disable-line: missing-return
 
@@ -205,16 +207,16 @@ end ---@diagnostic disable-line: missing-return
 ---@return boolean fits
 ---@return physics.Object? other what is in the way, the first in the order of the world
 function World:fits(x, y, width, height, filter)
-  local call, where = "fits(x, y, width, height)", "world:fits(x, y, width, height)"
+  local where = "world:fits(x, y, width, height)"
   local isObject = type(filter) == "table" and type(filter.width) == "number"
-  checkQuestion(self, call, not isObject and filter or nil)
+  checkQuestion(self, where, not isObject and filter or nil)
   checkPoint(x, y, where)
   check.positive(width, "width", where)
   check.positive(height, "height", where)
   local w, h = width + 0.0, height + 0.0
   local other, isThere = query.blocker(self, x + 0.0, y + 0.0, w, h, filter)
   if not isThere then
-    failMissing(call, filter, "the object in place of the filter")
+    failMissing(where, filter, "the object in place of the filter")
   end
   return not other, other or nil
 end
@@ -228,9 +230,9 @@ end
 ---@return number vx px/s
 ---@return number vy px/s
 function World:velocity(object)
-  local call = "velocity(object)"
-  checkQuestion(self, call)
-  class.find(self, object, call)
+  local where = "world:velocity(object)"
+  checkQuestion(self, where)
+  class.find(self, object, where)
   local slot = self._bodies.slotOf[object]
   if not slot then
     return object.static and 0 or object.vx or 0, object.static and 0 or object.vy or 0
@@ -251,7 +253,7 @@ end
 ---@return number distance px, from the point to the edge, 0: inside
 function World:nearest(x, y, radius, filter)
   local where = "world:nearest(x, y, radius)"
-  checkQuestion(self, "nearest(x, y, radius)", filter)
+  checkQuestion(self, where, filter)
   checkPoint(x, y, where)
   check.number(radius, "radius", where, 0)
   local object, distance = query.nearest(self, x + 0.0, y + 0.0, radius + 0.0, filter)
@@ -275,11 +277,12 @@ end ---@diagnostic disable-line: missing-return
 ---@return physics.Object[] objects in the order of the world, without `object`
 ---@return integer count
 function World:overlapping(object, filter, out)
-  checkQuestion(self, "overlapping(object)", filter, out)
-  check.table(object, "object", "world:overlapping(object)")
+  local where = "world:overlapping(object)"
+  checkQuestion(self, where, filter, out)
+  check.table(object, "object", where)
   local found, count = query.overlapping(self, object, filter, out)
   if not found then
-    failMissing("overlapping(object)", object)
+    failMissing(where, object)
   end
   return found, count
 end
@@ -293,12 +296,13 @@ end
 ---@param b physics.NewObject the other one
 ---@return physics.Side? side of `a`, nil: no contact
 function World:touching(a, b)
-  checkQuestion(self, "touching(a, b)")
-  check.table(a, "a", "world:touching(a, b)")
-  check.table(b, "b", "world:touching(a, b)")
+  local where = "world:touching(a, b)"
+  checkQuestion(self, where)
+  check.table(a, "a", where)
+  check.table(b, "b", where)
   local side, missing = explain.touching(self, a, b)
   if missing then
-    failMissing("touching(a, b)", missing == "a" and a or b, missing)
+    failMissing(where, missing == "a" and a or b, missing)
   end
   return side
 end
@@ -311,9 +315,10 @@ end
 ---@param b physics.NewObject the other one
 ---@return string sentence
 function World:explain(a, b)
-  checkQuestion(self, "explain(a, b)")
-  check.table(a, "a", "world:explain(a, b)")
-  check.table(b, "b", "world:explain(a, b)")
+  local where = "world:explain(a, b)"
+  checkQuestion(self, where)
+  check.table(a, "a", where)
+  check.table(b, "b", where)
   local sentence = explain.run(self, a, b)
   return sentence
 end

@@ -30,7 +30,7 @@ local state = lazy(root .. ".state.save")
 ---@class (partial) physics.World
 local World = class.World
 
-local checkSelf, checkIdle = class.checkSelf, class.checkIdle
+local checkCall, checkSelf = class.checkCall, class.checkSelf
 
 -- Shortest dt that makes a step, s: a way that the game has written, divided by less, would be no
 -- usable speed.
@@ -50,10 +50,11 @@ local SHORTEST = 1e-10
 --- (nothing has changed then); it is called from inside `canCollide`; a callback raises an error.
 ---@param dt number s, >= 0
 function World:update(dt)
-  checkSelf(self, "update(dt)")
-  check.number(dt, "dt", "world:update(dt)", 0)
+  local where = "world:update(dt)"
+  checkSelf(self, where)
+  check.number(dt, "dt", where, 0)
   local b = self._bodies
-  checkIdle(b, "update(dt)")
+  checkCall(self, where)
   if b.isTold then
     check.fail("world:update(dt) cannot be called from inside onStep")
   end
@@ -101,8 +102,7 @@ end
 ---   that a steady scene makes no garbage
 ---@return physics.State state
 function World:save(out)
-  checkSelf(self, "save()")
-  checkIdle(self._bodies, "save()")
+  checkCall(self, "world:save()")
   if out ~= nil then
     check.table(out, "out", "world:save(out)")
     if next(out) ~= nil and rawget(out, "version") == nil then
@@ -136,8 +136,7 @@ end
 ---@param saved physics.State what `save` returned, or a copy
 ---@return string? misfit nil: the state fits; else a sentence about numbered keys that may be wrong
 function World:restore(saved)
-  checkSelf(self, "restore(state)")
-  checkIdle(self._bodies, "restore(state)")
+  checkCall(self, "world:restore(state)")
   local misfit = restore.world(self, saved)
   self._restores = self._restores + 1
   return misfit
@@ -151,8 +150,7 @@ end
 --- Errors: a field or setting that `update` would refuse; it is called from inside `canCollide`.
 ---@return number
 function World:hash()
-  checkSelf(self, "hash()")
-  checkIdle(self._bodies, "hash()")
+  checkCall(self, "world:hash()")
   local number = hash.world(self)
   return number
 end
@@ -177,7 +175,7 @@ end
 --- Errors: an unknown option, or a wrong value for one; there is no `love.graphics`.
 ---@param options physics.DrawOptions? what to show
 function World:draw(options)
-  checkSelf(self, "draw(options)")
+  checkSelf(self, "world:draw(options)")
   draw.draw(self, options)
 end
 
@@ -195,8 +193,9 @@ end
 ---@return number x px
 ---@return number y px
 function World:interpolate(object)
-  checkSelf(self, "interpolate(object)")
-  check.table(object, "object", "world:interpolate(object)")
+  local where = "world:interpolate(object)"
+  checkSelf(self, where)
+  check.table(object, "object", where)
   local b = self._bodies
   local slot = b.slotOf[object]
   if not slot or not self.timestep or not b.active[slot] or b.kind[slot] == columns.STATIC then
