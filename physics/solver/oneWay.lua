@@ -48,10 +48,7 @@ function oneway.lets(b, i, j, side, isDeep)
   if not (b.oneWay[i] or b.oneWay[j]) then
     return false
   end
-  return isDeep
-    or isOpen(b, i, side)
-    or isOpen(b, j, columns.OPPOSITE[side])
-    or isDropping(b, i, j)
+  return isDeep or isOpen(b, i, side) or isOpen(b, j, columns.OPPOSITE[side]) or isDropping(b, i, j)
 end
 
 -- Returns the side of slot i that points along its gravity, with which it stands; 0 without
@@ -66,8 +63,8 @@ local function footOf(b, i)
   return 0
 end
 
--- Lets slot i, which falls through slope j, begin as fast as the sloped edge sinks under it, or that
--- would be left above where it runs down.
+-- Lets slot i, which falls through slope j, begin as fast as the edge sinks under it. Else it would
+-- be left above the edge where it runs down.
 local function keepUp(b, i, j)
   local axis, object = slope.axisOf(b, i), b.object[i]
   local along, across = axis == 0 and "vx" or "vy", axis == 0 and "vy" or "vx"
