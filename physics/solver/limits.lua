@@ -42,9 +42,10 @@ local function spreadLimit(b, list, first, last, step)
 end
 
 -- Limits the motion of the step, since pushes may add up where bodies overlap. A body ends no
--- further from its start than its fastest speed takes it, PARTING of its size, and its `nudge`. What a slanted
--- contact has deflected may have turned its speed from one axis to the other. (What has nothing to
--- do with an overlap is left out: whether there is one elsewhere depends on what rests.)
+-- further from its start than its fastest speed takes it, PARTING of its size, and its `nudge`.
+-- What a slanted contact has deflected may have turned its speed from one axis to the other. (What
+-- has nothing to do with an overlap is left out: whether there is one elsewhere depends on what
+-- rests.)
 local function limitMotion(b, dt)
   local list, give, origin, to, size = b.awakeList, b.give, b.origin, b.to, b.size
   local position = b.position

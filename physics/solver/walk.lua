@@ -19,6 +19,7 @@ local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
 local filter = require(root .. ".broadphase.filter")
 local interpreted = require(root .. ".memory.jit")
+local oneway = require(root .. ".solver.oneWay")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local rules = require(root .. ".solver.rules")
 local settle = require(root .. ".solver.settle")
@@ -28,7 +29,7 @@ local triangle = require(root .. ".memory.triangle")
 local walk = {}
 
 local EPSILON, DYNAMIC, SIDE = columns.EPSILON, columns.DYNAMIC, columns.SIDE
-local isRamp = slope.bears
+local isFalling, isRamp = oneway.isFalling, slope.bears
 local FIRST, SOLID = triangle.FIRST, triangle.SOLID
 local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
 local HUGE = math.huge
@@ -61,6 +62,8 @@ local function isGround(b, i, j, axis, turn)
   end
   local oneWay = b.oneWay[j]
   if oneWay and SIDE[oneWay] ~= 2 * axis + (turn > 0 and 1 or 2) then
+    return false
+  elseif oneWay and isFalling(b, i, oneWay) then
     return false
   end
   local p = b.hasAskers and columns.pairOf(b, i, j) or nil
