@@ -208,7 +208,7 @@ function columns.release(b, i)
   b.object[i], b.group[i], b.touching[i], b.mask[i], b.canCollide[i] =
     false, false, false, false, false
   b.area[i] = false
-  b.only[i], b.hitsGiven[i], b.hitsRead[i] = false, false, false
+  b.only[i], b.hitsGiven[i] = false, false
   b.kind[i] = 0
   b.awake[i] = false
   b.freeCount = b.freeCount + 1

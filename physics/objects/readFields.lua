@@ -65,7 +65,6 @@ local RARE = {
   { "onStay", "hears", false },
   { "mask", "mask", false },
   { "area", "area", false },
-  { "hits", "only", false },
 }
 for _, entry in ipairs(fieldColumns.SOME) do
   if entry[2] and not entry[4] then
@@ -78,7 +77,7 @@ for n, field in ipairs(RARE) do
 end
 
 -- Those that are compared for all: many objects have them.
-local OFTEN = { sensor = true, hits = true, mass = true, restitution = true }
+local OFTEN = { sensor = true, mass = true, restitution = true }
 
 -- Reads them in a loop: written out, they become much machine code at every place that reads
 -- objects. Returns whether the object has none of them.
@@ -100,9 +99,8 @@ end
 local function readHits(b, i, list)
   if list ~= b.hitsGiven[i] then
     b.hitsGiven[i] = list
-    b.hitsRead[i] = list and filter.readHits(b, list)
+    b.only[i] = list and filter.readHits(b, list)
   end
-  b.only[i] = b.hitsRead[i]
 end
 
 local function readOthers(b, i, object)
@@ -116,7 +114,7 @@ local function readOthers(b, i, object)
     b.area[i] = zones.copy(b.area[i])
     zones.note(b, i)
   end
-  readHits(b, i, b.only[i])
+  readHits(b, i, object.hits or false)
   b.oneWay[i] = sideOf(b.oneWay[i])
   b.shape[i] = b.radius[i] and columns.SHAPE_CIRCLE or isDynamic and BOX or shapeOf(b.slope[i])
   b.inverseMass[i] = isDynamic and 1 / b.mass[i] or 0

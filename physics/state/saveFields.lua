@@ -223,7 +223,7 @@ local function isHitsRead(b, slot, hits)
 end
 
 local function listHitsRead(b, slot)
-  return b.hitsRead[slot] and format.copyList(b.hitsRead[slot].names)
+  return b.only[slot] and format.copyList(b.only[slot].names)
 end
 
 -- Returns a list of `hits`, as it was read: a change in place counts only when it is read.

@@ -134,7 +134,7 @@ local function checkMask(b, mask, place)
 end
 
 local function checkHits(b, i, hits)
-  if not filter.isSameHits(hits, b.hitsRead[i]) then
+  if not filter.isSameHits(hits, b.only[i]) then
     check.fail(
       placeOf(b, i)
         .. ".hits was changed inside its table: the list is read when it is set, so set another"
