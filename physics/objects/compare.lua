@@ -23,7 +23,7 @@ local KINEMATIC, DYNAMIC = columns.KINEMATIC, columns.DYNAMIC
 function compare.check(b, i)
   local object = b.object[i]
   if check.badField(object) then
-    check.object(object, registry.place(b.group[i], b.key[i]))
+    check.object(object, registry.placeOf(b, i))
   end
 end
 

@@ -218,6 +218,11 @@ function groups.place(record, key)
   return check.place(record.name, key)
 end
 
+--- Returns how the game would write the place of the object in a slot.
+function groups.placeOf(b, i)
+  return groups.place(b.group[i], b.key[i])
+end
+
 --- Returns the table of a group. Errors: it is no table.
 function groups.checkGroup(name, source)
   if type(source) ~= "table" then

@@ -23,7 +23,7 @@ local MOST_GONE = 64
 -- After so many objects have been added, the table for them is made anew.
 local FEW = 64
 
-registry.place, registry.relist, registry.reread = groups.place, groups.relist, groups.reread
+registry.placeOf, registry.reread = groups.placeOf, groups.reread
 
 -- Returns a table that keeps none of its keys alive.
 local function newWeak()

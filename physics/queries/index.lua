@@ -94,7 +94,7 @@ local function kindOf(b, object)
 end
 
 local function complain(v, i)
-  check.object(v.object[i], registry.place(v.group[i], v.key[i]))
+  check.object(v.object[i], registry.placeOf(v, i))
 end
 
 -- Reads the radius of an object that has one; returns its shape.

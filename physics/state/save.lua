@@ -118,7 +118,7 @@ end
 -- How the game would write object n.
 local function placeOf(b, out, work, n)
   local slot = n <= out.known and work.slots[n]
-  return slot and registry.place(b.group[slot], b.key[slot]) or "an object that was added"
+  return slot and registry.placeOf(b, slot) or "an object that was added"
 end
 
 --- Fills `out` with the state of a world. Returns `work` with the objects by number, and behind

@@ -21,8 +21,7 @@ local listIn, cut, LISTED = format.listIn, format.cut, format.LISTED
 
 -- Checks an object after a write that the library has not read yet: the values must be usable.
 local function checkWritten(b, slot)
-  local record = b.group[slot]
-  check.object(b.object[slot], registry.place(record, b.key[slot]))
+  check.object(b.object[slot], registry.placeOf(b, slot))
 end
 
 -- Notes what the library has read in field `name` of object n.

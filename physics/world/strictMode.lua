@@ -55,9 +55,7 @@ local MEANT = {
 local OWN =
   { draw = true, update = true, weight = true, velocity = true, fraction = true, masks = true }
 
-local function placeOf(b, i)
-  return registry.place(b.group[i], b.key[i])
-end
+local placeOf = registry.placeOf
 
 -- Names -------------------------------------------------------------------------------------------
 
