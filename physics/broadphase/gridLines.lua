@@ -72,7 +72,7 @@ local function walkLevel(self, level, cell, axis, x, y, dx, dy, line, visit, bou
     choose(first - 1, last + 1, isBack), choose(-SLACK, cell + reach + SLACK, isBack)
   -- Strips left after this one (below 0: the end), the present cell of this strip, its last cell,
   -- and the slot that is looked at.
-  local left, at, lastB, i = last - first + 1, 0, -1, 0
+  local left, at, lastB, i = last - first + 1, 0, -1, 0 ---@type number, number, number, integer
   while left >= 0 do
     if i ~= 0 then
       if
