@@ -10,6 +10,7 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
+local oneway = require(root .. ".solver.oneWay")
 local rules = require(root .. ".solver.rules")
 local slope = require(root .. ".solver.slope")
 local triangle = require(root .. ".memory.triangle")
@@ -18,7 +19,7 @@ local ground = {}
 
 local EPSILON, DYNAMIC, SIDE = columns.EPSILON, columns.DYNAMIC, columns.SIDE
 local SOLID, HUGE = triangle.SOLID, math.huge
-local isRamp = slope.bears
+local isFalling, isRamp = oneway.isFalling, slope.bears
 local max, min = math.max, math.min
 
 -- Whether slot j can be ground for slot i, along an axis.
@@ -29,6 +30,8 @@ local function isGround(b, i, j, axis, turn)
   end
   local oneWay = b.oneWay[j]
   if oneWay and SIDE[oneWay] ~= 2 * axis + (turn > 0 and 1 or 2) then
+    return false
+  elseif oneWay and isFalling(b, i, oneWay) then
     return false
   elseif not (b.hasOneWays or b.hasAskers) then
     return true
