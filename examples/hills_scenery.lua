@@ -11,7 +11,7 @@ local HIGH, DEEP = -1200, 1600 -- px, y far beyond every picture
 local state ---@type any
 local camera, clock ---@type table, number
 local runs, bands, plants, stones, ties, posts ---@type table, table, table, table, table, table
-local glow ---@type love.Mesh
+local glow ---@type any
 
 local function mix(from, to, share)
   local a, b, mixed = look.colors[from], look.colors[to], {}
@@ -137,7 +137,7 @@ end
 
 -- A disc with a radius of 1 that fades towards its edge.
 local function newGlow()
-  local vertices = { { 0, 0, 0, 0, 1, 1, 1, 1 } }
+  local vertices = { { 0, 0, 0, 0, 1, 1, 1, 1 } } ---@type any
   for i = 0, 40 do
     local angle = i * math.pi / 20
     vertices[#vertices + 1] = { math.cos(angle), math.sin(angle), 0, 0, 1, 1, 1, 0 }
