@@ -133,7 +133,7 @@ layout.AXIS = {
   pace = 0, -- speed limit without the carrier, px/s
   heldLow = 1, -- > 0: cannot move towards smaller coordinates
   heldHigh = 1,
-  holderLow = 0, -- slot of what blocks it there
+  holderLow = 0, -- index (2 * slot + axis) of what holds it there
   holderHigh = 0,
   crushed = false, -- in this step, between crushLow and crushHigh
   wasCrushed = false, -- in the step before
@@ -199,7 +199,7 @@ local PAIR = {
   "hitLow", -- and ends of the common edge on the other axis
   "hitHigh",
   "nudged", -- number of corner corrections in this step
-  "wedged", -- 1 + code of the direction in which an overlapping pair may separate
+  "wedged", -- side of pairA (see SIDES) on which the two came into each other and part; 0: none
   "deepIn", -- solve in which the two overlapped
   "deepWay", -- the value of `wedged` after that
   "contactLow", -- index of the contact's low body on its axis
@@ -210,7 +210,7 @@ local PAIR = {
   "pressed", -- 1: the two press each other
   "sweptAt", -- sweep in which it was last listed
   "asked", -- solve in which canCollide was last called for it
-  "touches", -- 1: may meet at the very beginning of the step
+  "touches", -- how the solver treats it in this solve (see contacts.APART)
 }
 
 -- … and booleans.

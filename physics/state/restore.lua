@@ -265,8 +265,10 @@ local function restoreSettings(world, saved, tables)
     world.order = format.copyList(saved.order)
   end
   settings.apply(world)
-  -- Whatever the masks were before, the next step applies them anew.
-  world._bodies.masksSeen, world._bodies.isRemasked = false, true
+  -- Whatever the masks were before, and what was soft, the next step applies them anew: the state
+  -- may have a contact that they forbid.
+  local b = world._bodies
+  b.masksSeen, b.softSeen, b.isRemasked = false, {}, true
 end
 
 -- Reads the known objects in their old order. If the game has set another `order` since the last
