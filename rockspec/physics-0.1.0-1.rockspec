@@ -101,6 +101,7 @@ build = {
     ["physics.solver.flow"] = "physics/solver/flow.lua",
     ["physics.solver.friction"] = "physics/solver/friction.lua",
     ["physics.solver.impact"] = "physics/solver/impact.lua",
+    ["physics.solver.jam"] = "physics/solver/jam.lua",
     ["physics.solver.knots"] = "physics/solver/knots.lua",
     ["physics.solver.nudge"] = "physics/solver/nudge.lua",
     ["physics.solver.oneWay"] = "physics/solver/oneWay.lua",

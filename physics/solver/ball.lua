@@ -30,6 +30,10 @@ local LOST = 0.25
 local CORNER = 2e-9
 -- px by which a path may lead into another: less than EPSILON, at which two overlap.
 local SLACK = EPSILON / 2
+-- What a normal may have across an axis and still count as along it.
+local SLIGHT = 0.05
+-- px: what is as little differs by rounding.
+local ROUNDING = 1e-9
 -- px/s: what is as slow rests.
 local STILL = 1e-9
 
@@ -96,6 +100,8 @@ local function gapIn(b, place, i, j)
   return gap, isSwapped and -nx or nx, isSwapped and -ny or ny
 end
 
+ball.gapIn = gapIn
+
 --- Returns when two bodies meet (0..1 of the step), on which axis, and whether the first is the low
 --- one: as `meet` of sweep. The axis is that along which the normal is steeper.
 function ball.meet(b, i, j)
@@ -106,8 +112,8 @@ function ball.meet(b, i, j)
   local w, h, ow, oh = size[k], size[k + 1], size[m], size[m + 1]
   local gap, nx, ny = circle.gap(x, y, w, h, isRound, ox, oy, ow, oh, isOtherRound)
   local share, isDeep = 0.0, gap < -EPSILON
-  if isDeep and (gapIn(b, to, i, j) >= min(gap, -EPSILON)) then
-    return nil -- it comes out
+  if isDeep and (gapIn(b, to, i, j) >= min(gap, -EPSILON) - ROUNDING) then
+    return nil -- it comes out, or gets no deeper
   elseif not isDeep then
     local dx, dy = to[k] - x - (to[m] - ox), to[k + 1] - y - (to[m + 1] - oy)
     share, nx, ny =
@@ -158,6 +164,13 @@ local function leans(b, i, axis, isHigh)
   return b.kind[i] == DYNAMIC and b.down[2 * i + axis] == (isHigh and 1 or -1)
 end
 
+-- Returns whether a ball rolls off what it touches with the normal (nx, ny): a corner, or something
+-- round that is static, unless the slant is too small to be seen.
+local function rollsOff(b, i, j, nx, ny)
+  local areBalls = b.shape[i] == CIRCLE and b.shape[j] == CIRCLE and b.kind[i] == b.kind[j]
+  return not areBalls and min(nx * nx, ny * ny) > SLIGHT * SLIGHT
+end
+
 -- px/s: slower than that, what one bears sticks to it; 0: neither bears the other.
 local function stickSpeed(b, i, j, axis, isLow, dt)
   local k
@@ -196,7 +209,7 @@ function ball.touch(b, i, j)
   end
   local isSlanted, isLevel = nx ~= 0 and ny ~= 0, nx * nx > ny * ny
   local axis, isLow = isLevel and 0 or 1, (isLevel and nx or ny) < 0
-  if isSlanted and not rests(b, i, j, axis, isLow) then
+  if isSlanted and (rollsOff(b, i, j, nx, ny) or not rests(b, i, j, axis, isLow)) then
     return nil, false
   end
   return axis, isLow, isSlanted
@@ -381,7 +394,8 @@ function ball.impact(b, i, j, axis, isLow, tau, dt, isLate, restitution)
   end
   local r = (not isLate and u > 2 * dt * max(a, -a)) and restitution or 0
   local slow = stickSpeed(b, i, j, axis, isLow, dt)
-  if r == 0 and (isLate or square <= slow * slow) then
+  local isSlow = square <= slow * slow and not rollsOff(b, i, j, nx, ny)
+  if r == 0 and (isLate or isSlow) then
     stick(b, 2 * i, 2 * j, ix, jx, tau)
     stick(b, 2 * i + 1, 2 * j + 1, iy, jy, tau)
     return u, true

@@ -22,6 +22,8 @@ local drift = require(root .. ".motion.drift")
 local friction = require(root .. ".solver.friction")
 local impact = require(root .. ".solver.impact")
 local interpreted = require(root .. ".memory.jit")
+local jam = require(root .. ".solver.jam")
+local knots = require(root .. ".solver.knots")
 local live = require(root .. ".broadphase.activePairs")
 local nudge = require(root .. ".solver.nudge")
 local pairFinder = require(root .. ".broadphase.pairFinder")
@@ -52,8 +54,12 @@ local SPENT = 2
 local LATE = 5
 -- Rounds after these in which what meets a circle only stops.
 local FREEZES = 16
--- px and px/s of that.
-local CALM, CALM_SPEED = 4 * EPSILON, 1e-3
+-- px and px/s by which a circle has not moved.
+local CALM, CALM_SPEED = EPSILON, 1e-3
+-- px: so little changes by rounding, however long the step is.
+local ROUNDING = 1e-9
+-- px/s at which a circle that touches something brakes across gravity, by that share of its weight.
+local CREEP, BRAKE = 1, 1 / 16
 -- Maximum number of restarts of a step because a path came near a sleeping body. After these, all
 -- bodies are woken.
 local RESTARTS = 8
@@ -434,6 +440,13 @@ local function happen(b, n, dt, isLast, isLate)
     sense(b, p, i, j, axis, t, dt)
     return
   end
+  local struck = b.hasCircles and b.mayRestart and jam.struck(b, i, j, axis, t, dt)
+  if struck then
+    rest.wake(b, struck)
+    knots.free(b, struck)
+    b.awakenings = b.awakenings + 1 -- the step begins anew
+    return
+  end
   change(b, i)
   change(b, j)
   b.inRound[i] = b.kind[i] == DYNAMIC and round or 0
@@ -551,18 +564,34 @@ local function keepOwnWay(b, dt)
   end
 end
 
+-- Brakes body k of slot i across gravity if it is too slow to be seen, relative to what carries it:
+-- nothing else in a heap of balls would.
+local function brake(b, i, k)
+  local carried, x, y = b.carried[k], b.pull[2 * i], b.pull[2 * i + 1]
+  local speed = b.speed[k] - carried
+  local isFree = b.down[k] == 0 and b.push[k] == 0
+  if isFree and speed ~= 0 and max(speed, -speed) <= CREEP then
+    local loss = BRAKE * max(x, -x, y, -y) * b.dt
+    b.speed[k] = carried + max(speed - loss, 0.0) + min(speed + loss, 0.0)
+    b.news[i] = true
+  end
+end
+
 -- A circle that touches something, and has moved by no more than rounding, has not moved.
 local function calm(b)
   for n = 1, 2 * b.roundCount do
     local p = b.roundPairs[floor((n + 1) * 0.5)]
-    local k = 2 * (n % 2 == 0 and b.pairA[p] or b.pairB[p])
+    local i = n % 2 == 0 and b.pairA[p] or b.pairB[p]
+    local k = 2 * i
     local x, y = b.to[k] - b.origin[k], b.to[k + 1] - b.origin[k + 1]
     local way = max(x, -x, y, -y)
     local speed = max(b.speed[k], -b.speed[k], b.speed[k + 1], -b.speed[k + 1])
-    local hasMoved = way > 0 or speed > 0
-    if hasMoved and b.give[k] > 0 and way <= CALM and speed <= CALM_SPEED then
-      b.news[k * 0.5] = true
+    if b.give[k] > 0 and way <= CALM and speed <= CALM_SPEED then
+      b.news[i] = b.news[i] or way > ROUNDING or speed > 0
       b.to[k], b.to[k + 1], b.speed[k], b.speed[k + 1] = b.origin[k], b.origin[k + 1], 0.0, 0.0
+    elseif b.give[k] > 0 and b.down[k] + b.down[k + 1] ~= 0 then
+      brake(b, i, k)
+      brake(b, i, k + 1)
     end
   end
 end
@@ -716,7 +745,7 @@ end
 
 --- Resolves all contacts and impacts of a step of dt s.
 function solver.run(b, dt)
-  b.resolved, b.step = 0, b.step + 1
+  b.resolved, b.step, b.mayRestart = 0, b.step + 1, true
   for _ = 1, RESTARTS do
     if solve(b, dt) then
       return
@@ -725,6 +754,7 @@ function solver.run(b, dt)
   end
   -- With all bodies awake, no path can come near a sleeping one.
   rest.wakeAll(b)
+  b.mayRestart = false
   restart(b, dt)
   solve(b, dt)
 end
