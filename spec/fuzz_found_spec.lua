@@ -5,11 +5,12 @@
 local physics = require("physics")
 local trial = require("spec.fuzz.trial")
 
--- Adds updates of `dt` s, a sixtieth if none is given.
-local function followedBy(acts, updates, dt)
+-- Adds updates of `dt` s, a sixtieth if none is given, and `last` behind them.
+local function followedBy(acts, updates, dt, last)
   for _ = 1, updates do
     acts[#acts + 1] = { "update", dt or 0.016666666666666666 }
   end
+  acts[#acts + 1] = last
   return acts
 end
 
@@ -2191,6 +2192,348 @@ local FOUND = {
         { "update", 0.03333333333333333 },
         { "update", 0.016666666666666666 },
         { "update", 0.016666666666666666 },
+      },
+    },
+  },
+  {
+    "what is not pushable and bounces off a slope goes sideways, and not into it",
+    {
+      settings = {},
+      acts = {
+        {
+          "add",
+          5,
+          1,
+          {
+            x = 5,
+            y = 20,
+            width = 10,
+            height = 10,
+            vy = 200,
+            ay = -400,
+            pushable = false,
+            restitution = 1,
+          },
+        },
+        {
+          "insert",
+          10,
+          "statics",
+          { x = 2, y = 100, width = 10, height = 10, static = true, slope = "left" },
+        },
+        { "update", 0.004166666666666667 },
+        { "update", 0.05 },
+        { "update", 0.05 },
+        { "update", 0.20790670376076056 },
+      },
+    },
+  },
+  {
+    "what a slope has thrown up goes as far as its speed takes it, though others overlap",
+    {
+      settings = {},
+      acts = {
+        { "insert", 25, "boxes", { x = 1200, y = 1900, width = 100, height = 100 } },
+        { "insert", 26, "crates", { x = 1300, y = 1900, width = 100, height = 100 } },
+        { "insert", 30, 2.5, { x = 1900, y = 600, width = 100, height = 100 } },
+        {
+          "insert",
+          35,
+          "boxes",
+          { x = 700, y = 800, width = 200, height = 100, vx = 74700, restitution = 1 },
+        },
+        {
+          "add",
+          43,
+          "statics",
+          { x = 1800, y = 860, width = 200, height = 100, static = true, slope = "right" },
+        },
+        { "add", 44, "lifts", { x = 1360, y = 1900, width = 100, height = 100 } },
+        { "update", 0.015625 },
+      },
+    },
+  },
+  {
+    "two slopes, of which one is a sensor, touch each other on the same side for all",
+    {
+      settings = {},
+      acts = {
+        {
+          "add",
+          4,
+          "tiles",
+          { x = 300, y = 2000, width = 100, height = 100, static = true, slope = "right" },
+        },
+        {
+          "add",
+          43,
+          "lifts",
+          {
+            x = 200,
+            y = 1850,
+            width = 600,
+            height = 600,
+            vx = 400,
+            kinematic = true,
+            sensor = true,
+            slope = "topright",
+          },
+        },
+        { "update", 0.2454826949215333 },
+      },
+    },
+  },
+  {
+    "an object that becomes static while it is in another is not inside any more",
+    {
+      settings = {},
+      acts = {
+        { "add", 20, "lifts", { x = -100, y = -10, width = 100, height = 20, kinematic = true } },
+        { "add", 23, "boxes", { x = 100, y = -100, width = 30, height = 10 } },
+        { "write", 20, { x = 100, y = -100 } },
+        { "write", 23, { oneWay = "left" } },
+        { "update", 0.015625 },
+        { "twin" },
+        { "write", 23, { static = true } },
+        { "update", 0.015625 },
+      },
+    },
+  },
+  {
+    "an overlap limits what touches it, and nothing elsewhere: it may be at rest",
+    {
+      settings = { gravity = 0 },
+      acts = followedBy({
+        {
+          "add",
+          26,
+          1,
+          {
+            x = 100,
+            y = 140,
+            width = 20,
+            height = 16,
+            ax = -300,
+            gravity = -700,
+            maxFallSpeed = 300,
+            nudge = 10,
+          },
+        },
+        { "add", 28, "players", { x = 100, y = 140, width = 20, height = 20 } },
+        { "add", 31, "statics", { x = 100, y = 130, width = 100, height = 20, oneWay = "right" } },
+        { "add", 32, "statics", { x = -20, y = 30, width = 70, height = 10, static = true } },
+        { "update", 0.05 },
+        { "update", 0.05 },
+        { "update", 0.05 },
+        { "update", 0.05 },
+        { "update", 0.2407775040443777 },
+      }, 3, 0.05),
+    },
+  },
+  {
+    "a restored crowd goes on as one",
+    {
+      settings = {},
+      acts = followedBy(
+        followedBy({
+          { "add", 25, 2.5, { x = 100, y = 300, width = 20, height = 20 } },
+          { "insert", 26, "crates", { x = 100, y = 300, width = 20, height = 20 } },
+          { "insert", 30, "crates", { x = 100, y = 300, width = 20, height = 20 } },
+          { "insert", 31, 1, { x = 100, y = 300, width = 16, height = 16 } },
+          { "add", 36, "lifts", { x = 100, y = 300, width = 100, height = 100 } },
+        }, 11, 0.015625, { "twin" }),
+        1,
+        0.015625
+      ),
+    },
+  },
+  {
+    "a step forgets that two could not give way in the one before",
+    {
+      settings = {},
+      acts = followedBy(
+        followedBy({
+          { "add", 24, 1, { x = 80, y = 300, width = 16, height = 16, radius = 8 } },
+          { "add", 25, 2.5, { x = 100, y = 300, width = 16, height = 20 } },
+          { "insert", 26, "crates", { x = 110, y = 300, width = 16, height = 16, radius = 8 } },
+          { "insert", 31, 1, { x = 128, y = 300, width = 16, height = 16, ax = -500, radius = 8 } },
+          { "add", 32, "boxes", { x = 127, y = 270, width = 20, height = 20, pushable = false } },
+          {
+            "add",
+            35,
+            "statics",
+            { x = 100, y = 200, width = 100, height = 20, static = true, slope = "topright" },
+          },
+          {
+            "add",
+            36,
+            "lifts",
+            {
+              x = 57,
+              y = 294,
+              width = 109.83947343923103,
+              height = 109.83947343923103,
+              radius = 54.919736719615514,
+              vx = -4,
+              kinematic = true,
+            },
+          },
+          {
+            "add",
+            52,
+            "lifts",
+            { x = 74, y = 276, width = 5, height = 5, vy = 11, kinematic = true },
+          },
+        }, 37, nil, { "twin" }),
+        1
+      ),
+    },
+  },
+  {
+    "what a machine begins to squeeze does not depend on overlaps elsewhere",
+    {
+      settings = { gravity = 0 },
+      acts = {
+        { "add", 9, "tiles", { height = 20, static = true, width = 20, x = -30, y = 160 } },
+        { "add", 26, "boxes", { height = 20, width = 20, x = -130, y = 100 } },
+        { "insert", 31, "crates", { height = 20, vy = 400, width = 20, x = -30, y = 100 } },
+        { "add", 35, "statics", { height = 20, oneWay = "bottom", width = 10, x = -136, y = 100 } },
+        {
+          "add",
+          38,
+          "lifts",
+          { height = 20, kinematic = true, vx = -100, vy = 30, width = 40, x = 20, y = 100 },
+        },
+        { "update", 0.05 },
+        { "update", 0.03333333333333333 },
+        { "update", 0.09636909858916802 },
+        { "update", 0.26396840240244607 },
+        { "update", 0.24533806608555658 },
+      },
+    },
+  },
+  {
+    "a pair that begins in a step does not take the place of one that has ended in it",
+    {
+      settings = { gravity = 0, masks = { boxes = { boxes = false, crates = true } } },
+      acts = {
+        { "add", 20, "tiles", { height = 20, width = 20, x = 100, y = 200 } },
+        { "insert", 25, 1, { height = 20, width = 20, x = 30, y = 140 } },
+        { "insert", 28, "crates", { height = 20, width = 20, x = 80, y = 140 } },
+        {
+          "insert",
+          30,
+          "boxes",
+          {
+            area = { drag = 222.2027087790917, gravityX = 5.563293104584545 },
+            height = 100,
+            sensor = true,
+            width = 100,
+            x = 70,
+            y = 100,
+          },
+        },
+        { "add", 32, "boxes", { height = 16, radius = 8, width = 16, x = 100, y = 140 } },
+        { "add", 33, "boxes", { height = 20, mass = 6, width = 20, x = 117, y = 140 } },
+        { "insert", 34, "crates", { height = 20, width = 20, x = 130, y = 100 } },
+        { "insert", 35, "statics", { height = 20, static = true, width = 100, x = -40, y = 120 } },
+        {
+          "add",
+          41,
+          "statics",
+          { height = 48, radius = 24, static = true, width = 48, x = -20, y = 100 },
+        },
+        { "impulse", 25, 110.71070890008536, -98.429393114922 },
+        { "update", 0.39959077572411933 },
+        { "update", 0.05 },
+        { "impulse", 30, -157.4170702671791, 352.74949143896765 },
+        { "impulse", 34, 0, -350.425361050689 },
+        { "update", 0.20683052034753424 },
+        { "set", "masks", {} },
+        {
+          "bounds",
+          -131.57509430085784,
+          -150.60988654811857,
+          371.3637754650449,
+          371.3637754650449,
+        },
+        { "update", 0.35289115538158566 },
+        {
+          "insert",
+          54,
+          1,
+          { height = 16, radius = 8, restitution = 1, vy = 6600, width = 16, x = 5, y = 100 },
+        },
+        { "update", 0.17650152995856622 },
+      },
+    },
+  },
+  {
+    "a box that overlaps a ball by less than can be seen stays where it is",
+    {
+      settings = { gravity = 4000 },
+      acts = {
+        {
+          "insert",
+          9,
+          "tiles",
+          { height = 100, radius = 50, static = true, width = 100, x = 800, y = 2000 },
+        },
+        {
+          "insert",
+          10,
+          "tiles",
+          { height = 100, radius = 50, static = true, width = 100, x = 900, y = 2000 },
+        },
+        {
+          "add",
+          24,
+          "players",
+          { drag = 1100, height = 100, radius = 50, width = 100, x = 790, y = 1900 },
+        },
+        { "add", 29, "players", { height = 100, width = 100, x = 990, y = 1800 } },
+        {
+          "add",
+          30,
+          "crates",
+          { airFriction = 1.5, ax = -2200, height = 100, width = 100, x = 990, y = 1700 },
+        },
+        { "insert", 31, "players", { height = 100, width = 100, x = 1000, y = 1600 } },
+        {
+          "insert",
+          38,
+          "lifts",
+          {
+            height = 300,
+            kinematic = true,
+            radius = 150,
+            vx = -350,
+            width = 300,
+            x = 650,
+            y = 1930,
+          },
+        },
+        { "update", 0.03333333333333333 },
+        { "update", 0.03333333333333333 },
+        { "update", 0.03333333333333333 },
+        { "update", 0.03333333333333333 },
+        { "update", 0.03333333333333333 },
+        { "update", 0.03333333333333333 },
+        { "update", 0.03333333333333333 },
+        { "update", 0.03333333333333333 },
+        { "update", 0.03333333333333333 },
+        { "update", 0.03333333333333333 },
+        { "update", 0.03333333333333333 },
+        { "update", 0.03333333333333333 },
+        { "update", 0.03333333333333333 },
+        { "update", 0.03333333333333333 },
+        { "update", 0.03333333333333333 },
+        { "update", 0.03333333333333333 },
+        { "update", 0.03333333333333333 },
+        { "update", 0.03333333333333333 },
+        { "update", 0.03333333333333333 },
+        { "update", 0.03333333333333333 },
+        { "update", 0.03333333333333333 },
       },
     },
   },

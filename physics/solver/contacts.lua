@@ -11,6 +11,7 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".solver.ball")
 local columns = require(root .. ".memory.columns")
+local contactOrder = require(root .. ".solver.contactOrder")
 local interpreted = require(root .. ".memory.jit")
 local knots = require(root .. ".solver.knots")
 local rules = require(root .. ".solver.rules")
@@ -212,6 +213,7 @@ local function putDeep(b, p)
   end
   if not rules.passes(b, p, kl, kh, axis, true) then
     put(b, p, axis, kl, kh, separation)
+    b.limitedAt[i], b.limitedAt[j] = b.solveStamp, b.solveStamp
     if isRound then
       b.touches[p] = ELASTIC
       leaveApart(b, p)
@@ -298,100 +300,6 @@ local function classifyRound(b)
   end
 end
 
--- Returns whether contact p comes before contact q in a list.
-local function before(b, p, q)
-  local key = b.contactKey
-  if key[p] ~= key[q] then
-    return key[p] < key[q]
-  end
-  local rank, low, high = b.rank, b.contactLow, b.contactHigh
-  local axis = high[p] % 2
-  local one, other = rank[(high[p] - axis) * 0.5], rank[(high[q] - axis) * 0.5]
-  if one ~= other then
-    return one < other
-  end
-  return rank[(low[p] - axis) * 0.5] < rank[(low[q] - axis) * 0.5]
-end
-
--- Merges the sorted runs [first, middle) and [middle, last] of `source` into `target`.
-local function mergeRuns(b, source, target, first, middle, last)
-  local i, j = first, middle
-  for n = first, last do
-    if j > last or (i < middle and not before(b, source[j], source[i])) then
-      target[n] = source[i]
-      i = i + 1
-    else
-      target[n] = source[j]
-      j = j + 1
-    end
-  end
-end
-
--- Sorts list[1..count]: by insertion while little is out of place, else by bottom-up merging.
-local function sortOrder(b, list, count)
-  local patience = 4 * count + 64
-  for n = 2, count do
-    local p, at = list[n], n
-    while at > 1 and before(b, p, list[at - 1]) do
-      list[at] = list[at - 1]
-      at = at - 1
-    end
-    list[at] = p
-    patience = patience - (n - at)
-    if patience < 0 then
-      break
-    end
-  end
-  if patience >= 0 then
-    return
-  end
-  local source, target, width = list, b.sortScratch, 1
-  while width < count do
-    for first = 1, count, 2 * width do
-      local middle, last = first + width, first + 2 * width - 1
-      if middle > count + 1 then
-        middle = count + 1
-      end
-      mergeRuns(b, source, target, first, middle, last < count and last or count)
-    end
-    local sorted = target
-    target = source
-    source, width = sorted, 2 * width
-  end
-  if source ~= list then
-    for n = 1, count do
-      list[n] = source[n]
-    end
-  end
-end
-
--- Puts the pairs of a list in order. It starts from the order of the last step, appends new pairs,
--- and sorts.
-local function arrange(b, list)
-  local order, pair, place, count = list.order, list.pair, b.place, list.count
-  for n = 1, count do
-    place[pair[n]] = 1
-  end
-  local kept = 0
-  for n = 1, list.recalled do
-    local p = order[n]
-    if place[p] == 1 then
-      kept = kept + 1
-      order[kept], place[p] = p, 2
-    end
-  end
-  for n = 1, count do
-    local p = pair[n]
-    if place[p] == 1 then
-      kept = kept + 1
-      order[kept] = p
-    end
-    place[p] = 0
-  end
-  list.recalled = kept
-  sortOrder(b, order, kept)
-end
-
 -- Writes the numbers of each contact that the passes over the list need.
 local function fill(b, list)
   local order, pair, low, high = list.order, list.pair, list.low, list.high
@@ -461,8 +369,8 @@ function contacts.find(b)
   for n = 1, b.overlapCount do
     putDeep(b, b.overlaps[n])
   end
-  arrange(b, down)
-  arrange(b, across)
+  contactOrder.arrange(b, down)
+  contactOrder.arrange(b, across)
   if b.hasAskers or b.hasOneWays then
     dropRefused(b, down)
     dropRefused(b, across)
@@ -496,7 +404,7 @@ function contacts.rearrange(b)
     local list = b.contacts[axis]
     if list.isNew then
       list.isNew = false
-      arrange(b, list)
+      contactOrder.arrange(b, list)
       fill(b, list)
     end
   end

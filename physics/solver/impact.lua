@@ -62,7 +62,7 @@ function impact.note(b, p, low, axis, u, t)
     b.hitAt[p], b.hitLow[p], b.hitHigh[p] = at, across, across
     return
   end
-  if b.hasSlopes and slope.isPair(b, low, low) then
+  if b.hasSlopes and slope.isOne(b, low) then
     local box = low == i and j or i -- that leans on the edge, at its own side
     b.hitAt[p] = placeAt(b, box, 2 * box + axis, t)
   else
