@@ -102,6 +102,7 @@ build = {
     ["physics.solver.crush"] = "physics/solver/crush.lua",
     ["physics.solver.flow"] = "physics/solver/flow.lua",
     ["physics.solver.friction"] = "physics/solver/friction.lua",
+    ["physics.solver.ground"] = "physics/solver/ground.lua",
     ["physics.solver.impact"] = "physics/solver/impact.lua",
     ["physics.solver.jam"] = "physics/solver/jam.lua",
     ["physics.solver.knots"] = "physics/solver/knots.lua",

@@ -610,8 +610,7 @@ local function addSlopes(b)
   b.hasSlopes = false -- a slope was ever in the world
   b.steep = { [0] = 0, 0 } -- by axis: the most that any slope has ever risen along it, px for 1 px
   -- scratch
-  b.ground = { slot = {}, low = {}, high = {}, turn = {}, count = 0, turns = 0 }
-  b.ground.main, b.ground.isLevel = 0, true
+  b.ground = { slot = {}, turn = {}, count = 0, turns = 0, isLevel = true } -- see ground
   b.walkers, b.isFirstWalk, b.walkStamp = {}, false, 0
   b.walkFrom = {} -- by slot: what it stood on where its way begins,
   b.walkTime = {} -- and when

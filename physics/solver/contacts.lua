@@ -176,32 +176,22 @@ local function growthOf(b, kl, kh)
   return PACE * min(b.size[kl], b.size[kh]) * (1 - waited / PATIENCE)
 end
 
--- Makes a contact of two overlapping bodies, which must not get deeper. Two that were squeezed into
--- each other (`wedged`) separate as soon as there is room.
-local function putDeep(b, p)
-  local i, j = b.pairA[p], b.pairB[p]
-  if b.oneWay[i] or b.oneWay[j] then
-    return
-  end
-  local from, ki, kj = b.from, 2 * i, 2 * j
-  local axis, isSecondLow
-  local isRound = b.hasCircles and ball.isRound(b, i, j)
+-- Returns the low and the high body of two that overlap, the axis on which they part, and how far
+-- apart their low edges must be at the end of the step: two dynamic bodies part by `growthOf`, a
+-- circle and a wall by PACE, a wedged body and a wall as far as there is room. Others stay as deep
+-- as they are.
+local function deepSeparation(b, p, i, j, isRound)
+  local from, axis, isSecondLow = b.from, nil, false
   if isRound and b.wedged[p] == 0 then
     axis, isSecondLow = ball.deepAxis(b, i, j)
   end
   if not axis then
-    axis, isSecondLow = deepAxis(b, p, ki, kj)
+    axis, isSecondLow = deepAxis(b, p, 2 * i, 2 * j)
   end
-  local areDynamic = b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC
-  local kl, kh = ki + axis, kj + axis
-  if isSecondLow then
-    kl, kh = kj + axis, ki + axis
-  end
-  local separation = b.size[kl]
-  if isRound then
-    separation = ball.separation(b, (kl - axis) * 0.5, (kh - axis) * 0.5, axis)
-  end
-  if areDynamic then
+  local low, high = isSecondLow and j or i, isSecondLow and i or j
+  local kl, kh = 2 * low + axis, 2 * high + axis
+  local separation = isRound and ball.separation(b, low, high, axis) or b.size[kl]
+  if b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC then
     -- These are valid for this solve only, since the step may be started again.
     b.deepIn[p], b.deepWay[p] = b.solveStamp, isSecondLow and 2 * axis + 1 or 2 * axis + 2
     b.deepAt[i], b.deepAt[j] = b.solveStamp, b.solveStamp
@@ -211,13 +201,28 @@ local function putDeep(b, p)
   elseif b.wedged[p] == 0 then
     separation = from[kh] - from[kl]
   end
-  if not rules.passes(b, p, kl, kh, axis, true) then
-    put(b, p, axis, kl, kh, separation)
-    b.limitedAt[i], b.limitedAt[j] = b.solveStamp, b.solveStamp
-    if isRound then
-      b.touches[p] = ELASTIC
-      leaveApart(b, p)
-    end
+  return kl, kh, axis, separation
+end
+
+-- Makes a contact of two overlapping bodies. Two that were squeezed into each other (`wedged`)
+-- separate as soon as there is room.
+local function putDeep(b, p)
+  local i, j = b.pairA[p], b.pairB[p]
+  if b.oneWay[i] or b.oneWay[j] then
+    leaveApart(b, p)
+    return
+  end
+  local isRound = b.hasCircles and ball.isRound(b, i, j)
+  local kl, kh, axis, separation = deepSeparation(b, p, i, j, isRound)
+  if rules.passes(b, p, kl, kh, axis, true) then
+    leaveApart(b, p)
+    return
+  end
+  put(b, p, axis, kl, kh, separation)
+  b.limitedAt[i], b.limitedAt[j] = b.solveStamp, b.solveStamp
+  if isRound then
+    b.touches[p] = ELASTIC
+    leaveApart(b, p)
   end
 end
 
@@ -320,6 +325,9 @@ local function dropRefused(b, list)
   for n = 1, list.count do
     local p = order[n]
     if rules.passes(b, p, b.contactLow[p], b.contactHigh[p], list.axis, false) then
+      if b.touches[p] ~= ELASTIC then
+        leaveApart(b, p)
+      end
       b.touches[p] = APART
     else
       kept = kept + 1
@@ -425,6 +433,13 @@ function contacts.noteNew(b)
 end
 
 interpreted.functions(classifyRound, putSlopes)
-interpreted.functions(putDeep, dropRefused, contacts.find, contacts.add, contacts.rearrange)
+interpreted.functions(
+  deepSeparation,
+  putDeep,
+  dropRefused,
+  contacts.find,
+  contacts.add,
+  contacts.rearrange
+)
 
 return contacts

@@ -221,36 +221,74 @@ local function shake(b, i, j, axis, t, dt)
   return true
 end
 
+-- Notes that the paths of slots i and j change in this round.
+local function takePart(b, i, j)
+  b.inRound[i] = b.kind[i] == DYNAMIC and b.roundStamp or 0
+  b.inRound[j] = b.kind[j] == DYNAMIC and b.roundStamp or 0
+end
+
+-- Moves one of slots i and j past the corner of the other, if it may be nudged. Returns whether it
+-- was moved.
+local function correct(b, p, i, j, axis, t)
+  if
+    b.nudged[p] < nudge.MOST
+    and (nudge.try(b, i, j, axis, true, t) or nudge.try(b, j, i, axis, false, t))
+  then
+    b.nudged[p] = b.nudged[p] + 1
+    live.stain(b, p)
+    return true
+  end
+  return false
+end
+
+-- Lets slots i and j, of pair p, meet at moment t. If they stay together, they are a contact for
+-- the rest of the step. Returns whether they met: a nudge may lead past.
+local function meet(b, p, i, j, axis, t, dt, isLast, isLate, isDeep)
+  rounds.change(b, i)
+  rounds.change(b, j)
+  takePart(b, i, j)
+  if b.hasBounces then
+    noteBounced(b, i, j)
+  end
+  if b.hasNudges and not isLast and correct(b, p, i, j, axis, t) then
+    return false
+  end
+  local stays, separation, isElastic = impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
+  if stays or isElastic then
+    contacts.add(b, axis, p, 2 * i + axis, 2 * j + axis, separation, isElastic)
+    b.pressed[p] = stays and 1 or b.pressed[p]
+  end
+  return true
+end
+
+-- Leaves the impact of slots i and j, which an earlier one has disturbed, to the next round.
+local function postpone(b, i, j, mayBounce)
+  rounds.change(b, i)
+  rounds.change(b, j)
+  if mayBounce then
+    noteBounced(b, i, j)
+    takePart(b, i, j)
+  end
+end
+
 -- Resolves the n-th impact. If an earlier one of this round has disturbed its bodies, they are
 -- swept again instead.
 local function happen(b, n, dt, isLast, isLate)
   local impacts, round = b.impacts, b.roundStamp
   local p, t, axis = impacts.pair[n], impacts.time[n], impacts.axis[n]
-  local i, j = impacts.low[n], impacts.high[n]
+  local i, j, isDeep = impacts.low[n], impacts.high[n], impacts.isDeep[n]
   local isSensed = b.sensor[i] or b.sensor[j]
   local isRound = b.hasCircles and ball.isRound(b, i, j)
   local areDynamic = b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC
   if areDynamic and not isRound and (isSpent(b, i) or isSpent(b, j)) then
     return
   end
-  local mayBounce = max(b.restitution[i], b.restitution[j]) > 0
+  local mayBounce, hasEnded = max(b.restitution[i], b.restitution[j]) > 0, isLast
   if isDisturbed(b, i, round, mayBounce) or isDisturbed(b, j, round, mayBounce) then
-    rounds.change(b, i)
-    rounds.change(b, j)
-    if mayBounce then
-      noteBounced(b, i, j)
-      b.inRound[i] = b.kind[i] == DYNAMIC and round or 0
-      b.inRound[j] = b.kind[j] == DYNAMIC and round or 0
-    end
-    if isLast and not isSensed then
-      stop(b, i, t, isRound)
-      stop(b, j, t, isRound)
-    end
-    return
-  end
-  if
-    (isSensed and b.hit[p] ~= 0)
-    or rules.passes(b, p, 2 * i + axis, 2 * j + axis, axis, impacts.isDeep[n])
+    postpone(b, i, j, mayBounce)
+    hasEnded = isLast and not isSensed
+  elseif
+    (isSensed and b.hit[p] ~= 0) or rules.passes(b, p, 2 * i + axis, 2 * j + axis, axis, isDeep)
   then
     return
   elseif isSensed then
@@ -258,28 +296,10 @@ local function happen(b, n, dt, isLast, isLate)
     return
   elseif b.hasCircles and b.mayRestart and shake(b, i, j, axis, t, dt) then
     return
+  elseif not meet(b, p, i, j, axis, t, dt, isLast, isLate, isDeep) then
+    return
   end
-  rounds.change(b, i)
-  rounds.change(b, j)
-  b.inRound[i] = b.kind[i] == DYNAMIC and round or 0
-  b.inRound[j] = b.kind[j] == DYNAMIC and round or 0
-  if b.hasBounces then
-    noteBounced(b, i, j)
-  end
-  if b.hasNudges and not isLast and b.nudged[p] < nudge.MOST then
-    if nudge.try(b, i, j, axis, true, t) or nudge.try(b, j, i, axis, false, t) then
-      b.nudged[p] = b.nudged[p] + 1
-      live.stain(b, p)
-      return
-    end
-  end
-  local stays, separation, isElastic =
-    impact.run(b, p, i, j, axis, t, dt, isLate, impacts.isDeep[n])
-  if stays or isElastic then
-    contacts.add(b, axis, p, 2 * i + axis, 2 * j + axis, separation, isElastic)
-    b.pressed[p] = stays and 1 or b.pressed[p]
-  end
-  if isLast then
+  if hasEnded then
     stop(b, i, t, isRound)
     stop(b, j, t, isRound)
   end
@@ -307,7 +327,8 @@ function rounds.run(b, dt, isLast, isLate)
 end
 
 -- These take another branch for each impact. (jit: 4)
-interpreted.functions(sortImpacts, sense, stop, isSpent, crosses, isTorn, isDisturbed, happen)
+interpreted.functions(sortImpacts, sense, stop, isSpent, crosses, isTorn, isDisturbed)
+interpreted.functions(takePart, correct, meet, postpone, happen)
 interpreted.functions(rounds.run)
 
 return rounds
