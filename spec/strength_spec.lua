@@ -82,6 +82,40 @@ describe("strength", function()
     assert.near(60, other, 1e-9)
   end)
 
+  -- A ball above and to the left of another one, or of a box, at 45 degrees or so.
+  for _, isBox in ipairs({ true, false }) do
+    it(
+      "holds where " .. (isBox and "a ball and a box" or "two balls") .. " meet slanted",
+      function()
+        local world = physics.newWorld({ gravity = 0 })
+        local size = isBox and 20 or nil
+        local radius = not isBox and 10 or nil
+        local player = world:add("players", {
+          x = 0,
+          y = 0,
+          width = size,
+          height = size,
+          radius = radius,
+          strength = 1,
+        })
+        world:add("enemies", { x = 30, y = 29, radius = 10, vx = -60, vy = -58 })
+      for _ = 1, 60 do
+          world:update(DT)
+        end
+        assert.same({ 0, 0, 0, 0 }, { player.x, player.y, player.vx, player.vy })
+        -- It pushes a fifth of the mass of what it runs into.
+        local other = world:add("enemies", { x = 330, y = 14, radius = 10 })
+        player.x, player.y, player.vx = 300, 0, 100
+        for _ = 1, 60 do
+          world:update(DT)
+        end
+        local momentum = player.vx + 0.2 * other.vx
+        assert.near(100, momentum, 1e-6)
+        assert.is_true(other.vx > 40 and player.vx > 70)
+      end
+    )
+  end
+
   it("does not let it through walls, nor what it pushes", function()
     local world = physics.newWorld({ gravity = 0 })
     local player = world:add("players", { x = 0, y = 0, width = 10, height = 10, strength = 1 })

@@ -17,6 +17,7 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local circle = require(root .. ".memory.circle")
 local columns = require(root .. ".memory.columns")
+local pool = require(root .. ".solver.pool")
 
 require(root .. ".memory.jit").file()
 
@@ -321,6 +322,19 @@ local function giveOf(b, k, sign)
   return give
 end
 
+-- These of two of which one is stronger (see `pool.share`): both of a body by the same factor.
+local function weighPower(b, i, j, nx, ny, ix, iy, jx, jy)
+  local x, y, speed, k, m = nx * nx, ny * ny, b.speed, 2 * i, 2 * j
+  local wi, wj = x * ix + y * iy, x * jx + y * jy
+  if wi == 0 or wj == 0 then
+    return ix, iy, jx, jy
+  end
+  local vi, vj = -nx * speed[k] - ny * speed[k + 1], -nx * speed[m] - ny * speed[m + 1]
+  local newI, newJ = pool.share(b.power[i] > b.power[j], wi, wj, vi, vj)
+  newI, newJ = newI / wi, newJ / wj
+  return ix * newI, iy * newI, jx * newJ, jy * newJ
+end
+
 -- The inverse masses of two that meet along a normal, on both axes: of i, then of j.
 local function weigh(b, i, j, nx, ny)
   local ix, iy = giveOf(b, 2 * i, nx), giveOf(b, 2 * i + 1, ny)
@@ -330,6 +344,8 @@ local function weigh(b, i, j, nx, ny)
       return ix, iy, 0.0, 0.0
     end
     return 0.0, 0.0, jx, jy
+  elseif b.power[i] ~= b.power[j] then
+    return weighPower(b, i, j, nx, ny, ix, iy, jx, jy)
   end
   return ix, iy, jx, jy
 end
