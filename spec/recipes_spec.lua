@@ -970,7 +970,7 @@ recipes["Round enemies"] = function(snippet)
   local near = 0
   for _, enemy in ipairs(g.world.objects.enemies) do
     local dx, dy = g.player.x + 12 - enemy.x - 8, g.player.y + 16 - enemy.y - 8
-    near = near + (dx * dx + dy * dy < 60 * 60 and 1 or 0)
+    near = near + (dx * dx + dy * dy < 90 * 90 and 1 or 0)
     assert.same({}, { (next((g.world:overlapping(enemy, "walls")))) })
   end
   assert.equal(20, near)
