@@ -645,14 +645,18 @@ end
 -- function(object) that returns yes or no; it must not change the world. `out` is a
 -- list to fill instead of a new one, so that no garbage is made.
 
-local function checkQuestion(self, call, filter, out)
-  checkSelf(self, call)
+local function checkFilter(self, filter, where)
   if filter ~= nil then
-    check.filter(filter, "world:" .. call)
+    check.filter(filter, where)
     if self.checked then
-      guard.filter(self, filter, "world:" .. call)
+      guard.filter(self, filter, where)
     end
   end
+end
+
+local function checkQuestion(self, call, filter, out)
+  checkSelf(self, call)
+  checkFilter(self, filter, "world:" .. call)
   if out ~= nil and type(out) ~= "table" then
     check.table(out, "out", "world:" .. call)
   end
@@ -1106,9 +1110,7 @@ function World:explode(x, y, radius, impulse, filter, walls)
   checkPoint(x, y, where)
   check.positive(radius, "radius", where)
   check.number(impulse, "impulse", where)
-  if walls ~= nil then
-    check.filter(walls, where .. ": walls")
-  end
+  checkFilter(self, walls, where .. ": walls")
   x, y, radius, impulse = x + 0.0, y + 0.0, radius + 0.0, impulse + 0.0
   local pushed, count = explosion.run(self, x, y, radius, impulse, filter, walls, where)
   return pushed, count
