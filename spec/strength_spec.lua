@@ -138,8 +138,8 @@ describe("strength", function()
     assert.equal(3, player.strength)
   end)
 
-  -- `count` enemies press to a player for some seconds, then it walks out for 2 s. Returns how far it
-  -- was pushed about, and how far it got.
+  -- `count` enemies press to a player for some seconds, then it walks out for 2 s. Returns how far
+  -- it was pushed about, and how far it got.
   local function walkOut(fields, count, seconds, soft)
     local world = physics.newWorld({ gravity = 0, soft = soft })
     local player = world:add("players", { x = 390, y = 290, width = 20, height = 20 })
