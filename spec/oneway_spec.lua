@@ -87,6 +87,7 @@ describe("oneWay", function()
     world:update(DT)
     local state = world:save()
     ledge.oneWay = "left"
+    world:refresh(ledge) -- as after any change of a static object
     world:restore(state)
     assert.is_true(ledge.oneWay)
   end)

@@ -4,7 +4,7 @@
 -- - A body that overlaps others goes no further than its speed and a share of its size take it.
 -- - A body that is not pushable stays on its own way.
 --
--- Reads the paths, contacts; writes to, speed, accel, frozenAt.
+-- Reads the paths, contacts, limitedAt; writes to, speed, accel, frozenAt, limitedAt, news.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -17,9 +17,9 @@ local limits = {}
 
 local DYNAMIC, EPSILON, PARTING = columns.DYNAMIC, columns.EPSILON, rounds.PARTING
 local floor, max, min = math.floor, math.max, math.min
--- Rounds after these in which what meets a circle only stops.
+-- Rounds after the last round, in which what meets a circle only stops.
 local FREEZES = 16
--- px and px/s by which a circle has not moved.
+-- px and px/s: a circle that has moved by less has not moved.
 local CALM, CALM_SPEED = EPSILON, 1e-3
 -- px: so little changes by rounding, however long the step is.
 local ROUNDING = 1e-9
