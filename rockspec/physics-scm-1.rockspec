@@ -115,6 +115,7 @@ build = {
     ["physics.solver.friction"] = "physics/solver/friction.lua",
     ["physics.solver.ground"] = "physics/solver/ground.lua",
     ["physics.solver.impact"] = "physics/solver/impact.lua",
+    ["physics.solver.jam"] = "physics/solver/jam.lua",
     ["physics.solver.knots"] = "physics/solver/knots.lua",
     ["physics.solver.limits"] = "physics/solver/limits.lua",
     ["physics.solver.nudge"] = "physics/solver/nudge.lua",

@@ -146,6 +146,7 @@ local function addSolver(b)
   b.roundCount = 0
   b.isViolated = false
   b.isTorn = false -- two members of one block overlap
+  b.mayRestart = true -- the step may begin anew
   b.isJammed = false -- two bodies that cannot move have had an impact
   b.members = {} -- of blocks
   b.memberCount = 0

@@ -152,6 +152,7 @@ layout.AXIS = {
   crowdAge = 0, -- on the first axis: number of steps that it has been in its crowd
   knotted = 0, -- x: s for which its knot has not come apart; y: how often that was too long
   knotWas = 0, -- x: sum of the overlaps of the knot then, px; y: walls beside it when it got stuck
+  jam = 0, -- x: s for which it has been caught in a heap (see jam)
   squeezed = 0, -- px by which it is pressed between two bodies that cannot move
   base = 0, -- velocity of the immovable ground that it rubs on,
   grip = 0, -- the friction limit there, N,
@@ -307,6 +308,7 @@ layout.STEP_AXIS = {
   "squeezed",
   "knotted",
   "knotWas",
+  "jam",
   "crowdAge",
   "crushed",
   "wasCrushed",

@@ -62,6 +62,7 @@ format.POINTS = {
   { "crowdAge", 0 },
   { "knotted", 0 },
   { "knotWas", 0 },
+  { "jam", 0 },
   { "wasAt", 0 },
   { "wasSize", 0 },
 }

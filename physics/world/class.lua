@@ -170,15 +170,20 @@ function class.find(self, object, where)
   return members, key, name
 end
 
---- Checks what queries have in common.
-function class.checkQuestion(self, where, filter, out)
-  class.checkSelf(self, where)
+--- Checks a filter, unless it is nil.
+function class.checkFilter(self, filter, where)
   if filter ~= nil then
     check.filter(filter, where)
     if self.checked then
       guard.filter(self, filter, where)
     end
   end
+end
+
+--- Checks what queries have in common.
+function class.checkQuestion(self, where, filter, out)
+  class.checkSelf(self, where)
+  class.checkFilter(self, filter, where)
   if out ~= nil and type(out) ~= "table" then
     check.table(out, "out", where)
   end

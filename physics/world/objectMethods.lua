@@ -304,9 +304,7 @@ function World:explode(x, y, radius, impulse, filter, walls)
   checkPoint(x, y, where)
   check.positive(radius, "radius", where)
   check.number(impulse, "impulse", where)
-  if walls ~= nil then
-    check.filter(walls, where .. ": walls")
-  end
+  class.checkFilter(self, walls, where .. ": walls")
   x, y, radius, impulse = x + 0.0, y + 0.0, radius + 0.0, impulse + 0.0
   local pushed, count = explosion.run(self, x, y, radius, impulse, filter, walls, where)
   return pushed, count
