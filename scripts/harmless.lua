@@ -21,21 +21,15 @@ return {
   },
   {
     "physics/broadphase/grid.lua",
-    "return (width / cell + 3) * (height / cell + 3) > 16 + self.count",
-    "return (width / cell + 4) * (height / cell + 3) > 16 + self.count",
+    "return self.reach[LEVELS] > self.cell * 2 ^ LEVELS + SLACK and -huge or 16 + self.count",
+    "return self.reach[LEVELS] > self.cell * 2 ^ LEVELS + SLACK and -huge or 17 + self.count",
     "when all are looked at instead of cells; each is tested in both cases",
   },
   {
     "physics/broadphase/grid.lua",
-    "local axis = wideY > wideX and 1 or 0",
-    "local axis = wideY >= wideX and 1 or 0",
-    "a diagonal may be taken in strips either way; each is tested in the end",
-  },
-  {
-    "physics/broadphase/grid.lua",
-    "self.ranges[rangeCount + 3], self.ranges[rangeCount + 5] = 0, 0",
-    "self.ranges[rangeCount + 4], self.ranges[rangeCount + 5] = 0, 0",
-    "what lies behind the end is read and not used, be it a number or nothing",
+    "for n = rangeCount + 2, rangeCount + 5 do",
+    "for n = rangeCount + 2, rangeCount + 6 do",
+    "one number more behind the end is written; none of them is used",
   },
   {
     "physics/objects/read.lua",
@@ -81,14 +75,14 @@ return {
   },
   {
     "physics/broadphase/pairFinder.lua",
-    "or from[k] + size[k] > fatHigh[k]",
-    "or from[k] + size[k] >= fatHigh[k]",
+    "if (max(outX, outY) > 0 or placed[i] ~= 2) and active[i] and strayAt[i] == huge then",
+    "if (max(outX, outY) >= 0 or placed[i] ~= 2) and active[i] and strayAt[i] == huge then",
     "its neighbours are looked up one step earlier; more neighbours change no result",
   },
   {
     "physics/broadphase/pairFinder.lua",
-    "return b.placed[i] ~= 2",
-    "return b.placed[i] ~= 3",
+    "if (max(outX, outY) > 0 or placed[i] ~= 2) and active[i] and strayAt[i] == huge then",
+    "if (max(outX, outY) > 0 or placed[i] ~= 3) and active[i] and strayAt[i] == huge then",
     "the neighbours of all bodies are looked up in every step; more neighbours change no result",
   },
   {
@@ -99,8 +93,8 @@ return {
   },
   {
     "physics/state/restore.lua",
-    "return (object.friction or -1) == b.friction[i] and not object.mask and not b.mask[i]",
-    "return (object.friction or -2) == b.friction[i] and not object.mask and not b.mask[i]",
+    "return isSame and isSameHits and (object.friction or -1) == b.friction[i]",
+    "return isSame and isSameHits and (object.friction or -2) == b.friction[i]",
     "static objects are read again, to the same end; what that marks is forgotten right after it",
   },
   {
@@ -123,8 +117,8 @@ return {
   },
   {
     "physics/queries/index.lua",
-    "or position[k + 1] < fatLow[k + 1]",
-    "or position[k + 1] <= fatLow[k + 1]",
+    ") > -LEFT",
+    ") >= -LEFT",
     "a box of a question's grid is drawn anew before it must be",
   },
 }
