@@ -121,4 +121,28 @@ return {
     ") >= -LEFT",
     "a box of a question's grid is drawn anew before it must be",
   },
+  {
+    "physics/memory/columns.lua",
+    "b.hasFriction = false -- or had friction",
+    "b.hasFriction = true -- or had friction",
+    "friction is computed where there is none",
+  },
+  {
+    "physics/memory/columns.lua",
+    "b.awakenings = 0 -- how often the set of awake objects has changed",
+    "b.awakenings = 1 -- how often the set of awake objects has changed",
+    "only compared with what it was before",
+  },
+  {
+    "physics/world/world.lua",
+    "local w, h = width + 0.0, height + 0.0",
+    "local w, h = width - 0.0, height + 0.0",
+    "makes a float of an integer; a width is never 0",
+  },
+  {
+    "physics/broadphase/grid.lua",
+    "entryOf(fatLow, fatHigh, i, x, y, shareX, shareY) <= bound",
+    "entryOf(fatLow, fatHigh, i, x, y, shareX, shareY) < bound",
+    "boxes reach a little further there than they are, so what is met enters before the bound",
+  },
 }

@@ -5,9 +5,9 @@
 -- After each part the state is written to build/soak.lua, from which a later run can go on. It
 -- fails if an object is lost, and at the end if the memory or the time of a step has grown.
 --
--- Pools and lists keep the size that they once needed, and grow by powers of two. So the memory goes
--- up where the scene needs more than ever before; that becomes rarer and rarer. A leak goes on. So
--- the last part is compared with the one at half time: all that leaks has doubled since.
+-- Pools and lists keep the size that they once needed, and grow by powers of two. So the memory
+-- goes up where the scene needs more than ever before, and that becomes rarer and rarer. A leak
+-- goes on: so the last part is compared with the one at half time.
 
 package.path = "./?.lua;" .. package.path
 
@@ -18,8 +18,8 @@ local PATH = "build/soak.lua"
 -- What the last part may need, compared with the one at half time.
 local MORE_MEMORY, MORE_TIME = 1.05, 1.5
 
--- The room for compiled code that LÖVE 11.4 gives. With LuaJIT's own limits this scene, in which all
--- parts of the library run, is compiled over and over again.
+-- The room for compiled code that LÖVE 11.4 gives. With the limits of LuaJIT itself this scene, in
+-- which all parts of the library run, is compiled over and over again.
 local jit = rawget(_G, "jit")
 if jit then
   jit.opt.start("maxtrace=2000", "maxmcode=16384")
