@@ -36,7 +36,7 @@ files["scripts"] = { std = "luajit" }
 -- Lines of a page of Markdown.
 files["scripts/manual_examples.lua"] = { max_line_length = false }
 files["scripts/pictures"] = { std = "luajit+love", globals = { "love" } }
--- It plays an example without LÖVE and has to pretend a little.
-files["scripts/find_keys.lua"] = { std = "luajit", globals = { "love" } }
+-- They play an example without LÖVE and have to pretend a little.
+files["scripts/find_*keys.lua"] = { std = "luajit", globals = { "love" } }
 -- It runs on every Lua, in the place of busted.
 files["scripts/plain_busted.lua"] = { std = "min+busted", globals = { "arg" } }

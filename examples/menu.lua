@@ -12,6 +12,7 @@ local menu = {}
 
 local EXAMPLES = {
   { name = "platformer", title = "Platformer", text = "A level to play: run, jump, push, stomp." },
+  { name = "hills", title = "Hills", text = "Slopes, stairs, a turtle, a mine cart." },
   { name = "tutorial", title = "Tutorial", text = "How such an engine works, in ten steps." },
   { name = "lifts", title = "Lifts", text = "Riders, belts, one-way shelves, a press." },
   { name = "topdown", title = "Top-down", text = "Rooms, narrow doors, crates, a ghost." },

@@ -2,6 +2,7 @@
 
 local look = require("look")
 local sparks = require("sparks")
+local sprites = require("sprites")
 local view = require("view")
 
 local art = {}
@@ -121,25 +122,11 @@ function draw.bricks(brick)
 end
 
 function draw.crates(crate)
-  local x, y, size = crate.x, crate.y, crate.width
-  look.box(x, y, size, size, "orange")
-  look.color("red", 0.8)
-  love.graphics.setLineWidth(4)
-  love.graphics.line(x + 7, y + 7, x + size - 7, y + size - 7)
-  love.graphics.line(x + 7, y + size - 7, x + size - 7, y + 7)
-  love.graphics.rectangle("line", x + 3, y + 3, size - 6, size - 6, 3)
+  sprites.crate(crate.x, crate.y, crate.width)
 end
 
 function draw.coins(coin)
-  local x, y = coin.x + coin.width / 2, coin.y + coin.height / 2
-  local turn = math.abs(math.cos(clock * 3 + coin.x * 0.01))
-  y = y + math.sin(clock * 4 + coin.x * 0.02) * 2
-  look.color("orange")
-  love.graphics.ellipse("fill", x, y + 1, 2 + 8 * turn, 11)
-  look.color("yellow")
-  love.graphics.ellipse("fill", x, y, 1 + 8 * turn, 10)
-  look.color("white", 0.8)
-  love.graphics.ellipse("fill", x - 2 * turn, y - 3, 2 * turn, 3)
+  sprites.coin(coin, clock)
 end
 
 function draw.enemies(enemy)
@@ -179,39 +166,19 @@ function draw.springs(spring)
 end
 
 function draw.flags(flag)
-  local x, y = flag.x + 4, flag.y
-  look.color("silver")
-  love.graphics.rectangle("fill", x, y, 5, flag.height, 2)
-  local color = flag.reached and "lime" or "yellow"
-  for i = 0, 5 do
-    local wave = math.sin(clock * 5 - i * 0.8) * i * 0.7
-    look.color(color, 1 - i % 2 * 0.12)
-    love.graphics.rectangle("fill", x - 8 - i * 8, y + 5 + wave + i * 1.5, 8.5, 30 - i * 3)
-  end
+  sprites.flag(flag, clock)
 end
 
 function draw.players()
   if not player.active and state.deadFor then
     return
   end
-  local x, y, width, height = player.x, player.y, player.width, player.height
   local stretch = math.min(0.2, math.abs(player.vy) / 6000) - squash
-  local drawnWidth, drawnHeight = width * (1 - stretch * 0.7), height * (1 + stretch)
-  local left, top = x + (width - drawnWidth) / 2, y + height - drawnHeight
-  if player.touching.bottom then
-    look.color("night", 0.3)
-    love.graphics.ellipse("fill", x + width / 2, y + height, width * 0.65, 4)
-  end
-  local step = player.touching.bottom and math.sin(player.x * 0.12) * 4 or 3
-  look.color("plum")
-  love.graphics.rectangle("fill", left + 3 + step, y + height - 7, 8, 7, 2)
-  love.graphics.rectangle("fill", left + drawnWidth - 11 - step, y + height - 7, 8, 7, 2)
-  look.color("orange")
-  love.graphics.rectangle("fill", left, top, drawnWidth, drawnHeight - 4, 8)
-  look.color("yellow")
-  love.graphics.rectangle("fill", left, top + drawnHeight * 0.56, drawnWidth, 6)
+  local onGround = player.touching.bottom
+  local step = onGround and math.sin(player.x * 0.12) * 4 or 3
+  local x, y, width, height = player.x, player.y, player.width, player.height
   local lookY = math.max(-1, math.min(1, player.vy / 500))
-  look.eyes(left, top, drawnWidth, drawnHeight, player.facing, lookY)
+  sprites.hero(x, y, width, height, stretch, step, player.facing, lookY, onGround)
 end
 
 local LAYERS = {

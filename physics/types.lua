@@ -343,8 +343,9 @@ function default.remove(object) end
 function default.refresh(object) end
 
 --- Lets an object fall through the one-way objects that it stands on. It passes through them until
---- it is clear of them. If it also stands on something solid, it stays there, although the result
---- is true; it passes through the one-way objects when it leaves the solid one.
+--- it is clear of them. Until then no other one-way object holds it, so it falls through a whole
+--- bridge of planks or slopes. If it also stands on something solid, it stays there, although the
+--- result is true; it passes through the one-way objects when it leaves the solid one.
 ---
 --- Errors: the object is not a table, or not in the world.
 ---@param object physics.NewObject the object that stands on them

@@ -55,6 +55,12 @@ check "platformer plays to its end" play platformer-won platformer 900 "$keys"
 check "platformer: the flag is reached" is platformer-won won true
 check "platformer: at the first try" is platformer-won deaths 0
 
+# These, too: `luajit scripts/find_hills_keys.lua >examples/demos/hills.keys`.
+check "hills plays to its end" play hills hills 1900 "$(cat examples/demos/hills.keys)"
+check "hills: the flag is reached" is hills won true
+check "hills: at the first try" is hills deaths 0
+check "hills: coins were taken" at_least hills coins 40
+
 # page NUMBER [KEYS]: the keys that open a page of the tutorial, and then some.
 page() {
   local keys="" i
@@ -128,10 +134,10 @@ check "rollback: and it was the same, to the bit" is rollback different 0
 check "rollback plays on differently" play rollback-on rollback 300 "$football,q:240-270,a:275-299"
 
 # The menu, and what the frame around the examples does for all of them.
-check "the menu starts what is chosen" play menu-starts menu 30 "down:5,down:8,return:12"
+check "the menu starts what is chosen" play menu-starts menu 30 "down:5,down:8,down:11,return:15"
 check "the menu: that is lifts" at_least menu-starts x 300
 check "esc leads back to the menu" play frame-esc lifts 30 escape:10
-check "esc: lifts is still chosen" is frame-esc chosen 3
+check "esc: lifts is still chosen" is frame-esc chosen 4
 run=right:10-300
 check "a run of 59 frames" play frame-59 platformer 59 "$run"
 check "a run of 62 frames" play frame-62 platformer 62 "$run"

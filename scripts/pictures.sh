@@ -7,7 +7,7 @@ set -uo pipefail
 
 target=docs/pictures
 work=$PWD/build/film
-rm -rf "$work" && mkdir -p "$work/all" "$target"
+rm -rf "$work" && mkdir -p "$target"
 
 in_love() { xvfb-run -a timeout -k 2 300 love examples --bare "$@"; }
 ffmpeg_quiet() { ffmpeg -hide_banner -loglevel error -y "$@"; }
@@ -15,25 +15,25 @@ ffmpeg_quiet() { ffmpeg -hide_banner -loglevel error -y "$@"; }
 # The bar with the keys, at the bottom, is left away.
 GAME="crop=960:606:0:0"
 
-# film EXAMPLE FIRST LAST [KEYS]: films an example, and adds some of its pictures (15 a second) to
-# the film of all.
-number=0
+# film GIF EXAMPLE FIRST LAST [KEYS]: films an example, and adds some of its pictures (15 a second)
+# to those of a GIF.
 film() {
-  local folder=$work/$1 i
+  local all=$work/$1 folder=$work/$1/$2 number i
   mkdir -p "$folder"
-  in_love --example="$1" --frames=$(($3 * 4)) --keys="${4:-}" --film="$folder" || return 1
-  for ((i = $2; i <= $3; i++)); do
+  number=$(find "$all" -maxdepth 1 -name "*.png" | wc -l)
+  in_love --example="$2" --frames=$(($4 * 4)) --keys="${5:-}" --film="$folder" || return 1
+  for ((i = $3; i <= $4; i++)); do
     number=$((number + 1))
-    cp "$folder/$(printf %04d "$i").png" "$work/all/$(printf %04d "$number").png" || return 1
+    cp "$folder/$(printf %04d "$i").png" "$all/$(printf %04d "$number").png" || return 1
   done
 }
 
-# One palette for all: the GIF has one.
+# animate GIF COLORS DITHER: makes the GIF, which has one palette for all its pictures.
 animate() {
   local filters="$GAME,scale=432:-1:flags=lanczos,split[a][b]"
-  filters="$filters;[a]palettegen=max_colors=96:stats_mode=full[p]"
-  filters="$filters;[b][p]paletteuse=dither=bayer:bayer_scale=5:diff_mode=rectangle"
-  ffmpeg_quiet -framerate 15 -i "$work/all/%04d.png" -filter_complex "$filters" "$1"
+  filters="$filters;[a]palettegen=max_colors=$2:stats_mode=full[p]"
+  filters="$filters;[b][p]paletteuse=dither=bayer:bayer_scale=$3:diff_mode=rectangle"
+  ffmpeg_quiet -framerate 15 -i "$work/$1/%04d.png" -filter_complex "$filters" "$target/$1.gif"
 }
 
 # still NAME EXAMPLE FRAMES [KEYS]
@@ -57,14 +57,21 @@ smaller_than() {
   [ "$size" -lt "$1" ]
 }
 
+hills=$(cat examples/demos/hills.keys)
+check "hills is filmed" film hills hills 44 77 "$hills"
+check "hills is filmed in the mine" film hills hills 382 419 "$hills"
+check "hills is animated" animate hills 112 4
+check "its film has less than 1.5 MB" smaller_than 1500000 "$target/hills.gif"
+
 platformer=$(cat examples/demos/platformer.keys)
 lifts=$(cat examples/demos/lifts.keys)
-check "platformer is filmed" film platformer 47 94 "$platformer"
-check "pile is filmed" film pile 1 26
-check "lifts is filmed" film lifts 112 150 "$lifts"
-check "the film is animated" animate "$target/examples.gif"
+check "platformer is filmed" film examples platformer 47 94 "$platformer"
+check "pile is filmed" film examples pile 1 26
+check "lifts is filmed" film examples lifts 112 150 "$lifts"
+check "the film is animated" animate examples 96 5
 check "the film has less than 1 MB" smaller_than 1000000 "$target/examples.gif"
 
+check "hills is drawn" still hills hills 330 "$hills"
 check "pile is drawn" still pile pile 56
 check "lifts is drawn" still lifts lifts 500 "$lifts"
 check "platformer is drawn" still platformer platformer 300 "$platformer"
@@ -75,7 +82,7 @@ check "survivors is drawn" still survivors survivors 1000 "$(cat examples/demos/
 check "rollback is drawn" still rollback rollback 260 "$(cat examples/demos/rollback.keys)"
 check "tiled is drawn" still tiled tiled 400 "$(cat examples/demos/tiled.keys)"
 check "debug draw is drawn" still draw lifts 480 "x:5,$lifts"
-for name in pile lifts draw platformer tutorial topdown survivors breakout rollback tiled; do
+for name in hills pile lifts draw platformer tutorial topdown survivors breakout rollback tiled; do
   check "$name has less than 200 kB" smaller_than 200000 "$target/$name.png"
 done
 

@@ -269,6 +269,13 @@ describe("the examples", function()
       assert.equal(0, value("deaths"))
     end)
 
+    it("hills: the flag is reached at the first try", function()
+      playDemo("hills")
+      assert.equal("true", value("won"))
+      assert.equal(0, value("deaths"))
+      assert.is_true(value("coins") >= 40)
+    end)
+
     it("lifts: crates are pressed flat", function()
       playDemo("lifts")
       assert.is_true(value("coins") >= 1)

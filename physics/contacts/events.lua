@@ -83,7 +83,7 @@ local function locate(b, p, side)
   local e, n, axis = b.events, b.events.count, columns.AXIS[side]
   local at, low, high = b.hitAt[p], b.hitLow[p], b.hitHigh[p]
   local i, j = b.pairA[p], b.pairB[p]
-  if b.hasSlopes and slope.isPair(b, i, i) then
+  if b.hasSlopes and slope.isOne(b, i) then
     -- The box has the side, or the corner, that touches.
     local first = j
     j = i

@@ -130,6 +130,7 @@ local SLOT = {
   stuck = false, -- keeps its place: its knot has no room, or it exits (see knots)
   exiting = false, -- on its way out of a knot
   deepAt = 0, -- solve in which it was last inside another dynamic body
+  limitedAt = 0, -- solve in which its motion is limited, as overlaps may push it
   impactsOf = 0, -- number of impacts in this step
   pieceFirst = 0, -- pieces of its way along the ground (see walk),
   pieceLast = 0, -- 0: none
@@ -261,7 +262,6 @@ local PAIR = {
   "hitLow", -- and ends of the common edge on the other axis
   "hitHigh",
   "nudged", -- number of corner corrections in this step
-  "liveMark",
   "wedged", -- 1 + code of the direction in which an overlapping pair may separate
   "deepIn", -- solve in which the two overlapped
   "deepWay", -- the value of `wedged` after that
@@ -347,6 +347,8 @@ end
 -- without most of it (see begin). An object that becomes static must be cleared here.
 local STEP_SLOT = {
   "buried",
+  "crowd",
+  "inside",
   "stuck",
   "exiting",
   "support",
@@ -368,6 +370,7 @@ local STEP_AXIS = {
   "squeezed",
   "knotted",
   "knotWas",
+  "crowdAge",
   "crushed",
   "wasCrushed",
   "pressedLow",
@@ -452,6 +455,8 @@ local function addObjects(b)
   b.pairSlots = 0
   b.freePairs = {}
   b.freePairCount = 0
+  b.endedPairs = {} -- not free yet
+  b.endedPairCount = 0
   b.pairCount = 0
   b.links = 0 -- how often the pairs have changed
   b.staticVersion = 0 -- how often static objects have come, gone, or been read again
@@ -518,7 +523,6 @@ local function addAwake(b)
   b.island = {} -- scratch of islands
   b.awakenings = 0 -- how often the set of awake objects has changed
   b.liveCount = 0
-  b.liveStamp = 0
   b.liveLinks = -1 -- `links` and `awakenings` when `live` was last listed
   b.liveAwakenings = -1
   b.stained = {} -- pairs with more to reset than others (see activePairs)
@@ -603,8 +607,7 @@ local function addSlopes(b)
   b.hasSlopes = false -- a slope was ever in the world
   b.steep = { [0] = 0, 0 } -- by axis: the most that any slope has ever risen along it, px for 1 px
   -- scratch
-  b.ground = { slot = {}, low = {}, high = {}, turn = {}, count = 0, turns = 0 }
-  b.ground.main, b.ground.isLevel = 0, true
+  b.ground = { slot = {}, turn = {}, count = 0, turns = 0, isLevel = true } -- see ground
   b.walkers, b.isFirstWalk, b.walkStamp = {}, false, 0
   b.walkFrom = {} -- by slot: what it stood on where its way begins,
   b.walkTime = {} -- and when
@@ -814,7 +817,7 @@ local function reserve(b, count)
     columnStore.grow(b.pairStore, p)
   end
   for n = have + 1, count do
-    free[n], b.liveMark[p] = p, 0
+    free[n] = p
     p = p - 1
   end
   b.pairSlots, b.freePairCount = b.pairSlots + max(0, count - have), max(count, have)
@@ -865,15 +868,11 @@ function columns.linkAll(b, count)
   for n = 1, count do
     hang(b, 2 * linked[n], others[n], ones[n])
   end
-  local live, mark, stamp, liveCount = b.live, b.liveMark, b.liveStamp, b.liveCount
+  local live, liveCount = b.live, b.liveCount
   for n = 1, count do
-    local p = linked[n]
-    if mark[p] ~= stamp then
-      mark[p], liveCount = stamp, liveCount + 1
-      live[liveCount] = p
-    end
+    live[liveCount + n] = linked[n]
   end
-  b.liveCount, b.links, b.pairCount = liveCount, b.links + count, b.pairCount + count
+  b.liveCount, b.links, b.pairCount = liveCount + count, b.links + count, b.pairCount + count
 end
 
 --- Makes two objects neighbours and returns the pair. They must not be neighbours yet.
@@ -884,7 +883,7 @@ function columns.link(b, i, j)
 end
 
 --- Unlinks the pairs in list[1..count], each of which is listed once. Their contacts must have
---- ended.
+--- ended. They are free again when the live pairs are listed anew: lists of this step hold them.
 function columns.unlinkAll(b, list, count)
   local pairA, pairB = b.pairA, b.pairB
   for n = 1, count do
@@ -893,16 +892,25 @@ function columns.unlinkAll(b, list, count)
   for n = 1, count do
     unhang(b, 2 * list[n], pairB[list[n]])
   end
-  local free, freeCount = b.freePairs, b.freePairCount
+  local ended, endedCount = b.endedPairs, b.endedPairCount
   local told = b.touchTold
   for n = 1, count do
     local p = list[n]
     -- Either slot may soon belong to another object.
     told[4 * pairA[p] + 1], told[4 * pairB[p] + 1] = columns.UNTOLD, columns.UNTOLD
     pairA[p], pairB[p] = 0, 0
-    free[freeCount + n] = p
+    ended[endedCount + n] = p
   end
-  b.freePairCount, b.pairCount, b.links = freeCount + count, b.pairCount - count, b.links + count
+  b.endedPairCount, b.pairCount, b.links = endedCount + count, b.pairCount - count, b.links + count
+end
+
+--- Makes the pairs free that have ended since this was last called.
+function columns.freeEnded(b)
+  local free, freeCount, ended, count = b.freePairs, b.freePairCount, b.endedPairs, b.endedPairCount
+  for n = 1, count do
+    free[freeCount + n] = ended[n]
+  end
+  b.freePairCount, b.endedPairCount = freeCount + count, 0
 end
 
 --- Returns the gap between slots i and j at the places in a column, px; below 0: they overlap.

@@ -11,6 +11,7 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".solver.ball")
 local columns = require(root .. ".memory.columns")
+local contactOrder = require(root .. ".solver.contactOrder")
 local interpreted = require(root .. ".memory.jit")
 local knots = require(root .. ".solver.knots")
 local rules = require(root .. ".solver.rules")
@@ -175,32 +176,22 @@ local function growthOf(b, kl, kh)
   return PACE * min(b.size[kl], b.size[kh]) * (1 - waited / PATIENCE)
 end
 
--- Makes a contact of two overlapping bodies, which must not get deeper. Two that were squeezed into
--- each other (`wedged`) separate as soon as there is room.
-local function putDeep(b, p)
-  local i, j = b.pairA[p], b.pairB[p]
-  if b.oneWay[i] or b.oneWay[j] then
-    return
-  end
-  local from, ki, kj = b.from, 2 * i, 2 * j
-  local axis, isSecondLow
-  local isRound = b.hasCircles and ball.isRound(b, i, j)
+-- Returns the low and the high body of two that overlap, the axis on which they part, and how far
+-- apart their low edges must be at the end of the step: two dynamic bodies part by `growthOf`, a
+-- circle and a wall by PACE, a wedged body and a wall as far as there is room. Others stay as deep
+-- as they are.
+local function deepSeparation(b, p, i, j, isRound)
+  local from, axis, isSecondLow = b.from, nil, false
   if isRound and b.wedged[p] == 0 then
     axis, isSecondLow = ball.deepAxis(b, i, j)
   end
   if not axis then
-    axis, isSecondLow = deepAxis(b, p, ki, kj)
+    axis, isSecondLow = deepAxis(b, p, 2 * i, 2 * j)
   end
-  local areDynamic = b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC
-  local kl, kh = ki + axis, kj + axis
-  if isSecondLow then
-    kl, kh = kj + axis, ki + axis
-  end
-  local separation = b.size[kl]
-  if isRound then
-    separation = ball.separation(b, (kl - axis) * 0.5, (kh - axis) * 0.5, axis)
-  end
-  if areDynamic then
+  local low, high = isSecondLow and j or i, isSecondLow and i or j
+  local kl, kh = 2 * low + axis, 2 * high + axis
+  local separation = isRound and ball.separation(b, low, high, axis) or b.size[kl]
+  if b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC then
     -- These are valid for this solve only, since the step may be started again.
     b.deepIn[p], b.deepWay[p] = b.solveStamp, isSecondLow and 2 * axis + 1 or 2 * axis + 2
     b.deepAt[i], b.deepAt[j] = b.solveStamp, b.solveStamp
@@ -210,12 +201,28 @@ local function putDeep(b, p)
   elseif b.wedged[p] == 0 then
     separation = from[kh] - from[kl]
   end
-  if not rules.passes(b, p, kl, kh, axis, true) then
-    put(b, p, axis, kl, kh, separation)
-    if isRound then
-      b.touches[p] = ELASTIC
-      leaveApart(b, p)
-    end
+  return kl, kh, axis, separation
+end
+
+-- Makes a contact of two overlapping bodies. Two that were squeezed into each other (`wedged`)
+-- separate as soon as there is room.
+local function putDeep(b, p)
+  local i, j = b.pairA[p], b.pairB[p]
+  if b.oneWay[i] or b.oneWay[j] then
+    leaveApart(b, p)
+    return
+  end
+  local isRound = b.hasCircles and ball.isRound(b, i, j)
+  local kl, kh, axis, separation = deepSeparation(b, p, i, j, isRound)
+  if rules.passes(b, p, kl, kh, axis, true) then
+    leaveApart(b, p)
+    return
+  end
+  put(b, p, axis, kl, kh, separation)
+  b.limitedAt[i], b.limitedAt[j] = b.solveStamp, b.solveStamp
+  if isRound then
+    b.touches[p] = ELASTIC
+    leaveApart(b, p)
   end
 end
 
@@ -298,100 +305,6 @@ local function classifyRound(b)
   end
 end
 
--- Returns whether contact p comes before contact q in a list.
-local function before(b, p, q)
-  local key = b.contactKey
-  if key[p] ~= key[q] then
-    return key[p] < key[q]
-  end
-  local rank, low, high = b.rank, b.contactLow, b.contactHigh
-  local axis = high[p] % 2
-  local one, other = rank[(high[p] - axis) * 0.5], rank[(high[q] - axis) * 0.5]
-  if one ~= other then
-    return one < other
-  end
-  return rank[(low[p] - axis) * 0.5] < rank[(low[q] - axis) * 0.5]
-end
-
--- Merges the sorted runs [first, middle) and [middle, last] of `source` into `target`.
-local function mergeRuns(b, source, target, first, middle, last)
-  local i, j = first, middle
-  for n = first, last do
-    if j > last or (i < middle and not before(b, source[j], source[i])) then
-      target[n] = source[i]
-      i = i + 1
-    else
-      target[n] = source[j]
-      j = j + 1
-    end
-  end
-end
-
--- Sorts list[1..count]: by insertion while little is out of place, else by bottom-up merging.
-local function sortOrder(b, list, count)
-  local patience = 4 * count + 64
-  for n = 2, count do
-    local p, at = list[n], n
-    while at > 1 and before(b, p, list[at - 1]) do
-      list[at] = list[at - 1]
-      at = at - 1
-    end
-    list[at] = p
-    patience = patience - (n - at)
-    if patience < 0 then
-      break
-    end
-  end
-  if patience >= 0 then
-    return
-  end
-  local source, target, width = list, b.sortScratch, 1
-  while width < count do
-    for first = 1, count, 2 * width do
-      local middle, last = first + width, first + 2 * width - 1
-      if middle > count + 1 then
-        middle = count + 1
-      end
-      mergeRuns(b, source, target, first, middle, last < count and last or count)
-    end
-    local sorted = target
-    target = source
-    source, width = sorted, 2 * width
-  end
-  if source ~= list then
-    for n = 1, count do
-      list[n] = source[n]
-    end
-  end
-end
-
--- Puts the pairs of a list in order. It starts from the order of the last step, appends new pairs,
--- and sorts.
-local function arrange(b, list)
-  local order, pair, place, count = list.order, list.pair, b.place, list.count
-  for n = 1, count do
-    place[pair[n]] = 1
-  end
-  local kept = 0
-  for n = 1, list.recalled do
-    local p = order[n]
-    if place[p] == 1 then
-      kept = kept + 1
-      order[kept], place[p] = p, 2
-    end
-  end
-  for n = 1, count do
-    local p = pair[n]
-    if place[p] == 1 then
-      kept = kept + 1
-      order[kept] = p
-    end
-    place[p] = 0
-  end
-  list.recalled = kept
-  sortOrder(b, order, kept)
-end
-
 -- Writes the numbers of each contact that the passes over the list need.
 local function fill(b, list)
   local order, pair, low, high = list.order, list.pair, list.low, list.high
@@ -412,6 +325,9 @@ local function dropRefused(b, list)
   for n = 1, list.count do
     local p = order[n]
     if rules.passes(b, p, b.contactLow[p], b.contactHigh[p], list.axis, false) then
+      if b.touches[p] ~= ELASTIC then
+        leaveApart(b, p)
+      end
       b.touches[p] = APART
     else
       kept = kept + 1
@@ -461,8 +377,8 @@ function contacts.find(b)
   for n = 1, b.overlapCount do
     putDeep(b, b.overlaps[n])
   end
-  arrange(b, down)
-  arrange(b, across)
+  contactOrder.arrange(b, down)
+  contactOrder.arrange(b, across)
   if b.hasAskers or b.hasOneWays then
     dropRefused(b, down)
     dropRefused(b, across)
@@ -496,7 +412,7 @@ function contacts.rearrange(b)
     local list = b.contacts[axis]
     if list.isNew then
       list.isNew = false
-      arrange(b, list)
+      contactOrder.arrange(b, list)
       fill(b, list)
     end
   end
@@ -517,6 +433,13 @@ function contacts.noteNew(b)
 end
 
 interpreted.functions(classifyRound, putSlopes)
-interpreted.functions(putDeep, dropRefused, contacts.find, contacts.add, contacts.rearrange)
+interpreted.functions(
+  deepSeparation,
+  putDeep,
+  dropRefused,
+  contacts.find,
+  contacts.add,
+  contacts.rearrange
+)
 
 return contacts

@@ -1,19 +1,15 @@
---- Crowds: computes from many bodies at one spot a layout in columns, since no order of pushes
--- could separate them in a few steps.
+--- Crowds: finds many bodies at one spot. No order of pushes could separate them in a few steps, so
+-- they are laid out in columns (see crowdLayout.lua).
 --
 -- - A body is *crowded* if it shares its place with several others.
 -- - Two crowded bodies are no pair: they pass through each other.
--- - All bodies of a crowd are sorted into columns, as many as there is room for between the walls
---   around them. Each moves towards its place there, by at most a fixed share of its size in a
---   step.
--- - They share one velocity.
 -- - A body leaves its crowd if it overlaps no other member and is further away than the crowd
 --   needs.
 --
 -- So the work grows with the number of bodies, not of pairs.
 --
 -- `crowd` of a body is 0 or the slot of the body that leads its crowd. Reads from, size,
--- awakeList; writes crowd, from, to, velocity.
+-- awakeList; writes crowd and crowdList.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -21,7 +17,6 @@ local begin = require(root .. ".motion.begin")
 local filter = require(root .. ".broadphase.filter")
 local islands = require(root .. ".sleep.islands")
 local pairFinder = require(root .. ".broadphase.pairFinder")
-local separate = require(root .. ".solver.separate")
 local sort = require(root .. ".memory.sort")
 
 require(root .. ".memory.jit").file()
@@ -29,21 +24,16 @@ require(root .. ".memory.jit").file()
 local crowd = {}
 
 local DYNAMIC = columns.DYNAMIC
-local ceil, floor, sqrt = math.ceil, math.floor, math.sqrt
+local sqrt = math.sqrt
 local max, min = math.max, math.min
 --- A body is crowded if its middle is inside this many others, or theirs in it.
 local MANY = 4
---- Share of its size by which it moves to its place in a step, along each axis.
-crowd.PACE = 0.5
-local PACE = crowd.PACE
 -- Share of the smaller size by which two bodies may overlap without being in one crowd.
 local SLACK = 1 / 8
 -- Number of the next bodies in the order along x that are tested for being in the same crowd.
 local LOOK = 16
 -- Number of steps after which a crowd ends. What overlaps then is left to the contacts.
 local LIFE = 60
--- Distance from a wall at which a body still stands on it, px.
-local NEAR = 1
 
 -- Wakes the rest of each crowd with an awake body: they sleep together or not at all.
 local function wake(b)
@@ -78,8 +68,8 @@ local function listCandidates(b)
   return count
 end
 
--- Returns twice the middle of a body on the axis of k.
-local function middle(b, k)
+--- Returns twice the middle of a body on the axis of k.
+function crowd.middle(b, k)
   return 2 * b.from[k] + b.size[k]
 end
 
@@ -88,7 +78,7 @@ local function sortByX(b, list, count)
   local key, leaderRank, rank, crowd_ = b.crowdKey, b.leaderRank, b.rank, b.crowd
   for n = 1, count do
     local i = list[n]
-    key[i] = middle(b, 2 * i)
+    key[i] = crowd.middle(b, 2 * i)
     leaderRank[i] = crowd_[i] ~= 0 and rank[crowd_[i]] or -1
   end
   sort.by(list, count, leaderRank, key, rank)
@@ -97,7 +87,7 @@ end
 -- Returns whether two bodies overlap on an axis by more than SLACK of the smaller size. Returns
 -- also whether the middle of one is inside the other there.
 local function compare(b, k, m)
-  local apart, size, other = middle(b, k) - middle(b, m), b.size[k], b.size[m]
+  local apart, size, other = crowd.middle(b, k) - crowd.middle(b, m), b.size[k], b.size[m]
   apart = max(apart, -apart)
   return size + other - apart > 2 * SLACK * min(size, other), apart < max(size, other)
 end
@@ -234,9 +224,9 @@ local function findLeader(b, list, first, last)
   end
 end
 
--- Calls `work` for each crowd in list[1..n], which is sorted by crowd, with its part
--- list[first..last].
-local function forEach(b, list, n, work)
+--- Calls `work` for each crowd in list[1..n], which is sorted by crowd, with its part
+--- list[first..last].
+function crowd.forEach(b, list, n, work)
   local first = 1
   for at = 1, n do
     if at == n or b.leaderRank[list[at + 1]] ~= b.leaderRank[list[first]] then
@@ -246,8 +236,8 @@ local function forEach(b, list, n, work)
   end
 end
 
--- Returns the middle of a crowd, x and y, and the mean width and height of its members.
-local function measure(b, list, first, last)
+--- Returns the middle of a crowd, x and y, and the mean width and height of its members.
+function crowd.measure(b, list, first, last)
   local x, y, width, height = 0.0, 0.0, 0.0, 0.0
   for at = first, last do
     local i = list[at]
@@ -262,11 +252,11 @@ end
 -- Takes bodies out of a crowd that overlap no other member and are further from its middle than the
 -- crowd needs.
 local function dropFar(b, list, first, last)
-  local x, y, width, height = measure(b, list, first, last)
+  local x, y, width, height = crowd.measure(b, list, first, last)
   local reach = sqrt((last - first + 1) * width * height)
   for at = first, last do
     local i = list[at]
-    local farX, farY = middle(b, 2 * i) * 0.5 - x, middle(b, 2 * i + 1) * 0.5 - y
+    local farX, farY = crowd.middle(b, 2 * i) * 0.5 - x, crowd.middle(b, 2 * i + 1) * 0.5 - y
     if not b.isOverlapped[i] and max(farX, -farX, farY, -farY) > reach then
       leave(b, i)
     end
@@ -308,7 +298,7 @@ local function findNew(b, list, n)
     local i = list[at]
     if b.crowd[i] == 0 then
       count = count + 1
-      new[count], key[i] = i, middle(b, 2 * i)
+      new[count], key[i] = i, crowd.middle(b, 2 * i)
     end
   end
   if count > MANY then
@@ -336,192 +326,12 @@ function crowd.mark(b)
   findNew(b, list, n)
   n = keepCrowded(b, list, n)
   sortByX(b, list, n)
-  forEach(b, list, n, review)
+  crowd.forEach(b, list, n, review)
   b.crowdCount = keepCrowded(b, list, n)
   if b.crowdCount < n then
     pairFinder.run(b, b.awakeList, 1, b.awakeCount) -- what has left a crowd has neighbours now
   end
   b.hasCrowds = b.hasCrowds or b.crowdCount > 0
-end
-
--- Returns the edges of the room around (x, y), up to `reach` px away: left, top, right, bottom.
--- Walls count that are less than `halfW` or `halfH` px from the lines through that point.
-local function findRoom(b, i, x, y, reach, halfW, halfH)
-  local left, top, right, bottom = x - reach, y - reach, x + reach, y + reach
-  local from, size, found = b.from, b.size, b.found
-  for n = 1, b.broadphase:query(left, top, right, bottom, found) do
-    local j = found[n]
-    if j ~= i and filter.blocks(b, i, j) then
-      local k = 2 * j
-      local x1, y1, x2, y2 = from[k], from[k + 1], from[k] + size[k], from[k + 1] + size[k + 1]
-      if y1 < y + halfH and y2 > y - halfH then
-        if x2 <= x then
-          left = max(left, x2)
-        elseif x1 >= x then
-          right = min(right, x1)
-        end
-      end
-      if x1 < x + halfW and x2 > x - halfW then
-        if y2 <= y then
-          top = max(top, y2)
-        elseif y1 >= y then
-          bottom = min(bottom, y1)
-        end
-      end
-    end
-  end
-  return left, top, right, bottom
-end
-
--- Returns where a stretch of `length` px begins that is centred on `center`, but kept between two
--- edges. The low edge wins.
-local function fit(center, length, low, high)
-  local at = center - length * 0.5
-  return max(min(at, high - length), low)
-end
-
--- Moves a body towards its place, unless a wall is in the way: on both axes, or on one.
-local function go(b, i, x, y)
-  local k = 2 * i
-  local atX, atY = b.from[k], b.from[k + 1]
-  local stepX, stepY = b.size[k] * PACE, b.size[k + 1] * PACE
-  local toX = atX + max(min(x - atX, stepX), -stepX)
-  local toY = atY + max(min(y - atY, stepY), -stepY)
-  if toX == atX and toY == atY then
-    return
-  elseif separate.isInside(b, i, toX, toY) then
-    if toX ~= atX and not separate.isInside(b, i, toX, atY) then
-      toY = atY
-    elseif toY ~= atY and not separate.isInside(b, i, atX, toY) then
-      toX = atX
-    else
-      return
-    end
-  end
-  b.from[k], b.from[k + 1], b.to[k], b.to[k + 1] = toX, toY, toX, toY
-  islands.wakeNeighbours(b, i)
-end
-
--- Returns the number of columns of a crowd of n bodies: about as wide as high, if there is room.
-local function countColumns(n, width, height, roomW, roomH)
-  local across = ceil(sqrt(n * height / width))
-  local down = ceil(n / across)
-  if across * width > roomW then
-    across = max(floor(roomW / width), 1)
-    down = ceil(n / across)
-  end
-  if down * height > roomH then
-    down = max(floor(roomH / height), 1)
-    across = ceil(n / down)
-  end
-  return across
-end
-
--- Puts the members of a column below each other, in the order of y.
-local function layColumn(b, column, n, x, y, top, bottom)
-  local key, height = b.crowdKey, 0.0
-  for at = 1, n do
-    key[column[at]] = middle(b, 2 * column[at] + 1)
-    height = height + b.size[2 * column[at] + 1]
-  end
-  sort.by(column, n, key, b.rank, b.rank)
-  local place = fit(y, height, top, bottom)
-  for at = 1, n do
-    local i = column[at]
-    go(b, i, x - b.size[2 * i] * 0.5, place)
-    place = place + b.size[2 * i + 1]
-  end
-end
-
--- Returns whether a body is at the edge of the room of its crowd to which gravity points.
-local function isAtBottom(b, i, left, top, right, bottom)
-  local axis = b.downAxis
-  local k = 2 * i + axis
-  if b.orientation[axis] > 0 then
-    return b.from[k] + b.size[k] >= (axis == 1 and bottom or right) - NEAR
-  end
-  return b.from[k] <= (axis == 1 and top or left) + NEAR
-end
-
--- Notes that a crowd does not fall in this step, if one of its members stands on something.
-local function stand(b, list, first, last, left, top, right, bottom)
-  local isStanding = false
-  for at = first, last do
-    local i = list[at]
-    isStanding = isStanding or b.support[i] ~= 0 or isAtBottom(b, i, left, top, right, bottom)
-  end
-  for at = first, isStanding and last or 0 do
-    b.stoodAt[list[at]] = b.crowdStamp
-  end
-end
-
---- Takes the fall off the bodies of standing crowds, once their free flight is known.
-function crowd.hold(b)
-  for at = 1, b.crowdCount do
-    local i = b.crowdList[at]
-    for k = 2 * i, b.stoodAt[i] == b.crowdStamp and 2 * i + 1 or 0 do
-      if b.speed[k] * b.down[k] > 0 then
-        b.speed[k], b.way[k], b.to[k] = b.carried[k], 0.0, b.from[k]
-      end
-    end
-  end
-end
-
--- Gives all bodies of a crowd their common velocity, as impacts without a bounce would. Otherwise
--- they would pass through each other from one side to the other.
-local function joinSpeeds(b, list, first, last)
-  local velocity, mass, x, y, sum = b.velocity, b.mass, 0.0, 0.0, 0.0
-  for at = first, last do
-    local i = list[at]
-    sum, x, y = sum + mass[i], x + mass[i] * velocity[2 * i], y + mass[i] * velocity[2 * i + 1]
-  end
-  for at = first, last do
-    velocity[2 * list[at]], velocity[2 * list[at] + 1] = x / sum, y / sum
-  end
-end
-
--- Lays out the crowd list[first..last], which is sorted by x, in columns.
-local function lay(b, list, first, last)
-  local n = last - first + 1
-  joinSpeeds(b, list, first, last)
-  local x, y, width, height = measure(b, list, first, last)
-  local reach = 2 * sqrt(n) * max(width, height) + max(width, height)
-  local left, top, right, bottom = findRoom(b, list[first], x, y, reach, width * 0.5, height * 0.5)
-  local across = countColumns(n, width, height, right - left, bottom - top)
-  local total, at, column = 0.0, first, b.crowdColumn
-  for c = 1, across do
-    local until_, widest = first + floor(n * c / across + 0.5) - 1, 0.0
-    for m = at, until_ do
-      widest = max(widest, b.size[2 * list[m]])
-    end
-    b.columnWidth[c], at = widest, until_ + 1
-    total = total + widest
-  end
-  local place = fit(x, total, left, right)
-  at = first
-  for c = 1, across do
-    local until_, size = first + floor(n * c / across + 0.5) - 1, 0
-    for m = at, until_ do
-      size = size + 1
-      column[size] = list[m]
-    end
-    local middleX = place + b.columnWidth[c] * 0.5
-    layColumn(b, column, size, middleX, y, top, bottom)
-    place, at = place + b.columnWidth[c], until_ + 1
-  end
-  stand(b, list, first, last, left, top, right, bottom)
-  for m = first, last do
-    b.news[list[m]] = true -- none of them sleeps in this step
-  end
-end
-
---- Moves the bodies of each crowd towards their places.
-function crowd.run(b)
-  if b.crowdCount > 0 then
-    forEach(b, b.crowdList, b.crowdCount, lay)
-    pairFinder.run(b, b.crowdList, 1, b.crowdCount)
-    begin.run(b)
-  end
 end
 
 return crowd

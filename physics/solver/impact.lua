@@ -62,7 +62,7 @@ function impact.note(b, p, low, axis, u, t)
     b.hitAt[p], b.hitLow[p], b.hitHigh[p] = at, across, across
     return
   end
-  if b.hasSlopes and slope.isPair(b, low, low) then
+  if b.hasSlopes and slope.isOne(b, low) then
     local box = low == i and j or i -- that leans on the edge, at its own side
     b.hitAt[p] = placeAt(b, box, 2 * box + axis, t)
   else
@@ -320,6 +320,37 @@ local function meet(b, i, j, axis, isDeep)
   return separation, b.to[kl] + separation - b.to[kh], v, a, lean
 end
 
+-- Lets two bodies that close on an axis bounce or go on flush, with the friction of that. `r`:
+-- their restitution; o, v, a: as `meet` returns them; u and tau: as `approach` does. Returns
+-- whether they stay together.
+local function collide(b, i, j, axis, wl, wh, separation, r, o, u, v, a, tau, dt)
+  local kl, kh, total = 2 * i + axis, 2 * j + axis, wl + wh
+  local gap, vEnd = 0.0, 0.0
+  local isBelow = a < 0 and (b.give[kl] == 0 or b.give[kh] == 0) and not isPushed(b, i, j)
+  if r > 0 or isBelow then -- below a ceiling
+    gap, vEnd = r * u * tau - a * tau * tau * 0.5, a * tau - r * u
+  end
+  local leaves = gap > 0 and vEnd < 0
+  local jolt = (1 + r) * u / total
+  if leaves then
+    bounce(b, kl, kh, wl, wh, o, gap, v, vEnd)
+  else
+    stick(b, i, j, kl, kh, wl, wh, separation, o, v)
+    jolt = min(max(v, 0.0), u) / total
+  end
+  reflow(b, kl, tau, dt)
+  reflow(b, kh, tau, dt)
+  if b.hasFriction and v > 0 then
+    if tau > 0 then
+      drag(b, kl, 0, tau, dt, DEPTH)
+      drag(b, kh, 0, tau, dt, DEPTH)
+    end
+    local press = leaves and 0.0 or max(v / total - jolt, 0.0)
+    rub(b, i, j, axis, wl, wh, jolt, press, tau, dt)
+  end
+  return not leaves
+end
+
 --- Resolves the impact of two bodies on an axis at moment t. Two that overlap already (`isDeep`)
 --- separate, or if they had no room get no deeper. `isLate`: nothing bounces any more.
 ---
@@ -365,30 +396,7 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
     b.to[kl], b.to[kh] = b.to[kl] - o * wl / total, b.to[kh] + o * wh / total
     return not isElastic, separation, isElastic
   end
-  local gap, vEnd = 0.0, 0.0
-  local isBelow = a < 0 and (b.give[kl] == 0 or b.give[kh] == 0) and not isPushed(b, i, j)
-  if r > 0 or isBelow then -- below a ceiling
-    gap, vEnd = r * u * tau - a * tau * tau * 0.5, a * tau - r * u
-  end
-  local leaves = gap > 0 and vEnd < 0
-  local jolt = (1 + r) * u / total
-  if leaves then
-    bounce(b, kl, kh, wl, wh, o, gap, v, vEnd)
-  else
-    stick(b, i, j, kl, kh, wl, wh, separation, o, v)
-    jolt = min(max(v, 0.0), u) / total
-  end
-  reflow(b, kl, tau, dt)
-  reflow(b, kh, tau, dt)
-  if b.hasFriction and v > 0 then
-    if tau > 0 then
-      drag(b, kl, 0, tau, dt, DEPTH)
-      drag(b, kh, 0, tau, dt, DEPTH)
-    end
-    local press = leaves and 0.0 or max(v / total - jolt, 0.0)
-    rub(b, i, j, axis, wl, wh, jolt, press, tau, dt)
-  end
-  return not leaves, separation
+  return collide(b, i, j, axis, wl, wh, separation, r, o, u, v, a, tau, dt), separation
 end
 
 return impact

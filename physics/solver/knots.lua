@@ -38,6 +38,8 @@ knots.PATIENCE = 0.2
 local PATIENCE = knots.PATIENCE
 -- The overlaps fall if their sum comes to this share of what it was.
 local PROGRESS = 0.95
+-- A sum of less px is not seen, and is left as it is.
+local UNSEEN = 0.01
 -- A sum that has grown so many times replaces what it was.
 local GROWTH = 2
 -- Share of a second by which a body that overlaps no other has waited less after a second.
@@ -281,11 +283,11 @@ local function tie(b)
   end
 end
 
--- Whether a machine that moves is one of the two that squeeze body k in the end.
-local function isPressedByMachine(b, k)
+--- Returns whether a machine presses body k, directly or through others, by moving towards it.
+function knots.isDriven(b, k)
   local low, high = b.holderLow[k], b.holderHigh[k]
-  return (b.kind[floor(low * 0.5)] == KINEMATIC and b.speed[low] > 0)
-    or (b.kind[floor(high * 0.5)] == KINEMATIC and b.speed[high] < 0)
+  return (b.heldLow[k] > 0 and b.kind[floor(low * 0.5)] == KINEMATIC and b.speed[low] > 0)
+    or (b.heldHigh[k] > 0 and b.kind[floor(high * 0.5)] == KINEMATIC and b.speed[high] < 0)
 end
 
 -- Returns what a body has waited and tried after a step of dt s without an overlap. Below
@@ -305,11 +307,14 @@ end
 local function wait(b, i, sum)
   local knotted, was, k = b.knotted, b.knotWas, 2 * i
   local waited, tries = knotted[k], knotted[k + 1]
+  local isDeep = b.deepAt[i] == b.solveStamp
   local isSqueezed, isPressed = b.squeezed[k] ~= 0 or b.squeezed[k + 1] ~= 0, false
-  for m = k, isSqueezed and k + 1 or 0 do
-    isPressed = isPressed or (b.squeezed[m] ~= 0 and isPressedByMachine(b, m))
+  -- What begins to be squeezed in this step is not looked at yet, as if there were no other knot.
+  local isKnown = isDeep or waited ~= 0 or tries ~= 0
+  for m = k, isSqueezed and isKnown and k + 1 or 0 do
+    isPressed = isPressed or (b.squeezed[m] ~= 0 and knots.isDriven(b, m))
   end
-  if b.deepAt[i] ~= b.solveStamp then
+  if not isDeep or sum < UNSEEN then
     waited, tries = recover(waited, tries, b.dt)
   elseif waited <= 0 or sum < was[k] * PROGRESS then
     waited, was[k] = b.dt, sum
@@ -441,7 +446,7 @@ function knots.note(b)
   end
   for n = 1, b.awakeCount do
     local i = b.awakeList[n]
-    local isDeep = b.deepAt[i] == b.solveStamp
+    local isDeep = b.deepAt[i] == b.solveStamp and b.knotSum[leaderOf(knot, i)] >= UNSEEN
     local isKnotted = b.knotted[2 * i] ~= 0 or b.knotted[2 * i + 1] ~= 0
     local isStill = b.stuck[i] or isSettledBall(b, i)
     local isBusy = b.exiting[i] or (isDeep or isKnotted) and not isStill

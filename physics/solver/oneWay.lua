@@ -6,6 +6,7 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local interpreted = require(root .. ".memory.jit")
+local slope = require(root .. ".solver.slope")
 
 local oneway = {}
 
@@ -19,13 +20,35 @@ end
 
 local isOpen = oneway.isOpen
 
+--- Returns whether slot i falls through a one-way object with the side `solid` (nil: with none).
+--- Until it is clear of that, no other one holds it, as the next plank of a bridge would.
+function oneway.isFalling(b, i, solid)
+  local half = solid and b.head[i] or 0
+  while half ~= 0 do
+    if b.dropping[(half + half % 2) / 2] and b.oneWay[b.other[half]] == solid then
+      return true
+    end
+    half = b.next[half]
+  end
+  return false
+end
+
+local isFalling = oneway.isFalling
+
+--- Returns whether one of i and j falls through the other because of that.
+function oneway.isDropping(b, i, j)
+  return isFalling(b, i, b.oneWay[j]) or isFalling(b, j, b.oneWay[i])
+end
+
+local isDropping = oneway.isDropping
+
 --- Returns whether i and j, which meet on `side` of i, pass through each other because one is a
 --- one-way object. What overlaps a one-way object already (`isDeep`) always passes.
 function oneway.lets(b, i, j, side, isDeep)
   if not (b.oneWay[i] or b.oneWay[j]) then
     return false
   end
-  return isDeep or isOpen(b, i, side) or isOpen(b, j, columns.OPPOSITE[side])
+  return isDeep or isOpen(b, i, side) or isOpen(b, j, columns.OPPOSITE[side]) or isDropping(b, i, j)
 end
 
 -- Returns the side of slot i that points along its gravity, with which it stands; 0 without
@@ -38,6 +61,17 @@ local function footOf(b, i)
     return y > 0 and SIDE.bottom or SIDE.top
   end
   return 0
+end
+
+-- Lets slot i, which falls through slope j, begin as fast as the edge sinks under it. Else it would
+-- be left above the edge where it runs down.
+local function keepUp(b, i, j)
+  local axis, object = slope.axisOf(b, i), b.object[i]
+  local along, across = axis == 0 and "vx" or "vy", axis == 0 and "vy" or "vx"
+  local speed = slope.gradient(b, i, j) * (object[across] or 0)
+  if (speed - (object[along] or 0)) * b.down[2 * i + axis] > 0 then
+    object[along] = speed
+  end
 end
 
 --- Lets slot i fall through the one-way objects that it stands on. Returns whether there were any.
@@ -56,12 +90,13 @@ function oneway.drop(b, i)
     if side ~= 0 and side == foot and b.oneWay[j] then
       b.dropping[p] = true
       any = true
+      keepUp(b, i, j)
     end
     half = b.next[half]
   end
   return any
 end
 
-interpreted.functions(oneway.lets, oneway.drop)
+interpreted.functions(oneway.isFalling, oneway.lets, keepUp, oneway.drop)
 
 return oneway

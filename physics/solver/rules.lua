@@ -21,6 +21,7 @@ function rules.passes(b, p, kl, kh, axis, isDeep)
   end
   local low, high = floor(kl * 0.5), floor(kh * 0.5)
   if oneway.lets(b, low, high, 2 * axis + 2, isDeep) then
+    b.dropping[p] = oneway.isDropping(b, low, high)
     return true
   end
   if not b.hasAskers or b.asked[p] == b.solveStamp then

@@ -20,9 +20,14 @@ local DEFLECTED = 3
 -- Fraction of a step that ends of pieces may be off.
 local TIE = 1e-9
 
---- Returns whether one of two slots is a slope.
+--- Returns whether slot i is a slope.
+function slope.isOne(b, i)
+  return b.shape[i] >= FIRST
+end
+
+--- Returns whether one of two slots is a slope. (Two slopes, of which one is a sensor, are boxes.)
 function slope.isPair(b, i, j)
-  return max(b.shape[i], b.shape[j]) >= FIRST
+  return (b.shape[i] >= FIRST) ~= (b.shape[j] >= FIRST)
 end
 
 --- Returns the box and the slope of a pair.
@@ -302,6 +307,7 @@ function slope.deflect(b, i, j, axis, lean, r, o, v, a, u, tau)
   end
   local k, t, shape = 2 * box + axis, 2 * box + 1 - axis, b.shape[its]
   local share = -SOLID[axis][shape] / (1 + lean * lean)
+  b.deflectedAt[box] = b.solveStamp
   if b.give[k] > 0 then
     b.to[k], b.to[t] = b.to[k] + way * share, b.to[t] - way * share * lean
     b.speed[k], b.speed[t] = b.speed[k] + change * share, b.speed[t] - change * share * lean

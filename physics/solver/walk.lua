@@ -17,17 +17,16 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
-local filter = require(root .. ".broadphase.filter")
+local ground = require(root .. ".solver.ground")
 local interpreted = require(root .. ".memory.jit")
 local pairFinder = require(root .. ".broadphase.pairFinder")
-local rules = require(root .. ".solver.rules")
 local settle = require(root .. ".solver.settle")
 local slope = require(root .. ".solver.slope")
 local triangle = require(root .. ".memory.triangle")
 
 local walk = {}
 
-local EPSILON, DYNAMIC, SIDE = columns.EPSILON, columns.DYNAMIC, columns.SIDE
+local EPSILON, DYNAMIC = columns.EPSILON, columns.DYNAMIC
 local isRamp = slope.bears
 local FIRST, SOLID = triangle.FIRST, triangle.SOLID
 local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
@@ -53,132 +52,6 @@ local function isNearSlope(b, i)
   return false
 end
 
--- Whether slot j can be ground for slot i, along an axis.
-local function isGround(b, i, j, axis, turn)
-  local isSolid = j ~= i and b.kind[j] ~= DYNAMIC and not (b.sensor[j] or b.sensor[i])
-  if not isSolid or not filter.allows(b, i, j) then
-    return false
-  end
-  local oneWay = b.oneWay[j]
-  if oneWay and SIDE[oneWay] ~= 2 * axis + (turn > 0 and 1 or 2) then
-    return false
-  end
-  local p = b.hasAskers and columns.pairOf(b, i, j) or nil
-  if b.hasOneWays or b.hasAskers then
-    p = p or columns.pairOf(b, i, j)
-    if p and (b.passing[p] or b.dropping[p]) then
-      return false
-    end
-  end
-  if not b.hasAskers then
-    return true
-  elseif not p then
-    return false
-  end
-  local ki, kj = 2 * i + axis, 2 * j + axis
-  return not rules.passes(b, p, turn > 0 and ki or kj, turn > 0 and kj or ki, axis, false)
-end
-
--- The height of slot i on slot j, where it is at x across gravity.
-local function heightOn(b, i, j, axis, turn, x)
-  local k, m = 2 * i + axis, 2 * j + axis
-  if isRamp(b, j, axis, turn) then
-    local apart = slope.separation(b, i, j, axis, x, b.to[m + 1 - 2 * axis])
-    return turn * (b.to[m] - turn * apart)
-  end
-  return turn > 0 and b.to[m] - b.size[k] or -(b.to[m] + b.size[m])
-end
-
--- Notes where slot j begins and ends to be ground (or with the other `turn` a roof) for a box of w
--- px, and where that comes over its crest.
-local function noteTurns(b, list, n, j, axis, turn, w)
-  local m, shape, across = 2 * j + 1 - axis, b.shape[j], 1 - axis
-  local low, size = b.to[m], b.size[m]
-  list.slot[n], list.low[n], list.high[n], list.turn[n] = j, low, low + size, HUGE
-  if isRamp(b, j, axis, turn) then
-    list.turn[n] = SOLID[across][shape] > 0 and low + size - w or low
-  end
-end
-
--- Lists what may be ground on the way of slot i from x0 to x1, `height` high.
-local function listGround(b, i, axis, turn, x0, x1, height)
-  local list, found, count = b.ground, b.found, 0
-  local across, k = 1 - axis, 2 * i
-  local w, way = b.size[k + across], max(x1 - x0, x0 - x1)
-  local base = turn > 0 and height + b.size[k + axis] or -height
-  local reach = way * b.steep[axis] + 1
-  local left, right = min(x0, x1) - 1, max(x0, x1) + w + 1
-  local n
-  if axis == 1 then
-    n = b.broadphase:query(left, base - reach, right, base + reach, found)
-  else
-    n = b.broadphase:query(base - reach, left, base + reach, right, found)
-  end
-  for at = 1, n do
-    if isGround(b, i, found[at], axis, turn) then
-      count = count + 1
-      noteTurns(b, list, count, found[at], axis, turn, w)
-    end
-  end
-  list.count, list.turns = count, count
-  local roof = b.roof[k + axis]
-  if roof > 0 then
-    list.turns = count + 1
-    noteTurns(b, list, count + 1, roof, axis, -turn, w)
-  end
-end
-
--- The next place from x on towards x1 at which something begins or ends to be ground.
-local function nextTurn(b, x, x1, w)
-  local list, way = b.ground, x1 >= x and 1 or -1
-  local nearest = x1
-  for n = 1, list.turns do
-    for which = 1, 3 do
-      local at = which == 1 and list.low[n] - w or which == 2 and list.high[n] or list.turn[n]
-      if (at - x) * way > EPSILON and (nearest - at) * way > 0 then
-        nearest = at
-      end
-    end
-  end
-  return nearest
-end
-
--- Whether slot j, at a height, counts before the best one so far: by height, then in order.
-local function isFirst(b, j, best, height, top)
-  return height < top or (height == top and b.rank[j] < b.rank[best])
-end
-
--- Where a piece of the way from x, `height` high, ends, if that is at xEnd at last: where another
--- ground rises over the one that it is on, at the latest. Returns place, height, and what it is on
--- there: 0, nothing is level with it.
-local function endOf(b, i, axis, turn, x, xEnd, height)
-  local list, w = b.ground, b.size[2 * i + 1 - axis]
-  local middle = (x + xEnd) * 0.5
-  local best, top, start, its, level = 0, HUGE, 0.0, 0, HUGE
-  for n = 1, list.count do
-    if middle + w > list.low[n] and middle < list.high[n] then
-      local j = list.slot[n]
-      local first = heightOn(b, i, j, axis, turn, x)
-      if first >= height - EPSILON then
-        local last = heightOn(b, i, j, axis, turn, xEnd)
-        if first <= height + EPSILON and isFirst(b, j, its, last, level) then
-          its, level = j, last
-        end
-        if isFirst(b, j, best, last, top) then
-          best, top, start = j, last, first
-        end
-      end
-    end
-  end
-  if level == HUGE then
-    return xEnd, height, 0
-  elseif start > height + EPSILON and level > top then
-    local share = (start - height) / (start - height + level - top)
-    return x + (xEnd - x) * share, height + (level - height) * share, its
-  end
-  return xEnd, top, best
-end
-
 local function addPiece(b, x, height)
   local n = b.pieceCount + 1
   b.pieceCount = n
@@ -187,10 +60,9 @@ end
 
 -- How high slot i can be on a piece of which the middle is at `middle`, where it is at x.
 local function limitAt(b, i, axis, turn, x, middle)
-  local k, t = 2 * i + axis, 2 * i + 1 - axis
-  local room, j = b.room[k], b.roof[k]
-  local m, u = 2 * j + axis, 2 * j + 1 - axis
-  if j > 0 and middle + b.size[t] > b.to[u] and middle < b.to[u] + b.size[u] then
+  local room, j = b.room[2 * i + axis], b.roof[2 * i + axis]
+  if j > 0 and ground.isOver(b, j, axis, middle, b.size[2 * i + 1 - axis]) then
+    local m, u = 2 * j + axis, 2 * j + 1 - axis
     return max(room, turn * b.to[m] + slope.separation(b, i, j, axis, x, b.to[u]))
   end
   return room
@@ -210,10 +82,10 @@ end
 -- `isMeasured`: no further along the ground than that is away. Returns where it ends, how high, and
 -- what it is on there (0: it is on no ground); and whether it was stopped.
 local function follow(b, i, axis, turn, x0, x1, height, isMeasured, isFree)
-  local x, on, w, way = x0, 0, b.size[2 * i + 1 - axis], max(x1 - x0, x0 - x1)
+  local x, on, way = x0, 0, max(x1 - x0, x0 - x1)
   for n = 1, MOST do
-    local turnAt = n < MOST and nextTurn(b, x, x1, w) or x1
-    local xEnd, last, its = endOf(b, i, axis, turn, x, turnAt, height)
+    local turnAt = n < MOST and ground.nextTurn(b, x, x1) or x1
+    local xEnd, last, its = ground.endOf(b, i, axis, turn, x, turnAt, height)
     if its == 0 then
       x = isMeasured and x + (x1 >= x0 and way or -way) or x1
       addPiece(b, x, height)
@@ -267,7 +139,7 @@ end
 -- The same from (x0, height) on, on slot j, to x1. `isStill`: its way is the polyline.
 local function walkFrom(b, i, j, axis, turn, x0, x1, height, isStill)
   local k, t = 2 * i + axis, 2 * i + 1 - axis
-  listGround(b, i, axis, turn, x0, x1, height)
+  ground.list(b, i, axis, turn, x0, x1, height)
   local first = b.pieceCount + 1
   addPiece(b, x0, height)
   b.ground.isLevel = true
@@ -282,7 +154,7 @@ local function walkFrom(b, i, j, axis, turn, x0, x1, height, isStill)
     -- (What is on level ground is where it is anyway. Whether slopes are known to be near it
     -- depends on the past.)
     b.pieceCount = first - 1
-    return false, false
+    return false
   end
   b.pieceFirst[i], b.pieceLast[i] = isStill and first or 0, isStill and b.pieceCount or 0
   local place = turn * last
@@ -292,12 +164,11 @@ local function walkFrom(b, i, j, axis, turn, x0, x1, height, isStill)
   if isStopped then
     block(b, i, t, b.roof[k] > 0 and b.roof[k] or on, x1 - x0)
   end
-  b.ground.main, b.walkFrom[i], b.walkTime[i] = on, j, b.time[i]
-  return true, isStopped
+  b.walkOn[i], b.walkFrom[i], b.walkTime[i] = on, j, b.time[i]
+  return true
 end
 
--- Lets slot i follow the ground. Returns whether it has come elsewhere along gravity, and whether
--- it was stopped.
+-- Lets slot i follow the ground. Returns whether it has come elsewhere along gravity.
 local function walkOne(b, i)
   local axis = slope.axisOf(b, i)
   local k, t, turn = 2 * i + axis, 2 * i + 1 - axis, b.down[2 * i + axis]
@@ -307,7 +178,7 @@ local function walkOne(b, i)
   end
   b.pieceFirst[i], b.pieceLast[i] = 0, 0
   if j == 0 or not isNearSlope(b, i) then
-    return false, false
+    return false
   end
   -- The ground where it ends: what moves takes its riders there.
   local m, left = 2 * j, 1 - b.time[i]
@@ -315,7 +186,7 @@ local function walkOne(b, i)
   local rise = (b.to[m + axis] - b.from[m + axis]) * left
   local x0, x1, height = b.from[t] + shift, b.to[t], turn * (b.from[k] + rise)
   if x0 == x1 and b.to[k] == b.from[k] + rise then
-    return false, false
+    return false
   end
   return walkFrom(b, i, j, axis, turn, x0, x1, height, shift == 0 and rise == 0)
 end
@@ -326,6 +197,14 @@ local function upAndDown(list, c, turn)
     return list.high[c], list.low[c]
   end
   return list.low[c], list.high[c]
+end
+
+-- The first and the last contact of a list, in the order along `turn`.
+local function ends(list, turn)
+  if turn > 0 then
+    return 1, list.count
+  end
+  return list.count, 1
 end
 
 -- The supports of slot i are those where it is now: others hold it no more.
@@ -354,10 +233,7 @@ end
 -- What leans on something that has been lifted, or lowered, goes with it.
 local function liftStacks(b, list, turn)
   local lift, mark, stamp = b.liftOf, b.liftMark, b.walkStamp
-  local first, last = list.count, 1
-  if turn < 0 then
-    first, last = 1, list.count
-  end
+  local first, last = ends(list, -turn)
   for c = first, last, -turn do
     local k, m = upAndDown(list, c, turn)
     if b.give[k] > 0 and b.down[k] == turn then
@@ -366,14 +242,12 @@ local function liftStacks(b, list, turn)
       local mine = mark[k] == stamp and lift[k] or nil
       local before = b.to[k] - (mine or 0.0)
       local gap = (place - its - before) * turn
-      local isLed = b.walkAt[k] == stamp -- by the ground
-      if gap <= EPSILON and gap >= -EPSILON and not isLed and (mine or its ~= 0) then
-        if not mine or (place - b.to[k]) * turn < 0 then
-          lift[k], mark[k] = place - before, stamp
-          b.to[k] = place
-        end
-      elseif gap <= EPSILON and gap >= -EPSILON and not isLed then
+      -- What the ground leads is left out.
+      local isOn = gap <= EPSILON and gap >= -EPSILON and b.walkAt[k] ~= stamp
+      if isOn and not mine and its == 0 then
         lift[k], mark[k] = 0.0, stamp -- something else holds it
+      elseif isOn and (not mine or (place - b.to[k]) * turn < 0) then
+        lift[k], mark[k], b.to[k] = place - before, stamp, place
       end
     end
   end
@@ -386,10 +260,7 @@ local function findRoom(b, list, turn)
     local k = 2 * b.awakeList[n] + axis
     room[k], roof[k] = -HUGE, 0
   end
-  local first, last = 1, list.count
-  if turn < 0 then
-    first, last = list.count, 1
-  end
+  local first, last = ends(list, turn)
   for c = first, last, turn do
     local m, k = upAndDown(list, c, turn)
     if b.give[k] > 0 then
@@ -437,24 +308,22 @@ local function addSupports(b, axis, turn, count)
   contacts.rearrange(b)
 end
 
--- Lets all with gravity on one side of an axis follow the ground; returns whether one was stopped.
+-- Lets all with gravity on one side of an axis follow the ground.
 local function walkAlong(b, axis, turn)
   local candidates = listWalkers(b, axis, turn)
   if candidates == 0 then
-    return false
+    return
   end
-  local list, walkers, count, isStopped = b.contacts[axis], b.walkers, 0, false
+  local list, walkers, count = b.contacts[axis], b.walkers, 0
   b.walkStamp = b.walkStamp + 1
   findRoom(b, list, turn)
   for n = 1, candidates do
     local i = walkers[n]
-    local hasWalked, isBlocked = walkOne(b, i)
-    if hasWalked then
+    if walkOne(b, i) then
       local k = 2 * i + axis
       count = count + 1
-      walkers[count], b.walkOn[i] = i, b.ground.main
+      walkers[count] = i
       b.liftMark[k], b.walkAt[k] = b.walkStamp, b.walkStamp
-      isStopped = isStopped or isBlocked == true
     end
   end
   if count > 0 then
@@ -462,7 +331,6 @@ local function walkAlong(b, axis, turn)
     updateSupports(b, list, turn)
     liftStacks(b, list, turn)
   end
-  return isStopped
 end
 
 -- Where all else that touches a slope ends: it may have come nearer, as it goes across it.
@@ -498,16 +366,16 @@ end
 function walk.run(b, dt, isMeasured)
   b.isFirstWalk = isMeasured
   for _ = 1, PASSES do
-    local isStopped, isSettled, firstStamp = false, false, b.walkStamp + 1
+    local isSettled, firstStamp = false, b.walkStamp + 1
     b.pieceCount = 0
     for axis = 0, 1 do
-      isStopped = walkAlong(b, axis, 1) or isStopped
-      isStopped = walkAlong(b, axis, -1) or isStopped
+      walkAlong(b, axis, 1)
+      walkAlong(b, axis, -1)
       updateOthers(b, axis, firstStamp)
     end
     for axis = 0, 1 do
       -- What pushes those that were stopped is stopped, too.
-      if isStopped or settle.isViolated(b, axis) then
+      if settle.isViolated(b, axis) then
         settle.axis(b, axis, dt, true)
         isSettled = true
       end

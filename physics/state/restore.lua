@@ -459,6 +459,7 @@ local function rememberHistory(b, memory)
   b.hasCarriers = b.hasCarriers or #memory.carrier > 0 or #memory.carried > 0
   b.hasCrushed = b.hasCrushed or #memory.wasCrushed > 0
   b.hasInside = b.hasInside or #memory.inside > 0
+  b.hasCrowds = b.hasCrowds or #memory.crowd > 0
   b.hasKnots = b.hasKnots or #memory.stuck > 0 or #memory.exiting > 0 or #memory.knotted > 0
 end
 

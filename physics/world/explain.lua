@@ -93,7 +93,7 @@ local function slopeSide(v, i, j)
 end
 
 local function isSlope(v, i, j)
-  return max(v.shape[i], v.shape[j]) >= triangle.FIRST
+  return (v.shape[i] >= triangle.FIRST) ~= (v.shape[j] >= triangle.FIRST)
 end
 
 -- Returns how far two are apart, < 0: by how much they overlap, and the normal from j to i, if one

@@ -8,6 +8,7 @@ local knots = require(root .. ".solver.knots")
 local read = require(root .. ".objects.read")
 local columns = require(root .. ".memory.columns")
 local crowd = require(root .. ".solver.crowd")
+local crowdLayout = require(root .. ".solver.crowdLayout")
 local crush = require(root .. ".solver.crush")
 local detect = require(root .. ".broadphase.pairFinder")
 local drift = require(root .. ".motion.drift")
@@ -134,7 +135,7 @@ local function step(self, dt)
   zones.begin(b, b.awakeList, b.awakeCount)
   crowd.mark(b)
   detect.runMoved(b)
-  crowd.run(b)
+  crowdLayout.run(b)
   crush.wedgeGrown(b)
   separate.run(b)
   drift.run(b, dt)
@@ -448,8 +449,9 @@ function World:refresh(object)
 end
 
 --- Lets an object fall through the one-way objects that it stands on. It passes through them until
---- it is clear of them. If it also stands on something solid, it stays there, although the result
---- is true; it passes through the one-way objects when it leaves the solid one.
+--- it is clear of them. Until then no other one-way object holds it, so it falls through a whole
+--- bridge of planks or slopes. If it also stands on something solid, it stays there, although the
+--- result is true; it passes through the one-way objects when it leaves the solid one.
 ---
 --- Errors: the object is not a table, or not in the world.
 ---@param object physics.NewObject the object that stands on them

@@ -351,6 +351,29 @@ describe("a one-way platform", function()
       end)
     end)
 
+    --       +-+->
+    --   ====|=|=====  tiles
+    it("a row of tiles, passes the next one, too", function()
+      scene.each(SOME, function(run)
+        for vx = -230, 230, 230 do
+          for _, x in ipairs({ 80, 83, 95, 96, 111 }) do
+            local list = { tile({ x = -200, width = 600 }), body({ x = x, y = 76 }) }
+            for i = 0, 9 do
+              local plank = { name = "plank" .. i, x = 16 * i, width = 16, y = 100, height = 8 }
+              list[#list + 1] = way(plank)
+            end
+            local named = run:build(list)
+            run:play(SETTLE)
+            named.body.vx = vx
+            run:same("dropThrough", run.world:dropThrough(named.body.raw), true)
+            for time in run:steps(0.5) do
+              run:at(named.body, x + vx * time, 76 + 400 * time * time)
+            end
+          end
+        end
+      end)
+    end)
+
     it("a moving one, keeps its velocity", function()
       scene.each(SOME, function(run)
         local named = run:build({

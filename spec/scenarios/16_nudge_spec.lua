@@ -223,6 +223,19 @@ describe("nudge", function()
   --   | o        |    0 .. 112, 0 .. 64: the ball comes by several times
   --   |    ##    |
   --   +----------+
+  it("goes as far where two others overlap", function()
+    local world = physics.newWorld({ gravity = 0 })
+    local box =
+      world:add("boxes", { x = 260, y = 220, width = 20, height = 10, nudge = 10, vy = -300 })
+    world:add("walls", { x = 260, y = 200, width = 10, height = 20, static = true })
+    world:add("walls", { x = 0, y = 0, width = 16, height = 16, static = true })
+    world:add("others", { x = 4, y = 6, width = 16, height = 16, oneWay = "bottom" })
+    world:update(1 / 60)
+    assert.near(270, box.x, 1e-9)
+    assert.near(215, box.y, 1e-9)
+    assert.equal(-300, box.vy)
+  end)
+
   it("leads around the same block again and again, in one long step as in many", function()
     for _, steps in ipairs({ 1, 2, 15, 64 }) do
       local dt = 0.25 / steps

@@ -323,6 +323,30 @@ describe("slopes", function()
         run:at(it, 140, 376)
       end)
     end)
+
+    --     +-+
+    --  \._+-+_./   a bridge
+    it("(P9) are a bridge through which dropThrough leads, also one that runs", function()
+      scene.each(EVERYWHERE, function(run)
+        for vx = -200, 200, 200 do
+          for _, x in ipairs({ 104, 107, 121, 135 }) do
+            local list = { static(-400, 500, 1200, 40), body({ x = x, y = 176, snap = 8 }) }
+            for i = 0, 19 do
+              local plank = static(20 * i, 200 + 4 * math.min(i, 19 - i), 20, 4)
+              plank[2].slope, plank[2].oneWay = i < 10 and "left" or "right", "top"
+              list[#list + 1] = plank
+            end
+            local it = run:build(list).body
+            run:play(0.5)
+            run:touches(it, "bottom")
+            it.vx = vx
+            run:check(run.world:dropThrough(it.raw), "it should stand on the bridge")
+            run:play(0.5, push(it, vx))
+            run:check(it.y > 276, "it is caught at %.9g", it.y)
+          end
+        end
+      end)
+    end)
   end)
 
   describe("that move", function()

@@ -1,0 +1,317 @@
+--- Rounds: sweeps changed paths, and lets the first impact of each body happen.
+--
+-- Impacts are resolved in the order of their times. A body takes part in one impact of a round:
+-- what an earlier one has disturbed is swept again in the next round.
+--
+-- Reads the paths; writes the paths, hit, contacts, dirty, swept, changed.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local ball = require(root .. ".solver.ball")
+local columns = require(root .. ".memory.columns")
+local contacts = require(root .. ".solver.contacts")
+local impact = require(root .. ".solver.impact")
+local interpreted = require(root .. ".memory.jit")
+local live = require(root .. ".broadphase.activePairs")
+local nudge = require(root .. ".solver.nudge")
+local pairFinder = require(root .. ".broadphase.pairFinder")
+local path = require(root .. ".motion.path")
+local rules = require(root .. ".solver.rules")
+local sort = require(root .. ".memory.sort")
+local sweep = require(root .. ".solver.sweep")
+
+local rounds = {}
+
+local DYNAMIC, EPSILON, WIDTHS = columns.DYNAMIC, columns.EPSILON, columns.WIDTHS
+local floor, max, min = math.floor, math.max, math.min
+
+--- Share of its size by which separating overlaps may move a body in a step, along each axis.
+rounds.PARTING = 0.25
+local PARTING = rounds.PARTING
+-- Maximum number of impacts in a step of a body that overlaps others and has no room.
+local SPENT = 2
+-- Maximum number of bodies in `b.bounced`, the list that later impacts of a round are compared
+-- with.
+local BOUNCED = 256
+-- px by which a path is widened for that comparison.
+local NEAR = 24
+-- Impacts are simultaneous if their times, rounded to 1 / MOMENTS of a step, are equal.
+local MOMENTS = 1e9
+
+--- Marks bodies with another path than the one that was swept last, and looks up their neighbours.
+function rounds.findChanged(b)
+  local list, to, swept, dirty = b.awakeList, b.to, b.swept, b.dirty
+  for n = 1, b.awakeCount do
+    local i = list[n]
+    local k = 2 * i
+    if to[k] ~= swept[k] or to[k + 1] ~= swept[k + 1] then
+      dirty[i] = 1
+      swept[k], swept[k + 1] = to[k], to[k + 1]
+    end
+  end
+  pairFinder.run(b, list, 1, b.awakeCount)
+end
+
+--- Does the same for the bodies in b.changed, which were in impacts and are marked already.
+function rounds.followChanged(b)
+  local list, to, swept = b.changed, b.to, b.swept
+  for n = 1, b.changedCount do
+    local k = 2 * list[n]
+    swept[k], swept[k + 1] = to[k], to[k + 1]
+  end
+  pairFinder.run(b, list, 1, b.changedCount)
+end
+
+--- Notes that the path of a dynamic body has changed.
+function rounds.change(b, i)
+  if b.kind[i] == DYNAMIC and b.dirty[i] == 0 then
+    b.dirty[i], b.changedCount = 1, b.changedCount + 1
+    b.changed[b.changedCount] = i
+  end
+end
+
+-- Sorts the impacts by moment, solids before sensors, then the wider common edge first, then by the
+-- order of the world.
+local function sortImpacts(b)
+  local impacts = b.impacts
+  for n = 1, impacts.count do
+    local i, j, axis = impacts.low[n], impacts.high[n], impacts.axis[n]
+    local isSensed = b.sensor[i] or b.sensor[j]
+    impacts.order[n] = n
+    impacts.moment[n] = floor(impacts.time[n] * MOMENTS + 0.5) + (isSensed and 4 or 0)
+    local k, m = 2 * i + 1 - axis, 2 * j + 1 - axis
+    local width = min(b.from[k] + b.size[k], b.from[m] + b.size[m]) - max(b.from[k], b.from[m])
+    impacts.width[n] = -floor(width * WIDTHS + 0.5)
+    impacts.first[n], impacts.second[n] = columns.ranks(b, i, j)
+  end
+  sort.by(
+    impacts.order,
+    impacts.count,
+    impacts.moment,
+    impacts.width,
+    impacts.first,
+    impacts.second
+  )
+end
+
+-- Notes the hit of a sensor that a body enters or passes through.
+local function sense(b, p, i, j, axis, t, dt)
+  if b.hasCircles and ball.isRound(b, i, j) then
+    impact.note(b, p, i, axis, ball.approach(b, i, j, t, dt), t)
+    return
+  end
+  local kl, kh = 2 * i + axis, 2 * j + axis
+  local o = b.to[kl] + b.size[kl] - b.to[kh]
+  local v, a = b.speed[kl] - b.speed[kh], b.accel[kl] - b.accel[kh]
+  local u = impact.approach(o, v, a, (1 - t) * dt)
+  impact.note(b, p, i, axis, u, t)
+end
+
+-- Ends the path of a dynamic body at its place at moment t. If it `isRound`, it has no speed then,
+-- and has not moved if that was by rounding only.
+local function stop(b, i, t, isRound)
+  if b.kind[i] == DYNAMIC then
+    path.advance(b, i, t)
+    for k = 2 * i, 2 * i + 1 do
+      b.to[k] = b.from[k]
+      if isRound then
+        b.frozenAt[i] = b.solveStamp
+        local off = b.from[k] - b.origin[k]
+        b.to[k] = off <= EPSILON and off >= -EPSILON and b.origin[k] or b.to[k]
+        b.speed[k], b.accel[k] = 0.0, 0.0
+      end
+    end
+  end
+end
+
+-- Returns whether a body that overlaps others has used up its impacts for this step. Other dynamic
+-- bodies may move into it then; their impact is left to the next step.
+local function isSpent(b, i)
+  return b.deepAt[i] == b.solveStamp and b.impactsOf[i] >= SPENT
+end
+
+-- Returns whether the paths of k and m, as they were swept, cross on their axis.
+local function crosses(b, k, m)
+  local s, e, u, v = b.from[k], b.swept[k], b.from[m], b.swept[m]
+  return max(s, e) + b.size[k] > min(u, v) and max(u, v) + b.size[m] > min(s, e)
+end
+
+-- Returns whether the path of slot i comes near that of a body in b.bounced. The paths of those
+-- count as they are now and as they were swept.
+local function meetsBounced(b, i)
+  local list, from, to, swept, size = b.bounced, b.from, b.to, b.swept, b.size
+  local k, l = 2 * i, 2 * i + 1
+  local left, top = min(from[k], to[k]) - NEAR, min(from[l], to[l]) - NEAR
+  local right = max(from[k], to[k]) + size[k] + NEAR
+  local bottom = max(from[l], to[l]) + size[l] + NEAR
+  for n = 1, b.bouncedCount do
+    local m = 2 * list[n]
+    local s, e, o = from[m], to[m], swept[m]
+    if max(s, e, o) + size[m] > left and min(s, e, o) < right then
+      local u, v, w = from[m + 1], to[m + 1], swept[m + 1]
+      if max(u, v, w) + size[m + 1] > top and min(u, v, w) < bottom then
+        return true
+      end
+    end
+  end
+  return false
+end
+
+-- Adds the dynamic ones of bodies i and j to b.bounced: an impact has changed their paths in this
+-- round.
+local function noteBounced(b, i, j)
+  for at = 1, b.bouncedCount < BOUNCED and 2 or 0 do
+    local k = at == 1 and i or j
+    if b.kind[k] == DYNAMIC then
+      b.bouncedCount = b.bouncedCount + 1
+      b.bounced[b.bouncedCount] = k
+    end
+  end
+end
+
+-- Returns whether the bodies of contact p, one of which has a new path, would end far inside each
+-- other.
+local function isTorn(b, p)
+  local kl, kh = b.contactLow[p], b.contactHigh[p]
+  return b.touches[p] == contacts.CONTACT
+    and b.to[kl] + b.separation[p] - b.to[kh] > PARTING * min(b.size[kl], b.size[kh])
+end
+
+-- Returns whether an earlier impact of this round may have invalidated the impact of slot i:
+--
+-- - it changed the path of slot i, or of a body that would end far inside it now;
+-- - `mayBounce`: it changed a path that crosses that of slot i, or that did before. Slot i may meet
+--   that body first.
+--
+-- Not every changed neighbour counts, because the neighbours depend on the broad phase.
+local function isDisturbed(b, i, round, mayBounce)
+  if b.inRound[i] == round then
+    return true
+  elseif b.kind[i] ~= DYNAMIC then
+    return false
+  elseif mayBounce and meetsBounced(b, i) then
+    return true
+  end
+  local half, inRound = b.head[i], b.inRound
+  while half ~= 0 do
+    local j = b.other[half]
+    if inRound[j] == round then
+      if isTorn(b, floor(half * 0.5 + 0.5)) then
+        return true
+      elseif mayBounce and crosses(b, 2 * i, 2 * j) and crosses(b, 2 * i + 1, 2 * j + 1) then
+        return true
+      end
+    end
+    half = b.next[half]
+  end
+  return false
+end
+
+-- Notes that the paths of slots i and j change in this round.
+local function takePart(b, i, j)
+  b.inRound[i] = b.kind[i] == DYNAMIC and b.roundStamp or 0
+  b.inRound[j] = b.kind[j] == DYNAMIC and b.roundStamp or 0
+end
+
+-- Moves one of slots i and j past the corner of the other, if it may be nudged. Returns whether it
+-- was moved.
+local function correct(b, p, i, j, axis, t)
+  if
+    b.nudged[p] < nudge.MOST
+    and (nudge.try(b, i, j, axis, true, t) or nudge.try(b, j, i, axis, false, t))
+  then
+    b.nudged[p] = b.nudged[p] + 1
+    live.stain(b, p)
+    return true
+  end
+  return false
+end
+
+-- Lets slots i and j, of pair p, meet at moment t. If they stay together, they are a contact for
+-- the rest of the step. Returns whether they met: a nudge may lead past.
+local function meet(b, p, i, j, axis, t, dt, isLast, isLate, isDeep)
+  rounds.change(b, i)
+  rounds.change(b, j)
+  takePart(b, i, j)
+  if b.hasBounces then
+    noteBounced(b, i, j)
+  end
+  if b.hasNudges and not isLast and correct(b, p, i, j, axis, t) then
+    return false
+  end
+  local stays, separation, isElastic = impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
+  if stays or isElastic then
+    contacts.add(b, axis, p, 2 * i + axis, 2 * j + axis, separation, isElastic)
+    b.pressed[p] = stays and 1 or b.pressed[p]
+  end
+  return true
+end
+
+-- Leaves the impact of slots i and j, which an earlier one has disturbed, to the next round.
+local function postpone(b, i, j, mayBounce)
+  rounds.change(b, i)
+  rounds.change(b, j)
+  if mayBounce then
+    noteBounced(b, i, j)
+    takePart(b, i, j)
+  end
+end
+
+-- Resolves the n-th impact. If an earlier one of this round has disturbed its bodies, they are
+-- swept again instead.
+local function happen(b, n, dt, isLast, isLate)
+  local impacts, round = b.impacts, b.roundStamp
+  local p, t, axis = impacts.pair[n], impacts.time[n], impacts.axis[n]
+  local i, j, isDeep = impacts.low[n], impacts.high[n], impacts.isDeep[n]
+  local isSensed = b.sensor[i] or b.sensor[j]
+  local isRound = b.hasCircles and ball.isRound(b, i, j)
+  local areDynamic = b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC
+  if areDynamic and not isRound and (isSpent(b, i) or isSpent(b, j)) then
+    return
+  end
+  local mayBounce, hasEnded = max(b.restitution[i], b.restitution[j]) > 0, isLast
+  if isDisturbed(b, i, round, mayBounce) or isDisturbed(b, j, round, mayBounce) then
+    postpone(b, i, j, mayBounce)
+    hasEnded = isLast and not isSensed
+  elseif
+    (isSensed and b.hit[p] ~= 0) or rules.passes(b, p, 2 * i + axis, 2 * j + axis, axis, isDeep)
+  then
+    return
+  elseif isSensed then
+    sense(b, p, i, j, axis, t, dt)
+    return
+  elseif not meet(b, p, i, j, axis, t, dt, isLast, isLate, isDeep) then
+    return
+  end
+  if hasEnded then
+    stop(b, i, t, isRound)
+    stop(b, j, t, isRound)
+  end
+end
+
+--- Makes one round: sweeps changed paths, then resolves the first impact of each body. Returns
+--- whether there was any impact.
+function rounds.run(b, dt, isLast, isLate)
+  local count = sweep.run(b, b.isChangeListed and b.changedCount)
+  local list, dirty = b.isChangeListed and b.changed or b.awakeList, b.dirty
+  for n = 1, b.isChangeListed and b.changedCount or b.awakeCount do
+    dirty[list[n]] = 0
+  end
+  b.changedCount = 0
+  if count == 0 then
+    return false
+  end
+  sortImpacts(b)
+  b.roundStamp, b.bouncedCount = b.roundStamp + 1, 0
+  for n = 1, count do
+    happen(b, b.impacts.order[n], dt, isLast, isLate)
+  end
+  contacts.rearrange(b)
+  return true
+end
+
+-- These take another branch for each impact. (jit: 4)
+interpreted.functions(sortImpacts, sense, stop, isSpent, crosses, isTorn, isDisturbed)
+interpreted.functions(takePart, correct, meet, postpone, happen)
+interpreted.functions(rounds.run)
+
+return rounds
