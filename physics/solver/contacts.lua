@@ -1,12 +1,13 @@
 --- Contacts: computes from the places at the start of the step which pairs touch, as one sorted
--- list for each axis.
+-- list for each axis, and adds those that arise in it.
 --
 -- A contact has one axis. `low` is the body with the smaller coordinate on it, `high` the other
 -- one. The axis is the one on which the two are apart. The list is sorted by the coordinate of
 -- `high`, so that one walk goes from each body to those behind it. The order does not depend on
 -- the order in which pairs were found.
 --
--- Reads from, size, restitution; writes the lists `b.contacts[axis]`, touches, and `b.apart`.
+-- Reads from, size, restitution; writes the lists `b.contacts[axis]`, `b.apart`, `b.roundPairs`,
+-- touches, contactLow, contactHigh, contactKey, separation, deepIn, deepWay, deepAt, limitedAt.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".solver.ball")
@@ -30,8 +31,8 @@ local floor, max, min = math.floor, math.max, math.min
 ---
 --- - APART: the pair is swept.
 --- - CONTACT: it is a contact.
---- - ELASTIC: it is a contact that may bounce, and it is swept, too.
---- - GHOST: both bodies are in a crowd; the pair does nothing.
+--- - ELASTIC: it is a contact that is swept, too: it may bounce, or one of the two is a circle.
+--- - GHOST: both bodies are in a crowd, or one leaves a knot; the pair does nothing.
 contacts.APART, contacts.CONTACT, contacts.ELASTIC, contacts.GHOST = 0, 1, 2, 3
 local APART, CONTACT = contacts.APART, contacts.CONTACT
 local ELASTIC, GHOST = contacts.ELASTIC, contacts.GHOST
@@ -127,7 +128,7 @@ local function isGhost(b, i, j)
     or (b.exiting[j] and b.kind[i] == DYNAMIC)
 end
 
--- Removes from a list the pairs with both bodies in a crowd. Returns the number that is left.
+-- Removes from a list the pairs that pass through each other. Returns the number that is left.
 local function dropGhosts(b, list, count)
   local pairA, pairB, kept = b.pairA, b.pairB, 0
   for n = 1, count do

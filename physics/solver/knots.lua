@@ -15,8 +15,8 @@
 --
 -- What a machine has squeezed does not exit: it stays between the two that squeeze it.
 --
--- Reads contacts, deepIn, deepAt, squeezed, to; writes stuck, exiting, knotted, knotWas, from and
--- news.
+-- Reads contacts, deepIn, deepAt, squeezed, to; writes stuck, exiting, knotted, knotWas, from, to,
+-- speed and news.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local begin = require(root .. ".motion.begin")
@@ -44,7 +44,8 @@ local UNSEEN = 0.01
 local GROWTH = 2
 -- Share of a second by which a body that overlaps no other has waited less after a second.
 local RECOVERY = 0.25
--- How often bodies of a knot exit before it is stuck.
+-- How often a body waits for PATIENCE in vain before it no longer exits. (If nothing in its knot
+-- exits, and no machine is near, it is stuck after the first time.)
 local TRIES = 3
 -- What is known of a knot in a step: nothing; the game has put a body into it; a body of it exits,
 -- or may have room soon.
