@@ -154,7 +154,7 @@ function Scene:box(fields)
   return self.world:add("boxes", fields)
 end
 
--- A box on the floor, whose surface is y = 0.
+-- A box on the floor, the surface of which is y = 0.
 function Scene:stand(fields)
   fields.height = fields.height or self.random:between(8, 32)
   fields.y = -fields.height
