@@ -92,12 +92,6 @@ return {
     "how much of a ray is looked at next; the nearest of all pieces is the same",
   },
   {
-    "physics/objects/fieldColumns.lua",
-    "elseif (object.friction or -1) ~= b.friction[i] then",
-    "elseif (object.friction or -2) ~= b.friction[i] then",
-    "static objects are read again, to the same end; what that marks is forgotten right after it",
-  },
-  {
     "physics/state/restoreMemory.lua",
     "b.fresh[i] = false",
     "b.fresh[i] = true",
