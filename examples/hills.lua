@@ -1,6 +1,6 @@
 -- A walk over hills, which are rows of slopes. No seam can be felt, crates roll nowhere, and what
 -- goes downhill stays on the ground. On the way: a bridge to jump through, a turtle, stairs, a
--- cable car over a cliff, and a mine cart that the slopes drive.
+-- cable car, and a mine cart that the slopes drive.
 --
 -- This file is the game: what is in the level and how things move. terrain.lua makes slopes of the
 -- hills, and hills_art.lua draws them. The physics is that of the library.

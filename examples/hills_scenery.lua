@@ -11,6 +11,7 @@ local HIGH, DEEP = -1200, 1600 -- px, y far beyond every picture
 local state ---@type any
 local camera, clock ---@type table, number
 local runs, bands, plants, stones, ties, posts ---@type table, table, table, table, table, table
+local glow ---@type any
 
 local function mix(from, to, share)
   local a, b, mixed = look.colors[from], look.colors[to], {}
@@ -134,6 +135,16 @@ local function addMine(fromX, toX)
   end
 end
 
+-- A disc with a radius of 1 that fades towards its edge.
+local function newGlow()
+  local vertices = { { 0, 0, 0, 0, 1, 1, 1, 1 } } ---@type any
+  for i = 0, 40 do
+    local angle = i * math.pi / 20
+    vertices[#vertices + 1] = { math.cos(angle), math.sin(angle), 0, 0, 1, 1, 1, 0 }
+  end
+  return love.graphics.newMesh(vertices, "fan", "static")
+end
+
 --- Makes everything that a level shows. `gameState` has `ground` and `ceiling`, lines of points,
 --- `signs`, and `rails`, the x where they begin and end.
 function scenery.load(gameState)
@@ -143,6 +154,7 @@ function scenery.load(gameState)
   addPlants()
   addStones()
   addMine(state.rails[1], state.rails[2])
+  glow = newGlow()
 end
 
 --- To be called before a picture is drawn. `gameCamera`: `{ x =, y = }`; `time`: s.
@@ -187,10 +199,8 @@ end
 
 function scenery.drawBackground()
   look.sky("blue", "sky", "cyan", "yellow")
-  for i = 1, 30 do
-    look.color("yellow", 0.022)
-    love.graphics.circle("fill", 740, 120, 190 - i * 5)
-  end
+  look.color("yellow", 0.6)
+  love.graphics.draw(glow, 740, 120, 0, 200)
   look.color("white")
   love.graphics.circle("fill", 740, 120, 40)
   for i = 0, 5 do
@@ -238,10 +248,8 @@ function drawPlant.bush(x, y)
 end
 
 local function drawLamp(x, y)
-  look.color("yellow", 0.016)
-  for i = 1, 26 do
-    love.graphics.circle("fill", x, y + 40, i * 5)
-  end
+  look.color("yellow", 0.35)
+  love.graphics.draw(glow, x, y + 40, 0, 140)
   look.color("night")
   love.graphics.rectangle("fill", x - 1, y - 20, 2, 56)
   look.color("yellow")

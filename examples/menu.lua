@@ -146,7 +146,7 @@ function menu.draw()
   look.color("white")
   look.text("physics.lua", X, 28, 54)
   look.color("silver")
-  look.text("2D physics for games made of boxes", X + 3, 100, 18)
+  look.text("2D physics for games made of boxes, slopes and balls", X + 3, 100, 18)
   for i, entry in ipairs(EXAMPLES) do
     drawEntry(entry, Y + (i - 1) * (HEIGHT + GAP), i == chosen)
   end

@@ -8,7 +8,7 @@ source = {
 }
 
 description = {
-  summary = "2D physics for games made of boxes, with your own tables as the objects",
+  summary = "2D physics for games made of boxes, slopes and balls, with your own tables as the objects",
   detailed = [[
 A pure-Lua 2D physics library for LÖVE and every other Lua: axis-aligned boxes, exact contacts, no
 snagging on tile seams, no tunnelling, the same result at every frame rate and on every machine.

@@ -113,4 +113,22 @@ describe("oneWay", function()
     assert.equal(picture("top"), picture(true))
     assert.not_equal(picture(false), picture(true))
   end)
+
+  -- It flies up through the one-way, bounces off the ceiling, and comes down onto the one-way in the
+  -- same step.
+  it("stops what it has let through earlier in the step, wherever else things move", function()
+    for _, others in ipairs({ 0, 20 }) do
+      local world = physics.newWorld({ gravity = 0 })
+      local ball = { x = 40, y = 2, width = 10, height = 10, vy = -2000, restitution = 1 }
+      world:add("balls", ball)
+      world:add("walls", { x = 0, y = 0, width = 100, height = 2, static = true, oneWay = "top" })
+      world:add("walls", { x = 0, y = -40, width = 100, height = 20, static = true })
+      for n = 1, others do
+        world:add("others", { x = 1000 + 20 * n, y = 0, width = 10, height = 10, vx = 1 })
+      end
+      world:update(1 / 60)
+      assert.near(-34 / 3, ball.y, 1e-9)
+      assert.equal(-2000, ball.vy)
+    end
+  end)
 end)

@@ -572,7 +572,7 @@ end
 
 -- Adds the state of the solver.
 local function addSolver(b)
-  b.step = 0 -- number of solves made
+  b.step = 0 -- number of steps made
   b.dt = 0 -- length of the current step, s
   b.resolved = 0 -- impacts of the last step
   b.rubs = 0 -- 1: friction has carried or braked something in this step

@@ -306,8 +306,8 @@ function drift.start(b, dt)
   for n = 1, work.driftedCount do
     local i = work.drifted[n]
     for k = 2 * i, b.awake[i] and 2 * i + 1 or 0 do
-      local gain = b.undrifted[k] - b.start[k]
-      b.start[k], b.accel[k] = b.freeSpeed[k] - gain, gain / dt
+      b.start[k] = b.freeSpeed[k] - (b.undrifted[k] - b.start[k])
+      b.accel[k] = (b.freeSpeed[k] - b.start[k]) / dt -- to the bit as friction computes it
     end
   end
 end

@@ -3,6 +3,7 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
+local interpreted = require(root .. ".memory.jit")
 
 local path = {}
 
@@ -25,6 +26,15 @@ local function stay(b, i)
   b.from[k] = b.down[k] * (height[n - 1] + (height[n] - height[n - 1]) * share)
 end
 
+--- Returns where body k is at moment t. Its path begins at moment `start`.
+function path.at(b, k, start, t)
+  local from = b.from[k]
+  if t <= start then
+    return from
+  end
+  return from + (b.to[k] - from) * ((t - start) / (1 - start))
+end
+
 --- Lets the path of a dynamic body begin anew where it is at moment t.
 function path.advance(b, i, t)
   local start = b.time[i]
@@ -41,5 +51,7 @@ function path.advance(b, i, t)
     stay(b, i)
   end
 end
+
+interpreted.functions(path.at) -- of single pairs
 
 return path

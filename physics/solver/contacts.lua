@@ -1,12 +1,13 @@
 --- Contacts: computes from the places at the start of the step which pairs touch, as one sorted
--- list for each axis.
+-- list for each axis, and adds those that arise in it.
 --
 -- A contact has one axis. `low` is the body with the smaller coordinate on it, `high` the other
 -- one. The axis is the one on which the two are apart. The list is sorted by the coordinate of
 -- `high`, so that one walk goes from each body to those behind it. The order does not depend on
 -- the order in which pairs were found.
 --
--- Reads from, size, restitution; writes the lists `b.contacts[axis]`, touches, and `b.apart`.
+-- Reads from, size, restitution; writes the lists `b.contacts[axis]`, `b.apart`, `b.roundPairs`,
+-- touches, contactLow, contactHigh, contactKey, separation, deepIn, deepWay, deepAt, limitedAt.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".solver.ball")
@@ -30,8 +31,8 @@ local floor, max, min = math.floor, math.max, math.min
 ---
 --- - APART: the pair is swept.
 --- - CONTACT: it is a contact.
---- - ELASTIC: it is a contact that may bounce, and it is swept, too.
---- - GHOST: both bodies are in a crowd; the pair does nothing.
+--- - ELASTIC: it is a contact that is swept, too: it may bounce, or one of the two is a circle.
+--- - GHOST: both bodies are in a crowd, or one leaves a knot; the pair does nothing.
 contacts.APART, contacts.CONTACT, contacts.ELASTIC, contacts.GHOST = 0, 1, 2, 3
 local APART, CONTACT = contacts.APART, contacts.CONTACT
 local ELASTIC, GHOST = contacts.ELASTIC, contacts.GHOST
@@ -127,7 +128,7 @@ local function isGhost(b, i, j)
     or (b.exiting[j] and b.kind[i] == DYNAMIC)
 end
 
--- Removes from a list the pairs with both bodies in a crowd. Returns the number that is left.
+-- Removes from a list the pairs that pass through each other. Returns the number that is left.
 local function dropGhosts(b, list, count)
   local pairA, pairB, kept = b.pairA, b.pairB, 0
   for n = 1, count do
@@ -176,32 +177,22 @@ local function growthOf(b, kl, kh)
   return PACE * min(b.size[kl], b.size[kh]) * (1 - waited / PATIENCE)
 end
 
--- Makes a contact of two overlapping bodies, which must not get deeper. Two that were squeezed into
--- each other (`wedged`) separate as soon as there is room.
-local function putDeep(b, p)
-  local i, j = b.pairA[p], b.pairB[p]
-  if b.oneWay[i] or b.oneWay[j] then
-    return
-  end
-  local from, ki, kj = b.from, 2 * i, 2 * j
-  local axis, isSecondLow
-  local isRound = b.hasCircles and ball.isRound(b, i, j)
+-- Returns the low and the high body of two that overlap, the axis on which they part, and how far
+-- apart their low edges must be at the end of the step: two dynamic bodies part by `growthOf`, a
+-- circle and a wall by PACE, a wedged body and a wall as far as there is room. Others stay as deep
+-- as they are.
+local function deepSeparation(b, p, i, j, isRound)
+  local from, axis, isSecondLow = b.from, nil, false
   if isRound and b.wedged[p] == 0 then
     axis, isSecondLow = ball.deepAxis(b, i, j)
   end
   if not axis then
-    axis, isSecondLow = deepAxis(b, p, ki, kj)
+    axis, isSecondLow = deepAxis(b, p, 2 * i, 2 * j)
   end
-  local areDynamic = b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC
-  local kl, kh = ki + axis, kj + axis
-  if isSecondLow then
-    kl, kh = kj + axis, ki + axis
-  end
-  local separation = b.size[kl]
-  if isRound then
-    separation = ball.separation(b, (kl - axis) * 0.5, (kh - axis) * 0.5, axis)
-  end
-  if areDynamic then
+  local low, high = isSecondLow and j or i, isSecondLow and i or j
+  local kl, kh = 2 * low + axis, 2 * high + axis
+  local separation = isRound and ball.separation(b, low, high, axis) or b.size[kl]
+  if b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC then
     -- These are valid for this solve only, since the step may be started again.
     b.deepIn[p], b.deepWay[p] = b.solveStamp, isSecondLow and 2 * axis + 1 or 2 * axis + 2
     b.deepAt[i], b.deepAt[j] = b.solveStamp, b.solveStamp
@@ -211,13 +202,28 @@ local function putDeep(b, p)
   elseif b.wedged[p] == 0 then
     separation = from[kh] - from[kl]
   end
-  if not rules.passes(b, p, kl, kh, axis, true) then
-    put(b, p, axis, kl, kh, separation)
-    b.limitedAt[i], b.limitedAt[j] = b.solveStamp, b.solveStamp
-    if isRound then
-      b.touches[p] = ELASTIC
-      leaveApart(b, p)
-    end
+  return kl, kh, axis, separation
+end
+
+-- Makes a contact of two overlapping bodies. Two that were squeezed into each other (`wedged`)
+-- separate as soon as there is room.
+local function putDeep(b, p)
+  local i, j = b.pairA[p], b.pairB[p]
+  if b.oneWay[i] or b.oneWay[j] then
+    leaveApart(b, p)
+    return
+  end
+  local isRound = b.hasCircles and ball.isRound(b, i, j)
+  local kl, kh, axis, separation = deepSeparation(b, p, i, j, isRound)
+  if rules.passes(b, p, kl, kh, axis, true) then
+    leaveApart(b, p)
+    return
+  end
+  put(b, p, axis, kl, kh, separation)
+  b.limitedAt[i], b.limitedAt[j] = b.solveStamp, b.solveStamp
+  if isRound then
+    b.touches[p] = ELASTIC
+    leaveApart(b, p)
   end
 end
 
@@ -320,6 +326,9 @@ local function dropRefused(b, list)
   for n = 1, list.count do
     local p = order[n]
     if rules.passes(b, p, b.contactLow[p], b.contactHigh[p], list.axis, false) then
+      if b.touches[p] ~= ELASTIC then
+        leaveApart(b, p)
+      end
       b.touches[p] = APART
     else
       kept = kept + 1
@@ -425,6 +434,13 @@ function contacts.noteNew(b)
 end
 
 interpreted.functions(classifyRound, putSlopes)
-interpreted.functions(putDeep, dropRefused, contacts.find, contacts.add, contacts.rearrange)
+interpreted.functions(
+  deepSeparation,
+  putDeep,
+  dropRefused,
+  contacts.find,
+  contacts.add,
+  contacts.rearrange
+)
 
 return contacts

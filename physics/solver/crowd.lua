@@ -32,7 +32,8 @@ local MANY = 4
 local SLACK = 1 / 8
 -- Number of the next bodies in the order along x that are tested for being in the same crowd.
 local LOOK = 16
--- Number of steps after which a crowd ends. What overlaps then is left to the contacts.
+-- Number of steps after which a crowd ends. What overlaps then is left to the contacts for a step;
+-- where MANY still share a spot, a new crowd forms in the next one.
 local LIFE = 60
 
 -- Wakes the rest of each crowd with an awake body: they sleep together or not at all.

@@ -7,6 +7,8 @@
 -- on. So friction stops, turns or holds a body at the exact moment, and so do limits.
 --
 -- The kinks of a block are a list by rising velocity: `kinkAt`, `kinkGrip`, `kinkNext`. 0 ends it.
+--
+-- Writes the paths, ownSpeed and the kinks.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local forces = require(root .. ".motion.forces")

@@ -1,13 +1,14 @@
 --- Impacts: computes the paths of two bodies after they meet inside a step.
 --
--- Both go to the moment of the impact. From the end of their paths follow the closing speed there
--- and the time that is left. That is exact for constant acceleration. The two bounce, or go on
+-- Both paths are advanced to the impact. The closing speed and the time left there are computed
+-- backwards from their ends. That is exact for constant acceleration. The two bounce, or go on
 -- flush with a common velocity and are a contact for the rest of the step.
 --
 -- The impact also has friction along the other axis (`rub`). Friction of contacts that exist when
 -- the step begins is computed in friction.lua.
 --
--- Reads the paths, give, restitution, bonds, ground; writes the paths, hit, hitSpeed.
+-- Reads the paths, give, restitution, bonds, base, grip, rough; writes the paths, hit, hitSpeed,
+-- hitAt, hitLow, hitHigh, impactsOf, base, grip, rough, and what holds the bodies.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".solver.ball")
@@ -36,15 +37,6 @@ local PUSHED = 3
 -- Maximum number of bonds in a row along which an impact drags other bodies in the same step.
 local DEPTH = 8
 
--- Where body k is at moment t of the step, which is not before its present path.
-local function placeAt(b, i, k, t)
-  local left = 1 - b.time[i]
-  if left <= 0 or t <= b.time[i] then
-    return b.from[k]
-  end
-  return b.from[k] + (b.to[k] - b.from[k]) * ((t - b.time[i]) / left)
-end
-
 --- Notes the first impact of a pair in the step: on which side, at u px/s, and where, at moment t.
 function impact.note(b, p, low, axis, u, t)
   if b.hit[p] ~= 0 then
@@ -52,7 +44,7 @@ function impact.note(b, p, low, axis, u, t)
   end
   local i, j = b.pairA[p], b.pairB[p]
   local k, m, l = 2 * i + 1 - axis, 2 * j + 1 - axis, 2 * low + axis
-  local x, y, size = placeAt(b, i, k, t), placeAt(b, j, m, t), b.size
+  local x, y, size = path.at(b, k, b.time[i], t), path.at(b, m, b.time[j], t), b.size
   b.hit[p] = i == low and 2 * axis + 2 or 2 * axis + 1
   b.hitSpeed[p] = u
   if b.hasCircles and ball.isRound(b, i, j) then
@@ -64,9 +56,9 @@ function impact.note(b, p, low, axis, u, t)
   end
   if b.hasSlopes and slope.isOne(b, low) then
     local box = low == i and j or i -- that leans on the edge, at its own side
-    b.hitAt[p] = placeAt(b, box, 2 * box + axis, t)
+    b.hitAt[p] = path.at(b, 2 * box + axis, b.time[box], t)
   else
-    b.hitAt[p] = placeAt(b, low, l, t) + size[l]
+    b.hitAt[p] = path.at(b, l, b.time[low], t) + size[l]
   end
   b.hitLow[p], b.hitHigh[p] = max(x, y), max(x, y, min(x + size[k], y + size[m]))
 end
@@ -288,7 +280,7 @@ local function bounce(b, kl, kh, wl, wh, o, gap, v, vEnd)
   speed[kl], speed[kh] = speed[kl] - dv * wl, speed[kh] + dv * wh
 end
 
--- The same of two that meet slanted, of which one is round.
+-- Resolves the impact of two that meet slanted, of which one is round; returns what `run` does.
 local function runRound(b, p, i, j, axis, left, dt, isLate, t)
   local tau = min((1 - t) * dt, left)
   local r = max(b.restitution[i], b.restitution[j])
@@ -357,7 +349,8 @@ end
 --- Returns:
 --- - whether they stay together;
 --- - the minimum distance between their low edges, px;
---- - whether they move apart by themselves and only must not overlap.
+--- - whether they move apart by themselves and only must not overlap. (Of two that meet slanted:
+---   whether they stay together. The first is false then.)
 function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
   local left = (1 - max(b.time[i], b.time[j])) * dt
   path.advance(b, i, t)

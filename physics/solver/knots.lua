@@ -15,8 +15,8 @@
 --
 -- What a machine has squeezed does not exit: it stays between the two that squeeze it.
 --
--- Reads contacts, deepIn, deepAt, squeezed, to; writes stuck, exiting, knotted, knotWas, from and
--- news.
+-- Reads contacts, deepIn, deepAt, squeezed, to; writes stuck, exiting, knotted, knotWas, from, to,
+-- speed and news.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local begin = require(root .. ".motion.begin")
@@ -44,7 +44,8 @@ local UNSEEN = 0.01
 local GROWTH = 2
 -- Share of a second by which a body that overlaps no other has waited less after a second.
 local RECOVERY = 0.25
--- How often bodies of a knot exit before it is stuck.
+-- How often a body waits for PATIENCE in vain before it no longer exits. (If nothing in its knot
+-- exits, and no machine is near, it is stuck after the first time.)
 local TRIES = 3
 -- What is known of a knot in a step: nothing; the game has put a body into it; a body of it exits,
 -- or may have room soon.
@@ -283,11 +284,11 @@ local function tie(b)
   end
 end
 
--- Whether a machine that moves is one of the two that squeeze body k in the end.
-local function isPressedByMachine(b, k)
+--- Returns whether a machine presses body k, directly or through others, by moving towards it.
+function knots.isDriven(b, k)
   local low, high = b.holderLow[k], b.holderHigh[k]
-  return (b.kind[floor(low * 0.5)] == KINEMATIC and b.speed[low] > 0)
-    or (b.kind[floor(high * 0.5)] == KINEMATIC and b.speed[high] < 0)
+  return (b.heldLow[k] > 0 and b.kind[floor(low * 0.5)] == KINEMATIC and b.speed[low] > 0)
+    or (b.heldHigh[k] > 0 and b.kind[floor(high * 0.5)] == KINEMATIC and b.speed[high] < 0)
 end
 
 -- Returns what a body has waited and tried after a step of dt s without an overlap. Below
@@ -312,7 +313,7 @@ local function wait(b, i, sum)
   -- What begins to be squeezed in this step is not looked at yet, as if there were no other knot.
   local isKnown = isDeep or waited ~= 0 or tries ~= 0
   for m = k, isSqueezed and isKnown and k + 1 or 0 do
-    isPressed = isPressed or (b.squeezed[m] ~= 0 and isPressedByMachine(b, m))
+    isPressed = isPressed or (b.squeezed[m] ~= 0 and knots.isDriven(b, m))
   end
   if not isDeep or sum < UNSEEN then
     waited, tries = recover(waited, tries, b.dt)

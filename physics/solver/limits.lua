@@ -4,11 +4,12 @@
 -- - A body that overlaps others goes no further than its speed and a share of its size take it.
 -- - A body that is not pushable stays on its own way.
 --
--- Reads the paths, contacts; writes to, speed, accel, frozenAt.
+-- Reads the paths, contacts, limitedAt; writes to, speed, accel, frozenAt, limitedAt, news.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local interpreted = require(root .. ".memory.jit")
+local knots = require(root .. ".solver.knots")
 local rounds = require(root .. ".solver.rounds")
 local walk = require(root .. ".solver.walk")
 
@@ -16,9 +17,9 @@ local limits = {}
 
 local DYNAMIC, EPSILON, PARTING = columns.DYNAMIC, columns.EPSILON, rounds.PARTING
 local floor, max, min = math.floor, math.max, math.min
--- Rounds after these in which what meets a circle only stops.
+-- Rounds after the last round, in which what meets a circle only stops.
 local FREEZES = 16
--- px and px/s of that.
+-- px and px/s: a circle that has moved by less has not moved.
 local CALM, CALM_SPEED = 4 * EPSILON, 1e-3
 
 -- Returns the highest speed that body k had in this step.
@@ -72,15 +73,15 @@ local function limitMotion(b, dt)
 end
 
 -- Keeps the end of each body that is not pushable between its start and its own goal, across
--- gravity. A body that is pressed directly by something immovable, or was deflected by a slanted
--- contact, is left out.
+-- gravity. A body that is pressed by something immovable directly, or by a machine, or was
+-- deflected by a slanted contact, is left out.
 local function keepOwnWay(b, dt)
   local list, origin, to = b.awakeList, b.origin, b.to
   for n = 1, b.awakeCount do
     local i = list[n]
     for k = 2 * i, not b.pushable[i] and b.kind[i] == DYNAMIC and 2 * i + 1 or 0 do
-      local isFree = b.heldLow[k] ~= 2 and b.heldHigh[k] ~= 2 and b.deflectedAt[i] ~= b.solveStamp
-      if b.down[k] == 0 and isFree then
+      local isPressed = b.heldLow[k] == 2 or b.heldHigh[k] == 2 or knots.isDriven(b, k)
+      if b.down[k] == 0 and not isPressed and b.deflectedAt[i] ~= b.solveStamp then
         local start, goal = origin[k], origin[k] + b.way[k] + b.carried[k] * dt
         to[k] = max(min(to[k], max(start, goal)), min(start, goal))
       end

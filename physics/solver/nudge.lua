@@ -2,7 +2,9 @@
 -- that corner.
 --
 -- A body with the field `nudge` is moved sideways by at most that many px, if the place there is
--- free.
+-- free. A hit on the side towards gravity is not corrected.
+--
+-- Reads contacts, pressed; writes from, to, time, nudged, news.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -22,20 +24,11 @@ local AHEAD = 1e-3
 --- Maximum number of corrections of one pair in a step.
 nudge.MOST = 4
 
--- Returns where slot i is on the axis of k at moment t.
-local function at(b, i, k, t)
-  local left = 1 - b.time[i]
-  if left <= 0 then
-    return b.from[k]
-  end
-  return b.from[k] + (b.to[k] - b.from[k]) * ((t - b.time[i]) / left)
-end
-
 -- Returns how far, px, and to which side (its sign) slot i must go along the other axis to pass j
 -- at moment t.
 local function detour(b, i, j, axis, t)
   local ki, kj = 2 * i + 1 - axis, 2 * j + 1 - axis
-  local its, mine = at(b, j, kj, t), at(b, i, ki, t)
+  local its, mine = path.at(b, kj, b.time[j], t), path.at(b, ki, b.time[i], t)
   local low, high = its - b.size[ki] - mine, its + b.size[kj] - mine
   return -low < high and low or high
 end
@@ -48,7 +41,7 @@ local function isTaken(b, i, x, y, t)
     local j = found[n]
     local isSolid = not (b.sensor[i] or b.sensor[j] or b.oneWay[i] or b.oneWay[j])
     if j ~= i and b.kind[j] == DYNAMIC and isSolid and filter.allows(b, i, j) then
-      local dx, dy = at(b, j, 2 * j, t) - x, at(b, j, 2 * j + 1, t) - y
+      local dx, dy = path.at(b, 2 * j, b.time[j], t) - x, path.at(b, 2 * j + 1, b.time[j], t) - y
       local gap = max(dx - width, -dx - size[2 * j], dy - height, -dy - size[2 * j + 1])
       if gap < -EPSILON then
         return true
@@ -83,7 +76,7 @@ function nudge.try(b, i, j, axis, iIsLow, t)
   -- A body that is flush with what it hits overlaps nothing else that is flush there. So the place
   -- a little further on is tested.
   local ahead = iIsLow and AHEAD or -AHEAD
-  local x, y = at(b, i, 2 * i, t), at(b, i, 2 * i + 1, t)
+  local x, y = path.at(b, 2 * i, b.time[i], t), path.at(b, 2 * i + 1, b.time[i], t)
   x, y = x + (axis == 1 and way or ahead), y + (axis == 0 and way or ahead)
   -- It must not sleep. If it is pushed back to where it was, it may pass in a longer step. And what
   -- is in the way beside it may leave without being a neighbour.

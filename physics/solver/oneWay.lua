@@ -1,7 +1,7 @@
 --- One-way objects: decides from the side of a contact whether a one-way object is solid there or
 -- open.
 --
--- The side in the field `oneWay` is solid, the others are open.
+-- The side in the field `oneWay` is solid, the others are open. Writes dropping.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")

@@ -1,5 +1,7 @@
 --- Permission: asks the game whether a pair may collide (`canCollide` of an object or of the
 -- world).
+--
+-- Writes heard.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")

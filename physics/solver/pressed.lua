@@ -1,7 +1,7 @@
 --- Pressed contacts: notes at the end of a step which sides of bodies are pressed, and the hits of
 -- contacts in which two bodies begin to lean on each other.
 --
--- Reads contacts, pressed, hit; writes pressedHigh, pressedLow, hit.
+-- Reads contacts, pressed, hit; writes pressedHigh, pressedLow, hit, widest and resolved.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -89,7 +89,7 @@ function pressed.note(b, axis)
   end
 end
 
---- Forgets which contacts were pressed, before a step.
+--- Forgets which contacts were pressed, before contacts are settled.
 function pressed.forget(b)
   for axis = 0, 1 do
     local list = b.contacts[axis]

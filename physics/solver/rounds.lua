@@ -1,9 +1,12 @@
 --- Rounds: sweeps changed paths, and lets the first impact of each body happen.
 --
 -- Impacts are resolved in the order of their times. A body takes part in one impact of a round:
--- what an earlier one has disturbed is swept again in the next round.
+-- what an earlier one has disturbed is swept again in the next round. A path that leaves its fat
+-- box in the middle of the step is looked up anew; pairs that it makes are swept in the next round,
+-- and if it comes near a sleeping body the step begins anew.
 --
--- Reads the paths; writes the paths, hit, contacts, dirty, swept, changed.
+-- Reads the paths; writes the paths, hit, contacts, pressed, nudged, dirty, swept, changed, inRound
+-- and frozenAt.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".solver.ball")
@@ -106,8 +109,8 @@ local function sense(b, p, i, j, axis, t, dt)
   impact.note(b, p, i, axis, u, t)
 end
 
--- Ends the path of a dynamic body at its place at moment t. If it `isRound`, it has no speed then,
--- and has not moved if that was by rounding only.
+-- Ends the path of a dynamic body at its place at moment t. If it or what it meets is a circle
+-- (`isRound`), it has no speed then, and has not moved if that was by rounding only.
 local function stop(b, i, t, isRound)
   if b.kind[i] == DYNAMIC then
     path.advance(b, i, t)

@@ -14,7 +14,7 @@ local floor = math.floor
 
 --- Returns whether the bodies of pair p pass through each other on an axis. `kl` and `kh` are the
 --- indices of the low body and the high one. `isDeep`: they overlap already. The game is asked once
---- a step about each pair.
+--- a solve about each pair: a step that begins anew asks again.
 function rules.passes(b, p, kl, kh, axis, isDeep)
   if b.passing[p] or b.dropping[p] then
     return true

@@ -3,10 +3,14 @@
 -- A contact with the sloped edge is one along gravity (along y without gravity), and no other than
 -- that of two boxes, but for its separation: how far the two must be apart depends on where the
 -- corner of the box is across gravity. So friction, stacks, belts and one-ways need no rule of
--- their own. `walk` moves what stands on slopes along them.
+-- their own. `walk` moves what stands on slopes along them. The sweep meets slopes by `meetAny`,
+-- and an impact is turned along them by `deflect`.
+--
+-- Reads the paths, slope; writes to, speed, deflectedAt.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
+local path = require(root .. ".motion.path")
 local triangle = require(root .. ".memory.triangle")
 
 local slope = {}
@@ -205,15 +209,6 @@ function slope.flushPlace(b, i, j, axis, sign)
   return from[m] + sign * apart
 end
 
--- Where body k is at moment t, between its start and its end.
-local function at(b, k, start, t)
-  local from = b.from[k]
-  if t <= start then
-    return from
-  end
-  return from + (b.to[k] - from) * ((t - start) / (1 - start))
-end
-
 --- When two of which one is a slope meet, as `sweep.meet`: moment, axis, whether the first is the
 --- low one, whether they are inside each other.
 function slope.meet(b, one, other)
@@ -221,8 +216,8 @@ function slope.meet(b, one, other)
   local axis, k, m = axisOf(b, i), 2 * i, 2 * j
   local startI, startJ, to = b.time[i], b.time[j], b.to
   local start = max(startI, startJ)
-  local x, y = at(b, k, startI, start), at(b, k + 1, startI, start)
-  local ox, oy = at(b, m, startJ, start), at(b, m + 1, startJ, start)
+  local x, y = path.at(b, k, startI, start), path.at(b, k + 1, startI, start)
+  local ox, oy = path.at(b, m, startJ, start), path.at(b, m + 1, startJ, start)
   local share, face, isDeep = triangle.meet(
     b.shape[j],
     axis,
@@ -256,7 +251,7 @@ function slope.lean(b, i, j, axis)
     return apart, 0.0
   end
   -- The crest is level.
-  local place = at(b, 2 * its + t, b.time[its], b.time[box])
+  local place = path.at(b, 2 * its + t, b.time[its], b.time[box])
   local beyond = b.from[2 * box + t] + size[2 * box + t] - place - size[2 * its + t]
   if SOLID[t][shape] < 0 then
     beyond = place - b.from[2 * box + t]

@@ -5,8 +5,10 @@
 -- 1. Settle contacts that exist at the start, with their friction (`settleTouching`).
 -- 2. Correct corners (`nudgeTouching`).
 -- 3. Rounds: sweep, let the first impacts happen (`rounds`), settle again (`settleLate`).
--- 4. Limit the motion of overlapping bodies, note what is pressed and what is crushed
---    (`limits`, `pressed`, `crush`).
+-- 4. Limit the motion of overlapping bodies (`limits`), let bodies go down with the ground
+--    (`snap`), note what is pressed and what is crushed (`pressed`, `crush`).
+--
+-- Where there are slopes, `walk` lets bodies follow the ground after 2. and after each round.
 --
 -- A step is bounded. It has at most ROUNDS rounds, in each of which a body takes part in one
 -- impact. Each round makes a fixed number of passes over the contacts. What cannot be finished
@@ -90,7 +92,7 @@ local function begin(b, dt)
 end
 
 -- Settles what touches at the start of the step: first along gravity, then across it, each followed
--- by its friction.
+-- by its friction. (`friction.run` settles the axis that it rubs along.)
 local function settleTouching(b, dt)
   contacts.find(b)
   pressed.forget(b)

@@ -2,16 +2,19 @@
 -- time of impact), and on which side.
 --
 -- Every body moves in a straight line from `from` at `time` (0..1 of the step) to `to` at its end.
+-- (One that follows slopes has several, see slope.meetPieces.)
 -- Source: slab method on the Minkowski difference of two boxes. The side is on the axis on which
 -- the two were apart. If they were apart on both, it is the axis that closes last.
 --
--- Reads the paths, b.apart; writes the list of impacts, b.impacts.
+-- Reads the paths, touches, b.apart, and the pairs of changed bodies; writes the list of impacts,
+-- b.impacts.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".solver.ball")
 local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
 local interpreted = require(root .. ".memory.jit")
+local path = require(root .. ".motion.path")
 local slope = require(root .. ".solver.slope")
 
 local sweep = {}
@@ -154,23 +157,14 @@ local function meetCorner(gapX, endX, gapY, endY, depthX, depthY, down)
   return max(gap, 0.0) / (gap - gapEnd) + CORNER, axis
 end
 
--- Returns where body k is at moment t. Its path starts at moment `start`.
-local function at(b, k, start, t)
-  local from = b.from[k]
-  if t <= start then
-    return from
-  end
-  return from + (b.to[k] - from) * ((t - start) / (1 - start))
-end
-
 -- Returns when two bodies meet (0..1 of the step), on which axis, whether the first one is the low
 -- one, and whether they overlap already. Returns nil if they do not meet.
 local function meet(b, i, j)
   local size, to, k, m = b.size, b.to, 2 * i, 2 * j
   local startI, startJ = b.time[i], b.time[j]
   local start = max(startI, startJ)
-  local x, endX = at(b, m, startJ, start) - at(b, k, startI, start), to[m] - to[k]
-  local y = at(b, m + 1, startJ, start) - at(b, k + 1, startI, start)
+  local x, endX = path.at(b, m, startJ, start) - path.at(b, k, startI, start), to[m] - to[k]
+  local y = path.at(b, m + 1, startJ, start) - path.at(b, k + 1, startI, start)
   local endY = to[m + 1] - to[k + 1]
   local gapX, gapEndX, isLowX = gaps(x, endX, size[k], size[m])
   local gapY, gapEndY, isLowY = gaps(y, endY, size[k + 1], size[m + 1])
@@ -239,6 +233,6 @@ function sweep.run(b, changedCount)
 end
 
 -- These take another branch for each pair. (jit: 4)
-interpreted.functions(gaps, meetFace, meetCorner, at, meet, sweep.run)
+interpreted.functions(gaps, meetFace, meetCorner, meet, sweep.run)
 
 return sweep
