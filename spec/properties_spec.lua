@@ -390,7 +390,7 @@ describe("a saved state", function()
     end
   end)
 
-  it("is the same with either broad phase", function()
+  it("is the same with either broad phase #slow", function()
     for seed = 1, 2 do
       local random = script.new(seed, WILD)
       local a = script.play(random, { broadphase = "pairs" })
