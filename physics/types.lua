@@ -1,6 +1,6 @@
 ---@meta _
 --- The types of this library for editors (LuaLS, EmmyLua). Nothing requires this file.
---- scripts/types.lua writes it from physics/world/fields.lua and physics/world/world.lua: change
+--- scripts/types.lua writes it from physics/world/fields.lua and the methods of worlds: change
 --- those.
 
 ---@alias physics.Side "left"|"right"|"top"|"bottom"
@@ -304,67 +304,6 @@ local default = {}
 ---@param dt number s, >= 0
 function default.update(dt) end
 
---- Puts an object at the end of a group and returns it. A group that does not exist is made.
----
---- It does the same as `table.insert(world.objects[group], object)`, and more. It checks the fields
---- at once and gives a dynamic object its `vx`, `vy` and `touching`. An object that was removed
---- since the last update is read again.
----
---- Errors: the group is not a string or a number; the object is not a table; a field has a value
---- that cannot be used; the object is already in the world. Nothing has changed then. (An object
---- that you put in by hand since the last update is found by the next update: "the same object
---- as".)
----@param group string|number name of the group
----@param object physics.NewObject your own table: x, y, width, height and any other fields
----@return physics.Object object the same table
-function default.add(group, object) end
-
---- Takes an object out of the world, that is out of its group's table. Its contacts end with
---- `onEnd` at the next update. An object that is added again before that update has never been
---- away.
----
---- Later objects of the group move up one place, as with `table.remove`. Inside a loop go
---- backwards, `for i = #group, 1, -1 do`, or loop over the list that a query returns. A forward
---- `ipairs` over the group would skip the object after each removed one.
----
---- Errors: the object is not a table.
----@param object physics.NewObject the object to remove
----@return boolean removed false: it was not in the world
-function default.remove(object) end
-
---- Reads an object again, also the fields that are read only once: `static`, and all fields of a
---- static object. Call it after changing one of these by hand. Queries see the change at once.
----
---- On a kinematic object it also means "it is there now": without `refresh` an object gets to
---- the `x, y` that you write during the next step, and pushes what is in its way.
----
---- Errors: the object is not a table, or not in the world; a field has a value that cannot be used.
----@param object physics.NewObject the object that you changed
-function default.refresh(object) end
-
---- Lets an object fall through the one-way objects that it stands on. It passes through them until
---- it is clear of them. Until then no other one-way object holds it, so it falls through a whole
---- bridge of planks or slopes. If it also stands on something solid, it stays there, although the
---- result is true; it passes through the one-way objects when it leaves the solid one.
----
---- Errors: the object is not a table, or not in the world.
----@param object physics.NewObject the object that stands on them
----@return boolean dropped false: it stands on no one-way object
-function default.dropThrough(object) end
-
---- Returns what an object stands on, as the last step has left it, and how steep that is under it:
---- for a sprite that turns with the ground, `math.atan(gradient)`.
----
---- The gradient is in px along y for each px along x: -0.5 on a slope that rises to the right by 1
---- px in 2, 0 on everything that is level. Where gravity acts sideways it is px along x for each px
---- along y.
----
---- Errors: the object is not a table, or not in the world.
----@param object physics.NewObject a dynamic object
----@return physics.NewObject? ground nil: it stands on nothing
----@return number gradient
-function default.ground(object) end
-
 --- Returns everything that a future step depends on, as a plain table that any serializer can
 --- write: numbers, strings, booleans and tables, without functions, cycles and infinities. After
 --- `restore` the run continues with the same bits, also in another process and on another Lua.
@@ -446,6 +385,159 @@ function default.draw(options) end
 ---@return number x px
 ---@return number y px
 function default.interpolate(object) end
+
+--- Puts an object at the end of a group and returns it. A group that does not exist is made.
+---
+--- It does the same as `table.insert(world.objects[group], object)`, and more. It checks the fields
+--- at once and gives a dynamic object its `vx`, `vy` and `touching`. An object that was removed
+--- since the last update is read again.
+---
+--- Errors: the group is not a string or a number; the object is not a table; a field has a value
+--- that cannot be used; the object is already in the world. Nothing has changed then. (An object
+--- that you put in by hand since the last update is found by the next update: "the same object
+--- as".)
+---@param group string|number name of the group
+---@param object physics.NewObject your own table: x, y, width, height and any other fields
+---@return physics.Object object the same table
+function default.add(group, object) end
+
+--- Takes an object out of the world, that is out of its group's table. Its contacts end with
+--- `onEnd` at the next update. An object that is added again before that update has never been
+--- away.
+---
+--- Later objects of the group move up one place, as with `table.remove`. Inside a loop go
+--- backwards, `for i = #group, 1, -1 do`, or loop over the list that a query returns. A forward
+--- `ipairs` over the group would skip the object after each removed one.
+---
+--- Errors: the object is not a table.
+---@param object physics.NewObject the object to remove
+---@return boolean removed false: it was not in the world
+function default.remove(object) end
+
+--- Reads an object again, also the fields that are read only once: `static`, and all fields of a
+--- static object. Call it after changing one of these by hand. Queries see the change at once.
+---
+--- On a kinematic object it also means "it is there now": without `refresh` an object gets to
+--- the `x, y` that you write during the next step, and pushes what is in its way.
+---
+--- Errors: the object is not a table, or not in the world; a field has a value that cannot be used.
+---@param object physics.NewObject the object that you changed
+function default.refresh(object) end
+
+--- Lets an object fall through the one-way objects that it stands on. It passes through them until
+--- it is clear of them. Until then no other one-way object holds it, so it falls through a whole
+--- bridge of planks or slopes. If it also stands on something solid, it stays there, although the
+--- result is true; it passes through the one-way objects when it leaves the solid one.
+---
+--- Errors: the object is not a table, or not in the world.
+---@param object physics.NewObject the object that stands on them
+---@return boolean dropped false: it stands on no one-way object
+function default.dropThrough(object) end
+
+--- Returns what an object stands on, as the last step has left it, and how steep that is under it:
+--- for a sprite that turns with the ground, `math.atan(gradient)`.
+---
+--- The gradient is in px along y for each px along x: -0.5 on a slope that rises to the right by 1
+--- px in 2, 0 on everything that is level. Where gravity acts sideways it is px along x for each px
+--- along y.
+---
+--- Errors: the object is not a table, or not in the world.
+---@param object physics.NewObject a dynamic object
+---@return physics.NewObject? ground nil: it stands on nothing
+---@return number gradient
+function default.ground(object) end
+
+--- Moves one object to (x, y) now, with collisions and without physics. It writes `object.x` and
+--- `object.y`, pushes nothing and changes no velocity.
+---
+--- Static, kinematic and dynamic objects are in its way. Masks, `active` and `oneWay` hold as in a
+--- step; `canCollide` is not called. The object never ends inside a solid one, unless it was inside
+--- that one before: an object that it overlaps at the start is reported and crossed.
+---
+---     "slide"    goes on along the side that it hit (default)
+---     "touch"    stays where it hit
+---     "cross"    goes through
+---     "bounce"   goes on mirrored
+---
+--- The response may be a function(object, other) that returns one of these names for each hit (nil:
+--- "slide"), or false, as if `other` were not there. It must not change the world. Sensors are
+--- crossed whatever the response. An inactive object moves without collisions. The move ends after
+--- 64 hits.
+--- Source: the responses are those of bump.lua (E. García Cota).
+---
+--- Errors: the object is not a table, not in the world, or static; a number is not finite; the
+--- response is unknown; it is called from inside `canCollide`. Nothing has moved then.
+---@param object physics.NewObject dynamic or kinematic
+---@param x number px, left edge where it should go
+---@param y number px, top edge
+---@param response physics.Response|physics.Respond|nil default "slide"
+---@param out physics.Hit[]? list of an earlier call, which is filled again
+---@return number x px, where it is now
+---@return number y px
+---@return physics.Hit[] hits in the order in which they happened
+---@return integer count
+function default.move(object, x, y, response, out) end
+
+--- Changes the velocity of a dynamic object by the impulse divided by its mass. A speed limit of
+--- the object (`maxSpeed`, `maxSpeedX`, `maxSpeedY`) cuts the new velocity in the next step.
+---
+--- Errors: the object is not a table, not in the world, or not dynamic; a number is not finite; its
+--- `vx`, `vy` or `mass` cannot be used; it is called from inside `canCollide`.
+---@param object physics.NewObject a dynamic object
+---@param ix number px/s times mass, along x
+---@param iy number px/s times mass, along y
+function default.impulse(object, ix, iy) end
+
+--- Moves the whole world by (dx, dy): every object, active or not, and the tiles of its maps. No
+--- callback is called, and riders, contacts and velocities stay as they are. So a level may wrap
+--- around, or the player stay near the origin. Move your camera by the same way.
+---
+--- The coordinates are sums, so they round: choose a whole number of px. A state that was saved
+--- before belongs to the old place.
+---
+--- Errors: a number is not finite; an object would be too far away, or has a field that cannot be
+--- used (nothing has moved then); it is called from inside `canCollide`.
+---@param dx number px
+---@param dy number px
+function default.shift(dx, dy) end
+
+--- Pushes all dynamic objects in a circle away from its centre, also sensors. At the centre an
+--- object gets the whole impulse, at the rim nothing; in between it is less with the distance of
+--- the nearest point of the object. The push is towards the middle of the object, or straight up
+--- if that is the centre.
+---
+--- With `walls` only objects in sight are pushed: those that nothing of `walls` hides from the
+--- centre. It is a filter as for `raycast`, for instance the name of a group. Inside a wall an
+--- explosion pushes only that wall, if it is dynamic.
+---
+--- Errors: a number is not finite; the radius is <= 0; a filter cannot be used; `vx`, `vy` or
+--- `mass` of an object cannot be used; it is called from inside `canCollide`. Nothing has changed
+--- then.
+---@param x number px, the centre
+---@param y number px
+---@param radius number px, > 0
+---@param impulse number px/s times mass, at the centre; < 0: towards the centre
+---@param filter physics.Filter? which objects are pushed, default all
+---@param walls physics.Filter? what is in the way, default nothing
+---@return physics.Object[] objects those that were pushed, in the order of the world
+---@return integer count
+function default.explode(x, y, radius, impulse, filter, walls) end
+
+--- Puts four static walls around a rectangle: `top`, `bottom`, `left` and `right` of the group
+--- `bounds`. You may give them `friction` and other fields before the next update. A second call
+--- replaces the walls; a call without arguments removes them.
+---
+--- The lower wall is a floor. A level with pits needs a rectangle that is higher than the level, so
+--- that the player falls out of sight. Filters and masks that name only your own walls leave
+--- `bounds` out.
+---
+--- Errors: a number is not finite; a size is <= 0; the game uses one of these names for something
+--- else; it is called from inside `canCollide`.
+---@param x number? px, inner left edge; nil: no bounds
+---@param y number? px, inner top edge
+---@param w number? px, > 0
+---@param h number? px, > 0
+function default.setBounds(x, y, w, h) end
 
 --- Returns all objects at a point, and how many. The left and top edges of an object belong to it,
 --- the right and bottom ones do not. So a point on a seam belongs to one tile.
@@ -626,98 +718,6 @@ function default.touching(a, b) end
 ---@param b physics.NewObject the other one
 ---@return string sentence
 function default.explain(a, b) end
-
---- Moves one object to (x, y) now, with collisions and without physics. It writes `object.x` and
---- `object.y`, pushes nothing and changes no velocity.
----
---- Static, kinematic and dynamic objects are in its way. Masks, `active` and `oneWay` hold as in a
---- step; `canCollide` is not called. The object never ends inside a solid one, unless it was inside
---- that one before: an object that it overlaps at the start is reported and crossed.
----
----     "slide"    goes on along the side that it hit (default)
----     "touch"    stays where it hit
----     "cross"    goes through
----     "bounce"   goes on mirrored
----
---- The response may be a function(object, other) that returns one of these names for each hit (nil:
---- "slide"), or false, as if `other` were not there. It must not change the world. Sensors are
---- crossed whatever the response. An inactive object moves without collisions. The move ends after
---- 64 hits.
---- Source: the responses are those of bump.lua (E. García Cota).
----
---- Errors: the object is not a table, not in the world, or static; a number is not finite; the
---- response is unknown; it is called from inside `canCollide`. Nothing has moved then.
----@param object physics.NewObject dynamic or kinematic
----@param x number px, left edge where it should go
----@param y number px, top edge
----@param response physics.Response|physics.Respond|nil default "slide"
----@param out physics.Hit[]? list of an earlier call, which is filled again
----@return number x px, where it is now
----@return number y px
----@return physics.Hit[] hits in the order in which they happened
----@return integer count
-function default.move(object, x, y, response, out) end
-
---- Changes the velocity of a dynamic object by the impulse divided by its mass. A speed limit of
---- the object (`maxSpeed`, `maxSpeedX`, `maxSpeedY`) cuts the new velocity in the next step.
----
---- Errors: the object is not a table, not in the world, or not dynamic; a number is not finite; its
---- `vx`, `vy` or `mass` cannot be used; it is called from inside `canCollide`.
----@param object physics.NewObject a dynamic object
----@param ix number px/s times mass, along x
----@param iy number px/s times mass, along y
-function default.impulse(object, ix, iy) end
-
---- Moves the whole world by (dx, dy): every object, active or not, and the tiles of its maps. No
---- callback is called, and riders, contacts and velocities stay as they are. So a level may wrap
---- around, or the player stay near the origin. Move your camera by the same way.
----
---- The coordinates are sums, so they round: choose a whole number of px. A state that was saved
---- before belongs to the old place.
----
---- Errors: a number is not finite; an object would be too far away, or has a field that cannot be
---- used (nothing has moved then); it is called from inside `canCollide`.
----@param dx number px
----@param dy number px
-function default.shift(dx, dy) end
-
---- Pushes all dynamic objects in a circle away from its centre, also sensors. At the centre an
---- object gets the whole impulse, at the rim nothing; in between it is less with the distance of
---- the nearest point of the object. The push is towards the middle of the object, or straight up
---- if that is the centre.
----
---- With `walls` only objects in sight are pushed: those that nothing of `walls` hides from the
---- centre. It is a filter as for `raycast`, for instance the name of a group. Inside a wall an
---- explosion pushes only that wall, if it is dynamic.
----
---- Errors: a number is not finite; the radius is <= 0; a filter cannot be used; `vx`, `vy` or
---- `mass` of an object cannot be used; it is called from inside `canCollide`. Nothing has changed
---- then.
----@param x number px, the centre
----@param y number px
----@param radius number px, > 0
----@param impulse number px/s times mass, at the centre; < 0: towards the centre
----@param filter physics.Filter? which objects are pushed, default all
----@param walls physics.Filter? what is in the way, default nothing
----@return physics.Object[] objects those that were pushed, in the order of the world
----@return integer count
-function default.explode(x, y, radius, impulse, filter, walls) end
-
---- Puts four static walls around a rectangle: `top`, `bottom`, `left` and `right` of the group
---- `bounds`. You may give them `friction` and other fields before the next update. A second call
---- replaces the walls; a call without arguments removes them.
----
---- The lower wall is a floor. A level with pits needs a rectangle that is higher than the level, so
---- that the player falls out of sight. Filters and masks that name only your own walls leave
---- `bounds` out.
----
---- Errors: a number is not finite; a size is <= 0; the game uses one of these names for something
---- else; it is called from inside `canCollide`.
----@param x number? px, inner left edge; nil: no bounds
----@param y number? px, inner top edge
----@param w number? px, > 0
----@param h number? px, > 0
-function default.setBounds(x, y, w, h) end
 
 --- Adds the objects of a map of the editor Tiled, and its solid tiles, merged into few large
 --- rectangles. The map is its Lua export (the table, or the path of the file), or the table that

@@ -80,7 +80,7 @@ end
 
 function readTag.class(entry, text)
   entry.kind = "class"
-  entry.name, entry.type = text:match("^([%w_.]+):?%s*(.*)$")
+  entry.name, entry.type = text:gsub("^%(partial%) ", ""):match("^([%w_.]+):?%s*(.*)$")
 end
 
 function readTag.alias(entry, text)
@@ -137,12 +137,8 @@ local function readHead(entry, line, found)
   end
 end
 
---- Returns the entries of a file, in its order.
----@param path string
----@return docs.Entry[]
-function docstrings.read(path)
-  local file = assert(io.open(path, "rb"))
-  local found, run = {}, {}
+local function readFile(path, found)
+  local file, run = assert(io.open(path, "rb")), {}
   for line in file:lines() do
     local comment = line:match("^%-%-%-(.*)$")
     if comment then
@@ -156,11 +152,33 @@ function docstrings.read(path)
     end
   end
   file:close()
+end
+
+--- The files with the methods of a world, in the order of the reference.
+docstrings.WORLD = {
+  "physics/world/class.lua",
+  "physics/world/world.lua",
+  "physics/world/objectMethods.lua",
+  "physics/world/queryMethods.lua",
+  "physics/world/mapMethods.lua",
+}
+
+--- Returns the entries of a file, or of several, in their order.
+---@param path string|string[]
+---@return docs.Entry[]
+function docstrings.read(path)
+  local paths, found = path, {}
+  if type(paths) == "string" then
+    paths = { paths }
+  end
+  for _, name in ipairs(paths) do
+    readFile(name, found)
+  end
   return found
 end
 
 --- Returns the functions of one owner, by name and as a list in the order of the file.
----@param path string
+---@param path string|string[]
 ---@param owner string
 ---@return table<string, docs.Entry> byName
 ---@return docs.Entry[] list

@@ -237,7 +237,7 @@ end
 
 -- The fields of a world that are not settings.
 local function addWorldFields(lines)
-  for _, entry in ipairs(docstrings.read("physics/world/world.lua")) do
+  for _, entry in ipairs(docstrings.read(docstrings.WORLD)) do
     for _, field in ipairs(entry.name == "physics.World" and entry.fields or {}) do
       if field.name:find("^%a") then
         add(lines, item("world." .. field.name, field.type, field.text))
@@ -256,7 +256,7 @@ local function anchors()
   for _, source in ipairs({
     { "physics.lua", "physics", "physics." },
     { "physics/world/tutorial.lua", "pure", "physics." },
-    { "physics/world/world.lua", "World", "world:" },
+    { docstrings.WORLD, "World", "world:" },
     { "physics/maps/tiles.lua", "Tiles", "tiles:" },
   }) do
     local _, list = docstrings.functions(source[1], source[2])
@@ -328,11 +328,13 @@ function manual.text()
   addFunctions(lines, "physics/world/tutorial.lua", "pure", "physics.")
   add(lines, "## Worlds", "", WORLD)
   addWorldFields(lines)
-  addFunctions(lines, "physics/world/world.lua", "World", "world:")
+  addFunctions(lines, docstrings.WORLD, "World", "world:")
   add(lines, "## Tiles", "", TILES)
   addFunctions(lines, "physics/maps/tiles.lua", "Tiles", "tiles:")
   add(lines, "## Types", "", TYPES)
-  local files = { "types", "world/world", "world/draw", "maps/tiles", "maps/array", "maps/tiled" }
+  addTypes(lines, "physics/types.lua")
+  addTypes(lines, docstrings.WORLD)
+  local files = { "world/draw", "maps/tiles", "maps/array", "maps/tiled" }
   for _, file in ipairs({ "maps/tiled/options", "maps/ldtk", "maps/ldtk/project" }) do
     files[#files + 1] = file
   end

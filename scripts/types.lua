@@ -16,7 +16,7 @@ local COLUMNS = 100
 local HEAD = [[
 ---@meta _
 --- The types of this library for editors (LuaLS, EmmyLua). Nothing requires this file.
---- scripts/types.lua writes it from physics/world/fields.lua and physics/world/world.lua: change
+--- scripts/types.lua writes it from physics/world/fields.lua and the methods of worlds: change
 --- those.
 
 ---@alias physics.Side "left"|"right"|"top"|"bottom"
@@ -130,7 +130,7 @@ end
 
 -- The public fields of a world, from its docstring.
 local function addWorldFields(lines)
-  for _, entry in ipairs(docstrings.read("physics/world/world.lua")) do
+  for _, entry in ipairs(docstrings.read(docstrings.WORLD)) do
     for _, field in ipairs(entry.name == "physics.World" and entry.fields or {}) do
       add(lines, ("---@field %s %s %s"):format(field.name, field.type, field.text))
     end
@@ -148,7 +148,7 @@ function types.text()
   add(lines, "---@class physics.DefaultWorld: physics.WorldSettings")
   addWorldFields(lines)
   add(lines, "local default = {}")
-  local _, methods = docstrings.functions("physics/world/world.lua", "World")
+  local _, methods = docstrings.functions(docstrings.WORLD, "World")
   for _, entry in ipairs(methods) do
     addFunction(lines, entry)
   end

@@ -2618,6 +2618,21 @@ local FOUND = {
       },
     },
   },
+  {
+    "what is soft since the state was saved has no contact in the copy",
+    {
+      settings = {},
+      acts = {
+        { "add", 32, 1, { height = 60, width = 10, x = 70, y = 10 } },
+        { "update", 0.3925644487818372 },
+        { "add", 41, "crates", { height = 10, width = 10, x = 79.5, y = 100 } },
+        { "update", 0.1531544451910578 },
+        { "set", "soft", { crates = { 3.077251094465378 } } },
+        { "reload" },
+        { "update", 0.016666666666666666 },
+      },
+    },
+  },
 }
 
 describe("a random game has found that", function()

@@ -148,6 +148,19 @@ describe("a checked world", function()
     world:update(DT)
   end)
 
+  it("leaves a static object alone that is one-way by `true`", function()
+    local world = newWorld()
+    local ledge = { x = 0, y = 50, width = 50, height = 10, static = true, oneWay = true }
+    world:add("ledges", ledge)
+    world:update(DT)
+    ledge.oneWay = "left"
+    refusesStep(
+      world,
+      'objects.ledges[1].oneWay was changed to "left": a static object is read only once, so call'
+        .. " world:refresh(object)"
+    )
+  end)
+
   it("refuses a dynamic object that is one-way, not a kinematic one", function()
     local world, _, box = newWorld()
     local text = " must be nil, got %s: one-way objects are static or kinematic; a dynamic one"

@@ -167,6 +167,13 @@ describe("hits, checked,", function()
       )
     end
     assert.equal(1, select(2, world:queryRect(0, 0, 9, 9, { "bullets", "coins" })))
+    local ok, message = pcall(world.explode, world, 0, 0, 9, 9, "bullets", "palyers")
+    assert.is_false(ok)
+    assert.matches(
+      "spec/hits_spec.lua:%d+: physics: world:explode%(.*%): walls: filter: there is no group"
+        .. " palyers, did you mean players%?",
+      message
+    )
   end)
 end)
 

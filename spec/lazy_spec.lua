@@ -17,6 +17,10 @@ local USES = {
   ["physics.maps.tiled"] = function(_, world)
     pcall(world.loadTiled, world, {})
   end,
+  ["physics.motion.softDrift"] = function(_, world)
+    world.soft = { boxes = { boxes = 100 } }
+    world:update(1 / 60)
+  end,
   ["physics.queries.index"] = function(_, world)
     world:queryPoint(0, 0)
   end,
@@ -24,6 +28,9 @@ local USES = {
     world:move(box, 8, 8)
   end,
   ["physics.queries.query"] = function(_, world)
+    world:nearest(0, 0, 10)
+  end,
+  ["physics.queries.rays"] = function(_, world)
     world:raycast(0, 0, 10, 10)
   end,
   ["physics.state.hash"] = function(_, world)
@@ -47,6 +54,9 @@ local USES = {
   ["physics.world.strictMode"] = function(_, world)
     world.checked = true
     world:update(1 / 60)
+  end,
+  ["physics.world.wording"] = function(_, world)
+    pcall(world.add, world)
   end,
   ["physics.world.tutorial"] = function(physics, _, box, floor)
     physics.bump(box, floor)

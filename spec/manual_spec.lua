@@ -23,7 +23,7 @@ end
 local SOURCES = {
   { "physics.lua", "physics" },
   { "physics/world/tutorial.lua", "pure" },
-  { "physics/world/world.lua", "World" },
+  { docstrings.WORLD, "World" },
   { "physics/maps/tiles.lua", "Tiles" },
 }
 
@@ -159,7 +159,7 @@ describe("the docstring", function()
   for _, source in ipairs(SOURCES) do
     local _, list = docstrings.functions(source[1], source[2])
 
-    it("names each parameter of each function, " .. source[1], function()
+    it("names each parameter of each function, " .. source[2], function()
       assert.is_true(#list > 2)
       for _, entry in ipairs(list) do
         local names = {}
@@ -171,7 +171,7 @@ describe("the docstring", function()
       end
     end)
 
-    it("says what each parameter is, " .. source[1], function()
+    it("says what each parameter is, " .. source[2], function()
       for _, entry in ipairs(list) do
         for _, param in ipairs(entry.params) do
           assert.not_equal("", param.text, entry.name .. ": " .. param.name)
@@ -179,7 +179,7 @@ describe("the docstring", function()
       end
     end)
 
-    it("says what is refused, " .. source[1], function()
+    it("says what is refused, " .. source[2], function()
       for _, entry in ipairs(list) do
         if #entry.params > 0 and entry.owner ~= "world" then
           local text = "\n" .. table.concat(entry.text, "\n")

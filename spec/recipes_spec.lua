@@ -937,6 +937,53 @@ recipes["Sliding doors"] = function(snippet)
   assert.near(340, door.y, 1e-6)
 end
 
+recipes["Explosion"] = function(snippet)
+  local g = play(snippet, "blast")
+  g.run(0.1)
+  local count = g.look()(200, 350)
+  assert.is_true(count >= 4 and count < 12) -- some are behind the wall
+  assert.is_true(#g.world.objects.enemies < 12)
+  for _, enemy in ipairs(g.world.objects.enemies) do
+    assert.equal(enemy.x < 260, enemy.health < 4)
+  end
+end
+
+recipes["Crates on ice"] = function(snippet)
+  local g = play(snippet, "crate")
+  local crate = g.look()
+  g.run(0.3, function()
+    g.player.vx = 160
+  end)
+  g.player.vx = 0
+  local x = crate.x
+  g.run(1)
+  assert.is_true(crate.x < 160 and crate.x - x < 20) -- it stops on the floor
+  g.run(3, function()
+    g.player.vx = crate.x < 170 and 160 or 0
+  end)
+  assert.near(500 - 24, crate.x, 1) -- on the ice it slides to the wall
+end
+
+recipes["Round enemies"] = function(snippet)
+  local g = play(snippet)
+  g.run(12)
+  local near = 0
+  for _, enemy in ipairs(g.world.objects.enemies) do
+    local dx, dy = g.player.x + 12 - enemy.x - 8, g.player.y + 16 - enemy.y - 8
+    near = near + (dx * dx + dy * dy < 90 * 90 and 1 or 0)
+    assert.same({}, { (next((g.world:overlapping(enemy, "walls")))) })
+  end
+  assert.equal(20, near)
+end
+
+recipes["Damage in a soft crowd"] = function(snippet)
+  local g = play(snippet)
+  g.run(2)
+  assert.equal(10, g.player.health)
+  g.run(3)
+  assert.is_true(g.player.health < 9 and g.player.health > 2)
+end
+
 recipes["Minimap"] = function(snippet)
   local g = play(snippet, "drawMinimap")
   local dots = {}

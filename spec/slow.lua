@@ -23,6 +23,7 @@ slow.files = {
   { "spec/state_spec.lua", "a rollback of 8 steps, with each combination of settings" },
   { "spec/properties_spec.lua", "28 seeds of games in which nothing may sink" },
   { "spec/friction_spec.lua", "stacks compared with steps of 1/1500 to 1/4800 s" },
+  { "spec/strength_spec.lua", "a player in a crowd of 100, for each setting" },
   { "spec/scenarios/13_piles_spec.lua", "1000 boxes without friction, for 20 s" },
   { "spec/scenarios/17_pushable_spec.lua", "rows between two boxes, at five frame rates" },
   { "spec/scenarios/08_crushing_spec.lua", "a crowd on one spot, in a dozen corridors" },

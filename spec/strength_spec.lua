@@ -82,6 +82,40 @@ describe("strength", function()
     assert.near(60, other, 1e-9)
   end)
 
+  -- A ball above and to the left of another one, or of a box, at 45 degrees or so.
+  for _, isBox in ipairs({ true, false }) do
+    it(
+      "holds where " .. (isBox and "a ball and a box" or "two balls") .. " meet slanted",
+      function()
+        local world = physics.newWorld({ gravity = 0 })
+        local size = isBox and 20 or nil
+        local radius = not isBox and 10 or nil
+        local player = world:add("players", {
+          x = 0,
+          y = 0,
+          width = size,
+          height = size,
+          radius = radius,
+          strength = 1,
+        })
+        world:add("enemies", { x = 30, y = 29, radius = 10, vx = -60, vy = -58 })
+        for _ = 1, 60 do
+          world:update(DT)
+        end
+        assert.same({ 0, 0, 0, 0 }, { player.x, player.y, player.vx, player.vy })
+        -- It pushes a fifth of the mass of what it runs into.
+        local other = world:add("enemies", { x = 330, y = 14, radius = 10 })
+        player.x, player.y, player.vx = 300, 0, 100
+        for _ = 1, 60 do
+          world:update(DT)
+        end
+        local momentum = player.vx + 0.2 * other.vx
+        assert.near(100, momentum, 1e-6)
+        assert.is_true(other.vx > 40 and player.vx > 70)
+      end
+    )
+  end
+
   it("does not let it through walls, nor what it pushes", function()
     local world = physics.newWorld({ gravity = 0 })
     local player = world:add("players", { x = 0, y = 0, width = 10, height = 10, strength = 1 })
@@ -104,41 +138,73 @@ describe("strength", function()
     assert.equal(3, player.strength)
   end)
 
-  for _, count in ipairs({ 40, 100 }) do
-    it(
-      "keeps a player where it stands among " .. count .. " that press, and lets it walk out",
-      function()
-        local world = physics.newWorld({ gravity = 0 })
-        local player = world:add("players", { x = 390, y = 290, width = 20, height = 20 })
-        player.strength, player.mass = 1, 10
-        for n = 1, count do
-          world:add("enemies", {
-            x = n * 97 % 780,
-            y = n * 61 % 580 * (n % 2) + (1 - n % 2) * (n * 41 % 580),
-            width = 16,
-            height = 16,
-          })
-        end
-        local function step(vx)
-          for _, enemy in ipairs(world.objects.enemies) do
-            local dx, dy = player.x - enemy.x, player.y - enemy.y
-            local distance = math.max(1, math.sqrt(dx * dx + dy * dy))
-            enemy.vx, enemy.vy = 75 * dx / distance, 75 * dy / distance
-          end
-          player.vx, player.vy = vx, 0
-          world:update(DT)
-        end
-        for _ = 1, 480 do
-          step(0)
-        end
-        assert.near(390, player.x, 0.5)
-        assert.near(290, player.y, 0.5)
-        local x = player.x
-        for _ = 1, 120 do
-          step(150)
-        end
-        assert.is_true(player.x - x > 120 and player.x - x < 299)
+  -- `count` enemies press to a player for some seconds, then it walks out for 2 s. Returns how far
+  -- it was pushed about, and how far it got.
+  local function walkOut(fields, count, seconds, soft)
+    local world = physics.newWorld({ gravity = 0, soft = soft })
+    local player = world:add("players", { x = 390, y = 290, width = 20, height = 20 })
+    for name, value in pairs(fields) do
+      player[name] = value
+    end
+    for n = 1, count do
+      world:add("enemies", {
+        x = n * 97 % 780,
+        y = n * 61 % 580 * (n % 2) + (1 - n % 2) * (n * 41 % 580),
+        width = 16,
+        height = 16,
+      })
+    end
+    local function step(vx)
+      for _, enemy in ipairs(world.objects.enemies) do
+        local dx, dy = player.x - enemy.x, player.y - enemy.y
+        local distance = math.max(1, math.sqrt(dx * dx + dy * dy))
+        enemy.vx, enemy.vy = 75 * dx / distance, 75 * dy / distance
       end
-    )
+      player.vx, player.vy = vx, 0
+      world:update(DT)
+    end
+    local pushed = 0
+    for _ = 1, seconds * 60 do
+      step(0)
+      local dx, dy = player.x - 390, player.y - 290
+      pushed = math.max(pushed, math.sqrt(dx * dx + dy * dy))
+    end
+    local x = player.x
+    for _ = 1, 120 do
+      step(150)
+    end
+    return pushed, player.x - x
   end
+
+  for _, count in ipairs({ 40, 100 }) do
+    it("keeps a player where it stands among " .. count .. ", and lets it walk out", function()
+      local pushed, out = walkOut({ strength = 1, mass = 10 }, count, 8)
+      assert.near(0, pushed, 0.5)
+      assert.is_true(out > 120 and out < 299)
+    end)
+  end
+
+  -- The table of docs/topdown.md. (10 px: how the crowd lies changes with every version.)
+  it("gets as far through a crowd as the page says #slow", function()
+    local file = assert(io.open("docs/topdown.md"))
+    local text, rows = file:read("*a"), 0
+    file:close()
+    local ROW = "\n| ([^|]*`[^|]+`[^|]*) | (%d+) px | (-?%d+) px[^|]* | (%d+) px |"
+    for setting, pushed, out, softOut in text:gmatch(ROW) do
+      local fields = {
+        mass = tonumber(setting:match("mass = (%d+)")),
+        strength = tonumber(setting:match("strength = (%d+)")),
+      }
+      if setting:find("pushable = false", 1, true) then
+        fields.pushable = false
+      end
+      local itsPushed, itsOut = walkOut(fields, 100, 10)
+      assert.near(tonumber(pushed), itsPushed, 10)
+      assert.near(tonumber(out), itsOut, 10)
+      local _, soft = walkOut(fields, 100, 10, { enemies = { enemies = 350 } })
+      assert.near(tonumber(softOut), soft, 10)
+      rows = rows + 1
+    end
+    assert.equal(7, rows)
+  end)
 end)

@@ -849,6 +849,21 @@ describe("world:loadTiled, polygons", function()
     end
   end)
 
+  it("and ellipses that are circles are round as shapes of tiles, too", function()
+    local shape = tiled.object(5, 2, 4, 8, 8, { shape = "ellipse" })
+    local long = tiled.object(6, 0, 0, 8, 16, { shape = "ellipse" })
+    local set = tiled.tileset({ tiled.shapes(0, { shape }), tiled.shapes(1, { long }) })
+    local level, world = load(tiled.map({ set }, { tiled.tiles(1, "land", { "11", "2." }) }))
+    assert.same({ "2 4 8 8", "18 4 8 8" }, boxes(world, "land"))
+    assert.same({ 4, true }, { world.objects.land[1].radius, world.objects.land[1].static })
+    assert.same({ "ellipse: only circles are round, with one width and height" }, reasonsOf(level))
+    world:add("balls", { x = 4, y = -20, radius = 2 })
+    for _ = 1, 60 do
+      world:update(1 / 60)
+    end
+    assert.near(0, world.objects.balls[1].y, 1e-6) -- on top of the circle
+  end)
+
   it("and ellipses that are circles have a radius", function()
     local object = tiled.object(1, 40, 8, 24, 24, { shape = "ellipse", rotation = 90 })
     object.properties = { sensor = true }

@@ -139,9 +139,9 @@ local function compare(work, ranges)
   local asker, from, last, one, other = work.asker, work.from, work.last, work.one, work.other
   local r, count = 1, 0
   local p, q, final = asker[1], from[1], last[1]
+  local x, y, halfX, halfY = sx[p], sy[p], shx[p], shy[p]
   while r <= ranges do
-    local dx, dy = sx[q] - sx[p], sy[q] - sy[p]
-    local w, h = shx[p] + shx[q], shy[p] + shy[q]
+    local dx, dy, w, h = sx[q] - x, sy[q] - y, halfX + shx[q], halfY + shy[q]
     if dx < w and -dx < w and dy < h and -dy < h then
       count = count + 1
       one[count], other[count] = sorted[p], sorted[q]
@@ -150,6 +150,7 @@ local function compare(work, ranges)
     if q > final then
       r = r + 1
       p, q, final = asker[r] or 1, from[r] or 1, last[r] or 1
+      x, y, halfX, halfY = sx[p], sy[p], shx[p], shy[p]
     end
   end
   return count

@@ -9,242 +9,25 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local carrier = require(root .. ".objects.carriers")
-local check = require(root .. ".world.check")
+local compare = require(root .. ".objects.compare")
 local columns = require(root .. ".memory.columns")
 local detect = require(root .. ".broadphase.pairFinder")
 local events = require(root .. ".contacts.events")
-local filter = require(root .. ".broadphase.filter")
 local interpreted = require(root .. ".memory.jit")
 local notice = require(root .. ".queries.notice")
+local readFields = require(root .. ".objects.readFields")
 local rest = require(root .. ".sleep.islands")
 local registry = require(root .. ".objects.registry")
-local zones = require(root .. ".motion.zones")
 
 local read = {}
 
-local HUGE, max, min = math.huge, math.max, math.min
-local BOX, SLOPE = columns.SHAPE_BOX, columns.SHAPE_SLOPE_LEFT -- and above
-local UNREAD = 0 / 0 -- NaN: no place is equal to it
-local isFinite = check.isFinite
-local STATIC, KINEMATIC, DYNAMIC = columns.STATIC, columns.KINEMATIC, columns.DYNAMIC
-
-local sideOf, shapeOf = columns.sideOf, columns.shapeOf
-
-local function orDefault(value, default)
-  if value == nil then
-    return default
-  end
-  return value
-end
-
--- Notes which groups a mask refuses, by their numbers, to notice changes inside the same table. The
--- mask of a static object is copied.
-local function readMask(b, i, mask)
-  if b.kind[i] == STATIC then
-    b.mask[i] = filter.copyMask(b, mask)
-    return
-  end
-  local groups, seen = b.registry.groups, {}
-  for n = 1, #groups do
-    seen[groups[n].number] = mask[groups[n].name] == false or nil
-  end
-  b.maskSeen[i] = seen
-end
-
--- Returns whether a mask says something else of a group than before. A change about a group that
--- was empty, or absent, is only noted: nothing has met an object of it, and a restored world does
--- not know it either.
-local function hasMaskChanged(b, mask, seen)
-  local groups, changed = b.registry.groups, false
-  for n = 1, #groups do
-    local group = groups[n]
-    local refuses = mask[group.name] == false
-    if refuses ~= (seen[group.number] or false) then
-      seen[group.number], changed = refuses or nil, changed or group.wasFilled
-    end
-  end
-  return changed
-end
+local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
 
 -- Notes which groups have objects, for the next comparison of masks.
 local function noteFilled(groups)
   for n = 1, #groups do
     groups[n].wasFilled = groups[n].count > 0
   end
-end
-
--- Reads the gravity that acts on an object, and where its "down" is: along the stronger axis, y in
--- a tie.
-local function readPull(b, i)
-  local k = 2 * i
-  local gx, gy = b.ownGravityX[i], b.ownGravity[i]
-  if gx == false then
-    gx = b.gravityX
-  end
-  if gy == false then
-    gy = b.gravity
-  end
-  if b.kind[i] ~= DYNAMIC then
-    gx, gy = 0, 0
-  end
-  gx, gy = gx + 0.0, gy + 0.0 -- floats: squares of integers would wrap
-  b.pull[k], b.pull[k + 1] = gx, gy
-  zones.setDown(b, i, gx, gy)
-end
-
--- Fields that few objects have and that are copied as they are: name, column, default. (`listRich`
--- tests the same fields, and those few that are not copied as they are.)
-local RARE = {
-  { "active", "active", true },
-  { "sensor", "sensor", false },
-  { "pushable", "pushable", true },
-  { "strength", "strength", 0 },
-  { "oneWay", "oneWay", false },
-  { "slope", "slope", false },
-  { "radius", "radius", false },
-  { "area", "area", false },
-  { "carry", "carry", true },
-  { "canCollide", "canCollide", false },
-  { "onStay", "hears", false },
-  { "mask", "mask", false },
-  { "hits", "only", false },
-  { "gravity", "ownGravity", false },
-  { "gravityX", "ownGravityX", false },
-  { "airFriction", "airFriction", 0 },
-  { "drag", "drag", 0 },
-  { "surfaceSpeed", "surfaceSpeed", 0 },
-  { "nudge", "nudge", 0 },
-  { "snap", "snap", 0 },
-  { "constantSpeed", "constantSpeed", false },
-  { "maxSpeed", "maxSpeed", HUGE },
-  { "maxFallSpeed", "maxFallSpeed", HUGE },
-}
-local NAMES, COLUMNS, DEFAULTS = {}, {}, {}
-for n, field in ipairs(RARE) do
-  NAMES[n], COLUMNS[n], DEFAULTS[n] = field[1], field[2], field[3]
-end
-
--- Those that are compared for all: bullets and gems have them.
-local OFTEN = { sensor = true, hits = true }
-
--- Reads them in a loop: written out, they become much machine code at every place that reads
--- objects. Returns whether the object has none of them.
-local function readRare(b, i, object)
-  local isBareSoFar = true
-  for n = 1, #NAMES do
-    local value = object[NAMES[n]]
-    if value == nil then
-      value = DEFAULTS[n]
-    else
-      isBareSoFar = isBareSoFar and OFTEN[NAMES[n]] ~= nil
-    end
-    b[COLUMNS[n]][i] = value
-  end
-  return isBareSoFar
-end
-
--- Reads the list of groups that an object hits, if it is another one.
-local function readHits(b, i, list)
-  if list ~= b.hitsGiven[i] then
-    b.hitsGiven[i] = list
-    b.hitsRead[i] = list and filter.readHits(b, list)
-  end
-  b.only[i] = b.hitsRead[i]
-end
-
-local function readFields(b, i, object)
-  local k, isDynamic = 2 * i, b.kind[i] == DYNAMIC
-  local hasNoRare, mass = readRare(b, i, object), orDefault(object.mass, 1)
-  local ax, ay, topX, topY = object.ax, object.ay, object.maxSpeedX, object.maxSpeedY
-  if b.mask[i] then
-    readMask(b, i, b.mask[i])
-  end
-  if b.area[i] then
-    b.area[i] = zones.copy(b.area[i])
-    zones.note(b, i)
-  end
-  readHits(b, i, b.only[i])
-  b.oneWay[i] = sideOf(b.oneWay[i])
-  b.shape[i] = b.radius[i] and columns.SHAPE_CIRCLE or isDynamic and BOX or shapeOf(b.slope[i])
-  b.mass[i], b.inverseMass[i] = mass, isDynamic and 1 / mass or 0
-  b.friction[i] = orDefault(object.friction, isDynamic and 0 or -1)
-  b.restitution[i] = orDefault(object.restitution, 0)
-  b.push[k], b.push[k + 1] = orDefault(ax, 0), orDefault(ay, 0)
-  b.limit[k], b.limit[k + 1] = orDefault(topX, HUGE), orDefault(topY, HUGE)
-  b.bare[i] = isDynamic and hasNoRare and not (ax or ay or topX or topY)
-  local least = min(b.limit[k], b.limit[k + 1], b.maxFallSpeed[i])
-  b.isFree[i] = b.airFriction[i] == 0 and least == HUGE
-  readPull(b, i)
-end
-
--- Keeps the place and size of an object before the game made it larger, until the next step.
-local function noteGrowth(b, i)
-  for k = 2 * i, 2 * i + 1 do
-    b.wasAt[k], b.wasSize[k] = b.position[k], b.size[k]
-  end
-  b.grown[i] = true
-end
-
-local function readMotion(b, i, object, isNew)
-  local k = 2 * i
-  local isLarger = object.width > b.size[k] or object.height > b.size[k + 1]
-  if isLarger and not (isNew or b.grown[i]) and b.kind[i] == DYNAMIC then
-    noteGrowth(b, i)
-  end
-  -- Adding 0.0 makes floats of the integers of Lua 5.3 and later, which would wrap.
-  local x, y = object.x + 0.0, object.y + 0.0
-  b.size[k], b.size[k + 1] = object.width + 0.0, object.height + 0.0
-  b.velocity[k], b.velocity[k + 1] = orDefault(object.vx, 0) + 0.0, orDefault(object.vy, 0) + 0.0
-  b.written[k], b.written[k + 1] = x, y
-  if isNew then
-    b.behind[k], b.behind[k + 1] = 0, 0
-  end
-  if isNew or b.kind[i] ~= KINEMATIC then
-    b.position[k], b.position[k + 1] = x, y
-    b.last[k], b.last[k + 1] = x, y
-  end
-  if b.kind[i] == STATIC then
-    b.velocity[k], b.velocity[k + 1] = 0, 0
-  end
-end
-
--- Notes whether its position alone decides if a contact of the object goes on.
-local function noteEven(b, i)
-  b.even[i] = not (b.sensor[i] or b.hears[i] or b.oneWay[i]) and b.shape[i] == BOX
-end
-
--- Notes how steep a slope is.
-local function noteSlope(b, i)
-  local width, height = b.size[2 * i], b.size[2 * i + 1]
-  b.hasSlopes = true
-  b.steep[0], b.steep[1] = max(b.steep[0], width / height), max(b.steep[1], height / width)
-end
-
--- Reads all fields, which must have been checked. If reading still fails (the game's `__index` may
--- raise an error), the next step reads all of them again.
-local function readAll(b, i, object, isNew)
-  b.written[2 * i] = UNREAD
-  b.reserve[2 * i], b.reserve[2 * i + 1] = 0, 0
-  readFields(b, i, object)
-  readMotion(b, i, object, isNew)
-  b.hasCarriers = b.hasCarriers or b.kind[i] == KINEMATIC or b.surfaceSpeed[i] ~= 0
-  b.hasFriction = b.hasFriction or b.friction[i] > 0
-  b.hasNudges = b.hasNudges or b.nudge[i] ~= 0
-  b.hasSnaps = b.hasSnaps or b.snap[i] ~= 0
-  b.hasHinders = b.hasHinders or b.drag[i] ~= 0 or b.maxSpeed[i] ~= HUGE
-  b.hasLimits = b.hasLimits or not b.isFree[i] or b.maxSpeed[i] < HUGE
-  b.hasBounces = b.hasBounces or b.restitution[i] ~= 0
-  b.hasAskers = b.hasAskers or b.canCollide[i] ~= false
-  b.hasOneWays = b.hasOneWays or b.oneWay[i] ~= false
-  b.hasSensors = b.hasSensors or b.sensor[i]
-  b.hasCircles = b.hasCircles or b.shape[i] == columns.SHAPE_CIRCLE
-  b.hasFirm = b.hasFirm or not b.pushable[i]
-  if b.shape[i] >= SLOPE then
-    noteSlope(b, i)
-  end
-  b.power[i] = b.pushable[i] and b.strength[i] or HUGE
-  b.plain[i] = not b.sensor[i] and b.shape[i] == BOX
-  noteEven(b, i)
 end
 
 --- Returns the table that will be `touching` of an object. An object that returns to this world
@@ -278,7 +61,7 @@ local function enter(b, object, record, key)
   b.object[i], b.group[i], b.groupName[i], b.key[i] = object, record, record.name, key
   b.kind[i] = columns.kindOf(object)
   noteStatic(b, i)
-  readAll(b, i, object, true)
+  readFields.all(b, i, object, true)
   columns.stand(b, i)
   b.fresh[i] = true
   b.quiet[i] = false
@@ -386,19 +169,10 @@ local function forgetMotion(b, i)
   end
 end
 
--- Checks an object again. Errors: a field that cannot be used. Only then the text of its place is
--- made: games write to objects all the time, and the text would be garbage.
-local function checkAgain(b, i)
-  local object = b.object[i]
-  if check.badField(object) then
-    check.object(object, registry.place(b.group[i], b.key[i]))
-  end
-end
-
 -- Checks and reads an object anew after some of its fields changed.
 local function reread(b, i)
   local object = b.object[i]
-  checkAgain(b, i)
+  compare.check(b, i)
   local kind = columns.kindOf(object, b.kind[i] == STATIC)
   local isNew = kind ~= b.kind[i]
   local isOff = object.active == false
@@ -417,7 +191,7 @@ local function reread(b, i)
   end
   rest.wakeNeighbours(b, i)
   -- One that takes no part goes nowhere: it is where it was put meanwhile.
-  readAll(b, i, object, isNew or isOff or not b.active[i])
+  readFields.all(b, i, object, isNew or isOff or not b.active[i])
   if not b.active[i] then
     clearTouching(b.touching[i])
   end
@@ -425,203 +199,6 @@ local function reread(b, i)
   detect.refilter(b, i)
   detect.markMoved(b, i)
   rest.wake(b, i)
-end
-
--- The loops below compare the game's tables with the columns, a few fields each: a long loop body
--- with many live values compiles badly. `false` in a column means nil in the table (a `false` there
--- is refused).
-
--- Reads a velocity that the game has written, or removed.
-local function readVelocity(b, i, object)
-  local velocity, k, vx, vy = b.velocity, 2 * i, object.vx, object.vy
-  if vx == nil or vy == nil then
-    vx, vy = orDefault(vx, 0), orDefault(vy, 0)
-    if b.kind[i] == DYNAMIC then
-      rest.wake(b, i) -- `write` sets both fields to numbers
-    end
-  end
-  if vx ~= velocity[k] or vy ~= velocity[k + 1] then
-    if not (isFinite(vx) and isFinite(vy)) then
-      checkAgain(b, i)
-    end
-    b.kept[k] = vx == velocity[k] and b.kept[k] or 0
-    b.kept[k + 1] = vy == velocity[k + 1] and b.kept[k + 1] or 0
-    velocity[k], velocity[k + 1] = vx + 0.0, vy + 0.0
-    if not b.flying[i] then
-      rest.wake(b, i)
-    end
-  end
-end
-
-local function compareMotion(b)
-  local movers, objects = b.movers, b.object
-  local velocity, size, written = b.velocity, b.size, b.written
-  for n = 1, b.moverCount do
-    local i = movers[n]
-    local object, k = objects[i], 2 * i
-    if
-      object.x ~= written[k]
-      or object.y ~= written[k + 1]
-      or object.width ~= size[k]
-      or object.height ~= size[k + 1]
-    then
-      reread(b, i)
-    end
-    if object.vx ~= velocity[k] or object.vy ~= velocity[k + 1] then
-      readVelocity(b, i, object)
-    end
-  end
-end
-
--- Reads a new onStay. The object wakes; nothing else has happened to it.
-local function hear(b, i)
-  local object = b.object[i]
-  checkAgain(b, i)
-  b.hears[i], b.bare[i] = object.onStay or false, false
-  noteEven(b, i)
-  rest.wake(b, i)
-end
-
--- Lists the objects that need more comparisons than the three fields that many objects have: those
--- with a rare field now or at the last reading. Testing a field for nil costs less than comparing
--- it. (A call costs more than either, without a compiler.) Returns how many they are.
-local function listRich(b)
-  local movers, objects, bare, rich, count = b.movers, b.object, b.bare, b.rich, 0
-  local mass, friction, restitution = b.mass, b.friction, b.restitution
-  local sensor, hits = b.sensor, b.hitsGiven
-  for n = 1, b.moverCount do
-    local i = movers[n]
-    local object = objects[i]
-    local itsMass, itsFriction, itsRestitution = object.mass, object.friction, object.restitution
-    if
-      not bare[i] -- not dynamic, or had a rare field
-      or object.active ~= nil
-      or object.kinematic ~= nil
-      or (object.sensor or false) ~= sensor[i]
-      or object.hits ~= (hits[i] or nil)
-      or object.pushable ~= nil
-      or object.strength ~= nil
-      or object.oneWay ~= nil
-      or object.radius ~= nil
-      or object.area ~= nil
-      or object.mask ~= nil
-      or object.canCollide ~= nil
-      or object.onStay ~= nil
-      or object.gravity ~= nil
-      or object.gravityX ~= nil
-      or object.ax ~= nil
-      or object.ay ~= nil
-      or object.airFriction ~= nil
-      or object.drag ~= nil
-      or object.maxSpeed ~= nil
-      or object.maxSpeedX ~= nil
-      or object.maxSpeedY ~= nil
-      or object.carry ~= nil
-      or object.surfaceSpeed ~= nil
-      or object.nudge ~= nil
-      or object.snap ~= nil
-      or object.maxFallSpeed ~= nil
-      or object.slope ~= nil
-      or object.constantSpeed ~= nil
-      or (itsMass or 1) ~= mass[i]
-      or (itsFriction or 0) ~= friction[i]
-      or (itsRestitution or 0) ~= restitution[i]
-      or itsMass == false -- is refused
-      or itsFriction == false
-      or itsRestitution == false
-    then
-      count = count + 1
-      rich[count] = i
-    end
-  end
-  return count
-end
-
-local function compareFilters(b, count)
-  local rich, objects = b.rich, b.object
-  local active, sensor, pushable, kind = b.active, b.sensor, b.pushable, b.kind
-  local hears, oneWay, canCollide, mask, seen = b.hears, b.oneWay, b.canCollide, b.mask, b.maskSeen
-  local slope = b.slope
-  local hits = b.hitsGiven
-  for n = 1, count do
-    local i = rich[n]
-    local object = objects[i]
-    local its = object.mask
-    if
-      orDefault(object.active, true) ~= active[i]
-      or (object.sensor or false) ~= sensor[i]
-      or orDefault(object.pushable, true) ~= pushable[i]
-      or sideOf(object.oneWay) ~= oneWay[i]
-      or object.slope ~= (slope[i] or nil)
-      or object.canCollide ~= (canCollide[i] or nil)
-      or (object.kinematic or false) ~= (kind[i] == KINEMATIC)
-      or its ~= (mask[i] or nil)
-      or object.hits ~= (hits[i] or nil)
-      or (its and hasMaskChanged(b, its, seen[i]))
-    then
-      reread(b, i)
-    elseif object.onStay ~= (hears[i] or nil) then
-      hear(b, i)
-    end
-  end
-end
-
-local function compareMaterials(b, count)
-  local rich, objects = b.rich, b.object
-  local mass, friction, restitution = b.mass, b.friction, b.restitution
-  local ownGravity, ownGravityX, push, kind = b.ownGravity, b.ownGravityX, b.push, b.kind
-  for n = 1, count do
-    local i = rich[n]
-    local object = objects[i]
-    if
-      orDefault(object.mass, 1) ~= mass[i]
-      or orDefault(object.friction, kind[i] == DYNAMIC and 0 or -1) ~= friction[i]
-      or object.friction == -1 -- in the columns that is "not set", from the game it is refused
-      or orDefault(object.restitution, 0) ~= restitution[i]
-      or object.gravity ~= (ownGravity[i] or nil)
-      or object.gravityX ~= (ownGravityX[i] or nil)
-      or orDefault(object.ax, 0) ~= push[2 * i]
-      or orDefault(object.ay, 0) ~= push[2 * i + 1]
-    then
-      reread(b, i)
-    end
-  end
-end
-
-local function compareLimits(b, count)
-  local rich, objects = b.rich, b.object
-  local airFriction, drag, maxSpeed, limit = b.airFriction, b.drag, b.maxSpeed, b.limit
-  local carry, surfaceSpeed, nudge, snap = b.carry, b.surfaceSpeed, b.nudge, b.snap
-  local constantSpeed, radius, area = b.constantSpeed, b.radius, b.area
-  local strength = b.strength
-  for n = 1, count do
-    local i = rich[n]
-    local object = objects[i]
-    local top, topX, topY = object.maxSpeed, object.maxSpeedX, object.maxSpeedY
-    local fall = object.maxFallSpeed
-    if
-      orDefault(object.airFriction, 0) ~= airFriction[i]
-      or orDefault(object.drag, 0) ~= drag[i]
-      or orDefault(top, HUGE) ~= maxSpeed[i]
-      or orDefault(topX, HUGE) ~= limit[2 * i]
-      or orDefault(topY, HUGE) ~= limit[2 * i + 1]
-      or top == HUGE -- in the columns that is "no limit", from the game it is refused
-      or topX == HUGE
-      or topY == HUGE
-      or orDefault(fall, HUGE) ~= b.maxFallSpeed[i]
-      or fall == HUGE
-      or orDefault(object.carry, true) ~= carry[i]
-      or orDefault(object.surfaceSpeed, 0) ~= surfaceSpeed[i]
-      or orDefault(object.nudge, 0) ~= nudge[i]
-      or orDefault(object.strength, 0) ~= strength[i]
-      or orDefault(object.snap, 0) ~= snap[i]
-      or (object.constantSpeed or false) ~= constantSpeed[i]
-      or object.radius ~= (radius[i] or nil)
-      or ((object.area ~= nil or area[i]) and not zones.isSame(object.area, area[i]))
-    then
-      reread(b, i)
-    end
-  end
 end
 
 -- Ends the contacts that objects have left because the game has moved them.
@@ -671,7 +248,7 @@ end
 --- Reads an object again, including its `static` field. It must be in the world.
 function read.refresh(b, i)
   local object = b.object[i]
-  checkAgain(b, i)
+  compare.check(b, i)
   begin(b, object)
   rest.wakeNeighbours(b, i)
   if not goesOnCarrying(b, i) then
@@ -687,7 +264,7 @@ function read.refresh(b, i)
   elseif not b.touching[i] then
     takeTouching(b, i, read.touchingFor(b, object))
   end
-  readAll(b, i, object, true)
+  readFields.all(b, i, object, true)
   if not b.active[i] then
     clearTouching(b.touching[i])
   end
@@ -728,11 +305,7 @@ function read.run(b, objects)
     listMovers(b)
     b.newcomers = false
   end
-  compareMotion(b)
-  local count = listRich(b)
-  compareFilters(b, count)
-  compareMaterials(b, count)
-  compareLimits(b, count)
+  compare.run(b, reread)
   if hasChanged then
     noteFilled(b.registry.groups)
   end
@@ -747,7 +320,7 @@ end
 function read.newGravity(b)
   for i = 1, b.slots do
     if b.kind[i] == DYNAMIC then
-      readPull(b, i)
+      readFields.pull(b, i)
     end
   end
   rest.wakeAll(b)

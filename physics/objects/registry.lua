@@ -5,31 +5,25 @@
 -- registry remembers what it saw and compares. As long as nothing has changed, that is one
 -- comparison an object. Only groups that have changed are read again.
 --
--- Nothing here follows the order of `pairs`. Groups come in the order of `order`, then by name,
--- numbers before strings. Objects in a group come by key, numbers before strings.
+-- What has changed in a group is found in groups.lua, and members.lua checks what is new.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local check = require(root .. ".world.check")
 local interpreted = require(root .. ".memory.jit")
-local keyOrder = require(root .. ".memory.keyOrder")
+local groups = require(root .. ".objects.groups")
+local members = require(root .. ".objects.members")
 
 local registry = {}
 
-local max, sort = math.max, table.sort
+local max = math.max
 local GROUP_SPAN = 4294967296 -- ranks per group
-local FEW = 64 -- groups up to this size are counted each time
--- Up to so many objects may have left a group without the others being read anew.
-local MOST_GAPS = 32
 -- Up to so many objects may have left a group since it was read, and those behind them are found by
 -- going back from their old number.
 local MOST_GONE = 64
+-- After so many objects have been added, the table for them is made anew.
+local FEW = 64
 
--- Returns true where `==` calls a metamethod that only one of the two has (since Lua 5.3).
-local isEqualToAny = setmetatable({}, {
-  __eq = function()
-    return true
-  end,
-}) == {}
+registry.placeOf, registry.reread = groups.placeOf, groups.reread
 
 -- Returns a table that keeps none of its keys alive.
 local function newWeak()
@@ -90,124 +84,6 @@ function registry.new()
   }
 end
 
--- Returns whether a value is an object, and not a group, from its first field. One with a
--- missing or wrong width counts as one, so that the error is about the width.
-local function isObject(value)
-  if type(value.width) == "number" then
-    return true
-  end
-  for _, field in ipairs({ "x", "y", "width", "height" }) do
-    local found = value[field]
-    if found ~= nil and type(found) ~= "table" then
-      return true
-    end
-  end
-  return false
-end
-
-local function checkKey(key, path)
-  if type(key) ~= "number" and type(key) ~= "string" then
-    check.fail(path .. " has a key that is neither a number nor a string, got " .. check.show(key))
-  elseif type(key) == "number" and not check.isFinite(key) then
-    check.fail(path .. " has a key that is not a finite number, got " .. check.show(key))
-  end
-end
-
--- Returns how many keys a table has, and whether they are 1, 2, 3, … in the order of `next`.
-local function countKeys(source)
-  local n, isInOrder = 0, true
-  for key in next, source, nil do
-    n = n + 1
-    isInOrder = isInOrder and key == n
-  end
-  return n, isInOrder
-end
-
--- Returns whether the keys of a group, which include 1 to `count`, are no others.
-local function hasJust(record, count)
-  local source = record.source
-  if count <= FEW or record.mixed then
-    return countKeys(source) == count
-  end
-  if rawget(source, count + 1) ~= nil then
-    return false
-  end
-  -- Keys beyond the last number follow it in the table, unless that has room left from others.
-  return next(source, count) == nil or countKeys(source) == count
-end
-
--- Returns the first place, from n on, at which a numbered group does not hold the object that stood
--- `gap` places further on in the list; the place behind the list if there is none. It takes one
--- comparison an object. The comparison is raw, since a game's objects may be "equal" by a
--- metamethod. Where none of them can be, no call of `rawequal` is needed, which takes an
--- interpreter three times as long. (That is known of static objects only, which are read once. One
--- that gets a metatable later must be refreshed.)
-local function firstOther(record, n, gap)
-  local source, list, last = record.source, record.list, record.count - gap
-  -- (Without a metatable every access is raw, and needs no call.)
-  local isRaw = getmetatable(source) == nil
-  if gap == 0 and isRaw and record.isSingular then
-    for at = n, last do
-      if source[at] ~= list[at] then
-        return at
-      end
-    end
-    return last + 1
-  end
-  for at = n, last do
-    local object
-    if isRaw then
-      object = source[at]
-    else
-      object = rawget(source, at)
-    end
-    if not rawequal(object, list[at + gap]) then
-      return at
-    end
-  end
-  return last + 1
-end
-
--- Returns the place from which on a group differs from what was read last; nil: it does not.
-local function firstChange(record)
-  if record.direct then
-    return nil
-  end
-  local source, list, count = record.source, record.list, record.count
-  if not record.plain then
-    local keys = record.keys
-    for n = 1, count do
-      if not rawequal(rawget(source, keys[n]), list[n]) then
-        return 1
-      end
-    end
-    return countKeys(source) ~= count and 1 or nil
-  end
-  local n = firstOther(record, 1, 0)
-  return (n <= count or not hasJust(record, count)) and n or nil
-end
-
--- Finds the objects that have left a numbered group, which holds another object at place `first`.
--- The objects behind one that has left follow each other as before.
-local function findGaps(record)
-  local source, list, count, gaps = record.source, record.list, record.count, record.gaps
-  local n, gap = record.first, 0
-  local object = rawget(source, n)
-  while n + gap <= count and object ~= nil do
-    local more = gap
-    repeat
-      more = more + 1
-      gaps[more] = n + more - 1
-    until more >= MOST_GAPS or rawequal(list[n + more], object)
-    if not rawequal(list[n + more], object) then
-      break
-    end
-    n, gap = firstOther(record, n + 1, more), more
-    object = gap < MOST_GAPS and rawget(source, n) or nil
-  end
-  record.first, record.follows, record.gapCount = n, n + gap, gap
-end
-
 local function haveGroupsChanged(self, objects)
   local n, byName = 0, self.byName
   for name, value in next, objects, nil do
@@ -218,92 +94,6 @@ local function haveGroupsChanged(self, objects)
     n = n + 1
   end
   return n ~= self.groupCount
-end
-
-local function sortedNames(self, objects)
-  local listed, names = {}, {}
-  for _, name in ipairs(self.order) do
-    if objects[name] ~= nil and not listed[name] then
-      listed[name] = true
-      names[#names + 1] = name
-    end
-  end
-  local rest = {}
-  for name in next, objects, nil do
-    checkKey(name, "objects")
-    if not listed[name] then
-      rest[#rest + 1] = name
-    end
-  end
-  sort(rest, keyOrder.comesBefore)
-  for _, name in ipairs(rest) do
-    names[#names + 1] = name
-  end
-  return names
-end
-
-local function newRecord(name, source, number, wasFilled)
-  local direct = isObject(source)
-  return {
-    name = name,
-    number = number,
-    wasFilled = wasFilled,
-    source = source,
-    direct = direct,
-    index = 0,
-    list = {},
-    slots = {},
-    keys = {},
-    count = 0,
-    plain = true,
-    isSingular = not isEqualToAny,
-    movers = {}, -- these two: see read.lua
-    moverPlaces = {},
-    isListed = false,
-    sameUntil = 1,
-    newFrom = 1,
-    mixed = false,
-    stale = true,
-    first = 1,
-    follows = 1,
-    gaps = {},
-    gapCount = 0,
-    tail = {},
-    tailSlots = {},
-    tailCount = 0,
-  }
-end
-
---- Marks the list of movers of a group as out of date. When it is listed again, the members before
---- place `sameUntil` are the same. Those from there to `newFrom` were in the group, too.
-function registry.relist(record)
-  record.isListed, record.sameUntil, record.newFrom = false, 1, 1
-end
-
---- Notes that an object of a group was read anew. Its kind may have changed, and it may be equal to
---- others.
-function registry.reread(record)
-  registry.relist(record)
-  record.isSingular = false
-end
-
---- Returns how the game would write the place of an object.
-function registry.place(record, key)
-  if record.direct then
-    return check.place(record.name)
-  end
-  return check.place(record.name, key)
-end
-
-local function checkGroup(name, source)
-  if type(source) ~= "table" then
-    check.fail(
-      check.place(name)
-        .. " must be a group (a table of objects) or an object, got "
-        .. check.show(source)
-    )
-  end
-  return source
 end
 
 -- Returns what a group takes over from the last group of the same name (nil: there was none): its
@@ -318,183 +108,17 @@ end
 
 -- Returns the records of all groups in order; old ones where the table is the same.
 local function readGroups(self, objects)
-  local groups, byName = {}, {}
-  for index, name in ipairs(sortedNames(self, objects)) do
-    local source = checkGroup(name, objects[name])
+  local records, byName = {}, {}
+  for index, name in ipairs(groups.sortedNames(self, objects)) do
+    local source = groups.checkGroup(name, objects[name])
     local record = self.byName[name]
     if not record or not rawequal(record.source, source) then
       local number, wasFilled = inherit(self, record)
-      record = newRecord(name, source, number, wasFilled)
+      record = groups.newRecord(name, source, number, wasFilled)
     end
-    groups[index], byName[name] = record, record
+    records[index], byName[name] = record, record
   end
-  return groups, byName
-end
-
--- Marks a group to be read anew from place `first` on. The objects before stand as before.
-local function readFrom(record, first)
-  record.first, record.follows, record.gapCount = first, first, 0
-end
-
--- Reads the objects under the numbers from `first` on into the tail.
-local function readNumbered(record, first)
-  local source, tail, n = record.source, record.tail, 0
-  local object = rawget(source, first)
-  while object ~= nil do
-    n = n + 1
-    tail[n] = object
-    object = rawget(source, first + n)
-  end
-  record.first, record.tailCount = first, n
-end
-
--- Reads a whole group by its keys, in order.
-local function readKeys(record)
-  local source, tail, keys, n = record.source, record.tail, {}, 0
-  for key in next, source, nil do
-    checkKey(key, check.place(record.name))
-    n = n + 1
-    keys[n] = key
-  end
-  sort(keys, keyOrder.comesBefore)
-  for at = 1, n do
-    tail[at] = rawget(source, keys[at])
-  end
-  record.newKeys, record.tailCount = keys, n
-  readFrom(record, 1)
-end
-
--- Reads the objects of a group from `first` on into the tail; changes nothing else.
-local function readMembers(record, first)
-  if record.count == 0 then
-    record.direct = isObject(record.source) -- it may have been filled since it was first seen
-  end
-  record.newKeys = false
-  if record.direct then
-    record.tail[1], record.first, record.tailCount = record.source, 1, 1
-    return
-  end
-  readNumbered(record, record.plain and first or 1)
-  local count = record.first - 1 + record.tailCount
-  -- A group that has grown is counted to be sure: it may hold its new numbers in any order.
-  if record.plain and count <= record.count and hasJust(record, count) then
-    return
-  end
-  local found, isInOrder = countKeys(record.source)
-  record.mixed = record.mixed or not isInOrder
-  if found ~= count then
-    readKeys(record)
-  end
-end
-
--- Returns how the game would write the place of the n-th object of the tail.
-local function tailPlace(record, n)
-  return registry.place(record, record.newKeys and record.newKeys[n] or record.first - 1 + n)
-end
-
-local function failTwice(object, first, second)
-  check.fail(
-    second
-      .. " is the same object as "
-      .. first
-      .. ": an object must be in one place only, got "
-      .. check.show(object)
-      .. " in two"
-  )
-end
-
--- Finds the slots of the objects in the tail, 0 for a new one. Most of them stood in the list in
--- the same order, with one missing now and then.
-local function matchTail(b, record)
-  local tail, slots, list, known = record.tail, record.tailSlots, record.list, record.slots
-  local objects, slotOf, m = b.object, b.slotOf, record.follows
-  for n = 1, record.tailCount do
-    local object, slot = tail[n], 0
-    if rawequal(list[m], object) then
-      slot, m = known[m], m + 1
-    elseif rawequal(list[m + 1], object) then
-      slot, m = known[m + 1], m + 2
-    end
-    -- After an update that failed the list may be out of date.
-    if not rawequal(objects[slot], object) then
-      slot = slotOf[object] or 0
-    end
-    slots[n] = slot
-  end
-end
-
--- Returns the place in which an object was found first.
-local function firstPlace(groups, object)
-  for _, record in ipairs(groups) do
-    for n = 1, record.stale and record.tailCount or 0 do
-      if rawequal(record.tail[n], object) then
-        return tailPlace(record, n)
-      end
-    end
-  end
-end
-
--- Returns where an object that stood under a key stands in its group now. nil: it has left, or is
--- read anew.
-local function placeNow(record, key)
-  if not record.stale then
-    return key
-  elseif record.follows == 1 or key >= record.follows then
-    return nil -- (keys that are no numbers: all objects are read anew)
-  end
-  local place = key
-  for n = 1, record.gapCount do
-    if record.gaps[n] == key then
-      return nil
-    elseif record.gaps[n] < key then
-      place = place - 1
-    end
-  end
-  return place
-end
-
--- Checks that a known object in the tail stands in no other place.
-local function checkKnown(b, self, groups, record, n, slot)
-  local object, owner, seen = record.tail[n], b.group[slot], self.seen
-  if seen[slot] == self.stamp then
-    failTwice(object, firstPlace(groups, object), tailPlace(record, n))
-  end
-  local place = placeNow(owner, b.key[slot])
-  if place then
-    failTwice(object, registry.place(owner, place), tailPlace(record, n))
-  end
-  seen[slot] = self.stamp
-end
-
--- Checks that a new object can be used, and stands in no other place.
-local function checkNew(groups, record, n, found)
-  local object = record.tail[n]
-  if type(object) ~= "table" then
-    check.fail(tailPlace(record, n) .. " must be an object (a table), got " .. check.show(object))
-  elseif found[object] then
-    failTwice(object, firstPlace(groups, object), tailPlace(record, n))
-  end
-  found[object] = true
-  check.object(object, tailPlace(record, n))
-end
-
--- Checks that no object in the stale records stands in two places, and checks all new ones.
-local function checkMembers(b, self, groups)
-  local found = {}
-  self.stamp = self.stamp + 1
-  for _, record in ipairs(groups) do
-    if record.stale then
-      matchTail(b, record)
-      local slots = record.tailSlots
-      for n = 1, record.tailCount do
-        if slots[n] ~= 0 then
-          checkKnown(b, self, groups, record, n, slots[n])
-        else
-          checkNew(groups, record, n, found)
-        end
-      end
-    end
-  end
+  return records, byName
 end
 
 -- Moves the objects at places `first + gap` to `last + gap` of the list up by `gap` places.
@@ -520,7 +144,7 @@ end
 -- Notes which part of a group's movers read.lua must list again.
 local function noteChange(record)
   local isListed, gaps = record.isListed, record.gapCount
-  registry.relist(record)
+  groups.relist(record)
   if isListed then
     record.sameUntil = gaps > 0 and record.gaps[1] or record.follows
     record.newFrom = record.first
@@ -551,12 +175,12 @@ end
 local function applyKnown(b, self, record, rename)
   local slots, keys, plain = record.slots, record.keys, record.plain
   local moved, isRenamed = self.moved, self.isRenamed
-  local rank, key, groups, base = b.rank, b.key, b.group, record.index * GROUP_SPAN
+  local rank, key, group, base = b.rank, b.key, b.group, record.index * GROUP_SPAN
   local last = base + record.follows - 1 -- the rank of the last one before them, or a higher one
   for n = record.first, record.count do
     local slot = slots[n]
     if slot ~= 0 then
-      local isOther = groups[slot] ~= record
+      local isOther = group[slot] ~= record
       if isOther or rank[slot] < last then
         self.movedCount = self.movedCount + 1
         moved[self.movedCount], isRenamed[self.movedCount] = slot, isOther
@@ -639,32 +263,32 @@ local function applyIndex(b, record, index, isBehind, reorder)
 end
 
 -- Puts the records in order and gives new ranks to those that have moved.
-local function applyGroups(b, self, objects, groups, byName, reorder)
+local function applyGroups(b, self, objects, records, byName, reorder)
   local last = 0
-  for index, record in ipairs(groups) do
+  for index, record in ipairs(records) do
     local before = record.index
     if before ~= index or before < last then
       applyIndex(b, record, index, before < last, reorder)
     end
     last = before > last and before or last
   end
-  self.source, self.groups, self.byName, self.groupCount = objects, groups, byName, #groups
+  self.source, self.groups, self.byName, self.groupCount = objects, records, byName, #records
 end
 
 -- Notes which records differ from the game's tables, and from which place on.
-local function markStale(groups)
+local function markStale(records)
   local any = false
-  for n = 1, #groups do
-    local record = groups[n]
+  for n = 1, #records do
+    local record = records[n]
     -- A record that is stale already is new, or an error has left it half done.
     local isNew, change = record.stale, 1 ---@type boolean, integer?
     if not isNew then
-      change = firstChange(record)
+      change = groups.firstChange(record)
     end
     record.stale, any = change ~= nil, any or change ~= nil
-    readFrom(record, change or 1)
+    groups.readFrom(record, change or 1)
     if change and record.plain and not isNew then
-      findGaps(record)
+      groups.findGaps(record)
     end
   end
   return any
@@ -691,7 +315,7 @@ local function markGone(self, byName)
   for _, record in ipairs(self.groups) do
     if byName[record.name] ~= record then
       record.stale = true
-      readFrom(record, 1)
+      groups.readFrom(record, 1)
       gone[#gone + 1] = record
     end
   end
@@ -699,21 +323,21 @@ local function markGone(self, byName)
 end
 
 -- Reads and checks the stale groups. Errors: a group or object that cannot be used.
-local function readStale(b, self, groups)
-  for _, record in ipairs(groups) do
+local function readStale(b, self, records)
+  for _, record in ipairs(records) do
     if record.stale then
-      readMembers(record, record.first)
+      groups.readMembers(record, record.first)
     end
   end
-  checkMembers(b, self, groups)
+  members.check(b, self, records)
 end
 
 -- Removes the objects that are in no group now.
-local function leaveStale(b, self, groups, gone, leave)
+local function leaveStale(b, self, records, gone, leave)
   for _, record in ipairs(gone) do
     leaveMissing(b, self, record, leave)
   end
-  for _, record in ipairs(groups) do
+  for _, record in ipairs(records) do
     if record.stale then
       leaveMissing(b, self, record, leave)
     end
@@ -721,21 +345,21 @@ local function leaveStale(b, self, groups, gone, leave)
 end
 
 -- Takes over what the stale groups hold now.
-local function applyStale(b, self, groups, enter, rename, reorder)
-  for _, record in ipairs(groups) do
+local function applyStale(b, self, records, enter, rename, reorder)
+  for _, record in ipairs(records) do
     if record.stale then
       closeGaps(b, record)
       takeTail(record)
     end
   end
-  for _, record in ipairs(groups) do
+  for _, record in ipairs(records) do
     if record.stale then
       applyKnown(b, self, record, rename)
     end
   end
   reportMoved(b, self, reorder)
   -- New objects come last: if one fails, all others are in their places.
-  for _, record in ipairs(groups) do
+  for _, record in ipairs(records) do
     if record.stale then
       applyNew(b, self, record, enter)
     end
@@ -753,7 +377,7 @@ end
 --- If the tables cannot be used, nothing is reported. Returns whether anything has changed.
 function registry.update(b, self, objects, enter, leave, rename, reorder)
   leaveHalf(b, self, leave)
-  local groups, byName = self.groups, self.byName
+  local records, byName = self.groups, self.byName
   local regroup = not rawequal(self.source, objects)
     or self.reorder
     or haveGroupsChanged(self, objects)
@@ -761,16 +385,16 @@ function registry.update(b, self, objects, enter, leave, rename, reorder)
     if type(objects) ~= "table" then
       check.fail("objects must be a table of groups, got " .. check.show(objects))
     end
-    groups, byName = readGroups(self, objects)
+    records, byName = readGroups(self, objects)
   end
-  if not markStale(groups) and not regroup then
+  if not markStale(records) and not regroup then
     return false
   end
   local gone = markGone(self, byName)
-  readStale(b, self, groups)
-  leaveStale(b, self, groups, gone, leave)
-  applyGroups(b, self, objects, groups, byName, reorder)
-  applyStale(b, self, groups, enter, rename, reorder)
+  readStale(b, self, records)
+  leaveStale(b, self, records, gone, leave)
+  applyGroups(b, self, objects, records, byName, reorder)
+  applyStale(b, self, records, enter, rename, reorder)
   self.reorder = false
   forgetGiven(b, self)
   return true
@@ -784,7 +408,7 @@ function registry.hasChanged(self, objects)
   end
   for n = 1, self.groupCount do
     local record = self.groups[n]
-    if record.stale or firstChange(record) then
+    if record.stale or groups.firstChange(record) then
       return true
     end
   end
@@ -806,16 +430,16 @@ function registry.look(b, self, objects)
     check.fail("objects must be a table of groups, got " .. check.show(objects))
   end
   local records, found = {}, {}
-  for index, name in ipairs(sortedNames(self, objects)) do
-    local record = newRecord(name, checkGroup(name, objects[name]), 0, false)
+  for index, name in ipairs(groups.sortedNames(self, objects)) do
+    local record = groups.newRecord(name, groups.checkGroup(name, objects[name]), 0, false)
     records[index] = record
-    readMembers(record, 1)
+    groups.readMembers(record, 1)
     for n = 1, record.tailCount do
       local object = record.tail[n]
       if type(object) == "table" and b.slotOf[object] and not found[object] then
         found[object] = true
       else
-        checkNew(records, record, n, found)
+        members.checkNew(records, record, n, found)
       end
     end
     record.newKeys = record.newKeys or numbersTo(record.tailCount)
@@ -868,11 +492,7 @@ function registry.whereSeen(b, objects, slot)
 end
 
 interpreted.always(
-  countKeys,
-  hasJust,
   haveGroupsChanged,
-  sortedNames,
-  readKeys,
   forgetGiven,
   markGone,
   readStale,

@@ -23,6 +23,7 @@ local filter = require(root .. ".broadphase.filter")
 local grid = require(root .. ".broadphase.grid")
 local interpreted = require(root .. ".memory.jit")
 local registry = require(root .. ".objects.registry")
+local walkGrid = require(root .. ".broadphase.gridLines")
 
 local view = {}
 
@@ -93,7 +94,7 @@ local function kindOf(b, object)
 end
 
 local function complain(v, i)
-  check.object(v.object[i], registry.place(v.group[i], v.key[i]))
+  check.object(v.object[i], registry.placeOf(v, i))
 end
 
 -- Reads the radius of an object that has one; returns its shape.
@@ -446,10 +447,10 @@ end
 
 local function walkOnce(v, x1, y1, x2, y2, line, visit)
   line.isStale, line.count, line.best = false, 0, 0
-  v.grid:walk(x1, y1, x2, y2, line, visit)
+  walkGrid(v.grid, x1, y1, x2, y2, line, visit)
 end
 
---- Calls `visit` for all objects that may be on a line (see `walk` of the grid). `count` and `best`
+--- Calls `visit` for all objects that may be on a line (see gridLines). `count` and `best`
 --- of the line are 0 at first; `visit` may note its results there. It must call `see` for each
 --- object. If one has left, `visit` sets `line.isStale` and returns -1, and all starts again.
 function view.walk(v, world, x1, y1, x2, y2, line, visit)
@@ -486,23 +487,6 @@ function view.onWay(v, world, i, x, y, toX, toY, found)
   local left, top, right, bottom = min(x, toX), min(y, toY), max(x, toX) + w, max(y, toY) + h
   local count = view.near(v, world, left, top, right, bottom, found)
   return (keepOnWay(v, found, count, i, x, y, toX, toY))
-end
-
---- Returns a list to work with. Filters may make queries of their own, so each query takes a list
---- and gives it back. A query that fails leaves its list to the garbage collector.
-function view.take(v)
-  local n = v.pooled
-  if n == 0 then
-    return {}
-  end
-  v.pooled = n - 1
-  return v.pool[n]
-end
-
---- Takes a list back.
-function view.give(v, found)
-  v.pooled = v.pooled + 1
-  v.pool[v.pooled] = found
 end
 
 interpreted.functions(view.lookAtFilter)

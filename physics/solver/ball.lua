@@ -17,6 +17,7 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local circle = require(root .. ".memory.circle")
 local columns = require(root .. ".memory.columns")
+local pool = require(root .. ".solver.pool")
 
 require(root .. ".memory.jit").file()
 
@@ -30,6 +31,10 @@ local LOST = 0.25
 local CORNER = 2e-9
 -- px by which a path may lead into another: less than EPSILON, at which two overlap.
 local SLACK = EPSILON / 2
+-- What a normal may have across an axis and still count as along it.
+local SLIGHT = 0.05
+-- px: what is as little differs by rounding.
+local ROUNDING = 1e-9
 -- px/s: what is as slow rests.
 local STILL = 1e-9
 
@@ -96,6 +101,8 @@ local function gapIn(b, place, i, j)
   return gap, isSwapped and -nx or nx, isSwapped and -ny or ny
 end
 
+ball.gapIn = gapIn
+
 --- Returns when two bodies meet (0..1 of the step), on which axis, and whether the first is the low
 --- one: as `meet` of sweep. The axis is that along which the normal is steeper.
 function ball.meet(b, i, j)
@@ -106,8 +113,8 @@ function ball.meet(b, i, j)
   local w, h, ow, oh = size[k], size[k + 1], size[m], size[m + 1]
   local gap, nx, ny = circle.gap(x, y, w, h, isRound, ox, oy, ow, oh, isOtherRound)
   local share, isDeep = 0.0, gap < -EPSILON
-  if isDeep and (gapIn(b, to, i, j) >= min(gap, -EPSILON)) then
-    return nil -- it comes out
+  if isDeep and (gapIn(b, to, i, j) >= min(gap, -EPSILON) - ROUNDING) then
+    return nil -- it comes out, or gets no deeper
   elseif not isDeep then
     local dx, dy = to[k] - x - (to[m] - ox), to[k + 1] - y - (to[m + 1] - oy)
     share, nx, ny =
@@ -158,6 +165,13 @@ local function leans(b, i, axis, isHigh)
   return b.kind[i] == DYNAMIC and b.down[2 * i + axis] == (isHigh and 1 or -1)
 end
 
+-- Returns whether a ball rolls off what it touches with the normal (nx, ny): a corner, or something
+-- round that is static, unless the slant is too small to be seen.
+local function rollsOff(b, i, j, nx, ny)
+  local areBalls = b.shape[i] == CIRCLE and b.shape[j] == CIRCLE and b.kind[i] == b.kind[j]
+  return not areBalls and min(nx * nx, ny * ny) > SLIGHT * SLIGHT
+end
+
 -- px/s: slower than that, what one bears sticks to it; 0: neither bears the other.
 local function stickSpeed(b, i, j, axis, isLow, dt)
   local k
@@ -196,7 +210,7 @@ function ball.touch(b, i, j)
   end
   local isSlanted, isLevel = nx ~= 0 and ny ~= 0, nx * nx > ny * ny
   local axis, isLow = isLevel and 0 or 1, (isLevel and nx or ny) < 0
-  if isSlanted and not rests(b, i, j, axis, isLow) then
+  if isSlanted and (rollsOff(b, i, j, nx, ny) or not rests(b, i, j, axis, isLow)) then
     return nil, false
   end
   return axis, isLow, isSlanted
@@ -308,6 +322,19 @@ local function giveOf(b, k, sign)
   return give
 end
 
+-- These of two of which one is stronger (see `pool.share`): both of a body by the same factor.
+local function weighPower(b, i, j, nx, ny, ix, iy, jx, jy)
+  local x, y, speed, k, m = nx * nx, ny * ny, b.speed, 2 * i, 2 * j
+  local wi, wj = x * ix + y * iy, x * jx + y * jy
+  if wi == 0 or wj == 0 then
+    return ix, iy, jx, jy
+  end
+  local vi, vj = -nx * speed[k] - ny * speed[k + 1], -nx * speed[m] - ny * speed[m + 1]
+  local newI, newJ = pool.share(b.power[i] > b.power[j], wi, wj, vi, vj)
+  newI, newJ = newI / wi, newJ / wj
+  return ix * newI, iy * newI, jx * newJ, jy * newJ
+end
+
 -- The inverse masses of two that meet along a normal, on both axes: of i, then of j.
 local function weigh(b, i, j, nx, ny)
   local ix, iy = giveOf(b, 2 * i, nx), giveOf(b, 2 * i + 1, ny)
@@ -317,6 +344,8 @@ local function weigh(b, i, j, nx, ny)
       return ix, iy, 0.0, 0.0
     end
     return 0.0, 0.0, jx, jy
+  elseif b.power[i] ~= b.power[j] then
+    return weighPower(b, i, j, nx, ny, ix, iy, jx, jy)
   end
   return ix, iy, jx, jy
 end
@@ -381,7 +410,8 @@ function ball.impact(b, i, j, axis, isLow, tau, dt, isLate, restitution)
   end
   local r = (not isLate and u > 2 * dt * max(a, -a)) and restitution or 0
   local slow = stickSpeed(b, i, j, axis, isLow, dt)
-  if r == 0 and (isLate or square <= slow * slow) then
+  local isSlow = square <= slow * slow and not rollsOff(b, i, j, nx, ny)
+  if r == 0 and (isLate or isSlow) then
     stick(b, 2 * i, 2 * j, ix, jx, tau)
     stick(b, 2 * i + 1, 2 * j + 1, iy, jy, tau)
     return u, true

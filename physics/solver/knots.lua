@@ -23,6 +23,7 @@ local begin = require(root .. ".motion.begin")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
 local islands = require(root .. ".sleep.islands")
+local jam = require(root .. ".solver.jam")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local sort = require(root .. ".memory.sort")
 
@@ -69,12 +70,13 @@ local function isMachine(b, j)
     )
 end
 
--- Returns how many walls and stuck bodies slot i touches, and whether a machine there moves.
+-- Returns how many walls and stuck bodies slot i touches, in a jam how many bodies, and whether a
+-- machine there moves.
 local function countWalls(b, i)
-  local half, count, moves = b.head[i], 0, false
+  local half, count, moves, isJammed = b.head[i], 0, false, b.jam[2 * i] > 0
   while half ~= 0 do
     local j = b.other[half]
-    local isWall = b.kind[j] ~= DYNAMIC or b.stuck[j]
+    local isWall = isJammed or b.kind[j] ~= DYNAMIC or b.stuck[j]
     if isWall and not b.sensor[j] and gapOf(b, b.from, i, j) <= EPSILON then
       count, moves = count + 1, moves or isMachine(b, j)
     end
@@ -83,19 +85,22 @@ local function countWalls(b, i)
   return count, moves
 end
 
--- Lets the stuck slot i begin anew, and the stuck bodies that it touches, directly or through
--- others.
-local function free(b, i)
-  local stack, count = b.stack, 1
-  stack[1], b.stuck[i] = i, false
+--- Lets the stuck slot i begin anew, and the stuck bodies that it touches, directly or through
+--- others; in a jam also through those that are not stuck.
+function knots.free(b, i)
+  local stack, count, isJam = b.stack, 1, b.jam[2 * i] > 0
+  b.stamp = b.stamp + 1
+  stack[1], b.visited[i] = i, b.stamp
   while count > 0 do
     i, count = stack[count], count - 1
-    b.knotted[2 * i], b.knotted[2 * i + 1] = 0, 0
+    b.stuck[i] = false
+    b.knotted[2 * i], b.knotted[2 * i + 1], b.jam[2 * i] = 0, 0, 0
     local half = b.head[i]
     while half ~= 0 do
       local j = b.other[half]
-      if b.stuck[j] and not b.exiting[j] and gapOf(b, b.from, i, j) <= EPSILON then
-        b.stuck[j] = false
+      local isNext = (b.stuck[j] or isJam and b.kind[j] == DYNAMIC) and not b.exiting[j]
+      if isNext and b.visited[j] ~= b.stamp and gapOf(b, b.from, i, j) <= EPSILON then
+        b.visited[j] = b.stamp
         count = count + 1
         stack[count] = j
       end
@@ -112,7 +117,7 @@ local function freeSome(b)
     if b.stuck[i] and not b.exiting[i] then
       local walls, moves = countWalls(b, i)
       local isWritten = b.moved[i] or b.velocity[2 * i] ~= 0 or b.velocity[2 * i + 1] ~= 0
-      if moves or isWritten or walls < b.knotWas[2 * i + 1] then
+      if moves or isWritten or walls < b.knotWas[2 * i + 1] or jam.isPressed(b, i) then
         count = count + 1
         list[count] = i
       end
@@ -121,7 +126,7 @@ local function freeSome(b)
     end
   end
   for n = 1, count do
-    free(b, list[n])
+    knots.free(b, list[n])
   end
 end
 
@@ -423,6 +428,7 @@ end
 
 --- Decides at the end of a step which bodies exit, and which are stuck.
 function knots.note(b)
+  jam.note(b)
   if not hasKnots(b) then
     return
   end
@@ -435,7 +441,7 @@ function knots.note(b)
     if b.deepAt[i] == b.solveStamp then
       local isDisturbed = states[leaderOf(knot, i)] == DISTURBED
       if b.stuck[i] and isDisturbed then
-        free(b, i)
+        knots.free(b, i)
       elseif isLate(b, i) and not (b.stuck[i] or isDisturbed) then
         count = count + 1
         list[count] = i

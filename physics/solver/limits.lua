@@ -20,7 +20,11 @@ local floor, max, min = math.floor, math.max, math.min
 -- Rounds after the last round, in which what meets a circle only stops.
 local FREEZES = 16
 -- px and px/s: a circle that has moved by less has not moved.
-local CALM, CALM_SPEED = 4 * EPSILON, 1e-3
+local CALM, CALM_SPEED = EPSILON, 1e-3
+-- px: so little changes by rounding, however long the step is.
+local ROUNDING = 1e-9
+-- px/s at which a circle that touches something brakes across gravity, by that share of its weight.
+local CREEP, BRAKE = 2, 1 / 16
 
 -- Returns the highest speed that body k had in this step.
 local function fastestOf(b, k)
@@ -89,18 +93,34 @@ local function keepOwnWay(b, dt)
   end
 end
 
+-- Brakes body k of slot i across gravity if it is too slow to be seen, relative to what carries it:
+-- nothing else in a heap of balls would.
+local function brake(b, i, k)
+  local carried, x, y = b.carried[k], b.pull[2 * i], b.pull[2 * i + 1]
+  local speed = b.speed[k] - carried
+  local isFree = b.down[k] == 0 and b.push[k] == 0
+  if isFree and speed ~= 0 and max(speed, -speed) <= CREEP then
+    local loss = BRAKE * max(x, -x, y, -y) * b.dt
+    b.speed[k] = carried + max(speed - loss, 0.0) + min(speed + loss, 0.0)
+    b.news[i] = true
+  end
+end
+
 -- A circle that touches something, and has moved by no more than rounding, has not moved.
 local function calm(b)
   for n = 1, 2 * b.roundCount do
     local p = b.roundPairs[floor((n + 1) * 0.5)]
-    local k = 2 * (n % 2 == 0 and b.pairA[p] or b.pairB[p])
+    local i = n % 2 == 0 and b.pairA[p] or b.pairB[p]
+    local k = 2 * i
     local x, y = b.to[k] - b.origin[k], b.to[k + 1] - b.origin[k + 1]
     local way = max(x, -x, y, -y)
     local speed = max(b.speed[k], -b.speed[k], b.speed[k + 1], -b.speed[k + 1])
-    local hasMoved = way > 0 or speed > 0
-    if hasMoved and b.give[k] > 0 and way <= CALM and speed <= CALM_SPEED then
-      b.news[k * 0.5] = true
+    if b.give[k] > 0 and way <= CALM and speed <= CALM_SPEED then
+      b.news[i] = b.news[i] or way > ROUNDING or speed > 0
       b.to[k], b.to[k + 1], b.speed[k], b.speed[k + 1] = b.origin[k], b.origin[k + 1], 0.0, 0.0
+    elseif b.give[k] > 0 and b.down[k] + b.down[k + 1] ~= 0 then
+      brake(b, i, k)
+      brake(b, i, k + 1)
     end
   end
 end

@@ -25,7 +25,7 @@ local pool = require(root .. ".solver.pool")
 local settle = {}
 
 local EPSILON = columns.EPSILON
-local max, min = math.max, math.min
+local floor, max, min = math.floor, math.max, math.min
 
 -- Resets an axis: no movable body is held yet.
 local function release(b, axis)
@@ -80,16 +80,20 @@ local function holdHigh(b, list, slow)
   end
 end
 
+local function isBall(b, k)
+  return b.hasCircles and b.shape[floor(k * 0.5)] == columns.SHAPE_CIRCLE
+end
+
 -- Returns where a squeezed body k goes: not so far that its middle is pushed into the immovable
--- body on that side. The place is its start if they differ by rounding only, which would move it
--- for ever.
+-- body on that side, and a ball not at all. The place is its start if they differ by rounding only,
+-- which would move it for ever.
 local function keepOut(b, k, place, sign)
-  local half, from, to = b.size[k] * 0.5, b.from[k], b.to[k]
+  local most, from, to = isBall(b, k) and 0.0 or b.size[k] * 0.5, b.from[k], b.to[k]
   if sign > 0 then
-    place = min(place, max(to, b.to[b.holderHigh[k]] - half))
+    place = min(place, max(to, b.to[b.holderHigh[k]] - b.size[k] + most))
   else
     local wall = b.holderLow[k]
-    place = max(place, min(to, b.to[wall] + b.size[wall] - half))
+    place = max(place, min(to, b.to[wall] + b.size[wall] - most))
   end
   local isThere = place - from <= EPSILON and from - place <= EPSILON
   return isThere and from or place
@@ -99,11 +103,12 @@ end
 -- presses it by `over` px more, to higher coordinates (`sign` 1) or to lower ones (-1).
 --
 -- - `held` is heldLow or heldHigh, on the side to which k is pressed. A row of such bodies shares
---   the overlap.
+--   the overlap. A ball beside a wall stays out of that: others have the overlap.
 -- - The body moves at the mean speed of the two immovable bodies.
 -- - If several bodies press it, the one with the largest overlap counts.
 local function squeeze(b, k, other, over, sign, held, pressing, holder)
-  local share, most = 1 - 1 / held[k], b.squeezed[k] * sign
+  local isBeside = b.give[other] == 0 and held[k] > 2 and isBall(b, k)
+  local share, most = isBeside and 1 or 1 - 1 / held[k], b.squeezed[k] * sign
   over = over + most * share
   if over > most then
     b.squeezed[k] = sign * over

@@ -248,7 +248,7 @@ end
 
 --- Resolves all contacts and impacts of a step of dt s.
 function solver.run(b, dt)
-  b.resolved, b.step = 0, b.step + 1
+  b.resolved, b.step, b.mayRestart = 0, b.step + 1, true
   for _ = 1, RESTARTS do
     if solve(b, dt) then
       return
@@ -257,6 +257,7 @@ function solver.run(b, dt)
   end
   -- With all bodies awake, no path can come near a sleeping one.
   rest.wakeAll(b)
+  b.mayRestart = false
   restart(b, dt)
   solve(b, dt)
 end

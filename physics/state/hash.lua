@@ -6,8 +6,10 @@
 -- R. M. Karp and M. O. Rabin (1987).
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local fieldColumns = require(root .. ".objects.fieldColumns")
 local fields = require(root .. ".world.fields")
 local keyOrder = require(root .. ".memory.keyOrder")
+local format = require(root .. ".state.format")
 local state = require(root .. ".state.save")
 
 local hash = {}
@@ -157,7 +159,7 @@ end
 -- Folds the objects that have left the world and are remembered.
 local function mixGone(sum, out)
   for _, saved in ipairs(out.gone or {}) do
-    for _, name in ipairs(state.FIELDS) do
+    for _, name in ipairs(fieldColumns.NAMES) do
       local value = saved[name]
       mixAny(sum, value == nil and FALSE or value)
     end
@@ -165,13 +167,13 @@ local function mixGone(sum, out)
 end
 
 local function mixMemory(sum, out)
-  for _, name in ipairs(state.FLAGS) do
+  for _, name in ipairs(format.FLAGS) do
     mixList(sum, out.memory[name])
   end
-  for _, name in ipairs(state.LINKS) do
+  for _, name in ipairs(format.LINKS) do
     mixList(sum, out.memory[name])
   end
-  for _, entry in ipairs(state.POINTS) do
+  for _, entry in ipairs(format.POINTS) do
     if entry[1] ~= "last" and entry[1] ~= "drift" then -- they change no motion
       mixList(sum, out.memory[entry[1]])
     end
@@ -192,7 +194,7 @@ end
 
 local function mixSettings(sum, out)
   local settings = out.settings
-  for _, name in ipairs(state.SETTINGS) do
+  for _, name in ipairs(format.SETTINGS) do
     local value = settings[name]
     mixAny(sum, value == nil and FALSE or value)
   end
@@ -209,13 +211,13 @@ function hash.of(out)
   mixSettings(sum, out)
   mixNumber(sum, out.saved)
   mixGroups(sum, out)
-  for _, entry in ipairs(state.DENSE) do
+  for _, entry in ipairs(fieldColumns.EVERY) do
     mixDense(sum, out[entry[1]], out.count)
   end
-  for _, entry in ipairs(state.SPARSE) do
+  for _, entry in ipairs(fieldColumns.SOME) do
     mixSparse(sum, entry[1], out.fields[entry[1]], defaultOf(entry[1]))
   end
-  for _, name in ipairs(state.FIELDS) do
+  for _, name in ipairs(fieldColumns.NAMES) do
     local list = out.read[name]
     if list and #list > 0 then
       mix(sum, TEXT) -- marks values that were read

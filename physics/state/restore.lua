@@ -1,4 +1,4 @@
---- Restores a world from a state (see save.lua).
+--- Restores a world from a state (see format.lua).
 --
 -- First the game's tables get what the library read from them last, and are read. Then the columns
 -- that outlive a step are filled. Then the values are written that the game had written since. So
@@ -8,22 +8,20 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local check = require(root .. ".world.check")
 local read = require(root .. ".objects.read")
 local columns = require(root .. ".memory.columns")
-local detect = require(root .. ".broadphase.pairFinder")
-local events = require(root .. ".contacts.events")
-local fields = require(root .. ".world.fields")
 local filter = require(root .. ".broadphase.filter")
 local interpreted = require(root .. ".memory.jit")
 local notice = require(root .. ".queries.notice")
+local memory = require(root .. ".state.restoreMemory")
 local own = require(root .. ".state.own")
-local rest = require(root .. ".sleep.islands")
+local restoreFields = require(root .. ".state.restoreFields")
 local settings = require(root .. ".world.settings")
-local state = require(root .. ".state.save")
+local format = require(root .. ".state.format")
 local verify = require(root .. ".state.validate")
 local zones = require(root .. ".motion.zones")
 
 local restore = {}
 
-local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
+local STATIC = columns.STATIC
 local max, min = math.max, math.min
 
 -- Which table is which object --------------------------------------------------------------------
@@ -119,178 +117,6 @@ local function listVisits(b, tables, count)
   return visit
 end
 
--- Fields -----------------------------------------------------------------------------------------
-
-local function write(object, name, value)
-  if object[name] ~= value then
-    object[name] = value
-  end
-end
-
-local function isSameList(list, other)
-  for n = 1, max(#list, #other) do
-    if list[n] ~= other[n] then
-      return false
-    end
-  end
-  return true
-end
-
-local function tableOf(list)
-  local mask = {}
-  for at = 1, #list, 2 do
-    mask[list[at]] = list[at + 1]
-  end
-  return mask
-end
-
--- Gives a table the contents of another one.
-local function overwrite(list, contents)
-  for key in next, list, nil do
-    list[key] = nil
-  end
-  for key, value in next, contents, nil do
-    list[key] = value
-  end
-end
-
--- Writes a mask, into its old table if that is known.
-local function writeMask(object, list, known)
-  local wanted, mask = tableOf(list), known or object.mask
-  if type(mask) == "table" and filter.isSameMask(wanted, mask) then
-    wanted = mask
-  elseif known then
-    overwrite(known, wanted)
-    wanted = known
-  end
-  write(object, "mask", wanted)
-end
-
--- Writes an area; the table that is there stays if it says the same.
-local function writeArea(object, list)
-  local wanted = tableOf(list)
-  if not zones.isSame(object.area, wanted) then
-    object.area = wanted
-  end
-end
-
--- Writes a list of what an object hits; one that says the same stays the same list.
-local function writeHits(object, list)
-  local now = object.hits
-  if not (type(now) == "table" and isSameList(list, now)) then
-    write(object, "hits", state.copyList(list))
-  end
-end
-
--- Writes a sparse list of values. Objects that are not in it have no value.
-local function writeSparse(objects, masks, name, list, visit)
-  local at, isMask = 1, name == "mask"
-  for m = 1, #visit do
-    local n = visit[m]
-    local object = objects[n]
-    while list[at] and list[at] < n do
-      at = at + 2
-    end
-    if list[at] ~= n then
-      write(object, name, nil)
-    elseif isMask then
-      writeMask(object, list[at + 1], masks[n])
-      at = at + 2
-    elseif name == "area" then
-      writeArea(object, list[at + 1])
-      at = at + 2
-    elseif name == "hits" then
-      writeHits(object, list[at + 1])
-      at = at + 2
-    else
-      write(object, name, list[at + 1])
-      at = at + 2
-    end
-  end
-end
-
-local function writeDense(objects, name, list, visit)
-  for m = 1, #visit do
-    local n = visit[m]
-    write(objects[n], name, list[n] or nil)
-  end
-end
-
--- Writes the fields of the objects to visit as they were when the state was saved; with `only`,
--- just those.
-local function writeFields(st, objects, masks, visit, only)
-  for _, entry in ipairs(state.DENSE) do
-    local name = entry[1]
-    if not only or only[name] then
-      writeDense(objects, name, st[name], visit)
-    end
-  end
-  for _, entry in ipairs(state.SPARSE) do
-    local name = entry[1]
-    if not only or only[name] then
-      writeSparse(objects, masks, name, st.fields[name], visit)
-    end
-  end
-end
-
--- Writes what the library had read, where that was something else. Returns the names of these
--- fields.
-local function writeRead(st, objects)
-  local names, any = {}, false
-  for name, list in next, st.read, nil do
-    local isBoolean = fields.objectByName[name] and fields.objectByName[name].type == "boolean"
-    for at = 1, #list, 2 do
-      local value = list[at + 1]
-      if (name == "mask" or name == "area") and value then
-        value = tableOf(value)
-      elseif name == "hits" and value then
-        value = state.copyList(value)
-      elseif value == false and not isBoolean then
-        value = nil
-      end
-      objects[list[at]][name] = value
-      names[name], any = true, true
-    end
-  end
-  return any and names
-end
-
--- Writes the fields of an object that had left the world.
-local function writeGone(b, object, saved)
-  for _, name in ipairs(state.FIELDS) do
-    if name == "mask" and saved.mask then
-      writeMask(object, saved.mask)
-    elseif name == "area" and saved.area then
-      writeArea(object, saved.area)
-    elseif name == "hits" and saved.hits then
-      writeHits(object, saved.hits)
-    else
-      write(object, name, saved[name])
-    end
-  end
-  if not (saved.static or saved.kinematic or type(object.touching) == "table") then
-    object.touching = read.touchingFor(b, object)
-  end
-end
-
--- Returns all objects that a state names by number: those of the world, then those that had left
--- it, as new tables if `gone` does not have them.
-local function recall(b, st, objects, gone)
-  if not st.gone then
-    return objects
-  end
-  local named = {}
-  for n = 1, st.count do
-    named[n] = objects[n]
-  end
-  for n, saved in ipairs(st.gone) do
-    local object = gone[n] or {}
-    writeGone(b, object, saved)
-    named[st.count + n] = object
-  end
-  return named
-end
-
 -- Tables -----------------------------------------------------------------------------------------
 
 local function emptyGroups(objects)
@@ -364,212 +190,6 @@ local function placeNow(world, st, objects)
   end
 end
 
--- The library's memory ---------------------------------------------------------------------------
-
--- Forgets all events and all contacts, without events about it.
-local function forget(b)
-  events.forget(b.events)
-  for p = 1, b.pairSlots do
-    for _, entry in ipairs(state.PAIRS) do
-      b[entry[1]][p] = entry[2]
-    end
-  end
-  b.contactCount = 0
-end
-
--- Returns whether the columns hold an object's fields, for those fields that `update` does not
--- compare.
-local function isRead(b, i, object)
-  if b.kind[i] ~= columns.kindOf(object) then
-    return false
-  elseif b.kind[i] ~= STATIC then
-    return true
-  end
-  for _, entry in ipairs(state.DENSE) do
-    local value = object[entry[1]]
-    if entry[2] ~= "velocity" and value ~= b[entry[2]][2 * i + entry[3]] then
-      return false
-    end
-  end
-  for _, entry in ipairs(state.SPARSE) do
-    if entry[2] then
-      local value, at = object[entry[1]], entry[4] and 2 * i + entry[4] or i
-      if value == nil then
-        value = entry[3]
-      end
-      if value ~= b[entry[2]][at] then
-        return false
-      end
-    end
-  end
-  local isSameMask = filter.isSameMask(object.mask, b.mask[i])
-  local isSame = isSameMask and zones.isSame(object.area, b.area[i])
-  local isSameHits = object.hits == (b.hitsGiven[i] or nil)
-  return isSame and isSameHits and (object.friction or -1) == b.friction[i]
-end
-
--- Reads the objects again that `update` would not read again.
-local function readAgain(b, objects, known, visit)
-  for m = 1, #visit do
-    local n = visit[m]
-    local slot = n <= known and b.slotOf[objects[n]]
-    if slot and not isRead(b, slot, objects[n]) then
-      read.refresh(b, slot)
-    end
-  end
-end
-
--- Gives objects their written positions, clears their past and wakes them.
-local function settle(b, list)
-  for n = 1, #list do
-    local i = list[n]
-    local k = 2 * i
-    for axis = k, k + 1 do
-      b.position[axis] = b.written[axis]
-    end
-    for _, name in ipairs(state.FLAGS) do
-      b[name][i] = false
-    end
-    for _, name in ipairs(state.LINKS) do
-      b[name][i] = 0
-    end
-    b.fresh[i] = false
-    rest.wake(b, i)
-  end
-  b.movedCount, b.lostCount = 0, 0
-end
-
-local function rememberPoints(b, st, slots, present)
-  for _, entry in ipairs(state.POINTS) do
-    local list, column, usual = st.memory[entry[1]], b[entry[1]], entry[2]
-    local model = b[usual]
-    for n = 1, #present do
-      local k = 2 * present[n]
-      column[k], column[k + 1] = model and model[k] or usual, model and model[k + 1] or usual
-    end
-    for at = 1, #list, 3 do
-      local k = 2 * slots[list[at]]
-      column[k], column[k + 1] = list[at + 1], list[at + 2]
-    end
-  end
-end
-
--- Sets what the world knows of its past, as far as it still matters.
-local function rememberHistory(b, memory)
-  b.hasCarriers = b.hasCarriers or #memory.carrier > 0 or #memory.carried > 0
-  b.hasCrushed = b.hasCrushed or #memory.wasCrushed > 0
-  b.hasInside = b.hasInside or #memory.inside > 0
-  b.hasCrowds = b.hasCrowds or #memory.crowd > 0
-  b.hasKnots = b.hasKnots or #memory.stuck > 0 or #memory.exiting > 0 or #memory.knotted > 0
-end
-
-local function rememberSlots(b, st, slots)
-  for _, name in ipairs(state.FLAGS) do
-    local list = st.memory[name]
-    for at = 1, #list do
-      b[name][slots[list[at]]] = true
-    end
-  end
-  for _, name in ipairs(state.LINKS) do
-    local list = st.memory[name]
-    for at = 1, #list, 2 do
-      b[name][slots[list[at]]] = slots[list[at + 1]]
-    end
-  end
-  for n = 1, st.known do
-    if b.moved[slots[n]] then
-      b.movedCount = b.movedCount + 1
-      b.movedList[b.movedCount] = slots[n]
-    end
-  end
-  for at, n in ipairs(st.memory.lost) do
-    b.lost[at] = slots[n]
-  end
-  b.lostCount = #st.memory.lost
-end
-
--- Lets objects stand where they are.
-local function stand(b, list)
-  for n = 1, #list do
-    columns.stand(b, list[n])
-  end
-  detect.run(b, list, 1, #list)
-end
-
-local function rememberContacts(b, st, slots)
-  local list, PAIRS = st.contacts, state.PAIRS
-  local step = 2 + #PAIRS
-  for at = 1, #list, step do
-    local i, j = slots[list[at]], slots[list[at + 1]]
-    local p = columns.pairOf(b, i, j) or columns.link(b, i, j)
-    for c = 1, #PAIRS do
-      local entry, value = PAIRS[c], list[at + 1 + c]
-      if b.pairA[p] ~= i and value ~= entry[2] then
-        value = entry[3][value]
-      end
-      b[entry[1]][p] = value
-    end
-    if b.contact[p] ~= 0 then
-      b.contactCount = b.contactCount + 1
-    end
-  end
-end
-
--- (`object.touching` may be the table of another world now, or of several objects.)
-local function rememberTouching(b, st, objects, named, slots)
-  for n = 1, st.known do
-    local i, object = slots[n], objects[n]
-    if b.kind[i] == DYNAMIC then
-      local touching = b.touching[i]
-      object.touching = touching
-      read.takeTouching(b, i, touching)
-      read.clearTouching(touching)
-    end
-  end
-  local list = st.touching
-  for at = 1, #list, 5 do
-    local t = b.touching[slots[list[at]]]
-    if t then
-      t.left, t.right = named[list[at + 1]] or false, named[list[at + 2]] or false
-      t.top, t.bottom = named[list[at + 3]] or false, named[list[at + 4]] or false
-    end
-  end
-end
-
-local function rememberEvents(b, st, named)
-  local e, list, EVENT = b.events, st.events, state.EVENT
-  local n = 0
-  for at = 1, #list, 3 + #EVENT do
-    n = n + 1
-    e.order[n], e.kindAndNumber[n] = n, n
-    e.a[n], e.b[n] = named[list[at]], named[list[at + 1]]
-    e.c[n] = named[list[at + 2]] or false
-    for m = 1, #EVENT do
-      e[EVENT[m]][n] = list[at + 2 + m]
-    end
-  end
-  e.count, e.told, e.heardBy = n, st.heardBy and 1 or 0, st.heardBy or 3
-  e.sorted = max(st.sorted or 0, e.told)
-end
-
-local function remember(b, st, objects, named, visit)
-  local slots, present = {}, {}
-  for n = 1, st.known do
-    slots[n] = b.slotOf[objects[n]]
-  end
-  for m = 1, #visit do
-    present[m] = slots[visit[m]] -- (Those that are not known come last.)
-  end
-  settle(b, present)
-  rememberHistory(b, st.memory)
-  rememberPoints(b, st, slots, present)
-  rememberSlots(b, st, slots)
-  stand(b, present)
-  rememberContacts(b, st, slots)
-  rememberTouching(b, st, objects, named, slots)
-  rememberEvents(b, st, named)
-end
-
 -- The world --------------------------------------------------------------------------------------
 
 -- Returns the masks of a world as a table. A list cannot hold empty rows: they come from `rows`.
@@ -611,10 +231,10 @@ local function writeMasks(world, list, tables)
     wanted = masks
   elseif known then
     for group, row in next, tables.rows, nil do
-      overwrite(row, wanted[group])
+      restoreFields.overwrite(row, wanted[group])
       wanted[group] = row
     end
-    overwrite(known, wanted)
+    restoreFields.overwrite(known, wanted)
     wanted = known
   end
   world.masks = wanted
@@ -630,7 +250,7 @@ end
 
 -- Writes the settings. A list or table of the world that already says the same is kept.
 local function restoreSettings(world, saved, tables)
-  for _, name in ipairs(state.SETTINGS) do
+  for _, name in ipairs(format.SETTINGS) do
     world[name] = saved[name]
   end
   if saved.masks then
@@ -641,12 +261,14 @@ local function restoreSettings(world, saved, tables)
   writeSoft(world, saved.soft)
   if not saved.order then
     world.order = nil
-  elseif not world.order or not isSameList(saved.order, world.order) then
-    world.order = state.copyList(saved.order)
+  elseif not world.order or not restoreFields.isSameList(saved.order, world.order) then
+    world.order = format.copyList(saved.order)
   end
   settings.apply(world)
-  -- Whatever the masks were before, the next step applies them anew.
-  world._bodies.masksSeen, world._bodies.isRemasked = false, true
+  -- Whatever the masks were before, and what was soft, the next step applies them anew: the state
+  -- may have a contact that they forbid.
+  local b = world._bodies
+  b.masksSeen, b.softSeen, b.isRemasked = false, {}, true
 end
 
 -- Reads the known objects in their old order. If the game has set another `order` since the last
@@ -672,18 +294,18 @@ function restore.world(world, st)
   end
   local tables, sentence = match(world, st)
   local objects, masks = tables.objects, tables.masks
-  local named = recall(b, st, objects, tables.gone)
+  local named = restoreFields.recall(b, st, objects, tables.gone)
   local visit = listVisits(b, tables, st.count)
-  forget(b)
+  memory.forget(b)
   restoreSettings(world, st.settings, tables)
-  writeFields(st, objects, masks, visit)
-  local unread = writeRead(st, objects)
+  restoreFields.write(st, objects, masks, visit)
+  local unread = restoreFields.writeRead(st, objects)
   placeKnown(world, st, objects)
-  readAgain(b, objects, st.known, visit)
+  memory.readAgain(b, objects, st.known, visit)
   collectKnown(world, st)
-  remember(b, st, objects, named, visit)
+  memory.remember(b, st, objects, named, visit)
   if unread then
-    writeFields(st, objects, masks, visit, unread)
+    restoreFields.write(st, objects, masks, visit, unread)
   end
   placeNow(world, st, objects)
   own.restore(st, objects)
@@ -698,7 +320,7 @@ function restore.world(world, st)
   return sentence
 end
 
-interpreted.always(overwrite, masksOf, areSameMasks, writeMasks)
-interpreted.always(writeRead, emptyGroups, restore.world)
+interpreted.always(masksOf, areSameMasks, writeMasks)
+interpreted.always(emptyGroups, restore.world)
 
 return restore

@@ -3,15 +3,16 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local check = require(root .. ".world.check")
+local fieldColumns = require(root .. ".objects.fieldColumns")
 local fields = require(root .. ".world.fields")
 local interpreted = require(root .. ".memory.jit")
 local own = require(root .. ".state.own")
-local state = require(root .. ".state.save")
+local format = require(root .. ".state.format")
 
 local verify = {}
 
 local WHERE = "world:restore(state): "
--- As in world.lua, s: the longest time that can be saved up, and its tolerance for rounding.
+-- As in step.lua, s: the longest time that can be saved up, and its tolerance for rounding.
 local LONGEST, ROUNDING = 0.25, 1e-9
 local floor = math.floor
 local isFinite, show = check.isFinite, check.show
@@ -95,7 +96,7 @@ end
 
 local function needSettings(settings)
   needTable(settings, "state.settings")
-  for _, name in ipairs(state.SETTINGS) do
+  for _, name in ipairs(format.SETTINGS) do
     local field, value = fields.settingByName[name], settings[name]
     if value ~= nil or field.default ~= nil then
       check.value(field, value, WHERE .. "state.settings." .. name)
@@ -220,13 +221,14 @@ local function needArea(list, path)
   end
 end
 
-local function needField(st, field, n, value, path)
+-- Checks a value of a field; `path` is its place in the state, n the number of its object.
+local function needField(field, value, path, st, n)
   if field.type == "mask" then
     needList(value, path, MASK)
   elseif field.type == "area" then
     needArea(value, path)
   elseif not check.accepts(field, value) then
-    check.value(field, value, WHERE .. placeOf(st, n) .. "." .. field.name)
+    check.value(field, value, WHERE .. (n and placeOf(st, n) .. "." .. field.name or path))
   end
 end
 
@@ -239,7 +241,7 @@ local function needDense(st, name)
   for n = 1, st.count do
     local value = list[n]
     if value ~= false or field.required then
-      needField(st, field, n, value, path)
+      needField(field, value, path, st, n)
     end
   end
 end
@@ -257,7 +259,7 @@ local function needSparseField(st, list, name, path, last, isRead)
       refuse(path .. "[" .. at .. "]", "an integer in 1.." .. last, n)
     end
     if not (isRead and value == false) then
-      needField(st, field, n, value, path .. "[" .. (at + 1) .. "]")
+      needField(field, value, path .. "[" .. (at + 1) .. "]", st, n)
     end
   end
   needAscent(list, path, 2)
@@ -266,14 +268,14 @@ end
 local function needFields(st)
   needTable(st.fields, "state.fields")
   needTable(st.read, "state.read")
-  for _, entry in ipairs(state.DENSE) do
+  for _, entry in ipairs(fieldColumns.EVERY) do
     needDense(st, entry[1])
   end
-  for _, entry in ipairs(state.SPARSE) do
+  for _, entry in ipairs(fieldColumns.SOME) do
     local name = entry[1]
     needSparseField(st, st.fields[name], name, "state.fields", st.count, false)
   end
-  for _, name in ipairs(state.FIELDS) do
+  for _, name in ipairs(fieldColumns.NAMES) do
     if st.read[name] ~= nil then
       needSparseField(st, st.read[name], name, "state.read", st.known, true)
     end
@@ -285,14 +287,10 @@ local function needGone(st)
   for n, saved in ipairs(st.gone == nil and {} or needTable(st.gone, "state.gone")) do
     local path = "state.gone[" .. n .. "]"
     needTable(saved, path)
-    for _, name in ipairs(state.FIELDS) do
+    for _, name in ipairs(fieldColumns.NAMES) do
       local field, value = fields.objectByName[name], saved[name]
-      if value ~= nil and field.type == "mask" then
-        needList(value, path .. "." .. name, MASK)
-      elseif value ~= nil and field.type == "area" then
-        needArea(value, path .. "." .. name)
-      elseif value ~= nil then
-        check.value(field, value, WHERE .. path .. "." .. name)
+      if value ~= nil then
+        needField(field, value, path .. "." .. name)
       end
     end
   end
@@ -307,14 +305,14 @@ end
 
 local function needMemory(st)
   local memory, object = needTable(st.memory, "state.memory"), objectKind(1, st.known)
-  for _, name in ipairs(state.FLAGS) do
+  for _, name in ipairs(format.FLAGS) do
     needSparse(memory[name], "state.memory." .. name, { object })
   end
   needSparse(memory.lost, "state.memory.lost", { object })
-  for _, name in ipairs(state.LINKS) do
+  for _, name in ipairs(format.LINKS) do
     needSparse(memory[name], "state.memory." .. name, { object, object })
   end
-  for _, entry in ipairs(state.POINTS) do
+  for _, entry in ipairs(format.POINTS) do
     local kind = type(entry[2]) == "boolean" and BOOLEAN or NUMBER
     needSparse(memory[entry[1]], "state.memory." .. entry[1], { object, kind, kind })
   end
@@ -340,7 +338,7 @@ end
 local function needContacts(st)
   local object = objectKind(1, st.known)
   local kinds = { object, object }
-  for _, entry in ipairs(state.PAIRS) do
+  for _, entry in ipairs(format.PAIRS) do
     kinds[#kinds + 1] = pairKind(entry)
   end
   local list = st.contacts
@@ -374,23 +372,12 @@ local function needEvents(st)
     end,
     "a side",
   }
-  needList(st.events, "state.events", {
-    object,
-    object,
-    none,
-    kind,
-    side,
-    NUMBER,
-    NUMBER,
-    NUMBER,
-    NUMBER,
-    NUMBER,
-    NUMBER,
-    NUMBER,
-    NUMBER,
-  })
-  local list = st.events
-  local length = 3 + #state.EVENT
+  local kinds = { object, object, none, kind, side }
+  for n = #kinds + 1, 3 + #format.EVENT do
+    kinds[n] = NUMBER
+  end
+  needList(st.events, "state.events", kinds)
+  local list, length = st.events, #kinds
   for at = 4, #list, length do
     if (list[at] == 5) ~= (type(list[at + 1]) == "string") then
       refuse("state.events[" .. (at + 1) .. "]", "a side of this kind of event", list[at + 1])
@@ -411,8 +398,8 @@ function verify.state(st)
   needTable(st, "state")
   if st.version == nil then
     check.fail(WHERE .. "state must be what world:save() returns, got " .. show(st))
-  elseif st.version ~= state.VERSION then
-    local expected = show(state.VERSION) .. " (it was saved by another version of the library)"
+  elseif st.version ~= format.VERSION then
+    local expected = show(format.VERSION) .. " (it was saved by another version of the library)"
     refuse("state.version", expected, st.version)
   end
   needSettings(st.settings)

@@ -17,9 +17,7 @@ local EPSILON = columns.EPSILON
 local STATIC, CIRCLE = columns.STATIC, columns.SHAPE_CIRCLE
 local format, max = string.format, math.max
 
-local function nameOf(v, i)
-  return registry.place(v.group[i], v.key[i])
-end
+local nameOf = registry.placeOf
 
 -- Returns which mask lets two objects pass through each other, in words, or nil.
 local function explainMask(v, i, j)

@@ -6,6 +6,7 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local check = require(root .. ".world.check")
 local interpreted = require(root .. ".memory.jit")
 local query = require(root .. ".queries.query")
+local rays = require(root .. ".queries.rays")
 
 interpreted.file()
 
@@ -17,7 +18,7 @@ local PUSHED = { "vx", "vy", "mass" }
 -- Whether nothing that `walls` names is between a point and the centre of an object.
 local function isSeen(world, object, x, y, walls)
   local centerX, centerY = object.x + object.width * 0.5, object.y + object.height * 0.5
-  local hit = query.raycast(world, x, y, centerX, centerY, walls)
+  local hit = rays.raycast(world, x, y, centerX, centerY, walls)
   return hit == nil or rawequal(hit, object)
 end
 

@@ -18,12 +18,12 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local check = require(root .. ".world.check")
 local columns = require(root .. ".memory.columns")
+local fieldColumns = require(root .. ".objects.fieldColumns")
 local fields = require(root .. ".world.fields")
 local filter = require(root .. ".broadphase.filter")
 local interpreted = require(root .. ".memory.jit")
 local registry = require(root .. ".objects.registry")
-local state = require(root .. ".state.save")
-local zones = require(root .. ".motion.zones")
+local wording = require(root .. ".world.wording")
 
 local guard = {}
 
@@ -55,9 +55,7 @@ local MEANT = {
 local OWN =
   { draw = true, update = true, weight = true, velocity = true, fraction = true, masks = true }
 
-local function placeOf(b, i)
-  return registry.place(b.group[i], b.key[i])
-end
+local placeOf = registry.placeOf
 
 -- Names -------------------------------------------------------------------------------------------
 
@@ -69,7 +67,7 @@ local function meaningOf(name, names, byName)
   elseif MEANT[name] and (byName == fields.objectByName or byName[MEANT[name]]) then
     return MEANT[name]
   end
-  local guess = check.guess(name, names)
+  local guess = wording.guess(name, names)
   -- Short names are alike by chance: `w` and `z` may be the game's own.
   local isSure = guess and (#guess > 3 and #name > 3 or guess == name:lower())
   return isSure and guess or false
@@ -113,7 +111,7 @@ local function groupMeant(b, name)
   end
   for n = 1, #b.registry.groups do
     local known = b.registry.groups[n].name
-    if type(known) == "string" and #known > 3 and check.isSlip(name, known) then
+    if type(known) == "string" and #known > 3 and wording.isSlip(name, known) then
       return known
     end
   end
@@ -134,7 +132,7 @@ local function checkMask(b, mask, place)
 end
 
 local function checkHits(b, i, hits)
-  if not filter.isSameHits(hits, b.hitsRead[i]) then
+  if not filter.isSameHits(hits, b.only[i]) then
     check.fail(
       placeOf(b, i)
         .. ".hits was changed inside its table: the list is read when it is set, so set another"
@@ -239,62 +237,16 @@ local function refuseStatic(b, i, name, value)
   )
 end
 
--- Fields that every object has. The velocity of a static object is not read.
-local function checkDense(b, i, object)
-  for n = 1, #state.DENSE do
-    local entry = state.DENSE[n]
-    local value = object[entry[1]]
-    if entry[2] ~= "velocity" and value ~= b[entry[2]][2 * i + entry[3]] then
-      refuseStatic(b, i, entry[1], value)
-    end
-  end
-end
-
-local function checkSparse(b, i, object)
-  for n = 1, #state.SPARSE do
-    local entry = state.SPARSE[n]
-    local name, column, axis = entry[1], entry[2], entry[4]
-    local value = object[name]
-    if column and value == nil then
-      value = entry[3]
-    end
-    if column and value ~= b[column][axis and 2 * i + axis or i] then
-      refuseStatic(b, i, name, object[name])
-    end
-  end
-end
-
--- The other fields: name, column, the column's value if the field is not set.
-local OTHERS = {
-  { "friction", "friction", -1 },
-  { "canCollide", "canCollide", false },
-  { "onStay", "hears", false },
-}
-
-local function checkOthers(b, i, object)
-  for n = 1, #OTHERS do
-    local name, column, absent = OTHERS[n][1], OTHERS[n][2], OTHERS[n][3]
-    if (object[name] or absent) ~= b[column][i] then
-      refuseStatic(b, i, name, object[name])
-    end
-  end
-  if not filter.isSameMask(object.mask, b.mask[i]) then
-    refuseStatic(b, i, "mask", object.mask)
-  elseif not zones.isSame(object.area, b.area[i]) then
-    refuseStatic(b, i, "area", object.area)
-  end
-  if object.hits ~= (b.hitsGiven[i] or nil) then
-    refuseStatic(b, i, "hits", object.hits)
-  end
-end
-
 local function checkStatic(b, i, object)
   if not object.static then
     refuseStatic(b, i, "static", object.static)
   end
-  checkDense(b, i, object)
-  checkSparse(b, i, object)
-  checkOthers(b, i, object)
+  local name = fieldColumns.firstChanged(b, i, object)
+    or (object.canCollide or false) ~= b.canCollide[i] and "canCollide"
+    or (object.onStay or false) ~= b.hears[i] and "onStay"
+  if name then
+    refuseStatic(b, i, name, object[name])
+  end
 end
 
 -- Movers ------------------------------------------------------------------------------------------

@@ -1,0 +1,190 @@
+--- Heaps of balls: they come to rest, and are no rocks then.
+
+local newRandom = require("spec.support.random").new
+local physics = require("physics")
+
+local function wall(world, x, y, width, height)
+  return world:add("walls", { x = x, y = y, width = width, height = height, static = true })
+end
+
+local function run(world, seconds, rate)
+  for _ = 1, seconds * (rate or 60) + 0.5 do
+    world:update(1 / (rate or 60))
+  end
+end
+
+-- A shaft 160 px wide with a floor at y 400. Returns the world and its floor.
+local function newShaft(settings)
+  local world = physics.newWorld(settings)
+  world.gravity = 800
+  local floor = wall(world, -20, 400, 200, 20)
+  wall(world, -20, -3000, 20, 3400)
+  wall(world, 160, -3000, 20, 3400)
+  return world, floor
+end
+
+-- 60 balls of 7 to 10 px: in six columns, at random places above each other, or every third a box.
+local function fill(world, kind, seed)
+  local random = newRandom(seed)
+  for i = 0, 59 do
+    local radius = random:between(7, 10)
+    local object = {
+      restitution = seed % 2 == 0 and 0.3 or 0,
+      friction = (seed % 3 == 0 or kind == "mixed") and 0.4 or nil,
+    }
+    if kind == "poured" then
+      object.x, object.y = random:between(1, 138), 370 - 12 * i
+    else
+      object.x, object.y = 4 + i % 6 * 25 + random:between(0, 4), 380 - 20 - (i - i % 6) / 6 * 26
+    end
+    if kind == "mixed" and i % 3 == 0 then
+      object.width, object.height = 2 * radius, 2 * radius
+    else
+      object.radius = radius
+    end
+    world:add("balls", object)
+  end
+end
+
+local function newHeap(kind, seed, settings)
+  local world, floor = newShaft(settings)
+  fill(world, kind, seed)
+  return world, floor
+end
+
+-- The y of the highest of a group.
+local function topOf(group)
+  local top = math.huge
+  for _, object in ipairs(group) do
+    top = math.min(top, object.y)
+  end
+  return top
+end
+
+describe("a heap of balls", function()
+  for _, kind in ipairs({ "columns", "poured", "mixed" }) do
+    it("comes to rest: " .. kind, function()
+      for seed = 1, 3 do
+        local world = newHeap(kind, seed)
+        run(world, 10)
+        assert.are.equal(60, world.stats.resting)
+        local hash = world:hash()
+        run(world, 1)
+        assert.are.equal(hash, world:hash())
+      end
+    end)
+  end
+
+  it("is the same with and without rest, and restored", function()
+    local hashes = {}
+    for n, settings in ipairs({ {}, { rest = false }, { broadphase = "pairs" } }) do
+      local world = newHeap("poured", 5, settings)
+      run(world, 6)
+      hashes[n] = world:hash()
+    end
+    local world, other = newHeap("poured", 5), physics.newWorld()
+    run(world, 3)
+    other:restore(world:save())
+    run(other, 3)
+    hashes[4] = other:hash()
+    assert.are.same({ hashes[1], hashes[1], hashes[1], hashes[1] }, hashes)
+  end)
+
+  it("falls when its floor goes away", function()
+    local world, floor = newHeap("poured", 1)
+    run(world, 8)
+    local top = topOf(world.objects.balls)
+    world:remove(floor)
+    run(world, 2.5)
+    assert.is_true(topOf(world.objects.balls) > top + 200)
+  end)
+
+  it("comes down where balls are taken out of it", function()
+    local world = newHeap("poured", 4)
+    run(world, 8)
+    local top = topOf(world.objects.balls)
+    local list = world.objects.balls
+    for n = #list, 1, -1 do
+      if list[n].y > 340 then
+        table.remove(list, n)
+      end
+    end
+    run(world, 4)
+    assert.is_true(topOf(list) > top + 20)
+    local low = 0
+    for _, object in ipairs(list) do
+      low = math.max(low, object.y + object.height)
+    end
+    assert.near(400, low, 1e-3)
+  end)
+
+  it("is struck apart by a fast ball", function()
+    local world = newShaft()
+    for i = 0, 9 do
+      world:add("balls", { x = 20 + 12 * (i % 5), y = 300 - 14 * (i - i % 5), radius = 8 })
+    end
+    run(world, 6)
+    assert.are.equal(10, world.stats.resting)
+    local before = {}
+    for n, object in ipairs(world.objects.balls) do
+      before[n] = object.x
+    end
+    world:add("shots", { x = 135, y = 380, radius = 9, mass = 20, vx = -400 })
+    run(world, 0.5)
+    local most = 0
+    for n, object in ipairs(world.objects.balls) do
+      most = math.max(most, math.abs(object.x - before[n]))
+    end
+    assert.is_true(most > 10, most)
+  end)
+
+  it("is pushed by a player that walks against it", function()
+    local world = newShaft()
+    for i = 0, 9 do
+      world:add("balls", { x = 50 + 12 * (i % 5), y = 300 - 14 * (i - i % 5), radius = 8 })
+    end
+    run(world, 6)
+    local player = world:add("players", { x = 2, y = 360, width = 12, height = 40, mass = 50 })
+    for _ = 1, 90 do
+      player.vx = 60
+      world:update(1 / 60)
+    end
+    assert.is_true(player.x > 40, player.x)
+  end)
+
+  it("stands as a pyramid, and on boxes", function()
+    local world = physics.newWorld({ gravity = 800 })
+    wall(world, -100, 200, 400, 20)
+    for row = 0, 3 do
+      for i = 0, 3 - row do
+        world:add("balls", { x = 20 * i + 10 * row, y = 180 - 17.4 * row, radius = 10 })
+      end
+    end
+    world:add("boxes", { x = 120, y = 160, width = 40, height = 40 })
+    world:add("balls", { x = 130, y = 139, radius = 10 })
+    run(world, 4)
+    assert.are.equal(12, world.stats.resting)
+    assert.is_true(topOf(world.objects.balls) < 140)
+  end)
+
+  -- The ball hangs over the corner by 0.4 and 4 px.
+  it("rolls off a corner by more than anybody sees, and else stays", function()
+    for _, row in ipairs({ { 0.4, true }, { 4, false } }) do
+      for _, isStatic in ipairs({ true, false }) do
+        for _, rate in ipairs({ 30, 60, 240 }) do
+          local world = physics.newWorld({ gravity = 800 })
+          wall(world, -200, 200, 500, 20)
+          world:add("boxes", { x = 0, y = 160, width = 40, height = 40, static = isStatic })
+          local up = math.sqrt(100 - row[1] * row[1])
+          local object = world:add("balls", {
+            x = 40 + row[1] - 10,
+            y = 160 - up - 10,
+            radius = 10,
+          })
+          run(world, 2, rate)
+          assert.are.equal(row[2], object.y < 160)
+        end
+      end
+    end
+  end)
+end)
