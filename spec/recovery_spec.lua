@@ -134,7 +134,8 @@ end
 
 describe("after an object has failed", function()
   for _, steps in ipairs({ 0, 1, 2, 4, 10 }) do
-    it("at any point of update number " .. steps + 1 .. ", the next one goes on", function()
+    local tag = (steps == 1 or steps == 4) and " #slow" or ""
+    it("at any point of update number " .. steps + 1 .. ", the next one goes on" .. tag, function()
       failEverywhere(run(steps), update, checkGoesOn)
     end)
   end
@@ -292,7 +293,7 @@ describe("after an object has failed", function()
     end, checkGoesOn)
   end)
 
-  it("inside restore, restoring again puts everything right", function()
+  it("inside restore, restoring again puts everything right #slow", function()
     local saved
     failEverywhere(function(scene)
       run(20)(scene)

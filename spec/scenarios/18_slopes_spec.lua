@@ -7,6 +7,7 @@
 --        _________/                \_________ 400
 --       -400     80  208         308 372
 
+local physics = require("physics")
 local scene = require("spec.support.scene")
 local variants = require("spec.support.variants")
 
@@ -155,6 +156,28 @@ describe("slopes", function()
         run:still(it)
       end
     end)
+  end)
+
+  it("(P6) let slide what gets the pull along them, unless friction holds it", function()
+    for _, row in ipairs({ { 0, -320 }, { 0.2, -160 }, { 0.41, 0 } }) do
+      for _, rate in ipairs({ 30, 60, 144 }) do
+        local world = physics.newWorld({ gravity = 800 })
+        local ground = { x = 0, y = 0, width = 800, height = 400, static = true, slope = "right" }
+        world:add("ground", ground)
+        local box = { x = 600, y = 76, width = 16, height = 16, friction = row[1] }
+        world:add("boxes", box)
+        function world.onStep()
+          local _, gradient = world:ground(box)
+          gradient = gradient or 0
+          box.ax = gradient * world.gravity / (1 + gradient * gradient)
+        end
+        for _ = 0, rate do -- in the first step it is not known yet what it stands on
+          world:update(1 / rate)
+        end
+        assert.near(row[2], box.vx, 1e-9)
+        assert.near(76 + (600 - box.x) / 2, box.y, 1e-9)
+      end
+    end
   end)
 
   it("(P6) bear stacks that stand for ever, without an event", function()

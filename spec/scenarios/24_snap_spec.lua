@@ -363,17 +363,19 @@ local function descend(description, pieces, way)
   end
 end
 
+-- To the right under each gravity, to the left where that points down.
 local function eachWay(f)
-  for _, way in ipairs({ 1, -1 }) do
-    scene.each({ rate = RATES, turn = variants.TURNS }, function(run)
-      f(run, way)
-    end)
-  end
+  scene.each({ rate = RATES, turn = variants.TURNS }, function(run)
+    f(run, 1)
+  end)
+  scene.each({ rate = RATES }, function(run)
+    f(run, -1)
+  end)
 end
 
 describe("snap and slopes:", function()
   for title, pieces in pairs(DESCENTS) do
-    for _, speed in ipairs({ 60, 120, 200, 400 }) do
+    for _, speed in ipairs({ 60, 150, 400 }) do
       it(("%s, at %d px/s, it is on the ground in all steps"):format(title, speed), function()
         eachWay(function(run, way)
           local description = {}
@@ -459,7 +461,7 @@ describe("snap in a world with everything", function()
       world:add("men", one)
     end
     local hashes = {}
-    for n = 1, 300 do
+    for n = 1, 160 do
       for i, one in ipairs(world.objects.men) do
         if (n + 7 * i) % 90 < 60 then
           one.vx = (n + 13 * i) % 200 < 100 and 60 + 10 * i or -50 - 8 * i
@@ -484,6 +486,6 @@ describe("snap in a world with everything", function()
     assert.same(expected, play({ gravity = 800, rest = false }))
     assert.same(expected, play({ gravity = 800, broadphase = "pairs" }))
     assert.same(expected, play({ gravity = 800 }, true))
-    assert.equal(27857618807585, expected[#expected]) -- on every Lua
+    assert.equal(44500025323492, expected[#expected]) -- on every Lua
   end)
 end)
