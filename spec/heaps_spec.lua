@@ -1,5 +1,6 @@
 --- Heaps of balls: they come to rest, and are no rocks then.
 
+local effort = require("spec.support.effort")
 local newRandom = require("spec.support.random").new
 local physics = require("physics")
 
@@ -64,7 +65,7 @@ end
 describe("a heap of balls", function()
   for _, kind in ipairs({ "columns", "poured", "mixed" }) do
     it("comes to rest: " .. kind, function()
-      for seed = 1, 3 do
+      for seed = 1, effort.share(3) do
         local world = newHeap(kind, seed)
         run(world, 10)
         assert.are.equal(60, world.stats.resting)
