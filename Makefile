@@ -108,9 +108,9 @@ soak: setup ## plays a busy scene for ten million steps, in parts: STEPS=1000000
 coverage: setup ## shows the lines of the core that no spec runs; fails below 98 %
 	@bash scripts/test.sh --coverage
 
-mutants: setup ## changes one thing at a time and sees whether a spec fails: SAMPLE=200, SEED=1, FILE=physics/memory/aabb.lua, RESUME=1
+mutants: setup ## changes one thing at a time and sees whether a spec fails: SAMPLE=200, SEED=1, FILE=physics/memory/aabb.lua, RESUME=1, SECONDS=12
 	@nice luajit scripts/mutants.lua --sample $(or $(SAMPLE),200) --seed $(or $(SEED),1) \
-	  $(if $(FILE),--file $(FILE)) $(if $(RESUME),--resume)
+	  $(if $(FILE),--file $(FILE)) $(if $(RESUME),--resume) $(if $(SECONDS),--seconds $(SECONDS))
 
 ci: ## everything, as the continuous integration does it
 	@bash .ci/run

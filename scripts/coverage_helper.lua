@@ -1,47 +1,9 @@
--- Loaded by busted before the specs: marks the lines of the core that they run, and writes them to
--- the file named by COVERAGE, "PATH LINE" for each (scripts/coverage.lua).
-
-local coverage = require("scripts.coverage")
+-- Loaded by busted before the specs: marks the lines of the core that they run, and writes them
+-- when the specs are over (scripts/coverage_marks.lua).
 
 dofile("scripts/interpreter.lua")
-
--- path -> lines, path -> marked text
-local seen, texts = {}, {}
-
--- Instead of the loader of files, for the modules of the library.
-local function search(name)
-  local path = name:gsub("%.", "/") .. ".lua"
-  if not name:find("^physics%f[%.%z]") or not coverage.isCore(path) then
-    return nil
-  end
-  -- One table for each file: no global of the library's own, and a name that no game would use.
-  local global = "COVERAGE_" .. path:gsub("%W", "_")
-  if not seen[path] then
-    local file = io.open(path, "rb")
-    if not file then
-      return nil
-    end
-    texts[path], seen[path] = coverage.marked(file:read("*a"), global)
-    file:close()
-  end
-  rawset(_G, global, seen[path])
-  return assert(loadstring(texts[path], "@./" .. path))
-end
-
-local function writeMarks()
-  local file = assert(io.open(assert(os.getenv("COVERAGE"), "COVERAGE is not set"), "wb"))
-  for path, lines in pairs(seen) do
-    for line, wasRun in pairs(lines) do
-      if wasRun then
-        file:write(path, " ", line, "\n")
-      end
-    end
-  end
-  file:close()
-end
-
-table.insert(package.loaders, 2, search)
+local marks = require("scripts.coverage_marks")
 require("busted").subscribe({ "exit" }, function()
-  writeMarks()
+  marks.write()
   return nil, true
 end)

@@ -2,29 +2,44 @@
 -- of the project, and runs the specs one file after the other until one fails:
 --
 --   luajit scripts/mutants.lua [--sample 200] [--seed 1] [--file physics/memory/aabb.lua]
--- [--resume]
+-- [--resume] [--slow] [--seconds 15]
 --
--- Without --sample all changes are tried, which takes days; --list shows them. What no spec notices
--- survives, and is printed. Each result is written to build/mutants.txt at once; --resume leaves
--- out what that file says was noticed, or is harmless.
+-- Without --sample all changes are tried, which takes days; --list shows them. Each result is
+-- written to build/mutants.txt at once; --resume leaves out what that file says was noticed by a
+-- spec, or is harmless. With --seconds a change that is not noticed within that time of the
+-- processor is put off: a later run with --resume tries it, and what has survived, with all specs.
+-- A result is one of these:
 --
--- Harmless are those that make no difference, which scripts/harmless.lua lists with the reason. It
--- fails if more than a tenth of all survives and is not listed there, if a spec notices what is,
--- and if a listed line is no longer to be found.
+-- - noticed: by a spec that says what is right.
+-- - by numbers: by the scene with everything in it and spec/determinism_spec.lua alone. They only
+--   say that something has changed.
+-- - harmless: not noticed, and listed in scripts/harmless.lua with the reason.
+-- - survived: not noticed, and not listed.
+-- - put off: not noticed in the time.
 --
--- The specs run interpreted, where the slow ones are a selection (spec/support/effort.lua). A spec
--- may use four times the time of the processor that it takes without a change, not of the clock:
--- what else the machine does cannot make it fail. Specs of text alone are left out: that a page of
--- the docs is old does not show that anybody would miss a default value.
+-- It fails if more than a tenth is of the second and the last two kinds, if what is listed is
+-- noticed, and if a listed line is no longer to be found.
+--
+-- The specs run as in `make test`; with --slow also those with that tag (spec/slow.lua). At first
+-- each spec file is run without a change, to see which lines of the core it runs: only those that
+-- run the changed line can notice the change. A spec may use four times the time of the processor
+-- that it takes without a change, not of the clock: what else the machine does cannot make it fail.
+-- Specs of text alone are left out: that a page of the docs is old does not show that a wrong
+-- default value would be missed.
 
 package.path = "./?.lua;" .. package.path
 
+local coverage = require("scripts.coverage")
 local harmless = require("scripts.harmless")
 local mutations = require("scripts.mutations")
+local tokens = require("scripts.tokens")
 local newRandom = require("spec.support.random").new
 
 local options = { sample = 0, seed = 1, file = "", list = false, resume = false }
+options.slow, options.seconds = false, 0
 local COPY = "build/mutants"
+local MARKS = "marks.txt" -- in the copy
+local KNOWN = "build/mutants.marks" -- the same of each spec file, and how long it takes
 local RESULTS = "build/mutants.txt"
 local SURVIVORS_ALLOWED = 0.1
 local MEMORY = 4000000 -- kB: a change may make a loop that fills the memory
@@ -37,7 +52,10 @@ local OTHER_SPECS =
   { "bench", "draw", "examples", "love12", "manual", "mutations", "portable", "rockspec", "tiled" }
 OTHER_SPECS[#OTHER_SPECS + 1], OTHER_SPECS[#OTHER_SPECS + 2] = "plain_busted", "slow_spec"
 
--- file -> the specs to begin with, besides the one of the same name
+-- What only compares with numbers of an earlier version.
+local NUMBERS = { everything = true, determinism = true }
+
+-- file -> the specs to begin with, besides those that have noticed changes there
 local FIRST = {
   restore = { "state", "recovery" },
   validate = { "verify", "state", "recovery" },
@@ -52,11 +70,30 @@ local FIRST = {
   settings = { "fields", "world" },
   strictMode = { "guard" },
   read = { "fields", "world", "recovery" },
-  registry = { "world", "fields", "recovery" },
+  registry = { "world", "recovery" },
   columnStore = { "column_store" },
   islands = { "rest" },
   jit = { "interpreted" },
   tutorial = { "pure", "aabb" },
+  ball = { "balls", "circles" },
+  circle = { "circles", "balls" },
+  triangle = { "18_slopes", "slopes" },
+  slope = { "18_slopes", "slopes" },
+  walk = { "18_slopes", "slopes" },
+  drift = { "soft" },
+  softCells = { "soft" },
+  crowd = { "20_crowds" },
+  crush = { "08_crushing" },
+  snap = { "24_snap" },
+  nudge = { "16_nudge" },
+  flow = { "friction" },
+  bonds = { "friction" },
+  impact = { "impacts", "12_momentum", "09_rest_and_bounce" },
+  carriers = { "06_riding" },
+  forces = { "10_free_motion", "oracles" },
+  contactState = { "events" },
+  write = { "events" },
+  array = { "maps_page" },
 }
 
 local function read(path)
@@ -157,13 +194,22 @@ local function run(command, limit)
   return code == ":0", table.concat(lines, "\n"), (tonumber(user) or 0) + (tonumber(system) or 0)
 end
 
--- The scene with everything in it prints one number that a spec compares: the quickest way to see
--- most changes.
+-- path -> set of the lines that were run, from what scripts/coverage_marks.lua has written
+local function linesIn(text)
+  local lines = {}
+  for path, line in text:gmatch("([^\n]*) (%d+)\n") do
+    lines[path] = lines[path] or {}
+    lines[path][tonumber(line)] = true
+  end
+  return lines
+end
+
+-- The scene with everything in it prints one number.
 local function newScene()
-  local command = "luajit spec/support/everything.lua"
+  local command = "luajit -joff spec/support/everything.lua"
   local isFine, number, seconds = run(command, 600)
   assert(isFine, number)
-  local scene = { name = "everything", seconds = seconds, kills = 0 }
+  local scene = { name = "everything", seconds = seconds, kills = 0, killsAt = {} }
   function scene.passes()
     local isWell, text = run(command, math.ceil(4 * seconds) + 2)
     return isWell and text == number
@@ -171,20 +217,50 @@ local function newScene()
   return scene
 end
 
-local function newSpec(path)
-  local busted = "busted --lua=scripts/luajit-joff --no-keep-going --output=plainTerminal " .. path
-  local isFine, text, seconds = run(busted, 3600)
-  assert(isFine, "without any change:\n" .. text)
-  local spec = { name = path:match("([^/]+)_spec%.lua$"), seconds = seconds, kills = 0 }
-  function spec.passes()
-    return (run(busted, math.ceil(4 * seconds) + 2))
-  end
-  return spec
+-- What starts another process runs lines that its own marks do not show.
+local function startsProcesses(path)
+  local text = read(path)
+  return text:find("popen", 1, true) or text:find("os.execute", 1, true)
 end
 
--- Quick ones and those that have noticed much come first.
-local function worth(spec)
-  return (spec.kills + 1) / (spec.seconds + 0.2)
+-- Runs a spec without a change. Returns the seconds that it takes, and what it has marked, "": all.
+local function measure(command, path)
+  local isFine, text, seconds = run(command .. "--coverage " .. path, 3600)
+  local marks = isFine and not startsProcesses(path) and read(COPY .. "/" .. MARKS) or ""
+  if not isFine then
+    isFine, text, seconds = run(command .. path, 3600)
+  end
+  assert(isFine, "without any change:\n" .. text)
+  return seconds, marks
+end
+
+-- The same from an earlier run with --resume, or for it.
+local function measured(command, path, name)
+  local file = options.resume and io.open(KNOWN .. "/" .. name)
+  if file then
+    local seconds, marks = file:read("*n", "*a")
+    file:close()
+    return seconds, marks:sub(2)
+  end
+  local seconds, marks = measure(command, path)
+  os.execute("mkdir -p " .. KNOWN)
+  save(KNOWN .. "/" .. name, seconds .. "\n" .. marks)
+  return seconds, marks
+end
+
+local function newSpec(path)
+  local command = "luajit scripts/plain_busted.lua --no-keep-going "
+    .. (options.slow and "" or "--exclude-tags=slow ")
+  local effort = options.slow and "full" or "quick"
+  command = ("env PHYSICS_SPEC=%s COVERAGE=%s %s"):format(effort, MARKS, command)
+  local name = path:match("([^/]+)_spec%.lua$")
+  local seconds, marks = measured(command, path, name)
+  local spec = { name = name, seconds = seconds, kills = 0, killsAt = {} }
+  spec.lines = marks ~= "" and linesIn(marks) or nil
+  function spec.passes()
+    return (run(command .. path, math.ceil(4 * seconds) + 2))
+  end
+  return spec
 end
 
 local function findSpecs()
@@ -197,33 +273,74 @@ local function findSpecs()
   return specs
 end
 
--- Those that are likely to notice a change of a file come first, then the scene, then the others.
-local function inOrder(specs, path)
-  local base = path:match("([^/]+)%.lua$")
-  local turn, list = { everything = 2, [base] = 1 }, {}
-  for _, name in ipairs(FIRST[base] or {}) do
-    turn[name] = 1
+-- The line with the mark of the statement that a change is in. nil: it is not known, as what
+-- begins its line is no statement, but the end of one or another condition.
+local function markedLine(change)
+  local marked, firsts, before = {}, {}, 0
+  for _, token in ipairs(coverage.statements(change.text)) do
+    marked[token.line] = true
   end
-  for n, spec in ipairs(specs) do
-    list[n] = spec
+  for _, token in ipairs(tokens.list(change.text)) do
+    if token.line > before then
+      firsts[token.line], before = token.text, token.line
+    end
+  end
+  for line = change.line, 1, -1 do
+    if marked[line] then
+      return line
+    elseif firsts[line] == "elseif" or firsts[line] == "until" or firsts[line] == "end" then
+      return nil
+    end
+  end
+end
+
+local function mayNotice(spec, change, line)
+  local lines = spec.lines and line and spec.lines[change.path]
+  return not spec.lines or not line or lines and lines[line]
+end
+
+-- Quick specs, those of this file, and those that have noticed much, above all there, come first;
+-- those that only compare numbers come last.
+local function worth(spec, base, isFirst)
+  if NUMBERS[spec.name] then
+    return spec.name == "everything" and -1 or -2
+  end
+  local isOwn = spec.name == base or isFirst[spec.name]
+  local kills = 1 + spec.kills + 4 * (spec.killsAt[base] or 0) + (isOwn and 10 or 0)
+  return kills / (spec.seconds + 0.1)
+end
+
+local function inOrder(specs, change)
+  local base = change.path:match("([^/]+)%.lua$")
+  local isFirst, worthOf, list, line = {}, {}, {}, markedLine(change)
+  for _, name in ipairs(FIRST[base] or {}) do
+    isFirst[name] = true
+  end
+  for _, spec in ipairs(specs) do
+    if mayNotice(spec, change, line) then
+      list[#list + 1], worthOf[spec.name] = spec, worth(spec, base, isFirst)
+    end
   end
   table.sort(list, function(a, b)
-    local turnA, turnB, worthA, worthB = turn[a.name] or 3, turn[b.name] or 3, worth(a), worth(b)
-    if turnA ~= turnB then
-      return turnA < turnB
-    elseif worthA ~= worthB then
-      return worthA > worthB
+    if worthOf[a.name] ~= worthOf[b.name] then
+      return worthOf[a.name] > worthOf[b.name]
     end
     return a.name < b.name
   end)
-  return list
+  return list, base
 end
 
--- The name of the spec that fails, nil: none.
-local function noticed(specs, path)
-  for _, spec in ipairs(inOrder(specs, path)) do
+-- The name of the spec that fails, nil: none. The second result: there was no time for all.
+local function noticed(specs, change)
+  local list, base = inOrder(specs, change)
+  local spent = 0
+  for _, spec in ipairs(list) do
+    if options.seconds > 0 and spent > options.seconds then
+      return nil, true
+    end
+    spent = spent + spec.seconds
     if not spec.passes() then
-      spec.kills = spec.kills + 1
+      spec.kills, spec.killsAt[base] = spec.kills + 1, (spec.killsAt[base] or 0) + 1
       return spec.name
     end
   end
@@ -263,32 +380,38 @@ end
 
 local function try(specs, change)
   save(COPY .. "/" .. change.path, mutations.apply(change.text, change))
-  local by = noticed(specs, change.path)
+  local by, isLate = noticed(specs, change)
   save(COPY .. "/" .. change.path, change.text)
-  return by and "noticed by " .. by or "survived"
+  local none = isLate and "put off" or "survived"
+  return NUMBERS[by] and "by numbers" or by and "noticed by " .. by or none
 end
 
--- "noticed", "survived", "harmless", or "wrong": listed as harmless, and noticed.
+-- "noticed", "by numbers", "survived", "put off", "harmless", or "wrong": listed as harmless, and
+-- noticed.
 local function verdict(result, change)
-  if result == "survived" then
-    return change.reason and "harmless" or "survived"
+  if result == "survived" or result == "put off" then
+    return change.reason and "harmless" or result
   end
-  return change.reason and "wrong" or "noticed"
+  return change.reason and "wrong" or result == "by numbers" and result or "noticed"
 end
 
 -- Returns how many have each verdict.
 local function tryAll(chosen)
   local known, specs = knownResults(), nil
   local counts = { noticed = 0, survived = 0, harmless = 0, wrong = 0 }
+  counts["by numbers"], counts["put off"] = 0, 0
+  local isQuick = options.seconds > 0
   for n, change in ipairs(chosen) do
     local name, line = describe(change)
     local result = known[name]
-    if not result or verdict(result, change) == "survived" then
+    local was = result and verdict(result, change)
+    local isOpen = was == "survived" or was == "by numbers" or was == "put off"
+    if not result or (isOpen and not isQuick) then
       specs = specs or findSpecs()
       result = try(specs, change)
       save(RESULTS, ("%s\t%s\t%s\n"):format(result, name, line), "ab")
       local is = verdict(result, change)
-      local text = (is == "noticed" or is == "survived") and result or result .. ", " .. is
+      local text = change.reason and result .. ", " .. is or result
       print(("%d of %d  %s  %s  %s"):format(n, #chosen, text, name, line))
       io.stdout:flush()
     end
@@ -317,14 +440,17 @@ local function main()
   print(("%d changes were tried of %d:"):format(#chosen, #changes))
   for _, row in ipairs({
     { "noticed", "noticed by a spec" },
+    { "by numbers", "noticed by nothing but numbers of an earlier version" },
     { "harmless", "not noticed, and known to change nothing" },
     { "survived", "not noticed" },
+    { "put off", "not noticed in the time" },
     { "wrong", "noticed, although listed as harmless" },
   }) do
     local count = counts[row[1]]
     print(("%6d  %5.1f %%  %s"):format(count, 100 * count / #chosen, row[2]))
   end
-  return counts.wrong == 0 and counts.survived <= SURVIVORS_ALLOWED * #chosen
+  local missed = counts.survived + counts["by numbers"] + counts["put off"]
+  return counts.wrong == 0 and missed <= SURVIVORS_ALLOWED * #chosen
 end
 
 local n = 1

@@ -3,9 +3,11 @@
 --- (luassert would be plain Lua, but on gopher-lua some of its assertions hold whatever they are
 --- given.)
 --
---   LUA scripts/plain_busted.lua [--left-out=MODULE] [--exclude-tags=slow] SPEC...
+--   LUA scripts/plain_busted.lua [--left-out=MODULE] [--exclude-tags=slow] [--no-keep-going]
+--   [--coverage] SPEC...
 --
--- Prints what failed, and a line of counts. As with busted every file loads the library anew, specs
+-- Prints what failed, and a line of counts. `--coverage` marks the lines of the core that are
+-- run (scripts/coverage_marks.lua). As with busted every file loads the library anew, specs
 -- are named by all the `describe` around them, and a tag stands in such a name, as in #slow. The
 -- module lists what is not run, files and specs by name, with reasons: spec/gopher/left_out.lua.
 
@@ -16,6 +18,8 @@ for i = 1, #arg do
   local name, value = arg[i]:match("^%-%-([%w%-]+)=(.+)$")
   if name == "left-out" or name == "exclude-tags" then
     options[name] = value
+  elseif arg[i] == "--no-keep-going" or arg[i] == "--coverage" then
+    options[arg[i]] = true
   elseif arg[i]:find("^%-") then
     error("unknown option: " .. arg[i], 0)
   else
@@ -232,6 +236,9 @@ local function runSpec(spec)
   else
     count.failed = count.failed + 1
     print("FAILED  " .. spec.name .. "\n        " .. tostring(problem))
+    if options["--no-keep-going"] then
+      os.exit(1)
+    end
   end
 end
 
@@ -319,12 +326,16 @@ install()
 if os.getenv("PHYSICS_LUA") then
   dofile("scripts/interpreter.lua")
 end
+local marks = options["--coverage"] and require("scripts.coverage_marks")
 for _, path in ipairs(files) do
   if LEFT_OUT.files[path] then
     leaveOut(path, LEFT_OUT.files[path])
   else
     runFile(path)
   end
+end
+if marks then
+  marks.write()
 end
 print(("%d passed, %d failed, %d left out"):format(count.passed, count.failed, count.leftOut))
 os.exit(count.failed == 0 and 0 or 1)

@@ -11,13 +11,13 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local aabb = require(root .. ".memory.aabb")
 local ask = require(root .. ".solver.permission")
-local ball = require(root .. ".solver.ball")
+local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
 local columns = require(root .. ".memory.columns")
 local events = require(root .. ".contacts.events")
 local interpreted = require(root .. ".memory.jit")
 local live = require(root .. ".broadphase.activePairs")
 local oneway = require(root .. ".solver.oneWay")
-local slope = require(root .. ".solver.slope")
+local slope = require(root .. ".memory.lazy")(root .. ".solver.slope")
 local sort = require(root .. ".memory.sort")
 
 local contact = {}

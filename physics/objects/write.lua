@@ -13,7 +13,7 @@ local crush = require(root .. ".solver.crush")
 local interpreted = require(root .. ".memory.jit")
 local notice = require(root .. ".queries.notice")
 local oneway = require(root .. ".solver.oneWay")
-local walk = require(root .. ".solver.walk")
+local walk = require(root .. ".memory.lazy")(root .. ".solver.walk")
 
 local write = {}
 

@@ -10,13 +10,13 @@
 -- touches, contactLow, contactHigh, contactKey, separation, deepIn, deepWay, deepAt, limitedAt.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local ball = require(root .. ".solver.ball")
+local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
 local columns = require(root .. ".memory.columns")
 local contactOrder = require(root .. ".solver.contactOrder")
 local interpreted = require(root .. ".memory.jit")
 local knots = require(root .. ".solver.knots")
 local rules = require(root .. ".solver.rules")
-local slope = require(root .. ".solver.slope")
+local slope = require(root .. ".memory.lazy")(root .. ".solver.slope")
 
 local contacts = {}
 

@@ -11,7 +11,7 @@
 -- hitAt, hitLow, hitHigh, impactsOf, base, grip, rough, and what holds the bodies.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local ball = require(root .. ".solver.ball")
+local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
 local bonds = require(root .. ".solver.bonds")
 local carrier = require(root .. ".objects.carriers")
 local columns = require(root .. ".memory.columns")
@@ -19,7 +19,7 @@ local flow = require(root .. ".solver.flow")
 local friction = require(root .. ".solver.friction")
 local path = require(root .. ".motion.path")
 local pool = require(root .. ".solver.pool")
-local slope = require(root .. ".solver.slope")
+local slope = require(root .. ".memory.lazy")(root .. ".solver.slope")
 
 require(root .. ".memory.jit").file()
 

@@ -11,7 +11,7 @@
 -- Reads deflectedAt, from, velocity, pull; writes stuck, jam, to, speed and news.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local ball = require(root .. ".solver.ball")
+local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
 local columns = require(root .. ".memory.columns")
 
 require(root .. ".memory.jit").file()

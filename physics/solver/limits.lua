@@ -11,7 +11,7 @@ local columns = require(root .. ".memory.columns")
 local interpreted = require(root .. ".memory.jit")
 local knots = require(root .. ".solver.knots")
 local rounds = require(root .. ".solver.rounds")
-local walk = require(root .. ".solver.walk")
+local walk = require(root .. ".memory.lazy")(root .. ".solver.walk")
 
 local limits = {}
 

@@ -6,7 +6,7 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local interpreted = require(root .. ".memory.jit")
-local slope = require(root .. ".solver.slope")
+local slope = require(root .. ".memory.lazy")(root .. ".solver.slope")
 
 local oneway = {}
 

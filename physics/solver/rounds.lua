@@ -9,7 +9,7 @@
 -- and frozenAt.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local ball = require(root .. ".solver.ball")
+local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
 local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
 local impact = require(root .. ".solver.impact")

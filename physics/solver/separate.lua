@@ -18,13 +18,13 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local aabb = require(root .. ".memory.aabb")
 local ask = require(root .. ".solver.permission")
-local ball = require(root .. ".solver.ball")
+local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
 local begin = require(root .. ".motion.begin")
 local columns = require(root .. ".memory.columns")
 local detect = require(root .. ".broadphase.pairFinder")
 local filter = require(root .. ".broadphase.filter")
 local rest = require(root .. ".sleep.islands")
-local slope = require(root .. ".solver.slope")
+local slope = require(root .. ".memory.lazy")(root .. ".solver.slope")
 local sort = require(root .. ".memory.sort")
 
 local separate = {}

@@ -34,7 +34,7 @@ local rounds = require(root .. ".solver.rounds")
 local settle = require(root .. ".solver.settle")
 local snap = require(root .. ".memory.lazy")(root .. ".solver.snap")
 local sweep = require(root .. ".solver.sweep")
-local walk = require(root .. ".solver.walk")
+local walk = require(root .. ".memory.lazy")(root .. ".solver.walk")
 
 local solver = {}
 

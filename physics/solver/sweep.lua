@@ -10,12 +10,12 @@
 -- b.impacts.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local ball = require(root .. ".solver.ball")
+local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
 local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
 local interpreted = require(root .. ".memory.jit")
 local path = require(root .. ".motion.path")
-local slope = require(root .. ".solver.slope")
+local slope = require(root .. ".memory.lazy")(root .. ".solver.slope")
 
 local sweep = {}
 

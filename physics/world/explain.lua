@@ -7,7 +7,7 @@ local circle = require(root .. ".memory.circle")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
 local registry = require(root .. ".objects.registry")
-local slope = require(root .. ".solver.slope")
+local slope = require(root .. ".memory.lazy")(root .. ".solver.slope")
 local triangle = require(root .. ".memory.triangle")
 local view = require(root .. ".queries.index")
 

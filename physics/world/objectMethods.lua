@@ -8,7 +8,7 @@ local notice = require(root .. ".queries.notice")
 local oneway = require(root .. ".solver.oneWay")
 local read = require(root .. ".objects.read")
 local rest = require(root .. ".sleep.islands")
-local slope = require(root .. ".solver.slope")
+local slope = require(root .. ".memory.lazy")(root .. ".solver.slope")
 
 -- What is loaded when it is first used.
 local bounds = lazy(root .. ".world.bounds")

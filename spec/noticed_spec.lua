@@ -1,0 +1,185 @@
+--- Scenes for lines of which a change got past the specs (scripts/mutants.lua).
+
+local physics = require("physics")
+
+local function near(expected, found, tolerance)
+  assert.near(expected, found, tolerance or 1e-9)
+end
+
+local function ball(x, y, radius, fields)
+  local object = { x = x - radius, y = y - radius, radius = radius }
+  for key, value in pairs(fields or {}) do
+    object[key] = value
+  end
+  return object
+end
+
+describe("balls", function()
+  it("that fall on another are told the normal, by sweep and move", function()
+    local world = physics.newWorld({ gravity = 0 })
+    local a = world:add("balls", ball(0, -60, 10))
+    local b = world:add("balls", ball(3, 0, 10))
+    local other, x, y, nx, ny = world:sweep(a, 0, 60)
+    assert.equal(b, other)
+    near(-10, x)
+    near(-math.sqrt(400 - 9) - 10, y, 1e-6)
+    near(-3 / 20, nx, 1e-6)
+    near(-math.sqrt(400 - 9) / 20, ny, 1e-6)
+    local _, _, hits = world:move(a, 0, 60)
+    assert.equal("bottom", hits[1].side)
+  end)
+
+  --    O         they touch aslant when the step begins
+  --     O
+  it("that touch aslant bounce at once", function()
+    local world = physics.newWorld({ gravity = 0 })
+    local a = world:add("balls", ball(0, 0, 10, { vx = 60, restitution = 1 }))
+    local b = world:add("balls", ball(16, 12, 10))
+    world:update(1 / 60)
+    -- The normal is (0.8, 0.6); along it they exchange 48 px/s.
+    near(60 - 48 * 0.8, a.vx, 1e-6)
+    near(-48 * 0.6, a.vy, 1e-6)
+    near(48 * 0.8, b.vx, 1e-6)
+    near(48 * 0.6, b.vy, 1e-6)
+    near((60 - 48 * 0.8) / 60 - 10, a.x, 1e-6)
+    near(16 + 48 * 0.8 / 60 - 10, b.x, 1e-6)
+  end)
+
+  -- Below two steps of gravity, 26.7 px/s, nothing bounces.
+  it("do not bounce off a stone when they are slow", function()
+    local world = physics.newWorld({ gravity = 800 })
+    world:add("stones", ball(0, 0, 20, { static = true }))
+    local a = world:add("balls", ball(0.5 * 30.25, -math.sqrt(0.75) * 30.25, 10))
+    a.vy, a.restitution = 11.5, 1
+    world:update(1 / 60)
+    -- It meets the stone at 21 px/s at the end of the step, and slides on.
+    local x, y = a.x + 10, a.y + 10
+    assert.is_true((a.vx * x + a.vy * y) / 30 < 1, "it should not fly off")
+  end)
+
+  for _, rate in ipairs({ 30, 60, 144 }) do
+    it(("fall on stones in the same way whatever their mass, at %d Hz"):format(rate), function()
+      local found = {}
+      for n, mass in ipairs({ 1, 3 }) do
+        local world = physics.newWorld({ gravity = 800 })
+        world:add("stones", ball(0, 0, 20, { static = true }))
+        world:add("stones", ball(45, 4, 20, { static = true }))
+        local a = world:add("balls", ball(17, -40, 10, { mass = mass }))
+        for _ = 1, rate do
+          world:update(1 / rate)
+        end
+        found[n] = a
+      end
+      near(found[1].x, found[2].x)
+      near(found[1].y, found[2].y)
+      near(found[1].vx, found[2].vx)
+      near(found[1].vy, found[2].vy)
+    end)
+  end
+end)
+
+--          topright
+--   ________________
+--    `-.._          |
+--         `-.._     |      the way becomes narrower
+--          .-'|  `--|
+--      .-'    |
+--  .-'________|
+describe("a hill below a roof that comes down", function()
+  it("stops what walks up, where its corner meets the roof", function()
+    for _, y in ipairs({ -400, 300 }) do
+      local world = physics.newWorld({ gravity = 800 })
+      world:add("floor", { x = -400, y = 0, width = 1000, height = 20, static = true })
+      local hill = { x = 0, y = -100, width = 200, height = 100, static = true, slope = "right" }
+      world:add("slopes", hill)
+      world:add("other", { x = 2000, y = y, width = 10, height = 10, static = true })
+      local roof = { x = 0, y = -140, width = 200, height = 40, static = true, slope = "topright" }
+      world:add("slopes", roof)
+      local walker = world:add("walkers", { x = -40, y = -16, width = 16, height = 16 })
+      for _ = 1, 180 do
+        walker.vx = 100
+        world:update(1 / 60)
+      end
+      -- The corner is at (x, -x / 2 - 16), the roof there at -140 + x / 5.
+      local x = 124 / 0.7
+      near(x, walker.x + 16, 1e-6)
+      near(-x / 2, walker.y + 16, 1e-6)
+    end
+  end)
+end)
+
+describe("a slope that is met after a bounce in the same step", function()
+  --  -----------
+  --      O         up, back from the ceiling, and off the slope
+  --     .-'|
+  --  .-'   |
+  for _, rate in ipairs({ 30, 60, 144 }) do
+    it(("deflects along its normal, at %d Hz"):format(rate), function()
+      for _, speed in ipairs({ 500, 2000, 3150, 4000 }) do
+        local world = physics.newWorld({ gravity = 0 })
+        world:add("walls", { x = -900, y = -60, width = 2000, height = 20, static = true })
+        local slope = { x = 0, y = 0, width = 200, height = 100, static = true, slope = "right" }
+        world:add("slopes", slope)
+        local box = { x = 90, y = -20, width = 10, height = 10, vy = -speed, restitution = 1 }
+        world:add("boxes", box)
+        local time = 0
+        local steps = math.max(1, math.floor(rate * 130 / speed))
+        for _ = 1, steps do
+          world:update(1 / rate)
+          time = time + 1 / rate
+        end
+        -- 20 px up to the ceiling at -40, then down until its corner, at x = 100, is at 50. The
+        -- normal is (-1, -2) / √5: (0, v) becomes (-0.8, -0.6) * v.
+        local late = time - (20 + 80) / speed
+        assert.is_true(late < 100 / speed)
+        if late > 0 then
+          near(90 - 0.8 * speed * late, box.x, 1e-6)
+          near(40 - 0.6 * speed * late, box.y, 1e-6)
+        else
+          near(-40 + (time * speed - 20), box.y, 1e-6)
+        end
+      end
+    end)
+  end
+end)
+
+describe("a list of hits", function()
+  it("that was replaced after the last update is the one that is saved", function()
+    local world = physics.newWorld({ gravity = 0 })
+    local box = world:add("boxes", { x = 0, y = 0, width = 10, height = 10, hits = { "walls" } })
+    world:update(1 / 60)
+    box.hits = { "doors" }
+    local state = world:save()
+    local other = physics.newWorld()
+    other:restore(state)
+    assert.same({ "doors" }, other.objects.boxes[1].hits)
+  end)
+end)
+
+describe("two that are soft to each other", function()
+  it("part sideways if their middles are equally high, whatever their heights", function()
+    local world = physics.newWorld({ gravity = 0, soft = { mites = { mites = 100 } } })
+    local low = world:add("mites", { x = 0, y = 0, width = 20, height = 10 })
+    local tall = world:add("mites", { x = 10, y = -10, width = 20, height = 30 })
+    for _ = 1, 30 do
+      world:update(1 / 60)
+    end
+    near(0, low.y)
+    near(-10, tall.y)
+    assert.is_true(low.x < -1 and tall.x > 11, "they should part")
+  end)
+end)
+
+describe("a velocity that the game has taken away", function()
+  it("is 0", function()
+    local world = physics.newWorld({ gravity = 0 })
+    local box = world:add("boxes", { x = 0, y = 0, width = 10, height = 10, vx = 60, vy = 60 })
+    world:update(1 / 60)
+    box.vx, box.vy = nil, nil
+    for _ = 1, 10 do
+      world:update(1 / 60)
+    end
+    near(1, box.x)
+    near(1, box.y)
+  end)
+end)

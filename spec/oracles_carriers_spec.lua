@@ -1,0 +1,118 @@
+--- Oracles: lifts, belts and slopes (spec/support/oracle.lua).
+
+local oracle = require("spec.support.oracle")
+
+local class, EXACT = oracle.newClass(it), oracle.EXACT
+local timeTo, braked, newScene = oracle.timeTo, oracle.braked, oracle.newScene
+local abs, max, min, sqrt = math.abs, math.max, math.min, math.sqrt
+
+describe("known by hand, a box", function()
+  -- Lifts and slopes
+
+  class("rides a lift, and jumps off it with its speed", EXACT, function(random, rate)
+    local g, u, w, jump =
+      random:between(300, 1200),
+      random:between(-200, 200),
+      random:between(-150, 150),
+      random:between(100, 400)
+    local s = newScene(random, rate, { gravity = g })
+    local lift = { x = -500, y = 0, width = 1000, height = 20, kinematic = true, vx = u, vy = w }
+    s.world:add("lifts", lift)
+    local b = s:stand({ x = 0 })
+    s:play(0.5)
+    local x0 = b.x - lift.x
+    s:play(0.5, function()
+      s:near("x on the lift", x0, b.x - lift.x)
+      s:near("y on the lift", 0, lift.y - b.y - b.height)
+    end)
+    b.vy = -jump
+    -- In the air u is kept; seen from the lift it goes straight up and comes down again.
+    s:play(1, function(t)
+      s:near("height over the lift", max(jump * t - g * t * t / 2, 0), lift.y - b.y - b.height)
+      s:near("x on the lift", x0, b.x - lift.x)
+    end)
+    return s
+  end)
+
+  class("falls on a lift and rides it", EXACT, function(random, rate)
+    local g, h, w = random:between(300, 1200), random:between(10, 200), random:between(-150, 150)
+    local s = newScene(random, rate, { gravity = g })
+    local lift = { x = -500, y = 0, width = 1000, height = 20, kinematic = true, vy = w }
+    s.world:add("lifts", lift)
+    local b = s:box({ x = 0, y = 0 })
+    b.y = -h - b.height
+    -- Seen from the lift it has w px/s upwards.
+    local moment = timeTo(h, -w, g)
+    s:play(1, function(t)
+      local height = t < moment and h + w * t - g * t * t / 2 or 0
+      s:near("height over the lift", height, lift.y - b.y - b.height)
+    end)
+    return s
+  end)
+
+  class("lies on a belt that stands upright, under sideways gravity", EXACT, function(random, rate)
+    local g, mu = random:between(300, 1200), random:between(0.05, 1)
+    local v, u = random:between(-300, 300), random:between(-200, 200)
+    local s = newScene(random, rate, { gravity = 0, gravityX = g })
+    local belt = { x = 0, y = -9000, width = 20, height = 18000, static = true, surfaceSpeed = u }
+    s.world:add("belts", belt)
+    local b = s:box({ x = 0, y = 0, friction = mu })
+    b.x = -b.width
+    s:play(0.2)
+    local y0 = b.y
+    b.vy = v
+    s:play(1, function(t)
+      s:near("y", y0 + u * t + braked(v, mu * g, t), b.y)
+      s:near("x", -b.width, b.x)
+    end)
+    return s
+  end)
+
+  class("slides on the belt that it falls on", 0, function(random, rate)
+    local g, h, mu = random:between(300, 1200), random:between(5, 60), random:between(0.05, 1)
+    local v, u = random:between(-300, 300), random:between(-200, 200)
+    local s = newScene(random, rate, { gravity = g })
+    s:floor({ surfaceSpeed = u })
+    s.tolerance = abs(u) * s:longest() -- it is carried from the next step on
+    local b = s:box({ x = 0, y = 0, friction = mu, vx = v })
+    b.y = -h - b.height
+    local moment = sqrt(2 * h / g)
+    -- The belt takes off its speed, as far as both point the same way; the impact rubs, too.
+    local own = v * u <= 0 and v or v > 0 and max(v - u, 0) or min(v - u, 0)
+    own = own > 0 and max(own - mu * g * moment, 0) or min(own + mu * g * moment, 0)
+    s:play(1.5, function(t)
+      local late = max(t - moment, 0)
+      s:near("x", v * min(t, moment) + u * late + braked(own, mu * g, late), b.x)
+    end)
+    return s
+  end)
+
+  class("walks up and down a slope along its edge", EXACT, function(random, rate)
+    local s = newScene(random, rate, { gravity = random:between(300, 1200) })
+    local width, height = random:between(200, 400), random:between(20, 400)
+    local v, isFair = random:between(30, 300), random:chance(0.5)
+    s:floor()
+    s.world:add(
+      "slopes",
+      { x = 0, y = -height, width = width, height = height, static = true, slope = "right" }
+    )
+    s.world:add("blocks", { x = width, y = -height, width = 4000, height = height, static = true })
+    local b = s:stand({ x = 0, constantSpeed = isFair, maxSpeed = nil })
+    b.x = -b.width - random:between(5, 30)
+    local start, steep = b.x + b.width, height / width
+    local uphill = isFair and v / sqrt(1 + steep * steep) or v
+    b.vx = v
+    s:play(2, function(t)
+      b.vx = v
+      local x = start + v * t
+      if x > 0 then
+        x = min(uphill * (t + start / v), width)
+        local late = t + start / v - width / uphill
+        x = late > 0 and width + v * late or x
+      end
+      s:near("x", x, b.x + b.width)
+      s:near("y", -min(max(x, 0), width) * steep, b.y + b.height)
+    end)
+    return s
+  end)
+end)

@@ -1,0 +1,290 @@
+--- Oracles: friction, alone and in rows (spec/support/oracle.lua).
+
+local oracle = require("spec.support.oracle")
+
+local class, EXACT, MEETING = oracle.newClass(it), oracle.EXACT, oracle.MEETING
+local braked, limited, inAir, newScene =
+  oracle.braked, oracle.limited, oracle.inAir, oracle.newScene
+local abs, max, min, sqrt = math.abs, math.max, math.min, math.sqrt
+
+describe("known by hand, a box", function()
+  -- Friction
+
+  class("slides to a stop", EXACT, function(random, rate)
+    local g, mu, v = random:between(300, 1200), random:between(0.05, 1.2), random:between(-400, 400)
+    local own = random:between(0.05, 1.5)
+    local s = newScene(random, rate, { gravity = g })
+    s:floor({ friction = mu * mu / own })
+    local b = s:stand({ x = 0, vx = v, friction = own })
+    s:play(2, function(t)
+      local x, speed = braked(v, mu * g, t)
+      s:near("x", x, b.x)
+      s:near("vx", speed, b.vx)
+      s:near("y", -b.height, b.y)
+    end)
+    return s
+  end)
+
+  class("slides to a stop in air", EXACT, function(random, rate)
+    local g, mu, v, k =
+      random:between(300, 1200),
+      random:between(0.05, 0.8),
+      random:between(50, 600),
+      random:between(0.2, 3)
+    local s = newScene(random, rate, { gravity = g })
+    s:floor()
+    local b = s:stand({ x = 0, vx = v, friction = mu, airFriction = k })
+    local stop = math.log(1 + v * k / (mu * g)) / k
+    s:play(2, function(t)
+      local x, speed = inAir(v, -mu * g, k, min(t, stop))
+      s:near("x", x, b.x)
+      s:near("vx", t < stop and speed or 0, b.vx)
+    end)
+    return s
+  end)
+
+  class("drives against friction up to its limit", EXACT, function(random, rate)
+    local g, mu, a, limit =
+      random:between(300, 1200),
+      random:between(0, 0.8),
+      random:between(50, 800),
+      random:between(60, 300)
+    local s = newScene(random, rate, { gravity = g })
+    s:floor()
+    local b = s:stand({ x = 0, friction = mu, ax = a, maxSpeedX = limit })
+    s:play(2, function(t)
+      local x, v = 0, 0
+      if a > mu * g then
+        x, v = limited(0, a - mu * g, limit, t)
+      end
+      s:near("x", x, b.x)
+      s:near("vx", v, b.vx)
+    end)
+    return s
+  end)
+
+  class("turns where its engine overcomes its slide", EXACT, function(random, rate)
+    local g, mu, v = random:between(300, 1200), random:between(0.05, 0.5), random:between(50, 300)
+    local a = mu * g * random:between(0.5, 3)
+    local s = newScene(random, rate, { gravity = g })
+    s:floor()
+    local b = s:stand({ x = 0, friction = mu, vx = v, ax = -a })
+    local stop = v / (a + mu * g)
+    s:play(2, function(t)
+      local x = braked(v, a + mu * g, t)
+      local late = max(t - stop, 0)
+      s:near("x", x - max(a - mu * g, 0) * late * late / 2, b.x)
+    end)
+    return s
+  end)
+
+  class("slides down the wall that it is pressed to", EXACT, function(random, rate)
+    local g, mu, a, v =
+      random:between(300, 1200),
+      random:between(0, 0.9),
+      random:between(100, 800),
+      random:between(0, 200)
+    local s = newScene(random, rate, { gravity = g })
+    s.world:add("walls", { x = 0, y = -1000, width = 20, height = 20000, static = true })
+    local b = s:box({ x = 0, y = 0, friction = mu, ax = a, vy = v })
+    b.x = -b.width
+    s:play(1.5, function(t)
+      local y, speed
+      if g > mu * a then
+        y, speed = v * t + (g - mu * a) * t * t / 2, v + (g - mu * a) * t
+      else
+        y, speed = braked(v, mu * a - g, t)
+      end
+      s:near("y", y, b.y)
+      s:near("vy", speed, b.vy)
+    end)
+    return s
+  end)
+
+  class("slides on a belt, seen from the belt", EXACT, function(random, rate)
+    local g, mu, v, u =
+      random:between(300, 1200),
+      random:between(0.05, 1),
+      random:between(-300, 300),
+      random:between(-200, 200)
+    local s = newScene(random, rate, { gravity = g })
+    s:floor({ surfaceSpeed = u })
+    local b = s:stand({ x = 0, friction = mu })
+    s:play(0.2)
+    local x0 = b.x
+    b.vx = v
+    s:play(2, function(t)
+      local x, speed = braked(v, mu * g, t)
+      s:near("x", x0 + u * t + x, b.x)
+      s:near("vx", speed, b.vx)
+    end)
+    return s
+  end)
+
+  class("slides on a train, seen from the train", EXACT, function(random, rate)
+    local g, mu, v, u =
+      random:between(300, 1200),
+      random:between(0.05, 1),
+      random:between(-300, 300),
+      random:between(-300, 300)
+    local w = random:between(-100, 100)
+    local s = newScene(random, rate, { gravity = g })
+    local train = { x = -4000, y = 0, width = 8000, height = 20, kinematic = true, vx = u, vy = w }
+    s.world:add("trains", train)
+    local b = s:stand({ x = 0, friction = mu })
+    s:play(0.5)
+    local x0 = b.x - train.x
+    b.vx = v
+    s:play(1.5, function(t)
+      s:near("x", x0 + braked(v, mu * g, t), b.x - train.x)
+      s:near("y", 0, train.y - b.y - b.height)
+    end)
+    return s
+  end)
+
+  class("slides to a stop on another, which the floor holds", EXACT, function(random, rate)
+    local g, mu, v = random:between(300, 1200), random:between(0.05, 0.5), random:between(-80, 80)
+    local s = newScene(random, rate, { gravity = g })
+    s:floor({ friction = 40 })
+    local low = s:stand({ x = 0, width = 400, friction = 0.5 })
+    local high = s:box({ x = 200, y = 0, friction = mu * mu / 0.5, vx = v })
+    high.y = low.y - high.height
+    s:play(2, function(t)
+      s:near("x of the high one", 200 + braked(v, mu * g, t), high.x)
+      s:near("x of the low one", 0, low.x)
+    end)
+    return s
+  end)
+
+  class(
+    "slides on ice with another on it until both are equally fast",
+    EXACT,
+    function(random, rate)
+      local g, mu, v =
+        random:between(300, 1200), random:between(0.1, 0.5), random:between(-120, 120)
+      local s = newScene(random, rate, { gravity = g })
+      s:floor({ friction = 0 })
+      local low = s:stand({ x = 0, width = 600, friction = mu })
+      local high = s:box({ x = 300, y = 0, friction = mu, vx = v })
+      high.y = low.y - high.height
+      local slows, drives = mu * g, mu * g * high.mass / low.mass
+      local together = abs(v) / (slows + drives)
+      local sign = v < 0 and -1 or 1
+      s:play(1.5, function(t)
+        local slip, late = min(t, together), max(t - together, 0)
+        local common = sign * drives * together
+        s:near("x of the low one", sign * drives * slip * slip / 2 + common * late, low.x)
+        s:near(
+          "x of the high one",
+          300 + v * slip - sign * slows * slip * slip / 2 + common * late,
+          high.x
+        )
+      end)
+      return s
+    end
+  )
+
+  -- Rows
+
+  -- Boxes side by side on the floor, the first of which has the fields.
+  local function newTrain(s, count, friction, fields)
+    local row, x, mass, rub = {}, 0, 0, 0
+    for n = 1, count do
+      local own = n == 1 and fields or {}
+      own.x, own.friction = x, friction()
+      row[n] = s:stand(own)
+      x = x + row[n].width
+      mass, rub = mass + row[n].mass, rub + row[n].mass * own.friction
+    end
+    return row, mass, rub
+  end
+
+  class(
+    "pushes a row with its engine, by the mass of all and their friction",
+    EXACT,
+    function(random, rate)
+      local g, a, limit =
+        random:between(300, 1200), random:between(300, 2000), random:between(60, 200)
+      local s = newScene(random, rate, { gravity = g })
+      s:floor()
+      local row, mass, rub = newTrain(s, random:integer(2, 6), function()
+        return random:chance(0.3) and 0 or random:between(0, 0.3)
+      end, { ax = a, maxSpeedX = limit })
+      local all = (row[1].mass * a - rub * g) / mass
+      local start = {}
+      for n, b in ipairs(row) do
+        start[n] = b.x
+      end
+      s:play(1.5, function(t)
+        local x = all > 0 and limited(0, all, limit, t) or 0
+        for n, b in ipairs(row) do
+          if all > 0 then
+            s:near("x of " .. n, start[n] + x, b.x)
+          else
+            s:near("x of " .. n, start[n], b.x)
+          end
+        end
+        return x
+      end)
+      return s
+    end
+  )
+
+  -- Where both stop in the same step.
+  class("pushes the one before it that friction brakes more", MEETING, function(random, rate)
+    local g, v = random:between(300, 1200), random:between(50, 300)
+    local s = newScene(random, rate, { gravity = g })
+    s:floor()
+    local low = random:between(0, 0.3)
+    local a = s:stand({ x = 0, vx = v, friction = low })
+    local b = s:stand({ x = a.width, vx = v, friction = low + random:between(0.01, 0.5) })
+    local all = (a.mass * a.friction + b.mass * b.friction) * g / (a.mass + b.mass)
+    s:play(2, function(t)
+      local x = braked(v, all, t)
+      s:near("x of a", x, a.x)
+      s:near("x of b", a.width + x, b.x)
+    end)
+    return s
+  end)
+
+  class(
+    "comes apart from the one behind it that friction brakes more",
+    EXACT,
+    function(random, rate)
+      local g, v = random:between(300, 1200), random:between(50, 300)
+      local s = newScene(random, rate, { gravity = g })
+      s:floor()
+      local low = random:between(0.05, 0.3)
+      local a = s:stand({ x = 0, vx = v, friction = low + random:between(0.01, 0.5) })
+      local b = s:stand({ x = a.width, vx = v, friction = low })
+      s:play(2, function(t)
+        s:near("x of a", braked(v, a.friction * g, t), a.x)
+        s:near("x of b", a.width + braked(v, b.friction * g, t), b.x)
+      end)
+      return s
+    end
+  )
+
+  class("hits one that lies there, and both slide to a stop", MEETING, function(random, rate)
+    local g, r = random:between(300, 1200), random:between(0.3, 1)
+    local muA, muB = random:between(0.05, 0.4), random:between(0.05, 0.4)
+    local s = newScene(random, rate, { gravity = g })
+    s:floor()
+    local gap = random:between(5, 60)
+    local v = sqrt(2 * muA * g * gap) + random:between(40, 300)
+    local a =
+      s:stand({ x = 0, vx = v, friction = muA, restitution = r, mass = random:between(0.2, 1) })
+    local b = s:stand({ x = a.width + gap, friction = muB, mass = random:between(2, 5) })
+    local moment = (v - sqrt(v * v - 2 * muA * g * gap)) / (muA * g)
+    local speed = v - muA * g * moment
+    local j = (1 + r) * speed * a.mass * b.mass / (a.mass + b.mass)
+    local afterA, afterB = speed - j / a.mass, j / b.mass
+    s:play(2, function(t)
+      if t > moment and (afterA <= 0 or afterA ^ 2 / muA < afterB ^ 2 / muB) then
+        s:near("x of a", gap + braked(afterA, muA * g, t - moment), a.x)
+        s:near("x of b", a.width + gap + braked(afterB, muB * g, t - moment), b.x)
+      end
+    end)
+    return s
+  end)
+end)
