@@ -147,7 +147,7 @@ describe("after an object has failed", function()
     end, update, checkGoesOn)
   end)
 
-  it("at any point of an update that reads anew what was written, the next one goes on", function()
+  it("at any point of an update that reads what was written, the next one goes on #slow", function()
     local count = failEverywhere(function(scene)
       run(3)(scene)
       scene.a.mass, scene.b.sensor, scene.lift.vx = 3, false, -20
