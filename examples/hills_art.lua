@@ -249,26 +249,6 @@ local function drawSigns()
   end
 end
 
-local function drawStatus()
-  look.panel(16, 14, 244, 40)
-  look.color("yellow")
-  love.graphics.circle("fill", 38, 34, 9)
-  look.color("white")
-  look.text(("%d / %d"):format(state.coins, state.coinsInLevel), 54, 24, 16)
-  look.color("silver")
-  look.text(("tries %d"):format(state.deaths + 1), 128, 24, 16)
-  look.text(("%.1f s"):format(state.wonAt or state.time), 200, 24, 16)
-  if state.won then
-    look.panel(290, 170, 380, 120)
-    look.color("lime")
-    look.text("You made it!", 290, 190, 34, 380, "center")
-    look.color("white")
-    local text = "%d of %d coins in %.1f s"
-    text = text:format(state.coins, state.coinsInLevel, state.wonAt)
-    look.text(text, 290, 244, 17, 380, "center")
-  end
-end
-
 --- Returns the x, y of the world at the top-left corner of the picture.
 function art.camera()
   return math.floor(camera.x), math.floor(camera.y)
@@ -288,7 +268,7 @@ function art.draw()
   drawGroups("buffers planks coins cars crates players carts")
   sparks.draw()
   love.graphics.pop()
-  drawStatus()
+  sprites.status(state, 170)
 end
 
 return art

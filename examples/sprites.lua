@@ -1,4 +1,4 @@
--- What the hilly and the flat level look like alike: the hero, crates, coins, a flag.
+-- What the hilly and the flat level look like alike: the hero, crates, coins, a flag, the status.
 
 local look = require("look")
 
@@ -57,6 +57,27 @@ function sprites.hero(x, y, width, height, stretch, step, lookX, lookY, hasShado
   look.color("yellow")
   love.graphics.rectangle("fill", left, top + drawnHeight * 0.56, drawnWidth, 6)
   look.eyes(left, top, drawnWidth, drawnHeight, lookX, lookY)
+end
+
+--- Draws the coins, tries and time of a level, and at `top` px what it says when it is won.
+function sprites.status(state, top)
+  look.panel(16, 14, 244, 40)
+  look.color("yellow")
+  love.graphics.circle("fill", 38, 34, 9)
+  look.color("white")
+  look.text(("%d / %d"):format(state.coins, state.coinsInLevel), 54, 24, 16)
+  look.color("silver")
+  look.text(("tries %d"):format(state.deaths + 1), 128, 24, 16)
+  look.text(("%.1f s"):format(state.wonAt or state.time), 200, 24, 16)
+  if state.won then
+    look.panel(290, top, 380, 120)
+    look.color("lime")
+    look.text("You made it!", 290, top + 20, 34, 380, "center")
+    look.color("white")
+    local text = "%d of %d coins in %.1f s"
+    text = text:format(state.coins, state.coinsInLevel, state.wonAt)
+    look.text(text, 290, top + 74, 17, 380, "center")
+  end
 end
 
 return sprites
