@@ -17,6 +17,7 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local circle = require(root .. ".memory.circle")
 local columns = require(root .. ".memory.columns")
+local path = require(root .. ".motion.path")
 local pool = require(root .. ".solver.pool")
 
 require(root .. ".memory.jit").file()
@@ -61,19 +62,13 @@ function ball.overlaps(b, i, j)
   )
 end
 
--- Where body k is at moment t, between its start and its end.
-local function at(b, k, start, t)
-  local from = b.from[k]
-  if t <= start then
-    return from
-  end
-  return from + (b.to[k] - from) * ((t - start) / (1 - start))
-end
-
 -- The place of i at moment t, and that of j, one after the other.
 local function places(b, i, j, t)
   local k, m, startI, startJ = 2 * i, 2 * j, b.time[i], b.time[j]
-  return at(b, k, startI, t), at(b, k + 1, startI, t), at(b, m, startJ, t), at(b, m + 1, startJ, t)
+  return path.at(b, k, startI, t),
+    path.at(b, k + 1, startI, t),
+    path.at(b, m, startJ, t),
+    path.at(b, m + 1, startJ, t)
 end
 
 -- How far i is from j, and the normal from j to i, at the places in column `place`. It is asked in
