@@ -1,6 +1,7 @@
 --- Faults of the solver before this one, each as a kind: the smallest scene that shows it, and its
 --- relatives. What games saw stands above each.
 
+local garbage = require("spec.support.garbage")
 local motion = require("spec.support.motion")
 local newOverlaps = require("spec.support.overlap").checker
 local newRandom = require("spec.support.random").new
@@ -863,19 +864,9 @@ describe("F19: what is gone", function()
       end
       world:update(1 / 60)
       world:update(1 / 60)
-      collectgarbage()
-      collectgarbage()
-      return collectgarbage("count") * 1024
     end
-    for _ = 1, 5 do -- until the code is compiled, which the collector counts, too
-      fillAndEmpty()
-    end
-    local before = fillAndEmpty()
-    for _ = 1, 5 do
-      fillAndEmpty()
-    end
-    local more = (fillAndEmpty() - before) / 500
-    assert.is_true(more <= 100, ("%.0f bytes of each are left"):format(more))
+    local kept = garbage.kept(fillAndEmpty, 2, 6) / (6 * 500)
+    assert.is_true(kept <= 10, ("%.0f bytes of each are left"):format(kept))
   end)
 
   it("lets what stood on it fall, all at once, and costs nothing afterwards", function()

@@ -1,6 +1,7 @@
 --- Tiles of plain arrays: what of them stands in the world, digging and building, coming and going.
 
 local effort = require("spec.support.effort")
+local garbage = require("spec.support.garbage")
 local physics = require("physics")
 local random = require("spec.support.random")
 
@@ -583,18 +584,11 @@ describe("world:addTiles", function()
   it("keeps no memory of what was dug and built a thousand times", function()
     local tiles, world = add({ "##########", "##########", "##########" })
     world:update(DT)
-    local function run(count)
-      for i = 1, count do
-        tiles:setTile(i % 10 + 1, i % 3 + 1, i % 2 == 0 and "#" or 0)
-        world:update(DT)
-      end
-      collectgarbage()
-      collectgarbage()
-      return collectgarbage("count")
-    end
-    run(300)
-    local before = run(600)
-    assert.is_true(run(1800) < before + 60) -- kB
+    local kept = garbage.kept(function(i)
+      tiles:setTile(i % 10 + 1, i % 3 + 1, i % 2 == 0 and "#" or 0)
+      world:update(DT)
+    end, 900, 1000)
+    assert.is_true(kept < 1000, kept .. " bytes")
   end)
 
   -- Bad input -------------------------------------------------------------------------------------

@@ -10,15 +10,39 @@ local function deepen(level)
   return level > 0 and 1 + deepen(level - 1) or 0
 end
 
---- Returns the bytes that `count` calls of play(step) allocate, after `warmUp` others in which
---- arrays and the stack reach their sizes. The trace compiler allocates for itself, so it is kept
---- out.
-function garbage.bytes(play, warmUp, count)
-  local wasOn = jit and jit.status()
-  if wasOn then
-    jit.off()
-    jit.flush() -- traces that are compiled already would go on running
+-- The trace compiler allocates for itself, so it is kept out. Returns what undoes that.
+local function keepCompilerOut()
+  if not (jit and jit.status()) then
+    return function() end
   end
+  jit.off()
+  jit.flush() -- traces that are compiled already would go on running
+  return jit.on
+end
+
+--- Returns the bytes that `count` calls of play(step) leave in use, after `warmUp` others.
+function garbage.kept(play, warmUp, count)
+  local letCompilerIn = keepCompilerOut()
+  local before
+  for step = 1, warmUp + count do
+    play(step)
+    if step == warmUp then
+      collectgarbage()
+      collectgarbage()
+      before = collectgarbage("count")
+    end
+  end
+  collectgarbage()
+  collectgarbage()
+  local after = collectgarbage("count")
+  letCompilerIn()
+  return (after - before) * 1024
+end
+
+--- Returns the bytes that `count` calls of play(step) allocate, after `warmUp` others in which
+--- arrays and the stack reach their sizes.
+function garbage.bytes(play, warmUp, count)
+  local letCompilerIn = keepCompilerOut()
   for step = 1, warmUp do
     play(step)
   end
@@ -35,9 +59,7 @@ function garbage.bytes(play, warmUp, count)
   end
   local after = collectgarbage("count")
   collectgarbage("restart")
-  if wasOn then
-    jit.on()
-  end
+  letCompilerIn()
   return (after - before) * 1024
 end
 
