@@ -62,6 +62,60 @@ local function topOf(group)
   return top
 end
 
+-- 100 balls of 6 to 10 px, poured one after the other into a room 360 px wide.
+local function pour(world, seed, rate, each)
+  local random, balls = newRandom(seed), {}
+  for step = 1, 10 * rate do
+    if step % (rate / 10) == 0 then
+      local n = #balls
+      balls[n + 1] = world:add("balls", {
+        x = 170 + (n % 3 - 1) * 30 + random:between(0, 6),
+        y = 20,
+        radius = random:between(6, 10),
+        restitution = seed % 2 == 0 and 0.4 or nil,
+      })
+    end
+    world:update(1 / rate)
+    each(balls)
+  end
+  return balls
+end
+
+-- The gap between two balls, px, and the normal from the second to the first.
+local function gapOf(one, other)
+  local x, y =
+    one.x + one.radius - other.x - other.radius, one.y + one.radius - other.y - other.radius
+  local distance = math.sqrt(x * x + y * y)
+  return distance - one.radius - other.radius, x / distance, y / distance
+end
+
+-- The deepest overlap of two balls, and the deepest one of a ball and the room.
+local function depths(balls)
+  local ofBalls, ofRoom = 0, 0
+  for n, one in ipairs(balls) do
+    ofRoom = math.max(ofRoom, -one.x, one.x + one.width - 360, one.y + one.height - 400)
+    for m = 1, n - 1 do
+      ofBalls = math.max(ofBalls, -gapOf(one, balls[m]))
+    end
+  end
+  return ofBalls, ofRoom
+end
+
+-- Whether others, or the room, bear a ball from both sides or straight from below.
+local function isBorne(balls, one)
+  local isLeft, isRight = one.x < 0.4, one.x + one.width > 360 - 0.4
+  for _, other in ipairs(balls) do
+    local gap, x, y = 1, 0, 0
+    if other ~= one then
+      gap, x, y = gapOf(one, other)
+    end
+    if gap < 0.4 and y < 0.1 then
+      isLeft, isRight = isLeft or x > -0.05, isRight or x < 0.05
+    end
+  end
+  return isLeft and isRight or one.y + one.height > 400 - 0.4
+end
+
 describe("a heap of balls", function()
   for _, kind in ipairs({ "columns", "poured", "mixed" }) do
     it("comes to rest: " .. kind, function()
@@ -72,6 +126,38 @@ describe("a heap of balls", function()
         local hash = world:hash()
         run(world, 1)
         assert.are.equal(hash, world:hash())
+      end
+    end)
+  end
+
+  -- By rate: px by which two balls may overlap while they are poured, and when they rest.
+  for _, row in ipairs({ { 30, 4, 0.2 }, { 60, 2, 0.2 }, { 120, 2, 0.1 } }) do
+    it(("lies closely, and nothing hangs over a gap: %d Hz #slow"):format(row[1]), function()
+      for seed = 1, effort.share(2) do
+        local world, deepest, inRoom = physics.newWorld({ gravity = 800 }), 0, 0
+        wall(world, -20, 400, 400, 20)
+        wall(world, -20, -3000, 20, 3400)
+        wall(world, 360, -3000, 20, 3400)
+        local steps = 0
+        local function look(balls)
+          steps = steps + 1
+          if steps % 3 > 0 then
+            return
+          end
+          local ofBalls, ofRoom = depths(balls)
+          deepest, inRoom = math.max(deepest, ofBalls), math.max(inRoom, ofRoom)
+        end
+        local balls = pour(world, seed, row[1], look)
+        run(world, 5, row[1])
+        assert.are.equal(100, world.stats.resting)
+        local ofBalls, hanging = depths(balls), 0
+        for _, one in ipairs(balls) do
+          hanging = hanging + (isBorne(balls, one) and 0 or 1)
+        end
+        assert.is_true(deepest < row[2], deepest)
+        assert.is_true(ofBalls < row[3], ofBalls)
+        assert.is_true(inRoom < 1e-6, inRoom)
+        assert.is_true(hanging <= 10, hanging)
       end
     end)
   end
@@ -153,19 +239,36 @@ describe("a heap of balls", function()
     assert.is_true(player.x > 40, player.x)
   end)
 
-  it("stands as a pyramid, and on boxes", function()
-    local world = physics.newWorld({ gravity = 800 })
-    wall(world, -100, 200, 400, 20)
-    for row = 0, 3 do
-      for i = 0, 3 - row do
-        world:add("balls", { x = 20 * i + 10 * row, y = 180 - 17.4 * row, radius = 10 })
+  it("stands as a pyramid between walls, and falls apart without them", function()
+    for _, hasWalls in ipairs({ true, false }) do
+      local world = physics.newWorld({ gravity = 800 })
+      wall(world, -400, 200, 1000, 20)
+      for row = 0, 3 do
+        for i = 0, 3 - row do
+          world:add("balls", { x = 20 * i + 10 * row, y = 180 - 17.4 * row, radius = 10 })
+        end
+      end
+      if hasWalls then
+        wall(world, -10, 100, 10, 100)
+        wall(world, 80, 100, 10, 100)
+      end
+      run(world, 4)
+      if hasWalls then
+        assert.are.equal(10, world.stats.resting)
+        assert.is_true(topOf(world.objects.balls) < 140)
+      else
+        assert.is_true(topOf(world.objects.balls) > 155) -- one may stand nearly on top of another
       end
     end
-    world:add("boxes", { x = 120, y = 160, width = 40, height = 40 })
-    world:add("balls", { x = 130, y = 139, radius = 10 })
+  end)
+
+  it("bears a crate, and lies on boxes", function()
+    local world = newHeap("columns", 3)
     run(world, 4)
-    assert.are.equal(12, world.stats.resting)
-    assert.is_true(topOf(world.objects.balls) < 140)
+    local crate = world:add("boxes", { x = 60, y = 0, width = 40, height = 20, mass = 20 })
+    run(world, 6)
+    assert.are.equal(61, world.stats.resting)
+    assert.is_true(crate.y + 20 < 400 - 50, crate.y)
   end)
 
   -- The ball hangs over the corner by 0.4 and 4 px.

@@ -30,6 +30,7 @@ slow.files = {
   { "spec/scenarios/12_momentum_spec.lua", "200 bouncing boxes, for a minute" },
   { "spec/scenarios/01_seams_spec.lua", "a hundred landings, one by one" },
   { "spec/balls_spec.lua", "200 balls, for a minute" },
+  { "spec/heaps_spec.lua", "100 balls, poured into a room at three frame rates" },
   { "spec/examples_spec.lua", "whole levels of the examples, as recorded" },
   { "spec/slopes_spec.lua", "850 walks over hills, and 15 busy worlds in five ways" },
   { "spec/soak_spec.lua", "falls of 4600 steps" },

@@ -252,9 +252,10 @@ end
 -- These call one loop after the other. (jit: 4)
 interpreted.functions(linkNear, lookUp, listTargets)
 
--- Lists in b.strays the bodies in `list[first..last]` with paths that leave their fat boxes, each
--- once, and notes in `strayAt` where. Returns how many there are.
-local function listStrays(b, list, first, last)
+-- Lists in b.strays the bodies in `list[first..last]` with paths that come within `reach` px of the
+-- edge of their fat boxes, or leave them, each once, and notes in `strayAt` where. Returns how many
+-- there are.
+local function listStrays(b, list, first, last, reach)
   local strays, strayAt, active, placed, n = b.strays, b.strayAt, b.active, b.placed, 0
   local from, to, size, fatLow, fatHigh = b.from, b.to, b.size, b.fatLow, b.fatHigh
   for at = first, last do
@@ -266,7 +267,7 @@ local function listStrays(b, list, first, last)
     -- The same happens on whichever side it leaves. (jit: 2)
     local outX = max(left - x, left - endX, x + width - right, endX + width - right)
     local outY = max(top - y, top - endY, y + height - bottom, endY + height - bottom)
-    if (max(outX, outY) > 0 or placed[i] ~= 2) and active[i] and strayAt[i] == huge then
+    if (max(outX, outY) > -reach or placed[i] ~= 2) and active[i] and strayAt[i] == huge then
       n = n + 1
       strays[n], strayAt[i] = i, n
     end
@@ -277,15 +278,23 @@ end
 --- Looks up the neighbours of the bodies in `list[first..last]` with paths that leave their fat
 --- boxes. A body that is listed twice is looked at once.
 function detect.run(b, list, first, last)
-  local n = listStrays(b, list, first, last)
+  local n = listStrays(b, list, first, last, 0)
   if n > 0 then
     lookUp(b, b.strays, n, MARGIN)
   end
 end
 
+--- Looks up what is within `reach` px of the paths of the bodies in `list[first..last]`.
+function detect.runWithin(b, list, first, last, reach)
+  local n = listStrays(b, list, first, last, reach)
+  if n > 0 then
+    lookUp(b, b.strays, n, reach + MARGIN)
+  end
+end
+
 --- Does the same for the bodies in `list[1..count]` that fly: they have no neighbours.
 function detect.follow(b, list, count)
-  local n = listStrays(b, list, 1, count)
+  local n = listStrays(b, list, 1, count, 0)
   if n == 0 then
     return
   end

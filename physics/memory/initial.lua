@@ -111,6 +111,24 @@ local function addCrowds(b)
   b.shared = {}
   b.leader = {}
   b.leaderRank = {}
+  b.heapCount = 0
+  b.heapWork = {
+    stamp = 0,
+    joined = {}, -- by slot: the stamp when it joined
+    pushed = {}, -- by slot: the stamp when it was last pushed
+    members = {}, -- slots
+    count = 0,
+    listed = {}, -- by pair: the stamp when it was listed
+    pairs = {},
+    pairCount = 0,
+    height = {}, -- by slot
+    x = {}, -- where it was when its pairs were listed
+    y = {},
+    upper = {}, -- by pair: sort keys
+    lower = {},
+    first = {},
+    second = {},
+  }
   b.partWork = {
     round = 0,
     far = 1e18, -- larger than the depth of any overlap

@@ -72,7 +72,6 @@ layout.SLOT = {
   impactsOf = 0, -- number of impacts in this step
   pieceFirst = 0, -- pieces of its way along the ground (see walk),
   pieceLast = 0, -- 0: none
-  frozenAt = 0, -- solve in which it was stopped where it met a circle
   deflectedAt = 0, -- solve in which it met something slanted (see ball)
   inRound = 0, -- round in which it was last in an impact
   lowered = 0, -- px by which it was lowered in this step (see snap)
@@ -153,6 +152,7 @@ layout.AXIS = {
   knotted = 0, -- x: s for which its knot has not come apart; y: how often that was too long
   knotWas = 0, -- x: sum of the overlaps of the knot then, px; y: walls beside it when it got stuck
   jam = 0, -- x: s for which it has been caught in a heap (see jam)
+  jamWay = 0, -- px by which it has moved since then
   squeezed = 0, -- px by which it is pressed between two bodies that cannot move
   base = 0, -- velocity of the immovable ground that it rubs on,
   grip = 0, -- the friction limit there, N,
@@ -227,6 +227,7 @@ local PAIR_LIST = {
   "live", -- pairs of which one body is awake
   "near", -- scratch of sweep
   "roundPairs", -- scratch of contacts
+  "heapPairs", -- left to the heap in this step
   "apart", -- pairs to be swept (see contacts)
   "overlaps",
   "sortScratch",
@@ -309,6 +310,7 @@ layout.STEP_AXIS = {
   "knotted",
   "knotWas",
   "jam",
+  "jamWay",
   "crowdAge",
   "crushed",
   "wasCrushed",

@@ -6,10 +6,12 @@
 -- Where the normal is along an axis (a ball on a face) the contact is one of boxes. Where it is
 -- slanted (a corner, two balls) it is an impact, along the true normal:
 --   it bounces, if it is fast enough and the pair is elastic;
---   it sticks, if it is slow and one bears the other, and in the last rounds: the two go on with
---     their common velocity, and are a contact of the steeper axis, at the distance they have;
+--   it sticks, if it is slow and the slant is too small to be seen, and in the last rounds: the two
+--     go on with their common velocity, and are a contact of the steeper axis, at the distance they
+--     have;
 --   else it slides: without friction, along the tangent, which leads into nothing convex.
--- A slanted contact that rests is a contact of its steeper axis and is swept, too.
+-- A slanted contact that rests is a contact of its steeper axis and is swept, too. Balls that press
+-- each other are left to the heap (see heapPairs).
 --
 -- Source: the round box (see circle): the centre of a circle meets what it would touch, grown by
 -- its radius with rounded corners.
@@ -160,11 +162,10 @@ local function leans(b, i, axis, isHigh)
   return b.kind[i] == DYNAMIC and b.down[2 * i + axis] == (isHigh and 1 or -1)
 end
 
--- Returns whether a ball rolls off what it touches with the normal (nx, ny): a corner, or something
--- round that is static, unless the slant is too small to be seen.
-local function rollsOff(b, i, j, nx, ny)
-  local areBalls = b.shape[i] == CIRCLE and b.shape[j] == CIRCLE and b.kind[i] == b.kind[j]
-  return not areBalls and min(nx * nx, ny * ny) > SLIGHT * SLIGHT
+--- Returns whether a ball rolls off what it touches with the normal (nx, ny): the slant is large
+--- enough to be seen.
+function ball.isSteep(nx, ny)
+  return min(nx * nx, ny * ny) > SLIGHT * SLIGHT
 end
 
 -- px/s: slower than that, what one bears sticks to it; 0: neither bears the other.
@@ -205,7 +206,7 @@ function ball.touch(b, i, j)
   end
   local isSlanted, isLevel = nx ~= 0 and ny ~= 0, nx * nx > ny * ny
   local axis, isLow = isLevel and 0 or 1, (isLevel and nx or ny) < 0
-  if isSlanted and (rollsOff(b, i, j, nx, ny) or not rests(b, i, j, axis, isLow)) then
+  if isSlanted and (ball.isSteep(nx, ny) or not rests(b, i, j, axis, isLow)) then
     return nil, false
   end
   return axis, isLow, isSlanted
@@ -330,10 +331,9 @@ local function weighPower(b, i, j, nx, ny, ix, iy, jx, jy)
   return ix * newI, iy * newI, jx * newJ, jy * newJ
 end
 
--- The inverse masses of two that meet along a normal, on both axes: of i, then of j.
-local function weigh(b, i, j, nx, ny)
-  local ix, iy = giveOf(b, 2 * i, nx), giveOf(b, 2 * i + 1, ny)
-  local jx, jy = giveOf(b, 2 * j, -nx), giveOf(b, 2 * j + 1, -ny)
+--- Returns the inverse masses of two that push each other along a normal, on both axes: of i, then
+--- of j. The last four are those that each has by itself.
+function ball.share(b, i, j, nx, ny, ix, iy, jx, jy)
   if b.give[2 * i] > 0 and b.give[2 * j] > 0 and b.pushable[i] ~= b.pushable[j] then
     if b.pushable[i] then
       return ix, iy, 0.0, 0.0
@@ -343,6 +343,13 @@ local function weigh(b, i, j, nx, ny)
     return weighPower(b, i, j, nx, ny, ix, iy, jx, jy)
   end
   return ix, iy, jx, jy
+end
+
+-- The same for two that meet.
+local function weigh(b, i, j, nx, ny)
+  local ix, iy = giveOf(b, 2 * i, nx), giveOf(b, 2 * i + 1, ny)
+  local jx, jy = giveOf(b, 2 * j, -nx), giveOf(b, 2 * j + 1, -ny)
+  return ball.share(b, i, j, nx, ny, ix, iy, jx, jy)
 end
 
 -- Two go on with their common velocity and acceleration along an axis.
@@ -405,7 +412,7 @@ function ball.impact(b, i, j, axis, isLow, tau, dt, isLate, restitution)
   end
   local r = (not isLate and u > 2 * dt * max(a, -a)) and restitution or 0
   local slow = stickSpeed(b, i, j, axis, isLow, dt)
-  local isSlow = square <= slow * slow and not rollsOff(b, i, j, nx, ny)
+  local isSlow = square <= slow * slow and not ball.isSteep(nx, ny)
   if r == 0 and (isLate or isSlow) then
     stick(b, 2 * i, 2 * j, ix, jx, tau)
     stick(b, 2 * i + 1, 2 * j + 1, iy, jy, tau)

@@ -13,6 +13,7 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
 local columns = require(root .. ".memory.columns")
 local contactOrder = require(root .. ".solver.contactOrder")
+local heapPairs = require(root .. ".solver.heapPairs")
 local interpreted = require(root .. ".memory.jit")
 local knots = require(root .. ".solver.knots")
 local rules = require(root .. ".solver.rules")
@@ -32,6 +33,7 @@ local floor, max, min = math.floor, math.max, math.min
 --- - APART: the pair is swept.
 --- - CONTACT: it is a contact.
 --- - ELASTIC: it is a contact that is swept, too: it may bounce, or one of the two is a circle.
+--- - HEAP: the two are left to the heap (see heapPairs).
 --- - GHOST: both bodies are in a crowd, or one leaves a knot; the pair does nothing.
 contacts.APART, contacts.CONTACT, contacts.ELASTIC, contacts.GHOST = 0, 1, 2, 3
 local APART, CONTACT = contacts.APART, contacts.CONTACT
@@ -290,7 +292,9 @@ local function classifyRound(b)
     local p = b.roundPairs[n]
     local i, j = b.pairA[p], b.pairB[p]
     local axis, isLow, isSlanted = ball.touch(b, i, j)
-    if axis then
+    if heapPairs.rest(b, p, i, j) then
+      heapPairs.leave(b, p)
+    elseif axis then
       local kl, kh = 2 * (isLow and i or j) + axis, 2 * (isLow and j or i) + axis
       put(b, p, axis, kl, kh, isSlanted and b.from[kh] - b.from[kl] or b.size[kl])
       if isSlanted then
@@ -356,7 +360,7 @@ end
 --- Finds the contacts at the start of the step.
 function contacts.find(b)
   local down, across = b.contacts[b.downAxis], b.contacts[1 - b.downAxis]
-  down.count, across.count = 0, 0
+  down.count, across.count, b.heapCount = 0, 0, 0
   local count = listClose(b)
   if b.hasSensors then
     count = dropSensors(b, count)

@@ -1,14 +1,13 @@
 --- Jams: what lies in a heap of balls and does not get on comes to rest.
 --
--- Balls that press each other slanted are solved by impacts, one after the other. In a heap that
--- does not end within a step: what still meets only stops then, and would begin anew in each step.
--- So a body that has met something slanted for PATIENCE s, and has not moved, is *stuck*, as in a
--- knot: it keeps its place and stands like a wall, and the heap can sleep.
+-- What presses each other slanted is never solved to the last bit (see heap): it would creep for
+-- ever. So a body that has met something slanted for PATIENCE s, and is still in its place, is
+-- *stuck*, as in a knot: it stands like a wall, and the heap can sleep.
 --
 -- A jam begins anew, like a stuck knot (see knots), and when something strikes or presses it that
 -- is faster than what lies still in a heap.
 --
--- Reads deflectedAt, from, velocity, pull; writes stuck, jam, to, speed and news.
+-- Reads deflectedAt, from, velocity, pull; writes stuck, jam, jamWay, to, speed and news.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
@@ -24,8 +23,8 @@ local gapOf = columns.gap
 local max, sqrt = math.max, math.sqrt
 -- s for which a body meets something slanted and does not move, before it is stuck.
 local PATIENCE = 0.25
--- Share of the speed that its weight gives it in a step: what is as slow does not move.
-local STILL = 1 / 16
+-- Share of the way that its weight takes it in that time: what is as near its place has not moved.
+local STILL = 1 / 32
 -- Number of steps of gravity that make something as fast as what frees a jam when it presses it,
 -- and when it strikes it.
 local PRESSING, STRIKING = 2, 8
@@ -36,11 +35,25 @@ local function fallOf(b, i)
   return max(x, -x, y, -y) * b.dt
 end
 
--- Returns whether the weight of slot i has hardly moved it in this step, though it met something.
+-- Returns whether slot i has met something in this step, and is near the place where it waits.
 local function isCaught(b, i)
-  local k, most = 2 * i, STILL * fallOf(b, i) * b.dt
-  local x, y = b.to[k] - b.origin[k], b.to[k + 1] - b.origin[k + 1]
-  return b.deflectedAt[i] == b.solveStamp and max(x, -x, y, -y) < most
+  local k, m, pull, way = 2 * i, 2 * i + 1, b.pull, b.jamWay
+  local fall = max(pull[k], -pull[k], pull[m], -pull[m]) * PATIENCE * PATIENCE * 0.5
+  local x, y = way[k] + b.to[k] - b.origin[k], way[m] + b.to[m] - b.origin[m]
+  return b.deflectedAt[i] == b.solveStamp and max(x, -x, y, -y) < STILL * fall
+end
+
+-- Adds this step to the time that slot i has waited, if it is caught. Returns that time, s.
+local function wait(b, i)
+  local k, m = 2 * i, 2 * i + 1
+  if not isCaught(b, i) then
+    b.jam[k], b.jamWay[k], b.jamWay[m] = 0, 0, 0
+    return 0
+  end
+  b.jam[k] = b.jam[k] + b.dt
+  b.jamWay[k] = b.jamWay[k] + b.to[k] - b.origin[k]
+  b.jamWay[m] = b.jamWay[m] + b.to[m] - b.origin[m]
+  return b.jam[k]
 end
 
 -- Returns whether j, which is immovable and touches slot i, lies below the middle of that.
@@ -82,18 +95,15 @@ end
 function jam.note(b)
   for n = 1, b.hasCircles and b.awakeCount or 0 do
     local i = b.awakeList[n]
-    local k = 2 * i
+    local k, m = 2 * i, 2 * i + 1
     if b.kind[i] == DYNAMIC and not b.stuck[i] then
-      local waited = isCaught(b, i) and b.jam[k] + b.dt or 0
-      b.jam[k] = waited
-      if waited > 0 then
-        b.news[i] = true
-      end
-      if waited >= PATIENCE and not isGrounded(b, i) then
-        b.jam[k] = 0
+      local waited = wait(b, i)
+      b.news[i] = b.news[i] or waited > 0
+      if waited >= PATIENCE and isGrounded(b, i) then
+        b.stuck[i], b.hasKnots, b.knotWas[m] = true, true, 0
+        b.to[k], b.to[m], b.speed[k], b.speed[m] = b.origin[k], b.origin[m], 0.0, 0.0
       elseif waited >= PATIENCE then
-        b.stuck[i], b.hasKnots, b.knotWas[k + 1] = true, true, 0
-        b.to[k], b.to[k + 1], b.speed[k], b.speed[k + 1] = b.origin[k], b.origin[k + 1], 0.0, 0.0
+        b.jam[k], b.jamWay[k], b.jamWay[m] = 0, 0, 0
       end
     end
   end

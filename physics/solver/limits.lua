@@ -1,13 +1,15 @@
 --- Limits: bounds at the end of a step where bodies have come to.
 --
--- - What meets a circle after the last round stops.
+-- - Balls of a heap are moved apart; what meets a circle after the last round stops.
 -- - A body that overlaps others goes no further than its speed and a share of its size take it.
 -- - A body that is not pushable stays on its own way.
 --
--- Reads the paths, contacts, limitedAt; writes to, speed, accel, frozenAt, limitedAt, news.
+-- Reads the paths, contacts, limitedAt, heapCount; writes to, speed, limitedAt, news.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
+local contacts = require(root .. ".solver.contacts")
+local heap = require(root .. ".memory.lazy")(root .. ".solver.heap")
 local interpreted = require(root .. ".memory.jit")
 local knots = require(root .. ".solver.knots")
 local rounds = require(root .. ".solver.rounds")
@@ -18,7 +20,9 @@ local limits = {}
 local DYNAMIC, EPSILON, PARTING = columns.DYNAMIC, columns.EPSILON, rounds.PARTING
 local floor, max, min = math.floor, math.max, math.min
 -- Rounds after the last round, in which what meets a circle only stops.
-local FREEZES = 16
+local FREEZES = 4
+-- Number of these after which balls that still meet are moved apart again.
+local HEAPS = 2
 -- px and px/s: a circle that has moved by less has not moved.
 local CALM, CALM_SPEED = EPSILON, 1e-3
 -- px: so little changes by rounding, however long the step is.
@@ -125,44 +129,17 @@ local function calm(b)
   end
 end
 
--- Takes back what body k, of slot i, has moved towards a contact, up to `over` px. `sign`: 1 if it
--- is the low one. Returns what is left of that.
-local function takeBack(b, i, k, over, sign)
-  local way = min(over, max((b.to[k] - b.from[k]) * sign, 0.0))
-  if way == 0 or b.kind[i] ~= DYNAMIC then
-    return over
-  end
-  b.to[k], b.speed[k], b.accel[k] = b.to[k] - sign * way, 0.0, 0.0
-  b.frozenAt[i] = b.solveStamp
-  rounds.change(b, i)
-  return over - way
-end
-
--- What leans on a stopped body does not go into it. Returns whether something has changed.
-local function holdBack(b)
-  local hasChanged, frozenAt, stamp = false, b.frozenAt, b.solveStamp
-  for axis = 0, 1 do
-    local list = b.contacts[axis]
-    for c = 1, list.count do
-      local kl, kh = list.low[c], list.high[c]
-      local i, j = (kl - axis) * 0.5, (kh - axis) * 0.5
-      local over = b.to[kl] + list.separation[c] - b.to[kh]
-      if over > EPSILON and (frozenAt[i] == stamp or frozenAt[j] == stamp) then
-        local left = takeBack(b, j, kh, takeBack(b, i, kl, over, 1), -1)
-        hasChanged = hasChanged or left < over
-      end
-    end
-  end
-  return hasChanged
-end
-
--- What still meets a circle stops there, and what meets that, or leans on it.
+-- What still meets a circle stops there, or is moved apart with its heap.
 local function freeze(b, dt)
-  for _ = 1, FREEZES do
-    local isHeld = holdBack(b)
+  for n = 1, FREEZES do
+    local count = b.heapCount
     b.isChangeListed = true
     rounds.followChanged(b)
-    if not rounds.run(b, dt, true, true) and not isHeld then
+    contacts.noteNew(b)
+    local hasMet = rounds.run(b, dt, true, true)
+    if b.heapCount > count and n <= HEAPS then
+      heap.run(b, dt)
+    elseif not hasMet then
       return
     end
   end
@@ -171,6 +148,9 @@ end
 --- Bounds where bodies have come to.
 function limits.run(b, dt, hasChanged)
   if b.hasCircles then
+    if b.heapCount > 0 then
+      heap.run(b, dt)
+    end
     if b.changedCount > 0 then
       freeze(b, dt)
       hasChanged = true

@@ -5,13 +5,14 @@
 -- box in the middle of the step is looked up anew; pairs that it makes are swept in the next round,
 -- and if it comes near a sleeping body the step begins anew.
 --
--- Reads the paths; writes the paths, hit, contacts, pressed, nudged, dirty, swept, changed, inRound
--- and frozenAt.
+-- Reads the paths; writes the paths, hit, contacts, pressed, nudged, dirty, swept, changed and
+-- inRound.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
 local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
+local heapPairs = require(root .. ".solver.heapPairs")
 local impact = require(root .. ".solver.impact")
 local interpreted = require(root .. ".memory.jit")
 local islands = require(root .. ".sleep.islands")
@@ -120,7 +121,6 @@ local function stop(b, i, t, isRound)
     for k = 2 * i, 2 * i + 1 do
       b.to[k] = b.from[k]
       if isRound then
-        b.frozenAt[i] = b.solveStamp
         local off = b.from[k] - b.origin[k]
         b.to[k] = off <= EPSILON and off >= -EPSILON and b.origin[k] or b.to[k]
         b.speed[k], b.accel[k] = 0.0, 0.0
@@ -264,12 +264,15 @@ local function meet(b, p, i, j, axis, t, dt, isLast, isLate, isDeep)
   return true
 end
 
--- Leaves the impact of slots i and j, which an earlier one has disturbed, to the next round.
-local function postpone(b, i, j, mayBounce)
+-- Leaves the impact of slots i and j, which an earlier one has disturbed, to the next round. What
+-- may bounce, and circles (`isRound`), wait for it, so that they do not get past each other.
+local function postpone(b, i, j, mayBounce, isRound)
   rounds.change(b, i)
   rounds.change(b, j)
   if mayBounce then
     noteBounced(b, i, j)
+  end
+  if mayBounce or isRound then
     takePart(b, i, j)
   end
 end
@@ -288,7 +291,7 @@ local function happen(b, n, dt, isLast, isLate)
   end
   local mayBounce, hasEnded = max(b.restitution[i], b.restitution[j]) > 0, isLast
   if isDisturbed(b, i, round, mayBounce) or isDisturbed(b, j, round, mayBounce) then
-    postpone(b, i, j, mayBounce)
+    postpone(b, i, j, mayBounce, isRound)
     hasEnded = isLast and not isSensed
   elseif
     (isSensed and b.hit[p] ~= 0) or rules.passes(b, p, 2 * i + axis, 2 * j + axis, axis, isDeep)
@@ -296,6 +299,9 @@ local function happen(b, n, dt, isLast, isLate)
     return
   elseif isSensed then
     sense(b, p, i, j, axis, t, dt)
+    return
+  elseif isRound and areDynamic and heapPairs.isLeft(b, i, j, isLate) then
+    heapPairs.leave(b, p)
     return
   elseif b.hasCircles and b.mayRestart and shake(b, i, j, axis, t, dt) then
     return

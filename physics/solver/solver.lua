@@ -223,9 +223,9 @@ local function solve(b, dt)
   limits.run(b, dt, hasChanged)
   if b.hasSnaps then
     snap.run(b, dt)
-    if b.awakenings ~= awakenings then
-      return false
-    end
+  end
+  if b.awakenings ~= awakenings then
+    return false
   end
   for axis = 0, 1 do
     pressed.note(b, axis)

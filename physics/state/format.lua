@@ -63,6 +63,7 @@ format.POINTS = {
   { "knotted", 0 },
   { "knotWas", 0 },
   { "jam", 0 },
+  { "jamWay", 0 },
   { "wasAt", 0 },
   { "wasSize", 0 },
 }
