@@ -2579,6 +2579,83 @@ local FOUND = {
       },
     },
   },
+  {
+    "a pair with a circle that ends in the middle of a step is not looked at at its end",
+    {
+      settings = { gravity = 40000 },
+      acts = {
+        {
+          "insert",
+          6,
+          "tiles",
+          { height = 1000, static = true, width = 1000, x = 5000, y = 20000 },
+        },
+        {
+          "insert",
+          7,
+          "tiles",
+          { height = 1000, radius = 500, static = true, width = 1000, x = 6000, y = 20000 },
+        },
+        {
+          "add",
+          8,
+          "tiles",
+          { height = 1000, radius = 500, static = true, width = 1000, x = 7000, y = 20000 },
+        },
+        { "add", 29, 2.5, { height = 1000, width = 1000, x = 5500, y = 19000 } },
+        {
+          "add",
+          30,
+          2.5,
+          { height = 1000, radius = 500, restitution = 1, width = 1000, x = 6500, y = 19000 },
+        },
+        { "add", 31, 1, { height = 1000, mass = 1.125, width = 1000, x = 7500, y = 19000 } },
+        {
+          "add",
+          42,
+          2.5,
+          {
+            gravity = 0,
+            height = 2250,
+            radius = 1125,
+            vx = -68900,
+            vy = 6900,
+            width = 2250,
+            x = 11500,
+            y = 7800,
+          },
+        },
+        {
+          "add",
+          46,
+          "boxes",
+          {
+            height = 2000,
+            radius = 1000,
+            restitution = 1,
+            vy = -4100,
+            width = 2000,
+            x = 2600,
+            y = 8300,
+          },
+        },
+        {
+          "add",
+          47,
+          "lifts",
+          { height = 500, kinematic = true, width = 500, x = 2800, y = 15500 },
+        },
+        { "update", 0.18030725584394042 },
+        { "update", 0.01 },
+        { "update", 0.01 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.03333333333333333 },
+        { "refuse", 0, 3 },
+        { "update", 0.2614000687481836 },
+        { "update", 0.18191479602075628 },
+      },
+    },
+  },
 }
 
 describe("a random game has found that", function()

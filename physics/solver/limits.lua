@@ -110,21 +110,28 @@ local function brake(b, i, k)
   end
 end
 
--- A circle that touches something, and has moved by no more than rounding, has not moved.
-local function calm(b)
+-- Slot i is a circle, or touches one. If it has moved by no more than rounding, it has not moved.
+local function calm(b, i)
+  local k = 2 * i
+  local x, y = b.to[k] - b.origin[k], b.to[k + 1] - b.origin[k + 1]
+  local way = max(x, -x, y, -y)
+  local speed = max(b.speed[k], -b.speed[k], b.speed[k + 1], -b.speed[k + 1])
+  if way <= CALM and speed <= CALM_SPEED then
+    b.news[i] = b.news[i] or way > ROUNDING or speed > 0
+    b.to[k], b.to[k + 1], b.speed[k], b.speed[k + 1] = b.origin[k], b.origin[k + 1], 0.0, 0.0
+  elseif b.down[k] + b.down[k + 1] ~= 0 then
+    brake(b, i, k)
+    brake(b, i, k + 1)
+  end
+end
+
+-- Does this for all of them. A pair that has ended in the step has no bodies any more: slot 0.
+local function calmAll(b)
   for n = 1, 2 * b.roundCount do
     local p = b.roundPairs[floor((n + 1) * 0.5)]
     local i = n % 2 == 0 and b.pairA[p] or b.pairB[p]
-    local k = 2 * i
-    local x, y = b.to[k] - b.origin[k], b.to[k + 1] - b.origin[k + 1]
-    local way = max(x, -x, y, -y)
-    local speed = max(b.speed[k], -b.speed[k], b.speed[k + 1], -b.speed[k + 1])
-    if b.give[k] > 0 and way <= CALM and speed <= CALM_SPEED then
-      b.news[i] = b.news[i] or way > ROUNDING or speed > 0
-      b.to[k], b.to[k + 1], b.speed[k], b.speed[k + 1] = b.origin[k], b.origin[k + 1], 0.0, 0.0
-    elseif b.give[k] > 0 and b.down[k] + b.down[k + 1] ~= 0 then
-      brake(b, i, k)
-      brake(b, i, k + 1)
+    if i > 0 and b.give[2 * i] > 0 then
+      calm(b, i)
     end
   end
 end
@@ -155,7 +162,7 @@ function limits.run(b, dt, hasChanged)
       freeze(b, dt)
       hasChanged = true
     end
-    calm(b)
+    calmAll(b)
   end
   if b.overlapCount > 0 then
     limitMotion(b, dt)

@@ -20,13 +20,20 @@ local function without(list, from, to)
   return shorter
 end
 
+-- Returns whether two failures are of one kind: the same check, and errors of the same line.
+local function areAlike(one, other)
+  local isError = one.check == "error" and other.check == "error"
+  return one.check == other.check
+    and (not isError or one.text:match("^.-:%d+") == other.text:match("^.-:%d+"))
+end
+
 -- Takes a smaller case if it fails in the same way.
 function Shrinker:try(case)
   if os.clock() > self.deadline then
     return false
   end
   local failure = self.run(case)
-  if not failure or failure.check ~= self.failure.check then
+  if not failure or not areAlike(failure, self.failure) then
     return false
   end
   self.case, self.failure = case, failure
