@@ -29,7 +29,7 @@ local EPSILON = columns.EPSILON
 local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
 -- Number of attempts in which bonds may break, and of all attempts. In the later ones bonds only
 -- stick.
-local TEARS, ATTEMPTS = 4, 8
+local TEARS, ATTEMPTS = 2, 4
 -- Values of `bearing`: the low body leans on the high one, or the high one on the low one.
 local ON_HIGH, ON_LOW = 1, 2
 
