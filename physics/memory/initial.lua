@@ -124,6 +124,8 @@ local function addCrowds(b)
     height = {}, -- by slot
     x = {}, -- where it was when its pairs were listed
     y = {},
+    one = {}, -- by pair: its bodies, in the order of the world
+    other = {},
     upper = {}, -- by pair: sort keys
     lower = {},
     first = {},

@@ -19,19 +19,18 @@ local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
 local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
 local heapPairs = require(root .. ".solver.heapPairs")
+local interpreted = require(root .. ".memory.jit")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local rounds = require(root .. ".solver.rounds")
 local slope = require(root .. ".memory.lazy")(root .. ".solver.slope")
 local triangle = require(root .. ".memory.triangle")
 local sort = require(root .. ".memory.sort")
 
-require(root .. ".memory.jit").file()
-
 local heap = {}
 
-local DYNAMIC, HUGE = columns.DYNAMIC, math.huge
+local CIRCLE, DYNAMIC, HUGE = columns.SHAPE_CIRCLE, columns.DYNAMIC, math.huge
 local SOLID = triangle.SOLID
-local floor, max, min = math.floor, math.max, math.min
+local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
 -- Number of passes in which both of two give way, and of those in which the lower one does not.
 local PASSES, SHOCKS = 8, 4
 -- px by which a body may be apart from one in the heap, and take part.
@@ -42,6 +41,8 @@ local LISTS = 2
 local ENOUGH = 1e-3
 -- Share of a normal along gravity from which on one of two is above the other.
 local ABOVE = 0.1
+-- Number of steps of gravity that make a body as fast as what rests.
+local SLOW = 2
 -- Keys of pairs with a body that does not move: after all others.
 local HELD, STATIC = 1e300, HUGE
 
@@ -58,7 +59,8 @@ local function isOpen(b, p, i, j)
   return b.touches[p] ~= contacts.APART or not (b.hasAskers or b.oneWay[i] or b.oneWay[j])
 end
 
--- Returns the gap between slot i and slope j, px, and the normal of that, from the slope.
+-- Returns the gap between slot i and slope j at the end of the step, px, and the normal of that,
+-- from the slope.
 local function slopeGap(b, i, j)
   local axis, isLow, gap = slope.touch(b, i, j, b.to)
   if not axis then
@@ -84,9 +86,23 @@ local function boxGap(b, i, j)
   return gapY, 0.0, gapY == bottom and 1 or -1
 end
 
--- Returns the same of any two, at the end of the step.
+-- Returns the same of two balls.
+local function ballGap(b, i, j)
+  local to, size, k, m = b.to, b.size, 2 * i, 2 * j
+  local more = (size[k] - size[m]) * 0.5
+  local x, y = to[k] - to[m] + more, to[k + 1] - to[m + 1] + more
+  local distance, reach = sqrt(x * x + y * y), (size[k] + size[m]) * 0.5
+  if distance == 0 then
+    return -reach, 0.0, 0.0
+  end
+  return distance - reach, x / distance, y / distance
+end
+
+-- Returns the same of any two.
 local function gapBetween(b, i, j)
-  if b.hasSlopes and slope.isPair(b, i, j) then
+  if b.shape[i] == CIRCLE and b.shape[j] == CIRCLE then
+    return ballGap(b, i, j)
+  elseif b.hasSlopes and slope.isPair(b, i, j) then
     if slope.isOne(b, j) then
       return slopeGap(b, i, j)
     end
@@ -157,6 +173,9 @@ local function sortPairs(b)
     local isHeld = high >= HELD
     work.lower[p], work.upper[p] = isHeld and high or low, isHeld and low or high
     work.first[p], work.second[p] = columns.ranks(b, i, j)
+    -- Which of a pair is the first depends on the broad phase.
+    local isFirst = b.rank[i] < b.rank[j]
+    work.one[p], work.other[p] = isFirst and i or j, isFirst and j or i
   end
   sort.by(work.pairs, work.pairCount, work.upper, work.lower, work.first, work.second)
 end
@@ -191,7 +210,10 @@ end
 -- immovable.
 local function weigh(b, i, j, nx, ny, isShock)
   local give, k, m = b.give, 2 * i, 2 * j
-  local ix, iy, jx, jy = ball.share(b, i, j, nx, ny, give[k], give[k + 1], give[m], give[m + 1])
+  local ix, iy, jx, jy = give[k], give[k + 1], give[m], give[m + 1]
+  if b.power[i] ~= b.power[j] then
+    ix, iy, jx, jy = ball.share(b, i, j, nx, ny, ix, iy, jx, jy)
+  end
   if isShock and max(ix, iy) > 0 and max(jx, jy) > 0 then
     local down = b.down[k] ~= 0 and b.down[k] * nx or b.down[k + 1] * ny
     if down < -ABOVE then
@@ -203,17 +225,13 @@ local function weigh(b, i, j, nx, ny, isShock)
   return ix, iy, jx, jy
 end
 
--- Pushes two apart that overlap at the end of the step. Returns by how much they do, px.
-local function part(b, i, j, isShock)
-  local gap, nx, ny = gapBetween(b, i, j)
-  if gap >= 0 then
-    return 0.0
-  end
+-- Pushes two apart that overlap at the end of the step.
+local function part(b, i, j, gap, nx, ny, isShock)
   local k, m, to, speed = 2 * i, 2 * j, b.to, b.speed
   local ix, iy, jx, jy = weigh(b, i, j, nx, ny, isShock)
   local total = nx * nx * (ix + jx) + ny * ny * (iy + jy)
   if total == 0 then
-    return 0.0
+    return
   end
   local way = -gap / total
   b.heapWork.pushed[i], b.heapWork.pushed[j] = b.heapWork.stamp, b.heapWork.stamp
@@ -223,29 +241,42 @@ local function part(b, i, j, isShock)
   local impulse = max(closing, 0.0) / total
   speed[k], speed[k + 1] = speed[k] + impulse * nx * ix, speed[k + 1] + impulse * ny * iy
   speed[m], speed[m + 1] = speed[m] - impulse * nx * jx, speed[m + 1] - impulse * ny * jy
-  return -gap
 end
 
 -- Makes one pass over the pairs of which the lower body has at least that key. Returns the largest
 -- overlap, px.
 local function pass(b, key, isShock)
-  local work, pairA, pairB, most = b.heapWork, b.pairA, b.pairB, 0.0
+  local work, shape, most = b.heapWork, b.shape, 0.0
+  local pairs, lower, ones, others = work.pairs, work.lower, work.one, work.other
   for n = 1, work.pairCount do
-    local p = work.pairs[n]
-    if work.lower[p] >= key then
-      most = max(most, part(b, pairA[p], pairB[p], isShock))
+    local p = pairs[n]
+    if lower[p] >= key then
+      local i, j = ones[p], others[p]
+      local gap, nx, ny ---@type number, number, number
+      if shape[i] == CIRCLE and shape[j] == CIRCLE then
+        gap, nx, ny = ballGap(b, i, j)
+      else
+        gap, nx, ny = gapBetween(b, i, j)
+      end
+      if gap < 0 then
+        most = max(most, -gap)
+        part(b, i, j, gap, nx, ny, isShock)
+      end
     end
   end
   return most
 end
 
--- Takes from the bodies that were pushed the part of their speed with which they get nowhere.
+-- Takes from the bodies that were pushed, and are as slow as in a heap that rests, the part of
+-- their speed with which they get nowhere.
 local function slow(b, dt)
-  local work, speed = b.heapWork, b.speed
+  local work, speed, pull = b.heapWork, b.speed, b.pull
   for n = 1, work.count do
     local i = work.members[n]
-    local left = (1 - b.time[i]) * dt
-    for k = 2 * i, work.pushed[i] == work.stamp and 2 * i + 1 or 0 do
+    local x, y, left = 2 * i, 2 * i + 1, (1 - b.time[i]) * dt
+    local fall = max(pull[x], -pull[x], pull[y], -pull[y]) * dt
+    local isSlow = max(speed[x], -speed[x], speed[y], -speed[y]) <= SLOW * fall
+    for k = x, isSlow and work.pushed[i] == work.stamp and y or 0 do
       local got = left > 0 and (b.to[k] - b.from[k]) / left or 0.0
       speed[k] = max(min(speed[k], max(got, 0.0)), min(got, 0.0))
     end
@@ -291,5 +322,9 @@ function heap.run(b, dt)
   end
   slow(b, dt)
 end
+
+-- These take another branch for each pair, or lead from loop to loop. (jit: 4)
+interpreted.functions(isOpen, slopeGap, boxGap, gapBetween, join, spread, heightOf, lowerKey)
+interpreted.functions(sortPairs, collect, solve, heap.run)
 
 return heap

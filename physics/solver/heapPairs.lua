@@ -42,7 +42,8 @@ local function fallOf(b, i, j)
 end
 
 --- Returns whether two balls that are near each other where the step begins are left to the heap.
---- They rest on each other slanted, or overlap a little.
+--- They rest on each other slanted, or overlap a little. (Elastic ones rest if one of them has not
+--- moved in the last step, see jam.)
 function heapPairs.rest(b, p, i, j)
   if not heapPairs.areLoose(b, i, j) then
     return false
@@ -55,8 +56,9 @@ function heapPairs.rest(b, p, i, j)
   elseif gap >= -EPSILON and not (b.stuck[i] and b.stuck[j]) then
     local x = startOf(b, i, 2 * i) - startOf(b, j, 2 * j)
     local y = startOf(b, i, 2 * i + 1) - startOf(b, j, 2 * j + 1)
-    local speed = x * nx + y * ny
-    if max(speed, -speed) > SLOW * fallOf(b, i, j) then
+    local speed, isElastic = x * nx + y * ny, max(b.restitution[i], b.restitution[j]) > 0
+    local isMoving = b.jam[2 * i] == 0 and b.jam[2 * j] == 0
+    if max(speed, -speed) > SLOW * fallOf(b, i, j) or (isElastic and isMoving) then
       return false
     end
   end
