@@ -1,4 +1,4 @@
--- Many boxes are dropped on each other. Boxes at rest are darker: nothing is computed for them.
+-- Many boxes or balls are dropped on each other. What rests is darker: nothing is computed for it.
 -- Throw some, watch the time of a step, and let the broad phase look at all pairs instead.
 
 local look = require("look")
@@ -9,6 +9,7 @@ local pile = {
     { "up", "down", "more, fewer" },
     { "click", "throw about" },
     { "space", "kick them all" },
+    { "o", "boxes, balls or both" },
     { "b", "grid or all pairs" },
   },
 }
@@ -16,26 +17,35 @@ local pile = {
 local LEFT, RIGHT, FLOOR = 140, 820, 586 -- px, the inside of the container
 local WALL = 20 -- px
 local CELL = 23 -- px, room for one box when they are dropped
-local FIRST, STEP, MOST = 600, 100, 1500 -- boxes
+local FIRST, STEP, MOST = 600, 100, 1500 -- boxes; of others half as many
+local KINDS = { "boxes", "balls", "both" }
 local COLORS = { "red", "orange", "yellow", "lime", "green", "cyan", "sky", "blue" }
 local KICK, REACH, BLAST = 150, 130, 900 -- px/s, px, px/s
 
 local world, random ---@type physics.World, any
+local kind = 1 ---@type integer what is dropped: a place in KINDS
 
 local function addWall(x, y, width, height)
   world:add("walls", { x = x, y = y, width = width, height = height, static = true })
 end
 
--- Drops `count` boxes in rows, the lowest row at `bottom`.
+-- Whether the i-th one is a ball.
+local function isBall(i)
+  return KINDS[kind] == "balls" or KINDS[kind] == "both" and i % 2 == 0
+end
+
+-- Drops `count` boxes or balls in rows, the lowest row at `bottom`.
 local function addBoxes(count, bottom)
   local columns = math.floor((RIGHT - LEFT) / CELL)
   for i = 0, count - 1 do
     local column, row = i % columns, math.floor(i / columns)
+    local x, width, height = random:random(0, 3), random:random(10, 20), random:random(10, 20)
     world:add("boxes", {
-      x = LEFT + column * CELL + random:random(0, 3),
+      x = LEFT + column * CELL + x,
       y = bottom - row * CELL,
-      width = random:random(10, 20),
-      height = random:random(10, 20),
+      width = width,
+      height = isBall(i) and width or height,
+      radius = isBall(i) and width / 2 or nil,
       vx = random:random(-40, 40),
       friction = 0.3,
       color = COLORS[random:random(#COLORS)],
@@ -43,7 +53,7 @@ local function addBoxes(count, bottom)
   end
 end
 
-function pile.load()
+local function fill()
   random = love.math.newRandomGenerator(7)
   world = physics.newWorld({ gravity = 800 })
   pile.world = world
@@ -51,7 +61,12 @@ function pile.load()
   -- The walls reach far above the window, where the boxes begin to fall.
   addWall(LEFT - WALL, FLOOR - 5000, WALL, 5000)
   addWall(RIGHT, FLOOR - 5000, WALL, 5000)
-  addBoxes(FIRST, FLOOR - 120)
+  addBoxes(kind == 1 and FIRST or FIRST / 2, FLOOR - 120)
+end
+
+function pile.load()
+  kind = 1
+  fill()
 end
 
 function pile.update(dt)
@@ -88,6 +103,9 @@ function pile.keypressed(key, isRepeat)
     fewer()
   elseif key == "space" and not isRepeat then
     kick()
+  elseif key == "o" and not isRepeat then
+    kind = kind % #KINDS + 1
+    fill()
   elseif key == "b" then
     world.broadphase = world.broadphase == "pairs" and "auto" or "pairs"
   end
@@ -108,9 +126,18 @@ local function drawBoxes()
     -- What lies still is darker: nothing is computed for it.
     local isStill = box.vx == 0 and box.vy == 0
     look.color(box.color, isStill and 0.62 or 1)
-    love.graphics.rectangle("fill", box.x, box.y, box.width, box.height, 2)
+    local radius, x, y = box.radius, box.x + box.width / 2, box.y + box.height / 2
+    if radius then
+      love.graphics.circle("fill", x, y, radius)
+    else
+      love.graphics.rectangle("fill", box.x, box.y, box.width, box.height, 2)
+    end
     love.graphics.setColor(1, 1, 1, isStill and 0.08 or 0.3)
-    love.graphics.rectangle("fill", box.x + 1, box.y + 1, box.width - 2, 2)
+    if radius then
+      love.graphics.circle("fill", x - radius * 0.3, y - radius * 0.3, radius * 0.25)
+    else
+      love.graphics.rectangle("fill", box.x + 1, box.y + 1, box.width - 2, 2)
+    end
   end
 end
 
@@ -122,7 +149,11 @@ function pile.draw()
     love.graphics.rectangle("fill", wall.x, wall.y, wall.width, wall.height)
   end
   look.color("white")
-  local text = ("%d boxes   broad phase: %s"):format(#world.objects.boxes, world.broadphase)
+  local text = ("%d %s   broad phase: %s"):format(
+    #world.objects.boxes,
+    KINDS[kind] == "both" and "boxes and balls" or KINDS[kind],
+    world.broadphase
+  )
   look.text(text, LEFT + 16, 10, 17)
 end
 

@@ -98,6 +98,11 @@ check "pile: no box is lost" is pile inside 600
 check "pile: the boxes lie on the floor, to the bit" is pile lowest 586
 check "pile: boxes are added and taken away" play pile-more pile 60 "+:5,+:10,-:20,b:30,space:40"
 check "pile: 100 boxes more" is pile-more boxes 700
+check "pile: balls are dropped" play pile-balls pile 600 "o:5"
+check "pile: no ball is lost" is pile-balls inside 300
+check "pile: the balls lie still" is pile-balls resting 300
+check "pile: both are dropped" play pile-both pile 900 "o:5,o:10"
+check "pile: none of both is lost" is pile-both inside 300
 
 # The checks ask for less than these keys take, so that small changes do not break them.
 check "lifts plays" play lifts lifts 960 "$(cat examples/demos/lifts.keys)"
