@@ -119,7 +119,7 @@ end
 describe("a heap of balls", function()
   for _, kind in ipairs({ "columns", "poured", "mixed" }) do
     it("comes to rest: " .. kind, function()
-      for seed = 1, effort.share(3) do
+      for seed = 1, effort.share(4) do
         local world = newHeap(kind, seed)
         run(world, 10)
         assert.are.equal(60, world.stats.resting)

@@ -30,6 +30,8 @@ local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
 -- Number of attempts in which bonds may break, and of all attempts. In the later ones bonds only
 -- stick.
 local TEARS, ATTEMPTS = 2, 4
+-- px by which what is squeezed may overlap what bears it, and still rub on it.
+local SQUEEZED = 0.01
 -- Values of `bearing`: the low body leans on the high one, or the high one on the low one.
 local ON_HIGH, ON_LOW = 1, 2
 
@@ -75,7 +77,7 @@ local function findSupports(b, list, axis)
     local kl, kh = low[c], high[c]
     local over = to[kl] + separation[c] - to[kh]
     local kind = 0
-    if over <= EPSILON and over >= -EPSILON then
+    if over <= SQUEEZED and over >= -EPSILON then
       if b.heldHigh[kh] > 0 and give[kl] > 0 and free[kl] >= speed[kl] then
         kind = ON_HIGH
       elseif b.heldLow[kl] > 0 and give[kh] > 0 and free[kh] <= speed[kh] then

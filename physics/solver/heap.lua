@@ -1,8 +1,8 @@
---- Heap: moves balls apart that lie on each other, all together, at the end of a step.
+--- Heap: moves balls, and what lies between them, apart all together at the end of a step.
 --
 -- Impacts happen one after the other, and in a heap one makes the next: that does not end within a
--- step. So pairs of balls that rest on each other slanted, or meet too often, are left to the heap
--- (see heapPairs). What is near these balls takes part, too.
+-- step. So pairs with a ball that rest on each other slanted, or meet too often, are left to the
+-- heap (see heapPairs). What is near these bodies takes part, too.
 --
 -- A pass goes through the pairs from the lowest body to the highest. Two that overlap at the end of
 -- the step are pushed apart along their normal, and lose the speed with which they close. In the
@@ -46,13 +46,11 @@ local SLOW = 2
 -- Keys of pairs with a body that does not move: after all others.
 local HELD, STATIC = 1e300, HUGE
 
--- Returns whether the bodies of pair p may push each other. Boxes that overlap part by themselves.
+-- Returns whether the bodies of pair p may push each other.
 local function isOpen(b, p, i, j)
   if b.sensor[i] or b.sensor[j] or b.passing[p] or b.dropping[p] then
     return false
   elseif b.touches[p] == contacts.GHOST then
-    return false
-  elseif b.deepIn[p] == b.solveStamp and not ball.isRound(b, i, j) then
     return false
   end
   -- Of a pair that has not met, the open sides of a one-way or the game have not been asked.
@@ -134,7 +132,7 @@ local function spread(b, i)
       join(b, j)
       work.listed[p], work.pairCount = work.stamp, work.pairCount + 1
       work.pairs[work.pairCount] = p
-      if heapPairs.areLoose(b, i, j) then
+      if b.touches[p] ~= contacts.CONTACT and heapPairs.areLoose(b, i, j) then
         b.touches[p] = heapPairs.HEAP
       end
     end

@@ -1,4 +1,4 @@
---- Heap pairs: decides which pairs of balls are left to the heap (see heap) and lists them.
+--- Heap pairs: decides which pairs with a ball are left to the heap (see heap) and lists them.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
@@ -13,17 +13,16 @@ local CIRCLE, DYNAMIC, EPSILON = columns.SHAPE_CIRCLE, columns.DYNAMIC, columns.
 local max = math.max
 --- Value of `touches` of these pairs (see contacts).
 heapPairs.HEAP = 4
--- Maximum number of impacts of a ball in a step before others are left to the heap: of two that do
+-- Maximum number of impacts of a body in a step before others are left to the heap: of two that do
 -- not bounce, and of two of which one does.
 local MOST, MOST_BOUNCES = 4, 13
 -- Number of steps of gravity that make something as fast as what rests.
 local SLOW = 2
 
---- Returns whether both slots are balls that can move.
+--- Returns whether two can move, and one of them is a ball.
 function heapPairs.areLoose(b, i, j)
-  local shape, kind = b.shape, b.kind
-  return shape[i] == CIRCLE
-    and shape[j] == CIRCLE
+  local kind = b.kind
+  return max(b.shape[i], b.shape[j]) == CIRCLE
     and kind[i] == DYNAMIC
     and kind[j] == DYNAMIC
     and not (b.sensor[i] or b.sensor[j])
@@ -41,7 +40,7 @@ local function fallOf(b, i, j)
   return max(x, pull[k + 1], -pull[k + 1], pull[m + 1], -pull[m + 1]) * b.dt
 end
 
---- Returns whether two balls that are near each other where the step begins are left to the heap.
+--- Returns whether two that are near each other where the step begins are left to the heap.
 --- They rest on each other slanted, or overlap a little. (Elastic ones rest if one of them has not
 --- moved in the last step, see jam.)
 function heapPairs.rest(b, p, i, j)
@@ -68,8 +67,8 @@ function heapPairs.rest(b, p, i, j)
   return not rules.passes(b, p, 2 * low + axis, 2 * high + axis, axis, false)
 end
 
---- Returns whether the impact of two balls is left to the heap: they have met others often in this
---- step, or nothing may bounce any more (`isLate`).
+--- Returns whether the impact of two is left to the heap: they have met others often in this step,
+--- or nothing may bounce any more (`isLate`).
 function heapPairs.isLeft(b, i, j, isLate)
   if not heapPairs.areLoose(b, i, j) then
     return false
