@@ -73,6 +73,7 @@ check "the film has less than 1 MB" smaller_than 1000000 "$target/examples.gif"
 
 check "hills is drawn" still hills hills 330 "$hills"
 check "pile is drawn" still pile pile 56
+check "a heap of balls is drawn" still balls pile 110 "o:2"
 check "lifts is drawn" still lifts lifts 500 "$lifts"
 check "platformer is drawn" still platformer platformer 300 "$platformer"
 check "tutorial is drawn" still tutorial tutorial 800 "$(cat examples/demos/tutorial.keys)"
@@ -82,7 +83,7 @@ check "survivors is drawn" still survivors survivors 1000 "$(cat examples/demos/
 check "rollback is drawn" still rollback rollback 260 "$(cat examples/demos/rollback.keys)"
 check "tiled is drawn" still tiled tiled 400 "$(cat examples/demos/tiled.keys)"
 check "debug draw is drawn" still draw lifts 480 "x:5,$lifts"
-for name in hills pile lifts draw platformer tutorial topdown survivors breakout rollback tiled; do
+for name in hills pile balls lifts draw platformer tutorial topdown survivors breakout rollback tiled; do
   check "$name has less than 200 kB" smaller_than 200000 "$target/$name.png"
 done
 
