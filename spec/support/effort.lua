@@ -43,9 +43,10 @@ end
 effort.isFirst = asked == nil or asked == "LuaJIT"
 
 --- Switches the trace compiler off for the specs of a file: what plays thousands of small worlds
---- would keep it busy with each of them for nothing. Takes busted's `setup` and `teardown`.
+--- would keep it busy with each of them for nothing. Takes busted's `setup` and `teardown`. (Not
+--- after `physics.compile`: its typed arrays take an interpreter ten times as long.)
 function effort.interpret(setup, teardown)
-  if jit and jit.status() then
+  if jit and jit.status() and not isCompiled then
     setup(function()
       jit.off()
     end)
