@@ -254,7 +254,7 @@ describe("a ball", function()
         world:add("balls", object)
       end
       local before = energy(world, 400, gravity)
-      for _ = 1, 60 do
+      for _ = 1, effort.share(60) do
         run(world, 1)
         local ofBalls, ofWalls = depths(world)
         assert.is_true(ofBalls < 1e-5 and ofWalls < 1e-5)

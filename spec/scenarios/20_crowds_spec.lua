@@ -54,7 +54,9 @@ describe("a crowd", function()
     for seed = 1, 3 do
       if effort.plays(seed, 3) then
         it("keeps its bounds, and the player stays #slow: seed " .. seed, function()
-          play({ count = effort.share(300, 60), seed = seed, goal = "firm", drive = "vx" }, 60, 60)
+          local options =
+            { count = effort.share(300, 60), seed = seed, goal = "firm", drive = "vx" }
+          play(options, effort.share(60, 20), 60)
         end)
       end
     end
