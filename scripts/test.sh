@@ -60,6 +60,11 @@ check "specs on the wrong interpreter are refused" refuses wrong_lua
 wrong_plain_lua() { PHYSICS_LUA="Lua 5.3" lua5.4 scripts/plain_busted.lua spec/aabb_spec.lua; }
 check "specs on the wrong interpreter are refused without busted, too" refuses wrong_plain_lua
 
+busted_on_54() {
+  PHYSICS_LUA="Lua 5.4" busted --lua=lua5.4 --helper=scripts/interpreter.lua spec/aabb_spec.lua
+}
+[ "$mode" != --all ] || check "busted itself plays specs on Lua 5.4" busted_on_54
+
 # The library must stay loadable by plain Lua 5.1, love.js has nothing newer.
 while read -r file; do
   check "Lua 5.1 syntax: $file" luac5.1 -p "$file"
