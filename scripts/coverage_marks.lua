@@ -1,6 +1,6 @@
 --- Marks the lines of the core that are run from now on. Writes them to the file named by COVERAGE,
---- "PATH LINE" for each (scripts/coverage.lua). Lines that stand in the file named by COVERAGE_KNOWN
---- already are left alone: marks cost half of the time where they are many.
+--- "PATH LINE" for each (scripts/coverage.lua). Lines that stand in the file named by
+--- COVERAGE_KNOWN already are left alone: marks cost half of the time where they are many.
 
 local coverage = require("scripts.coverage")
 

@@ -9,8 +9,8 @@
 -- Prints what failed, and a line of counts. `--coverage` marks the lines of the core that are
 -- run (scripts/coverage_marks.lua). As with busted every file loads the library anew, unless it was
 -- loaded before the specs; specs are named by all the `describe` around them, and a tag stands in
--- such a name, as in #slow. The module lists what is not run, files and specs by name, with reasons:
--- spec/gopher/left_out.lua.
+-- such a name, as in #slow. The module lists what is not run, files and specs by name, with
+-- reasons: spec/gopher/left_out.lua.
 
 package.path = "./?.lua;" .. package.path
 

@@ -3,8 +3,8 @@
 
 local slow = {}
 
---- Interpreters on which `make test-all` plays them, as scripts/interpreter.lua names them: LuaJIT in
---- its three ways, and one of the others. Which of them plays all rows and variants, and which a
+--- Interpreters on which `make test-all` plays them, as scripts/interpreter.lua names them: LuaJIT
+--- in its three ways, and one of the others. Which of them plays all rows and variants, and which a
 --- selection, is in spec/support/effort.lua: LuaJIT plays all, unless a file names the compiled one
 --- (`effort.wholeOn`), where long plays of one world take less than half of the time. Lua 5.1 and
 --- 5.2 have the numbers and the language of LuaJIT -joff; 5.3 and 5.5 have those of 5.4. Slow specs

@@ -1,7 +1,7 @@
---- How much of the specs to play: all of it on one interpreter, a selection on the others. They run
---- the same code on the same numbers, and that the bits are the same is a spec of its own. The one is
---- LuaJIT, as LÖVE has it; for files in which one world is played for long it is LuaJIT after
---- `physics.compile`, which needs less than half of the time there (`wholeOn`).
+--- How much of the specs to play: all of it on one interpreter, a selection on the others. They
+--- run the same code on the same numbers, and that the bits are the same is a spec of its own. The
+--- one is LuaJIT, as LÖVE has it; for files in which one world is played for long it is LuaJIT
+--- after `physics.compile`, which needs less than half of the time there (`wholeOn`).
 --- `PHYSICS_SPEC=full` plays all of it everywhere, `PHYSICS_SPEC=quick` the selection everywhere.
 ---
 --- Each interpreter selects other rows and variants (`plays`). So the two of `make test` together
