@@ -7,8 +7,9 @@
 --- notes that the line was run. Lines stay where they are: errors name the same. (A hook of the
 --- debug library, as LuaCov sets one, makes the specs eleven times as slow.) What another run has
 --- marked before needs no mark any more: COVERAGE_KNOWN names a file with such lines. When the
---- specs are over, the lines that were run are written. The second command adds up what several runs have
---- written: it prints the files with lines that were never run, these lines, and the total.
+--- specs are over, the lines that were run are written. The second command adds up what several
+--- runs have written: it prints the files with lines that were never run, these lines, and the
+--- total.
 
 package.path = "./?.lua;" .. package.path
 
