@@ -5,9 +5,11 @@
 ---
 --- Each file of the core is loaded with a mark in front of every statement that begins a line; it
 --- notes that the line was run. Lines stay where they are: errors name the same. (A hook of the
---- debug library, as LuaCov sets one, makes the specs eleven times as slow.) When the specs are
---- over, the lines that were run are written. The second command adds up what several runs have
---- written: it prints the files with lines that were never run, these lines, and the total.
+--- debug library, as LuaCov sets one, makes the specs eleven times as slow.) What another run has
+--- marked before needs no mark any more: COVERAGE_KNOWN names a file with such lines. When the
+--- specs are over, the lines that were run are written. The second command adds up what several
+--- runs have written: it prints the files with lines that were never run, these lines, and the
+--- total.
 
 package.path = "./?.lua;" .. package.path
 
@@ -65,14 +67,17 @@ end
 --- The source with a mark in front of each of these statements.
 ---@param text string Lua source
 ---@param name string of the global table; its fields, by the number of the line, become true
+---@param known table? lines of which `known[n]` is true get no mark: that they are run is known
 ---@return string text
 ---@return table lines `lines[n]` is false for each line that has a mark
-function coverage.marked(text, name)
+function coverage.marked(text, name, known)
   local parts, at, lines = {}, 1, {}
   for _, token in ipairs(coverage.statements(text)) do
-    parts[#parts + 1] = text:sub(at, token.at - 1)
-    parts[#parts + 1] = ("%s[%d]=true;"):format(name, token.line)
-    at, lines[token.line] = token.at, false
+    if not (known and known[token.line]) then
+      parts[#parts + 1] = text:sub(at, token.at - 1)
+      parts[#parts + 1] = ("%s[%d]=true;"):format(name, token.line)
+      at, lines[token.line] = token.at, false
+    end
   end
   return table.concat(parts) .. text:sub(at), lines
 end

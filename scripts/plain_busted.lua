@@ -7,9 +7,10 @@
 --   [--coverage] SPEC...
 --
 -- Prints what failed, and a line of counts. `--coverage` marks the lines of the core that are
--- run (scripts/coverage_marks.lua). As with busted every file loads the library anew, specs
--- are named by all the `describe` around them, and a tag stands in such a name, as in #slow. The
--- module lists what is not run, files and specs by name, with reasons: spec/gopher/left_out.lua.
+-- run (scripts/coverage_marks.lua). As with busted every file loads the library anew, unless it was
+-- loaded before the specs; specs are named by all the `describe` around them, and a tag stands in
+-- such a name, as in #slow. The module lists what is not run, files and specs by name, with
+-- reasons: spec/gopher/left_out.lua.
 
 package.path = "./?.lua;" .. package.path
 
@@ -242,9 +243,16 @@ local function runSpec(spec)
   end
 end
 
+-- What is loaded before the specs stays for all of them (scripts/luajit-compiled).
+local kept = {}
+for name in pairs(package.loaded) do
+  kept[name] = true
+end
+
 local function forgetModules()
   for name in pairs(package.loaded) do
-    if name == "physics" or name:find("^physics%.") or name:find("^spec%.") then
+    local isOurs = name == "physics" or name:find("^physics%.") or name:find("^spec%.")
+    if isOurs and not kept[name] then
       package.loaded[name] = nil
     end
   end
@@ -320,8 +328,13 @@ local function install()
   end
 end
 
--- As a spec expects it: the interpreter is there, and no file that is run by itself.
-arg = { [-1] = arg[-1], [0] = "busted" }
+-- As a spec expects it: the interpreter is there, without its options, and no file that is run by
+-- itself.
+local first = -1
+while arg[first - 1] do
+  first = first - 1
+end
+arg = { [-1] = arg[first], [0] = "busted" }
 install()
 if os.getenv("PHYSICS_LUA") then
   dofile("scripts/interpreter.lua")

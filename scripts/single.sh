@@ -72,7 +72,9 @@ list_files() { busted --lua=luajit --helper=scripts/single_helper.lua --tags=fil
 left_out=$((left_out + $(list_files | wc -l)))
 # Neither are those about motion: the code is the same as in `make test-all`, what may differ is how its
 # parts find each other. Interpreted, and without the slow specs.
-for motion in spec/scenarios/[0-9]*_spec.lua spec/{faults,friction,fuzz,fuzz_found,noticed,soak,recovery}_spec.lua spec/oracles_*_spec.lua; do
+for motion in spec/scenarios/[0-9]*_spec.lua spec/oracles_*_spec.lua \
+  spec/{balls,faults,friction,fuzz,fuzz_found,heaps,noticed,recovery,slopes,soak,soft,strength}_spec.lua
+do
   left_out=$((left_out + $(grep -c '^ *it(' "$motion")))
   rm "$motion"
 done

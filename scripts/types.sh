@@ -18,19 +18,26 @@ emmylua() { bash scripts/emmylua.sh --warnings-as-errors "$copy"; }
 check "emmylua_check starts" bash scripts/emmylua.sh --version
 check "no warning in the library and the examples" emmylua
 
-# What a game writes, and the name of the warning that it must get, or "nothing".
+# What a game writes, and the name of the warning that it must get, or "nothing". Each is a file of
+# the game; all are looked at in one go, by `check_games`.
+games=()
 says() {
-  local code=$1 game=$copy/game.lua found
-  cat >"$game" <<LUA
+  games+=("$2|$1")
+  cat >"$copy/game${#games[@]}.lua" <<LUA
 local physics = require("physics")
 local world = physics.newWorld({ gravity = 800, push = "first" })
 local player = world:add("players", { x = 0, y = 0, width = 8, height = 8, coins = 0 })
-$2
+$3
 return { physics, world, player }
 LUA
+}
+finds() { says "types: $1 is found" "$2" "$3"; }
+allows() { says "types: $1 is allowed" nothing "$2"; }
+
+is_said() {
+  local code=$1 file=$2 found
   # The report has a part for each file, which begins with its name.
-  found=$(bash scripts/emmylua.sh "$copy" | awk '/^--- / { isOurs = $2 == "game.lua" } isOurs')
-  rm "$game"
+  found=$(awk -v file="$file" '/^--- / { isOurs = $2 == file } isOurs' <<<"$report")
   echo "expected $code, found: ${found:-nothing}"
   if [ "$code" = nothing ]; then
     [ -z "$found" ]
@@ -38,8 +45,13 @@ LUA
     [[ $found == *"$code"* ]]
   fi
 }
-finds() { check "types: $1 is found" says "$2" "$3"; }
-allows() { check "types: $1 is allowed" says nothing "$2"; }
+check_games() {
+  local n report
+  report=$(bash scripts/emmylua.sh "$copy")
+  for ((n = 1; n <= ${#games[@]}; n++)); do
+    check "${games[n - 1]#*|}" is_said "${games[n - 1]%%|*}" "game$n.lua"
+  done
+}
 
 allows "a field of the game's own" 'player.coins = player.coins + 1'
 allows "reading a velocity" 'player.vx = player.vx * 0.5'
@@ -80,4 +92,5 @@ finds "a wrong argument of the module" param-type-mismatch 'physics.update("1")'
 finds "a response that does not exist" param-type-mismatch 'world:move(player, 0, 0, "slip")'
 finds "an option of the wrong type" param-type-mismatch 'physics.draw({ fill = 1 })'
 
+check_games
 finish

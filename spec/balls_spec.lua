@@ -1,5 +1,6 @@
 --- Balls: circles that are no sensors.
 
+local effort = require("spec.support.effort")
 local newRandom = require("spec.support.random").new
 local physics = require("physics")
 
@@ -250,7 +251,7 @@ describe("a ball", function()
         world:add("balls", object)
       end
       local before = energy(world, 400, gravity)
-      for _ = 1, 60 do
+      for _ = 1, effort.share(60) do
         run(world, 1)
         local ofBalls, ofWalls = depths(world)
         assert.is_true(ofBalls < 1e-5 and ofWalls < 1e-5)
@@ -259,34 +260,40 @@ describe("a ball", function()
     end
   end)
 
+  local function checkHeap(seed, restitution)
+    local world, random = physics.newWorld({ gravity = 800 }), newRandom(seed)
+    addRoom(world, 160, 400)
+    for i = 0, 59 do
+      local radius = random:between(7, 10)
+      local x = 14 + (i % 6) * 25 + random:between(0, 4)
+      local object = ball(x, 20 + (i - i % 6) / 6 * 26, radius, { restitution = restitution })
+      world:add("balls", object)
+    end
+    local most = 0
+    for _ = 1, 480 do
+      world:update(1 / 60)
+      most = math.max(most, select(2, depths(world)))
+    end
+    assert.is_true(most < 1, most) -- px in a wall, in the fall
+    local ofBalls, ofWalls = depths(world)
+    -- What has fallen into each other has no room to part in a heap (docs/reliability.md).
+    assert.is_true(ofBalls < 1 and ofWalls < 1e-6, ofBalls .. " " .. ofWalls)
+    local before = {}
+    for n, b in ipairs(world.objects.balls) do
+      before[n] = { b.x, b.y }
+      assert.is_true(b.x > -1 and b.y > -1 and b.x + b.width < 161 and b.y + b.height < 401)
+    end
+    run(world, 1)
+    for n, b in ipairs(world.objects.balls) do
+      near(before[n][1], b.x, 0.05)
+      near(before[n][2], b.y, 0.05)
+    end
+  end
+
   it("a heap of them comes to rest, and none gets through a wall", function()
     for seed, restitution in ipairs({ 0, 0.3 }) do
-      local world, random = physics.newWorld({ gravity = 800 }), newRandom(seed)
-      addRoom(world, 160, 400)
-      for i = 0, 59 do
-        local radius = random:between(7, 10)
-        local x = 14 + (i % 6) * 25 + random:between(0, 4)
-        local object = ball(x, 20 + (i - i % 6) / 6 * 26, radius, { restitution = restitution })
-        world:add("balls", object)
-      end
-      local most = 0
-      for _ = 1, 480 do
-        world:update(1 / 60)
-        most = math.max(most, select(2, depths(world)))
-      end
-      assert.is_true(most < 1, most) -- px in a wall, in the fall
-      local ofBalls, ofWalls = depths(world)
-      -- What has fallen into each other has no room to part in a heap (docs/reliability.md).
-      assert.is_true(ofBalls < 1 and ofWalls < 1e-6, ofBalls .. " " .. ofWalls)
-      local before = {}
-      for n, b in ipairs(world.objects.balls) do
-        before[n] = { b.x, b.y }
-        assert.is_true(b.x > -1 and b.y > -1 and b.x + b.width < 161 and b.y + b.height < 401)
-      end
-      run(world, 1)
-      for n, b in ipairs(world.objects.balls) do
-        near(before[n][1], b.x, 0.05)
-        near(before[n][2], b.y, 0.05)
+      if effort.plays(seed, 2) then
+        checkHeap(seed, restitution)
       end
     end
   end)

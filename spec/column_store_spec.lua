@@ -10,6 +10,8 @@ local fresh = require("spec.support.fresh")
 local physics = require("physics")
 local trial = require("spec.fuzz.trial")
 
+effort.wholeOn("LuaJIT compiled")
+
 local jit = rawget(_G, "jit")
 local LAYOUT = {
   { kind = "number", width = 1, names = { "mass" } },

@@ -9,6 +9,8 @@ local shrink = require("spec.fuzz.shrink")
 local trial = require("spec.fuzz.trial")
 local write = require("spec.fuzz.write")
 
+effort.wholeOn("LuaJIT compiled")
+
 local loadText = rawget(_G, "loadstring") or load
 
 describe("random games", function()

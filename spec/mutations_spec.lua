@@ -125,6 +125,13 @@ describe("scripts/coverage.lua", function()
     assert.are.equal(5, select(2, text:gsub("\n", "")))
   end)
 
+  it("marks no line again that is known to be run", function()
+    local text, lines =
+      coverage.marked("local x = 1\nx = 2\nreturn x\n", "SEEN", { true, nil, true })
+    assert.are.equal("local x = 1\nSEEN[2]=true;x = 2\nreturn x\n", text)
+    assert.are.same({ [2] = false }, lines)
+  end)
+
   it("leaves out what only draws, loads maps or helps editors", function()
     assert.is_true(coverage.isCore("physics/broadphase/grid.lua"))
     assert.is_true(coverage.isCore("physics.lua"))

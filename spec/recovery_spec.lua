@@ -7,6 +7,8 @@ local newRandom = require("spec.support.random").new
 local physics = require("physics")
 local state = require("physics.state.save")
 
+effort.wholeOn("LuaJIT compiled")
+
 effort.interpret(setup, teardown)
 
 local DT = 1 / 60

@@ -3,11 +3,13 @@
 
 local slow = {}
 
---- Interpreters on which `make test-all` plays them, as scripts/interpreter.lua names them: LuaJIT,
---- which plays all their variants, in its three ways, and one of the others. Lua 5.1 and 5.2 have
---- the numbers and the language of LuaJIT -joff; 5.3 and 5.5 have those of 5.4. Slow specs compare
---- worlds with each other or with numbers worked out by hand. That every Lua computes the same bits
---- is shown on each by determinism_spec.lua, so they would show nothing new there.
+--- Interpreters on which `make test-all` plays them, as scripts/interpreter.lua names them: LuaJIT
+--- in its three ways, and one of the others. Which of them plays all rows and variants, and which a
+--- selection, is in spec/support/effort.lua: LuaJIT plays all, unless a file names the compiled one
+--- (`effort.wholeOn`), where long plays of one world take less than half of the time. Lua 5.1 and
+--- 5.2 have the numbers and the language of LuaJIT -joff; 5.3 and 5.5 have those of 5.4. Slow specs
+--- compare worlds with each other or with numbers worked out by hand. That every Lua computes the
+--- same bits is shown on each by determinism_spec.lua, so they would show nothing new there.
 slow.interpreters = { "LuaJIT", "LuaJIT compiled", "LuaJIT -joff", "Lua 5.4" }
 
 --- The files with such specs, the longest first, and what takes so long.

@@ -6,9 +6,11 @@ local effort = require("spec.support.effort")
 local overlap = require("spec.support.overlap")
 local physics = require("physics")
 
+effort.wholeOn("LuaJIT compiled")
+
 describe("a busy scene", function()
   it("loses no object and keeps its memory", function()
-    local world, length = busy.new(), effort.share(4000)
+    local world, length = busy.new(), effort.isWhole and 4000 or 500
     local n = 0
     local function play()
       for _ = 1, length do

@@ -5,9 +5,12 @@
 ---      +-+__         stairs of 1 to 16 px, up by `nudge`, down by `snap`
 ---     __|   |__
 
+local effort = require("spec.support.effort")
 local physics = require("physics")
 local scene = require("spec.support.scene")
 local variants = require("spec.support.variants")
+
+effort.wholeOn("LuaJIT compiled")
 
 local RATES = { 60, 30, 144, 240 }
 local LEVELS = { rate = RATES, shift = { 0, 1 / 3 } }

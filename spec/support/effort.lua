@@ -1,6 +1,7 @@
---- How much of the slow specs to play. All of it with the trace compiler; interpreters, which are
---- slower, play a selection: they run the same code on the same numbers, and that the bits are the
---- same is a spec of its own. So does `physics.compile`, which is slow to start in so many worlds.
+--- How much of the specs to play: all of it on one interpreter, a selection on the others. They
+--- run the same code on the same numbers, and that the bits are the same is a spec of its own. The
+--- one is LuaJIT, as LÖVE has it; for files in which one world is played for long it is LuaJIT
+--- after `physics.compile`, which needs less than half of the time there (`wholeOn`).
 --- `PHYSICS_SPEC=full` plays all of it everywhere, `PHYSICS_SPEC=quick` the selection everywhere.
 ---
 --- Each interpreter selects other rows and variants (`plays`). So the two of `make test` together
@@ -24,6 +25,15 @@ effort.isWhole = wanted == "full"
   or (wanted ~= "quick" and jit and jit.status() and not isCompiled)
   or false
 
+--- Says which interpreter plays all of a file, for one that is not played whole on LuaJIT. (Where
+--- none was asked for by name, as by `busted` alone, it is LuaJIT all the same.)
+---@param interpreter string as scripts/test.sh names it
+function effort.wholeOn(interpreter)
+  if asked then
+    effort.isWhole = wanted == "full" or (wanted ~= "quick" and asked == interpreter)
+  end
+end
+
 --- A number of seeds, rounds or objects: all of them, or the share of a slow interpreter.
 function effort.share(count, least)
   if effort.isWhole then
@@ -43,9 +53,10 @@ end
 effort.isFirst = asked == nil or asked == "LuaJIT"
 
 --- Switches the trace compiler off for the specs of a file: what plays thousands of small worlds
---- would keep it busy with each of them for nothing. Takes busted's `setup` and `teardown`.
+--- would keep it busy with each of them for nothing. Takes busted's `setup` and `teardown`. (Not
+--- after `physics.compile`: its typed arrays take an interpreter ten times as long.)
 function effort.interpret(setup, teardown)
-  if jit and jit.status() then
+  if jit and jit.status() and not isCompiled then
     setup(function()
       jit.off()
     end)

@@ -64,11 +64,10 @@ end
 -- Out of what is immovable a body goes at once: how far that may be for the i-th, along each axis.
 local function noteWays(watch, i)
   local body, sumX, sumY = watch.objects[i], 0, 0
-  for m = 1, watch.count do
-    local wall = watch.objects[m]
-    -- What cannot be pushed is immovable to what can be pushed.
-    local isFirm = wall.pushable == false and body.pushable ~= false
-    if isWall(wall) or isFirm then
+  local canBePushed = body.pushable ~= false
+  for n = 1, watch.firmCount do
+    local wall = watch.firm[n]
+    if canBePushed or isWall(wall) then
       local left, right = body.x + body.width - wall.x, wall.x + wall.width - body.x
       local top, bottom = body.y + body.height - wall.y, wall.y + wall.height - body.y
       local x, y = min(left, right), min(top, bottom)
@@ -78,6 +77,19 @@ local function noteWays(watch, i)
     end
   end
   watch.wayX[i], watch.wayY[i] = sumX, sumY
+end
+
+-- Lists what is immovable: walls, and what cannot be pushed, to what can be pushed.
+local function listFirm(watch)
+  local count = 0
+  for m = 1, watch.count do
+    local object = watch.objects[m]
+    if object.pushable == false or isWall(object) then
+      count = count + 1
+      watch.firm[count] = object
+    end
+  end
+  watch.firmCount = count
 end
 
 --- To be called before an update, after everything that the game writes.
@@ -94,6 +106,7 @@ function Watch:before()
     boxes[k + 2], boxes[k + 3] = object.width, object.height
     addSpeed(self, object, object.vx or 0, object.vy or 0)
   end
+  listFirm(self)
   for i = 1, self.count do
     noteWays(self, i)
   end
@@ -238,6 +251,7 @@ end
 function motion.new(world, objects, canMeet)
   local self = { world = world, objects = objects, boxes = {}, lastX = {}, lastY = {} }
   self.wayX, self.wayY = {}, {}
+  self.firm, self.firmCount = {}, 0
   self.isWritten = {} -- by number: the game has put it elsewhere since the last update
   self.canMeet = canMeet or function()
     return true
