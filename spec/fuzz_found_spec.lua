@@ -5,12 +5,14 @@
 local physics = require("physics")
 local trial = require("spec.fuzz.trial")
 
--- Adds updates of `dt` s, a sixtieth if none is given, and `last` behind them.
-local function followedBy(acts, updates, dt, last)
+-- Adds updates of `dt` s, a sixtieth if none is given, and further acts behind them.
+local function followedBy(acts, updates, dt, ...)
   for _ = 1, updates do
     acts[#acts + 1] = { "update", dt or 0.016666666666666666 }
   end
-  acts[#acts + 1] = last
+  for n = 1, select("#", ...) do
+    acts[#acts + 1] = select(n, ...)
+  end
   return acts
 end
 
@@ -2577,6 +2579,78 @@ local FOUND = {
         { "reload" },
         { "update", 0.016666666666666666 },
       },
+    },
+  },
+  {
+    "a round zone does not reach what is no neighbour of it",
+    {
+      settings = { gravity = 4000, maxStep = 0.01 },
+      acts = {
+        {
+          "add",
+          12,
+          "tiles",
+          {
+            area = { attract = -1775, law = "square" },
+            height = 600,
+            radius = 300,
+            sensor = true,
+            static = true,
+            width = 600,
+            x = 1750,
+            y = 1000,
+          },
+        },
+        { "add", 43, "players", { height = 200, width = 640, x = 1700, y = 1400 } },
+        { "update", 0.36780367043596107 },
+        { "update", 0.01 },
+        { "update", 0.016666666666666666 },
+      },
+    },
+  },
+  {
+    "a slope that is gone does not change how a knot comes apart",
+    {
+      settings = {},
+      acts = followedBy(
+        {
+          {
+            "add",
+            11,
+            "tiles",
+            { height = 20, slope = "left", static = true, width = 20, x = 0, y = 200 },
+          },
+          { "update", 0.015625 },
+          { "remove", 11 },
+          { "add", 6, "tiles", { height = 20, static = true, width = 20, x = -80, y = 160 } },
+          { "add", 28, "boxes", { height = 20, width = 20, x = -80, y = 100 } },
+          { "add", 30, "boxes", { height = 16, width = 20, x = -80, y = 100 } },
+          { "add", 31, "boxes", { height = 20, width = 20, x = -80, y = 100 } },
+        },
+        18,
+        0.015625,
+        { "twin" },
+        { "add", 43, "statics", { height = 100, static = true, width = 30, x = -80, y = 140 } },
+        { "update", 0.015625 }
+      ),
+    },
+  },
+  {
+    "what is hit first does not depend on what an immovable object was hit by before",
+    {
+      settings = { gravity = 300, gravityX = -329 },
+      acts = followedBy({
+        {
+          "add",
+          3,
+          "tiles",
+          { height = 10, slope = "left", static = true, width = 10, x = -64, y = 80 },
+        },
+        { "add", 4, "tiles", { height = 10, static = true, width = 10, x = -56, y = 80 } },
+        { "add", 5, "tiles", { height = 100, static = true, width = 10, x = -74, y = 0 } },
+        { "add", 33, "boxes", { gravity = 0, height = 10, width = 20, x = -64, y = 20 } },
+        { "add", 49, "boxes", { height = 10, width = 8, x = -64, y = 70 } },
+      }, 4, 0.0625),
     },
   },
 }

@@ -308,11 +308,11 @@ local function addSupports(b, axis, turn, count)
   contacts.rearrange(b)
 end
 
--- Lets all with gravity on one side of an axis follow the ground.
+-- Lets all with gravity on one side of an axis follow the ground. Returns whether any has moved.
 local function walkAlong(b, axis, turn)
   local candidates = listWalkers(b, axis, turn)
   if candidates == 0 then
-    return
+    return false
   end
   local list, walkers, count = b.contacts[axis], b.walkers, 0
   b.walkStamp = b.walkStamp + 1
@@ -331,11 +331,13 @@ local function walkAlong(b, axis, turn)
     updateSupports(b, list, turn)
     liftStacks(b, list, turn)
   end
+  return count > 0
 end
 
--- Where all else that touches a slope ends: it may have come nearer, as it goes across it.
+-- Where all else that touches a slope ends: it may have come nearer, as it goes across it. Returns
+-- whether any has come nearer, or further away.
 local function updateOthers(b, axis, firstStamp)
-  local list = b.contacts[axis]
+  local list, hasMoved = b.contacts[axis], false
   for c = 1, list.count do
     local p = list.pair[c]
     local i, j = slope.order(b, b.pairA[p], b.pairB[p])
@@ -344,12 +346,14 @@ local function updateOthers(b, axis, firstStamp)
     if shape >= FIRST and not (hasWalked and SOLID[axis][shape] == b.down[k]) then
       local kl, kh, t = list.low[c], list.high[c], 1 - axis
       local apart = slope.apartOn(b, i, j, axis, kl == k, b.to[2 * i + t], b.to[2 * j + t])
+      hasMoved = hasMoved or list.separation[c] ~= apart
       list.separation[c], b.separation[p] = apart, apart
       if b.to[kl] + apart - b.to[kh] > EPSILON and b.give[k] > 0 then
         b.speed[k], b.accel[k], b.pressed[p] = b.speed[2 * j + axis], 0.0, 1
       end
     end
   end
+  return hasMoved
 end
 
 --- Forgets all ways of an earlier attempt.
@@ -366,16 +370,17 @@ end
 function walk.run(b, dt, isMeasured)
   b.isFirstWalk = isMeasured
   for _ = 1, PASSES do
-    local isSettled, firstStamp = false, b.walkStamp + 1
+    local hasMoved, isSettled, firstStamp = false, false, b.walkStamp + 1
     b.pieceCount = 0
     for axis = 0, 1 do
-      walkAlong(b, axis, 1)
-      walkAlong(b, axis, -1)
-      updateOthers(b, axis, firstStamp)
+      hasMoved = walkAlong(b, axis, 1) or hasMoved
+      hasMoved = walkAlong(b, axis, -1) or hasMoved
+      hasMoved = updateOthers(b, axis, firstStamp) or hasMoved
     end
     for axis = 0, 1 do
-      -- What pushes those that were stopped is stopped, too.
-      if settle.isViolated(b, axis) then
+      -- What pushes those that were stopped is stopped, too. (Far from slopes nothing is settled
+      -- again: whether there is one anywhere must not show.)
+      if hasMoved and settle.isViolated(b, axis) then
         settle.axis(b, axis, dt, true)
         isSettled = true
       end
