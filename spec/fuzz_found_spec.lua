@@ -2653,6 +2653,51 @@ local FOUND = {
       }, 4, 0.0625),
     },
   },
+  {
+    "a machine does not push what stands between two walls into one of them unsaid",
+    {
+      settings = { gravity = 0 },
+      acts = {
+        { "add", 1, "tiles", { height = 20, static = true, width = 20, x = 0, y = 0 } },
+        { "add", 2, "boxes", { height = 20, width = 20, x = 20, y = 0 } },
+        { "add", 3, "tiles", { height = 20, static = true, width = 20, x = 40, y = 10 } },
+        {
+          "add",
+          4,
+          "lifts",
+          { height = 20, kinematic = true, vx = -60, width = 20, x = 41, y = -10 },
+        },
+        { "update", 0.03125 },
+      },
+    },
+  },
+  {
+    "a belt on a ceiling does not pull a crate out into a wall",
+    {
+      settings = {},
+      acts = {
+        { "insert", 13, "tiles", { height = 100, static = true, width = 100, x = 1200, y = 2000 } },
+        { "insert", 15, "tiles", { height = 100, width = 100, x = 1400, y = 2000 } },
+        { "add", 16, "tiles", { height = 100, static = true, width = 100, x = 1500, y = 2000 } },
+        {
+          "insert",
+          28,
+          "crates",
+          { friction = 1, height = 100, restitution = 1, width = 100, x = 1300, y = 1900 },
+        },
+        {
+          "insert",
+          39,
+          "statics",
+          { height = 100, static = true, width = 6900, x = 700, y = 1850 },
+        },
+        { "set", "gravity", -145.24729563411967 },
+        { "write", 39, { surfaceSpeed = -600 } },
+        { "update", 0.015625 },
+        { "update", 0.015625 },
+      },
+    },
+  },
 }
 
 describe("a random game has found that", function()

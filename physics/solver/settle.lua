@@ -212,15 +212,25 @@ function settle.axis(b, axis, dt, isLate)
   settle.finish(b, axis, dt, false, isLate)
 end
 
---- Returns whether a contact of an axis is violated at the end of the step. Contacts in which
---- neither body can give way do not count.
+-- Returns whether an impact has put one of two bodies into the other, which is immovable, and it is
+-- not squeezed there yet. (What overlaps other bodies is left to the next step.)
+local function isUnsqueezed(b, kl, kh)
+  local isWall = (b.give[kl] == 0) ~= (b.give[kh] == 0)
+  local i = floor((b.give[kl] == 0 and kh or kl) * 0.5)
+  return isWall and b.squeezed[kl] == 0 and b.squeezed[kh] == 0 and b.deepAt[i] ~= b.solveStamp
+end
+
+--- Returns whether a contact of an axis is violated at the end of the step. Contacts that are
+--- squeezed, or of which neither body can move, do not count.
 function settle.isViolated(b, axis)
   local list, to, heldLow, heldHigh = b.contacts[axis], b.to, b.heldLow, b.heldHigh
   local low, high, separation = list.low, list.high, list.separation
   for c = 1, list.count do
     local kl, kh = low[c], high[c]
-    if to[kl] + separation[c] - to[kh] > EPSILON and (heldLow[kl] == 0 or heldHigh[kh] == 0) then
-      return true
+    if to[kl] + separation[c] - to[kh] > EPSILON then
+      if heldLow[kl] == 0 or heldHigh[kh] == 0 or isUnsqueezed(b, kl, kh) then
+        return true
+      end
     end
   end
   return false
