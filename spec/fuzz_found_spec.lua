@@ -2698,6 +2698,26 @@ local FOUND = {
       },
     },
   },
+  {
+    "what friction drags along in an impact does not get into a wall",
+    {
+      settings = {},
+      acts = {
+        { "add", 1, "tiles", { height = 10, static = true, width = 200, x = 0, y = 100 } },
+        { "add", 2, "tiles", { height = 85, static = true, width = 10, x = -10, y = 0 } },
+        { "add", 3, "boxes", { friction = 0.5, height = 10, width = 10, x = 2, y = 90 } },
+        { "add", 4, "boxes", { friction = 0.5, height = 10, width = 10, x = 0.001, y = 80 } },
+        { "update", 0.015625 },
+        {
+          "add",
+          5,
+          "boxes",
+          { height = 10, restitution = 0.5, vx = -200, width = 10, x = 14, y = 90 },
+        },
+        { "update", 0.015625 },
+      },
+    },
+  },
 }
 
 describe("a random game has found that", function()

@@ -10,6 +10,7 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local interpreted = require(root .. ".memory.jit")
 local knots = require(root .. ".solver.knots")
+local path = require(root .. ".motion.path")
 local rounds = require(root .. ".solver.rounds")
 local walk = require(root .. ".memory.lazy")(root .. ".solver.walk")
 
@@ -134,7 +135,7 @@ local function takeBack(b, i, k, over, sign)
   end
   b.to[k], b.speed[k], b.accel[k] = b.to[k] - sign * way, 0.0, 0.0
   b.frozenAt[i] = b.solveStamp
-  rounds.change(b, i)
+  path.change(b, i)
   return over - way
 end
 
