@@ -2718,6 +2718,95 @@ local FOUND = {
       },
     },
   },
+  {
+    "what leaves a knot does not get into a wall that is new in this step",
+    {
+      settings = { gravity = 640 },
+      acts = followedBy(
+        followedBy(
+          followedBy(
+            {
+              {
+                "add",
+                21,
+                "walls",
+                { height = 700, static = true, width = 20, x = -20, y = -300 },
+              },
+              {
+                "add",
+                22,
+                "walls",
+                { height = 700, static = true, width = 20, x = 320, y = -300 },
+              },
+              {
+                "insert",
+                37,
+                1,
+                { height = 20, mass = 10, vx = 300, width = 20, x = 30, y = 100 },
+              },
+              {
+                "add",
+                38,
+                2.5,
+                {
+                  gravity = -300,
+                  height = 30,
+                  restitution = 0.5,
+                  vx = -1200,
+                  width = 35,
+                  x = 100,
+                  y = 170,
+                },
+              },
+              {
+                "add",
+                47,
+                2.5,
+                {
+                  friction = 1,
+                  height = 40,
+                  pushable = false,
+                  restitution = 1,
+                  vx = -300,
+                  width = 150,
+                  x = 200,
+                  y = 120,
+                },
+              },
+              {
+                "add",
+                50,
+                "players",
+                { airFriction = 100, height = 10, mass = 2, width = 20, x = 160, y = 130 },
+              },
+              {
+                "add",
+                55,
+                "lifts",
+                { height = 20, kinematic = true, width = 100, x = 100, y = 220 },
+              },
+            },
+            5,
+            0.05,
+            {
+              "bounds",
+              7.639327905736238,
+              10.184302354403123,
+              358.32054947905294,
+              358.32054947905294,
+            }
+          ),
+          7,
+          0.05,
+          { "bounds", 21.841956367569004, 25.76074922993849, 190.02325770074805, 190.02325770074805 }
+        ),
+        5,
+        0.05,
+        { "bounds", 13.596658466008174, 7.038982219099051, 296.62873659341477, 296.62873659341477 },
+        { "update", 0.05 }
+      ),
+    },
+  },
 }
 
 describe("a random game has found that", function()
