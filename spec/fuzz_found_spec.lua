@@ -2813,6 +2813,96 @@ local FOUND = {
       ),
     },
   },
+  {
+    "whether a machine is near a knot does not depend on the broad phase",
+    {
+      settings = {},
+      acts = followedBy(
+        followedBy(
+          followedBy(
+            followedBy(
+              followedBy(
+                followedBy(
+                  {
+                    {
+                      "add",
+                      26,
+                      "crates",
+                      {
+                        drag = 200,
+                        height = 30,
+                        restitution = 1,
+                        vx = 400,
+                        width = 40,
+                        x = 300,
+                        y = 100,
+                      },
+                    },
+                    { "add", 28, 1, { height = 20, width = 20, x = 100, y = 30 } },
+                    {
+                      "insert",
+                      30,
+                      2.5,
+                      {
+                        drag = 100,
+                        height = 0.012064234392777304,
+                        restitution = 0.5,
+                        vx = -200,
+                        width = 20,
+                        x = 50,
+                        y = 100,
+                      },
+                    },
+                    { "insert", 43, "statics", { height = 20, width = 10, x = 200, y = 100 } },
+                    {
+                      "bounds",
+                      27.22049903424503,
+                      22.927305958166073,
+                      315.1333696051812,
+                      315.1333696051812,
+                    },
+                  },
+                  3,
+                  0.05,
+                  {
+                    "insert",
+                    48,
+                    "lifts",
+                    { height = 13, kinematic = true, vy = 47, width = 100, x = 100, y = 171 },
+                  }
+                ),
+                7,
+                0.05,
+                { "twin" }
+              ),
+              3,
+              0.05,
+              {
+                "listen",
+                43,
+                "onStay",
+                { { "write", 28, { x = 131.63540852408428, y = 212.68128461081653 } } },
+              }
+            ),
+            27,
+            0.05,
+            { "update", 0.016666666666666666 }
+          ),
+          5,
+          0.05,
+          {
+            "bounds",
+            27.681892674120043,
+            1.5702077164968549,
+            304.60461549517197,
+            304.60461549517197,
+          }
+        ),
+        6,
+        0.05
+      ),
+    },
+  },
 }
 
 describe("a random game has found that", function()
