@@ -2903,6 +2903,23 @@ local FOUND = {
       ),
     },
   },
+  {
+    "balls that have just waited long enough do not rest before what that changes",
+    {
+      settings = {},
+      acts = {
+        { "add", 8, "tiles", { height = 100, static = true, width = 100, x = 700, y = 2000 } },
+        { "add", 25, 2.5, { height = 100, radius = 50, width = 100, x = 737.5, y = 1900 } },
+        { "add", 26, 1, { height = 100, radius = 50, width = 100, x = 737.5, y = 1800 } },
+        { "add", 46, "statics", { height = 100, static = true, width = 200, x = 600, y = 1740 } },
+        { "update", 0.016666666666666666 },
+        { "update", 0.11701902633255257 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.03333333333333333 },
+        { "update", 0.05 },
+      },
+    },
+  },
 }
 
 describe("a random game has found that", function()

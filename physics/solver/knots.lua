@@ -334,6 +334,7 @@ local function wait(b, i, sum)
   elseif tries == CAUGHT and not isSqueezed and waited < PATIENCE then
     tries = 0
   end
+  b.news[i] = b.news[i] or waited ~= knotted[k] -- how far two part depends on it
   knotted[k], knotted[k + 1] = waited, tries
 end
 
