@@ -2920,6 +2920,71 @@ local FOUND = {
       },
     },
   },
+  {
+    "what stands a rounding away from a wall stays there, whatever else is settled",
+    {
+      settings = { gravity = 40000 },
+      acts = followedBy(
+        {
+          { "add", 1, "tiles", { height = 1000, static = true, width = 1000, x = 0, y = 20000 } },
+          { "add", 3, "tiles", { height = 1000, static = true, width = 1000, x = 2000, y = 20000 } },
+          {
+            "add",
+            21,
+            "walls",
+            { height = 41000, static = true, width = 1000, x = -1000, y = -20000 },
+          },
+          {
+            "add",
+            27,
+            "crates",
+            {
+              ax = -45500,
+              friction = 0.5,
+              height = 1000,
+              mass = 3,
+              width = 1000,
+              x = 6300,
+              y = 16000,
+            },
+          },
+          {
+            "add",
+            29,
+            2.5,
+            {
+              ax = -43100,
+              ay = 33600,
+              friction = 1,
+              height = 1000,
+              maxSpeedX = 8900,
+              vx = 17700,
+              width = 1900,
+              x = 100,
+              y = 9400,
+            },
+          },
+          {
+            "add",
+            32,
+            "boxes",
+            {
+              airFriction = 2.875,
+              ax = -15100,
+              height = 500,
+              maxSpeedX = 9200,
+              vy = -20700,
+              width = 2300,
+              x = 2700,
+              y = 9700,
+            },
+          },
+        },
+        50,
+        0.016666666666666666
+      ),
+    },
+  },
 }
 
 describe("a random game has found that", function()

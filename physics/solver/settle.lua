@@ -64,7 +64,10 @@ local function holdHigh(b, list, slow)
       local over, closing = to[kl] - place, speed[kl] - speed[kh]
       if over > -EPSILON and (over > 0 or closing >= 0) then
         if elastic[c] == 0 or not pool.bounces(closing, accel[kl] - accel[kh], slow) then
-          to[kl], held[kl] = place, held[kh] + 1
+          if over > 0 or to[kl] ~= b.from[kl] then -- what stands a rounding apart stays so
+            to[kl] = place
+          end
+          held[kl] = held[kh] + 1
           wall[kl] = give[kh] > 0 and wall[kh] or kh
           if closing > 0 then
             if give[kh] > 0 and speed[kh] < speed[wall[kh]] then
@@ -168,7 +171,10 @@ local function holdLow(b, list, slow)
             squeeze(b, kh, kl, over, 1, b.heldHigh, held, wall)
           end
         else
-          to[kh], held[kh] = place, held[kl] + 1
+          if over > 0 or to[kh] ~= b.from[kh] then
+            to[kh] = place
+          end
+          held[kh] = held[kl] + 1
           wall[kh] = give[kl] > 0 and wall[kl] or kl
           if closing > 0 then
             if give[kl] > 0 and speed[kl] > speed[wall[kl]] then
