@@ -74,6 +74,7 @@ layout.SLOT = {
   pieceLast = 0, -- 0: none
   frozenAt = 0, -- solve in which it was stopped where it met a circle
   deflectedAt = 0, -- solve in which it met something slanted (see ball)
+  nudgedAt = 0, -- solve in which it was nudged
   inRound = 0, -- round in which it was last in an impact
   lowered = 0, -- px by which it was lowered in this step (see snap)
   -- broad phase
