@@ -392,6 +392,6 @@ function guard.run(world)
   end
 end
 
-interpreted.always(checkNames, checkMask, checkMasks, checkRefuses)
+interpreted.always(checkNames, checkMask, checkMasks, refusesNothing, checkRows)
 
 return guard
