@@ -5,12 +5,14 @@
 local physics = require("physics")
 local trial = require("spec.fuzz.trial")
 
--- Adds updates of `dt` s, a sixtieth if none is given, and `last` behind them.
-local function followedBy(acts, updates, dt, last)
+-- Adds updates of `dt` s, a sixtieth if none is given, and further acts behind them.
+local function followedBy(acts, updates, dt, ...)
   for _ = 1, updates do
     acts[#acts + 1] = { "update", dt or 0.016666666666666666 }
   end
-  acts[#acts + 1] = last
+  for n = 1, select("#", ...) do
+    acts[#acts + 1] = select(n, ...)
+  end
   return acts
 end
 
@@ -2656,6 +2658,428 @@ local FOUND = {
       },
     },
   },
+  {
+    "a round zone does not reach what is no neighbour of it",
+    {
+      settings = { gravity = 4000, maxStep = 0.01 },
+      acts = {
+        {
+          "add",
+          12,
+          "tiles",
+          {
+            area = { attract = -1775, law = "square" },
+            height = 600,
+            radius = 300,
+            sensor = true,
+            static = true,
+            width = 600,
+            x = 1750,
+            y = 1000,
+          },
+        },
+        { "add", 43, "players", { height = 200, width = 640, x = 1700, y = 1400 } },
+        { "update", 0.36780367043596107 },
+        { "update", 0.01 },
+        { "update", 0.016666666666666666 },
+      },
+    },
+  },
+  {
+    "a slope that is gone does not change how a knot comes apart",
+    {
+      settings = {},
+      acts = followedBy(
+        {
+          {
+            "add",
+            11,
+            "tiles",
+            { height = 20, slope = "left", static = true, width = 20, x = 0, y = 200 },
+          },
+          { "update", 0.015625 },
+          { "remove", 11 },
+          { "add", 6, "tiles", { height = 20, static = true, width = 20, x = -80, y = 160 } },
+          { "add", 28, "boxes", { height = 20, width = 20, x = -80, y = 100 } },
+          { "add", 30, "boxes", { height = 16, width = 20, x = -80, y = 100 } },
+          { "add", 31, "boxes", { height = 20, width = 20, x = -80, y = 100 } },
+        },
+        18,
+        0.015625,
+        { "twin" },
+        { "add", 43, "statics", { height = 100, static = true, width = 30, x = -80, y = 140 } },
+        { "update", 0.015625 }
+      ),
+    },
+  },
+  {
+    "what is hit first does not depend on what an immovable object was hit by before",
+    {
+      settings = { gravity = 300, gravityX = -329 },
+      acts = followedBy({
+        {
+          "add",
+          3,
+          "tiles",
+          { height = 10, slope = "left", static = true, width = 10, x = -64, y = 80 },
+        },
+        { "add", 4, "tiles", { height = 10, static = true, width = 10, x = -56, y = 80 } },
+        { "add", 5, "tiles", { height = 100, static = true, width = 10, x = -74, y = 0 } },
+        { "add", 33, "boxes", { gravity = 0, height = 10, width = 20, x = -64, y = 20 } },
+        { "add", 49, "boxes", { height = 10, width = 8, x = -64, y = 70 } },
+      }, 4, 0.0625),
+    },
+  },
+  {
+    "a machine does not push what stands between two walls into one of them unsaid",
+    {
+      settings = { gravity = 0 },
+      acts = {
+        { "add", 1, "tiles", { height = 20, static = true, width = 20, x = 0, y = 0 } },
+        { "add", 2, "boxes", { height = 20, width = 20, x = 20, y = 0 } },
+        { "add", 3, "tiles", { height = 20, static = true, width = 20, x = 40, y = 10 } },
+        {
+          "add",
+          4,
+          "lifts",
+          { height = 20, kinematic = true, vx = -60, width = 20, x = 41, y = -10 },
+        },
+        { "update", 0.03125 },
+      },
+    },
+  },
+  {
+    "a belt on a ceiling does not pull a crate out into a wall",
+    {
+      settings = {},
+      acts = {
+        { "insert", 13, "tiles", { height = 100, static = true, width = 100, x = 1200, y = 2000 } },
+        { "insert", 15, "tiles", { height = 100, width = 100, x = 1400, y = 2000 } },
+        { "add", 16, "tiles", { height = 100, static = true, width = 100, x = 1500, y = 2000 } },
+        {
+          "insert",
+          28,
+          "crates",
+          { friction = 1, height = 100, restitution = 1, width = 100, x = 1300, y = 1900 },
+        },
+        {
+          "insert",
+          39,
+          "statics",
+          { height = 100, static = true, width = 6900, x = 700, y = 1850 },
+        },
+        { "set", "gravity", -145.24729563411967 },
+        { "write", 39, { surfaceSpeed = -600 } },
+        { "update", 0.015625 },
+        { "update", 0.015625 },
+      },
+    },
+  },
+  {
+    "what friction drags along in an impact does not get into a wall",
+    {
+      settings = {},
+      acts = {
+        { "add", 1, "tiles", { height = 10, static = true, width = 200, x = 0, y = 100 } },
+        { "add", 2, "tiles", { height = 85, static = true, width = 10, x = -10, y = 0 } },
+        { "add", 3, "boxes", { friction = 0.5, height = 10, width = 10, x = 2, y = 90 } },
+        { "add", 4, "boxes", { friction = 0.5, height = 10, width = 10, x = 0.001, y = 80 } },
+        { "update", 0.015625 },
+        {
+          "add",
+          5,
+          "boxes",
+          { height = 10, restitution = 0.5, vx = -200, width = 10, x = 14, y = 90 },
+        },
+        { "update", 0.015625 },
+      },
+    },
+  },
+  {
+    "what leaves a knot does not get into a wall that is new in this step",
+    {
+      settings = { gravity = 640 },
+      acts = followedBy(
+        followedBy(
+          followedBy(
+            {
+              {
+                "add",
+                21,
+                "walls",
+                { height = 700, static = true, width = 20, x = -20, y = -300 },
+              },
+              {
+                "add",
+                22,
+                "walls",
+                { height = 700, static = true, width = 20, x = 320, y = -300 },
+              },
+              {
+                "insert",
+                37,
+                1,
+                { height = 20, mass = 10, vx = 300, width = 20, x = 30, y = 100 },
+              },
+              {
+                "add",
+                38,
+                2.5,
+                {
+                  gravity = -300,
+                  height = 30,
+                  restitution = 0.5,
+                  vx = -1200,
+                  width = 35,
+                  x = 100,
+                  y = 170,
+                },
+              },
+              {
+                "add",
+                47,
+                2.5,
+                {
+                  friction = 1,
+                  height = 40,
+                  pushable = false,
+                  restitution = 1,
+                  vx = -300,
+                  width = 150,
+                  x = 200,
+                  y = 120,
+                },
+              },
+              {
+                "add",
+                50,
+                "players",
+                { airFriction = 100, height = 10, mass = 2, width = 20, x = 160, y = 130 },
+              },
+              {
+                "add",
+                55,
+                "lifts",
+                { height = 20, kinematic = true, width = 100, x = 100, y = 220 },
+              },
+            },
+            5,
+            0.05,
+            {
+              "bounds",
+              7.639327905736238,
+              10.184302354403123,
+              358.32054947905294,
+              358.32054947905294,
+            }
+          ),
+          7,
+          0.05,
+          {
+            "bounds",
+            21.841956367569004,
+            25.76074922993849,
+            190.02325770074805,
+            190.02325770074805,
+          }
+        ),
+        5,
+        0.05,
+        { "bounds", 13.596658466008174, 7.038982219099051, 296.62873659341477, 296.62873659341477 },
+        { "update", 0.05 }
+      ),
+    },
+  },
+  {
+    "whether a machine is near a knot does not depend on the broad phase",
+    {
+      settings = {},
+      acts = followedBy(
+        followedBy(
+          followedBy(
+            followedBy(
+              followedBy(
+                followedBy(
+                  {
+                    {
+                      "add",
+                      26,
+                      "crates",
+                      {
+                        drag = 200,
+                        height = 30,
+                        restitution = 1,
+                        vx = 400,
+                        width = 40,
+                        x = 300,
+                        y = 100,
+                      },
+                    },
+                    { "add", 28, 1, { height = 20, width = 20, x = 100, y = 30 } },
+                    {
+                      "insert",
+                      30,
+                      2.5,
+                      {
+                        drag = 100,
+                        height = 0.012064234392777304,
+                        restitution = 0.5,
+                        vx = -200,
+                        width = 20,
+                        x = 50,
+                        y = 100,
+                      },
+                    },
+                    { "insert", 43, "statics", { height = 20, width = 10, x = 200, y = 100 } },
+                    {
+                      "bounds",
+                      27.22049903424503,
+                      22.927305958166073,
+                      315.1333696051812,
+                      315.1333696051812,
+                    },
+                  },
+                  3,
+                  0.05,
+                  {
+                    "insert",
+                    48,
+                    "lifts",
+                    { height = 13, kinematic = true, vy = 47, width = 100, x = 100, y = 171 },
+                  }
+                ),
+                7,
+                0.05,
+                { "twin" }
+              ),
+              3,
+              0.05,
+              {
+                "listen",
+                43,
+                "onStay",
+                { { "write", 28, { x = 131.63540852408428, y = 212.68128461081653 } } },
+              }
+            ),
+            27,
+            0.05,
+            { "update", 0.016666666666666666 }
+          ),
+          5,
+          0.05,
+          {
+            "bounds",
+            27.681892674120043,
+            1.5702077164968549,
+            304.60461549517197,
+            304.60461549517197,
+          }
+        ),
+        6,
+        0.05
+      ),
+    },
+  },
+  {
+    "balls do not rest before what they have waited for has happened",
+    {
+      settings = {},
+      acts = {
+        { "add", 8, "tiles", { height = 100, static = true, width = 100, x = 700, y = 2000 } },
+        { "add", 25, 2.5, { height = 100, radius = 50, width = 100, x = 737.5, y = 1900 } },
+        { "add", 26, 1, { height = 100, radius = 50, width = 100, x = 737.5, y = 1800 } },
+        { "add", 46, "statics", { height = 100, static = true, width = 200, x = 600, y = 1740 } },
+        { "update", 0.016666666666666666 },
+        { "update", 0.11701902633255257 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.03333333333333333 },
+        { "update", 0.05 },
+      },
+    },
+  },
+  {
+    "what stands a rounding away from a wall stays there",
+    {
+      settings = { gravity = 40000 },
+      acts = followedBy({
+        { "add", 1, "tiles", { height = 1000, static = true, width = 1000, x = 0, y = 20000 } },
+        { "add", 3, "tiles", { height = 1000, static = true, width = 1000, x = 2000, y = 20000 } },
+        {
+          "add",
+          21,
+          "walls",
+          { height = 41000, static = true, width = 1000, x = -1000, y = -20000 },
+        },
+        {
+          "add",
+          27,
+          "crates",
+          {
+            ax = -45500,
+            friction = 0.5,
+            height = 1000,
+            mass = 3,
+            width = 1000,
+            x = 6300,
+            y = 16000,
+          },
+        },
+        {
+          "add",
+          29,
+          2.5,
+          {
+            ax = -43100,
+            ay = 33600,
+            friction = 1,
+            height = 1000,
+            maxSpeedX = 8900,
+            vx = 17700,
+            width = 1900,
+            x = 100,
+            y = 9400,
+          },
+        },
+        {
+          "add",
+          32,
+          "boxes",
+          {
+            airFriction = 2.875,
+            ax = -15100,
+            height = 500,
+            maxSpeedX = 9200,
+            vy = -20700,
+            width = 2300,
+            x = 2700,
+            y = 9700,
+          },
+        },
+      }, 50, 0.016666666666666666),
+    },
+  },
+  {
+    "two in a crowd begin no contact, whether they were a pair before or not",
+    {
+      settings = { gravity = 40 },
+      acts = {
+        { "insert", 6, "tiles", { height = 1, width = 1, x = -5, y = 10 } },
+        { "add", 23, "crates", { height = 1, width = 1, x = -5, y = 10 } },
+        { "add", 24, "crates", { height = 1, width = 1, x = -5, y = 10 } },
+        { "add", 25, 2.5, { height = 1, width = 1, x = -5, y = 10 } },
+        { "add", 26, "players", { ax = -40, height = 1, width = 1, x = -5, y = 6 } },
+        { "add", 30, 1, { height = 50, pushable = false, width = 2, x = -5, y = -0.5 } },
+        { "add", 37, "boxes", { height = 10, width = 1, x = -6.5, y = -10 } },
+        { "update", 0.05 },
+        { "bounds", -8.4375, -8.0889943634, 10.3813254576, 10.3813254576 },
+        { "update", 0.05 },
+        { "update", 0.05 },
+        { "remove", 24 },
+        { "twin" },
+        { "update", 0.05 },
+      },
+    },
+  },
 }
 
 describe("a random game has found that", function()
@@ -2701,6 +3125,39 @@ describe("a review has found that", function()
         local way = math.abs(box.x - before[n])
         assert.is_true(way < 9 * 23, ("step %d: box %d went %g px"):format(step, n, way))
       end
+    end
+  end)
+
+  -- Five boxes in each other, and a lift comes down on them. Far away a box stands, or floats.
+  it("what rubs elsewhere does not change how a knot is squeezed", function()
+    local function play(gravity)
+      local world = physics.newWorld({ gravity = 800, rest = false })
+      local boxes = {}
+      world:add("floors", { x = -40, y = 60, width = 100, height = 8, static = true })
+      world:add("floors", { x = 900, y = 60, width = 100, height = 8, static = true })
+      local lift = { x = 0, y = -40, width = 40, height = 8, kinematic = true, vx = -20, vy = 60 }
+      world:add("lifts", lift)
+      for n, box in ipairs({
+        { 8, 32, 16, 16, 2 },
+        { 4, 20, 16, 16, 1 },
+        { 8, 28, 8, 8, 2 },
+        { 4, 12, 8, 8, 3 },
+        { 8, 32, 16, 8, 1 },
+      }) do
+        boxes[n] = { x = box[1], y = box[2], width = box[3], height = box[4], mass = box[5] }
+        world:add("boxes", boxes[n])
+      end
+      local other = { x = 900, y = 52, width = 8, height = 8, friction = 1, gravity = gravity }
+      world:add("others", other)
+      for _ = 1, 100 do
+        world:update(1 / 60)
+      end
+      return boxes
+    end
+    local boxes = play(0)
+    for n, box in ipairs(play(800)) do
+      assert.equal(boxes[n].x, box.x)
+      assert.equal(boxes[n].y, box.y)
     end
   end)
 end)

@@ -251,6 +251,20 @@ describe("a checked world", function()
     world:update(DT)
   end)
 
+  it("finds a row of masks that refuses nothing, when they are new", function()
+    local world = newWorld()
+    world.masks = { men = { floors = false }, boxes = { coins = true } }
+    refusesStep(
+      world,
+      'world.masks.boxes = { ["coins"] = true } refuses nothing: true collides, as nil does, and'
+        .. " false passes through"
+    )
+    world.masks = { men = { floors = false, coins = true }, boxes = {} }
+    world:update(DT)
+    world.masks.men.floors = true -- it is switched in the game
+    world:update(DT)
+  end)
+
   it("finds canCollide that returns nothing", function()
     local world, _, box = newWorld()
     box.canCollide = function() end

@@ -223,11 +223,19 @@ function contact.ask(b)
   end
 end
 
+-- Returns whether two are in a crowd. They begin no contact: whether they still are a pair depends
+-- on when the crowd has begun.
+local function areCrowded(b, i, j)
+  return min(b.crowd[i], b.crowd[j]) > 0
+end
+
 -- Updates whether pair p is in contact now, and notes its events.
 local function update(b, p)
   local i, j = b.pairA[p], b.pairB[p]
   local now
-  if b.sensor[i] or b.sensor[j] then
+  if b.contact[p] == 0 and areCrowded(b, i, j) then
+    return
+  elseif b.sensor[i] or b.sensor[j] then
     now = sensorContact(b, p, i, j)
   else
     now = solidContact(b, p, i, j)
@@ -266,6 +274,7 @@ local function isPlain(b, p, i, j)
     and b.plain[j]
     and b.wedged[p] == 0
     and not (b.oneWay[i] or b.oneWay[j] or b.passing[p] or b.dropping[p] or b.overlapping[p])
+    and not areCrowded(b, i, j)
     and not (hears(b.object[i]) or hears(b.object[j]))
 end
 

@@ -188,6 +188,7 @@ local function addSlopes(b)
   -- scratch
   b.ground = { slot = {}, turn = {}, count = 0, turns = 0, isLevel = true } -- see ground
   b.walkers, b.isFirstWalk, b.walkStamp = {}, false, 0
+  b.hasWalked = false -- a slope has moved something in this pass of walk
   b.walkFrom = {} -- by slot: what it stood on where its way begins,
   b.walkTime = {} -- and when
   b.walkOn = {} -- by slot: what it has come to stand on

@@ -73,6 +73,7 @@ layout.SLOT = {
   pieceFirst = 0, -- pieces of its way along the ground (see walk),
   pieceLast = 0, -- 0: none
   deflectedAt = 0, -- solve in which it met something slanted (see ball)
+  nudgedAt = 0, -- solve in which it was nudged
   inRound = 0, -- round in which it was last in an impact
   lowered = 0, -- px by which it was lowered in this step (see snap)
   -- broad phase

@@ -52,6 +52,14 @@ function path.advance(b, i, t)
   end
 end
 
+--- Notes that the path of a dynamic body has changed inside the step: it is swept again.
+function path.change(b, i)
+  if b.kind[i] == DYNAMIC and b.dirty[i] == 0 then
+    b.dirty[i], b.changedCount = 1, b.changedCount + 1
+    b.changed[b.changedCount] = i
+  end
+end
+
 interpreted.functions(path.at) -- of single pairs
 
 return path

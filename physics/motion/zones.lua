@@ -106,7 +106,10 @@ local function shareIn(b, i, j, time)
   end
   local radius, half = size[m] * 0.5, (w + h) * 0.25
   local dx, dy = x + w * 0.5 - left - radius, y + h * 0.5 - top - radius
-  return max(0.0, min((radius + half - sqrt(dx * dx + dy * dy)) / (2 * half), 1.0))
+  local towards = (radius + half - sqrt(dx * dx + dy * dy)) / (2 * half)
+  -- Beside its box the zone does not act: what is no neighbour may fly.
+  local wide, high = radius + w * 0.5 - max(dx, -dx), radius + h * 0.5 - max(dy, -dy)
+  return max(0.0, min(towards, wide / w, high / h, 1.0))
 end
 
 -- The share of slot i in zone j, if that acts on it at all.

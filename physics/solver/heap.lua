@@ -21,7 +21,7 @@ local contacts = require(root .. ".solver.contacts")
 local heapPairs = require(root .. ".solver.heapPairs")
 local interpreted = require(root .. ".memory.jit")
 local pairFinder = require(root .. ".broadphase.pairFinder")
-local rounds = require(root .. ".solver.rounds")
+local path = require(root .. ".motion.path")
 local slope = require(root .. ".memory.lazy")(root .. ".solver.slope")
 local triangle = require(root .. ".memory.triangle")
 local sort = require(root .. ".memory.sort")
@@ -199,7 +199,7 @@ local function collect(b)
     local i = work.members[at]
     work.height[i], work.x[i], work.y[i] = heightOf(b, i), b.to[2 * i], b.to[2 * i + 1]
     b.deflectedAt[i], b.news[i] = b.solveStamp, true
-    rounds.change(b, i)
+    path.change(b, i)
   end
   sortPairs(b)
 end

@@ -27,7 +27,7 @@ local impact = {}
 
 local DYNAMIC = columns.DYNAMIC
 local HUGE = math.huge
-local max, min, sqrt = math.max, math.min, math.sqrt
+local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
 -- Maximum number of impacts of a body in a step with which it still bounces: BOUNCES / (1 -
 -- restitution), but no more than MOST_BOUNCES.
 local BOUNCES, MOST_BOUNCES = 4, 13
@@ -193,6 +193,7 @@ local function dragBond(b, list, n, other, tau, dt, depth)
     rubBoth(b, up, low, 1, 0.0, press, tau)
     drag(b, other, n, tau, dt, depth - 1)
   end
+  path.change(b, floor(other * 0.5)) -- it may meet something on its new way
 end
 
 -- Does the same for all bonds of body k except `from`, and for those of the bodies there, `depth`

@@ -146,7 +146,7 @@ local function listOnLine(b, i, axis)
   local from, size, found, k, c = b.from, b.size, b.found, 2 * i + axis, 2 * i + 1 - axis
   local low, high = from[k] - REACH * size[k], from[k] + (REACH + 1) * size[k]
   local near, far = from[c] + EPSILON, from[c] + size[c] - EPSILON
-  local count, isNearMachine = 0, false
+  local first, last, count, isNearMachine = low, high, 0, false
   local total = axis == 0 and b.broadphase:query(low, near, high, far, found)
     or b.broadphase:query(near, low, far, high, found)
   for n = 1, total do
@@ -154,7 +154,8 @@ local function listOnLine(b, i, axis)
     local m, d = 2 * j + axis, 2 * j + 1 - axis
     local isPassed = j == i or b.sensor[j] or b.oneWay[j] or not filter.allows(b, i, j)
     local isBeside = from[d] >= far or from[d] + size[d] <= near
-    if not (isPassed or isBeside) then
+    local isBeyond = from[m] >= last or from[m] + size[m] <= first -- but in one cell of the grid
+    if not (isPassed or isBeside or isBeyond) then
       if b.kind[j] == DYNAMIC then
         count = count + 1
         found[count] = j
@@ -333,6 +334,7 @@ local function wait(b, i, sum)
   elseif tries == CAUGHT and not isSqueezed and waited < PATIENCE then
     tries = 0
   end
+  b.news[i] = b.news[i] or waited ~= knotted[k] -- how far two part depends on it
   knotted[k], knotted[k + 1] = waited, tries
 end
 

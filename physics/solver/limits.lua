@@ -4,7 +4,8 @@
 -- - A body that overlaps others goes no further than its speed and a share of its size take it.
 -- - A body that is not pushable stays on its own way.
 --
--- Reads the paths, contacts, limitedAt, heapCount; writes to, speed, limitedAt, news.
+-- Reads the paths, contacts, limitedAt, deflectedAt, nudgedAt, heapCount; writes to, speed,
+-- limitedAt, news.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -82,14 +83,15 @@ end
 
 -- Keeps the end of each body that is not pushable between its start and its own goal, across
 -- gravity. A body that is pressed by something immovable directly, or by a machine, or was
--- deflected by a slanted contact, is left out.
+-- deflected by a slanted contact or a nudge, is left out.
 local function keepOwnWay(b, dt)
   local list, origin, to = b.awakeList, b.origin, b.to
   for n = 1, b.awakeCount do
     local i = list[n]
     for k = 2 * i, not b.pushable[i] and b.kind[i] == DYNAMIC and 2 * i + 1 or 0 do
       local isPressed = b.heldLow[k] == 2 or b.heldHigh[k] == 2 or knots.isDriven(b, k)
-      if b.down[k] == 0 and not isPressed and b.deflectedAt[i] ~= b.solveStamp then
+      local hasTurned = max(b.deflectedAt[i], b.nudgedAt[i]) == b.solveStamp
+      if b.down[k] == 0 and not (isPressed or hasTurned) then
         local start, goal = origin[k], origin[k] + b.way[k] + b.carried[k] * dt
         to[k] = max(min(to[k], max(start, goal)), min(start, goal))
       end

@@ -4,7 +4,7 @@
 -- A body with the field `nudge` is moved sideways by at most that many px, if the place there is
 -- free. A hit on the side towards gravity is not corrected.
 --
--- Reads contacts, pressed; writes from, to, time, nudged, news.
+-- Reads contacts, pressed; writes from, to, time, nudged, nudgedAt, news.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -86,6 +86,7 @@ function nudge.try(b, i, j, axis, iIsLow, t)
   end
   path.advance(b, i, t)
   b.from[k], b.to[k] = b.from[k] + way, b.to[k] + way
+  b.nudgedAt[i] = b.solveStamp
   return true
 end
 

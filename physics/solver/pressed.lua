@@ -1,7 +1,7 @@
 --- Pressed contacts: notes at the end of a step which sides of bodies are pressed, and the hits of
 -- contacts in which two bodies begin to lean on each other.
 --
--- Reads contacts, pressed, hit; writes pressedHigh, pressedLow, hit, widest and resolved.
+-- Reads contacts, pressed, hit, kind; writes pressedHigh, pressedLow, hit, widest and resolved.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -9,12 +9,14 @@ local impact = require(root .. ".solver.impact")
 
 local pressed = {}
 
-local EPSILON, WIDTHS = columns.EPSILON, columns.WIDTHS
+local DYNAMIC, EPSILON, WIDTHS = columns.DYNAMIC, columns.EPSILON, columns.WIDTHS
 local floor, max, min = math.floor, math.max, math.min
 
--- Returns the body that leans on the other one in contact c.
+-- Returns the body that leans on the other one in contact c. (What is held from both sides leans on
+-- the immovable one of the low side, too.)
 local function leaning(b, list, c)
-  return b.heldHigh[list.high[c]] > 0 and list.low[c] or list.high[c]
+  local isLow = b.kind[(list.low[c] - list.axis) * 0.5] == DYNAMIC
+  return isLow and b.heldHigh[list.high[c]] > 0 and list.low[c] or list.high[c]
 end
 
 -- Returns whether contact c did not exist in the last step, was not hit in this one, and is flush.

@@ -68,14 +68,6 @@ function rounds.followChanged(b)
   pairFinder.run(b, list, 1, b.changedCount)
 end
 
---- Notes that the path of a dynamic body has changed.
-function rounds.change(b, i)
-  if b.kind[i] == DYNAMIC and b.dirty[i] == 0 then
-    b.dirty[i], b.changedCount = 1, b.changedCount + 1
-    b.changed[b.changedCount] = i
-  end
-end
-
 -- Sorts the impacts by moment, solids before sensors, then the wider common edge first, then by the
 -- order of the world.
 local function sortImpacts(b)
@@ -247,8 +239,8 @@ end
 -- Lets slots i and j, of pair p, meet at moment t. If they stay together, they are a contact for
 -- the rest of the step. Returns whether they met: a nudge may lead past.
 local function meet(b, p, i, j, axis, t, dt, isLast, isLate, isDeep)
-  rounds.change(b, i)
-  rounds.change(b, j)
+  path.change(b, i)
+  path.change(b, j)
   takePart(b, i, j)
   if b.hasBounces then
     noteBounced(b, i, j)
@@ -267,8 +259,8 @@ end
 -- Leaves the impact of slots i and j, which an earlier one has disturbed, to the next round. What
 -- may bounce, and circles (`isRound`), wait for it, so that they do not get past each other.
 local function postpone(b, i, j, mayBounce, isRound)
-  rounds.change(b, i)
-  rounds.change(b, j)
+  path.change(b, i)
+  path.change(b, j)
   if mayBounce then
     noteBounced(b, i, j)
   end

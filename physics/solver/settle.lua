@@ -64,7 +64,10 @@ local function holdHigh(b, list, slow)
       local over, closing = to[kl] - place, speed[kl] - speed[kh]
       if over > -EPSILON and (over > 0 or closing >= 0) then
         if elastic[c] == 0 or not pool.bounces(closing, accel[kl] - accel[kh], slow) then
-          to[kl], held[kl] = place, held[kh] + 1
+          if over > 0 or to[kl] ~= b.from[kl] then -- what stands a rounding apart stays so
+            to[kl] = place
+          end
+          held[kl] = held[kh] + 1
           wall[kl] = give[kh] > 0 and wall[kh] or kh
           if closing > 0 then
             if give[kh] > 0 and speed[kh] < speed[wall[kh]] then
@@ -168,7 +171,10 @@ local function holdLow(b, list, slow)
             squeeze(b, kh, kl, over, 1, b.heldHigh, held, wall)
           end
         else
-          to[kh], held[kh] = place, held[kl] + 1
+          if over > 0 or to[kh] ~= b.from[kh] then
+            to[kh] = place
+          end
+          held[kh] = held[kl] + 1
           wall[kh] = give[kl] > 0 and wall[kl] or kl
           if closing > 0 then
             if give[kl] > 0 and speed[kl] > speed[wall[kl]] then
@@ -212,15 +218,25 @@ function settle.axis(b, axis, dt, isLate)
   settle.finish(b, axis, dt, false, isLate)
 end
 
---- Returns whether a contact of an axis is violated at the end of the step. Contacts in which
---- neither body can give way do not count.
+-- Returns whether an impact has put one of two bodies into the other, which is immovable, and it is
+-- not squeezed there yet. (What overlaps other bodies is left to the next step.)
+local function isUnsqueezed(b, kl, kh)
+  local isWall = (b.give[kl] == 0) ~= (b.give[kh] == 0)
+  local i = floor((b.give[kl] == 0 and kh or kl) * 0.5)
+  return isWall and b.squeezed[kl] == 0 and b.squeezed[kh] == 0 and b.deepAt[i] ~= b.solveStamp
+end
+
+--- Returns whether a contact of an axis is violated at the end of the step. Contacts that are
+--- squeezed, or of which neither body can move, do not count.
 function settle.isViolated(b, axis)
   local list, to, heldLow, heldHigh = b.contacts[axis], b.to, b.heldLow, b.heldHigh
   local low, high, separation = list.low, list.high, list.separation
   for c = 1, list.count do
     local kl, kh = low[c], high[c]
-    if to[kl] + separation[c] - to[kh] > EPSILON and (heldLow[kl] == 0 or heldHigh[kh] == 0) then
-      return true
+    if to[kl] + separation[c] - to[kh] > EPSILON then
+      if heldLow[kl] == 0 or heldHigh[kh] == 0 or isUnsqueezed(b, kl, kh) then
+        return true
+      end
     end
   end
   return false

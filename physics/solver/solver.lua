@@ -175,9 +175,7 @@ local function prepare(b, dt)
   if b.hasNudges then
     nudgeTouching(b, dt)
   end
-  if b.rubs > 0 or b.hasCircles then
-    settleViolated(b, dt) -- friction, or crushed circles, may have violated other contacts
-  end
+  settleViolated(b, dt) -- friction, or crushed circles, may have violated other contacts
   b.isChangeListed = false
   rounds.findChanged(b)
   contacts.noteNew(b)

@@ -12,7 +12,7 @@
 -- Heights are counted against gravity here: `turn` is 1 where gravity points to high coordinates,
 -- -1 else; a height times `turn` is less where it is further up.
 --
--- Reads paths, contacts, heldLow, heldHigh; writes to, speed, give, separations.
+-- Reads paths, contacts, heldLow, heldHigh; writes to, speed, give, separations, hasWalked.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -158,6 +158,7 @@ local function walkFrom(b, i, j, axis, turn, x0, x1, height, isStill)
   end
   b.pieceFirst[i], b.pieceLast[i] = isStill and first or 0, isStill and b.pieceCount or 0
   local place = turn * last
+  b.hasWalked = b.hasWalked or isStopped or place ~= b.to[k] or x ~= b.to[t]
   b.liftOf[k] = place - b.to[k]
   b.to[k] = place
   b.to[t] = x
@@ -344,6 +345,7 @@ local function updateOthers(b, axis, firstStamp)
     if shape >= FIRST and not (hasWalked and SOLID[axis][shape] == b.down[k]) then
       local kl, kh, t = list.low[c], list.high[c], 1 - axis
       local apart = slope.apartOn(b, i, j, axis, kl == k, b.to[2 * i + t], b.to[2 * j + t])
+      b.hasWalked = b.hasWalked or list.separation[c] ~= apart
       list.separation[c], b.separation[p] = apart, apart
       if b.to[kl] + apart - b.to[kh] > EPSILON and b.give[k] > 0 then
         b.speed[k], b.accel[k], b.pressed[p] = b.speed[2 * j + axis], 0.0, 1
@@ -367,15 +369,16 @@ function walk.run(b, dt, isMeasured)
   b.isFirstWalk = isMeasured
   for _ = 1, PASSES do
     local isSettled, firstStamp = false, b.walkStamp + 1
-    b.pieceCount = 0
+    b.pieceCount, b.hasWalked = 0, false
     for axis = 0, 1 do
       walkAlong(b, axis, 1)
       walkAlong(b, axis, -1)
       updateOthers(b, axis, firstStamp)
     end
     for axis = 0, 1 do
-      -- What pushes those that were stopped is stopped, too.
-      if settle.isViolated(b, axis) then
+      -- What pushes those that were stopped is stopped, too. (If slopes have moved nothing, nothing
+      -- is settled again: whether there are any must not show.)
+      if b.hasWalked and settle.isViolated(b, axis) then
         settle.axis(b, axis, dt, true)
         isSettled = true
       end

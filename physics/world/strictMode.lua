@@ -10,7 +10,7 @@
 --   an object that is in two worlds (if both are checked)
 --   a class that has `static`, `kinematic` or `sensor`, which its objects do not see; a method
 --     `touching`, which the field of that name hides
---   a mask that refuses no group, of a new object
+--   a mask that refuses no group, of a new object or in new masks of the world
 --   a side that `touching` does not have (from then on, the table tells by itself)
 --   a dt in milliseconds
 --   `canCollide` that returns nothing (see permission.lua)
@@ -29,6 +29,7 @@ local guard = {}
 
 local format, show = string.format, check.show
 local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
+local NONE = {}
 -- Length that a mover may have, in cells.
 local MOST_CELLS = 1024
 
@@ -154,19 +155,38 @@ local function checkMasks(b, masks, place)
   end
 end
 
--- A mask in which all groups collide is meant for the only groups to collide with.
-local function checkRefuses(b, i, mask)
+-- Returns the words that a mask refuses nothing, in which all groups collide: it is meant for the
+-- only groups to collide with. Returns also one of them. nil: it refuses some, or is empty.
+local function refusesNothing(mask)
   local group = nil
   for name, collides in next, mask, nil do
     if collides == false then
-      return
+      return nil
     end
     group = name
   end
-  if group ~= nil then
-    local text = "%s.mask = { [%s] = true } refuses nothing: true collides, as nil does, and false"
-      .. " passes through (did you mean hits = { %s }?)"
-    check.fail(format(text, placeOf(b, i), show(group), show(group)))
+  local text = " = { [%s] = true } refuses nothing: true collides, as nil does, and false passes"
+    .. " through"
+  return group ~= nil and format(text, show(group)) or nil, group
+end
+
+local function checkRefuses(b, i, mask)
+  local text, group = refusesNothing(mask)
+  if text then
+    check.fail(format("%s.mask%s (did you mean hits = { %s }?)", placeOf(b, i), text, show(group)))
+  end
+end
+
+-- Checks new masks of the world. (In them, the game may turn groups on and off.)
+local function checkRows(b, masks)
+  if b.guarded.masks ~= masks then
+    for name, mask in next, masks, nil do
+      local text = refusesNothing(mask)
+      if text then
+        check.fail("world.masks." .. tostring(name) .. text)
+      end
+    end
+    b.guarded.masks = masks
   end
 end
 
@@ -345,8 +365,9 @@ function guard.run(world)
     seen.groups[b.registry.groups[n].name] = true
   end
   checkNames(seen.settings, world, fields.settingNames, fields.settingByName, b)
-  checkMasks(b, world.masks or {}, "world.masks")
-  checkMasks(b, world.soft or {}, "world.soft")
+  checkMasks(b, world.masks or NONE, "world.masks")
+  checkMasks(b, world.soft or NONE, "world.soft")
+  checkRows(b, world.masks or NONE)
   for i = 1, b.slots do
     local object = b.object[i]
     if object then
@@ -371,6 +392,6 @@ function guard.run(world)
   end
 end
 
-interpreted.always(checkNames, checkMask, checkMasks, checkRefuses)
+interpreted.always(checkNames, checkMask, checkMasks, refusesNothing, checkRows)
 
 return guard

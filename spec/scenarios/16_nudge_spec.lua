@@ -33,8 +33,9 @@ describe("nudge", function()
   --        +-+
   describe("under the corner of a block", function()
     for _, row in ipairs({
-      -- x, nudge, x behind the corner; nil: it bumps
+      -- x, nudge, x behind the corner (nil: it bumps), other fields
       { 161, 4, 164 },
+      { 161, 4.5, 164, { pushable = false } },
       { 160.1, 4, 164 },
       { 159.9, 4, nil },
       { 161, 2.9, nil },
@@ -47,14 +48,15 @@ describe("nudge", function()
       { 130, 1000, 164 }, -- as far as one likes
       { 115, 1000, 84 }, -- and the shorter way
     }) do
-      local x, nudge, behind = row[1], row[2], row[3]
+      local x, nudge, behind, fields = row[1], row[2], row[3], row[4] or {}
       local does = behind and "comes up beside it" or "bumps its head"
+      fields.nudge = nudge
       it(("at x = %g with nudge %g %s"):format(x, nudge, does), function()
         scene.each(EVERYWHERE, function(run)
           local named = run:build({
             solid("block", 100, 50, 64, 16),
             solid("floor", 0, 200, 400, 16),
-            body(x, 176, 0, -400, { nudge = nudge }),
+            body(x, 176, 0, -400, fields),
           })
           local log = run:listen(named.body)
           named.body.vy = -500

@@ -441,6 +441,18 @@ describe("slopes", function()
     end)
   end)
 
+  it("(P11) bounce on their crest what has run off it by the end of the step", function()
+    scene.each(RATES, function(run)
+      local ball = body({ x = 236, y = -24 - 151.5, restitution = 1 })
+      local it = run:build({ static(0, 0, 100, 100, "right"), ball, gravity = 0 }).body
+      it.vx, it.vy = -600, 600
+      run:play(0.5) -- at the hit, after 0.2525 s, its corner is at 100.5
+      run:near("x", it.x, 236 - 300)
+      run:near("y", it.y, -24 - 148.5)
+      run:near("vy", it.vy, -600)
+    end)
+  end)
+
   it("(P12) are diagonal walls without gravity", function()
     scene.each(RATES, function(run)
       for _, name in ipairs({ "left", "right", "topleft", "topright" }) do
