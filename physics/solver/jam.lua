@@ -93,6 +93,7 @@ end
 
 --- Counts at the end of a step for how long bodies have been caught, and lets them be stuck.
 function jam.note(b)
+  local list, count = b.knotList, 0
   for n = 1, b.hasCircles and b.awakeCount or 0 do
     local i = b.awakeList[n]
     local k, m = 2 * i, 2 * i + 1
@@ -100,12 +101,18 @@ function jam.note(b)
       local waited = wait(b, i)
       b.news[i] = b.news[i] or waited > 0
       if waited >= PATIENCE and isGrounded(b, i) then
-        b.stuck[i], b.hasKnots, b.knotWas[m] = true, true, 0
-        b.to[k], b.to[m], b.speed[k], b.speed[m] = b.origin[k], b.origin[m], 0.0, 0.0
+        count = count + 1
+        list[count] = i
       elseif waited >= PATIENCE then
         b.jam[k], b.jamWay[k], b.jamWay[m] = 0, 0, 0
       end
     end
+  end
+  -- They are put back when all have been asked what they touch: the list has no order.
+  for n = 1, count do
+    local k, m = 2 * list[n], 2 * list[n] + 1
+    b.stuck[list[n]], b.hasKnots, b.knotWas[m] = true, true, 0
+    b.to[k], b.to[m], b.speed[k], b.speed[m] = b.origin[k], b.origin[m], 0.0, 0.0
   end
 end
 
