@@ -221,6 +221,18 @@ describe("a heap of balls", function()
     end
   end)
 
+  it("comes to rest with boxes between the balls", function()
+    for _, row in ipairs({ { 8, 12 }, { 8, 54 }, { 12, 3 }, { 20, 21 } }) do
+      local world = newPit(row[1], row[2], function(object, _, i)
+        if i % 3 == 0 then
+          object.width, object.height, object.radius = 2 * object.radius, 2 * object.radius, nil
+        end
+      end)
+      run(world, 12)
+      assert.are.equal(row[1], world.stats.resting)
+    end
+  end)
+
   -- In the first one a ball is stuck in the step, in the second one two press each other.
   it("goes on as it was when it is restored, with a gravity of each ball", function()
     for _, row in ipairs({ { 4, 33, 59 }, { 10, 29, 34 } }) do
