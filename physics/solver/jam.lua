@@ -23,6 +23,9 @@ local gapOf = columns.gap
 local max, sqrt = math.max, math.sqrt
 -- s for which a body meets something slanted and does not move, before it is stuck.
 local PATIENCE = 0.25
+-- px: what has met something in the step lies on it if the gap is no larger. (A heap is not moved
+-- apart to the last bit.)
+local CLOSE = 0.01
 -- Share of the way that its weight takes it in that time: what is as near its place has not moved.
 local STILL = 1 / 32
 -- Number of steps of gravity that make something as fast as what frees a jam when it presses it,
@@ -77,7 +80,7 @@ local function isGrounded(b, i)
     local half = b.head[i]
     while half ~= 0 do
       local j = b.other[half]
-      if not b.sensor[j] and b.visited[j] ~= b.stamp and gapOf(b, b.to, i, j) <= EPSILON then
+      if not b.sensor[j] and b.visited[j] ~= b.stamp and gapOf(b, b.to, i, j) <= CLOSE then
         if b.kind[j] == DYNAMIC then
           count = count + 1
           stack[count], b.visited[j] = j, b.stamp
