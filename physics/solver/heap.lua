@@ -138,6 +138,13 @@ local function mayReach(b, p, i, j)
   return isHeld or gapBetween(b, i, j) <= REACH
 end
 
+-- Returns whether a ball and a box, both in the heap, have not met. They end beside each other; on
+-- their way there, which is a straight line for each, they would stop at once.
+local function isLoose(b, p, i, j)
+  local isFree = b.touches[p] == contacts.APART and b.kind[j] == DYNAMIC and not b.stuck[j]
+  return isFree and ball.isRound(b, i, j)
+end
+
 -- Lists the pairs of slot i with what is near, which takes part, too.
 local function spread(b, i)
   local work, half = b.heapWork, b.head[i]
@@ -148,7 +155,7 @@ local function spread(b, i)
       join(b, j)
       work.listed[p], work.pairCount = work.stamp, work.pairCount + 1
       work.pairs[work.pairCount] = p
-      if heapPairs.areLoose(b, i, j) then
+      if heapPairs.areLoose(b, i, j) or isLoose(b, p, i, j) then
         b.touches[p] = heapPairs.HEAP
       end
     end
@@ -356,6 +363,7 @@ interpreted.functions(
   boxGap,
   gapBetween,
   mayReach,
+  isLoose,
   join,
   spread,
   heightOf,
