@@ -103,6 +103,12 @@ ball.gapIn = gapIn
 --- Returns when two bodies meet (0..1 of the step), on which axis, and whether the first is the low
 --- one: as `meet` of sweep. The axis is that along which the normal is steeper.
 function ball.meet(b, i, j)
+  local isSwapped = b.rank[j] < b.rank[i] -- see gapIn
+  if isSwapped then
+    local first = j
+    j = i
+    i = first
+  end
   local size, to, shape, k, m = b.size, b.to, b.shape, 2 * i, 2 * j
   local start = max(b.time[i], b.time[j])
   local x, y, ox, oy = places(b, i, j, start)
@@ -122,7 +128,8 @@ function ball.meet(b, i, j)
   end
   local isLevel, isSlanted = nx * nx > ny * ny, nx ~= 0 and ny ~= 0
   local t = start + (1 - start) * share + (isSlanted and not isDeep and CORNER or 0)
-  return t, isLevel and 0 or 1, (isLevel and nx or ny) < 0, isDeep
+  local isLow = (isLevel and nx or ny) < 0
+  return t, isLevel and 0 or 1, isLow ~= isSwapped, isDeep
 end
 
 --- Returns how fast two close at moment t, px/s >= 0.
@@ -168,18 +175,19 @@ function ball.isSteep(nx, ny)
   return min(nx * nx, ny * ny) > SLIGHT * SLIGHT
 end
 
--- px/s: slower than that, what one bears sticks to it; 0: neither bears the other.
-local function stickSpeed(b, i, j, axis, isLow, dt)
-  local k
-  if leans(b, i, axis, isLow) then
-    k = 2 * i + axis
-  elseif leans(b, j, axis, not isLow) then
-    k = 2 * j + axis
-  else
+-- px/s: what gravity makes of a body in two steps, if it presses that against what it touches.
+local function stickOf(b, i, axis, isHigh, dt)
+  if not leans(b, i, axis, isHigh) then
     return 0.0
   end
-  local pull = b.flowPull[k] + b.push[k]
+  local pull = b.flowPull[2 * i + axis] + b.push[2 * i + axis]
   return 2 * dt * max(pull, -pull)
+end
+
+-- px/s: slower than that, what one bears sticks to it; 0: neither bears the other. (Each of two may
+-- have a gravity of its own.)
+local function stickSpeed(b, i, j, axis, isLow, dt)
+  return max(stickOf(b, i, axis, isLow, dt), stickOf(b, j, axis, not isLow, dt))
 end
 
 -- Whether two that touch rest on each other where the step begins: they are as slow as what bears

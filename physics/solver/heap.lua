@@ -35,6 +35,9 @@ local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
 local PASSES, SHOCKS = 8, 4
 -- px by which a body may be apart from one in the heap, and take part.
 local REACH = 1
+-- Share of its size by which a body is moved along each axis, for pairs that are listed once. Its
+-- centre does not get into a wall, so that the normal of that is known.
+local FURTHEST = 0.35
 -- Maximum number of times that the pairs are listed.
 local LISTS = 2
 -- px: when no two overlap by more, the next passes are the last ones.
@@ -107,7 +110,11 @@ local function gapBetween(b, i, j)
     local gap, nx, ny = slopeGap(b, j, i)
     return gap, -nx, -ny
   elseif ball.isRound(b, i, j) then
-    return ball.gapIn(b, b.to, i, j)
+    local gap, nx, ny = ball.gapIn(b, b.to, i, j)
+    if nx ~= 0 or ny ~= 0 then
+      return gap, nx, ny
+    end
+    -- The centre of the ball is in the box.
   end
   return boxGap(b, i, j)
 end
@@ -122,13 +129,20 @@ local function join(b, i)
   end
 end
 
+-- Returns whether slot i may come to slot j in this step: it is near, or stood at it. (What it
+-- stood at is not swept again; all else is.)
+local function mayReach(b, p, i, j)
+  local isHeld = b.touches[p] == contacts.CONTACT and b.kind[j] ~= DYNAMIC
+  return isHeld or gapBetween(b, i, j) <= REACH
+end
+
 -- Lists the pairs of slot i with what is near, which takes part, too.
 local function spread(b, i)
   local work, half = b.heapWork, b.head[i]
   while half ~= 0 do
     local j, p = b.other[half], floor(half * 0.5 + 0.5)
     local isNew = work.listed[p] ~= work.stamp and isOpen(b, p, i, j)
-    if isNew and gapBetween(b, i, j) <= REACH then
+    if isNew and mayReach(b, p, i, j) then
       join(b, j)
       work.listed[p], work.pairCount = work.stamp, work.pairCount + 1
       work.pairs[work.pairCount] = p
@@ -223,9 +237,17 @@ local function weigh(b, i, j, nx, ny, isShock)
   return ix, iy, jx, jy
 end
 
+-- Moves slot i by a way, but no further than FURTHEST from where the heap has found it.
+local function shift(b, i, x, y)
+  local work, to, k = b.heapWork, b.to, 2 * i
+  local wide, high = FURTHEST * b.size[k], FURTHEST * b.size[k + 1]
+  to[k] = max(min(to[k] + x, work.x[i] + wide), work.x[i] - wide)
+  to[k + 1] = max(min(to[k + 1] + y, work.y[i] + high), work.y[i] - high)
+end
+
 -- Pushes two apart that overlap at the end of the step.
 local function part(b, i, j, gap, nx, ny, isShock)
-  local k, m, to, speed = 2 * i, 2 * j, b.to, b.speed
+  local k, m, speed = 2 * i, 2 * j, b.speed
   local ix, iy, jx, jy = weigh(b, i, j, nx, ny, isShock)
   local total = nx * nx * (ix + jx) + ny * ny * (iy + jy)
   if total == 0 then
@@ -233,8 +255,12 @@ local function part(b, i, j, gap, nx, ny, isShock)
   end
   local way = -gap / total
   b.heapWork.pushed[i], b.heapWork.pushed[j] = b.heapWork.stamp, b.heapWork.stamp
-  to[k], to[k + 1] = to[k] + way * nx * ix, to[k + 1] + way * ny * iy
-  to[m], to[m + 1] = to[m] - way * nx * jx, to[m + 1] - way * ny * jy
+  if max(ix, iy) > 0 then
+    shift(b, i, way * nx * ix, way * ny * iy)
+  end
+  if max(jx, jy) > 0 then
+    shift(b, j, -way * nx * jx, -way * ny * jy)
+  end
   local closing = (speed[m] - speed[k]) * nx + (speed[m + 1] - speed[k + 1]) * ny
   local impulse = max(closing, 0.0) / total
   speed[k], speed[k + 1] = speed[k] + impulse * nx * ix, speed[k + 1] + impulse * ny * iy
@@ -322,7 +348,17 @@ function heap.run(b, dt)
 end
 
 -- These take another branch for each pair, or lead from loop to loop. (jit: 4)
-interpreted.functions(isOpen, slopeGap, boxGap, gapBetween, join, spread, heightOf, lowerKey)
+interpreted.functions(
+  isOpen,
+  slopeGap,
+  boxGap,
+  gapBetween,
+  mayReach,
+  join,
+  spread,
+  heightOf,
+  lowerKey
+)
 interpreted.functions(sortPairs, collect, solve, heap.run)
 
 return heap

@@ -23,6 +23,9 @@ local gapOf = columns.gap
 local max, sqrt = math.max, math.sqrt
 -- s for which a body meets something slanted and does not move, before it is stuck.
 local PATIENCE = 0.25
+-- px: what has met something in the step lies on it if the gap is no larger. (A heap is not moved
+-- apart to the last bit.)
+local CLOSE = 0.01
 -- Share of the way that its weight takes it in that time: what is as near its place has not moved.
 local STILL = 1 / 32
 -- Number of steps of gravity that make something as fast as what frees a jam when it presses it,
@@ -77,7 +80,7 @@ local function isGrounded(b, i)
     local half = b.head[i]
     while half ~= 0 do
       local j = b.other[half]
-      if not b.sensor[j] and b.visited[j] ~= b.stamp and gapOf(b, b.to, i, j) <= EPSILON then
+      if not b.sensor[j] and b.visited[j] ~= b.stamp and gapOf(b, b.to, i, j) <= CLOSE then
         if b.kind[j] == DYNAMIC then
           count = count + 1
           stack[count], b.visited[j] = j, b.stamp
@@ -93,6 +96,7 @@ end
 
 --- Counts at the end of a step for how long bodies have been caught, and lets them be stuck.
 function jam.note(b)
+  local list, count = b.knotList, 0
   for n = 1, b.hasCircles and b.awakeCount or 0 do
     local i = b.awakeList[n]
     local k, m = 2 * i, 2 * i + 1
@@ -100,12 +104,18 @@ function jam.note(b)
       local waited = wait(b, i)
       b.news[i] = b.news[i] or waited > 0
       if waited >= PATIENCE and isGrounded(b, i) then
-        b.stuck[i], b.hasKnots, b.knotWas[m] = true, true, 0
-        b.to[k], b.to[m], b.speed[k], b.speed[m] = b.origin[k], b.origin[m], 0.0, 0.0
+        count = count + 1
+        list[count] = i
       elseif waited >= PATIENCE then
         b.jam[k], b.jamWay[k], b.jamWay[m] = 0, 0, 0
       end
     end
+  end
+  -- They are put back when all have been asked what they touch: the list has no order.
+  for n = 1, count do
+    local k, m = 2 * list[n], 2 * list[n] + 1
+    b.stuck[list[n]], b.hasKnots, b.knotWas[m] = true, true, 0
+    b.to[k], b.to[m], b.speed[k], b.speed[m] = b.origin[k], b.origin[m], 0.0, 0.0
   end
 end
 

@@ -112,6 +112,13 @@ local function brake(b, i, k)
   end
 end
 
+-- Returns how far body k has moved; 0 if it is held: then its place is that of what holds it,
+-- however long the step is.
+local function freeWay(b, k)
+  local way = b.to[k] - b.origin[k]
+  return b.heldLow[k] + b.heldHigh[k] > 0 and 0.0 or max(way, -way)
+end
+
 -- Slot i is a circle, or touches one. If it has moved by no more than rounding, it has not moved.
 local function calm(b, i)
   local k = 2 * i
@@ -119,7 +126,7 @@ local function calm(b, i)
   local way = max(x, -x, y, -y)
   local speed = max(b.speed[k], -b.speed[k], b.speed[k + 1], -b.speed[k + 1])
   if way <= CALM and speed <= CALM_SPEED then
-    b.news[i] = b.news[i] or way > ROUNDING or speed > 0
+    b.news[i] = b.news[i] or max(freeWay(b, k), freeWay(b, k + 1)) > ROUNDING or speed > 0
     b.to[k], b.to[k + 1], b.speed[k], b.speed[k + 1] = b.origin[k], b.origin[k + 1], 0.0, 0.0
   elseif b.down[k] + b.down[k + 1] ~= 0 then
     brake(b, i, k)
