@@ -48,6 +48,7 @@ local function addFlags(b)
   b.knotSum = {} -- by leader: sum of the overlaps, px
   b.knotStates = {} -- by leader: what is known of the knot in this step
   b.knotList = {}
+  b.looseList = {} -- scratch of knots
   b.hasCrowds = false -- or was in a crowd
 end
 

@@ -109,17 +109,28 @@ function knots.free(b, i)
   end
 end
 
--- Frees the stuck bodies that may have room now.
+-- Lets slot i, which is stuck in a jam, begin anew alone.
+local function loosen(b, i)
+  b.stuck[i], b.jam[2 * i] = false, 0
+  b.jamWay[2 * i], b.jamWay[2 * i + 1] = 0, 0
+end
+
+-- Frees the stuck bodies that may have room now. A jam of which a neighbour has gone is loosened
+-- body by body, as each of them moves.
 local function freeSome(b)
-  local list, count = b.knotList, 0
+  local list, count, loose, looseCount = b.knotList, 0, b.looseList, 0
   for n = 1, b.awakeCount do
     local i = b.awakeList[n]
     if b.stuck[i] and not b.exiting[i] then
       local walls, moves = countWalls(b, i)
       local isWritten = b.moved[i] or b.velocity[2 * i] ~= 0 or b.velocity[2 * i + 1] ~= 0
-      if moves or isWritten or walls < b.knotWas[2 * i + 1] or jam.isPressed(b, i) then
+      local isLeft, isJam = walls < b.knotWas[2 * i + 1], b.jam[2 * i] > 0
+      if moves or isWritten or (isLeft and not isJam) or jam.isPressed(b, i) then
         count = count + 1
         list[count] = i
+      elseif isLeft then
+        looseCount = looseCount + 1
+        loose[looseCount] = i
       end
       b.news[i] = b.news[i] or walls ~= b.knotWas[2 * i + 1]
       b.knotWas[2 * i + 1] = walls
@@ -127,6 +138,9 @@ local function freeSome(b)
   end
   for n = 1, count do
     knots.free(b, list[n])
+  end
+  for n = 1, looseCount do
+    loosen(b, loose[n])
   end
 end
 
