@@ -1,6 +1,6 @@
 -- Plays a busy scene (spec/support/busy.lua) for a very long time and says how it is, part by part:
 --
---   luajit scripts/soak.lua --steps 10000000 [--part 500000] [--resume build/soak.lua] [--compile 1]
+--   luajit scripts/soak.lua --steps 10000000 [--part 500000] [--resume build/soak.lua]
 --
 -- With `--compile 1` it calls physics.compile first, which plays it in two thirds of the time.
 -- After each part the state is written to build/soak.lua, from which a later run can go on. It
@@ -12,8 +12,8 @@
 
 package.path = "./?.lua;" .. package.path
 
-local physics = require("physics")
 local busy = require("spec.support.busy")
+local physics = require("physics")
 local write = require("spec.fuzz.write")
 
 local PATH = "build/soak.lua"
