@@ -368,6 +368,29 @@ describe("a heap of balls", function()
     end
   end)
 
+  it("lies between two slopes, and in none of them", function()
+    local world, random = physics.newWorld({ gravity = 800 }), newRandom(1)
+    wall(world, -20, 300, 440, 20)
+    wall(world, -20, -3000, 20, 3320)
+    wall(world, 400, -3000, 20, 3320)
+    local left = { x = 0, y = 200, width = 150, height = 100, slope = "left", static = true }
+    local right = { x = 250, y = 200, width = 150, height = 100, slope = "right", static = true }
+    world:add("slopes", left)
+    world:add("slopes", right)
+    for i = 0, 39 do
+      local x, y = 20 + i % 10 * 36, 160 - (i - i % 10) / 10 * 30
+      world:add("balls", { x = x, y = y, radius = random:between(7, 10) })
+    end
+    run(world, 12)
+    assert.are.equal(40, world.stats.resting)
+    for _, one in ipairs(world.objects.balls) do
+      -- The corner of its square that is nearest to a slope is above the edge of that.
+      local bottom = one.y + one.height
+      local edge = math.min(200 + one.x * 100 / 150, 200 + (400 - one.x - one.width) * 100 / 150)
+      assert.is_true(bottom <= math.min(edge, 300) + 1e-6, bottom - edge)
+    end
+  end)
+
   it("bears a crate, and lies on boxes", function()
     local world = newHeap("columns", 3)
     run(world, 4)

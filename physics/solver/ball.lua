@@ -46,24 +46,6 @@ function ball.isRound(b, i, j)
   return max(b.shape[i], b.shape[j]) == CIRCLE
 end
 
---- Returns whether two overlap at the end of the step.
-function ball.overlaps(b, i, j)
-  local to, size, shape, k, m = b.to, b.size, b.shape, 2 * i, 2 * j
-  return circle.overlap(
-    to[k],
-    to[k + 1],
-    size[k],
-    size[k + 1],
-    shape[i] == CIRCLE,
-    to[m],
-    to[m + 1],
-    size[m],
-    size[m + 1],
-    shape[j] == CIRCLE,
-    EPSILON
-  )
-end
-
 -- The place of i at moment t, and that of j, one after the other.
 local function places(b, i, j, t)
   local k, m, startI, startJ = 2 * i, 2 * j, b.time[i], b.time[j]
