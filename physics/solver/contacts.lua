@@ -286,26 +286,33 @@ local function classify(b, count)
   b.overlapCount = overlapCount
 end
 
--- Decides of the pairs with a circle whether they touch, and on which axis.
+-- Decides whether pair p, with a circle, touches, and on which axis.
+local function putRound(b, p, i, j)
+  local axis, isLow, isSlanted = ball.touch(b, i, j)
+  if axis then
+    local kl, kh = 2 * (isLow and i or j) + axis, 2 * (isLow and j or i) + axis
+    put(b, p, axis, kl, kh, isSlanted and b.from[kh] - b.from[kl] or b.size[kl])
+    if isSlanted then
+      b.touches[p] = ELASTIC
+      leaveApart(b, p)
+    end
+  elseif isLow then -- they overlap
+    b.overlapCount = b.overlapCount + 1
+    b.overlaps[b.overlapCount] = p
+  else
+    leaveApart(b, p)
+  end
+end
+
+-- Does so for the pairs with a circle that are not left to the heap.
 local function classifyRound(b)
   for n = 1, b.roundCount do
     local p = b.roundPairs[n]
     local i, j = b.pairA[p], b.pairB[p]
-    local axis, isLow, isSlanted = ball.touch(b, i, j)
     if heapPairs.rest(b, p, i, j) then
       heapPairs.leave(b, p)
-    elseif axis then
-      local kl, kh = 2 * (isLow and i or j) + axis, 2 * (isLow and j or i) + axis
-      put(b, p, axis, kl, kh, isSlanted and b.from[kh] - b.from[kl] or b.size[kl])
-      if isSlanted then
-        b.touches[p] = ELASTIC
-        leaveApart(b, p)
-      end
-    elseif isLow then -- they overlap
-      b.overlapCount = b.overlapCount + 1
-      b.overlaps[b.overlapCount] = p
     else
-      leaveApart(b, p)
+      putRound(b, p, i, j)
     end
   end
 end
@@ -437,7 +444,7 @@ function contacts.noteNew(b)
   b.seenCount = b.liveCount
 end
 
-interpreted.functions(classifyRound, putSlopes)
+interpreted.functions(putRound, classifyRound, putSlopes)
 interpreted.functions(
   deepSeparation,
   putDeep,

@@ -44,8 +44,7 @@ local LISTS = 2
 local ENOUGH = 1e-3
 -- Share of a normal along gravity from which on one of two is above the other.
 local ABOVE = 0.1
--- Number of steps of gravity that make a body as fast as what rests.
-local SLOW = 2
+local SLOW = heapPairs.SLOW
 -- Keys of pairs with a body that does not move: after all others.
 local HELD, STATIC = 1e300, HUGE
 

@@ -16,8 +16,9 @@ heapPairs.HEAP = 4
 -- Maximum number of impacts of a body in a step before others are left to the heap: of two that do
 -- not bounce, and of two of which one does.
 local MOST, MOST_BOUNCES = 4, 13
--- Number of steps of gravity that make something as fast as what rests.
-local SLOW = 2
+--- Number of steps of gravity that make something as fast as what rests.
+heapPairs.SLOW = 2
+local SLOW = heapPairs.SLOW
 
 --- Returns whether two can move, and one of them is a ball.
 function heapPairs.areLoose(b, i, j)

@@ -46,11 +46,17 @@ local function isCaught(b, i)
   return b.deflectedAt[i] == b.solveStamp and max(x, -x, y, -y) < STILL * fall
 end
 
+--- Lets slot i have waited for no time.
+function jam.forget(b, i)
+  local k, m = 2 * i, 2 * i + 1
+  b.jam[k], b.jamWay[k], b.jamWay[m] = 0, 0, 0
+end
+
 -- Adds this step to the time that slot i has waited, if it is caught. Returns that time, s.
 local function wait(b, i)
   local k, m = 2 * i, 2 * i + 1
   if not isCaught(b, i) then
-    b.jam[k], b.jamWay[k], b.jamWay[m] = 0, 0, 0
+    jam.forget(b, i)
     return 0
   end
   b.jam[k] = b.jam[k] + b.dt
@@ -99,7 +105,6 @@ function jam.note(b)
   local list, count = b.knotList, 0
   for n = 1, b.hasCircles and b.awakeCount or 0 do
     local i = b.awakeList[n]
-    local k, m = 2 * i, 2 * i + 1
     if b.kind[i] == DYNAMIC and not b.stuck[i] then
       local waited = wait(b, i)
       b.news[i] = b.news[i] or waited > 0
@@ -107,7 +112,7 @@ function jam.note(b)
         count = count + 1
         list[count] = i
       elseif waited >= PATIENCE then
-        b.jam[k], b.jamWay[k], b.jamWay[m] = 0, 0, 0
+        jam.forget(b, i)
       end
     end
   end

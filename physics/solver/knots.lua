@@ -109,12 +109,6 @@ function knots.free(b, i)
   end
 end
 
--- Lets slot i, which is stuck in a jam, begin anew alone.
-local function loosen(b, i)
-  b.stuck[i], b.jam[2 * i] = false, 0
-  b.jamWay[2 * i], b.jamWay[2 * i + 1] = 0, 0
-end
-
 -- Frees the stuck bodies that may have room now. A jam of which a neighbour has gone is loosened
 -- body by body, as each of them moves.
 local function freeSome(b)
@@ -140,7 +134,8 @@ local function freeSome(b)
     knots.free(b, list[n])
   end
   for n = 1, looseCount do
-    loosen(b, loose[n])
+    b.stuck[loose[n]] = false
+    jam.forget(b, loose[n])
   end
 end
 
