@@ -75,14 +75,14 @@ return {
   },
   {
     "physics/broadphase/pairFinder.lua",
-    "if (max(outX, outY) > 0 or placed[i] ~= 2) and active[i] and strayAt[i] == huge then",
-    "if (max(outX, outY) >= 0 or placed[i] ~= 2) and active[i] and strayAt[i] == huge then",
+    "if (max(outX, outY) > -reach or placed[i] ~= 2) and active[i] and strayAt[i] == huge then",
+    "if (max(outX, outY) >= -reach or placed[i] ~= 2) and active[i] and strayAt[i] == huge then",
     "its neighbours are looked up one step earlier; more neighbours change no result",
   },
   {
     "physics/broadphase/pairFinder.lua",
-    "if (max(outX, outY) > 0 or placed[i] ~= 2) and active[i] and strayAt[i] == huge then",
-    "if (max(outX, outY) > 0 or placed[i] ~= 3) and active[i] and strayAt[i] == huge then",
+    "if (max(outX, outY) > -reach or placed[i] ~= 2) and active[i] and strayAt[i] == huge then",
+    "if (max(outX, outY) > -reach or placed[i] ~= 3) and active[i] and strayAt[i] == huge then",
     "the neighbours of all bodies are looked up in every step; more neighbours change no result",
   },
   {

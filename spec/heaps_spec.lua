@@ -236,15 +236,22 @@ describe("a heap of balls", function()
   end)
 
   -- Balls, the number of the scene, and the number of steps.
-  it("stays between its walls, with any masses and with balls that nothing pushes", function()
+  it("stays between its walls, with any masses, in others, and with balls that nothing pushes", function()
     local function weigh(ball, random)
       ball.mass = 10 ^ random:between(-6, 6)
     end
     local function fix(ball, random)
       ball.pushable = random:between(0, 1) > 0.3
     end
+    local function crowd(ball, random)
+      weigh(ball, random)
+      ball.y = 400 - 2 * ball.radius - random:between(0, 60)
+    end
     local rows =
       { { 3, 25, weigh, 24 }, { 6, 26, weigh, 40 }, { 2, 13, fix, 20 }, { 10, 19, fix, 40 } }
+    for seed = 1, 20 do
+      rows[#rows + 1] = { 12, seed, crowd, 40 }
+    end
     for _, row in ipairs(rows) do
       local world = newPit(row[1], row[2], row[3])
       for _ = 1, row[4] do
