@@ -238,6 +238,17 @@ describe("world:move", function()
     assert.are.equal(120, select(2, world:move(me, 20, 120)))
   end)
 
+  it("hits the first one in the order of the world where two are met alike", function()
+    for _, ys in ipairs({ { 0, 10 }, { 10, 0 } }) do
+      local world = still()
+      local me = world:add("a", box(0, 0, 10, 20))
+      world:add("walls", box(30, ys[1], 10, 10, { name = "first", static = true }))
+      world:add("walls", box(30, ys[2], 10, 10, { name = "second", static = true }))
+      local _, _, hits, count = world:move(me, 80, 0, "touch")
+      assert.are.equal("first right touch", told(hits, count))
+    end
+  end)
+
   it("asks a function for the response", function()
     local world, me = scene()
     world:add("doors", box(15, 0, 5, 10, { name = "door" }))
