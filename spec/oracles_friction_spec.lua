@@ -43,6 +43,20 @@ describe("known by hand, a box", function()
     return s
   end)
 
+  class("starts in air, driven by less than 1 px/s²", EXACT, function(random, rate)
+    local mu, k, sign = random:between(0.05, 0.3), random:between(0.2, 1), random:pick({ 1, -1 })
+    local a = random:between(mu + 0.1, 0.95)
+    local s = newScene(random, rate, { gravity = 1 })
+    s:floor()
+    local b = s:stand({ x = 0, friction = mu, airFriction = k, ax = sign * a })
+    s:play(4, function(t)
+      local x, speed = inAir(0, a - mu, k, t)
+      s:near("x", sign * x, b.x)
+      s:near("vx", sign * speed, b.vx)
+    end)
+    return s
+  end)
+
   class("drives against friction up to its limit", EXACT, function(random, rate)
     local g, mu, a, limit =
       random:between(300, 1200),
