@@ -401,17 +401,26 @@ describe("slopes", function()
     end
   end)
 
-  local function newHill()
-    local world = physics.newWorld({ gravity = 800 })
+  -- `isTurned`: the same with x in place of y, and gravity to the right.
+  local function newHill(isTurned)
+    local world =
+      physics.newWorld(isTurned and { gravity = 0, gravityX = 800 } or { gravity = 800 })
     local function add(x, y, width, height, slope)
       local object = { x = x, y = y, width = width, height = height, static = true, slope = slope }
+      if isTurned then
+        object.x, object.y, object.width, object.height = y, x, height, width
+      end
       return world:add("ground", object)
     end
     add(-400, 400, 480, 40)
     local slope = add(80, 336, 128, 64, "right")
     add(208, 336, 100, 64)
     add(300, 200, 8, 136)
-    local body = world:add("players", { x = 20, y = 376, width = 16, height = 24 })
+    local body = { x = 20, y = 376, width = 16, height = 24 }
+    if isTurned then
+      body = { x = 376, y = 20, width = 24, height = 16 }
+    end
+    world:add("players", body)
     world:update(1 / 60)
     return world, body, slope
   end
@@ -444,6 +453,30 @@ describe("slopes", function()
     x, y = world:move(body, 100, 400, "bounce")
     assert.near(100 - 42 * 0.8, x, 1e-9)
     assert.near(358 - 42 * 0.6, y, 1e-9)
+  end)
+
+  it("do the same where gravity points to the right", function()
+    local world, body = newHill()
+    local turned, other = newHill(true)
+    -- Where it is, and where it wants to go.
+    for _, row in ipairs({ { 20, 376, 196, 376 }, { 100, 300, 100, 400 }, { 20, 376, 400, 376 } }) do
+      for _, response in ipairs({ "slide", "touch", "bounce" }) do
+        body.x, body.y, other.x, other.y = row[1], row[2], row[2], row[1]
+        local _, sweptX, sweptY, nx, ny, fraction =
+          world:sweep(body, row[3] - row[1], row[4] - row[2])
+        assert.same(
+          { sweptY, sweptX, ny, nx, fraction },
+          { select(2, turned:sweep(other, row[4] - row[2], row[3] - row[1])) }
+        )
+        local x, y, hits, count = world:move(body, row[3], row[4], response)
+        local y2, x2, hits2, count2 = turned:move(other, row[4], row[3], response)
+        assert.same({ x, y, count }, { x2, y2, count2 })
+        for n = 1, count do
+          local hit, hit2 = hits[n], hits2[n]
+          assert.same({ hit.nx, hit.ny, hit.x, hit.y }, { hit2.ny, hit2.nx, hit2.y, hit2.x })
+        end
+      end
+    end
   end)
 
   it("are named by explain and told by touching", function()
