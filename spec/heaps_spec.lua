@@ -235,31 +235,62 @@ describe("a heap of balls", function()
     assert.are.same({ hashes[1], hashes[1], hashes[1], hashes[1] }, hashes)
   end)
 
-  -- Balls, the number of the scene, and the number of steps.
-  it("stays between its walls, with any masses, in others, and with balls that nothing pushes", function()
-    local function weigh(ball, random)
-      ball.mass = 10 ^ random:between(-6, 6)
-    end
-    local function fix(ball, random)
-      ball.pushable = random:between(0, 1) > 0.3
-    end
-    local function crowd(ball, random)
-      weigh(ball, random)
-      ball.y = 400 - 2 * ball.radius - random:between(0, 60)
-    end
-    local rows =
-      { { 3, 25, weigh, 24 }, { 6, 26, weigh, 40 }, { 2, 13, fix, 20 }, { 10, 19, fix, 40 } }
-    for seed = 1, 20 do
-      rows[#rows + 1] = { 12, seed, crowd, 40 }
-    end
-    for _, row in ipairs(rows) do
-      local world = newPit(row[1], row[2], row[3])
-      for _ = 1, row[4] do
-        world:update(1 / 60)
-        assert.is_true(depthIn(world) < 1e-6, depthIn(world))
+  -- A coin hangs where the balls fall, and a ghost falls among them.
+  it("moves nothing that it may not push, and is not moved by it", function()
+    local hashes = {}
+    for n, hasGuests in ipairs({ false, true }) do
+      local world, coin, ghost = newShaft(), nil, nil
+      fill(world, "poured", 3)
+      world.canCollide = function(one, other)
+        return one.static or other.static or not (one.isGhost or other.isGhost)
+      end
+      if hasGuests then
+        coin = { x = 70, y = 350, radius = 12, sensor = true, gravity = 0, gravityX = 0 }
+        ghost = { x = 30, y = 250, radius = 8, mass = 1000, isGhost = true }
+        world:add("guests", coin)
+        world:add("guests", ghost)
+      end
+      run(world, 3)
+      local sum = 0
+      for _, one in ipairs(world.objects.balls) do
+        sum = sum + one.x + 3 * one.y
+      end
+      hashes[n] = sum
+      if hasGuests then
+        assert.are.same({ 70, 350, 30, 384 }, { coin.x, coin.y, ghost.x, ghost.y })
       end
     end
+    assert.are.equal(hashes[1], hashes[2])
   end)
+
+  -- Balls, the number of the scene, and the number of steps.
+  it(
+    "stays between its walls, with any masses, in others, and with balls that nothing pushes",
+    function()
+      local function weigh(ball, random)
+        ball.mass = 10 ^ random:between(-6, 6)
+      end
+      local function fix(ball, random)
+        ball.pushable = random:between(0, 1) > 0.3
+      end
+      local function crowd(ball, random)
+        weigh(ball, random)
+        ball.y = 400 - 2 * ball.radius - random:between(0, 60)
+      end
+      local rows =
+        { { 3, 25, weigh, 24 }, { 6, 26, weigh, 40 }, { 2, 13, fix, 20 }, { 10, 19, fix, 40 } }
+      for seed = 1, 20 do
+        rows[#rows + 1] = { 12, seed, crowd, 40 }
+      end
+      for _, row in ipairs(rows) do
+        local world = newPit(row[1], row[2], row[3])
+        for _ = 1, row[4] do
+          world:update(1 / 60)
+          assert.is_true(depthIn(world) < 1e-6, depthIn(world))
+        end
+      end
+    end
+  )
 
   it("comes to rest with boxes between the balls", function()
     for _, row in ipairs({ { 8, 12 }, { 8, 54 }, { 12, 3 }, { 12, 40 }, { 20, 21 }, { 20, 35 } }) do
