@@ -145,4 +145,40 @@ return {
     "hits.spare[#hits.spare + 2] = hits[n]",
     "a spare table may be lost; another one is made",
   },
+  {
+    "physics/objects/groups.lua",
+    "}) == {}",
+    "}) ~= {}",
+    "objects are compared by `rawequal` in place of `==`",
+  },
+  {
+    "physics/objects/groups.lua",
+    "if rawget(source, count + 1) ~= nil then",
+    "if rawget(source, count + 2) ~= nil then",
+    "the lines below find the same, later",
+  },
+  {
+    "physics/state/validate.lua",
+    "if heardBy ~= nil and not (#list > 0 and isCount(heardBy, 2) and heardBy > 0) then",
+    "if heardBy ~= nil and not (#list > 1 and isCount(heardBy, 2) and heardBy > 0) then",
+    "an event has more values than one",
+  },
+  {
+    "physics/solver/contacts.lua",
+    "local from, axis, isSecondLow = b.from, nil, false",
+    "local from, axis, isSecondLow = b.from, nil, true",
+    "it is set where the axis is",
+  },
+  {
+    "physics/world/settings.lua",
+    "b.gravityX, b.gravity = self.gravityX + 0.0, self.gravity + 0.0",
+    "b.gravityX, b.gravity = self.gravityX + 0.0, self.gravity - 0.0",
+    "only -0 stays what it is",
+  },
+  {
+    "physics/memory/sort.lua",
+    "if count <= FEW then",
+    "if count > FEW then",
+    "both ways of sorting lead to one order",
+  },
 }
