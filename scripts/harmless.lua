@@ -181,4 +181,22 @@ return {
     "if count > FEW then",
     "both ways of sorting lead to one order",
   },
+  {
+    "physics/solver/bonds.lua",
+    "impulse = impulse > 0 and limit or -limit",
+    "impulse = impulse >= 0 and limit or -limit",
+    "an impulse of 0 tears no bond",
+  },
+  {
+    "physics/solver/bonds.lua",
+    "count = 0,",
+    "count = 1,",
+    "it is set before the list is filled",
+  },
+  {
+    "physics/state/restoreMemory.lua",
+    "e.count, e.told, e.heardBy = n, st.heardBy and 1 or 0, st.heardBy or 3",
+    "e.count, e.told, e.heardBy = n, st.heardBy and 1 or 0, st.heardBy or 4",
+    "it is only compared with 3",
+  },
 }
