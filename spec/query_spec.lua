@@ -741,6 +741,27 @@ for name, build in pairs({ small = small, large = large }) do
       assert.are.equal(0, count(world, 5, 5))
     end)
 
+    it("sees that another object has taken a place", function()
+      for _, isRay in ipairs({ true, false }) do
+        local world = build()
+        for n = 0, 2 do
+          world:add("a", box(100 * n, 0, 10, 10))
+        end
+        local function found(x)
+          if isRay then
+            return (world:raycast(x, -50, x, 50))
+          end
+          return world:queryRect(x - 5, 0, 10, 10)[1]
+        end
+        world:update(1 / 60)
+        assert.are.equal(world.objects.a[2], found(105))
+        local other = box(50, 0, 10, 10)
+        world.objects.a[2] = other
+        assert.is_nil(found(105))
+        assert.are.equal(other, found(55))
+      end
+    end)
+
     it("sees which objects are active", function()
       local world = build()
       local object = world:add("a", box(0, 0, 10, 10, { active = false }))
