@@ -317,6 +317,16 @@ describe("a ball", function()
     near(-0.4, hits[1].ny, 1e-6)
     assert.is_true(toX > 62 and toY < 78) -- along the tangent
     assert.are.equal(0, select(2, world:overlapping(object)))
+    object.x, object.y = 40, 78
+    toX, toY = world:move(object, 100, 78, "touch")
+    near(100 - across - 10, toX, 1e-6)
+    near(78, toY, 1e-6)
+    object.x, object.y = 40, 78
+    toX, toY = world:move(object, 100, 78, "bounce")
+    local left = 10 + across -- of the way, behind the hit
+    local into = left * across / 30
+    near(90 - across + left - 2 * into * across / 30, toX, 1e-5)
+    near(78 - 2 * into * 0.4, toY, 1e-5)
   end)
 
   it("is the same with and without rest, with either broad phase, and restored", function()

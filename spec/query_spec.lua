@@ -742,23 +742,31 @@ for name, build in pairs({ small = small, large = large }) do
     end)
 
     it("sees that another object has taken a place", function()
-      for _, isRay in ipairs({ true, false }) do
+      local ways = {
+        function(world, x)
+          return world:queryRect(x - 5, 0, 10, 10)[1]
+        end,
+        function(world, x)
+          return world:querySegment(x, -50, x, 50)[1]
+        end,
+        function(world, x)
+          return (world:raycast(x, -50, x, 50))
+        end,
+        function(world, x)
+          return (world:nearest(x, 5, 1))
+        end,
+      }
+      for _, find in ipairs(ways) do
         local world = build()
         for n = 0, 2 do
           world:add("a", box(100 * n, 0, 10, 10))
         end
-        local function found(x)
-          if isRay then
-            return (world:raycast(x, -50, x, 50))
-          end
-          return world:queryRect(x - 5, 0, 10, 10)[1]
-        end
         world:update(1 / 60)
-        assert.are.equal(world.objects.a[2], found(105))
+        assert.are.equal(world.objects.a[2], find(world, 105))
         local other = box(50, 0, 10, 10)
         world.objects.a[2] = other
-        assert.is_nil(found(105))
-        assert.are.equal(other, found(55))
+        assert.is_nil(find(world, 105))
+        assert.are.equal(other, find(world, 55))
       end
     end)
 

@@ -455,6 +455,24 @@ describe("slopes", function()
     assert.near(358 - 42 * 0.6, y, 1e-9)
   end)
 
+  it("meet what is inside them at once, and let it pass where they are one-way", function()
+    local world, body, slope = newHill()
+    body.x, body.y = 150, 372
+    local object, x, y, nx, ny, fraction = world:sweep(body, -30, 0)
+    assert.same({ slope, 150, 372, 0, 0, 0 }, { object, x, y, nx, ny, fraction })
+    slope.oneWay = "top"
+    world:refresh(slope)
+    assert.is_nil((world:sweep(body, -30, 0)))
+    body.x, body.y = 100, 300
+    object, x, y = world:sweep(body, 0, 100)
+    assert.same({ slope, 100, 358 }, { object, x, y })
+    body.x, body.y = 120, 410 -- from below, and from its high side
+    assert.is_nil((world:sweep(body, 0, -100)))
+    body.x, body.y = 230, 350
+    world:remove(world.objects.ground[3])
+    assert.is_nil((world:sweep(body, -40, 0)))
+  end)
+
   it("do the same where gravity points to the right", function()
     local world, body = newHill()
     local turned, other = newHill(true)
