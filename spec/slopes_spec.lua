@@ -477,7 +477,8 @@ describe("slopes", function()
     local world, body = newHill()
     local turned, other = newHill(true)
     -- Where it is, and where it wants to go.
-    for _, row in ipairs({ { 20, 376, 196, 376 }, { 100, 300, 100, 400 }, { 20, 376, 400, 376 } }) do
+    local rows = { { 20, 376, 196, 376 }, { 100, 300, 100, 400 }, { 20, 376, 400, 376 } }
+    for _, row in ipairs(rows) do
       for _, response in ipairs({ "slide", "touch", "bounce" }) do
         body.x, body.y, other.x, other.y = row[1], row[2], row[2], row[1]
         local _, sweptX, sweptY, nx, ny, fraction =
