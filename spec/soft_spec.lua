@@ -47,6 +47,20 @@ describe("soft objects", function()
     assert.near(105, (a.x + b.x) / 2, 1e-6)
   end)
 
+  -- The last one of a row is pushed by three others at once.
+  it("drift no faster than the setting says, along both axes", function()
+    for axis = 0, 1 do
+      local world, row = newWorld(SOFT), {}
+      for n = 0, 3 do
+        row[n] = world:add("enemies", axis == 0 and box(2 * n, 0) or box(0, 2 * n))
+      end
+      run(world, 1, 1e-3)
+      local last = axis == 0 and row[3].x or row[3].y
+      assert.near(6 + 0.1, last, 1e-9) -- 100 px/s for 1 ms
+      assert.near(0, axis == 0 and row[3].y or row[3].x, 1e-9)
+    end
+  end)
+
   it("keep their velocities, which do not count the drift", function()
     local world, a, b = pair({ vx = 30, vy = -7 }, { vx = 30, vy = -7 })
     run(world, 20)
