@@ -235,6 +235,38 @@ end)
 --   ########
 -- What grew came out on top of the ceiling or below the floor, and nothing told so.
 describe("F3: growing where there is no room", function()
+  --  +------+ |        both grow beyond the wall, from 50 to 110 px
+  --  +------+ |
+  --  +------+ |
+  --  +------+ |
+  it("leaves a wall on the side where it stood, also where others grow", function()
+    for axis = 0, 1 do
+      local world = physics.newWorld({ gravity = 0 })
+      local function add(group, object)
+        if axis == 1 then
+          object.x, object.y, object.width, object.height =
+            object.y, object.x, object.height, object.width
+        end
+        return world:add(group, object)
+      end
+      add("walls", { x = 100, y = -500, width = 4, height = 1000, static = true })
+      local men = {}
+      for n = 1, 3 do
+        men[n] = add("men", { x = 50, y = 100 * n, width = 50, height = 40 })
+      end
+      world:update(1 / 60)
+      for n = 1, 3 do
+        men[n][axis == 0 and "width" or "height"] = 110
+      end
+      for _ = 1, 10 do
+        world:update(1 / 60)
+      end
+      for n = 1, 3 do
+        assert.near(-10, axis == 0 and men[n].x or men[n].y, 1e-6)
+      end
+    end
+  end)
+
   local function play(description, grow, low, high, axis)
     scene.each(TURNED, function(run)
       local named = run:build(description)
