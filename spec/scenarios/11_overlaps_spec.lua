@@ -120,6 +120,30 @@ describe("a body that is inside two at once", function()
     end)
   end)
 
+  --  #####|   +--+##   The way down, out of the second, ends in a third one below the first:
+  --  #####|   |##|##   it must go to the right before it goes down.
+  --  #####+---|--+
+  --  ########|+--+
+  it("in a corner leaves the first one first, where only that way is free", function()
+    for _, isTurned in ipairs({ false, true }) do
+      local world = physics.newWorld({ gravity = 0 })
+      local function add(group, object)
+        if isTurned then
+          object.x, object.y, object.width, object.height =
+            object.y, object.x, object.height, object.width
+        end
+        return world:add(group, object)
+      end
+      add("walls", { x = -97, y = -50, width = 100, height = 60.5, static = true })
+      add("walls", { x = 9, y = -50, width = 100, height = 52, static = true })
+      add("walls", { x = -97, y = 10.5, width = 99, height = 50, static = true })
+      local box = add("boxes", { x = 0, y = 0, width = 10, height = 10 })
+      world:update(1 / 60)
+      assert.are.equal(isTurned and 2 or 3, box.x)
+      assert.are.equal(isTurned and 3 or 2, box.y)
+    end
+  end)
+
   it("in a corner is not moved out of what it may pass through", function()
     local world = physics.newWorld({ gravity = 0 })
     world:add("floors", { x = 0, y = 100, width = 200, height = 50, static = true })
