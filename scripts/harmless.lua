@@ -199,4 +199,22 @@ return {
     "e.count, e.told, e.heardBy = n, st.heardBy and 1 or 0, st.heardBy or 4",
     "it is only compared with 3",
   },
+  {
+    "physics/motion/forces.lua",
+    "if pull <= brake and -pull <= brake then",
+    "if pull < brake and -pull <= brake then",
+    "a pull that is just as strong moves nothing in the other way, either",
+  },
+  {
+    "physics/solver/rounds.lua",
+    "local NEAR = 24",
+    "local NEAR = 25",
+    "more paths are compared anew, with the same results",
+  },
+  {
+    "physics/state/restoreFields.lua",
+    "local names, any = {}, false",
+    "local names, any = {}, true",
+    "without names nothing is written",
+  },
 }

@@ -437,6 +437,26 @@ describe("slopes", function()
     assert.same({ slope, 100, 358 }, { object, x, y })
   end)
 
+  it("are met at the edge, not at the foot, by what stands there to rounding", function()
+    for _, o in ipairs({ 0, 0.1, -1000.1, 100000.3 }) do
+      local world = physics.newWorld({ gravity = 800 })
+      local foot = { x = o + 80, y = o + 336, width = 128, height = 64, slope = "right" }
+      foot.static = true
+      world:add("ground", foot)
+      local body = world:add("players", { x = 0, y = 0, width = 16, height = 24 })
+      for _, dx in ipairs({ -1e-8, -1e-9, 0, 1e-9 }) do
+        for _, dy in ipairs({ -1e-8, 0, 1e-8 }) do
+          for _, way in ipairs({ 10, 0.1, 1e-3, 1e-5 }) do
+            body.x, body.y = o + 64 + dx, o + 376 + dy
+            local _, _, _, nx, ny = world:sweep(body, way, 0)
+            assert.near(-1 / math.sqrt(5), nx or 0, 1e-12)
+            assert.near(-2 / math.sqrt(5), ny or 0, 1e-12)
+          end
+        end
+      end
+    end
+  end)
+
   it("lead a move along the edge, over the crest and to the wall", function()
     local world, body, slope = newHill()
     local x, y, hits = world:move(body, 260, 376)
