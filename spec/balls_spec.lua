@@ -4,6 +4,8 @@ local effort = require("spec.support.effort")
 local newRandom = require("spec.support.random").new
 local physics = require("physics")
 
+local long = effort.playsLong and it or pending
+
 local RATES = { 30, 60, 144, 240 }
 -- px/s: a corner is met 2e-9 of a step later than a face, so its normal is a little another one.
 local LATER = 1e-6
@@ -329,7 +331,7 @@ describe("a ball", function()
     near(78 - 2 * into * 0.4, toY, 1e-5)
   end)
 
-  it("is the same with and without rest, with either broad phase, and restored", function()
+  long("is the same with and without rest, with either broad phase, and restored", function()
     local function build(settings)
       local world, random = physics.newWorld(settings), newRandom(5)
       world.gravity = 600

@@ -11,6 +11,8 @@ local write = require("spec.fuzz.write")
 
 effort.wholeOn("LuaJIT compiled")
 
+local long = effort.playsLong and it or pending
+
 local loadText = rawget(_G, "loadstring") or load
 
 describe("random games", function()
@@ -281,7 +283,7 @@ describe("the checks of bounds", function()
 
   pending("hold in games with too little room: rest within two seconds, and none past a wall")
 
-  it("hold for motion in games with too little room", function()
+  long("hold for motion in games with too little room", function()
     local chosen = { motion = true }
     for seed = 1, effort.share(24, 4) do
       local one = crowded.new(seed, 30)

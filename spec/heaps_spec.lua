@@ -4,6 +4,8 @@ local effort = require("spec.support.effort")
 local newRandom = require("spec.support.random").new
 local physics = require("physics")
 
+local long = effort.playsLong and it or pending
+
 local function wall(world, x, y, width, height)
   return world:add("walls", { x = x, y = y, width = width, height = height, static = true })
 end
@@ -219,7 +221,7 @@ describe("a heap of balls", function()
     assert.are.equal(300, world.stats.resting)
   end)
 
-  it("is the same with and without rest, and restored", function()
+  long("is the same with and without rest, and restored", function()
     -- Half a second after the last one has come down, if it is a selection.
     local hashes, seconds = {}, effort.isWhole and 6 or 2.5
     for n, settings in ipairs({ {}, { rest = false }, { broadphase = "pairs" } }) do

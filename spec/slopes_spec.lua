@@ -7,6 +7,8 @@ local physics = require("physics")
 
 effort.wholeOn("LuaJIT compiled")
 
+local long = effort.playsLong and it or pending
+
 local GRADIENTS = { { 1, 1 }, { 1, 2 }, { 1, 3 }, { 2, 1 }, { 3, 1 } }
 local OFFSETS = { 0, 0.1, 1 / 3, -1000.1, 100000.3, 1234567.8, 9000000.7 }
 local HEIGHT = 24
@@ -120,7 +122,7 @@ describe("slopes", function()
     walk(151, 150 + effort.share(850))
   end)
 
-  it("lead a walker to one place at all rates", function()
+  long("lead a walker to one place at all rates", function()
     for seed = 1, 40 do
       local places = {}
       for _, rate in ipairs({ 30, 60, 144, 240, 0 }) do
@@ -329,7 +331,7 @@ describe("slopes", function()
     end
   end)
 
-  it("are found by rectangles and lines as by many points", function()
+  long("are found by rectangles and lines as by many points", function()
     for seed = 1, 60 do
       local random, world = newSlopes(seed)
       local x, y = random:between(-20, 250), random:between(-20, 250)

@@ -8,8 +8,10 @@ local physics = require("physics")
 
 effort.wholeOn("LuaJIT compiled")
 
+local long = effort.playsLong and it or pending
+
 describe("a busy scene", function()
-  it("loses no object and keeps its memory", function()
+  long("loses no object and keeps its memory", function()
     local world, length = busy.new(), effort.isWhole and 4000 or 500
     local n = 0
     local function play()

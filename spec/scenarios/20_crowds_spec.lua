@@ -86,8 +86,8 @@ describe("a crowd", function()
         if isUsual or effort.plays(row, 8) then
           it(name, function()
             local options = { count = 80, seed = 4, goal = goal, drive = drive }
-            -- Other rates than 60 Hz are watched while the crowd arrives, if it is a selection.
-            local seconds = effort.isWhole and 12 or rate == 60 and 8 or 4
+            -- In a selection others than the usual one are watched while the crowd arrives.
+            local seconds = effort.isWhole and 12 or (isUsual and rate == 60) and 8 or 4
             local crowd = play(options, seconds, rate)
             if isUsual and seconds >= 8 then
               expectNear(crowd.enemies)

@@ -52,6 +52,10 @@ end
 --- whatever was not asked for by name.
 effort.isFirst = asked == nil or asked == "LuaJIT"
 
+--- Whether this process plays what takes a second or two and shows the same on every Lua: in
+--- `make test` only the first of the two.
+effort.playsLong = effort.isFirst or wanted ~= "quick"
+
 --- Switches the trace compiler off for the specs of a file: what plays thousands of small worlds
 --- would keep it busy with each of them for nothing. Takes busted's `setup` and `teardown`. (Not
 --- after `physics.compile`: its typed arrays take an interpreter ten times as long.)
