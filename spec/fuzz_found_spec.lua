@@ -2749,6 +2749,46 @@ local FOUND = {
     },
   },
   {
+    "a machine does not press a body of a knot into the floor for a step",
+    {
+      settings = { gravity = -600 },
+      acts = {
+        { "add", 1, "floors", { height = 10, static = true, width = 60, x = -20, y = 100 } },
+        { "add", 2, "boxes", { height = 16, width = 10, x = 0, y = 84 } },
+        { "add", 3, "boxes", { height = 16, width = 10, x = 9, y = 84 } },
+        { "add", 4, "boxes", { height = 16, width = 10, x = 8, y = 84 } },
+        { "add", 5, "boxes", { height = 16, width = 10, x = -9, y = 84 } },
+        {
+          "add",
+          6,
+          "lifts",
+          { height = 10, kinematic = true, vy = 60, width = 10, x = 0, y = 73.5 },
+        },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+      },
+    },
+  },
+  {
+    "what parts from a body below a ceiling does not go on into the floor",
+    {
+      settings = {},
+      acts = {
+        {
+          "add",
+          9,
+          "crates",
+          { height = 1, maxSpeedY = 4, width = 1, x = -6.5, y = 5 },
+        },
+        { "insert", 10, 1, { height = 1, width = 1, x = -6.5, y = 4 } },
+        { "add", 17, "statics", { height = 1, static = true, width = 3, x = -8, y = 3.75 } },
+        { "add", 28, "statics", { height = 2, static = true, width = 1, x = -7, y = 6.375 } },
+        { "update", 0.015625 },
+        { "update", 0.015625 },
+      },
+    },
+  },
+  {
     "a belt on a ceiling does not pull a crate out into a wall",
     {
       settings = {},
