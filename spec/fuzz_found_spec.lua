@@ -2836,6 +2836,38 @@ local FOUND = {
     },
   },
   {
+    "a slope that moves does not press what is below a ceiling into a wall",
+    {
+      settings = {},
+      acts = {
+        { "add", 6, "tiles", { height = 1, static = true, width = 1, x = -1, y = 2.5 } },
+        { "add", 24, "boxes", { height = 0.25, width = 0.5, x = -1, y = 2.5 } },
+        {
+          "insert",
+          53,
+          "statics",
+          { height = 0.125, static = true, width = 1, x = -1, y = 2.125 },
+        },
+        { "add", 54, "statics", { height = 200, static = true, width = 0.5, x = -1.5, y = 1 } },
+        {
+          "add",
+          55,
+          "lifts",
+          {
+            height = 0.25,
+            kinematic = true,
+            slope = "right",
+            vx = -1,
+            width = 1,
+            x = -0.5,
+            y = 2.25,
+          },
+        },
+        { "update", 0.015625 },
+      },
+    },
+  },
+  {
     "what leaves a knot does not get into a wall that is new in this step",
     {
       settings = { gravity = 640 },
