@@ -2868,6 +2868,65 @@ local FOUND = {
     },
   },
   {
+    "what is put back because it went too far does not get into a wall",
+    {
+      settings = {},
+      acts = {
+        { "add", 42, "crates", { height = 10, width = 20, x = 50, y = 200 } },
+        { "add", 44, "statics", { height = 20, static = true, width = 20, x = 200, y = 200 } },
+        { "insert", 46, "boxes", { height = 37, vx = 9600, width = 20, x = 50, y = 170 } },
+        {
+          "insert",
+          50,
+          "crates",
+          { height = 20, pushable = false, vy = 13100, width = 40, x = 30, y = 140 },
+        },
+        { "add", 53, "players", { height = 20, width = 20, x = 60, y = 200 } },
+        { "insert", 59, "lifts", { height = 10, kinematic = true, width = 20, x = 100, y = 290 } },
+        { "update", 0.015625 },
+      },
+    },
+  },
+  {
+    "what is put back to its own way is not pushed into a wall by a slope",
+    {
+      settings = { gravity = 0 },
+      acts = {
+        { "add", 2, "tiles", { height = 10, static = true, width = 10, x = 10, y = 200 } },
+        {
+          "add",
+          37,
+          "players",
+          {
+            friction = 0.5,
+            gravityX = 100,
+            height = 20,
+            pushable = false,
+            vx = -100,
+            width = 7,
+            x = 148,
+            y = 100,
+          },
+        },
+        {
+          "add",
+          42,
+          "lifts",
+          { height = 4, kinematic = true, slope = "right", vy = -20, width = 24, x = 126, y = 110 },
+        },
+        { "insert", 43, "lifts", { height = 20, kinematic = true, width = 20, x = 140, y = 110 } },
+        { "update", 0.006944444444444444 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.03333333333333333 },
+        { "write", 2, { x = 130, y = 100 } },
+        { "update", 0.004166666666666667 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.03333333333333333 },
+      },
+    },
+  },
+  {
     "what leaves a knot does not get into a wall that is new in this step",
     {
       settings = { gravity = 640 },

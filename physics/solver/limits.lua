@@ -3,6 +3,7 @@
 -- - Balls of a heap are moved apart; what meets a circle after the last round stops.
 -- - A body that overlaps others goes no further than its speed and a share of its size take it.
 -- - A body that is not pushable stays on its own way.
+-- - No bound puts a box into a wall.
 --
 -- Reads the paths, contacts, limitedAt, deflectedAt, nudgedAt, heapCount; writes to, speed,
 -- limitedAt, news.
@@ -10,6 +11,7 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
+local filter = require(root .. ".broadphase.filter")
 local heap = require(root .. ".memory.lazy")(root .. ".solver.heap")
 local interpreted = require(root .. ".memory.jit")
 local knots = require(root .. ".solver.knots")
@@ -19,6 +21,7 @@ local walk = require(root .. ".memory.lazy")(root .. ".solver.walk")
 local limits = {}
 
 local DYNAMIC, EPSILON, PARTING = columns.DYNAMIC, columns.EPSILON, rounds.PARTING
+local BOX, STATIC, gapOf = columns.SHAPE_BOX, columns.STATIC, columns.gap
 local floor, max, min = math.floor, math.max, math.min
 -- Rounds after the last round, in which what meets a circle only stops.
 local FREEZES = 4
@@ -95,6 +98,37 @@ local function keepOwnWay(b, dt)
         local start, goal = origin[k], origin[k] + b.way[k] + b.carried[k] * dt
         to[k] = max(min(to[k], max(start, goal)), min(start, goal))
       end
+    end
+  end
+end
+
+-- Returns whether box i ends inside a static box that it was not in before.
+local function getsIntoWall(b, i)
+  local half = b.head[i]
+  while half ~= 0 do
+    local j = b.other[half]
+    local isWall = b.kind[j] == STATIC and b.shape[j] == BOX
+    if isWall and gapOf(b, b.to, i, j) < -EPSILON and gapOf(b, b.position, i, j) >= -EPSILON then
+      if filter.blocks(b, i, j) and not b.passing[floor(half * 0.5 + 0.5)] then
+        return true
+      end
+    end
+    half = b.next[half]
+  end
+  return false
+end
+
+-- Puts boxes back to where they began the step if a bound, or the ground after it, has put them
+-- into a wall: they were not swept on that way.
+local function keepOut(b)
+  local list, origin, to, swept = b.awakeList, b.origin, b.to, b.swept
+  for n = 1, b.awakeCount do
+    local i = list[n]
+    local k = 2 * i
+    local isSwept = to[k] == swept[k] and to[k + 1] == swept[k + 1]
+    local isBox = b.kind[i] == DYNAMIC and b.shape[i] == BOX
+    if not isSwept and isBox and getsIntoWall(b, i) then
+      to[k], to[k + 1], b.news[i] = origin[k], origin[k + 1], true
     end
   end
 end
@@ -181,6 +215,9 @@ function limits.run(b, dt, hasChanged)
   end
   if b.hasSlopes and hasChanged then
     walk.run(b, dt, false)
+  end
+  if hasChanged or b.heapCount > 0 then
+    keepOut(b)
   end
 end
 
