@@ -2927,6 +2927,25 @@ local FOUND = {
     },
   },
   {
+    "what is put back because it went too far does not get into a slope",
+    {
+      settings = {},
+      acts = {
+        { "add", 1, "boxes", { height = 10, width = 12, x = 148, y = 64 } },
+        { "add", 2, "players", { height = 20, width = 20, x = 130, y = 60 } },
+        { "insert", 3, 1, { height = 20, width = 20, x = 120, y = 60 } },
+        {
+          "insert",
+          5,
+          "statics",
+          { height = 20, slope = "topright", static = true, width = 20, x = 160, y = 64 },
+        },
+        { "insert", 6, "lifts", { height = 20, kinematic = true, width = 20, x = 100, y = 60 } },
+        { "update", 0.015625 },
+      },
+    },
+  },
+  {
     "what leaves a knot does not get into a wall that is new in this step",
     {
       settings = { gravity = 640 },

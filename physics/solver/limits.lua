@@ -16,12 +16,13 @@ local heap = require(root .. ".memory.lazy")(root .. ".solver.heap")
 local interpreted = require(root .. ".memory.jit")
 local knots = require(root .. ".solver.knots")
 local rounds = require(root .. ".solver.rounds")
+local slope = require(root .. ".memory.lazy")(root .. ".solver.slope")
 local walk = require(root .. ".memory.lazy")(root .. ".solver.walk")
 
 local limits = {}
 
 local DYNAMIC, EPSILON, PARTING = columns.DYNAMIC, columns.EPSILON, rounds.PARTING
-local BOX, STATIC, gapOf = columns.SHAPE_BOX, columns.STATIC, columns.gap
+local BOX, CIRCLE, STATIC = columns.SHAPE_BOX, columns.SHAPE_CIRCLE, columns.STATIC
 local floor, max, min = math.floor, math.max, math.min
 -- Rounds after the last round, in which what meets a circle only stops.
 local FREEZES = 4
@@ -102,13 +103,23 @@ local function keepOwnWay(b, dt)
   end
 end
 
--- Returns whether box i ends inside a static box that it was not in before.
+-- Returns whether box i is inside j, a box or a slope, at these places.
+local function isInside(b, places, i, j)
+  if b.shape[j] == BOX then
+    return columns.gap(b, places, i, j) < -EPSILON
+  end
+  local _, _, gap = slope.touch(b, i, j, places)
+  return gap < -EPSILON
+end
+
+-- Returns whether box i ends inside a wall that it was not in before. (Circles are left to the
+-- heap.)
 local function getsIntoWall(b, i)
   local half = b.head[i]
   while half ~= 0 do
     local j = b.other[half]
-    local isWall = b.kind[j] == STATIC and b.shape[j] == BOX
-    if isWall and gapOf(b, b.to, i, j) < -EPSILON and gapOf(b, b.position, i, j) >= -EPSILON then
+    local isWall = b.kind[j] == STATIC and b.shape[j] ~= CIRCLE
+    if isWall and isInside(b, b.to, i, j) and not isInside(b, b.position, i, j) then
       if filter.blocks(b, i, j) and not b.passing[floor(half * 0.5 + 0.5)] then
         return true
       end
