@@ -130,15 +130,17 @@ local function getsIntoWall(b, i)
 end
 
 -- Puts boxes back to where they began the step if a bound, or the ground after it, has put them
--- into a wall: they were not swept on that way.
+-- into a wall: they were not swept on that way. (What is squeezed may be in one.)
 local function keepOut(b)
   local list, origin, to, swept = b.awakeList, b.origin, b.to, b.swept
+  local squeezed = b.squeezed
   for n = 1, b.awakeCount do
     local i = list[n]
     local k = 2 * i
     local isSwept = to[k] == swept[k] and to[k + 1] == swept[k + 1]
     local isBox = b.kind[i] == DYNAMIC and b.shape[i] == BOX
-    if not isSwept and isBox and getsIntoWall(b, i) then
+    local isFree = squeezed[k] == 0 and squeezed[k + 1] == 0
+    if not isSwept and isBox and isFree and getsIntoWall(b, i) then
       to[k], to[k + 1], b.news[i] = origin[k], origin[k + 1], true
     end
   end
