@@ -2749,6 +2749,46 @@ local FOUND = {
     },
   },
   {
+    "a machine does not press a body of a knot into the floor for a step",
+    {
+      settings = { gravity = -600 },
+      acts = {
+        { "add", 1, "floors", { height = 10, static = true, width = 60, x = -20, y = 100 } },
+        { "add", 2, "boxes", { height = 16, width = 10, x = 0, y = 84 } },
+        { "add", 3, "boxes", { height = 16, width = 10, x = 9, y = 84 } },
+        { "add", 4, "boxes", { height = 16, width = 10, x = 8, y = 84 } },
+        { "add", 5, "boxes", { height = 16, width = 10, x = -9, y = 84 } },
+        {
+          "add",
+          6,
+          "lifts",
+          { height = 10, kinematic = true, vy = 60, width = 10, x = 0, y = 73.5 },
+        },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+      },
+    },
+  },
+  {
+    "what parts from a body below a ceiling does not go on into the floor",
+    {
+      settings = {},
+      acts = {
+        {
+          "add",
+          9,
+          "crates",
+          { height = 1, maxSpeedY = 4, width = 1, x = -6.5, y = 5 },
+        },
+        { "insert", 10, 1, { height = 1, width = 1, x = -6.5, y = 4 } },
+        { "add", 17, "statics", { height = 1, static = true, width = 3, x = -8, y = 3.75 } },
+        { "add", 28, "statics", { height = 2, static = true, width = 1, x = -7, y = 6.375 } },
+        { "update", 0.015625 },
+        { "update", 0.015625 },
+      },
+    },
+  },
+  {
     "a belt on a ceiling does not pull a crate out into a wall",
     {
       settings = {},
@@ -2791,6 +2831,116 @@ local FOUND = {
           "boxes",
           { height = 10, restitution = 0.5, vx = -200, width = 10, x = 14, y = 90 },
         },
+        { "update", 0.015625 },
+      },
+    },
+  },
+  {
+    "a slope that moves does not press what is below a ceiling into a wall",
+    {
+      settings = {},
+      acts = {
+        { "add", 6, "tiles", { height = 1, static = true, width = 1, x = -1, y = 2.5 } },
+        { "add", 24, "boxes", { height = 0.25, width = 0.5, x = -1, y = 2.5 } },
+        {
+          "insert",
+          53,
+          "statics",
+          { height = 0.125, static = true, width = 1, x = -1, y = 2.125 },
+        },
+        { "add", 54, "statics", { height = 200, static = true, width = 0.5, x = -1.5, y = 1 } },
+        {
+          "add",
+          55,
+          "lifts",
+          {
+            height = 0.25,
+            kinematic = true,
+            slope = "right",
+            vx = -1,
+            width = 1,
+            x = -0.5,
+            y = 2.25,
+          },
+        },
+        { "update", 0.015625 },
+      },
+    },
+  },
+  {
+    "what is put back because it went too far does not get into a wall",
+    {
+      settings = {},
+      acts = {
+        { "add", 42, "crates", { height = 10, width = 20, x = 50, y = 200 } },
+        { "add", 44, "statics", { height = 20, static = true, width = 20, x = 200, y = 200 } },
+        { "insert", 46, "boxes", { height = 37, vx = 9600, width = 20, x = 50, y = 170 } },
+        {
+          "insert",
+          50,
+          "crates",
+          { height = 20, pushable = false, vy = 13100, width = 40, x = 30, y = 140 },
+        },
+        { "add", 53, "players", { height = 20, width = 20, x = 60, y = 200 } },
+        { "insert", 59, "lifts", { height = 10, kinematic = true, width = 20, x = 100, y = 290 } },
+        { "update", 0.015625 },
+      },
+    },
+  },
+  {
+    "what is put back to its own way is not pushed into a wall by a slope",
+    {
+      settings = { gravity = 0 },
+      acts = {
+        { "add", 2, "tiles", { height = 10, static = true, width = 10, x = 10, y = 200 } },
+        {
+          "add",
+          37,
+          "players",
+          {
+            friction = 0.5,
+            gravityX = 100,
+            height = 20,
+            pushable = false,
+            vx = -100,
+            width = 7,
+            x = 148,
+            y = 100,
+          },
+        },
+        {
+          "add",
+          42,
+          "lifts",
+          { height = 4, kinematic = true, slope = "right", vy = -20, width = 24, x = 126, y = 110 },
+        },
+        { "insert", 43, "lifts", { height = 20, kinematic = true, width = 20, x = 140, y = 110 } },
+        { "update", 0.006944444444444444 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.03333333333333333 },
+        { "write", 2, { x = 130, y = 100 } },
+        { "update", 0.004166666666666667 },
+        { "update", 0.016666666666666666 },
+        { "update", 0.03333333333333333 },
+      },
+    },
+  },
+  {
+    "what is put back because it went too far does not get into a slope",
+    {
+      settings = {},
+      acts = {
+        { "add", 1, "boxes", { height = 10, width = 12, x = 148, y = 64 } },
+        { "add", 2, "players", { height = 20, width = 20, x = 130, y = 60 } },
+        { "insert", 3, 1, { height = 20, width = 20, x = 120, y = 60 } },
+        {
+          "insert",
+          5,
+          "statics",
+          { height = 20, slope = "topright", static = true, width = 20, x = 160, y = 64 },
+        },
+        { "insert", 6, "lifts", { height = 20, kinematic = true, width = 20, x = 100, y = 60 } },
         { "update", 0.015625 },
       },
     },

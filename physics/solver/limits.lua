@@ -3,6 +3,7 @@
 -- - Balls of a heap are moved apart; what meets a circle after the last round stops.
 -- - A body that overlaps others goes no further than its speed and a share of its size take it.
 -- - A body that is not pushable stays on its own way.
+-- - No bound puts a box into a wall.
 --
 -- Reads the paths, contacts, limitedAt, deflectedAt, nudgedAt, heapCount; writes to, speed,
 -- limitedAt, news.
@@ -10,15 +11,18 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
+local filter = require(root .. ".broadphase.filter")
 local heap = require(root .. ".memory.lazy")(root .. ".solver.heap")
 local interpreted = require(root .. ".memory.jit")
 local knots = require(root .. ".solver.knots")
 local rounds = require(root .. ".solver.rounds")
+local slope = require(root .. ".memory.lazy")(root .. ".solver.slope")
 local walk = require(root .. ".memory.lazy")(root .. ".solver.walk")
 
 local limits = {}
 
 local DYNAMIC, EPSILON, PARTING = columns.DYNAMIC, columns.EPSILON, rounds.PARTING
+local BOX, CIRCLE, STATIC = columns.SHAPE_BOX, columns.SHAPE_CIRCLE, columns.STATIC
 local floor, max, min = math.floor, math.max, math.min
 -- Rounds after the last round, in which what meets a circle only stops.
 local FREEZES = 4
@@ -95,6 +99,49 @@ local function keepOwnWay(b, dt)
         local start, goal = origin[k], origin[k] + b.way[k] + b.carried[k] * dt
         to[k] = max(min(to[k], max(start, goal)), min(start, goal))
       end
+    end
+  end
+end
+
+-- Returns whether box i is inside j, a box or a slope, at these places.
+local function isInside(b, places, i, j)
+  if b.shape[j] == BOX then
+    return columns.gap(b, places, i, j) < -EPSILON
+  end
+  local _, _, gap = slope.touch(b, i, j, places)
+  return gap < -EPSILON
+end
+
+-- Returns whether box i ends inside a wall that it was not in before. (Circles are left to the
+-- heap.)
+local function getsIntoWall(b, i)
+  local half = b.head[i]
+  while half ~= 0 do
+    local j = b.other[half]
+    local isWall = b.kind[j] == STATIC and b.shape[j] ~= CIRCLE
+    if isWall and isInside(b, b.to, i, j) and not isInside(b, b.position, i, j) then
+      if filter.blocks(b, i, j) and not b.passing[floor(half * 0.5 + 0.5)] then
+        return true
+      end
+    end
+    half = b.next[half]
+  end
+  return false
+end
+
+-- Puts boxes back to where they began the step if a bound, or the ground after it, has put them
+-- into a wall: they were not swept on that way. (What is squeezed may be in one.)
+local function keepOut(b)
+  local list, origin, to, swept = b.awakeList, b.origin, b.to, b.swept
+  local squeezed = b.squeezed
+  for n = 1, b.awakeCount do
+    local i = list[n]
+    local k = 2 * i
+    local isSwept = to[k] == swept[k] and to[k + 1] == swept[k + 1]
+    local isBox = b.kind[i] == DYNAMIC and b.shape[i] == BOX
+    local isFree = squeezed[k] == 0 and squeezed[k + 1] == 0
+    if not isSwept and isBox and isFree and getsIntoWall(b, i) then
+      to[k], to[k + 1], b.news[i] = origin[k], origin[k + 1], true
     end
   end
 end
@@ -181,6 +228,9 @@ function limits.run(b, dt, hasChanged)
   end
   if b.hasSlopes and hasChanged then
     walk.run(b, dt, false)
+  end
+  if hasChanged or b.heapCount > 0 then
+    keepOut(b)
   end
 end
 

@@ -219,11 +219,10 @@ function settle.axis(b, axis, dt, isLate)
 end
 
 -- Returns whether an impact has put one of two bodies into the other, which is immovable, and it is
--- not squeezed there yet. (What overlaps other bodies is left to the next step.)
+-- not squeezed there yet.
 local function isUnsqueezed(b, kl, kh)
   local isWall = (b.give[kl] == 0) ~= (b.give[kh] == 0)
-  local i = floor((b.give[kl] == 0 and kh or kl) * 0.5)
-  return isWall and b.squeezed[kl] == 0 and b.squeezed[kh] == 0 and b.deepAt[i] ~= b.solveStamp
+  return isWall and b.squeezed[kl] == 0 and b.squeezed[kh] == 0
 end
 
 --- Returns whether a contact of an axis is violated at the end of the step. Contacts that are

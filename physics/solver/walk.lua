@@ -136,6 +136,19 @@ local function block(b, i, k, on, way)
   b.blocked[2 * n - 1], b.blocked[2 * n] = 4 * i + 2 * (k % 2) + (way > 0 and 2 or 1), on
 end
 
+-- Returns whether something immovable is in the way of body t across gravity, to x.
+local function isBarred(b, t, x)
+  local list, give, to = b.contacts[t % 2], b.give, b.to
+  for c = 1, list.count do
+    local kl, kh, separation = list.low[c], list.high[c], list.separation[c]
+    local isOnLow = kh == t and give[kl] == 0 and to[kl] + separation > x + EPSILON
+    if isOnLow or kl == t and give[kh] == 0 and x + separation > to[kh] + EPSILON then
+      return true
+    end
+  end
+  return false
+end
+
 -- The same from (x0, height) on, on slot j, to x1. `isStill`: its way is the polyline.
 local function walkFrom(b, i, j, axis, turn, x0, x1, height, isStill)
   local k, t = 2 * i + axis, 2 * i + 1 - axis
@@ -150,7 +163,8 @@ local function walkFrom(b, i, j, axis, turn, x0, x1, height, isStill)
     b.pieceCount = first
     x, last, on = follow(b, i, axis, turn, x0, x, height, false, true)
   end
-  if on == 0 or (b.ground.isLevel and not isStopped) then
+  local isCaught = isStopped and isBarred(b, t, x)
+  if on == 0 or isCaught or (b.ground.isLevel and not isStopped) then
     -- (What is on level ground is where it is anyway. Whether slopes are known to be near it
     -- depends on the past.)
     b.pieceCount = first - 1
@@ -354,6 +368,17 @@ local function updateOthers(b, axis, firstStamp)
   end
 end
 
+-- What was stopped, and has come into a wall with its ground since, is held by that.
+local function yieldToWalls(b)
+  for n = 1, b.blockedCount do
+    local i = floor((b.blocked[2 * n - 1] - 1) * 0.25)
+    local t = 2 * i + 1 - slope.axisOf(b, i)
+    if isBarred(b, t, b.to[t]) then
+      b.give[t] = b.inverseMass[i]
+    end
+  end
+end
+
 --- Forgets all ways of an earlier attempt.
 function walk.begin(b)
   for n = 1, b.awakeCount do
@@ -367,6 +392,7 @@ end
 --- the end of the step. `isMeasured`: for the first time in this step, in which ways are measured.
 function walk.run(b, dt, isMeasured)
   b.isFirstWalk = isMeasured
+  yieldToWalls(b)
   for _ = 1, PASSES do
     local isSettled, firstStamp = false, b.walkStamp + 1
     b.pieceCount, b.hasWalked = 0, false

@@ -423,6 +423,30 @@ describe("slopes", function()
         run:same("crushes", log.crushes, 1)
       end)
     end)
+
+    --  ______________________ 372
+    --  wall |[ ]      ..../|
+    --       |    ..../  <- |
+    --  ______________________ 400
+    it("(P10) push nothing into a wall below a ceiling", function()
+      scene.each(EVERYWHERE, function(run)
+        for _, gap in ipairs({ 0, 5, 5.3 }) do
+          for restitution = 0, 1 do
+            local list = moving({ y = 376, height = 24, vx = -100 }, static(-400, 400, 900, 40))
+            list[#list + 1] = static(-400, 332, 900, 40)
+            list[#list + 1] = static(0, 372, 20, 28)
+            local fields = { x = 20 + gap, y = 376, restitution = restitution }
+            list[#list + 1] = body(fields)
+            local it = run:build(list).body
+            local log = run:listen(it)
+            for _ in run:steps(2) do
+              run:check(it.x > 20 - 1e-6, "it is %g px in the wall", 20 - it.x)
+            end
+            run:check(log.crushes > 0, "it should be crushed")
+          end
+        end
+      end)
+    end)
   end)
 
   --  a ball that falls on 45 degrees
