@@ -252,7 +252,7 @@ describe("a heap of balls", function()
         world:add("guests", coin)
         world:add("guests", ghost)
       end
-      run(world, 3)
+      run(world, 2)
       local sum = 0
       for _, one in ipairs(world.objects.balls) do
         sum = sum + one.x + 3 * one.y

@@ -380,7 +380,7 @@ describe("slopes", function()
     assert.is_nil((world:raycast(90, 300, 150, 360)))
   end)
 
-  it("are as near as their edge", function()
+  long("are as near as their edge", function()
     for seed = 1, 50 do
       local random, world = newSlopes(seed)
       local x, y = random:between(-50, 300), random:between(-50, 300)
