@@ -3209,6 +3209,84 @@ local FOUND = {
     },
   },
   {
+    "the place of a contact of two that overlap is the same after a restore",
+    {
+      settings = {},
+      acts = {
+        { "add", 22, "walls", { height = 700, static = true, width = 20, x = 200, y = -500 } },
+        { "add", 23, "walls", { height = 20, static = true, width = 300, x = -160, y = -180 } },
+        { "listen", 0, "onCrush", { { "fail" } } },
+        { "update", 0.015625 },
+        { "bounds", -129.2, -132, 204.2, 204.2 },
+        { "write", 23, { static = false } },
+        { "reload" },
+        { "update", 0.015625 },
+      },
+    },
+  },
+  {
+    "what stands a rounding off level ground stays there after a slope was near",
+    {
+      settings = { gravity = 40 },
+      acts = followedBy(
+        followedBy({
+          { "insert", 21, "walls", { height = 40, static = true, width = 1, x = -1, y = -20 } },
+          {
+            "add",
+            26,
+            "crates",
+            {
+              friction = 0.7018388847837586,
+              gravityX = -57.24047636356249,
+              height = 1,
+              width = 1,
+              x = 8.175507566123741,
+              y = 16,
+            },
+          },
+          {
+            "add",
+            27,
+            2.5,
+            { friction = 0.4550580051309038, height = 1, width = 1, x = 8.175507566123741, y = 15 },
+          },
+          {
+            "add",
+            33,
+            "lifts",
+            {
+              height = 2,
+              kinematic = true,
+              slope = "topright",
+              vx = -3.25,
+              width = 1,
+              x = 15.875,
+              y = 18,
+            },
+          },
+          {
+            "add",
+            37,
+            "lifts",
+            {
+              height = 1,
+              kinematic = true,
+              vx = -1.7019524813647866,
+              vy = -0.07812608506355989,
+              width = 3,
+              x = 6,
+              y = 17,
+            },
+          },
+        }, 40, 0.05, { "write", 33, { height = 1, width = 1 } }, { "update", 0.05 }, {
+          "twin",
+        }),
+        40,
+        0.05
+      ),
+    },
+  },
+  {
     "two in a crowd begin no contact, whether they were a pair before or not",
     {
       settings = { gravity = 40 },

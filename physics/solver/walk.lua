@@ -92,7 +92,8 @@ local function follow(b, i, axis, turn, x0, x1, height, isMeasured, isFree)
       return x, height, on, false
     end
     on = its
-    b.ground.isLevel = b.ground.isLevel and last == height and not isRamp(b, its, axis, turn)
+    local isStep = last - height > EPSILON or height - last > EPSILON
+    b.ground.isLevel = b.ground.isLevel and not isStep and not isRamp(b, its, axis, turn)
     if isMeasured then
       xEnd, last, way = shorten(x, height, xEnd, last, way)
     end
