@@ -334,8 +334,10 @@ local function collide(b, i, j, axis, wl, wh, separation, r, o, u, v, a, tau, dt
   reflow(b, kl, tau, dt)
   reflow(b, kh, tau, dt)
   if b.hasFriction and v > 0 then
-    if tau > 0 then
+    if tau > 0 and wl > 0 then
       drag(b, kl, 0, tau, dt, DEPTH)
+    end
+    if tau > 0 and wh > 0 then
       drag(b, kh, 0, tau, dt, DEPTH)
     end
     local press = leaves and 0.0 or max(v / total - jolt, 0.0)
