@@ -3328,6 +3328,75 @@ local FOUND = {
     },
   },
   {
+    "what a slope and a wall hold stays at its height to the bit, whatever the steps",
+    {
+      settings = { gravity = 600 },
+      acts = followedBy(
+        followedBy(
+          followedBy(
+            {
+              { "add", 2, "tiles", { height = 20, static = true, width = 20, x = -140, y = 160 } },
+              {
+                "add",
+                11,
+                "tiles",
+                { height = 16, slope = "left", static = true, width = 20, x = 0, y = 160 },
+              },
+              { "add", 12, "tiles", { height = 20, static = true, width = 20, x = 16, y = 160 } },
+              { "add", 13, "tiles", { height = 20, width = 20, x = 30, y = 160 } },
+              {
+                "insert",
+                14,
+                "tiles",
+                { height = 20, static = true, width = 20, x = 50, y = 160 },
+              },
+              {
+                "insert",
+                21,
+                "walls",
+                { height = 700, slope = "topleft", static = true, width = 20, x = -180, y = -500 },
+              },
+              { "add", 23, 2.5, { friction = 0.5, height = 16, width = 30, x = -20.5, y = -46 } },
+              { "add", 32, 1, { height = 20, width = 10, x = 60, y = 100 } },
+              { "add", 33, "crates", { height = 30, width = 40, x = -100, y = -100 } },
+              {
+                "add",
+                38,
+                "lifts",
+                { height = 10, kinematic = true, vx = 50, vy = 3, width = 20, x = -94, y = 120 },
+              },
+              {
+                "add",
+                42,
+                "lifts",
+                { height = 40, kinematic = true, width = 30, x = 30, y = -30 },
+              },
+            },
+            9,
+            1 / 30,
+            { "set", "gravityX", -765.792434332699 },
+            { "update", 1 / 30 },
+            {
+              "insert",
+              45,
+              2.5,
+              { height = 10, maxSpeed = 200, vy = -100, width = 30, x = 150, y = -80 },
+            }
+          ),
+          8,
+          1 / 30,
+          { "update", 1 / 60 },
+          { "update", 1 / 30 },
+          { "update", 1 / 30 },
+          { "update", 1 / 30 },
+          { "update", 1 / 60 }
+        ),
+        12,
+        1 / 30
+      ),
+    },
+  },
+  {
     "two in a crowd begin no contact, whether they were a pair before or not",
     {
       settings = { gravity = 40 },

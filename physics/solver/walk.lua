@@ -172,6 +172,9 @@ local function walkFrom(b, i, j, axis, turn, x0, x1, height, isStill)
     return false
   end
   b.pieceFirst[i], b.pieceLast[i] = isStill and first or 0, isStill and b.pieceCount or 0
+  if x == x0 and max(last - height, height - last) <= EPSILON then
+    last = height -- what stands a rounding apart stays so
+  end
   local place = turn * last
   b.hasWalked = b.hasWalked or isStopped or place ~= b.to[k] or x ~= b.to[t]
   b.liftOf[k] = place - b.to[k]
