@@ -520,6 +520,21 @@ describe("slopes", function()
     end
   end)
 
+  it("tell how fast something came that was put flush onto them", function()
+    for _, restitution in ipairs({ 0, 0.5, 1 }) do
+      local world, speed = physics.newWorld({ gravity = 40 }), nil
+      local slope = { x = 19, y = 16, width = 1, height = 3, static = true, slope = "right" }
+      slope.restitution = restitution
+      world:add("ground", slope)
+      local box = world:add("boxes", { x = 19, y = 15, width = 1, height = 1, vy = 20 })
+      function box.onBegin(_, _, _, its)
+        speed = its
+      end
+      world:update(0.05)
+      assert.equal(20, speed)
+    end
+  end)
+
   it("are named by explain and told by touching", function()
     local world, body, slope = newHill()
     body.x, body.y = 100, 345

@@ -367,7 +367,9 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
   local kl, kh = 2 * i + axis, 2 * j + axis
   local separation, o, v, a, lean = meet(b, i, j, axis, isDeep)
   local u, tau = approach(o, v, a, left)
-  impact.note(b, p, i, axis, u, t)
+  if u > 0 or b.pressed[p] ~= 1 then -- else it is noted with the speed that it began with
+    impact.note(b, p, i, axis, u, t)
+  end
   b.impactsOf[i], b.impactsOf[j] = b.impactsOf[i] + 1, b.impactsOf[j] + 1
   b.resolved = b.resolved + 1
   local r = restitution(b, i, j, u, a, dt)
