@@ -152,7 +152,7 @@ describe("a ball", function()
   end)
 
   -- Tiles of 16 px side by side, and one that stands 8 px higher at the end.
-  it("rolls over no seam: a row of tiles is as smooth as one", function()
+  long("rolls over no seam: a row of tiles is as smooth as one", function()
     for _, offset in ipairs({ 0, 1 / 3, -1000.1, 100000.3 }) do
       for _, rate in ipairs(RATES) do
         for _, radius in ipairs({ 3, 8, 20 }) do

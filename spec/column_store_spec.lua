@@ -160,7 +160,7 @@ describe("the memory of objects that have left", function()
     checkCut(200, 3)
   end)
 
-  it("is given back as it must be", function()
+  long("is given back as it must be", function()
     checked.during(function()
       checkCut(70, 1)
     end)
@@ -216,7 +216,7 @@ describe("columns that are checked", function()
 
   -- What counts steps, stamps and changes grows for ever, and must not stand where whole numbers
   -- are kept that 32 bits hold.
-  it("hold what has been counted in a game that is played for years", function()
+  long("hold what has been counted in a game that is played for years", function()
     local YEARS = 2 ^ 40
     local counted = { "step", "stamp", "forceStamp", "roundStamp", "links" }
     counted[#counted + 1] = "solveStamp"

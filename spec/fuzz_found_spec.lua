@@ -2,8 +2,11 @@
 --- fail, repair the library. One of them has found nothing but a change that no spec noticed
 --- (`make mutants`).
 
+local effort = require("spec.support.effort")
 local physics = require("physics")
 local trial = require("spec.fuzz.trial")
+
+effort.interpretQuickly(setup, teardown)
 
 -- Adds updates of `dt` s, a sixtieth if none is given, and further acts behind them.
 local function followedBy(acts, updates, dt, ...)

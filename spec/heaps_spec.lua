@@ -238,7 +238,7 @@ describe("a heap of balls", function()
   end)
 
   -- A coin hangs where the balls fall, and a ghost falls among them.
-  it("moves nothing that it may not push, and is not moved by it", function()
+  long("moves nothing that it may not push, and is not moved by it", function()
     local hashes = {}
     for n, hasGuests in ipairs({ false, true }) do
       local world, coin, ghost = newShaft(), nil, nil

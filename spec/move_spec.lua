@@ -1,7 +1,10 @@
 --- world:move, world:impulse, world:setBounds.
 
+local effort = require("spec.support.effort")
 local physics = require("physics")
 local newRandom = require("spec.support.random").new
+
+local long = effort.playsLong and it or pending
 
 local SHIFTS = { 0, 0.1, 1 / 3, -1000.1, 100000.3 }
 
@@ -353,7 +356,7 @@ describe("world:move", function()
     assert.is_true(x >= 0 and x <= 2)
   end)
 
-  it("never ends inside a solid", function()
+  long("never ends inside a solid", function()
     local names = { "slide", "touch", "bounce" }
     for seed = 1, 40 do
       local random, world, all = newRandom(seed), still(), {}

@@ -1,9 +1,12 @@
 --- Questions: queryPoint, queryRect, querySegment, raycast, sweep, nearest, overlapping, touching,
 --- explain.
 
+local effort = require("spec.support.effort")
 local physics = require("physics")
 local newRandom = require("spec.support.random").new
 local script = require("spec.support.script")
+
+local long = effort.playsLong and it or pending
 
 local function box(x, y, width, height, fields)
   local object = { x = x, y = y, width = width, height = height }
@@ -984,7 +987,7 @@ describe("a question", function()
     assert.are.equal(1, object.x)
   end)
 
-  it("changes no bit of what comes", function()
+  long("changes no bit of what comes", function()
     local options = { steps = 60, boxes = 24, writes = 0.5, specials = true }
     for seed = 1, 3 do
       for _, settings in ipairs({ {}, { broadphase = "pairs", rest = false } }) do
@@ -1018,7 +1021,7 @@ describe("a question", function()
     end
   end)
 
-  it("finds what looking at all objects finds", function()
+  long("finds what looking at all objects finds", function()
     for seed = 1, 8 do
       local random, world, all = newRandom(seed), still(), {}
       for i = 1, random:integer(5, 300) do

@@ -1,7 +1,10 @@
 --- save, restore, hash: going back and going on as if nothing had happened, to the bit.
 
+local effort = require("spec.support.effort")
 local physics = require("physics")
 local everything = require("spec.support.everything")
+
+effort.interpretQuickly(setup, teardown)
 
 local LAST = 72
 

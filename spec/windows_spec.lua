@@ -1,7 +1,10 @@
 --- What is different on Windows: paths with "\", in the names of chunks and in the calls of a game,
 --- and files with CR LF. The specs run on other systems, where these are made by hand.
 
+local effort = require("spec.support.effort")
 local fresh = require("spec.support.fresh")
+
+effort.interpretQuickly(setup, teardown)
 
 local loadText = rawget(_G, "loadstring") or load
 local searchers = rawget(package, "searchers") or rawget(package, "loaders")

@@ -1,8 +1,11 @@
 --- Riding: platforms, lifts and belts take along what stands on them.
 
+local effort = require("spec.support.effort")
 local scene = require("spec.support.scene")
 local turn = require("spec.support.turn")
 local variants = require("spec.support.variants")
+
+effort.interpretQuickly(setup, teardown)
 
 local EVERYWHERE = { rate = variants.RATES, turn = variants.TURNS }
 -- For the many rows that are relatives of another one: 12 variants.

@@ -1,8 +1,11 @@
 --- One-way objects: solid on one side, open on the others.
 
+local effort = require("spec.support.effort")
 local scene = require("spec.support.scene")
 local turn = require("spec.support.turn")
 local variants = require("spec.support.variants")
+
+effort.interpretQuickly(setup, teardown)
 
 local EVERYWHERE = { rate = variants.RATES, turn = variants.TURNS }
 -- For the relatives of another row: 16 variants.
