@@ -83,8 +83,8 @@ local function locate(b, p, side)
   local e, n, axis = b.events, b.events.count, columns.AXIS[side]
   local at, low, high = b.hitAt[p], b.hitLow[p], b.hitHigh[p]
   local i, j = b.pairA[p], b.pairB[p]
-  -- The box has the side, or the corner, that touches a slope. Of two boxes that overlap the first in
-  -- the order of the world counts.
+  -- The box has the side, or the corner, that touches a slope. Of two boxes that overlap the first
+  -- in the order of the world counts.
   local isSecond = b.rank[j] < b.rank[i]
   if b.hasSlopes and slope.isPair(b, i, j) then
     isSecond = slope.isOne(b, i)
