@@ -26,7 +26,7 @@ local typed = lazy(path .. ".memory.typedArrays")
 
 ---@class physics.Module: physics.DefaultWorld
 local physics = {
-  _VERSION = "0.1.0",
+  _VERSION = "1.0.0",
   _DESCRIPTION = "2D physics for boxes: exact contact, no seams, no tunnelling, pure Lua",
   _LICENSE = "MIT",
 }

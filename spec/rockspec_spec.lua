@@ -1,6 +1,6 @@
 -- The rockspecs and the changelog repeat what the files say; here they are compared.
 
-local ROCKSPEC = "rockspec/physics-0.1.0-1.rockspec"
+local ROCKSPEC = "rockspec/physics-1.0.0-1.rockspec"
 local UNRELEASED = "rockspec/physics-scm-1.rockspec"
 
 local function read(path)

@@ -1,10 +1,10 @@
 rockspec_format = "3.0"
 package = "physics"
-version = "0.1.0-1"
+version = "1.0.0-1"
 
 source = {
   url = "git+https://github.com/physics-lua/physics.lua",
-  tag = "v0.1.0",
+  tag = "v1.0.0",
 }
 
 description = {
