@@ -9,8 +9,6 @@ effort.wholeOn("LuaJIT compiled")
 
 local long = effort.playsLong and it or pending
 
-effort.interpretQuickly(setup, teardown)
-
 local GRADIENTS = { { 1, 1 }, { 1, 2 }, { 1, 3 }, { 2, 1 }, { 3, 1 } }
 local OFFSETS = { 0, 0.1, 1 / 3, -1000.1, 100000.3, 1234567.8, 9000000.7 }
 local HEIGHT = 24

@@ -5,8 +5,6 @@ local scene = require("spec.support.scene")
 local turn = require("spec.support.turn")
 local variants = require("spec.support.variants")
 
-effort.interpretQuickly(setup, teardown)
-
 local EVERYWHERE = { rate = variants.RATES, turn = variants.TURNS }
 -- For the many rows that are relatives of another one: 12 variants.
 local SOME = { shift = { 0, 1 / 3, 100000.3 }, rate = { 60, 30, "irregular" } }

@@ -12,8 +12,6 @@ local physics = require("physics")
 local scene = require("spec.support.scene")
 local variants = require("spec.support.variants")
 
-effort.interpretQuickly(setup, teardown)
-
 local EVERYWHERE = { rate = variants.RATES, turn = variants.TURNS }
 local RATES = { rate = variants.RATES }
 

@@ -12,8 +12,6 @@ local variants = require("spec.support.variants")
 
 effort.wholeOn("LuaJIT compiled")
 
-effort.interpretQuickly(setup, teardown)
-
 local RATES = { 60, 30, 144, 240 }
 local LEVELS = { rate = RATES, shift = { 0, 1 / 3 } }
 local TURNED = { rate = RATES, turn = variants.TURNS, push = { "both", "first" } }
