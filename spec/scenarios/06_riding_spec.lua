@@ -1,6 +1,5 @@
 --- Riding: platforms, lifts and belts take along what stands on them.
 
-local effort = require("spec.support.effort")
 local scene = require("spec.support.scene")
 local turn = require("spec.support.turn")
 local variants = require("spec.support.variants")

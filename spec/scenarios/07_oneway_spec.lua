@@ -1,6 +1,5 @@
 --- One-way objects: solid on one side, open on the others.
 
-local effort = require("spec.support.effort")
 local scene = require("spec.support.scene")
 local turn = require("spec.support.turn")
 local variants = require("spec.support.variants")

@@ -7,7 +7,6 @@
 --        _________/                \_________ 400
 --       -400     80  208         308 372
 
-local effort = require("spec.support.effort")
 local physics = require("physics")
 local scene = require("spec.support.scene")
 local variants = require("spec.support.variants")
