@@ -3480,6 +3480,23 @@ local FOUND = {
     },
   },
   {
+    "what a crowd is laid over goes the same way after a restore",
+    {
+      settings = {},
+      acts = {
+        { "insert", 7, "players", { height = 20, width = 20, x = 210, y = 300 } },
+        { "add", 8, 2.5, { height = 20, width = 20, x = 210, y = 300 } },
+        { "insert", 13, "players", { height = 20, width = 20, x = 190, y = 300 } },
+        { "add", 14, "boxes", { height = 20, width = 20, x = 210, y = 300 } },
+        { "add", 28, "boxes", { height = 1700, width = 40, x = 190, y = 100 } },
+        { "add", 32, "boxes", { height = 20, width = 40, x = 200, y = 100 } },
+        { "update", 0.015625 },
+        { "twin" },
+        { "update", 0.015625 },
+      },
+    },
+  },
+  {
     "two in a crowd begin no contact, whether they were a pair before or not",
     {
       settings = { gravity = 40 },

@@ -131,6 +131,18 @@ local function considerAll(b, i)
   end
 end
 
+-- The same where masks may have changed. (Crowds have been laid out already, over what is beside
+-- them.)
+local function considerRemasked(b, i)
+  local half = b.crowd[i] == 0 and b.head[i] or 0
+  while half ~= 0 do
+    if b.crowd[b.other[half]] == 0 then
+      consider(b, (half + half % 2) / 2)
+    end
+    half = b.next[half]
+  end
+end
+
 -- Lists in b.found the immovable objects that slot i would overlap at (x, y). Returns how many
 -- there are.
 local function listBlockers(b, i, x, y)
@@ -443,8 +455,10 @@ function separate.run(b)
   if b.hasInside or b.isRemasked then
     for n = 1, b.awakeCount do
       local i = b.awakeList[n]
-      if b.inside[i] or b.isRemasked then
+      if b.inside[i] then
         considerAll(b, i)
+      elseif b.isRemasked then
+        considerRemasked(b, i)
       end
     end
   end
