@@ -9,7 +9,7 @@ help: ## shows this list
 setup: ## installs what the other targets need (Debian, Ubuntu)
 	@bash scripts/setup.sh
 
-test: setup ## runs the specs on LuaJIT and Lua 5.4 in a minute, without the slow ones (spec/slow.lua)
+test: setup ## runs the specs on LuaJIT and Lua 5.4 in little more than a minute, without the slow ones (spec/slow.lua)
 	@bash scripts/test.sh
 
 test-all: setup ## runs all specs on every Lua: LuaJIT in three ways, 5.1 to 5.5; shows the coverage

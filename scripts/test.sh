@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs the specs. Counts each spec on each interpreter as one check.
 #
-#   scripts/test.sh             LuaJIT and Lua 5.4, without what is tagged #slow: a minute
+#   scripts/test.sh             LuaJIT and Lua 5.4, without what is tagged #slow: 75 s
 #   scripts/test.sh --all       every interpreter, and the coverage; the slow specs on those that
 #                               spec/slow.lua names
 #   scripts/test.sh --coverage  the part of that which shows the coverage

@@ -123,20 +123,12 @@ local function consider(b, p)
   end
 end
 
-local function considerAll(b, i)
+-- Considers the pairs of slot i. `isBeside`: not those with a crowd, which has been laid out over
+-- what is beside it.
+local function considerAll(b, i, isBeside)
   local half = b.head[i]
   while half ~= 0 do
-    consider(b, (half + half % 2) / 2)
-    half = b.next[half]
-  end
-end
-
--- The same where masks may have changed. (Crowds have been laid out already, over what is beside
--- them.)
-local function considerRemasked(b, i)
-  local half = b.crowd[i] == 0 and b.head[i] or 0
-  while half ~= 0 do
-    if b.crowd[b.other[half]] == 0 then
+    if not (isBeside and max(b.crowd[i], b.crowd[b.other[half]]) > 0) then
       consider(b, (half + half % 2) / 2)
     end
     half = b.next[half]
@@ -450,15 +442,13 @@ function separate.run(b)
   local work = b.partWork
   startRound(b)
   for n = 1, b.movedCount do
-    considerAll(b, b.movedList[n])
+    considerAll(b, b.movedList[n], false)
   end
   if b.hasInside or b.isRemasked then
     for n = 1, b.awakeCount do
       local i = b.awakeList[n]
-      if b.inside[i] then
-        considerAll(b, i)
-      elseif b.isRemasked then
-        considerRemasked(b, i)
+      if b.inside[i] or b.isRemasked then
+        considerAll(b, i, not b.inside[i])
       end
     end
   end
@@ -475,7 +465,7 @@ function separate.run(b)
     detect.run(b, work.moved, 1, movedCount)
     startRound(b)
     for n = 1, movedCount do
-      considerAll(b, work.moved[n])
+      considerAll(b, work.moved[n], false)
     end
   end
 end

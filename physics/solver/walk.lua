@@ -68,6 +68,11 @@ local function limitAt(b, i, axis, turn, x, middle)
   return room
 end
 
+-- Whether two heights differ by rounding only.
+local function areLevel(one, other)
+  return one - other <= EPSILON and other - one <= EPSILON
+end
+
 -- The end of a piece from (x, height) to (xEnd, last), if only `way` px along the ground are left.
 local function shorten(x, height, xEnd, last, way)
   local dx, dy = xEnd - x, last - height
@@ -92,8 +97,9 @@ local function follow(b, i, axis, turn, x0, x1, height, isMeasured, isFree)
       return x, height, on, false
     end
     on = its
-    local isStep = last - height > EPSILON or height - last > EPSILON
-    b.ground.isLevel = b.ground.isLevel and not isStep and not isRamp(b, its, axis, turn)
+    b.ground.isLevel = b.ground.isLevel
+      and areLevel(last, height)
+      and not isRamp(b, its, axis, turn)
     if isMeasured then
       xEnd, last, way = shorten(x, height, xEnd, last, way)
     end
@@ -172,7 +178,7 @@ local function walkFrom(b, i, j, axis, turn, x0, x1, height, isStill)
     return false
   end
   b.pieceFirst[i], b.pieceLast[i] = isStill and first or 0, isStill and b.pieceCount or 0
-  if x == x0 and max(last - height, height - last) <= EPSILON then
+  if x == x0 and areLevel(last, height) then
     last = height -- what stands a rounding apart stays so
   end
   local place = turn * last
