@@ -158,9 +158,7 @@ end
 docstrings.WORLD = {
   "physics/world/class.lua",
   "physics/world/world.lua",
-  "physics/world/objectMethods.lua",
   "physics/world/queryMethods.lua",
-  "physics/world/mapMethods.lua",
 }
 
 --- Returns the entries of a file, or of several, in their order.

@@ -6,7 +6,7 @@
 package.path = "./?.lua;" .. package.path
 
 local docstrings = require("scripts.docstrings")
-local fields = require("physics.world.fields")
+local fields = require("scripts.meanings")
 local typedFields = require("scripts.typed_fields")
 
 local types = {}

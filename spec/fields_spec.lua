@@ -1,7 +1,7 @@
 --- The list of all fields and settings: complete, well formed, and true to its own checks.
 
 local check = require("physics.world.check")
-local fields = require("physics.world.fields")
+local fields = require("scripts.meanings")
 
 -- Every field of an object: name, default, unit.
 local OBJECTS = {

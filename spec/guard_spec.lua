@@ -117,7 +117,7 @@ describe("a checked world", function()
     { "isStatic", "static" },
     { "elasticity", "restitution" },
     { "isTrigger", "sensor" },
-    { "gravityScale", "gravity, in px/s²" },
+    { "gravityScale", "gravity" },
     { "onCollision", "onBegin" },
   }) do
     it("takes " .. row[1] .. " for " .. row[2], function()
@@ -428,6 +428,63 @@ describe("a checked world", function()
     world:update(DT)
     world.checked = true
     assert.is_false((pcall(world.update, world, DT)))
+  end)
+
+  for _, row in ipairs({
+    {
+      { static = true, kinematic = true },
+      ".kinematic must be nil, got true: the object is static",
+    },
+    { { static = true, vx = 5 }, ".vx must be nil, got 5: a static object never moves" },
+    { { static = true, vy = -5 }, ".vy must be nil, got -5: a static object never moves" },
+    { { surfaceSpeed = 9 }, ".surfaceSpeed must be nil, got 9: belts are static or kinematic" },
+  }) do
+    it("refuses what has no effect: " .. row[2], function()
+      local world = newWorld()
+      local object = { x = 150, y = 0, width = 5, height = 5 }
+      for name, value in pairs(row[1]) do
+        object[name] = value
+      end
+      world.objects.others = { object }
+      local ok, message = pcall(world.update, world, DT)
+      assert.is_false(ok)
+      assert.truthy(message:find("objects.others[1]" .. row[2], 1, true), message)
+    end)
+  end
+
+  it("refuses a belt where nothing is pulled down", function()
+    local world, floor = newWorld()
+    floor.surfaceSpeed = 9
+    world:refresh(floor)
+    world:update(DT)
+    world.gravity = 0
+    refusesStep(
+      world,
+      "objects.floors[1].surfaceSpeed moves what gravity presses on it, and there is no gravity"
+    )
+    world.objects.boxes[1].gravity = 100
+    world:update(DT)
+  end)
+
+  it("finds another form of a group's name, after the first second", function()
+    local world = newWorld()
+    world:add("enemies", { x = 150, y = 0, width = 5, height = 5 })
+    world.soft = { enemy = { boxes = 9 } }
+    for _ = 1, 54 do
+      world:update(DT)
+    end
+    world:update(0.08)
+    refusesStep(world, "world.soft: there is no group enemy, did you mean enemies?")
+  end)
+
+  it("finds a `touching` that was taken away", function()
+    local world, _, box = newWorld()
+    world:update(DT)
+    box.touching = nil
+    refusesStep(
+      world,
+      "objects.boxes[1].touching was set to nil: the library writes it, and needs no help"
+    )
   end)
 
   it("keeps no world alive", function()

@@ -51,7 +51,7 @@ local USES = {
   ["physics.world.explain"] = function(_, world, box, floor)
     world:explain(box, floor)
   end,
-  ["physics.world.strictMode"] = function(_, world)
+  ["physics.world.checked"] = function(_, world)
     world.checked = true
     world:update(1 / 60)
   end,

@@ -2,7 +2,7 @@
 
 local docstrings = require("scripts.docstrings")
 local examples = require("scripts.manual_examples")
-local fields = require("physics.world.fields")
+local fields = require("scripts.meanings")
 local manual = require("scripts.manual")
 local physics = require("physics")
 local snippets = require("spec.support.snippets")

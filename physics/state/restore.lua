@@ -268,7 +268,7 @@ local function restoreSettings(world, saved, tables)
   -- Whatever the masks were before, and what was soft, the next step applies them anew: the state
   -- may have a contact that they forbid.
   local b = world._bodies
-  b.masksSeen, b.softSeen, b.isRemasked = false, {}, true
+  b.rowsSeen, b.isRemasked = {}, true
 end
 
 -- Reads the known objects in their old order. If the game has set another `order` since the last

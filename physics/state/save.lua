@@ -118,7 +118,14 @@ end
 -- How the game would write object n.
 local function placeOf(b, out, work, n)
   local slot = n <= out.known and work.slots[n]
-  return slot and registry.placeOf(b, slot) or "an object that was added"
+  if slot then
+    return registry.placeOf(b, slot)
+  end
+  local object = work.objects[n]
+  local group = b.registry.groupGiven[object]
+  local members = group ~= nil and b.world.objects[group]
+  local key = members and registry.find(members, object)
+  return key ~= nil and check.place(group, key) or "an object that was added"
 end
 
 --- Fills `out` with the state of a world. Returns `work` with the objects by number, and behind
