@@ -97,7 +97,7 @@ describe("world:loadLDtk", function()
   end)
 
   it("adds entities by their pivot, to the group of their identifier", function()
-    local level, world = load(newProject())
+    local level, world = load(newProject(), nil, { dynamic = { "Player" } })
     assert.same({ "16 8 16 24" }, boxes(world, "Player"))
     assert.same({ "48 16 16 16", "64 16 16 16" }, boxes(world, "Chest"))
     assert.same({ "0 0 8 32" }, boxes(world, "Door"))
@@ -138,7 +138,11 @@ describe("world:loadLDtk", function()
   end)
 
   it("and the world goes on with it", function()
-    local level, world = load(newProject(), nil, { solid = { dirt = true, stone = true } })
+    local level, world = load(
+      newProject(),
+      nil,
+      { solid = { dirt = true, stone = true }, dynamic = { "Player" } }
+    )
     for _ = 1, 60 do
       world:update(1 / 60)
     end
@@ -318,7 +322,7 @@ describe("world:loadLDtk", function()
     { 5, "options must be a table, got 5" },
     {
       { sold = {} },
-      'unknown option "sold" (did you mean "solid"?); the options are groups, ignore, merge,'
+      'unknown option "sold" (did you mean "solid"?); the options are dynamic, groups, ignore, merge,'
         .. " onlyLayers, skipLayers, solid, strict, x, y",
     },
     { { x = NAN }, "x must be a number, got nan" },

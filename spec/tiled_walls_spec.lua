@@ -16,11 +16,13 @@ local function rectangle(properties, extra)
   return object
 end
 
--- "static", "kinematic", "dynamic" of the first object, "none" without one.
+-- "static", "kinematic", "sensor", "dynamic" of the first object, "none" without one.
 local function kindOf(level)
   local object = level.objects[1]
   if not object then
     return "none"
+  elseif object.sensor and object.static then
+    return "sensor"
   end
   return object.static and "static" or object.kinematic and "kinematic" or "dynamic"
 end
@@ -38,7 +40,8 @@ describe("world:loadTiled, walls", function()
   describe("are rectangles", function()
     --- name of the layer, its properties, the rectangle's, options: kind
     for _, row in ipairs({
-      { "things", nil, nil, nil, "dynamic" },
+      { "things", nil, nil, nil, "sensor" },
+      { "things", nil, nil, { dynamic = { "things" } }, "dynamic" },
       { "things", nil, { solid = true }, nil, "static" },
       { "things", nil, { collidable = true }, nil, "static" },
       { "things", nil, { collidable = "true" }, nil, "static" },
@@ -54,14 +57,14 @@ describe("world:loadTiled, walls", function()
       { "things", nil, { solid = true, collidable = false }, nil, "static" },
       { "things", { solid = false }, nil, { solidLayers = { "things" } }, "static" },
       { "things", nil, { hard = true }, { solidProperty = "hard" }, "static" },
-      { "things", nil, { solid = true }, { solidProperty = "hard" }, "dynamic" },
+      { "things", nil, { solid = true }, { solidProperty = "hard" }, "sensor" },
       { "Walls", nil, nil, nil, "static" },
       { "walls", nil, { static = false }, nil, "dynamic" },
       { "walls", nil, { kinematic = true }, nil, "kinematic" },
       { "walls", nil, { solid = false }, nil, "none" },
       { "walls", { solid = false }, nil, nil, "none" },
       { "walls", { static = false }, nil, nil, "dynamic" },
-      { "walls", nil, nil, { solidLayers = {} }, "dynamic" },
+      { "walls", nil, nil, { solidLayers = {} }, "sensor" },
     }) do
       local name, layer, own, options, kind = row[1], row[2], row[3], row[4], row[5]
       local function show(words)
@@ -85,7 +88,7 @@ describe("world:loadTiled, walls", function()
         { "all", { solid = true }, "static" },
         { "all", { collidable = true }, "static" },
         { "Collision", {}, "static" },
-        { "all", {}, "dynamic" },
+        { "all", {}, "sensor" },
         { "Collision", { solid = false }, "none" },
       }) do
         local copied = tiled.copy(map)
@@ -104,13 +107,12 @@ describe("world:loadTiled, walls", function()
       local level = load(tiled.sti(map))
       assert.equal("static", kindOf(level))
       assert.same({ 'Walls.left: its name, "Walls.left"' }, solidOf(level))
-      assert.equal("dynamic", kindOf(load(newObjects("Walls.left", { rectangle() }))))
     end)
 
     it("that do not fall, while the player stands on them", function()
       local map = newObjects("Platforms", { tiled.object(1, 0, 100, 200, 16) })
       map.layers[2] = tiled.objects(2, "Player", { tiled.object(2, 20, 50, 16, 16) })
-      local level, world = load(map)
+      local level, world = load(map, { dynamic = { "Player" } })
       for _ = 1, 60 do
         world:update(1 / 60)
       end
@@ -134,6 +136,11 @@ describe("world:loadTiled, walls", function()
       "Ground",
       "platform",
       "Platforms",
+      "my walls",
+      "platforms 2",
+      "Collision Layer",
+      "TopWall",
+      "collisions_1",
     }) do
       it(name, function()
         local level = load(newObjects(name, { rectangle() }))
@@ -143,10 +150,10 @@ describe("world:loadTiled, walls", function()
       end)
     end
 
-    for _, name in ipairs({ "wallpaper", "background", "my walls", "platforms 2", "", "s" }) do
+    for _, name in ipairs({ "wallpaper", "background", "BackGround", "wall_decor", "backWalls", "", "s" }) do
       it("but not " .. name, function()
         local level = load(newObjects(name, { rectangle() }))
-        assert.equal("dynamic", kindOf(level))
+        assert.equal("sensor", kindOf(level))
         assert.same({}, level.solidLayers)
       end)
     end

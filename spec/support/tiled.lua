@@ -11,6 +11,12 @@ tiled.FLIP_X, tiled.FLIP_Y, tiled.TRANSPOSE = 2147483648.0, 1073741824.0, 536870
 function tiled.load(map, options)
   local world = physics.newWorld({ gravity = 800 })
   local level = world:loadTiled(map, options)
+  -- That a map has no wall is told by rows of its own.
+  for i, entry in ipairs(level.unsupported) do
+    if entry.kind == "map" then
+      level.noWall = table.remove(level.unsupported, i).reason
+    end
+  end
   return level, world
 end
 
