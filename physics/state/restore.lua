@@ -1,85 +1,73 @@
 --- Restores a world from a state (see format.lua).
 --
--- First the game's tables get what the library read from them last, and are read. Then the columns
--- that outlive a step are filled. Then the values are written that the game had written since. So
--- the next step finds everything as it was.
+-- The game's tables get their saved fields and places, and are read. Then the columns that outlive
+-- a step are filled. So the next step finds everything as it was.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local check = require(root .. ".world.check")
-local read = require(root .. ".objects.read")
 local columns = require(root .. ".memory.columns")
-local filter = require(root .. ".broadphase.filter")
+local compare = require(root .. ".objects.compare")
+local detect = require(root .. ".broadphase.pairFinder")
+local events = require(root .. ".contacts.events")
+local fields = require(root .. ".world.fields")
+local format = require(root .. ".state.format")
 local interpreted = require(root .. ".memory.jit")
 local notice = require(root .. ".queries.notice")
-local memory = require(root .. ".state.restoreMemory")
 local own = require(root .. ".state.own")
-local restoreFields = require(root .. ".state.restoreFields")
+local read = require(root .. ".objects.read")
+local rest = require(root .. ".sleep.islands")
 local settings = require(root .. ".world.settings")
-local format = require(root .. ".state.format")
-local verify = require(root .. ".state.validate")
+local validate = require(root .. ".state.validate")
 local zones = require(root .. ".motion.zones")
 
 local restore = {}
 
-local STATIC = columns.STATIC
+local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
+local COLUMNS, LINKS, PAIRS, EVENT = format.COLUMNS, format.LINKS, format.PAIRS, format.EVENT
 local max, min = math.max, math.min
 
--- Which table is which object --------------------------------------------------------------------
+-- Which table is which object ---------------------------------------------------------------------
 
--- Returns the object that stands at a place now, or nil.
-local function standing(world, group, direct, key)
-  local members = world.objects[group]
-  if type(members) ~= "table" then
-    return nil
-  end
-  local isDirect = type(members.width) == "number"
-  local object = nil
-  if direct then
-    object = isDirect and members
-  elseif not isDirect then
-    object = members[key]
-  end
-  return type(object) == "table" and object or nil
-end
-
-local function take(objects, taken, n, object)
-  if object and not objects[n] and not taken[object] then
-    objects[n], taken[object] = object, true
-  end
-end
-
--- Finds objects for a state that another world saved: those that stand at the same places.
-local function matchByPlace(world, st)
-  local objects, taken = {}, {}
-  for _, group in ipairs(st.tables or {}) do
-    for m, n in ipairs(group.objects) do
-      take(objects, taken, n, standing(world, group.name, group.direct, group.keys[m]))
-    end
-  end
+-- Calls visit(n, group, key) for each object of a state; the key of a direct one is nil.
+local function forEach(st, visit)
   local n = 0
   for _, group in ipairs(st.groups) do
     for m = 1, group.count do
       n = n + 1
-      local key = group.keys and group.keys[m] or m
-      if not st.tables then
-        take(objects, taken, n, standing(world, group.name, group.direct, key))
-      end
+      visit(n, group.name, not group.direct and (group.keys and group.keys[m] or m) or nil)
     end
   end
-  for m = 1, st.count do
-    objects[m] = objects[m] or {}
-  end
+end
+
+local function isDirect(members)
+  return type(members) == "table" and type(members.width) == "number"
+end
+
+-- Finds objects for a state from elsewhere: those at the same places, and new ones.
+local function matchByPlace(world, st)
+  local objects, taken = {}, {}
+  forEach(st, function(n, name, key)
+    local object = world.objects[name]
+    if isDirect(object) ~= (key == nil) then
+      object = nil
+    elseif key ~= nil and type(object) == "table" then
+      object = object[key]
+    end
+    if type(object) ~= "table" or taken[object] then
+      object = {}
+    end
+    objects[n], taken[object] = object, true
+  end)
   return objects
 end
 
 -- A sentence that names the first group under numbers that has another count of objects here than
 -- in a state from elsewhere: what the game has put into them may be on other objects. nil: none.
 local function misfit(world, st)
-  for _, group in ipairs(st.tables or st.groups) do
-    local members = world.objects[group.name]
-    local count = group.count or #group.objects
+  for _, group in ipairs(st.groups) do
+    local members, count = world.objects[group.name], group.count
     local isNumbered = not group.direct and (not group.keys or type(group.keys[count]) == "number")
-    local here = type(members) == "table" and type(members.width) ~= "number" and #members or 0
+    local here = type(members) == "table" and not isDirect(members) and #members or 0
     if isNumbered and count ~= here and here > 0 then
       return (
         "%s has %d objects in the state and %d here: numbers shift when an object is removed,"
@@ -89,191 +77,161 @@ local function misfit(world, st)
   end
 end
 
--- Returns which tables the objects were when the state was saved, as far as known: `objects` by
--- number. If this world has saved the state, also their `masks`, the objects that had `gone`, the
--- masks of the world (`worldMasks`) and their `rows`. Second: what does not fit (see misfit).
+-- Returns all objects that a state names, by number: if this world has saved it, the same tables.
+-- Second: what does not fit (see misfit).
 local function match(world, st)
-  local tables = world._bodies.tablesOf and world._bodies.tablesOf[st]
-  if tables and #tables.objects == st.count then
-    return tables
+  local known = world._bodies.tablesOf and world._bodies.tablesOf[st]
+  local goneCount = st.gone and #st.gone or 0
+  if known and #known == st.count + goneCount then
+    return format.copyList(known)
   end
-  local sentence = misfit(world, st)
-  return { objects = matchByPlace(world, st), masks = {}, gone = {}, rows = {} }, sentence
+  local objects = matchByPlace(world, st)
+  for n = st.count + 1, st.count + goneCount do
+    objects[n] = {}
+  end
+  return objects, misfit(world, st)
 end
 
--- Lists the objects to look at, by number: all, or if no static object has come, gone or been read
--- again since the state was saved, all others.
-local function listVisits(b, tables, count)
-  local visit, at = {}, 0
-  local isFixed = tables.staticVersion == b.staticVersion and not b.newcomers
-  local objects, slotOf, kind = tables.objects, b.slotOf, b.kind
-  for n = 1, count do
-    local slot = isFixed and slotOf[objects[n]]
-    if not slot or kind[slot] ~= STATIC then
-      at = at + 1
-      visit[at] = n
-    end
-  end
-  return visit
-end
+-- The game's tables -------------------------------------------------------------------------------
 
--- Tables -----------------------------------------------------------------------------------------
-
-local function emptyGroups(objects)
-  for name, members in next, objects, nil do
-    if type(members) ~= "table" or type(members.width) == "number" then
-      objects[name] = nil
-    else
-      for key in next, members, nil do
-        members[key] = nil
-      end
-    end
+-- Returns whether two values, or the entries of two tables, are the same.
+local function isSame(one, other)
+  if type(one) ~= "table" or type(other) ~= "table" then
+    return one == other
   end
-end
-
--- Returns the table of a group to be filled. An object's own table is never a group.
-local function groupIn(objects, name)
-  local members = objects[name]
-  if members == nil then
-    members = {}
-    objects[name] = members
-  end
-  return members
-end
-
--- Puts the objects where they were when the library looked last.
-local function placeKnown(world, st, objects)
-  emptyGroups(world.objects)
-  local n = 0
-  for _, group in ipairs(st.groups) do
-    if group.direct then
-      n = n + 1
-      world.objects[group.name] = objects[n]
-    else
-      local members = groupIn(world.objects, group.name)
-      for m = 1, group.count do
-        n = n + 1
-        members[group.keys and group.keys[m] or m] = objects[n]
-      end
-    end
-  end
-end
-
--- Gives an object that was added since then the `touching` that `add` had given it.
-local function giveTouching(b, object, group)
-  if not object.static and not object.kinematic then
-    local touching = read.touchingFor(b, object)
-    read.clearTouching(touching)
-    object.touching = touching
-    b.registry.given[object], b.registry.groupGiven[object] = touching, group
-  end
-end
-
--- Puts the objects where the game had put them since then.
-local function placeNow(world, st, objects)
-  if not st.tables then
-    return
-  end
-  emptyGroups(world.objects)
-  for _, group in ipairs(st.tables) do
-    local members = not group.direct and groupIn(world.objects, group.name)
-    for m, n in ipairs(group.objects) do
-      if members then
-        members[group.keys[m]] = objects[n]
-      else
-        world.objects[group.name] = objects[n]
-      end
-      if n > st.known then
-        giveTouching(world._bodies, objects[n], group.name)
-      end
-    end
-  end
-end
-
--- The world --------------------------------------------------------------------------------------
-
--- Returns the masks of a world as a table. A list cannot hold empty rows: they come from `rows`.
-local function masksOf(list, rows)
-  local masks = {}
-  for group, row in next, rows, nil do
-    if type(row) == "table" and (type(group) == "string" or check.isFinite(group)) then
-      masks[group] = {}
-    end
-  end
-  for at = 1, #list, 3 do
-    local group = masks[list[at]] or {}
-    masks[list[at]] = group
-    group[list[at + 1]] = list[at + 2]
-  end
-  return masks
-end
-
-local function areSameMasks(masks, other)
-  for group, row in next, masks, nil do
-    if not filter.isSameMask(row, other[group]) then
+  for key, value in next, one, nil do
+    if other[key] ~= value then
       return false
     end
   end
-  for group in next, other, nil do
-    if masks[group] == nil then
+  for key in next, other, nil do
+    if one[key] == nil then
       return false
     end
   end
   return true
 end
 
--- Writes the masks of a world, into their old tables if those are known.
-local function writeMasks(world, list, tables)
-  local known = tables.worldMasks
-  local masks = known or (type(world.masks) == "table" and world.masks) or {}
-  local wanted = masksOf(list, known and tables.rows or masks)
-  if areSameMasks(wanted, masks) then
-    wanted = masks
-  elseif known then
-    for group, row in next, tables.rows, nil do
-      restoreFields.overwrite(row, wanted[group])
-      wanted[group] = row
+-- Writes what a state holds of a field, nil: nothing. A table that says the same stays.
+local function write(object, field, value)
+  local make, now = format.MADE[field.type], object[field.name]
+  if make and value ~= nil then
+    value = make(value)
+    value = isSame(now, value) and now or value
+  end
+  if now ~= value then
+    object[field.name] = value
+  end
+end
+
+local function writeField(st, objects, field)
+  local name, list, at = field.name, st.fields[field.name], 1
+  local isDense = format.isDense(field)
+  for n = 1, st.count do
+    local object, value = objects[n], nil
+    if isDense then
+      value = list[n] or nil
+    elseif list[at] == n then
+      value, at = list[at + 1], at + 2
     end
-    restoreFields.overwrite(known, wanted)
-    wanted = known
-  end
-  world.masks = wanted
-end
-
--- Writes what is soft; a table that says the same stays the same table.
-local function writeSoft(world, list)
-  local wanted = list and masksOf(list, {}) or nil
-  if not (wanted and type(world.soft) == "table" and areSameMasks(wanted, world.soft)) then
-    world.soft = wanted
+    if object[name] ~= value then
+      write(object, field, value)
+    end
   end
 end
 
--- Writes the settings. A list or table of the world that already says the same is kept.
-local function restoreSettings(world, saved, tables)
+-- Gives objects that had left the world the fields that they had.
+local function writeGone(b, st, objects)
+  for n, saved in ipairs(st.gone or {}) do
+    local object = objects[st.count + n]
+    for _, field in ipairs(fields.saved) do
+      write(object, field, saved[field.name])
+    end
+    if not (saved.static or saved.kinematic or type(object.touching) == "table") then
+      object.touching = read.touchingFor(b, object)
+    end
+  end
+end
+
+local function clear(list)
+  for key in next, list, nil do
+    list[key] = nil
+  end
+end
+
+-- Puts the objects into the game's groups. Groups that are not in the state are emptied.
+local function place(world, st, objects)
+  for name, members in next, world.objects, nil do
+    if type(members) ~= "table" or isDirect(members) then
+      world.objects[name] = nil
+    else
+      clear(members)
+    end
+  end
+  for _, group in ipairs(st.groups) do
+    world.objects[group.name] = not group.direct and (world.objects[group.name] or {}) or nil
+  end
+  forEach(st, function(n, name, key)
+    if key == nil then
+      world.objects[name] = objects[n]
+    else
+      world.objects[name][key] = objects[n]
+    end
+  end)
+end
+
+-- Settings ----------------------------------------------------------------------------------------
+
+-- Returns rows that a state holds as { group, other, value, ... }, in the game's own tables where
+-- these are there: the game may hold them.
+local function rowsOf(list, now)
+  local rows = type(now) == "table" and now or {}
+  for group, row in next, rows, nil do
+    if type(row) == "table" then
+      clear(row)
+    else
+      rows[group] = nil
+    end
+  end
+  for at = 1, #list, 3 do
+    format.listIn(rows, list[at])[list[at + 1]] = list[at + 2]
+  end
+  return rows
+end
+
+local function restoreSettings(world, saved)
   for _, name in ipairs(format.SETTINGS) do
     world[name] = saved[name]
   end
-  if saved.masks then
-    writeMasks(world, saved.masks, tables)
-  else
-    world.masks = nil
-  end
-  writeSoft(world, saved.soft)
-  if not saved.order then
-    world.order = nil
-  elseif not world.order or not restoreFields.isSameList(saved.order, world.order) then
-    world.order = format.copyList(saved.order)
+  world.masks = saved.masks and rowsOf(saved.masks, world.masks)
+  world.soft = saved.soft and rowsOf(saved.soft, world.soft)
+  if not (saved.order and world.order and isSame(saved.order, world.order)) then
+    world.order = saved.order and format.copyList(saved.order)
   end
   settings.apply(world)
-  -- Whatever the masks were before, and what was soft, the next step applies them anew: the state
-  -- may have a contact that they forbid.
+  -- The state may have a contact that they forbid: the next step applies them anew.
   local b = world._bodies
   b.rowsSeen, b.isRemasked = {}, true
 end
 
--- Reads the known objects in their old order. If the game has set another `order` since the last
--- step, it holds from the next step on.
-local function collectKnown(world, st)
+-- Reading -----------------------------------------------------------------------------------------
+
+-- Reads the objects that `update` would not read again.
+local function readStatic(b, st, objects)
+  for n = 1, st.count do
+    local object, i = objects[n], b.slotOf[objects[n]]
+    local isStatic = i and b.kind[i] == STATIC
+    if i and (isStatic or object.static) then
+      if isStatic ~= (object.static or false) or compare.firstChanged(b, i, object) then
+        read.refresh(b, i)
+      end
+    end
+  end
+end
+
+-- Reads all objects in their old order. If the game has set another `order` since the last step, it
+-- holds from the next step on.
+local function readAll(world, st)
   local r, names = world._bodies.registry, {}
   for n, group in ipairs(st.groups) do
     names[n] = group.name
@@ -284,30 +242,155 @@ local function collectKnown(world, st)
   r.order, r.reorder = order, true
 end
 
---- Makes a world what it was when `st` was saved. Errors: a state that cannot be used; then nothing
---- has changed.
+-- Memory ------------------------------------------------------------------------------------------
+
+-- Forgets all events and all contacts, without events about it.
+local function forget(b)
+  events.forget(b.events)
+  for c = 1, #PAIRS do
+    local column = b[PAIRS[c][1]]
+    for p = 1, b.pairSlots do
+      column[p] = PAIRS[c][2]
+    end
+  end
+  b.contactCount = 0
+end
+
+local function restoreColumn(b, list, slots, entry)
+  local column, width, usual = b[entry[1]], entry[2], entry[3]
+  local model, y = b[usual], width - 1
+  for n = 1, #slots do
+    local k = width * slots[n]
+    if model then
+      column[k], column[k + y] = model[k], model[k + y]
+    else
+      column[k], column[k + y] = usual, usual
+    end
+  end
+  for at = 1, #list, 1 + width do
+    local k = width * slots[list[at]]
+    column[k], column[k + y] = list[at + 1], list[at + 1 + y]
+  end
+end
+
+local function restoreLink(column, list, slots)
+  for n = 1, #slots do
+    column[slots[n]] = 0
+  end
+  for at = 1, #list, 2 do
+    column[slots[list[at]]] = slots[list[at + 1]]
+  end
+end
+
+-- Notes the history of a world, as far as it still matters (see the skip hints in initial.lua).
+local function restoreHistory(b, memory)
+  b.hasCarriers = b.hasCarriers or #memory.carrier > 0 or #memory.carried > 0
+  b.hasCrushed = b.hasCrushed or #memory.wasCrushed > 0
+  b.hasInside = b.hasInside or #memory.inside > 0
+  b.hasCrowds = b.hasCrowds or #memory.crowd > 0
+  b.hasKnots = b.hasKnots or #memory.stuck > 0 or #memory.exiting > 0 or #memory.knotted > 0
+end
+
+local function restoreMemory(b, st, slots)
+  restoreHistory(b, st.memory)
+  for n = 1, #COLUMNS do
+    restoreColumn(b, st.memory[COLUMNS[n][1]], slots, COLUMNS[n])
+  end
+  for n = 1, #LINKS do
+    restoreLink(b[LINKS[n]], st.memory[LINKS[n]], slots)
+  end
+  b.movedCount, b.lostCount = 0, #st.lost
+  for n = 1, #slots do
+    local i = slots[n]
+    b.fresh[i] = false
+    rest.wake(b, i)
+    columns.stand(b, i)
+    if b.moved[i] then
+      b.movedCount = b.movedCount + 1
+      b.movedList[b.movedCount] = i
+    end
+  end
+  for at = 1, b.lostCount do
+    b.lost[at] = slots[st.lost[at]]
+  end
+end
+
+local function restoreContacts(b, st, slots)
+  local list = st.contacts
+  detect.run(b, slots, 1, #slots)
+  for at = 1, #list, 2 + #PAIRS do
+    local i, j = slots[list[at]], slots[list[at + 1]]
+    local p = columns.pairOf(b, i, j) or columns.link(b, i, j)
+    for c = 1, #PAIRS do
+      local value = list[at + 1 + c]
+      if b.pairA[p] ~= i and value ~= PAIRS[c][2] then
+        value = PAIRS[c][3][value]
+      end
+      b[PAIRS[c][1]][p] = value
+    end
+    b.contactCount = b.contactCount + min(b.contact[p], 1)
+  end
+end
+
+-- (`object.touching` may be the table of another world now, or of several objects.)
+local function restoreTouching(b, st, objects, slots)
+  for n = 1, st.count do
+    local i = slots[n]
+    if b.kind[i] == DYNAMIC then
+      objects[n].touching = b.touching[i]
+      read.takeTouching(b, i, b.touching[i])
+      read.clearTouching(b.touching[i])
+    end
+  end
+  for at = 1, #st.touching, 5 do
+    local touching = b.touching[slots[st.touching[at]]]
+    for side = 1, touching and 4 or 0 do
+      touching[columns.SIDES[side]] = objects[st.touching[at + side]] or false
+    end
+  end
+end
+
+local function restoreEvents(b, st, objects)
+  local e, list, n = b.events, st.events, 0
+  for at = 1, #list, 3 + #EVENT do
+    n = n + 1
+    e.order[n], e.kindAndNumber[n] = n, n
+    e.a[n], e.b[n] = objects[list[at]], objects[list[at + 1]]
+    e.c[n] = objects[list[at + 2]] or false
+    for m = 1, #EVENT do
+      e[EVENT[m]][n] = list[at + 2 + m]
+    end
+  end
+  e.count, e.told, e.heardBy = n, st.heardBy and 1 or 0, st.heardBy or 3
+  e.sorted = max(st.sorted or 0, e.told)
+end
+
+--- Makes a world what it was when `st` was saved. Returns what does not fit (see misfit), or nil.
+--- Errors: a state that cannot be used; then nothing has changed.
 function restore.world(world, st)
-  verify.state(st)
-  local b = world._bodies
+  validate.state(st)
+  local b, slots = world._bodies, {}
   if type(world.objects) ~= "table" then
     world.objects = {}
   end
-  local tables, sentence = match(world, st)
-  local objects, masks = tables.objects, tables.masks
-  local named = restoreFields.recall(b, st, objects, tables.gone)
-  local visit = listVisits(b, tables, st.count)
-  memory.forget(b)
-  restoreSettings(world, st.settings, tables)
-  restoreFields.write(st, objects, masks, visit)
-  local unread = restoreFields.writeRead(st, objects)
-  placeKnown(world, st, objects)
-  memory.readAgain(b, objects, st.known, visit)
-  collectKnown(world, st)
-  memory.remember(b, st, objects, named, visit)
-  if unread then
-    restoreFields.write(st, objects, masks, visit, unread)
+  local objects, sentence = match(world, st)
+  writeGone(b, st, objects)
+  forget(b)
+  restoreSettings(world, st.settings)
+  for _, field in ipairs(fields.saved) do
+    writeField(st, objects, field)
   end
-  placeNow(world, st, objects)
+  place(world, st, objects)
+  readStatic(b, st, objects)
+  readAll(world, st)
+  events.forget(b.events)
+  for n = 1, st.count do
+    slots[n] = b.slotOf[objects[n]]
+  end
+  restoreMemory(b, st, slots)
+  restoreContacts(b, st, slots)
+  restoreTouching(b, st, objects, slots)
+  restoreEvents(b, st, objects)
   own.restore(st, objects)
   world._walls = {}
   for side, n in next, st.walls, nil do
@@ -320,7 +403,6 @@ function restore.world(world, st)
   return sentence
 end
 
-interpreted.always(masksOf, areSameMasks, writeMasks)
-interpreted.always(emptyGroups, restore.world)
+interpreted.always(isSame, clear, place, rowsOf, restore.world)
 
 return restore
