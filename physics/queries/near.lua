@@ -1,0 +1,378 @@
+--- Finds the objects near a place or a line, as the game's tables are now, not as the last step left
+--- them. It changes nothing: what the game writes and takes back before the next update has never
+--- happened.
+--
+-- It asks the grid of the world. Objects that the game has moved out of their fat boxes since the
+-- last step (*strays*) are found by comparing the tables with what was written to them, and those
+-- that it has added (*guests*) by comparing the groups with the registry. A write leaves no trace, so
+-- this is done for each query. In a world of more than `FEW` objects, queries after the first one of
+-- a frame compare only the *watched*: kinematic objects, and those that the game has ever put
+-- somewhere; of the groups they compare the ends. What is found becomes a *catch*: columns by place
+-- in it.
+--
+-- Reads the grid, fat boxes, and position, size and filter of static objects; writes no column.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local check = require(root .. ".world.check")
+local columns = require(root .. ".memory.columns")
+local filter = require(root .. ".broadphase.filter")
+local interpreted = require(root .. ".memory.jit")
+local lines = require(root .. ".memory.lazy")(root .. ".broadphase.gridLines")
+local registry = require(root .. ".objects.registry")
+local shapes = require(root .. ".space.shapes")
+
+local near = {}
+
+local max, min = math.max, math.min
+local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
+-- So many objects are compared in a few microseconds.
+local FEW = 1000
+-- Numbers with a sum up to this are all in range.
+local MOST = 1e99
+local COLUMNS = {
+  "slot", -- 0: a guest
+  "object",
+  "rank",
+  "group", -- the record of it, in `objects/registry`
+  "groupName",
+  "key",
+  "kind",
+  "shape",
+  "position", -- two values, as in `memory/layout`
+  "size",
+  "active", -- these: see `near.readFilter`
+  "sensor",
+  "oneWay",
+  "mask",
+  "only",
+  "entry", -- scratch of queries
+}
+
+local function newView()
+  return {
+    registry = false, -- the groups as they were seen last: those of the world, or later ones
+    rankOf = false, -- by object, if they are later ones
+    recordOf = false,
+    keyOf = false,
+    guests = {},
+    guestCount = 0,
+    strays = {}, -- slots
+    strayCount = 0,
+    strayAt = {}, -- by slot: `looks` when it was one
+    looks = 0,
+    watched = {}, -- slots
+    watchedCount = 0,
+    isPut = setmetatable({}, { __mode = "k" }), -- by object
+    pool = {}, -- of catches
+    pooled = 0,
+  }
+end
+
+-- What the game has changed ------------------------------------------------------------------------
+
+-- Reads the groups as the next update will. Errors: those of an update.
+local function readGroups(v, world)
+  local b = world._bodies
+  check.setting("order", world.order)
+  local seen = registry.look(b, world.objects, world.order or {})
+  v.rankOf, v.recordOf, v.keyOf, v.guestCount = {}, {}, {}, 0
+  for index, record in ipairs(seen.groups) do
+    for n = 1, record.count do
+      local object = record.list[n]
+      v.rankOf[object], v.recordOf[object] = index * registry.GROUP_SPAN + n, record
+      v.keyOf[object] = record.keys and record.keys[n] or n
+      if not b.slotOf[object] then
+        v.guestCount = v.guestCount + 1
+        v.guests[v.guestCount] = object
+      end
+    end
+  end
+  v.registry, v.order = seen, world.order
+end
+
+-- Whether a group of a large world ends where it did. (`#` would search for its end anew.)
+local function endsAsSeen(objects, record)
+  local source, count = record.source, record.count
+  return rawequal(objects[record.name], source)
+    and (
+      record.direct
+      or record.keys
+      or rawget(source, count + 1) == nil
+        and (count == 0 or rawequal(rawget(source, count), record.list[count]))
+    )
+end
+
+local function seemsUnchanged(seen, objects)
+  for n = 1, seen.groupCount do
+    if not endsAsSeen(objects, seen.groups[n]) then
+      return false
+    end
+  end
+  return rawequal(seen.source, objects)
+end
+
+-- Lists the guests, if the game has changed its groups.
+local function lookAtGroups(v, world, isLarge)
+  local b = world._bodies
+  if not v.registry then
+    v.registry, v.order, v.rankOf, v.guestCount = b.registry, world.order, false, 0
+    isLarge = false
+  end
+  local isSame = isLarge and not v.isTold and seemsUnchanged(v.registry, world.objects)
+  v.isTold = false
+  if world.order ~= v.order or not isSame and registry.hasChanged(v.registry, world.objects) then
+    readGroups(v, world)
+  end
+end
+
+-- Errors: a place, size or `active` that cannot be used.
+local function checkPlace(object, record, key)
+  local x, y, width, height, active = object.x, object.y, object.width, object.height, object.active
+  if
+    type(x) ~= "number"
+    or type(y) ~= "number"
+    or type(width) ~= "number"
+    or type(height) ~= "number"
+    or not (max(x, -x) + max(y, -y) + width + height <= MOST and min(width, height) > 0)
+    or (active ~= nil and type(active) ~= "boolean")
+  then
+    check.object(object, registry.place(record, key))
+  end
+end
+
+-- Whether the grid does not know where slot i is now.
+local function isStray(b, i)
+  local object, k, fatLow, fatHigh = b.object[i], 2 * i, b.fatLow, b.fatHigh
+  checkPlace(object, b.group[i], b.key[i])
+  return object.active ~= false
+    and not (
+      b.placed[i] ~= 0
+      and object.x >= fatLow[k]
+      and object.y >= fatLow[k + 1]
+      and object.x + object.width <= fatHigh[k]
+      and object.y + object.height <= fatHigh[k + 1]
+    )
+end
+
+local function noteStray(v, i)
+  if v.strayAt[i] ~= v.looks then
+    v.strayAt[i] = v.looks
+    v.strayCount = v.strayCount + 1
+    v.strays[v.strayCount] = i
+  end
+end
+
+local function listWatched(v, b)
+  local movers, kind, objects, isPut, count = b.movers, b.kind, b.object, v.isPut, 0
+  for n = 1, b.moverCount do
+    local i = movers[n]
+    if kind[i] ~= DYNAMIC or isPut[objects[i]] then
+      count = count + 1
+      v.watched[count] = i
+    end
+  end
+  v.watchedCount = count
+end
+
+-- Lists in `strays` what of list[1..count] the grid does not know. What stands where it was read or
+-- written is known.
+local function lookAtPlaces(v, b, list, count)
+  local objects, written, size, placed = b.object, b.written, b.size, b.placed
+  v.looks, v.strayCount = v.looks + 1, 0
+  for n = 1, count do
+    local i = list[n]
+    local object, k = objects[i], 2 * i
+    if
+      object
+      and (
+        object.x ~= written[k]
+        or object.y ~= written[k + 1]
+        or object.width ~= size[k]
+        or object.height ~= size[k + 1]
+        or placed[i] == 0
+      )
+    then
+      v.isPut[object] = true
+      if isStray(b, i) then
+        noteStray(v, i)
+      end
+    end
+  end
+  for n = 1, b.movedCount do -- static ones that were read again, too
+    local i = b.movedList[n]
+    if b.object[i] then
+      noteStray(v, i)
+    end
+  end
+end
+
+--- Begins a query: looks at what has changed, and returns an empty catch.
+--- Errors: those of an update, a group, key or place that cannot be used.
+function near.begin(world)
+  local b = world._bodies
+  local v = b.view
+  if not v then
+    v = newView()
+    b.view = v
+  end
+  local isLarge = v.isFresh and b.count > FEW
+  lookAtGroups(v, world, isLarge)
+  if not isLarge then
+    lookAtPlaces(v, b, b.movers, b.moverCount)
+    listWatched(v, b)
+  else
+    lookAtPlaces(v, b, v.watched, v.watchedCount)
+  end
+  v.isFresh = true
+  local c = v.pool[v.pooled]
+  if c then
+    v.pooled = v.pooled - 1
+  else
+    c = { found = {}, slots = {}, view = v, bodies = b }
+    for _, name in ipairs(COLUMNS) do
+      c[name] = {}
+    end
+  end
+  c.count, c.masks, c.soft, c.hitLists = 0, world.masks or false, b.soft, b.hitLists
+  return c
+end
+
+--- Takes a catch back. (A filter may make queries of its own, so each has one. One that fails leaves
+--- it to the garbage collector.)
+function near.finish(c)
+  local v = c.view
+  v.pooled = v.pooled + 1
+  v.pool[v.pooled] = c
+end
+
+-- Catches -----------------------------------------------------------------------------------------
+
+local function readStatic(c, n, i)
+  local b, k, m = c.bodies, 2 * n, 2 * i
+  c.position[k], c.position[k + 1] = b.position[m], b.position[m + 1]
+  c.size[k], c.size[k + 1] = b.size[m], b.size[m + 1]
+  c.kind[n], c.shape[n] = STATIC, b.shape[i]
+end
+
+local function readPlace(c, n, object)
+  local k, kind = 2 * n, columns.kindOf(object)
+  -- Adding 0.0 makes floats of the integers of Lua 5.3 and later, which would wrap.
+  c.position[k], c.position[k + 1] = object.x + 0.0, object.y + 0.0
+  c.size[k], c.size[k + 1] = object.width + 0.0, object.height + 0.0
+  local isSloped = object.slope and kind ~= DYNAMIC
+  c.kind[n] = kind
+  c.shape[n] = object.radius and shapes.CIRCLE or isSloped and columns.shapeOf(object.slope) or 0
+end
+
+-- Adds an object to a catch; returns its place there. Of a guest, the slot is 0.
+local function add(c, object, i)
+  local b, v, n = c.bodies, c.view, c.count + 1
+  c.count, c.slot[n], c.object[n] = n, i, object
+  if v.rankOf then
+    c.group[n], c.key[n], c.rank[n] = v.recordOf[object], v.keyOf[object], v.rankOf[object]
+  else
+    c.group[n], c.key[n], c.rank[n] = b.group[i], b.key[i], b.rank[i]
+  end
+  c.groupName[n] = c.group[n].name
+  if i ~= 0 and b.kind[i] == STATIC then
+    readStatic(c, n, i)
+  else
+    readPlace(c, n, object)
+  end
+  return n
+end
+
+-- Adds slot i, if it is active and still in the world.
+local function addSlot(c, i)
+  local b, rankOf = c.bodies, c.view.rankOf
+  local object = b.object[i]
+  local isActive = b.kind[i] == STATIC and b.active[i] or object.active ~= false
+  if isActive and (not rankOf or rankOf[object]) then
+    return add(c, object, i)
+  end
+end
+
+-- Adds all strays and guests.
+local function addUnfiled(c)
+  local v = c.view
+  for m = 1, v.strayCount do
+    addSlot(c, v.strays[m])
+  end
+  for m = 1, v.guestCount do
+    local object = v.guests[m]
+    checkPlace(object, v.recordOf[object], v.keyOf[object])
+    if object.active ~= false then
+      add(c, object, 0)
+    end
+  end
+end
+
+--- Adds all objects to a catch that may be in a rectangle.
+function near.rectangle(c, left, top, right, bottom)
+  local b, v, slots = c.bodies, c.view, c.slots
+  local count = b.broadphase:query(left, top, right, bottom, slots)
+  for m = 1, count do
+    if v.strayAt[slots[m]] ~= v.looks then
+      addSlot(c, slots[m])
+    end
+  end
+  addUnfiled(c)
+end
+
+-- Adds an object that is on the way of a line, and asks how far it goes on.
+local function visitSlot(c, i, bound)
+  if c.view.strayAt[i] == c.view.looks then
+    return bound
+  end
+  local n = addSlot(c, i)
+  return n and c.visit(c, n, bound) or bound
+end
+
+--- Adds all objects to a catch that a line may meet. `visit(c, n, bound)` is called for each of them
+--- and returns the share of the line after which nothing matters (see broadphase/gridLines).
+function near.line(c, x1, y1, x2, y2, visit)
+  local b, bound = c.bodies, 1
+  addUnfiled(c)
+  for n = 1, c.count do
+    bound = visit(c, n, bound)
+  end
+  c.visit = visit
+  if b.broadphase.heads then
+    lines.walk(b.broadphase, x1, y1, x2, y2, c, visitSlot, bound)
+    return
+  end
+  local slots = c.slots
+  local count = b.broadphase:query(min(x1, x2), min(y1, y2), max(x1, x2), max(y1, y2), slots)
+  for m = 1, count do
+    bound = visitSlot(c, slots[m], bound)
+  end
+end
+
+--- Adds an object to a catch, wherever it is; returns its place, nil: it is not in the world.
+function near.find(c, object)
+  local i, rankOf = c.bodies.slotOf[object], c.view.rankOf
+  if rankOf and rankOf[object] == nil or not (rankOf or i) then
+    return nil
+  end
+  return add(c, object, i or 0)
+end
+
+--- Reads what decides what an object of a catch can meet. Errors: a field that cannot be used.
+function near.readFilter(c, n)
+  local b, object, i = c.bodies, c.object[n], c.slot[n]
+  if c.kind[n] == STATIC and i ~= 0 then
+    c.active[n], c.sensor[n], c.oneWay[n] = b.active[i], b.sensor[i], b.oneWay[i]
+    c.mask[n], c.only[n] = b.mask[i], b.only[i]
+    return
+  end
+  if check.badField(object) then
+    check.object(object, registry.place(c.group[n], c.key[n]))
+  end
+  c.active[n], c.sensor[n] = object.active ~= false, object.sensor or false
+  c.oneWay[n], c.mask[n] = columns.sideOf(object.oneWay), object.mask or false
+  c.only[n] = object.hits and filter.readHits(b, object.hits) or false
+end
+
+interpreted.always(readGroups)
+
+return near
