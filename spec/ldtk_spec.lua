@@ -138,11 +138,8 @@ describe("world:loadLDtk", function()
   end)
 
   it("and the world goes on with it", function()
-    local level, world = load(
-      newProject(),
-      nil,
-      { solid = { dirt = true, stone = true }, dynamic = { "Player" } }
-    )
+    local level, world =
+      load(newProject(), nil, { solid = { dirt = true, stone = true }, dynamic = { "Player" } })
     for _ = 1, 60 do
       world:update(1 / 60)
     end

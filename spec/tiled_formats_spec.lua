@@ -301,7 +301,7 @@ describe("world:loadTiled, packed layers", function()
       end,
     })
     assert.is_false(isDone)
-    assert.truthy(message:find("no luck", 1, true)   )
+    assert.truthy(message:find("no luck", 1, true))
   end)
 end)
 

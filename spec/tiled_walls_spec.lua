@@ -150,7 +150,15 @@ describe("world:loadTiled, walls", function()
       end)
     end
 
-    for _, name in ipairs({ "wallpaper", "background", "BackGround", "wall_decor", "backWalls", "", "s" }) do
+    for _, name in ipairs({
+      "wallpaper",
+      "background",
+      "BackGround",
+      "wall_decor",
+      "backWalls",
+      "",
+      "s",
+    }) do
       it("but not " .. name, function()
         local level = load(newObjects(name, { rectangle() }))
         assert.equal("sensor", kindOf(level))

@@ -106,7 +106,7 @@ local function keepAllowed(b, count)
     local i, j = ones[m], others[m]
     local row = soft and soft[groupName[i]]
     local isSoft = row and row[groupName[j]] and filter.isSoft(b, i, j) -- most, in a crowd
-    if not isSoft and min(crowd[i], crowd[j]) == 0 and filter.allows(b, i, j) then
+    if not isSoft and min(crowd[2 * i], crowd[2 * j]) <= 0 and filter.allows(b, i, j) then
       n = n + 1
       ones[n], others[n] = i, j
     end
@@ -391,7 +391,7 @@ function detect.refilter(b, i)
 end
 
 --- Updates the pairs of all objects after the masks of the world have changed. It runs before
---- overlaps are separated (solver/separate.lua).
+--- overlaps are separated (solver/overlap.lua).
 function detect.refilterAll(b)
   for i = 1, b.slots do
     if b.kind[i] ~= 0 then

@@ -97,7 +97,7 @@ local function wedge(b, p, i, j)
 end
 
 -- Notes that the dynamic ones of two overlapping bodies must be separated (see
--- solver/separate.lua).
+-- solver/overlap.lua).
 local function leaveInside(b, i, j)
   b.inside[i], b.inside[j] = b.kind[i] == DYNAMIC, b.kind[j] == DYNAMIC
   b.hasInside = true
@@ -226,7 +226,7 @@ end
 -- Returns whether two are in a crowd. They begin no contact: whether they still are a pair depends
 -- on when the crowd has begun.
 local function areCrowded(b, i, j)
-  return min(b.crowd[i], b.crowd[j]) > 0
+  return min(b.crowd[2 * i], b.crowd[2 * j]) > 0
 end
 
 -- Updates whether pair p is in contact now, and notes its events.

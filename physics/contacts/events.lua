@@ -10,6 +10,7 @@ local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
 local check = require(root .. ".world.check")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
+local relax = require(root .. ".solver.relax")
 local slope = require(root .. ".memory.lazy")(root .. ".solver.slope")
 local sort = require(root .. ".memory.sort")
 
@@ -180,8 +181,11 @@ function events.crush(b, i, j, k, axis)
   end
 end
 
+-- Ends a contact because the game has changed one of the two. There may be room now.
 local function endContact(b, p)
   if b.contact[p] ~= 0 then
+    relax.loosen(b, b.pairA[p])
+    relax.loosen(b, b.pairB[p])
     events.finish(b, p, b.contact[p])
     b.contact[p] = 0
     b.contactCount = b.contactCount - 1

@@ -65,15 +65,12 @@ local function hasPast(b, i)
     or b.buried[i]
     or b.inside[i]
     or b.carrier[i] ~= 0
-    or b.crowd[i] ~= 0
+    or b.crowd[k] ~= 0
     or b.carried[k] ~= 0
     or b.carried[k + 1] ~= 0
     or b.kept[k] ~= 0
     or b.kept[k + 1] ~= 0
-    or b.stuck[i]
-    or b.knotted[k] ~= 0
-    or b.knotted[k + 1] ~= 0
-    or b.crowdAge[k] ~= 0
+    or b.packed[k] ~= 0
     or b.wasCrushed[k]
     or b.wasCrushed[k + 1]
 end

@@ -80,7 +80,7 @@ end
 
 --- Computes the paths of those in awakeList from `first` to `last`.
 function move.run(b, dt, first, last)
-  local list, kind, buried, stuck = b.awakeList, b.kind, b.buried, b.stuck
+  local list, kind, buried = b.awakeList, b.kind, b.buried
   if b.hasCarriers then
     for n = first, last do
       if kind[list[n]] == KINEMATIC then
@@ -99,9 +99,9 @@ function move.run(b, dt, first, last)
   end
   findEnds(b, first, last, dt)
   findSpeeds(b, first, last)
-  if b.hasBuried or b.hasKnots then
+  if b.hasBuried then
     for n = first, last do
-      if (buried[list[n]] or stuck[list[n]]) and kind[list[n]] == DYNAMIC then
+      if buried[list[n]] and kind[list[n]] == DYNAMIC then
         bury(b, list[n])
       end
     end

@@ -145,7 +145,8 @@ local function gather(b, i, stamp)
       local k, limit = 2 * member, maxSpeed[member]
       capped = capped or isCapped(b, k, limit, longest) or isCapped(b, k + 1, limit, longest)
       rubbed = rubbed or isRubbed(b, k) or isRubbed(b, k + 1)
-      calm = not (leansOnRubbed(b, k) or leansOnRubbed(b, k + 1))
+      local leans = leansOnRubbed(b, k) or leansOnRubbed(b, k + 1)
+      calm = not leans or b.stillAt[member] == b.solveStamp
     end
     local half = head[member]
     while half ~= 0 do

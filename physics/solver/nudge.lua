@@ -10,7 +10,7 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
 local live = require(root .. ".broadphase.activePairs")
-local separate = require(root .. ".solver.separate")
+local overlap = require(root .. ".solver.overlap")
 local path = require(root .. ".motion.path")
 
 require(root .. ".memory.jit").file()
@@ -81,7 +81,7 @@ function nudge.try(b, i, j, axis, iIsLow, t)
   -- It must not sleep. If it is pushed back to where it was, it may pass in a longer step. And what
   -- is in the way beside it may leave without being a neighbour.
   b.news[i] = true
-  if separate.isInside(b, i, x, y) or isTaken(b, i, x, y, t) then
+  if overlap.isInside(b, i, x, y) or isTaken(b, i, x, y, t) then
     return false
   end
   path.advance(b, i, t)

@@ -12,12 +12,8 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
 local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
-local heapPairs = require(root .. ".solver.heapPairs")
 local impact = require(root .. ".solver.impact")
 local interpreted = require(root .. ".memory.jit")
-local islands = require(root .. ".sleep.islands")
-local jam = require(root .. ".solver.jam")
-local knots = require(root .. ".solver.knots")
 local live = require(root .. ".broadphase.activePairs")
 local nudge = require(root .. ".solver.nudge")
 local pairFinder = require(root .. ".broadphase.pairFinder")
@@ -204,18 +200,6 @@ local function isDisturbed(b, i, round, mayBounce)
   return false
 end
 
--- Lets a jam that is struck begin anew, and with it the step. Returns whether that is so.
-local function shake(b, i, j, axis, t, dt)
-  local struck = jam.struck(b, i, j, axis, t, dt)
-  if not struck then
-    return false
-  end
-  islands.wake(b, struck)
-  knots.free(b, struck)
-  b.awakenings = b.awakenings + 1
-  return true
-end
-
 -- Notes that the paths of slots i and j change in this round.
 local function takePart(b, i, j)
   b.inRound[i] = b.kind[i] == DYNAMIC and b.roundStamp or 0
@@ -291,11 +275,6 @@ local function happen(b, n, dt, isLast, isLate)
     return
   elseif isSensed then
     sense(b, p, i, j, axis, t, dt)
-    return
-  elseif isRound and areDynamic and heapPairs.isLeft(b, i, j, isLate) then
-    heapPairs.leave(b, p)
-    return
-  elseif b.hasCircles and b.mayRestart and shake(b, i, j, axis, t, dt) then
     return
   elseif not meet(b, p, i, j, axis, t, dt, isLast, isLate, isDeep) then
     return

@@ -63,7 +63,7 @@ local function stands(b, i)
     and k ~= 0
     and b.kind[i] == DYNAMIC
     and not (b.sensor[i] or b.buried[i] or b.shape[i] == CIRCLE)
-    and b.crowd[i] == 0
+    and b.crowd[2 * i] <= 0
     and b.velocity[k] * b.down[k] >= 0
 end
 

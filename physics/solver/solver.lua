@@ -5,7 +5,7 @@
 -- 1. Settle contacts that exist at the start, with their friction (`settleTouching`).
 -- 2. Correct corners (`nudgeTouching`).
 -- 3. Rounds: sweep, let the first impacts happen (`rounds`), settle again (`settleLate`).
--- 4. Limit the motion of overlapping bodies (`limits`), let bodies go down with the ground
+-- 4. Limit the motion of overlapping bodies (`relax`), let bodies go down with the ground
 --    (`snap`), note what is pressed and what is crushed (`pressed`, `crush`).
 --
 -- Where there are slopes, `walk` lets bodies follow the ground after 2. and after each round.
@@ -18,17 +18,17 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local bonds = require(root .. ".solver.bonds")
 local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
-local crowdLayout = require(root .. ".solver.crowdLayout")
+local crowd = require(root .. ".solver.crowd")
 local crush = require(root .. ".solver.crush")
 local drift = require(root .. ".motion.drift")
 local friction = require(root .. ".solver.friction")
 local interpreted = require(root .. ".memory.jit")
-local limits = require(root .. ".solver.limits")
 local live = require(root .. ".broadphase.activePairs")
 local nudge = require(root .. ".solver.nudge")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local predict = require(root .. ".motion.predict")
 local pressed = require(root .. ".solver.pressed")
+local relax = require(root .. ".solver.relax")
 local rest = require(root .. ".sleep.islands")
 local rounds = require(root .. ".solver.rounds")
 local settle = require(root .. ".solver.settle")
@@ -64,10 +64,10 @@ end
 
 -- Resets the solver's columns of all awake bodies to free flight, before any contact acts.
 local function begin(b, dt)
-  if b.crowdCount > 0 then
-    crowdLayout.hold(b)
+  if b.hasCrowds then
+    crowd.hold(b)
   end
-  local list, kind, buried, stuck, give = b.awakeList, b.kind, b.buried, b.stuck, b.give
+  local list, kind, buried, give = b.awakeList, b.kind, b.buried, b.give
   local freeSpeed, start, speed = b.freeSpeed, b.start, b.speed
   local from, origin, inverseMass, dirty = b.from, b.origin, b.inverseMass, b.dirty
   local accel = b.accel
@@ -76,7 +76,7 @@ local function begin(b, dt)
     dirty[i], b.impactsOf[i] = 1, 0
     for k = 2 * i, 2 * i + 1 do
       origin[k] = from[k]
-      give[k] = kind[i] == DYNAMIC and not (buried[i] or stuck[i]) and inverseMass[i] or 0
+      give[k] = kind[i] == DYNAMIC and not buried[i] and inverseMass[i] or 0
       freeSpeed[k] = speed[k]
       if kind[i] == DYNAMIC then
         start[k] = startSpeed(b, k)
@@ -218,7 +218,7 @@ local function solve(b, dt)
   if hasChanged == nil then
     return false
   end
-  limits.run(b, dt, hasChanged)
+  relax.run(b, dt, hasChanged)
   if b.hasSnaps then
     snap.run(b, dt)
   end

@@ -288,7 +288,7 @@ local function restoreHistory(b, memory)
   b.hasCrushed = b.hasCrushed or #memory.wasCrushed > 0
   b.hasInside = b.hasInside or #memory.inside > 0
   b.hasCrowds = b.hasCrowds or #memory.crowd > 0
-  b.hasKnots = b.hasKnots or #memory.stuck > 0 or #memory.exiting > 0 or #memory.knotted > 0
+  b.hasPacked = b.hasPacked or #memory.packed > 0
 end
 
 local function restoreMemory(b, st, slots)

@@ -1,0 +1,450 @@
+--- Overlap: computes from two or three bodies that overlap when the step begins the places where
+-- they do not. Positions only.
+--
+-- A body leaves by the shortest way that is free: first the way out of the intersection rectangle,
+-- then those to the opposite sides. The ways out of a slope are those over its own faces.
+--
+-- - No way ends inside something immovable, or leads right through it: of what sticks out on some
+--   sides, only these are ways out.
+-- - Out of a corner of two immovable objects a body goes along one axis after the other.
+-- - What finds no way out of something immovable is `buried`, and crushed between that and what is
+--   in its way. It stays where it is.
+-- - What has come into another along one axis (`wedged`), or has grown into it, is left to the
+--   contacts: it leaves along that axis. So is a body that overlaps many (see crowd, relax).
+--
+-- Reads from, size, mass, power, moved, inside, wasAt, wasSize; writes from, to, wedged, buried, and
+-- crushed, crushLow and crushHigh of buried bodies.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local aabb = require(root .. ".memory.aabb")
+local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
+local begin = require(root .. ".motion.begin")
+local columns = require(root .. ".memory.columns")
+local filter = require(root .. ".broadphase.filter")
+local islands = require(root .. ".sleep.islands")
+local pairFinder = require(root .. ".broadphase.pairFinder")
+local permission = require(root .. ".solver.permission")
+local slope = require(root .. ".memory.lazy")(root .. ".solver.slope")
+local sort = require(root .. ".memory.sort")
+
+local overlap = {}
+
+local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
+local SLOPE = columns.SHAPE_SLOPE_LEFT -- and above
+local floor, huge, max, min = math.floor, math.huge, math.max, math.min
+-- Pairs that bodies moved in a round overlap now are parted in the next one.
+local ROUNDS = 8
+-- Number of overlapped dynamic bodies that a body leaves at once.
+local MOST = 2
+-- Share of its size, along an axis, after which a body leaves no more dynamic ones in a step.
+local FURTHEST = 0.5
+-- px: more than any depth.
+local FAR = 1e18
+
+-- The four ways out of a body. Of equal ones the first is taken, as in the tutorial.
+local AXIS = { 1, 1, 0, 0 } -- up, down, right, left
+local SIGN = { -1, 1, 1, -1 }
+
+-- Geometry ----------------------------------------------------------------------------------------
+
+-- Returns the width and the height by which two overlap where slot i is at (x, y).
+local function depthAt(b, i, j, x, y)
+  if b.hasSlopes and slope.isPair(b, i, j) then
+    local box, its = slope.order(b, i, j)
+    local k = 2 * box
+    local depth =
+      slope.inside(b, box, its, i == box and x or b.from[k], i == box and y or b.from[k + 1])
+    return depth, depth
+  end
+  local from, size, k, m = b.from, b.size, 2 * i, 2 * j
+  return aabb.overlap(x, y, size[k], size[k + 1], from[m], from[m + 1], size[m], size[m + 1])
+end
+
+local function depthOf(b, i, j)
+  return depthAt(b, i, j, b.from[2 * i], b.from[2 * i + 1])
+end
+
+local function isDeep(width, height)
+  return width > EPSILON and height > EPSILON
+end
+
+-- Returns where slot i is flush with j on an axis, on the low side of it (`sign` -1) or the high one.
+local function flushPlace(b, i, j, axis, sign)
+  local k, m = 2 * i + axis, 2 * j + axis
+  if b.hasSlopes and slope.isPair(b, i, j) then
+    return slope.flushPlace(b, i, j, axis, sign)
+  end
+  return sign < 0 and b.from[m] - b.size[k] or b.from[m] + b.size[m]
+end
+
+-- Returns how far slot i has to go to be there, px.
+local function wayOut(b, i, j, axis, sign)
+  return (flushPlace(b, i, j, axis, sign) - b.from[2 * i + axis]) * sign
+end
+
+-- Lists in b.found the immovable objects that slot i would overlap at (x, y). Returns how many.
+local function listBlockers(b, i, x, y)
+  local found, count = b.found, 0
+  for n = 1, b.broadphase:query(x, y, x + b.size[2 * i], y + b.size[2 * i + 1], found) do
+    local j = found[n]
+    if j ~= i and filter.blocks(b, i, j) and isDeep(depthAt(b, i, j, x, y)) then
+      count = count + 1
+      found[count] = j
+    end
+  end
+  return count
+end
+
+--- Returns whether slot i at (x, y) would overlap an immovable object.
+function overlap.isInside(b, i, x, y)
+  return listBlockers(b, i, x, y) > 0
+end
+
+-- Returns where slot i is after it has gone `way` px along an axis.
+local function placeOn(b, i, axis, way)
+  local x, y = b.from[2 * i], b.from[2 * i + 1]
+  return x + (axis == 0 and way or 0), y + (axis == 1 and way or 0)
+end
+
+-- Moving ------------------------------------------------------------------------------------------
+
+-- Puts slot i at a place on an axis.
+local function put(b, i, axis, place)
+  local work, k = b.partWork, 2 * i + axis
+  islands.wake(b, i)
+  begin.run(b)
+  b.from[k], b.to[k] = place, place
+  work.movedCount = work.movedCount + 1
+  work.moved[work.movedCount] = i
+  pairFinder.markMoved(b, i)
+end
+
+local function canGo(b, i, axis, way)
+  local isFree = b.kind[i] == DYNAMIC and not overlap.isInside(b, i, placeOn(b, i, axis, way))
+  return way == 0 or isFree
+end
+
+-- Returns the share of the way that slot i goes of two, by mass; j goes the rest. If one of them
+-- would end inside something immovable, the other one goes all of it. nil: neither can.
+local function shareOf(b, i, j, axis, way)
+  local wi, wj = b.inverseMass[i], b.inverseMass[j]
+  if wi > 0 and wj > 0 and b.power[i] ~= b.power[j] then
+    wi, wj = b.power[i] < b.power[j] and wi or 0, b.power[j] < b.power[i] and wj or 0
+  end
+  local share = (wj == 0 or (wi > 0 and b.pushFirst)) and 1 or wi / (wi + wj)
+  if canGo(b, i, axis, way * share) and canGo(b, j, axis, way * (share - 1)) then
+    return share
+  elseif wi > 0 and canGo(b, i, axis, way) then
+    return 1
+  end
+  return wj > 0 and canGo(b, j, axis, -way) and 0 or nil
+end
+
+-- Lets two leave each other on one side of slot i. Returns whether that way is free.
+local function leave(b, i, j, axis, sign, way)
+  local share = shareOf(b, i, j, axis, sign * way)
+  if not share then
+    return false
+  elseif share == 0 then
+    put(b, j, axis, flushPlace(b, j, i, axis, -sign))
+    return true
+  elseif share < 1 then
+    put(b, j, axis, b.from[2 * j + axis] - sign * way * (1 - share))
+  end
+  put(b, i, axis, flushPlace(b, i, j, axis, sign))
+  return true
+end
+
+-- Returns how far slot i goes along an axis until it is out of b.found[1..count], and the last of
+-- these; nil: it would go right through one of them, or the game may let it pass there.
+local function wayOutOfAll(b, i, axis, sign, count)
+  local most, last = 0, nil
+  for n = 1, count do
+    local j = b.found[n]
+    local way, width, height = wayOut(b, i, j, axis, sign), depthOf(b, i, j)
+    local isThrough = way > (axis == 0 and width or height) + EPSILON
+    if isThrough or not isDeep(width, height) or permission.isAsked(b, i, j) then
+      return nil
+    elseif way > most then
+      most, last = way, j
+    end
+  end
+  return most, last
+end
+
+-- Lets slot i leave j on one side, and then what it still overlaps along the other axis.
+local function leaveCorner(b, i, j, axis, sign, way)
+  local x, y = placeOn(b, i, axis, sign * way)
+  local count, across = listBlockers(b, i, x, y), 1 - axis
+  local low, lowest = wayOutOfAll(b, i, across, -1, count)
+  local high, highest = wayOutOfAll(b, i, across, 1, count)
+  local isLow = lowest and (not highest or low <= high)
+  local other, side = isLow and lowest or highest, isLow and -1 or 1
+  if not other then
+    return false
+  end
+  local place = flushPlace(b, i, other, across, side)
+  if overlap.isInside(b, i, axis == 0 and x or place, axis == 0 and place or y) then
+    return false
+  end
+  put(b, i, axis, flushPlace(b, i, j, axis, sign))
+  put(b, i, across, place)
+  return true
+end
+
+-- Writes the four ways of slot i out of j; huge: it is closed. What sticks out of j leaves where it
+-- does so. (If it is only flush on a side, that must be the shortest way.)
+local function listWays(b, i, j)
+  local ways, shortest, furthestOut = b.partWork.ways, huge, -huge
+  for exit = 1, 4 do
+    local way = wayOut(b, i, j, AXIS[exit], SIGN[exit])
+    ways[exit], shortest = way, min(shortest, way)
+    furthestOut = max(furthestOut, b.size[2 * i + AXIS[exit]] - way)
+  end
+  for exit = 1, furthestOut > EPSILON and 4 or 0 do
+    local out = b.size[2 * i + AXIS[exit]] - ways[exit]
+    if out < -EPSILON or (out <= EPSILON and ways[exit] ~= shortest) then
+      ways[exit] = huge
+    end
+  end
+end
+
+-- Tries the ways of slot i out of j, the shortest first. Returns whether one was free.
+local function tryWays(b, i, j, leaveBy)
+  local ways = b.partWork.ways
+  listWays(b, i, j)
+  for _ = 1, 4 do
+    local exit = 1
+    for other = 2, 4 do
+      exit = ways[other] < ways[exit] and other or exit
+    end
+    if ways[exit] == huge then
+      return false
+    elseif leaveBy(b, i, j, AXIS[exit], SIGN[exit], ways[exit]) then
+      return true
+    end
+    ways[exit] = huge
+  end
+  return false
+end
+
+-- No way out --------------------------------------------------------------------------------------
+
+-- Returns the first object in the order of the world that is in the way of slot i, `way` px along an
+-- axis, with its middle beyond that of slot i; nil: there is none. `isApart`: what slot i overlaps
+-- already does not count.
+local function blockerOn(b, i, axis, way, isApart)
+  local k, first = 2 * i + axis, nil
+  for n = 1, listBlockers(b, i, placeOn(b, i, axis, way)) do
+    local j = b.found[n]
+    local m = 2 * j + axis
+    local beyond = b.from[m] + b.size[m] * 0.5 - b.from[k] - b.size[k] * 0.5
+    local counts = beyond * way > 0 and not (isApart and isDeep(depthOf(b, i, j)))
+    if counts and (not first or b.rank[j] < b.rank[first]) then
+      first = j
+    end
+  end
+  return first
+end
+
+-- Notes slot i, which finds no way out of j, as crushed between j and what is in its shorter way
+-- along one axis. Returns whether there is anything.
+local function crush(b, i, j, axis, isApart)
+  local k, low, high = 2 * i + axis, wayOut(b, i, j, axis, -1), wayOut(b, i, j, axis, 1)
+  local isLow = low <= high
+  local other = blockerOn(b, i, axis, isLow and -low or high, isApart)
+  if other then
+    b.crushed[k], b.hasCrushed = true, true
+    b.crushLow[k], b.crushHigh[k] = isLow and other or j, isLow and j or other
+  end
+  return other ~= nil
+end
+
+local function bury(b, i, j)
+  local width, height = depthOf(b, i, j)
+  local axis = height <= width and 1 or 0
+  b.buried[i], b.hasBuried = true, true
+  if not (b.crushed[2 * i] or b.crushed[2 * i + 1]) then
+    -- A ceiling is named before the next tile of the floor.
+    local _ = crush(b, i, j, axis, true)
+      or crush(b, i, j, 1 - axis, true)
+      or crush(b, i, j, axis, false)
+      or crush(b, i, j, 1 - axis, false)
+  end
+end
+
+-- Pairs -------------------------------------------------------------------------------------------
+
+-- Returns whether slot i is left to the contacts: it overlaps more than MOST others that can be
+-- pushed, or was moved far in this step.
+local function isCrowded(b, i)
+  local half, count, k = b.head[i], 0, 2 * i
+  local x, y = b.from[k] - b.position[k], b.from[k + 1] - b.position[k + 1]
+  if max(x, -x) > FURTHEST * b.size[k] or max(y, -y) > FURTHEST * b.size[k + 1] then
+    return true
+  end
+  while half ~= 0 and count <= MOST do
+    local j = b.other[half]
+    if b.kind[j] == DYNAMIC and not b.sensor[j] and isDeep(depthOf(b, i, j)) then
+      count = count + 1
+    end
+    half = b.next[half]
+  end
+  return count > MOST
+end
+
+-- Returns whether the bodies of pair p are parted here at all.
+local function isOpen(b, p, i, j)
+  local areSolid = not (b.sensor[i] or b.sensor[j] or b.oneWay[i] or b.oneWay[j])
+  local canMove = b.kind[i] == DYNAMIC or b.kind[j] == DYNAMIC
+  local isRolling = b.hasCircles and ball.isRound(b, i, j) and not ball.isLost(b, i, j)
+  return areSolid and canMove and not isRolling and b.wedged[p] == 0
+end
+
+-- Adds pair p to the work of this round if its bodies overlap: those with something immovable first,
+-- then the deepest.
+local function consider(b, p)
+  local work, i, j = b.partWork, b.pairA[p], b.pairB[p]
+  if work.stamp[p] == work.round or not isOpen(b, p, i, j) then
+    return
+  end
+  local width, height = depthOf(b, i, j)
+  -- For a body that can be pushed, one that cannot is like an immovable one.
+  local isFirm = b.kind[i] ~= DYNAMIC or b.kind[j] ~= DYNAMIC or b.power[i] ~= b.power[j]
+  if isDeep(width, height) and (isFirm or not (isCrowded(b, i) or isCrowded(b, j))) then
+    work.stamp[p], work.count = work.round, work.count + 1
+    work.pairs[work.count] = p
+    work.depth[p] = -min(width, height) - (isFirm and FAR or 0)
+    work.first[p], work.second[p] = columns.ranks(b, i, j)
+  end
+end
+
+-- Considers the pairs of slot i that are not laid out by a crowd.
+local function considerAll(b, i)
+  local half = b.head[i]
+  while half ~= 0 do
+    if max(b.crowd[2 * i], b.crowd[2 * b.other[half]]) <= 0 then
+      consider(b, floor(half * 0.5 + 0.5))
+    end
+    half = b.next[half]
+  end
+end
+
+-- Returns whether slot j is to leave i, and not the other way round: what can be pushed, then what
+-- is weaker, then the first in the order of the world.
+local function leavesLater(b, i, j)
+  if b.kind[i] ~= DYNAMIC or b.kind[j] ~= DYNAMIC then
+    return b.kind[i] ~= DYNAMIC
+  elseif b.power[i] ~= b.power[j] then
+    return b.power[j] < b.power[i]
+  end
+  return b.rank[j] < b.rank[i]
+end
+
+local function part(b, p)
+  local i, j = b.pairA[p], b.pairB[p]
+  if leavesLater(b, i, j) then
+    i, j = b.pairB[p], b.pairA[p]
+  end
+  local width, height = depthOf(b, i, j)
+  if not isDeep(width, height) then
+    return
+  end
+  islands.wake(b, i) -- what is noted of it here would be forgotten when it wakes later
+  begin.run(b)
+  local axis = height < width and 1 or 0
+  local isLow = b.from[2 * i + axis] <= b.from[2 * j + axis]
+  local isMet = permission.permits(b, isLow and i or j, isLow and j or i, axis)
+  if isMet and not tryWays(b, i, j, leave) and b.kind[j] ~= DYNAMIC then
+    if not tryWays(b, i, j, leaveCorner) then
+      bury(b, i, j)
+    end
+  end
+end
+
+local function startRound(b)
+  local work = b.partWork
+  work.round, work.count, work.movedCount = work.round + 1, 0, 0
+end
+
+--- Parts the bodies that the game has put into each other, and those that the last step left so.
+--- After a change of the world's masks all awake bodies are examined.
+function overlap.run(b)
+  local work = b.partWork
+  startRound(b)
+  for n = 1, b.movedCount do
+    considerAll(b, b.movedList[n])
+  end
+  for n = 1, (b.hasInside or b.isRemasked) and b.awakeCount or 0 do
+    local i = b.awakeList[n]
+    if b.inside[i] or b.isRemasked then
+      considerAll(b, i)
+    end
+  end
+  b.isRemasked = false
+  for _ = 1, ROUNDS do
+    if work.count == 0 then
+      return
+    end
+    sort.by(work.pairs, work.count, work.depth, work.first, work.second)
+    for n = 1, work.count do
+      part(b, work.pairs[n])
+    end
+    local movedCount = work.movedCount
+    pairFinder.run(b, work.moved, 1, movedCount)
+    startRound(b)
+    for n = 1, movedCount do
+      considerAll(b, work.moved[n])
+    end
+  end
+end
+
+-- Growth ------------------------------------------------------------------------------------------
+
+-- Returns px between slot i, as it was before it grew, and slot j on an axis, and whether i was the
+-- low one.
+local function gapBefore(b, i, j, axis)
+  local k, m = 2 * i + axis, 2 * j + axis
+  local r = b.from[m] - b.wasAt[k]
+  local after, before = r - b.wasSize[k], -r - b.size[m]
+  return max(after, before), after > before
+end
+
+-- Lets slot i, which has grown into the immovable slot j along one axis, leave it along that.
+local function wedge(b, p, i, j)
+  local isSolid = not (b.sensor[i] or b.sensor[j] or b.oneWay[i] or b.oneWay[j])
+  local canWedge = isSolid and b.kind[j] ~= DYNAMIC and b.shape[j] < SLOPE and b.wedged[p] == 0
+  if not canWedge or columns.gap(b, b.from, i, j) >= -EPSILON then
+    return
+  end
+  local gapX, isLowX = gapBefore(b, i, j, 0)
+  local gapY, isLowY = gapBefore(b, i, j, 1)
+  if (gapX >= -EPSILON) ~= (gapY >= -EPSILON) then
+    local isLow = gapY >= -EPSILON and isLowY or gapX >= -EPSILON and isLowX
+    b.wedged[p] = (gapY >= -EPSILON and 2 or 0) + (isLow == (b.pairA[p] == i) and 2 or 1)
+  end
+end
+
+-- Returns whether slot i still touches the place where it was, so that it was not put elsewhere.
+local function isThere(b, i)
+  local gapX, gapY = gapBefore(b, i, i, 0), gapBefore(b, i, i, 1)
+  return max(gapX, gapY) < -EPSILON
+end
+
+--- Marks what the game has made larger than its room: the shortest way would lead through thin walls.
+function overlap.noteGrown(b)
+  for n = 1, b.movedCount do
+    local i = b.movedList[n]
+    local half = b.grown[i] and isThere(b, i) and b.head[i] or 0
+    while half ~= 0 do
+      wedge(b, floor(half * 0.5 + 0.5), i, b.other[half])
+      half = b.next[half]
+    end
+    for k = 2 * i, b.grown[i] and 2 * i + 1 or 0 do
+      b.wasAt[k], b.wasSize[k] = 0, 0
+    end
+    b.grown[i] = false
+  end
+end
+
+return overlap
