@@ -14,7 +14,7 @@
 
 local path = ...
 local columnStore = require(path .. ".memory.columnStore")
-local check = require(path .. ".world.check")
+local check = require(path .. ".fields.check")
 local columns = require(path .. ".memory.columns")
 local interpreted = require(path .. ".memory.jit")
 local lazy = require(path .. ".memory.lazy")

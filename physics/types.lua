@@ -1,6 +1,6 @@
 ---@meta _
 --- The types of this library for editors (LuaLS, EmmyLua). Nothing requires this file.
---- scripts/types.lua writes it from physics/world/fields.lua and the methods of worlds: change
+--- scripts/types.lua writes it from physics/fields/fields.lua and the methods of worlds: change
 --- those.
 
 ---@alias physics.Side "left"|"right"|"top"|"bottom"
@@ -304,88 +304,6 @@ local default = {}
 ---@param dt number s, >= 0
 function default.update(dt) end
 
---- Returns everything that a future step depends on, as a plain table that any serializer can
---- write: numbers, strings, booleans and tables, without functions, cycles and infinities. After
---- `restore` the run continues with the same bits, also in another process and on another Lua.
----
---- - Saved: the objects with the fields that the library knows, the settings that change results,
----   contacts, riders, saved-up time, and events that an error in a callback has delayed.
---- - Not saved: functions (callbacks, `canCollide`), your own fields but for those that the setting
----   `ownFields` names, and the settings `broadphase`, `cellSize`, `rest`, `checked` and
----   `ownFields`.
---- - Of a static object it is what `update` has read: call `refresh` after changing one.
----
---- A state also holds what you have written since the last step. For rollback save before you write
---- the input of a step: a late input must not find the guessed one in the state. A state that is
---- saved inside a callback holds the events that are still to come, without the current one.
----
---- Errors: a field or setting that `update` would refuse; a field of your own in `ownFields` that
---- is a function, infinite, or the like; `out` is not a table; it is called from inside
---- `canCollide`.
----@param out physics.State? a state of this world that you no longer need. It is filled again, so that a steady scene makes no garbage
----@return physics.State state
-function default.save(out) end
-
---- Makes this world what it was when the state was saved. The jump itself calls no callback.
----
---- Objects that were added since then leave their groups, removed ones come back, and all get their
---- saved fields. The tables of groups stay the same. Groups that are not in the state are emptied.
---- Your own fields are not touched, but for those that the setting `ownFields` named.
----
---- - A state of this same world, in the same table: each object is the very table that it was. Your
----   references, callbacks and own fields stay with it.
---- - A state from elsewhere (a file, the network, another world): it is applied by group and key. A
----   new plain table, without callbacks, is made for each object that is missing.
----
---- Numbered keys shift when an object is removed. So, for states from elsewhere, give an object
---- with fields or callbacks of its own a string key: `world.objects.enemies.boss = boss`. A group
---- under numbers with another count of objects than in the state is named in the result.
----
---- Events that were still to come when the state was saved are told after `restore`, also about
---- objects that have left the world. In another world such an object is a new plain table.
----
---- Errors: the value is not a state, or one of another version, or damaged; it is called from
---- inside `canCollide`. Nothing has changed then.
----@param saved physics.State what `save` returned, or a copy
----@return string? misfit nil: the state fits; else a sentence about numbered keys that may be wrong
-function default.restore(saved) end
-
---- Returns a whole number in 0..10^14 over everything that `save` holds. It is the same on every
---- Lua. Two worlds with the same number continue in the same way (wrong once in 10^13). Use it for
---- replays, and to find the step in which two players' worlds began to differ. Your own fields
---- (`health`) are not in it: compare them beside it.
----
---- Errors: a field or setting that `update` would refuse; it is called from inside `canCollide`.
----@return number
-function default.hash() end
-
---- Draws the world as the physics sees it (LÖVE only). Static objects are grey, kinematic ones
---- blue, dynamic ones orange (brown at rest), sensors have a green outline, inactive objects are
---- faint. The solid side of a one-way object is violet, sides that touch are light.
----
---- The colours can be seen on dark and on light ground. It draws with your transform, and leaves
---- colour, font and transform as they were. It draws at `x, y`, also with a `timestep`: what you
---- draw at `interpolate` is up to one step behind it.
----
---- Errors: an unknown option, or a wrong value for one; there is no `love.graphics`.
----@param options physics.DrawOptions? what to show
-function default.draw(options) end
-
---- Returns where to draw an object between two fixed steps (`timestep`): on the way from its place
---- before the last step to its place now, by the share `world.alpha`. Returns `object.x, object.y`
---- if there is no `timestep`, and for an object that is new, static, not active, or was put
---- somewhere by the game.
----
---- A loop of your own, as for rollback, sets `timestep`, too. `world:update(world.timestep)` is
---- then exactly one step, and sets `world.alpha` to 0. After its last step the loop writes
---- `world.alpha`.
----
---- Errors: the object is not a table.
----@param object physics.NewObject the object to draw
----@return number x px
----@return number y px
-function default.interpolate(object) end
-
 --- Puts an object at the end of a group and returns it. A group that does not exist is made.
 ---
 --- It does the same as `table.insert(world.objects[group], object)`, and more. It checks the fields
@@ -433,19 +351,6 @@ function default.refresh(object) end
 ---@param object physics.NewObject the object that stands on them
 ---@return boolean dropped false: it stands on no one-way object
 function default.dropThrough(object) end
-
---- Returns what an object stands on, as the last step has left it, and how steep that is under it:
---- for a sprite that turns with the ground, `math.atan(gradient)`.
----
---- The gradient is in px along y for each px along x: -0.5 on a slope that rises to the right by 1
---- px in 2, 0 on everything that is level. Where gravity acts sideways it is px along x for each px
---- along y.
----
---- Errors: the object is not a table, or not in the world.
----@param object physics.NewObject a dynamic object
----@return physics.NewObject? ground nil: it stands on nothing
----@return number gradient
-function default.ground(object) end
 
 --- Moves one object to (x, y) now, with collisions and without physics. It writes `object.x` and
 --- `object.y`, pushes nothing and changes no velocity.
@@ -539,186 +444,6 @@ function default.explode(x, y, radius, impulse, filter, walls) end
 ---@param h number? px, > 0
 function default.setBounds(x, y, w, h) end
 
---- Returns all objects at a point, and how many. The left and top edges of an object belong to it,
---- the right and bottom ones do not. So a point on a seam belongs to one tile.
----
---- Errors: a coordinate is not a finite number; the filter cannot be used; `out` is not a table.
----@param x number px
----@param y number px
----@param filter physics.Filter? which objects count, default all
----@param out physics.Object[]? list to fill, default a new one
----@return physics.Object[] objects in the order of the world
----@return integer count
-function default.queryPoint(x, y, filter, out) end
-
---- Returns all objects that overlap a rectangle by more than 1e-6 px, and how many. With the
---- setting `sideBySide` objects that are flush with it count, too.
----
---- Errors: a number is not finite; a size is <= 0; the filter cannot be used; `out` is not a table.
----@param x number px, left edge
----@param y number px, top edge
----@param w number px, > 0
----@param h number px, > 0
----@param filter physics.Filter? which objects count, default all
----@param out physics.Object[]? list to fill, default a new one
----@return physics.Object[] objects in the order of the world
----@return integer count
-function default.queryRect(x, y, w, h, filter, out) end
-
---- Returns all objects that overlap a circle by more than 1e-6 px, and how many: those of which a
---- point is nearer to the centre than the radius. With the setting `sideBySide` objects that are
---- flush with it count, too.
---- Source: the point of a box that is nearest to the centre.
----
---- Errors: a number is not finite; the radius is <= 0; the filter cannot be used; `out` is not a
---- table.
----@param x number px, the centre
----@param y number px
----@param radius number px, > 0
----@param filter physics.Filter? which objects count, default all
----@param out physics.Object[]? list to fill, default a new one
----@return physics.Object[] objects in the order of the world
----@return integer count
-function default.queryCircle(x, y, radius, filter, out) end
-
---- Returns all objects on the line from (x1, y1) to (x2, y2), as `raycast` would hit them, and how
---- many.
----
---- Errors: a coordinate is not a finite number; the filter cannot be used; `out` is not a table.
----@param x1 number px
----@param y1 number px
----@param x2 number px
----@param y2 number px
----@param filter physics.Filter? which objects count, default all
----@param out physics.Object[]? list to fill, default a new one
----@return physics.Object[] objects nearest first, ties in the order of the world
----@return integer count
-function default.querySegment(x1, y1, x2, y2, filter, out) end
-
---- Returns the first object on the line from (x1, y1) to (x2, y2), and where the line hits it.
----
----     starts inside an object     hits it at fraction 0, normal 0, 0
----     starts on an edge           hits at fraction 0 with its normal if it goes in, else not
----     ends on an edge             hits at fraction 1
----     runs along an edge          hits the object that owns the edge: the one below it or to its
----                                 right, so no ray slips between two tiles (to 1e-6 px)
----     meets a corner              of one object: no hit if it only grazes it; the normal is along
----                                 gravity, or that of the wall if a neighbour covers the other one
----     has no length               hits the object that queryPoint finds, fraction 0, normal 0, 0
----
---- Source: slab method; the grid is walked in strips (see physics/broadphase/grid.lua).
----
---- Errors: a coordinate is not a finite number; the filter cannot be used.
----@param x1 number px
----@param y1 number px
----@param x2 number px
----@param y2 number px
----@param filter physics.Filter? which objects count, default all
----@return physics.Object? object nil: the line is free, and nothing else is returned
----@return number x px, where it is hit
----@return number y px
----@return number nx normal where it is hit, of length 1: -1, 0, 1 at a box
----@return number ny likewise
----@return number fraction of the line, 0..1
-function default.raycast(x1, y1, x2, y2, filter) end
-
---- Returns what would stop an object on its way by (dx, dy), and where the object would be then.
---- Nothing moves. `sweep(object, 0, -10)` answers "may it grow by 10 px upwards?".
----
---- Solid objects stop it, unless its mask, theirs or the world's says otherwise; one-way objects
---- stop it on their solid side; sensors do not. `canCollide` is not called. An object that overlaps
---- it already is hit at fraction 0 with the normal 0, 0. An object that is flush beside its way is
---- not hit.
----
---- Errors: the object is not a table, or not in the world; a distance is not a finite number; the
---- filter cannot be used.
----@param object physics.NewObject the object that would move
----@param dx number px
----@param dy number px
----@param filter physics.Filter? which objects count, default all
----@return physics.Object? other nil: the way is free, and nothing else is returned
----@return number x px, where `object` would be then, flush
----@return number y px
----@return number nx normal where it is hit, of length 1: -1, 0, 1 on a side of a box
----@return number ny likewise
----@return number fraction of the way, 0..1
-function default.sweep(object, dx, dy, filter) end
-
---- Returns whether a box of that place and size would be free: may it stand up here, is there room
---- to appear? Solid objects are in the way, if they overlap the box by more than 1e-6 px. Sensors,
---- one-way objects and inactive objects are not.
----
---- In place of the filter you may give the object that would be there. Then it is not in its own
---- way, nor is what its mask, theirs or the world's lets it pass.
----
---- Errors: a number is not finite; a size is <= 0; the filter cannot be used, or is an object that
---- is not in the world.
----@param x number px, left edge
----@param y number px, top edge
----@param width number px, > 0
----@param height number px, > 0
----@param filter physics.Filter|physics.NewObject|nil which objects count, default all; or the object that would be there
----@return boolean fits
----@return physics.Object? other what is in the way, the first in the order of the world
-function default.fits(x, y, width, height, filter) end
-
---- Returns the velocity of an object over ground. For a rider it is its own velocity and that of
---- its carrier; for a kinematic object that you move by writing `x, y` it is how fast it went in
---- the last step. Of a static object it is 0, 0.
----
---- Errors: the object is not a table, or not in the world.
----@param object physics.NewObject the object
----@return number vx px/s
----@return number vy px/s
-function default.velocity(object) end
-
---- Returns the object nearest to a point, and its distance. Of two at the same distance it is the
---- first in the order of the world.
----
---- Errors: a number is not finite; the radius is < 0; the filter cannot be used.
----@param x number px
----@param y number px
----@param radius number px, >= 0: how far it looks
----@param filter physics.Filter? which objects count, default all
----@return physics.Object? object nil: there is none
----@return number distance px, from the point to the edge, 0: inside
-function default.nearest(x, y, radius, filter) end
-
---- Returns all objects that overlap an object by more than 1e-6 px, and how many; masks play no
---- part. An object with a `radius` is the circle, not its square. With the setting `sideBySide`
---- objects that are flush with it count, too. An inactive object overlaps nothing.
----
---- Test the number, `count > 0`: an empty list is true in Lua. Removing objects while you loop over
---- the list is safe.
----
---- Errors: the object is not a table, or not in the world; the filter cannot be used; `out` is not
---- a table.
----@param object physics.NewObject an object of the world
----@param filter physics.Filter? which objects count, default all
----@param out physics.Object[]? list to fill, default a new one
----@return physics.Object[] objects in the order of the world, without `object`
----@return integer count
-function default.overlapping(object, filter, out) end
-
---- Returns the side of `a` at which it is in contact with `b`. A contact lasts from `onBegin` to
---- `onEnd`, unless the game has moved the two apart since. With the setting `sideBySide` flush
---- objects are in contact.
----
---- Errors: `a` or `b` is not a table, or not in the world.
----@param a physics.NewObject one of the two
----@param b physics.NewObject the other one
----@return physics.Side? side of `a`, nil: no contact
-function default.touching(a, b) end
-
---- Returns a sentence that says why two objects do or do not collide. It is for debugging: the
---- words may change.
----
---- Errors: `a` or `b` is not a table.
----@param a physics.NewObject one of the two
----@param b physics.NewObject the other one
----@return string sentence
-function default.explain(a, b) end
-
 --- Adds the objects of a map of the editor Tiled, and its solid tiles, merged into few large
 --- rectangles. The map is its Lua export (the table, or the path of the file), or the table that
 --- STI makes of it. The map is not changed, and nothing is drawn. See docs/maps.md for all of it.
@@ -788,3 +513,278 @@ function default.addTiles(group, cells, columns, size, options) end
 ---@param options physics.LDtkOptions? where the level goes, and what of it is solid
 ---@return physics.LDtkLevel level the objects that were added, counts, and what is not supported
 function default.loadLDtk(project, level, options) end
+
+--- Returns everything that a future step depends on, as a plain table that any serializer can
+--- write: numbers, strings, booleans and tables, without functions, cycles and infinities. After
+--- `restore` the run continues with the same bits, also in another process and on another Lua.
+---
+--- - Saved: the objects with the fields that the library knows, the settings that change results,
+---   contacts, riders, saved-up time, and events that an error in a callback has delayed.
+--- - Not saved: functions (callbacks, `canCollide`), your own fields but for those that the setting
+---   `ownFields` names, and the settings `broadphase`, `cellSize`, `rest`, `checked` and
+---   `ownFields`.
+--- - Of a static object it is what `update` has read: call `refresh` after changing one.
+---
+--- A state also holds what you have written since the last step. For rollback save before you write
+--- the input of a step: a late input must not find the guessed one in the state. A state that is
+--- saved inside a callback holds the events that are still to come, without the current one.
+---
+--- Errors: a field or setting that `update` would refuse; a field of your own in `ownFields` that
+--- is a function, infinite, or the like; `out` is not a table; it is called from inside
+--- `canCollide`.
+---@param out physics.State? a state of this world that you no longer need. It is filled again, so that a steady scene makes no garbage
+---@return physics.State state
+function default.save(out) end
+
+--- Makes this world what it was when the state was saved. The jump itself calls no callback.
+---
+--- Objects that were added since then leave their groups, removed ones come back, and all get their
+--- saved fields. The tables of groups stay the same. Groups that are not in the state are emptied.
+--- Your own fields are not touched, but for those that the setting `ownFields` named.
+---
+--- - A state of this same world, in the same table: each object is the very table that it was. Your
+---   references, callbacks and own fields stay with it.
+--- - A state from elsewhere (a file, the network, another world): it is applied by group and key. A
+---   new plain table, without callbacks, is made for each object that is missing.
+---
+--- Numbered keys shift when an object is removed. So, for states from elsewhere, give an object
+--- with fields or callbacks of its own a string key: `world.objects.enemies.boss = boss`. A group
+--- under numbers with another count of objects than in the state is named in the result.
+---
+--- Events that were still to come when the state was saved are told after `restore`, also about
+--- objects that have left the world. In another world such an object is a new plain table.
+---
+--- Errors: the value is not a state, or one of another version, or damaged; it is called from
+--- inside `canCollide`. Nothing has changed then.
+---@param saved physics.State what `save` returned, or a copy
+---@return string? misfit nil: the state fits; else a sentence about numbered keys that may be wrong
+function default.restore(saved) end
+
+--- Returns a whole number in 0..10^14 over everything that `save` holds. It is the same on every
+--- Lua. Two worlds with the same number continue in the same way (wrong once in 10^13). Use it for
+--- replays, and to find the step in which two players' worlds began to differ. Your own fields
+--- (`health`) are not in it: compare them beside it.
+---
+--- Errors: a field or setting that `update` would refuse; it is called from inside `canCollide`.
+---@return number
+function default.hash() end
+
+--- Returns all objects at a point, and how many. The left and top edges of an object belong to it,
+--- the right and bottom ones do not. So a point on a seam belongs to one tile.
+---
+--- Errors: a coordinate is not a finite number; the filter cannot be used; `out` is not a table.
+---@param x number px
+---@param y number px
+---@param filter physics.Filter? which objects count, default all
+---@param out physics.Object[]? list to fill, default a new one
+---@return physics.Object[] objects in the order of the world
+---@return integer count
+function default.queryPoint(x, y, filter, out) end
+
+--- Returns all objects that overlap a rectangle by more than 1e-6 px, and how many. With the
+--- setting `sideBySide` objects that are flush with it count, too.
+---
+--- Errors: a number is not finite; a size is <= 0; the filter cannot be used; `out` is not a table.
+---@param x number px, left edge
+---@param y number px, top edge
+---@param w number px, > 0
+---@param h number px, > 0
+---@param filter physics.Filter? which objects count, default all
+---@param out physics.Object[]? list to fill, default a new one
+---@return physics.Object[] objects in the order of the world
+---@return integer count
+function default.queryRect(x, y, w, h, filter, out) end
+
+--- Returns all objects that overlap a circle by more than 1e-6 px, and how many: those of which a
+--- point is nearer to the centre than the radius. With the setting `sideBySide` objects that are
+--- flush with it count, too.
+--- Source: the point of a box that is nearest to the centre.
+---
+--- Errors: a number is not finite; the radius is <= 0; the filter cannot be used; `out` is not a
+--- table.
+---@param x number px, the centre
+---@param y number px
+---@param radius number px, > 0
+---@param filter physics.Filter? which objects count, default all
+---@param out physics.Object[]? list to fill, default a new one
+---@return physics.Object[] objects in the order of the world
+---@return integer count
+function default.queryCircle(x, y, radius, filter, out) end
+
+--- Returns the object nearest to a point, and its distance. Of two at the same distance it is the
+--- first in the order of the world.
+---
+--- Errors: a number is not finite; the radius is < 0; the filter cannot be used.
+---@param x number px
+---@param y number px
+---@param radius number px, >= 0: how far it looks
+---@param filter physics.Filter? which objects count, default all
+---@return physics.Object? object nil: there is none
+---@return number distance px, from the point to the edge, 0: inside
+function default.nearest(x, y, radius, filter) end
+
+--- Returns whether a box of that place and size would be free: may it stand up here, is there room
+--- to appear? Solid objects are in the way, if they overlap the box by more than 1e-6 px. Sensors,
+--- one-way objects and inactive objects are not.
+---
+--- In place of the filter you may give the object that would be there. Then it is not in its own
+--- way, nor is what its mask, theirs or the world's lets it pass.
+---
+--- Errors: a number is not finite; a size is <= 0; the filter cannot be used, or is an object that
+--- is not in the world.
+---@param x number px, left edge
+---@param y number px, top edge
+---@param width number px, > 0
+---@param height number px, > 0
+---@param filter physics.Filter|physics.NewObject|nil which objects count, default all; or the object that would be there
+---@return boolean fits
+---@return physics.Object? other what is in the way, the first in the order of the world
+function default.fits(x, y, width, height, filter) end
+
+--- Returns all objects on the line from (x1, y1) to (x2, y2), as `raycast` would hit them, and how
+--- many.
+---
+--- Errors: a coordinate is not a finite number; the filter cannot be used; `out` is not a table.
+---@param x1 number px
+---@param y1 number px
+---@param x2 number px
+---@param y2 number px
+---@param filter physics.Filter? which objects count, default all
+---@param out physics.Object[]? list to fill, default a new one
+---@return physics.Object[] objects nearest first, ties in the order of the world
+---@return integer count
+function default.querySegment(x1, y1, x2, y2, filter, out) end
+
+--- Returns the first object on the line from (x1, y1) to (x2, y2), and where the line hits it.
+---
+---     starts inside an object     hits it at fraction 0, normal 0, 0
+---     starts on an edge           hits at fraction 0 with its normal if it goes in, else not
+---     ends on an edge             hits at fraction 1
+---     runs along an edge          hits the object that owns the edge: the one below it or to its
+---                                 right, so no ray slips between two tiles (to 1e-6 px)
+---     meets a corner              of one object: no hit if it only grazes it; the normal is along
+---                                 gravity, or that of the wall if a neighbour covers the other one
+---     has no length               hits the object that queryPoint finds, fraction 0, normal 0, 0
+---
+--- Source: slab method; the grid is walked in strips (see physics/broadphase/grid.lua).
+---
+--- Errors: a coordinate is not a finite number; the filter cannot be used.
+---@param x1 number px
+---@param y1 number px
+---@param x2 number px
+---@param y2 number px
+---@param filter physics.Filter? which objects count, default all
+---@return physics.Object? object nil: the line is free, and nothing else is returned
+---@return number x px, where it is hit
+---@return number y px
+---@return number nx normal where it is hit, of length 1: -1, 0, 1 at a box
+---@return number ny likewise
+---@return number fraction of the line, 0..1
+function default.raycast(x1, y1, x2, y2, filter) end
+
+--- Returns what would stop an object on its way by (dx, dy), and where the object would be then.
+--- Nothing moves. `sweep(object, 0, -10)` answers "may it grow by 10 px upwards?".
+---
+--- Solid objects stop it, unless its mask, theirs or the world's says otherwise; one-way objects
+--- stop it on their solid side; sensors do not. `canCollide` is not called. An object that overlaps
+--- it already is hit at fraction 0 with the normal 0, 0. An object that is flush beside its way is
+--- not hit.
+---
+--- Errors: the object is not a table, or not in the world; a distance is not a finite number; the
+--- filter cannot be used.
+---@param object physics.NewObject the object that would move
+---@param dx number px
+---@param dy number px
+---@param filter physics.Filter? which objects count, default all
+---@return physics.Object? other nil: the way is free, and nothing else is returned
+---@return number x px, where `object` would be then, flush
+---@return number y px
+---@return number nx normal where it is hit, of length 1: -1, 0, 1 on a side of a box
+---@return number ny likewise
+---@return number fraction of the way, 0..1
+function default.sweep(object, dx, dy, filter) end
+
+--- Returns all objects that overlap an object by more than 1e-6 px, and how many; masks play no
+--- part. An object with a `radius` is the circle, not its square. With the setting `sideBySide`
+--- objects that are flush with it count, too. An inactive object overlaps nothing.
+---
+--- Test the number, `count > 0`: an empty list is true in Lua. Removing objects while you loop over
+--- the list is safe.
+---
+--- Errors: the object is not a table, or not in the world; the filter cannot be used; `out` is not
+--- a table.
+---@param object physics.NewObject an object of the world
+---@param filter physics.Filter? which objects count, default all
+---@param out physics.Object[]? list to fill, default a new one
+---@return physics.Object[] objects in the order of the world, without `object`
+---@return integer count
+function default.overlapping(object, filter, out) end
+
+--- Returns what an object stands on, as the last step has left it, and how steep that is under it:
+--- for a sprite that turns with the ground, `math.atan(gradient)`.
+---
+--- The gradient is in px along y for each px along x: -0.5 on a slope that rises to the right by 1
+--- px in 2, 0 on everything that is level. Where gravity acts sideways it is px along x for each px
+--- along y.
+---
+--- Errors: the object is not a table, or not in the world.
+---@param object physics.NewObject a dynamic object
+---@return physics.NewObject? ground nil: it stands on nothing
+---@return number gradient
+function default.ground(object) end
+
+--- Returns the velocity of an object over ground. For a rider it is its own velocity and that of
+--- its carrier; for a kinematic object that you move by writing `x, y` it is how fast it went in
+--- the last step. Of a static object it is 0, 0.
+---
+--- Errors: the object is not a table, or not in the world.
+---@param object physics.NewObject the object
+---@return number vx px/s
+---@return number vy px/s
+function default.velocity(object) end
+
+--- Returns the side of `a` at which it is in contact with `b`. A contact lasts from `onBegin` to
+--- `onEnd`, unless the game has moved the two apart since. With the setting `sideBySide` flush
+--- objects are in contact.
+---
+--- Errors: `a` or `b` is not a table, or not in the world.
+---@param a physics.NewObject one of the two
+---@param b physics.NewObject the other one
+---@return physics.Side? side of `a`, nil: no contact
+function default.touching(a, b) end
+
+--- Returns a sentence that says why two objects do or do not collide. It is for debugging: the
+--- words may change.
+---
+--- Errors: `a` or `b` is not a table.
+---@param a physics.NewObject one of the two
+---@param b physics.NewObject the other one
+---@return string sentence
+function default.explain(a, b) end
+
+--- Draws the world as the physics sees it (LÖVE only). Static objects are slate grey, kinematic
+--- ones blue, dynamic ones red (lilac at rest), sensors have a green outline, inactive objects are
+--- faint. The solid side of a one-way object is yellow, sides that touch are light.
+---
+--- The colours can be seen on dark and on light ground. It draws with your transform, and leaves
+--- colour, font and transform as they were. It draws at `x, y`, also with a `timestep`: what you
+--- draw at `interpolate` is up to one step behind it.
+---
+--- Errors: an unknown option, or a wrong value for one; there is no `love.graphics`.
+---@param options physics.DrawOptions? what to show
+function default.draw(options) end
+
+--- Returns where to draw an object between two fixed steps (`timestep`): on the way from its place
+--- before the last step to its place now, by the share `world.alpha`. Returns `object.x, object.y`
+--- if there is no `timestep`, and for an object that is new, static, not active, or was put
+--- somewhere by the game.
+---
+--- A loop of your own, as for rollback, sets `timestep`, too. `world:update(world.timestep)` is
+--- then exactly one step, and sets `world.alpha` to 0. After its last step the loop writes
+--- `world.alpha`.
+---
+--- Errors: the object is not a table.
+---@param object physics.NewObject the object to draw
+---@return number x px
+---@return number y px
+function default.interpolate(object) end

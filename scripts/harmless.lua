@@ -170,7 +170,7 @@ return {
     "it is set where the axis is",
   },
   {
-    "physics/world/settings.lua",
+    "physics/objects/settings.lua",
     "b.gravityX, b.gravity = self.gravityX + 0.0, self.gravity + 0.0",
     "b.gravityX, b.gravity = self.gravityX + 0.0, self.gravity - 0.0",
     "only -0 stays what it is",

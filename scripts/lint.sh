@@ -27,6 +27,8 @@ fi
 check "StyLua starts" bash scripts/stylua.sh --version
 check "StyLua finds nothing to change" bash scripts/stylua.sh --check "${sources[@]}"
 
+check "no folder has more code than its budget" luajit scripts/budget.lua
+
 # A row that no longer names a line would be seen only when the mutants run, once in a while.
 check "scripts/harmless.lua names lines that are there" \
   luajit scripts/mutants.lua --list --sample 1

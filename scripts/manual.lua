@@ -1,4 +1,4 @@
---- Writes the reference from the docstrings, physics/world/fields.lua and
+--- Writes the reference from the docstrings, physics/fields/fields.lua and
 --- scripts/manual_examples.lua:
 ---
 ---   luajit scripts/manual.lua       writes docs/api.md
@@ -334,10 +334,7 @@ function manual.text()
   add(lines, "## Types", "", TYPES)
   addTypes(lines, "physics/types.lua")
   addTypes(lines, docstrings.WORLD)
-  local files = { "world/draw", "maps/tiles", "maps/array", "maps/tiled" }
-  for _, file in ipairs({ "maps/tiled/options", "maps/ldtk", "maps/ldtk/project" }) do
-    files[#files + 1] = file
-  end
+  local files = { "world/draw", "maps/tiles", "maps/array", "maps/tiled", "maps/ldtk" }
   for _, file in ipairs(files) do
     local path = "physics/" .. file .. ".lua"
     addTypes(lines, path)

@@ -1,7 +1,7 @@
 -- Do the specs notice? Changes one thing of the core at a time (scripts/mutations.lua), in a copy
 -- of the project, and runs the specs one file after the other until one fails:
 --
---   luajit scripts/mutants.lua [--sample 200] [--seed 1] [--file physics/memory/aabb.lua]
+--   luajit scripts/mutants.lua [--sample 200] [--seed 1] [--file physics/space/aabb.lua]
 -- [--resume] [--slow] [--seconds 15]
 --
 -- Without --sample all changes are tried, which takes days; --list shows them. Each result is
@@ -129,7 +129,7 @@ end
 
 -- What can be changed -----------------------------------------------------------------------------
 
--- "physics/memory/aabb.lua:31:17 + -> -", which names a change, and the line.
+-- "physics/space/aabb.lua:31:17 + -> -", which names a change, and the line.
 local function describe(change)
   local text = change.text
   local start = text:sub(1, change.at - 1):match("^.*\n()") or 1

@@ -1,4 +1,4 @@
---- Writes an entry of physics/world/fields.lua in words and as a type.
+--- Writes an entry of physics/fields/fields.lua in words and as a type.
 
 local typedFields = {}
 

@@ -1,4 +1,4 @@
---- Writes the types that editors read (LuaLS, EmmyLua): for what physics/world/fields.lua lists,
+--- Writes the types that editors read (LuaLS, EmmyLua): for what physics/fields/fields.lua lists,
 --- and for the functions of the module that are the methods of the default world.
 ---
 ---   luajit scripts/types.lua        writes physics/types.lua
@@ -16,7 +16,7 @@ local COLUMNS = 100
 local HEAD = [[
 ---@meta _
 --- The types of this library for editors (LuaLS, EmmyLua). Nothing requires this file.
---- scripts/types.lua writes it from physics/world/fields.lua and the methods of worlds: change
+--- scripts/types.lua writes it from physics/fields/fields.lua and the methods of worlds: change
 --- those.
 
 ---@alias physics.Side "left"|"right"|"top"|"bottom"

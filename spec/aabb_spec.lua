@@ -1,6 +1,6 @@
 --- Scalar rectangle maths. Rows are: name, first rectangle, second rectangle, what comes out.
 
-local aabb = require("physics.memory.aabb")
+local aabb = require("physics.space.aabb")
 local newRandom = require("spec.support.random").new
 
 local OPPOSITE = { top = "bottom", left = "right", bottom = "top", right = "left" }

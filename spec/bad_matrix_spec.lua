@@ -5,7 +5,7 @@
 
 local effort = require("spec.support.effort")
 local physics = require("physics")
-local fields = require("physics.world.fields")
+local fields = require("physics.fields.fields")
 
 local NAN, INF = 0 / 0, math.huge
 local DT = 1 / 60

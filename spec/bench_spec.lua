@@ -2,7 +2,7 @@
 
 local docs = require("bench.docs")
 local engines = require("bench.engines")
-local fields = require("physics.world.fields")
+local fields = require("physics.fields.fields")
 local json = require("bench.json")
 local measure = require("bench.measure")
 local newRandom = require("spec.support.random").new

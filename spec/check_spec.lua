@@ -1,8 +1,8 @@
---- Errors: their text, and the line they name. What loads physics/world/check.lua itself is tagged
+--- Errors: their text, and the line they name. What loads physics/fields/check.lua itself is tagged
 --- #files: there is no such file when the library is one (scripts/single.sh).
 
-local check = require("physics.world.check")
-local fields = require("physics.world.fields")
+local check = require("physics.fields.check")
+local fields = require("physics.fields.fields")
 
 local NAN, INF = 0 / 0, 1 / 0
 
@@ -32,12 +32,12 @@ local function compile(text, chunkName, environment)
   return assert(load(text, chunkName, "t", environment))
 end
 
---- Loads physics/world/check.lua as if its file had another name.
+--- Loads physics/fields/check.lua as if its file had another name.
 local function loadCheck(chunkName, environment)
   local file = assert(io.open((debug.getinfo(check.fail, "S").source:gsub("^@", ""))))
   local text = file:read("*a")
   file:close()
-  return compile(text, chunkName, environment or _G)("physics.world.check")
+  return compile(text, chunkName, environment or _G)("physics.fields.check")
 end
 
 --- A function of the library in a chunk of this name, which fails.
@@ -81,43 +81,48 @@ describe("check", function()
 
     -- where check.lua is, which file of the library is called, which file of the game calls
     for _, row in ipairs({
-      { "the folder of the game", "@physics/world/check.lua", "@physics.lua", "main.lua" },
-      { "a folder for libraries", "@lib/physics/world/check.lua", "@lib/physics.lua", "main.lua" },
+      { "the folder of the game", "@physics/fields/check.lua", "@physics.lua", "main.lua" },
+      { "a folder for libraries", "@lib/physics/fields/check.lua", "@lib/physics.lua", "main.lua" },
       {
         "a subfolder",
-        "@lib/physics/world/check.lua",
+        "@lib/physics/fields/check.lua",
         "@lib/physics/broadphase/grid.lua",
         "main.lua",
       },
       {
         "a folder with init.lua",
-        "@lib/physics/world/check.lua",
+        "@lib/physics/fields/check.lua",
         "@lib/physics/init.lua",
         "main.lua",
       },
       {
         "a search path with a dot",
-        "@./physics/world/check.lua",
+        "@./physics/fields/check.lua",
         "@./physics.lua",
         "./spec/a_spec.lua",
       },
       {
         "an installed rock",
-        "@/usr/share/lua/5.1/physics/world/check.lua",
+        "@/usr/share/lua/5.1/physics/fields/check.lua",
         "@/usr/share/lua/5.1/physics.lua",
         "main.lua",
       },
-      { "Windows", "@.\\lib\\physics\\world\\check.lua", "@.\\lib\\physics.lua", ".\\main.lua" },
+      { "Windows", "@.\\lib\\physics\\fields\\check.lua", "@.\\lib\\physics.lua", ".\\main.lua" },
       { "one joined file", "@lib/physics.lua", "@lib/physics.lua", "lib/main.lua" },
       { "one joined file beside the game", "@physics.lua", "@physics.lua", "main.lua" },
       {
         "a folder beside other files",
-        "@lib/physics/world/check.lua",
+        "@lib/physics/fields/check.lua",
         "@lib/physics.lua",
         "lib/game.lua",
       },
-      { "a folder like another", "@physics/world/check.lua", "@physics.lua", "physics-game/a.lua" },
-      { "a folder like a file", "@physics/world/check.lua", "@physics.lua", "physics2.lua" },
+      {
+        "a folder like another",
+        "@physics/fields/check.lua",
+        "@physics.lua",
+        "physics-game/a.lua",
+      },
+      { "a folder like a file", "@physics/fields/check.lua", "@physics.lua", "physics2.lua" },
     }) do
       local name, checkChunk, libraryChunk, gameFile = row[1], row[2], row[3], row[4]
       it("blames the game in " .. name .. " #files", function()
@@ -130,7 +135,7 @@ describe("check", function()
     end
 
     it("blames a callback of the game that misuses the library #files", function()
-      local loaded = loadCheck("@physics/world/check.lua")
+      local loaded = loadCheck("@physics/fields/check.lua")
       local update = libraryFunction(loaded, "@physics/world/world.lua")
       local callback = gameFunction("@callback.lua", update)
       local step = gameFunction("@physics/contacts/events.lua", callback)
@@ -138,7 +143,7 @@ describe("check", function()
     end)
 
     it("finds the game behind a tail call in the library #files", function()
-      local loaded = loadCheck("@physics/world/check.lua")
+      local loaded = loadCheck("@physics/fields/check.lua")
       local inner = libraryFunction(loaded, "@physics/world/world.lua")
       local text = "local call = ... return function() return call() end"
       local door = compile(text, "@physics.lua", {})(inner)
@@ -147,7 +152,7 @@ describe("check", function()
 
     it("blames the third level where there is no debug library #files", function()
       local environment = setmetatable({ debug = false }, { __index = _G })
-      local loaded = loadCheck("@physics/world/check.lua", environment)
+      local loaded = loadCheck("@physics/fields/check.lua", environment)
       local call = libraryFunction(loaded, "@physics.lua")
       assert.equal("main.lua:2: physics: oops", messageOf(gameFunction("@main.lua", call)))
     end)

@@ -289,7 +289,7 @@ if jit and jit.status() then
     -- The default world is the one on which `update` gets into `step`.
     local function defaultWorldOf(module)
       local found
-      local carrier = require("physics.objects.carriers")
+      local carrier = require("physics.motion.carriers")
       local dismount = carrier.dismount
       function carrier.dismount(b)
         found = b.world

@@ -1,6 +1,6 @@
 --- The list of all fields and settings: complete, well formed, and true to its own checks.
 
-local check = require("physics.world.check")
+local check = require("physics.fields.check")
 local fields = require("scripts.meanings")
 
 -- Every field of an object: name, default, unit.

@@ -55,7 +55,7 @@ local USES = {
     world.checked = true
     world:update(1 / 60)
   end,
-  ["physics.world.wording"] = function(_, world)
+  ["physics.fields.wording"] = function(_, world)
     pcall(world.add, world)
   end,
   ["physics.world.tutorial"] = function(physics, _, box, floor)

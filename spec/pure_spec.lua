@@ -1,6 +1,6 @@
 --- The tutorial's pure functions, with checked arguments.
 
-local fields = require("physics.world.fields")
+local fields = require("physics.fields.fields")
 local newRandom = require("spec.support.random").new
 local physics = require("physics")
 local pure = require("physics.world.tutorial")

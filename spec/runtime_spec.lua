@@ -1,7 +1,7 @@
 --- Fields that the game sets and takes back while the world runs, on an object that had none of
 --- them: the next update must notice, as if it had been told by `refresh`.
 
-local fields = require("physics.world.fields")
+local fields = require("physics.fields.fields")
 local physics = require("physics")
 
 local DT = 1 / 60

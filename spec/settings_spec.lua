@@ -1,6 +1,6 @@
 --- Settings: defaults, what a change does, and that changes come into effect at the next step.
 
-local fields = require("physics.world.fields")
+local fields = require("physics.fields.fields")
 local garbage = require("spec.support.garbage")
 local newBox = require("spec.support.box")
 local physics = require("physics")

@@ -12,7 +12,7 @@
 -- Objects" (2003), for the hash; T. Ulrich, "Loose Octrees", for one cell per object and level.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local bank = require(root .. ".memory.columnStore")
+local columnStore = require(root .. ".memory.columnStore")
 
 ---@class physics.Grid
 ---@field [string] any
@@ -63,7 +63,7 @@ end
 -- Sets the number of buckets, all empty.
 local function makeBuckets(self, count)
   if count > self.bucketBank.room then
-    bank.grow(self.bucketBank, count)
+    columnStore.grow(self.bucketBank, count)
   end
   self.buckets = count
   clear(self)
@@ -87,7 +87,7 @@ function grid.new(b, cellSize)
     -- scratch of update
     moved = {},
   }, grid)
-  self.bank, self.bucketBank = bank.new(self, LAYOUT), bank.new(self, BUCKET_LAYOUT)
+  self.bank, self.bucketBank = columnStore.new(self, LAYOUT), columnStore.new(self, BUCKET_LAYOUT)
   makeBuckets(self, FIRST_BUCKETS)
   for level = 0, LEVELS do
     self.members[level], self.reach[level] = 0, 0
@@ -184,13 +184,13 @@ end
 
 --- Moves an empty grid to the source of columns that is used now (see columnStore.lua).
 function grid:adopt()
-  bank.adopt(self.bank, -1)
-  bank.adopt(self.bucketBank, self.buckets)
+  columnStore.adopt(self.bank, -1)
+  columnStore.adopt(self.bucketBank, self.buckets)
 end
 
 function grid:insert(i)
   if i > self.bank.room then
-    bank.grow(self.bank, i)
+    columnStore.grow(self.bank, i)
   end
   self.count = self.count + 1
   self.list[self.count] = i

@@ -11,7 +11,7 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
 local interpreted = require(root .. ".memory.jit")
-local rest = require(root .. ".sleep.islands")
+local islands = require(root .. ".sleep.islands")
 
 local detect = {}
 
@@ -122,7 +122,7 @@ local function wakeLinked(b, count)
     local i, j = ones[n], others[n]
     local matters = kind[j] == DYNAMIC or kind[i] ~= DYNAMIC
     if matters and not awake[j] and (awake[i] or kind[i] == STATIC) then
-      rest.wake(b, j)
+      islands.wake(b, j)
     end
   end
 end
@@ -374,7 +374,7 @@ end
 function detect.refilter(b, i)
   if not b.active[i] then
     detect.remove(b, i)
-    rest.drop(b, i)
+    islands.drop(b, i)
     return
   end
   local half, n = b.head[i], 0

@@ -5,9 +5,9 @@
 -- update.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local aabb = require(root .. ".memory.aabb")
+local aabb = require(root .. ".space.aabb")
 local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
-local check = require(root .. ".world.check")
+local check = require(root .. ".fields.check")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
 local relax = require(root .. ".solver.relax")
@@ -351,6 +351,17 @@ function events.tell(b)
     tellAll(b, e, n)
   end
   events.forget(e)
+end
+
+--- Notes the event of an object that begins to be crushed in this step.
+function events.tellCrush(b, i)
+  for axis = 0, 1 do
+    local k = 2 * i + axis
+    if b.crushed[k] and not b.wasCrushed[k] then
+      events.crush(b, i, b.crushLow[k], b.crushHigh[k], axis == 0 and "x" or "y")
+    end
+    b.wasCrushed[k] = b.crushed[k]
+  end
 end
 
 return events

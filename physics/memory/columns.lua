@@ -10,7 +10,7 @@
 -- No column is shared between worlds: a callback may step another world.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local addRest = require(root .. ".memory.initial")
+local initial = require(root .. ".memory.initial")
 local columnStore = require(root .. ".memory.columnStore")
 local interpreted = require(root .. ".memory.jit")
 local layout = require(root .. ".memory.layout")
@@ -96,7 +96,7 @@ end
 --- Returns the empty columns of a world.
 function columns.new()
   local b = {}
-  addRest(b)
+  initial(b)
   b.slotStore, b.pairStore = columnStore.new(b, layout.SLOTS), columnStore.new(b, layout.PAIRS)
   b.listStore = columnStore.new(b, layout.LISTS)
   for n = 1, #AXIS_NAMES do

@@ -8,7 +8,7 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local interpreted = require(root .. ".memory.jit")
-local soft = require(root .. ".memory.lazy")(root .. ".motion.softDrift")
+local softDrift = require(root .. ".memory.lazy")(root .. ".motion.softDrift")
 
 local drift = {}
 
@@ -30,9 +30,9 @@ function drift.run(b, dt)
   reset(b, b.drifts)
   if b.soft then
     if not b.drifts.slot then
-      b.drifts = soft.new()
+      b.drifts = softDrift.new()
     end
-    soft.run(b, b.drifts, dt)
+    softDrift.run(b, b.drifts, dt)
   end
 end
 

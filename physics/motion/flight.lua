@@ -10,9 +10,9 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
-local detect = require(root .. ".broadphase.pairFinder")
+local pairFinder = require(root .. ".broadphase.pairFinder")
 local interpreted = require(root .. ".memory.jit")
-local rest = require(root .. ".sleep.islands")
+local islands = require(root .. ".sleep.islands")
 
 local flight = {}
 
@@ -44,7 +44,7 @@ local function wakeMet(b)
     local i = list[n]
     local k = 2 * i
     if head[i] ~= 0 or (from[k] == to[k] and from[k + 1] == to[k + 1]) then
-      rest.wake(b, i)
+      islands.wake(b, i)
     end
   end
 end
@@ -53,7 +53,7 @@ end
 function flight.begin(b, dt)
   b.flyerCount = predict(b, dt)
   if b.flyerCount > 0 then
-    detect.follow(b, b.flyers, b.flyerCount)
+    pairFinder.follow(b, b.flyers, b.flyerCount)
     wakeMet(b)
   end
 end
@@ -93,7 +93,7 @@ local function admit(b)
   for n = b.awakeCount, 1, -1 do
     local i = list[n]
     if head[i] == 0 and bare[i] and kind[i] == DYNAMIC and isMoving(b, i) and not hasPast(b, i) then
-      rest.drop(b, i)
+      islands.drop(b, i)
       b.flyerCount = b.flyerCount + 1
       flyers[b.flyerCount], flying[i] = i, true
       columns.stand(b, i)
@@ -125,7 +125,7 @@ end
 --- Ends the step: moves what has flown through it, and lets others fly from here on.
 function flight.finish(b, dt)
   b.flyerCount = move(b, dt)
-  if b.rest and dt >= rest.SHORTEST then
+  if b.rest and dt >= islands.SHORTEST then
     admit(b)
   end
 end

@@ -6,7 +6,7 @@
 -- taken off there.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local carrier = require(root .. ".objects.carriers")
+local carriers = require(root .. ".motion.carriers")
 local columns = require(root .. ".memory.columns")
 local drift = require(root .. ".motion.drift")
 
@@ -42,7 +42,7 @@ local function readCarrier(b, i)
   if c == 0 then
     carried[k], carried[k + 1] = 0, 0
   else
-    carried[k], carried[k + 1] = carrier.velocity(b, c, i)
+    carried[k], carried[k + 1] = carriers.velocity(b, c, i)
   end
 end
 
@@ -87,7 +87,7 @@ function move.run(b, dt, first, last)
         moveKinematic(b, list[n], dt)
       end
     end
-    carrier.board(b)
+    carriers.board(b)
     for n = first, last do
       if kind[list[n]] == DYNAMIC then
         readCarrier(b, list[n])

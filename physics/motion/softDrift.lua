@@ -12,7 +12,7 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
 local interpreted = require(root .. ".memory.jit")
-local rest = require(root .. ".sleep.islands")
+local islands = require(root .. ".sleep.islands")
 local softCells = require(root .. ".motion.softCells")
 
 local soft = {}
@@ -228,7 +228,7 @@ local function listDrifted(b, work)
       count = count + 1
       drifted[count] = i
       if not (awake[i] or flying[i]) then
-        rest.wake(b, i)
+        islands.wake(b, i)
       end
     end
   end

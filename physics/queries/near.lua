@@ -13,11 +13,11 @@
 -- Reads the grid, fat boxes, and position, size and filter of static objects; writes no column.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local check = require(root .. ".world.check")
+local check = require(root .. ".fields.check")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
 local interpreted = require(root .. ".memory.jit")
-local lines = require(root .. ".memory.lazy")(root .. ".broadphase.gridLines")
+local gridLines = require(root .. ".memory.lazy")(root .. ".broadphase.gridLines")
 local registry = require(root .. ".objects.registry")
 local shapes = require(root .. ".space.shapes")
 
@@ -338,7 +338,7 @@ function near.line(c, x1, y1, x2, y2, visit)
   end
   c.visit = visit
   if b.broadphase.heads then
-    lines.walk(b.broadphase, x1, y1, x2, y2, c, visitSlot, bound)
+    gridLines.walk(b.broadphase, x1, y1, x2, y2, c, visitSlot, bound)
     return
   end
   local slots = c.slots

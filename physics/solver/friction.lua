@@ -17,7 +17,7 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local bonds = require(root .. ".solver.bonds")
-local carrier = require(root .. ".objects.carriers")
+local carriers = require(root .. ".motion.carriers")
 local columns = require(root .. ".memory.columns")
 local flow = require(root .. ".solver.flow")
 local interpreted = require(root .. ".memory.jit")
@@ -153,7 +153,7 @@ local function addContact(b, list, held, c, dt)
   end
   local tu, ts = ku + 1 - 2 * axis, ks + 1 - 2 * axis
   if b.give[ts] == 0 then
-    local base = b.speed[ts] + carrier.beltSpeed(b, i, j, axis)
+    local base = b.speed[ts] + carriers.beltSpeed(b, i, j, axis)
     addGround(b, tu, base, mu, list.load[c], list.weight[c], dt)
   else
     bonds.add(b, held, tu, ts, mu * list.load[c])

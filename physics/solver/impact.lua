@@ -13,7 +13,7 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
 local bonds = require(root .. ".solver.bonds")
-local carrier = require(root .. ".objects.carriers")
+local carriers = require(root .. ".motion.carriers")
 local columns = require(root .. ".memory.columns")
 local flow = require(root .. ".solver.flow")
 local friction = require(root .. ".solver.friction")
@@ -228,9 +228,9 @@ local function rub(b, i, j, axis, wl, wh, jolt, press, tau, dt)
     end
     rubBoth(b, kl, kh, mu, jolt, press, tau)
   elseif il + ih > 0 then
-    local k, ground, belt = kl, kh, carrier.beltSpeed(b, i, j, axis)
+    local k, ground, belt = kl, kh, carriers.beltSpeed(b, i, j, axis)
     if il == 0 then
-      k, ground, belt = kh, kl, carrier.beltSpeed(b, j, i, axis)
+      k, ground, belt = kh, kl, carriers.beltSpeed(b, j, i, axis)
     end
     b.base[k], b.grip[k], b.rough[k] = b.speed[ground] + belt, 0.0, mu
     bear(b, k, jolt, press, tau, dt)

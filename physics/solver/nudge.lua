@@ -9,7 +9,7 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
-local live = require(root .. ".broadphase.activePairs")
+local activePairs = require(root .. ".broadphase.activePairs")
 local overlap = require(root .. ".solver.overlap")
 local path = require(root .. ".motion.path")
 
@@ -103,7 +103,7 @@ function nudge.run(b)
         local i, j = (kl - axis) * 0.5, (kh - axis) * 0.5
         if nudge.try(b, i, j, axis, true, 0) or nudge.try(b, j, i, axis, false, 0) then
           b.nudged[p], hasMoved = b.nudged[p] + 1, true
-          live.stain(b, p)
+          activePairs.stain(b, p)
         end
       end
     end

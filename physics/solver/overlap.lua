@@ -16,7 +16,7 @@
 -- crushed, crushLow and crushHigh of buried bodies.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local aabb = require(root .. ".memory.aabb")
+local aabb = require(root .. ".space.aabb")
 local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
 local begin = require(root .. ".motion.begin")
 local columns = require(root .. ".memory.columns")

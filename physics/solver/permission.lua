@@ -5,7 +5,7 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
-local fail = require(root .. ".world.check").fail
+local fail = require(root .. ".fields.check").fail
 
 require(root .. ".memory.jit").file()
 

@@ -14,7 +14,7 @@ local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
 local impact = require(root .. ".solver.impact")
 local interpreted = require(root .. ".memory.jit")
-local live = require(root .. ".broadphase.activePairs")
+local activePairs = require(root .. ".broadphase.activePairs")
 local nudge = require(root .. ".solver.nudge")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local path = require(root .. ".motion.path")
@@ -214,7 +214,7 @@ local function correct(b, p, i, j, axis, t)
     and (nudge.try(b, i, j, axis, true, t) or nudge.try(b, j, i, axis, false, t))
   then
     b.nudged[p] = b.nudged[p] + 1
-    live.stain(b, p)
+    activePairs.stain(b, p)
     return true
   end
   return false

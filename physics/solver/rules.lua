@@ -2,9 +2,9 @@
 -- `canCollide`.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local ask = require(root .. ".solver.permission")
-local live = require(root .. ".broadphase.activePairs")
-local oneway = require(root .. ".solver.oneWay")
+local permission = require(root .. ".solver.permission")
+local activePairs = require(root .. ".broadphase.activePairs")
+local oneWay = require(root .. ".solver.oneWay")
 
 require(root .. ".memory.jit").file()
 
@@ -20,19 +20,19 @@ function rules.passes(b, p, kl, kh, axis, isDeep)
     return true
   end
   local low, high = floor(kl * 0.5), floor(kh * 0.5)
-  if oneway.lets(b, low, high, 2 * axis + 2, isDeep) then
-    b.dropping[p] = oneway.isDropping(b, low, high)
+  if oneWay.lets(b, low, high, 2 * axis + 2, isDeep) then
+    b.dropping[p] = oneWay.isDropping(b, low, high)
     return true
   end
   if not b.hasAskers or b.asked[p] == b.solveStamp then
     return false
   end
   b.asked[p] = b.solveStamp
-  if ask.permits(b, low, high, axis) then
+  if permission.permits(b, low, high, axis) then
     return false
   end
   b.passing[p] = true
-  live.stain(b, p)
+  activePairs.stain(b, p)
   return true
 end
 

@@ -23,13 +23,13 @@ local crush = require(root .. ".solver.crush")
 local drift = require(root .. ".motion.drift")
 local friction = require(root .. ".solver.friction")
 local interpreted = require(root .. ".memory.jit")
-local live = require(root .. ".broadphase.activePairs")
+local activePairs = require(root .. ".broadphase.activePairs")
 local nudge = require(root .. ".solver.nudge")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local predict = require(root .. ".motion.predict")
 local pressed = require(root .. ".solver.pressed")
 local relax = require(root .. ".solver.relax")
-local rest = require(root .. ".sleep.islands")
+local islands = require(root .. ".sleep.islands")
 local rounds = require(root .. ".solver.rounds")
 local settle = require(root .. ".solver.settle")
 local snap = require(root .. ".memory.lazy")(root .. ".solver.snap")
@@ -167,7 +167,7 @@ local function prepare(b, dt)
   b.solveStamp, b.isJammed = b.solveStamp + 1, false
   begin(b, dt)
   friction.begin(b)
-  live.list(b)
+  activePairs.list(b)
   if b.hasSlopes then
     walk.begin(b)
   end
@@ -254,7 +254,7 @@ function solver.run(b, dt)
     restart(b, dt)
   end
   -- With all bodies awake, no path can come near a sleeping one.
-  rest.wakeAll(b)
+  islands.wakeAll(b)
   b.mayRestart = false
   restart(b, dt)
   solve(b, dt)

@@ -4,19 +4,19 @@
 -- a step are filled. So the next step finds everything as it was.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local check = require(root .. ".world.check")
+local check = require(root .. ".fields.check")
 local columns = require(root .. ".memory.columns")
 local compare = require(root .. ".objects.compare")
-local detect = require(root .. ".broadphase.pairFinder")
+local pairFinder = require(root .. ".broadphase.pairFinder")
 local events = require(root .. ".contacts.events")
-local fields = require(root .. ".world.fields")
+local fields = require(root .. ".fields.fields")
 local format = require(root .. ".state.format")
 local interpreted = require(root .. ".memory.jit")
-local notice = require(root .. ".queries.notice")
+local notice = require(root .. ".objects.notice")
 local own = require(root .. ".state.own")
 local read = require(root .. ".objects.read")
-local rest = require(root .. ".sleep.islands")
-local settings = require(root .. ".world.settings")
+local islands = require(root .. ".sleep.islands")
+local settings = require(root .. ".objects.settings")
 local validate = require(root .. ".state.validate")
 local zones = require(root .. ".motion.zones")
 
@@ -303,7 +303,7 @@ local function restoreMemory(b, st, slots)
   for n = 1, #slots do
     local i = slots[n]
     b.fresh[i] = false
-    rest.wake(b, i)
+    islands.wake(b, i)
     columns.stand(b, i)
     if b.moved[i] then
       b.movedCount = b.movedCount + 1
@@ -317,7 +317,7 @@ end
 
 local function restoreContacts(b, st, slots)
   local list = st.contacts
-  detect.run(b, slots, 1, #slots)
+  pairFinder.run(b, slots, 1, #slots)
   for at = 1, #list, 2 + #PAIRS do
     local i, j = slots[list[at]], slots[list[at + 1]]
     local p = columns.pairOf(b, i, j) or columns.link(b, i, j)

@@ -1,0 +1,69 @@
+--- The budget of the core: how many code lines each folder may have, and how many kB the single file
+--- without comments. `make lint` compares it with the files. The numbers only ever go down: who needs
+--- room takes it from another place in the same change, and what a change has freed leaves the table.
+---
+---   luajit scripts/budget.lua
+
+local BUDGET = {
+  { "physics.lua", 110 },
+  { "physics/broadphase", 948 },
+  { "physics/contacts", 566 },
+  { "physics/fields", 746 },
+  { "physics/maps", 2707 },
+  { "physics/memory", 1029 },
+  { "physics/motion", 1500 },
+  { "physics/objects", 1549 },
+  { "physics/queries", 980 },
+  { "physics/sleep", 144 },
+  { "physics/solver", 4890 },
+  { "physics/space", 440 },
+  { "physics/state", 1225 },
+  { "physics/world", 1630 },
+}
+local SLACK = 10 -- code lines by which a folder may be below its number
+
+local function run(command)
+  local pipe = assert(io.popen(command))
+  local text = pipe:read("*a")
+  pipe:close()
+  return text
+end
+
+-- Lines that are neither empty nor only a comment.
+local function countCode(path)
+  local count = 0
+  for line in io.lines(path) do
+    if line:find("%S") and not line:find("^%s*%-%-") then
+      count = count + 1
+    end
+  end
+  return count
+end
+
+-- Code lines by the folder below `physics`. The types for editors are no code.
+local function countFolders()
+  local counts, all = {}, 0
+  for path in run("find physics.lua physics -name '*.lua' ! -name types.lua"):gmatch("[^\n]+") do
+    local folder = path:match("^physics/[^/]+") or path
+    local lines = countCode(path)
+    counts[folder], all = (counts[folder] or 0) + lines, all + lines
+  end
+  return counts, all
+end
+
+local counts, all = countFolders()
+local isMet, allowed = true, 0
+for _, row in ipairs(BUDGET) do
+  local folder, most = row[1], row[2]
+  local count = counts[folder] or 0
+  allowed, counts[folder] = allowed + most, nil
+  local word = count > most and "too many" or count < most - SLACK and "lower the number" or ""
+  isMet = isMet and word == ""
+  print(("%6d of %5d  %s  %s"):format(count, most, folder, word))
+end
+for folder in pairs(counts) do
+  isMet = false
+  print(folder .. " has no row")
+end
+print(("%6d of %5d  code lines in all"):format(all, allowed))
+os.exit(isMet and 0 or 1)
