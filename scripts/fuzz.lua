@@ -8,7 +8,7 @@
 --
 -- `--slopes`: games with slopes (spec/fuzz/sloped.lua).
 --
--- A case that fails is made small and printed, to be pasted into spec/fuzz_found_spec.lua. Its seed
+-- A case that fails is made small and printed, for spec/fuzz/found.txt. Its seed
 -- plays it again: `--seed N --seconds 0` plays that one only, `--case FILE` one that was written
 -- down.
 
@@ -96,7 +96,7 @@ local function report(seed, failed, failure)
   print(("FAILED  seed %d: %s: %s"):format(seed, failure.check, failure.text))
   local small, its = shrink.run(failed, failure, options.shrink, try)
   print(("        made small: %s: %s"):format(its.check, its.text))
-  print((write.case(small):gsub("[^\n]+", "        %0")))
+  print(write.value(small))
   io.stdout:flush()
 end
 

@@ -1,4 +1,4 @@
---- Writes a case as Lua source, to paste into spec/fuzz_found_spec.lua.
+--- Writes a case as Lua source, for spec/fuzz/found.txt.
 
 local write = {}
 
@@ -67,21 +67,5 @@ function value(given)
 end
 
 write.value = value
-
---- Returns a case as the source of a table.
-function write.case(case)
-  local lines = { "{" }
-  if case.closed then
-    lines[2] = "  closed = true,"
-  end
-  lines[#lines + 1] = "  settings = " .. value(case.settings) .. ","
-  lines[#lines + 1] = "  acts = {"
-  for _, act in ipairs(case.acts) do
-    lines[#lines + 1] = "    " .. value(act) .. ","
-  end
-  lines[#lines + 1] = "  },"
-  lines[#lines + 1] = "}"
-  return table.concat(lines, "\n")
-end
 
 return write
