@@ -10,13 +10,12 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local aabb = require(root .. ".space.aabb")
-local permission = require(root .. ".solver.permission")
+local rules = require(root .. ".solver.rules")
 local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
 local columns = require(root .. ".memory.columns")
 local events = require(root .. ".contacts.events")
 local interpreted = require(root .. ".memory.jit")
 local activePairs = require(root .. ".broadphase.activePairs")
-local oneWay = require(root .. ".solver.oneWay")
 local slope = require(root .. ".memory.lazy")(root .. ".solver.slope")
 local sort = require(root .. ".memory.sort")
 
@@ -153,7 +152,7 @@ local function solidContact(b, p, i, j)
     b.dropping[p] = false
     return 0
   end
-  if b.passing[p] or b.dropping[p] or oneWay.lets(b, i, j, side, false) then
+  if b.passing[p] or b.dropping[p] or rules.lets(b, i, j, side, false) then
     return 0
   end
   return isHeld(b, p, i, j, side) and side or 0
@@ -176,7 +175,7 @@ end
 -- (One of the two leans on another body on that side.) Else returns 0.
 local function unmetSide(b, p, i, j)
   local side = sideOf(b, i, j)
-  if side <= 0 or b.dropping[p] or oneWay.lets(b, i, j, side, false) then
+  if side <= 0 or b.dropping[p] or rules.lets(b, i, j, side, false) then
     return 0
   end
   return isHeld(b, p, i, j, side) and side or 0
@@ -192,7 +191,7 @@ local function listUnasked(b, work)
     local p = b.live[n]
     local i, j = b.pairA[p], b.pairB[p]
     local isOpen = b.hit[p] == 0 and not b.passing[p] and b.asked[p] ~= b.solveStamp
-    if isOpen and permission.isAsked(b, i, j) then
+    if isOpen and rules.isAsked(b, i, j) then
       local side = (b.sensor[i] or b.sensor[j]) and 0 or unmetSide(b, p, i, j)
       if side ~= 0 then
         local one, other = b.rank[i], b.rank[j]
@@ -218,7 +217,7 @@ function contact.ask(b)
     local p, side = work.pairs[at], work.sides[at]
     local i, j, axis = b.pairA[p], b.pairB[p], side > 2 and 1 or 0
     local isFirstLow = side % 2 == 0
-    b.passing[p] = not permission.permits(b, isFirstLow and i or j, isFirstLow and j or i, axis)
+    b.passing[p] = not rules.permits(b, isFirstLow and i or j, isFirstLow and j or i, axis)
     activePairs.stain(b, p)
   end
 end

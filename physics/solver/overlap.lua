@@ -23,7 +23,7 @@ local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
 local islands = require(root .. ".sleep.islands")
 local pairFinder = require(root .. ".broadphase.pairFinder")
-local permission = require(root .. ".solver.permission")
+local rules = require(root .. ".solver.rules")
 local slope = require(root .. ".memory.lazy")(root .. ".solver.slope")
 local sort = require(root .. ".memory.sort")
 
@@ -163,7 +163,7 @@ local function wayOutOfAll(b, i, axis, sign, count)
     local j = b.found[n]
     local way, width, height = wayOut(b, i, j, axis, sign), depthOf(b, i, j)
     local isThrough = way > (axis == 0 and width or height) + EPSILON
-    if isThrough or not isDeep(width, height) or permission.isAsked(b, i, j) then
+    if isThrough or not isDeep(width, height) or rules.isAsked(b, i, j) then
       return nil
     elseif way > most then
       most, last = way, j
@@ -354,7 +354,7 @@ local function part(b, p)
   begin.run(b)
   local axis = height < width and 1 or 0
   local isLow = b.from[2 * i + axis] <= b.from[2 * j + axis]
-  local isMet = permission.permits(b, isLow and i or j, isLow and j or i, axis)
+  local isMet = rules.permits(b, isLow and i or j, isLow and j or i, axis)
   if isMet and not tryWays(b, i, j, leave) and b.kind[j] ~= DYNAMIC then
     if not tryWays(b, i, j, leaveCorner) then
       bury(b, i, j)

@@ -1,16 +1,96 @@
---- Rules: decides whether a contact may act, from open sides of one-ways, `dropThrough` and
--- `canCollide`.
+--- Rules: decides whether two bodies pass through each other in a step, from the solid sides of
+-- one-way objects, `dropThrough`, and what the game says (`canCollide`).
+--
+-- The side in the field `oneWay` is solid, the others are open. Reads contact, oneWay, canCollide;
+-- writes passing, dropping, asked, heard.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local permission = require(root .. ".solver.permission")
 local activePairs = require(root .. ".broadphase.activePairs")
-local oneWay = require(root .. ".solver.oneWay")
-
-require(root .. ".memory.jit").file()
+local check = require(root .. ".fields.check")
+local columns = require(root .. ".memory.columns")
+local interpreted = require(root .. ".memory.jit")
+local slope = require(root .. ".memory.lazy")(root .. ".solver.slope")
 
 local rules = {}
 
+local DYNAMIC = columns.DYNAMIC
+local OPPOSITE, SIDE, SIDES = columns.OPPOSITE, columns.SIDE, columns.SIDES
 local floor = math.floor
+
+--- Returns whether slot i is a one-way object that is open on `side`.
+function rules.isOpen(b, i, side)
+  local solid = b.oneWay[i]
+  return solid and SIDE[solid] ~= side
+end
+
+local isOpen = rules.isOpen
+
+--- Returns whether slot i falls through a one-way object with the side `solid` (nil: with none).
+--- Until it is clear of that, no other one holds it, as the next plank of a bridge would.
+function rules.isFalling(b, i, solid)
+  local half = solid and b.head[i] or 0
+  while half ~= 0 do
+    if b.dropping[(half + half % 2) / 2] and b.oneWay[b.other[half]] == solid then
+      return true
+    end
+    half = b.next[half]
+  end
+  return false
+end
+
+-- Returns whether one of i and j falls through the other because of that.
+local function isDropping(b, i, j)
+  return rules.isFalling(b, i, b.oneWay[j]) or rules.isFalling(b, j, b.oneWay[i])
+end
+
+--- Returns whether i and j, which meet on `side` of i, pass through each other because one is a
+--- one-way object. What overlaps a one-way object already (`isDeep`) always passes.
+function rules.lets(b, i, j, side, isDeep)
+  if not (b.oneWay[i] or b.oneWay[j]) then
+    return false
+  end
+  return isDeep or isOpen(b, i, side) or isOpen(b, j, OPPOSITE[side]) or isDropping(b, i, j)
+end
+
+-- Asks the game. An error in its function passes through, and the step is given up with nothing
+-- changed.
+local function answer(b, callback, one, other, side)
+  if not callback then
+    return true
+  end
+  b.asking = true
+  local ok, result = pcall(callback, one, other, side)
+  b.asking = false
+  if not ok then
+    error(result, 0)
+  elseif result == nil and b.world.checked then
+    check.fail("canCollide must return true or false, got nothing (which means true)")
+  end
+  return result ~= false
+end
+
+--- Returns whether the game must be asked about a pair.
+function rules.isAsked(b, i, j)
+  return b.worldCanCollide or b.canCollide[i] or b.canCollide[j]
+end
+
+--- Returns whether a pair may collide on `axis`. It asks `canCollide` of both objects, in the order
+--- of the world, then that of the world.
+function rules.permits(b, low, high, axis)
+  if not rules.isAsked(b, low, high) then
+    return true
+  end
+  -- The answer may be different in the next step, so these two must not sleep.
+  b.heard[low], b.heard[high] = true, true
+  local i, j, side = low, high, 2 * axis + 2
+  if b.rank[high] < b.rank[low] then
+    i, j, side = high, low, 2 * axis + 1
+  end
+  local one, other, its = b.object[i], b.object[j], SIDES[side]
+  return answer(b, b.canCollide[i], one, other, its)
+    and answer(b, b.canCollide[j], other, one, SIDES[OPPOSITE[side]])
+    and answer(b, b.worldCanCollide, one, other, its)
+end
 
 --- Returns whether the bodies of pair p pass through each other on an axis. `kl` and `kh` are the
 --- indices of the low body and the high one. `isDeep`: they overlap already. The game is asked once
@@ -20,20 +100,56 @@ function rules.passes(b, p, kl, kh, axis, isDeep)
     return true
   end
   local low, high = floor(kl * 0.5), floor(kh * 0.5)
-  if oneWay.lets(b, low, high, 2 * axis + 2, isDeep) then
-    b.dropping[p] = oneWay.isDropping(b, low, high)
+  if rules.lets(b, low, high, 2 * axis + 2, isDeep) then
+    b.dropping[p] = isDropping(b, low, high)
     return true
-  end
-  if not b.hasAskers or b.asked[p] == b.solveStamp then
+  elseif not b.hasAskers or b.asked[p] == b.solveStamp then
     return false
   end
   b.asked[p] = b.solveStamp
-  if permission.permits(b, low, high, axis) then
+  if rules.permits(b, low, high, axis) then
     return false
   end
   b.passing[p] = true
   activePairs.stain(b, p)
   return true
 end
+
+-- Lets slot i, which falls through slope j, begin as fast as the edge sinks under it. Else it would
+-- be left above the edge where it runs down.
+local function keepUp(b, i, j)
+  local axis, object = slope.axisOf(b, i), b.object[i]
+  local along, across = axis == 0 and "vx" or "vy", axis == 0 and "vy" or "vx"
+  local speed = slope.gradient(b, i, j) * (object[across] or 0)
+  if (speed - (object[along] or 0)) * b.down[2 * i + axis] > 0 then
+    object[along] = speed
+  end
+end
+
+--- Lets slot i fall through the one-way objects that it stands on. Returns whether there were any.
+--- An object that is not dynamic stands on nothing, nor does one without gravity.
+function rules.drop(b, i)
+  local half, x, y, any = b.head[i], b.down[2 * i], b.down[2 * i + 1], false
+  if b.kind[i] ~= DYNAMIC or (x == 0 and y == 0) then
+    return false
+  end
+  local foot = x ~= 0 and 1.5 + 0.5 * x or 3.5 + 0.5 * y -- left, right, top, bottom are 1 to 4
+  while half ~= 0 do
+    local p, j = (half + half % 2) / 2, b.other[half]
+    local side = b.contact[p] -- side of the first body of the pair, 0: none
+    if side ~= 0 and b.pairA[p] ~= i then
+      side = OPPOSITE[side]
+    end
+    if side == foot and b.oneWay[j] then
+      b.dropping[p], any = true, true
+      keepUp(b, i, j)
+    end
+    half = b.next[half]
+  end
+  return any
+end
+
+interpreted.functions(rules.isFalling, rules.lets, answer, rules.isAsked, rules.permits)
+interpreted.functions(rules.passes, keepUp, rules.drop)
 
 return rules

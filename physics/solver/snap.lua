@@ -13,7 +13,6 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
-local oneWay = require(root .. ".solver.oneWay")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local rules = require(root .. ".solver.rules")
 local slope = require(root .. ".solver.slope")
@@ -89,7 +88,7 @@ end
 -- Whether slot i falls through slot j.
 local function isDropping(b, i, j)
   local p = columns.pairOf(b, i, j)
-  return p and b.dropping[p] or oneWay.isFalling(b, i, b.oneWay[j])
+  return p and b.dropping[p] or rules.isFalling(b, i, b.oneWay[j])
 end
 
 -- Lists what slot i could stand on, where its way across leads (from x to its end) and down to

@@ -95,7 +95,8 @@ end
 -- by its friction. (`friction.run` settles the axis that it rubs along.)
 local function settleTouching(b, dt)
   contacts.find(b)
-  pressed.forget(b)
+  pressed.forget(b, 0)
+  pressed.forget(b, 1)
   local down, across = b.downAxis, 1 - b.downAxis
   settle.axis(b, down, dt, false)
   if not b.hasFriction then
