@@ -858,23 +858,6 @@ describe("F14: two bricks hit at the same moment", function()
         run:check(top and top.raw == named[wide].raw, "touching.top is not the %s one", wide)
       end)
     end)
-
-    it(("and landing: %g and %g px"):format(left, right), function()
-      scene.each(TURNED, function(run)
-        local wide = left > right and "left" or "right"
-        local named = run:build({
-          solid("left", 0, 100, 100, 16),
-          solid("right", 100, 100, 100, 16),
-          body("man", 100 - left, 40, left + right, 24),
-        })
-        local log = {}
-        named.man.raw.onBegin = function(_, other)
-          log[#log + 1] = other
-        end
-        run:play(0.5)
-        run:check(log[1] == named[wide].raw, "the first that is told is not the %s one", wide)
-      end)
-    end)
   end
 end)
 

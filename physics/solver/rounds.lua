@@ -40,28 +40,25 @@ local NEAR = 24
 -- Impacts are simultaneous if their times, rounded to 1 / MOMENTS of a step, are equal.
 local MOMENTS = 1e9
 
---- Marks bodies with another path than the one that was swept last, and looks up their neighbours.
+--- Notes which bodies have another path than the one that was swept last, and looks up the
+--- neighbours of all that have changed.
 function rounds.findChanged(b)
   local list, to, swept, dirty = b.awakeList, b.to, b.swept, b.dirty
+  local changed, count = b.changed, b.changedCount
   for n = 1, b.awakeCount do
     local i = list[n]
     local k = 2 * i
     if to[k] ~= swept[k] or to[k + 1] ~= swept[k + 1] then
-      dirty[i] = 1
       swept[k], swept[k + 1] = to[k], to[k + 1]
+      if dirty[i] == 0 then
+        count = count + 1
+        dirty[i], changed[count] = 1, i
+      end
     end
   end
-  pairFinder.run(b, list, 1, b.awakeCount)
-end
-
---- Does the same for the bodies in b.changed, which were in impacts and are marked already.
-function rounds.followChanged(b)
-  local list, to, swept = b.changed, b.to, b.swept
-  for n = 1, b.changedCount do
-    local k = 2 * list[n]
-    swept[k], swept[k + 1] = to[k], to[k + 1]
-  end
-  pairFinder.run(b, list, 1, b.changedCount)
+  b.changedCount = count
+  pairFinder.run(b, changed, 1, count)
+  contacts.noteNew(b)
 end
 
 -- Sorts the impacts by moment, solids before sensors, then the wider common edge first, then by the
@@ -150,14 +147,19 @@ local function meetsBounced(b, i)
   return false
 end
 
--- Adds the dynamic ones of bodies i and j to b.bounced: an impact has changed their paths in this
--- round.
-local function noteBounced(b, i, j)
-  for at = 1, b.bouncedCount < BOUNCED and 2 or 0 do
-    local k = at == 1 and i or j
+-- Notes that the dynamic ones of slots i and j have new paths. They take part in this round
+-- (`takesPart`), so that what follows in it waits for the next one. `mayBounce`: so does what comes
+-- near them.
+local function change(b, i, j, takesPart, mayBounce)
+  for n = 1, 2 do
+    local k = n == 1 and i or j
     if b.kind[k] == DYNAMIC then
-      b.bouncedCount = b.bouncedCount + 1
-      b.bounced[b.bouncedCount] = k
+      path.change(b, k)
+      b.inRound[k] = takesPart and b.roundStamp or b.inRound[k]
+      if mayBounce and b.bouncedCount < BOUNCED then
+        b.bouncedCount = b.bouncedCount + 1
+        b.bounced[b.bouncedCount] = k
+      end
     end
   end
 end
@@ -177,15 +179,15 @@ end
 --   that body first.
 --
 -- Not every changed neighbour counts, because the neighbours depend on the broad phase.
-local function isDisturbed(b, i, round, mayBounce)
-  if b.inRound[i] == round then
+local function isDisturbed(b, i, mayBounce)
+  local half, inRound, round = b.head[i], b.inRound, b.roundStamp
+  if inRound[i] == round then
     return true
   elseif b.kind[i] ~= DYNAMIC then
     return false
   elseif mayBounce and meetsBounced(b, i) then
     return true
   end
-  local half, inRound = b.head[i], b.inRound
   while half ~= 0 do
     local j = b.other[half]
     if inRound[j] == round then
@@ -198,12 +200,6 @@ local function isDisturbed(b, i, round, mayBounce)
     half = b.next[half]
   end
   return false
-end
-
--- Notes that the paths of slots i and j change in this round.
-local function takePart(b, i, j)
-  b.inRound[i] = b.kind[i] == DYNAMIC and b.roundStamp or 0
-  b.inRound[j] = b.kind[j] == DYNAMIC and b.roundStamp or 0
 end
 
 -- Moves one of slots i and j past the corner of the other, if it may be nudged. Returns whether it
@@ -223,12 +219,7 @@ end
 -- Lets slots i and j, of pair p, meet at moment t. If they stay together, they are a contact for
 -- the rest of the step. Returns whether they met: a nudge may lead past.
 local function meet(b, p, i, j, axis, t, dt, isLast, isLate, isDeep)
-  path.change(b, i)
-  path.change(b, j)
-  takePart(b, i, j)
-  if b.hasBounces then
-    noteBounced(b, i, j)
-  end
+  change(b, i, j, true, b.hasBounces)
   if b.hasNudges and not isLast and correct(b, p, i, j, axis, t) then
     return false
   end
@@ -240,23 +231,11 @@ local function meet(b, p, i, j, axis, t, dt, isLast, isLate, isDeep)
   return true
 end
 
--- Leaves the impact of slots i and j, which an earlier one has disturbed, to the next round. What
--- may bounce, and circles (`isRound`), wait for it, so that they do not get past each other.
-local function postpone(b, i, j, mayBounce, isRound)
-  path.change(b, i)
-  path.change(b, j)
-  if mayBounce then
-    noteBounced(b, i, j)
-  end
-  if mayBounce or isRound then
-    takePart(b, i, j)
-  end
-end
-
 -- Resolves the n-th impact. If an earlier one of this round has disturbed its bodies, they are
--- swept again instead.
+-- swept again instead. What may bounce, and circles, then take part in this round all the same, so
+-- that they do not get past each other.
 local function happen(b, n, dt, isLast, isLate)
-  local impacts, round = b.impacts, b.roundStamp
+  local impacts = b.impacts
   local p, t, axis = impacts.pair[n], impacts.time[n], impacts.axis[n]
   local i, j, isDeep = impacts.low[n], impacts.high[n], impacts.isDeep[n]
   local isSensed = b.sensor[i] or b.sensor[j]
@@ -265,10 +244,10 @@ local function happen(b, n, dt, isLast, isLate)
   if areDynamic and not isRound and (isSpent(b, i) or isSpent(b, j)) then
     return
   end
-  local mayBounce, hasEnded = max(b.restitution[i], b.restitution[j]) > 0, isLast
-  if isDisturbed(b, i, round, mayBounce) or isDisturbed(b, j, round, mayBounce) then
-    postpone(b, i, j, mayBounce, isRound)
-    hasEnded = isLast and not isSensed
+  local mayBounce = max(b.restitution[i], b.restitution[j]) > 0
+  if isDisturbed(b, i, mayBounce) or isDisturbed(b, j, mayBounce) then
+    change(b, i, j, mayBounce or isRound, mayBounce)
+    isLast = isLast and not isSensed
   elseif
     (isSensed and b.hit[p] ~= 0) or rules.passes(b, p, 2 * i + axis, 2 * j + axis, axis, isDeep)
   then
@@ -279,7 +258,7 @@ local function happen(b, n, dt, isLast, isLate)
   elseif not meet(b, p, i, j, axis, t, dt, isLast, isLate, isDeep) then
     return
   end
-  if hasEnded then
+  if isLast then
     stop(b, i, t, isRound)
     stop(b, j, t, isRound)
   end
@@ -288,9 +267,8 @@ end
 --- Makes one round: sweeps changed paths, then resolves the first impact of each body. Returns
 --- whether there was any impact.
 function rounds.run(b, dt, isLast, isLate)
-  local count = sweep.run(b, b.isChangeListed and b.changedCount)
-  local list, dirty = b.isChangeListed and b.changed or b.awakeList, b.dirty
-  for n = 1, b.isChangeListed and b.changedCount or b.awakeCount do
+  local count, list, dirty = sweep.run(b), b.changed, b.dirty
+  for n = 1, b.changedCount do
     dirty[list[n]] = 0
   end
   b.changedCount = 0
@@ -308,7 +286,6 @@ end
 
 -- These take another branch for each impact. (jit: 4)
 interpreted.functions(sortImpacts, sense, stop, isSpent, crosses, isTorn, isDisturbed)
-interpreted.functions(takePart, correct, meet, postpone, happen)
-interpreted.functions(rounds.run)
+interpreted.functions(change, correct, meet, happen, rounds.run)
 
 return rounds

@@ -70,10 +70,11 @@ local function begin(b, dt)
   local list, kind, buried, give = b.awakeList, b.kind, b.buried, b.give
   local freeSpeed, start, speed = b.freeSpeed, b.start, b.speed
   local from, origin, inverseMass, dirty = b.from, b.origin, b.inverseMass, b.dirty
-  local accel = b.accel
+  local accel, changed = b.accel, b.changed
+  b.changedCount = b.awakeCount
   for n = 1, b.awakeCount do
     local i = list[n]
-    dirty[i], b.impactsOf[i] = 1, 0
+    changed[n], dirty[i], b.impactsOf[i] = i, 1, 0
     for k = 2 * i, 2 * i + 1 do
       origin[k] = from[k]
       give[k] = kind[i] == DYNAMIC and not buried[i] and inverseMass[i] or 0
@@ -128,25 +129,14 @@ local function nudgeTouching(b, dt)
   end
 end
 
--- Settles the axes on which a contact is violated at the end of the step. Returns whether one was.
+-- Settles the axes on which a contact is violated at the end of the step.
 local function settleViolated(b, dt)
-  local isAny = false
   for n = 0, 1 do
     local axis = n == 0 and b.downAxis or 1 - b.downAxis
     if b.isJammed or settle.isViolated(b, axis) then
       settle.axis(b, axis, dt, true)
-      isAny = true
     end
   end
-  return isAny
-end
-
--- Lets what stands on something follow it, where there are slopes.
-local function followGround(b, dt, isFirst)
-  walk.run(b, dt, isFirst)
-  b.isChangeListed = false
-  rounds.findChanged(b)
-  contacts.noteNew(b)
 end
 
 -- Settles what impacts have changed, and looks up the neighbours of the new paths.
@@ -154,13 +144,13 @@ local function settleLate(b, dt)
   if b.hasSlopes then
     walk.run(b, dt, false)
   end
-  b.isChangeListed, b.isJammed = not settleViolated(b, dt), false
-  if b.isChangeListed then
-    rounds.followChanged(b)
-  else
+  settleViolated(b, dt)
+  b.isJammed = false
+  rounds.findChanged(b)
+  if b.hasSlopes then
+    walk.run(b, dt, false)
     rounds.findChanged(b)
   end
-  contacts.noteNew(b)
 end
 
 -- Settles what touches when the step begins, and follows the ground.
@@ -177,11 +167,10 @@ local function prepare(b, dt)
     nudgeTouching(b, dt)
   end
   settleViolated(b, dt) -- friction, or crushed circles, may have violated other contacts
-  b.isChangeListed = false
   rounds.findChanged(b)
-  contacts.noteNew(b)
   if b.hasSlopes then
-    followGround(b, dt, true)
+    walk.run(b, dt, true)
+    rounds.findChanged(b)
   end
 end
 
@@ -198,9 +187,6 @@ local function runRounds(b, dt, awakenings)
     end
     if n < ROUNDS then
       settleLate(b, dt)
-      if b.hasSlopes then
-        followGround(b, dt, false)
-      end
     end
     hasChanged = hasChanged or n == ROUNDS
   end
