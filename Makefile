@@ -104,6 +104,10 @@ bench-docs: setup ## measures, and brings the figures into docs/performance.md
 soak: setup ## plays a busy scene for ten million steps, in parts: STEPS=10000000
 	@luajit scripts/soak.lua --steps $(or $(STEPS),10000000)
 
+.PHONY: golden
+golden: setup ## writes spec/golden.lua anew, if all kinds of Lua compute the same numbers
+	@bash scripts/golden.sh
+
 .PHONY: coverage mutants
 coverage: setup ## shows the lines of the core that no spec runs; fails below 99 %
 	@bash scripts/test.sh --coverage
