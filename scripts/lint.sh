@@ -29,6 +29,8 @@ check "StyLua finds nothing to change" bash scripts/stylua.sh --check "${sources
 
 check "no folder has more code than its budget" luajit scripts/budget.lua
 
+check "spec/README.md names the specs that are there" luajit scripts/spec_index.lua --check
+
 # A row that no longer names a line would be seen only when the mutants run, once in a while.
 check "scripts/harmless.lua names lines that are there" \
   luajit scripts/mutants.lua --list --sample 1
