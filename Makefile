@@ -84,6 +84,10 @@ fuzz: setup ## plays random games and checks them: SECONDS=60, SEED=1, BOUNDS=al
 	@luajit scripts/fuzz.lua --seconds $(or $(SECONDS),60) --seed $(or $(SEED),1) --keep-going \
 	  $(if $(BOUNDS),--bounds $(BOUNDS))
 
+.PHONY: games
+games: setup ## plays random games of six kinds and looks for what a player would notice: GAMES=100, SEED=1
+	@luajit scripts/fuzz.lua --game all --games $(or $(GAMES),100) --seed $(or $(SEED),1)
+
 .PHONY: bench bench-quick bench-docs bench-size
 bench: setup ## measures the engines side by side; BENCH="--help" shows what to choose
 	@bash scripts/bench.sh $(BENCH)

@@ -8,6 +8,9 @@
 --
 -- `--slopes`: games with slopes (spec/fuzz/sloped.lua).
 --
+-- `--game NAME` (or all): games of the kinds that are made, a platformer, survivors, breakout,
+-- marbles, Sokoban, a factory (spec/fuzz/games.lua), `--games N` of each kind, of 600 frames.
+--
 -- A case that fails is made small and printed, for spec/fuzz/found.txt. Its seed
 -- plays it again: `--seed N --seconds 0` plays that one only, `--case FILE` one that was written
 -- down.
@@ -24,6 +27,7 @@ end
 local bounds = require("spec.fuzz.bounds")
 local case = require("spec.fuzz.case")
 local crowded = require("spec.fuzz.crowded")
+local games = require("spec.fuzz.games")
 local shrink = require("spec.fuzz.shrink")
 local sloped = require("spec.fuzz.sloped")
 local trial = require("spec.fuzz.trial")
@@ -38,6 +42,8 @@ local options = {
   case = "",
   bounds = "",
   slopes = false,
+  game = "",
+  games = 100,
 }
 
 local function readOptions(list)
@@ -135,7 +141,35 @@ local function replay(path)
   return not failure
 end
 
+-- Plays games of one kind. Returns how many passed and failed.
+local function playKind(kind)
+  local failed = 0
+  for seed = options.seed, options.seed + options.games - 1 do
+    local failure = games.play(kind, seed, 600)
+    if failure then
+      failed = failed + 1
+      local text = "FAILED  %s, seed %d, frame %d: %s: %s"
+      print(text:format(kind, seed, failure.at, failure.check, failure.text))
+    end
+  end
+  print(("%s: %d games, %d failed"):format(kind, options.games, failed))
+  return options.games - failed, failed
+end
+
+local function playKinds(names)
+  local passed, failed = 0, 0
+  for _, kind in ipairs(names) do
+    local good, bad = playKind(kind)
+    passed, failed = passed + good, failed + bad
+  end
+  print(("%d passed, %d failed"):format(passed, failed))
+  return failed == 0
+end
+
 readOptions(arg)
+if options.game ~= "" then
+  os.exit(playKinds(options.game == "all" and games.kinds or { options.game }) and 0 or 1)
+end
 chosen = readBounds(options.bounds)
 if options.case ~= "" then
   os.exit(replay(options.case) and 0 or 1)

@@ -4,9 +4,12 @@ local case = require("spec.fuzz.case")
 local checks = require("spec.fuzz.checks")
 local crowded = require("spec.fuzz.crowded")
 local effort = require("spec.support.effort")
+local games = require("spec.fuzz.games")
+local physics = require("physics")
 local player = require("spec.fuzz.player")
 local shrink = require("spec.fuzz.shrink")
 local trial = require("spec.fuzz.trial")
+local watcher = require("spec.fuzz.watcher")
 local write = require("spec.fuzz.write")
 
 effort.wholeOn("LuaJIT compiled")
@@ -340,5 +343,79 @@ describe("a case that fails", function()
     assert.equal(3, failure.at)
     assert.is_nil(small.acts[1][4].mass)
     assert.is_true(small.acts[1][4].width > 5)
+  end)
+end)
+
+-- 2000 of each: `make games GAMES=2000`.
+describe("games of the kinds that are made show nothing that a player would notice:", function()
+  for _, kind in ipairs(games.kinds) do
+    it(kind, function()
+      for seed = 1, effort.share(8) do
+        local failure = games.play(kind, seed, 300)
+        assert(
+          not failure,
+          failure and ("seed %d, frame %d: %s"):format(seed, failure.at, failure.text)
+        )
+      end
+    end)
+  end
+end)
+
+-- What the games are watched with, against scenes worked out by hand.
+describe("a watcher of games", function()
+  local box = { x = 10, y = 10, width = 10, height = 10 }
+  for _, row in ipairs({
+    { "a box beside it", { x = 0, y = 10, width = 9, height = 9 }, box, -1 },
+    { "a box in its corner", { x = 18, y = 17, width = 9, height = 9 }, box, 2 },
+    { "a ball at its face", { x = 12, y = 3, width = 8, height = 8, radius = 4 }, box, 1 },
+    {
+      "a ball at its corner",
+      { x = 18, y = 18, width = 10, height = 10, radius = 5 },
+      box,
+      5 - math.sqrt(18),
+    },
+    {
+      "two balls",
+      { x = 0, y = 0, width = 10, height = 10, radius = 5 },
+      { x = 3, y = 4, width = 10, height = 10, radius = 5 },
+      5,
+    },
+    {
+      "a box on a slope",
+      { x = 0, y = 0, width = 4, height = 8 },
+      { x = 0, y = 0, width = 10, height = 10, slope = "right" },
+      2,
+    },
+    {
+      "a ball on a slope",
+      { x = 2, y = 2, width = 4, height = 4, radius = 2 },
+      { x = 0, y = 0, width = 10, height = 10, slope = "right" },
+      2 - math.sqrt(2),
+    },
+  }) do
+    it("knows " .. row[1], function()
+      assert.near(row[4], watcher.depth(row[2], row[3]), 1e-9)
+    end)
+  end
+
+  it("notices what is lost, too far away, and contacts that do not pair", function()
+    local world = physics.newWorld({ gravity = 0 })
+    local one = world:add("boxes", { x = 5, y = 5, width = 4, height = 4 })
+    local self = watcher.new(world, { 0, 0, 100, 100 })
+    watcher.note(self, { one })
+    assert.is_nil(watcher.check(self, { one }, {}, 1 / 60, 0))
+    one.x = 6
+    assert.equal("jump", (watcher.check(self, { one }, {}, 1 / 60, 0)))
+    assert.is_nil(watcher.check(self, { one }, {}, 1 / 60, 1))
+    local wall = { x = 8, y = 0, width = 9, height = 9 }
+    assert.equal("inside", (watcher.check(self, { one }, { wall }, 1 / 60, 1)))
+    one.x = -1
+    assert.equal("lost", (watcher.check(self, { one }, {}, 1 / 60, 99)))
+    one.x = 6
+    world.onBegin(one, box)
+    world.onEnd(one, box)
+    assert.is_nil(watcher.check(self, { one }, {}, 1 / 60, 1))
+    world.onEnd(one, box)
+    assert.equal("pairs", (watcher.check(self, { one }, {}, 1 / 60, 1)))
   end)
 end)

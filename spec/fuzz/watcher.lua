@@ -1,0 +1,154 @@
+--- What a player would notice in any game: something inside a wall, lost, or further on than its
+--- speed takes it; contacts that begin twice or end without a beginning. It looks at the game's own
+--- tables only, with its own geometry, so it proves nothing by what it should prove.
+
+local watcher = {}
+
+local abs, max, min, sqrt = math.abs, math.max, math.min, math.sqrt
+
+local SEEN = 0.02 -- px that a player may see
+
+-- Px by which a circle overlaps a box.
+local function roundDepth(circle, box)
+  local r = circle.radius
+  local x, y = circle.x + r, circle.y + r
+  local nearX, nearY = max(box.x, min(x, box.x + box.width)), max(box.y, min(y, box.y + box.height))
+  local dx, dy = x - nearX, y - nearY
+  if dx == 0 and dy == 0 then
+    return r + min(x - box.x, box.x + box.width - x, y - box.y, box.y + box.height - y)
+  end
+  return r - sqrt(dx * dx + dy * dy)
+end
+
+-- Px by which two circles overlap.
+local function ballsDepth(a, b)
+  local dx, dy = a.x + a.radius - b.x - b.radius, a.y + a.radius - b.y - b.radius
+  return a.radius + b.radius - sqrt(dx * dx + dy * dy)
+end
+
+-- Px between a point and a line from (ax, ay) to (bx, by).
+local function lineDistance(x, y, ax, ay, bx, by)
+  local dx, dy = bx - ax, by - ay
+  local share = max(0, min(1, ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy)))
+  local nearX, nearY = x - ax - share * dx, y - ay - share * dy
+  return sqrt(nearX * nearX + nearY * nearY)
+end
+
+-- Px by which something overlaps a slope that rises to one side, at most by which the boxes do.
+local function slopeDepth(object, slope)
+  local left, right = slope.x, slope.x + slope.width
+  local isRight = slope.slope == "right"
+  local leftY, rightY = slope.y, slope.y + slope.height
+  if isRight then
+    leftY, rightY = rightY, leftY
+  end
+  local function lineAt(x)
+    return leftY + (rightY - leftY) * (x - left) / slope.width
+  end
+  if object.radius then
+    local x, y = object.x + object.radius, object.y + object.radius
+    local isBelow = x > left and x < right and y > lineAt(x)
+    local far = lineDistance(x, y, left, leftY, right, rightY)
+    return object.radius + (isBelow and far or -far)
+  end
+  local corner = isRight and min(object.x + object.width, right) or max(object.x, left)
+  return object.y + object.height - lineAt(corner)
+end
+
+--- Px by which two objects overlap; <= 0: they do not.
+function watcher.depth(a, b)
+  local depth =
+    min(a.x + a.width - b.x, b.x + b.width - a.x, a.y + a.height - b.y, b.y + b.height - a.y)
+  if depth <= 0 then
+    return depth
+  elseif b.slope then
+    return min(depth, slopeDepth(a, b))
+  elseif a.radius and b.radius then
+    return ballsDepth(a, b)
+  elseif a.radius then
+    return min(depth, roundDepth(a, b))
+  elseif b.radius then
+    return min(depth, roundDepth(b, a))
+  end
+  return depth
+end
+
+--- Begins to watch a world; returns what `watcher.check` takes.
+---@param world physics.World
+---@param room number[] x, y, width, height, px: nothing that moves may leave it
+function watcher.new(world, room)
+  local self = { world = world, room = room, open = {}, wrong = nil, limit = {} }
+  local function pairOf(a, b)
+    self.open[a] = self.open[a] or {}
+    return self.open[a], b
+  end
+  function world.onBegin(a, b)
+    local row, key = pairOf(a, b)
+    self.wrong = self.wrong or row[key] and "a contact begins twice"
+    row[key] = true
+  end
+  function world.onEnd(a, b)
+    local row, key = pairOf(a, b)
+    self.wrong = self.wrong or not row[key] and "a contact ends that has not begun"
+    row[key] = nil
+  end
+  return self
+end
+
+--- Notes where everything is, before an update.
+function watcher.note(self, movers)
+  for _, object in ipairs(movers) do
+    self.limit[object] = self.limit[object] or {}
+    local was = self.limit[object]
+    was.x, was.y = object.x, object.y
+    was.speed = max(abs(object.vx or 0), abs(object.vy or 0))
+  end
+end
+
+local function isLost(object, room)
+  return object.x < room[1] - SEEN
+    or object.y < room[2] - SEEN
+    or object.x + object.width > room[1] + room[3] + SEEN
+    or object.y + object.height > room[2] + room[4] + SEEN
+    or object.x ~= object.x
+    or object.y ~= object.y
+end
+
+-- How far an object may have gone: by the faster of its speeds, its carrier's way, and a sixteenth
+-- of its size.
+local function jumped(self, object, dt, carried)
+  local was = self.limit[object]
+  local speed = max(was.speed, abs(object.vx or 0), abs(object.vy or 0))
+  local own = speed * dt + min(object.width, object.height) / 16 + carried
+  local way = max(abs(object.x - was.x), abs(object.y - was.y))
+  return way > own + SEEN and way - own
+end
+
+--- Looks at everything after an update of dt s. Returns what is wrong, or nil.
+---@param self table
+---@param movers table[] what the library moves
+---@param solids table[] what it may not go into
+---@param dt number s
+---@param carried number px that carriers, nudges and snaps may add in that time
+function watcher.check(self, movers, solids, dt, carried)
+  if self.wrong then
+    return "pairs", self.wrong
+  end
+  for n, object in ipairs(movers) do
+    if isLost(object, self.room) then
+      return "lost", ("%d is at %g, %g"):format(n, object.x, object.y)
+    end
+    for m, solid in ipairs(solids) do
+      local depth = watcher.depth(object, solid)
+      if depth > SEEN then
+        return "inside", ("%d is %g px in solid %d"):format(n, depth, m)
+      end
+    end
+    local far = jumped(self, object, dt, carried)
+    if far then
+      return "jump", ("%d goes %g px too far"):format(n, far)
+    end
+  end
+end
+
+return watcher
