@@ -13,16 +13,19 @@
 -- This file holds the constructors, the default world, the pure functions and the version.
 
 local path = ...
-local columnStore = require(path .. ".memory.columnStore")
+local compiler = require(path .. ".memory.compiler")
+local keyOrder = require(path .. ".memory.keyOrder")
+
+compiler.apply(path) -- other modules use keyOrder when they are loaded
+
 local check = require(path .. ".fields.check")
-local columns = require(path .. ".memory.columns")
-local interpreted = require(path .. ".memory.jit")
 local lazy = require(path .. ".memory.lazy")
 local world = require(path .. ".world.world")
 
--- Loaded when they are first used.
+compiler.apply(path)
+
+-- Loaded when it is first used.
 local pure = lazy(path .. ".world.tutorial")
-local typed = lazy(path .. ".memory.typedArrays")
 
 ---@class physics.Module: physics.DefaultWorld
 local physics = {
@@ -70,27 +73,6 @@ function physics.load(settings)
   made = world.new(settings, "load(settings)")
 end
 
---- Lets LuaJIT compile all code of the library; some of it is interpreted otherwise. Worlds that
---- are made later keep their numbers in typed arrays (FFI). The results are the same to the bit,
---- and most scenes get faster: see docs/performance.md. Call it once, right after `require`. The
---- default world takes part as long as no object has been in it.
----
---- It raises two limits of LuaJIT for the whole program: 8000 traces instead of 1000, and 16 MB of
---- machine code instead of 0.5 MB (LÖVE 11.4 sets 2000 and 16 MB). That is why the library does not
---- do it by itself. If you set limits of your own, do so afterwards.
----@return boolean compiles false: there is no compiler, or it is off (iOS, LÖVE 11.5 on Apple
----   silicon, browsers, plain Lua)
-function physics.compile()
-  if not interpreted.lift() then
-    return false
-  end
-  columnStore.use(typed.source() or false)
-  if made and made._bodies.count == 0 then
-    columns.adopt(made._bodies)
-  end
-  return true
-end
-
 local function ofDefault(name, method)
   return function(first, ...)
     checkDot(first, name)
@@ -99,16 +81,11 @@ local function ofDefault(name, method)
 end
 
 -- Makes every method of a world a function of the default world, too.
-local function addMethods()
-  for name, method in pairs(world.methods) do
-    if type(method) == "function" then
-      physics[name] = ofDefault(name, method)
-    end
+for _, name in ipairs(keyOrder.sorted(world.methods)) do
+  if type(world.methods[name]) == "function" then
+    physics[name] = ofDefault(name, world.methods[name])
   end
 end
-
-interpreted.always(addMethods)
-addMethods()
 
 -- Without `sideBySide` it takes the setting of the default world.
 local function checkCollision(a, b, c, d, e, f, g, h, sideBySide)

@@ -93,9 +93,6 @@ end
 -- Whether an engine takes part, and why not.
 local function admit(host, job)
   local engine, reason = engines.get(job.engine, isLoveMode(host, job.mode))
-  if engine and engine.needsCompiler and job.mode ~= "jit" then
-    return "is the same without the compiler"
-  end
   return engine and engines.refusal(engine, scenes.build(job.scene, job.n)) or reason
 end
 

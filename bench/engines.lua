@@ -1,7 +1,6 @@
 --- The engines that can be measured. Each is a file in bench/engines/ with
 ---
 ---   module            what must be found on package.path
----   needsCompiler     plays only where LuaJIT's compiler is on
 ---   needsLove         plays only in LÖVE
 ---   isTurning         its boxes turn: how deep they stand in each other is not looked at
 ---   lacks             feature -> why scenes that need it are not played
@@ -24,7 +23,6 @@ local engines = {}
 
 local TITLES = {
   ours = "physics.lua",
-  compiled = "compile()",
   love = "love.physics",
   turning = "love, turning",
   tutorial = "tutorial's loop",
@@ -35,8 +33,7 @@ local TITLES = {
 }
 
 --- The names, ours first, in the order in which they are measured and printed.
-engines.names =
-  { "ours", "compiled", "love", "turning", "tutorial", "bump", "fizzx", "hash", "reading" }
+engines.names = { "ours", "love", "turning", "tutorial", "bump", "fizzx", "hash", "reading" }
 
 --- What an engine is called in tables.
 ---@param name string one of `engines.names`

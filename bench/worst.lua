@@ -10,7 +10,6 @@ Plays scenes that ask for the most expensive steps, and shows the bounds that ho
   --joff           LuaJIT as an interpreter; otherwise a scene is played once before, to warm up
   --both           one line with the compiler, one as an interpreter
   --root DIR       the library in this folder instead of the one beside the benchmark
-  --compile        calls physics.compile() first
   --limit SECONDS  for one scene, then it is given up; default 20
   --growth         also how the time grows from 50 to 400 objects
   --json           a line of JSON for each scene
@@ -32,7 +31,7 @@ local json = require("bench.json")
 
 local COMMAND = arg[-1] or "luajit"
 local FLAGS = { joff = true, both = true, growth = true, json = true, here = true, list = true }
-FLAGS.help, FLAGS.compile, FLAGS.child = true, true, true
+FLAGS.help, FLAGS.child = true, true
 local VALUES = { only = true, root = true, limit = true }
 
 local function fail(...)
@@ -110,8 +109,6 @@ local function play(chosen, name, n)
   if chosen.joff and jit then
     jit.off()
     jit.flush()
-  elseif chosen.compile then
-    require("physics").compile()
   end
   local onStep = chosen.child and newReporter()
   local cold
@@ -138,7 +135,7 @@ local function start(chosen, name, n, isInterpreted)
   local words = { "timeout -k 1", ("%g"):format(cut), quoted(COMMAND) }
   words[#words + 1] = quoted(here .. "/bench/worst.lua") .. " --child"
   words[#words + 1] = ("--only %s:%d --limit %g"):format(name, n, chosen.limit)
-  words[#words + 1] = isInterpreted and "--joff" or chosen.compile and "--compile" or ""
+  words[#words + 1] = isInterpreted and "--joff" or ""
   words[#words + 1] = chosen.root and "--root " .. quoted(chosen.root) or ""
   local started, last = os.time(), nil
   local pipe = io.popen(table.concat(words, " "))

@@ -66,7 +66,6 @@ same_number() {
 what="the determinism scene gives the same number as here"
 check "$what" same_number
 check "$what without the trace compiler" same_number -joff
-check "$what after compile()" same_number -e 'assert(require("physics").compile())'
 # A product and a sum in one instruction are rounded once: see "Where it works" in the README.
 check "with fma it gives another one" refuses same_number -O+fma
 check "$what with fma, but without fuse" same_number -O+fma -O-fuse

@@ -9,8 +9,7 @@ local jit = rawget(_G, "jit")
 if jit then
   -- status() returns more than one value; only the first says whether the compiler is on.
   local on = jit.status()
-  -- scripts/luajit-compiled has loaded the library already.
-  running = not on and "LuaJIT -joff" or package.loaded.physics and "LuaJIT compiled" or "LuaJIT"
+  running = on and "LuaJIT" or "LuaJIT -joff"
 end
 
 if running ~= asked then

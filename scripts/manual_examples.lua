@@ -20,13 +20,6 @@ physics.add("players", { x = 40, y = 40, width = 24, height = 32 })
 print(#physics.objects.players, physics.gravity) --> 1 800
 ]]
 
-examples["physics.compile"] = [[
-function love.load()
-  physics.compile() -- once, before any object is added
-  physics.load { gravity = 800 }
-end
-]]
-
 examples["physics.globals"] = [[
 physics.globals()
 physics_load { gravity = 800 }

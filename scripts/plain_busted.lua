@@ -243,7 +243,7 @@ local function runSpec(spec)
   end
 end
 
--- What is loaded before the specs stays for all of them (scripts/luajit-compiled).
+-- What is loaded before the specs stays for all of them.
 local kept = {}
 for name in pairs(package.loaded) do
   kept[name] = true

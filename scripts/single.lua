@@ -35,6 +35,7 @@ local HEAD = [[
 %s
 
 local modules, loaded = {}, {}
+local package = { loaded = loaded } -- of these modules (see memory/compiler.lua)
 
 -- The modules' own: it finds what is in this file, and nothing else.
 local function require(name)

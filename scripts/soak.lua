@@ -2,7 +2,6 @@
 --
 --   luajit scripts/soak.lua --steps 10000000 [--part 500000] [--resume build/soak.lua]
 --
--- With `--compile 1` it calls physics.compile first, which plays it in two thirds of the time.
 -- After each part the state is written to build/soak.lua, from which a later run can go on. It
 -- fails if an object is lost, and at the end if the memory or the time of a step has grown.
 --
@@ -13,21 +12,13 @@
 package.path = "./?.lua;" .. package.path
 
 local busy = require("spec.support.busy")
-local physics = require("physics")
 local write = require("spec.fuzz.write")
 
 local PATH = "build/soak.lua"
 -- What the last part may need, compared with the one at half time.
 local MORE_MEMORY, MORE_TIME = 1.05, 1.5
 
--- The room for compiled code that LÖVE 11.4 gives. With the limits of LuaJIT itself this scene, in
--- which all parts of the library run, is compiled over and over again.
-local jit = rawget(_G, "jit")
-if jit then
-  jit.opt.start("maxtrace=2000", "maxmcode=16384")
-end
-
-local options = { steps = 1000000, part = 100000, resume = "", compile = 0 }
+local options = { steps = 1000000, part = 100000, resume = "" }
 
 local function readOptions(list)
   for n = 1, #list, 2 do
@@ -55,9 +46,6 @@ local function play(world, from, to)
 end
 
 local function run()
-  if options.compile == 1 then
-    physics.compile()
-  end
   local world, first = busy.new(), 1
   if options.resume ~= "" then
     local stored = dofile(options.resume)

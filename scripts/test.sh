@@ -34,7 +34,6 @@ case $mode in
     fi
     interpreters="
 LuaJIT:luajit
-LuaJIT compiled:plain scripts/luajit-compiled
 LuaJIT -joff:plain scripts/luajit-joff
 Lua 5.1:plain lua5.1
 Lua 5.2:plain lua5.2

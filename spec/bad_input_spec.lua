@@ -905,7 +905,7 @@ describe("every method of a world", function()
 end)
 
 describe("every function of the module", function()
-  local NO_ARGUMENTS = { compile = true, globals = true }
+  local NO_ARGUMENTS = { globals = true }
 
   it("says so when it is called with a colon instead of a dot, and does nothing", function()
     local names = {}

@@ -619,9 +619,9 @@ local FUNCTIONS = {
   },
 }
 
--- Not tried here: `draw` needs LÖVE (draw_spec.lua), `globals` and `compile` take nothing,
+-- Not tried here: `draw` needs LÖVE (draw_spec.lua), `globals` takes nothing,
 -- what reads maps has specs of its own.
-local ELSEWHERE = { draw = true, globals = true, compile = true }
+local ELSEWHERE = { draw = true, globals = true }
 for _, name in ipairs({ "loadTiled", "loadLDtk", "addTiles" }) do
   ELSEWHERE[name] = true
 end

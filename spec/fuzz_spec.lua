@@ -12,8 +12,6 @@ local trial = require("spec.fuzz.trial")
 local watcher = require("spec.fuzz.watcher")
 local write = require("spec.fuzz.write")
 
-effort.wholeOn("LuaJIT compiled")
-
 local long = effort.playsLong and it or pending
 
 local loadText = rawget(_G, "loadstring") or load

@@ -1,9 +1,9 @@
---- What LuaJIT may compile: by default only what it is good at, after `physics.compile` nearly
---- everything, and never what goes through a table by `next` or `pairs`.
+--- What LuaJIT compiles (physics/memory/compiler.lua): nearly everything, but never what goes
+--- through a table by `next` or `pairs`.
 
+local compiler = require("physics.memory.compiler")
 local fresh = require("spec.support.fresh")
 local newRandom = require("spec.support.random").new
-local physics = require("physics")
 
 local jit = rawget(_G, "jit")
 
@@ -40,85 +40,34 @@ local function walkersOf(text)
   return names
 end
 
-local function keptIn(text)
-  local kept = {}
-  for list in text:gmatch("interpreted%.always(%b())") do
-    for name in list:gmatch("[%w_.]+") do
-      kept[name] = true
-    end
-  end
-  return kept
-end
-
 describe("what LuaJIT compiles", function()
   it("#files are no functions that go through a table by next or pairs", function()
     local files, found = listFiles(), 0
     assert.is_true(#files > 50)
     for _, path in ipairs(files) do
+      local row = compiler.rows[1][path:gsub("^physics/", ""):gsub("%.lua$", ""):gsub("/", ".")]
+        or ""
       local text = read(path)
-      local kept = keptIn(text)
       for name in pairs(walkersOf(text)) do
         found = found + 1
-        if not kept[name] and path ~= "physics/types.lua" then
-          error(path .. ": interpreted.always must keep " .. name)
-        end
+        local isKept = (" " .. row .. " "):find(" " .. name:match("%w+$") .. " ", 1, true)
+        local isOff = isKept or text:find("jit.off(" .. name .. ")", 1, true)
+        assert(isOff or path == "physics/types.lua", path .. ": compiler.lua must name " .. name)
       end
     end
     assert.is_true(found > 15)
   end)
 
-  -- A crowd and a heap; returns the hash after some time.
-  local function play(module)
-    local world = module.newWorld({ gravity = 300, rest = false })
-    world:add(
-      "walls",
-      { x = -200, y = 200, width = 800, height = 20, static = true, friction = 0.4 }
-    )
-    for i = 0, 59 do
-      local x, y = 17 * (i - 12 * math.floor(i / 12)), 30 * math.floor(i / 12)
-      world:add(
-        "boxes",
-        { x = x, y = y, width = 16, height = 16, friction = 0.3, ax = 200 - 2 * x }
-      )
-    end
-    for _ = 1, 150 do
-      world:update(1 / 60)
-    end
-    return world:hash()
-  end
-
-  -- How many traces that begin in the file `name` of the library, or in `other`, are finished while
-  -- `f` runs.
-  local function tracesIn(name, f, other)
-    local util, count, isIn = require("jit.util"), 0, false
-    local function note(what, _, func)
-      if what == "start" then
-        local source = util.funcinfo(func).source or ""
-        isIn = source:find(name, 1, true) ~= nil or source:find(other or name, 1, true) ~= nil
-      elseif what == "stop" and isIn then
-        count = count + 1
-      end
-    end
-    name, other = "physics/" .. name .. ".lua", other and "physics/" .. other .. ".lua"
-    jit.attach(note, "trace")
-    f()
-    jit.attach(note)
-    return count
-  end
-
-  it("after compile() is everything, with the same result", function()
-    local expected = play(physics)
-    fresh.during(function(module)
-      local hasCompiler = jit ~= nil and jit.status() == true
-      assert.equal(hasCompiler, module.compile())
-      assert.equal(hasCompiler, module.compile()) -- twice is no harm
-      assert.equal(expected, play(module))
-      if hasCompiler then
-        jit.opt.start("maxtrace=1000", "maxmcode=512")
-        jit.flush()
+  if rawget(_G, "debug") and debug.getupvalue then
+    it("#files leaves out the functions that are named, which are all there", function()
+      for _, rows in ipairs(compiler.rows) do
+        for module, names in pairs(rows) do
+          local _, missing = compiler.find(require("physics." .. module), names)
+          assert(not missing, ("physics.%s has no function %s"):format(module, missing))
+        end
       end
     end)
-  end)
+  end
 
   -- How often all traces were thrown away while `f` ran.
   local function flushesIn(f)
@@ -189,133 +138,21 @@ describe("what LuaJIT compiles", function()
     end
   end
 
-  -- Files with loops over all objects, or over all contacts.
-  local LOOPS = {}
-  for _, name in ipairs({ "begin", "read", "contacts", "pairFinder", "sweep", "forces" }) do
-    LOOPS[name] = true
-  end
-  for _, name in ipairs({ "grid", "activePairs", "move", "settle", "write", "islands", "pool" }) do
-    LOOPS[name] = true
-  end
-
-  -- 150 boxes fall into a container.
-  local function heap(module, friction)
-    local world = module.newWorld({ gravity = 800, rest = false })
-    local walls = { { -100, 0, 1000, 50 }, { -50, -900, 50, 900 }, { 800, -900, 50, 900 } }
-    for _, wall in ipairs(walls) do
-      local x, y, width, height = wall[1], wall[2], wall[3], wall[4]
-      local object = { x = x, y = y, width = width, height = height, static = true }
-      object.friction = friction
-      world:add("walls", object)
-    end
-    for n = 0, 149 do
-      local x, y = 25 * (n % 30) + n % 4, -25 * math.floor(n / 30) - 30
-      local box = { x = x, y = y, width = 10 + n % 7, height = 10 + n % 5, friction = 0.3 }
-      box.vx = (n % 5 - 2) * 20
-      world:add("boxes", box)
-    end
-    for _ = 1, 200 do
-      world:update(1 / 60)
-    end
-  end
-
-  -- 100 walkers on a floor of tiles turn and jump.
-  local function walk(module)
-    local world, walkers = module.newWorld({ gravity = 800 }), {}
-    for n = 0, 199 do
-      world:add("tiles", { x = 16 * n, y = 0, width = 16, height = 16, static = true })
-    end
-    for n = 1, 100 do
-      walkers[n] = world:add("walkers", { x = 30 * n, y = -24, width = 14, height = 24 })
-    end
-    for step = 1, 300 do
-      for n = 1, 100 do
-        local walker = walkers[n]
-        walker.vx = math.floor((step + 7 * n) / 120) % 2 == 1 and -80 or 80
-        if (step + 11 * n) % 90 == 0 then
-          walker.vy = -300
-        end
-      end
-      world:update(1 / 60)
-    end
-  end
-
   if jit and jit.status() then
-    -- Of few objects each loop goes round a few times. Unrolled into whatever leads to them, they
-    -- filled the room every 1000 steps. Now it is filled twice in most runs, and up to five times:
-    -- which loops are compiled depends on chance.
-    it("leaves room in a small world", function()
-      fresh.during(function(module)
-        local count = flushesIn(function()
-          playRoom(module)
-        end)
-        assert.is_true(count <= 8, count .. " times all was thrown away")
-      end)
-    end)
-
-    -- Each question goes another way through the code. Compiled as a whole they filled LuaJIT's
-    -- room for traces again and again: 1000 sweeps took 180 ms instead of 15.
-    it("leaves room for all kinds of questions", function()
-      fresh.during(function(module)
-        assert.equal(
-          0,
-          flushesIn(function()
-            ask(module)
-          end)
-        )
-      end)
-    end)
-
-    -- With all registers in use LuaJIT cannot go on with a way that leaves compiled code: it tries
-    -- 246 times, then that way is interpreted for good. On floors without friction, after a game
-    -- with friction had landed first, it was so for each box: 720 us a step instead of 350.
-    it(
-      "leaves no way of the loops to the interpreter after compile(), whatever came first",
-      function()
-        local util, texts = require("jit.util"), require("jit.vmdef").traceerr
-        local tries = {}
-        local function note(what, _, func, pc, reason)
-          local text = what == "abort" and texts[reason]
-          if text and text:find("register coalescing", 1, true) then
-            local place = util.funcinfo(func, pc).loc or ""
-            tries[place] = (tries[place] or 0) + 1
-          end
-        end
+    for name, play in pairs({
+      ["in a small world"] = playRoom,
+      ["for all kinds of questions"] = ask,
+    }) do
+      it("leaves room " .. name, function()
         fresh.during(function(module)
-          jit.flush()
-          jit.attach(note, "trace")
-          module.compile()
-          walk(module)
-          heap(module, 0.3)
-          heap(module, 0)
-          jit.attach(note)
-          jit.opt.start("maxtrace=1000", "maxmcode=512")
-          jit.flush()
+          assert.equal(
+            0,
+            flushesIn(function()
+              play(module)
+            end)
+          )
         end)
-        for place, count in pairs(tries) do
-          local file = place:match("^(%w+)%.lua")
-          assert.is_true(not LOOPS[file] or count < 100, place .. ": " .. count)
-        end
-      end
-    )
-
-    it("is what happens to single objects only after compile()", function()
-      fresh.during(function(module)
-        jit.flush()
-        local before = tracesIn("contacts/events", function()
-          play(module)
-        end)
-        module.compile()
-        local after = tracesIn("contacts/events", function()
-          for _ = 1, 12 do -- which loops are compiled depends on chance
-            play(module)
-          end
-        end, "solver/impact")
-        jit.opt.start("maxtrace=1000", "maxmcode=512")
-        jit.flush()
-        assert.equal(0, before)
-        assert.is_true(after > 0)
       end)
-    end)
+    end
   end
 end)

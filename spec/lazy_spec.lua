@@ -21,9 +21,6 @@ local USES = {
     world.soft = { boxes = { boxes = 100 } }
     world:update(1 / 60)
   end,
-  ["physics.queries.index"] = function(_, world)
-    world:queryPoint(0, 0)
-  end,
   ["physics.queries.move"] = function(_, world, box)
     world:move(box, 8, 8)
   end,
@@ -62,14 +59,6 @@ local USES = {
     physics.bump(box, floor)
   end,
 }
-
-local jit = rawget(_G, "jit")
-if jit and jit.status() then
-  USES["physics.memory.typedArrays"] = function(physics)
-    physics.compile()
-    jit.opt.start("maxtrace=1000", "maxmcode=512")
-  end
-end
 
 -- A world that has made some steps, in which a box has landed.
 local function play(physics)
@@ -151,28 +140,4 @@ describe("a part of the library that the first step does not need", function()
       assert.is_truthy(tostring(problem):find("no_such_file", 1, true))
     end
   end)
-
-  if jit and jit.status() then
-    it("is compiled after compile(), too, #files if it is loaded later", function()
-      fresh.during(function(physics)
-        assert.is_true(physics.compile())
-        local world = play(physics)
-        jit.flush()
-        local count, util = 0, require("jit.util")
-        local function note(what, _, func)
-          if what == "start" and (util.funcinfo(func).source or ""):find("queries", 1, true) then
-            count = count + 1
-          end
-        end
-        jit.attach(note, "trace")
-        for n = 1, 2000 do
-          world:move(world.objects.boxes[1], 20 + n % 7, 60, "slide")
-        end
-        jit.attach(note)
-        jit.opt.start("maxtrace=1000", "maxmcode=512")
-        jit.flush()
-        assert.is_true(count > 0)
-      end)
-    end)
-  end
 end)

@@ -9,8 +9,6 @@ local golden = require("spec.support.golden")
 local physics = require("physics")
 local script = require("spec.support.script")
 
-effort.wholeOn("LuaJIT compiled")
-
 local WILD = { steps = 100, boxes = 24, writes = 0.5, specials = true }
 local CALM = { steps = 200, boxes = 40, writes = 0.04, specials = true }
 local QUIET = { steps = 100, boxes = 24, writes = 0, specials = true }

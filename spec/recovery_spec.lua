@@ -7,8 +7,6 @@ local newRandom = require("spec.support.random").new
 local physics = require("physics")
 local state = require("physics.state.save")
 
-effort.wholeOn("LuaJIT compiled")
-
 effort.interpret(setup, teardown)
 
 local DT = 1 / 60

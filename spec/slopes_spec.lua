@@ -5,8 +5,6 @@ local effort = require("spec.support.effort")
 local newRandom = require("spec.support.random").new
 local physics = require("physics")
 
-effort.wholeOn("LuaJIT compiled")
-
 local long = effort.playsLong and it or pending
 
 local GRADIENTS = { { 1, 1 }, { 1, 2 }, { 1, 3 }, { 2, 1 }, { 3, 1 } }

@@ -4,13 +4,12 @@
 local slow = {}
 
 --- Interpreters on which `make test-all` plays them, as scripts/interpreter.lua names them: LuaJIT
---- in its three ways, and one of the others. Which of them plays all rows and variants, and which a
---- selection, is in spec/support/effort.lua: LuaJIT plays all, unless a file names the compiled one
---- (`effort.wholeOn`), where long plays of one world take less than half of the time. Lua 5.1 and
---- 5.2 have the numbers and the language of LuaJIT -joff; 5.3 and 5.5 have those of 5.4. Slow specs
---- compare worlds with each other or with numbers worked out by hand. That every Lua computes the
---- same bits is shown on each by determinism_spec.lua, so they would show nothing new there.
-slow.interpreters = { "LuaJIT", "LuaJIT compiled", "LuaJIT -joff", "Lua 5.4" }
+--- in its two ways, and one of the others. LuaJIT plays all rows and variants, the others a
+--- selection (spec/support/effort.lua). Lua 5.1 and 5.2 have the numbers and the language of LuaJIT
+--- -joff; 5.3 and 5.5 have those of 5.4. Slow specs compare worlds with each other or with numbers
+--- worked out by hand. That every Lua computes the same bits is shown on each by
+--- determinism_spec.lua, so they would show nothing new there.
+slow.interpreters = { "LuaJIT", "LuaJIT -joff", "Lua 5.4" }
 
 --- The files with such specs, the longest first, and what takes so long.
 slow.files = {
@@ -21,7 +20,6 @@ slow.files = {
     "spec/determinism_spec.lua",
     "the scene with everything in it, with other histories and on every Lua",
   },
-  { "spec/column_store_spec.lua", "the scene with everything in it, each access checked" },
   { "spec/state_spec.lua", "a rollback of 8 steps, with each combination of settings" },
   { "spec/properties_spec.lua", "28 seeds of games in which nothing may sink" },
   { "spec/friction_spec.lua", "stacks compared with steps of 1/1500 to 1/4800 s" },

@@ -6,8 +6,6 @@ local effort = require("spec.support.effort")
 local overlap = require("spec.support.overlap")
 local physics = require("physics")
 
-effort.wholeOn("LuaJIT compiled")
-
 local long = effort.playsLong and it or pending
 
 describe("a busy scene", function()

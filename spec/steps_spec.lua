@@ -335,44 +335,6 @@ describe("the columns", function()
     assert.equal(2, columns.claim(b))
     assert.equal(1, b.mass[2])
   end)
-
-  it("gives each slot the same to begin with, whatever it held before", function()
-    local b = columns.new()
-    local layout = {}
-    for _, part in ipairs(b.slotStore.layout) do
-      for _, name in ipairs(part.names) do
-        layout[#layout + 1] = { name = name, width = part.width }
-      end
-    end
-    assert.is_true(#layout > 100)
-    local function check(slot)
-      for n = 1, #layout do
-        local column, width = b[layout[n].name], layout[n].width
-        -- (Sides are 1 to 4.)
-        for k = width == 5 and 1 or 0, width == 5 and 4 or width - 1 do
-          local stride = width == 5 and 4 or width
-          assert.is_true(column[stride + k] ~= nil)
-          assert.equal(column[stride + k], column[stride * slot + k], layout[n].name)
-        end
-      end
-    end
-    for slot = 1, 40 do
-      assert.equal(slot, columns.claim(b))
-      check(slot)
-      b.to[2 * slot], b.speed[2 * slot + 1], b.maxSpeed[slot], b.head[slot] = slot, 3, 4, 5
-      if slot % 3 == 2 then
-        columns.release(b, slot)
-        assert.equal(slot, columns.claim(b))
-        check(slot)
-        b.to[2 * slot + 1], b.sensor[slot], b.touchBest[4 * slot + 4] = 6, true, 7
-      end
-      if slot == 1 then
-        columns.release(b, slot)
-        assert.equal(slot, columns.claim(b)) -- the one that all are compared with stays fresh
-      end
-    end
-    assert.equal(40, b.slots)
-  end)
 end)
 
 describe("the registry", function()

@@ -2,7 +2,6 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
-local interpreted = require(root .. ".memory.jit")
 
 local filter = {}
 
@@ -141,8 +140,5 @@ function filter.blocks(b, i, j)
     and not b.oneWay[j]
     and filter.allows(b, i, j)
 end
-
-interpreted.always(filter.isSameMask, filter.copyMask)
-interpreted.functions(filter.isSameHits, filter.readHits)
 
 return filter

@@ -11,9 +11,6 @@
 -- Source: M. Teschner et al., "Optimized Spatial Hashing for Collision Detection of Deformable
 -- Objects" (2003), for the hash; T. Ulrich, "Loose Octrees", for one cell per object and level.
 
-local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local columnStore = require(root .. ".memory.columnStore")
-
 ---@class physics.Grid
 ---@field [string] any
 local grid = {}
@@ -38,21 +35,6 @@ local KEY_X, KEY_Y = 1073741824, 64
 grid.FAR, grid.SLACK, grid.KEY_X, grid.KEY_Y = FAR, SLACK, KEY_X, KEY_Y
 grid.FACTOR_X, grid.FACTOR_Y, grid.FACTOR_LEVEL = FACTOR_X, FACTOR_Y, FACTOR_LEVEL
 
-local INTEGERS = {
-  "list", -- slots in the grid, from 1 on
-  "placeOf", -- by slot: place in the list
-  "next", -- in the bucket
-  "previous",
-  "bucket",
-  "level",
-}
-local LAYOUT = {
-  { kind = "number", width = 1, names = { "key" } }, -- of the cell
-  { kind = "integer", width = 1, names = INTEGERS },
-}
--- By bucket, from 1 on: the first slot in it.
-local BUCKET_LAYOUT = { { kind = "integer", width = 1, names = { "heads" } } }
-
 local function clear(self)
   local heads = self.heads
   for bucket = 0, self.buckets do
@@ -62,9 +44,6 @@ end
 
 -- Sets the number of buckets, all empty.
 local function makeBuckets(self, count)
-  if count > self.bucketBank.room then
-    columnStore.grow(self.bucketBank, count)
-  end
   self.buckets = count
   clear(self)
 end
@@ -74,7 +53,16 @@ function grid.new(b, cellSize)
   local self = setmetatable({
     bodies = b,
     cell = cellSize or DEFAULT_CELL,
+    list = {}, -- slots in the grid, from 1 on
     count = 0,
+    heads = {}, -- by bucket, from 1 on: the first slot in it
+    -- by slot
+    placeOf = {}, -- place in the list
+    key = {}, -- of the cell
+    next = {}, -- in the bucket
+    previous = {},
+    bucket = {},
+    level = {},
     -- by level
     members = {},
     reach = {}, -- px: no box of a member is wider or higher; mostly below the cell size
@@ -87,7 +75,6 @@ function grid.new(b, cellSize)
     -- scratch of update
     moved = {},
   }, grid)
-  self.bank, self.bucketBank = columnStore.new(self, LAYOUT), columnStore.new(self, BUCKET_LAYOUT)
   makeBuckets(self, FIRST_BUCKETS)
   for level = 0, LEVELS do
     self.members[level], self.reach[level] = 0, 0
@@ -182,16 +169,7 @@ local function grow(self)
   end
 end
 
---- Moves an empty grid to the source of columns that is used now (see columnStore.lua).
-function grid:adopt()
-  columnStore.adopt(self.bank, -1)
-  columnStore.adopt(self.bucketBank, self.buckets)
-end
-
 function grid:insert(i)
-  if i > self.bank.room then
-    columnStore.grow(self.bank, i)
-  end
   self.count = self.count + 1
   self.list[self.count] = i
   self.placeOf[i] = self.count

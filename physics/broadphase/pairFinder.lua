@@ -10,7 +10,6 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
-local interpreted = require(root .. ".memory.jit")
 local islands = require(root .. ".sleep.islands")
 
 local detect = {}
@@ -249,9 +248,6 @@ local function listAimed(b, list, count)
   return n
 end
 
--- These call one loop after the other. (jit: 4)
-interpreted.functions(linkNear, lookUp, listTargets)
-
 -- Lists in b.strays the bodies in `list[first..last]` with paths that come within `reach` px of the
 -- edge of their fat boxes, or leave them, each once, and notes in `strayAt` where. Returns how many
 -- there are.
@@ -311,8 +307,6 @@ function detect.follow(b, list, count)
     lookUp(b, b.strays, n, FLYING_MARGIN)
   end
 end
-
-interpreted.functions(detect.follow) -- leads from loop to loop
 
 -- Does the same as `detect.run` for those in `list[1..count]` that are still in the world.
 local function runPresent(b, list, count)

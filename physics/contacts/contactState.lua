@@ -14,7 +14,6 @@ local rules = require(root .. ".solver.rules")
 local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
 local columns = require(root .. ".memory.columns")
 local events = require(root .. ".contacts.events")
-local interpreted = require(root .. ".memory.jit")
 local activePairs = require(root .. ".broadphase.activePairs")
 local slope = require(root .. ".memory.lazy")(root .. ".solver.slope")
 local sort = require(root .. ".memory.sort")
@@ -322,18 +321,5 @@ function contact.updateAll(b, list, listCount, touching, count)
   end
   return count
 end
-
-interpreted.functions(
-  unmetSide,
-  listUnasked,
-  contact.ask,
-  wedge,
-  leaveInside,
-  solidContact,
-  shortestSide,
-  sensorContact,
-  update,
-  contact.updateAll
-)
 
 return contact

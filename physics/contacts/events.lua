@@ -14,8 +14,6 @@ local relax = require(root .. ".solver.relax")
 local slope = require(root .. ".memory.lazy")(root .. ".solver.slope")
 local sort = require(root .. ".memory.sort")
 
-require(root .. ".memory.jit").file()
-
 local events = {}
 
 local EPSILON, SIDES, OPPOSITE = columns.EPSILON, columns.SIDES, columns.OPPOSITE

@@ -11,8 +11,6 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local initial = require(root .. ".memory.initial")
-local columnStore = require(root .. ".memory.columnStore")
-local interpreted = require(root .. ".memory.jit")
 local layout = require(root .. ".memory.layout")
 
 local columns = {}
@@ -72,8 +70,6 @@ local SLOT_NAMES, ANY_NAMES, AXIS_NAMES = layout.SLOT_NAMES, layout.ANY_NAMES, l
 local STEP_SLOT, STEP_AXIS = layout.STEP_SLOT, layout.STEP_AXIS
 -- Slots are prepared ahead: one for each so many that are in use.
 local AHEAD = 8
--- Slots are given back if there are more than FEW, and at most one of SHARE is needed.
-local FEW, SHARE = 64, 4
 
 --- Sides are numbers inside: left, right, top, bottom are 1 to 4, so that the side on `axis` is
 --- `2 * axis + 1` (low) or `2 * axis + 2` (high).
@@ -97,8 +93,9 @@ end
 function columns.new()
   local b = {}
   initial(b)
-  b.slotStore, b.pairStore = columnStore.new(b, layout.SLOTS), columnStore.new(b, layout.PAIRS)
-  b.listStore = columnStore.new(b, layout.LISTS)
+  for n = 1, #layout.NAMES do
+    b[layout.NAMES[n]] = {}
+  end
   for n = 1, #AXIS_NAMES do
     b[AXIS_NAMES[n]][1] = AXIS[AXIS_NAMES[n]] -- belongs to slot 0
   end
@@ -110,18 +107,6 @@ function columns.new()
     b.from[k], b.to[k], b.speed[k], b.size[k] = 0, 0, 0, -1
   end
   return b
-end
-
---- Moves the columns of an empty world, and those of its broad phase, to the current source (see
---- columnStore).
-function columns.adopt(b)
-  columnStore.adopt(b.slotStore, b.slots)
-  columnStore.adopt(b.listStore, b.slots)
-  columnStore.adopt(b.pairStore, b.pairSlots)
-  b.blankTo = b.slots -- prepared slots were not copied
-  if b.broadphase.adopt then
-    b.broadphase:adopt()
-  end
 end
 
 local function fill(column, first, last, value)
@@ -147,22 +132,16 @@ local function blank(b, first, last)
   end
 end
 
-interpreted.functions(blank) -- leads from loop to loop
-
 -- Takes a slot that was never used. Prepares a few slots behind it, too: more objects will come.
 local function takeNew(b)
   local i = b.slots + 1
   b.slots = i
-  if i > b.slotStore.room then
-    columnStore.grow(b.slotStore, i)
-    columnStore.grow(b.listStore, i)
-  end
   if i > b.blankTo then
     local room = 1 -- Lua makes room up to the next power of two
     while room <= i do
       room = room * 2
     end
-    b.blankTo = min(i + floor(i / AHEAD), max(i, room - 1), b.slotStore.room)
+    b.blankTo = min(i + floor(i / AHEAD), max(i, room - 1))
     blank(b, i, b.blankTo)
   end
   return i
@@ -216,48 +195,6 @@ function columns.release(b, i)
   b.count = b.count - 1
 end
 
--- Returns the highest slot that is in use.
-local function lastUsed(b)
-  local last = b.slots
-  while last > 0 and b.kind[last] == 0 do
-    last = last - 1
-  end
-  return last
-end
-
--- Keeps the first `last` slots only.
-local function cut(b, last)
-  local free, count = {}, 0
-  for n = 1, b.freeCount do
-    if b.free[n] <= last then
-      count = count + 1
-      free[count] = b.free[n]
-    end
-  end
-  b.free, b.freeCount = free, count
-  columnStore.shrink(b.slotStore, last)
-  columnStore.shrink(b.listStore, last)
-  b.slots, b.blankTo = last, last
-end
-
---- Gives back the memory of free slots behind the last one in use, if most slots are free. Call it
---- between two steps only: lists of a step may hold such slots.
-function columns.shrink(b)
-  if
-    b.slots > FEW
-    and b.freeCount ~= b.freeSeen
-    and b.freeCount * SHARE > b.slots * (SHARE - 1)
-  then
-    local last = lastUsed(b)
-    if last * SHARE <= b.slots then
-      cut(b, last)
-    end
-    b.freeSeen = b.freeCount
-  end
-end
-
-interpreted.functions(columns.shrink, cut, lastUsed) -- rare
-
 -- The lists of half-edges are changed without branches: a write that is not needed goes to place 0.
 
 local function hang(b, half, i, j)
@@ -276,9 +213,6 @@ end
 local function reserve(b, count)
   local free, have = b.freePairs, b.freePairCount
   local p = b.pairSlots + count - have
-  if p > b.pairStore.room then
-    columnStore.grow(b.pairStore, p)
-  end
   for n = have + 1, count do
     free[n] = p
     p = p - 1

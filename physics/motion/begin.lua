@@ -1,9 +1,6 @@
 --- Begin: resets the columns of a step of each awake body. It has a path of length 0 where it is,
 -- and nothing has touched it yet.
 
-local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local interpreted = require(root .. ".memory.jit")
-
 local begin = {}
 
 local function resetPaths(b, list, first, last)
@@ -43,8 +40,6 @@ function begin.run(b)
   resetPressed(b, list, first, last)
   b.begun = last
 end
-
-interpreted.functions(begin.run) -- calls one loop after the other (jit: 4)
 
 --- Notes where everything is before a fixed step.
 function begin.keepPlaces(b)

@@ -7,7 +7,6 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
-local interpreted = require(root .. ".memory.jit")
 local softDrift = require(root .. ".memory.lazy")(root .. ".motion.softDrift")
 
 local drift = {}
@@ -83,7 +82,5 @@ function drift.takeOff(b)
     end
   end
 end
-
-interpreted.functions(drift.run, drift.takeOff)
 
 return drift

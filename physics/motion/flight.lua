@@ -11,7 +11,6 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local pairFinder = require(root .. ".broadphase.pairFinder")
-local interpreted = require(root .. ".memory.jit")
 local islands = require(root .. ".sleep.islands")
 
 local flight = {}
@@ -129,7 +128,5 @@ function flight.finish(b, dt)
     admit(b)
   end
 end
-
-interpreted.functions(flight.begin, wakeMet, flight.finish) -- these lead from loop to loop
 
 return flight

@@ -8,7 +8,6 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
-local interpreted = require(root .. ".memory.jit")
 
 local softCells = {}
 
@@ -186,7 +185,5 @@ function softCells.findOverlaps(work)
   local found = compare(work, listRanges(work, count, cells, row))
   return compareLarge(work, largeCount, found)
 end
-
-interpreted.functions(softCells.findOverlaps) -- leads from loop to loop
 
 return softCells

@@ -11,7 +11,6 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
-local interpreted = require(root .. ".memory.jit")
 local islands = require(root .. ".sleep.islands")
 local softCells = require(root .. ".motion.softCells")
 
@@ -266,7 +265,5 @@ function soft.run(b, work, dt)
     find(b, work, dt)
   end
 end
-
-interpreted.functions(list, readSpeeds, find, soft.run)
 
 return soft

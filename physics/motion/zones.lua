@@ -14,7 +14,6 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local fields = require(root .. ".fields.fields")
 local filter = require(root .. ".broadphase.filter")
-local interpreted = require(root .. ".memory.jit")
 
 local zones = {}
 
@@ -298,9 +297,5 @@ function zones.restore(b)
   end
   zones.begin(b, b.movers, b.moverCount)
 end
-
-interpreted.functions(isZone, arrange, shareIn, actingShare, strength, attract, replace, turn, push)
-interpreted.functions(listAllNear)
-interpreted.functions(turnAll, zones.copy, zones.isSame, zones.note, zones.run, zones.begin)
 
 return zones

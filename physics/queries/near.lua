@@ -16,7 +16,6 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local check = require(root .. ".fields.check")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
-local interpreted = require(root .. ".memory.jit")
 local gridLines = require(root .. ".memory.lazy")(root .. ".broadphase.gridLines")
 local registry = require(root .. ".objects.registry")
 local shapes = require(root .. ".space.shapes")
@@ -372,7 +371,5 @@ function near.readFilter(c, n)
   c.oneWay[n], c.mask[n] = columns.sideOf(object.oneWay), object.mask or false
   c.only[n] = object.hits and filter.readHits(b, object.hits) or false
 end
-
-interpreted.always(readGroups)
 
 return near

@@ -11,7 +11,6 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local flow = require(root .. ".solver.flow")
-local interpreted = require(root .. ".memory.jit")
 local pool = require(root .. ".solver.pool")
 
 local bonds = {}
@@ -265,8 +264,5 @@ function bonds.check(b, contacts, list, dt, mayTear)
   findPressed(b, contacts, b.awakeCount)
   return checkAll(b, list, dt, mayTear)
 end
-
--- Bonds seldom slip, and each in its own way. The others call one loop after the other. (jit: 4)
-interpreted.functions(tear, standsFast, slide, bonds.glue, bonds.check)
 
 return bonds

@@ -20,7 +20,6 @@ local bonds = require(root .. ".solver.bonds")
 local carriers = require(root .. ".motion.carriers")
 local columns = require(root .. ".memory.columns")
 local flow = require(root .. ".solver.flow")
-local interpreted = require(root .. ".memory.jit")
 local settle = require(root .. ".solver.settle")
 
 local friction = {}
@@ -290,8 +289,5 @@ function friction.run(b, axis, dt)
   end
   return true
 end
-
--- These call one loop after the other. (jit: 4)
-interpreted.functions(place, friction.run)
 
 return friction

@@ -21,8 +21,6 @@ local path = require(root .. ".motion.path")
 local pool = require(root .. ".solver.pool")
 local slope = require(root .. ".memory.lazy")(root .. ".solver.slope")
 
-require(root .. ".memory.jit").file()
-
 local impact = {}
 
 local DYNAMIC = columns.DYNAMIC

@@ -13,8 +13,6 @@ local activePairs = require(root .. ".broadphase.activePairs")
 local overlap = require(root .. ".solver.overlap")
 local path = require(root .. ".motion.path")
 
-require(root .. ".memory.jit").file()
-
 local nudge = {}
 
 local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON

@@ -18,7 +18,6 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local flow = require(root .. ".solver.flow")
-local interpreted = require(root .. ".memory.jit")
 
 local pool = {}
 
@@ -451,9 +450,5 @@ function pool.run(b, list, dt, isLate)
   end
   return b.isClamped
 end
-
--- These take another branch for each contact. (jit: 4)
-interpreted.functions(yield, stopBoth, shift, walk, pass, pool.run, spread)
-interpreted.functions(pool.leanHigh, pool.leanLow, pool.meetFirm, pool.share, weakenOne)
 
 return pool

@@ -13,7 +13,6 @@ local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
 local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
 local impact = require(root .. ".solver.impact")
-local interpreted = require(root .. ".memory.jit")
 local activePairs = require(root .. ".broadphase.activePairs")
 local nudge = require(root .. ".solver.nudge")
 local pairFinder = require(root .. ".broadphase.pairFinder")
@@ -283,9 +282,5 @@ function rounds.run(b, dt, isLast, isLate)
   contacts.rearrange(b)
   return true
 end
-
--- These take another branch for each impact. (jit: 4)
-interpreted.functions(sortImpacts, sense, stop, isSpent, crosses, isTorn, isDisturbed)
-interpreted.functions(change, correct, meet, happen, rounds.run)
 
 return rounds

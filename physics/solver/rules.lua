@@ -8,7 +8,6 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local activePairs = require(root .. ".broadphase.activePairs")
 local check = require(root .. ".fields.check")
 local columns = require(root .. ".memory.columns")
-local interpreted = require(root .. ".memory.jit")
 local slope = require(root .. ".memory.lazy")(root .. ".solver.slope")
 
 local rules = {}
@@ -148,8 +147,5 @@ function rules.drop(b, i)
   end
   return any
 end
-
-interpreted.functions(rules.isFalling, rules.lets, answer, rules.isAsked, rules.permits)
-interpreted.functions(rules.passes, keepUp, rules.drop)
 
 return rules

@@ -19,7 +19,6 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
-local interpreted = require(root .. ".memory.jit")
 local pool = require(root .. ".solver.pool")
 
 local settle = {}
@@ -240,7 +239,5 @@ function settle.isViolated(b, axis)
   end
   return false
 end
-
-interpreted.functions(squeeze, pushBack, settle.hold, settle.finish, settle.axis)
 
 return settle

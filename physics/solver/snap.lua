@@ -18,8 +18,6 @@ local rules = require(root .. ".solver.rules")
 local slope = require(root .. ".solver.slope")
 local sort = require(root .. ".memory.sort")
 
-require(root .. ".memory.jit").file()
-
 local snap = {}
 
 local DYNAMIC, EPSILON, SIDE = columns.DYNAMIC, columns.EPSILON, columns.SIDE

@@ -22,7 +22,6 @@ local crowd = require(root .. ".solver.crowd")
 local crush = require(root .. ".solver.crush")
 local drift = require(root .. ".motion.drift")
 local friction = require(root .. ".solver.friction")
-local interpreted = require(root .. ".memory.jit")
 local activePairs = require(root .. ".broadphase.activePairs")
 local nudge = require(root .. ".solver.nudge")
 local pairFinder = require(root .. ".broadphase.pairFinder")
@@ -246,9 +245,5 @@ function solver.run(b, dt)
   restart(b, dt)
   solve(b, dt)
 end
-
--- These call one loop after the other. (jit: 4)
-interpreted.functions(settleTouching, settleLate, settleViolated, prepare, runRounds, solve)
-interpreted.functions(restart, solver.run)
 
 return solver

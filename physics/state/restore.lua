@@ -11,7 +11,6 @@ local pairFinder = require(root .. ".broadphase.pairFinder")
 local events = require(root .. ".contacts.events")
 local fields = require(root .. ".fields.fields")
 local format = require(root .. ".state.format")
-local interpreted = require(root .. ".memory.jit")
 local notice = require(root .. ".objects.notice")
 local own = require(root .. ".state.own")
 local read = require(root .. ".objects.read")
@@ -402,7 +401,5 @@ function restore.world(world, st)
   notice.outdate(b)
   return sentence
 end
-
-interpreted.always(isSame, clear, place, rowsOf, restore.world)
 
 return restore

@@ -13,8 +13,6 @@ local physics = require("physics")
 local newRandom = require("spec.support.random").new
 local newOverlaps = require("spec.support.overlap").checker
 
-effort.wholeOn("LuaJIT compiled")
-
 local DEPTH = 0.01 -- px, the largest overlap of a crowd that starts apart
 -- px, where it presses from all sides against what cannot be pushed: what is between has no way out
 -- in the step in which that happens.

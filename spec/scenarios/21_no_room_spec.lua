@@ -10,8 +10,6 @@ local newRandom = require("spec.support.random").new
 local physics = require("physics")
 local scene = require("spec.support.scene")
 
-effort.wholeOn("LuaJIT compiled")
-
 local APART, REST = 1, 2 -- s
 local DEPTH = 0.01 -- px; two that overlap by less are apart
 local STILL = 0.5 -- s, how long nothing may move

@@ -8,8 +8,6 @@
 local effort = require("spec.support.effort")
 local scene = require("spec.support.scene")
 
-effort.wholeOn("LuaJIT compiled")
-
 local SPEEDS = { -300, -46, -1, 1, 100 } -- px/s
 local LEVELS = {
   shift = { 0, 1 / 3, 100000.3 },

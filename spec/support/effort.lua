@@ -1,7 +1,6 @@
 --- How much of the specs to play: all of it on one interpreter, a selection on the others. They
 --- run the same code on the same numbers, and that the bits are the same is a spec of its own. The
---- one is LuaJIT, as LÖVE has it; for files in which one world is played for long it is LuaJIT
---- after `physics.compile`, which needs less than half of the time there (`wholeOn`).
+--- one is LuaJIT, as LÖVE has it.
 --- `PHYSICS_SPEC=full` plays all of it everywhere, `PHYSICS_SPEC=quick` the selection everywhere.
 ---
 --- Each interpreter selects other rows and variants (`plays`). So the two of `make test` together
@@ -12,27 +11,15 @@ local effort = {}
 local jit = rawget(_G, "jit")
 local wanted = os.getenv("PHYSICS_SPEC")
 local asked = os.getenv("PHYSICS_LUA")
-local isCompiled = asked == "LuaJIT compiled"
 
 -- By which the interpreters select; those of `make test` come first.
 local NUMBERS = { ["LuaJIT"] = 0, ["Lua 5.4"] = 1, ["LuaJIT -joff"] = 2, ["Lua 5.1"] = 3 }
 NUMBERS["Lua 5.2"], NUMBERS["Lua 5.3"] = 4, 5
-NUMBERS["LuaJIT compiled"], NUMBERS["Lua 5.5"] = 6, 7
+NUMBERS["Lua 5.5"] = 6
 local own = NUMBERS[asked or jit and "LuaJIT" or _VERSION] or 0
 
 --- Whether everything is played.
-effort.isWhole = wanted == "full"
-  or (wanted ~= "quick" and jit and jit.status() and not isCompiled)
-  or false
-
---- Says which interpreter plays all of a file, for one that is not played whole on LuaJIT. (Where
---- none was asked for by name, as by `busted` alone, it is LuaJIT all the same.)
----@param interpreter string as scripts/test.sh names it
-function effort.wholeOn(interpreter)
-  if asked then
-    effort.isWhole = wanted == "full" or (wanted ~= "quick" and asked == interpreter)
-  end
-end
+effort.isWhole = wanted == "full" or (wanted ~= "quick" and jit and jit.status()) or false
 
 --- A number of seeds, rounds or objects: all of them, or the share of a slow interpreter.
 function effort.share(count, least)
@@ -56,14 +43,13 @@ effort.isFirst = asked == nil or asked == "LuaJIT"
 local SHORT = { ["Lua 5.2"] = true, ["Lua 5.3"] = true, ["Lua 5.5"] = true }
 
 --- Whether this process plays what takes half a second or more and shows the same on every Lua: in
---- `make test` only the first of the two, in `make test-all` LuaJIT in its three ways, 5.1 and 5.4.
+--- `make test` only the first of the two, in `make test-all` LuaJIT in its two ways, 5.1 and 5.4.
 effort.playsLong = effort.isFirst or (wanted ~= "quick" and not SHORT[asked])
 
 --- Switches the trace compiler off for the specs of a file: what plays thousands of small worlds
---- would keep it busy with each of them for nothing. Takes busted's `setup` and `teardown`. (Not
---- after `physics.compile`: its typed arrays take an interpreter ten times as long.)
+--- would keep it busy with each of them for nothing. Takes busted's `setup` and `teardown`.
 function effort.interpret(setup, teardown)
-  if jit and jit.status() and not isCompiled then
+  if jit and jit.status() then
     setup(function()
       jit.off()
     end)
