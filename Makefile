@@ -33,7 +33,7 @@ format: setup ## lets StyLua rewrite the sources
 rock: setup ## installs the rock into lua_modules/ and runs it from another folder; luarocks test
 	@bash scripts/rock.sh
 
-release: setup ## packs build/release/physics-VERSION.zip: one file, types, licence (docs/releasing.md)
+release: setup ## packs build/release/physics-VERSION.zip: one file, types, licence (CONTRIBUTING.md)
 	@bash scripts/release.sh
 
 single: setup ## writes the whole library as one file, build/physics.lua
@@ -101,7 +101,7 @@ bench-worst: setup ## plays the worst cases and shows which bounds hold: WORST="
 bench-size: setup ## measures size, time of require and memory; BENCH="--path DIR" to find bump.lua
 	@luajit bench/size.lua $(BENCH)
 
-bench-docs: setup ## measures, and brings the figures into docs/performance.md
+bench-docs: setup ## measures, and brings the figures into bench/README.md and docs/performance.md
 	@bash scripts/bench_docs.sh $(BENCH)
 
 .PHONY: soak

@@ -1,4 +1,4 @@
---- Brings the results into docs/performance.md, and draws docs/performance.png with gnuplot:
+--- Brings the results into bench/README.md and docs/performance.md, and draws docs/performance.svg:
 ---
 ---   luajit bench/docs.lua build/bench.json
 ---
@@ -257,59 +257,108 @@ function docs.insert(page, figures)
   return page:sub(1, from) .. "\n\n" .. figures .. "\n\n" .. page:sub(to)
 end
 
---- The times of a scene over n, as the rows of a gnuplot data block each; engines with fewer than
---- two figures have no line.
----@param results table[]
----@param scene string
----@return table[] lines `title`, `rows`
-function docs.curves(results, scene)
-  local lines = {}
-  for _, mode in ipairs(modesIn(results)) do
-    for _, name in ipairs(engines.names) do
-      local rows = {}
-      for _, n in ipairs(scenes.get(scene).sizes) do
-        local job = find(inMode(results, mode), scene, n, name)
-        if job and job.median and not job.isLimited then
-          rows[#rows + 1] = string.format("%d %.6g", n, job.median)
-        end
-      end
-      if #rows > 1 and (mode == "jit" or name == "ours") then
-        local title = engines.title(name) .. (mode == "jit" and "" or ", " .. mode)
-        title = title:gsub(", off$", ", no JIT")
-        lines[#lines + 1] = { title = title, rows = rows }
-      end
-    end
+-- What the page for users shows: a scene and its size each.
+local SHOWN = {
+  { "pile", 2000 },
+  { "pile-awake", 1000 },
+  { "level", 20000 },
+  { "gas", 2000 },
+  { "balls", 1000 },
+  { "swarm", 300 },
+  { "swarm-ax", 300 },
+  { "swarm-soft", 1000 },
+  { "bullets", 2000 },
+  { "lifts", 200 },
+  { "rays", 5000 },
+  { "spawn", 100 },
+}
+local SHOWN_ENGINES = { "ours", "love" }
+
+local function shortCell(job)
+  if not job or not job.median then
+    return job and job.isLimited and report.limit(job, "") or NONE
   end
-  return lines
+  return report.ms(job.median)
 end
 
---- The program for gnuplot that draws them.
----@param lines table[] from `curves`
----@param file string the picture
+--- The few figures of docs/performance.md as Markdown.
+---@param data table as for `render`
 ---@return string
-function docs.plot(lines, file)
-  local program = {
-    'set terminal pngcairo size 1000,560 font "DejaVu Sans,11"',
-    string.format('set output "%s"', file),
-    "set logscale xy",
-    "set grid",
-    "set key outside right top",
-    'set title "A pile of n boxes that may not rest: median time of a step"',
-    'set xlabel "boxes"',
-    'set ylabel "ms"',
-    "set xrange [450:11000]",
-    'set xtics ("500" 500, "1000" 1000, "2000" 2000, "5000" 5000, "10 000" 10000)',
-  }
-  local plots = { '16.667 with lines dashtype 3 lc rgb "#888888" title "a frame at 60 Hz"' }
-  for i, curve in ipairs(lines) do
-    program[#program + 1] = string.format("$c%d << EOD", i)
-    program[#program + 1] = table.concat(curve.rows, "\n")
-    program[#program + 1] = "EOD"
-    local style = string.format('$c%d with linespoints lw 2 pt 7 title "%s"', i, curve.title)
-    plots[#plots + 1] = style
+function docs.summary(data)
+  local results = inMode(data.results, "jit")
+  local head, rule = { "scene", "n" }, { "---", "---:" }
+  for _, name in ipairs(SHOWN_ENGINES) do
+    head[#head + 1], rule[#rule + 1] = engines.title(name), "---:"
   end
-  program[#program + 1] = "plot " .. table.concat(plots, ", ")
-  return table.concat(program, "\n") .. "\n"
+  local lines = { line(head), line(rule) }
+  for _, shown in ipairs(SHOWN) do
+    local cells = { shown[1], string.format("%d", shown[2]) }
+    for _, name in ipairs(SHOWN_ENGINES) do
+      cells[#cells + 1] = shortCell(find(results, shown[1], shown[2], name))
+    end
+    lines[#lines + 1] = line(cells)
+  end
+  local machine = describe(data.machine) .. " Median time of a frame in ms:"
+  return machine .. "\n\n" .. table.concat(lines, "\n")
+end
+
+--- How many times as fast as love.physics each shown scene is.
+---@param data table
+---@return table[] bars `title` and `ratio`
+function docs.bars(data)
+  local results, bars = inMode(data.results, "jit"), {}
+  for _, shown in ipairs(SHOWN) do
+    local love = find(results, shown[1], shown[2], "love")
+    local ours = find(results, shown[1], shown[2], "ours")
+    if love and love.median and ours and ours.median then
+      bars[#bars + 1] = {
+        title = shown[1] .. " " .. string.format("%d", shown[2]),
+        ratio = love.median / ours.median,
+      }
+    end
+  end
+  return bars
+end
+
+-- Of the picture, px. A factor of 10 is DECADE wide; the middle is "as fast as love.physics".
+local ROW, MIDDLE, DECADE, WIDTH = 34, 330, 165, 760
+
+local function bar(ratio, y)
+  local length = math.log(ratio) / math.log(10) * DECADE
+  local x = MIDDLE + math.min(0, length)
+  local colour = ratio >= 1 and "#38b764" or "#ef7d57"
+  local text = '<rect x="%.1f" y="%d" width="%.1f" height="18" rx="2" fill="%s"/>'
+  return text:format(x, y, math.max(1, math.abs(length)), colour)
+end
+
+--- The picture of these bars as SVG, readable on light and on dark ground.
+---@param bars table[] from `bars`
+---@return string
+function docs.picture(bars)
+  local height = ROW * #bars + 40
+  local head = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 %d %d" '
+    .. 'font-family="system-ui, sans-serif" font-size="14" fill="#7d8597">'
+  local lines = { head:format(WIDTH, height) }
+  for i, each in ipairs(bars) do
+    local y = ROW * (i - 1) + 8
+    lines[#lines + 1] = ('<text x="12" y="%d">%s</text>'):format(y + 15, each.title)
+    lines[#lines + 1] = bar(each.ratio, y)
+    local label = '<text x="%d" y="%d" text-anchor="end">%.1f×</text>'
+    lines[#lines + 1] = label:format(WIDTH - 12, y + 15, each.ratio)
+  end
+  local axis = '<path d="M%d 0V%d" stroke="#7d8597"/>'
+  lines[#lines + 1] = axis:format(MIDDLE, ROW * #bars + 8)
+  local foot = ROW * #bars + 30
+  lines[#lines + 1] = ('<text x="%d" y="%d" text-anchor="middle">as fast as love.physics</text>'):format(
+    MIDDLE,
+    foot
+  )
+  for _, tick in ipairs({ 0.1, 10, 100 }) do
+    local x = MIDDLE + math.log(tick) / math.log(10) * DECADE
+    local text = '<text x="%d" y="%d" text-anchor="middle">%s×</text>'
+    lines[#lines + 1] = text:format(x, foot, tick)
+  end
+  return table.concat(lines, "\n") .. "\n</svg>\n"
 end
 
 local function read(path)
@@ -338,15 +387,14 @@ end
 
 local function main(paths)
   local data = readAll(paths)
-  local page = "docs/performance.md"
-  write(page, docs.insert(read(page), docs.render(data)))
-  local program = os.tmpname()
-  write(program, docs.plot(docs.curves(data.results, "pile-awake"), "docs/performance.png"))
-  local code = os.execute("gnuplot " .. program)
-  os.remove(program)
-  if code ~= 0 and code ~= true then
-    error("docs: gnuplot failed", 0)
+  local pages = {
+    { "bench/README.md", docs.render },
+    { "docs/performance.md", docs.summary },
+  }
+  for _, page in ipairs(pages) do
+    write(page[1], docs.insert(read(page[1]), page[2](data)))
   end
+  write("docs/performance.svg", docs.picture(docs.bars(data)))
 end
 
 if root then

@@ -733,6 +733,13 @@ function default.overlapping(object, filter, out) end
 ---@return number gradient
 function default.ground(object) end
 
+--- Returns the name of the group that an object is in: its key in `world.objects`.
+---
+--- Errors: the object is not a table.
+---@param object physics.NewObject the object
+---@return string|number|nil group nil: it is not in the world
+function default.groupOf(object) end
+
 --- Returns the velocity of an object over ground. For a rider it is its own velocity and that of
 --- its carrier; for a kinematic object that you move by writing `x, y` it is how fast it went in
 --- the last step. Of a static object it is 0, 0.

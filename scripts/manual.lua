@@ -1,7 +1,7 @@
---- Writes the reference from the docstrings, physics/fields/fields.lua and
+--- Writes the reference, docs/api.md and docs/api/, from the docstrings, physics/fields/fields.lua and
 --- scripts/manual_examples.lua:
 ---
----   luajit scripts/manual.lua       writes docs/api.md
+---   luajit scripts/manual.lua       writes the pages
 
 package.path = "./?.lua;" .. package.path
 
@@ -13,62 +13,112 @@ local typedFields = require("scripts.typed_fields")
 local manual = {}
 
 -- Only sentences that belong to no single function or field are written here.
-local HEAD = [[
+local INDEX = [[
 # Reference
 
-Every public field, setting, function and type. `make docs` writes this page from the docstrings and
-from [fields.lua](../physics/world/fields.lua). Editors that know LuaLS or EmmyLua annotations
-show the same texts while you type. The [guide](guide/index.md) explains the ideas behind them.
+Every public field, setting, function and type. `make docs` writes these pages from the source. Editors with LuaLS
+or EmmyLua annotations show the same texts while you type. The [guide](guide/index.md) explains the ideas.
 
 - x grows to the right, y grows **down**. `x, y` is the top-left corner.
 - Lengths are in px, times in s, velocities in px/s, accelerations in px/s².
-- A `?` marks a parameter that you may leave out, and a result that may be nil.
-- A call with a value that it cannot use raises an error. The message names the place, the field,
-  what was expected and what was found, at the line of your game. Nothing has changed then.
-- Every method of a world is also a function of the module, for the default world. It is called with
-  a dot then: `physics.update(dt)`.
+- A `?` marks what you may leave out, and a result that may be nil.
+- Every method of a world is also a function of the module, for the default world: `physics.update(dt)`.
+- A wrong value raises an error at the line of your game, and nothing has changed. It names the place, the field,
+  what was expected and what was found.
+- Refused everywhere: NaN and infinity, sizes that are not above 0, an object that is not in the world, a filter or a
+  list `out` of a wrong type, and a change from inside `canCollide`. The entries list other errors only.
 ]]
 
 local FIELDS = [[
-These are the fields of your tables that the library knows. Other fields are yours. The library
-writes `x, y, vx, vy` and `touching` of dynamic objects, and `x, y` of kinematic ones.
+The fields of your tables that the library knows. Other fields are yours. The library writes `x, y, vx, vy` and
+`touching` of dynamic objects, and `x, y` of kinematic ones.
 
 - Fields of dynamic and kinematic objects may change at any time.
-- A static object is read only once: after a change call [`world:refresh`](#worldrefresh). The
-  callbacks `onBegin` and `onEnd` are read when they are called.
+- A static object is read only once: after a change call `world:refresh`. `onBegin` and `onEnd` are read when they are
+  called.
 ]]
 
 local AREAS = [[
-What the field [`area`](#field-area) of a zone may hold. See [Zones](guide/motion.md#zones).
+What the field `area` of a [zone](../guide/motion.md#zones) may hold.
 ]]
 
 local SETTINGS = [[
-Settings are given to [`physics.newWorld`](#physicsnewworld) or [`physics.load`](#physicsload).
-After that they are plain fields of the world: `world.gravity = 0`. The list `order` must be
-replaced by another list to change it; `masks` and `soft` may also be changed in place.
-]]
-
-local MODULE = [[
-`local physics = require "physics"`. Besides these functions the module has every method of a world,
-for the default world. `physics.gravity`, `physics.objects`, `physics.stats`, `physics.onBegin` and
-so on are fields of that world.
+Settings are given to `physics.newWorld` or `physics.load`. After that they are plain fields of the world:
+`world.gravity = 0`. To change `order` set another list; `masks` and `soft` may also be changed in place.
 ]]
 
 local WORLD = [[
-`local world = physics.newWorld(settings)`. The [settings](#settings) are plain fields of a world,
-and so are these:
+`local world = physics.newWorld(settings)`. The [settings](settings.md) are plain fields of a world, and so are these:
+]]
+
+local PURE = [[
+Pure functions of the tutorial. They need no world.
+]]
+
+local QUERIES = [[
+Queries change nothing, and you may call them anywhere. The [guide](../guide/queries.md) shows which one answers what.
+
+- `filter` says which objects count, default all: the name of a group, a list of names, or a function of the object.
+- `out` is a list that is filled again in place of a new one.
+- Lists are in the order of the world, and come with their length `count`.
 ]]
 
 local TYPES = [[
-Names of types in the annotations. Your editor shows them; at run time they are plain tables. A
-class of your own is `---@class Player: physics.Object`. A local that is filled later is
-`local player ---@type physics.Object`.
+Names of types in the annotations. Your editor shows them; at run time they are plain tables. A class of your own is
+`---@class Player: physics.Object`. A local that is filled later is `local player ---@type physics.Object`.
+]]
+
+local MAPS = [[
+How to make maps that work: [Maps](../maps.md).
 ]]
 
 local TILES = [[
-What `world:addTiles` returns, and what is in `level.tileLayers` of a map from Tiled or LDtk: see
-[Maps](maps.md).
+What `world:addTiles` returns, and what is in `level.tileLayers` of a map from Tiled or LDtk.
 ]]
+
+-- What each page of docs/api/ is about, in the order of the index.
+local PAGES = {
+  { name = "fields", title = "Fields of objects" },
+  { name = "settings", title = "Settings" },
+  { name = "world", title = "The module and its worlds" },
+  { name = "queries", title = "Queries and moves" },
+  { name = "maps", title = "Maps and tiles" },
+  { name = "types", title = "Types" },
+}
+
+-- Functions that stand on another page than their file says.
+local ON_WORLD = { ["world:draw"] = true, ["world:interpolate"] = true }
+local ON_MAPS = { ["world:loadTiled"] = true, ["world:addTiles"] = true, ["world:loadLDtk"] = true }
+local ON_QUERIES = { ["world:move"] = true }
+
+-- Names to look at next.
+local SEE = {
+  ["world:add"] = "world:remove, world:groupOf",
+  ["world:remove"] = "active",
+  ["world:refresh"] = "static, checked",
+  ["world:dropThrough"] = "oneWay",
+  ["world:move"] = "world:sweep, world:update",
+  ["world:impulse"] = "world:explode, mass",
+  ["world:shift"] = "world:refresh",
+  ["world:explode"] = "world:queryCircle, world:impulse",
+  ["world:setBounds"] = "static",
+  ["world:save"] = "world:restore, ownFields",
+  ["world:restore"] = "world:save, world:hash",
+  ["world:hash"] = "world:save, ownFields",
+  ["world:queryPoint"] = "world:nearest",
+  ["world:queryRect"] = "world:overlapping, world:fits",
+  ["world:queryCircle"] = "world:explode",
+  ["world:fits"] = "world:sweep",
+  ["world:raycast"] = "world:querySegment",
+  ["world:sweep"] = "world:move, world:fits",
+  ["world:overlapping"] = "onBegin",
+  ["world:ground"] = "slope, touching",
+  ["world:velocity"] = "vx",
+  ["world:touching"] = "touching",
+  ["world:explain"] = "checked",
+  ["world:interpolate"] = "timestep, onStep",
+  ["physics.load"] = "physics.newWorld",
+}
 
 local function add(lines, ...)
   for i = 1, select("#", ...) do
@@ -81,7 +131,6 @@ local function cell(text)
   return (text:gsub("|", "\\|"))
 end
 
--- A type as code; the marks of a table's cells hold in code, too.
 local function code(kind)
   return "`" .. kind .. "`"
 end
@@ -97,31 +146,37 @@ local function fieldMeaning(field)
   return meaning
 end
 
--- Types in a narrow column; the editor's types say more.
+-- Kinds of values in a narrow column; the editor's types say more.
 local KINDS = {
+  number = "",
   mask = "table",
   masks = "table",
   soft = "table",
   names = "list",
+  ownFields = "list",
   sides = "table",
   area = "table",
 }
-KINDS.ownFields = "list"
+
+-- Returns what a value is: "px, > 0", "boolean", "table, px/s".
+local function kindOf(field)
+  local parts = {}
+  local kind = KINDS[field.type] or field.type
+  for _, part in ipairs({ kind, field.unit or "", typedFields.range(field) }) do
+    if part ~= "" then
+      parts[#parts + 1] = part
+    end
+  end
+  return table.concat(parts, ", ")
+end
 
 -- `place` begins the anchor of each row: "field-x", "setting-gravity".
 local function addFields(lines, list, place)
-  add(lines, "| name | type | default | unit, range | meaning |", "|---|---|---|---|---|")
+  add(lines, "| name | value | default | meaning |", "|---|---|---|---|")
   for _, field in ipairs(list) do
-    local kind = KINDS[field.type] or field.type
-    local range, unit = typedFields.range(field), field.unit or ""
-    if range ~= "" then
-      unit = unit == "" and range or unit .. ", " .. range
-    end
-    local default = typedFields.default(field)
-    local row = '| <a id="%s-%s"></a>`%s` | %s | %s | %s | %s |'
-    kind = cell(code(kind))
-    local meaning = cell(fieldMeaning(field))
-    add(lines, row:format(place, field.name:lower(), field.name, kind, default, unit, meaning))
+    local row = '| <a id="%s-%s"></a>`%s` | %s | %s | %s |'
+    local default, meaning = typedFields.default(field), cell(fieldMeaning(field))
+    add(lines, row:format(place, field.name:lower(), field.name, kindOf(field), default, meaning))
   end
   add(lines, "")
 end
@@ -137,42 +192,95 @@ local HIDDEN = {
   ["physics.Area"] = true,
 }
 
--- A type, with a link if it has a section under "Types".
-local function typeLink(kind)
-  local name = kind:match("^physics%.(%u%w*)%??$")
-  if not name or HIDDEN["physics." .. name] then
-    return code(kind)
-  end
-  return ("[%s](#physics%s-type)"):format(code(kind), name:lower())
-end
+-- Texts of parameters and results that the head of the index or of a page says once.
+local KNOWN = {
+  ["which objects count, default all"] = true,
+  ["list to fill, default a new one"] = true,
+  ["in the order of the world"] = true,
+}
 
-local function item(name, kind, text)
-  kind = typeLink(kind)
-  local head = name == "" and "- " .. kind or ("- `%s` (%s)"):format(name, kind)
-  return head .. (text == "" and "" or ": " .. text)
-end
+local LIKE = { likewise = true }
 
-local function addItems(lines, title, list)
-  if #list > 0 then
-    add(lines, title, "")
-    for _, param in ipairs(list) do
-      add(lines, item(param.name, param.type, param.text))
+-- Joins neighbours in a list that say the same of the same type: "`x`, `y` (`number`): px".
+local function joined(list)
+  local items = {}
+  for _, param in ipairs(list) do
+    local last = items[#items]
+    local isSame = last and last.type == param.type
+    if isSame and (last.text == param.text or LIKE[param.text]) then
+      last.name = last.name .. "`, `" .. param.name
+    elseif not KNOWN[param.text] then
+      items[#items + 1] = { name = param.name, type = param.type, text = param.text }
     end
-    add(lines, "")
+  end
+  return items
+end
+
+local function item(param, mark)
+  local kind, text = code(param.type), param.text
+  local head = param.name == "" and kind or ("`%s` (%s)"):format(param.name, kind)
+  return "- " .. mark .. head .. (text == "" and "" or ": " .. text)
+end
+
+local function addItems(lines, list, mark, isTerse)
+  for _, param in ipairs(joined(list)) do
+    if not (isTerse and param.text == "") then
+      add(lines, item(param, mark))
+    end
   end
 end
 
--- The text of a docstring is Markdown already; "Errors:" and "Source:" begin paragraphs.
+-- What the index says of every function.
+local COMMON = {
+  "it is called from inside `canCollide`",
+  "a number is not finite",
+  "a coordinate is not a finite number",
+  "a distance is not a finite number",
+  "the object is not a table, or not in the world",
+  "the object is not a table",
+  "`a` or `b` is not a table, or not in the world",
+  "`a` or `b` is not a table",
+  "the filter cannot be used",
+  "a filter cannot be used",
+  "`out` is not a table",
+  "a size is <= 0",
+  "the radius is <= 0",
+}
+
+-- Returns the errors of a function that are its own, or nil.
+local function ownErrors(text)
+  text = text:gsub("%s*Nothing has [^.]+ then%.", ""):gsub("%.$", "")
+  local own = {}
+  for clause in (text .. ";"):gmatch("%s*(.-);") do
+    local isCommon = false
+    for _, common in ipairs(COMMON) do
+      isCommon = isCommon or clause == common
+    end
+    if not isCommon then
+      own[#own + 1] = clause
+    end
+  end
+  return own[1] and table.concat(own, "; ") .. "."
+end
+
+-- The text of a docstring is Markdown already. Its paragraph "Source:" is for readers of the code.
 local function addText(lines, text)
-  for i, line in ipairs(text) do
-    local word, rest = line:match("^(%u%l+):%s(.*)$")
-    if word == "Errors" or word == "Source" or word == "Options" then
-      if i > 1 and text[i - 1] ~= "" then
-        add(lines, "")
+  local i = 1
+  while i <= #text do
+    local word, rest = text[i]:match("^(%u%l+):%s(.*)$")
+    if word == "Errors" or word == "Source" then
+      while text[i + 1] and text[i + 1] ~= "" and not text[i + 1]:find("^%u%l+: ") do
+        i = i + 1
+        rest = rest .. " " .. text[i]
       end
-      line = ("**%s:** %s"):format(word, rest)
+      local own = word == "Errors" and ownErrors(rest)
+      if own then
+        add(lines, "", "**Errors:** " .. own)
+      end
+    else
+      add(lines, text[i])
     end
-    add(lines, line)
+    i = i + 1
   end
   if #text > 0 then
     add(lines, "")
@@ -193,42 +301,93 @@ local function signature(entry, place)
   return ("%s%s%s(%s)"):format(head, place, entry.name, table.concat(parameters, ", "))
 end
 
+local function addSeeAlso(lines, name)
+  if not SEE[name] then
+    return
+  end
+  local names = {}
+  for other in SEE[name]:gmatch("[%w:.]+") do
+    names[#names + 1] = code(other)
+  end
+  add(lines, "See also " .. table.concat(names, ", ") .. ".", "")
+end
+
 local function addFunction(lines, entry, place)
   local name = place .. entry.name
-  add(lines, "### " .. name, "", code(signature(entry, place)), "")
+  add(lines, "## " .. name, "", code(signature(entry, place)), "")
   addText(lines, entry.text)
-  addItems(lines, "Parameters:", entry.params)
-  addItems(lines, "Returns:", entry.returns)
+  addItems(lines, entry.params, "", true)
+  addItems(lines, entry.returns, "returns ", true)
+  add(lines, "")
   if examples[name] then
     add(lines, "```lua", (examples[name]:gsub("\n$", "")), "```", "")
   end
+  addSeeAlso(lines, name)
 end
 
-local function addFunctions(lines, path, owner, place)
-  local _, list = docstrings.functions(path, owner)
-  for _, entry in ipairs(list) do
-    addFunction(lines, entry, place)
+-- The file, the table and the beginning of the names of each list of functions.
+local SOURCES = {
+  { "physics.lua", "physics", "physics." },
+  { "physics/world/tutorial.lua", "pure", "physics." },
+  { docstrings.WORLD, "World", "world:" },
+  { "physics/maps/tiles.lua", "Tiles", "tiles:" },
+}
+
+-- Returns the page of a function of docs/api/.
+local function pageOf(name, entry)
+  if ON_MAPS[name] or name:find("^tiles:") then
+    return "maps"
+  elseif ON_WORLD[name] or name:find("^physics%.") then
+    return "world"
+  elseif ON_QUERIES[name] then
+    return "queries"
   end
+  return entry.path:find("queryMethods", 1, true) and "queries" or "world"
+end
+
+-- All functions in the order of their files: `entry`, `place`, `name`, `page`, `owner`.
+local function functions()
+  local found = {}
+  for _, source in ipairs(SOURCES) do
+    local paths = type(source[1]) == "table" and source[1] or { source[1] }
+    for _, path in ipairs(paths) do
+      local _, list = docstrings.functions(path, source[2])
+      for _, entry in ipairs(list) do
+        entry.path = path
+        local name = source[3] .. entry.name
+        found[#found + 1] = {
+          entry = entry,
+          place = source[3],
+          name = name,
+          page = pageOf(name, entry),
+          owner = source[2],
+        }
+      end
+    end
+  end
+  return found
 end
 
 local function addType(lines, entry)
-  add(lines, ("### %s (type)"):format(entry.name), "")
+  add(lines, ("## %s (type)"):format(entry.name), "")
   if entry.kind == "alias" then
     add(lines, code(entry.type), "")
   elseif entry.type ~= "" then
-    add(lines, ("All fields of %s, and:"):format(typeLink(entry.type)), "")
+    add(lines, ("All fields of %s, and:"):format(code(entry.type)), "")
   end
   addText(lines, entry.text)
+  local shown = {}
   for _, field in ipairs(entry.fields) do
     if field.name:find("^%a") then
-      add(lines, item(field.name, field.type, field.text))
+      shown[#shown + 1] = field
     end
   end
+  addItems(lines, shown, "")
   add(lines, "")
 end
 
-local function addTypes(lines, path)
-  for _, entry in ipairs(docstrings.read(path)) do
+local function addTypes(lines, paths)
+  for _, entry in ipairs(docstrings.read(paths)) do
     if entry.kind ~= "function" and not HIDDEN[entry.name] then
       addType(lines, entry)
     end
@@ -240,36 +399,58 @@ local function addWorldFields(lines)
   for _, entry in ipairs(docstrings.read(docstrings.WORLD)) do
     for _, field in ipairs(entry.name == "physics.World" and entry.fields or {}) do
       if field.name:find("^%a") then
-        add(lines, item("world." .. field.name, field.type, field.text))
+        add(
+          lines,
+          item({ name = "world." .. field.name, type = field.type, text = field.text }, "")
+        )
       end
     end
   end
   add(lines, "")
 end
 
+-- The files with the types of each page.
+local TYPES_OF = {
+  types = {
+    "physics/types.lua",
+    "physics/world/world.lua",
+    "physics/world/queryMethods.lua",
+    "physics/world/draw.lua",
+  },
+  maps = {
+    "physics/maps/tiles.lua",
+    "physics/maps/array.lua",
+    "physics/maps/tiled.lua",
+    "physics/maps/ldtk.lua",
+  },
+}
+
 -- Links -------------------------------------------------------------------------------------------
 
--- The anchor that each name in code leads to. A function is found under its full name and, unless a
--- field or setting has the same name, under the short one.
-local function anchors()
+local function anchorOf(name)
+  return "#" .. name:lower():gsub("[.:]", "")
+end
+
+-- The place that each name in code leads to, "queries.md#worldraycast". A function is found under its
+-- full name and, unless a field or setting has the same name, under the short one.
+local function targets()
   local found = {}
-  for _, source in ipairs({
-    { "physics.lua", "physics", "physics." },
-    { "physics/world/tutorial.lua", "pure", "physics." },
-    { docstrings.WORLD, "World", "world:" },
-    { "physics/maps/tiles.lua", "Tiles", "tiles:" },
-  }) do
-    local _, list = docstrings.functions(source[1], source[2])
-    for _, entry in ipairs(list) do
-      local anchor = "#" .. (source[3] .. entry.name):lower():gsub("[.:]", "")
-      found[source[3] .. entry.name], found[entry.name] = anchor, anchor
+  for _, each in ipairs(functions()) do
+    local target = each.page .. ".md" .. anchorOf(each.name)
+    found[each.name], found[each.entry.name] = target, target
+  end
+  for page, paths in pairs(TYPES_OF) do
+    for _, entry in ipairs(docstrings.read(paths)) do
+      if entry.kind ~= "function" and not HIDDEN[entry.name] then
+        found[entry.name] = page .. ".md" .. anchorOf(entry.name) .. "-type"
+      end
     end
   end
   for _, field in ipairs(fields.settings) do
-    found[field.name] = "#setting-" .. field.name:lower()
+    found[field.name] = "settings.md#setting-" .. field.name:lower()
   end
   for _, field in ipairs(fields.objects) do
-    found[field.name] = "#field-" .. field.name:lower()
+    found[field.name] = "fields.md#field-" .. field.name:lower()
   end
   for _, name in ipairs({ "side", "x", "y", "load" }) do -- mostly parameters and results
     found[name] = nil
@@ -277,76 +458,142 @@ local function anchors()
   return found
 end
 
--- Makes links of the names and of the pages of docs/ in one line; `own` is the anchor of the
--- section that the line is in.
-local function linkLine(line, found, own)
-  line = line:gsub("docs/([%l_/-]+)%.md", "[%1](%1.md)")
+-- Makes links of the names and of the pages of docs/ in one line of a page; `own` is the anchor of the
+-- section that the line is in. On the index the pages lie in a folder.
+local function linkLine(line, found, own, page)
+  line = line:gsub("docs/([%l_/-]+)%.md", "[%1](../%1.md)")
   return (
-    line:gsub("(%[?)`([%w_:.]+)`", function(bracket, name)
-      local anchor = found[name]
-      if bracket == "" and anchor and anchor ~= own then
-        return ("[`%s`](%s)"):format(name, anchor)
+    line:gsub("(%[?)`([%w_:.]+%??)`", function(bracket, name)
+      local target = found[(name:gsub("%?$", ""))]
+      if bracket == "" and target and target ~= page .. ".md" .. own then
+        local link = target:gsub("^" .. page .. "%.md", "")
+        return ("[`%s`](%s%s)"):format(name, page == "index" and "api/" or "", link)
       end
     end)
   )
 end
 
 -- Code, headings and the first cells of tables stay as they are.
-local function addLinks(text)
-  local found, lines, own, isCode = anchors(), {}, nil, false
-  for line in (text .. "\n"):gmatch("([^\n]*)\n") do
-    local title, linked = line:match("^### (.*)$"), line
+local function addLinks(lines, page)
+  local found, result, own, isCode = targets(), {}, "", false
+  for line in (table.concat(lines, "\n") .. "\n"):gmatch("([^\n]*)\n") do
+    local title, linked = line:match("^##+ (.*)$"), line
     if title then
-      own = "#" .. title:lower():gsub("[.:]", "")
+      own = anchorOf(title)
     elseif line:find("^```") then
       isCode = not isCode
-    elseif not (isCode or line:find("^    ") or line:find("^#")) then
+    elseif not (isCode or line:find("^    ") or line:find("^#") or line:find("^`")) then
       local head, rest = line:match("^(|[^|]*|)(.*)$")
       if not head then
-        head, rest = line:match("^(%- `[^`]*` %()(.*)$")
+        head, rest = line:match("^(%- [returns ]*`[^(]*` %()(.*)$")
       end
-      linked = (head or "") .. linkLine(rest or line, found, own)
+      linked = (head or "") .. linkLine(rest or line, found, own, page)
     end
-    lines[#lines + 1] = linked
+    result[#result + 1] = linked
   end
-  return table.concat(lines, "\n")
+  local text = table.concat(result, "\n"):gsub("\n\n\n+", "\n\n"):gsub("%s+$", "")
+  return text .. "\n"
 end
 
--- The page ---------------------------------------------------------------------------------------
+-- The pages --------------------------------------------------------------------------------------
 
---- Returns the text of docs/api.md.
----@return string
-function manual.text()
-  local lines = { HEAD, "## Fields of objects", "", FIELDS }
+-- A line of links to the functions of a page, so that one is found without scrolling.
+local function addMenu(lines, page, owner)
+  local names = {}
+  for _, each in ipairs(functions()) do
+    if each.page == page and (not owner or each.owner == owner) then
+      names[#names + 1] = ("[%s](%s)"):format(each.entry.name, anchorOf(each.name))
+    end
+  end
+  add(lines, table.concat(names, " · "), "")
+end
+
+local function addFunctions(lines, page, owner)
+  for _, each in ipairs(functions()) do
+    if each.page == page and each.owner == owner then
+      addFunction(lines, each.entry, each.place)
+    end
+  end
+end
+
+local write = {}
+
+function write.fields(lines)
+  add(lines, FIELDS)
   addFields(lines, fields.objects, "field")
   add(lines, "## Areas", "", AREAS)
   addFields(lines, fields.area, "area")
-  add(lines, "## Settings", "", SETTINGS)
+end
+
+function write.settings(lines)
+  add(lines, SETTINGS)
   addFields(lines, fields.settings, "setting")
-  add(lines, "## The module", "", MODULE)
-  addFunctions(lines, "physics.lua", "physics", "physics.")
-  addFunctions(lines, "physics/world/tutorial.lua", "pure", "physics.")
-  add(lines, "## Worlds", "", WORLD)
+end
+
+function write.world(lines)
+  add(lines, WORLD)
   addWorldFields(lines)
-  addFunctions(lines, docstrings.WORLD, "World", "world:")
+  addMenu(lines, "world")
+  addFunctions(lines, "world", "physics")
+  addFunctions(lines, "world", "World")
+  add(lines, "## The tutorial's functions", "", PURE)
+  addFunctions(lines, "world", "pure")
+end
+
+function write.queries(lines)
+  add(lines, QUERIES)
+  addMenu(lines, "queries")
+  addFunctions(lines, "queries", "World")
+end
+
+function write.maps(lines)
+  add(lines, MAPS)
+  addMenu(lines, "maps")
+  addFunctions(lines, "maps", "World")
   add(lines, "## Tiles", "", TILES)
-  addFunctions(lines, "physics/maps/tiles.lua", "Tiles", "tiles:")
-  add(lines, "## Types", "", TYPES)
-  addTypes(lines, "physics/types.lua")
-  addTypes(lines, docstrings.WORLD)
-  local files = { "world/draw", "maps/tiles", "maps/array", "maps/tiled", "maps/ldtk" }
-  for _, file in ipairs(files) do
-    local path = "physics/" .. file .. ".lua"
-    addTypes(lines, path)
+  addFunctions(lines, "maps", "Tiles")
+  addTypes(lines, TYPES_OF.maps)
+end
+
+function write.types(lines)
+  add(lines, TYPES)
+  addTypes(lines, TYPES_OF.types)
+end
+
+local function index()
+  local lines = { INDEX }
+  for _, page in ipairs(PAGES) do
+    add(lines, ("**[%s](api/%s.md)**"):format(page.title, page.name))
+    local names = {}
+    for _, each in ipairs(functions()) do
+      if each.page == page.name then
+        names[#names + 1] = code(each.name)
+      end
+    end
+    add(lines, #names > 0 and ": " .. table.concat(names, " ") or "", "")
   end
-  local text = table.concat(lines, "\n"):gsub("\n\n\n+", "\n\n"):gsub("%s+$", "")
-  return addLinks(text) .. "\n"
+  return addLinks(lines, "index"):gsub("%*%*\n: ", "**: ")
+end
+
+--- Returns the pages of the reference: path -> text.
+---@return table<string, string>
+function manual.pages()
+  local pages = { ["docs/api.md"] = (index()) }
+  for _, page in ipairs(PAGES) do
+    local lines = { "# " .. page.title, "" }
+    write[page.name](lines)
+    pages["docs/api/" .. page.name .. ".md"] = addLinks(lines, page.name)
+  end
+  return pages
 end
 
 if arg and arg[0] and arg[0]:find("scripts/manual.lua", 1, true) then
-  local file = assert(io.open("docs/api.md", "wb"))
-  file:write(manual.text())
-  file:close()
+  os.execute("mkdir -p docs/api")
+  for path, text in pairs(manual.pages()) do
+    local file = assert(io.open(path, "wb"))
+    file:write(text)
+    file:close()
+  end
 end
 
 return manual

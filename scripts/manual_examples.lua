@@ -186,6 +186,13 @@ local hasRoom, ceiling = world:fits(player.x, 350, 24, 50, player)
 print(isFree, hasRoom, ceiling.y) --> true false 340
 ]]
 
+examples["world:groupOf"] = [[
+function player.onBegin(self, other)
+  if world:groupOf(other) == "enemies" then self.isHurt = true end
+end
+print(world:groupOf(floor), world:groupOf({})) --> tiles nil
+]]
+
 examples["world:velocity"] = [[
 local lift = world:add("lifts", {
   x = 200, y = 400, width = 80, height = 16,

@@ -87,7 +87,7 @@ for name in hills pile balls lifts draw platformer tutorial topdown survivors br
   check "$name has less than 200 kB" smaller_than 200000 "$target/$name.png"
 done
 
-for name in objects steps motion contacts filters queries; do
+for name in objects contacts filters queries; do
   check "the scene of guide/$name.md is drawn" scene "guide-$name"
   check "guide-$name has less than 200 kB" smaller_than 200000 "$target/guide-$name.png"
 done

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# Packs a release into build/release/physics-VERSION.zip: the library as one file, the addon for
-# editors, the changelog and the licence. Then unpacks it elsewhere, plays a game with the file, and
+# Packs a release into build/release/: physics-VERSION.zip with the library as one file, the addon for
+# editors, the changelog and the licence; physics.lua for a direct download; examples-VERSION.love.
+# Then unpacks the zip elsewhere, plays a game with the file, and
 # checks a game's types with the addon. The same sources give the same zip, to the bit.
-# What else a release needs: docs/releasing.md.
+# What else a release needs: CONTRIBUTING.md.
 set -uo pipefail
 . "$(dirname "$0")/checks.sh"
 
@@ -20,7 +21,10 @@ pack() {
   local date
   date=$(git log -1 --format=%ct 2>/dev/null) || date=315619200
   find "$place/$name" -exec touch -d "@$date" {} +
-  (cd "$place" && find "$name" -type f | LC_ALL=C sort | TZ=UTC zip -qX "$zip" -@)
+  (cd "$place" && find "$name" -type f | LC_ALL=C sort | TZ=UTC zip -qX "$zip" -@) || return
+  cp "$place/$name/physics.lua" "$place/physics.lua"
+  (zip -qrX "$place/examples-$version.love" physics.lua physics &&
+    cd examples && zip -qrX "../$place/examples-$version.love" . -x 'compare/*')
 }
 check "packs $name.zip" pack
 first=$(sha256sum <"$zip")

@@ -2,7 +2,7 @@
 # Installs what the other scripts call, from the packages of Debian or Ubuntu. Asks nothing, and
 # touches neither the network nor the system when everything is there. What only some targets need
 # is named: `setup.sh web` adds a browser, `site` Python's environments, `gopher` Go, `arm64` qemu,
-# `wine` Wine and a compiler for Windows, `pictures` ffmpeg, `plot` gnuplot, `tiled` the editor Tiled.
+# `wine` Wine and a compiler for Windows, `pictures` ffmpeg, `tiled` the editor Tiled.
 set -euo pipefail
 
 # Chromium has several names.
@@ -47,7 +47,6 @@ for extra in "$@"; do
     } ;;
     pictures) needs="${needs}ffmpeg:ffmpeg"$'\n' ;;
     tiled) needs="${needs}tiled:tiled"$'\n' ;;
-    plot) needs="${needs}gnuplot:gnuplot-nox"$'\n' ;;
     gopher) needs="${needs}go:golang-go"$'\n' ;;
     wine) needs="${needs}x86_64-w64-mingw32-gcc:gcc-mingw-w64-x86-64-win32 wine64"$'\n' ;;
     arm64) needs="${needs}qemu-aarch64-static:qemu-user-static debian-archive-keyring"$'\n' ;;

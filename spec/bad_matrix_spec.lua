@@ -488,6 +488,15 @@ local METHODS = {
     end,
   },
   {
+    "groupOf",
+    function(scene)
+      return { scene.box }
+    end,
+    function(group)
+      return group == nil or type(group) == "string" or type(group) == "number"
+    end,
+  },
+  {
     "velocity",
     function(scene)
       return { scene.box }

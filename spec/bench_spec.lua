@@ -462,14 +462,11 @@ describe("the report", function()
     assert.is_false(pcall(docs.insert, "a page without marks", "new"))
   end)
 
-  it("draws a line for each engine with at least two figures", function()
-    local lines = docs.curves(results, "pile-awake")
-    assert.same({
-      { title = "physics.lua", rows = { "500 0.25", "1000 0.5" } },
-      { title = "love.physics", rows = { "500 1", "1000 4" } },
-    }, lines)
-    local program = docs.plot(lines, "x.png")
-    assert.truthy(program:find("$c2 << EOD\n500 1\n1000 4\nEOD\n", 1, true), program)
-    assert.truthy(program:find('$c2 with linespoints lw 2 pt 7 title "love.physics"', 1, true))
+  it("draws a bar for each shown scene that both engines have played", function()
+    local bars = docs.bars({ results = { results[6], results[7] } })
+    assert.same({ { title = "pile-awake 1000", ratio = 8 } }, bars)
+    local picture = docs.picture(bars)
+    assert.truthy(picture:find(">pile-awake 1000</text>", 1, true), picture)
+    assert.truthy(picture:find("8.0×", 1, true))
   end)
 end)

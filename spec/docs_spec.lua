@@ -9,7 +9,8 @@ local GLOBALS = { "objects", "physics_load", "physics_update", "checkCollision",
 
 local function listPages()
   local pages = {}
-  local listing = assert(io.popen("ls *.md && find docs -name '*.md' | LC_ALL=C sort"))
+  local listing =
+    assert(io.popen("ls *.md bench/*.md spec/*.md && find docs -name '*.md' | LC_ALL=C sort"))
   for path in listing:lines() do
     pages[#pages + 1] = path
   end
@@ -242,7 +243,7 @@ describe("the check of links", function()
   for _, row in ipairs({
     { "nowhere.md", "no file docs/nowhere.md" },
     { "../nowhere.md", "no file nowhere.md" },
-    { "api.md#nothing", "no anchor" },
+    { "api/world.md#nothing", "no anchor" },
     { "#nothing", "no anchor" },
   }) do
     it("finds " .. row[1], function()
@@ -254,9 +255,9 @@ describe("the check of links", function()
   end
 
   it("allows what is there #files", function()
-    checkLink("docs/faq.md", "api.md#worldmove")
+    checkLink("docs/faq.md", "api/queries.md#worldmove")
     checkLink("docs/faq.md", "../README.md#install")
     checkLink("docs/faq.md", "../spec/")
-    checkLink("docs/guide/objects.md", "../api.md#field-oneway")
+    checkLink("docs/guide/objects.md", "../api/fields.md#field-oneway")
   end)
 end)

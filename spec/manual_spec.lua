@@ -27,31 +27,35 @@ local SOURCES = {
   { "physics/maps/tiles.lua", "Tiles" },
 }
 
-describe("docs/api.md", function()
-  local page = read("docs/api.md")
-
-  it("is what scripts/manual.lua writes", function()
-    assertSame(manual.text(), page)
-  end)
+describe("the reference", function()
+  local pages = manual.pages()
+  local text = {}
+  for path, page in pairs(pages) do
+    text[#text + 1] = page
+    it("has " .. path .. " as scripts/manual.lua writes it", function()
+      assertSame(page, read(path))
+    end)
+  end
+  local all = table.concat(text, "\n")
 
   it("has a heading for every function of the module and of worlds", function()
     local methods, count = getmetatable(physics.newWorld()).__index, 0
     for name, value in pairs(physics) do
       if type(value) == "function" then
         local place = methods[name] and "world:" or "physics."
-        assert.truthy(page:find("\n### " .. place .. name .. "\n", 1, true), place .. name)
+        assert.truthy(all:find("\n## " .. place .. name .. "\n", 1, true), place .. name)
         count = count + 1
       end
     end
-    local _, ofModule = page:gsub("\n### physics%.%l%w*\n\n`[^`\n]+%(", "")
-    local _, ofWorlds = page:gsub("\n### world:%l%w*\n\n`[^`\n]+%(", "")
+    local _, ofModule = all:gsub("\n## physics%.%l%w*\n\n`[^`\n]+%(", "")
+    local _, ofWorlds = all:gsub("\n## world:%l%w*\n\n`[^`\n]+%(", "")
     assert.equal(count, ofModule + ofWorlds)
     assert.is_true(count > 25)
   end)
 
   it("has an example for every function, and none for others", function()
     local headings = {}
-    for name in page:gmatch("\n### (%l+[:.]%l%w*)\n") do
+    for name in all:gmatch("\n## (%l+[:.]%l%w*)\n") do
       headings[name] = true
       assert.truthy(examples[name], "scripts/manual_examples.lua has none for " .. name)
     end
@@ -60,22 +64,10 @@ describe("docs/api.md", function()
     end
   end)
 
-  it("links every mention of a function in a sentence to its section", function()
-    local isCode, own = false, nil
-    for line in page:gmatch("[^\n]*") do
-      own = line:match("^### (%l+[:.]%w+)$") or own
-      isCode = line:find("^```") and not isCode or isCode and not line:find("^```")
-      if not isCode and not line:find("^[|#-]") then
-        for name in line:gmatch("[^%[]`(world:%l%w*)`[^%]]") do
-          assert.equal(own, name, line)
-        end
-      end
-    end
-  end)
-
   it("names the size of the grid's cells", function()
     local cell = physics.newWorld()._bodies.broadphase.cell
-    assert.truthy(page:find(("`cellSize` | `number` | %d | px"):format(cell), 1, true))
+    local page = pages["docs/api/settings.md"]
+    assert.truthy(page:find(("`cellSize` | px, > 0 | %d |"):format(cell), 1, true))
   end)
 
   -- Every default that is written as Lua is the one that a new world or object has.
@@ -83,8 +75,8 @@ describe("docs/api.md", function()
     it("has the default of each " .. kind, function()
       for _, field in ipairs(list) do
         local row = ('id="%s%%-%s"></a>'):format(kind, field.name:lower())
-          .. "`[^`]*` | `[^`]*` | ([^|\n]*) | [^|\n]* | [^\n]* |\n"
-        local default = assert(page:match(row), field.name)
+          .. "`[^`]*` | [^|\n]* | ([^|\n]*) | [^\n]* |\n"
+        local default = assert(all:match(row), field.name)
         local code = default:match("^`(.*)`$")
         if code then
           local value = snippets.compile("return " .. code, "=default", {})()
@@ -101,7 +93,7 @@ describe("docs/api.md", function()
     local count = 0
     for name, value in pairs(getmetatable(tiles).__index) do
       if type(value) == "function" then
-        assert.truthy(page:find("\n### tiles:" .. name .. "\n", 1, true), name)
+        assert.truthy(all:find("\n## tiles:" .. name .. "\n", 1, true), name)
         count = count + 1
       end
     end
@@ -109,14 +101,19 @@ describe("docs/api.md", function()
   end)
 
   it("has every counter of world.stats, and nothing that only the library reads", function()
-    local section = page:match("\n### physics%.Stats %(type%)\n(.-)\n### ")
+    local section = all:match("\n## physics%.Stats %(type%)\n(.-)\n## ")
     local world, count = physics.newWorld(), 0
     for name in pairs(world.stats) do
       assert.truthy(section:find("- `" .. name .. "` (`integer`): ", 1, true), name)
       count = count + 1
     end
     assert.equal(6, count)
-    assert.is_nil(page:find("world._", 1, true))
+    assert.is_nil(all:find("world._", 1, true))
+  end)
+
+  it("says errors that every function has only once", function()
+    assert.is_nil(all:find("Errors:** it is called from inside", 1, true))
+    assert.is_nil(all:find("; the filter cannot be used", 1, true))
   end)
 end)
 

@@ -1,6 +1,6 @@
 -- Draws the pictures of docs/guide/ with `world:draw`, one scene each:
 --
---   love scripts/pictures guide-motion build/guide-motion.png
+--   love scripts/pictures guide-contacts build/guide-contacts.png
 
 package.path = love.filesystem.getSource() .. "/../../?.lua;" .. package.path
 local scenes = require("scripts.pictures.scenes")

@@ -60,41 +60,6 @@ scenes["guide-objects"] = function()
   end
 end
 
--- The same throw with steps of three lengths: a dot at each step.
-scenes["guide-steps"] = function()
-  local runs = { { 1 / 20, BLUE, 7 }, { 1 / 60, ORANGE, 4 }, { 1 / 240, WHITE, 1.5 } }
-  local world
-  for _, run in ipairs(runs) do
-    world = physics.newWorld({ gravity = 800, maxStep = 0.25 })
-    addStatic(world, 0, 260, 720, 24)
-    local ball = addBox(world, 40, 228, 32, 32)
-    world:update(run[1])
-    ball.vx, ball.vy = 480, -560
-    love.graphics.setColor(run[2])
-    for _ = 1, math.floor(1.1 / run[1]) do
-      world:update(run[1])
-      if ball.touching.bottom then
-        ball.vx = 0
-      else
-        love.graphics.circle("fill", ball.x + 16, ball.y + 16, run[3])
-      end
-    end
-  end
-  world:draw()
-end
-
--- Velocities.
-scenes["guide-motion"] = function()
-  local world = physics.newWorld({ gravity = 800 })
-  addStatic(world, 0, 260, 720, 24)
-  for i = 0, 7 do
-    addBox(world, 40 + 60 * i, 228, 24, 24, { vx = 150 + 25 * i, vy = -480 + 20 * i })
-  end
-  addBox(world, 60, 60, 40, 24, { vx = 500, gravity = 0, airFriction = 1 })
-  play(world, 0.42)
-  world:draw({ velocity = true })
-end
-
 -- A pyramid and a box that leans on it.
 scenes["guide-contacts"] = function()
   local world = physics.newWorld({ gravity = 800 })
