@@ -118,7 +118,7 @@
 --- default none. Called once when `self` is held between `a` and `b`, neither of which can give
 --- way. `axis` is "x" or "y".
 ---@field onCrush? fun(self: physics.Object, a: physics.Object, b: physics.Object, axis: "x"|"y")
---- default always. Asked before a contact: `false` lets the pair pass through each other for this
+--- default always. Called before a contact: `false` lets the pair pass through each other for this
 --- step. It must not change the world.
 ---@field canCollide? fun(self: physics.Object, other: physics.Object, side: physics.Side): boolean?
 
@@ -149,9 +149,9 @@
 ---@field drag? number
 --- px/s², default 0. An acceleration towards the centre of the zone; a negative one repels.
 ---@field attract? number
---- default "constant". How `attract`, which it is at the rim, depends on the distance from the
---- centre: not at all, growing with it, as 1 / distance, or as 1 / distance². The rim is at half
---- of the smaller size. Within an eighth of that the pull falls to 0 at the centre.
+--- default "constant". `attract` is the pull at the rim. `law` says how it changes towards the
+--- centre: constant, in proportion to the distance, as 1 / distance, or as 1 / distance². The rim
+--- is at half of the smaller size. Within an eighth of that the pull falls to 0 at the centre.
 ---@field law? "constant"|"linear"|"inverse"|"square"
 
 --- What `newWorld` and `load` take.
@@ -214,7 +214,7 @@
 --- default none. Called once when an object is held between `a` and `b`, neither of which can give
 --- way.
 ---@field onCrush? fun(object: physics.Object, a: physics.Object, b: physics.Object, axis: "x"|"y")
---- default always. Asked before every contact: `false` lets the pair pass through each other for
+--- default always. Called before every contact: `false` lets the pair pass through each other for
 --- this step. It must not change the world.
 ---@field canCollide? fun(a: physics.Object, b: physics.Object, side: physics.Side): boolean?
 
@@ -278,7 +278,7 @@
 --- default none. Called once when an object is held between `a` and `b`, neither of which can give
 --- way.
 ---@field onCrush? fun(object: physics.Object, a: physics.Object, b: physics.Object, axis: "x"|"y")
---- default always. Asked before every contact: `false` lets the pair pass through each other for
+--- default always. Called before every contact: `false` lets the pair pass through each other for
 --- this step. It must not change the world.
 ---@field canCollide? fun(a: physics.Object, b: physics.Object, side: physics.Side): boolean?
 
@@ -297,7 +297,7 @@ local default = {}
 --- nothing.
 ---
 --- With `timestep` an update makes one step, several, or none. Code that must run once per step,
---- such as a jump buffer, belongs into `onStep`.
+--- such as a jump buffer, belongs in `onStep`.
 ---
 --- Errors: dt is not a number >= 0; a group, key, field or setting has a value that cannot be used
 --- (nothing has changed then); it is called from inside `canCollide`; a callback raises an error.
@@ -551,7 +551,7 @@ function default.save(out) end
 --- with fields or callbacks of its own a string key: `world.objects.enemies.boss = boss`. A group
 --- under numbers with another count of objects than in the state is named in the result.
 ---
---- Events that were still to come when the state was saved are told after `restore`, also about
+--- Events that were still to come when the state was saved follow after `restore`, also about
 --- objects that have left the world. In another world such an object is a new plain table.
 ---
 --- Errors: the value is not a state, or one of another version, or damaged; it is called from
@@ -562,8 +562,8 @@ function default.restore(saved) end
 
 --- Returns a whole number in 0..10^14 over everything that `save` holds. It is the same on every
 --- Lua. Two worlds with the same number continue in the same way (wrong once in 10^13). Use it for
---- replays, and to find the step in which two players' worlds began to differ. Your own fields
---- (`health`) are not in it: compare them beside it.
+--- replays, and to find the step in which two players' worlds began to differ. Of your own fields
+--- only those count that `ownFields` names.
 ---
 --- Errors: a field or setting that `update` would refuse; it is called from inside `canCollide`.
 ---@return number
