@@ -349,10 +349,8 @@ function docs.picture(bars)
   local axis = '<path d="M%d 0V%d" stroke="#7d8597"/>'
   lines[#lines + 1] = axis:format(MIDDLE, ROW * #bars + 8)
   local foot = ROW * #bars + 30
-  lines[#lines + 1] = ('<text x="%d" y="%d" text-anchor="middle">as fast as love.physics</text>'):format(
-    MIDDLE,
-    foot
-  )
+  local middle = '<text x="%d" y="%d" text-anchor="middle">as fast as love.physics</text>'
+  lines[#lines + 1] = middle:format(MIDDLE, foot)
   for _, tick in ipairs({ 0.1, 10, 100 }) do
     local x = MIDDLE + math.log(tick) / math.log(10) * DECADE
     local text = '<text x="%d" y="%d" text-anchor="middle">%s×</text>'

@@ -1,5 +1,5 @@
---- Writes the reference, docs/api.md and docs/api/, from the docstrings, physics/fields/fields.lua and
---- scripts/manual_examples.lua:
+--- Writes the reference, docs/api.md and docs/api/, from the docstrings,
+--- physics/fields/fields.lua and scripts/manual_examples.lua:
 ---
 ---   luajit scripts/manual.lua       writes the pages
 
@@ -16,26 +16,29 @@ local manual = {}
 local INDEX = [[
 # Reference
 
-Every public field, setting, function and type. `make docs` writes these pages from the source. Editors with LuaLS
-or EmmyLua annotations show the same texts while you type. The [guide](guide/index.md) explains the ideas.
+Every public field, setting, function and type. `make docs` writes these pages from the source.
+Editors with LuaLS or EmmyLua annotations show the same texts while you type. The
+[guide](guide/index.md) explains the ideas.
 
 - x grows to the right, y grows **down**. `x, y` is the top-left corner.
 - Lengths are in px, times in s, velocities in px/s, accelerations in px/s².
 - A `?` marks what you may leave out, and a result that may be nil.
-- Every method of a world is also a function of the module, for the default world: `physics.update(dt)`.
-- A wrong value raises an error at the line of your game, and nothing has changed. It names the place, the field,
-  what was expected and what was found.
-- Refused everywhere: NaN and infinity, sizes that are not above 0, an object that is not in the world, a filter or a
-  list `out` of a wrong type, and a change from inside `canCollide`. The entries list other errors only.
+- Every method of a world is also a function of the module, for the default world:
+  `physics.update(dt)`.
+- A wrong value raises an error at the line of your game, and nothing has changed. It names the
+  place, the field, what was expected and what was found.
+- Refused everywhere: NaN and infinity, sizes that are not above 0, an object that is not in the
+  world, a filter or a list `out` of a wrong type, and a change from inside `canCollide`. The
+  entries list other errors only.
 ]]
 
 local FIELDS = [[
-The fields of your tables that the library knows. Other fields are yours. The library writes `x, y, vx, vy` and
-`touching` of dynamic objects, and `x, y` of kinematic ones.
+The fields of your tables that the library knows. Other fields are yours. The library writes `x,
+y, vx, vy` and `touching` of dynamic objects, and `x, y` of kinematic ones.
 
 - Fields of dynamic and kinematic objects may change at any time.
-- A static object is read only once: after a change call `world:refresh`. `onBegin` and `onEnd` are read when they are
-  called.
+- A static object is read only once: after a change call `world:refresh`. `onBegin` and `onEnd`
+  are read when they are called.
 ]]
 
 local AREAS = [[
@@ -43,12 +46,14 @@ What the field `area` of a [zone](../guide/motion.md#zones) may hold.
 ]]
 
 local SETTINGS = [[
-Settings are given to `physics.newWorld` or `physics.load`. After that they are plain fields of the world:
-`world.gravity = 0`. To change `order` set another list; `masks` and `soft` may also be changed in place.
+Settings are given to `physics.newWorld` or `physics.load`. After that they are plain fields of
+the world: `world.gravity = 0`. To change `order` set another list; `masks` and `soft` may also be
+changed in place.
 ]]
 
 local WORLD = [[
-`local world = physics.newWorld(settings)`. The [settings](settings.md) are plain fields of a world, and so are these:
+`local world = physics.newWorld(settings)`. The [settings](settings.md) are plain fields of a
+world, and so are these:
 ]]
 
 local PURE = [[
@@ -56,16 +61,19 @@ Pure functions of the tutorial. They need no world.
 ]]
 
 local QUERIES = [[
-Queries change nothing, and you may call them anywhere. The [guide](../guide/queries.md) shows which one answers what.
+Queries change nothing, and you may call them anywhere. The [guide](../guide/queries.md) shows
+which one answers what.
 
-- `filter` says which objects count, default all: the name of a group, a list of names, or a function of the object.
+- `filter` says which objects count, default all: the name of a group, a list of names, or a
+  function of the object.
 - `out` is a list that is filled again in place of a new one.
 - Lists are in the order of the world, and come with their length `count`.
 ]]
 
 local TYPES = [[
-Names of types in the annotations. Your editor shows them; at run time they are plain tables. A class of your own is
-`---@class Player: physics.Object`. A local that is filled later is `local player ---@type physics.Object`.
+Names of types in the annotations. Your editor shows them; at run time they are plain tables. A
+class of your own is `---@class Player: physics.Object`. A local that is filled later is `local
+player ---@type physics.Object`.
 ]]
 
 local MAPS = [[
@@ -431,8 +439,8 @@ local function anchorOf(name)
   return "#" .. name:lower():gsub("[.:]", "")
 end
 
--- The place that each name in code leads to, "queries.md#worldraycast". A function is found under its
--- full name and, unless a field or setting has the same name, under the short one.
+-- The place that each name in code leads to, "queries.md#worldraycast". A function is found under
+-- its full name and, unless a field or setting has the same name, under the short one.
 local function targets()
   local found = {}
   for _, each in ipairs(functions()) do
@@ -458,8 +466,8 @@ local function targets()
   return found
 end
 
--- Makes links of the names and of the pages of docs/ in one line of a page; `own` is the anchor of the
--- section that the line is in. On the index the pages lie in a folder.
+-- Makes links of the names and of the pages of docs/ in one line of a page; `own` is the anchor of
+-- the section that the line is in. On the index the pages lie in a folder.
 local function linkLine(line, found, own, page)
   line = line:gsub("docs/([%l_/-]+)%.md", "[%1](../%1.md)")
   return (

@@ -7,7 +7,6 @@ local scenes = {}
 
 local DT = 1 / 60
 local WORDS = { 0.78, 0.8, 0.85 }
-local BLUE, ORANGE, WHITE = { 0.35, 0.62, 0.95 }, { 0.95, 0.55, 0.2 }, { 1, 1, 1 }
 
 local function play(world, seconds, each)
   for _ = 1, math.floor(seconds / DT + 0.5) do
