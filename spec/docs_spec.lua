@@ -129,10 +129,16 @@ for _, path in ipairs(PAGES) do
     end)
 
     local number = 0
-    for snippet in text:gmatch("\n```lua\n(.-)\n```\n") do
+    for before, snippet in text:gmatch("([^\n]*)\n```lua\n(.-)\n```\n") do
       number = number + 1
       local title = ("%d: %s"):format(number, snippet:match("[^\n]*"))
+      local program = before:match("^<!%-%- (steps/%w+%.lua) %-%->$")
       it("has a snippet that runs and prints what it says, " .. title, function()
+        if program then -- a part of a program, which is played below
+          local whole = snippets.read("docs/" .. program)
+          assert.truthy(whole:find(snippet, 1, true), "is not in " .. program)
+          return
+        end
         local environment, said, printed = snippets.run(snippet, SPEC)
         assert.same(said, printed)
         playCallbacks(environment)
@@ -158,7 +164,7 @@ for _, path in ipairs(PAGES) do
   end)
 end
 
-describe("the whole game of a page", function()
+describe("a step of a page", function()
   local loveBefore, held
 
   before_each(function()
@@ -169,20 +175,38 @@ describe("the whole game of a page", function()
     rawset(_G, "love", loveBefore)
   end)
 
-  --- Starts it. Returns its `love`, and a function that returns some of its locals.
-  local function start(path, peek)
-    local text = snippets.read(path):match("\n## A whole game.-\n```lua\n(.-)\n```\n")
+  --- Starts it. Returns its `love`, and its locals `player` and `world`.
+  local function start(name)
+    local text = snippets.read("docs/steps/" .. name .. ".lua")
     local environment = snippets.newEnvironment({}, held)
     rawset(_G, "love", environment.love)
-    text = ("%s\nreturn function() return %s end"):format(text, peek)
-    local look = snippets.compile(text, "=game", environment)()
+    local look =
+      snippets.compile(text .. "\nreturn function() return player, world end", "=step", environment)()
     environment.love.load()
-    return environment.love, look
+    local player, world = look()
+    return environment.love, player, world
   end
 
-  it("platformers: jumps as high as it says, stomps, and does not jump from an enemy", function()
-    local game, look = start("docs/platformers.md", "player, world")
-    local player, world = look()
+  for _, page in ipairs({ "platformer", "topdown" }) do
+    for step = 1, 7 do
+      it(page .. " " .. step .. " plays, and the page links it", function()
+        local game, player = start(page .. step)
+        local x = player.x
+        held.right = true
+        for _ = 1, 60 do
+          game.update(1 / 60)
+          game.draw()
+        end
+        local walks = page == "topdown" or step > 1
+        assert.equal(walks, player.x > x + 40)
+        local path = page == "topdown" and "docs/topdown.md" or "docs/platformers.md"
+        assert.truthy(snippets.read(path):find("](steps/" .. page .. step .. ".lua)", 1, true))
+      end)
+    end
+  end
+
+  it("platformer: jumps as high as it says, stomps, and does not jump from an enemy", function()
+    local game, player, world = start("platformer7")
     local function run(steps)
       local top = player.y
       for _ = 1, steps do
@@ -207,35 +231,53 @@ describe("the whole game of a page", function()
     assert.near(y - 300 * 300 / (2 * 1200), run(20), 0.5)
   end)
 
-  it(
-    "topdown: walks at its speed, also on the diagonal, shoots, and goes through the door",
-    function()
-      local game, look = start("docs/topdown.md", "player, world")
-      local player, world = look()
-      held.right, held.down = true, true
+  it("platformer: rides the lift, and dies in the spikes", function()
+    local game, player, world = start("platformer7")
+    local lift = world.objects.lifts[1]
+    player.x, player.y = lift.x + 30, lift.y - 40
+    for _ = 1, 60 do
       game.update(1 / 60)
-      assert.near(160, math.sqrt(player.vx * player.vx + player.vy * player.vy), 1e-9)
-      held.right, held.down = nil, nil
-      for _, enemy in ipairs(world.objects.enemies) do
-        enemy.active = false
-      end
-      local enemy = world.objects.enemies[1]
-      enemy.active, enemy.x, enemy.y = true, player.x + 100, player.y
-      for _ = 1, 3 do
-        game.keypressed("space")
-        for _ = 1, 20 do
-          game.update(1 / 60)
-        end
-      end
-      assert.equal(9, #world.objects.enemies)
-      assert.equal(0, #world.objects.bullets)
-      player.x, player.y, held.right = 260, 256, true -- the door is at 260
-      for _ = 1, 60 do
+    end
+    assert.equal(lift, player.touching.bottom)
+    player.x, player.y = 13.5 * 32, 180
+    for _ = 1, 60 do
+      game.update(1 / 60)
+    end
+    assert.equal(32, player.x)
+  end)
+
+  it("topdown: walks at its speed, shoots, goes through the door, takes gems", function()
+    local game, player, world = start("topdown7")
+    held.right, held.down = true, true
+    game.update(1 / 60)
+    assert.near(160, math.sqrt(player.vx * player.vx + player.vy * player.vy), 1e-9)
+    held.down = nil
+    game.update(1 / 60)
+    held.right = nil
+    for _, enemy in ipairs(world.objects.enemies) do
+      enemy.active = false
+    end
+    world.objects.crates[1].active = false
+    local enemy = world.objects.enemies[1]
+    enemy.active, enemy.x, enemy.y = true, player.x + 100, player.y
+    for _ = 1, 3 do
+      game.keypressed("space")
+      for _ = 1, 20 do
         game.update(1 / 60)
       end
-      assert.is_true(player.x > 324)
     end
-  )
+    assert.equal(9, #world.objects.enemies)
+    assert.equal(0, #world.objects.bullets)
+    for _ = 1, 120 do
+      game.update(1 / 60)
+    end
+    assert.equal(0, #world.objects.gems)
+    player.x, player.y, held.right = 260, 256, true -- the door is at 260
+    for _ = 1, 60 do
+      game.update(1 / 60)
+    end
+    assert.is_true(player.x > 324)
+  end)
 end)
 
 describe("the check of links", function()

@@ -372,27 +372,6 @@ recipes["Trains"] = function(snippet)
   end
 end
 
-recipes["Lifts"] = function(snippet)
-  local g = play(snippet)
-  local lift, top = g.world.objects.lifts[1], 400
-  g.player.y = 360
-  g.run(8, function()
-    top = math.min(top, lift.y)
-    if lift.y < 390 then
-      assert.equal(lift.y - 32, g.player.y)
-    end
-  end)
-  assert.near(200, top, 1.1)
-end
-
-recipes["Moving by hand"] = function(snippet)
-  local g = play(snippet, "coins")
-  g.run(2)
-  assert.equal(1, g.look())
-  assert.equal(200 - 24, g.player.x)
-  assert.equal(0, #g.world.objects.coins)
-end
-
 recipes["Camera"] = function(snippet)
   local g = play(snippet, "cameraX")
   local translated
@@ -414,20 +393,6 @@ recipes["Camera"] = function(snippet)
   g.player.x = 2990
   g.run(2)
   assert.near(2200, g.look(), 0.1)
-end
-
-recipes["Pause and slow motion"] = function(snippet)
-  local g = play(snippet)
-  g.player.vx = 60
-  g.press("p")
-  g.run(1)
-  assert.equal(40, g.player.x)
-  g.press("p")
-  g.run(1)
-  assert.near(100, g.player.x, 1e-9)
-  g.press("s")
-  g.run(1)
-  assert.near(115, g.player.x, 1e-9)
 end
 
 recipes["Network rollback"] = function(snippet)
@@ -796,23 +761,6 @@ recipes["A level from Tiled"] = function(snippet)
   assert.are_not.equal(slime, g.world.objects.Enemies[1])
 end
 
-recipes["Levels from LDtk"] = function(snippet)
-  local g = play(snippet, "level")
-  local cave = g.look()
-  assert.equal("Cave", cave.level.identifier)
-  assert.equal(16, g.player.x)
-  g.player.vx = 100
-  g.run(1)
-  assert.equal("Top", g.look().level.identifier)
-  assert.equal(1, #g.world.objects.Door)
-  assert.equal(1, #g.world.objects.Collisions)
-  assert.is_true(g.player.x >= 20)
-  g.player.vx = 100
-  g.run(0.5)
-  assert.equal("Cave", g.look().level.identifier)
-  assert.are_not.equal(cave, g.look())
-end
-
 recipes["Digging"] = function(snippet)
   local g = play(snippet)
   g.run(0.5)
@@ -859,129 +807,6 @@ recipes["Chunks"] = function(snippet)
   g.run(0.5)
   assert.equal(3, measure())
   assert.equal(deeper, (select(3, g.world:raycast(8000, 300, 8000, 900)))) -- it is still dug
-end
-
-recipes["Survivors"] = function(snippet)
-  local g = play(snippet, "killed, gems")
-  local world, player = g.env.world, g.env.player
-  world.checked = true
-  g.run(8)
-  local killed, gems = g.look()
-  assert.is_true(killed >= 10 and gems >= 5)
-  local enemies = #world.objects.enemies
-  assert.is_true(enemies > 290 and enemies <= 300) -- the next update replaces what was just hit
-  assert.near(800, player.x, 1)
-  g.press("right")
-  local x = player.x
-  g.run(2)
-  assert.is_true(player.x - x > 60 and player.x - x < 360)
-end
-
-recipes["Magnet pick-ups"] = function(snippet)
-  local g = play(snippet, "purse")
-  g.run(2)
-  assert.equal(1, g.look())
-  assert.equal(1, #g.world.objects.coins)
-  g.player.x = g.world.objects.coins[1].x - 100
-  g.run(1)
-  assert.equal(2, g.look())
-end
-
-recipes["Knock-back of a crowd"] = function(snippet)
-  local g = play(snippet)
-  g.run(0.1)
-  local places = {}
-  for n, enemy in ipairs(g.world.objects.enemies) do
-    places[n] = enemy.x
-  end
-  g.press("e")
-  g.run(0.3)
-  local thrown = 0
-  for n, enemy in ipairs(g.world.objects.enemies) do
-    thrown = thrown + (enemy.x - places[n] > 60 and 1 or 0)
-  end
-  assert.is_true(thrown >= 5)
-  g.run(3)
-  for _, enemy in ipairs(g.world.objects.enemies) do
-    assert.is_true(enemy.vx <= 0)
-  end
-end
-
-recipes["A boss in a crowd"] = function(snippet)
-  local g = play(snippet, "boss")
-  local boss = g.look()
-  g.run(2)
-  assert.near(500 - 2 * 45, boss.x, 1e-6)
-  g.player.x, g.player.y = boss.x - 40, boss.y
-  local x = boss.x
-  g.run(0.5, function()
-    g.player.vx = 200
-  end)
-  assert.is_true(boss.x <= x)
-end
-
-recipes["Sliding doors"] = function(snippet)
-  local g = play(snippet, "door")
-  local door = g.look()
-  g.run(1)
-  assert.equal(340, door.y)
-  g.player.y = 350
-  local function walk()
-    g.player.vx = 100
-  end
-  g.run(1.2, walk)
-  assert.is_true(door.y < 340)
-  g.run(1.3, walk)
-  assert.is_true(g.player.x > 212)
-  g.run(1.5, walk)
-  assert.near(340, door.y, 1e-6)
-end
-
-recipes["Explosion"] = function(snippet)
-  local g = play(snippet, "blast")
-  g.run(0.1)
-  local count = g.look()(200, 350)
-  assert.is_true(count >= 4 and count < 12) -- some are behind the wall
-  assert.is_true(#g.world.objects.enemies < 12)
-  for _, enemy in ipairs(g.world.objects.enemies) do
-    assert.equal(enemy.x < 260, enemy.health < 4)
-  end
-end
-
-recipes["Crates on ice"] = function(snippet)
-  local g = play(snippet, "crate")
-  local crate = g.look()
-  g.run(0.3, function()
-    g.player.vx = 160
-  end)
-  g.player.vx = 0
-  local x = crate.x
-  g.run(1)
-  assert.is_true(crate.x < 160 and crate.x - x < 20) -- it stops on the floor
-  g.run(3, function()
-    g.player.vx = crate.x < 170 and 160 or 0
-  end)
-  assert.near(500 - 24, crate.x, 1) -- on the ice it slides to the wall
-end
-
-recipes["Round enemies"] = function(snippet)
-  local g = play(snippet)
-  g.run(12)
-  local near = 0
-  for _, enemy in ipairs(g.world.objects.enemies) do
-    local dx, dy = g.player.x + 12 - enemy.x - 8, g.player.y + 16 - enemy.y - 8
-    near = near + (dx * dx + dy * dy < 90 * 90 and 1 or 0)
-    assert.same({}, { (next((g.world:overlapping(enemy, "walls")))) })
-  end
-  assert.equal(20, near)
-end
-
-recipes["Damage in a soft crowd"] = function(snippet)
-  local g = play(snippet)
-  g.run(2)
-  assert.equal(10, g.player.health)
-  g.run(3)
-  assert.is_true(g.player.health < 9 and g.player.health > 2)
 end
 
 recipes["Minimap"] = function(snippet)

@@ -1,0 +1,28 @@
+-- Step 1: walk in all directions
+
+local physics = require "physics"
+local world, player
+local SPEED = 160 -- px/s
+
+function love.load()
+  world = physics.newWorld { gravity = 0, checked = true }
+  world:setBounds(0, 0, 800, 600)
+  player = world:add("players", { x = 100, y = 100, width = 28, height = 28 })
+end
+
+local function control()
+  local isDown = love.keyboard.isDown
+  local dx = (isDown("right") and 1 or 0) - (isDown("left") and 1 or 0)
+  local dy = (isDown("down") and 1 or 0) - (isDown("up") and 1 or 0)
+  local length = math.max(1, math.sqrt(dx * dx + dy * dy)) -- not faster on the diagonal
+  player.vx, player.vy = SPEED * dx / length, SPEED * dy / length
+end
+
+function love.update(dt)
+  control()
+  world:update(dt)
+end
+
+function love.draw()
+  world:draw()
+end
