@@ -304,11 +304,9 @@ local default = {}
 ---@param dt number s, >= 0
 function default.update(dt) end
 
---- Puts an object at the end of a group and returns it. A group that does not exist is made.
----
---- It does the same as `table.insert(world.objects[group], object)`, and more. It checks the fields
---- at once and gives a dynamic object its `vx`, `vy` and `touching`. An object that was removed
---- since the last update is read again.
+--- Puts an object at the end of a group and returns it. A group that does not exist is made. It does
+--- the same as `table.insert(world.objects[group], object)`, and checks the fields at once and gives
+--- a dynamic object its `vx`, `vy` and `touching`.
 ---
 --- Errors: the group is not a string or a number; the object is not a table; a field has a value
 --- that cannot be used; the object is already in the world. Nothing has changed then. (An object
@@ -320,12 +318,8 @@ function default.update(dt) end
 function default.add(group, object) end
 
 --- Takes an object out of the world, that is out of its group's table. Its contacts end with
---- `onEnd` at the next update. An object that is added again before that update has never been
---- away.
----
---- Later objects of the group move up one place, as with `table.remove`. Inside a loop go
---- backwards, `for i = #group, 1, -1 do`, or loop over the list that a query returns. A forward
---- `ipairs` over the group would skip the object after each removed one.
+--- `onEnd` at the next update. Later objects of the group move up one place: inside a loop go
+--- backwards, `for i = #group, 1, -1 do`, or loop over the list that a query returns.
 ---
 --- Errors: the object is not a table.
 ---@param object physics.NewObject the object to remove
@@ -335,17 +329,15 @@ function default.remove(object) end
 --- Reads an object again, also the fields that are read only once: `static`, and all fields of a
 --- static object. Call it after changing one of these by hand. Queries see the change at once.
 ---
---- On a kinematic object it also means "it is there now": without `refresh` an object gets to
---- the `x, y` that you write during the next step, and pushes what is in its way.
+--- On a kinematic object it also means "it is there now". Without `refresh` it gets to the `x, y`
+--- that you write during the next step, and pushes what is in its way.
 ---
 --- Errors: the object is not a table, or not in the world; a field has a value that cannot be used.
 ---@param object physics.NewObject the object that you changed
 function default.refresh(object) end
 
---- Lets an object fall through the one-way objects that it stands on. It passes through them until
---- it is clear of them. Until then no other one-way object holds it, so it falls through a whole
---- bridge of planks or slopes. If it also stands on something solid, it stays there, although the
---- result is true; it passes through the one-way objects when it leaves the solid one.
+--- Lets an object fall through the one-way objects that it stands on, and through others on its
+--- way, until it is clear of them. If it also stands on something solid, it stays there.
 ---
 --- Errors: the object is not a table, or not in the world.
 ---@param object physics.NewObject the object that stands on them
@@ -353,21 +345,18 @@ function default.refresh(object) end
 function default.dropThrough(object) end
 
 --- Moves one object to (x, y) now, with collisions and without physics. It writes `object.x` and
---- `object.y`, pushes nothing and changes no velocity.
----
---- Static, kinematic and dynamic objects are in its way. Masks, `active` and `oneWay` hold as in a
---- step; `canCollide` is not called. The object never ends inside a solid one, unless it was inside
---- that one before: an object that it overlaps at the start is reported and crossed.
+--- `object.y`, pushes nothing and changes no velocity. Masks, `active` and `oneWay` hold as in a
+--- step; `canCollide` is not called. An object that it overlaps at the start is reported and
+--- crossed, and so are sensors.
 ---
 ---     "slide"    goes on along the side that it hit (default)
 ---     "touch"    stays where it hit
 ---     "cross"    goes through
 ---     "bounce"   goes on mirrored
 ---
---- The response may be a function(object, other) that returns one of these names for each hit (nil:
---- "slide"), or false, as if `other` were not there. It must not change the world. Sensors are
---- crossed whatever the response. An inactive object moves without collisions. The move ends after
---- 64 hits.
+--- The response may be a function(object, other) that returns one of these names for each hit. It
+--- may return nil for "slide", or false, as if `other` were not there. The move ends after 64 hits.
+---
 --- Source: the responses are those of bump.lua (E. García Cota).
 ---
 --- Errors: the object is not a table, not in the world, or static; a number is not finite; the
@@ -393,12 +382,9 @@ function default.move(object, x, y, response, out) end
 ---@param iy number px/s times mass, along y
 function default.impulse(object, ix, iy) end
 
---- Moves the whole world by (dx, dy): every object, active or not, and the tiles of its maps. No
---- callback is called, and riders, contacts and velocities stay as they are. So a level may wrap
---- around, or the player stay near the origin. Move your camera by the same way.
----
---- The coordinates are sums, so they round: choose a whole number of px. A state that was saved
---- before belongs to the old place.
+--- Moves the whole world by (dx, dy), so that the player stays near the origin. No callback is
+--- called, and riders, contacts and velocities stay as they are. Coordinates round: choose whole px.
+--- A state that was saved before belongs to the old place.
 ---
 --- Errors: a number is not finite; an object would be too far away, or has a field that cannot be
 --- used (nothing has moved then); it is called from inside `canCollide`.
@@ -407,13 +393,8 @@ function default.impulse(object, ix, iy) end
 function default.shift(dx, dy) end
 
 --- Pushes all dynamic objects in a circle away from its centre, also sensors. At the centre an
---- object gets the whole impulse, at the rim nothing; in between it is less with the distance of
---- the nearest point of the object. The push is towards the middle of the object, or straight up
---- if that is the centre.
----
---- With `walls` only objects in sight are pushed: those that nothing of `walls` hides from the
---- centre. It is a filter as for `raycast`, for instance the name of a group. Inside a wall an
---- explosion pushes only that wall, if it is dynamic.
+--- object gets the whole impulse, at the rim nothing; in between it depends on the nearest point of
+--- the object. With `walls` only objects in sight of the centre are pushed.
 ---
 --- Errors: a number is not finite; the radius is <= 0; a filter cannot be used; `vx`, `vy` or
 --- `mass` of an object cannot be used; it is called from inside `canCollide`. Nothing has changed
@@ -429,12 +410,8 @@ function default.shift(dx, dy) end
 function default.explode(x, y, radius, impulse, filter, walls) end
 
 --- Puts four static walls around a rectangle: `top`, `bottom`, `left` and `right` of the group
---- `bounds`. You may give them `friction` and other fields before the next update. A second call
---- replaces the walls; a call without arguments removes them.
----
---- The lower wall is a floor. A level with pits needs a rectangle that is higher than the level, so
---- that the player falls out of sight. Filters and masks that name only your own walls leave
---- `bounds` out.
+--- `bounds`. A second call replaces the walls; a call without arguments removes them. The lower wall
+--- is a floor, so give a level with pits a higher rectangle.
 ---
 --- Errors: a number is not finite; a size is <= 0; the game uses one of these names for something
 --- else; it is called from inside `canCollide`.
@@ -446,22 +423,8 @@ function default.setBounds(x, y, w, h) end
 
 --- Adds the objects of a map of the editor Tiled, and its solid tiles, merged into few large
 --- rectangles. The map is its Lua export (the table, or the path of the file), or the table that
---- STI makes of it. The map is not changed, and nothing is drawn. See docs/maps.md for all of it.
----
---- - The name of a layer is the group of its objects. Properties of an object are its fields.
----   Fields that the library knows are also taken from its tile, its layer and the layers around
----   it; the nearest one counts.
---- - `solid = true` (or `collidable`) on an object, a tile, a layer or a group of layers makes it
----   static, and `solid = false` leaves it out. The name of a layer (walls, collision, colliders,
----   solid, ground, platforms) does the same as `solid = true`, unless an option or a property says
----   otherwise. A tile is also solid if it has collision rectangles.
---- - Points are in `level.points`, lines in `level.lines`. Tile objects about which the map says
----   nothing are decoration, and not in the world.
----
---- Not supported, and listed in `unsupported` of the result: maps that are not orthogonal, objects
---- that are turned by other than quarters, polygons with other than level and upright edges,
---- ellipses that are no circles, capsules, texts, parallax, layers and tilesets that cannot be
---- read, and properties with values that cannot be used.
+--- STI makes of it. The map is not changed, and nothing is drawn. Parts that are not supported are
+--- listed in `unsupported` of the result. See docs/maps.md.
 ---
 --- Errors: the map or the file does not exist; an unknown option; an option names a layer or a gid
 --- that is not in the map; a layer in `solidLayers` cannot be read; a gid belongs to no tileset; a
@@ -473,15 +436,11 @@ function default.setBounds(x, y, w, h) end
 function default.loadTiled(map, options) end
 
 --- Adds the tiles of a plain array. Each solid cell is static. Equal cells are merged into few
---- large objects, which changes no motion. One-way cells merge only along their solid side; sensors
---- and cells that move do not merge, unless their field `merge` says so. The result can change the
---- tiles: `tiles:setTile(column, row, value)`, `tiles:load()`, `tiles:unload()`.
+--- large objects, which changes no motion. See docs/maps.md.
 ---
---- The cells are one list, row by row, or a list of rows (`cells[row][column]`). A row may be a
---- string (`"##..#"`): each character is a cell. For a list of rows `columns` is nil, and a short
---- row ends with empty cells. Columns and rows are counted from 1. The cells are copied, so change
---- them with `setTile`, too. Each object has the field `tile` with its `tiles`, `column`, `row`,
---- `columns`, `rows` and `value`.
+--- The cells are one list, row by row, or a list of rows (`cells[row][column]`), for which `columns`
+--- is nil. A row may be a string (`"##..#"`): each character is a cell. Columns and rows are counted
+--- from 1. The cells are copied, so change them with `setTile`, too.
 ---
 --- Errors: the group is not a name, or is an object; the cells are not a list; a list of values
 --- ends within a row; a row is longer than `columns`; a cell is not a number, string or boolean;
@@ -496,13 +455,9 @@ function default.loadTiled(map, options) end
 ---@diagnostic disable-next-line: redefined-local
 function default.addTiles(group, cells, columns, size, options) end
 
---- Adds a level of the editor LDtk: the solid cells of its IntGrid layers, merged into few large
---- static objects, and its entities with their fields. Any JSON library decodes the project. The
+--- Adds a level of the editor LDtk: the solid cells of its IntGrid layers as few large static
+--- objects, and its entities with their fields. Any JSON library decodes the project. The
 --- project is not changed, and nothing is drawn. See docs/maps.md.
----
---- Cells are in the group of the identifier of their layer, entities in the group of their own
---- identifier. The fields `solid`, `group` and all fields of objects mean what they mean in a map
---- from Tiled.
 ---
 --- Errors: the project or the level does not exist; the layers of the level are in another file; an
 --- unknown option; an option names a layer or value that the level does not have; a part is
@@ -514,20 +469,13 @@ function default.addTiles(group, cells, columns, size, options) end
 ---@return physics.LDtkLevel level the objects that were added, counts, and what is not supported
 function default.loadLDtk(project, level, options) end
 
---- Returns everything that a future step depends on, as a plain table that any serializer can
---- write: numbers, strings, booleans and tables, without functions, cycles and infinities. After
---- `restore` the run continues with the same bits, also in another process and on another Lua.
+--- Returns everything that a future step depends on, as a plain table of numbers, strings, booleans
+--- and tables. After `restore` the run continues with the same bits, also in another process and on
+--- another Lua. See docs/state.md.
 ---
---- - Saved: the objects with the fields that the library knows, the settings that change results,
----   contacts, riders, saved-up time, and events that an error in a callback has delayed.
---- - Not saved: functions (callbacks, `canCollide`), your own fields but for those that the setting
----   `ownFields` names, and the settings `broadphase`, `cellSize`, `rest`, `checked` and
----   `ownFields`.
---- - Of a static object it is what `update` has read: call `refresh` after changing one.
----
---- A state also holds what you have written since the last step. For rollback save before you write
---- the input of a step: a late input must not find the guessed one in the state. A state that is
---- saved inside a callback holds the events that are still to come, without the current one.
+--- Functions are not saved, nor your own fields but for those that `ownFields` names. Of a static
+--- object it is what `update` has read: call `refresh` after changing one. A state that is saved
+--- inside a callback holds the events that are still to come, without the current one.
 ---
 --- Errors: a field or setting that `update` would refuse; a field of your own in `ownFields` that
 --- is a function, infinite, or the like; `out` is not a table; it is called from inside
@@ -539,20 +487,12 @@ function default.save(out) end
 --- Makes this world what it was when the state was saved. The jump itself calls no callback.
 ---
 --- Objects that were added since then leave their groups, removed ones come back, and all get their
---- saved fields. The tables of groups stay the same. Groups that are not in the state are emptied.
---- Your own fields are not touched, but for those that the setting `ownFields` named.
----
---- - A state of this same world, in the same table: each object is the very table that it was. Your
----   references, callbacks and own fields stay with it.
---- - A state from elsewhere (a file, the network, another world): it is applied by group and key. A
----   new plain table, without callbacks, is made for each object that is missing.
----
---- Numbered keys shift when an object is removed. So, for states from elsewhere, give an object
---- with fields or callbacks of its own a string key: `world.objects.enemies.boss = boss`. A group
---- under numbers with another count of objects than in the state is named in the result.
+--- saved fields. Groups that are not in the state are emptied. In this same world each object is
+--- the very table that it was. A state from elsewhere is applied by group and key; a missing object
+--- becomes a new plain table, without callbacks.
 ---
 --- Events that were still to come when the state was saved follow after `restore`, also about
---- objects that have left the world. In another world such an object is a new plain table.
+--- objects that have left the world.
 ---
 --- Errors: the value is not a state, or one of another version, or damaged; it is called from
 --- inside `canCollide`. Nothing has changed then.
@@ -595,8 +535,7 @@ function default.queryPoint(x, y, filter, out) end
 ---@return integer count
 function default.queryRect(x, y, w, h, filter, out) end
 
---- Returns all objects that overlap a circle by more than 1e-6 px, and how many: those of which a
---- point is nearer to the centre than the radius. With the setting `sideBySide` objects that are
+--- Returns all objects that overlap a circle by more than 1e-6 px, and how many. With the setting `sideBySide` objects that are
 --- flush with it count, too.
 --- Source: the point of a box that is nearest to the centre.
 ---
@@ -623,12 +562,11 @@ function default.queryCircle(x, y, radius, filter, out) end
 ---@return number distance px, from the point to the edge, 0: inside
 function default.nearest(x, y, radius, filter) end
 
---- Returns whether a box of that place and size would be free: may it stand up here, is there room
---- to appear? Solid objects are in the way, if they overlap the box by more than 1e-6 px. Sensors,
---- one-way objects and inactive objects are not.
+--- Returns whether a box of that place and size would be free. Solid objects are in the way, if they
+--- overlap the box by more than 1e-6 px. Sensors, one-way objects and inactive objects are not.
 ---
---- In place of the filter you may give the object that would be there. Then it is not in its own
---- way, nor is what its mask, theirs or the world's lets it pass.
+--- In place of the filter you may give the object that would be there. Then its mask counts, and it
+--- is not in its own way.
 ---
 --- Errors: a number is not finite; a size is <= 0; the filter cannot be used, or is an object that
 --- is not in the world.
@@ -683,12 +621,11 @@ function default.querySegment(x1, y1, x2, y2, filter, out) end
 function default.raycast(x1, y1, x2, y2, filter) end
 
 --- Returns what would stop an object on its way by (dx, dy), and where the object would be then.
---- Nothing moves. `sweep(object, 0, -10)` answers "may it grow by 10 px upwards?".
+--- Nothing moves.
 ---
 --- Solid objects stop it, unless its mask, theirs or the world's says otherwise; one-way objects
 --- stop it on their solid side; sensors do not. `canCollide` is not called. An object that overlaps
---- it already is hit at fraction 0 with the normal 0, 0. An object that is flush beside its way is
---- not hit.
+--- it already is hit at fraction 0 with the normal 0, 0.
 ---
 --- Errors: the object is not a table, or not in the world; a distance is not a finite number; the
 --- filter cannot be used.
@@ -705,11 +642,8 @@ function default.raycast(x1, y1, x2, y2, filter) end
 function default.sweep(object, dx, dy, filter) end
 
 --- Returns all objects that overlap an object by more than 1e-6 px, and how many; masks play no
---- part. An object with a `radius` is the circle, not its square. With the setting `sideBySide`
---- objects that are flush with it count, too. An inactive object overlaps nothing.
----
---- Test the number, `count > 0`: an empty list is true in Lua. Removing objects while you loop over
---- the list is safe.
+--- part. With the setting `sideBySide` objects that are flush with it count, too. Removing objects
+--- while you loop over the list is safe.
 ---
 --- Errors: the object is not a table, or not in the world; the filter cannot be used; `out` is not
 --- a table.
@@ -720,12 +654,10 @@ function default.sweep(object, dx, dy, filter) end
 ---@return integer count
 function default.overlapping(object, filter, out) end
 
---- Returns what an object stands on, as the last step has left it, and how steep that is under it:
---- for a sprite that turns with the ground, `math.atan(gradient)`.
----
---- The gradient is in px along y for each px along x: -0.5 on a slope that rises to the right by 1
---- px in 2, 0 on everything that is level. Where gravity acts sideways it is px along x for each px
---- along y.
+--- Returns what an object stands on, as the last step has left it, and how steep that is. A sprite
+--- that leans with the ground turns by `math.atan(gradient)`. The gradient is in px along y for each
+--- px along x. It is -0.5 on a slope that rises to the right by 1 px in 2. Where gravity acts sideways
+--- both axes change places.
 ---
 --- Errors: the object is not a table, or not in the world.
 ---@param object physics.NewObject a dynamic object
@@ -769,26 +701,19 @@ function default.touching(a, b) end
 ---@return string sentence
 function default.explain(a, b) end
 
---- Draws the world as the physics sees it (LÖVE only). Static objects are slate grey, kinematic
---- ones blue, dynamic ones red (lilac at rest), sensors have a green outline, inactive objects are
---- faint. The solid side of a one-way object is yellow, sides that touch are light.
----
---- The colours can be seen on dark and on light ground. It draws with your transform, and leaves
---- colour, font and transform as they were. It draws at `x, y`, also with a `timestep`: what you
---- draw at `interpolate` is up to one step behind it.
+--- Draws the world as the physics sees it (LÖVE only), with your transform. It leaves colour, font
+--- and transform as they were. It draws at `x, y`, also with a `timestep`. Static objects are slate
+--- grey, kinematic ones blue, dynamic ones red (lilac at rest). Sensors have a green outline,
+--- inactive objects are faint, the solid side of a one-way object is yellow.
 ---
 --- Errors: an unknown option, or a wrong value for one; there is no `love.graphics`.
 ---@param options physics.DrawOptions? what to show
 function default.draw(options) end
 
---- Returns where to draw an object between two fixed steps (`timestep`): on the way from its place
---- before the last step to its place now, by the share `world.alpha`. Returns `object.x, object.y`
+--- Returns where to draw an object between two fixed steps (`timestep`). That is on the way from its
+--- place before the last step to its place now, by the share `world.alpha`. Returns `object.x, object.y`
 --- if there is no `timestep`, and for an object that is new, static, not active, or was put
 --- somewhere by the game.
----
---- A loop of your own, as for rollback, sets `timestep`, too. `world:update(world.timestep)` is
---- then exactly one step, and sets `world.alpha` to 0. After its last step the loop writes
---- `world.alpha`.
 ---
 --- Errors: the object is not a table.
 ---@param object physics.NewObject the object to draw

@@ -27,9 +27,9 @@ Editors with LuaLS or EmmyLua annotations show the same texts while you type. Th
   `physics.update(dt)`.
 - A wrong value raises an error at the line of your game, and nothing has changed. It names the
   place, the field, what was expected and what was found.
-- Refused everywhere: NaN and infinity, sizes that are not above 0, an object that is not in the
-  world, a filter or a list `out` of a wrong type, and a change from inside `canCollide`. The
-  entries list other errors only.
+- Refused everywhere: NaN and infinity, sizes that are not above 0, and a change from inside
+  `canCollide`. So are objects that are not in the world, and a filter or a list `out` of a wrong
+  type. The entries list other errors only.
 ]]
 
 local FIELDS = [[
@@ -202,6 +202,13 @@ local HIDDEN = {
 
 -- Texts of parameters and results that the head of the index or of a page says once.
 local KNOWN = {
+  ["px"] = true,
+  ["the object"] = true,
+  ["an object of the world"] = true,
+  ["one of the two"] = true,
+  ["the other one"] = true,
+  ["a dynamic object"] = true,
+  ["which objects are pushed, default all"] = true,
   ["which objects count, default all"] = true,
   ["list to fill, default a new one"] = true,
   ["in the order of the world"] = true,

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Finds words for persons where objects are meant: an object is "it" (CONTRIBUTING.md, "Words").
+# Finds words for persons where objects are meant: an object is "it" (CONTRIBUTING.md, "Words"). In
+# README.md and docs/ it also finds long sentences (scripts/sentences.lua).
 #
 #   scripts/words.sh             every page, script, example and Lua file that is kept in git
 #   scripts/words.sh FILE...     only these files
@@ -40,7 +41,11 @@ find_words() {
   done
 }
 
-is_clean() { [ -z "$(find_words "$1")" ]; }
+is_page() { [[ "$1" == README.md || "$1" == docs/*.md ]]; }
+
+find_sentences() { [ $# -eq 0 ] || luajit scripts/sentences.lua "$@" || true; }
+
+is_clean() { [ -z "$(find_words "$1")" ] && { ! is_page "$1" || [ -z "$(find_sentences "$1")" ]; }; }
 
 if [ "${1:-}" = --tidy ]; then
   while IFS= read -r file; do
@@ -63,12 +68,16 @@ else
   [ "${#files[@]}" -gt 0 ] || report "git lists no files here"
 fi
 
+pages=()
 for file in "${files[@]}"; do
   if [ -f "$file" ] && ! grep -qxF -- "$file" "$NOT_YET"; then
     found=$(find_words "$file")
     [ -z "$found" ] || report "$found"
+    ! is_page "$file" || pages+=("$file")
   fi
 done
+found=$(find_sentences "${pages[@]}")
+[ -z "$found" ] || report "$found"
 
 while IFS= read -r file; do
   if [ ! -f "$file" ]; then

@@ -180,8 +180,11 @@ describe("a step of a page", function()
     local text = snippets.read("docs/steps/" .. name .. ".lua")
     local environment = snippets.newEnvironment({}, held)
     rawset(_G, "love", environment.love)
-    local look =
-      snippets.compile(text .. "\nreturn function() return player, world end", "=step", environment)()
+    local look = snippets.compile(
+      text .. "\nreturn function() return player, world end",
+      "=step",
+      environment
+    )()
     environment.love.load()
     local player, world = look()
     return environment.love, player, world

@@ -1,0 +1,83 @@
+--- Finds long sentences and phrases to avoid in pages: CONTRIBUTING.md, "Words".
+---
+---   luajit scripts/sentences.lua README.md docs/*.md     prints FILE:LINE: what, and fails if any
+---
+--- A sentence ends at a full stop, a semicolon or the end of its paragraph or list item. Code,
+--- tables and headings are left out; a span of code counts as one word.
+
+local MOST = 25 -- words
+
+-- What is not said, and what is written in its place. As patterns of Lua, in small letters.
+local PHRASES = {
+  { "%f[%w]told%f[%W]", "gets, or is called" },
+  { "asked before", "called before" },
+  { "belongs? into", "belongs in" },
+  { "what it leaves", "name the thing" },
+  { "%f[%w]round machine", "kinematic circle" },
+  { "a machine presse?[sd]", "a kinematic object" },
+}
+
+local function countWords(sentence)
+  local count = 0
+  for word in sentence:gmatch("%S+") do
+    count = count + (word:find("%w") and 1 or 0)
+  end
+  return count
+end
+
+-- Removes marks and addresses, so that words are left.
+local function plain(text)
+  text = text:gsub("``.-``", "code"):gsub("`[^`]*`", "code")
+  text = text:gsub("!%[[^%]]*%]%b()", ""):gsub("%[([^%]]*)%]%b()", "%1")
+  return (text:gsub("<[^>]*>", ""):gsub("[*_]+", ""))
+end
+
+-- Calls report(line, message) for each sentence of a paragraph that is too long, and each phrase.
+local function checkParagraph(text, line, report)
+  text = plain(text)
+  for sentence in (text .. " "):gmatch('(.-)[.?!;]%f[%s)"]') do
+    local count = countWords(sentence)
+    if count > MOST then
+      report(line, ("%d words: %s …"):format(count, sentence:match("^%s*(.-)$"):sub(1, 60)))
+    end
+  end
+  local small = text:lower()
+  for _, phrase in ipairs(PHRASES) do
+    if small:find(phrase[1]) then
+      report(line, ('"%s": %s'):format(small:match(phrase[1]), phrase[2]))
+    end
+  end
+end
+
+local function checkPage(path, report)
+  local paragraph, first, isCode, number = {}, 1, false, 0
+  local function finish()
+    if #paragraph > 0 then
+      checkParagraph(table.concat(paragraph, " "), first, report)
+      paragraph = {}
+    end
+  end
+  for line in io.lines(path) do
+    number = number + 1
+    local isFence = line:find("^%s*```")
+    local isBreak = isFence or isCode or line:find("^%s*$") or line:find("^[|#]")
+    if isBreak or line:find("^%s*[-*] ") or line:find("^%s*%d+%. ") or line:find("^    ") then
+      finish()
+      first = number
+    end
+    if not isBreak and not line:find("^    ") then
+      paragraph[#paragraph + 1] = line:match("^%s*[-*]%s+(.*)$") or line
+    end
+    isCode = isFence and not isCode or not isFence and isCode
+  end
+  finish()
+end
+
+local found = 0
+for _, path in ipairs(arg) do
+  checkPage(path, function(line, message)
+    found = found + 1
+    print(("%s:%d: %s"):format(path, line, message))
+  end)
+end
+os.exit(found == 0 and 0 or 1)
