@@ -304,9 +304,9 @@ local default = {}
 ---@param dt number s, >= 0
 function default.update(dt) end
 
---- Puts an object at the end of a group and returns it. A group that does not exist is made. It does
---- the same as `table.insert(world.objects[group], object)`, and checks the fields at once and gives
---- a dynamic object its `vx`, `vy` and `touching`.
+--- Puts an object at the end of a group and returns it. A group that does not exist is made. It
+--- does the same as `table.insert(world.objects[group], object)`, and checks the fields at once and
+--- gives a dynamic object its `vx`, `vy` and `touching`.
 ---
 --- Errors: the group is not a string or a number; the object is not a table; a field has a value
 --- that cannot be used; the object is already in the world. Nothing has changed then. (An object
@@ -383,8 +383,8 @@ function default.move(object, x, y, response, out) end
 function default.impulse(object, ix, iy) end
 
 --- Moves the whole world by (dx, dy), so that the player stays near the origin. No callback is
---- called, and riders, contacts and velocities stay as they are. Coordinates round: choose whole px.
---- A state that was saved before belongs to the old place.
+--- called, and riders, contacts and velocities stay as they are. Coordinates round: choose whole
+--- px. A state that was saved before belongs to the old place.
 ---
 --- Errors: a number is not finite; an object would be too far away, or has a field that cannot be
 --- used (nothing has moved then); it is called from inside `canCollide`.
@@ -410,8 +410,8 @@ function default.shift(dx, dy) end
 function default.explode(x, y, radius, impulse, filter, walls) end
 
 --- Puts four static walls around a rectangle: `top`, `bottom`, `left` and `right` of the group
---- `bounds`. A second call replaces the walls; a call without arguments removes them. The lower wall
---- is a floor, so give a level with pits a higher rectangle.
+--- `bounds`. A second call replaces the walls; a call without arguments removes them. The lower
+--- wall is a floor, so give a level with pits a higher rectangle.
 ---
 --- Errors: a number is not finite; a size is <= 0; the game uses one of these names for something
 --- else; it is called from inside `canCollide`.
@@ -438,9 +438,9 @@ function default.loadTiled(map, options) end
 --- Adds the tiles of a plain array. Each solid cell is static. Equal cells are merged into few
 --- large objects, which changes no motion. See docs/maps.md.
 ---
---- The cells are one list, row by row, or a list of rows (`cells[row][column]`), for which `columns`
---- is nil. A row may be a string (`"##..#"`): each character is a cell. Columns and rows are counted
---- from 1. The cells are copied, so change them with `setTile`, too.
+--- The cells are one list, row by row, or a list of rows (`cells[row][column]`), for which
+--- `columns` is nil. A row may be a string (`"##..#"`): each character is a cell. Columns and rows
+--- are counted from 1. The cells are copied, so change them with `setTile`, too.
 ---
 --- Errors: the group is not a name, or is an object; the cells are not a list; a list of values
 --- ends within a row; a row is longer than `columns`; a cell is not a number, string or boolean;
@@ -535,9 +535,9 @@ function default.queryPoint(x, y, filter, out) end
 ---@return integer count
 function default.queryRect(x, y, w, h, filter, out) end
 
---- Returns all objects that overlap a circle by more than 1e-6 px, and how many. With the setting `sideBySide` objects that are
---- flush with it count, too.
---- Source: the point of a box that is nearest to the centre.
+--- Returns all objects that overlap a circle by more than 1e-6 px, and how many. With the setting
+--- `sideBySide` objects that are flush with it count, too. Source: the point of a box that is
+--- nearest to the centre.
 ---
 --- Errors: a number is not finite; the radius is <= 0; the filter cannot be used; `out` is not a
 --- table.
@@ -562,8 +562,9 @@ function default.queryCircle(x, y, radius, filter, out) end
 ---@return number distance px, from the point to the edge, 0: inside
 function default.nearest(x, y, radius, filter) end
 
---- Returns whether a box of that place and size would be free. Solid objects are in the way, if they
---- overlap the box by more than 1e-6 px. Sensors, one-way objects and inactive objects are not.
+--- Returns whether a box of that place and size would be free. Solid objects are in the way, if
+--- they overlap the box by more than 1e-6 px. Sensors, one-way objects and inactive objects are
+--- not.
 ---
 --- In place of the filter you may give the object that would be there. Then its mask counts, and it
 --- is not in its own way.
@@ -655,9 +656,9 @@ function default.sweep(object, dx, dy, filter) end
 function default.overlapping(object, filter, out) end
 
 --- Returns what an object stands on, as the last step has left it, and how steep that is. A sprite
---- that leans with the ground turns by `math.atan(gradient)`. The gradient is in px along y for each
---- px along x. It is -0.5 on a slope that rises to the right by 1 px in 2. Where gravity acts sideways
---- both axes change places.
+--- that leans with the ground turns by `math.atan(gradient)`. The gradient is in px along y for
+--- each px along x. It is -0.5 on a slope that rises to the right by 1 px in 2. Where gravity acts
+--- sideways both axes change places.
 ---
 --- Errors: the object is not a table, or not in the world.
 ---@param object physics.NewObject a dynamic object
@@ -710,10 +711,10 @@ function default.explain(a, b) end
 ---@param options physics.DrawOptions? what to show
 function default.draw(options) end
 
---- Returns where to draw an object between two fixed steps (`timestep`). That is on the way from its
---- place before the last step to its place now, by the share `world.alpha`. Returns `object.x, object.y`
---- if there is no `timestep`, and for an object that is new, static, not active, or was put
---- somewhere by the game.
+--- Returns where to draw an object between two fixed steps (`timestep`). That is on the way from
+--- its place before the last step to its place now, by the share `world.alpha`. Returns `object.x,
+--- object.y` if there is no `timestep`, and for an object that is new, static, not active, or was
+--- put somewhere by the game.
 ---
 --- Errors: the object is not a table.
 ---@param object physics.NewObject the object to draw
