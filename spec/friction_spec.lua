@@ -804,11 +804,6 @@ describe("a box that leans on what friction holds", function()
     end
   end
 
-  it("is not put to sleep, as its push must come after friction", function()
-    local _, _, world = play(60, 1, "both", HELD["a crate that bears more"].build)
-    assert.equal(0, world.stats.resting)
-  end)
-
   -- All of them go on at (ax - what friction bears) / mass.
   local MOVED = {
     ["a crate"] = { 50, { 500 }, 1, 16 },

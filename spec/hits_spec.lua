@@ -1,10 +1,6 @@
 -- The field `hits`: an object collides with the groups that it lists, and with nothing else.
 
-local effort = require("spec.support.effort")
-local fuzzRandom = require("spec.support.random")
 local physics = require("physics")
-
-local long = effort.playsLong and it or pending
 
 local DT = 1 / 60
 
@@ -177,84 +173,5 @@ describe("hits, checked,", function()
         .. " palyers, did you mean players%?",
       message
     )
-  end)
-end)
-
--- Bullets that fly among walls and few players: straight ones take no part in the steps.
-local function play(settings, seed)
-  local random = fuzzRandom.new(seed)
-  local world = newWorld(settings)
-  world:setBounds(0, 0, 800, 600)
-  for n = 1, 3 do
-    world:add("players", { x = 200 * n, y = 300, width = 20, height = 20, vx = 30 * n, vy = -50 })
-  end
-  for _ = 1, 12 do
-    world:add("walls", {
-      x = random:between(50, 700),
-      y = random:between(50, 500),
-      width = 60,
-      height = 30,
-      static = true,
-    })
-  end
-  local heard = 0
-  local lists = { { "players" }, { "players", "bounds" }, { "walls" }, {}, { "sparks" }, nil }
-  for n = 1, 150 do
-    world:add(n % 3 == 0 and "sparks" or "bullets", {
-      x = random:between(20, 780),
-      y = random:between(20, 580),
-      width = 5,
-      height = 7,
-      vx = random:between(-400, 400),
-      vy = random:between(-400, 400),
-      sensor = n % 7 == 0,
-      hits = lists[n % 6 + 1],
-      restitution = n % 2,
-      onBegin = function(_, _, _, speed)
-        heard = heard + speed
-      end,
-    })
-  end
-  local hashes = {}
-  for step = 1, 120 do
-    if step % 20 == 0 then
-      world.objects.bullets[step / 20].vx = 100
-      world:remove(world.objects.bullets[50])
-      world.objects.bullets[60].hits = lists[step / 20]
-    end
-    world:update(DT)
-    hashes[step] = world:hash()
-  end
-  return hashes, heard
-end
-
-describe("bullets that fly straight", function()
-  for _, gravity in ipairs({ 0, 300 }) do
-    long(
-      "do the same to the bit as those that are computed in full, gravity " .. gravity,
-      function()
-        local hashes, heard = play({ gravity = gravity }, 7)
-        for _, settings in ipairs({ { rest = false }, { broadphase = "pairs" } }) do
-          settings.gravity = gravity
-          local others, otherHeard = play(settings, 7)
-          assert.same(hashes, others)
-          assert.equal(heard, otherHeard)
-        end
-      end
-    )
-  end
-
-  it("take no part in the steps", function()
-    local world = newWorld()
-    world:add("players", { x = 900, y = 0, width = 9, height = 9, vx = 1 })
-    for n = 1, 50 do
-      world:add("bullets", { x = 0, y = n, width = 3, height = 3, vx = n, hits = { "players" } })
-    end
-    for _ = 1, 60 do
-      world:update(DT)
-    end
-    assert.equal(0, world._bodies.awakeCount)
-    assert.equal(0, world.stats.resting)
-    assert.near(50, world.objects.bullets[50].x, 1e-9)
   end)
 end)

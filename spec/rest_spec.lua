@@ -118,36 +118,6 @@ describe("rest changes nothing:", function()
     assert.is_true(player.objects[1].x > 200.9)
   end)
 
-  it("a belt carries a box away from the wall that it is pulled to", function()
-    -- In a sixtieth of a second the belt carries it further than the pull, in a thirtieth less far.
-    local player = checkSame(nil, {
-      { "add", 1, "belts", { x = 0, y = 100, width = 50, height = 10, static = true } },
-      { "add", 2, "walls", { x = -10, y = 0, width = 10, height = 110, static = true } },
-      { "add", 3, "boxes", { x = 0, y = 80, width = 20, height = 20, ax = -600 } },
-      { "write", 1, { surfaceSpeed = 6 } },
-      { "update", 1 / 30 },
-      { "update", 1 / 30 },
-      { "update", 1 / 30 },
-      { "update", 1 / 60 },
-    })
-    assert.is_true(player.objects[3].x > 0.01)
-  end)
-
-  -- In steps of 1/30 s its pull takes away what would bounce.
-  it("a belt carries a box against a wall that bounces, and the steps become shorter", function()
-    local list = {
-      { "add", 1, "belts", { x = 0, y = 300, width = 20, height = 20, static = true } },
-      { "write", 1, { surfaceSpeed = -10 } },
-      { "add", 2, "walls", { x = -20, y = 0, width = 20, height = 400, static = true } },
-      { "write", 2, { restitution = 1 } },
-      { "add", 3, "boxes", { x = 0, y = 280, width = 20, height = 20, ax = -700 } },
-    }
-    for n = 1, 25 do
-      list[#list + 1] = { "update", n <= 20 and 1 / 30 or 1 / 240 }
-    end
-    assert.is_true(checkSame({ gravity = 600 }, list).objects[3].x > 0)
-  end)
-
   it("one of two tiles under a resting box becomes a sensor", function()
     local tile = { x = 100, y = 320, width = 20, height = 20, static = true }
     checkSame(nil, {

@@ -61,9 +61,8 @@ function filter.isSameHits(list, read)
   return true
 end
 
---- Returns what the library keeps of a list of `hits`: `names`, a copy, and `has`, by name; and
---- `targetCount` and `targets`, slots of what it can hit (see pairFinder). Objects with equal lists
---- share it.
+--- Returns what the library keeps of a list of `hits`: `names`, a copy, and `has`, by name. Objects
+--- with equal lists share it.
 function filter.readHits(b, list)
   local lists = b.hitLists
   for n = 1, #lists do
@@ -71,7 +70,7 @@ function filter.readHits(b, list)
       return lists[n]
     end
   end
-  local read = { names = {}, has = {}, targets = {}, targetCount = math.huge }
+  local read = { names = {}, has = {} }
   for n = 1, #list do
     read.names[n], read.has[list[n]] = list[n], true
   end

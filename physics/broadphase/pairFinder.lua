@@ -19,15 +19,9 @@ local floor, huge, max, min = math.floor, math.huge, math.max, math.min
 
 -- Margin around a path, px, and around a static object, which does not move.
 local MARGIN = 1
--- px around one that flies: it meets little, and turns often in a crowd.
-local FLYING_MARGIN = 4
 -- A fat box reaches AHEAD steps further in the direction of motion, but no more than FARTHEST px.
--- Few objects leave it in that time.
-local AHEAD, FARTHEST = 10.0, 8.0
--- px: the same of bodies that fly and can hit few others. They meet nothing else in a larger box.
-local AIMED_FARTHEST = 96.0
--- Up to so many objects are asked one by one.
-local FEW_TARGETS = 16
+-- Few objects leave it in that time. What has `hits` meets little, and may reach further.
+local AHEAD, FARTHEST, FARTHEST_AIMED = 10.0, 8.0, 64.0
 
 -- Lists in b.parted the pairs of the bodies in strays[1..count] with fat boxes that no longer meet.
 -- Returns how many there are. A pair stays until its contact has ended, and until its hit in this
@@ -126,11 +120,11 @@ local function wakeLinked(b, count)
   end
 end
 
--- Links the `n` pairs of b.linkOne and b.linkOther that can meet at all. The bodies in
--- strays[1..count] are strays no more.
-local function linkListed(b, strays, count, n)
+-- Links the bodies in strays[1..count] with all bodies that their fat boxes meet and that they can
+-- meet at all. They are strays no more.
+local function linkNear(b, strays, count)
   local strayAt = b.strayAt
-  n = keepAllowed(b, n)
+  local n = keepAllowed(b, listNew(b, b.broadphase:overlaps(strays, count, b.askers, b.found)))
   for m = 1, count do
     strayAt[strays[m]] = huge
   end
@@ -140,14 +134,9 @@ local function linkListed(b, strays, count, n)
   end
 end
 
--- Links the bodies in strays[1..count] with all bodies that their fat boxes meet.
-local function linkNear(b, strays, count)
-  linkListed(b, strays, count, listNew(b, b.broadphase:overlaps(strays, count, b.askers, b.found)))
-end
-
 -- Computes the fat box on the axis of k. It includes the place where the step began, since the path
 -- may end there, too.
-local function fatten(b, k, farthest, margin)
+local function fatten(b, k, margin, farthest)
   local start, from, to, size = b.position[k], b.from[k], b.to[k], b.size[k]
   local ahead = max(min((to - from) * AHEAD, farthest), -farthest)
   b.fatLow[k] = min(start, from, to) - margin + min(ahead, 0)
@@ -155,11 +144,13 @@ local function fatten(b, k, farthest, margin)
 end
 
 -- Gives the bodies in strays[1..count] fat boxes around their present paths.
-local function enlarge(b, strays, count, farthest, margin)
-  local broadphase, placed = b.broadphase, b.placed
+local function enlarge(b, strays, count, margin)
+  local broadphase, placed, only = b.broadphase, b.placed, b.only
   for m = 1, count do
-    fatten(b, 2 * strays[m], farthest, margin)
-    fatten(b, 2 * strays[m] + 1, farthest, margin)
+    local i = strays[m]
+    local farthest = only[i] and FARTHEST_AIMED or FARTHEST
+    fatten(b, 2 * i, margin, farthest)
+    fatten(b, 2 * i + 1, margin, farthest)
   end
   for m = 1, count do
     local i = strays[m]
@@ -174,7 +165,7 @@ end
 -- Looks up the neighbours of the bodies in `strays[1..count]`.
 local function lookUp(b, strays, count, margin)
   -- All boxes come first, so that no pair is linked by an outdated box.
-  enlarge(b, strays, count, FARTHEST, margin)
+  enlarge(b, strays, count, margin)
   local partedCount = listParted(b, strays, count)
   if partedCount > 0 then
     columns.unlinkAll(b, b.parted, partedCount)
@@ -182,71 +173,6 @@ local function lookUp(b, strays, count, margin)
   linkNear(b, strays, count)
 end
 
--- Lists the objects that each list of `hits` names, if they are few.
-local function listTargets(b)
-  local byName = b.registry.byName
-  for n = 1, #b.hitLists do
-    local read, count = b.hitLists[n], 0
-    for m = 1, #read.names do
-      local group = byName[read.names[m]]
-      count = count + (group and group.count or 0)
-    end
-    read.targetCount = count
-    count = 0
-    for m = 1, read.targetCount <= FEW_TARGETS and #read.names or 0 do
-      local group = byName[read.names[m]]
-      for at = 1, group and group.count or 0 do
-        count = count + 1
-        read.targets[count] = group.slots[at]
-      end
-    end
-  end
-end
-
--- Of strays[1..count], keeps the bodies that must be looked up in the broad phase, and lists in
--- b.aimed those that can hit few others. Returns how many both are.
-local function splitAimed(b, strays, count)
-  local aimed, only, strayAt, n, aimedCount = b.aimed, b.only, b.strayAt, 0, 0
-  for m = 1, count do
-    local i = strays[m]
-    local read = only[i]
-    if read and read.targetCount <= FEW_TARGETS then
-      aimedCount = aimedCount + 1
-      aimed[aimedCount] = i
-    else
-      n = n + 1
-      strays[n], strayAt[i] = i, n
-    end
-  end
-  return n, aimedCount
-end
-
--- Lists in b.linkOne and b.linkOther those in list[1..count] and what they may hit; returns how
--- many. They have no neighbours.
-local function listAimed(b, list, count)
-  local fatLow, fatHigh, only, placed, strayAt = b.fatLow, b.fatHigh, b.only, b.placed, b.strayAt
-  local ones, others, n = b.linkOne, b.linkOther, 0
-  for m = 1, count do
-    local i = list[m]
-    local read, k, place = only[i], 2 * i, strayAt[i]
-    for at = 1, read.targetCount do
-      local j = read.targets[at]
-      local l = 2 * j
-      if
-        fatLow[l] <= fatHigh[k]
-        and fatHigh[l] >= fatLow[k]
-        and fatLow[l + 1] <= fatHigh[k + 1]
-        and fatHigh[l + 1] >= fatLow[k + 1]
-        and placed[j] ~= 0
-        and strayAt[j] > place -- each two once
-      then
-        n = n + 1
-        ones[n], others[n] = i, j
-      end
-    end
-  end
-  return n
-end
 
 -- Lists in b.strays the bodies in `list[first..last]` with paths that come within `reach` px of the
 -- edge of their fat boxes, or leave them, each once, and notes in `strayAt` where. Returns how many
@@ -285,26 +211,6 @@ function detect.runWithin(b, list, first, last, reach)
   local n = listStrays(b, list, first, last, reach)
   if n > 0 then
     lookUp(b, b.strays, n, reach + MARGIN)
-  end
-end
-
---- Does the same for the bodies in `list[1..count]` that fly: they have no neighbours.
-function detect.follow(b, list, count)
-  local n = listStrays(b, list, 1, count, 0)
-  if n == 0 then
-    return
-  end
-  local aimedCount = 0
-  if #b.hitLists > 0 then
-    listTargets(b)
-    n, aimedCount = splitAimed(b, b.strays, n)
-  end
-  if aimedCount > 0 then
-    enlarge(b, b.aimed, aimedCount, AIMED_FARTHEST, MARGIN)
-    linkListed(b, b.aimed, aimedCount, listAimed(b, b.aimed, aimedCount))
-  end
-  if n > 0 then
-    lookUp(b, b.strays, n, FLYING_MARGIN)
   end
 end
 

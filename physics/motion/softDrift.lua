@@ -217,18 +217,15 @@ local function advance(b, work, part, dt)
   end
 end
 
--- Lists those that drift, and wakes them, unless they fly.
+-- Lists those that drift, and wakes them.
 local function listDrifted(b, work)
   local slot, drifts, drifted, count = work.slot, b.softSpeed, work.drifted, 0
-  local awake, flying = b.awake, b.flying
   for n = 1, work.count do
     local i = slot[n]
     if drifts[2 * i] ~= 0 or drifts[2 * i + 1] ~= 0 then
       count = count + 1
       drifted[count] = i
-      if not (awake[i] or flying[i]) then
-        islands.wake(b, i)
-      end
+      islands.wake(b, i)
     end
   end
   work.driftedCount = count

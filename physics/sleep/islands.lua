@@ -19,7 +19,6 @@ local columns = require(root .. ".memory.columns")
 local rest = {}
 
 local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
-local max, min = math.max, math.min
 
 --- The shortest step in which bodies fall asleep, s: what happens in a shorter one may be too
 --- little to show. In a shorter step no sleeping body is skipped either: what a long step takes
@@ -34,10 +33,6 @@ local function rouse(b, i)
   b.awake[i] = true
   b.quiet[i] = false
   b.awakenings = b.awakenings + 1
-  if b.flying[i] then
-    b.flying[i] = false
-    columns.stand(b, i)
-  end
 end
 
 -- Wakes the sleeping dynamic neighbours of all bodies in awakeList from place `from` on. The list
@@ -90,7 +85,6 @@ end
 
 --- Takes an object out of the list of awake bodies.
 function rest.drop(b, i)
-  b.flying[i] = false
   if b.awake[i] then
     local at, last = b.awakeAt[i], b.awakeList[b.awakeCount]
     b.awakeList[at] = last
@@ -107,64 +101,32 @@ local function sleep(b, i)
   rest.drop(b, i)
 end
 
--- Returns whether a speed limit takes off some of the pull on k in a step of `longest` s.
-local function isCapped(b, k, limit, longest)
-  local pull = b.flowPull[k] + b.push[k]
-  return max(pull, -pull) * longest > min(limit, b.fastest[k], -b.slowest[k])
-end
-
--- Returns whether k is pulled, and only friction holds it there.
-local function isRubbed(b, k)
-  local pull = b.flowPull[k] + b.push[k]
-  return pull > 0 and not b.pressedHigh[k] or pull < 0 and not b.pressedLow[k]
-end
-
--- Returns whether k is pulled towards a body that only friction holds. (A body that is woken in the
--- middle of a step may be pushed before it has rubbed; this one must have rubbed first.)
-local function leansOnRubbed(b, k)
-  local pull = b.flowPull[k] + b.push[k]
-  return pull > 0 and b.pressedHigh[k] and b.heldHigh[k] == 0
-    or pull < 0 and b.pressedLow[k] and b.heldLow[k] == 0
-end
-
--- Lists the island of an awake dynamic object in `b.island`. Returns its size, and whether all of
--- it may sleep: whether none of it would do anything in the next step, however long that is. A
--- speed limit may take off some of the pull, or of what presses. Then friction may bear the rest in
--- a long step and not in a short one, or the other way round.
+-- Lists the island of an awake dynamic object in `b.island`. Returns its size, and whether none of
+-- it would do anything in the next step.
 local function gather(b, i, stamp)
   local island, kind, awake, quiet, visited = b.island, b.kind, b.awake, b.quiet, b.visited
-  local head, other, nextHalf, maxSpeed = b.head, b.other, b.next, b.maxSpeed
-  local longest = max(b.world.maxStep, b.world.timestep or 0)
-  local count, n, calm, capped, rubbed = 1, 1, true, false, false
+  local head, other, nextHalf = b.head, b.other, b.next
+  local count, n, calm = 1, 1, true
   island[1] = i
   visited[i] = stamp
   while n <= count do
     local member = island[n]
     calm = calm and quiet[member]
-    if calm then
-      local k, limit = 2 * member, maxSpeed[member]
-      capped = capped or isCapped(b, k, limit, longest) or isCapped(b, k + 1, limit, longest)
-      rubbed = rubbed or isRubbed(b, k) or isRubbed(b, k + 1)
-      local leans = leansOnRubbed(b, k) or leansOnRubbed(b, k + 1)
-      calm = not leans or b.stillAt[member] == b.solveStamp
-    end
     local half = head[member]
     while half ~= 0 do
       local j = other[half]
-      if kind[j] ~= STATIC and awake[j] then
-        if kind[j] ~= DYNAMIC then
-          calm = calm and quiet[j]
-        elseif visited[j] ~= stamp then
-          visited[j] = stamp
-          count = count + 1
-          island[count] = j
-        end
+      if kind[j] == DYNAMIC and awake[j] and visited[j] ~= stamp then
+        visited[j] = stamp
+        count = count + 1
+        island[count] = j
+      elseif kind[j] ~= DYNAMIC and awake[j] then
+        calm = calm and quiet[j]
       end
       half = nextHalf[half]
     end
     n = n + 1
   end
-  return count, calm and not (capped and rubbed)
+  return count, calm
 end
 
 --- Puts every island to sleep that is calm after a step of dt s.

@@ -268,7 +268,6 @@ function friction.run(b, axis, dt)
   if b.pulledCount == 0 and held.count == 0 then
     return false
   end
-  b.rubs = 1
   if held.hasSlips then
     place(b, other, dt)
     settle.finish(b, other, dt, false, false)
