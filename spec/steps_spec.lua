@@ -1,6 +1,5 @@
 --- Parts of the step, each by itself: sorting, broad phases, forces, friction, columns.
 
-local begin = require("physics.motion.begin")
 local columns = require("physics.memory.columns")
 local allPairs = require("physics.broadphase.allPairs")
 local forces = require("physics.motion.forces")
@@ -27,7 +26,7 @@ local function newBodies(count)
   end
   b.awakeCount = count
   b.flowPull, b.flowAir, b.flowDrag = b.pull, b.airFriction, b.drag -- as without zones
-  begin.run(b)
+  path.begin(b)
   return b
 end
 

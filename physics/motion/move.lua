@@ -9,6 +9,9 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local carriers = require(root .. ".motion.carriers")
 local columns = require(root .. ".memory.columns")
 local drift = require(root .. ".motion.drift")
+local forces = require(root .. ".motion.forces")
+local path = require(root .. ".motion.path")
+local zones = require(root .. ".motion.zones")
 
 local move = {}
 
@@ -78,8 +81,8 @@ local function findSpeeds(b, first, last)
   end
 end
 
---- Computes the paths of those in awakeList from `first` to `last`.
-function move.run(b, dt, first, last)
+-- Computes the paths of those in awakeList from `first` to `last`.
+local function movePaths(b, dt, first, last)
   local list, kind, buried = b.awakeList, b.kind, b.buried
   if b.hasCarriers then
     for n = first, last do
@@ -106,6 +109,17 @@ function move.run(b, dt, first, last)
       end
     end
   end
+end
+
+--- Gives a path to each body in awakeList behind place `b.predicted`. The solver may wake others:
+--- these are computed then as if they had been awake from the start of the step.
+function move.run(b, dt)
+  local first, last = b.predicted + 1, b.awakeCount
+  path.begin(b)
+  zones.run(b, dt, first, last)
+  forces.run(b, dt, first, last)
+  movePaths(b, dt, first, last)
+  b.predicted = last
 end
 
 return move

@@ -18,11 +18,11 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local aabb = require(root .. ".space.aabb")
 local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
-local begin = require(root .. ".motion.begin")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
 local islands = require(root .. ".sleep.islands")
 local pairFinder = require(root .. ".broadphase.pairFinder")
+local path = require(root .. ".motion.path")
 local rules = require(root .. ".solver.rules")
 local slope = require(root .. ".memory.lazy")(root .. ".solver.slope")
 local sort = require(root .. ".memory.sort")
@@ -112,7 +112,7 @@ end
 local function put(b, i, axis, place)
   local work, k = b.partWork, 2 * i + axis
   islands.wake(b, i)
-  begin.run(b)
+  path.begin(b)
   b.from[k], b.to[k] = place, place
   work.movedCount = work.movedCount + 1
   work.moved[work.movedCount] = i
@@ -351,7 +351,7 @@ local function part(b, p)
     return
   end
   islands.wake(b, i) -- what is noted of it here would be forgotten when it wakes later
-  begin.run(b)
+  path.begin(b)
   local axis = height < width and 1 or 0
   local isLow = b.from[2 * i + axis] <= b.from[2 * j + axis]
   local isMet = rules.permits(b, isLow and i or j, isLow and j or i, axis)

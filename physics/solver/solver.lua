@@ -23,9 +23,9 @@ local crush = require(root .. ".solver.crush")
 local drift = require(root .. ".motion.drift")
 local friction = require(root .. ".solver.friction")
 local activePairs = require(root .. ".broadphase.activePairs")
+local move = require(root .. ".motion.move")
 local nudge = require(root .. ".solver.nudge")
 local pairFinder = require(root .. ".broadphase.pairFinder")
-local predict = require(root .. ".motion.predict")
 local pressed = require(root .. ".solver.pressed")
 local relax = require(root .. ".solver.relax")
 local islands = require(root .. ".sleep.islands")
@@ -227,7 +227,7 @@ local function restart(b, dt)
     time[i] = 0
   end
   b.predicted = 0
-  predict.run(b, dt)
+  move.run(b, dt)
 end
 
 --- Resolves all contacts and impacts of a step of dt s.
