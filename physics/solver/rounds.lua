@@ -34,8 +34,6 @@ local SPENT = 2
 -- Maximum number of bodies in `b.bounced`, the list that later impacts of a round are compared
 -- with.
 local BOUNCED = 256
--- px by which a path is widened for that comparison.
-local NEAR = 24
 -- Impacts are simultaneous if their times, rounded to 1 / MOMENTS of a step, are equal.
 local MOMENTS = 1e9
 
@@ -125,14 +123,16 @@ local function crosses(b, k, m)
   return max(s, e) + b.size[k] > min(u, v) and max(u, v) + b.size[m] > min(s, e)
 end
 
--- Returns whether the path of slot i comes near that of a body in b.bounced. The paths of those
--- count as they are now and as they were swept.
+-- Returns whether the path of slot i, with its own length around it, meets that of a body in
+-- b.bounced. The paths of those count as they are now and as they were swept.
 local function meetsBounced(b, i)
   local list, from, to, swept, size = b.bounced, b.from, b.to, b.swept, b.size
   local k, l = 2 * i, 2 * i + 1
-  local left, top = min(from[k], to[k]) - NEAR, min(from[l], to[l]) - NEAR
-  local right = max(from[k], to[k]) + size[k] + NEAR
-  local bottom = max(from[l], to[l]) + size[l] + NEAR
+  local dx, dy = to[k] - from[k], to[l] - from[l]
+  local reach = max(dx, -dx, dy, -dy)
+  local left, top = min(from[k], to[k]) - reach, min(from[l], to[l]) - reach
+  local right = max(from[k], to[k]) + size[k] + reach
+  local bottom = max(from[l], to[l]) + size[l] + reach
   for n = 1, b.bouncedCount do
     local m = 2 * list[n]
     local s, e, o = from[m], to[m], swept[m]
