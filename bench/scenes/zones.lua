@@ -49,7 +49,7 @@ return {
   {
     name = "zones",
     title = "zones: boxes in water, wind and around magnets",
-    sizes = { 200, 1000 },
+    sizes = { 100, 200, 500, 1000 },
     quick = 40,
     build = function(count)
       return { gravity = 800, objects = build(count), needs = { "zones" } }

@@ -232,7 +232,7 @@ end
 
 -- Resolves the n-th impact. If an earlier one of this round has disturbed its bodies, they are
 -- swept again instead. What may bounce, and circles, then take part in this round all the same, so
--- that they do not get past each other.
+-- that they do not get past each other. (Sensors stop nothing.)
 local function happen(b, n, dt, isLast, isLate)
   local impacts = b.impacts
   local p, t, axis = impacts.pair[n], impacts.time[n], impacts.axis[n]
@@ -245,7 +245,7 @@ local function happen(b, n, dt, isLast, isLate)
   end
   local mayBounce = max(b.restitution[i], b.restitution[j]) > 0
   if isDisturbed(b, i, mayBounce) or isDisturbed(b, j, mayBounce) then
-    change(b, i, j, mayBounce or isRound, mayBounce)
+    change(b, i, j, not isSensed and (mayBounce or isRound), not isSensed and mayBounce)
     isLast = isLast and not isSensed
   elseif
     (isSensed and b.hit[p] ~= 0) or rules.passes(b, p, 2 * i + axis, 2 * j + axis, axis, isDeep)
