@@ -14,6 +14,8 @@
 ---     setGravity(x, y)
 ---     add(description)  -> i, as in the scene;  remove(i)
 ---     raycast(x1, y1, x2, y2) -> fraction of the line to the first hit, or nil
+---     ask(n, x, y)      the n-th question of a frame: of a kind that depends on n
+---     moveBy(i, way)    puts the i-th object elsewhere by hand
 ---     save(out), restore(state), hash()
 ---     free()
 ---

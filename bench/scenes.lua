@@ -38,6 +38,7 @@ local FILES = {
   "bullets",
   "lifts",
   "rays",
+  "asking",
   "spawn",
   "dig",
   "rooms",

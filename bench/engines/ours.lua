@@ -73,6 +73,25 @@ function World:raycast(x1, y1, x2, y2)
   return object and fraction
 end
 
+--- Asks the n-th question of a frame at a place.
+function World:ask(n, x, y)
+  local world, kind = self.world, n % 4
+  if kind == 0 then
+    world:queryRect(x - 32, y - 32, 64, 64, nil, self.objects.found)
+  elseif kind == 1 then
+    world:raycast(x, y, x + 200, y + 40)
+  elseif kind == 2 then
+    world:queryPoint(x, y, nil, self.objects.found)
+  else
+    world:nearest(x, y, 200)
+  end
+end
+
+--- Moves an object by hand along x.
+function World:moveBy(index, way)
+  self.objects[index].x = self.objects[index].x + way
+end
+
 function World:save(out)
   return self.world:save(out)
 end

@@ -5,10 +5,9 @@
 -- It asks the grid of the world. Objects that the game has moved out of their fat boxes since the
 -- last step (*strays*) are found by comparing the tables with what was written to them, and those
 -- that it has added (*guests*) by comparing the groups with the registry. A write leaves no trace, so
--- this is done for each query. In a world of more than `FEW` objects, queries after the first one of
--- a frame compare only the *watched*: kinematic objects, and those that the game has ever put
--- somewhere; of the groups they compare the ends. What is found becomes a *catch*: columns by place
--- in it.
+-- each query compares all that moves. Groups in which nothing moves are compared by the first query
+-- after an update, `add`, `remove` or `refresh`. In a world of more than `FEW` movers that is so for
+-- all. What is found becomes a *catch*: columns by place in it.
 --
 -- Reads the grid, fat boxes, and position, size and filter of static objects; writes no column.
 
@@ -28,6 +27,9 @@ local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
 local FEW = 1000
 -- Numbers with a sum up to this are all in range.
 local MOST = 1e99
+local MISSED = " was moved after the first query of a frame, which among more than "
+  .. FEW
+  .. " objects that move only world:refresh(object) tells the next ones"
 local COLUMNS = {
   "slot", -- 0: a guest
   "object",
@@ -49,6 +51,7 @@ local COLUMNS = {
 
 local function newView()
   return {
+    isFresh = false, -- all was compared since the last step or change
     registry = false, -- the groups as they were seen last: those of the world, or later ones
     rankOf = false, -- by object, if they are later ones
     recordOf = false,
@@ -59,9 +62,6 @@ local function newView()
     strayCount = 0,
     strayAt = {}, -- by slot: `looks` when it was one
     looks = 0,
-    watched = {}, -- slots
-    watchedCount = 0,
-    isPut = setmetatable({}, { __mode = "k" }), -- by object
     pool = {}, -- of catches
     pooled = 0,
   }
@@ -89,37 +89,12 @@ local function readGroups(v, world)
   v.registry, v.order = seen, world.order
 end
 
--- Whether a group of a large world ends where it did. (`#` would search for its end anew.)
-local function endsAsSeen(objects, record)
-  local source, count = record.source, record.count
-  return rawequal(objects[record.name], source)
-    and (
-      record.direct
-      or record.keys
-      or rawget(source, count + 1) == nil
-        and (count == 0 or rawequal(rawget(source, count), record.list[count]))
-    )
-end
-
-local function seemsUnchanged(seen, objects)
-  for n = 1, seen.groupCount do
-    if not endsAsSeen(objects, seen.groups[n]) then
-      return false
-    end
-  end
-  return rawequal(seen.source, objects)
-end
-
 -- Lists the guests, if the game has changed its groups.
-local function lookAtGroups(v, world, isLarge)
-  local b = world._bodies
+local function lookAtGroups(v, world)
   if not v.registry then
-    v.registry, v.order, v.rankOf, v.guestCount = b.registry, world.order, false, 0
-    isLarge = false
+    v.registry, v.order, v.rankOf, v.guestCount = world._bodies.registry, world.order, false, 0
   end
-  local isSame = isLarge and not v.isTold and seemsUnchanged(v.registry, world.objects)
-  v.isTold = false
-  if world.order ~= v.order or not isSame and registry.hasChanged(v.registry, world.objects) then
+  if world.order ~= v.order or registry.hasChanged(v.registry, world.objects, v.isFresh) then
     readGroups(v, world)
   end
 end
@@ -139,47 +114,26 @@ local function checkPlace(object, record, key)
   end
 end
 
--- Whether the grid does not know where slot i is now.
-local function isStray(b, i)
+-- Notes slot i as a stray, if the grid does not know where it is now.
+local function noteStray(v, b, i)
   local object, k, fatLow, fatHigh = b.object[i], 2 * i, b.fatLow, b.fatHigh
   checkPlace(object, b.group[i], b.key[i])
-  return object.active ~= false
-    and not (
-      b.placed[i] ~= 0
-      and object.x >= fatLow[k]
-      and object.y >= fatLow[k + 1]
-      and object.x + object.width <= fatHigh[k]
-      and object.y + object.height <= fatHigh[k + 1]
-    )
-end
-
-local function noteStray(v, i)
-  if v.strayAt[i] ~= v.looks then
-    v.strayAt[i] = v.looks
-    v.strayCount = v.strayCount + 1
+  local isKnown = b.placed[i] ~= 0
+    and object.x >= fatLow[k]
+    and object.y >= fatLow[k + 1]
+    and object.x + object.width <= fatHigh[k]
+    and object.y + object.height <= fatHigh[k + 1]
+  if not isKnown and object.active ~= false and v.strayAt[i] ~= v.looks then
+    v.strayAt[i], v.strayCount = v.looks, v.strayCount + 1
     v.strays[v.strayCount] = i
   end
 end
 
-local function listWatched(v, b)
-  local movers, kind, objects, isPut, count = b.movers, b.kind, b.object, v.isPut, 0
+-- Lists in `strays` what the grid does not know. What stands where it was read or written is known.
+local function lookAtPlaces(v, b)
+  local movers, objects, written, size, placed = b.movers, b.object, b.written, b.size, b.placed
   for n = 1, b.moverCount do
     local i = movers[n]
-    if kind[i] ~= DYNAMIC or isPut[objects[i]] then
-      count = count + 1
-      v.watched[count] = i
-    end
-  end
-  v.watchedCount = count
-end
-
--- Lists in `strays` what of list[1..count] the grid does not know. What stands where it was read or
--- written is known.
-local function lookAtPlaces(v, b, list, count)
-  local objects, written, size, placed = b.object, b.written, b.size, b.placed
-  v.looks, v.strayCount = v.looks + 1, 0
-  for n = 1, count do
-    local i = list[n]
     local object, k = objects[i], 2 * i
     if
       object
@@ -191,17 +145,23 @@ local function lookAtPlaces(v, b, list, count)
         or placed[i] == 0
       )
     then
-      v.isPut[object] = true
-      if isStray(b, i) then
-        noteStray(v, i)
-      end
+      noteStray(v, b, i)
     end
   end
   for n = 1, b.movedCount do -- static ones that were read again, too
-    local i = b.movedList[n]
-    if b.object[i] then
-      noteStray(v, i)
+    if b.object[b.movedList[n]] then
+      noteStray(v, b, b.movedList[n])
     end
+  end
+end
+
+-- Errors: something has become a stray that queries of a large world do not see.
+local function checkMissed(v, b)
+  local known = v.strayCount
+  lookAtPlaces(v, b)
+  if v.strayCount > known then
+    local where = registry.placeOf(b, v.strays[v.strayCount])
+    check.fail(where .. MISSED)
   end
 end
 
@@ -209,20 +169,15 @@ end
 --- Errors: those of an update, a group, key or place that cannot be used.
 function near.begin(world)
   local b = world._bodies
-  local v = b.view
-  if not v then
-    v = newView()
-    b.view = v
+  local v = b.view or newView()
+  b.view = v
+  if not v.isFresh or b.moverCount <= FEW then
+    lookAtGroups(v, world)
+    v.isFresh, v.looks, v.strayCount = true, v.looks + 1, 0
+    lookAtPlaces(v, b)
+  elseif world.checked then
+    checkMissed(v, b)
   end
-  local isLarge = v.isFresh and b.count > FEW
-  lookAtGroups(v, world, isLarge)
-  if not isLarge then
-    lookAtPlaces(v, b, b.movers, b.moverCount)
-    listWatched(v, b)
-  else
-    lookAtPlaces(v, b, v.watched, v.watchedCount)
-  end
-  v.isFresh = true
   local c = v.pool[v.pooled]
   if c then
     v.pooled = v.pooled - 1
@@ -242,6 +197,13 @@ function near.finish(c)
   local v = c.view
   v.pooled = v.pooled + 1
   v.pool[v.pooled] = c
+end
+
+--- Notes that an object of a catch was moved by the library: in a large world no query would see it.
+function near.noteMoved(c, n)
+  if c.slot[n] ~= 0 then
+    noteStray(c.view, c.bodies, c.slot[n])
+  end
 end
 
 -- Catches -----------------------------------------------------------------------------------------
@@ -291,16 +253,26 @@ local function addSlot(c, i)
   end
 end
 
--- Adds all strays and guests.
-local function addUnfiled(c)
-  local v = c.view
+-- Whether an object is in a rectangle, or at its edge.
+local function isIn(object, left, top, right, bottom)
+  return object.x <= right
+    and object.y <= bottom
+    and object.x + object.width >= left
+    and object.y + object.height >= top
+end
+
+-- Adds all strays and guests in a rectangle.
+local function addUnfiled(c, left, top, right, bottom)
+  local v, objects = c.view, c.bodies.object
   for m = 1, v.strayCount do
-    addSlot(c, v.strays[m])
+    if isIn(objects[v.strays[m]], left, top, right, bottom) then
+      addSlot(c, v.strays[m])
+    end
   end
   for m = 1, v.guestCount do
     local object = v.guests[m]
     checkPlace(object, v.recordOf[object], v.keyOf[object])
-    if object.active ~= false then
+    if object.active ~= false and isIn(object, left, top, right, bottom) then
       add(c, object, 0)
     end
   end
@@ -315,7 +287,7 @@ function near.rectangle(c, left, top, right, bottom)
       addSlot(c, slots[m])
     end
   end
-  addUnfiled(c)
+  addUnfiled(c, left, top, right, bottom)
 end
 
 -- Adds an object that is on the way of a line, and asks how far it goes on.
@@ -331,7 +303,8 @@ end
 --- and returns the share of the line after which nothing matters (see broadphase/gridLines).
 function near.line(c, x1, y1, x2, y2, visit)
   local b, bound = c.bodies, 1
-  addUnfiled(c)
+  local left, top, right, bottom = min(x1, x2), min(y1, y2), max(x1, x2), max(y1, y2)
+  addUnfiled(c, left, top, right, bottom)
   for n = 1, c.count do
     bound = visit(c, n, bound)
   end
@@ -341,8 +314,7 @@ function near.line(c, x1, y1, x2, y2, visit)
     return
   end
   local slots = c.slots
-  local count = b.broadphase:query(min(x1, x2), min(y1, y2), max(x1, x2), max(y1, y2), slots)
-  for m = 1, count do
+  for m = 1, b.broadphase:query(left, top, right, bottom, slots) do
     bound = visitSlot(c, slots[m], bound)
   end
 end
