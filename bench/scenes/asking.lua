@@ -1,6 +1,6 @@
---- 100 questions a frame in a level of 2000 tiles: rectangles, points, rays, the nearest object. The
---- game has put a quarter of what moves elsewhere since the step, so that queries must find these in
---- the game's tables. Only the questions are measured.
+--- 100 questions a frame in a level of 2000 tiles: rectangles, points, rays, the nearest object.
+--- The game has put a quarter of what moves elsewhere since the step, so that queries must find
+--- these in the game's tables. Only the questions are measured.
 
 local newRandom = require("spec.support.random").new
 

@@ -173,7 +173,6 @@ local function lookUp(b, strays, count, margin)
   linkNear(b, strays, count)
 end
 
-
 -- Lists in b.strays the bodies in `list[first..last]` with paths that come within `reach` px of the
 -- edge of their fat boxes, or leave them, each once, and notes in `strayAt` where. Returns how many
 -- there are.

@@ -1,13 +1,13 @@
---- Finds the objects near a place or a line, as the game's tables are now, not as the last step left
---- them. It changes nothing: what the game writes and takes back before the next update has never
---- happened.
+--- Finds the objects near a place or a line, as the game's tables are now, not as the last step
+--- left them. It changes nothing: what the game writes and takes back before the next update has
+--- never happened.
 --
 -- It asks the grid of the world. Objects that the game has moved out of their fat boxes since the
 -- last step (*strays*) are found by comparing the tables with what was written to them, and those
--- that it has added (*guests*) by comparing the groups with the registry. A write leaves no trace, so
--- each query compares all that moves. Groups in which nothing moves are compared by the first query
--- after an update, `add`, `remove` or `refresh`. In a world of more than `FEW` movers that is so for
--- all. What is found becomes a *catch*: columns by place in it.
+-- that it has added (*guests*) by comparing the groups with the registry. A write leaves no trace,
+-- so each query compares all that moves. Groups in which nothing moves are compared by the first
+-- query after an update, `add`, `remove` or `refresh`. In a world of more than `FEW` movers that is
+-- so for all. What is found becomes a *catch*: columns by place in it.
 --
 -- Reads the grid, fat boxes, and position, size and filter of static objects; writes no column.
 
@@ -67,7 +67,7 @@ local function newView()
   }
 end
 
--- What the game has changed ------------------------------------------------------------------------
+-- What the game has changed -----------------------------------------------------------------------
 
 -- Reads the groups as the next update will. Errors: those of an update.
 local function readGroups(v, world)
@@ -191,15 +191,15 @@ function near.begin(world)
   return c
 end
 
---- Takes a catch back. (A filter may make queries of its own, so each has one. One that fails leaves
---- it to the garbage collector.)
+--- Takes a catch back. (A filter may make queries of its own, so each has one. One that fails
+--- leaves it to the garbage collector.)
 function near.finish(c)
   local v = c.view
   v.pooled = v.pooled + 1
   v.pool[v.pooled] = c
 end
 
---- Notes that an object of a catch was moved by the library: in a large world no query would see it.
+--- Notes that the library has moved an object of a catch: in a large world no query would see it.
 function near.noteMoved(c, n)
   if c.slot[n] ~= 0 then
     noteStray(c.view, c.bodies, c.slot[n])
@@ -299,8 +299,8 @@ local function visitSlot(c, i, bound)
   return n and c.visit(c, n, bound) or bound
 end
 
---- Adds all objects to a catch that a line may meet. `visit(c, n, bound)` is called for each of them
---- and returns the share of the line after which nothing matters (see broadphase/gridLines).
+--- Adds all objects to a catch that a line may meet. `visit(c, n, bound)` is called for each of
+--- them and returns the share of the line after which nothing matters (see broadphase/gridLines).
 function near.line(c, x1, y1, x2, y2, visit)
   local b, bound = c.bodies, 1
   local left, top, right, bottom = min(x1, x2), min(y1, y2), max(x1, x2), max(y1, y2)
