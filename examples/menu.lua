@@ -20,9 +20,10 @@ local EXAMPLES = {
   { name = "breakout", title = "Breakout", text = "Balls that bounce, bullets that hit." },
   { name = "rollback", title = "Rollback", text = "Football, and time that turns back." },
   { name = "tiled", title = "Tiled", text = "A level from the editor, few rectangles." },
+  { name = "rooms", title = "Rooms", text = "Maps as others make them." },
   { name = "pile", title = "Pile", text = "What it costs to stack many boxes." },
 }
-local X, Y, WIDTH, HEIGHT, GAP = 40, 146, 440, 40, 4
+local X, Y, WIDTH, HEIGHT, GAP = 40, 136, 440, 36, 4
 local SHOW_X, SHOW_Y, SHOW_SCALE = 520, 122, 2 / 3
 local SHOW_WIDTH, SHOW_HEIGHT = view.gameWidth * SHOW_SCALE, view.height * SHOW_SCALE
 local COLORS = { "red", "orange", "yellow", "green", "sky", "blue", "plum" }

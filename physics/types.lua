@@ -424,15 +424,16 @@ function default.setBounds(x, y, w, h) end
 --- Adds the objects of a map of the editor Tiled, and its solid tiles, merged into few large
 --- rectangles. The map is its Lua export (the table, or the path of the file), or the table that
 --- STI makes of it. The map is not changed, and nothing is drawn. Parts that are not supported are
---- listed in `unsupported` of the result. See docs/maps.md.
+--- listed in `unsupported` of the result. A decoded `.world` file is several maps: `options.folder`
+--- says where they are. See docs/maps.md.
 ---
---- Errors: the map or the file does not exist; an unknown option; an option names a layer or a gid
---- that is not in the map; a layer in `solidLayers` cannot be read; a gid belongs to no tileset; a
---- part is malformed; with `strict` a property cannot be used; a group is an object; it is called
---- from inside `canCollide`. Nothing has been added then.
----@param map table|string the table that the export or STI returns, or the path of the export
+--- Errors: the map or the file does not exist; an unknown option; an option names a layer that is
+--- not in the map; a gid belongs to no tileset; a part is damaged; with `strict` a property cannot
+--- be used; a group is an object; it is called from inside `canCollide`. Nothing has been added
+--- then.
+---@param map table|string the path of the export, the table that it or STI returns, or a decoded .world file
 ---@param options physics.TiledOptions? where the map goes, and what of it is solid
----@return physics.Level level the objects that were added, counts, and what is not supported
+---@return physics.Level|physics.Atlas level what was added, and what is not supported
 function default.loadTiled(map, options) end
 
 --- Adds the tiles of a plain array. Each solid cell is static. Equal cells are merged into few
@@ -461,12 +462,13 @@ function default.addTiles(group, cells, columns, size, options) end
 ---
 --- Errors: the project or the level does not exist; the layers of the level are in another file; an
 --- unknown option; an option names a layer or value that the level does not have; a part is
---- malformed; with `strict` a field cannot be used; a group is an object; it is called from inside
+--- damaged; with `strict` a field cannot be used; a group is an object; it is called from inside
 --- `canCollide`. Nothing has been added then.
 ---@param project table the .ldtk file, decoded by a JSON library
 ---@param level string|integer|table|nil its identifier, iid or number, or its decoded .ldtkl file; default: the first level
 ---@param options physics.LDtkOptions? where the level goes, and what of it is solid
 ---@return physics.LDtkLevel level the objects that were added, counts, and what is not supported
+---@diagnostic disable-next-line: redefined-local
 function default.loadLDtk(project, level, options) end
 
 --- Returns everything that a future step depends on, as a plain table of numbers, strings, booleans

@@ -55,6 +55,10 @@ check "platformer plays to its end" play platformer-won platformer 900 "$keys"
 check "platformer: the flag is reached" is platformer-won won true
 check "platformer: at the first try" is platformer-won deaths 0
 
+check "rooms plays" play rooms rooms 300 "$(cat examples/demos/rooms.keys)"
+check "rooms: the player went to another room" at_least rooms x 490
+check "rooms plays the other editor's map" play rooms-ldtk rooms 60 "g:5"
+
 # These, too: `luajit scripts/find_hills_keys.lua >examples/demos/hills.keys`.
 check "hills plays to its end" play hills hills 1900 "$(cat examples/demos/hills.keys)"
 check "hills: the flag is reached" is hills won true

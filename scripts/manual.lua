@@ -80,6 +80,11 @@ local MAPS = [[
 How to make maps that work: [Maps](../maps.md).
 ]]
 
+local ATLAS = [[
+What `world:loadTiled` returns for a world of the editor: see
+[Maps](../maps.md#worlds-of-several-maps).
+]]
+
 local TILES = [[
 What `world:addTiles` returns, and what is in `level.tileLayers` of a map from Tiled or LDtk.
 ]]
@@ -346,11 +351,12 @@ local SOURCES = {
   { "physics/world/tutorial.lua", "pure", "physics." },
   { docstrings.WORLD, "World", "world:" },
   { "physics/maps/tiles.lua", "Tiles", "tiles:" },
+  { "physics/maps/atlas.lua", "Atlas", "level:" },
 }
 
 -- Returns the page of a function of docs/api/.
 local function pageOf(name, entry)
-  if ON_MAPS[name] or name:find("^tiles:") then
+  if ON_MAPS[name] or name:find("^tiles:") or name:find("^level:") then
     return "maps"
   elseif ON_WORLD[name] or name:find("^physics%.") then
     return "world"
@@ -436,6 +442,7 @@ local TYPES_OF = {
     "physics/maps/tiles.lua",
     "physics/maps/array.lua",
     "physics/maps/tiled.lua",
+    "physics/maps/atlas.lua",
     "physics/maps/ldtk.lua",
   },
 }
@@ -567,6 +574,8 @@ function write.maps(lines)
   addFunctions(lines, "maps", "World")
   add(lines, "## Tiles", "", TILES)
   addFunctions(lines, "maps", "Tiles")
+  add(lines, "## Levels of several maps", "", ATLAS)
+  addFunctions(lines, "maps", "Atlas")
   addTypes(lines, TYPES_OF.maps)
 end
 

@@ -309,4 +309,16 @@ local tiles = world:addTiles("earth", { "#.#.#" }, nil, 16)
 print(tiles:unload(), #world.objects.earth) --> 0 0
 ]]
 
+examples["level:addMap"] = [[
+local given = { type = "world", maps = { { fileName = "meadow.tmx", x = 320, y = 0 } } }
+local level = world:loadTiled(given, { folder = "maps", later = true })
+print(level:addMap("meadow").x, #level.walls > 0) --> 320 true
+]]
+
+examples["level:removeMap"] = [[
+local given = { type = "world", maps = { { fileName = "meadow.tmx", x = 320, y = 0 } } }
+local level = world:loadTiled(given, { folder = "maps" })
+print(level:removeMap("meadow"), #level.objects) --> true 0
+]]
+
 return examples

@@ -152,9 +152,9 @@ describe("the examples", function()
     end)
 
     it("obeys the mouse: over an entry it is chosen, a click starts it", function()
-      moveMouse(200, 146 + 3 * 44 + 20)
+      moveMouse(200, 136 + 3 * 40 + 18)
       assert.equal(4, value("chosen"))
-      click(200, 146 + 2 * 44 + 20)
+      click(200, 136 + 2 * 40 + 18)
       assert.equal(names[3], started)
     end)
 

@@ -97,7 +97,7 @@ describe("world:loadLDtk", function()
   end)
 
   it("adds entities by their pivot, to the group of their identifier", function()
-    local level, world = load(newProject(), nil, { dynamic = { "Player" } })
+    local level, world = load(newProject(), nil, { kinds = { Player = "dynamic" } })
     assert.same({ "16 8 16 24" }, boxes(world, "Player"))
     assert.same({ "48 16 16 16", "64 16 16 16" }, boxes(world, "Chest"))
     assert.same({ "0 0 8 32" }, boxes(world, "Door"))
@@ -138,8 +138,8 @@ describe("world:loadLDtk", function()
   end)
 
   it("and the world goes on with it", function()
-    local level, world =
-      load(newProject(), nil, { solid = { dirt = true, stone = true }, dynamic = { "Player" } })
+    local options = { solid = { dirt = true, stone = true }, kinds = { Player = "dynamic" } }
+    local level, world = load(newProject(), nil, options)
     for _ = 1, 60 do
       world:update(1 / 60)
     end
@@ -241,8 +241,7 @@ describe("world:loadLDtk", function()
     project.levels[1].layerInstances[3] = tiles
     assert.same({}, load(project).unsupported)
     local level = load(project, nil, { onlyLayers = { "Background" } })
-    assert.equal("only IntGrid and entity layers have boxes", level.unsupported[1].reason)
-    assert.equal("Background", level.unsupported[1].layer)
+    assert.same({ 0, tiles }, { #level.objects, level.pictures[1] })
   end)
 
   it("names fields that cannot be, refuses them if strict, and leaves those of the game", function()
@@ -270,7 +269,7 @@ describe("world:loadLDtk", function()
     assert.equal(1, #load(project, nil, { ignore = { "drag" } }).unsupported)
     local isDone, message = pcall(load, project, nil, { strict = true })
     assert.is_false(isDone)
-    local expected = 'layer "Entities", entityInstances[1]: drag must be a number >= 0, got "yes"'
+    local expected = 'layer "Entities", entity "Mob": drag must be a number >= 0, got "yes"'
     assert.truthy(message:find(WHERE .. expected, 1, true), message)
   end)
 
@@ -297,227 +296,4 @@ describe("world:loadLDtk", function()
       assert.equal(5, level.tiles)
     end)
   end
-
-  -- Bad input -------------------------------------------------------------------------------------
-
-  local NAN = 0 / 0
-  local function refuses(expected, project, level, options)
-    local world = physics.newWorld()
-    world.objects.Door = { { x = 0, y = 0, width = 8, height = 8 } }
-    local isDone, message = pcall(function()
-      world:loadLDtk(project, level, options)
-    end)
-    assert.is_false(isDone, "it was not refused: " .. expected)
-    local text = message:match("ldtk_spec%.lua:%d+: physics: (.*)$")
-    assert.equal(expected, text, message)
-    assert.equal(1, #world.objects.Door)
-    assert.is_nil(world.objects.Collisions)
-    assert.is_nil(world.objects.Player)
-  end
-
-  for _, row in ipairs({
-    { 5, "options must be a table, got 5" },
-    {
-      { sold = {} },
-      'unknown option "sold" (did you mean "solid"?); the options are dynamic, groups, ignore, merge,'
-        .. " onlyLayers, skipLayers, solid, strict, x, y",
-    },
-    { { x = NAN }, "x must be a number, got nan" },
-    { { y = "1" }, 'y must be a number, got "1"' },
-    { { merge = 1 }, "merge must be true or false, got 1" },
-    { { strict = 1 }, "strict must be true or false, got 1" },
-    { { solid = 5 }, "solid must be a table, got 5" },
-    { { solid = { dirt = 5 } }, 'solid["dirt"] must be true, false or a table of fields, got 5' },
-    {
-      { solid = { dirt = { mass = 0 } } },
-      'solid["dirt"]: mass must be a number > 0, got 0',
-    },
-    {
-      { solid = { dirt = true, sand = true, mud = true } },
-      'solid["mud"] must be a value of an IntGrid layer; they are "dirt", "ladder", "stone"',
-    },
-    { { groups = 5 }, "groups must be a table, got 5" },
-    { { groups = { "a" } }, "groups must have identifiers of entities as keys, got 1" },
-    { { groups = { Player = true } }, "groups.Player must be a string or a number, got true" },
-    { { onlyLayers = "a" }, 'onlyLayers must be a list of names, got "a"' },
-    { { skipLayers = { 1 } }, "skipLayers[1] must be a name, got 1" },
-    { { ignore = { 1 } }, "ignore[1] must be a name, got 1" },
-    {
-      { skipLayers = { "Entitis" } },
-      'skipLayers[1] must be a layer of the level, got "Entitis"; they are "Entities",'
-        .. ' "Collisions"',
-    },
-  }) do
-    it("refuses options: " .. row[2], function()
-      refuses(WHERE .. row[2], newProject(), nil, row[1])
-    end)
-  end
-
-  it("refuses what is no project, and levels that are not there", function()
-    refuses(WHERE .. "project must be a decoded LDtk project, got nil", nil)
-    refuses(WHERE .. 'project must be a decoded LDtk project, got "a.ldtk"', "a.ldtk")
-    refuses(WHERE .. "project.levels must be a table, got nil", {})
-    local levels = "level must be the identifier, iid or number of a level, got %s; they are"
-    refuses(WHERE .. levels:format('"Attic"') .. ' "Cave"', newProject(), "Attic")
-    refuses(WHERE .. levels:format("2") .. ' "Cave"', newProject(), 2)
-    refuses(WHERE .. levels:format("true") .. ' "Cave"', newProject(), true)
-    refuses(WHERE .. "level.layerInstances must be a table, got nil", newProject(), {})
-    refuses(WHERE .. "project.levels[1] must be a table, got 5", { levels = { 5 } })
-  end)
-
-  --- Each row: how the level is damaged, and what is said.
-  local E = 'layer "Entities", entityInstances[1]'
-  for _, row in ipairs({
-    {
-      function(level)
-        level.pxWid = 0
-      end,
-      "level.pxWid must be a number > 0, got 0",
-    },
-    {
-      function(level)
-        level.layerInstances[1] = 5
-      end,
-      "level.layerInstances[1] must be a table, got 5",
-    },
-    {
-      function(level)
-        level.layerInstances[1].__identifier = nil
-      end,
-      "a layer's __identifier must be a string, got nil",
-    },
-    {
-      function(level)
-        level.layerInstances[2].__pxTotalOffsetX = NAN
-      end,
-      'layer "Collisions": __pxTotalOffsetX must be a number, got nan',
-    },
-    {
-      function(level)
-        level.layerInstances[2].__gridSize = 0
-      end,
-      'layer "Collisions": __gridSize must be a number > 0, got 0',
-    },
-    {
-      function(level)
-        level.layerInstances[2].__cWid = 1.5
-      end,
-      'layer "Collisions": __cWid must be an integer in 1..1000000, got 1.5',
-    },
-    {
-      function(level)
-        level.layerInstances[2].intGridCsv = nil
-      end,
-      'layer "Collisions": intGridCsv must be a table, got nil',
-    },
-    {
-      function(level)
-        level.layerInstances[2].intGridCsv[15] = nil
-      end,
-      'layer "Collisions": intGridCsv must hold 15 cells (5 x 3), got 14',
-    },
-    {
-      function(level)
-        level.layerInstances[2].intGridCsv[4] = -1
-      end,
-      'layer "Collisions": intGridCsv[4] must be an integer >= 0, got -1',
-    },
-    {
-      function(level)
-        level.layerInstances[2].intGridCsv[4] = "1"
-      end,
-      'layer "Collisions": intGridCsv[4] must be an integer >= 0, got "1"',
-    },
-    {
-      function(level)
-        level.layerInstances[2].intGridCsv[4] = NAN
-      end,
-      'layer "Collisions": intGridCsv[4] must be an integer >= 0, got nan',
-    },
-    {
-      function(level)
-        level.layerInstances[1].entityInstances = nil
-      end,
-      'layer "Entities": entityInstances must be a table, got nil',
-    },
-    {
-      function(level)
-        level.layerInstances[1].entityInstances[1] = 5
-      end,
-      E .. " must be a table, got 5",
-    },
-    {
-      function(level)
-        level.layerInstances[1].entityInstances[1].__identifier = 5
-      end,
-      E .. ": __identifier must be a string, got 5",
-    },
-    {
-      function(level)
-        level.layerInstances[1].entityInstances[1].width = 0
-      end,
-      E .. ' "Player": width must be a number > 0, got 0',
-    },
-    {
-      function(level)
-        level.layerInstances[1].entityInstances[1].px = nil
-      end,
-      E .. ' "Player": px must be a table, got nil',
-    },
-    {
-      function(level)
-        level.layerInstances[1].entityInstances[1].__pivot = { 0 }
-      end,
-      E .. ' "Player": __pivot[2] must be a number, got nil',
-    },
-    {
-      function(level)
-        level.layerInstances[1].entityInstances[1].fieldInstances = 5
-      end,
-      E .. ": fieldInstances must be a table, got 5",
-    },
-    {
-      function(level)
-        level.layerInstances[1].entityInstances[1].fieldInstances = { { __value = 5 } }
-      end,
-      E .. ": fieldInstances[1].__identifier must be a string, got nil",
-    },
-    {
-      function(level)
-        local items = {}
-        items[1] = items
-        local field = { __identifier = "items", __value = items }
-        level.layerInstances[1].entityInstances[1].fieldInstances = { field }
-      end,
-      E .. ': property "items" must not hold itself',
-    },
-  }) do
-    it("refuses: " .. row[2], function()
-      local project = newProject()
-      row[1](project.levels[1])
-      refuses(WHERE .. row[2], project)
-    end)
-  end
-
-  it("refuses a group that is an object", function()
-    local world = physics.newWorld()
-    world.objects.Player = { x = 0, y = 0, width = 8, height = 8 }
-    local isDone, message = pcall(world.loadLDtk, world, newProject())
-    assert.is_false(isDone)
-    assert.truthy(message:find("objects.Player is not a group, got an object", 1, true))
-    assert.is_nil(world.objects.Collisions)
-  end)
-
-  it("refuses to be called from inside canCollide", function()
-    local world, message = physics.newWorld(), nil
-    world:add("floors", { x = 0, y = 8, width = 99, height = 8, static = true })
-    local box = world:add("boxes", { x = 0, y = 0, width = 8, height = 8 })
-    function box.canCollide()
-      message = select(2, pcall(world.loadLDtk, world, newProject()))
-    end
-    for _ = 1, 5 do
-      world:update(1 / 60)
-    end
-    assert.truthy(message:find("cannot be called from inside canCollide", 1, true))
-  end)
 end)

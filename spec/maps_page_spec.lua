@@ -36,14 +36,14 @@ describe("docs/maps.md", function()
   end
 
   it("has its snippets", function()
-    assert.equal(5, count)
+    assert.equal(6, count)
   end)
 
   it("lists every option of every loader #files", function()
     for _, name in ipairs({ "maps/tiled", "maps/array", "maps/ldtk" }) do
       local text = snippets.read("physics/" .. name .. ".lua")
       local list = text:match("local OPTIONS =%s*(%b{})")
-      for option in list:gmatch("(%w+) =") do
+      for option in list:gmatch('"(%w+)"') do
         assert.truthy(PAGE:find("`" .. option .. "`", 1, true), option)
       end
     end

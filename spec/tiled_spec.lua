@@ -254,7 +254,7 @@ describe("world", function()
       local world = physics.newWorld()
       local box = world:add("things", { x = -99, y = 0, width = 8, height = 8 })
       local first = world:loadTiled(newObjects({ tiled.object(1, 0, 0, 8, 8) }))
-      local dynamic = { x = 50, dynamic = { "things" } }
+      local dynamic = { x = 50, kinds = { things = "dynamic" } }
       local second = world:loadTiled(newObjects({ tiled.object(1, 0, 0, 8, 8) }), dynamic)
       local things = world.objects.things
       assert.same({ box, first.objects[1], second.objects[1] }, things)
@@ -419,7 +419,8 @@ describe("world", function()
         local external = 'external ("far.tsx"): what its tiles are is not in this export, embed it'
         assert.same({
           "tileset slopes 5: " .. external,
-          "object shapes 3: ellipse: only circles are round, with one width and height",
+          "object shapes 3: ellipse: only circles are round; the option ellipses = "
+            .. '"box" makes it a box',
           "object shapes 5: text: only rectangles are boxes",
           "object shapes 6: rotated by 30 degrees: boxes do not turn",
           'object shapes 8: property "width": the editor\'s own value counts',

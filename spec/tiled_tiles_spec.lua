@@ -296,22 +296,6 @@ describe("world:loadTiled, tiles", function()
     { "moved by the tileset", { tileoffset = { x = 3, y = -5 } }, 0, "19 -13 24 40" },
     { "turned by 90 degrees", {}, T + X, "16 8 40 24" },
     { "drawn at the size of the grid", { tilerendersize = "grid" }, 0, "16 16 16 16" },
-    {
-      "drawn at the size of the grid, and as they look",
-      { tilerendersize = "grid", fillmode = "preserve-aspect-fit" },
-      0,
-      "19.2 16 9.6 16",
-    },
-    {
-      "drawn at the size of the grid, as they look, turned and moved",
-      {
-        tilerendersize = "grid",
-        fillmode = "preserve-aspect-fit",
-        tileoffset = { x = 5, y = 0 },
-      },
-      T,
-      "18 19.2 16 9.6",
-    },
   }) do
     it("may be " .. row[1], function()
       local set = tiled.tileset({ { id = 0, properties = { solid = true } } }, {

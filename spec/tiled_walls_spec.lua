@@ -41,7 +41,7 @@ describe("world:loadTiled, walls", function()
     --- name of the layer, its properties, the rectangle's, options: kind
     for _, row in ipairs({
       { "things", nil, nil, nil, "sensor" },
-      { "things", nil, nil, { dynamic = { "things" } }, "dynamic" },
+      { "things", nil, nil, { kinds = { things = "dynamic" } }, "dynamic" },
       { "things", nil, { solid = true }, nil, "static" },
       { "things", nil, { collidable = true }, nil, "static" },
       { "things", nil, { collidable = "true" }, nil, "static" },
@@ -112,7 +112,7 @@ describe("world:loadTiled, walls", function()
     it("that do not fall, while the player stands on them", function()
       local map = newObjects("Platforms", { tiled.object(1, 0, 100, 200, 16) })
       map.layers[2] = tiled.objects(2, "Player", { tiled.object(2, 20, 50, 16, 16) })
-      local level, world = load(map, { dynamic = { "Player" } })
+      local level, world = load(map, { kinds = { Player = "dynamic" } })
       for _ = 1, 60 do
         world:update(1 / 60)
       end
@@ -254,7 +254,7 @@ describe("world:loadTiled, walls", function()
       assert.same({}, level.objects)
       assert.same({}, world.objects.clouds)
       assert.same({}, level.unsupported)
-      local cloud = level.decoration[1]
+      local cloud = level.pictures[1]
       assert.same({ 105, 191, 32, 16 }, { cloud.x, cloud.y, cloud.width, cloud.height })
       assert.equal(map.layers[1].objects[1], cloud.tiled.object)
       assert.equal(3, cloud.tiled.gid)
@@ -279,7 +279,7 @@ describe("world:loadTiled, walls", function()
         local map = newObjects(row[6] or "clouds", { object }, row[4], row[3])
         local level = load(map, row[5])
         assert.equal(1, #level.objects)
-        assert.same({}, level.decoration)
+        assert.same({}, level.pictures)
       end)
     end
 
@@ -325,7 +325,7 @@ describe("world:loadTiled, walls", function()
     assert.equal("right", world.objects.Platforms[7].slope)
     assert.same({ "0 144 320 16" }, boxes(world, "scenery"))
     assert.same({ "64 84 12 12", "192 128 16 16" }, boxes(world, "Enemies"))
-    assert.equal(2, #level.decoration)
+    assert.equal(2, #level.pictures)
     assert.is_true(level.named.lift.kinematic)
     assert.same({ 24, 120 }, { level.named.player.x, level.named.player.y })
     assert.same({ "player", "door" }, { level.points[1].name, level.points[2].name })

@@ -19,8 +19,8 @@ local ROOM = { "maxtrace=8000", "maxmcode=16384" }
 local NEXT = {
   ["broadphase.filter"] = "isSameMask copyMask",
   ["fields.check"] = "firstBad isEmpty",
-  ["maps.properties"] = "keys copy put isCycle saysThatItMoves isEmpty",
-  ["maps.rewind"] = "clearValues",
+  ["maps.properties"] = "copy put isCycle saysThatItMoves isEmpty",
+  ["maps.rewind"] = "keepPlain",
   ["memory.keyOrder"] = "sorted",
   ["memory.lazy"] = "fill",
   ["objects.registry"] = "sortedKeys hasOthers haveGroupsChanged forgetGiven find",

@@ -1,0 +1,131 @@
+--- A level of several maps, each in its place in the world of the editor. Adds maps and takes them
+--- out again, and lists what those that are there have made.
+
+local root = (...):match("^(.*)%.maps%.")
+local check = require(root .. ".fields.check")
+local keyOrder = require(root .. ".memory.keyOrder")
+local level = require(root .. ".maps.level")
+
+local atlas = {}
+
+--- A map of a level of several maps.
+---@class physics.AtlasMap
+---@field name string its path in the world of the editor, without the ending: "caves/lake"
+---@field x number px
+---@field y number px
+---@field width number? px
+---@field height number? px
+---@field level physics.Level? what it has made, nil: it is not there
+
+--- What a world of Tiled has added: the lists are those of all maps that are there.
+---@class physics.Atlas: physics.Level
+---@field maps physics.AtlasMap[] all maps, also those that are not there
+---@field package _world physics.World
+---@field package _read function see `atlas.new`
+local Atlas = {}
+Atlas.__index = Atlas
+
+local LISTS = { "lines", "pictures", "points", "solidLayers", "unsupported" }
+for _, name in ipairs(level.LISTS) do
+  LISTS[#LISTS + 1] = name
+end
+
+local function join(self, made)
+  for _, name in ipairs(LISTS) do
+    local list = self[name]
+    for _, entry in ipairs(made[name]) do
+      list[#list + 1] = entry
+    end
+  end
+  for _, name in ipairs(keyOrder.sorted(made.named)) do
+    self.named[name] = self.named[name] or made.named[name]
+  end
+  self.tiles, self.rectangles = self.tiles + made.tiles, self.rectangles + made.rectangles
+end
+
+local function refresh(self)
+  self.named, self.tiles, self.rectangles = {}, 0, 0
+  for _, name in ipairs(LISTS) do
+    self[name] = {}
+  end
+  for _, map in ipairs(self.maps) do
+    if map.level then
+      join(self, map.level)
+    end
+  end
+end
+
+local function find(self, call, name)
+  local where, names = "level:" .. call, {}
+  if getmetatable(self) ~= Atlas then
+    check.fail(where .. " must be called with a colon on a level of several maps")
+  end
+  for i, map in ipairs(self.maps) do
+    if map.name == name then
+      return map
+    end
+    names[i] = check.show(map.name)
+  end
+  local text = "%s: name must be a map of the world, got %s; they are %s"
+  check.fail(text:format(where, check.show(name), table.concat(names, ", ")))
+end
+
+-- Reads maps, and then adds them: all, or none.
+local function add(self, maps)
+  local adds, levels, layers = {}, {}, {}
+  for i, map in ipairs(maps) do
+    levels[i], layers[i], adds[i] = self._read(self._world, map.path, map.options)
+  end
+  for i, map in ipairs(maps) do
+    adds[i]()
+    map.level, map.layers = levels[i], layers[i]
+  end
+  refresh(self)
+end
+
+--- Makes a level of the maps of a world of the editor. Errors: one of them cannot be read.
+---@param world physics.World
+---@param maps physics.AtlasMap[]
+---@param read function reads a map; returns its level, its tiles, and a function that adds them
+---@param isLater boolean? is no map there at first
+---@return physics.Atlas
+function atlas.new(world, maps, read, isLater)
+  local self = setmetatable({ maps = maps, _world = world, _read = read }, Atlas)
+  add(self, isLater and {} or maps)
+  return self
+end
+
+--- Adds one map of the world, as its file is. Nothing happens if it is there.
+---
+--- Errors: the world has no map of that name; what `loadTiled` refuses; it is called from inside
+--- `canCollide`. Nothing has changed then.
+---@param name string as in `level.maps`
+---@return physics.Level level what it has made
+function Atlas:addMap(name)
+  local map = find(self, "addMap(name)", name)
+  if not map.level then
+    add(self, { map })
+  end
+  return map.level
+end
+
+--- Takes one map of the world out again: its objects, wherever they are now, and its tiles.
+---
+--- Errors: the world has no map of that name; it is called from inside `canCollide`.
+---@param name string as in `level.maps`
+---@return boolean removed false: it was not there
+function Atlas:removeMap(name)
+  local map = find(self, "removeMap(name)", name)
+  local isThere = map.level ~= nil
+  for _, tiles in ipairs(map.layers or {}) do
+    tiles:unload()
+  end
+  for _, object in ipairs(isThere and map.level.objects or {}) do
+    self._world:remove(object)
+  end
+  map.level, map.layers = nil, nil
+  refresh(self)
+  return isThere
+end
+
+return atlas
