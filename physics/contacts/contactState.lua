@@ -1,9 +1,7 @@
 --- Contact state: computes from the places at the end of a step whether a pair is in contact, and
 -- on which side.
 --
--- `objects/write.lua` calls it only if the contact of a pair does not simply go on. Contacts that
--- begin or end without a listener or a rule are found in a compiled loop. Everything else is
--- interpreted.
+-- `objects/write.lua` calls it only if the contact of a pair does not simply go on.
 --
 -- Reads to, position, hit, pressedLow, pressedHigh and others; writes contact, overlapping,
 -- wedged, dropping, inside, passing, and notes the events.
@@ -18,33 +16,31 @@ local activePairs = require(root .. ".broadphase.activePairs")
 local slope = require(root .. ".memory.lazy")(root .. ".solver.slope")
 local sort = require(root .. ".memory.sort")
 
-local contact = {}
+local contactState = {}
 
 local DYNAMIC = columns.DYNAMIC
 local EPSILON, OPPOSITE = columns.EPSILON, columns.OPPOSITE
-local floor, max, min = math.floor, math.max, math.min
+local max, min = math.max, math.min
 
 -- Result of `flushSide` for two bodies that overlap.
 local INSIDE = -1
 
--- Returns 1 for a number >= 0, else 0. (jit: 2)
-local function step(v)
-  return max(min(floor(v) + 1, 1), 0)
-end
-
--- Returns the side of slot i on which the two are flush at the end of the step, else 0; INSIDE if
--- they overlap. (jit: 2)
+-- Returns the side of slot i on which two boxes are flush at the end of the step, else 0; INSIDE if
+-- they overlap.
 local function flushSide(b, i, j)
   local to, size, k, m = b.to, b.size, 2 * i, 2 * j
   local x, y = to[m] - to[k], to[m + 1] - to[k + 1]
   local afterX, beforeX = x - size[k], -x - size[m]
   local afterY, beforeY = y - size[k + 1], -y - size[m + 1]
   local gapX, gapY = max(afterX, beforeX), max(afterY, beforeY)
-  local apartX, apartY = step(gapX + EPSILON), step(gapY + EPSILON)
-  local flushX, flushY = apartX * step(EPSILON - gapX), apartY * step(EPSILON - gapY)
-  return flushX * (1 - apartY) * (1 + step(afterX - beforeX))
-    + flushY * (1 - apartX) * (3 + step(afterY - beforeY))
-    - (1 - apartX) * (1 - apartY)
+  if max(gapX, gapY) < -EPSILON then
+    return INSIDE
+  elseif max(gapX, gapY) > EPSILON or min(gapX, gapY) >= -EPSILON then
+    return 0 -- apart, or corner to corner
+  elseif gapX > gapY then
+    return afterX >= beforeX and 2 or 1
+  end
+  return afterY >= beforeY and 4 or 3
 end
 
 -- The same of any two.
@@ -67,11 +63,6 @@ local function isPressed(b, i, j, side)
     return iDynamic and b.pressedHigh[ki] or jDynamic and b.pressedLow[kj]
   end
   return iDynamic and b.pressedLow[ki] or jDynamic and b.pressedHigh[kj]
-end
-
--- Returns whether two that are flush on a side, and may meet there, are in contact.
-local function isHeld(b, p, i, j, side)
-  return b.contact[p] == side or b.hit[p] == side or b.sideBySide or isPressed(b, i, j, side)
 end
 
 -- Remembers on which axis two that are left overlapping came into each other: they may only
@@ -124,37 +115,41 @@ local function shortestSide(b, i, j)
   return isSwapped and OPPOSITE[side] or side
 end
 
+-- Returns the side on which a solid pair that overlaps is in contact now, else 0.
+local function deepContact(b, p, i, j)
+  if b.passing[p] or b.oneWay[i] or b.oneWay[j] then
+    b.wedged[p] = 0
+    leaveInside(b, i, j)
+    return 0
+  end
+  wedge(b, p, i, j)
+  local isWedged = b.wedged[p] ~= 0
+  if not isWedged or (b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC) then
+    leaveInside(b, i, j)
+  end
+  local side = isWedged and b.wedged[p] or b.contact[p] ~= 0 and b.contact[p] or b.hit[p]
+  -- A buried body touches what it is in.
+  return side == 0 and (b.buried[i] or b.buried[j]) and shortestSide(b, i, j) or side
+end
+
+-- Returns the side on which a solid pair that does not overlap is in contact now, else 0.
+local function flushContact(b, p, i, j, side)
+  if side <= 0 or b.passing[p] or b.dropping[p] or rules.lets(b, i, j, side, false) then
+    return 0
+  end
+  local isHeld = b.contact[p] == side or b.hit[p] == side or b.sideBySide
+  return (isHeld or isPressed(b, i, j, side)) and side or 0
+end
+
 -- Returns the side on which a solid pair is in contact now, else 0.
 local function solidContact(b, p, i, j)
   local side = sideOf(b, i, j)
   b.overlapping[p] = side == INSIDE
   if side == INSIDE then
-    if b.passing[p] or b.oneWay[i] or b.oneWay[j] then
-      b.wedged[p] = 0
-      leaveInside(b, i, j)
-      return 0
-    end
-    wedge(b, p, i, j)
-    if b.wedged[p] ~= 0 then
-      if b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC then
-        leaveInside(b, i, j)
-      end
-      return b.wedged[p]
-    end
-    leaveInside(b, i, j)
-    side = b.contact[p] ~= 0 and b.contact[p] or b.hit[p]
-    -- A buried body touches what it is in.
-    return side == 0 and (b.buried[i] or b.buried[j]) and shortestSide(b, i, j) or side
+    return deepContact(b, p, i, j)
   end
-  b.wedged[p] = 0
-  if side == 0 then
-    b.dropping[p] = false
-    return 0
-  end
-  if b.passing[p] or b.dropping[p] or rules.lets(b, i, j, side, false) then
-    return 0
-  end
-  return isHeld(b, p, i, j, side) and side or 0
+  b.wedged[p], b.dropping[p] = 0, b.dropping[p] and side ~= 0
+  return flushContact(b, p, i, j, side)
 end
 
 -- Returns the side on which a sensor was entered, while the two overlap, else 0.
@@ -162,22 +157,8 @@ local function sensorContact(b, p, i, j)
   if sideOf(b, i, j) ~= INSIDE or b.passing[p] then
     return 0
   end
-  if b.contact[p] ~= 0 then
-    return b.contact[p]
-  elseif b.hit[p] ~= 0 then
-    return b.hit[p]
-  end
-  return shortestSide(b, i, j)
-end
-
--- Returns the side on which solid pair p will be in contact, although it was not hit in this step.
--- (One of the two leans on another body on that side.) Else returns 0.
-local function unmetSide(b, p, i, j)
-  local side = sideOf(b, i, j)
-  if side <= 0 or b.dropping[p] or rules.lets(b, i, j, side, false) then
-    return 0
-  end
-  return isHeld(b, p, i, j, side) and side or 0
+  local side = b.contact[p] ~= 0 and b.contact[p] or b.hit[p]
+  return side ~= 0 and side or shortestSide(b, i, j)
 end
 
 -- Lists the pairs about which the game must still be asked, in the order of the world. Returns how
@@ -191,7 +172,8 @@ local function listUnasked(b, work)
     local i, j = b.pairA[p], b.pairB[p]
     local isOpen = b.hit[p] == 0 and not b.passing[p] and b.asked[p] ~= b.solveStamp
     if isOpen and rules.isAsked(b, i, j) then
-      local side = (b.sensor[i] or b.sensor[j]) and 0 or unmetSide(b, p, i, j)
+      local isSensed = b.sensor[i] or b.sensor[j]
+      local side = isSensed and 0 or flushContact(b, p, i, j, sideOf(b, i, j))
       if side ~= 0 then
         local one, other = b.rank[i], b.rank[j]
         count = count + 1
@@ -206,7 +188,7 @@ end
 
 --- Asks the game about pairs that will be in contact without a hit. (An object that stands on two
 --- floors is held by one of them.) Writes only `passing`, since the function of the game may fail.
-function contact.ask(b)
+function contactState.ask(b)
   if not b.hasAskers then
     return
   end
@@ -221,17 +203,12 @@ function contact.ask(b)
   end
 end
 
--- Returns whether two are in a crowd. They begin no contact: whether they still are a pair depends
--- on when the crowd has begun.
-local function areCrowded(b, i, j)
-  return min(b.crowd[2 * i], b.crowd[2 * j]) > 0
-end
-
 -- Updates whether pair p is in contact now, and notes its events.
 local function update(b, p)
   local i, j = b.pairA[p], b.pairB[p]
   local now
-  if b.contact[p] == 0 and areCrowded(b, i, j) then
+  if b.contact[p] == 0 and min(b.crowd[2 * i], b.crowd[2 * j]) > 0 then
+    -- Two in a crowd begin none: whether they still are a pair depends on when it has begun.
     return
   elseif b.sensor[i] or b.sensor[j] then
     now = sensorContact(b, p, i, j)
@@ -260,57 +237,9 @@ local function update(b, p)
   b.news[i], b.news[j] = true, true
 end
 
--- Returns whether an object or the world has a callback for contacts.
-local function hears(listener)
-  return listener.onBegin or listener.onEnd or listener.onStay
-end
-
--- Returns whether the places of two bodies decide their contact alone. Both are solid on all sides,
--- did not overlap before, and neither has a callback.
-local function isPlain(b, p, i, j)
-  return b.plain[i]
-    and b.plain[j]
-    and b.wedged[p] == 0
-    and not (b.oneWay[i] or b.oneWay[j] or b.passing[p] or b.dropping[p] or b.overlapping[p])
-    and not areCrowded(b, i, j)
-    and not (hears(b.object[i]) or hears(b.object[j]))
-end
-
--- Updates the plain pairs of `list[1..listCount]` (see `isPlain`). Returns how many pairs are left
--- in `list`, and how many are in `touching`.
-local function updatePlain(b, list, listCount, touching, count)
-  local pairA, pairB, contacts, news, left = b.pairA, b.pairB, b.contact, b.news, 0
-  local hit = b.hit
-  for n = 1, listCount do
-    local p = list[n]
-    local i, j, before = pairA[p], pairB[p], contacts[p]
-    local side = flushSide(b, i, j)
-    if side == INSIDE or not isPlain(b, p, i, j) then
-      left = left + 1
-      list[left] = p
-    else
-      local now = side ~= 0 and isHeld(b, p, i, j, side) and side or 0
-      if now ~= 0 then
-        count = count + 1
-        touching[count] = p
-      end
-      if now ~= before then
-        contacts[p], news[i], news[j] = now, true, true
-        b.contactCount = b.contactCount + min(now, 1) - min(before, 1)
-      elseif now == 0 and hit[p] ~= 0 then
-        news[i], news[j] = true, true -- as in `update`: the next bounce may be an event
-      end
-    end
-  end
-  return left, count
-end
-
 --- Updates the pairs in `list[1..listCount]`, and lists those in contact in `touching`, from place
 --- `count` + 1 on. Returns how many are in `touching` then.
-function contact.updateAll(b, list, listCount, touching, count)
-  if not hears(b.world) then
-    listCount, count = updatePlain(b, list, listCount, touching, count)
-  end
+function contactState.updateAll(b, list, listCount, touching, count)
   for n = 1, listCount do
     local p = list[n]
     update(b, p)
@@ -322,4 +251,4 @@ function contact.updateAll(b, list, listCount, touching, count)
   return count
 end
 
-return contact
+return contactState

@@ -5,7 +5,6 @@
 -- update.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local aabb = require(root .. ".space.aabb")
 local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
 local check = require(root .. ".fields.check")
 local columns = require(root .. ".memory.columns")
@@ -179,68 +178,57 @@ function events.crush(b, i, j, k, axis)
   end
 end
 
--- Ends a contact because the game has changed one of the two. There may be room now.
-local function endContact(b, p)
-  if b.contact[p] ~= 0 then
-    relax.loosen(b, b.pairA[p])
-    relax.loosen(b, b.pairB[p])
-    events.finish(b, p, b.contact[p])
-    b.contact[p] = 0
-    b.contactCount = b.contactCount - 1
+-- Returns whether two slots that are in contact do not touch any more where they are now. (A contact
+-- with an object that has become a sensor goes on while the other one passes through it.)
+local function isApart(b, i, j)
+  local position, size, k, m = b.position, b.size, 2 * i, 2 * j
+  local x, y = position[m] - position[k], position[m + 1] - position[k + 1]
+  local gapX, gapY = max(x - size[k], -x - size[m]), max(y - size[k + 1], -y - size[m + 1])
+  local isCorner = min(gapX, gapY) >= -EPSILON and not (b.sensor[i] or b.sensor[j])
+  return max(gapX, gapY) > EPSILON or isCorner
+end
+
+local function always()
+  return true
+end
+
+local function isForbidden(b, i, j)
+  return not filter.allows(b, i, j)
+end
+
+-- Ends the contacts of a slot with those for which `isOver(b, i, j)`, because the game has changed
+-- one of the two. It is no longer wedged into them, and there may be room now.
+local function endContacts(b, i, isOver)
+  local half = b.head[i]
+  while half ~= 0 do
+    local p, j = (half + half % 2) / 2, b.other[half]
+    if (b.contact[p] ~= 0 or b.wedged[p] ~= 0) and isOver(b, i, j) then
+      b.wedged[p] = 0
+      if b.contact[p] ~= 0 then
+        relax.loosen(b, i)
+        relax.loosen(b, j)
+        events.finish(b, p, b.contact[p])
+        b.contact[p], b.contactCount = 0, b.contactCount - 1
+      end
+    end
+    half = b.next[half]
   end
 end
 
 --- Ends all contacts of a slot that leaves the world.
 function events.endContacts(b, i)
-  local half = b.head[i]
-  while half ~= 0 do
-    endContact(b, (half + half % 2) / 2)
-    half = b.next[half]
-  end
-end
-
--- Returns whether two slots that are in contact do not touch any more where they are now.
-local function isApart(b, i, j)
-  local position, size, k, m = b.position, b.size, 2 * i, 2 * j
-  local width, height = aabb.overlap(
-    position[k],
-    position[k + 1],
-    size[k],
-    size[k + 1],
-    position[m],
-    position[m + 1],
-    size[m],
-    size[m + 1]
-  )
-  -- (A contact with an object that has become a sensor goes on while the other one passes through
-  -- it.)
-  local isSensed = b.sensor[i] or b.sensor[j]
-  return min(width, height) < -EPSILON or (not isSensed and max(width, height) <= EPSILON)
+  endContacts(b, i, always)
 end
 
 --- Ends the contacts of a slot with what it no longer touches, because the game has put it
---- elsewhere. (It may come back in the same step.) It is no longer wedged into these objects then.
+--- elsewhere. (It may come back in the same step.)
 function events.endLeft(b, i)
-  local half = b.head[i]
-  while half ~= 0 do
-    local p = (half + half % 2) / 2
-    if (b.contact[p] ~= 0 or b.wedged[p] ~= 0) and isApart(b, i, b.other[half]) then
-      b.wedged[p] = 0
-      endContact(b, p)
-    end
-    half = b.next[half]
-  end
+  endContacts(b, i, isApart)
 end
 
 --- Ends the contacts of a slot with objects that it can no longer meet.
 function events.endForbidden(b, i)
-  local half = b.head[i]
-  while half ~= 0 do
-    if not filter.allows(b, i, b.other[half]) then
-      endContact(b, (half + half % 2) / 2)
-    end
-    half = b.next[half]
-  end
+  endContacts(b, i, isForbidden)
 end
 
 -- Checks a callback. Callbacks are read when they are called, so a field may have changed since the
@@ -279,18 +267,19 @@ local function tell(e, n, recipient, name, owner)
   end
 end
 
--- Tells one event to the recipients that have not been called yet.
+-- Tells one event to the recipients that have not been called yet: its two objects (one, if it is
+-- crushed) and the world. Callbacks may change the later ones, and forget all events.
 local function tellAll(b, e, n)
   local name = CALLBACKS[e.kind[n]]
   while e.heardBy < 3 do
     local recipient = e.heardBy + 1
     local owner = recipient == 3 and b.world or recipient == 1 and e.a[n] or e.b[n]
-    local isSkipped = recipient == 2 and e.kind[n] == CRUSH
-    if not isSkipped then
-      checkCallback(b, owner, name) -- earlier callbacks may have changed it
+    local isMeant = recipient ~= 2 or e.kind[n] ~= CRUSH
+    if isMeant then
+      checkCallback(b, owner, name)
     end
     e.heardBy = recipient
-    if not isSkipped then
+    if isMeant then
       tell(e, n, recipient, name, owner)
     end
   end
@@ -339,12 +328,6 @@ function events.tell(b)
       events.arrange(e) -- callbacks may have ended contacts
     end
     local n = e.order[e.told + 1]
-    local name = CALLBACKS[e.kind[n]]
-    checkCallback(b, e.a[n], name)
-    if e.kind[n] ~= CRUSH then
-      checkCallback(b, e.b[n], name)
-    end
-    checkCallback(b, b.world, name)
     e.told, e.heardBy = e.told + 1, 0
     tellAll(b, e, n)
   end

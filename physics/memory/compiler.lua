@@ -44,8 +44,7 @@ local NEXT = {
 -- runs: `spawn` of 100, median 0.52 -> 0.40 ms, p99 1.9 -> 1.0 ms; `swarm` of 300 1.64 -> 1.51, 2.5
 -- -> 2.2; `zones` of 200, p99 2.9 -> 2.3. "*": all functions of the file.
 local BRANCHING = {
-  ["contacts.contactState"] = "unmetSide listUnasked ask wedge leaveInside solidContact "
-    .. "shortestSide sensorContact update updateAll",
+  ["contacts.contactState"] = "*",
   ["contacts.events"] = "*",
   ["solver.impact"] = "*",
   ["solver.rounds"] = "sortImpacts sense stop isSpent crosses isTorn isDisturbed change correct "
