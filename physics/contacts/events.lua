@@ -178,7 +178,7 @@ function events.crush(b, i, j, k, axis)
   end
 end
 
--- Returns whether two slots that are in contact do not touch any more where they are now. (A contact
+-- Returns whether two slots in contact do not touch any more where they are now. (A contact
 -- with an object that has become a sensor goes on while the other one passes through it.)
 local function isApart(b, i, j)
   local position, size, k, m = b.position, b.size, 2 * i, 2 * j

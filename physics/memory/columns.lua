@@ -106,6 +106,7 @@ function columns.new()
   for k = 0, 1 do
     b.from[k], b.to[k], b.speed[k], b.size[k] = 0, 0, 0, -1
   end
+  b.flowPull, b.flowAir, b.flowDrag = b.pull, b.airFriction, b.drag -- but where there are zones
   return b
 end
 

@@ -116,7 +116,9 @@ end
 function move.run(b, dt)
   local first, last = b.predicted + 1, b.awakeCount
   path.begin(b)
-  zones.run(b, dt, first, last)
+  if b.hasZones then
+    zones.run(b, dt, first, last)
+  end
   forces.run(b, dt, first, last)
   movePaths(b, dt, first, last)
   b.predicted = last

@@ -6,14 +6,14 @@
 -- Source: the midpoint method, as in E. Hairer et al., Solving Ordinary Differential Equations I.
 --
 -- Reads area, position, velocity, pull, airFriction, drag; writes zonePull, zoneAir, zoneDrag and,
--- where a zone has a gravity of its own, down, slowest and fastest. `forces` and all that come
--- after it read flowPull, flowAir and flowDrag: these columns, or those of the objects in a world
--- without zones.
+-- where a zone has a gravity of its own, down, slowest and fastest. What comes after it reads these
+-- columns as flowPull, flowAir and flowDrag, which are those of the objects in a world without zones.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local fields = require(root .. ".fields.fields")
 local filter = require(root .. ".broadphase.filter")
+local sort = require(root .. ".memory.sort")
 
 local zones = {}
 
@@ -49,38 +49,30 @@ end
 
 --- Notes that slot i has an area.
 function zones.note(b, i)
-  local area, list = b.area[i], b.zoneList
-  list[#list + 1] = i
+  local area, list, isListed = b.area[i], b.zoneList, false
+  for n = 1, #list do
+    isListed = isListed or list[n] == i
+  end
+  list[isListed and #list or #list + 1] = isListed and list[#list] or i
   b.hasZones = true
   b.hasTurns = b.hasTurns or area.gravity ~= nil or area.gravityX ~= nil
   b.hasHinders = b.hasHinders or (area.drag or 0) > 0
+  b.flowPull, b.flowAir, b.flowDrag = b.zonePull, b.zoneAir, b.zoneDrag
 end
 
--- Returns whether slot i has an area still. (Slots at the end may have been given back.)
-local function isZone(b, i)
-  return i <= b.slots and b.kind[i] ~= 0 and b.area[i] ~= false
-end
-
--- Puts the list in the order of the world, without those that are zones no more.
+-- Puts the list in the order of the world, without those that are zones no more. (Slots at the end
+-- may have been given back.)
 local function arrange(b)
-  local list, rank, count = b.zoneList, b.rank, 0
+  local list, count = b.zoneList, 0
   for n = 1, #list do
-    local i, at, isNew = list[n], count, isZone(b, list[n])
-    while isNew and at > 0 and rank[list[at]] >= rank[i] do
-      isNew = list[at] ~= i
-      at = at - 1
-    end
-    if isNew then
-      for m = count, at + 1, -1 do
-        list[m + 1] = list[m]
-      end
-      count = count + 1
-      list[at + 1] = i
-    end
-  end
-  for n = #list, count + 1, -1 do
+    local i = list[n]
     list[n] = nil
+    if i <= b.slots and b.kind[i] ~= 0 and b.area[i] then
+      count = count + 1
+      list[count] = i
+    end
   end
+  sort.by(list, count, b.rank, b.rank, b.rank)
 end
 
 -- Shares ------------------------------------------------------------------------------------------
@@ -220,17 +212,6 @@ local function listNear(b, list, first, last, j, time, count)
   return count
 end
 
--- The same of all zones.
-local function listAllNear(b, list, first, last, time)
-  local slots, count = b.zoneList, 0
-  for n = 1, #slots do
-    if b.active[slots[n]] then
-      count = listNear(b, list, first, last, slots[n], time, count)
-    end
-  end
-  return count
-end
-
 -- Lets what acts on those in list[first..last] be what their own fields say.
 local function reset(b, list, first, last)
   local pull, air, drag = b.pull, b.airFriction, b.drag
@@ -243,55 +224,47 @@ local function reset(b, list, first, last)
   end
 end
 
--- Finds the gravity of those in list[first..last], `near` of which are near zones: the last zone is
--- on top.
-local function turnAll(b, list, first, last, near, time)
-  reset(b, list, first, last)
-  if b.hasTurns then
-    for n = near, 1, -1 do
-      turn(b, b.nearBody[n], b.nearZone[n], time)
-    end
-    for n = first, last do
-      if b.kind[list[n]] == DYNAMIC then
-        zones.setDown(b, list[n], b.zonePull[2 * list[n]], b.zonePull[2 * list[n] + 1])
-      end
+-- Finds the gravity of those in list[first..last], `time` s after the beginning of the step; the
+-- last zone is on top. Returns how many of b.nearBody are near a zone.
+local function turnAll(b, list, first, last, time)
+  local slots, near = b.zoneList, 0
+  for n = 1, #slots do
+    if b.active[slots[n]] then
+      near = listNear(b, list, first, last, slots[n], time, near)
     end
   end
-end
-
--- The columns that act in this step.
-local function choose(b)
-  b.flowPull = b.hasZones and b.zonePull or b.pull
-  b.flowAir = b.hasZones and b.zoneAir or b.airFriction
-  b.flowDrag = b.hasZones and b.zoneDrag or b.drag
+  reset(b, list, first, last)
+  for n = near, b.hasTurns and 1 or near + 1, -1 do
+    turn(b, b.nearBody[n], b.nearZone[n], time)
+  end
+  for n = first, b.hasTurns and last or 0 do
+    local i = list[n]
+    if b.kind[i] == DYNAMIC then
+      zones.setDown(b, i, b.zonePull[2 * i], b.zonePull[2 * i + 1])
+    end
+  end
+  return near
 end
 
 --- Finds what acts on the dynamic objects in awakeList from `first` to `last` in a step of dt s.
 function zones.run(b, dt, first, last)
-  choose(b)
-  if b.hasZones then
-    local time = dt * 0.5
-    local near = listAllNear(b, b.awakeList, first, last, time)
-    turnAll(b, b.awakeList, first, last, near, time)
-    for n = 1, near do
-      push(b, b.nearBody[n], b.nearZone[n], time)
-    end
+  local time = dt * 0.5
+  for n = 1, turnAll(b, b.awakeList, first, last, time) do
+    push(b, b.nearBody[n], b.nearZone[n], time)
   end
 end
 
 --- Begins a step: finds the zones, and where "down" is of those in list[1..count].
 function zones.begin(b, list, count)
-  if b.hasZones then
-    arrange(b)
-    if b.hasTurns then
-      turnAll(b, list, 1, count, listAllNear(b, list, 1, count, 0), 0)
-    end
+  arrange(b)
+  if b.hasTurns then
+    turnAll(b, list, 1, count, 0)
   end
 end
 
 --- Finds where "down" is of everything in a world that was restored.
 function zones.restore(b)
-  for n = 1, b.moverCount do
+  for n = 1, b.hasZones and b.moverCount or 0 do
     local k = 2 * b.movers[n]
     b.from[k], b.from[k + 1] = b.position[k], b.position[k + 1]
   end
