@@ -7,18 +7,18 @@
 local BUDGET = {
   { "physics.lua", 96 },
   { "physics/broadphase", 844 },
-  { "physics/contacts", 547 },
+  { "physics/contacts", 471 },
   { "physics/fields", 744 },
   { "physics/maps", 2697 },
   { "physics/memory", 881 },
-  { "physics/motion", 1328 },
+  { "physics/motion", 1309 },
   { "physics/objects", 1517 },
   { "physics/queries", 940 },
-  { "physics/sleep", 115 },
+  { "physics/sleep", 94 },
   { "physics/solver", 4715 },
   { "physics/space", 439 },
   { "physics/state", 1215 },
-  { "physics/world", 1612 },
+  { "physics/world", 1626 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 

@@ -7,7 +7,7 @@
 --
 -- Reads area, position, velocity, pull, airFriction, drag; writes zonePull, zoneAir, zoneDrag and,
 -- where a zone has a gravity of its own, down, slowest and fastest. What comes after it reads these
--- columns as flowPull, flowAir and flowDrag, which are those of the objects in a world without zones.
+-- columns as flowPull, flowAir and flowDrag; without zones these are the columns of the objects.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")

@@ -16,23 +16,19 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 
-local rest = {}
+local islands = {}
 
 local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
 
 --- The shortest step in which bodies fall asleep, s: what happens in a shorter one may be too
 --- little to show. In a shorter step no sleeping body is skipped either: what a long step takes
 --- back may be too little in a short one.
-rest.SHORTEST = 1 / 2000
+islands.SHORTEST = 1 / 2000
 
 local function rouse(b, i)
   local n = b.awakeCount + 1
-  b.awakeCount = n
-  b.awakeList[n] = i
-  b.awakeAt[i] = n
-  b.awake[i] = true
-  b.quiet[i] = false
-  b.awakenings = b.awakenings + 1
+  b.awakeCount, b.awakeList[n], b.awakeAt[i] = n, i, n
+  b.awake[i], b.quiet[i], b.awakenings = true, false, b.awakenings + 1
 end
 
 -- Wakes the sleeping dynamic neighbours of all bodies in awakeList from place `from` on. The list
@@ -55,7 +51,7 @@ local function flood(b, from)
 end
 
 --- Wakes an object and, if it slept, its island.
-function rest.wake(b, i)
+function islands.wake(b, i)
   if b.kind[i] == STATIC or not b.active[i] then
     return
   end
@@ -68,56 +64,46 @@ function rest.wake(b, i)
 end
 
 --- Wakes all neighbours of an object, which may be static.
-function rest.wakeNeighbours(b, i)
+function islands.wakeNeighbours(b, i)
   local half = b.head[i]
   while half ~= 0 do
-    rest.wake(b, b.other[half])
+    islands.wake(b, b.other[half])
     half = b.next[half]
   end
 end
 
 --- Wakes all bodies, for example because a setting has changed.
-function rest.wakeAll(b)
+function islands.wakeAll(b)
   for n = 1, b.moverCount do
-    rest.wake(b, b.movers[n])
+    islands.wake(b, b.movers[n])
   end
 end
 
 --- Takes an object out of the list of awake bodies.
-function rest.drop(b, i)
+function islands.drop(b, i)
   if b.awake[i] then
     local at, last = b.awakeAt[i], b.awakeList[b.awakeCount]
-    b.awakeList[at] = last
-    b.awakeAt[last] = at
-    b.awakeCount = b.awakeCount - 1
-    b.awake[i] = false
-    b.awakenings = b.awakenings + 1
+    b.awakeList[at], b.awakeAt[last] = last, at
+    b.awakeCount, b.awake[i], b.awakenings = b.awakeCount - 1, false, b.awakenings + 1
   end
 end
 
--- Puts an object to sleep. It is an obstacle for others until it wakes.
-local function sleep(b, i)
-  columns.stand(b, i)
-  rest.drop(b, i)
-end
-
--- Lists the island of an awake dynamic object in `b.island`. Returns its size, and whether none of
--- it would do anything in the next step.
+-- Lists the island of an awake object in `b.island`. Returns its size, and whether none of it would
+-- do anything in the next step. A kinematic one, which is an island by itself, belongs to those of
+-- its neighbours, too.
 local function gather(b, i, stamp)
   local island, kind, awake, quiet, visited = b.island, b.kind, b.awake, b.quiet, b.visited
   local head, other, nextHalf = b.head, b.other, b.next
   local count, n, calm = 1, 1, true
-  island[1] = i
-  visited[i] = stamp
+  island[1], visited[i] = i, stamp
   while n <= count do
     local member = island[n]
     calm = calm and quiet[member]
-    local half = head[member]
+    local half = kind[i] == DYNAMIC and head[member] or 0
     while half ~= 0 do
       local j = other[half]
       if kind[j] == DYNAMIC and awake[j] and visited[j] ~= stamp then
-        visited[j] = stamp
-        count = count + 1
+        count, visited[j] = count + 1, stamp
         island[count] = j
       elseif kind[j] ~= DYNAMIC and awake[j] then
         calm = calm and quiet[j]
@@ -129,29 +115,22 @@ local function gather(b, i, stamp)
   return count, calm
 end
 
---- Puts every island to sleep that is calm after a step of dt s.
-function rest.settle(b, dt)
-  if dt < rest.SHORTEST then
-    return
-  end
+--- Puts every island to sleep that is calm after a step of dt s. Its bodies are obstacles for
+--- others until they wake.
+function islands.settle(b, dt)
   b.stamp = b.stamp + 1
-  local stamp, list, kind, quiet, visited = b.stamp, b.awakeList, b.kind, b.quiet, b.visited
-  for n = b.awakeCount, 1, -1 do
+  local stamp, list, quiet, visited = b.stamp, b.awakeList, b.quiet, b.visited
+  for n = dt >= islands.SHORTEST and b.awakeCount or 0, 1, -1 do
     local i = list[n]
     -- Sleeping bodies are dropped from the list, which may bring others to this place.
     if i and n <= b.awakeCount and quiet[i] and visited[i] ~= stamp then
-      if kind[i] ~= DYNAMIC then
-        sleep(b, i)
-      else
-        local count, calm = gather(b, i, stamp)
-        if calm then
-          for m = 1, count do
-            sleep(b, b.island[m])
-          end
-        end
+      local count, calm = gather(b, i, stamp)
+      for m = 1, calm and count or 0 do
+        columns.stand(b, b.island[m])
+        islands.drop(b, b.island[m])
       end
     end
   end
 end
 
-return rest
+return islands
