@@ -90,7 +90,7 @@ describe("world:loadTiled refuses", function()
     { "layers.2.layers", NONE, "the map is damaged: …" },
     { data .. ".4", NONE, G .. "data must hold 4 gids (2 x 2), got 3" },
     { data, NONE, G .. "data must be a table, got nil" },
-    { "layers.2.layers.1.width", 1.5, G .. "data must hold 3 gids (1 x 2), got 4" },
+    { "layers.2.layers.1.width", 3, G .. "data must hold 6 gids (3 x 2), got 4" },
     { data .. ".2", 17, tile:gsub("gid,", "gid of one of the tilesets,") .. "17" },
     { data .. ".2", -1, tile .. "-1" },
     { data .. ".2", 1.5, tile .. "1.5" },
@@ -118,8 +118,8 @@ describe("world:loadTiled refuses", function()
     },
     {
       "tilesets.1.tiles.1.properties.solid",
-      "yes",
-      'tileset "terrain", tile 0: solid must be true or false, got "yes"',
+      "often",
+      'tileset "terrain", tile 0: solid must be true or false, got "often"',
     },
     {
       SHAPES .. "properties.oneWay",
@@ -138,7 +138,7 @@ describe("world:loadTiled refuses", function()
       "open",
       C .. 'onBegin must be a function, got "open"',
     },
-    { "layers.1.objects.2.properties.merge", 1, C .. "merge must be true or false, got 1" },
+    { "layers.1.objects.2.properties.merge", 2, C .. "merge must be true or false, got 2" },
     {
       "layers.1.objects.2.properties.group",
       true,

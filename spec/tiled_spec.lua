@@ -449,7 +449,7 @@ describe("world", function()
         local again = tiled.copy(map.layers[1])
         again.name = "again"
         map.layers = { tiled.copy(map.layers[1]), map.layers[1], again }
-        map.layers[1].properties.solid = false
+        map.layers[1].properties = { solid = false }
         local entries = load(map).unsupported
         assert.equal(1, #entries)
         assert.equal("tileset", entries[1].kind)
@@ -460,7 +460,7 @@ describe("world", function()
       it("but no layer of which nothing is wanted", function()
         local map = dofile(ZOO)
         for _, layer in ipairs(map.layers) do
-          layer.properties.solid = false
+          layer.properties = { solid = false }
         end
         assert.same({}, load(map).unsupported)
         map = newObjects({}, { parallaxx = 0.5 })

@@ -121,52 +121,6 @@ describe("world:loadTiled, walls", function()
     end)
   end)
 
-  describe("are layers by their name:", function()
-    for _, name in ipairs({
-      "walls",
-      "Wall",
-      "WALLS",
-      "collision",
-      "Collisions",
-      "collider",
-      "colliders",
-      "solid",
-      "Solids",
-      "ground",
-      "Ground",
-      "platform",
-      "Platforms",
-      "my walls",
-      "platforms 2",
-      "Collision Layer",
-      "TopWall",
-      "collisions_1",
-    }) do
-      it(name, function()
-        local level = load(newObjects(name, { rectangle() }))
-        assert.equal("static", kindOf(level))
-        assert.same({ name .. ': its name, "' .. name .. '"' }, solidOf(level))
-        assert.equal(1, level.solidLayers[1].id)
-      end)
-    end
-
-    for _, name in ipairs({
-      "wallpaper",
-      "background",
-      "BackGround",
-      "wall_decor",
-      "backWalls",
-      "",
-      "s",
-    }) do
-      it("but not " .. name, function()
-        local level = load(newObjects(name, { rectangle() }))
-        assert.equal("sensor", kindOf(level))
-        assert.same({}, level.solidLayers)
-      end)
-    end
-  end)
-
   it("are listed with the word that makes them so", function()
     local solid = tiled.tileset({ { id = 0, properties = { solid = true } } })
     local inner = tiled.objects(6, "inner", { rectangle() })

@@ -53,7 +53,9 @@ describe("world:loadTiled, words", function()
     end)
 
     it("solid and merge", function()
-      assert.is_true(loadOne({ solid = "true" }).static)
+      for _, value in ipairs({ "true", "yes", "1", 1 }) do
+        assert.is_true(loadOne({ solid = value }).static)
+      end
       assert.is_nil((loadOne({ solid = "false" })))
     end)
 
@@ -80,8 +82,8 @@ describe("world:loadTiled, words", function()
         'oneWay must be true, false, "top", "bottom", "left" or "right", got "up"',
       },
       { "onBegin", "open", 'onBegin must be a function, got "open"' },
-      { "static", "yes", 'static must be true or false, got "yes"' },
-      { "solid", 1, "solid must be true or false, got 1" },
+      { "static", "often", 'static must be true or false, got "often"' },
+      { "solid", 2, "solid must be true or false, got 2" },
       { "merge", "x", 'merge must be true or false, got "x"' },
       { "group", true, "group must be a string or a number, got true" },
     }) do

@@ -1,46 +1,17 @@
 -- Made by hand in the format of Tiled 1.10, File > Export As > Lua.
 -- stylua: ignore
 return {
-  version = "1.10",
-  luaversion = "5.1",
-  tiledversion = "1.10.2",
-  class = "",
   orientation = "orthogonal",
-  renderorder = "right-down",
   width = 16,
   height = 16,
   tilewidth = 8,
   tileheight = 8,
-  nextlayerid = 3,
-  nextobjectid = 2,
-  properties = {},
   tilesets = {
     {
       name = "rock",
       firstgid = 1,
-      class = "",
       tilewidth = 8,
       tileheight = 8,
-      spacing = 0,
-      margin = 0,
-      columns = 2,
-      image = "rock.png",
-      imagewidth = 16,
-      imageheight = 16,
-      objectalignment = "unspecified",
-      tilerendersize = "tile",
-      fillmode = "stretch",
-      tileoffset = {
-        x = 0,
-        y = 0
-      },
-      grid = {
-        orientation = "orthogonal",
-        width = 8,
-        height = 8
-      },
-      properties = {},
-      wangsets = {},
       tilecount = 4,
       tiles = {
         {
@@ -61,13 +32,6 @@ return {
       height = 16,
       id = 1,
       name = "rocks",
-      class = "",
-      visible = true,
-      opacity = 1,
-      offsetx = 0,
-      offsety = 0,
-      parallaxx = 1,
-      parallaxy = 1,
       properties = {
         ["solid"] = true
       },
@@ -140,30 +104,16 @@ return {
     },
     {
       type = "objectgroup",
-      draworder = "topdown",
       id = 2,
       name = "boxes",
-      class = "",
-      visible = true,
-      opacity = 1,
-      offsetx = 0,
-      offsety = 0,
-      parallaxx = 1,
-      parallaxy = 1,
-      properties = {},
       objects = {
         {
           id = 1,
-          name = "",
-          type = "",
           shape = "rectangle",
           x = -20,
           y = 0,
           width = 8,
           height = 8,
-          rotation = 0,
-          visible = true,
-          properties = {}
         }
       }
     }

@@ -176,12 +176,9 @@ local function flatten(layers, list)
     if inner.type == "group" then
       for _, child in ipairs(inner.layers) do
         child.name = inner.name .. "." .. child.name
-        child.offsetx, child.offsety = inner.offsetx + child.offsetx, inner.offsety + child.offsety
-        for name, value in pairs(inner.properties) do
-          if child.properties[name] == nil then
-            child.properties[name] = value
-          end
-        end
+        child.offsetx = (inner.offsetx or 0) + (child.offsetx or 0)
+        child.offsety = (inner.offsety or 0) + (child.offsety or 0)
+        child.properties = copyInto(copyInto({}, inner.properties), child.properties)
       end
       flatten(inner.layers, list)
     else
@@ -208,7 +205,7 @@ end
 
 -- STI turns corners by sine and cosine, and moves them to where the object is.
 local function moveCorners(object, inner)
-  local angle = math.rad(object.rotation)
+  local angle = math.rad(object.rotation or 0)
   local cos, sin = math.cos(angle), math.sin(angle)
   for _, corner in ipairs(object.polygon or object.polyline or {}) do
     local x, y = corner.x, corner.y
@@ -225,7 +222,8 @@ function tiled.sti(map, offsetX, offsetY)
   map.objects, map.tiles, map.tileInstances = {}, {}, {}
   map.layers = flatten(map.layers, {})
   for _, inner in ipairs(map.layers) do
-    inner.x, inner.y = map.offsetx + inner.offsetx, map.offsety + inner.offsety
+    inner.x = map.offsetx + (inner.offsetx or 0)
+    inner.y = map.offsety + (inner.offsety or 0)
     for _, grid in ipairs(inner.chunks or { inner.data and inner }) do
       toRows(grid, map.tiles)
     end
