@@ -33,10 +33,10 @@ end
 
 local MAPS = {
   function()
-    return dofile("spec/maps/zoo.lua")
+    return dofile("spec/maps/meadow.lua")
   end,
   function()
-    return dofile("spec/maps/cave.lua")
+    return tiled.infinite()
   end,
   function()
     return dofile("spec/maps/course.lua")

@@ -755,12 +755,12 @@ describe("world:loadTiled, level.tileLayers", function()
   end)
 
   it("are there for infinite maps, with columns below 0", function()
-    local level, world = load("spec/maps/cave.lua")
+    local level, world = load(tiled.infinite())
     local tiles = level.tileLayers.rocks
-    assert.same({ -16, 0 }, { tiles.firstColumn, tiles.firstRow })
-    assert.equal(1, tiles:getTile(-10, 4))
-    tiles:setTile(-9, 4, 0)
-    assert.equal("-80 32 8 8", boxes(world, "rocks")[3])
+    assert.same({ -4, 0 }, { tiles.firstColumn, tiles.firstRow })
+    assert.equal(1, tiles:getTile(-2, 0))
+    tiles:setTile(-1, 0, 0)
+    assert.equal("-32 8 16 16", boxes(world, "rocks")[3])
   end)
 
   it("come and go as a whole", function()

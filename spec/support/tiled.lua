@@ -156,6 +156,26 @@ function tiled.shapes(id, objects, extra)
   return copyInto({ id = id, objectGroup = group }, extra)
 end
 
+--- A part of an infinite layer.
+function tiled.chunk(x, y, rows)
+  return { x = x, y = y, width = #rows[1], height = #rows, data = tiled.gids(rows) }
+end
+
+--- An infinite map: a ledge, and a pillar that ends in another stone.
+function tiled.infinite()
+  local solid, rough = { solid = true }, { solid = true, friction = 0.9 }
+  local set = tiled.tileset({ { id = 0, properties = solid }, { id = 3, properties = rough } })
+  local rocks = tiled.tiles(1, "rocks", { "." }, { offsety = 8 })
+  rocks.data, rocks.chunks =
+    nil, {
+      tiled.chunk(-4, 0, { "..11", "...." }),
+      tiled.chunk(0, 0, { "11..", "1..." }),
+      tiled.chunk(0, 2, { "1...", "4..." }),
+    }
+  local box = tiled.object(2, -20, 0, 8, 8, { properties = { mass = 2 } })
+  return tiled.map({ set }, { rocks, tiled.objects(2, "boxes", { box }) }, { infinite = true })
+end
+
 local function copy(value)
   if type(value) ~= "table" then
     return value
