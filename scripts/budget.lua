@@ -9,7 +9,7 @@ local BUDGET = {
   { "physics/broadphase", 844 },
   { "physics/contacts", 471 },
   { "physics/fields", 744 },
-  { "physics/maps", 2670 },
+  { "physics/maps", 2664 },
   { "physics/memory", 881 },
   { "physics/motion", 1309 },
   { "physics/objects", 1517 },

@@ -153,6 +153,21 @@ describe("world:loadTiled refuses", function()
     end)
   end
 
+  it("sizes that would take for ever, and reads no polygon with a thousand corners", function()
+    local map = tiled.sti(newMap())
+    map.layers[2].width = 1e9
+    local expected = 'layer "all.ground": width * height must be an integer in 0..10000000, …'
+    refuses(expected, "loadTiled", map)
+    local corners = {}
+    for i = 1, 1000 do
+      corners[i] = { x = i % 2 * 16, y = i }
+    end
+    map = newMap()
+    map.layers[1].objects[1].shape, map.layers[1].objects[1].polygon = "polygon", corners
+    local level = newWorld():loadTiled(map)
+    assert.equal("polygon: it has more than 500 corners", level.unsupported[1].reason)
+  end)
+
   it("layers and properties that hold themselves, and goes on", function()
     local map = newMap()
     map.layers[2].layers[2] = map.layers[2]
