@@ -84,6 +84,7 @@ build = {
     ["physics.motion.softDrift"] = "physics/motion/softDrift.lua",
     ["physics.motion.zones"] = "physics/motion/zones.lua",
     ["physics.objects.compare"] = "physics/objects/compare.lua",
+    ["physics.objects.forms"] = "physics/objects/forms.lua",
     ["physics.objects.notice"] = "physics/objects/notice.lua",
     ["physics.objects.read"] = "physics/objects/read.lua",
     ["physics.objects.readFields"] = "physics/objects/readFields.lua",

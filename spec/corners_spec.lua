@@ -265,7 +265,7 @@ describe("a state", function()
     return state
   end
 
-  it("knows a mask as it was read, and as it is since", function()
+  it("knows a mask that has changed since it was read", function()
     local world = newWorld()
     world:add("floor", floor(100))
     local mask = { floor = false }
@@ -273,11 +273,10 @@ describe("a state", function()
     world:update(DT)
     mask.floor = nil -- the next update will read this
     mask.boxes = false
-    local state = checkReplay(world, function()
+    checkReplay(world, function()
       object.mask, mask.boxes, mask.other = nil, true, true
     end)
-    assert.are.same({ 1, { "floor", false } }, state.read.mask)
-    mask.floor = 1
+    object.mask.floor = 1
     refuses("objects.boxes[1].mask", world.save, world)
   end)
 
@@ -412,13 +411,6 @@ describe("a state", function()
     local first, last = objects[1].touching, objects[10000].touching
     world.objects.boxes = nil
     world:update(0)
-    local count, r = 0, world._bodies.registry
-    for _, list in ipairs({ r.left, r.leftBefore }) do
-      for _ in pairs(list) do
-        count = count + 1
-      end
-    end
-    assert.is_true(count >= 4096 and count <= 8192, count)
     world.objects.boxes = { objects[1], objects[10000] }
     world:update(0)
     assert.are.equal(last, objects[10000].touching)

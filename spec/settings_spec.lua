@@ -141,7 +141,7 @@ describe("settings", function()
     world:add("boxes", newBox(0, 0, { mask = counting({ crates = false }) }))
     local function shoot(n)
       world.objects["bullet" .. n - 1] = nil
-      world.objects["bullet" .. n] = newBox(200, 0)
+      world.objects["bullet" .. n] = newBox(8, 0)
       count = 0
       world:update(DT)
       return count

@@ -10,43 +10,6 @@ local max = math.max
 -- So many different lists of `hits` are shared by the objects that have equal ones.
 local MOST_LISTS = 16
 
---- Returns whether two masks say the same, or neither is there (nil or false).
-function filter.isSameMask(mask, other)
-  if type(mask) ~= "table" or type(other) ~= "table" then
-    return (mask or false) == (other or false)
-  end
-  for group, collides in next, mask, nil do
-    if other[group] ~= collides then
-      return false
-    end
-  end
-  for group, collides in next, other, nil do
-    if mask[group] ~= collides then
-      return false
-    end
-  end
-  return true
-end
-
---- Returns a copy of a mask, which stays as it is when the game changes its own. It is for static
---- objects, which are read once. Many tiles have the same mask; tiles in a row share the copy.
-function filter.copyMask(b, mask)
-  local class = getmetatable(mask)
-  local inherited = type(class) == "table" and rawget(class, "__index")
-  if not inherited and b.maskCopy and filter.isSameMask(mask, b.maskCopy) then
-    return b.maskCopy
-  end
-  local copy = {}
-  for group, collides in next, mask, nil do
-    copy[group] = collides
-  end
-  if inherited then
-    return setmetatable(copy, { __index = inherited })
-  end
-  b.maskCopy = copy
-  return copy
-end
-
 --- Returns whether a list of `hits` says what was read, or neither is there (nil or false).
 function filter.isSameHits(list, read)
   if type(list) ~= "table" or not read then

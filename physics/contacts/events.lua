@@ -21,39 +21,50 @@ local max, min = math.max, math.min
 -- Kinds, in the order in which the events of a pair are told.
 local END, BEGIN, STAY, LEFT, CRUSH = 1, 2, 3, 4, 5
 
---- Returns an empty list of events.
-function events.new()
-  return {
-    count = 0, -- number of events
-    told = 0, -- how many of them were told
-    sorted = 0, -- how many are in order; later ones follow behind them
-    heardBy = 3, -- of the last one told, recipients called: its first object, its second, the world
-    order = {},
-    late = {},
-    kind = {},
-    leant = {}, -- 1: the contact begins because one leans on the other, without a hit
-    rankA = {},
-    rankB = {},
-    kindAndNumber = {},
-    a = {},
-    b = {},
-    c = {},
-    side = {},
-    speed = {}, -- px/s; of STAY: s, the length of its step
-    x1 = {}, -- of BEGIN: the ends of the common edge
-    y1 = {},
-    x2 = {},
-    y2 = {},
-  }
-end
+--- What an event holds besides its objects `a`, `b` and `c`: a list of each of these, by event.
+events.VALUES = {
+  "kind",
+  "side",
+  "speed", -- px/s; of STAY: s, the length of its step
+  "leant", -- 1: the contact begins because one leans on the other, without a hit
+  "rankA",
+  "rankB",
+  "x1", -- of BEGIN: the ends of the common edge
+  "y1",
+  "x2",
+  "y2",
+}
 
-local CALLBACKS = {
+--- By kind: the callback that is called.
+events.CALLBACKS = {
   [END] = "onEnd",
   [BEGIN] = "onBegin",
   [STAY] = "onStay",
   [LEFT] = "onEnd",
   [CRUSH] = "onCrush",
 }
+events.CRUSH = CRUSH
+local CALLBACKS = events.CALLBACKS
+
+--- Returns an empty list of events.
+function events.new()
+  local e = {
+    count = 0, -- number of events
+    told = 0, -- how many of them were told
+    sorted = 0, -- how many are in order; later ones follow behind them
+    heardBy = 3, -- of the last one told, recipients called: its first object, its second, the world
+    order = {},
+    late = {},
+    kindAndNumber = {},
+    a = {},
+    b = {},
+    c = {},
+  }
+  for _, name in ipairs(events.VALUES) do
+    e[name] = {}
+  end
+  return e
+end
 
 -- Returns whether there is a callback for an event of slots i and j. Most games listen to few
 -- contacts, and an event without a callback need not be sorted.

@@ -11,7 +11,6 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
-local fields = require(root .. ".fields.fields")
 local filter = require(root .. ".broadphase.filter")
 local sort = require(root .. ".memory.sort")
 
@@ -19,33 +18,10 @@ local zones = {}
 
 local DYNAMIC, STATIC, CIRCLE = columns.DYNAMIC, columns.STATIC, columns.SHAPE_CIRCLE
 local max, min, sqrt = math.max, math.min, math.sqrt
-local NAMES = fields.areaNames
 -- Share of the radius within which an attractor gets weaker towards its centre.
 local CORE = 0.125
 
 -- Areas -------------------------------------------------------------------------------------------
-
---- Returns a copy of the game's table, which stays as it is.
-function zones.copy(area)
-  local copy = {}
-  for n = 1, #NAMES do
-    copy[NAMES[n]] = area[NAMES[n]]
-  end
-  return copy
-end
-
---- Returns whether a value of the game says what a copy says (false: there is no area).
-function zones.isSame(area, copy)
-  if type(area) ~= "table" or not copy then
-    return area == nil and not copy
-  end
-  for n = 1, #NAMES do
-    if area[NAMES[n]] ~= copy[NAMES[n]] then
-      return false
-    end
-  end
-  return true
-end
 
 --- Notes that slot i has an area.
 function zones.note(b, i)

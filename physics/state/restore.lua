@@ -11,8 +11,8 @@ local pairFinder = require(root .. ".broadphase.pairFinder")
 local events = require(root .. ".contacts.events")
 local fields = require(root .. ".fields.fields")
 local format = require(root .. ".state.format")
+local forms = require(root .. ".objects.forms")
 local notice = require(root .. ".objects.notice")
-local own = require(root .. ".state.own")
 local read = require(root .. ".objects.read")
 local islands = require(root .. ".sleep.islands")
 local settings = require(root .. ".objects.settings")
@@ -22,7 +22,8 @@ local zones = require(root .. ".motion.zones")
 local restore = {}
 
 local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
-local COLUMNS, LINKS, PAIRS, EVENT = format.COLUMNS, format.LINKS, format.PAIRS, format.EVENT
+local COLUMNS, PAIRS, VALUES = format.COLUMNS, format.PAIRS, events.VALUES
+local WALLS = "bounds" -- the group of `setBounds` (see world/bounds)
 local max, min = math.max, math.min
 
 -- Which table is which object ---------------------------------------------------------------------
@@ -80,12 +81,11 @@ end
 -- Second: what does not fit (see misfit).
 local function match(world, st)
   local known = world._bodies.tablesOf and world._bodies.tablesOf[st]
-  local goneCount = st.gone and #st.gone or 0
-  if known and #known == st.count + goneCount then
-    return format.copyList(known)
+  if known and #known == st.count + st.gone then
+    return forms.copyList(known)
   end
   local objects = matchByPlace(world, st)
-  for n = st.count + 1, st.count + goneCount do
+  for n = st.count + 1, st.count + st.gone do
     objects[n] = {}
   end
   return objects, misfit(world, st)
@@ -93,40 +93,23 @@ end
 
 -- The game's tables -------------------------------------------------------------------------------
 
--- Returns whether two values, or the entries of two tables, are the same.
-local function isSame(one, other)
-  if type(one) ~= "table" or type(other) ~= "table" then
-    return one == other
-  end
-  for key, value in next, one, nil do
-    if other[key] ~= value then
-      return false
-    end
-  end
-  for key in next, other, nil do
-    if one[key] == nil then
-      return false
-    end
-  end
-  return true
-end
-
 -- Writes what a state holds of a field, nil: nothing. A table that says the same stays.
-local function write(object, field, value)
-  local make, now = format.MADE[field.type], object[field.name]
+local function write(object, row, value)
+  local make, now = forms.of(row).make, object[row.name]
   if make and value ~= nil then
     value = make(value)
-    value = isSame(now, value) and now or value
+    value = forms.isSame(now, value) and now or value
   end
   if now ~= value then
-    object[field.name] = value
+    object[row.name] = value
   end
 end
 
-local function writeField(st, objects, field)
-  local name, list, at = field.name, st.fields[field.name], 1
-  local isDense = format.isDense(field)
-  for n = 1, st.count do
+-- Writes a field of all objects. Those that had left the world get the fields that they had.
+local function writeField(st, objects, row)
+  local name, list, at = row.name, st.fields[row.name], 1
+  local isDense = format.isDense(row)
+  for n = 1, st.count + (row.type == "own" and 0 or st.gone) do
     local object, value = objects[n], nil
     if isDense then
       value = list[n] or nil
@@ -134,19 +117,21 @@ local function writeField(st, objects, field)
       value, at = list[at + 1], at + 2
     end
     if object[name] ~= value then
-      write(object, field, value)
+      write(object, row, value)
     end
   end
 end
 
--- Gives objects that had left the world the fields that they had.
-local function writeGone(b, st, objects)
-  for n, saved in ipairs(st.gone or {}) do
-    local object = objects[st.count + n]
-    for _, field in ipairs(fields.saved) do
-      write(object, field, saved[field.name])
-    end
-    if not (saved.static or saved.kinematic or type(object.touching) == "table") then
+local function writeFields(b, st, objects)
+  local m, row = 1, format.row(st, 1)
+  while row do
+    writeField(st, objects, row)
+    m = m + 1
+    row = format.row(st, m)
+  end
+  for n = st.count + 1, st.count + st.gone do
+    local object = objects[n]
+    if not (object.static or object.kinematic or type(object.touching) == "table") then
       object.touching = read.touchingFor(b, object)
     end
   end
@@ -181,42 +166,31 @@ end
 
 -- Settings ----------------------------------------------------------------------------------------
 
--- Returns rows that a state holds as { group, other, value, ... }, in the game's own tables where
--- these are there: the game may hold them.
-local function rowsOf(list, now)
-  local rows = type(now) == "table" and now or {}
-  for group, row in next, rows, nil do
-    if type(row) == "table" then
-      clear(row)
-    else
-      rows[group] = nil
-    end
-  end
-  for at = 1, #list, 3 do
-    format.listIn(rows, list[at])[list[at + 1]] = list[at + 2]
-  end
-  return rows
-end
-
+-- (The game may hold the table of `masks`, so what has changed is written into it.)
 local function restoreSettings(world, saved)
-  for _, name in ipairs(format.SETTINGS) do
-    world[name] = saved[name]
-  end
-  world.masks = saved.masks and rowsOf(saved.masks, world.masks)
-  world.soft = saved.soft and rowsOf(saved.soft, world.soft)
-  if not (saved.order and world.order and isSame(saved.order, world.order)) then
-    world.order = saved.order and format.copyList(saved.order)
+  for _, row in ipairs(fields.savedSettings) do
+    local name, make, value = row.name, forms.of(row).make, saved[row.name]
+    local now = world[name]
+    if make and value ~= nil then
+      if not forms.isSame(now, make(value)) then
+        world[name] = make(value, type(now) == "table" and now or nil)
+      end
+    else
+      world[name] = value
+    end
   end
   settings.apply(world)
   -- The state may have a contact that they forbid: the next step applies them anew.
   local b = world._bodies
-  b.rowsSeen, b.isRemasked = {}, true
+  b.applied.masks, b.applied.soft, b.isRemasked = nil, nil, true
 end
 
 -- Reading -----------------------------------------------------------------------------------------
 
--- Reads the objects that `update` would not read again.
-local function readStatic(b, st, objects)
+-- Reads what `update` would not read again: static objects. Also takes over places and velocities
+-- of the others, so that what is only elsewhere need not be read anew. (Memory has the rest of it.)
+local function readKnown(b, st, objects)
+  local written, velocity = b.written, b.velocity
   for n = 1, st.count do
     local object, i = objects[n], b.slotOf[objects[n]]
     local isStatic = i and b.kind[i] == STATIC
@@ -224,6 +198,10 @@ local function readStatic(b, st, objects)
       if isStatic ~= (object.static or false) or compare.firstChanged(b, i, object) then
         read.refresh(b, i)
       end
+    elseif i then
+      local k = 2 * i
+      written[k], written[k + 1] = object.x + 0.0, object.y + 0.0
+      velocity[k], velocity[k + 1] = (object.vx or 0) + 0.0, (object.vy or 0) + 0.0
     end
   end
 end
@@ -268,16 +246,11 @@ local function restoreColumn(b, list, slots, entry)
   end
   for at = 1, #list, 1 + width do
     local k = width * slots[list[at]]
-    column[k], column[k + y] = list[at + 1], list[at + 1 + y]
-  end
-end
-
-local function restoreLink(column, list, slots)
-  for n = 1, #slots do
-    column[slots[n]] = 0
-  end
-  for at = 1, #list, 2 do
-    column[slots[list[at]]] = slots[list[at + 1]]
+    if entry.isLink then
+      column[k] = slots[list[at + 1]]
+    else
+      column[k], column[k + y] = list[at + 1], list[at + 1 + y]
+    end
   end
 end
 
@@ -294,9 +267,6 @@ local function restoreMemory(b, st, slots)
   restoreHistory(b, st.memory)
   for n = 1, #COLUMNS do
     restoreColumn(b, st.memory[COLUMNS[n][1]], slots, COLUMNS[n])
-  end
-  for n = 1, #LINKS do
-    restoreLink(b[LINKS[n]], st.memory[LINKS[n]], slots)
   end
   b.movedCount, b.lostCount = 0, #st.lost
   for n = 1, #slots do
@@ -351,17 +321,25 @@ end
 
 local function restoreEvents(b, st, objects)
   local e, list, n = b.events, st.events, 0
-  for at = 1, #list, 3 + #EVENT do
+  for at = 1, #list, 3 + #VALUES do
     n = n + 1
     e.order[n], e.kindAndNumber[n] = n, n
     e.a[n], e.b[n] = objects[list[at]], objects[list[at + 1]]
     e.c[n] = objects[list[at + 2]] or false
-    for m = 1, #EVENT do
-      e[EVENT[m]][n] = list[at + 2 + m]
+    for m = 1, #VALUES do
+      e[VALUES[m]][n] = list[at + 2 + m]
     end
   end
   e.count, e.told, e.heardBy = n, st.heardBy and 1 or 0, st.heardBy or 3
   e.sorted = max(st.sorted or 0, e.told)
+end
+
+local function restoreWalls(world)
+  local members = world.objects[WALLS]
+  world._walls = {}
+  for _, side in ipairs(columns.SIDES) do
+    world._walls[side] = type(members) == "table" and members[side] or nil
+  end
 end
 
 --- Makes a world what it was when `st` was saved. Returns what does not fit (see misfit), or nil.
@@ -373,14 +351,11 @@ function restore.world(world, st)
     world.objects = {}
   end
   local objects, sentence = match(world, st)
-  writeGone(b, st, objects)
   forget(b)
   restoreSettings(world, st.settings)
-  for _, field in ipairs(fields.saved) do
-    writeField(st, objects, field)
-  end
+  writeFields(b, st, objects)
   place(world, st, objects)
-  readStatic(b, st, objects)
+  readKnown(b, st, objects)
   readAll(world, st)
   events.forget(b.events)
   for n = 1, st.count do
@@ -390,11 +365,7 @@ function restore.world(world, st)
   restoreContacts(b, st, slots)
   restoreTouching(b, st, objects, slots)
   restoreEvents(b, st, objects)
-  own.restore(st, objects)
-  world._walls = {}
-  for side, n in next, st.walls, nil do
-    world._walls[side] = objects[n]
-  end
+  restoreWalls(world)
   world._saved = st.saved
   world.alpha = world.timestep and max(0, min(st.saved / world.timestep, 1)) or 0
   zones.restore(b)

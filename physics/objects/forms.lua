@@ -1,0 +1,154 @@
+--- What columns and states hold of a value of the game, where that is not the value itself. A form
+--- belongs to a type of rows (see fields/fields), so a field needs no code of its own here.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local columns = require(root .. ".memory.columns")
+local fields = require(root .. ".fields.fields")
+local keyOrder = require(root .. ".memory.keyOrder")
+
+---@class physics.Form
+---@field keep function? (b, value) -> what a column holds: a copy, so that a change is found
+---@field isKept function? (value, kept) -> whether a value says what is kept; false: nothing is
+---@field list function? (value) -> what a state holds: { key, value, ... } in order
+---@field make function? (list) -> the reverse
+
+local forms = {}
+
+--- Returns whether two values are the same, or tables that hold the same.
+function forms.isSame(one, other)
+  if type(one) ~= "table" or type(other) ~= "table" then
+    return one == other
+  end
+  for key, value in next, one, nil do
+    if not forms.isSame(value, other[key]) then
+      return false
+    end
+  end
+  for key in next, other, nil do
+    if one[key] == nil then
+      return false
+    end
+  end
+  return true
+end
+
+--- Returns a value, or of a table a copy.
+function forms.copy(value)
+  if type(value) ~= "table" then
+    return value
+  end
+  local copy = {}
+  for key, inner in next, value, nil do
+    copy[key] = forms.copy(inner)
+  end
+  return copy
+end
+
+--- Returns a copy of a list.
+function forms.copyList(list)
+  local copy = {}
+  for n = 1, #list do
+    copy[n] = list[n]
+  end
+  return copy
+end
+
+--- Returns a table, and those in it, as { key, value, ... } in the order of the keys.
+function forms.listTable(map)
+  local list = {}
+  for _, key in ipairs(keyOrder.sorted(map)) do
+    local value = map[key]
+    list[#list + 1] = key
+    list[#list + 1] = type(value) == "table" and forms.listTable(value) or value
+  end
+  return list
+end
+
+--- Returns such a list as a table; in `map`, which is emptied, if that is given.
+function forms.makeTable(list, map)
+  map = map or {}
+  for key in next, map, nil do
+    map[key] = nil
+  end
+  for at = 1, #list, 2 do
+    local value = list[at + 1]
+    map[list[at]] = type(value) == "table" and forms.makeTable(value) or value
+  end
+  return map
+end
+
+-- Returns a copy of a mask. Many tiles have the same mask; tiles in a row share the copy.
+local function copyMask(b, mask)
+  local class = getmetatable(mask)
+  local inherited = type(class) == "table" and rawget(class, "__index")
+  if not inherited and b.maskCopy and forms.isSame(mask, b.maskCopy) then
+    return b.maskCopy
+  end
+  local copy = forms.copy(mask)
+  if inherited then
+    return setmetatable(copy, { __index = inherited })
+  end
+  b.maskCopy = copy
+  return copy
+end
+
+-- (`false` is refused.)
+local function isSameMask(mask, kept)
+  return mask ~= false and forms.isSame(mask or false, kept)
+end
+
+-- Entries of an area may come from a class.
+local function copyArea(_, area)
+  local copy = {}
+  for _, name in ipairs(fields.areaNames) do
+    copy[name] = area[name]
+  end
+  return copy
+end
+
+local function isSameArea(area, kept)
+  if type(area) ~= "table" or not kept then
+    return area == nil and not kept
+  end
+  for _, name in ipairs(fields.areaNames) do
+    if area[name] ~= kept[name] then
+      return false
+    end
+  end
+  return true
+end
+
+local function keepSide(_, value)
+  return columns.sideOf(value)
+end
+
+local function isSameSide(value, kept)
+  return columns.sideOf(value) == kept
+end
+
+local BY_TYPE = {
+  mask = { keep = copyMask, isKept = isSameMask, list = forms.listTable, make = forms.makeTable },
+  area = { keep = copyArea, isKept = isSameArea, list = forms.listTable, make = forms.makeTable },
+  masks = { list = forms.listTable, make = forms.makeTable },
+  soft = { list = forms.listTable, make = forms.makeTable },
+  names = { list = forms.copyList, make = forms.copyList },
+  own = { list = forms.copy, make = forms.copy }, -- of the game (see state/own)
+}
+local SIDE, PLAIN = { keep = keepSide, isKept = isSameSide }, {}
+
+--- Returns the form of the values of a row.
+---@param row physics.Field
+---@return physics.Form
+function forms.of(row)
+  return BY_TYPE[row.type] or row.yes and SIDE or PLAIN
+end
+
+--- Returns what a column holds for nil, by the kind of the object.
+function forms.absent(row, kind)
+  if row.none ~= nil and (kind ~= columns.DYNAMIC or row.default == nil) then
+    return row.none
+  end
+  return row.default
+end
+
+return forms
