@@ -28,6 +28,7 @@ check "StyLua starts" bash scripts/stylua.sh --version
 check "StyLua finds nothing to change" bash scripts/stylua.sh --check "${sources[@]}"
 
 check "no folder has more code than its budget" luajit scripts/budget.lua
+check "no field is named by more files than before" luajit scripts/field_files.lua
 
 check "spec/README.md names the specs that are there" luajit scripts/spec_index.lua --check
 

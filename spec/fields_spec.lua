@@ -1,172 +1,167 @@
---- The list of all fields and settings: complete, well formed, and true to its own checks.
+--- The rows of fields, entries of areas and settings: well formed, true to their own checks, and all
+--- that a new field needs.
 
 local check = require("physics.fields.check")
 local fields = require("scripts.meanings")
+local fresh = require("spec.support.fresh")
 
--- Every field of an object: name, default, unit.
-local OBJECTS = {
-  { "x", nil, "px" },
-  { "y", nil, "px" },
-  { "width", nil, "px" },
-  { "height", nil, "px" },
-  { "radius", nil, "px" },
-  { "vx", 0, "px/s" },
-  { "vy", 0, "px/s" },
-  { "ax", 0, "px/s²" },
-  { "ay", 0, "px/s²" },
-  { "static", false },
-  { "kinematic", false },
-  { "active", true },
-  { "sensor", false },
-  { "area", nil },
-  { "pushable", true },
-  { "strength", 0 },
-  { "mass", 1 },
-  { "gravity", nil, "px/s²" },
-  { "gravityX", nil, "px/s²" },
-  { "friction", 0 },
-  { "restitution", 0 },
-  { "airFriction", 0, "1/s" },
-  { "drag", 0, "px/s²" },
-  { "maxSpeed", nil, "px/s" },
-  { "maxSpeedX", nil, "px/s" },
-  { "maxSpeedY", nil, "px/s" },
-  { "maxFallSpeed", nil, "px/s" },
-  { "mask", nil },
-  { "hits", nil },
-  { "oneWay", nil },
-  { "slope", nil },
-  { "carry", true },
-  { "surfaceSpeed", 0, "px/s" },
-  { "nudge", 0, "px" },
-  { "snap", 0, "px" },
-  { "constantSpeed", false },
-  { "touching", nil },
-  { "onBegin", nil },
-  { "onStay", nil },
-  { "onEnd", nil },
-  { "onCrush", nil },
-  { "canCollide", nil },
-}
+local NO_NUMBERS = { "1", false, true, {}, 0 / 0, 1 / 0, -1 / 0 }
 
--- Every setting: name, default, unit.
-local SETTINGS = {
-  { "gravity", 627.84, "px/s²" },
-  { "gravityX", 0, "px/s²" },
-  { "push", "both" },
-  { "masks", nil },
-  { "soft", nil, "px/s" },
-  { "sideBySide", false },
-  { "broadphase", "auto" },
-  { "cellSize", nil, "px" },
-  { "timestep", nil, "s" },
-  { "maxStep", 1 / 30, "s" },
-  { "order", nil },
-  { "ownFields", nil },
-  { "rest", true },
-  { "checked", false },
-  { "profile", nil },
-  { "onStep", nil },
-  { "onBegin", nil },
-  { "onStay", nil },
-  { "onEnd", nil },
-  { "onCrush", nil },
-  { "canCollide", nil },
-}
-
-local TYPES = {
-  number = true,
-  boolean = true,
-  string = true,
-  ["function"] = true,
-  mask = true,
-  masks = true,
-  soft = true,
-  names = true,
-  ownFields = true,
-  sides = true,
-  area = true,
-}
-
---- Whether a value passes the check of a field of an object.
-local function isObjectValue(field, value)
-  return (pcall(check.fields, { [field.name] = value }, "object", { field.name }))
-end
-
---- Whether a value passes the check of a setting.
-local function isSettingValue(field, value)
-  return (pcall(check.settings, { [field.name] = value }, "newWorld(settings)"))
-end
-
-for _, kind in ipairs({
-  { "objects", fields.objects, fields.objectByName, OBJECTS, isObjectValue },
-  { "settings", fields.settings, fields.settingByName, SETTINGS, isSettingValue },
-}) do
-  local title, list, byName, expected, isValue = kind[1], kind[2], kind[3], kind[4], kind[5]
-
-  describe("fields." .. title, function()
-    it("lists each name once, in the documented order", function()
-      local names, listed = {}, {}
-      for i, row in ipairs(expected) do
-        names[i] = row[1]
-      end
-      for i, field in ipairs(list) do
-        listed[i] = field.name
-      end
-      assert.same(names, listed)
+for _, list in ipairs({ "objects", "area", "settings" }) do
+  local names = {}
+  for _, row in ipairs(fields[list]) do
+    local name, type = row.name, row.type
+    it(list .. ": the row of " .. name .. " is well formed", function()
+      assert.is_nil(names[name])
+      names[name] = true
+      assert.is_true(check.KINDS[type] ~= nil or type == "sides")
+      assert.matches("^[%u`].+%.$", row.meaning)
+      assert.equal(type == "function", row.signature ~= nil)
+      assert.equal(type == "string", row.values ~= nil)
+      -- It says what nil stands for.
+      assert.is_true(row.default ~= nil or row.absent ~= nil or row.required or row.written)
+      assert.is_true(row.default == nil or check.accepts(row, row.default))
     end)
 
-    it("can be found by name", function()
-      for _, field in ipairs(list) do
-        assert.equal(field, byName[field.name])
-      end
-    end)
-
-    for i, row in ipairs(expected) do
-      local name, default, unit = row[1], row[2], row[3]
-      local field = list[i]
-
-      describe("." .. name, function()
-        it("has its default and unit", function()
-          if type(default) == "number" then
-            assert.near(default, field.default, 1e-12)
-          else
-            assert.equal(default, field.default)
-          end
-          assert.equal(unit, field.unit)
-        end)
-
-        it("has a known type and says in a sentence what it means", function()
-          assert.is_true(TYPES[field.type])
-          assert.truthy(field.meaning:find("^[%u`].+%.$"))
-          assert.equal(field.type == "function", field.signature ~= nil)
-          assert.equal(field.type == "string", field.values ~= nil)
-        end)
-
-        it("says what nil stands for", function()
-          local says = field.default ~= nil or field.absent ~= nil
-          assert.is_true(says or field.required == true or field.written == true)
-        end)
-
-        it("accepts its own default, and nothing but numbers as numbers", function()
-          assert.is_true(field.default == nil or isValue(field, field.default))
-          if field.type == "number" then
-            for _, wrong in ipairs({ "1", false, true, {}, 0 / 0, 1 / 0, -1 / 0 }) do
-              assert.is_false(isValue(field, wrong))
-            end
-          end
-        end)
-
-        if field.type == "number" then
-          it("accepts its whole range and not more", function()
-            local low = field.min or field.above
-            assert.equal(field.above == nil, not low or isValue(field, low))
-            assert.equal(low == nil, isValue(field, -1e-9))
-            assert.is_true(not field.max or isValue(field, field.max))
-            assert.equal(field.max == nil, isValue(field, 1e9))
-          end)
+    if type == "number" then
+      it(list .. ": " .. name .. " accepts its whole range, and nothing else", function()
+        local low = row.min or row.above
+        assert.equal(row.above == nil, not low or check.accepts(row, low))
+        assert.equal(low == nil, check.accepts(row, -1e-9))
+        assert.is_true(not row.max or check.accepts(row, row.max))
+        assert.equal(row.max == nil, check.accepts(row, 1e9))
+        for _, wrong in ipairs(NO_NUMBERS) do
+          assert.is_false(check.accepts(row, wrong))
         end
       end)
     end
-  end)
+  end
 end
+
+-- A new field ------------------------------------------------------------------------------------
+
+-- The example of CONTRIBUTING.md. By file: a line, and what is put in front of it.
+local ADDED = {
+  ["physics/fields/fields.lua"] = {
+    "  --- Replaces the world's downward gravity for this object",
+    "  --- An acceleration upwards, as of a balloon.\n"
+      .. '  { name = "lift", type = "number", unit = "px/s²", default = 0, min = 0 },\n',
+  },
+  ["physics/objects/readFields.lua"] = {
+    "  if b.kind[i] ~= DYNAMIC then\n    gx, gy = 0, 0",
+    "  gy = gy - b.lift[i]\n",
+  },
+}
+
+local function read(path)
+  local file = assert(io.open(path))
+  local text = file:read("*a")
+  file:close()
+  return text
+end
+
+-- Calls f(physics) with a library that has the field `lift`.
+local function withLift(f)
+  local lines, changed = io.lines, {}
+  for path, row in pairs(ADDED) do
+    local text = read(path)
+    local at = assert(text:find(row[1], 1, true), path)
+    changed[path] = text:sub(1, at - 1) .. row[2] .. text:sub(at)
+  end
+  local scripts = { "meanings", "types", "manual", "typed_fields" }
+  local loaded = {}
+  for _, name in ipairs(scripts) do
+    loaded[name], package.loaded["scripts." .. name] = package.loaded["scripts." .. name], nil
+  end
+  for path, text in pairs(changed) do
+    local name = path:gsub("%.lua$", ""):gsub("/", ".")
+    package.preload[name] = assert((rawget(_G, "loadstring") or load)(text, "@" .. path))
+  end
+  io.lines = function(path) -- luacheck: ignore
+    return changed[path] and changed[path]:gmatch("([^\n]*)\n") or lines(path)
+  end
+  local isDone, problem = pcall(fresh.during, f)
+  io.lines = lines -- luacheck: ignore
+  for path in pairs(changed) do
+    package.preload[path:gsub("%.lua$", ""):gsub("/", ".")] = nil
+  end
+  for _, name in ipairs(scripts) do
+    package.loaded["scripts." .. name] = loaded[name]
+  end
+  assert(isDone, problem)
+end
+
+local function newBalloon(lift)
+  return { x = 0, y = 0, width = 10, height = 10, lift = lift }
+end
+
+local function refuses(text, f, ...)
+  local isDone, message = pcall(f, ...)
+  assert.is_false(isDone)
+  assert.matches(text, message, 1, true)
+end
+
+describe("a new field needs one row, and a line where it acts: it is", function()
+  it("read, compared, and refused when it is wrong #files", function()
+    withLift(function(physics)
+      local world = physics.newWorld({ gravity = 300 })
+      local balloon = world:add("balloons", newBalloon(300))
+      local stone = world:add("balloons", newBalloon(nil))
+      stone.x = 50
+      world:update(1 / 10)
+      assert.same({ 0, 30 }, { balloon.vy, stone.vy })
+      balloon.lift, stone.lift = 400, 300
+      world:update(1 / 10)
+      assert.same({ -10, 30 }, { balloon.vy, stone.vy })
+      balloon.lift = nil
+      world:update(1 / 10)
+      assert.same({ 20, 30 }, { balloon.vy, stone.vy })
+      stone.lift = -1
+      refuses("objects.balloons[2].lift must be a number >= 0, got -1", world.update, world, 0)
+      refuses("objects.b[1].lift must be a number >= 0, got table", world.add, world, "b", {
+        x = 0,
+        y = 0,
+        width = 1,
+        height = 1,
+        lift = {},
+      })
+    end)
+  end)
+
+  it("saved, restored, hashed, and refused in a state #files", function()
+    withLift(function(physics)
+      local world = physics.newWorld({ gravity = 300 })
+      local balloon = world:add("balloons", newBalloon(400))
+      world:update(1 / 10)
+      local state, hash = world:save(), world:hash()
+      balloon.lift = 500
+      assert.are_not.equal(hash, world:hash())
+      world:restore(state)
+      assert.same({ 400, hash }, { balloon.lift, world:hash() })
+      local twin = physics.newWorld()
+      twin:restore(state)
+      twin:update(1 / 10)
+      assert.same({ 400, -20 }, { twin.objects.balloons[1].lift, twin.objects.balloons[1].vy })
+      state.fields.lift[2] = "up"
+      refuses('objects.balloons[1].lift must be a number >= 0, got "up"', twin.restore, twin, state)
+    end)
+  end)
+
+  it("in the manual, in the types, and known to `checked` #files", function()
+    withLift(function(physics)
+      local all = {}
+      for _, page in pairs(require("scripts.manual").pages()) do
+        all[#all + 1] = page
+      end
+      local line = "`lift` | px/s², >= 0 | `0` | An acceleration upwards, as of a balloon."
+      assert.is_truthy(table.concat(all, "\n"):find(line, 1, true))
+      local types = require("scripts.types").text()
+      assert.is_truthy(types:find("---@field lift? number", 1, true))
+      local world = physics.newWorld({ checked = true })
+      local balloon = newBalloon(nil)
+      balloon.Lift = 3
+      world:add("balloons", balloon)
+      refuses("lift", world.update, world, 1 / 60)
+    end)
+  end)
+end)

@@ -5,6 +5,7 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local fields = require(root .. ".fields.fields")
 local keyOrder = require(root .. ".memory.keyOrder")
+local layout = require(root .. ".memory.layout")
 
 ---@class physics.Form
 ---@field keep function? (b, value) -> what a column holds: a copy, so that a change is found
@@ -143,12 +144,17 @@ function forms.of(row)
   return BY_TYPE[row.type] or row.yes and SIDE or PLAIN
 end
 
---- Returns what a column holds for nil, by the kind of the object.
+--- Returns what a column holds for nil, by the kind of the object (of an empty slot: nil).
 function forms.absent(row, kind)
   if row.none ~= nil and (kind ~= columns.DYNAMIC or row.default == nil) then
     return row.none
   end
   return row.default
+end
+
+-- Each field has a column.
+for _, row in ipairs(fields.columned) do
+  layout.add(row.column, forms.absent(row), row.axis ~= nil)
 end
 
 return forms

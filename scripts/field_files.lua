@@ -1,0 +1,91 @@
+--- Lists, for each field of objects, the files of the core that name it, besides those that handle
+--- all fields alike (physics/fields) or read them (objects/readFields.lua). A field should be named
+--- where it acts only. `make lint` compares the counts with this table. They only ever go down.
+---
+---   luajit scripts/field_files.lua          fails where a field is named by more files
+---   luajit scripts/field_files.lua slope    shows which files name it
+
+package.path = "./?.lua;" .. package.path
+
+local fields = require("physics.fields.fields")
+
+-- Files that may name a field; 2 if it is not here.
+local ALLOWED = {
+  radius = 13,
+  ax = 3,
+  ay = 3,
+  static = 15,
+  kinematic = 13,
+  active = 13,
+  sensor = 23,
+  area = 8,
+  pushable = 6,
+  mass = 9,
+  gravity = 3,
+  gravityX = 3,
+  friction = 3,
+  restitution = 4,
+  drag = 3,
+  mask = 7,
+  hits = 7,
+  oneWay = 18,
+  slope = 23,
+  nudge = 4,
+  snap = 3,
+  touching = 16,
+  onStay = 4,
+  canCollide = 6,
+}
+local FEW = 2
+
+-- Place, size and velocity are what the core is about.
+local EVERYWHERE = { x = true, y = true, width = true, height = true, vx = true, vy = true }
+
+local function run(command)
+  local pipe = assert(io.popen(command))
+  local text = pipe:read("*a")
+  pipe:close()
+  return text
+end
+
+-- Returns the code of a file, without comments.
+local function codeOf(path)
+  local lines = {}
+  for line in io.lines(path) do
+    lines[#lines + 1] = line:match("^%s*%-%-") and "" or line:gsub("%s%-%-%s.*", "")
+  end
+  return table.concat(lines, "\n")
+end
+
+local files = {}
+for path in run("find physics -name '*.lua' | sort"):gmatch("[^\n]+") do
+  local isLeftOut = path:find("^physics/fields/")
+    or path == "physics/types.lua"
+    or path == "physics/objects/readFields.lua"
+  if not isLeftOut then
+    files[#files + 1] = { path = path, code = codeOf(path) }
+  end
+end
+
+local isMet, sum = true, 0
+for _, row in ipairs(fields.objects) do
+  local name, found = row.name, {}
+  for _, file in ipairs(EVERYWHERE[name] and {} or files) do
+    if file.code:find("%f[%w_]" .. name .. "%f[^%w_]") then
+      found[#found + 1] = file.path
+    end
+  end
+  local most, count = ALLOWED[name] or FEW, #found
+  sum = sum + count
+  if name == arg[1] then
+    print(table.concat(found, "\n"))
+  elseif count > most then
+    isMet = false
+    print(("%s is named by %d files, at most %d may:"):format(name, count, most))
+    print("  " .. table.concat(found, "\n  "))
+  elseif count < most and ALLOWED[name] then
+    print(("%s is named by %d files only: lower its number, which is %d"):format(name, count, most))
+  end
+end
+print(sum .. " times a file names a field")
+os.exit(isMet and 0 or 1)
