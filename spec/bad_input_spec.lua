@@ -1,7 +1,10 @@
 --- Bad input: what is refused and in which words, that the game's own line is blamed, and that a
 --- refused call has changed nothing: repair the value, and the game goes on as if it never was.
 
+local fields = require("physics.fields.fields")
 local physics = require("physics")
+
+local unpackList = rawget(_G, "unpack") or rawget(table, "unpack")
 
 local NAN, INF = 0 / 0, 1 / 0
 local DT = 1 / 60
@@ -110,66 +113,53 @@ end
 
 -- Fields ------------------------------------------------------------------------------------------
 
-local function with(list, ...)
-  local result = {}
-  for _, value in ipairs(list) do
-    result[#result + 1] = value
+local NUMBERS = { "12", true, {}, NAN, INF, -INF }
+
+-- By type of a row: values that do not fit, and what the message expects.
+local WRONG = {
+  boolean = { { 1, "yes", {}, NAN }, "true or false" },
+  ["function"] = { { 1, "print", true, {} }, "a function" },
+  mask = { { 1, "boxes", true }, "a table { [group] = false }" },
+  masks = { { 1, "boxes" }, "a table { [group] = { [group] = false } }" },
+  soft = { { 1, "boxes" }, "a table { [group] = { [group] = px/s } }" },
+  area = { { 1, "water", true }, "a table { gravity = 100, … }" },
+  names = { { 1, "boxes", { boxes = true } }, "a list of group names" },
+  ownFields = { { 1, "hp", { hp = true } }, "a list of names of fields" },
+}
+
+-- Returns the numbers that a row refuses, and the words for those that it accepts.
+local function numbersOf(row)
+  local values = { unpackList(NUMBERS) }
+  local low = row.min or row.above
+  values[#values + 1] = low and low - 0.1
+  values[#values + 1] = row.above
+  values[#values + 1] = row.max and row.max + 0.1
+  if row.max then
+    return values, ("a number in %.14g..%.14g"):format(row.min, row.max)
   end
-  for _, value in ipairs({ ... }) do
-    result[#result + 1] = value
-  end
-  return result
+  local range = row.min and " >= %.14g" or row.above and " > %.14g" or ""
+  return values, "a number" .. range:format(low)
 end
 
-local ANY = { "12", true, {}, NAN, INF, -INF }
-local POSITIVE = with(ANY, 0, -1)
-local NOT_NEGATIVE = with(ANY, -1)
-local SHARE = with(ANY, -0.1, 1.1)
-local SWITCH = { 1, "yes", {}, NAN }
-local CALLBACK = { 1, "print", true, {} }
-local SIDE = { 1, "north", "Top", {} }
-local SIDES = 'true, false, "top", "bottom", "left" or "right"'
+-- Returns the texts that a row refuses, and those that it accepts.
+local function choiceOf(row)
+  local words = {}
+  for n, value in ipairs(row.values) do
+    words[n] = '"' .. value .. '"'
+  end
+  local last = table.remove(words)
+  local text = (row.yes and "true, false, " or "") .. table.concat(words, ", ") .. " or " .. last
+  return { 1, "north", row.values[1]:upper(), {}, not row.yes or nil }, text
+end
 
--- name, what is refused, what is expected
-local FIELDS = {
-  { "x", ANY, "a number", required = true },
-  { "y", ANY, "a number", required = true },
-  { "width", POSITIVE, "a number > 0", required = true },
-  { "height", POSITIVE, "a number > 0", required = true },
-  { "vx", ANY, "a number" },
-  { "vy", ANY, "a number" },
-  { "ax", ANY, "a number" },
-  { "ay", ANY, "a number" },
-  { "static", SWITCH, "true or false", once = true },
-  { "kinematic", SWITCH, "true or false" },
-  { "active", SWITCH, "true or false" },
-  { "sensor", SWITCH, "true or false" },
-  { "pushable", SWITCH, "true or false" },
-  { "mass", POSITIVE, "a number > 0" },
-  { "gravity", ANY, "a number" },
-  { "gravityX", ANY, "a number" },
-  { "friction", NOT_NEGATIVE, "a number >= 0" },
-  { "restitution", SHARE, "a number in 0..1" },
-  { "airFriction", NOT_NEGATIVE, "a number >= 0" },
-  { "drag", NOT_NEGATIVE, "a number >= 0" },
-  { "maxSpeed", NOT_NEGATIVE, "a number >= 0" },
-  { "maxSpeedX", NOT_NEGATIVE, "a number >= 0" },
-  { "maxSpeedY", NOT_NEGATIVE, "a number >= 0" },
-  { "maxFallSpeed", NOT_NEGATIVE, "a number >= 0" },
-  { "mask", { 1, "boxes", true }, "a table { [group] = false }" },
-  { "oneWay", SIDE, SIDES },
-  { "slope", { 1, true, "up", "Left", {} }, '"left", "right", "topleft" or "topright"' },
-  { "constantSpeed", SWITCH, "true or false" },
-  { "carry", SWITCH, "true or false" },
-  { "surfaceSpeed", ANY, "a number" },
-  { "nudge", NOT_NEGATIVE, "a number >= 0" },
-  { "snap", NOT_NEGATIVE, "a number >= 0" },
-  { "onBegin", CALLBACK, "a function", told = true },
-  { "onStay", CALLBACK, "a function" },
-  { "onEnd", CALLBACK, "a function", told = true },
-  { "onCrush", CALLBACK, "a function", told = true },
-  { "canCollide", CALLBACK, "a function" },
-}
+local function wrongOf(row)
+  if row.type == "number" then
+    return numbersOf(row)
+  elseif row.type == "string" then
+    return choiceOf(row)
+  end
+  return WRONG[row.type][1], WRONG[row.type][2]
+end
 
 local function shown(value)
   if type(value) == "string" then
@@ -249,12 +239,13 @@ local function refusesRefresh(name, expected, value)
   checkGoesOn(scene, twin, 11)
 end
 
-local function checkValue(row, value)
-  local name, expected = row[1], row[3]
+-- `static` is read once, and a callback that has no column when it would be called.
+local function checkValue(row, value, expected)
+  local name = row.name
   refusesAdd(name, expected, value)
   refusesNew(name, expected, value)
   refusesRefresh(name, expected, value)
-  if not (row.once or row.told) then
+  if name ~= "static" and (row.column or row.type ~= "function") then
     refusesLater("box", "objects.boxes[1]", name, expected, value)
     refusesLater("sleeper", "objects.boxes[2]", name, expected, value)
     refusesLater("lift", "objects.lifts[1]", name, expected, value)
@@ -296,17 +287,21 @@ describe("the field slope of a dynamic object", function()
 end)
 
 describe("the field", function()
-  for _, row in ipairs(FIELDS) do
-    describe(row[1], function()
-      for _, value in ipairs(row[2]) do
+  for _, row in ipairs(fields.objects) do
+    describe(row.name, function()
+      local values, expected = {}, nil
+      if not row.written then
+        values, expected = wrongOf(row)
+      end
+      for _, value in ipairs(values) do
         it("refuses " .. shown(value) .. ", at first and later", function()
-          checkValue(row, value)
+          checkValue(row, value, expected)
         end)
       end
 
       if row.required then
         it("may not be missing, at first and later", function()
-          checkValue(row, nil)
+          checkValue(row, nil, expected)
         end)
       end
     end)
@@ -350,25 +345,25 @@ describe("the field", function()
     end)
   end)
 
-  for _, row in ipairs(FIELDS) do
-    if row.told and row[1] ~= "onCrush" then
-      it(row[1] .. " that turns bad is refused when it would be called, and not lost", function()
+  for _, name in ipairs({ "onBegin", "onEnd" }) do
+    do
+      it(name .. " that turns bad is refused when it would be called, and not lost", function()
         local world, told = physics.newWorld({ gravity = 0 }), 0
         local wall = world:add("walls", { x = 20, y = 0, width = 4, height = 16, static = true })
         local box = world:add("boxes", { x = 0, y = 0, width = 16, height = 16, vx = 960 })
-        wall[row[1]] = function()
+        wall[name] = function()
           told = told + 1
         end
         box.vx = 0
         world:update(DT)
-        box[row[1]], box.vx = "bang", 960
-        refuses("objects.boxes[1]." .. row[1] .. ' must be a function, got "bang"', function()
+        box[name], box.vx = "bang", 960
+        refuses("objects.boxes[1]." .. name .. ' must be a function, got "bang"', function()
           world:update(DT)
           box.vx = -960
           world:update(DT)
         end)
         assert.equal(0, told)
-        box[row[1]] = nil
+        box[name] = nil
         world:update(DT)
         assert.equal(1, told)
       end)
@@ -414,139 +409,66 @@ end)
 
 -- Places ------------------------------------------------------------------------------------------
 
+-- Twice in the world: the first place, the second one.
+local function twice(second, first)
+  return second
+    .. " is the same object as "
+    .. first
+    .. ": an object must be in one place only, got table in two"
+end
+
+-- What is put into the groups: group, key in it (nil: the group itself), value, message.
+local function newPlaces(scene)
+  local player = newBox()
+  local keys = "has a key that is neither a number nor a string, got "
+  return {
+    { "coins", nil, 5, "objects.coins must be a group (a table of objects) or an object, got 5" },
+    { true, nil, {}, "objects " .. keys .. "true" },
+    { NAMES, nil, {}, "objects " .. keys .. "table" },
+    { "boxes", NAMES, newBox(), "objects.boxes " .. keys .. "table" },
+    { "boxes", false, newBox(), "objects.boxes " .. keys .. "false" },
+    { "boxes", 3, "crate", 'objects.boxes[3] must be an object (a table), got "crate"' },
+    { "boxes", "hit", print, "objects.boxes.hit must be an object (a table), got function" },
+    { "boxes", 3, scene.box, twice("objects.boxes[3]", "objects.boxes[1]") },
+    { "coins", nil, { scene.sleeper }, twice("objects.coins[1]", "objects.boxes[2]") },
+    { "player", nil, scene.lift, twice("objects.player", "objects.lifts[1]") },
+    { "player", nil, player, twice("objects.zoo[1]", "objects.player"), { player } },
+  }
+end
+
 describe("the table of objects", function()
-  -- what, message, spoil, repair
-  for _, row in ipairs({
-    {
-      "a group that is a number",
-      "objects.coins must be a group (a table of objects) or an object, got 5",
-      function(scene)
-        scene.world.objects.coins = 5
-      end,
-      function(scene)
-        scene.world.objects.coins = nil
-      end,
-    },
-    {
-      "a group under a boolean",
-      "objects has a key that is neither a number nor a string, got true",
-      function(scene)
-        scene.world.objects[true] = {}
-      end,
-      function(scene)
-        scene.world.objects[true] = nil
-      end,
-    },
-    {
-      "a group under a table",
-      "objects has a key that is neither a number nor a string, got table",
-      function(scene)
-        scene.world.objects[NAMES] = {}
-      end,
-      function(scene)
-        scene.world.objects[NAMES] = nil
-      end,
-    },
-    {
-      "an object under a table",
-      "objects.boxes has a key that is neither a number nor a string, got table",
-      function(scene)
-        scene.world.objects.boxes[NAMES] = newBox()
-      end,
-      function(scene)
-        scene.world.objects.boxes[NAMES] = nil
-      end,
-    },
-    {
-      "an object under a boolean",
-      "objects.boxes has a key that is neither a number nor a string, got false",
-      function(scene)
-        scene.world.objects.boxes[false] = newBox()
-      end,
-      function(scene)
-        scene.world.objects.boxes[false] = nil
-      end,
-    },
-    {
-      "a member that is a text",
-      'objects.boxes[3] must be an object (a table), got "crate"',
-      function(scene)
-        scene.world.objects.boxes[3] = "crate"
-      end,
-      function(scene)
-        scene.world.objects.boxes[3] = nil
-      end,
-    },
-    {
-      "a named member that is a function",
-      "objects.boxes.hit must be an object (a table), got function",
-      function(scene)
-        scene.world.objects.boxes.hit = print
-      end,
-      function(scene)
-        scene.world.objects.boxes.hit = nil
-      end,
-    },
-    {
-      "an object twice in its group",
-      "objects.boxes[3] is the same object as objects.boxes[1]: an object must be "
-        .. "in one place only, got table in two",
-      function(scene)
-        scene.world.objects.boxes[3] = scene.box
-      end,
-      function(scene)
-        scene.world.objects.boxes[3] = nil
-      end,
-    },
-    {
-      "an object in two groups",
-      "objects.coins.first is the same object as objects.boxes[2]: an object must be "
-        .. "in one place only, got table in two",
-      function(scene)
-        scene.world.objects.coins = { first = scene.sleeper }
-      end,
-      function(scene)
-        scene.world.objects.coins = nil
-      end,
-    },
-    {
-      "an object in a group and directly",
-      "objects.player is the same object as objects.lifts[1]: an object must be "
-        .. "in one place only, got table in two",
-      function(scene)
-        scene.world.objects.player = scene.lift
-      end,
-      function(scene)
-        scene.world.objects.player = nil
-      end,
-    },
-    {
-      "a new object in two places",
-      "objects.player is the same object as objects.boxes[3]: an object must be "
-        .. "in one place only, got table in two",
-      function(scene)
-        scene.world.objects.player = newBox()
-        scene.world.objects.boxes[3] = scene.world.objects.player
-      end,
-      function(scene)
-        scene.world.objects.player, scene.world.objects.boxes[3] = nil, nil
-      end,
-    },
-    {
-      "no table of objects",
-      "objects must be a table of groups, got 7",
-      function(scene)
-        scene.objects, scene.world.objects = scene.world.objects, 7
-      end,
-      function(scene)
-        scene.world.objects = scene.objects
-      end,
-    },
-  }) do
-    it("refuses " .. row[1], function()
-      refusesStep(row[2], row[3], row[4])
+  for n, row in ipairs(newPlaces({})) do
+    it("refuses " .. row[4], function()
+      local its
+      refusesStep(row[4], function(scene)
+        its = newPlaces(scene)[n]
+        local objects = scene.world.objects
+        objects.zoo = its[5]
+        if its[2] == nil then
+          objects[its[1]] = its[3]
+        else
+          objects[its[1]][its[2]] = its[3]
+        end
+      end, function(scene)
+        local objects = scene.world.objects
+        objects.zoo = nil
+        if its[2] == nil then
+          objects[its[1]] = nil
+        else
+          objects[its[1]][its[2]] = nil
+        end
+      end)
     end)
   end
+
+  it("must be a table", function()
+    local objects
+    refusesStep("objects must be a table of groups, got 7", function(scene)
+      objects, scene.world.objects = scene.world.objects, 7
+    end, function(scene)
+      scene.world.objects = objects
+    end)
+  end)
 
   it("is told by the first that is wrong, and nothing new enters before all is right", function()
     local scene = newScene()
@@ -565,54 +487,31 @@ end)
 
 -- Settings ----------------------------------------------------------------------------------------
 
--- name, value, what is expected
-local SETTINGS = {
-  { "gravity", "x", "must be a number" },
-  { "gravity", NAN, "must be a number" },
-  { "gravity", INF, "must be a finite number" },
-  { "gravityX", {}, "must be a number" },
-  { "gravityX", -INF, "must be a finite number" },
-  { "push", "third", 'must be "both" or "first"' },
-  { "push", true, 'must be "both" or "first"' },
-  { "masks", "boxes", "must be a table { [group] = { [group] = false } }" },
-  { "sideBySide", 1, "must be true or false" },
-  { "broadphase", "tree", 'must be "auto", "pairs" or "grid"' },
-  { "cellSize", 0, "must be a number > 0" },
-  { "cellSize", -32, "must be a number > 0" },
-  { "timestep", 0, "must be a number in 1e-05..0.25" },
-  { "timestep", 1, "must be a number in 1e-05..0.25" },
-  { "maxStep", 0, "must be a number in 1e-05..0.25" },
-  { "maxStep", NAN, "must be a number in 1e-05..0.25" },
-  { "order", "boxes", "must be a list of group names" },
-  { "ownFields", "hp", "must be a list of names of fields" },
-  { "ownFields", { hp = true }, "must be a list of names of fields" },
-  { "rest", "off", "must be true or false" },
-  { "onBegin", 1, "must be a function" },
-  { "onStay", {}, "must be a function" },
-  { "onEnd", "x", "must be a function" },
-  { "onCrush", true, "must be a function" },
-  { "canCollide", 1, "must be a function" },
-}
-
 describe("the setting", function()
-  for _, row in ipairs(SETTINGS) do
-    local name, value, expected = row[1], row[2], row[3] .. ", got " .. shown(row[2])
-
-    it(name .. " refuses " .. shown(value) .. ", at first and later", function()
-      refuses("newWorld(settings): " .. name .. " " .. expected, function()
-        physics.newWorld({ [name] = value })
-      end)
-      refuses("load(settings): " .. name .. " " .. expected, function()
-        physics.load({ [name] = value })
-      end)
-      local old
-      refusesStep("world." .. name .. " " .. expected, function(scene)
-        old = scene.world[name]
-        scene.world[name] = value
-      end, function(scene)
-        scene.world[name] = old
-      end)
+  local function checkSetting(name, value, expected)
+    local text = messageFor("", name, expected, value):sub(2)
+    refuses("newWorld(settings): " .. text, function()
+      physics.newWorld({ [name] = value })
     end)
+    refuses("load(settings): " .. text, function()
+      physics.load({ [name] = value })
+    end)
+    local old
+    refusesStep("world." .. text, function(scene)
+      old = scene.world[name]
+      scene.world[name] = value
+    end, function(scene)
+      scene.world[name] = old
+    end)
+  end
+
+  for _, row in ipairs(fields.settings) do
+    local values, expected = wrongOf(row)
+    for _, value in ipairs(values) do
+      it(row.name .. " refuses " .. shown(value) .. ", at first and later", function()
+        checkSetting(row.name, value, expected)
+      end)
+    end
   end
 
   it("gravity may not be taken away", function()
@@ -942,30 +841,10 @@ end)
 
 describe("from inside canCollide", function()
   for _, row in ipairs({
-    {
-      "update(dt)",
-      function(scene)
-        scene.world:update(DT)
-      end,
-    },
-    {
-      "add(group, object)",
-      function(scene)
-        scene.world:add("boxes", newBox())
-      end,
-    },
-    {
-      "remove(object)",
-      function(scene)
-        scene.world:remove(scene.lift)
-      end,
-    },
-    {
-      "refresh(object)",
-      function(scene)
-        scene.world:refresh(scene.floor)
-      end,
-    },
+    { "update(dt)", "update", DT },
+    { "add(group, object)", "add", "boxes", newBox() },
+    { "remove(object)", "remove", "lift" },
+    { "refresh(object)", "refresh", "floor" },
   }) do
     it(row[1] .. " is refused", function()
       for _, which in ipairs({ "sleeper", "floor", "world" }) do
@@ -980,7 +859,7 @@ describe("from inside canCollide", function()
         local scene, twin = make(), make()
         local works = scene[which].canCollide
         scene[which].canCollide = function()
-          row[2](scene)
+          scene.world[row[2]](scene.world, scene[row[3]] or row[3], row[4])
         end
         scene.world:refresh(scene.floor)
         local before = snapshot(scene)

@@ -229,46 +229,8 @@ describe("check", function()
       check.object(object({}), "objects.boxes[1]")
     end)
 
-    it("accepts every field at once, and fields of the game", function()
-      check.object(
-        object({
-          vx = -1,
-          vy = 1e9,
-          ax = 0,
-          ay = -3,
-          static = true,
-          kinematic = false,
-          active = true,
-          sensor = false,
-          pushable = false,
-          mass = 1e-3,
-          gravity = -9,
-          gravityX = 0,
-          friction = 0.98,
-          restitution = 1,
-          airFriction = 0,
-          drag = 2,
-          maxSpeed = 0,
-          maxSpeedX = 1,
-          maxSpeedY = 2,
-          mask = { enemies = false, [1] = true },
-          oneWay = "top",
-          carry = false,
-          surfaceSpeed = -20,
-          nudge = 4,
-          snap = 8,
-          maxFallSpeed = 600,
-          touching = "whatever the game put there",
-          onBegin = print,
-          onStay = print,
-          onEnd = print,
-          onCrush = print,
-          canCollide = print,
-          image = "box.png",
-          health = NAN,
-        }),
-        "objects.boxes[1]"
-      )
+    it("accepts fields of the game, whatever is in them", function()
+      check.object(object({ image = "box.png", health = NAN, touching = 5 }), "objects.boxes[1]")
     end)
 
     it("reads what an instance inherits from its class", function()
@@ -283,42 +245,12 @@ describe("check", function()
 
     -- what is wrong, and what the message says behind "physics: objects.boxes[3]"
     for _, row in ipairs({
-      { { x = "10" }, '.x must be a number, got "10"' },
-      { { x = false }, ".x must be a number, got false" },
-      { { y = NAN }, ".y must be a number, got nan" },
-      { { y = -INF }, ".y must be a finite number, got -inf" },
       { { x = 1e101 }, ".x must be a number in -1e+100..1e+100, got 1e+101" },
       { { x = -1e101 }, ".x must be a number in -1e+100..1e+100, got -1e+101" },
       { { drag = 1e101 }, ".drag must be a number in 0..1e+100, got 1e+101" },
       { { width = 1e101 }, ".width must be a number > 0 and <= 1e+100, got 1e+101" },
       { { mass = 1e-101 }, ".mass must be a number >= 1e-100, got 1e-101" },
-      { { width = 0 }, ".width must be a number > 0, got 0" },
-      { { width = -5 }, ".width must be a number > 0, got -5" },
-      { { height = INF }, ".height must be a finite number > 0, got inf" },
-      { { height = {} }, ".height must be a number > 0, got table" },
-      { { vx = NAN }, ".vx must be a number, got nan" },
-      { { vy = false }, ".vy must be a number, got false" },
-      { { static = 1 }, ".static must be true or false, got 1" },
-      { { active = "no" }, '.active must be true or false, got "no"' },
-      { { mass = 0 }, ".mass must be a number > 0, got 0" },
-      {
-        { mass = INF },
-        ".mass must be a finite number > 0, got inf (pushable = false: never pushed)",
-      },
-      { { gravity = "up" }, '.gravity must be a number, got "up"' },
-      { { friction = -0.1 }, ".friction must be a number >= 0, got -0.1" },
-      { { restitution = 1.5 }, ".restitution must be a number in 0..1, got 1.5" },
       { { restitution = INF }, ".restitution must be a finite number in 0..1, got inf" },
-      { { maxSpeed = -1 }, ".maxSpeed must be a number >= 0, got -1" },
-      { { nudge = -1 }, ".nudge must be a number >= 0, got -1" },
-      {
-        { oneWay = "up" },
-        '.oneWay must be true, false, "top", "bottom", "left" or "right", got "up"',
-      },
-      { { oneWay = 1 }, '.oneWay must be true, false, "top", "bottom", "left" or "right", got 1' },
-      { { onBegin = "boom" }, '.onBegin must be a function, got "boom"' },
-      { { canCollide = false }, ".canCollide must be a function, got false" },
-      { { mask = "enemies" }, '.mask must be a table { [group] = false }, got "enemies"' },
       { { mask = { "enemies" } }, '.mask[1] must be true or false, got "enemies"' },
       { { mask = { enemies = 0 } }, ".mask.enemies must be true or false, got 0" },
       { { mask = { b = 2, a = 1, c = 3 } }, ".mask.a must be true or false, got 1" },
@@ -328,18 +260,6 @@ describe("check", function()
       it("refuses: " .. expected, function()
         refuses("physics: objects.boxes[3]" .. expected, function()
           check.object(object(changes), "objects.boxes[3]")
-        end)
-      end)
-    end
-
-    for _, name in ipairs({ "x", "y", "width", "height" }) do
-      it("refuses an object without " .. name, function()
-        local incomplete = object({})
-        incomplete[name] = nil
-        local range = (name == "width" or name == "height") and " > 0" or ""
-        local expected = "physics: objects.player." .. name .. " must be a number" .. range
-        refuses(expected .. ", got nil", function()
-          check.object(incomplete, "objects.player")
         end)
       end)
     end
@@ -377,49 +297,21 @@ describe("check", function()
   end)
 
   describe(".settings", function()
-    it("accepts nothing, no settings, and every setting", function()
+    it("accepts nothing, no settings, and good ones", function()
       check.settings(nil, "newWorld(settings)")
       check.settings({}, "newWorld(settings)")
-      check.settings({
-        gravity = -1,
-        gravityX = 5,
-        push = "first",
-        masks = { bullets = { players = false, [2] = true }, [1] = {} },
-        sideBySide = true,
-        broadphase = "grid",
-        cellSize = 64,
-        timestep = 1 / 60,
-        maxStep = 0.25,
-        order = { "tiles", 2, "2" },
-        rest = false,
-        onBegin = print,
-        onStay = print,
-        onEnd = print,
-        onCrush = print,
-        canCollide = print,
-      }, "newWorld(settings)")
+      local masks = { bullets = { players = false, [2] = true }, [1] = {} }
+      check.settings({ masks = masks, order = { "tiles", 2, "2" } }, "newWorld(settings)")
     end)
 
     -- what is wrong, and what the message says behind "physics: newWorld(settings): "
     for _, row in ipairs({
       { 800, "settings must be a table, got 800" },
-      { { gravity = "low" }, 'gravity must be a number, got "low"' },
-      { { gravity = NAN }, "gravity must be a number, got nan" },
-      { { gravityX = INF }, "gravityX must be a finite number, got inf" },
-      { { push = "second" }, 'push must be "both" or "first", got "second"' },
-      { { sideBySide = 1 }, "sideBySide must be true or false, got 1" },
-      { { broadphase = "tree" }, 'broadphase must be "auto", "pairs" or "grid", got "tree"' },
-      { { cellSize = 0 }, "cellSize must be a number > 0, got 0" },
-      { { timestep = 60 }, "timestep must be a number in 1e-05..0.25, got 60" },
-      { { maxStep = 0 }, "maxStep must be a number in 1e-05..0.25, got 0" },
-      { { maxStep = 0.5 }, "maxStep must be a number in 1e-05..0.25, got 0.5" },
-      { { rest = "yes" }, 'rest must be true or false, got "yes"' },
       { { order = "tiles" }, 'order must be a list of group names, got "tiles"' },
       { { order = { tiles = 1 } }, "order must be a list of group names, got table" },
       { { order = { "tiles", true } }, "order[2] must be a group name, got true" },
       { { order = { 1, NAN } }, "order[2] must be a group name, got nan" },
       { { order = { "a", "b", "a" } }, 'order must name each group once, got "a" at [1] and [3]' },
-      { { masks = true }, "masks must be a table { [group] = { [group] = false } }, got true" },
       { { masks = { a = "b" } }, 'masks.a must be a table { [group] = false }, got "b"' },
       { { masks = { a = { b = "no" } } }, 'masks.a.b must be true or false, got "no"' },
       { { masks = { [1] = { ["my b"] = 0 } } }, 'masks[1]["my b"] must be true or false, got 0' },
@@ -428,7 +320,6 @@ describe("check", function()
         "masks.a must have group names as keys, got function",
       },
       { { masks = { [print] = {} } }, "masks must have group names as keys, got function" },
-      { { onBegin = {} }, "onBegin must be a function, got table" },
     }) do
       local settings, expected = row[1], row[2]
       it("refuses: " .. expected, function()
