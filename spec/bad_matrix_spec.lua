@@ -374,8 +374,9 @@ end
 
 local counts = { accepted = 0, refused = 0 }
 
--- Tries all values at all places of a function, which is row n of `newRows(scene)`. `call(scene, name,
--- args, count)` makes the call. One scene is good for many refused calls, since those change nothing.
+-- Tries all values at all places of a function, which is row n of `newRows(scene)`. `call(scene,
+-- name, args, count)` makes the call. One scene is good for many refused calls, since those change
+-- nothing.
 local function tryAll(newRows, n, makeScene, call)
   local scene = makeScene()
   local row = newRows(scene)[n]

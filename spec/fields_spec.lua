@@ -1,5 +1,5 @@
---- The rows of fields, entries of areas and settings: well formed, true to their own checks, and all
---- that a new field needs.
+--- The rows of fields, entries of areas and settings: well formed, true to their own checks, and
+--- all that a new field needs.
 
 local check = require("physics.fields.check")
 local fields = require("scripts.meanings")
