@@ -5,7 +5,6 @@
 local effort = require("spec.support.effort")
 local newRandom = require("spec.support.random").new
 local physics = require("physics")
-local state = require("physics.state.save")
 
 effort.interpret(setup, teardown)
 
@@ -480,24 +479,7 @@ end)
 
 -- Older states ------------------------------------------------------------------------------------
 
-describe("a state that version 0.1.0 has saved", function()
-  local saved = dofile("spec/states/0.1.0.lua")
-
-  it("is restored, or the message says that another version has saved it", function()
-    local world = physics.newWorld()
-    local ok, message = pcall(world.restore, world, saved)
-    if saved.version == state.VERSION then
-      assert(ok, message)
-      assert.equal(99999.5, world.objects.witness.x)
-      for _ = 1, 60 do
-        world:update(DT)
-      end
-    else
-      assert.is_false(ok)
-      assert.truthy(message:find("saved by another version of the library", 1, true), message)
-    end
-  end)
-
+describe("a state that an older version has saved", function()
   it("is refused with the reason once its layout is another one", function()
     local world = physics.newWorld()
     local before = world:hash()
