@@ -1,6 +1,7 @@
 --- Events: what the game is told about which objects, in which order, and what callbacks may do.
 
 local newBox = require("spec.support.box")
+local newRandom = require("spec.support.random").new
 local physics = require("physics")
 
 local DT = 1 / 60
@@ -1092,5 +1093,31 @@ describe("onCrush", function()
     play(world, 40)
     assert.same({ "x", "x" }, lines)
     assert.is_true(box.vx - box.vx == 0)
+  end)
+end)
+
+-- Boxes that grow and shrink in a room, so that they are pushed into each other.
+describe("onStay that does nothing", function()
+  local function play(seed, onStay)
+    local random, world = newRandom(seed), physics.newWorld({ gravity = 600 })
+    world:setBounds(0, 0, 200, 160)
+    local boxes = {}
+    for n = 1, 24 do
+      local x, y = random:between(0, 180), random:between(0, 140)
+      boxes[n] = world:add("boxes", { x = x, y = y, width = 16, height = 16, onStay = onStay })
+      boxes[n].vx, boxes[n].friction = random:between(-200, 200), 0.3
+    end
+    for _ = 1, 200 do
+      local box, size = boxes[random:integer(1, #boxes)], random:between(8, 28)
+      box.width, box.height = size, size
+      world:update(DT)
+    end
+    return world:hash()
+  end
+
+  it("changes no motion", function()
+    for seed = 1, 3 do
+      assert.equal(play(seed, nil), play(seed, function() end))
+    end
   end)
 end)
