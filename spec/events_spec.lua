@@ -1098,7 +1098,7 @@ end)
 
 -- Boxes that grow and shrink in a room, so that they are pushed into each other.
 describe("onStay that does nothing", function()
-  local function play(seed, onStay)
+  local function playRoom(seed, onStay)
     local random, world = newRandom(seed), physics.newWorld({ gravity = 600 })
     world:setBounds(0, 0, 200, 160)
     local boxes = {}
@@ -1117,7 +1117,7 @@ describe("onStay that does nothing", function()
 
   it("changes no motion", function()
     for seed = 1, 3 do
-      assert.equal(play(seed, nil), play(seed, function() end))
+      assert.equal(playRoom(seed, nil), playRoom(seed, function() end))
     end
   end)
 end)
