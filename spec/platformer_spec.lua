@@ -343,6 +343,11 @@ describe("the place of a contact", function()
       assert.equal(row[3], told[1][3])
       for _, event in ipairs({ told[1], ofWorld[1], ofTile[1] }) do
         expectPlace(event, row[4], row[5], row[6], row[7])
+        -- For a grid of cells it is in the other object.
+        local other = event[2]
+        local x, y = (event[5] + event[7]) / 2, (event[6] + event[8]) / 2
+        assert.is_true(other.x <= x and x < other.x + other.width, x)
+        assert.is_true(other.y <= y and y < other.y + other.height, y)
       end
     end
   end)

@@ -16,6 +16,7 @@ local sort = require(root .. ".memory.sort")
 local events = {}
 
 local EPSILON, SIDES, OPPOSITE = columns.EPSILON, columns.SIDES, columns.OPPOSITE
+local AT_LEFT, AT_TOP = columns.SIDE.left, columns.SIDE.top
 local max, min = math.max, math.min
 
 -- Kinds, in the order in which the events of a pair are told.
@@ -255,6 +256,12 @@ local function checkCallback(b, owner, name)
   end
 end
 
+-- Returns a number just below a coordinate. The right and bottom edges of a cell belong to the next
+-- one; so a place there is told as one inside the other object.
+local function before(at)
+  return at - max(at, -at, 1) * 2e-15
+end
+
 -- Calls the callback of one recipient of an event: 1 and 2 are the two objects, 3 is the world.
 -- Each object gets its own side, and the world that of the first object.
 local function tell(e, n, recipient, name, owner)
@@ -270,7 +277,13 @@ local function tell(e, n, recipient, name, owner)
     a, b, side = e.b[n], e.a[n], OPPOSITE[side]
   end
   if e.kind[n] == BEGIN then
-    callback(a, b, SIDES[side], e.speed[n], e.x1[n], e.y1[n], e.x2[n], e.y2[n])
+    local x1, y1, x2, y2 = e.x1[n], e.y1[n], e.x2[n], e.y2[n]
+    if side == AT_LEFT then
+      x1, x2 = before(x1), before(x2)
+    elseif side == AT_TOP then
+      y1, y2 = before(y1), before(y2)
+    end
+    callback(a, b, SIDES[side], e.speed[n], x1, y1, x2, y2)
   elseif e.kind[n] == STAY then
     callback(a, b, SIDES[side], e.speed[n])
   else
