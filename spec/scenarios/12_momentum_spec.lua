@@ -296,4 +296,39 @@ describe("energy does not come out of nowhere", function()
       end
     end)
   end)
+
+  for _, row in ipairs({ { "boxes", 60, 10 }, { "balls", 200, 10 } }) do
+    it(
+      ("nor goes anywhere among %d elastic %s in a room, in a minute"):format(row[2], row[1]),
+      function()
+        scene.each({ rate = { 60 }, order = { "forward" } }, function(run)
+          local random, description = newRandom(1), room({ gravity = 0 }, 400, 400)
+          local columns = math.ceil(math.sqrt(row[2]))
+          local spacing = 400 / columns
+          for i = 0, row[2] - 1 do
+            description[#description + 1] = {
+              "balls",
+              {
+                x = spacing * (i % columns) + random:between(0, spacing - row[3]),
+                y = spacing * math.floor(i / columns) + random:between(0, spacing - row[3]),
+                width = row[3],
+                height = row[3],
+                radius = row[1] == "balls" and row[3] / 2 or nil,
+                vx = random:between(-200, 200),
+                vy = random:between(-200, 200),
+                restitution = 1,
+              },
+            }
+          end
+          run:build(description)
+          local _, _, first = sums(run.all)
+          for _ in run:steps(60) do
+            local _, _, energy = sums(run.all)
+            local share = energy / first
+            run:check(share < 1.001 and share > 0.999, "energy is %.9g of the first", share)
+          end
+        end)
+      end
+    )
+  end
 end)
