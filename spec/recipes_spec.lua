@@ -204,6 +204,17 @@ recipes["Ladders"] = function(snippet)
   g.run(2)
   assert.equal(368, g.player.y)
   g.release("down")
+  -- Another ledge stays closed.
+  local other = { x = 200, y = 360, width = 60, height = 8, static = true, oneWay = "top" }
+  local x = g.player.x
+  g.world:add("tiles", other)
+  g.player.x, g.player.y = 210, 320
+  g.run(0.5)
+  g.press("down")
+  g.release("down")
+  g.run(0.1)
+  assert.equal(other, g.player.touching.bottom)
+  g.player.x, g.player.y = x, 368
   -- A jump in front of it is as high as elsewhere.
   local highest = 368
   g.press("space")
@@ -352,6 +363,50 @@ recipes["Pressure plates"] = function(snippet)
     walker.player.vx = 100
   end)
   assert.is_true(walker.player.x > 330)
+end
+
+recipes["Mine carts"] = function(snippet)
+  local g = play(snippet)
+  local carts = g.world.objects.carts
+  g.player.x, g.player.y = carts[2].x + 10, carts[2].y - 32
+  g.run(0.2)
+  local along = g.player.x - carts[2].x
+  g.run(3, function()
+    assert.equal(carts[2], g.player.touching.bottom)
+    assert.near(carts[2].y - 32, g.player.y, 1e-9)
+  end)
+  assert.near(along, g.player.x - carts[2].x, 1e-9)
+  assert.same({ 334, 52 }, { carts[1].y, carts[1].x - carts[2].x })
+end
+
+recipes["Ice and conveyors"] = function(snippet)
+  -- Where it comes to rest that begins at x with 200 px/s, and how far it is moved while it stands.
+  local function slide(x)
+    local g = play(snippet)
+    g.player.x, g.player.vx = x, 200
+    g.run(2)
+    return g.player.x - x
+  end
+  assert.near(200 * 200 / 1800, slide(400), 0.5)
+  assert.is_true(slide(110) > 90) -- over the ice
+  local g = play(snippet)
+  g.player.x = 270
+  g.run(1)
+  assert.near(330, g.player.x, 1e-6)
+  g.world:add("walls", { x = 360, y = 300, width = 10, height = 200, static = true })
+  g.run(1)
+  assert.equal(360 - 24, g.player.x)
+end
+
+recipes["One crate at a time"] = function(snippet)
+  local g = play(snippet)
+  local crates = g.world.objects.crates
+  g.player.x, g.player.y = 60, 368
+  g.press("right")
+  g.run(4)
+  assert.near(crates[2].x, crates[1].x + 32, 1e-6)
+  assert.near(160, crates[2].x, 2) -- a frame later it stands
+  assert.equal(crates[1], g.player.touching.right)
 end
 
 recipes["Trains"] = function(snippet)
@@ -514,6 +569,14 @@ recipes["A path for a lift"] = function(snippet)
   end
   assert.equal(220, highest)
   assert.near(lift.x + along, g.player.x, 1e-9) -- it rides without slipping
+  -- A checkpoint knows where it goes.
+  local state, ways = g.world:save(), {}
+  for n = 1, 2 do
+    g.run(4)
+    ways[n] = { lift.x, lift.y }
+    g.world:restore(state)
+  end
+  assert.same(ways[1], ways[2])
 end
 
 recipes["Jumping off a lift"] = function(snippet)
