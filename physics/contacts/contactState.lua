@@ -97,9 +97,7 @@ local function shortestSide(b, i, j)
   -- A tie is decided by the order of the world.
   local isSwapped = b.rank[j] < b.rank[i]
   if isSwapped then
-    local first = j
-    j = i
-    i = first
+    i, j = j, i
   end
   local to, size, ki, kj = b.to, b.size, 2 * i, 2 * j
   local side = columns.SIDE[aabb.side(
@@ -161,44 +159,37 @@ local function sensorContact(b, p, i, j)
   return side ~= 0 and side or shortestSide(b, i, j)
 end
 
--- Lists the pairs about which the game must still be asked, in the order of the world. Returns how
--- many there are.
+-- Lists in `work.list` the pairs about which the game must still be asked, in the order of the
+-- world. Returns how many there are.
 local function listUnasked(b, work)
-  local pairs, sides, first, second, order =
-    work.pairs, work.sides, work.first, work.second, work.order
-  local count = 0
+  local list, first, second, count = work.list, work.first, work.second, 0
   for n = 1, b.liveCount do
     local p = b.live[n]
     local i, j = b.pairA[p], b.pairB[p]
     local isOpen = b.hit[p] == 0 and not b.passing[p] and b.asked[p] ~= b.solveStamp
-    if isOpen and rules.isAsked(b, i, j) then
-      local isSensed = b.sensor[i] or b.sensor[j]
-      local side = isSensed and 0 or flushContact(b, p, i, j, sideOf(b, i, j))
-      if side ~= 0 then
-        local one, other = b.rank[i], b.rank[j]
+    if isOpen and not (b.sensor[i] or b.sensor[j]) and rules.isAsked(b, i, j) then
+      work.side[p] = flushContact(b, p, i, j, sideOf(b, i, j))
+      first[p], second[p] = min(b.rank[i], b.rank[j]), max(b.rank[i], b.rank[j])
+      if work.side[p] ~= 0 then
         count = count + 1
-        pairs[count], sides[count], order[count] = p, side, count
-        first[count], second[count] = min(one, other), max(one, other)
+        list[count] = p
       end
     end
   end
-  sort.by(order, count, first, second, second)
+  sort.by(list, count, first, second, second)
   return count
 end
 
 --- Asks the game about pairs that will be in contact without a hit. (An object that stands on two
 --- floors is held by one of them.) Writes only `passing`, since the function of the game may fail.
 function contactState.ask(b)
-  if not b.hasAskers then
-    return
-  end
   local work = b.unasked
-  for n = 1, listUnasked(b, work) do
-    local at = work.order[n]
-    local p, side = work.pairs[at], work.sides[at]
-    local i, j, axis = b.pairA[p], b.pairB[p], side > 2 and 1 or 0
+  for n = 1, b.hasAskers and listUnasked(b, work) or 0 do
+    local p = work.list[n]
+    local i, j, side = b.pairA[p], b.pairB[p], work.side[p]
     local isFirstLow = side % 2 == 0
-    b.passing[p] = not rules.permits(b, isFirstLow and i or j, isFirstLow and j or i, axis)
+    local low, high = isFirstLow and i or j, isFirstLow and j or i
+    b.passing[p] = not rules.permits(b, low, high, side > 2 and 1 or 0)
     activePairs.stain(b, p)
   end
 end

@@ -100,9 +100,7 @@ local function locate(b, p, side)
     isSecond = slope.isOne(b, i)
   end
   if isSecond then
-    local first = j
-    j = i
-    i, side = first, OPPOSITE[side]
+    i, j, side = j, i, OPPOSITE[side]
   end
   if b.hit[p] == 0 and b.hasCircles and ball.isRound(b, i, j) then
     local x, y = ball.point(b, i, j)
@@ -147,17 +145,23 @@ local function isHeard(b, i, j)
   return false
 end
 
+-- Adds the beginning of a contact of pair p on `side` of its first object, with its place. `leant`:
+-- see events.new.
+local function addBegin(b, p, side, speed, leant)
+  local e, count = b.events, b.events.count
+  add(b, BEGIN, b.pairA[p], b.pairB[p], side, speed)
+  if e.count > count then
+    e.leant[e.count] = leant
+    locate(b, p, side)
+  end
+end
+
 --- Notes that a contact of pair p has begun on `side` of its first object. Contacts that begin
 --- because one object leans on the other, without a hit, are told after all hits. (Of two bricks
 --- that are hit at once, the one with the wider common edge is hit.)
 function events.begin(b, p, side, speed)
-  local i, j, count = b.pairA[p], b.pairB[p], b.events.count
-  isHeard(b, i, j)
-  add(b, BEGIN, i, j, side, speed)
-  if b.events.count > count then
-    b.events.leant[b.events.count] = b.hit[p] == 0 and 1 or 0
-    locate(b, p, side)
-  end
+  isHeard(b, b.pairA[p], b.pairB[p])
+  addBegin(b, p, side, speed, b.hit[p] == 0 and 1 or 0)
 end
 
 --- Notes that a contact has ended.
@@ -167,11 +171,7 @@ end
 
 --- Notes that the objects of pair p touched and separated within the step.
 function events.bounce(b, p, side, speed)
-  local count = b.events.count
-  add(b, BEGIN, b.pairA[p], b.pairB[p], side, speed)
-  if b.events.count > count then
-    locate(b, p, side)
-  end
+  addBegin(b, p, side, speed, 0)
   add(b, LEFT, b.pairA[p], b.pairB[p], side, 0)
 end
 
@@ -183,10 +183,14 @@ function events.stay(b, p, side)
   end
 end
 
---- Notes that slot i is held between j and k on an axis ("x" or "y").
-function events.crush(b, i, j, k, axis)
-  if hasListener(b, CRUSH, i, i) then
-    note(b, CRUSH, i, j, b.object[k], axis, 0)
+--- Notes the event of an object that begins to be crushed in this step, on each axis.
+function events.tellCrush(b, i)
+  for axis = 0, 1 do
+    local k = 2 * i + axis
+    if b.crushed[k] and not b.wasCrushed[k] and hasListener(b, CRUSH, i, i) then
+      note(b, CRUSH, i, b.crushLow[k], b.object[b.crushHigh[k]], axis == 0 and "x" or "y", 0)
+    end
+    b.wasCrushed[k] = b.crushed[k]
   end
 end
 
@@ -356,17 +360,6 @@ function events.tell(b)
     tellAll(b, e, n)
   end
   events.forget(e)
-end
-
---- Notes the event of an object that begins to be crushed in this step.
-function events.tellCrush(b, i)
-  for axis = 0, 1 do
-    local k = 2 * i + axis
-    if b.crushed[k] and not b.wasCrushed[k] then
-      events.crush(b, i, b.crushLow[k], b.crushHigh[k], axis == 0 and "x" or "y")
-    end
-    b.wasCrushed[k] = b.crushed[k]
-  end
 end
 
 return events
