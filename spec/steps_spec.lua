@@ -1,18 +1,13 @@
---- Parts of the step, each by itself: sorting, broad phases, forces, friction, columns.
+--- The broad phases, by themselves, and the limit of a speed inside a step.
 
 local columns = require("physics.memory.columns")
 local allPairs = require("physics.broadphase.allPairs")
-local forces = require("physics.motion.forces")
-local friction = require("physics.solver.friction")
 local grid = require("physics.broadphase.grid")
 local newRandom = require("spec.support.random").new
 local path = require("physics.motion.path")
 local physics = require("physics")
-local registry = require("physics.objects.registry")
-local sort = require("physics.memory.sort")
 
-local DYNAMIC, STATIC = columns.DYNAMIC, columns.STATIC
-local DT = 1 / 60
+local DYNAMIC = columns.DYNAMIC
 
 --- Columns with some dynamic objects in slots 1, 2, …, all awake.
 local function newBodies(count)
@@ -25,42 +20,9 @@ local function newBodies(count)
     b.awakeList[n], b.awake[i] = i, true
   end
   b.awakeCount = count
-  b.flowPull, b.flowAir, b.flowDrag = b.pull, b.airFriction, b.drag -- as without zones
   path.begin(b)
   return b
 end
-
-describe("sort.by", function()
-  it("sorts by the first column, then the second, then the third", function()
-    local first = { 2, 1, 2, 1, 1 }
-    local second = { 5, 7, 5, 6, 7 }
-    local third = { 2, 2, 1, 9, 1 }
-    local list = { 1, 2, 3, 4, 5 }
-    sort.by(list, 5, first, second, third)
-    assert.same({ 4, 5, 2, 3, 1 }, list)
-  end)
-
-  it("sorts lists of any length and leaves what is behind them alone", function()
-    local random = newRandom(3)
-    for count = 0, 40 do
-      local list, column, same = {}, {}, {}
-      for n = 1, count do
-        list[n], column[n], same[n] = n, random:integer(1, 10), 0
-      end
-      list[count + 1] = "end"
-      local number = {}
-      for n = 1, count do
-        number[n] = n
-      end
-      sort.by(list, count, column, same, number)
-      for n = 2, count do
-        local a, b = list[n - 1], list[n]
-        assert.is_true(column[a] < column[b] or (column[a] == column[b] and a < b))
-      end
-      assert.equal("end", list[count + 1])
-    end
-  end)
-end)
 
 describe("the broad phases", function()
   --- Puts a box with random size into the fat boxes of slot i: somewhere, or where it is (`stays`).
@@ -194,194 +156,4 @@ describe("maxSpeed", function()
       assert.near(247.0108, fast.y, 0.02)
     end)
   end
-end)
-
-describe("forces", function()
-  -- From 8 px/s to a stop at 150 px/s², and on at 100.
-  local FORTH = -8 * 8 / 300 + 100 / 2 * (1 - 8 / 150) ^ 2
-  -- what, velocity, acceleration, air friction, drag, limit, dt; velocity and way afterwards
-  for _, row in ipairs({
-    { "none: it flies on", 60, 0, 0, 0, nil, 0.5, 60, 30 },
-    { "gravity: v + a t, and v t + a t² / 2", 10, 800, 0, 0, nil, 0.5, 410, 105 },
-    { "air friction alone: e^-kt", 100, 0, 2, 0, nil, 0.5, 36.787944117144, 31.606027941428 },
-    { "air friction against gravity", 0, 100, 1, 0, nil, 1, 63.212055882856, 36.787944117144 },
-    { "drag, moving", 100, 0, 0, 50, nil, 1, 50, 75 },
-    { "drag, until it stands", 100, 0, 0, 400, nil, 1, 0, 12.5 },
-    { "drag, the other way", -100, 0, 0, 400, nil, 1, 0, -12.5 },
-    { "drag, stronger than the pull", 0, 100, 0, 200, nil, 1, 0, 0 },
-    { "drag, with a weaker pull", 50, 100, 0, 200, nil, 1, 0, 12.5 },
-    { "drag, against a weaker pull", -50, 100, 0, 200, nil, 1, 0, -50 * 50 / 600 },
-    { "drag, with a stronger pull", 50, 300, 0, 200, nil, 1, 150, 100 },
-    { "drag, against a stronger pull", -8, 125, 0, 25, nil, 1, 100 * (1 - 8 / 150), FORTH },
-    { "a limit reached half-way", 0, 100, 0, 0, 50, 1, 50, 37.5 },
-    { "a limit exceeded before", 90, 0, 0, 0, 50, 1, 50, 50 },
-  }) do
-    it(row[1], function()
-      for axis = 0, 1 do
-        local b = newBodies(1)
-        local k = 2 + axis
-        b.velocity[k], b.pull[k], b.airFriction[1], b.drag[1] = row[2], row[3], row[4], row[5]
-        b.fastest[k] = row[6] or math.huge
-        b.slowest[k] = -b.fastest[k]
-        b.isFree[1] = not row[6] and row[4] == 0
-        b.hasHinders = true
-        forces.run(b, row[7], 1, 1)
-        assert.near(row[8], b.speed[k], 1e-9)
-        assert.near(row[9], b.way[k], 1e-9)
-        assert.equal(0, b.speed[5 - k])
-        assert.equal(0, b.way[5 - k])
-      end
-    end)
-  end
-
-  it("limit the length of a velocity, whatever its direction", function()
-    local b = newBodies(1)
-    b.velocity[2], b.velocity[3], b.maxSpeed[1], b.hasHinders = 300, -400, 100, true
-    forces.run(b, 0.5, 1, 1)
-    assert.near(60, b.speed[2], 1e-9)
-    assert.near(-80, b.speed[3], 1e-9)
-    assert.near(30, b.way[2], 1e-9)
-    assert.near(-40, b.way[3], 1e-9)
-  end)
-
-  it("damp the same in one long step and in many short ones", function()
-    local long, short, way = newBodies(1), newBodies(1), 0
-    long.velocity[2], long.airFriction[1], long.pull[2] = 100, 3, 40
-    short.velocity[2], short.airFriction[1], short.pull[2] = 100, 3, 40
-    forces.run(long, 1, 1, 1)
-    for _ = 1, 200 do
-      forces.run(short, 1 / 200, 1, 1)
-      short.velocity[2], way = short.speed[2], way + short.way[2]
-    end
-    assert.near(long.speed[2], short.speed[2], 1e-9)
-    assert.near(long.way[2], way, 1e-9)
-  end)
-end)
-
-describe("friction", function()
-  -- of one, of the other (nil: not set), the pair's
-  for _, row in ipairs({
-    { 0.5, 0.5, 0.5 },
-    { 0.4, 0.9, 0.6 },
-    { 0, 1, 0 },
-    { nil, 0.3, 0.3 },
-    { 0.3, nil, 0.3 },
-    { nil, nil, 0 },
-  }) do
-    it(("of %s and %s is %g"):format(tostring(row[1]), tostring(row[2]), row[3]), function()
-      local b = newBodies(2)
-      b.friction[1], b.friction[2] = row[1] or -1, row[2] or -1
-      assert.near(row[3], friction.coefficient(b, 1, 2), 1e-12)
-      assert.near(row[3], friction.coefficient(b, 2, 1), 1e-12)
-    end)
-  end
-
-  it("slows by its share of the weight, and stops exactly", function()
-    local world = physics.newWorld({ gravity = 800 })
-    world:add("tiles", { x = -100, y = 16, width = 900, height = 16, static = true })
-    local box = world:add("boxes", { x = 0, y = 0, width = 16, height = 16, vx = 90 })
-    box.friction = 0.5
-    world:update(DT)
-    assert.near(90 - 400 * DT, box.vx, 1e-9)
-    for _ = 1, 20 do
-      world:update(DT)
-    end
-    assert.equal(0, box.vx)
-    assert.near(90 * 90 / (2 * 400), box.x, 1e-6)
-  end)
-end)
-
-describe("a path", function()
-  it("begins anew where the object is at a moment", function()
-    local b = newBodies(1)
-    b.to[2], b.to[3] = 8, -4
-    path.advance(b, 1, 0.5)
-    assert.same({ 4, -2, 0.5 }, { b.from[2], b.from[3], b.time[1] })
-    path.advance(b, 1, 0.75)
-    assert.same({ 6, -3, 0.75 }, { b.from[2], b.from[3], b.time[1] })
-    path.advance(b, 1, 0.25) -- not back
-    assert.same({ 6, -3, 0.75 }, { b.from[2], b.from[3], b.time[1] })
-    b.kind[1] = STATIC
-    path.advance(b, 1, 1)
-    assert.equal(0.75, b.time[1])
-  end)
-end)
-
-describe("the columns", function()
-  it("give slots and pairs back and use them again", function()
-    local b = newBodies(3)
-    local first, second = columns.link(b, 1, 2), columns.link(b, 2, 3)
-    assert.equal(first, columns.pairOf(b, 2, 1))
-    assert.equal(second, columns.pairOf(b, 2, 3))
-    assert.is_nil(columns.pairOf(b, 1, 3))
-    columns.unlinkAll(b, { first }, 1)
-    assert.is_nil(columns.pairOf(b, 1, 2))
-    assert.equal(second, columns.pairOf(b, 3, 2))
-    local third = columns.link(b, 3, 1) -- lists of this step still hold `first`
-    assert.is_true(third ~= first and third ~= second)
-    columns.unlinkAll(b, { third }, 1)
-    columns.freeEnded(b)
-    local again = columns.link(b, 1, 2)
-    assert.is_true(again == first or again == third)
-    columns.link(b, 1, 3)
-    assert.equal(3, b.pairSlots)
-    assert.equal(3, b.pairCount)
-    columns.unlinkAll(b, { again }, 1)
-    b.mass[2] = 7
-    columns.unlinkAll(b, { second }, 1)
-    columns.release(b, 2)
-    assert.equal(2, b.count)
-    assert.equal(2, columns.claim(b))
-    assert.equal(1, b.mass[2])
-  end)
-end)
-
-describe("the registry", function()
-  it("reports what is new, gone or moved, and nothing when all is the same", function()
-    local b, self = columns.new(), registry.new()
-    local lines = {}
-    local function enter(_, object)
-      local slot = columns.claim(b)
-      b.slotOf[object], b.object[slot] = slot, object
-      lines[#lines + 1] = "+" .. object.name
-      return slot
-    end
-    local function leave(_, slot)
-      lines[#lines + 1] = "-" .. b.object[slot].name
-      b.slotOf[b.object[slot]] = nil
-      columns.release(b, slot)
-    end
-    local function rename(_, slot, record)
-      lines[#lines + 1] = b.object[slot].name .. ">" .. record.name
-      b.group[slot] = record
-    end
-    local function update(objects)
-      lines = {}
-      local realEnter = function(_, object, record, key)
-        local slot = enter(b, object)
-        b.group[slot], b.key[slot] = record, key
-        return slot
-      end
-      local changed = registry.update(b, self, objects, realEnter, leave, rename)
-      return changed, table.concat(lines, " ")
-    end
-    local function newNamed(name)
-      return { name = name, x = 0, y = 0, width = 1, height = 1 }
-    end
-    local p, q, r = newNamed("p"), newNamed("q"), newNamed("r")
-    local objects = { boxes = { p, q }, hero = r }
-    assert.same({ true, "+p +q +r" }, { update(objects) })
-    assert.same({ false, "" }, { update(objects) })
-    assert.is_true(b.rank[b.slotOf[p]] < b.rank[b.slotOf[q]])
-    assert.is_true(b.rank[b.slotOf[q]] < b.rank[b.slotOf[r]])
-    objects.boxes[1], objects.boxes[2] = q, p
-    assert.same({ true, "" }, { update(objects) })
-    assert.is_true(b.rank[b.slotOf[q]] < b.rank[b.slotOf[p]])
-    objects.boxes[2], objects.crates = nil, { p }
-    assert.same({ true, "p>crates" }, { update(objects) })
-    objects.hero = nil
-    assert.same({ true, "-r" }, { update(objects) })
-    assert.same({ true, "-q -p" }, { update({}) })
-    assert.equal(0, b.count)
-  end)
 end)
