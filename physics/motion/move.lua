@@ -49,64 +49,39 @@ local function readCarrier(b, i)
   end
 end
 
--- Keeps a body that is buried in something immovable where it is. It gives way to nothing.
+-- Keeps a body, if it is buried in something immovable, where it is. It gives way to nothing.
 local function bury(b, i)
-  for k = 2 * i, 2 * i + 1 do
+  for k = 2 * i, b.buried[i] and b.kind[i] == DYNAMIC and 2 * i + 1 or 0 do
     b.to[k], b.speed[k] = b.from[k], 0.0
   end
 end
 
--- Computes where dynamic bodies would end.
-local function findEnds(b, first, last, dt)
-  local list, kind, from, to, way, carried = b.awakeList, b.kind, b.from, b.to, b.way, b.carried
+-- Computes where dynamic bodies would end, and how fast they would be then.
+local function findEnds(b, dt, first, last)
+  local list, kind, from, to, way = b.awakeList, b.kind, b.from, b.to, b.way
+  local speed, carried = b.speed, b.carried
   for n = first, last do
     local i = list[n]
     if kind[i] == DYNAMIC then
       local k, m = 2 * i, 2 * i + 1
-      to[k] = from[k] + way[k] + carried[k] * dt
-      to[m] = from[m] + way[m] + carried[m] * dt
+      to[k], speed[k] = from[k] + way[k] + carried[k] * dt, speed[k] + carried[k]
+      to[m], speed[m] = from[m] + way[m] + carried[m] * dt, speed[m] + carried[m]
     end
   end
 end
 
--- Computes how fast they would be then.
-local function findSpeeds(b, first, last)
-  local list, kind, speed, carried = b.awakeList, b.kind, b.speed, b.carried
+-- Moves kinematic objects, and reads how fast they carry others.
+local function carry(b, dt, first, last)
+  local list, kind = b.awakeList, b.kind
   for n = first, last do
-    local i = list[n]
-    if kind[i] == DYNAMIC then
-      local k, m = 2 * i, 2 * i + 1
-      speed[k], speed[m] = speed[k] + carried[k], speed[m] + carried[m]
+    if kind[list[n]] == KINEMATIC then
+      moveKinematic(b, list[n], dt)
     end
   end
-end
-
--- Computes the paths of those in awakeList from `first` to `last`.
-local function movePaths(b, dt, first, last)
-  local list, kind, buried = b.awakeList, b.kind, b.buried
-  if b.hasCarriers then
-    for n = first, last do
-      if kind[list[n]] == KINEMATIC then
-        moveKinematic(b, list[n], dt)
-      end
-    end
-    carriers.board(b)
-    for n = first, last do
-      if kind[list[n]] == DYNAMIC then
-        readCarrier(b, list[n])
-      end
-    end
-  end
-  if b.drifts.driftedCount > 0 then
-    drift.add(b, dt, first, last)
-  end
-  findEnds(b, first, last, dt)
-  findSpeeds(b, first, last)
-  if b.hasBuried then
-    for n = first, last do
-      if buried[list[n]] and kind[list[n]] == DYNAMIC then
-        bury(b, list[n])
-      end
+  carriers.board(b)
+  for n = first, last do
+    if kind[list[n]] == DYNAMIC then
+      readCarrier(b, list[n])
     end
   end
 end
@@ -120,7 +95,16 @@ function move.run(b, dt)
     zones.run(b, dt, first, last)
   end
   forces.run(b, dt, first, last)
-  movePaths(b, dt, first, last)
+  if b.hasCarriers then
+    carry(b, dt, first, last)
+  end
+  if b.drifts.driftedCount > 0 then
+    drift.add(b, dt, first, last)
+  end
+  findEnds(b, dt, first, last)
+  for n = first, b.hasBuried and last or 0 do
+    bury(b, b.awakeList[n])
+  end
   b.predicted = last
 end
 
