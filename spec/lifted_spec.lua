@@ -1,5 +1,5 @@
---- A box that loses its hold in the middle of a step: from then on it holds nothing up, and falls.
---- And one that does not, since its weight is more than what would lift it.
+--- A box that loses its hold in the middle of a step, and one that friction with a lift lifts, if it
+--- is more than its weight.
 
 local physics = require("physics")
 
@@ -45,42 +45,6 @@ describe("a box that is hit from below, off its shelf,", function()
   end
 end)
 
-describe("a box that friction lifts off the floor", function()
-  --   +--+
-  --   |  | 600 times as heavy
-  --   +--+
-  --   +--+    _
-  --   |  |   |_| \
-  --   +--+        v 2000, from the right and from below
-  --   ====
-  for _, rate in ipairs({ 30, 60, 144, 240 }) do
-    it(("is no floor for what stands on it, at %d Hz"):format(rate), function()
-      local world = physics.newWorld({ gravity = GRAVITY })
-      world:add("floors", { x = 0, y = 100, width = 20, height = 4, static = true })
-      local light = world:add("boxes", { x = 0, y = 80, width = 20, height = 20, friction = 1 })
-      local heavy = world:add("boxes", { x = 0, y = 60, width = 20, height = 20, mass = 600 })
-      local bullet =
-        { x = 40, y = 100, width = 10, height = 10, vx = -2000, vy = -1500, friction = 1 }
-      world:add("boxes", bullet)
-      local isHit = false
-      function light.onBegin(_, other)
-        isHit = isHit or other == bullet
-      end
-      local highest = 60
-      for _ = 1, rate / 10 do
-        world:update(1 / rate)
-        highest = math.min(highest, heavy.y)
-      end
-      assert.is_true(isHit)
-      -- The small ones have 1500 px/s upwards, and it a 600th of that at most; in the step in which
-      -- that happens it is not pulled back yet.
-      local speed = 2.5
-      local height = speed / rate + speed ^ 2 / 2 / GRAVITY
-      assert.is_true(highest > 60 - height, "it went up to " .. highest)
-    end)
-  end
-end)
-
 describe("a box that leans on a lift that rises", function()
   --    +--+----+ ^ 50
   --  > |  |    |      friction lifts with half of what it leans with,
@@ -111,28 +75,5 @@ describe("a box that leans on a lift that rises", function()
         assert.near(80 - way, box.y, 1e-9)
       end)
     end
-  end
-end)
-
-describe('what leans on a wall and on the floor, with push = "first",', function()
-  -- By rounding, a box that does not overlap yet has slightly less than no time left: nothing may
-  -- fall for so long.
-  for _, rate in ipairs({ 30, 60, 144 }) do
-    it(("does not leap when light ones rub it, at %d Hz"):format(rate), function()
-      local world = physics.newWorld({ gravity = 800, gravityX = 800, push = "first" })
-      world:add("walls", { x = 0, y = 80, width = 80, height = 10, static = true })
-      local function add(group, x, y, width, height, vx, vy, mass)
-        local fields = { x = x, y = y, width = width, height = height, vx = vx, vy = vy }
-        fields.mass, fields.friction = mass, 1
-        return world:add(group, fields)
-      end
-      add("b", 70, 54.953, 10, 5, 245.9656, 10, 0.01)
-      add("c", 60, 40, 10, 10, 245.97, 0, 1)
-      add("a", 70, 70, 10, 10, 243, 0, 0.01)
-      local heavy = add("a", 70, 50, 5, 10, 245.965641, 0, 1000)
-      add("b", 66, 60, 10, 10, 246, 0, 1)
-      world:update(1 / rate)
-      assert.equal(0, heavy.vy)
-    end)
   end
 end)
