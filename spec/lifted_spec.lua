@@ -1,5 +1,5 @@
---- A box that loses its hold in the middle of a step, and one that friction with a lift lifts, if it
---- is more than its weight.
+--- A box that loses its hold in the middle of a step, and one that friction with a lift lifts, if
+--- it is more than its weight.
 
 local physics = require("physics")
 
