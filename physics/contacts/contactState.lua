@@ -92,12 +92,13 @@ local function leaveInside(b, i, j)
   b.hasInside = true
 end
 
--- Returns the side of slot i on which two overlapping bodies would separate by the shortest way.
-local function shortestSide(b, i, j)
-  -- A tie is decided by the order of the world.
-  local isSwapped = b.rank[j] < b.rank[i]
+-- Returns the side of the first body of pair p on which two that overlap would separate by the
+-- shortest way.
+local function shortestSide(b, p)
+  local i, j = b.pairA[p], b.pairB[p]
+  local isSwapped = b.rank[j] < b.rank[i] -- a tie is decided by the order of the world
   if isSwapped then
-    i, j = j, i
+    i, j = b.pairB[p], b.pairA[p]
   end
   local to, size, ki, kj = b.to, b.size, 2 * i, 2 * j
   local side = columns.SIDE[aabb.side(
@@ -127,7 +128,7 @@ local function deepContact(b, p, i, j)
   end
   local side = isWedged and b.wedged[p] or b.contact[p] ~= 0 and b.contact[p] or b.hit[p]
   -- A buried body touches what it is in.
-  return side == 0 and (b.buried[i] or b.buried[j]) and shortestSide(b, i, j) or side
+  return side == 0 and (b.buried[i] or b.buried[j]) and shortestSide(b, p) or side
 end
 
 -- Returns the side on which a solid pair that does not overlap is in contact now, else 0.
@@ -156,7 +157,7 @@ local function sensorContact(b, p, i, j)
     return 0
   end
   local side = b.contact[p] ~= 0 and b.contact[p] or b.hit[p]
-  return side ~= 0 and side or shortestSide(b, i, j)
+  return side ~= 0 and side or shortestSide(b, p)
 end
 
 -- Lists in `work.list` the pairs about which the game must still be asked, in the order of the

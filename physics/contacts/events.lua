@@ -100,7 +100,7 @@ local function locate(b, p, side)
     isSecond = slope.isOne(b, i)
   end
   if isSecond then
-    i, j, side = j, i, OPPOSITE[side]
+    i, j, side = b.pairB[p], b.pairA[p], OPPOSITE[side]
   end
   if b.hit[p] == 0 and b.hasCircles and ball.isRound(b, i, j) then
     local x, y = ball.point(b, i, j)
