@@ -9,7 +9,7 @@ local BUDGET = {
   { "physics/broadphase", 812 },
   { "physics/contacts", 473 },
   { "physics/fields", 716 },
-  { "physics/maps", 2664 },
+  { "physics/maps", 2655 },
   { "physics/memory", 859 },
   { "physics/motion", 1270 },
   { "physics/objects", 1633 },
