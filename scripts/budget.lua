@@ -12,7 +12,7 @@ local BUDGET = {
   { "physics/maps", 2655 },
   { "physics/memory", 859 },
   { "physics/motion", 1270 },
-  { "physics/objects", 1633 },
+  { "physics/objects", 1629 },
   { "physics/queries", 924 },
   { "physics/sleep", 94 },
   { "physics/solver", 4715 },

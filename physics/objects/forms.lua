@@ -45,15 +45,6 @@ function forms.copy(value)
   return copy
 end
 
---- Returns a copy of a list.
-function forms.copyList(list)
-  local copy = {}
-  for n = 1, #list do
-    copy[n] = list[n]
-  end
-  return copy
-end
-
 --- Returns a table, and those in it, as { key, value, ... } in the order of the keys.
 function forms.listTable(map)
   local list = {}
@@ -132,7 +123,7 @@ local BY_TYPE = {
   area = { keep = copyArea, isKept = isSameArea, list = forms.listTable, make = forms.makeTable },
   masks = { list = forms.listTable, make = forms.makeTable },
   soft = { list = forms.listTable, make = forms.makeTable },
-  names = { list = forms.copyList, make = forms.copyList },
+  names = { list = forms.copy, make = forms.copy },
   own = { list = forms.copy, make = forms.copy }, -- of the game (see state/own)
 }
 local SIDE, PLAIN = { keep = keepSide, isKept = isSameSide }, {}

@@ -34,7 +34,7 @@ local function newRecord(name, source)
     newCount = 0,
     come = {}, -- its places, in order, that hold another object than before,
     comeCount = 0,
-    gone = {}, -- and the old places whose objects stand there no longer
+    gone = {}, -- and its old places from which an object has gone
     goneCount = 0,
     movers = {}, -- slots of those that are not static (see read.lua),
     isListed = true, -- if none has come, gone or moved since they were listed

@@ -82,7 +82,7 @@ end
 local function match(world, st)
   local known = world._bodies.tablesOf and world._bodies.tablesOf[st]
   if known and #known == st.count + st.gone then
-    return forms.copyList(known)
+    return known
   end
   local objects = matchByPlace(world, st)
   for n = st.count + 1, st.count + st.gone do
