@@ -1,6 +1,7 @@
 --- Zones: sensors with an `area`, which acts on what is inside.
 
 local garbage = require("spec.support.garbage")
+local newRandom = require("spec.support.random").new
 local physics = require("physics")
 
 local RATES = { 30, 60, 144, 240 }
@@ -309,6 +310,38 @@ describe("an area", function()
     local object, world = play({ ax = 1 }, 0)
     local text = world:explain(object, world.objects.zones[1])
     assert.is_truthy(text:find("objects.zones[1] is a zone: its area acts", 1, true), text)
+  end)
+
+  -- F43: what is in it had an impact with it in every round, which put off those around it.
+  it("that does nothing changes no bounce of what is in it", function()
+    local function placesIn(hasZone)
+      local random = newRandom(3)
+      local world = physics.newWorld({ gravity = 0 })
+      world:setBounds(0, 0, 200, 200)
+      if hasZone then
+        world:add("zones", zone({ ax = 0 }, { x = -9, y = -9, width = 300 }))
+      end
+      for n = 0, 63 do
+        world:add("boxes", {
+          x = 25 * (n % 8) + random:between(0, 10),
+          y = 25 * math.floor(n / 8) + random:between(0, 10),
+          width = 12,
+          height = 12,
+          restitution = 1,
+          vx = random:between(-200, 200),
+          vy = random:between(-200, 200),
+        })
+      end
+      local places = {}
+      for _ = 1, 120 do
+        world:update(1 / 60)
+      end
+      for n, box in ipairs(world.objects.boxes) do
+        places[2 * n - 1], places[2 * n] = box.x, box.y
+      end
+      return places
+    end
+    assert.same(placesIn(false), placesIn(true))
   end)
 
   it("makes no garbage", function()
