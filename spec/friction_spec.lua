@@ -1595,3 +1595,82 @@ describe("stacks beside other stacks, far away,", function()
     end
   end)
 end)
+
+describe("friction of a stack", function()
+  -- The lowest box bears all four kg, as on a floor: 0.4 * 4 * 900 px/s² for a sixtieth.
+  it("on a slope is that of its whole weight, in every order of adding", function()
+    for order = 1, 2 do
+      local world = physics.newWorld({ gravity = 900 })
+      local hill = { x = 0, y = 100, width = 400, height = 200, static = true, slope = "right" }
+      world:add("ground", hill)
+      local low = { x = 266, y = 146, width = 14, height = 14, friction = 0.4 }
+      local high = { x = 266, y = 132, width = 14, height = 14, friction = 0, mass = 3 }
+      world:add("boxes", order == 1 and low or high)
+      world:add("boxes", order == 1 and high or low)
+      for _ = 1, 60 do
+        world:update(1 / 60)
+      end
+      low.vx, high.vx = 100, 100
+      world:update(1 / 60)
+      assert.near(76, low.vx, 1e-9)
+      assert.equal(100, high.vx)
+    end
+  end)
+
+  --   +-+          a crate on a raft that nothing immovable bears: gravity presses it all the same
+  --  =====  60 ->
+  -- ~~~~~~~
+  it("acts on what floats, hovers or cannot be pushed", function()
+    local RAFTS = {
+      { gravity = 0, mass = 1000 },
+      { gravity = 0, pushable = false, mass = 1000 },
+      { mass = 1000, ay = -800.8 }, -- its jet bears the crate, too
+    }
+    for _, raft in ipairs(RAFTS) do
+      local world = physics.newWorld({ gravity = 800 })
+      raft.x, raft.y, raft.width, raft.height, raft.friction = 0, 100, 200, 16, 1
+      local crate = { x = 90, y = 84, width = 16, height = 16, friction = 1 }
+      world:add("rafts", raft)
+      world:add("crates", crate)
+      for _ = 1, 60 do
+        raft.vx = 60
+        world:update(1 / 60)
+      end
+      assert.near(60 - 60 ^ 2 / 1600, crate.x - 90, 0.1)
+      assert.near(raft.vx, crate.vx, 1e-9)
+    end
+  end)
+
+  --     +--+
+  --  70 |  +--+      in every order of adding, none is faster than the one below it
+  --  -> |  +--+
+  -- ===============
+  it("lets none be faster than what bears it, when it is pushed", function()
+    for _, high in ipairs({ 3, 4, 6 }) do
+      for pushed = 1, high do
+        local speeds
+        for order = 0, 3 do
+          local world, crates = physics.newWorld({ gravity = 800 }), {}
+          world:add("floors", { x = -900, y = 0, width = 2000, height = 16, static = true })
+          local size = 16 * pushed
+          local pusher = { x = 0, y = -size, width = 16, height = size, friction = 0 }
+          for n = 1, high do
+            local at = order % 2 == 0 and n or high + 1 - n
+            crates[at] = { x = 16, y = -16 * at, width = 16, height = 16, friction = 0.4 }
+            world:add("crates", crates[at])
+          end
+          world:add(order < 2 and "a" or "pushers", pusher)
+          for _ = 1, 5 do
+            pusher.vx = 70
+            world:update(1 / 60)
+          end
+          for n = 2, high do
+            assert.is_true(crates[n].vx <= crates[n - 1].vx + 1e-9)
+          end
+          speeds = speeds or crates[high].vx
+          assert.near(speeds, crates[high].vx, 1e-9)
+        end
+      end
+    end
+  end)
+end)

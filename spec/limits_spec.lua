@@ -237,3 +237,23 @@ describe("an engine that pushes at its speed limit", function()
     end
   end)
 end)
+
+describe("drag", function()
+  -- 1600 px/s² against two crates of 1000 each: they hold. One of them does not.
+  for _, rate in ipairs({ 30, 60, 144, 240 }) do
+    it(("of what is pushed holds an engine as friction does, at %d Hz"):format(rate), function()
+      for count = 1, 2 do
+        local world = physics.newWorld({ gravity = 0 })
+        local engine = { x = 0, y = 0, width = 16, height = 16, ax = 1600 }
+        world:add("engines", engine)
+        for n = 1, count do
+          world:add("crates", { x = 16 * n, y = 0, width = 16, height = 16, drag = 1000 })
+        end
+        for _ = 1, rate do
+          world:update(1 / rate)
+        end
+        assert.near(count == 1 and 150 or 0, engine.x, 1e-6)
+      end
+    end)
+  end
+end)

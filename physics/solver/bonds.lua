@@ -7,7 +7,7 @@
 -- them hold is found by trial. `check` looks at the blocks that came out, and finds the bonds that
 -- break and those that have slipped to their end.
 --
--- Reads onset, base, grip and the paths on the rubbed axis; writes tug, lead, onset, and blocks.
+-- Reads onset, outset, ownSpeed and the paths on the rubbed axis; writes tug, base, grip, and blocks.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local flow = require(root .. ".solver.flow")
@@ -18,10 +18,10 @@ local bonds = {}
 local max = math.max
 -- States of a bond:
 --
--- - BOND: both move as one.
+-- - BOND: both move as one, if they slip at first, then from when they are equally fast.
 -- - SLIP: the two slip, and friction pulls with its limit.
--- - STUCK: they have slipped, and move as one from then on.
-local BOND, SLIP, STUCK = 1, 2, 3
+-- - STAND: the lower one stands; for the other it is ground.
+local BOND, SLIP, STAND = 1, 2, 3
 
 --- Returns an empty list of bonds.
 function bonds.new()
@@ -35,14 +35,13 @@ function bonds.new()
     tug = {}, -- impulse on the upper body while it slips
     isGlued = {}, -- the two are in one block
     slipped = {}, -- px that the upper body slips before it sticks
-    onset = {}, -- velocity of the upper body at the start, before it stuck
     next = {}, -- next bond on the same lower body
   }
 end
 
 --- Returns whether bond n holds, or held until an impact.
 function bonds.holds(list, n)
-  return list.state[n] ~= SLIP
+  return list.state[n] == BOND
 end
 
 -- Lets bond n pull the upper body with an impulse of `tug`, and the lower body back.
@@ -53,106 +52,55 @@ local function pull(b, list, n, tug)
   flow.notePulled(b, low)
 end
 
---- Adds a bond: body `up` rubs on `low`, which can be moved, with an impulse of at most `limit`.
-function bonds.add(b, list, up, low, limit)
-  local n = list.count + 1
-  list.count = n
-  list.up[n], list.low[n], list.limit[n], list.tug[n] = up, low, limit, 0.0
-  list.isGlued[n], list.slipped[n], list.state[n] = false, 0.0, BOND
-  if b.onset[up] ~= b.onset[low] then
-    list.state[n], list.hasSlips = SLIP, true
-  end
-  b.bondUnder[up], list.next[n], b.bondOn[low] = n, b.bondOn[low], n
-end
-
--- Lets body k begin the step with velocity `onset` and `way` px further on, and what is bonded to
--- it as well.
-local function lead(b, list, k, way, onset)
-  b.lead[k], b.onset[k] = way, onset
-  flow.notePulled(b, k)
-  local n = b.bondOn[k]
-  while n ~= 0 do
-    if list.state[n] == BOND then
-      lead(b, list, list.up[n], way, onset)
-    end
-    n = list.next[n]
-  end
-end
-
--- Ends the slip of bond n: after `way` px both bodies are equally fast and go on as one. If the
--- lower body is not moved by that (`stands`), the upper one takes its speed. Else both share their
--- momentum.
-local function stick(b, list, n, way, stands)
-  local up, low = list.up[n], list.low[n]
-  list.state[n], list.isGlued[n] = STUCK, true
-  if stands then
-    list.onset[n] = b.onset[up]
-    lead(b, list, up, b.lead[low] + way, b.onset[low])
-  else
-    list.onset[n], list.slipped[n] = b.onset[up], way
-  end
-end
-
--- Breaks bond n, which takes more than friction can give. `tug` is the impulse on the upper body.
-local function tear(b, list, n, tug)
-  if list.state[n] == STUCK then
-    lead(b, list, list.up[n], 0.0, list.onset[n])
-    list.slipped[n] = 0.0
-  end
-  list.state[n] = SLIP
-  pull(b, list, n, tug)
-end
-
 -- Returns whether ground holds body k, directly or through bonds, when something on it pulls it
 -- with an impulse of `limit`.
-local function standsFast(b, list, k, limit, dt)
+local function standsFast(b, list, k, limit)
   local n = b.bondUnder[k]
-  while n ~= 0 do
-    local low = list.low[n]
-    if b.outset[k] ~= b.outset[low] or list.limit[n] < limit then
+  while n ~= 0 and list.state[n] == BOND do
+    if b.onset[k] ~= b.onset[list.low[n]] or list.limit[n] < limit then
       return false
     end
-    k = low
+    k = list.low[n]
     n = b.bondUnder[k]
   end
-  return b.grip[k] * dt >= limit and b.outset[k] == b.base[k]
+  return b.grip[k] * b.dt >= limit and b.onset[k] == b.base[k]
 end
 
--- Decides how bond n begins if its upper body slips on the lower one and carries a total of
--- `burden` kg.
-local function slide(b, list, n, burden, dt)
-  local up, low, limit = list.up[n], list.low[n], list.limit[n]
-  local slip, stands = b.outset[up] - b.outset[low], standsFast(b, list, low, limit, dt)
-  local drive, give = flow.drive(b, up, dt), 1 / burden
+-- Lets the lower body of bond n be ground for the upper one.
+local function stand(b, list, n)
+  local up = list.up[n]
+  list.state[n], b.base[up], b.grip[up] = STAND, b.onset[list.low[n]], list.limit[n] / b.dt
+  flow.notePulled(b, up)
+end
+
+-- Decides how bond n begins if its upper body slips on the lower one, as far as the two are alone.
+local function slide(b, list, n, slip)
+  local up, low, limit, dt = list.up[n], list.low[n], list.limit[n], b.dt
+  local drive, give, stands = flow.drive(b, up, dt), b.give[up], standsFast(b, list, low, limit)
   if not stands then
     drive, give = drive - flow.drive(b, low, dt), give + b.give[low]
   end
   local size, rate = max(slip, -slip), limit * give / dt + (slip > 0 and -drive or drive)
-  if size == 0 then
-    list.state[n] = BOND
-  elseif size <= rate * dt then
-    stick(b, list, n, slip * size / rate * 0.5, stands)
-  else
+  list.hasSlips = true
+  if size > rate * dt then
+    list.state[n] = SLIP
     pull(b, list, n, slip > 0 and -limit or limit)
+  elseif stands then
+    stand(b, list, n)
+  else
+    list.isGlued[n], list.slipped[n] = true, slip * size / rate * 0.5
   end
 end
 
---- Decides for all slipping bonds, from the top down, how they go on if other contacts do not
---- interfere.
-function bonds.begin(b, list, dt)
-  local burden, give = b.burden, b.give
-  for n = 1, list.count do
-    local up, low = list.up[n], list.low[n]
-    burden[up], burden[low] = 1 / give[up], 1 / give[low]
-  end
-  for n = list.count, 1, -1 do
-    local up, low = list.up[n], list.low[n]
-    if list.state[n] == SLIP then
-      slide(b, list, n, burden[up], dt)
-    end
-    if list.state[n] ~= SLIP then
-      burden[low] = burden[low] + burden[up]
-    end
+--- Adds a bond: body `up` rubs on `low`, which can be moved, with an impulse of at most `limit`.
+function bonds.add(b, list, up, low, limit)
+  local n, slip = list.count + 1, b.onset[up] - b.onset[low]
+  list.count = n
+  list.up[n], list.low[n], list.limit[n], list.tug[n] = up, low, limit, 0.0
+  list.isGlued[n], list.slipped[n], list.state[n] = false, 0.0, BOND
+  b.bondUnder[up], list.next[n], b.bondOn[low] = n, b.bondOn[low], n
+  if slip ~= 0 then
+    slide(b, list, n, slip)
   end
 end
 
@@ -162,7 +110,7 @@ local function markTowers(b, list)
   local mark, stamp, any = b.bondMark, b.forceStamp, false
   for n = 1, list.count do
     local up, low = list.up[n], list.low[n]
-    if list.state[n] ~= SLIP then
+    if list.state[n] == BOND then
       local isEven = b.speed[up] == b.speed[low]
         and b.to[up] - b.from[up] == b.to[low] - b.from[low]
       if list.isGlued[n] or not isEven then
@@ -171,98 +119,100 @@ local function markTowers(b, list)
     end
   end
   for n = any and list.count or 0, 1, -1 do
-    if list.state[n] ~= SLIP and mark[list.up[n]] == stamp then
+    if list.state[n] == BOND and mark[list.up[n]] == stamp then
       mark[list.low[n]] = stamp
     end
   end
   for n = 1, any and list.count or 0 do
-    if list.state[n] ~= SLIP and mark[list.low[n]] == stamp then
+    if list.state[n] == BOND and mark[list.low[n]] == stamp then
       mark[list.up[n]] = stamp
     end
   end
   return any
 end
 
--- Makes blocks of the marked bonds.
-local function glueMarked(b, list, dt)
-  local mark, stamp = b.bondMark, b.forceStamp
-  for n = 1, list.count do
-    local up, low = list.up[n], list.low[n]
-    if list.state[n] ~= SLIP and mark[up] == stamp and mark[low] == stamp then
-      list.isGlued[n] = true
-      pool.glue(b, up, low, list.slipped[n], dt)
-    end
-  end
-end
-
 --- Makes blocks of the bonds that would not hold otherwise. Returns whether there are any.
 function bonds.glue(b, list, dt)
-  local isAny = markTowers(b, list)
-  if isAny then
-    glueMarked(b, list, dt)
+  local mark, stamp, isAny = b.bondMark, b.forceStamp, markTowers(b, list)
+  for n = 1, isAny and list.count or 0 do
+    local up, low = list.up[n], list.low[n]
+    if list.state[n] == BOND and mark[up] == stamp and mark[low] == stamp then
+      list.isGlued[n] = true
+      local isFree = b.heldLow[low] + b.heldHigh[low] == 0 -- else it is as fast as its holder
+      pool.glue(b, up, low, isFree and list.slipped[n] or 0.0, dt)
+    end
   end
   return isAny
 end
 
--- Finds which bodies are pressed by others on the axis: the impulse that their bonds must give is
--- not known.
-local function findPressed(b, contacts, awakeCount)
-  local awake, isPressed, axis = b.awakeList, b.isPressed, contacts.axis
-  for n = 1, awakeCount do
-    isPressed[2 * awake[n] + axis] = false
+-- Ends the slip of bond n if friction would have reversed it. If the lower body is not moved by
+-- that, it is ground for the upper one from now on, else both share their momentum. Returns whether
+-- the slip has ended.
+local function stick(b, list, n)
+  local up, low, speed, outset = list.up[n], list.low[n], b.speed, b.outset
+  local slip, last = outset[up] - outset[low], speed[up] - speed[low]
+  if last * list.tug[n] <= 0 then
+    return false
   end
+  pull(b, list, n, 0.0)
+  if speed[low] == outset[low] then
+    stand(b, list, n)
+  else
+    list.state[n], list.isGlued[n] = BOND, true
+    list.slipped[n] = slip * last < 0 and slip * slip / (slip - last) * 0.5 * b.dt or 0.0
+  end
+  return true
+end
+
+-- Decides whether bond n, which holds, breaks because it takes more than friction can give. `need`
+-- is what its upper body gives to those on it. Returns the impulse on that, and whether the bond has
+-- changed.
+local function test(b, list, n, need, mayTear)
+  local up, limit = list.up[n], list.limit[n]
+  local impulse = need + (b.speed[up] - b.ownSpeed[up]) / b.give[up]
+  if mayTear and max(impulse, -impulse) > limit * (1 + 1e-9) + 1e-12 and not b.isPressed[up] then
+    impulse = impulse > 0 and limit or -limit
+    list.state[n], list.slipped[n] = SLIP, 0.0
+    pull(b, list, n, impulse)
+    return impulse, true
+  end
+  local isLost = not list.isGlued[n] and b.speed[up] ~= b.speed[list.low[n]]
+  list.isGlued[n] = list.isGlued[n] or isLost
+  return impulse, isLost
+end
+
+--- Updates the states of all bonds, from the top down:
+---
+--- - bonds break that take more than friction can give, if `mayTear`. (What is pressed by others on
+---   the axis takes an impulse that is not known.)
+--- - bodies become one block that had not moved as one;
+--- - slips end that have come to their end.
+---
+--- Returns whether something has changed.
+function bonds.check(b, contacts, list, mayTear)
+  local need, isPressed, hasChanged = b.load, b.isPressed, false
   for c = 1, contacts.count do
     if b.pressed[contacts.pair[c]] == 1 then
       isPressed[contacts.low[c]], isPressed[contacts.high[c]] = true, true
     end
   end
-end
-
--- Updates the states of all bonds (see bonds.check).
-local function checkAll(b, list, dt, mayTear)
-  local need, isPressed, hasChanged = b.load, b.isPressed, false
-  local speed, outset = b.speed, b.outset
   for n = 1, list.count do
-    local up, low = list.up[n], list.low[n]
-    need[up], need[low] = 0, 0
+    need[list.up[n]], need[list.low[n]] = 0, 0
   end
   for n = list.count, 1, -1 do
-    local up, low, limit, state = list.up[n], list.low[n], list.limit[n], list.state[n]
+    local up, low, state = list.up[n], list.low[n], list.state[n]
     if state == SLIP then
-      local slip, last = outset[up] - outset[low], speed[up] - speed[low]
-      if last * list.tug[n] > 0 then -- friction would have reversed the slip
-        local way = slip * last < 0 and slip * slip / (slip - last) * 0.5 * dt or 0.0
-        pull(b, list, n, 0.0)
-        stick(b, list, n, way, speed[low] == outset[low])
-        hasChanged = true
-      end
-    else
-      local impulse = need[up] + (speed[up] - b.ownSpeed[up]) / b.give[up]
-      local isTorn = mayTear and max(impulse, -impulse) > limit * (1 + 1e-9) + 1e-12
-      if isTorn and not isPressed[up] then
-        impulse = impulse > 0 and limit or -limit
-        tear(b, list, n, impulse)
-        hasChanged = true
-      elseif not list.isGlued[n] and speed[up] ~= speed[low] then
-        list.isGlued[n], hasChanged = true, true
-      end
+      hasChanged = stick(b, list, n) or hasChanged
+    elseif state == BOND then
+      local impulse, isNew = test(b, list, n, need[up], mayTear)
+      hasChanged = hasChanged or isNew
       need[low] = need[low] + impulse
       isPressed[low] = isPressed[low] or isPressed[up]
+    elseif b.speed[low] ~= b.base[up] then -- it stands no more
+      list.state[n], list.isGlued[n], b.grip[up], hasChanged = BOND, true, 0, true
     end
   end
   return hasChanged
-end
-
---- Updates the states of all bonds, from the top down:
----
---- - bonds break that take more than friction can give, if `mayTear`;
---- - bodies become one block that had not moved as one;
---- - slips end that have come to their end.
----
---- Returns whether something has changed.
-function bonds.check(b, contacts, list, dt, mayTear)
-  findPressed(b, contacts, b.awakeCount)
-  return checkAll(b, list, dt, mayTear)
 end
 
 return bonds

@@ -100,41 +100,34 @@ function flow.run(b, list, mass, force, v, tau, least, most)
   return v, way + v * tau
 end
 
---- Returns the same with a single kink at `base`, of `brake` px/s², and no limit.
-function flow.slide(v, a, base, brake, tau)
-  local slip, way = v - base, base * tau
-  if slip ~= 0 then
-    local d = slip > 0 and a - brake or a + brake
-    local last = slip + d * tau
-    if last * slip >= 0 then
-      return base + last, way + (slip + last) * 0.5 * tau
-    end
-    local time = -slip / d
-    way, tau = way + slip * 0.5 * time, tau - time
+--- Returns the acceleration of body k by itself, px/s², with what a speed limit keeps from it, but
+--- without the friction of its ground, and without its drag, which is such friction here.
+function flow.drive(b, k, dt)
+  local tug = b.tug[k] * b.give[k] / dt
+  if b.flowDrag[floor(k * 0.5)] ~= 0 then
+    return b.flowPull[k] + b.push[k] + tug
   end
-  local d = a > brake and a - brake or a < -brake and a + brake or 0.0
-  return base + d * tau, way + d * tau * 0.5 * tau
+  return (b.freeSpeed[k] - b.start[k] + b.reserve[k]) / dt + tug
 end
 
--- Returns the acceleration of body k by itself, px/s², with what a speed limit keeps from it.
-local function drive(b, k, dt)
-  return (b.freeSpeed[k] - b.start[k] + b.reserve[k] + b.tug[k] * b.give[k]) / dt
-end
-
-flow.drive = drive
-
---- Returns the same for body k, from velocity v on, for `tau` s of a step of dt s. The friction of
---- its ground and its limits act on it.
+--- Returns the velocity of body k tau s after it was v, in a step of dt s, and its displacement. The
+--- friction of its ground and its limits act on it.
 function flow.body(b, k, v, tau, dt)
-  local give, grip, least, most = b.give[k], b.grip[k], b.least[k], b.most[k]
-  if least ~= -HUGE or most ~= HUGE then
-    local list = grip > 0 and flow.newKink(b, b.base[k], grip) or 0
-    return flow.run(b, list, 1 / give, drive(b, k, dt) / give, v, tau, least, most)
-  elseif b.flowAir[floor(k * 0.5)] ~= 0 then
+  local give, grip, kinks = b.give[k], b.grip[k], b.kinkCount
+  if b.flowAir[floor(k * 0.5)] ~= 0 and b.least[k] == -HUGE and b.most[k] == HUGE then
     local a = b.flowPull[k] + b.push[k] + b.tug[k] * give / dt
     return forces.slide(b, k, v, a, b.base[k], grip * give, tau)
   end
-  return flow.slide(v, drive(b, k, dt), b.base[k], grip * give, tau)
+  local list = grip > 0 and flow.newKink(b, b.base[k], grip * give) or 0
+  b.kinkCount = kinks
+  return flow.run(b, list, 1, flow.drive(b, k, dt), v, tau, b.least[k], b.most[k])
+end
+
+--- Returns the same with a single kink at 0, of `brake` px/s², and no limit.
+function flow.slide(b, v, a, brake, tau)
+  local list, kinks = flow.newKink(b, 0.0, brake), b.kinkCount - 1
+  b.kinkCount = kinks
+  return flow.run(b, list, 1, a, v, tau, -HUGE, HUGE)
 end
 
 --- Notes that friction or a bond acts on body k, so that its path must be computed anew.
@@ -149,7 +142,7 @@ function flow.runAll(b, dt)
     local k = b.pulled[n]
     local onset = b.onset[k]
     local v, way = flow.body(b, k, onset, dt, dt)
-    b.speed[k], b.to[k], b.accel[k] = v, b.from[k] + b.lead[k] + way, (v - onset) / dt
+    b.speed[k], b.to[k], b.accel[k] = v, b.from[k] + way, (v - onset) / dt
     b.ownSpeed[k] = v
   end
 end

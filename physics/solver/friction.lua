@@ -24,15 +24,13 @@ local settle = require(root .. ".solver.settle")
 
 local friction = {}
 
-local EPSILON = columns.EPSILON
+local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
 local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
 -- Number of attempts in which bonds may break, and of all attempts. In the later ones bonds only
 -- stick.
 local TEARS, ATTEMPTS = 2, 4
 -- px by which what is squeezed may overlap what bears it, and still rub on it.
 local SQUEEZED = 0.01
--- Values of `bearing`: the low body leans on the high one, or the high one on the low one.
-local ON_HIGH, ON_LOW = 1, 2
 
 --- Returns the coefficient of friction of a pair: the geometric mean of both. If one body has none
 --- of its own (an immovable one), it is that of the other.
@@ -55,11 +53,24 @@ local function chooseSupport(b, list, k, c, other)
     return
   end
   local wider = list.width[c] - list.width[best]
-  local bestOther = list.bearing[best] == ON_HIGH and list.high[best] or list.low[best]
+  local bestOther = list.bearing[best] > 0 and list.high[best] or list.low[best]
   local isFirst = b.rank[floor(other * 0.5)] < b.rank[floor(bestOther * 0.5)]
   if wider > EPSILON or (wider > -EPSILON and isFirst) then
     b.bearer[k] = c
   end
+end
+
+-- Whether body k leans on body m, towards high coordinates (`sign` 1) or low ones (-1), with what
+-- it has lost of its speed: something immovable holds m (`held`), or gravity presses k onto m, which
+-- gives way.
+local function leans(b, k, m, sign, held)
+  local lost = (b.freeSpeed[k] - b.speed[k]) * sign
+  if b.give[k] == 0 or lost < 0 then
+    return false
+  elseif held[m] > 0 then
+    return true
+  end
+  return lost > 0 and b.down[k] == sign and (b.speed[m] - b.freeSpeed[m]) * sign >= 0
 end
 
 -- Finds which contacts bear a load, and which one bears the load of each body.
@@ -70,29 +81,35 @@ local function findSupports(b, list, axis)
     bearer[k], load[k], weight[k] = 0, 0, 0
   end
   local low, high, separation, bearing = list.low, list.high, list.separation, list.bearing
-  local to, speed, free, give, from, size = b.to, b.speed, b.freeSpeed, b.give, b.from, b.size
-  local other = 1 - 2 * axis
+  local to, from, size, other = b.to, b.from, b.size, 1 - 2 * axis
   for c = 1, list.count do
     local kl, kh = low[c], high[c]
-    local over = to[kl] + separation[c] - to[kh]
-    local kind = 0
+    local over, sign = to[kl] + separation[c] - to[kh], 0
     if over <= SQUEEZED and over >= -EPSILON then
-      if b.heldHigh[kh] > 0 and give[kl] > 0 and free[kl] >= speed[kl] then
-        kind = ON_HIGH
-      elseif b.heldLow[kl] > 0 and give[kh] > 0 and free[kh] <= speed[kh] then
-        kind = ON_LOW
+      if leans(b, kl, kh, 1, b.heldHigh) then
+        sign = 1
+      elseif leans(b, kh, kl, -1, b.heldLow) then
+        sign = -1
       end
     end
-    bearing[c] = kind
-    if kind ~= 0 then
+    bearing[c] = sign
+    if sign ~= 0 then
       local tl, th = kl + other, kh + other
       list.width[c] = min(from[tl] + size[tl], from[th] + size[th]) - max(from[tl], from[th])
-      if kind == ON_HIGH then
-        chooseSupport(b, list, kl, c, kh)
-      else
-        chooseSupport(b, list, kh, c, kl)
-      end
+      chooseSupport(b, list, sign > 0 and kl or kh, c, sign > 0 and kh or kl)
     end
+  end
+end
+
+-- Returns the body that leans on the other in contact c, towards `sign`, and that other one; nil: it
+-- does not, or leans on something else with all its load.
+local function leaning(b, list, c, sign)
+  local k, m = list.low[c], list.high[c]
+  if sign < 0 then
+    k, m = m, k
+  end
+  if list.bearing[c] == sign and b.bearer[k] == c then
+    return k, m
   end
 end
 
@@ -113,15 +130,12 @@ end
 
 -- Sums up the loads from the uppermost bodies down to the supports.
 local function sumLoads(b, list, dt)
-  local low, high, bearing, bearer = list.low, list.high, list.bearing, b.bearer
-  for c = 1, list.count do
-    if bearing[c] == ON_HIGH and bearer[low[c]] == c then
-      addLoad(b, list, c, low[c], high[c], 1, dt)
-    end
-  end
-  for c = list.count, 1, -1 do
-    if bearing[c] == ON_LOW and bearer[high[c]] == c then
-      addLoad(b, list, c, high[c], low[c], -1, dt)
+  for sign = 1, -1, -2 do
+    for c = sign > 0 and 1 or list.count, sign > 0 and list.count or 1, sign do
+      local up, low = leaning(b, list, c, sign)
+      if up then
+        addLoad(b, list, c, up, low, sign, dt)
+      end
     end
   end
 end
@@ -134,18 +148,15 @@ local function addGround(b, k, base, mu, load, weight, dt)
   if jolt > 0 then
     b.onset[k] = base + (slip > jolt and slip - jolt or slip < -jolt and slip + jolt or 0.0)
   end
-  b.base[k], b.grip[k], b.rough[k] = base, weight / dt, mu
+  local drag = b.base[k] == base and b.grip[k] or 0 -- that acts like friction of this ground
+  b.base[k], b.grip[k], b.rough[k] = base, weight / dt + drag, mu
   flow.notePulled(b, k)
 end
 
--- Lets contact c rub along the other axis: on ground, or through a bond.
-local function addContact(b, list, held, c, dt)
-  local axis = list.axis
-  local ku, ks = list.low[c], list.high[c]
-  if list.bearing[c] == ON_LOW then
-    ku, ks = list.high[c], list.low[c]
-  end
-  local i, j = floor(ku * 0.5), floor(ks * 0.5)
+-- Lets body ku, which leans on ks in contact c, rub along the other axis: on ground, or through a
+-- bond.
+local function addContact(b, list, held, c, ku, ks, dt)
+  local axis, i, j = list.axis, floor(ku * 0.5), floor(ks * 0.5)
   local mu = friction.coefficient(b, i, j)
   if mu <= 0 or list.load[c] <= 0 then
     return
@@ -161,15 +172,12 @@ end
 
 -- Lets all contacts rub, from the supports up.
 local function addContacts(b, list, held, dt)
-  local bearing, bearer, low, high = list.bearing, b.bearer, list.low, list.high
-  for c = list.count, 1, -1 do
-    if bearing[c] == ON_HIGH and bearer[low[c]] == c then
-      addContact(b, list, held, c, dt)
-    end
-  end
-  for c = 1, list.count do
-    if bearing[c] == ON_LOW and bearer[high[c]] == c then
-      addContact(b, list, held, c, dt)
+  for sign = 1, -1, -2 do
+    for c = sign > 0 and list.count or 1, sign > 0 and 1 or list.count, -sign do
+      local up, low = leaning(b, list, c, sign)
+      if up then
+        addContact(b, list, held, c, up, low, dt)
+      end
     end
   end
 end
@@ -185,15 +193,10 @@ function friction.reset(b, axis, dt)
       accel[k] = (free[k] - start[k]) / dt
     end
   end
-end
-
--- Resets the velocities at which bodies begin and end the step if they are alone.
-local function resetOwn(b, axis)
-  local list, onset, outset = b.awakeList, b.onset, b.outset
-  local ownSpeed, free = b.ownSpeed, b.freeSpeed
+  local onset, outset, ownSpeed, isPressed = b.onset, b.outset, b.ownSpeed, b.isPressed
   for n = 1, b.awakeCount do
     local k = 2 * list[n] + axis
-    outset[k], ownSpeed[k] = onset[k], free[k]
+    outset[k], ownSpeed[k], isPressed[k] = onset[k], free[k], false
   end
 end
 
@@ -215,16 +218,38 @@ local function findLimits(b)
   end
 end
 
---- Prepares all awake bodies for the step: nothing rubs yet.
+-- Lets drag rub on bodies as ground does that moves with their carrier: against their motion, or, if
+-- they do not move, against what pulls or pushes them.
+local function addDrag(b)
+  for n = 1, b.awakeCount do
+    local i = b.awakeList[n]
+    local k, drag = 2 * i, b.flowDrag[i]
+    if drag ~= 0 and b.kind[i] == DYNAMIC then
+      local x, y = b.velocity[k], b.velocity[k + 1]
+      if x == 0 and y == 0 then
+        x = b.down[k] ~= 0 and b.support[i] ~= 0 and 0 or b.flowPull[k] + b.push[k]
+        y = b.down[k + 1] ~= 0 and b.support[i] ~= 0 and 0 or b.flowPull[k + 1] + b.push[k + 1]
+      end
+      local size, most = sqrt(x * x + y * y), drag * b.mass[i]
+      b.grip[k] = size > 0 and max(x, -x) / size * most or most
+      b.grip[k + 1] = size > 0 and max(y, -y) / size * most or most
+      b.base[k], b.base[k + 1] = b.carried[k], b.carried[k + 1]
+    end
+  end
+end
+
+--- Prepares all awake bodies for the step: nothing rubs yet but drag.
 function friction.begin(b)
   local list, onset, start, tug = b.awakeList, b.onset, b.start, b.tug
-  local grip, base, lead, bondUnder, bondOn = b.grip, b.base, b.lead, b.bondUnder, b.bondOn
+  local grip, base, bondUnder, bondOn = b.grip, b.base, b.bondUnder, b.bondOn
   flow.reset(b)
   for n = 1, b.awakeCount do
     for k = 2 * list[n], 2 * list[n] + 1 do
-      onset[k], tug[k], grip[k], base[k], lead[k] = start[k], 0, 0, 0, 0
-      bondUnder[k], bondOn[k] = 0, 0
+      onset[k], tug[k], grip[k], base[k], bondUnder[k], bondOn[k] = start[k], 0, 0, 0, 0, 0
     end
+  end
+  if b.hasHinders then
+    addDrag(b)
   end
   if b.hasLimits then
     findLimits(b)
@@ -239,21 +264,8 @@ local function place(b, axis, dt)
     pressed[list.pair[c]] = 0
   end
   friction.reset(b, axis, dt)
-  resetOwn(b, axis)
   flow.runAll(b, dt)
   settle.hold(b, axis, dt)
-end
-
--- Notes that what an immovable body pushes moves with it from the start of the step.
-local function noteHeld(b, axis)
-  local list, outset, speed, heldLow, heldHigh =
-    b.awakeList, b.outset, b.speed, b.heldLow, b.heldHigh
-  for n = 1, b.awakeCount do
-    local k = 2 * list[n] + axis
-    if b.give[k] > 0 and heldLow[k] + heldHigh[k] > 0 then
-      outset[k] = speed[k]
-    end
-  end
 end
 
 --- Lets the contacts of an axis, which is settled, rub along the other one, and settles that axis.
@@ -268,12 +280,6 @@ function friction.run(b, axis, dt)
   if b.pulledCount == 0 and held.count == 0 then
     return false
   end
-  if held.hasSlips then
-    place(b, other, dt)
-    settle.finish(b, other, dt, false, false)
-    noteHeld(b, other)
-    bonds.begin(b, held, dt)
-  end
   for attempt = 1, ATTEMPTS do
     place(b, other, dt)
     local isGlued = bonds.glue(b, held, dt)
@@ -281,7 +287,7 @@ function friction.run(b, axis, dt)
     local mayChange = isGlued or b.isViolated or held.hasSlips
     if
       attempt == ATTEMPTS
-      or not (mayChange and bonds.check(b, b.contacts[other], held, dt, attempt <= TEARS))
+      or not (mayChange and bonds.check(b, b.contacts[other], held, attempt <= TEARS))
     then
       return true
     end

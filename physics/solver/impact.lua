@@ -89,21 +89,18 @@ local function weigh(b, i, j, kl, kh)
   if b.heldHigh[kh] > 0 and b.speed[kh] >= b.speed[b.holderHigh[kh]] then
     wh = 0
   end
-  if wl > 0 and wh > 0 and not (b.pushable[i] and b.pushable[j]) then
-    if b.pushable[i] then
-      wh = 0
-    elseif b.pushable[j] then
-      wl = 0
-    else
-      local stayLow, stayHigh = pool.meetFirm(b.speed[kl], b.speed[kh])
-      if stayLow and stayHigh then
-        b.to[kl], b.to[kh] = b.from[kl], b.from[kh]
-        b.speed[kl], b.speed[kh], b.accel[kl], b.accel[kh] = 0.0, 0.0, 0.0, 0.0
-      end
-      wl, wh = stayLow and 0 or wl, stayHigh and 0 or wh
+  if wl > 0 and wh > 0 and b.power[i] ~= b.power[j] then
+    if max(b.power[i], b.power[j]) < HUGE then
+      return pool.share(b.power[i] > b.power[j], wl, wh, b.speed[kl], b.speed[kh])
     end
-  elseif wl > 0 and wh > 0 and b.power[i] ~= b.power[j] then
-    return pool.share(b.power[i] > b.power[j], wl, wh, b.speed[kl], b.speed[kh])
+    return b.power[i] == HUGE and 0 or wl, b.power[j] == HUGE and 0 or wh
+  elseif wl > 0 and wh > 0 and b.power[i] == HUGE then
+    local stayLow, stayHigh = pool.weigh(HUGE, HUGE, b.speed[kl], b.speed[kh])
+    if stayLow and stayHigh then
+      b.to[kl], b.to[kh] = b.from[kl], b.from[kh]
+      b.speed[kl], b.speed[kh], b.accel[kl], b.accel[kh] = 0.0, 0.0, 0.0, 0.0
+    end
+    return stayLow and 0 or wl, stayHigh and 0 or wh
   end
   return wl, wh
 end
@@ -166,7 +163,7 @@ local function rubBoth(b, kl, kh, mu, jolt, press, tau)
   local loss = mu * jolt * total
   local after = v > loss and v - loss or v < -loss and v + loss or 0.0
   local brake = tau > 0 and mu * press * total / tau or 0.0
-  local new, way = flow.slide(after, accel, 0.0, brake, tau)
+  local new, way = flow.slide(b, after, accel, brake, tau)
   local dv, d = (new - last) / total, (way - (v + last) * 0.5 * tau) / total
   b.speed[kl], b.to[kl] = b.speed[kl] + dv * il, b.to[kl] + d * il
   b.speed[kh], b.to[kh] = b.speed[kh] - dv * ih, b.to[kh] - d * ih
@@ -242,10 +239,10 @@ local function stick(b, i, j, kl, kh, wl, wh, separation, o, v)
   local total = wl + wh
   if wl == 0 then
     to[kh] = to[kl] + separation
-    pool.leanLow(b, kl, kh)
+    pool.lean(b, kh, kl, 1)
   elseif wh == 0 then
     to[kl] = to[kh] - separation
-    pool.leanHigh(b, kl, kh)
+    pool.lean(b, kl, kh, -1)
   elseif b.pushFirst then
     local towards, against = to[kl] - b.from[kl], b.from[kh] - to[kh]
     if towards > against or (towards == against and b.rank[i] < b.rank[j]) then

@@ -8,12 +8,12 @@
 -- engines of its members act on a block as kinks (see flow.lua).
 --
 -- A block that is stronger (see `strength`) pushes a weaker one as if that had a fifth of its mass,
--- and is not moved by it. A body that is not pushable is *firm*: a block with a firm body moves as
--- that body does. If two firm blocks meet, the one that comes from behind follows; if they meet
+-- and is not moved by it. A body that is not pushable is infinitely strong: a block with one moves
+-- as that body does. If two such blocks meet, the one that comes from behind follows; if they meet
 -- head-on, both stop.
 --
--- Reads contacts, give, onset, and to, speed, accel; writes to, speed, accel, pressed, outset, and
--- what holds the bodies (heldLow, heldHigh, holderLow, holderHigh).
+-- Reads contacts, give, power, onset, and to, speed, accel; writes to, speed, accel, pressed, outset,
+-- isPressed, and what holds the bodies (heldLow, heldHigh, holderLow, holderHigh).
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -28,8 +28,26 @@ local HUGE = math.huge
 local PASSES = 8
 -- What is pushed by something stronger counts as this share of its mass.
 local WEAK = 0.2
--- Maximum number of times that blocks are made anew because two of their bodies overlap.
-local TEARS = 4
+
+--- Returns what the blocks of a world need while they are made, all by body: `member` lists the
+--- bodies in blocks. At the root of a block, the others are sums over its members.
+function pool.new()
+  return {
+    count = 0,
+    member = {},
+    offset = {}, -- px from the next body on the way to the root, `parent`
+    mass = {},
+    momentum = {}, -- at the start of the step
+    speed = {}, -- momentum at its end
+    force = {},
+    kinks = {},
+    shift = {}, -- kg px between its centre of mass and where its members alone would have it
+    least = {}, -- speed limits
+    most = {},
+    stand = {}, -- velocity of ground on which a member stands
+    power = {}, -- of its strongest member
+  }
+end
 
 --- Returns whether an elastic pair bounces: it closes faster than its acceleration alone would make
 --- it close in two steps (`slow` s).
@@ -39,7 +57,7 @@ end
 
 -- Returns the root of the block of k, and the offset of k from it, px.
 local function find(b, k)
-  local parent, offset = b.parent, b.offset
+  local parent, offset = b.parent, b.blocks.offset
   local top, way = k, 0.0
   while parent[top] ~= 0 and parent[top] ~= top do
     way = way + offset[top]
@@ -56,45 +74,44 @@ local function register(b, k, dt)
   if b.parent[k] ~= 0 or b.give[k] == 0 then
     return
   end
-  local n, mass, onset = b.memberCount + 1, 1 / b.give[k], b.onset[k]
-  b.memberCount, b.members[n] = n, k
-  b.parent[k], b.offset[k] = k, 0.0
-  b.blockMass[k], b.blockShift[k] = mass, 0.0
-  b.blockMomentum[k], b.blockSpeed[k] = mass * onset, mass * b.speed[k]
-  b.blockForce[k] = mass * flow.drive(b, k, dt)
-  local base, grip = b.base[k], b.grip[k]
-  b.blockKinks[k] = grip > 0 and flow.newKink(b, base, grip) or 0
-  b.blockStand[k] = grip > 0 and base == onset and base or HUGE
-  b.blockLeast[k], b.blockMost[k] = b.least[k], b.most[k]
-  b.isFirm[k] = not b.pushable[floor(k * 0.5)]
-  b.blockPower[k] = b.power[floor(k * 0.5)]
+  local blocks = b.blocks
+  local n, mass, onset, base, grip =
+    blocks.count + 1, 1 / b.give[k], b.onset[k], b.base[k], b.grip[k]
+  blocks.count, blocks.member[n] = n, k
+  b.parent[k], blocks.offset[k] = k, 0.0
+  blocks.mass[k], blocks.shift[k] = mass, 0.0
+  blocks.momentum[k], blocks.speed[k] = mass * onset, mass * b.speed[k]
+  blocks.force[k] = mass * flow.drive(b, k, dt)
+  blocks.kinks[k] = grip > 0 and flow.newKink(b, base, grip) or 0
+  blocks.stand[k] = grip > 0 and base == onset and base or HUGE
+  blocks.least[k], blocks.most[k] = b.least[k], b.most[k]
+  blocks.power[k] = b.power[floor(k * 0.5)]
 end
 
 -- Returns where a block was at the start of the step.
 local function origin(b, k)
-  return b.from[k] + b.lead[k] + b.blockShift[k] / b.blockMass[k]
+  return b.from[k] + b.blocks.shift[k] / b.blocks.mass[k]
 end
 
 -- Returns the velocity at the end of the step of a block that starts at v, and its displacement,
 -- px.
 local function fly(b, k, v, dt)
-  local mass, least, most = b.blockMass[k], b.blockLeast[k], b.blockMost[k]
-  return flow.run(b, b.blockKinks[k], mass, b.blockForce[k], v, dt, least, most)
+  local blocks = b.blocks
+  local least, most = blocks.least[k], blocks.most[k]
+  return flow.run(b, blocks.kinks[k], blocks.mass[k], blocks.force[k], v, dt, least, most)
 end
 
 -- Computes the end of a block from the sums at its root k. A block that friction can hold in place
 -- does not move: what pushes it pushes anew in each step.
 local function finish(b, k, dt, isLate, place)
-  local mass, least, most = b.blockMass[k], b.blockLeast[k], b.blockMost[k]
-  if isLate then
-    b.to[k], b.speed[k] = place, max(min(b.blockSpeed[k] / mass, most), least)
-    return
-  elseif b.blockKinks[k] == 0 and least == -HUGE and most == HUGE then
-    b.to[k], b.speed[k] = place, b.blockSpeed[k] / mass
+  local blocks = b.blocks
+  local mass, least, most = blocks.mass[k], blocks.least[k], blocks.most[k]
+  if isLate or (blocks.kinks[k] == 0 and least == -HUGE and most == HUGE) then
+    b.to[k], b.speed[k] = place, max(min(blocks.speed[k] / mass, most), least)
     return
   end
-  local v, way = fly(b, k, b.blockMomentum[k] / mass, dt)
-  way = v == b.blockStand[k] and v * dt or way
+  local v, way = fly(b, k, blocks.momentum[k] / mass, dt)
+  way = v == blocks.stand[k] and v * dt or way
   b.to[k], b.speed[k] = origin(b, k) + way, v
 end
 
@@ -102,7 +119,7 @@ end
 -- their common centre of mass. If only one of them gives way (`push = "first"`), the block ends at
 -- the place of the one that was run into.
 local function meetingPlace(b, one, other, off, isFirst)
-  local massOne, massOther, to = b.blockMass[one], b.blockMass[other], b.to
+  local massOne, massOther, to = b.blocks.mass[one], b.blocks.mass[other], b.to
   if isFirst then
     local towards, against = to[one] - origin(b, one), origin(b, other) - to[other]
     local more = towards - against
@@ -113,59 +130,53 @@ local function meetingPlace(b, one, other, off, isFirst)
   return (massOne * to[one] + massOther * (to[other] - off)) / (massOne + massOther)
 end
 
+local function add(column, one, other)
+  column[one] = column[one] + column[other]
+end
+
 -- Joins two blocks into one. `other` is `off` px from `one`.
 local function join(b, one, other, off, dt, isLate, isFirst)
-  local massOne, massOther = b.blockMass[one], b.blockMass[other]
-  local mass = massOne + massOther
+  local blocks, accel = b.blocks, b.accel
+  local mass, massOther = blocks.mass, blocks.mass[other]
   local place = meetingPlace(b, one, other, off, isFirst)
-  b.accel[one] = (massOne * b.accel[one] + massOther * b.accel[other]) / mass
-  b.blockMass[one] = mass
-  b.blockMomentum[one] = b.blockMomentum[one] + b.blockMomentum[other]
-  b.blockSpeed[one] = b.blockSpeed[one] + b.blockSpeed[other]
-  b.blockForce[one] = b.blockForce[one] + b.blockForce[other]
-  local apart = b.from[other] + b.lead[other] - (b.from[one] + b.lead[one])
-  b.blockShift[one] = b.blockShift[one] + b.blockShift[other] + massOther * (apart - off)
-  b.blockKinks[one] = flow.merge(b, b.blockKinks[one], b.blockKinks[other])
-  b.blockLeast[one] = max(b.blockLeast[one], b.blockLeast[other])
-  b.blockMost[one] = min(b.blockMost[one], b.blockMost[other])
-  b.blockStand[one] = min(b.blockStand[one], b.blockStand[other])
-  b.isFirm[one] = b.isFirm[one] or b.isFirm[other]
-  b.blockPower[one] = max(b.blockPower[one], b.blockPower[other])
-  b.parent[other], b.offset[other] = one, off
-  if b.heldLow[other] > 0 then
-    b.heldLow[one], b.holderLow[one] = b.heldLow[one] + b.heldLow[other], b.holderLow[other]
-  end
-  if b.heldHigh[other] > 0 then
-    b.heldHigh[one], b.holderHigh[one] = b.heldHigh[one] + b.heldHigh[other], b.holderHigh[other]
-  end
+  local apart = b.from[other] - b.from[one]
+  accel[one] = (mass[one] * accel[one] + massOther * accel[other]) / (mass[one] + massOther)
+  add(mass, one, other)
+  add(blocks.momentum, one, other)
+  add(blocks.speed, one, other)
+  add(blocks.force, one, other)
+  add(blocks.shift, one, other)
+  blocks.shift[one] = blocks.shift[one] + massOther * (apart - off)
+  blocks.kinks[one] = flow.merge(b, blocks.kinks[one], blocks.kinks[other])
+  blocks.least[one] = max(blocks.least[one], blocks.least[other])
+  blocks.most[one] = min(blocks.most[one], blocks.most[other])
+  blocks.stand[one] = min(blocks.stand[one], blocks.stand[other])
+  blocks.power[one] = max(blocks.power[one], blocks.power[other])
+  b.parent[other], blocks.offset[other] = one, off
+  b.holderLow[one] = b.heldLow[other] > 0 and b.holderLow[other] or b.holderLow[one]
+  b.holderHigh[one] = b.heldHigh[other] > 0 and b.holderHigh[other] or b.holderHigh[one]
+  add(b.heldLow, one, other)
+  add(b.heldHigh, one, other)
   finish(b, one, dt, isLate, place)
 end
 
---- Decides which of two firm bodies gives way when they press each other; the low one moves at vl,
---- the high one at vh. Returns whether the low one stays, and whether the high one does.
-function pool.meetFirm(vl, vh)
-  return vl <= 0 or vh < 0, vh >= 0 or vl > 0
-end
-
--- Returns whether the low block keeps its motion in this contact, and whether the high one does.
--- The stronger one does unless it moves towards the other one.
-local function weigh(b, low, high)
-  local stayLow, stayHigh = b.heldLow[low] > 0, b.heldHigh[high] > 0
-  if stayLow or stayHigh then
-    return stayLow, stayHigh
-  elseif not (b.isFirm[low] or b.isFirm[high]) then
-    local powerLow, powerHigh = b.blockPower[low], b.blockPower[high]
-    return powerLow > powerHigh and b.speed[low] <= 0, powerHigh > powerLow and b.speed[high] >= 0
-  elseif b.isFirm[low] and b.isFirm[high] then
-    return pool.meetFirm(b.speed[low], b.speed[high])
+--- Decides which of two that meet keeps its motion, by their power; the low one moves at vl, the
+--- high one at vh. The stronger one does unless it moves towards the other one, and always if it is
+--- not pushable. Returns whether the low one does, and whether the high one does.
+function pool.weigh(powerLow, powerHigh, vl, vh)
+  if powerLow == powerHigh then
+    local isFirm = powerLow == HUGE
+    return isFirm and (vl <= 0 or vh < 0), isFirm and (vh >= 0 or vl > 0)
   end
-  return b.isFirm[low], b.isFirm[high]
+  return powerLow > powerHigh and (powerLow == HUGE or vl <= 0),
+    powerHigh > powerLow and (powerHigh == HUGE or vh >= 0)
 end
 
--- Stops two firm blocks that meet head-on where they were. Returns whether one of them had moved.
+-- Stops two blocks that meet head-on and cannot be pushed where they were. Returns whether one of
+-- them had moved.
 local function stopBoth(b, low, high)
   local hasMoved = false
-  if b.isFirm[low] and b.isFirm[high] and b.heldLow[low] == 0 and b.heldHigh[high] == 0 then
+  if b.heldLow[low] == 0 and b.heldHigh[high] == 0 then
     for side = 1, 2 do
       local k = side == 1 and low or high
       local place = origin(b, k)
@@ -184,85 +195,51 @@ function pool.heldSpeed(mass, speed, otherMass, otherSpeed, base, sign)
   return (v - base) * sign > 0 and v or base
 end
 
--- Returns the same for two blocks.
-local function heldSpeed(b, held, other, base, sign)
-  local mass, speed = b.blockMass, b.speed
-  return pool.heldSpeed(mass[held], speed[held], mass[other], speed[other], base, sign)
-end
-
---- Notes that body kl, or a block, leans on kh towards high coordinates: what holds kh holds it,
---- too.
-function pool.leanHigh(b, kl, kh)
-  if b.heldHigh[kh] > 0 then
-    b.heldHigh[kl] = b.heldHigh[kh] + 1
-    b.holderHigh[kl] = b.give[kh] > 0 and b.holderHigh[kh] or kh
+--- Notes that body m leans on k, towards low coordinates (`sign` 1) or high ones (-1): what holds k
+--- holds it, too.
+function pool.lean(b, m, k, sign)
+  local held, holder = b.heldLow, b.holderLow
+  if sign < 0 then
+    held, holder = b.heldHigh, b.holderHigh
+  end
+  if held[k] > 0 then
+    held[m], holder[m] = held[k] + 1, b.give[k] > 0 and holder[k] or k
   end
 end
 
---- Notes the same for kh, which leans on kl towards low coordinates.
-function pool.leanLow(b, kl, kh)
-  if b.heldLow[kl] > 0 then
-    b.heldLow[kh] = b.heldLow[kl] + 1
-    b.holderLow[kh] = b.give[kl] > 0 and b.holderLow[kl] or kl
+-- Puts block m at `place`, flush against block k, which keeps its motion because it is held or
+-- strong. Block m takes the whole push, and k's power if that is not held. `sign` as in `lean`.
+local function follow(b, m, k, place, sign)
+  local held, holder, speed, mass, power =
+    b.heldLow, b.holderLow, b.speed, b.blocks.mass, b.blocks.power
+  if sign < 0 then
+    held, holder = b.heldHigh, b.holderHigh
   end
-end
-
--- Resolves a contact in which at least one block stays, because it is firm or held. The other block
--- takes the whole push, and becomes firm if a firm block pushes it. Returns whether something has
--- changed.
-local function yield(b, low, high, offLow, offHigh, separation, stayLow, stayHigh)
-  if stayLow and stayHigh then
-    b.isClamped = b.isClamped or b.heldLow[low] > 0 and b.heldHigh[high] > 0
-    return stopBoth(b, low, high)
-  elseif stayHigh then
-    b.to[low] = b.to[high] + offHigh - separation - offLow
-    if b.speed[low] > b.speed[high] then
-      local base = b.heldHigh[high] > 0 and b.give[high] > 0 and b.speed[b.holderHigh[high]]
-      if base and b.speed[high] < base then
-        b.speed[high] = heldSpeed(b, high, low, base, -1)
-      end
-      b.speed[low], b.accel[low] = b.speed[high], b.accel[high]
+  b.to[m] = place
+  if (speed[k] - speed[m]) * sign > 0 then
+    local base = held[k] > 0 and b.give[k] > 0 and speed[holder[k]]
+    if base and (speed[k] - base) * sign > 0 then
+      speed[k] = pool.heldSpeed(mass[k], speed[k], mass[m], speed[m], base, sign)
     end
-    pool.leanHigh(b, low, high)
-    b.isFirm[low] = b.isFirm[low] or b.isFirm[high] and b.heldHigh[high] == 0
-    b.blockPower[low] = max(b.blockPower[low], b.blockPower[high])
-  else
-    b.to[high] = b.to[low] + offLow + separation - offHigh
-    if b.speed[low] > b.speed[high] then
-      local base = b.heldLow[low] > 0 and b.give[low] > 0 and b.speed[b.holderLow[low]]
-      if base and b.speed[low] > base then
-        b.speed[low] = heldSpeed(b, low, high, base, 1)
-      end
-      b.speed[high], b.accel[high] = b.speed[low], b.accel[low]
-    end
-    pool.leanLow(b, low, high)
-    b.isFirm[high] = b.isFirm[high] or b.isFirm[low] and b.heldLow[low] == 0
-    b.blockPower[high] = max(b.blockPower[low], b.blockPower[high])
+    speed[m], b.accel[m] = speed[k], b.accel[k]
   end
-  return true
+  pool.lean(b, m, k, sign)
+  if b.give[k] > 0 and (held[k] == 0 or power[k] < HUGE) then
+    power[m] = max(power[m], power[k])
+  end
 end
 
 -- A block that something stronger pushes, to high coordinates (`sign` 1) or low ones (-1): its mass
 -- counts as a share of what it is, and what it does against the push not at all.
 local function weaken(b, k, sign)
-  local start = origin(b, k)
+  local blocks, start = b.blocks, origin(b, k)
   b.to[k] = start + sign * max((b.to[k] - start) * sign, 0)
-  b.blockMass[k], b.blockShift[k] = b.blockMass[k] * WEAK, b.blockShift[k] * WEAK
-  b.blockMomentum[k] = sign * max(b.blockMomentum[k] * sign, 0) * WEAK
-  b.blockSpeed[k] = sign * max(b.blockSpeed[k] * sign, 0) * WEAK
-  b.blockForce[k] = sign * max(b.blockForce[k] * sign, 0) * WEAK
-  b.blockLeast[k], b.blockMost[k] = -HUGE, HUGE
-end
-
--- Weakens the weaker one of two blocks. Returns whether there is one.
-local function weakenOne(b, low, high)
-  local powerLow, powerHigh = b.blockPower[low], b.blockPower[high]
-  if powerLow > powerHigh then
-    weaken(b, high, 1)
-  elseif powerHigh > powerLow then
-    weaken(b, low, -1)
+  blocks.mass[k], blocks.shift[k] = blocks.mass[k] * WEAK, blocks.shift[k] * WEAK
+  for n = 1, 3 do
+    local column = n == 1 and blocks.momentum or n == 2 and blocks.speed or blocks.force
+    column[k] = sign * max(column[k] * sign, 0) * WEAK
   end
-  return powerLow ~= powerHigh
+  blocks.least[k], blocks.most[k] = -HUGE, HUGE
 end
 
 --- Shares of a push for two of different power that both can give way, of which the low one goes at
@@ -284,32 +261,34 @@ end
 -- Moves two blocks apart that have bounced and overlap only because others pushed them since.
 -- Speeds stay as they are.
 local function shift(b, low, high, over)
-  local massLow, massHigh = b.blockMass[low], b.blockMass[high]
+  local massLow, massHigh = b.blocks.mass[low], b.blocks.mass[high]
   local share = over / (massLow + massHigh)
-  b.to[low] = b.to[low] - share * massHigh
-  b.to[high] = b.to[high] + share * massLow
+  b.to[low], b.to[high] = b.to[low] - share * massHigh, b.to[high] + share * massLow
 end
 
--- Gives two blocks that touch at the start of the step, and close, a common velocity at once, if
--- they separate again from there. The second is `off` px from the first. Returns false, and changes
--- nothing, if they do not touch or would stay together: then they become one block.
-local function leave(b, low, high, off, dt)
-  local massLow, massHigh = b.blockMass[low], b.blockMass[high]
-  local startLow, startHigh = b.blockMomentum[low] / massLow, b.blockMomentum[high] / massHigh
-  local gap = origin(b, high) - origin(b, low) - off
-  if gap > EPSILON or gap < -EPSILON or startLow <= startHigh then
-    return false
+-- Resolves contact c, of which the bodies overlap by `over` px, for two blocks. Returns whether
+-- something has changed.
+local function resolve(b, list, c, low, high, off, over, closing, dt, isLate)
+  local powerLow, powerHigh = b.blocks.power[low] or HUGE, b.blocks.power[high] or HUGE
+  local stayLow, stayHigh = b.heldLow[low] > 0, b.heldHigh[high] > 0
+  if not (stayLow or stayHigh) then
+    stayLow, stayHigh = pool.weigh(powerLow, powerHigh, b.speed[low], b.speed[high])
   end
-  local v = (b.blockMomentum[low] + b.blockMomentum[high]) / (massLow + massHigh)
-  local vLow, wayLow = fly(b, low, v, dt)
-  local vHigh, wayHigh = fly(b, high, v, dt)
-  if wayLow >= wayHigh then
-    return false
+  if stayLow and stayHigh then
+    b.isClamped = b.isClamped or b.heldLow[low] > 0 and b.heldHigh[high] > 0
+    return stopBoth(b, low, high)
+  elseif stayHigh then
+    follow(b, low, high, b.to[high] - off, -1)
+  elseif stayLow then
+    follow(b, high, low, b.to[low] + off, 1)
+  elseif closing <= 0 and list.elastic[c] == 1 then
+    shift(b, low, high, over)
+  else
+    if powerLow ~= powerHigh then
+      weaken(b, powerLow > powerHigh and high or low, powerLow > powerHigh and 1 or -1)
+    end
+    join(b, low, high, off, dt, isLate, b.pushFirst)
   end
-  b.blockMomentum[low], b.blockMomentum[high] = massLow * v, massHigh * v
-  b.blockSpeed[low], b.blockSpeed[high] = massLow * vLow, massHigh * vHigh
-  b.to[low], b.speed[low], b.accel[low] = origin(b, low) + wayLow, vLow, (vLow - v) / dt
-  b.to[high], b.speed[high], b.accel[high] = origin(b, high) + wayHigh, vHigh, (vHigh - v) / dt
   return true
 end
 
@@ -321,13 +300,14 @@ local function look(b, list, c, dt, isLate)
   end
   local low, offLow = find(b, kl)
   local high, offHigh = find(b, kh)
-  local separation = list.separation[c]
+  local off = offLow + list.separation[c] - offHigh
   if low == high then
-    b.isTorn = b.isTorn or offLow + separation - offHigh > EPSILON
+    if off >= -EPSILON then -- how they press each other is not known
+      b.isPressed[kl], b.isPressed[kh] = true, true
+    end
     return false
   end
-  local over = b.to[low] + offLow + separation - b.to[high] - offHigh
-  local closing = b.speed[low] - b.speed[high]
+  local over, closing = b.to[low] + off - b.to[high], b.speed[low] - b.speed[high]
   -- With `push = "first"` a block may have speed but not move: it presses on all the same.
   if over <= EPSILON then
     -- What is held is made exactly flush.
@@ -342,36 +322,27 @@ local function look(b, list, c, dt, isLate)
   register(b, kl, dt)
   register(b, kh, dt)
   b.pressed[list.pair[c]] = 1
-  local stayLow, stayHigh = weigh(b, low, high)
-  if stayLow or stayHigh then
-    return yield(b, low, high, offLow, offHigh, separation, stayLow, stayHigh)
-  elseif closing <= 0 and list.elastic[c] == 1 then
-    shift(b, low, high, over)
-  elseif weakenOne(b, low, high) then
-    join(b, low, high, offLow + separation - offHigh, dt, isLate, b.pushFirst)
-  elseif isLate or not leave(b, low, high, offLow + separation - offHigh, dt) then
-    join(b, low, high, offLow + separation - offHigh, dt, isLate, b.pushFirst)
-  end
-  return true
+  return resolve(b, list, c, low, high, off, over, closing, dt, isLate)
 end
 
 -- Gives the members of each block its path, and ends all blocks.
 local function spread(b)
-  local members, parent = b.members, b.parent
-  for n = 1, b.memberCount do
-    local k = members[n]
+  local blocks, parent = b.blocks, b.parent
+  local member = blocks.member
+  for n = 1, blocks.count do
+    local k = member[n]
     local top, off = find(b, k)
     if top ~= k then
       b.to[k], b.speed[k], b.accel[k] = b.to[top] + off, b.speed[top], b.accel[top]
       b.heldLow[k], b.heldHigh[k] = b.heldLow[top], b.heldHigh[top]
       b.holderLow[k], b.holderHigh[k] = b.holderLow[top], b.holderHigh[top]
     end
-    b.outset[k] = b.blockMomentum[top] / b.blockMass[top]
+    b.outset[k] = blocks.momentum[top] / blocks.mass[top]
   end
-  for n = 1, b.memberCount do
-    parent[members[n]] = 0
+  for n = 1, blocks.count do
+    parent[member[n]] = 0
   end
-  b.memberCount = 0
+  blocks.count = 0
 end
 
 --- Makes one block of kUp and kLow, because friction holds the upper one to the lower one after it
@@ -382,7 +353,7 @@ function pool.glue(b, kUp, kLow, slipped, dt)
   local up, offUp = find(b, kUp)
   local low, offLow = find(b, kLow)
   if up ~= low then
-    local apart = b.from[kUp] + b.lead[kUp] - (b.from[kLow] + b.lead[kLow]) + slipped
+    local apart = b.from[kUp] - b.from[kLow] + slipped
     join(b, low, up, offLow + apart - offUp, dt, false, false)
     b.heldLow[low], b.heldHigh[low] = 0, 0 -- its contacts decide that again
   end
@@ -417,11 +388,13 @@ local function walk(b, list, first, last, by, dt, isLate)
   return hasChanged
 end
 
--- Walks along the contacts forwards and backwards, at most PASSES times. (Where gravity points to
--- low coordinates the order is reversed, so that a turned scene gives a turned result.)
-local function pass(b, list, dt, isLate)
+--- Makes blocks of free bodies that overlap at the end of the step: walks along the contacts
+--- forwards and backwards, at most PASSES times. (Where gravity points to low coordinates the order
+--- is reversed, so that a turned scene gives a turned result.) Returns whether a block was found
+--- between two that cannot give way.
+function pool.run(b, list, dt, isLate)
   local count, isTurned = list.count, b.orientation[list.axis] < 0
-  b.isTorn = false
+  b.isClamped = false
   for n = 1, PASSES do
     local hasChanged
     if (n % 2 == 0) == isTurned then
@@ -434,20 +407,6 @@ local function pass(b, list, dt, isLate)
     end
   end
   spread(b)
-end
-
---- Makes blocks of free bodies that overlap at the end of the step. Two bodies that came into one
---- block through others may still overlap: the blocks are made anew from there, TEARS times.
---- Returns whether a block was found between two that cannot give way.
-function pool.run(b, list, dt, isLate)
-  b.isClamped = false
-  pass(b, list, dt, isLate)
-  for _ = 1, TEARS do
-    if not b.isTorn then
-      break
-    end
-    pass(b, list, dt, true)
-  end
   return b.isClamped
 end
 

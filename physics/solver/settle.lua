@@ -4,8 +4,7 @@
 -- Boxes do not turn, so the contacts of an axis are a partial order, and the result of inelastic
 -- contacts can be computed directly:
 -- 1. Immovable bodies hold what is pushed against them: it ends flush, with their speed. So does
---    what leans on that, and so on (`holdHigh`, `holdLow`). What is held on both sides is squeezed
---    (`squeeze`).
+--    what leans on that, and so on (`hold`). What is held on both sides is squeezed (`squeeze`).
 -- 2. Free bodies that press each other become blocks with a common velocity (see pool.lua).
 --
 -- For example, a box that is pushed against a wall ends flush with it at the speed of the wall.
@@ -37,47 +36,6 @@ local function release(b, axis)
       heldLow[k], heldHigh[k] = 0, 0
     else
       heldLow[k], heldHigh[k] = 1, 1
-    end
-  end
-end
-
--- Lets `other` press body k back towards the body that held it (`wall`), which k is leaving. The
--- two share their momentum, but k is never faster towards `wall` than that goes.
-local function leave(b, k, other, wall, sign)
-  local give, speed = b.give, b.speed
-  local mass, otherMass = 1 / give[k], 1 / give[other]
-  speed[k] = pool.heldSpeed(mass, speed[k], otherMass, speed[other], speed[wall], sign)
-end
-
--- Puts bodies flush against what holds them on their high side, from immovable bodies down the
--- list.
-local function holdHigh(b, list, slow)
-  local low, high, separation, elastic = list.low, list.high, list.separation, list.elastic
-  local pair, pressed = list.pair, b.pressed
-  local to, speed, accel, give, held = b.to, b.speed, b.accel, b.give, b.heldHigh
-  local wall = b.holderHigh
-  for c = list.count, 1, -1 do
-    local kl, kh = low[c], high[c]
-    if held[kh] > 0 and give[kl] > 0 then
-      local place = to[kh] - separation[c]
-      local over, closing = to[kl] - place, speed[kl] - speed[kh]
-      if over > -EPSILON and (over > 0 or closing >= 0) then
-        if elastic[c] == 0 or not pool.bounces(closing, accel[kl] - accel[kh], slow) then
-          if over > 0 or to[kl] ~= b.from[kl] then -- what stands a rounding apart stays so
-            to[kl] = place
-          end
-          held[kl] = held[kh] + 1
-          wall[kl] = give[kh] > 0 and wall[kh] or kh
-          if closing > 0 then
-            if give[kh] > 0 and speed[kh] < speed[wall[kh]] then
-              leave(b, kh, kl, wall[kh], -1)
-            end
-            speed[kl], accel[kl], pressed[pair[c]] = speed[kh], accel[kh], 1
-          elseif over > EPSILON then
-            pressed[pair[c]] = 1
-          end
-        end
-      end
     end
   end
 end
@@ -124,97 +82,61 @@ local function squeeze(b, k, other, over, sign, held, pressing, holder)
   end
 end
 
--- Squeezes bodies that are held on their low side alone, but have been pushed onto a body that is
--- held on its high side.
-local function pushBack(b, list)
-  local low, high, separation, pair, pressed =
-    list.low, list.high, list.separation, list.pair, b.pressed
-  local to, give, heldLow, heldHigh = b.to, b.give, b.heldLow, b.heldHigh
-  for c = list.count, 1, -1 do
-    local kl, kh = low[c], high[c]
-    local isFree = give[kl] > 0 and (heldHigh[kl] == 0 or b.squeezed[kl] < 0)
-    if heldHigh[kh] > 0 and heldLow[kl] > 0 and isFree then
-      local over = to[kl] + separation[c] - to[kh]
-      if over > EPSILON then
-        pressed[pair[c]] = 1
-        squeeze(b, kl, kh, over, -1, heldLow, heldHigh, b.holderHigh)
-      end
+-- Puts body m flush at `place`, against body k, which is held. If k is pressed back from what holds
+-- it, the two share their momentum; k is never faster towards its holder than that goes.
+local function lean(b, m, k, place, over, closing, sign, wall)
+  local to, speed = b.to, b.speed
+  if over > 0 or to[m] ~= b.from[m] then -- what stands a rounding apart stays so
+    to[m] = place
+  end
+  if closing > 0 then
+    local base = speed[wall[k]]
+    if b.give[k] > 0 and (speed[k] - base) * sign > 0 then
+      speed[k] = pool.heldSpeed(1 / b.give[k], speed[k], 1 / b.give[m], speed[m], base, sign)
     end
+    speed[m], b.accel[m] = speed[k], b.accel[k]
   end
 end
 
--- Puts bodies flush against what holds them on their low side. Returns whether free bodies still
--- overlap.
-local function holdLow(b, list, slow)
-  local low, high, separation, elastic = list.low, list.high, list.separation, list.elastic
-  local pair, pressed = list.pair, b.pressed
-  local to, speed, accel, give, held = b.to, b.speed, b.accel, b.give, b.heldLow
-  local wall = b.holderLow
-  local isViolated = false
-  for c = 1, list.count do
-    local kl, kh = low[c], high[c]
-    local place = to[kl] + separation[c]
-    local over = place - to[kh]
-    if over > -EPSILON then
-      local closing = speed[kl] - speed[kh]
-      local isHeld = held[kl] > 0 and give[kh] > 0
-      if not isHeld then
-        isViolated = isViolated or over > EPSILON and (give[kl] > 0 or give[kh] > 0)
-      elseif
-        (over > 0 or closing >= 0)
-        and (elastic[c] == 0 or not pool.bounces(closing, accel[kl] - accel[kh], slow))
-      then
-        if b.heldHigh[kh] > 0 then
-          if over > EPSILON then
-            pressed[pair[c]] = 1
-            squeeze(b, kh, kl, over, 1, b.heldHigh, held, wall)
-          end
-        else
-          if over > 0 or to[kh] ~= b.from[kh] then
-            to[kh] = place
-          end
-          held[kh] = held[kl] + 1
-          wall[kh] = give[kl] > 0 and wall[kl] or kl
-          if closing > 0 then
-            if give[kl] > 0 and speed[kl] > speed[wall[kl]] then
-              leave(b, kl, kh, wall[kl], 1)
-            end
-            speed[kh], accel[kh], pressed[pair[c]] = speed[kl], accel[kl], 1
-          elseif over > EPSILON then
-            pressed[pair[c]] = 1
-          end
+-- Returns whether two that close at `closing` px/s bounce.
+local function bounces(b, k, m, closing, slow)
+  return pool.bounces(closing, b.accel[k] - b.accel[m], slow)
+end
+
+-- Puts bodies flush against what holds them, from immovable bodies on: against what holds them on
+-- their low side, along the list (`sign` 1), or on their high side, back along it (-1). What is
+-- held on the other side already is squeezed. Returns whether something was.
+local function hold(b, list, slow, sign)
+  local near, far, held, wall, opposite = list.low, list.high, b.heldLow, b.holderLow, b.heldHigh
+  local first, last = 1, list.count
+  if sign < 0 then
+    near, far, held, wall, opposite = far, near, opposite, b.holderHigh, held
+    first, last = last, first
+  end
+  local separation, elastic, to, speed, give = list.separation, list.elastic, b.to, b.speed, b.give
+  local hasSqueezed = false
+  for c = first, last, sign do
+    local k, m = near[c], far[c]
+    if held[k] > 0 and give[m] > 0 then
+      local place = to[k] + sign * separation[c]
+      local over, closing = (place - to[m]) * sign, (speed[k] - speed[m]) * sign
+      local isMet = over > -EPSILON and (over > 0 or closing >= 0)
+      if isMet and (elastic[c] == 0 or not bounces(b, k, m, closing, slow)) then
+        local isNew = opposite[m] == 0
+        if over > EPSILON or (closing > 0 and isNew) then
+          b.pressed[list.pair[c]] = 1
+        end
+        if isNew then
+          held[m], wall[m] = held[k] + 1, give[k] > 0 and wall[k] or k
+          lean(b, m, k, place, over, closing, sign, wall)
+        elseif over > EPSILON and (held[m] == 0 or b.squeezed[m] * sign > 0) then
+          squeeze(b, m, k, over, sign, opposite, held, wall)
+          hasSqueezed = true
         end
       end
     end
   end
-  return isViolated
-end
-
---- Settles what immovable bodies hold, the first half of settling. `b.isViolated` says afterwards
---- whether free bodies overlap.
-function settle.hold(b, axis, dt)
-  local list = b.contacts[axis]
-  release(b, axis)
-  local slow = 2 * dt
-  holdHigh(b, list, slow)
-  b.isViolated = holdLow(b, list, slow)
-  if b.isViolated then
-    pushBack(b, list)
-  end
-end
-
---- Makes blocks of free bodies that overlap, the second half of settling. `isGlued`: friction has
---- made blocks already. `isLate`: the paths begin at different moments of the step.
-function settle.finish(b, axis, dt, isGlued, isLate)
-  if (b.isViolated or isGlued) and pool.run(b, b.contacts[axis], dt, isLate) then
-    settle.hold(b, axis, dt) -- bodies between two immovable ones share the overlap
-  end
-end
-
---- Settles one axis.
-function settle.axis(b, axis, dt, isLate)
-  settle.hold(b, axis, dt)
-  settle.finish(b, axis, dt, false, isLate)
+  return hasSqueezed
 end
 
 -- Returns whether an impact has put one of two bodies into the other, which is immovable, and it is
@@ -238,6 +160,34 @@ function settle.isViolated(b, axis)
     end
   end
   return false
+end
+
+--- Settles what immovable bodies hold, the first half of settling. `b.isViolated` says afterwards
+--- whether others overlap. What is held on its low side alone, but was pushed onto what is held on
+--- its high side, is squeezed then.
+function settle.hold(b, axis, dt)
+  local list, slow = b.contacts[axis], 2 * dt
+  release(b, axis)
+  hold(b, list, slow, -1)
+  local hasSqueezed = hold(b, list, slow, 1)
+  b.isViolated = settle.isViolated(b, axis)
+  if b.isViolated or hasSqueezed then
+    hold(b, list, slow, -1)
+  end
+end
+
+--- Makes blocks of free bodies that overlap, the second half of settling. `isGlued`: friction has
+--- made blocks already. `isLate`: the paths begin at different moments of the step.
+function settle.finish(b, axis, dt, isGlued, isLate)
+  if (b.isViolated or isGlued) and pool.run(b, b.contacts[axis], dt, isLate) then
+    settle.hold(b, axis, dt) -- bodies between two immovable ones share the overlap
+  end
+end
+
+--- Settles one axis.
+function settle.axis(b, axis, dt, isLate)
+  settle.hold(b, axis, dt)
+  settle.finish(b, axis, dt, false, isLate)
 end
 
 return settle

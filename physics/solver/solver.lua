@@ -26,6 +26,7 @@ local activePairs = require(root .. ".broadphase.activePairs")
 local move = require(root .. ".motion.move")
 local nudge = require(root .. ".solver.nudge")
 local pairFinder = require(root .. ".broadphase.pairFinder")
+local pool = require(root .. ".solver.pool")
 local pressed = require(root .. ".solver.pressed")
 local relax = require(root .. ".solver.relax")
 local islands = require(root .. ".sleep.islands")
@@ -53,6 +54,7 @@ local RESTARTS = 8
 function solver.adopt(b)
   b.contacts = { [0] = contacts.newList(0), contacts.newList(1) }
   b.bonds = { [0] = bonds.new(), bonds.new() }
+  b.blocks = pool.new()
   b.impacts = sweep.newImpacts()
 end
 
