@@ -7,7 +7,8 @@
 -- them hold is found by trial. `check` looks at the blocks that came out, and finds the bonds that
 -- break and those that have slipped to their end.
 --
--- Reads onset, outset, ownSpeed and the paths on the rubbed axis; writes tug, base, grip, and blocks.
+-- Reads onset, outset, ownSpeed and the paths on the rubbed axis; writes tug, base, grip, and
+-- blocks.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local flow = require(root .. ".solver.flow")
@@ -165,8 +166,8 @@ local function stick(b, list, n)
 end
 
 -- Decides whether bond n, which holds, breaks because it takes more than friction can give. `need`
--- is what its upper body gives to those on it. Returns the impulse on that, and whether the bond has
--- changed.
+-- is what its upper body gives to those on it. Returns the impulse on that, and whether the bond
+-- has changed.
 local function test(b, list, n, need, mayTear)
   local up, limit = list.up[n], list.limit[n]
   local impulse = need + (b.speed[up] - b.ownSpeed[up]) / b.give[up]

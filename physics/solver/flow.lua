@@ -110,8 +110,8 @@ function flow.drive(b, k, dt)
   return (b.freeSpeed[k] - b.start[k] + b.reserve[k]) / dt + tug
 end
 
---- Returns the velocity of body k tau s after it was v, in a step of dt s, and its displacement. The
---- friction of its ground and its limits act on it.
+--- Returns the velocity of body k tau s after it was v, in a step of dt s, and its displacement.
+--- The friction of its ground and its limits act on it.
 function flow.body(b, k, v, tau, dt)
   local give, grip, kinks = b.give[k], b.grip[k], b.kinkCount
   if b.flowAir[floor(k * 0.5)] ~= 0 and b.least[k] == -HUGE and b.most[k] == HUGE then

@@ -61,8 +61,8 @@ local function chooseSupport(b, list, k, c, other)
 end
 
 -- Whether body k leans on body m, towards high coordinates (`sign` 1) or low ones (-1), with what
--- it has lost of its speed: something immovable holds m (`held`), or gravity presses k onto m, which
--- gives way.
+-- it has lost of its speed: something immovable holds m (`held`), or gravity presses k onto m,
+-- which gives way.
 local function leans(b, k, m, sign, held)
   local lost = (b.freeSpeed[k] - b.speed[k]) * sign
   if b.give[k] == 0 or lost < 0 then
@@ -101,8 +101,8 @@ local function findSupports(b, list, axis)
   end
 end
 
--- Returns the body that leans on the other in contact c, towards `sign`, and that other one; nil: it
--- does not, or leans on something else with all its load.
+-- Returns the body that leans on the other in contact c, towards `sign`, and that other one; nil:
+-- it does not, or leans on something else with all its load.
 local function leaning(b, list, c, sign)
   local k, m = list.low[c], list.high[c]
   if sign < 0 then
@@ -218,8 +218,8 @@ local function findLimits(b)
   end
 end
 
--- Lets drag rub on bodies as ground does that moves with their carrier: against their motion, or, if
--- they do not move, against what pulls or pushes them.
+-- Lets drag rub on bodies as ground does that moves with their carrier: against their motion, or,
+-- if they do not move, against what pulls or pushes them.
 local function addDrag(b)
   for n = 1, b.awakeCount do
     local i = b.awakeList[n]

@@ -12,8 +12,8 @@
 -- as that body does. If two such blocks meet, the one that comes from behind follows; if they meet
 -- head-on, both stop.
 --
--- Reads contacts, give, power, onset, and to, speed, accel; writes to, speed, accel, pressed, outset,
--- isPressed, and what holds the bodies (heldLow, heldHigh, holderLow, holderHigh).
+-- Reads contacts, give, power, onset, and to, speed, accel; writes to, speed, accel, pressed,
+-- outset, isPressed, and what holds the bodies (heldLow, heldHigh, holderLow, holderHigh).
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
