@@ -104,10 +104,8 @@ end
 -- Returns the body that leans on the other in contact c, towards `sign`, and that other one; nil:
 -- it does not, or leans on something else with all its load.
 local function leaning(b, list, c, sign)
-  local k, m = list.low[c], list.high[c]
-  if sign < 0 then
-    k, m = m, k
-  end
+  local low, high = list.low[c], list.high[c]
+  local k, m = sign > 0 and low or high, sign > 0 and high or low
   if list.bearing[c] == sign and b.bearer[k] == c then
     return k, m
   end

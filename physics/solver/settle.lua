@@ -110,8 +110,8 @@ local function hold(b, list, slow, sign)
   local near, far, held, wall, opposite = list.low, list.high, b.heldLow, b.holderLow, b.heldHigh
   local first, last = 1, list.count
   if sign < 0 then
-    near, far, held, wall, opposite = far, near, opposite, b.holderHigh, held
-    first, last = last, first
+    near, far, held, wall, opposite = list.high, list.low, b.heldHigh, b.holderHigh, b.heldLow
+    first, last = list.count, 1
   end
   local separation, elastic, to, speed, give = list.separation, list.elastic, b.to, b.speed, b.give
   local hasSqueezed = false
