@@ -14,7 +14,6 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
 local bonds = require(root .. ".solver.bonds")
 local carriers = require(root .. ".motion.carriers")
-local columns = require(root .. ".memory.columns")
 local flow = require(root .. ".solver.flow")
 local friction = require(root .. ".solver.friction")
 local path = require(root .. ".motion.path")
@@ -23,15 +22,8 @@ local slope = require(root .. ".memory.lazy")(root .. ".solver.slope")
 
 local impact = {}
 
-local DYNAMIC = columns.DYNAMIC
 local HUGE = math.huge
 local floor, max, min, sqrt = math.floor, math.max, math.min, math.sqrt
--- Maximum number of impacts of a body in a step with which it still bounces: BOUNCES / (1 -
--- restitution), but no more than MOST_BOUNCES.
-local BOUNCES, MOST_BOUNCES = 4, 13
--- Number of impacts in a step after which a body counts as pushed on by others. It stays where it
--- was hit then, even below a ceiling.
-local PUSHED = 3
 -- Maximum number of bonds in a row along which an impact drags other bodies in the same step.
 local DEPTH = 8
 
@@ -103,24 +95,6 @@ local function weigh(b, i, j, kl, kh)
     return stayLow and 0 or wl, stayHigh and 0 or wh
   end
   return wl, wh
-end
-
--- Returns the restitution of a pair that closes at u px/s. It is 0 unless that is faster than its
--- acceleration alone would make it in two steps.
-local function restitution(b, i, j, u, a, dt)
-  return pool.bounces(u, a, 2 * dt) and max(b.restitution[i], b.restitution[j]) or 0
-end
-
--- Returns whether slot i has had too many impacts in this step to bounce once more.
-local function isSpent(b, i, r)
-  local limit = min(BOUNCES / max(1 - r, 1e-3), MOST_BOUNCES)
-  return b.impactsOf[i] > limit and b.kind[i] == DYNAMIC
-end
-
--- Returns whether one of two bodies has had so many impacts that others seem to push it on.
-local function isPushed(b, i, j)
-  return b.impactsOf[i] > PUSHED and b.kind[i] == DYNAMIC
-    or b.impactsOf[j] > PUSHED and b.kind[j] == DYNAMIC
 end
 
 -- Returns whether body k, which moves at v now, is leaving the body that has held it in this step.
@@ -233,38 +207,33 @@ local function rub(b, i, j, axis, wl, wh, jolt, press, tau, dt)
 end
 
 -- Sets the places and speeds of two bodies after an impact without a bounce: flush, with a common
--- velocity.
+-- velocity. Where none of them stays, both give way, or with `push = "first"` the one that ran into
+-- the other.
 local function stick(b, i, j, kl, kh, wl, wh, separation, o, v)
-  local to, speed, accel = b.to, b.speed, b.accel
-  local total = wl + wh
-  if wl == 0 then
-    to[kh] = to[kl] + separation
-    pool.lean(b, kh, kl, 1)
-  elseif wh == 0 then
-    to[kl] = to[kh] - separation
-    pool.lean(b, kl, kh, -1)
-  elseif b.pushFirst then
+  local to, speed, accel, total = b.to, b.speed, b.accel, wl + wh
+  local isHighFirst, share = wh == 0, wl / total
+  if b.pushFirst and wl > 0 and wh > 0 then
     local towards, against = to[kl] - b.from[kl], b.from[kh] - to[kh]
-    if towards > against or (towards == against and b.rank[i] < b.rank[j]) then
-      to[kl] = to[kh] - separation
-    else
-      to[kh] = to[kl] + separation
-    end
+    isHighFirst = towards > against or (towards == against and b.rank[i] < b.rank[j])
+    share = 0
+  end
+  if isHighFirst then
+    to[kl] = to[kh] - separation
   else
-    to[kl] = to[kl] - o * wl / total
+    to[kl] = to[kl] - o * share
     to[kh] = to[kl] + separation
   end
-  if v > 0 then
-    if wl == 0 then
-      speed[kh], accel[kh] = speed[kl], accel[kl]
-    elseif wh == 0 then
-      speed[kl], accel[kl] = speed[kh], accel[kh]
-    else
-      speed[kl] = speed[kl] - v * wl / total
-      speed[kh] = speed[kl]
-      accel[kl] = (accel[kl] * wh + accel[kh] * wl) / total
-      accel[kh] = accel[kl]
-    end
+  if wl == 0 then
+    pool.lean(b, kh, kl, 1)
+  elseif wh == 0 then
+    pool.lean(b, kl, kh, -1)
+  end
+  if v > 0 and wh == 0 then
+    speed[kl], accel[kl] = speed[kh], accel[kh]
+  elseif v > 0 then
+    speed[kl] = speed[kl] - v * wl / total
+    accel[kl] = wl == 0 and accel[kl] or (accel[kl] * wh + accel[kh] * wl) / total
+    speed[kh], accel[kh] = speed[kl], accel[kl]
   end
 end
 
@@ -282,9 +251,6 @@ local function runRound(b, p, i, j, axis, left, dt, isLate, t)
   local r = max(b.restitution[i], b.restitution[j])
   b.impactsOf[i], b.impactsOf[j] = b.impactsOf[i] + 1, b.impactsOf[j] + 1
   b.resolved = b.resolved + 1
-  if r > 0 and (isSpent(b, i, r) or isSpent(b, j, r)) then
-    r = 0
-  end
   local u, stays = ball.impact(b, i, j, axis, true, tau, dt, isLate, r)
   impact.note(b, p, i, axis, u, t)
   return false, b.from[2 * j + axis] - b.from[2 * i + axis], stays
@@ -314,7 +280,7 @@ end
 local function collide(b, i, j, axis, wl, wh, separation, r, o, u, v, a, tau, dt)
   local kl, kh, total = 2 * i + axis, 2 * j + axis, wl + wh
   local gap, vEnd = 0.0, 0.0
-  local isBelow = a < 0 and (b.give[kl] == 0 or b.give[kh] == 0) and not isPushed(b, i, j)
+  local isBelow = a < 0 and (b.give[kl] == 0 or b.give[kh] == 0)
   if r > 0 or isBelow then -- below a ceiling
     gap, vEnd = r * u * tau - a * tau * tau * 0.5, a * tau - r * u
   end
@@ -367,10 +333,9 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
   end
   b.impactsOf[i], b.impactsOf[j] = b.impactsOf[i] + 1, b.impactsOf[j] + 1
   b.resolved = b.resolved + 1
-  local r = restitution(b, i, j, u, a, dt)
-  if r > 0 and (isLate or isSpent(b, i, r) or isSpent(b, j, r)) then
-    r = 0
-  end
+  -- It bounces if it closes faster than its acceleration alone would make it in two steps.
+  local bounces = not isLate and pool.bounces(u, a, 2 * dt)
+  local r = bounces and max(b.restitution[i], b.restitution[j]) or 0
   local wl, wh = weigh(b, i, j, kl, kh)
   local total = wl + wh
   if total == 0 then

@@ -49,26 +49,25 @@ local function isTaken(b, i, x, y, t)
   return false
 end
 
---- Moves slot i past the corner of the immovable slot j, which it hits on `axis` at moment t. The
---- two must overlap across the axis by no more than `nudge` px, and the place beside must be free.
---- It is never moved on the side that gravity presses, and never back against its own motion.
---- Returns whether it was moved.
-function nudge.try(b, i, j, axis, iIsLow, t)
+-- Returns whether slot i may go `way` px along k, around a corner: no further than its `nudge`, and
+-- not back against its own motion.
+local function mayGo(b, i, k, way)
+  local motion = b.to[k] - b.from[k] - b.carried[k] * (1 - b.time[i]) * b.dt
+  local isBack = (motion > EPSILON and way < 0) or (motion < -EPSILON and way > 0)
+  local size = max(way, -way)
+  return size > EPSILON and size <= b.nudge[i] + EPSILON and not isBack
+end
+
+-- Moves slot i past the corner of the immovable slot j, which it hits on `axis` at moment t, if the
+-- place beside is free. It is never moved on the side that gravity presses. Returns whether it was
+-- moved.
+local function try(b, p, i, j, axis, iIsLow, t)
+  local k = 2 * i + 1 - axis
   if b.nudge[i] == 0 or b.kind[i] ~= DYNAMIC or b.kind[j] == DYNAMIC then
     return false
   end
-  if b.down[2 * i + axis] == (iIsLow and 1 or -1) then
-    return false
-  end
   local way = detour(b, i, j, axis, t)
-  if way > b.nudge[i] + EPSILON or way < -b.nudge[i] - EPSILON then
-    return false
-  elseif way <= EPSILON and way >= -EPSILON then
-    return false -- corner to corner: nothing to correct, they would meet again at once
-  end
-  local k = 2 * i + 1 - axis
-  local motion = b.to[k] - b.from[k]
-  if (motion > EPSILON and way < 0) or (motion < -EPSILON and way > 0) then
+  if b.down[2 * i + axis] == (iIsLow and 1 or -1) or not mayGo(b, i, k, way) then
     return false
   end
   -- A body that is flush with what it hits overlaps nothing else that is flush there. So the place
@@ -84,8 +83,16 @@ function nudge.try(b, i, j, axis, iIsLow, t)
   end
   path.advance(b, i, t)
   b.from[k], b.to[k] = b.from[k] + way, b.to[k] + way
-  b.nudgedAt[i] = b.solveStamp
+  b.nudgedAt[i], b.nudged[p] = b.solveStamp, b.nudged[p] + 1
+  activePairs.stain(b, p)
   return true
+end
+
+--- Moves one of the bodies of pair p, which meet on `axis` at moment t, past the corner of the
+--- other one. Returns whether it was moved.
+function nudge.correct(b, p, low, high, axis, t)
+  return b.nudged[p] < nudge.MOST
+    and (try(b, p, low, high, axis, true, t) or try(b, p, high, low, axis, false, t))
 end
 
 --- Moves bodies past the corners that they touch at the start of the step and press against now
@@ -97,12 +104,9 @@ function nudge.run(b)
     local low, high, separation, pair = list.low, list.high, list.separation, list.pair
     for c = 1, list.count do
       local kl, kh, p = low[c], high[c], pair[c]
-      if pressed[p] == 1 and separation[c] == size[kl] and b.nudged[p] < nudge.MOST then
+      if pressed[p] == 1 and separation[c] == size[kl] then
         local i, j = (kl - axis) * 0.5, (kh - axis) * 0.5
-        if nudge.try(b, i, j, axis, true, 0) or nudge.try(b, j, i, axis, false, 0) then
-          b.nudged[p], hasMoved = b.nudged[p] + 1, true
-          activePairs.stain(b, p)
-        end
+        hasMoved = nudge.correct(b, p, i, j, axis, 0) or hasMoved
       end
     end
   end

@@ -13,7 +13,6 @@ local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
 local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
 local impact = require(root .. ".solver.impact")
-local activePairs = require(root .. ".broadphase.activePairs")
 local nudge = require(root .. ".solver.nudge")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local path = require(root .. ".motion.path")
@@ -117,12 +116,6 @@ local function isSpent(b, i)
   return b.deepAt[i] == b.solveStamp and b.impactsOf[i] >= SPENT
 end
 
--- Returns whether the paths of k and m, as they were swept, cross on their axis.
-local function crosses(b, k, m)
-  local s, e, u, v = b.from[k], b.swept[k], b.from[m], b.swept[m]
-  return max(s, e) + b.size[k] > min(u, v) and max(u, v) + b.size[m] > min(s, e)
-end
-
 -- Returns whether the path of slot i, with its own length around it, meets that of a body in
 -- b.bounced. The paths of those count as they are now and as they were swept.
 local function meetsBounced(b, i)
@@ -171,13 +164,9 @@ local function isTorn(b, p)
     and b.to[kl] + b.separation[p] - b.to[kh] > PARTING * min(b.size[kl], b.size[kh])
 end
 
--- Returns whether an earlier impact of this round may have invalidated the impact of slot i:
---
--- - it changed the path of slot i, or of a body that would end far inside it now;
--- - `mayBounce`: it changed a path that crosses that of slot i, or that did before. Slot i may meet
---   that body first.
---
--- Not every changed neighbour counts, because the neighbours depend on the broad phase.
+-- Returns whether an earlier impact of this round may have invalidated the impact of slot i: it
+-- changed the path of slot i, or of a body that would end far inside it now; or, if it may bounce
+-- (`mayBounce`), a path that comes near that of slot i, which may meet that body first.
 local function isDisturbed(b, i, mayBounce)
   local half, inRound, round = b.head[i], b.inRound, b.roundStamp
   if inRound[i] == round then
@@ -188,29 +177,10 @@ local function isDisturbed(b, i, mayBounce)
     return true
   end
   while half ~= 0 do
-    local j = b.other[half]
-    if inRound[j] == round then
-      if isTorn(b, floor(half * 0.5 + 0.5)) then
-        return true
-      elseif mayBounce and crosses(b, 2 * i, 2 * j) and crosses(b, 2 * i + 1, 2 * j + 1) then
-        return true
-      end
+    if inRound[b.other[half]] == round and isTorn(b, floor(half * 0.5 + 0.5)) then
+      return true
     end
     half = b.next[half]
-  end
-  return false
-end
-
--- Moves one of slots i and j past the corner of the other, if it may be nudged. Returns whether it
--- was moved.
-local function correct(b, p, i, j, axis, t)
-  if
-    b.nudged[p] < nudge.MOST
-    and (nudge.try(b, i, j, axis, true, t) or nudge.try(b, j, i, axis, false, t))
-  then
-    b.nudged[p] = b.nudged[p] + 1
-    activePairs.stain(b, p)
-    return true
   end
   return false
 end
@@ -219,7 +189,7 @@ end
 -- the rest of the step. Returns whether they met: a nudge may lead past.
 local function meet(b, p, i, j, axis, t, dt, isLast, isLate, isDeep)
   change(b, i, j, true, b.hasBounces)
-  if b.hasNudges and not isLast and correct(b, p, i, j, axis, t) then
+  if b.hasNudges and not isLast and nudge.correct(b, p, i, j, axis, t) then
     return false
   end
   local stays, separation, isElastic = impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)

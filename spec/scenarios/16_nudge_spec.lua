@@ -378,6 +378,24 @@ describe("nudge", function()
       end)
     end)
 
+    it("leads up stairs on a platform that sinks or rises, as on one that stands", function()
+      for _, speed in ipairs({ -40, 0, 10, 40 }) do
+        local world = physics.newWorld({ gravity = 800 })
+        for _, step in ipairs({ { 0, 100 }, { 60, 92 }, { 90, 84 } }) do
+          local stair = { x = step[1], y = step[2], width = 200, height = 8, vy = speed }
+          stair.kinematic = true
+          world:add("stairs", stair)
+        end
+        local man = { x = 20, y = 80, width = 12, height = 20, nudge = 9 }
+        world:add("men", man)
+        for _ = 1, 60 do
+          man.vx = 80
+          world:update(1 / 60)
+        end
+        assert.near(100, man.x, 80 / 60 + 1e-9)
+      end
+    end)
+
     it("lets a box that floats slip off an edge", function()
       scene.each(SOME, function(run)
         local named = run:build({
