@@ -465,18 +465,14 @@ describe("world:setBounds", function()
   end)
 end)
 
+-- (Wrong numbers and tables are in bad_matrix_spec.)
 describe("what moves by hand refuses", function()
-  local nan = 0 / 0
   for _, row in ipairs({
-    { "move", { 1 }, "world:move(object, x, y): object must be a table, got 1" },
-    { "move", { "me", nan, 0 }, "world:move(object, x, y): x must be a number, got nan" },
-    { "move", { "me", 0 }, "world:move(object, x, y): y must be a number, got nil" },
     {
       "move",
       { "me", 0, 0, "glide" },
       'response must be "slide", "touch", "cross" or "bounce", got "glide"',
     },
-    { "move", { "me", 0, 0, 1 }, 'response must be "slide", "touch", "cross" or "bounce", got 1' },
     {
       "move",
       {
@@ -489,7 +485,6 @@ describe("what moves by hand refuses", function()
       },
       "what response(object, other) returns must be",
     },
-    { "move", { "me", 0, 0, nil, 1 }, "world:move(object, x, y): out must be a table, got 1" },
     { "move", { "wall", 0, 0 }, "world:move(object, x, y): object must not be static" },
     {
       "move",
@@ -501,10 +496,7 @@ describe("what moves by hand refuses", function()
       { "wall", 0, 0 },
       "world:impulse(object, ix, iy): object must be dynamic, got a static one",
     },
-    { "impulse", { "me", 0, nan }, "world:impulse(object, ix, iy): iy must be a number, got nan" },
-    { "impulse", { {}, 0, 0 }, "world:impulse(object, ix, iy): the object is not in the world" },
     { "setBounds", { 0, 0, 0, 5 }, "world:setBounds(x, y, w, h): w must be a number > 0, got 0" },
-    { "setBounds", { 0 }, "world:setBounds(x, y, w, h): y must be a number, got nil" },
   }) do
     it(row[3], function()
       local world = still()

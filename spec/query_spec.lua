@@ -1155,11 +1155,9 @@ describe("world:explain", function()
   end)
 end)
 
+-- (Wrong numbers and tables are in bad_matrix_spec.)
 describe("a question refuses", function()
-  local nan, inf = 0 / 0, 1 / 0
   for _, row in ipairs({
-    { "queryPoint", { "1", 2 }, 'queryPoint(x, y): x must be a number, got "1"' },
-    { "queryPoint", { 1, nan }, "queryPoint(x, y): y must be a number, got nan" },
     { "queryPoint", { 1, 2, true }, "queryPoint(x, y): filter must be a group name" },
     {
       "queryPoint",
@@ -1167,27 +1165,19 @@ describe("a question refuses", function()
       "filter[1] must be a group name, got table (the name of a group, not its table)",
     },
     { "queryPoint", { 1, 2, { boxes = true } }, "queryPoint(x, y): filter must be a group name" },
-    { "queryPoint", { 1, 2, nil, 3 }, "queryPoint(x, y): out must be a table, got 3" },
     { "queryRect", { 1, 2, 0, 4 }, "queryRect(x, y, w, h): w must be a number > 0, got 0" },
-    { "queryRect", { 1, 2, 3 }, "queryRect(x, y, w, h): h must be a number > 0, got nil" },
-    { "querySegment", { 1, 2, inf, 4 }, "x2 must be a finite number, got inf" },
-    { "raycast", { 1, 2, 3 }, "raycast(x1, y1, x2, y2): y2 must be a number, got nil" },
     { "nearest", { 1, 2, -1 }, "nearest(x, y, radius): radius must be a number >= 0, got -1" },
-    { "sweep", { 1, 2, 3 }, "sweep(object, dx, dy): object must be a table, got 1" },
     {
       "sweep",
       { {}, 2, 3 },
       "sweep(object, dx, dy): the object is not in the world (removed, or never added)",
     },
-    { "overlapping", {}, "overlapping(object): object must be a table, got nil" },
     {
       "overlapping",
       { {} },
       "overlapping(object): the object is not in the world (removed, or never added)",
     },
     { "touching", { {}, {} }, "touching(a, b): a is not in the world (removed, or never added)" },
-    { "touching", { {} }, "touching(a, b): b must be a table, got nil" },
-    { "explain", { 1, {} }, "explain(a, b): a must be a table, got 1" },
   }) do
     it(row[3], function()
       local world, given = four(), row[2]
