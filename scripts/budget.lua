@@ -13,7 +13,7 @@ local BUDGET = {
   { "physics/memory", 842 },
   { "physics/motion", 1270 },
   { "physics/objects", 1629 },
-  { "physics/queries", 924 },
+  { "physics/queries", 923 },
   { "physics/sleep", 94 },
   { "physics/solver", 4526 },
   { "physics/space", 439 },
