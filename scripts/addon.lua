@@ -135,12 +135,19 @@ function addon.text()
   return text .. table.concat(more, "\n") .. code
 end
 
---- Writes the addon into a folder that is there.
+-- For `require "lib.physics"`: a file of types is found under one name only.
+local IN_LIB = [[
+---@meta lib.physics
+return require("physics")
+]]
+
+--- Writes the addon into a folder that is there, with the folders `library` and `library/lib`.
 ---@param folder string
 function addon.write(folder)
   for name, text in pairs({
     ["config.json"] = CONFIG,
     ["library/physics.lua"] = addon.text(),
+    ["library/lib/physics.lua"] = IN_LIB,
   }) do
     local file = assert(io.open(folder .. "/" .. name, "wb"))
     file:write(text)

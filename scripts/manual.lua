@@ -1,7 +1,8 @@
 --- Writes the reference, docs/api.md and docs/api/, from the docstrings,
 --- physics/fields/fields.lua and scripts/manual_examples.lua:
 ---
----   luajit scripts/manual.lua       writes the pages
+---   luajit scripts/manual.lua           writes the pages
+---   luajit scripts/manual.lua --names   prints the names for the editor of the playground, as JSON
 
 package.path = "./?.lua;" .. package.path
 
@@ -236,9 +237,13 @@ local function joined(list)
   return items
 end
 
+-- A number needs no word for its type: its unit says it.
 local function item(param, mark)
   local kind, text = code(param.type), param.text
   local head = param.name == "" and kind or ("`%s` (%s)"):format(param.name, kind)
+  if param.type == "number" and text ~= "" and param.name ~= "" then
+    head = "`" .. param.name .. "`"
+  end
   return "- " .. mark .. head .. (text == "" and "" or ": " .. text)
 end
 
@@ -389,6 +394,15 @@ local function functions()
   return found
 end
 
+-- Types with fields that the page Maps lists.
+local ON_MAPS_PAGE = {
+  ["physics.TiledOptions"] = true,
+  ["physics.LDtkOptions"] = true,
+  ["physics.TileOptions"] = true,
+  ["physics.Level"] = true,
+  ["physics.LDtkLevel"] = true,
+}
+
 local function addType(lines, entry)
   add(lines, ("## %s (type)"):format(entry.name), "")
   if entry.kind == "alias" then
@@ -397,9 +411,12 @@ local function addType(lines, entry)
     add(lines, ("All fields of %s, and:"):format(code(entry.type)), "")
   end
   addText(lines, entry.text)
-  local shown = {}
+  local shown, isElsewhere = {}, ON_MAPS_PAGE[entry.name]
+  if isElsewhere then
+    add(lines, "The page [Maps](../maps.md) lists its fields.", "")
+  end
   for _, field in ipairs(entry.fields) do
-    if field.name:find("^%a") then
+    if field.name:find("^%a") and not isElsewhere then
       shown[#shown + 1] = field
     end
   end
@@ -611,7 +628,43 @@ function manual.pages()
   return pages
 end
 
-if arg and arg[0] and arg[0]:find("scripts/manual.lua", 1, true) then
+local function quoted(text)
+  return '"' .. text:gsub('[%c"\\]', { ['"'] = '\\"', ["\\"] = "\\\\", ["\n"] = " " }) .. '"'
+end
+
+-- Adds a name with what it is, what it means, and where the reference has it.
+local function addName(list, name, kind, detail, text, place)
+  local values = { name, kind, detail, text, "api/" .. place:gsub("%.md#", "/#") }
+  for i, value in ipairs(values) do
+    values[i] = quoted(value)
+  end
+  list[#list + 1] = "[" .. table.concat(values, ",") .. "]"
+end
+
+--- Returns all names as JSON: a list of [name, "function"|"field"|"setting", detail, text, place].
+---@return string
+function manual.names()
+  local list = {}
+  for _, each in ipairs(functions()) do
+    local text = (table.concat(each.entry.text, " ") .. " "):match("^(.-%.) ")
+    local place = each.page .. ".md" .. anchorOf(each.name)
+    addName(list, each.name, "function", signature(each.entry, each.place), text, place)
+  end
+  for _, field in ipairs(fields.objects) do
+    local place = "fields.md#field-" .. field.name:lower()
+    addName(list, field.name, "field", kindOf(field), field.meaning, place)
+  end
+  for _, field in ipairs(fields.settings) do
+    local place = "settings.md#setting-" .. field.name:lower()
+    addName(list, field.name, "setting", kindOf(field), field.meaning, place)
+  end
+  return "[" .. table.concat(list, ",\n") .. "]\n"
+end
+
+local isProgram = arg and arg[0] and arg[0]:find("scripts/manual.lua", 1, true)
+if isProgram and arg[1] == "--names" then
+  io.write(manual.names())
+elseif isProgram then
   os.execute("mkdir -p docs/api")
   for path, text in pairs(manual.pages()) do
     local file = assert(io.open(path, "wb"))

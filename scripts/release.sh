@@ -13,7 +13,7 @@ place=build/release
 zip=$PWD/$place/$name.zip
 
 pack() {
-  rm -rf "$place" && mkdir -p "$place/$name/addon/library" || return
+  rm -rf "$place" && mkdir -p "$place/$name/addon/library/lib" || return
   luajit scripts/single.lua "$place/$name/physics.lua" || return
   luajit scripts/addon.lua "$place/$name/addon" || return
   cp LICENSE CHANGELOG.md "$place/$name/" || return
@@ -38,7 +38,8 @@ check "it can be unpacked" unzip -q "$zip" -d "$elsewhere"
 holds() {
   local found expected
   found=$(cd "$elsewhere/$name" && find . -type f | LC_ALL=C sort)
-  expected=$(printf './%s\n' CHANGELOG.md LICENSE addon/config.json addon/library/physics.lua physics.lua)
+  expected=$(printf './%s\n' CHANGELOG.md LICENSE addon/config.json \
+    addon/library/lib/physics.lua addon/library/physics.lua physics.lua)
   echo "$found"
   [ "$found" = "$expected" ]
 }
@@ -84,6 +85,18 @@ check "it finds a method that does not exist" finds undefined-field 'world:updae
 check "and a function that does not exist" finds undefined-field 'physics.updaet(1)'
 check "and an argument that is missing" finds missing-parameter 'world:update()'
 check "and a setting of the wrong type" finds param-type-mismatch 'physics.load({ gravity = "9" })'
+
+lib_finds() {
+  sed -i 's/require("physics")/require("lib.physics")/' "$elsewhere/game.lua"
+  finds undefined-field 'world:updaet(1)'
+}
+check "it also finds it for a game that requires lib.physics" lib_finds
+
+single_finds() {
+  rm -r "$types/library" && mkdir -p "$types/lib" && cp "$elsewhere/$name/physics.lua" "$types/lib/"
+  emmylua "" && finds undefined-field 'world:updaet(1)'
+}
+check "the single file alone does the same, and has no warnings of its own" single_finds
 
 echo "The release is ${zip#"$PWD"/}"
 finish

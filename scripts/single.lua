@@ -29,6 +29,7 @@ local function commented(text)
 end
 
 local HEAD = [[
+---@diagnostic disable
 -- physics.lua %s, the whole library in one file.
 -- Written by `make single` from the files of the repository: change those, not this one.
 --
@@ -53,8 +54,19 @@ modules["%s"] = function(...)
 end
 ]]
 
+-- The types for editors: comments, and functions that are never called.
+local TYPES = [[
+
+do
+%s
+end
+]]
+
 local version = assert(read("physics.lua"):match('_VERSION = "([^"]+)"'), "physics.lua: no version")
-local parts = { HEAD:format(version, commented(read("LICENSE"))) }
+local parts = {
+  HEAD:format(version, commented(read("LICENSE"))),
+  TYPES:format((read("physics/types.lua"):gsub("^%-%-%-@meta[^\n]*\n", ""))),
+}
 for file in list("find physics.lua physics -name '*.lua' | LC_ALL=C sort") do
   local name = file:gsub("%.lua$", ""):gsub("/", ".")
   local text = read(file):gsub("%s+$", "")
@@ -62,7 +74,7 @@ for file in list("find physics.lua physics -name '*.lua' | LC_ALL=C sort") do
     parts[#parts + 1] = MODULE:format(name, text)
   end
 end
-parts[#parts + 1] = '\nreturn require("physics")\n'
+parts[#parts + 1] = '\nlocal door = require("physics") ---@type physics.Module\nreturn door\n'
 
 local output = assert(io.open(path, "wb"))
 output:write(table.concat(parts))

@@ -30,6 +30,7 @@ bundle() {
 }
 
 bash scripts/web.sh >/dev/null || exit 1
+luajit scripts/manual.lua --names >build/names.json || exit 1
 rm -rf $source build/site
 python3 web/site/stage.py $source || exit 1
 cp -r web/site/overrides $source/

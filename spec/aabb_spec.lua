@@ -10,8 +10,6 @@ local function numbers(a, b)
   return a[1], a[2], a[3], a[4], b[1], b[2], b[3], b[4]
 end
 
-local unpack = rawget(table, "unpack") or rawget(_G, "unpack")
-
 describe("aabb", function()
   --  0   5   10  15
   --  +-------+
@@ -170,28 +168,4 @@ describe("aabb", function()
       end
     end)
   end)
-end)
-
-describe("aabb.crossing", function()
-  -- A line from 0, 0, and the edges of a box: whether they meet.
-  local ROWS = {
-    { "through it", 20, 10, 5, 0, 10, 10, true },
-    { "it ends before", 4, 2, 5, 0, 10, 10, false },
-    { "it ends at the edge", 5, 2, 5, 0, 10, 10, true },
-    { "the box is behind", -20, -10, 5, 0, 10, 10, false },
-    { "past it", 20, 30, 5, 0, 10, 5, false },
-    { "straight up", 0, -20, -5, -15, 5, -10, true },
-    { "straight up beside it", 0, -20, 1, -15, 5, -10, false },
-    { "no way, inside", 0, 0, -1, -1, 1, 1, true },
-    { "no way, outside", 0, 0, 1, 1, 2, 2, false },
-    { "far away", 2e8, 2e8, 1e8, 1e8, 1.1e8, 1.1e8, true },
-    { "far aside", 0, 10, 1e9, 0, 1.1e9, 10, false },
-  }
-  for _, row in ipairs(ROWS) do
-    it("knows a line and a box: " .. row[1], function()
-      local _, dx, dy, left, top, right, bottom, isMet = unpack(row)
-      local shareX, shareY = aabb.share(dx), aabb.share(dy)
-      assert.equal(isMet, aabb.crossing(left, top, right, bottom, shareX, shareY) >= 0)
-    end)
-  end
 end)

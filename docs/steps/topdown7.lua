@@ -1,6 +1,6 @@
 -- Step 7: gems and a magnet
 
-local physics = require "physics"
+local physics = require("physics")
 local world, player
 local SPEED = 160 -- px/s
 
@@ -34,13 +34,20 @@ end
 local gems = 0
 
 local function takeGem(gem, other)
-  if other == player and world:remove(gem) then gems = gems + 1 end
+  if other == player and world:remove(gem) then
+    gems = gems + 1
+  end
 end
 
 local function dropGem(x, y)
   world:add("gems", {
-    x = x, y = y, width = 8, height = 8, airFriction = 4,
-    sensor = true, onBegin = takeGem,
+    x = x,
+    y = y,
+    width = 8,
+    height = 8,
+    airFriction = 4,
+    sensor = true,
+    onBegin = takeGem,
   })
 end
 
@@ -48,8 +55,12 @@ local magnet
 
 local function addMagnet()
   magnet = world:add("magnets", {
-    x = 0, y = 0, radius = 120, kinematic = true, sensor = true,
-    mask = { players = false, enemies = false, crates = false, bullets = false },
+    x = 0,
+    y = 0,
+    radius = 120,
+    kinematic = true,
+    sensor = true,
+    hits = { "gems" }, -- it acts on nothing else
     area = { attract = 900 }, -- px/s² towards its centre
   })
 end
@@ -60,15 +71,24 @@ local facingX, facingY = 1, 0
 local function hit(bullet, other)
   if world:remove(bullet) and other.health then
     other.health = other.health - 1
-    if other.health <= 0 and world:remove(other) then dropGem(other.x, other.y) end
+    if other.health <= 0 and world:remove(other) then
+      dropGem(other.x, other.y)
+    end
   end
 end
 
 function love.keypressed(key)
   if key == "space" then
     world:add("bullets", {
-      x = player.x + 11, y = player.y + 11, width = 6, height = 6,
-      vx = 600 * facingX, vy = 600 * facingY, sensor = true, hits = HITS, onBegin = hit,
+      x = player.x + 11,
+      y = player.y + 11,
+      width = 6,
+      height = 6,
+      vx = 600 * facingX,
+      vy = 600 * facingY,
+      sensor = true,
+      hits = HITS,
+      onBegin = hit,
     })
   end
 end
@@ -79,7 +99,9 @@ local function hurt(dt)
   safe = safe - dt
   local x, y, w, h = player.x - 2, player.y - 2, player.width + 4, player.height + 4
   local list, count = world:queryRect(x, y, w, h, "enemies")
-  if count == 0 or safe > 0 then return end
+  if count == 0 or safe > 0 then
+    return
+  end
   health, safe = health - 1, 1
   for i = 1, count do -- knock-back
     local enemy = list[i]
@@ -89,18 +111,24 @@ local function hurt(dt)
 end
 
 function love.load()
-  world = physics.newWorld {
-    gravity = 0, checked = true,
+  world = physics.newWorld({
+    gravity = 0,
+    checked = true,
     soft = { enemies = { enemies = 300 } }, -- px/s: they drift apart instead of colliding
-  }
+  })
   world:setBounds(0, 0, 800, 600)
   addWalls()
   addCrates()
   addEnemies()
   addMagnet()
   player = world:add("players", {
-    x = 100, y = 100, width = 28, height = 28,
-    nudge = 12, strength = 1, mass = 10, -- a crowd slows it, but does not move it
+    x = 100,
+    y = 100,
+    width = 28,
+    height = 28,
+    nudge = 12,
+    strength = 1,
+    mass = 10, -- a crowd slows it, but does not move it
   })
 end
 
@@ -109,7 +137,9 @@ local function control()
   local dx = (isDown("right") and 1 or 0) - (isDown("left") and 1 or 0)
   local dy = (isDown("down") and 1 or 0) - (isDown("up") and 1 or 0)
   local length = math.max(1, math.sqrt(dx * dx + dy * dy)) -- not faster on the diagonal
-  if dx ~= 0 or dy ~= 0 then facingX, facingY = dx / length, dy / length end
+  if dx ~= 0 or dy ~= 0 then
+    facingX, facingY = dx / length, dy / length
+  end
   player.vx, player.vy = SPEED * dx / length, SPEED * dy / length
 end
 

@@ -1,5 +1,6 @@
 // The page of the playground: an editor, a picture, buttons. The program runs in worker.js.
 
+import { autocompletion } from "@codemirror/autocomplete";
 import { defaultKeymap, history as undo, historyKeymap, indentWithTab } from "@codemirror/commands";
 import { HighlightStyle, StreamLanguage, bracketMatching, indentOnInput } from "@codemirror/language";
 import { indentUnit, syntaxHighlighting } from "@codemirror/language";
@@ -8,18 +9,21 @@ import { lintGutter, setDiagnostics } from "@codemirror/lint";
 import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
 import { EditorState } from "@codemirror/state";
 import { EditorView, drawSelection, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
-import { highlightActiveLineGutter } from "@codemirror/view";
+import { highlightActiveLineGutter, hoverTooltip } from "@codemirror/view";
 import { tags } from "@lezer/highlight";
 
 import { nameOf } from "./keys.js";
 import { pack, unpack } from "./link.js";
 import { HEIGHT, WIDTH } from "./paint.js";
-import { snippets } from "./snippets.js";
+import { aboutName, complete } from "./names.js";
+import { snippets, steps } from "./snippets.js";
 
 const PATIENCE = 5000; // ms without an answer until a program counts as endless
 const PERIOD = 1000; // ms between two questions
 const SHARPEST = 2; // px of the screen for one of CSS, at most
 const MOST_LINES = 200; // lines of output that are kept
+const QUIET = 400; // ms after the last key until a changed program starts
+const STORE = "physics.lua playground"; // where a program is kept over a reload
 
 const find = (id) => document.getElementById(id);
 const place = import.meta.url; // of this file; the others lie beside it
@@ -29,6 +33,7 @@ const page = {
   pause: find("pg-pause"),
   step: find("pg-step"),
   reset: find("pg-reset"),
+  original: find("pg-original"),
   share: find("pg-share"),
   editor: find("pg-editor"),
   screen: find("pg-screen"),
@@ -67,6 +72,8 @@ const editor = new EditorView({
       indentUnit.of("  "),
       StreamLanguage.define(lua),
       syntaxHighlighting(COLORS),
+      autocompletion({ override: [complete], icons: false }),
+      hoverTooltip(aboutName),
       keymap.of([
         { key: "Mod-Enter", run: () => (run(), true) },
         indentWithTab,
@@ -76,7 +83,9 @@ const editor = new EditorView({
       ]),
       EditorView.contentAttributes.of({ "aria-label": "Program" }),
       EditorView.updateListener.of((update) => {
-        if (update.docChanged) rememberSoon();
+        if (!update.docChanged) return;
+        rememberSoon();
+        runSoon();
       }),
     ],
   }),
@@ -100,13 +109,16 @@ function mark(line, message) {
 
 // Address -----------------------------------------------------------------------------------------
 
+const programs = [...snippets, ...steps];
+let original = ""; // the program before it was changed
 let timer;
 let written = ""; // the part of the address after "#", as it was last written here
 
 async function remember() {
   clearTimeout(timer);
   const code = codeNow();
-  const snippet = snippets.find((each) => each.code === code);
+  const snippet = programs.find((each) => each.code === code);
+  keep(code);
   page.list.value = snippet?.name ?? "";
   const part = snippet ? `snippet=${snippet.name}` : `code=${await pack(code)}`;
   if (code !== codeNow()) return; // it has been changed meanwhile, and will be remembered later
@@ -119,15 +131,34 @@ function rememberSoon() {
   timer = setTimeout(remember, 300);
 }
 
-// Shows and starts the program that the address names, the first snippet when it names none.
+// What was written last in this browser: { code, original }, if it can be kept and read.
+function kept() {
+  try {
+    return JSON.parse(localStorage.getItem(STORE)) ?? {};
+  } catch {
+    return {};
+  }
+}
+
+function keep(code) {
+  try {
+    localStorage.setItem(STORE, JSON.stringify({ code, original }));
+  } catch {} // a browser may forbid it
+}
+
+// Shows and starts the program that the address names. When it names none: what was written last in
+// this browser, else the first snippet.
 async function openAddress() {
   const wishes = new URLSearchParams(location.hash.slice(1));
   const name = wishes.get("snippet");
-  let { code } = snippets.find((each) => each.name === name) ?? snippets[0];
+  let { code } = programs.find((each) => each.name === name) ?? snippets[0];
   let problem = "";
+  original = code;
+  if (!name && !wishes.has("code") && kept().code) ({ code, original = code } = kept());
   if (wishes.has("code")) {
     try {
       code = await unpack(wishes.get("code"));
+      original = code;
     } catch {
       problem = "The program in the address cannot be read; it may be cut off. This is the first snippet.";
     }
@@ -205,9 +236,20 @@ function start(code) {
 
 // Starts what stands in the editor.
 function run() {
+  clearTimeout(soon);
   setPaused(false);
   start(codeNow());
   canvas.focus({ preventScroll: true });
+}
+
+let soon; // the timer of a changed program
+
+// Starts a changed program when no key was pressed for a while; the editor keeps the keys.
+function runSoon() {
+  clearTimeout(soon);
+  soon = setTimeout(() => {
+    if (codeNow() !== started) start(codeNow());
+  }, QUIET);
 }
 
 const waiting = []; // for the hash of `play`
@@ -327,11 +369,19 @@ for (const button of page.pad.querySelectorAll("[data-key]")) {
 
 // Buttons -----------------------------------------------------------------------------------------
 
-for (const { name, title } of snippets) page.list.add(new Option(title, name));
+function addChoices(label, list) {
+  const group = document.createElement("optgroup");
+  group.label = label;
+  group.append(...list.map(({ name, title }) => new Option(title, name)));
+  page.list.append(group);
+}
+addChoices("Snippets", snippets);
+addChoices("Step by step", steps);
 
 page.list.addEventListener("change", () => {
-  const chosen = snippets.find((each) => each.name === page.list.value);
+  const chosen = programs.find((each) => each.name === page.list.value);
   if (!chosen) return;
+  original = chosen.code;
   show(chosen.code);
   remember();
   run();
@@ -349,6 +399,11 @@ page.step.addEventListener("click", () => {
   say("step");
 });
 page.reset.addEventListener("click", () => start(started));
+page.original.addEventListener("click", () => {
+  show(original);
+  remember();
+  run();
+});
 page.share.addEventListener("click", async () => {
   await remember();
   let text = "Copied";

@@ -33,6 +33,7 @@ function isProgram(code) {
 for (const block of document.querySelectorAll(".md-typeset .language-lua.highlight")) {
   const code = block.querySelector("code").textContent;
   if (!isProgram(code) || block.closest("[data-no-try]")) continue;
+  if (block.nextElementSibling?.querySelector(".try")) continue; // the page has a link of its own
   const link = document.createElement("a");
   link.className = "try";
   link.textContent = "Run it in the playground";

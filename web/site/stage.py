@@ -21,6 +21,8 @@ PAGES = {
     "CHANGELOG.md": "changelog.md",
     "CONTRIBUTING.md": "contributing.md",
     "ARCHITECTURE.md": "architecture.md",
+    "spec/TESTING.md": "testing.md",
+    "bench/README.md": "benchmark.md",
 }
 
 # The menu. A page that does not exist is left out. A page of docs/ that is not named here stands at
@@ -31,10 +33,12 @@ MENU = [
     ("Guide", ["guide/*", "platformers.md", "topdown.md", "maps.md", "events.md", "state.md", "recipes.md"]),
     ("Examples", ["examples/*"]),
     ("Playground", ["playground.md"]),
-    ("Reference", ["api.md"]),
+    ("Reference", [
+        "api.md", "api/fields.md", "api/settings.md", "api/world.md", "api/queries.md", "api/maps.md", "api/types.md",
+    ]),
     ("More", [
-        "coming-from.md", "faq.md", "performance.md", "reliability.md", "architecture.md",
-        "contributing.md", "changelog.md",
+        "compare.md", "faq.md", "coming-from.md", "glossary.md", "performance.md", "reliability.md", "size.md",
+        "architecture.md", "contributing.md", "testing.md", "benchmark.md", "changelog.md",
     ]),
 ]
 
@@ -46,8 +50,6 @@ EXAMPLE = """\
 <div class="example" data-example="{name}">
 <button type="button"><img src="../../pictures/{name}.png" alt="{title}"><span>▶ Play</span></button>
 </div>
-<p class="needs-keys">It is played with a keyboard.</p>
-
 {comment}
 
 <a href="../../play/?example={name}" target="_blank">Open it in a window of its own</a>
@@ -82,9 +84,27 @@ Each one runs in its page, in your browser. `make demo` opens them in LÖVE.
 
 # What stands before the text of a page: how it is shown and found.
 HEADS = {
-    "index.md": "---\nhide: [navigation]\n---\n",
-    "api.md": "---\nsearch: { boost: 4 }\n---\n",
+    "index.md": "---\nhide: [navigation, toc]\n---\n",
+    "api.md": "---\nsearch: { boost: 2 }\n---\n",
+    "api/fields.md": "---\nsearch: { boost: 4 }\n---\n",
+    "api/world.md": "---\nsearch: { boost: 4 }\n---\n",
+    "faq.md": "---\nsearch: { boost: 3 }\n---\n",
+    "state.md": "---\nsearch: { boost: 5 }\n---\n",
 }
+
+# The front page begins with an example over its whole width, and four buttons.
+HERO = """\
+<div class="hero example" data-example="hills">
+<button type="button"><img src="pictures/hills.webp" alt="The hero runs over hills and jumps on crates">\
+<span>▶ Play</span></button>
+</div>
+<p class="hero-links">
+<a href="{repository}/releases/latest/download/physics.lua">Download one file</a>
+<a href="examples/">Play the examples</a>
+<a href="playground/">Playground</a>
+<a href="guide/">Manual</a>
+</p>
+"""
 
 PLAYGROUND = """\
 ---
@@ -161,6 +181,17 @@ def lead(target, source):
     return posixpath.relpath(inside, posixpath.dirname(page) or ".") + mark + anchor
 
 
+# A program of a page, which the playground runs.
+STEP = re.compile(r"\[The whole program\]\(steps/(\w+)\.lua\)")
+
+
+def add_hero(markdown):
+    """Puts the example and the buttons into the place of the picture and the links of the README."""
+    picture = markdown.index("![The hero")
+    end = markdown.index("```lua")
+    return markdown[:picture] + HERO.format(repository=REPOSITORY) + "\n" + markdown[end:]
+
+
 LINK = re.compile(r'(\]\()([^)\s#:][^)\s:]*)(?=\)|\s+"[^"]*"\))')
 CODE = re.compile(r"(`+[^`]*`+)")
 
@@ -169,9 +200,12 @@ def translate(markdown, source):
     lines = []
     for line, is_code in split_code(space_lists(markdown)):
         if not is_code:
+            line = STEP.sub(r'<a class="try" href="../playground/#snippet=\1">Run this step in the playground</a>', line)
             parts = CODE.split(line)
             for i in range(0, len(parts), 2):
                 parts[i] = LINK.sub(lambda link: link[1] + lead(link[2], source), parts[i])
+            if line.startswith("![") and len(parts) == 1:
+                parts[0] += "{ loading=lazy }"
             if line.startswith("|"):
                 # In a table GitHub wants "\\|" also inside of code, Python's Markdown shows it.
                 for i in range(1, len(parts), 2):
@@ -266,7 +300,8 @@ def main():
         write(source.removeprefix("docs/"), translate(read(source), source))
     for source, name in PAGES.items():
         if (ROOT / source).exists():
-            write(name, translate(read(source), source))
+            text = translate(read(source), source)
+            write(name, add_hero(text) if name == "index.md" else text)
     write_examples(write)
     write("playground.md", PLAYGROUND)
     # What is JSON is YAML.
