@@ -36,7 +36,6 @@ build = {
   modules = {
     ["physics"] = "physics.lua",
     ["physics.broadphase.activePairs"] = "physics/broadphase/activePairs.lua",
-    ["physics.broadphase.allPairs"] = "physics/broadphase/allPairs.lua",
     ["physics.broadphase.filter"] = "physics/broadphase/filter.lua",
     ["physics.broadphase.grid"] = "physics/broadphase/grid.lua",
     ["physics.broadphase.gridLines"] = "physics/broadphase/gridLines.lua",

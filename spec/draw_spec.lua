@@ -314,12 +314,6 @@ describe("draw", function()
     world:draw({ grid = true })
     local found = rectangles(calls)
     assert.same({ "64 128 64 1", "64 191 64 1" }, { found[1], found[2] })
-    world.broadphase = "pairs"
-    world:update(1 / 60)
-    graphics, calls = newRecorder()
-    rawset(_G, "love", { graphics = graphics })
-    world:draw({ grid = true })
-    assert.equal(2, #calls)
   end)
 
   it("draws as opaque as asked", function()

@@ -5,9 +5,6 @@ local fresh = require("spec.support.fresh")
 
 -- What calls load, by the file that they need.
 local USES = {
-  ["physics.broadphase.allPairs"] = function(physics)
-    physics.newWorld({ broadphase = "pairs" })
-  end,
   ["physics.maps.array"] = function(_, world)
     world:addTiles("tiles", { "#" }, nil, 16)
   end,

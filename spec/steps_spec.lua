@@ -1,7 +1,7 @@
 --- The broad phases, by themselves, and the limit of a speed inside a step.
 
 local columns = require("physics.memory.columns")
-local allPairs = require("physics.broadphase.allPairs")
+local allPairs = require("spec.support.all_pairs")
 local grid = require("physics.broadphase.grid")
 local newRandom = require("spec.support.random").new
 local path = require("physics.motion.path")

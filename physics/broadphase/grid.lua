@@ -48,10 +48,12 @@ local function makeBuckets(self, count)
   clear(self)
 end
 
---- Returns an empty grid over the columns `b`; `cellSize` in px, default 48.
-function grid.new(b, cellSize)
+--- Returns an empty grid over the columns `b`; `cellSize` in px, default 48. `comparesAll`: it
+--- compares all objects with each other, to see that the cells change no result.
+function grid.new(b, cellSize, comparesAll)
   local self = setmetatable({
     bodies = b,
+    comparesAll = comparesAll,
     cell = cellSize or DEFAULT_CELL,
     list = {}, -- slots in the grid, from 1 on
     count = 0,
@@ -226,7 +228,8 @@ local RANGE, CELL = 6, 3
 -- Returns the number of cells from which on comparing with all objects is cheaper. If an object is
 -- wider than the largest cells, it may reach over any number of them: then it always is.
 local function mostCells(self)
-  return self.reach[LEVELS] > self.cell * 2 ^ LEVELS + SLACK and -huge or 16 + self.count
+  local isAll = self.comparesAll or self.reach[LEVELS] > self.cell * 2 ^ LEVELS + SLACK
+  return isAll and -huge or 16 + self.count
 end
 
 -- Returns whether a rectangle takes more than `most` cells.

@@ -116,6 +116,8 @@ local function wakeLinked(b, count)
     local matters = kind[j] == DYNAMIC or kind[i] ~= DYNAMIC
     if matters and not awake[j] and (awake[i] or kind[i] == STATIC) then
       islands.wake(b, j)
+    elseif kind[j] == STATIC and not awake[i] then
+      islands.wake(b, i)
     end
   end
 end
@@ -136,21 +138,21 @@ end
 
 -- Computes the fat box on the axis of k. It includes the place where the step began, since the path
 -- may end there, too.
-local function fatten(b, k, margin, farthest)
+local function fatten(b, k, farthest)
   local start, from, to, size = b.position[k], b.from[k], b.to[k], b.size[k]
   local ahead = max(min((to - from) * AHEAD, farthest), -farthest)
-  b.fatLow[k] = min(start, from, to) - margin + min(ahead, 0)
-  b.fatHigh[k] = max(start, from, to) + size + margin + max(ahead, 0)
+  b.fatLow[k] = min(start, from, to) - MARGIN + min(ahead, 0)
+  b.fatHigh[k] = max(start, from, to) + size + MARGIN + max(ahead, 0)
 end
 
 -- Gives the bodies in strays[1..count] fat boxes around their present paths.
-local function enlarge(b, strays, count, margin)
+local function enlarge(b, strays, count)
   local broadphase, placed, only = b.broadphase, b.placed, b.only
   for m = 1, count do
     local i = strays[m]
     local farthest = only[i] and FARTHEST_AIMED or FARTHEST
-    fatten(b, 2 * i, margin, farthest)
-    fatten(b, 2 * i + 1, margin, farthest)
+    fatten(b, 2 * i, farthest)
+    fatten(b, 2 * i + 1, farthest)
   end
   for m = 1, count do
     local i = strays[m]
@@ -162,21 +164,47 @@ local function enlarge(b, strays, count, margin)
   broadphase:update(strays, count)
 end
 
+-- Static bodies meet no other static ones. If there are more strays than bodies that can move, some
+-- are static, and all that can move are asked instead. Puts these into `strays`, and returns how
+-- many they are.
+local function askMovers(b, strays, count)
+  local kind, placed, strayAt, movers = b.kind, b.placed, b.strayAt, b.movers
+  local n = 0
+  if count <= b.moverCount then
+    return count
+  end
+  for m = 1, count do
+    local i = strays[m]
+    strayAt[i] = huge
+    if kind[i] ~= STATIC then
+      n = n + 1
+      strays[n], strayAt[i] = i, n
+    end
+  end
+  for m = 1, b.moverCount do
+    local i = movers[m]
+    if placed[i] ~= 0 and strayAt[i] == huge then
+      n = n + 1
+      strays[n], strayAt[i] = i, n
+    end
+  end
+  return n
+end
+
 -- Looks up the neighbours of the bodies in `strays[1..count]`.
-local function lookUp(b, strays, count, margin)
+local function lookUp(b, strays, count)
   -- All boxes come first, so that no pair is linked by an outdated box.
-  enlarge(b, strays, count, margin)
+  enlarge(b, strays, count)
   local partedCount = listParted(b, strays, count)
   if partedCount > 0 then
     columns.unlinkAll(b, b.parted, partedCount)
   end
-  linkNear(b, strays, count)
+  linkNear(b, strays, askMovers(b, strays, count))
 end
 
--- Lists in b.strays the bodies in `list[first..last]` with paths that come within `reach` px of the
--- edge of their fat boxes, or leave them, each once, and notes in `strayAt` where. Returns how many
--- there are.
-local function listStrays(b, list, first, last, reach)
+-- Lists in b.strays the bodies in `list[first..last]` with paths that leave their fat boxes, each
+-- once, and notes in `strayAt` where. Returns how many there are.
+local function listStrays(b, list, first, last)
   local strays, strayAt, active, placed, n = b.strays, b.strayAt, b.active, b.placed, 0
   local from, to, size, fatLow, fatHigh = b.from, b.to, b.size, b.fatLow, b.fatHigh
   for at = first, last do
@@ -188,7 +216,7 @@ local function listStrays(b, list, first, last, reach)
     -- The same happens on whichever side it leaves. (jit: 2)
     local outX = max(left - x, left - endX, x + width - right, endX + width - right)
     local outY = max(top - y, top - endY, y + height - bottom, endY + height - bottom)
-    if (max(outX, outY) > -reach or placed[i] ~= 2) and active[i] and strayAt[i] == huge then
+    if (max(outX, outY) > 0 or placed[i] ~= 2) and active[i] and strayAt[i] == huge then
       n = n + 1
       strays[n], strayAt[i] = i, n
     end
@@ -199,17 +227,9 @@ end
 --- Looks up the neighbours of the bodies in `list[first..last]` with paths that leave their fat
 --- boxes. A body that is listed twice is looked at once.
 function detect.run(b, list, first, last)
-  local n = listStrays(b, list, first, last, 0)
+  local n = listStrays(b, list, first, last)
   if n > 0 then
-    lookUp(b, b.strays, n, MARGIN)
-  end
-end
-
---- Looks up what is within `reach` px of the paths of the bodies in `list[first..last]`.
-function detect.runWithin(b, list, first, last, reach)
-  local n = listStrays(b, list, first, last, reach)
-  if n > 0 then
-    lookUp(b, b.strays, n, reach + MARGIN)
+    lookUp(b, b.strays, n)
   end
 end
 

@@ -38,9 +38,8 @@ columns.SHAPE_BOX, columns.SHAPE_CIRCLE = 0, 1
 columns.SHAPE_SLOPE_LEFT, columns.SHAPE_SLOPE_RIGHT = 2, 3
 columns.SHAPE_SLOPE_TOPLEFT, columns.SHAPE_SLOPE_TOPRIGHT = 4, 5
 
---- Shapes by the field `slope`, and that field by shape.
+--- Shapes by the field `slope`.
 columns.SLOPES = { left = 2, right = 3, topleft = 4, topright = 5 }
-columns.SLOPE_NAMES = { [2] = "left", [3] = "right", [4] = "topleft", [5] = "topright" }
 
 --- How far apart two edges may be and still count as touching, px.
 columns.EPSILON = 1e-6
@@ -65,11 +64,16 @@ columns.RANKS = 2 ^ 40
 columns.UNTOLD = -1
 
 local floor, max, min = math.floor, math.max, math.min
-local SLOT, ANY, AXIS, SIDE = layout.SLOT, layout.ANY, layout.AXIS, layout.SIDE
-local SLOT_NAMES, ANY_NAMES, AXIS_NAMES = layout.SLOT_NAMES, layout.ANY_NAMES, layout.AXIS_NAMES
-local STEP_SLOT, STEP_AXIS = layout.STEP_SLOT, layout.STEP_AXIS
+local EVERY, MOVING, PAIR_NAMES = layout.EVERY, layout.MOVING, layout.PAIR_NAMES
 -- Slots are prepared ahead: one for each so many that are in use.
 local AHEAD = 8
+-- Before the static bodies there are slots for so many that can move, or for one in SHARE of all.
+local ROOM, SHARE = 16, 8
+-- Up to so many bodies columns grow by themselves.
+local FEW = 256
+
+-- The global `require`: that of the single file knows only its modules.
+local hasNew, newTable = pcall(rawget(_G, "require"), "table.new")
 
 --- Sides are numbers inside: left, right, top, bottom are 1 to 4, so that the side on `axis` is
 --- `2 * axis + 1` (low) or `2 * axis + 2` (high).
@@ -89,88 +93,141 @@ function columns.shapeOf(value)
   return value and columns.SLOPES[value] or columns.SHAPE_BOX
 end
 
---- Returns the empty columns of a world.
-function columns.new()
-  local b = {}
-  initial(b)
-  for n = 1, #layout.NAMES do
-    b[layout.NAMES[n]] = {}
-  end
-  for n = 1, #AXIS_NAMES do
-    b[AXIS_NAMES[n]][1] = AXIS[AXIS_NAMES[n]] -- belongs to slot 0
-  end
-  -- Slot 0 is the empty slot, that of unlinked pairs. Its size is negative, so it meets nothing.
-  b.object[0], b.awake[0], b.rank[0], b.time[0] = false, false, 0, 0
-  b.head[0], b.next[0], b.previous[0] = 0, 0, 0
-  b.dirty[0], b.crowd[0], b.lowered[0], b.shape[0] = 0, 0, 0, 0
-  for k = 0, 1 do
-    b.from[k], b.to[k], b.speed[k], b.size[k] = 0, 0, 0, -1
-  end
-  b.flowPull, b.flowAir, b.flowDrag = b.pull, b.airFriction, b.drag -- but where there are zones
-  return b
-end
-
 local function fill(column, first, last, value)
   for at = first, last do
     column[at] = value
   end
 end
 
--- Gives slots their initial values, column by column. (Slot by slot, 20 000 tiles take twice as
--- long.)
-local function blank(b, first, last)
-  for n = 1, #SLOT_NAMES do
-    fill(b[SLOT_NAMES[n]], first, last, SLOT[SLOT_NAMES[n]])
-  end
-  for n = 1, #ANY_NAMES do
-    fill(b[ANY_NAMES[n]], first, last, ANY[ANY_NAMES[n]])
-  end
-  for n = 1, #AXIS_NAMES do
-    fill(b[AXIS_NAMES[n]], 2 * first, 2 * last + 1, AXIS[AXIS_NAMES[n]])
-  end
-  for n = 1, #SIDE do
-    fill(b[SIDE[n]], 4 * first + 1, 4 * last + 4, 0)
+-- Gives slots the initial values of some columns, column by column. (Slot by slot, 20 000 tiles
+-- take twice as long.)
+local function blank(b, rows, first, last)
+  for n = 1, #rows do
+    local row = rows[n]
+    local shift = row.width == 4 and 1 or 0 -- sides are 1 to 4
+    fill(b[row.name], row.width * first + shift, row.width * (last + 1) + shift - 1, row.value)
   end
 end
 
--- Takes a slot that was never used. Prepares a few slots behind it, too: more objects will come.
-local function takeNew(b)
+-- Names the columns that say what acts on a body, where there are no zones (see zones).
+local function nameFlow(b)
+  b.flowPull, b.flowAir, b.flowDrag = b.pull, b.airFriction, b.drag
+end
+
+--- Returns the empty columns of a world.
+function columns.new()
+  local b = {}
+  initial(b)
+  for n = 1, #layout.OTHERS do
+    b[layout.OTHERS[n]] = {}
+  end
+  for _, rows in ipairs({ EVERY, MOVING }) do
+    for n = 1, #rows do
+      b[rows[n].name] = {}
+    end
+    blank(b, rows, 0, 0)
+  end
+  -- Slot 0 is the empty slot, that of unlinked pairs. Its size is negative, so it meets nothing.
+  b.next[0], b.previous[0], b.size[0], b.size[1] = 0, 0, -1, -1
+  nameFlow(b)
+  return b
+end
+
+-- Returns the last slot to prepare together with slot i.
+local function ahead(i)
+  local room = 1 -- Lua makes room up to the next power of two
+  while room <= i do
+    room = room * 2
+  end
+  return min(i + floor(i / AHEAD), max(i, room - 1))
+end
+
+-- Makes the columns that each slot has anew, with room up to the slot `last`. (A table that grows
+-- takes the next power of two.) Keeps the first `count` slots.
+local function resize(b, count, last)
+  for n = 1, #EVERY do
+    local width, old = EVERY[n].width, b[EVERY[n].name]
+    local new = newTable(width * (last + 1), 0)
+    for k = 0, width * (count + 1) - 1 do
+      new[k] = old[k]
+    end
+    b[EVERY[n].name] = new
+  end
+  if not b.hasZones then
+    nameFlow(b)
+  end
+end
+
+-- Takes a slot for a static body that was never used.
+local function takeStatic(b)
+  if b.lastMover == math.huge then
+    b.lastMover = b.moverSlots + max(ROOM, floor(b.expected / SHARE))
+    if hasNew and b.expected > FEW then
+      resize(b, b.moverSlots, b.lastMover + b.expected + 1)
+    end
+    blank(b, EVERY, b.moverSlots + 1, b.lastMover)
+    b.slots, b.blankTo = b.lastMover, b.lastMover
+  end
   local i = b.slots + 1
   b.slots = i
   if i > b.blankTo then
-    local room = 1 -- Lua makes room up to the next power of two
-    while room <= i do
-      room = room * 2
-    end
-    b.blankTo = min(i + floor(i / AHEAD), max(i, room - 1))
-    blank(b, i, b.blankTo)
+    b.blankTo = b.expected > FEW and i + b.expected or ahead(i)
+    blank(b, EVERY, i, b.blankTo)
   end
   return i
 end
 
---- Takes a slot for a new object and returns it. All its columns have their initial values.
-function columns.claim(b)
-  local i = b.free[b.freeCount]
-  if i then
-    b.free[b.freeCount] = nil
-    b.freeCount = b.freeCount - 1
-    blank(b, i, i)
-  else
-    i = takeNew(b)
+--- Gives a slot the columns of bodies that can move, if it has not got them.
+function columns.complete(b, i)
+  if not b.full[i] then
+    b.full[i] = true
+    blank(b, MOVING, i, i)
   end
-  b.count = b.count + 1
+end
+
+-- Takes a slot for a body that can move that was never used.
+local function takeMover(b)
+  local i = b.moverSlots + 1
+  b.moverSlots, b.slots = i, max(b.slots, i)
+  if i > b.moverBlankTo then
+    b.moverBlankTo = min(ahead(i), b.lastMover)
+    blank(b, EVERY, i, b.moverBlankTo)
+    blank(b, MOVING, i, b.moverBlankTo)
+  end
+  b.full[i] = true
+  return i
+end
+
+-- Takes a slot from a list of free ones.
+local function takeFree(b, list)
+  local i = list[#list]
+  if i then
+    list[#list] = nil
+    blank(b, EVERY, i, i)
+  end
+  return i
+end
+
+--- Takes a slot for a new object and returns it. All its columns have their initial values. A
+--- static body has only those that each slot has.
+function columns.claim(b, isStatic)
+  b.count, b.expected = b.count + 1, max(0, b.expected - 1)
+  if isStatic then
+    return takeFree(b, b.freeStatic) or takeStatic(b)
+  end
+  local i = takeFree(b, b.free)
+  if not i and b.moverSlots < b.lastMover then
+    return takeMover(b)
+  end
+  i = i or takeFree(b, b.freeStatic) or takeStatic(b)
+  columns.complete(b, i)
   return i
 end
 
 --- Resets what the last step has left in a slot.
 function columns.forgetStep(b, i)
-  for n = 1, #STEP_SLOT do
-    b[STEP_SLOT[n]][i] = SLOT[STEP_SLOT[n]]
-  end
-  for n = 1, #STEP_AXIS do
-    local name, k = STEP_AXIS[n], 2 * i
-    b[name][k], b[name][k + 1] = AXIS[name], AXIS[name]
-  end
+  blank(b, layout.STEP_EVERY, i, i)
+  blank(b, layout.STEP_MOVING, i, b.full[i] and i or i - 1)
 end
 
 --- Gives an object a path of length 0 at its position, as an obstacle and for the broad phase. An
@@ -187,12 +244,10 @@ end
 function columns.release(b, i)
   b.object[i], b.group[i], b.touching[i], b.mask[i], b.canCollide[i] =
     false, false, false, false, false
-  b.area[i] = false
-  b.only[i], b.hitsGiven[i] = false, false
-  b.kind[i] = 0
-  b.awake[i] = false
-  b.freeCount = b.freeCount + 1
-  b.free[b.freeCount] = i
+  b.area[i], b.only[i], b.hitsGiven[i] = false, false, false
+  b.kind[i], b.awake[i] = 0, false
+  local list = i > b.lastMover and b.freeStatic or b.free
+  list[#list + 1] = i
   b.count = b.count - 1
 end
 
@@ -210,47 +265,25 @@ local function unhang(b, half, i)
   b.head[i * (1 - min(before, 1))] = after -- only if it was the first
 end
 
--- Makes sure that so many pairs are free.
-local function reserve(b, count)
-  local free, have = b.freePairs, b.freePairCount
-  local p = b.pairSlots + count - have
-  for n = have + 1, count do
-    free[n] = p
-    p = p - 1
-  end
-  b.pairSlots, b.freePairCount = b.pairSlots + max(0, count - have), max(count, have)
-end
-
 -- Takes `count` free pairs for b.linkOne[1..count] and b.linkOther[1..count] into b.linked.
 local function takePairs(b, count)
-  reserve(b, count)
-  local free, top, linked = b.freePairs, b.freePairCount + 1, b.linked
-  local ones, others, pairA, pairB = b.linkOne, b.linkOther, b.pairA, b.pairB
+  local free, have, linked = b.freePairs, b.freePairCount, b.linked
+  local ones, others, pairA, pairB, slots = b.linkOne, b.linkOther, b.pairA, b.pairB, b.pairSlots
   for n = 1, count do
-    local p = free[top - n]
+    local p = n <= have and free[have + 1 - n] or slots + n - have
     linked[n], pairA[p], pairB[p] = p, ones[n], others[n]
   end
-  b.freePairCount = b.freePairCount - count
+  b.pairSlots, b.freePairCount = slots + max(0, count - have), max(0, have - count)
 end
 
 -- Gives new pairs their initial values.
 local function resetPairs(b, count)
   local linked = b.linked
-  local contact, hit, hitSpeed, nudged = b.contact, b.hit, b.hitSpeed, b.nudged
-  for n = 1, count do
-    local p = linked[n]
-    contact[p], hit[p], hitSpeed[p], nudged[p] = 0, 0, 0, 0
-  end
-  local passing, overlapping, dropping, leaving = b.passing, b.overlapping, b.dropping, b.leaving
-  for n = 1, count do
-    local p = linked[n]
-    passing[p], overlapping[p], dropping[p], leaving[p] = false, false, false, false
-  end
-  local wedged, touches, place, pressed, asked = b.wedged, b.touches, b.place, b.pressed, b.asked
-  for n = 1, count do
-    local p = linked[n]
-    wedged[p], touches[p], place[p], pressed[p], asked[p] = 0, 0, 0, 0, 0
-    b.sweptAt[p], b.deepIn[p] = 0, 0
+  for m = 1, #PAIR_NAMES do
+    local column, value = b[PAIR_NAMES[m]], layout.PAIR[PAIR_NAMES[m]]
+    for n = 1, count do
+      column[linked[n]] = value
+    end
   end
 end
 

@@ -126,7 +126,7 @@ function zones.setDown(b, i, gx, gy)
   local k, isVertical = 2 * i, gx * gx <= gy * gy
   b.down[k] = isVertical and 0 or (gx > 0 and 1 or -1)
   b.down[k + 1] = isVertical and (gy > 0 and 1 or gy < 0 and -1 or 0) or 0
-  for m = k, k + 1 do
+  for m = k, b.full[i] and k + 1 or 0 do
     local limit, fall = b.limit[m], b.maxFallSpeed[i]
     b.slowest[m] = -(b.down[m] < 0 and min(limit, fall) or limit)
     b.fastest[m] = b.down[m] > 0 and min(limit, fall) or limit

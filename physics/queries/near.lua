@@ -309,14 +309,7 @@ function near.line(c, x1, y1, x2, y2, visit)
     bound = visit(c, n, bound)
   end
   c.visit = visit
-  if b.broadphase.heads then
-    gridLines.walk(b.broadphase, x1, y1, x2, y2, c, visitSlot, bound)
-    return
-  end
-  local slots = c.slots
-  for m = 1, b.broadphase:query(left, top, right, bottom, slots) do
-    bound = visitSlot(c, slots[m], bound)
-  end
+  gridLines.walk(b.broadphase, x1, y1, x2, y2, c, visitSlot, bound)
 end
 
 --- Adds an object to a catch, wherever it is; returns its place, nil: it is not in the world.

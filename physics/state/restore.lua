@@ -238,10 +238,8 @@ local function restoreColumn(b, list, slots, entry)
   local model, y = b[usual], width - 1
   for n = 1, #slots do
     local k = width * slots[n]
-    if model then
-      column[k], column[k + y] = model[k], model[k + y]
-    else
-      column[k], column[k + y] = usual, usual
+    if column[k] ~= nil then -- else it is static, and has no place there
+      column[k], column[k + y] = model and model[k] or usual, model and model[k + y] or usual
     end
   end
   for at = 1, #list, 1 + width do

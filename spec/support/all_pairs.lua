@@ -1,5 +1,5 @@
 --- All pairs, the plain broad phase: compares every fat box with every other one. It is the
--- reference for all other broad phases.
+-- reference for the grid.
 --
 -- A broad phase knows the fat boxes of the objects that were inserted (columns `fatLow`,
 -- `fatHigh`). It finds those that meet the fat boxes of a list of objects (`overlaps`), or a
