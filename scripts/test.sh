@@ -56,11 +56,11 @@ slow_files=$(luajit -e 'for _, row in ipairs(require("spec.slow").files) do prin
 # Each run below says which interpreter it wants; a run on another one has to be noticed.
 wrong_lua() { PHYSICS_LUA="LuaJIT -joff" busted --lua=luajit --helper=scripts/interpreter.lua; }
 check "specs on the wrong interpreter are refused" refuses wrong_lua
-wrong_plain_lua() { PHYSICS_LUA="Lua 5.3" lua5.4 scripts/plain_busted.lua spec/aabb_spec.lua; }
+wrong_plain_lua() { PHYSICS_LUA="Lua 5.3" lua5.4 scripts/plain_busted.lua spec/pure_spec.lua; }
 check "specs on the wrong interpreter are refused without busted, too" refuses wrong_plain_lua
 
 busted_on_54() {
-  PHYSICS_LUA="Lua 5.4" busted --lua=lua5.4 --helper=scripts/interpreter.lua spec/aabb_spec.lua
+  PHYSICS_LUA="Lua 5.4" busted --lua=lua5.4 --helper=scripts/interpreter.lua spec/pure_spec.lua
 }
 [ "$mode" != --all ] || check "busted itself plays specs on Lua 5.4" busted_on_54
 
