@@ -1,6 +1,6 @@
---- Bad input, all of it: every method, every argument, every kind of wrong value. Whatever is given,
---- the answer is a documented result, or an error that names the call and blames this file; and a
---- refused call has changed nothing. In which words, stands in bad_input_spec.lua.
+--- Bad input, all of it: every method, every argument, every kind of wrong value. Whatever is
+--- given, the answer is a documented result, or an error that names the call and blames this file;
+--- and a refused call has changed nothing. In which words, stands in bad_input_spec.lua.
 
 local effort = require("spec.support.effort")
 local physics = require("physics")
@@ -275,8 +275,8 @@ local function newFunctions()
   }
 end
 
--- Not tried here: `draw` needs LÖVE (draw_spec.lua), `globals` takes nothing, and maps have specs of
--- their own.
+-- Not tried here: `draw` needs LÖVE (draw_spec.lua), `globals` takes nothing, and maps have specs
+-- of their own.
 local ELSEWHERE =
   { draw = true, globals = true, loadTiled = true, loadLDtk = true, addTiles = true }
 
@@ -376,8 +376,8 @@ end)
 
 -- Fields and settings -----------------------------------------------------------------------------
 
--- How a value gets into a field or setting: what holds it, and what looks at it. (New objects are in
--- bad_input_spec.lua.)
+-- How a value gets into a field or setting: what holds it, and what looks at it. (New objects are
+-- in bad_input_spec.lua.)
 local WAYS = {
   {
     "of a box",
