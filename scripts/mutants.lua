@@ -81,7 +81,6 @@ local FIRST = {
   slope = { "18_slopes", "slopes" },
   walk = { "18_slopes", "slopes" },
   drift = { "soft" },
-  softCells = { "soft" },
   crowd = { "20_crowds" },
   crush = { "08_crushing" },
   snap = { "24_snap" },

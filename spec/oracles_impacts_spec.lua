@@ -141,8 +141,11 @@ describe("known by hand,", function()
     local x, y = width * random:between(0.4, 0.6), -60
     local b = s:box({ x = x - radius, y = y - radius, width = 2 * radius, height = 2 * radius })
     b.vy, b.restitution, b.radius = v, r, random:chance(0.5) and radius or nil
-    -- On a slope a circle is its box.
-    local away = (x + radius) * nx + (y + radius - height) * ny
+    -- A box meets it with its corner, a circle with its rim.
+    local away = x * nx + (y - height) * ny - radius
+    if not b.radius then
+      away = (x + radius) * nx + (y + radius - height) * ny
+    end
     local moment = away / -(v * ny)
     local change = -(1 + r) * v * ny
     s:play(0.6, function(t)

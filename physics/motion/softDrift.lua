@@ -5,121 +5,154 @@
 -- deep: `soft` px/s on the longer axis for two at one place, shared by their masses. The velocities
 -- of all its pairs add up to the drift of a body, which is at most the largest `soft` of its group.
 --
--- Sums do not depend on the order: all velocities are rounded to multiples of 2^-20 px/s, which
--- add up exactly.
+-- Those that overlap are found in strips across the axis along which they are more spread out,
+-- sorted by counting: a body is compared with what begins in its own strip after it, and in the
+-- strips up to its far edge. Sums do not depend on that order: all velocities are rounded to
+-- multiples of 2^-20 px/s, which add up exactly.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
 local islands = require(root .. ".sleep.islands")
-local softCells = require(root .. ".motion.softCells")
 
-local soft = {}
+local softDrift = {}
 
 local DYNAMIC = columns.DYNAMIC
-local ceil, floor, max, min, sqrt = math.ceil, math.floor, math.max, math.min, math.sqrt
+local ceil, floor, huge, max, min, sqrt =
+  math.ceil, math.floor, math.huge, math.max, math.min, math.sqrt
 
 -- Adding it and taking it off again rounds what is below 2^31 to a multiple of 2^-20.
 local ROUNDING = 6442450944.0
 -- Less than that part of their size apart, two are at one place.
 local NEAREST = 1e-6
 -- A step is made in parts, in which the drift changes by little; at most so many.
-local STIFFNESS, MOST_PARTS = 3, 8
+local STIFFNESS, MOST_PARTS = 6, 16
+-- Strips for a body of mean size.
+local FINE = 4
 -- Directions in which two at one place part, by the order of the world.
 ---@type table<number, number>
 local WAYS_X = { 1.0, 0.25, 0.5, -1.0, 1.0, 0.75, -0.5, 0.5 }
 ---@type table<number, number>
 local WAYS_Y = { 0.5, 1.0, 1.0, 0.75, 0.25, -1.0, 1.0, -1.0 }
 
---- Returns the scratch lists of a world, for softCells, too.
-function soft.new()
+--- Returns the scratch lists of a world.
+function softDrift.new()
   return {
     count = 0, -- bodies of soft groups
     slot = {}, -- of each, and what follows, in the order of the world
-    x = {}, -- of its middle, px
-    y = {},
-    halfX = {}, -- half of its size, px
-    halfY = {},
-    kind = {}, -- number of its group among the soft ones
-    plainMass = {}, -- its mass, if it has no mask, no `hits` and no strength; else false
-    cell = {},
-    start = {}, -- of each cell: where it begins in `sorted`
+    at = { [0] = {}, {} }, -- by axis: of its middle, px
+    half = { [0] = {}, {} }, -- by axis: half of its size, px
+    row = {}, -- the row of its group in the setting, and the name of that
+    name = {},
+    most = {}, -- px/s: the largest of that row
+    plain = {}, -- its mass if it has no mask, `hits`, strength, and can be pushed; else false
+    start = {}, -- of each strip: where it begins in `sorted`
+    strip = {}, -- of each body
     sorted = {},
-    sx = {}, -- place and half size in the order of the cells
-    sy = {},
-    shx = {},
-    shy = {},
-    large = {},
-    from = {}, -- ranges of `sorted` with what may be near one body
-    last = {},
-    asker = {},
-    one = {}, -- those that overlap
+    place = { [0] = {}, {} }, -- middle and half size in that order
+    reach = { [0] = {}, {} },
+    one = {}, -- pairs that overlap
     other = {},
     partSpeed = {}, -- px/s, of each pair
-    nearX = {}, -- 1/px: how far apart it is when it touches
-    nearY = {},
     shareOne = {},
     shareOther = {},
-    nowX = {}, -- velocity apart in a part of the step
-    nowY = {},
-    meanSize = 1, -- px
+    now = { [0] = {}, {} }, -- by axis: velocity apart in a part of the step
     drifted = {}, -- slots with a drift
     driftedCount = 0,
-    speeds = {}, -- px/s, by kind + kinds * other kind; false: not soft to each other
-    most = {}, -- px/s, by kind: the largest of these
-    names = {}, -- of the soft groups, by kind
-    kinds = 0,
   }
 end
 
 -- Lists the bodies of the soft groups, in the order of the world.
-local function listGroup(b, work, group, kind, n)
-  local movers, from, size = group.movers, b.from, b.size
-  local active, sensor, mask, only = b.active, b.sensor, b.mask, b.only
-  local power, kindOf, mass, plainMass = b.power, b.kind, b.mass, work.plainMass
-  local slot, x, y, halfX, halfY, kinds =
-    work.slot, work.x, work.y, work.halfX, work.halfY, work.kind
-  for m = 1, #movers do
-    local i = movers[m]
-    if active[i] and not sensor[i] then
-      local k = 2 * i
-      local w, h = size[k] * 0.5, size[k + 1] * 0.5
-      n = n + 1
-      slot[n], x[n], y[n], halfX[n], halfY[n] = i, from[k] + w, from[k + 1] + h, w, h
-      kinds[n] = kind
-      local isPlain = power[i] == 0 and kindOf[i] == DYNAMIC and not (mask[i] or only[i])
-      plainMass[n] = isPlain and mass[i]
-    end
-  end
-  return n
-end
-
 local function list(b, work)
-  local groups, rows, n, kinds = b.registry.groups, b.soft, 0, 0
+  local groups, n, from, size = b.registry.groups, 0, b.from, b.size
   for g = 1, #groups do
-    if rows[groups[g].name] then
-      kinds = kinds + 1
-      n = listGroup(b, work, groups[g], kinds, n)
-      work.names[kinds] = groups[g].name
+    local name, movers = groups[g].name, groups[g].movers
+    local row, most = b.soft[name], 0.0
+    for other = 1, row and #groups or 0 do
+      most = max(most, row[groups[other].name] or 0)
+    end
+    for m = 1, row and #movers or 0 do
+      local i = movers[m]
+      if b.active[i] and not b.sensor[i] then
+        n = n + 1
+        work.slot[n], work.row[n], work.name[n], work.most[n] = i, row, name, most
+        local isPlain = b.power[i] == 0 and b.kind[i] == DYNAMIC and b.pushable[i]
+        work.plain[n] = isPlain and not (b.mask[i] or b.only[i] or b.masks) and b.mass[i]
+        for axis = 0, 1 do
+          local half = size[2 * i + axis] * 0.5
+          work.at[axis][n], work.half[axis][n] = from[2 * i + axis] + half, half
+        end
+      end
     end
   end
-  work.count, work.kinds = n, kinds
+  work.count = n
 end
 
--- Notes how fast bodies of two soft groups part, by the numbers of these.
-local function readSpeeds(b, work)
-  local names, kinds = work.names, work.kinds
-  for m = 1, kinds do
-    work.most[m] = 0.0
-    for n = 1, kinds do
-      local speed = b.soft[names[m]][names[n]] or false
-      work.speeds[m + kinds * n] = speed
-      work.most[m] = max(work.most[m], speed or 0)
+-- Returns where the bodies begin and end on an axis, px, and the sum of their sizes there.
+local function extent(work, axis)
+  local at, half, low, high, sum = work.at[axis], work.half[axis], huge, -huge, 0.0
+  for n = 1, work.count do
+    low, high = min(low, at[n] - half[n]), max(high, at[n])
+    sum = sum + (2 * half[n] + ROUNDING - ROUNDING)
+  end
+  return low, high, sum
+end
+
+-- Sorts the bodies by strips across an axis; `part`: strips for each px.
+local function sortStrips(work, axis, low, part, strips)
+  local at, half, strip, start = work.at[axis], work.half[axis], work.strip, work.start
+  for s = 0, strips + 1 do
+    start[s] = 0
+  end
+  for n = 1, work.count do
+    local s = floor((at[n] - half[n] - low) * part)
+    strip[n], start[s] = s, start[s] + 1
+  end
+  local sum = 1
+  for s = 0, strips + 1 do
+    sum = sum + start[s]
+    start[s] = sum -- where the next one begins
+  end
+  for n = work.count, 1, -1 do
+    local s = strip[n]
+    start[s] = start[s] - 1
+    work.sorted[start[s]] = n
+  end
+  for k = 0, 1 do
+    local its, itsHalf, place, reach = work.at[k], work.half[k], work.place[k], work.reach[k]
+    for p = 1, work.count do
+      place[p], reach[p] = its[work.sorted[p]], itsHalf[work.sorted[p]]
     end
   end
 end
 
--- Shares of what takes two apart: 0 for what is not moved by the other.
+-- Lists those that overlap. Returns how many pairs there are, and the mean size, px.
+local function findOverlaps(work)
+  local lowX, highX, width = extent(work, 0)
+  local lowY, highY, height = extent(work, 1)
+  local axis = highX - lowX >= highY - lowY and 0 or 1
+  local low, long, count = axis == 0 and lowX or lowY, max(highX - lowX, highY - lowY), 0
+  local mean = max((width + height) / (2 * work.count), columns.TINY)
+  local part = FINE / max(mean, long / work.count)
+  local strips = floor(long * part)
+  sortStrips(work, axis, low, part, strips)
+  local along, across, wide, high =
+    work.place[axis], work.place[1 - axis], work.reach[axis], work.reach[1 - axis]
+  local sorted, start, one, other = work.sorted, work.start, work.one, work.other
+  for p = 1, work.count do
+    local x, y, w, h = along[p], across[p], wide[p], high[p]
+    for q = p + 1, start[min(floor((x + w - low) * part), strips) + 1] - 1 do
+      local dx, dy, reachX, reachY = along[q] - x, across[q] - y, w + wide[q], h + high[q]
+      if dy < reachY and -dy < reachY and dx < reachX and -dx < reachX then
+        count = count + 1
+        one[count], other[count] = sorted[p], sorted[q]
+      end
+    end
+  end
+  return count, mean
+end
+
+-- Returns the shares of what takes two apart: 0 for what is not moved by the other.
 local function weigh(b, i, j)
   local wi, wj = b.inverseMass[i], b.inverseMass[j]
   if b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC and b.power[i] ~= b.power[j] then
@@ -134,34 +167,24 @@ end
 -- Of those that overlap, keeps those that are soft to each other and not refused by a mask; returns
 -- how many. Notes how fast they part, and the share of each.
 local function keepSoft(b, work, count)
-  local one, other, slot, kind, speeds, kinds =
-    work.one, work.other, work.slot, work.kind, work.speeds, work.kinds
-  local partSpeed, shareOne, shareOther = work.partSpeed, work.shareOne, work.shareOther
-  local halfX, halfY, nearX, nearY = work.halfX, work.halfY, work.nearX, work.nearY
-  local plainMass, masks, kept = work.plainMass, b.masks, 0
+  local slot, plain, kept = work.slot, work.plain, 0
   for c = 1, count do
-    local m, n = one[c], other[c]
-    local speed, mass = speeds[kind[m] + kinds * kind[n]], plainMass[m]
-    local isEven = mass and mass == plainMass[n] and not masks
-    if speed and not isEven then
-      local i, j = slot[m], slot[n]
-      if filter.refusal(b, i, j) or filter.refusal(b, j, i) then
-        speed = false
-      end
-      shareOne[kept + 1], shareOther[kept + 1] = weigh(b, i, j)
-    elseif speed then
-      shareOne[kept + 1], shareOther[kept + 1] = 0.5, 0.5
-    end
-    if speed then
+    local m, n = work.one[c], work.other[c]
+    local i, j, speed = slot[m], slot[n], work.row[m][work.name[n]]
+    if speed and plain[m] and plain[m] == plain[n] then
       kept = kept + 1
-      one[kept], other[kept], partSpeed[kept] = m, n, speed
-      nearX[kept], nearY[kept] = 1 / (halfX[m] + halfX[n]), 1 / (halfY[m] + halfY[n])
+      work.one[kept], work.other[kept], work.partSpeed[kept] = m, n, speed
+      work.shareOne[kept], work.shareOther[kept] = 0.5, 0.5
+    elseif speed and not (filter.refusal(b, i, j) or filter.refusal(b, j, i)) then
+      kept = kept + 1
+      work.one[kept], work.other[kept], work.partSpeed[kept] = m, n, speed
+      work.shareOne[kept], work.shareOther[kept] = weigh(b, i, j)
     end
   end
   return kept
 end
 
--- A way in which two at one place part.
+-- Returns a way in which two at one place part.
 local function wayOf(b, i, j)
   local at = b.rank[i] + b.rank[j]
   at = at - floor(at / #WAYS_X) * #WAYS_X + 1
@@ -171,41 +194,34 @@ end
 
 -- Adds up what each pair does to both.
 local function push(b, work, count)
-  local one, other, partSpeed, shareOne, shareOther =
-    work.one, work.other, work.partSpeed, work.shareOne, work.shareOther
-  local x, y, nearX, nearY, nowX, nowY =
-    work.x, work.y, work.nearX, work.nearY, work.nowX, work.nowY
+  local x, y, halfX, halfY = work.at[0], work.at[1], work.half[0], work.half[1]
+  local nowX, nowY, shareOne, shareOther = work.now[0], work.now[1], work.shareOne, work.shareOther
   for n = 1, work.count do
     nowX[n], nowY[n] = 0.0, 0.0
   end
   for c = 1, count do
-    local m, n = one[c], other[c]
-    local dx, dy = (x[n] - x[m]) * nearX[c], (y[n] - y[m]) * nearY[c]
+    local m, n = work.one[c], work.other[c]
+    local dx, dy = (x[n] - x[m]) / (halfX[m] + halfX[n]), (y[n] - y[m]) / (halfY[m] + halfY[n])
     local far = max(dx, -dx, dy, -dy)
-    if far < 1 then
-      if far < NEAREST then
-        dx, dy = wayOf(b, work.slot[m], work.slot[n])
-        far = NEAREST
-      end
-      local v, share = partSpeed[c] * (1 / far - 1), shareOne[c]
-      local vx, vy = v * share * dx + ROUNDING - ROUNDING, v * share * dy + ROUNDING - ROUNDING
-      nowX[m], nowY[m] = nowX[m] - vx, nowY[m] - vy
-      if share ~= shareOther[c] then
-        share = shareOther[c]
-        vx, vy = v * share * dx + ROUNDING - ROUNDING, v * share * dy + ROUNDING - ROUNDING
-      end
-      nowX[n], nowY[n] = nowX[n] + vx, nowY[n] + vy
+    if far < NEAREST then
+      dx, dy = wayOf(b, work.slot[m], work.slot[n])
+      far = NEAREST
     end
+    local v = work.partSpeed[c] * max(1 / far - 1, 0.0)
+    local vx, vy = v * dx, v * dy
+    nowX[m] = nowX[m] - (vx * shareOne[c] + ROUNDING - ROUNDING)
+    nowY[m] = nowY[m] - (vy * shareOne[c] + ROUNDING - ROUNDING)
+    nowX[n] = nowX[n] + (vx * shareOther[c] + ROUNDING - ROUNDING)
+    nowY[n] = nowY[n] + (vy * shareOther[c] + ROUNDING - ROUNDING)
   end
 end
 
 -- Moves the bodies for a part of the step, and adds this part of the drift to the whole.
 local function advance(b, work, part, dt)
-  local slot, kind, most, drifts, velocity =
-    work.slot, work.kind, work.most, b.softSpeed, b.velocity
-  local x, y, nowX, nowY = work.x, work.y, work.nowX, work.nowY
+  local slot, most, drifts, velocity = work.slot, work.most, b.softSpeed, b.velocity
+  local x, y, nowX, nowY = work.at[0], work.at[1], work.now[0], work.now[1]
   for n = 1, work.count do
-    local k, limit, dx, dy = 2 * slot[n], most[kind[n]], nowX[n], nowY[n]
+    local k, limit, dx, dy = 2 * slot[n], most[n], nowX[n], nowY[n]
     local square = dx * dx + dy * dy
     if square > limit * limit then
       local share = limit / sqrt(square)
@@ -219,48 +235,36 @@ end
 
 -- Lists those that drift, and wakes them.
 local function listDrifted(b, work)
-  local slot, drifts, drifted, count = work.slot, b.softSpeed, work.drifted, 0
+  local drifts = b.softSpeed
   for n = 1, work.count do
-    local i = slot[n]
+    local i = work.slot[n]
     if drifts[2 * i] ~= 0 or drifts[2 * i + 1] ~= 0 then
-      count = count + 1
-      drifted[count] = i
+      work.driftedCount = work.driftedCount + 1
+      work.drifted[work.driftedCount] = i
       islands.wake(b, i)
     end
   end
-  work.driftedCount = count
-end
-
--- In how many parts a step of dt s is made, so that what is pressed does not tremble.
-local function countParts(work, dt)
-  local fastest = 0.0
-  for kind = 1, work.kinds do
-    fastest = max(fastest, work.most[kind])
-  end
-  return max(1, min(ceil(fastest / work.meanSize * dt * STIFFNESS), MOST_PARTS))
-end
-
--- Finds the drift in a step of dt s.
-local function find(b, work, dt)
-  readSpeeds(b, work)
-  local count = keepSoft(b, work, softCells.findOverlaps(work))
-  if count == 0 then
-    return
-  end
-  local parts = countParts(work, dt)
-  for _ = 1, parts do
-    push(b, work, count)
-    advance(b, work, 1 / parts, dt)
-  end
-  listDrifted(b, work)
 end
 
 --- Writes the drift of all that are soft to what they overlap, in a step of dt s.
-function soft.run(b, work, dt)
+function softDrift.run(b, work, dt)
   list(b, work)
+  local count, size, fastest = 0, 1, 0.0
   if work.count > 1 then
-    find(b, work, dt)
+    count, size = findOverlaps(work)
+    count = keepSoft(b, work, count)
+  end
+  for n = 1, count > 0 and work.count or 0 do
+    fastest = max(fastest, work.most[n])
+  end
+  local parts = max(1, min(ceil(fastest / size * dt * STIFFNESS), MOST_PARTS))
+  for _ = 1, count > 0 and parts or 0 do
+    push(b, work, count)
+    advance(b, work, 1 / parts, dt)
+  end
+  if count > 0 then
+    listDrifted(b, work)
   end
 end
 
-return soft
+return softDrift

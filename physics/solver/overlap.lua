@@ -12,8 +12,8 @@
 -- - What has come into another along one axis (`wedged`), or has grown into it, is left to the
 --   contacts: it leaves along that axis. So is a body that overlaps many (see crowd, relax).
 --
--- Reads from, size, mass, power, moved, inside, wasAt, wasSize; writes from, to, wedged, buried, and
--- crushed, crushLow and crushHigh of buried bodies.
+-- Reads from, size, mass, power, moved, inside, wasAt, wasSize; writes from, to, wedged, buried,
+-- and crushed, crushLow and crushHigh of buried bodies.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local aabb = require(root .. ".space.aabb")
@@ -68,7 +68,8 @@ local function isDeep(width, height)
   return width > EPSILON and height > EPSILON
 end
 
--- Returns where slot i is flush with j on an axis, on the low side of it (`sign` -1) or the high one.
+-- Returns where slot i is flush with j on an axis, on the low side of it (`sign` -1) or the high
+-- one.
 local function flushPlace(b, i, j, axis, sign)
   local k, m = 2 * i + axis, 2 * j + axis
   if b.hasSlopes and slope.isPair(b, i, j) then
@@ -230,9 +231,9 @@ end
 
 -- No way out --------------------------------------------------------------------------------------
 
--- Returns the first object in the order of the world that is in the way of slot i, `way` px along an
--- axis, with its middle beyond that of slot i; nil: there is none. `isApart`: what slot i overlaps
--- already does not count.
+-- Returns the first object in the order of the world that is in the way of slot i, `way` px along
+-- an axis, with its middle beyond that of slot i; nil: there is none. `isApart`: what slot i
+-- overlaps already does not count.
 local function blockerOn(b, i, axis, way, isApart)
   local k, first = 2 * i + axis, nil
   for n = 1, listBlockers(b, i, placeOn(b, i, axis, way)) do
@@ -301,8 +302,8 @@ local function isOpen(b, p, i, j)
   return areSolid and canMove and not isRolling and b.wedged[p] == 0
 end
 
--- Adds pair p to the work of this round if its bodies overlap: those with something immovable first,
--- then the deepest.
+-- Adds pair p to the work of this round if its bodies overlap: those with something immovable
+-- first, then the deepest.
 local function consider(b, p)
   local work, i, j = b.partWork, b.pairA[p], b.pairB[p]
   if work.stamp[p] == work.round or not isOpen(b, p, i, j) then
@@ -431,7 +432,8 @@ local function isThere(b, i)
   return max(gapX, gapY) < -EPSILON
 end
 
---- Marks what the game has made larger than its room: the shortest way would lead through thin walls.
+--- Marks what the game has made larger than its room: the shortest way would lead through thin
+--- walls.
 function overlap.noteGrown(b)
   for n = 1, b.movedCount do
     local i = b.movedList[n]
