@@ -372,15 +372,15 @@ describe("a ball on a slope", function()
   it("touches it with its rim, and rolls", function()
     for _, rate in ipairs(RATES) do
       for _, height in ipairs({ 100, 300, 600 }) do
-        local world, long =
+        local world, slant =
           physics.newWorld({ gravity = 800 }), math.sqrt(300 * 300 + height * height)
         world:add("walls", tile(0, 0, 300, height, { slope = "left" }))
         local one =
-          world:add("balls", ball(20 + 8 * height / long, 20 * height / 300 - 8 * 300 / long, 8))
+          world:add("balls", ball(20 + 8 * height / slant, 20 * height / 300 - 8 * 300 / slant, 8))
         run(world, 0.5, rate)
         local x, y = one.x + 8, one.y + 8
-        near(8, (x * height - y * 300) / long, 1e-5)
-        near(400 * height / long, math.sqrt(one.vx * one.vx + one.vy * one.vy), 5e-3)
+        near(8, (x * height - y * 300) / slant, 1e-5)
+        near(400 * height / slant, math.sqrt(one.vx * one.vx + one.vy * one.vy), 5e-3)
       end
     end
   end)

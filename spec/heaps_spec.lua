@@ -425,9 +425,9 @@ describe("a heap of balls", function()
     assert.are.equal(40, world.stats.resting)
     for _, one in ipairs(world.objects.balls) do
       -- The lines go down by 100 px on 150, to the middle.
-      local x, y, long = one.x + one.radius, one.y + one.radius, math.sqrt(100 * 100 + 150 * 150)
+      local x, y, slant = one.x + one.radius, one.y + one.radius, math.sqrt(100 * 100 + 150 * 150)
       local ofLeft, ofRight = (200 - y) * 150 + x * 100, (200 - y) * 150 + (400 - x) * 100
-      assert.is_true(math.min(ofLeft, ofRight) / long >= one.radius - 1e-6, one.y)
+      assert.is_true(math.min(ofLeft, ofRight) / slant >= one.radius - 1e-6, one.y)
       assert.is_true(one.y + one.height <= 300 + 1e-6, one.y)
     end
   end)
