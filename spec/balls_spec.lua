@@ -385,3 +385,21 @@ describe("a ball on a slope", function()
     end
   end)
 end)
+
+describe("two balls that cannot be pushed", function()
+  it("do not push each other, met slanted", function()
+    for _, offset in ipairs({ 0, 4, 8, 12, 16 }) do
+      local world = physics.newWorld({ gravity = 0 })
+      local one = world:add("players", ball(10, 10, 10, { pushable = false }))
+      local other = world:add("others", ball(50, 10 + offset, 10, { pushable = false }))
+      for _ = 1, 60 do
+        one.vx = 100
+        world:update(1 / 60)
+        near(40, other.x)
+        near(offset, other.y)
+        local x, y = other.x - one.x, other.y - one.y
+        assert.is_true(math.sqrt(x * x + y * y) >= 20 - 1e-6)
+      end
+    end
+  end)
+end)
