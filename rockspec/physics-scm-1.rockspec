@@ -79,7 +79,6 @@ build = {
     ["physics.motion.forces"] = "physics/motion/forces.lua",
     ["physics.motion.move"] = "physics/motion/move.lua",
     ["physics.motion.path"] = "physics/motion/path.lua",
-    ["physics.motion.softCells"] = "physics/motion/softCells.lua",
     ["physics.motion.softDrift"] = "physics/motion/softDrift.lua",
     ["physics.motion.zones"] = "physics/motion/zones.lua",
     ["physics.objects.compare"] = "physics/objects/compare.lua",
