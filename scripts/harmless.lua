@@ -86,36 +86,6 @@ return {
     "the neighbours of all bodies are looked up in every step; more neighbours change no result",
   },
   {
-    "physics/queries/rays.lua",
-    "line.from, done, piece = to, done + piece, piece * 2",
-    "line.from, done, piece = to, done + piece, piece * 3",
-    "how much of a ray is looked at next; the nearest of all pieces is the same",
-  },
-  {
-    "physics/state/restoreMemory.lua",
-    "b.fresh[i] = false",
-    "b.fresh[i] = true",
-    "a restored object is awake for a step at least, rests one step later, and is not saved so",
-  },
-  {
-    "physics/objects/groups.lua",
-    "mixed = false,",
-    "mixed = true,",
-    "keys are counted where a look at the next one would do",
-  },
-  {
-    "physics/state/saveMemory.lua",
-    "while at > 1 and numbers[other[found[at - 1]]] > number do",
-    "while at > 1 and numbers[other[found[at - 1]]] >= number do",
-    "two neighbours have one pair only, so no two numbers are equal",
-  },
-  {
-    "physics/queries/index.lua",
-    ") > -LEFT",
-    ") >= -LEFT",
-    "a box of a question's grid is drawn anew before it must be",
-  },
-  {
     "physics/memory/initial.lua",
     "b.hasFriction = false -- or had friction",
     "b.hasFriction = true -- or had friction",
@@ -128,12 +98,6 @@ return {
     "only compared with what it was before",
   },
   {
-    "physics/world/queryMethods.lua",
-    "local w, h = width + 0.0, height + 0.0",
-    "local w, h = width - 0.0, height + 0.0",
-    "makes a float of an integer; a width is never 0",
-  },
-  {
     "physics/broadphase/gridLines.lua",
     "entryOf(fatLow, fatHigh, i, x, y, shareX, shareY) <= bound",
     "entryOf(fatLow, fatHigh, i, x, y, shareX, shareY) < bound",
@@ -144,24 +108,6 @@ return {
     "hits.spare[#hits.spare + 1] = hits[n]",
     "hits.spare[#hits.spare + 2] = hits[n]",
     "a spare table may be lost; another one is made",
-  },
-  {
-    "physics/objects/groups.lua",
-    "}) == {}",
-    "}) ~= {}",
-    "objects are compared by `rawequal` in place of `==`",
-  },
-  {
-    "physics/objects/groups.lua",
-    "if rawget(source, count + 1) ~= nil then",
-    "if rawget(source, count + 2) ~= nil then",
-    "the lines below find the same, later",
-  },
-  {
-    "physics/state/validate.lua",
-    "if heardBy ~= nil and not (#list > 0 and isCount(heardBy, 2) and heardBy > 0) then",
-    "if heardBy ~= nil and not (#list > 1 and isCount(heardBy, 2) and heardBy > 0) then",
-    "an event has more values than one",
   },
   {
     "physics/solver/contacts.lua",
@@ -194,27 +140,9 @@ return {
     "it is set before the list is filled",
   },
   {
-    "physics/state/restoreMemory.lua",
-    "e.count, e.told, e.heardBy = n, st.heardBy and 1 or 0, st.heardBy or 3",
-    "e.count, e.told, e.heardBy = n, st.heardBy and 1 or 0, st.heardBy or 4",
-    "it is only compared with 3",
-  },
-  {
     "physics/motion/forces.lua",
     "if pull <= brake and -pull <= brake then",
     "if pull < brake and -pull <= brake then",
     "a pull that is just as strong moves nothing in the other way, either",
-  },
-  {
-    "physics/solver/rounds.lua",
-    "local NEAR = 24",
-    "local NEAR = 25",
-    "more paths are compared anew, with the same results",
-  },
-  {
-    "physics/state/restoreFields.lua",
-    "local names, any = {}, false",
-    "local names, any = {}, true",
-    "without names nothing is written",
   },
 }
