@@ -101,19 +101,17 @@ describe("F1: a push on a train or a belt, against its way and along it", functi
     for _, speed in ipairs({ -300, -100, -10, 10, 100, 300 }) do
       for _, push in ipairs({ 90, -90 }) do
         local title = "%s of %g px/s, pushed with %g"
-        it(title:format(isBelt and "a belt" or "a train", speed, push), function()
-          scene.each(BOTH, function(run)
-            local named = start(run, speed, isBelt)
-            local first = push > 0 and named.a or named.b
-            local fromA, fromB = named.a.x, named.b.x
-            first.vx = push
-            for time in run:steps(1) do
-              run:near("a.vx", named.a.vx, push / 2)
-              run:near("b.vx", named.b.vx, push / 2)
-              run:near("a.x", named.a.x, fromA + (speed + push / 2) * time)
-              run:near("b.x", named.b.x, fromB + (speed + push / 2) * time)
-            end
-          end)
+        scene.it(title:format(isBelt and "a belt" or "a train", speed, push), BOTH, function(run)
+          local named = start(run, speed, isBelt)
+          local first = push > 0 and named.a or named.b
+          local fromA, fromB = named.a.x, named.b.x
+          first.vx = push
+          for time in run:steps(1) do
+            run:near("a.vx", named.a.vx, push / 2)
+            run:near("b.vx", named.b.vx, push / 2)
+            run:near("a.x", named.a.x, fromA + (speed + push / 2) * time)
+            run:near("b.x", named.b.x, fromB + (speed + push / 2) * time)
+          end
         end)
       end
 
@@ -157,75 +155,69 @@ describe("F2: what is put elsewhere together with what carries it", function()
   for _, speed in ipairs({ { 0, 240 }, { 0, -120 }, { 100, 0 }, { -60, 30 }, { 0, 0 } }) do
     for _, way in ipairs(WAYS) do
       local title = "goes on riding: a carrier of %g, %g px/s, by %g, %g px"
-      it(title:format(speed[1], speed[2], way[1], way[2]), function()
-        scene.each(UPRIGHT, function(run)
-          local named = run:build({
-            carrier("car", 0, 400, 100, 16, { vx = speed[1], vy = speed[2] }),
-            body("man", 20, 376, 16, 24),
-          })
-          local log = run:listen(named.man)
-          run:play(SETTLE)
-          for _ = 1, 3 do
-            local offset = named.man.x - named.car.x
-            for _, name in ipairs({ "car", "man" }) do
-              named[name].x, named[name].y = named[name].x + way[1], named[name].y + way[2]
-            end
-            run.world:refresh(named.car.raw)
-            expectRiding(run, named, log)
-            run:near("the place on the car", named.man.x - named.car.x, offset)
+      scene.it(title:format(speed[1], speed[2], way[1], way[2]), UPRIGHT, function(run)
+        local named = run:build({
+          carrier("car", 0, 400, 100, 16, { vx = speed[1], vy = speed[2] }),
+          body("man", 20, 376, 16, 24),
+        })
+        local log = run:listen(named.man)
+        run:play(SETTLE)
+        for _ = 1, 3 do
+          local offset = named.man.x - named.car.x
+          for _, name in ipairs({ "car", "man" }) do
+            named[name].x, named[name].y = named[name].x + way[1], named[name].y + way[2]
           end
-        end)
+          run.world:refresh(named.car.raw)
+          expectRiding(run, named, log)
+          run:near("the place on the car", named.man.x - named.car.x, offset)
+        end
       end)
     end
   end
 
-  it("stays a stack: a man on a crate on a lift", function()
-    scene.each(UPRIGHT, function(run)
-      local named = run:build({
-        carrier("lift", 0, 400, 100, 16, { vy = 240 }),
-        body("crate", 20, 368, 32, 32),
-        body("man", 24, 344, 16, 24),
-      })
-      local log, other = run:listen(named.man), run:listen(named.crate)
-      run:play(SETTLE)
-      for _, name in ipairs({ "lift", "crate", "man" }) do
-        named[name].y = named[name].y - 480
-      end
-      run.world:refresh(named.lift.raw)
-      for _ in run:steps(0.5) do
-        run:near("the gap below the crate", named.lift.y - named.crate.y, 32)
-        run:near("the gap below the man", named.crate.y - named.man.y, 24)
-      end
-      run:same("ends", log.ends + other.ends, 0)
-    end)
+  scene.it("stays a stack: a man on a crate on a lift", UPRIGHT, function(run)
+    local named = run:build({
+      carrier("lift", 0, 400, 100, 16, { vy = 240 }),
+      body("crate", 20, 368, 32, 32),
+      body("man", 24, 344, 16, 24),
+    })
+    local log, other = run:listen(named.man), run:listen(named.crate)
+    run:play(SETTLE)
+    for _, name in ipairs({ "lift", "crate", "man" }) do
+      named[name].y = named[name].y - 480
+    end
+    run.world:refresh(named.lift.raw)
+    for _ in run:steps(0.5) do
+      run:near("the gap below the crate", named.lift.y - named.crate.y, 32)
+      run:near("the gap below the man", named.crate.y - named.man.y, 24)
+    end
+    run:same("ends", log.ends + other.ends, 0)
   end)
 
-  it("goes on when everything is moved, static objects too", function()
-    scene.each(UPRIGHT, function(run)
-      local named = run:build({
-        solid("floor", -500, 300, 1000, 16),
-        carrier("lift", 0, 250, 60, 16, { vy = -30 }),
-        body("crate", 100, 284, 16, 16),
-        body("top", 100, 268, 16, 16),
-        body("man", 20, 226, 16, 24),
-      })
-      local log = run:listenToWorld()
-      run:play(SETTLE)
-      local begins = log.begins
-      for _, object in ipairs(run.all) do
-        object.x, object.y = object.x - 5000, object.y + 2500
-        if not object.name or object.static or object.kinematic then
-          run.world:refresh(object)
-        end
+  scene.it("goes on when everything is moved, static objects too", UPRIGHT, function(run)
+    local named = run:build({
+      solid("floor", -500, 300, 1000, 16),
+      carrier("lift", 0, 250, 60, 16, { vy = -30 }),
+      body("crate", 100, 284, 16, 16),
+      body("top", 100, 268, 16, 16),
+      body("man", 20, 226, 16, 24),
+    })
+    local log = run:listenToWorld()
+    run:play(SETTLE)
+    local begins = log.begins
+    for _, object in ipairs(run.all) do
+      object.x, object.y = object.x - 5000, object.y + 2500
+      if not object.name or object.static or object.kinematic then
+        run.world:refresh(object)
       end
-      for _ in run:steps(0.5) do
-        run:near("the crate", named.crate.y, 2784)
-        run:near("the one on it", named.top.y, 2768)
-        run:near("the gap below the man", named.lift.y - named.man.y, 24)
-      end
-      run:same("begins", log.begins, begins)
-      run:same("ends", log.ends, 0)
-    end)
+    end
+    for _ in run:steps(0.5) do
+      run:near("the crate", named.crate.y, 2784)
+      run:near("the one on it", named.top.y, 2768)
+      run:near("the gap below the man", named.lift.y - named.man.y, 24)
+    end
+    run:same("begins", log.begins, begins)
+    run:same("ends", log.ends, 0)
   end)
 end)
 
@@ -327,21 +319,19 @@ describe("F3: growing where there is no room", function()
     end)
   end
 
-  it("and shrinking again leaves it standing on the floor", function()
-    scene.each(TURNED, function(run)
-      local named = run:build({
-        solid("floor", 0, 300, 600, 16),
-        solid("ceiling", 0, 268, 600, 8),
-        body("man", 100, 280, 20, 20),
-      })
-      run:play(SETTLE)
-      write(named.man, 100, 260, 20, 40, run)
-      run:play(0.5)
-      write(named.man, 100, named.man.y + 10, 20, 20, run)
-      run:play(1)
-      run:at(named.man, 100, 280)
-      run:still(named.man)
-    end)
+  scene.it("and shrinking again leaves it standing on the floor", TURNED, function(run)
+    local named = run:build({
+      solid("floor", 0, 300, 600, 16),
+      solid("ceiling", 0, 268, 600, 8),
+      body("man", 100, 280, 20, 20),
+    })
+    run:play(SETTLE)
+    write(named.man, 100, 260, 20, 40, run)
+    run:play(0.5)
+    write(named.man, 100, named.man.y + 10, 20, 20, run)
+    run:play(1)
+    run:at(named.man, 100, 280)
+    run:still(named.man)
   end)
 end)
 
@@ -368,8 +358,10 @@ describe("F4: parting from what cannot be pushed", function()
   FEW.rate = { 60, 30 }
 
   for at = -13, 79 do
-    it(("moves the player alone, %d px right of the boss's left side"):format(at), function()
-      scene.each(FEW, function(run)
+    scene.it(
+      ("moves the player alone, %d px right of the boss's left side"):format(at),
+      FEW,
+      function(run)
         local named = play(run, {
           solid("floor", -500, 300, 1500, 16),
           body("boss", 200, 236, 80, 64, BOSS),
@@ -378,8 +370,8 @@ describe("F4: parting from what cannot be pushed", function()
         local player = named.player
         run:near("the player's y", player.y, 276)
         run:check(player.x <= 186.01 or player.x >= 279.99, "it stands at x = %.9g", player.x)
-      end)
-    end)
+      end
+    )
   end
 
   for _, row in ipairs({
@@ -391,8 +383,10 @@ describe("F4: parting from what cannot be pushed", function()
     { 210, 226, 14, 24, 1 }, -- at its head: upwards
     { 100, 260, 200, 40, 1 }, -- wider than the boss
   }) do
-    it(("moves a player of %g x %g px, mass %g"):format(row[3], row[4], row[5]), function()
-      scene.each(FEW, function(run)
+    scene.it(
+      ("moves a player of %g x %g px, mass %g"):format(row[3], row[4], row[5]),
+      FEW,
+      function(run)
         play(run, {
           solid("floor", -500, 300, 1500, 16),
           body("boss", 200, 236, 80, 64, BOSS),
@@ -408,34 +402,30 @@ describe("F4: parting from what cannot be pushed", function()
             },
           },
         })
-      end)
-    end)
+      end
+    )
   end
 
-  it("moves ten that are all inside it, and each other", function()
-    scene.each(FEW, function(run)
-      local description =
-        { solid("floor", -500, 300, 1500, 16), body("boss", 200, 236, 80, 64, BOSS) }
-      local random = newRandom(3)
-      for i = 1, 10 do
-        local x = random:between(200, 266)
-        description[2 + i] = { "players", { x = x, y = 276, width = 14, height = 24 } }
-      end
-      play(run, description)
-    end)
+  scene.it("moves ten that are all inside it, and each other", FEW, function(run)
+    local description =
+      { solid("floor", -500, 300, 1500, 16), body("boss", 200, 236, 80, 64, BOSS) }
+    local random = newRandom(3)
+    for i = 1, 10 do
+      local x = random:between(200, 266)
+      description[2 + i] = { "players", { x = x, y = 276, width = 14, height = 24 } }
+    end
+    play(run, description)
   end)
 
-  it("lets two that cannot be pushed come apart", function()
-    scene.each(FEW, function(run)
-      local named = run:build({
-        solid("floor", -500, 300, 1500, 16),
-        body("boss", 200, 236, 80, 64, BOSS),
-        body("other", 260, 236, 80, 64, BOSS),
-      })
-      run:play(1)
-      expectApart(run)
-      run:check(named.boss.x < named.other.x, "they have changed sides")
-    end)
+  scene.it("lets two that cannot be pushed come apart", FEW, function(run)
+    local named = run:build({
+      solid("floor", -500, 300, 1500, 16),
+      body("boss", 200, 236, 80, 64, BOSS),
+      body("other", 260, 236, 80, 64, BOSS),
+    })
+    run:play(1)
+    expectApart(run)
+    run:check(named.boss.x < named.other.x, "they have changed sides")
   end)
 end)
 
@@ -456,29 +446,27 @@ describe("F5: a pile at one spot under a ceiling", function()
   }) do
     local count, size, height, above = row[1], row[2], row[3], row[4]
     local title = "is apart within a second: %d of %d px in a corridor of %d px, at %d px"
-    it(title:format(count, size, height, above), function()
-      scene.each(TURNED, function(run)
-        local description = {
-          solid("floor", -600, 100, 1200, 16),
-          solid("ceiling", -600, 100 - height - 16, 1200, 16),
-        }
-        for i = 1, count do
-          description[2 + i] = body("box" .. i, 0, 100 - above, size, size)
-        end
-        local named = run:build(description)
-        watched(run, motion.new(run.world, run.all), 1)
-        expectApart(run)
-        local least, most = 0, 0
-        for i = 1, count do
-          local box = named["box" .. i]
-          least, most = math.min(least, box.x), math.max(most, box.x)
-          run:check(box.y >= 100 - height - 0.01, "box %d is at y = %.9g", i, box.y)
-          run:check(box.y <= 100 - size + 0.01, "box %d is at y = %.9g", i, box.y)
-        end
-        run:check(most - least >= size, "they are still one column")
-        run:play(1)
-        expectRest(run, 0.5)
-      end)
+    scene.it(title:format(count, size, height, above), TURNED, function(run)
+      local description = {
+        solid("floor", -600, 100, 1200, 16),
+        solid("ceiling", -600, 100 - height - 16, 1200, 16),
+      }
+      for i = 1, count do
+        description[2 + i] = body("box" .. i, 0, 100 - above, size, size)
+      end
+      local named = run:build(description)
+      watched(run, motion.new(run.world, run.all), 1)
+      expectApart(run)
+      local least, most = 0, 0
+      for i = 1, count do
+        local box = named["box" .. i]
+        least, most = math.min(least, box.x), math.max(most, box.x)
+        run:check(box.y >= 100 - height - 0.01, "box %d is at y = %.9g", i, box.y)
+        run:check(box.y <= 100 - size + 0.01, "box %d is at y = %.9g", i, box.y)
+      end
+      run:check(most - least >= size, "they are still one column")
+      run:play(1)
+      expectRest(run, 0.5)
     end)
   end
 end)
@@ -499,30 +487,28 @@ describe("F6: a squeezed heap", function()
   }) do
     local count, sizes, left, restitution, friction = row[1], row[2], row[3], row[4], row[5]
     local title = "of %d crates of %s sizes in %d px, restitution %g, friction %g, rests"
-    it(title:format(count, sizes, left, restitution, friction), function()
-      scene.each(UPRIGHT, function(run)
-        local random, rows = newRandom(12), 5
-        local description = {
-          solid("floor", -300, 300, 600, 16),
-          solid("ceiling", -300, 204, 600, 16),
-          solid("wall", 200, 220, 16, 80),
-          carrier("piston", -100, 220, 100, 80),
-        }
-        for i = 0, count - 1 do
-          local size = sizes == "equal" and 16 or random:between(10, 16)
-          local column = math.floor(i / rows)
-          local x, y = 4 + 17 * column, 300 - 16 * (i - rows * column) - size
-          local fields = { restitution = restitution, friction = friction }
-          description[5 + i] = body("crate" .. i, x, y, size, size, fields)
-        end
-        local named = run:build(description)
-        local watch = motion.new(run.world, run.all)
-        named.piston.vx = 200 - left
-        watched(run, watch, 1)
-        named.piston.vx = 0
-        watched(run, watch, count < 40 and restitution == 0 and 2 or 3)
-        expectRest(run, 0.5)
-      end)
+    scene.it(title:format(count, sizes, left, restitution, friction), UPRIGHT, function(run)
+      local random, rows = newRandom(12), 5
+      local description = {
+        solid("floor", -300, 300, 600, 16),
+        solid("ceiling", -300, 204, 600, 16),
+        solid("wall", 200, 220, 16, 80),
+        carrier("piston", -100, 220, 100, 80),
+      }
+      for i = 0, count - 1 do
+        local size = sizes == "equal" and 16 or random:between(10, 16)
+        local column = math.floor(i / rows)
+        local x, y = 4 + 17 * column, 300 - 16 * (i - rows * column) - size
+        local fields = { restitution = restitution, friction = friction }
+        description[5 + i] = body("crate" .. i, x, y, size, size, fields)
+      end
+      local named = run:build(description)
+      local watch = motion.new(run.world, run.all)
+      named.piston.vx = 200 - left
+      watched(run, watch, 1)
+      named.piston.vx = 0
+      watched(run, watch, count < 40 and restitution == 0 and 2 or 3)
+      expectRest(run, 0.5)
     end)
   end
 end)
@@ -617,16 +603,14 @@ describe("F8: what moves alone is the same at every rate", function()
   }) do
     local v, friction, air, gravity = row[1], row[2], row[3], row[4]
     local title = "%g px/s, friction %g, airFriction %g, gravity %g"
-    it(title:format(v, friction, air, gravity), function()
-      scene.each(RATES, function(run)
-        local fields = { vx = v, friction = friction, airFriction = air }
-        local named = run:build({ gravity = gravity, FLOOR, body("box", 0, 84, 16, 16, fields) })
-        local sign = v < 0 and -1 or 1
-        for time in run:steps(2) do
-          near(run, "x", named.box.x, sign * braked(math.abs(v), air, friction * gravity, time))
-        end
-        run:same("vx", named.box.vx, 0)
-      end)
+    scene.it(title:format(v, friction, air, gravity), RATES, function(run)
+      local fields = { vx = v, friction = friction, airFriction = air }
+      local named = run:build({ gravity = gravity, FLOOR, body("box", 0, 84, 16, 16, fields) })
+      local sign = v < 0 and -1 or 1
+      for time in run:steps(2) do
+        near(run, "x", named.box.x, sign * braked(math.abs(v), air, friction * gravity, time))
+      end
+      run:same("vx", named.box.vx, 0)
     end)
   end
 
@@ -646,36 +630,30 @@ describe("F8: what moves alone is the same at every rate", function()
       end
       return limited(pull, air, limit, t)
     end
-    it(title:format(pull, air, limit) .. ", falling", function()
-      scene.each(RATES, function(run)
-        local fields = { airFriction = air, maxSpeedY = limit }
-        local named = run:build({ gravity = pull, body("box", 0, 0, 16, 16, fields) })
-        for time in run:steps(2) do
-          near(run, "y", named.box.y, way(time))
-        end
-      end)
+    scene.it(title:format(pull, air, limit) .. ", falling", RATES, function(run)
+      local fields = { airFriction = air, maxSpeedY = limit }
+      local named = run:build({ gravity = pull, body("box", 0, 0, 16, 16, fields) })
+      for time in run:steps(2) do
+        near(run, "y", named.box.y, way(time))
+      end
     end)
 
-    it(title:format(pull, air, limit) .. ", by an engine", function()
-      scene.each(RATES, function(run)
-        local fields = { ax = pull, airFriction = air, maxSpeedX = limit }
-        local named = run:build({ gravity = 0, body("box", 0, 0, 16, 16, fields) })
-        for time in run:steps(2) do
-          near(run, "x", named.box.x, way(time))
-        end
-      end)
+    scene.it(title:format(pull, air, limit) .. ", by an engine", RATES, function(run)
+      local fields = { ax = pull, airFriction = air, maxSpeedX = limit }
+      local named = run:build({ gravity = 0, body("box", 0, 0, 16, 16, fields) })
+      for time in run:steps(2) do
+        near(run, "x", named.box.x, way(time))
+      end
     end)
   end
 
-  it("drag and airFriction together", function()
-    scene.each(RATES, function(run)
-      local fields = { vx = 400, airFriction = 1.5, drag = 120 }
-      local named = run:build({ gravity = 0, body("box", 0, 0, 16, 16, fields) })
-      for time in run:steps(2) do
-        -- In the step in which it stops it slows down evenly.
-        near(run, "x", named.box.x, braked(400, 1.5, 120, time), 1e-3)
-      end
-    end)
+  scene.it("drag and airFriction together", RATES, function(run)
+    local fields = { vx = 400, airFriction = 1.5, drag = 120 }
+    local named = run:build({ gravity = 0, body("box", 0, 0, 16, 16, fields) })
+    for time in run:steps(2) do
+      -- In the step in which it stops it slows down evenly.
+      near(run, "x", named.box.x, braked(400, 1.5, 120, time), 1e-3)
+    end
   end)
 end)
 
@@ -732,8 +710,10 @@ end)
 describe("F10: put onto a platform that goes down", function()
   for _, speed in ipairs({ 30, 60, 200, 400 }) do
     for _, how in ipairs({ "written", "added" }) do
-      it(("at %g px/s it rides from the second update on, %s"):format(speed, how), function()
-        scene.each(UPRIGHT, function(run)
+      scene.it(
+        ("at %g px/s it rides from the second update on, %s"):format(speed, how),
+        UPRIGHT,
+        function(run)
           local named = run:build({
             solid("floor", -500, 100, 300, 16),
             carrier("lift", 100, 0, 64, 8, { vy = speed }),
@@ -751,28 +731,26 @@ describe("F10: put onto a platform that goes down", function()
             run:near("the gap", named.lift.y - man.y - 24, 0)
             run:check(man.raw.touching.bottom == named.lift.raw, "it does not stand on the lift")
           end
-        end)
-      end)
+        end
+      )
     end
   end
 
-  it("that goes sideways and down it is taken along", function()
-    scene.each(UPRIGHT, function(run)
-      local named = run:build({
-        carrier("lift", 100, 0, 64, 8, { vx = 40, vy = 120 }),
-        body("man", -400, -500, 16, 24),
-      })
-      run:step(1 / run.rate)
-      local man = named.man
-      man.x, man.y, man.vy = named.lift.x + 20, named.lift.y - 24, 0
-      run:step(1 / run.rate)
-      run:step(1 / run.rate)
-      local offset = man.x - named.lift.x
-      for _ in run:steps(1) do
-        run:near("the gap", named.lift.y - man.y - 24, 0)
-        run:near("the place on it", man.x - named.lift.x, offset)
-      end
-    end)
+  scene.it("that goes sideways and down it is taken along", UPRIGHT, function(run)
+    local named = run:build({
+      carrier("lift", 100, 0, 64, 8, { vx = 40, vy = 120 }),
+      body("man", -400, -500, 16, 24),
+    })
+    run:step(1 / run.rate)
+    local man = named.man
+    man.x, man.y, man.vy = named.lift.x + 20, named.lift.y - 24, 0
+    run:step(1 / run.rate)
+    run:step(1 / run.rate)
+    local offset = man.x - named.lift.x
+    for _ in run:steps(1) do
+      run:near("the gap", named.lift.y - man.y - 24, 0)
+      run:near("the place on it", man.x - named.lift.x, offset)
+    end
   end)
 end)
 
@@ -839,8 +817,10 @@ describe("F14: two bricks hit at the same moment", function()
     { 15.5, 0.5 },
   }) do
     local left, right = row[1], row[2]
-    it(("tell the wider common edge first: %g and %g px"):format(left, right), function()
-      scene.each(TURNED, function(run)
+    scene.it(
+      ("tell the wider common edge first: %g and %g px"):format(left, right),
+      TURNED,
+      function(run)
         local wide = left > right and "left" or "right"
         local named = run:build({
           gravity = 0,
@@ -856,8 +836,8 @@ describe("F14: two bricks hit at the same moment", function()
         run:check(told[1] == named[wide].raw, "the first that is told is not the %s one", wide)
         local top = named.man.touching.top
         run:check(top and top.raw == named[wide].raw, "touching.top is not the %s one", wide)
-      end)
-    end)
+      end
+    )
   end
 end)
 

@@ -6,7 +6,7 @@ local overlap = require("spec.support.overlap")
 local scene = require("spec.support.scene")
 local variants = require("spec.support.variants")
 
-local EVERYWHERE = { rate = variants.RATES, turn = variants.TURNS }
+local EVERYWHERE, SOME = variants.EVERYWHERE, variants.SOME
 
 --- Momentum along both axes and kinetic energy of the dynamic objects of a list.
 local function sums(objects)
@@ -78,31 +78,31 @@ describe("momentum", function()
   }) do
     local restitution, massA, massB, beforeA, beforeB = row[1], row[2], row[3], row[4], row[5]
     local name = "(12) is kept, m %g at %g px/s into m %g at %g px/s, restitution %g"
-    it(name:format(massA, beforeA, massB, beforeB, restitution), function()
-      scene.each(EVERYWHERE, function(run)
-        local a = { name = "a", x = 0, y = 0, width = 16, height = 16, vx = beforeA, mass = massA }
-        local b = { name = "b", x = 40, y = 4, width = 16, height = 16, vx = beforeB, mass = massB }
-        a.restitution = restitution
-        local named = run:build({ gravity = 0, { "boxes", a }, { "boxes", b } })
-        run:play(1)
-        run:near("vx of a", named.a.vx, row[6])
-        run:near("vx of b", named.b.vx, row[7])
-        run:same("vy of a", named.a.vy, 0)
-        run:same("vy of b", named.b.vy, 0)
-        if run.push == "both" then
-          -- both meet at their moment and go on from there
-          local moment = 24 / (beforeA - beforeB)
-          run:near("x of a", named.a.x, beforeA * moment + row[6] * (1 - moment))
-          run:near("x of b", named.b.x, 40 + beforeB * moment + row[7] * (1 - moment))
-        end
-      end)
+    scene.it(name:format(massA, beforeA, massB, beforeB, restitution), EVERYWHERE, function(run)
+      local a = { name = "a", x = 0, y = 0, width = 16, height = 16, vx = beforeA, mass = massA }
+      local b = { name = "b", x = 40, y = 4, width = 16, height = 16, vx = beforeB, mass = massB }
+      a.restitution = restitution
+      local named = run:build({ gravity = 0, { "boxes", a }, { "boxes", b } })
+      run:play(1)
+      run:near("vx of a", named.a.vx, row[6])
+      run:near("vx of b", named.b.vx, row[7])
+      run:same("vy of a", named.a.vy, 0)
+      run:same("vy of b", named.b.vy, 0)
+      if run.push == "both" then
+        -- both meet at their moment and go on from there
+        local moment = 24 / (beforeA - beforeB)
+        run:near("x of a", named.a.x, beforeA * moment + row[6] * (1 - moment))
+        run:near("x of b", named.b.x, 40 + beforeB * moment + row[7] * (1 - moment))
+      end
     end)
   end
 
   --   +-+ -> +-++-++-++-+
   --   +-+    +-++-++-++-+   Newton's cradle: only the last one leaves
-  it("passes through a row of equal boxes", function()
-    scene.each({ push = { "both" }, rate = variants.RATES, turn = variants.TURNS }, function(run)
+  scene.it(
+    "passes through a row of equal boxes",
+    { push = { "both" }, rate = variants.RATES, turn = variants.TURNS },
+    function(run)
       local description = { gravity = 0 }
       for i = 1, 5 do
         local x = i == 1 and -30 or 16 * i
@@ -118,8 +118,8 @@ describe("momentum", function()
       run:near("vx of box 5", named.box5.vx, 120)
       run:at(named.box1, 16, 0)
       run:at(named.box5, 80 + 120 * (1 - 46 / 120), 0)
-    end)
-  end)
+    end
+  )
 end)
 
 describe("a closed box of bouncing boxes", function()
@@ -129,31 +129,29 @@ describe("a closed box of bouncing boxes", function()
   OTHER.broadphase, OTHER.push = { "pairs" }, { "first" }
   for _, levels in ipairs(effort.isWhole and { PLAIN, OTHER } or { PLAIN }) do
     local name = "(12) keeps its energy for 60 s; momentum changes only at walls, push "
-    it(name .. levels.push[1] .. " #slow", function()
-      scene.each(levels, function(run)
-        run:build(balls(200, 3))
-        local walled
-        run.world.onBegin = function(a, b)
-          walled = walled or a.static or b.static
+    scene.it(name .. levels.push[1] .. " #slow", levels, function(run)
+      run:build(balls(200, 3))
+      local walled
+      run.world.onBegin = function(a, b)
+        walled = walled or a.static or b.static
+      end
+      local px, py, before = sums(run.all)
+      for _ in run:steps(60) do
+        local nowX, nowY, energy = sums(run.all)
+        if not walled then
+          run:near("momentum along x", nowX, px, 1e-6)
+          run:near("momentum along y", nowY, py, 1e-6)
         end
-        local px, py, before = sums(run.all)
-        for _ in run:steps(60) do
-          local nowX, nowY, energy = sums(run.all)
-          if not walled then
-            run:near("momentum along x", nowX, px, 1e-6)
-            run:near("momentum along y", nowY, py, 1e-6)
-          end
-          px, py, walled = nowX, nowY, false
-          run:near("energy", energy / before, 1, 0.01)
+        px, py, walled = nowX, nowY, false
+        run:near("energy", energy / before, 1, 0.01)
+      end
+      for _, object in ipairs(run.all) do
+        if not object.static then
+          local x, y = object.x - run.shift, object.y - run.shift
+          run:check(x >= -1e-6 and x + object.width <= 800 + 1e-6, "left the room")
+          run:check(y >= -1e-6 and y + object.height <= 600 + 1e-6, "left the room")
         end
-        for _, object in ipairs(run.all) do
-          if not object.static then
-            local x, y = object.x - run.shift, object.y - run.shift
-            run:check(x >= -1e-6 and x + object.width <= 800 + 1e-6, "left the room")
-            run:check(y >= -1e-6 and y + object.height <= 600 + 1e-6, "left the room")
-          end
-        end
-      end)
+      end
     end)
   end
 
@@ -199,8 +197,10 @@ describe("energy does not come out of nowhere", function()
   --  =====   +--+
   --  ledge   |  | 267, comes up
   --          +--+
-  it("when what stands on a ledge is struck from below: the ledge holds it no longer", function()
-    scene.each(EVERYWHERE, function(run)
+  scene.it(
+    "when what stands on a ledge is struck from below: the ledge holds it no longer",
+    EVERYWHERE,
+    function(run)
       local plank = { name = "plank", x = 20, y = 84, width = 60, height = 16, mass = 0.001 }
       local weight = { name = "weight", x = 25, y = 68, width = 16, height = 16, mass = 76 }
       local hammer = { name = "hammer", x = 60, y = 110, width = 16, height = 16, mass = 267 }
@@ -224,16 +224,18 @@ describe("energy does not come out of nowhere", function()
         run:check(now <= before * 1.001, "energy rose from %.9g to %.9g", before, now)
         run:check(named.weight.vy >= -147, "the weight flies up at %.6g px/s", named.weight.vy)
       end
-    end)
-  end)
+    end
+  )
 
   --   -----------
   --     +--+ ^ 159         the small ones are caught between the ceiling and the heavy one
   --   +------+ v 51
   --     +--+
   --     |  | ^ 41, 400 kg
-  it("when light ones are caught between a wall and a heavy one", function()
-    scene.each({ push = variants.PUSHES, turn = variants.TURNS }, function(run)
+  scene.it(
+    "when light ones are caught between a wall and a heavy one",
+    { push = variants.PUSHES, turn = variants.TURNS },
+    function(run)
       local small = { x = 167.826183, y = 0.217328199, width = 19.2367295, height = 7.71337164 }
       local wide = { x = 152.410369, y = 7.94959824, width = 16.986005, height = 19.7865252 }
       local heavy = { x = 157.990531, y = 28.4320278, width = 5.92333902, height = 9.55899454 }
@@ -253,8 +255,8 @@ describe("energy does not come out of nowhere", function()
         run:check(energy <= last * (1 + 1e-9), "energy rose from %.9g to %.9g", last, energy)
         last = energy
       end
-    end)
-  end)
+    end
+  )
 
   pending(
     "and no two overlap for more than 10 steps there: up to 16, one pair in a hundred rooms more"

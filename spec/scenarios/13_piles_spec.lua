@@ -110,37 +110,35 @@ describe("a pile", function()
   -- px, measured: with friction, and 20 s after the drop without any
   local HEIGHT, SLID_HEIGHT = effort.isWhole and 249 or 261, effort.isWhole and 184 or 198
 
-  it("(13) of 1000 boxes with friction is still within 20 s", function()
-    scene.each(GRID, function(run)
-      run:build(pile(COUNT, WIDTH, 0.3))
-      playPile(run, 20)
-      local movers, fastest = countMovers(run)
-      run:check(movers == 0, "%d boxes move, up to %.3g px/s", movers, fastest)
-      checkInside(run, WIDTH)
-      run:near("mean height", meanHeight(run), HEIGHT, 5)
-    end)
+  scene.it("(13) of 1000 boxes with friction is still within 20 s", GRID, function(run)
+    run:build(pile(COUNT, WIDTH, 0.3))
+    playPile(run, 20)
+    local movers, fastest = countMovers(run)
+    run:check(movers == 0, "%d boxes move, up to %.3g px/s", movers, fastest)
+    checkInside(run, WIDTH)
+    run:near("mean height", meanHeight(run), HEIGHT, 5)
   end)
 
   -- Sliding boxes go on sliding until they drop into a gap: the pile is lower than one with
   -- friction, and sinks for a long time.
-  it("(13) of 1000 boxes without friction slides together and does not overlap #slow", function()
-    scene.each(GRID, function(run)
+  scene.it(
+    "(13) of 1000 boxes without friction slides together and does not overlap #slow",
+    GRID,
+    function(run)
       run:build(pile(COUNT, WIDTH, nil))
       playPile(run, 20)
       checkInside(run, WIDTH)
       checkSupported(run)
       run:near("mean height", meanHeight(run), SLID_HEIGHT, 5)
-    end)
-  end)
+    end
+  )
 
-  it("(13) of 100 boxes is still within 20 s, turned and shifted", function()
-    scene.each(SMALL, function(run)
-      run:build(pile(100, 200, 0.3))
-      playPile(run, 20)
-      local movers, fastest = countMovers(run)
-      run:check(movers == 0, "%d boxes move, up to %.3g px/s", movers, fastest)
-      checkInside(run, 200)
-    end)
+  scene.it("(13) of 100 boxes is still within 20 s, turned and shifted", SMALL, function(run)
+    run:build(pile(100, 200, 0.3))
+    playPile(run, 20)
+    local movers, fastest = countMovers(run)
+    run:check(movers == 0, "%d boxes move, up to %.3g px/s", movers, fastest)
+    checkInside(run, 200)
   end)
 
   it("(13) of 100 boxes is still within 20 s, push first", function()

@@ -4,9 +4,7 @@ local physics = require("physics")
 local scene = require("spec.support.scene")
 local variants = require("spec.support.variants")
 
-local EVERYWHERE = { rate = variants.RATES, turn = variants.TURNS }
-local SOME = { shift = { 0, 1 / 3, 100000.3 }, rate = { 60, 30, "irregular" } }
-SOME.order, SOME.turn = { "forward", "shuffled" }, variants.TURNS
+local EVERYWHERE, SOME = variants.EVERYWHERE, variants.SOME
 
 local function solid(name, x, y, width, height, fields)
   local object = { name = name, x = x, y = y, width = width, height = height, static = true }
@@ -51,78 +49,74 @@ describe("nudge", function()
       local x, nudge, behind, fields = row[1], row[2], row[3], row[4] or {}
       local does = behind and "comes up beside it" or "bumps its head"
       fields.nudge = nudge
-      it(("at x = %g with nudge %g %s"):format(x, nudge, does), function()
-        scene.each(EVERYWHERE, function(run)
-          local named = run:build({
-            solid("block", 100, 50, 64, 16),
-            solid("floor", 0, 200, 400, 16),
-            body(x, 176, 0, -400, fields),
-          })
-          local log = run:listen(named.body)
-          named.body.vy = -500
-          local bumped = (500 - math.sqrt(500 * 500 - 1600 * 110)) / 800
-          for time in run:steps(2 / 3) do
-            local y = 176 - 500 * time + 400 * time * time
-            if time < bumped - 1e-6 then
-              run:at(named.body, x, y)
-            elseif behind then
-              run:at(named.body, behind, y)
-              run:near("vy", named.body.vy, 800 * time - 500)
-              run:touches(named.body)
-            else
-              run:near("x", named.body.x, x)
-              run:check(named.body.y >= 66 - 1e-6, "its head is at %.9g", named.body.y)
-            end
+      scene.it(("at x = %g with nudge %g %s"):format(x, nudge, does), EVERYWHERE, function(run)
+        local named = run:build({
+          solid("block", 100, 50, 64, 16),
+          solid("floor", 0, 200, 400, 16),
+          body(x, 176, 0, -400, fields),
+        })
+        local log = run:listen(named.body)
+        named.body.vy = -500
+        local bumped = (500 - math.sqrt(500 * 500 - 1600 * 110)) / 800
+        for time in run:steps(2 / 3) do
+          local y = 176 - 500 * time + 400 * time * time
+          if time < bumped - 1e-6 then
+            run:at(named.body, x, y)
+          elseif behind then
+            run:at(named.body, behind, y)
+            run:near("vy", named.body.vy, 800 * time - 500)
+            run:touches(named.body)
+          else
+            run:near("x", named.body.x, x)
+            run:check(named.body.y >= 66 - 1e-6, "its head is at %.9g", named.body.y)
           end
-          run:same("bumps", log.sides.top, behind and 0 or 1)
-          run:same("vx", named.body.vx, 0)
-        end)
+        end
+        run:same("bumps", log.sides.top, behind and 0 or 1)
+        run:same("vx", named.body.vx, 0)
       end)
     end
 
-    it("moves on sideways as before", function()
-      scene.each(SOME, function(run)
-        -- at the block, after 0.25 s, 3 px of it are below
-        local named = run:build({
-          gravity = 0,
-          solid("block", 100, 50, 64, 16),
-          body(161 - 5, 91, 20, -100, { nudge = 4 }),
-        })
-        for time in run:steps(1) do
-          local shift = time > 0.25 + 1e-6 and 3 or 0
-          if math.abs(time - 0.25) > 1e-6 then
-            run:at(named.body, 156 + 20 * time + shift, 91 - 100 * time)
-          end
-          run:same("vx", named.body.vx, 20)
-          run:same("vy", named.body.vy, -100)
+    scene.it("moves on sideways as before", SOME, function(run)
+      -- at the block, after 0.25 s, 3 px of it are below
+      local named = run:build({
+        gravity = 0,
+        solid("block", 100, 50, 64, 16),
+        body(161 - 5, 91, 20, -100, { nudge = 4 }),
+      })
+      for time in run:steps(1) do
+        local shift = time > 0.25 + 1e-6 and 3 or 0
+        if math.abs(time - 0.25) > 1e-6 then
+          run:at(named.body, 156 + 20 * time + shift, 91 - 100 * time)
         end
-      end)
+        run:same("vx", named.body.vx, 20)
+        run:same("vy", named.body.vy, -100)
+      end
     end)
 
-    it("with another block beside bumps", function()
-      scene.each(EVERYWHERE, function(run)
-        for _, x in ipairs({ 164, 175 }) do
-          local named = run:build({
-            solid("block", 100, 50, 64, 16),
-            solid("next", x, 40, 64, 26),
-            solid("floor", 0, 200, 400, 16),
-            body(161, 176, 0, -500, { nudge = 4 }),
-          })
-          local log = run:listen(named.body)
-          for _ in run:steps(1) do
-            run:near("x", named.body.x, 161)
-          end
-          run:same("bumps", log.sides.top, 1)
+    scene.it("with another block beside bumps", EVERYWHERE, function(run)
+      for _, x in ipairs({ 164, 175 }) do
+        local named = run:build({
+          solid("block", 100, 50, 64, 16),
+          solid("next", x, 40, 64, 26),
+          solid("floor", 0, 200, 400, 16),
+          body(161, 176, 0, -500, { nudge = 4 }),
+        })
+        local log = run:listen(named.body)
+        for _ in run:steps(1) do
+          run:near("x", named.body.x, 161)
         end
-      end)
+        run:same("bumps", log.sides.top, 1)
+      end
     end)
 
     --   +------+
     --   |      +------   another one half a pixel higher
     --   +------+
     --        +-+
-    it("with another block behind it passes the first one, and bumps at the second", function()
-      scene.each(EVERYWHERE, function(run)
+    scene.it(
+      "with another block behind it passes the first one, and bumps at the second",
+      EVERYWHERE,
+      function(run)
         local named = run:build({
           gravity = 0,
           solid("block", 100, 50, 64, 16),
@@ -132,41 +126,39 @@ describe("nudge", function()
         run:play(1 / 2)
         run:at(named.body, 164, 65.5)
         run:touches(named.body, "top")
-      end)
+      end
+    )
+
+    scene.it("fits exactly between two", EVERYWHERE, function(run)
+      local named = run:build({
+        solid("block", 100, 50, 64, 16),
+        solid("next", 180, 50, 64, 16),
+        body(161, 176, 0, -500, { nudge = 4 }),
+      })
+      run:play(1 / 2)
+      run:at(named.body, 164, 26)
+      run:near("vy", named.body.vy, -100)
     end)
 
-    it("fits exactly between two", function()
-      scene.each(EVERYWHERE, function(run)
-        local named = run:build({
-          solid("block", 100, 50, 64, 16),
-          solid("next", 180, 50, 64, 16),
-          body(161, 176, 0, -500, { nudge = 4 }),
-        })
-        run:play(1 / 2)
-        run:at(named.body, 164, 26)
-        run:near("vy", named.body.vy, -100)
-      end)
-    end)
-
-    it("in a row of tiles bumps at every seam", function()
-      scene.each(SOME, function(run)
-        for i = 0, 15 do
-          local description = { body(100 + i, 176, 0, -500, { nudge = 4 }) }
-          scene.tiles(description, 20, 0, 50, 16, 16, 16, 0)
-          local named = run:build(description)
-          local log = run:listen(named.body)
-          for _ in run:steps(1 / 3) do
-            run:near("x", named.body.x, 100 + i)
-          end
-          run:check(log.sides.top >= 1, "should bump its head")
-          run:check(named.body.y >= 66 - 1e-6, "its head is at %.9g", named.body.y)
+    scene.it("in a row of tiles bumps at every seam", SOME, function(run)
+      for i = 0, 15 do
+        local description = { body(100 + i, 176, 0, -500, { nudge = 4 }) }
+        scene.tiles(description, 20, 0, 50, 16, 16, 16, 0)
+        local named = run:build(description)
+        local log = run:listen(named.body)
+        for _ in run:steps(1 / 3) do
+          run:near("x", named.body.x, 100 + i)
         end
-      end)
+        run:check(log.sides.top >= 1, "should bump its head")
+        run:check(named.body.y >= 66 - 1e-6, "its head is at %.9g", named.body.y)
+      end
     end)
 
     -- Both sides close within a billionth of the step.
-    it("hit corner to corner is stopped as without it", function()
-      scene.each({ shift = { 0 }, rate = { 60 }, turn = variants.TURNS }, function(run)
+    scene.it(
+      "hit corner to corner is stopped as without it",
+      { shift = { 0 }, rate = { 60 }, turn = variants.TURNS },
+      function(run)
         for _, off in ipairs({ 0, 4e-9, -4e-9 }) do
           local stops = {}
           for n, nudge in ipairs({ 0, 4 }) do
@@ -183,41 +175,37 @@ describe("nudge", function()
           end
           run:same("speeds stopped", stops[2].vx * stops[2].vy, 0)
         end
-      end)
+      end
+    )
+
+    scene.it("at 6000 px/s does the same", SOME, function(run)
+      local named = run:build({
+        gravity = 0,
+        solid("block", 100, 50, 64, 16),
+        body(161, 176, 0, -6000, { nudge = 4 }),
+      })
+      run:play(1 / 6)
+      run:at(named.body, 164, -824)
+      run:near("vy", named.body.vy, -6000)
     end)
 
-    it("at 6000 px/s does the same", function()
-      scene.each(SOME, function(run)
-        local named = run:build({
-          gravity = 0,
-          solid("block", 100, 50, 64, 16),
-          body(161, 176, 0, -6000, { nudge = 4 }),
-        })
-        run:play(1 / 6)
-        run:at(named.body, 164, -824)
-        run:near("vy", named.body.vy, -6000)
-      end)
-    end)
-
-    it("slides around a moving platform, too, and not around a box", function()
-      scene.each(SOME, function(run)
-        local named = run:build({
-          gravity = 0,
-          solid("block", 100, 50, 64, 16, { static = false, kinematic = true }),
-          body(161, 176, 0, -400, { nudge = 4 }),
-        })
-        run:play(0.5)
-        run:at(named.body, 164, -24)
-        named = run:build({
-          gravity = 0,
-          solid("block", 100, 50, 64, 16, { static = false }),
-          body(161, 176, 0, -400, { nudge = 4 }),
-        })
-        local log = run:listen(named.body)
-        run:play(0.5)
-        run:near("x", named.body.x, 161)
-        run:same("bumps", log.sides.top, 1)
-      end)
+    scene.it("slides around a moving platform, too, and not around a box", SOME, function(run)
+      local named = run:build({
+        gravity = 0,
+        solid("block", 100, 50, 64, 16, { static = false, kinematic = true }),
+        body(161, 176, 0, -400, { nudge = 4 }),
+      })
+      run:play(0.5)
+      run:at(named.body, 164, -24)
+      named = run:build({
+        gravity = 0,
+        solid("block", 100, 50, 64, 16, { static = false }),
+        body(161, 176, 0, -400, { nudge = 4 }),
+      })
+      local log = run:listen(named.body)
+      run:play(0.5)
+      run:near("x", named.body.x, 161)
+      run:same("bumps", log.sides.top, 1)
     end)
   end)
 
@@ -271,89 +259,67 @@ describe("nudge", function()
     end
 
     for _, y in ipairs({ 99, 101, 97, 103.5 }) do
-      it(("%g px off goes through"):format(y - 100), function()
-        scene.each(EVERYWHERE, function(run)
-          local named = run:build(doorway(24, y, 4))
-          local log = run:listen(named.body)
-          for time in
-            run:steps(2, function()
-              named.body.vx = 100
-            end)
-          do
-            local x = 100 + 100 * time
-            run:near("x", named.body.x, x)
-            if x < 184 - 1e-6 then
-              run:near("y", named.body.y, y)
-            end
-            if x > 184 + 1e-6 then
-              run:near("y", named.body.y, 100)
-            end
-            run:same("vx", named.body.vx, 100)
+      scene.it(("%g px off goes through"):format(y - 100), EVERYWHERE, function(run)
+        local named = run:build(doorway(24, y, 4))
+        local log = run:listen(named.body)
+        for time in run:steps(2, run:keep(named.body, 100)) do
+          local x = 100 + 100 * time
+          run:near("x", named.body.x, x)
+          if x < 184 - 1e-6 then
+            run:near("y", named.body.y, y)
           end
-          run:same("begins", log.begins, 0)
-        end)
+          if x > 184 + 1e-6 then
+            run:near("y", named.body.y, 100)
+          end
+          run:same("vx", named.body.vx, 100)
+        end
+        run:same("begins", log.begins, 0)
       end)
     end
 
-    it("both sides of it in the way at once, goes nowhere", function()
-      scene.each(SOME, function(run)
-        for _, y in ipairs({ 99, 99.5, 98 }) do
-          local named = run:build(doorway(23, y, 4))
-          run:play(2)
-          run:at(named.body, 184, y)
-          run:same("vx", named.body.vx, 0)
-        end
-      end)
-    end)
-
-    it("too far off stops", function()
-      scene.each(EVERYWHERE, function(run)
-        for _, y in ipairs({ 95, 105, 60 }) do
-          local named = run:build(doorway(24, y, 4))
-          run:play(2, function()
-            named.body.vx = 100
-          end)
-          run:at(named.body, 184, y)
-          run:same("vx", named.body.vx, 0)
-          run:touches(named.body, "right")
-        end
-      end)
-    end)
-
-    it("without it stops at one pixel", function()
-      scene.each(SOME, function(run)
-        local named = run:build(doorway(24, 99, 0))
+    scene.it("both sides of it in the way at once, goes nowhere", SOME, function(run)
+      for _, y in ipairs({ 99, 99.5, 98 }) do
+        local named = run:build(doorway(23, y, 4))
         run:play(2)
-        run:at(named.body, 184, 99)
-      end)
+        run:at(named.body, 184, y)
+        run:same("vx", named.body.vx, 0)
+      end
     end)
 
-    it("leaning on the wall beside it goes in when it comes near", function()
-      scene.each(SOME, function(run)
-        local named = run:build(doorway(24, 60, 4))
-        run:play(1, function()
-          named.body.vx = 100
-        end)
-        run:at(named.body, 184, 60)
-        run:play(1.5, function()
-          named.body.vx, named.body.vy = 100, 30
-        end)
-        run:check(named.body.x > 200, "should have gone in, is at %.9g", named.body.x)
-      end)
+    scene.it("too far off stops", EVERYWHERE, function(run)
+      for _, y in ipairs({ 95, 105, 60 }) do
+        local named = run:build(doorway(24, y, 4))
+        run:play(2, run:keep(named.body, 100))
+        run:at(named.body, 184, y)
+        run:same("vx", named.body.vx, 0)
+        run:touches(named.body, "right")
+      end
     end)
 
-    it("a box before the doorway is pushed, not gone around", function()
-      scene.each(SOME, function(run)
-        local description = doorway(24, 99, 4)
-        description[3][2].y = 100
-        description[4] = { "boxes", { name = "box", x = 150, y = 121, width = 16, height = 24 } }
-        local named = run:build(description)
-        run:play(2, function()
-          named.body.vx = 100
-        end)
-        run:at(named.box, 184, 121)
-        run:at(named.body, 168, 100)
+    scene.it("without it stops at one pixel", SOME, function(run)
+      local named = run:build(doorway(24, 99, 0))
+      run:play(2)
+      run:at(named.body, 184, 99)
+    end)
+
+    scene.it("leaning on the wall beside it goes in when it comes near", SOME, function(run)
+      local named = run:build(doorway(24, 60, 4))
+      run:play(1, run:keep(named.body, 100))
+      run:at(named.body, 184, 60)
+      run:play(1.5, function()
+        named.body.vx, named.body.vy = 100, 30
       end)
+      run:check(named.body.x > 200, "should have gone in, is at %.9g", named.body.x)
+    end)
+
+    scene.it("a box before the doorway is pushed, not gone around", SOME, function(run)
+      local description = doorway(24, 99, 4)
+      description[3][2].y = 100
+      description[4] = { "boxes", { name = "box", x = 150, y = 121, width = 16, height = 24 } }
+      local named = run:build(description)
+      run:play(2, run:keep(named.body, 100))
+      run:at(named.box, 184, 121)
+      run:at(named.body, 168, 100)
     end)
   end)
 
@@ -362,20 +328,18 @@ describe("nudge", function()
     --        | |  3 px of the feet on the edge
     --        +-+
     --   +------+
-    it("never lets slip off an edge", function()
-      scene.each(EVERYWHERE, function(run)
-        for _, x in ipairs({ 161, 87 }) do
-          local named = run:build({
-            solid("block", 100, 50, 64, 16),
-            body(x, -50, 0, 0, { nudge = 4 }),
-          })
-          local log = run:listen(named.body)
-          run:play(1)
-          run:at(named.body, x, 26)
-          run:touches(named.body, "bottom")
-          run:same("begins", log.begins, 1)
-        end
-      end)
+    scene.it("never lets slip off an edge", EVERYWHERE, function(run)
+      for _, x in ipairs({ 161, 87 }) do
+        local named = run:build({
+          solid("block", 100, 50, 64, 16),
+          body(x, -50, 0, 0, { nudge = 4 }),
+        })
+        local log = run:listen(named.body)
+        run:play(1)
+        run:at(named.body, x, 26)
+        run:touches(named.body, "bottom")
+        run:same("begins", log.begins, 1)
+      end
     end)
 
     it("leads up stairs on a platform that sinks or rises, as on one that stands", function()
@@ -396,94 +360,72 @@ describe("nudge", function()
       end
     end)
 
-    it("lets a box that floats slip off an edge", function()
-      scene.each(SOME, function(run)
-        local named = run:build({
-          solid("block", 100, 50, 64, 16),
-          body(161, -50, 0, 100, { nudge = 4, gravity = 0, gravityX = 0 }),
-        })
-        run:play(1)
-        run:at(named.body, 164, 50)
-      end)
+    scene.it("lets a box that floats slip off an edge", SOME, function(run)
+      local named = run:build({
+        solid("block", 100, 50, 64, 16),
+        body(161, -50, 0, 100, { nudge = 4, gravity = 0, gravityX = 0 }),
+      })
+      run:play(1)
+      run:at(named.body, 164, 50)
     end)
 
     --            +----
     --   +-+ ->   |      2 px high
     --   ---------+
-    it("walks up a low step, and stops at a higher one", function()
-      scene.each(EVERYWHERE, function(run)
-        for _, height in ipairs({ 2, 6 }) do
-          local named = run:build({
-            solid("floor", 0, 200, 600, 16),
-            solid("step", 200, 200 - height, 200, 16),
-            body(100, 176, 0, 0, { nudge = 4 }),
-          })
-          for _ in
-            run:steps(2, function()
-              named.body.vx = 100
-            end)
-          do
-          end
-          if height == 2 then
-            run:at(named.body, 300, 174)
-            run:touches(named.body, "bottom")
-          else
-            run:at(named.body, 184, 176)
-            run:touches(named.body, "bottom", "right")
-          end
+    scene.it("walks up a low step, and stops at a higher one", EVERYWHERE, function(run)
+      for _, height in ipairs({ 2, 6 }) do
+        local named = run:build({
+          solid("floor", 0, 200, 600, 16),
+          solid("step", 200, 200 - height, 200, 16),
+          body(100, 176, 0, 0, { nudge = 4 }),
+        })
+        for _ in run:steps(2, run:keep(named.body, 100)) do
         end
-      end)
+        if height == 2 then
+          run:at(named.body, 300, 174)
+          run:touches(named.body, "bottom")
+        else
+          run:at(named.body, 184, 176)
+          run:touches(named.body, "bottom", "right")
+        end
+      end
     end)
 
     --   +-+ ->  |    a beam that ends 2 px below the top of the head
     --   | |     +
     --   ---------------
-    it("does not duck into the floor", function()
-      scene.each(EVERYWHERE, function(run)
-        local named = run:build({
-          solid("floor", 0, 200, 600, 16),
-          solid("beam", 200, 100, 16, 78),
-          body(100, 176, 0, 0, { nudge = 4 }),
-        })
-        for time in
-          run:steps(2, function()
-            named.body.vx = 100
-          end)
-        do
-          run:at(named.body, math.min(184, 100 + 100 * time), 176)
-        end
-        run:touches(named.body, "bottom", "right")
-      end)
+    scene.it("does not duck into the floor", EVERYWHERE, function(run)
+      local named = run:build({
+        solid("floor", 0, 200, 600, 16),
+        solid("beam", 200, 100, 16, 78),
+        body(100, 176, 0, 0, { nudge = 4 }),
+      })
+      for time in run:steps(2, run:keep(named.body, 100)) do
+        run:at(named.body, math.min(184, 100 + 100 * time), 176)
+      end
+      run:touches(named.body, "bottom", "right")
     end)
 
-    it("and floor tiles has no seams", function()
-      scene.each(SOME, function(run)
-        local description = { body(0, 76, 0, 0, { nudge = 4 }) }
-        scene.tiles(description, 60, 0, 100, 16, 16, 16, 0)
-        local named = run:build(description)
-        for time in
-          run:steps(2, function()
-            named.body.vx = 200
-          end)
-        do
-          run:at(named.body, 200 * time, 76)
-          run:same("vx", named.body.vx, 200)
-        end
-      end)
+    scene.it("and floor tiles has no seams", SOME, function(run)
+      local description = { body(0, 76, 0, 0, { nudge = 4 }) }
+      scene.tiles(description, 60, 0, 100, 16, 16, 16, 0)
+      local named = run:build(description)
+      for time in run:steps(2, run:keep(named.body, 200)) do
+        run:at(named.body, 200 * time, 76)
+        run:same("vx", named.body.vx, 200)
+      end
     end)
 
-    it("on a lift under a corner is moved aside with its rider on it", function()
-      scene.each(SOME, function(run)
-        local named = run:build({
-          solid("block", 100, 50, 64, 16),
-          solid("lift", 140, 200, 64, 8, { static = false, kinematic = true, vy = -60 }),
-          body(161, 176, 0, 0, { nudge = 4 }),
-        })
-        run:play(2)
-        run:at(named.body, 164, 56)
-        run:flush(named.body, named.lift, "bottom")
-        run:still(named.body)
-      end)
+    scene.it("on a lift under a corner is moved aside with its rider on it", SOME, function(run)
+      local named = run:build({
+        solid("block", 100, 50, 64, 16),
+        solid("lift", 140, 200, 64, 8, { static = false, kinematic = true, vy = -60 }),
+        body(161, 176, 0, 0, { nudge = 4 }),
+      })
+      run:play(2)
+      run:at(named.body, 164, 56)
+      run:flush(named.body, named.lift, "bottom")
+      run:still(named.body)
     end)
   end)
 end)

@@ -3,9 +3,7 @@
 local scene = require("spec.support.scene")
 local variants = require("spec.support.variants")
 
-local EVERYWHERE = { rate = variants.RATES, turn = variants.TURNS }
-local SOME = { shift = { 0, 1 / 3, 100000.3 }, rate = { 60, 30, "irregular" } }
-SOME.order, SOME.turn = { "forward", "shuffled" }, variants.TURNS
+local EVERYWHERE, SOME = variants.EVERYWHERE, variants.SOME
 
 local FLOOR = {
   "tiles",
@@ -34,190 +32,155 @@ describe("pushable = false", function()
   describe("against one that can be pushed:", function()
     for _, row in ipairs({ { 100, 1 }, { 1000, 1000 }, { 6000, 50 } }) do
       local vx, mass = row[1], row[2]
-      it(("it stays where it is, hit at %g px/s by mass %g"):format(vx, mass), function()
-        scene.each(EVERYWHERE, function(run)
+      scene.it(
+        ("it stays where it is, hit at %g px/s by mass %g"):format(vx, mass),
+        EVERYWHERE,
+        function(run)
           local named = run:build({ FLOOR, box("P", 20, 100, { mass = mass }), firm("U", 80, 100) })
-          for _ in
-            run:steps(1, function()
-              named.P.vx = vx
-            end)
-          do
+          for _ in run:steps(1, run:keep(named.P, vx)) do
             run:at(named.U, 80, 100)
             run:still(named.U)
           end
           run:at(named.P, 64, 100)
           run:flush(named.P, named.U, "right")
           run:still(named.P)
-        end)
-      end)
+        end
+      )
     end
 
-    it("it stays between two that push from both sides", function()
-      scene.each(SOME, function(run)
-        local named =
-          run:build({ FLOOR, box("P", 20, 100), firm("U", 80, 100), box("Q", 140, 100) })
-        for _ in
-          run:steps(1, function()
-            named.P.vx, named.Q.vx = 200, -130
-          end)
-        do
-          run:at(named.U, 80, 100)
-        end
-        run:at(named.P, 64, 100)
-        run:at(named.Q, 96, 100)
-      end)
+    scene.it("it stays between two that push from both sides", SOME, function(run)
+      local named = run:build({ FLOOR, box("P", 20, 100), firm("U", 80, 100), box("Q", 140, 100) })
+      for _ in run:steps(1, run:keep(named.P, 200, named.Q, -130)) do
+        run:at(named.U, 80, 100)
+      end
+      run:at(named.P, 64, 100)
+      run:at(named.Q, 96, 100)
     end)
 
-    it("it stops a row", function()
-      scene.each(SOME, function(run)
-        local description = { FLOOR, box("P", 0, 100), firm("U", 120, 100) }
-        for i = 1, 3 do
-          description[3 + i] = box("box" .. i, 20 * i, 100)
-        end
-        local named = run:build(description)
-        for _ in
-          run:steps(2, function()
-            named.P.vx = 100
-          end)
-        do
-          run:at(named.U, 120, 100)
-        end
-        for i = 1, 3 do
-          run:at(named["box" .. i], 56 + 16 * i, 100)
-        end
-        run:at(named.P, 56, 100)
-      end)
+    scene.it("it stops a row", SOME, function(run)
+      local description = { FLOOR, box("P", 0, 100), firm("U", 120, 100) }
+      for i = 1, 3 do
+        description[3 + i] = box("box" .. i, 20 * i, 100)
+      end
+      local named = run:build(description)
+      for _ in run:steps(2, run:keep(named.P, 100)) do
+        run:at(named.U, 120, 100)
+      end
+      for i = 1, 3 do
+        run:at(named["box" .. i], 56 + 16 * i, 100)
+      end
+      run:at(named.P, 56, 100)
     end)
 
-    it("it pushes a box, and keeps its speed", function()
-      scene.each(EVERYWHERE, function(run)
-        for _, mass in ipairs({ 1, 100 }) do
-          local named = run:build({
-            FLOOR,
-            firm("U", 20, 100, { vx = 100 }),
-            box("P", 80, 100, { mass = mass }),
-          })
-          for time in run:steps(2) do
-            run:at(named.U, 20 + 100 * time, 100)
-            run:same("vx", named.U.vx, 100)
-            run:at(named.P, math.max(80, 36 + 100 * time), 100)
-          end
-          run:near("gap", named.P.x - named.U.x - 16, 0)
-        end
-      end)
-    end)
-
-    it("it pushes a box that comes towards it", function()
-      scene.each(SOME, function(run)
+    scene.it("it pushes a box, and keeps its speed", EVERYWHERE, function(run)
+      for _, mass in ipairs({ 1, 100 }) do
         local named = run:build({
           FLOOR,
-          firm("U", 0, 100, { vx = 100 }),
-          box("P", 116, 100, { vx = -100, mass = 30 }),
+          firm("U", 20, 100, { vx = 100 }),
+          box("P", 80, 100, { mass = mass }),
         })
-        for time in run:steps(1) do
-          run:at(named.U, 100 * time, 100)
-          run:at(named.P, math.max(116 - 100 * time, 16 + 100 * time), 100)
-        end
-      end)
-    end)
-
-    it("it pushes a row", function()
-      scene.each(SOME, function(run)
-        local description = { FLOOR, firm("U", 0, 100, { vx = 100 }) }
-        for i = 1, 3 do
-          description[2 + i] = box("box" .. i, 20 + 20 * i, 100)
-        end
-        local named = run:build(description)
         for time in run:steps(2) do
-          run:at(named.U, 100 * time, 100)
+          run:at(named.U, 20 + 100 * time, 100)
+          run:same("vx", named.U.vx, 100)
+          run:at(named.P, math.max(80, 36 + 100 * time), 100)
         end
-        for i = 1, 3 do
-          run:at(named["box" .. i], 200 + 16 * i, 100)
-        end
-      end)
+        run:near("gap", named.P.x - named.U.x - 16, 0)
+      end
     end)
 
-    it("a box bounces off it", function()
-      scene.each(SOME, function(run)
-        local named = run:build({
-          FLOOR,
-          box("P", 14, 100, { vx = 100, restitution = 1 }),
-          firm("U", 80, 100),
-        })
-        for time in run:steps(1) do
-          run:at(named.P, 14 + math.min(100 * time, 100 - 100 * time), 100)
-          run:at(named.U, 80, 100)
-        end
-      end)
+    scene.it("it pushes a box that comes towards it", SOME, function(run)
+      local named = run:build({
+        FLOOR,
+        firm("U", 0, 100, { vx = 100 }),
+        box("P", 116, 100, { vx = -100, mass = 30 }),
+      })
+      for time in run:steps(1) do
+        run:at(named.U, 100 * time, 100)
+        run:at(named.P, math.max(116 - 100 * time, 16 + 100 * time), 100)
+      end
+    end)
+
+    scene.it("it pushes a row", SOME, function(run)
+      local description = { FLOOR, firm("U", 0, 100, { vx = 100 }) }
+      for i = 1, 3 do
+        description[2 + i] = box("box" .. i, 20 + 20 * i, 100)
+      end
+      local named = run:build(description)
+      for time in run:steps(2) do
+        run:at(named.U, 100 * time, 100)
+      end
+      for i = 1, 3 do
+        run:at(named["box" .. i], 200 + 16 * i, 100)
+      end
+    end)
+
+    scene.it("a box bounces off it", SOME, function(run)
+      local named = run:build({
+        FLOOR,
+        box("P", 14, 100, { vx = 100, restitution = 1 }),
+        firm("U", 80, 100),
+      })
+      for time in run:steps(1) do
+        run:at(named.P, 14 + math.min(100 * time, 100 - 100 * time), 100)
+        run:at(named.U, 80, 100)
+      end
     end)
   end)
 
   describe("against a wall:", function()
-    it("it is stopped", function()
-      scene.each(EVERYWHERE, function(run)
-        local named = run:build({ FLOOR, WALL, firm("U", 20, 100, { vx = 300 }) })
-        for time in run:steps(1) do
-          run:at(named.U, math.min(184, 20 + 300 * time), 100)
+    scene.it("it is stopped", EVERYWHERE, function(run)
+      local named = run:build({ FLOOR, WALL, firm("U", 20, 100, { vx = 300 }) })
+      for time in run:steps(1) do
+        run:at(named.U, math.min(184, 20 + 300 * time), 100)
+      end
+      run:flush(named.U, named.wall, "right")
+      run:still(named.U)
+    end)
+
+    scene.it("it is stopped by what it pushes there", EVERYWHERE, function(run)
+      for count = 1, 3 do
+        local description = { FLOOR, WALL, firm("U", 20, 100) }
+        for i = 1, count do
+          description[3 + i] = box("box" .. i, 50 + 20 * i, 100)
         end
-        run:flush(named.U, named.wall, "right")
+        local named = run:build(description)
+        for _ in run:steps(2, run:keep(named.U, 100)) do
+          for i = 1, count do
+            run:near("y", named["box" .. i].y, 100)
+          end
+        end
+        run:at(named.U, 184 - 16 * count, 100)
+        for i = 1, count do
+          run:at(named["box" .. i], 184 - 16 * (count - i), 100)
+        end
         run:still(named.U)
-      end)
+        run:flush(named.U, named.box1, "right")
+      end
     end)
 
-    it("it is stopped by what it pushes there", function()
-      scene.each(EVERYWHERE, function(run)
-        for count = 1, 3 do
-          local description = { FLOOR, WALL, firm("U", 20, 100) }
-          for i = 1, count do
-            description[3 + i] = box("box" .. i, 50 + 20 * i, 100)
-          end
-          local named = run:build(description)
-          for _ in
-            run:steps(2, function()
-              named.U.vx = 100
-            end)
-          do
-            for i = 1, count do
-              run:near("y", named["box" .. i].y, 100)
-            end
-          end
-          run:at(named.U, 184 - 16 * count, 100)
-          for i = 1, count do
-            run:at(named["box" .. i], 184 - 16 * (count - i), 100)
-          end
-          run:still(named.U)
-          run:flush(named.U, named.box1, "right")
-        end
-      end)
+    scene.it("it is moved by a kinematic one", SOME, function(run)
+      local pusher = { name = "K", x = 0, y = 50, width = 16, height = 64, kinematic = true }
+      pusher.vx = 60
+      local named = run:build({ FLOOR, { "walls", pusher }, firm("U", 46, 100) })
+      for time in run:steps(1) do
+        run:at(named.U, math.max(46, 16 + 60 * time), 100)
+      end
+      run:near("vx", named.U.vx, 60)
     end)
 
-    it("it is moved by a kinematic one", function()
-      scene.each(SOME, function(run)
-        local pusher = { name = "K", x = 0, y = 50, width = 16, height = 64, kinematic = true }
-        pusher.vx = 60
-        local named = run:build({ FLOOR, { "walls", pusher }, firm("U", 46, 100) })
-        for time in run:steps(1) do
-          run:at(named.U, math.max(46, 16 + 60 * time), 100)
-        end
-        run:near("vx", named.U.vx, 60)
-      end)
-    end)
-
-    it("it is crushed between two of them, once", function()
-      scene.each(SOME, function(run)
-        local named = run:build({
-          FLOOR,
-          { "walls", { name = "L", x = 60, y = 52, width = 16, height = 64, kinematic = true } },
-          { "walls", { name = "R", x = 124, y = 52, width = 16, height = 64, kinematic = true } },
-          firm("U", 92, 100),
-        })
-        local log = run:listen(named.U)
-        named.L.vx, named.R.vx = 20, -20
-        for _ in run:steps(1) do
-          run:at(named.U, 92, 100)
-        end
-        run:same("onCrush", log.crushes, 1)
-      end)
+    scene.it("it is crushed between two of them, once", SOME, function(run)
+      local named = run:build({
+        FLOOR,
+        { "walls", { name = "L", x = 60, y = 52, width = 16, height = 64, kinematic = true } },
+        { "walls", { name = "R", x = 124, y = 52, width = 16, height = 64, kinematic = true } },
+        firm("U", 92, 100),
+      })
+      local log = run:listen(named.U)
+      named.L.vx, named.R.vx = 20, -20
+      for _ in run:steps(1) do
+        run:at(named.U, 92, 100)
+      end
+      run:same("onCrush", log.crushes, 1)
     end)
   end)
 
@@ -235,100 +198,78 @@ describe("pushable = false", function()
       { 6000, -6000, 42 },
     }) do
       local vxU, vxV, x = row[1], row[2], row[3]
-      it(("meet at %g and %g px/s and stop"):format(vxU, vxV), function()
-        scene.each(EVERYWHERE, function(run)
-          local named = run:build({
-            FLOOR,
-            firm("U", 0, 100, { vx = vxU }),
-            firm("V", 100, 100, { vx = vxV, mass = 10 }),
-          })
-          local log = run:listen(named.U)
-          run:play(2)
-          for _ in run:steps(0.5) do
-            run:at(named.U, x, 100)
-            run:at(named.V, x + 16, 100)
-            run:still(named.U)
-            run:still(named.V)
-          end
-          run:check(log.begins == 2 and log.ends == 0, "%d begins, %d ends", log.begins, log.ends)
-        end)
-      end)
-    end
-
-    it("pressed against each other for ever stay where they met", function()
-      scene.each(SOME, function(run)
-        local named = run:build({ FLOOR, firm("U", 0, 100), firm("V", 100, 100) })
-        run:play(1, function()
-          named.U.vx, named.V.vx = 100, -100
-        end)
-        for _ in
-          run:steps(1, function()
-            named.U.vx, named.V.vx = 100, -300
-          end)
-        do
-          run:at(named.U, 42, 100)
-          run:at(named.V, 58, 100)
+      scene.it(("meet at %g and %g px/s and stop"):format(vxU, vxV), EVERYWHERE, function(run)
+        local named = run:build({
+          FLOOR,
+          firm("U", 0, 100, { vx = vxU }),
+          firm("V", 100, 100, { vx = vxV, mass = 10 }),
+        })
+        local log = run:listen(named.U)
+        run:play(2)
+        for _ in run:steps(0.5) do
+          run:at(named.U, x, 100)
+          run:at(named.V, x + 16, 100)
           run:still(named.U)
           run:still(named.V)
         end
+        run:check(log.begins == 2 and log.ends == 0, "%d begins, %d ends", log.begins, log.ends)
       end)
+    end
+
+    scene.it("pressed against each other for ever stay where they met", SOME, function(run)
+      local named = run:build({ FLOOR, firm("U", 0, 100), firm("V", 100, 100) })
+      run:play(1, run:keep(named.U, 100, named.V, -100))
+      for _ in run:steps(1, run:keep(named.U, 100, named.V, -300)) do
+        run:at(named.U, 42, 100)
+        run:at(named.V, 58, 100)
+        run:still(named.U)
+        run:still(named.V)
+      end
     end)
 
-    it("the faster one behind the slower one follows it", function()
-      scene.each(SOME, function(run)
-        for sign = -1, 1, 2 do
-          local named = run:build({
-            FLOOR,
-            firm("U", 0, 100, { vx = 100 * sign }),
-            firm("V", 100 * sign, 100, { vx = 40 * sign }),
-          })
-          for time in run:steps(2) do
-            run:at(named.V, (100 + 40 * time) * sign, 100)
-            run:at(named.U, math.min(100 * time, 84 + 40 * time) * sign, 100)
-          end
-          run:near("vx", named.U.vx, 40 * sign)
-        end
-      end)
-    end)
-
-    it("cannot be pushed into each other by a third", function()
-      scene.each(SOME, function(run)
+    scene.it("the faster one behind the slower one follows it", SOME, function(run)
+      for sign = -1, 1, 2 do
         local named = run:build({
           FLOOR,
-          box("P", 0, 100, { mass = 100 }),
-          firm("U", 60, 100),
-          firm("V", 90, 100),
+          firm("U", 0, 100, { vx = 100 * sign }),
+          firm("V", 100 * sign, 100, { vx = 40 * sign }),
         })
-        run:play(1, function()
-          named.P.vx = 100
-        end)
-        run:at(named.P, 44, 100)
-        run:at(named.U, 60, 100)
-        run:at(named.V, 90, 100)
-      end)
+        for time in run:steps(2) do
+          run:at(named.V, (100 + 40 * time) * sign, 100)
+          run:at(named.U, math.min(100 * time, 84 + 40 * time) * sign, 100)
+        end
+        run:near("vx", named.U.vx, 40 * sign)
+      end
     end)
 
-    it("crush what is between them as little as walls do: it stops them", function()
-      scene.each(SOME, function(run)
-        local named = run:build({
-          FLOOR,
-          firm("U", 0, 100),
-          box("P", 50, 100),
-          firm("V", 100, 100),
-        })
-        for _ in
-          run:steps(2, function()
-            named.U.vx, named.V.vx = 60, -60
-          end)
-        do
-          run:near("y", named.P.y, 100)
-          run:check(named.P.x - named.U.x >= 16 - 1e-6, "is in U")
-          run:check(named.V.x - named.P.x >= 16 - 1e-6, "is in V")
-        end
-        run:at(named.U, 34, 100)
-        run:at(named.P, 50, 100)
-        run:at(named.V, 66, 100)
-      end)
+    scene.it("cannot be pushed into each other by a third", SOME, function(run)
+      local named = run:build({
+        FLOOR,
+        box("P", 0, 100, { mass = 100 }),
+        firm("U", 60, 100),
+        firm("V", 90, 100),
+      })
+      run:play(1, run:keep(named.P, 100))
+      run:at(named.P, 44, 100)
+      run:at(named.U, 60, 100)
+      run:at(named.V, 90, 100)
+    end)
+
+    scene.it("crush what is between them as little as walls do: it stops them", SOME, function(run)
+      local named = run:build({
+        FLOOR,
+        firm("U", 0, 100),
+        box("P", 50, 100),
+        firm("V", 100, 100),
+      })
+      for _ in run:steps(2, run:keep(named.U, 60, named.V, -60)) do
+        run:near("y", named.P.y, 100)
+        run:check(named.P.x - named.U.x >= 16 - 1e-6, "is in U")
+        run:check(named.V.x - named.P.x >= 16 - 1e-6, "is in V")
+      end
+      run:at(named.U, 34, 100)
+      run:at(named.P, 50, 100)
+      run:at(named.V, 66, 100)
     end)
   end)
 
@@ -348,41 +289,37 @@ describe("pushable = false", function()
     }) do
       local count, gap, left, right = row[1], row[2], row[3], row[4]
       local name = "%d boxes, %g px apart, at %g and %g px/s, stop them"
-      it(name:format(count, gap, left, right), function()
-        scene.each(SOME, function(run)
-          local list, size = { gravity = 0, firm("U", 0, 0) }, 16 + gap
-          for i = 1, count do
-            list[i + 1] = box("P" .. i, size * i, 0)
+      scene.it(name:format(count, gap, left, right), SOME, function(run)
+        local list, size = { gravity = 0, firm("U", 0, 0) }, 16 + gap
+        for i = 1, count do
+          list[i + 1] = box("P" .. i, size * i, 0)
+        end
+        list[count + 2] = firm("V", size * (count + 1), 0)
+        local named = run:build(list)
+        for _ in run:steps(1, run:keep(named.U, left, named.V, right)) do
+          local last = named.U
+          for i = 1, count + 1 do
+            local next_ = named["P" .. i] or named.V
+            local room = next_.x - last.x - 16
+            run:check(room >= -1e-6, "%s is %.9g px inside %s", last.name, -room, next_.name)
+            last = next_
           end
-          list[count + 2] = firm("V", size * (count + 1), 0)
-          local named = run:build(list)
-          for _ in
-            run:steps(1, function()
-              named.U.vx, named.V.vx = left, right
-            end)
-          do
-            local last = named.U
-            for i = 1, count + 1 do
-              local next_ = named["P" .. i] or named.V
-              local room = next_.x - last.x - 16
-              run:check(room >= -1e-6, "%s is %.9g px inside %s", last.name, -room, next_.name)
-              last = next_
-            end
-          end
-          run:near("length of the row", named.V.x - named.U.x, 16 * (count + 1))
-          if left == 0 then
-            run:near("U", named.U.x, 0)
-          elseif right == 0 then
-            run:near("V", named.V.x, size * (count + 1))
-          end
-        end)
+        end
+        run:near("length of the row", named.V.x - named.U.x, 16 * (count + 1))
+        if left == 0 then
+          run:near("U", named.U.x, 0)
+        elseif right == 0 then
+          run:near("V", named.V.x, size * (count + 1))
+        end
       end)
     end
 
     -- Wherever the gaps are, and whichever box gets its speed once or at every step.
     for count = 2, 4, 2 do
-      it(("%d boxes, they stop head-on for good"):format(count), function()
-        scene.each({ rate = { 60, 30 }, order = { "forward", "shuffled" } }, function(run)
+      scene.it(
+        ("%d boxes, they stop head-on for good"):format(count),
+        { rate = { 60, 30 }, order = { "forward", "shuffled" } },
+        function(run)
           for gapAt = 0, count do
             for driven = 0, 2 do
               local list, x = { gravity = 0, firm("U", 0, 0, { vx = 40 }) }, 16
@@ -407,8 +344,8 @@ describe("pushable = false", function()
               run:near("V", named.V.x, v)
             end
           end
-        end)
-      end)
+        end
+      )
     end
 
     for _, row in ipairs({
@@ -421,8 +358,10 @@ describe("pushable = false", function()
     }) do
       local count, gap, left, right, isDriven = row[1], row[2], row[3], row[4], row[5]
       local name = "%d boxes, %g px apart, at %g and %g px/s%s: what comes up behind follows them"
-      it(name:format(count, gap, left, right, isDriven and " at every step" or ""), function()
-        scene.each(SOME, function(run)
+      scene.it(
+        name:format(count, gap, left, right, isDriven and " at every step" or ""),
+        SOME,
+        function(run)
           local list, size = { gravity = 0, firm("U", 0, 0, { vx = left }) }, 16 + gap
           for i = 1, count do
             list[i + 1] = box("P" .. i, size * i, 0)
@@ -450,8 +389,8 @@ describe("pushable = false", function()
             follower, speed = named.V, left
           end
           run:near("vx", follower.vx, speed)
-        end)
-      end)
+        end
+      )
     end
   end)
 
@@ -473,82 +412,69 @@ describe("pushable = false", function()
       "bbf",
       "fbfbf",
     }) do
-      it(("a stack %q is dropped, and rests"):format(row), function()
-        scene.each(EVERYWHERE, function(run)
-          local description = { FLOOR }
+      scene.it(("a stack %q is dropped, and rests"):format(row), EVERYWHERE, function(run)
+        local description = { FLOOR }
+        for i = 1, #row do
+          local make = row:sub(i, i) == "f" and firm or box
+          description[i + 1] = make("box" .. i, 90 + 2 * i, 112 - 20 * i)
+        end
+        local named = run:build(description)
+        run:play(1)
+        for _ in run:steps(0.5) do
           for i = 1, #row do
-            local make = row:sub(i, i) == "f" and firm or box
-            description[i + 1] = make("box" .. i, 90 + 2 * i, 112 - 20 * i)
+            local view = named["box" .. i]
+            run:at(view, 90 + 2 * i, 116 - 16 * i)
+            run:still(view)
+            run:flush(view, i == 1 and named.floor or named["box" .. i - 1], "bottom")
           end
-          local named = run:build(description)
-          run:play(1)
-          for _ in run:steps(0.5) do
-            for i = 1, #row do
-              local view = named["box" .. i]
-              run:at(view, 90 + 2 * i, 116 - 16 * i)
-              run:still(view)
-              run:flush(view, i == 1 and named.floor or named["box" .. i - 1], "bottom")
-            end
-          end
-        end)
+        end
       end)
     end
 
-    it("one that is heavy falls on a box on the floor and rests there", function()
-      scene.each(SOME, function(run)
-        local named = run:build({ FLOOR, box("P", 92, 100), firm("U", 96, -200, { mass = 1000 }) })
-        for _ in run:steps(1.5) do
-          run:at(named.P, 92, 100)
-        end
-        run:at(named.U, 96, 84)
+    scene.it("one that is heavy falls on a box on the floor and rests there", SOME, function(run)
+      local named = run:build({ FLOOR, box("P", 92, 100), firm("U", 96, -200, { mass = 1000 }) })
+      for _ in run:steps(1.5) do
+        run:at(named.P, 92, 100)
+      end
+      run:at(named.U, 96, 84)
+      run:still(named.U)
+    end)
+
+    scene.it("a box is pushed out from under one", SOME, function(run)
+      local named = run:build({ FLOOR, box("P", 20, 100), box("low", 80, 100), firm("U", 84, 84) })
+      run:play(1, run:keep(named.P, 100)) -- P passes below it, too
+      for _ in run:steps(1, run:keep(named.P, 100)) do
+        run:near("x", named.U.x, 84)
+      end
+      run:at(named.U, 84, 100)
+      run:near("x", named.low.x, named.P.x + 16)
+    end)
+
+    scene.it("one is carried by a lift and jumps like any other", SOME, function(run)
+      local lift = { name = "lift", x = 80, y = 100, width = 64, height = 8, kinematic = true }
+      local named = run:build({ { "lifts", lift }, firm("U", 92, 84), firm("V", 94, 68) })
+      run:play(1 / 6)
+      named.lift.vx, named.lift.vy = 60, -90
+      for time in run:steps(1) do
+        run:at(named.U, 92 + 60 * time, 84 - 90 * time)
+        run:at(named.V, 94 + 60 * time, 68 - 90 * time)
         run:still(named.U)
-      end)
-    end)
-
-    it("a box is pushed out from under one", function()
-      scene.each(SOME, function(run)
-        local named =
-          run:build({ FLOOR, box("P", 20, 100), box("low", 80, 100), firm("U", 84, 84) })
-        run:play(1, function()
-          named.P.vx = 100
-        end) -- P passes below it, too
-        for _ in
-          run:steps(1, function()
-            named.P.vx = 100
-          end)
-        do
-          run:near("x", named.U.x, 84)
-        end
-        run:at(named.U, 84, 100)
-        run:near("x", named.low.x, named.P.x + 16)
-      end)
-    end)
-
-    it("one is carried by a lift and jumps like any other", function()
-      scene.each(SOME, function(run)
-        local lift = { name = "lift", x = 80, y = 100, width = 64, height = 8, kinematic = true }
-        local named = run:build({ { "lifts", lift }, firm("U", 92, 84), firm("V", 94, 68) })
-        run:play(1 / 6)
-        named.lift.vx, named.lift.vy = 60, -90
-        for time in run:steps(1) do
-          run:at(named.U, 92 + 60 * time, 84 - 90 * time)
-          run:at(named.V, 94 + 60 * time, 68 - 90 * time)
-          run:still(named.U)
-          run:still(named.V)
-        end
-        named.V.vy = -200
-        run:play(1)
-        run:at(named.U, 212, -96)
-        run:at(named.V, 214, -112)
         run:still(named.V)
-      end)
+      end
+      named.V.vy = -200
+      run:play(1)
+      run:at(named.U, 212, -96)
+      run:at(named.V, 214, -112)
+      run:still(named.V)
     end)
 
     --      |A| v
     --      |B| ^
     --   =========== ^  lift
-    it("one that bounces off a lift against a falling one is not held in the lift", function()
-      scene.each(SOME, function(run)
+    scene.it(
+      "one that bounces off a lift against a falling one is not held in the lift",
+      SOME,
+      function(run)
         local named = run:build({
           {
             "lifts",
@@ -564,44 +490,34 @@ describe("pushable = false", function()
         run:flush(named.A, named.B, "bottom")
         run:flush(named.B, named.lift, "bottom")
         run:still(named.A)
-      end)
-    end)
+      end
+    )
 
-    it("one that jumps against a box over its head lifts it", function()
-      scene.each(SOME, function(run)
-        local named = run:build({ FLOOR, firm("U", 92, 100), box("P", 92, 50, { gravity = 0 }) })
-        named.P.gravity, named.P.gravityX = 0, 0
-        run:play(1 / 6)
-        named.U.vy = -400
-        local up, y = 400, 100
-        for time in run:steps(1 / 3) do
-          run:near("y of U", named.U.y, y - up * time + 400 * time * time)
-          run:check(named.U.y - named.P.y >= 16 - 1e-6, "should not be inside it")
-        end
-        run:check(named.P.y < 30, "should be lifted, is at %.9g", named.P.y)
-      end)
+    scene.it("one that jumps against a box over its head lifts it", SOME, function(run)
+      local named = run:build({ FLOOR, firm("U", 92, 100), box("P", 92, 50, { gravity = 0 }) })
+      named.P.gravity, named.P.gravityX = 0, 0
+      run:play(1 / 6)
+      named.U.vy = -400
+      local up, y = 400, 100
+      for time in run:steps(1 / 3) do
+        run:near("y of U", named.U.y, y - up * time + 400 * time * time)
+        run:check(named.U.y - named.P.y >= 16 - 1e-6, "should not be inside it")
+      end
+      run:check(named.P.y < 30, "should be lifted, is at %.9g", named.P.y)
     end)
   end)
 
-  it("can be switched while it runs", function()
-    scene.each(SOME, function(run)
-      local named = run:build({ FLOOR, box("P", 20, 100), firm("U", 80, 100) })
-      run:play(1, function()
-        named.P.vx = 100
-      end)
-      run:at(named.U, 80, 100)
-      named.U.pushable = nil
-      run:play(1, function()
-        named.P.vx = 100
-      end)
-      run:check(named.U.x > 100, "should be pushed, is at %.9g", named.U.x)
-      named.U.pushable, named.U.vx = false, 0
-      run:play(1 / 6)
-      local x = named.U.x
-      run:play(1, function()
-        named.P.vx = 100
-      end)
-      run:near("x", named.U.x, x)
-    end)
+  scene.it("can be switched while it runs", SOME, function(run)
+    local named = run:build({ FLOOR, box("P", 20, 100), firm("U", 80, 100) })
+    run:play(1, run:keep(named.P, 100))
+    run:at(named.U, 80, 100)
+    named.U.pushable = nil
+    run:play(1, run:keep(named.P, 100))
+    run:check(named.U.x > 100, "should be pushed, is at %.9g", named.U.x)
+    named.U.pushable, named.U.vx = false, 0
+    run:play(1 / 6)
+    local x = named.U.x
+    run:play(1, run:keep(named.P, 100))
+    run:near("x", named.U.x, x)
   end)
 end)

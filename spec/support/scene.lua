@@ -238,19 +238,21 @@ function Run:step(dt)
 end
 
 --- Updates the world for some seconds: `for time, dt in run:steps(2, before) do … end`, the body
---- runs after each step, `before` (optional) before it.
+--- runs after each step, `before(time, dt)` (optional) before it; `time` is that of its end.
 function Run:steps(seconds, before)
-  local list, i, start = scene.times(seconds, self.rate), 0, self.time
+  local list, i, time = scene.times(seconds, self.rate), 0, 0
   return function()
     i = i + 1
-    if not list[i] then
+    local dt = list[i]
+    if not dt then
       return nil
     end
+    time = time + dt
     if before then
-      before()
+      before(time, dt)
     end
-    self:step(list[i])
-    return self.time - start, list[i]
+    self:step(dt)
+    return time, dt
   end
 end
 
@@ -296,6 +298,17 @@ function Run:listenToWorld()
     log.ends = log.ends + 1
   end
   return log
+end
+
+--- Returns a function for `steps` and `play` that writes the speeds of some views before each step.
+---@param ... any view, vx, view, vx, …
+function Run:keep(...)
+  local list = { ... }
+  return function()
+    for i = 1, #list, 2 do
+      list[i].vx = list[i + 1]
+    end
+  end
 end
 
 -- Checking ---------------------------------------------------------------------------------------
@@ -384,6 +397,18 @@ function Run:flush(a, b, side)
   stop(self, message:format(a.name or "object", side, axis, expected, me[axis]), 2)
 end
 
+--- What stands under a view, or nil.
+function Run:support(view)
+  return self.views[view.raw.touching[turn.side(self.turn, "bottom")]]
+end
+
+--- Fails unless `view` lies flush on `lower`, and does not move up or down.
+function Run:standsOn(view, lower)
+  self:same("touching.bottom", self:support(view), lower)
+  self:flush(view, lower, "bottom")
+  self:same("vy", view.vy, 0)
+end
+
 --- A run in one variant.
 function scene.run(variant)
   local run = setmetatable({}, Run)
@@ -408,6 +433,34 @@ function scene.each(levels, play)
   if failures > 0 then
     local head = ("%d of %d variants fail:\n"):format(failures, #selection)
     fail(head .. table.concat(messages, "\n", 1, math.min(failures, 3)), 2)
+  end
+end
+
+--- A row of a spec: `it`, played in every variant of a selection.
+---@param title string
+---@param levels table? see variants.select
+---@param play fun(run: table)
+function scene.it(title, levels, play)
+  it(title, function()
+    scene.each(levels, play)
+  end)
+end
+
+--- Returns a function that makes entries of a scene: objects of a group with these fields, and with
+--- those that it is given.
+---@param group string
+---@param defaults table
+---@return fun(fields?: table): table
+function scene.thing(group, defaults)
+  return function(fields)
+    local object = {}
+    for key, value in pairs(defaults) do
+      object[key] = value
+    end
+    for key, value in pairs(fields or {}) do
+      object[key] = value
+    end
+    return { group, object }
   end
 end
 

@@ -16,6 +16,15 @@ variants.PUSHES = { "both", "first" }
 variants.RATES = { 60, 30, 144, 240, "irregular" }
 variants.TURNS = { 0, 1, 2, 3 }
 
+-- At every rate and under gravity to every side; and for the relatives of such a row, about half.
+variants.EVERYWHERE = { rate = variants.RATES, turn = variants.TURNS }
+variants.SOME = {
+  shift = { 0, 1 / 3, 100000.3 },
+  order = { "forward", "shuffled" },
+  rate = { 60, 30, "irregular" },
+  turn = variants.TURNS,
+}
+
 local FACTORS = { "shift", "order", "broadphase", "push", "rate", "turn" }
 local DEFAULTS = {
   shift = variants.SHIFTS,
