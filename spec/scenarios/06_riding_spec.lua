@@ -111,7 +111,7 @@ describe("kinematic: a platform", function()
     end,
   }
 
-  -- Which fields the game writes before each step, in which shape, amplitudes (px/s or px), seconds.
+  -- Which fields the game writes before each step, in which shape, amplitudes (px/s or px), s.
   -- (A velocity is that of the middle of the step.)
   for _, row in ipairs({
     { "vx, vy", "cosine", 50 * pi, "cosine", 0, 2 },
@@ -373,7 +373,8 @@ describe("kinematic: a rider at a wall", function()
 end)
 
 describe("kinematic: on and off a platform:", function()
-  for i, row in ipairs({ { 60, 0 }, { 0, -60 }, { 0, 60 }, { 60, -60 }, { -80, 500 }, { 60, -300 } }) do
+  local ROWS = { { 60, 0 }, { 0, -60 }, { 0, 60 }, { 60, -60 }, { -80, 500 }, { 60, -300 } }
+  for i, row in ipairs(ROWS) do
     local vx, vy = row[1], row[2]
     local title = "(6) a jump straight up at (%g, %g) px/s keeps that, and ends at rest"
     scene.it(title:format(vx, vy), i == 1 and EVERYWHERE or SOME, function(run)

@@ -6,7 +6,7 @@ local overlap = require("spec.support.overlap")
 local scene = require("spec.support.scene")
 local variants = require("spec.support.variants")
 
-local EVERYWHERE, SOME = variants.EVERYWHERE, variants.SOME
+local EVERYWHERE = variants.EVERYWHERE
 
 --- Momentum along both axes and kinetic energy of the dynamic objects of a list.
 local function sums(objects)

@@ -302,7 +302,7 @@ end
 
 --- Returns a function for `steps` and `play` that writes the speeds of some views before each step.
 ---@param ... any view, vx, view, vx, …
-function Run:keep(...)
+function Run.keep(_, ...)
   local list = { ... }
   return function()
     for i = 1, #list, 2 do
