@@ -58,7 +58,7 @@ local NUMBERS = { everything = true, determinism = true }
 -- file -> the specs to begin with, besides those that have noticed changes there
 local FIRST = {
   restore = { "state", "recovery" },
-  validate = { "verify", "state", "recovery" },
+  validate = { "state", "recovery" },
   hash = { "state" },
   sweptAabb = { "query" },
   obstacle = { "query" },
