@@ -18,7 +18,7 @@ local BUDGET = {
   { "physics/solver", 4588 },
   { "physics/space", 439 },
   { "physics/state", 1008 },
-  { "physics/world", 1620 },
+  { "physics/world", 1605 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 
