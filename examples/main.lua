@@ -16,10 +16,11 @@
 -- The first word is always "example", the second the screen's name, as in `--example=NAME`. x, y
 -- is the place of what the arrow keys move, in px: the player (platformer, hills, lifts, topdown,
 -- tiled), the paddle (breakout), the blue player (rollback). Where there is none other values tell
--- of the keys: menu (down) chosen=, tutorial (right) page=, pile (up) boxes=. The seconds are those
--- of the clock: the lines go on while the game is paused. Where no arguments can be given, as in a
--- browser, two files beside main.lua do the same: say.txt (it only has to be there) for --say, and
--- start.txt, which holds a name, for --example=NAME. An argument goes first.
+-- of the keys: menu (down) chosen=, tutorial (right) page=, pile (up) boxes=, marbles (up)
+-- marbles=. The seconds are those of the clock: the lines go on while the game is paused. Where no
+-- arguments can be given, as in a browser, two files beside main.lua do the same: say.txt (it only
+-- has to be there) for --say, and start.txt, which holds a name, for --example=NAME. An argument
+-- goes first.
 
 -- The library lies beside this folder. Inside of a .love the line does no harm.
 package.path = love.filesystem.getSource() .. "/../?.lua;" .. package.path

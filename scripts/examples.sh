@@ -108,6 +108,11 @@ check "pile: the balls lie still" is pile-balls resting 300
 check "pile: both are dropped" play pile-both pile 900 "o:5,o:10"
 check "pile: none of both is lost" is pile-both inside 300
 
+check "marbles plays" play marbles marbles 2400 "click@300x60:900,space:1200"
+check "marbles: none is lost" is marbles inside 25
+check "marbles: the lift brings them up" at_least marbles laps 10
+check "marbles: they hit the bumpers" at_least marbles bumps 20
+
 # The checks ask for less than these keys take, so that small changes do not break them.
 check "lifts plays" play lifts lifts 960 "$(cat examples/demos/lifts.keys)"
 check "lifts: the lift and the ferry led to coins" at_least lifts coins 1

@@ -1,7 +1,7 @@
 -- Do the specs notice? Changes one thing of the core at a time (scripts/mutations.lua), in a copy
 -- of the project, and runs the specs one file after the other until one fails:
 --
---   luajit scripts/mutants.lua [--sample 200] [--seed 1] [--file physics/space/aabb.lua]
+--   luajit scripts/mutants.lua [--sample 200] [--seed 1] [--file physics/space/shapes.lua]
 -- [--resume] [--slow] [--seconds 15]
 --
 -- Without --sample all changes are tried, which takes days; --list shows them. Each result is
@@ -60,9 +60,7 @@ local FIRST = {
   restore = { "state", "recovery" },
   validate = { "state", "recovery" },
   hash = { "state" },
-  sweptAabb = { "query" },
   obstacle = { "query" },
-  index = { "query" },
   explain = { "query" },
   bounds = { "world" },
   activePairs = { "settings", "fields" },
@@ -73,11 +71,10 @@ local FIRST = {
   registry = { "world", "recovery" },
   islands = { "rest" },
   compiler = { "interpreted" },
-  tutorial = { "pure" },
-  aabb = { "pure" },
+  tutorial = { "pure", "shapes" },
   ball = { "balls", "circles" },
-  circle = { "circles", "balls" },
-  triangle = { "18_slopes", "slopes" },
+  shapes = { "shapes", "18_slopes", "circles" },
+  lines = { "shapes", "query" },
   slope = { "18_slopes", "slopes" },
   walk = { "18_slopes", "slopes" },
   drift = { "soft" },
@@ -128,7 +125,7 @@ end
 
 -- What can be changed -----------------------------------------------------------------------------
 
--- "physics/space/aabb.lua:31:17 + -> -", which names a change, and the line.
+-- "physics/space/shapes.lua:31:17 + -> -", which names a change, and the line.
 local function describe(change)
   local text = change.text
   local start = text:sub(1, change.at - 1):match("^.*\n()") or 1

@@ -88,7 +88,7 @@ local function checkGoesOn(scene, what)
   assert.equal("bottom", scene.world:touching(scene.a, scene.floor), what)
 end
 
-local FEWEST = 20 -- with fewer accesses a spec would not look at what it is there for
+local FEWEST = 10 -- with fewer accesses a spec would not look at what it is there for
 
 -- Makes a call fail at each access in turn, until it needs no more; returns how many there were.
 local function failEverywhere(prepare, call, check)

@@ -538,7 +538,7 @@ describe("slopes", function()
     body.x, body.y = 100, 345
     local text = world:explain(body, slope)
     assert.truthy(text:find("objects.ground[2] is a slope, high at its right", 1, true))
-    assert.truthy(text:find("they are 13 px apart at the sloped edge", 1, true))
+    assert.truthy(text:find("they are 11.628 px apart at the sloped edge", 1, true))
     body.y = 358
     assert.truthy(
       world:explain(body, slope):find("flush at the bottom of objects.players[1]", 1, true)

@@ -17,6 +17,7 @@ const PICTURES = join("build", "web-pictures");
 const MOVES = {
   menu: { key: "ArrowDown", value: "chosen" },
   tutorial: { key: "ArrowRight", value: "page" },
+  marbles: { key: "ArrowUp", value: "marbles" },
   pile: { key: "ArrowUp", value: "boxes" },
 };
 const WINDOWS = [

@@ -7,12 +7,12 @@
 -- wedged, dropping, inside, passing, and notes the events.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local aabb = require(root .. ".space.aabb")
 local rules = require(root .. ".solver.rules")
 local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
 local columns = require(root .. ".memory.columns")
 local events = require(root .. ".contacts.events")
 local activePairs = require(root .. ".broadphase.activePairs")
+local shapes = require(root .. ".space.shapes")
 local slope = require(root .. ".memory.lazy")(root .. ".solver.slope")
 local sort = require(root .. ".memory.sort")
 
@@ -101,7 +101,7 @@ local function shortestSide(b, p)
     i, j = b.pairB[p], b.pairA[p]
   end
   local to, size, ki, kj = b.to, b.size, 2 * i, 2 * j
-  local side = columns.SIDE[aabb.side(
+  local side = columns.SIDE[shapes.side(
     to[ki],
     to[ki + 1],
     size[ki],

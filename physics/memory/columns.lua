@@ -32,15 +32,6 @@ function columns.kindOf(object, isStatic)
   return isStatic and columns.STATIC or object.kinematic and columns.KINEMATIC or columns.DYNAMIC
 end
 
---- Values of the column `shape`: a box, a circle that fills its box, a slope. Slopes are named
---- after their high side, `TOP` those that hang.
-columns.SHAPE_BOX, columns.SHAPE_CIRCLE = 0, 1
-columns.SHAPE_SLOPE_LEFT, columns.SHAPE_SLOPE_RIGHT = 2, 3
-columns.SHAPE_SLOPE_TOPLEFT, columns.SHAPE_SLOPE_TOPRIGHT = 4, 5
-
---- Shapes by the field `slope`.
-columns.SLOPES = { left = 2, right = 3, topleft = 4, topright = 5 }
-
 --- How far apart two edges may be and still count as touching, px.
 columns.EPSILON = 1e-6
 --- Widths of common edges are rounded to 1 / WIDTHS px before they are compared: that two are equal
@@ -86,11 +77,6 @@ columns.AXIS = { 0, 0, 1, 1 }
 --- Returns the side that a value of the field `oneWay` means: `true` is the top; false: none.
 function columns.sideOf(value)
   return value == true and "top" or value or false
-end
-
---- Returns the shape that the field `slope` means.
-function columns.shapeOf(value)
-  return value and columns.SLOPES[value] or columns.SHAPE_BOX
 end
 
 local function fill(column, first, last, value)

@@ -24,6 +24,17 @@ local function reset(b, work)
   work.driftedCount = 0
 end
 
+-- What stands on something drifts across gravity only: it is not lifted off the ground.
+local function keepDown(b, work)
+  local down, support, drifts = b.down, b.support, b.softSpeed
+  for n = 1, work.driftedCount do
+    local i = work.drifted[n]
+    for k = 2 * i, support[i] ~= 0 and 2 * i + 1 or 0 do
+      drifts[k] = down[k] == 0 and drifts[k] or 0
+    end
+  end
+end
+
 --- Finds the drift of all that are soft to what they overlap, in a step of dt s.
 function drift.run(b, dt)
   reset(b, b.drifts)
@@ -32,6 +43,7 @@ function drift.run(b, dt)
       b.drifts = softDrift.new()
     end
     softDrift.run(b, b.drifts, dt)
+    keepDown(b, b.drifts)
   end
 end
 

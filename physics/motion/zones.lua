@@ -12,11 +12,12 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
+local shapes = require(root .. ".space.shapes")
 local sort = require(root .. ".memory.sort")
 
 local zones = {}
 
-local DYNAMIC, STATIC, CIRCLE = columns.DYNAMIC, columns.STATIC, columns.SHAPE_CIRCLE
+local DYNAMIC, STATIC, CIRCLE = columns.DYNAMIC, columns.STATIC, shapes.CIRCLE
 local max, min, sqrt = math.max, math.min, math.sqrt
 -- Share of the radius within which an attractor gets weaker towards its centre.
 local CORE = 0.125

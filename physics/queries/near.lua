@@ -220,9 +220,7 @@ local function readPlace(c, n, object)
   -- Adding 0.0 makes floats of the integers of Lua 5.3 and later, which would wrap.
   c.position[k], c.position[k + 1] = object.x + 0.0, object.y + 0.0
   c.size[k], c.size[k + 1] = object.width + 0.0, object.height + 0.0
-  local isSloped = object.slope and kind ~= DYNAMIC
-  c.kind[n] = kind
-  c.shape[n] = object.radius and shapes.CIRCLE or isSloped and columns.shapeOf(object.slope) or 0
+  c.kind[n], c.shape[n] = kind, shapes.of(object, kind == DYNAMIC)
 end
 
 -- Adds an object to a catch; returns its place there. Of a guest, the slot is 0.

@@ -324,6 +324,7 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
     if isSlanted or isDeep and (nx ~= 0 or ny ~= 0) then
       return runRound(b, p, i, j, axis, left, dt, isLate, t)
     end
+    ball.leave(b, i, j, dt, min((1 - t) * dt, left))
   end
   local kl, kh = 2 * i + axis, 2 * j + axis
   local separation, o, v, a, lean = meet(b, i, j, axis, isDeep)

@@ -16,7 +16,6 @@
 -- and crushed, crushLow and crushHigh of buried bodies.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local aabb = require(root .. ".space.aabb")
 local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
@@ -24,13 +23,13 @@ local islands = require(root .. ".sleep.islands")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local path = require(root .. ".motion.path")
 local rules = require(root .. ".solver.rules")
+local shapes = require(root .. ".space.shapes")
 local slope = require(root .. ".memory.lazy")(root .. ".solver.slope")
 local sort = require(root .. ".memory.sort")
 
 local overlap = {}
 
 local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
-local SLOPE = columns.SHAPE_SLOPE_LEFT -- and above
 local floor, huge, max, min = math.floor, math.huge, math.max, math.min
 -- Pairs that bodies moved in a round overlap now are parted in the next one.
 local ROUNDS = 8
@@ -57,7 +56,7 @@ local function depthAt(b, i, j, x, y)
     return depth, depth
   end
   local from, size, k, m = b.from, b.size, 2 * i, 2 * j
-  return aabb.overlap(x, y, size[k], size[k + 1], from[m], from[m + 1], size[m], size[m + 1])
+  return shapes.overlap(x, y, size[k], size[k + 1], from[m], from[m + 1], size[m], size[m + 1])
 end
 
 local function depthOf(b, i, j)
@@ -414,7 +413,10 @@ end
 -- Lets slot i, which has grown into the immovable slot j along one axis, leave it along that.
 local function wedge(b, p, i, j)
   local isSolid = not (b.sensor[i] or b.sensor[j] or b.oneWay[i] or b.oneWay[j])
-  local canWedge = isSolid and b.kind[j] ~= DYNAMIC and b.shape[j] < SLOPE and b.wedged[p] == 0
+  local canWedge = isSolid
+    and b.kind[j] ~= DYNAMIC
+    and not shapes.isSlope(b.shape[j])
+    and b.wedged[p] == 0
   if not canWedge or columns.gap(b, b.from, i, j) >= -EPSILON then
     return
   end

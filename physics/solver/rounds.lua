@@ -65,7 +65,8 @@ local function sortImpacts(b)
     local i, j, axis = impacts.low[n], impacts.high[n], impacts.axis[n]
     local isSensed = b.sensor[i] or b.sensor[j]
     impacts.order[n] = n
-    impacts.moment[n] = floor(impacts.time[n] * MOMENTS + 0.5) + (isSensed and 4 or 0)
+    local late = (impacts.isCorner[n] and 2 or 0) + (isSensed and 4 or 0)
+    impacts.moment[n] = floor(impacts.time[n] * MOMENTS + 0.5) + late
     local k, m = 2 * i + 1 - axis, 2 * j + 1 - axis
     local width = min(b.from[k] + b.size[k], b.from[m] + b.size[m]) - max(b.from[k], b.from[m])
     impacts.width[n] = -floor(width * WIDTHS + 0.5)

@@ -19,6 +19,7 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local pool = require(root .. ".solver.pool")
+local shapes = require(root .. ".space.shapes")
 
 local settle = {}
 
@@ -41,7 +42,7 @@ local function release(b, axis)
 end
 
 local function isBall(b, k)
-  return b.hasCircles and b.shape[floor(k * 0.5)] == columns.SHAPE_CIRCLE
+  return b.hasCircles and b.shape[floor(k * 0.5)] == shapes.CIRCLE
 end
 
 -- Returns where a squeezed body k goes: not so far that its middle is pushed into the immovable

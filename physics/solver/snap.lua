@@ -15,13 +15,14 @@ local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local rules = require(root .. ".solver.rules")
+local shapes = require(root .. ".space.shapes")
 local slope = require(root .. ".solver.slope")
 local sort = require(root .. ".memory.sort")
 
 local snap = {}
 
 local DYNAMIC, EPSILON, SIDE = columns.DYNAMIC, columns.EPSILON, columns.SIDE
-local CIRCLE = columns.SHAPE_CIRCLE
+local CIRCLE = shapes.CIRCLE
 local floor, huge, max, min = math.floor, math.huge, math.max, math.min
 -- Edges that an object may run over in a step.
 local EDGES = 16

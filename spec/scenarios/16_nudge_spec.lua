@@ -391,6 +391,26 @@ describe("nudge", function()
       end
     end)
 
+    it("walks up stairs that move", function()
+      scene.each({ rate = variants.RATES, order = variants.ORDERS }, function(run)
+        for _, way in ipairs({ { 0, 60 }, { 0, 10 }, { 40, 30 }, { 0, -30 }, { 40, 0 } }) do
+          local list = { body(-60, 276, 0, 0, { nudge = 4 }) }
+          for n = 0, 10 do
+            list[n + 2] = solid("stair" .. n, 8 * n - 208, 300 - 4 * n, 600, 20)
+            local stair = list[n + 2][2]
+            stair.static, stair.kinematic, stair.vx, stair.vy = nil, true, way[1], way[2]
+            stair.x = n == 0 and -208 or 8 * n - 8
+          end
+          local named = run:build(list)
+          for _ in run:steps(2) do
+            named.body.vx = 100
+          end
+          run:near("y", named.body.y, named.stair10.y - 24)
+          run:touches(named.body, "bottom")
+        end
+      end)
+    end)
+
     --   +-+ ->  |    a beam that ends 2 px below the top of the head
     --   | |     +
     --   ---------------

@@ -400,6 +400,60 @@ describe("slopes", function()
       end)
     end)
 
+    --      ______    ______
+    --    _/      \__/      \   a train, all of it runs
+    it("(P1, P10) have no wall at their seams for who walks there", function()
+      local PARTS = {
+        { x = 0, y = 300, width = 64, height = 32, slope = "right" },
+        { x = 64, y = 300, width = 80, height = 32 },
+        { x = 144, y = 300, width = 64, height = 32, slope = "left" },
+        { x = 208, y = 316, width = 32, height = 16, slope = "right" },
+        { x = 240, y = 300, width = 32, height = 32, slope = "right" },
+        { x = 272, y = 300, width = 300, height = 32 },
+        { x = -200, y = 332, width = 200, height = 20 },
+      }
+      scene.each({ rate = variants.RATES, order = variants.ORDERS }, function(run)
+        for _, way in ipairs({ { 60, 0 }, { -60, 0 }, { 0, 60 }, { 0, -60 }, { 30, -40 } }) do
+          local list = { body({ x = -100, y = 308 }) }
+          for n, part in ipairs(PARTS) do
+            list[n + 1] = { "train", { kinematic = true, vx = way[1], vy = way[2] } }
+            for key, value in pairs(part) do
+              list[n + 1][2][key] = value
+            end
+          end
+          local it = run:build(list).body
+          run:step(1 / 60) -- it lands
+          for _ in run:steps(2, push(it, 200)) do
+            run:same("vx", it.vx, 200)
+            run:touches(it, "bottom")
+          end
+        end
+      end)
+    end)
+
+    it("(P10) keep two of a soft group down that part on them", function()
+      scene.each(RATES, function(run)
+        local soft = { players = { players = 300 } }
+        for vy = 0, -80, -20 do
+          local list =
+            moving({ x = 0, y = 300, width = 400, height = 100, vy = vy, slope = "left" })
+          list.soft = soft
+          list[2], list[3] = body({ x = 40, y = 286 }), body({ x = 64, y = 292 })
+          list[3][2].name = "other"
+          local named = run:build(list)
+          local function both()
+            named.body.vx, named.other.vx = 120, 60
+          end
+          for _ in run:steps(1.5, both) do
+            for _, it in ipairs({ named.body, named.other }) do
+              run:near("y", it.y, named.slope.y + it.x / 4 - 24)
+              run:same("vy", it.vy, 0)
+            end
+          end
+        end
+      end)
+    end)
+
     it("(P10) lift what is in their way, if they do not carry", function()
       scene.each(EVERYWHERE, function(run)
         local list = moving({ vx = -60, carry = false }, body({ x = 40, y = 376 }))

@@ -1,0 +1,298 @@
+--- Circles on slopes: they touch the edge with their rim, along its true normal, and roll off.
+---
+--- `along` is the unit vector down the slope, `normal` that out of it:
+---
+---     |\  normal
+---     | \/
+---     |  \  along
+---     +---+
+
+local effort = require("spec.support.effort")
+local newRandom = require("spec.support.random").new
+local physics = require("physics")
+local shapes = require("physics.space.shapes")
+
+local RATES, GRAVITY, R = { 30, 60, 144 }, 800, 8
+-- Share of a length or a speed that may be rounding: what is put flush is so to 1e-6 px.
+local SHARE = 1e-6
+
+local function static(x, y, width, height, slope, changes)
+  local object = { x = x, y = y, width = width, height = height, slope = slope, static = true }
+  for name, value in pairs(changes or {}) do
+    object[name] = value
+  end
+  return object
+end
+
+-- A ball that touches the edge of a slope that is high at its left, at x.
+local function ballOn(slope, x, changes)
+  local length = math.sqrt(slope.width * slope.width + slope.height * slope.height)
+  local alongX, alongY = slope.width / length, slope.height / length
+  local y = slope.y + (x - slope.x) * slope.height / slope.width
+  local ball = { x = x + alongY * R - R, y = y - alongX * R - R, radius = R }
+  for name, value in pairs(changes or {}) do
+    ball[name] = value
+  end
+  return ball, alongX, alongY
+end
+
+local function gapOf(ball, other)
+  local shape, its = shapes.CIRCLE, shapes.named(other.radius, other.slope)
+  local x, y, w, h = ball.x, ball.y, 2 * ball.radius, 2 * ball.radius
+  return (shapes.gap(shape, x, y, w, h, its, other.x, other.y, other.width, other.height))
+end
+
+-- The distance to the nearest of a group; below 0: how deep the ball is in it.
+local function gapTo(ball, group)
+  local least = math.huge
+  for _, other in ipairs(group) do
+    least = math.min(least, gapOf(ball, other))
+  end
+  return least
+end
+
+local function each(seconds, rate, world, check)
+  for n = 1, seconds * rate + 0.5 do
+    world:update(1 / rate)
+    check(n / rate)
+  end
+end
+
+local function newWorld(...)
+  local world = physics.newWorld({ gravity = GRAVITY })
+  for _, object in ipairs({ ... }) do
+    world:add("ground", object)
+  end
+  return world, world.objects.ground
+end
+
+local function near(expected, value, tolerance)
+  assert.near(expected, value, tolerance or SHARE * math.max(1, math.abs(expected)))
+end
+
+describe("a ball on a slope", function()
+  for _, degrees in ipairs({ 10, 30, 45, 70 }) do
+    it(("rolls down %d degrees by g sin, friction or not"):format(degrees), function()
+      for n = 1, 6 do
+        local rate, rises = RATES[(n - 1) % 3 + 1], math.tan(math.rad(degrees))
+        local slope = static(0, 0, 2000, 2000 * rises, "left")
+        local world = newWorld(slope)
+        local ball, alongX, alongY = ballOn(slope, 300, { friction = n > 3 and 1 or 0 })
+        world:add("balls", ball)
+        local x, y = ball.x, ball.y
+        each(1, rate, world, function(time)
+          local way, speed = GRAVITY * alongY * time * time / 2, GRAVITY * alongY * time
+          near(x + alongX * way, ball.x)
+          near(y + alongY * way, ball.y)
+          near(alongX * speed, ball.vx)
+          near(alongY * speed, ball.vy)
+          near(0, gapOf(ball, slope))
+        end)
+      end
+    end)
+  end
+
+  it("rolls in the same way wherever gravity points", function()
+    for _, way in ipairs({ { "left", 0, 1 }, { "topright", 0, -1 }, { "left", 1, 0 } }) do
+      local world = physics.newWorld({ gravity = way[3] * 800, gravityX = way[2] * 800 })
+      local slope = static(0, 0, 1000, 1000, way[1])
+      local isTurned = way[2] ~= 0 -- the edge is the same, and gravity leads up along it
+      local ball = ballOn(slope, 500)
+      if way[1] == "topright" then
+        ball.x, ball.y = 1000 - ball.x - 2 * R, 1000 - ball.y - 2 * R
+      end
+      world:add("ground", slope)
+      world:add("balls", ball)
+      local out = isTurned and 0 or way[3] -- gravity to the right pulls it off the edge
+      each(0.5, 60, world, function() end)
+      near(isTurned and 400 or out * 200, ball.vx)
+      near(isTurned and 0 or out * 200, ball.vy)
+    end
+  end)
+
+  --  |\_
+  --  |  \_  tiles
+  --  |____\______
+  it("passes the seams of tiles and the foot without a hop, at any rate", function()
+    for _, rate in ipairs(RATES) do
+      local world, ground = newWorld(), {}
+      world.objects.ground = ground
+      for n = 0, 9 do
+        ground[#ground + 1] = static(40 * n, 20 * n, 40, 20, "left")
+        ground[#ground + 1] = static(40 * n, 20 * n + 20, 40, 400 - 20 * n)
+        ground[#ground + 1] = static(400 + 40 * n, 200, 40, 220)
+      end
+      local ball = world:add("balls", (ballOn(ground[1], 20)))
+      local y = ball.y
+      each(2, rate, world, function()
+        near(0, gapTo(ball, ground))
+      end)
+      near(200 - 2 * R, ball.y)
+      -- The floor takes what goes into it: the part along x is left.
+      near(math.sqrt(2 * GRAVITY * (ball.y - y)) * 2 / math.sqrt(5), ball.vx)
+      assert.equal(0, ball.vy)
+    end
+  end)
+
+  it("rolls over the crest from a floor: it falls as far as it flies", function()
+    for _, rate in ipairs(RATES) do
+      local world, ground = newWorld(static(0, 0, 100, 40), static(100, 0, 800, 400, "left"))
+      local ball = world:add("balls", { x = 20, y = -2 * R, radius = R, vx = 40 })
+      local hop = 0
+      each(2.5, rate, world, function()
+        hop = math.max(hop, gapTo(ball, ground))
+        assert.is_true(gapTo(ball, ground) >= -1e-6)
+      end)
+      assert.is_true(hop < 0.5, hop) -- (40 px/s)² / g is 2 px along x
+      near(0, gapTo(ball, ground))
+    end
+  end)
+
+  it("rests in a valley", function()
+    for _, rate in ipairs(RATES) do
+      local world, ground =
+        newWorld(static(0, 0, 200, 100, "left"), static(200, 0, 200, 100, "right"))
+      local ball = world:add("balls", { x = 60, y = 0, radius = R })
+      each(12, rate, world, function()
+        assert.is_true(gapTo(ball, ground) >= -1e-6)
+      end)
+      assert.same({ 0, 0 }, { ball.vx, ball.vy })
+      near(192, ball.x)
+      near(0, gapOf(ball, ground[1]))
+      near(0, gapOf(ball, ground[2]))
+    end
+  end)
+
+  it("bounces off the true normal", function()
+    for _, rate in ipairs(RATES) do
+      for _, restitution in ipairs({ 0, 0.5, 1 }) do
+        local world = newWorld(static(0, 0, 400, 200, "left", { restitution = restitution }))
+        world.gravity = 0
+        local ball = world:add("balls", { x = 192, y = 0, radius = R, vy = 300 })
+        each(1, rate, world, function() end)
+        local into = 300 * 2 / math.sqrt(5) -- along the normal, (1, -2) / sqrt(5)
+        near((1 + restitution) * into / math.sqrt(5), ball.vx)
+        near(300 - (1 + restitution) * into * 2 / math.sqrt(5), ball.vy)
+      end
+    end
+  end)
+
+  it("that hangs is led along it", function()
+    for _, rate in ipairs(RATES) do
+      local world, ground = newWorld(static(0, 0, 400, 200, "topleft"))
+      world.gravity = 0
+      local ball = world:add("balls", { x = 192, y = 250, radius = R, vy = -300 })
+      each(0.9, rate, world, function()
+        assert.is_true(gapTo(ball, ground) >= -1e-6)
+      end)
+      near(300 * 2 / 5, ball.vx)
+      near(-300 / 5, ball.vy)
+    end
+  end)
+
+  it("passes a one-way from below, rolls on it, and falls through on dropThrough", function()
+    for _, rate in ipairs(RATES) do
+      local slope = static(0, 0, 800, 400, "left", { oneWay = "top" })
+      local world = newWorld(slope)
+      local ball = world:add("balls", { x = 150, y = 160, radius = R, vy = -500 })
+      each(1 / 3, rate, world, function(time)
+        near(160 - 500 * time + GRAVITY * time * time / 2, ball.y)
+      end)
+      each(1, rate, world, function() end)
+      near(0, gapOf(ball, slope))
+      assert.equal(slope, ball.touching.bottom)
+      assert.is_true(ball.vx > 0)
+      assert.is_true(world:dropThrough(ball))
+      each(0.5, rate, world, function() end)
+      assert.is_true(ball.y > slope.y + ball.x / 2 + R)
+    end
+  end)
+
+  it("that moves is a carrier for it, and one that does not carry pushes it", function()
+    for _, rate in ipairs(RATES) do
+      for _, way in ipairs({ { 0, -50 }, { 0, 50 }, { 50, 0 }, { -50, 0 }, { -30, 30 } }) do
+        for _, carry in ipairs({ true, false }) do
+          local slope = static(0, 0, 800, 400, "left", { carry = carry, kinematic = true })
+          slope.static = nil
+          local world = newWorld(slope)
+          local ball = ballOn(slope, 200)
+          if not carry then
+            slope.vx, slope.vy, ball.vx, ball.vy = way[1], way[2], way[1], way[2]
+          end
+          world:add("balls", ball)
+          local x, y = ball.x, ball.y
+          local function at(time)
+            local rolled = GRAVITY * time * time / 2
+            near(x + slope.x + rolled * 2 / 5, ball.x, 1e-5)
+            near(y + slope.y + rolled / 5, ball.y, 1e-5)
+            near(0, gapOf(ball, slope))
+          end
+          each(0.5, rate, world, at)
+          slope.vx, slope.vy = way[1], way[2]
+          each(0.5, rate, world, function(time)
+            at(0.5 + time)
+          end)
+        end
+      end
+    end
+  end)
+end)
+
+describe("a marble run", function()
+  -- Three ramps, pins, a funnel. One ball after another is put to the top again.
+  local function newRun(seed)
+    local world, ground = newWorld(
+      static(0, 100, 400, 80, "left"),
+      static(80, 240, 400, 100, "right"),
+      static(0, 400, 380, 60, "left"),
+      static(360, 580, 120, 60, "right"),
+      static(0, 580, 120, 60, "left")
+    )
+    for n = 1, 5 do
+      local pin = { x = 60 + n * 60, y = 520, radius = 8, static = true, restitution = 0.6 }
+      world:add("ground", pin)
+    end
+    world:setBounds(0, 0, 480, 640)
+    local random = newRandom(seed)
+    for n = 0, 59 do
+      local x, y = 130 + n % 10 * 20 + random:between(-3, 3), 624 - math.floor(n / 10) * 14
+      world:add("balls", { x = x, y = y, radius = 6, restitution = 0.2 })
+    end
+    return world, ground, world.objects.balls
+  end
+
+  local function deepest(ground, balls)
+    local depth = 0
+    for n, ball in ipairs(balls) do
+      depth = math.max(depth, -gapTo(ball, ground))
+      for m = n + 1, #balls do
+        depth = math.max(depth, -gapOf(ball, balls[m]))
+      end
+    end
+    return depth
+  end
+
+  -- The ball that is the furthest down.
+  local function lowest(balls)
+    local low = balls[1]
+    for _, ball in ipairs(balls) do
+      low = ball.y > low.y and ball or low
+    end
+    return low
+  end
+
+  for _, rate in ipairs(effort.playsLong and { 60, 144 } or { 60 }) do
+    it(("of 60 balls runs for a minute at %d Hz, with none lifted"):format(rate), function()
+      local world, ground, balls = newRun(rate)
+      for _ = 1, 150 do
+        local ball = lowest(balls)
+        ball.x, ball.y, ball.vx, ball.vy = 10, 60, 0, 0
+        each(0.4, rate, world, function() end)
+        local depth = deepest(ground, balls)
+        assert.is_true(depth <= 1, depth .. " px")
+        local _, waiting = world:queryRect(0, 0, 480, 400, "balls")
+        assert.is_true(waiting <= 16, waiting .. " balls do not roll, or are lifted")
+      end
+    end)
+  end
+end)

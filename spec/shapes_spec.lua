@@ -1,0 +1,226 @@
+--- The geometry of boxes, circles and slopes, against sampling: what `space/shapes` and
+--- `space/lines` say of all pairs.
+
+local lines = require("physics.space.lines")
+local newRandom = require("spec.support.random").new
+local shapes = require("physics.space.shapes")
+
+local OPPOSITE = { top = "bottom", left = "right", bottom = "top", right = "left" }
+local NAMES = { [0] = "box", "circle", "left", "right", "topleft", "topright" }
+
+-- Eight numbers of two rectangles.
+local function numbers(a, b)
+  return a[1], a[2], a[3], a[4], b[1], b[2], b[3], b[4]
+end
+
+describe("shapes.side", function()
+  -- Opposite sides name the right one where the size of the intersection or the distance of the
+  -- middles (the tutorial's other ways) names the wrong axis; of equal ones the order counts.
+  for _, row in ipairs({
+    { "a medium box on the end of a thin one", { 0, -19, 20, 20 }, { 0, 0, 200, 4 }, "bottom" },
+    { "the same one under it", { 180, 3, 20, 20 }, { 0, 0, 200, 4 }, "top" },
+    { "a medium box at the end of a wall", { -19, 0, 20, 20 }, { 0, 0, 4, 200 }, "right" },
+    { "a wide box deep on a post", { 0, 0, 100, 20 }, { 40, 14, 4, 60 }, "bottom" },
+    { "a high box deep in a ledge", { 0, 0, 20, 100 }, { 14, 40, 60, 4 }, "right" },
+    { "a cross", { 0, 48, 100, 4 }, { 48, 0, 4, 100 }, "bottom" },
+    { "right = bottom", { -8, -8, 10, 10 }, { 0, 0, 10, 10 }, "bottom" },
+    { "right = top", { -8, 8, 10, 10 }, { 0, 0, 10, 10 }, "top" },
+    { "left = bottom", { 8, -8, 10, 10 }, { 0, 0, 10, 10 }, "bottom" },
+    { "left = top", { 8, 8, 10, 10 }, { 0, 0, 10, 10 }, "top" },
+    { "right = left, smallest of all", { 4, -20, 2, 50 }, { 0, 0, 10, 10 }, "left" },
+    { "bottom = top", { -20, 4, 50, 2 }, { 0, 0, 10, 10 }, "bottom" },
+    { "the same place", { 0, 0, 10, 10 }, { 0, 0, 10, 10 }, "bottom" },
+  }) do
+    local name, a, b, expected = row[1], row[2], row[3], row[4]
+    it("is the " .. expected .. ": " .. name, function()
+      assert.equal(expected, shapes.side(numbers(a, b)))
+    end)
+  end
+
+  it("is the opposite one for the other", function()
+    local random = newRandom(7)
+    local function box()
+      local x, y = random:between(-50, 50), random:between(-50, 50)
+      return { x, y, random:between(1, 60), random:between(1, 60) }
+    end
+    for _ = 1, 2000 do
+      local a, b = box(), box()
+      assert.equal(OPPOSITE[shapes.side(numbers(a, b))], shapes.side(numbers(b, a)))
+    end
+  end)
+end)
+
+-- Points of the outline of a shape; those of a circle are its corners moved inward.
+local function outline(shape, x, y, w, h)
+  local points, solidX, solidY = {}, shapes.SOLID[0][shape], shapes.SOLID[1][shape]
+  for _, corner in ipairs({ { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } }) do
+    local isOpen = solidX ~= 0 and corner[1] == -solidX and corner[2] == -solidY
+    if not isOpen then
+      points[#points + 1] = { x + (corner[1] + 1) * w / 2, y + (corner[2] + 1) * h / 2 }
+    end
+  end
+  return points
+end
+
+-- How far p is from the line between a and b, and whether it is on the right hand of that.
+local function fromLine(p, a, b)
+  local dx, dy, x, y = b[1] - a[1], b[2] - a[2], p[1] - a[1], p[2] - a[2]
+  local share = math.max(0, math.min(1, (x * dx + y * dy) / (dx * dx + dy * dy)))
+  local offX, offY = x - dx * share, y - dy * share
+  return math.sqrt(offX * offX + offY * offY), dx * y - dy * x >= 0
+end
+
+-- How far p is from a polygon, below 0: inside.
+local function fromPolygon(p, points)
+  local nearest, isInside = math.huge, true
+  for n = 1, #points do
+    local far, isRight = fromLine(p, points[n], points[n % #points + 1])
+    nearest, isInside = math.min(nearest, far), isInside and isRight
+  end
+  return isInside and -nearest or nearest
+end
+
+-- Whether the line from a to b crosses that from c to d.
+local function cross(a, b, c, d)
+  local function turn(p, q, r)
+    return (q[1] - p[1]) * (r[2] - p[2]) - (q[2] - p[2]) * (r[1] - p[1])
+  end
+  return turn(a, b, c) * turn(a, b, d) < 0 and turn(c, d, a) * turn(c, d, b) < 0
+end
+
+-- How far two shapes are apart, by their outlines; of polygons that overlap: at most 0.
+local function trueGap(a, x, y, w, h, b, ox, oy, ow, oh)
+  if a == shapes.CIRCLE and b == shapes.CIRCLE then
+    local dx, dy = x + w / 2 - ox - ow / 2, y + h / 2 - oy - oh / 2
+    return math.sqrt(dx * dx + dy * dy) - w / 2 - ow / 2
+  elseif a == shapes.CIRCLE then
+    return fromPolygon({ x + w / 2, y + h / 2 }, outline(b, ox, oy, ow, oh)) - w / 2
+  elseif b == shapes.CIRCLE then
+    return trueGap(b, ox, oy, ow, oh, a, x, y, w, h)
+  end
+  local one, other, least = outline(a, x, y, w, h), outline(b, ox, oy, ow, oh), math.huge
+  for n = 1, math.max(#one, #other) do
+    least = math.min(least, one[n] and fromPolygon(one[n], other) or least)
+    least = math.min(least, other[n] and fromPolygon(other[n], one) or least)
+    for m = 1, one[n] and #other or 0 do
+      local isCross = cross(one[n], one[n % #one + 1], other[m], other[m % #other + 1])
+      least = isCross and 0 or least
+    end
+  end
+  return least
+end
+
+-- Whether the two overlap by more than 1e-3 px before `share` of the way (sampled).
+local function overlapsBefore(share, a, x, y, w, h, b, ox, oy, ow, oh, dx, dy)
+  for n = 0, 200 do
+    local at = n / 200
+    if at < share - 1e-6 then
+      if shapes.gap(a, x + dx * at, y + dy * at, w, h, b, ox, oy, ow, oh) < -1e-3 then
+        return true
+      end
+    end
+  end
+  return false
+end
+
+describe("shapes.gap and shapes.meet", function()
+  for a = 0, 5 do
+    it("are those of the outlines: a " .. NAMES[a] .. " and each shape", function()
+      local random = newRandom(a + 1)
+      for n = 1, 1200 do
+        local b = n % 6
+        local x, y, w, h = random:between(0, 40), random:between(0, 40), 3, 3
+        w, h = w + random:between(0, 40), h + random:between(0, 40)
+        local ox, oy, ow, oh = random:between(0, 40), random:between(0, 40), 3, 3
+        ow, oh = ow + random:between(0, 40), oh + random:between(0, 40)
+        h, oh = a == 1 and w or h, b == 1 and ow or oh
+        local gap, nx, ny = shapes.gap(a, x, y, w, h, b, ox, oy, ow, oh)
+        local back = shapes.gap(b, ox, oy, ow, oh, a, x, y, w, h)
+        local true_ = trueGap(a, x, y, w, h, b, ox, oy, ow, oh)
+        local isExact = a == 1 or b == 1 or (true_ > 0 and (a < 2 or b < 2))
+        assert.near(gap, back, 1e-9)
+        assert.near(1, nx * nx + ny * ny, 1e-12)
+        if isExact then
+          assert.near(true_, gap, 1e-9, NAMES[b])
+        else -- (two slopes that are apart: along a face, so at corners less than the distance)
+          assert.is_true(gap <= math.max(true_, 0) + 1e-9, NAMES[b])
+          assert.is_true(true_ > 1e-9 or gap <= 1e-9, NAMES[b])
+        end
+        local dx, dy = random:between(-20, 20), random:between(-20, 20)
+        local share = shapes.meet(a, x, y, w, h, b, ox, oy, ow, oh, dx, dy, n % 2)
+        if gap > 1e-6 then
+          local past = share or 2
+          assert.is_false(overlapsBefore(past, a, x, y, w, h, b, ox, oy, ow, oh, dx, dy), NAMES[b])
+          if share then
+            local left = shapes.gap(a, x + dx * share, y + dy * share, w, h, b, ox, oy, ow, oh)
+            assert.near(0, left, 1e-6, NAMES[b])
+          end
+        end
+      end
+    end)
+  end
+end)
+
+describe("lines.passage", function()
+  it("begins and ends where points of the line are in the shape", function()
+    local random = newRandom(5)
+    for n = 1, 1200 do
+      local shape = n % 6
+      local w, h = random:between(5, 40), random:between(5, 40)
+      h = shape == 1 and w or h
+      local x, y = random:between(-60, 60), random:between(-60, 60)
+      local dx, dy = random:between(-99, 99) + 0.5, random:between(-99, 99) + 0.5
+      local enters, leaves = lines.passage(shape, 0, 0, w, h, x, y, dx, dy)
+      for at = 0, 1, 0.05 do
+        local isIn = lines.isIn(shape, 0, 0, w, h, x + dx * at, y + dy * at)
+        local isNear = math.abs(at - enters) < 1e-9 or math.abs(at - leaves) < 1e-9
+        assert.equal(at > enters and at < leaves, isNear and at > enters and at < leaves or isIn)
+      end
+    end
+  end)
+end)
+
+-- A shape is a function of `space`, not a branch in each file. These numbers only go down.
+describe("the files outside of space", function()
+  local MOST = { slope = 21, circle = 18 }
+  local WORDS = {
+    slope = { "[Ss]lope" },
+    circle = { "[Cc]ircle", "CIRCLE", "isRound", "%f[%a]ball%." },
+  }
+  -- Fields and maps name the fields of an object; these are the words of the game.
+  local LEFT_OUT = { "physics/space/", "physics/fields/", "physics/maps/", "physics/types.lua" }
+
+  local function isLeftOut(path)
+    for _, start in ipairs(LEFT_OUT) do
+      if path:sub(1, #start) == start then
+        return true
+      end
+    end
+    return false
+  end
+
+  local function names(path, words)
+    for line in io.lines(path) do
+      local code = line:gsub("%-%-.*", "")
+      for _, word in ipairs(words) do
+        if code:find(word) then
+          return true
+        end
+      end
+    end
+    return false
+  end
+
+  for shape, most in pairs(MOST) do
+    it("that name a " .. shape .. " are few #files", function()
+      local found = {}
+      for path in io.popen("find physics physics.lua -name '*.lua'"):lines() do
+        if not isLeftOut(path) and names(path, WORDS[shape]) then
+          found[#found + 1] = path
+        end
+      end
+      table.sort(found)
+      assert.is_true(#found <= most, #found .. ": " .. table.concat(found, " "))
+    end)
+  end
+end)
