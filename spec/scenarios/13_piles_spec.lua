@@ -4,6 +4,7 @@ local effort = require("spec.support.effort")
 local newRandom = require("spec.support.random").new
 local overlap = require("spec.support.overlap")
 local scene = require("spec.support.scene")
+local unpack = rawget(table, "unpack") or rawget(_G, "unpack")
 
 local GRID = { shift = { 0 }, order = { "forward" }, broadphase = { "grid" }, push = { "both" } }
 local SMALL = {
@@ -154,305 +155,113 @@ describe("a pile", function()
 end)
 
 --- Knots: a few boxes taken out of random worlds in which they ended a step inside each other.
---- Columns: x, y, width, height, vx, vy, then other fields.
+--- A line each: x, y, width, height, vx, vy, then other fields.
+-- luacheck: push no max line length
 local KNOTS = {
   {
     name = "five, three of them coming down on two that go up",
-    dt = 1 / 144,
-    push = { "both" },
-    {
-      68.74623145,
-      315.004639,
-      9.621591678,
-      6.09140558,
-      -9.173450517,
-      -145.3708103,
-      { mass = 1.170343082, friction = 0.7883011231 },
-    },
-    {
-      61.06384103,
-      279.4527954,
-      12.46043936,
-      6.604417155,
-      11.92651442,
-      154.3330672,
-      { restitution = 0.25, friction = 0.3671229406, airFriction = 0.0326113, drag = 71.0549 },
-    },
-    {
-      54.46695419,
-      300.9245141,
-      17.20176594,
-      14.08012484,
-      -9.173450517,
-      -145.3708103,
-      { mass = 3.830136408, restitution = 0.5, friction = 0.8604840607, gravity = 1200 },
-    },
-    { 61.28705609, 286.0732687, 17.79481844, 13.51360534, -1.562746713, 154.9195626, {} },
-    {
-      67.5863534,
-      268.2564785,
-      9.046896902,
-      11.1963169,
-      -65.65717456,
-      154.3330672,
-      { mass = 7.680881653 },
-    },
+    rate = 144,
+    boxes = [[
+      68.74623145 315.004639 9.621591678 6.09140558 -9.173450517 -145.3708103 mass=1.170343082 friction=0.7883011231
+      61.06384103 279.4527954 12.46043936 6.604417155 11.92651442 154.3330672 restitution=0.25 friction=0.3671229406 airFriction=0.0326113 drag=71.0549
+      54.46695419 300.9245141 17.20176594 14.08012484 -9.173450517 -145.3708103 mass=3.830136408 restitution=0.5 friction=0.8604840607 gravity=1200
+      61.28705609 286.0732687 17.79481844 13.51360534 -1.562746713 154.9195626
+      67.5863534 268.2564785 9.046896902 11.1963169 -65.65717456 154.3330672 mass=7.680881653
+    ]],
   },
   {
     name = "five that fall and catch up on both axes",
-    dt = 1 / 60,
-    push = { "both" },
-    {
-      106.5769728,
-      226.1868046,
-      18.15570319,
-      14.90344928,
-      -78.613184,
-      0,
-      { mass = 3.392474876, drag = 45.57112418 },
-    },
-    {
-      124.732676,
-      232.3102197,
-      12.87753793,
-      8.780034137,
-      -78.613184,
-      0,
-      { mass = 7.081154435 },
-    },
-    {
-      94.75274826,
-      220.8196379,
-      5.955127226,
-      15.82339977,
-      20.43573459,
-      325.5331617,
-      { airFriction = 1.462510728, maxSpeed = 329.3453471 },
-    },
-    {
-      101.0022641,
-      233.5643176,
-      5.571303757,
-      12.90234856,
-      -78.92569519,
-      392.9893165,
-      { mass = 0.2872013768 },
-    },
-    {
-      83.06871011,
-      228.1320168,
-      8.843800736,
-      5.759049097,
-      126.2029638,
-      424.9000256,
-      { friction = 0.1616424831 },
-    },
+    rate = 60,
+    boxes = [[
+      106.5769728 226.1868046 18.15570319 14.90344928 -78.613184 0 mass=3.392474876 drag=45.57112418
+      124.732676 232.3102197 12.87753793 8.780034137 -78.613184 0 mass=7.081154435
+      94.75274826 220.8196379 5.955127226 15.82339977 20.43573459 325.5331617 airFriction=1.462510728 maxSpeed=329.3453471
+      101.0022641 233.5643176 5.571303757 12.90234856 -78.92569519 392.9893165 mass=0.2872013768
+      83.06871011 228.1320168 8.843800736 5.759049097 126.2029638 424.9000256 friction=0.1616424831
+    ]],
   },
   {
     name = "five that fall on a ledge, push first",
-    dt = 0.05,
+    rate = 20,
     push = { "first" },
-    { 104.5346453, 238.5966619, 30.22924999, 16.90723329, 0, 0, { static = true } },
-    {
-      102.7285055,
-      215.0726749,
-      15.85629467,
-      8.744598214,
-      16.8844388,
-      46.09199284,
-      { friction = 0.379515278, gravity = -300, airFriction = 1.533822828 },
-    },
-    {
-      115.2344051,
-      224.0794767,
-      18.47554649,
-      14.50978963,
-      7.806503083,
-      81.06389356,
-      { restitution = 0.5 },
-    },
-    {
-      89.75930886,
-      195.9162814,
-      19.84250209,
-      12.93258093,
-      33.49498553,
-      46.09199284,
-      { restitution = 0.5, friction = 0.9751373059, maxSpeed = 251.931293 },
-    },
-    {
-      100.7837965,
-      208.8488624,
-      19.32327148,
-      6.223812552,
-      17.35364568,
-      46.09199284,
-      { airFriction = 0.417873925 },
-    },
-    {
-      118.8721507,
-      193.2790936,
-      16.08041579,
-      15.54819829,
-      13.10272356,
-      40.37837657,
-      { mass = 7.68, friction = 0.03282615033, gravity = 0 },
-    },
+    boxes = [[
+      104.5346453 238.5966619 30.22924999 16.90723329 0 0 static
+      102.7285055 215.0726749 15.85629467 8.744598214 16.8844388 46.09199284 friction=0.379515278 gravity=-300 airFriction=1.533822828
+      115.2344051 224.0794767 18.47554649 14.50978963 7.806503083 81.06389356 restitution=0.5
+      89.75930886 195.9162814 19.84250209 12.93258093 33.49498553 46.09199284 restitution=0.5 friction=0.9751373059 maxSpeed=251.931293
+      100.7837965 208.8488624 19.32327148 6.223812552 17.35364568 46.09199284 airFriction=0.417873925
+      118.8721507 193.2790936 16.08041579 15.54819829 13.10272356 40.37837657 mass=7.68 friction=0.03282615033 gravity=0
+    ]],
   },
   {
     name = "three in a row that slide, the light one between has no friction",
-    dt = 1 / 144,
-    push = { "both" },
-    { -50, 200, 300, 50, 0, 0, { static = true } },
-    {
-      3.51273388,
-      190.15441,
-      14.0209345,
-      9.84559046,
-      -2.07303249,
-      0,
-      { mass = 10.4325396, restitution = 0.0901232691, friction = 0.862971559 },
-    },
-    {
-      17.5336683,
-      186.071513,
-      15.80234,
-      13.928487,
-      -2.07303249,
-      0,
-      { mass = 0.0114912084, restitution = 0.130531491 },
-    },
-    {
-      33.3360083,
-      185.876684,
-      12.1867153,
-      14.1233162,
-      -2.07303249,
-      0,
-      { mass = 0.80659147, restitution = 0.0106247864, friction = 0.487031589 },
-    },
+    rate = 144,
+    boxes = [[
+      -50 200 300 50 0 0 static
+      3.51273388 190.15441 14.0209345 9.84559046 -2.07303249 0 mass=10.4325396 restitution=0.0901232691 friction=0.862971559
+      17.5336683 186.071513 15.80234 13.928487 -2.07303249 0 mass=0.0114912084 restitution=0.130531491
+      33.3360083 185.876684 12.1867153 14.1233162 -2.07303249 0 mass=0.80659147 restitution=0.0106247864 friction=0.487031589
+    ]],
   },
   {
     name = "five on a floor, push first",
-    dt = 1 / 60,
+    rate = 60,
     push = { "first" },
-    { -50, 200, 300, 50, 0, 0, { static = true } },
-    {
-      146.362514,
-      164.135334,
-      13.4848568,
-      7.98804869,
-      8.33223628,
-      0,
-      { mass = 0.083742154, restitution = 0.243498581 },
-    },
-    {
-      142.458409,
-      172.123383,
-      14.8255632,
-      13.2406588,
-      8.75053344,
-      0,
-      { mass = 0.687346548, restitution = 0.201079107, friction = 0.890686123 },
-    },
-    {
-      161.162002,
-      174.349137,
-      19.0011518,
-      16.3584226,
-      0.930760564,
-      31.9771055,
-      { mass = 0.475414967, restitution = 0.463617654, friction = 0.265414157 },
-    },
-    {
-      141.113204,
-      185.364042,
-      19.9787372,
-      14.6359583,
-      47.6624674,
-      0,
-      { mass = 0.00858350668, restitution = 0.175290115, friction = 0.910194754 },
-    },
-    {
-      175.364068,
-      190.8522,
-      12.7652257,
-      9.14779976,
-      0,
-      0,
-      { mass = 1.54028788, restitution = 0.00209483528, friction = 0.364371102 },
-    },
+    boxes = [[
+      -50 200 300 50 0 0 static
+      146.362514 164.135334 13.4848568 7.98804869 8.33223628 0 mass=0.083742154 restitution=0.243498581
+      142.458409 172.123383 14.8255632 13.2406588 8.75053344 0 mass=0.687346548 restitution=0.201079107 friction=0.890686123
+      161.162002 174.349137 19.0011518 16.3584226 0.930760564 31.9771055 mass=0.475414967 restitution=0.463617654 friction=0.265414157
+      141.113204 185.364042 19.9787372 14.6359583 47.6624674 0 mass=0.00858350668 restitution=0.175290115 friction=0.910194754
+      175.364068 190.8522 12.7652257 9.14779976 0 0 mass=1.54028788 restitution=0.00209483528 friction=0.364371102
+    ]],
   },
   {
     name = "four beside a wall under gravity to the right",
-    dt = 1 / 144,
-    push = { "both" },
+    rate = 144,
     gravityX = 800,
     gravity = 0,
-    { 200, -50, 50, 300, 0, 0, { static = true } },
-    {
-      186.528968,
-      147.609848,
-      13.471032,
-      15.6341649,
-      0,
-      0.0977361594,
-      { mass = 0.00152725332, restitution = 0.165591098, friction = 0.633975413 },
-    },
-    {
-      169.620616,
-      152.787652,
-      16.9083518,
-      10.6685756,
-      0,
-      0,
-      { mass = 0.00282373364, restitution = 0.832405208, friction = 0.417423356 },
-    },
-    {
-      167.694478,
-      137.51922,
-      18.8344897,
-      15.2684322,
-      0,
-      0,
-      { mass = 1.27055042, restitution = 0.798657357, friction = 0.821910771 },
-    },
-    {
-      159.772287,
-      163.456227,
-      14.6077636,
-      16.6822128,
-      0,
-      0,
-      { mass = 0.648045318, restitution = 0.775265884 },
-    },
+    boxes = [[
+      200 -50 50 300 0 0 static
+      186.528968 147.609848 13.471032 15.6341649 0 0.0977361594 mass=0.00152725332 restitution=0.165591098 friction=0.633975413
+      169.620616 152.787652 16.9083518 10.6685756 0 0 mass=0.00282373364 restitution=0.832405208 friction=0.417423356
+      167.694478 137.51922 18.8344897 15.2684322 0 0 mass=1.27055042 restitution=0.798657357 friction=0.821910771
+      159.772287 163.456227 14.6077636 16.6822128 0 0 mass=0.648045318 restitution=0.775265884
+    ]],
   },
 }
 
-describe("a knot of boxes does not overlap:", function()
+-- luacheck: pop
+
+-- A box of a line of KNOTS.
+local function boxOf(line)
+  local numbers, box = {}, { static = line:find("static") ~= nil }
+  for word in line:gmatch("%S+") do
+    numbers[#numbers + 1] = tonumber(word)
+  end
+  for field, value in line:gmatch("(%a+)=(%S+)") do
+    box[field] = tonumber(value)
+  end
+  box.x, box.y, box.width, box.height, box.vx, box.vy = unpack(numbers)
+  return box
+end
+
+describe("overlaps: a knot of boxes does not overlap:", function()
   for _, knot in ipairs(KNOTS) do
-    it(knot.name, function()
-      local levels = { shift = { 0, 0.1 }, order = { "forward" }, push = knot.push }
-      scene.each(levels, function(run)
-        local description = { gravity = knot.gravity or 800, gravityX = knot.gravityX }
-        for i, row in ipairs(knot) do
-          local box = { x = row[1], y = row[2], width = row[3], height = row[4] }
-          box.vx, box.vy = row[5], row[6]
-          for key, value in pairs(row[7]) do
-            box[key] = value
-          end
-          description[i] = { "boxes", box }
-        end
-        run:build(description)
-        local deepest = overlap.checker(run.all)
-        run:check(deepest() <= 1e-6, "they overlap before the step")
-        run:step(knot.dt)
-        for _ = 1, 5 do
-          local depth = deepest()
-          run:check(depth <= 1e-6, "overlap of %.3g px", depth)
-          run:step(knot.dt)
-        end
-      end)
+    local levels = { shift = { 0, 0.1 }, order = { "forward" }, push = knot.push or { "both" } }
+    scene.it(knot.name, levels, function(run)
+      local description = { gravity = knot.gravity or 800, gravityX = knot.gravityX }
+      for line in knot.boxes:gmatch("%S[^\n]*") do
+        description[#description + 1] = { "boxes", boxOf(line) }
+      end
+      run:build(description)
+      local deepest = overlap.checker(run.all)
+      run:check(deepest() <= 1e-6, "they overlap before the step")
+      for _ = 1, 6 do
+        run:step(1 / knot.rate)
+        local depth = deepest()
+        run:check(depth <= 1e-6, "overlap of %.3g px", depth)
+      end
     end)
   end
 end)

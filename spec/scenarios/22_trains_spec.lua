@@ -32,172 +32,137 @@ local function wall(name, x)
   return { "walls", object, isWall = true }
 end
 
--- What happens on the carrier: its objects, what the game writes before each step, for how long,
--- and where objects are at the end (px) and how fast (px/s) on a floor that stands.
+local P, B, C = box("P", 20, 84), box("B", 80, 84), box("C", 60, 68)
+
+-- What happens on the carrier: its objects; fields that the game writes before the first step
+-- (`first`) or speeds before each (`keep`), by name; for how long; and where objects are at the end
+-- (px) and how fast (px/s) on a floor that stands.
 local PLAYS = {
-  {
-    name = "one pushes another",
-    objects = { box("P", 20, 84), box("B", 80, 84) },
-    write = function(named)
-      named.P.vx = 100
-    end,
-    seconds = 2,
-  },
+  { name = "one pushes another", P, B, keep = { P = 100 }, seconds = 2 },
   {
     name = "one pushes three",
-    objects = { box("P", 20, 84), box("B", 60, 84), box("C", 80, 84), box("D", 100, 84) },
-    write = function(named)
-      named.P.vx = 100
-    end,
+    P,
+    box("B", 60, 84),
+    box("C", 80, 84),
+    box("D", 100, 84),
+    keep = { P = 100 },
     seconds = 2,
   },
   {
     name = "two that touch are pushed, written once",
-    objects = { box("P", 0, 84), box("B", 16, 84), box("C", 32, 84) },
-    first = function(named)
-      named.P.vx = 90
-    end,
-    seconds = 1,
+    box("P", 0, 84),
+    box("B", 16, 84),
+    box("C", 32, 84),
+    first = { P = { vx = 90 } },
     ends = { P = 30, B = 46, C = 62 },
   },
   {
     name = "one pushes leftwards",
-    objects = { box("P", 80, 84), box("B", 20, 84) },
-    write = function(named)
-      named.P.vx = -100
-    end,
+    box("P", 80, 84),
+    box("B", 20, 84),
+    keep = { P = -100 },
     seconds = 2,
   },
   {
     name = "one pushes three against a wall",
-    objects = {
-      box("P", 20, 84),
-      box("B", 80, 84),
-      box("C", 100, 84),
-      box("D", 120, 84),
-      wall("W", 200),
-    },
-    write = function(named)
-      named.P.vx = 100
-    end,
+    P,
+    B,
+    box("C", 100, 84),
+    box("D", 120, 84),
+    wall("W", 200),
+    keep = { P = 100 },
     seconds = 4,
     ends = { P = 136, B = 152, C = 168, D = 184 },
   },
-  {
-    name = "one pushes a stack",
-    objects = { box("P", 20, 84), box("B", 60, 84), box("C", 60, 68) },
-    write = function(named)
-      named.P.vx = 100
-    end,
-    seconds = 2,
-  },
+  { name = "one pushes a stack", P, box("B", 60, 84), C, keep = { P = 100 }, seconds = 2 },
   {
     name = "one runs into what cannot be pushed",
-    objects = { box("P", 20, 84), box("B", 80, 84, { pushable = false }) },
-    write = function(named)
-      named.P.vx = 100
-    end,
+    P,
+    box("B", 80, 84, { pushable = false }),
+    keep = { P = 100 },
     seconds = 2,
     ends = { P = 64, B = 80 },
   },
   {
     name = "an engine pushes",
-    objects = { box("P", 20, 84, { maxSpeedX = 90 }), box("B", 36, 84) },
-    first = function(named)
-      named.P.raw.ax = 900
-    end,
+    box("P", 20, 84, { maxSpeedX = 90 }),
+    box("B", 36, 84),
+    first = { P = { ax = 900 } },
     seconds = 2,
   },
   {
     name = "an engine alone",
-    objects = { box("P", 20, 84, { maxSpeedX = 90 }) },
-    first = function(named)
-      named.P.raw.ax = 900
-    end,
+    box("P", 20, 84, { maxSpeedX = 90 }),
+    first = { P = { ax = 900 } },
     seconds = 2,
     ends = { P = 195.5 },
   },
   {
     name = "a man walks on a crate and steps down",
-    objects = { box("P", 20, 84), box("B", 22, 68) },
-    first = function(named)
-      named.B.vx = 30
-    end,
-    seconds = 1,
+    P,
+    box("B", 22, 68),
+    first = { B = { vx = 30 } },
     without = { lift = "it falls: the lift comes to meet it" },
+    late = 5,
   },
   {
     name = "one jumps forwards, one backwards",
-    objects = { box("P", 20, 84), box("B", 80, 84) },
-    first = function(named)
-      named.P.vx, named.P.vy, named.B.vx, named.B.vy = -30, -120, 30, -120
-    end,
-    seconds = 1,
+    P,
+    B,
+    first = { P = { vx = -30, vy = -120 }, B = { vx = 30, vy = -120 } },
     ends = { P = -10, B = 110 },
     without = { lift = "the lift gives the jump its speed" },
   },
   {
     name = "a crate is pushed with a man on it",
-    objects = { box("P", 0, 84), box("B", 40, 84), box("C", 42, 68) },
-    write = function(named)
-      named.P.vx = 70
-    end,
-    seconds = 1,
+    box("P", 0, 84),
+    box("B", 40, 84),
+    box("C", 42, 68),
+    keep = { P = 70 },
   },
   {
     name = "mass 2 hits mass 1, restitution 1",
-    objects = {
-      box("P", 0, 84, { mass = 2, restitution = 1 }),
-      box("B", 60, 84, { restitution = 1 }),
-    },
-    first = function(named)
-      named.P.vx = 100
-    end,
-    seconds = 1,
+    box("P", 0, 84, { mass = 2, restitution = 1 }),
+    box("B", 60, 84, { restitution = 1 }),
+    first = { P = { vx = 100 } },
     speeds = { P = 100 / 3, B = 400 / 3 },
   },
   {
     name = "mass 2 hits mass 1, restitution 0",
-    objects = { box("P", 0, 84, { mass = 2 }), box("B", 60, 84) },
-    first = function(named)
-      named.P.vx = 100
-    end,
-    seconds = 1,
+    box("P", 0, 84, { mass = 2 }),
+    box("B", 60, 84),
+    first = { P = { vx = 100 } },
     speeds = { P = 200 / 3, B = 200 / 3 },
   },
   {
     name = "mass 2 hits mass 1, restitution 0.5, leftwards",
-    objects = { box("P", 100, 84, { mass = 2, restitution = 0.5 }), box("B", 40, 84) },
-    first = function(named)
-      named.P.vx = -100
-    end,
-    seconds = 1,
+    box("P", 100, 84, { mass = 2, restitution = 0.5 }),
+    box("B", 40, 84),
+    first = { P = { vx = -100 } },
     speeds = { P = -50, B = -100 },
   },
   {
     name = "one slides and rubs until it stands",
-    objects = { box("P", 0, 84, { friction = 0.5 }) },
+    box("P", 0, 84, { friction = 0.5 }),
     friction = 0.5,
-    first = function(named)
-      named.P.vx = 200
-    end,
-    seconds = 1,
+    first = { P = { vx = 200 } },
     ends = { P = 50 },
     speeds = { P = 0 },
   },
   {
     name = "one is pushed against friction",
-    objects = { box("P", 0, 84), box("B", 40, 84, { friction = 0.4 }) },
+    box("P", 0, 84),
+    box("B", 40, 84, { friction = 0.4 }),
     friction = 0.4,
-    write = function(named)
-      named.P.vx = 100
-    end,
-    seconds = 1,
+    keep = { P = 100 },
+    late = 0.5,
   },
   {
     name = "a tower stands",
-    objects = { box("P", 0, 84), box("B", 0, 68), box("C", 0, 52), box("D", 16, 84) },
-    seconds = 1,
+    box("P", 0, 84),
+    box("B", 0, 68),
+    box("C", 0, 52),
+    box("D", 16, 84),
     ends = { P = 0, B = 0, C = 0, D = 16 },
     speeds = { P = 0, B = 0, C = 0, D = 0 },
   },
@@ -224,7 +189,7 @@ local function entriesOf(play, isBelt)
   local floor = { name = "floor", x = -2000, y = FLOOR, width = 4000, height = 16 }
   floor.static, floor.kinematic, floor.friction = isBelt, not isBelt, play.friction
   local description, movers = { { "floors", floor } }, {}
-  for _, entry in ipairs(play.objects) do
+  for _, entry in ipairs(play) do
     local object = {}
     for field, value in pairs(entry[2]) do
       object[field] = value
@@ -242,14 +207,16 @@ end
 local function start(run, play, kind, speed, named)
   run:play(SETTLE)
   local speedX, speedY = CARRIERS[kind](named.floor, speed, run.world)
-  for _, entry in ipairs(play.objects) do
+  for _, entry in ipairs(play) do
     if entry.isWall then
       named[entry[2].name].vx, named[entry[2].name].vy = speedX, speedY
     end
   end
   run:step(1 / run.rate)
-  if play.first then
-    play.first(named)
+  for name, fields in pairs(play.first or {}) do
+    for field, value in pairs(fields) do
+      named[name][field] = value
+    end
   end
   return speedX, speedY
 end
@@ -266,11 +233,11 @@ local function travel(run, play, kind, speed)
     from[i] = { x = view.x - object.x, y = view.y - object.y }
   end
   local function write()
-    if play.write then
-      play.write(named)
+    for name, vx in pairs(play.keep or {}) do
+      named[name].vx = vx
     end
   end
-  for time in run:steps(play.seconds, write) do
+  for time in run:steps(play.seconds or 1, write) do
     local row = {}
     for i, object in ipairs(movers) do
       local view = named[object.name]
@@ -294,16 +261,17 @@ local function expectEnd(run, play, log, named, movers)
   end
 end
 
--- Friction of what is pushed counts the belt from the next step on: px by which that differs from a
--- floor.
-local LATE =
-  { ["a man walks on a crate and steps down"] = 5, ["one is pushed against friction"] = 0.5 }
-
+-- `late`: friction of what is pushed counts the belt from the next step on; px by which that
+-- differs from a floor.
 local function compare(run, play, log, standing, movers)
-  local near = LATE[play.name]
   for step, row in ipairs(log) do
     for i, object in ipairs(movers) do
-      run:near(("step %d: %s.x"):format(step, object.name), row[i].x, standing[step][i].x, near)
+      run:near(
+        ("step %d: %s.x"):format(step, object.name),
+        row[i].x,
+        standing[step][i].x,
+        play.late
+      )
       run:near(("step %d: %s.y"):format(step, object.name), row[i].y, standing[step][i].y)
     end
   end
@@ -311,10 +279,10 @@ end
 
 local row = 0 -- of kind, play and speed
 for _, kind in ipairs({ "platform", "belt", "lift" }) do
-  describe("on a " .. kind, function()
+  describe("kinematic and surfaceSpeed: on a " .. kind, function()
     for _, play in ipairs(PLAYS) do
       local hasWall = false
-      for _, entry in ipairs(play.objects) do
+      for _, entry in ipairs(play) do
         hasWall = hasWall or entry.isWall
       end
       -- The walls beside a belt stand: that is another thing than a wall beside a floor.
