@@ -90,8 +90,9 @@ check "survivors is drawn" still survivors survivors 1000 "$(cat examples/demos/
 check "rollback is drawn" still rollback rollback 260 "$(cat examples/demos/rollback.keys)"
 check "tiled is drawn" still tiled tiled 400 "$(cat examples/demos/tiled.keys)"
 check "rooms is drawn" still rooms rooms 300 "$(cat examples/demos/rooms.keys)"
+check "marbles is drawn" still marbles marbles 1300
 check "debug draw is drawn" still draw lifts 480 "x:5,$lifts"
-for name in hills pile balls lifts draw platformer tutorial topdown survivors breakout rollback tiled rooms; do
+for name in hills pile balls lifts draw platformer tutorial topdown survivors breakout rollback tiled rooms marbles; do
   check "$name has less than 200 kB" smaller_than 200000 "$target/$name.png"
 done
 
