@@ -75,16 +75,6 @@ describe("the bounds of a scene", function()
     assert.equal(7, result.rest)
   end)
 
-  it("know no rest of what moves at the end", function()
-    local result = play({
-      [25] = function(list)
-        list[1].vx = 1
-      end,
-    })
-    assert.is_nil(result.rest)
-    assert.equal(1, result.fastest)
-  end)
-
   it("tell the motion beyond the fastest speed of the step, and when it was", function()
     local result = play({
       [2] = function(list)
@@ -141,31 +131,6 @@ describe("the bounds of a scene", function()
     })
     assert.equal(0, result.outside)
   end)
-
-  it("tell how far an object was moved that must stay", function()
-    local moves = {
-      [3] = function(list)
-        list[1].x = 4
-      end,
-      [4] = function(list)
-        list[1].x = 0
-      end,
-    }
-    assert.equal(4, play(moves, { still = 1 }).drift)
-    assert.is_nil(play(moves).drift)
-  end)
-
-  it("are given up when the time is over", function()
-    local result = bounds.play(newEngine({}), newScene(), -1)
-    assert.is_true(result.isLimited)
-    assert.equal(0, result.steps)
-    assert.is_nil(result.rest)
-  end)
-
-  it("grow with an exponent", function()
-    assert.near(1, bounds.exponent({ 50, 100, 200, 400 }, { 5, 10, 20, 40 }), 1e-12)
-    assert.near(2, bounds.exponent({ 1, 2, 4 }, { 3, 12, 48 }), 1e-12)
-  end)
 end)
 
 describe("a worst case", function()
@@ -174,14 +139,6 @@ describe("a worst case", function()
   local function isWorst(definition)
     return definition.growth ~= nil
   end
-
-  it("exists", function()
-    local count = 0
-    for _, definition in ipairs(scenes.list) do
-      count = count + (isWorst(definition) and 1 or 0)
-    end
-    assert.equal(13, count)
-  end)
 
   for _, definition in ipairs(scenes.list) do
     if isWorst(definition) then

@@ -40,12 +40,8 @@ describe("world:loadLDtk", function()
     assert.same({ 5, 1 }, { level.tiles, level.rectangles })
     local floor = world.objects.Collisions[1]
     assert.is_true(floor.static)
-    assert.same({ 0, 2, 5, 1 }, {
-      floor.ldtk.column,
-      floor.ldtk.row,
-      floor.ldtk.columns,
-      floor.ldtk.rows,
-    })
+    local cell = floor.ldtk
+    assert.same({ 0, 2, 5, 1 }, { cell.column, cell.row, cell.columns, cell.rows })
     assert.is_nil(floor.ldtk.value) -- two of them
     assert.equal(project.levels[1].layerInstances[2], floor.ldtk.layer)
     assert.equal(1, #level.solidLayers)
@@ -66,13 +62,6 @@ describe("world:loadLDtk", function()
     assert.equal("stone", world.objects.Collisions[2].material)
   end)
 
-  it("leaves each cell alone with merge = false", function()
-    local level, world = load(newProject(), nil, { solid = { stone = true }, merge = false })
-    assert.same({ "48 32 16 16", "64 32 16 16" }, boxes(world, "Collisions"))
-    assert.same({ 2, 2 }, { level.tiles, level.rectangles })
-    assert.equal(3, world.objects.Collisions[1].ldtk.value)
-  end)
-
   describe("without the option solid", function()
     it("takes values with a name that says so", function()
       local level, world = load(newProject({ "Walls", "water", "ground" }))
@@ -87,12 +76,6 @@ describe("world:loadLDtk", function()
       level, world = load(newProject({ false, false, false }))
       assert.equal(2, #boxes(world, "Collisions"))
       assert.equal("its values 1, 2, 3", level.solidLayers[1].reason)
-    end)
-
-    it("and none in a level without cells", function()
-      local project = newProject()
-      project.levels[1].layerInstances[2] = ldtk.intGrid("Collisions", { "..." })
-      assert.same({}, load(project).solidLayers)
     end)
   end)
 
@@ -137,20 +120,16 @@ describe("world:loadLDtk", function()
     assert.is_nil(level.named.Mark)
   end)
 
-  it("and the world goes on with it", function()
+  it("goes on with the world, and shares no table with the project", function()
     local options = { solid = { dirt = true, stone = true }, kinds = { Player = "dynamic" } }
-    local level, world = load(newProject(), nil, options)
+    local project = newProject()
+    local before = tiled.copy(project)
+    local level, world = load(project, nil, options)
     for _ = 1, 60 do
       world:update(1 / 60)
     end
     assert.equal(8, level.named.Player.y)
     assert.equal(level.named.Player.touching.bottom, world.objects.Collisions[1])
-  end)
-
-  it("does not change the project, and shares no table with it", function()
-    local project = newProject()
-    local before = tiled.copy(project)
-    local level = load(project)
     level.named.Player.items[1] = "Sword"
     assert.same(before, project)
   end)
@@ -163,14 +142,8 @@ describe("world:loadLDtk", function()
     local level, world = load(project, nil, { x = 512, y = -64, solid = { dirt = true } })
     assert.same({ "515 -37 48 16" }, boxes(world, "Collisions"))
     assert.same({ "531 -61 16 24" }, boxes(world, "Player"))
-    assert.same({ 512, -64, 320, 160, 512, -64 }, {
-      level.x,
-      level.y,
-      level.width,
-      level.height,
-      level.worldX,
-      level.worldY,
-    })
+    assert.same({ 512, -64, 320, 160 }, { level.x, level.y, level.width, level.height })
+    assert.same({ 512, -64 }, { level.worldX, level.worldY })
     assert.same({ music = "cave" }, level.fields)
     assert.equal(project.levels[1], level.level)
   end)
@@ -253,19 +226,11 @@ describe("world:loadLDtk", function()
     local mob = world.objects.Mob[1]
     assert.same({ 2, 5, 4 }, { mob.mass, mob.life, mob.x })
     assert.is_nil(mob.drag)
-    assert.same(
-      { 'drag must be a number >= 0, got "yes"', 'property "x": the editor\'s own value counts' },
-      {
-        level.unsupported[1].reason,
-        level.unsupported[2].reason,
-      }
-    )
-    assert.same({ "object", "Entities", "entity-Mob", "Mob" }, {
-      level.unsupported[1].kind,
-      level.unsupported[1].layer,
-      level.unsupported[1].id,
-      level.unsupported[1].name,
-    })
+    local first, second = level.unsupported[1], level.unsupported[2]
+    assert.equal('drag must be a number >= 0, got "yes"', first.reason)
+    assert.equal('property "x": the editor\'s own value counts', second.reason)
+    local place = { first.kind, first.layer, first.id, first.name }
+    assert.same({ "object", "Entities", "entity-Mob", "Mob" }, place)
     assert.equal(1, #load(project, nil, { ignore = { "drag" } }).unsupported)
     local isDone, message = pcall(load, project, nil, { strict = true })
     assert.is_false(isDone)

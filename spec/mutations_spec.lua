@@ -79,16 +79,6 @@ describe("scripts/mutations.lua", function()
     assert.is_nil(mutations.apply("return -a", { at = 8, old = "-", new = "+" }))
   end)
 
-  it("names a change by the line that it makes", function()
-    local text = "if a then\n  b = 1 + 2\nend\nif c then\n  b = 1 + 2\nend"
-    local change = mutations.list(text)[2]
-    assert.are.equal("b = 1 - 2", mutations.changedLine(text, change))
-    assert.are.equal(4, mutations.findLine(text, "if c then"))
-    assert.are.equal(5, mutations.findLine(text, "if c then\nb = 1 + 2"))
-    assert.is_nil(mutations.findLine(text, "b = 1 + 2"), "there are two")
-    assert.is_nil(mutations.findLine(text, "b = 1"))
-  end)
-
   it("finds something in files of the core #files", function()
     for _, name in ipairs({ "space/shapes", "world/world", "solver/friction", "motion/path" }) do
       local file = assert(io.open("physics/" .. name .. ".lua"))
@@ -123,21 +113,6 @@ describe("scripts/coverage.lua", function()
     rawset(_G, "SEEN", nil)
     assert.are.same({ true, true, false, nil, true }, lines)
     assert.are.equal(5, select(2, text:gsub("\n", "")))
-  end)
-
-  it("marks no line again that is known to be run", function()
-    local text, lines =
-      coverage.marked("local x = 1\nx = 2\nreturn x\n", "SEEN", { true, nil, true })
-    assert.are.equal("local x = 1\nSEEN[2]=true;x = 2\nreturn x\n", text)
-    assert.are.same({ [2] = false }, lines)
-  end)
-
-  it("leaves out what only draws, loads maps or helps editors", function()
-    assert.is_true(coverage.isCore("physics/broadphase/grid.lua"))
-    assert.is_true(coverage.isCore("physics.lua"))
-    for _, name in ipairs({ "world/draw", "maps/tiled", "maps/tiled/tileset", "types" }) do
-      assert.is_false(coverage.isCore("physics/" .. name .. ".lua"))
-    end
   end)
 
   it("names the lines that were not run #files", function()

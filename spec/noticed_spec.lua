@@ -169,17 +169,3 @@ describe("two that are soft to each other", function()
     assert.is_true(low.x < -1 and tall.x > 11, "they should part")
   end)
 end)
-
-describe("a velocity that the game has taken away", function()
-  it("is 0", function()
-    local world = physics.newWorld({ gravity = 0 })
-    local box = world:add("boxes", { x = 0, y = 0, width = 10, height = 10, vx = 60, vy = 60 })
-    world:update(1 / 60)
-    box.vx, box.vy = nil, nil
-    for _ = 1, 10 do
-      world:update(1 / 60)
-    end
-    near(1, box.x)
-    near(1, box.y)
-  end)
-end)

@@ -91,11 +91,6 @@ describe("scripts/plain_busted.lua", function()
     assert.truthy(printed:find("1 passed, 1 failed, 0 left out\n", 1, true), printed)
   end)
 
-  it("counts what is pending as left out #files", function()
-    local text = 'it("a", function() end)\npending("b", function() error("x") end)\npending("c")\n'
-    assert.equal("1 passed, 0 failed, 2 left out\n", run(text, ""))
-  end)
-
   it("leaves out what is tagged, and counts it #files", function()
     local text = 'describe("a #slow", function() it("one", function() end) end)\n'
       .. 'it("two #files", function() end)\nit("three", function() end)'

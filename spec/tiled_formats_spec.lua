@@ -86,17 +86,14 @@ describe("world:loadTiled, packed layers", function()
   end)
 
   for _, compression in ipairs({ "zlib", "gzip" }) do
-    it("with " .. compression .. " are unpacked by the option decompress", function()
+    it("with " .. compression .. " are unpacked by the option decompress, or by LÖVE", function()
       local log = {}
       local level, world = load(packed(compression), { decompress = unpacker(log) })
       local _, plain = load(PLAIN)
       assert.same({ compression }, log)
       assert.same(boxes(plain, "collision"), boxes(world, "collision"))
       assert.same({}, level.unsupported)
-    end)
-
-    it("with " .. compression .. " are unpacked by love.data where there is LÖVE", function()
-      local log = {}
+      log = {}
       local unpack = unpacker(log)
       pretend({
         data = {
@@ -117,11 +114,8 @@ describe("world:loadTiled, packed layers", function()
       local level, world = load(packed(compression))
       local expected = ("encoded data (%s, base64): %s; %s"):format(compression, neither, CSV)
       assert.same({ expected }, reasonsOf(level))
-      assert.same({ "layer", "collision", 1 }, {
-        level.unsupported[1].kind,
-        level.unsupported[1].layer,
-        level.unsupported[1].id,
-      })
+      local part = level.unsupported[1]
+      assert.same({ "layer", "collision", 1 }, { part.kind, part.layer, part.id })
       assert.is_nil(world.objects.collision)
     end
   end)
@@ -154,12 +148,6 @@ describe("world:loadTiled, packed layers", function()
     layer.chunks = { part, { x = 0, y = 0, width = 24, height = 12, data = layer.data } }
     layer.data = nil
     assert.equal(186, (load(map)).tiles)
-  end)
-
-  it("with solid = false are not missed", function()
-    local map = packed("zlib")
-    map.layers[1].properties.solid = false
-    assert.same({}, load(map).unsupported)
   end)
 
   describe("are refused:", function()
@@ -316,13 +304,10 @@ describe("world:loadTiled, tilesets in files of their own", function()
     local head = 'external ("earth.tsx"): '
     local function reason(map, options)
       local level = load(map, options)
-      assert.same({ "tileset", 1, "earth" }, {
-        level.unsupported[1].kind,
-        level.unsupported[1].id,
-        level.unsupported[1].name,
-      })
+      local part = level.unsupported[1]
+      assert.same({ "tileset", 1, "earth" }, { part.kind, part.id, part.name })
       assert.equal(1, #level.unsupported)
-      return level.unsupported[1].reason
+      return part.reason
     end
     assert.equal(head .. "what its tiles are is not in this export, embed it", reason(newMap()))
     assert.equal(
@@ -431,12 +416,6 @@ describe("world:loadTiled, points and lines", function()
       end
     end)
   end
-
-  it("turned otherwise are named: sines would not be the same everywhere", function()
-    local object =
-      tiled.object(9, 10, 20, 0, 0, { shape = "polyline", polyline = {}, rotation = 45 })
-    assert.same({ "rotated by 45 degrees: boxes do not turn" }, reasonsOf(load(newMap({ object }))))
-  end)
 end)
 
 -- Turned shapes -----------------------------------------------------------------------------------
@@ -455,6 +434,7 @@ describe("world:loadTiled, turned", function()
     { -90, "100 170 10 30" },
     { -270, "90 200 10 30" },
     { 450, "90 200 10 30" },
+    { -720, "100 200 30 10" },
     { 89.99999, "90 200 10 30" },
   }) do
     it(("rectangles are boxes, by %g degrees"):format(row[1]), function()
@@ -476,16 +456,6 @@ describe("world:loadTiled, turned", function()
       assert.same({ expected[row[2]] }, boxes(world, "things"))
     end)
   end
-
-  it("by another angle they are named", function()
-    for _, rotation in ipairs({ 45, 0.01, -89.9 }) do
-      local level = load(newMap(tiled.object(1, 0, 0, 8, 8, { rotation = rotation })))
-      assert.same(
-        { ("rotated by %.14g degrees: boxes do not turn"):format(rotation) },
-        reasonsOf(level)
-      )
-    end
-  end)
 
   it("tile objects turn with the rectangle of their tile", function()
     -- The lower half of a tile of 16 px; turned clockwise it is the left half.
@@ -617,11 +587,6 @@ describe("world:loadTiled, polygons", function()
     assert.is_nil(world.objects.walls[1].slope)
   end)
 
-  it("are named when they are turned otherwise", function()
-    local map = newMap("0,0 40,0 40,10 0,10", { rotation = 30 })
-    assert.same({ "rotated by 30 degrees: boxes do not turn" }, reasonsOf(load(map)))
-  end)
-
   it("of several boxes move only together, that is not at all", function()
     local map = newMap("0,0 10,0 10,20 30,20 30,30 0,30")
     map.layers[1].objects[1].properties = { static = false }
@@ -640,19 +605,24 @@ describe("world:loadTiled, polygons", function()
     assert.same({}, level.unsupported)
   end)
 
-  it("and capsules, ellipses and texts are named", function()
+  it("capsules, ellipses, texts and what is turned are named", function()
     for shape, reason in pairs({
+      ["polyline, turned"] = "rotated by 45 degrees: boxes do not turn",
+      ["rectangle, turned"] = "rotated by 45 degrees: boxes do not turn",
+      ["polygon, turned"] = "rotated by 45 degrees: boxes do not turn",
       capsule = "capsule: only rectangles are boxes",
       ellipse = 'ellipse: only circles are round; the option ellipses = "box" makes it a box',
       text = "text: only rectangles are boxes",
     }) do
-      local object = tiled.object(1, 0, 0, 16, 32, { shape = shape })
+      local object = tiled.object(1, 0, 0, 16, 32, { shape = shape:match("%a+") })
+      object.polyline, object.polygon = {}, points("0,0 40,0 40,10 0,10")
+      object.rotation = shape:find("turned") and 45 or 0
       local map = tiled.map({ tiled.tileset() }, { tiled.objects(1, "things", { object }) })
       assert.same({ reason }, reasonsOf(load(map)))
     end
   end)
 
-  it("and ellipses that are circles are round as shapes of tiles, too", function()
+  it("ellipses that are circles are round as shapes of tiles, too", function()
     local shape = tiled.object(5, 2, 4, 8, 8, { shape = "ellipse" })
     local long = tiled.object(6, 0, 0, 8, 16, { shape = "ellipse" })
     local set = tiled.tileset({ tiled.shapes(0, { shape }), tiled.shapes(1, { long }) })
@@ -667,7 +637,7 @@ describe("world:loadTiled, polygons", function()
     assert.near(0, world.objects.balls[1].y, 1e-6) -- on top of the circle
   end)
 
-  it("and ellipses that are circles have a radius", function()
+  it("ellipses that are circles have a radius", function()
     local object = tiled.object(1, 40, 8, 24, 24, { shape = "ellipse", rotation = 90 })
     object.properties = { sensor = true }
     local box = tiled.object(2, 0, 0, 16, 16)
@@ -700,25 +670,15 @@ describe("world:loadTiled, level.tileLayers", function()
   it("dig and build, counted from 0 as in the editor", function()
     local level, world = load(newMap(), { y = 100 })
     local tiles = level.tileLayers.land
-    assert.same({ 0, 0, 4, 3, 5, 100 }, {
-      tiles.firstColumn,
-      tiles.firstRow,
-      tiles.columns,
-      tiles.rows,
-      tiles.x,
-      tiles.y,
-    })
+    assert.same({ 0, 0, 5, 100 }, { tiles.firstColumn, tiles.firstRow, tiles.x, tiles.y })
+    assert.same({ 4, 3 }, { tiles.columns, tiles.rows })
     assert.equal(tiles, world.objects.land[1].tiled.tiles)
     tiles:setTile(1, 1, 0)
     assert.same({ "5 116 16 16", "37 116 32 16", "5 132 64 16" }, boxes(world, "land"))
     assert.equal("earth", world.objects.land[1].type)
     assert.equal(1, world.objects.land[1].tiled.gid)
-    assert.same({ 0, 1, 1, 1 }, {
-      world.objects.land[1].tiled.column,
-      world.objects.land[1].tiled.row,
-      world.objects.land[1].tiled.columns,
-      world.objects.land[1].tiled.rows,
-    })
+    local place = world.objects.land[1].tiled
+    assert.same({ 0, 1, 1, 1 }, { place.column, place.row, place.columns, place.rows })
     tiles:setTile(1, 1, 2)
     assert.same({ "21 116 16 16" }, boxes(world, "ice"))
     tiles:setTile(1, 1, 3 + tiled.FLIP_X) -- two rectangles, turned
@@ -760,13 +720,5 @@ describe("world:loadTiled, level.tileLayers", function()
     assert.equal(1, tiles:getTile(-2, 0))
     tiles:setTile(-1, 0, 0)
     assert.equal("-32 8 16 16", boxes(world, "rocks")[3])
-  end)
-
-  it("come and go as a whole", function()
-    local level, world = load(newMap())
-    level.tileLayers.land:unload()
-    assert.same({}, boxes(world, "land"))
-    level.tileLayers.land:load()
-    assert.same({ "5 16 64 32" }, boxes(world, "land"))
   end)
 end)

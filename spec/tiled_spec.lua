@@ -76,13 +76,6 @@ describe("world", function()
         assert.equal(112 - crate.height, crate.y)
       end)
 
-      it("and does not change it", function()
-        local map = dofile(MEADOW)
-        local before = tiled.copy(map)
-        load(map, { solidLayers = { "flowers" }, x = 5 })
-        assert.same(before, map)
-      end)
-
       it("through love.filesystem where there is one", function()
         local loveBefore = rawget(_G, "love")
         finally(function()
@@ -261,13 +254,6 @@ describe("world", function()
       assert.equal(2, #things)
     end)
 
-    it("works for the default world", function()
-      physics.load()
-      local level = physics.loadTiled(MEADOW)
-      assert.equal(level.objects[1], physics.objects.ground[1])
-      physics.load()
-    end)
-
     -- Objects -------------------------------------------------------------------------------------
 
     describe("reads objects", function()
@@ -394,15 +380,6 @@ describe("world", function()
         assert.equal(1, #level.unsupported)
         assert.equal(5, level.unsupported[1].id)
       end)
-    end)
-
-    it("takes a whole turn for none", function()
-      for _, rotation in ipairs({ 360, -360, 720 }) do
-        local object = tiled.object(5, 8, 16, 16, 16, { rotation = rotation })
-        local level, world = load(newObjects({ object }))
-        assert.same({ "8 16 16 16" }, boxes(world, "things"))
-        assert.same({}, level.unsupported)
-      end
     end)
 
     -- Not supported -------------------------------------------------------------------------------

@@ -31,9 +31,46 @@ describe("world:loadTiled, tiles", function()
       return level.tiles, world
     end
 
-    it("by their property, and nothing else is", function()
-      assert.equal(2, (count(newMap({ "1556", ".555", "...1" }))))
-    end)
+    local LAYER, NO, YES = { solidLayers = { "ground" } }, { solid = false }, { solid = true }
+    local LEGEND = { a = 5 + X, b = 6 + Y + T, c = 5 + 268435456.0 } -- flipped
+
+    -- why, the tiles, properties of their layer and of one around it, options, how many are solid
+    for _, row in ipairs({
+      { "by their property, and nothing else is", "1556.555...1", nil, nil, nil, 2 },
+      { "by their layer's property, but for those that say no", "1556", YES, nil, nil, 3 },
+      { "by the name of their layer", "1556", nil, nil, LAYER, 3 },
+      { "by the id of their layer", "1556", nil, nil, { solidLayers = { 1 } }, 3 },
+      { "by a layer around theirs", "555", nil, YES, nil, 3 },
+      { "by the name of one around", "555", nil, {}, { solidLayers = { "all" } }, 3 },
+      { "by none", "555", nil, {}, nil, 0 },
+      { "but not against their own layer", "555", NO, {}, { solidLayers = { "all" } }, 0 },
+      { "by the nearest layer that says anything", "5", YES, NO, nil, 1 },
+      { "by the nearest, before solidTiles", "5", nil, NO, { solidTiles = { 5 } }, 0 },
+      { "by a list of gids", "1a5bc...", nil, nil, { solidTiles = { 5 } }, 4 },
+      { "by a longer list of gids", "1a5bc...", nil, nil, { solidTiles = { 5, 6 } }, 5 },
+      { "but not in a layer that says no", "1234", NO, nil, { solidTiles = { 1 } }, 0 },
+      { "in one that says no, by its name", "1234", NO, nil, LAYER, 4 },
+      { "by an option, whatever they say", "666", nil, nil, { solidTiles = { 6 } }, 3 },
+      { "if they do not say no", "666", nil, nil, nil, 0 },
+      { "by no option where the layer says no", "666", NO, nil, { solidTiles = { 6 } }, 0 },
+      { "by no name of a layer if they say no", "666", NO, nil, LAYER, 0 },
+      {
+        "by both options",
+        "666",
+        NO,
+        nil,
+        { solidLayers = { "ground" }, solidTiles = { 6 } },
+        3,
+      },
+    }) do
+      it(row[1], function()
+        local map = newMap({ row[2] }, { properties = row[3] }, LEGEND)
+        if row[4] then
+          map.layers = { tiled.group(2, "all", map.layers, { properties = row[4] }) }
+        end
+        assert.equal(row[6], (count(map, row[5])))
+      end)
+    end
 
     it("by a property of another name", function()
       local set = tiled.tileset({ { id = 4, properties = { collidable = true } } })
@@ -41,58 +78,6 @@ describe("world:loadTiled, tiles", function()
       local tiles, world = count(map, { solidProperty = "collidable" })
       assert.equal(2, tiles)
       assert.is_nil(world.objects.ground[1].collidable)
-    end)
-
-    for _, row in ipairs({
-      { "by their layer's property", { solid = true } },
-      { "by the name of their layer", nil, { solidLayers = { "ground" } } },
-      { "by the id of their layer", nil, { solidLayers = { 1 } } },
-    }) do
-      it(row[1] .. ", except those that say no", function()
-        assert.equal(3, (count(newMap({ "1556" }, { properties = row[2] }), row[3])))
-      end)
-    end
-
-    it("by a layer around theirs", function()
-      local map = newMap({ "555" })
-      map.layers = { tiled.group(2, "all", map.layers, { properties = { solid = true } }) }
-      assert.equal(3, (count(map)))
-      map.layers[1].properties = {}
-      assert.equal(0, (count(map)))
-      assert.equal(3, (count(map, { solidLayers = { "all" } })))
-      map.layers[1].layers[1].properties = { solid = false }
-      assert.equal(0, (count(map, { solidLayers = { "all" } })))
-    end)
-
-    it("by a list of gids, however they are flipped", function()
-      local legend = { a = 5 + X, b = 6 + Y + T, c = 5 + 268435456.0 }
-      local map = newMap({ "1a5b", "c..." }, nil, legend)
-      assert.equal(4, (count(map, { solidTiles = { 5 } })))
-      assert.equal(5, (count(map, { solidTiles = { 5, 6 } })))
-    end)
-
-    it("but not in a layer that says no", function()
-      local map = newMap({ "1234" }, { properties = { solid = false } })
-      assert.equal(0, (count(map, { solidTiles = { 1 } })))
-      assert.equal(4, (count(map, { solidLayers = { "ground" } })))
-    end)
-
-    it("by an option that counts instead of what they or their layer say", function()
-      local map = newMap({ "666" })
-      assert.equal(0, (count(map)))
-      assert.equal(3, (count(map, { solidTiles = { 6 } })))
-      map.layers[1].properties = { solid = false }
-      assert.equal(0, (count(map, { solidTiles = { 6 } })))
-      assert.equal(0, (count(map, { solidLayers = { "ground" } })))
-      assert.equal(3, (count(map, { solidLayers = { "ground" }, solidTiles = { 6 } })))
-    end)
-
-    it("by the nearest layer around them that says anything", function()
-      local map = newMap({ "5" }, { properties = { solid = true } })
-      map.layers = { tiled.group(2, "all", map.layers, { properties = { solid = false } }) }
-      assert.equal(1, (count(map)))
-      map.layers[1].layers[1].properties = {}
-      assert.equal(0, (count(map, { solidTiles = { 5 } })))
     end)
 
     it("by their collision rectangles", function()

@@ -101,14 +101,6 @@ describe("world:loadTiled, walls", function()
       end
     end)
 
-    it("in a group of layers, as STI calls it", function()
-      local map = newObjects("left", { rectangle() })
-      map.layers = { tiled.group(2, "Walls", map.layers) }
-      local level = load(tiled.sti(map))
-      assert.equal("static", kindOf(level))
-      assert.same({ 'Walls.left: its name, "Walls.left"' }, solidOf(level))
-    end)
-
     it("that do not fall, while the player stands on them", function()
       local map = newObjects("Platforms", { tiled.object(1, 0, 100, 200, 16) })
       map.layers[2] = tiled.objects(2, "Player", { tiled.object(2, 20, 50, 16, 16) })
@@ -177,14 +169,6 @@ describe("world:loadTiled, walls", function()
       assert.same({}, level.solidLayers)
       assert.equal(6, count({ "556", "555" }, { solidLayers = { "Ground" } }, nil, "Ground").tiles)
     end)
-
-    it("and none with solidLayers, which says it all", function()
-      assert.equal(0, count({ "5.5" }, { solidLayers = {} }).tiles)
-    end)
-
-    it("and none of a layer without tiles", function()
-      assert.same({}, count({ "..." }).solidLayers)
-    end)
   end)
 
   it("are tile objects with a tile that says so", function()
@@ -236,10 +220,6 @@ describe("world:loadTiled, walls", function()
         assert.same({}, level.pictures)
       end)
     end
-
-    it("and rectangles are no pictures", function()
-      assert.equal(1, #load(newObjects("things", { rectangle() })).objects)
-    end)
   end)
 
   it("are only what is in onlyLayers", function()

@@ -115,15 +115,4 @@ describe("on Windows", function()
     assert.truthy(message:find(hint, 1, true), message)
     assert.truthy(other:find('"levels/two.lua": there is no such file$'), other)
   end)
-
-  it("a path with a backslash is one of Windows without LÖVE", function()
-    local tried = "spec\\maps\\meadow.lua"
-    local world = require("physics").newWorld()
-    local isFine, message = pcall(world.loadTiled, world, tried)
-    if package.config:sub(1, 1) == "\\" then
-      assert.is_true(isFine, message)
-    else
-      assert.truthy(message:find('cannot read "spec\\\\maps\\\\meadow.lua": ', 1, true), message)
-    end
-  end)
 end)
