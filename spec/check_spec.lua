@@ -57,7 +57,7 @@ local function messageOf(call)
   return select(2, pcall(call))
 end
 
-local CHECK = "physics/fields/check.lua"
+local CHECK, BACK = "physics/fields/check.lua", "\\physics\\fields\\check.lua"
 
 describe("the line that an error names", function()
   it("is the one that calls the library, also by pcall, and none where there is none", function()
@@ -85,7 +85,10 @@ describe("the line that an error names", function()
     { "a folder with init.lua", "lib/" .. CHECK, "lib/physics/init.lua", "main.lua" },
     { "a search path with a dot", "./" .. CHECK, "./physics.lua", "./spec/a_spec.lua" },
     { "an installed rock", "/usr/lua/" .. CHECK, "/usr/lua/physics.lua", "main.lua" },
-    { "Windows", ".\\lib\\physics\\fields\\check.lua", ".\\lib\\physics.lua", ".\\main.lua" },
+    { "Windows", ".\\lib" .. BACK, ".\\lib\\physics.lua", ".\\main.lua" },
+    { "Program Files", "C:\\Program Files" .. BACK, "C:\\Program Files\\physics.lua", "main.lua" },
+    { "a share", "\\\\server\\share" .. BACK, "\\\\server\\share\\physics.lua", "main.lua" },
+    { "a path with both separators", "./physics\\fields\\check.lua", "./physics.lua", "main.lua" },
     { "one joined file", "lib/physics.lua", "lib/physics.lua", "lib/main.lua" },
     { "one joined file beside the game", "physics.lua", "physics.lua", "main.lua" },
     { "a folder beside other files", "lib/" .. CHECK, "lib/physics.lua", "lib/game.lua" },

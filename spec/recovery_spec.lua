@@ -402,29 +402,4 @@ describe("after canCollide has failed in a crowd", function()
     end
     assert.is_true(failures > STEPS, "failures: " .. failures)
   end)
-
-  it("nothing of that step is left: the world goes the way of a restored one #slow", function()
-    local failures = 0
-    local world, failAt = newAsking()
-    for step = 1, 20 * STEPS do
-      push(world, step)
-      failAt(step % 29 + 1)
-      if not pcall(world.update, world, DT) then
-        failures = failures + 1
-        failAt(0)
-        local copy = newCrowd()
-        copy:restore(world:save())
-        for _, one in ipairs({ world, copy }) do
-          push(one, 13 * step)
-          for i = 1, COUNT, 1 + step % 5 do
-            local box = one.objects.boxes[i]
-            box.x, box.vx, box.vy = box.x + (i + step) % 9 - 4, -box.vx, 50
-          end
-          one:update(DT)
-        end
-        assert.equal(copy:hash(), world:hash(), "step " .. step)
-      end
-    end
-    assert.is_true(failures > 5 * STEPS, "failures: " .. failures)
-  end)
 end)

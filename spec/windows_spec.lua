@@ -38,44 +38,6 @@ local function during(change, f)
 end
 
 describe("on Windows", function()
-  -- As `package.path` begins there: the separator of the module's name becomes "\".
-  for name, prefix in pairs({
-    ["in the folder of the game"] = ".\\",
-    ["elsewhere"] = "C:\\Program Files\\game\\lib\\",
-    ["by a path with both separators"] = "./",
-    ["on another machine"] = "\\\\server\\share\\",
-  }) do
-    it("errors name the line of the game if the library is found " .. name .. " #files", function()
-      local function rename(text, path)
-        return text, "@" .. prefix .. path:gsub("/", "\\")
-      end
-      during(rename, function(physics)
-        local world = physics.newWorld()
-        local box = world:add("boxes", { x = 0, y = 0, width = 1, height = 1 })
-        box.width = -1
-        for _, call in ipairs({
-          function()
-            world:update(1 / 60)
-            return nil -- no tail call
-          end,
-          function()
-            world:queryPoint("left", 0)
-            return nil
-          end,
-          function()
-            physics.newWorld({ gravity = "much" })
-            return nil
-          end,
-        }) do
-          local isFine, message = pcall(call)
-          assert.is_false(isFine)
-          local found = tonumber(message:match("^.-windows_spec%.lua:(%d+): physics: "))
-          assert.equal(debug.getinfo(call, "S").linedefined + 1, found, message)
-        end
-      end)
-    end)
-  end
-
   it("files with CR LF do the same, to the bit #files", function()
     local expected = require("spec.support.everything").fold()
     local name, found = "spec.support.everything", nil
