@@ -4,8 +4,6 @@
 local newRandom = require("spec.support.random").new
 local physics = require("physics")
 
-local RATES = { 30, 60, 144, 240 }
-
 local function near(expected, value, tolerance)
   local difference = math.abs(value - expected)
   if difference > (tolerance or 1e-9) or difference ~= difference then
@@ -13,12 +11,26 @@ local function near(expected, value, tolerance)
   end
 end
 
+local function play(world, count, rate)
+  for _ = 1, count do
+    world:update(1 / (rate or 60))
+  end
+end
+
+-- A box of 8 px.
+local function small(x, fields)
+  local object = { x = x, y = 0, width = 8, height = 8 }
+  for name, value in pairs(fields) do
+    object[name] = value
+  end
+  return object
+end
+
 describe("maxFallSpeed", function()
-  for _, rate in ipairs(RATES) do
-    it(("limits the fall and not the jump, exactly, at %d Hz"):format(rate), function()
+  it("limits the fall and not the jump, exactly, at every rate", function()
+    for _, rate in ipairs({ 30, 60, 144, 240 }) do
       local world = physics.newWorld({ gravity = 800 })
-      local one = world:add("men", { x = 0, y = 0, width = 8, height = 8, vy = -400 })
-      one.maxFallSpeed = 200
+      local one = world:add("men", small(0, { vy = -400, maxFallSpeed = 200 }))
       local highest = 0
       for n = 1, 2 * rate do
         world:update(1 / rate)
@@ -30,8 +42,8 @@ describe("maxFallSpeed", function()
         near(t < 0.75 and -400 + 800 * t or 200, one.vy, 1e-8)
       end
       assert.is_true(highest < -99)
-    end)
-  end
+    end
+  end)
 
   it("cuts a fall that is faster already, and counts along any gravity", function()
     for _, row in ipairs({
@@ -41,39 +53,28 @@ describe("maxFallSpeed", function()
       { 0, -800, "vx", -500 },
     }) do
       local world = physics.newWorld({ gravity = row[1], gravityX = row[2] })
-      local fast = { x = 0, y = 0, width = 8, height = 8, maxFallSpeed = 100 }
-      fast[row[3]] = row[4]
-      local up = { x = 40, y = 0, width = 8, height = 8, maxFallSpeed = 100 }
-      up[row[3]] = -row[4]
-      local across = { x = 80, y = 80, width = 8, height = 8, maxFallSpeed = 100 }
-      across[row[3] == "vx" and "vy" or "vx"] = row[4]
-      world:add("men", fast)
-      world:add("men", up)
-      world:add("men", across)
+      local along, other = row[3], row[3] == "vx" and "vy" or "vx"
+      local fast = world:add("men", small(0, { maxFallSpeed = 100, [along] = row[4] }))
+      local up = world:add("men", small(40, { maxFallSpeed = 100, [along] = -row[4] }))
+      local across = world:add("men", small(80, { y = 80, maxFallSpeed = 100, [other] = row[4] }))
       world:update(1 / 60)
-      assert.equal(row[4] / 5, fast[row[3]])
-      near(-row[4] + row[4] / 500 * 800 / 60, up[row[3]])
-      assert.equal(row[4], across[row[3] == "vx" and "vy" or "vx"])
+      assert.equal(row[4] / 5, fast[along])
+      near(-row[4] + row[4] / 500 * 800 / 60, up[along])
+      assert.equal(row[4], across[other])
     end
   end)
 
   it("goes with the gravity of the object, and holds with air friction and drag", function()
     local world = physics.newWorld({ gravity = 800 })
-    local one = world:add("men", { x = 0, y = 0, width = 8, height = 8, maxFallSpeed = 100 })
-    local thick = { x = 40, y = 0, width = 8, height = 8, maxFallSpeed = 100, airFriction = 2 }
-    local slow = { x = 80, y = 0, width = 8, height = 8, maxFallSpeed = 100, drag = 50 }
-    world:add("men", thick)
-    world:add("men", slow)
-    for _ = 1, 60 do
-      world:update(1 / 60)
-    end
+    local one = world:add("men", small(0, { maxFallSpeed = 100 }))
+    local thick = world:add("men", small(40, { maxFallSpeed = 100, airFriction = 2 }))
+    local slow = world:add("men", small(80, { maxFallSpeed = 100, drag = 50 }))
+    play(world, 60)
     assert.equal(100, one.vy)
     assert.equal(100, thick.vy)
     near(100, slow.vy, 1e-9)
     one.gravity = -800
-    for _ = 1, 60 do
-      world:update(1 / 60)
-    end
+    play(world, 60)
     assert.equal(-100, one.vy)
     one.gravity, one.maxFallSpeed = 0, nil
     one.vy = 700
@@ -103,23 +104,23 @@ describe("world:velocity", function()
     end
     world:add("lifts", lift)
     local one = world:add("men", { x = 40, y = 76, width = 16, height = 24 })
-    for _ = 1, 10 do
-      world:update(1 / 60)
-    end
+    play(world, 10)
     return world, one, lift
+  end
+
+  local function expect(world, object, vx, vy, isWritten)
+    local itsX, itsY = world:velocity(object)
+    near(vx, itsX, isWritten and 1e-6 or nil)
+    near(vy or itsY, itsY, isWritten and 1e-6 or nil)
   end
 
   it("is that of the rider and of its carrier", function()
     local world, one, lift = newScene({ vx = 40, vy = -20 })
     one.vx = 25
-    local vx, vy = world:velocity(one)
-    near(65, vx)
-    near(-20, vy)
-    vx, vy = world:velocity(lift)
-    near(40, vx)
-    near(-20, vy)
+    expect(world, one, 65, -20)
+    expect(world, lift, 40, -20)
     world:update(1 / 60)
-    near(65, (world:velocity(one)))
+    expect(world, one, 65)
     near(25, one.vx)
   end)
 
@@ -129,21 +130,15 @@ describe("world:velocity", function()
       lift.x, lift.y = lift.x + 1, lift.y - 0.5
       world:update(1 / 60)
     end
-    local vx, vy = world:velocity(lift)
-    near(60, vx, 1e-6)
-    near(-30, vy, 1e-6)
-    vx, vy = world:velocity(one)
-    near(60, vx, 1e-6)
-    near(-30, vy, 1e-6)
+    expect(world, lift, 60, -30, true)
+    expect(world, one, 60, -30, true)
     local state = world:save()
-    for _ = 1, 5 do
-      world:update(1 / 60)
-    end
+    play(world, 5)
     assert.equal(0, (world:velocity(lift)))
     assert.equal(0, (world:velocity(one)))
     world:restore(state)
-    near(60, (world:velocity(lift)), 1e-6)
-    near(60, (world:velocity(one)), 1e-6)
+    expect(world, lift, 60, nil, true)
+    expect(world, one, 60, nil, true)
   end)
 
   it("is the speed of the jump that comes, and what it has after it", function()
@@ -163,9 +158,7 @@ describe("world:velocity", function()
     world:add("belts", belt)
     local low = world:add("men", { x = 40, y = 84, width = 16, height = 16 })
     local top = world:add("men", { x = 40, y = 68, width = 16, height = 16 })
-    for _ = 1, 10 do
-      world:update(1 / 60)
-    end
+    play(world, 10)
     near(30, (world:velocity(low)))
     near(30, (world:velocity(top)))
     assert.same({ 0, 0 }, { world:velocity(belt) })
@@ -286,15 +279,18 @@ describe("world:fits", function()
   end)
 end)
 
-describe("the place of a contact", function()
-  local function play(world, steps, listen, dt)
+describe("onBegin: the place of a contact", function()
+  local function listen(object)
     local told = {}
-    listen.onBegin = function(...)
+    object.onBegin = function(...)
       told[#told + 1] = { ... }
     end
-    for _ = 1, steps do
-      world:update(dt or 1 / 60)
-    end
+    return told
+  end
+
+  local function begins(world, steps, object)
+    local told = listen(object)
+    play(world, steps)
     return told
   end
 
@@ -308,7 +304,7 @@ describe("the place of a contact", function()
     local world = physics.newWorld({ gravity = 800 })
     world:add("tiles", { x = 0, y = 100, width = 50, height = 16, static = true })
     local one = world:add("men", { x = 42, y = 60, width = 16, height = 24 })
-    local told = play(world, 60, one)
+    local told = begins(world, 60, one)
     assert.equal(1, #told)
     assert.equal("bottom", told[1][3])
     expectPlace(told[1], 42, 100, 50, 100)
@@ -329,17 +325,13 @@ describe("the place of a contact", function()
       world:add("tiles", { static = true, x = 80, y = 30, width = 10, height = 60 })
       local one = { x = 40, y = 50, width = 16, height = 24, vx = row[1], vy = row[2] }
       world:add("men", one)
-      local ofWorld = {}
-      function world.onBegin(...)
-        ofWorld[#ofWorld + 1] = { ... }
-      end
-      local ofTile = {}
+      local ofWorld, ofTile = listen(world), {}
       for _, tile in ipairs(world.objects.tiles) do
         tile.onBegin = function(...)
           ofTile[#ofTile + 1] = { ... }
         end
       end
-      local told = play(world, 30, one)
+      local told = begins(world, 30, one)
       assert.equal(row[3], told[1][3])
       for _, event in ipairs({ told[1], ofWorld[1], ofTile[1] }) do
         expectPlace(event, row[4], row[5], row[6], row[7])
@@ -357,7 +349,7 @@ describe("the place of a contact", function()
     world:add("tiles", { x = 100, y = 0, width = 16, height = 400, static = true })
     local ball = { x = 0, y = 0, width = 10, height = 10, vx = 3000, vy = 1000, restitution = 1 }
     world:add("balls", ball)
-    local told = play(world, 10, ball)
+    local told = begins(world, 10, ball)
     assert.equal(1, #told)
     expectPlace(told[1], 100, 30, 100, 40)
   end)
@@ -367,7 +359,7 @@ describe("the place of a contact", function()
     local goal = { x = 100, y = 0, width = 4, height = 60, static = true, sensor = true }
     world:add("goals", goal)
     world:add("balls", { x = 0, y = 40, width = 10, height = 40, vx = 9000 })
-    local told = play(world, 3, goal)
+    local told = begins(world, 3, goal)
     assert.equal(1, #told)
     assert.equal("left", told[1][3])
     expectPlace(told[1], 100, 40, 100, 60)
@@ -385,7 +377,7 @@ describe("the place of a contact", function()
       world:add("tiles", row[1])
       local one = { x = 20, y = -60, width = 16, height = 16, radius = row[4] }
       world:add("men", one)
-      local told = play(world, 60, one)
+      local told = begins(world, 60, one)
       assert.equal("bottom", told[1][3])
       local x = row[2]
       local y = row[3] or 25 - math.sqrt(25 - (32 - x) ^ 2)
@@ -518,7 +510,7 @@ describe("world:shift", function()
   it(
     "goes on to the same bits with rest and without, in both broad phases, and restored",
     function()
-      local function play(settings, isRestored)
+      local function hashOf(settings, isRestored)
         local world = newScene()
         for name, value in pairs(settings) do
           world[name] = value
@@ -533,10 +525,10 @@ describe("world:shift", function()
         end
         return world:hash()
       end
-      local expected = play({})
-      assert.equal(expected, play({ rest = false }))
-      assert.equal(expected, play({ broadphase = "pairs" }))
-      assert.equal(expected, play({}, true))
+      local expected = hashOf({})
+      assert.equal(expected, hashOf({ rest = false }))
+      assert.equal(expected, hashOf({ broadphase = "pairs" }))
+      assert.equal(expected, hashOf({}, true))
     end
   )
 
@@ -590,9 +582,7 @@ describe("world:shift", function()
       world:shift(1, 1)
     end
     assert.error_matches(function()
-      for _ = 1, 200 do
-        world:update(1 / 60)
-      end
+      play(world, 200)
     end, "cannot be called from inside canCollide")
   end)
 end)

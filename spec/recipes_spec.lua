@@ -6,7 +6,8 @@ local snippets = require("spec.support.snippets")
 local RECIPES = snippets.read("docs/recipes.md")
 local DT = 1 / 60
 
---- A recipe at work: its environment, keys to press, time to pass.
+--- A recipe at work: its environment, keys to press, and time to pass, which may follow a key at
+--- once: `press(key, seconds, each)`.
 local function play(snippet, peek)
   local held = {}
   local game = snippets.newEnvironment({}, held)
@@ -14,20 +15,22 @@ local function play(snippet, peek)
   local look = snippets.compile(text, "=recipe", game)()
 
   local controls = { look = look, env = game, player = game.player, world = game.world }
-  function controls.press(key)
+  function controls.press(key, ...)
     held[key] = true
     if game.love.keypressed then
       game.love.keypressed(key)
     end
+    controls.run(...)
   end
-  function controls.release(key)
+  function controls.release(key, ...)
     held[key] = nil
     if game.love.keyreleased then
       game.love.keyreleased(key)
     end
+    controls.run(...)
   end
   function controls.run(seconds, each)
-    for _ = 1, math.floor(seconds / DT + 0.5) do
+    for _ = 1, math.floor((seconds or 0) / DT + 0.5) do
       if game.love.update then
         game.love.update(DT)
       else
@@ -67,8 +70,7 @@ recipes["Coyote time"] = function(snippet)
   for _, row in ipairs({ { 0, true }, { 0.07, true }, { 0.2, false } }) do
     local g = falls()
     g.run(row[1])
-    g.press("space")
-    g.run(DT)
+    g.press("space", DT)
     assert.equal(row[2], g.player.vy < 0)
   end
   -- px above the floor at which the key is pressed, whether the landing is a jump
@@ -105,14 +107,12 @@ recipes["Variable jump"] = function(snippet)
   g.press("space")
   assert.near(100, g.jumpHeight(), 0.1)
   g.release("space")
-  g.press("space")
-  g.run(0.1)
+  g.press("space", 0.1)
   g.release("space")
   assert.is_true(g.jumpHeight() < 20)
   assert.equal(368, g.player.y)
   -- A spring throws it up while the key is held: letting go does not cut that.
-  g.press("space")
-  g.run(1.2)
+  g.press("space", 1.2)
   g.player.vy = -600
   g.run(0.1)
   g.release("space")
@@ -139,8 +139,7 @@ recipes["Double jump"] = function(snippet)
   g.player.y = 100
   g.run(0.1)
   for _ = 1, 3 do
-    g.press("space")
-    g.run(0.1)
+    g.press("space", 0.1)
   end
   assert.is_true(g.player.vy > -400 + 100)
 end
@@ -148,29 +147,24 @@ end
 recipes["Wall jump"] = function(snippet)
   local g = play(snippet)
   g.player.x, g.player.y = 70, 300
-  g.press("right")
-  g.run(0.1)
+  g.press("right", 0.1)
   assert.truthy(g.player.touching.right)
-  g.press("space")
-  g.run(0.1)
+  g.press("space", 0.1)
   assert.equal(-200, g.player.vx)
   assert.is_true(g.player.vy < 0 and g.player.x < 60)
   g.run(0.1) -- the keys steer again
   assert.equal(160, g.player.vx)
   g.release("right")
   g.player.x, g.player.y, g.player.vx, g.player.vy = 117, 200, 0, 0
-  g.press("left")
-  g.run(0.1)
-  g.press("space")
-  g.run(0.1)
+  g.press("left", 0.1)
+  g.press("space", 0.1)
   assert.equal(200, g.player.vx)
 end
 
 recipes["Stairs"] = function(snippet)
   local g = play(snippet)
   local highest = 400
-  g.press("right")
-  g.run(2.8, function()
+  g.press("right", 2.8, function()
     highest = math.min(highest, g.player.y)
     assert.truthy(g.player.touching.bottom)
     assert.equal(0, g.player.vy)
@@ -179,13 +173,11 @@ recipes["Stairs"] = function(snippet)
   assert.equal(368, g.player.y)
   assert.is_true(g.player.x > 320)
   local without = play((snippet:gsub("player.nudge, player.snap = 6, 6", "player.snap = 6")))
-  without.press("right")
-  without.run(2)
+  without.press("right", 2)
   assert.equal(96 - 24, without.player.x) -- before the first step
   -- With its sides in the way of a jump: as high as ever, from every stair.
   local jump = play(snippet)
-  jump.press("right")
-  jump.run(1.2)
+  jump.press("right", 1.2)
   assert.is_true(jump.player.y < 368)
   jump.player.vy = -400
   assert.near(100, jump.jumpHeight(0.6), 0.1)
@@ -193,15 +185,13 @@ end
 
 recipes["Ladders"] = function(snippet)
   local g = play(snippet)
-  g.press("up")
-  g.run(1)
+  g.press("up", 1)
   assert.near(248, g.player.y, 2.1)
   g.release("up")
   local y = g.player.y
   g.run(1)
   assert.equal(y, g.player.y)
-  g.press("down")
-  g.run(2)
+  g.press("down", 2)
   assert.equal(368, g.player.y)
   g.release("down")
   -- Another ledge stays closed.
@@ -211,14 +201,12 @@ recipes["Ladders"] = function(snippet)
   g.player.x, g.player.y = 210, 320
   g.run(0.5)
   g.press("down")
-  g.release("down")
-  g.run(0.1)
+  g.release("down", 0.1)
   assert.equal(other, g.player.touching.bottom)
   g.player.x, g.player.y = x, 368
   -- A jump in front of it is as high as elsewhere.
   local highest = 368
-  g.press("space")
-  g.run(1.5, function()
+  g.press("space", 1.5, function()
     highest = math.min(highest, g.player.y)
   end)
   assert.near(268, highest, 0.1)
@@ -235,8 +223,7 @@ recipes["Ladders"] = function(snippet)
     assert.equal(200 - 32, g.player.y)
   end)
   g.release("up")
-  g.press("down")
-  g.run(0.5)
+  g.press("down", 0.5)
   assert.is_true(g.player.y > 200)
   g.run(2)
   assert.equal(368, g.player.y)
@@ -288,8 +275,7 @@ recipes["Bullets"] = function(snippet)
   local thin = { x = 700, y = 300, width = 1, height = 100, static = true }
   g.world:add("enemies", thin)
   for _ = 1, 2 do
-    g.press("x")
-    g.run(0.2)
+    g.press("x", 0.2)
   end
   assert.equal(1, thin.health)
   assert.equal(0, #g.world.objects.bullets)
@@ -298,16 +284,14 @@ recipes["Bullets"] = function(snippet)
   local low = g.world:add("enemies", { x = 300, y = 382, width = 16, height = 18 })
   local high = g.world:add("enemies", { x = 300, y = 364, width = 16, height = 18 })
   g.run(DT)
-  g.press("x")
-  g.run(0.5)
+  g.press("x", 0.5)
   assert.equal(2, (low.health or 0) + (high.health or 0))
   assert.is_true(low.x < 303 and high.x < 303)
   -- A sensor does not stop it; what hits nothing is removed after 2 s.
   g = play(snippet)
   local water = { x = 200, y = 300, width = 50, height = 100, static = true, sensor = true }
   g.world:add("water", water)
-  g.press("x")
-  g.run(1)
+  g.press("x", 1)
   assert.is_nil(water.health)
   assert.equal(1, #g.world.objects.bullets)
   g.run(1.1)
@@ -316,8 +300,7 @@ end
 
 recipes["Doors"] = function(snippet)
   local g = play(snippet)
-  g.press("e")
-  g.run(1)
+  g.press("e", 1)
   assert.equal(200, g.env.world.objects.doors[1].y)
   g.player.x = 96
   g.press("e")
@@ -330,8 +313,7 @@ recipes["Doors"] = function(snippet)
   assert.equal(368, g.player.y)
   g.player.x = 40
   g.run(0.1)
-  g.press("e")
-  g.run(1)
+  g.press("e", 1)
   assert.equal(300, g.world.objects.doors[1].y)
 end
 
@@ -372,8 +354,7 @@ recipes["One crate at a time"] = function(snippet)
   local g = play(snippet)
   local crates = g.world.objects.crates
   g.player.x, g.player.y = 60, 368
-  g.press("right")
-  g.run(4)
+  g.press("right", 4)
   assert.near(crates[2].x, crates[1].x + 32, 1e-6)
   assert.near(160, crates[2].x, 2) -- a frame later it stands
   assert.equal(crates[1], g.player.touching.right)
@@ -388,8 +369,7 @@ recipes["Trains"] = function(snippet)
   for _, key in ipairs({ "space", "right" }) do
     local along = g.player.x - train.x
     g.press(key) -- a jump, and one with the key held
-    g.press("space")
-    g.run(1.1)
+    g.press("space", 1.1)
     g.release("right")
     assert.equal(train, g.player.touching.bottom)
     local walked = key == "right" and 1.1 * 150 or 0
@@ -445,28 +425,24 @@ end
 
 recipes["Running"] = function(snippet)
   local g = play(snippet)
-  g.press("right")
-  g.run(0.1)
+  g.press("right", 0.1)
   assert.near(120, g.player.vx, 1e-9)
   g.run(0.1)
   assert.equal(160, g.player.vx)
   g.env.floor.ice = true
-  g.release("right")
-  g.run(0.1)
+  g.release("right", 0.1)
   assert.near(140, g.player.vx, 1e-9)
 end
 
 recipes["Wall slide"] = function(snippet)
   local g = play(snippet)
   g.player.x, g.player.y = 60, 100
-  g.press("right")
-  g.run(0.5)
+  g.press("right", 0.5)
   assert.truthy(g.player.touching.right)
   local from = g.player.y
   g.run(0.5)
   assert.near(from + 30, g.player.y, 1e-6)
-  g.release("right")
-  g.run(0.2)
+  g.release("right", 0.2)
   assert.near(60 + 0.2 * 800, g.player.vy, 1)
 end
 
@@ -475,11 +451,9 @@ recipes["Dash"] = function(snippet)
   local enemy = { x = 100, y = 360, width = 40, height = 40, pushable = false }
   g.world:add("enemies", enemy)
   g.run(0.1)
-  g.press("x")
-  g.run(0.2)
+  g.press("x", 0.2)
   assert.is_true(g.player.x > 100 and g.player.x < 140) -- it ends inside the enemy
-  g.press("right")
-  g.run(0.1)
+  g.press("right", 0.1)
   assert.same({ 100, 360, 368 }, { enemy.x, enemy.y, g.player.y })
   assert.truthy(g.player.mask)
   g.run(0.5)
@@ -490,15 +464,13 @@ end
 
 recipes["Crouch"] = function(snippet)
   local g = play(snippet)
-  g.press("down")
-  g.run(0.5, function()
+  g.press("down", 0.5, function()
     assert.truthy(g.player.touching.bottom)
   end)
   assert.same({ 382, 18 }, { g.player.y, g.player.height })
   local low = { x = 0, y = 350, width = 100, height = 30, static = true }
   g.world:add("tiles", low)
-  g.release("down")
-  g.run(0.5)
+  g.release("down", 0.5)
   assert.equal(18, g.player.height) -- there is no room
   g.world:remove(low)
   g.run(DT)
@@ -512,12 +484,10 @@ recipes["Falling through ledges"] = function(snippet)
   g.run(1)
   assert.equal(300 - 32, g.player.y)
   g.press("down")
-  g.press("space")
-  g.run(1)
+  g.press("space", 1)
   assert.equal(368, g.player.y)
   g.release("down")
-  g.press("space")
-  g.run(1.5)
+  g.press("space", 1.5)
   assert.equal(300 - 32, g.player.y) -- through it from below
 end
 
@@ -602,8 +572,7 @@ end
 
 recipes["Rooms"] = function(snippet)
   local g = play(snippet, "current")
-  g.press("right")
-  g.run(1.7)
+  g.press("right", 1.7)
   assert.equal(2, g.look())
   assert.equal(0, #g.world.objects.players)
   local x = g.player.x
@@ -641,8 +610,7 @@ end
 recipes["Carry and throw"] = function(snippet)
   local g = play(snippet, "held")
   local crate = g.world.objects.crates[1]
-  g.press("x")
-  g.run(0.1)
+  g.press("x", 0.1)
   assert.equal(crate, g.look())
   assert.is_false(crate.active)
   assert.same({ 352, 48 }, { g.player.y, g.player.height })
@@ -682,8 +650,7 @@ recipes["Carry and throw"] = function(snippet)
   -- There is no room to lift it.
   local low = play(snippet, "held")
   low.world:add("tiles", { x = 0, y = 356, width = 200, height = 8, static = true })
-  low.press("x")
-  low.run(0.1)
+  low.press("x", 0.1)
   assert.is_nil(low.look())
   assert.same({ true, 32 }, { low.world.objects.crates[1].active, low.player.height })
 end
@@ -694,14 +661,12 @@ recipes["Sword"] = function(snippet)
   local far = g.world:add("enemies", { x = 200, y = 368, width = 24, height = 32 })
   g.run(0.1)
   assert.is_nil(enemy.health)
-  g.press("x")
-  g.run(0.3)
+  g.press("x", 0.3)
   assert.equal(2, enemy.health) -- once
   assert.is_true(enemy.x > 74)
   assert.is_nil(far.health)
   enemy.x, enemy.vx = 74, 0
-  g.press("x")
-  g.run(0.3)
+  g.press("x", 0.3)
   assert.equal(1, enemy.health)
 end
 
@@ -744,8 +709,7 @@ end
 
 recipes["Portals"] = function(snippet)
   local g = play(snippet)
-  g.press("right")
-  g.run(1.1)
+  g.press("right", 1.1)
   assert.is_true(g.player.x > 600 and g.player.x < 650)
   assert.near(150, g.player.vx, 1e-9)
   g.run(1)

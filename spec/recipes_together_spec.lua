@@ -27,7 +27,7 @@ end
 local function nothing() end
 
 -- Puts recipes together. Returns a game: `player`, `world`, `press(key)`, `release(key)`,
--- `run(seconds, each)` at `rate` Hz.
+-- `run(seconds, each)` at `rate` Hz, which may follow a key at once: `press(key, seconds, each)`.
 local function join(rate, titles, runs)
   local held = {}
   local env = snippets.newEnvironment({}, held)
@@ -44,16 +44,18 @@ local function join(rate, titles, runs)
     released[#released + 1] = env.love.keyreleased
   end
   local game = { env = env, player = env.player, world = env.world }
-  function game.press(key)
+  function game.press(key, ...)
     held[key] = true
     callAll(pressed, key)
+    game.run(...)
   end
-  function game.release(key)
+  function game.release(key, ...)
     held[key] = nil
     callAll(released, key)
+    game.run(...)
   end
   function game.run(seconds, each)
-    for _ = 1, math.floor(seconds * rate + 0.5) do
+    for _ = 1, math.floor((seconds or 0) * rate + 0.5) do
       rawset(game.world, "update", nothing)
       for n = 1, #updates do
         if n == #updates then
@@ -90,18 +92,13 @@ TOGETHER["Running and Crouch: over a hill, under a low ceiling, always on the gr
   local game = join(rate, { "Running", "Crouch" })
   addHill(game.world)
   game.world:add("tiles", { x = 250, y = 300, width = 80, height = 48, static = true })
-  game.press("right")
-  game.run(0.95, standsIn(game))
+  game.press("right", 0.95, standsIn(game))
   assert.is_true(game.player.y < 368) -- on the slope
-  game.press("down")
-  game.run(0.05, standsIn(game))
-  game.release("down")
-  game.run(0.05, standsIn(game))
+  game.press("down", 0.05, standsIn(game))
+  game.release("down", 0.05, standsIn(game))
   assert.equal(32, game.player.height)
-  game.press("down")
-  game.run(0.6, standsIn(game))
-  game.release("down")
-  game.run(0.1, standsIn(game))
+  game.press("down", 0.6, standsIn(game))
+  game.release("down", 0.1, standsIn(game))
   assert.equal(18, game.player.height) -- under the ceiling
   game.run(1.5, standsIn(game))
   assert.equal(32, game.player.height)
@@ -113,25 +110,21 @@ TOGETHER["Stairs and Crouch: up and down, always on the ground"] = function(rate
   local game = join(rate, { "Crouch", "Stairs" })
   local top = 400
   game.press("down")
-  game.press("right")
-  game.run(3, function()
+  game.press("right", 3, function()
     standsIn(game)()
     top = math.min(top, game.player.y + game.player.height)
   end)
   assert.equal(370, top)
   assert.equal(382, game.player.y)
-  game.release("down")
-  game.run(0.1, standsIn(game))
+  game.release("down", 0.1, standsIn(game))
   assert.equal(368, game.player.y)
 end
 
 TOGETHER["Stairs and Dash: up, over the top, and back on the ground"] = function(rate)
   local game = join(rate, { "Stairs", "Dash" }, "Dash")
-  game.press("right")
-  game.run(0.2)
+  game.press("right", 0.2)
   local from = game.player.x
-  game.press("x")
-  game.run(0.12)
+  game.press("x", 0.12)
   assert.near(72, game.player.x - from, 20.1) -- a dash lasts whole updates
   assert.equal(370, game.player.y + game.player.height)
   game.run(0.1)
@@ -145,8 +138,7 @@ TOGETHER["Dash and a slope: it goes up, and stays on the ground"] = function(rat
   addHill(game.world)
   game.player.x = 110
   game.press("right")
-  game.press("x")
-  game.run(0.2)
+  game.press("x", 0.2)
   assert.truthy(game.player.touching.bottom)
   assert.is_true(game.player.x > 170 and game.player.y < 348)
   game.run(1.6, standsIn(game))
@@ -169,8 +161,7 @@ TOGETHER["Jumping off a lift and a slope: as high from a slope that rises"] = fu
   game.run(0.3)
   assert.equal("right", game.player.touching.bottom.slope)
   local from, top = game.player.y, game.player.y
-  game.press("space")
-  game.run(0.9, function()
+  game.press("space", 0.9, function()
     top = math.min(top, game.player.y)
   end)
   assert.near(100, from - top, 0.6)
@@ -179,19 +170,15 @@ end
 TOGETHER["Falling through ledges and Carry and throw: up and down with a crate"] = function(rate)
   local game = join(rate, { "Falling through ledges", "Carry and throw" })
   game.run(0.1)
-  game.press("x")
-  game.run(0.1)
+  game.press("x", 0.1)
   assert.equal(48, game.player.height)
   game.press("space")
-  game.release("space")
-  game.run(1.5)
+  game.release("space", 1.5)
   assert.equal(300, game.player.y + game.player.height) -- on the ledge
   game.press("down")
-  game.press("space")
-  game.run(1)
+  game.press("space", 1)
   assert.equal(400, game.player.y + game.player.height)
-  game.press("x")
-  game.run(2)
+  game.press("x", 2)
   local crate = game.world.objects.crates[1]
   assert.equal(32, game.player.height)
   assert.equal(384, crate.y)
@@ -202,16 +189,13 @@ TOGETHER["Portals and Carry and throw: the crate comes along"] = function(rate)
   local game = join(rate, { "Portals", "Carry and throw" })
   game.run(0.1)
   game.press("x")
-  game.press("right")
-  game.run(1.2)
-  game.release("right")
-  game.run(1)
+  game.press("right", 1.2)
+  game.release("right", 1)
   local crate = game.world.objects.crates[1]
   assert.is_true(game.player.x >= 600)
   assert.equal(400, game.player.y + game.player.height)
   assert.equal(game.player.y, crate.y)
-  game.press("x")
-  game.run(2)
+  game.press("x", 2)
   assert.is_true(crate.x > game.player.x + 24)
 end
 
@@ -250,12 +234,10 @@ end
 TOGETHER["Wall slide and Wall jump: slow down the wall, then away from it"] = function(rate)
   local game = join(rate, { "Wall slide", "Wall jump" }, "Wall jump")
   game.player.x, game.player.y = 70, 100
-  game.press("right")
-  game.run(1)
+  game.press("right", 1)
   assert.near(60, game.player.vy, 1e-9)
   local from, top = game.player.y, game.player.y
-  game.press("space")
-  game.run(0.1)
+  game.press("space", 0.1)
   assert.is_true(game.player.x < 76 - 15)
   game.run(0.5, function()
     top = math.min(top, game.player.y)
@@ -285,12 +267,10 @@ end
 TOGETHER["Wrap-around and Crouch: the rider stays on the lift"] = function(rate)
   local game = join(rate, { "Crouch", "Wrap-around" })
   game.player.x, game.player.y = 660, 268
-  game.press("down")
-  game.run(0.1)
+  game.press("down", 0.1)
   game.run(3, standsIn(game))
   assert.is_true(game.player.x < 400)
-  game.release("down")
-  game.run(0.5, standsIn(game))
+  game.release("down", 0.5, standsIn(game))
   assert.equal(300 - 32, game.player.y)
 end
 
@@ -301,10 +281,8 @@ TOGETHER["Trains and Crouch: no slip, and no step in the air"] = function(rate)
   local train = game.world.objects.trains[1]
   local place = game.player.x - train.x
   for _ = 1, 3 do
-    game.press("down")
-    game.run(0.2, standsIn(game))
-    game.release("down")
-    game.run(0.2, standsIn(game))
+    game.press("down", 0.2, standsIn(game))
+    game.release("down", 0.2, standsIn(game))
   end
   assert.near(place, game.player.x - train.x, 1e-6)
 end

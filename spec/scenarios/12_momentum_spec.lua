@@ -324,7 +324,7 @@ describe("energy does not come out of nowhere", function()
           end
           run:build(description)
           local _, _, first = sums(run.all)
-          for _ in run:steps(60) do
+          for _ in run:steps(effort.isWhole and 60 or 6) do
             local _, _, energy = sums(run.all)
             local share = energy / first
             run:check(share < 1.001 and share > 0.999, "energy is %.9g of the first", share)
