@@ -29,7 +29,7 @@ describe("pushable = false", function()
   --   +-+ ->  +-+
   --   +-+     |U|
   --   ------------
-  describe("against one that can be pushed:", function()
+  describe("against one that can be pushed,", function()
     for _, row in ipairs({ { 100, 1 }, { 1000, 1000 }, { 6000, 50 } }) do
       local vx, mass = row[1], row[2]
       scene.it(
@@ -277,6 +277,16 @@ describe("pushable = false", function()
   --   |U|P|Q|..   |V|
   --   +-+-+-+-+   +-+
   describe("with a row between two of them: #slow", function()
+    -- U, `count` boxes and V, with gaps of `gap` px.
+    local function newRow(count, gap, fieldsU, fieldsV)
+      local list, size = { gravity = 0, firm("U", 0, 0, fieldsU) }, 16 + gap
+      for i = 1, count do
+        list[i + 1] = box("P" .. i, size * i, 0)
+      end
+      list[count + 2] = firm("V", size * (count + 1), 0, fieldsV)
+      return list, size * (count + 1)
+    end
+
     for _, row in ipairs({
       -- boxes, gap between all, vx of U, vx of V
       { 2, 0, 150, 0 },
@@ -288,13 +298,9 @@ describe("pushable = false", function()
       { 3, 0, 60, -60 },
     }) do
       local count, gap, left, right = row[1], row[2], row[3], row[4]
-      local name = "%d boxes, %g px apart, at %g and %g px/s, stop them"
-      scene.it(name:format(count, gap, left, right), SOME, function(run)
-        local list, size = { gravity = 0, firm("U", 0, 0) }, 16 + gap
-        for i = 1, count do
-          list[i + 1] = box("P" .. i, size * i, 0)
-        end
-        list[count + 2] = firm("V", size * (count + 1), 0)
+      local title = "%d boxes, %g px apart, at %g and %g px/s, stop them"
+      scene.it(title:format(count, gap, left, right), SOME, function(run)
+        local list, start = newRow(count, gap)
         local named = run:build(list)
         for _ in run:steps(1, run:keep(named.U, left, named.V, right)) do
           local last = named.U
@@ -309,43 +315,38 @@ describe("pushable = false", function()
         if left == 0 then
           run:near("U", named.U.x, 0)
         elseif right == 0 then
-          run:near("V", named.V.x, size * (count + 1))
+          run:near("V", named.V.x, start)
         end
       end)
     end
 
     -- Wherever the gaps are, and whichever box gets its speed once or at every step.
     for count = 2, 4, 2 do
-      scene.it(
-        ("%d boxes, they stop head-on for good"):format(count),
-        { rate = { 60, 30 }, order = { "forward", "shuffled" } },
-        function(run)
-          for gapAt = 0, count do
-            for driven = 0, 2 do
-              local list, x = { gravity = 0, firm("U", 0, 0, { vx = 40 }) }, 16
-              for i = 1, count do
-                x = x + (gapAt == i and 1 or 0)
-                list[i + 1] = box("P" .. i, x, 0)
-                x = x + 16
-              end
-              list[count + 2] = firm("V", x + (gapAt == 0 and 1 or 0), 0, { vx = -40 })
-              local named = run:build(list)
-              run:play(1, function()
-                named.U.vx = driven > 0 and 40 or named.U.vx
-                named.V.vx = driven > 1 and -40 or named.V.vx
-              end)
-              local u, v = named.U.x, named.V.x
-              run:near("vx of U", named.U.vx, 0)
-              run:near("vx of V", named.V.vx, 0)
-              run:play(1, function()
-                named.U.vx = driven > 0 and 40 or named.U.vx
-              end)
-              run:near("U", named.U.x, u)
-              run:near("V", named.V.x, v)
+      local title = ("%d boxes, they stop head-on for good"):format(count)
+      scene.it(title, { rate = { 60, 30 }, order = { "forward", "shuffled" } }, function(run)
+        for gapAt = 0, count do
+          for driven = 0, 2 do
+            local list = newRow(count, 0, { vx = 40 }, { vx = -40 })
+            for i = 1, count + 1 do
+              local isBehind = gapAt == 0 and i == count + 1 or gapAt > 0 and i >= gapAt
+              list[i + 1][2].x = 16 * i + (isBehind and 1 or 0)
             end
+            local named = run:build(list)
+            run:play(1, function()
+              named.U.vx = driven > 0 and 40 or named.U.vx
+              named.V.vx = driven > 1 and -40 or named.V.vx
+            end)
+            local u, v = named.U.x, named.V.x
+            run:near("vx of U", named.U.vx, 0)
+            run:near("vx of V", named.V.vx, 0)
+            run:play(1, function()
+              named.U.vx = driven > 0 and 40 or named.U.vx
+            end)
+            run:near("U", named.U.x, u)
+            run:near("V", named.V.x, v)
           end
         end
-      )
+      end)
     end
 
     for _, row in ipairs({
@@ -357,40 +358,19 @@ describe("pushable = false", function()
       { 3, 1, -30, -90, true },
     }) do
       local count, gap, left, right, isDriven = row[1], row[2], row[3], row[4], row[5]
-      local name = "%d boxes, %g px apart, at %g and %g px/s%s: what comes up behind follows them"
-      scene.it(
-        name:format(count, gap, left, right, isDriven and " at every step" or ""),
-        SOME,
-        function(run)
-          local list, size = { gravity = 0, firm("U", 0, 0, { vx = left }) }, 16 + gap
-          for i = 1, count do
-            list[i + 1] = box("P" .. i, size * i, 0)
-          end
-          list[count + 2] = firm("V", size * (count + 1), 0, { vx = right })
-          local named = run:build(list)
-          local function drive()
-            if isDriven then
-              named.U.vx, named.V.vx = left, right
-            end
-          end
-          local length, start = 16 * (count + 1), size * (count + 1)
-          for time in run:steps(1, drive) do
-            local atU, atV = left * time, start + right * time
-            if left > 0 then
-              run:at(named.V, atV, 0)
-              run:at(named.U, math.min(atU, atV - length), 0)
-            else
-              run:at(named.U, atU, 0)
-              run:at(named.V, math.max(atV, atU + length), 0)
-            end
-          end
-          local follower, speed = named.U, right
-          if left < 0 then
-            follower, speed = named.V, left
-          end
-          run:near("vx", follower.vx, speed)
+      local title = "%d boxes, %g px apart, at %g and %g px/s%s: what comes up behind follows them"
+      title = title:format(count, gap, left, right, isDriven and " at every step" or "")
+      scene.it(title, SOME, function(run)
+        local list, start = newRow(count, gap, { vx = left }, { vx = right })
+        local named, length = run:build(list), 16 * (count + 1)
+        local drive = isDriven and run:keep(named.U, left, named.V, right) or nil
+        for time in run:steps(1, drive) do
+          local atU, atV = left * time, start + right * time
+          run:at(named.V, left > 0 and atV or math.max(atV, atU + length), 0)
+          run:at(named.U, left > 0 and math.min(atU, atV - length) or atU, 0)
         end
-      )
+        run:near("vx", left > 0 and named.U.vx or named.V.vx, left > 0 and right or left)
+      end)
     end
   end)
 
