@@ -13,7 +13,7 @@ local BUDGET = {
   { "physics/memory", 851 },
   { "physics/motion", 1136 },
   { "physics/objects", 1641 },
-  { "physics/queries", 914 },
+  { "physics/queries", 912 },
   { "physics/sleep", 94 },
   { "physics/solver", 4601 },
   { "physics/space", 370 },
