@@ -23,6 +23,7 @@
 
 local engines = {}
 
+---@type table<string, string>
 local TITLES = {
   ours = "physics.lua",
   love = "love.physics",

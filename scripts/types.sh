@@ -4,13 +4,16 @@
 set -uo pipefail
 . "$(dirname "$0")/checks.sh"
 
-# What is checked is a copy: the checker does not know that `...` of a file is a string, nor that the
-# speed `u` of an impact and the number of cells `looked` at, which begin at 0, are no integers.
+# What is checked is a copy: the checker does not know that `...` of a file is a string, which files
+# `root` leads to, nor that the speed `u` of an impact and the number of cells `looked` at, which begin
+# at 0, are no integers.
 copy=$PWD/build/types
 rm -rf "$copy" && mkdir -p "$copy"
 cp -r .emmyrc.json physics.lua physics examples "$copy"
+mkdir "$copy/bench" && cp bench/engines.lua "$copy/bench/" # for examples/compare
 find "$copy/physics" -name '*.lua' -exec sed -i -E \
   -e 's/= \(\.\.\.\):match/= (... --[[@as string]]):match/' \
+  -e 's/(lazy|require|require\(root \.\. "\.memory\.lazy"\))\(root \.\. "/require("physics/' \
   -e 's/^( +local (u|n, cell, looked) = 0(, self\.cell, 0)?)$/\1.0/' {} +
 
 emmylua() { bash scripts/emmylua.sh --warnings-as-errors "$copy"; }

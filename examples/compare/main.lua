@@ -25,11 +25,11 @@ local GOOD, BAD = { 0.22, 0.72, 0.39 }, { 1, 0.8, 0.46 }
 local WIDTH, HEIGHT, TOP = 480, 230, 68 -- px: of a scene; where the pictures begin
 
 local fonts = {}
-local found, current, chosen, time = {}, {}, 1, 0
+local found, current, chosen, time = {}, {}, 1, 0.0
 local folder, frames = nil, 0
 
 local function start()
-  current, time = {}, 0
+  current, time = {}, 0.0
   for i, each in ipairs(found) do
     current[i] = plays.new(scenes.list[chosen], each)
   end

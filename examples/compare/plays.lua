@@ -91,6 +91,10 @@ function plays.show(value)
   return ("%.1f"):format(value)
 end
 
+local function line(row)
+  return "| " .. table.concat(row, " | ") .. " |"
+end
+
 --- Returns the table of all scenes and engines as Markdown.
 function plays.table(list)
   local found = plays.engines()
@@ -98,16 +102,13 @@ function plays.table(list)
   for _, each in ipairs(found) do
     head[#head + 1], rule[#rule + 1] = each.title, "---:"
   end
-  local lines = { head, rule }
+  local lines = { line(head), line(rule) }
   for _, scene in ipairs(list) do
     local row = { scene.title, scene.unit }
     for _, each in ipairs(found) do
       row[#row + 1] = plays.show(plays.number(scene, each))
     end
-    lines[#lines + 1] = row
-  end
-  for i, row in ipairs(lines) do
-    lines[i] = "| " .. table.concat(row, " | ") .. " |"
+    lines[#lines + 1] = line(row)
   end
   return table.concat(lines, "\n") .. "\n"
 end

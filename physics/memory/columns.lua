@@ -65,11 +65,14 @@ local FEW = 256
 
 -- The global `require`: that of the single file knows only its modules.
 local hasNew, newTable = pcall(rawget(_G, "require"), "table.new")
+---@cast newTable fun(arrays: integer, hashes: integer): table
 
 --- Sides are numbers inside: left, right, top, bottom are 1 to 4, so that the side on `axis` is
 --- `2 * axis + 1` (low) or `2 * axis + 2` (high).
+---@type table<any, string>
 columns.SIDES = { "left", "right", "top", "bottom" }
 columns.SIDE = { left = 1, right = 2, top = 3, bottom = 4 }
+---@type table<any, integer>
 columns.OPPOSITE = { 2, 1, 4, 3 }
 --- The axis of each side.
 columns.AXIS = { 0, 0, 1, 1 }

@@ -249,7 +249,7 @@ end
 --- Writes the drift of all that are soft to what they overlap, in a step of dt s.
 function softDrift.run(b, work, dt)
   list(b, work)
-  local count, size, fastest = 0, 1, 0.0
+  local count, size, fastest = 0, 1.0, 0.0
   if work.count > 1 then
     count, size = findOverlaps(work)
     count = keepSoft(b, work, count)
