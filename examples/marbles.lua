@@ -95,6 +95,8 @@ local function addMarble(x, y)
   return world:add("marbles", {
     x = x - RADIUS,
     y = y - RADIUS,
+    width = 2 * RADIUS,
+    height = 2 * RADIUS,
     radius = RADIUS,
     restitution = 0.25,
     color = COLORS[random:random(#COLORS)],
@@ -118,7 +120,7 @@ function marbles.load()
   addBumpers()
   addLift()
   world.objects.marbles = {}
-  art.load(world)
+  art.load()
 end
 
 -- A platform that has come to the top begins again at the bottom: for that it is taken out.
@@ -182,7 +184,7 @@ function marbles.mousepressed(x, y)
 end
 
 function marbles.draw()
-  art.draw(world, state.time)
+  art.draw(world)
 end
 
 function marbles.report()

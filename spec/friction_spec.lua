@@ -6,7 +6,7 @@ local physics = require("physics")
 local scene = require("spec.support.scene")
 local variants = require("spec.support.variants")
 
--- A box of 16 px whose upper left corner is at x, y; the floor is at y = 0.
+-- A box of 16 px with its upper left corner at x, y; the floor is at y = 0.
 local function put(x, y, friction, vx, mass, fields)
   local object = { x = x, y = y, width = 16, height = 16, friction = friction }
   object.vx, object.mass = vx or 0, mass or 1
@@ -113,7 +113,7 @@ end
 local WIDE = { width = 200 }
 local LEFT = 0.1 - 2 / 300 -- s, after what moves 2 px at 300 px/s
 
--- Rows whose ways and speeds are known by hand. Friction f under gravity g takes f * g off.
+-- Rows of which ways and speeds are known by hand. Friction f under gravity g takes f * g off.
 describe("friction: as by hand,", function()
   local SLIDING = {
     --    +--+ 60 ->          The floor is ice, the boxes rub with 0.5: they pull at each other with

@@ -402,7 +402,7 @@ describe("slopes", function()
 
     --      ______    ______
     --    _/      \__/      \   a train, all of it runs
-    it("(P1, P10) have no wall at their seams for who walks there", function()
+    it("(P1, P10) have no wall at their seams for what walks there", function()
       local PARTS = {
         { x = 0, y = 300, width = 64, height = 32, slope = "right" },
         { x = 64, y = 300, width = 80, height = 32 },
