@@ -112,7 +112,7 @@ function marbles.load()
   random = love.math.newRandomGenerator(3)
   world = physics.newWorld({ gravity = 700 })
   marbles.world = world
-  state = { time = 0, waiting = FIRST, untilNext = 0, bumps = 0, laps = 0 }
+  state = { waiting = FIRST, untilNext = 0, bumps = 0, laps = 0 }
   sparks.clear()
   addStatic("walls", 0, 0, 40, 640)
   addStatic("walls", 40, 600, 874, 40)
@@ -152,7 +152,6 @@ local function roll(marble, dt)
 end
 
 function marbles.update(dt)
-  state.time = state.time + dt
   moveLift()
   drop(dt)
   world:update(dt)
