@@ -20,11 +20,6 @@ local floor, max, min = math.floor, math.max, math.min
 -- Maximum number of stretches of time between two kinks in a step.
 local STRETCHES = 8
 
---- Forgets all kinks.
-function flow.reset(b)
-  b.kinkCount = 0
-end
-
 --- Returns a new list of one kink at velocity `at` with a force of `grip`.
 function flow.newKink(b, at, grip)
   local n = b.kinkCount + 1
@@ -125,15 +120,31 @@ end
 
 --- Returns the same with a single kink at 0, of `brake` px/s², and no limit.
 function flow.slide(b, v, a, brake, tau)
-  local list, kinks = flow.newKink(b, 0.0, brake), b.kinkCount - 1
-  b.kinkCount = kinks
-  return flow.run(b, list, 1, a, v, tau, -HUGE, HUGE)
+  return flow.run(b, flow.newKink(b, 0.0, brake), 1, a, v, tau, -HUGE, HUGE)
 end
 
 --- Notes that friction or a bond acts on body k, so that its path must be computed anew.
 function flow.notePulled(b, k)
   b.pulledCount = b.pulledCount + 1
   b.pulled[b.pulledCount] = k
+end
+
+--- Puts all movable bodies on an axis to where they would be without contacts.
+function flow.reset(b, axis, dt)
+  local list, from, to, speed, free = b.awakeList, b.from, b.to, b.speed, b.freeSpeed
+  local way, carried, accel, start = b.way, b.carried, b.accel, b.start
+  for n = 1, b.awakeCount do
+    local k = 2 * list[n] + axis
+    if b.give[k] > 0 then
+      to[k], speed[k] = from[k] + way[k] + carried[k] * dt, free[k]
+      accel[k] = (free[k] - start[k]) / dt
+    end
+  end
+  local onset, outset, ownSpeed, isPressed = b.onset, b.outset, b.ownSpeed, b.isPressed
+  for n = 1, b.awakeCount do
+    local k = 2 * list[n] + axis
+    outset[k], ownSpeed[k], isPressed[k] = onset[k], free[k], false
+  end
 end
 
 --- Computes the paths of the bodies that were noted so, as if they had no contacts on this axis.

@@ -180,24 +180,6 @@ local function addContacts(b, list, held, dt)
   end
 end
 
---- Puts all movable bodies on an axis to where they would be without contacts.
-function friction.reset(b, axis, dt)
-  local list, from, to, speed, free = b.awakeList, b.from, b.to, b.speed, b.freeSpeed
-  local way, carried, accel, start = b.way, b.carried, b.accel, b.start
-  for n = 1, b.awakeCount do
-    local k = 2 * list[n] + axis
-    if b.give[k] > 0 then
-      to[k], speed[k] = from[k] + way[k] + carried[k] * dt, free[k]
-      accel[k] = (free[k] - start[k]) / dt
-    end
-  end
-  local onset, outset, ownSpeed, isPressed = b.onset, b.outset, b.ownSpeed, b.isPressed
-  for n = 1, b.awakeCount do
-    local k = 2 * list[n] + axis
-    outset[k], ownSpeed[k], isPressed[k] = onset[k], free[k], false
-  end
-end
-
 -- Computes the speed limits of all awake bodies, with the velocity of their carriers.
 local function findLimits(b)
   local list, carried, reserve, pace = b.awakeList, b.carried, b.reserve, b.pace
@@ -240,7 +222,7 @@ end
 function friction.begin(b)
   local list, onset, start, tug = b.awakeList, b.onset, b.start, b.tug
   local grip, base, bondUnder, bondOn = b.grip, b.base, b.bondUnder, b.bondOn
-  flow.reset(b)
+  b.kinkCount = 0
   for n = 1, b.awakeCount do
     for k = 2 * list[n], 2 * list[n] + 1 do
       onset[k], tug[k], grip[k], base[k], bondUnder[k], bondOn[k] = start[k], 0, 0, 0, 0, 0
@@ -261,7 +243,7 @@ local function place(b, axis, dt)
   for c = 1, list.count do
     pressed[list.pair[c]] = 0
   end
-  friction.reset(b, axis, dt)
+  flow.reset(b, axis, dt)
   flow.runAll(b, dt)
   settle.hold(b, axis, dt)
 end

@@ -81,20 +81,18 @@ local function weigh(b, i, j, kl, kh)
   if b.heldHigh[kh] > 0 and b.speed[kh] >= b.speed[b.holderHigh[kh]] then
     wh = 0
   end
-  if wl > 0 and wh > 0 and b.power[i] ~= b.power[j] then
-    if max(b.power[i], b.power[j]) < HUGE then
-      return pool.share(b.power[i] > b.power[j], wl, wh, b.speed[kl], b.speed[kh])
-    end
-    return b.power[i] == HUGE and 0 or wl, b.power[j] == HUGE and 0 or wh
-  elseif wl > 0 and wh > 0 and b.power[i] == HUGE then
-    local stayLow, stayHigh = pool.weigh(HUGE, HUGE, b.speed[kl], b.speed[kh])
-    if stayLow and stayHigh then
-      b.to[kl], b.to[kh] = b.from[kl], b.from[kh]
-      b.speed[kl], b.speed[kh], b.accel[kl], b.accel[kh] = 0.0, 0.0, 0.0, 0.0
-    end
-    return stayLow and 0 or wl, stayHigh and 0 or wh
+  local one, other, vl, vh = b.power[i], b.power[j], b.speed[kl], b.speed[kh]
+  if wl == 0 or wh == 0 then
+    return wl, wh
+  elseif one ~= other and max(one, other) < HUGE then
+    return pool.share(one > other, wl, wh, vl, vh)
   end
-  return wl, wh
+  local stayLow, stayHigh = pool.weigh(one, other, vl, vh)
+  if stayLow and stayHigh then
+    path.rest(b, kl, b.from[kl])
+    path.rest(b, kh, b.from[kh])
+  end
+  return stayLow and 0 or wl, stayHigh and 0 or wh
 end
 
 -- Returns whether body k, which moves at v now, is leaving the body that has held it in this step.
@@ -123,7 +121,7 @@ local function bear(b, k, jolt, press, tau, dt)
   local slip = b.speed[k] - b.accel[k] * tau - b.base[k]
   local loss = b.rough[k] * jolt * b.give[k]
   local change = slip > 0 and -min(loss, slip) or min(loss, -slip)
-  b.speed[k], b.to[k] = b.speed[k] + change, b.to[k] + change * tau
+  path.add(b, k, change * tau, change)
   b.grip[k] = tau > 0 and b.grip[k] + b.rough[k] * press / tau or b.grip[k]
   reflow(b, k, tau, dt)
 end
@@ -139,8 +137,8 @@ local function rubBoth(b, kl, kh, mu, jolt, press, tau)
   local brake = tau > 0 and mu * press * total / tau or 0.0
   local new, way = flow.slide(b, after, accel, brake, tau)
   local dv, d = (new - last) / total, (way - (v + last) * 0.5 * tau) / total
-  b.speed[kl], b.to[kl] = b.speed[kl] + dv * il, b.to[kl] + d * il
-  b.speed[kh], b.to[kh] = b.speed[kh] - dv * ih, b.to[kh] - d * ih
+  path.add(b, kl, d * il, dv * il)
+  path.add(b, kh, -d * ih, -dv * ih)
   if tau > 0 then
     local change = (new - after - (last - v)) / tau / total
     b.accel[kl], b.accel[kh] = b.accel[kl] + change * il, b.accel[kh] - change * ih
@@ -239,18 +237,15 @@ end
 
 -- Sets them after a bounce: at the end of the step the two are `gap` px apart and close at `vEnd`.
 local function bounce(b, kl, kh, wl, wh, o, gap, v, vEnd)
-  local to, speed, total = b.to, b.speed, wl + wh
-  local way, dv = (o + gap) / total, (v - vEnd) / total
-  to[kl], to[kh] = to[kl] - way * wl, to[kh] + way * wh
-  speed[kl], speed[kh] = speed[kl] - dv * wl, speed[kh] + dv * wh
+  local way, dv = (o + gap) / (wl + wh), (v - vEnd) / (wl + wh)
+  path.add(b, kl, -way * wl, -dv * wl)
+  path.add(b, kh, way * wh, dv * wh)
 end
 
 -- Resolves the impact of two that meet slanted, of which one is round; returns what `run` does.
 local function runRound(b, p, i, j, axis, left, dt, isLate, t)
   local tau = min((1 - t) * dt, left)
   local r = max(b.restitution[i], b.restitution[j])
-  b.impactsOf[i], b.impactsOf[j] = b.impactsOf[i] + 1, b.impactsOf[j] + 1
-  b.resolved = b.resolved + 1
   local u, stays = ball.impact(b, i, j, axis, true, tau, dt, isLate, r)
   impact.note(b, p, i, axis, u, t)
   return false, b.from[2 * j + axis] - b.from[2 * i + axis], stays
@@ -319,6 +314,8 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
   local left = (1 - max(b.time[i], b.time[j])) * dt
   path.advance(b, i, t)
   path.advance(b, j, t)
+  b.impactsOf[i], b.impactsOf[j] = b.impactsOf[i] + 1, b.impactsOf[j] + 1
+  b.resolved = b.resolved + 1
   if b.hasCircles and ball.isRound(b, i, j) then
     local nx, ny, isSlanted = ball.normal(b, i, j)
     if isSlanted or isDeep and (nx ~= 0 or ny ~= 0) then
@@ -332,8 +329,6 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
   if u > 0 or b.pressed[p] ~= 1 then -- else it is noted with the speed that it began with
     impact.note(b, p, i, axis, u, t)
   end
-  b.impactsOf[i], b.impactsOf[j] = b.impactsOf[i] + 1, b.impactsOf[j] + 1
-  b.resolved = b.resolved + 1
   -- It bounces if it closes faster than its acceleration alone would make it in two steps.
   local bounces = not isLate and pool.bounces(u, a, 2 * dt)
   local r = bounces and max(b.restitution[i], b.restitution[j]) or 0
@@ -352,7 +347,8 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
   local isElastic = b.restitution[i] > 0 or b.restitution[j] > 0
   if v < 0 or (isElastic and v == 0 and a == 0) then
     -- They move apart by themselves, and overlap only by what others have pushed.
-    b.to[kl], b.to[kh] = b.to[kl] - o * wl / total, b.to[kh] + o * wh / total
+    path.add(b, kl, -o * wl / total, 0.0)
+    path.add(b, kh, o * wh / total, 0.0)
     return not isElastic, separation, isElastic
   end
   return collide(b, i, j, axis, wl, wh, separation, r, o, u, v, a, tau, dt), separation

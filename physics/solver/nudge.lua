@@ -82,7 +82,7 @@ local function try(b, p, i, j, axis, iIsLow, t)
     return false
   end
   path.advance(b, i, t)
-  b.from[k], b.to[k] = b.from[k] + way, b.to[k] + way
+  path.shift(b, k, way)
   b.nudgedAt[i], b.nudged[p] = b.solveStamp, b.nudged[p] + 1
   activePairs.stain(b, p)
   return true

@@ -18,6 +18,7 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local flow = require(root .. ".solver.flow")
+local path = require(root .. ".motion.path")
 
 local pool = {}
 
@@ -175,24 +176,26 @@ end
 -- Stops two blocks that meet head-on and cannot be pushed where they were. Returns whether one of
 -- them had moved.
 local function stopBoth(b, low, high)
-  local hasMoved = false
-  if b.heldLow[low] == 0 and b.heldHigh[high] == 0 then
-    for side = 1, 2 do
-      local k = side == 1 and low or high
-      local place = origin(b, k)
-      hasMoved = hasMoved or b.to[k] ~= place
-      b.to[k], b.speed[k], b.accel[k] = place, 0.0, 0.0
-    end
+  if b.heldLow[low] > 0 or b.heldHigh[high] > 0 then
+    return false
   end
+  local one, other = origin(b, low), origin(b, high)
+  local hasMoved = b.to[low] ~= one or b.to[high] ~= other
+  path.rest(b, low, one)
+  path.rest(b, high, other)
   return hasMoved
 end
 
---- Returns the speed of a body that is held by one that moves at `base` and pressed against it by
---- another. The speed is `base`, or the common speed of the two bodies if that leads away from the
---- holder. `sign`: 1 if it is held on its low side.
-function pool.heldSpeed(mass, speed, otherMass, otherSpeed, base, sign)
-  local v = (mass * speed + otherMass * otherSpeed) / (mass + otherMass)
-  return (v - base) * sign > 0 and v or base
+--- Gives body m, which presses k, the speed of that. If k itself is pressed off what holds it
+--- (`base`: the speed of that; nil: nothing does), the two share their momentum, but k is never
+--- faster towards its holder than that goes. `sign`: 1 if k is held on its low side.
+function pool.press(b, m, k, massM, massK, base, sign)
+  local speed = b.speed
+  if base and (speed[k] - base) * sign > 0 then
+    local v = (massK * speed[k] + massM * speed[m]) / (massK + massM)
+    speed[k] = (v - base) * sign > 0 and v or base
+  end
+  speed[m], b.accel[m] = speed[k], b.accel[k]
 end
 
 --- Notes that body m leans on k, towards low coordinates (`sign` 1) or high ones (-1): what holds k
@@ -218,10 +221,7 @@ local function follow(b, m, k, place, sign)
   b.to[m] = place
   if (speed[k] - speed[m]) * sign > 0 then
     local base = held[k] > 0 and b.give[k] > 0 and speed[holder[k]]
-    if base and (speed[k] - base) * sign > 0 then
-      speed[k] = pool.heldSpeed(mass[k], speed[k], mass[m], speed[m], base, sign)
-    end
-    speed[m], b.accel[m] = speed[k], b.accel[k]
+    pool.press(b, m, k, mass[m], mass[k], base, sign)
   end
   pool.lean(b, m, k, sign)
   if b.give[k] > 0 and (held[k] == 0 or power[k] < HUGE) then
@@ -263,7 +263,8 @@ end
 local function shift(b, low, high, over)
   local massLow, massHigh = b.blocks.mass[low], b.blocks.mass[high]
   local share = over / (massLow + massHigh)
-  b.to[low], b.to[high] = b.to[low] - share * massHigh, b.to[high] + share * massLow
+  path.add(b, low, -share * massHigh, 0.0)
+  path.add(b, high, share * massLow, 0.0)
 end
 
 -- Resolves contact c, of which the bodies overlap by `over` px, for two blocks. Returns whether

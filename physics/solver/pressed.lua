@@ -48,12 +48,4 @@ function pressed.note(b, axis)
   end
 end
 
---- Forgets which contacts of an axis were pressed, before they are settled.
-function pressed.forget(b, axis)
-  local list, isPressed = b.contacts[axis], b.pressed
-  for c = 1, list.count do
-    isPressed[list.pair[c]] = 0
-  end
-end
-
 return pressed

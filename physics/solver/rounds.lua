@@ -22,7 +22,7 @@ local sweep = require(root .. ".solver.sweep")
 
 local rounds = {}
 
-local DYNAMIC, EPSILON, WIDTHS = columns.DYNAMIC, columns.EPSILON, columns.WIDTHS
+local DYNAMIC, WIDTHS = columns.DYNAMIC, columns.WIDTHS
 local floor, max, min = math.floor, math.max, math.min
 
 --- Share of its size by which separating overlaps may move a body in a step, along each axis.
@@ -61,25 +61,19 @@ end
 -- order of the world.
 local function sortImpacts(b)
   local impacts = b.impacts
+  local order, moment, edge = impacts.order, impacts.moment, impacts.width
   for n = 1, impacts.count do
     local i, j, axis = impacts.low[n], impacts.high[n], impacts.axis[n]
     local isSensed = b.sensor[i] or b.sensor[j]
-    impacts.order[n] = n
+    order[n] = n
     local late = (impacts.isCorner[n] and 2 or 0) + (isSensed and 4 or 0)
-    impacts.moment[n] = floor(impacts.time[n] * MOMENTS + 0.5) + late
+    moment[n] = floor(impacts.time[n] * MOMENTS + 0.5) + late
     local k, m = 2 * i + 1 - axis, 2 * j + 1 - axis
     local width = min(b.from[k] + b.size[k], b.from[m] + b.size[m]) - max(b.from[k], b.from[m])
-    impacts.width[n] = -floor(width * WIDTHS + 0.5)
+    edge[n] = -floor(width * WIDTHS + 0.5)
     impacts.first[n], impacts.second[n] = columns.ranks(b, i, j)
   end
-  sort.by(
-    impacts.order,
-    impacts.count,
-    impacts.moment,
-    impacts.width,
-    impacts.first,
-    impacts.second
-  )
+  sort.by(order, impacts.count, moment, edge, impacts.first, impacts.second)
 end
 
 -- Notes the hit of a sensor that a body enters or passes through.
@@ -93,22 +87,6 @@ local function sense(b, p, i, j, axis, t, dt)
   local v, a = b.speed[kl] - b.speed[kh], b.accel[kl] - b.accel[kh]
   local u = impact.approach(o, v, a, (1 - t) * dt)
   impact.note(b, p, i, axis, u, t)
-end
-
--- Ends the path of a dynamic body at its place at moment t. If it or what it meets is a circle
--- (`isRound`), it has no speed then, and has not moved if that was by rounding only.
-local function stop(b, i, t, isRound)
-  if b.kind[i] == DYNAMIC then
-    path.advance(b, i, t)
-    for k = 2 * i, 2 * i + 1 do
-      b.to[k] = b.from[k]
-      if isRound then
-        local off = b.from[k] - b.origin[k]
-        b.to[k] = off <= EPSILON and off >= -EPSILON and b.origin[k] or b.to[k]
-        b.speed[k], b.accel[k] = 0.0, 0.0
-      end
-    end
-  end
 end
 
 -- Returns whether a body that overlaps others has used up its impacts for this step. Other dynamic
@@ -229,8 +207,8 @@ local function happen(b, n, dt, isLast, isLate)
     return
   end
   if isLast then
-    stop(b, i, t, isRound)
-    stop(b, j, t, isRound)
+    path.stop(b, i, t, isRound)
+    path.stop(b, j, t, isRound)
   end
 end
 

@@ -16,13 +16,11 @@ local DYNAMIC = columns.DYNAMIC
 local OPPOSITE, SIDE, SIDES = columns.OPPOSITE, columns.SIDE, columns.SIDES
 local floor = math.floor
 
---- Returns whether slot i is a one-way object that is open on `side`.
-function rules.isOpen(b, i, side)
+-- Returns whether slot i is a one-way object that is open on `side`.
+local function isOpen(b, i, side)
   local solid = b.oneWay[i]
   return solid and SIDE[solid] ~= side
 end
-
-local isOpen = rules.isOpen
 
 --- Returns whether slot i falls through a one-way object with the side `solid` (nil: with none).
 --- Until it is clear of that, no other one holds it, as the next plank of a bridge would.

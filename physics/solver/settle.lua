@@ -83,22 +83,6 @@ local function squeeze(b, k, other, over, sign, held, pressing, holder)
   end
 end
 
--- Puts body m flush at `place`, against body k, which is held. If k is pressed back from what holds
--- it, the two share their momentum; k is never faster towards its holder than that goes.
-local function lean(b, m, k, place, over, closing, sign, wall)
-  local to, speed = b.to, b.speed
-  if over > 0 or to[m] ~= b.from[m] then -- what stands a rounding apart stays so
-    to[m] = place
-  end
-  if closing > 0 then
-    local base = speed[wall[k]]
-    if b.give[k] > 0 and (speed[k] - base) * sign > 0 then
-      speed[k] = pool.heldSpeed(1 / b.give[k], speed[k], 1 / b.give[m], speed[m], base, sign)
-    end
-    speed[m], b.accel[m] = speed[k], b.accel[k]
-  end
-end
-
 -- Returns whether two that close at `closing` px/s bounce.
 local function bounces(b, k, m, closing, slow)
   return pool.bounces(closing, b.accel[k] - b.accel[m], slow)
@@ -129,7 +113,12 @@ local function hold(b, list, slow, sign)
         end
         if isNew then
           held[m], wall[m] = held[k] + 1, give[k] > 0 and wall[k] or k
-          lean(b, m, k, place, over, closing, sign, wall)
+          if over > 0 or to[m] ~= b.from[m] then -- what stands a rounding apart stays so
+            to[m] = place
+          end
+          if closing > 0 then
+            pool.press(b, m, k, 1 / give[m], 1 / give[k], give[k] > 0 and speed[wall[k]], sign)
+          end
         elseif over > EPSILON and (held[m] == 0 or b.squeezed[m] * sign > 0) then
           squeeze(b, m, k, over, sign, opposite, held, wall)
           hasSqueezed = true

@@ -21,6 +21,7 @@ local contacts = require(root .. ".solver.contacts")
 local crowd = require(root .. ".solver.crowd")
 local crush = require(root .. ".solver.crush")
 local drift = require(root .. ".motion.drift")
+local flow = require(root .. ".solver.flow")
 local friction = require(root .. ".solver.friction")
 local activePairs = require(root .. ".broadphase.activePairs")
 local move = require(root .. ".motion.move")
@@ -58,11 +59,6 @@ function solver.adopt(b)
   b.impacts = sweep.newImpacts()
 end
 
--- Returns the velocity of body k at the start of the step, its carrier included.
-local function startSpeed(b, k)
-  return max(min(b.velocity[k], b.fastest[k]), b.slowest[k]) + b.carried[k]
-end
-
 -- Resets the solver's columns of all awake bodies to free flight, before any contact acts.
 local function begin(b, dt)
   if b.hasCrowds then
@@ -81,7 +77,7 @@ local function begin(b, dt)
       give[k] = kind[i] == DYNAMIC and not buried[i] and inverseMass[i] or 0
       freeSpeed[k] = speed[k]
       if kind[i] == DYNAMIC then
-        start[k] = startSpeed(b, k)
+        start[k] = max(min(b.velocity[k], b.fastest[k]), b.slowest[k]) + b.carried[k]
         accel[k] = (freeSpeed[k] - start[k]) / dt
       else
         start[k] = speed[k]
@@ -97,16 +93,12 @@ end
 -- by its friction. (`friction.run` settles the axis that it rubs along.)
 local function settleTouching(b, dt)
   contacts.find(b)
-  pressed.forget(b, 0)
-  pressed.forget(b, 1)
   local down, across = b.downAxis, 1 - b.downAxis
   settle.axis(b, down, dt, false)
-  if not b.hasFriction then
+  if not (b.hasFriction and friction.run(b, down, dt)) then
     settle.axis(b, across, dt, false)
-  else
-    if not friction.run(b, down, dt) then
-      settle.axis(b, across, dt, false)
-    end
+  end
+  if b.hasFriction then
     friction.run(b, across, dt)
   end
 end
@@ -118,38 +110,26 @@ local function nudgeTouching(b, dt)
       return
     end
     pairFinder.run(b, b.awakeList, 1, b.awakeCount)
-    for n = 1, b.awakeCount do
-      for k = 2 * b.awakeList[n], 2 * b.awakeList[n] + 1 do
-        b.start[k] = startSpeed(b, k)
-      end
-    end
     friction.begin(b)
-    friction.reset(b, 0, dt)
-    friction.reset(b, 1, dt)
+    flow.reset(b, 0, dt)
+    flow.reset(b, 1, dt)
     settleTouching(b, dt)
   end
 end
 
--- Settles the axes on which a contact is violated at the end of the step.
-local function settleViolated(b, dt)
+-- Settles the axes on which a contact is violated at the end of the step, follows the ground, and
+-- looks up the neighbours of the new paths. `isFirst`: before the first round.
+local function settleLate(b, dt, isFirst)
   for n = 0, 1 do
     local axis = n == 0 and b.downAxis or 1 - b.downAxis
     if b.isJammed or settle.isViolated(b, axis) then
       settle.axis(b, axis, dt, true)
     end
   end
-end
-
--- Settles what impacts have changed, and looks up the neighbours of the new paths.
-local function settleLate(b, dt)
-  if b.hasSlopes then
-    walk.run(b, dt, false)
-  end
-  settleViolated(b, dt)
   b.isJammed = false
   rounds.findChanged(b)
   if b.hasSlopes then
-    walk.run(b, dt, false)
+    walk.run(b, dt, isFirst)
     rounds.findChanged(b)
   end
 end
@@ -167,34 +147,24 @@ local function prepare(b, dt)
   if b.hasNudges then
     nudgeTouching(b, dt)
   end
-  settleViolated(b, dt) -- friction, or crushed circles, may have violated other contacts
-  rounds.findChanged(b)
-  if b.hasSlopes then
-    walk.run(b, dt, true)
-    rounds.findChanged(b)
-  end
+  settleLate(b, dt, true) -- friction, or crushed circles, may have violated other contacts
 end
 
--- Makes the rounds. Returns whether bodies may have left the ground since it was followed; nil:
--- bodies were woken on the way.
+-- Makes the rounds, until bodies are woken. Returns whether bodies may have left the ground since
+-- it was followed.
 local function runRounds(b, dt, awakenings)
-  local hasChanged = b.overlapCount > 0 or b.hasFirm
   for n = 1, ROUNDS do
-    if b.awakenings ~= awakenings then
-      return nil
-    end
-    if not rounds.run(b, dt, n == ROUNDS, n > ROUNDS - LATE) then
+    if b.awakenings ~= awakenings or not rounds.run(b, dt, n == ROUNDS, n > ROUNDS - LATE) then
       break
+    elseif n == ROUNDS then
+      return true
     end
-    if n < ROUNDS then
-      settleLate(b, dt)
+    if b.hasSlopes then
+      walk.run(b, dt, false)
     end
-    hasChanged = hasChanged or n == ROUNDS
+    settleLate(b, dt, false)
   end
-  if b.awakenings ~= awakenings then
-    return nil
-  end
-  return hasChanged
+  return b.overlapCount > 0 or b.hasFirm
 end
 
 -- Solves a step for all awake bodies. Returns false if bodies were woken on the way; the result is
@@ -203,7 +173,7 @@ local function solve(b, dt)
   local awakenings = b.awakenings
   prepare(b, dt)
   local hasChanged = runRounds(b, dt, awakenings)
-  if hasChanged == nil then
+  if b.awakenings ~= awakenings then
     return false
   end
   relax.run(b, dt, hasChanged)
