@@ -45,7 +45,7 @@ local BRANCHING = {
   ["contacts.contactState"] = "*",
   ["contacts.events"] = "*",
   ["solver.impact"] = "*",
-  ["solver.rounds"] = "sortImpacts sense stop isSpent isTorn isDisturbed change meet happen run",
+  ["solver.rounds"] = "sortImpacts sense isSpent isTorn isDisturbed change meet happen run",
 }
 
 compiler.rows = { NEXT, BRANCHING }
