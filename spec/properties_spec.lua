@@ -84,7 +84,7 @@ describe("what is static", function()
   end)
 end)
 
-describe("the same scene goes the same way, to the bit,", function()
+describe("broadphase, rest and order: the same scene goes the same way, to the bit,", function()
   for _, row in ipairs({
     { "pair by pair", { broadphase = "pairs" } },
     { "in the grid", { broadphase = "grid" } },
@@ -98,17 +98,12 @@ describe("the same scene goes the same way, to the bit,", function()
   }) do
     local name, settings = row[1], row[2]
 
-    it(name .. ", wild", function()
-      for seed = 1, effort.share(5) do
-        local player = script.play(script.new(seed, WILD), settings)
-        checkSame(seed, trackOf(seed, WILD, settings.push), player)
-      end
-    end)
-
-    it(name .. ", calm", function()
-      for seed = 1, effort.share(2) do
-        local player = script.play(script.new(seed, CALM), settings)
-        checkSame(seed, trackOf(seed, CALM, settings.push), player)
+    it(name, function()
+      for options, seeds in pairs({ [WILD] = 5, [CALM] = 2 }) do
+        for seed = 1, effort.share(seeds) do
+          local player = script.play(script.new(seed, options), settings)
+          checkSame(seed, trackOf(seed, options, settings.push), player)
+        end
       end
     end)
   end
@@ -368,7 +363,7 @@ describe("whatever happens,", function()
   end)
 end)
 
-describe("a saved state", function()
+describe("save and restore: a saved state", function()
   it("goes on as the first time, to the bit", function()
     for seed = 1, effort.share(5) do
       local random = script.new(seed, QUIET)
