@@ -189,7 +189,7 @@ local function happen(b, n, dt, isLast, isLate)
   local isSensed = b.sensor[i] or b.sensor[j]
   local isRound = b.hasCircles and ball.isRound(b, i, j)
   local areDynamic = b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC
-  if areDynamic and not isRound and (isSpent(b, i) or isSpent(b, j)) then
+  if b.passing[p] or areDynamic and not isRound and (isSpent(b, i) or isSpent(b, j)) then
     return
   end
   local mayBounce = max(b.restitution[i], b.restitution[j]) > 0
