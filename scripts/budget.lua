@@ -1,6 +1,6 @@
---- The budget of the core: how many code lines each folder may have, and how many kB the single file
---- without comments. `make lint` compares it with the files. The numbers only ever go down: who needs
---- room takes it from another place in the same change, and what a change has freed leaves the table.
+--- The budget of the core: how many code lines each folder may have. `make lint` compares it with
+--- the files. The numbers only ever go down: what needs room takes it from another place in the same
+--- change, and what a change has freed leaves the table.
 ---
 ---   luajit scripts/budget.lua
 

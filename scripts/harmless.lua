@@ -21,12 +21,6 @@ return {
   },
   {
     "physics/broadphase/grid.lua",
-    "return self.reach[LEVELS] > self.cell * 2 ^ LEVELS + SLACK and -huge or 16 + self.count",
-    "return self.reach[LEVELS] > self.cell * 2 ^ LEVELS + SLACK and -huge or 17 + self.count",
-    "when all are looked at instead of cells; each is tested in both cases",
-  },
-  {
-    "physics/broadphase/grid.lua",
     "for n = rangeCount + 2, rangeCount + 5 do",
     "for n = rangeCount + 2, rangeCount + 6 do",
     "one number more behind the end is written; none of them is used",
@@ -54,48 +48,6 @@ return {
     "to = 0, -- end of the path: its position at the end of the step",
     "to = 1, -- end of the path: its position at the end of the step",
     "a new object is given its place at once (see objects/read.lua)",
-  },
-  {
-    "physics/memory/initial.lua",
-    "b.pairSlots = 0",
-    "b.pairSlots = 1",
-    "the first place of the pairs is never used; no awake body is in it",
-  },
-  {
-    "physics/memory/initial.lua",
-    "b.hasCarriers = false -- an object has been a carrier",
-    "b.hasCarriers = true -- an object has been a carrier",
-    "carriers are looked for where there are none",
-  },
-  {
-    "physics/memory/columns.lua",
-    "b.from[k], b.to[k], b.speed[k], b.size[k] = 0, 0, 0, -1",
-    "b.from[k], b.to[k], b.speed[k], b.size[k] = 0, 0, 0, -2",
-    "the size of the empty slot: a negative one is never within reach",
-  },
-  {
-    "physics/broadphase/pairFinder.lua",
-    "if (max(outX, outY) > -reach or placed[i] ~= 2) and active[i] and strayAt[i] == huge then",
-    "if (max(outX, outY) >= -reach or placed[i] ~= 2) and active[i] and strayAt[i] == huge then",
-    "its neighbours are looked up one step earlier; more neighbours change no result",
-  },
-  {
-    "physics/broadphase/pairFinder.lua",
-    "if (max(outX, outY) > -reach or placed[i] ~= 2) and active[i] and strayAt[i] == huge then",
-    "if (max(outX, outY) > -reach or placed[i] ~= 3) and active[i] and strayAt[i] == huge then",
-    "the neighbours of all bodies are looked up in every step; more neighbours change no result",
-  },
-  {
-    "physics/memory/initial.lua",
-    "b.hasFriction = false -- or had friction",
-    "b.hasFriction = true -- or had friction",
-    "friction is computed where there is none",
-  },
-  {
-    "physics/memory/initial.lua",
-    "b.awakenings = 0 -- how often the set of awake objects has changed",
-    "b.awakenings = 1 -- how often the set of awake objects has changed",
-    "only compared with what it was before",
   },
   {
     "physics/broadphase/gridLines.lua",

@@ -91,7 +91,7 @@ async function playMenu() {
   await check("the page has a title and shows the keys", async () => {
     assert((await told.page.title()).includes("physics.lua"), await told.page.title());
     for (const key of ["Enter", "Esc", "Space", "←"]) {
-      assert(await told.page.getByText(key, { exact: true }).first().isVisible(), key);
+      assert(await told.page.locator("footer").getByText(key, { exact: true }).first().isVisible(), key);
     }
   });
   for (const size of WINDOWS) {
