@@ -156,13 +156,6 @@ function measures.tile(name)
   end)
 end
 
--- How much of that is given back when they are removed, %.
-function measures.back(name)
-  return withTiles(name, function(before, full, after)
-    return 100 * (full - after) / (full - before)
-  end)
-end
-
 -- All of them -------------------------------------------------------------------------------------
 
 local function read(path)
@@ -237,7 +230,6 @@ local ROWS = {
   { "an empty world", "empty", "kB", 1000 },
   { "a world of 40 objects, after a second", "world", "kB", 1000 },
   { "a static tile, among 2000", "tile", "bytes", 1 },
-  { "of which are given back", "back", "%", 1 },
 }
 
 local function report(options)
@@ -269,7 +261,7 @@ local function report(options)
       for i, place in ipairs(places) do
         local rounds = row[5] and options.rounds or 1
         local value = measured(interpreter, place[2], row[2], place[3], rounds) / row[4]
-        cells[i + 1] = (row[3] == "bytes" or row[3] == "%") and ("%.0f"):format(value)
+        cells[i + 1] = row[3] == "bytes" and ("%.0f"):format(value)
           or ("%.1f"):format(value)
       end
       lines[#lines + 1] = cells

@@ -1,5 +1,5 @@
 --- The budget of the core: how many code lines each folder may have. `make lint` compares it with
---- the files. The numbers only ever go down: what needs room takes it from another place in the same
+--- the files. The numbers only go down: what needs room takes it from another place in the same
 --- change, and what a change has freed leaves the table.
 ---
 ---   luajit scripts/budget.lua
