@@ -261,8 +261,7 @@ local function report(options)
       for i, place in ipairs(places) do
         local rounds = row[5] and options.rounds or 1
         local value = measured(interpreter, place[2], row[2], place[3], rounds) / row[4]
-        cells[i + 1] = row[3] == "bytes" and ("%.0f"):format(value)
-          or ("%.1f"):format(value)
+        cells[i + 1] = row[3] == "bytes" and ("%.0f"):format(value) or ("%.1f"):format(value)
       end
       lines[#lines + 1] = cells
     end
