@@ -16,6 +16,7 @@ local pile = {
 
 local LEFT, RIGHT, FLOOR = 140, 820, 586 -- px, the inside of the container
 local WALL = 20 -- px
+local ROUNDING = 1e-6 -- px by which what is pressed may overlap
 local CELL = 23 -- px, room for one box when they are dropped
 local FIRST, STEP, MOST = 600, 100, 1500 -- boxes; of others half as many
 local KINDS = { "boxes", "balls", "both" }
@@ -161,7 +162,8 @@ function pile.report()
   local lowest, inside = 0, 0 ---@type number, integer
   for _, box in ipairs(world.objects.boxes) do
     lowest = math.max(lowest, box.y + box.height)
-    if box.x >= LEFT and box.x + box.width <= RIGHT and box.y + box.height <= FLOOR then
+    local low, right = box.y + box.height - ROUNDING, box.x + box.width - ROUNDING
+    if box.x + ROUNDING >= LEFT and right <= RIGHT and low <= FLOOR then
       inside = inside + 1
     end
   end
