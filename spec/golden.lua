@@ -3,7 +3,7 @@
 --- Every change of them is a **Behaviour** entry of the changelog.
 return {
   everything = "43572523034037",
-  games5000001 = "1563034398",
+  games5000001 = "1848369256",
   games5000004 = "1411190677",
   games5000009 = "1151798580",
   snap = "14057959718007",

@@ -25,9 +25,8 @@ local rounds = {}
 local DYNAMIC, WIDTHS = columns.DYNAMIC, columns.WIDTHS
 local floor, max, min = math.floor, math.max, math.min
 
---- Share of its size by which separating overlaps may move a body in a step, along each axis.
-rounds.PARTING = 0.25
-local PARTING = rounds.PARTING
+-- Share of its size by which separating overlaps may move a body in a step, along each axis.
+local PARTING = 0.25
 -- Maximum number of impacts in a step of a body that overlaps others and has no room.
 local SPENT = 2
 -- Maximum number of bodies in `b.bounced`, the list that later impacts of a round are compared
