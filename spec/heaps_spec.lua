@@ -172,7 +172,7 @@ describe("a heap of balls", function()
   end
 
   -- By rate: px by which two balls may overlap while they are poured, and when they rest.
-  for _, row in ipairs({ { 30, 6, 0.3 }, { 60, 2, 0.2 }, { 120, 2, 0.1 } }) do
+  for _, row in ipairs({ { 30, 6, 0.5 }, { 60, 2, 0.5 }, { 120, 2, 0.5 } }) do
     it(("lies closely, and nothing hangs over a gap: %d Hz #slow"):format(row[1]), function()
       for seed = 1, effort.share(2) do
         local world, deepest, inRoom = physics.newWorld({ gravity = 800 }), 0, 0
