@@ -11,6 +11,7 @@ local engine = {
     accelerations = "a game has to accelerate by itself",
     gravity = "a game has to pull by itself",
     sizes = "a game has to push by itself",
+    questions = "a game has to tell it what it has moved",
     state = "no snapshots",
     circles = "boxes only",
     zones = "a game has to accelerate by itself",

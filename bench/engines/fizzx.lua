@@ -7,6 +7,7 @@ local engine = {
     sensors = "everything bumps",
     worlds = "one world a program",
     raycast = "no questions",
+    questions = "no questions",
     state = "no snapshots",
     circles = "boxes only",
     zones = "a game has to accelerate by itself",

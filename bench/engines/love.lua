@@ -3,6 +3,7 @@
 local lovePhysics = {
   needsLove = true,
   lacks = {
+    questions = "asks its own bodies, no tables of the game",
     state = "its state cannot be read out as a whole",
     sizes = "its shapes keep their size",
     zones = "a game has to accelerate by itself",

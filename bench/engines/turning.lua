@@ -7,6 +7,7 @@ local turning = {
   needsLove = true,
   isTurning = true,
   lacks = {
+    questions = lovePhysics.lacks.questions,
     state = lovePhysics.lacks.state,
     sizes = lovePhysics.lacks.sizes,
     zones = lovePhysics.lacks.zones,

@@ -9,6 +9,7 @@ local tutorial = {
     sensors = "everything bumps",
     kinematic = "no moving platforms",
     raycast = "no questions",
+    questions = "no questions",
     state = "no snapshots",
     circles = "boxes only",
     zones = "a game has to accelerate by itself",
