@@ -63,7 +63,7 @@ describe("what LuaJIT compiles", function()
       for _, rows in ipairs(compiler.rows) do
         for module, names in pairs(rows) do
           local _, missing = compiler.find(require("physics." .. module), names)
-          assert(not missing, ("physics.%s has no function %s"):format(module, missing))
+          assert(not missing, ("physics.%s has no function %s"):format(module, tostring(missing)))
         end
       end
     end)
