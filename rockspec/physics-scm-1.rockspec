@@ -35,7 +35,6 @@ build = {
   -- Written by scripts/list_modules.lua; spec/rockspec_spec.lua compares it with the files.
   modules = {
     ["physics"] = "physics.lua",
-    ["physics.broadphase.activePairs"] = "physics/broadphase/activePairs.lua",
     ["physics.broadphase.filter"] = "physics/broadphase/filter.lua",
     ["physics.broadphase.grid"] = "physics/broadphase/grid.lua",
     ["physics.broadphase.gridLines"] = "physics/broadphase/gridLines.lua",
@@ -102,7 +101,6 @@ build = {
     ["physics.solver.bonds"] = "physics/solver/bonds.lua",
     ["physics.solver.contacts"] = "physics/solver/contacts.lua",
     ["physics.solver.crowd"] = "physics/solver/crowd.lua",
-    ["physics.solver.crush"] = "physics/solver/crush.lua",
     ["physics.solver.flow"] = "physics/solver/flow.lua",
     ["physics.solver.friction"] = "physics/solver/friction.lua",
     ["physics.solver.ground"] = "physics/solver/ground.lua",

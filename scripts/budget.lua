@@ -6,19 +6,19 @@
 
 local BUDGET = {
   { "physics.lua", 96 },
-  { "physics/broadphase", 782 },
+  { "physics/broadphase", 745 },
   { "physics/contacts", 473 },
   { "physics/fields", 716 },
   { "physics/maps", 2655 },
   { "physics/memory", 851 },
-  { "physics/motion", 1155 },
-  { "physics/objects", 1642 },
+  { "physics/motion", 1149 },
+  { "physics/objects", 1631 },
   { "physics/queries", 912 },
   { "physics/sleep", 94 },
-  { "physics/solver", 4500 },
+  { "physics/solver", 4481 },
   { "physics/space", 370 },
   { "physics/state", 1008 },
-  { "physics/world", 1579 },
+  { "physics/world", 1573 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 

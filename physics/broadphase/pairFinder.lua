@@ -1,18 +1,20 @@
---- Pair finder: computes from the paths of bodies all pairs that may meet.
+--- Pair finder: computes from the paths of bodies all pairs that may meet, and which of them take
+--- part in a step.
 --
 -- Each object has a fat box: the hull of its path plus a margin. Two objects are neighbours, a
 -- pair, if their fat boxes meet. As long as a path stays inside the fat box, the neighbours stay
 -- the same, and nothing is looked up. A larger set of neighbours changes no result, since each
 -- pair is tested exactly later on. So broad phases and margins may differ, the bits do not.
 --
--- Reads from, to, size; writes fatLow, fatHigh, the pairs, and `support` where that has ended.
+-- Reads from, to, size, awake; writes fatLow, fatHigh, the pairs, live and the step columns of the
+-- pairs, and `support` where that has ended.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
 local islands = require(root .. ".sleep.islands")
 
-local detect = {}
+local pairFinder = {}
 
 local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
 local floor, huge, max, min = math.floor, math.huge, math.max, math.min
@@ -202,9 +204,9 @@ local function lookUp(b, strays, count)
   linkNear(b, strays, askMovers(b, strays, count))
 end
 
--- Lists in b.strays the bodies in `list[first..last]` with paths that leave their fat boxes, each
--- once, and notes in `strayAt` where. Returns how many there are.
-local function listStrays(b, list, first, last)
+--- Looks up the neighbours of the bodies in `list[first..last]` with paths that leave their fat
+--- boxes. A body that is listed twice is looked at once, one that has left the world not at all.
+function pairFinder.run(b, list, first, last)
   local strays, strayAt, active, placed, n = b.strays, b.strayAt, b.active, b.placed, 0
   local from, to, size, fatLow, fatHigh = b.from, b.to, b.size, b.fatLow, b.fatHigh
   for at = first, last do
@@ -221,42 +223,18 @@ local function listStrays(b, list, first, last)
       strays[n], strayAt[i] = i, n
     end
   end
-  return n
-end
-
---- Looks up the neighbours of the bodies in `list[first..last]` with paths that leave their fat
---- boxes. A body that is listed twice is looked at once.
-function detect.run(b, list, first, last)
-  local n = listStrays(b, list, first, last)
   if n > 0 then
-    lookUp(b, b.strays, n)
+    lookUp(b, strays, n)
   end
-end
-
--- Does the same as `detect.run` for those in `list[1..count]` that are still in the world.
-local function runPresent(b, list, count)
-  local kind, present, n = b.kind, b.present, 0
-  for m = 1, count do
-    if kind[list[m]] ~= 0 then
-      n = n + 1
-      present[n] = list[m]
-    end
-  end
-  detect.run(b, present, 1, n)
 end
 
 --- Notes that the game has moved or resized an object since its last step.
-function detect.markMoved(b, i)
+function pairFinder.markMoved(b, i)
   if not b.moved[i] then
     b.moved[i] = true
     b.movedCount = b.movedCount + 1
     b.movedList[b.movedCount] = i
   end
-end
-
---- Looks up the neighbours of the objects that were noted so, at their present places.
-function detect.runMoved(b)
-  runPresent(b, b.movedList, b.movedCount)
 end
 
 -- Clears `support` when a pair ends, because the slot may be used for another object soon.
@@ -272,7 +250,7 @@ end
 
 --- Takes an object out of the pairs and the broad phase. It supports nothing then, and stands on
 --- nothing.
-function detect.remove(b, i)
+function pairFinder.remove(b, i)
   local half, n = b.head[i], 0
   while half ~= 0 do
     n = n + 1
@@ -290,9 +268,9 @@ end
 --- Updates the pairs of an object that can meet other objects than before, or has another size. It
 --- ends the pairs that are no longer possible and has the neighbours looked up anew. Contacts must
 --- have been ended before.
-function detect.refilter(b, i)
+function pairFinder.refilter(b, i)
   if not b.active[i] then
-    detect.remove(b, i)
+    pairFinder.remove(b, i)
     islands.drop(b, i)
     return
   end
@@ -311,13 +289,48 @@ end
 
 --- Updates the pairs of all objects after the masks of the world have changed. It runs before
 --- overlaps are separated (solver/overlap.lua).
-function detect.refilterAll(b)
+function pairFinder.refilterAll(b)
   for i = 1, b.slots do
     if b.kind[i] ~= 0 then
-      detect.refilter(b, i)
+      pairFinder.refilter(b, i)
     end
   end
-  runPresent(b, b.movers, b.moverCount)
+  pairFinder.run(b, b.movers, 1, b.moverCount)
 end
 
-return detect
+-- Active pairs ------------------------------------------------------------------------------------
+
+--- Notes that more columns of a pair must be reset when the next step begins: whether it passes or
+--- was nudged. Few pairs need that.
+function pairFinder.stain(b, p)
+  b.stainCount = b.stainCount + 1
+  b.stained[b.stainCount] = p
+end
+
+--- Lists in b.live the pairs with an awake body, which take part in a new step, and resets their
+--- step columns. They are listed anew only when a pair was made or ended, or a body woke or fell
+--- asleep. Pairs that are linked in the middle of a step are appended (`columns.linkAll`).
+function pairFinder.listLive(b)
+  local live, pairA, pairB, awake, stained = b.live, b.pairA, b.pairB, b.awake, b.stained
+  local hit, pressed, passing, nudged, count = b.hit, b.pressed, b.passing, b.nudged, 0
+  for n = 1, b.stainCount do
+    passing[stained[n]], nudged[stained[n]] = false, 0
+  end
+  b.stainCount = 0
+  if b.liveLinks ~= b.links or b.liveAwakenings ~= b.awakenings then
+    b.liveLinks, b.liveAwakenings = b.links, b.awakenings
+    columns.freeEnded(b)
+    for p = 1, b.awakeCount > 0 and b.pairSlots or 0 do
+      if awake[pairA[p]] or awake[pairB[p]] then -- slot 0, that of a free pair, is not awake
+        count = count + 1
+        live[count] = p
+      end
+    end
+    b.liveCount = count
+  end
+  for n = 1, b.liveCount do
+    hit[live[n]], pressed[live[n]] = 0, 0
+  end
+end
+
+return pairFinder

@@ -11,7 +11,7 @@ local rules = require(root .. ".solver.rules")
 local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
 local columns = require(root .. ".memory.columns")
 local events = require(root .. ".contacts.events")
-local activePairs = require(root .. ".broadphase.activePairs")
+local pairFinder = require(root .. ".broadphase.pairFinder")
 local shapes = require(root .. ".space.shapes")
 local slope = require(root .. ".memory.lazy")(root .. ".solver.slope")
 local sort = require(root .. ".memory.sort")
@@ -185,13 +185,13 @@ end
 --- floors is held by one of them.) Writes only `passing`, since the function of the game may fail.
 function contactState.ask(b)
   local work = b.unasked
-  for n = 1, b.hasAskers and listUnasked(b, work) or 0 do
+  for n = 1, listUnasked(b, work) do
     local p = work.list[n]
     local i, j, side = b.pairA[p], b.pairB[p], work.side[p]
     local isFirstLow = side % 2 == 0
     local low, high = isFirstLow and i or j, isFirstLow and j or i
     b.passing[p] = not rules.permits(b, low, high, side > 2 and 1 or 0)
-    activePairs.stain(b, p)
+    pairFinder.stain(b, p)
   end
 end
 

@@ -9,7 +9,7 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
-local activePairs = require(root .. ".broadphase.activePairs")
+local pairFinder = require(root .. ".broadphase.pairFinder")
 local overlap = require(root .. ".solver.overlap")
 local path = require(root .. ".motion.path")
 
@@ -84,7 +84,7 @@ local function try(b, p, i, j, axis, iIsLow, t)
   path.advance(b, i, t)
   path.shift(b, k, way)
   b.nudgedAt[i], b.nudged[p] = b.solveStamp, b.nudged[p] + 1
-  activePairs.stain(b, p)
+  pairFinder.stain(b, p)
   return true
 end
 

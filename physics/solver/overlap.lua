@@ -362,16 +362,11 @@ local function part(b, p)
   end
 end
 
-local function startRound(b)
-  local work = b.partWork
-  work.round, work.count, work.movedCount = work.round + 1, 0, 0
-end
-
 --- Parts the bodies that the game has put into each other, and those that the last step left so.
 --- After a change of the world's masks all awake bodies are examined.
 function overlap.run(b)
   local work = b.partWork
-  startRound(b)
+  work.round, work.count, work.movedCount = work.round + 1, 0, 0
   for n = 1, b.movedCount do
     considerAll(b, b.movedList[n])
   end
@@ -392,7 +387,7 @@ function overlap.run(b)
     end
     local movedCount = work.movedCount
     pairFinder.run(b, work.moved, 1, movedCount)
-    startRound(b)
+    work.round, work.count, work.movedCount = work.round + 1, 0, 0
     for n = 1, movedCount do
       considerAll(b, work.moved[n])
     end

@@ -1,7 +1,13 @@
---- Pressed contacts: notes at the end of a step which sides of bodies are pressed, and the hits of
--- contacts in which two bodies begin to lean on each other.
+--- Pressed contacts: notes at the end of a step which sides of bodies are pressed, the hits of
+-- contacts in which two bodies begin to lean on each other, and which bodies are crushed: pressed
+-- between two that cannot give way, on one axis.
 --
--- Reads contacts, pressed, contact, start; writes pressedHigh, pressedLow, hit and resolved.
+-- A crushed body stays where it overlaps its neighbours the least (see settle.lua), and is free
+-- again as soon as there is room. How it came there is remembered with the pair (`wedged`). So it
+-- leaves along the same axis and is never squeezed out sideways.
+--
+-- Reads contacts, pressed, contact, start, squeezed; writes pressedHigh, pressedLow, hit, resolved,
+-- crushed, crushLow and crushHigh.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -29,22 +35,33 @@ local function noteHits(b, list)
   end
 end
 
---- Notes the sides on which bodies lean on each other, and the hits of contacts that begin so.
+--- Notes the sides on which bodies lean on each other, the hits of contacts that begin so, and
+--- which bodies are squeezed along the axis, and between which two.
 function pressed.note(b, axis)
   local list, isPressed, hit, contact = b.contacts[axis], b.pressed, b.hit, b.contact
-  local pressedHigh, pressedLow, hasNew = b.pressedHigh, b.pressedLow, false
+  local pressedHigh, pressedLow, squeezed, hasNew = b.pressedHigh, b.pressedLow, b.squeezed, false
   for c = 1, list.count do
-    local p = list.pair[c]
+    local p, kl, kh = list.pair[c], list.low[c], list.high[c]
     if isPressed[p] == 1 then
-      pressedHigh[list.low[c]], pressedLow[list.high[c]] = true, true
-      if hit[p] == 0 then
-        b.resolved = b.resolved + 1
-        hasNew = hasNew or contact[p] == 0
+      pressedHigh[kl], pressedLow[kh] = true, true
+      hasNew = hasNew or (hit[p] == 0 and contact[p] == 0)
+      b.resolved = b.resolved + (hit[p] == 0 and 1 or 0)
+      if squeezed[kl] ~= 0 then
+        b.crushHigh[kl] = (kh - axis) * 0.5
+      end
+      if squeezed[kh] ~= 0 then
+        b.crushLow[kh] = (kl - axis) * 0.5
       end
     end
   end
   if hasNew then
     noteHits(b, list)
+  end
+  for n = 1, b.awakeCount do
+    local k = 2 * b.awakeList[n] + axis
+    if squeezed[k] ~= 0 then
+      b.crushed[k], b.hasCrushed = true, true
+    end
   end
 end
 

@@ -5,7 +5,7 @@
 -- writes passing, dropping, asked, heard.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local activePairs = require(root .. ".broadphase.activePairs")
+local pairFinder = require(root .. ".broadphase.pairFinder")
 local check = require(root .. ".fields.check")
 local columns = require(root .. ".memory.columns")
 local slope = require(root .. ".memory.lazy")(root .. ".solver.slope")
@@ -108,7 +108,7 @@ function rules.passes(b, p, kl, kh, axis, isDeep)
     return false
   end
   b.passing[p] = true
-  activePairs.stain(b, p)
+  pairFinder.stain(b, p)
   return true
 end
 

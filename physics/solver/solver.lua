@@ -6,7 +6,7 @@
 -- 2. Correct corners (`nudgeTouching`).
 -- 3. Rounds: sweep, let the first impacts happen (`rounds`), settle again (`settleLate`).
 -- 4. Limit the motion of overlapping bodies (`relax`), let bodies go down with the ground
---    (`snap`), note what is pressed and what is crushed (`pressed`, `crush`).
+--    (`snap`), note what is pressed and what is crushed (`pressed`).
 --
 -- Where there are slopes, `walk` lets bodies follow the ground after 2. and after each round.
 --
@@ -19,11 +19,9 @@ local bonds = require(root .. ".solver.bonds")
 local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
 local crowd = require(root .. ".solver.crowd")
-local crush = require(root .. ".solver.crush")
 local drift = require(root .. ".motion.drift")
 local flow = require(root .. ".solver.flow")
 local friction = require(root .. ".solver.friction")
-local activePairs = require(root .. ".broadphase.activePairs")
 local move = require(root .. ".motion.move")
 local nudge = require(root .. ".solver.nudge")
 local pairFinder = require(root .. ".broadphase.pairFinder")
@@ -139,7 +137,7 @@ local function prepare(b, dt)
   b.solveStamp, b.isJammed = b.solveStamp + 1, false
   begin(b, dt)
   friction.begin(b)
-  activePairs.list(b)
+  pairFinder.listLive(b)
   if b.hasSlopes then
     walk.begin(b)
   end
@@ -185,7 +183,6 @@ local function solve(b, dt)
   end
   for axis = 0, 1 do
     pressed.note(b, axis)
-    crush.note(b, axis)
   end
   return true
 end
