@@ -37,7 +37,7 @@ local ALLOWED = {
   snap = 3,
   touching = 15,
   onStay = 4,
-  canCollide = 6,
+  canCollide = 5,
 }
 local FEW = 2
 

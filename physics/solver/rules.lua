@@ -55,9 +55,9 @@ local function answer(b, callback, one, other, side)
   if not callback then
     return true
   end
-  b.asking = true
+  b.asking = "canCollide"
   local ok, result = pcall(callback, one, other, side)
-  b.asking = false
+  b.asking = nil
   if not ok then
     error(result, 0)
   elseif result == nil and b.world.checked then
