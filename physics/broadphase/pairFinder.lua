@@ -261,8 +261,8 @@ function pairFinder.remove(b, i)
   columns.unlinkAll(b, b.parted, n)
   if b.placed[i] ~= 0 then
     b.broadphase:remove(i)
-    b.placed[i] = 0
   end
+  b.placed[i], b.active[i] = 0, false -- it may still be listed as moved
 end
 
 --- Updates the pairs of an object that can meet other objects than before, or has another size. It

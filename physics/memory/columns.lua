@@ -234,7 +234,7 @@ function columns.release(b, i)
   b.object[i], b.group[i], b.touching[i], b.mask[i], b.canCollide[i] =
     false, false, false, false, false
   b.area[i], b.only[i], b.hitsGiven[i] = false, false, false
-  b.kind[i], b.awake[i], b.active[i] = 0, false, false
+  b.kind[i], b.awake[i] = 0, false
   local list = i > b.lastMover and b.freeStatic or b.free
   list[#list + 1] = i
   b.count = b.count - 1
