@@ -129,7 +129,7 @@ describe("onCrush: inside something, with no way out,", function()
   scene.it("tells once in a block of tiles, too", nil, function(run)
     local description = { box("box", 70, 70, { width = 12, height = 12 }) }
     for i = 0, 80 do
-      description[i + 2] = tile("tile" .. i, 16 * math.floor(i / 9), 16 * (i % 9))
+      description[i + 2] = tile("tile" .. i, 16 * (i % 9), 16 * math.floor(i / 9))
     end
     local named = run:build(description)
     local log = watch(run, named.box)
