@@ -82,10 +82,10 @@ function filter.reason(b, i, j)
       return "immovable"
     end
   end
-  if refusal(b, i, j) or refusal(b, j, i) then
-    return "mask"
-  elseif filter.isSoft(b, i, j) then
+  if filter.isSoft(b, i, j) then -- most, in a crowd
     return "soft"
+  elseif refusal(b, i, j) or refusal(b, j, i) then
+    return "mask"
   end
 end
 

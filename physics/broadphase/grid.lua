@@ -35,17 +35,12 @@ local KEY_X, KEY_Y = 1073741824, 64
 grid.FAR, grid.SLACK, grid.KEY_X, grid.KEY_Y = FAR, SLACK, KEY_X, KEY_Y
 grid.FACTOR_X, grid.FACTOR_Y, grid.FACTOR_LEVEL = FACTOR_X, FACTOR_Y, FACTOR_LEVEL
 
-local function clear(self)
-  local heads = self.heads
-  for bucket = 0, self.buckets do
-    heads[bucket] = 0
-  end
-end
-
 -- Sets the number of buckets, all empty.
 local function makeBuckets(self, count)
   self.buckets = count
-  clear(self)
+  for bucket = 0, count do
+    self.heads[bucket] = 0
+  end
 end
 
 --- Returns an empty grid over the columns `b`; `cellSize` in px, default 48. `comparesAll`: it
@@ -68,7 +63,7 @@ function grid.new(b, cellSize, comparesAll)
     -- by level
     members = {},
     reach = {}, -- px: no box of a member is wider or higher; mostly below the cell size
-    highest = 0,
+    highest = 0, -- level that was ever in use
     -- scratch of overlaps: cells to look at, and the objects that ask for them
     cells = {},
     ranges = {},
@@ -108,9 +103,6 @@ end
 
 local function levelFor(self, size)
   local level, cell = 0, self.cell
-  if size <= cell then
-    return level, cell
-  end
   while cell < size and level < LEVELS do
     level, cell = level + 1, cell * 2
   end
@@ -134,16 +126,7 @@ local function unfile(self, i)
   local before, after = self.previous[i], self.next[i]
   self.next[before], self.previous[after] = after, before
   self.heads[self.bucket[i] * (1 - min(before, 1))] = after -- only if it was the first
-  local level, members, reach = self.level[i], self.members, self.reach
-  members[level] = members[level] - 1
-  reach[level] = reach[level] * min(members[level], 1) -- 0 if the level is empty now
-end
-
--- Lowers `highest` after objects were taken out.
-local function findHighest(self)
-  while self.highest > 0 and self.members[self.highest] == 0 do
-    self.highest = self.highest - 1
-  end
+  self.members[self.level[i]] = self.members[self.level[i]] - 1
 end
 
 -- Returns the cell to which slot i belongs: level, x, y. Extends the reach of the level, since an
@@ -183,7 +166,6 @@ end
 
 function grid:remove(i)
   unfile(self, i)
-  findHighest(self)
   local at, last = self.placeOf[i], self.list[self.count]
   self.list[at] = last
   self.placeOf[last] = at
@@ -214,7 +196,6 @@ function grid:update(list, count)
   for m = 1, n do
     file(self, moved[m], place(self, moved[m]))
   end
-  findHighest(self)
 end
 
 -- Overlaps of many objects are found in stages, each of which is one loop (jit: 3):
@@ -366,18 +347,12 @@ function grid:overlaps(list, count, askers, found)
   return n
 end
 
--- Gives slot 0, which is no object, a fat box: it stands for a rectangle that belongs to no object.
-local function askFor(self, left, top, right, bottom)
+--- Writes the slots of all objects with a fat box that meets the rectangle into `out`. Returns how
+--- many there are. (Slot 0, which is no object, has the rectangle as its fat box.)
+function grid:query(left, top, right, bottom, out)
   local fatLow, fatHigh = self.bodies.fatLow, self.bodies.fatHigh
   fatLow[0], fatLow[1], fatHigh[0], fatHigh[1] = left, top, right, bottom
-end
-
---- Writes the slots of all objects with a fat box that meets the rectangle into `out`. Returns how
---- many there are.
-function grid:query(left, top, right, bottom, out)
-  askFor(self, left, top, right, bottom)
-  local n = self:overlaps(self.querySlots, 1, self.answers, out)
-  return n
+  return (self:overlaps(self.querySlots, 1, self.answers, out))
 end
 
 grid.cellAt, grid.bucketOf, grid.mostCells = cellAt, bucketOf, mostCells

@@ -96,12 +96,9 @@ end
 -- Keeps the pairs of b.linkOne and b.linkOther that can meet at all. Returns how many there are.
 local function keepAllowed(b, count)
   local ones, others, crowd, n = b.linkOne, b.linkOther, b.crowd, 0
-  local soft, groupName = b.soft, b.groupName
   for m = 1, count do
     local i, j = ones[m], others[m]
-    local row = soft and soft[groupName[i]]
-    local isSoft = row and row[groupName[j]] and filter.isSoft(b, i, j) -- most, in a crowd
-    if not isSoft and min(crowd[2 * i], crowd[2 * j]) <= 0 and filter.allows(b, i, j) then
+    if min(crowd[2 * i], crowd[2 * j]) <= 0 and filter.allows(b, i, j) then
       n = n + 1
       ones[n], others[n] = i, j
     end
@@ -237,54 +234,44 @@ function pairFinder.markMoved(b, i)
   end
 end
 
--- Clears `support` when a pair ends, because the slot may be used for another object soon.
-local function leaveSupport(b, i, j)
-  local support = b.support
-  if support[i] == j then
-    support[i] = 0
-  end
-  if support[j] == i then
-    support[j] = 0
-  end
-end
-
---- Takes an object out of the pairs and the broad phase. It supports nothing then, and stands on
---- nothing.
-function pairFinder.remove(b, i)
-  local half, n = b.head[i], 0
+-- Ends the pairs of an object that are not possible any more. If it stands on the other one, it
+-- stands on nothing then: that slot may be used for another object soon.
+local function unlink(b, i)
+  local half, n, support = b.head[i], 0, b.support
   while half ~= 0 do
-    n = n + 1
-    b.parted[n] = (half + half % 2) / 2
-    leaveSupport(b, i, b.other[half])
+    local j = b.other[half]
+    if not filter.allows(b, i, j) then
+      n = n + 1
+      b.parted[n] = (half + half % 2) / 2
+      support[i] = support[i] == j and 0 or support[i]
+      support[j] = support[j] == i and 0 or support[j]
+    end
     half = b.next[half]
   end
   columns.unlinkAll(b, b.parted, n)
+end
+
+--- Takes an object out of the pairs and the broad phase.
+function pairFinder.remove(b, i)
+  b.active[i] = false -- it may still be listed as moved
+  unlink(b, i)
   if b.placed[i] ~= 0 then
     b.broadphase:remove(i)
+    b.placed[i] = 0
   end
-  b.placed[i], b.active[i] = 0, false -- it may still be listed as moved
 end
 
 --- Updates the pairs of an object that can meet other objects than before, or has another size. It
 --- ends the pairs that are no longer possible and has the neighbours looked up anew. Contacts must
 --- have been ended before.
 function pairFinder.refilter(b, i)
-  if not b.active[i] then
+  if b.active[i] then
+    unlink(b, i)
+    b.placed[i] = min(b.placed[i], 1)
+  else
     pairFinder.remove(b, i)
     islands.drop(b, i)
-    return
   end
-  local half, n = b.head[i], 0
-  while half ~= 0 do
-    if not filter.allows(b, i, b.other[half]) then
-      n = n + 1
-      b.parted[n] = (half + half % 2) / 2
-      leaveSupport(b, i, b.other[half])
-    end
-    half = b.next[half]
-  end
-  columns.unlinkAll(b, b.parted, n)
-  b.placed[i] = min(b.placed[i], 1)
 end
 
 --- Updates the pairs of all objects after the masks of the world have changed. It runs before
