@@ -6,7 +6,7 @@
 
 local BUDGET = {
   { "physics.lua", 96 },
-  { "physics/broadphase", 745 },
+  { "physics/broadphase", 712 },
   { "physics/contacts", 473 },
   { "physics/fields", 716 },
   { "physics/maps", 2655 },
@@ -15,7 +15,7 @@ local BUDGET = {
   { "physics/objects", 1631 },
   { "physics/queries", 912 },
   { "physics/sleep", 94 },
-  { "physics/solver", 4481 },
+  { "physics/solver", 4482 },
   { "physics/space", 370 },
   { "physics/state", 1008 },
   { "physics/world", 1573 },
