@@ -126,18 +126,6 @@ local function addLoad(b, list, c, up, low, sign, dt)
   b.load[low], b.weight[low] = b.load[low] + load, b.weight[low] + weight
 end
 
--- Sums up the loads from the uppermost bodies down to the supports.
-local function sumLoads(b, list, dt)
-  for sign = 1, -1, -2 do
-    for c = sign > 0 and 1 or list.count, sign > 0 and list.count or 1, sign do
-      local up, low = leaning(b, list, c, sign)
-      if up then
-        addLoad(b, list, c, up, low, sign, dt)
-      end
-    end
-  end
-end
-
 -- Lets body k rub on ground that moves at `base`. The part of the load that is an impact rubs at
 -- once.
 local function addGround(b, k, base, mu, load, weight, dt)
@@ -168,13 +156,18 @@ local function addContact(b, list, held, c, ku, ks, dt)
   end
 end
 
--- Lets all contacts rub, from the supports up.
-local function addContacts(b, list, held, dt)
+-- Sums up the loads from the uppermost bodies down to the supports, or lets all contacts rub, from
+-- the supports up (`rubs`).
+local function walk(b, list, held, dt, rubs)
   for sign = 1, -1, -2 do
-    for c = sign > 0 and list.count or 1, sign > 0 and 1 or list.count, -sign do
+    local isForward = (sign > 0) ~= rubs
+    local first, last = isForward and 1 or list.count, isForward and list.count or 1
+    for c = first, last, isForward and 1 or -1 do
       local up, low = leaning(b, list, c, sign)
-      if up then
+      if up and rubs then
         addContact(b, list, held, c, up, low, dt)
+      elseif up then
+        addLoad(b, list, c, up, low, sign, dt)
       end
     end
   end
@@ -253,10 +246,10 @@ end
 function friction.run(b, axis, dt)
   local list, other, held = b.contacts[axis], 1 - axis, b.bonds[1 - axis]
   findSupports(b, list, axis)
-  sumLoads(b, list, dt)
+  walk(b, list, held, dt, false)
   held.count, held.hasSlips = 0, false
   b.pulledCount, b.forceStamp = 0, b.forceStamp + 1
-  addContacts(b, list, held, dt)
+  walk(b, list, held, dt, true)
   if b.pulledCount == 0 and held.count == 0 then
     return false
   end
@@ -264,12 +257,9 @@ function friction.run(b, axis, dt)
     place(b, other, dt)
     local isGlued = bonds.glue(b, held, dt)
     settle.finish(b, other, dt, isGlued, false)
-    local mayChange = isGlued or b.isViolated or held.hasSlips
-    if
-      attempt == ATTEMPTS
-      or not (mayChange and bonds.check(b, b.contacts[other], held, attempt <= TEARS))
-    then
-      return true
+    local mayChange = attempt < ATTEMPTS and (isGlued or b.isViolated or held.hasSlips)
+    if not (mayChange and bonds.check(b, b.contacts[other], held, attempt <= TEARS)) then
+      break
     end
   end
   return true

@@ -211,17 +211,23 @@ function pool.lean(b, m, k, sign)
 end
 
 -- Puts block m at `place`, flush against block k, which keeps its motion because it is held or
--- strong. Block m takes the whole push, and k's power if that is not held. `sign` as in `lean`.
+-- strong. Block m takes the whole push, and k's power if that is not held. A block that is not
+-- pushable itself is stopped, but not moved from where it was. `sign` as in `lean`.
 local function follow(b, m, k, place, sign)
   local held, holder, speed, mass, power =
     b.heldLow, b.holderLow, b.speed, b.blocks.mass, b.blocks.power
   if sign < 0 then
     held, holder = b.heldHigh, b.holderHigh
   end
-  b.to[m] = place
+  local most, fastest = HUGE, HUGE
+  if power[m] == HUGE then
+    most, fastest = max(b.to[m] * sign, origin(b, m) * sign), max(speed[m] * sign, 0)
+  end
+  b.to[m] = sign * min(place * sign, most)
   if (speed[k] - speed[m]) * sign > 0 then
     local base = held[k] > 0 and b.give[k] > 0 and speed[holder[k]]
     pool.press(b, m, k, mass[m], mass[k], base, sign)
+    speed[m] = sign * min(speed[m] * sign, fastest)
   end
   pool.lean(b, m, k, sign)
   if b.give[k] > 0 and (held[k] == 0 or power[k] < HUGE) then
@@ -276,7 +282,7 @@ local function resolve(b, list, c, low, high, off, over, closing, dt, isLate)
     stayLow, stayHigh = pool.weigh(powerLow, powerHigh, b.speed[low], b.speed[high])
   end
   if stayLow and stayHigh then
-    b.isClamped = b.isClamped or b.heldLow[low] > 0 and b.heldHigh[high] > 0
+    b.isUnsettled = b.isUnsettled or b.heldLow[low] > 0 and b.heldHigh[high] > 0
     return stopBoth(b, low, high)
   elseif stayHigh then
     follow(b, low, high, b.to[high] - off, -1)
@@ -305,6 +311,7 @@ local function look(b, list, c, dt, isLate)
   if low == high then
     if off >= -EPSILON then -- how they press each other is not known
       b.isPressed[kl], b.isPressed[kh] = true, true
+      b.isUnsettled = b.isUnsettled or off > EPSILON
     end
     return false
   end
@@ -391,11 +398,11 @@ end
 
 --- Makes blocks of free bodies that overlap at the end of the step: walks along the contacts
 --- forwards and backwards, at most PASSES times. (Where gravity points to low coordinates the order
---- is reversed, so that a turned scene gives a turned result.) Returns whether a block was found
---- between two that cannot give way.
+--- is reversed, so that a turned scene gives a turned result.) Returns whether that is to be settled
+--- again: a block is between two that cannot give way, or two overlap that are in one block.
 function pool.run(b, list, dt, isLate)
   local count, isTurned = list.count, b.orientation[list.axis] < 0
-  b.isClamped = false
+  b.isUnsettled = false
   for n = 1, PASSES do
     local hasChanged
     if (n % 2 == 0) == isTurned then
@@ -408,7 +415,7 @@ function pool.run(b, list, dt, isLate)
     end
   end
   spread(b)
-  return b.isClamped
+  return b.isUnsettled
 end
 
 return pool

@@ -25,6 +25,8 @@ local settle = {}
 
 local EPSILON = columns.EPSILON
 local floor, max, min = math.floor, math.max, math.min
+-- Maximum number of times that blocks are made: two that came into one through others may overlap.
+local ATTEMPTS = 5
 
 -- Resets an axis: no movable body is held yet.
 local function release(b, axis)
@@ -169,7 +171,10 @@ end
 --- Makes blocks of free bodies that overlap, the second half of settling. `isGlued`: friction has
 --- made blocks already. `isLate`: the paths begin at different moments of the step.
 function settle.finish(b, axis, dt, isGlued, isLate)
-  if (b.isViolated or isGlued) and pool.run(b, b.contacts[axis], dt, isLate) then
+  for attempt = 1, (b.isViolated or isGlued) and ATTEMPTS or 0 do
+    if not pool.run(b, b.contacts[axis], dt, isLate or attempt > 1) then
+      return
+    end
     settle.hold(b, axis, dt) -- bodies between two immovable ones share the overlap
   end
 end
