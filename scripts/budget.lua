@@ -15,7 +15,7 @@ local BUDGET = {
   { "physics/objects", 1631 },
   { "physics/queries", 912 },
   { "physics/sleep", 94 },
-  { "physics/solver", 4482 },
+  { "physics/solver", 4477 },
   { "physics/space", 370 },
   { "physics/state", 1008 },
   { "physics/world", 1573 },

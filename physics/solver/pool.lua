@@ -398,8 +398,8 @@ end
 
 --- Makes blocks of free bodies that overlap at the end of the step: walks along the contacts
 --- forwards and backwards, at most PASSES times. (Where gravity points to low coordinates the order
---- is reversed, so that a turned scene gives a turned result.) Returns whether that is to be settled
---- again: a block is between two that cannot give way, or two overlap that are in one block.
+--- is reversed, so that a turned scene gives a turned result.) Returns whether the axis is to be
+--- settled again: a block is between two that cannot give way, or two of one block overlap.
 function pool.run(b, list, dt, isLate)
   local count, isTurned = list.count, b.orientation[list.axis] < 0
   b.isUnsettled = false
