@@ -318,24 +318,6 @@ describe("kinematic: a rider at a wall", function()
     had(run, log, 2, 2) -- below the wall it is rid of that, too
   end)
 
-  scene.it("is held back with its rider, and both go along on the way back", SOME, function(run)
-    local description = pair()
-    description[4] = WALL
-    local named = settled(run, description)
-    named.platform.vx = 60
-    for _ in run:steps(2.5) do
-      run:flush(named.rider, named.platform, "bottom")
-      run:flush(named.top, named.rider, "bottom")
-    end
-    named.platform.vx = -60
-    for time in run:steps(1) do
-      run:near("x", named.rider.x, 244 - 60 * time)
-      run:near("x of the upper one", named.top.x, 244 - 60 * time)
-      run:same("vx", named.rider.vx, 0)
-      run:flush(named.rider, named.platform, "bottom")
-    end
-  end)
-
   scene.it("on the way down a lift does not pull what leans on it off it", SOME, function(run)
     local named, log = settled(run, { platform(), rider(), tile("wall", 136, 300, 16, 100) })
     named.platform.vy = 60
@@ -415,23 +397,6 @@ describe("kinematic: on and off a platform:", function()
       run:check(not run:support(named.rider), "should have walked off")
     end)
   end
-
-  scene.it("a rider that walks off a sinking lift keeps its fall", SOME, function(run)
-    local named = settled(run)
-    named.platform.vy, named.rider.vx = 300, 200
-    local left
-    for time in run:steps(1) do
-      run:near("x", named.rider.x, 120 + 200 * time)
-      if run:support(named.rider) then
-        run:near("y", named.rider.y, 376 + 300 * time)
-      else
-        left = left or named.rider.vy - 800 * time
-        run:near("vy", named.rider.vy, 800 * time + left)
-        run:check(named.rider.vy > 299, "should fall like the lift")
-      end
-    end
-    run:check(left, "should have walked off")
-  end)
 
   -- Own vx before and after the landing on a platform at 60 px/s.
   for _, row in ipairs({ { 0, 0 }, { 30, 0 }, { 60, 0 }, { 100, 40 }, { -50, -50 } }) do
@@ -547,33 +512,6 @@ describe("kinematic: a rider that is put elsewhere", function()
     end
   end)
 
-  -- What stands in the tables when a step is made counts, not what was read and refused before.
-  for _, leave in ipairs({ "put elsewhere", "switched off" }) do
-    local title = "rides on if it is " .. leave .. " and back while an update is refused"
-    scene.it(title, SOME, function(run)
-      local named = settled(run, { platform(), rider(), tile("tile", 0, 0, 16, 16) })
-      local box = { x = 1000, y = 0, width = 16, height = 16, gravity = 0 }
-      run.world:add("zoo", box)
-      named.platform.vx = 200
-      run:play(0.5)
-      local x, y = named.rider.x, named.rider.y
-      if leave == "switched off" then
-        named.rider.raw.active = false
-      else
-        named.rider.x, named.rider.y = 300, -500
-      end
-      box.mass = -1
-      assert.has_error(function()
-        run.world:update(1 / 60)
-      end)
-      box.mass, named.rider.raw.active = nil, nil
-      named.rider.x, named.rider.y = x, y
-      for _ in run:steps(0.5) do
-        rides(run, named.rider, named.platform, 20)
-      end
-    end)
-  end
-
   scene.it("on what carries it rides on", SOME, function(run)
     local named = settled(run, { platform({ width = 500 }), rider() })
     named.platform.vx, named.platform.vy = 50, -300
@@ -581,17 +519,6 @@ describe("kinematic: a rider that is put elsewhere", function()
     named.rider.x = named.platform.x + 400
     for _ in run:steps(0.5) do
       rides(run, named.rider, named.platform, 400)
-    end
-  end)
-
-  scene.it("by less than its size jumps with the platform's velocity", SOME, function(run)
-    local named = settled(run)
-    named.platform.vx, named.platform.vy = 50, -100
-    run:play(0.5)
-    local x, y = named.rider.x, named.rider.y
-    named.rider.y, named.rider.vy = y - 2, -400
-    for time in run:steps(0.5) do
-      run:at(named.rider, x + 50 * time, y - 2 - 500 * time + 400 * time * time)
     end
   end)
 end)
@@ -654,19 +581,6 @@ describe("kinematic: when the platform is", function()
       run:near("vx", named.rider.vx, 20)
     end
   end)
-
-  scene.it("left by one rider that is removed, the other one goes on", SOME, function(run)
-    local named, log = settled(run, { platform(), rider(), rider({ name = "other", x = 140 }) })
-    local other = run:listen(named.other)
-    named.platform.vx, named.platform.vy = 60, -60
-    run:play(0.5)
-    run.world:remove(named.rider.raw)
-    for _ in run:steps(0.5) do
-      rides(run, named.other, named.platform, 40)
-    end
-    run:same("ends", log.ends, 1)
-    run:same("ends of the other", other.ends, 0)
-  end)
 end)
 
 describe("carry = false: a platform", function()
@@ -676,16 +590,6 @@ describe("carry = false: a platform", function()
     for _ in run:steps(1) do
       run:at(named.rider, 120, 376)
       run:still(named.rider)
-    end
-    had(run, log)
-  end)
-
-  scene.it("lifts what stands on it", SOME, function(run)
-    local named, log = settled(run, { platform({ carry = false }), rider() })
-    named.platform.vy = -60
-    for time in run:steps(1) do
-      run:at(named.rider, 120, 376 - 60 * time)
-      run:flush(named.rider, named.platform, "bottom")
     end
     had(run, log)
   end)
@@ -908,21 +812,6 @@ describe("kinematic: with others in the way:", function()
     end
     run:near("x", named.rider.x, 120)
     run:check(log.begins > 10, "should pass tiles")
-  end)
-
-  scene.it("a lift carries what just fits into its shaft up to the bit", SOME, function(run)
-    local named = settled(run, {
-      platform({ x = 104 }),
-      rider(),
-      tile("left", 104, 0, 16, 399),
-      tile("right", 136, 0, 16, 399),
-    })
-    named.platform.vy = -100
-    for time in run:steps(2) do
-      run:at(named.rider, 120, 376 - 100 * time)
-      run:flush(named.rider, named.platform, "bottom")
-      run:still(named.rider)
-    end
   end)
 
   scene.it("a lift that comes up under a box on a floor takes it over", SOME, function(run)

@@ -78,15 +78,6 @@ describe("oneWay: jumped through from below", function()
       end)
     end
   end
-
-  scene.it("at 6000 px/s is no obstacle either", SOME, function(run)
-    local named = run:build({ way({ height = 1 }), body({ vy = -6000 }) })
-    local log = run:listen(named.body)
-    for time in run:steps(0.5) do
-      run:near("y", named.body.y, 200 - 6000 * time + 400 * time * time)
-    end
-    run:same("begins", log.begins, 0)
-  end)
 end)
 
 describe("oneWay: fallen on", function()
@@ -184,18 +175,6 @@ describe("dropThrough", function()
     run:standsOn(named.body, named.way)
   end)
 
-  scene.it("the step after landing on it works, too", SOME, function(run)
-    local named = run:build({ way(), tile(), body({ y = 60 }) })
-    for _ in run:steps(1) do
-      if run:support(named.body) == named.way then
-        break
-      end
-    end
-    drop(run, named.body, true)
-    run:play(1)
-    run:standsOn(named.body, named.floor)
-  end)
-
   scene.it("in the air and on a solid does nothing", SOME, function(run)
     local named = run:build({ way(), tile(), body() })
     run:step(1 / 60)
@@ -234,15 +213,6 @@ describe("dropThrough", function()
     run:at(named.body, 58, 276)
   end)
 
-  scene.it("with a one-way on the head does nothing", SOME, function(run)
-    local top = body({ name = "top", y = 252, oneWay = "bottom" })
-    local named = settled(run, { tile(), body({ y = 276 }), top })
-    run:same("touching.top", named.body.touching.top, named.top)
-    drop(run, named.body, false)
-    run:play(0.5)
-    run:at(named.top, 50, 252)
-  end)
-
   --        +-+
   --   ===========+----+
   --              |    |  solid
@@ -261,18 +231,6 @@ describe("dropThrough", function()
     named.body.vx = -100
     run:play(1)
     run:standsOn(named.body, named.way)
-  end)
-
-  scene.it("two one-ways at once, passes both", SOME, function(run)
-    local named = settled(run, {
-      way({ width = 60 }),
-      way({ name = "second", x = 60, width = 100 }),
-      way({ name = "third", y = 150 }),
-      body({ y = 76 }),
-    })
-    run.world:dropThrough(named.body.raw)
-    run:play(1)
-    run:standsOn(named.body, named.third)
   end)
 
   --       +-+->
@@ -346,13 +304,6 @@ describe("oneWay: that moves", function()
     run:play(1) -- at 259.7
     run:at(named.body, 50, 235.7)
     run:standsOn(named.body, named.way)
-  end)
-
-  scene.it("sideways through a body is no obstacle", SOME, function(run)
-    local named = run:build({ lift({ x = -300, y = 280, vx = 300 }), tile(), body({ y = 276 }) })
-    for _ in run:steps(1) do
-      run:at(named.body, 50, 276)
-    end
   end)
 end)
 
@@ -436,18 +387,6 @@ describe("oneWay: with a box on the head", function()
       had(run, log, 2, 0)
     end)
   end
-
-  scene.it("while rising through it, both go their ways", SOME, function(run)
-    local heavy = body({ name = "heavy", x = 50, y = 60, vy = 0, mass = 100 })
-    local named = run:build({ way(), tile(), body({ y = 276, vy = -500 }), heavy })
-    for _ in run:steps(3) do
-      local apart = named.body.y - named.heavy.y
-      run:check(apart >= 24 - 1e-6, "overlap by %.9g px", 24 - apart)
-      run:near("x", named.body.x, 50)
-    end
-    run:same("vy", named.body.vy, 0)
-    run:same("vy", named.heavy.vy, 0)
-  end)
 end)
 
 --   v = (100, 0) ->  |  solid on the left

@@ -1,6 +1,5 @@
 --- Crushing: held between two that cannot give way.
 
-local physics = require("physics")
 local scene = require("spec.support.scene")
 local variants = require("spec.support.variants")
 
@@ -221,21 +220,6 @@ describe("onCrush: between two walls", function()
     crushed(run, log, 1, named.L, named.post, "x")
   end)
 
-  scene.it("that the game places, the same", SOME, function(run)
-    local description = between(1)
-    description[2], description[3] = wall("L", 60, 52, 16, 64), wall("R", 124, 52, 16, 64)
-    local named = run:build(description)
-    local log = watch(run, named.box1)
-    local function place()
-      named.L.x, named.R.x = named.L.x + 0.5, named.R.x - 0.5
-    end
-    for _ in run:steps(1, place) do
-      run:at(named.box1, 92, 100)
-      run:check(abs(named.box1.vx) < 1e4, "vx is %.9g", named.box1.vx)
-    end
-    run:check(log.count <= 1, "onCrush %d times", log.count)
-  end)
-
   --   |L|  +--+--|R|   8 px inside the second box, and only 6 px of room
   --   |L|  +--+--|R|
   for _, vx in ipairs({ 0, 5, -30 }) do
@@ -300,24 +284,6 @@ describe("onCrush: between two walls", function()
     end)
   end
 
-  for _, speed in ipairs({ 600, 6000 }) do
-    scene.it(("at %g px/s is no throw"):format(speed), SOME, function(run)
-      local named = run:build({
-        FLOOR,
-        wall("L", 92 - 16 - 100, 52, 16, 64, speed),
-        wall("R", 108 + 100, 52, 16, 64, -speed),
-        box("box1", 92, 100),
-      })
-      local log = watch(run, named.box1)
-      for _ in run:steps(1 / 3) do
-        run:near("y", named.box1.y, 100)
-        run:check(named.box1.x >= -24 and named.box1.x <= 208, "is at %.9g", named.box1.x)
-        finite(run, named.box1, speed)
-      end
-      run:check(log.count <= 1, "onCrush %d times", log.count)
-    end)
-  end
-
   scene.it("disturbs nothing else", SOME, function(run)
     local description = between(1)
     description[#description + 1] = box("rider", 92, 84)
@@ -334,30 +300,6 @@ describe("onCrush: between two walls", function()
       run:still(named.far)
     end
     run:same("events", near.begins + near.ends + far.begins + far.ends, 0)
-  end)
-
-  scene.it("lets the world go on as before for all others", {
-    turn = { 0, 1 },
-    rate = { 60, "irregular" },
-  }, function(run)
-    local function track(isCrushed)
-      local list, description = {}, between(isCrushed and 1 or 0)
-      description[2], description[3] = between(1)[2], between(1)[3]
-      description[#description + 1] = box("faller", 300, 0, { restitution = 0.5 })
-      description[#description + 1] = box("slider", -150, 100, { vx = 50, friction = 0.2 })
-      local named = run:build(description)
-      for _ in run:steps(1.5) do
-        for _, name in ipairs({ "faller", "slider" }) do
-          list[#list + 1] = named[name].x
-          list[#list + 1] = named[name].y
-        end
-      end
-      return list
-    end
-    local one, other = track(true), track(false)
-    for i = 1, #one do
-      run:same("number " .. i, one[i], other[i])
-    end
   end)
 end)
 
@@ -497,67 +439,5 @@ describe("onCrush: from above or below", function()
     run:same("onCrush", log.count, 1)
     run:same("onCrush of the one that left", log2.count, 0)
     run:at(named.box2, 210, 100)
-  end)
-end)
-
--- Many objects that are pressed into much less than their place. How they lie then does not matter,
--- but they stay where they are: one that others push through a wall is never free again.
-describe("overlaps: a crowd that is crushed #slow", function()
-  -- Plays `steps`; the middles of all stay in these bounds.
-  local function staysIn(world, list, steps, left, right, top, bottom)
-    for step = 1, steps do
-      world:update(1 / 60)
-      for n, object in ipairs(list) do
-        local x, y = object.x + object.width / 2, object.y + object.height / 2
-        if x < left or x > right or y < top or y > bottom then
-          error(("step %d: object %d of %d is at %g, %g"):format(step, n, #list, x, y))
-        end
-      end
-    end
-  end
-
-  it("does not leave the corridor in which all its coins were dropped at one spot", function()
-    for count = 9, 11 do
-      for _, gravity in ipairs({ 0, 800 }) do
-        for _, push in ipairs({ "both", "first" }) do
-          local world, coins = physics.newWorld({ gravity = gravity, push = push }), {}
-          for _, y in ipairs({ 0, 64 }) do
-            world:add("tiles", { x = -4000, y = y, width = 8800, height = 16, static = true })
-          end
-          local isClosed = count == 10
-          for _, x in ipairs(isClosed and { 368, 432 } or {}) do
-            world:add("tiles", { x = x, y = 16, width = 16, height = 48, static = true })
-          end
-          for i = 1, count do
-            coins[i] = world:add("coins", { x = 400, y = 18, width = 16, height = 16 })
-          end
-          staysIn(world, coins, 12, isClosed and 368 or -4000, isClosed and 448 or 4800, 0, 80)
-        end
-      end
-    end
-  end)
-
-  it("does not leave a room with bounds less far apart than its column is high", function()
-    local world, zombies = physics.newWorld({ gravity = 0 }), {}
-    world:setBounds(0, 0, 300, 200)
-    for i = 1, 20 do
-      zombies[i] = world:add("zombies", { x = 140, y = 90, width = 24, height = 24 })
-    end
-    staysIn(world, zombies, 20, -1 / 0, 1 / 0, -12, 212)
-  end)
-
-  it("stays between the lift that takes it up and the ceiling", function()
-    for _, count in ipairs({ 8, 11 }) do
-      local world, crates = physics.newWorld({ gravity = 800 }), {}
-      world:add("ceilings", { x = 0, y = 0, width = 300, height = 100, static = true })
-      local lift = { x = 100, y = 400, width = 100, height = 16, kinematic = true, vy = -60 }
-      world:add("lifts", lift)
-      for i = 1, count do
-        crates[i] = world:add("crates", { x = 140, y = 400 - 16 * i, width = 16, height = 16 })
-      end
-      while lift.y > 120 do
-        staysIn(world, crates, 1, -1 / 0, 1 / 0, 92, lift.y - 1 + 8)
-      end
-    end
   end)
 end)

@@ -4,7 +4,7 @@ local physics = require("physics")
 local scene = require("spec.support.scene")
 local variants = require("spec.support.variants")
 
-local EVERYWHERE = { rate = variants.RATES, turn = variants.TURNS }
+local EVERYWHERE = variants.EVERYWHERE
 local FLOOR = { name = "floor", x = -200, y = 116, width = 800, height = 32, static = true }
 
 --- A box of 16 px with more fields.
@@ -16,123 +16,67 @@ local function box(x, y, fields)
   return { "boxes", object }
 end
 
-describe("a jump", function()
+describe("vy and gravity: a jump", function()
   --      . .
   --    .     .    100 px
   --  +--+
   -- ----------
-  it("(10) with 400 px/s is exactly 100 px high", function()
-    scene.each(EVERYWHERE, function(run)
-      local body = run:build({ { "tiles", FLOOR }, box(0, 100, {}) }).box
-      run:play(0.5)
-      body.vy = -400
-      local highest = body.y
-      for time in run:steps(2) do
-        run:at(body, 0, math.min(100, 100 - 400 * time + 400 * time * time))
-        highest = math.min(highest, body.y)
-      end
-      -- 0.5 s are a whole number of steps at every even rate
-      if run.rate ~= "irregular" then
-        run:near("height", 100 - highest, 100)
-      end
-      run:still(body)
-      run:touches(body, "bottom")
-    end)
-  end)
-
-  it("sideways follows the same arc at any frame rate", function()
-    scene.each(EVERYWHERE, function(run)
-      local body = run:build({ box(0, 0, { vx = 130, vy = -400, ax = -50, ay = 30 }) }).box
-      for time in run:steps(3) do
-        run:at(body, 130 * time - 25 * time * time, -400 * time + 415 * time * time)
-        run:near("vx", body.vx, 130 - 50 * time)
-        run:near("vy", body.vy, -400 + 830 * time)
-      end
-    end)
-  end)
-
-  it("under an own gravity follows that", function()
-    scene.each(EVERYWHERE, function(run)
-      local body = run:build({ box(0, 0, { vy = -400, gravity = 200, gravityX = 60 }) }).box
-      for time in run:steps(2) do
-        run:at(body, 30 * time * time, -400 * time + 100 * time * time)
-      end
-    end)
-  end)
-
-  it("under no gravity of its own floats", function()
-    scene.each(EVERYWHERE, function(run)
-      local body = run:build({ box(0, 0, { vx = 30, gravity = 0 }) }).box
-      for time in run:steps(1) do
-        run:at(body, 30 * time, 0)
-      end
-      run:same("vy", body.vy, 0)
-    end)
+  scene.it("(10) with 400 px/s is exactly 100 px high", EVERYWHERE, function(run)
+    local body = run:build({ { "tiles", FLOOR }, box(0, 100, {}) }).box
+    run:play(0.5)
+    body.vy = -400
+    local highest = body.y
+    for time in run:steps(2) do
+      run:at(body, 0, math.min(100, 100 - 400 * time + 400 * time * time))
+      highest = math.min(highest, body.y)
+    end
+    -- 0.5 s are a whole number of steps at every even rate
+    if run.rate ~= "irregular" then
+      run:near("height", 100 - highest, 100)
+    end
+    run:still(body)
+    run:touches(body, "bottom")
   end)
 end)
 
-describe("slowing down", function()
-  it("(10) by airFriction 0.5 leaves e^-0.5 of the speed after 1 s", function()
-    scene.each(EVERYWHERE, function(run)
-      local body = run:build({ gravity = 0, box(0, 0, { vx = 300, airFriction = 0.5 }) }).box
-      run:play(1)
-      run:near("vx", body.vx, 300 * math.exp(-0.5), 300 * math.exp(-0.5) * 0.001)
-      run:near("vx", body.vx, 300 * math.exp(-0.5), 1e-9) -- damping is exact at any rate
-      -- the way is the integral of v0 e^(-kt): v0 (1 - e^-k) / k
-      run:near("x", body.x, 300 * (1 - math.exp(-0.5)) / 0.5, 0.1)
-    end)
+describe("airFriction, drag, maxSpeed, friction: slowing down", function()
+  scene.it("(10) by airFriction 0.5 leaves e^-0.5 of the speed after 1 s", EVERYWHERE, function(run)
+    local body = run:build({ gravity = 0, box(0, 0, { vx = 300, airFriction = 0.5 }) }).box
+    run:play(1)
+    run:near("vx", body.vx, 300 * math.exp(-0.5), 300 * math.exp(-0.5) * 0.001)
+    run:near("vx", body.vx, 300 * math.exp(-0.5), 1e-9) -- damping is exact at any rate
+    -- the way is the integral of v0 e^(-kt): v0 (1 - e^-k) / k
+    run:near("x", body.x, 300 * (1 - math.exp(-0.5)) / 0.5, 0.1)
   end)
 
-  it("(10) by drag 100 from 200 px/s stops after 2 s and 200 px", function()
-    scene.each(EVERYWHERE, function(run)
-      local body = run:build({ gravity = 0, box(0, 0, { vx = 200, drag = 100 }) }).box
-      for time, dt in run:steps(3) do
-        if time < 1.98 then
-          run:near("vx", body.vx, 200 - 100 * time, 1)
-        end
-        if time - dt > 2.02 then
-          run:same("vx", body.vx, 0)
-        end
+  scene.it("(10) by drag 100 from 200 px/s stops after 2 s and 200 px", EVERYWHERE, function(run)
+    local body = run:build({ gravity = 0, box(0, 0, { vx = 200, drag = 100 }) }).box
+    for time, dt in run:steps(3) do
+      if time < 1.98 then
+        run:near("vx", body.vx, 200 - 100 * time, 1)
       end
-      run:near("x", body.x, 200, 2)
-      run:same("vy", body.vy, 0)
-    end)
+      if time - dt > 2.02 then
+        run:same("vx", body.vx, 0)
+      end
+    end
+    run:near("x", body.x, 200, 2)
+    run:same("vy", body.vy, 0)
   end)
 
   -- The floor takes away what the body would fall in a step: that is no motion to slow down.
-  it("(10) by drag 100 on a floor, too", function()
-    scene.each(EVERYWHERE, function(run)
-      local body = run:build({ { "tiles", FLOOR }, box(0, 100, { vx = 200, drag = 100 }) }).box
-      run:play(2.5)
-      run:near("x", body.x, 200, 0.1)
-      run:still(body)
-    end)
+  scene.it("(10) by drag 100 on a floor, too", EVERYWHERE, function(run)
+    local body = run:build({ { "tiles", FLOOR }, box(0, 100, { vx = 200, drag = 100 }) }).box
+    run:play(2.5)
+    run:near("x", body.x, 200, 0.1)
+    run:still(body)
   end)
 
-  --   +--+
-  --   +--+   \     300 px/s to the right, 400 down: 5 s, 1250 px
-  --           v
-  it("by drag 100 on both axes keeps the direction until it stops", function()
-    scene.each(EVERYWHERE, function(run)
-      local body = run:build({ gravity = 0, box(0, 0, { vx = 300, vy = 400, drag = 100 }) }).box
-      for time in run:steps(6) do
-        local left = math.max(0, 5 - time)
-        run:near("vx", body.vx, 60 * left)
-        run:near("vy", body.vy, 80 * left)
-        run:at(body, 750 - 30 * left * left, 1000 - 40 * left * left)
-      end
-      run:still(body)
-    end)
-  end)
-
-  it("by maxSpeed is the same on a floor at every rate", function()
-    scene.each(EVERYWHERE, function(run)
-      local fields = { ax = 400, maxSpeed = 100, drag = 0 }
-      local body = run:build({ { "tiles", FLOOR }, box(0, 100, fields) }).box
-      run:play(2)
-      run:near("vx", body.vx, 100, 1e-9)
-      run:near("x", body.x, 12.5 + 175, 0.25)
-    end)
+  scene.it("by maxSpeed is the same on a floor at every rate", EVERYWHERE, function(run)
+    local fields = { ax = 400, maxSpeed = 100, drag = 0 }
+    local body = run:build({ { "tiles", FLOOR }, box(0, 100, fields) }).box
+    run:play(2)
+    run:near("vx", body.vx, 100, 1e-9)
+    run:near("x", body.x, 12.5 + 175, 0.25)
   end)
 
   -- Where they come in steps of 1/2400 s. There is no such place in closed form.
@@ -141,14 +85,16 @@ describe("slowing down", function()
     { "maxSpeed", { vx = 100, maxSpeed = 300 }, 1, 66.7031, 240.7754 },
   }) do
     local name, fields, seconds, x, y = row[1], row[2], row[3], row[4], row[5]
-    it("by " .. name .. " on a curve is nearly the same at every rate", function()
-      scene.each(EVERYWHERE, function(run)
+    scene.it(
+      "by " .. name .. " on a curve is nearly the same at every rate",
+      EVERYWHERE,
+      function(run)
         local body = run:build({ box(0, 0, fields) }).box
         run:play(seconds)
         run:near("x", body.x, x, 0.12)
         run:near("y", body.y, y, 0.12)
-      end)
-    end)
+      end
+    )
   end
 
   for _, fields in ipairs({
@@ -157,15 +103,13 @@ describe("slowing down", function()
     { vx = 21, vy = -5, ax = -1415, gravity = 0, drag = 683 },
   }) do
     local name = fields.drag and "drag " .. fields.drag or "maxSpeed " .. fields.maxSpeed
-    it("by " .. name .. " reverses no velocity", function()
-      scene.each(EVERYWHERE, function(run)
-        local body = run:build({ box(0, 0, fields) }).box
-        for _ in run:steps(0.5) do
-          local isPulled = fields.ax ~= nil
-          run:check(isPulled or body.vx >= 0, "vx is %g", body.vx)
-          run:check(not isPulled or body.vy <= 0, "vy is %g", body.vy)
-        end
-      end)
+    scene.it("by " .. name .. " reverses no velocity", EVERYWHERE, function(run)
+      local body = run:build({ box(0, 0, fields) }).box
+      for _ in run:steps(0.5) do
+        local isPulled = fields.ax ~= nil
+        run:check(isPulled or body.vx >= 0, "vx is %g", body.vx)
+        run:check(not isPulled or body.vy <= 0, "vy is %g", body.vy)
+      end
     end)
   end
 
@@ -184,88 +128,59 @@ describe("slowing down", function()
 
   -- v' = 250 - 240 - 3 v: to 10 / 3 px/s
   for _, start in ipairs({ 0, 300 }) do
-    it("by drag and airFriction, pulled, from " .. start .. " px/s", function()
-      scene.each(EVERYWHERE, function(run)
-        local fields = { vy = start, airFriction = 3, drag = 240 }
-        local body = run:build({ gravity = 250, box(0, 0, fields) }).box
-        for time in run:steps(2) do
-          local decay, last = math.exp(-3 * time), 10 / 3
-          run:near("vy", body.vy, last + (start - last) * decay, 1e-9)
-          run:near("y", body.y, last * time + (start - last) * (1 - decay) / 3, 1e-9)
-        end
-        run:same("vx", body.vx, 0)
-      end)
+    scene.it("by drag and airFriction, pulled, from " .. start .. " px/s", EVERYWHERE, function(run)
+      local fields = { vy = start, airFriction = 3, drag = 240 }
+      local body = run:build({ gravity = 250, box(0, 0, fields) }).box
+      for time in run:steps(2) do
+        local decay, last = math.exp(-3 * time), 10 / 3
+        run:near("vy", body.vy, last + (start - last) * decay, 1e-9)
+        run:near("y", body.y, last * time + (start - last) * (1 - decay) / 3, 1e-9)
+      end
+      run:same("vx", body.vx, 0)
     end)
   end
 
-  it("by drag that is no less than the pull holds a box that stands, in any air", function()
-    scene.each(EVERYWHERE, function(run)
+  scene.it(
+    "by drag that is no less than the pull holds a box that stands, in any air",
+    EVERYWHERE,
+    function(run)
       local fields = { airFriction = 3, drag = 250 }
       local body = run:build({ gravity = 250, box(0, 0, fields) }).box
       run:play(1)
       run:at(body, 0, 0)
       run:same("vy", body.vy, 0)
-    end)
-  end)
+    end
+  )
 
   --  +--+ 200 px/s
   --  +--+ ->
   -- ==============
-  it("(10) by friction 0.5 on a floor stops 200 px/s after 50 px", function()
-    scene.each(EVERYWHERE, function(run)
-      local body = run:build({ { "tiles", FLOOR }, box(0, 100, { vx = 200, friction = 0.5 }) }).box
-      for time in run:steps(2) do
-        run:near("y", body.y, 100)
-        if time < 0.45 then
-          run:near("vx", body.vx, 200 - 400 * time, 1e-6)
-        end
+  scene.it("(10) by friction 0.5 on a floor stops 200 px/s after 50 px", EVERYWHERE, function(run)
+    local body = run:build({ { "tiles", FLOOR }, box(0, 100, { vx = 200, friction = 0.5 }) }).box
+    for time in run:steps(2) do
+      run:near("y", body.y, 100)
+      if time < 0.45 then
+        run:near("vx", body.vx, 200 - 400 * time, 1e-6)
       end
-      run:near("x", body.x, 50, 1)
-      run:still(body)
-    end)
-  end)
-
-  it("by friction on a wall brakes a slide down it", function()
-    scene.each({ turn = variants.TURNS }, function(run)
-      local wall = { x = 100, y = 0, width = 16, height = 1000, static = true }
-      local body = run:build({
-        { "walls", wall },
-        box(84, 0, { ax = 400, friction = 0.5 }),
-      }).box
-      -- pressed with 400 px/s², rubbed with 200: falls with 600
-      for time in run:steps(1) do
-        run:near("vy", body.vy, 600 * time, 1e-6)
-      end
-      run:near("x", body.x, 84)
-    end)
+    end
+    run:near("x", body.x, 50, 1)
+    run:still(body)
   end)
 end)
 
-describe("a speed limit", function()
-  it("(10) maxSpeedY 960 holds", function()
-    scene.each(EVERYWHERE, function(run)
-      local body = run:build({ box(0, 0, { vx = 50, maxSpeedY = 960 }) }).box
-      for time in run:steps(3) do
-        run:check(math.abs(body.vy) <= 960, "vy is %.17g", body.vy)
-        run:near("vy", body.vy, math.min(960, 800 * time))
-        run:same("vx", body.vx, 50)
-      end
-      run:same("vy", body.vy, 960)
-    end)
-  end)
-
-  it("maxSpeed holds for the length, and keeps the direction", function()
-    scene.each({ rate = variants.RATES, turn = variants.TURNS }, function(run)
-      local object = box(0, 0, { vx = 300, vy = 400, maxSpeed = 250 })
-      local body = run:build({ gravity = 0, object }).box
-      run:play(1)
-      run:near("vx", body.vx, 150)
-      run:near("vy", body.vy, 200)
-    end)
+describe("maxSpeedY: a speed limit", function()
+  scene.it("(10) maxSpeedY 960 holds", EVERYWHERE, function(run)
+    local body = run:build({ box(0, 0, { vx = 50, maxSpeedY = 960 }) }).box
+    for time in run:steps(3) do
+      run:check(math.abs(body.vy) <= 960, "vy is %.17g", body.vy)
+      run:near("vy", body.vy, math.min(960, 800 * time))
+      run:same("vx", body.vx, 50)
+    end
+    run:same("vy", body.vy, 960)
   end)
 end)
 
-describe("a slide", function()
+describe("vx and touching: a slide", function()
   --   +--+       |
   --   +--+       +
   --      \       |
@@ -275,8 +190,10 @@ describe("a slide", function()
     return scene.tiles(description, 40, 100, -64, 16, 16, 0, 16)
   end
 
-  it("(10) along a wall of tiles keeps its speed, pushed every step", function()
-    scene.each(EVERYWHERE, function(run)
+  scene.it(
+    "(10) along a wall of tiles keeps its speed, pushed every step",
+    EVERYWHERE,
+    function(run)
       local body = run:build(slide()).box
       for time in
         run:steps(2, function()
@@ -288,30 +205,18 @@ describe("a slide", function()
       end
       run:at(body, 84, 200)
       run:touches(body, "right")
-    end)
-  end)
-
-  it("(10) along a wall of tiles keeps its speed, pushed once", function()
-    scene.each(EVERYWHERE, function(run)
-      local body = run:build(slide()).box
-      for time in run:steps(2) do
-        run:at(body, math.min(84, 100 * time), 100 * time)
-        run:same("vy", body.vy, 100)
-        if time > 0.84 then
-          run:same("vx", body.vx, 0)
-        end
-      end
-      run:at(body, 84, 200)
-    end)
-  end)
+    end
+  )
 
   --   +--+           |
   --   +--+           |
   --       \          |
   --        v         |
   --   ---------------+
-  it("(10) into an inner corner touches both sides in the same step", function()
-    scene.each(EVERYWHERE, function(run)
+  scene.it(
+    "(10) into an inner corner touches both sides in the same step",
+    EVERYWHERE,
+    function(run)
       local named = run:build({
         gravity = 0,
         box(0, 0, { vx = 100, vy = 100 }),
@@ -334,6 +239,6 @@ describe("a slide", function()
       run:touches(body, "right", "bottom")
       run:same("begins", log.begins, 2)
       run:same("ends", log.ends, 0)
-    end)
-  end)
+    end
+  )
 end)

@@ -126,8 +126,10 @@ describe("gravity up, left and right is gravity down, turned round:", function()
     checkTurned(description, 3, 0.05)
   end)
 
-  it("nothing falls when there is none, or where both axes have some", function()
-    scene.each({ turn = variants.TURNS, rate = variants.RATES }, function(run)
+  scene.it(
+    "nothing falls when there is none, or where both axes have some",
+    { turn = variants.TURNS, rate = variants.RATES },
+    function(run)
       local named = run:build({ gravityX = 300, gravity = 800, box("body", 0, 0) })
       for time in run:steps(1) do
         run:at(named.body, 150 * time * time, 400 * time * time)
@@ -136,6 +138,6 @@ describe("gravity up, left and right is gravity down, turned round:", function()
       for _ in run:steps(1) do
         run:at(named.body, 0, 0)
       end
-    end)
-  end)
+    end
+  )
 end)

@@ -4,10 +4,10 @@ local overlap = require("spec.support.overlap")
 local scene = require("spec.support.scene")
 local variants = require("spec.support.variants")
 
-local EVERYWHERE = { rate = variants.RATES, turn = variants.TURNS }
+local EVERYWHERE = variants.EVERYWHERE
 local FEW = { rate = { 60, 144 }, turn = { 0, 3 }, shift = { 0, 0.1 } }
 
-describe("a slot exactly as wide as its boxes", function()
+describe("width: a slot exactly as wide as its boxes", function()
   --   |    +--+    |
   --   |    +--+    |      the last one falls between the others
   --   |+--+    +--+|
@@ -65,52 +65,46 @@ describe("a slot exactly as wide as its boxes", function()
   --   +-------------------+
   --  -> +-+ +-+ +-+       |   pushed into a tunnel as high as they are
   --   --------------------+
-  it("lies down as well: boxes pushed into a tunnel fill it", function()
-    scene.each(EVERYWHERE, function(run)
-      local description = {
-        { "tiles", { x = -200, y = 100, width = 400, height = 16, static = true } },
-        { "tiles", { x = 64, y = 68, width = 64, height = 16, static = true } },
-        { "tiles", { name = "wall", x = 128, y = 68, width = 16, height = 32, static = true } },
-        { "players", { name = "P", x = -80, y = 84, width = 16, height = 16 } },
-      }
-      for i = 1, 4 do
-        local box = { name = "box" .. i, x = -60 + 22 * i, y = 84, width = 16, height = 16 }
-        description[#description + 1] = { "boxes", box }
-      end
-      local named = run:build(description)
-      run:play(5, function()
-        named.P.vx = 100
-      end)
-      for i = 1, 4 do
-        run:at(named["box" .. i], 48 + 16 * i, 84)
-      end
-      run:at(named.P, 48, 84)
-      run:flush(named.box4, named.wall, "right")
-      run:still(named.P)
-    end)
+  scene.it("lies down as well: boxes pushed into a tunnel fill it", EVERYWHERE, function(run)
+    local description = {
+      { "tiles", { x = -200, y = 100, width = 400, height = 16, static = true } },
+      { "tiles", { x = 64, y = 68, width = 64, height = 16, static = true } },
+      { "tiles", { name = "wall", x = 128, y = 68, width = 16, height = 32, static = true } },
+      { "players", { name = "P", x = -80, y = 84, width = 16, height = 16 } },
+    }
+    for i = 1, 4 do
+      local box = { name = "box" .. i, x = -60 + 22 * i, y = 84, width = 16, height = 16 }
+      description[#description + 1] = { "boxes", box }
+    end
+    local named = run:build(description)
+    run:play(5, run:keep(named.P, 100))
+    for i = 1, 4 do
+      run:at(named["box" .. i], 48 + 16 * i, 84)
+    end
+    run:at(named.P, 48, 84)
+    run:flush(named.box4, named.wall, "right")
+    run:still(named.P)
   end)
 end)
 
-describe("a platform between two walls", function()
+describe("width: a platform between two walls", function()
   --   ||      ||
   --   |+------+|
   --   |+------+|   as wide as the shaft that it falls through
-  it("falls freely on to what lies below", function()
-    scene.each(EVERYWHERE, function(run)
-      local named = run:build({
-        { "tiles", { x = -16, y = 0, width = 16, height = 500, static = true } },
-        { "tiles", { x = 100, y = 0, width = 16, height = 500, static = true } },
-        { "tiles", { name = "floor", x = -16, y = 500, width = 132, height = 16, static = true } },
-        { "boxes", { name = "low", x = 0, y = 400, width = 100, height = 8 } },
-        { "boxes", { name = "high", x = 0, y = 300, width = 100, height = 8 } },
-      })
-      run:play(1)
-      run:at(named.low, 0, 492)
-      run:at(named.high, 0, 484)
-      run:flush(named.low, named.floor, "bottom")
-      run:flush(named.high, named.low, "bottom")
-      run:still(named.low)
-      run:still(named.high)
-    end)
+  scene.it("falls freely on to what lies below", EVERYWHERE, function(run)
+    local named = run:build({
+      { "tiles", { x = -16, y = 0, width = 16, height = 500, static = true } },
+      { "tiles", { x = 100, y = 0, width = 16, height = 500, static = true } },
+      { "tiles", { name = "floor", x = -16, y = 500, width = 132, height = 16, static = true } },
+      { "boxes", { name = "low", x = 0, y = 400, width = 100, height = 8 } },
+      { "boxes", { name = "high", x = 0, y = 300, width = 100, height = 8 } },
+    })
+    run:play(1)
+    run:at(named.low, 0, 492)
+    run:at(named.high, 0, 484)
+    run:flush(named.low, named.floor, "bottom")
+    run:flush(named.high, named.low, "bottom")
+    run:still(named.low)
+    run:still(named.high)
   end)
 end)

@@ -48,30 +48,6 @@ describe("pushable = false", function()
       )
     end
 
-    scene.it("it stays between two that push from both sides", SOME, function(run)
-      local named = run:build({ FLOOR, box("P", 20, 100), firm("U", 80, 100), box("Q", 140, 100) })
-      for _ in run:steps(1, run:keep(named.P, 200, named.Q, -130)) do
-        run:at(named.U, 80, 100)
-      end
-      run:at(named.P, 64, 100)
-      run:at(named.Q, 96, 100)
-    end)
-
-    scene.it("it stops a row", SOME, function(run)
-      local description = { FLOOR, box("P", 0, 100), firm("U", 120, 100) }
-      for i = 1, 3 do
-        description[3 + i] = box("box" .. i, 20 * i, 100)
-      end
-      local named = run:build(description)
-      for _ in run:steps(2, run:keep(named.P, 100)) do
-        run:at(named.U, 120, 100)
-      end
-      for i = 1, 3 do
-        run:at(named["box" .. i], 56 + 16 * i, 100)
-      end
-      run:at(named.P, 56, 100)
-    end)
-
     scene.it("it pushes a box, and keeps its speed", EVERYWHERE, function(run)
       for _, mass in ipairs({ 1, 100 }) do
         local named = run:build({
@@ -97,20 +73,6 @@ describe("pushable = false", function()
       for time in run:steps(1) do
         run:at(named.U, 100 * time, 100)
         run:at(named.P, math.max(116 - 100 * time, 16 + 100 * time), 100)
-      end
-    end)
-
-    scene.it("it pushes a row", SOME, function(run)
-      local description = { FLOOR, firm("U", 0, 100, { vx = 100 }) }
-      for i = 1, 3 do
-        description[2 + i] = box("box" .. i, 20 + 20 * i, 100)
-      end
-      local named = run:build(description)
-      for time in run:steps(2) do
-        run:at(named.U, 100 * time, 100)
-      end
-      for i = 1, 3 do
-        run:at(named["box" .. i], 200 + 16 * i, 100)
       end
     end)
 
@@ -216,17 +178,6 @@ describe("pushable = false", function()
       end)
     end
 
-    scene.it("pressed against each other for ever stay where they met", SOME, function(run)
-      local named = run:build({ FLOOR, firm("U", 0, 100), firm("V", 100, 100) })
-      run:play(1, run:keep(named.U, 100, named.V, -100))
-      for _ in run:steps(1, run:keep(named.U, 100, named.V, -300)) do
-        run:at(named.U, 42, 100)
-        run:at(named.V, 58, 100)
-        run:still(named.U)
-        run:still(named.V)
-      end
-    end)
-
     scene.it("the faster one behind the slower one follows it", SOME, function(run)
       for sign = -1, 1, 2 do
         local named = run:build({
@@ -320,35 +271,6 @@ describe("pushable = false", function()
       end)
     end
 
-    -- Wherever the gaps are, and whichever box gets its speed once or at every step.
-    for count = 2, 4, 2 do
-      local title = ("%d boxes, they stop head-on for good"):format(count)
-      scene.it(title, { rate = { 60, 30 }, order = { "forward", "shuffled" } }, function(run)
-        for gapAt = 0, count do
-          for driven = 0, 2 do
-            local list = newRow(count, 0, { vx = 40 }, { vx = -40 })
-            for i = 1, count + 1 do
-              local isBehind = gapAt == 0 and i == count + 1 or gapAt > 0 and i >= gapAt
-              list[i + 1][2].x = 16 * i + (isBehind and 1 or 0)
-            end
-            local named = run:build(list)
-            run:play(1, function()
-              named.U.vx = driven > 0 and 40 or named.U.vx
-              named.V.vx = driven > 1 and -40 or named.V.vx
-            end)
-            local u, v = named.U.x, named.V.x
-            run:near("vx of U", named.U.vx, 0)
-            run:near("vx of V", named.V.vx, 0)
-            run:play(1, function()
-              named.U.vx = driven > 0 and 40 or named.U.vx
-            end)
-            run:near("U", named.U.x, u)
-            run:near("V", named.V.x, v)
-          end
-        end
-      end)
-    end
-
     for _, row in ipairs({
       -- boxes, gap between all, vx of U, vx of V, whether the game sets these at every step
       { 1, 4, 100, 40, false },
@@ -410,15 +332,6 @@ describe("pushable = false", function()
         end
       end)
     end
-
-    scene.it("one that is heavy falls on a box on the floor and rests there", SOME, function(run)
-      local named = run:build({ FLOOR, box("P", 92, 100), firm("U", 96, -200, { mass = 1000 }) })
-      for _ in run:steps(1.5) do
-        run:at(named.P, 92, 100)
-      end
-      run:at(named.U, 96, 84)
-      run:still(named.U)
-    end)
 
     scene.it("a box is pushed out from under one", SOME, function(run)
       local named = run:build({ FLOOR, box("P", 20, 100), box("low", 80, 100), firm("U", 84, 84) })
