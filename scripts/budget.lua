@@ -13,7 +13,7 @@ local BUDGET = {
   { "physics/memory", 851 },
   { "physics/motion", 1149 },
   { "physics/objects", 1631 },
-  { "physics/queries", 912 },
+  { "physics/queries", 850 },
   { "physics/sleep", 94 },
   { "physics/solver", 4477 },
   { "physics/space", 370 },

@@ -53,9 +53,7 @@ local function newView()
   return {
     isFresh = false, -- all was compared since the last step or change
     registry = false, -- the groups as they were seen last: those of the world, or later ones
-    rankOf = false, -- by object, if they are later ones
-    recordOf = false,
-    keyOf = false,
+    rankOf = false, -- by object, if they are later ones; recordOf and keyOf as well
     guests = {},
     guestCount = 0,
     strays = {}, -- slots
@@ -241,58 +239,55 @@ local function add(c, object, i)
   return n
 end
 
--- Adds slot i, if it is active and still in the world.
+-- Adds slot i, if it is active and still in the world, and no stray.
 local function addSlot(c, i)
-  local b, rankOf = c.bodies, c.view.rankOf
-  local object = b.object[i]
+  local b, v = c.bodies, c.view
+  local object, rankOf = b.object[i], v.rankOf
   local isActive = b.kind[i] == STATIC and b.active[i] or object.active ~= false
-  if isActive and (not rankOf or rankOf[object]) then
+  if isActive and v.strayAt[i] ~= v.looks and (not rankOf or rankOf[object]) then
     return add(c, object, i)
   end
 end
 
--- Whether an object is in a rectangle, or at its edge.
-local function isIn(object, left, top, right, bottom)
-  return object.x <= right
+-- Adds a stray or guest that is in a rectangle, or at its edge.
+local function addUnfiled(c, object, i, left, top, right, bottom)
+  local rankOf = c.view.rankOf
+  if
+    object.active ~= false
+    and (not rankOf or rankOf[object])
+    and object.x <= right
     and object.y <= bottom
     and object.x + object.width >= left
     and object.y + object.height >= top
+  then
+    add(c, object, i)
+  end
 end
 
 -- Adds all strays and guests in a rectangle.
-local function addUnfiled(c, left, top, right, bottom)
+local function addAllUnfiled(c, left, top, right, bottom)
   local v, objects = c.view, c.bodies.object
   for m = 1, v.strayCount do
-    if isIn(objects[v.strays[m]], left, top, right, bottom) then
-      addSlot(c, v.strays[m])
-    end
+    addUnfiled(c, objects[v.strays[m]], v.strays[m], left, top, right, bottom)
   end
   for m = 1, v.guestCount do
     local object = v.guests[m]
     checkPlace(object, v.recordOf[object], v.keyOf[object])
-    if object.active ~= false and isIn(object, left, top, right, bottom) then
-      add(c, object, 0)
-    end
+    addUnfiled(c, object, 0, left, top, right, bottom)
   end
 end
 
 --- Adds all objects to a catch that may be in a rectangle.
 function near.rectangle(c, left, top, right, bottom)
-  local b, v, slots = c.bodies, c.view, c.slots
-  local count = b.broadphase:query(left, top, right, bottom, slots)
-  for m = 1, count do
-    if v.strayAt[slots[m]] ~= v.looks then
-      addSlot(c, slots[m])
-    end
+  local slots = c.slots
+  for m = 1, c.bodies.broadphase:query(left, top, right, bottom, slots) do
+    addSlot(c, slots[m])
   end
-  addUnfiled(c, left, top, right, bottom)
+  addAllUnfiled(c, left, top, right, bottom)
 end
 
 -- Adds an object that is on the way of a line, and asks how far it goes on.
 local function visitSlot(c, i, bound)
-  if c.view.strayAt[i] == c.view.looks then
-    return bound
-  end
   local n = addSlot(c, i)
   return n and c.visit(c, n, bound) or bound
 end
@@ -300,14 +295,13 @@ end
 --- Adds all objects to a catch that a line may meet. `visit(c, n, bound)` is called for each of
 --- them and returns the share of the line after which nothing matters (see broadphase/gridLines).
 function near.line(c, x1, y1, x2, y2, visit)
-  local b, bound = c.bodies, 1
-  local left, top, right, bottom = min(x1, x2), min(y1, y2), max(x1, x2), max(y1, y2)
-  addUnfiled(c, left, top, right, bottom)
+  local bound = 1
+  addAllUnfiled(c, min(x1, x2), min(y1, y2), max(x1, x2), max(y1, y2))
   for n = 1, c.count do
     bound = visit(c, n, bound)
   end
   c.visit = visit
-  gridLines.walk(b.broadphase, x1, y1, x2, y2, c, visitSlot, bound)
+  gridLines.walk(c.bodies.broadphase, x1, y1, x2, y2, c, visitSlot, bound)
 end
 
 --- Adds an object to a catch, wherever it is; returns its place, nil: it is not in the world.
