@@ -55,53 +55,6 @@ end
 
 local recipes = {}
 
-recipes["Coyote time"] = function(snippet)
-  local function falls()
-    local g = play(snippet)
-    g.env.floor.width = 60 -- the player stands at its end
-    g.world:refresh(g.env.floor)
-    g.player.vx = 200
-    while g.player.touching.bottom do
-      g.run(DT)
-    end
-    return g
-  end
-  -- s after the edge, whether it still jumps
-  for _, row in ipairs({ { 0, true }, { 0.07, true }, { 0.2, false } }) do
-    local g = falls()
-    g.run(row[1])
-    g.press("space", DT)
-    assert.equal(row[2], g.player.vy < 0)
-  end
-  -- px above the floor at which the key is pressed, whether the landing is a jump
-  for _, row in ipairs({ { 14, true }, { 180, false } }) do
-    local g = play(snippet)
-    g.player.y = 368 - row[1] - 16 -- which it falls first, too long after the edge
-    g.run(0.2)
-    g.press("space")
-    local jumped = false
-    g.run(1, function()
-      jumped = jumped or g.player.vy < 0
-    end)
-    assert.equal(row[2], jumped)
-  end
-  local g = play(snippet)
-  g.press("space")
-  assert.near(100, g.jumpHeight(), 0.1)
-  assert.equal(368, g.player.y)
-  -- A spring is no ground to jump from.
-  g = play(snippet)
-  g.player.y = 300
-  function g.env.floor.onBegin(_, other)
-    other.vy = -300
-  end
-  repeat
-    g.run(DT)
-  until g.player.vy < 0
-  g.press("space")
-  assert.near(300 * 300 / 1600, g.jumpHeight(0.5), 0.1)
-end
-
 recipes["Variable jump"] = function(snippet)
   local g = play(snippet)
   g.press("space")
@@ -161,28 +114,6 @@ recipes["Wall jump"] = function(snippet)
   assert.equal(200, g.player.vx)
 end
 
-recipes["Stairs"] = function(snippet)
-  local g = play(snippet)
-  local highest = 400
-  g.press("right", 2.8, function()
-    highest = math.min(highest, g.player.y)
-    assert.truthy(g.player.touching.bottom)
-    assert.equal(0, g.player.vy)
-  end)
-  assert.equal(400 - 30 - 32, highest) -- up, and down again
-  assert.equal(368, g.player.y)
-  assert.is_true(g.player.x > 320)
-  local without = play((snippet:gsub("player.nudge, player.snap = 6, 6", "player.snap = 6")))
-  without.press("right", 2)
-  assert.equal(96 - 24, without.player.x) -- before the first step
-  -- With its sides in the way of a jump: as high as ever, from every stair.
-  local jump = play(snippet)
-  jump.press("right", 1.2)
-  assert.is_true(jump.player.y < 368)
-  jump.player.vy = -400
-  assert.near(100, jump.jumpHeight(0.6), 0.1)
-end
-
 recipes["Ladders"] = function(snippet)
   local g = play(snippet)
   g.press("up", 1)
@@ -233,28 +164,6 @@ recipes["Ladders"] = function(snippet)
   g.run(2)
   assert.equal(368, g.player.y)
   assert.is_nil(g.player.gravity)
-end
-
-recipes["Water"] = function(snippet)
-  local g = play(snippet)
-  g.player.y = 0
-  g.run(2)
-  assert.is_true(g.player.vy < 40) -- 100 / 3 in the end
-  assert.is_nil(g.player.gravity)
-  local state = g.world:save()
-  g.player.y, g.player.vy = 100, 0
-  g.run(0.1)
-  assert.is_true(math.abs(g.player.vy - 80) < 1e-6) -- out of it
-  g.world:restore(state)
-  g.run(0.1)
-  assert.is_true(g.player.vy < 40)
-  -- From one water into the next: it swims on.
-  g.player.x, g.player.y, g.player.vx, g.player.vy = 370, 320, 60, 100 / 3
-  g.run(0.4, function()
-    g.player.vx = 60
-    assert.is_true(math.abs(g.player.vy - 100 / 3) < 1e-6)
-  end)
-  assert.is_true(g.player.x > 380)
 end
 
 recipes["Knock-back"] = function(snippet)
@@ -315,20 +224,6 @@ recipes["Doors"] = function(snippet)
   g.run(0.1)
   g.press("e", 1)
   assert.equal(300, g.world.objects.doors[1].y)
-end
-
-recipes["Mine carts"] = function(snippet)
-  local g = play(snippet)
-  local carts = g.world.objects.carts
-  g.player.x, g.player.y = carts[2].x + 10, carts[2].y - 32
-  g.run(0.2)
-  local along = g.player.x - carts[2].x
-  g.run(3, function()
-    assert.equal(carts[2], g.player.touching.bottom)
-    assert.near(carts[2].y - 32, g.player.y, 1e-9)
-  end)
-  assert.near(along, g.player.x - carts[2].x, 1e-9)
-  assert.same({ 334, 52 }, { carts[1].y, carts[1].x - carts[2].x })
 end
 
 recipes["Ice and conveyors"] = function(snippet)
@@ -478,19 +373,6 @@ recipes["Crouch"] = function(snippet)
   assert.truthy(g.player.touching.bottom)
 end
 
-recipes["Falling through ledges"] = function(snippet)
-  local g = play(snippet)
-  g.player.y = 250
-  g.run(1)
-  assert.equal(300 - 32, g.player.y)
-  g.press("down")
-  g.press("space", 1)
-  assert.equal(368, g.player.y)
-  g.release("down")
-  g.press("space", 1.5)
-  assert.equal(300 - 32, g.player.y) -- through it from below
-end
-
 recipes["A path for a lift"] = function(snippet)
   local g = play(snippet)
   local lift = g.world.objects.lifts[1]
@@ -517,25 +399,6 @@ recipes["A path for a lift"] = function(snippet)
     g.world:restore(state)
   end
   assert.same(ways[1], ways[2])
-end
-
-recipes["Jumping off a lift"] = function(snippet)
-  for _, vy in ipairs({ -60, 0, 60 }) do
-    local g = play((snippet:gsub("vy = %-60", "vy = " .. vy)))
-    g.player.y = 348
-    g.run(DT)
-    g.player.vy = 0
-    g.run(0.2)
-    assert.truthy(g.player.touching.bottom)
-    g.world:remove(g.env.floor)
-    local from = g.player.y
-    g.press("space")
-    local top = from
-    g.run(0.8, function()
-      top = math.min(top, g.player.y)
-    end)
-    assert.near(100, from - top, 0.1)
-  end
 end
 
 recipes["Springs"] = function(snippet)
@@ -580,31 +443,6 @@ recipes["Rooms"] = function(snippet)
   g.run(0.5)
   assert.near(x + 200, g.player.x, 1e-6)
   assert.equal(368, g.player.y)
-end
-
-recipes["Enemies"] = function(snippet)
-  local g = play(snippet)
-  local enemy, left, right = g.world.objects.enemies[1], 800, 0
-  g.run(6, function()
-    left, right = math.min(left, enemy.x), math.max(right, enemy.x + 16)
-    assert.equal(284, enemy.y)
-  end)
-  -- It turns one update after the last px of its foot has left the edge.
-  assert.near(199, left, 1)
-  assert.near(321, right, 1)
-  g.world:add("tiles", { x = 250, y = 280, width = 4, height = 20, static = true })
-  left = 800
-  enemy.x = 280
-  g.run(5, function()
-    left = math.min(left, enemy.x)
-  end)
-  assert.near(254, left, 1e-9) -- it turns at the wall
-  g.player.x, g.player.y, g.player.vy = enemy.x, 220, 0
-  g.run(0.35, function()
-    g.player.x = enemy.x
-  end)
-  assert.equal(0, #g.world.objects.enemies)
-  assert.is_true(g.player.vy < 0)
 end
 
 recipes["Carry and throw"] = function(snippet)
@@ -670,22 +508,6 @@ recipes["Sword"] = function(snippet)
   assert.equal(1, enemy.health)
 end
 
-recipes["A boss that pushes"] = function(snippet)
-  local g = play(snippet)
-  local boss = g.world.objects.bosses[1]
-  g.run(6)
-  assert.equal(0, g.player.x) -- pushed to the wall
-  assert.near(24, boss.x, 1e-6)
-  assert.is_true(g.player.health < 3)
-  local health = g.player.health
-  g.run(1)
-  assert.equal(health - 1, g.player.health)
-  -- The player cannot push it back, and gets away over it.
-  g.player.vx = 400
-  g.run(0.1)
-  assert.is_true(boss.x < 25)
-end
-
 recipes["Sokoban"] = function(snippet)
   local g = play(snippet)
   local first, second = g.world.objects.crates[1], g.world.objects.crates[2]
@@ -716,25 +538,6 @@ recipes["Portals"] = function(snippet)
   assert.equal(368, g.player.y)
 end
 
-recipes["Wrap-around"] = function(snippet)
-  local g = play(snippet)
-  local lift = g.world.objects.lifts[1]
-  g.player.x, g.player.y = lift.x + 10, 268
-  local ended, wraps, last = 0, 0, 0
-  g.run(0.1)
-  function g.player.onEnd()
-    ended = ended + 1
-  end
-  g.run(20, function()
-    assert.near(300 - 32, g.player.y, 1e-6)
-    assert.near(10, g.player.x - lift.x, 1.7) -- it rides from the second update on
-    assert.equal(lift, g.player.touching.bottom)
-    wraps = wraps + (lift.x < last and 1 or 0)
-    last = lift.x
-  end)
-  assert.same({ 3, 0 }, { wraps, ended })
-end
-
 recipes["A fixed step"] = function(snippet)
   for _, dt in ipairs({ 1 / 30, 1 / 60, 1 / 144, 0.013 }) do
     local g = play(snippet)
@@ -758,25 +561,6 @@ recipes["Checkpoints"] = function(snippet)
   g.run(0.1)
   g.press("l")
   assert.same({ 40, 3, 0 }, { g.player.x, g.player.health, g.player.coins })
-end
-
-recipes["A level from Tiled"] = function(snippet)
-  local g = play(snippet)
-  local lift = g.world.objects.Platforms[6]
-  assert.equal("lift", lift.name)
-  g.run(1)
-  assert.equal(328 - 32, g.player.y) -- on the crest of the slope of the map
-  assert.equal(344, g.world.objects.Platforms[1].y)
-  local highest, farthest = lift.y, lift.x
-  g.run(4, function()
-    highest, farthest = math.min(highest, lift.y), math.max(farthest, lift.x)
-  end)
-  assert.same({ 248, 176 }, { highest, farthest })
-  local slime = g.world.objects.Enemies[1]
-  assert.equal("slime", slime.name)
-  g.player.x, g.player.y = slime.x, slime.y - 60
-  g.run(1)
-  assert.are_not.equal(slime, g.world.objects.Enemies[1])
 end
 
 recipes["Chunks"] = function(snippet)
