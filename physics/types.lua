@@ -43,8 +43,8 @@
 ---@field active? boolean
 --- default false. It reports contacts, but nothing bumps into it.
 ---@field sensor? boolean
---- default none. Only of a sensor, which is a zone then: what acts on the dynamic objects inside
---- it. Water, wind, low gravity, a magnet.
+--- default none. Makes a sensor a zone: what acts on the dynamic objects inside it, as water, wind,
+--- a magnet.
 ---@field area? physics.Area
 --- default true. `false`: other objects cannot push it, but it pushes them. Walls still stop it.
 ---@field pushable? boolean
@@ -98,13 +98,13 @@
 --- gravity acts sideways.
 ---@field surfaceSpeed? number
 --- px, >= 0, default 0. Corner correction: an object that hits a static or kinematic corner by at
---- most this much slides past it. One that lands on an edge is not moved.
+--- most this much slides past it.
 ---@field nudge? number
---- px, >= 0, default 0. An object that stood on something, and does not jump, stays on the ground
---- where that drops by at most this much: down stairs at any speed.
+--- px, >= 0, default 0. An object that does not jump stays on ground that drops by at most this
+--- much: down stairs.
 ---@field snap? number
---- default false. On slopes `vx` is the speed along the ground: uphill and downhill it comes less
---- far along x. `false`: `vx` is the speed along x everywhere.
+--- default false. On slopes `vx` is the speed along the ground. `false`: it is the speed along x
+--- everywhere.
 ---@field constantSpeed? boolean
 --- default none. Called once when a contact starts, also with a sensor. `side` is the side of
 --- `self` that was hit, `speed` the approach speed in px/s. The edge that the two have in common
@@ -169,7 +169,7 @@
 ---@field masks? table<string|number, table<string|number, boolean>>
 --- px/s, default no group is soft to another. Groups that overlap and drift apart instead of
 --- colliding: `soft = { enemies = { enemies = 400 } }`. Two at one place part at this speed, two
---- that overlap by half at half of it. Static objects and sensors are not soft.
+--- that overlap by half at half of it.
 ---@field soft? table<string|number, table<string|number, number>>
 --- default false. Whether flush neighbours that never pressed each other count as colliding: in
 --- events, `touching`, `queryRect`, `overlapping` and `checkCollision`.
@@ -195,14 +195,14 @@
 --- default true. Whether objects are skipped when a step would not change them. The result is the
 --- same to the bit.
 ---@field rest? boolean
---- default false. Whether every step also looks for common mistakes, such as a misspelt field or a
---- static object that was changed without `refresh`. Use it while you write the game.
+--- default false. Whether every step also looks for common mistakes, such as a misspelt field. Use
+--- it while you write the game.
 ---@field checked? boolean
 --- default nothing is timed. A clock that returns seconds, as `os.clock` or `love.timer.getTime`:
 --- with one, `stats` tells how long the stages of the last step have taken.
 ---@field profile? fun(): number
---- default none. Called before every step, of dt s: the place for controllers where an update makes
---- several steps (`timestep`, a long dt) or none. What it writes counts in that step.
+--- default none. Called before every step, of dt s: the place for controllers. What it writes
+--- counts in that step.
 ---@field onStep? fun(dt: number)
 --- default none. Called once when a contact starts, with `a` before `b` in order. `side` is the
 --- side of `a`; the edge that the two have in common goes from `x1, y1` to `x2, y2`.
@@ -233,7 +233,7 @@
 ---@field masks? table<string|number, table<string|number, boolean>>
 --- px/s, default no group is soft to another. Groups that overlap and drift apart instead of
 --- colliding: `soft = { enemies = { enemies = 400 } }`. Two at one place part at this speed, two
---- that overlap by half at half of it. Static objects and sensors are not soft.
+--- that overlap by half at half of it.
 ---@field soft? table<string|number, table<string|number, number>>
 --- default false. Whether flush neighbours that never pressed each other count as colliding: in
 --- events, `touching`, `queryRect`, `overlapping` and `checkCollision`.
@@ -259,14 +259,14 @@
 --- default true. Whether objects are skipped when a step would not change them. The result is the
 --- same to the bit.
 ---@field rest boolean
---- default false. Whether every step also looks for common mistakes, such as a misspelt field or a
---- static object that was changed without `refresh`. Use it while you write the game.
+--- default false. Whether every step also looks for common mistakes, such as a misspelt field. Use
+--- it while you write the game.
 ---@field checked boolean
 --- default nothing is timed. A clock that returns seconds, as `os.clock` or `love.timer.getTime`:
 --- with one, `stats` tells how long the stages of the last step have taken.
 ---@field profile? fun(): number
---- default none. Called before every step, of dt s: the place for controllers where an update makes
---- several steps (`timestep`, a long dt) or none. What it writes counts in that step.
+--- default none. Called before every step, of dt s: the place for controllers. What it writes
+--- counts in that step.
 ---@field onStep? fun(dt: number)
 --- default none. Called once when a contact starts, with `a` before `b` in order. `side` is the
 --- side of `a`; the edge that the two have in common goes from `x1, y1` to `x2, y2`.
@@ -292,34 +292,27 @@ local default = {}
 --- Moves the world on by dt seconds: reads the game's tables, moves the objects, writes the results
 --- back and calls the callbacks.
 ---
---- A dt above `maxStep` is split into equal steps. A dt above 0.25 s is cut to 0.25 s, so a game
---- that is too slow runs in slow motion. A dt of 0 (or below 1e-10 s) reads the tables and moves
---- nothing.
----
---- With `timestep` an update makes one step, several, or none. Code that must run once per step,
---- such as a jump buffer, belongs in `onStep`.
+--- A dt above `maxStep` is split into equal steps; one above 0.25 s is cut to 0.25 s. A dt of 0
+--- reads the tables and moves nothing. With `timestep` an update makes one step, several, or none.
 ---
 --- Errors: dt is not a number >= 0; a group, key, field or setting has a value that cannot be used
 --- (nothing has changed then); it is called from inside `canCollide`; a callback raises an error.
 ---@param dt number s, >= 0
 function default.update(dt) end
 
---- Puts an object at the end of a group and returns it. A group that does not exist is made. It
---- does the same as `table.insert(world.objects[group], object)`, and checks the fields at once and
---- gives a dynamic object its `vx`, `vy` and `touching`.
+--- Puts an object at the end of a group and returns it. A group that does not exist is made. Unlike
+--- `table.insert(world.objects[group], object)` it checks the fields at once, and gives a dynamic
+--- object its `vx`, `vy` and `touching`.
 ---
 --- Errors: the group is not a string or a number; the object is not a table; a field has a value
---- that cannot be used; the object is already in the world. Nothing has changed then. (An object
---- that you put in by hand since the last update is found by the next update: "the same object
---- as".)
+--- that cannot be used; the object is already in the world. Nothing has changed then.
 ---@param group string|number name of the group
 ---@param object physics.NewObject your own table: x, y, width, height and any other fields
 ---@return physics.Object object the same table
 function default.add(group, object) end
 
---- Takes an object out of the world, that is out of its group's table. Its contacts end with
---- `onEnd` at the next update. Later objects of the group move up one place: inside a loop go
---- backwards, `for i = #group, 1, -1 do`, or loop over the list that a query returns.
+--- Takes an object out of its group and the world. Its contacts end at the next update. Later
+--- objects of the group move up one place: in a loop go backwards, or use the list of a query.
 ---
 --- Errors: the object is not a table.
 ---@param object physics.NewObject the object to remove
@@ -327,10 +320,10 @@ function default.add(group, object) end
 function default.remove(object) end
 
 --- Reads an object again, also the fields that are read only once: `static`, and all fields of a
---- static object. Call it after changing one of these by hand. Queries see the change at once.
+--- static object. Queries see the change at once.
 ---
---- On a kinematic object it also means "it is there now". Without `refresh` it gets to the `x, y`
---- that you write during the next step, and pushes what is in its way.
+--- A kinematic object is at the `x, y` that you wrote at once. Without `refresh` it gets there
+--- during the next step, and pushes what is in its way.
 ---
 --- Errors: the object is not a table, or not in the world; a field has a value that cannot be used.
 ---@param object physics.NewObject the object that you changed
@@ -344,18 +337,17 @@ function default.refresh(object) end
 ---@return boolean dropped false: it stands on no one-way object
 function default.dropThrough(object) end
 
---- Moves one object to (x, y) now, with collisions and without physics. It writes `object.x` and
---- `object.y`, pushes nothing and changes no velocity. Masks, `active` and `oneWay` hold as in a
---- step; `canCollide` is not called. An object that it overlaps at the start is reported and
---- crossed, and so are sensors.
+--- Moves one object to (x, y) now, with collisions and without physics. It pushes nothing and
+--- changes no velocity. Masks, `active` and `oneWay` hold as in a step; `canCollide` is not called.
+--- Sensors, and objects that it overlaps at the start, are reported and crossed.
 ---
 ---     "slide"    goes on along the side that it hit (default)
 ---     "touch"    stays where it hit
 ---     "cross"    goes through
 ---     "bounce"   goes on mirrored
 ---
---- The response may be a function(object, other) that returns one of these names for each hit. It
---- may return nil for "slide", or false, as if `other` were not there. The move ends after 64 hits.
+--- The response may be a function(object, other) that returns one of these names for each hit, nil
+--- for "slide", or false to ignore `other`. The move ends after 64 hits.
 ---
 --- Source: the responses are those of bump.lua (E. García Cota).
 ---
@@ -372,8 +364,8 @@ function default.dropThrough(object) end
 ---@return integer count
 function default.move(object, x, y, response, out) end
 
---- Changes the velocity of a dynamic object by the impulse divided by its mass. A speed limit of
---- the object (`maxSpeed`, `maxSpeedX`, `maxSpeedY`) cuts the new velocity in the next step.
+--- Changes the velocity of a dynamic object by the impulse divided by its mass. A speed limit, such
+--- as `maxSpeed`, cuts the new velocity in the next step.
 ---
 --- Errors: the object is not a table, not in the world, or not dynamic; a number is not finite; its
 --- `vx`, `vy` or `mass` cannot be used; it is called from inside `canCollide`.
@@ -383,8 +375,8 @@ function default.move(object, x, y, response, out) end
 function default.impulse(object, ix, iy) end
 
 --- Moves the whole world by (dx, dy), so that the player stays near the origin. No callback is
---- called, and riders, contacts and velocities stay as they are. Coordinates round: choose whole
---- px. A state that was saved before belongs to the old place.
+--- called. Choose whole px, since coordinates round. States that were saved before belong to the
+--- old place.
 ---
 --- Errors: a number is not finite; an object would be too far away, or has a field that cannot be
 --- used (nothing has moved then); it is called from inside `canCollide`.
@@ -392,9 +384,9 @@ function default.impulse(object, ix, iy) end
 ---@param dy number px
 function default.shift(dx, dy) end
 
---- Pushes all dynamic objects in a circle away from its centre, also sensors. At the centre an
---- object gets the whole impulse, at the rim nothing; in between it depends on the nearest point of
---- the object. With `walls` only objects in sight of the centre are pushed.
+--- Pushes all dynamic objects in a circle away from its centre, also sensors. The nearest point of
+--- an object counts: at the centre it gets the whole impulse, at the rim nothing. With `walls` only
+--- objects in sight of the centre are pushed.
 ---
 --- Errors: a number is not finite; the radius is <= 0; a filter cannot be used; `vx`, `vy` or
 --- `mass` of an object cannot be used; it is called from inside `canCollide`. Nothing has changed
@@ -410,8 +402,8 @@ function default.shift(dx, dy) end
 function default.explode(x, y, radius, impulse, filter, walls) end
 
 --- Puts four static walls around a rectangle: `top`, `bottom`, `left` and `right` of the group
---- `bounds`. A second call replaces the walls; a call without arguments removes them. The lower
---- wall is a floor, so give a level with pits a higher rectangle.
+--- `bounds`. A second call replaces them; a call without arguments removes them. The lower wall is a
+--- floor, so give a level with pits a higher rectangle.
 ---
 --- Errors: a number is not finite; a size is <= 0; the game uses one of these names for something
 --- else; it is called from inside `canCollide`.
@@ -422,31 +414,25 @@ function default.explode(x, y, radius, impulse, filter, walls) end
 function default.setBounds(x, y, w, h) end
 
 --- Adds the objects of a map of the editor Tiled, and its solid tiles, merged into few large
---- rectangles. The map is its Lua export (the table, or the path of the file), or the table that
---- STI makes of it. The map is not changed, and nothing is drawn. Parts that are not supported are
---- listed in `unsupported` of the result. A decoded `.world` file is several maps: `options.folder`
---- says where they are. See docs/maps.md.
+--- rectangles. What is not supported is listed in `unsupported` of the result. A decoded `.world`
+--- file is several maps: `options.folder` says where they are. See docs/maps.md.
 ---
---- Errors: the map or the file does not exist; an unknown option; an option names a layer that is
---- not in the map; a gid belongs to no tileset; a part is damaged; with `strict` a property cannot
---- be used; a group is an object; it is called from inside `canCollide`. Nothing has been added
---- then.
+--- Errors: the map does not exist, or a part is damaged; an option is unknown, or names what is not
+--- in the map; with `strict` a property cannot be used; a group is an object; it is called from
+--- inside `canCollide`. Nothing has been added then.
 ---@param map table|string the path of the export, the table that it or STI returns, or a decoded .world file
 ---@param options physics.TiledOptions? where the map goes, and what of it is solid
 ---@return physics.Level|physics.Atlas level what was added, and what is not supported
 function default.loadTiled(map, options) end
 
---- Adds the tiles of a plain array. Each solid cell is static. Equal cells are merged into few
---- large objects, which changes no motion. See docs/maps.md.
+--- Adds the tiles of a plain array as static objects. Equal cells are merged into few large objects,
+--- which changes no motion. The cells are copied. See docs/maps.md.
 ---
---- The cells are one list, row by row, or a list of rows (`cells[row][column]`), for which
---- `columns` is nil. A row may be a string (`"##..#"`): each character is a cell. Columns and rows
---- are counted from 1. The cells are copied, so change them with `setTile`, too.
+--- The cells are one list, row by row, or a list of rows, for which `columns` is nil. A row may be a
+--- string (`"##..#"`): each character is a cell. Columns and rows are counted from 1.
 ---
---- Errors: the group is not a name, or is an object; the cells are not a list; a list of values
---- ends within a row; a row is longer than `columns`; a cell is not a number, string or boolean;
---- the size is missing; an unknown option, or a wrong value for one; it is called from
---- inside `canCollide`. Nothing has been added then.
+--- Errors: the group is not a name, or is an object; the cells, the size or an option cannot be
+--- used; it is called from inside `canCollide`. Nothing has been added then.
 ---@param group string|number name of their group; the field `group` of a value has precedence
 ---@param cells table list of values, or list of rows
 ---@param columns integer? of a list of values: how many are a row; nil for a list of rows
@@ -457,13 +443,11 @@ function default.loadTiled(map, options) end
 function default.addTiles(group, cells, columns, size, options) end
 
 --- Adds a level of the editor LDtk: the solid cells of its IntGrid layers as few large static
---- objects, and its entities with their fields. Any JSON library decodes the project. The
---- project is not changed, and nothing is drawn. See docs/maps.md.
+--- objects, and its entities with their fields. See docs/maps.md.
 ---
---- Errors: the project or the level does not exist; the layers of the level are in another file; an
---- unknown option; an option names a layer or value that the level does not have; a part is
---- damaged; with `strict` a field cannot be used; a group is an object; it is called from inside
---- `canCollide`. Nothing has been added then.
+--- Errors: the level does not exist, is in another file, or a part is damaged; an option is unknown,
+--- or names what is not in the level; with `strict` a field cannot be used; a group is an object; it
+--- is called from inside `canCollide`. Nothing has been added then.
 ---@param project table the .ldtk file, decoded by a JSON library
 ---@param level string|integer|table|nil its identifier, iid or number, or its decoded .ldtkl file; default: the first level
 ---@param options physics.LDtkOptions? where the level goes, and what of it is solid
@@ -475,26 +459,20 @@ function default.loadLDtk(project, level, options) end
 --- and tables. After `restore` the run continues with the same bits, also in another process and on
 --- another Lua. See docs/state.md.
 ---
---- Functions are not saved, nor your own fields but for those that `ownFields` names. Of a static
---- object it is what `update` has read: call `refresh` after changing one. A state that is saved
---- inside a callback holds the events that are still to come, without the current one.
+--- Of your own fields only those that `ownFields` names are saved, and no functions. A state that is
+--- saved inside a callback holds the events that are still to come.
 ---
---- Errors: a field or setting that `update` would refuse; a field of your own in `ownFields` that
---- is a function, infinite, or the like; `out` is not a table; it is called from inside
---- `canCollide`.
----@param out physics.State? a state of this world that you no longer need. It is filled again, so that a steady scene makes no garbage
+--- Errors: a field or setting that `update` would refuse; a value in `ownFields` that cannot be
+--- saved; `out` is not a table; it is called from inside `canCollide`.
+---@param out physics.State? a state of this world that you no longer need: it is filled again
 ---@return physics.State state
 function default.save(out) end
 
---- Makes this world what it was when the state was saved. The jump itself calls no callback.
+--- Makes this world what it was when the state was saved. That itself calls no callback.
 ---
---- Objects that were added since then leave their groups, removed ones come back, and all get their
---- saved fields. Groups that are not in the state are emptied. In this same world each object is
---- the very table that it was. A state from elsewhere is applied by group and key; a missing object
---- becomes a new plain table, without callbacks.
----
---- Events that were still to come when the state was saved follow after `restore`, also about
---- objects that have left the world.
+--- Objects that were added since then leave, removed ones come back, and all get their saved fields.
+--- In this same world each object is the very table that it was. A state from elsewhere is applied
+--- by group and key; a missing object becomes a new plain table, without callbacks.
 ---
 --- Errors: the value is not a state, or one of another version, or damaged; it is called from
 --- inside `canCollide`. Nothing has changed then.
@@ -502,17 +480,16 @@ function default.save(out) end
 ---@return string? misfit nil: the state fits; else a sentence about numbered keys that may be wrong
 function default.restore(saved) end
 
---- Returns a whole number in 0..10^14 over everything that `save` holds. It is the same on every
---- Lua. Two worlds with the same number continue in the same way (wrong once in 10^13). Use it for
---- replays, and to find the step in which two players' worlds began to differ. Of your own fields
---- only those count that `ownFields` names.
+--- Returns a whole number in 0..10^14 over everything that `save` holds, the same on every Lua. Two
+--- worlds with the same number continue in the same way (wrong once in 10^13). Use it for replays,
+--- and to find the step in which two players' worlds began to differ.
 ---
 --- Errors: a field or setting that `update` would refuse; it is called from inside `canCollide`.
 ---@return number
 function default.hash() end
 
 --- Returns all objects at a point, and how many. The left and top edges of an object belong to it,
---- the right and bottom ones do not. So a point on a seam belongs to one tile.
+--- the right and bottom ones do not.
 ---
 --- Errors: a coordinate is not a finite number; the filter cannot be used; `out` is not a table.
 ---@param x number px
@@ -523,8 +500,7 @@ function default.hash() end
 ---@return integer count
 function default.queryPoint(x, y, filter, out) end
 
---- Returns all objects that overlap a rectangle by more than 1e-6 px, and how many. With the
---- setting `sideBySide` objects that are flush with it count, too.
+--- Returns all objects that overlap a rectangle, and how many.
 ---
 --- Errors: a number is not finite; a size is <= 0; the filter cannot be used; `out` is not a table.
 ---@param x number px, left edge
@@ -537,9 +513,7 @@ function default.queryPoint(x, y, filter, out) end
 ---@return integer count
 function default.queryRect(x, y, w, h, filter, out) end
 
---- Returns all objects that overlap a circle by more than 1e-6 px, and how many. With the setting
---- `sideBySide` objects that are flush with it count, too. Source: the point of a box that is
---- nearest to the centre.
+--- Returns all objects that overlap a circle, and how many.
 ---
 --- Errors: a number is not finite; the radius is <= 0; the filter cannot be used; `out` is not a
 --- table.
@@ -564,9 +538,8 @@ function default.queryCircle(x, y, radius, filter, out) end
 ---@return number distance px, from the point to the edge, 0: inside
 function default.nearest(x, y, radius, filter) end
 
---- Returns whether a box of that place and size would be free. Solid objects are in the way, if
---- they overlap the box by more than 1e-6 px. Sensors, one-way objects and inactive objects are
---- not.
+--- Returns whether a box of that place and size would be free. Solid objects are in the way, but not
+--- sensors, one-way objects and inactive objects.
 ---
 --- In place of the filter you may give the object that would be there. Then its mask counts, and it
 --- is not in its own way.
@@ -601,10 +574,8 @@ function default.querySegment(x1, y1, x2, y2, filter, out) end
 ---     starts inside an object     hits it at fraction 0, normal 0, 0
 ---     starts on an edge           hits at fraction 0 with its normal if it goes in, else not
 ---     ends on an edge             hits at fraction 1
----     runs along an edge          hits the object that owns the edge: the one below it or to its
----                                 right, so no ray slips between two tiles (to 1e-6 px)
----     meets a corner              of one object: no hit if it only grazes it; the normal is along
----                                 gravity, or that of the wall if a neighbour covers the other one
+---     runs along an edge          hits the object below it or to its right
+---     grazes a corner             no hit
 ---     has no length               hits the object that queryPoint finds, fraction 0, normal 0, 0
 ---
 --- Source: slab method; the grid is walked in strips (see physics/broadphase/grid.lua).
@@ -626,9 +597,9 @@ function default.raycast(x1, y1, x2, y2, filter) end
 --- Returns what would stop an object on its way by (dx, dy), and where the object would be then.
 --- Nothing moves.
 ---
---- Solid objects stop it, unless its mask, theirs or the world's says otherwise; one-way objects
---- stop it on their solid side; sensors do not. `canCollide` is not called. An object that overlaps
---- it already is hit at fraction 0 with the normal 0, 0.
+--- Solid objects stop it, if no mask says otherwise; one-way objects stop it on their solid side;
+--- sensors do not. `canCollide` is not called. An object that overlaps it already is hit at fraction
+--- 0 with the normal 0, 0.
 ---
 --- Errors: the object is not a table, or not in the world; a distance is not a finite number; the
 --- filter cannot be used.
@@ -644,8 +615,7 @@ function default.raycast(x1, y1, x2, y2, filter) end
 ---@return number fraction of the way, 0..1
 function default.sweep(object, dx, dy, filter) end
 
---- Returns all objects that overlap an object by more than 1e-6 px, and how many; masks play no
---- part. With the setting `sideBySide` objects that are flush with it count, too. Removing objects
+--- Returns all objects that overlap an object, and how many. Removing objects
 --- while you loop over the list is safe.
 ---
 --- Errors: the object is not a table, or not in the world; the filter cannot be used; `out` is not
@@ -657,10 +627,9 @@ function default.sweep(object, dx, dy, filter) end
 ---@return integer count
 function default.overlapping(object, filter, out) end
 
---- Returns what an object stands on, as the last step has left it, and how steep that is. A sprite
---- that leans with the ground turns by `math.atan(gradient)`. The gradient is in px along y for
---- each px along x. It is -0.5 on a slope that rises to the right by 1 px in 2. Where gravity acts
---- sideways both axes change places.
+--- Returns what an object stands on, and how steep that is, in px along y for each px along x: -0.5
+--- on a slope that rises to the right by 1 px in 2. A sprite that leans with the ground turns by
+--- `math.atan(gradient)`. Where gravity acts sideways both axes change places.
 ---
 --- Errors: the object is not a table, or not in the world.
 ---@param object physics.NewObject a dynamic object
@@ -676,8 +645,7 @@ function default.ground(object) end
 function default.groupOf(object) end
 
 --- Returns the velocity of an object over ground. For a rider it is its own velocity and that of
---- its carrier; for a kinematic object that you move by writing `x, y` it is how fast it went in
---- the last step. Of a static object it is 0, 0.
+--- its carrier; for a kinematic object that you move by writing `x, y` it is that of the last step.
 ---
 --- Errors: the object is not a table, or not in the world.
 ---@param object physics.NewObject the object
@@ -686,8 +654,7 @@ function default.groupOf(object) end
 function default.velocity(object) end
 
 --- Returns the side of `a` at which it is in contact with `b`. A contact lasts from `onBegin` to
---- `onEnd`, unless the game has moved the two apart since. With the setting `sideBySide` flush
---- objects are in contact.
+--- `onEnd`, unless the game has moved the two apart since.
 ---
 --- Errors: `a` or `b` is not a table, or not in the world.
 ---@param a physics.NewObject one of the two
@@ -704,8 +671,7 @@ function default.touching(a, b) end
 ---@return string sentence
 function default.explain(a, b) end
 
---- Draws the world as the physics sees it (LÖVE only), with your transform. It leaves colour, font
---- and transform as they were. It draws at `x, y`, also with a `timestep`. Static objects are slate
+--- Draws the world as the physics sees it (LÖVE only), with your transform. Static objects are slate
 --- grey, kinematic ones blue, dynamic ones red (lilac at rest). Sensors have a green outline,
 --- inactive objects are faint, the solid side of a one-way object is yellow.
 ---
@@ -713,10 +679,9 @@ function default.explain(a, b) end
 ---@param options physics.DrawOptions? what to show
 function default.draw(options) end
 
---- Returns where to draw an object between two fixed steps (`timestep`). That is on the way from
---- its place before the last step to its place now, by the share `world.alpha`. Returns `object.x,
---- object.y` if there is no `timestep`, and for an object that is new, static, not active, or was
---- put somewhere by the game.
+--- Returns where to draw an object between two fixed steps (`timestep`): on the way from its place
+--- before the last step to its place now, by the share `world.alpha`. Without a `timestep` that is
+--- `object.x, object.y`, as for what is new, static, or was put somewhere by the game.
 ---
 --- Errors: the object is not a table.
 ---@param object physics.NewObject the object to draw

@@ -17,17 +17,15 @@ local manual = {}
 local INDEX = [[
 # Reference
 
-Every public field, setting, function and type. `make docs` writes these pages from the source.
-Editors with LuaLS or EmmyLua annotations show the same texts while you type. The
-[guide](guide/index.md) explains the ideas.
+Every public field, setting, function and type. Editors with LuaLS or EmmyLua annotations show the
+same texts while you type. The [guide](guide/index.md) explains the ideas.
 
 - x grows to the right, y grows **down**. `x, y` is the top-left corner.
 - Lengths are in px, times in s, velocities in px/s, accelerations in px/s².
 - A `?` marks what you may leave out, and a result that may be nil.
 - Every method of a world is also a function of the module, for the default world:
   `physics.update(dt)`.
-- A wrong value raises an error at the line of your game, and nothing has changed. It names the
-  place, the field, what was expected and what was found.
+- A wrong value raises an error at the line of your game, and nothing has changed.
 - Refused everywhere: NaN and infinity, sizes that are not above 0, and a change from inside
   `canCollide`. So are objects that are not in the world, and a filter or a list `out` of a wrong
   type. The entries list other errors only.
@@ -69,12 +67,14 @@ which one answers what.
   function of the object.
 - `out` is a list that is filled again in place of a new one.
 - Lists are in the order of the world, and come with their length `count`.
+- To overlap is to do so by more than 1e-6 px. With the setting `sideBySide` flush objects
+  count, too.
 ]]
 
 local TYPES = [[
-Names of types in the annotations. Your editor shows them; at run time they are plain tables. A
-class of your own is `---@class Player: physics.Object`. A local that is filled later is `local
-player ---@type physics.Object`.
+Your editor shows these names; at run time they are plain tables. A class of your own is
+`---@class Player: physics.Object`. A local that is filled later is `local player ---@type
+physics.Object`.
 ]]
 
 local MAPS = [[
