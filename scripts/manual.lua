@@ -401,6 +401,9 @@ local ON_MAPS_PAGE = {
   ["physics.TileOptions"] = true,
   ["physics.Level"] = true,
   ["physics.LDtkLevel"] = true,
+  ["physics.TilePlace"] = true,
+  ["physics.Mark"] = true,
+  ["physics.AtlasMap"] = true,
 }
 
 local function addType(lines, entry)

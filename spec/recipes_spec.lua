@@ -245,16 +245,6 @@ recipes["Ice and conveyors"] = function(snippet)
   assert.equal(360 - 24, g.player.x)
 end
 
-recipes["One crate at a time"] = function(snippet)
-  local g = play(snippet)
-  local crates = g.world.objects.crates
-  g.player.x, g.player.y = 60, 368
-  g.press("right", 4)
-  assert.near(crates[2].x, crates[1].x + 32, 1e-6)
-  assert.near(160, crates[2].x, 2) -- a frame later it stands
-  assert.equal(crates[1], g.player.touching.right)
-end
-
 recipes["Trains"] = function(snippet)
   local g = play(snippet)
   local train = g.world.objects.trains[1]
@@ -431,18 +421,6 @@ recipes["Crumbling floor"] = function(snippet)
   g.player.gravity = nil
   g.run(0.5)
   assert.equal(268, g.player.y)
-end
-
-recipes["Rooms"] = function(snippet)
-  local g = play(snippet, "current")
-  g.press("right", 1.7)
-  assert.equal(2, g.look())
-  assert.equal(0, #g.world.objects.players)
-  local x = g.player.x
-  assert.is_true(x >= 20 and x < 100)
-  g.run(0.5)
-  assert.near(x + 200, g.player.x, 1e-6)
-  assert.equal(368, g.player.y)
 end
 
 recipes["Carry and throw"] = function(snippet)
