@@ -117,7 +117,7 @@ function love.update(dt)
   if player.y > 600 then die() end
 end
 
-local COLORS = { tiles = { 0.2, 0.24, 0.34 }, spikes = { 0.7, 0.25, 0.3 }, coins = { 1, 0.8, 0.45 } }
+local COLORS = { tiles = { 0.2, 0.24, 0.34 }, spikes = { 0.7, 0.25, 0.3 }, coins = { 1, 0.8, 0.4 } }
 local SKY, OTHER = { 0.45, 0.72, 0.9 }, { 0.35, 0.42, 0.5 }
 
 local function drawBox(object, color)

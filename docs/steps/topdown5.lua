@@ -6,7 +6,7 @@ local SPEED = 160 -- px/s
 
 local function addWalls()
   world:add("walls", { x = 300, y = 0, width = 24, height = 260, static = true })
-  world:add("walls", { x = 300, y = 300, width = 24, height = 300, static = true }) -- a door of 40 px
+  world:add("walls", { x = 300, y = 300, width = 24, height = 300, static = true }) -- a 40 px door
 end
 
 local function addCrates()

@@ -1,4 +1,4 @@
--- Draws the pictures of docs/guide/ with `world:draw`, one scene each; films the clips of README.md:
+-- Draws the pictures of docs/guide/ with `world:draw`, one scene each; films the clips of README:
 --
 --   love scripts/pictures guide-contacts build/guide-contacts.png
 --   love scripts/pictures seams build/film/seams 40      40 frames, 0001.png and so on
