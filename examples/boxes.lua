@@ -112,7 +112,12 @@ end
 
 --- Draws a row of words in the palette's colours, `{ "yellow", "3 coins", "silver", "2 left" }`.
 function boxes.status(words)
-  local x = 24
+  local x, font, width = 24, look.font(17), -6
+  for i = 2, #words, 2 do
+    width = width + font:getWidth(words[i]) + (words[i] ~= "" and 30 or 0)
+  end
+  look.panel(12, 4, width, 32)
+  look.panel(12, 4, width, 32) -- twice: hardly anything shines through
   for i = 1, #words, 2 do
     look.color(words[i])
     x = x + look.text(words[i + 1], x, 10, 17):getWidth(words[i + 1]) + 30

@@ -16,7 +16,11 @@ local rollback = {
 
 local STEP, MOST = 1 / 60, 900 -- s; steps that are kept, which is 15 s
 local SLIDER_X, SLIDER_Y, SLIDER_WIDTH = 40, 46, 620 -- px
-local MODES = { play = "playing", rewound = "see it again, or just play on", again = "seen again" }
+local MODES = {
+  play = "playing: turn back time with q, or by the slider",
+  rewound = "back in time: space plays it again, any other key plays on",
+  again = "played again, from the same state with the same keys",
+}
 
 -- records[i] is what was before step i, and the keys that were held in it. Mode "play" adds to
 -- them, "again" follows them from step `now` on, "rewound" waits.
@@ -91,9 +95,26 @@ end
 -- The way of the ball: 3 s of the past, and as much of the future that is to be changed.
 local function drawWay()
   for i = math.max(1, state.now - 180), math.min(#records, state.now + 180), 4 do
-    look.color(i < state.now and "white" or "yellow", 0.5 - math.abs(i - state.now) / 400)
-    love.graphics.circle("fill", records[i].x, records[i].y, 3)
+    look.color(i < state.now and "white" or "yellow", 0.9 - math.abs(i - state.now) / 240)
+    love.graphics.circle("fill", records[i].x, records[i].y, i < state.now and 3 or 5)
   end
+  look.color("white")
+  look.text("its way so far", 40, 84, 15)
+  love.graphics.circle("fill", 28, 93, 3)
+  if state.now <= #records then
+    look.color("yellow")
+    look.text("its way the first time", 190, 84, 15)
+    love.graphics.circle("fill", 176, 93, 5)
+  end
+end
+
+-- What the numbers of the steps that were played again say.
+local function comparison()
+  local count = state.same + state.different
+  if count == 0 then
+    return "nothing was played again"
+  end
+  return ("%d steps again: %d differ"):format(count, state.different)
 end
 
 function rollback.draw()
@@ -108,8 +129,7 @@ function rollback.draw()
   look.text(("%.1f s"):format(seconds), SLIDER_X, SLIDER_Y - 30, 15, SLIDER_WIDTH, "right")
   look.color("silver")
   look.text(("hash %.0f"):format(world:hash()), 700, SLIDER_Y - 28, 15)
-  local counts = ("again: %d the same, %d not"):format(state.same, state.different)
-  look.text(counts, 700, SLIDER_Y - 4, 15)
+  look.text(comparison(), 700, SLIDER_Y - 4, 15)
 end
 
 function rollback.report()

@@ -287,7 +287,6 @@ function rooms.draw()
     end
   end
   love.graphics.pop()
-  look.panel(12, 4, 430, 32)
   boxes.status({ "yellow", status() })
 end
 

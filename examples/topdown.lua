@@ -100,10 +100,31 @@ function topdown.keypressed(key, isRepeat)
   end
 end
 
+-- What a tile does, written into it.
+local function label(group, text)
+  for _, object in ipairs(world.objects[group]) do
+    look.color("white", object.active == false and 0.4 or 0.9)
+    local x = object.x + (object.width - TILE) / 2
+    look.text(text, x, object.y + object.height / 2 - 7, 11, TILE, "center")
+  end
+end
+
+local function drawLight()
+  for radius = 60, 180, 40 do
+    look.color("yellow", 0.05)
+    love.graphics.circle("fill", player.x + TILE / 2, player.y + TILE / 2, radius)
+  end
+end
+
 function topdown.draw()
   look.sky("dusk", "navy")
   look.squares(TILE, "night", 0.16)
-  boxes.draw(world, "plates walls ghostDoors gates crates coins players", state.time)
+  drawLight()
+  boxes.draw(world, "plates walls ghostDoors gates", state.time)
+  label("plates", "plate")
+  label("gates", "gate")
+  label("ghostDoors", "ghosts")
+  boxes.draw(world, "crates coins players", state.time)
   local coins = ("%d / %d coins"):format(state.coins, state.all)
   boxes.status({ "white", coins, "yellow", state.coins == state.all and "All of them!" or "" })
 end

@@ -22,6 +22,16 @@ for (const example of document.querySelectorAll(".example")) {
   if (example.dataset.example === wished) start(example);
 }
 
+// Clips play while they are seen; where less motion is wished, when their reader wants.
+const isStill = matchMedia("(prefers-reduced-motion: reduce)").matches;
+const seen = new IntersectionObserver((entries) => {
+  for (const { target, isIntersecting } of entries) isIntersecting ? target.play().catch(() => {}) : target.pause();
+});
+for (const clip of document.querySelectorAll("video.clip")) {
+  if (!isStill) seen.observe(clip);
+  else if (!clip.closest("button")) clip.controls = true;
+}
+
 // A whole program, which needs nothing that the playground does not have.
 const MISSING = /love\.(audio|filesystem|joystick|sound|system|thread|touch)|graphics\.new(?!Font)/;
 

@@ -95,8 +95,7 @@ HEADS = {
 # The front page begins with an example over its whole width, and four buttons.
 HERO = """\
 <div class="hero example" data-example="hills">
-<button type="button"><img src="pictures/hills.webp" alt="The hero runs over hills and jumps on crates">\
-<span>▶ Play</span></button>
+<button type="button">{video}<span>▶ Play</span></button>
 </div>
 <p class="hero-links">
 <a href="{repository}/releases/latest/download/physics.lua">Download one file</a>
@@ -187,9 +186,38 @@ STEP = re.compile(r"\[The whole program\]\(steps/(\w+)\.lua\)")
 
 def add_hero(markdown):
     """Puts the example and the buttons into the place of the picture and the links of the README."""
-    picture = markdown.index("![The hero")
+    picture = markdown.index("<video")
+    video = markdown[picture : markdown.index("</video>") + len("</video>")]
     end = markdown.index("```lua")
-    return markdown[:picture] + HERO.format(repository=REPOSITORY) + "\n" + markdown[end:]
+    return markdown[:picture] + HERO.format(repository=REPOSITORY, video=video) + "\n" + markdown[end:]
+
+
+ANIMATION = re.compile(r"!\[([^\]]*)\]\(([^)\s]+)\.(?:webp|gif)\)(?:\{ loading=lazy \})?")
+CLIPS = re.compile(r"^\| (<video.*) \|\n\|[-|]+\|\n\| (.*) \|$", re.MULTILINE)
+
+
+def add_videos(markdown, page):
+    """Puts videos, which are a fourth as large, into the places of animations; site.js plays those that
+    are seen. A table with videos in its head becomes cards, which fit a phone."""
+
+    def video(found):
+        place = posixpath.normpath(posixpath.join(posixpath.dirname(page), found[2]))
+        if not (ROOT / f"docs/{place}.mp4").exists():
+            fail(f"docs/{place}.mp4 is not there: make pictures makes it")
+        depth = page.count("/") + (posixpath.basename(page) != "index.md")
+        source = "../" * depth + place
+        poster = f' poster="{source}.png"' if (ROOT / f"docs/{place}.png").exists() else ""
+        return (
+            f'<video class="clip" src="{source}.mp4"{poster} aria-label="{found[1]}" role="img" '
+            "muted loop playsinline preload=none></video>"
+        )
+
+    def cards(found):
+        pairs = zip(found[1].split(" | "), found[2].split(" | "))
+        inner = "\n\n".join(f"<div markdown>\n\n{clip}\n\n{text}\n\n</div>" for clip, text in pairs)
+        return f'<div class="clips" markdown>\n\n{inner}\n\n</div>'
+
+    return CLIPS.sub(cards, ANIMATION.sub(video, markdown))
 
 
 LINK = re.compile(r'(\]\()([^)\s#:][^)\s:]*)(?=\)|\s+"[^"]*"\))')
@@ -294,13 +322,15 @@ def main():
         (target / "docs" / name).parent.mkdir(parents=True, exist_ok=True)
         (target / "docs" / name).write_text(HEADS.get(name, "") + text, encoding="utf-8")
 
-    shutil.copytree(ROOT / "docs", target / "docs", dirs_exist_ok=True)
+    only_github = shutil.ignore_patterns("*.webp", "*.gif")
+    shutil.copytree(ROOT / "docs", target / "docs", dirs_exist_ok=True, ignore=only_github)
     for path in sorted((ROOT / "docs").rglob("*.md")):
         source = path.relative_to(ROOT).as_posix()
-        write(source.removeprefix("docs/"), translate(read(source), source))
+        name = source.removeprefix("docs/")
+        write(name, add_videos(translate(read(source), source), name))
     for source, name in PAGES.items():
         if (ROOT / source).exists():
-            text = translate(read(source), source)
+            text = add_videos(translate(read(source), source), name)
             write(name, add_hero(text) if name == "index.md" else text)
     write_examples(write)
     write("playground.md", PLAYGROUND)

@@ -169,6 +169,23 @@ async function checkFront() {
     await page.locator(".hero iframe").waitFor();
     quiet(told);
   });
+  await check("clips play while they are seen, and stand still where less motion is wished", async () => {
+    const isMoving = (page, selector) =>
+      page.locator(selector).evaluate((clip) => !clip.paused && clip.currentTime > 0 && clip.videoWidth > 0);
+    for (const reducedMotion of ["no-preference", "reduce"]) {
+      const other = await open("/", { ...DESKTOP, reducedMotion });
+      const clips = other.page.locator(".clips .clip");
+      assert((await clips.count()) === 6, `${await clips.count()} clips`);
+      const wanted = reducedMotion === "no-preference";
+      if (wanted) await until(() => isMoving(other.page, ".hero video"), () => "the hero does not move");
+      await clips.first().scrollIntoViewIfNeeded();
+      if (wanted) await until(() => isMoving(other.page, ".clips .clip >> nth=0"), () => "the first clip does not move");
+      else assert(!(await isMoving(other.page, ".clips .clip >> nth=0")), "it moves");
+      await other.page.screenshot({ path: join(PICTURES, `clips-${reducedMotion}.png`) });
+      await other.close();
+      quiet(other);
+    }
+  });
   await check("the first load of the front page is below 800 kB, and names a picture for previews", async () => {
     const other = await open("/", DESKTOP);
     // The index of the search, which is packed to a fourth on its way, is not waited for.
