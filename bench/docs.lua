@@ -349,9 +349,10 @@ function docs.picture(bars)
   local axis = '<path d="M%d 0V%d" stroke="#7d8597"/>'
   lines[#lines + 1] = axis:format(MIDDLE, ROW * #bars + 8)
   local foot = ROW * #bars + 30
-  local middle = '<text x="%d" y="%d" text-anchor="middle">as fast as love.physics</text>'
-  lines[#lines + 1] = middle:format(MIDDLE, foot)
-  for _, tick in ipairs({ 0.1, 10, 100 }) do
+  local words = '<text x="%d" y="%d" text-anchor="%s">%s</text>'
+  lines[#lines + 1] = words:format(MIDDLE - 8, foot, "end", "← slower")
+  lines[#lines + 1] = words:format(MIDDLE + 8, foot, "start", "faster than love.physics →")
+  for _, tick in ipairs({ 0.1, 100 }) do
     local x = MIDDLE + math.log(tick) / math.log(10) * DECADE
     local text = '<text x="%d" y="%d" text-anchor="middle">%s×</text>'
     lines[#lines + 1] = text:format(x, foot, tick)
