@@ -204,18 +204,16 @@
 --- default none. Called before every step, of dt s: the place for controllers. What it writes
 --- counts in that step.
 ---@field onStep? fun(dt: number)
---- default none. Called once when a contact starts, with `a` before `b` in order. `side` is the
---- side of `a`; the edge that the two have in common goes from `x1, y1` to `x2, y2`.
+--- default none. As `onBegin` of an object, for all pairs; `a` is before `b` in the order of the
+--- world.
 ---@field onBegin? fun(a: physics.Object, b: physics.Object, side: physics.Side, speed: number, x1: number, y1: number, x2: number, y2: number)
---- default none. Called at every further step of a contact; dt is the length of that step in s.
+--- default none. As `onStay` of an object.
 ---@field onStay? fun(a: physics.Object, b: physics.Object, side: physics.Side, dt: number)
---- default none. Called once when a contact ends.
+--- default none. As `onEnd` of an object.
 ---@field onEnd? fun(a: physics.Object, b: physics.Object, side: physics.Side)
---- default none. Called once when an object is held between `a` and `b`, neither of which can give
---- way.
+--- default none. As `onCrush` of an object.
 ---@field onCrush? fun(object: physics.Object, a: physics.Object, b: physics.Object, axis: "x"|"y")
---- default always. Called before every contact: `false` lets the pair pass through each other for
---- this step. It must not change the world.
+--- default always. As `canCollide` of an object.
 ---@field canCollide? fun(a: physics.Object, b: physics.Object, side: physics.Side): boolean?
 
 --- The settings as fields of a world. They may change between two updates.
@@ -268,18 +266,16 @@
 --- default none. Called before every step, of dt s: the place for controllers. What it writes
 --- counts in that step.
 ---@field onStep? fun(dt: number)
---- default none. Called once when a contact starts, with `a` before `b` in order. `side` is the
---- side of `a`; the edge that the two have in common goes from `x1, y1` to `x2, y2`.
+--- default none. As `onBegin` of an object, for all pairs; `a` is before `b` in the order of the
+--- world.
 ---@field onBegin? fun(a: physics.Object, b: physics.Object, side: physics.Side, speed: number, x1: number, y1: number, x2: number, y2: number)
---- default none. Called at every further step of a contact; dt is the length of that step in s.
+--- default none. As `onStay` of an object.
 ---@field onStay? fun(a: physics.Object, b: physics.Object, side: physics.Side, dt: number)
---- default none. Called once when a contact ends.
+--- default none. As `onEnd` of an object.
 ---@field onEnd? fun(a: physics.Object, b: physics.Object, side: physics.Side)
---- default none. Called once when an object is held between `a` and `b`, neither of which can give
---- way.
+--- default none. As `onCrush` of an object.
 ---@field onCrush? fun(object: physics.Object, a: physics.Object, b: physics.Object, axis: "x"|"y")
---- default always. Called before every contact: `false` lets the pair pass through each other for
---- this step. It must not change the world.
+--- default always. As `canCollide` of an object.
 ---@field canCollide? fun(a: physics.Object, b: physics.Object, side: physics.Side): boolean?
 
 --- The default world, on which the functions of the module work.
@@ -322,8 +318,8 @@ function default.remove(object) end
 --- Reads an object again, also the fields that are read only once: `static`, and all fields of a
 --- static object. Queries see the change at once.
 ---
---- A kinematic object is at the `x, y` that you wrote at once. Without `refresh` it gets there
---- during the next step, and pushes what is in its way.
+--- On a kinematic object it also means "it is there now". Without `refresh` it gets to the `x, y`
+--- that you write during the next step, and pushes what is in its way.
 ---
 --- Errors: the object is not a table, or not in the world; a field has a value that cannot be used.
 ---@param object physics.NewObject the object that you changed
@@ -402,8 +398,8 @@ function default.shift(dx, dy) end
 function default.explode(x, y, radius, impulse, filter, walls) end
 
 --- Puts four static walls around a rectangle: `top`, `bottom`, `left` and `right` of the group
---- `bounds`. A second call replaces them; a call without arguments removes them. The lower wall is a
---- floor, so give a level with pits a higher rectangle.
+--- `bounds`. A second call replaces them; a call without arguments removes them. The lower wall is
+--- a floor, so give a level with pits a higher rectangle.
 ---
 --- Errors: a number is not finite; a size is <= 0; the game uses one of these names for something
 --- else; it is called from inside `canCollide`.
@@ -425,11 +421,11 @@ function default.setBounds(x, y, w, h) end
 ---@return physics.Level|physics.Atlas level what was added, and what is not supported
 function default.loadTiled(map, options) end
 
---- Adds the tiles of a plain array as static objects. Equal cells are merged into few large objects,
---- which changes no motion. The cells are copied. See docs/maps.md.
+--- Adds the tiles of a plain array as static objects. Equal cells are merged into few large
+--- objects, which changes no motion. The cells are copied. See docs/maps.md.
 ---
---- The cells are one list, row by row, or a list of rows, for which `columns` is nil. A row may be a
---- string (`"##..#"`): each character is a cell. Columns and rows are counted from 1.
+--- The cells are one list, row by row, or a list of rows, for which `columns` is nil. A row may be
+--- a string (`"##..#"`): each character is a cell. Columns and rows are counted from 1.
 ---
 --- Errors: the group is not a name, or is an object; the cells, the size or an option cannot be
 --- used; it is called from inside `canCollide`. Nothing has been added then.
@@ -445,9 +441,9 @@ function default.addTiles(group, cells, columns, size, options) end
 --- Adds a level of the editor LDtk: the solid cells of its IntGrid layers as few large static
 --- objects, and its entities with their fields. See docs/maps.md.
 ---
---- Errors: the level does not exist, is in another file, or a part is damaged; an option is unknown,
---- or names what is not in the level; with `strict` a field cannot be used; a group is an object; it
---- is called from inside `canCollide`. Nothing has been added then.
+--- Errors: the level does not exist, is in another file, or a part is damaged; an option is
+--- unknown, or names what is not in the level; with `strict` a field cannot be used; a group is an
+--- object; it is called from inside `canCollide`. Nothing has been added then.
 ---@param project table the .ldtk file, decoded by a JSON library
 ---@param level string|integer|table|nil its identifier, iid or number, or its decoded .ldtkl file; default: the first level
 ---@param options physics.LDtkOptions? where the level goes, and what of it is solid
@@ -459,8 +455,8 @@ function default.loadLDtk(project, level, options) end
 --- and tables. After `restore` the run continues with the same bits, also in another process and on
 --- another Lua. See docs/state.md.
 ---
---- Of your own fields only those that `ownFields` names are saved, and no functions. A state that is
---- saved inside a callback holds the events that are still to come.
+--- Of your own fields only those that `ownFields` names are saved, and no functions. A state that
+--- is saved inside a callback holds the events that are still to come.
 ---
 --- Errors: a field or setting that `update` would refuse; a value in `ownFields` that cannot be
 --- saved; `out` is not a table; it is called from inside `canCollide`.
@@ -470,9 +466,9 @@ function default.save(out) end
 
 --- Makes this world what it was when the state was saved. That itself calls no callback.
 ---
---- Objects that were added since then leave, removed ones come back, and all get their saved fields.
---- In this same world each object is the very table that it was. A state from elsewhere is applied
---- by group and key; a missing object becomes a new plain table, without callbacks.
+--- Objects that were added since then leave, removed ones come back, and all get their saved
+--- fields. In this same world each object is the very table that it was. A state from elsewhere is
+--- applied by group and key; a missing object becomes a new plain table, without callbacks.
 ---
 --- Errors: the value is not a state, or one of another version, or damaged; it is called from
 --- inside `canCollide`. Nothing has changed then.
@@ -538,8 +534,8 @@ function default.queryCircle(x, y, radius, filter, out) end
 ---@return number distance px, from the point to the edge, 0: inside
 function default.nearest(x, y, radius, filter) end
 
---- Returns whether a box of that place and size would be free. Solid objects are in the way, but not
---- sensors, one-way objects and inactive objects.
+--- Returns whether a box of that place and size would be free. Solid objects are in the way, but
+--- not sensors, one-way objects and inactive objects.
 ---
 --- In place of the filter you may give the object that would be there. Then its mask counts, and it
 --- is not in its own way.
@@ -598,8 +594,8 @@ function default.raycast(x1, y1, x2, y2, filter) end
 --- Nothing moves.
 ---
 --- Solid objects stop it, if no mask says otherwise; one-way objects stop it on their solid side;
---- sensors do not. `canCollide` is not called. An object that overlaps it already is hit at fraction
---- 0 with the normal 0, 0.
+--- sensors do not. `canCollide` is not called. An object that overlaps it already is hit at
+--- fraction 0 with the normal 0, 0.
 ---
 --- Errors: the object is not a table, or not in the world; a distance is not a finite number; the
 --- filter cannot be used.
@@ -627,9 +623,9 @@ function default.sweep(object, dx, dy, filter) end
 ---@return integer count
 function default.overlapping(object, filter, out) end
 
---- Returns what an object stands on, and how steep that is, in px along y for each px along x: -0.5
---- on a slope that rises to the right by 1 px in 2. A sprite that leans with the ground turns by
---- `math.atan(gradient)`. Where gravity acts sideways both axes change places.
+--- Returns what an object stands on, and how steep that is: px along y for each px along x. It is
+--- -0.5 on a slope that rises to the right by 1 px in 2. A sprite that leans with the ground turns
+--- by `math.atan(gradient)`. Where gravity acts sideways both axes change places.
 ---
 --- Errors: the object is not a table, or not in the world.
 ---@param object physics.NewObject a dynamic object
@@ -671,17 +667,18 @@ function default.touching(a, b) end
 ---@return string sentence
 function default.explain(a, b) end
 
---- Draws the world as the physics sees it (LÖVE only), with your transform. Static objects are slate
---- grey, kinematic ones blue, dynamic ones red (lilac at rest). Sensors have a green outline,
+--- Draws the world as the physics sees it (LÖVE only), with your transform. Static objects are
+--- slate grey, kinematic ones blue, dynamic ones red (lilac at rest). Sensors have a green outline,
 --- inactive objects are faint, the solid side of a one-way object is yellow.
 ---
 --- Errors: an unknown option, or a wrong value for one; there is no `love.graphics`.
 ---@param options physics.DrawOptions? what to show
 function default.draw(options) end
 
---- Returns where to draw an object between two fixed steps (`timestep`): on the way from its place
---- before the last step to its place now, by the share `world.alpha`. Without a `timestep` that is
---- `object.x, object.y`, as for what is new, static, or was put somewhere by the game.
+--- Returns where to draw an object between two fixed steps (`timestep`). That is on the way from
+--- its place before the last step to its place now, by the share `world.alpha`. Without a
+--- `timestep` it is `object.x, object.y`, as for what is new, static, or was put somewhere by the
+--- game.
 ---
 --- Errors: the object is not a table.
 ---@param object physics.NewObject the object to draw

@@ -106,33 +106,6 @@ TOGETHER["Running and Crouch: over a hill, under a low ceiling, always on the gr
   assert.is_true(game.player.x > 438)
 end
 
-TOGETHER["Stairs and Crouch: up and down, always on the ground"] = function(rate)
-  local game = join(rate, { "Crouch", "Stairs" })
-  local top = 400
-  game.press("down")
-  game.press("right", 3, function()
-    standsIn(game)()
-    top = math.min(top, game.player.y + game.player.height)
-  end)
-  assert.equal(370, top)
-  assert.equal(382, game.player.y)
-  game.release("down", 0.1, standsIn(game))
-  assert.equal(368, game.player.y)
-end
-
-TOGETHER["Stairs and Dash: up, over the top, and back on the ground"] = function(rate)
-  local game = join(rate, { "Stairs", "Dash" }, "Dash")
-  game.press("right", 0.2)
-  local from = game.player.x
-  game.press("x", 0.12)
-  assert.near(72, game.player.x - from, 20.1) -- a dash lasts whole updates
-  assert.equal(370, game.player.y + game.player.height)
-  game.run(0.1)
-  assert.truthy(game.player.touching.bottom)
-  game.run(1.5, standsIn(game))
-  assert.equal(368, game.player.y)
-end
-
 TOGETHER["Dash and a slope: it goes up, and stays on the ground"] = function(rate)
   local game = join(rate, { "Dash" })
   addHill(game.world)
@@ -143,46 +116,6 @@ TOGETHER["Dash and a slope: it goes up, and stays on the ground"] = function(rat
   assert.is_true(game.player.x > 170 and game.player.y < 348)
   game.run(1.6, standsIn(game))
   assert.equal(368, game.player.y)
-end
-
-TOGETHER["Jumping off a lift and a slope: as high from a slope that rises"] = function(rate)
-  local game = join(rate, { "Jumping off a lift" })
-  game.world:add("lifts", {
-    x = 300,
-    y = 360,
-    width = 100,
-    height = 40,
-    kinematic = true,
-    slope = "right",
-    vx = 30,
-    vy = -60,
-  })
-  game.player.x, game.player.y = 330, 368 - 23
-  game.run(0.3)
-  assert.equal("right", game.player.touching.bottom.slope)
-  local from, top = game.player.y, game.player.y
-  game.press("space", 0.9, function()
-    top = math.min(top, game.player.y)
-  end)
-  assert.near(100, from - top, 0.6)
-end
-
-TOGETHER["Falling through ledges and Carry and throw: up and down with a crate"] = function(rate)
-  local game = join(rate, { "Falling through ledges", "Carry and throw" })
-  game.run(0.1)
-  game.press("x", 0.1)
-  assert.equal(48, game.player.height)
-  game.press("space")
-  game.release("space", 1.5)
-  assert.equal(300, game.player.y + game.player.height) -- on the ledge
-  game.press("down")
-  game.press("space", 1)
-  assert.equal(400, game.player.y + game.player.height)
-  game.press("x", 2)
-  local crate = game.world.objects.crates[1]
-  assert.equal(32, game.player.height)
-  assert.equal(384, crate.y)
-  assert.is_true(crate.x > 100)
 end
 
 TOGETHER["Portals and Carry and throw: the crate comes along"] = function(rate)
@@ -213,21 +146,6 @@ TOGETHER["Variable jump and Springs: letting go of the key does not cut the spri
     end
     top = math.min(top, game.player.y)
   end)
-  assert.near(384 - 32 - 225, top, 0.12) -- the apex is between two updates
-end
-
-TOGETHER["Coyote time and Springs: a key in the air is no second jump"] = function(rate)
-  local game = join(rate, { "Springs", "Coyote time" })
-  game.player.x, game.player.y = 100, 300
-  local top, wasPressed = 400, false
-  game.run(2, function()
-    if game.player.vy < -500 and not wasPressed then
-      game.press("space")
-      wasPressed = true
-    end
-    top = math.min(top, game.player.y)
-  end)
-  assert.is_true(wasPressed)
   assert.near(384 - 32 - 225, top, 0.12) -- the apex is between two updates
 end
 
@@ -264,16 +182,6 @@ TOGETHER["Checkpoints and Crumbling floor: it is whole again, and crumbles again
   end
 end
 
-TOGETHER["Wrap-around and Crouch: the rider stays on the lift"] = function(rate)
-  local game = join(rate, { "Crouch", "Wrap-around" })
-  game.player.x, game.player.y = 660, 268
-  game.press("down", 0.1)
-  game.run(3, standsIn(game))
-  assert.is_true(game.player.x < 400)
-  game.release("down", 0.5, standsIn(game))
-  assert.equal(300 - 32, game.player.y)
-end
-
 TOGETHER["Trains and Crouch: no slip, and no step in the air"] = function(rate)
   local game = join(rate, { "Crouch", "Trains" })
   game.player.x, game.player.y = 80, 376 - 32
@@ -285,43 +193,6 @@ TOGETHER["Trains and Crouch: no slip, and no step in the air"] = function(rate)
     game.release("down", 0.2, standsIn(game))
   end
   assert.near(place, game.player.x - train.x, 1e-6)
-end
-
-TOGETHER["Enemies and slopes: it walks over a hill, and turns at edges"] = function(rate)
-  local game = join(rate, { "Enemies" })
-  addHill(game.world)
-  game.world:add("tiles", { x = 0, y = 336, width = 16, height = 64, static = true })
-  local enemy = game.world:add("enemies", {
-    x = 100,
-    y = 384,
-    width = 16,
-    height = 16,
-    direction = 1,
-  })
-  game.player.x, game.player.y = 700, 368
-  local first = game.world.objects.enemies[1]
-  local least, most = 800, 0
-  game.run(8, function()
-    assert.truthy(enemy.touching.bottom)
-    least, most = math.min(least, first.x), math.max(most, first.x)
-  end)
-  assert.is_true(enemy.x > 438)
-  assert.is_true(least > 190 and most < 320) -- the one of the recipe, on its ledge
-end
-
-TOGETHER["A boss that pushes and a slope: up to the wall, and it hurts once a second"] = function(
-  rate
-)
-  local game = join(rate, { "A boss that pushes" })
-  game.world:add(
-    "tiles",
-    { x = 0, y = 384, width = 80, height = 16, static = true, slope = "left" }
-  )
-  game.player.x, game.player.y = 100, 368
-  game.run(7)
-  assert.is_true(game.player.health < 3)
-  assert.near(0, game.player.x, 1e-6)
-  assert.near(384 - 32, game.player.y, 1e-6)
 end
 
 describe("recipes together:", function()
