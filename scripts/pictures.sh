@@ -72,6 +72,13 @@ scene() {
   ffmpeg_quiet -i "$work/$1.png" -filter_complex "$filters" "$target/$1.png"
 }
 
+# step NAME CROP: a program of docs/steps/.
+step() {
+  local filters="crop=$2,scale=480:-1:flags=lanczos,split[a][b];[a]palettegen[p]"
+  xvfb-run -a timeout -k 2 60 love scripts/pictures "$1" "$work/$1.png" || return 1
+  ffmpeg_quiet -i "$work/$1.png" -filter_complex "$filters;[b][p]paletteuse" "$target/$1.png"
+}
+
 smaller_than() {
   local size
   size=$(wc -c <"$2")
@@ -121,6 +128,11 @@ done
 for name in objects contacts filters queries; do
   check "the scene of guide/$name.md is drawn" scene "guide-$name"
   check "guide-$name has less than 200 kB" smaller_than 200000 "$target/guide-$name.png"
+done
+
+for number in 1 2 3 4 5 6 7; do
+  check "platformer$number is drawn" step "platformer$number" 800:330:0:110
+  check "topdown$number is drawn" step "topdown$number" 640:480:80:60
 done
 
 echo "The pictures are in $target/"

@@ -2,10 +2,12 @@
 --
 --   love scripts/pictures guide-contacts build/guide-contacts.png
 --   love scripts/pictures seams build/film/seams 40      40 frames, 0001.png and so on
+--   love scripts/pictures platformer3 build/platformer3.png      a step of docs/platformers.md
 
 package.path = love.filesystem.getSource() .. "/../../?.lua;" .. package.path
 local clips = require("scripts.pictures.clips")
 local scenes = require("scripts.pictures.scenes")
+local steps = require("scripts.pictures.steps")
 
 local name, path, frames
 local frame = 0
@@ -17,16 +19,29 @@ local function write(image, to)
   file:close()
 end
 
+-- Draws once, and writes the picture.
+local function drawStill()
+  draw()
+  love.graphics.captureScreenshot(function(image)
+    write(image, path)
+    love.event.quit()
+  end)
+end
+
 function love.load(arguments)
   name, path, frames = arguments[1], arguments[2], tonumber(arguments[3])
-  assert(scenes[name] or clips[name], "no scene " .. tostring(name))
+  love.graphics.setBackgroundColor(0.1, 0.11, 0.17)
   if clips[name] then
     love.window.setMode(640, 360)
-    love.graphics.setBackgroundColor(0.1, 0.11, 0.17)
     play, draw = clips[name]()
-  else
-    love.graphics.setBackgroundColor(0.11, 0.12, 0.15)
+  elseif scenes[name] then
     love.graphics.setFont(love.graphics.newFont(13))
+    draw = scenes[name]
+  else
+    love.window.setMode(800, 600)
+    love.graphics.setBackgroundColor(0.1, 0.11, 0.17)
+    draw = steps.play(name)
+    love.draw, love.update = drawStill, nil
   end
 end
 
@@ -45,11 +60,8 @@ end
 
 function love.draw()
   if play then
-    return film()
+    film()
+  else
+    drawStill()
   end
-  scenes[name]()
-  love.graphics.captureScreenshot(function(image)
-    write(image, path)
-    love.event.quit()
-  end)
 end
