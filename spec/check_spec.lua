@@ -81,7 +81,6 @@ describe("the line that an error names", function()
   for _, row in ipairs({
     { "the folder of the game", CHECK, "physics.lua", "main.lua" },
     { "a folder for libraries", "lib/" .. CHECK, "lib/physics.lua", "main.lua" },
-    { "a subfolder", "lib/" .. CHECK, "lib/physics/broadphase/grid.lua", "main.lua" },
     { "a folder with init.lua", "lib/" .. CHECK, "lib/physics/init.lua", "main.lua" },
     { "a search path with a dot", "./" .. CHECK, "./physics.lua", "./spec/a_spec.lua" },
     { "an installed rock", "/usr/lua/" .. CHECK, "/usr/lua/physics.lua", "main.lua" },
@@ -90,8 +89,6 @@ describe("the line that an error names", function()
     { "a share", "\\\\server\\share" .. BACK, "\\\\server\\share\\physics.lua", "main.lua" },
     { "a path with both separators", "./physics\\fields\\check.lua", "./physics.lua", "main.lua" },
     { "one joined file", "lib/physics.lua", "lib/physics.lua", "lib/main.lua" },
-    { "one joined file beside the game", "physics.lua", "physics.lua", "main.lua" },
-    { "a folder beside other files", "lib/" .. CHECK, "lib/physics.lua", "lib/game.lua" },
     { "a folder like another", CHECK, "physics.lua", "physics-game/a.lua" },
     { "a folder like a file", CHECK, "physics.lua", "physics2.lua" },
   }) do
@@ -128,15 +125,12 @@ describe("an error", function()
     end,
   })
   for _, row in ipairs({
-    { 3, "3" },
     { 3.0, "3" },
     { -0.5, "-0.5" },
     { 0.1, "0.1" },
     { 1e300, "1e+300" },
-    { 627.84, "627.84" },
     { -NAN, "nan" },
     { -INF, "-inf" },
-    { "", '""' },
     { "my group", '"my group"' },
     { 'a "b"\\\n\t\r\1', [["a \"b\"\\\n\t\r\001"]] },
     { forty, '"' .. forty .. '"' },
@@ -156,7 +150,6 @@ describe("an error", function()
   end
 
   for _, row in ipairs({
-    { "boxes", 3, "objects.boxes[3]" },
     { "boxes", 3.0, "objects.boxes[3]" },
     { "boxes", 1.5, "objects.boxes[1.5]" },
     { "enemies", "spike", "objects.enemies.spike" },
@@ -164,8 +157,6 @@ describe("an error", function()
     { "my group", 1, 'objects["my group"][1]' },
     { "boxes", "the big one", 'objects.boxes["the big one"]' },
     { "end", "2nd", 'objects["end"]["2nd"]' },
-    { "", nil, 'objects[""]' },
-    { 1, nil, "objects[1]" },
     { 1, 2, "objects[1][2]" },
     { -1, "a", "objects[-1].a" },
   }) do
@@ -181,13 +172,10 @@ describe("an error", function()
   -- what is wrong, and what the message says behind the place
   for _, row in ipairs({
     { { x = 1e101 }, ".x must be a number in -1e+100..1e+100, got 1e+101" },
-    { { x = -1e101 }, ".x must be a number in -1e+100..1e+100, got -1e+101" },
     { { drag = 1e101 }, ".drag must be a number in 0..1e+100, got 1e+101" },
     { { width = 1e101 }, ".width must be a number > 0 and <= 1e+100, got 1e+101" },
     { { mass = 1e-101 }, ".mass must be a number >= 1e-100, got 1e-101" },
-    { { restitution = INF }, ".restitution must be a finite number in 0..1, got inf" },
     { { mask = { "enemies" } }, '.mask[1] must be true or false, got "enemies"' },
-    { { mask = { enemies = 0 } }, ".mask.enemies must be true or false, got 0" },
     { { mask = { b = 2, a = 1, c = 3 } }, ".mask.a must be true or false, got 1" },
     { { mask = { [true] = false } }, ".mask must have group names as keys, got true" },
     { { y = NAN, width = -1, friction = "x" }, ".y must be a number, got nan" }, -- the first one
@@ -215,24 +203,15 @@ end)
 -- Settings ----------------------------------------------------------------------------------------
 
 describe("newWorld(settings)", function()
-  it("accepts nothing, no settings, and good ones", function()
-    physics.newWorld()
-    physics.newWorld({})
-    local masks = { bullets = { players = false, [2] = true }, [1] = {} }
-    physics.newWorld({ masks = masks, order = { "tiles", 2, "2" } })
-  end)
-
   for _, row in ipairs({
-    { { order = "tiles" }, 'order must be a list of group names, got "tiles"' },
-    { { order = { tiles = 1 } }, "order must be a list of group names, got table" },
+    {
+      { order = { "boxes", "lifts", "boxes" } },
+      'order must name each group once, got "boxes" at [1] and [3]',
+    },
+    { 800, "settings must be a table, got 800" },
     { { order = { 1, NAN } }, "order[2] must be a group name, got nan" },
-    { { masks = { a = "b" } }, 'masks.a must be a table { [group] = false }, got "b"' },
     { { masks = { a = { b = "no" } } }, 'masks.a.b must be true or false, got "no"' },
     { { masks = { [1] = { ["my b"] = 0 } } }, 'masks[1]["my b"] must be true or false, got 0' },
-    {
-      { masks = { a = { [print] = true } } },
-      "masks.a must have group names as keys, got function",
-    },
     { { masks = { [print] = {} } }, "masks must have group names as keys, got function" },
   }) do
     it("refuses: " .. row[2], function()
@@ -249,13 +228,9 @@ describe("newWorld(settings)", function()
   for _, row in ipairs({
     { "wind", '"wind"' },
     { "gravty", '"gravty" (did you mean "gravity"?)' },
-    { "gravityy", '"gravityy" (did you mean "gravity"?)' },
-    { "gravitx", '"gravitx" (did you mean "gravity"?)' },
     { "gravtiy", '"gravtiy" (did you mean "gravity"?)' },
     { "gravityx", '"gravityx" (did you mean "gravityX"?)' },
     { "cellsize", '"cellsize" (did you mean "cellSize"?)' },
-    { "mask", '"mask" (did you mean "masks"?)' },
-    { "", '""' },
     { 1, "1" },
     { true, "true" },
   }) do
@@ -275,16 +250,6 @@ describe("newWorld(settings)", function()
       end)
       settings[key] = nil
     end
-  end)
-
-  it("maxStep may not be taken away, as all with a default; others may", function()
-    local world = physics.newWorld({ timestep = 1 / 60 })
-    world.timestep, world.onBegin = nil, nil
-    world:update(0)
-    world.maxStep = nil
-    refuses("world.maxStep must be a number in 1e-05..0.25, got nil", function()
-      world:update(0)
-    end)
   end)
 end)
 
