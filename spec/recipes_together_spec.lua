@@ -106,32 +106,6 @@ TOGETHER["Running and Crouch: over a hill, under a low ceiling, always on the gr
   assert.is_true(game.player.x > 438)
 end
 
-TOGETHER["Dash and a slope: it goes up, and stays on the ground"] = function(rate)
-  local game = join(rate, { "Dash" })
-  addHill(game.world)
-  game.player.x = 110
-  game.press("right")
-  game.press("x", 0.2)
-  assert.truthy(game.player.touching.bottom)
-  assert.is_true(game.player.x > 170 and game.player.y < 348)
-  game.run(1.6, standsIn(game))
-  assert.equal(368, game.player.y)
-end
-
-TOGETHER["Portals and Carry and throw: the crate comes along"] = function(rate)
-  local game = join(rate, { "Portals", "Carry and throw" })
-  game.run(0.1)
-  game.press("x")
-  game.press("right", 1.2)
-  game.release("right", 1)
-  local crate = game.world.objects.crates[1]
-  assert.is_true(game.player.x >= 600)
-  assert.equal(400, game.player.y + game.player.height)
-  assert.equal(game.player.y, crate.y)
-  game.press("x", 2)
-  assert.is_true(crate.x > game.player.x + 24)
-end
-
 TOGETHER["Variable jump and Springs: letting go of the key does not cut the spring"] = function(
   rate
 )
@@ -180,19 +154,6 @@ TOGETHER["Checkpoints and Crumbling floor: it is whole again, and crumbles again
     assert.is_nil(tile.left)
     assert.is_true(tile.active ~= false)
   end
-end
-
-TOGETHER["Trains and Crouch: no slip, and no step in the air"] = function(rate)
-  local game = join(rate, { "Crouch", "Trains" })
-  game.player.x, game.player.y = 80, 376 - 32
-  game.run(0.1)
-  local train = game.world.objects.trains[1]
-  local place = game.player.x - train.x
-  for _ = 1, 3 do
-    game.press("down", 0.2, standsIn(game))
-    game.release("down", 0.2, standsIn(game))
-  end
-  assert.near(place, game.player.x - train.x, 1e-6)
 end
 
 describe("recipes together:", function()
