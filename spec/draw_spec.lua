@@ -1,3 +1,5 @@
+--- world:draw: what is drawn where, with each option, and that nothing else changes.
+
 local draw = require("physics.world.draw").draw
 
 local unpack = table.unpack or unpack -- luacheck: ignore (Lua 5.1 has it as a global)
@@ -53,13 +55,18 @@ local function newRecorder()
   return graphics, calls
 end
 
--- The rectangles that were drawn, as "x y width height", in order.
-local function rectangles(calls)
+-- What was drawn, in order: "x y width height" of rectangles, "circle line x y radius", "polygon
+-- fill x y …" of others; " @0.4" behind what is not opaque.
+local function shapes(calls)
   local found = {}
-  for _, call in ipairs(calls) do
-    if call.name == "rectangle" then
-      found[#found + 1] = ("%g %g %g %g"):format(unpack(call, 2, 5))
+  for n, call in ipairs(calls) do
+    local isRectangle = call.name == "rectangle"
+    local text = isRectangle and {} or { call.name, call[1] }
+    for i = 2, #call do
+      text[#text + 1] = ("%g"):format(call[i])
     end
+    text[#text + 1] = (call.color[4] or 1) < 1 and "@" .. call.color[4] or nil
+    found[n] = table.concat(text, " ")
   end
   return found
 end
@@ -89,56 +96,84 @@ describe("draw", function()
     return calls
   end
 
-  it("draws circles as circles", function()
-    local found = {}
-    drawn({ coins = { box({ x = 10, y = 20, radius = 8, sensor = true }) } })
-    drawn({ balls = { box({ x = 30, y = 20, radius = 8 }) } }, { touching = false })
-    for n, call in ipairs(calls) do
-      found[n] = ("%s %s %g %g %g"):format(call.name, unpack(call, 1, 4))
-    end
-    assert.are.same({ "circle line 18 28 8", "circle fill 38 28 8", "circle fill 38 28 7" }, found)
-  end)
+  local SIDES = { top = false, bottom = false, left = false, right = false }
+  local WHOLE, INNER = "10 20 16 16", "11 21 14 14"
+  local BOTH, FAINT = WHOLE .. "|" .. INNER, WHOLE .. " @0.4|" .. INNER .. " @0.4"
+  local RIM = "10 20 16 1|10 35 16 1|10 21 1 14|25 21 1 14"
 
-  local function colorOf(object, options)
-    drawn({ boxes = { object } }, options)
-    return calls[1].color
+  -- One object of 16 x 16 px at 10, 20 with these fields, options, and what is drawn.
+  for _, row in ipairs({
+    { "a box with a border", {}, nil, BOTH },
+    { "more of a thin one than its border", { height = 2 }, nil, "10 20 16 2|10.5 20.5 15 1" },
+    { "a circle", { radius = 8 }, nil, "circle fill 18 28 8|circle fill 18 28 7" },
+    { "a round sensor", { radius = 8, sensor = true }, nil, "circle line 18 28 8" },
+    { "a sensor as an outline", { sensor = true, static = true }, nil, RIM },
+    { "outlines with fill = false", {}, { fill = false }, RIM },
+    {
+      "faintly and alone what is not active",
+      { active = false, vx = 9, touching = { top = {} } },
+      { velocity = true },
+      WHOLE .. " @0.3|" .. INNER .. " @0.3",
+    },
+    { "as opaque as asked", {}, { alpha = 0.5 }, WHOLE .. " @0.5|" .. INNER .. " @0.5" },
+    { "what touches at the top", { touching = "top" }, nil, BOTH .. "|10 20 16 2" },
+    { "at the bottom", { touching = "bottom" }, nil, BOTH .. "|10 34 16 2" },
+    { "on the left", { touching = "left" }, nil, BOTH .. "|10 20 2 16" },
+    { "on the right", { touching = "right" }, nil, BOTH .. "|24 20 2 16" },
+    { "no side if told so", { touching = "left" }, { touching = false }, BOTH },
+    { "the solid side of a ledge", { oneWay = "top" }, nil, FAINT .. "|10 20 16 4" },
+    { "of a roof", { oneWay = "bottom" }, nil, FAINT .. "|10 32 16 4" },
+    { "of a gate", { oneWay = "left" }, nil, FAINT .. "|10 20 4 16" },
+    { "of another", { oneWay = "right" }, nil, FAINT .. "|22 20 4 16" },
+    { "no such side if told so", { oneWay = "top" }, { oneWay = false }, BOTH },
+    { "the slope right", { slope = "right" }, nil, "polygon fill 10 36 26 20 26 36" },
+    { "the slope left", { slope = "left" }, nil, "polygon fill 26 36 10 20 10 36" },
+    { "the slope topright", { slope = "topright" }, nil, "polygon fill 10 20 26 36 26 20" },
+    { "the slope topleft", { slope = "topleft" }, nil, "polygon fill 26 20 10 36 10 20" },
+    {
+      "an outline of one",
+      { slope = "left", sensor = true },
+      nil,
+      "polygon line 26 36 10 20 10 36",
+    },
+    -- from the middle to where it is in 0.1 s: 2 px thick, and a square of 4 px at its end
+    {
+      "velocity if asked",
+      { vx = 100 },
+      { velocity = true },
+      BOTH .. "|polygon fill 18 29 28 29 28 27 18 27|26 26 4 4",
+    },
+    { "none where there is none", {}, { velocity = true }, BOTH },
+  }) do
+    it("draws " .. row[1], function()
+      local object = box({ x = 10, y = 20 })
+      for name, value in pairs(row[2]) do
+        object[name] = value
+      end
+      if SIDES[object.touching] == false then
+        object.touching = { top = false, bottom = false, left = false, right = false }
+        object.touching[row[2].touching] = {}
+      end
+      object.static = row[2].oneWay and true or object.static
+      drawn({ boxes = { object } }, row[3])
+      assert.equal(row[4], table.concat(shapes(calls), "|"))
+    end)
   end
 
-  it("draws every object at its place, in its size, with a border", function()
-    drawn({ boxes = { { x = 3, y = 4, width = 20, height = 10 } } })
-    assert.same({ "3 4 20 10", "4 5 18 8" }, rectangles(calls))
+  it("draws the border darker, and what stands directly in objects", function()
+    drawn({ player = box({ x = 10, y = 20 }) })
+    assert.same({ WHOLE, INNER }, shapes(calls))
     assert.is_true(calls[1].color[1] < calls[2].color[1])
   end)
 
-  it("leaves of a thin object more than its border", function()
-    drawn({ boxes = { { x = 3, y = 4, width = 20, height = 2 } } })
-    assert.same({ "3 4 20 2", "3.5 4.5 19 1" }, rectangles(calls))
-  end)
-
-  it("draws objects that stand directly in objects", function()
-    drawn({ player = { x = 3, y = 4, width = 20, height = 10 } })
-    assert.equal("3 4 20 10", rectangles(calls)[1])
-  end)
-
   it("draws numbers before strings, each in order, groups and members alike", function()
-    local b = { [2] = box({ x = 4 }), [1] = box({ x = 3 }), a = box({ x = 5 }) }
+    local b = { [9] = box({ x = 4 }), [1] = box({ x = 3 }), a = box({ x = 5 }) }
     drawn({ zoo = { box({ x = 7 }) }, b = b, hero = box({ x = 6 }), [2] = { box({ x = 2 }) } })
     local order = {}
     for i = 1, #calls, 2 do
       order[#order + 1] = calls[i][2]
     end
     assert.same({ 2, 3, 4, 5, 6, 7 }, order)
-  end)
-
-  it("draws a list with a hole in order", function()
-    drawn({
-      b = { [0] = box({ x = 1 }), box({ x = 2 }), nil, box({ x = 3 }), [9] = box({ x = 4 }) },
-    })
-    local order = {}
-    for i = 1, #calls, 2 do
-      order[#order + 1] = calls[i][2]
-    end
-    assert.same({ 1, 2, 3, 4 }, order)
   end)
 
   local KINDS = {
@@ -181,101 +216,6 @@ describe("draw", function()
     end
   end)
 
-  it("outlines sensors inside of their box", function()
-    drawn({ coins = { box({ x = 10, y = 20, sensor = true, static = true }) } })
-    assert.same({ "10 20 16 1", "10 35 16 1", "10 21 1 14", "25 21 1 14" }, rectangles(calls))
-  end)
-
-  it("outlines everything with fill = false", function()
-    drawn({ boxes = { box({ x = 10, y = 20 }) } }, { fill = false })
-    assert.same({ "10 20 16 1", "10 35 16 1", "10 21 1 14", "25 21 1 14" }, rectangles(calls))
-  end)
-
-  it("draws inactive objects faintly, and without their sides and velocity", function()
-    local touching = { top = false, bottom = {}, left = false, right = false }
-    local object = box({ active = false, touching = touching, vx = 9 })
-    local color = colorOf(object, { velocity = true })
-    assert.equal(0.3, color[4])
-    assert.equal(2, #calls)
-  end)
-
-  it("marks each side that touches at its edge", function()
-    for _, row in ipairs({
-      { "top", "10 20 16 2" },
-      { "bottom", "10 34 16 2" },
-      { "left", "10 20 2 16" },
-      { "right", "24 20 2 16" },
-    }) do
-      graphics, calls = newRecorder()
-      rawset(_G, "love", { graphics = graphics })
-      local touching = { top = false, bottom = false, left = false, right = false }
-      touching[row[1]] = {}
-      drawn({ boxes = { box({ x = 10, y = 20, touching = touching }) } })
-      assert.equal(3, #calls)
-      assert.equal(row[2], rectangles(calls)[3])
-    end
-  end)
-
-  it("marks no side with touching = false", function()
-    local touching = { top = false, bottom = {}, left = false, right = false }
-    drawn({ boxes = { box({ touching = touching }) } }, { touching = false })
-    assert.equal(2, #calls)
-  end)
-
-  it("marks the solid side of one-way objects, the rest is faint", function()
-    for _, row in ipairs({
-      { "top", "10 20 16 4" },
-      { "bottom", "10 32 16 4" },
-      { "left", "10 20 4 16" },
-      { "right", "22 20 4 16" },
-    }) do
-      graphics, calls = newRecorder()
-      rawset(_G, "love", { graphics = graphics })
-      drawn({ shelves = { box({ x = 10, y = 20, static = true, oneWay = row[1] }) } })
-      assert.equal(row[2], rectangles(calls)[3])
-      assert.equal(1, calls[3].color[4])
-      assert.equal(0.4, calls[2].color[4])
-    end
-  end)
-
-  it("draws slopes as triangles, filled, and sensors as outlines", function()
-    for _, row in ipairs({
-      { "right", "10 36 26 20 26 36" },
-      { "left", "26 36 10 20 10 36" },
-      { "topright", "10 20 26 36 26 20" },
-      { "topleft", "26 20 10 36 10 20" },
-    }) do
-      for _, isSensor in ipairs({ false, true }) do
-        graphics, calls = newRecorder()
-        local mode, points
-        function graphics.polygon(...)
-          mode, points = ..., table.concat({ select(2, ...) }, " ")
-        end
-        rawset(_G, "love", { graphics = graphics })
-        local fields = { x = 10, y = 20, static = true, slope = row[1], sensor = isSensor }
-        drawn({ hills = { box(fields) } })
-        assert.equal(row[2], points)
-        assert.equal(isSensor and "line" or "fill", mode)
-      end
-    end
-  end)
-
-  it("draws one-way objects like others with oneWay = false", function()
-    drawn({ shelves = { box({ static = true, oneWay = "top" }) } }, { oneWay = false })
-    assert.equal(2, #calls)
-    assert.equal(1, calls[2].color[4])
-  end)
-
-  -- 2 px thick, and a square of 4 px at its end
-  it("draws velocities when asked, from the middle to where the object is in 0.1 s", function()
-    local objects = { boxes = { box({ vx = 100 }), box({ static = true }), box({}) } }
-    drawn(objects, { velocity = true })
-    assert.equal(8, #calls)
-    assert.equal("polygon", calls[3].name)
-    assert.same({ 8, 9, 18, 9, 18, 7, 8, 7 }, { unpack(calls[3], 2, 9) })
-    assert.equal("16 6 4 4", rectangles(calls)[3])
-  end)
-
   it("writes group and key when asked, with a shadow", function()
     drawn({ boxes = { box({}) }, hero = box({}) }, { names = true })
     local words = {}
@@ -312,12 +252,8 @@ describe("draw", function()
     world:add("tiles", box({ x = 70, y = 130, static = true }))
     world:update(1 / 60)
     world:draw({ grid = true })
-    local found = rectangles(calls)
-    assert.same({ "64 128 64 1", "64 191 64 1" }, { found[1], found[2] })
-  end)
-
-  it("draws as opaque as asked", function()
-    assert.equal(0.5, colorOf(box({}), { alpha = 0.5 })[4])
+    local found = shapes(calls)
+    assert.same({ "64 128 64 1 @0.4", "64 191 64 1 @0.4" }, { found[1], found[2] })
   end)
 
   it("leaves the caller's colour, line width, font and transform as they were", function()
