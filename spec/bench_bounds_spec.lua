@@ -58,14 +58,6 @@ local function play(moves, more)
 end
 
 describe("the bounds of a scene", function()
-  it("are at rest at once when nothing ever moves", function()
-    local result = play({})
-    assert.equal(30, result.steps)
-    assert.is_false(result.isLimited)
-    assert.same({ 0, 0, 0, 0 }, { result.rest, result.apart, result.pairs, result.outside })
-    assert.same({ 0, 0 }, { result.jump, result.fastest })
-  end)
-
   it("count the steps until rest after the last driven one", function()
     local result = play({
       [12] = function(list)
@@ -101,13 +93,6 @@ describe("the bounds of a scene", function()
       end,
     })
     assert.same({ 0, 0, 3 }, { result.pairs, result.deepest, result.apart })
-    result = play({
-      [1] = function(list)
-        list[1].x = 43
-      end,
-    })
-    assert.same({ 1, 3 }, { result.pairs, result.deepest })
-    assert.is_nil(result.apart)
   end)
 
   it("count what is outside by its middle, a number that is none included", function()

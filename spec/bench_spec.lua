@@ -2,12 +2,9 @@
 
 local docs = require("bench.docs")
 local engines = require("bench.engines")
-local json = require("bench.json")
 local measure = require("bench.measure")
-local newRandom = require("spec.support.random").new
 local options = require("bench.options")
 local overlap = require("spec.support.overlap")
-local report = require("bench.report")
 local scenes = require("bench.scenes")
 local statistics = require("bench.statistics")
 
@@ -25,26 +22,6 @@ describe("statistics", function()
       assert.equal(row[4], statistics.mean(row[1]))
     end)
   end
-
-  it("counts the slowest hundredth as beyond p99, and no more", function()
-    local values = {}
-    for i = 200, 1, -1 do
-      values[#values + 1] = i
-    end
-    assert.equal(198, statistics.quantile(values, 0.99))
-    assert.equal(1, statistics.quantile(values, 0))
-    assert.equal(200, statistics.quantile(values, 1))
-  end)
-end)
-
-describe("the generator of the scenes", function()
-  it("is the minimal standard: its authors give the state after 10 000 numbers from 1", function()
-    local random = newRandom(1)
-    for _ = 5, 10000 do -- making it has taken four
-      random:unit()
-    end
-    assert.equal(1043618065, random.state)
-  end)
 end)
 
 describe("the overlap measure", function()
@@ -71,13 +48,6 @@ describe("the overlap measure", function()
   end
 end)
 
-describe("json", function()
-  it("reads what it has written", function()
-    local value = { list = { { a = 1 }, { b = "é" } }, text = "tab\t", no = false, small = 1e-300 }
-    assert.same(value, json.decode(json.encode(value)))
-  end)
-end)
-
 describe("the command line", function()
   it("reads --name value and --name=value", function()
     local chosen = options.read({
@@ -97,13 +67,9 @@ describe("the command line", function()
   end)
 
   for _, row in ipairs({
-    { { "--scen", "pile" }, "bench: unknown option --scen; --help shows all" },
     { { "--scene", "heap" }, "bench: --scene: there is no heap; --list shows what there is" },
-    { { "--engine=box" }, "bench: --engine: there is no box; --list shows what there is" },
-    { { "--steps" }, "bench: --steps needs a value" },
     { { "--steps=1.5" }, "bench: --steps must be an integer, got 1.5" },
     { { "--limit=-1" }, "bench: --limit must be a number > 0, got -1" },
-    { { "--json=yes" }, "bench: unknown option --json=yes; --help shows all" },
   }) do
     it("refuses " .. table.concat(row[1], " "), function()
       local isRead, message = pcall(options.read, row[1])
@@ -129,23 +95,6 @@ describe("a scene", function()
       end
     end)
   end
-
-  it("has the number of boxes, tiles and worlds that n says", function()
-    local function count(name, n, group)
-      local found = 0
-      for _, object in ipairs(scenes.build(name, n).objects) do
-        found = found + (object.group == group and 1 or 0)
-      end
-      return found
-    end
-    assert.equal(500, count("pile", 500, "boxes"))
-    assert.equal(2000, count("level", 2000, "tiles"))
-    assert.equal(20000, count("level", 20000, "tiles"))
-    assert.equal(200, count("level", 20000, "walkers"))
-    assert.equal(200, count("lifts", 200, "riders"))
-    assert.equal(40, #scenes.build("rooms", 500).objects)
-    assert.equal(500, scenes.build("rooms", 500).worlds)
-  end)
 end)
 
 describe("an engine", function()
@@ -237,13 +186,6 @@ describe("a measurement", function()
     assert.same({ step = 44, between = 44, read = 0, free = 2 }, calls)
   end)
 
-  it("is given up when its time is over, and then has no figures", function()
-    local result = measure.times(engine, newScene(), 1e-12)
-    assert.is_true(result.isLimited)
-    assert.is_nil(result.median)
-    assert.equal(2, calls.free)
-  end)
-
   it("finds the overlap of every tenth frame", function()
     -- 2 + 10 frames: x = 12, 2 px in the wall; 2 + 20: x = 22, 8 px.
     local result = measure.quality(engine, newScene(), 60)
@@ -278,29 +220,6 @@ describe("the report", function()
     job("fizzx", 1000, "jit", nil, { skipped = "not found on package.path" }),
   }
 
-  it("compares with ours in the same scene, size and mode", function()
-    assert.equal(4, report.ratio(results, results[2]))
-    assert.equal(1, report.ratio(results, results[5]))
-    assert.equal(8, report.ratio(results, results[7]))
-    assert.is_nil(report.ratio(results, results[3]))
-  end)
-
-  for _, row in ipairs({
-    { report.ms, 0.0123, "0.012" },
-    { report.ms, 12.34, "12.3" },
-    { report.ms, 123.4, "123" },
-    { report.bytes, 12, "12 B" },
-    { report.bytes, 3322000, "3.3 MB" },
-    { report.pixels, 0, "0" },
-    { report.pixels, 0.00012, "0.0001" },
-    { report.pixels, 3.44, "3.4" },
-  }) do
-    it("writes " .. row[3], function()
-      assert.equal(row[3], row[1](row[2]))
-      assert.equal("-", row[1](nil))
-    end)
-  end
-
   it("becomes tables of the page, with what was given up and what was not measured", function()
     local machine = { lua = "LuaJIT", love = "11.4", date = "2026-01-02" }
     local text = docs.render({ machine = machine, results = results })
@@ -315,16 +234,5 @@ describe("the report", function()
     }) do
       assert.truthy(text:find(expected .. "\n", 1, true), expected .. " in\n" .. text)
     end
-  end)
-
-  it("tells how the time grows with n", function()
-    local jit = { results[1], results[2], results[6] }
-    assert.near(1, docs.growth(jit, "pile-awake"), 1e-12)
-    jit[3] = job("ours", 2000, "jit", 4)
-    local exponent, from, to = docs.growth(jit, "pile-awake")
-    assert.near(2, exponent, 1e-12)
-    assert.same({ 500, 2000 }, { from, to })
-    assert.is_nil(docs.growth({ results[1] }, "pile-awake"))
-    assert.is_nil(docs.growth(jit, "gas"))
   end)
 end)

@@ -42,7 +42,7 @@ local function regular(dt, total)
   return lengths
 end
 
-describe("with a fixed timestep", function()
+describe("timestep", function()
   it("irregular dt give the trajectory of regular ones, to the bit", function()
     local lengths = regular(STEP, SECONDS)
     local track, straight = trackOf(lengths)
@@ -100,30 +100,6 @@ describe("with a fixed timestep", function()
     end
     assert.are.equal(24, box.x)
     assert.are.equal(0, world.alpha)
-  end)
-
-  it("a callback that fails again and again leaves no more than 0.25 s", function()
-    local world = physics.newWorld({ gravity = 0, timestep = 0.03125 })
-    local box = world:add("boxes", { x = 0, y = 0, width = 8, height = 8, vx = 32 })
-    world:add("zones", { x = -9, y = 0, width = 900, height = 8, static = true, sensor = true })
-    world.onStay = function()
-      error("no")
-    end
-    local failed = 0
-    for _ = 1, 20 do
-      failed = failed + (pcall(world.update, world, 0.25) and 0 or 1)
-    end
-    assert.is_true(failed >= 19)
-    local state, x = world:save(), box.x
-    world:restore(state)
-    assert.is_true(world.alpha >= 0 and world.alpha <= 1)
-    world.onStay = nil
-    -- 0.21875 s are saved up: 7 steps, and one for this update.
-    world:update(0.25)
-    assert.are.equal(x + 8, box.x)
-    assert.are.equal(0, world.alpha)
-    world:update(0.03125)
-    assert.are.equal(x + 9, box.x)
   end)
 
   it("what is left of a long step counts in full beside a long dt", function()
@@ -195,13 +171,6 @@ describe("world:interpolate", function()
     end)
   end
 
-  it("is x, y without a timestep", function()
-    world = physics.newWorld({ gravity = 0 })
-    local object = box()
-    world:update(0.03125)
-    checkAt(object.x, object.y, object)
-  end)
-
   it("is x, y for an object that is new, static, not active or not in the world", function()
     local static = box({ static = true, x = 50 })
     world:update(0.25)
@@ -256,27 +225,5 @@ describe("world:interpolate", function()
       local _, riderY = world:interpolate(rider)
       assert.is_true(math.abs(riderY + 16 - liftY) < 1e-9, ("frame %d"):format(i))
     end
-  end)
-
-  it("stands still where an object rests", function()
-    world = physics.newWorld({ gravity = 640, timestep = 0.03125 })
-    world:add("floor", { x = 0, y = 100, width = 200, height = 8, static = true })
-    local object = world:add("boxes", { x = 10, y = 60, width = 16, height = 16 })
-    for _ = 1, 60 do
-      world:update(0.03)
-    end
-    for _ = 1, 10 do
-      checkAt(10, 84, object)
-      world:update(0.01)
-    end
-  end)
-
-  it("refuses what is no object", function()
-    local ok, message = pcall(function()
-      world:interpolate(nil)
-    end)
-    assert.is_false(ok)
-    local text = "physics: world:interpolate(object): object must be a table, got nil"
-    assert.is_truthy(message:find(text, 1, true), message)
   end)
 end)

@@ -58,11 +58,4 @@ describe("LÖVE 12", function()
     end
     assert.is_true(count > 10)
   end)
-
-  it("lacks what would be found", function()
-    assert.equal("love.filesystem.isFile", findRemoved("if love.filesystem.isFile(path) then"))
-    assert.equal(":getChannels", findRemoved("source:getChannels()"))
-    assert.equal("setColorMask()", findRemoved("love.graphics.setColorMask()"))
-    assert.is_nil(findRemoved("love.filesystem.getSizeOfAll()"))
-  end)
 end)

@@ -75,28 +75,3 @@ describe("the library", function()
     end)
   end)
 end)
-
-describe("of these lines", function()
-  for _, row in ipairs({
-    { "  a, b = b, a", true },
-    { "  i, j, side = j, i, OPPOSITE[side]", true },
-    { "  x, list[x] = 1, 2", true },
-    { "  x, list[1] = 1, x + 1", true },
-    { "  a, b = b, c", false },
-    { "  a, b = max(a, b), c", false },
-    { "  a, b = f(c, d), e.a", false },
-    { "  local a, b = b, a", false },
-    { "  list[1], list[2] = list[2], list[1]", false },
-    { '  a, b = 1, "a"', false },
-  }) do
-    it(row[1] .. (row[2] and " is found" or " is right"), function()
-      assert.equal(row[2], readsWhatItWrote(row[1]))
-    end)
-  end
-
-  it("those over next without a start are found", function()
-    assert.is_true(startsAnywhere("  for key in next, f(a, b) do"))
-    assert.is_false(startsAnywhere("  for key in next, list, nil do"))
-    assert.is_false(startsAnywhere("  for key in pairs(list) do"))
-  end)
-end)

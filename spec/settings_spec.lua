@@ -61,17 +61,6 @@ describe("settings", function()
     end
   end)
 
-  it("push first: of two that are equally fast the first in order gives way", function()
-    for _, row in ipairs({ { { "a", "b" }, 0, 10 }, { { "b", "a" }, 10, 20 } }) do
-      local world = physics.newWorld({ gravity = 0, push = "first", order = row[1] })
-      local a = world:add("a", { x = 0, y = 0, width = 10, height = 10, vx = 600 })
-      local b = world:add("b", { x = 20, y = 0, width = 10, height = 10, vx = -600 })
-      world:update(DT)
-      assert.near(row[2], a.x, 1e-9)
-      assert.near(row[3], b.x, 1e-9)
-    end
-  end)
-
   it("broadphase and cellSize may change in mid-air", function()
     local worlds = {}
     for n = 1, 2 do
@@ -176,60 +165,5 @@ describe("settings", function()
     shot.x, shot.vx = 0, 600
     play(world, 6)
     assert.near(60, shot.x, 1e-9)
-    -- The same of a mask of its own.
-    world.masks, shot.mask = nil, { gates = false }
-    shot.x = 0
-    play(world, 6)
-    assert.near(60, shot.x, 1e-9)
-    world.objects.gates = nil
-    world:update(DT)
-    shot.mask.gates = nil
-    world.objects.gates = gates
-    shot.x = 0
-    play(world, 5)
-    assert.equal(14, shot.x)
-    shot.mask.gates = false
-    shot.x, shot.vx = 0, 600
-    play(world, 6)
-    assert.near(60, shot.x, 1e-9)
-  end)
-end)
-
-describe("timestep", function()
-  it("makes steps of one length, whatever dt is", function()
-    local world = physics.newWorld({ gravity = 800, timestep = 1 / 100 })
-    local twin = physics.newWorld({ gravity = 800, timestep = 1 / 100 })
-    local a, b = world:add("boxes", newBox(0, 0)), twin:add("boxes", newBox(0, 0))
-    for _ = 1, 100 do
-      world:update(1 / 100)
-    end
-    for _, dt in ipairs({ 0.003, 0.017, 0.1, 0.08, 0.2, 0.25, 0.1, 0.25 }) do
-      twin:update(dt)
-    end
-    assert.equal(a.y, b.y)
-    assert.equal(a.vy, b.vy)
-  end)
-
-  it("tells by alpha how far the next step is, and where to draw", function()
-    local world = physics.newWorld({ gravity = 0, timestep = 0.1 })
-    local box = world:add("boxes", newBox(0, 0, { vx = 100 }))
-    world:update(0.1)
-    assert.near(0, world.alpha, 1e-9)
-    assert.near(10, box.x, 1e-9)
-    assert.near(0, world:interpolate(box), 1e-9)
-    world:update(0.05)
-    assert.near(0.5, world.alpha, 1e-9)
-    assert.near(10, box.x, 1e-9)
-    local x, y = world:interpolate(box)
-    assert.near(5, x, 1e-9)
-    assert.near(0, y, 1e-9)
-  end)
-
-  it("is none by default: what is drawn is where it is", function()
-    local world = physics.newWorld({ gravity = 0 })
-    local box = world:add("boxes", newBox(0, 0, { vx = 100 }))
-    assert.same({ 0, 0 }, { world:interpolate(box) })
-    world:update(0.02)
-    assert.same({ box.x, 0 }, { world:interpolate(box) })
   end)
 end)
