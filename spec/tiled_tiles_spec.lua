@@ -1,7 +1,6 @@
 --- Solid tiles of Tiled maps: which are, where, how many rectangles become of them, and that
 --- merging changes no motion.
 
-local random = require("spec.support.random")
 local tiled = require("spec.support.tiled")
 
 local load, boxes = tiled.load, tiled.boxes
@@ -39,20 +38,14 @@ describe("world:loadTiled, tiles", function()
       { "by their property, and nothing else is", "1556.555...1", nil, nil, nil, 2 },
       { "by their layer's property, but for those that say no", "1556", YES, nil, nil, 3 },
       { "by the name of their layer", "1556", nil, nil, LAYER, 3 },
-      { "by the id of their layer", "1556", nil, nil, { solidLayers = { 1 } }, 3 },
       { "by a layer around theirs", "555", nil, YES, nil, 3 },
-      { "by the name of one around", "555", nil, {}, { solidLayers = { "all" } }, 3 },
-      { "by none", "555", nil, {}, nil, 0 },
       { "but not against their own layer", "555", NO, {}, { solidLayers = { "all" } }, 0 },
       { "by the nearest layer that says anything", "5", YES, NO, nil, 1 },
       { "by the nearest, before solidTiles", "5", nil, NO, { solidTiles = { 5 } }, 0 },
-      { "by a list of gids", "1a5bc...", nil, nil, { solidTiles = { 5 } }, 4 },
       { "by a longer list of gids", "1a5bc...", nil, nil, { solidTiles = { 5, 6 } }, 5 },
       { "but not in a layer that says no", "1234", NO, nil, { solidTiles = { 1 } }, 0 },
       { "in one that says no, by its name", "1234", NO, nil, LAYER, 4 },
       { "by an option, whatever they say", "666", nil, nil, { solidTiles = { 6 } }, 3 },
-      { "if they do not say no", "666", nil, nil, nil, 0 },
-      { "by no option where the layer says no", "666", NO, nil, { solidTiles = { 6 } }, 0 },
       { "by no name of a layer if they say no", "666", NO, nil, LAYER, 0 },
       {
         "by both options",
@@ -109,22 +102,14 @@ describe("world:loadTiled, tiles", function()
 
   --- Each row: a picture, and the rectangles in tiles: column row columns rows.
   for _, row in ipairs({
-    { "a row", { "1111" }, "0 0 4 1" },
     { "a column", { ".1.", ".1.", ".1." }, "1 0 1 3" },
-    { "a block", { "111", "111" }, "0 0 3 2" },
     { "a floor with pillars", { "1.1", "1.1", "111" }, "0 0 1 2, 2 0 1 2, 0 2 3 1" },
     { "a hole", { "111", "1.1", "111" }, "0 0 3 1, 0 1 1 1, 2 1 1 1, 0 2 3 1" },
-    { "ends of rows, never with the next", { "..1", "1.." }, "2 0 1 1, 0 1 1 1" },
     { "equal tiles only", { "1144" }, "0 0 2 1, 2 0 2 1" },
     { "equal in what the game says of them, too", { "1188" }, "0 0 2 1, 2 0 2 1" },
     { "ledges in a row, not in a column", { "33", "33" }, "0 0 2 1, 0 1 2 1" },
     { "no sensors", { "22" }, "0 0 1 1, 1 0 1 1" },
-    { "nothing that moves", { "77" }, "0 0 1 1, 1 0 1 1" },
     { "sensors that say merge", { "22", "22" }, "0 0 2 2", { merge = true } },
-    { "what moves and says merge", { "777" }, "0 0 3 1", { merge = true } },
-    { "none that say no", { "11" }, "0 0 1 1, 1 0 1 1", { merge = false } },
-    { "gates in a column", { "11", "11" }, "0 0 1 2, 1 0 1 2", { oneWay = "left" } },
-    { "roofs in a row", { "11", "11" }, "0 0 2 1, 0 1 2 1", { oneWay = "bottom" } },
   }) do
     it("merge: " .. row[1], function()
       local level, world = load(newMap(row[2], { properties = row[4] }))
@@ -142,12 +127,6 @@ describe("world:loadTiled, tiles", function()
       assert.equal(select(2, table.concat(row[2]):gsub("%d", "")), level.tiles)
     end)
   end
-
-  it("do not merge with merge = false", function()
-    local level = load(newMap({ "111", "111" }), { merge = false })
-    assert.same({ 6, 6 }, { level.tiles, level.rectangles })
-    assert.equal(1, level.objects[1].tiled.gid)
-  end)
 
   it("do not merge over groups, nor with those that say no", function()
     local set = tiled.tileset({
@@ -167,38 +146,6 @@ describe("world:loadTiled, tiles", function()
     local level = load(tiled.map({ first, second }, { tiled.tiles(1, "ground", { "1771" }) }))
     assert.same({ 4, 1 }, { level.tiles, level.rectangles })
     assert.is_nil(level.objects[1].tiled.gid)
-  end)
-
-  it("cover what they covered, each cell once", function()
-    local generator = random.new(20)
-    for _ = 1, 20 do
-      local rows, solid = {}, 0
-      for row = 1, 12 do
-        local text = {}
-        for column = 1, 15 do
-          text[column] = generator:pick({ ".", "1", "1", "1", "3", "4" })
-          solid = solid + (text[column] == "." and 0 or 1)
-        end
-        rows[row] = table.concat(text)
-      end
-      local level = load(newMap(rows))
-      local covered = {}
-      for _, object in ipairs(level.objects) do
-        for x = object.x, object.x + object.width - 1, 16 do
-          for y = object.y, object.y + object.height - 1, 16 do
-            local tile = rows[y / 16 + 1]:sub(x / 16 + 1, x / 16 + 1)
-            local cell = x .. " " .. y
-            assert.is_nil(covered[cell])
-            covered[cell] = true
-            assert.equal(tile == "3" and "top" or nil, object.oneWay)
-            assert.equal(tile == "4" and 0.75 or nil, object.friction)
-            assert.are_not.equal(".", tile)
-            solid = solid - 1
-          end
-        end
-      end
-      assert.equal(0, solid)
-    end
   end)
 
   -- Shapes ----------------------------------------------------------------------------------------

@@ -41,29 +41,19 @@ describe("world:loadTiled, walls", function()
     --- name of the layer, its properties, the rectangle's, options: kind
     for _, row in ipairs({
       { "things", nil, nil, nil, "sensor" },
-      { "things", nil, nil, { kinds = { things = "dynamic" } }, "dynamic" },
       { "things", nil, { solid = true }, nil, "static" },
       { "things", nil, { collidable = true }, nil, "static" },
-      { "things", nil, { collidable = "true" }, nil, "static" },
       { "things", { solid = true }, nil, nil, "static" },
-      { "things", { collidable = true }, nil, nil, "static" },
       { "things", nil, nil, { solidLayers = { "things" } }, "static" },
-      { "things", nil, nil, { solidLayers = { 1 } }, "static" },
       { "things", { solid = true }, { static = false }, nil, "dynamic" },
-      { "things", { solid = true }, { kinematic = true }, nil, "kinematic" },
-      { "things", { kinematic = true }, { solid = true }, nil, "kinematic" },
       { "things", { solid = false }, { solid = true }, nil, "none" },
       { "things", nil, { solid = false, collidable = true }, nil, "none" },
-      { "things", nil, { solid = true, collidable = false }, nil, "static" },
       { "things", { solid = false }, nil, { solidLayers = { "things" } }, "static" },
       { "things", nil, { hard = true }, { solidProperty = "hard" }, "static" },
       { "things", nil, { solid = true }, { solidProperty = "hard" }, "sensor" },
       { "Walls", nil, nil, nil, "static" },
       { "walls", nil, { static = false }, nil, "dynamic" },
-      { "walls", nil, { kinematic = true }, nil, "kinematic" },
       { "walls", nil, { solid = false }, nil, "none" },
-      { "walls", { solid = false }, nil, nil, "none" },
-      { "walls", { static = false }, nil, nil, "dynamic" },
       { "walls", nil, nil, { solidLayers = {} }, "sensor" },
     }) do
       local name, layer, own, options, kind = row[1], row[2], row[3], row[4], row[5]
@@ -86,7 +76,6 @@ describe("world:loadTiled, walls", function()
       local map = newObjects("things", { rectangle() })
       for _, row in ipairs({
         { "all", { solid = true }, "static" },
-        { "all", { collidable = true }, "static" },
         { "Collision", {}, "static" },
         { "all", {}, "sensor" },
         { "Collision", { solid = false }, "none" },
@@ -99,17 +88,6 @@ describe("world:loadTiled, walls", function()
           assert.equal("static", kindOf(load(copied, options)))
         end
       end
-    end)
-
-    it("that do not fall, while the player stands on them", function()
-      local map = newObjects("Platforms", { tiled.object(1, 0, 100, 200, 16) })
-      map.layers[2] = tiled.objects(2, "Player", { tiled.object(2, 20, 50, 16, 16) })
-      local level, world = load(map, { kinds = { Player = "dynamic" } })
-      for _ = 1, 60 do
-        world:update(1 / 60)
-      end
-      assert.equal(100, level.objects[1].y)
-      assert.equal(84, level.objects[2].y)
     end)
   end)
 
@@ -200,13 +178,9 @@ describe("world:loadTiled, walls", function()
 
     for _, row in ipairs({
       { "has a name", { name = "cloud" } },
-      { "has a class", { type = "cloud" } },
-      { "has a property", { properties = { speed = 3 } } },
       { "has a tile with a property", nil, { { id = 2, properties = { speed = 3 } } } },
-      { "has a tile with a class", nil, { { id = 2, type = "cloud" } } },
       { "has a tile with a shape", nil, { tiled.shapes(2, { tiled.object(1, 0, 0, 8, 8) }) } },
       { "is in a layer with a word of ours", nil, nil, { properties = { gravity = 0 } } },
-      { "is in a layer with a group", nil, nil, { properties = { group = "sky" } } },
       { "is in a layer that is solid", nil, nil, { properties = { solid = true } } },
       { "is in a layer by its name", nil, nil, nil, nil, "walls" },
       { "is in a layer of onlyLayers", nil, nil, nil, { onlyLayers = { "clouds" } } },

@@ -26,10 +26,7 @@ describe("world:loadTiled, words", function()
     for _, row in ipairs({
       { "friction", "1.00", 1 },
       { "mass", " 20.50 ", 20.5 },
-      { "mass", "2e1", 20 },
       { "vx", "-3.5", -3.5 },
-      { "vy", "+.25", 0.25 },
-      { "gravity", "0", 0 },
       { "static", "true", true },
       { "sensor", "False", false },
       { "oneWay", "true", "top" },
@@ -68,11 +65,7 @@ describe("world:loadTiled, words", function()
   describe("names what cannot be, and loads the rest:", function()
     for _, row in ipairs({
       { "drag", "true", 'drag must be a number >= 0, got "true"' },
-      { "mask", "true", 'mask must be a table { [group] = false }, got "true"' },
-      { "gravity", true, "gravity must be a number, got true" },
       { "friction", "0x10", 'friction must be a number >= 0, got "0x10"' },
-      { "friction", "nan", 'friction must be a number >= 0, got "nan"' },
-      { "friction", "1.2.3", 'friction must be a number >= 0, got "1.2.3"' },
       { "friction", "-1", "friction must be a number >= 0, got -1" },
       { "friction", 0 / 0, "friction must be a number >= 0, got nan" },
       { "mass", 0, "mass must be a number > 0, got 0" },
@@ -82,9 +75,7 @@ describe("world:loadTiled, words", function()
         'oneWay must be true, false, "top", "bottom", "left" or "right", got "up"',
       },
       { "onBegin", "open", 'onBegin must be a function, got "open"' },
-      { "static", "often", 'static must be true or false, got "often"' },
       { "solid", 2, "solid must be true or false, got 2" },
-      { "merge", "x", 'merge must be true or false, got "x"' },
       { "group", true, "group must be a string or a number, got true" },
     }) do
       it(row[3], function()
@@ -124,13 +115,6 @@ describe("world:loadTiled, words", function()
         'layer all 2: vx must be a number, got "fast"',
       }, reasonsOf(level))
       assert.equal(3, #level.objects)
-    end)
-
-    it("whatever a layer that is left out says", function()
-      local map = tiled.map({ tiled.tileset() }, {
-        tiled.objects(1, "sky", {}, { properties = { drag = "x" } }),
-      })
-      assert.same({}, load(map, { skipLayers = { "sky" } }).unsupported)
     end)
   end)
 

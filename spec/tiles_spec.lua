@@ -184,15 +184,6 @@ describe("world:addTiles", function()
       assert.is_false(tiles:setTile(3, 1, "."))
     end)
 
-    it("does not put back what the game has taken out itself", function()
-      local tiles, world = add({ "###", "###" })
-      world:remove(world.objects.tiles[1])
-      tiles:setTile(1, 1, ".")
-      assert.same({}, boxes(world))
-      tiles:setTile(1, 1, "#")
-      assert.same({ "0 0 10 10" }, boxes(world))
-    end)
-
     it("lets what stood there fall, and holds what comes then", function()
       local tiles, world = add({ "....", "....", "####", "####" })
       local box = world:add("boxes", { x = 12, y = 12, width = 6, height = 8 })
@@ -229,29 +220,6 @@ describe("world:addTiles", function()
       end
       assert.is_true(box.y > 60)
       assert.same({ "0 20 10 10", "20 20 20 10" }, boxes(world))
-    end)
-
-    it("is refused from inside canCollide, where the world must not change", function()
-      local tiles, world = add({ "##" })
-      local box = world:add("boxes", { x = 2, y = -9, width = 6, height = 8 })
-      local messages = {}
-      function box.canCollide()
-        for _, name in ipairs({ "setTile", "load", "unload" }) do
-          local isDone, message = pcall(tiles[name], tiles, name == "setTile" and 1 or nil, 1, 0)
-          messages[name] = not isDone and message
-        end
-        return true
-      end
-      for _ = 1, 10 do
-        world:update(DT)
-      end
-      for name, message in pairs(messages) do
-        assert.truthy(
-          message:find("tiles:" .. name .. "%(.*cannot be called from inside canCollide")
-        )
-      end
-      assert.truthy(messages.unload)
-      assert.same({ "0 0 20 10" }, boxes(world))
     end)
   end)
 
@@ -451,24 +419,6 @@ describe("world:addTiles", function()
     assert.same({}, boxes(world))
     assert.equal(0, tiles:getTile(1, 1))
     assert.same({ 0, 0 }, { tiles.rectangles, tiles.tiles })
-  end)
-
-  it("knows what is empty where even 0 is solid", function()
-    local world = newWorld()
-    local solid = { [0] = true, [false] = true }
-    local tiles = world:addTiles("tiles", { { 0, nil, false } }, 3, 10, { solid = solid })
-    assert.same({ "0 0 10 10", "20 0 10 10" }, boxes(world))
-    assert.same({ 0, "", false }, {
-      tiles:getTile(1, 1),
-      tiles:getTile(2, 1),
-      tiles:getTile(3, 1),
-    })
-    assert.is_true(tiles:setTile(2, 1, false))
-    assert.same({ "0 0 30 10" }, boxes(world))
-    assert.is_true(tiles:setTile(2, 1, nil))
-    assert.is_true(tiles:setTile(2, 1, 0))
-    assert.is_false(tiles:setTile(2, 1, 0))
-    assert.equal(3, tiles.tiles)
   end)
 
   -- Coming and going ------------------------------------------------------------------------------

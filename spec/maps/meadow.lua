@@ -1,5 +1,4 @@
 -- Made by hand in the format of Tiled 1.10, File > Export As > Lua.
--- stylua: ignore
 return {
   orientation = "orthogonal",
   width = 16,
@@ -14,63 +13,29 @@ return {
       tileheight = 16,
       tilecount = 8,
       tiles = {
+        { type = "earth", id = 0, properties = { friction = 0.5, solid = true } },
+        { id = 1, properties = { oneWay = "top", solid = true } },
+        { type = "water", id = 2, properties = { sensor = true, solid = true } },
         {
-          id = 0,
-          type = "earth",
-          properties = {
-            ["friction"] = 0.5,
-            ["solid"] = true
-          }
-        },
-        {
-          id = 1,
-          properties = {
-            ["oneWay"] = "top",
-            ["solid"] = true
-          }
-        },
-        {
-          id = 2,
-          type = "water",
-          properties = {
-            ["sensor"] = true,
-            ["solid"] = true
-          }
-        },
-        {
-          id = 3,
           type = "flower",
-          animation = {
-            {
-              tileid = 3,
-              duration = 200
-            },
-            {
-              tileid = 4,
-              duration = 200
-            }
-          }
-        }
-      }
-    }
+          id = 3,
+          animation = { { duration = 200, tileid = 3 }, { duration = 200, tileid = 4 } },
+        },
+      },
+    },
   },
   layers = {
-    {
-      type = "imagelayer",
-      id = 7,
-      name = "sky",
-      repeatx = true,
-      repeaty = false,
-    },
+    { type = "imagelayer", id = 7, name = "sky", repeatx = true, repeaty = false },
     {
       type = "tilelayer",
+      id = 1,
+      name = "ground",
       x = 0,
       y = 0,
       width = 16,
       height = 8,
-      id = 1,
-      name = "ground",
       encoding = "lua",
+      -- stylua: ignore
       data = {
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
@@ -79,18 +44,19 @@ return {
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3, 3, 0, 0, 0, 0,
         0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0,
         1, 0, 0, 0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 0, 0, 1,
-        1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1
-      }
+        1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1,
+      },
     },
     {
       type = "tilelayer",
+      id = 2,
+      name = "flowers",
       x = 0,
       y = 0,
       width = 16,
       height = 8,
-      id = 2,
-      name = "flowers",
       encoding = "lua",
+      -- stylua: ignore
       data = {
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
@@ -99,8 +65,8 @@ return {
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
         0, 4, 0, 4, 4, 0, 0, 0, 0, 0, 0, 0, 0, 4, 0, 0,
-        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0
-      }
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+      },
     },
     {
       type = "group",
@@ -114,63 +80,49 @@ return {
           name = "things",
           objects = {
             {
+              type = "player",
               id = 1,
               name = "hero",
-              type = "player",
-              shape = "rectangle",
               x = 32,
               y = 64,
               width = 12,
               height = 20,
-              properties = {
-                ["lives"] = 3,
-                ["maxSpeedY"] = 400
-              }
+              shape = "rectangle",
+              properties = { lives = 3, maxSpeedY = 400 },
             },
             {
               id = 2,
               name = "crate",
-              shape = "rectangle",
               x = 80,
               y = 80,
               width = 16,
               height = 16,
+              shape = "rectangle",
               gid = 6,
-              properties = {
-                ["mass"] = 0.5
-              }
+              properties = { mass = 0.5 },
             },
             {
+              type = "platform",
               id = 3,
               name = "lift",
-              type = "platform",
-              shape = "rectangle",
               x = 176,
               y = 48,
               width = 48,
               height = 8,
-              properties = {
-                goal = { id = 6 },
-                ["kinematic"] = true,
-                ["oneWay"] = "top",
-                ["toY"] = 112
-              }
+              shape = "rectangle",
+              properties = { goal = { id = 6 }, kinematic = true, oneWay = "top", toY = 112 },
             },
             {
               id = 6,
               name = "door",
-              shape = "rectangle",
               x = 240,
               y = 72,
               width = 8,
               height = 40,
-              properties = {
-                ["color"] = "#ff336699",
-                ["open"] = false,
-                ["static"] = true
-              }
-            }
-          }
+              shape = "rectangle",
+              properties = { color = "#ff336699", open = false, static = true },
+            },
+          },
         },
         {
           type = "group",
@@ -184,35 +136,32 @@ return {
               name = "coins",
               offsetx = 2,
               offsety = -4,
-              properties = {
-                ["sensor"] = true,
-                ["static"] = true
-              },
+              properties = { sensor = true, static = true },
               objects = {
                 {
-                  id = 4,
                   type = "coin",
-                  shape = "rectangle",
+                  id = 4,
                   x = 64,
                   y = 20,
                   width = 8,
                   height = 8,
+                  shape = "rectangle",
                 },
                 {
-                  id = 5,
                   type = "coin",
-                  shape = "rectangle",
+                  id = 5,
                   x = 100,
                   y = 20,
                   width = 8,
                   height = 8,
+                  shape = "rectangle",
                   visible = false,
-                }
-              }
-            }
-          }
-        }
-      }
-    }
-  }
+                },
+              },
+            },
+          },
+        },
+      },
+    },
+  },
 }
