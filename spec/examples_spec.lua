@@ -143,14 +143,6 @@ describe("the examples", function()
       end
     end)
 
-    it("plays every example as a preview", function()
-      for _ = 1, #names do
-        press("down")
-        step(20)
-        call("draw")
-      end
-    end)
-
     it("obeys the mouse: over an entry it is chosen, a click starts it", function()
       moveMouse(200, 136 + 3 * 37 + 16)
       assert.equal(4, value("chosen"))
@@ -163,11 +155,6 @@ describe("the examples", function()
       local chosen = names[value("chosen")]
       click(800, 300)
       assert.equal(chosen, started)
-    end)
-
-    it("does nothing for a click beside all that", function()
-      click(20, 630)
-      assert.equal("menu", started)
     end)
   end)
 
@@ -249,15 +236,6 @@ describe("the examples", function()
       assert.is_truthy(found:find("Balls bounce without losing speed", 1, true))
       assert.is_truthy(found:find("shoot", 1, true))
       assert.is_truthy(found:find("slow motion", 1, true))
-    end)
-
-    it("starts again, and goes back to the menu, by mouse", function()
-      local x = value("x")
-      assert.is_true(run(30) > 30)
-      clickButton(5)
-      assert.equal(x, value("x"))
-      clickButton(6)
-      assert.equal("menu", started)
     end)
   end)
 

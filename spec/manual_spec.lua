@@ -64,12 +64,6 @@ describe("the reference", function()
     end
   end)
 
-  it("names the size of the grid's cells", function()
-    local cell = physics.newWorld()._bodies.broadphase.cell
-    local page = pages["docs/api/settings.md"]
-    assert.truthy(page:find(("`cellSize` | px, > 0 | %d |"):format(cell), 1, true))
-  end)
-
   -- Every default that is written as Lua is the one that a new world or object has.
   for kind, list in pairs({ field = fields.objects, setting = fields.settings }) do
     it("has the default of each " .. kind, function()
@@ -110,11 +104,6 @@ describe("the reference", function()
     assert.equal(6, count)
     assert.is_nil(all:find("world._", 1, true))
   end)
-
-  it("says errors that every function has only once", function()
-    assert.is_nil(all:find("Errors:** it is called from inside", 1, true))
-    assert.is_nil(all:find("; the filter cannot be used", 1, true))
-  end)
 end)
 
 describe("physics/types.lua", function()
@@ -129,25 +118,6 @@ describe("physics/types.lua", function()
       for _, field in ipairs(list) do
         assert.truthy(text:find("\n---@field " .. field.name .. "%??%s"), field.name)
       end
-    end
-  end)
-
-  it("has every method of a world as a function", function()
-    for name, value in pairs(getmetatable(physics.newWorld()).__index) do
-      if type(value) == "function" then
-        assert.truthy(text:find("\nfunction default." .. name .. "(", 1, true), name)
-      end
-    end
-  end)
-
-  it("is Lua that does nothing", function()
-    local before = {}
-    for name in pairs(_G) do
-      before[name] = true
-    end
-    dofile("physics/types.lua")
-    for name in pairs(_G) do
-      assert.is_true(before[name], name)
     end
   end)
 end)
@@ -183,26 +153,6 @@ describe("the docstring", function()
           assert.truthy(text:find("\nErrors: "), entry.name .. " has no line of errors")
         end
       end
-    end)
-  end
-
-  -- the line of a field, the name that is read
-  for _, row in ipairs({
-    { "---@field pairs integer neighbours", "pairs" },
-    { "---@field public size number px", "size" },
-    { "---@field private size number px" },
-    { "---@field protected size number px" },
-    { "---@field package _size number px" },
-    { "---@field [string] any", "[string]" },
-  }) do
-    it("is read: " .. row[1], function()
-      local path = os.tmpname()
-      local file = assert(io.open(path, "wb"))
-      file:write("---@class C\n", row[1], "\nlocal C = {}\n")
-      file:close()
-      local fieldsOfIt = docstrings.read(path)[1].fields
-      os.remove(path)
-      assert.equal(row[2], fieldsOfIt[1] and fieldsOfIt[1].name)
     end)
   end
 

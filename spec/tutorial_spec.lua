@@ -95,14 +95,6 @@ describe("the tutorial", function()
     assert.is_true(objects.boxes[1].y > 0)
   end)
 
-  it("says what is wrong when the table is gone", function()
-    physics_load()
-    rawset(_G, "objects", nil)
-    local ok, message = pcall(physics_update, DT)
-    assert.is_false(ok)
-    assert.truthy(message:find("objects must be a table of groups, got nil", 1, true))
-  end)
-
   it("finds the intersection, the side, and what is inside, and bumps", function() -- pure_spec.lua
     local a = { x = 0, y = 0, width = 16, height = 16 }
     local b = { x = 12, y = 2, width = 16, height = 16 }
