@@ -1,17 +1,64 @@
---- The specs that `make test` leaves out and `make test-all` plays: their names hold the tag #slow.
---- slow_spec.lua compares this list with the tags.
+--- What is not played everywhere, and why. LuaJIT, as LÖVE has it, plays every row of every file; in
+--- `make test` without the rows that hold the tag #slow, and in fewer variants.
+---
+--- That every Lua computes the same bits is shown by determinism_spec.lua: the scene with everything
+--- in it comes to one number on each of them. So a row that compares worlds with each other, or with
+--- numbers worked out by hand, shows nothing new on a second Lua. What is left out:
+---
+--- - Lua 5.4 in `make test`, and Lua 5.2, 5.3 and 5.5 in `make test-all`, play the files of
+---   `slow.differs` only.
+--- - LuaJIT -joff in `make test-all` plays all files for the coverage, but no slow rows, and of rows
+---   and variants another selection than LuaJIT in `make test`. It runs the code of LuaJIT.
+--- - Lua 5.1 does the same, as the oldest one, and that of a browser.
+--- - Lua 5.4 in `make test-all` plays all files and the slow rows, in a selection of variants: it is
+---   the one with integers, and whole numbers are another type there.
+---
+--- spec/support/effort.lua selects. slow_spec.lua compares these lists with the tags and files.
 
 local slow = {}
 
---- Interpreters on which `make test-all` plays them, as scripts/interpreter.lua names them: LuaJIT
---- in its two ways, and one of the others. LuaJIT plays all rows and variants, the others a
---- selection (spec/support/effort.lua). Lua 5.1 and 5.2 have the numbers and the language of LuaJIT
---- -joff; 5.3 and 5.5 have those of 5.4. Slow specs compare worlds with each other or with numbers
---- worked out by hand. That every Lua computes the same bits is shown on each by
---- determinism_spec.lua, so they would show nothing new there.
-slow.interpreters = { "LuaJIT", "LuaJIT -joff", "Lua 5.4" }
+--- Interpreters on which `make test-all` plays the slow rows, as scripts/interpreter.lua names them.
+slow.interpreters = { "LuaJIT", "Lua 5.4" }
 
---- The files with such specs, the longest first, and what takes so long.
+--- The files about what a Lua may do otherwise: numbers and how they are written, messages, the
+--- order of tables, states, maps, what is printed by the snippets of the pages, memory.
+slow.differs = {
+  "spec/bad_input_spec.lua",
+  "spec/bad_matrix_spec.lua",
+  "spec/check_spec.lua",
+  "spec/determinism_spec.lua",
+  "spec/docs_spec.lua",
+  "spec/events_spec.lua",
+  "spec/fields_spec.lua",
+  "spec/fixed_step_spec.lua",
+  "spec/garbage_spec.lua",
+  "spec/guard_spec.lua",
+  "spec/lazy_spec.lua",
+  "spec/ldtk_spec.lua",
+  "spec/manual_spec.lua",
+  "spec/maps_damaged_spec.lua",
+  "spec/maps_game_spec.lua",
+  "spec/maps_page_spec.lua",
+  "spec/maps_refusals_spec.lua",
+  "spec/pure_spec.lua",
+  "spec/query_spec.lua",
+  "spec/recipes_spec.lua",
+  "spec/registry_spec.lua",
+  "spec/rockspec_spec.lua",
+  "spec/runtime_spec.lua",
+  "spec/settings_spec.lua",
+  "spec/state_spec.lua",
+  "spec/tiled_formats_spec.lua",
+  "spec/tiled_spec.lua",
+  "spec/tiled_tiles_spec.lua",
+  "spec/tiled_walls_spec.lua",
+  "spec/tiled_words_spec.lua",
+  "spec/tiles_spec.lua",
+  "spec/tutorial_spec.lua",
+  "spec/world_spec.lua",
+}
+
+--- The files with slow rows, the longest first, and what takes so long.
 slow.files = {
   { "spec/scenarios/20_crowds_spec.lua", "a crowd of 300 around a player, for a minute" },
   { "spec/scenarios/21_no_room_spec.lua", "machines that leave no room, for eight seconds" },

@@ -39,12 +39,9 @@ end
 --- whatever was not asked for by name.
 effort.isFirst = asked == nil or asked == "LuaJIT"
 
--- They play what their relatives play, too: 5.1, and 5.4.
-local SHORT = { ["Lua 5.2"] = true, ["Lua 5.3"] = true, ["Lua 5.5"] = true }
-
 --- Whether this process plays what takes half a second or more and shows the same on every Lua: in
---- `make test` only the first of the two, in `make test-all` LuaJIT in its two ways, 5.1 and 5.4.
-effort.playsLong = effort.isFirst or (wanted ~= "quick" and not SHORT[asked])
+--- `make test` only LuaJIT, in `make test-all` also Lua 5.4.
+effort.playsLong = effort.isFirst or (wanted ~= "quick" and asked == "Lua 5.4")
 
 --- Switches the trace compiler off for the specs of a file: what plays thousands of small worlds
 --- would keep it busy with each of them for nothing. Takes busted's `setup` and `teardown`.
