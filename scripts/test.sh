@@ -60,12 +60,10 @@ slow_files=$(luajit -e 'for _, row in ipairs(require("spec.slow").files) do prin
   exit 1
 # of_interpreter NAME FILES...: those that it plays
 of_interpreter() {
-  local name=$1
-  shift
-  if grep -qxF "$name" <<<"$partial"; then
-    printf '%s\n' "$@" | grep -xF "$differing" | tr '\n' ' '
+  if grep -qxF "$1" <<<"$partial"; then
+    printf '%s\n' "${@:2}" | grep -xF "$differing" | tr '\n' ' '
   else
-    echo "$*"
+    echo "${@:2}"
   fi
 }
 
@@ -113,13 +111,14 @@ list_jobs() {
     printf '%s|%s|%s|%s\n' "$name" "$command" "$tags" "$files"
   done <<<"$interpreters"
 }
+# shellcheck disable=SC2086 # one word per file is meant
 # First what runs most lines of the core for the coverage: what comes later needs no marks there.
 is_marked() { grep "$@" '^LuaJIT -joff|'; }
 {
-  list_jobs "${bundles[0]}" | is_marked
+  list_jobs ${bundles[0]} | is_marked
   for file in $slow_files; do list_jobs "$file"; done
-  list_jobs "${bundles[0]}" | is_marked -v
-  for bundle in "${bundles[@]:1}"; do list_jobs "$bundle"; done
+  list_jobs ${bundles[0]} | is_marked -v
+  for bundle in "${bundles[@]:1}"; do list_jobs $bundle; done
 } | nl -w 3 -n rz -s '|' >"$logs/jobs"
 
 # play_plainly LUA [OPTIONS] FILES...: a process for each, since they share what is global. With

@@ -5,6 +5,7 @@ if _VERSION ~= "Lua 5.1" then -- LuaJIT is one, too
   return -- there is no LÖVE with any other
 end
 
+local effort = require("spec.support.effort")
 local fakeLove = require("spec.support.fake_love")
 
 local STEP = 1 / 60
@@ -87,6 +88,9 @@ local function playDemo(name)
 end
 
 describe("the examples", function()
+  -- What cannot see `jit` cannot say what must not be compiled (CONTRIBUTING.md, jit: 8).
+  effort.interpret(setup, teardown)
+
   setup(function()
     oldPath, hidden, names = package.path, {}, {}
     package.path = "./examples/?.lua;./?.lua;" .. package.path
