@@ -1,23 +1,24 @@
---- What is not played everywhere, and why. LuaJIT, as LÖVE has it, plays every row of every file; in
---- `make test` without the rows that hold the tag #slow, and in fewer variants.
+--- What is not played everywhere, and why. LuaJIT, as LÖVE has it, plays every row of every file;
+--- in `make test` without the rows that hold the tag #slow, and in fewer variants.
 ---
---- That every Lua computes the same bits is shown by determinism_spec.lua: the scene with everything
---- in it comes to one number on each of them. So a row that compares worlds with each other, or with
---- numbers worked out by hand, shows nothing new on a second Lua. What is left out:
+--- That every Lua computes the same bits is shown by determinism_spec.lua: the scene with
+--- everything in it comes to one number on each of them. So a row that compares worlds with each
+--- other, or with numbers worked out by hand, shows nothing new on a second Lua. What is left out:
 ---
 --- - Lua 5.4 in `make test`, and Lua 5.2, 5.3 and 5.5 in `make test-all`, play the files of
 ---   `slow.differs` only.
---- - LuaJIT -joff in `make test-all` plays all files for the coverage, but no slow rows, and of rows
----   and variants another selection than LuaJIT in `make test`. It runs the code of LuaJIT.
---- - Lua 5.1 does the same, as the oldest one, and that of a browser.
---- - Lua 5.4 in `make test-all` plays all files and the slow rows, in a selection of variants: it is
----   the one with integers, and whole numbers are another type there.
+--- - LuaJIT -joff in `make test-all` plays all files for the coverage, but no slow rows, and of
+---   rows and variants another selection than `make test`. It runs the code of LuaJIT.
+--- - Lua 5.1 does the same: it is the oldest one, and that of a browser.
+--- - Lua 5.4 in `make test-all` plays all files and the slow rows, in a selection of variants: in
+---   it whole numbers are another type.
 ---
 --- spec/support/effort.lua selects. slow_spec.lua compares these lists with the tags and files.
 
 local slow = {}
 
---- Interpreters on which `make test-all` plays the slow rows, as scripts/interpreter.lua names them.
+--- Interpreters on which `make test-all` plays the slow rows, by their names in
+--- scripts/interpreter.lua.
 slow.interpreters = { "LuaJIT", "Lua 5.4" }
 
 --- The files about what a Lua may do otherwise: numbers and how they are written, messages, the
