@@ -1,6 +1,5 @@
 --- Circles: queries and sensors with a `radius`, exact as a plain loop says.
 
-local garbage = require("spec.support.garbage")
 local newRandom = require("spec.support.random").new
 local physics = require("physics")
 
@@ -144,16 +143,6 @@ describe("world:queryCircle", function()
       assert.is_true(found > 500)
     end)
   end
-
-  it("makes no garbage with a list of its own", function()
-    local world, _, random = crowd({}, 4)
-    local out = {}
-    local function ask()
-      world:queryCircle(random:between(-300, 300), random:between(-300, 300), 80, nil, out)
-      world:overlapping(world.objects.others[2], nil, out)
-    end
-    assert.is_true(garbage.bytes(ask, 600, 100) <= 100)
-  end)
 end)
 
 describe("a ray", function()

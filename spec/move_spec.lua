@@ -87,15 +87,6 @@ describe("world:move", function()
     end)
   end
 
-  it("ends flush to the bit", function()
-    for _, o in ipairs(SHIFTS) do
-      local world, me, wall, floor = scene(nil, o)
-      world:move(me, 40 + o, 40 + o)
-      assert.are.equal(wall.x - me.width, me.x)
-      assert.are.equal(floor.y - me.height, me.y)
-    end
-  end)
-
   it("tells all about a hit", function()
     local world, me, wall = scene()
     local _, _, hits = world:move(me, 80, 8)
@@ -150,15 +141,6 @@ describe("world:move", function()
     end
   end)
 
-  it("slides as the README of bump.lua shows", function()
-    local world = still()
-    local a = world:add("items", box(0, 0, 64, 256))
-    local b = world:add("items", box(0, -100, 32, 32))
-    local x, y, hits, count = world:move(b, 0, 64)
-    assert.are.same({ 0, -32, 1 }, { x, y, count })
-    assert.are.equal(a, hits[1].other)
-  end)
-
   it("never snags on tiles", function()
     for _, o in ipairs(SHIFTS) do
       local world = still()
@@ -175,23 +157,6 @@ describe("world:move", function()
           assert.are.equal("bottom", hits[i].side)
         end
       end
-    end
-  end)
-
-  it("goes through a shaft as wide as itself", function()
-    for _, o in ipairs(SHIFTS) do
-      local world = still()
-      for i = 0, 20 do
-        world:add("tiles", box(o - 16, 16 * i + o, 16, 16, { static = true }))
-        world:add("tiles", box(o + 16, 16 * i + o, 16, 16, { static = true }))
-      end
-      local me = world:add("me", box(o, o - 40, 16, 16))
-      local x, y, _, count = world:move(me, o, o + 400)
-      assert.are.same({ o, o + 400, 0 }, { x, y, count })
-      me.y = o - 40
-      x, y = world:move(me, o + 5, o + 100)
-      assert.are.equal(x, me.x)
-      assert.is_true(y <= o - 16 or x == o)
     end
   end)
 
@@ -273,17 +238,6 @@ describe("world:move", function()
     assert.are.equal(10, select(2, world:move(me, 0, 80, response)))
   end)
 
-  it("may ask and move others in that function", function()
-    local world, me, wall = scene()
-    local other = world:add("others", box(0, 500, 10, 10))
-    local x = world:move(me, 80, 0, function()
-      world:queryRect(-100, -100, 1000, 1000)
-      world:move(other, 80, 500)
-      return "slide"
-    end)
-    assert.are.same({ wall.x - 10, 80 }, { x, other.x })
-  end)
-
   it("lets out what is inside a solid, and holds it nowhere", function()
     local world, me, wall = scene()
     me.x = 25
@@ -292,20 +246,6 @@ describe("world:move", function()
     assert.are.equal("wall right cross", told(hits, count))
     assert.are.equal(0, hits[1].fraction)
     assert.are.equal(wall.x - 10, (world:move(me, 50, 0)))
-  end)
-
-  it("fills the list of an earlier call with its tables", function()
-    local world, me = scene()
-    local _, _, hits = world:move(me, 40, 40)
-    local first = hits[1]
-    me.x, me.y = 0, 0
-    local _, _, again, count = world:move(me, 15, 5, nil, hits)
-    assert.are.equal(hits, again)
-    assert.are.same({ 0, 0 }, { count, #hits })
-    me.x, me.y = 0, 0
-    world:move(me, 40, 40, nil, hits)
-    assert.are.equal(2, #hits)
-    assert.is_true(first == hits[1] or first == hits[2])
   end)
 
   it("writes to no object that stands in the list", function()
@@ -345,15 +285,6 @@ describe("world:move", function()
     end
     collectgarbage("restart")
     assert.is_true(least < 0.1, ("%.3f KB"):format(least))
-  end)
-
-  it("comes to an end between two walls", function()
-    local world = still()
-    world:add("walls", box(-10, 0, 10, 10, { static = true }))
-    world:add("walls", box(12, 0, 10, 10, { static = true }))
-    local me = world:add("me", box(1, 0, 10, 10))
-    local x = world:move(me, 1e6, 0, "bounce")
-    assert.is_true(x >= 0 and x <= 2)
   end)
 
   long("never ends inside a solid", function()

@@ -64,24 +64,6 @@ describe("maxFallSpeed", function()
     end
   end)
 
-  it("goes with the gravity of the object, and holds with air friction and drag", function()
-    local world = physics.newWorld({ gravity = 800 })
-    local one = world:add("men", small(0, { maxFallSpeed = 100 }))
-    local thick = world:add("men", small(40, { maxFallSpeed = 100, airFriction = 2 }))
-    local slow = world:add("men", small(80, { maxFallSpeed = 100, drag = 50 }))
-    play(world, 60)
-    assert.equal(100, one.vy)
-    assert.equal(100, thick.vy)
-    near(100, slow.vy, 1e-9)
-    one.gravity = -800
-    play(world, 60)
-    assert.equal(-100, one.vy)
-    one.gravity, one.maxFallSpeed = 0, nil
-    one.vy = 700
-    world:update(1 / 60)
-    assert.equal(700, one.vy)
-  end)
-
   it("changes nothing of what stands, and rides on", function()
     local world = physics.newWorld({ gravity = 800 })
     world:add("lifts", { x = 0, y = 8, width = 80, height = 8, kinematic = true, vy = 300 })
@@ -165,16 +147,6 @@ describe("world:velocity", function()
     local new = world:add("men", { x = 400, y = 0, width = 4, height = 4, vx = 3, vy = 4 })
     assert.same({ 3, 4 }, { world:velocity(new) })
   end)
-
-  it("refuses what is not in the world", function()
-    local world = physics.newWorld()
-    assert.error_matches(function()
-      world:velocity({ x = 0, y = 0, width = 1, height = 1 })
-    end, "physics: world:velocity%(object%): the object is not in the world")
-    assert.error_matches(function()
-      world:velocity()
-    end, "object must be a table, got nil")
-  end)
 end)
 
 describe("world:fits", function()
@@ -251,29 +223,6 @@ describe("world:fits", function()
         local isThere = one.x == x and one.y == y
         local found, count = world:overlapping(one, "tiles")
         assert.equal(isFree, isThere and count == 0, tostring(#found))
-      end
-    end
-  end)
-
-  it("refuses what it cannot use, and blames the line", function()
-    local world = physics.newWorld()
-    local other = { x = 0, y = 0, width = 1, height = 1 }
-    for _, row in ipairs({
-      { { nil, 0, 1, 1 }, "x must be a number, got nil" },
-      { { 0, 0 / 0, 1, 1 }, "y must be a number, got nan" },
-      { { 0, 0, 0, 1 }, "width must be a number > 0, got 0" },
-      { { 0, 0, 1, -1 }, "height must be a number > 0, got %-1" },
-      { { 0, 0, 1, 1, 5.5 }, nil },
-      { { 0, 0, 1, 1, true }, "filter must be a group name, a list of them or a function" },
-      { { 0, 0, 1, 1, other }, "not in the world" },
-    }) do
-      local ok, text = pcall(function()
-        world:fits(row[1][1], row[1][2], row[1][3], row[1][4], row[1][5])
-      end)
-      assert.equal(row[2] == nil, ok)
-      if row[2] then
-        assert.matches("platformer_spec.lua:%d+: physics: world:fits%(", text)
-        assert.matches(row[2], text)
       end
     end
   end)
@@ -383,24 +332,6 @@ describe("onBegin: the place of a contact", function()
       local y = row[3] or 25 - math.sqrt(25 - (32 - x) ^ 2)
       expectPlace(told[1], x, y, x, y)
     end
-  end)
-
-  it("is told after an error and a restore, too", function()
-    local world = physics.newWorld({ gravity = 800 })
-    world:add("tiles", { x = 0, y = 100, width = 50, height = 16, static = true })
-    local one = world:add("men", { x = 42, y = 75.9, width = 16, height = 24 })
-    local place
-    one.onBegin = function()
-      error("stop")
-    end
-    function world.onBegin(_, _, _, _, x1, y1, x2, y2)
-      place = { x1, y1, x2, y2 }
-    end
-    assert.is_false(pcall(world.update, world, 1 / 20))
-    local state = world:save()
-    world:restore(state)
-    world:update(1 / 60)
-    assert.same({ 42, 100, 50, 100 }, place)
   end)
 end)
 

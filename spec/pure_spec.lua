@@ -300,27 +300,6 @@ describe("bump", function()
     end
   end)
 
-  it("puts a box that stands in the floor on it to the bit", function()
-    local floor = { x = -100, y = 0.7, width = 300, height = 16, static = true }
-    local body = box(0.1, 0.3 - 20, 10.1, 20.9)
-    assert.equal("bottom", physics.bump(body, floor))
-    assert.equal(floor.y - body.height, body.y)
-    assert.equal(0.1, body.x)
-  end)
-
-  it("writes nothing to what does not move", function()
-    local wall = setmetatable({}, {
-      __index = { x = 6, y = 5, width = 10, height = 20, static = true },
-      __newindex = function()
-        error("written")
-      end,
-    })
-    local a = box(0, 0, 10, 20)
-    physics.bump(a, wall)
-    physics.bump(wall, a)
-    assert.equal(-4, a.x)
-  end)
-
   for _, shift in ipairs({ 0, 0.1, 1 / 3, -1000.1, 100000.3 }) do
     it("leaves 500 random pairs flush in each mode, shifted by " .. shift, function()
       local random = newRandom(11)

@@ -139,13 +139,6 @@ describe("after an object has failed", function()
     end)
   end
 
-  it("at any point of a fixed step, the next one goes on", function()
-    failEverywhere(function(scene)
-      scene.world.timestep = DT
-      run(3)(scene)
-    end, update, checkGoesOn)
-  end)
-
   local function isAlike(one, other)
     for n = 1, #one do
       if one[n] ~= other[n] then
@@ -199,32 +192,6 @@ describe("after an object has failed", function()
       end)
     end)
   end
-
-  it("inside refresh, nothing has changed, or the next update does what is left", function()
-    local function narrow(scene)
-      run(5)(scene)
-      scene.floor.width = 180
-    end
-    local same, refreshed = newScene(), newScene()
-    narrow(same)
-    narrow(refreshed)
-    refreshed.world:refresh(refreshed.floor)
-    run(1)(same)
-    run(1)(refreshed)
-    local hashes = { [same.world:hash()] = 0, [refreshed.world:hash()] = 0 }
-    failEverywhere(narrow, function(scene)
-      scene.world:refresh(scene.floor)
-    end, function(scene, what)
-      run(1)(scene)
-      local hash = scene.world:hash()
-      assert(hashes[hash], what .. ": the floor is half read")
-      hashes[hash] = hashes[hash] + 1
-      checkGoesOn(scene, what)
-    end)
-    for _, count in pairs(hashes) do
-      assert.is_true(count > 1)
-    end
-  end)
 
   it("inside add, it has not come in, also if it was in there before the update", function()
     failEverywhere(function(scene)

@@ -71,17 +71,6 @@ end
 local DT = 1 / 64
 
 describe("rest changes nothing:", function()
-  it("a box falls through a resting lift from below its one side", function()
-    local player = checkSame(nil, {
-      { "add", 1, "lifts", { x = 30, y = 110, width = 1700, height = 20, kinematic = true } },
-      { "add", 2, "boxes", { x = 100, y = 90, width = 10, height = 10, oneWay = "top" } },
-      { "update", 1 / 60 },
-      { "update", 0.13 },
-      { "update", 0.21 },
-    })
-    assert.is_true(player.objects[2].y > 110)
-  end)
-
   -- The box would slide around the corner of the wall, where the lift is in the way: too far off to
   -- be a neighbour of the box.
   --
@@ -116,57 +105,6 @@ describe("rest changes nothing:", function()
       { "update", 0.01 },
     })
     assert.is_true(player.objects[1].x > 200.9)
-  end)
-
-  it("one of two tiles under a resting box becomes a sensor", function()
-    local tile = { x = 100, y = 320, width = 20, height = 20, static = true }
-    checkSame(nil, {
-      { "add", 1, "tiles", tile },
-      { "add", 2, "tiles", tile },
-      { "add", 3, "players", { x = 100, y = 300, width = 20, height = 20 } },
-      { "update", DT },
-      { "write", 1, { sensor = true } },
-      { "update", DT },
-      { "update", DT },
-    })
-  end)
-
-  it("a wall around a standing lift becomes a sensor", function()
-    local player = checkSame(nil, {
-      { "add", 1, "walls", { x = 2, y = 4, width = 1, height = 1, static = true } },
-      { "add", 2, "lifts", { x = 2, y = 4, width = 0.125, height = 1, kinematic = true } },
-      { "update", DT },
-      { "update", DT },
-      { "write", 1, { sensor = true } },
-      { "update", DT },
-    })
-    assert.are.equal(1, #player.log)
-  end)
-
-  it("walls come up around a resting box", function()
-    checkSame({ gravity = 0 }, {
-      { "add", 1, "walls", { x = -20, y = -300, width = 20, height = 700, static = true } },
-      { "add", 2, "crates", { x = 10, y = 2, width = 20, height = 30, vx = -400 } },
-      { "update", DT },
-      { "update", DT },
-      { "update", DT },
-      { "update", DT },
-      { "bounds", 2, 8, 382.78832048064874, 382.78832048064874 },
-      { "update", DT },
-    })
-  end)
-
-  it("five press each other together, and the steps become shorter", function()
-    checkSame({ gravity = 0 }, {
-      { "add", 1, "a", { x = 200, y = 288, width = 20, height = 20, gravity = -800 } },
-      { "add", 2, "b", { x = 200, y = 272, width = 20, height = 16 } },
-      { "add", 3, "c", { x = 200, y = 256, width = 20, height = 16 } },
-      { "add", 4, "a", { x = 200, y = 240, width = 20, height = 16 } },
-      { "add", 5, "d", { x = 200, y = 224, width = 20, height = 16, pushable = false } },
-      { "update", 1 / 60 },
-      { "update", 1 / 60 },
-      { "update", 1 / 240 },
-    })
   end)
 
   it("lifts are put back in a long step by as much as they go on", function()
@@ -204,39 +142,6 @@ describe("rest changes nothing:", function()
     assert.near(-110, objects[1].x, 1e-6)
     assert.near(-30, objects[3].x, 1e-6)
     assert.equal(90, objects[5].x)
-  end)
-
-  -- The box at the wall rests in one mode; in the other, friction with the one that is pressed on
-  -- it draws it away by a thousandth of a pixel a step.
-  it("the mode of pushing changes while all rest", function()
-    local function box(x, y, width, height, fields)
-      fields.x, fields.y, fields.width, fields.height = x, y, width, height
-      return fields
-    end
-    local list = {
-      { "add", 1, "walls", box(-16, 64, 96, 16, { static = true }) },
-      { "add", 2, "walls", box(64, -64, 16, 192, { static = true }) },
-      { "add", 3, "boxes", box(16, 48, 24, 16, { friction = 0.285 }) },
-      { "add", 4, "boxes", box(36, 0, 24, 24, { pushable = false, ay = 512 }) },
-      { "add", 5, "boxes", box(0, 28, 8, 32, { pushable = false, ax = 256 }) },
-      { "add", 6, "boxes", box(36, 40, 32, 8, { friction = 0.22 }) },
-    }
-    for n = 1, 44 do
-      list[#list + 1] = n == 41 and { "set", "push", "both" } or { "update", DT }
-    end
-    checkSame({ gravity = 0, push = "first" }, list)
-  end)
-
-  it("a step is too short for anything to happen", function()
-    checkSame({ push = "first" }, {
-      { "add", 1, "tiles", { x = 60, y = 320, width = 20, height = 20, static = true } },
-      { "add", 2, "crates", { x = 70, y = 300, width = 20, height = 16 } },
-      { "add", 3, "boxes", { x = 70, y = 300, width = 20, height = 20, ay = -800 } },
-      { "update", 1 / 60 },
-      { "update", 1 / 30 },
-      { "update", 1.5485891928417507e-07 },
-      { "update", 0.05 },
-    })
   end)
 end)
 
@@ -292,23 +197,6 @@ describe("a box on a floor", function()
   end
 end)
 
-describe("an object that becomes static", function()
-  it("has no past that others could feel", function()
-    local world = physics.newWorld()
-    local below = { x = 1300, y = 1900, width = 100, height = 100 }
-    world:add("boxes", below)
-    world:add("boxes", { x = 1400, y = 1900, width = 100, height = 100, pushable = false })
-    local above = world:add("boxes", { x = 1360, y = 1800, width = 100, height = 100 })
-    world:update(DT)
-    above.static, above.y, below.vy, below.y = true, 1800, -2000, 1930
-    world:refresh(above)
-    world:update(DT)
-    -- It is thrown back by the ceiling at once and falls for the rest of the step.
-    assert.is_true(below.vy > 0)
-    assert.is_true(below.y > 1900)
-  end)
-end)
-
 describe("one of a row that is pushed", function()
   it("stops what pushes it once it is a wall", function()
     local world = physics.newWorld()
@@ -326,15 +214,5 @@ describe("one of a row that is pushed", function()
       assert.are.equal(x, boxes[1].x)
       assert.are.equal(0, boxes[1].vx)
     end
-  end)
-end)
-
-describe("an object that takes no part from the beginning", function()
-  it("has a touching all the same", function()
-    local world = physics.newWorld()
-    local box = { x = 0, y = 0, width = 10, height = 10, active = false }
-    world.objects.boxes = { box }
-    world:update(DT)
-    assert.are.same({ top = false, bottom = false, left = false, right = false }, box.touching)
   end)
 end)

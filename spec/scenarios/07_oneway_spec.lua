@@ -491,3 +491,30 @@ describe("canCollide: of a one-way", function()
     run:same("ends", log.ends, 1)
   end)
 end)
+
+describe("oneWay", function()
+  scene.it("true is the top, false is none", SOME, function(run)
+    for word, feet in pairs({ [true] = 100, [false] = 300 }) do
+      local entry = way()
+      entry[2].oneWay = run.turn == 0 and word or word and "top" or nil
+      local named = run:build({ entry, tile(), body({ y = word and 276 or 120 }) })
+      named.body.vy = word and -sqrt(1600 * 220) or 0
+      run:play(2)
+      run:near("feet", named.body.y + 24, feet)
+    end
+  end)
+
+  -- It flies up through the one-way, bounces off the ceiling, and comes down onto the one-way in
+  -- the same step.
+  scene.it("stops what it has let through earlier in the step", { rate = { 60 } }, function(run)
+    local named = run:build({
+      gravity = 0,
+      body({ x = 40, y = 2, width = 10, height = 10, vy = -2000, restitution = 1 }),
+      way({ y = 0, height = 2 }),
+      tile({ y = -40, height = 20 }),
+    })
+    run:step(1 / 60)
+    run:near("y", named.body.y, -34 / 3)
+    run:near("vy", named.body.vy, -2000)
+  end)
+end)
