@@ -94,28 +94,6 @@ describe("the bounds of a scene", function()
     })
     assert.same({ 0, 0, 3 }, { result.pairs, result.deepest, result.apart })
   end)
-
-  it("count what is outside by its middle, a number that is none included", function()
-    local function leave(x)
-      return {
-        [3] = function(list)
-          list[1].x = x
-        end,
-        [4] = function(list)
-          list[1].x = 0
-        end,
-      }
-    end
-    assert.equal(0, play(leave(-5)).outside)
-    assert.equal(1, play(leave(-5.1)).outside)
-    assert.equal(1, play(leave(0 / 0)).outside)
-    local result = play(leave(95.1), {
-      room = function()
-        return 0, 0, 200, 100
-      end,
-    })
-    assert.equal(0, result.outside)
-  end)
 end)
 
 describe("a worst case", function()

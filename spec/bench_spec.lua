@@ -125,17 +125,6 @@ describe("an engine", function()
       world:free()
     end)
   end
-
-  it("does not take part in scenes for which it lacks something", function()
-    local tutorial = engines.get("tutorial", false)
-    local lifts, pile = scenes.build("lifts", 20), scenes.build("pile", 20)
-    assert.equal("no moving platforms", engines.refusal(tutorial, lifts))
-    assert.is_nil(engines.refusal(tutorial, pile))
-    assert.is_nil(engines.refusal(engines.get("ours", false), lifts))
-    local turning, level = require("bench.engines.turning"), scenes.build("level", 2000)
-    assert.equal("its boxes fall over", engines.refusal(turning, level))
-    assert.is_nil(engines.refusal(turning, pile))
-  end)
 end)
 
 describe("a measurement", function()

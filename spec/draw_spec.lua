@@ -268,39 +268,6 @@ describe("draw", function()
     assert.equal(0, graphics.depth())
   end)
 
-  it("leaves nothing to the garbage collector while it draws plain lists", function()
-    local objects = { boxes = {} }
-    for i = 1, 2000 do
-      objects.boxes[i] = box({ x = i })
-    end
-    local function garbage()
-      collectgarbage()
-      collectgarbage("stop")
-      local before = collectgarbage("count")
-      for i = #calls, 1, -1 do
-        calls[i] = nil
-      end
-      draw({ objects = objects })
-      local used = collectgarbage("count") - before
-      collectgarbage("restart")
-      return used
-    end
-    for _, name in ipairs({ "rectangle", "setColor" }) do
-      graphics[name] = function() end
-    end
-    local least = garbage()
-    for _ = 1, 4 do -- the trace compiler may have made something of its own meanwhile
-      least = math.min(least, garbage())
-    end
-    assert.is_true(least < 4, least .. " KB")
-  end)
-
-  it("changes no object", function()
-    local object = { x = 3, y = 4, width = 20, height = 10 }
-    drawn({ boxes = { object } }, { velocity = true, names = true })
-    assert.same({ x = 3, y = 4, width = 20, height = 10 }, object)
-  end)
-
   describe("refuses, blaming the caller:", function()
     local ALL = "the options are alpha, counters, fill, grid, names, oneWay, touching, velocity"
     for _, row in ipairs({

@@ -73,12 +73,7 @@ describe("timestep", function()
   end)
 
   it("alpha is the saved-up share of a step, in 0..1", function()
-    local world, random = physics.newWorld({ timestep = 0.01 }), newRandom(3)
-    for _ = 1, 500 do
-      world:update(random:between(0, 0.03))
-      assert.is_true(world.alpha >= 0 and world.alpha < 1)
-    end
-    world = physics.newWorld({ timestep = 0.0625 })
+    local world = physics.newWorld({ timestep = 0.0625 })
     for _, row in ipairs({
       { 0, 0 },
       { 0.015625, 0.25 },

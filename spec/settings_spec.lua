@@ -1,7 +1,6 @@
 --- Settings: defaults, what a change does, and that changes come into effect at the next step.
 
 local fields = require("physics.fields.fields")
-local garbage = require("spec.support.garbage")
 local newBox = require("spec.support.box")
 local physics = require("physics")
 
@@ -101,48 +100,6 @@ describe("settings", function()
     world.rest = true
     play(world, 5)
     assert.equal(1, world.stats.resting)
-  end)
-
-  it("masks cost no garbage", function()
-    local world = physics.newWorld({ gravity = 0, masks = { boxes = { tiles = false } } })
-    world:add("tiles", { x = 0, y = 20, width = 100, height = 16, static = true })
-    world:add("boxes", newBox(0, 0, { mask = { crates = false } }))
-    local function step()
-      world:update(1 / 60)
-    end
-    assert.equal(0, garbage.bytes(step, 100, 1000))
-  end)
-
-  -- Reading the mask of each group for each group would be a thousand times a thousand reads.
-  it("masks ask for the groups that are there, not for all that ever were", function()
-    local count = 0
-    local function counting(values)
-      return setmetatable({}, {
-        __index = function(_, name)
-          count = count + 1
-          return values[name]
-        end,
-      })
-    end
-    local masks = { tiles = counting({ boxes = false }), boxes = counting({}) }
-    local world = physics.newWorld({ gravity = 0, masks = counting(masks) })
-    world:add("tiles", { x = 0, y = 20, width = 100, height = 16, static = true })
-    world:add("boxes", newBox(0, 0, { mask = counting({ crates = false }) }))
-    local function shoot(n)
-      world.objects["bullet" .. n - 1] = nil
-      world.objects["bullet" .. n] = newBox(8, 0)
-      count = 0
-      world:update(DT)
-      return count
-    end
-    shoot(1)
-    shoot(2)
-    local few, size = shoot(3), #world:save().groups
-    assert.is_true(few > 0)
-    for n = 4, 200 do
-      assert.equal(few, shoot(n))
-    end
-    assert.equal(size, #world:save().groups)
   end)
 
   it("masks are seen to change, also of a group that has been away", function()

@@ -120,27 +120,6 @@ describe("world:loadTiled, packed layers", function()
     end
   end)
 
-  it("with zstd are unpacked where LÖVE can, else named", function()
-    local map = packed("zlib")
-    map.layers[1].compression = "zstd"
-    local expected = "encoded data (zstd, base64): nothing here can unpack it; " .. CSV
-    local without = "LÖVE is not here to unpack it, and there is no option decompress; "
-    assert.same({ "encoded data (zstd, base64): " .. without .. CSV }, reasonsOf(load(map)))
-    local can = false
-    pretend({
-      data = {
-        decompress = function(_, format)
-          assert(can, "Invalid compressed data format: " .. format)
-          return RAW
-        end,
-      },
-    })
-    assert.same({ expected }, reasonsOf(load(map)))
-    can = true
-    assert.equal(93, (load(map)).tiles)
-    assert.equal(93, (load(map, { decompress = unpacker({}) })).tiles)
-  end)
-
   it("of an infinite map are parts", function()
     local map = tiled.copy(PLAIN)
     local layer = map.layers[1]

@@ -328,16 +328,6 @@ describe("world", function()
           assert.equal(3, world.objects.things[1].tiled.gid)
         end)
       end
-
-      it("whole, when their tile has several collision rectangles", function()
-        local shapes = { tiled.object(1, 0, 0, 8, 8), tiled.object(2, 8, 8, 8, 8) }
-        local set = tiled.tileset({ tiled.shapes(2, shapes) })
-        local object = tiled.object(5, 0, 16, 16, 16, { gid = 3 })
-        local level, world = load(newObjects({ object }, nil, { set }))
-        assert.same({ "0 0 16 16" }, boxes(world, "things"))
-        assert.equal(1, #level.unsupported)
-        assert.equal(5, level.unsupported[1].id)
-      end)
     end)
 
     -- Not supported -------------------------------------------------------------------------------
