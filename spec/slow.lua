@@ -42,7 +42,7 @@ slow.differs = {
   "spec/maps_page_spec.lua",
   "spec/maps_refusals_spec.lua",
   "spec/pure_spec.lua",
-  "spec/query_spec.lua",
+  "spec/queries_spec.lua",
   "spec/recipes_spec.lua",
   "spec/registry_spec.lua",
   "spec/rockspec_spec.lua",
