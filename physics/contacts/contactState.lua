@@ -8,12 +8,11 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local rules = require(root .. ".solver.rules")
-local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
 local columns = require(root .. ".memory.columns")
 local events = require(root .. ".contacts.events")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local shapes = require(root .. ".space.shapes")
-local slope = require(root .. ".memory.lazy")(root .. ".solver.slope")
+local touch = require(root .. ".memory.lazy")(root .. ".solver.touch")
 local sort = require(root .. ".memory.sort")
 
 local contactState = {}
@@ -45,12 +44,7 @@ end
 
 -- The same of any two.
 local function sideOf(b, i, j)
-  if b.hasSlopes and slope.isPair(b, i, j) then
-    return slope.side(b, i, j)
-  elseif b.hasCircles and ball.isRound(b, i, j) then
-    return ball.side(b, i, j)
-  end
-  return flushSide(b, i, j)
+  return b.hasShapes and touch.side(b, i, j) or flushSide(b, i, j)
 end
 
 -- Returns whether something leans on that side of slot i, or on the opposite side of slot j, in
@@ -71,7 +65,7 @@ local function wedge(b, p, i, j)
   if b.deepIn[p] == b.solveStamp then
     b.wedged[p] = b.deepWay[p]
     return
-  elseif b.wedged[p] ~= 0 or (b.hasSlopes and slope.isPair(b, i, j)) then
+  elseif b.wedged[p] ~= 0 or (b.hasShapes and touch.isSloped(b, i, j)) then
     return
   end
   local position, size = b.position, b.size

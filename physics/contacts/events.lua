@@ -5,12 +5,11 @@
 -- update.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
 local check = require(root .. ".fields.check")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
 local relax = require(root .. ".solver.relax")
-local slope = require(root .. ".memory.lazy")(root .. ".solver.slope")
+local touch = require(root .. ".memory.lazy")(root .. ".solver.touch")
 local sort = require(root .. ".memory.sort")
 
 local events = {}
@@ -88,35 +87,17 @@ local function note(b, kind, i, j, third, side, speed)
 end
 
 -- Tells the last event, of pair p on `side` of its first, where it was: where the two hit, or where
--- they touch at the end of the step.
+-- they touch at the end of the step. (Of two boxes that overlap the first in the order of the world
+-- counts.)
 local function locate(b, p, side)
-  local e, n, axis = b.events, b.events.count, columns.AXIS[side]
+  local e, n, i, j = b.events, b.events.count, b.pairA[p], b.pairB[p]
   local at, low, high = b.hitAt[p], b.hitLow[p], b.hitHigh[p]
-  local i, j = b.pairA[p], b.pairB[p]
-  -- The box has the side, or the corner, that touches a slope. Of two boxes that overlap the first
-  -- in the order of the world counts.
-  local isSecond = b.rank[j] < b.rank[i]
-  if b.hasSlopes and slope.isPair(b, i, j) then
-    isSecond = slope.isOne(b, i)
-  end
-  if isSecond then
-    i, j, side = b.pairB[p], b.pairA[p], OPPOSITE[side]
-  end
-  if b.hit[p] == 0 and b.hasCircles and ball.isRound(b, i, j) then
-    local x, y = ball.point(b, i, j)
-    at, low = axis == 0 and x or y, axis == 0 and y or x
-    high = low
+  if b.hit[p] == 0 and b.rank[j] < b.rank[i] then
+    at, low, high = touch.line(b, j, i, OPPOSITE[side], 1)
   elseif b.hit[p] == 0 then
-    local to, size = b.to, b.size
-    local k, m, own = 2 * i + 1 - axis, 2 * j + 1 - axis, 2 * i + axis
-    at = to[own] + (side % 2 == 0 and size[own] or 0)
-    low = max(to[k], to[m])
-    high = max(low, min(to[k] + size[k], to[m] + size[m]))
+    at, low, high = touch.line(b, i, j, side, 1)
   end
-  if b.hasSlopes and slope.isPair(b, i, j) then
-    low, high = slope.narrow(b, i, j, side, low, high)
-  end
-  if axis == 0 then
+  if columns.AXIS[side] == 0 then
     e.x1[n], e.y1[n], e.x2[n], e.y2[n] = at, low, at, high
   else
     e.x1[n], e.y1[n], e.x2[n], e.y2[n] = low, at, high, at

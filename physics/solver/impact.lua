@@ -11,14 +11,13 @@
 -- hitAt, hitLow, hitHigh, impactsOf, base, grip, rough, and what holds the bodies.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
 local bonds = require(root .. ".solver.bonds")
 local carriers = require(root .. ".motion.carriers")
 local flow = require(root .. ".solver.flow")
 local friction = require(root .. ".solver.friction")
 local path = require(root .. ".motion.path")
 local pool = require(root .. ".solver.pool")
-local slope = require(root .. ".memory.lazy")(root .. ".solver.slope")
+local touch = require(root .. ".memory.lazy")(root .. ".solver.touch")
 
 local impact = {}
 
@@ -32,25 +31,9 @@ function impact.note(b, p, low, axis, u, t)
   if b.hit[p] ~= 0 then
     return
   end
-  local i, j = b.pairA[p], b.pairB[p]
-  local k, m, l = 2 * i + 1 - axis, 2 * j + 1 - axis, 2 * low + axis
-  local x, y, size = path.at(b, k, b.time[i], t), path.at(b, m, b.time[j], t), b.size
-  b.hit[p] = i == low and 2 * axis + 2 or 2 * axis + 1
-  b.hitSpeed[p] = u
-  if b.hasCircles and ball.isRound(b, i, j) then
-    x, y = ball.point(b, i, j, t)
-    local at = axis == 0 and x or y
-    local across = axis == 0 and y or x
-    b.hitAt[p], b.hitLow[p], b.hitHigh[p] = at, across, across
-    return
-  end
-  if b.hasSlopes and slope.isOne(b, low) then
-    local box = low == i and j or i -- that leans on the edge, at its own side
-    b.hitAt[p] = path.at(b, 2 * box + axis, b.time[box], t)
-  else
-    b.hitAt[p] = path.at(b, l, b.time[low], t) + size[l]
-  end
-  b.hitLow[p], b.hitHigh[p] = max(x, y), max(x, y, min(x + size[k], y + size[m]))
+  local i, j, side = b.pairA[p], b.pairB[p], 2 * axis + 2
+  b.hit[p], b.hitSpeed[p] = i == low and side or side - 1, u
+  b.hitAt[p], b.hitLow[p], b.hitHigh[p] = touch.line(b, low, i == low and j or i, side, t)
 end
 
 -- Returns the closing speed of two bodies at their impact, px/s, and the time left after it, s.
@@ -242,17 +225,8 @@ local function bounce(b, kl, kh, wl, wh, o, gap, v, vEnd)
   path.add(b, kh, way * wh, dv * wh)
 end
 
--- Resolves the impact of two that meet slanted, of which one is round; returns what `run` does.
-local function runRound(b, p, i, j, axis, left, dt, isLate, t)
-  local tau = min((1 - t) * dt, left)
-  local r = max(b.restitution[i], b.restitution[j])
-  local u, stays = ball.impact(b, i, j, axis, true, tau, dt, isLate, r)
-  impact.note(b, p, i, axis, u, t)
-  return false, b.from[2 * j + axis] - b.from[2 * i + axis], stays
-end
-
 -- Returns how two bodies meet on an axis: their minimum distance, px; how far they would overlap at
--- the end of the step, px; their closing velocity and acceleration there; and the lean of a slope.
+-- the end of the step, px; their closing velocity and acceleration there; and the lean of a touch.
 ---@return number, number, number, number, number?
 local function meet(b, i, j, axis, isDeep)
   local kl, kh, ti, tj = 2 * i + axis, 2 * j + axis, 2 * i + 1 - axis, 2 * j + 1 - axis
@@ -261,8 +235,8 @@ local function meet(b, i, j, axis, isDeep)
     separation = min(separation, b.from[kh] - b.from[kl])
   end
   local v, a = b.speed[kl] - b.speed[kh], b.accel[kl] - b.accel[kh]
-  if b.hasSlopes and slope.isPair(b, i, j) then
-    separation, lean = slope.lean(b, i, j, axis)
+  if b.hasShapes and touch.isSloped(b, i, j) then
+    separation, lean = touch.lean(b, i, j, axis)
     v = v + lean * (b.speed[tj] - b.speed[ti])
     a = a + lean * (b.accel[tj] - b.accel[ti])
   end
@@ -316,12 +290,13 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
   path.advance(b, j, t)
   b.impactsOf[i], b.impactsOf[j] = b.impactsOf[i] + 1, b.impactsOf[j] + 1
   b.resolved = b.resolved + 1
-  if b.hasCircles and ball.isRound(b, i, j) then
-    local nx, ny, isSlanted = ball.normal(b, i, j)
-    if isSlanted or isDeep and (nx ~= 0 or ny ~= 0) then
-      return runRound(b, p, i, j, axis, left, dt, isLate, t)
+  if b.hasRound then
+    local r, tau = max(b.restitution[i], b.restitution[j]), min((1 - t) * dt, left)
+    local u, stays = touch.roll(b, i, j, axis, isDeep, tau, dt, isLate, r)
+    if u then
+      impact.note(b, p, i, axis, u, t)
+      return false, b.from[2 * j + axis] - b.from[2 * i + axis], stays
     end
-    ball.leave(b, i, j, dt, min((1 - t) * dt, left))
   end
   local kl, kh = 2 * i + axis, 2 * j + axis
   local separation, o, v, a, lean = meet(b, i, j, axis, isDeep)
@@ -338,10 +313,10 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
     b.isJammed = true
     return true, separation
   end
-  if lean ~= 0 and slope.isDeflected(b, i, j, lean, r, isLate) then
-    o = slope.overlap(b, i, j, axis)
+  if lean ~= 0 and touch.isDeflected(b, i, j, lean, r, isLate) then
+    o = touch.overlap(b, i, j, axis)
     u, tau = approach(o, v, a, left)
-    slope.deflect(b, i, j, axis, lean, r, o, v, a, u, tau)
+    touch.deflect(b, i, j, axis, lean, r, o, v, a, u, tau)
     return false, separation
   end
   local isElastic = b.restitution[i] > 0 or b.restitution[j] > 0

@@ -16,7 +16,6 @@
 -- and crushed, crushLow and crushHigh of buried bodies.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
 local islands = require(root .. ".sleep.islands")
@@ -24,7 +23,7 @@ local pairFinder = require(root .. ".broadphase.pairFinder")
 local path = require(root .. ".motion.path")
 local rules = require(root .. ".solver.rules")
 local shapes = require(root .. ".space.shapes")
-local slope = require(root .. ".memory.lazy")(root .. ".solver.slope")
+local touch = require(root .. ".memory.lazy")(root .. ".solver.touch")
 local sort = require(root .. ".memory.sort")
 
 local overlap = {}
@@ -46,40 +45,17 @@ local SIGN = { -1, 1, 1, -1 }
 
 -- Geometry ----------------------------------------------------------------------------------------
 
--- Returns the width and the height by which two overlap where slot i is at (x, y).
-local function depthAt(b, i, j, x, y)
-  if b.hasSlopes and slope.isPair(b, i, j) then
-    local box, its = slope.order(b, i, j)
-    local k = 2 * box
-    local depth =
-      slope.inside(b, box, its, i == box and x or b.from[k], i == box and y or b.from[k + 1])
-    return depth, depth
-  end
-  local from, size, k, m = b.from, b.size, 2 * i, 2 * j
-  return shapes.overlap(x, y, size[k], size[k + 1], from[m], from[m + 1], size[m], size[m + 1])
-end
-
 local function depthOf(b, i, j)
-  return depthAt(b, i, j, b.from[2 * i], b.from[2 * i + 1])
+  return touch.depth(b, i, j, b.from[2 * i], b.from[2 * i + 1])
 end
 
 local function isDeep(width, height)
   return width > EPSILON and height > EPSILON
 end
 
--- Returns where slot i is flush with j on an axis, on the low side of it (`sign` -1) or the high
--- one.
-local function flushPlace(b, i, j, axis, sign)
-  local k, m = 2 * i + axis, 2 * j + axis
-  if b.hasSlopes and slope.isPair(b, i, j) then
-    return slope.flushPlace(b, i, j, axis, sign)
-  end
-  return sign < 0 and b.from[m] - b.size[k] or b.from[m] + b.size[m]
-end
-
--- Returns how far slot i has to go to be there, px.
+-- Returns how far slot i has to go to be flush with j on one side of that, px.
 local function wayOut(b, i, j, axis, sign)
-  return (flushPlace(b, i, j, axis, sign) - b.from[2 * i + axis]) * sign
+  return (touch.flushPlace(b, i, j, axis, sign) - b.from[2 * i + axis]) * sign
 end
 
 -- Lists in b.found the immovable objects that slot i would overlap at (x, y). Returns how many.
@@ -87,7 +63,7 @@ local function listBlockers(b, i, x, y)
   local found, count = b.found, 0
   for n = 1, b.broadphase:query(x, y, x + b.size[2 * i], y + b.size[2 * i + 1], found) do
     local j = found[n]
-    if j ~= i and filter.blocks(b, i, j) and isDeep(depthAt(b, i, j, x, y)) then
+    if j ~= i and filter.blocks(b, i, j) and isDeep(touch.depth(b, i, j, x, y)) then
       count = count + 1
       found[count] = j
     end
@@ -146,12 +122,12 @@ local function leave(b, i, j, axis, sign, way)
   if not share then
     return false
   elseif share == 0 then
-    put(b, j, axis, flushPlace(b, j, i, axis, -sign))
+    put(b, j, axis, touch.flushPlace(b, j, i, axis, -sign))
     return true
   elseif share < 1 then
     put(b, j, axis, b.from[2 * j + axis] - sign * way * (1 - share))
   end
-  put(b, i, axis, flushPlace(b, i, j, axis, sign))
+  put(b, i, axis, touch.flushPlace(b, i, j, axis, sign))
   return true
 end
 
@@ -183,11 +159,11 @@ local function leaveCorner(b, i, j, axis, sign, way)
   if not other then
     return false
   end
-  local place = flushPlace(b, i, other, across, side)
+  local place = touch.flushPlace(b, i, other, across, side)
   if overlap.isInside(b, i, axis == 0 and x or place, axis == 0 and place or y) then
     return false
   end
-  put(b, i, axis, flushPlace(b, i, j, axis, sign))
+  put(b, i, axis, touch.flushPlace(b, i, j, axis, sign))
   put(b, i, across, place)
   return true
 end
@@ -298,7 +274,7 @@ end
 local function isOpen(b, p, i, j)
   local areSolid = not (b.sensor[i] or b.sensor[j] or b.oneWay[i] or b.oneWay[j])
   local canMove = b.kind[i] == DYNAMIC or b.kind[j] == DYNAMIC
-  local isRolling = b.hasCircles and ball.isRound(b, i, j) and not ball.isLost(b, i, j)
+  local isRolling = b.hasRound and touch.isRolling(b, i, j)
   return areSolid and canMove and not isRolling and b.wedged[p] == 0
 end
 
@@ -411,7 +387,7 @@ local function wedge(b, p, i, j)
   local isSolid = not (b.sensor[i] or b.sensor[j] or b.oneWay[i] or b.oneWay[j])
   local canWedge = isSolid
     and b.kind[j] ~= DYNAMIC
-    and not shapes.isSlope(b.shape[j])
+    and shapes.isBox(b.shape[j])
     and b.wedged[p] == 0
   if not canWedge or columns.gap(b, b.from, i, j) >= -EPSILON then
     return

@@ -9,7 +9,7 @@
 -- inRound.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local ball = require(root .. ".memory.lazy")(root .. ".solver.ball")
+local touch = require(root .. ".memory.lazy")(root .. ".solver.touch")
 local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
 local impact = require(root .. ".solver.impact")
@@ -77,8 +77,8 @@ end
 
 -- Notes the hit of a sensor that a body enters or passes through.
 local function sense(b, p, i, j, axis, t, dt)
-  if b.hasCircles and ball.isRound(b, i, j) then
-    impact.note(b, p, i, axis, ball.approach(b, i, j, t, dt), t)
+  if b.hasRound and touch.isRound(b, i, j) then
+    impact.note(b, p, i, axis, touch.approach(b, i, j, t, dt), t)
     return
   end
   local kl, kh = 2 * i + axis, 2 * j + axis
@@ -186,7 +186,7 @@ local function happen(b, n, dt, isLast, isLate)
   local p, t, axis = impacts.pair[n], impacts.time[n], impacts.axis[n]
   local i, j, isDeep = impacts.low[n], impacts.high[n], impacts.isDeep[n]
   local isSensed = b.sensor[i] or b.sensor[j]
-  local isRound = b.hasCircles and ball.isRound(b, i, j)
+  local isRound = b.hasRound and touch.isRound(b, i, j)
   local areDynamic = b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC
   if b.passing[p] or areDynamic and not isRound and (isSpent(b, i) or isSpent(b, j)) then
     return

@@ -15,13 +15,13 @@ local ground = require(root .. ".solver.ground")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local rules = require(root .. ".solver.rules")
 local shapes = require(root .. ".space.shapes")
-local slope = require(root .. ".solver.slope")
 local sort = require(root .. ".memory.sort")
+local touch = require(root .. ".solver.touch")
 
 local snap = {}
 
 local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
-local axisOf = slope.axisOf
+local axisOf = touch.axisOf
 local max, min = math.max, math.min
 -- Pieces of ground, and edges, that an object may run over in a step.
 local PIECES = 64

@@ -126,7 +126,7 @@ local function settleLate(b, dt, isFirst)
   end
   b.isJammed = false
   rounds.findChanged(b)
-  if b.hasSlopes then
+  if b.walks then
     walk.run(b, dt, isFirst)
     rounds.findChanged(b)
   end
@@ -138,7 +138,7 @@ local function prepare(b, dt)
   begin(b, dt)
   friction.begin(b)
   pairFinder.listLive(b)
-  if b.hasSlopes then
+  if b.walks then
     walk.begin(b)
   end
   settleTouching(b, dt)
@@ -157,7 +157,7 @@ local function runRounds(b, dt, awakenings)
     elseif n == ROUNDS then
       return true
     end
-    if b.hasSlopes then
+    if b.walks then
       walk.run(b, dt, false)
     end
     settleLate(b, dt, false)

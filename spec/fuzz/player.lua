@@ -315,7 +315,7 @@ function acts.ask(player, x, y, w, h)
   local world = player.world
   tellList(player, "point", world:queryPoint(x, y))
   tellList(player, "rect", world:queryRect(x, y, w, h))
-  if world._bodies.hasCircles then
+  if world._bodies.hasRound then
     tellList(player, "circle", world:queryCircle(x, y, w))
   end
   tellList(player, "segment", world:querySegment(x, y, x + w, y - h))

@@ -1,0 +1,335 @@
+--- Touch: computes from the shapes of two bodies on which axis they touch, how far apart they must
+--- be there, and at which side and place. What asks here knows no shapes. Circles: see ball.
+--
+-- Slopes are right triangles, on which bodies stand as on stairs with infinitely small steps. A
+-- contact with the sloped edge is one along gravity (along y without gravity), and no other than
+-- that of two boxes, but for its separation: how far the two must be apart depends on where the
+-- corner of the box is across gravity. So friction, stacks, belts and one-ways need no rule of
+-- their own. `walk` moves what stands on slopes along them, an impact is turned along them by
+-- `deflect`.
+--
+-- Reads the paths, shape; writes to, speed, deflectedAt.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local ball = require(root .. ".solver.ball")
+local columns = require(root .. ".memory.columns")
+local path = require(root .. ".motion.path")
+local shapes = require(root .. ".space.shapes")
+
+local touch = {}
+
+-- Of two of which one is round.
+touch.approach, touch.deepAxis, touch.separation = ball.approach, ball.deepAxis, ball.separation
+
+local AXIS, EPSILON, OPPOSITE = columns.AXIS, columns.EPSILON, columns.OPPOSITE
+local BOX, CIRCLE, SOLID = shapes.BOX, shapes.CIRCLE, shapes.SOLID
+local depth, isSlope = shapes.depth, shapes.isSlope
+local max, min = math.max, math.min
+-- Impacts of a body in a step until which it is deflected without gravity.
+local DEFLECTED = 3
+
+--- Returns whether one of two is round: the normal of their contact turns as they move.
+function touch.isRound(b, i, j)
+  return b.shape[i] == CIRCLE or b.shape[j] == CIRCLE
+end
+
+local isRound = touch.isRound
+
+--- Returns whether one of two is a slope, and the other a box. (Two slopes, of which one is a
+--- sensor, are boxes.)
+function touch.isSloped(b, i, j)
+  local one, other = b.shape[i], b.shape[j]
+  return one == BOX and isSlope(other) or other == BOX and isSlope(one)
+end
+
+local isSloped = touch.isSloped
+
+--- Returns the box and the slope of a pair, and whether it has them.
+function touch.order(b, i, j)
+  if isSlope(b.shape[j]) then
+    return i, j, b.shape[i] == BOX
+  end
+  return j, i, b.shape[j] == BOX and isSlope(b.shape[i])
+end
+
+local order = touch.order
+
+--- Returns the axis along which gravity presses slot i: y without gravity.
+function touch.axisOf(b, i)
+  return b.down[2 * i] ~= 0 and 0 or 1
+end
+
+local axisOf = touch.axisOf
+
+--- Returns whether slot j is a slope that bears what gravity on that side of an axis (`sign`)
+--- presses on it.
+function touch.isRamp(b, j, axis, sign)
+  return SOLID[axis][b.shape[j]] == sign
+end
+
+--- Returns how far apart the low one and the high one of box i and slot j must be on an axis, if
+--- the box is at `place` across it and the other at `its`: flush with the edge of a slope, or with
+--- the side of its box.
+function touch.apart(b, i, j, axis, isLow, place, its)
+  local size, shape, t = b.size, b.shape[j], 1 - axis
+  local low, way = isLow and i or j, 0.0
+  if SOLID[axis][shape] == (isLow and 1 or -1) and axis == axisOf(b, i) then
+    local m = 2 * j
+    way = depth(SOLID[t][shape], its, size[m + t], size[m + axis], place, size[2 * i + t])
+  end
+  return size[2 * low + axis] - way
+end
+
+local apart = touch.apart
+
+-- How far box i at (x, y) is beyond the nearest face of slope j, the unit normal of that, and
+-- whether it is the edge.
+local function nearest(b, i, j, x, y, ox, oy)
+  local size, k, m, its = b.size, 2 * i, 2 * j, b.shape[j]
+  local w, h, ow, oh, axis = size[k], size[k + 1], size[m], size[m + 1], axisOf(b, i)
+  return shapes.face(BOX, x, y, w, h, its, ox, oy, ow, oh, axis)
+end
+
+-- The face of slope j on which box i is flush, or inside by less than all others, as an axis and
+-- whether the box is low; px to it; nil as the first: it is apart, or flush with a corner only.
+local function nearestSide(b, i, j, places)
+  local axis, k, m = axisOf(b, i), 2 * i, 2 * j
+  local x, y, ox, oy = places[k], places[k + 1], places[m], places[m + 1]
+  local gap, nx, ny, isEdge = nearest(b, i, j, x, y, ox, oy)
+  if gap > EPSILON then
+    return nil, nil, gap
+  end
+  local q, isLow = shapes.sideOf(nx, ny, isEdge, axis)
+  if gap >= -EPSILON then
+    local t = 1 - q
+    local edge = min(places[k + t] + b.size[k + t], places[m + t] + b.size[m + t])
+      - max(places[k + t], places[m + t])
+    if edge <= EPSILON then
+      return nil, nil, gap
+    end
+  end
+  return q, isLow, gap
+end
+
+-- Whether no gravity presses slot i to anything: the edge of a slope is a wall for it.
+local function isFloating(b, i)
+  return b.down[2 * i] == 0 and b.down[2 * i + 1] == 0
+end
+
+-- How far box i, at x across its axis, is beyond the crest of slope j, at `its`; < 0: before it.
+local function beyondCrest(b, i, j, x, its)
+  local t = 1 - axisOf(b, i)
+  if SOLID[t][b.shape[j]] < 0 then
+    return its - x
+  end
+  return x + b.size[2 * i + t] - its - b.size[2 * j + t]
+end
+
+-- How much further along the axis of box i the edge of slope j is for each px across it.
+local function slantOf(b, i, j)
+  return shapes.slant(b.shape[j], axisOf(b, i), b.size[2 * j], b.size[2 * j + 1])
+end
+
+-- The same below box i: 0 beyond the crest.
+local function gradient(b, i, j, places)
+  local t = 1 - axisOf(b, i)
+  local isBelow = beyondCrest(b, i, j, places[2 * i + t], places[2 * j + t]) < -EPSILON
+  return isBelow and slantOf(b, i, j) or 0
+end
+
+--- Returns the gradient of the ground, slot j, under slot i: px along gravity for each px across
+--- it.
+function touch.gradient(b, i, j)
+  local axis = axisOf(b, i)
+  local isOn = touch.isRamp(b, j, axis, b.down[2 * i + axis])
+  return isOn and gradient(b, i, j, b.position) or 0
+end
+
+-- The contact of box i and slope j where the step begins: see `touch.contact`.
+local function slopeContact(b, i, j)
+  local from = b.from
+  local q, isLow, gap = nearestSide(b, i, j, from)
+  local isAside = q == axisOf(b, i) and isFloating(b, i)
+  if not q or gap < -EPSILON or isAside and gradient(b, i, j, from) ~= 0 then
+    return nil -- what is inside, or floats, is left to the sweep
+  end
+  local kl, kh = 2 * (isLow and i or j) + q, 2 * (isLow and j or i) + q
+  return q, kl, kh, apart(b, i, j, q, isLow, from[2 * i + 1 - q], from[2 * j + 1 - q])
+end
+
+--- Returns how two that are not both boxes touch where the step begins: the axis, the low and the
+--- high index, px that these must be apart, and whether the normal is slanted. Nil, and whether
+--- they overlap: they do not touch, or are left to the sweep.
+function touch.contact(b, i, j)
+  if isSloped(b, i, j) then
+    local box, its = order(b, i, j)
+    return slopeContact(b, box, its)
+  end
+  local axis, isLow, isSlanted = ball.touch(b, i, j)
+  if not axis then
+    return nil, isLow
+  end
+  local kl, kh = 2 * (isLow and i or j) + axis, 2 * (isLow and j or i) + axis
+  return axis, kl, kh, isSlanted and b.from[kh] - b.from[kl] or b.size[kl], isSlanted
+end
+
+-- The side of slot i at which box and slope are flush at the end of the step: see `touch.side`.
+local function slopeSide(b, i, j)
+  local box, its = order(b, i, j)
+  local q, isLow, gap = nearestSide(b, box, its, b.to)
+  if gap < -EPSILON then
+    return -1
+  elseif not q then
+    return 0
+  end
+  return 2 * q + (isLow == (box == i) and 2 or 1)
+end
+
+--- Returns the side of slot i at which two are flush at the end of the step, else 0; -1: they are
+--- inside each other. Nil: they are boxes.
+function touch.side(b, i, j)
+  if isRound(b, i, j) then
+    return ball.side(b, i, j)
+  end
+  return isSloped(b, i, j) and slopeSide(b, i, j) or nil
+end
+
+-- The part of a common edge, from `low` to `high`, on which box i touches slope j with its side
+-- `side`: all, or the corner that is on the sloped edge.
+local function narrow(b, i, j, side, low, high)
+  local axis, shape = AXIS[side], b.shape[j]
+  if axis ~= axisOf(b, i) or (side % 2 == 0) ~= (SOLID[axis][shape] > 0) then
+    return low, high
+  elseif SOLID[1 - axis][shape] > 0 then
+    return high, high
+  end
+  return low, low
+end
+
+--- Returns where two touch at moment t, at `side` of slot i: the place on the axis of that side,
+--- and from where to where across it. Of a box and a slope the side of the box counts.
+function touch.line(b, i, j, side, t)
+  local axis, isOnSlope = AXIS[side], b.hasShapes and isSloped(b, i, j)
+  if b.hasShapes and isRound(b, i, j) then
+    local x, y = ball.point(b, i, j, t)
+    local across = axis == 0 and y or x
+    return axis == 0 and x or y, across, across
+  elseif isOnSlope and isSlope(b.shape[i]) then
+    return touch.line(b, j, i, OPPOSITE[side], t)
+  end
+  local size, own, k, m = b.size, 2 * i + axis, 2 * i + 1 - axis, 2 * j + 1 - axis
+  local x, y = path.at(b, k, b.time[i], t), path.at(b, m, b.time[j], t)
+  local low, high = max(x, y), max(x, y, min(x + size[k], y + size[m]))
+  if isOnSlope then
+    low, high = narrow(b, i, j, side, low, high)
+  end
+  return path.at(b, own, b.time[i], t) + (side % 2 == 0 and size[own] or 0), low, high
+end
+
+--- Returns the width and the height by which two overlap where the step begins, if slot i is at
+--- (x, y). Of a slope both are px along its nearest face.
+function touch.depth(b, i, j, x, y)
+  local from, size, k, m = b.from, b.size, 2 * i, 2 * j
+  local ox, oy = from[m], from[m + 1]
+  if not (b.hasShapes and isSloped(b, i, j)) then
+    return shapes.overlap(x, y, size[k], size[k + 1], ox, oy, size[m], size[m + 1])
+  end
+  local isBox = b.shape[i] == BOX
+  local inside = isBox and nearest(b, i, j, x, y, ox, oy) or nearest(b, j, i, ox, oy, x, y)
+  return -inside, -inside
+end
+
+--- Returns where slot i is flush with j on an axis where the step begins, on the low side of it
+--- (`sign` -1) or the high one.
+function touch.flushPlace(b, i, j, axis, sign)
+  local from, size, k, m = b.from, b.size, 2 * i + axis, 2 * j + axis
+  if b.hasShapes and isSloped(b, i, j) then
+    local box, its = order(b, i, j)
+    local isLow, t = (sign < 0) == (box == i), 1 - axis
+    return from[m] + sign * apart(b, box, its, axis, isLow, from[2 * box + t], from[2 * its + t])
+  end
+  return sign < 0 and from[m] - size[k] or from[m] + size[m]
+end
+
+-- Meeting -----------------------------------------------------------------------------------------
+
+--- Returns the axis that counts where two meet at a corner, or at the edge of a slope.
+function touch.axisOfPair(b, i, j)
+  if b.hasShapes and isSloped(b, i, j) then
+    return axisOf(b, (order(b, i, j)))
+  end
+  return b.downAxis
+end
+
+--- Returns how far apart two that meet on an axis must be at the end of the step, and how much
+--- faster they close for each px/s that the second goes across it, relative to the first.
+function touch.lean(b, i, j, axis)
+  local box, its = order(b, i, j)
+  local t, isLow = 1 - axis, i == box -- i is the low one of the impact
+  local x, place = b.to[2 * box + t], b.to[2 * its + t]
+  local isEdge = axis == axisOf(b, box) and SOLID[axis][b.shape[its]] == (isLow and 1 or -1)
+  if isEdge then
+    -- The crest is level, also for what has left it by the end of the step.
+    local before, at = b.from[2 * box + t], path.at(b, 2 * its + t, b.time[its], b.time[box])
+    if beyondCrest(b, box, its, before, at) > EPSILON then
+      isEdge, x, place = false, before, at
+    end
+  end
+  local lean = isEdge and slantOf(b, box, its) or 0.0
+  return apart(b, box, its, axis, isLow, x, place), lean
+end
+
+--- Whether two that meet at a sloped edge bounce, or slide, along its normal: with restitution r,
+--- or without gravity, unless others press them there. `lean` is what `touch.lean` says.
+function touch.isDeflected(b, i, j, lean, r, isLate)
+  local box = order(b, i, j)
+  return lean ~= 0
+    and (r > 0 or (isFloating(b, box) and b.impactsOf[box] <= DEFLECTED and not isLate))
+end
+
+--- Returns px by which two overlap along the edge, as if that had no ends, at the end of the step.
+function touch.overlap(b, i, j, axis)
+  local box, its = order(b, i, j)
+  local to, size, k, m = b.to, b.size, 2 * box, 2 * its
+  local w, h, ow, oh = size[k], size[k + 1], size[m], size[m + 1]
+  return -shapes.toEdge(axis, to[k], to[k + 1], w, h, b.shape[its], to[m], to[m + 1], ow, oh)
+end
+
+--- Deflects one of two that meet at a sloped edge, along the normal of that: at the end of the step
+--- they overlap by o px along the axis, close at v px/s and accelerate towards each other by a;
+--- they have met at u px/s, tau s before.
+function touch.deflect(b, i, j, axis, lean, r, o, v, a, u, tau)
+  local box, its = order(b, i, j)
+  local way, change = o, max(v, 0.0)
+  if r > 0 then
+    way, change = o + r * u * tau - a * tau * tau * 0.5, v - a * tau + r * u
+  end
+  local k, t, shape = 2 * box + axis, 2 * box + 1 - axis, b.shape[its]
+  local share = -SOLID[axis][shape] / (1 + lean * lean)
+  b.deflectedAt[box] = b.solveStamp
+  if b.give[k] > 0 then
+    b.to[k], b.to[t] = b.to[k] + way * share, b.to[t] - way * share * lean
+    b.speed[k], b.speed[t] = b.speed[k] + change * share, b.speed[t] - change * share * lean
+  end
+end
+
+--- Returns whether two are round, and part along their contact as they roll (see contacts).
+function touch.isRolling(b, i, j)
+  return isRound(b, i, j) and not ball.isLost(b, i, j)
+end
+
+--- Two that meet slanted, tau s before the end of the step, part along their normal, if one is
+--- round. Returns their approach speed, and whether they stay together. Nil: they meet as boxes do.
+function touch.roll(b, i, j, axis, isDeep, tau, dt, isLate, r)
+  if not isRound(b, i, j) then
+    return nil
+  end
+  local nx, ny, isSlanted = ball.normal(b, i, j)
+  if isSlanted or isDeep and (nx ~= 0 or ny ~= 0) then
+    return ball.impact(b, i, j, axis, true, tau, dt, isLate, r)
+  end
+  ball.leave(b, i, j, dt, tau)
+  return nil
+end
+
+return touch
