@@ -17,7 +17,7 @@ local sort = require(root .. ".memory.sort")
 
 local zones = {}
 
-local DYNAMIC, STATIC, CIRCLE = columns.DYNAMIC, columns.STATIC, shapes.CIRCLE
+local DYNAMIC, STATIC = columns.DYNAMIC, columns.STATIC
 local max, min, sqrt = math.max, math.min, math.sqrt
 -- Share of the radius within which an attractor gets weaker towards its centre.
 local CORE = 0.125
@@ -59,25 +59,13 @@ local function place(b, k, time)
   return b.from[k] + b.velocity[k] * time
 end
 
--- The share of slot i, 0..1, that is in zone j: of its box in a box, of its width towards the
--- centre in a circle.
+-- The share of slot i, 0..1, that is in zone j.
 local function shareIn(b, i, j, time)
   local size, k, m = b.size, 2 * i, 2 * j
   local later = b.kind[j] == STATIC and 0 or time
-  local x, y, left, top =
-    place(b, k, time), place(b, k + 1, time), place(b, m, later), place(b, m + 1, later)
-  local w, h = size[k], size[k + 1]
-  if b.shape[j] ~= CIRCLE then
-    local wide = min(x + w, left + size[m]) - max(x, left)
-    local high = min(y + h, top + size[m + 1]) - max(y, top)
-    return max(wide, 0.0) / w * (max(high, 0.0) / h)
-  end
-  local radius, half = size[m] * 0.5, (w + h) * 0.25
-  local dx, dy = x + w * 0.5 - left - radius, y + h * 0.5 - top - radius
-  local towards = (radius + half - sqrt(dx * dx + dy * dy)) / (2 * half)
-  -- Beside its box the zone does not act: what is no neighbour may fly.
-  local wide, high = radius + w * 0.5 - max(dx, -dx), radius + h * 0.5 - max(dy, -dy)
-  return max(0.0, min(towards, wide / w, high / h, 1.0))
+  local x, y = place(b, k, time), place(b, k + 1, time)
+  local left, top = place(b, m, later), place(b, m + 1, later)
+  return shapes.share(b.shape[j], left, top, size[m], size[m + 1], x, y, size[k], size[k + 1])
 end
 
 -- The share of slot i in zone j, if that acts on it at all.

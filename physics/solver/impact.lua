@@ -235,8 +235,10 @@ local function meet(b, i, j, axis, isDeep)
     separation = min(separation, b.from[kh] - b.from[kl])
   end
   local v, a = b.speed[kl] - b.speed[kh], b.accel[kl] - b.accel[kh]
-  if b.hasShapes and touch.isSloped(b, i, j) then
-    separation, lean = touch.lean(b, i, j, axis)
+  if b.hasShapes then
+    local apart
+    apart, lean = touch.lean(b, i, j, axis)
+    separation = apart or separation
     v = v + lean * (b.speed[tj] - b.speed[ti])
     a = a + lean * (b.accel[tj] - b.accel[ti])
   end

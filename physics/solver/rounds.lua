@@ -77,7 +77,7 @@ end
 
 -- Notes the hit of a sensor that a body enters or passes through.
 local function sense(b, p, i, j, axis, t, dt)
-  if b.hasRound and touch.isRound(b, i, j) then
+  if b.hasRound and touch.turns(b, i, j) then
     impact.note(b, p, i, axis, touch.approach(b, i, j, t, dt), t)
     return
   end
@@ -186,14 +186,14 @@ local function happen(b, n, dt, isLast, isLate)
   local p, t, axis = impacts.pair[n], impacts.time[n], impacts.axis[n]
   local i, j, isDeep = impacts.low[n], impacts.high[n], impacts.isDeep[n]
   local isSensed = b.sensor[i] or b.sensor[j]
-  local isRound = b.hasRound and touch.isRound(b, i, j)
+  local turns = b.hasRound and touch.turns(b, i, j)
   local areDynamic = b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC
-  if b.passing[p] or areDynamic and not isRound and (isSpent(b, i) or isSpent(b, j)) then
+  if b.passing[p] or areDynamic and not turns and (isSpent(b, i) or isSpent(b, j)) then
     return
   end
   local mayBounce = max(b.restitution[i], b.restitution[j]) > 0
   if isDisturbed(b, i, mayBounce) or isDisturbed(b, j, mayBounce) then
-    change(b, i, j, not isSensed and (mayBounce or isRound), not isSensed and mayBounce)
+    change(b, i, j, not isSensed and (mayBounce or turns), not isSensed and mayBounce)
     isLast = isLast and not isSensed
   elseif
     (isSensed and b.hit[p] ~= 0) or rules.passes(b, p, 2 * i + axis, 2 * j + axis, axis, isDeep)
@@ -206,8 +206,8 @@ local function happen(b, n, dt, isLast, isLate)
     return
   end
   if isLast then
-    path.stop(b, i, t, isRound)
-    path.stop(b, j, t, isRound)
+    path.stop(b, i, t, turns)
+    path.stop(b, j, t, turns)
   end
 end
 

@@ -28,28 +28,28 @@ local max, min = math.max, math.min
 -- Impacts of a body in a step until which it is deflected without gravity.
 local DEFLECTED = 3
 
---- Returns whether one of two is round: the normal of their contact turns as they move.
-function touch.isRound(b, i, j)
+--- Returns whether the normal of a contact of two turns as they move: one of them is round.
+function touch.turns(b, i, j)
   return b.shape[i] == CIRCLE or b.shape[j] == CIRCLE
 end
 
-local isRound = touch.isRound
+local isRound = touch.turns
 
---- Returns whether one of two is a slope, and the other a box. (Two slopes, of which one is a
---- sensor, are boxes.)
-function touch.isSloped(b, i, j)
+--- Returns whether two leave each other over their own faces: a box and a slope. (Two slopes, of
+--- which one is a sensor, are boxes.)
+function touch.haveFaces(b, i, j)
   local one, other = b.shape[i], b.shape[j]
   return one == BOX and isSlope(other) or other == BOX and isSlope(one)
 end
 
-local isSloped = touch.isSloped
+local isSloped = touch.haveFaces
 
---- Returns the box and the slope of a pair, and whether it has them.
+--- Returns the box and the slope of a pair.
 function touch.order(b, i, j)
   if isSlope(b.shape[j]) then
-    return i, j, b.shape[i] == BOX
+    return i, j
   end
-  return j, i, b.shape[j] == BOX and isSlope(b.shape[i])
+  return j, i
 end
 
 local order = touch.order
@@ -262,8 +262,12 @@ function touch.axisOfPair(b, i, j)
 end
 
 --- Returns how far apart two that meet on an axis must be at the end of the step, and how much
---- faster they close for each px/s that the second goes across it, relative to the first.
+--- faster they close for each px/s that the second goes across it, relative to the first. Nil and
+--- 0: as boxes.
 function touch.lean(b, i, j, axis)
+  if not isSloped(b, i, j) then
+    return nil, 0.0
+  end
   local box, its = order(b, i, j)
   local t, isLow = 1 - axis, i == box -- i is the low one of the impact
   local x, place = b.to[2 * box + t], b.to[2 * its + t]
