@@ -83,6 +83,11 @@ describe("world:loadTiled, packed layers", function()
     local flipped = level.tileLayers.collision:getTile(5, 10)
     assert.equal(2147483649, flipped)
     assert.is_string(PLAIN.layers[1].data) -- the map is as it was
+    -- 65537 is 01 00 01 00
+    local set = tiled.tileset({ { id = 0, properties = { solid = true } } }, { firstgid = 65537 })
+    local layer = tiled.tiles(1, "land", { "." }, { encoding = "base64" })
+    layer.data = "AQABAA=="
+    assert.equal(1, (load(tiled.map({ set }, { layer }))).tiles)
   end)
 
   for _, compression in ipairs({ "zlib", "gzip" }) do
