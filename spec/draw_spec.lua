@@ -1,6 +1,6 @@
 --- world:draw: what is drawn where, with each option, and that nothing else changes.
 
-local draw = require("physics.world.draw").draw
+local physics = require("physics")
 
 local unpack = table.unpack or unpack -- luacheck: ignore (Lua 5.1 has it as a global)
 
@@ -89,10 +89,12 @@ describe("draw", function()
 
   after_each(function()
     rawset(_G, "love", loveBefore)
+    physics.load()
   end)
 
   local function drawn(objects, options)
-    draw({ objects = objects }, options)
+    physics.objects = objects
+    physics.draw(options)
     return calls
   end
 
@@ -229,7 +231,6 @@ describe("draw", function()
   end)
 
   it("writes the counters into the corner of the window when asked", function()
-    local physics = require("physics")
     local world = physics.newWorld()
     world:add("boxes", box({}))
     world:add("tiles", box({ y = 16, static = true }))
@@ -247,7 +248,6 @@ describe("draw", function()
   end)
 
   it("draws the cells of the grid that are in use when asked", function()
-    local physics = require("physics")
     local world = physics.newWorld({ cellSize = 64, broadphase = "grid" })
     world:add("tiles", box({ x = 70, y = 130, static = true }))
     world:update(1 / 60)
@@ -257,7 +257,7 @@ describe("draw", function()
   end)
 
   it("leaves the caller's colour, line width, font and transform as they were", function()
-    local world = require("physics").newWorld()
+    local world = physics.newWorld()
     world:add("boxes", box({ vx = 1, oneWay = "left" }))
     world:update(1 / 60)
     world:draw({ velocity = true, names = true, counters = true, grid = true })
@@ -283,7 +283,7 @@ describe("draw", function()
     }) do
       it(row[1], function()
         local ok, message = pcall(function()
-          draw({ objects = {} }, row[2])
+          physics.draw(row[2])
         end)
         assert.is_false(ok)
         local place, text = message:match("^(.-):%d+: (.*)$")
@@ -295,7 +295,7 @@ describe("draw", function()
     it("being called outside of LÖVE", function()
       rawset(_G, "love", nil)
       local ok, message = pcall(function()
-        draw({ objects = {} })
+        physics.draw()
       end)
       assert.is_false(ok)
       assert.truthy(message:find("draw needs love.graphics", 1, true))
