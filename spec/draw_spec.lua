@@ -201,6 +201,7 @@ describe("draw", function()
       assert.is_nil(seen[text])
       seen[text] = true
     end
+    assert.is_true(seen[table.concat(fillOf({}), " ")]) -- what has no velocity rests
   end)
 
   -- Source: WCAG 2.1, relative luminance and contrast ratio; 3 is what it asks of graphics.
