@@ -209,6 +209,7 @@ describe("newWorld(settings)", function()
       'order must name each group once, got "boxes" at [1] and [3]',
     },
     { 800, "settings must be a table, got 800" },
+    { { soft = { a = { b = -1 } } }, "soft.a.b must be a number in 0..1000000, got -1" },
     { { order = { 1, NAN } }, "order[2] must be a group name, got nan" },
     { { masks = { a = { b = "no" } } }, 'masks.a.b must be true or false, got "no"' },
     { { masks = { [1] = { ["my b"] = 0 } } }, 'masks[1]["my b"] must be true or false, got 0' },
