@@ -13,7 +13,7 @@ fi
 # numbers, plays them.
 slow="determinism heaps properties 03_stacks 05_pushing 06_riding 12_momentum 13_piles 20_crowds"
 slow+=" 21_no_room balls bad_input circles faults friction query recipes recovery runtime slopes soft"
-slow+=" 22_trains 24_snap"
+slow+=" 22_trains 24_snap 25_rolling"
 gopher=$PWD/build/gopher
 
 build() { (cd spec/gopher && go build -mod=readonly -buildvcs=false -o "$gopher" .); }

@@ -28,7 +28,7 @@ for i = 1, #arg do
   end
 end
 
-local LEFT_OUT = { files = {}, specs = {} }
+local LEFT_OUT = { files = {}, specs = {}, starts = {} }
 if options["left-out"] then
   LEFT_OUT = require(options["left-out"])
 end
@@ -263,6 +263,16 @@ local function leaveOut(name, reason)
   print("left out  " .. name .. ": " .. reason)
 end
 
+-- Why a spec is left out; nil: it is not.
+local function reasonFor(name)
+  for _, row in ipairs(LEFT_OUT.starts) do
+    if name:sub(1, #row[1]) == row[1] then
+      return row[2]
+    end
+  end
+  return LEFT_OUT.specs[name]
+end
+
 local function isExcluded(name)
   for _, tag in ipairs(excluded) do
     if name:find(tag, 1, true) then
@@ -281,8 +291,8 @@ local function runFile(path)
   for _, spec in ipairs(root.specs) do
     if isExcluded(spec.name) then
       count.leftOut = count.leftOut + 1
-    elseif LEFT_OUT.specs[spec.name] then
-      leaveOut(spec.name, LEFT_OUT.specs[spec.name])
+    elseif reasonFor(spec.name) then
+      leaveOut(spec.name, reasonFor(spec.name))
     else
       runSpec(spec)
     end

@@ -8,9 +8,7 @@ local properties = require(root .. ".maps.properties")
 
 local classes = {}
 
-local function tableOf(value)
-  return type(value) == "table" and value or {}
-end
+local tableOf = properties.tableOf
 
 -- Returns properties, and what the members of a class say besides. `around` has the classes around
 -- it: one that holds itself ends there.
