@@ -16,22 +16,17 @@ local zones = require(root .. ".motion.zones")
 local move = {}
 
 local KINEMATIC, DYNAMIC = columns.KINEMATIC, columns.DYNAMIC
+local max = math.max
 
 -- Computes the path of a kinematic object on an axis. It moves to where the game has written it,
 -- and further by its own velocity. If the update has several steps, the written way is spread over
 -- those that remain. Otherwise a platform would hurry ahead, hit things, and then wait.
 local function moveKinematicAlong(b, k, dt)
-  local v, behind = b.velocity[k], b.written[k] - b.from[k] + b.behind[k]
-  if b.remaining > 1 then
-    b.way[k] = behind / b.remaining
-    b.to[k] = b.from[k] + b.way[k] + v * dt
-  else
-    b.way[k] = behind
-    b.to[k] = b.written[k] + b.behind[k] + v * dt
-  end
+  local v, goal = b.velocity[k], b.written[k] + b.behind[k]
+  b.way[k] = (b.written[k] - b.from[k] + b.behind[k]) / max(b.remaining, 1)
+  b.to[k] = (b.remaining > 1 and b.from[k] + b.way[k] or goal) + v * dt
   b.drift[k] = b.way[k] / dt
-  b.speed[k] = v + b.drift[k]
-  b.accel[k] = 0
+  b.speed[k], b.accel[k] = v + b.drift[k], 0
 end
 
 local function moveKinematic(b, i, dt)

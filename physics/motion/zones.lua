@@ -70,14 +70,8 @@ end
 
 -- The share of slot i in zone j, if that acts on it at all.
 local function actingShare(b, i, j, time)
-  if i == j or not b.active[j] then
-    return 0
-  end
-  local share = shareIn(b, i, j, time)
-  if share > 0 and not (filter.refusal(b, i, j) or filter.refusal(b, j, i)) then
-    return share
-  end
-  return 0
+  local share = i ~= j and shareIn(b, i, j, time) or 0
+  return share > 0 and not (filter.refusal(b, i, j) or filter.refusal(b, j, i)) and share or 0
 end
 
 -- Forces ------------------------------------------------------------------------------------------
@@ -154,15 +148,13 @@ local function push(b, i, j, time)
   end
 end
 
--- Lists the dynamic ones of list[first..last] that are near zone j, behind place `count` of
--- b.nearZone; returns how many there are then.
-local function listNear(b, list, first, last, j, time, count)
-  local kind, size, from, velocity = b.kind, b.size, b.from, b.velocity
-  local nearBody, nearZone, m = b.nearBody, b.nearZone, 2 * j
+-- Lets zone j act (`turn` or `push`) on the dynamic ones of list[first..last] that are near it.
+local function act(b, list, first, last, j, time, what)
+  local kind, size, from, velocity, m = b.kind, b.size, b.from, b.velocity, 2 * j
   local later = kind[j] == STATIC and 0 or time
   local x, y = place(b, m, later) + size[m] * 0.5, place(b, m + 1, later) + size[m + 1] * 0.5
   local reachX, reachY = size[m] * 0.5, size[m + 1] * 0.5
-  for n = first, last do
+  for n = first, b.active[j] and last or 0 do
     local i = list[n]
     local k = 2 * i
     local w, h = size[k], size[k + 1]
@@ -170,11 +162,9 @@ local function listNear(b, list, first, last, j, time, count)
     local dy = from[k + 1] + velocity[k + 1] * time + h * 0.5 - y
     local half = max(w, h) * 0.5
     if max(max(dx, -dx) - reachX, max(dy, -dy) - reachY) < half and kind[i] == DYNAMIC then
-      count = count + 1
-      nearBody[count], nearZone[count] = i, j
+      what(b, i, j, time)
     end
   end
-  return count
 end
 
 -- Lets what acts on those in list[first..last] be what their own fields say.
@@ -190,17 +180,12 @@ local function reset(b, list, first, last)
 end
 
 -- Finds the gravity of those in list[first..last], `time` s after the beginning of the step; the
--- last zone is on top. Returns how many of b.nearBody are near a zone.
+-- last zone is on top.
 local function turnAll(b, list, first, last, time)
-  local slots, near = b.zoneList, 0
-  for n = 1, #slots do
-    if b.active[slots[n]] then
-      near = listNear(b, list, first, last, slots[n], time, near)
-    end
-  end
+  local slots = b.zoneList
   reset(b, list, first, last)
-  for n = near, b.hasTurns and 1 or near + 1, -1 do
-    turn(b, b.nearBody[n], b.nearZone[n], time)
+  for n = #slots, b.hasTurns and 1 or #slots + 1, -1 do
+    act(b, list, first, last, slots[n], time, turn)
   end
   for n = first, b.hasTurns and last or 0 do
     local i = list[n]
@@ -208,14 +193,14 @@ local function turnAll(b, list, first, last, time)
       zones.setDown(b, i, b.zonePull[2 * i], b.zonePull[2 * i + 1])
     end
   end
-  return near
 end
 
 --- Finds what acts on the dynamic objects in awakeList from `first` to `last` in a step of dt s.
 function zones.run(b, dt, first, last)
-  local time = dt * 0.5
-  for n = 1, turnAll(b, b.awakeList, first, last, time) do
-    push(b, b.nearBody[n], b.nearZone[n], time)
+  local slots, time = b.zoneList, dt * 0.5
+  turnAll(b, b.awakeList, first, last, time)
+  for n = 1, #slots do
+    act(b, b.awakeList, first, last, slots[n], time, push)
   end
 end
 

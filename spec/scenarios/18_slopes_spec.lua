@@ -570,6 +570,20 @@ describe("slopes", function()
     end)
   end)
 
+  it("(P8) that hang from above leave what stands up below them where it is, crushed", function()
+    scene.each(RATES, function(run)
+      local list = { static(-200, 400, 600, 20), static(0, 326, 200, 100, "topleft") }
+      list[3] = body({ x = 100, y = 384, width = 20, height = 16 })
+      local it = run:build(list).body
+      local log = run:listen(it)
+      run:play(0.5)
+      it.y, it.height = 368, 32
+      run:play(1)
+      run:at(it, 100, 368)
+      run:same("crushes", log.crushes, 1)
+    end)
+  end)
+
   it("that hang from above send a jumper down again", function()
     scene.each(EVERYWHERE, function(run)
       local list = { static(-400, 400, 1200, 40), static(0, 300, 100, 50, "topleft") }
