@@ -316,8 +316,6 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
     return true, separation
   end
   if lean ~= 0 and touch.isDeflected(b, i, j, lean, r, isLate) then
-    o = touch.overlap(b, i, j, axis)
-    u, tau = approach(o, v, a, left)
     touch.deflect(b, i, j, axis, lean, r, o, v, a, u, tau)
     return false, separation
   end

@@ -291,14 +291,6 @@ function touch.isDeflected(b, i, j, lean, r, isLate)
     and (r > 0 or (isFloating(b, box) and b.impactsOf[box] <= DEFLECTED and not isLate))
 end
 
---- Returns px by which two overlap along the edge, as if that had no ends, at the end of the step.
-function touch.overlap(b, i, j, axis)
-  local box, its = order(b, i, j)
-  local to, size, k, m = b.to, b.size, 2 * box, 2 * its
-  local w, h, ow, oh = size[k], size[k + 1], size[m], size[m + 1]
-  return -shapes.toEdge(axis, to[k], to[k + 1], w, h, b.shape[its], to[m], to[m + 1], ow, oh)
-end
-
 --- Deflects one of two that meet at a sloped edge, along the normal of that: at the end of the step
 --- they overlap by o px along the axis, close at v px/s and accelerate towards each other by a;
 --- they have met at u px/s, tau s before.
