@@ -89,7 +89,7 @@ local FIRST = {
   forces = { "10_free_motion", "oracles" },
   contactState = { "events" },
   write = { "events" },
-  array = { "maps_page" },
+  array = { "tiles" },
 }
 
 local function read(path)

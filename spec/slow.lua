@@ -39,7 +39,6 @@ slow.differs = {
   "spec/manual_spec.lua",
   "spec/maps_damaged_spec.lua",
   "spec/maps_game_spec.lua",
-  "spec/maps_page_spec.lua",
   "spec/maps_refusals_spec.lua",
   "spec/pure_spec.lua",
   "spec/queries_spec.lua",
