@@ -174,35 +174,6 @@ describe("maxSpeedX: an engine that pushes at its limit", function()
     assert.near(100, movers[2].vx, 1e-9)
     assert.equal(20, movers[2].x - movers[1].x)
   end)
-
-  each("is not driven on by what runs into it from behind", false, function(rate)
-    local runner = { x = 0, y = 0, width = 20, height = 20, mass = 3, vx = 100 }
-    local engine = { x = 30, y = 0, width = 20, height = 20, ax = 2500, vx = 60, maxSpeedX = 60 }
-    local movers = play({ AWAY, runner, engine }, rate, 1, { gravity = 0 })
-    -- (In the step of the impact both go as fast as their momentum is, for a part of it.)
-    assert.near(90, movers[2].x, rate == 30 and 0.5 or 1e-9)
-    assert.near(20, movers[2].x - movers[1].x, 1e-9)
-    assert.near(60, movers[1].vx, 1e-9)
-    assert.near(60, movers[2].vx, 1e-9)
-  end)
-
-  it("leaves a crate behind it alone, and one that is faster", function()
-    local engine = box({ x = 40, ax = 600, maxSpeedX = 100, vx = 100 })
-    local movers = play({ FLOOR, engine, box({ x = 20 }), box({ x = 60, vx = 300 }) }, 60, 0.5)
-    assert.near(90, movers[1].x, 1e-9)
-    assert.equal(20, movers[2].x)
-    assert.near(60 + 300 * 0.5 - 200 * 0.25, movers[3].x, 1e-9)
-  end)
-
-  it("pushes by what is left of its pull, where only one of two may give way", function()
-    for _, push in ipairs({ "first", "both" }) do
-      local objects = { FLOOR, box({ ax = 1500, maxSpeedX = 100 }), box({ x = 20 }) }
-      local movers = play(objects, 60, 1, { gravity = 800, push = push })
-      assert.near(100, movers[1].vx, 1e-9)
-      assert.near(100, movers[2].vx, 1e-9)
-      assert.near(20, movers[2].x - movers[1].x, 1e-9)
-    end
-  end)
 end)
 
 -- 1600 px/s² against two crates of 1000 each: they hold. One of them does not.

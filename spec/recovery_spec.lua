@@ -193,24 +193,6 @@ describe("after an object has failed", function()
     end)
   end
 
-  it("inside add, it has not come in, also if it was in there before the update", function()
-    failEverywhere(function(scene)
-      run(5)(scene)
-      scene.world:remove(scene.floor)
-      scene.floor.x, scene.floor.width = -10, 220
-    end, function(scene)
-      scene.world:add("floors", scene.floor)
-    end, function(scene, what, ok)
-      if not ok then
-        assert.equal(0, #scene.world.objects.floors, what)
-        scene.world:add("floors", scene.floor)
-      end
-      checkGoesOn(scene, what)
-      assert.equal(scene.floor, scene.world:queryPoint(-5, 105)[1], what)
-      physics.newWorld():restore(scene.world:save())
-    end)
-  end)
-
   it("inside restore, restoring again puts everything right #slow", function()
     local saved
     failEverywhere(function(scene)

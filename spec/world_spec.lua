@@ -195,18 +195,6 @@ describe("world.objects", function()
     assert.is_true(rawequal(first, world.objects.boxes[1]))
   end)
 
-  it("may be in a group with defaults for what is missing", function()
-    local group = setmetatable({}, {
-      __index = function()
-        return newBox(0, 0)
-      end,
-    })
-    rawset(group, 1, newBox(0, 0))
-    world.objects.boxes = group
-    world:update(DT)
-    assert.equal(1, world.stats.objects)
-  end)
-
   it("an empty table becomes an object when it is filled", function()
     world.objects.player = {}
     world:update(DT)
@@ -255,23 +243,6 @@ describe("touching", function()
     assert.same({ top = false, bottom = false, left = false, right = false }, other.touching)
     world:update(DT)
     assert.equal(touching, box.touching)
-  end)
-
-  it("takes the place of whatever stands there, also of a table that cannot be compared", function()
-    local world = physics.newWorld()
-    local function newOwn()
-      return setmetatable({}, {
-        __eq = function()
-          error("is not to be compared")
-        end,
-      })
-    end
-    local idle = newBox(0, 0, { active = false, touching = newOwn() })
-    local box = newBox(40, 0, { touching = newOwn() })
-    world.objects.boxes = { idle, box }
-    world:update(DT)
-    assert.is_false(idle.touching.bottom)
-    assert.is_false(box.touching.bottom)
   end)
 
   it("is for reading: what the game writes stays until another object is touched there", function()
@@ -551,16 +522,6 @@ describe("add, remove and refresh", function()
     world:refresh(floor)
     play(world, 30)
     assert.is_true(box.y > 140)
-  end)
-
-  it("refresh of an object that was not seen yet does nothing", function()
-    local box = world:add("boxes", newBox(0, 0))
-    world:refresh(box)
-    local inserted = newBox(40, 0)
-    table.insert(world.objects.boxes, inserted)
-    world:refresh(inserted)
-    play(world, 1)
-    assert.equal(2, world.stats.objects)
   end)
 end)
 

@@ -191,19 +191,6 @@ describe("kinematic: a platform", function()
     run:check(abs(lift.x - 160) < 6.1, "should be near 160, is at %.9g", lift.x)
   end)
 
-  scene.it("that the game places gives a rider that jumps its velocity", SOME, function(run)
-    local named = settled(run)
-    local lift = named.platform
-    run:play(1, function(time)
-      lift.x = 100 + 60 * time
-    end)
-    lift.x = 161 -- one step on
-    named.rider.vy = -400
-    run:step(1 / 60)
-    run:near("vx", named.rider.vx, 60)
-    run:near("x", named.rider.x, 181)
-  end)
-
   --- A step longer than maxStep is split: the platform is not there at once, but on its way.
   scene.it("maxStep: spreads its way over the parts of a long step", SOME, function(run)
     local named = settled(run)
@@ -263,30 +250,6 @@ describe("kinematic: a platform", function()
       had(run, third, 0) -- after it had settled
     end)
   end
-
-  scene.it("lets the second rider walk on the first as on a floor", SOME, function(run)
-    local named = settled(run, pair())
-    named.platform.vx, named.platform.vy = 60, 90
-    for time in run:steps(1, run:keep(named.top, 10)) do
-      rides(run, named.rider, named.platform, 20)
-      run:near("x", named.top.x, 120 + 70 * time)
-      run:same("vx", named.top.vx, 10)
-      run:flush(named.top, named.rider, "bottom")
-    end
-  end)
-
-  --- It has the platform's velocity all along.
-  scene.it("gets the second rider when the first is removed", SOME, function(run)
-    local named = settled(run, pair())
-    named.platform.vx = 60
-    run:play(0.5)
-    run.world:remove(named.rider.raw)
-    for time in run:steps(0.5) do
-      run:near("offset", named.top.x - named.platform.x, 20)
-      run:near("y", named.top.y, math.min(376, 352 + 400 * time * time))
-    end
-    rides(run, named.top, named.platform, 20)
-  end)
 end)
 
 --                 |  |
@@ -316,21 +279,6 @@ describe("kinematic: a rider at a wall", function()
       end
     end
     had(run, log, 2, 2) -- below the wall it is rid of that, too
-  end)
-
-  scene.it("on the way down a lift does not pull what leans on it off it", SOME, function(run)
-    local named, log = settled(run, { platform(), rider(), tile("wall", 136, 300, 16, 100) })
-    named.platform.vy = 60
-    for time in run:steps(2 / 3, run:keep(named.rider, 100)) do
-      run:near("y", named.rider.y, 376 + 60 * time)
-      run:flush(named.rider, named.platform, "bottom")
-      run:same("vy", named.rider.vy, 0)
-      if time < 0.39 then
-        run:near("x", named.rider.x, 120)
-        run:same("vx", named.rider.vx, 0)
-      end
-    end
-    run:check(log.ends <= 1, "ends %d contacts", log.ends)
   end)
 
   --  |w|->+-+
@@ -445,23 +393,6 @@ describe("kinematic: on and off a platform:", function()
     run:same("touching.bottom", run:support(named.rider), named.next)
     run:near("vx", named.rider.vx, 60) -- 100, of which 40 were the platform's
   end)
-
-  scene.it("a seam between two that move alike is none", SOME, function(run)
-    local named, log = settled(run, {
-      platform({ vx = 60, vy = 30 }),
-      platform({ name = "next", x = 164, vx = 60, vy = 30 }),
-      rider({ x = 110 }),
-    })
-    named.rider.vx = 50
-    for _ in run:steps(1.5) do
-      run:same("vx", named.rider.vx, 50)
-      run:same("vy", named.rider.vy, 0)
-      run:flush(named.rider, named.platform, "bottom")
-      run:touches(named.rider, "bottom")
-    end
-    run:same("touching.bottom", run:support(named.rider), named.next)
-    run:same("begins", log.begins, 2)
-  end)
 end)
 
 describe("kinematic: a rider that is put elsewhere", function()
@@ -499,18 +430,6 @@ describe("kinematic: a rider that is put elsewhere", function()
       end
     end)
   end
-
-  scene.it("stays where it stood while switched off is carried by nothing", SOME, function(run)
-    local named = settled(run)
-    named.platform.vx, named.platform.vy = 50, 300
-    named.rider.raw.active = false
-    run:play(0.5)
-    run:at(named.rider, 120, 376)
-    named.rider.raw.active = true
-    for time in run:steps(0.5) do
-      run:at(named.rider, 120, 376 + 400 * time * time)
-    end
-  end)
 
   scene.it("on what carries it rides on", SOME, function(run)
     local named = settled(run, { platform({ width = 500 }), rider() })
@@ -567,18 +486,6 @@ describe("kinematic: when the platform is", function()
     for time in run:steps(0.5) do
       fallsFrom(run, named.rider, 180, 376, 60, 0, time)
       run:at(named.platform, 160 + 60 * time, 400 + 400 * time * time)
-    end
-  end)
-
-  scene.it("made static, the rider slides on over it", SOME, function(run)
-    local named = settled(run)
-    named.platform.vx = 20
-    run:play(1)
-    named.platform.static = true
-    run.world:refresh(named.platform.raw)
-    for time in run:steps(0.5) do
-      run:at(named.rider, 140 + 20 * time, 376)
-      run:near("vx", named.rider.vx, 20)
     end
   end)
 end)
@@ -773,28 +680,6 @@ describe("kinematic: with others in the way:", function()
     end
     run:same("touching.bottom", run:support(named.rider), named.way)
     had(run, log, 2, 1)
-  end)
-
-  --   +--+ ->  +-+
-  --   +--+     +-+
-  --          --------+
-  --                  |  ledge
-  scene.it("a platform pushes a box off a ledge", SOME, function(run)
-    local ledge = tile("ledge", 180, 400, 100, 8)
-    local named = settled(run, { platform({ y = 392 }), rider({ x = 200 }), ledge })
-    named.platform.vx = 60
-    for time in run:steps(2.5) do
-      local x = math.max(200, 164 + 60 * time)
-      run:near("x", named.rider.x, x)
-      if x > 207 and x < 280 then
-        run:near("vx", named.rider.vx, 60)
-      end
-      if x < 280 - 1e-6 then
-        run:near("y", named.rider.y, 376)
-      end
-    end
-    run:check(named.rider.y > 400, "should have fallen, is at %.9g", named.rider.y)
-    run:near("vx", named.rider.vx, 60)
   end)
 
   scene.it("a lift takes its rider past a wall of tiles without a snag", SOME, function(run)

@@ -138,13 +138,6 @@ describe("oneWay: walked through", function()
     end
   end)
 
-  scene.it("and jumped out of lands on it", SOME, function(run)
-    local named = settled(run, { way(), LOW, body({ y = 80, vx = 20 }) })
-    named.body.vy = -sqrt(1600 * 20)
-    run:play(1)
-    run:standsOn(named.body, named.way)
-  end)
-
   scene.it("what begins inside it falls out of it", SOME, function(run)
     local named = run:build({ way(), tile(), body({ y = 79 }) })
     for time in run:steps(0.5) do
@@ -479,17 +472,6 @@ describe("canCollide: of a one-way", function()
       had(run, log, 1, 0)
     end)
   end
-
-  scene.it("that says no while standing there ends the contact and lets fall", SOME, function(run)
-    local named, log = settled(run, { way(), tile(), body({ y = 76 }) })
-    named.body.canCollide = function(_, other)
-      return other ~= named.way.raw
-    end
-    for time in run:steps(1) do
-      run:at(named.body, 50, math.min(276, 76 + 400 * time * time))
-    end
-    run:same("ends", log.ends, 1)
-  end)
 end)
 
 describe("oneWay", function()

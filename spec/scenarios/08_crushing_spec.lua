@@ -283,24 +283,6 @@ describe("onCrush: between two walls", function()
       end
     end)
   end
-
-  scene.it("disturbs nothing else", SOME, function(run)
-    local description = between(1)
-    description[#description + 1] = box("rider", 92, 84)
-    description[#description + 1] = box("near", 160, 100)
-    description[#description + 1] = box("far", -50, 100)
-    local named = run:build(description)
-    run:play(1 / 6)
-    local near, far = run:listen(named.near), run:listen(named.far)
-    for _ in run:steps(2 / 3) do
-      run:at(named.near, 160, 100)
-      run:at(named.far, -50, 100)
-      run:at(named.rider, 92, 84)
-      run:still(named.near)
-      run:still(named.far)
-    end
-    run:same("events", near.begins + near.ends + far.begins + far.ends, 0)
-  end)
 end)
 
 describe("onCrush: from above or below", function()
@@ -359,22 +341,6 @@ describe("onCrush: from above or below", function()
       end)
     end
   end
-
-  scene.it("by a lift that stops in time: nothing", SOME, function(run)
-    local named = run:build(stack(2, 30))
-    run:play(1 / 6)
-    local log = watch(run, named.box1)
-    named.lift.vy = -60
-    run:play(0.5)
-    named.lift.vy = 0
-    for _ in run:steps(0.5) do
-      run:at(named.box1, 93, 16)
-      run:at(named.box2, 94, 32)
-      run:still(named.box1)
-      run:still(named.box2)
-    end
-    run:same("onCrush", log.count, 0)
-  end)
 
   --     +=====+  press
   --       +-+ v

@@ -137,30 +137,6 @@ describe("x and y: a body that is inside two at once", function()
       assert.are.equal(isTurned and 3 or 2, box.y)
     end
   end)
-
-  it("in a corner is not moved out of what it may pass through", function()
-    local world = physics.newWorld({ gravity = 0 })
-    world:add("floors", { x = 0, y = 100, width = 200, height = 50, static = true })
-    local wall = { x = -50, y = 0, width = 50, height = 150, static = true }
-    world:add("walls", wall)
-    local box = world:add("boxes", { x = -6, y = 84, width = 20, height = 20 })
-    function box.canCollide(_, other)
-      return other ~= wall
-    end
-    world:update(1 / 60)
-    assert.are.equal(-6, box.x)
-  end)
-
-  scene.it("in a corner of which one side does not let it out stays", EVERYWHERE, function(run)
-    local named = run:build({
-      { "floors", { x = 0, y = 96, width = 320, height = 16, static = true } },
-      { "walls", { x = 160, y = 0, width = 16, height = 96, static = true } },
-      { "walls", { x = 130, y = 0, width = 16.5, height = 96, static = true } },
-      { "boxes", { name = "box", x = 147, y = 73, width = 14, height = 24 } },
-    })
-    run:play(0.5)
-    run:at(named.box, 147, 73)
-  end)
 end)
 
 describe("x and y: a body across a bar", function()
@@ -342,25 +318,6 @@ describe("x, y, push and mass: boxes on the very same spot", function()
       end
     end)
   end
-
-  scene.it("on a floor part and come to rest on it", EVERYWHERE, function(run)
-    local description = heap(4)
-    description.gravity = 800
-    local floor = { name = "floor", x = -200, y = 66, width = 600, height = 32, static = true }
-    description[5] = { "tiles", floor }
-    local named = run:build(description)
-    local deepest = overlap.checker(run.all)
-    run:play(3)
-    local depth = deepest()
-    run:check(depth <= 1e-6, "still overlap by %.3g", depth)
-    for _, view in pairs(named) do
-      if not view.static then
-        run:still(view)
-        local rows = (50 - view.y) / 16
-        run:near(view.name .. ": height in boxes", rows, math.floor(rows + 0.5))
-      end
-    end
-  end)
 end)
 
 describe("x and y: a body between two walls that are too narrow", function()

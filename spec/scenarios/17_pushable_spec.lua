@@ -64,18 +64,6 @@ describe("pushable = false", function()
       end
     end)
 
-    scene.it("it pushes a box that comes towards it", SOME, function(run)
-      local named = run:build({
-        FLOOR,
-        firm("U", 0, 100, { vx = 100 }),
-        box("P", 116, 100, { vx = -100, mass = 30 }),
-      })
-      for time in run:steps(1) do
-        run:at(named.U, 100 * time, 100)
-        run:at(named.P, math.max(116 - 100 * time, 16 + 100 * time), 100)
-      end
-    end)
-
     scene.it("a box bounces off it", SOME, function(run)
       local named = run:build({
         FLOOR,
@@ -191,19 +179,6 @@ describe("pushable = false", function()
         end
         run:near("vx", named.U.vx, 40 * sign)
       end
-    end)
-
-    scene.it("cannot be pushed into each other by a third", SOME, function(run)
-      local named = run:build({
-        FLOOR,
-        box("P", 0, 100, { mass = 100 }),
-        firm("U", 60, 100),
-        firm("V", 90, 100),
-      })
-      run:play(1, run:keep(named.P, 100))
-      run:at(named.P, 44, 100)
-      run:at(named.U, 60, 100)
-      run:at(named.V, 90, 100)
     end)
 
     scene.it("crush what is between them as little as walls do: it stops them", SOME, function(run)
@@ -385,19 +360,6 @@ describe("pushable = false", function()
         run:still(named.A)
       end
     )
-
-    scene.it("one that jumps against a box over its head lifts it", SOME, function(run)
-      local named = run:build({ FLOOR, firm("U", 92, 100), box("P", 92, 50, { gravity = 0 }) })
-      named.P.gravity, named.P.gravityX = 0, 0
-      run:play(1 / 6)
-      named.U.vy = -400
-      local up, y = 400, 100
-      for time in run:steps(1 / 3) do
-        run:near("y of U", named.U.y, y - up * time + 400 * time * time)
-        run:check(named.U.y - named.P.y >= 16 - 1e-6, "should not be inside it")
-      end
-      run:check(named.P.y < 30, "should be lifted, is at %.9g", named.P.y)
-    end)
   end)
 
   scene.it("can be switched while it runs", SOME, function(run)

@@ -23,7 +23,7 @@ local function refusesStep(world, expected)
       world:update(DT)
     end)
     assert.is_false(ok, "it was not refused: " .. expected)
-    local text = message:match("guard_spec%.lua:%d+: physics: (.*)$")
+    local text = message:match("debugging_spec%.lua:%d+: physics: (.*)$")
     assert.equal(expected, text or message)
     assert.same({ x, y, vx, vy }, { box.x, box.y, box.vx, box.vy })
   end
@@ -35,7 +35,7 @@ local function refusesTime(world, dt)
     world:update(dt)
   end)
   assert.is_false(ok)
-  local text = "guard_spec%.lua:%d+: physics: world:update%(dt%): dt is in seconds, got "
+  local text = "debugging_spec%.lua:%d+: physics: world:update%(dt%): dt is in seconds, got "
   assert.matches(text .. dt .. " %(milliseconds%? divide by 1000%)", message)
 end
 
@@ -328,7 +328,7 @@ describe("checked", function()
     end)
     assert.is_false(ok)
     assert.matches(
-      "guard_spec.lua:%d+: physics: touching.ground is no side: there are top, bottom, left and",
+      "debugging_spec.lua:%d+: physics: touching.ground is no side: there are top, bottom, left",
       message
     )
   end)

@@ -160,7 +160,7 @@ describe("hits, checked,", function()
       local ok, message = pcall(world.queryRect, world, 0, 0, 9, 9, filter)
       assert.is_false(ok)
       assert.matches(
-        "spec/hits_spec.lua:%d+: physics: world:queryRect%(.*%): filter: there is no group"
+        "spec/filters_spec.lua:%d+: physics: world:queryRect%(.*%): filter: there is no group"
           .. " palyers, did you mean players%?",
         message
       )
@@ -169,7 +169,7 @@ describe("hits, checked,", function()
     local ok, message = pcall(world.explode, world, 0, 0, 9, 9, "bullets", "palyers")
     assert.is_false(ok)
     assert.matches(
-      "spec/hits_spec.lua:%d+: physics: world:explode%(.*%): walls: filter: there is no group"
+      "spec/filters_spec.lua:%d+: physics: world:explode%(.*%): walls: filter: there is no group"
         .. " palyers, did you mean players%?",
       message
     )
