@@ -1,7 +1,6 @@
 --- Events: what the game is told about which objects, in which order, and what callbacks may do.
 
 local newBox = require("spec.support.box")
-local newRandom = require("spec.support.random").new
 local physics = require("physics")
 
 local DT = 1 / 60
@@ -461,33 +460,6 @@ describe("sensor", function()
     checkLog(log, 1, 1)
   end)
 
-  -- Whatever a one-way is solid on, a sensor sees it all the same.
-  it("tells the side at which a one-way box is in it when both appear", function()
-    for _, row in ipairs({
-      { 1040, 992, "bottom", "top" },
-      { 1040, 1092, "top", "bottom" },
-      { 992, 1040, "right", "left" },
-      { 1092, 1040, "left", "right" },
-      { 1040, 1040, "bottom", "bottom" }, -- in the middle: of the first in order
-    }) do
-      for first, side in ipairs({ row[3], row[4] }) do
-        world = physics.newWorld({ gravity = 0 })
-        local sides = {}
-        world.onBegin = function(_, _, its)
-          sides[#sides + 1] = its
-        end
-        local box = { x = row[1], y = row[2], width = 20, height = 20, oneWay = "right" }
-        local sensor = { x = 1000, y = 1000, width = 100, height = 100, static = true }
-        sensor.sensor = true
-        local one = world:add("a", first == 1 and box or sensor)
-        local other = world:add("b", first == 1 and sensor or box)
-        world:update(1 / 60)
-        assert.same({ side }, sides)
-        assert.equal(side, world:touching(one, other))
-      end
-    end
-  end)
-
   it("does not see what is only flush", function()
     local log = listen(newSensor(16, 0, 16, 16))
     local box = world:add("boxes", newBox(0, 0))
@@ -797,31 +769,5 @@ describe("onCrush", function()
     play(world, 40)
     assert.same({ "x", "x" }, lines)
     assert.is_true(box.vx - box.vx == 0)
-  end)
-end)
-
--- Boxes that grow and shrink in a room, so that they are pushed into each other.
-describe("onStay", function()
-  local function playRoom(seed, onStay)
-    local random, world = newRandom(seed), physics.newWorld({ gravity = 600 })
-    world:setBounds(0, 0, 200, 160)
-    local boxes = {}
-    for n = 1, 24 do
-      local x, y = random:between(0, 180), random:between(0, 140)
-      boxes[n] = world:add("boxes", { x = x, y = y, width = 16, height = 16, onStay = onStay })
-      boxes[n].vx, boxes[n].friction = random:between(-200, 200), 0.3
-    end
-    for _ = 1, 200 do
-      local box, size = boxes[random:integer(1, #boxes)], random:between(8, 28)
-      box.width, box.height = size, size
-      world:update(DT)
-    end
-    return world:hash()
-  end
-
-  it("that does nothing changes no motion", function()
-    for seed = 1, 3 do
-      assert.equal(playRoom(seed, nil), playRoom(seed, function() end))
-    end
   end)
 end)

@@ -100,28 +100,6 @@ describe("hits", function()
     assert.equal(91, ball.x)
     assert.is_false(ball.touching.right)
   end)
-
-  it("is part of a state and of the hash", function()
-    local _, bullet, world = shoot({ hits = { "players" } })
-    local before, state = world:hash(), world:save()
-    bullet.hits = { "gems", "walls" }
-    assert.not_equal(before, world:hash())
-    world:update(DT)
-    local list = bullet.hits
-    world:restore(state)
-    assert.same({ "players" }, bullet.hits)
-    assert.same({ "gems", "walls" }, list)
-    assert.equal(before, world:hash())
-    local other = physics.newWorld({ gravity = 0 })
-    other:restore(state)
-    assert.same({ "players" }, other.objects.bullets[1].hits)
-    assert.equal(before, other:hash())
-    for _ = 1, 30 do
-      world:update(DT)
-      other:update(DT)
-      assert.equal(world:hash(), other:hash())
-    end
-  end)
 end)
 
 describe("hits, checked,", function()

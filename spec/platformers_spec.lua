@@ -424,31 +424,6 @@ describe("world:shift", function()
     assert.equal(1, count)
   end)
 
-  it(
-    "goes on to the same bits with rest and without, in both broad phases, and restored",
-    function()
-      local function hashOf(settings, isRestored)
-        local world = newScene()
-        for name, value in pairs(settings) do
-          world[name] = value
-        end
-        for n = 1, 200 do
-          if n % 30 == 0 then
-            world:shift(1 / 3, -77.7)
-          elseif n % 30 == 1 and isRestored then
-            world:restore(world:save())
-          end
-          world:update(1 / 60)
-        end
-        return world:hash()
-      end
-      local expected = hashOf({})
-      assert.equal(expected, hashOf({ rest = false }))
-      assert.equal(expected, hashOf({ broadphase = "pairs" }))
-      assert.equal(expected, hashOf({}, true))
-    end
-  )
-
   it("takes along interpolation, tiles, and tiles that wait", function()
     local world = physics.newWorld({ gravity = 800, timestep = 1 / 60 })
     local tiles = world:addTiles("earth", { "####", "####" }, nil, 16, { y = 100 })

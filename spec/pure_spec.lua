@@ -210,11 +210,6 @@ describe("checkCollision", function()
     assert.same({ box(0, 0, 10, 10), box(10, 3, 10, 10) }, { a, b })
   end)
 
-  it("refuses a sideBySide that is no boolean", function()
-    local expected = "checkCollision(a, b, sideBySide): sideBySide must be true or false, got 1"
-    refuses(expected, physics.checkCollision, box(0, 0, 1, 1), box(0, 0, 1, 1), 1)
-  end)
-
   it("finds the overlap of 2000 random pairs, and of each the opposite side", function()
     local random = newRandom(7)
     local function randomBox()

@@ -362,20 +362,6 @@ describe("add, remove and refresh", function()
     assert.equal(2, world.stats.objects)
   end)
 
-  it("remove finds an object of a replaced group, or one that changed its group", function()
-    local boxes = { newBox(0, 0), newBox(20, 0), newBox(40, 0) }
-    world.objects.boxes = { boxes[1], boxes[2], boxes[3] }
-    world:update(DT)
-    world.objects.boxes = { boxes[2], boxes[3] }
-    assert.is_true(world:remove(boxes[2]))
-    assert.equal(boxes[3], world.objects.boxes[1])
-    world.objects.crates = { boxes[3] }
-    world.objects.boxes[1] = nil
-    assert.is_true(world:remove(boxes[3]))
-    assert.is_nil(world.objects.crates[1])
-    assert.is_false(world:remove(boxes[1]))
-  end)
-
   it("add takes back what was removed, also before the next update", function()
     local floor = world:add("tiles", newFloor())
     local box = world:add("boxes", newBox(0, 84))
@@ -472,22 +458,6 @@ describe("add, remove and refresh", function()
         assert.equal(1, hits)
       end
     )
-  end
-
-  -- In worlds of more than 128 objects only the first query after an update looks at all objects.
-  for _, row in ipairs({ { "too short for a fixed step", 1 / 144 }, { "of no time", 0 } }) do
-    it("queryPoint after an update " .. row[1] .. " sees what was put elsewhere", function()
-      world.gravity, world.timestep = 0, 1 / 60
-      local boxes = {}
-      for i = 1, 200 do
-        boxes[i] = world:add("boxes", newBox(20 * i, 0))
-      end
-      for i = 1, 20 do
-        boxes[i].x, boxes[i].y = -5000, -1000 * i
-        world:update(row[2])
-        assert.same({ boxes[i] }, (world:queryPoint(-4995, 5 - 1000 * i)))
-      end
-    end)
   end
 
   -- A long update has several steps, over which the way of a lift is spread.
@@ -736,25 +706,6 @@ describe("fields and settings at run time:", function()
       end
     end
   end)
-
-  it(
-    "queryPoint and setBounds name what has turned bad: an object, a setting or a table",
-    function()
-      world = physics.newWorld()
-      local object = world:add("boxes", newBox(0, 0))
-      world:update(DT)
-      object.width = 0
-      local text = "objects.boxes[1].width must be a number > 0, got 0"
-      refuses(text, world.queryPoint, world, 8, 8)
-      object.width, world.sideBySide = 16, 1
-      refuses("sideBySide must be true or false, got 1", world.queryPoint, world, 0, 0)
-      world.sideBySide, world.objects = nil, 7
-      refuses("objects must be a table of groups, got 7", world.setBounds, world, 0, 0, 9, 9)
-      world.objects = { bounds = newBox(0, 0) }
-      text = "world:setBounds(x, y, w, h): objects.bounds is not a group, got an object"
-      refuses(text, world.setBounds, world, 0, 0, 9, 9)
-    end
-  )
 
   for _, row in ipairs({
     -- maxStep, dt; where a box is after each step at 1000 px/s

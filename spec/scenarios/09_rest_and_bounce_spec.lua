@@ -170,15 +170,6 @@ describe("restitution: a bounce", function()
       check(run, box.vy, dt)
     end)
 
-    scene.it(what .. " that speed where it stands", levels, function(run)
-      local dt = 1 / run.rate
-      local description = overFloor(100, 1)
-      description[2][2].vy = share * 1600 * dt
-      local box = run:build(description).box
-      run:step(dt)
-      run:near("vy", box.vy, share < 1 and 0 or 800 * dt - share * 1600 * dt)
-    end)
-
     --   +--+ 500   300 +--+
     --   +--+ ->     <- +--+
     scene.it(what .. " the speed that both accelerations add in two steps", levels, function(run)

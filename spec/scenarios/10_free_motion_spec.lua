@@ -1,6 +1,5 @@
 --- Arcs, damping and limits, the same at every frame rate.
 
-local physics = require("physics")
 local scene = require("spec.support.scene")
 local variants = require("spec.support.variants")
 
@@ -113,19 +112,6 @@ describe("airFriction, drag, maxSpeed, friction: slowing down", function()
     end)
   end
 
-  it("by maxSpeed holds in the step in which the floor lets go, too", function()
-    for _, dt in ipairs({ 1 / 30, 1 / 60, 1 / 144 }) do
-      local world = physics.newWorld({ gravity = 600 })
-      world:add("floors", { x = 0, y = 10, width = 100, height = 10, static = true })
-      local body = world:add("boxes", { x = 0, y = 0, width = 10, height = 10, maxSpeed = 5 })
-      world:update(dt)
-      world:update(dt)
-      body.mask = { floors = false }
-      world:update(dt)
-      assert.is_true(body.vy > 0 and body.vy <= 5)
-    end
-  end)
-
   -- v' = 250 - 240 - 3 v: to 10 / 3 px/s
   for _, start in ipairs({ 0, 300 }) do
     scene.it("by drag and airFriction, pulled, from " .. start .. " px/s", EVERYWHERE, function(run)
@@ -139,18 +125,6 @@ describe("airFriction, drag, maxSpeed, friction: slowing down", function()
       run:same("vx", body.vx, 0)
     end)
   end
-
-  scene.it(
-    "by drag that is no less than the pull holds a box that stands, in any air",
-    EVERYWHERE,
-    function(run)
-      local fields = { airFriction = 3, drag = 250 }
-      local body = run:build({ gravity = 250, box(0, 0, fields) }).box
-      run:play(1)
-      run:at(body, 0, 0)
-      run:same("vy", body.vy, 0)
-    end
-  )
 
   --  +--+ 200 px/s
   --  +--+ ->

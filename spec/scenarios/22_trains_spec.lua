@@ -57,13 +57,6 @@ local PLAYS = {
     ends = { P = 30, B = 46, C = 62 },
   },
   {
-    name = "one pushes leftwards",
-    box("P", 80, 84),
-    box("B", 20, 84),
-    keep = { P = -100 },
-    seconds = 2,
-  },
-  {
     name = "one pushes three against a wall",
     P,
     B,
@@ -91,13 +84,6 @@ local PLAYS = {
     seconds = 2,
   },
   {
-    name = "an engine alone",
-    box("P", 20, 84, { maxSpeedX = 90 }),
-    first = { P = { ax = 900 } },
-    seconds = 2,
-    ends = { P = 195.5 },
-  },
-  {
     name = "a man walks on a crate and steps down",
     P,
     box("B", 22, 68),
@@ -114,13 +100,6 @@ local PLAYS = {
     without = { lift = "the lift gives the jump its speed" },
   },
   {
-    name = "a crate is pushed with a man on it",
-    box("P", 0, 84),
-    box("B", 40, 84),
-    box("C", 42, 68),
-    keep = { P = 70 },
-  },
-  {
     name = "mass 2 hits mass 1, restitution 1",
     box("P", 0, 84, { mass = 2, restitution = 1 }),
     box("B", 60, 84, { restitution = 1 }),
@@ -133,13 +112,6 @@ local PLAYS = {
     box("B", 60, 84),
     first = { P = { vx = 100 } },
     speeds = { P = 200 / 3, B = 200 / 3 },
-  },
-  {
-    name = "mass 2 hits mass 1, restitution 0.5, leftwards",
-    box("P", 100, 84, { mass = 2, restitution = 0.5 }),
-    box("B", 40, 84),
-    first = { P = { vx = -100 } },
-    speeds = { P = -50, B = -100 },
   },
   {
     name = "one slides and rubs until it stands",
