@@ -145,7 +145,7 @@ describe("world:queryCircle", function()
   end
 end)
 
-describe("a ray", function()
+describe("raycast and radius: a ray", function()
   -- A circle of 20 px around (50, 50).
   for _, row in ipairs({
     { "through the middle", { 0, 50, 100, 50 }, { 30, 50, -1, 0, 0.3 } },
@@ -173,7 +173,7 @@ describe("a ray", function()
   end
 end)
 
-describe("a sensor with a radius", function()
+describe("radius: a sensor with one", function()
   it("gets its width and height from add", function()
     local world = physics.newWorld()
     local coin = world:add("coins", { x = 3, y = 4, radius = 2.5, sensor = true })

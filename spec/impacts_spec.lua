@@ -31,7 +31,7 @@ local function play(masses, gap, restitution, rate, look)
   return boxes
 end
 
-describe("a light box between two heavy ones", function()
+describe("restitution: a light box between two heavy ones", function()
   -- 4, 0.1 and 4 kg: some ten bounces, within a step or in a few.
   for _, rate in ipairs({ 30, 60, 144 }) do
     for _, gap in ipairs({ 0, 1, 5 }) do
@@ -71,7 +71,7 @@ describe("a light box between two heavy ones", function()
   end
 end)
 
-describe("a row of five that touch", function()
+describe("restitution: a row of five that touch", function()
   it("hands the speed on to the last, in one step", function()
     play({ 1, 1, 1, 1, 1 }, 0, 1, 60, function(_, _, boxes)
       for n = 1, 5 do

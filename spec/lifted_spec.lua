@@ -14,7 +14,7 @@ local function energyOf(objects)
   return sum
 end
 
-describe("a box that is hit from below, off its shelf,", function()
+describe("restitution: a box that is hit from below, off its shelf,", function()
   --    +------+
   --    |      |
   --    +------+
@@ -45,7 +45,7 @@ describe("a box that is hit from below, off its shelf,", function()
   end
 end)
 
-describe("a box that leans on a lift that rises", function()
+describe("friction: a box that leans on a lift that rises", function()
   --    +--+----+ ^ 50
   --  > |  |    |      friction lifts with half of what it leans with,
   --    +--+    |      its weight is 600

@@ -1,20 +1,17 @@
 --- Oracles: lifts, belts and slopes (spec/support/oracle.lua).
 
 local oracle = require("spec.support.oracle")
+local some = oracle.some
 
 local class, EXACT = oracle.newClass(it), oracle.EXACT
 local timeTo, braked, newScene = oracle.timeTo, oracle.braked, oracle.newScene
 local abs, max, min, sqrt = math.abs, math.max, math.min, math.sqrt
 
-describe("known by hand, a box", function()
+describe("kinematic and surfaceSpeed: known by hand, a box", function()
   -- Lifts and slopes
 
   class("rides a lift, and jumps off it with its speed", EXACT, function(random, rate)
-    local g, u, w, jump =
-      random:between(300, 1200),
-      random:between(-200, 200),
-      random:between(-150, 150),
-      random:between(100, 400)
+    local g, u, w, jump = some(random, 300, 1200, -200, 200, -150, 150, 100, 400)
     local s = newScene(random, rate, { gravity = g })
     local lift = { x = -500, y = 0, width = 1000, height = 20, kinematic = true, vx = u, vy = w }
     s.world:add("lifts", lift)
@@ -35,7 +32,7 @@ describe("known by hand, a box", function()
   end)
 
   class("falls on a lift and rides it", EXACT, function(random, rate)
-    local g, h, w = random:between(300, 1200), random:between(10, 200), random:between(-150, 150)
+    local g, h, w = some(random, 300, 1200, 10, 200, -150, 150)
     local s = newScene(random, rate, { gravity = g })
     local lift = { x = -500, y = 0, width = 1000, height = 20, kinematic = true, vy = w }
     s.world:add("lifts", lift)
@@ -51,8 +48,7 @@ describe("known by hand, a box", function()
   end)
 
   class("lies on a belt that stands upright, under sideways gravity", EXACT, function(random, rate)
-    local g, mu = random:between(300, 1200), random:between(0.05, 1)
-    local v, u = random:between(-300, 300), random:between(-200, 200)
+    local g, mu, v, u = some(random, 300, 1200, 0.05, 1, -300, 300, -200, 200)
     local s = newScene(random, rate, { gravity = 0, gravityX = g })
     local belt = { x = 0, y = -9000, width = 20, height = 18000, static = true, surfaceSpeed = u }
     s.world:add("belts", belt)
@@ -69,8 +65,7 @@ describe("known by hand, a box", function()
   end)
 
   class("slides on the belt that it falls on", 0, function(random, rate)
-    local g, h, mu = random:between(300, 1200), random:between(5, 60), random:between(0.05, 1)
-    local v, u = random:between(-300, 300), random:between(-200, 200)
+    local g, h, mu, v, u = some(random, 300, 1200, 5, 60, 0.05, 1, -300, 300, -200, 200)
     local s = newScene(random, rate, { gravity = g })
     s:floor({ surfaceSpeed = u })
     s.tolerance = abs(u) * s:longest() -- it is carried from the next step on
@@ -89,7 +84,7 @@ describe("known by hand, a box", function()
 
   class("walks up and down a slope along its edge", EXACT, function(random, rate)
     local s = newScene(random, rate, { gravity = random:between(300, 1200) })
-    local width, height = random:between(200, 400), random:between(20, 400)
+    local width, height = some(random, 200, 400, 20, 400)
     local v, isFair = random:between(30, 300), random:chance(0.5)
     s:floor()
     s.world:add(

@@ -1,17 +1,18 @@
 --- Oracles: friction, alone and in rows (spec/support/oracle.lua).
 
 local oracle = require("spec.support.oracle")
+local some = oracle.some
 
 local class, EXACT, MEETING = oracle.newClass(it), oracle.EXACT, oracle.MEETING
 local braked, limited, inAir, newScene =
   oracle.braked, oracle.limited, oracle.inAir, oracle.newScene
 local abs, max, min, sqrt = math.abs, math.max, math.min, math.sqrt
 
-describe("known by hand, a box", function()
+describe("friction: known by hand, a box", function()
   -- Friction
 
   class("slides to a stop", EXACT, function(random, rate)
-    local g, mu, v = random:between(300, 1200), random:between(0.05, 1.2), random:between(-400, 400)
+    local g, mu, v = some(random, 300, 1200, 0.05, 1.2, -400, 400)
     local own = random:between(0.05, 1.5)
     local s = newScene(random, rate, { gravity = g })
     s:floor({ friction = mu * mu / own })
@@ -26,11 +27,7 @@ describe("known by hand, a box", function()
   end)
 
   class("slides to a stop in air", EXACT, function(random, rate)
-    local g, mu, v, k =
-      random:between(300, 1200),
-      random:between(0.05, 0.8),
-      random:between(50, 600),
-      random:between(0.2, 3)
+    local g, mu, v, k = some(random, 300, 1200, 0.05, 0.8, 50, 600, 0.2, 3)
     local s = newScene(random, rate, { gravity = g })
     s:floor()
     local b = s:stand({ x = 0, vx = v, friction = mu, airFriction = k })
@@ -58,11 +55,7 @@ describe("known by hand, a box", function()
   end)
 
   class("drives against friction up to its limit", EXACT, function(random, rate)
-    local g, mu, a, limit =
-      random:between(300, 1200),
-      random:between(0, 0.8),
-      random:between(50, 800),
-      random:between(60, 300)
+    local g, mu, a, limit = some(random, 300, 1200, 0, 0.8, 50, 800, 60, 300)
     local s = newScene(random, rate, { gravity = g })
     s:floor()
     local b = s:stand({ x = 0, friction = mu, ax = a, maxSpeedX = limit })
@@ -78,7 +71,7 @@ describe("known by hand, a box", function()
   end)
 
   class("turns where its engine overcomes its slide", EXACT, function(random, rate)
-    local g, mu, v = random:between(300, 1200), random:between(0.05, 0.5), random:between(50, 300)
+    local g, mu, v = some(random, 300, 1200, 0.05, 0.5, 50, 300)
     local a = mu * g * random:between(0.5, 3)
     local s = newScene(random, rate, { gravity = g })
     s:floor()
@@ -93,11 +86,7 @@ describe("known by hand, a box", function()
   end)
 
   class("slides down the wall that it is pressed to", EXACT, function(random, rate)
-    local g, mu, a, v =
-      random:between(300, 1200),
-      random:between(0, 0.9),
-      random:between(100, 800),
-      random:between(0, 200)
+    local g, mu, a, v = some(random, 300, 1200, 0, 0.9, 100, 800, 0, 200)
     local s = newScene(random, rate, { gravity = g })
     s.world:add("walls", { x = 0, y = -1000, width = 20, height = 20000, static = true })
     local b = s:box({ x = 0, y = 0, friction = mu, ax = a, vy = v })
@@ -116,11 +105,7 @@ describe("known by hand, a box", function()
   end)
 
   class("slides on a belt, seen from the belt", EXACT, function(random, rate)
-    local g, mu, v, u =
-      random:between(300, 1200),
-      random:between(0.05, 1),
-      random:between(-300, 300),
-      random:between(-200, 200)
+    local g, mu, v, u = some(random, 300, 1200, 0.05, 1, -300, 300, -200, 200)
     local s = newScene(random, rate, { gravity = g })
     s:floor({ surfaceSpeed = u })
     local b = s:stand({ x = 0, friction = mu })
@@ -136,11 +121,7 @@ describe("known by hand, a box", function()
   end)
 
   class("slides on a train, seen from the train", EXACT, function(random, rate)
-    local g, mu, v, u =
-      random:between(300, 1200),
-      random:between(0.05, 1),
-      random:between(-300, 300),
-      random:between(-300, 300)
+    local g, mu, v, u = some(random, 300, 1200, 0.05, 1, -300, 300, -300, 300)
     local w = random:between(-100, 100)
     local s = newScene(random, rate, { gravity = g })
     local train = { x = -4000, y = 0, width = 8000, height = 20, kinematic = true, vx = u, vy = w }
@@ -157,7 +138,7 @@ describe("known by hand, a box", function()
   end)
 
   class("slides to a stop on another, which the floor holds", EXACT, function(random, rate)
-    local g, mu, v = random:between(300, 1200), random:between(0.05, 0.5), random:between(-80, 80)
+    local g, mu, v = some(random, 300, 1200, 0.05, 0.5, -80, 80)
     local s = newScene(random, rate, { gravity = g })
     s:floor({ friction = 40 })
     local low = s:stand({ x = 0, width = 400, friction = 0.5 })
@@ -174,8 +155,7 @@ describe("known by hand, a box", function()
     "slides on ice with another on it until both are equally fast",
     EXACT,
     function(random, rate)
-      local g, mu, v =
-        random:between(300, 1200), random:between(0.1, 0.5), random:between(-120, 120)
+      local g, mu, v = some(random, 300, 1200, 0.1, 0.5, -120, 120)
       local s = newScene(random, rate, { gravity = g })
       s:floor({ friction = 0 })
       local low = s:stand({ x = 0, width = 600, friction = mu })
@@ -217,8 +197,7 @@ describe("known by hand, a box", function()
     "pushes a row with its engine, by the mass of all and their friction",
     EXACT,
     function(random, rate)
-      local g, a, limit =
-        random:between(300, 1200), random:between(300, 2000), random:between(60, 200)
+      local g, a, limit = some(random, 300, 1200, 300, 2000, 60, 200)
       local s = newScene(random, rate, { gravity = g })
       s:floor()
       local row, mass, rub = newTrain(s, random:integer(2, 6), function()
@@ -246,7 +225,7 @@ describe("known by hand, a box", function()
 
   -- Where both stop in the same step.
   class("pushes the one before it that friction brakes more", MEETING, function(random, rate)
-    local g, v = random:between(300, 1200), random:between(50, 300)
+    local g, v = some(random, 300, 1200, 50, 300)
     local s = newScene(random, rate, { gravity = g })
     s:floor()
     local low = random:between(0, 0.3)
@@ -265,7 +244,7 @@ describe("known by hand, a box", function()
     "comes apart from the one behind it that friction brakes more",
     EXACT,
     function(random, rate)
-      local g, v = random:between(300, 1200), random:between(50, 300)
+      local g, v = some(random, 300, 1200, 50, 300)
       local s = newScene(random, rate, { gravity = g })
       s:floor()
       local low = random:between(0.05, 0.3)
@@ -280,8 +259,7 @@ describe("known by hand, a box", function()
   )
 
   class("hits one that lies there, and both slide to a stop", MEETING, function(random, rate)
-    local g, r = random:between(300, 1200), random:between(0.3, 1)
-    local muA, muB = random:between(0.05, 0.4), random:between(0.05, 0.4)
+    local g, r, muA, muB = some(random, 300, 1200, 0.3, 1, 0.05, 0.4, 0.05, 0.4)
     local s = newScene(random, rate, { gravity = g })
     s:floor()
     local gap = random:between(5, 60)

@@ -1,12 +1,13 @@
 --- Oracles: impacts (spec/support/oracle.lua).
 
 local oracle = require("spec.support.oracle")
+local some = oracle.some
 
 local class, MEETING = oracle.newClass(it), oracle.MEETING
 local timeTo, playLine, newScene = oracle.timeTo, oracle.playLine, oracle.newScene
 local abs, huge, max, sqrt = math.abs, math.huge, math.max, math.sqrt
 
-describe("known by hand,", function()
+describe("restitution: known by hand,", function()
   -- Impacts
 
   -- Boxes in a row, `gaps` apart at most, without gravity.
@@ -73,7 +74,7 @@ describe("known by hand,", function()
   class("impacts of two that fall at different gravity", MEETING, function(random, rate)
     local s = newScene(random, rate, { gravity = 0 })
     local r = random:between(0.3, 1)
-    local gA, gB = random:between(-300, 300), random:between(-300, 300)
+    local gA, gB = some(random, -300, 300, -300, 300)
     local a = s:box({ x = 0, y = 0, vy = random:between(0, 200), gravity = gA, restitution = r })
     local gap = random:between(5, 80)
     local b = s:box({ x = 3, y = a.height + gap, vy = random:between(-200, 0), gravity = gB })
@@ -99,7 +100,7 @@ describe("known by hand,", function()
   -- The normal is that of a moment up to 2e-9 of a step later.
   class("impacts of two balls, along the line of their centres", 1e-5, function(random, rate)
     local s = newScene(random, rate, { gravity = 0 })
-    local r, ra, rb = random:between(0, 1), random:between(6, 20), random:between(6, 20)
+    local r, ra, rb = some(random, 0, 1, 6, 20, 6, 20)
     local v, offset = random:between(100, 400), (ra + rb) * random:between(-0.9, 0.9)
     local a = s:box({
       x = -ra,
@@ -128,8 +129,7 @@ describe("known by hand,", function()
 
   class("bounces of a box or ball off a slope, along the normal", MEETING, function(random, rate)
     local s = newScene(random, rate, { gravity = 0 })
-    local width, height, radius =
-      random:between(150, 300), random:between(60, 300), random:between(5, 15)
+    local width, height, radius = some(random, 150, 300, 60, 300, 5, 15)
     s.world:add(
       "slopes",
       { x = 0, y = 0, width = width, height = height, static = true, slope = "right" }
@@ -137,7 +137,7 @@ describe("known by hand,", function()
     -- From (0, height) to (width, 0); the normal points up and to the left.
     local length = sqrt(width * width + height * height)
     local nx, ny = -height / length, -width / length
-    local r, v = random:between(0, 1), random:between(100, 300)
+    local r, v = some(random, 0, 1, 100, 300)
     local x, y = width * random:between(0.4, 0.6), -60
     local b = s:box({ x = x - radius, y = y - radius, width = 2 * radius, height = 2 * radius })
     b.vy, b.restitution, b.radius = v, r, random:chance(0.5) and radius or nil

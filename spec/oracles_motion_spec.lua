@@ -1,17 +1,18 @@
 --- Oracles: free motion and bounces (spec/support/oracle.lua).
 
 local oracle = require("spec.support.oracle")
+local some = oracle.some
 
 local class, EXACT, MEETING = oracle.newClass(it), oracle.EXACT, oracle.MEETING
 local braked, limited, inAir, bouncing, playLine, newScene =
   oracle.braked, oracle.limited, oracle.inAir, oracle.bouncing, oracle.playLine, oracle.newScene
 local huge, min, sqrt = math.huge, math.min, math.sqrt
 
-describe("known by hand, a body", function()
+describe("vx, vy, ax and gravity: known by hand, a body", function()
   -- Free motion
 
   class("flies on the parabola of its gravity and engine", EXACT, function(random, rate)
-    local gx, gy = random:between(-500, 500), random:between(-900, 900)
+    local gx, gy = some(random, -500, 500, -900, 900)
     local s = newScene(random, rate, { gravity = gy, gravityX = gx })
     local own = random:chance(0.5) and random:between(-900, 900) or nil
     local vx, vy, ax, ay = random:between(-400, 400), random:between(-400, 400), 0, 0
@@ -30,8 +31,7 @@ describe("known by hand, a body", function()
   end)
 
   class("falls through air towards its terminal speed", EXACT, function(random, rate)
-    local g, ax, k = random:between(100, 1200), random:between(-300, 300), random:between(0.1, 4)
-    local vx, vy = random:between(-400, 400), random:between(-400, 400)
+    local g, ax, k, vx, vy = some(random, 100, 1200, -300, 300, 0.1, 4, -400, 400, -400, 400)
     local s = newScene(random, rate, { gravity = g })
     local b = s:box({ x = 0, y = 0, vx = vx, vy = vy, ax = ax, airFriction = k })
     s:play(2, function(t)
@@ -46,7 +46,7 @@ describe("known by hand, a body", function()
   end)
 
   class("falls up to its limit", EXACT, function(random, rate)
-    local g, limit, v = random:between(300, 1200), random:between(100, 600), random:between(-90, 90)
+    local g, limit, v = some(random, 300, 1200, 100, 600, -90, 90)
     local s = newScene(random, rate, { gravity = g })
     local b = s:box({ x = 0, y = 0, vy = v })
     b[random:pick({ "maxSpeedY", "maxFallSpeed", "maxSpeed" })] = limit
@@ -59,7 +59,7 @@ describe("known by hand, a body", function()
   end)
 
   class("falls through air up to its limit", EXACT, function(random, rate)
-    local g, k = random:between(600, 1200), random:between(0.2, 2)
+    local g, k = some(random, 600, 1200, 0.2, 2)
     local limit = g / k * random:between(0.2, 0.8)
     local s = newScene(random, rate, { gravity = g })
     local b = s:box({ x = 0, y = 0, airFriction = k, maxSpeedY = limit })
@@ -74,8 +74,7 @@ describe("known by hand, a body", function()
 
   -- In the step in which `maxSpeedX` is reached `drag` takes its part of the whole step.
   class("drives up to its limit against its drag", 0, function(random, rate)
-    local ax, drag, limit =
-      random:between(200, 600), random:between(20, 150), random:between(60, 300)
+    local ax, drag, limit = some(random, 200, 600, 20, 150, 60, 300)
     local s = newScene(random, rate, { gravity = 0 })
     s.tolerance = drag * s:longest() ^ 2 / 2 -- 0.08 px at 30 Hz, 0.001 at 240
     local side = random:pick({ -1, 1 })
@@ -89,8 +88,7 @@ describe("known by hand, a body", function()
   end)
 
   class("is stopped by its drag, in its direction", EXACT, function(random, rate)
-    local vx, vy, drag =
-      random:between(-300, 300), random:between(-300, 300), random:between(80, 400)
+    local vx, vy, drag = some(random, -300, 300, -300, 300, 80, 400)
     local s = newScene(random, rate, { gravity = 0 })
     local b = s:box({ x = 0, y = 0, vx = vx, vy = vy, drag = drag })
     local v = sqrt(vx * vx + vy * vy)
@@ -107,7 +105,7 @@ describe("known by hand, a body", function()
   class("gets an impulse by its mass", EXACT, function(random, rate)
     local s = newScene(random, rate, { gravity = 0 })
     local b = s:box({ x = 0, y = 0, vx = 10 })
-    local jx, jy = random:between(-300, 300), random:between(-300, 300)
+    local jx, jy = some(random, -300, 300, -300, 300)
     s.world:impulse(b, jx, jy)
     s:play(1, function(t)
       s:near("x", (10 + jx / b.mass) * t, b.x)
@@ -118,12 +116,11 @@ describe("known by hand, a body", function()
 
   class("feels the wind and the gravity of the zone that it is in", EXACT, function(random, rate)
     local s = newScene(random, rate, { gravity = 500 })
-    local g, ax, ay =
-      random:between(-400, 400), random:between(-300, 300), random:between(-300, 300)
+    local g, ax, ay = some(random, -400, 400, -300, 300, -300, 300)
     local zone = { x = -4000, y = -4000, width = 8000, height = 8000, static = true, sensor = true }
     zone.area = { gravity = g, ax = ax, ay = ay }
     s.world:add("zones", zone)
-    local vx, vy = random:between(-200, 200), random:between(-200, 200)
+    local vx, vy = some(random, -200, 200, -200, 200)
     local b = s:box({ x = 0, y = 0, vx = vx, vy = vy })
     s:play(2, function(t)
       s:near("x", vx * t + ax * t * t / 2, b.x)
@@ -135,8 +132,7 @@ describe("known by hand, a body", function()
   -- Bounces
 
   class("bounces on a floor: heights, moments and speeds", MEETING, function(random, rate)
-    local g, r, h = random:between(300, 1200), random:between(0.3, 1), random:between(40, 300)
-    local v, vx = random:between(-100, 100), random:between(-200, 200)
+    local g, r, h, v, vx = some(random, 300, 1200, 0.3, 1, 40, 300, -100, 100, -200, 200)
     local s = newScene(random, rate, { gravity = g })
     s:floor()
     local b = s:box({ x = 0, y = 0, vy = -v, vx = vx, restitution = r })
@@ -160,7 +156,7 @@ describe("known by hand, a body", function()
     local s = newScene(random, rate, { gravity = 0 })
     local b = s:box({ x = 0, y = 0, restitution = r })
     b.vx, b.vy = random:between(100, 500), random:between(-500, -100)
-    local room, tall = random:between(60, 200), random:between(60, 200)
+    local room, tall = some(random, 60, 200, 60, 200)
     local function wall(x, y, width, height)
       s.world:add("walls", { x = x, y = y, width = width, height = height, static = true })
     end
@@ -192,11 +188,7 @@ describe("known by hand, a body", function()
   end)
 
   class("bounces off a lift as off a floor, seen from there", MEETING, function(random, rate)
-    local g, r, h, u =
-      random:between(300, 900),
-      random:between(0.4, 1),
-      random:between(40, 200),
-      random:between(-60, 60)
+    local g, r, h, u = some(random, 300, 900, 0.4, 1, 40, 200, -60, 60)
     local s = newScene(random, rate, { gravity = g })
     s.world:add("lifts", { x = -500, y = 0, width = 1000, height = 20, kinematic = true, vy = -u })
     local b = s:box({ x = 0, y = 0, restitution = r })
@@ -211,7 +203,7 @@ describe("known by hand, a body", function()
   end)
 
   class("tells the speed of its landing", MEETING, function(random, rate)
-    local g, h, v = random:between(300, 1200), random:between(10, 300), random:between(-200, 200)
+    local g, h, v = some(random, 300, 1200, 10, 300, -200, 200)
     local s = newScene(random, rate, { gravity = g })
     s:floor()
     local told

@@ -155,7 +155,7 @@ local function expectApart(seed, push)
   end
 end
 
-describe("whatever happens,", function()
+describe("x and vx: whatever happens,", function()
   it("every number stays finite", function()
     for _, push in ipairs({ "both", "first" }) do
       for seed = 100, 99 + effort.share(6) do

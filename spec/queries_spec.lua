@@ -575,7 +575,7 @@ describe("queryPoint, raycast and nearest in a world of 600", function()
   end)
 end)
 
-describe("a question", function()
+describe("queryRect and the others", function()
   it("leaves no garbage", function()
     local world, out = four(), {}
     local object = world.objects.a[2]

@@ -131,7 +131,7 @@ local function snapshot(scene)
   return list
 end
 
-describe("after an object has failed", function()
+describe("update, save, add, raycast: after an object has failed", function()
   for _, steps in ipairs({ 0, 1, 2, 4, 10 }) do
     local tag = (steps == 1 or steps == 4) and " #slow" or ""
     it("at any point of update number " .. steps + 1 .. ", the next one goes on" .. tag, function()
@@ -215,7 +215,7 @@ end)
 
 -- Callbacks ---------------------------------------------------------------------------------------
 
-describe("after a callback has failed", function()
+describe("onBegin and the others: after one has failed", function()
   it("objects that have not heard of the event are told at the next update", function()
     local scene, told = newScene(), {}
     local function listen(which)
@@ -283,7 +283,7 @@ end)
 
 -- All of them want to the middle, and jump now and then; half of them cannot be pushed. So much is
 -- left to do in a step that is given up.
-describe("after canCollide has failed in a crowd", function()
+describe("canCollide: after it has failed in a crowd", function()
   local COUNT, STEPS = 24, 80
 
   local function newCrowd()

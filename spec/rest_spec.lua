@@ -145,7 +145,7 @@ describe("rest changes nothing:", function()
   end)
 end)
 
-describe("a resting heap", function()
+describe("rest: a resting heap", function()
   it("is woken as a whole by a shot", function()
     local world = physics.newWorld({ gravity = 600 })
     world:add("floor", { x = 0, y = 600, width = 400, height = 20, static = true })
@@ -165,7 +165,7 @@ describe("a resting heap", function()
   end)
 end)
 
-describe("a crate behind a thin wall", function()
+describe("rest: a crate behind a thin wall", function()
   for _, speed in ipairs({ 100, 200, 300 }) do
     it("rests while a box presses the wall at " .. speed .. " px/s", function()
       local world = physics.newWorld({ gravity = 600 })
@@ -183,7 +183,7 @@ describe("a crate behind a thin wall", function()
   end
 end)
 
-describe("a box on a floor", function()
+describe("rest: a box on a floor", function()
   for _, rate in ipairs({ 30, 60, 144, 240, 1000, 2000 }) do
     it("is skipped at " .. rate .. " Hz", function()
       local world = physics.newWorld()
@@ -197,7 +197,7 @@ describe("a box on a floor", function()
   end
 end)
 
-describe("one of a row that is pushed", function()
+describe("static: one of a row that is pushed", function()
   it("stops what pushes it once it is a wall", function()
     local world = physics.newWorld()
     local boxes = {}

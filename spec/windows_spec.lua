@@ -37,7 +37,7 @@ local function during(change, f)
   assert(isDone, problem)
 end
 
-describe("on Windows", function()
+describe("require and loadTiled: on Windows", function()
   it("files with CR LF do the same, to the bit #files", function()
     local expected = require("spec.support.everything").fold()
     local name, found = "spec.support.everything", nil

@@ -105,7 +105,7 @@ local function meanHeight(run)
   return sum / count
 end
 
-describe("a pile", function()
+describe("friction: a pile", function()
   -- An interpreter plays a fifth of the 1000, in a container a fifth as wide.
   local COUNT, WIDTH = effort.share(1000), effort.isWhole and 800 or 160
   -- px, measured: with friction, and 20 s after the drop without any
@@ -222,7 +222,7 @@ local function boxOf(line)
   return box
 end
 
-describe("overlaps: a knot of boxes does not overlap:", function()
+describe("x and y: a knot of boxes does not overlap:", function()
   for _, knot in ipairs(KNOTS) do
     local levels = { shift = { 0, 0.1 }, order = { "forward" }, push = knot.push or { "both" } }
     scene.it(knot.name, levels, function(run)

@@ -230,4 +230,12 @@ function oracle.newClass(it)
   end
 end
 
+--- Returns a random number for each range: low, high, low, high, …
+function oracle.some(random, low, high, ...)
+  if ... then
+    return random:between(low, high), oracle.some(random, ...)
+  end
+  return random:between(low, high)
+end
+
 return oracle
