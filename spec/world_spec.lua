@@ -245,20 +245,6 @@ describe("touching", function()
     assert.equal(touching, box.touching)
   end)
 
-  it("is for reading: what the game writes stays until another object is touched there", function()
-    local world = physics.newWorld({ rest = false })
-    local floor = world:add("tiles", newFloor())
-    local box = world:add("boxes", newBox(0, 84))
-    play(world, 3)
-    box.touching.bottom = false
-    play(world, 3)
-    assert.is_false(box.touching.bottom)
-    box.vy = -100
-    world:update(DT)
-    play(world, 60)
-    assert.equal(floor, box.touching.bottom)
-  end)
-
   it("belongs to dynamic objects only", function()
     local world = physics.newWorld()
     local floor = world:add("tiles", newFloor())

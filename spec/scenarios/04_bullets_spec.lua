@@ -137,24 +137,6 @@ describe("vx and onBegin: bullets", function()
     run:same("ends of b", b.ends, 1)
   end)
 
-  scene.it(
-    "that cross at a right angle too late for each other do not meet",
-    { turn = variants.TURNS },
-    function(run)
-      local named = run:build({
-        gravity = 0,
-        { "boxes", { name = "a", x = 0, y = 100, width = 10, height = 10, vx = 6000 } },
-        { "boxes", { name = "b", x = 50, y = 29, width = 10, height = 10, vy = 6000 } },
-      })
-      -- A is under B from 0.4 to 0.6 of the step, B reaches A's top at 0.61
-      local log = run:listen(named.a)
-      run:play(2 / 60)
-      run:at(named.a, 200, 100)
-      run:at(named.b, 50, 229)
-      run:same("begins", log.begins, 0)
-    end
-  )
-
   --   +-+ ->   ||  a sensor 2 px wide
   --   +-+      ||
   scene.it("(4) are seen by a thin sensor that they cross in one step", EVERYWHERE, function(run)

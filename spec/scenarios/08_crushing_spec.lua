@@ -194,20 +194,6 @@ describe("onCrush: between two walls", function()
     end)
   end
 
-  scene.it("(8) tells again after it has been free", EVERYWHERE, function(run)
-    local named = run:build(between(1))
-    local log = watch(run, named.box1)
-    for i = 1, 3 do
-      named.L.vx, named.R.vx = 20, -20
-      run:play(1)
-      crushed(run, log, i, named.L, named.R, "x")
-      named.L.vx, named.R.vx = -20, 20
-      run:play(1)
-      run:at(named.box1, 92, 100)
-      run:still(named.box1)
-    end
-  end)
-
   scene.it("tells if one of them stands still, too", SOME, function(run)
     local post = tile("post", 124, 52, 16, 64)
     local named = run:build({ FLOOR, wall("L", 60, 52, 16, 64, 20), post, box("box1", 92, 100) })

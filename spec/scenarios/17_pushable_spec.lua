@@ -180,23 +180,6 @@ describe("pushable = false", function()
         run:near("vx", named.U.vx, 40 * sign)
       end
     end)
-
-    scene.it("crush what is between them as little as walls do: it stops them", SOME, function(run)
-      local named = run:build({
-        FLOOR,
-        firm("U", 0, 100),
-        box("P", 50, 100),
-        firm("V", 100, 100),
-      })
-      for _ in run:steps(2, run:keep(named.U, 60, named.V, -60)) do
-        run:near("y", named.P.y, 100)
-        run:check(named.P.x - named.U.x >= 16 - 1e-6, "is in U")
-        run:check(named.V.x - named.P.x >= 16 - 1e-6, "is in V")
-      end
-      run:at(named.U, 34, 100)
-      run:at(named.P, 50, 100)
-      run:at(named.V, 66, 100)
-    end)
   end)
 
   --   +-+-+-+-+   +-+
@@ -243,30 +226,6 @@ describe("pushable = false", function()
         elseif right == 0 then
           run:near("V", named.V.x, start)
         end
-      end)
-    end
-
-    for _, row in ipairs({
-      -- boxes, gap between all, vx of U, vx of V, whether the game sets these at every step
-      { 1, 4, 100, 40, false },
-      { 1, 4, 100, 40, true },
-      { 2, 0, 150, 120, false },
-      { 3, 1, -30, -90, false },
-      { 3, 1, -30, -90, true },
-    }) do
-      local count, gap, left, right, isDriven = row[1], row[2], row[3], row[4], row[5]
-      local title = "%d boxes, %g px apart, at %g and %g px/s%s: what comes up behind follows them"
-      title = title:format(count, gap, left, right, isDriven and " at every step" or "")
-      scene.it(title, SOME, function(run)
-        local list, start = newRow(count, gap, { vx = left }, { vx = right })
-        local named, length = run:build(list), 16 * (count + 1)
-        local drive = isDriven and run:keep(named.U, left, named.V, right) or nil
-        for time in run:steps(1, drive) do
-          local atU, atV = left * time, start + right * time
-          run:at(named.V, left > 0 and atV or math.max(atV, atU + length), 0)
-          run:at(named.U, left > 0 and math.min(atU, atV - length) or atU, 0)
-        end
-        run:near("vx", left > 0 and named.U.vx or named.V.vx, left > 0 and right or left)
       end)
     end
   end)
