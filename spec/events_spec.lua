@@ -494,16 +494,6 @@ describe("sensor", function()
     assert.equal(200, box.x)
   end)
 
-  it("falls through the floor if it is dynamic", function()
-    world.gravity = 800
-    local floor = world:add("tiles", newWall(-100, 50, 200, 16))
-    local ball = newSensor(0, 0, 16, 16, { static = false })
-    local log = listen(floor)
-    play(world, 60)
-    assert.is_true(ball.y > 100)
-    checkLog(log, 1, 1)
-  end)
-
   it("respects masks", function()
     local log = listen(newSensor(50, 0, 16, 16, { mask = { boxes = false } }))
     world:add("boxes", newBox(0, 0, { vx = 600 }))
@@ -563,29 +553,6 @@ describe("onBegin", function()
     end
     play(world, 60)
     assert.is_true(boxes[1].y > 200)
-  end)
-
-  it("may add, move, resize and change anything", function()
-    local first = world:add("boxes", newBox(0, 40))
-    local second = world:add("boxes", newBox(60, 0))
-    local third
-    first.onBegin = function(self)
-      self.onBegin = nil
-      third = world:add("boxes", newBox(200, 40))
-      self.x, self.y = 300, 50
-      second.width, second.vx, second.gravity = 32, 60, 0
-      world.gravity = 400
-    end
-    play(world, 10)
-    assert.is_nil(third)
-    play(world, 30)
-    assert.equal(4, world.stats.objects)
-    assert.equal(300, first.x)
-    assert.equal(60, second.vx)
-    play(world, 200)
-    assert.equal(84, third.y)
-    assert.equal(84, first.y)
-    assert.equal(0, second.vy - second.vy)
   end)
 
   it("may put the velocity that it wants, and it counts from the next step on", function()

@@ -96,23 +96,6 @@ describe("world:move", function()
     assert.are.equal(wall, hit.other)
   end)
 
-  it("tells normals that point at the moving object", function()
-    for _, row in ipairs({
-      { 40, 0, "right", -1, 0 },
-      { -40, 0, "left", 1, 0 },
-      { 0, 40, "bottom", 0, -1 },
-      { 0, -40, "top", 0, 1 },
-    }) do
-      local world = still()
-      local me = world:add("a", box(0, 0, 10, 10))
-      world:add("b", box(row[1], row[2], 10, 10, { static = true }))
-      local _, _, hits = world:move(me, row[1], row[2])
-      local hit = hits[1]
-      assert.are.same({ row[3], row[4], row[5] }, { hit.side, hit.nx, hit.ny })
-      assert.are.near(0.75, hit.fraction, 1e-9)
-    end
-  end)
-
   it("tells where on the whole way each hit was", function()
     local world = still()
     local me = world:add("a", box(0, 0, 10, 10))

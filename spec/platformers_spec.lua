@@ -1,7 +1,6 @@
 --- What platformers ask for: a limit for falling, velocities over ground, room to stand up, the
 --- place of a contact, a world that moves.
 
-local newRandom = require("spec.support.random").new
 local physics = require("physics")
 
 local function near(expected, value, tolerance)
@@ -198,34 +197,6 @@ describe("world:fits", function()
     world:remove(crate)
     assert.is_true(world:fits(4, 4, 8, 8))
   end)
-
-  it("agrees with what a step does: what grows where it fits is not moved", function()
-    local random = newRandom(5)
-    for _ = 1, 60 do
-      local world = physics.newWorld({ gravity = 0 })
-      for _ = 1, 12 do
-        world:add("tiles", {
-          x = random:integer(0, 20) * 5,
-          y = random:integer(0, 20) * 5,
-          width = random:integer(1, 4) * 5,
-          height = random:integer(1, 4) * 5,
-          static = true,
-        })
-      end
-      local one = { x = random:integer(0, 100), y = random:integer(0, 100), width = 6, height = 6 }
-      if world:fits(one.x, one.y, 6, 6) then
-        world:add("men", one)
-        local x, y, height = one.x, one.y - 10, 16
-        local isFree = world:fits(x, y, 6, height, one)
-        world:update(1 / 60)
-        one.y, one.height = y, height
-        world:update(1 / 60)
-        local isThere = one.x == x and one.y == y
-        local found, count = world:overlapping(one, "tiles")
-        assert.equal(isFree, isThere and count == 0, tostring(#found))
-      end
-    end
-  end)
 end)
 
 describe("onBegin: the place of a contact", function()
@@ -248,16 +219,6 @@ describe("onBegin: the place of a contact", function()
       near(value, event[4 + n], 1e-6)
     end
   end
-
-  it("is the edge that the two have in common", function()
-    local world = physics.newWorld({ gravity = 800 })
-    world:add("tiles", { x = 0, y = 100, width = 50, height = 16, static = true })
-    local one = world:add("men", { x = 42, y = 60, width = 16, height = 24 })
-    local told = begins(world, 60, one)
-    assert.equal(1, #told)
-    assert.equal("bottom", told[1][3])
-    expectPlace(told[1], 42, 100, 50, 100)
-  end)
 
   it("is the same for both, and for the world, whichever side", function()
     for _, row in ipairs({

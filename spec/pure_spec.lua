@@ -77,40 +77,6 @@ describe("inside", function()
   end
 end)
 
--- which of the arguments is wrong: inside, then checkCollision in its form with numbers
-for name, rows in pairs({
-  ["inside(x1, y1, w1, h1, x2, y2, w2, h2)"] = {
-    { 1, nil, "x1 must be a number, got nil" },
-    { 2, NAN, "y1 must be a number, got nan" },
-    { 3, -1, "w1 must be a number >= 0, got -1" },
-    { 4, "1", 'h1 must be a number >= 0, got "1"' },
-    { 5, INF, "x2 must be a finite number, got inf" },
-    { 6, {}, "y2 must be a number, got table" },
-    { 7, 0, "w2 must be a number > 0, got 0" },
-    { 8, -2, "h2 must be a number > 0, got -2" },
-  },
-  ["checkCollision(x1, y1, w1, h1, x2, y2, w2, h2)"] = {
-    { 2, nil, "y1 must be a number, got nil" },
-    { 3, 0, "w1 must be a number > 0, got 0" },
-    { 4, -1, "h1 must be a number > 0, got -1" },
-    { 5, NAN, "x2 must be a number, got nan" },
-    { 6, box(0, 0, 1, 1), "y2 must be a number, got table" },
-    { 7, INF, "w2 must be a finite number > 0, got inf" },
-    { 8, nil, "h2 must be a number > 0, got nil" },
-    { 9, "yes", 'sideBySide must be true or false, got "yes"' },
-  },
-}) do
-  describe(name, function()
-    for _, row in ipairs(rows) do
-      it("refuses: " .. row[3], function()
-        local n = { 1, 2, 3, 4, 5, 6, 7, 8 }
-        n[row[1]] = row[2]
-        refuses(name .. ": " .. row[3], physics[name:match("%a+")], unpackList(n, 1, 9))
-      end)
-    end
-  end)
-end
-
 describe("side", function()
   --            +--+                  Where the size of the intersection (the first method of
   --            |a |                  the tutorial) or the distance of the middles (the second)

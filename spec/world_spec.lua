@@ -101,53 +101,6 @@ describe("world.objects", function()
     end
   end)
 
-  it("may be put in and taken out with plain Lua", function()
-    local boxes = {}
-    world.objects.boxes = boxes
-    table.insert(boxes, newBox(0, 0))
-    table.insert(boxes, newBox(40, 0))
-    world:update(DT)
-    assert.equal(2, world.stats.objects)
-    assert.is_false(boxes[2].touching.bottom)
-    local first = table.remove(boxes, 1)
-    local y = first.y
-    boxes.late = newBox(80, 0)
-    world:update(DT)
-    assert.equal(2, world.stats.objects)
-    assert.equal(y, first.y)
-    boxes[1] = nil
-    world:update(DT)
-    assert.equal(1, world.stats.objects)
-    boxes[9] = first
-    boxes.late = nil
-    world:update(DT)
-    assert.is_true(first.y > y)
-    assert.equal(1, world.stats.objects)
-  end)
-
-  it("may be filtered into a new group, the whole table may be replaced", function()
-    local floor = world:add("tiles", newFloor())
-    local boxes = { newBox(0, 84), newBox(40, 84), newBox(80, 84) }
-    world.objects.boxes = boxes
-    play(world, 5)
-    local ends = 0
-    for _, box in ipairs(boxes) do
-      box.onEnd = function()
-        ends = ends + 1
-      end
-    end
-    world.objects.boxes = { boxes[3], boxes[1] }
-    play(world, 5)
-    assert.equal(3, world.stats.objects)
-    assert.equal(1, ends)
-    world.objects = { things = { boxes[1], floor } }
-    play(world, 5)
-    assert.equal(2, world.stats.objects)
-    assert.equal(2, ends)
-    assert.equal(84, boxes[1].y)
-    assert.equal(floor, boxes[1].touching.bottom)
-  end)
-
   it("may move to another group, and meet its masks from then on", function()
     world.masks = { ghosts = { tiles = false } }
     world:add("tiles", newFloor())
@@ -346,24 +299,6 @@ describe("add, remove and refresh", function()
     assert.is_nil(world.objects.player)
     world:update(DT)
     assert.equal(2, world.stats.objects)
-  end)
-
-  it("add takes back what was removed, also before the next update", function()
-    local floor = world:add("tiles", newFloor())
-    local box = world:add("boxes", newBox(0, 84))
-    play(world, 3)
-    world:remove(box)
-    world:add("crates", box)
-    play(world, 3)
-    assert.equal(2, world.stats.objects)
-    assert.equal(84, box.y)
-    assert.equal(floor, box.touching.bottom)
-    world:remove(box)
-    world:update(DT)
-    world:add("boxes", box)
-    play(world, 3)
-    assert.equal(floor, box.touching.bottom)
-    assert.equal(box, world.objects.boxes[1])
   end)
 
   it("refresh makes a static object dynamic and back", function()
