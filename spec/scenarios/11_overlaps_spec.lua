@@ -1,12 +1,19 @@
 --- What begins inside something else leaves by the smallest way that is free.
 
 local overlap = require("spec.support.overlap")
-local physics = require("physics")
 local scene = require("spec.support.scene")
 local variants = require("spec.support.variants")
 
 local TURNED = { turn = variants.TURNS }
 local EVERYWHERE = variants.EVERYWHERE
+
+local function solid(x, y, width, height)
+  return { "tiles", { x = x, y = y, width = width, height = height, static = true } }
+end
+
+local function movable(name, x, y, width, height)
+  return { "boxes", { name = name, x = x, y = y, width = width or 16, height = height or 16 } }
+end
 
 describe("x and y: a body inside a floor of tiles", function()
   --      +--+
@@ -22,193 +29,99 @@ describe("x and y: a body inside a floor of tiles", function()
     { 24, 12, 44.5 },
   }) do
     local width, depth, x = row[1], row[2], row[3]
-    scene.it(
-      ("(11) %g wide, %g px deep, comes up on it"):format(width, depth),
-      EVERYWHERE,
-      function(run)
-        local description = scene.tiles({}, 20, 0, 100, 16, 16, 16, 0)
-        local body = { name = "body", x = x, y = 76 + depth, width = width, height = 24 }
-        description[#description + 1] = { "players", body }
-        body = run:build(description).body
-        for _ in run:steps(1) do
-          run:near("x", body.x, x)
-          run:check(body.y >= 76 - 1e-6, "was thrown up, to %.9g", body.y)
-        end
-        run:at(body, x, 76)
-        run:still(body)
-        run:touches(body, "bottom")
+    local title = ("(11) %g wide, %g px deep, comes up on it"):format(width, depth)
+    scene.it(title, EVERYWHERE, function(run)
+      local description = { movable("body", x, 76 + depth, width, 24) }
+      local body = run:build(scene.tiles(description, 20, 0, 100, 16, 16, 16, 0)).body
+      for _ in run:steps(1) do
+        run:near("x", body.x, x)
+        run:check(body.y >= 76 - 1e-6, "was thrown up, to %.9g", body.y)
       end
-    )
+      run:at(body, x, 76)
+      run:still(body)
+      run:touches(body, "bottom")
+    end)
   end
 end)
 
-describe("x and y: a body inside a big block", function()
-  --   +-----------+
-  --   |        +--|+
-  --   |        +--|+   10 px deep
-  --   |           |
-  --   +-----------+
-  scene.it("(11) leaves by the near side and by no other", TURNED, function(run)
-    local named = run:build({
-      gravity = 0,
-      { "tiles", { name = "block", x = 0, y = 0, width = 100, height = 100, static = true } },
-      { "boxes", { name = "box", x = 90, y = 40, width = 16, height = 16, vy = 60 } },
-    })
-    for i = 1, 5 do
-      run:step(1 / 60)
-      run:at(named.box, 100, 40 + i)
-    end
-  end)
-
-  --   +-----------+
-  --   |   +--+    |   vx = -60
-  --   |   +--+    |   ways out: left 36, top and bottom 40, right 44
-  --   +-----------+
-  scene.it("(11) stays or leaves by the smallest way", EVERYWHERE, function(run)
-    local named = run:build({
-      gravity = 0,
-      { "tiles", { x = 0, y = 0, width = 64, height = 64, static = true } },
-      { "boxes", { name = "box", x = 20, y = 24, width = 16, height = 16, vx = -60 } },
-    })
-    for time in run:steps(0.5) do
-      local x = named.box.x
-      local stays = math.abs(x - 20) <= 1
-      local left = x <= -16 + 1e-6 and x >= -16 - 60 * time - 1e-6
-      run:check(stays or left, "should stay or leave to the left, is at %.9g", x)
-      run:near("y", named.box.y, 24)
-    end
-  end)
+describe("x and y: a body inside a block leaves by the smallest way that is free:", function()
+  -- exact only where it stands, and not the same when turned
+  local HERE = { shift = { 0 } }
+  local BLOCK, BAR = { solid(0, 0, 10, 10) }, { solid(5, 23, 28, 7) }
 
   --  +------+------+
   --  |      |      |
   --  |   +--+--+   |   12 px deep in both; the ways to the right (10 px, out of the first) and
   --  +---|  |  |---+   to the left (6 px, out of the second) end in the other one
   --      +-----+
-  scene.it("does not leave into another block", EVERYWHERE, function(run)
-    local named = run:build({
-      gravity = 0,
-      { "tiles", { x = 0, y = 0, width = 40, height = 100, static = true } },
-      { "tiles", { x = 40, y = 0, width = 40, height = 100, static = true } },
-      { "boxes", { name = "box", x = 30, y = 88, width = 16, height = 16 } },
-    })
-    run:step(1 / 60)
-    run:at(named.box, 30, 100)
-    run:still(named.box)
-  end)
-end)
-
-describe("x and y: a body that is inside two at once", function()
+  local TWO = { solid(0, 0, 40, 100), solid(40, 0, 40, 100) }
   --   |      | |#|     1 px deep in the floor and in the wall: neither way leads out alone
   --   |     +--+#|
   --   +-----|--+--+
-  scene.it("in a corner leaves one after the other", EVERYWHERE, function(run)
-    local named = run:build({
-      { "floors", { x = 0, y = 96, width = 320, height = 16, static = true } },
-      { "walls", { x = 160, y = 0, width = 16, height = 96, static = true } },
-      { "boxes", { name = "box", x = 147, y = 73, width = 14, height = 24 } },
-    })
-    run:step(1 / 60)
-    run:at(named.box, 146, 72)
-    run:play(0.5)
-    run:at(named.box, 146, 72)
-    run:still(named.box)
-  end)
-
+  local CORNER = { solid(0, 96, 320, 16), solid(160, 0, 16, 96) }
   --  #####|   +--+##   The way down, out of the second, ends in a third one below the first:
   --  #####|   |##|##   it must go to the right before it goes down.
   --  #####+---|--+
   --  ########|+--+
-  it("in a corner leaves the first one first, where only that way is free", function()
-    for _, isTurned in ipairs({ false, true }) do
-      local world = physics.newWorld({ gravity = 0 })
-      local function add(group, object)
-        if isTurned then
-          object.x, object.y, object.width, object.height =
-            object.y, object.x, object.height, object.width
-        end
-        return world:add(group, object)
-      end
-      add("walls", { x = -97, y = -50, width = 100, height = 60.5, static = true })
-      add("walls", { x = 9, y = -50, width = 100, height = 52, static = true })
-      add("walls", { x = -97, y = 10.5, width = 99, height = 50, static = true })
-      local box = add("boxes", { x = 0, y = 0, width = 10, height = 10 })
-      world:update(1 / 60)
-      assert.are.equal(isTurned and 2 or 3, box.x)
-      assert.are.equal(isTurned and 3 or 2, box.y)
-    end
-  end)
-end)
+  local THREE = { solid(-97, -50, 100, 60.5), solid(9, -50, 100, 52), solid(-97, 10.5, 99, 50) }
+  local FORWARD = { order = { "forward" } }
 
-describe("x and y: a body across a bar", function()
-  --     +--+         It sticks out above and below; at its left end it is flush with the bar, and
-  --   +-|--|------+  goes that way, which is the shortest. Through the bar would be no way.
-  --   +-|--|------+
-  --     +--+
-  for _, row in ipairs({ { "flush with its end", 5, -2, 17 }, { "1 px inside", 6, 6, 30 } }) do
-    local name, x, endX, endY = row[1], row[2], row[3], row[4]
-    scene.it(
-      name .. (" leaves to (%g, %g)"):format(endX, endY),
-      { push = { "both", "first" } },
-      function(run)
-        local named = run:build({
-          gravity = 0,
-          { "bars", { x = 5, y = 23, width = 28, height = 7, static = true } },
-          { "boxes", { name = "box", x = x, y = 17, width = 7, height = 28 } },
-        })
-        run:step(1 / 60)
-        run:at(named.box, endX, endY)
-      end
-    )
-  end
-end)
-
---   +-----+
---   |  +--|--+
---   |  |  |  |   as far to leave upwards as to the left
---   +-----+  |
---      +-----+
-describe("x and y: a body with two ways out that are equally short", function()
-  -- exact only where it stands, and not the same when turned
-  local HERE = { shift = { 0 } }
-
-  -- The block is at 0, 0 and 10 by 10.
   for _, row in ipairs({
-    -- the sides that are equally deep; x, y, width, height; x and y afterwards
-    { "right and bottom", -8, -8, 10, 10, -8, -10 },
-    { "right and top", -8, 8, 10, 10, -8, 10 },
-    { "left and bottom", 8, -8, 10, 10, 8, -10 },
-    { "left and top", 8, 8, 10, 10, 8, 10 },
-    { "top and bottom", 4, -20, 2, 50, 4, -50 },
-    { "left and right", -20, 4, 50, 2, 10, 4 },
-    { "all", 4, 4, 2, 2, 4, -2 },
-    { "all, on the very same spot", 0, 0, 10, 10, 0, -10 },
+    -- where; x, y, width, height before; x, y after a step
+    { "(11) the near side", EVERYWHERE, { solid(0, 0, 100, 100) }, 90, 40, 16, 16, 100, 40 },
+    { "not into another block", EVERYWHERE, TWO, 30, 88, 16, 16, 30, 100 },
+    { "in a corner one after the other", EVERYWHERE, CORNER, 147, 73, 14, 24, 146, 72 },
+    { "the first one first, where only that is free", FORWARD, THREE, 0, 0, 10, 10, 3, 2 },
+    -- across a bar: out of its end, not through it
+    { "flush with the end of a bar", {}, BAR, 5, 17, 7, 28, -2, 17 },
+    { "1 px from the end of a bar", {}, BAR, 6, 17, 7, 28, 6, 30 },
+    -- of equally short ways: bottom before top before left before right
+    { "right and bottom alike", HERE, BLOCK, -8, -8, 10, 10, -8, -10 },
+    { "right and top alike", HERE, BLOCK, -8, 8, 10, 10, -8, 10 },
+    { "left and bottom alike", HERE, BLOCK, 8, -8, 10, 10, 8, -10 },
+    { "left and top alike", HERE, BLOCK, 8, 8, 10, 10, 8, 10 },
+    { "top and bottom alike", HERE, BLOCK, 4, -20, 2, 50, 4, -50 },
+    { "left and right alike", HERE, BLOCK, -20, 4, 50, 2, 10, 4 },
+    { "all alike", HERE, BLOCK, 4, 4, 2, 2, 4, -2 },
+    { "all alike, on the very same spot", HERE, BLOCK, 0, 0, 10, 10, 0, -10 },
   }) do
-    scene.it("takes bottom before top before left before right: " .. row[1], HERE, function(run)
-      local box = { name = "box", x = row[2], y = row[3], width = row[4], height = row[5] }
-      local named = run:build({
-        gravity = 0,
-        { "tiles", { x = 0, y = 0, width = 10, height = 10, static = true } },
-        { "boxes", box },
-      })
-      run:step(1 / 60)
-      run:at(named.box, row[6], row[7])
+    scene.it(row[1], row[2], function(run)
+      local description = { gravity = 0, movable("box", row[4], row[5], row[6], row[7]) }
+      for n, entry in ipairs(row[3]) do
+        description[1 + n] = entry
+      end
+      local box = run:build(description).box
+      for _ = 1, 3 do
+        run:step(1 / 60)
+        run:at(box, row[8], row[9])
+        run:still(box)
+      end
     end)
   end
 
-  scene.it(
-    "takes them as the first of two sees them",
-    { shift = { 0 }, order = { "forward" }, push = { "both" } },
-    function(run)
-      local named = run:build({
-        gravity = 0,
-        { "boxes", { name = "one", x = 8, y = 8, width = 10, height = 10 } },
-        { "boxes", { name = "other", x = 0, y = 0, width = 10, height = 10 } },
-      })
-      run:step(1 / 60)
-      run:at(named.one, 8, 9)
-      run:at(named.other, 0, -1)
+  --   +-----------+
+  --   |   +--+    |   vx = -60
+  --   |   +--+    |   ways out: left 36, top and bottom 40, right 44
+  --   +-----------+
+  scene.it("(11) or stays, where that is far", EVERYWHERE, function(run)
+    local box = run:build({ gravity = 0, solid(0, 0, 64, 64), movable("box", 20, 24) }).box
+    box.vx = -60
+    for time in run:steps(0.5) do
+      local stays = math.abs(box.x - 20) <= 1
+      local left = box.x <= -16 + 1e-6 and box.x >= -16 - 60 * time - 1e-6
+      run:check(stays or left, "should stay or leave to the left, is at %.9g", box.x)
+      run:near("y", box.y, 24)
     end
-  )
+  end)
+
+  local FIRST = { shift = { 0 }, order = { "forward" }, push = { "both" } }
+  scene.it("ways alike are taken as the first of two sees them", FIRST, function(run)
+    local one, other = movable("one", 8, 8, 10, 10), movable("other", 0, 0, 10, 10)
+    local named = run:build({ gravity = 0, one, other })
+    run:step(1 / 60)
+    run:at(named.one, 8, 9)
+    run:at(named.other, 0, -1)
+  end)
 end)
 
 describe("x, y, push and mass: boxes on the very same spot", function()
@@ -238,71 +151,35 @@ describe("x, y, push and mass: boxes on the very same spot", function()
     end
   end)
 
-  --   +------+--+----+
-  --   |  1   |  | 3  |   8 px inside each other
-  --   +------+--+----+
-  it("(11) part by mass when both give way", function()
-    for _, row in ipairs({ { 1, 1, 4 }, { 1, 3, 6 }, { 3, 1, 2 }, { 1, 7, 7 } }) do
-      scene.each({ push = { "both" }, turn = variants.TURNS }, function(run)
-        local one = { name = "one", x = 0, y = 0, width = 20, height = 20, mass = row[1] }
-        local other = { name = "other", x = 12, y = 0, width = 20, height = 20, mass = row[2] }
-        local named = run:build({ gravity = 0, { "boxes", one }, { "boxes", other } })
-        run:step(1 / 60)
-        run:at(named.one, -row[3], 0)
-        run:at(named.other, 20 - row[3], 0)
-        run:still(named.one)
-        run:still(named.other)
-      end)
-    end
-  end)
-
-  --   |   +--+---+--+    the two are 8 px inside each other, the wall is `gap` px away
-  --   |   |  |   |  |
-  --   |   +--+---+--+
+  --   |   +------+--+----+
+  --   |   |  1   |  | 3  |   8 px inside each other
+  --   |   +------+--+----+
+  local BOTHWAYS = { push = { "both" }, turn = variants.TURNS }
+  local ONE = { push = { "first" }, order = { "forward" }, turn = variants.TURNS }
   for _, row in ipairs({
-    -- gap, way of the one at the wall: half, if there is room for that
-    { 12, 4 },
-    { 5, 4 },
-    { 3, 0 },
+    -- masses, x of a wall of 10 px, x of the left one and of the right one after a step
+    { "by half when both give way", BOTHWAYS, 1, 1, nil, -4, 16 },
+    { "by mass", BOTHWAYS, 1, 3, nil, -6, 14 },
+    { "by mass, the heavy one left", BOTHWAYS, 3, 1, nil, -2, 18 },
+    { "by mass 7", BOTHWAYS, 1, 7, nil, -7, 13 },
+    { "by half beside a wall", BOTHWAYS, 1, 1, -15, -4, 16 },
+    { "by half beside a wall at the right", BOTHWAYS, 1, 1, 37, -4, 16 },
+    { "by one alone, if the wall leaves no room", BOTHWAYS, 1, 1, -13, 0, 20 },
+    { "by one alone, if it is at the right", BOTHWAYS, 1, 1, 35, -8, 12 },
+    { "by the first alone, if it gives way", ONE, 1, 1, nil, -8, 12 },
   }) do
-    local gap, way = row[1], row[2]
-    scene.it(
-      ("(11) part where a wall is %g px away"):format(gap),
-      { push = { "both" }, turn = variants.TURNS },
-      function(run)
-        for _, wall in ipairs({ -10 - gap, 32 + gap }) do
-          local named = run:build({
-            gravity = 0,
-            { "boxes", { name = "one", x = 0, y = 0, width = 20, height = 20 } },
-            { "boxes", { name = "other", x = 12, y = 0, width = 20, height = 20 } },
-            {
-              "walls",
-              { name = "wall", x = wall, y = -40, width = 10, height = 99, static = true },
-            },
-          })
-          run:step(1 / 60)
-          local left = wall < 0 and way or 8 - way
-          run:at(named.one, -left, 0)
-          run:at(named.other, 20 - left, 0)
-        end
-      end
-    )
-  end
-
-  scene.it(
-    "(11) part by the way of the first alone, if that is the one that gives way",
-    { push = { "first" }, order = { "forward" }, turn = variants.TURNS },
-    function(run)
-      local named = run:build({
-        gravity = 0,
-        { "boxes", { name = "one", x = 0, y = 0, width = 20, height = 20 } },
-        { "boxes", { name = "other", x = 12, y = 0, width = 20, height = 20 } },
-      })
+    scene.it("(11) part " .. row[1], row[2], function(run)
+      local one, other = movable("one", 0, 0, 20, 20), movable("other", 12, 0, 20, 20)
+      one[2].mass, other[2].mass = row[3], row[4]
+      local wall = row[5] and solid(row[5], -40, 10, 99)
+      local named = run:build({ gravity = 0, one, other, wall })
       run:step(1 / 60)
-      run:at(named.one, -8, 0)
-      run:at(named.other, 12, 0)
-    end
-  )
+      run:at(named.one, row[6], 0)
+      run:at(named.other, row[7], 0)
+      run:still(named.one)
+      run:still(named.other)
+    end)
+  end
 
   for _, count in ipairs({ 3, 5, 10 }) do
     scene.it(("(11) part, %d of them, and stay finite"):format(count), TURNED, function(run)
@@ -326,10 +203,10 @@ describe("x and y: a body between two walls that are too narrow", function()
   --   |  |    |  |
   scene.it("stays finite and comes to rest", EVERYWHERE, function(run)
     local named = run:build({
-      { "tiles", { x = 0, y = 0, width = 40, height = 200, static = true } },
-      { "tiles", { x = 60, y = 0, width = 40, height = 200, static = true } },
-      { "tiles", { x = 0, y = 200, width = 100, height = 16, static = true } },
-      { "boxes", { name = "box", x = 38, y = 80, width = 24, height = 24 } },
+      solid(0, 0, 40, 200),
+      solid(60, 0, 40, 200),
+      solid(0, 200, 100, 16),
+      movable("box", 38, 80, 24, 24),
     })
     for _ in run:steps(3) do
       run:check(named.box.x == named.box.x and named.box.y == named.box.y, "is nowhere")
