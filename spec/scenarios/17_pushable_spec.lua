@@ -26,160 +26,106 @@ local function firm(name, x, y, fields)
 end
 
 describe("pushable = false", function()
-  --   +-+ ->  +-+
+  --   +-+ ->  +-+         U and V cannot be pushed, P and the boxes can
   --   +-+     |U|
   --   ------------
-  describe("against one that can be pushed,", function()
-    for _, row in ipairs({ { 100, 1 }, { 1000, 1000 }, { 6000, 50 } }) do
-      local vx, mass = row[1], row[2]
-      scene.it(
-        ("it stays where it is, hit at %g px/s by mass %g"):format(vx, mass),
-        EVERYWHERE,
-        function(run)
-          local named = run:build({ FLOOR, box("P", 20, 100, { mass = mass }), firm("U", 80, 100) })
-          for _ in run:steps(1, run:keep(named.P, vx)) do
-            run:at(named.U, 80, 100)
-            run:still(named.U)
-          end
-          run:at(named.P, 64, 100)
-          run:flush(named.P, named.U, "right")
-          run:still(named.P)
-        end
-      )
-    end
+  local function at(x, vx, mass)
+    return { x = x, vx = vx, mass = mass }
+  end
 
-    scene.it("it pushes a box, and keeps its speed", EVERYWHERE, function(run)
-      for _, mass in ipairs({ 1, 100 }) do
-        local named = run:build({
-          FLOOR,
-          firm("U", 20, 100, { vx = 100 }),
-          box("P", 80, 100, { mass = mass }),
-        })
-        for time in run:steps(2) do
-          run:at(named.U, 20 + 100 * time, 100)
-          run:same("vx", named.U.vx, 100)
-          run:at(named.P, math.max(80, 36 + 100 * time), 100)
-        end
-        run:near("gap", named.P.x - named.U.x - 16, 0)
+  -- Objects by name: x, vx, mass; speeds that the game writes before each step; for how long; where
+  -- all are then, and who is not still, but how fast.
+  local ROWS = {
+    { "stops a box", { P = at(20), U = at(80) }, { P = 100 }, 1, { P = 64, U = 80 } },
+    { "stops one of 1000 px/s", { P = at(20), U = at(80) }, { P = 1000 }, 1, { P = 64, U = 80 } },
+    {
+      "stops what is heavy",
+      { P = at(20, 0, 50), U = at(80) },
+      { P = 6000 },
+      1,
+      { P = 64, U = 80 },
+    },
+    { "pushes a box", { U = at(20, 100), P = at(80) }, {}, 2, { U = 220, P = 236 }, 100 },
+    {
+      "pushes a heavy one",
+      { U = at(20, 100), P = at(80, 0, 99) },
+      {},
+      2,
+      { U = 220, P = 236 },
+      100,
+    },
+    { "is stopped by a wall", { U = at(20, 300), wall = at(200) }, {}, 1, { U = 184 } },
+    {
+      "is stopped by what it pushes to a wall",
+      { U = at(20), P = at(70), Q = at(90), R = at(110), wall = at(200) },
+      { U = 100 },
+      2,
+      { U = 136, P = 152, Q = 168, R = 184 },
+    },
+    { "is moved by a kinematic one", { U = at(46), K = at(0, 60) }, {}, 1, { U = 76 }, 60 },
+    -- two that cannot be pushed
+    { "meets another", { U = at(0, 100), V = at(100, -100, 10) }, {}, 2, { U = 42, V = 58 } },
+    { "meets a slow one", { U = at(0, 100), V = at(100, -50, 10) }, {}, 2, { U = 56, V = 72 } },
+    { "meets a fast one", { U = at(0, 10), V = at(100, -200, 10) }, {}, 2, { U = 4, V = 20 } },
+    { "meets one that stands", { U = at(0, 100), V = at(100) }, {}, 2, { U = 84, V = 100 } },
+    { "stands, and is met", { U = at(0), V = at(100, -100, 10) }, {}, 2, { U = 0, V = 16 } },
+    { "meets at 6000 px/s", { U = at(0, 6000), V = at(100, -6000, 9) }, {}, 2, { U = 42, V = 58 } },
+    { "follows a slow one", { U = at(0, 100), V = at(100, 40) }, {}, 2, { U = 164, V = 180 }, 40 },
+    { "is followed", { V = at(0, -40), U = at(100, -100) }, {}, 2, { V = -80, U = -64 }, -40 },
+  }
+  for _, row in ipairs(ROWS) do
+    scene.it(row[1], EVERYWHERE, function(run)
+      local description = { FLOOR }
+      for name, fields in pairs(row[2]) do
+        local make = (name == "U" or name == "V") and firm or box
+        local entry = name == "wall" and WALL or make(name, fields.x, 100, fields)
+        entry[2].kinematic = name == "K" or nil
+        description[#description + 1] = entry
       end
-    end)
-
-    scene.it("a box bounces off it", SOME, function(run)
-      local named = run:build({
-        FLOOR,
-        box("P", 14, 100, { vx = 100, restitution = 1 }),
-        firm("U", 80, 100),
-      })
-      for time in run:steps(1) do
-        run:at(named.P, 14 + math.min(100 * time, 100 - 100 * time), 100)
-        run:at(named.U, 80, 100)
-      end
-    end)
-  end)
-
-  describe("against a wall:", function()
-    scene.it("it is stopped", EVERYWHERE, function(run)
-      local named = run:build({ FLOOR, WALL, firm("U", 20, 100, { vx = 300 }) })
-      for time in run:steps(1) do
-        run:at(named.U, math.min(184, 20 + 300 * time), 100)
-      end
-      run:flush(named.U, named.wall, "right")
-      run:still(named.U)
-    end)
-
-    scene.it("it is stopped by what it pushes there", EVERYWHERE, function(run)
-      for count = 1, 3 do
-        local description = { FLOOR, WALL, firm("U", 20, 100) }
-        for i = 1, count do
-          description[3 + i] = box("box" .. i, 50 + 20 * i, 100)
-        end
-        local named = run:build(description)
-        for _ in run:steps(2, run:keep(named.U, 100)) do
-          for i = 1, count do
-            run:near("y", named["box" .. i].y, 100)
-          end
-        end
-        run:at(named.U, 184 - 16 * count, 100)
-        for i = 1, count do
-          run:at(named["box" .. i], 184 - 16 * (count - i), 100)
-        end
-        run:still(named.U)
-        run:flush(named.U, named.box1, "right")
-      end
-    end)
-
-    scene.it("it is moved by a kinematic one", SOME, function(run)
-      local pusher = { name = "K", x = 0, y = 50, width = 16, height = 64, kinematic = true }
-      pusher.vx = 60
-      local named = run:build({ FLOOR, { "walls", pusher }, firm("U", 46, 100) })
-      for time in run:steps(1) do
-        run:at(named.U, math.max(46, 16 + 60 * time), 100)
-      end
-      run:near("vx", named.U.vx, 60)
-    end)
-
-    scene.it("it is crushed between two of them, once", SOME, function(run)
-      local named = run:build({
-        FLOOR,
-        { "walls", { name = "L", x = 60, y = 52, width = 16, height = 64, kinematic = true } },
-        { "walls", { name = "R", x = 124, y = 52, width = 16, height = 64, kinematic = true } },
-        firm("U", 92, 100),
-      })
-      local log = run:listen(named.U)
-      named.L.vx, named.R.vx = 20, -20
-      for _ in run:steps(1) do
-        run:at(named.U, 92, 100)
-      end
-      run:same("onCrush", log.crushes, 1)
-    end)
-  end)
-
-  --   +-+ ->   <- +-+
-  --   |U|         |V|
-  --   ----------------
-  describe("two of them:", function()
-    for _, row in ipairs({
-      -- vx of U at 0 and of V at 100, where U ends
-      { 100, -100, 42 },
-      { 100, -50, 56 },
-      { 10, -200, 4 },
-      { 100, 0, 84 },
-      { 0, -100, 0 },
-      { 6000, -6000, 42 },
-    }) do
-      local vxU, vxV, x = row[1], row[2], row[3]
-      scene.it(("meet at %g and %g px/s and stop"):format(vxU, vxV), EVERYWHERE, function(run)
-        local named = run:build({
-          FLOOR,
-          firm("U", 0, 100, { vx = vxU }),
-          firm("V", 100, 100, { vx = vxV, mass = 10 }),
-        })
-        local log = run:listen(named.U)
-        run:play(2)
-        for _ in run:steps(0.5) do
-          run:at(named.U, x, 100)
-          run:at(named.V, x + 16, 100)
-          run:still(named.U)
-          run:still(named.V)
-        end
-        run:check(log.begins == 2 and log.ends == 0, "%d begins, %d ends", log.begins, log.ends)
+      table.sort(description, function(a, b)
+        return a[2].name < b[2].name
       end)
-    end
-
-    scene.it("the faster one behind the slower one follows it", SOME, function(run)
-      for sign = -1, 1, 2 do
-        local named = run:build({
-          FLOOR,
-          firm("U", 0, 100, { vx = 100 * sign }),
-          firm("V", 100 * sign, 100, { vx = 40 * sign }),
-        })
-        for time in run:steps(2) do
-          run:at(named.V, (100 + 40 * time) * sign, 100)
-          run:at(named.U, math.min(100 * time, 84 + 40 * time) * sign, 100)
+      local named, keep = run:build(description), {}
+      for name, vx in pairs(row[3]) do
+        keep[1], keep[2] = named[name], vx
+      end
+      for _ in run:steps(row[4], run:keep(keep[1], keep[2])) do
+        for name in pairs(row[5]) do
+          run:near("y", named[name].y, 100)
         end
-        run:near("vx", named.U.vx, 40 * sign)
+      end
+      for name, x in pairs(row[5]) do
+        run:at(named[name], x, 100)
+        run:near("vx of " .. name, named[name].vx, row[6] or 0)
       end
     end)
+  end
+
+  scene.it("a box bounces off it", SOME, function(run)
+    local named = run:build({
+      FLOOR,
+      box("P", 14, 100, { vx = 100, restitution = 1 }),
+      firm("U", 80, 100),
+    })
+    for time in run:steps(1) do
+      run:at(named.P, 14 + math.min(100 * time, 100 - 100 * time), 100)
+      run:at(named.U, 80, 100)
+    end
+  end)
+
+  scene.it("is crushed between two walls that move, once", SOME, function(run)
+    local named = run:build({
+      FLOOR,
+      { "walls", { name = "L", x = 60, y = 52, width = 16, height = 64, kinematic = true } },
+      { "walls", { name = "R", x = 124, y = 52, width = 16, height = 64, kinematic = true } },
+      firm("U", 92, 100),
+    })
+    local log = run:listen(named.U)
+    named.L.vx, named.R.vx = 20, -20
+    for _ in run:steps(1) do
+      run:at(named.U, 92, 100)
+    end
+    run:same("onCrush", log.crushes, 1)
   end)
 
   --   +-+-+-+-+   +-+
