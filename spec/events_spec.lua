@@ -460,47 +460,27 @@ describe("sensor", function()
     checkLog(log, 1, 1)
   end)
 
-  it("does not see what is only flush", function()
-    local log = listen(newSensor(16, 0, 16, 16))
-    local box = world:add("boxes", newBox(0, 0))
-    play(world, 5)
-    checkLog(log, 0, 0)
-    box.x = 0.01
-    play(world, 5)
-    checkLog(log, 1, 0)
-  end)
-
-  it("sees another sensor, if one of them can move", function()
-    local fixed = newSensor(100, 0, 16, 16)
-    newSensor(100, 0, 16, 16)
-    local moving = newSensor(0, 0, 16, 16, { static = false, vx = 600 })
-    local ofFixed, ofMoving = listen(fixed), listen(moving)
-    play(world, 30)
-    checkLog(ofFixed, 1, 1)
-    checkLog(ofMoving, 2, 2)
-  end)
-
-  it("sees kinematic objects, and may be one", function()
-    local fixed = newSensor(100, 0, 16, 16)
-    local log = listen(fixed)
-    world:add("lifts", newBox(0, 0, { kinematic = true, vx = 600 }))
-    play(world, 30)
-    checkLog(log, 1, 1)
-    local moving = newSensor(100, 200, 16, 16, { static = false, kinematic = true, vx = 600 })
-    local other = listen(moving)
-    local box = world:add("boxes", newBox(200, 200))
-    play(world, 30)
-    checkLog(other, 1, 1)
-    assert.equal(200, box.x)
-  end)
-
-  it("respects masks", function()
-    local log = listen(newSensor(50, 0, 16, 16, { mask = { boxes = false } }))
-    world:add("boxes", newBox(0, 0, { vx = 600 }))
-    world:add("crates", newBox(0, 0, { vx = 300, mask = { boxes = false } }))
-    play(world, 60)
-    checkLog(log, 1, 1)
-  end)
+  -- A sensor of 16 px at x = 100 (with fields), what is at x (with fields), begins and ends in 1 s.
+  for _, row in ipairs({
+    { "nothing that is flush", {}, 84, {}, 0, 0 },
+    { "what is a little in it", {}, 84.01, {}, 1, 0 },
+    { "what passes", {}, 0, { vx = 600 }, 1, 1 },
+    { "no static sensor", {}, 100, { sensor = true, static = true }, 0, 0 },
+    { "a sensor that moves", {}, 0, { sensor = true, vx = 600 }, 1, 1 },
+    { "what is kinematic", {}, 0, { kinematic = true, vx = 600 }, 1, 1 },
+    { "when it is kinematic", { static = false, kinematic = true, vx = 600 }, 200, {}, 1, 1 },
+    { "when it is dynamic", { static = false, vx = 600 }, 200, {}, 1, 1 },
+    { "nothing that its mask refuses", { mask = { boxes = false } }, 0, { vx = 600 }, 0, 0 },
+    { "nothing whose mask refuses it", {}, 0, { vx = 600, mask = { sensors = false } }, 0, 0 },
+  }) do
+    it("sees " .. row[1], function()
+      local log = listen(newSensor(100, 0, 16, 16, row[2]))
+      local box = world:add("boxes", newBox(row[3], 0, row[4]))
+      play(world, 60)
+      checkLog(log, row[5], row[6])
+      assert.near(row[3] + (row[4].vx or 0), box.x, 1e-9)
+    end)
+  end
 end)
 
 describe("onBegin", function()

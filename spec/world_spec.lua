@@ -416,6 +416,9 @@ describe("add, remove and refresh", function()
   end)
 end)
 
+-- Stands for nil in a table of what is written.
+local NIL = {}
+
 describe("fields and settings at run time:", function()
   local world, floor, box
 
@@ -435,56 +438,58 @@ describe("fields and settings at run time:", function()
     assert.equal(0, box.vy)
   end)
 
-  it("active may be switched off and on", function()
-    box.active = false
-    play(world, 1)
-    assert.is_false(box.touching.bottom)
-    box.y = 20
-    play(world, 30)
-    assert.equal(20, box.y)
-    box.active = nil
-    play(world, 60)
-    assert.equal(84, box.y)
-    assert.equal(floor, box.touching.bottom)
-  end)
-
-  it("x, y, width and height may change: it grows, shrinks and jumps elsewhere", function()
-    box.height = 24
-    box.y = 76
-    play(world, 5)
-    assert.equal(76, box.y)
-    assert.equal(floor, box.touching.bottom)
-    box.height = 8
-    play(world, 30)
-    assert.equal(92, box.y)
-    box.width = 32
-    play(world, 5)
-    assert.equal(92, box.y)
-    box.x, box.y = 300, -50
-    play(world, 1)
-    assert.is_false(box.touching.bottom)
-    assert.equal(300, box.x)
-    play(world, 60)
-    assert.equal(92, box.y)
-    box.height = 20 -- into the floor: it leaves upwards
-    play(world, 5)
-    assert.equal(80, box.y)
-  end)
-
-  it("kinematic: an object may become dynamic and back", function()
-    local lift = world:add("lifts", newBox(100, 20, { kinematic = true, vx = 60 }))
-    play(world, 60)
-    assert.near(160, lift.x, 1e-9)
-    assert.equal(20, lift.y)
-    lift.kinematic, lift.vx = nil, 0
-    play(world, 60)
-    assert.equal(84, lift.y)
-    assert.equal(floor, lift.touching.bottom)
-    lift.kinematic, lift.vy = true, -60
-    play(world, 60)
-    assert.near(24, lift.y, 1e-9)
-    assert.is_false(lift.touching.bottom)
-  end)
+  -- What is written to a box that stands at y = 84, how many steps, where it is then, and whether
+  -- it stands on the floor.
+  local NO_TILES = { boxes = { tiles = false } }
+  local SEQUENCES = {
+    ["active, off and on"] = {
+      { { active = false, y = 20 }, 30, 20, false },
+      { { active = NIL }, 60, 84, true },
+    },
+    ["x, y, width and height"] = {
+      { { height = 24, y = 76 }, 5, 76, true },
+      { { height = 8 }, 30, 92, true },
+      { { width = 32 }, 5, 92, true },
+      { { x = 300, y = -50 }, 1, -50 + 400 / 3600, false },
+      { {}, 60, 92, true },
+      { { height = 20 }, 5, 80, true }, -- into the floor: it leaves upwards
+    },
+    ["kinematic, on and off"] = {
+      { { kinematic = true, vy = -60 }, 60, 24, false },
+      { { kinematic = NIL, vy = 0 }, 60, 84, true },
+    },
+    ["sensor, on and off"] = {
+      { { sensor = true }, 30, 184, false },
+      { { sensor = false, y = 40, vy = 0 }, 60, 84, true },
+    },
+    ["gravity and gravityX, its own and none"] = {
+      { { gravity = -800 }, 30, -16, false },
+      { { y = 0, vy = 0, gravity = 0, gravityX = 80 }, 30, 0, false },
+      { { gravity = NIL }, 60, 84, true },
+    },
+    ["masks, for whole groups, in one direction or the other"] = {
+      { {}, 30, 184, false, NO_TILES },
+      { { y = 0, vy = 0 }, 60, 84, true, { boxes = { tiles = true } } },
+      { {}, 30, 184, false, { tiles = { boxes = false } } },
+      { { y = 0, vy = 0 }, 60, 84, true, {} },
+    },
+  }
+  for title, steps in pairs(SEQUENCES) do
+    it(title, function()
+      for n, row in ipairs(steps) do
+        world.masks = row[5]
+        for name, value in pairs(row[1]) do
+          if value == NIL then
+            value = nil
+          end
+          box[name] = value
+        end
+        play(world, row[2])
+        assert.near(row[3], box.y, 1e-9, "number " .. n)
+        assert.equal(row[4] and floor, box.touching.bottom, "number " .. n)
+      end
+    end)
+  end
 
   it("mask may be set, changed in place and taken away", function()
     local ends = 0
@@ -527,50 +532,6 @@ describe("fields and settings at run time:", function()
       assert.are.equal(row[2], player.x)
     end)
   end
-
-  it("masks may be set for whole groups, in one direction or the other", function()
-    world.masks = { boxes = { tiles = false } }
-    play(world, 30)
-    assert.is_true(box.y > 100)
-    box.y, box.vy = 0, 0
-    world.masks.boxes.tiles = true
-    play(world, 60)
-    assert.equal(84, box.y)
-    world.masks.tiles = { boxes = false }
-    play(world, 30)
-    assert.is_true(box.y > 100)
-    box.y, box.vy = 0, 0
-    world.masks = nil
-    play(world, 60)
-    assert.equal(84, box.y)
-  end)
-
-  it("sensor: a solid may become one and back", function()
-    local crate = world:add("crates", newBox(0, 60))
-    play(world, 30)
-    assert.equal(68, crate.y)
-    crate.sensor = true
-    play(world, 30)
-    assert.is_true(crate.y > 100)
-    crate.sensor, crate.y, crate.vy = false, 40, 0
-    play(world, 60)
-    assert.equal(68, crate.y)
-    assert.equal(box, crate.touching.bottom)
-  end)
-
-  it("gravity may be an object's own, upwards, sideways or none", function()
-    local up = world:add("boxes", newBox(100, 0, { gravity = -800 }))
-    local none = world:add("boxes", newBox(150, 0, { gravity = 0 }))
-    local aside = world:add("boxes", newBox(200, 0, { gravity = 0, gravityX = 80 }))
-    play(world, 30)
-    assert.near(-100, up.y, 1e-9)
-    assert.equal(0, none.y)
-    assert.near(210, aside.x, 1e-9)
-    assert.equal(0, aside.y)
-    none.gravity = nil
-    play(world, 60)
-    assert.equal(84, none.y)
-  end)
 
   it("update by 0 reads the tables and moves nothing", function()
     box.vx = 50
