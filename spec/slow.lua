@@ -33,7 +33,7 @@ slow.differs = {
   "spec/fields_spec.lua",
   "spec/fixed_step_spec.lua",
   "spec/garbage_spec.lua",
-  "spec/guard_spec.lua",
+  "spec/debugging_spec.lua",
   "spec/lazy_spec.lua",
   "spec/ldtk_spec.lua",
   "spec/manual_spec.lua",
