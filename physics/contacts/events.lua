@@ -185,21 +185,13 @@ local function isApart(b, i, j)
   return max(gapX, gapY) > EPSILON or isCorner
 end
 
-local function always()
-  return true
-end
-
-local function isForbidden(b, i, j)
-  return not filter.allows(b, i, j)
-end
-
--- Ends the contacts of a slot with those for which `isOver(b, i, j)`, because the game has changed
--- one of the two. It is no longer wedged into them, and there may be room now.
+-- Ends the contacts of a slot with all, or those for which `isOver(b, i, j)`, because the game has
+-- changed one of the two. It is no longer wedged into them, and there may be room now.
 local function endContacts(b, i, isOver)
   local half = b.head[i]
   while half ~= 0 do
     local p, j = (half + half % 2) / 2, b.other[half]
-    if (b.contact[p] ~= 0 or b.wedged[p] ~= 0) and isOver(b, i, j) then
+    if (b.contact[p] ~= 0 or b.wedged[p] ~= 0) and (not isOver or isOver(b, i, j)) then
       b.wedged[p] = 0
       if b.contact[p] ~= 0 then
         relax.loosen(b, i)
@@ -214,7 +206,7 @@ end
 
 --- Ends all contacts of a slot that leaves the world.
 function events.endContacts(b, i)
-  endContacts(b, i, always)
+  endContacts(b, i)
 end
 
 --- Ends the contacts of a slot with what it no longer touches, because the game has put it
@@ -225,7 +217,7 @@ end
 
 --- Ends the contacts of a slot with objects that it can no longer meet.
 function events.endForbidden(b, i)
-  endContacts(b, i, isForbidden)
+  endContacts(b, i, filter.reason)
 end
 
 -- Checks a callback. Callbacks are read when they are called, so a field may have changed since the

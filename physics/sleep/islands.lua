@@ -31,12 +31,19 @@ local function rouse(b, i)
   b.awake[i], b.quiet[i], b.awakenings = true, false, b.awakenings + 1
 end
 
--- Wakes the sleeping dynamic neighbours of all bodies in awakeList from place `from` on. The list
--- itself is the queue of this flood fill.
-local function flood(b, from)
+--- Wakes an object and, if it slept, its island: the sleeping dynamic neighbours of all that wake.
+--- The list of awake bodies is the queue of this flood fill.
+function islands.wake(b, i)
   local list, kind, awake = b.awakeList, b.kind, b.awake
   local head, other, nextHalf = b.head, b.other, b.next
-  local n = from
+  if kind[i] == STATIC or not b.active[i] then
+    return
+  end
+  b.quiet[i] = false
+  local n = b.awakeCount + 1
+  if not awake[i] then
+    rouse(b, i)
+  end
   while n <= b.awakeCount do
     local half = head[list[n]]
     while half ~= 0 do
@@ -47,19 +54,6 @@ local function flood(b, from)
       half = nextHalf[half]
     end
     n = n + 1
-  end
-end
-
---- Wakes an object and, if it slept, its island.
-function islands.wake(b, i)
-  if b.kind[i] == STATIC or not b.active[i] then
-    return
-  end
-  b.quiet[i] = false
-  if not b.awake[i] then
-    local from = b.awakeCount + 1
-    rouse(b, i)
-    flood(b, from)
   end
 end
 
