@@ -7,18 +7,18 @@
 local BUDGET = {
   { "physics.lua", 96 },
   { "physics/broadphase", 712 },
-  { "physics/contacts", 449 },
+  { "physics/contacts", 443 },
   { "physics/fields", 716 },
   { "physics/maps", 2652 },
   { "physics/memory", 850 },
   { "physics/motion", 1114 },
-  { "physics/objects", 1632 },
-  { "physics/queries", 850 },
-  { "physics/sleep", 94 },
+  { "physics/objects", 1636 },
+  { "physics/queries", 846 },
+  { "physics/sleep", 90 },
   { "physics/solver", 4373 },
   { "physics/space", 381 },
   { "physics/state", 1010 },
-  { "physics/world", 1573 },
+  { "physics/world", 1551 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 

@@ -313,6 +313,15 @@ function near.find(c, object)
   return add(c, object, i or 0)
 end
 
+--- Does the same. Errors: the object is not in the world; `name` is that of the argument.
+function near.get(c, object, where, name)
+  local n = near.find(c, object)
+  if not n then
+    registry.failMissing(where, object, name)
+  end
+  return n
+end
+
 --- Reads what decides what an object of a catch can meet. Errors: a field that cannot be used.
 function near.readFilter(c, n)
   local b, object, i = c.bodies, c.object[n], c.slot[n]
