@@ -109,7 +109,7 @@ platformer=$(cat examples/demos/platformer.keys)
 lifts=$(cat examples/demos/lifts.keys)
 check "hills is drawn" still hills hills 330 "$hills"
 check "pile is drawn" still pile pile 56
-GAME="crop=960:340:0:266" check "a heap of balls is drawn" still balls pile 110 "o:2"
+GAME="crop=760:250:100:356" check "a heap of balls is drawn" still balls pile 110 "o:2"
 check "lifts is drawn" still lifts lifts 500 "$lifts"
 check "platformer is drawn" still platformer platformer 300 "$platformer"
 check "tutorial is drawn" still tutorial tutorial 800 "$(cat examples/demos/tutorial.keys)"
