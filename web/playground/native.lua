@@ -2,7 +2,7 @@
 --
 --   luajit web/playground/native.lua web/playground/snippets/lift.lua 300 right:20-90,space:40
 --
--- Prints the hash of the default world after so many steps, "hash 1234".
+-- Prints the hash of its world after so many steps, "hash 1234".
 
 package.path = "./?.lua;./web/playground/?.lua;" .. package.path
 

@@ -503,6 +503,8 @@ async function checkPrograms(programs) {
       const find = async () => (await stateOf(told.page)) === "failed" || (await stepOf(told.page)) > 30;
       await until(find, "it does not go on");
       assert(!(await told.page.locator("#pg-problem").isVisible()), await problemOf(told.page));
+      const status = await told.page.locator("#pg-status").innerText();
+      assert(/· [1-9]\d* objects/.test(status), status);
       await told.close();
       quiet(told);
     });
