@@ -321,7 +321,7 @@ function docs.bars(data)
 end
 
 -- Of the picture, px. A factor of 10 is DECADE wide; the middle is "as fast as love.physics".
-local ROW, MIDDLE, DECADE, WIDTH = 34, 330, 165, 760
+local ROW, MIDDLE, DECADE, WIDTH = 34, 330, 150, 760
 
 local function bar(ratio, y)
   local length = math.log(ratio) / math.log(10) * DECADE
