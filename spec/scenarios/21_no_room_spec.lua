@@ -144,6 +144,7 @@ local SPOTS = {
     spot(16, 0, 84, 16),
   },
   { "8 in a corridor of 100 px", { FLOOR, wall(-600, -16, 1200, 16) }, spot(8, 0, 40, 16) },
+  { "30 in a corridor of 20 px", { FLOOR, wall(-600, 64, 1200, 16) }, spot(30, 0, 85, 8) },
   { "30 under a ceiling of 4 px", { FLOOR, wall(-300, -104, 600, 4) }, spot(30, 0, -100, 8) },
   {
     "20 in a niche open to the right",
@@ -222,10 +223,6 @@ describe("boxes at one spot", function()
       expectRest(run, watch)
     end)
   end
-
-  -- Red since overlaps have one rule (docs/reliability.md): two of seven variants still overlap
-  -- after a second.
-  pending("come apart within a second and rest within two: 30 in a corridor of 20 px")
 
   for i, row in ipairs(SPOTS) do
     if effort.plays(i, 2) then
