@@ -15,7 +15,7 @@ local BUDGET = {
   { "physics/objects", 1636 },
   { "physics/queries", 846 },
   { "physics/sleep", 90 },
-  { "physics/solver", 4371 },
+  { "physics/solver", 4370 },
   { "physics/space", 381 },
   { "physics/state", 1010 },
   { "physics/world", 1551 },

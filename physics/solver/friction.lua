@@ -179,12 +179,8 @@ local function findLimits(b)
   local softSpeed = b.softSpeed
   for n = 1, b.awakeCount do
     for k = 2 * list[n], 2 * list[n] + 1 do
-      local most, least = b.fastest[k], b.slowest[k]
-      if reserve[k] > 0 then
-        most = pace[k]
-      elseif reserve[k] < 0 then
-        least = pace[k]
-      end
+      local most = reserve[k] > 0 and pace[k] or b.fastest[k]
+      local least = reserve[k] < 0 and pace[k] or b.slowest[k]
       local base = carried[k] + softSpeed[k]
       b.least[k], b.most[k] = least + base, most + base
     end

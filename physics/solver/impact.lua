@@ -36,13 +36,13 @@ function impact.note(b, p, low, axis, u, t)
   b.hitAt[p], b.hitLow[p], b.hitHigh[p] = touch.line(b, low, i == low and j or i, side, t)
 end
 
--- Returns the closing speed of two bodies at their impact, px/s, and the time left after it, s.
--- They follow from what would be at the end of the step, which is at most `left` s away:
---
--- - the overlap o, px;
--- - the closing speed v, px/s;
--- - the closing acceleration a, px/s².
-local function approach(o, v, a, left)
+--- Returns the closing speed of two bodies at their impact, px/s, and the time left after it, s.
+--- They follow from what would be at the end of the step, which is at most `left` s away:
+---
+--- - the overlap o, px;
+--- - the closing speed v, px/s;
+--- - the closing acceleration a, px/s².
+function impact.approach(o, v, a, left)
   local square = v * v - 2 * a * o
   local u = square > 0 and sqrt(square) or 0.0
   if v <= 0 and a >= 0 then
@@ -52,25 +52,26 @@ local function approach(o, v, a, left)
   return u, max(min(tau, left), 0.0)
 end
 
-impact.approach = approach
-
 -- Returns the inverse masses of the low and the high body for this impact; 0 for a body that does
--- not give way. A body that is held, but is leaving its holder, does give way.
+-- not give way. A body that is held, but is leaving its holder, does give way. One that is not
+-- pushable and does not move towards the other one does not, even if that is held.
 local function weigh(b, i, j, kl, kh)
-  local wl, wh = b.give[kl], b.give[kh]
-  if b.heldLow[kl] > 0 and b.speed[kl] <= b.speed[b.holderLow[kl]] then
+  local wl, wh, vl, vh = b.give[kl], b.give[kh], b.speed[kl], b.speed[kh]
+  local one, other, canPush = b.power[i], b.power[j], min(wl, wh) > 0
+  local stayLow, stayHigh =
+    canPush and one == HUGE and vl <= 0, canPush and other == HUGE and vh >= 0
+  if stayLow or b.heldLow[kl] > 0 and vl <= b.speed[b.holderLow[kl]] then
     wl = 0
   end
-  if b.heldHigh[kh] > 0 and b.speed[kh] >= b.speed[b.holderHigh[kh]] then
+  if stayHigh or b.heldHigh[kh] > 0 and vh >= b.speed[b.holderHigh[kh]] then
     wh = 0
   end
-  local one, other, vl, vh = b.power[i], b.power[j], b.speed[kl], b.speed[kh]
   if wl == 0 or wh == 0 then
     return wl, wh
   elseif one ~= other and max(one, other) < HUGE then
     return pool.share(one > other, wl, wh, vl, vh)
   end
-  local stayLow, stayHigh = pool.weigh(one, other, vl, vh)
+  stayLow, stayHigh = pool.weigh(one, other, vl, vh)
   if stayLow and stayHigh then
     path.rest(b, kl, b.from[kl])
     path.rest(b, kh, b.from[kh])
@@ -302,7 +303,7 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
   end
   local kl, kh = 2 * i + axis, 2 * j + axis
   local separation, o, v, a, lean = meet(b, i, j, axis, isDeep)
-  local u, tau = approach(o, v, a, left)
+  local u, tau = impact.approach(o, v, a, left)
   if u > 0 or b.pressed[p] ~= 1 then -- else it is noted with the speed that it began with
     impact.note(b, p, i, axis, u, t)
   end

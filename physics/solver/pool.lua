@@ -210,6 +210,13 @@ function pool.lean(b, m, k, sign)
   end
 end
 
+-- Returns where block m, or its speed, ends that is pushed from `now` to `new`, towards `sign`.
+-- What is not pushable is stopped, but not taken further than `rest`.
+local function limit(b, m, now, new, rest, sign)
+  local most = b.blocks.power[m] == HUGE and max(now * sign, rest * sign) or HUGE
+  return sign * min(new * sign, most)
+end
+
 -- Puts block m at `place`, flush against block k, which keeps its motion because it is held or
 -- strong. Block m takes the whole push, and k's power if that is not held. A block that is not
 -- pushable itself is stopped, but not moved from where it was. `sign` as in `lean`.
@@ -219,15 +226,12 @@ local function follow(b, m, k, place, sign)
   if sign < 0 then
     held, holder = b.heldHigh, b.holderHigh
   end
-  local most, fastest = HUGE, HUGE
-  if power[m] == HUGE then
-    most, fastest = max(b.to[m] * sign, origin(b, m) * sign), max(speed[m] * sign, 0)
-  end
-  b.to[m] = sign * min(place * sign, most)
+  local v = speed[m]
+  b.to[m] = limit(b, m, b.to[m], place, origin(b, m), sign)
   if (speed[k] - speed[m]) * sign > 0 then
     local base = held[k] > 0 and b.give[k] > 0 and speed[holder[k]]
     pool.press(b, m, k, mass[m], mass[k], base, sign)
-    speed[m] = sign * min(speed[m] * sign, fastest)
+    speed[m] = limit(b, m, v, speed[m], 0, sign)
   end
   pool.lean(b, m, k, sign)
   if b.give[k] > 0 and (held[k] == 0 or power[k] < HUGE) then

@@ -85,9 +85,11 @@ local function squeeze(b, k, other, over, sign, held, pressing, holder)
   end
 end
 
--- Returns whether two that close at `closing` px/s bounce.
-local function bounces(b, k, m, closing, slow)
-  return pool.bounces(closing, b.accel[k] - b.accel[m], slow)
+-- Returns whether body m is not pushable, and k is pushed to it by what does not come nearer
+-- (`wall`): how far k stops it is left to the blocks.
+local function withstands(b, m, k, wall, sign)
+  local isFirm = b.give[k] > 0 and b.power[floor(m * 0.5)] == math.huge
+  return isFirm and (b.to[wall] - b.from[wall]) * sign <= 0
 end
 
 -- Puts bodies flush against what holds them, from immovable bodies on: against what holds them on
@@ -100,15 +102,16 @@ local function hold(b, list, slow, sign)
     near, far, held, wall, opposite = list.high, list.low, b.heldHigh, b.holderHigh, b.heldLow
     first, last = list.count, 1
   end
-  local separation, elastic, to, speed, give = list.separation, list.elastic, b.to, b.speed, b.give
-  local hasSqueezed = false
+  local separation, elastic, to, speed = list.separation, list.elastic, b.to, b.speed
+  local give, accel, hasSqueezed = b.give, b.accel, false
   for c = first, last, sign do
     local k, m = near[c], far[c]
-    if held[k] > 0 and give[m] > 0 then
+    local isHeld = held[k] > 0 and give[m] > 0
+    if isHeld and not (b.hasFirm and withstands(b, m, k, wall[k], sign)) then
       local place = to[k] + sign * separation[c]
       local over, closing = (place - to[m]) * sign, (speed[k] - speed[m]) * sign
       local isMet = over > -EPSILON and (over > 0 or closing >= 0)
-      if isMet and (elastic[c] == 0 or not bounces(b, k, m, closing, slow)) then
+      if isMet and (elastic[c] == 0 or not pool.bounces(closing, accel[k] - accel[m], slow)) then
         local isNew = opposite[m] == 0
         if over > EPSILON or (closing > 0 and isNew) then
           b.pressed[list.pair[c]] = 1

@@ -126,6 +126,22 @@ describe("a crowd", function()
     end
   end)
 
+  -- Balls that boxes press part slanted: what a wall holds must not push through to the player.
+  it("of boxes and balls leaves an unpushable player in a lane where it is", function()
+    for seed = 1, effort.share(4, 2) do
+      local options = { count = 120, seed = seed, goal = "firm", drive = "vx", balls = 0.4 }
+      local crowd = crowds.new(options)
+      for _, y in ipairs({ -60, 40 }) do
+        crowd.world:add("walls", { x = -80, y = y, width = 160, height = 20, static = true })
+      end
+      for step = 1, 400 do
+        crowd:step(1 / 60)
+        local x, y = crowd.player.x, crowd.player.y
+        assert.same({ seed, step, -8, -12 }, { seed, step, x, y })
+      end
+    end
+  end)
+
   -- Most of them overlap the player, or each other; it must not go anywhere.
   it("of bodies put onto an unpushable player at rest leaves it where it is", function()
     for seed = 1, effort.share(5, 2) do

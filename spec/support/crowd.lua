@@ -52,6 +52,7 @@ local function addEnemy(self, random, x, y, options)
     return
   end
   local enemy = { x = x, y = y, width = size, height = size }
+  enemy.radius = options.balls and random:chance(options.balls) and size / 2 or nil
   enemy.maxSpeed = options.drive == "ax" and speed or nil
   self.world:add("enemies", enemy)
   self.speeds[enemy] = speed
@@ -133,6 +134,7 @@ end
 
 --- Makes a crowd.
 ---@param options table count, seed, goal, drive ("vx" or "ax"), settings of the world;
+---`balls`: the share of them that are circles;
 ---`startsInside`: many of them start inside others, or in pillars
 ---@return table crowd `world`, `player`, `enemies`, `objects` (all of them)
 function crowds.new(options)
