@@ -66,6 +66,7 @@ build = {
     ["physics.maps.tiles"] = "physics/maps/tiles.lua",
     ["physics.maps.values"] = "physics/maps/values.lua",
     ["physics.maps.words"] = "physics/maps/words.lua",
+    ["physics.memory.allot"] = "physics/memory/allot.lua",
     ["physics.memory.columns"] = "physics/memory/columns.lua",
     ["physics.memory.compiler"] = "physics/memory/compiler.lua",
     ["physics.memory.initial"] = "physics/memory/initial.lua",

@@ -98,7 +98,7 @@ local function keepAllowed(b, count)
   local ones, others, crowd, n = b.linkOne, b.linkOther, b.crowd, 0
   for m = 1, count do
     local i, j = ones[m], others[m]
-    if min(crowd[2 * i], crowd[2 * j]) <= 0 and filter.allows(b, i, j) then
+    if min(crowd[2 * i] or 0, crowd[2 * j] or 0) <= 0 and filter.allows(b, i, j) then
       n = n + 1
       ones[n], others[n] = i, j
     end

@@ -10,7 +10,7 @@
 -- No column is shared between worlds: a callback may step another world.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local initial = require(root .. ".memory.initial")
+local allot = require(root .. ".memory.allot")
 local layout = require(root .. ".memory.layout")
 
 local columns = {}
@@ -54,18 +54,8 @@ columns.RANKS = 2 ^ 40
 --- again.
 columns.UNTOLD = -1
 
-local floor, max, min = math.floor, math.max, math.min
-local EVERY, MOVING, PAIR_NAMES = layout.EVERY, layout.MOVING, layout.PAIR_NAMES
--- Slots are prepared ahead: one for each so many that are in use.
-local AHEAD = 8
--- Before the static bodies there are slots for so many that can move, or for one in SHARE of all.
-local ROOM, SHARE = 16, 8
--- Up to so many bodies columns grow by themselves.
-local FEW = 256
-
--- The global `require`: that of the single file knows only its modules.
-local hasNew, newTable = pcall(rawget(_G, "require"), "table.new")
----@cast newTable fun(arrays: integer, hashes: integer): table
+local max, min = math.max, math.min
+local PAIR_NAMES = layout.PAIR_NAMES
 
 --- Sides are numbers inside: left, right, top, bottom are 1 to 4, so that the side on `axis` is
 --- `2 * axis + 1` (low) or `2 * axis + 2` (high).
@@ -82,162 +72,16 @@ function columns.sideOf(value)
   return value == true and "top" or value or false
 end
 
-local function fill(column, first, last, value)
-  for at = first, last do
-    column[at] = value
-  end
-end
-
--- Gives slots the initial values of some columns, column by column. (Slot by slot, 20 000 tiles
--- take twice as long.)
-local function blank(b, rows, first, last)
-  for n = 1, #rows do
-    local row = rows[n]
-    local shift = row.width == 4 and 1 or 0 -- sides are 1 to 4
-    fill(b[row.name], row.width * first + shift, row.width * (last + 1) + shift - 1, row.value)
-  end
-end
-
--- Names the columns that say what acts on a body, where there are no zones (see zones).
-local function nameFlow(b)
-  b.flowPull, b.flowAir, b.flowDrag = b.pull, b.airFriction, b.drag
-end
-
---- Returns the empty columns of a world.
-function columns.new()
-  local b = {}
-  initial(b)
-  for n = 1, #layout.OTHERS do
-    b[layout.OTHERS[n]] = {}
-  end
-  for _, rows in ipairs({ EVERY, MOVING }) do
-    for n = 1, #rows do
-      b[rows[n].name] = {}
-    end
-    blank(b, rows, 0, 0)
-  end
-  -- Slot 0 is the empty slot, that of unlinked pairs. Its size is negative, so it meets nothing.
-  b.next[0], b.previous[0], b.size[0], b.size[1] = 0, 0, -1, -1
-  nameFlow(b)
-  return b
-end
-
--- Returns the last slot to prepare together with slot i.
-local function ahead(i)
-  local room = 1 -- Lua makes room up to the next power of two
-  while room <= i do
-    room = room * 2
-  end
-  return min(i + floor(i / AHEAD), max(i, room - 1))
-end
-
--- Makes the columns that each slot has anew, with room up to the slot `last`. (A table that grows
--- takes the next power of two.) Keeps the first `count` slots.
-local function resize(b, count, last)
-  for n = 1, #EVERY do
-    local width, old = EVERY[n].width, b[EVERY[n].name]
-    local new = newTable(width * (last + 1), 0)
-    for k = 0, width * (count + 1) - 1 do
-      new[k] = old[k]
-    end
-    b[EVERY[n].name] = new
-  end
-  if not b.hasZones then
-    nameFlow(b)
-  end
-end
-
--- Takes a slot for a static body that was never used.
-local function takeStatic(b)
-  if b.lastMover == math.huge then
-    b.lastMover = b.moverSlots + max(ROOM, floor(b.expected / SHARE))
-    if hasNew and b.expected > FEW then
-      resize(b, b.moverSlots, b.lastMover + b.expected + 1)
-    end
-    blank(b, EVERY, b.moverSlots + 1, b.lastMover)
-    b.slots, b.blankTo = b.lastMover, b.lastMover
-  end
-  local i = b.slots + 1
-  b.slots = i
-  if i > b.blankTo then
-    b.blankTo = b.expected > FEW and i + b.expected or ahead(i)
-    blank(b, EVERY, i, b.blankTo)
-  end
-  return i
-end
-
---- Gives a slot the columns of bodies that can move, if it has not got them.
-function columns.complete(b, i)
-  if not b.full[i] then
-    b.full[i] = true
-    blank(b, MOVING, i, i)
-  end
-end
-
--- Takes a slot for a body that can move that was never used.
-local function takeMover(b)
-  local i = b.moverSlots + 1
-  b.moverSlots, b.slots = i, max(b.slots, i)
-  if i > b.moverBlankTo then
-    b.moverBlankTo = min(ahead(i), b.lastMover)
-    blank(b, EVERY, i, b.moverBlankTo)
-    blank(b, MOVING, i, b.moverBlankTo)
-  end
-  b.full[i] = true
-  return i
-end
-
--- Takes a slot from a list of free ones.
-local function takeFree(b, list)
-  local i = list[#list]
-  if i then
-    list[#list] = nil
-    blank(b, EVERY, i, i)
-  end
-  return i
-end
-
---- Takes a slot for a new object and returns it. All its columns have their initial values. A
---- static body has only those that each slot has.
-function columns.claim(b, isStatic)
-  b.count, b.expected = b.count + 1, max(0, b.expected - 1)
-  if isStatic then
-    return takeFree(b, b.freeStatic) or takeStatic(b)
-  end
-  local i = takeFree(b, b.free)
-  if not i and b.moverSlots < b.lastMover then
-    return takeMover(b)
-  end
-  i = i or takeFree(b, b.freeStatic) or takeStatic(b)
-  columns.complete(b, i)
-  return i
-end
-
---- Resets what the last step has left in a slot.
-function columns.forgetStep(b, i)
-  blank(b, layout.STEP_EVERY, i, i)
-  blank(b, layout.STEP_MOVING, i, b.full[i] and i or i - 1)
-end
-
 --- Gives an object a path of length 0 at its position, as an obstacle and for the broad phase. An
 --- awake object gets its path when a step begins.
 function columns.stand(b, i)
   local k = 2 * i
   b.from[k], b.from[k + 1] = b.position[k], b.position[k + 1]
   b.to[k], b.to[k + 1] = b.position[k], b.position[k + 1]
-  b.speed[k], b.speed[k + 1], b.accel[k], b.accel[k + 1] = 0, 0, 0, 0
-  b.time[i] = 0
-end
-
---- Gives a slot back. Its pairs must have been unlinked.
-function columns.release(b, i)
-  b.object[i], b.group[i], b.touching[i], b.mask[i], b.canCollide[i] =
-    false, false, false, false, false
-  b.area[i], b.only[i], b.hitsGiven[i] = false, false, false
-  b.kind[i], b.awake[i] = 0, false
-  local list = i > b.lastMover and b.freeStatic or b.free
-  list[#list + 1] = i
-  b.count = b.count - 1
+  if i <= b.lastBody then
+    b.speed[k], b.speed[k + 1], b.accel[k], b.accel[k + 1] = 0, 0, 0, 0
+    b.time[i] = 0
+  end
 end
 
 -- The lists of half-edges are changed without branches: a write that is not needed goes to place 0.
@@ -257,12 +101,12 @@ end
 -- Takes `count` free pairs for b.linkOne[1..count] and b.linkOther[1..count] into b.linked.
 local function takePairs(b, count)
   local free, have, linked = b.freePairs, b.freePairCount, b.linked
-  local ones, others, pairA, pairB, slots = b.linkOne, b.linkOther, b.pairA, b.pairB, b.pairSlots
+  local ones, others, pairA, pairB, used = b.linkOne, b.linkOther, b.pairA, b.pairB, b.pairSlots
   for n = 1, count do
-    local p = n <= have and free[have + 1 - n] or slots + n - have
+    local p = n <= have and free[have + 1 - n] or used + n - have
     linked[n], pairA[p], pairB[p] = p, ones[n], others[n]
   end
-  b.pairSlots, b.freePairCount = slots + max(0, count - have), max(0, have - count)
+  b.pairSlots, b.freePairCount = used + max(0, count - have), max(0, have - count)
 end
 
 -- Gives new pairs their initial values.
@@ -279,6 +123,7 @@ end
 --- Makes neighbours of b.linkOne[n] and b.linkOther[n], for n from 1 to `count`. Their pairs are in
 --- b.linked afterwards. They must not be neighbours yet, nor be listed twice.
 function columns.linkAll(b, count)
+  allot.embodyLinked(b, count)
   takePairs(b, count)
   resetPairs(b, count)
   local linked, ones, others = b.linked, b.linkOne, b.linkOther

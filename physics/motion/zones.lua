@@ -10,6 +10,7 @@
 -- columns as flowPull, flowAir and flowDrag; without zones these are the columns of the objects.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local allot = require(root .. ".memory.allot")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
 local shapes = require(root .. ".space.shapes")
@@ -48,6 +49,9 @@ local function arrange(b)
       count = count + 1
       list[count] = i
     end
+  end
+  for n = 1, count do
+    list[n] = allot.embody(b, list[n])
   end
   sort.by(list, count, b.rank, b.rank, b.rank)
 end
@@ -109,7 +113,7 @@ function zones.setDown(b, i, gx, gy)
   local k, isVertical = 2 * i, gx * gx <= gy * gy
   b.down[k] = isVertical and 0 or (gx > 0 and 1 or -1)
   b.down[k + 1] = isVertical and (gy > 0 and 1 or gy < 0 and -1 or 0) or 0
-  for m = k, b.full[i] and k + 1 or 0 do
+  for m = k, k + 1 do
     local limit, fall = b.limit[m], b.maxFallSpeed[i]
     b.slowest[m] = -(b.down[m] < 0 and min(limit, fall) or limit)
     b.fastest[m] = b.down[m] > 0 and min(limit, fall) or limit

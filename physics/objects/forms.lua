@@ -145,7 +145,7 @@ end
 
 -- Each field has a column.
 for _, row in ipairs(fields.columned) do
-  layout.add(row.column, forms.absent(row), row.axis ~= nil)
+  layout.add(row.column, forms.absent(row), row.axis ~= nil, row.moves)
 end
 
 return forms

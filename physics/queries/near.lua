@@ -13,6 +13,7 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local check = require(root .. ".fields.check")
+local allot = require(root .. ".memory.allot")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
 local gridLines = require(root .. ".memory.lazy")(root .. ".broadphase.gridLines")
@@ -76,7 +77,7 @@ local function readGroups(v, world)
   for index, record in ipairs(seen.groups) do
     for n = 1, record.count do
       local object = record.list[n]
-      v.rankOf[object], v.recordOf[object] = index * registry.GROUP_SPAN + n, record
+      v.rankOf[object], v.recordOf[object] = index * allot.GROUP_SPAN + n, record
       v.keyOf[object] = record.keys and record.keys[n] or n
       if not b.slotOf[object] then
         v.guestCount = v.guestCount + 1

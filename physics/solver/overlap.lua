@@ -417,9 +417,8 @@ function overlap.noteGrown(b)
       half = b.next[half]
     end
     for k = 2 * i, b.grown[i] and 2 * i + 1 or 0 do
-      b.wasAt[k], b.wasSize[k] = 0, 0
+      b.wasAt[k], b.wasSize[k], b.grown[i] = 0, 0, false
     end
-    b.grown[i] = false
   end
 end
 

@@ -10,6 +10,7 @@
 -- pressedLow or pressedHigh, and heldLow or heldHigh of what was lowered.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local allot = require(root .. ".memory.allot")
 local columns = require(root .. ".memory.columns")
 local ground = require(root .. ".solver.ground")
 local pairFinder = require(root .. ".broadphase.pairFinder")
@@ -118,14 +119,15 @@ local function lower(b, i, most, dt)
   ground.list(b, i, axis, turn, x0, x, start, drop)
   local j, height = ground.highest(b, i, axis, turn, x, here)
   local isLower = j ~= 0 and height > here + EPSILON and shapes.isFlat(b.shape[j])
-  if not isLower or not bears(b, j, k, turn) then
+  if not isLower then
     return false
   elseif height > here + most + EPSILON then
     if height > reach(b, i, axis, turn, x0, x, start, most) + EPSILON then
       return false
     end
   end
-  return put(b, i, j, k, turn, height)
+  j = allot.embody(b, j)
+  return bears(b, j, k, turn) and put(b, i, j, k, turn, height)
 end
 
 -- Adds slot i to those to be lowered, the lowest first.

@@ -5,6 +5,7 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local check = require(root .. ".fields.check")
+local allot = require(root .. ".memory.allot")
 local columns = require(root .. ".memory.columns")
 local compare = require(root .. ".objects.compare")
 local pairFinder = require(root .. ".broadphase.pairFinder")
@@ -195,7 +196,7 @@ local function readKnown(b, st, objects)
     local object, i = objects[n], b.slotOf[objects[n]]
     local isStatic = i and b.kind[i] == STATIC
     if i and (isStatic or object.static) then
-      if isStatic ~= (object.static or false) or compare.firstChanged(b, i, object) then
+      if isStatic ~= (object.static or false) or compare.firstOfStatic(b, i, object) then
         read.refresh(b, i)
       end
     elseif i then
@@ -245,8 +246,8 @@ local function restoreColumn(b, list, slots, entry)
   for at = 1, #list, 1 + width do
     local k = width * slots[list[at]]
     if entry.isLink then
-      column[k] = slots[list[at + 1]]
-    else
+      column[k] = allot.embody(b, slots[list[at + 1]])
+    elseif column[k] ~= nil then
       column[k], column[k + y] = list[at + 1], list[at + 1 + y]
     end
   end
@@ -286,11 +287,12 @@ local function restoreContacts(b, st, slots)
   local list = st.contacts
   pairFinder.run(b, slots, 1, #slots)
   for at = 1, #list, 2 + #PAIRS do
-    local i, j = slots[list[at]], slots[list[at + 1]]
-    local p = columns.pairOf(b, i, j) or columns.link(b, i, j)
+    local one, other = list[at], list[at + 1]
+    local p = columns.pairOf(b, slots[one], slots[other])
+      or columns.link(b, slots[one], slots[other])
     for c = 1, #PAIRS do
       local value = list[at + 1 + c]
-      if b.pairA[p] ~= i and value ~= PAIRS[c][2] then
+      if b.pairA[p] ~= slots[one] and value ~= PAIRS[c][2] then
         value = PAIRS[c][3][value]
       end
       b[PAIRS[c][1]][p] = value
@@ -356,6 +358,7 @@ function restore.world(world, st)
   readKnown(b, st, objects)
   readAll(world, st)
   events.forget(b.events)
+  b.restored = slots
   for n = 1, st.count do
     slots[n] = b.slotOf[objects[n]]
   end
@@ -364,6 +367,7 @@ function restore.world(world, st)
   restoreTouching(b, st, objects, slots)
   restoreEvents(b, st, objects)
   restoreWalls(world)
+  b.restored = {}
   world._saved = st.saved
   world.alpha = world.timestep and max(0, min(st.saved / world.timestep, 1)) or 0
   zones.restore(b)

@@ -1,0 +1,231 @@
+--- Gives each body a slot, that is an index in the columns of a world, and makes the columns.
+--
+-- A static body that has never had a neighbour, as most of a level, has few columns: those of its
+-- place and its fields. Slots up to `lastBody` have all columns, those behind it have only these.
+-- When a static body gets its first neighbour, it moves to a slot with all of them (`embody`). So
+-- until then its slot may change whenever pairs are linked, or a body comes that can move.
+--
+-- Writes all columns of new and of moved bodies.
+
+local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
+local initial = require(root .. ".memory.initial")
+local layout = require(root .. ".memory.layout")
+
+local allot = {}
+
+local floor, max, min, remove = math.floor, math.max, math.min, table.remove
+local EVERY, BODY = layout.EVERY, layout.BODY
+--- Ranks of the objects of one group: a rank is the place in its group behind a multiple of it.
+allot.GROUP_SPAN = 4294967296
+-- Slots are prepared ahead: one for each so many that are in use.
+local AHEAD = 8
+-- Before the static bodies there are so many free slots with all columns. When they are used up,
+-- there is room for one in MORE of all of them on top.
+local ROOM, MORE = 16, 2
+local function fill(column, first, last, value)
+  for at = first, last do
+    column[at] = value
+  end
+end
+
+-- Gives slots the initial values of some columns, column by column. (Slot by slot, 20 000 tiles
+-- take twice as long.)
+local function blank(b, rows, first, last)
+  for n = 1, #rows do
+    local row = rows[n]
+    local shift = row.width == 4 and 1 or 0 -- sides are 1 to 4
+    fill(b[row.name], row.width * first + shift, row.width * (last + 1) + shift - 1, row.value)
+  end
+end
+
+--- Returns the memory of a world in which there is nothing.
+function allot.new()
+  local b = {}
+  initial(b)
+  for n = 1, #layout.FIRST do
+    b[layout.FIRST[n]] = {}
+  end
+  return b
+end
+
+-- Makes the columns, when the first object comes.
+local function make(b)
+  for n = 1, #layout.OTHERS do
+    b[layout.OTHERS[n]] = {}
+  end
+  for _, rows in ipairs({ EVERY, BODY }) do
+    for n = 1, #rows do
+      b[rows[n].name] = {}
+    end
+    blank(b, rows, 0, 0)
+  end
+  -- Slot 0 is the empty slot, that of unlinked pairs. Its size is negative, so it meets nothing.
+  b.next[0], b.previous[0], b.size[0], b.size[1] = 0, 0, -1, -1
+  -- What acts on a body, where there are no zones (see zones).
+  b.flowPull, b.flowAir, b.flowDrag = b.pull, b.airFriction, b.drag
+end
+
+-- Gives the columns that each slot has their first values up to the slot `last`.
+local function prepare(b, last)
+  blank(b, EVERY, b.blankTo + 1, last)
+  b.blankTo = max(b.blankTo, last)
+end
+
+-- Takes a slot behind `lastBody`. (Of the free ones some may be in front of it by now.)
+local function takePlace(b)
+  local i
+  repeat
+    i = remove(b.freePlaces)
+  until not i or i > b.lastBody
+  if i then
+    blank(b, EVERY, i, i)
+  else
+    i = b.slots + 1
+    b.slots = i
+    prepare(b, i > b.blankTo and i + floor(i / AHEAD) or i)
+  end
+  return i
+end
+
+-- Takes a slot with all columns. There must be one.
+local function takeBody(b)
+  local i = remove(b.free)
+  local last = i
+  if not i then
+    i = b.lastUsed + 1
+    b.lastUsed, b.slots = i, max(b.slots, i)
+    last = i > b.bodyBlankTo and min(i + floor(i / AHEAD), b.lastBody) or i - 1
+    b.bodyBlankTo = max(b.bodyBlankTo, last)
+    b.blankTo = max(b.blankTo, last)
+  end
+  blank(b, EVERY, i, last)
+  blank(b, BODY, i, last)
+  return i
+end
+
+-- Moving -----------------------------------------------------------------------------------------
+
+-- Notes that the static body in slot i, which has no neighbours, is about to move to slot j.
+local function note(b, i, j)
+  b.leftCount = b.leftCount + 1
+  b.left[b.leftCount], b.movedTo[i] = i, j
+end
+
+local function renameIn(movedTo, list, count)
+  for n = 1, count do
+    list[n] = movedTo[list[n]] or list[n]
+  end
+end
+
+local function copy(column, width, left, movedTo, count)
+  for n = 1, count do
+    local k, m = width * left[n], width * movedTo[left[n]]
+    column[m], column[m + width - 1] = column[k], column[k + width - 1]
+  end
+end
+
+-- Moves the bodies that were noted, and writes their slots into the lists in which a static body
+-- without neighbours may be. `linkCount` pairs are about to be linked.
+local function moveNoted(b, linkCount)
+  local left, movedTo, places = b.left, b.movedTo, b.freePlaces
+  for n = 1, #EVERY do
+    copy(b[EVERY[n].name], EVERY[n].width, left, movedTo, b.leftCount)
+  end
+  renameIn(movedTo, b.linkOne, linkCount)
+  renameIn(movedTo, b.linkOther, linkCount)
+  renameIn(movedTo, b.movedList, b.movedCount)
+  renameIn(movedTo, b.entered, b.enteredCount)
+  renameIn(movedTo, b.zoneList, #b.zoneList)
+  renameIn(movedTo, b.restored, #b.restored)
+  for n = 1, b.leftCount do
+    local i, j = left[n], movedTo[left[n]]
+    b.slotOf[b.object[j]], b.group[j].slots[b.rank[j] % allot.GROUP_SPAN] = j, j
+    if b.placed[j] ~= 0 then
+      b.broadphase:remove(i)
+      b.broadphase:insert(j)
+    end
+    b.object[i], b.kind[i], movedTo[i], places[#places + 1] = false, 0, nil, i
+  end
+  b.leftCount = 0
+end
+
+-- Makes room for `count` more bodies with all columns.
+local function makeRoom(b, count, linkCount)
+  local first = b.lastBody + 1
+  if #b.free + b.lastBody - b.lastUsed >= count then
+    return
+  end
+  b.lastBody = b.lastBody + max(count, ROOM, floor(b.lastBody / MORE))
+  b.slots = max(b.slots, b.lastBody)
+  prepare(b, b.slots)
+  for i = first, b.lastBody do
+    if b.object[i] then
+      note(b, i, takePlace(b))
+    end
+  end
+  moveNoted(b, linkCount)
+end
+
+-- Notes the bodies of a list that have no slot with all columns, and takes one for each.
+local function noteAll(b, list, count)
+  for n = 1, count do
+    if list[n] > b.lastBody and not b.movedTo[list[n]] then
+      note(b, list[n], takeBody(b))
+    end
+  end
+end
+
+--- Gives the bodies of the pairs in b.linkOne and b.linkOther slots with all columns.
+function allot.embodyLinked(b, count)
+  local ones, others, last = b.linkOne, b.linkOther, 0
+  for n = 1, count do
+    last = max(last, ones[n], others[n])
+  end
+  if last > b.lastBody then
+    makeRoom(b, 2 * count, count)
+    noteAll(b, ones, count)
+    noteAll(b, others, count)
+    moveNoted(b, count)
+  end
+end
+
+--- Gives a body a slot with all columns. Returns its slot.
+function allot.embody(b, i)
+  b.linkOne[1], b.linkOther[1] = i, i
+  allot.embodyLinked(b, 1)
+  return b.linkOne[1]
+end
+
+-- Coming and going -------------------------------------------------------------------------------
+
+--- Takes a slot for a new object and returns it. All its columns have their initial values.
+function allot.claim(b, isStatic)
+  if not b.object then
+    make(b)
+  end
+  b.count = b.count + 1
+  if not isStatic then
+    makeRoom(b, 1, 0)
+    return takeBody(b)
+  elseif b.lastBody == math.huge then
+    b.lastBody, b.slots = b.lastUsed + ROOM, b.lastUsed + ROOM
+    b.bodyBlankTo = min(b.bodyBlankTo, b.lastBody)
+    prepare(b, b.lastBody)
+  end
+  return takePlace(b)
+end
+
+--- Gives the columns of bodies their first values: a body has got another kind.
+function allot.clear(b, i)
+  blank(b, BODY, i, i <= b.lastBody and i or i - 1)
+end
+
+--- Gives a slot back. Its pairs must have been unlinked.
+function allot.release(b, i)
+  local list = i > b.lastBody and b.freePlaces or b.free
+  allot.clear(b, i)
+  blank(b, EVERY, i, i)
+  b.count, list[#list + 1] = b.count - 1, i
+end
+
+return allot
