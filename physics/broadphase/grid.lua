@@ -281,14 +281,7 @@ local function addMembers(self, list, cellCount, askers, found)
   local n, at = 0, 0
   local i, asker = cells[1], list[cells[2]]
   while at < cellCount do
-    local k, m = 2 * asker, 2 * i
-    local meets = min(
-      fatHigh[k] - fatLow[m],
-      fatHigh[m] - fatLow[k],
-      fatHigh[k + 1] - fatLow[m + 1],
-      fatHigh[m + 1] - fatLow[k + 1]
-    ) -- as `contact`
-    if meets >= 0 and keys[i] == cells[at + 3] then
+    if contact(fatLow, fatHigh, 2 * asker, 2 * i) >= 0 and keys[i] == cells[at + 3] then
       n = n + 1
       askers[n], found[n] = asker, i
     end
@@ -355,7 +348,7 @@ function grid:query(left, top, right, bottom, out)
   return (self:overlaps(self.querySlots, 1, self.answers, out))
 end
 
-grid.cellAt, grid.bucketOf, grid.mostCells = cellAt, bucketOf, mostCells
+grid.cellAt, grid.bucketOf, grid.mostCells, grid.contact = cellAt, bucketOf, mostCells, contact
 
 --- Returns the cell of slot i, counted from 0, 0, and its width in px.
 function grid:cellOf(i)

@@ -12,11 +12,13 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
+local grid = require(root .. ".broadphase.grid")
 local islands = require(root .. ".sleep.islands")
 
 local pairFinder = {}
 
 local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
+local contact = grid.contact
 local floor, huge, max, min = math.floor, math.huge, math.max, math.min
 
 -- Margin around a path, px, and around a static object, which does not move.
@@ -38,14 +40,7 @@ local function listParted(b, strays, count)
       m = m + 1
       half = head[strays[m]]
     else
-      local k, l = 2 * strays[m], 2 * other[half]
-      local apart = max(
-        fatLow[l] - fatHigh[k],
-        fatLow[k] - fatHigh[l],
-        fatLow[l + 1] - fatHigh[k + 1],
-        fatLow[k + 1] - fatHigh[l + 1]
-      )
-      if apart > 0 then
+      if contact(fatLow, fatHigh, 2 * strays[m], 2 * other[half]) < 0 then
         local p = floor(half * 0.5 + 0.5)
         if
           b.contact[p] == 0
