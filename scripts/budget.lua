@@ -6,11 +6,11 @@
 
 local BUDGET = {
   { "physics.lua", 96 },
-  { "physics/broadphase", 712 },
+  { "physics/broadphase", 700 },
   { "physics/contacts", 443 },
   { "physics/fields", 719 },
   { "physics/maps", 2652 },
-  { "physics/memory", 871 },
+  { "physics/memory", 870 },
   { "physics/motion", 1116 },
   { "physics/objects", 1608 },
   { "physics/queries", 847 },
@@ -18,7 +18,7 @@ local BUDGET = {
   { "physics/solver", 4373 },
   { "physics/space", 381 },
   { "physics/state", 1009 },
-  { "physics/world", 1550 },
+  { "physics/world", 1537 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 

@@ -34,7 +34,6 @@ local NEXT = {
   ["world.bounds"] = "set",
   ["world.checked"] = "misspelt wrongGroup refusesNothing checkRows checkMasks",
   ["world.class"] = "search",
-  ["world.draw"] = "isPlainList",
   ["world.world"] = "save",
 }
 
