@@ -99,22 +99,11 @@ describe("world:loadTiled refuses", function()
       { { x = 0, y = 0, width = 2, height = 1, data = { 1 } } },
       'layer "ground", chunk 1: data must hold 2 gids (2 x 1), got 1',
     },
-    {
-      "layers.2.properties.friction",
-      "ice",
-      'layer "all": friction must be a number >= 0, got …',
-    },
     { "layers.2.properties", 5, 'layer "all": properties must be a table, got 5' },
     {
       "layers.2.properties",
       { "solid" },
       'layer "all": properties must have strings as keys, …',
-    },
-    { "tilesets.1.tiles.1.properties.solid", "often", 'tileset "terrain", tile 0: solid must …' },
-    {
-      SHAPES .. "properties.oneWay",
-      "up",
-      'tileset "terrain", tile 1, shape 3: oneWay must be …',
     },
     { SHAPES .. "width", NONE, G .. "the map is damaged: …" },
     { "layers.1.objects", NONE, 'layer "things": the map is damaged: …' },
@@ -122,8 +111,6 @@ describe("world:loadTiled refuses", function()
     { "layers.1.objects.1.x", NAN, 'layer "things", object 5: x must be a number, got nan' },
     { "layers.1.objects.2.width", -1, C .. "width must be a number > 0, got -1" },
     { "layers.1.objects.2.gid", 99, C .. "gid must be a gid of one of the tilesets, got 99" },
-    { "layers.1.objects.2.properties.mass", 0, C .. "mass must be a number > 0, got 0" },
-    { "layers.1.objects.2.properties.onBegin", "open", C .. "onBegin must be a function, got …" },
     {
       "layers.1.objects.2.properties",
       { vx = "a", ax = "b", mass = "c" }, -- the first by name
