@@ -15,7 +15,7 @@ local BUDGET = {
   { "physics/objects", 1608 },
   { "physics/queries", 847 },
   { "physics/sleep", 90 },
-  { "physics/solver", 4373 },
+  { "physics/solver", 4365 },
   { "physics/space", 381 },
   { "physics/state", 1009 },
   { "physics/world", 1537 },
