@@ -34,7 +34,7 @@ describe("pushable = false", function()
   end
 
   -- Objects by name: x, vx, mass; speeds that the game writes before each step; for how long; where
-  -- all are then, and who is not still, but how fast.
+  -- all are then, and which is not still, but how fast.
   local ROWS = {
     { "stops a box", { P = at(20), U = at(80) }, { P = 100 }, 1, { P = 64, U = 80 } },
     { "stops one of 1000 px/s", { P = at(20), U = at(80) }, { P = 1000 }, 1, { P = 64, U = 80 } },
