@@ -471,7 +471,7 @@ describe("sensor", function()
     { "when it is kinematic", { static = false, kinematic = true, vx = 600 }, 200, {}, 1, 1 },
     { "when it is dynamic", { static = false, vx = 600 }, 200, {}, 1, 1 },
     { "nothing that its mask refuses", { mask = { boxes = false } }, 0, { vx = 600 }, 0, 0 },
-    { "nothing with a mask that refuses it", {}, 0, { vx = 600, mask = { sensors = false } }, 0, 0 },
+    { "nothing with a mask against it", {}, 0, { vx = 600, mask = { sensors = false } }, 0, 0 },
   }) do
     it("sees " .. row[1], function()
       local log = listen(newSensor(100, 0, 16, 16, row[2]))
