@@ -901,3 +901,29 @@ it("profile: a clock in it tells how long the stages of a step took", function()
   world:update(1 / 60)
   assert.is_nil(world.stats.times)
 end)
+
+-- While the press moved the ball counted as one that may bounce, which nothing squeezes.
+it("crushed: a ball is told once, also if the press stops or turns while it holds it", function()
+  for _, rate in ipairs({ 30, 60, 144 }) do
+    for _, after in ipairs({ 0, 60, -30 }) do
+      local world, told = physics.newWorld({ gravity = 800 }), 0
+      world:add("floors", { x = -50, y = 100, width = 200, height = 20, static = true })
+      local press = { x = -50, y = 20, width = 150, height = 20, kinematic = true, vy = 60 }
+      world:add("presses", press)
+      world:add("balls", {
+        x = 0,
+        y = 84,
+        radius = 8,
+        onCrush = function()
+          told = told + 1
+        end,
+      })
+      for step = 1, 2 * rate do
+        press.vy = press.y < 68 and step < 1.5 * rate and 60 or step < 1.5 * rate and 0 or after
+        world:update(1 / rate)
+        press.vy = press.y > 80 and 0 or press.vy
+      end
+      assert.same({ rate, after, 1 }, { rate, after, told })
+    end
+  end
+end)
