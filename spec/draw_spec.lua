@@ -124,6 +124,7 @@ describe("draw", function()
     { "on the right", { touching = "right" }, nil, BOTH .. "|24 20 2 16" },
     { "no side if told so", { touching = "left" }, { touching = false }, BOTH },
     { "the solid side of a ledge", { oneWay = "top" }, nil, FAINT .. "|10 20 16 4" },
+    { "of one that is so by true", { oneWay = true }, nil, FAINT .. "|10 20 16 4" },
     { "of a roof", { oneWay = "bottom" }, nil, FAINT .. "|10 32 16 4" },
     { "of a gate", { oneWay = "left" }, nil, FAINT .. "|10 20 4 16" },
     { "of another", { oneWay = "right" }, nil, FAINT .. "|22 20 4 16" },

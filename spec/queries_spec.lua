@@ -342,6 +342,7 @@ describe("sweep", function()
       { active = false },
       { mask = { a = false } },
       { oneWay = "top" },
+      { oneWay = true },
       { oneWay = "right" },
     }) do
       local world, object, wall = scene(fields)
@@ -819,6 +820,7 @@ describe("explain", function()
     { { static = true }, { static = true }, "never collide: both are static" },
     { { sensor = true }, {}, "objects.b[1] is a sensor" },
     { { oneWay = "top" }, {}, "objects.b[1] is solid only at its top" },
+    { { oneWay = true }, {}, "objects.b[1] is solid only at its top" },
     { { canCollide = function() end }, {}, "canCollide of objects.b[1] may refuse" },
   }) do
     it("says: " .. row[3], function()
