@@ -21,7 +21,7 @@ allot.GROUP_SPAN = 4294967296
 local AHEAD = 8
 -- Before the static bodies there are so many free slots with all columns. When they are used up,
 -- there is room for one in MORE of all of them on top.
-local ROOM, MORE = 16, 2
+local ROOM, MORE = 8, 2
 local function fill(column, first, last, value)
   for at = first, last do
     column[at] = value
