@@ -10,7 +10,7 @@ local BUDGET = {
   { "physics/contacts", 443 },
   { "physics/fields", 719 },
   { "physics/maps", 2652 },
-  { "physics/memory", 870 },
+  { "physics/memory", 866 },
   { "physics/motion", 1116 },
   { "physics/objects", 1606 },
   { "physics/queries", 847 },

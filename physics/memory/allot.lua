@@ -159,17 +159,18 @@ local function makeRoom(b, count, linkCount)
   b.slots = max(b.slots, b.lastBody)
   prepare(b, b.slots)
   for i = first, b.lastBody do
-    if b.object[i] then
+    if b.object[i] and not b.movedTo[i] then
       note(b, i, takePlace(b))
     end
   end
-  moveNoted(b, linkCount)
+  moveNoted(b, linkCount) -- and what was noted before
 end
 
 -- Notes the bodies of a list that have no slot with all columns, and takes one for each.
 local function noteAll(b, list, count)
   for n = 1, count do
     if list[n] > b.lastBody and not b.movedTo[list[n]] then
+      makeRoom(b, 1, count) -- (it may move the body)
       note(b, list[n], takeBody(b))
     end
   end
@@ -177,14 +178,9 @@ end
 
 --- Gives the bodies of the pairs in b.linkOne and b.linkOther slots with all columns.
 function allot.embodyLinked(b, count)
-  local ones, others, last = b.linkOne, b.linkOther, 0
-  for n = 1, count do
-    last = max(last, ones[n], others[n])
-  end
-  if last > b.lastBody then
-    makeRoom(b, 2 * count, count)
-    noteAll(b, ones, count)
-    noteAll(b, others, count)
+  noteAll(b, b.linkOne, count)
+  noteAll(b, b.linkOther, count)
+  if b.leftCount > 0 then
     moveNoted(b, count)
   end
 end
