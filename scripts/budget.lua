@@ -17,7 +17,7 @@ local BUDGET = {
   { "physics/sleep", 90 },
   { "physics/solver", 4365 },
   { "physics/space", 381 },
-  { "physics/state", 1009 },
+  { "physics/state", 1008 },
   { "physics/world", 1537 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
