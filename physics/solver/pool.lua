@@ -22,7 +22,8 @@ local path = require(root .. ".motion.path")
 
 local pool = {}
 
-local EPSILON = columns.EPSILON
+-- px: of a touch, and what a flush place may be rounded by.
+local EPSILON, ROUNDING = columns.EPSILON, 1e-9
 local floor, max, min = math.floor, math.max, math.min
 local HUGE = math.huge
 -- Maximum number of walks along the contacts, forwards and backwards.
@@ -213,8 +214,8 @@ end
 -- Returns where block m, or its speed, ends that is pushed from `now` to `new`, towards `sign`.
 -- What is not pushable is stopped, but not taken further than `rest`.
 local function limit(b, m, now, new, rest, sign)
-  local most = b.blocks.power[m] == HUGE and max(now * sign, rest * sign) or HUGE
-  return sign * min(new * sign, most)
+  local isMoved = b.blocks.power[m] == HUGE and (new - rest) * sign > ROUNDING
+  return isMoved and sign * min(new * sign, max(now * sign, rest * sign)) or new
 end
 
 -- Puts block m at `place`, flush against block k, which keeps its motion because it is held or

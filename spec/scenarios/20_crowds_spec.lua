@@ -136,8 +136,8 @@ describe("a crowd", function()
       end
       for step = 1, 400 do
         crowd:step(1 / 60)
-        local x, y = crowd.player.x, crowd.player.y
-        assert.same({ seed, step, -8, -12 }, { seed, step, x, y })
+        local way = math.max(math.abs(crowd.player.x + 8), math.abs(crowd.player.y + 12))
+        assert.same({ seed, step, true }, { seed, step, way < 1e-8 }) -- places are rounded
       end
     end
   end)
