@@ -94,17 +94,11 @@ local function shortestSide(b, p)
   if isSwapped then
     i, j = b.pairB[p], b.pairA[p]
   end
-  local to, size, ki, kj = b.to, b.size, 2 * i, 2 * j
-  local side = columns.SIDE[shapes.side(
-    to[ki],
-    to[ki + 1],
-    size[ki],
-    size[ki + 1],
-    to[kj],
-    to[kj + 1],
-    size[kj],
-    size[kj + 1]
-  )]
+  local to, size, k, m = b.to, b.size, 2 * i, 2 * j
+  local x, y, width, height = to[k], to[k + 1], size[k], size[k + 1]
+  local itsX, itsY, itsWidth, itsHeight = to[m], to[m + 1], size[m], size[m + 1]
+  local name = shapes.side(x, y, width, height, itsX, itsY, itsWidth, itsHeight)
+  local side = columns.SIDE[name]
   return isSwapped and OPPOSITE[side] or side
 end
 
@@ -189,6 +183,11 @@ function contactState.ask(b)
   end
 end
 
+-- Returns whether slot i has stayed in its place, whatever met it.
+local function isStill(b, i)
+  return b.kind[i] == columns.STATIC or b.stillAt[i] == b.solveStamp
+end
+
 -- Updates whether pair p is in contact now, and notes its events.
 local function update(b, p)
   local i, j = b.pairA[p], b.pairB[p]
@@ -205,6 +204,8 @@ local function update(b, p)
   if now == before then
     if now ~= 0 then
       events.stay(b, p, now)
+    elseif isStill(b, i) and isStill(b, j) then
+      b.hit[p] = 0 -- what was put back has met nothing: it may sleep
     elseif b.hit[p] ~= 0 then
       events.bounce(b, p, b.hit[p], b.hitSpeed[p])
       b.news[i], b.news[j] = true, true -- each bounce is an event, so they must not sleep
