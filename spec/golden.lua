@@ -3,7 +3,7 @@
 --- Every change of them is a **Behaviour** entry of the changelog.
 return {
   everything = "43572523034037",
-  games5000001 = "818580658",
+  games5000001 = "1962119043",
   games5000004 = "44067614",
   games5000009 = "1164247699",
   snap = "14057959718007",
