@@ -32,9 +32,12 @@ leftOut.starts = {
 }
 
 leftOut.specs = {
+  ["checked keeps no world alive"] = WEAK,
+  ["world:move leaves no garbage with a list of its own"] = MEMORY,
+  ["queryRect and the others leaves no garbage"] = MEMORY,
+  ["queryRect and the others may be asked inside canCollide and inside events; only in these it may be moved"] = CLOSURES,
   ["a damaged map of LDtk is loaded or refused, and never half"] = LEVELS,
   ['world:loadLDtk refuses layerInstances.2.__pxTotalOffsetX: layer "Collisions": x must be a number, got nan'] = LEVELS,
-  ["onBegin: the place of a contact is told after an error and a restore, too"] = CLOSURES,
   ["world:loadTiled, polygons are boxes and slopes: by a hand that trembles"] = "a number shows all its digits as a text",
   ["the line that an error names is the third level's where there is no debug library #files"] = LEVELS,
   ["world:save fills a table again, without garbage"] = MEMORY,
@@ -42,10 +45,8 @@ leftOut.specs = {
   ["on Windows files with CR LF do the same, to the bit #files"] = CLOSURES,
   ["a new field needs one row, and a line where it acts: it is in the manual, in the types, and known to `checked` #files"] = "about the scripts that write the manual",
   ["ownFields are refused when they cannot be written, and nothing has changed"] = "math.huge is finite",
-  ["a checked world keeps no world alive"] = WEAK,
   ["an area makes no garbage"] = MEMORY,
   ["a busy scene loses no object and keeps its memory"] = MEMORY,
-  ["world:move leaves no garbage then"] = MEMORY,
   ["world:addTiles keeps no memory of what was dug and built a thousand times"] = MEMORY,
   ["world :loadTiled reads an export of Tiled through love.filesystem where there is one"] = "about LÖVE",
 }
