@@ -42,7 +42,6 @@ leftOut.specs = {
   ["the line that an error names is the third level's where there is no debug library #files"] = LEVELS,
   ["world:save fills a table again, without garbage"] = MEMORY,
   ["world:restore keeps no object alive that has left, whatever the game has put into `touching`"] = WEAK,
-  ["on Windows files with CR LF do the same, to the bit #files"] = CLOSURES,
   ["a new field needs one row, and a line where it acts: it is in the manual, in the types, and known to `checked` #files"] = "about the scripts that write the manual",
   ["ownFields are refused when they cannot be written, and nothing has changed"] = "math.huge is finite",
   ["an area makes no garbage"] = MEMORY,
