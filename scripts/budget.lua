@@ -15,7 +15,7 @@ local BUDGET = {
   { "physics/objects", 1606 },
   { "physics/queries", 847 },
   { "physics/sleep", 90 },
-  { "physics/solver", 4364 },
+  { "physics/solver", 4363 },
   { "physics/space", 381 },
   { "physics/state", 1008 },
   { "physics/world", 1537 },

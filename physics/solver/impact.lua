@@ -316,7 +316,7 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
     b.isJammed = true
     return true, separation
   end
-  if lean ~= 0 and touch.isDeflected(b, i, j, lean, r, isLate) then
+  if lean ~= 0 and touch.isDeflected(b, i, j, r, isLate) then
     touch.deflect(b, i, j, axis, lean, r, o, v, a, u, tau)
     return false, separation
   end

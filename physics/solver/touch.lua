@@ -284,11 +284,10 @@ function touch.lean(b, i, j, axis)
 end
 
 --- Whether two that meet at a sloped edge bounce, or slide, along its normal: with restitution r,
---- or without gravity, unless others press them there. `lean` is what `touch.lean` says.
-function touch.isDeflected(b, i, j, lean, r, isLate)
+--- or without gravity, unless others press them there.
+function touch.isDeflected(b, i, j, r, isLate)
   local box = order(b, i, j)
-  return lean ~= 0
-    and (r > 0 or (isFloating(b, box) and b.impactsOf[box] <= DEFLECTED and not isLate))
+  return r > 0 or (isFloating(b, box) and b.impactsOf[box] <= DEFLECTED and not isLate)
 end
 
 --- Deflects one of two that meet at a sloped edge, along the normal of that: at the end of the step
@@ -304,8 +303,8 @@ function touch.deflect(b, i, j, axis, lean, r, o, v, a, u, tau)
   local share = -SOLID[axis][shape] / (1 + lean * lean)
   b.deflectedAt[box] = b.solveStamp
   if b.give[k] > 0 then
-    b.to[k], b.to[t] = b.to[k] + way * share, b.to[t] - way * share * lean
-    b.speed[k], b.speed[t] = b.speed[k] + change * share, b.speed[t] - change * share * lean
+    path.add(b, k, way * share, change * share)
+    path.add(b, t, -way * share * lean, -change * share * lean)
   end
 end
 
