@@ -7,18 +7,18 @@
 local BUDGET = {
   { "physics.lua", 96 },
   { "physics/broadphase", 700 },
-  { "physics/contacts", 442 },
+  { "physics/contacts", 444 },
   { "physics/fields", 719 },
   { "physics/maps", 2651 },
-  { "physics/memory", 867 },
+  { "physics/memory", 860 },
   { "physics/motion", 1116 },
-  { "physics/objects", 1606 },
+  { "physics/objects", 1608 },
   { "physics/queries", 847 },
   { "physics/sleep", 90 },
-  { "physics/solver", 4363 },
+  { "physics/solver", 4362 },
   { "physics/space", 381 },
   { "physics/state", 1008 },
-  { "physics/world", 1537 },
+  { "physics/world", 1539 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 

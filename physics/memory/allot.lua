@@ -14,7 +14,7 @@ local layout = require(root .. ".memory.layout")
 local allot = {}
 
 local floor, max, min, remove = math.floor, math.max, math.min, table.remove
-local EVERY, BODY = layout.EVERY, layout.BODY
+local EVERY, BODY, PAIR = layout.EVERY, layout.BODY, layout.PAIR
 --- Ranks of the objects of one group: a rank is the place in its group behind a multiple of it.
 allot.GROUP_SPAN = 4294967296
 -- Slots are prepared ahead: one for each so many that are in use.
@@ -31,10 +31,10 @@ end
 -- Gives slots the initial values of some columns, column by column. (Slot by slot, 20 000 tiles
 -- take twice as long.)
 local function blank(b, rows, first, last)
-  for n = 1, #rows do
-    local row = rows[n]
-    local shift = row.width == 4 and 1 or 0 -- sides are 1 to 4
-    fill(b[row.name], row.width * first + shift, row.width * (last + 1) + shift - 1, row.value)
+  for n = 1, #rows.names do
+    local width = rows.widths[n]
+    local shift = width == 4 and 1 or 0 -- sides are 1 to 4
+    fill(b[rows.names[n]], width * first + shift, width * (last + 1) + shift - 1, rows.values[n])
   end
 end
 
@@ -53,9 +53,9 @@ local function make(b)
   for n = 1, #layout.OTHERS do
     b[layout.OTHERS[n]] = {}
   end
-  for _, rows in ipairs({ EVERY, BODY }) do
-    for n = 1, #rows do
-      b[rows[n].name] = {}
+  for _, rows in ipairs({ EVERY, BODY, PAIR }) do
+    for n = 1, #rows.names do
+      b[rows.names[n]] = {}
     end
     blank(b, rows, 0, 0)
   end
@@ -128,8 +128,8 @@ end
 -- without neighbours may be. `linkCount` pairs are about to be linked.
 local function moveNoted(b, linkCount)
   local left, movedTo, places = b.left, b.movedTo, b.freePlaces
-  for n = 1, #EVERY do
-    copy(b[EVERY[n].name], EVERY[n].width, left, movedTo, b.leftCount)
+  for n = 1, #EVERY.names do
+    copy(b[EVERY.names[n]], EVERY.widths[n], left, movedTo, b.leftCount)
   end
   renameIn(movedTo, b.linkOne, linkCount)
   renameIn(movedTo, b.linkOther, linkCount)

@@ -55,7 +55,7 @@ columns.RANKS = 2 ^ 40
 columns.UNTOLD = -1
 
 local max, min = math.max, math.min
-local PAIR_NAMES = layout.PAIR_NAMES
+local PAIR = layout.PAIR
 
 --- Sides are numbers inside: left, right, top, bottom are 1 to 4, so that the side on `axis` is
 --- `2 * axis + 1` (low) or `2 * axis + 2` (high).
@@ -112,8 +112,8 @@ end
 -- Gives new pairs their initial values.
 local function resetPairs(b, count)
   local linked = b.linked
-  for m = 1, #PAIR_NAMES do
-    local column, value = b[PAIR_NAMES[m]], layout.PAIR[PAIR_NAMES[m]]
+  for m = 1, #PAIR.names do
+    local column, value = b[PAIR.names[m]], PAIR.values[m]
     for n = 1, count do
       column[linked[n]] = value
     end

@@ -23,11 +23,11 @@ local drift = require(root .. ".motion.drift")
 local flow = require(root .. ".solver.flow")
 local friction = require(root .. ".solver.friction")
 local move = require(root .. ".motion.move")
-local nudge = require(root .. ".solver.nudge")
+local nudge = require(root .. ".memory.lazy")(root .. ".solver.nudge")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local pool = require(root .. ".solver.pool")
 local pressed = require(root .. ".solver.pressed")
-local relax = require(root .. ".solver.relax")
+local relax = require(root .. ".memory.lazy")(root .. ".solver.relax")
 local islands = require(root .. ".sleep.islands")
 local rounds = require(root .. ".solver.rounds")
 local settle = require(root .. ".solver.settle")
@@ -174,7 +174,9 @@ local function solve(b, dt)
   if b.awakenings ~= awakenings then
     return false
   end
-  relax.run(b, dt, hasChanged)
+  if hasChanged or b.hasRound or b.hasPacked then
+    relax.run(b, dt, hasChanged)
+  end
   if b.hasSnaps then
     snap.run(b, dt)
   end
