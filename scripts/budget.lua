@@ -12,7 +12,7 @@ local BUDGET = {
   { "physics/maps", 2651 },
   { "physics/memory", 860 },
   { "physics/motion", 1116 },
-  { "physics/objects", 1608 },
+  { "physics/objects", 1522 },
   { "physics/queries", 847 },
   { "physics/sleep", 90 },
   { "physics/solver", 4362 },

@@ -1,9 +1,9 @@
---- Compares the game's groups with what was seen of them last: which objects have come to a place,
---- and which have gone from one.
+--- Compares the game's groups with what was seen of them last: from which place on they differ, and
+--- which keys they have.
 --
--- As long as nothing has changed, that is one comparison an object. A group that has changed is
--- compared on from the first difference. Nothing follows the order of `pairs`: groups come in the
--- order of `order`, then by name; objects by key; numbers before strings.
+-- As long as nothing has changed, that is one comparison an object. Nothing follows the order of
+-- `pairs`: groups come in the order of `order`, then by name; objects by key; numbers before
+-- strings.
 --
 -- Reads the game's groups. Writes the records of groups; their lists are taken over by
 -- registry.lua.
@@ -14,7 +14,6 @@ local keyOrder = require(root .. ".memory.keyOrder")
 
 local groups = {}
 
-local max = math.max
 local FEW = 64 -- groups up to this size are counted each time
 
 -- Returns a record of a group of which nothing is known yet.
@@ -28,14 +27,10 @@ local function newRecord(name, source)
     slots = {}, -- their slots, 0: not entered yet,
     keys = false, -- and their keys; false: 1 to `count`
     count = 0,
-    stale = true, -- it has changed from place `first` on
-    first = 1,
-    newKeys = false, -- what a stale one holds now
+    first = 1, -- the place from which on it has changed; count + 1: it has not
+    newKeys = false, -- what it holds now,
     newCount = 0,
-    come = {}, -- its places, in order, that hold another object than before,
-    comeCount = 0,
-    gone = {}, -- and its old places from which an object has gone
-    goneCount = 0,
+    found = {}, -- and the slots of that, from `first` on
     movers = {}, -- slots of those that are not static (see read.lua),
     isListed = true, -- if none has come, gone or moved since they were listed
     mixed = false, -- its keys were not 1, 2, 3 … in the order of `next`
@@ -120,7 +115,7 @@ function groups.firstChange(record)
   return hasOthers(record, count, false) and count + 1 or nil
 end
 
---- Returns the n-th member of a stale group, and its key.
+--- Returns the n-th member that a group has now, and its key.
 function groups.memberAt(record, n)
   local key = record.newKeys and record.newKeys[n] or n
   return record.direct and record.source or rawget(record.source, key), key
@@ -128,74 +123,23 @@ end
 
 -- What has changed --------------------------------------------------------------------------------
 
-local function come(record, n)
-  record.comeCount = record.comeCount + 1
-  record.come[record.comeCount] = n
-end
-
---- Notes that what stood at these places has gone.
-function groups.go(record, first, last)
-  for n = first, last do
-    record.goneCount = record.goneCount + 1
-    record.gone[record.goneCount] = n
+-- Finds under which keys a group holds objects now, if it has changed from place `first` on.
+local function readKeys(record, first)
+  local source, n = record.source, record.keys and 1 or first
+  if record.count == 0 then
+    record.direct = isObject(source) -- it may have been filled since it was first seen
   end
-end
-
--- Returns the place at which an object stood in a group under numbers; 0: at none.
-local function oldPlace(b, record, object)
-  local slot = b.slotOf[object]
-  return slot and b.group[slot] == record and not record.keys and b.key[slot] or 0
-end
-
--- Compares the numbers of a group from n on with the old ones from `old` on. Where the two differ,
--- it goes on with the place that the object had: what stood before that has gone. Returns the last
--- one.
-local function compareOn(b, record, n, old)
-  local source, list, count = record.source, record.list, record.count
-  local object
-  repeat
-    while old <= count and rawequal(rawget(source, n), list[old]) do
-      n, old = n + 1, old + 1
+  record.first, record.newKeys, record.newCount = n, false, 1
+  if not record.direct then
+    while rawget(source, n) ~= nil do
+      n = n + 1
     end
-    object = rawget(source, n)
-    if object ~= nil then
-      local isReplaced = old < count and rawequal(rawget(source, n + 1), list[old + 1])
-      local at = isReplaced and old + 1 or max(old, oldPlace(b, record, object))
-      groups.go(record, old, at - 1)
-      old = at
-      if old > count or not rawequal(object, list[old]) then
-        come(record, n)
-        n = n + 1
-      end
-    end
-  until object == nil
-  groups.go(record, old, count)
-  return n - 1
-end
-
--- Finds what a changed group holds now, and what has come and gone from place `first` on.
-local function compareGroup(b, record, first)
-  local count, old = record.count, first
-  record.comeCount, record.goneCount, record.newKeys = 0, 0, false
-  if count == 0 then
-    record.direct = isObject(record.source) -- it may have been filled since it was first seen
-  end
-  if record.keys or record.direct then
-    first, old = 1, count + 1
-    groups.go(record, 1, count)
-  end
-  record.newCount = record.direct and 1 or compareOn(b, record, first, old)
-  if record.direct then
-    come(record, 1)
-  elseif hasOthers(record, record.newCount, record.newCount > count) then
-    record.newKeys = sortedKeys(record.source, check.place(record.name))
-    record.newCount, record.comeCount, record.goneCount, first = #record.newKeys, 0, 0, 1
-    groups.go(record, 1, count)
-    for n = 1, record.newCount do
-      come(record, n)
+    record.newCount = n - 1
+    if hasOthers(record, n - 1, n - 1 > record.count) then
+      record.newKeys = sortedKeys(source, check.place(record.name))
+      record.first, record.newCount = 1, #record.newKeys
     end
   end
-  record.first = first
 end
 
 --- Returns whether there are other groups than those that were seen last.
@@ -241,13 +185,13 @@ end
 
 --- Compares the groups with what was read last. Returns whether anything has changed. (A group with
 --- another place gets other ranks, so all of it is read.)
-function groups.compareAll(b, records)
+function groups.compareAll(records)
   local isAny = false
   for index, record in ipairs(records) do
     local change = record.index ~= index and 1 or groups.firstChange(record)
-    record.stale = change ~= nil
+    record.first, record.newKeys, record.newCount = record.count + 1, record.keys, record.count
     if change then
-      compareGroup(b, record, change)
+      readKeys(record, change)
       isAny = true
     end
   end
