@@ -1,12 +1,13 @@
 --- One-way objects: solid on one side, open on the others.
 
+local play = require("spec.support.play")
 local scene = require("spec.support.scene")
 local turn = require("spec.support.turn")
 local variants = require("spec.support.variants")
 
 local EVERYWHERE, SOME = variants.EVERYWHERE, variants.SOME
 local SETTLE = 1 / 6
-local sqrt = math.sqrt
+local row = play.row
 
 local way = scene.thing(
   "ways",
@@ -18,22 +19,8 @@ local lift = scene.thing(
 )
 local tile =
   scene.thing("tiles", { name = "floor", x = 0, y = 300, width = 200, height = 8, static = true })
+local solid = scene.maker("tiles", { static = true })
 local body = scene.thing("players", { name = "body", x = 50, y = 200, width = 16, height = 24 })
-
-local function settled(run, description)
-  local named = run:build(description)
-  run:play(SETTLE)
-  return named, run:listen(named.body)
-end
-
-local function had(run, log, begins, ends)
-  run:same("begins", log.begins, begins)
-  run:same("ends", log.ends, ends)
-end
-
-local function drop(run, view, expected)
-  run:same("dropThrough", run.world:dropThrough(view.raw), expected)
-end
 
 --    .  feet reach 60
 --   ===============  100
@@ -42,461 +29,392 @@ end
 --   +-+
 --   ---------------  300
 describe("oneWay: jumped through from below", function()
-  for _, row in ipairs({
-    -- highest feet, feet at the end
-    { 60, 100 },
-    { 90, 100 },
-    { 99, 100 },
-    { 104, 300 },
-    { 108.5, 300 },
-    { 112, 300 },
-  }) do
-    local peak, ends = row[1], row[2]
-    for name, feet in pairs({ ["the air"] = 224, ["the floor"] = 300 }) do
-      local title = "(7) from %s, feet up to %g, ends at feet %g"
-      scene.it(title:format(name, peak, ends), EVERYWHERE, function(run)
-        local named = run:build({ way(), tile(), body({ y = feet - 24 }) })
-        if feet == 300 then
-          run:play(SETTLE)
-        end
-        local log = run:listen(named.body)
-        local up = sqrt(1600 * (feet - peak))
-        named.body.vy = -up
-        local hits = up / 800 + sqrt((ends - peak) / 400)
-        for time in run:steps(2) do
-          run:near("x", named.body.x, 50)
-          local y = time < hits and feet - 24 - up * time + 400 * time * time or ends - 24
-          run:near("y", named.body.y, y)
-          if time < hits - 1e-6 then
-            run:same("begins in the air", log.begins, 0)
-            run:near("vy", named.body.vy, 800 * time - up)
-            run:touches(named.body)
-          end
-        end
-        run:standsOn(named.body, ends == 100 and named.way or named.floor)
-        had(run, log, 1, feet == 300 and 1 or 0)
-      end)
-    end
+  local function below(v)
+    return { way(), tile(), body({ y = v.feet - 24 }) }
   end
+  row("(7) from {feet}, feet up to {peak}, ends at feet {ends}", EVERYWHERE, below, {
+    { steps = 1 },
+    "body.y, body.vy = feet - 24, -sqrt(1600 * (feet - peak))",
+    "listen body",
+    "up, hits = -body.vy, -body.vy / 800 + sqrt((ends - peak) / 400)",
+    {
+      2,
+      "body at 50, t < hits and feet - 24 - up * t + 400 * t * t or ends - 24",
+      "0 == t < hits - 1e-6 and heard.body.begins or 0",
+      "0 ~ t < hits - 1e-6 and body.vy - 800 * t + up or 0",
+    },
+    "body on ends == 100 and way or floor",
+    "heard.body.begins == 1",
+  }, {
+    "feet, peak, ends", -- highest feet, feet at the end
+    { 224, 60, 100 },
+    { 300, 60, 100 },
+    { 224, 99, 100 },
+    { 300, 90, 100 },
+    { 224, 104, 300 },
+    { 300, 108.5, 300 },
+    { 224, 112, 300 },
+  })
 end)
 
 describe("oneWay: fallen on", function()
-  for _, speed in ipairs({ 0, 100, 6000, 90000 }) do
-    for _, height in ipairs({ 8, 1 }) do
-      local title = ("(7) at %g px/s, %g px thick, catches"):format(speed, height)
-      scene.it(title, EVERYWHERE, function(run)
-        local named = run:build({ way({ height = height }), body({ y = 0, vx = 10, vy = speed }) })
-        local log = run:listen(named.body)
-        for time in run:steps(0.5) do
-          run:at(named.body, 50 + 10 * time, math.min(76, speed * time + 400 * time * time))
-        end
-        run:standsOn(named.body, named.way)
-        run:same("begins", log.begins, 1)
-        run:same("begins at the bottom", log.sides.bottom, 1)
-      end)
-    end
+  local function above(v)
+    return { way({ height = v.height }), body({ y = 0, vx = 10, vy = v.vy }) }
   end
+  row("(7) at {vy} px/s, {height} px thick, catches", EVERYWHERE, above, {
+    "listen body",
+    { 0.5, "body at 50 + 10 * t, min(76, vy * t + 400 * t * t)" },
+    "body on way",
+    "heard.body.sides.bottom == 1",
+    "body heard 1, 0",
+  }, { "vy, height", { 0, 8 }, { 100, 1 }, { 6000, 8 }, { 90000, 1 } })
 
-  scene.it("at an angle catches, too, and at its corner, not beside it", SOME, function(run)
-    -- the feet come down to 100 after half a second, when 1 px of them is above it
-    local named = run:build({ way(), body({ x = -65, y = -24, vx = 101 }) })
-    run:play(2 / 3)
-    run:standsOn(named.body, named.way)
-    named = run:build({ way(), body({ x = -67, y = -24, vx = 100 }) })
-    for time in run:steps(2 / 3) do
-      run:at(named.body, -67 + 100 * time, -24 + 400 * time * time)
-    end
-  end)
+  -- the feet come down to 100 after half a second, when 1 px of them is above it
+  row("at an angle catches at its corner", SOME, { way(), body({ x = -65, y = -24, vx = 101 }) }, {
+    2 / 3,
+    "body on way",
+  })
+
+  row("beside its corner lets pass", SOME, { way(), body({ x = -67, y = -24, vx = 100 }) }, {
+    { 2 / 3, "body at -67 + 100 * t, -24 + 400 * t * t" },
+  })
 end)
 
 --  +-+ ->
 --  +=+=============   feet at 104
 describe("oneWay: walked through", function()
+  local FLOATS = body({ x = -40, y = 80, vx = 100, gravity = 0, gravityX = 0 })
+  row("(7) in the air keeps vx", EVERYWHERE, { way(), FLOATS }, {
+    "listen body",
+    { 3, "body at -40 + 100 * t, 80", "body.vx == 100" },
+    "body heard 0, 0",
+  })
+
   local LOW = tile({ x = -300, y = 104, width = 800 })
+  row(
+    "(7) on a floor keeps vx, to and fro",
+    EVERYWHERE,
+    { way(), LOW, body({ x = -40, y = 80 }) },
+    {
+      "body.vx = 100",
+      { 1.5, "body at -40 + 100 * t, 80", "body.vx == 100", "body touches bottom" },
+      "body.vx = -100",
+      { 1.5, "body at 110 - 100 * t, 80", "body.vx == -100", "body touches bottom" },
+    }
+  )
 
-  scene.it("(7) in the air keeps vx", EVERYWHERE, function(run)
-    local floats = body({ x = -40, y = 80, vx = 100, gravity = 0, gravityX = 0 })
-    local named = run:build({ way(), floats })
-    local log = run:listen(named.body)
-    for time in run:steps(3) do
-      run:at(named.body, -40 + 100 * time, 80)
-      run:same("vx", named.body.vx, 100)
-    end
-    run:same("begins", log.begins, 0)
-  end)
-
-  scene.it("(7) on a floor keeps vx, to and fro", EVERYWHERE, function(run)
-    local named = settled(run, { way(), LOW, body({ x = -40, y = 80 }) })
-    for _, vx in ipairs({ 100, -100 }) do
-      local x = named.body.x
-      named.body.vx = vx
-      for time in run:steps(1.5) do
-        run:at(named.body, x + vx * time, 80)
-        run:same("vx", named.body.vx, vx)
-        run:touches(named.body, "bottom")
-      end
-    end
-  end)
-
-  scene.it("what begins inside it falls out of it", SOME, function(run)
-    local named = run:build({ way(), tile(), body({ y = 79 }) })
-    for time in run:steps(0.5) do
-      run:at(named.body, 50, 79 + 400 * time * time)
-    end
-  end)
+  row("what begins inside it falls out of it", SOME, { way(), tile(), body({ y = 79 }) }, {
+    { 0.5, "body at 50, 79 + 400 * t * t" },
+  })
 end)
 
 describe("dropThrough", function()
-  local TOP = body({ name = "top", y = 52 })
+  local TWO = { way(), tile(), body({ y = 76 }), body({ name = "other", x = 80, y = 76 }) }
+  row("(7) at rest lets fall, once, and only the one that asked", EVERYWHERE, TWO, {
+    SETTLE,
+    "listen body",
+    "listen other",
+    "world:dropThrough(body.raw) == true",
+    { 1, "body at 50, min(276, 76 + 400 * t * t)", "other at 80, 76", "other still" },
+    "body on floor",
+    "body heard 1, 1",
+    "other heard 0, 0",
+    "world:dropThrough(body.raw) == false",
+    "body.vy = -sqrt(1600 * 240)", -- it is solid again after a jump
+    2,
+    "body on way",
+  })
 
-  scene.it("(7) at rest lets fall, once, and only the one that asked", EVERYWHERE, function(run)
-    local second = body({ name = "other", x = 80, y = 76 })
-    local named, log = settled(run, { way(), tile(), body({ y = 76 }), second })
-    local other = run:listen(named.other)
-    drop(run, named.body, true)
-    for time in run:steps(1) do
-      run:at(named.body, 50, math.min(276, 76 + 400 * time * time))
-      run:at(named.other, 80, 76)
-      run:still(named.other)
-    end
-    run:standsOn(named.body, named.floor)
-    had(run, log, 1, 1)
-    had(run, other, 0, 0)
-    drop(run, named.body, false)
-    named.body.vy = -sqrt(1600 * 240) -- it is solid again after a jump
-    run:play(2)
-    run:standsOn(named.body, named.way)
-  end)
+  row("in the air and on a solid does nothing", SOME, { way(), tile(), body() }, {
+    { steps = 1 },
+    "world:dropThrough(body.raw) == false",
+    1,
+    "world:dropThrough(body.raw) == false",
+    0.5,
+    "body on floor",
+  })
 
-  scene.it("in the air and on a solid does nothing", SOME, function(run)
-    local named = run:build({ way(), tile(), body() })
-    run:step(1 / 60)
-    drop(run, named.body, false)
-    run:play(1)
-    drop(run, named.body, false)
-    run:play(0.5)
-    run:standsOn(named.body, named.floor)
-  end)
-
-  scene.it("with a box on the head lets that one land; by it does nothing", SOME, function(run)
-    local named = settled(run, { way(), tile(), body({ y = 76 }), TOP })
-    drop(run, named.top, false)
-    run:play(0.5)
-    run:at(named.body, 50, 76)
-    run:at(named.top, 50, 52)
-    drop(run, named.body, true)
-    run:play(1)
-    run:standsOn(named.body, named.floor)
-    run:standsOn(named.top, named.way)
-    run:at(named.top, 50, 76)
-  end)
+  local TOP = { way(), tile(), body({ y = 76 }), body({ name = "top", y = 52 }) }
+  row("with a box on the head lets that one land; by it does nothing", SOME, TOP, {
+    SETTLE,
+    "world:dropThrough(top.raw) == false",
+    { 0.5, "body at 50, 76", "top at 50, 52" },
+    "world:dropThrough(body.raw) == true",
+    1,
+    "body on floor",
+    "top on way",
+    "top at 50, 76",
+  })
 
   --   +-+|
   --   | || door
   --   +-+|
   --  =======
-  scene.it("on a solid, at a door that opens to the other side, does nothing", SOME, function(run)
-    local door = way({ name = "door", x = 74, y = 176, width = 8, height = 124, oneWay = "left" })
-    local named = run:build({ tile(), door, body({ y = 276, vx = 60 }) })
-    run:play(0.2)
-    run:same("touching the door", named.body.touching.right, named.door)
-    drop(run, named.body, false)
-    named.body.vx = 60
-    run:play(0.5)
-    run:at(named.body, 58, 276)
-  end)
+  local DOOR = way({ name = "door", x = 74, y = 176, width = 8, height = 124, oneWay = "left" })
+  local AT_DOOR = { tile(), DOOR, body({ y = 276, vx = 60 }) }
+  row("on a solid, at a door that opens to the other side, does nothing", SOME, AT_DOOR, {
+    0.2,
+    "body.touching.right == door",
+    "world:dropThrough(body.raw) == false",
+    "body.vx = 60",
+    0.5,
+    "body at 58, 276",
+  })
 
   --        +-+
   --   ===========+----+
   --              |    |  solid
-  scene.it("while standing also on a solid, stays on that", EVERYWHERE, function(run)
-    local solid = tile({ name = "solid", x = 200, y = 100, width = 100, height = 50 })
-    local named, log = settled(run, { way(), solid, body({ x = 186, y = 76 }) })
-    run:same("touching.bottom", run:support(named.body), named.way)
-    drop(run, named.body, true)
-    for _ in run:steps(1) do
-      run:at(named.body, 186, 76)
-      run:standsOn(named.body, named.solid)
-    end
-    had(run, log, 0, 1)
-    named.body.vx = 100 -- away from it, and back: it is solid again
-    run:play(0.5)
-    named.body.vx = -100
-    run:play(1)
-    run:standsOn(named.body, named.way)
-  end)
+  local SOLID = { way(), solid("solid", 200, 100, 100, 50), body({ x = 186, y = 76 }) }
+  row("while standing also on a solid, stays on that", EVERYWHERE, SOLID, {
+    SETTLE,
+    "listen body",
+    "run:support(body) == way",
+    "world:dropThrough(body.raw) == true",
+    { 1, "body at 186, 76", "body on solid" },
+    "body heard 0, 1",
+    "body.vx = 100", -- away from it, and back: it is solid again
+    0.5,
+    "body.vx = -100",
+    1,
+    "body on way",
+  })
 
   --       +-+->
   --   ====|=|=====  tiles
-  scene.it("a row of tiles, passes the next one, too", SOME, function(run)
-    for vx = -230, 230, 230 do
-      for _, x in ipairs({ 80, 83, 95, 96, 111 }) do
-        local list = { tile({ x = -200, width = 600 }), body({ x = x, y = 76 }) }
-        for i = 0, 9 do
-          list[#list + 1] = way({ name = "plank" .. i, x = 16 * i, width = 16 })
-        end
-        local named = settled(run, list)
-        named.body.vx = vx
-        drop(run, named.body, true)
-        for time in run:steps(0.5) do
-          run:at(named.body, x + vx * time, 76 + 400 * time * time)
-        end
-      end
+  local function planks(v)
+    local list = { tile({ x = -200, width = 600 }), body({ x = v.x, y = 76 }) }
+    for i = 0, 9 do
+      list[i + 3] = way({ name = "plank" .. i, x = 16 * i, width = 16 })
     end
-  end)
+    return list
+  end
+  row("a row of tiles, passes the next one, too: from {x} at {vx} px/s", SOME, planks, {
+    SETTLE,
+    "body.vx = vx",
+    "world:dropThrough(body.raw) == true",
+    { 0.5, "body at x + vx * t, 76 + 400 * t * t" },
+  }, { "x, vx", { 80, -230 }, { 83, 230 }, { 95, 0 }, { 96, 230 }, { 111, -230 } })
 
-  scene.it("a moving one, keeps its velocity", SOME, function(run)
-    local named = settled(run, { lift(), body({ y = 76 }) })
-    named.way.vx = 60
-    run:play(0.5)
-    run.world:dropThrough(named.body.raw)
-    for time in run:steps(0.5) do
-      run:at(named.body, 80 + 60 * time, 76 + 400 * time * time)
-      run:near("vx", named.body.vx, 60)
-    end
-  end)
+  row("a moving one, keeps its velocity", SOME, { lift(), body({ y = 76 }) }, {
+    SETTLE,
+    "way.vx = 60",
+    0.5,
+    "world:dropThrough(body.raw) == true",
+    { 0.5, "body at 80 + 60 * t, 76 + 400 * t * t", "body.vx ~ 60" },
+  })
 end)
 
 describe("oneWay: that moves", function()
-  for _, vy in ipairs({ -60, 60, 200, -5000, 5000 }) do
-    scene.it(("(7) at %g px/s keeps its rider"):format(vy), EVERYWHERE, function(run)
-      local named, log = settled(run, { lift(), body({ y = 76 }) })
-      named.way.vy = vy
-      for time in run:steps(1) do
-        run:at(named.body, 50, 76 + vy * time)
-        run:standsOn(named.body, named.way)
-      end
-      had(run, log, 0, 0)
-    end)
+  row("(7) at {vy} px/s keeps its rider", EVERYWHERE, { lift(), body({ y = 76 }) }, {
+    SETTLE,
+    "listen body",
+    "way.vy = vy",
+    { 1, "body at 50, 76 + vy * t", "body on way" },
+    "body heard 0, 0",
+  }, { "vy", { -60 }, { 200 }, { -5000 }, { 5000 } })
+
+  local function under(v)
+    return { lift({ y = 310.3, vy = v.vy }), tile(), body({ y = 276 }) }
   end
+  row("up from below a body at {vy} px/s takes it along", SOME, under, {
+    { 0.5, "body at 50, min(276, 286.3 + vy * t)" },
+    "body on way",
+  }, { "vy", { -60 }, { -600 }, { -6000 } })
 
-  scene.it("up from below a body takes it along", SOME, function(run)
-    for _, vy in ipairs({ -60, -600, -6000 }) do
-      local named = run:build({ lift({ y = 310.3, vy = vy }), tile(), body({ y = 276 }) })
-      for time in run:steps(0.5) do
-        run:near("y", named.body.y, math.min(276, 286.3 + vy * time))
-      end
-      run:standsOn(named.body, named.way)
-    end
-  end)
-
-  scene.it("down on to a head passes it, and takes it along from below only", SOME, function(run)
-    local named, log = settled(run, { lift({ y = 219.7, vy = 60 }), tile(), body({ y = 276 }) })
-    for _ in run:steps(1) do
-      run:at(named.body, 50, 276)
-    end -- at 289.7, inside the body
-    named.way.vy = -60
-    for _ in run:steps(0.5) do
-      run:at(named.body, 50, 276)
-    end
-    named.way.vy = 60
-    run:play(1) -- at 319.7, below it
-    run:at(named.body, 50, 276)
-    had(run, log, 0, 0)
-    named.way.vy = -60
-    run:play(1) -- at 259.7
-    run:at(named.body, 50, 235.7)
-    run:standsOn(named.body, named.way)
-  end)
+  local HEAD = { lift({ y = 219.7, vy = 60 }), tile(), body({ y = 276 }) }
+  row("down on to a head passes it, and takes it along from below only", SOME, HEAD, {
+    SETTLE,
+    "listen body",
+    { 1, "body at 50, 276" }, -- at 289.7, inside the body
+    "way.vy = -60",
+    { 0.5, "body at 50, 276" },
+    "way.vy = 60",
+    { 1, "body at 50, 276" }, -- at 319.7, below it
+    "body heard 0, 0",
+    "way.vy = -60",
+    1, -- at 259.7
+    "body at 50, 235.7",
+    "body on way",
+  })
 end)
 
 describe("oneWay: beside a solid", function()
   --   +-+ ->  +---+
   --   +-+     |   |
   --   ========+---+
-  scene.it("(7) still lets walk into it", EVERYWHERE, function(run)
-    local solid = tile({ name = "solid", x = 200, y = 84, width = 16, height = 24 })
-    local named = run:build({ way(), solid, body({ y = 76 }) })
-    for time in run:steps(2, run:keep(named.body, 100)) do
-      run:at(named.body, math.min(184, 50 + 100 * time), 76)
-    end
-    run:same("vx", named.body.vx, 0)
-    run:touches(named.body, "bottom", "right")
-    run:flush(named.body, named.solid, "right")
-  end)
+  row(
+    "(7) still lets walk into it",
+    EVERYWHERE,
+    { way(), solid("solid", 200, 84, 16, 24), body({ y = 76 }) },
+    {
+      { 2, keep = "body.vx = 100", "body at min(184, 50 + 100 * t), 76" },
+      "body.vx == 0",
+      "body touches bottom right",
+    }
+  )
 
-  scene.it("of the same height is walked over without a snag, both ways", EVERYWHERE, function(run)
-    local named = settled(run, {
-      way({ x = 0, width = 100 }),
-      tile({ x = 100, y = 100, width = 50, height = 40 }),
-      way({ name = "second", x = 150, width = 100 }),
-      body({ x = 20, y = 76 }),
-    })
-    for _, vx in ipairs({ 100, -100 }) do
-      local x = named.body.x
-      named.body.vx = vx
-      for time in run:steps(2) do
-        run:at(named.body, x + vx * time, 76)
-        run:same("vx", named.body.vx, vx)
-        run:touches(named.body, "bottom")
-      end
-    end
-  end)
+  local LEVEL = {
+    way({ width = 100 }),
+    solid("solid", 100, 100, 50, 40),
+    way({ name = "second", x = 150, width = 100 }),
+    body({ x = 20, y = 76 }),
+  }
+  row("of the same height is walked over without a snag, both ways", EVERYWHERE, LEVEL, {
+    "body.vx = 100",
+    { 2, "body at 20 + 100 * t, 76", "body.vx == 100", "body touches bottom" },
+    "body.vx = -100",
+    { 2, "body at 220 - 100 * t, 76", "body.vx == -100", "body touches bottom" },
+  })
 
   --   ====+---+
   --  +-+->|   |
   --   ^   |   |
-  scene.it("lets jump through while pressing against it", EVERYWHERE, function(run)
-    local solid = tile({ name = "solid", x = 200, y = 0, width = 16, height = 300 })
-    local named = settled(run, { way(), solid, tile(), body({ x = 184, y = 276 }) })
-    local up = sqrt(1600 * 220)
-    named.body.vy = -up
-    for time in run:steps(1.5, run:keep(named.body, 100)) do
-      local y = 276 - up * time + 400 * time * time
-      run:at(named.body, 184, time > up / 800 and math.min(76, y) or y)
-    end
-    run:standsOn(named.body, named.way)
-    run:touches(named.body, "bottom", "right")
-  end)
+  local WALL = { way(), solid("solid", 200, 0, 16, 300), tile(), body({ x = 184, y = 276 }) }
+  row("lets jump through while pressing against it", EVERYWHERE, WALL, {
+    SETTLE,
+    "up = sqrt(1600 * 220)",
+    "body.vy = -up",
+    { 2 / 3, keep = "body.vx = 100", "body at 184, 276 - up * t + 400 * t * t" },
+    { 5 / 6, keep = "body.vx = 100", "body.y <= 76 + 1e-6" },
+    "body on way",
+    "body touches bottom right",
+  })
 
-  scene.it("or another one-way in a row has no seams", SOME, function(run)
-    local description = { body({ x = 0, y = 76, vx = 200 }) }
-    for i = 0, 39 do
-      description[#description + 1] = way({ name = "way" .. i, x = 16 * i, width = 16 })
-    end
-    local named = run:build(description)
-    for time in run:steps(2) do
-      run:at(named.body, 200 * time, 76)
-      run:same("vx", named.body.vx, 200)
-      run:touches(named.body, "bottom")
-    end
-  end)
+  local ROW = { body({ x = 0, y = 76, vx = 200 }) }
+  for i = 0, 39 do
+    ROW[i + 2] = way({ name = "way" .. i, x = 16 * i, width = 16 })
+  end
+  row("or another one-way in a row has no seams", SOME, ROW, {
+    { 2, "body at 200 * t, 76", "body.vx == 200", "body touches bottom" },
+  })
 end)
 
 describe("oneWay: with a box on the head", function()
-  for _, row in ipairs({ { 1, 0 }, { 100, 0 }, { 1000, 2000 }, { 100, 90000 } }) do
-    local mass, vy = row[1], row[2]
-    local title = ("(7) of mass %g that comes at %g px/s still holds"):format(mass, vy)
-    scene.it(title, EVERYWHERE, function(run)
-      local heavy = body({ name = "heavy", x = 55, y = -100, vy = vy, mass = mass })
-      local named = run:build({ way(), body({ y = 76 }), heavy })
-      local log = run:listen(named.body)
-      for _ in run:steps(1) do
-        run:at(named.body, 50, 76)
-      end
-      run:standsOn(named.body, named.way)
-      run:at(named.heavy, 55, 52)
-      run:standsOn(named.heavy, named.body)
-      had(run, log, 2, 0)
-    end)
+  local function loaded(v)
+    return {
+      way(),
+      body({ y = 76 }),
+      body({ name = "heavy", x = 55, y = -100, vy = v.vy, mass = v.mass }),
+    }
   end
+  row("(7) of mass {mass} that comes at {vy} px/s still holds", EVERYWHERE, loaded, {
+    "listen body",
+    { 1, "body at 50, 76" },
+    "body on way",
+    "heavy at 55, 52",
+    "heavy on body",
+    "body heard 2, 0",
+  }, { "mass, vy", { 1, 0 }, { 100, 0 }, { 1000, 2000 }, { 100, 90000 } })
 end)
 
 --   v = (100, 0) ->  |  solid on the left
 describe("oneWay: each of its four sides", function()
-  for _, row in ipairs({
-    -- side, velocity that it stops, where the body ends
-    { "left", 200, 0, 84, 0 },
-    { "right", -200, 0, 108, 0 },
-    { "top", 0, 200, 96, -16 },
-    { "bottom", 0, -200, 96, 16 },
-  }) do
-    local side, vx, vy, x, y = row[1], row[2], row[3], row[4], row[5]
-    local thing =
-      way({ x = vy == 0 and 100 or 96, y = 0, width = vy == 0 and 8 or 16, height = 16 })
-    thing[2].oneWay = side
-
-    -- A box that would have its middle at the place after half a second, and its world.
-    local function build(run, atX, atY, wayX, wayY, factor)
-      local box = body({ x = atX - wayX / 2, y = atY - wayY / 2, width = 16, height = 16 })
-      box[2].vx, box[2].vy = wayX * factor, wayY * factor
-      local named = run:build({ gravity = 0, thing, box })
-      return named.body, run:listen(named.body), box[2]
+  -- The box would have its middle at x, y after half a second.
+  local function meet(v)
+    local isUpright = v.side == "left" or v.side == "right"
+    local thing = { oneWay = v.side, x = isUpright and 100 or 96, y = 0, height = 16 }
+    thing.width = isUpright and 8 or 16
+    local box = { x = v.x - v.vx / 2, y = v.y - v.vy / 2, width = 16, height = 16 }
+    box.vx, box.vy = v.vx * v.factor, v.vy * v.factor
+    return { gravity = 0, way(thing), body(box) }
+  end
+  local STOPS = { "listen body", 1, "body at x, y", "body still", "body heard 1, 0" }
+  local PASSES = {
+    "listen body",
+    "x0, y0, vx0, vy0 = body.x, body.y, body.vx, body.vy",
+    { 0.5, "body at x0 + vx0 * t, y0 + vy0 * t" },
+    "body heard 0, 0",
+  }
+  for _, factor in ipairs({ 1, 30, 450 }) do
+    row("{side} stops what comes from there at ({vx}, {vy}) * {factor} px/s", SOME, meet, STOPS, {
+      "side, vx, vy, x, y, factor", -- where it ends
+      { "left", 200, 0, 84, 0, factor },
+      { "right", -200, 0, 108, 0, factor },
+      { "top", 0, 200, 96, -16, factor },
+      { "bottom", 0, -200, 96, 16, factor },
+    })
+    local open = { "side, vx, vy, x, y, factor" }
+    for _, v in ipairs({
+      { "left", 200, 0 },
+      { "right", -200, 0 },
+      { "top", 0, 200 },
+      { "bottom", 0, -200 },
+    }) do
+      for _, path in ipairs({ { -v[2], -v[3] }, { v[3], v[2] }, { -v[3], -v[2] } }) do
+        open[#open + 1] = { v[1], path[1], path[2], 96, 0, factor }
+      end
     end
-
-    for _, factor in ipairs({ 1, 30, 450 }) do
-      local title = "%s stops what comes from there at %g px/s, and lets all else through"
-      scene.it(title:format(side, 200 * factor), SOME, function(run)
-        local view, log = build(run, x, y, vx, vy, factor)
-        run:play(1)
-        run:at(view, x, y)
-        run:still(view)
-        had(run, log, 1, 0)
-        for _, path in ipairs({ { -vx, -vy }, { vy, vx }, { -vy, -vx } }) do
-          local other, its, box = build(run, 96, 0, path[1], path[2], factor)
-          for time in run:steps(0.5) do
-            run:at(other, box.x + box.vx * time, box.y + box.vy * time)
-          end
-          run:same("begins", its.begins, 0)
-        end
-      end)
-    end
+    row("{side} lets through what moves by ({vx}, {vy}) * {factor} px/s", SOME, meet, PASSES, open)
   end
 
-  scene.it("bottom: a ceiling that is open from above holds the head", SOME, function(run)
-    local named = run:build({ way({ oneWay = "bottom" }), tile(), body({ y = 20 }) })
-    for time in run:steps(1) do
-      run:at(named.body, 50, math.min(276, 20 + 400 * time * time))
-    end
-    local log = run:listen(named.body)
-    named.body.vy = -1000
-    for _ in run:steps(1) do
-      run:check(named.body.y >= 108 - 1e-6, "its head is at %.9g", named.body.y)
-    end
-    run:same("begins at the top", log.sides.top, 1)
-    run:at(named.body, 50, 276)
-  end)
+  local CEILING = { way({ oneWay = "bottom" }), tile(), body({ y = 20 }) }
+  row("bottom: a ceiling that is open from above holds the head", SOME, CEILING, {
+    { 1, "body at 50, min(276, 20 + 400 * t * t)" },
+    "listen body",
+    "body.vy = -1000",
+    { 1, "body.y >= 108 - 1e-6" },
+    "heard.body.sides.top == 1",
+    "body at 50, 276",
+  })
 end)
 
 describe("canCollide: of a one-way", function()
-  scene.it("is asked for what comes from the solid side, with its own side", SOME, function(run)
-    local named = settled(run, { way(), tile(), body({ y = 276 }) })
-    local asked = {}
-    named.body.canCollide = function(_, other, side)
-      if other == named.way.raw then
-        asked[turn.side(turn.back(run.turn), side)] = true
+  row("is asked for what comes from the solid side", SOME, { way(), tile(), body({ y = 276 }) }, {
+    SETTLE,
+    "asked = ''",
+    function(run, it)
+      function it.body.raw.canCollide(_, other, side)
+        if other == it.way.raw then
+          it.asked = turn.side(turn.back(run.turn), side)
+          run:same("its own side", it.asked, "bottom")
+        end
+        return true
       end
-      return true
-    end
-    named.body.vy = -sqrt(1600 * 240)
-    run:play(2)
-    run:standsOn(named.body, named.way)
-    run:check(asked.bottom, "should ask for the bottom")
-    run:check(not (asked.top or asked.left or asked.right), "should ask for nothing else")
-  end)
+    end,
+    "body.vy = -sqrt(1600 * 240)",
+    2,
+    "body on way",
+    "asked == 'bottom'",
+  })
 
-  for _, which in ipairs({ "body", "way" }) do
-    scene.it("that says no, of the " .. which .. ", lets fall through", SOME, function(run)
-      local named = run:build({ way(), tile(), body({ y = 20 }) })
-      local log = run:listen(named.body)
-      local no = which == "way" and named.body.raw or named.way.raw
-      named[which].canCollide = function(_, other)
-        return other ~= no
-      end
-      if which == "way" then
-        run.world:refresh(named.way.raw)
-      end
-      for time in run:steps(1) do
-        run:at(named.body, 50, math.min(276, 20 + 400 * time * time))
-      end
-      had(run, log, 1, 0)
-    end)
-  end
+  row(
+    "that says no, of the {which}, lets fall through",
+    SOME,
+    { way(), tile(), body({ y = 20 }) },
+    {
+      "listen body",
+      function(run, it)
+        it[it.which].canCollide = function(_, other)
+          return other == it.floor.raw
+        end
+        run.world:refresh(it.way.raw)
+      end,
+      { 1, "body at 50, min(276, 20 + 400 * t * t)" },
+      "body heard 1, 0",
+    },
+    { "which", { "body" }, { "way" } }
+  )
 end)
 
 describe("oneWay", function()
-  scene.it("true is the top, false is none", SOME, function(run)
-    for word, feet in pairs({ [true] = 100, [false] = 300 }) do
-      local entry = way()
-      entry[2].oneWay = run.turn == 0 and word or word and "top" or nil
-      local named = run:build({ entry, tile(), body({ y = word and 276 or 120 }) })
-      named.body.vy = word and -sqrt(1600 * 220) or 0
-      run:play(2)
-      run:near("feet", named.body.y + 24, feet)
-    end
-  end)
+  local function word(v, run)
+    local entry = way()
+    entry[2].oneWay = run.turn == 0 and v.value or v.value and "top" or nil
+    return { entry, tile(), body({ y = 150, vy = v.vy }) }
+  end
+  row("{value} ends at feet {feet}", SOME, word, { 2, "body at 50, feet - 24" }, {
+    "value, vy, feet",
+    { true, -400, 100 },
+    { false, 0, 300 },
+  })
 
   -- It flies up through the one-way, bounces off the ceiling, and comes down onto the one-way in
   -- the same step.
-  scene.it("stops what it has let through earlier in the step", { rate = { 60 } }, function(run)
-    local named = run:build({
-      gravity = 0,
-      body({ x = 40, y = 2, width = 10, height = 10, vy = -2000, restitution = 1 }),
-      way({ y = 0, height = 2 }),
-      tile({ y = -40, height = 20 }),
-    })
-    run:step(1 / 60)
-    run:near("y", named.body.y, -34 / 3)
-    run:near("vy", named.body.vy, -2000)
-  end)
+  local BALL = body({ x = 40, y = 2, width = 10, height = 10, vy = -2000, restitution = 1 })
+  local CEILING = { gravity = 0, BALL, way({ y = 0, height = 2 }), tile({ y = -40, height = 20 }) }
+  row("stops what it has let through earlier in the step", { rate = { 60 } }, CEILING, {
+    { steps = 1 },
+    "body.y ~ -34 / 3",
+    "body.vy ~ -2000",
+  })
 end)

@@ -466,6 +466,20 @@ function scene.thing(group, defaults)
   end
 end
 
+--- Returns a function that makes such entries from a name, a box and other fields.
+---@param group string
+---@param defaults table
+---@return fun(name: string?, x: number, y: number, width: number, height: number, fields?: table): table
+function scene.maker(group, defaults)
+  local thing = scene.thing(group, defaults)
+  return function(name, x, y, width, height, fields)
+    local entry = thing(fields)
+    local object = entry[2]
+    object.name, object.x, object.y, object.width, object.height = name, x, y, width, height
+    return entry
+  end
+end
+
 --- Adds a row of static tiles to a list of entries: `count` boxes of one size, `dx, dy` apart.
 function scene.tiles(list, count, x, y, width, height, dx, dy)
   for i = 0, count - 1 do
