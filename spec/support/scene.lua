@@ -469,7 +469,7 @@ end
 --- Returns a function that makes such entries from a name, a box and other fields.
 ---@param group string
 ---@param defaults table
----@return fun(name: string?, x: number, y: number, width: number, height: number, fields?: table): table
+---@return function thing(name, x, y, width, height, fields)
 function scene.maker(group, defaults)
   local thing = scene.thing(group, defaults)
   return function(name, x, y, width, height, fields)
