@@ -36,7 +36,7 @@ case $mode in
       echo "0 passed, 1 failed"
       exit 1
     fi
-    partial=$'Lua 5.2\nLua 5.3\nLua 5.5'
+    partial=$'Lua 5.1\nLua 5.2\nLua 5.3\nLua 5.5'
     interpreters="
 LuaJIT:luajit
 LuaJIT -joff:plain scripts/luajit-joff

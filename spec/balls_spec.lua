@@ -4,7 +4,7 @@ local effort = require("spec.support.effort")
 local newRandom = require("spec.support.random").new
 local physics = require("physics")
 
-local long = effort.playsLong and it or pending
+local long = effort.isFirst and it or pending
 
 local RATES = { 30, 60, 144, 240 }
 -- px/s: a corner is met 2e-9 of a step later than a face, so its normal is a little another one.

@@ -5,7 +5,7 @@ local physics = require("physics")
 local garbage = require("spec.support.garbage")
 local newRandom = require("spec.support.random").new
 
-local long = effort.playsLong and it or pending
+local long = effort.isFirst and it or pending
 
 local SHIFTS = { 0, 0.1, 1 / 3, -1000.1, 100000.3 }
 

@@ -10,7 +10,7 @@ local script = require("spec.support.script")
 
 local unpack = rawget(table, "unpack") or rawget(_G, "unpack")
 
-local long = effort.playsLong and it or pending
+local long = effort.isFirst and it or pending
 
 -- A box; its fields are kept by `box`.
 local function sized(x, y, width, height, fields)

@@ -5,13 +5,12 @@
 --- everything in it comes to one number on each of them. So a row that compares worlds with each
 --- other, or with numbers worked out by hand, shows nothing new on a second Lua. What is left out:
 ---
---- - Lua 5.4 in `make test`, and Lua 5.2, 5.3 and 5.5 in `make test-all`, play the files of
+--- - Lua 5.4 in `make test`, and Lua 5.1, 5.2, 5.3 and 5.5 in `make test-all`, play the files of
 ---   `slow.differs` only.
 --- - LuaJIT -joff in `make test-all` plays all files for the coverage, but no slow rows, and of
----   rows and variants another selection than `make test`. It runs the code of LuaJIT.
---- - Lua 5.1 does the same: it is the oldest one, and that of a browser.
---- - Lua 5.4 in `make test-all` plays all files and the slow rows, in a selection of variants: in
----   it whole numbers are another type.
+---   rows and variants another selection than `make test`. It runs the code of LuaJIT, and has the
+---   language and the numbers of Lua 5.1.
+--- - Lua 5.4 in `make test-all` plays the same: in it whole numbers are another type.
 ---
 --- spec/support/effort.lua selects. slow_spec.lua compares these lists with the tags and files.
 
@@ -19,7 +18,7 @@ local slow = {}
 
 --- Interpreters on which `make test-all` plays the slow rows, by their names in
 --- scripts/interpreter.lua.
-slow.interpreters = { "LuaJIT", "Lua 5.4" }
+slow.interpreters = { "LuaJIT" }
 
 --- The files about what a Lua may do otherwise: numbers and how they are written, messages, the
 --- order of tables, states, maps, what is printed by the snippets of the pages, memory.

@@ -6,7 +6,7 @@ local effort = require("spec.support.effort")
 local overlap = require("spec.support.overlap")
 local physics = require("physics")
 
-local long = effort.playsLong and it or pending
+local long = effort.isFirst and it or pending
 
 describe("a busy scene", function()
   long("loses no object and keeps its memory", function()

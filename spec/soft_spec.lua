@@ -4,7 +4,7 @@ local effort = require("spec.support.effort")
 local newRandom = require("spec.support.random").new
 local physics = require("physics")
 
-local long = effort.playsLong and it or pending
+local long = effort.isFirst and it or pending
 
 local DT = 1 / 60
 

@@ -13,6 +13,8 @@ local physics = require("physics")
 local newRandom = require("spec.support.random").new
 local newOverlaps = require("spec.support.overlap").checker
 
+local long = effort.isFirst and it or pending
+
 -- px, the largest overlap of a crowd that starts apart. Less than a player sees.
 local DEPTH = 0.01
 -- px, where it presses from all sides against what cannot be pushed: what is between has no way out
@@ -49,16 +51,8 @@ local function play(options, seconds, rate)
 end
 
 describe("a crowd", function()
-  describe("of 300 that presses for a minute to a player that cannot be pushed", function()
-    for seed = 1, 3 do
-      if effort.plays(seed, 3) then
-        it("keeps its bounds, and the player stays #slow: seed " .. seed, function()
-          local options =
-            { count = effort.share(300, 60), seed = seed, goal = "firm", drive = "vx" }
-          play(options, effort.share(60, 20), 60)
-        end)
-      end
-    end
+  it("of 300 presses for a minute to an unpushable player, in its bounds: the player stays #slow", function()
+    play({ count = 300, seed = 1, goal = "firm", drive = "vx" }, 60, 60)
   end)
 
   -- Without this it could be the bounds that hold the crowd, instead of pressing.
@@ -82,7 +76,7 @@ describe("a crowd", function()
         local name = ("keeps its bounds: %s, by %s, %d Hz%s"):format(goal, drive, rate, tag)
         -- What is most like a game is played in each selection but a short one.
         local isUsual = goal == "firm" and drive == "vx"
-        if isUsual and effort.playsLong or effort.plays(row, 8) then
+        if isUsual and effort.isFirst or effort.plays(row, 8) then
           it(name, function()
             local options = { count = 80, seed = 4, goal = goal, drive = drive }
             -- In a selection others than the usual one are watched while the crowd arrives.
@@ -127,14 +121,14 @@ describe("a crowd", function()
   end)
 
   -- Balls that boxes press part slanted: what a wall holds must not push through to the player.
-  it("of boxes and balls leaves an unpushable player in a lane where it is", function()
-    for seed = 1, effort.share(4, 2) do
+  long("of boxes and balls leaves an unpushable player in a lane where it is", function()
+    for seed = 1, effort.share(2) do
       local options = { count = 120, seed = seed, goal = "firm", drive = "vx", balls = 0.4 }
       local crowd = crowds.new(options)
       for _, y in ipairs({ -60, 40 }) do
         crowd.world:add("walls", { x = -80, y = y, width = 160, height = 20, static = true })
       end
-      for step = 1, 400 do
+      for step = 1, effort.share(400, 150) do
         crowd:step(1 / 60)
         local way = math.max(math.abs(crowd.player.x + 8), math.abs(crowd.player.y + 12))
         assert.same({ seed, step, true }, { seed, step, way < 1e-8 }) -- places are rounded

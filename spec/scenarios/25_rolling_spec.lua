@@ -12,6 +12,7 @@ local newRandom = require("spec.support.random").new
 local physics = require("physics")
 local shapes = require("physics.space.shapes")
 
+local long = effort.isFirst and it or pending
 local RATES, GRAVITY, R = effort.isWhole and { 30, 60, 144 } or { 30, 144 }, 800, 8
 -- Share of a length or a speed that may be rounding: what is put flush is so to 1e-6 px.
 local SHARE = 1e-6
@@ -282,7 +283,7 @@ describe("a marble run", function()
   end
 
   for _, rate in ipairs(effort.isWhole and { 60, 144 } or { 60 }) do
-    it(("of 60 balls runs for a minute at %d Hz, with none lifted"):format(rate), function()
+    long(("of 60 balls runs for a minute at %d Hz, with none lifted"):format(rate), function()
       local world, ground, balls = newRun(rate)
       for _ = 1, effort.share(150, 30) do
         local ball = lowest(balls)

@@ -35,13 +35,9 @@ function effort.plays(row, share)
   return effort.isWhole or (row - own) % share == 0
 end
 
---- Whether this process plays what one interpreter shows for all: LuaJIT, as LÖVE has it, or
---- whatever was not asked for by name.
+--- Whether this process plays what takes half a second or more and shows the same on every Lua, and
+--- what compares Luas: only LuaJIT does, as LÖVE has it, or whatever was not asked for by name.
 effort.isFirst = asked == nil or asked == "LuaJIT"
-
---- Whether this process plays what takes half a second or more and shows the same on every Lua: in
---- `make test` only LuaJIT, in `make test-all` also Lua 5.4.
-effort.playsLong = effort.isFirst or (wanted ~= "quick" and asked == "Lua 5.4")
 
 --- Switches the trace compiler off for the specs of a file: what plays thousands of small worlds
 --- would keep it busy with each of them for nothing. Takes busted's `setup` and `teardown`.

@@ -123,7 +123,7 @@ end
 local function partOf(list)
   local part = {}
   for i = 1, #list do
-    if effort.plays(i, math.min(effort.playsLong and 2 or 4, #list)) then
+    if effort.plays(i, math.min(effort.isFirst and 2 or 4, #list)) then
       part[#part + 1] = list[i]
     end
   end
