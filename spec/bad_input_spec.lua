@@ -1,18 +1,33 @@
---- Wrong values: in which words they are refused, that the game's own line is blamed, and that a
---- refused call has changed nothing: repair the value, and the game goes on as if it never was. The
---- values of fields and settings are made from the rows of physics/fields/fields.lua. Whatever else
---- may be given stands in bad_matrix_spec.lua, how values and places are written in check_spec.lua.
+--- Wrong values, all of them: every field, setting and argument, and every kind of value. Whatever
+--- is given is taken, or it is refused: in the words that the rows of physics/fields/fields.lua
+--- make, blaming this file. A refused call has changed nothing: repair the value, and the game goes
+--- on as if it never was. Words of other messages are in check_spec.lua.
 
+local effort = require("spec.support.effort")
 local fields = require("physics.fields.fields")
 local physics = require("physics")
 
 local unpackList = rawget(_G, "unpack") or rawget(table, "unpack")
 
-local NAN, INF = 0 / 0, 1 / 0
+local NAN, INF = 0 / 0, math.huge
 local DT = 1 / 60
-local NAMES = { "floor", "box", "sleeper", "lift", "gate" }
+local PARTS = { "floor", "box", "sleeper", "lift", "gate", "removed" }
+
+effort.interpret(setup, teardown)
 
 -- Scenes ------------------------------------------------------------------------------------------
+
+local function newStranger()
+  return { x = 500, y = 500, width = 5, height = 5 }
+end
+
+local function newBox(name, value)
+  local box = { x = 50, y = 50, width = 16, height = 16 }
+  if name then
+    box[name] = value
+  end
+  return box
+end
 
 --- One object of each kind, after a few steps.
 ---
@@ -29,539 +44,567 @@ local function newScene(settings)
     sleeper = { x = 20, y = 184, width = 16, height = 16 },
     lift = { x = 160, y = 140, width = 64, height = 8, kinematic = true, vx = 20 },
     gate = { x = 300, y = 150, width = 8, height = 50, static = true, sensor = true },
+    removed = newStranger(),
   }
   world:add("floors", scene.floor)
   world:add("boxes", scene.box)
   world:add("boxes", scene.sleeper)
   world:add("lifts", scene.lift)
   world:add("gates", scene.gate)
+  world:add("others", scene.removed)
   scene.boxes = world.objects.boxes
-  for _ = 1, 5 do
+  for _ = 1, 4 do
     world:update(DT)
   end
+  world:remove(scene.removed)
+  world:update(DT)
   return scene
 end
 
-local function newBox(name, value)
-  local box = { x = 50, y = 50, width = 16, height = 16 }
-  if name then
-    box[name] = value
-  end
-  return box
-end
-
 local function show(value)
-  local kind = type(value)
-  return kind == "number" and ("%.17g"):format(value) or kind == "table" and kind or tostring(value)
+  return type(value) == "number" and ("%.17g"):format(value) or tostring(value)
 end
 
---- All fields of all objects as one text, numbers to the bit.
+--- What the game sees of a scene, by raw access, numbers to the bit, tables as kinds.
 local function snapshot(scene)
   local lines = {}
-  for _, name in ipairs(NAMES) do
-    for key, value in pairs(scene[name]) do
-      lines[#lines + 1] = name .. "." .. tostring(key) .. "=" .. show(value)
+  for _, part in ipairs(PARTS) do
+    for key, value in next, scene[part] do
+      local text = type(value) == "table" and "table" or show(value)
+      lines[#lines + 1] = part .. "." .. tostring(key) .. "=" .. text
     end
-    for side, other in pairs(scene[name].touching or {}) do
-      lines[#lines + 1] = name .. ".touching." .. side .. "=" .. show(other)
+    for side, other in next, rawget(scene[part], "touching") or {} do
+      lines[#lines + 1] = part .. ".touching." .. side .. "=" .. tostring(not not other)
     end
   end
   table.sort(lines)
   return table.concat(lines, "\n")
 end
 
---- Fails unless two scenes go on the same way, to the bit.
-local function checkGoesOn(scene, twin)
-  for i = 1, 21 do
+local function threeStepsLater(scene)
+  for _ = 1, 3 do
     scene.world:update(DT)
-    twin.world:update(DT)
-    if i % 10 == 1 then
-      assert.equal(snapshot(twin), snapshot(scene))
-    end
   end
+  return snapshot(scene)
+end
+
+local untouched
+
+--- Fails unless a scene goes on like one to which nothing has happened, to the bit.
+local function checkGoesOn(scene)
+  untouched = untouched or threeStepsLater(newScene())
+  assert.equal(untouched, threeStepsLater(scene))
+end
+
+-- Values ------------------------------------------------------------------------------------------
+
+local THROWN = "thrown by a metamethod"
+
+local function throw()
+  error(THROWN, 0)
+end
+
+-- A table that fails whenever it is looked at, however that is done.
+local function newThrower(value)
+  local meta = {}
+  for name in ("index newindex len eq lt le call pairs"):gmatch("%a+") do
+    meta["__" .. name] = throw
+  end
+  return setmetatable(value or {}, meta)
+end
+
+local function newCycle()
+  local cycle = { x = 1, y = 2 }
+  cycle.self, cycle[1], cycle.width = cycle, cycle, cycle
+  return cycle
+end
+
+local function longList()
+  local list = {}
+  for n = 1, 2000 do
+    list[n] = n % 3 == 0 and "boxes" or n
+  end
+  return list
+end
+
+-- The values, each made anew for a scene: name, value.
+local function newValues(scene)
+  return {
+    { "nil", nil },
+    { "true", true },
+    { "false", false },
+    { "a text", "text" },
+    { "a number as text", "12" },
+    { "no text", "" },
+    { "a long text", ("\0\255long"):rep(10000) },
+    { "nan", NAN },
+    { "inf", INF },
+    { "-inf", -INF },
+    { "-0", -0.0 },
+    { "1", 1 },
+    { "-1", -1 },
+    { "0.5", 0.5 },
+    { "1e308", 1e308 },
+    { "-1e308", -1e308 },
+    { "5e-324", 2 ^ -1074 },
+    { "an empty table", {} },
+    { "a list with a hole", { "boxes", nil, "lifts" } },
+    { "a long list", longList() },
+    { "a set", { boxes = true } },
+    { "a cycle", newCycle() },
+    { "a table that throws", newThrower() },
+    { "an object that throws", newThrower(newStranger()) },
+    { "a stranger", newStranger() },
+    { "an object of the world", scene.box },
+    { "a static object of the world", scene.floor },
+    { "a removed object", scene.removed },
+    { "the world", scene.world },
+    { "its groups", scene.objects },
+    { "a function", function() end },
+    { "a function that throws", throw },
+    { "a coroutine", coroutine.create(throw) },
+    { "a file", io.stdout },
+  }
+end
+local COUNT = 34
+
+-- The numbers of some values, others each time, or of all: in the whole of LuaJIT.
+local turn = 0
+
+local function someValues()
+  turn = turn + 1
+  local some, step = {}, effort.isWhole and 1 or effort.isFirst and 2 or 4
+  for n = 1 + turn % step, COUNT, step do
+    some[#some + 1] = n
+  end
+  return some
 end
 
 -- Refusals ----------------------------------------------------------------------------------------
 
---- Makes a call that must be refused: with exactly this message, and blaming a line of the call.
-local function refuses(expected, call, ...)
-  local ok, message = pcall(call, ...)
-  assert.is_false(ok, "it was not refused: " .. expected)
-  local line, text = message:match("bad_input_spec%.lua:(%d+): physics: (.*)$")
-  assert.truthy(line, "blames another line: " .. tostring(message))
-  assert.equal(expected, text)
-  local info = debug.getinfo(call, "S")
-  line = tonumber(line)
-  assert.is_true(line >= info.linedefined and line <= info.lastlinedefined, "blames line " .. line)
+local counts = { taken = 0, refused = 0 }
+
+local function pack(...)
+  return { n = select("#", ...), ... }
 end
+
+-- Makes a call. Returns whether it was taken, and what it returned; else what was said, which must
+-- blame this file.
+local function try(what, call, ...)
+  local list = pack(pcall(call, ...))
+  local which = list[1] and "taken" or "refused"
+  counts[which] = counts[which] + 1
+  if list[1] then
+    return true, list
+  end
+  local text = list[2] == THROWN and THROWN
+    or tostring(list[2]):match("bad_input_spec%.lua:%d+: physics: (.*)$")
+  assert(text, what .. ": " .. tostring(list[2]))
+  return false, text
+end
+
+-- Makes a call that must be refused with these words in the message.
+local function refusesWith(words, call, ...)
+  local isTaken, text = try(words, call, ...)
+  assert.is_false(isTaken, words)
+  assert.truthy(text:find(words, 1, true), text)
+end
+
+-- Fields and settings -----------------------------------------------------------------------------
 
 local function update(scene)
   scene.world:update(DT)
 end
 
---- Spoils a scene; the next step, or another act, must be refused and change nothing. Repairs it
---- with what `spoil` returns, and it must go on like a twin to which all that never happened.
-local function refusesStep(expected, spoil, settings, act)
-  local scene, twin = newScene(settings), newScene(settings)
-  local repair = spoil(scene)
-  local before = snapshot(scene)
-  for _ = 1, 2 do
-    refuses(expected, act or update, scene)
-    assert.equal(before, snapshot(scene))
-  end
-  repair()
-  checkGoesOn(scene, twin)
+local function refreshFloor(scene)
+  scene.world:refresh(scene.floor)
 end
 
---- Returns what spoils a scene by one value: in a part of it, under a key.
-local function put(part, key, value)
-  return function(scene)
-    local owner = scene[part]
-    local old = owner[key]
-    owner[key] = value
-    return function()
-      owner[key] = old
+-- Places for a value. Each puts the value there, and returns the call that meets it and what takes
+-- it away again.
+local function inNew(part, key)
+  return function(scene, name, value)
+    scene[part][key] = newBox(name, value)
+    return update, function()
+      scene[part][key] = nil
     end
   end
 end
 
--- Fields ------------------------------------------------------------------------------------------
+local function inOld(part, call)
+  return function(scene, name, value)
+    local old = scene[part][name]
+    scene[part][name] = value
+    return call or update, function()
+      scene[part][name] = old
+    end
+  end
+end
 
-local NUMBERS = { "12", true, {}, NAN, INF, -INF }
+local function inAdd(group)
+  return function(_, name, value)
+    local box = newBox(name, value)
+    return function(scene)
+      scene.world:add(group, box)
+    end
+  end
+end
 
--- By type of a row: values that do not fit, and what the message expects.
-local WRONG = {
-  boolean = { { 1, "yes", {}, NAN }, "true or false" },
-  ["function"] = { { 1, "print", true, {} }, "a function" },
-  mask = { { 1, "boxes", true }, "a table { [group] = false }" },
-  masks = { { 1, "boxes" }, "a table { [group] = { [group] = false } }" },
-  soft = { { 1, "boxes" }, "a table { [group] = { [group] = px/s } }" },
-  area = { { 1, "water", true }, "a table { gravity = 100, … }" },
-  names = { { 1, "boxes", { boxes = true } }, "a list of group names" },
-  ownFields = { { 1, "hp", { hp = true } }, "a list of names of fields" },
+local function inSettings(make)
+  return function(_, name, value)
+    return function()
+      physics[make]({ [name] = value })
+    end
+  end
+end
+
+-- how the message writes the place, what puts a value there; both lists are gone through in turn
+local NEW = {
+  { "objects.boxes[3].", inNew("boxes", 3) },
+  { "objects.player.", inNew("objects", "player") },
+  { "objects.boxes[3].", inAdd("boxes") },
+  { "objects.crates[1].", inAdd("crates") },
+  { "objects.floors[1].", inOld("floor", refreshFloor) },
+}
+local LATER = {
+  { "objects.boxes[1].", inOld("box") },
+  { "objects.boxes[2].", inOld("sleeper") },
+  { "objects.lifts[1].", inOld("lift") },
+}
+local GIVEN =
+  { { "newWorld(settings): ", inSettings("newWorld") }, { "load(settings): ", inSettings("load") } }
+local WRITTEN = { { "world.", inOld("world") } }
+
+local WORDS = {
+  boolean = "true or false",
+  ["function"] = "a function",
+  mask = "a table { [group] = false }",
+  masks = "a table { [group] = { [group] = false } }",
+  soft = "a table { [group] = { [group] = px/s } }",
+  area = "a table { gravity = 100, … }",
+  names = "a list of group names",
+  ownFields = "a list of names of fields",
 }
 
--- Returns the numbers that a row refuses, and the words for those that it accepts.
-local function numbersOf(row)
-  local values = { unpackList(NUMBERS) }
-  local low = row.min or row.above
-  values[#values + 1] = low and low - 0.1
-  values[#values + 1] = row.above
-  values[#values + 1] = row.max and row.max + 0.1
-  if row.max then
-    return values, ("a number in %.14g..%.14g"):format(row.min, row.max)
+-- The words for what a row accepts.
+local function wordsOf(row)
+  if row.type == "string" then
+    local words = {}
+    for n, value in ipairs(row.values) do
+      words[n] = '"' .. value .. '"'
+    end
+    local last = table.remove(words)
+    return (row.yes and "true, false, " or "") .. table.concat(words, ", ") .. " or " .. last
+  elseif row.max then
+    return ("a number in %.14g..%.14g"):format(row.min, row.max)
+  elseif row.type == "number" then
+    local low = row.min and " >= %.14g" or row.above and " > %.14g" or ""
+    return "a number" .. low:format(row.min or row.above)
   end
-  local range = row.min and " >= %.14g" or row.above and " > %.14g" or ""
-  return values, "a number" .. range:format(low)
+  return WORDS[row.type]
 end
 
--- Returns the texts that a row refuses, and those that it accepts.
-local function choiceOf(row)
-  local words = {}
-  for n, value in ipairs(row.values) do
-    words[n] = '"' .. value .. '"'
-  end
-  local last = table.remove(words)
-  local text = (row.yes and "true, false, " or "") .. table.concat(words, ", ") .. " or " .. last
-  return { 1, "north", row.values[1]:upper(), {}, not row.yes or nil }, text
+local function isInRange(row, value)
+  return type(value) == "number"
+    and math.abs(value) <= 1e100
+    and value >= (row.min or value)
+    and value <= (row.max or value)
+    and (not row.above or value - row.above >= 1e-100)
 end
 
-local function wrongOf(row)
-  if row.type == "number" then
-    return numbersOf(row)
+-- Whether a value fits a row; nil: it depends on the other fields, or on what the table holds.
+local function fits(row, value, place)
+  local kind = type(value)
+  if value == nil then
+    return not row.required and (place ~= "world." or row.default == nil)
+  elseif row.type == "number" then
+    return isInRange(row, value) and (row.name ~= "radius" or nil)
   elseif row.type == "string" then
-    return choiceOf(row)
+    return kind == "boolean" and row.yes ~= nil
+  elseif row.type == "boolean" or row.type == "function" then
+    return kind == row.type
   end
-  return WRONG[row.type][1], WRONG[row.type][2]
+  return kind ~= "table" and false or nil
 end
 
 local function shown(value)
-  if type(value) == "string" then
+  if value == INF or value == -INF or value ~= value then
+    return value == INF and "inf" or value == -INF and "-inf" or "nan"
+  elseif type(value) == "string" then
     return '"' .. value .. '"'
-  elseif type(value) ~= "number" then
-    return type(value) == "boolean" and tostring(value) or type(value)
-  elseif value ~= value then
-    return "nan"
   end
-  return value == INF and "inf" or value == -INF and "-inf" or ("%.14g"):format(value)
+  local isPlain = type(value) == "boolean" or value == nil
+  return type(value) == "number" and ("%.14g"):format(value)
+    or isPlain and tostring(value)
+    or type(value)
 end
 
-local function messageFor(place, name, expected, value)
+-- What must be said; of long texts and of numbers beyond the limits only how it begins.
+local function messageFor(place, row, value)
+  local words, hint = wordsOf(row), ""
   if value == INF or value == -INF then
-    expected = expected:gsub("^a number", "a finite number")
+    words = words:gsub("^a number", "a finite number")
+    hint = row.infinite and value == INF and " (" .. row.infinite .. ")" or ""
+  elseif type(value) == "string" and #value > 40 then
+    return place .. row.name .. " must be " .. words .. ", got "
+  elseif row.type == "number" and shown(value):find("e[+-]") then
+    return place .. row.name .. " must be a number"
   end
-  local hint = name == "mass" and value == INF and " (pushable = false: never pushed)" or ""
-  return place .. name .. " must be " .. expected .. ", got " .. shown(value) .. hint
+  return place .. row.name .. " must be " .. words .. ", got " .. shown(value) .. hint
 end
 
-local LATER =
-  { box = "objects.boxes[1].", sleeper = "objects.boxes[2].", lift = "objects.lifts[1]." }
+-- Puts a value into a field or setting at a place. If it is refused, everything is as it was.
+local function tryAt(place, row, value, what)
+  local scene = newScene()
+  local call, repair = place[2](scene, row.name, value)
+  local before = snapshot(scene)
+  local fit = fits(row, value, place[1])
+  for _ = 1, 2 do
+    local isTaken, text = try(what, call, scene)
+    assert(isTaken or not fit, what .. " is refused: " .. tostring(text))
+    if isTaken then
+      assert(fit ~= false, what .. " is taken")
+      return
+    end
+    local expected = fit == false and messageFor(place[1], row, value) or place[1] .. row.name
+    assert(text == THROWN or text:sub(1, #expected) == expected, what .. ": " .. text)
+    assert.equal(before, snapshot(scene), what)
+  end
+  if repair then
+    repair()
+  end
+  checkGoesOn(scene)
+end
 
--- A value is refused in a new object and in one that is there. (`static` is read once, and a
--- callback that has no column when it would be called.)
-local function checkValue(row, value, expected)
-  local name = row.name
-  local function message(place)
-    return messageFor(place, name, expected, value)
+-- All values, and those at the ends of its range, for a row: in a new object or world, and later.
+local function tryRow(row, first, later)
+  local scene, some, n = newScene(), someValues(), 0
+  local values = newValues(scene)
+  for _, edge in ipairs({ (row.min or row.above or 0) - 0.1, row.above or 1, (row.max or 0) + 0.1 }) do
+    values[#values + 1] = { shown(edge), edge }
+    some[#some + 1] = #values
   end
-  local scene, box = newScene(), newBox(name, value)
-  for group, place in pairs({ boxes = "objects.boxes[3].", crates = "objects.crates[1]." }) do
-    refuses(message(place), function()
-      scene.world:add(group, box)
-    end)
-  end
-  assert.same(
-    { 2, false, false },
-    { #scene.boxes, scene.objects.crates or false, box.touching or false }
-  )
-  refusesStep(message("objects.boxes[3]."), put("boxes", 3, newBox(name, value)))
-  refusesStep(message("objects.player."), put("objects", "player", newBox(name, value)))
-  refusesStep(message("objects.floors[1]."), put("floor", name, value), nil, function(its)
-    its.world:refresh(its.floor)
-  end)
-  for part, place in pairs(LATER) do
-    if name ~= "static" and (row.column or row.type ~= "function") then
-      refusesStep(message(place), put(part, name, value))
+  for _, m in ipairs(some) do
+    local what = row.name .. " is " .. values[m][1]
+    -- A callback that fails is no bad input: its step is made (recovery_spec.lua).
+    if row.type ~= "function" or values[m][1] ~= "a function that throws" then
+      n = n + 1
+      tryAt(first[1 + n % #first], row, values[m][2], what)
+      local isRead = row.name ~= "static" and (row.column or row.type ~= "function")
+      if isRead or first == GIVEN then
+        tryAt(later[1 + n % #later], row, values[m][2], what .. " later")
+      end
     end
   end
 end
 
-describe("the field", function()
-  for _, row in ipairs(fields.objects) do
-    local values, expected = {}, nil
-    if not row.written then
-      values, expected = wrongOf(row)
-    end
-    for _, value in ipairs(values) do
-      it(row.name .. " refuses " .. shown(value) .. ", at first and later", function()
-        checkValue(row, value, expected)
-      end)
-    end
-    if row.required then
-      it(row.name .. " may not be missing, at first and later", function()
-        checkValue(row, nil, expected)
-      end)
-    end
-  end
-
-  -- `update` makes a number of a velocity that is not there.
-  for part, place in pairs({ box = "boxes", lift = "lifts" }) do
-    for name, other in pairs({ vx = "vy", vy = "vx" }) do
-      it(name .. " of a " .. part .. " is not false, also beside one that is missing", function()
-        local expected = ("objects.%s[1].%s must be a number, got false"):format(place, name)
-        refusesStep(expected, function(scene)
-          local repair, repairOther = put(part, name, false)(scene), put(part, other, nil)(scene)
-          return function()
-            repair()
-            repairOther()
-          end
-        end)
-      end)
-    end
-  end
-
-  it("slope is refused of what is dynamic, or becomes it", function()
-    local expected = 'slope must be nil for a dynamic object, got "left"'
-      .. " (set static = true or kinematic = true)"
-    local scene = newScene()
-    refuses("objects.boxes[3]." .. expected, function()
-      scene.world:add("boxes", newBox("slope", "left"))
-    end)
-    refusesStep("objects.boxes[1]." .. expected, put("box", "slope", "left"))
-    refusesStep("objects.boxes[2]." .. expected, put("sleeper", "slope", "left"))
-    scene.lift.slope = "left"
-    scene.world:update(DT)
-    scene.lift.kinematic = nil
-    refuses("objects.lifts[1]." .. expected, update, scene)
-  end)
-
-  for _, name in ipairs({ "onBegin", "onEnd" }) do
-    it(name .. " that turns bad is refused when it would be called, and not lost", function()
-      local world, told = physics.newWorld({ gravity = 0 }), 0
-      local wall = world:add("walls", { x = 20, y = 0, width = 4, height = 16, static = true })
-      local box = world:add("boxes", { x = 0, y = 0, width = 16, height = 16, vx = 960 })
-      wall[name] = function()
-        told = told + 1
-      end
-      box.vx = 0
-      world:update(DT)
-      box[name], box.vx = "bang", 960
-      refuses("objects.boxes[1]." .. name .. ' must be a function, got "bang"', function()
-        world:update(DT)
-        box.vx = -960
-        world:update(DT)
-      end)
-      assert.equal(0, told)
-      box[name] = nil
-      world:update(DT)
-      assert.equal(1, told)
-    end)
-  end
-end)
-
-describe("onBegin that another callback spoils", function()
-  for which, row in pairs({
-    player = { "objects.player", 2 },
-    crate = { "objects.crates[1]", 1 },
-    world = { "world", 0 },
-  }) do
-    it("is refused before it is called, and not lost: " .. which, function()
-      local world = physics.newWorld({ gravity = 0 })
-      local coin = { x = 0, y = 0, width = 8, height = 8, static = true, sensor = true }
-      local crate = world:add("crates", { x = 40, y = 0, width = 16, height = 16, vx = 0.5 })
-      local player = { x = 56, y = 0, width = 16, height = 16, vx = -0.5 }
-      world.objects.player = player
-      world:add("coins", coin)
-      local guest = world:add("aGuest", { x = 2, y = 2, width = 4, height = 4 })
-      local owner, told = ({ player = player, crate = crate, world = world })[which], 0
-      local function count()
-        told = told + 1
-      end
-      crate.onBegin, player.onBegin, world.onBegin = count, count, count
-      guest.onBegin = function()
-        owner.onBegin = "boom"
-      end
-      refuses(row[1] .. '.onBegin must be a function, got "boom"', function()
-        world:update(DT)
-      end)
-      -- By then the world has heard, of the guest's event, and the crate, if it comes first.
-      assert.equal(row[2], told)
-      owner.onBegin = count
-      world:update(DT)
-      assert.equal(4, told)
-    end)
-  end
-end)
-
--- Places and settings -----------------------------------------------------------------------------
-
--- Twice in the world: the first place, the second one.
-local function twice(second, first)
-  return second
-    .. " is the same object as "
-    .. first
-    .. ": an object must be in one place only, got table in two"
-end
-
-describe("a step refuses", function()
-  local key = " has a key that is neither a number nor a string, got "
-  -- what is said, what spoils the scene, settings
-  for _, row in ipairs({
-    { "objects must be a table of groups, got 7", put("world", "objects", 7) },
-    {
-      "objects.coins must be a group (a table of objects) or an object, got 5",
-      put("objects", "coins", 5),
-    },
-    { "objects" .. key .. "true", put("objects", true, {}) },
-    { "objects" .. key .. "table", put("objects", NAMES, {}) },
-    { "objects.boxes" .. key .. "table", put("boxes", NAMES, newBox()) },
-    { "objects.boxes" .. key .. "false", put("boxes", false, newBox()) },
-    { 'objects.boxes[3] must be an object (a table), got "crate"', put("boxes", 3, "crate") },
-    { "objects.boxes.hit must be an object (a table), got function", put("boxes", "hit", print) },
-    {
-      twice("objects.boxes[3]", "objects.boxes[1]"),
-      function(scene)
-        return put("boxes", 3, scene.box)(scene)
-      end,
-    },
-    {
-      twice("objects.coins[1]", "objects.boxes[2]"),
-      function(scene)
-        return put("objects", "coins", { scene.sleeper })(scene)
-      end,
-    },
-    {
-      twice("objects.player", "objects.lifts[1]"),
-      function(scene)
-        return put("objects", "player", scene.lift)(scene)
-      end,
-    },
-    {
-      "objects.boxes[1].mask.lifts must be true or false, got 0",
-      put("box", "mask", { lifts = 0 }),
-    },
-    { "world.gravity must be a number, got nil", put("world", "gravity", nil) },
-    {
-      "world.maxStep must be a number in 1e-05..0.25, got nil",
-      put("world", "maxStep", nil),
-    },
-    {
-      "world.masks.boxes.gates must be true or false, got 0",
-      function(scene)
-        scene.masks = scene.world.masks.boxes
-        return put("masks", "gates", 0)(scene)
-      end,
-      { gravity = 800, masks = { boxes = { gates = false } } },
-    },
-  }) do
-    it(row[1], function()
-      refusesStep(row[1], row[2], row[3])
-    end)
-  end
-
-  it("the first that is wrong, and nothing new enters before all is right", function()
-    local scene = newScene()
-    local good, bad = newBox(), newBox("mass", 0)
-    scene.boxes[3], scene.boxes[4] = good, bad
-    refuses("objects.boxes[4].mass must be a number > 0, got 0", update, scene)
-    assert.is_nil(good.touching)
-    bad.mass = 2
-    scene.world:update(DT)
-    assert.is_table(good.touching)
-    assert.equal(7, scene.world.stats.objects)
-  end)
-end)
-
-describe("the setting", function()
-  for _, row in ipairs(fields.settings) do
-    local values, expected = wrongOf(row)
-    for _, value in ipairs(values) do
-      it(row.name .. " refuses " .. shown(value) .. ", at first and later", function()
-        local text = messageFor("", row.name, expected, value)
-        refuses("newWorld(settings): " .. text, function()
-          physics.newWorld({ [row.name] = value })
-        end)
-        refuses("load(settings): " .. text, function()
-          physics.load({ [row.name] = value })
-        end)
-        refusesStep("world." .. text, put("world", row.name, value))
-      end)
-    end
-  end
-
-  it("that load refuses leaves the default world as it was", function()
-    physics.load({ gravity = 5 })
-    local objects = physics.objects
-    pcall(physics.load, { gravity = "x" })
-    assert.equal(objects, physics.objects)
-    assert.equal(5, physics.gravity)
+describe("whatever is in it, it is taken or refused:", function()
+  after_each(function()
     physics.load()
   end)
-end)
 
--- Calls -------------------------------------------------------------------------------------------
-
-describe("world:update(dt)", function()
-  for _, row in ipairs({
-    { nil, "a number >= 0, got nil" },
-    { "0.1", 'a number >= 0, got "0.1"' },
-    { {}, "a number >= 0, got table" },
-    { NAN, "a number >= 0, got nan" },
-    { -1, "a number >= 0, got -1" },
-    { INF, "a finite number >= 0, got inf" },
-  }) do
-    it("refuses " .. row[2], function()
-      local scene = newScene()
-      local before = snapshot(scene)
-      refuses("world:update(dt): dt must be " .. row[2], function()
-        scene.world:update(row[1])
+  for _, row in ipairs(fields.objects) do
+    if not row.written then
+      it("the field " .. row.name, function()
+        tryRow(row, NEW, LATER)
       end)
-      refuses("world:update(dt): dt must be " .. row[2], function()
-        physics.update(row[1])
-      end)
-      assert.equal(before, snapshot(scene))
-    end)
+    end
   end
 
-  it("with a fixed step loses no time over a refused value", function()
-    local settings = { gravity = 800, timestep = DT }
-    for _, dt in ipairs({ DT, 2.5 * DT }) do
-      local scene, twin = newScene(settings), newScene(settings)
-      scene.box.width = -1
-      for _ = 1, 4 do
-        pcall(scene.world.update, scene.world, dt)
-      end
-      scene.box.width = 16
-      for _ = 1, 20 do
-        scene.world:update(dt)
-        twin.world:update(dt)
-        assert.equal(snapshot(twin), snapshot(scene))
-      end
-    end
-  end)
+  for _, row in ipairs(fields.settings) do
+    it("the setting " .. row.name, function()
+      tryRow(row, GIVEN, WRITTEN)
+    end)
+  end
 end)
 
-local ADD = "world:add(group, object): "
-local NO_WORLD = "the object is not in the world (removed, or never added)"
+-- Functions ---------------------------------------------------------------------------------------
 
--- What is said, the method, its arguments; there are a box, a player and a bad crate.
-local function newCalls(box, player, crate)
-  local group = "group must be a string or a number, got "
+-- The methods: name, arguments that are fine.
+local function newMethods(scene)
+  local box, floor, all = scene.box, scene.floor, { "boxes", "floors" }
   return {
-    { ADD .. group .. "nil", "add", nil, newBox() },
-    { ADD .. group .. "table (the group comes first, then the object)", "add", {}, newBox() },
-    { ADD .. group .. "nan", "add", NAN, newBox() },
-    {
-      ADD
-        .. "the place is a part of the object, as in"
-        .. ' world:add("boxes", { x = 0, y = 0, width = 16, height = 16 })',
-      "add",
-      newBox(),
-      1,
-      2,
-    },
-    { ADD .. "object must be a table, got nil", "add", "boxes" },
-    { ADD .. "the object already stands at objects.boxes[1]", "add", "crates", box },
-    { ADD .. "the object already stands at objects.player", "add", "crates", player },
-    { ADD .. "objects.player is not a group, got an object", "add", "player", newBox() },
-    { ADD .. "objects.coins is not a group, got 5", "add", "coins", newBox() },
-    { "world:remove(object): object must be a table, got nil", "remove" },
-    { "world:refresh(object): object must be a table, got 1", "refresh", 1 },
-    { "world:interpolate(object): object must be a table, got nil", "interpolate" },
-    { "world:refresh(object): " .. NO_WORLD, "refresh", newBox() },
-    { "objects.crate.mass must be a number > 0, got 0", "refresh", crate },
+    { "update", DT },
+    { "add", "boxes", newStranger() },
+    { "remove", box },
+    { "refresh", box },
+    { "ground", box },
+    { "groupOf", box },
+    { "dropThrough", scene.sleeper },
+    { "save", {} },
+    { "restore", scene.world:save() },
+    { "hash" },
+    { "interpolate", box },
+    { "queryPoint", 25, 190, "boxes", {} },
+    { "queryRect", 10, 180, 50, 50, all, {} },
+    { "queryCircle", 25, 190, 40, all, {} },
+    { "querySegment", 0, 190, 400, 195, "boxes", {} },
+    { "raycast", 0, 190, 400, 195, "boxes" },
+    { "sweep", box, 100, 50, "floors" },
+    { "fits", 20, 190, 40, 30, "boxes" },
+    { "velocity", box },
+    { "shift", 10, 20 },
+    { "nearest", 10, 10, 300, "boxes" },
+    { "overlapping", scene.gate, "boxes", {} },
+    { "touching", scene.sleeper, floor },
+    { "explain", box, floor },
+    { "move", box, 60, 50, "slide", {} },
+    { "impulse", box, 10, 10 },
+    { "explode", 20, 190, 200, 300, "boxes", { "floors" } },
+    { "setBounds", 0, 0, 300, 200 },
   }
 end
 
-describe("a call refuses", function()
-  for n, title in ipairs(newCalls()) do
-    it(title[1], function()
-      local world = physics.newWorld()
-      local box, objects = world:add("boxes", newBox()), world.objects
-      objects.player = newBox()
-      world:update(DT)
-      objects.crate, objects.coins = newBox("mass", 0), 5
-      local row = newCalls(box, objects.player, objects.crate)[n]
-      refuses(row[1], function()
-        world[row[2]](world, unpackList(row, 3, 6))
+-- The functions that are no methods.
+local function newFunctions()
+  return {
+    { "inside", 1, 1, 2, 2, 0, 0, 9, 9 },
+    { "side", newStranger(), newStranger() },
+    { "checkCollision", newStranger(), newStranger(), true },
+    { "checkCollision", 1, 1, 2, 2, 0, 0, 9, 9, true },
+    { "bump", newStranger(), { x = 503, y = 501, width = 5, height = 5 }, "first" },
+    { "newWorld", { gravity = 5 } },
+    { "load", { gravity = 5 } },
+  }
+end
+
+-- Not tried here: `draw` needs LÖVE (draw_spec.lua), `globals` takes nothing, and maps have specs
+-- of their own.
+local ELSEWHERE =
+  { draw = true, globals = true, loadTiled = true, loadLDtk = true, addTiles = true }
+
+local function isFinite(value)
+  return value - value == 0
+end
+
+-- Of a table that is in no world `interpolate` returns x and y, whatever they are.
+local function checkResults(what, list)
+  for n = 2, what:find("^interpolate") and 0 or list.n do
+    local value = list[n]
+    assert(type(value) ~= "number" or isFinite(value), what .. ": returned " .. tostring(value))
+  end
+end
+
+-- Makes a call, which returns numbers and others that a game can use, or is refused and has changed
+-- nothing. Returns the scene for the next call: one is good for many that are refused.
+local function judge(scene, what, call, ...)
+  scene.hash, scene.seen = scene.hash or scene.world:hash(), scene.seen or snapshot(scene)
+  local isTaken, list = try(what, call, ...)
+  if isTaken then
+    checkResults(what, list)
+    return newScene()
+  end
+  assert.equal(scene.seen, snapshot(scene), what)
+  assert.equal(scene.hash, scene.world:hash(), what)
+  return scene
+end
+
+-- Whatever has happened, the world goes on.
+local function checkAlive(scene, what)
+  for _ = 1, 2 do
+    local isDone, message = pcall(scene.world.update, scene.world, DT)
+    assert(isDone or message == THROWN, what .. ": the next update fails: " .. tostring(message))
+  end
+  for _, part in ipairs(PARTS) do
+    local its = scene[part]
+    local sum = its.x + its.y + (its.vx or 0) + (its.vy or 0)
+    assert(isFinite(sum), what .. ": " .. part .. " is lost")
+  end
+end
+
+-- All values at all places of a function of `owner(scene)`, which is row n of `newRows(scene)`. Its
+-- arguments begin with the world, or behind that.
+local function tryAll(newRows, n, owner, first)
+  local scene = newScene()
+  local row = newRows(scene)[n]
+  for place = 2, #row do
+    for _, m in ipairs(someValues()) do
+      local args, value = newRows(scene)[n], newValues(scene)[m]
+      args[1], args[place] = scene.world, value[2]
+      local what = ("%s, argument %d is %s"):format(row[1], place - 1, value[1])
+      scene = judge(scene, what, function()
+        return nil, owner(scene)[row[1]](unpackList(args, first, #row))
       end)
-      assert.same({ 1, false }, { #objects.boxes, objects.crates or false })
+    end
+    checkAlive(scene, row[1])
+    scene = newScene()
+  end
+end
+
+local NAMES = newMethods(newScene())
+
+describe("whatever it is given,", function()
+  for n, row in ipairs(NAMES) do
+    it("world:" .. row[1] .. " answers or refuses it", function()
+      tryAll(newMethods, n, function(scene)
+        return scene.world
+      end, 1)
     end)
   end
 
-  it("to be made where there is no table of objects", function()
-    local world = physics.newWorld()
-    world.objects = 3
-    for _, call in ipairs({ { "add", "boxes" }, { "impulse", nil, 1, 0 }, { "dropThrough" } }) do
-      refuses("objects must be a table of groups, got 3", function()
-        world[call[1]](world, call[2] or newBox(), call[3] or newBox(), call[4])
-      end)
-    end
-  end)
+  for n, row in ipairs(newFunctions()) do
+    it("physics." .. row[1] .. " answers or refuses it, row " .. n, function()
+      tryAll(newFunctions, n, function()
+        return physics
+      end, 2)
+      physics.load()
+    end)
+  end
+end)
 
-  it("an object that is not in the world any more, but not in another place", function()
-    local world = physics.newWorld()
-    local box, tile = world:add("boxes", newBox()), newBox("static", true)
-    world.objects.tile = tile
-    for n = 1, 3 do
-      world:update(n > 1 and DT or 0)
-      world:remove(box)
-      world.objects.tile, world.objects.others = nil, nil
-      for _, object in ipairs({ box, tile }) do
-        refuses("world:refresh(object): " .. NO_WORLD, function()
-          world:refresh(object)
+describe("whatever it answers,", function()
+  for name, call in pairs({
+    ["a filter"] = function(scene, answer)
+      scene.world:queryRect(0, 0, 300, 300, answer)
+    end,
+    ["a response"] = function(scene, answer)
+      scene.world:move(scene.box, 200, 190, answer)
+    end,
+    canCollide = function(scene, answer)
+      scene.world.canCollide = answer
+      scene.world:update(DT)
+    end,
+    onBegin = function(scene, answer)
+      scene.world.onBegin, scene.sleeper.vy = answer, -100
+      scene.world:update(DT)
+    end,
+  }) do
+    it(name .. " is taken or refused", function()
+      for _, m in ipairs(someValues()) do
+        local scene = newScene()
+        local value = newValues(scene)[m]
+        local what = name .. " returns " .. value[1]
+        try(what, call, scene, function()
+          return value[2]
         end)
-        refuses("world:dropThrough(object): " .. NO_WORLD, function()
-          world:dropThrough(object)
-        end)
+        scene.world.canCollide = nil
+        checkAlive(scene, what)
       end
-      world.objects.others, world.objects.tile = { tile }, box
-      world:refresh(box)
-      world:refresh(tile)
-      assert.is_false(world:dropThrough(box))
+    end)
+  end
+end)
+
+describe("the matrix of bad input", function()
+  it("has every public function in it, and thousands of calls", function()
+    local tried = {}
+    for _, list in ipairs({ NAMES, newFunctions() }) do
+      for _, row in ipairs(list) do
+        tried[row[1]] = true
+      end
+    end
+    for name, value in pairs(physics) do
+      if type(value) == "function" and not ELSEWHERE[name] then
+        assert(tried[name], name .. " is not tried")
+      end
+    end
+    if effort.isWhole then
+      assert.is_true(counts.refused > 8000, "refused: " .. counts.refused)
+      assert.is_true(counts.taken > 1000, "taken: " .. counts.taken)
     end
   end)
 end)
+
+-- Calls in the wrong way --------------------------------------------------------------------------
 
 -- The names of the functions of a table, sorted.
 local function functionsOf(methods)
@@ -576,21 +619,13 @@ local function functionsOf(methods)
   return names
 end
 
--- Makes a call that must be refused with these words in the message.
-local function refusesWith(words, call)
-  local ok, message = pcall(call)
-  assert.is_false(ok, words)
-  assert.truthy(message:find(words, 1, true), message)
-  assert.truthy(message:find("bad_input_spec.lua:", 1, true), message)
-end
-
 describe("every", function()
   it("method of a world says so when it is called with a dot instead of a colon", function()
     local world = physics.newWorld()
     for _, name in ipairs(functionsOf(getmetatable(world).__index)) do
       for _, wrong in ipairs({ DT, "boxes", {} }) do
         local words = "must be called with a colon on a world, got " .. shown(wrong)
-        for _, part in ipairs({ words, "physics: world:" .. name .. "(" }) do
+        for _, part in ipairs({ words, "world:" .. name .. "(" }) do
           refusesWith(part, function()
             world[name](wrong, newBox())
           end)
@@ -604,9 +639,8 @@ describe("every", function()
     local coin = physics.add("coins", newBox())
     local hash = physics.hash()
     for _, name in ipairs(functionsOf(physics)) do
-      local words = "physics: physics." .. name .. " must be called with a dot, not with a colon"
       for _, argument in ipairs({ DT, "coins", coin, {} }) do
-        refusesWith(words, function()
+        refusesWith("physics." .. name .. " must be called with a dot, not with a colon", function()
           local result = physics[name](physics, argument, coin)
           return result
         end)
@@ -626,35 +660,20 @@ describe("canCollide", function()
     { "remove(object)", "remove", "lift" },
     { "refresh(object)", "refresh", "floor" },
   }) do
-    it("may not call " .. row[1], function()
+    it("may not call " .. row[1] .. "; the update is refused, and nothing has changed", function()
       for _, which in ipairs({ "sleeper", "floor", "world" }) do
-        local function make()
-          local scene = newScene({ gravity = 800, rest = false })
-          scene[which].canCollide = function()
-            return true
-          end
-          scene.world:refresh(scene.floor)
-          return scene
-        end
-        local scene, twin = make(), make()
-        local works = scene[which].canCollide
-        twin[which].canCollide = works
-        twin.world:refresh(twin.floor)
+        local scene = newScene()
         scene[which].canCollide = function()
           scene.world[row[2]](scene.world, scene[row[3]] or row[3], row[4])
         end
+        scene.world:refresh(scene.sleeper)
         scene.world:refresh(scene.floor)
         local before = snapshot(scene)
-        refusesWith(
-          "physics: world:" .. row[1] .. " cannot be called from inside canCollide",
-          function()
-            scene.world:update(DT)
-          end
-        )
+        refusesWith("world:" .. row[1] .. " cannot be called from inside canCollide", update, scene)
         assert.equal(before, snapshot(scene))
-        scene[which].canCollide = works
+        scene[which].canCollide = nil
         scene.world:refresh(scene.floor)
-        checkGoesOn(scene, twin)
+        checkGoesOn(scene)
       end
     end)
   end

@@ -1,5 +1,6 @@
---- Errors: their words, and the line they name; bad_input_spec.lua has the wrong values. What loads
---- physics/fields/check.lua itself is tagged #files: there is no such file when the library is one.
+--- Errors: their words, and the line they name; bad_input_spec.lua has the wrong values, and that
+--- nothing has changed. What loads physics/fields/check.lua itself is tagged #files: there is no such
+--- file when the library is one.
 
 local check = require("physics.fields.check")
 local physics = require("physics")
@@ -155,9 +156,7 @@ describe("an error", function()
     { "enemies", "spike", "objects.enemies.spike" },
     { "player", nil, "objects.player" },
     { "my group", 1, 'objects["my group"][1]' },
-    { "boxes", "the big one", 'objects.boxes["the big one"]' },
     { "end", "2nd", 'objects["end"]["2nd"]' },
-    { 1, 2, "objects[1][2]" },
     { -1, "a", "objects[-1].a" },
   }) do
     it("names the place " .. row[3], function()
@@ -179,6 +178,10 @@ describe("an error", function()
     { { mask = { b = 2, a = 1, c = 3 } }, ".mask.a must be true or false, got 1" },
     { { mask = { [true] = false } }, ".mask must have group names as keys, got true" },
     { { y = NAN, width = -1, friction = "x" }, ".y must be a number, got nan" }, -- the first one
+    {
+      { slope = "left" },
+      '.slope must be nil for a dynamic object, got "left" (set static = true or kinematic = true)',
+    },
   }) do
     it("of an object says: " .. row[2], function()
       refuses("objects.boxes[1]" .. row[2], function()
@@ -285,4 +288,187 @@ describe("a group", function()
       end)
     end)
   end
+end)
+
+-- Steps and calls ---------------------------------------------------------------------------------
+
+-- Says that an object stands in two places.
+local function twice(second, first)
+  return ("objects.%s is the same object as objects.%s"):format(second, first)
+    .. ": an object must be in one place only, got table in two"
+end
+
+describe("world:update", function()
+  local key = " has a key that is neither a number nor a string, got "
+  local box = object()
+  -- what is said of these objects, beside a box
+  for _, row in ipairs({
+    { "objects must be a table of groups, got 7", 7 },
+    { "objects.coins must be a group (a table of objects) or an object, got 5", { coins = 5 } },
+    { "objects" .. key .. "true", { [true] = {} } },
+    { "objects.boxes" .. key .. "table", { boxes = { [{}] = object() } } },
+    { 'objects.boxes[3] must be an object (a table), got "crate"', { boxes = { [3] = "crate" } } },
+    { "objects.boxes.hit must be an object (a table), got function", { boxes = { hit = print } } },
+    { twice("boxes[3]", "boxes[1]"), { boxes = { box, [3] = box } } },
+    { twice("coins[1]", "boxes[1]"), { boxes = { box }, coins = { box } } },
+    { twice("player", "boxes[1]"), { boxes = { box }, player = box } },
+    {
+      "objects.boxes[2].mass must be a number > 0, got 0",
+      { boxes = { box, object({ mass = 0 }) } },
+    },
+  }) do
+    it("refuses: " .. row[1] .. "; nothing has entered", function()
+      local world = physics.newWorld({ order = { "boxes" } })
+      world.objects, box.touching = row[2], nil
+      refuses(row[1], function()
+        world:update(1 / 60)
+      end)
+      assert.is_nil(box.touching)
+    end)
+  end
+
+  for _, row in ipairs({
+    { "0.1", 'a number >= 0, got "0.1"' },
+    { -1, "a number >= 0, got -1" },
+    { INF, "a finite number >= 0, got inf" },
+  }) do
+    it("refuses dt that is not " .. row[2], function()
+      refuses("world:update(dt): dt must be " .. row[2], function()
+        physics.update(row[1])
+      end)
+    end)
+  end
+
+  it("refuses masks that were spoiled in place", function()
+    local world = physics.newWorld({ masks = { boxes = { gates = false } } })
+    world.masks.boxes.gates = 0
+    refuses("world.masks.boxes.gates must be true or false, got 0", function()
+      world:update(0)
+    end)
+  end)
+
+  for _, name in ipairs({ "onBegin", "onEnd" }) do
+    it("refuses a bad " .. name .. " when it would be called, and loses no event", function()
+      local world, told = physics.newWorld({ gravity = 0 }), 0
+      local wall = world:add("walls", { x = 20, y = 0, width = 4, height = 16, static = true })
+      local box = world:add("boxes", { x = 0, y = 0, width = 16, height = 16 })
+      wall[name] = function()
+        told = told + 1
+      end
+      world:update(1 / 60)
+      box[name], box.vx = "bang", 960
+      refuses("objects.boxes[1]." .. name .. ' must be a function, got "bang"', function()
+        world:update(1 / 60)
+        box.vx = -960
+        world:update(1 / 60)
+      end)
+      assert.equal(0, told)
+      box[name] = nil
+      world:update(1 / 60)
+      assert.equal(1, told)
+    end)
+  end
+
+  it("refuses a callback that another one has spoiled, and loses no event", function()
+    local world, told = physics.newWorld({ gravity = 0 }), 0
+    world:add("coins", object({ static = true, sensor = true }))
+    local guest = world:add("aGuest", object())
+    local player = { x = 56, y = 0, width = 16, height = 16, vx = -0.5 }
+    world.objects.player = player
+    world:add("crates", { x = 40, y = 0, width = 16, height = 16, vx = 0.5 })
+    player.onBegin = function()
+      told = told + 1
+    end
+    local good = player.onBegin
+    guest.onBegin = function()
+      player.onBegin = "boom"
+    end
+    refuses('objects.player.onBegin must be a function, got "boom"', function()
+      world:update(1 / 60)
+    end)
+    player.onBegin = good
+    world:update(1 / 60)
+    assert.equal(1, told)
+  end)
+end)
+
+local ADD = "world:add(group, object): "
+local NO_WORLD = "the object is not in the world (removed, or never added)"
+
+describe("a call", function()
+  local BOX, PLAYER, CRATE = "box", "player", "crate" -- stand for objects of the world
+  local group = "group must be a string or a number, got "
+  local example = ' as in world:add("boxes", { x = 0, y = 0, width = 16, height = 16 })'
+  -- what is said, the method, its arguments
+  for _, row in ipairs({
+    { ADD .. group .. "nil", "add", nil, object() },
+    { ADD .. group .. "table (the group comes first, then the object)", "add", {}, object() },
+    { ADD .. group .. "nan", "add", NAN, object() },
+    { ADD .. "the place is a part of the object," .. example, "add", object(), 1, 2 },
+    { ADD .. "object must be a table, got nil", "add", "boxes" },
+    { ADD .. "the object already stands at objects.boxes[1]", "add", "crates", BOX },
+    { ADD .. "the object already stands at objects.player", "add", "crates", PLAYER },
+    { ADD .. "objects.player is not a group, got an object", "add", "player", object() },
+    { ADD .. "objects.coins is not a group, got 5", "add", "coins", object() },
+    { "world:remove(object): object must be a table, got nil", "remove" },
+    { "world:refresh(object): object must be a table, got 1", "refresh", 1 },
+    { "world:interpolate(object): object must be a table, got nil", "interpolate" },
+    { "world:refresh(object): " .. NO_WORLD, "refresh", object() },
+    { "objects.crate.mass must be a number > 0, got 0", "refresh", CRATE },
+  }) do
+    it("says: " .. row[1], function()
+      local world = physics.newWorld()
+      local objects = world.objects
+      local named = { [BOX] = world:add("boxes", object()), [PLAYER] = object() }
+      objects.player = named[PLAYER]
+      world:update(1 / 60)
+      named[CRATE], objects.coins = object({ mass = 0 }), 5
+      objects.crate = named[CRATE]
+      refuses(row[1], function()
+        local first = row[2] ~= "add" and named[row[3]] or row[3]
+        world[row[2]](world, first, named[row[4]] or row[4], row[5])
+      end)
+      assert.same({ 1, false }, { #objects.boxes, objects.crates or false })
+    end)
+  end
+
+  it("says that objects is no table, whichever it is", function()
+    local world = physics.newWorld()
+    world.objects = 3
+    for _, call in ipairs({ { "add", "boxes" }, { "impulse", nil, 1, 0 }, { "dropThrough" } }) do
+      refuses("objects must be a table of groups, got 3", function()
+        world[call[1]](world, call[2] or object(), call[3] or object(), call[4])
+      end)
+    end
+  end)
+
+  it("knows no object that has left, and one that has only got another place", function()
+    local world = physics.newWorld()
+    local box, tile = world:add("boxes", object()), object({ static = true })
+    world.objects.tile = tile
+    for n = 1, 3 do
+      world:update(n > 1 and 1 / 60 or 0)
+      world:remove(box)
+      world.objects.tile, world.objects.others = nil, nil
+      for _, name in ipairs({ "refresh", "dropThrough" }) do
+        for _, its in ipairs({ box, tile }) do
+          refuses("world:" .. name .. "(object): " .. NO_WORLD, function()
+            world[name](world, its)
+          end)
+        end
+      end
+      world.objects.others, world.objects.tile = { tile }, box
+      world:refresh(box)
+      world:refresh(tile)
+      assert.is_false(world:dropThrough(box))
+    end
+  end)
+
+  it("of load that is refused leaves the default world as it was", function()
+    physics.load({ gravity = 5 })
+    local objects = physics.objects
+    pcall(physics.load, { gravity = "x" })
+    assert.same({ objects, 5 }, { physics.objects, physics.gravity })
+    physics.load()
+  end)
 end)

@@ -6,37 +6,26 @@ local unpack = table.unpack or unpack -- luacheck: ignore (Lua 5.1 has it as a g
 
 -- Stands in for love.graphics: keeps the state that has to be restored and writes every call down.
 local function newRecorder()
-  local color, lineWidth, font, depth = { 0.1, 0.2, 0.3, 0.4 }, 5, "the caller's", 0
-  local calls = {}
-  local graphics = {}
-
-  function graphics.getColor()
-    return color[1], color[2], color[3], color[4]
+  local state = { Color = { 0.1, 0.2, 0.3, 0.4 }, LineWidth = { 5 }, Font = { "the caller's" } }
+  local graphics, calls, depth = {}, {}, 0
+  for what in pairs(state) do
+    graphics["get" .. what] = function()
+      return unpack(state[what])
+    end
+    graphics["set" .. what] = function(...)
+      state[what] = { ... }
+    end
   end
-  function graphics.setColor(...)
-    color = { ... }
-  end
-  function graphics.getLineWidth()
-    return lineWidth
-  end
-  function graphics.setLineWidth(width)
-    lineWidth = width
-  end
-  function graphics.getFont()
+  local font = {
+    getWidth = function()
+      return 40
+    end,
+    getHeight = function()
+      return 9
+    end,
+  }
+  function graphics.newFont()
     return font
-  end
-  function graphics.setFont(other)
-    font = other
-  end
-  function graphics.newFont(size)
-    return {
-      getWidth = function(_, text)
-        return #text * size / 2
-      end,
-      getHeight = function()
-        return size
-      end,
-    }
   end
   function graphics.push()
     depth = depth + 1
@@ -44,13 +33,14 @@ local function newRecorder()
   function graphics.pop()
     depth = depth - 1
   end
-  for _, name in ipairs({ "rectangle", "circle", "polygon", "print", "origin" }) do
-    graphics[name] = function(...)
-      calls[#calls + 1] = { name = name, color = color, depth = depth, font = font, ... }
-    end
-  end
   function graphics.depth()
     return depth
+  end
+  for _, name in ipairs({ "rectangle", "circle", "polygon", "print", "origin" }) do
+    graphics[name] = function(...)
+      local now = { name = name, color = state.Color, depth = depth, font = state.Font[1], ... }
+      calls[#calls + 1] = now
+    end
   end
   return graphics, calls
 end

@@ -3,60 +3,6 @@
 
 local fresh = require("spec.support.fresh")
 
--- What calls load, by the file that they need.
-local USES = {
-  ["physics.maps.array"] = function(_, world)
-    world:addTiles("tiles", { "#" }, nil, 16)
-  end,
-  ["physics.maps.ldtk"] = function(_, world)
-    pcall(world.loadLDtk, world, {})
-  end,
-  ["physics.maps.tiled"] = function(_, world)
-    pcall(world.loadTiled, world, {})
-  end,
-  ["physics.motion.softDrift"] = function(_, world)
-    world.soft = { boxes = { boxes = 100 } }
-    world:update(1 / 60)
-  end,
-  ["physics.queries.move"] = function(_, world, box)
-    world:move(box, 8, 8)
-  end,
-  ["physics.queries.query"] = function(_, world)
-    world:nearest(0, 0, 10)
-  end,
-  ["physics.queries.rays"] = function(_, world)
-    world:raycast(0, 0, 10, 10)
-  end,
-  ["physics.state.hash"] = function(_, world)
-    world:hash()
-  end,
-  ["physics.state.restore"] = function(_, world)
-    world:restore(world:save())
-  end,
-  ["physics.state.save"] = function(_, world)
-    world:save()
-  end,
-  ["physics.world.bounds"] = function(_, world)
-    world:setBounds(0, 0, 10, 10)
-  end,
-  ["physics.world.draw"] = function(_, world)
-    pcall(world.draw, world)
-  end,
-  ["physics.world.explain"] = function(_, world, box, floor)
-    world:explain(box, floor)
-  end,
-  ["physics.world.checked"] = function(_, world)
-    world.checked = true
-    world:update(1 / 60)
-  end,
-  ["physics.fields.wording"] = function(_, world)
-    pcall(world.add, world)
-  end,
-  ["physics.world.tutorial"] = function(physics, _, box, floor)
-    physics.bump(box, floor)
-  end,
-}
-
 -- A world that has made some steps, in which a box has landed.
 local function play(physics)
   local world = physics.newWorld({ gravity = 800 })
@@ -71,33 +17,54 @@ local function play(physics)
 end
 
 describe("a part of the library that the first step does not need", function()
-  local names = {}
-  for name in pairs(USES) do
-    names[#names + 1] = name
-  end
-  table.sort(names)
-
-  for _, name in ipairs(names) do
+  -- the file, and what needs it: a method with its arguments, or a setting, "=", with its value;
+  -- "box" and "floor" are what is in the world
+  for _, row in ipairs({
+    { "maps.array", "addTiles", "tiles", { "#" } },
+    { "maps.ldtk", "loadLDtk", {} },
+    { "maps.tiled", "loadTiled", {} },
+    { "motion.softDrift", "=", "soft", { boxes = { boxes = 100 } } },
+    { "queries.move", "move", "box", 8, 8 },
+    { "queries.query", "nearest", 0, 0, 10 },
+    { "queries.rays", "raycast", 0, 0, 10, 10 },
+    { "state.hash", "hash" },
+    { "state.restore", "restore", {} },
+    { "state.save", "save" },
+    { "world.bounds", "setBounds", 0, 0, 10, 10 },
+    { "world.draw", "draw" },
+    { "world.explain", "explain", "box", "floor" },
+    { "world.checked", "=", "checked", true },
+    { "fields.wording", "add" },
+    { "world.tutorial", "bump", "box", "floor" },
+  }) do
     -- (In one file nothing is in package.loaded.)
-    it(name .. " #files is loaded when it is first used", function()
+    it(row[1] .. " #files is loaded when it is first used", function()
       fresh.during(function(physics)
-        local world, box, floor = play(physics)
-        assert.is_nil(package.loaded[name])
-        USES[name](physics, world, box, floor)
-        assert.is_not_nil(package.loaded[name])
+        local named, world = {}, nil
+        world, named.box, named.floor = play(physics)
+        assert.is_nil(package.loaded["physics." .. row[1]])
+        if row[2] == "=" then
+          world[row[3]] = row[4]
+          world:update(1 / 60)
+        else
+          local call, first = world[row[2]] or physics[row[2]], named[row[3]] or row[3]
+          if world[row[2]] then
+            pcall(call, world, first, named[row[4]] or row[4], row[5], row[6])
+          else
+            call(first, named[row[4]])
+          end
+        end
+        assert.is_not_nil(package.loaded["physics." .. row[1]])
       end)
     end)
   end
 
   it("#files is found under the name of the folder that the game gave it", function()
-    local function rename(name)
-      if name == "engine" or name:find("^engine%.") then
-        local path = name:gsub("^engine", "physics"):gsub("%.", "/") .. ".lua"
-        return loadfile(path)
-      end
-    end
     local searchers = rawget(package, "searchers") or rawget(package, "loaders")
-    table.insert(searchers, 2, rename)
+    table.insert(searchers, 2, function(name)
+      local path = name:find("^engine%f[.%z]") and name:gsub("^engine", "physics"):gsub("%.", "/")
+      return path and loadfile(path .. ".lua")
+    end)
     local isDone, problem = pcall(function()
       local world, box = play(require("engine"))
       assert.equal(box, (world:raycast(28, 50, 28, 99)))
@@ -110,31 +77,5 @@ describe("a part of the library that the first step does not need", function()
       end
     end
     assert(isDone, problem)
-  end)
-
-  it("#files is a plain table of functions from then on", function()
-    local lazy, module = require("physics.memory.lazy"), { first = print, second = type }
-    package.preload["spec.a_part"] = function()
-      return module
-    end
-    local stand = lazy("spec.a_part")
-    assert.equal(stand, lazy("spec.a_part"))
-    assert.is_not_nil(getmetatable(stand))
-    assert.equal(module.first, stand.first)
-    assert.is_nil(getmetatable(stand))
-    assert.is_nil(stand.missing)
-    assert.same(module, stand)
-    package.preload["spec.a_part"], package.loaded["spec.a_part"] = nil, nil
-  end)
-
-  it("that is missing is #files named when it is used, each time", function()
-    local stand = require("physics.memory.lazy")("physics.world.no_such_file")
-    for _ = 1, 2 do
-      local isDone, problem = pcall(function()
-        return stand.run
-      end)
-      assert.is_false(isDone)
-      assert.is_truthy(tostring(problem):find("no_such_file", 1, true))
-    end
   end)
 end)

@@ -368,7 +368,7 @@ describe("world:setBounds", function()
   end)
 end)
 
--- (Wrong numbers and tables are in bad_matrix_spec.)
+-- (Wrong numbers and tables are in bad_input_spec.)
 describe("move, impulse and setBounds refuse", function()
   local function no()
     return "no"

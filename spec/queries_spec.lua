@@ -1,5 +1,5 @@
 --- Questions: queryPoint, queryRect, querySegment, raycast, sweep, nearest, overlapping, touching,
---- explain. (Circles are in circles_spec, wrong arguments in bad_matrix_spec.)
+--- explain. (Circles are in circles_spec, wrong arguments in bad_input_spec.)
 
 local box = require("spec.support.box")
 local effort = require("spec.support.effort")

@@ -24,7 +24,6 @@ slow.interpreters = { "LuaJIT" }
 --- order of tables, states, maps, what is printed by the snippets of the pages, memory.
 slow.differs = {
   "spec/bad_input_spec.lua",
-  "spec/bad_matrix_spec.lua",
   "spec/check_spec.lua",
   "spec/determinism_spec.lua",
   "spec/docs_spec.lua",

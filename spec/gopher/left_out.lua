@@ -9,7 +9,7 @@ local LEVELS = "there is a debug library, and error counts levels in another way
 local leftOut = {}
 
 leftOut.files = {
-  ["spec/bad_matrix_spec.lua"] = "calls by tail calls, with callers that gopher-lua does not know",
+  ["spec/bad_input_spec.lua"] = "calls by tail calls, with callers that gopher-lua does not know",
   ["spec/bench_bounds_spec.lua"] = "about the benchmark",
   ["spec/bench_spec.lua"] = "about the benchmark",
   ["spec/draw_spec.lua"] = "about LÖVE",

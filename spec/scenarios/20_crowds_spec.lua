@@ -51,7 +51,7 @@ local function play(options, seconds, rate)
 end
 
 describe("a crowd", function()
-  it("of 300 presses for a minute to an unpushable player, in its bounds: the player stays #slow", function()
+  it("of 300 presses for a minute to an unpushable player, which stays #slow", function()
     play({ count = 300, seed = 1, goal = "firm", drive = "vx" }, 60, 60)
   end)
 
