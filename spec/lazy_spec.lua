@@ -40,8 +40,8 @@ describe("a part of the library that the first step does not need", function()
     -- (In one file nothing is in package.loaded.)
     it(row[1] .. " #files is loaded when it is first used", function()
       fresh.during(function(physics)
-        local named, world = {}, nil
-        world, named.box, named.floor = play(physics)
+        local world, box, floor = play(physics)
+        local named = { box = box, floor = floor }
         assert.is_nil(package.loaded["physics." .. row[1]])
         if row[2] == "=" then
           world[row[3]] = row[4]
