@@ -380,7 +380,8 @@ end
 local function tryRow(row, first, later)
   local scene, some, n = newScene(), someValues(), 0
   local values = newValues(scene)
-  for _, edge in ipairs({ (row.min or row.above or 0) - 0.1, row.above or 1, (row.max or 0) + 0.1 }) do
+  local low, high = row.min or row.above or 0, row.max or 0
+  for _, edge in ipairs({ low - 0.1, row.above or 1, high + 0.1 }) do
     values[#values + 1] = { shown(edge), edge }
     some[#some + 1] = #values
   end

@@ -1,6 +1,6 @@
---- Errors: their words, and the line they name; bad_input_spec.lua has the wrong values, and that
---- nothing has changed. What loads physics/fields/check.lua itself is tagged #files: there is no such
---- file when the library is one.
+--- Errors: their words, and the line they name; bad_input_spec.lua has the wrong values, and shows
+--- that nothing has changed. What loads physics/fields/check.lua itself is tagged #files: there is
+--- no such file when the library is one.
 
 local check = require("physics.fields.check")
 local physics = require("physics")
@@ -300,7 +300,7 @@ end
 
 describe("world:update", function()
   local key = " has a key that is neither a number nor a string, got "
-  local box = object()
+  local member = object()
   -- what is said of these objects, beside a box
   for _, row in ipairs({
     { "objects must be a table of groups, got 7", 7 },
@@ -309,21 +309,21 @@ describe("world:update", function()
     { "objects.boxes" .. key .. "table", { boxes = { [{}] = object() } } },
     { 'objects.boxes[3] must be an object (a table), got "crate"', { boxes = { [3] = "crate" } } },
     { "objects.boxes.hit must be an object (a table), got function", { boxes = { hit = print } } },
-    { twice("boxes[3]", "boxes[1]"), { boxes = { box, [3] = box } } },
-    { twice("coins[1]", "boxes[1]"), { boxes = { box }, coins = { box } } },
-    { twice("player", "boxes[1]"), { boxes = { box }, player = box } },
+    { twice("boxes[3]", "boxes[1]"), { boxes = { member, [3] = member } } },
+    { twice("coins[1]", "boxes[1]"), { boxes = { member }, coins = { member } } },
+    { twice("player", "boxes[1]"), { boxes = { member }, player = member } },
     {
       "objects.boxes[2].mass must be a number > 0, got 0",
-      { boxes = { box, object({ mass = 0 }) } },
+      { boxes = { member, object({ mass = 0 }) } },
     },
   }) do
     it("refuses: " .. row[1] .. "; nothing has entered", function()
       local world = physics.newWorld({ order = { "boxes" } })
-      world.objects, box.touching = row[2], nil
+      world.objects, member.touching = row[2], nil
       refuses(row[1], function()
         world:update(1 / 60)
       end)
-      assert.is_nil(box.touching)
+      assert.is_nil(member.touching)
     end)
   end
 
