@@ -1,4 +1,4 @@
---- Each recipe of docs/recipes.md does what it says.
+--- Each recipe of docs/recipes.md does what it says, played by keys as in a game.
 
 local physics = require("physics")
 local snippets = require("spec.support.snippets")
@@ -13,22 +13,17 @@ local function play(snippet, peek)
   local game = snippets.newEnvironment({}, held)
   local text = snippet .. "\n" .. (peek and "return function() return " .. peek .. " end" or "")
   local look = snippets.compile(text, "=recipe", game)()
-
   local controls = { look = look, env = game, player = game.player, world = game.world }
-  function controls.press(key, ...)
-    held[key] = true
-    if game.love.keypressed then
-      game.love.keypressed(key)
+  local function turn(isHeld, callback)
+    return function(key, ...)
+      held[key] = isHeld or nil
+      if game.love[callback] then
+        game.love[callback](key)
+      end
+      controls.run(...)
     end
-    controls.run(...)
   end
-  function controls.release(key, ...)
-    held[key] = nil
-    if game.love.keyreleased then
-      game.love.keyreleased(key)
-    end
-    controls.run(...)
-  end
+  controls.press, controls.release = turn(true, "keypressed"), turn(false, "keyreleased")
   function controls.run(seconds, each)
     for _ = 1, math.floor((seconds or 0) / DT + 0.5) do
       if game.love.update then
@@ -41,115 +36,147 @@ local function play(snippet, peek)
       end
     end
   end
-  -- The height of the jump that has begun, px.
-  function controls.jumpHeight(seconds)
-    local from = game.player.y
-    local top = from
-    controls.run(seconds or 1.2, function()
-      top = math.min(top, game.player.y)
-    end)
-    return from - top
-  end
   return controls
 end
 
-local recipes = {}
+-- Rows ------------------------------------------------------------------------------------------
 
-recipes["Variable jump"] = function(snippet)
-  local g = play(snippet)
-  g.press("space")
-  assert.near(100, g.jumpHeight(), 0.1)
-  g.release("space")
-  g.press("space", 0.1)
-  g.release("space")
-  assert.is_true(g.jumpHeight() < 20)
-  assert.equal(368, g.player.y)
-end
+-- A row: what is done to the keys, "+right -space"; for how many seconds; what is expected then;
+-- fields of the player that are written before, and of the floor. What is expected: fields of the
+-- player, the sides that it touches, `least` and `far`, its least y and largest x since the keys,
+-- `rise`, how far it rose, and by the name of a group, fields of its first object. A number is
+-- exact, a list of two numbers holds it between them, NIL stands for nil.
+local NIL = {}
 
-recipes["Double jump"] = function(snippet)
-  local g = play(snippet)
-  local function height(presses)
-    local highest = 0
-    for _ = 1, presses do
-      local from = 368 - g.player.y
-      g.press("space")
-      highest = math.max(highest, from + g.jumpHeight(0.45))
+local function check(expected, found, what)
+  if type(expected) == "table" and expected[2] then
+    local isBetween = type(found) == "number" and found > expected[1] and found < expected[2]
+    assert(isBetween, ("%s is %s"):format(what, tostring(found)))
+  elseif type(expected) == "number" then
+    assert.near(expected, found, 1e-6, what)
+  else
+    local isSwitch = type(expected) == "boolean"
+    local wanted = expected
+    if expected == NIL then
+      wanted = nil
     end
-    return math.max(highest, 368 - g.player.y + g.jumpHeight(1.5))
+    assert.equal(wanted, isSwitch and not not found or found, what)
   end
-  assert.near(100, height(1), 0.5)
-  local two = height(2)
-  assert.is_true(two > 180)
-  assert.equal(two, height(3))
-  assert.equal(368, g.player.y)
-  -- Off an edge only one is left.
-  g.player.y = 100
-  g.run(0.1)
-  for _ = 1, 3 do
-    g.press("space", 0.1)
+end
+
+local function playRow(game, row, what)
+  local player = game.player
+  for name, value in pairs(row[4] or {}) do
+    if name == "floor" then
+      game.env.floor.ice = value.ice
+    elseif value == NIL then
+      player[name] = nil
+    else
+      player[name] = value
+    end
   end
-  assert.is_true(g.player.vy > -400 + 100)
+  local seen = { least = player.y, far = player.x }
+  local from = player.y
+  for sign, key in row[1]:gmatch("([+-])(%a+)") do
+    game[sign == "+" and "press" or "release"](key)
+  end
+  game.run(row[2], function()
+    seen.least, seen.far = math.min(seen.least, player.y), math.max(seen.far, player.x)
+  end)
+  seen.rise = from - seen.least
+  for name, value in pairs(player.touching) do
+    seen[name] = value
+  end
+  for name, expected in pairs(row[3] or {}) do
+    local group = type(expected) == "table" and not expected[2] and game.world.objects[name]
+    if group then
+      for field, value in pairs(expected) do
+        check(value, group[1][field], what .. name .. "." .. field)
+      end
+    else
+      local found = seen[name]
+      check(expected, found == nil and player[name] or found, what .. name)
+    end
+  end
 end
 
-recipes["Wall jump"] = function(snippet)
-  local g = play(snippet)
-  g.player.x, g.player.y = 70, 300
-  g.press("right", 0.1)
-  assert.truthy(g.player.touching.right)
-  g.press("space", 0.1)
-  assert.equal(-200, g.player.vx)
-  assert.is_true(g.player.vy < 0 and g.player.x < 60)
-  g.run(0.1) -- the keys steer again
-  assert.equal(160, g.player.vx)
-end
+local rows = {}
 
-recipes["Ladders"] = function(snippet)
-  local g = play(snippet)
-  g.press("up", 1)
-  assert.near(248, g.player.y, 2.1)
-  g.release("up")
-  local y = g.player.y
-  g.run(1)
-  assert.equal(y, g.player.y)
-  g.press("down", 2)
-  assert.equal(368, g.player.y)
-  g.release("down")
-  -- At the top it stands on the ledge, with up held, and goes down from there.
-  g.press("up")
-  local top = 368
-  g.run(3, function()
-    top = math.min(top, g.player.y)
-  end)
-  assert.equal(200 - 32, g.player.y)
-  assert.is_true(top > 200 - 32 - 2.1) -- without a hop
-  g.run(1, function()
-    assert.equal(200 - 32, g.player.y)
-  end)
-  g.release("up")
-  g.press("down", 0.5)
-  assert.is_true(g.player.y > 200)
-  g.run(2)
-  assert.equal(368, g.player.y)
-  g.release("down")
-  g.player.x = 100
-  g.player.y = 300
-  g.run(2)
-  assert.equal(368, g.player.y)
-  assert.is_nil(g.player.gravity)
-end
+rows["Variable jump"] = {
+  { "+space", 1.2, { rise = { 99.9, 100.1 } } },
+  { "-space +space", 0.1 },
+  { "-space", 1.2, { rise = { 0, 20 }, y = 368 } },
+}
+rows["Double jump"] = {
+  { "+space", 0.45, { rise = { 98.5, 100.1 } } },
+  { "+space", 0.45, { least = { 100, 188 } } },
+  { "+space", 1.5, { rise = { -1, 2 }, y = 368 } }, -- a third one does nothing
+  { "", 0.1, nil, { y = 100 } }, -- off an edge only one is left
+  { "+space", 0.1, { vy = { -400, -200 } } },
+  { "+space", 0.1, { vy = { -300, 400 } } },
+}
+rows["Wall jump"] = {
+  { "+right", 0.1, { right = true }, { x = 70, y = 300 } },
+  { "+space", 0.1, { vx = -200, vy = { -1000, 0 }, x = { 0, 60 } } },
+  { "", 0.1, { vx = 160 } }, -- the keys steer again
+}
+rows["Ladders"] = {
+  { "+up", 1, { y = { 245.9, 250.1 } } },
+  { "-up", 1, { rise = { -1, 2.1 } } },
+  { "+down", 2, { y = 368 } },
+  { "-down +up", 3, { y = 168, least = { 165.9, 168.1 } } }, -- to the ledge, without a hop
+  { "", 1, { y = 168, least = 168 } },
+  { "-up +down", 0.5, { y = { 200, 368 } } },
+  { "", 2, { y = 368 } },
+  { "-down", 2, { y = 368, gravity = NIL }, { x = 100, y = 300 } },
+}
+rows["Knock-back"] = {
+  { "+right", 0.25, { far = 76 } },
+  { "", 0.1, { vx = -200, y = { 0, 368 } } },
+}
+rows["Running"] = {
+  { "+right", 0.1, { vx = 120 } },
+  { "", 0.1, { vx = 160 } },
+  { "-right", 0.1, { vx = 40 } },
+  { "", 0.1, { vx = 140 }, { vx = 160, floor = { ice = true } } },
+}
+rows["Wall slide"] = {
+  { "+right", 0.5, { right = true }, { x = 60, y = 100 } },
+  { "", 0.5, { vy = 60 } },
+  { "-right", 0.2, { vy = { 60 + 159, 60 + 161 } } },
+}
+rows["Springs"] = { { "", 3, { least = { 126.9, 127.1 } }, { x = 100, y = 300 } } }
+rows["Crumbling floor"] = {
+  { "", 0.4, { y = 268 }, { y = 268 } },
+  { "", 0.3, { y = { 268, 400 }, crumbling = { active = false } } },
+  { "", 4, { crumbling = { active = false } }, { y = 290, gravity = 0, vy = 0 } }, -- it waits
+  { "", 0.1, { crumbling = { active = true } }, { y = 200 } },
+  { "", 0.5, { y = 268 }, { gravity = NIL } },
+}
+rows["Doors"] = {
+  { "+e", 1, { doors = { y = 200 } } },
+  { "-e +e", 1, { doors = { y = 200 }, y = 368 }, { x = 96 } }, -- stopped by its head
+  { "", 0.1, nil, { x = 40 } },
+  { "-e +e", 1, { doors = { y = 300 } } },
+}
+rows["Portals"] = {
+  { "+right", 1.1, { x = { 600, 650 }, vx = 150 } },
+  { "", 1, { y = 368 } },
+}
+rows["Checkpoints"] = {
+  { "+s", 0 },
+  { "", 0.1, nil, { x = 300, health = 1, coins = 7 } },
+  { "+l", 0, { x = 40, health = 3, coins = 0 } },
+}
+rows["Ice and conveyors"] = {
+  { "", 2, { x = { 400 + 21.7, 400 + 22.8 } }, { x = 400, vx = 200 } },
+  { "", 2, { x = { 200, 400 } }, { x = 110, vx = 200 } }, -- over the ice
+  { "", 1, { x = 330 }, { x = 270, vx = 0 } },
+}
 
-recipes["Knock-back"] = function(snippet)
-  local g = play(snippet)
-  g.press("right")
-  local right = 0
-  g.run(0.25, function()
-    right = math.max(right, g.player.x)
-  end)
-  assert.equal(76, right)
-  g.run(0.1)
-  assert.equal(-200, g.player.vx)
-  assert.is_true(g.player.y < 368)
-end
+-- What is more than keys and the player ----------------------------------------------------------
+
+local recipes = {}
 
 recipes["Bullets"] = function(snippet)
   local g = play(snippet)
@@ -170,41 +197,6 @@ recipes["Bullets"] = function(snippet)
   assert.equal(1, #g.world.objects.bullets)
   g.run(1.1)
   assert.equal(0, #g.world.objects.bullets)
-end
-
-recipes["Doors"] = function(snippet)
-  local g = play(snippet)
-  g.press("e", 1)
-  assert.equal(200, g.env.world.objects.doors[1].y)
-  g.player.x = 96
-  g.press("e")
-  local lowest = 0
-  g.run(1, function()
-    lowest = math.max(lowest, g.world.objects.doors[1].y)
-  end)
-  assert.is_true(lowest > 260 and lowest < 275) -- stopped by the player's head
-  assert.equal(200, g.world.objects.doors[1].y)
-  assert.equal(368, g.player.y)
-  g.player.x = 40
-  g.run(0.1)
-  g.press("e", 1)
-  assert.equal(300, g.world.objects.doors[1].y)
-end
-
-recipes["Ice and conveyors"] = function(snippet)
-  -- Where it comes to rest that begins at x with 200 px/s, and how far it is moved while it stands.
-  local function slide(x)
-    local g = play(snippet)
-    g.player.x, g.player.vx = x, 200
-    g.run(2)
-    return g.player.x - x
-  end
-  assert.near(200 * 200 / 1800, slide(400), 0.5)
-  assert.is_true(slide(110) > 90) -- over the ice
-  local g = play(snippet)
-  g.player.x = 270
-  g.run(1)
-  assert.near(330, g.player.x, 1e-6)
 end
 
 recipes["Trains"] = function(snippet)
@@ -270,29 +262,6 @@ recipes["Network rollback"] = function(snippet)
   end
 end
 
-recipes["Running"] = function(snippet)
-  local g = play(snippet)
-  g.press("right", 0.1)
-  assert.near(120, g.player.vx, 1e-9)
-  g.run(0.1)
-  assert.equal(160, g.player.vx)
-  g.env.floor.ice = true
-  g.release("right", 0.1)
-  assert.near(140, g.player.vx, 1e-9)
-end
-
-recipes["Wall slide"] = function(snippet)
-  local g = play(snippet)
-  g.player.x, g.player.y = 60, 100
-  g.press("right", 0.5)
-  assert.truthy(g.player.touching.right)
-  local from = g.player.y
-  g.run(0.5)
-  assert.near(from + 30, g.player.y, 1e-6)
-  g.release("right", 0.2)
-  assert.near(60 + 0.2 * 800, g.player.vy, 1)
-end
-
 recipes["Dash"] = function(snippet)
   local g = play(snippet)
   local enemy = { x = 100, y = 360, width = 40, height = 40, pushable = false }
@@ -343,38 +312,6 @@ recipes["A path for a lift"] = function(snippet)
   end
   assert.equal(220, highest)
   assert.near(lift.x + along, g.player.x, 1e-9) -- it rides without slipping
-end
-
-recipes["Springs"] = function(snippet)
-  local g = play(snippet)
-  g.player.x, g.player.y = 100, 300
-  local top = 400
-  g.run(3, function()
-    top = math.min(top, g.player.vy < 0 and g.player.y or top)
-  end)
-  assert.near(384 - 32 - 225, top, 0.1)
-end
-
-recipes["Crumbling floor"] = function(snippet)
-  local g = play(snippet)
-  local tile = g.world.objects.crumbling[1]
-  g.player.y = 268
-  g.run(0.4)
-  assert.equal(268, g.player.y)
-  g.run(0.3)
-  assert.is_false(tile.active)
-  assert.is_true(g.player.y > 268)
-  g.player.y = 290 -- in its place: it waits
-  g.player.gravity = 0
-  g.player.vy = 0
-  g.run(4)
-  assert.is_false(tile.active)
-  g.player.y = 200
-  g.run(0.1)
-  assert.is_true(tile.active)
-  g.player.gravity = nil
-  g.run(0.5)
-  assert.equal(268, g.player.y)
 end
 
 recipes["Carry and throw"] = function(snippet)
@@ -446,15 +383,6 @@ recipes["Sokoban"] = function(snippet)
   end
 end
 
-recipes["Portals"] = function(snippet)
-  local g = play(snippet)
-  g.press("right", 1.1)
-  assert.is_true(g.player.x > 600 and g.player.x < 650)
-  assert.near(150, g.player.vx, 1e-9)
-  g.run(1)
-  assert.equal(368, g.player.y)
-end
-
 recipes["A fixed step"] = function(snippet)
   for _, dt in ipairs({ 1 / 30, 1 / 60, 1 / 144, 0.013 }) do
     local g = play(snippet)
@@ -469,15 +397,6 @@ recipes["A fixed step"] = function(snippet)
     local steps = math.floor(frames * dt * 60 + 1e-6)
     assert.near(40 + 2.5 * steps, g.player.x, 2.5 + 1e-9)
   end
-end
-
-recipes["Checkpoints"] = function(snippet)
-  local g = play(snippet)
-  g.press("s")
-  g.player.x, g.player.health, g.player.coins = 300, 1, 7
-  g.run(0.1)
-  g.press("l")
-  assert.same({ 40, 3, 0 }, { g.player.x, g.player.health, g.player.coins })
 end
 
 recipes["Chunks"] = function(snippet)
@@ -532,14 +451,23 @@ describe("the recipe", function()
     local body = RECIPES:sub(last, RECIPES:find("\n## ", last, true))
     for snippet in body:gmatch("```lua\n(.-)\n```") do
       it(title .. " works", function()
-        assert.is_function(recipes[title], "nothing says what it should do")
-        recipes[title](snippet)
+        assert(recipes[title] or rows[title], "nothing says what it should do")
+        if recipes[title] then
+          return recipes[title](snippet)
+        end
+        local game = play(snippet)
+        for n, row in ipairs(rows[title]) do
+          playRow(game, row, ("row %d: "):format(n))
+        end
       end)
       seen[title] = true
     end
   end
 
   it("is there for all that is looked at here, and in the list on top", function()
+    for title in pairs(rows) do
+      recipes[title] = rows[title]
+    end
     for title in pairs(recipes) do
       assert.is_true(seen[title], title)
       local anchor = title:lower():gsub(" ", "-")
