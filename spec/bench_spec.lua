@@ -1,5 +1,6 @@
 --- The parts of the benchmark that could be wrong without anybody noticing. No spec looks at times.
 
+local bounds = require("bench.bounds")
 local docs = require("bench.docs")
 local engines = require("bench.engines")
 local measure = require("bench.measure")
@@ -85,15 +86,28 @@ describe("a scene", function()
     it(start .. " overlaps, the same every time: " .. definition.name, function()
       local objects = scenes.build(definition.name, definition.quick).objects
       assert.same(objects, scenes.build(definition.name, definition.quick).objects)
-      assert.truthy(#objects > 0)
       local deepest = overlap.checker(objects)()
-      if definition.startsInside then
-        local hasMovers = not objects[#objects].static
-        assert.equal(hasMovers, deepest > 0)
-      else
-        assert.equal(0, deepest)
-      end
+      local hasMovers = not objects[#objects].static
+      assert.equal(definition.startsInside and hasMovers or false, deepest > 0)
     end)
+
+    if definition.growth then
+      it("of the worst cases has at most 300 movers: " .. definition.name, function()
+        for _, n in ipairs(definition.sizes) do
+          local scene = scenes.build(definition.name, n)
+          local world = engines.get("ours", false).new({ gravity = 0, objects = scene.objects })
+          function world.step() end -- only the game's part of the frames
+          for step = 1, scene.driven do
+            scene.frame(world, step)
+          end
+          local movers = 0
+          for _, object in ipairs(world:list()) do
+            movers = movers + ((object.static or object.kinematic) and 0 or 1)
+          end
+          assert.is_true(movers >= n and movers <= 300, movers .. " movers")
+        end
+      end)
+    end
   end
 end)
 
@@ -127,60 +141,116 @@ describe("an engine", function()
   end
 end)
 
-describe("a measurement", function()
-  -- A world of one box that moves 1 px a frame into a wall, and counts what is asked of it.
-  local calls
-
-  local function newScene()
-    calls = { step = 0, between = 0, read = 0, free = 0 }
-    return {
-      worlds = 2,
-      warmUp = 2,
-      steps = 20,
-      objects = {
-        { x = 0, y = 0, width = 10, height = 10 },
-        { x = 20, y = 0, width = 10, height = 10, static = true },
-      },
-      frame = function(world)
-        world.x = world.x + 1
-        calls.step = calls.step + 1
-      end,
-      between = function()
-        calls.between = calls.between + 1
-      end,
-    }
+-- An engine of made-up steps: `moves[step]` says what happens to its objects.
+local function newEngine(moves)
+  local World = {}
+  World.__index = World
+  function World:step()
+    self.count = self.count + 1
+    local move = moves[self.count]
+    if move then
+      move(self.objects)
+    end
   end
+  function World:list()
+    return self.objects
+  end
+  function World.free() end
+  local engine = { World = World }
+  function engine.new(scene)
+    local world = setmetatable({ count = 0, objects = {}, world = { gravity = 0 } }, World)
+    for i, description in ipairs(scene.objects) do
+      world.objects[i] = { vx = 0, vy = 0 }
+      for field, value in pairs(description) do
+        world.objects[i][field] = value
+      end
+    end
+    return world
+  end
+  return engine
+end
 
-  local engine = {
-    new = function()
-      return {
-        x = 0,
-        read = function(world, index)
-          return index == 1 and world.x or 20, 0
-        end,
-        free = function()
-          calls.free = calls.free + 1
-        end,
-      }
+local function newScene(more)
+  local scene = {
+    warmUp = 0,
+    steps = 30,
+    driven = 5,
+    room = { 0, 0, 100, 100 },
+    objects = {
+      { x = 0, y = 0, width = 10, height = 10 },
+      { x = 50, y = 0, width = 10, height = 10, static = true },
+    },
+    frame = function(world)
+      world:step(1 / 60)
     end,
   }
+  for field, value in pairs(more or {}) do
+    scene[field] = value
+  end
+  return scene
+end
 
-  it("plays all frames of all worlds, and takes the worlds away", function()
-    local result = measure.times(engine, newScene(), 60)
-    assert.equal(20, result.steps)
-    assert.is_false(result.isLimited)
-    assert.is_nil(result.atLeast)
-    assert.truthy(result.median <= result.p99)
-    assert.truthy(result.p99 <= result.worst)
-    assert.same({ step = 44, between = 44, read = 0, free = 2 }, calls)
+local function play(moves)
+  return bounds.play(newEngine(moves), newScene(), 60)
+end
+
+describe("the bounds of a scene", function()
+  it("count the steps until rest after the last driven one", function()
+    local result = play({
+      [12] = function(list)
+        list[1].x = list[1].x + 1
+      end,
+    })
+    assert.equal(7, result.rest)
   end)
 
-  it("finds the overlap of every tenth frame", function()
+  it("tell the motion beyond the fastest speed of the step, and when it was", function()
+    local result = play({
+      [2] = function(list)
+        list[1].x, list[1].vx = list[1].x + 3, 120 -- 2 px are explained
+      end,
+      [3] = function(list)
+        list[1].x, list[1].vx = list[1].x + 2, 0 -- all of it: it was that fast before
+      end,
+      [4] = function(list)
+        list[1].y = list[1].y + 0.5
+      end,
+    })
+    assert.near(1, result.jump, 1e-12)
+    assert.equal(2, result.jumpAt)
+  end)
+
+  it("count overlapping pairs, the deepest, and the steps until all are apart", function()
+    local result = play({
+      [1] = function(list)
+        list[1].x = 43
+      end,
+      [9] = function(list)
+        list[1].x = 40
+      end,
+    })
+    assert.same({ 0, 0, 3 }, { result.pairs, result.deepest, result.apart })
+  end)
+end)
+
+describe("a measurement", function()
+  it("plays all frames, and finds the overlap of every tenth", function()
+    local engine = newEngine({})
+    engine.World.read = function(world, index)
+      return world.objects[index].x, 0
+    end
+    local result = measure.times(engine, newScene({ worlds = 2, steps = 20 }), 60)
+    assert.equal(20, result.steps)
+    assert.is_false(result.isLimited)
+    assert.truthy(result.median <= result.p99 and result.p99 <= result.worst)
+    local moving = newScene({ worlds = 1, warmUp = 2, steps = 20 })
+    moving.frame = function(world)
+      world.objects[1].x = world.objects[1].x + 1
+    end
+    moving.objects[2].x = 20
     -- 2 + 10 frames: x = 12, 2 px in the wall; 2 + 20: x = 22, 8 px.
-    local result = measure.quality(engine, newScene(), 60)
-    assert.equal(2, result.looks)
-    assert.equal(8, result.overlap)
-    assert.equal(8, result.overlapAtEnd)
+    result = measure.quality(engine, moving, 60)
+    assert.same({ 2, 8, 8 }, { result.looks, result.overlap, result.overlapAtEnd })
   end)
 end)
 

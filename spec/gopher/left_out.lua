@@ -10,7 +10,6 @@ local leftOut = {}
 
 leftOut.files = {
   ["spec/bad_input_spec.lua"] = "calls by tail calls, with callers that gopher-lua does not know",
-  ["spec/bench_bounds_spec.lua"] = "about the benchmark",
   ["spec/bench_spec.lua"] = "about the benchmark",
   ["spec/draw_spec.lua"] = "about LÖVE",
   ["spec/examples_spec.lua"] = "about LÖVE",
