@@ -9,7 +9,7 @@ local BUDGET = {
   { "physics/broadphase", 700 },
   { "physics/contacts", 444 },
   { "physics/fields", 719 },
-  { "physics/maps", 2651 },
+  { "physics/maps", 2441 },
   { "physics/memory", 860 },
   { "physics/motion", 1116 },
   { "physics/objects", 1522 },

@@ -76,7 +76,7 @@ describe("world:loadTiled refuses", function()
   -- Where a map is damaged, by what, and what is said.
   local C, G = 'layer "things", object 6 "crate": ', 'layer "ground": '
   local tile, data =
-    G .. "the tile at column 1, row 0 must be a gid, got ", "layers.2.layers.1.data"
+    G .. "the cell at column 1, row 0 must be a gid, got ", "layers.2.layers.1.data"
   for _, row in ipairs({
     { "tilewidth", -1, "map.tilewidth must be a number >= 0, got -1" },
     { "tilesets", NONE, "the map is damaged: …" },
@@ -220,6 +220,7 @@ describe("world:loadLDtk refuses", function()
     { nil, nil, "project must be a decoded LDtk project, got nil" },
     { "a.ldtk", nil, 'project must be a decoded LDtk project, got "a.ldtk"' },
     { {}, nil, "project.levels must be a table, got nil" },
+    { { jsonVersion = "0.5.1" }, nil, "project is of LDtk 0.5.1: save it with LDtk 0.8 or later" },
     { ldtk.cave(), "Attic", levels:format('"Attic"') .. ' "Cave", "Top"' },
     { ldtk.cave(), 3, levels:format("3") .. ' "Cave", "Top"' },
     { ldtk.cave(), {}, "level.layerInstances must be a table, got nil" },
@@ -306,8 +307,14 @@ describe("world:addTiles refuses", function()
     { { "tiles", { 1, 2, 3 }, 2, 10 }, "cells must hold whole rows of 2, got 3 cells" },
     { { "tiles", { { 1, 2 } }, 1, 10 }, "cells[1] must hold at most 1 cells, got 2" },
     { { "tiles", { { 1 }, 5 }, 1, 10 }, "cells[2] must be a row, got 5" },
-    { { "tiles", { 1, {} }, 2, 10 }, "cells: row 1, column 2 must be a number, a string or a …" },
-    { { "tiles", { { 1, NAN } }, 2, 10 }, "cells[1][2] must be a number, a string or a …" },
+    {
+      { "tiles", { 1, {} }, 2, 10 },
+      "the cell at column 2, row 1 must be a number, a string or a …",
+    },
+    {
+      { "tiles", { { 1, NAN } }, 2, 10 },
+      "the cell at column 2, row 1 must be a number, a string or a …",
+    },
     { { "tiles", { 1 }, 1 }, "size must be a number > 0, got nil" },
     { { "tiles", { 1 }, 1, { 5 } }, "size[2] must be a number > 0, got nil" },
     { { "tiles", { 1 }, 1, 5, 5 }, "options must be a table, got 5" },

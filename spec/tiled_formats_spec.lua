@@ -172,7 +172,7 @@ describe("world:loadTiled, packed layers", function()
 
     it("gids that no tileset has", function()
       fails(
-        'layer "collision": the tile at column 0, row 0 must be a gid of one of the tilesets,'
+        'layer "collision": the cell at column 0, row 0 must be a gid of one of the tilesets,'
           .. " got 9999",
         with((PLAIN.layers[1].data:gsub("^AQAAAAAA", "DycAAAAA")))
       )
@@ -454,7 +454,7 @@ describe("world:loadTiled, polygons", function()
     { "a rectangle", "0,0 40,0 40,10 0,10", "0 0 40 10" },
     { "the other way round", "0,0 0,10 40,10 40,0", "0 0 40 10" },
     { "closed by its first corner", "0,0 40,0 40,10 0,10 0,0", "0 0 40 10" },
-    { "by a hand that trembles", "0,0 40,0.004 39.998,10 0,10.001", "0 0 39.998 10" },
+    { "by a hand that trembles", "0,0 40,0.004 39.998,10 0,10.001", "0 0 40 10" },
     { "an L", "0,0 10,0 10,20 30,20 30,30 0,30", "0 0 10 20, 0 20 30 10" },
     { "a U", "0,0 10,0 10,20 20,20 20,0 30,0 30,30 0,30", "0 0 10 20, 20 0 10 20, 0 20 30 10" },
     { "a stair", "0,0 10,0 10,10 20,10 20,20 0,20", "0 0 10 10, 0 10 20 10" },

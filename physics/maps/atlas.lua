@@ -116,16 +116,18 @@ end
 ---@return boolean removed false: it was not there
 function Atlas:removeMap(name)
   local map = find(self, "removeMap(name)", name)
-  local isThere = map.level ~= nil
-  for _, tiles in ipairs(map.layers or {}) do
+  if not map.level then
+    return false
+  end
+  for _, tiles in ipairs(map.layers) do
     tiles:unload()
   end
-  for _, object in ipairs(isThere and map.level.objects or {}) do
+  for _, object in ipairs(map.level.objects) do
     self._world:remove(object)
   end
   map.level, map.layers = nil, nil
   refresh(self)
-  return isThere
+  return true
 end
 
 return atlas

@@ -18,8 +18,8 @@ local ROOM = { "maxtrace=8000", "maxmcode=16384" }
 -- x64: it reads what `next` has found through the lower half of a pointer to the stack.
 local NEXT = {
   ["fields.check"] = "firstBad isEmpty",
+  ["maps.digging"] = "keepPlain",
   ["maps.properties"] = "copy put isCycle saysThatItMoves isEmpty",
-  ["maps.rewind"] = "keepPlain",
   ["memory.keyOrder"] = "sorted",
   ["memory.lazy"] = "fill",
   ["objects.forms"] = "isSame copy makeTable",
