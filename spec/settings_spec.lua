@@ -13,25 +13,18 @@ local function play(world, steps)
 end
 
 describe("settings", function()
-  it("are plain fields with the documented defaults", function()
-    local world = physics.newWorld()
-    for _, field in ipairs(fields.settings) do
-      assert.equal(field.default, world[field.name], field.name)
+  it(
+    "are plain fields with the documented defaults, or what is given, which is only read",
+    function()
+      local given = { gravity = 5, rest = false, push = "first", order = { "a" } }
+      local world, own = physics.newWorld(), physics.newWorld(given)
+      for _, field in ipairs(fields.settings) do
+        assert.equal(field.default, world[field.name], field.name)
+      end
+      assert.same({ gravity = 5, rest = false, push = "first", order = { "a" } }, given)
+      assert.same({ 5, false, "first" }, { own.gravity, own.rest, own.push })
     end
-  end)
-
-  it("may be given, also false", function()
-    local world = physics.newWorld({ gravity = 5, rest = false, push = "first" })
-    assert.equal(5, world.gravity)
-    assert.is_false(world.rest)
-    assert.equal("first", world.push)
-  end)
-
-  it("given table is only read", function()
-    local given = { gravity = 5, order = { "a" } }
-    physics.newWorld(given)
-    assert.same({ gravity = 5, order = { "a" } }, given)
-  end)
+  )
 
   it("may change while everything rests: gravity wakes", function()
     local world = physics.newWorld({ gravity = 800 })
@@ -60,46 +53,33 @@ describe("settings", function()
     end
   end)
 
-  it("broadphase and cellSize may change in mid-air", function()
+  it("broadphase, cellSize and rest may change in mid-air, and change nothing", function()
     local worlds = {}
     for n = 1, 2 do
       local world = physics.newWorld({ gravity = 800, broadphase = "pairs" })
       world:add("tiles", { x = -100, y = 100, width = 400, height = 16, static = true })
       for i = 1, 10 do
-        world:add("boxes", newBox(7 * i, -20 * i, { vx = 5 * i }))
+        world:add("boxes", newBox(20 * i, -20 * i, { vx = 5 * i, friction = 0.5 }))
       end
       worlds[n] = world
     end
-    for step = 1, 120 do
-      if step == 20 then
-        worlds[2].broadphase = "grid"
-      elseif step == 40 then
-        worlds[2].cellSize = 11
-      elseif step == 60 then
-        worlds[2].broadphase = "auto"
+    local changes = { [20] = { "broadphase", "grid" }, [40] = { "cellSize", 11 } }
+    changes[60], changes[200] = { "broadphase", "auto" }, { "rest", false }
+    changes[210] = { "rest", true }
+    for step = 1, 230 do
+      if changes[step] then
+        worlds[2][changes[step][1]] = changes[step][2]
       end
       for n = 1, 2 do
         worlds[n]:update(DT)
       end
+      assert.is_true(step ~= 205 or worlds[2].stats.resting == 0)
       for i = 1, 10 do
         local a, b = worlds[1].objects.boxes[i], worlds[2].objects.boxes[i]
         assert.is_true(a.x == b.x and a.y == b.y and a.vx == b.vx and a.vy == b.vy)
       end
     end
-  end)
-
-  it("rest may be switched off and on, and changes nothing", function()
-    local world = physics.newWorld({ gravity = 800 })
-    world:add("tiles", { x = -100, y = 100, width = 400, height = 16, static = true })
-    local box = world:add("boxes", newBox(0, 84))
-    play(world)
-    world.rest = false
-    play(world, 5)
-    assert.equal(0, world.stats.resting)
-    assert.equal(84, box.y)
-    world.rest = true
-    play(world, 5)
-    assert.equal(1, world.stats.resting)
+    assert.same({ 10, 10 }, { worlds[1].stats.resting, worlds[2].stats.resting })
   end)
 
   it("masks are seen to change, also of a group that has been away", function()
