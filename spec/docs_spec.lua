@@ -1,5 +1,6 @@
 --- The pages are true: every Lua snippet runs and prints what it says, every link leads somewhere.
 
+local files = require("spec.support.files")
 local physics = require("physics")
 local snippets = require("spec.support.snippets")
 
@@ -7,18 +8,7 @@ local unpack = table.unpack or unpack -- luacheck: ignore (Lua 5.1 has it as a g
 
 local GLOBALS = { "objects", "physics_load", "physics_update", "checkCollision", "inside", "bump" }
 
-local function listPages()
-  local pages = {}
-  local listing =
-    assert(io.popen("ls *.md bench/*.md spec/*.md && find docs -name '*.md' | LC_ALL=C sort"))
-  for path in listing:lines() do
-    pages[#pages + 1] = path
-  end
-  listing:close()
-  return pages
-end
-
-local PAGES = listPages()
+local PAGES = files.list("ls *.md bench/*.md spec/*.md && find docs -name '*.md'")
 
 local function runBlock(_, block)
   block()
@@ -215,54 +205,53 @@ describe("a step of a page", function()
     end
   end
 
-  it("platformer: jumps as high as it says, stomps, and does not jump from an enemy", function()
-    local game, player, world = start("platformer7")
-    local function run(steps)
-      local top = player.y
-      for _ = 1, steps do
-        game.update(1 / 60)
-        top = math.min(top, player.y)
+  local function wait(game, steps, each)
+    for _ = 1, steps do
+      game.update(1 / 60)
+      if each then
+        each()
       end
-      return top
     end
-    run(60)
-    local ground = player.y
-    assert.is_truthy(player.touching.bottom)
-    game.keypressed("space")
-    assert.near(ground - 113, run(60), 0.5)
-    local enemy = world.objects.enemies[1]
+  end
+
+  it("platformer: jumps, stomps, rides the lift and dies in the spikes as it says", function()
+    local game, player, world = start("platformer7")
+    local top
+    local function jump()
+      top = player.y
+      game.keypressed("space")
+      wait(game, 60, function()
+        top = math.min(top, player.y)
+      end)
+    end
+    wait(game, 60)
+    local ground, enemy = player.y, world.objects.enemies[1]
+    jump()
+    assert.near(ground - 113, top, 0.5)
     player.x, player.y, player.vy = enemy.x, enemy.y - 80, 0
     repeat
       game.update(1 / 60)
     until player.vy < 0
     assert.equal(0, #world.objects.enemies)
     local y = player.y
-    game.keypressed("space")
-    assert.near(y - 300 * 300 / (2 * 1200), run(20), 0.5)
-  end)
-
-  it("platformer: rides the lift, and dies in the spikes", function()
-    local game, player, world = start("platformer7")
+    jump() -- not from an enemy: only the stomp lifts it
+    assert.near(y - 300 * 300 / (2 * 1200), top, 0.5)
     local lift = world.objects.lifts[1]
     player.x, player.y = lift.x + 30, lift.y - 40
-    for _ = 1, 60 do
-      game.update(1 / 60)
-    end
+    wait(game, 60)
     assert.equal(lift, player.touching.bottom)
     player.x, player.y = 13.5 * 32, 180
-    for _ = 1, 60 do
-      game.update(1 / 60)
-    end
+    wait(game, 60)
     assert.equal(32, player.x)
   end)
 
   it("topdown: walks at its speed, shoots, goes through the door, takes gems", function()
     local game, player, world = start("topdown7")
     held.right, held.down = true, true
-    game.update(1 / 60)
+    wait(game, 1)
     assert.near(160, math.sqrt(player.vx * player.vx + player.vy * player.vy), 1e-9)
     held.down = nil
-    game.update(1 / 60)
+    wait(game, 1) -- it looks to the right
     held.right = nil
     for _, enemy in ipairs(world.objects.enemies) do
       enemy.active = false
@@ -272,20 +261,13 @@ describe("a step of a page", function()
     enemy.active, enemy.x, enemy.y = true, player.x + 100, player.y
     for _ = 1, 3 do
       game.keypressed("space")
-      for _ = 1, 20 do
-        game.update(1 / 60)
-      end
+      wait(game, 20)
     end
-    assert.equal(9, #world.objects.enemies)
-    assert.equal(0, #world.objects.bullets)
-    for _ = 1, 120 do
-      game.update(1 / 60)
-    end
+    assert.same({ 9, 0 }, { #world.objects.enemies, #world.objects.bullets })
+    wait(game, 120)
     assert.equal(0, #world.objects.gems)
     player.x, player.y, held.right = 260, 256, true -- the door is at 260
-    for _ = 1, 60 do
-      game.update(1 / 60)
-    end
+    wait(game, 60)
     assert.is_true(player.x > 324)
   end)
 end)

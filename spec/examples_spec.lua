@@ -6,6 +6,7 @@ if _VERSION ~= "Lua 5.1" then -- LuaJIT is one, too
   return -- there is no LÖVE with any other
 end
 
+local read = require("spec.support.files").read
 local effort = require("spec.support.effort")
 local fakeLove = require("spec.support.fake_love")
 
@@ -13,13 +14,6 @@ local STEP = 1 / 60
 local HIDDEN = { "jit", "bit" }
 
 local mouse, texts, started, names, hidden, oldPath, recording
-
-local function read(path)
-  local file = assert(io.open(path, "rb"))
-  local text = file:read("*a")
-  file:close()
-  return text
-end
 
 -- The callbacks of LÖVE, as LÖVE calls them.
 local function call(name, ...)

@@ -1,6 +1,7 @@
 --- The rows of fields, entries of areas and settings: well formed, true to their own checks, and
 --- all that a new field needs.
 
+local read = require("spec.support.files").read
 local check = require("physics.fields.check")
 local fields = require("scripts.meanings")
 local fresh = require("spec.support.fresh")
@@ -52,13 +53,6 @@ local ADDED = {
     "  gy = gy - b.lift[i]\n",
   },
 }
-
-local function read(path)
-  local file = assert(io.open(path))
-  local text = file:read("*a")
-  file:close()
-  return text
-end
 
 -- Calls f(physics) with a library that has the field `lift`.
 local function withLift(f)

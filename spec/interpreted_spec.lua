@@ -1,27 +1,11 @@
 --- What LuaJIT compiles (physics/memory/compiler.lua): nearly everything, but never what goes
 --- through a table by `next` or `pairs`.
 
+local files = require("spec.support.files")
 local compiler = require("physics.memory.compiler")
 local fresh = require("spec.support.fresh")
 
 local jit = rawget(_G, "jit")
-
-local function read(path)
-  local file = assert(io.open(path, "rb"))
-  local text = file:read("*a")
-  file:close()
-  return text
-end
-
--- All files of the library, from the rockspec.
-local function listFiles()
-  local files = {}
-  local spec = assert(io.popen("ls rockspec/*.rockspec")):read("*l")
-  for path in read(spec):gmatch('"(physics[%w/]*%.lua)"') do
-    files[#files + 1] = path
-  end
-  return files
-end
 
 -- The functions of a file that go through a table by `next` or `pairs`, as they are written at the
 -- left margin.
@@ -41,12 +25,12 @@ end
 
 describe("what LuaJIT compiles", function()
   it("#files are no functions that go through a table by next or pairs", function()
-    local files, found = listFiles(), 0
-    assert.is_true(#files > 50)
-    for _, path in ipairs(files) do
+    local paths, found = files.list("find physics -name '*.lua'"), 0
+    assert.is_true(#paths > 50)
+    for _, path in ipairs(paths) do
       local row = compiler.rows[1][path:gsub("^physics/", ""):gsub("%.lua$", ""):gsub("/", ".")]
         or ""
-      local text = read(path)
+      local text = files.read(path)
       for name in pairs(walkersOf(text)) do
         found = found + 1
         local isKept = (" " .. row .. " "):find(" " .. name:match("%w+$") .. " ", 1, true)

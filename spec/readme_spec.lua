@@ -1,6 +1,7 @@
 --- The README: the game in it runs, what it promises has a spec, and it stays short. That all
 --- snippets run and all links lead somewhere is checked by spec/docs_spec.lua, for every page.
 
+local files = require("spec.support.files")
 local physics = require("physics")
 local snippets = require("spec.support.snippets")
 
@@ -86,10 +87,8 @@ describe("the README", function()
   end)
 
   it("links every page of docs/", function()
-    local listing = assert(io.popen("find docs -name '*.md'"))
-    for path in listing:lines() do
+    for _, path in ipairs(files.list("find docs -name '*.md'")) do
       assert.truthy(README:find("](" .. path, 1, true), path .. " is not linked")
     end
-    listing:close()
   end)
 end)

@@ -1,14 +1,10 @@
 -- The rockspecs and the changelog repeat what the files say; here they are compared.
 
+local files = require("spec.support.files")
+
+local read = files.read
 local ROCKSPEC = "rockspec/physics-1.0.0-1.rockspec"
 local UNRELEASED = "rockspec/physics-scm-1.rockspec"
-
-local function read(path)
-  local file = assert(io.open(path, "rb"))
-  local text = file:read("*a")
-  file:close()
-  return text
-end
 
 -- A rockspec is Lua that assigns globals. Read it into a table, whatever the version of Lua.
 local function readRockspec(path)
@@ -24,11 +20,9 @@ end
 -- Every Lua file of the library, as { [module name] = path }.
 local function modulesOnDisk()
   local found = {}
-  local listing = assert(io.popen("find physics.lua physics -name '*.lua'"))
-  for path in listing:lines() do
+  for _, path in ipairs(files.list("find physics.lua physics -name '*.lua'")) do
     found[path:gsub("%.lua$", ""):gsub("/", ".")] = path
   end
-  listing:close()
   return found
 end
 

@@ -1,13 +1,9 @@
 -- The list of slow specs (spec/slow.lua) and the tags in their names say the same.
 
-local slow = require("spec.slow")
+local files = require("spec.support.files")
 
-local function read(path)
-  local file = assert(io.open(path, "rb"))
-  local text = file:read("*a")
-  file:close()
-  return text
-end
+local read = files.read
+local slow = require("spec.slow")
 
 describe("the list of slow specs", function()
   it("names every spec file that has one, and no other #files", function()
@@ -17,14 +13,12 @@ describe("the list of slow specs", function()
       listed[row[1]] = true
       assert.is_true(#row[2] > 0, row[1])
     end
-    local listing = assert(io.popen("find spec -name '*_spec.lua'"))
-    for path in listing:lines() do
+    for _, path in ipairs(files.list("find spec -name '*_spec.lua'")) do
       local isAboutTags = path == "spec/slow_spec.lua" or path == "spec/plain_busted_spec.lua"
       if not isAboutTags and read(path):find("#slow", 1, true) then
         found[path] = true
       end
     end
-    listing:close()
     assert.same(found, listed)
   end)
 

@@ -16,7 +16,6 @@ leftOut.files = {
   ["spec/fuzz_found_spec.lua"] = "the fuzzer itself does what gopher-lua does differently",
   ["spec/fuzz_spec.lua"] = "the fuzzer itself swaps variables in one assignment",
   ["spec/garbage_spec.lua"] = MEMORY,
-  ["spec/love12_spec.lua"] = "about LÖVE",
   ["spec/manual_spec.lua"] = "about the scripts that write the manual",
   ["spec/mutations_spec.lua"] = "about the scripts that look at the specs",
   ["spec/portable_spec.lua"] = "about files",

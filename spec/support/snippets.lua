@@ -5,12 +5,7 @@ local physics = require("physics")
 
 local snippets = {}
 
-function snippets.read(path)
-  local file = assert(io.open(path, "rb"))
-  local text = file:read("*a")
-  file:close()
-  return text
-end
+snippets.read = require("spec.support.files").read
 
 --- Compiles a text with an environment of its own.
 function snippets.compile(text, name, environment)

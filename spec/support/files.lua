@@ -1,0 +1,25 @@
+--- Reads and lists the files of the project, from its folder.
+
+local files = {}
+
+--- Returns the text of a file.
+function files.read(path)
+  local file = assert(io.open(path, "rb"))
+  local text = file:read("*a")
+  file:close()
+  return text
+end
+
+--- Returns the files that a command prints, a line each, in order.
+function files.list(command)
+  local paths = {}
+  local listing = assert(io.popen(command))
+  for path in listing:lines() do
+    paths[#paths + 1] = path
+  end
+  listing:close()
+  table.sort(paths)
+  return paths
+end
+
+return files
