@@ -97,20 +97,13 @@ describe("kinematic: a platform", function()
   row("maxStep: spreads its way over the parts of a long step", SOME, ONE, {
     SETTLE,
     "platform.x, rider.vy = 106, -400", -- 0.1 s, in three parts
-    "run:step(0.1)",
-    "platform.x ~ 106",
-    "rider at 126, 376 - 40 + 4",
-    "rider.vx ~ 60",
+    { "run:step(0.1)", "platform.x ~ 106", "rider at 126, 376 - 40 + 4", "rider.vx ~ 60" },
   })
 
   local BESIDE = { gravity = 0, platform(), rider({ x = 164, y = 392 }) }
   row("maxStep: pushes as fast in a long step", SOME, BESIDE, {
     { steps = 1 },
-    "platform.x = 112",
-    "run:step(0.1)",
-    "platform.x ~ 112",
-    "rider.vx ~ 120",
-    "rider.x ~ 176",
+    { "platform.x = 112", "run:step(0.1)", "platform.x ~ 112", "rider.vx ~ 120", "rider.x ~ 176" },
   })
 
   --      +-+
@@ -154,8 +147,7 @@ describe("kinematic: a rider at a wall", function()
   local AT_WALL = { platform(), rider(), tile("wall", 260, 300, 16, 100) }
   row("(6) is held back, and falls when the platform has passed", EVERYWHERE, AT_WALL, {
     SETTLE,
-    "listen rider",
-    "platform.vx = 60",
+    { "listen rider", "platform.vx = 60" },
     { 2, "rider at 120 + 60 * t, 376" },
     { 1 / 2, "rider at min(244, 240 + 60 * t), 376", "rider on platform" },
     "rider.touching.right == wall",
@@ -187,11 +179,8 @@ end)
 describe("kinematic: on and off a platform:", function()
   row("(6) a jump straight up at ({vx}, {vy}) px/s keeps that, and ends at rest", SOME, ONE, {
     SETTLE,
-    "listen rider",
-    "platform.vx, platform.vy = vx, vy",
-    0.5,
-    "rider.vy = -400",
-    "x, y = rider.x, rider.y",
+    { "listen rider", "platform.vx, platform.vy = vx, vy", 0.5 },
+    { "rider.vy = -400", "x, y = rider.x, rider.y" },
     -- in free flight, 400 px/s faster than the lift
     { 5 / 6, "rider at x + vx * t, y + (vy - 400) * t + 400 * t * t", "run:support(rider) == nil" },
     1 / 3,
@@ -232,17 +221,14 @@ describe("kinematic: on and off a platform:", function()
   row("a box that lands on a lift at {vy} px/s rides it at once", SOME, falls, {
     "listen rider",
     { 0.5, "run:support(rider) and rider.y + 24 - platform.y or 0 ~ 0" },
-    "rider rides platform, 20",
-    "rider heard 1, 0",
+    { "rider rides platform, 20", "rider heard 1, 0" },
   }, { "vy", { -60 }, { 60 }, { -1000 } })
 
   local NEXT =
     { platform(), platform({ name = "next", x = 164, width = 300 }), rider({ vx = 100 }) }
   row("a rider that changes to another one has that one's velocity", SOME, NEXT, {
     SETTLE,
-    "next.vx = 40",
-    1.5,
-    "rider on next",
+    { "next.vx = 40", 1.5, "rider on next" },
     "rider.vx ~ 60", -- 100, of which 40 were the platform's
   })
 end)
@@ -252,8 +238,7 @@ describe("kinematic: a rider that is put elsewhere", function()
   local THERE = "rider.x, rider.y, top.x, top.y = 300, -500, 300, -524"
   row("{how}, falls from rest, and so does its rider", SOME, PAIR, {
     SETTLE,
-    "platform.vx, platform.vy = 50, -300",
-    0.5,
+    { "platform.vx, platform.vy = 50, -300", 0.5 },
     THERE,
     "{does}",
     THERE,
@@ -271,8 +256,7 @@ describe("kinematic: a rider that is put elsewhere", function()
 
   row("on what carries it rides on", SOME, { platform({ width = 500 }), rider() }, {
     SETTLE,
-    "platform.vx, platform.vy = 50, -300",
-    0.5,
+    { "platform.vx, platform.vy = 50, -300", 0.5 },
     "rider.x = platform.x + 400",
     { 0.5, "rider rides platform, 400" },
   })
@@ -281,9 +265,7 @@ end)
 describe("kinematic: when the platform is", function()
   row("{gone}, at ({vx}, {vy}) px/s, the riders keep that", SOME, PAIR, {
     SETTLE,
-    "listen rider",
-    "platform.vx, platform.vy = vx, vy",
-    1,
+    { "listen rider", "platform.vx, platform.vy = vx, vy", 1 },
     "{does}",
     {
       0.5,
@@ -308,8 +290,7 @@ describe("kinematic: when the platform is", function()
 
   row("made dynamic, both fall on side by side", SOME, ONE, {
     SETTLE,
-    "platform.vx = 60",
-    1,
+    { "platform.vx = 60", 1 },
     "platform.kinematic = nil",
     {
       0.5,
@@ -327,8 +308,7 @@ describe("carry = false: a platform", function()
 
   row("slides away under what stands on it", SOME, wide(0), {
     SETTLE,
-    "listen rider",
-    "platform.vx = 60",
+    { "listen rider", "platform.vx = 60" },
     { 1, "rider at 120, 376", "rider still" },
     "rider heard 0, 0",
   })
@@ -343,8 +323,7 @@ describe("carry = false: a platform", function()
 
   row("that is switched to it in the run lets its rider slide on beside it", SOME, ONE, {
     SETTLE,
-    "platform.vx = 60",
-    1,
+    { "platform.vx = 60", 1 },
     "platform.carry = false",
     { 0.5, "rider.x - platform.x ~ 20", "rider.vx ~ 60", "rider on platform" },
   })
@@ -395,8 +374,7 @@ describe("surfaceSpeed: a belt", function()
       "top still",
       "rider touches bottom top",
     },
-    "platform.x ~ 0",
-    "rider heard 2, 0",
+    { "platform.x ~ 0", "rider heard 2, 0" },
   }, {
     "kind, fields, friction",
     { "static", {}, 0 },
@@ -436,16 +414,14 @@ describe("surfaceSpeed: a belt", function()
     SETTLE,
     "x = rider.x",
     { 2, "rider.x ~ x + 60 * t" },
-    "rider.y > 376",
-    "rider.vx ~ 60",
+    { "rider.y > 376", "rider.vx ~ 60" },
   })
 
   belted(
     "presses against a wall without a rattle",
     { belt(), rider(), tile("wall", 160, 300, 16, 100) },
     {
-      "listen rider",
-      1,
+      { "listen rider", 1 },
       { 1, "rider at 144, 376", "rider still", "rider touches bottom right" },
       "rider heard 2, 0",
     }
@@ -489,15 +465,12 @@ describe("kinematic: with others in the way:", function()
     "rider heard 1, 0",
     "platform.vy = 60",
     { 2, "rider at 120, min(286 + 60 * t, 319.3)", "rider still" },
-    "rider on way",
-    "rider heard 2, 1",
+    { "rider on way", "rider heard 2, 1" },
   })
 
   local TILES = scene.tiles({ platform({ x = 72 }), rider() }, 30, 136, 0, 16, 13, 0, 13)
   row("a lift takes its rider past a wall of tiles without a snag", SOME, TILES, {
-    "listen rider",
-    "platform.vy = -100",
-    1 / 6,
+    { "listen rider", "platform.vy = -100", 1 / 6 },
     {
       2,
       keep = "rider.vx = 100",

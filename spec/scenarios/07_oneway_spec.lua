@@ -34,8 +34,7 @@ describe("oneWay: jumped through from below", function()
   end
   row("(7) from {feet}, feet up to {peak}, ends at feet {ends}", EVERYWHERE, below, {
     { steps = 1 },
-    "body.y, body.vy = feet - 24, -sqrt(1600 * (feet - peak))",
-    "listen body",
+    { "body.y, body.vy = feet - 24, -sqrt(1600 * (feet - peak))", "listen body" },
     "up, hits = -body.vy, -body.vy / 800 + sqrt((ends - peak) / 400)",
     {
       2,
@@ -43,8 +42,7 @@ describe("oneWay: jumped through from below", function()
       "0 == t < hits - 1e-6 and heard.body.begins or 0",
       "0 ~ t < hits - 1e-6 and body.vy - 800 * t + up or 0",
     },
-    "body on ends == 100 and way or floor",
-    "heard.body.begins == 1",
+    { "body on ends == 100 and way or floor", "heard.body.begins == 1" },
   }, {
     "feet, peak, ends", -- highest feet, feet at the end
     { 224, 60, 100 },
@@ -64,9 +62,7 @@ describe("oneWay: fallen on", function()
   row("(7) at {vy} px/s, {height} px thick, catches", EVERYWHERE, above, {
     "listen body",
     { 0.5, "body at 50 + 10 * t, min(76, vy * t + 400 * t * t)" },
-    "body on way",
-    "heard.body.sides.bottom == 1",
-    "body heard 1, 0",
+    { "body on way", "heard.body.sides.bottom == 1", "body heard 1, 0" },
   }, { "vy, height", { 0, 8 }, { 100, 1 }, { 6000, 8 }, { 90000, 1 } })
 
   -- the feet come down to 100 after half a second, when 1 px of them is above it
@@ -112,13 +108,9 @@ describe("dropThrough", function()
   local TWO = { way(), tile(), body({ y = 76 }), body({ name = "other", x = 80, y = 76 }) }
   row("(7) at rest lets fall, once, and only the one that asked", EVERYWHERE, TWO, {
     SETTLE,
-    "listen body",
-    "listen other",
-    "world:dropThrough(body.raw) == true",
+    { "listen body", "listen other", "world:dropThrough(body.raw) == true" },
     { 1, "body at 50, min(276, 76 + 400 * t * t)", "other at 80, 76", "other still" },
-    "body on floor",
-    "body heard 1, 1",
-    "other heard 0, 0",
+    { "body on floor", "body heard 1, 1", "other heard 0, 0" },
     "world:dropThrough(body.raw) == false",
     "body.vy = -sqrt(1600 * 240)", -- it is solid again after a jump
     2,
@@ -156,9 +148,7 @@ describe("dropThrough", function()
     0.2,
     "body.touching.right == door",
     "world:dropThrough(body.raw) == false",
-    "body.vx = 60",
-    0.5,
-    "body at 58, 276",
+    { "body.vx = 60", 0.5, "body at 58, 276" },
   })
 
   --        +-+
@@ -167,16 +157,12 @@ describe("dropThrough", function()
   local SOLID = { way(), solid("solid", 200, 100, 100, 50), body({ x = 186, y = 76 }) }
   row("while standing also on a solid, stays on that", EVERYWHERE, SOLID, {
     SETTLE,
-    "listen body",
-    "run:support(body) == way",
-    "world:dropThrough(body.raw) == true",
+    { "listen body", "run:support(body) == way", "world:dropThrough(body.raw) == true" },
     { 1, "body at 186, 76", "body on solid" },
     "body heard 0, 1",
     "body.vx = 100", -- away from it, and back: it is solid again
     0.5,
-    "body.vx = -100",
-    1,
-    "body on way",
+    { "body.vx = -100", 1, "body on way" },
   })
 
   --       +-+->
@@ -190,16 +176,13 @@ describe("dropThrough", function()
   end
   row("a row of tiles, passes the next one, too: from {x} at {vx} px/s", SOME, planks, {
     SETTLE,
-    "body.vx = vx",
-    "world:dropThrough(body.raw) == true",
+    { "body.vx = vx", "world:dropThrough(body.raw) == true" },
     { 0.5, "body at x + vx * t, 76 + 400 * t * t" },
   }, { "x, vx", { 80, -230 }, { 83, 230 }, { 95, 0 }, { 96, 230 }, { 111, -230 } })
 
   row("a moving one, keeps its velocity", SOME, { lift(), body({ y = 76 }) }, {
     SETTLE,
-    "way.vx = 60",
-    0.5,
-    "world:dropThrough(body.raw) == true",
+    { "way.vx = 60", 0.5, "world:dropThrough(body.raw) == true" },
     { 0.5, "body at 80 + 60 * t, 76 + 400 * t * t", "body.vx ~ 60" },
   })
 end)
@@ -207,8 +190,7 @@ end)
 describe("oneWay: that moves", function()
   row("(7) at {vy} px/s keeps its rider", EVERYWHERE, { lift(), body({ y = 76 }) }, {
     SETTLE,
-    "listen body",
-    "way.vy = vy",
+    { "listen body", "way.vy = vy" },
     { 1, "body at 50, 76 + vy * t", "body on way" },
     "body heard 0, 0",
   }, { "vy", { -60 }, { 200 }, { -5000 }, { 5000 } })
@@ -233,8 +215,7 @@ describe("oneWay: that moves", function()
     "body heard 0, 0",
     "way.vy = -60",
     1, -- at 259.7
-    "body at 50, 235.7",
-    "body on way",
+    { "body at 50, 235.7", "body on way" },
   })
 end)
 
@@ -248,8 +229,7 @@ describe("oneWay: beside a solid", function()
     { way(), solid("solid", 200, 84, 16, 24), body({ y = 76 }) },
     {
       { 2, keep = "body.vx = 100", "body at min(184, 50 + 100 * t), 76" },
-      "body.vx == 0",
-      "body touches bottom right",
+      { "body.vx == 0", "body touches bottom right" },
     }
   )
 
@@ -272,12 +252,10 @@ describe("oneWay: beside a solid", function()
   local WALL = { way(), solid("solid", 200, 0, 16, 300), tile(), body({ x = 184, y = 276 }) }
   row("lets jump through while pressing against it", EVERYWHERE, WALL, {
     SETTLE,
-    "up = sqrt(1600 * 220)",
-    "body.vy = -up",
+    { "up = sqrt(1600 * 220)", "body.vy = -up" },
     { 2 / 3, keep = "body.vx = 100", "body at 184, 276 - up * t + 400 * t * t" },
     { 5 / 6, keep = "body.vx = 100", "body.y <= 76 + 1e-6" },
-    "body on way",
-    "body touches bottom right",
+    { "body on way", "body touches bottom right" },
   })
 
   local ROW = { body({ x = 0, y = 76, vx = 200 }) }
@@ -300,10 +278,7 @@ describe("oneWay: with a box on the head", function()
   row("(7) of mass {mass} that comes at {vy} px/s still holds", EVERYWHERE, loaded, {
     "listen body",
     { 1, "body at 50, 76" },
-    "body on way",
-    "heavy at 55, 52",
-    "heavy on body",
-    "body heard 2, 0",
+    { "body on way", "heavy at 55, 52", "heavy on body", "body heard 2, 0" },
   }, { "mass, vy", { 1, 0 }, { 100, 0 }, { 1000, 2000 }, { 100, 90000 } })
 end)
 
@@ -320,8 +295,7 @@ describe("oneWay: each of its four sides", function()
   end
   local STOPS = { "listen body", 1, "body at x, y", "body still", "body heard 1, 0" }
   local PASSES = {
-    "listen body",
-    "x0, y0, vx0, vy0 = body.x, body.y, body.vx, body.vy",
+    { "listen body", "x0, y0, vx0, vy0 = body.x, body.y, body.vx, body.vy" },
     { 0.5, "body at x0 + vx0 * t, y0 + vy0 * t" },
     "body heard 0, 0",
   }
@@ -350,11 +324,9 @@ describe("oneWay: each of its four sides", function()
   local CEILING = { way({ oneWay = "bottom" }), tile(), body({ y = 20 }) }
   row("bottom: a ceiling that is open from above holds the head", SOME, CEILING, {
     { 1, "body at 50, min(276, 20 + 400 * t * t)" },
-    "listen body",
-    "body.vy = -1000",
+    { "listen body", "body.vy = -1000" },
     { 1, "body.y >= 108 - 1e-6" },
-    "heard.body.sides.top == 1",
-    "body at 50, 276",
+    { "heard.body.sides.top == 1", "body at 50, 276" },
   })
 end)
 
@@ -371,10 +343,7 @@ describe("canCollide: of a one-way", function()
         return true
       end
     end,
-    "body.vy = -sqrt(1600 * 240)",
-    2,
-    "body on way",
-    "asked == 'bottom'",
+    { "body.vy = -sqrt(1600 * 240)", 2, "body on way", "asked == 'bottom'" },
   })
 
   row(

@@ -24,16 +24,13 @@ describe("restitution: a resting box", function()
   row("(9a) stays where it is for 10 s: one begin, no end", TURNED, overFloor, {
     "listen box",
     { 10, "box at 0, 100", "box on floor", "box still", "box touches bottom" },
-    "box heard 1, 0",
-    "heard.box.sides.bottom == 1",
-    "heard.box.stays == 599",
+    { "box heard 1, 0", "heard.box.sides.bottom == 1", "heard.box.stays == 599" },
   }, { "y", { 100 } })
 
   row("(9a) stays at any frame rate with {restitution}", EVERYWHERE, overFloor, {
     "listen box",
     { 2, "box on floor", "box still" },
-    "box at 0, 100",
-    "box heard 1, 0",
+    { "box at 0, 100", "box heard 1, 0" },
   }, { "y, restitution", { 100, 0 }, { 100, 0.5 }, { 100, 1 } })
 end)
 
@@ -50,8 +47,7 @@ describe("restitution: a falling box", function()
     { 0.25, "box.y ~ 100 - 100 * t + 400 * t * t, 0.1" },
     { 0.1, "box.y ~ 100 - 50 * t + 400 * t * t, 0.1" },
     0.65,
-    "begins, ends = heard.box.begins, heard.box.ends",
-    "begins - ends == 1",
+    { "begins, ends = heard.box.begins, heard.box.ends", "begins - ends == 1" },
     { 3, "box at 0, 100", "box on floor", "box still" },
     "box heard begins, ends",
   }, { "y, restitution", { 0, 0.5 } })
@@ -68,12 +64,8 @@ describe("restitution: a falling box", function()
         run:step(i % 20 == 7 and 0.5 or 1 / 60)
       end
     end,
-    "box at 0, 100",
-    "box on floor",
-    "box still",
-    "run:step(0.5)",
-    "box on floor",
-    "box still",
+    { "box at 0, 100", "box on floor", "box still" },
+    { "run:step(0.5)", "box on floor", "box still" },
   }, { "y, restitution", { 0, 0 }, { 0, 0.5 } })
 end)
 
@@ -85,13 +77,8 @@ describe("restitution: a bounce", function()
     return { gravity = 0, wall, body({ y = 40, vx = v.speed, restitution = 1 }) }
   end
   row("(9d) without gravity comes back as fast as it went, {speed} px/s", EVERYWHERE, beforeWall, {
-    "listen box",
-    2,
-    "box.vx ~ -speed",
-    "box.vy == 0",
-    "box at -speed * 0.6, 40",
-    "box heard 1, 1",
-    "heard.box.speed ~ speed",
+    { "listen box", 2, "box.vx ~ -speed", "box.vy == 0", "box at -speed * 0.6, 40" },
+    { "box heard 1, 1", "heard.box.speed ~ speed" },
   }, { "speed", { 20 }, { 0.01 }, { 3000 } })
 
   -- Pulled towards each other by 800 px/s², the two meet in the middle of the step: that adds

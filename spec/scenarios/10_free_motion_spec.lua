@@ -33,8 +33,7 @@ describe("vy and gravity: a jump", function()
     { 0.5, "body at 0, 100 - 400 * t + 400 * t * t" },
     "body.y ~ 0",
     { 1.5, "body at 0, min(100, 400 * t * t)" },
-    "body still",
-    "body touches bottom",
+    { "body still", "body touches bottom" },
   })
 end)
 
@@ -48,8 +47,7 @@ describe("airFriction, drag, maxSpeed, friction: slowing down", function()
   row("(10) by drag 100 from 200 px/s stops after 2 s and 200 px", EVERYWHERE, flying, {
     { 2, "body.vx ~ 200 - 100 * t, 1" },
     { 1, "body.vy == 0" },
-    "body.vx == 0",
-    "body.x ~ 200, 2",
+    { "body.vx == 0", "body.x ~ 200, 2" },
   }, { "gravity, fields", { 0, { vx = 200, drag = 100 } } })
 
   -- The floor takes away what the body would fall in a step: that is no motion to slow down.
@@ -137,9 +135,6 @@ describe("vx and touching: a slide", function()
       keep = "body.vx, body.vy = 100, 100",
       "(body.touching.bottom ~= false) == (body.touching.right ~= false)",
     },
-    "body at 84, 84",
-    "body still",
-    "body touches right bottom",
-    "body heard 2, 0",
+    { "body at 84, 84", "body still", "body touches right bottom", "body heard 2, 0" },
   })
 end)

@@ -29,12 +29,9 @@ describe("nudge under the corner of a block", function()
   end
   local UP = "176 - 500 * t + 400 * t * t"
   row("at x = {x} with nudge {nudge} comes up beside it", EVERYWHERE, below, {
-    "listen body",
-    "bumped = (500 - sqrt(500 * 500 - 1600 * 110)) / 800",
+    { "listen body", "bumped = (500 - sqrt(500 * 500 - 1600 * 110)) / 800" },
     { 2 / 3, ("body at t < bumped - 1e-6 and x or behind, %s"):format(UP), "body touches" },
-    "body.vy ~ 800 * 2 / 3 - 500",
-    "body.vx == 0",
-    "heard.body.sides.top == 0",
+    { "body.vy ~ 800 * 2 / 3 - 500", "body.vx == 0", "heard.body.sides.top == 0" },
   }, {
     "x, nudge, behind, pushable",
     { 161, 4, 164 },
@@ -50,8 +47,7 @@ describe("nudge under the corner of a block", function()
   row("at x = {x} with nudge {nudge} bumps its head", EVERYWHERE, below, {
     "listen body",
     { 2 / 3, "body.x ~ x", "body.y >= 66 - 1e-6" },
-    "body.vx == 0",
-    "heard.body.sides.top == 1",
+    { "body.vx == 0", "heard.body.sides.top == 1" },
   }, { "x, nudge", { 159.9, 4 }, { 161, 2.9 }, { 161, 0 }, { 88.1, 4 }, { 130, 4 } })
 
   -- What flies by, px/s upwards, beside another thing; where it is after half a second.
@@ -59,12 +55,8 @@ describe("nudge under the corner of a block", function()
     return { gravity = 0, BLOCK, body(v.x, v.y, v.vx, -v.speed, { nudge = 4 }), v.thing }
   end
   row("{what}", SOME, flying, {
-    "listen body",
-    0.5,
-    "body at toX, toY",
-    "body.vx == vx",
-    "body.vy == begins > 0 and 0 or -speed",
-    "heard.body.begins == begins",
+    { "listen body", 0.5, "body at toX, toY", "body.vx == vx" },
+    { "body.vy == begins > 0 and 0 or -speed", "heard.body.begins == begins" },
   }, {
     "what, x, y, vx, speed, toX, toY, begins, thing",
     { "moves on sideways as before", 156, 91, 20, 100, 169, 41, 0 },
@@ -73,29 +65,9 @@ describe("nudge under the corner of a block", function()
     --   |      +------   another one half a pixel higher
     --   +------+
     --        +-+
-    {
-      "passes the first, bumps at the second",
-      161,
-      176,
-      0,
-      400,
-      164,
-      65.5,
-      1,
-      solid(nil, 164, 49.5, 64, 16),
-    },
+    { "bumps at the next one", 161, 176, 0, 400, 164, 65.5, 1, solid(nil, 164, 49.5, 64, 16) },
     { "fits exactly between two", 161, 176, 0, 400, 164, -24, 0, solid(nil, 180, 50, 64, 16) },
-    {
-      "with another block beside bumps",
-      161,
-      176,
-      0,
-      400,
-      161,
-      66,
-      2,
-      solid(nil, 164, 40, 64, 26),
-    },
+    { "bumps with another beside", 161, 176, 0, 400, 161, 66, 2, solid(nil, 164, 40, 64, 26) },
     { "with one near it bumps", 161, 176, 0, 400, 161, 66, 2, solid(nil, 175, 40, 64, 26) },
   })
 
@@ -194,9 +166,7 @@ describe("nudge at a doorway seen from above", function()
 
   row("of {height} px at y = {y} with nudge {nudge} stops", SOME, doorway, {
     { 2, keep = "body.vx = 100", "body.y ~ y" },
-    "body at 184, y",
-    "body.vx == 0",
-    "body touches right",
+    { "body at 184, y", "body.vx == 0", "body touches right" },
   }, {
     NAMES,
     { 23, 99, 4 }, -- both sides of it are in the way at once
@@ -231,11 +201,7 @@ describe("nudge with gravity", function()
     return { BLOCK, body(v.x, -50, 0, 0, { nudge = 4 }) }
   end
   row("never lets slip off an edge: x = {x}", EVERYWHERE, onEdge, {
-    "listen body",
-    1,
-    "body at x, 26",
-    "body touches bottom",
-    "body heard 1, 0",
+    { "listen body", 1, "body at x, 26", "body touches bottom", "body heard 1, 0" },
   }, { "x", { 161 }, { 87 } })
 
   local FLOATS = body(161, -50, 0, 100, { nudge = 4, gravity = 0, gravityX = 0 })

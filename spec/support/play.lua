@@ -7,7 +7,8 @@
 ---       { 1, keep = "body.vx = 0", "body.vx == 0" },    -- 1 s: `keep` before every step
 ---       0.5,                                            -- half a second
 ---       { steps = 1, "body still" },                    -- one step
----       { "body heard 0, 0" },                          -- at once: begins and ends
+---       { "body.vx = 9", 0.5, "body.vx == 9" },         -- in order: what, how long, and then
+---       "body heard 0, 0",                              -- begins and ends
 ---     }, { "vx", { 60 }, { -60 } })                     -- one row for each, with these names
 ---
 --- `{ time = "2 / speed", … }` is so long. In a line stand the views by their names, the values of
@@ -150,6 +151,8 @@ local function checkAll(run, checks)
   end
 end
 
+local function noStep() end
+
 -- A part with a time: its expectations after every step.
 local function lasting(part, env)
   local checks, keep, steps = {}, part.keep and compile(part.keep, env), part.steps
@@ -170,26 +173,39 @@ local function lasting(part, env)
       run:step(dt)
       checkAll(run, checks)
     end
-    if seconds then
-      for time, dt in run:steps(seconds(), before) do
-        env.t, env.dt = time, dt
-        checkAll(run, checks)
-      end
-    elseif not steps then
+    for time, dt in seconds and run:steps(seconds(), before) or noStep do
+      env.t, env.dt = time, dt
       checkAll(run, checks)
     end
   end
 end
 
-local function part(given, env)
+local part
+
+-- Parts in their order.
+local function sequence(given, env)
+  local list = {}
+  for i = 1, #given do
+    list[i] = part(given[i], env)
+  end
+  return function(run)
+    checkAll(run, list)
+  end
+end
+
+function part(given, env)
   if type(given) == "string" then
     return statement(given, env)
   elseif type(given) == "function" then
     return function(run)
       given(run, env)
     end
+  elseif type(given) == "number" then
+    return lasting({ given }, env)
+  elseif type(given[1]) == "string" and not given.time and not given.steps then
+    return sequence(given, env)
   end
-  return lasting(type(given) == "number" and { given } or given, env)
+  return lasting(given, env)
 end
 
 local function newEnvironment(values)
@@ -205,17 +221,15 @@ local function newEnvironment(values)
 end
 
 -- Plays the parts in one variant.
-local function playOne(run, env, entries, parts, values)
+local function playOne(run, env, entries, playParts, values)
   env.views = run:build(type(entries) == "function" and entries(values, run) or entries)
   env.world, env.run, run.heard = run.world, run, {}
   env.heard = run.heard
-  for i = 1, #parts do
-    parts[i](run)
-  end
+  playParts(run)
 end
 
-local function valuesOf(names, row)
-  local values = {}
+local function valuesOf(names, row, shared)
+  local values = setmetatable({}, { __index = shared })
   for i, name in ipairs(names) do
     values[name] = row[i]
   end
@@ -237,17 +251,23 @@ end
 ---@param entries table|fun(values: table, run: table): table the scene
 ---@param given table what is played, see above; a function gets the run and all names
 ---@param rows table[]? first the names of the values as one text, then a list of values each
-function play.row(title, levels, entries, given, rows)
+---@param shared table? other names that the lines know
+function play.row(title, levels, entries, given, rows, shared)
   local names = split(rows and rows[1])
   for i = rows and 2 or 1, rows and #rows or 1 do
-    local values = valuesOf(names, rows and rows[i] or {})
-    local env, parts = newEnvironment(values), {}
-    for n = 1, #given do
-      parts[n] = part(given[n], env)
-    end
+    local values = valuesOf(names, rows and rows[i] or {}, shared)
+    local env = newEnvironment(values)
+    local parts = sequence(given, env)
     scene.it(titleOf(title, values), values.levels or levels, function(run)
       playOne(run, env, entries, parts, values)
     end)
+  end
+end
+
+--- The same for rows whose lines know some other names, too.
+function play.with(shared)
+  return function(title, levels, entries, given, rows)
+    play.row(title, levels, entries, given, rows, shared)
   end
 end
 
