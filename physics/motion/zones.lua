@@ -18,7 +18,7 @@ local sort = require(root .. ".memory.sort")
 
 local zones = {}
 
-local DYNAMIC, STATIC = columns.DYNAMIC, columns.STATIC
+local DYNAMIC = columns.DYNAMIC
 local max, min, sqrt = math.max, math.min, math.sqrt
 -- Share of the radius within which an attractor gets weaker towards its centre.
 local CORE = 0.125
@@ -63,19 +63,15 @@ local function place(b, k, time)
   return b.from[k] + b.velocity[k] * time
 end
 
--- The share of slot i, 0..1, that is in zone j.
+-- The share of slot i, 0..1, that is in zone j, if that acts on it at all.
 local function shareIn(b, i, j, time)
   local size, k, m = b.size, 2 * i, 2 * j
-  local later = b.kind[j] == STATIC and 0 or time
-  local x, y = place(b, k, time), place(b, k + 1, time)
-  local left, top = place(b, m, later), place(b, m + 1, later)
-  return shapes.share(b.shape[j], left, top, size[m], size[m + 1], x, y, size[k], size[k + 1])
-end
-
--- The share of slot i in zone j, if that acts on it at all.
-local function actingShare(b, i, j, time)
-  local share = i ~= j and shareIn(b, i, j, time) or 0
-  return share > 0 and not (filter.refusal(b, i, j) or filter.refusal(b, j, i)) and share or 0
+  local x, y, left, top =
+    place(b, k, time), place(b, k + 1, time), place(b, m, time), place(b, m + 1, time)
+  local w, h = size[m], size[m + 1]
+  local share = shapes.share(b.shape[j], left, top, w, h, x, y, size[k], size[k + 1])
+  local acts = share > 0 and i ~= j and not (filter.refusal(b, i, j) or filter.refusal(b, j, i))
+  return acts and share or 0.0
 end
 
 -- Forces ------------------------------------------------------------------------------------------
@@ -97,9 +93,8 @@ end
 -- Zone j attracts slot i.
 local function attract(b, i, j, share, time)
   local size, k, m, area = b.size, 2 * i, 2 * j, b.area[j]
-  local later = b.kind[j] == STATIC and 0 or time
-  local dx = place(b, m, later) + size[m] * 0.5 - place(b, k, time) - size[k] * 0.5
-  local dy = place(b, m + 1, later) + size[m + 1] * 0.5 - place(b, k + 1, time) - size[k + 1] * 0.5
+  local dx = place(b, m, time) + size[m] * 0.5 - place(b, k, time) - size[k] * 0.5
+  local dy = place(b, m + 1, time) + size[m + 1] * 0.5 - place(b, k + 1, time) - size[k + 1] * 0.5
   local distance, radius = sqrt(dx * dx + dy * dy), min(size[m], size[m + 1]) * 0.5
   if distance > 0 then
     local pull = share * area.attract * strength(area.law, distance / radius) / distance
@@ -128,45 +123,31 @@ local function replace(b, k, g, share)
 end
 
 -- The gravity of zone j in place of that of slot i.
-local function turn(b, i, j, time)
-  local area = b.area[j]
-  if area.gravity or area.gravityX then
-    local share, k = actingShare(b, i, j, time), 2 * i
-    replace(b, k, area.gravityX or b.pull[k], area.gravityX and share or 0.0)
-    replace(b, k + 1, area.gravity or b.pull[k + 1], area.gravity and share or 0.0)
-  end
+local function turn(b, i, j, share)
+  local area, k = b.area[j], 2 * i
+  replace(b, k, area.gravityX or b.pull[k], area.gravityX and share or 0.0)
+  replace(b, k + 1, area.gravity or b.pull[k + 1], area.gravity and share or 0.0)
 end
 
 -- What zone j does to slot i beyond gravity.
-local function push(b, i, j, time)
-  local pull, air, drag, k = b.zonePull, b.zoneAir, b.zoneDrag, 2 * i
-  local area, share = b.area[j], actingShare(b, i, j, time)
-  if share > 0 then
-    pull[k] = pull[k] + (area.ax or 0) * share
-    pull[k + 1] = pull[k + 1] + (area.ay or 0) * share
-    air[i] = air[i] + (area.airFriction or 0) * share
-    drag[i] = drag[i] + (area.drag or 0) * share
-    if area.attract then
-      attract(b, i, j, share, time)
-    end
+local function push(b, i, j, share, time)
+  local pull, air, drag, k, area = b.zonePull, b.zoneAir, b.zoneDrag, 2 * i, b.area[j]
+  pull[k] = pull[k] + (area.ax or 0) * share
+  pull[k + 1] = pull[k + 1] + (area.ay or 0) * share
+  air[i] = air[i] + (area.airFriction or 0) * share
+  drag[i] = drag[i] + (area.drag or 0) * share
+  if area.attract then
+    attract(b, i, j, share, time)
   end
 end
 
--- Lets zone j act (`turn` or `push`) on the dynamic ones of list[first..last] that are near it.
+-- Lets zone j act (`turn` or `push`) on the dynamic ones of list[first..last] that are in it.
 local function act(b, list, first, last, j, time, what)
-  local kind, size, from, velocity, m = b.kind, b.size, b.from, b.velocity, 2 * j
-  local later = kind[j] == STATIC and 0 or time
-  local x, y = place(b, m, later) + size[m] * 0.5, place(b, m + 1, later) + size[m + 1] * 0.5
-  local reachX, reachY = size[m] * 0.5, size[m + 1] * 0.5
   for n = first, b.active[j] and last or 0 do
     local i = list[n]
-    local k = 2 * i
-    local w, h = size[k], size[k + 1]
-    local dx = from[k] + velocity[k] * time + w * 0.5 - x
-    local dy = from[k + 1] + velocity[k + 1] * time + h * 0.5 - y
-    local half = max(w, h) * 0.5
-    if max(max(dx, -dx) - reachX, max(dy, -dy) - reachY) < half and kind[i] == DYNAMIC then
-      what(b, i, j, time)
+    local share = b.kind[i] == DYNAMIC and shareIn(b, i, j, time) or 0.0
+    if share > 0 then
+      what(b, i, j, share, time)
     end
   end
 end
@@ -189,7 +170,8 @@ local function turnAll(b, list, first, last, time)
   local slots = b.zoneList
   reset(b, list, first, last)
   for n = #slots, b.hasTurns and 1 or #slots + 1, -1 do
-    act(b, list, first, last, slots[n], time, turn)
+    local area = b.area[slots[n]]
+    act(b, list, first, (area.gravity or area.gravityX) and last or 0, slots[n], time, turn)
   end
   for n = first, b.hasTurns and last or 0 do
     local i = list[n]

@@ -73,8 +73,8 @@ local function weigh(b, i, j, kl, kh)
   end
   stayLow, stayHigh = pool.weigh(one, other, vl, vh)
   if stayLow and stayHigh then
-    path.rest(b, kl, b.from[kl])
-    path.rest(b, kh, b.from[kh])
+    path.finish(b, kl, b.from[kl], 0.0, 0.0)
+    path.finish(b, kh, b.from[kh], 0.0, 0.0)
   end
   return stayLow and 0 or wl, stayHigh and 0 or wh
 end

@@ -182,8 +182,8 @@ local function stopBoth(b, low, high)
   end
   local one, other = origin(b, low), origin(b, high)
   local hasMoved = b.to[low] ~= one or b.to[high] ~= other
-  path.rest(b, low, one)
-  path.rest(b, high, other)
+  path.finish(b, low, one, 0.0, 0.0)
+  path.finish(b, high, other, 0.0, 0.0)
   return hasMoved
 end
 

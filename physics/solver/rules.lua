@@ -8,6 +8,7 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local check = require(root .. ".fields.check")
 local columns = require(root .. ".memory.columns")
+local path = require(root .. ".motion.path")
 local touch = require(root .. ".memory.lazy")(root .. ".solver.touch")
 
 local rules = {}
@@ -115,7 +116,7 @@ end
 -- Lets slot i, which falls through slope j, begin as fast as the edge sinks under it. Else it would
 -- be left above the edge where it runs down.
 local function keepUp(b, i, j)
-  local axis, object = touch.axisOf(b, i), b.object[i]
+  local axis, object = path.axisOf(b, i), b.object[i]
   local along, across = axis == 0 and "vx" or "vy", axis == 0 and "vy" or "vx"
   local speed = touch.gradient(b, i, j) * (object[across] or 0)
   if (speed - (object[along] or 0)) * b.down[2 * i + axis] > 0 then

@@ -14,15 +14,15 @@ local allot = require(root .. ".memory.allot")
 local columns = require(root .. ".memory.columns")
 local ground = require(root .. ".solver.ground")
 local pairFinder = require(root .. ".broadphase.pairFinder")
+local path = require(root .. ".motion.path")
 local rules = require(root .. ".solver.rules")
 local shapes = require(root .. ".space.shapes")
 local sort = require(root .. ".memory.sort")
-local touch = require(root .. ".solver.touch")
 
 local snap = {}
 
 local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
-local axisOf = touch.axisOf
+local axisOf = path.axisOf
 local max, min = math.max, math.min
 -- Pieces of ground, and edges, that an object may run over in a step.
 local PIECES = 64

@@ -23,7 +23,7 @@ touch.approach, touch.deepAxis, touch.separation = ball.approach, ball.deepAxis,
 
 local AXIS, EPSILON, OPPOSITE = columns.AXIS, columns.EPSILON, columns.OPPOSITE
 local BOX, CIRCLE, SOLID = shapes.BOX, shapes.CIRCLE, shapes.SOLID
-local depth, isSlope = shapes.depth, shapes.isSlope
+local axisOf, depth, isSlope = path.axisOf, shapes.depth, shapes.isSlope
 local max, min = math.max, math.min
 -- Impacts of a body in a step until which it is deflected without gravity.
 local DEFLECTED = 3
@@ -53,13 +53,6 @@ function touch.order(b, i, j)
 end
 
 local order = touch.order
-
---- Returns the axis along which gravity presses slot i: y without gravity.
-function touch.axisOf(b, i)
-  return b.down[2 * i] ~= 0 and 0 or 1
-end
-
-local axisOf = touch.axisOf
 
 --- Returns whether slot j is a slope that bears what gravity on that side of an axis (`sign`)
 --- presses on it.
