@@ -21,34 +21,12 @@ local max = math.max
 -- Computes the path of a kinematic object on an axis. It moves to where the game has written it,
 -- and further by its own velocity. If the update has several steps, the written way is spread over
 -- those that remain. Otherwise a platform would hurry ahead, hit things, and then wait.
-local function moveKinematicAlong(b, k, dt)
+local function moveKinematic(b, k, dt)
   local v, goal = b.velocity[k], b.written[k] + b.behind[k]
   b.way[k] = (b.written[k] - b.from[k] + b.behind[k]) / max(b.remaining, 1)
   b.to[k] = (b.remaining > 1 and b.from[k] + b.way[k] or goal) + v * dt
   b.drift[k] = b.way[k] / dt
   b.speed[k], b.accel[k] = v + b.drift[k], 0
-end
-
-local function moveKinematic(b, i, dt)
-  moveKinematicAlong(b, 2 * i, dt)
-  moveKinematicAlong(b, 2 * i + 1, dt)
-end
-
--- Reads the velocity of what carries an object in this step.
-local function readCarrier(b, i)
-  local c, k, carried = b.carrier[i], 2 * i, b.carried
-  if c == 0 then
-    carried[k], carried[k + 1] = 0, 0
-  else
-    carried[k], carried[k + 1] = carriers.velocity(b, c, i)
-  end
-end
-
--- Keeps a body, if it is buried in something immovable, where it is. It gives way to nothing.
-local function bury(b, i)
-  for k = 2 * i, b.buried[i] and b.kind[i] == DYNAMIC and 2 * i + 1 or 0 do
-    b.to[k], b.speed[k] = b.from[k], 0.0
-  end
 end
 
 -- Computes where dynamic bodies would end, and how fast they would be then.
@@ -69,14 +47,15 @@ end
 local function carry(b, dt, first, last)
   local list, kind = b.awakeList, b.kind
   for n = first, last do
-    if kind[list[n]] == KINEMATIC then
-      moveKinematic(b, list[n], dt)
+    for k = 2 * list[n], kind[list[n]] == KINEMATIC and 2 * list[n] + 1 or 0 do
+      moveKinematic(b, k, dt)
     end
   end
   carriers.board(b)
   for n = first, last do
-    if kind[list[n]] == DYNAMIC then
-      readCarrier(b, list[n])
+    local i = list[n]
+    if kind[i] == DYNAMIC then
+      b.carried[2 * i], b.carried[2 * i + 1] = carriers.velocity(b, b.carrier[i], i)
     end
   end
 end
@@ -97,9 +76,6 @@ function move.run(b, dt)
     drift.add(b, dt, first, last)
   end
   findEnds(b, dt, first, last)
-  for n = first, b.hasBuried and last or 0 do
-    bury(b, b.awakeList[n])
-  end
   b.predicted = last
 end
 

@@ -10,7 +10,6 @@
 -- columns as flowPull, flowAir and flowDrag; without zones these are the columns of the objects.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local allot = require(root .. ".memory.allot")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
 local shapes = require(root .. ".space.shapes")
@@ -50,17 +49,15 @@ local function arrange(b)
       list[count] = i
     end
   end
-  for n = 1, count do
-    list[n] = allot.embody(b, list[n])
-  end
   sort.by(list, count, b.rank, b.rank, b.rank)
 end
 
 -- Shares ------------------------------------------------------------------------------------------
 
--- Where body k is `time` s after the beginning of the step, if nothing acts on it.
+-- Where k is `time` s after the beginning of the step, if nothing acts on it. (A static object that
+-- lies alone has no velocity.)
 local function place(b, k, time)
-  return b.from[k] + b.velocity[k] * time
+  return b.from[k] + (b.velocity[k] or 0.0) * time
 end
 
 -- The share of slot i, 0..1, that is in zone j, if that acts on it at all.

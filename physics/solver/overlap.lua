@@ -240,7 +240,7 @@ local function bury(b, i, j)
   local width, height = depthOf(b, i, j)
   local axis = height <= width and 1 or 0
   axis = b.wasCrushed[2 * i + 1 - axis] and 1 - axis or axis -- so that it is told once
-  b.buried[i], b.hasBuried = true, true
+  b.buried[i] = true
   if not (b.crushed[2 * i] or b.crushed[2 * i + 1]) then
     -- A ceiling is named before the next tile of the floor.
     local _ = crush(b, i, j, axis, true)

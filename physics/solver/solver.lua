@@ -25,6 +25,7 @@ local friction = require(root .. ".solver.friction")
 local move = require(root .. ".motion.move")
 local nudge = require(root .. ".memory.lazy")(root .. ".solver.nudge")
 local pairFinder = require(root .. ".broadphase.pairFinder")
+local path = require(root .. ".motion.path")
 local pool = require(root .. ".solver.pool")
 local pressed = require(root .. ".solver.pressed")
 local relax = require(root .. ".memory.lazy")(root .. ".solver.relax")
@@ -71,6 +72,9 @@ local function begin(b, dt)
     local i = list[n]
     changed[n], dirty[i], b.impactsOf[i] = i, 1, 0
     for k = 2 * i, 2 * i + 1 do
+      if buried[i] then
+        path.finish(b, k, from[k], 0.0, 0.0)
+      end
       origin[k] = from[k]
       give[k] = kind[i] == DYNAMIC and not buried[i] and inverseMass[i] or 0
       freeSpeed[k] = speed[k]
