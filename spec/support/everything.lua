@@ -53,6 +53,27 @@ local function makePlatforms(put)
   put("pressed", { x = 405, y = 310, width = 14, height = 14 })
 end
 
+-- Fields of every nth box from one on: between two numbers, one of a list, or a value.
+local FIELDS = {
+  { "friction", 2, 0, 0.1, 1 },
+  { "restitution", 3, 0, { 0.3, 0.6, 1 } },
+  { "mass", 4, 0, 0.5, 6 },
+  { "airFriction", 5, 0, 0, 2 },
+  { "drag", 6, 0, 0, 60 },
+  { "maxSpeed", 7, 0, 250 },
+  { "maxSpeedX", 8, 1, 90 },
+  { "maxSpeedY", 8, 1, 300 },
+  { "snap", 8, 5, 6 },
+  { "maxFallSpeed", 8, 5, 200 },
+  { "gravity", 9, 1, { -50, 0, 1200 } },
+  { "gravityX", 10, 2, 100 },
+  { "ax", 11, 3, 40 },
+  { "ay", 11, 3, -20 },
+  { "pushable", 11, 5, false },
+  { "mask", 30, 7, { coins = false, lifts = false } },
+  { "sensor", 30, 9, true },
+}
+
 local function makeBoxes(put)
   local random = newRandom(7)
   for i = 0, 29 do
@@ -63,47 +84,16 @@ local function makeBoxes(put)
       height = random:between(8, 24),
       vx = random:between(-80, 80),
     }
-    if i % 2 == 0 then
-      box.friction = random:between(0.1, 1)
-    end
-    if i % 3 == 0 then
-      box.restitution = random:pick({ 0.3, 0.6, 1 })
-    end
-    if i % 4 == 0 then
-      box.mass = random:between(0.5, 6)
-    end
-    if i % 5 == 0 then
-      box.airFriction = random:between(0, 2)
-    end
-    if i % 6 == 0 then
-      box.drag = random:between(0, 60)
-    end
-    if i % 7 == 0 then
-      box.maxSpeed = 250
-    end
-    if i % 8 == 1 then
-      box.maxSpeedX, box.maxSpeedY = 90, 300
-    end
-    if i % 8 == 5 then
-      box.snap, box.maxFallSpeed = 6, 200
-    end
-    if i % 9 == 1 then
-      box.gravity = random:pick({ -50, 0, 1200 })
-    end
-    if i % 10 == 2 then
-      box.gravityX = 100
-    end
-    if i % 11 == 3 then
-      box.ax, box.ay = 40, -20
-    end
-    if i == 5 or i == 16 then
-      box.pushable = false
-    end
-    if i == 7 then
-      box.mask = { coins = false, lifts = false }
-    end
-    if i == 9 then
-      box.sensor = true
+    for _, row in ipairs(FIELDS) do
+      local value = row[4]
+      if i % row[2] == row[3] and (row[1] ~= "pushable" or i < 20) then
+        if row[5] then
+          value = random:between(value, row[5])
+        elseif type(value) == "table" and value[1] then
+          value = random:pick(value)
+        end
+        box[row[1]] = value
+      end
     end
     put(i % 2 == 0 and "boxes" or "crates", box)
   end
@@ -171,30 +161,22 @@ function everything.new(settings, insert)
   return everything.fill(everything.newWorld(settings), insert)
 end
 
+-- Between which places which lift goes to and fro, and how fast.
+local WAYS = {
+  { 1, "x", 100, 220, 50 },
+  { 2, "y", 345, 450, 40 },
+  { 3, "x", 5, 90, 30 },
+  { 5, "y", 276, 330, 60 },
+}
+
 local function steerLifts(objects, n)
-  local lift = objects.lifts[1]
-  if lift.x > 220 then
-    lift.vx = -50
-  elseif lift.x < 100 then
-    lift.vx = 50
-  end
-  lift = objects.lifts[2]
-  if lift.y < 345 then
-    lift.vy = 40
-  elseif lift.y > 450 then
-    lift.vy = -40
-  end
-  lift = objects.lifts[3]
-  if lift.x > 90 then
-    lift.vx = -30
-  elseif lift.x < 5 then
-    lift.vx = 30
-  end
-  lift = objects.lifts[5]
-  if lift.y < 276 then
-    lift.vy = 60
-  elseif lift.y > 330 then
-    lift.vy = -60
+  for _, row in ipairs(WAYS) do
+    local lift, axis, speed = objects.lifts[row[1]], row[2], row[5]
+    if lift[axis] > row[4] then
+      lift["v" .. axis] = -speed
+    elseif lift[axis] < row[3] then
+      lift["v" .. axis] = speed
+    end
   end
   objects.lifts[4].x = 240 + (n % 40 < 20 and n % 20 or 20 - n % 20) * 3
 end

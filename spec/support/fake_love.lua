@@ -1,6 +1,8 @@
 --- Stands in for LÖVE, as far as the examples need it: no window, but what is asked for is
 --- answered, and drawing with anything but numbers is refused.
 
+local files = require("spec.support.files")
+
 local fakeLove = {}
 
 -- Functions of love.graphics with arguments that are numbers, from the given one on.
@@ -8,24 +10,23 @@ local DRAWING = { rectangle = 2, circle = 2, ellipse = 2, line = 1, translate = 
 
 local function nothing() end
 
-local function newFont(size)
-  return {
-    getWidth = function(_, text)
-      return #text * size * 0.6
-    end,
-    getHeight = function()
-      return size
-    end,
-  }
+local function always(a, b, c, d)
+  return function()
+    return a, b, c, d
+  end
 end
 
--- An image, a canvas, a batch: has every method, and none does anything.
+-- Has every method, and none does anything: an image, a canvas, a batch.
 local function newDrawable()
-  return setmetatable({}, {
-    __index = function()
-      return nothing
-    end,
-  })
+  return setmetatable({}, { __index = always(nothing) })
+end
+
+local function newFont(size)
+  local font = { getHeight = always(size) }
+  function font.getWidth(_, text)
+    return #text * size * 0.6
+  end
+  return font
 end
 
 local function checked(name, first)
@@ -41,29 +42,15 @@ end
 
 -- `texts`: all that is written goes there.
 local function newGraphics(texts)
-  local graphics = setmetatable({}, {
-    __index = function()
-      return nothing
-    end,
-  })
+  local graphics = newDrawable()
   for name, first in pairs(DRAWING) do
     graphics[name] = checked(name, first)
-  end
-  function graphics.getDimensions()
-    return 1200, 640
   end
   function graphics.transformPoint(x, y)
     return x, y
   end
-  function graphics.getColor()
-    return 1, 1, 1, 1
-  end
-  function graphics.getLineWidth()
-    return 1
-  end
-  function graphics.getFont()
-    return newFont(12)
-  end
+  graphics.getDimensions, graphics.getLineWidth = always(1200, 640), always(1)
+  graphics.getColor, graphics.getFont = always(1, 1, 1, 1), always(newFont(12))
   function graphics.print(text)
     assert(type(text) == "string", "love.graphics.print: no text")
     texts[#texts + 1] = text
@@ -98,33 +85,22 @@ function fakeLove.new(folder)
   local mouse = { x = 0, y = 0, isHeld = false }
   local texts = {}
   local love = { graphics = newGraphics(texts) }
+  local function within(call)
+    return function(name)
+      return call(folder .. "/" .. name)
+    end
+  end
   love.filesystem = {
-    getSource = function()
-      return folder
-    end,
-    getInfo = function(name)
-      local file = io.open(folder .. "/" .. name)
+    getSource = always(folder),
+    getInfo = within(function(path)
+      local file = io.open(path)
       return file and file:close() and {}
-    end,
-    read = function(name)
-      local file = assert(io.open(folder .. "/" .. name, "rb"))
-      local text = file:read("*a")
-      file:close()
-      return text
-    end,
-    load = function(name)
-      return loadfile(folder .. "/" .. name)
-    end,
-    lines = function(name)
-      return io.lines(folder .. "/" .. name)
-    end,
+    end),
+    read = within(files.read),
+    load = within(loadfile),
+    lines = within(io.lines),
   }
-  love.keyboard = {
-    isDown = function()
-      return false
-    end,
-    setKeyRepeat = nothing,
-  }
+  love.keyboard = { isDown = always(false), setKeyRepeat = nothing }
   love.mouse = {
     getPosition = function()
       return mouse.x, mouse.y
@@ -133,19 +109,12 @@ function fakeLove.new(folder)
       return mouse.isHeld
     end,
   }
-  love.math = {
-    newRandomGenerator = newRandomGenerator,
-    noise = function(x)
-      return x % 1
-    end,
-  }
-  love.timer = { getTime = os.clock }
-  love.event = { quit = nothing }
-  love.system = {
-    getOS = function()
-      return "Linux"
-    end,
-  }
+  love.math = { newRandomGenerator = newRandomGenerator }
+  function love.math.noise(x)
+    return x % 1
+  end
+  love.timer, love.event = { getTime = os.clock }, { quit = nothing }
+  love.system = { getOS = always("Linux") }
   return love, mouse, texts
 end
 

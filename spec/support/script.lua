@@ -36,36 +36,25 @@ local function makeStatics(random, list)
   end
 end
 
+-- Fields that a box may have: with which chance, between which numbers, or which of a list.
+local CHANCES = {
+  { "friction", 0.5, 0, 1 },
+  { "restitution", 0.4, { 0.25, 0.5, 0.9, 1 } },
+  { "mass", 0.4, 0.25, 8 },
+  { "gravity", 0.1, { 0, -300, 1200 } },
+  { "airFriction", 0.1, 0, 2 },
+  { "drag", 0.1, 0, 100 },
+  { "maxSpeed", 0.1, 50, 400 },
+}
+
 --- A dynamic box with random fields, at a place of a raster so that nothing overlaps at first.
 local function makeBox(random, x, y, options)
-  local box = {
-    x = x,
-    y = y,
-    width = random:between(4, 20),
-    height = random:between(4, 20),
-    vx = random:between(-150, 150),
-    vy = random:between(-100, 100),
-  }
-  if random:chance(0.5) then
-    box.friction = random:between(0, 1)
-  end
-  if random:chance(0.4) then
-    box.restitution = random:pick({ 0.25, 0.5, 0.9, 1 })
-  end
-  if random:chance(0.4) then
-    box.mass = random:between(0.25, 8)
-  end
-  if random:chance(0.1) then
-    box.gravity = random:pick({ 0, -300, 1200 })
-  end
-  if random:chance(0.1) then
-    box.airFriction = random:between(0, 2)
-  end
-  if random:chance(0.1) then
-    box.drag = random:between(0, 100)
-  end
-  if random:chance(0.1) then
-    box.maxSpeed = random:between(50, 400)
+  local box = { x = x, y = y, width = random:between(4, 20), height = random:between(4, 20) }
+  box.vx, box.vy = random:between(-150, 150), random:between(-100, 100)
+  for _, row in ipairs(CHANCES) do
+    if random:chance(row[2]) then
+      box[row[1]] = row[4] and random:between(row[3], row[4]) or random:pick(row[3])
+    end
   end
   if random:chance(0.1) and not options.pushable then
     box.pushable = false
@@ -95,22 +84,21 @@ end
 --- What the game writes to an object that is there.
 local function makeWrite(random, index)
   local kind = random:integer(1, 9)
+  local fields
   if kind <= 3 then
-    local fields = { vx = random:between(-400, 400), vy = random:between(-400, 400) }
-    return { "write", index, fields }
+    fields = { vx = random:between(-400, 400), vy = random:between(-400, 400) }
   elseif kind == 4 then
-    local fields = { x = random:between(0, ROOM - 20), y = random:between(0, 180) }
-    return { "write", index, fields }
+    fields = { x = random:between(0, ROOM - 20), y = random:between(0, 180) }
   elseif kind == 5 then
-    return { "write", index, { width = random:between(4, 20), height = random:between(4, 20) } }
+    fields = { width = random:between(4, 20), height = random:between(4, 20) }
   elseif kind == 6 then
-    return { "write", index, { friction = random:between(0, 1) } }
+    fields = { friction = random:between(0, 1) }
   elseif kind == 7 then
-    return { "write", index, { active = random:chance(0.5) } }
+    fields = { active = random:chance(0.5) }
   elseif kind == 8 then
-    return { "write", index, { mask = random:chance(0.5) and { boxes = false } or {} } }
+    fields = { mask = random:chance(0.5) and { boxes = false } or {} }
   end
-  return { "remove", index }
+  return { fields and "write" or "remove", index, fields }
 end
 
 --- Makes a script.
@@ -293,41 +281,19 @@ function script.track(self, settings, insert)
   return track
 end
 
---- Where frame value number `at` comes from, in words.
-local function nameOf(player, at)
-  local count = 0
-  for i = 1, player.count do
-    local object = player.list[i]
-    local size = object and #FIELDS + (object.touching and #SIDES or 0) or 0
-    if at <= count + size then
-      local name = FIELDS[at - count] or "touching." .. SIDES[at - count - #FIELDS]
-      return ("object %d: %s"):format(i, name)
-    end
-    count = count + size
-  end
-end
-
---- The words for two values that should be the same.
-local function both(a, b)
-  local function write(value)
-    return type(value) == "number" and ("%.17g"):format(value) or tostring(value)
-  end
-  return write(a) .. " and " .. write(b)
+local function write(value)
+  return type(value) == "number" and ("%.17g"):format(value) or tostring(value)
 end
 
 --- The first difference between a player after a step and the track of another, in words, or nil.
 function script.difference(track, player)
   local expected, found = track[player.step], frameOf(player)
-  for at = 1, math.max(#expected.values, #found.values) do
-    local a, b = expected.values[at], found.values[at]
-    if a ~= b then
-      return ("step %d: %s is %s"):format(player.step, nameOf(player, at), both(a, b))
-    end
-  end
-  for i = 1, math.max(#expected.told, #found.told) do
-    local a, b = expected.told[i], found.told[i]
-    if a ~= b then
-      return ("step %d: event %d is %s"):format(player.step, i, both(a, b))
+  for _, what in ipairs({ "values", "told" }) do
+    for at = 1, math.max(#expected[what], #found[what]) do
+      local a, b = expected[what][at], found[what][at]
+      if a ~= b then
+        return ("step %d: %s %d is %s and %s"):format(player.step, what, at, write(a), write(b))
+      end
     end
   end
 end

@@ -19,45 +19,26 @@ end
 --- Stands in for LÖVE: `held[key]` says which keys are down, drawing does nothing, and files come
 --- from spec/, where the maps are.
 function snippets.newLove(held)
-  local function nothing()
-    return 1, 1, 1, 1
+  local function always(a, b, c, d)
+    return function()
+      return a, b, c, d
+    end
   end
-  local function size()
-    return 800
-  end
+  local size = always(800)
   local font = { getWidth = size, getHeight = size }
-  local graphics = {
-    getWidth = size,
-    getDimensions = function()
-      return 800, 600
-    end,
-    newFont = function()
-      return font
-    end,
-  }
-  return {
-    graphics = setmetatable(graphics, {
-      __index = function()
-        return nothing
-      end,
-    }),
-    keyboard = {
-      isDown = function(key)
-        return held[key] or false
-      end,
-    },
-    filesystem = {
-      getInfo = function()
-        return {}
-      end,
-      load = function(path)
-        return loadfile("spec/" .. path)
-      end,
-      read = function(path)
-        return assert(path == "maps/cave.ldtk" and "its text")
-      end,
-    },
-  }
+  local graphics = { getWidth = size, getDimensions = always(800, 600), newFont = always(font) }
+  local love = { graphics = setmetatable(graphics, { __index = always(always(1, 1, 1, 1)) }) }
+  love.keyboard, love.filesystem = {}, { getInfo = always({}) }
+  function love.keyboard.isDown(key)
+    return held[key] or false
+  end
+  function love.filesystem.load(path)
+    return loadfile("spec/" .. path)
+  end
+  function love.filesystem.read(path)
+    return assert(path == "maps/cave.ldtk" and "its text")
+  end
+  return love
 end
 
 local function show(value)
