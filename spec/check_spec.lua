@@ -2,8 +2,10 @@
 --- that nothing has changed. What loads physics/fields/check.lua itself is tagged #files: there is
 --- no such file when the library is one.
 
-local check = require("physics.fields.check")
+local files = require("spec.support.files")
 local physics = require("physics")
+
+local compile = require("spec.support.snippets").compile
 
 local NAN, INF = 0 / 0, 1 / 0
 
@@ -26,45 +28,25 @@ end
 
 -- The line ----------------------------------------------------------------------------------------
 
---- Compiles a text under a chunk name, in an environment of its own.
-local function compile(text, chunkName, environment)
-  local setEnvironment = rawget(_G, "setfenv")
-  if setEnvironment then
-    return setEnvironment(assert(rawget(_G, "loadstring")(text, chunkName)), environment)
+local CHECK, BACK = "physics/fields/check.lua", "\\physics\\fields\\check.lua"
+
+--- What is said in a program of these files: each calls the next one on its second line, and the
+--- last, of the library, fails. `place` is that of physics/fields/check.lua.
+local function saidIn(place, chain, environment)
+  local check = compile(files.read(CHECK), "@" .. place, environment or _G)("physics.fields.check")
+  local text = "local call = ...\nreturn function() call('oops')\n end"
+  local call = check.fail
+  for n = #chain, 1, -1 do
+    call = compile(text, "@" .. chain[n], {})(call)
   end
-  return assert(load(text, chunkName, "t", environment))
-end
-
---- Loads physics/fields/check.lua as if its file had another name.
-local function loadCheck(chunkName, environment)
-  local file = assert(io.open((debug.getinfo(check.fail, "S").source:gsub("^@", ""))))
-  local text = file:read("*a")
-  file:close()
-  return compile(text, chunkName, environment or _G)("physics.fields.check")
-end
-
---- A function of the library in a chunk of this name, which fails.
-local function libraryFunction(loaded, chunkName)
-  local text = 'local check = ... return function() check.fail("oops") end'
-  return compile(text, chunkName, {})(loaded)
-end
-
---- What is said when a chunk of the game calls a function on its second line.
-local function gameFunction(chunkName, call)
-  return compile("local call = ...\nreturn function() call()\n end", chunkName, {})(call)
-end
-
-local function messageOf(call)
   return select(2, pcall(call))
 end
-
-local CHECK, BACK = "physics/fields/check.lua", "\\physics\\fields\\check.lua"
 
 describe("the line that an error names", function()
   it("is the one that calls the library, also by pcall, and none where there is none", function()
     local world = physics.newWorld()
     local line = debug.getinfo(1, "l").currentline
-    local message = messageOf(function()
+    local _, message = pcall(function()
       world:update(-1)
       return nil
     end)
@@ -94,25 +76,21 @@ describe("the line that an error names", function()
     { "a folder like a file", CHECK, "physics.lua", "physics2.lua" },
   }) do
     it("is the game's in " .. row[1] .. " #files", function()
-      local call = libraryFunction(loadCheck("@" .. row[2]), "@" .. row[3])
-      assert.equal(row[4] .. ":2: physics: oops", messageOf(gameFunction("@" .. row[4], call)))
+      assert.equal(row[4] .. ":2: physics: oops", saidIn(row[2], { row[4], row[3] }))
     end)
   end
 
-  it("is that of a callback which misuses the library, also behind a tail call #files", function()
-    local update = libraryFunction(loadCheck("@" .. CHECK), "@physics/world/world.lua")
-    local callback = gameFunction("@callback.lua", update)
-    local step = gameFunction("@physics/contacts/events.lua", callback)
-    assert.equal("callback.lua:2: physics: oops", messageOf(gameFunction("@main.lua", step)))
-    local text = "local call = ... return function() return call() end"
-    local door = compile(text, "@physics.lua", {})(update)
-    assert.equal("main.lua:2: physics: oops", messageOf(gameFunction("@main.lua", door)))
+  it("is that of a callback which misuses the library #files", function()
+    local chain = { "main.lua", "physics/contacts/events.lua", "callback.lua", "physics.lua" }
+    assert.equal("callback.lua:2: physics: oops", saidIn(CHECK, chain))
   end)
 
   it("is the third level's where there is no debug library #files", function()
     local environment = setmetatable({ debug = false }, { __index = _G })
-    local call = libraryFunction(loadCheck("@" .. CHECK, environment), "@physics.lua")
-    assert.equal("main.lua:2: physics: oops", messageOf(gameFunction("@main.lua", call)))
+    assert.equal(
+      "main.lua:2: physics: oops",
+      saidIn(CHECK, { "main.lua", "physics.lua" }, environment)
+    )
   end)
 end)
 

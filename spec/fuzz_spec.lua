@@ -352,7 +352,7 @@ describe("games of the kinds that are made show nothing that a player would noti
   for _, kind in ipairs(games.kinds) do
     local play = kind == "survivors" and long or it
     play(kind, function()
-      for seed = 1, kind == "marbles" and 1 or effort.share(8) do
+      for seed = 1, kind == "marbles" and 1 or effort.share(4) do
         local failure = games.play(kind, seed, 300)
         assert(
           not failure,
