@@ -34,6 +34,11 @@ local ONE_WAY = ": one-way objects are static or kinematic; a dynamic one falls 
 local NOTHING = " refuses nothing: true collides, as nil does, and false passes through"
 local OF_CLASS = ", but its class has static = true: set it in the object, as in self.static = true"
 
+-- What makes it fine: sides, masks of groups that may be still to come, a mask that is switched.
+local SIDES = { touching = { top = false, bottom = false, left = false, right = false } }
+local LATER = { masks = { coins = { bullets = false }, [7] = { floors = false } } }
+local SWITCHED = { masks = { men = { floors = false, coins = true }, boxes = {} } }
+
 local function class(fields)
   return setmetatable({}, fields) -- without __index: its fields are not the object's
 end
@@ -116,108 +121,85 @@ describe("checked", function()
     end)
   end
 
-  -- What is written to the box, the floor (read anew) or the world, or added as `new`; what is
-  -- refused then; and what is written to make it fine.
+  -- Where it is written, `new` is a third object; what is written; what is said of it; and what is
+  -- written to make it fine.
+  local PLACES = { box = "objects.boxes[1].", world = "world.", new = "objects.others[1]." }
   for _, row in ipairs({
-    { "box", { static = true }, "objects.boxes[1].static was changed to true" .. BY_HAND },
-    { "box", { oneWay = true }, "objects.boxes[1].oneWay must be nil, got true" .. ONE_WAY },
+    { "box", { static = true }, "static was changed to true" .. BY_HAND },
+    { "box", { oneWay = true }, "oneWay must be nil, got true" .. ONE_WAY },
     {
       "box",
       { oneWay = "left" },
-      'objects.boxes[1].oneWay must be nil, got "left"' .. ONE_WAY,
+      'oneWay must be nil, got "left"' .. ONE_WAY,
       { kinematic = true },
     },
+    { "box", { mask = { floor = false } }, "mask: there is no group floor, did you mean floors?" },
     {
       "box",
-      { mask = { floor = false } },
-      "objects.boxes[1].mask: there is no group floor, did you mean floors?",
+      { touching = NIL },
+      "touching was set to nil: the library writes it, and needs no help",
+      SIDES,
     },
     {
       "world",
       { masks = { boxes = { floor = false } } },
-      "world.masks.boxes: there is no group floor, did you mean floors?",
+      "masks.boxes: there is no group floor, did you mean floors?",
     },
     {
       "world",
       { masks = { Floors = { boxes = false } } },
-      "world.masks: there is no group Floors, did you mean floors?",
-      { masks = { coins = { bullets = false }, [7] = { floors = false } } },
-    }, -- may be still to come
-    {
-      "new",
-      { mask = { men = true } },
-      'objects.others[1].mask = { ["men"] = true }'
-        .. NOTHING
-        .. ' (did you mean hits = { "men" }?)',
-      { mask = { men = true, floors = false } },
+      "masks: there is no group Floors, did you mean floors?",
+      LATER,
     },
     {
       "world",
       { masks = { men = { floors = false }, boxes = { coins = true } } },
-      'world.masks.boxes = { ["coins"] = true }' .. NOTHING,
-      { masks = { men = { floors = false, coins = true }, boxes = {} } },
-    },
-    {
-      "box",
-      { canCollide = function() end, y = 90 },
-      "canCollide must return true or false, got nothing (which means true)",
-    },
-    {
-      "box",
-      { touching = NIL },
-      "objects.boxes[1].touching was set to nil: the library writes it, and needs no help",
-      { touching = { top = false, bottom = false, left = false, right = false } },
+      'masks.boxes = { ["coins"] = true }' .. NOTHING,
+      SWITCHED,
     },
     {
       "new",
-      class({ static = true }),
-      "objects.others[1].static is nil" .. OF_CLASS,
-      { static = false },
+      { mask = { men = true } },
+      'mask = { ["men"] = true }' .. NOTHING .. ' (did you mean hits = { "men" }?)',
+      { mask = { men = true, floors = false } },
     },
+    { "new", class({ static = true }), "static is nil" .. OF_CLASS, { static = false } },
     {
       "new",
       { class = { static = true } },
-      "objects.others[1].static is nil" .. OF_CLASS,
+      "static is nil" .. OF_CLASS,
       { class = { static = {} } },
-    }, -- as middleclass has it
+    },
     {
       "new",
-      setmetatable({}, { __index = { touching = print } }),
-      "objects.others[1].touching is written by the library, and hides the method touching of its"
-        .. " class: give that another name",
+      class({ __index = { touching = print } }),
+      "touching is written by the library, and hides the method touching of its class:"
+        .. " give that another name",
     },
     {
       "new",
       { static = true, kinematic = true },
-      "objects.others[1].kinematic must be nil, got true: the object is static, which counts",
+      "kinematic must be nil, got true: the object is static, which counts",
     },
-    {
-      "new",
-      { static = true, vx = 5 },
-      "objects.others[1].vx must be nil, got 5: a static object never moves",
-    },
+    { "new", { static = true, vx = 5 }, "vx must be nil, got 5: a static object never moves" },
     {
       "new",
       { surfaceSpeed = 9 },
-      "objects.others[1].surfaceSpeed must be nil, got 9: belts are static or kinematic",
+      "surfaceSpeed must be nil, got 9: belts are static or kinematic",
     },
   }) do
-    it("refuses: " .. row[3], function()
-      local world, floor, box = newWorld()
-      local object = ({ box = box, floor = floor, world = world })[row[1]]
+    it("refuses: " .. PLACES[row[1]] .. row[3], function()
+      local world, _, box = newWorld()
+      local object = row[1] == "box" and box or world
       if row[1] == "new" then
         object = setmetatable({ x = 50, y = 0, width = 5, height = 5 }, getmetatable(row[2]))
         world.objects.others = { object }
       end
       local before = {}
       for name, value in pairs(row[2]) do
-        before[name] = object[name]
-        if value == NIL then
-          value = nil
-        end
-        object[name] = value
+        before[name], object[name] = object[name], value ~= NIL and value or nil
       end
-      refusesStep(world, row[3])
+      refusesStep(world, PLACES[row[1]] .. row[3])
       for name in pairs(row[2]) do
         object[name] = before[name]
       end
@@ -227,10 +209,16 @@ describe("checked", function()
       if row[1] == "new" and not row[4] then
         setmetatable(object, nil)
       end
-      world:refresh(row[1] == "world" and box or object)
+      world:refresh(object == world and box or object)
       world:update(DT)
     end)
   end
+
+  it("refuses canCollide that returns nothing", function()
+    local world, _, box = newWorld()
+    box.canCollide, box.y = function() end, 90
+    refusesStep(world, "canCollide must return true or false, got nothing (which means true)")
+  end)
 
   it("refuses a mover that is much larger than the grid's cells", function()
     local world, floor, box = newWorld({ cellSize = 2 })

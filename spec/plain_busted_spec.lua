@@ -35,17 +35,13 @@ local PAIRS = {
   },
 }
 
-local function write(path, text)
-  local file = assert(io.open(path, "wb"))
-  file:write(text)
-  file:close()
-end
-
 -- What the runner prints about a spec file with this text. What scripts/test.sh asks of this
 -- process is not for that one.
 local function run(text, options)
   local path = os.tmpname()
-  write(path, text)
+  local file = assert(io.open(path, "wb"))
+  file:write(text)
+  file:close()
   local command = "env -u PHYSICS_LUA -u SPEC_TIMES luajit scripts/plain_busted.lua %s '%s' 2>&1"
   local pipe = assert(io.popen(command:format(options, path)))
   local printed = pipe:read("*a")
