@@ -127,46 +127,28 @@ local function longList()
   return list
 end
 
--- The values, each made anew for a scene: name, value.
-local function newValues(scene)
-  return {
-    { "nil", nil },
-    { "true", true },
-    { "false", false },
-    { "a text", "text" },
-    { "a number as text", "12" },
-    { "no text", "" },
-    { "a long text", ("\0\255long"):rep(10000) },
-    { "nan", NAN },
-    { "inf", INF },
-    { "-inf", -INF },
-    { "-0", -0.0 },
-    { "1", 1 },
-    { "-1", -1 },
-    { "0.5", 0.5 },
-    { "1e308", 1e308 },
-    { "-1e308", -1e308 },
-    { "5e-324", 2 ^ -1074 },
-    { "an empty table", {} },
-    { "a list with a hole", { "boxes", nil, "lifts" } },
-    { "a long list", longList() },
-    { "a set", { boxes = true } },
-    { "a cycle", newCycle() },
-    { "a table that throws", newThrower() },
-    { "an object that throws", newThrower(newStranger()) },
-    { "a stranger", newStranger() },
-    { "an object of the world", scene.box },
-    { "a static object of the world", scene.floor },
-    { "a removed object", scene.removed },
-    { "the world", scene.world },
-    { "its groups", scene.objects },
-    { "a function", function() end },
-    { "a function that throws", throw },
-    { "a coroutine", coroutine.create(throw) },
-    { "a file", io.stdout },
-  }
-end
+local PLAIN = { true, false, "text", "12", "", ("\0\255long"):rep(10000), print, throw, io.stdout }
+local NUMBERS = { NAN, INF, -INF, -0.0, 1, -1, 0.5, 1e308, -1e308, 2 ^ -1074 }
 local COUNT = 34
+
+-- The values, the last of which is nil; tables are made anew for a scene.
+local function newValues(scene)
+  local tables = { {}, { "boxes", nil, "lifts" }, longList(), { boxes = true }, newCycle() }
+  local own = { newThrower(), newThrower(newStranger()), newStranger(), coroutine.create(throw) }
+  local its = { scene.box, scene.floor, scene.removed, scene.world, scene.objects }
+  local values = {}
+  for _, list in ipairs({ PLAIN, NUMBERS, tables, own, its }) do
+    for _, value in ipairs(list) do
+      values[#values + 1] = value
+    end
+  end
+  assert(#values == COUNT - 1)
+  return values
+end
+
+local function nameOf(n, value)
+  return ("%s (value %d)"):format(type(value) == "string" and value:sub(1, 9) or tostring(value), n)
+end
 
 -- The numbers of some values, others each time, or of all: in the whole of LuaJIT.
 local turn = 0
@@ -378,22 +360,23 @@ end
 
 -- All values, and those at the ends of its range, for a row: in a new object or world, and later.
 local function tryRow(row, first, later)
-  local scene, some, n = newScene(), someValues(), 0
-  local values = newValues(scene)
+  local values, list = newValues(newScene()), {}
+  for n, m in ipairs(someValues()) do
+    list[n] = { values[m] }
+  end
   local low, high = row.min or row.above or 0, row.max or 0
   for _, edge in ipairs({ low - 0.1, row.above or 1, high + 0.1 }) do
-    values[#values + 1] = { shown(edge), edge }
-    some[#some + 1] = #values
+    list[#list + 1] = { edge }
   end
-  for _, m in ipairs(some) do
-    local what = row.name .. " is " .. values[m][1]
+  local isRead = row.name ~= "static" and (row.column or row.type ~= "function")
+  for n, item in ipairs(list) do
+    local value = item[1]
     -- A callback that fails is no bad input: its step is made (recovery_spec.lua).
-    if row.type ~= "function" or values[m][1] ~= "a function that throws" then
-      n = n + 1
-      tryAt(first[1 + n % #first], row, values[m][2], what)
-      local isRead = row.name ~= "static" and (row.column or row.type ~= "function")
+    if value ~= throw then
+      local what = row.name .. " is " .. nameOf(n, value)
+      tryAt(first[1 + n % #first], row, value, what)
       if isRead or first == GIVEN then
-        tryAt(later[1 + n % #later], row, values[m][2], what .. " later")
+        tryAt(later[1 + n % #later], row, value, what .. " later")
       end
     end
   end
@@ -521,8 +504,8 @@ local function tryAll(newRows, n, owner, first)
   for place = 2, #row do
     for _, m in ipairs(someValues()) do
       local args, value = newRows(scene)[n], newValues(scene)[m]
-      args[1], args[place] = scene.world, value[2]
-      local what = ("%s, argument %d is %s"):format(row[1], place - 1, value[1])
+      args[1], args[place] = scene.world, value
+      local what = ("%s, argument %d is %s"):format(row[1], place - 1, nameOf(m, value))
       scene = judge(scene, what, function()
         return nil, owner(scene)[row[1]](unpackList(args, first, #row))
       end)
@@ -574,9 +557,9 @@ describe("whatever it answers,", function()
       for _, m in ipairs(someValues()) do
         local scene = newScene()
         local value = newValues(scene)[m]
-        local what = name .. " returns " .. value[1]
+        local what = name .. " returns " .. nameOf(m, value)
         try(what, call, scene, function()
-          return value[2]
+          return value
         end)
         scene.world.canCollide = nil
         checkAlive(scene, what)
@@ -607,47 +590,41 @@ end)
 
 -- Calls in the wrong way --------------------------------------------------------------------------
 
--- The names of the functions of a table, sorted.
-local function functionsOf(methods)
-  local names = {}
+-- Calls `visit(name)` for the functions of a table, but for that which takes nothing.
+local function eachFunction(methods, visit)
+  local count = 0
   for name, method in pairs(methods) do
-    if type(method) == "function" and name ~= "globals" then -- which takes nothing
-      names[#names + 1] = name
+    if type(method) == "function" and name ~= "globals" then
+      count = count + 1
+      visit(name)
     end
   end
-  table.sort(names)
-  assert.is_true(#names > 25)
-  return names
+  assert.is_true(count > 25)
 end
 
 describe("every", function()
   it("method of a world says so when it is called with a dot instead of a colon", function()
     local world = physics.newWorld()
-    for _, name in ipairs(functionsOf(getmetatable(world).__index)) do
+    eachFunction(getmetatable(world).__index, function(name)
       for _, wrong in ipairs({ DT, "boxes", {} }) do
         local words = "must be called with a colon on a world, got " .. shown(wrong)
-        for _, part in ipairs({ words, "world:" .. name .. "(" }) do
-          refusesWith(part, function()
-            world[name](wrong, newBox())
-          end)
-        end
+        refusesWith(words, world[name], wrong, newBox())
+        refusesWith("world:" .. name .. "(", world[name], wrong, newBox())
       end
-    end
+    end)
   end)
 
   it("function says so when it is called with a colon, and does nothing", function()
     physics.load({ gravity = 800 })
     local coin = physics.add("coins", newBox())
     local hash = physics.hash()
-    for _, name in ipairs(functionsOf(physics)) do
+    eachFunction(physics, function(name)
+      local words = "physics." .. name .. " must be called with a dot, not with a colon"
       for _, argument in ipairs({ DT, "coins", coin, {} }) do
-        refusesWith("physics." .. name .. " must be called with a dot, not with a colon", function()
-          local result = physics[name](physics, argument, coin)
-          return result
-        end)
+        refusesWith(words, physics[name], physics, argument, coin)
       end
       assert.is_false((pcall(physics[name], physics)), name)
-    end
+    end)
     assert.equal(hash, physics.hash())
     assert.equal(coin, physics.objects.coins[1])
     physics.load()

@@ -95,36 +95,6 @@ describe("a scene", function()
   end
 end)
 
-describe("an engine", function()
-  for _, name in ipairs({ "ours", "tutorial" }) do
-    it("moves, stops, comes and goes as the benchmark says: " .. name, function()
-      local engine = engines.get(name, false)
-      local world = engine.new({
-        gravity = 600,
-        objects = {
-          { group = "a", x = 0, y = 100, width = 100, height = 10, static = true },
-          { group = "b", x = 40, y = 84, width = 16, height = 16 },
-        },
-      })
-      world:step(1 / 60)
-      assert.same({ 40, 84 }, { world:read(2) })
-      world:setVelocity(2, 60, nil)
-      world:step(1 / 60)
-      assert.near(41, (world:read(2)), 1e-9)
-      local added = world:add({ group = "b", x = 70, y = 84, width = 8, height = 16, gravity = 0 })
-      assert.equal(3, added)
-      for _ = 1, 30 do
-        world:step(1 / 60)
-      end
-      local right = world:read(added)
-      assert.truthy(right > 70) -- the other one pushed it
-      world:remove(added)
-      world:step(1 / 60)
-      world:free()
-    end)
-  end
-end)
-
 -- An engine of made-up steps: `moves[step]` says what happens to its objects.
 local function newEngine(moves)
   local World = {}

@@ -271,18 +271,3 @@ describe("a step of a page", function()
     assert.is_true(player.x > 324)
   end)
 end)
-
-describe("the check of links", function()
-  -- a link of docs/faq.md, what is wrong with it
-  for _, row in ipairs({
-    { "nowhere.md", "no file docs/nowhere.md" },
-    { "api/world.md#nothing", "no anchor" },
-  }) do
-    it("finds " .. row[1], function()
-      local ok, message = pcall(checkLink, "docs/faq.md", row[1])
-      assert.is_false(ok)
-      local said = type(message) == "table" and message.message or message
-      assert.truthy(tostring(said):find(row[2], 1, true), tostring(said))
-    end)
-  end
-end)

@@ -41,17 +41,6 @@ describe("what LuaJIT compiles", function()
     assert.is_true(found > 15)
   end)
 
-  if rawget(_G, "debug") and debug.getupvalue then
-    it("#files leaves out the functions that are named, which are all there", function()
-      for _, rows in ipairs(compiler.rows) do
-        for module, names in pairs(rows) do
-          local _, missing = compiler.find(require("physics." .. module), names)
-          assert(not missing, ("physics.%s has no function %s"):format(module, tostring(missing)))
-        end
-      end
-    end)
-  end
-
   -- Four players run to and fro among 16 crates and jump, for 100 s, and look around.
   local function playRoom(module)
     local world, players, out = module.newWorld({ gravity = 800 }), {}, {}

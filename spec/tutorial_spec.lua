@@ -1,5 +1,6 @@
---- The tutorial, followed line by line: global names, grouped tables, a loop that bumps.
--- luacheck: globals objects physics_load physics_update checkCollision inside bump
+--- The tutorial, followed line by line: global names, grouped tables, a loop. What its functions
+--- find is in pure_spec.lua.
+-- luacheck: globals objects physics_load physics_update
 
 local fresh = require("spec.support.fresh")
 local physics = require("physics")
@@ -93,34 +94,5 @@ describe("the tutorial", function()
     objects.boxes = { { x = 0, y = 0, width = 16, height = 16 } }
     physics_update(DT)
     assert.is_true(objects.boxes[1].y > 0)
-  end)
-
-  it("finds the intersection, the side, and what is inside, and bumps", function() -- pure_spec.lua
-    local a = { x = 0, y = 0, width = 16, height = 16 }
-    local b = { x = 12, y = 2, width = 16, height = 16 }
-    assert.equal("left", checkCollision(b, a))
-    assert.is_true(inside(2, 2, 4, 4, 0, 0, 16, 16))
-    assert.equal("right", bump(a, b))
-    assert.same({ -2, 14 }, { a.x, b.x })
-  end)
-
-  it("skips static against static, and walks over all pairs only once", function()
-    physics_load({ gravity = 0 })
-    local asked = 0
-    physics.canCollide = function()
-      asked = asked + 1
-      return false
-    end
-    globals.objects = {
-      tiles = {
-        { x = 0, y = 0, width = 16, height = 16, static = true },
-        { x = 8, y = 0, width = 16, height = 16, static = true },
-      },
-      boxes = { { x = 100, y = 0, width = 16, height = 16 } },
-      crates = { { x = 104, y = 0, width = 16, height = 16 } },
-    }
-    physics_update(DT)
-    assert.is_true(asked >= 1 and asked <= 2) -- when they are found inside each other, and when met
-    assert.equal(0, objects.tiles[1].x)
   end)
 end)
