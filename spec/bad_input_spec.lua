@@ -127,14 +127,16 @@ local function longList()
   return list
 end
 
-local PLAIN = { true, false, "text", "12", "", ("\0\255long"):rep(10000), print, throw, io.stdout }
+local PLAIN = { true, false, "text", "12", "", ("\0\255long"):rep(10000), throw, io.stdout }
 local NUMBERS = { NAN, INF, -INF, -0.0, 1, -1, 0.5, 1e308, -1e308, 2 ^ -1074 }
 local COUNT = 34
 
 -- The values, the last of which is nil; tables are made anew for a scene.
 local function newValues(scene)
   local tables = { {}, { "boxes", nil, "lifts" }, longList(), { boxes = true }, newCycle() }
-  local own = { newThrower(), newThrower(newStranger()), newStranger(), coroutine.create(throw) }
+  local function nothing() end
+  local own =
+    { nothing, newThrower(), newThrower(newStranger()), newStranger(), coroutine.create(throw) }
   local its = { scene.box, scene.floor, scene.removed, scene.world, scene.objects }
   local values = {}
   for _, list in ipairs({ PLAIN, NUMBERS, tables, own, its }) do
