@@ -14,7 +14,7 @@
 --- `{ time = "2 / speed", … }` is so long. In a line stand the views by their names, the values of
 --- the row (a text as it is, where it says `{name}`), what a line has set, `t` (seconds of this
 --- part), `dt`, `n` (steps of this part), `world`, `run`, `heard` (by name), and what `math` has.
---- Lines with an expectation: `it at x, y [, tolerance]`, `it.x ~ number [, tolerance]`,
+--- A line may hold some, with `; ` between them. Lines with an expectation: `it at x, y [, tolerance]`, `it.x ~ number [, tolerance]`,
 --- `it.x == value` (or <, >, <=, >=), `it on other`, `it still`, `it touches bottom right` (no
 --- other side), `it rides other, offset` (at rest, so far to its right), `it heard begins, ends`.
 
@@ -134,7 +134,7 @@ local function expectation(line, env)
   return comparison(line, env)
 end
 
--- A line that is played once.
+-- What is played once.
 local function statement(line, env)
   local name = line:match("^listen (%S+)$")
   if name then
@@ -193,9 +193,20 @@ local function sequence(given, env)
   end
 end
 
+-- A line: what stands in it, one after the other.
+local function lineOf(text, env)
+  local list = {}
+  for one in (text:gsub("{(%w+)}", env.texts) .. "; "):gmatch("(.-); ") do
+    list[#list + 1] = statement(one, env)
+  end
+  return function(run)
+    checkAll(run, list)
+  end
+end
+
 function part(given, env)
   if type(given) == "string" then
-    return statement(given, env)
+    return lineOf(given, env)
   elseif type(given) == "function" then
     return function(run)
       given(run, env)
