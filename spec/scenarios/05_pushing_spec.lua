@@ -1,92 +1,65 @@
 --- Pushing boxes along a floor, against a wall.
 
+local play = require("spec.support.play")
 local scene = require("spec.support.scene")
 local variants = require("spec.support.variants")
 
 local EVERYWHERE = variants.EVERYWHERE
 local FEW = { rate = { 60, 144 }, turn = { 0, 1 }, shift = { 0, 1 / 3 } }
-
---- A pusher at x = 20, `count` boxes 20 px apart from x = 80 on, a wall with its face at x = 200.
-local function row(count)
-  local description = {
-    { "tiles", { x = -200, y = 116, width = 800, height = 32, static = true } },
-    { "tiles", { name = "wall", x = 200, y = 0, width = 16, height = 116, static = true } },
-    { "players", { name = "P", x = 20, y = 100, width = 16, height = 16 } },
-  }
-  for i = 1, count do
-    local box = { name = "box" .. i, x = 60 + 20 * i, y = 100, width = 16, height = 16 }
-    description[3 + i] = { "boxes", box }
-  end
-  return description
-end
+local row = play.row
+local solid, box = scene.maker("tiles", { static = true }), scene.maker("boxes", {})
 
 describe("vx and touching: pushing", function()
   --                                 |wall
-  --   +-+  ->   +-+ +-+ +-+         |
+  --   +-+  ->   +-+ +-+ +-+         |    the boxes from x = 80 on, the face of the wall at 200
   --   |P|       | | | | | |         |
   --   -------------------------------
-  for _, case in ipairs({
-    -- boxes, where P ends, where the boxes end
-    { 1, 168, { 184 }, EVERYWHERE },
-    { 2, 152, { 168, 184 }, FEW },
-    { 3, 136, { 152, 168, 184 }, EVERYWHERE },
-    { 5, 104, { 120, 136, 152, 168, 184 }, FEW },
-  }) do
-    local count, atP, ends = case[1], case[2], case[3]
-
-    local function checkEnd(run, named)
-      run:at(named.P, atP, 100)
-      for i = 1, count do
-        run:at(named["box" .. i], ends[i], 100)
-      end
+  local function toWall(v)
+    local floor, wall = solid("floor", -200, 116, 800, 32), solid("wall", 200, 0, 16, 116)
+    local list = { floor, box("P", 20, 100, 16, 16), not v.isOpen and wall or nil }
+    for i = 1, v.count do
+      list[#list + 1] = box("box" .. i, 60 + 20 * i, 100, 16, 16)
     end
-
-    scene.it(("(5) %d against a wall ends flush"):format(count), case[4], function(run)
-      local named = run:build(row(count))
-      local P, world = named.P, run:listenToWorld()
-      for _ in run:steps(4, run:keep(P, 100)) do
-        for _, view in pairs(named) do
-          if not view.static then
-            run:near(view.name .. ".y", view.y, 100)
-          end
-        end
+    return list
+  end
+  -- Fails unless P and the boxes stand flush at the wall, each still if `isStill`.
+  local function flush(run, it, isStill)
+    local last = it.wall
+    for i = it.count, 0, -1 do
+      local view = i == 0 and it.P or it["box" .. i]
+      run:at(view, 200 - 16 * (it.count - i + 1), 100)
+      run:flush(view, last, "right")
+      if isStill then
+        run:still(view)
       end
-      checkEnd(run, named)
-      run:same("contacts left: floor, each other, wall", world.begins - world.ends, 2 * count + 2)
-      run:flush(named["box" .. count], named.wall, "right")
-      for i = 1, count do
-        run:flush(i == 1 and P or named["box" .. i - 1], named["box" .. i], "right")
-      end
-      for _ in run:steps(1, run:keep(P, 100)) do
-        checkEnd(run, named)
-        run:still(P)
-        run:touches(P, "bottom", "right")
-        run:check(P.touching.right == named.box1, "P should touch the first box on the right")
+      last = view
+    end
+  end
+  play.row("(5) {count} against a wall ends flush", EVERYWHERE, toWall, {
+    "log = run:listenToWorld()",
+    { 4, keep = "P.vx = 100", "P.y ~ 100", "box1.y ~ 100" },
+    "log.begins - log.ends == 2 * count + 2", -- floor, each other, wall
+    function(run, it)
+      for _ in run:steps(1, run:keep(it.P, 100)) do
+        flush(run, it, false)
+        run:still(it.P)
+        run:touches(it.P, "bottom", "right")
       end
       for _ in run:steps(1) do -- released
-        checkEnd(run, named)
-        for _, view in pairs(named) do
-          run:still(view)
-        end
+        flush(run, it, true)
       end
-    end)
-  end
+    end,
+  }, { "count, levels", { 1 }, { 2, FEW }, { 3 }, { 5, FEW } })
 
   --   +-+        +-+ -> <- +-+
   --   a row thrown together comes to rest without a gap
-  scene.it("from both sides leaves the row flush", FEW, function(run)
-    local description = row(3)
-    table.remove(description, 2)
-    local other = { name = "Q", x = 200, y = 100, width = 16, height = 16 }
-    description[#description + 1] = { "players", other }
-    local named = run:build(description)
-    run:play(5, function()
-      named.P.vx, named.Q.vx = 100, -100
-    end)
-    local chain = { named.P, named.box1, named.box2, named.box3, named.Q }
-    for i = 1, 4 do
-      run:near("gap", chain[i + 1].x - chain[i].x - 16, 0)
-      run:near("vx", chain[i].vx, 0)
-    end
-  end)
+  row("from both sides leaves the row flush", FEW, function(v)
+    local list = toWall(v)
+    list[#list + 1] = box("Q", 200, 100, 16, 16)
+    return list
+  end, {
+    { 5, keep = "P.vx, Q.vx = 100, -100" },
+    "box1.x - P.x ~ 16; box2.x - box1.x ~ 16; box3.x - box2.x ~ 16; Q.x - box3.x ~ 16",
+    "P.vx ~ 0; box1.vx ~ 0; box2.vx ~ 0; box3.vx ~ 0",
+  }, { "count, isOpen", { 3, true } })
 end)

@@ -1,18 +1,17 @@
 --- What begins inside something else leaves by the smallest way that is free.
 
 local overlap = require("spec.support.overlap")
+local play = require("spec.support.play")
 local scene = require("spec.support.scene")
 local variants = require("spec.support.variants")
 
 local TURNED = { turn = variants.TURNS }
 local EVERYWHERE = variants.EVERYWHERE
+local row = play.with({ checker = overlap.checker })
+local tile, movable = scene.maker("tiles", { static = true }), scene.maker("boxes", {})
 
 local function solid(x, y, width, height)
-  return { "tiles", { x = x, y = y, width = width, height = height, static = true } }
-end
-
-local function movable(name, x, y, width, height)
-  return { "boxes", { name = name, x = x, y = y, width = width or 16, height = height or 16 } }
+  return tile(nil, x, y, width, height)
 end
 
 describe("x and y: a body inside a floor of tiles", function()
@@ -20,28 +19,28 @@ describe("x and y: a body inside a floor of tiles", function()
   --   +--|  |---+---+
   --   |  +--+   |   |
   --   +---+---+---+---+
-  for _, row in ipairs({
-    -- width, depth, x
+  row("(11) {width} wide, {depth} px deep, comes up on it", EVERYWHERE, function(v)
+    return scene.tiles(
+      { movable("body", v.x, 76 + v.depth, v.width, 24) },
+      20,
+      0,
+      100,
+      16,
+      16,
+      16,
+      0
+    )
+  end, {
+    { 1, "body.x ~ x", "body.y >= 76 - 1e-6" },
+    "body at x, 76; body still; body touches bottom",
+  }, {
+    "width, depth, x",
     { 14, 4, 50 }, -- on one tile
     { 14, 12, 50 },
     { 16, 4, 50 }, -- over a seam: 14 px on one tile, 2 px on the next
     { 16, 12, 50 },
     { 24, 12, 44.5 },
-  }) do
-    local width, depth, x = row[1], row[2], row[3]
-    local title = ("(11) %g wide, %g px deep, comes up on it"):format(width, depth)
-    scene.it(title, EVERYWHERE, function(run)
-      local description = { movable("body", x, 76 + depth, width, 24) }
-      local body = run:build(scene.tiles(description, 20, 0, 100, 16, 16, 16, 0)).body
-      for _ in run:steps(1) do
-        run:near("x", body.x, x)
-        run:check(body.y >= 76 - 1e-6, "was thrown up, to %.9g", body.y)
-      end
-      run:at(body, x, 76)
-      run:still(body)
-      run:touches(body, "bottom")
-    end)
-  end
+  })
 end)
 
 describe("x and y: a body inside a block leaves by the smallest way that is free:", function()
@@ -66,8 +65,20 @@ describe("x and y: a body inside a block leaves by the smallest way that is free
   local THREE = { solid(-97, -50, 100, 60.5), solid(9, -50, 100, 52), solid(-97, 10.5, 99, 50) }
   local FORWARD = { order = { "forward" } }
 
-  for _, row in ipairs({
+  row("{what}", nil, function(v)
+    return {
+      gravity = 0,
+      movable("box", v.x, v.y, v.width, v.height),
+      v.there[1],
+      v.there[2],
+      v.there[3],
+    }
+  end, {
+    "run:step(1 / 60); box at toX, toY; box still",
+    { 1 / 6, "box at toX, toY", "box still" },
+  }, {
     -- where; x, y, width, height before; x, y after a step
+    "what, levels, there, x, y, width, height, toX, toY",
     { "(11) the near side", EVERYWHERE, { solid(0, 0, 100, 100) }, 90, 40, 16, 16, 100, 40 },
     { "not into another block", EVERYWHERE, TWO, 30, 88, 16, 16, 30, 100 },
     { "in a corner one after the other", EVERYWHERE, CORNER, 147, 73, 14, 24, 146, 72 },
@@ -84,134 +95,93 @@ describe("x and y: a body inside a block leaves by the smallest way that is free
     { "left and right alike", HERE, BLOCK, -20, 4, 50, 2, 10, 4 },
     { "all alike", HERE, BLOCK, 4, 4, 2, 2, 4, -2 },
     { "all alike, on the very same spot", HERE, BLOCK, 0, 0, 10, 10, 0, -10 },
-  }) do
-    scene.it(row[1], row[2], function(run)
-      local description = { gravity = 0, movable("box", row[4], row[5], row[6], row[7]) }
-      for n, entry in ipairs(row[3]) do
-        description[1 + n] = entry
-      end
-      local box = run:build(description).box
-      for _ = 1, 3 do
-        run:step(1 / 60)
-        run:at(box, row[8], row[9])
-        run:still(box)
-      end
-    end)
-  end
+  })
 
   --   +-----------+
   --   |   +--+    |   vx = -60
   --   |   +--+    |   ways out: left 36, top and bottom 40, right 44
   --   +-----------+
-  scene.it("(11) or stays, where that is far", EVERYWHERE, function(run)
-    local box = run:build({ gravity = 0, solid(0, 0, 64, 64), movable("box", 20, 24) }).box
-    box.vx = -60
-    for time in run:steps(0.5) do
-      local stays = math.abs(box.x - 20) <= 1
-      local left = box.x <= -16 + 1e-6 and box.x >= -16 - 60 * time - 1e-6
-      run:check(stays or left, "should stay or leave to the left, is at %.9g", box.x)
-      run:near("y", box.y, 24)
-    end
-  end)
+  local FAR = { gravity = 0, solid(0, 0, 64, 64), movable("box", 20, 24, 16, 16) }
+  row("(11) or stays, where that is far", EVERYWHERE, FAR, {
+    "box.vx = -60",
+    {
+      0.5,
+      "min(abs(box.x - 20) - 1, max(box.x + 16, -16 - 60 * t - box.x)) <= 1e-6",
+      "box.y ~ 24",
+    },
+  })
 
   local FIRST = { shift = { 0 }, order = { "forward" }, push = { "both" } }
-  scene.it("ways alike are taken as the first of two sees them", FIRST, function(run)
-    local one, other = movable("one", 8, 8, 10, 10), movable("other", 0, 0, 10, 10)
-    local named = run:build({ gravity = 0, one, other })
-    run:step(1 / 60)
-    run:at(named.one, 8, 9)
-    run:at(named.other, 0, -1)
-  end)
+  local BOTH = { gravity = 0, movable("one", 8, 8, 10, 10), movable("other", 0, 0, 10, 10) }
+  row("ways alike are taken as the first of two sees them", FIRST, BOTH, {
+    "run:step(1 / 60); one at 8, 9; other at 0, -1",
+  })
 end)
 
 describe("x, y, push and mass: boxes on the very same spot", function()
-  local function heap(count, fields)
+  local function heap(v)
     local description = { gravity = 0 }
-    for i = 1, count do
-      local box = { name = "box" .. i, x = 50, y = 50, width = 16, height = 16 }
-      for key, value in pairs(fields or {}) do
-        box[key] = value
-      end
-      description[i] = { "boxes", box }
+    for i = 1, v.count do
+      description[i] = movable("box" .. i, 50, 50, 16, 16)
     end
     return description
   end
 
-  scene.it("(11) part, never further than the overlap", EVERYWHERE, function(run)
-    local named = run:build(heap(2))
-    local deepest = overlap.checker(run.all)
-    for _ in run:steps(0.5) do
-      local depth = deepest()
-      run:check(depth <= 1e-6, "still overlap by %.3g", depth)
-      for _, view in pairs(named) do
-        local dx, dy = math.abs(view.x - 50), math.abs(view.y - 50)
-        run:check(dx + dy <= 16 + 1e-6, "%s was thrown %g px", view.name, dx + dy)
+  row("(11) part, never further than the overlap", EVERYWHERE, heap, {
+    "deepest = checker(run.all)",
+    {
+      0.5,
+      "deepest() <= 1e-6",
+      "abs(box1.x - 50) + abs(box1.y - 50) <= 16 + 1e-6",
+      "abs(box2.x - 50) + abs(box2.y - 50) <= 16 + 1e-6",
+      "box1 still",
+      "box2 still",
+    },
+  }, { "count", { 2 } })
+
+  row("(11) part, {count} of them, and stay finite", TURNED, heap, {
+    { "deepest = checker(run.all)", 2, "deepest() <= 1e-6" },
+    function(run)
+      for _, view in pairs(run.named) do
+        run:check(math.abs(view.x - 50) < 160 and math.abs(view.y - 50) < 160, "thrown")
         run:still(view)
       end
-    end
-  end)
+    end,
+  }, { "count", { 3 }, { 5 }, { 10 } })
 
   --   |   +------+--+----+
   --   |   |  1   |  | 3  |   8 px inside each other
   --   |   +------+--+----+
   local BOTHWAYS = { push = { "both" }, turn = variants.TURNS }
   local ONE = { push = { "first" }, order = { "forward" }, turn = variants.TURNS }
-  for _, row in ipairs({
+  row("(11) part {what}", BOTHWAYS, function(v)
+    local one, other = movable("one", 0, 0, 20, 20), movable("other", 12, 0, 20, 20)
+    one[2].mass, other[2].mass = v.mass, v.otherMass
+    return { gravity = 0, one, other, v.wall and solid(v.wall, -40, 10, 99) }
+  end, {
+    "run:step(1 / 60); one at x, 0; other at otherX, 0; one still; other still",
+  }, {
     -- masses, x of a wall of 10 px, x of the left one and of the right one after a step
-    { "by half when both give way", BOTHWAYS, 1, 1, nil, -4, 16 },
-    { "by mass", BOTHWAYS, 1, 3, nil, -6, 14 },
-    { "by mass, the heavy one left", BOTHWAYS, 3, 1, nil, -2, 18 },
-    { "by mass 7", BOTHWAYS, 1, 7, nil, -7, 13 },
-    { "by half beside a wall", BOTHWAYS, 1, 1, -15, -4, 16 },
-    { "by half beside a wall at the right", BOTHWAYS, 1, 1, 37, -4, 16 },
-    { "by one alone, if the wall leaves no room", BOTHWAYS, 1, 1, -13, 0, 20 },
-    { "by one alone, if it is at the right", BOTHWAYS, 1, 1, 35, -8, 12 },
-    { "by the first alone, if it gives way", ONE, 1, 1, nil, -8, 12 },
-  }) do
-    scene.it("(11) part " .. row[1], row[2], function(run)
-      local one, other = movable("one", 0, 0, 20, 20), movable("other", 12, 0, 20, 20)
-      one[2].mass, other[2].mass = row[3], row[4]
-      local wall = row[5] and solid(row[5], -40, 10, 99)
-      local named = run:build({ gravity = 0, one, other, wall })
-      run:step(1 / 60)
-      run:at(named.one, row[6], 0)
-      run:at(named.other, row[7], 0)
-      run:still(named.one)
-      run:still(named.other)
-    end)
-  end
-
-  for _, count in ipairs({ 3, 5, 10 }) do
-    scene.it(("(11) part, %d of them, and stay finite"):format(count), TURNED, function(run)
-      local named = run:build(heap(count))
-      local deepest = overlap.checker(run.all)
-      run:play(2)
-      local depth = deepest()
-      run:check(depth <= 1e-6, "still overlap by %.3g", depth)
-      for _, view in pairs(named) do
-        run:check(math.abs(view.x - 50) <= 16 * count, "%s: x is %g", view.name, view.x)
-        run:check(math.abs(view.y - 50) <= 16 * count, "%s: y is %g", view.name, view.y)
-        run:still(view)
-      end
-    end)
-  end
+    "what, mass, otherMass, wall, x, otherX, levels",
+    { "by half when both give way", 1, 1, nil, -4, 16 },
+    { "by mass", 1, 3, nil, -6, 14 },
+    { "by mass, the heavy one left", 3, 1, nil, -2, 18 },
+    { "by mass 7", 1, 7, nil, -7, 13 },
+    { "by half beside a wall", 1, 1, -15, -4, 16 },
+    { "by half beside a wall at the right", 1, 1, 37, -4, 16 },
+    { "by one alone, if the wall leaves no room", 1, 1, -13, 0, 20 },
+    { "by one alone, if it is at the right", 1, 1, 35, -8, 12 },
+    { "by the first alone, if it gives way", 1, 1, nil, -8, 12, ONE },
+  })
 end)
 
 describe("x and y: a body between two walls that are too narrow", function()
   --   +--+    +--+
   --   |  +----+  |    20 px of room for 24 px
   --   |  |    |  |
-  scene.it("stays finite and comes to rest", EVERYWHERE, function(run)
-    local named = run:build({
-      solid(0, 0, 40, 200),
-      solid(60, 0, 40, 200),
-      solid(0, 200, 100, 16),
-      movable("box", 38, 80, 24, 24),
-    })
-    for _ in run:steps(3) do
-      run:check(named.box.x == named.box.x and named.box.y == named.box.y, "is nowhere")
-      run:check(math.abs(named.box.vx) <= 3000 and math.abs(named.box.vy) <= 3000, "is too fast")
-      run:check(math.abs(named.box.x - 38) <= 24, "was thrown out to x = %g", named.box.x)
-    end
-  end)
+  local NARROW = { solid(0, 0, 40, 200), solid(60, 0, 40, 200), solid(0, 200, 100, 16) }
+  NARROW[4] = movable("box", 38, 80, 24, 24)
+  row("stays finite and comes to rest", EVERYWHERE, NARROW, {
+    { 3, "abs(box.x - 38) <= 24", "abs(box.vx) <= 3000", "abs(box.vy) <= 3000" },
+  })
 end)
