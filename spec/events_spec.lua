@@ -135,8 +135,7 @@ end)
 describe("onStay", function()
   row("is told at every step, also of one that rests: to the {owner}", { FLOOR, box({ y = 84 }) }, {
     1,
-    "world.stats.resting == 1",
-    "stays = 0",
+    "world.stats.resting == 1; stays = 0",
     act(function(it)
       local owner = it.owner == "world" and it.world or it[it.owner].raw
       function owner.onStay()
@@ -226,8 +225,7 @@ describe("onBegin and onEnd", function()
     "world:touching(box.raw, boss.raw) == nil",
     { steps = 1 },
     "box heard 2, 1",
-    "heard.box.speed == 1200",
-    "world:touching(box.raw, boss.raw) == 'right'",
+    "heard.box.speed == 1200; world:touching(box.raw, boss.raw) == 'right'",
   }, {
     "also, setting, value, sensor, off",
     { "", "rest", true },
@@ -418,8 +416,7 @@ describe("onBegin", function()
       end
     end),
     1,
-    "deep == 1",
-    "box.y == 84",
+    "deep == 1; box.y == 84",
   })
 end)
 
@@ -438,10 +435,8 @@ describe("canCollide", function()
       it.world:refresh(it.floor.raw)
     end),
     1,
-    "asked.box == 'box floor bottom'",
-    "asked.floor == 'floor box top'",
-    "asked.world == 'box floor bottom'",
-    "box.y == 84",
+    "asked.box == 'box floor bottom'; asked.floor == 'floor box top'",
+    "asked.world == 'box floor bottom'; box.y == 84",
   })
 
   row("says no with false and nothing else", FALLS, {

@@ -186,8 +186,7 @@ describe("touching", function()
 
   row("belongs to dynamic objects only", { FLOOR, box({ kinematic = true }) }, {
     { steps = 2 },
-    "floor.raw.touching == nil",
-    "box.raw.touching == nil",
+    "floor.raw.touching == nil; box.raw.touching == nil",
   })
 
   local FRESH = { rest = false, FLOOR, box() }
@@ -329,8 +328,7 @@ end)
 describe("fields and settings at run time:", function()
   row("vx and vy become numbers", STANDS, {
     { steps = 2 },
-    "box.raw.vx == 0",
-    "box.raw.vy == 0",
+    "box.raw.vx == 0; box.raw.vy == 0",
     { "box.raw.vx, box.raw.vy = nil, nil", { steps = 1 }, "box.raw.vx == 0", "box.raw.vy == 0" },
   })
 
@@ -342,8 +340,7 @@ describe("fields and settings at run time:", function()
     "box.y ~ y, 1e-9",
     "{second}",
     { time = "steps2 / 60" },
-    "box.y ~ y2, 1e-9",
-    "box.touching.bottom == floor",
+    "box.y ~ y2, 1e-9; box.touching.bottom == floor",
   }, {
     "what, first, steps, y, second, steps2, y2",
     { "active, off and on", "box.active, box.y = false, 20", 30, 20, "box.active = nil", 60, 84 },

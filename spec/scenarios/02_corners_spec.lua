@@ -46,8 +46,7 @@ describe("onBegin and touching: corners", function()
   --          +--+
   local INSIDE = { gravity = 0, solid("block", 20, 20, 8, 8), body(0, 0, 16, 16, 2400, 2400) }
   row("(2c) are met at their moment inside the step", nil, INSIDE, {
-    "listen body; run:step(1 / 60)",
-    "body at 40, 4; body.vx ~ 2400; body.vy == 0",
+    { "listen body; run:step(1 / 60)", "body at 40, 4; body.vx ~ 2400; body.vy == 0" },
     "heard.body.begins == 1; heard.body.sides.bottom == 1",
   })
 

@@ -130,8 +130,7 @@ describe("mass and gravity: stacks", function()
   -- box 1 leaves the floor and box 2; box 2 meets the floor; the others stay on each other
   play.row("(3) of {count} without their lowest box land one box lower", EVERYWHERE, tower, {
     { 0.5 },
-    "log = run:listenToWorld(); listen box2; listen floor; world:remove(box1.raw)",
-    2,
+    { "log = run:listenToWorld(); listen box2; listen floor; world:remove(box1.raw)", 2 },
     function(run, it)
       flush(run, it, 2)
     end,

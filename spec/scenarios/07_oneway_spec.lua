@@ -146,8 +146,7 @@ describe("dropThrough", function()
   local AT_DOOR = { tile(), DOOR, body({ y = 276, vx = 60 }) }
   row("on a solid, at a door that opens to the other side, does nothing", SOME, AT_DOOR, {
     0.2,
-    "body.touching.right == door",
-    "world:dropThrough(body.raw) == false",
+    "body.touching.right == door; world:dropThrough(body.raw) == false",
     { "body.vx = 60", 0.5, "body at 58, 276" },
   })
 
@@ -383,7 +382,6 @@ describe("oneWay", function()
   local CEILING = { gravity = 0, BALL, way({ y = 0, height = 2 }), tile({ y = -40, height = 20 }) }
   row("stops what it has let through earlier in the step", { rate = { 60 } }, CEILING, {
     { steps = 1 },
-    "body.y ~ -34 / 3",
-    "body.vy ~ -2000",
+    "body.y ~ -34 / 3; body.vy ~ -2000",
   })
 end)

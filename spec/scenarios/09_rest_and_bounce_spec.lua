@@ -117,8 +117,7 @@ describe("restitution: a bounce", function()
   local FALLING = { body({ vy = 0.01, restitution = 1 }), body({ name = "low", y = 16.0001 }) }
   row("of two that fall together happens however slowly they meet", TURNED, FALLING, {
     { steps = 1 },
-    "box.vy ~ 800 / 60",
-    "low.vy ~ 800 / 60 + 0.01",
+    "box.vy ~ 800 / 60; low.vy ~ 800 / 60 + 0.01",
   })
 
   local function inRoom(v)

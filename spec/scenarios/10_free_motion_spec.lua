@@ -53,9 +53,7 @@ describe("airFriction, drag, maxSpeed, friction: slowing down", function()
   -- The floor takes away what the body would fall in a step: that is no motion to slow down.
   row("(10) by {what} on a floor", EVERYWHERE, onFloor, {
     2.5,
-    "body.x ~ x, off",
-    "body.vx ~ vx, 1e-9",
-    "body.y ~ 100",
+    "body.x ~ x, off; body.vx ~ vx, 1e-9; body.y ~ 100",
   }, {
     "what, x, off, vx, fields",
     { "drag 100 stops 200 px/s after 200 px", 200, 0.1, 0, { vx = 200, drag = 100 } },

@@ -91,8 +91,7 @@ describe("nudge under the corner of a block", function()
   end
   row("hit corner to corner, {off} px off, is stopped as without it", CORNER, toCorner, {
     { steps = 1 },
-    "(body.x <= 84 + 1e-6 or body.y <= 76 + 1e-6) == true",
-    "body.vx * body.vy == 0",
+    "(body.x <= 84 + 1e-6 or body.y <= 76 + 1e-6) == true; body.vx * body.vy == 0",
     "body.vx + body.vy == 600",
   }, { "off", { 0 }, { 4e-9 }, { -4e-9 } })
 
@@ -235,8 +234,7 @@ describe("nudge with gravity", function()
   local LEVELS = { rate = variants.RATES, order = variants.ORDERS }
   row("walks up stairs that move at ({vx}, {vy}) px/s", LEVELS, stairs, {
     { 2, keep = "body.vx = 100" },
-    "body.y ~ stair10.y - 24",
-    "body touches bottom",
+    "body.y ~ stair10.y - 24; body touches bottom",
   }, { "vx, vy", { 0, 60 }, { 0, 10 }, { 40, 30 }, { 0, -30 }, { 40, 0 }, { 0, -40 } })
 
   --   +-+ ->  |    a beam that ends 2 px below the top of the head

@@ -137,8 +137,7 @@ describe("slopes", function()
   end
   row("(P6) let friction brake as on a floor, and hold, way {way}", EVERYWHERE, rubbing, {
     1,
-    "body at 130 + way * 12.5, floorAt(130 + way * 12.5) - 24",
-    "body still",
+    "body at 130 + way * 12.5, floorAt(130 + way * 12.5) - 24; body still",
   }, BOTH_WAYS)
 
   it("(P6) let slide what gets the pull along them, unless friction holds it", function()
