@@ -262,23 +262,6 @@ describe("radius: a sensor with one", function()
     assert.are.equal(box, (world:overlapping(blast))[1])
   end)
 
-  it("plays on after restore with the same bits", function()
-    local world = crowd({}, 7)
-    for _, object in ipairs(world.objects.others) do
-      object.vx, object.vy = object.n % 7 * 20 - 60, object.n % 5 * 20 - 40
-    end
-    world:update(1 / 60)
-    local other = physics.newWorld()
-    other:restore(world:save())
-    assert.are.equal(world:hash(), other:hash())
-    for _ = 1, 30 do
-      world:update(1 / 60)
-      other:update(1 / 60)
-    end
-    assert.are.equal(world:hash(), other:hash())
-    assert.are.equal(10, other.objects.others[2].radius * 0 + 10)
-  end)
-
   for _, row in ipairs({
     { { radius = 0 }, "width must be a number > 0, got nil (2 * radius is 0)" },
     { { radius = "8" }, "width must be a number > 0, got nil" },

@@ -3,7 +3,6 @@
 --- after the other, as they would if memory ran out there.
 
 local effort = require("spec.support.effort")
-local newRandom = require("spec.support.random").new
 local physics = require("physics")
 
 effort.interpret(setup, teardown)
@@ -279,76 +278,4 @@ describe("onBegin and the others: after one has failed", function()
       )
     end
   end
-end)
-
--- All of them want to the middle, and jump now and then; half of them cannot be pushed. So much is
--- left to do in a step that is given up.
-describe("canCollide: after it has failed in a crowd", function()
-  local COUNT, STEPS = 24, 80
-
-  local function newCrowd()
-    local random = newRandom(11)
-    local world = physics.newWorld({ gravity = 800 })
-    world:add("floors", { x = -200, y = 100, width = 800, height = 16, static = true })
-    for i = 1, COUNT do
-      world:add("boxes", {
-        x = 20 * i - 20,
-        y = random:between(20, 84),
-        width = random:between(10, 20),
-        height = random:between(10, 16),
-        friction = i % 3 == 0 and 0.4 or nil,
-        restitution = i % 5 == 0 and 0.5 or nil,
-        pushable = i % 2 == 0,
-        oneWay = i % 3 == 0 and "top" or nil,
-      })
-    end
-    return world
-  end
-
-  local function push(world, step)
-    for i, box in ipairs(world.objects.boxes) do
-      box.vx = box.x < 220 and 120 or -120
-      if (step + 5 * i) % 20 == 0 then
-        box.vy = -200
-      end
-    end
-  end
-
-  -- A world, and a function that lets its n-th question from now on fail.
-  local function newAsking()
-    local world, left = newCrowd(), 0
-    function world.canCollide()
-      left = left - 1
-      if left == 0 then
-        error(FAILURE, 0)
-      end
-    end
-    return world, function(n)
-      left = n
-    end
-  end
-
-  it("at any point, the world goes the way of one in which it did not", function()
-    local expected, twin = {}, newCrowd()
-    for step = 1, STEPS do
-      push(twin, step)
-      twin:update(DT)
-      expected[step] = twin:hash()
-    end
-    local failures = 0
-    for round = 1, 10 do
-      local world, failAt = newAsking()
-      for step = 1, STEPS do
-        push(world, step)
-        failAt((7 * round + 3 * step) % 29 + 1)
-        if not pcall(world.update, world, DT) then
-          failAt(0)
-          failures = failures + 1
-          world:update(DT) -- that step was not made
-        end
-        assert.equal(expected[step], world:hash(), "round " .. round .. ", step " .. step)
-      end
-    end
-    assert.is_true(failures > STEPS, "failures: " .. failures)
-  end)
 end)

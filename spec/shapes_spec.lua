@@ -5,50 +5,7 @@ local lines = require("physics.space.lines")
 local newRandom = require("spec.support.random").new
 local shapes = require("physics.space.shapes")
 
-local OPPOSITE = { top = "bottom", left = "right", bottom = "top", right = "left" }
 local NAMES = { [0] = "box", "circle", "left", "right", "topleft", "topright" }
-
--- Eight numbers of two rectangles.
-local function numbers(a, b)
-  return a[1], a[2], a[3], a[4], b[1], b[2], b[3], b[4]
-end
-
-describe("shapes.side", function()
-  -- Opposite sides name the right one where the size of the intersection or the distance of the
-  -- middles (the tutorial's other ways) names the wrong axis; of equal ones the order counts.
-  for _, row in ipairs({
-    { "a medium box on the end of a thin one", { 0, -19, 20, 20 }, { 0, 0, 200, 4 }, "bottom" },
-    { "the same one under it", { 180, 3, 20, 20 }, { 0, 0, 200, 4 }, "top" },
-    { "a medium box at the end of a wall", { -19, 0, 20, 20 }, { 0, 0, 4, 200 }, "right" },
-    { "a wide box deep on a post", { 0, 0, 100, 20 }, { 40, 14, 4, 60 }, "bottom" },
-    { "a high box deep in a ledge", { 0, 0, 20, 100 }, { 14, 40, 60, 4 }, "right" },
-    { "a cross", { 0, 48, 100, 4 }, { 48, 0, 4, 100 }, "bottom" },
-    { "right = bottom", { -8, -8, 10, 10 }, { 0, 0, 10, 10 }, "bottom" },
-    { "right = top", { -8, 8, 10, 10 }, { 0, 0, 10, 10 }, "top" },
-    { "left = bottom", { 8, -8, 10, 10 }, { 0, 0, 10, 10 }, "bottom" },
-    { "left = top", { 8, 8, 10, 10 }, { 0, 0, 10, 10 }, "top" },
-    { "right = left, smallest of all", { 4, -20, 2, 50 }, { 0, 0, 10, 10 }, "left" },
-    { "bottom = top", { -20, 4, 50, 2 }, { 0, 0, 10, 10 }, "bottom" },
-    { "the same place", { 0, 0, 10, 10 }, { 0, 0, 10, 10 }, "bottom" },
-  }) do
-    local name, a, b, expected = row[1], row[2], row[3], row[4]
-    it("is the " .. expected .. ": " .. name, function()
-      assert.equal(expected, shapes.side(numbers(a, b)))
-    end)
-  end
-
-  it("is the opposite one for the other", function()
-    local random = newRandom(7)
-    local function box()
-      local x, y = random:between(-50, 50), random:between(-50, 50)
-      return { x, y, random:between(1, 60), random:between(1, 60) }
-    end
-    for _ = 1, 2000 do
-      local a, b = box(), box()
-      assert.equal(OPPOSITE[shapes.side(numbers(a, b))], shapes.side(numbers(b, a)))
-    end
-  end)
-end)
 
 -- Points of the outline of a shape; those of a circle are its corners moved inward.
 local function outline(shape, x, y, w, h)

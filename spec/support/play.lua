@@ -14,8 +14,9 @@
 --- `{ time = "2 / speed", … }` is so long. In a line stand the views by their names, the values of
 --- the row (a text as it is, where it says `{name}`), what a line has set, `t` (seconds of this
 --- part), `dt`, `n` (steps of this part), `world`, `run`, `heard` (by name), and what `math` has.
---- A line may hold some, with `; ` between them. Lines with an expectation: `it at x, y [, tolerance]`, `it.x ~ number [, tolerance]`,
---- `it.x == value` (or <, >, <=, >=), `it on other`, `it still`, `it touches bottom right` (no
+--- A line outside of a part with a time may hold some, with `; ` between them.
+--- Lines with an expectation: `it at x, y [, tolerance]`, `it.x ~ number [, tolerance]`,
+--- `it.x == value` (or <, >, <=, >=, ~=), `it on other`, `it still`, `it touches bottom right` (no
 --- other side), `it rides other, offset` (at rest, so far to its right), `it heard begins, ends`.
 
 local scene = require("spec.support.scene")
