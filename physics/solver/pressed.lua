@@ -47,21 +47,15 @@ function pressed.note(b, axis)
       hasNew = hasNew or (hit[p] == 0 and contact[p] == 0)
       b.resolved = b.resolved + (hit[p] == 0 and 1 or 0)
       if squeezed[kl] ~= 0 then
-        b.crushHigh[kl] = (kh - axis) * 0.5
+        b.crushHigh[kl], b.crushed[kl], b.hasCrushed = (kh - axis) * 0.5, true, true
       end
       if squeezed[kh] ~= 0 then
-        b.crushLow[kh] = (kl - axis) * 0.5
+        b.crushLow[kh], b.crushed[kh], b.hasCrushed = (kl - axis) * 0.5, true, true
       end
     end
   end
   if hasNew then
     noteHits(b, list)
-  end
-  for n = 1, b.awakeCount do
-    local k = 2 * b.awakeList[n] + axis
-    if squeezed[k] ~= 0 then
-      b.crushed[k], b.hasCrushed = true, true
-    end
   end
 end
 

@@ -38,16 +38,16 @@ local MOMENTS = 1e9
 --- Notes which bodies have another path than the one that was swept last, and looks up the
 --- neighbours of all that have changed.
 function rounds.findChanged(b)
-  local list, to, swept, dirty = b.awakeList, b.to, b.swept, b.dirty
+  local list, to, swept, dirty, stamp = b.awakeList, b.to, b.swept, b.dirty, b.dirtyStamp
   local changed, count = b.changed, b.changedCount
   for n = 1, b.awakeCount do
     local i = list[n]
     local k = 2 * i
     if to[k] ~= swept[k] or to[k + 1] ~= swept[k + 1] then
       swept[k], swept[k + 1] = to[k], to[k + 1]
-      if dirty[i] == 0 then
+      if dirty[i] ~= stamp then
         count = count + 1
-        dirty[i], changed[count] = 1, i
+        dirty[i], changed[count] = stamp, i
       end
     end
   end
@@ -214,11 +214,8 @@ end
 --- Makes one round: sweeps changed paths, then resolves the first impact of each body. Returns
 --- whether there was any impact.
 function rounds.run(b, dt, isLast, isLate)
-  local count, list, dirty = sweep.run(b), b.changed, b.dirty
-  for n = 1, b.changedCount do
-    dirty[list[n]] = 0
-  end
-  b.changedCount = 0
+  local count = sweep.run(b)
+  b.changedCount, b.dirtyStamp = 0, b.dirtyStamp + 1
   if count == 0 then
     return false
   end

@@ -67,10 +67,10 @@ local function begin(b, dt)
   local freeSpeed, start, speed = b.freeSpeed, b.start, b.speed
   local from, origin, inverseMass, dirty = b.from, b.origin, b.inverseMass, b.dirty
   local accel, changed = b.accel, b.changed
-  b.changedCount = b.awakeCount
+  b.changedCount, b.dirtyStamp = b.awakeCount, b.dirtyStamp + 1
   for n = 1, b.awakeCount do
     local i = list[n]
-    changed[n], dirty[i], b.impactsOf[i] = i, 1, 0
+    changed[n], dirty[i], b.impactsOf[i] = i, b.dirtyStamp, 0
     for k = 2 * i, 2 * i + 1 do
       if buried[i] then
         path.finish(b, k, from[k], 0.0, 0.0)
