@@ -95,7 +95,7 @@ end
 -- The page ----------------------------------------------------------------------------------------
 
 -- What every name has: its wrong values, and what games have found.
-local GENERAL = { bad_input = true, fuzz_found = true, tiled_words = true }
+local GENERAL = { bad_input = true, fuzz_found = true }
 
 -- Returns the cell of a name: files with titles about it, else files that mention it, most first.
 local function cellOf(files, name)

@@ -1,11 +1,11 @@
---- Levels of the editor LDtk: cells, entities, what is solid, and what is refused.
+--- Levels of the editor LDtk: cells, entities, what is solid, and where it stands.
 
 local ldtk = require("spec.support.ldtk")
 local physics = require("physics")
 local tiled = require("spec.support.tiled")
 
-local WHERE = "world:loadLDtk(project, level, options): "
 local VALUES = { "dirt", "ladder", "stone" }
+local SOLID = { solid = { dirt = true, stone = true } }
 
 local boxes = tiled.boxes
 
@@ -15,123 +15,111 @@ local function load(project, level, options)
   return found, world
 end
 
---- A level with cells, a player, a chest and a door.
-local function newProject(values)
-  local rows = {
-    "2....",
-    "2....",
-    "11133",
-  }
-  local things = ldtk.entities("Entities", {
+--- A level with cells, a player, two chests and a door, or other entities.
+local function newProject(values, entities)
+  local things = ldtk.entities("Entities", entities or {
     ldtk.entity("Player", 24, 32, 16, 24, { lives = 3, items = { "Knife", "Boots" } }),
     ldtk.entity("Chest", 56, 32, 16, 16, { solid = true, name = "treasure" }),
     ldtk.entity("Chest", 72, 32, 16, 16, { friction = 0.5 }, { iid = "second" }),
     ldtk.entity("Door", 0, 0, 8, 32, {}, { __pivot = { 0, 0 } }),
   })
-  local layers = { things, ldtk.intGrid("Collisions", rows) }
-  return ldtk.project({ ldtk.level("Cave", layers) }, values or VALUES)
+  local cells = ldtk.intGrid("Collisions", { "2....", "2....", "11133" })
+  return ldtk.project({ ldtk.level("Cave", { things, cells }) }, values or VALUES)
 end
 
 describe("world:loadLDtk", function()
-  it("merges the cells of IntGrid layers, by the values that are solid", function()
-    local project = newProject()
-    local level, world = load(project, nil, { solid = { dirt = true, [3] = true } })
-    assert.same({ "0 32 80 16" }, boxes(world, "Collisions"))
-    assert.same({ 5, 1 }, { level.tiles, level.rectangles })
-    local floor = world.objects.Collisions[1]
-    assert.is_true(floor.static)
-    local cell = floor.ldtk
-    assert.same({ 0, 2, 5, 1 }, { cell.column, cell.row, cell.columns, cell.rows })
-    assert.is_nil(floor.ldtk.value) -- two of them
-    assert.equal(project.levels[1].layerInstances[2], floor.ldtk.layer)
-    assert.equal(1, #level.solidLayers)
-    assert.equal('option solid: "dirt", "stone"', level.solidLayers[1].reason)
-  end)
-
-  it("gives values fields", function()
-    local _, world = load(newProject(), nil, {
-      solid = {
-        dirt = true,
-        ladder = { sensor = true, group = "ladders", merge = true },
-        stone = { friction = 0.9, material = "stone" },
-      },
-    })
-    assert.same({ "0 32 48 16", "48 32 32 16" }, boxes(world, "Collisions"))
-    assert.same({ "0 0 16 32" }, boxes(world, "ladders"))
-    assert.is_true(world.objects.ladders[1].sensor)
-    assert.equal("stone", world.objects.Collisions[2].material)
-  end)
-
-  describe("without the option solid", function()
-    it("takes values with a name that says so", function()
-      local level, world = load(newProject({ "Walls", "water", "ground" }))
-      assert.same({ "0 32 80 16" }, boxes(world, "Collisions"))
-      assert.equal('its values "Walls", "ground"', level.solidLayers[1].reason)
+  -- The names of the values, the option solid, what is solid of the layer Collisions, and why.
+  local FIELDS = { friction = 0.9, material = "stone" }
+  local LADDER = { sensor = true, group = "ladders", merge = true }
+  local WHOLE, FLOOR = "Collisions 0 32 80 16 static", "Collisions 0 32 48 16 static"
+  local LADDERS = "Collisions 0 0 16 32 static"
+  for i, row in ipairs({
+    { VALUES, { dirt = true, [3] = true }, WHOLE, 'option solid: "dirt", "stone"' },
+    { VALUES, { dirt = true, [3] = false }, FLOOR, 'option solid: "dirt"' },
+    {
+      VALUES,
+      { dirt = true, ladder = LADDER, stone = FIELDS },
+      "ladders 0 0 16 32 sensor static; "
+        .. FLOOR
+        .. "; Collisions 48 32 32 16 friction=0.9 material=stone static",
+      'option solid: "dirt", "ladder", "stone"',
+    },
+    { { "Walls", "water", "ground" }, nil, WHOLE, 'its values "Walls", "ground"' },
+    { { "a", "decor", "b" }, nil, WHOLE, 'its values "a", "b"' },
+    { VALUES, nil, LADDERS .. "; " .. WHOLE, 'its values "dirt", "ladder", "stone"' },
+    { { false, false, false }, nil, LADDERS .. "; " .. WHOLE, "its values 1, 2, 3" },
+    { {}, nil, LADDERS .. "; " .. WHOLE, "its values 2, 1, 3" },
+  }) do
+    it(("makes cells solid, %d: %s"):format(i, row[4]), function()
+      local level, world = load(newProject(row[1], {}), nil, { solid = row[2] })
+      assert.equal(row[3], tiled.show(level, world))
+      assert.same({ 1, row[4] }, { #level.solidLayers, level.solidLayers[1].reason })
     end)
+  end
 
-    it("takes all values if no name says so", function()
-      local level, world = load(newProject())
-      assert.same({ "0 0 16 32", "0 32 80 16" }, boxes(world, "Collisions"))
-      assert.equal('its values "dirt", "ladder", "stone"', level.solidLayers[1].reason)
-      level, world = load(newProject({ false, false, false }))
-      assert.equal(2, #boxes(world, "Collisions"))
-      assert.equal("its values 1, 2, 3", level.solidLayers[1].reason)
-    end)
-  end)
-
-  it("adds entities by their pivot, to the group of their identifier", function()
-    local level, world = load(newProject(), nil, { kinds = { Player = "dynamic" } })
-    assert.same({ "16 8 16 24" }, boxes(world, "Player"))
-    assert.same({ "48 16 16 16", "64 16 16 16" }, boxes(world, "Chest"))
-    assert.same({ "0 0 8 32" }, boxes(world, "Door"))
-    local player, chest = level.named.Player, level.named.treasure
-    assert.same({ 3, { "Knife", "Boots" }, "Player" }, { player.lives, player.items, player.type })
-    assert.is_nil(player.static)
-    assert.is_true(chest.static)
-    assert.equal(chest, level.named.Chest)
-    assert.equal(chest, world.objects.Chest[1])
-    assert.equal(world.objects.Chest[2], level.byIid.second)
-    assert.equal("entity-Player", player.ldtk.entity.iid)
-    assert.equal(0.5, world.objects.Chest[2].friction)
-    assert.same({}, level.unsupported)
-  end)
-
-  it("to other groups, by the option groups or the field group", function()
-    local project = newProject()
-    local entities = project.levels[1].layerInstances[1].entityInstances
-    entities[4] = ldtk.entity("Door", 0, 0, 8, 32, { group = "exits" })
-    local _, world = load(project, nil, { groups = { Player = "players", Door = "doors" } })
-    assert.equal(1, #world.objects.players)
-    assert.equal(1, #world.objects.exits)
-    assert.is_nil(world.objects.doors)
-    assert.is_nil(world.objects.Player)
-    assert.equal(2, #world.objects.Chest)
-  end)
-
-  it("keeps a field named type, and leaves out what says solid = false", function()
-    local project = newProject()
-    project.levels[1].layerInstances[1].entityInstances = {
-      ldtk.entity("Mob", 8, 8, 8, 8, { type = "slime" }),
-      ldtk.entity("Mark", 8, 8, 8, 8, { solid = false }),
-    }
-    local level, world = load(project)
-    assert.equal("slime", world.objects.Mob[1].type)
-    assert.is_nil(world.objects.Mark)
-    assert.is_nil(level.named.Mark)
-  end)
-
-  it("goes on with the world, and shares no table with the project", function()
-    local options = { solid = { dirt = true, stone = true }, kinds = { Player = "dynamic" } }
+  it("adds entities by their pivot, to the group of their identifier, named and kept", function()
     local project = newProject()
     local before = tiled.copy(project)
-    local level, world = load(project, nil, options)
+    local level, world =
+      load(project, nil, { kinds = { Player = "dynamic" }, solid = { dirt = true, stone = true } })
+    assert.equal(
+      WHOLE
+        .. "; Player 16 8 16 24 items={1=Knife 2=Boots} lives=3 type=Player"
+        .. "; Chest 48 16 16 16 name=treasure static type=Chest"
+        .. "; Chest 64 16 16 16 friction=0.5 sensor static type=Chest"
+        .. "; Door 0 0 8 32 sensor static type=Door",
+      tiled.show(level, world)
+    )
+    local named, player = level.named, level.named.Player
+    assert.same({ named.Chest, world.objects.Chest[2] }, { named.treasure, level.byIid.second })
+    local cell = world.objects.Collisions[1].ldtk
+    assert.same({ 0, 2, 5, 1, nil }, { cell.column, cell.row, cell.columns, cell.rows, cell.value })
+    assert.equal(project.levels[1].layerInstances[2], cell.layer)
+    assert.equal("entity-Player", player.ldtk.entity.iid)
+    player.items[1] = "Sword"
     for _ = 1, 60 do
       world:update(1 / 60)
     end
-    assert.equal(8, level.named.Player.y)
-    assert.equal(level.named.Player.touching.bottom, world.objects.Collisions[1])
-    level.named.Player.items[1] = "Sword"
-    assert.same(before, project)
+    assert.same({ 8, before }, { player.y, project })
+    assert.equal(player.touching.bottom, world.objects.Collisions[1])
+  end)
+
+  -- Fields and more of an entity, options: what stands there, or what is said of it.
+  local OWN = ' sensor static type=Mob; ! Entities: property "x": the editor\'s own value counts'
+  local DRAG = '! Entities: drag must be a number >= 0, got "yes"'
+  local null = print -- json.null is a function in some decoders, userdata in others
+  for i, row in ipairs({
+    { { group = "exits" }, { groups = { Mob = "mobs" } }, "exits 4 0 8 8 sensor static type=Mob" },
+    { {}, { groups = { Mob = "mobs" } }, "mobs 4 0 8 8 sensor static type=Mob" },
+    { { type = "slime" }, nil, "Mob 4 0 8 8 sensor static type=slime" },
+    { { solid = false }, nil, "" },
+    { { key = null, mask = null }, nil, "Mob 4 0 8 8 sensor static type=Mob" },
+    { { drag = "yes", mass = "2" }, nil, "Mob 4 0 8 8 mass=2 type=Mob; " .. DRAG },
+    { { drag = "yes" }, { ignore = { "drag" } }, "Mob 4 0 8 8 sensor static type=Mob" },
+    { { x = 3, y = 8 }, nil, "Mob 4 0 8 8" .. OWN },
+  }) do
+    it("reads the fields of an entity, " .. i, function()
+      local level, world = load(
+        newProject(nil, { ldtk.entity("Mob", 8, 8, 8, 8, row[1]) }),
+        nil,
+        tiled.copyInto({ solid = {} }, row[2])
+      )
+      table.remove(level.unsupported) -- that there is no wall, or that it falls
+      if row[1].mass then
+        table.remove(level.unsupported)
+      end
+      assert.equal(row[3], tiled.show(level, world))
+    end)
+  end
+
+  it("refuses a field that cannot be if strict, at its place", function()
+    local project = newProject(nil, { ldtk.entity("Mob", 8, 8, 8, 8, { drag = "yes" }) })
+    local isDone, message = pcall(load, project, nil, { strict = true })
+    assert.is_false(isDone)
+    local expected = 'layer "Entities", entity "Mob": drag must be a number >= 0, got "yes"'
+    assert.truthy(message:find("options): " .. expected, 1, true), message)
+    local entry = load(project).unsupported[1]
+    assert.same({ "object", "entity-Mob", "Mob" }, { entry.kind, entry.id, entry.name })
   end)
 
   it("puts everything where the options and the layers say", function()
@@ -144,121 +132,62 @@ describe("world:loadLDtk", function()
     assert.same({ "531 -61 16 24" }, boxes(world, "Player"))
     assert.same({ 512, -64, 320, 160 }, { level.x, level.y, level.width, level.height })
     assert.same({ 512, -64 }, { level.worldX, level.worldY })
-    assert.same({ music = "cave" }, level.fields)
-    assert.equal(project.levels[1], level.level)
+    assert.same({ { music = "cave" }, project.levels[1] }, { level.fields, level.level })
   end)
 
   it("digs, counted from 0 as in the editor", function()
-    local level, world = load(newProject(), nil, { solid = { dirt = true, stone = true } })
+    local level, world = load(newProject(), nil, SOLID)
     local tiles = level.tileLayers.Collisions
     assert.is_true(tiles:setTile(1, 2, 0))
     assert.same({ "0 32 16 16", "32 32 48 16" }, boxes(world, "Collisions"))
     assert.same({ 0, 1, 2 }, { tiles:getTile(1, 2), tiles:getTile(0, 2), tiles:getTile(0, 0) })
     tiles:setTile(1, 2, 3)
     assert.same({ "0 32 80 16" }, boxes(world, "Collisions"))
-    for _, row in ipairs({ { 7, "7" }, { "dirt", '"dirt"' } }) do
-      local isDone, message = pcall(tiles.setTile, tiles, 1, 1, row[1])
+    for shown, value in pairs({ ["7"] = 7, ['"dirt"'] = "dirt" }) do
+      local isDone, message = pcall(tiles.setTile, tiles, 1, 1, value)
       assert.is_false(isDone)
-      local expected = "tiles:setTile(column, row, value): value must be 0 or a value of layer"
-        .. ' "Collisions", got '
-        .. row[2]
+      local expected = 'row, value): value must be 0 or a value of layer "Collisions", got '
+        .. shown
       assert.truthy(message:find(expected, 1, true), message)
     end
   end)
 
-  describe("finds the level", function()
-    local function newProjectOfTwo()
-      local project = newProject()
-      project.levels[2] = ldtk.level("Top", { ldtk.intGrid("Collisions", { "1" }) })
-      return project
+  it("finds the level by identifier, iid and number, in all worlds, or takes it", function()
+    local project = newProject()
+    project.levels[2] = ldtk.level("Top", { ldtk.intGrid("Collisions", { "1" }) })
+    for _, row in ipairs({ { nil, 1 }, { 1, 1 }, { "Top", 2 }, { "level-Top", 2 }, { 2, 2 } }) do
+      assert.equal(project.levels[row[2]], load(project, row[1]).level)
     end
-
-    it("by identifier, iid and number, or takes the first", function()
-      local project = newProjectOfTwo()
-      for _, row in ipairs({ { nil, 1 }, { 1, 1 }, { "Top", 2 }, { "level-Top", 2 }, { 2, 2 } }) do
-        assert.equal(project.levels[row[2]], load(project, row[1]).level)
-      end
-    end)
-
-    it("in the worlds of a project of several", function()
-      local project = newProjectOfTwo()
-      project.worlds, project.levels = { { levels = project.levels } }, {}
-      assert.equal("Top", load(project, "Top").level.identifier)
-      assert.equal("Cave", load(project).level.identifier)
-    end)
-
-    it("itself, as from a .ldtkl file", function()
-      local project = newProjectOfTwo()
-      local level = project.levels[2]
-      project.levels[2] = {
-        identifier = "Top",
-        externalRelPath = "cave/Top.ldtkl",
-      }
-      assert.equal(1, load(project, level).tiles)
-      local isDone, message = pcall(load, project, "Top")
-      assert.is_false(isDone)
-      assert.truthy(
-        message:find(WHERE .. 'level "Top" is in cave/Top.ldtkl: decode it and give that', 1, true)
-      )
-    end)
+    project.worlds, project.levels = { { levels = project.levels } }, {}
+    assert.equal("Top", load(project, "Top").level.identifier)
+    assert.equal("Cave", load(project).level.identifier)
+    -- As from a .ldtkl file.
+    assert.equal(1, load(project, project.worlds[1].levels[2]).tiles)
   end)
 
   it("reads only the layers that are wanted", function()
     local project = newProject()
-    local _, world = load(project, nil, { onlyLayers = { "Entities" } })
-    assert.is_nil(world.objects.Collisions)
-    assert.equal(1, #world.objects.Player)
-    _, world = load(project, nil, { skipLayers = { "Entities" } })
-    assert.is_nil(world.objects.Player)
-    local tiles = ldtk.intGrid("Background", { "." }, { __type = "Tiles" })
-    project.levels[1].layerInstances[3] = tiles
-    assert.same({}, load(project).unsupported)
-    local level = load(project, nil, { onlyLayers = { "Background" } })
-    assert.same({ 0, tiles }, { #level.objects, level.pictures[1] })
-  end)
-
-  it("names fields that cannot be, refuses them if strict, and leaves those of the game", function()
-    local project = newProject()
-    project.levels[1].layerInstances[1].entityInstances = {
-      ldtk.entity("Mob", 8, 8, 8, 8, { drag = "yes", mass = "2", life = 5, x = 3 }),
-    }
-    local level, world = load(project)
-    local mob = world.objects.Mob[1]
-    assert.same({ 2, 5, 4 }, { mob.mass, mob.life, mob.x })
-    assert.is_nil(mob.drag)
-    local first, second = level.unsupported[1], level.unsupported[2]
-    assert.equal('drag must be a number >= 0, got "yes"', first.reason)
-    assert.equal('property "x": the editor\'s own value counts', second.reason)
-    local place = { first.kind, first.layer, first.id, first.name }
-    assert.same({ "object", "Entities", "entity-Mob", "Mob" }, place)
-    assert.equal(1, #load(project, nil, { ignore = { "drag" } }).unsupported)
-    local isDone, message = pcall(load, project, nil, { strict = true })
-    assert.is_false(isDone)
-    local expected = 'layer "Entities", entity "Mob": drag must be a number >= 0, got "yes"'
-    assert.truthy(message:find(WHERE .. expected, 1, true), message)
-  end)
-
-  it("takes no notice of null, however a decoder says it", function()
-    local project = newProject()
-    local null = print -- json.null is a function in some, userdata in others
-    project.levels[1].layerInstances[1].entityInstances = {
-      ldtk.entity("Door", 8, 8, 8, 8, { lockedWith = null, mask = null }),
-    }
-    project.levels[1].externalRelPath = null
-    local door = load(project).named.Door
-    assert.is_nil(door.lockedWith)
-    assert.is_nil(door.mask)
+    local background = ldtk.intGrid("Background", { "." }, { __type = "Tiles" })
+    project.levels[1].layerInstances[3] = background
+    for name, row in pairs({
+      Entities = { 4, 0, { onlyLayers = { "Entities" } } },
+      Collisions = { 2, 1, { skipLayers = { "Entities" } } },
+      Background = { 0, 1, { onlyLayers = { "Background" } } },
+      none = { 0, 0, { onlyLayers = {} } },
+    }) do
+      local level = load(project, nil, row[3])
+      assert.same({ row[1], row[2] }, { #level.objects, #level.pictures }, name)
+      assert.equal(row[2] == 1 and background or nil, level.pictures[1])
+    end
   end)
 
   -- dkjson comes with busted; elsewhere the spec has nothing to say.
   local hasJson, json = pcall(require, "dkjson")
   if hasJson then
     it("reads what a JSON library makes of a project", function()
-      local project = json.decode((json.encode(newProject())))
-      local level, world = load(project, "Cave", { solid = { dirt = true, stone = true } })
+      local level, world = load(json.decode((json.encode(newProject()))), "Cave", SOLID)
       assert.same({ "0 32 80 16" }, boxes(world, "Collisions"))
-      assert.equal(3, level.named.Player.lives)
-      assert.equal(5, level.tiles)
+      assert.same({ 3, 5 }, { level.named.Player.lives, level.tiles })
     end)
   end
 end)

@@ -5,14 +5,19 @@ local ldtk = require("spec.support.ldtk")
 local physics = require("physics")
 local tiled = require("spec.support.tiled")
 
-local function newMap(layers, tiles, extra)
-  return tiled.map({ tiled.tileset(tiles) }, layers, extra)
+local function newMap(layers, tiles)
+  return tiled.map({ tiled.tileset(tiles) }, layers)
 end
 
 local function newBox(class, properties, extra)
   local object = tiled.object(1, 16, 16, 32, 16, extra)
   object.type, object.properties = class or "", properties or {}
   return object
+end
+
+--- A map of one object layer.
+local function things(...)
+  return newMap({ tiled.objects(1, "things", { ... }) })
 end
 
 local function load(map, options, settings)
@@ -26,6 +31,9 @@ local function loadLDtk(layers, options, values)
 end
 
 local function kindOf(object)
+  if not object then
+    return "none"
+  end
   local moves = object.static and "static" or object.kinematic and "kinematic" or "dynamic"
   return object.sensor and "sensor" or moves
 end
@@ -36,7 +44,16 @@ local function reasonsOf(level)
   for i, entry in ipairs(level.unsupported) do
     list[i] = entry.count > 1 and entry.reason .. " x" .. entry.count or entry.reason
   end
-  return list
+  return table.concat(list, "; ")
+end
+
+-- The layers that were taken for solid, "name: reason".
+local function solidOf(level)
+  local list = {}
+  for i, layer in ipairs(level.solidLayers) do
+    list[i] = layer.name .. ": " .. layer.reason
+  end
+  return table.concat(list, "; ")
 end
 
 -- Calls f, and returns what it prints and what it returns.
@@ -52,175 +69,190 @@ local function printed(f)
 end
 
 describe("an object of a map", function()
-  -- Its layer, its class, its properties, the option `kinds`: what it is.
-  for _, row in ipairs({
-    { "Portals", "", {}, nil, "sensor" },
+  local YES, NO, THINGS = { solid = true }, { solid = false }, { solidLayers = { "things" } }
+  local HARD, CRATE = { solidProperty = "hard" }, { kinds = { Crate = "dynamic" } }
+  local BOTH = { kinds = { things = "static", Crate = "dynamic" } }
+  -- Its layer, its class, its properties, the options, what it is; the properties of its layer, the
+  -- name and the properties of a layer around that.
+  for i, row in ipairs({
+    { "things", "", {}, nil, "sensor" },
     { "Portals", "", { color = "red", friction = 0.5 }, nil, "sensor" },
     { "Portals", "Wall", {}, nil, "static" },
-    { "Walls", "Water", {}, { Water = "sensor" }, "sensor" },
-    { "Things", "Crate", {}, { Crate = "dynamic" }, "dynamic" },
-    { "Things", "Lift", {}, { Lift = "kinematic" }, "kinematic" },
-    { "Things", "", {}, { Things = "static" }, "static" },
-    { "Things", "Crate", {}, { Things = "static", Crate = "dynamic" }, "dynamic" },
-    { "Things", "Crate", { static = true }, { Crate = "dynamic" }, "static" },
+    { "Walls", "Water", {}, { kinds = { Water = "sensor" } }, "sensor" },
+    { "things", "Crate", {}, CRATE, "dynamic" },
+    { "things", "Lift", {}, { kinds = { Lift = "kinematic" } }, "kinematic" },
+    { "things", "", {}, { kinds = { things = "static" } }, "static" },
+    { "things", "", {}, { kinds = { [1] = "static" } }, "static" },
+    { "things", "Crate", {}, BOTH, "dynamic" },
+    { "things", "Crate", { static = true }, CRATE, "static" },
     { "Dynamic things", "", {}, nil, "dynamic" },
-    { "Things", "KinematicLift", {}, nil, "kinematic" },
-    { "Things", "", { mass = 2 }, nil, "dynamic" },
-    { "Things", "", { oneWay = true }, nil, "static" },
-    { "Things", "", { slope = "left" }, nil, "static" },
+    { "things", "KinematicLift", {}, nil, "kinematic" },
+    { "things", "", { mass = 2 }, nil, "dynamic" },
+    { "things", "", { oneWay = true }, nil, "static" },
+    { "things", "", { slope = "left" }, nil, "static" },
+    { "things", "", YES, nil, "static" },
+    { "things", "", { collidable = true }, nil, "static" },
+    { "things", "", { solid = false, collidable = true }, nil, "none" },
+    { "things", "", { hard = true }, HARD, "static" },
+    { "things", "", YES, HARD, "sensor" },
+    { "things", "", {}, THINGS, "static" },
+    { "things", "", {}, nil, "static", YES },
+    { "things", "", { static = false }, nil, "dynamic", YES },
+    { "things", "", YES, nil, "none", NO },
+    { "things", "", {}, THINGS, "static", NO },
+    { "Walls", "", {}, nil, "static" },
+    { "walls", "", { static = false }, nil, "dynamic" },
+    { "walls", "", NO, nil, "none" },
+    { "walls", "", {}, { solidLayers = {} }, "sensor" },
+    { "things", "", {}, nil, "static", {}, "all", YES },
+    { "things", "", {}, nil, "static", {}, "Collision", {} },
+    { "things", "", {}, nil, "none", {}, "Collision", NO },
+    { "things", "", {}, { solidLayers = { "all" } }, "static", {}, "all", {} },
   }) do
-    local name = ("in the layer %q of the class %q is %s"):format(row[1], row[2], row[5])
-    it(name .. ": " .. tostring(next(row[3])) .. ", " .. tostring(next(row[4] or {})), function()
-      local map = newMap({ tiled.objects(1, row[1], { newBox(row[2], row[3]) }) })
-      assert.equal(row[5], kindOf(load(map, { kinds = row[4] }).objects[1]))
+    it(("%d in the layer %s, of the class %q, is %s"):format(i, row[1], row[2], row[5]), function()
+      local extra = { properties = row[6] }
+      local layers = { tiled.objects(1, row[1], { newBox(row[2], row[3]) }, extra) }
+      if row[7] then
+        layers = { tiled.group(2, row[7], layers, { properties = row[8] }) }
+      end
+      assert.equal(row[5], kindOf(load(newMap(layers), row[4]).objects[1]))
     end)
   end
 
+  it("with a tile is what its tile says, and no picture in a wall layer", function()
+    local tiles = { { id = 0, properties = { collidable = true } } }
+    for name, kind in pairs({ things = "none", walls = "static" }) do
+      local object = tiled.object(1, 0, 16, 16, 16, { gid = 3 })
+      local map = newMap({ tiled.objects(1, name, { object }) }, tiles)
+      assert.equal(kind, kindOf(load(map).objects[1]))
+      object.gid = 1
+      assert.equal("static", kindOf(load(map).objects[1]))
+      object.properties.static = false
+      assert.equal("dynamic", kindOf(load(map).objects[1]))
+    end
+  end)
+
   it("that moves is no slope and has no one-way side: that is left out and named", function()
-    local properties = { slope = "left", oneWay = "top", static = false }
-    local level, world = load(newMap({ tiled.objects(1, "things", { newBox("", properties) }) }))
     local only = ": only static and kinematic objects have it"
-    assert.same({ "slope" .. only, "oneWay" .. only }, reasonsOf(level))
+    only = "slope" .. only .. "; oneWay" .. only
+    local level, world =
+      load(things(newBox("", { slope = "left", oneWay = "top", static = false })))
+    assert.equal(only, reasonsOf(level))
     world:update(1 / 60)
     local entity = ldtk.entity("Box", 32, 32, 16, 16, { slope = "left", oneWay = "top", mass = 1 })
-    level, world = loadLDtk(
-      { ldtk.entities("Things", { entity }) },
-      { kinds = { Box = "dynamic" } }
-    )
-    assert.same({ "slope" .. only, "oneWay" .. only }, reasonsOf(level))
+    local layers = { ldtk.entities("Things", { entity }) }
+    level, world = loadLDtk(layers, { kinds = { Box = "dynamic" } })
+    assert.equal(only, reasonsOf(level))
     world:update(1 / 60)
   end)
 
-  it("or tile with fields that do not fit each other loses one of them", function()
+  it("with fields that do not fit each other loses one of them", function()
     local light = ldtk.entity("Light", 32, 32, 16, 16, { radius = 99 })
-    local level = loadLDtk({ ldtk.entities("Things", { light }) })
     local text = "radius must be half of width and height, which are 16 and 16: it is left out"
-    assert.same({ text }, reasonsOf(level))
-    local tiles = { { id = 0, properties = { solid = true, area = { gravity = 5 }, radius = 3 } } }
-    level = load(newMap({ tiled.tiles(1, "ground", { "1.1" }) }, tiles))
-    assert.equal(2, #level.walls)
-    assert.equal(2, #level.unsupported)
+    assert.equal(text, reasonsOf((loadLDtk({ ldtk.entities("Things", { light }) }))))
   end)
 
   it("falls out of the map: that is named, with the cure", function()
-    local floor = newBox("Wall", {}, { x = 16, y = 64 })
-    local objects =
-      { newBox("Crate", { mass = 1 }), newBox("Crate", { mass = 1 }, { x = 300 }), floor }
-    local map = newMap({ tiled.objects(1, "things", objects) })
-    local text =
-      'it falls: no wall is below it; write static = true, or kinds = { ["Crate"] = "static" }'
+    local crate = newBox("Crate", { mass = 1 }, { x = 300 })
+    local map = things(newBox("Crate", { mass = 1 }), crate, newBox("Wall", {}, { x = 16, y = 64 }))
+    local level = load(map, nil, { gravity = 9 })
+    local cure = 'write static = true, or kinds = { ["Crate"] = "static" }'
+    assert.equal("it falls: no wall is below it; " .. cure, reasonsOf(level))
     assert.same(
-      { (text:gsub('%["Crate"%]', '["Crate"]')) },
-      reasonsOf((load(map, nil, { gravity = 9 })))
+      { crate, "things", 300 },
+      { level.unsupported[1].object, level.unsupported[1].layer, level.unsupported[1].x }
     )
-    assert.same({}, reasonsOf((load(map))))
-  end)
-
-  it("that is an ellipse is a box or a circle by an option", function()
-    local map = newMap({ tiled.objects(1, "walls", { newBox("", {}, { shape = "ellipse" }) }) })
-    local only = 'ellipse: only circles are round; the option ellipses = "box" makes it a box'
-    assert.equal(only, load(map).unsupported[1].reason)
-    local box = load(map, { ellipses = "box" }).walls[1]
-    assert.same({ 16, 32, 16 }, { box.x, box.width, box.height })
-    local ball = load(map, { ellipses = "circle" }).walls[1]
-    assert.same({ 24, 16, 8 }, { ball.x, ball.width, ball.radius })
+    assert.equal("", reasonsOf((load(map))))
+    crate.properties.gravity = 0
+    assert.equal("", reasonsOf((load(map, nil, { gravity = 9 }))))
   end)
 
   it("has what the project says of its class, members that are classes, too", function()
+    local function class(name, ...)
+      return { name = name, type = "class", members = { ... } }
+    end
+    local function member(name, value, kind)
+      return { name = name, value = value, type = kind and "class" or "int", propertyType = kind }
+    end
     local project = {
       propertyTypes = {
         { name = "Mode", type = "enum", values = { "a" } },
-        {
-          name = "Pull",
-          type = "class",
-          members = {
-            { name = "gravity", type = "float", value = 5 },
-            { name = "drag", type = "float", value = 1 },
-            { name = "again", type = "class", propertyType = "Pull", value = {} },
-          },
-        },
-        {
-          name = "Water",
-          type = "class",
-          members = {
-            { name = "sensor", type = "bool", value = true },
-            { name = "static", type = "bool", value = true },
-            { name = "depth", type = "int", value = 3 },
-            { name = "pull", type = "class", propertyType = "Pull", value = { drag = 2 } },
-          },
-        },
+        class("Pull", member("gravity", 5), member("drag", 1), member("again", {}, "Pull")),
+        class(
+          "Water",
+          member("sensor", true),
+          member("static", true),
+          member("depth", 3),
+          member("pull", { drag = 2 }, "Pull")
+        ),
       },
     }
-    local water = newBox("Water", { depth = 4, pull = { gravity = 7 } })
-    local map = newMap({ tiled.objects(1, "things", { water, newBox("Water") }) })
-    local level = load(map, { project = project })
-    assert.same({ 7, 2 }, { level.sensors[1].pull.gravity, level.sensors[1].pull.drag })
-    assert.same(
-      { 4, 3, 5 },
-      { level.sensors[1].depth, level.sensors[2].depth, level.sensors[2].pull.gravity }
-    )
+    local map = things(newBox("Water", { depth = 4, pull = { gravity = 7 } }), newBox("Water"))
+    local sensors = load(map, { project = project }).sensors
+    local a, b = sensors[1], sensors[2]
+    assert.same({ 4, 7, 2 }, { a.depth, a.pull.gravity, a.pull.drag })
+    assert.same({ 3, 5, 2 }, { b.depth, b.pull.gravity, b.pull.drag })
     assert.is_nil(load(map).sensors[2].depth)
-  end)
-
-  it("is found by what a property refers to", function()
-    local door = newBox("", { target = { id = 7 } })
-    local point = tiled.object(7, 5, 6, 0, 0, { shape = "point" })
-    local level = load(newMap({ tiled.objects(1, "things", { door, point }) }))
-    assert.equal(level.points[1], level.byId[level.objects[1].target.id])
-    assert.equal(level.objects[1], level.byId[1])
   end)
 end)
 
 describe("the name of a layer", function()
-  for name, isWall in pairs({
-    ["Collision LAyer"] = true,
-    ["Platforms lvl"] = true,
-    TopWall = true,
-    collisions_1 = true,
-    ["Wall Layer"] = true,
-    WALLS = true,
-    ["solid-tiles"] = true,
-    boundaries = true,
-    frontWalls = true,
-    BackGround = false,
-    wall_decor = false,
-    backWalls = false,
-    ["Parallax ground"] = false,
-    ["fg platforms"] = false,
-    Foreground = false,
-    grounded = false,
-    wallpaper = false,
-    ["Décor mur"] = false,
-  }) do
-    it(("%s is that of %s"):format(name, isWall and "walls" or "no walls"), function()
-      local level = load(newMap({ tiled.tiles(1, name, { "1." }) }))
-      assert.equal(isWall and 1 or 0, #level.walls)
-    end)
+  local walls = {
+    "Collision LAyer, Platforms lvl, TopWall, collisions_1, WALLS, solid-tiles, boundaries",
+    "BackGround, wall_decor, backWalls, Parallax ground, fg platforms, grounded, Décor mur",
+  }
+  for i, names in ipairs(walls) do
+    for name in names:gmatch("%s*([^,]+)") do
+      it(name .. (i == 1 and " says wall" or " says no wall"), function()
+        local level = load(newMap({ tiled.tiles(1, name, { "1." }) }))
+        assert.equal(2 - i, #level.walls)
+      end)
+    end
   end
 
   it("means what the game's own words say", function()
     local map = newMap({ tiled.tiles(1, "Mur", { "1." }), tiled.tiles(2, "Mur du fond", { ".1" }) })
     assert.equal(2, #load(map, { wallWords = { "mur" } }).walls)
     assert.equal(1, #load(map, { wallWords = { "mur" }, pictureWords = { "fond" } }).walls)
-    assert.equal(
-      0,
-      #load(newMap({ tiled.tiles(1, "Walls", { "1." }) }), { wallWords = { "mur" } }).walls
-    )
+    map.layers[1].name = "Walls"
+    assert.equal(1, #load(map, { wallWords = { "mur" } }).walls)
   end)
-end)
 
-describe("lines in a wall layer", function()
-  it("are thin walls where they are level or upright, and named where they slope", function()
-    local points = { { x = 0, y = 0 }, { x = 32, y = 0 }, { x = 32, y = 48 }, { x = 64, y = 60 } }
-    local line = tiled.object(1, 8, 16, 0, 0, { shape = "polyline", polyline = points })
-    local level, world = load(newMap({ tiled.objects(1, "walls", { line, tiled.copy(line) }) }))
-    assert.same(
-      { "8 16 32 1", "40 16 1 48", "8 16 32 1", "40 16 1 48" },
-      tiled.boxes(world, "walls")
-    )
-    assert.same({ "polyline: a sloped part has no width x2" }, reasonsOf(level))
-    assert.same({ 2, 4 }, { #level.lines, #level.walls })
-    assert.equal(0, #load(newMap({ tiled.objects(1, "paths", { line }) })).objects)
+  -- The picture of a layer "collision", its tiles, options: how many are solid, and why.
+  local shaped = { tiled.shapes(0, { tiled.object(1, 0, 8, 16, 8) }) }
+  local BY_NAME = 'collision: its name, "collision"'
+  for i, row in ipairs({
+    { { "5.6", "555" }, nil, nil, 5, BY_NAME },
+    { { "5.6", "555" }, { { id = 5, properties = { solid = false } } }, nil, 4, BY_NAME },
+    -- only those that say so if any says so
+    { { "1.6", "155" }, { { id = 0, properties = { solid = true } } }, nil, 2, "" },
+    { { "1.6", "155" }, shaped, nil, 2, "" },
+    { { "1.6", "155" }, nil, { solidTiles = { 5, 6 } }, 3, "" },
+    -- a floor seen from above
+    { { "556", "555" }, nil, nil, 0, "" },
+    { { "556", "555" }, nil, { solidLayers = { 1 } }, 6, "collision: option solidLayers" },
+    { { "556", "555" }, nil, { kinds = { collision = "static" } }, 6, "collision: option kinds" },
+    { { "556", "555" }, nil, { kinds = { collision = "sensor" } }, 6, "" },
+  }) do
+    it(("makes tiles solid, %d: %d"):format(i, row[4]), function()
+      local level = load(newMap({ tiled.tiles(1, "collision", row[1]) }, row[2]), row[3])
+      assert.same({ row[4], row[5] }, { level.tiles, solidOf(level) })
+    end)
+  end
+
+  it("is listed with the word that makes it solid", function()
+    local map = newMap({
+      tiled.objects(1, "a", { newBox() }, { properties = { collidable = true } }),
+      tiled.objects(2, "b", { newBox() }),
+      tiled.tiles(3, "c", { "5." }, { properties = { solid = true } }),
+      tiled.tiles(4, "d", { "1." }),
+      tiled.group(5, "walls", { tiled.objects(6, "inner", { newBox() }) }),
+      { type = "imagelayer", id = 7, name = "ground", properties = {} },
+    }, { { id = 0, properties = { solid = true } } })
+    local head = 'a: property "collidable"; %sc: property "solid"%s'
+    assert.equal(head:format("", '; inner: its name, "walls"'), solidOf(load(map)))
+    local options = { solidLayers = { "b" } }
+    assert.equal(head:format("b: option solidLayers; ", ""), solidOf(load(map, options)))
   end)
 end)
 
@@ -230,71 +262,74 @@ describe("a map without a wall", function()
       tiled.tiles(1, "backdrop", { "1111", "11.1" }),
       tiled.tiles(2, "stuff", { "1..." }),
       tiled.tiles(3, "main", { "11..", "1..." }),
-      tiled.objects(4, "things", { newBox() }),
+      tiled.tiles(4, "floor", { "1111", "1111" }),
+      tiled.objects(5, "things", { newBox() }),
     })
   end
+  local TEXT = "no part of the map is solid: if that is wrong, write %s; its layers are %s"
+  local FOUND =
+    TEXT:format('solidLayers = { "main" }', '"backdrop", "stuff", "main", "floor", "things"')
 
-  it("is loaded, and says what to write", function()
-    local level = load(newTiles())
-    assert.same({ "map", "" }, { level.unsupported[1].kind, level.unsupported[1].layer })
-    local cure = 'if that is wrong, write solidLayers = { "main" }; its layers are "backdrop", '
-      .. '"stuff", "main", "things"'
-    assert.same({ "no part of the map is solid: " .. cure }, reasonsOf(level))
+  it("is loaded, and says what to write; in a checked world in a line, too", function()
+    local lines, level = printed(function()
+      return (load(newTiles()))
+    end)
+    assert.same(
+      { "map", "", FOUND, 0 },
+      { level.unsupported[1].kind, level.unsupported[1].layer, reasonsOf(level), #lines }
+    )
     assert.equal(2, #load(newTiles(), { solidLayers = { "main" } }).walls)
+    for expected, options in pairs({
+      ["physics: world:loadTiled(map, options): " .. FOUND] = {},
+      [""] = { solidLayers = { "main" } },
+    }) do
+      lines = printed(function()
+        load(newTiles(), options, { checked = true })
+      end)
+      assert.equal(expected, table.concat(lines, "; "))
+    end
   end)
 
-  it("is told by one line in a checked world", function()
-    local lines = printed(function()
-      return load(newTiles(), nil, { checked = true })
-    end)
-    assert.equal(1, #lines)
-    assert.truthy(
-      lines[1]:find("^physics: world:loadTiled%(map, options%): no part of the map is solid")
-    )
-    assert.same({}, (printed(function()
-      return load(newTiles(), { solidLayers = { "main" } }, { checked = true })
-    end)))
+  it("and without tiles says so of its objects", function()
+    local text = TEXT:format('solidLayers = { "things" }', '"things"')
+    assert.equal(text, reasonsOf((load(things(newBox())))))
+    assert.equal("", reasonsOf((load(things()))))
   end)
 
   it("of LDtk says so, too, with its values or tiles", function()
-    local tiles = ldtk.intGrid("Rocks", { "..." }, { __type = "Tiles" })
-    tiles.gridTiles = { { px = { 16, 0 }, t = 7 }, { px = { 32, 0 }, t = 0 } }
-    local level = loadLDtk({ tiles })
-    assert.truthy(reasonsOf(level)[1]:find('write kinds = { Rocks = "static" }', 1, true))
-    local solid, world = loadLDtk({ tiles }, { kinds = { Rocks = "static" } })
+    local rocks = ldtk.intGrid("Rocks", { "..." }, { __type = "Tiles" })
+    rocks.gridTiles =
+      { { px = { 16, 0 }, t = 7 }, { px = { 32, 0 }, t = 0 }, { px = { 48, 0 }, t = 7 } }
+    local level = loadLDtk({ rocks })
+    assert.equal(TEXT:format('kinds = { Rocks = "static" }', '"Rocks"'), reasonsOf(level))
+    local solid, world = loadLDtk({ rocks }, { kinds = { Rocks = "static" } })
     assert.same({ "16 0 32 16" }, tiled.boxes(world, "Rocks"))
-    assert.same({ 7, 0, -1 }, {
-      solid.tileLayers.Rocks:getTile(1, 0),
-      solid.tileLayers.Rocks:getTile(2, 0),
-      solid.tileLayers.Rocks:getTile(0, 0),
-    })
+    assert.equal("Rocks: option kinds", solidOf(solid))
+    local tiles = solid.tileLayers.Rocks
+    assert.same({ -1, 7, 0 }, { tiles:getTile(0, 0), tiles:getTile(1, 0), tiles:getTile(2, 0) })
     level = loadLDtk({ ldtk.intGrid("Cells", { "1" }) }, nil, { "water", "wall" })
-    assert.truthy(reasonsOf(level)[1]:find('write solid = { ["water"] = true }', 1, true))
+    assert.equal(TEXT:format('solid = { ["water"] = true }', '"Cells"'), reasonsOf(level))
   end)
 end)
 
 describe("a level", function()
   it("lists what it has made", function()
-    local objects = {
-      newBox("Wall"),
-      newBox("Wall", { oneWay = true }),
-      newBox("Portal"),
-      newBox("Crate", { mass = 1 }),
-      newBox("Lift", { kinematic = true }),
-      newBox("Wall", { slope = "left" }),
-      tiled.object(9, 0, 16, 16, 16, { gid = 1 }),
-    }
-    local level = load(newMap({ tiled.objects(1, "things", objects) }))
-    local counts = {}
-    local names = "objects walls solids sensors dynamic oneWays slopes pictures"
-    for name in names:gmatch("%a+") do
-      counts[#counts + 1] = name .. " " .. #level[name]
-    end
-    assert.equal(
-      "objects 6, walls 3, solids 5, sensors 1, dynamic 1, oneWays 1, slopes 1, pictures 1",
-      table.concat(counts, ", ")
+    local level = load(
+      things(
+        newBox("Wall"),
+        newBox("Wall", { oneWay = true }),
+        newBox("Portal"),
+        newBox("Crate", { mass = 1 }),
+        newBox("Lift", { kinematic = true }),
+        newBox("Wall", { slope = "left" }),
+        tiled.object(9, 0, 16, 16, 16, { gid = 1 })
+      )
     )
-    assert.equal(objects[7], level.pictures[1].tiled.object)
+    local counts, names = {}, "objects walls solids sensors dynamic oneWays slopes pictures"
+    for name in names:gmatch("%a+") do
+      counts[#counts + 1] = #level[name]
+    end
+    assert.same({ 6, 3, 5, 1, 1, 1, 1, 1 }, counts)
   end)
 
   it(
@@ -304,33 +339,37 @@ describe("a level", function()
       for i = 1, 50 do
         objects[i] = newBox("", { width = i % 2 == 0 and 32 or 9, height = 16 })
       end
-      local level = load(newMap({ tiled.objects(1, "things", objects) }), { solidLayers = {} })
-      assert.equal('property "width": the editor\'s own value counts x25', reasonsOf(level)[1])
+      local map = newMap({ tiled.objects(1, "things", objects) })
+      local level = load(map, { solidLayers = { "things" } })
+      assert.equal('property "width": the editor\'s own value counts x25', reasonsOf(level))
     end
   )
 
   it("says that its map is there already", function()
     local map, world = newMap({ tiled.tiles(1, "walls", { "1." }) }), physics.newWorld()
     local first = world:loadTiled(map)
-    assert.same({}, first.unsupported)
-    assert.same(
-      { "the map is here already: all of it is there twice" },
-      reasonsOf(world:loadTiled(map))
-    )
-    assert.same({}, world:loadTiled(map, { x = 99 }).unsupported)
-    assert.same({}, physics.newWorld():loadTiled(map).unsupported)
+    assert.equal("", reasonsOf(first))
+    local twice = "the map is here already: all of it is there twice"
+    assert.equal(twice, reasonsOf(world:loadTiled(map)))
+    assert.equal("", reasonsOf(world:loadTiled(map, { x = 99 })))
+    assert.equal("", reasonsOf(physics.newWorld():loadTiled(map)))
   end)
 
   it("of a checked world is not loaded with a slip, unless that is the game's own", function()
-    local map = newMap({ tiled.objects(1, "walls", { newBox("", { Mass = 5 }) }) })
-    local isDone, message = pcall(load, map, nil, { checked = true })
-    assert.is_false(isDone)
-    local cure = 'layer "walls", object 1: property "Mass": did you mean mass? If it is the '
-      .. 'game\'s own: ignore = { "Mass" }'
-    assert.truthy(message:find(cure, 1, true), message)
-    local _, world = load(map, { ignore = { "Mass" } }, { checked = true })
-    world:update(1 / 60)
-    assert.equal(5, load(map).walls[1].Mass)
+    local tiles = { { id = 0, properties = { solid = true, Mass = 5 } } }
+    for _, map in ipairs({
+      newMap({ tiled.objects(1, "walls", { newBox("", { Mass = 5 }) }) }),
+      newMap({ tiled.tiles(1, "walls", { "1." }) }, tiles),
+    }) do
+      local isDone, message = pcall(load, map, nil, { checked = true })
+      assert.is_false(isDone)
+      local cure =
+        ': property "Mass": did you mean mass? If it is the game\'s own: ignore = { "Mass" }'
+      assert.truthy(message:find(cure, 1, true), message)
+      local _, world = load(map, { ignore = { "Mass" } }, { checked = true })
+      world:update(1 / 60)
+      assert.equal(5, load(map).walls[1].Mass)
+    end
   end)
 end)
 

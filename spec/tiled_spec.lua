@@ -1,420 +1,409 @@
---- Maps of the editor Tiled: what of them stands in the world, where, and what does not.
+--- Maps of the editor Tiled: what of layers, objects and words stands in the world, and where; what
+--- is said of the rest. Most rows are read through STI as well.
 
 local physics = require("physics")
 local tiled = require("spec.support.tiled")
 
-local load, boxes = tiled.load, tiled.boxes
+local load, show, boxes = tiled.load, tiled.show, tiled.boxes
 local MEADOW = "spec/maps/meadow.lua"
 
---- Object layers around one list of objects.
-local function newObjects(objects, extra, tilesets)
-  local sets = tilesets or { tiled.tileset() }
-  return tiled.map(sets, { tiled.objects(1, "things", objects, extra) })
+local function map(layers, tiles, extra)
+  return tiled.map({ tiled.tileset(tiles) }, layers, extra)
 end
 
-describe("world", function()
-  describe(":loadTiled", function()
-    -- An export -----------------------------------------------------------------------------------
+--- A map of one object layer.
+local function things(objects, extra)
+  return map({ tiled.objects(1, "things", objects, extra) })
+end
 
-    --- The meadow:
-    ---     row 2   ....=====.......      = one-way
-    ---         4   ..........~~....      ~ water, a sensor
-    ---         5   ......####......      # earth
-    ---         6   #.....####.....#
-    ---         7   ################
-    describe("reads an export of Tiled", function()
-      for _, way in ipairs({ "by its path", "as a table" }) do
-        it(way, function()
-          local level, world = load(way == "as a table" and dofile(MEADOW) or MEADOW)
-          assert.same({
-            "64 32 80 16", -- the ledge
-            "160 64 16 16", -- each sensor is one
-            "176 64 16 16",
-            "96 80 64 32",
-            "0 96 16 16",
-            "240 96 16 16",
-            "0 112 256 16",
-          }, boxes(world, "ground"))
-          assert.equal(33, level.tiles)
-          assert.equal(7, level.rectangles)
-          assert.is_nil(world.objects.flowers)
-          assert.same(
-            { "32 80 12 20", "80 80 16 16", "176 64 48 8", "240 88 8 40" },
-            boxes(world, "things")
-          )
-          assert.same({ "66 24 8 8", "102 24 8 8" }, boxes(world, "coins"))
-          assert.same({}, level.unsupported)
-          assert.same({ 0, 0, 256, 128 }, { level.x, level.y, level.width, level.height })
-        end)
-      end
+--- A rectangle of 8 x 8 px.
+local function box(x, properties, extra)
+  local object = tiled.object(x, x, 0, 8, 8, extra)
+  object.properties = properties or {}
+  return object
+end
 
-      it("makes fields of properties", function()
-        local level, world = load(MEADOW)
-        local ground = world.objects.ground
-        local ledge, water, earth = ground[1], ground[2], ground[4]
-        assert.equal("top", ledge.oneWay)
-        assert.is_true(ledge.static)
-        assert.is_true(water.sensor)
-        assert.equal("water", water.type)
-        assert.equal(0.5, earth.friction)
-        local hero = level.named.hero
-        assert.equal(400, hero.maxSpeedY)
-        assert.equal(3, hero.lives)
-        assert.equal("player", hero.type)
-        assert.is_nil(hero.static)
-        assert.same({ id = 6 }, level.named.lift.goal)
-        assert.is_true(world.objects.coins[1].sensor)
-      end)
+describe("world:loadTiled, layers", function()
+  local inner = tiled.group(2, "inner", {
+    tiled.tiles(3, "ground", { "...", ".11" }, { offsetx = 3, offsety = 1 }),
+    tiled.objects(4, "things", { tiled.object(1, 5, 6, 7, 8) }, { offsetx = -1 }),
+  }, { offsetx = 20, offsety = 0.25, visible = false })
+  local deep = tiled.group(1, "outer", { inner }, { offsetx = 100, offsety = -7.5 })
+  local solid = { { id = 0, properties = { solid = true } } }
+  local expected = "ground 139 9.75 32 16 static; things 124 -1.25 7 8 sensor static"
+  tiled.row("add up their offsets", map({ deep }, solid), expected, nil, false)
 
-      it("through love.filesystem where there is one", function()
-        local loveBefore = rawget(_G, "love")
-        finally(function()
-          rawset(_G, "love", loveBefore)
-        end)
-        local asked = {}
-        rawset(_G, "love", {
-          filesystem = {
-            getInfo = function(path)
-              return path == "levels/one.lua" and {} or nil
-            end,
-            load = function(path)
-              asked[#asked + 1] = path
-              return loadfile(MEADOW)
-            end,
-          },
-        })
-        local level = load("levels/one.lua")
-        assert.same({ "levels/one.lua" }, asked)
-        assert.equal(33, level.tiles)
-        assert.has_error(function()
-          load("levels/two.lua")
-        end)
-      end)
-    end)
+  it("add up their offsets through STI, too", function()
+    local level, world = load(tiled.sti(map({ deep }, solid), 500, 50))
+    assert.same({ "639 59.75 32 16" }, boxes(world, "outer.inner.ground"))
+    assert.same({ "624 48.75 7 8" }, boxes(world, "outer.inner.things"))
+    assert.same({ 500, 50 }, { level.x, level.y })
+  end)
 
-    -- Infinite maps -------------------------------------------------------------------------------
+  local list = { box(0), box(9, { friction = 0.3, kinematic = true }) }
+  local inside =
+    tiled.objects(1, "things", list, { properties = { friction = 0.2, mood = "dark" } })
+  local around = { properties = { static = true, friction = 0.1, restitution = 1 } }
+  expected = "things 0 0 8 8 friction=0.2 restitution=1 static; "
+    .. "things 9 0 8 8 friction=0.3 kinematic restitution=1"
+  local nested = map({ tiled.group(2, "all", { inside }, around) })
+  tiled.row("give their properties to what is in them", nested, expected, nil, false)
 
-    --- The cave, tiles of 8 px: three parts, one of them to the left of the origin.
-    ---
-    ---               -10   0    16
-    ---     row  4   ......######     one floor across two parts
-    ---     row  5         ##         and a wall down into the third
-    ---     row 19         ####       rough, so it stays apart
-    it(
-      "reads the parts of an infinite map in any order, and merges across their borders",
-      function()
-        local map = tiled.infinite()
-        local chunks = map.layers[1].chunks
-        for _, order in ipairs({ { 1, 2, 3 }, { 3, 2, 1 } }) do
-          map.layers[1].chunks = { chunks[order[1]], chunks[order[2]], chunks[order[3]] }
-          local level, world = load(map)
-          assert.same({ "-32 8 64 16", "0 24 16 32", "0 56 16 16" }, boxes(world, "rocks"))
-          assert.equal(0.9, world.objects.rocks[3].friction)
-          assert.same({ -64, 0, 128, 64 }, { level.x, level.y, level.width, level.height })
-          local tile = world.objects.rocks[1].tiled
-          assert.same(
-            { -2, 0, 4, 1, 1 },
-            { tile.column, tile.row, tile.columns, tile.rows, tile.gid }
-          )
-        end
-      end
+  local image = { type = "imagelayer", name = "walls", properties = {} }
+  tiled.row("of images have no boxes", map({ image }), "")
+  image = { type = "imagelayer", name = "a", properties = { solid = true } }
+  tiled.row("of images should be solid", map({ image }), "! a: image layer: it has no boxes")
+  tiled.row("of STI", map({ { type = "customlayer", name = "a" } }), "")
+  expected = '! a: unknown type of layer: "fog"'
+  tiled.row("of another type", map({ { type = "fog", name = "a" } }), expected)
+
+  local a, b = tiled.objects(1, "a", { box(0) }), tiled.objects(2, "b", { box(9) })
+  local two, group = map({ a, b }), map({ tiled.group(9, "c", { a, b }) })
+  expected = "b 9 0 8 8 sensor static"
+  tiled.row("only one", two, expected, { onlyLayers = { "b" } })
+  tiled.row("none", two, "", { onlyLayers = {} })
+  tiled.row("all but one", two, expected, { skipLayers = { 1 } })
+  local some = { onlyLayers = { 9 }, skipLayers = { "a" } }
+  tiled.row("all of a group but one", group, expected, some, false)
+  expected = "! %s: hexagonal map: only orthogonal ones have boxes"
+  expected = expected:format("a") .. "; " .. expected:format("b")
+  tiled.row("of a map of hexagons", map({ a, b }, nil, { orientation = "hexagonal" }), expected)
+
+  it(
+    "may be empty groups, are added behind what is there, and share nothing with the map",
+    function()
+      local world, mask = physics.newWorld(), { players = false }
+      local first = world:add("things", { x = -99, y = 0, width = 8, height = 8 })
+      local given = things({ box(0), box(9) }, { properties = { mask = mask } })
+      given.layers[2] = tiled.objects(2, "empty", {})
+      local before = tiled.copy(given)
+      local level = world:loadTiled(given, { kinds = { things = "dynamic" } })
+      local one, other = level.objects[1], level.objects[2]
+      assert.same({ first, one, other }, world.objects.things)
+      assert.same({ {}, false }, { world.objects.empty, one.touching.bottom })
+      one.mask.players = true
+      assert.same({ false, before }, { other.mask.players, given })
+    end
+  )
+
+  it("are those of a file, by its path or through love.filesystem", function()
+    local level, world = load(MEADOW)
+    assert.equal(
+      table.concat({
+        "ground 64 32 80 16 oneWay=top static",
+        "ground 160 64 16 16 sensor static type=water",
+        "ground 176 64 16 16 sensor static type=water",
+        "ground 96 80 64 32 friction=0.5 static type=earth",
+        "ground 0 96 16 16 friction=0.5 static type=earth",
+        "ground 240 96 16 16 friction=0.5 static type=earth",
+        "ground 0 112 256 16 friction=0.5 static type=earth",
+        "things 32 80 12 20 lives=3 maxSpeedY=400 name=hero type=player",
+        "things 80 80 16 16 mass=0.5 name=crate",
+        "things 176 64 48 8 goal={id=6} kinematic name=lift oneWay=top toY=112 type=platform",
+        "things 240 88 8 40 color=#ff336699 name=door open=false static",
+        "coins 66 24 8 8 sensor static type=coin",
+        "coins 102 24 8 8 sensor static type=coin",
+      }, "; "),
+      show(level, world)
     )
-
-    -- Layers --------------------------------------------------------------------------------------
-
-    describe("adds up offsets", function()
-      local function newMap()
-        local set = tiled.tileset({ { id = 0, properties = { solid = true } } })
-        local outer = { offsetx = 100, offsety = -7.5 }
-        local inner = { offsetx = 20, offsety = 0.25, visible = false }
-        return tiled.map({ set }, {
-          tiled.group(1, "outer", {
-            tiled.group(2, "inner", {
-              tiled.tiles(3, "ground", { "...", ".11" }, { offsetx = 3, offsety = 1 }),
-              tiled.objects(4, "things", { tiled.object(1, 5, 6, 7, 8) }, { offsetx = -1 }),
-            }, inner),
-          }, outer),
-        })
-      end
-
-      it("of layers and of the groups around them, hidden ones too", function()
-        local _, world = load(newMap())
-        assert.same({ "139 9.75 32 16" }, boxes(world, "ground"))
-        assert.same({ "124 -1.25 7 8" }, boxes(world, "things"))
-      end)
-
-      it("and of STI", function()
-        local level, world = load(tiled.sti(newMap(), 500, 50))
-        assert.same({ "639 59.75 32 16" }, boxes(world, "outer.inner.ground"))
-        assert.same({ "624 48.75 7 8" }, boxes(world, "outer.inner.things"))
-        assert.same({ 500, 50 }, { level.x, level.y })
-      end)
+    assert.same(
+      { 33, 7, 0, 0, 256, 128 },
+      { level.tiles, level.rectangles, level.x, level.y, level.width, level.height }
+    )
+    local before, asked = rawget(_G, "love"), nil
+    finally(function()
+      rawset(_G, "love", before)
     end)
+    local filesystem = {}
+    function filesystem.getInfo(path)
+      return path == "levels/one.lua" and {} or nil
+    end
+    function filesystem.load(path)
+      asked = path
+      return loadfile(MEADOW)
+    end
+    rawset(_G, "love", { filesystem = filesystem })
+    assert.same({ 33, "levels/one.lua" }, { load("levels/one.lua").tiles, asked })
+    assert.is_false((pcall(load, "levels/two.lua")))
+  end)
 
-    describe("takes the table of STI", function()
-      for name, map in pairs({ meadow = dofile(MEADOW), infinite = tiled.infinite() }) do
-        it("for the same world, " .. name, function()
-          local level = load(map)
-          local levelOfSti = load(tiled.sti(map))
-          assert.equal(level.tiles, levelOfSti.tiles)
-          assert.equal(#level.objects, #levelOfSti.objects)
-          for i, object in ipairs(level.objects) do
-            for field, value in pairs(object) do
-              if field ~= "tiled" then
-                assert.same(value, levelOfSti.objects[i][field])
-              end
-            end
-          end
-        end)
-      end
+  it("of an infinite map are parts in any order, which merge", function()
+    local given = tiled.infinite()
+    local parts = given.layers[1].chunks
+    for _, order in ipairs({ { 1, 2, 3 }, { 3, 2, 1 } }) do
+      given.layers[1].chunks = { parts[order[1]], parts[order[2]], parts[order[3]] }
+      local level, world = load(given)
+      assert.same({ "-32 8 64 16", "0 24 16 32", "0 56 16 16" }, boxes(world, "rocks"))
+      assert.same({ -64, 0, 128, 64 }, { level.x, level.y, level.width, level.height })
+      local place = level.objects[1].tiled
+      assert.same(
+        { -2, 0, 4, 1, 1 },
+        { place.column, place.row, place.columns, place.rows, place.gid }
+      )
+      assert.same(show(level, world), show(load(tiled.sti(given))))
+    end
+  end)
 
-      it("with flipped tiles and layers of the game's own", function()
-        local low = tiled.shapes(0, { tiled.object(1, 0, 12, 16, 4) })
-        local legend = { u = 1 + tiled.FLIP_Y }
-        local layer = tiled.tiles(1, "ground", { "1u" }, nil, legend)
-        local map = tiled.sti(tiled.map({ tiled.tileset({ low }) }, { layer }))
-        map.layers[2] = { type = "customlayer", name = "sprites", properties = {} }
-        local level, world = load(map)
-        assert.same({ "0 12 16 4", "16 0 16 4" }, boxes(world, "ground"))
-        assert.same({}, level.unsupported)
-      end)
+  it("of a course that Tiled has exported are where its author has drawn them", function()
+    local level, world = load("spec/maps/course.lua")
+    assert.equal(
+      table.concat({
+        "scenery 0 144 320 16 static",
+        "Platforms 0 144 320 16 static",
+        "Platforms 48 96 64 16 static",
+        "Platforms 208 96 16 48 static",
+        "Platforms 240 64 64 16 static",
+        "Platforms 240 80 16 32 static",
+        "Platforms 128 96 32 8 kinematic name=lift",
+        "Platforms 16 128 32 16 slope=right static",
+        "Enemies 64 84 12 12 floating=true friction=1 name=slime sensor static type=enemy",
+        "Enemies 192 128 16 16 name=crate sensor static type=crate",
+        "point 24 120 name=player type=spawn",
+        "point 300 128 name=door",
+        "line 128 96, 128 96, 128 48, 176 48 name=lift",
+        "picture 32 16 32 32",
+        "picture 160 32 32 32",
+        '! Enemies: drag must be a number >= 0, got "true"',
+      }, "; "),
+      show(level, world)
+    )
+    for _ = 1, 60 do
+      world:update(1 / 60)
+    end
+    assert.equal(84, level.named.slime.y)
+  end)
+
+  it("lead to the map, and are found by name and id", function()
+    local given = things({
+      box(7, { target = { id = 8 } }, { name = "door" }),
+      tiled.object(8, 0, 0, 0, 0, { shape = "point", name = "door" }),
+    })
+    local level = load(given)
+    local door = level.objects[1]
+    assert.equal(given.layers[1].objects[1], door.tiled.object)
+    assert.equal(given.layers[1], door.tiled.layer)
+    assert.equal(given, level.map)
+    assert.same(
+      { door, door, level.points[1] },
+      { level.named.door, level.byId[7], level.byId[door.target.id] }
+    )
+  end)
+end)
+
+describe("world:loadTiled, objects", function()
+  local crate = { mass = 3, friction = 0.5, label = "fragile" }
+  local quarter = tiled.object(1, 4, 6, 8, 10, { properties = { friction = 0.25 } })
+  local known = {
+    crate = { { id = 2, type = "crate", properties = crate } },
+    half = { tiled.shapes(2, { quarter }) },
+    twice = { tiled.shapes(2, { tiled.object(1, 0, 0, 8, 8), tiled.object(2, 8, 8, 8, 8) }) },
+    no = { { id = 2, properties = { solid = false } } },
+  }
+  tiled.text(
+    [[
+have a class | things | 0 0 8 8 type=exit type:own; 9 0 8 8 type=false class=new; 18 0 8 8 type:own
+  things 0 0 8 8 sensor static type=exit; things 9 0 8 8 sensor static type=new
+  things 18 0 8 8 sensor static type=own
+are not there if they say so | things | 0 0 8 8 solid:false; 9 0 8 8; point 5 0 0 0 solid:false
+  things 9 0 8 8 sensor static; point 5 0
+with the fields of their tile | things | 0 16 16 16 gid=3 friction:0.7 | tiles = "crate"
+  things 0 0 16 16 friction=0.7 label=fragile mass=3 type=crate
+with the shape of their tile, scaled | things | 100 200 32 16 gid=3 | tiles = "half"
+  things 108 190 16 10 friction=0.25 sensor static
+flipped | things | 100 200 64 16 gid=2147483651; 100 200 16 32 gid=1073741827 | tiles = "half"
+  things 116 190 32 10 friction=0.25 sensor static
+  things 104 168 8 20 friction=0.25 sensor static
+turned | things | 100 200 16 16 gid=3 rotation=90 | tiles = "half"
+  things 100 204 10 8 friction=0.25 sensor static
+with several shapes of their tile | things | 100 200 16 16 gid=3 | tiles = "twice"
+  things 100 184 16 16 sensor static; ! things: its tile has 2 rectangles: the whole tile counts
+with a tile that says no | things | 0 16 16 16 gid=3 solid:true | tiles = "no", solidTiles = { 3 }
+are points | things offsetx=100 | point 30 40 0 0 name=player type=spawn; 50 60 0 0 vx:5 | y = 99
+  point 130 139 name=player type=spawn; point 150 159 vx=5
+without a size on one side | things | 0 0 8 0; 0 0 0 8 gid=1
+  ! things: it has no size x2
+are lines | things offsetx=100 | polyline 100 200 0 0 0,0 30,0 30,40 name=path period:4
+  line 200 200, 200 200, 230 200, 230 240 name=path period=4
+are lines, turned | things | polyline 100 200 0 0 0,0 30,0 30,40 rotation=90
+  line 100 200, 100 200, 100 230, 60 230
+are thin walls in a solid layer | things solid:true | polyline 100 200 0 0 0,0 32,0 32,48 64,60
+  things 100 200 32 1 static; things 132 200 1 48 static
+  line 100 200, 100 200, 132 200, 132 248, 164 260; ! things: polyline: a sloped part has no width
+are turned | things | 9 9 30 10 rotation=89.99999; 9 9 30 10 rotation=180; 9 9 30 10 rotation=-90
+  things -1 9 10 30 sensor static; things -21 -1 30 10 sensor static
+  things 9 -21 10 30 sensor static
+turned by another angle | things | 0 0 8 8 rotation=30
+  ! things: rotated by 30 degrees: boxes do not turn
+with a tile, turned | things | 9 9 30 9 gid=1 name=a rotation=90; 9 9 30 9 gid=1 name=b rotation=180
+  things 9 9 9 30 name=a sensor static; things -21 9 30 9 name=b sensor static
+of other shapes | things | capsule 0 0 8 8; text 0 0 8 8
+  ! things: capsule: only rectangles are boxes; ! things: text: only rectangles are boxes
+are circles, no ellipses | things | ellipse 0 0 8 8; ellipse 0 0 16 8
+  things 0 0 8 8 radius=4 sensor static; ! things: ellipse: only circles are round
+  the option ellipses = "box" makes it a box
+are the boxes of ellipses | things | ellipse 0 0 16 8 | ellipses = "box"
+  things 0 0 16 8 sensor static
+are the circles in ellipses | things | ellipse 10 0 16 8 | ellipses = "circle"
+  things 14 0 8 8 radius=4 sensor static
+of several boxes stand | things | polygon 9 9 0 0 0,0 10,0 10,20 30,20 30,30 0,30 solid:true
+  things 9 9 10 20 static; things 9 29 30 10 static
+of several boxes do not move | things | polygon 9 9 0 0 0,0 10,0 10,20 30,20 30,30 0,30 static:false
+  ! things: polygon of 2 boxes: only static ones hold together
+of one box do | things | polygon 100 200 0 0 0,0 40,0 40,10 0,10 static:false
+  things 100 200 40 10 static=false
+that are slopes do not | things | polygon 100 200 0 0 0,16 32,0 32,16 static:false
+  ! things: slope: only static and kinematic objects have it
+are polygons, turned | things offsetx=7 | polygon 9 9 0 0 0,0 40,0 40,10 0,10 rotation=90 solid:true
+  things 6 9 10 40 static
+are mere pictures | things offsetx=5 | 100 200 32 16 gid=3 | y = 7
+  picture 105 191 32 16
+are no pictures with a name | things | 0 16 16 16 gid=3 name=cloud
+  things 0 0 16 16 name=cloud sensor static
+nor with a property | things | 0 16 16 16 gid=1 far:3; 9 16 16 16 gid=3 | tiles = "crate"
+  things 0 0 16 16 far=3 sensor static
+  things 9 0 16 16 friction=0.5 label=fragile mass=3 type=crate
+nor in a layer with a word of ours | things gravity:0 | 0 16 16 16 gid=3
+  things 0 0 16 16 gravity=0
+nor of onlyLayers | things | 0 16 16 16 gid=3 | onlyLayers = { 1 }
+  things 0 0 16 16 sensor static
+in a group | things group:enemies | 0 0 8 8; 9 0 8 8 group:coins
+  enemies 0 0 8 8 sensor static; coins 9 0 8 8 sensor static
+have the size of the editor | things | 0 0 8 8 width:8 x:0; 0 0 8 8 width:9 x:1; 0 0 8 8 width:7
+  things 0 0 8 8 sensor static; things 0 0 8 8 sensor static; things 0 0 8 8 sensor static
+  ! things: property "width": the editor's own value counts x2
+  ! things: property "x": the editor's own value counts
+of a layer that drifts | hills parallaxy=0.5 | 0 0 8 8
+  hills 0 0 8 8 sensor static; ! hills: parallax: its objects do not drift
+none of a layer that drifts | hills parallaxy=0.5 | solid 0 0 8 8 solid:false
+polygon, a rectangle | walls | polygon 0 0 0 0 0,0 40,0 40,10 0,10
+  walls 0 0 40 10 static
+polygon, the other way round | walls | polygon 0 0 0 0 0,0 0,10 40,10 40,0
+  walls 0 0 40 10 static
+polygon, closed by its first corner | walls | polygon 0 0 0 0 0,0 40,0 40,10 0,10 0,0
+  walls 0 0 40 10 static
+polygon, by a hand that trembles | walls | polygon 0 0 0 0 0,0 40,0.004 39.998,10 0,10.001
+  walls 0 0 40 10 static
+polygon, a U | walls | polygon 0 0 0 0 0,0 10,0 10,20 20,20 20,0 30,0 30,30 0,30
+  walls 0 0 10 20 static; walls 20 0 10 20 static; walls 0 20 30 10 static
+polygon, a stair | walls | polygon 0 0 0 0 0,0 10,0 10,10 20,10 20,20 0,20
+  walls 0 0 10 10 static; walls 0 10 20 10 static
+polygon, a triangle, high on the right | walls | polygon 0 0 0 0 0,16 32,0 32,16
+  walls 0 0 32 16 slope=right static
+polygon, a triangle that hangs on the left | walls | polygon 0 0 0 0 0,0 0,16 32,0
+  walls 0 0 32 16 slope=topleft static
+polygon, an overhang | walls | polygon 0 0 0 0 0,0 20,0 12,16 0,16
+  walls 12 0 8 16 slope=topleft static; walls 0 0 12 16 static
+polygon, a roof | walls | polygon 0 0 0 0 0,16 8,0 24,16
+  walls 0 0 8 16 slope=right static; walls 8 0 16 16 slope=left static
+polygon, a leaf | walls | polygon 0 0 0 0 0,0 16,4 16,16 0,12
+  walls 0 0 16 4 slope=left static; walls 0 4 16 8 static; walls 0 12 16 4 slope=topright static
+polygon, one that crosses itself | walls | polygon 0 0 0 0 0,0 16,16 0,16 16,0
+  ! walls: polygon: it has thin parts that are no boxes, nor slopes
+polygon, one without area | walls | polygon 0 0 0 0 0,0 16,0 0,0
+  ! walls: polygon: it has no area
+]],
+    known
+  )
+
+  for name, row in pairs({
+    unspecified = { 100, 180 },
+    topleft = { 100, 200 },
+    topright = { 70, 200 },
+    center = { 85, 190 },
+    bottomright = { 70, 180 },
+  }) do
+    it("with a tile stand as the tileset says, " .. name, function()
+      local given = things({ tiled.object(1, 100, 200, 30, 20, { gid = 1, name = "tree" }) })
+      given.tilesets[1].objectalignment = name
+      local tree = load(given).objects[1]
+      assert.same(row, { tree.x, tree.y })
     end)
+  end
+end)
 
-    it("gives the properties of layers to what is in them, the nearest first", function()
-      local map = newObjects({
-        tiled.object(1, 0, 0, 8, 8),
-        tiled.object(2, 9, 0, 8, 8, { properties = { friction = 0.3, kinematic = true } }),
-      }, { properties = { friction = 0.2, mood = "dark" } })
-      local around = { properties = { static = true, friction = 0.1, restitution = 1 } }
-      map.layers = { tiled.group(2, "all", map.layers, around) }
-      local _, world = load(map)
-      local a, b = world.objects.things[1], world.objects.things[2]
-      assert.same({ true, 0.2, 1 }, { a.static, a.friction, a.restitution })
-      assert.is_nil(a.mood) -- that is what the layer is like, not what is in it
-      assert.same({ 0.3, 1, true }, { b.friction, b.restitution, b.kinematic })
-      assert.is_nil(b.static)
+describe("world:loadTiled, words", function()
+  for _, row in ipairs({
+    { "friction", "1.00", 1 },
+    { "mass", " 20.50 ", 20.5 },
+    { "vx", "-3.5", -3.5 },
+    { "static", "true", true },
+    { "sensor", "False", false },
+    { "oneWay", "true", "top" },
+    { "oneWay", "left", "left" },
+    { "oneWay", "false", nil },
+    { "oneWay", false, nil },
+    { "code", "007", "007" }, -- the game's own
+    { "mask", { players = false, tiles = true }, { players = false, tiles = true } },
+    { "loot", { "gold", { "key", 2 } }, { "gold", { "key", 2 } } },
+  }) do
+    it(("are values: %s = %q"):format(row[1], tostring(row[2])), function()
+      local isWall = row[1] == "oneWay" or nil
+      local level = load(things({ box(0, { [row[1]] = row[2], solid = isWall }) }))
+      assert.same(row[3], level.objects[1][row[1]])
+      assert.same({}, level.unsupported)
     end)
+  end
 
-    it("takes groups from layers, and from the property of the nearest", function()
-      local named = { properties = { group = "enemies" } }
-      local map = newObjects({
-        tiled.object(1, 0, 0, 8, 8),
-        tiled.object(2, 9, 0, 8, 8, { properties = { group = "coins" } }),
-      }, named)
-      map.layers[2] = tiled.objects(2, "empty", {})
-      local level, world = load(map)
-      assert.same({ "0 0 8 8" }, boxes(world, "enemies"))
-      assert.same({ "9 0 8 8" }, boxes(world, "coins"))
-      assert.same({}, world.objects.empty)
-      assert.is_nil(world.objects.things)
-      assert.is_nil(level.objects[1].group)
+  it("say yes and no in several ways", function()
+    for _, value in ipairs({ "true", "yes", "1", 1 }) do
+      assert.is_true(load(things({ box(0, { solid = value }) })).objects[1].static)
+    end
+    assert.same({}, load(things({ box(0, { solid = "false" }) })).objects)
+  end)
+
+  for _, row in ipairs({
+    { "drag", "true", 'drag must be a number >= 0, got "true"' },
+    { "friction", "0x10", 'friction must be a number >= 0, got "0x10"' },
+    { "friction", "-1", "friction must be a number >= 0, got -1" },
+    { "friction", 0 / 0, "friction must be a number >= 0, got nan" },
+    { "oneWay", "up", 'oneWay must be true, false, "top", "bottom", "left" or "right", got "up"' },
+    { "onBegin", "open", 'onBegin must be a function, got "open"' },
+    { "solid", 2, "solid must be true or false, got 2" },
+    { "group", true, "group must be a string or a number, got true" },
+    { "mask", { players = "no" }, 'mask.players must be true or false, got "no"' },
+  }) do
+    it("that cannot be are named, unless they are the game's own: " .. row[3], function()
+      local given = things({ box(7, { [row[1]] = row[2], lives = 3 }) })
+      local level = load(given)
+      assert.same({ 3, nil }, { level.objects[1].lives, rawget(level.objects[1], row[1]) })
+      local entry = level.unsupported[1]
+      assert.same(
+        { "object", "things", 7, row[3] },
+        { entry.kind, entry.layer, entry.id, entry.reason }
+      )
+      assert.equal(given.layers[1].objects[1], entry.object)
+      local isDone, message = pcall(load, given, { strict = true })
+      assert.is_false(isDone)
+      assert.truthy(message:find('layer "things", object 7: ' .. row[3], 1, true), message)
+      assert.same({}, load(given, { ignore = { row[1] }, strict = true }).unsupported)
     end)
+  end
 
-    it("adds to groups that are there, behind those in it", function()
-      local world = physics.newWorld()
-      local box = world:add("things", { x = -99, y = 0, width = 8, height = 8 })
-      local first = world:loadTiled(newObjects({ tiled.object(1, 0, 0, 8, 8) }))
-      local dynamic = { x = 50, kinds = { things = "dynamic" } }
-      local second = world:loadTiled(newObjects({ tiled.object(1, 0, 0, 8, 8) }), dynamic)
-      local things = world.objects.things
-      assert.same({ box, first.objects[1], second.objects[1] }, things)
-      assert.is_false(things[3].touching.bottom)
-      world:remove(first.objects[1])
-      assert.equal(2, #things)
-    end)
+  it("of layers, tiles and shapes, too, with their ids", function()
+    local tiles = {
+      { id = 2, type = "crate", properties = { solid = true, friction = "wood" } },
+      tiled.shapes(3, { tiled.object(5, 0, 0, 16, 8, { properties = { mass = -1 } }) }),
+    }
+    local inner = tiled.objects(3, "things", { box(0) })
+    local level = load(map({
+      tiled.tiles(1, "ground", { "34." }, { properties = { drag = "no" } }),
+      tiled.group(2, "all", { inner }, { properties = { vx = "fast" } }),
+    }, tiles))
+    local list = {}
+    for i, entry in ipairs(level.unsupported) do
+      list[i] = ("%s %s %d: %s"):format(entry.kind, entry.layer, entry.id, entry.reason)
+    end
+    assert.same({
+      'layer ground 1: drag must be a number >= 0, got "no"',
+      'tile ground 2: friction must be a number >= 0, got "wood"',
+      "tile ground 3: mass must be a number > 0, got -1",
+      'layer all 2: vx must be a number, got "fast"',
+    }, list)
+    assert.equal(3, #level.objects)
+  end)
 
-    -- Objects -------------------------------------------------------------------------------------
-
-    describe("reads objects", function()
-      it("with the name and class of the editor, and the way back to the map", function()
-        local map = newObjects({
-          tiled.object(7, 0, 0, 8, 8, { name = "door", type = "exit" }),
-          tiled.object(8, 9, 0, 8, 8, { name = "door", class = "of 1.9" }),
-        })
-        map.layers[1].objects[2].type = nil
-        local level = load(map)
-        local a, b = level.objects[1], level.objects[2]
-        assert.same({ "door", "exit" }, { a.name, a.type })
-        map.layers[1].objects[1].properties.type = "not this"
-        assert.equal("exit", load(map).objects[1].type)
-        map.layers[1].objects[2].class, map.layers[1].objects[2].properties.type = "", "but this"
-        assert.equal("but this", load(map).objects[2].type)
-        assert.equal("of 1.9", b.type)
-        assert.equal(a, level.named.door)
-        assert.equal(map.layers[1].objects[1], a.tiled.object)
-        assert.equal(map.layers[1], a.tiled.layer)
-        assert.equal(map, level.map)
-      end)
-
-      it("of which no table is shared with the map or each other", function()
-        local mask = { players = false }
-        local map = newObjects({
-          tiled.object(1, 0, 0, 8, 8),
-          tiled.object(2, 9, 0, 8, 8),
-        }, { properties = { mask = mask } })
-        local level = load(map)
-        local a, b = level.objects[1], level.objects[2]
-        assert.same({ players = false }, a.mask)
-        assert.are_not.equal(mask, a.mask)
-        assert.are_not.equal(a.mask, b.mask)
-      end)
-
-      it("except those that say solid = false", function()
-        local no = { properties = { solid = false } }
-        local point = { shape = "point", properties = { solid = false } }
-        local level = load(newObjects({
-          tiled.object(1, 0, 0, 8, 8, no),
-          tiled.object(2, 9, 0, 0, 0, point),
-          tiled.object(3, 30, 0, 8, 8),
-        }))
-        assert.equal(1, #level.objects)
-        assert.equal(30, level.objects[1].x)
-        assert.same({}, level.unsupported)
-        local set = tiled.tileset({ { id = 0, properties = { solid = false } } })
-        local object = tiled.object(1, 0, 8, 8, 8, { gid = 1, properties = { solid = true } })
-        assert.same({}, load(newObjects({ object }, nil, { set })).objects)
-        local list = { solidTiles = { 1 } } -- of tiles, not of objects
-        assert.same({}, load(newObjects({ object }, nil, { set }), list).objects)
-        local map = newObjects({ tiled.object(1, 0, 0, 8, 8) }, no)
-        assert.equal(1, #load(map, { solidLayers = { "things" } }).objects)
-      end)
-
-      --- A tile object stands on its x and y: `o` is what the map says.
-      ---
-      ---     bottomleft  +--+     topleft  o--+     center  +--+
-      ---                 |  |              |  |             |o |
-      ---                 o--+              +--+             +--+
-      for _, row in ipairs({
-        { "unspecified", "100 180 30 20" },
-        { "topleft", "100 200 30 20" },
-        { "topright", "70 200 30 20" },
-        { "center", "85 190 30 20" },
-        { "bottomleft", "100 180 30 20" },
-        { "bottomright", "70 180 30 20" },
-      }) do
-        it("with a tile, aligned " .. tostring(row[1]), function()
-          local set = tiled.tileset({}, { objectalignment = row[1] })
-          local object = tiled.object(1, 100, 200, 30, 20, { gid = 3, name = "tree" })
-          local _, world = load(newObjects({ object }, nil, { set }))
-          assert.same({ row[2] }, boxes(world, "things"))
-        end)
-      end
-
-      it("with the properties and the class of their tile", function()
-        local properties = { mass = 3, friction = 0.5, label = "fragile" }
-        local crate = { id = 2, type = "crate", properties = properties }
-        local own = { gid = 3, properties = { friction = 0.7 } }
-        local set = tiled.tileset({ crate })
-        local level = load(newObjects({ tiled.object(1, 0, 16, 16, 16, own) }, nil, { set }))
-        local made = level.objects[1]
-        assert.same({ 3, 0.7, "fragile" }, { made.mass, made.friction, made.label })
-        assert.equal("crate", made.type)
-        assert.equal(3, made.tiled.gid)
-      end)
-
-      --- A tile of 16 x 16 px with one rectangle, 4 px from the left, 6 from the top, 8 x 10.
-      for _, row in ipairs({
-        { "twice as wide", 32, 16, 0, "108 190 16 10" },
-        { "flipped left to right and large", 64, 16, tiled.FLIP_X, "116 190 32 10" },
-        { "flipped top to bottom", 16, 32, tiled.FLIP_Y, "104 168 8 20" },
-      }) do
-        it("with the one collision rectangle of their tile, " .. row[1], function()
-          local shape = tiled.object(1, 4, 6, 8, 10, { properties = { friction = 0.25 } })
-          local set = tiled.tileset({ tiled.shapes(2, { shape }) })
-          local object = tiled.object(1, 100, 200, row[2], row[3], { gid = 3 + row[4] })
-          local _, world = load(newObjects({ object }, nil, { set }))
-          assert.same({ row[5] }, boxes(world, "things"))
-          assert.equal(0.25, world.objects.things[1].friction)
-          assert.equal(3, world.objects.things[1].tiled.gid)
-        end)
-      end
-    end)
-
-    -- Not supported -------------------------------------------------------------------------------
-
-    describe("names what is not supported", function()
-      --- A map with something of everything that is not supported.
-      local function newZoo()
-        local solid = tiled.tileset({ { id = 0, properties = { solid = true } } })
-        local packed = tiled.tiles(4, "packed", { "1" })
-        packed.encoding, packed.compression, packed.data = "base64", "zlib", "eJw="
-        return tiled.map({ solid, { firstgid = 17, filename = "far.tsx" } }, {
-          tiled.tiles(1, "slopes", { "1a.a" }, nil, { a = 17 }),
-          tiled.objects(2, "shapes", {
-            tiled.object(3, 0, 0, 16, 8, { shape = "ellipse" }),
-            tiled.object(5, 0, 0, 16, 8, { shape = "text" }),
-            tiled.object(6, 0, 0, 16, 8, { rotation = 30 }),
-            tiled.object(8, 0, 0, 16, 8, { properties = { width = 3 } }),
-          }),
-          tiled.objects(3, "clouds", { tiled.object(9, 0, 0, 32, 16) }, { parallaxx = 0.5 }),
-          packed,
-          { type = "imagelayer", id = 5, name = "hills", properties = { solid = true } },
-        })
-      end
-
-      it("with kind, layer, id and reason, in the order of the layers", function()
-        local level, world = load(newZoo())
-        local lines = {}
-        for i, entry in ipairs(level.unsupported) do
-          lines[i] = ("%s %s %s: %s"):format(entry.kind, entry.layer, entry.id, entry.reason)
-        end
-        local external = 'external ("far.tsx"): what its tiles are is not in this export, embed it'
-        assert.same({
-          "tileset slopes 17: " .. external,
-          "object shapes 3: ellipse: only circles are round; the option ellipses = "
-            .. '"box" makes it a box',
-          "object shapes 5: text: only rectangles are boxes",
-          "object shapes 6: rotated by 30 degrees: boxes do not turn",
-          'object shapes 8: property "width": the editor\'s own value counts',
-          "layer clouds 3: parallax: its objects do not drift",
-          "layer packed 4: encoded data (zlib, base64): LÖVE is not here to unpack it, and there is"
-            .. " no option decompress; choose CSV as Tile Layer Format in the map's properties",
-          "layer hills 5: image layer: it has no boxes",
-        }, lines)
-        -- The rest is there.
-        assert.same({ "0 0 16 16" }, boxes(world, "slopes"))
-        assert.same({ "0 0 32 16" }, boxes(world, "clouds"))
-        local entry = load(newZoo(), { x = 1000 }).unsupported[2]
-        assert.same({ 3, 1, 1000 }, { entry.id, entry.count, entry.x })
-        assert.equal("ellipse", entry.object.shape)
-      end)
-
-      it("but not where nothing is solid, and no layer of which nothing is wanted", function()
-        local map = newZoo()
-        for _, layer in ipairs(map.layers) do
-          layer.properties.solid = false
-        end
-        assert.same({}, load(map).unsupported)
-        assert.same({}, load(newZoo(), { skipLayers = { 1, 2, 3, 4, 5 } }).unsupported)
-        map = newObjects({}, { parallaxx = 0.5 })
-        assert.same({}, load(map).unsupported)
-        map.layers[1].objects[1] = tiled.object(1, 0, 0, 8, 8)
-        assert.equal(1, #load(map).unsupported)
-      end)
-
-      for _, orientation in ipairs({ "isometric", "hexagonal" }) do
-        it("of a map that is " .. orientation .. " each layer", function()
-          local map = dofile(MEADOW)
-          map.orientation = orientation
-          local level, world = load(map)
-          assert.same({}, level.objects)
-          assert.same({}, world.objects)
-          local ids = {}
-          for i, entry in ipairs(level.unsupported) do
-            ids[i] = entry.id
-            assert.equal(orientation .. " map: only orthogonal ones have boxes", entry.reason)
-          end
-          assert.same({ 7, 1, 2, 4, 6 }, ids)
-        end)
-      end
-
-      it("also a type of layer that is unknown", function()
-        local map = newObjects({})
-        map.layers[1].type = "hologram"
-        local entry = load(map).unsupported[1]
-        assert.same({ "layer", 1 }, { entry.kind, entry.id })
-        assert.equal('unknown type of layer: "hologram"', entry.reason)
-      end)
-    end)
+  it("may be the same table twice", function()
+    local loot = {}
+    assert.same({ {}, {} }, load(things({ box(0, { loot = { loot, loot } }) })).objects[1].loot)
   end)
 end)

@@ -12,21 +12,10 @@ function ldtk.intGrid(identifier, rows, extra)
       csv[#csv + 1] = tonumber(character) or 0
     end
   end
-  return copyInto({
-    __identifier = identifier,
-    __type = "IntGrid",
-    __cWid = #rows[1],
-    __cHei = #rows,
-    __gridSize = 16,
-    __pxTotalOffsetX = 0,
-    __pxTotalOffsetY = 0,
-    iid = "layer-" .. identifier,
-    layerDefUid = 1,
-    intGridCsv = csv,
-    autoLayerTiles = {},
-    gridTiles = {},
-    entityInstances = {},
-  }, extra)
+  local layer = { __identifier = identifier, __type = "IntGrid", __gridSize = 16, layerDefUid = 1 }
+  layer.__cWid, layer.__cHei, layer.iid = #rows[1], #rows, "layer-" .. identifier
+  layer.intGridCsv, layer.autoLayerTiles, layer.gridTiles = csv, {}, {}
+  return copyInto(layer, extra)
 end
 
 --- An entity; `fields` are names and values.
@@ -35,18 +24,10 @@ function ldtk.entity(identifier, x, y, width, height, fields, extra)
   for name, value in pairs(fields or {}) do
     list[#list + 1] = { __identifier = name, __type = "String", __value = value, defUid = 9 }
   end
-  return copyInto({
-    __identifier = identifier,
-    __grid = { 0, 0 },
-    __pivot = { 0.5, 1 },
-    __tags = {},
-    iid = "entity-" .. identifier,
-    width = width,
-    height = height,
-    defUid = 7,
-    px = { x, y },
-    fieldInstances = list,
-  }, extra)
+  local entity = { __identifier = identifier, __pivot = { 0.5, 1 }, __tags = {}, px = { x, y } }
+  entity.width, entity.height, entity.iid = width, height, "entity-" .. identifier
+  entity.fieldInstances = list
+  return copyInto(entity, extra)
 end
 
 function ldtk.entities(identifier, list, extra)
@@ -56,18 +37,10 @@ function ldtk.entities(identifier, list, extra)
 end
 
 function ldtk.level(identifier, layers, extra)
-  return copyInto({
-    identifier = identifier,
-    iid = "level-" .. identifier,
-    uid = 0,
-    worldX = 512,
-    worldY = -64,
-    pxWid = 320,
-    pxHei = 160,
-    externalRelPath = nil,
-    fieldInstances = { { __identifier = "music", __type = "String", __value = "cave" } },
-    layerInstances = layers,
-  }, extra)
+  local level = { identifier = identifier, iid = "level-" .. identifier, layerInstances = layers }
+  level.worldX, level.worldY, level.pxWid, level.pxHei = 512, -64, 320, 160
+  level.fieldInstances = { { __identifier = "music", __type = "String", __value = "cave" } }
+  return copyInto(level, extra)
 end
 
 --- A project; `values` are the values of its one IntGrid layer: number -> identifier.

@@ -21,6 +21,60 @@ function tiled.load(map, options)
   return level, world
 end
 
+-- What is read ------------------------------------------------------------------------------------
+
+local SKIPPED = { x = true, y = true, width = true, height = true, tiled = true, ldtk = true }
+SKIPPED.touching, SKIPPED.points = true, true
+
+local function show(value, depth)
+  if type(value) ~= "table" then
+    return type(value) == "number" and ("%.8g"):format(value) or tostring(value)
+  end
+  local list = {}
+  for key, inner in pairs(value) do
+    if depth > 0 or not (SKIPPED[key] or inner == 0 and (key == "vx" or key == "vy")) then
+      list[#list + 1] = inner == true and key or ("%s=%s"):format(key, show(inner, depth + 1))
+    end
+  end
+  table.sort(list)
+  local text = table.concat(list, " ")
+  return depth > 0 and "{" .. text .. "}" or text
+end
+
+local function describe(words, thing)
+  local place = ("%.8g %.8g"):format(thing.x, thing.y)
+  if thing.width then
+    place = ("%s %.8g %.8g"):format(place, thing.width, thing.height)
+  end
+  for _, point in ipairs(thing.points or {}) do
+    place = ("%s, %.8g %.8g"):format(place, point.x, point.y)
+  end
+  return (("%s %s %s"):format(words, place, show(thing, 0)):gsub(" $", ""))
+end
+
+--- A level as a text: "group x y width height fields" of each object, points, lines and pictures
+--- likewise, and "! layer: reason" of what is not supported, with " x2" if it is twice.
+function tiled.show(level, world)
+  local groupOf, list = {}, {}
+  for group, objects in pairs(world.objects) do
+    for _, object in ipairs(objects) do
+      groupOf[object] = group
+    end
+  end
+  for _, kind in ipairs({ "objects", "points", "lines", "pictures" }) do
+    for _, thing in ipairs(level[kind] or {}) do
+      if not thing.gridTiles then
+        list[#list + 1] = describe(groupOf[thing] or kind:sub(1, -2), thing)
+      end
+    end
+  end
+  for _, entry in ipairs(level.unsupported) do
+    local count = entry.count > 1 and " x" .. entry.count or ""
+    list[#list + 1] = ("! %s: %s%s"):format(entry.layer, entry.reason, count)
+  end
+  return table.concat(list, "; ")
+end
+
 --- The boxes of a group, one text each: "x y width height".
 function tiled.boxes(world, group)
   local list = {}
@@ -39,67 +93,24 @@ end
 
 tiled.copyInto = copyInto
 
---- A map of 16 px tiles around some tilesets and layers.
+--- A map of 16 px tiles around some tilesets and layers. What the library never reads is left out;
+--- spec/maps has whole exports.
 function tiled.map(tilesets, layers, extra)
-  return copyInto({
-    version = "1.10",
-    luaversion = "5.1",
-    tiledversion = "1.10.2",
-    class = "",
-    orientation = "orthogonal",
-    renderorder = "right-down",
-    width = 8,
-    height = 4,
-    tilewidth = 16,
-    tileheight = 16,
-    nextlayerid = 99,
-    nextobjectid = 99,
-    properties = {},
-    tilesets = tilesets,
-    layers = layers,
-  }, extra)
+  local map = { orientation = "orthogonal", width = 8, height = 4, tilewidth = 16, tileheight = 16 }
+  map.properties, map.tilesets, map.layers = {}, tilesets, layers
+  return copyInto(map, extra)
 end
 
 --- A tileset of 16 px tiles; `tiles` are those that say something.
 function tiled.tileset(tiles, extra)
-  return copyInto({
-    name = "terrain",
-    firstgid = 1,
-    class = "",
-    tilewidth = 16,
-    tileheight = 16,
-    spacing = 0,
-    margin = 0,
-    columns = 4,
-    image = "terrain.png",
-    imagewidth = 64,
-    imageheight = 64,
-    objectalignment = "unspecified",
-    tilerendersize = "tile",
-    fillmode = "stretch",
-    tileoffset = { x = 0, y = 0 },
-    grid = { orientation = "orthogonal", width = 16, height = 16 },
-    properties = {},
-    wangsets = {},
-    tilecount = 16,
-    tiles = tiles or {},
-  }, extra)
+  local set = { name = "terrain", firstgid = 1, tilewidth = 16, tileheight = 16, tilecount = 16 }
+  set.objectalignment, set.tilerendersize = "unspecified", "tile"
+  set.tileoffset, set.tiles = { x = 0, y = 0 }, tiles or {}
+  return copyInto(set, extra)
 end
 
 local function layer(type, id, name, extra)
-  return copyInto({
-    type = type,
-    id = id,
-    name = name,
-    class = "",
-    visible = true,
-    opacity = 1,
-    offsetx = 0,
-    offsety = 0,
-    parallaxx = 1,
-    parallaxy = 1,
-    properties = {},
-  }, extra)
+  return copyInto({ type = type, id = id, name = name, class = "", properties = {} }, extra)
 end
 
 --- The gids of a picture: "." is nothing, a digit is a gid, other characters stand in `legend`.
@@ -117,14 +128,14 @@ end
 
 --- A tile layer from a picture.
 function tiled.tiles(id, name, rows, extra, legend)
-  local made = layer("tilelayer", id, name, { x = 0, y = 0, encoding = "lua" })
+  local made = layer("tilelayer", id, name, { encoding = "lua" })
   made.width, made.height, made.data = #rows[1], #rows, tiled.gids(rows, legend)
   return copyInto(made, extra)
 end
 
 --- An object layer.
 function tiled.objects(id, name, objects, extra)
-  local made = layer("objectgroup", id, name, { draworder = "topdown", objects = objects })
+  local made = layer("objectgroup", id, name, { objects = objects })
   return copyInto(made, extra)
 end
 
@@ -135,24 +146,14 @@ end
 
 --- A rectangle of an object layer, or of a tile's collision shapes.
 function tiled.object(id, x, y, width, height, extra)
-  return copyInto({
-    id = id,
-    name = "",
-    type = "",
-    shape = "rectangle",
-    x = x,
-    y = y,
-    width = width,
-    height = height,
-    rotation = 0,
-    visible = true,
-    properties = {},
-  }, extra)
+  local object = { id = id, x = x, y = y, width = width, height = height, rotation = 0 }
+  object.name, object.type, object.shape, object.properties = "", "", "rectangle", {}
+  return copyInto(object, extra)
 end
 
 --- What a tileset says of a tile with collision shapes.
 function tiled.shapes(id, objects, extra)
-  local group = tiled.objects(nil, "", objects, { draworder = "index", id = 2 })
+  local group = tiled.objects(2, "", objects)
   return copyInto({ id = id, objectGroup = group }, extra)
 end
 
@@ -257,6 +258,87 @@ function tiled.sti(map, offsetX, offsetY)
     map.layers[inner.name] = inner
   end
   return map
+end
+
+-- Rows --------------------------------------------------------------------------------------------
+
+--- A map with this title must be read like that, through STI, too, unless `sti` is false.
+function tiled.row(title, map, expected, options, sti)
+  it(title, function()
+    assert.equal(expected, tiled.show(tiled.load(map, options)))
+    if sti ~= false then
+      assert.equal(expected, tiled.show(tiled.load(tiled.sti(map), options)))
+    end
+  end)
+end
+
+-- Reads words: `name=value` is a field of the editor, `name:value` a property, `4,5` a corner, and
+-- a word without these the shape. Returns the plain numbers.
+local function readWords(target, text)
+  local numbers = {}
+  for word in text:gmatch("%S+") do
+    local name, sign, value = word:match("^(%a%w*)([=:])(.*)$")
+    local x, y = word:match("^(%-?[%d.]+),(%-?[%d.]+)$")
+    if name then
+      local owner = sign == "=" and target or target.properties
+      owner[name] = value == "true" or value ~= "false" and (tonumber(value) or value)
+    elseif x then
+      table.insert(target[target.shape], { x = tonumber(x), y = tonumber(y) })
+    elseif tonumber(word) then
+      numbers[#numbers + 1] = tonumber(word)
+    else
+      target.shape, target[word] = word, {}
+    end
+  end
+  return numbers
+end
+
+local function readBody(name, body)
+  local rows, objects = {}, {}
+  if body:find("^#") then
+    for row in body:gmatch("[^# ]+") do
+      rows[#rows + 1] = row
+    end
+    return tiled.tiles(1, name, rows)
+  end
+  for part in body:gmatch("[^;]+") do
+    local object = tiled.object(#objects + 1)
+    local numbers = readWords(object, part)
+    object.x, object.y, object.width, object.height = numbers[1], numbers[2], numbers[3], numbers[4]
+    objects[#objects + 1] = object
+  end
+  return tiled.objects(1, name, objects)
+end
+
+--- Rows of text: "title | layer | body | options", and below it, indented, what `show` gives. The
+--- layer is a name and words (see above), the body a picture of tiles, "#11. 1..", or objects,
+--- "ellipse 0 0 8 8 name=a solid:true; 9 0 8 8". The options are Lua; `tiles` and `set` among them
+--- are the tileset's, and they know the names in `known`.
+function tiled.text(text, known)
+  local rows = {}
+  for line in text:gmatch("[^\n]+") do
+    local title, head, body, options = line:match("^(%S.-) +| (.-) +| ([^|]*)|? ?(.*)$")
+    if title then
+      local compile = rawget(_G, "loadstring") or rawget(_G, "load")
+      local chunk = assert(compile("return { " .. options .. " }"))
+      rows[#rows + 1] = { title = title, options = chunk(), expected = {} }
+      rows[#rows].layer = readBody(head:match("%S+"), body)
+      readWords(rows[#rows].layer, head:match("%S+(.*)"))
+    else
+      table.insert(rows[#rows].expected, line:match("^ +(.*)$"))
+    end
+  end
+  for _, row in ipairs(rows) do
+    local options = row.options
+    local set = tiled.tileset(known and known[options.tiles], known and known[options.set])
+    options.tiles, options.set = nil, nil
+    tiled.row(
+      row.title,
+      tiled.map({ set }, { row.layer }),
+      table.concat(row.expected, "; "),
+      options
+    )
+  end
 end
 
 return tiled
