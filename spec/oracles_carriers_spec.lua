@@ -4,15 +4,14 @@ local oracle = require("spec.support.oracle")
 local some = oracle.some
 
 local class, EXACT = oracle.newClass(it), oracle.EXACT
-local timeTo, braked, newScene = oracle.timeTo, oracle.braked, oracle.newScene
+local timeTo, braked = oracle.timeTo, oracle.braked
 local abs, max, min, sqrt = math.abs, math.max, math.min, math.sqrt
 
 describe("kinematic and surfaceSpeed: known by hand, a box", function()
   -- Lifts and slopes
 
-  class("rides a lift, and jumps off it with its speed", EXACT, function(random, rate)
-    local g, u, w, jump = some(random, 300, 1200, -200, 200, -150, 150, 100, 400)
-    local s = newScene(random, rate, { gravity = g })
+  class("rides a lift, and jumps off it with its speed", EXACT, function(s)
+    local g, u, w, jump = s:draw(300, 1200, -200, 200, -150, 150, 100, 400)
     local lift = { x = -500, y = 0, width = 1000, height = 20, kinematic = true, vx = u, vy = w }
     s.world:add("lifts", lift)
     local b = s:stand({ x = 0 })
@@ -28,12 +27,10 @@ describe("kinematic and surfaceSpeed: known by hand, a box", function()
       s:near("height over the lift", max(jump * t - g * t * t / 2, 0), lift.y - b.y - b.height)
       s:near("x on the lift", x0, b.x - lift.x)
     end)
-    return s
   end)
 
-  class("falls on a lift and rides it", EXACT, function(random, rate)
-    local g, h, w = some(random, 300, 1200, 10, 200, -150, 150)
-    local s = newScene(random, rate, { gravity = g })
+  class("falls on a lift and rides it", EXACT, function(s)
+    local g, h, w = s:draw(300, 1200, 10, 200, -150, 150)
     local lift = { x = -500, y = 0, width = 1000, height = 20, kinematic = true, vy = w }
     s.world:add("lifts", lift)
     local b = s:box({ x = 0, y = 0 })
@@ -44,12 +41,11 @@ describe("kinematic and surfaceSpeed: known by hand, a box", function()
       local height = t < moment and h + w * t - g * t * t / 2 or 0
       s:near("height over the lift", height, lift.y - b.y - b.height)
     end)
-    return s
   end)
 
-  class("lies on a belt that stands upright, under sideways gravity", EXACT, function(random, rate)
-    local g, mu, v, u = some(random, 300, 1200, 0.05, 1, -300, 300, -200, 200)
-    local s = newScene(random, rate, { gravity = 0, gravityX = g })
+  class("lies on a belt that stands upright, under sideways gravity", EXACT, function(s)
+    local g, mu, v, u = s:draw(300, 1200, 0.05, 1, -300, 300, -200, 200)
+    s:set({ gravity = 0, gravityX = g })
     local belt = { x = 0, y = -9000, width = 20, height = 18000, static = true, surfaceSpeed = u }
     s.world:add("belts", belt)
     local b = s:box({ x = 0, y = 0, friction = mu })
@@ -61,12 +57,10 @@ describe("kinematic and surfaceSpeed: known by hand, a box", function()
       s:near("y", y0 + u * t + braked(v, mu * g, t), b.y)
       s:near("x", -b.width, b.x)
     end)
-    return s
   end)
 
-  class("slides on the belt that it falls on", 0, function(random, rate)
-    local g, h, mu, v, u = some(random, 300, 1200, 5, 60, 0.05, 1, -300, 300, -200, 200)
-    local s = newScene(random, rate, { gravity = g })
+  class("slides on the belt that it falls on", 0, function(s)
+    local g, h, mu, v, u = s:draw(300, 1200, 5, 60, 0.05, 1, -300, 300, -200, 200)
     s:floor({ surfaceSpeed = u })
     s.tolerance = abs(u) * s:longest() -- it is carried from the next step on
     local b = s:box({ x = 0, y = 0, friction = mu, vx = v })
@@ -79,11 +73,11 @@ describe("kinematic and surfaceSpeed: known by hand, a box", function()
       local late = max(t - moment, 0)
       s:near("x", v * min(t, moment) + u * late + braked(own, mu * g, late), b.x)
     end)
-    return s
   end)
 
-  class("walks up and down a slope along its edge", EXACT, function(random, rate)
-    local s = newScene(random, rate, { gravity = random:between(300, 1200) })
+  class("walks up and down a slope along its edge", EXACT, function(s)
+    local random = s.random
+    s:set({ gravity = random:between(300, 1200) })
     local width, height = some(random, 200, 400, 20, 400)
     local v, isFair = random:between(30, 300), random:chance(0.5)
     s:floor()
@@ -108,6 +102,5 @@ describe("kinematic and surfaceSpeed: known by hand, a box", function()
       s:near("x", x, b.x + b.width)
       s:near("y", -min(max(x, 0), width) * steep, b.y + b.height)
     end)
-    return s
   end)
 end)

@@ -1,20 +1,18 @@
 --- Oracles: friction, alone and in rows (spec/support/oracle.lua).
 
 local oracle = require("spec.support.oracle")
-local some = oracle.some
 
 local class, EXACT, MEETING = oracle.newClass(it), oracle.EXACT, oracle.MEETING
-local braked, limited, inAir, newScene =
-  oracle.braked, oracle.limited, oracle.inAir, oracle.newScene
+local braked, limited, inAir = oracle.braked, oracle.limited, oracle.inAir
 local abs, max, min, sqrt = math.abs, math.max, math.min, math.sqrt
 
 describe("friction: known by hand, a box", function()
   -- Friction
 
-  class("slides to a stop", EXACT, function(random, rate)
-    local g, mu, v = some(random, 300, 1200, 0.05, 1.2, -400, 400)
+  class("slides to a stop", EXACT, function(s)
+    local g, mu, v = s:draw(300, 1200, 0.05, 1.2, -400, 400)
+    local random = s.random
     local own = random:between(0.05, 1.5)
-    local s = newScene(random, rate, { gravity = g })
     s:floor({ friction = mu * mu / own })
     local b = s:stand({ x = 0, vx = v, friction = own })
     s:play(2, function(t)
@@ -23,12 +21,10 @@ describe("friction: known by hand, a box", function()
       s:near("vx", speed, b.vx)
       s:near("y", -b.height, b.y)
     end)
-    return s
   end)
 
-  class("slides to a stop in air", EXACT, function(random, rate)
-    local g, mu, v, k = some(random, 300, 1200, 0.05, 0.8, 50, 600, 0.2, 3)
-    local s = newScene(random, rate, { gravity = g })
+  class("slides to a stop in air", EXACT, function(s)
+    local g, mu, v, k = s:draw(300, 1200, 0.05, 0.8, 50, 600, 0.2, 3)
     s:floor()
     local b = s:stand({ x = 0, vx = v, friction = mu, airFriction = k })
     local stop = math.log(1 + v * k / (mu * g)) / k
@@ -37,13 +33,13 @@ describe("friction: known by hand, a box", function()
       s:near("x", x, b.x)
       s:near("vx", t < stop and speed or 0, b.vx)
     end)
-    return s
   end)
 
-  class("starts in air, driven by less than 1 px/s²", EXACT, function(random, rate)
+  class("starts in air, driven by less than 1 px/s²", EXACT, function(s)
+    local random = s.random
     local mu, k, sign = random:between(0.05, 0.3), random:between(0.2, 1), random:pick({ 1, -1 })
     local a = random:between(mu + 0.1, 0.95)
-    local s = newScene(random, rate, { gravity = 1 })
+    s:set({ gravity = 1 })
     s:floor()
     local b = s:stand({ x = 0, friction = mu, airFriction = k, ax = sign * a })
     s:play(4, function(t)
@@ -51,12 +47,10 @@ describe("friction: known by hand, a box", function()
       s:near("x", sign * x, b.x)
       s:near("vx", sign * speed, b.vx)
     end)
-    return s
   end)
 
-  class("drives against friction up to its limit", EXACT, function(random, rate)
-    local g, mu, a, limit = some(random, 300, 1200, 0, 0.8, 50, 800, 60, 300)
-    local s = newScene(random, rate, { gravity = g })
+  class("drives against friction up to its limit", EXACT, function(s)
+    local g, mu, a, limit = s:draw(300, 1200, 0, 0.8, 50, 800, 60, 300)
     s:floor()
     local b = s:stand({ x = 0, friction = mu, ax = a, maxSpeedX = limit })
     s:play(2, function(t)
@@ -67,13 +61,12 @@ describe("friction: known by hand, a box", function()
       s:near("x", x, b.x)
       s:near("vx", v, b.vx)
     end)
-    return s
   end)
 
-  class("turns where its engine overcomes its slide", EXACT, function(random, rate)
-    local g, mu, v = some(random, 300, 1200, 0.05, 0.5, 50, 300)
+  class("turns where its engine overcomes its slide", EXACT, function(s)
+    local g, mu, v = s:draw(300, 1200, 0.05, 0.5, 50, 300)
+    local random = s.random
     local a = mu * g * random:between(0.5, 3)
-    local s = newScene(random, rate, { gravity = g })
     s:floor()
     local b = s:stand({ x = 0, friction = mu, vx = v, ax = -a })
     local stop = v / (a + mu * g)
@@ -82,12 +75,10 @@ describe("friction: known by hand, a box", function()
       local late = max(t - stop, 0)
       s:near("x", x - max(a - mu * g, 0) * late * late / 2, b.x)
     end)
-    return s
   end)
 
-  class("slides down the wall that it is pressed to", EXACT, function(random, rate)
-    local g, mu, a, v = some(random, 300, 1200, 0, 0.9, 100, 800, 0, 200)
-    local s = newScene(random, rate, { gravity = g })
+  class("slides down the wall that it is pressed to", EXACT, function(s)
+    local g, mu, a, v = s:draw(300, 1200, 0, 0.9, 100, 800, 0, 200)
     s.world:add("walls", { x = 0, y = -1000, width = 20, height = 20000, static = true })
     local b = s:box({ x = 0, y = 0, friction = mu, ax = a, vy = v })
     b.x = -b.width
@@ -101,12 +92,10 @@ describe("friction: known by hand, a box", function()
       s:near("y", y, b.y)
       s:near("vy", speed, b.vy)
     end)
-    return s
   end)
 
-  class("slides on a belt, seen from the belt", EXACT, function(random, rate)
-    local g, mu, v, u = some(random, 300, 1200, 0.05, 1, -300, 300, -200, 200)
-    local s = newScene(random, rate, { gravity = g })
+  class("slides on a belt, seen from the belt", EXACT, function(s)
+    local g, mu, v, u = s:draw(300, 1200, 0.05, 1, -300, 300, -200, 200)
     s:floor({ surfaceSpeed = u })
     local b = s:stand({ x = 0, friction = mu })
     s:play(0.2)
@@ -117,13 +106,12 @@ describe("friction: known by hand, a box", function()
       s:near("x", x0 + u * t + x, b.x)
       s:near("vx", speed, b.vx)
     end)
-    return s
   end)
 
-  class("slides on a train, seen from the train", EXACT, function(random, rate)
-    local g, mu, v, u = some(random, 300, 1200, 0.05, 1, -300, 300, -300, 300)
+  class("slides on a train, seen from the train", EXACT, function(s)
+    local g, mu, v, u = s:draw(300, 1200, 0.05, 1, -300, 300, -300, 300)
+    local random = s.random
     local w = random:between(-100, 100)
-    local s = newScene(random, rate, { gravity = g })
     local train = { x = -4000, y = 0, width = 8000, height = 20, kinematic = true, vx = u, vy = w }
     s.world:add("trains", train)
     local b = s:stand({ x = 0, friction = mu })
@@ -134,12 +122,10 @@ describe("friction: known by hand, a box", function()
       s:near("x", x0 + braked(v, mu * g, t), b.x - train.x)
       s:near("y", 0, train.y - b.y - b.height)
     end)
-    return s
   end)
 
-  class("slides to a stop on another, which the floor holds", EXACT, function(random, rate)
-    local g, mu, v = some(random, 300, 1200, 0.05, 0.5, -80, 80)
-    local s = newScene(random, rate, { gravity = g })
+  class("slides to a stop on another, which the floor holds", EXACT, function(s)
+    local g, mu, v = s:draw(300, 1200, 0.05, 0.5, -80, 80)
     s:floor({ friction = 40 })
     local low = s:stand({ x = 0, width = 400, friction = 0.5 })
     local high = s:box({ x = 200, y = 0, friction = mu * mu / 0.5, vx = v })
@@ -148,35 +134,28 @@ describe("friction: known by hand, a box", function()
       s:near("x of the high one", 200 + braked(v, mu * g, t), high.x)
       s:near("x of the low one", 0, low.x)
     end)
-    return s
   end)
 
-  class(
-    "slides on ice with another on it until both are equally fast",
-    EXACT,
-    function(random, rate)
-      local g, mu, v = some(random, 300, 1200, 0.1, 0.5, -120, 120)
-      local s = newScene(random, rate, { gravity = g })
-      s:floor({ friction = 0 })
-      local low = s:stand({ x = 0, width = 600, friction = mu })
-      local high = s:box({ x = 300, y = 0, friction = mu, vx = v })
-      high.y = low.y - high.height
-      local slows, drives = mu * g, mu * g * high.mass / low.mass
-      local together = abs(v) / (slows + drives)
-      local sign = v < 0 and -1 or 1
-      s:play(1.5, function(t)
-        local slip, late = min(t, together), max(t - together, 0)
-        local common = sign * drives * together
-        s:near("x of the low one", sign * drives * slip * slip / 2 + common * late, low.x)
-        s:near(
-          "x of the high one",
-          300 + v * slip - sign * slows * slip * slip / 2 + common * late,
-          high.x
-        )
-      end)
-      return s
-    end
-  )
+  class("slides on ice with another on it until both are equally fast", EXACT, function(s)
+    local g, mu, v = s:draw(300, 1200, 0.1, 0.5, -120, 120)
+    s:floor({ friction = 0 })
+    local low = s:stand({ x = 0, width = 600, friction = mu })
+    local high = s:box({ x = 300, y = 0, friction = mu, vx = v })
+    high.y = low.y - high.height
+    local slows, drives = mu * g, mu * g * high.mass / low.mass
+    local together = abs(v) / (slows + drives)
+    local sign = v < 0 and -1 or 1
+    s:play(1.5, function(t)
+      local slip, late = min(t, together), max(t - together, 0)
+      local common = sign * drives * together
+      s:near("x of the low one", sign * drives * slip * slip / 2 + common * late, low.x)
+      s:near(
+        "x of the high one",
+        300 + v * slip - sign * slows * slip * slip / 2 + common * late,
+        high.x
+      )
+    end)
+  end)
 
   -- Rows
 
@@ -193,40 +172,35 @@ describe("friction: known by hand, a box", function()
     return row, mass, rub
   end
 
-  class(
-    "pushes a row with its engine, by the mass of all and their friction",
-    EXACT,
-    function(random, rate)
-      local g, a, limit = some(random, 300, 1200, 300, 2000, 60, 200)
-      local s = newScene(random, rate, { gravity = g })
-      s:floor()
-      local row, mass, rub = newTrain(s, random:integer(2, 6), function()
-        return random:chance(0.3) and 0 or random:between(0, 0.3)
-      end, { ax = a, maxSpeedX = limit })
-      local all = (row[1].mass * a - rub * g) / mass
-      local start = {}
-      for n, b in ipairs(row) do
-        start[n] = b.x
-      end
-      s:play(1.5, function(t)
-        local x = all > 0 and limited(0, all, limit, t) or 0
-        for n, b in ipairs(row) do
-          if all > 0 then
-            s:near("x of " .. n, start[n] + x, b.x)
-          else
-            s:near("x of " .. n, start[n], b.x)
-          end
-        end
-        return x
-      end)
-      return s
+  class("pushes a row with its engine, by the mass of all and their friction", EXACT, function(s)
+    local g, a, limit = s:draw(300, 1200, 300, 2000, 60, 200)
+    local random = s.random
+    s:floor()
+    local row, mass, rub = newTrain(s, random:integer(2, 6), function()
+      return random:chance(0.3) and 0 or random:between(0, 0.3)
+    end, { ax = a, maxSpeedX = limit })
+    local all = (row[1].mass * a - rub * g) / mass
+    local start = {}
+    for n, b in ipairs(row) do
+      start[n] = b.x
     end
-  )
+    s:play(1.5, function(t)
+      local x = all > 0 and limited(0, all, limit, t) or 0
+      for n, b in ipairs(row) do
+        if all > 0 then
+          s:near("x of " .. n, start[n] + x, b.x)
+        else
+          s:near("x of " .. n, start[n], b.x)
+        end
+      end
+      return x
+    end)
+  end)
 
   -- Where both stop in the same step.
-  class("pushes the one before it that friction brakes more", MEETING, function(random, rate)
-    local g, v = some(random, 300, 1200, 50, 300)
-    local s = newScene(random, rate, { gravity = g })
+  class("pushes the one before it that friction brakes more", MEETING, function(s)
+    local g, v = s:draw(300, 1200, 50, 300)
+    local random = s.random
     s:floor()
     local low = random:between(0, 0.3)
     local a = s:stand({ x = 0, vx = v, friction = low })
@@ -237,30 +211,24 @@ describe("friction: known by hand, a box", function()
       s:near("x of a", x, a.x)
       s:near("x of b", a.width + x, b.x)
     end)
-    return s
   end)
 
-  class(
-    "comes apart from the one behind it that friction brakes more",
-    EXACT,
-    function(random, rate)
-      local g, v = some(random, 300, 1200, 50, 300)
-      local s = newScene(random, rate, { gravity = g })
-      s:floor()
-      local low = random:between(0.05, 0.3)
-      local a = s:stand({ x = 0, vx = v, friction = low + random:between(0.01, 0.5) })
-      local b = s:stand({ x = a.width, vx = v, friction = low })
-      s:play(2, function(t)
-        s:near("x of a", braked(v, a.friction * g, t), a.x)
-        s:near("x of b", a.width + braked(v, b.friction * g, t), b.x)
-      end)
-      return s
-    end
-  )
+  class("comes apart from the one behind it that friction brakes more", EXACT, function(s)
+    local g, v = s:draw(300, 1200, 50, 300)
+    local random = s.random
+    s:floor()
+    local low = random:between(0.05, 0.3)
+    local a = s:stand({ x = 0, vx = v, friction = low + random:between(0.01, 0.5) })
+    local b = s:stand({ x = a.width, vx = v, friction = low })
+    s:play(2, function(t)
+      s:near("x of a", braked(v, a.friction * g, t), a.x)
+      s:near("x of b", a.width + braked(v, b.friction * g, t), b.x)
+    end)
+  end)
 
-  class("hits one that lies there, and both slide to a stop", MEETING, function(random, rate)
-    local g, r, muA, muB = some(random, 300, 1200, 0.3, 1, 0.05, 0.4, 0.05, 0.4)
-    local s = newScene(random, rate, { gravity = g })
+  class("hits one that lies there, and both slide to a stop", MEETING, function(s)
+    local g, r, muA, muB = s:draw(300, 1200, 0.3, 1, 0.05, 0.4, 0.05, 0.4)
+    local random = s.random
     s:floor()
     local gap = random:between(5, 60)
     local v = sqrt(2 * muA * g * gap) + random:between(40, 300)
@@ -277,6 +245,5 @@ describe("friction: known by hand, a box", function()
         s:near("x of b", a.width + gap + braked(afterB, muB * g, t - moment), b.x)
       end
     end)
-    return s
   end)
 end)

@@ -4,7 +4,7 @@ local oracle = require("spec.support.oracle")
 local some = oracle.some
 
 local class, MEETING = oracle.newClass(it), oracle.MEETING
-local timeTo, playLine, newScene = oracle.timeTo, oracle.playLine, oracle.newScene
+local timeTo, playLine = oracle.timeTo, oracle.playLine
 local abs, huge, max, sqrt = math.abs, math.huge, math.max, math.sqrt
 
 describe("restitution: known by hand,", function()
@@ -41,16 +41,18 @@ describe("restitution: known by hand,", function()
     { "three that do not bounce", 3, false },
     { "five that do not bounce", 5, false },
   }) do
-    class("impacts of " .. row[1], MEETING, function(random, rate)
-      local s = newScene(random, rate, { gravity = 0 })
+    class("impacts of " .. row[1], MEETING, function(s)
+      local random = s.random
+      s:set({ gravity = 0 })
       local r = row[3] and (random:chance(0.3) and 1 or random:between(0.3, 1)) or 0
       local bodies, line = newRow(s, row[2], r, 300, 60)
-      return compareRow(s, bodies, line, r, 1)
+      compareRow(s, bodies, line, r, 1)
     end)
   end
 
-  class("impacts of a box with a wall that moves", MEETING, function(random, rate)
-    local s = newScene(random, rate, { gravity = 0 })
+  class("impacts of a box with a wall that moves", MEETING, function(s)
+    local random = s.random
+    s:set({ gravity = 0 })
     local r = random:between(0.2, 1)
     local u = random:between(-100, 200)
     s.world:add(
@@ -68,11 +70,11 @@ describe("restitution: known by hand,", function()
       s:near("x", line[2].x, b.x)
       s:near("vx", line[2].v, b.vx)
     end)
-    return s
   end)
 
-  class("impacts of two that fall at different gravity", MEETING, function(random, rate)
-    local s = newScene(random, rate, { gravity = 0 })
+  class("impacts of two that fall at different gravity", MEETING, function(s)
+    local random = s.random
+    s:set({ gravity = 0 })
     local r = random:between(0.3, 1)
     local gA, gB = some(random, -300, 300, -300, 300)
     local a = s:box({ x = 0, y = 0, vy = random:between(0, 200), gravity = gA, restitution = r })
@@ -94,26 +96,20 @@ describe("restitution: known by hand,", function()
       s:near("y of a", vA * t + gA * t * t / 2 - b.mass * change * late, a.y)
       s:near("y of b", y + vB * t + gB * t * t / 2 + a.mass * change * late, b.y)
     end)
-    return s
   end)
 
   -- The normal is that of a moment up to 2e-9 of a step later.
-  class("impacts of two balls, along the line of their centres", 1e-5, function(random, rate)
-    local s = newScene(random, rate, { gravity = 0 })
+  class("impacts of two balls, along the line of their centres", 1e-5, function(s)
+    local random = s.random
     local r, ra, rb = some(random, 0, 1, 6, 20, 6, 20)
     local v, offset = random:between(100, 400), (ra + rb) * random:between(-0.9, 0.9)
-    local a = s:box({
-      x = -ra,
-      y = -ra,
-      radius = ra,
-      width = 2 * ra,
-      height = 2 * ra,
-      vx = v,
-      restitution = r,
-    })
-    local distance = ra + rb + random:between(5, 60)
-    local b =
-      s:box({ x = distance - rb, y = offset - rb, radius = rb, width = 2 * rb, height = 2 * rb })
+    local function ball(x, y, radius, vx)
+      local its = { x = x - radius, y = y - radius, radius = radius, vx = vx, restitution = r }
+      its.width, its.height = 2 * radius, 2 * radius
+      return s:box(its)
+    end
+    local a, distance = ball(0, 0, ra, v), ra + rb + random:between(5, 60)
+    local b = ball(distance, offset, rb)
     local nx, ny = sqrt((ra + rb) ^ 2 - offset * offset) / (ra + rb), offset / (ra + rb)
     local moment = (distance - nx * (ra + rb)) / v
     local j = (1 + r) * v * nx * a.mass * b.mass / (a.mass + b.mass)
@@ -124,11 +120,11 @@ describe("restitution: known by hand,", function()
       s:near("x of b", distance + j / b.mass * nx * late, b.x + rb)
       s:near("y of b", offset + j / b.mass * ny * late, b.y + rb)
     end)
-    return s
   end)
 
-  class("bounces of a box or ball off a slope, along the normal", MEETING, function(random, rate)
-    local s = newScene(random, rate, { gravity = 0 })
+  class("bounces of a box or ball off a slope, along the normal", MEETING, function(s)
+    local random = s.random
+    s:set({ gravity = 0 })
     local width, height, radius = some(random, 150, 300, 60, 300, 5, 15)
     s.world:add(
       "slopes",
@@ -153,6 +149,5 @@ describe("restitution: known by hand,", function()
       s:near("x", x + change * nx * late, b.x + radius)
       s:near("y", y + v * t + change * ny * late, b.y + radius)
     end)
-    return s
   end)
 end)

@@ -4,16 +4,17 @@ local oracle = require("spec.support.oracle")
 local some = oracle.some
 
 local class, EXACT, MEETING = oracle.newClass(it), oracle.EXACT, oracle.MEETING
-local braked, limited, inAir, bouncing, playLine, newScene =
-  oracle.braked, oracle.limited, oracle.inAir, oracle.bouncing, oracle.playLine, oracle.newScene
+local braked, limited, inAir, bouncing, playLine =
+  oracle.braked, oracle.limited, oracle.inAir, oracle.bouncing, oracle.playLine
 local huge, min, sqrt = math.huge, math.min, math.sqrt
 
 describe("vx, vy, ax and gravity: known by hand, a body", function()
   -- Free motion
 
-  class("flies on the parabola of its gravity and engine", EXACT, function(random, rate)
-    local gx, gy = some(random, -500, 500, -900, 900)
-    local s = newScene(random, rate, { gravity = gy, gravityX = gx })
+  class("flies on the parabola of its gravity and engine", EXACT, function(s)
+    local gx, gy = s:draw(-500, 500, -900, 900)
+    local random = s.random
+    s:set({ gravity = gy, gravityX = gx })
     local own = random:chance(0.5) and random:between(-900, 900) or nil
     local vx, vy, ax, ay = random:between(-400, 400), random:between(-400, 400), 0, 0
     if random:chance(0.7) then
@@ -27,12 +28,10 @@ describe("vx, vy, ax and gravity: known by hand, a body", function()
       s:near("vx", vx + ax * t, b.vx)
       s:near("vy", vy + ay * t, b.vy)
     end)
-    return s
   end)
 
-  class("falls through air towards its terminal speed", EXACT, function(random, rate)
-    local g, ax, k, vx, vy = some(random, 100, 1200, -300, 300, 0.1, 4, -400, 400, -400, 400)
-    local s = newScene(random, rate, { gravity = g })
+  class("falls through air towards its terminal speed", EXACT, function(s)
+    local g, ax, k, vx, vy = s:draw(100, 1200, -300, 300, 0.1, 4, -400, 400, -400, 400)
     local b = s:box({ x = 0, y = 0, vx = vx, vy = vy, ax = ax, airFriction = k })
     s:play(2, function(t)
       local x, speedX = inAir(vx, ax, k, t)
@@ -42,12 +41,11 @@ describe("vx, vy, ax and gravity: known by hand, a body", function()
       s:near("vx", speedX, b.vx)
       s:near("vy", speedY, b.vy)
     end)
-    return s
   end)
 
-  class("falls up to its limit", EXACT, function(random, rate)
-    local g, limit, v = some(random, 300, 1200, 100, 600, -90, 90)
-    local s = newScene(random, rate, { gravity = g })
+  class("falls up to its limit", EXACT, function(s)
+    local g, limit, v = s:draw(300, 1200, 100, 600, -90, 90)
+    local random = s.random
     local b = s:box({ x = 0, y = 0, vy = v })
     b[random:pick({ "maxSpeedY", "maxFallSpeed", "maxSpeed" })] = limit
     s:play(2, function(t)
@@ -55,13 +53,12 @@ describe("vx, vy, ax and gravity: known by hand, a body", function()
       s:near("y", y, b.y)
       s:near("vy", speed, b.vy)
     end)
-    return s
   end)
 
-  class("falls through air up to its limit", EXACT, function(random, rate)
-    local g, k = some(random, 600, 1200, 0.2, 2)
+  class("falls through air up to its limit", EXACT, function(s)
+    local g, k = s:draw(600, 1200, 0.2, 2)
+    local random = s.random
     local limit = g / k * random:between(0.2, 0.8)
-    local s = newScene(random, rate, { gravity = g })
     local b = s:box({ x = 0, y = 0, airFriction = k, maxSpeedY = limit })
     local moment = -math.log(1 - limit * k / g) / k
     s:play(3, function(t)
@@ -69,13 +66,13 @@ describe("vx, vy, ax and gravity: known by hand, a body", function()
       s:near("y", y + (t > moment and limit * (t - moment) or 0), b.y)
       s:near("vy", t > moment and limit or v, b.vy)
     end)
-    return s
   end)
 
   -- In the step in which `maxSpeedX` is reached `drag` takes its part of the whole step.
-  class("drives up to its limit against its drag", 0, function(random, rate)
-    local ax, drag, limit = some(random, 200, 600, 20, 150, 60, 300)
-    local s = newScene(random, rate, { gravity = 0 })
+  class("drives up to its limit against its drag", 0, function(s)
+    local ax, drag, limit = s:draw(200, 600, 20, 150, 60, 300)
+    local random = s.random
+    s:set({ gravity = 0 })
     s.tolerance = drag * s:longest() ^ 2 / 2 -- 0.08 px at 30 Hz, 0.001 at 240
     local side = random:pick({ -1, 1 })
     local b = s:box({ x = 0, y = 0, ax = side * ax, drag = drag, maxSpeedX = limit })
@@ -84,12 +81,11 @@ describe("vx, vy, ax and gravity: known by hand, a body", function()
       s:near("x", side * x, b.x)
       s:near("vx", side * v, b.vx)
     end)
-    return s
   end)
 
-  class("is stopped by its drag, in its direction", EXACT, function(random, rate)
-    local vx, vy, drag = some(random, -300, 300, -300, 300, 80, 400)
-    local s = newScene(random, rate, { gravity = 0 })
+  class("is stopped by its drag, in its direction", EXACT, function(s)
+    local vx, vy, drag = s:draw(-300, 300, -300, 300, 80, 400)
+    s:set({ gravity = 0 })
     local b = s:box({ x = 0, y = 0, vx = vx, vy = vy, drag = drag })
     local v = sqrt(vx * vx + vy * vy)
     s:play(2, function(t)
@@ -99,11 +95,11 @@ describe("vx, vy, ax and gravity: known by hand, a body", function()
       s:near("vx", speed * vx / v, b.vx)
       s:near("vy", speed * vy / v, b.vy)
     end)
-    return s
   end)
 
-  class("gets an impulse by its mass", EXACT, function(random, rate)
-    local s = newScene(random, rate, { gravity = 0 })
+  class("gets an impulse by its mass", EXACT, function(s)
+    local random = s.random
+    s:set({ gravity = 0 })
     local b = s:box({ x = 0, y = 0, vx = 10 })
     local jx, jy = some(random, -300, 300, -300, 300)
     s.world:impulse(b, jx, jy)
@@ -111,11 +107,11 @@ describe("vx, vy, ax and gravity: known by hand, a body", function()
       s:near("x", (10 + jx / b.mass) * t, b.x)
       s:near("y", jy / b.mass * t, b.y)
     end)
-    return s
   end)
 
-  class("feels the wind and the gravity of the zone that it is in", EXACT, function(random, rate)
-    local s = newScene(random, rate, { gravity = 500 })
+  class("feels the wind and the gravity of the zone that it is in", EXACT, function(s)
+    local random = s.random
+    s:set({ gravity = 500 })
     local g, ax, ay = some(random, -400, 400, -300, 300, -300, 300)
     local zone = { x = -4000, y = -4000, width = 8000, height = 8000, static = true, sensor = true }
     zone.area = { gravity = g, ax = ax, ay = ay }
@@ -126,14 +122,12 @@ describe("vx, vy, ax and gravity: known by hand, a body", function()
       s:near("x", vx * t + ax * t * t / 2, b.x)
       s:near("y", vy * t + (g + ay) * t * t / 2, b.y)
     end)
-    return s
   end)
 
   -- Bounces
 
-  class("bounces on a floor: heights, moments and speeds", MEETING, function(random, rate)
-    local g, r, h, v, vx = some(random, 300, 1200, 0.3, 1, 40, 300, -100, 100, -200, 200)
-    local s = newScene(random, rate, { gravity = g })
+  class("bounces on a floor: heights, moments and speeds", MEETING, function(s)
+    local g, r, h, v, vx = s:draw(300, 1200, 0.3, 1, 40, 300, -100, 100, -200, 200)
     s:floor()
     local b = s:box({ x = 0, y = 0, vy = -v, vx = vx, restitution = r })
     b.y = -h - b.height
@@ -148,12 +142,12 @@ describe("vx, vy, ax and gravity: known by hand, a body", function()
       end
       s:near("x", vx * t, b.x)
     end)
-    return s
   end)
 
-  class("bounces about in a room on both axes", MEETING, function(random, rate)
+  class("bounces about in a room on both axes", MEETING, function(s)
+    local random = s.random
     local r = random:chance(0.5) and 1 or random:between(0.5, 1)
-    local s = newScene(random, rate, { gravity = 0 })
+    s:set({ gravity = 0 })
     local b = s:box({ x = 0, y = 0, restitution = r })
     b.vx, b.vy = random:between(100, 500), random:between(-500, -100)
     local room, tall = some(random, 60, 200, 60, 200)
@@ -184,12 +178,10 @@ describe("vx, vy, ax and gravity: known by hand, a body", function()
       s:near("vx", across[2].v, b.vx)
       s:near("vy", down[2].v, b.vy)
     end)
-    return s
   end)
 
-  class("bounces off a lift as off a floor, seen from there", MEETING, function(random, rate)
-    local g, r, h, u = some(random, 300, 900, 0.4, 1, 40, 200, -60, 60)
-    local s = newScene(random, rate, { gravity = g })
+  class("bounces off a lift as off a floor, seen from there", MEETING, function(s)
+    local g, r, h, u = s:draw(300, 900, 0.4, 1, 40, 200, -60, 60)
     s.world:add("lifts", { x = -500, y = 0, width = 1000, height = 20, kinematic = true, vy = -u })
     local b = s:box({ x = 0, y = 0, restitution = r })
     b.y = -h - b.height
@@ -199,12 +191,10 @@ describe("vx, vy, ax and gravity: known by hand, a body", function()
         s:near("height", height, -u * t - b.y - b.height)
       end
     end)
-    return s
   end)
 
-  class("tells the speed of its landing", MEETING, function(random, rate)
-    local g, h, v = some(random, 300, 1200, 10, 300, -200, 200)
-    local s = newScene(random, rate, { gravity = g })
+  class("tells the speed of its landing", MEETING, function(s)
+    local g, h, v = s:draw(300, 1200, 10, 300, -200, 200)
     s:floor()
     local told
     local b = s:box({ x = 0, y = 0, vy = v })
@@ -214,6 +204,5 @@ describe("vx, vy, ax and gravity: known by hand, a body", function()
     end
     s:play(3)
     s:near("speed", sqrt(v * v + 2 * g * h), told or huge)
-    return s
   end)
 end)

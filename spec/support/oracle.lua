@@ -140,11 +140,23 @@ end
 local Scene = {}
 Scene.__index = Scene
 
---- Makes a scene: a world, and how far it is from what is computed at most.
-function oracle.newScene(random, rate, settings)
+-- A scene: a world without gravity, and how far it is from what is computed at most.
+local function newScene(random, rate)
   local scene = { random = random, rate = rate, worst = 0, what = "", time = 0, count = 0 }
-  scene.world = physics.newWorld(settings)
+  scene.world = physics.newWorld({ gravity = 0 })
   return setmetatable(scene, Scene)
+end
+
+-- Returns random numbers: low, high, low, high, … The first one is the gravity.
+function Scene:draw(low, high, ...)
+  self.world.gravity = self.random:between(low, high)
+  return self.world.gravity, oracle.some(self.random, ...)
+end
+
+function Scene:set(settings)
+  for name, value in pairs(settings) do
+    self.world[name] = value
+  end
 end
 
 function Scene:box(fields)
@@ -207,7 +219,8 @@ local function playAll(name, tolerance, play)
     for n = 1, SCENES do
       if effort.plays(m + n + #name, 4) then
         local seed = first + 100 * m + n
-        local scene = play(newRandom(seed), rate)
+        local scene = newScene(newRandom(seed), rate)
+        play(scene)
         local isNear = scene.worst <= (scene.tolerance or tolerance)
         local text = "%s Hz, seed %d, off by %.3g: %s"
         assert(isNear, text:format(rate, seed, scene.worst, scene.what))
@@ -218,9 +231,8 @@ local function playAll(name, tolerance, play)
   return count
 end
 
---- Returns a function class(name, tolerance, play) that defines a spec by busted's `it`. There
---- play(random, rate) returns a scene that was played, of which the `tolerance`, where it has one,
---- is used instead.
+--- Returns a function class(name, tolerance, play) that defines a spec by busted's `it`. play(s)
+--- plays the scene `s`; where that has a `tolerance`, it is used instead.
 function oracle.newClass(it)
   return function(name, tolerance, play)
     it(name, function()
