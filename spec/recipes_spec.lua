@@ -83,10 +83,6 @@ local function playRow(game, row, what)
     else
       game.world:remove(game.world.objects[name][1])
     end
-      game.world,
-      row[5][2] and row[5][1] or group[1],
-      row[5][2]
-    )
   end
   local seen = { least = player.y, far = player.x }
   local from = player.y
