@@ -58,8 +58,8 @@ test-web: ## plays them in a browser, leaves pictures in build/web-pictures
 site: ## builds the site with the playground, into build/site
 	@bash scripts/setup.sh site && bash scripts/site.sh
 
-test-site: ## opens every page, example and snippet of it, pictures in build/site-pictures
-	@bash scripts/setup.sh site web && bash scripts/site.sh --test
+test-site: ## opens every page, example and snippet of it, pictures in build/site-pictures; TEST="--all": every program
+	@bash scripts/setup.sh site web && bash scripts/site.sh --test $(TEST)
 
 test-gopher: ## runs the specs on gopher-lua, a Lua in Go (spec/gopher/README.md)
 	@bash scripts/setup.sh gopher || true; bash scripts/gopher.sh

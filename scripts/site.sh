@@ -54,4 +54,4 @@ if [ "${1:-}" != --test ]; then
   echo "The site is build/site; serve that folder, a file:// address will not do."
   exit 0
 fi
-CHROMIUM=$(bash scripts/setup.sh --browser) exec node web/site/test.mjs
+CHROMIUM=$(bash scripts/setup.sh --browser) exec node web/site/test.mjs "${@:2}"

@@ -45,7 +45,7 @@ end
 -- fields of the player that are written before, and of the floor. What is expected: fields of the
 -- player, the sides that it touches, `least` and `far`, its least y and largest x since the keys,
 -- `rise`, how far it rose, and by the name of a group, `boxes` or `boxes2`, fields of its first or
--- second object, or NIL, if there is none. A number is exact, a list of two numbers holds it between
+-- second object, or NIL: there is none. A number is exact, a list of two numbers holds it between
 -- them, NIL stands for nil. Last: a group, and what is added to it before, or taken out.
 local NIL = {}
 
