@@ -109,6 +109,12 @@ function breakout.draw()
   look.color("cyan") -- the walls, as thin as they are
   love.graphics.rectangle("line", LEFT - 0.5, TOP - 0.5, RIGHT - LEFT + 1, 700)
   boxes.draw(world, "bricks balls bullets paddles", 0)
+  look.color("navy") -- the ball in a white brick
+  for _, brick in ipairs(world.objects.bricks) do
+    if brick.color == "white" then
+      love.graphics.circle("fill", brick.x + WIDTH / 2, brick.y + HEIGHT / 2, BALL / 2)
+    end
+  end
   sparks.draw()
   look.eyes(paddle.x + 28, paddle.y - 5, 64, 36, 0, -0.6)
   local bricks = #world.objects.bricks

@@ -108,9 +108,9 @@ fi
 platformer=$(cat examples/demos/platformer.keys)
 lifts=$(cat examples/demos/lifts.keys)
 check "hills is drawn" still hills hills 330 "$hills"
-check "pile is drawn" still pile pile 56
+GAME="crop=720:405:120:201" check "pile is drawn" still pile pile 200
 GAME="crop=760:250:100:356" check "a heap of balls is drawn" still balls pile 110 "o:2"
-check "lifts is drawn" still lifts lifts 500 "$lifts"
+check "lifts is drawn" still lifts lifts 1000 "$lifts"
 check "platformer is drawn" still platformer platformer 300 "$platformer"
 check "tutorial is drawn" still tutorial tutorial 800 "$(cat examples/demos/tutorial.keys)"
 check "topdown is drawn" still topdown topdown 400 "$(cat examples/demos/topdown.keys)"
