@@ -306,9 +306,7 @@ local function restoreTouching(b, st, objects, slots)
   for n = 1, st.count do
     local i = slots[n]
     if b.kind[i] == DYNAMIC then
-      objects[n].touching = b.touching[i]
-      read.takeTouching(b, i, b.touching[i])
-      read.clearTouching(b.touching[i])
+      read.resetTouching(b, i)
     end
   end
   for at = 1, #st.touching, 5 do
