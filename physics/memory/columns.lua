@@ -17,9 +17,6 @@ local columns = {}
 
 columns.STATIC, columns.KINEMATIC, columns.DYNAMIC = 1, 2, 3
 
---- By kind: 1 for a dynamic object, else 0, as a factor instead of a branch. (0 is an empty slot.)
-columns.GIVES = { [0] = 0, [columns.STATIC] = 0, [columns.KINEMATIC] = 0, [columns.DYNAMIC] = 1 }
-
 --- Returns the kind that an object's fields say. `kinematic` is read again in each step, `static`
 --- is not.
 ---@param object physics.Object
@@ -37,12 +34,6 @@ columns.EPSILON = 1e-6
 --- Widths of common edges are rounded to 1 / WIDTHS px before they are compared: that two are equal
 --- does not depend on which of them is looked at first.
 columns.WIDTHS = 2 ^ 20
-
---- Makes any difference of two numbers around EPSILON more than 1. So `min(max(d * VAST, 0), 1)` is
---- 1 for d > 0 and 0 for d <= 0, and `min(max(d * VAST + 1, 0), 1)` is 1 for d >= 0 and 0 for d <
---- 0. These stand for branches in measured loops: each branch direction but the one compiled first
---- costs 40 ns more.
-columns.VAST = 1e300
 
 --- Is added to lengths before a division, so that 0 / 0 cannot arise. It changes no other length.
 columns.TINY = 1e-300
