@@ -94,15 +94,17 @@ end
 
 -- The game's tables -------------------------------------------------------------------------------
 
--- Writes what a state holds of a field, nil: nothing. A table that says the same stays.
-local function write(object, row, value)
-  local make, now = forms.of(row).make, object[row.name]
+-- Writes what a state holds of a field or setting, nil: nothing. A table that says the same stays;
+-- `isShared`: another one is changed in place, since the game may hold it.
+local function write(owner, row, value, isShared)
+  local make, now = forms.of(row).make, owner[row.name]
   if make and value ~= nil then
-    value = make(value)
-    value = forms.isSame(now, value) and now or value
+    local made = make(value)
+    local into = isShared and type(now) == "table" and now or nil
+    value = forms.isSame(now, made) and now or into and make(value, into) or made
   end
   if now ~= value then
-    object[row.name] = value
+    owner[row.name] = value
   end
 end
 
@@ -124,11 +126,8 @@ local function writeField(st, objects, row)
 end
 
 local function writeFields(b, st, objects)
-  local m, row = 1, format.row(st, 1)
-  while row do
+  for _, row in format.rows(st) do
     writeField(st, objects, row)
-    m = m + 1
-    row = format.row(st, m)
   end
   for n = st.count + 1, st.count + st.gone do
     local object = objects[n]
@@ -167,18 +166,9 @@ end
 
 -- Settings ----------------------------------------------------------------------------------------
 
--- (The game may hold the table of `masks`, so what has changed is written into it.)
 local function restoreSettings(world, saved)
   for _, row in ipairs(fields.savedSettings) do
-    local name, make, value = row.name, forms.of(row).make, saved[row.name]
-    local now = world[name]
-    if make and value ~= nil then
-      if not forms.isSame(now, make(value)) then
-        world[name] = make(value, type(now) == "table" and now or nil)
-      end
-    else
-      world[name] = value
-    end
+    write(world, row, saved[row.name], true)
   end
   settings.apply(world)
   -- The state may have a contact that they forbid: the next step applies them anew.
@@ -267,7 +257,7 @@ local function restoreMemory(b, st, slots)
   for n = 1, #COLUMNS do
     restoreColumn(b, st.memory[COLUMNS[n][1]], slots, COLUMNS[n])
   end
-  b.movedCount, b.lostCount = 0, #st.lost
+  b.movedCount, b.hasLost = 0, #st.memory.lost > 0
   for n = 1, #slots do
     local i = slots[n]
     b.fresh[i] = false
@@ -277,9 +267,6 @@ local function restoreMemory(b, st, slots)
       b.movedCount = b.movedCount + 1
       b.movedList[b.movedCount] = i
     end
-  end
-  for at = 1, b.lostCount do
-    b.lost[at] = slots[st.lost[at]]
   end
 end
 
