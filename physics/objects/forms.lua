@@ -69,45 +69,25 @@ function forms.makeTable(list, map)
   return map
 end
 
--- Returns a copy of a mask. Many tiles have the same mask; tiles in a row share the copy.
-local function copyMask(b, mask)
-  local class = getmetatable(mask)
+-- Returns a copy of a mask or an area; entries may come from a class. Many tiles have the same
+-- mask; tiles in a row share the copy.
+local function keepTable(b, given)
+  local class = getmetatable(given)
   local inherited = type(class) == "table" and rawget(class, "__index")
-  if not inherited and b.maskCopy and forms.isSame(mask, b.maskCopy) then
-    return b.maskCopy
+  if not inherited and b.keptTable and forms.isSame(given, b.keptTable) then
+    return b.keptTable
   end
-  local copy = forms.copy(mask)
+  local copy = forms.copy(given)
   if inherited then
     return setmetatable(copy, { __index = inherited })
   end
-  b.maskCopy = copy
+  b.keptTable = copy
   return copy
 end
 
 -- (`false` is refused.)
-local function isSameMask(mask, kept)
-  return mask ~= false and forms.isSame(mask or false, kept)
-end
-
--- Entries of an area may come from a class.
-local function copyArea(_, area)
-  local copy = {}
-  for _, name in ipairs(fields.areaNames) do
-    copy[name] = area[name]
-  end
-  return copy
-end
-
-local function isSameArea(area, kept)
-  if type(area) ~= "table" or not kept then
-    return area == nil and not kept
-  end
-  for _, name in ipairs(fields.areaNames) do
-    if area[name] ~= kept[name] then
-      return false
-    end
-  end
-  return true
+local function isSameTable(given, kept)
+  return given ~= false and forms.isSame(given or false, kept)
 end
 
 local function keepSide(_, value)
@@ -118,15 +98,18 @@ local function isSameSide(value, kept)
   return columns.sideOf(value) == kept
 end
 
-local BY_TYPE = {
-  mask = { keep = copyMask, isKept = isSameMask, list = forms.listTable, make = forms.makeTable },
-  area = { keep = copyArea, isKept = isSameArea, list = forms.listTable, make = forms.makeTable },
-  masks = { list = forms.listTable, make = forms.makeTable },
-  soft = { list = forms.listTable, make = forms.makeTable },
-  names = { list = forms.copy, make = forms.copy },
-  own = { list = forms.copy, make = forms.copy }, -- of the game (see state/own)
-}
+local TABLE =
+  { keep = keepTable, isKept = isSameTable, list = forms.listTable, make = forms.makeTable }
+local LIST = { list = forms.copy, make = forms.copy }
 local SIDE, PLAIN = { keep = keepSide, isKept = isSameSide }, {}
+local BY_TYPE = {
+  mask = TABLE,
+  area = TABLE,
+  masks = TABLE,
+  soft = TABLE,
+  names = LIST,
+  own = LIST, -- of the game (see state/own)
+}
 
 --- Returns the form of the values of a row.
 ---@param row physics.Field

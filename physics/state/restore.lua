@@ -13,7 +13,6 @@ local events = require(root .. ".contacts.events")
 local fields = require(root .. ".fields.fields")
 local format = require(root .. ".state.format")
 local forms = require(root .. ".objects.forms")
-local notice = require(root .. ".objects.notice")
 local read = require(root .. ".objects.read")
 local islands = require(root .. ".sleep.islands")
 local settings = require(root .. ".objects.settings")
@@ -356,7 +355,7 @@ function restore.world(world, st)
   world._saved = st.saved
   world.alpha = world.timestep and max(0, min(st.saved / world.timestep, 1)) or 0
   zones.restore(b)
-  notice.outdate(b)
+  read.outdate(b)
   return sentence
 end
 
