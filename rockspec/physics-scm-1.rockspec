@@ -79,7 +79,6 @@ build = {
     ["physics.objects.compare"] = "physics/objects/compare.lua",
     ["physics.objects.forms"] = "physics/objects/forms.lua",
     ["physics.objects.groups"] = "physics/objects/groups.lua",
-    ["physics.objects.notice"] = "physics/objects/notice.lua",
     ["physics.objects.read"] = "physics/objects/read.lua",
     ["physics.objects.readFields"] = "physics/objects/readFields.lua",
     ["physics.objects.registry"] = "physics/objects/registry.lua",

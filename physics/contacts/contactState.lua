@@ -18,33 +18,13 @@ local sort = require(root .. ".memory.sort")
 local contactState = {}
 
 local DYNAMIC = columns.DYNAMIC
-local EPSILON, OPPOSITE = columns.EPSILON, columns.OPPOSITE
+local EPSILON, OPPOSITE, INSIDE = columns.EPSILON, columns.OPPOSITE, columns.INSIDE
 local max, min = math.max, math.min
 
--- Result of `flushSide` for two bodies that overlap.
-local INSIDE = -1
-
--- Returns the side of slot i on which two boxes are flush at the end of the step, else 0; INSIDE if
--- they overlap.
-local function flushSide(b, i, j)
-  local to, size, k, m = b.to, b.size, 2 * i, 2 * j
-  local x, y = to[m] - to[k], to[m + 1] - to[k + 1]
-  local afterX, beforeX = x - size[k], -x - size[m]
-  local afterY, beforeY = y - size[k + 1], -y - size[m + 1]
-  local gapX, gapY = max(afterX, beforeX), max(afterY, beforeY)
-  if max(gapX, gapY) < -EPSILON then
-    return INSIDE
-  elseif max(gapX, gapY) > EPSILON or min(gapX, gapY) >= -EPSILON then
-    return 0 -- apart, or corner to corner
-  elseif gapX > gapY then
-    return afterX >= beforeX and 2 or 1
-  end
-  return afterY >= beforeY and 4 or 3
-end
-
--- The same of any two.
+-- Returns the side of slot i on which two are flush at the end of the step, else 0; INSIDE if they
+-- overlap.
 local function sideOf(b, i, j)
-  return b.hasShapes and touch.side(b, i, j) or flushSide(b, i, j)
+  return b.hasShapes and touch.side(b, i, j) or columns.flushSide(b, i, j)
 end
 
 -- Returns whether something leans on that side of slot i, or on the opposite side of slot j, in

@@ -176,6 +176,27 @@ function columns.gap(b, place, i, j)
   return max(x - size[k], -x - size[m], y - size[k + 1], -y - size[m + 1])
 end
 
+--- Result of `flushSide` for two bodies that overlap.
+columns.INSIDE = -1
+
+--- Returns the side of slot i on which two boxes are flush at the end of the step, else 0; INSIDE:
+--- they overlap.
+function columns.flushSide(b, i, j)
+  local to, size, k, m = b.to, b.size, 2 * i, 2 * j
+  local x, y = to[m] - to[k], to[m + 1] - to[k + 1]
+  local afterX, beforeX = x - size[k], -x - size[m]
+  local afterY, beforeY = y - size[k + 1], -y - size[m + 1]
+  local gapX, gapY = max(afterX, beforeX), max(afterY, beforeY)
+  if max(gapX, gapY) < -columns.EPSILON then
+    return columns.INSIDE
+  elseif max(gapX, gapY) > columns.EPSILON or min(gapX, gapY) >= -columns.EPSILON then
+    return 0 -- apart, or corner to corner
+  elseif gapX > gapY then
+    return afterX >= beforeX and 2 or 1
+  end
+  return afterY >= beforeY and 4 or 3
+end
+
 --- Returns the two ranks that decide between simultaneous impacts of a pair. The first is the rank
 --- of the dynamic object; of two dynamic ones, the lower rank. If one stands on the other, the
 --- second rank is made lower than all ranks; if both are dynamic, the first one, too. So of several
