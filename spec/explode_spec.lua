@@ -105,14 +105,5 @@ describe("world:explode", function()
     other.mass, other.vx = 1, nil
     world:explode(0, 0, 100, 1)
     assert.is_true(one.vx > 0 and other.vx > 0)
-    world.canCollide = function()
-      world:explode(0, 0, 100, 1)
-    end
-    one.vx, other.x, other.y, other.vx = 50, 60, -10, -50
-    assert.error_matches(function()
-      for _ = 1, 60 do
-        world:update(1 / 60)
-      end
-    end, "cannot be called from inside canCollide")
   end)
 end)
