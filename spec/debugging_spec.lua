@@ -39,6 +39,10 @@ local SIDES = { touching = { top = false, bottom = false, left = false, right = 
 local LATER = { masks = { coins = { bullets = false }, [7] = { floors = false } } }
 local SWITCHED = { masks = { men = { floors = false, coins = true }, boxes = {} } }
 
+local ONLY_TRUE = { men = { floors = false }, boxes = { coins = true } }
+local REFUSES = { mask = { men = true, floors = false } }
+local MACHINE = { kinematic = true }
+
 local function class(fields)
   return setmetatable({}, fields) -- without __index: its fields are not the object's
 end
@@ -117,47 +121,38 @@ describe("checked", function()
     end)
   end
 
-  -- Where it is written, `new` is a third object; what is written; what is said of it; and what is
+  -- Where it is written (`new`: in a third object); what is written; what is said of it; what is
   -- written to make it fine.
   local PLACES = { box = "objects.boxes[1].", world = "world.", new = "objects.others[1]." }
+  local FLOORS = "there is no group floor, did you mean floors?"
+  local HITS = { men = true }
+  local HIDDEN = "touching is written by the library, and hides the method touching of its class:"
+    .. " give that another name"
+  local COUNTS = "kinematic must be nil, got true: the object is static, which counts"
   for _, row in ipairs({
     { "box", { static = true }, "static was changed to true" .. BY_HAND },
     { "box", { oneWay = true }, "oneWay must be nil, got true" .. ONE_WAY },
-    {
-      "box",
-      { oneWay = "left" },
-      'oneWay must be nil, got "left"' .. ONE_WAY,
-      { kinematic = true },
-    },
-    { "box", { mask = { floor = false } }, "mask: there is no group floor, did you mean floors?" },
+    { "box", { oneWay = "left" }, 'oneWay must be nil, got "left"' .. ONE_WAY, MACHINE },
+    { "box", { mask = { floor = false } }, "mask: " .. FLOORS },
     {
       "box",
       { touching = NIL },
       "touching was set to nil: the library writes it, and needs no help",
       SIDES,
     },
-    {
-      "world",
-      { masks = { boxes = { floor = false } } },
-      "masks.boxes: there is no group floor, did you mean floors?",
-    },
+    { "world", { masks = { boxes = { floor = false } } }, "masks.boxes: " .. FLOORS },
     {
       "world",
       { masks = { Floors = { boxes = false } } },
-      "masks: there is no group Floors, did you mean floors?",
+      "masks: " .. "there is no group Floors, did you mean floors?",
       LATER,
     },
-    {
-      "world",
-      { masks = { men = { floors = false }, boxes = { coins = true } } },
-      'masks.boxes = { ["coins"] = true }' .. NOTHING,
-      SWITCHED,
-    },
+    { "world", { masks = ONLY_TRUE }, 'masks.boxes = { ["coins"] = true }' .. NOTHING, SWITCHED },
     {
       "new",
-      { mask = { men = true } },
+      { mask = HITS },
       'mask = { ["men"] = true }' .. NOTHING .. ' (did you mean hits = { "men" }?)',
-      { mask = { men = true, floors = false } },
+      REFUSES,
     },
     { "new", class({ static = true }), "static is nil" .. OF_CLASS, { static = false } },
     {
@@ -166,17 +161,8 @@ describe("checked", function()
       "static is nil" .. OF_CLASS,
       { class = { static = {} } },
     },
-    {
-      "new",
-      class({ __index = { touching = print } }),
-      "touching is written by the library, and hides the method touching of its class:"
-        .. " give that another name",
-    },
-    {
-      "new",
-      { static = true, kinematic = true },
-      "kinematic must be nil, got true: the object is static, which counts",
-    },
+    { "new", class({ __index = { touching = print } }), HIDDEN },
+    { "new", { static = true, kinematic = true }, COUNTS },
     { "new", { static = true, vx = 5 }, "vx must be nil, got 5: a static object never moves" },
     {
       "new",

@@ -1,6 +1,7 @@
 --- Gravity upwards and sideways: the same scene, turned round, goes the same way.
 
 local newRandom = require("spec.support.random").new
+local play = require("spec.support.play")
 local scene = require("spec.support.scene")
 local variants = require("spec.support.variants")
 
@@ -53,31 +54,10 @@ end
 local FLOOR = { "tiles", { x = -500, y = 200, width = 1500, height = 32, static = true } }
 
 local function box(name, x, y, fields)
-  local object = { name = name, x = x, y = y, width = 16, height = 16 }
-  for key, value in pairs(fields or {}) do
-    object[key] = value
-  end
-  return { "boxes", object }
+  return scene.maker("boxes", fields)(name, x, y, fields.width or 16, fields.height or 16)
 end
 
 describe("gravity up, left and right is gravity down, turned round:", function()
-  it("boxes of several masses fall on each other", function()
-    local description = { FLOOR }
-    for i, mass in ipairs({ 1, 0.25, 8, 2, 100, 0.5 }) do
-      description[i + 1] = box("box" .. i, 100 + 3 * i, 190.5 - 25.25 * i, { mass = mass })
-    end
-    checkTurned(description, 2)
-  end)
-
-  it("boxes rub on a floor and on each other", function()
-    checkTurned({
-      FLOOR,
-      box("low", 0, 184, { vx = 200, friction = 0.5 }),
-      box("high", 4, 168, { vx = -50, friction = 0.25 }),
-      box("alone", -100, 184, { vx = -130, friction = 0.75 }),
-    }, 2)
-  end)
-
   it("boxes bounce down stairs", function()
     local description = { FLOOR }
     for i = 1, 6 do
@@ -87,27 +67,6 @@ describe("gravity up, left and right is gravity down, turned round:", function()
     description[#description + 1] = box("slow", 33, -60, { vx = 45, restitution = 0.5 })
     description[#description + 1] = box("fast", 35, -90, { vx = 85, restitution = 0.75 })
     checkTurned(description, 3)
-  end)
-
-  it("a jump under a ceiling and on to a one-way", function()
-    checkTurned({
-      FLOOR,
-      { "tiles", { x = 0, y = 110, width = 80, height = 16, static = true } },
-      { "ways", { x = 140, y = 150, width = 100, height = 8, static = true, oneWay = "top" } },
-      box("head", 10, 184, { vx = 20, vy = -400 }),
-      box("feet", 120, 184, { vx = 60, vy = -350 }),
-    }, 2)
-  end)
-
-  it("a push against a wall", function()
-    checkTurned({
-      FLOOR,
-      { "tiles", { x = 300, y = 0, width = 16, height = 200, static = true } },
-      box("pusher", 0, 184, { ax = 300, mass = 2 }),
-      box("first", 100, 184),
-      box("second", 140, 184, { mass = 4 }),
-      box("rider", 143, 168, { friction = 0.5 }),
-    }, 4)
   end)
 
   it("a pile with friction", function()
@@ -126,18 +85,10 @@ describe("gravity up, left and right is gravity down, turned round:", function()
     checkTurned(description, 3, 0.05)
   end)
 
-  scene.it(
-    "nothing falls when there is none, or where both axes have some",
-    { turn = variants.TURNS, rate = variants.RATES },
-    function(run)
-      local named = run:build({ gravityX = 300, gravity = 800, box("body", 0, 0) })
-      for time in run:steps(1) do
-        run:at(named.body, 150 * time * time, 400 * time * time)
-      end
-      named = run:build({ gravity = 0, box("body", 0, 0) })
-      for _ in run:steps(1) do
-        run:at(named.body, 0, 0)
-      end
-    end
-  )
+  local LEVELS = { turn = variants.TURNS, rate = variants.RATES }
+  play.row("a body falls by ({gravityX}, {gravity}) px/s²", LEVELS, function(v)
+    return { gravityX = v.gravityX, gravity = v.gravity, box("body", 0, 0, {}) }
+  end, {
+    { 1, "body at gravityX / 2 * t * t, gravity / 2 * t * t" },
+  }, { "gravityX, gravity", { 300, 800 }, { 0, 0 } })
 end)
