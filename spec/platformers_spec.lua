@@ -2,6 +2,9 @@
 --- place of a contact, a world that moves.
 
 local physics = require("physics")
+local play = require("spec.support.play")
+local scene = require("spec.support.scene")
+local variants = require("spec.support.variants")
 
 local function near(expected, value, tolerance)
   local difference = math.abs(value - expected)
@@ -10,142 +13,91 @@ local function near(expected, value, tolerance)
   end
 end
 
-local function play(world, count, rate)
+local function update(world, count)
   for _ = 1, count do
-    world:update(1 / (rate or 60))
+    world:update(1 / 60)
   end
 end
 
--- A box of 8 px.
-local function small(x, fields)
-  local object = { x = x, y = 0, width = 8, height = 8 }
-  for name, value in pairs(fields) do
-    object[name] = value
-  end
-  return object
-end
+local man = scene.thing("men", { name = "man", x = 0, y = 0, width = 8, height = 8 })
+local solid = scene.maker("tiles", { static = true })
+local lift = scene.maker("lifts", { kinematic = true })
+local RATES = { rate = { 20, 60, 144, 240 }, turn = variants.TURNS, shift = { 0 } }
 
 describe("maxFallSpeed", function()
-  it("limits the fall and not the jump, exactly, at every rate", function()
-    for _, rate in ipairs({ 30, 60, 144, 240 }) do
-      local world = physics.newWorld({ gravity = 800 })
-      local one = world:add("men", small(0, { vy = -400, maxFallSpeed = 200 }))
-      local highest = 0
-      for n = 1, 2 * rate do
-        world:update(1 / rate)
-        highest = math.min(highest, one.y)
-        local t = n / rate
-        -- Up and down for 0.75 s, until it falls at 200 px/s; then evenly.
-        local y = t < 0.75 and -400 * t + 400 * t * t or -75 + 200 * (t - 0.75)
-        near(y, one.y, 1e-8)
-        near(t < 0.75 and -400 + 800 * t or 200, one.vy, 1e-8)
-      end
-      assert.is_true(highest < -99)
-    end
-  end)
+  -- Up and down for 0.75 s, until it falls at 200 px/s; then evenly.
+  local JUMPER = { man({ vy = -400, maxFallSpeed = 200 }) }
+  play.row("limits the fall and not the jump, exactly, at every rate", RATES, JUMPER, {
+    { 0.75, "man at 0, -400 * t + 400 * t * t, 1e-8", "man.vy ~ -400 + 800 * t, 1e-8" },
+    { 1, "man at 0, -75 + 200 * t, 1e-8", "man.vy ~ 200, 1e-8" },
+  })
 
-  it("cuts a fall that is faster already, and counts along any gravity", function()
-    for _, row in ipairs({
-      { 800, 0, "vy", 500 },
-      { -800, 0, "vy", -500 },
-      { 0, 800, "vx", 500 },
-      { 0, -800, "vx", -500 },
-    }) do
-      local world = physics.newWorld({ gravity = row[1], gravityX = row[2] })
-      local along, other = row[3], row[3] == "vx" and "vy" or "vx"
-      local fast = world:add("men", small(0, { maxFallSpeed = 100, [along] = row[4] }))
-      local up = world:add("men", small(40, { maxFallSpeed = 100, [along] = -row[4] }))
-      local across = world:add("men", small(80, { y = 80, maxFallSpeed = 100, [other] = row[4] }))
-      world:update(1 / 60)
-      assert.equal(row[4] / 5, fast[along])
-      near(-row[4] + row[4] / 500 * 800 / 60, up[along])
-      assert.equal(row[4], across[other])
-    end
-  end)
+  play.row("cuts a fall that is faster already, and counts along gravity", RATES, {
+    man({ vy = 500, maxFallSpeed = 100 }),
+    man({ name = "up", x = 40, vy = -500, maxFallSpeed = 100 }),
+    man({ name = "across", x = 80, y = 80, vx = 500, maxFallSpeed = 100 }),
+  }, {
+    { steps = 1 },
+    "man.vy == 100; up.vy ~ -500 + 800 / run.rate; across.vx == 500",
+  })
 
-  it("changes nothing of what stands, and rides on", function()
-    local world = physics.newWorld({ gravity = 800 })
-    world:add("lifts", { x = 0, y = 8, width = 80, height = 8, kinematic = true, vy = 300 })
-    local one = world:add("men", { x = 0, y = 0, width = 8, height = 8, maxFallSpeed = 50 })
-    for _ = 1, 60 do
-      world:update(1 / 60)
-      near(world.objects.lifts[1].y - 8, one.y, 1e-6)
-      assert.equal(0, one.vy)
-    end
-  end)
+  local RIDES = { lift("lift", 0, 8, 80, 8, { vy = 300 }), man({ maxFallSpeed = 50 }) }
+  play.row("changes nothing of what stands, and rides on", RATES, RIDES, {
+    { 1, "man.y ~ lift.y - 8", "man.vy == 0" },
+  })
 end)
 
 describe("world:velocity", function()
-  local function newScene(fields)
-    local world = physics.newWorld({ gravity = 800 })
-    world:add("tiles", { x = -500, y = 100, width = 300, height = 16, static = true })
-    local lift = { x = 0, y = 100, width = 100, height = 8, kinematic = true }
-    for name, value in pairs(fields) do
-      lift[name] = value
-    end
-    world:add("lifts", lift)
-    local one = world:add("men", { x = 40, y = 76, width = 16, height = 24 })
-    play(world, 10)
-    return world, one, lift
+  local function onLift(v)
+    return { lift("lift", 0, 100, 100, 8, { vx = v.vx, vy = v.vy }), man({ x = 40, y = 92 }) }
   end
+  -- Its velocity as a line of a row sees it.
+  local row = play.with({
+    ofX = function(world, view)
+      return (world:velocity(view.raw))
+    end,
+    ofY = function(world, view)
+      return (select(2, world:velocity(view.raw)))
+    end,
+  })
 
-  local function expect(world, object, vx, vy, isWritten)
-    local itsX, itsY = world:velocity(object)
-    near(vx, itsX, isWritten and 1e-6 or nil)
-    near(vy or itsY, itsY, isWritten and 1e-6 or nil)
-  end
+  row("is that of the rider and of its carrier", play.ONCE, onLift, {
+    { "run:play(1 / 6); man.vx = 25" },
+    "ofX(world, man) ~ 65; ofY(world, man) ~ -20; ofX(world, lift) ~ 40",
+    { steps = 1 },
+    "ofX(world, man) ~ 65; man.vx ~ 25",
+  }, { "vx, vy", { 40, -20 } })
 
-  it("is that of the rider and of its carrier", function()
-    local world, one, lift = newScene({ vx = 40, vy = -20 })
-    one.vx = 25
-    expect(world, one, 65, -20)
-    expect(world, lift, 40, -20)
-    world:update(1 / 60)
-    expect(world, one, 65)
-    near(25, one.vx)
-  end)
+  row(
+    "knows a lift that the game moves by writing its place, also after a restore",
+    play.ONCE,
+    onLift,
+    {
+      1 / 6,
+      { steps = 5, keep = "lift.x, lift.y = lift.x + 1, lift.y - 0.5" },
+      "ofX(world, lift) ~ 60; ofY(world, lift) ~ -30; ofX(world, man) ~ 60; ofY(world, man) ~ -30",
+      { "state = world:save()", 1 / 12, "ofX(world, lift) == 0; ofX(world, man) == 0" },
+      "world:restore(state); ofX(world, lift) ~ 60; ofX(world, man) ~ 60",
+    },
+    { "vx", { 0 } }
+  )
 
-  it("knows a lift that the game moves by writing its place, also after a restore", function()
-    local world, one, lift = newScene({})
-    for _ = 1, 5 do
-      lift.x, lift.y = lift.x + 1, lift.y - 0.5
-      world:update(1 / 60)
-    end
-    expect(world, lift, 60, -30, true)
-    expect(world, one, 60, -30, true)
-    local state = world:save()
-    play(world, 5)
-    assert.equal(0, (world:velocity(lift)))
-    assert.equal(0, (world:velocity(one)))
-    world:restore(state)
-    expect(world, lift, 60, nil, true)
-    expect(world, one, 60, nil, true)
-  end)
+  row("is the speed of the jump that comes, and what it has after it", play.ONCE, onLift, {
+    { "run:play(1 / 6); man.vy = -300; ofY(world, man) ~ -360" },
+    { steps = 1 },
+    "man.vy ~ -360 + 800 / 60; ofY(world, man) ~ man.vy",
+  }, { "vx, vy", { 0, -60 } })
 
-  it("is the speed of the jump that comes, and what it has after it", function()
-    local world, one = newScene({ vy = -60 })
-    one.vy = -300
-    local _, vy = world:velocity(one)
-    near(-360, vy)
-    world:update(1 / 60)
-    near(-360 + 800 / 60, one.vy)
-    _, vy = world:velocity(one)
-    near(one.vy, vy)
-  end)
-
-  it("counts belts, stacks, and what does not move or was not read yet", function()
-    local world = physics.newWorld({ gravity = 800 })
-    local belt = { x = 0, y = 100, width = 900, height = 16, static = true, surfaceSpeed = 30 }
-    world:add("belts", belt)
-    local low = world:add("men", { x = 40, y = 84, width = 16, height = 16 })
-    local top = world:add("men", { x = 40, y = 68, width = 16, height = 16 })
-    play(world, 10)
-    near(30, (world:velocity(low)))
-    near(30, (world:velocity(top)))
-    assert.same({ 0, 0 }, { world:velocity(belt) })
-    local new = world:add("men", { x = 400, y = 0, width = 4, height = 4, vx = 3, vy = 4 })
-    assert.same({ 3, 4 }, { world:velocity(new) })
-  end)
+  row("counts belts, stacks, and what does not move or was not read yet", play.ONCE, {
+    solid("belt", 0, 100, 900, 16, { surfaceSpeed = 30 }),
+    man({ x = 40, y = 92 }),
+    man({ name = "top", x = 40, y = 84 }),
+  }, {
+    1 / 6,
+    "ofX(world, man) ~ 30; ofX(world, top) ~ 30; ofX(world, belt) == 0; ofY(world, belt) == 0",
+    "new = world:add('men', { x = 400, y = 0, width = 4, height = 4, vx = 3, vy = 4 })",
+    "(world:velocity(new)) == 3; select(2, world:velocity(new)) == 4",
+  })
 end)
 
 describe("world:fits", function()
@@ -279,7 +231,7 @@ describe("onBegin: the place of a contact", function()
       end
       world:add("men", objects[1])
       world:add("tiles", objects[2])
-      play(world, 60)
+      update(world, 60)
       assert.equal(row[4], told[1][3])
       for n = 1, 3 do
         for k = 5, 8 do

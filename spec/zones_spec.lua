@@ -2,279 +2,221 @@
 
 local garbage = require("spec.support.garbage")
 local physics = require("physics")
+local play = require("spec.support.play")
+local scene = require("spec.support.scene")
 
-local RATES, DT = { 30, 60, 144, 240 }, 1 / 60
+local DT = 1 / 60
+local RATES =
+  { rate = { 30, 60, 144, 240 }, shift = { 0 }, order = { "forward" }, push = { "both" } }
+local ONCE = play.ONCE
 
-local function copyOf(object, changes)
-  local copy = {}
-  for field, value in pairs(object) do
-    copy[field] = value
-  end
-  for field, value in pairs(changes or {}) do
-    copy[field] = value
-  end
-  return copy
-end
-
--- A zone from (0, 100) to (400, 400), 400 px wide.
+-- A zone from (0, 100) to (400, 400).
 local function zone(area, changes)
-  local it = { x = 0, y = 100, width = 400, height = 300, sensor = true, static = true }
-  it.area = area
-  return copyOf(it, changes)
+  local place = { x = 0, y = 100, width = 400, height = 300, sensor = true, static = true }
+  place.name = "zone"
+  local entry = scene.thing("zones", place)(changes)
+  entry[2].area = area
+  return entry
 end
 
-local function body(changes)
-  return copyOf({ x = 180, y = 60, width = 20, height = 20 }, changes)
-end
-
--- Plays so many seconds; returns the body and the world.
-local function play(area, seconds, changes, zoneChanges, rate, settings)
-  local world = physics.newWorld(copyOf({ gravity = 800 }, settings))
-  world:add("zones", zone(area, zoneChanges))
-  local object = world:add("bodies", body(changes))
-  for _ = 1, seconds * (rate or 240) + 0.5 do
-    world:update(1 / (rate or 240))
-  end
-  return object, world
-end
-
-local function near(expected, value, tolerance)
-  assert.is_true(math.abs(expected - value) <= tolerance, ("%g, not %g"):format(value, expected))
-end
+local body = scene.thing("bodies", { name = "body", x = 180, y = 60, width = 20, height = 20 })
+local INSIDE = body({ y = 200 })
 
 describe("an area", function()
   -- Inside from the beginning: 1 s under a constant acceleration, exact at every rate.
-  for _, row in ipairs({
+  play.row("acts exactly while all of the body is in: {what}", RATES, function(v)
+    return { zone(v.area), INSIDE }
+  end, { 1, "body at 180 + dx, 200 + dy, 1e-9" }, {
+    "what, area, dx, dy",
     { "gravity", { gravity = 100 }, 0, 50 },
     { "no gravity", { gravity = 0 }, 0, 0 },
     { "a gravity that lifts", { gravity = -100 }, 0, -50 },
     { "gravity sideways", { gravity = 0, gravityX = 60 }, 30, 0 },
     { "wind", { gravity = 0, ax = 40, ay = -20 }, 20, -10 },
     { "wind besides gravity", { ax = 40, ay = -760 }, 20, 20 },
-  }) do
-    for _, rate in ipairs(RATES) do
-      it(("acts exactly while all of the body is in: %s, %d Hz"):format(row[1], rate), function()
-        local object = play(row[2], 1, { y = 200 }, nil, rate)
-        near(180 + row[3], object.x, 1e-9)
-        near(200 + row[4], object.y, 1e-9)
-      end)
-    end
-  end
+  })
 
-  it("adds its airFriction and its drag to those of the body", function()
-    local one = play({ gravity = 0, airFriction = 1.5, drag = 30 }, 0.5, {
-      y = 200,
-      vx = 100,
-      airFriction = 0.5,
-      drag = 10,
-    })
-    local world = physics.newWorld({ gravity = 0 })
-    local other = world:add("bodies", body({ y = 200, vx = 100, airFriction = 2, drag = 40 }))
-    for _ = 1, 120 do
-      world:update(1 / 240)
-    end
-    assert.are.same({ other.x, other.vx }, { one.x, one.vx })
-    assert.is_true(one.vx > 0 and one.vx < 30)
-  end)
+  -- k = 2 and 40 px/s² off 100 px/s: to -20 px/s, if it did not stop
+  local SLOWED = body({ y = 200, vx = 100, airFriction = 0.5, drag = 10 })
+  local MUD = zone({ gravity = 0, airFriction = 1.5, drag = 30 })
+  play.row("adds its airFriction and its drag to those of the body", RATES, { MUD, SLOWED }, {
+    0.5,
+    "body.vx ~ 120 * exp(-1) - 20, 1e-9; body.x ~ 180 + 60 * (1 - exp(-1)) - 10, 1e-9",
+  })
 
-  -- px that a second order method loses at an edge or around a centre, after 2 s. At 30, 60, 144 Hz
-  -- against 240 Hz: see docs/reliability.md.
-  local LOST = { [30] = 1.6, [60] = 0.4, [144] = 0.1, [240] = 0 }
-  for _, row in ipairs({
+  -- px that a second order method loses at an edge or around a centre, after 2 s, against 240 Hz:
+  -- see docs/reliability.md.
+  local LOST, ROUND =
+    { [30] = 1.6, [60] = 0.4, [144] = 0.1, [240] = 0 }, { y = 0, height = 400, radius = 200 }
+  play.row("does the same at each rate: {what}", RATES, function(v)
+    return { zone(v.area, v.place), body(v.fields) }
+  end, {
+    2,
+    function(run, it)
+      local expected = { it.body.x, it.body.y }
+      local fine = scene.run({ shift = 0, order = "forward", push = "both", rate = 240, turn = 0 })
+      local named = fine:build({ zone(it.area, it.place), body(it.fields) })
+      fine:play(2)
+      run:at(named.body, expected[1], expected[2], LOST[run.rate])
+    end,
+  }, {
+    "what, area, fields, place",
     { "a fall into water", { gravity = -300, airFriction = 3 } },
     { "a fall into another gravity", { gravity = 100 }, { y = 90 } },
     { "a ball that is stopped in mud", { gravity = 0, drag = 1200 } },
     { "through wind", { gravity = 0, ax = -300, airFriction = 1 }, { x = -60, y = 200, vx = 200 } },
+    { "a swing", { gravity = 0, attract = 500, law = "linear" }, { y = 150, vx = 150 }, ROUND },
     {
-      "a swing through an attractor",
-      { gravity = 0, attract = 500, law = "linear" },
-      { y = 150, vx = 150 },
-      { y = 0, height = 400, radius = 200 },
-    },
-    {
-      "around an attractor",
+      "an orbit",
       { gravity = 0, attract = 200, law = "inverse" },
       { x = 190, y = 90, vx = 200 },
-      { y = 0, height = 400, radius = 200 },
+      ROUND,
     },
-  }) do
-    for _, rate in ipairs(RATES) do
-      it(("does the same at %d Hz: %s"):format(rate, row[1]), function()
-        local expected = play(row[2], 2, row[3], row[4])
-        local object = play(row[2], 2, row[3], row[4], rate)
-        near(expected.x, object.x, LOST[rate])
-        near(expected.y, object.y, LOST[rate])
-      end)
-    end
-  end
+  })
 
-  it("lets things float: half of a body in the water carries half as much", function()
-    -- 800 (1 - share) - 800 share = 0
-    local object = play({ gravity = -800, airFriction = 4 }, 8)
-    near(90, object.y, 0.05)
-  end)
+  -- 800 (1 - share) - 800 share = 0
+  local WATER = { zone({ gravity = -800, airFriction = 4 }), body() }
+  play.row("lets things float: half of a body in the water carries half as much", ONCE, WATER, {
+    8,
+    "body.y ~ 90, 0.05",
+  })
 
-  it("has laws: what attracts on the way out to the rim", function()
-    for _, row in ipairs({
-      { "constant", 1, 1, 1 },
-      { "linear", 0.5, 0.25, 1 },
-      { "inverse", 2, 4, 1 },
-      { "square", 4, 16, 1 },
-    }) do
-      for n, radii in ipairs({ 0.5, 0.25, 1 }) do
-        local world = physics.newWorld({ gravity = 0 })
-        local size = { x = -1000, y = -1000, radius = 1000, width = 2000, height = 2000 }
-        world:add("zones", zone({ attract = -8, law = row[1] }, size))
-        local object = world:add("bodies", {
-          x = -1000 * radii - 0.5,
-          y = -0.5,
-          width = 1,
-          height = 1,
-        })
-        world:update(1e-3)
-        local share = n == 3 and 0.5 or 1 -- at the rim half of it is inside
-        near(-8 * row[n + 1] * share, object.vx / 1e-3, 1e-6)
-        near(0, object.vy, 1e-12)
-      end
-    end
-  end)
+  -- What attracts, in the middle, at a quarter of the way from there, and at the rim, where half of
+  -- the body is inside.
+  play.row("has laws: {law}, at {share} of the radius", ONCE, function(v)
+    local round = { x = -1000, y = -1000, radius = 1000, width = 2000, height = 2000 }
+    local object = body({ x = -1000 * v.share - 0.5, y = -0.5, width = 1, height = 1 })
+    return { gravity = 0, zone({ attract = -8, law = v.law }, round), object }
+  end, { "run:step(1e-3)", "body.vx / 1e-3 ~ -8 * pull; body.vy ~ 0, 1e-12" }, {
+    "law, share, pull",
+    { "constant", 0.5, 1 },
+    { "constant", 1, 0.5 },
+    { "linear", 0.25, 0.25 },
+    { "inverse", 0.5, 2 },
+    { "inverse", 0.25, 4 },
+    { "square", 0.25, 16 },
+    { "square", 1, 0.5 },
+  })
 
-  it("is calm in the centre of an attractor", function()
-    local object = play({ gravity = 0, attract = 4000, law = "square", airFriction = 20 }, 4, {
-      y = 300,
-    }, { y = 0, height = 400, radius = 200 })
-    near(190, object.x, 1e-3)
-    near(190, object.y, 1e-3)
-  end)
+  local CALM = zone({ gravity = 0, attract = 4000, law = "square", airFriction = 20 }, ROUND)
+  play.row("is calm in the centre of an attractor", ONCE, { CALM, body({ y = 300 }) }, {
+    4,
+    "body at 190, 190, 1e-3",
+  })
 
-  it("turns down where its gravity does: what it presses to a ceiling stands there", function()
-    local world = physics.newWorld({ gravity = 800 })
-    world:add("zones", zone({ gravity = -800 }))
-    local ceiling = { x = 0, y = 100, width = 400, height = 20, kinematic = true, vx = 30 }
-    world:add("walls", ceiling)
-    local object = world:add("bodies", body({ y = 200 }))
-    for _ = 1, 60 do
-      world:update(1 / 60)
-    end
-    assert.are.equal(120, object.y)
-    assert.are.equal(ceiling, object.touching.top)
-    local x = object.x
-    world:update(1 / 60)
-    near(x + 0.5, object.x, 1e-9) -- it rides on it
-    assert.are.equal(0, object.vx)
-  end)
+  local CEILING = scene.maker("walls", { kinematic = true, vx = 30 })("ceiling", 0, 100, 400, 20)
+  play.row("turns down where its gravity does: what it presses to a ceiling stands there", ONCE, {
+    zone({ gravity = -800 }),
+    CEILING,
+    INSIDE,
+  }, {
+    1,
+    "body.y == 120; body.touching.top == ceiling; x = body.x",
+    { steps = 1 },
+    "body.x ~ x + 0.5; body.vx == 0", -- it rides on it
+  })
 
-  it("of the last zone in order is the gravity, the others add up", function()
-    local world = physics.newWorld({ gravity = 800 })
-    world:add("a", zone({ gravity = 10, ax = 5 }))
-    world:add("b", zone({ gravity = 20, ax = 6 }))
-    local object = world:add("bodies", body({ y = 200 }))
-    world:update(0.02)
-    near(0.4, object.vy, 1e-12)
-    near(0.22, object.vx, 1e-12)
-  end)
+  local LAST = scene.thing("b", zone({ gravity = 20, ax = 6 })[2])({ name = "last" })
+  local FIRST = scene.thing("a", zone({ gravity = 10, ax = 5 })[2])()
+  play.row(
+    "of the last zone in order is the gravity, the others add up",
+    ONCE,
+    { FIRST, LAST, INSIDE },
+    {
+      "run:step(0.02)",
+      "body.vy ~ 0.4, 1e-12; body.vx ~ 0.22, 1e-12",
+    }
+  )
 
-  it("goes on without a gap where zones are flush", function()
-    local world = physics.newWorld({ gravity = 800 })
-    world:add("lake", zone({ gravity = 100, airFriction = 2 }))
-    world:add("lake", zone({ gravity = 100, airFriction = 2 }, { x = 400 }))
-    local one = world:add("bodies", body({ x = 100, y = 200 }))
-    local other = world:add("bodies", body({ x = 390, y = 200 }))
-    for _ = 1, 20 do
-      world:update(1 / 60)
-      near(one.y, other.y, 1e-9)
-    end
-  end)
+  local LAKE = { gravity = 100, airFriction = 2 }
+  play.row("goes on without a gap where zones are flush", ONCE, {
+    zone(LAKE),
+    zone(LAKE, { x = 400, name = "next" }),
+    body({ x = 100, y = 200 }),
+    body({ name = "between", x = 390, y = 200 }),
+  }, { { steps = 20, "between.y ~ body.y" } })
 
-  it("respects masks and active, and acts on nothing but dynamic objects", function()
-    local world = physics.newWorld({ gravity = 0, masks = { zones = { ghosts = false } } })
-    local wind = world:add("zones", zone({ ax = 60 }))
-    local ghost = world:add("ghosts", body({ y = 200 }))
-    local shy = world:add("bodies", body({ x = 10, y = 200, mask = { zones = false } }))
-    local lift = world:add("lifts", body({ x = 40, y = 200, kinematic = true }))
-    local coin = world:add("coins", body({ x = 90, y = 200, sensor = true }))
-    world:update(0.02)
-    assert.are.same({ 0, 0 }, { ghost.vx, shy.vx })
-    assert.is_nil(lift.vx)
-    near(1.2, coin.vx, 1e-12)
-    wind.active = false
-    world:refresh(wind)
-    world:update(0.02)
-    near(1.2, coin.vx, 1e-12)
-  end)
+  play.row("respects masks and active, and acts on nothing but dynamic objects", ONCE, {
+    gravity = 0,
+    masks = { zones = { ghosts = false } },
+    zone({ ax = 60 }),
+    scene.thing("ghosts", INSIDE[2])({ name = "ghost" }),
+    body({ name = "shy", x = 10, y = 200, mask = { zones = false } }),
+    body({ name = "lift", x = 40, y = 200, kinematic = true }),
+    body({ name = "coin", x = 90, y = 200, sensor = true }),
+  }, {
+    "run:step(0.02)",
+    "ghost.vx == 0; shy.vx == 0; lift.raw.vx == nil; coin.vx ~ 1.2, 1e-12",
+    "zone.active = false; world:refresh(zone.raw); run:step(0.02); coin.vx ~ 1.2, 1e-12",
+  })
 
-  it("wakes what rests in it when it changes, comes and goes", function()
-    for _, kind in ipairs({ "static", "kinematic" }) do
-      local world = physics.newWorld({ gravity = 800 })
-      world:add("tiles", { x = 0, y = 400, width = 400, height = 20, static = true })
-      local object = world:add("bodies", body({ y = 380 }))
-      local its = zone({ gravity = 100 }, { static = kind == "static", [kind] = true })
-      -- What is done to the zone, and where the object is then.
-      for n, row in ipairs({
-        { "update", 380, 380 },
-        { "add", 380, 380 },
-        { "refresh", 300, 379 },
-        { "remove", 380, 380 },
-      }) do
-        its.area.gravity = n > 2 and -100 or 100
-        local given = row[1] == "update" and DT or row[1] == "add" and "zones" or its
-        world[row[1]](world, given, row[1] == "add" and its or nil)
-        for _ = 1, n == 3 and 10 or 60 do
-          world:update(DT)
-        end
-        assert.is_true(object.y >= row[2] and object.y <= row[3], object.y)
-        assert.is_true(n == 3 or world.stats.resting >= 1)
-      end
-      world:add("zones", zone({ ax = 100 }))
-      world:update(DT)
-      assert.is_true(object.vx > 0)
-    end
-  end)
+  local FLOOR = scene.maker("tiles", { static = true })("floor", 0, 400, 400, 20)
+  play.row(
+    "that is {kind} wakes what rests in it when it changes, comes and goes",
+    ONCE,
+    function(v)
+      local its = zone(
+        { gravity = 100 },
+        { static = v.kind == "static", [v.kind] = true, active = false }
+      )
+      return { its, FLOOR, body({ y = 380 }) }
+    end,
+    {
+      { "run:play(1)", "world.stats.resting >= 1" },
+      {
+        "zone.active = true; world:refresh(zone.raw)",
+        1,
+        "body.y == 380; world.stats.resting >= 1",
+      },
+      { "zone.raw.area.gravity = -100; world:refresh(zone.raw)", 1 / 6, "body.y < 380" },
+      { "world:remove(zone.raw)", 1, "body.y == 380" },
+      { "zone.raw.area.ax = 100; world:add('zones', zone.raw)", 1 / 6, "body.vx > 0" },
+    },
+    { "kind", { "static" }, { "kinematic" } }
+  )
 
-  it("is the same with and without rest, the grid and the JIT's arrays", function()
+  it("is the same with and without rest, and in either broad phase", function()
     local hashes = {}
     for n, settings in ipairs({ {}, { rest = false }, { broadphase = "pairs" } }) do
-      local world = physics.newWorld(copyOf({ gravity = 800 }, settings))
-      world:add("zones", zone({ gravity = -300, airFriction = 2 }))
-      world:add("zones", {
-        x = 300,
-        y = 0,
-        radius = 80,
-        width = 160,
-        height = 160,
-        kinematic = true,
-        sensor = true,
-        vx = -20,
-        area = { attract = 900, law = "inverse" },
-      })
+      local world = physics.newWorld(settings)
+      world.gravity = 800
+      world:add("zones", zone({ gravity = -300, airFriction = 2 })[2])
+      local round = { x = 300, y = 0, radius = 80, width = 160, height = 160, vx = -20 }
+      round.kinematic, round.static = true, false
+      world:add("zones", zone({ attract = 900, law = "inverse" }, round)[2])
       world:add("tiles", { x = 0, y = 400, width = 600, height = 20, static = true })
       for i = 0, 29 do
-        world:add("bodies", body({ x = 18 * i, y = 40 + 30 * (i % 5), friction = 0.3 }))
+        world:add("bodies", body({ x = 18 * i, y = 40 + 30 * (i % 5), friction = 0.3 })[2])
       end
       for _ = 1, 240 do
-        world:update(1 / 60)
+        world:update(DT)
       end
       hashes[n] = world:hash()
     end
     assert.are.same({ hashes[1], hashes[1], hashes[1] }, hashes)
   end)
 
+  -- A world with such a zone, and a body above it.
+  local function newWorld(area)
+    local world = physics.newWorld({ gravity = 800 })
+    return world, world:add("zones", zone(area)[2]), world:add("bodies", body()[2])
+  end
+
   it("is in states, and a restored world goes on with the same bits", function()
-    local object, world = play({ gravity = -500, ax = 3, law = "square", attract = 20 }, 0.5)
-    local saved, its = world:save(), world.objects.zones[1]
-    local other = physics.newWorld()
+    local world, its, object = newWorld({ gravity = -500, ax = 3, law = "square", attract = 20 })
+    for _ = 1, 30 do
+      world:update(DT)
+    end
+    local saved, area, other = world:save(), its.area, physics.newWorld()
     other:restore(saved)
-    assert.are.same(its.area, other.objects.zones[1].area)
-    local area = its.area
+    assert.are.same(area, other.objects.zones[1].area)
     its.area = nil
     world:refresh(its)
     assert.is_true(world:hash() ~= other:hash())
-    its.area = area
-    world:refresh(its)
     world:restore(saved)
     for _ = 1, 30 do
-      world:update(1 / 60)
-      other:update(1 / 60)
+      world:update(DT)
+      other:update(DT)
     end
     assert.are.equal(world:hash(), other:hash())
     assert.are.equal(object.y, other.objects.bodies[1].y)
@@ -286,31 +228,26 @@ describe("an area", function()
     local world = physics.newWorld()
     local object = { id = 1, x = 0, y = 0, width = 64, height = 32, shape = "rectangle" }
     object.properties = { sensor = true, static = true, area = { gravity = 50, law = "linear" } }
-    local level = world:loadTiled({
-      orientation = "orthogonal",
-      width = 4,
-      height = 4,
-      tilewidth = 16,
-      tileheight = 16,
-      tilesets = {},
-      layers = { { type = "objectgroup", name = "zones", objects = { object } } },
-    })
-    assert.are.same({}, level.unsupported)
+    local map = { orientation = "orthogonal", width = 4, height = 4, tilewidth = 16 }
+    map.tileheight, map.tilesets = 16, {}
+    map.layers = { { type = "objectgroup", name = "zones", objects = { object } } }
+    assert.are.same({}, world:loadTiled(map).unsupported)
     assert.are.same({ gravity = 50, law = "linear" }, world.objects.zones[1].area)
-    world:update(1 / 60)
+    world:update(DT)
   end)
 
   it("is told by explain", function()
-    local object, world = play({ ax = 1 }, 0)
-    local text = world:explain(object, world.objects.zones[1])
+    local world, its, object = newWorld({ ax = 1 })
+    local text = world:explain(object, its)
     assert.is_truthy(text:find("objects.zones[1] is a zone: its area acts", 1, true), text)
   end)
 
   it("makes no garbage", function()
-    local _, world = play({ gravity = -100, airFriction = 1, attract = 5 }, 0)
-    world:add("zones", zone({ ax = 3, drag = 4 }, { static = false, kinematic = true, vx = 1 }))
+    local world = newWorld({ gravity = -100, airFriction = 1, attract = 5 })
+    local moving = { static = false, kinematic = true, vx = 1 }
+    world:add("zones", zone({ ax = 3, drag = 4 }, moving)[2])
     local bytes = garbage.bytes(function()
-      world:update(1 / 60)
+      world:update(DT)
     end, 600, 100)
     assert.is_true(bytes <= 100, bytes)
   end)
@@ -318,31 +255,24 @@ describe("an area", function()
   it("is refused where it is wrong, and nothing has changed", function()
     local world = physics.newWorld()
     for _, row in ipairs({
-      { { area = true }, "zones[1].area must be a table { gravity = 100, … }, got true" },
-      { { area = { gravity = "1" } }, 'zones[1].area.gravity must be a number, got "1"' },
-      { { area = { drag = -1 } }, "zones[1].area.drag must be a number >= 0, got -1" },
-      {
-        { area = { law = "cubic" } },
-        'area.law must be "constant", "linear", "inverse" or "square", got "cubic"',
-      },
-      { { area = { gravty = 1 } }, 'unknown entry "gravty" (did you mean "gravity"?)' },
-      { { area = { 1 } }, "unknown entry 1; the entries are gravity, gravityX, ax" },
-      {
-        { area = {}, sensor = false },
-        "zones[1].area must be nil unless the object is a sensor, got table",
-      },
+      { true, "zones[1].area must be a table { gravity = 100, … }, got true" },
+      { { gravity = "1" }, 'zones[1].area.gravity must be a number, got "1"' },
+      { { drag = -1 }, "zones[1].area.drag must be a number >= 0, got -1" },
+      { { law = "cubic" }, '"inverse" or "square", got "cubic"' },
+      { { gravty = 1 }, 'unknown entry "gravty" (did you mean "gravity"?)' },
+      { { 1 }, "unknown entry 1; the entries are gravity, gravityX, ax" },
+      { {}, "area must be nil unless the object is a sensor, got table", { sensor = false } },
     }) do
-      local object = zone(nil, row[1])
-      local ok, message = pcall(world.add, world, "zones", object)
+      local ok, message = pcall(world.add, world, "zones", zone(row[1], row[3])[2])
       assert.is_false(ok)
       assert.is_truthy(message:find("zones_spec.lua", 1, true), message)
       assert.is_truthy(message:find(row[2], 1, true), message)
     end
-    local its = world:add("zones", zone({ ax = 1 }, { static = false, kinematic = true }))
-    world:update(1 / 60)
+    local its = world:add("zones", zone({ ax = 1 }, { static = false, kinematic = true })[2])
+    world:update(DT)
     its.area.ax = "fast"
-    assert.is_false((pcall(world.update, world, 1 / 60)))
+    assert.is_false((pcall(world.update, world, DT)))
     its.area.ax = 2
-    world:update(1 / 60)
+    world:update(DT)
   end)
 end)
