@@ -9,7 +9,7 @@ local BUDGET = {
   { "physics/broadphase", 700 },
   { "physics/contacts", 428 },
   { "physics/fields", 714 },
-  { "physics/maps", 2441 },
+  { "physics/maps", 2417 },
   { "physics/memory", 861 },
   { "physics/motion", 996 },
   { "physics/objects", 1349 },
