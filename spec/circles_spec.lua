@@ -2,6 +2,8 @@
 
 local newRandom = require("spec.support.random").new
 local physics = require("physics")
+local play = require("spec.support.play")
+local scene = require("spec.support.scene")
 
 local BROADPHASES = { "grid", "pairs" }
 
@@ -181,86 +183,61 @@ describe("radius: a sensor with one", function()
   end)
 
   -- A box of 4 px that flies by a circle of 20 px around (50, 50).
-  local function fly(kind, x, y, vx, vy, dt)
-    local world, log = physics.newWorld({ gravity = 0 }), {}
-    local blast = { x = 30, y = 30, radius = 20, sensor = true }
-    blast[kind] = true
-    function blast.onBegin(_, other, side, speed)
-      log[#log + 1] = { side, speed, other.x }
-    end
-    function blast.onEnd()
-      log[#log + 1] = "end"
-    end
-    world:add("blasts", blast)
-    world:add("boxes", { x = x, y = y, width = 4, height = 4, vx = vx, vy = vy })
-    for _ = 1, 1 / dt + 0.5 do
-      world:update(dt)
-    end
-    return log
+  local LEVELS = { rate = { 4000, 240, 60, 30 }, shift = { 0 }, order = { "forward" } }
+  local function flies(v)
+    local blast = scene.maker("blasts", { radius = 20, sensor = true, [v.kind] = true })
+    local box = scene.maker("boxes", { vx = v.vx, vy = v.vy })("box", v.x, v.y, 4, 4)
+    return { gravity = 0, blast("blast", 30, 30, 40, 40), box }
   end
-
   for _, kind in ipairs({ "static", "kinematic", "dynamic" }) do
-    for _, dt in ipairs({ 1 / 4000, 1 / 240, 1 / 60, 1 / 30 }) do
-      local name = (" (%s, %.5f s)"):format(kind, dt)
-      it("feels what enters it, however fast, and nothing else" .. name, function()
-        assert.are.same({}, fly(kind, -50, 25.9, 400, 0, dt)) -- above
-        assert.are.same({}, fly(kind, -35, 67, 200, 200, dt)) -- past below its square's corner
-        assert.are.same({}, fly(kind, -20, 78, 300, -400, dt)) -- through that, past the circle
-        local log = fly(kind, -50, 48, 400, 0, dt)
-        assert.are.equal("left", log[1][1])
-        assert.is_true(math.abs(log[1][2] - 400) < 1e-9)
-        assert.are.equal("end", log[2])
-        assert.are.equal(2, #log)
-        assert.are.equal("left", fly(kind, -10, 35.2, 9000, 0, dt)[1][1])
-      end)
-    end
+    play.row("({kind}) does not feel what passes {what}", LEVELS, flies, {
+      { "listen blast", 1, "blast heard 0, 0" },
+    }, {
+      "kind, what, x, y, vx, vy",
+      { kind, "above", -50, 25.9, 400, 0 },
+      { kind, "below the corner of its square", -35, 67, 200, 200 },
+      { kind, "through that corner", -20, 78, 300, -400 },
+    })
+
+    play.row("({kind}) feels what enters it at {vx} px/s, however fast", LEVELS, flies, {
+      { "listen blast", 1, "blast heard 1, 1; heard.blast.sides.left == 1" },
+      "heard.blast.speed ~ speed, 1e-9",
+    }, {
+      "kind, x, y, vx, vy, speed",
+      { kind, -50, 48, 400, 0, 400 },
+      { kind, -10, 48, 9000, 0, 9000 },
+    })
   end
 
-  it("tells the approach along its normal", function()
-    -- The box's corner meets the circle where its normal is (-0.6, -0.8).
-    local log = fly("static", 0, 30, 300, 0, 1 / 60)
-    assert.is_true(math.abs(log[1][2] - 180) < 1e-6)
-    assert.are.equal("top", log[1][1])
-  end)
+  -- The box's corner meets the circle where its normal is (-0.6, -0.8).
+  play.row("tells the approach along its normal", play.ONCE, flies, {
+    { "listen blast", 1, "heard.blast.speed ~ 180, 1e-6; heard.blast.sides.top == 1" },
+  }, { "kind, x, y, vx, vy", { "static", 0, 30, 300, 0 } })
 
-  it("feels circles as circles", function()
-    local world, begun = physics.newWorld({ gravity = 0 }), 0
-    local function note()
-      begun = begun + 1
-    end
-    world:add("blasts", { x = 0, y = 0, radius = 10, sensor = true, static = true, onBegin = note })
-    local coin = world:add("coins", { x = 15.2, y = 13.2, radius = 10, sensor = true, vy = -1 })
-    world:update(0.1)
-    assert.are.equal(0, begun) -- 20.1 px from centre to centre
-    world:update(0.25)
-    assert.are.equal(1, begun)
-    assert.are.equal("right", world:touching(world.objects.blasts[1], coin))
-    assert.is_truthy(world:explain(coin, world.objects.blasts[1]):find("they overlap by", 1, true))
-  end)
+  local ROUND = { sensor = true, radius = 10 }
+  play.row("feels circles as circles", play.ONCE, {
+    gravity = 0,
+    scene.maker("blasts", ROUND)("blast", 0, 0, 20, 20),
+    scene.maker("coins", ROUND)("coin", 15.2, 13.2, 20, 20),
+  }, {
+    { "listen blast; coin.vy = -1; run:step(0.1); blast heard 0, 0" }, -- 20.1 px apart
+    "run:step(0.25); blast heard 1, 0; world:touching(blast.raw, coin.raw) == 'right'",
+    "world:explain(coin.raw, blast.raw):find('they overlap by', 1, true) ~= nil",
+  })
 
-  it("may grow and shrink at run time", function()
-    local world, log = physics.newWorld({ gravity = 0 }), {}
-    local box = world:add("boxes", { x = 40, y = 40, width = 10, height = 10 })
-    local blast = world:add("blasts", { x = 0, y = 0, radius = 10, sensor = true })
-    function blast.onBegin()
-      log[#log + 1] = "in"
-    end
-    function blast.onEnd()
-      log[#log + 1] = "out"
-    end
-    world:update(1 / 60)
-    blast.radius, blast.width, blast.height = 30, 60, 60
-    world:update(1 / 60)
-    assert.are.same({ "in" }, log)
-    blast.radius, blast.width, blast.height = 22, 44, 44 -- the square overlaps, the circle not
-    world:update(1 / 60)
-    assert.are.same({ "in", "out" }, log)
-    assert.are.equal(0, select(2, world:overlapping(blast)))
-    blast.radius = nil
-    world:update(1 / 60)
-    assert.are.same({ "in", "out", "in" }, log)
-    assert.are.equal(box, (world:overlapping(blast))[1])
-  end)
+  play.row("may grow and shrink at run time", play.ONCE, {
+    gravity = 0,
+    scene.maker("boxes", {})("box", 40, 40, 10, 10),
+    scene.maker("blasts", ROUND)("blast", 0, 0, 20, 20),
+  }, {
+    { "listen blast", 1 / 60, "blast heard 0, 0" },
+    { "blast.radius, blast.width, blast.height = 30, 60, 60", 1 / 60, "blast heard 1, 0" },
+    -- the square overlaps, the circle not
+    { "blast.radius, blast.width, blast.height = 22, 44, 44", 1 / 60, "blast heard 1, 1" },
+    "#world:overlapping(blast.raw) == 0",
+    { "blast.radius = nil", 1 / 60, "blast heard 2, 1" },
+    "world:overlapping(blast.raw)[1] == box.raw",
+  })
 
   for _, row in ipairs({
     { { radius = 0 }, "width must be a number > 0, got nil (2 * radius is 0)" },
