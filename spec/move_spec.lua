@@ -4,6 +4,8 @@ local effort = require("spec.support.effort")
 local physics = require("physics")
 local garbage = require("spec.support.garbage")
 local newRandom = require("spec.support.random").new
+local play = require("spec.support.play")
+local scene = require("spec.support.scene")
 
 local long = effort.isFirst and it or pending
 
@@ -41,7 +43,7 @@ describe("world:move", function()
   --
   --     +---------------+
   --     |     floor     |
-  local function scene(wall, shift)
+  local function newScene(wall, shift)
     local world, o = still(), shift or 0
     local me = world:add("me", box(o, o, 10, 10, { vx = 3, vy = 4 }))
     local fields = { name = "wall" }
@@ -76,7 +78,7 @@ describe("world:move", function()
     it("goes: " .. row[1], function()
       for _, o in ipairs(SHIFTS) do
         for _, kind in ipairs({ "dynamic", "static", "kinematic" }) do
-          local world, me = scene({ [kind] = kind ~= "dynamic" or nil }, o)
+          local world, me = newScene({ [kind] = kind ~= "dynamic" or nil }, o)
           local to, at = row[3], row[4]
           local x, y, hits, count = world:move(me, to[1] + o, to[2] + o, row[2])
           assert.are.near(at[1] + o, x, 1e-6)
@@ -89,39 +91,35 @@ describe("world:move", function()
   end
 
   it("tells all about a hit", function()
-    local world, me, wall = scene()
+    local world, me, wall = newScene()
     local _, _, hits = world:move(me, 80, 8)
     local hit = hits[1]
     assert.are.same({ 20, 2, -1, 0, 0.25 }, { hit.x, hit.y, hit.nx, hit.ny, hit.fraction })
     assert.are.equal(wall, hit.other)
   end)
 
-  it("tells where on the whole way each hit was", function()
+  -- 10 px to the first wall, 20 px from one to the other: hit 64 after 1270 px, 65 after 1290
+  it("tells where on the whole way each hit was, and ends after 64", function()
     local world = still()
     local me = world:add("a", box(0, 0, 10, 10))
     for _, x in ipairs({ 20, -20 }) do
       world:add("b", box(x, -50, 10, 100, { static = true }))
     end
-    local x, y, hits, count = world:move(me, 80, 0, "bounce")
-    assert.are.same({ 0, 0, 4 }, { x, y, count })
-    for n, fraction in ipairs({ 0.125, 0.375, 0.625, 0.875 }) do
-      assert.are.near(fraction, hits[n].fraction, 1e-9)
-      assert.are.equal(n % 2 == 1 and 10 or -10, hits[n].x)
-    end
-  end)
-
-  it("ends after 64 hits", function()
-    local world = still()
-    local me = world:add("a", box(0, 0, 10, 10))
-    for _, x in ipairs({ 20, -20 }) do
-      world:add("b", box(x, -50, 10, 100, { static = true }))
-    end
-    -- 10 px to the first wall, 20 px from one to the other: hit 64 after 1270 px, 65 after 1290
-    local rows = { { 1269, -9, 63 }, { 1289, 9, 64 }, { 1291, -10, 64 }, { 9000, -10, 64 } }
-    for _, row in ipairs(rows) do
+    for _, row in ipairs({
+      -- to, at, hits
+      { 80, 0, 4 },
+      { 1269, -9, 63 },
+      { 1289, 9, 64 },
+      { 1291, -10, 64 },
+      { 9000, -10, 64 },
+    }) do
       me.x = 0
-      local x, y, _, count = world:move(me, row[1], 0, "bounce")
+      local x, y, hits, count = world:move(me, row[1], 0, "bounce")
       assert.are.same({ row[2], 0, row[3] }, { x, y, count })
+      for n = 1, count do
+        assert.are.near((20 * n - 10) / row[1], hits[n].fraction, 1e-9)
+        assert.are.equal(n % 2 == 1 and 10 or -10, hits[n].x)
+      end
     end
   end)
 
@@ -145,7 +143,7 @@ describe("world:move", function()
   end)
 
   it("crosses sensors and reports them in order", function()
-    local world, me = scene()
+    local world, me = newScene()
     world:add("coins", box(15, 0, 5, 5, { name = "near", sensor = true }))
     world:add("coins", box(5, 2, 5, 5, { name = "here", sensor = true, static = true }))
     world:add("coins", box(50, 0, 5, 5, { name = "behind", sensor = true }))
@@ -161,22 +159,23 @@ describe("world:move", function()
   end)
 
   it("passes what it cannot meet", function()
-    for _, fields in ipairs({
-      { active = false },
-      { mask = { me = false } },
-      { oneWay = "top" },
+    for _, row in ipairs({
+      -- fields of the wall, of me, of the world
+      { { active = false }, {}, {} },
+      { { mask = { me = false } }, {}, {} },
+      { { oneWay = "top" }, {}, {} },
+      { {}, { mask = { walls = false } }, {} },
+      { {}, {}, { masks = { walls = { me = false } } } },
+      { {}, { active = false }, {} },
     }) do
-      local world, me = scene(fields)
+      local world, me = newScene(row[1])
+      for object, fields in pairs({ [me] = row[2], [world] = row[3] }) do
+        for name, value in pairs(fields) do
+          object[name] = value
+        end
+      end
       assert.are.equal(80, (world:move(me, 80, 0)))
     end
-    local world, me = scene()
-    me.mask = { walls = false }
-    assert.are.equal(80, (world:move(me, 80, 0)))
-    me.mask, me.x, world.masks = nil, 0, { walls = { me = false } }
-    assert.are.equal(80, (world:move(me, 80, 0)))
-    me.active, world.masks = false, nil
-    assert.are.equal(0, (world:move(me, 0, 500)))
-    assert.are.equal(500, me.y)
   end)
 
   it("lands on a one-way and comes up through it", function()
@@ -202,7 +201,7 @@ describe("world:move", function()
   end)
 
   it("asks a function for the response", function()
-    local world, me = scene()
+    local world, me = newScene()
     world:add("doors", box(15, 0, 5, 10, { name = "door" }))
     world:add("ghosts", box(20, 0, 5, 10, { name = "ghost" }))
     local function response(object, other)
@@ -223,7 +222,7 @@ describe("world:move", function()
   end)
 
   it("lets out what is inside a solid, and holds it nowhere", function()
-    local world, me, wall = scene()
+    local world, me, wall = newScene()
     me.x = 25
     local x, _, hits, count = world:move(me, 5, 0)
     assert.are.equal(5, x)
@@ -250,7 +249,7 @@ describe("world:move", function()
   end)
 
   it("leaves no garbage with a list of its own", function()
-    local world, me = scene()
+    local world, me = newScene()
     local hits = {}
     local function go()
       world:move(me, 40, 40, "slide", hits)
@@ -288,17 +287,13 @@ describe("world:move", function()
     end
   end)
 
-  it("is taken by the next update as a place the game wrote", function()
-    local world = physics.newWorld({ gravity = 800 })
-    world:add("floor", box(0, 100, 200, 16, { static = true }))
-    local me = world:add("me", box(0, 84, 16, 16))
-    for _ = 1, 5 do
-      world:move(me, me.x + 10, me.y)
-      world:update(1 / 60)
-    end
-    assert.are.same({ 50, 84, 0 }, { me.x, me.y, me.vy })
-    assert.is_table(me.touching.bottom)
-  end)
+  play.row("is taken by the next update as a place the game wrote", play.ONCE, {
+    scene.maker("floors", { static = true })("floor", 0, 100, 200, 16),
+    scene.maker("me", {})("me", 0, 84, 16, 16),
+  }, {
+    { steps = 5, keep = "world:move(me.raw, me.x + 10, me.y)" },
+    "me at 50, 84; me.vy == 0; me touches bottom",
+  })
 end)
 
 describe("world:impulse", function()
@@ -313,27 +308,14 @@ describe("world:impulse", function()
 end)
 
 describe("world:setBounds", function()
-  it("keeps everything inside, until it is taken away", function()
-    local world = physics.newWorld({ gravity = 800 })
-    local me = world:add("me", box(50, 50, 10, 10, { vx = 5000, vy = -9000 }))
-    world:setBounds(0, 0, 100, 80)
-    for _ = 1, 60 do
-      world:update(1 / 60)
-      assert.is_true(me.x >= 0 and me.x <= 90 and me.y >= 0 and me.y <= 70)
-    end
-    assert.are.same({ 90, 70 }, { me.x, me.y })
-    assert.are.equal(world.objects.bounds.bottom, me.touching.bottom)
-    world:setBounds(0, 0, 100, 90)
-    for _ = 1, 60 do
-      world:update(1 / 60)
-    end
-    assert.are.equal(80, me.y)
-    assert.are.equal(6, world.stats.objects + 1)
-    world:setBounds()
-    world:update(1 / 60)
-    assert.is_nil(world.objects.bounds)
-    assert.are.equal(1, world.stats.objects)
-  end)
+  local FAST = scene.maker("me", { vx = 5000, vy = -9000 })("me", 50, 50, 10, 10)
+  play.row("keeps everything inside, until it is taken away", play.ONCE, { FAST }, {
+    "world:setBounds(0, 0, 100, 80)",
+    { 1, "me.x >= 0", "me.x <= 90", "me.y >= 0", "me.y <= 70" },
+    "me at 90, 70; me.touching.bottom == world.objects.bounds.bottom",
+    { "world:setBounds(0, 0, 100, 90)", 1, "me.y == 80; world.stats.objects == 5" },
+    { "world:setBounds()", 1 / 60, "world.objects.bounds == nil; world.stats.objects == 1" },
+  })
 
   --   +-------------+    x from -64 to 164
   --   +--+-------+--+
