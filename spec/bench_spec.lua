@@ -95,15 +95,15 @@ describe("a scene", function()
   end
 end)
 
--- An engine of made-up steps: `moves[step]` says what happens to its objects.
+-- An engine of made-up steps: `moves[step]` says how far the first object goes, and its `vx` then.
 local function newEngine(moves)
   local World = {}
   World.__index = World
   function World:step()
     self.count = self.count + 1
-    local move = moves[self.count]
+    local move, its = moves[self.count], self.objects[1]
     if move then
-      move(self.objects)
+      its.x, its.y, its.vx = its.x + move[1], its.y + move[2], move[3] or its.vx
     end
   end
   function World:list()
@@ -150,39 +150,18 @@ end
 
 describe("the bounds of a scene", function()
   it("count the steps until rest after the last driven one", function()
-    local result = play({
-      [12] = function(list)
-        list[1].x = list[1].x + 1
-      end,
-    })
-    assert.equal(7, result.rest)
+    assert.equal(7, play({ [12] = { 1, 0 } }).rest)
   end)
 
   it("tell the motion beyond the fastest speed of the step, and when it was", function()
-    local result = play({
-      [2] = function(list)
-        list[1].x, list[1].vx = list[1].x + 3, 120 -- 2 px are explained
-      end,
-      [3] = function(list)
-        list[1].x, list[1].vx = list[1].x + 2, 0 -- all of it: it was that fast before
-      end,
-      [4] = function(list)
-        list[1].y = list[1].y + 0.5
-      end,
-    })
+    -- 2 px of the first are explained, and the second: it was that fast before.
+    local result = play({ [2] = { 3, 0, 120 }, [3] = { 2, 0, 0 }, [4] = { 0, 0.5 } })
     assert.near(1, result.jump, 1e-12)
     assert.equal(2, result.jumpAt)
   end)
 
   it("count overlapping pairs, the deepest, and the steps until all are apart", function()
-    local result = play({
-      [1] = function(list)
-        list[1].x = 43
-      end,
-      [9] = function(list)
-        list[1].x = 40
-      end,
-    })
+    local result = play({ [1] = { 43, 0 }, [9] = { -3, 0 } })
     assert.same({ 0, 0, 3 }, { result.pairs, result.deepest, result.apart })
   end)
 end)
