@@ -131,27 +131,6 @@ describe("the docstring", function()
       end
     end)
   end
-
-  -- the lines of a docstring, the name and the type and the text that are read
-  for _, row in ipairs({
-    { "---@param x number px, left edge", "x", "number", "px, left edge" },
-    { "---@param f fun(a: table, b: T): any how", "f", "fun(a: table, b: T): any", "how" },
-    { '---@param m "a" | "b"|nil which', "m", '"a" | "b"|nil', "which" },
-    { "---@param o table?", "o", "table?", "" },
-    { "---@param o table? one\n---  two", "o", "table?", "one two" },
-  }) do
-    it("is read: " .. row[1]:gsub("\n", " / "), function()
-      local path = os.tmpname()
-      local file = assert(io.open(path, "wb"))
-      file:write("--- Does.\n", row[1], "\nfunction M:go(a, b)\nend\n")
-      file:close()
-      local entry = docstrings.functions(path, "M").go
-      os.remove(path)
-      local param = entry.params[1]
-      assert.same({ row[2], row[3], row[4] }, { param.name, param.type, param.text })
-      assert.equal("a, b", entry.arguments)
-    end)
-  end
 end)
 
 describe("docs/maps.md", function()
