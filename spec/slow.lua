@@ -71,7 +71,6 @@ slow.files = {
   { "spec/scenarios/12_momentum_spec.lua", "200 bouncing boxes, for 20 s" },
   { "spec/balls_spec.lua", "200 balls, for a minute" },
   { "spec/heaps_spec.lua", "100 balls, poured into a room at three frame rates" },
-  { "spec/examples_spec.lua", "whole levels of the examples, as recorded" },
   { "spec/soak_spec.lua", "falls of 4600 steps" },
   { "spec/registry_spec.lua", "eight more seeds of random edits" },
   { "spec/limits_spec.lua", "engines in steps of 1/1000 s" },

@@ -12,7 +12,6 @@ leftOut.files = {
   ["spec/bad_input_spec.lua"] = "calls by tail calls, with callers that gopher-lua does not know",
   ["spec/bench_spec.lua"] = "about the benchmark",
   ["spec/draw_spec.lua"] = "about LÖVE",
-  ["spec/examples_spec.lua"] = "about LÖVE",
   ["spec/fuzz_found_spec.lua"] = "the fuzzer itself does what gopher-lua does differently",
   ["spec/fuzz_spec.lua"] = "the fuzzer itself swaps variables in one assignment",
   ["spec/garbage_spec.lua"] = MEMORY,
