@@ -48,8 +48,7 @@ local MEMORY = 4000000 -- kB: a change may make a loop that fills the memory
 local NOT_CORE = { "/draw", "/maps/", "/types" }
 
 -- What looks at files, at LÖVE or at times, not at what the core does.
-local OTHER_SPECS =
-  { "bench", "draw", "manual", "mutations", "portable", "rockspec", "tiled" }
+local OTHER_SPECS = { "bench", "draw", "manual", "mutations", "portable", "rockspec", "tiled" }
 OTHER_SPECS[#OTHER_SPECS + 1], OTHER_SPECS[#OTHER_SPECS + 2] = "plain_busted", "slow_spec"
 
 -- What only compares with numbers of an earlier version.

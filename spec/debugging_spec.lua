@@ -116,10 +116,18 @@ describe("checked", function()
       local text = ".%s is not a field of the library: did you mean %s?"
       refusesStep(world, "objects.boxes[1]" .. text:format(wrong, meant))
       box[wrong] = nil
-      world.gravty = 1
-      refusesStep(world, "world" .. text:format("gravty", "gravity"))
     end)
   end
+
+  it("takes gravty for gravity of the world, and onCollide for onBegin", function()
+    local world = newWorld()
+    for wrong, meant in pairs({ gravty = "gravity", onCollide = "onBegin" }) do
+      world[wrong] = wrong == "gravty" and 1 or print
+      local text = "world.%s is not a field of the library: did you mean %s?"
+      refusesStep(world, text:format(wrong, meant))
+      world[wrong] = nil
+    end
+  end)
 
   -- Where it is written (`new`: in a third object); what is written; what is said of it; what is
   -- written to make it fine.

@@ -72,6 +72,20 @@ describe("timestep", function()
     end
   end)
 
+  it("what the game moves goes an equal part of the way in each step of an update", function()
+    local world, places = physics.newWorld({ gravity = 0, timestep = 0.0625 }), {}
+    local lift = { x = 0, y = 0, width = 8, height = 8, kinematic = true }
+    world:add("lifts", lift)
+    local box = world:add("boxes", { x = 8, y = 0, width = 8, height = 8 })
+    world:update(0.0625)
+    world.onStep = function()
+      places[#places + 1] = box.x
+    end
+    lift.x = 30
+    world:update(0.1875)
+    assert.same({ 8, 18, 28, 38 }, { places[1], places[2], places[3], box.x })
+  end)
+
   it("more than 0.25 s is cut to that", function()
     local world = physics.newWorld({ gravity = 0, timestep = 0.03125 })
     local box = world:add("boxes", { x = 0, y = 0, width = 8, height = 8, vx = 32 })
