@@ -196,68 +196,51 @@ end
 
 -- Fields and settings -----------------------------------------------------------------------------
 
-local function update(scene)
-  scene.world:update(DT)
-end
-
-local function refreshFloor(scene)
-  scene.world:refresh(scene.floor)
-end
-
--- Places for a value. Each puts the value there, and returns the call that meets it and what takes
--- it away again.
-local function inNew(part, key)
-  return function(scene, name, value)
-    scene[part][key] = newBox(name, value)
-    return update, function()
-      scene[part][key] = nil
-    end
-  end
-end
-
-local function inOld(part, call)
-  return function(scene, name, value)
-    local old = scene[part][name]
-    scene[part][name] = value
-    return call or update, function()
-      scene[part][name] = old
-    end
-  end
-end
-
-local function inAdd(group)
-  return function(_, name, value)
-    local box = newBox(name, value)
-    return function(scene)
-      scene.world:add(group, box)
-    end
-  end
-end
-
-local function inSettings(make)
-  return function(_, name, value)
-    return function()
-      physics[make]({ [name] = value })
-    end
-  end
-end
-
--- how the message writes the place, what puts a value there; both lists are gone through in turn
+-- how a message writes the place; what puts a value there and meets it: `new` object in a table under
+-- a key, and an update; `add`; what is there already, and `refresh` or an update; or a function
 local NEW = {
-  { "objects.boxes[3].", inNew("boxes", 3) },
-  { "objects.player.", inNew("objects", "player") },
-  { "objects.boxes[3].", inAdd("boxes") },
-  { "objects.crates[1].", inAdd("crates") },
-  { "objects.floors[1].", inOld("floor", refreshFloor) },
+  { "objects.boxes[3].", "new", "boxes", 3 },
+  { "objects.player.", "new", "objects", "player" },
+  { "objects.boxes[3].", "add", "boxes" },
+  { "objects.crates[1].", "add", "crates" },
+  { "objects.floors[1].", "refresh", "floor" },
 }
 local LATER = {
-  { "objects.boxes[1].", inOld("box") },
-  { "objects.boxes[2].", inOld("sleeper") },
-  { "objects.lifts[1].", inOld("lift") },
+  { "objects.boxes[1].", "update", "box" },
+  { "objects.boxes[2].", "update", "sleeper" },
+  { "objects.lifts[1].", "update", "lift" },
 }
-local GIVEN =
-  { { "newWorld(settings): ", inSettings("newWorld") }, { "load(settings): ", inSettings("load") } }
-local WRITTEN = { { "world.", inOld("world") } }
+local GIVEN = { { "newWorld(settings): ", "newWorld" }, { "load(settings): ", "load" } }
+local WRITTEN = { { "world.", "update", "world" } }
+
+-- Puts a value to a place. Returns the call that meets it, and what takes it away again.
+local function put(scene, place, name, value)
+  local how, part = place[2], place[3]
+  local world, owner, key, item = scene.world, scene[part], name, value
+  if how == "new" or how == "add" then
+    key, item = place[4], newBox(name, value)
+  end
+  local old = owner and owner[key]
+  if how == "update" or how == "refresh" or how == "new" then
+    owner[key] = item
+  end
+  local function call()
+    if how == "add" then
+      world:add(part, item)
+    elseif how == "refresh" then
+      world:refresh(owner)
+    elseif part then
+      world:update(DT)
+    else
+      physics[how]({ [name] = value })
+    end
+  end
+  return call, function()
+    if owner and key then
+      owner[key] = old
+    end
+  end
+end
 
 local WORDS = {
   boolean = "true or false",
@@ -340,11 +323,11 @@ end
 -- Puts a value into a field or setting at a place. If it is refused, everything is as it was.
 local function tryAt(place, row, value, what)
   local scene = newScene()
-  local call, repair = place[2](scene, row.name, value)
+  local call, repair = put(scene, place, row.name, value)
   local before = snapshot(scene)
   local fit = fits(row, value, place[1])
   for _ = 1, 2 do
-    local isTaken, text = try(what, call, scene)
+    local isTaken, text = try(what, call)
     assert(isTaken or not fit, what .. " is refused: " .. tostring(text))
     if isTaken then
       assert(fit ~= false, what .. " is taken")
@@ -354,9 +337,7 @@ local function tryAt(place, row, value, what)
     assert(text == THROWN or text:sub(1, #expected) == expected, what .. ": " .. text)
     assert.equal(before, snapshot(scene), what)
   end
-  if repair then
-    repair()
-  end
+  repair()
   checkGoesOn(scene)
 end
 
