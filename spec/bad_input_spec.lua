@@ -196,8 +196,8 @@ end
 
 -- Fields and settings -----------------------------------------------------------------------------
 
--- how a message writes the place; what puts a value there and meets it: `new` object in a table under
--- a key, and an update; `add`; what is there already, and `refresh` or an update; or a function
+-- how a message writes the place; what puts a value there and meets it: a `new` object in a table,
+-- under a key, and an update; `add`; what is there already, and `refresh` or an update; a function
 local NEW = {
   { "objects.boxes[3].", "new", "boxes", 3 },
   { "objects.player.", "new", "objects", "player" },
