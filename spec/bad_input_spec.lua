@@ -157,7 +157,7 @@ local turn = 0
 
 local function someValues()
   turn = turn + 1
-  local some, step = {}, effort.isWhole and 1 or effort.isFirst and 2 or 4
+  local some, step = {}, effort.isWhole and 1 or effort.isFirst and 3 or 4
   for n = 1 + turn % step, COUNT, step do
     some[#some + 1] = n
   end

@@ -224,7 +224,7 @@ describe("a heap of balls", function()
 
   long("is the same with and without rest, and restored", function()
     -- Half a second after the last one has come down, if it is a selection.
-    local hashes, seconds = {}, effort.isWhole and 6 or 2.5
+    local hashes, seconds = {}, effort.isWhole and 6 or 2
     for n, settings in ipairs({ {}, { rest = false }, { broadphase = "pairs" } }) do
       local world = newHeap("poured", 5, settings)
       run(world, seconds)
@@ -422,7 +422,7 @@ describe("a heap of balls", function()
       local x, y = 20 + i % 10 * 36, 160 - (i - i % 10) / 10 * 30
       world:add("balls", { x = x, y = y, radius = random:between(7, 10) })
     end
-    run(world, 12)
+    run(world, effort.isWhole and 12 or 6)
     assert.are.equal(40, world.stats.resting)
     for _, one in ipairs(world.objects.balls) do
       -- The lines go down by 100 px on 150, to the middle.
