@@ -94,9 +94,10 @@ function filter.allows(b, i, j)
   return filter.reason(b, i, j) == nil
 end
 
---- Returns whether an object can be in the way of another: it is solid for it on every side.
-function filter.blocks(b, i, j)
-  return b.kind[j] ~= DYNAMIC
+--- Returns whether an object that is not dynamic, or any one (`isAny`), can be in the way of
+--- another: it is solid for it on every side.
+function filter.blocks(b, i, j, isAny)
+  return (isAny or b.kind[j] ~= DYNAMIC)
     and not b.sensor[i]
     and not b.sensor[j]
     and not b.oneWay[j]

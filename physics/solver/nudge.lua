@@ -8,7 +8,6 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
-local filter = require(root .. ".broadphase.filter")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local overlap = require(root .. ".solver.overlap")
 local path = require(root .. ".motion.path")
@@ -29,24 +28,6 @@ local function detour(b, i, j, axis, t)
   local its, mine = path.at(b, kj, b.time[j], t), path.at(b, ki, b.time[i], t)
   local low, high = its - b.size[ki] - mine, its + b.size[kj] - mine
   return -low < high and low or high
-end
-
--- Returns whether another dynamic body is at moment t where slot i would be, at (x, y).
-local function isTaken(b, i, x, y, t)
-  local found, size = b.found, b.size
-  local width, height = size[2 * i], size[2 * i + 1]
-  for n = 1, b.broadphase:query(x, y, x + width, y + height, found) do
-    local j = found[n]
-    local isSolid = not (b.sensor[i] or b.sensor[j] or b.oneWay[i] or b.oneWay[j])
-    if j ~= i and b.kind[j] == DYNAMIC and isSolid and filter.allows(b, i, j) then
-      local dx, dy = path.at(b, 2 * j, b.time[j], t) - x, path.at(b, 2 * j + 1, b.time[j], t) - y
-      local gap = max(dx - width, -dx - size[2 * j], dy - height, -dy - size[2 * j + 1])
-      if gap < -EPSILON then
-        return true
-      end
-    end
-  end
-  return false
 end
 
 -- Returns whether slot i may go `way` px along k, around a corner: no further than its `nudge`, and
@@ -78,7 +59,7 @@ local function try(b, p, i, j, axis, iIsLow, t)
   -- It must not sleep. If it is pushed back to where it was, it may pass in a longer step. And what
   -- is in the way beside it may leave without being a neighbour.
   b.news[i] = true
-  if overlap.isInside(b, i, x, y) or isTaken(b, i, x, y, t) then
+  if overlap.isInside(b, i, x, y, true) then
     return false
   end
   path.advance(b, i, t)

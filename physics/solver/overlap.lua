@@ -58,12 +58,13 @@ local function wayOut(b, i, j, axis, sign)
   return (touch.flushPlace(b, i, j, axis, sign) - b.from[2 * i + axis]) * sign
 end
 
--- Lists in b.found the immovable objects that slot i would overlap at (x, y). Returns how many.
-local function listBlockers(b, i, x, y)
+-- Lists in b.found the immovable objects, or all (`isAny`), that slot i would overlap at (x, y).
+-- Returns how many.
+local function listBlockers(b, i, x, y, isAny)
   local found, count = b.found, 0
   for n = 1, b.broadphase:query(x, y, x + b.size[2 * i], y + b.size[2 * i + 1], found) do
     local j = found[n]
-    if j ~= i and filter.blocks(b, i, j) and isDeep(touch.depth(b, i, j, x, y)) then
+    if j ~= i and filter.blocks(b, i, j, isAny) and isDeep(touch.depth(b, i, j, x, y)) then
       count = count + 1
       found[count] = j
     end
@@ -71,9 +72,9 @@ local function listBlockers(b, i, x, y)
   return count
 end
 
---- Returns whether slot i at (x, y) would overlap an immovable object.
-function overlap.isInside(b, i, x, y)
-  return listBlockers(b, i, x, y) > 0
+--- Returns whether slot i at (x, y) would overlap an immovable object, or any one (`isAny`).
+function overlap.isInside(b, i, x, y, isAny)
+  return listBlockers(b, i, x, y, isAny) > 0
 end
 
 -- Returns where slot i is after it has gone `way` px along an axis.
