@@ -84,24 +84,18 @@ local function nearest(b, i, j, x, y, ox, oy)
 end
 
 -- The face of slope j on which box i is flush, or inside by less than all others, as an axis and
--- whether the box is low; px to it; nil as the first: it is apart, or flush with a corner only.
+-- whether the box is low; px to it, and whether it is the edge. Nil as the first: it is apart, or
+-- flush with a corner only.
 local function nearestSide(b, i, j, places)
-  local axis, k, m = axisOf(b, i), 2 * i, 2 * j
-  local x, y, ox, oy = places[k], places[k + 1], places[m], places[m + 1]
-  local gap, nx, ny, isEdge = nearest(b, i, j, x, y, ox, oy)
-  if gap > EPSILON then
+  local size, axis, k, m = b.size, axisOf(b, i), 2 * i, 2 * j
+  local gap, nx, ny, isEdge = nearest(b, i, j, places[k], places[k + 1], places[m], places[m + 1])
+  local q, isLow = shapes.sideOf(nx, ny, isEdge, axis)
+  k, m = k + 1 - q, m + 1 - q
+  local common = min(places[k] + size[k], places[m] + size[m]) - max(places[k], places[m])
+  if gap > EPSILON or gap >= -EPSILON and common <= EPSILON then
     return nil, nil, gap
   end
-  local q, isLow = shapes.sideOf(nx, ny, isEdge, axis)
-  if gap >= -EPSILON then
-    local t = 1 - q
-    local edge = min(places[k + t] + b.size[k + t], places[m + t] + b.size[m + t])
-      - max(places[k + t], places[m + t])
-    if edge <= EPSILON then
-      return nil, nil, gap
-    end
-  end
-  return q, isLow, gap
+  return q, isLow, gap, isEdge
 end
 
 -- Whether no gravity presses slot i to anything: the edge of a slope is a wall for it.
@@ -123,27 +117,21 @@ local function slantOf(b, i, j)
   return shapes.slant(b.shape[j], axisOf(b, i), b.size[2 * j], b.size[2 * j + 1])
 end
 
--- The same below box i: 0 beyond the crest.
-local function gradient(b, i, j, places)
-  local t = 1 - axisOf(b, i)
-  local isBelow = beyondCrest(b, i, j, places[2 * i + t], places[2 * j + t]) < -EPSILON
-  return isBelow and slantOf(b, i, j) or 0
-end
-
 --- Returns the gradient of the ground, slot j, under slot i: px along gravity for each px across
---- it.
+--- it, 0 beyond the crest.
 function touch.gradient(b, i, j)
-  local axis = axisOf(b, i)
+  local axis, place = axisOf(b, i), b.position
+  local t = 1 - axis
   local isOn = touch.isRamp(b, j, axis, b.down[2 * i + axis])
-  return isOn and gradient(b, i, j, b.position) or 0
+    and beyondCrest(b, i, j, place[2 * i + t], place[2 * j + t]) < -EPSILON
+  return isOn and slantOf(b, i, j) or 0
 end
 
 -- The contact of box i and slope j where the step begins: see `touch.contact`.
 local function slopeContact(b, i, j)
   local from = b.from
-  local q, isLow, gap = nearestSide(b, i, j, from)
-  local isAside = q == axisOf(b, i) and isFloating(b, i)
-  if not q or gap < -EPSILON or isAside and gradient(b, i, j, from) ~= 0 then
+  local q, isLow, gap, isEdge = nearestSide(b, i, j, from)
+  if not q or gap < -EPSILON or isEdge and isFloating(b, i) then
     return nil -- what is inside, or floats, is left to the sweep
   end
   local kl, kh = 2 * (isLow and i or j) + q, 2 * (isLow and j or i) + q
@@ -166,25 +154,21 @@ function touch.contact(b, i, j)
   return axis, kl, kh, isSlanted and b.from[kh] - b.from[kl] or b.size[kl], isSlanted
 end
 
--- The side of slot i at which box and slope are flush at the end of the step: see `touch.side`.
-local function slopeSide(b, i, j)
-  local box, its = order(b, i, j)
-  local q, isLow, gap = nearestSide(b, box, its, b.to)
-  if gap < -EPSILON then
-    return -1
-  elseif not q then
-    return 0
-  end
-  return 2 * q + (isLow == (box == i) and 2 or 1)
-end
-
 --- Returns the side of slot i at which two are flush at the end of the step, else 0; -1: they are
 --- inside each other. Nil: they are boxes.
 function touch.side(b, i, j)
+  local q, isLow, gap, nx, ny
   if isRound(b, i, j) then
-    return ball.side(b, i, j)
+    gap, nx, ny = ball.gapIn(b, b.to, i, j)
+    q, isLow = shapes.sideOf(nx, ny, false)
+  elseif isSloped(b, i, j) then
+    local box, its = order(b, i, j)
+    q, isLow, gap = nearestSide(b, box, its, b.to)
+    isLow = isLow == (box == i)
+  else
+    return nil
   end
-  return isSloped(b, i, j) and slopeSide(b, i, j) or nil
+  return gap < -EPSILON and -1 or (gap > EPSILON or not q) and 0 or 2 * q + (isLow and 2 or 1)
 end
 
 -- The part of a common edge, from `low` to `high`, on which box i touches slope j with its side
