@@ -15,9 +15,11 @@ local columns = require(root .. ".memory.columns")
 local ground = require(root .. ".solver.ground")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local path = require(root .. ".motion.path")
+local pool = require(root .. ".solver.pool")
 local rules = require(root .. ".solver.rules")
 local shapes = require(root .. ".space.shapes")
 local sort = require(root .. ".memory.sort")
+local walk = require(root .. ".solver.walk")
 
 local snap = {}
 
@@ -56,22 +58,12 @@ end
 -- How low the ground may be for slot i at x1, if it has come along the ground from (x, height):
 -- from edge to edge it drops by at most `most` px.
 local function reach(b, i, axis, turn, x, x1, height, most)
-  for _ = 1, x ~= x1 and PIECES or 0 do
-    local turnAt = ground.nextTurn(b, x, x1)
-    local xEnd, last, its = ground.endOf(b, i, axis, turn, x, turnAt, height)
-    if its == 0 then -- an edge
-      its, last = ground.highest(b, i, axis, turn, x, height)
-      xEnd = x
-    end
-    local isHere = xEnd == x and last == height
-    if its == 0 or isHere or last > height + most + EPSILON then
-      break
-    end
-    x, height = xEnd, last
-    if x == x1 then
-      break
-    end
+  local pieces = b.pieceCount
+  if x ~= x1 then
+    local _, last = walk.follow(b, i, axis, turn, x, x1, height, false, true, most)
+    height = last
   end
+  b.pieceCount = pieces
   return height + most
 end
 
@@ -95,12 +87,9 @@ local function put(b, i, j, k, turn, height)
     b.to[k] = before
     return false
   end
-  b.speed[k], b.accel[k] = b.speed[m], b.accel[m]
-  if turn > 0 then
-    b.pressedHigh[k], b.heldHigh[k], b.holderHigh[k] = true, b.heldHigh[m] + 1, m
-  else
-    b.pressedLow[k], b.heldLow[k], b.holderLow[k] = true, b.heldLow[m] + 1, m
-  end
+  local pressed = turn > 0 and b.pressedHigh or b.pressedLow
+  b.speed[k], b.accel[k], pressed[k] = b.speed[m], b.accel[m], true
+  pool.lean(b, k, m, -turn)
   b.lowered[i] = (b.to[k] - before) * turn
   return true
 end
