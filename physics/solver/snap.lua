@@ -29,16 +29,12 @@ local max, min = math.max, math.min
 -- Pieces of ground, and edges, that an object may run over in a step.
 local PIECES = 64
 
--- Returns the lists that a world needs.
-local function newLists()
-  return { list = {}, height = {}, count = 0 }
-end
-
--- Whether slot i has begun the step standing, and does not go up from there. (What is round rolls
--- over edges.)
+-- Whether slot i may be lowered, or what it stands on: it has begun the step standing, and does
+-- not go up from there. (What is round rolls over edges.)
 local function stands(b, i)
   local k = 2 * i + axisOf(b, i)
   return b.support[i] ~= 0
+    and (b.snap[i] > 0 or b.kind[b.support[i]] == DYNAMIC)
     and b.down[k] ~= 0
     and b.kind[i] == DYNAMIC
     and not (b.sensor[i] or b.buried[i])
@@ -75,89 +71,68 @@ local function bears(b, j, k, turn)
   return isHeld and max(closing, b.speed[k] * turn) >= -EPSILON
 end
 
--- Puts slot i onto slot j, at a height, unless the game lets it pass; returns whether it stands
--- there.
+-- Puts slot i onto slot j, at a height, unless the game lets it pass.
 local function put(b, i, j, k, turn, height)
-  local m, before, list = 2 * j + k % 2, b.to[k], b.snaps.list
-  b.to[k] = turn * height
+  local m, place, v, a, list = 2 * j + k % 2, b.to[k], b.speed[k], b.accel[k], b.snaps.list
+  path.finish(b, k, turn * height, b.speed[m], b.accel[m])
   list[0] = i
   pairFinder.run(b, list, 0, 0)
   local p = columns.pairOf(b, i, j)
   if not p or rules.passes(b, p, turn > 0 and k or m, turn > 0 and m or k, k % 2, false) then
-    b.to[k] = before
-    return false
+    path.finish(b, k, place, v, a)
+    return
   end
   local pressed = turn > 0 and b.pressedHigh or b.pressedLow
-  b.speed[k], b.accel[k], pressed[k] = b.speed[m], b.accel[m], true
+  pressed[k] = true
   pool.lean(b, k, m, -turn)
-  b.lowered[i] = (b.to[k] - before) * turn
-  return true
+  b.lowered[i] = (b.to[k] - place) * turn
 end
 
--- Lowers slot i by at most `most` px at each edge; returns whether it was.
+-- Lowers slot i by at most `most` px at each edge.
 local function lower(b, i, most, dt)
   local axis = axisOf(b, i)
   local k, t = 2 * i + axis, 2 * i + 1 - axis
   local turn, x = b.down[k], b.to[t]
   if isOnSupport(b, i, axis, turn) then
-    return false
+    return
   end
   local x0, here = b.origin[t] + b.carried[t] * dt, turn * b.to[k]
-  local start = turn * (b.origin[k] + b.carried[k] * dt)
+  local start, low = turn * (b.origin[k] + b.carried[k] * dt), here + most
   local drop = max(here - start, 0.0) + most * min(PIECES, 1 + max(x - x0, x0 - x))
   ground.list(b, i, axis, turn, x0, x, start, drop)
   local j, height = ground.highest(b, i, axis, turn, x, here)
-  local isLower = j ~= 0 and height > here + EPSILON and shapes.isFlat(b.shape[j])
-  if not isLower then
-    return false
-  elseif height > here + most + EPSILON then
-    if height > reach(b, i, axis, turn, x0, x, start, most) + EPSILON then
-      return false
+  if j ~= 0 and height > low + EPSILON then
+    low = reach(b, i, axis, turn, x0, x, start, most)
+  end
+  local isLower = height > here + EPSILON and height <= low + EPSILON
+  if j ~= 0 and isLower and shapes.isFlat(b.shape[j]) then
+    j = allot.embody(b, j)
+    if bears(b, j, k, turn) then
+      put(b, i, j, k, turn, height)
     end
   end
-  j = allot.embody(b, j)
-  return bears(b, j, k, turn) and put(b, i, j, k, turn, height)
 end
 
--- Adds slot i to those to be lowered, the lowest first.
-local function add(b, i)
-  local k, snaps = 2 * i + axisOf(b, i), b.snaps
-  snaps.count = snaps.count + 1
-  snaps.list[snaps.count], snaps.height[i] = i, -b.down[k] * b.to[k]
-end
-
-local function lowerListed(b, dt)
-  local snaps, any = b.snaps, false
-  local list, count = snaps.list, snaps.count
-  sort.by(list, count, snaps.height, b.rank, b.rank)
+--- Lowers what has run off the ground that it stood on, and what stands on that, the lowest first.
+function snap.run(b, dt)
+  b.snaps = b.snaps or { list = {}, height = {} }
+  local lowered, list, height, count = b.lowered, b.snaps.list, b.snaps.height, 0
+  for n = 1, b.awakeCount do
+    local i = b.awakeList[n]
+    lowered[i] = 0
+    if stands(b, i) then
+      local k = 2 * i + axisOf(b, i)
+      count = count + 1
+      list[count], height[i] = i, -b.down[k] * b.to[k]
+    end
+  end
+  sort.by(list, count, height, b.rank, b.rank)
   for n = 1, count do
     local i = list[n]
-    any = lower(b, i, max(b.snap[i], b.lowered[b.support[i]]), dt) or any
-  end
-  snaps.count = 0
-  return any
-end
-
---- Lowers what has run off the ground that it stood on, and what stands on that.
-function snap.run(b, dt)
-  b.snaps = b.snaps or newLists()
-  local awake, support, lowered = b.awakeList, b.support, b.lowered
-  for n = 1, b.awakeCount do
-    local i = awake[n]
-    lowered[i] = 0
-    if b.snap[i] > 0 and stands(b, i) then
-      add(b, i)
+    local most = max(b.snap[i], lowered[b.support[i]])
+    if most > 0 then
+      lower(b, i, most, dt)
     end
-  end
-  local any = b.snaps.count > 0 and lowerListed(b, dt)
-  while any do
-    for n = 1, b.awakeCount do
-      local i = awake[n]
-      if lowered[i] == 0 and lowered[support[i]] > 0 and stands(b, i) then
-        add(b, i)
-      end
-    end
-    any = lowerListed(b, dt)
   end
 end
 
