@@ -23,9 +23,9 @@ local function isOpen(b, i, side)
   return solid and SIDE[solid] ~= side
 end
 
---- Returns whether slot i falls through a one-way object with the side `solid` (nil: with none).
---- Until it is clear of that, no other one holds it, as the next plank of a bridge would.
-function rules.isFalling(b, i, solid)
+-- Returns whether slot i falls through a one-way object with the side `solid` (nil: with none).
+-- Until it is clear of that, no other one holds it, as the next plank of a bridge would.
+local function isFalling(b, i, solid)
   local half = solid and b.head[i] or 0
   while half ~= 0 do
     if b.dropping[(half + half % 2) / 2] and b.oneWay[b.other[half]] == solid then
@@ -38,7 +38,7 @@ end
 
 -- Returns whether one of i and j falls through the other because of that.
 local function isDropping(b, i, j)
-  return rules.isFalling(b, i, b.oneWay[j]) or rules.isFalling(b, j, b.oneWay[i])
+  return isFalling(b, i, b.oneWay[j]) or isFalling(b, j, b.oneWay[i])
 end
 
 --- Returns whether i and j, which meet on `side` of i, pass through each other because one is a

@@ -18,6 +18,7 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
+local path = require(root .. ".motion.path")
 local pool = require(root .. ".solver.pool")
 local shapes = require(root .. ".space.shapes")
 
@@ -77,11 +78,10 @@ local function squeeze(b, k, other, over, sign, held, pressing, holder)
     b.squeezed[k] = sign * over
     local place = b.to[k] + sign * (over - most) * share
     local isAlone = held[k] == 2 and b.give[other] == 0
-    b.to[k] = isAlone and place or keepOut(b, k, place, sign)
+    place = isAlone and place or keepOut(b, k, place, sign)
     pressing[k] = pressing[other] + 1
     holder[k] = b.give[other] > 0 and holder[other] or other
-    b.speed[k] = (b.speed[b.holderLow[k]] + b.speed[b.holderHigh[k]]) * 0.5
-    b.accel[k] = 0.0
+    path.finish(b, k, place, (b.speed[b.holderLow[k]] + b.speed[b.holderHigh[k]]) * 0.5, 0.0)
   end
 end
 
