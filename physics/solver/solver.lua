@@ -166,7 +166,7 @@ local function runRounds(b, dt, awakenings)
     end
     settleLate(b, dt, false)
   end
-  return b.overlapCount > 0 or b.hasFirm
+  return b.overlapCount > 0
 end
 
 -- Solves a step for all awake bodies. Returns false if bodies were woken on the way; the result is
