@@ -149,8 +149,7 @@ local function addContact(b, list, held, c, ku, ks, dt)
   end
   local tu, ts = ku + 1 - 2 * axis, ks + 1 - 2 * axis
   if b.give[ts] == 0 then
-    local base = b.speed[ts] + carriers.beltSpeed(b, i, j, axis)
-    addGround(b, tu, base, mu, list.load[c], list.weight[c], dt)
+    addGround(b, tu, carriers.surface(b, i, j, axis), mu, list.load[c], list.weight[c], dt)
   else
     bonds.add(b, held, tu, ts, mu * list.load[c])
   end

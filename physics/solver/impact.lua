@@ -179,11 +179,9 @@ local function rub(b, i, j, axis, wl, wh, jolt, press, tau, dt)
     end
     rubBoth(b, kl, kh, mu, jolt, press, tau)
   elseif il + ih > 0 then
-    local k, ground, belt = kl, kh, carriers.beltSpeed(b, i, j, axis)
-    if il == 0 then
-      k, ground, belt = kh, kl, carriers.beltSpeed(b, j, i, axis)
-    end
-    b.base[k], b.grip[k], b.rough[k] = b.speed[ground] + belt, 0.0, mu
+    local k = il > 0 and kl or kh
+    local base = il > 0 and carriers.surface(b, i, j, axis) or carriers.surface(b, j, i, axis)
+    b.base[k], b.grip[k], b.rough[k] = base, 0.0, mu
     bear(b, k, jolt, press, tau, dt)
   end
 end
