@@ -60,13 +60,14 @@ function touch.isRamp(b, j, axis, sign)
   return SOLID[axis][b.shape[j]] == sign
 end
 
---- Returns how far apart the low one and the high one of box i and slot j must be on an axis, if
---- the box is at `place` across it and the other at `its`: flush with the edge of a slope, or with
---- the side of its box.
+--- Returns how far apart the low one and the high one of slots i and j must be on an axis, if i is
+--- at `place` across it and j at `its`: as their boxes, or if i is a box, flush with the edge of
+--- slope j.
 function touch.apart(b, i, j, axis, isLow, place, its)
   local size, shape, t = b.size, b.shape[j], 1 - axis
   local low, way = isLow and i or j, 0.0
-  if SOLID[axis][shape] == (isLow and 1 or -1) and axis == axisOf(b, i) then
+  local isEdge = SOLID[axis][shape] == (isLow and 1 or -1) and b.shape[i] == BOX
+  if isEdge and axis == axisOf(b, i) then
     local m = 2 * j
     way = depth(SOLID[t][shape], its, size[m + t], size[m + axis], place, size[2 * i + t])
   end
@@ -219,13 +220,10 @@ end
 --- Returns where slot i is flush with j on an axis where the step begins, on the low side of it
 --- (`sign` -1) or the high one.
 function touch.flushPlace(b, i, j, axis, sign)
-  local from, size, k, m = b.from, b.size, 2 * i + axis, 2 * j + axis
-  if b.hasShapes and isSloped(b, i, j) then
-    local box, its = order(b, i, j)
-    local isLow, t = (sign < 0) == (box == i), 1 - axis
-    return from[m] + sign * apart(b, box, its, axis, isLow, from[2 * box + t], from[2 * its + t])
-  end
-  return sign < 0 and from[m] - size[k] or from[m] + size[m]
+  local box, its = order(b, i, j)
+  local from, isLow, t = b.from, (sign < 0) == (box == i), 1 - axis
+  local way = apart(b, box, its, axis, isLow, from[2 * box + t], from[2 * its + t])
+  return from[2 * j + axis] + sign * way
 end
 
 -- Meeting -----------------------------------------------------------------------------------------
