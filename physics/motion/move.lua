@@ -11,7 +11,7 @@ local columns = require(root .. ".memory.columns")
 local drift = require(root .. ".motion.drift")
 local forces = require(root .. ".motion.forces")
 local path = require(root .. ".motion.path")
-local zones = require(root .. ".motion.zones")
+local zones = require(root .. ".memory.lazy")(root .. ".motion.zones")
 
 local move = {}
 

@@ -12,6 +12,7 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
 local filter = require(root .. ".broadphase.filter")
+local path = require(root .. ".motion.path")
 local shapes = require(root .. ".space.shapes")
 local sort = require(root .. ".memory.sort")
 
@@ -99,19 +100,6 @@ local function attract(b, i, j, share, time)
   end
 end
 
---- Notes where "down" is of slot i under a gravity of (gx, gy): along the stronger axis, in a tie
---- along y; and its speed limits, of which one is for falling.
-function zones.setDown(b, i, gx, gy)
-  local k, isVertical = 2 * i, gx * gx <= gy * gy
-  b.down[k] = isVertical and 0 or (gx > 0 and 1 or -1)
-  b.down[k + 1] = isVertical and (gy > 0 and 1 or gy < 0 and -1 or 0) or 0
-  for m = k, k + 1 do
-    local limit, fall = b.limit[m], b.maxFallSpeed[i]
-    b.slowest[m] = -(b.down[m] < 0 and min(limit, fall) or limit)
-    b.fastest[m] = b.down[m] > 0 and min(limit, fall) or limit
-  end
-end
-
 -- The gravity of a zone, g, in place of that of body k, for `share` of it as far as no zone on top
 -- has it already.
 local function replace(b, k, g, share)
@@ -173,7 +161,7 @@ local function turnAll(b, list, first, last, time)
   for n = first, b.hasTurns and last or 0 do
     local i = list[n]
     if b.kind[i] == DYNAMIC then
-      zones.setDown(b, i, b.zonePull[2 * i], b.zonePull[2 * i + 1])
+      path.setDown(b, i, b.zonePull[2 * i], b.zonePull[2 * i + 1])
     end
   end
 end
@@ -197,7 +185,7 @@ end
 
 --- Finds where "down" is of everything in a world that was restored.
 function zones.restore(b)
-  for n = 1, b.hasZones and b.moverCount or 0 do
+  for n = 1, b.moverCount do
     local k = 2 * b.movers[n]
     b.from[k], b.from[k + 1] = b.position[k], b.position[k + 1]
   end

@@ -22,7 +22,7 @@ local shapes = require(root .. ".space.shapes")
 
 local near = {}
 
-local max, min = math.max, math.min
+local max, min, remove = math.max, math.min, table.remove
 local STATIC, DYNAMIC = columns.STATIC, columns.DYNAMIC
 -- So many objects are compared in a few microseconds.
 local FEW = 1000
@@ -62,7 +62,6 @@ local function newView()
     strayAt = {}, -- by slot: `looks` when it was one
     looks = 0,
     pool = {}, -- of catches
-    pooled = 0,
   }
 end
 
@@ -177,10 +176,8 @@ function near.begin(world)
   elseif world.checked then
     checkMissed(v, b)
   end
-  local c = v.pool[v.pooled]
-  if c then
-    v.pooled = v.pooled - 1
-  else
+  local c = remove(v.pool)
+  if not c then
     c = { found = {}, slots = {}, view = v, bodies = b }
     for _, name in ipairs(COLUMNS) do
       c[name] = {}
@@ -193,9 +190,8 @@ end
 --- Takes a catch back. (A filter may make queries of its own, so each has one. One that fails
 --- leaves it to the garbage collector.)
 function near.finish(c)
-  local v = c.view
-  v.pooled = v.pooled + 1
-  v.pool[v.pooled] = c
+  local pool = c.view.pool
+  pool[#pool + 1] = c
 end
 
 --- Notes that the library has moved an object of a catch: in a large world no query would see it.

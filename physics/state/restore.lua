@@ -17,7 +17,7 @@ local read = require(root .. ".objects.read")
 local islands = require(root .. ".sleep.islands")
 local settings = require(root .. ".objects.settings")
 local validate = require(root .. ".state.validate")
-local zones = require(root .. ".motion.zones")
+local zones = require(root .. ".memory.lazy")(root .. ".motion.zones")
 
 local restore = {}
 
@@ -354,7 +354,9 @@ function restore.world(world, st)
   b.restored = {}
   world._saved = st.saved
   world.alpha = world.timestep and max(0, min(st.saved / world.timestep, 1)) or 0
-  zones.restore(b)
+  if b.hasZones then
+    zones.restore(b)
+  end
   read.outdate(b)
   return sentence
 end
