@@ -155,13 +155,6 @@ function groups.haveChanged(self, objects)
   return n ~= self.groupCount
 end
 
---- Refuses a table of groups that is none.
-function groups.checkAll(objects)
-  if type(objects) ~= "table" then
-    check.fail("objects must be a table of groups, got " .. check.show(objects))
-  end
-end
-
 local function checkGroup(name, source)
   if type(source) ~= "table" then
     local text = " must be a group (a table of objects) or an object, got "
@@ -170,8 +163,12 @@ local function checkGroup(name, source)
 end
 
 --- Returns the records of all groups in order, and by name; old ones where the table is the same.
+--- Errors: a table of groups that is none, or a group.
 function groups.read(self, objects)
   local records, byName = {}, {}
+  if type(objects) ~= "table" then
+    check.fail("objects must be a table of groups, got " .. check.show(objects))
+  end
   for index, name in ipairs(sortedNames(self, objects)) do
     local source, record = objects[name], self.byName[name]
     checkGroup(name, source)
