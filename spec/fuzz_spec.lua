@@ -56,8 +56,8 @@ local SCENE = {
 }
 
 describe("the checks notice", function()
-  -- what; the check; the object, its field and its value at last; or a callback of the world that is
-  -- called, with the numbers of two objects
+  -- what; the check; the object, its field and its value at last; or a callback of the world that
+  -- is called, with the numbers of two objects
   for _, row in ipairs({
     { "a number that is none", "finite", 3, "vx", 0 / 0 },
     { "a static object that has moved", "static", 1, "x", 1 },
@@ -114,8 +114,8 @@ local CALM = {
 }
 
 describe("the checks of bounds", function()
-  -- the check; after how many updates; of which object (0: of the bounds) what is what; whether that
-  -- is noticed
+  -- the check; after how many updates; of which object (0: of the bounds) what is what; whether
+  -- that is noticed
   for _, row in ipairs({
     { "motion", 2, 2, { x = 20 + 10.01 + 800 / 3600 }, true },
     { "motion", 2, 2, { x = 20 + 9.9 }, false },

@@ -44,108 +44,71 @@ local function newHits(n)
   return list
 end
 
--- How to make a value for each field that may be there or not.
-local OPTIONAL = {
-  ax = function(n)
-    return n:acceleration()
+-- Ways to make a value, besides those of numbers.lua and random.lua.
+local WAYS = {
+  units = function(n, low, high)
+    return n.random:between(low, high) * n.unit
   end,
-  ay = function(n)
-    return n:acceleration()
-  end,
-  active = function(n)
-    return n.random:chance(0.6)
-  end,
-  sensor = function(n)
-    return n.random:chance(0.6)
-  end,
-  pushable = function(n)
-    return n.random:chance(0.4)
-  end,
-  mass = function(n)
-    return n:mass()
-  end,
-  gravity = function(n)
+  zeroOften = function(n)
     return n.random:chance(0.4) and 0 or n:acceleration()
   end,
-  gravityX = function(n)
-    return n.random:chance(0.4) and 0 or n:acceleration()
-  end,
-  friction = function(n)
-    return n.random:chance(0.1) and 10 or n.random:between(0, 1.2)
-  end,
-  restitution = function(n)
-    return n.random:pick({ 0, 0.25, 0.5, 0.9, 1 })
-  end,
-  airFriction = function(n)
-    return n.random:chance(0.1) and 100 or n.random:between(0, 4)
-  end,
-  drag = function(n)
-    return n.random:between(0, 20) * n.unit
-  end,
-  maxSpeed = function(n)
-    return n.random:between(0, 30) * n.unit
-  end,
-  maxSpeedX = function(n)
-    return n.random:between(0, 20) * n.unit
-  end,
-  maxSpeedY = function(n)
-    return n.random:between(0, 20) * n.unit
+  rarely = function(n, high, low, usual) -- `high`, or a number in low..usual
+    return n.random:chance(0.1) and high or n.random:between(low, usual)
   end,
   mask = newMask,
   hits = newHits,
-  strength = function(n)
-    return n.random:integer(-1, 2)
-  end,
-  oneWay = function(n)
-    return n.random:pick(SIDES)
-  end,
-  carry = function(n)
-    return n.random:chance(0.5)
-  end,
-  surfaceSpeed = function(n)
-    return n:speed()
-  end,
-  nudge = function(n)
-    return n.random:between(0, 1) * n.unit
-  end,
-  snap = function(n)
-    return n.random:between(0, 1) * n.unit
-  end,
-  maxFallSpeed = function(n)
-    return n.random:between(0, 20) * n.unit
-  end,
 }
 
--- In a fixed order, and how often a new object has each.
+-- Returns a value for a row: what it is for, how often, the way to make it and its arguments.
+local function make(n, row)
+  local way, a, b, c = row[3], row[4], row[5], row[6]
+  if WAYS[way] then
+    return WAYS[way](n, a, b, c)
+  elseif n[way] then
+    return n[way](n, a, b)
+  end
+  return n.random[way](n.random, a, b)
+end
+
+-- Fields that may be there or not, in a fixed order: how often a new object has each, and its
+-- value.
 local SHARES = {
-  { "friction", 0.4 },
-  { "restitution", 0.3 },
-  { "mass", 0.3 },
-  { "ax", 0.04 },
-  { "ay", 0.04 },
-  { "active", 0.03 },
-  { "sensor", 0.03 },
-  { "pushable", 0.1 },
-  { "gravity", 0.08 },
-  { "gravityX", 0.04 },
-  { "airFriction", 0.08 },
-  { "drag", 0.08 },
-  { "maxSpeed", 0.06 },
-  { "maxSpeedX", 0.05 },
-  { "maxSpeedY", 0.05 },
-  { "mask", 0.06 },
-  { "oneWay", 0.03 },
-  { "carry", 0.04 },
-  { "surfaceSpeed", 0.05 },
-  { "nudge", 0.08 },
-  { "hits", 0.05 },
-  { "strength", 0.1 },
+  { "friction", 0.4, "rarely", 10, 0, 1.2 },
+  { "restitution", 0.3, "pick", { 0, 0.25, 0.5, 0.9, 1 } },
+  { "mass", 0.3, "mass" },
+  { "ax", 0.04, "acceleration" },
+  { "ay", 0.04, "acceleration" },
+  { "active", 0.03, "chance", 0.6 },
+  { "sensor", 0.03, "chance", 0.6 },
+  { "pushable", 0.1, "chance", 0.4 },
+  { "gravity", 0.08, "zeroOften" },
+  { "gravityX", 0.04, "zeroOften" },
+  { "airFriction", 0.08, "rarely", 100, 0, 4 },
+  { "drag", 0.08, "units", 0, 20 },
+  { "maxSpeed", 0.06, "units", 0, 30 },
+  { "maxSpeedX", 0.05, "units", 0, 20 },
+  { "maxSpeedY", 0.05, "units", 0, 20 },
+  { "mask", 0.06, "mask" },
+  { "oneWay", 0.03, "pick", SIDES },
+  { "carry", 0.04, "chance", 0.5 },
+  { "surfaceSpeed", 0.05, "speed" },
+  { "nudge", 0.08, "units", 0, 1 },
+  { "hits", 0.05, "hits" },
+  { "strength", 0.1, "integer", -1, 2 },
 }
+
+local OPTIONAL = {
+  snap = { "snap", 0, "units", 0, 1 },
+  maxFallSpeed = { "maxFallSpeed", 0, "units", 0, 20 },
+}
+for _, row in ipairs(SHARES) do
+  OPTIONAL[row[1]] = row
+end
 
 local function addOptional(n, object, share)
   for _, row in ipairs(SHARES) do
     if n.random:chance(row[2] * share) then
-      object[row[1]] = OPTIONAL[row[1]](n)
+      object[row[1]] = make(n, row)
     end
   end
   return object
@@ -276,67 +239,47 @@ local function newWrite(self)
   if random:chance(0.3) then
     return { "erase", self:anybody(), name }
   end
-  return { "write", self:anybody(), { [name] = OPTIONAL[name](n) } }
+  return { "write", self:anybody(), { [name] = make(n, OPTIONAL[name]) } }
 end
 
-local SETTINGS = {
-  gravity = function(n)
-    return n.random:chance(0.5) and 40 * n.unit or n:acceleration()
-  end,
-  gravityX = function(n)
-    return n.random:chance(0.6) and 0 or n:acceleration()
-  end,
-  push = function(n)
-    return n.random:pick({ "both", "first" })
-  end,
-  masks = function(n)
-    return { [n.random:pick(GROUPS)] = newMask(n) }
-  end,
-  soft = function(n)
-    local row = { [n.random:pick(GROUPS)] = n:spread(0.1, 400) * n.unit }
-    return { [n.random:pick(GROUPS)] = row, lifts = n.random:chance(0.2) and row or nil }
-  end,
-  sideBySide = function(n)
-    return n.random:chance(0.5)
-  end,
-  broadphase = function(n)
-    return n.random:pick({ "auto", "pairs", "grid" })
-  end,
-  cellSize = function(n)
-    return n:spread(0.25, 40) * n.unit
-  end,
-  maxStep = function(n)
-    return n.random:pick({ 1 / 30, 1 / 60, 0.01, 0.1 })
-  end,
-  order = function(n)
-    return n.random:shuffled({ "boxes", "crates", 1 })
-  end,
-  rest = function(n)
-    return n.random:chance(0.7)
-  end,
-}
+WAYS.masks = function(n)
+  return { [n.random:pick(GROUPS)] = newMask(n) }
+end
+WAYS.soft = function(n)
+  local row = { [n.random:pick(GROUPS)] = n:spread(0.1, 400) * n.unit }
+  return { [n.random:pick(GROUPS)] = row, lifts = n.random:chance(0.2) and row or nil }
+end
+WAYS.pull = function(n)
+  return n.random:chance(0.5) and 40 * n.unit or n:acceleration()
+end
+WAYS.zeroMostly = function(n)
+  return n.random:chance(0.6) and 0 or n:acceleration()
+end
+WAYS.cells = function(n)
+  return n:spread(0.25, 40) * n.unit
+end
 
-local NAMES = {
-  "gravity",
-  "gravityX",
-  "push",
-  "masks",
-  "soft",
-  "sideBySide",
-  "broadphase",
-  "cellSize",
-  "maxStep",
-  "order",
-  "rest",
+-- Settings: their names, whether they may be nil, the way to make a value.
+local SETTINGS = {
+  { "gravity", false, "pull" },
+  { "gravityX", false, "zeroMostly" },
+  { "push", false, "pick", { "both", "first" } },
+  { "masks", true, "masks" },
+  { "soft", true, "soft" },
+  { "sideBySide", false, "chance", 0.5 },
+  { "broadphase", false, "pick", { "auto", "pairs", "grid" } },
+  { "cellSize", true, "cells" },
+  { "maxStep", false, "pick", { 1 / 30, 1 / 60, 0.01, 0.1 } },
+  { "order", true, "shuffled", { "boxes", "crates", 1 } },
+  { "rest", false, "chance", 0.7 },
 }
-local MAY_BE_NIL = { masks = true, soft = true, cellSize = true, order = true }
 
 local function newSetting(self)
-  local name = self.n.random:pick(NAMES)
-  if MAY_BE_NIL[name] and self.n.random:chance(0.5) then
-    return { "unset", name }
+  local row = self.n.random:pick(SETTINGS)
+  if row[2] and self.n.random:chance(0.5) then
+    return { "unset", row[1] }
   end
-  return { "set", name, SETTINGS[name](self.n) }
+  return { "set", row[1], make(self.n, row) }
 end
 
 local function newAdd(self)
@@ -474,7 +417,7 @@ local function makeClosedBox(self, column, row)
   }
   for _, field in ipairs(CLOSED) do
     if n.random:chance(field[2]) then
-      box[field[1]] = OPTIONAL[field[1]](n)
+      box[field[1]] = make(n, OPTIONAL[field[1]])
     end
   end
   self:put(self:add(n.random:pick(GROUPS), box))
@@ -536,7 +479,7 @@ local function squeezeBox(self, at, size)
   }
   for _, field in ipairs(SQUEEZED) do
     if n.random:chance(field[2]) then
-      box[field[1]] = OPTIONAL[field[1]](n)
+      box[field[1]] = make(n, OPTIONAL[field[1]])
     end
   end
   squeeze(self, n.random:pick(GROUPS), at, size, box)
@@ -584,9 +527,9 @@ end
 local function newSettings(n)
   local random = n.random
   local settings = { gravity = random:pick({ 0, 40, 40, 40 }) * n.unit }
-  for _, name in ipairs(NAMES) do
-    if name ~= "gravity" and random:chance(0.15) then
-      settings[name] = SETTINGS[name](n)
+  for _, row in ipairs(SETTINGS) do
+    if row[1] ~= "gravity" and random:chance(0.15) then
+      settings[row[1]] = make(n, row)
     end
   end
   if random:chance(0.1) then
@@ -639,7 +582,7 @@ local function equip(acts, seed, list)
     if object and not (object.static or object.kinematic) then
       for _, field in ipairs(list) do
         if n.random:chance(field[2]) then
-          object[field[1]] = OPTIONAL[field[1]](n)
+          object[field[1]] = make(n, OPTIONAL[field[1]])
         end
       end
     end
