@@ -266,8 +266,8 @@ print(world.objects.bounds.left.x + world.objects.bounds.left.width) --> 0
 ]]
 
 examples["world:loadTiled"] = [[
-local level = world:loadTiled("maps/meadow.lua")
-print(level.tiles, level.rectangles, level.named.hero.lives) --> 33 7 3
+local level = world:loadTiled("maps/course.lua")
+print(#level.walls, #level.sensors, level.named.player.x) --> 7 2 24
 ]]
 
 examples["world:addTiles"] = [[

@@ -417,27 +417,27 @@ describe("a world of several maps", function()
       assert.equal(#course[name] + #meadow[name], #level[name], name)
     end
     assert.equal(course.tiles + meadow.tiles, level.tiles)
-    assert.equal(level.named.hero, meadow.named.hero)
+    assert.equal(level.named.slime, course.named.slime)
     assert.equal(#level.objects, count(world))
   end)
 
   it("comes and goes map by map, dug or not", function()
     local level, world = newLevel({ later = true })
     assert.same({ 0, 0 }, { #level.objects, count(world) })
-    local meadow = level:addMap("meadow")
-    assert.equal(meadow, level:addMap("meadow"))
+    local course = level:addMap("course")
+    assert.equal(course, level:addMap("course"))
     local before = count(world)
-    assert.same({ before, meadow.walls[1] }, { #level.objects, level.walls[1] })
-    for _, tiles in pairs(meadow.tileLayers) do
+    assert.same({ before, course.walls[1] }, { #level.objects, level.walls[1] })
+    for _, tiles in pairs(course.tileLayers) do
       for column = 0, 4 do
         tiles:setTile(column, tiles.rows - 1, 0)
       end
     end
-    meadow.objects[1].x = meadow.objects[1].x + 500
-    assert.is_true(level:removeMap("meadow"))
-    assert.is_false(level:removeMap("meadow"))
+    course.objects[1].x = course.objects[1].x + 500
+    assert.is_true(level:removeMap("course"))
+    assert.is_false(level:removeMap("course"))
     assert.same({ 0, 0 }, { #level.objects, count(world) })
-    level:addMap("meadow")
+    level:addMap("course")
     assert.equal(before, count(world))
   end)
 

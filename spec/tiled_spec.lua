@@ -5,7 +5,6 @@ local physics = require("physics")
 local tiled = require("spec.support.tiled")
 
 local load, show, boxes = tiled.load, tiled.show, tiled.boxes
-local MEADOW = "spec/maps/meadow.lua"
 
 local function map(layers, tiles, extra)
   return tiled.map({ tiled.tileset(tiles) }, layers, extra)
@@ -85,47 +84,6 @@ describe("world:loadTiled, layers", function()
       assert.same({ false, before }, { other.mask.players, given })
     end
   )
-
-  it("are those of a file, by its path or through love.filesystem", function()
-    local level, world = load(MEADOW)
-    assert.equal(
-      table.concat({
-        "ground 64 32 80 16 oneWay=top static",
-        "ground 160 64 16 16 sensor static type=water",
-        "ground 176 64 16 16 sensor static type=water",
-        "ground 96 80 64 32 friction=0.5 static type=earth",
-        "ground 0 96 16 16 friction=0.5 static type=earth",
-        "ground 240 96 16 16 friction=0.5 static type=earth",
-        "ground 0 112 256 16 friction=0.5 static type=earth",
-        "things 32 80 12 20 lives=3 maxSpeedY=400 name=hero type=player",
-        "things 80 80 16 16 mass=0.5 name=crate",
-        "things 176 64 48 8 goal={id=6} kinematic name=lift oneWay=top toY=112 type=platform",
-        "things 240 88 8 40 color=#ff336699 name=door open=false static",
-        "coins 66 24 8 8 sensor static type=coin",
-        "coins 102 24 8 8 sensor static type=coin",
-      }, "; "),
-      show(level, world)
-    )
-    assert.same(
-      { 33, 7, 0, 0, 256, 128 },
-      { level.tiles, level.rectangles, level.x, level.y, level.width, level.height }
-    )
-    local before, asked = rawget(_G, "love"), nil
-    finally(function()
-      rawset(_G, "love", before)
-    end)
-    local filesystem = {}
-    function filesystem.getInfo(path)
-      return path == "levels/one.lua" and {} or nil
-    end
-    function filesystem.load(path)
-      asked = path
-      return loadfile(MEADOW)
-    end
-    rawset(_G, "love", { filesystem = filesystem })
-    assert.same({ 33, "levels/one.lua" }, { load("levels/one.lua").tiles, asked })
-    assert.is_false((pcall(load, "levels/two.lua")))
-  end)
 
   it("of an infinite map are parts in any order, which merge", function()
     local given = tiled.infinite()
@@ -295,6 +253,13 @@ polygon, an overhang | walls | polygon 0 0 0 0 0,0 20,0 12,16 0,16
   walls 12 0 8 16 slope=topleft static; walls 0 0 12 16 static
 polygon, a roof | walls | polygon 0 0 0 0 0,16 8,0 24,16
   walls 0 0 8 16 slope=right static; walls 8 0 16 16 slope=left static
+polygon, a slope beside a step | walls | polygon 0 0 0 0 0,0 32,32 -16,32 -16,16 0,16
+  walls 0 0 16 16 slope=left static; walls 16 16 16 16 slope=left static
+  walls -16 16 32 16 static
+polygon, a corner on an edge | walls | polygon 0 0 0 0 0,0 40,0 40,10 0,10 0,5
+  walls 0 0 40 10 static
+polygon, two towers | walls | polygon 0 0 0 0 0,0 10,0 10,30 30,30 30,10 40,10 40,40 0,40
+  walls 0 0 10 30 static; walls 30 10 10 20 static; walls 0 30 40 10 static
 polygon, a leaf | walls | polygon 0 0 0 0 0,0 16,4 16,16 0,12
   walls 0 0 16 4 slope=left static; walls 0 4 16 8 static; walls 0 12 16 4 slope=topright static
 polygon, one that crosses itself | walls | polygon 0 0 0 0 0,0 16,16 0,16 16,0

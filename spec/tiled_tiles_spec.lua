@@ -229,7 +229,7 @@ without fields that do not fit each other, which are named once | ground | #1.1 
 end)
 
 describe("world:loadTiled, packed layers", function()
-  local PLAIN = dofile("spec/maps/packed_plain.lua")
+  local PLAIN = dofile("spec/maps/meadow.lua")
   local CSV = "choose CSV as Tile Layer Format in the map's properties"
   local NEITHER = "LÖVE is not here to unpack it, and there is no option decompress; "
 
@@ -254,6 +254,7 @@ describe("world:loadTiled, packed layers", function()
     local map = newMap({ "." }, { encoding = "base64" }, nil, nil, { firstgid = 65537 })
     map.layers[1].data = "AQABAA=="
     assert.equal(1, (load(map)).tiles)
+    assert.equal(65537, (load(map)).tileLayers.ground:getTile(0, 0))
   end)
 
   for _, compression in ipairs({ "zlib", "gzip" }) do
@@ -372,20 +373,23 @@ describe("world:loadTiled, tilesets in files of their own", function()
     end)
   end
 
-  it("are looked for by love.filesystem without any ..", function()
+  it("are looked for by love.filesystem without any .., as maps are", function()
     local asked, filesystem = {}, {}
     function filesystem.getInfo(path)
       asked[#asked + 1] = path
-      return path == "sets/earth.lua" and {} or nil
+      return path:find("^sets/") and {} or nil
     end
-    function filesystem.load()
-      return (rawget(_G, "loadstring") or rawget(_G, "load"))(SET)
+    function filesystem.load(path)
+      local compile = rawget(_G, "loadstring") or rawget(_G, "load")
+      return path == "sets/map.lua" and loadfile("spec/maps/course.lua") or compile(SET)
     end
     pretend({ filesystem = filesystem })
     assert.equal(1, (load(newLand("../sets/earth.lua"), { folder = "maps" })).tiles)
     assert.equal(1, (load(newLand("earth.lua"), { folder = "sets" })).tiles)
     load(newLand("../earth.lua"), { folder = "" })
     assert.same({ "sets/earth.lua", "sets/earth.lua", "../earth.lua" }, asked)
+    assert.equal(2, #load("sets/map.lua").points)
+    assert.is_false((pcall(load, "maps/map.lua")))
   end)
 
   it("are named if they cannot be had, and then a layer can still be solid", function()

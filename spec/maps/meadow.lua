@@ -1,167 +1,82 @@
--- Made by hand in the format of Tiled 1.10, File > Export As > Lua.
+-- Exported by Tiled 1.8.2 from meadow.tmx: File > Export As > Lua, with embedded tilesets.
+-- stylua: ignore
 return {
+  version = "1.5",
+  luaversion = "5.1",
+  tiledversion = "1.8.2",
   orientation = "orthogonal",
-  width = 16,
-  height = 8,
+  renderorder = "right-down",
+  width = 24,
+  height = 12,
   tilewidth = 16,
   tileheight = 16,
+  nextlayerid = 3,
+  nextobjectid = 1,
+  properties = {},
   tilesets = {
     {
-      name = "terrain",
+      name = "earth",
       firstgid = 1,
       tilewidth = 16,
       tileheight = 16,
+      spacing = 0,
+      margin = 0,
+      columns = 8,
+      image = "earth.png",
+      imagewidth = 128,
+      imageheight = 16,
+      objectalignment = "unspecified",
+      tileoffset = {
+        x = 0,
+        y = 0
+      },
+      grid = {
+        orientation = "orthogonal",
+        width = 16,
+        height = 16
+      },
+      properties = {},
+      wangsets = {},
       tilecount = 8,
       tiles = {
-        { type = "earth", id = 0, properties = { friction = 0.5, solid = true } },
-        { id = 1, properties = { oneWay = "top", solid = true } },
-        { type = "water", id = 2, properties = { sensor = true, solid = true } },
         {
-          type = "flower",
-          id = 3,
-          animation = { { duration = 200, tileid = 3 }, { duration = 200, tileid = 4 } },
+          id = 0,
+          properties = {
+            ["collidable"] = "true"
+          }
         },
-      },
-    },
+        {
+          id = 1,
+          type = "crate"
+        },
+        {
+          id = 2,
+          properties = {
+            ["collidable"] = true,
+            ["oneWay"] = true
+          }
+        }
+      }
+    }
   },
   layers = {
-    { type = "imagelayer", id = 7, name = "sky", repeatx = true, repeaty = false },
     {
       type = "tilelayer",
+      x = 0,
+      y = 0,
+      width = 24,
+      height = 12,
       id = 1,
-      name = "ground",
-      x = 0,
-      y = 0,
-      width = 16,
-      height = 8,
-      encoding = "lua",
-      -- stylua: ignore
-      data = {
-        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-        0, 0, 0, 0, 2, 2, 2, 2, 2, 0, 0, 0, 0, 0, 0, 0,
-        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3, 3, 0, 0, 0, 0,
-        0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0,
-        1, 0, 0, 0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 0, 0, 1,
-        1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1,
-      },
-    },
-    {
-      type = "tilelayer",
-      id = 2,
-      name = "flowers",
-      x = 0,
-      y = 0,
-      width = 16,
-      height = 8,
-      encoding = "lua",
-      -- stylua: ignore
-      data = {
-        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-        0, 4, 0, 4, 4, 0, 0, 0, 0, 0, 0, 0, 0, 4, 0, 0,
-        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-      },
-    },
-    {
-      type = "group",
-      id = 3,
-      name = "things in it",
-      offsety = 16,
-      layers = {
-        {
-          type = "objectgroup",
-          id = 4,
-          name = "things",
-          objects = {
-            {
-              type = "player",
-              id = 1,
-              name = "hero",
-              x = 32,
-              y = 64,
-              width = 12,
-              height = 20,
-              shape = "rectangle",
-              properties = { lives = 3, maxSpeedY = 400 },
-            },
-            {
-              id = 2,
-              name = "crate",
-              x = 80,
-              y = 80,
-              width = 16,
-              height = 16,
-              shape = "rectangle",
-              gid = 6,
-              properties = { mass = 0.5 },
-            },
-            {
-              type = "platform",
-              id = 3,
-              name = "lift",
-              x = 176,
-              y = 48,
-              width = 48,
-              height = 8,
-              shape = "rectangle",
-              properties = { goal = { id = 6 }, kinematic = true, oneWay = "top", toY = 112 },
-            },
-            {
-              id = 6,
-              name = "door",
-              x = 240,
-              y = 72,
-              width = 8,
-              height = 40,
-              shape = "rectangle",
-              properties = { color = "#ff336699", open = false, static = true },
-            },
-          },
-        },
-        {
-          type = "group",
-          id = 5,
-          name = "high up",
-          offsety = -8,
-          layers = {
-            {
-              type = "objectgroup",
-              id = 6,
-              name = "coins",
-              offsetx = 2,
-              offsety = -4,
-              properties = { sensor = true, static = true },
-              objects = {
-                {
-                  type = "coin",
-                  id = 4,
-                  x = 64,
-                  y = 20,
-                  width = 8,
-                  height = 8,
-                  shape = "rectangle",
-                },
-                {
-                  type = "coin",
-                  id = 5,
-                  x = 100,
-                  y = 20,
-                  width = 8,
-                  height = 8,
-                  shape = "rectangle",
-                  visible = false,
-                },
-              },
-            },
-          },
-        },
-      },
-    },
-  },
+      name = "collision",
+      visible = true,
+      opacity = 1,
+      offsetx = 0,
+      offsety = 0,
+      parallaxx = 1,
+      parallaxy = 1,
+      properties = {},
+      encoding = "base64",
+      data = "AQAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAABAAAAAQAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAABAAAAAQAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAABAAAAAQAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAABAAAAAQAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAABAAAAAQAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAABAAAAAQAAAAAAAAAAAAAAAAAAAAMAAAADAAAAAwAAAAMAAAADAAAAAwAAAAMAAAADAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAABAAAAAQAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAABAAAAAQAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAABAAAAAQAAAAAAAAABAAAAAQAAAAEAAAABAAAAAAAAAAEAAAABAAAAAQAAAAEAAAAAAAAAAQAAAAEAAAABAAAAAQAAAAAAAAABAAAAAQAAAAEAAAABAAAAAAAAAAEAAAABAAAAAQAAAAEAAAABAAAAAQAAAAEAAAABAACAAQAAAAEAAAABAAAAAQAAAAEAAAABAAAAAQAAAAEAAAABAAAAAQAAAAEAAAABAAAAAQAAAAEAAAABAAAAAQAAAAEAAAABAAAAAQAAAAEAAAABAAAAAQAAAAEAAAABAAAAAQAAAAEAAAABAAAAAQAAAAEAAAABAAAAAQAAAAEAAAABAAAAAQAAAAEAAAABAAAAAQAAAAEAAAABAAAAAQAAAAEAAAABAAAA"
+    }
+  }
 }
