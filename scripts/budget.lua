@@ -9,7 +9,7 @@ local BUDGET = {
   { "physics/broadphase", 700 },
   { "physics/contacts", 428 },
   { "physics/fields", 714 },
-  { "physics/maps", 2417 },
+  { "physics/maps", 2411 },
   { "physics/memory", 860 },
   { "physics/motion", 998 },
   { "physics/objects", 1332 },
