@@ -25,7 +25,6 @@ leftOut.files = {
 -- All specs with names that begin like this.
 leftOut.starts = {
   { "checkCollision refuses", "an error after two tail calls names a line further out" },
-  { "checkCollision(x1, y1, w1, h1, x2, y2, w2, h2) refuses", "the same" },
 }
 
 leftOut.specs = {
@@ -35,7 +34,6 @@ leftOut.specs = {
   ["queryRect and the others may be asked inside canCollide and inside events; only in these it may be moved"] = CLOSURES,
   ["a damaged map of LDtk is loaded or refused, and never half"] = LEVELS,
   ['world:loadLDtk refuses layerInstances.2.__pxTotalOffsetX: layer "Collisions": x must be a number, got nan'] = LEVELS,
-  ["world:loadTiled, polygons are boxes and slopes: by a hand that trembles"] = "a number shows all its digits as a text",
   ["the line that an error names is the third level's where there is no debug library #files"] = LEVELS,
   ["world:save fills a table again, without garbage"] = MEMORY,
   ["world:restore keeps no object alive that has left, whatever the game has put into `touching`"] = WEAK,
@@ -45,7 +43,6 @@ leftOut.specs = {
   ["a busy scene loses no object and keeps its memory"] = MEMORY,
   ["world:addTiles takes 20 000 cells in 20 ms with LuaJIT, 150 ms interpreted; setTile 0.05 and 0.3"] = "it is slower",
   ["world:addTiles keeps no memory of what was dug and built a thousand times"] = MEMORY,
-  ["world :loadTiled reads an export of Tiled through love.filesystem where there is one"] = "about LÖVE",
 }
 
 return leftOut
