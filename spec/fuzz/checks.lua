@@ -440,6 +440,9 @@ end
 
 function Watch:checkUntold()
   local world = self.player.world
+  if world.sideBySide then
+    return
+  end
   for n, a in ipairs(self.all) do
     for m = n + 1, #self.all do
       local b = self.all[m]
@@ -510,6 +513,9 @@ function Watch:energyLimit(before, dt)
 end
 
 function Watch:checkSums(dt)
+  if not self.closed then
+    return
+  end
   local kinetic, potential, x, y = self:sums()
   local before = self.kinetic + self.potential
   local grown = kinetic + potential - before
@@ -610,6 +616,10 @@ function Watch:hasStepped(dt)
   return dt > 0 and not (world.timestep and world._saved == self.saved + dt)
 end
 
+-- What is checked where a step was made, in this order.
+local LAST =
+  { "checkDepths", "checkOverlaps", "checkTouching", "checkContacts", "checkUntold", "checkSums" }
+
 --- To be called after an update of dt seconds.
 ---@return string? name of the check that failed
 ---@return string text
@@ -628,23 +638,11 @@ function Watch:after(dt)
   if self.bounds then
     name, text = self.bounds:after(dt, self.groupOf)
   end
-  if not name then
-    name, text = self:checkDepths()
-  end
-  if not name then
-    name, text = self:checkOverlaps()
-  end
-  if not name then
-    name, text = self:checkTouching()
-  end
-  if not name then
-    name, text = self:checkContacts()
-  end
-  if not name and not self.player.world.sideBySide then
-    name, text = self:checkUntold()
-  end
-  if not name and self.closed then
-    name, text = self:checkSums(dt)
+  for _, check in ipairs(name and {} or LAST) do
+    name, text = self[check](self, dt)
+    if name then
+      break
+    end
   end
   self:updateCrushed()
   return name, text
