@@ -349,8 +349,8 @@ describe("fields and settings at run time:", function()
     { "height, into the floor: it leaves upwards", "", 5, 84, "box.height = 20", 5, 80 },
     { "kinematic", "box.kinematic, box.vy = true, -60", 60, 24, "box.kinematic = nil", 60, 84 },
     { "sensor", "box.sensor = true", 30, 184, "box.sensor, box.y, box.vy = false, 40, 0", 60, 84 },
-    { "gravity", "box.raw.gravity = -800", 30, -16, "box.raw.gravity, box.vy = nil, 0", 60, 84 },
-    { "gravity = 0", "box.y, box.raw.gravity = 0, 0", 30, 0, "box.raw.gravity = nil", 60, 84 },
+    { "gravity", "box.raw.gravity = -800", 30, -16, "box.gravity, box.drag = nil, 0", 90, 84 },
+    { "gravity = 0", "box.y, box.raw.gravity = 0, 0", 30, 0, "box.raw.gravity = 800", 60, 84 },
     { "masks", "world.masks = down", 30, 184, "box.y, box.vy, world.masks = 0, 0, {}", 60, 84 },
     { "masks, the other way", "world.masks = up", 30, 184, "box.y, world.masks = 0, nil", 60, 84 },
     {

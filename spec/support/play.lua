@@ -196,8 +196,8 @@ end
 
 -- A line: what stands in it, one after the other.
 local function lineOf(text, env)
-  local list = {}
-  for one in (text:gsub("{(%w+)}", env.texts) .. "; "):gmatch("(.-); ") do
+  local list, filled = {}, text:gsub("{(%w+)}", env.texts) .. "; "
+  for one in filled:gmatch("(.-); ") do
     list[#list + 1] = statement(one, env)
   end
   return function(run)
