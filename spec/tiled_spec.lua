@@ -117,10 +117,8 @@ describe("world:loadTiled, layers", function()
         "Enemies 64 84 12 12 floating=true friction=1 name=slime sensor static type=enemy",
         "Enemies 192 128 16 16 name=crate sensor static type=crate",
         "point 24 120 name=player type=spawn",
-        "point 300 128 name=door",
         "line 128 96, 128 96, 128 48, 176 48 name=lift",
         "picture 32 16 32 32",
-        "picture 160 32 32 32",
         '! Enemies: drag must be a number >= 0, got "true"',
       }, "; "),
       show(level, world)

@@ -86,20 +86,6 @@ return {
           gid = 5,
           visible = true,
           properties = {}
-        },
-        {
-          id = 2,
-          name = "",
-          type = "",
-          shape = "rectangle",
-          x = 160,
-          y = 64,
-          width = 32,
-          height = 32,
-          rotation = 0,
-          gid = 5,
-          visible = true,
-          properties = {}
         }
       }
     },
@@ -260,19 +246,6 @@ return {
           shape = "point",
           x = 24,
           y = 120,
-          width = 0,
-          height = 0,
-          rotation = 0,
-          visible = true,
-          properties = {}
-        },
-        {
-          id = 10,
-          name = "door",
-          type = "",
-          shape = "rectangle",
-          x = 300,
-          y = 128,
           width = 0,
           height = 0,
           rotation = 0,
