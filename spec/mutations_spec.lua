@@ -5,24 +5,16 @@ local mutations = require("scripts.mutations")
 
 local SOURCE = [[
 -- 1 + 1 is no code, "and" neither
-local limit, text = -2.5, "a - b" --[=[ not this ]=]
-local function least(a, b)
-  if a.min <= b and not text then
-    return min(a, 0) - 1e-9
-  end
-  return {
-    a == 1 or b,
-    function(t)
-      t[1] = true
-    end,
-  }
+local limit, text = -2.5, "a - b"
+if a.min <= b and not text then
+  return min(a, 0)
 end
-while
-  limit > 0
-do
-  limit =
-    least(limit, 1)
-end
+return {
+  a == 1,
+  function(t)
+    t[1] = true
+  end,
+}
 ]]
 
 -- Each change as "line: old new".
@@ -36,28 +28,12 @@ end
 
 describe("scripts/mutations.lua", function()
   it("changes operators, comparisons, constants, min and max", function()
-    local expected = {
-      "2: - ",
-      "2: 2.5 (2.5 * 2)",
-      "4: <= <",
-      "4: <= >",
-      "4: and or",
-      "4: not ",
-      "5: min max",
-      "5: 0 1",
-      "5: - +",
-      "5: 1e-9 (1e-9 * 2)",
-      "8: == ~=",
-      "8: 1 2",
-      "8: or and",
-      "10: 1 2",
-      "10: true false",
-      "15: > >=",
-      "15: > <=",
-      "15: 0 1",
-      "18: 1 2",
-    }
-    assert.same(expected, changesOf(SOURCE:gsub("%[=%[.-%]=%]", "")))
+    local expected = { "2: - ", "2: 2.5 (2.5 * 2)", "3: <= <", "3: <= >", "3: and or", "3: not " }
+    for _, change in ipairs({ "4: min max", "4: 0 1", "7: == ~=", "7: 1 2", "9: 1 2" }) do
+      expected[#expected + 1] = change
+    end
+    expected[#expected + 1] = "9: true false"
+    assert.same(expected, changesOf(SOURCE))
   end)
 
   it("writes one of them into the text, if that is Lua still", function()
@@ -75,7 +51,7 @@ describe("scripts/coverage.lua", function()
       list[#list + 1] = line
     end
     table.sort(list)
-    assert.same({ 2, 3, 4, 5, 7, 10, 14, 17 }, list)
+    assert.same({ 2, 3, 4, 6, 9 }, list)
     local text, lines =
       coverage.marked("local x = 1\nif x > 1 then\n  x = 2\nend\nreturn x\n", "SEEN")
     rawset(_G, "SEEN", lines)
