@@ -15,30 +15,29 @@ local FALLING = 5
 local CROWD = 12 -- of each kind
 local BRIDGE = 6 -- tiles
 
+-- Adds an object; static unless `fields` say that it is kinematic.
+local function put(world, group, x, y, width, height, fields)
+  local object = { x = x, y = y, width = width, height = height, static = true }
+  for name, value in pairs(fields or {}) do
+    object[name] = value
+  end
+  object.static = not object.kinematic
+  world:add(group, object)
+end
+
 local function makeRoom(world)
   for i = 0, ROOM / 20 - 1 do
-    world:add("tiles", { x = 20 * i, y = ROOM, width = 20, height = 20, static = true })
+    put(world, "tiles", 20 * i, ROOM, 20, 20)
   end
-  world:add("walls", { x = -50, y = -ROOM, width = 50, height = 2 * ROOM + 20, static = true })
-  world:add("walls", { x = ROOM, y = -ROOM, width = 50, height = 2 * ROOM + 20, static = true })
-  world:add("walls", { x = -50, y = -ROOM - 50, width = ROOM + 100, height = 50, static = true })
-  world:add("belts", {
-    x = 350,
-    y = 520,
-    width = 150,
-    height = 8,
-    static = true,
-    surfaceSpeed = -80,
-    oneWay = "top",
-  })
-  world:add("lifts", { x = 60, y = 400, width = 80, height = 8, kinematic = true, vy = 40 })
-  world:add("lifts", { x = 200, y = 300, width = 80, height = 8, kinematic = true, vx = 60 })
-  local hill = { x = 0, y = 350, width = 60, height = 30, static = true, slope = "left" }
-  local ramp = { x = ROOM - 60, y = 400, width = 60, height = 60, static = true }
-  ramp.slope, ramp.friction = "right", 0.4
-  world:add("slopes", hill)
-  world:add("slopes", ramp)
-  world:add("gates", { x = 0, y = 200, width = ROOM, height = 4, static = true, sensor = true })
+  put(world, "walls", -50, -ROOM, 50, 2 * ROOM + 20)
+  put(world, "walls", ROOM, -ROOM, 50, 2 * ROOM + 20)
+  put(world, "walls", -50, -ROOM - 50, ROOM + 100, 50)
+  put(world, "belts", 350, 520, 150, 8, { surfaceSpeed = -80, oneWay = "top" })
+  put(world, "lifts", 60, 400, 80, 8, { kinematic = true, vy = 40 })
+  put(world, "lifts", 200, 300, 80, 8, { kinematic = true, vx = 60 })
+  put(world, "slopes", 0, 350, 60, 30, { slope = "left" })
+  put(world, "slopes", ROOM - 60, 400, 60, 60, { slope = "right", friction = 0.4 })
+  put(world, "gates", 0, 200, ROOM, 4, { sensor = true })
 end
 
 local function makeBoxes(world)
@@ -102,7 +101,7 @@ end
 local function build(world, n)
   if n % 200 == 0 then
     for i = 0, BRIDGE - 1 do
-      world:add("bridge", { x = 220 + 20 * i, y = 460, width = 20, height = 12, static = true })
+      put(world, "bridge", 220 + 20 * i, 460, 20, 12)
     end
   elseif n % 200 == 120 and world.objects.bridge then
     for i = #world.objects.bridge, 1, -1 do

@@ -12,45 +12,41 @@ everything.STEPS = 120
 local RATES = { 1 / 60, 1 / 60, 1 / 144, 1 / 30, 1 / 60, 0.05 }
 local ROOM = 480
 
+-- Group, place and size; other fields. What is not kinematic or pressed is static.
+local LEVEL = {
+  { "walls", -16, -100, 16, ROOM + 116 },
+  { "walls", ROOM, -100, 16, ROOM + 116 },
+  { "walls", 300, 330, 60, 10 },
+  { "shelves", 40, 380, 80, 6, { oneWay = "top" } },
+  { "shelves", 150, 340, 60, 6, { oneWay = "top" } },
+  { "shelves", 230, 380, 6, 60, { oneWay = "left" } },
+  { "belts", 360, 440, 90, 8, { surfaceSpeed = -60 } },
+  { "coins", 200, 420, 10, 10, { sensor = true } },
+  { "coins", 0, 300, ROOM, 1, { sensor = true } },
+  { "lifts", 130, 440, 60, 8, { kinematic = true, vx = 50 } },
+  { "lifts", 300, 440, 50, 8, { kinematic = true, vy = -40 } },
+  { "lifts", 20, 430, 50, 8, { kinematic = true, carry = false, vx = 30 } },
+  { "lifts", 240, 300, 40, 8, { kinematic = true } },
+  -- A press: it lifts a box against a ceiling.
+  { "lifts", 400, 330, 40, 8, { kinematic = true, vy = -60 } },
+  { "walls", 395, 260, 50, 10 },
+  { "pressed", 405, 310, 14, 14 },
+}
+
 local function makeLevel(put)
   for i = 0, 29 do
-    put("tiles", {
-      x = 16 * i,
-      y = ROOM,
-      width = 16,
-      height = 16,
-      static = true,
-      friction = i % 3 == 0 and 0.5 or nil,
-    })
+    local tile = { x = 16 * i, y = ROOM, width = 16, height = 16, static = true }
+    tile.friction = i % 3 == 0 and 0.5 or nil
+    put("tiles", tile)
   end
-  put("walls", { x = -16, y = -100, width = 16, height = ROOM + 116, static = true })
-  put("walls", { x = ROOM, y = -100, width = 16, height = ROOM + 116, static = true })
-  put("walls", { x = 300, y = 330, width = 60, height = 10, static = true })
-  put("shelves", { x = 40, y = 380, width = 80, height = 6, static = true, oneWay = "top" })
-  put("shelves", { x = 150, y = 340, width = 60, height = 6, static = true, oneWay = "top" })
-  put("shelves", { x = 230, y = 380, width = 6, height = 60, static = true, oneWay = "left" })
-  put("belts", { x = 360, y = 440, width = 90, height = 8, static = true, surfaceSpeed = -60 })
-  put("coins", { x = 200, y = 420, width = 10, height = 10, static = true, sensor = true })
-  put("coins", { x = 0, y = 300, width = ROOM, height = 1, static = true, sensor = true })
-end
-
-local function makePlatforms(put)
-  put("lifts", { x = 130, y = 440, width = 60, height = 8, kinematic = true, vx = 50 })
-  put("lifts", { x = 300, y = 440, width = 50, height = 8, kinematic = true, vy = -40 })
-  put("lifts", {
-    x = 20,
-    y = 430,
-    width = 50,
-    height = 8,
-    kinematic = true,
-    carry = false,
-    vx = 30,
-  })
-  put("lifts", { x = 240, y = 300, width = 40, height = 8, kinematic = true })
-  -- A press: it lifts a box against a ceiling.
-  put("lifts", { x = 400, y = 330, width = 40, height = 8, kinematic = true, vy = -60 })
-  put("walls", { x = 395, y = 260, width = 50, height = 10, static = true })
-  put("pressed", { x = 405, y = 310, width = 14, height = 14 })
+  for _, row in ipairs(LEVEL) do
+    local object = { x = row[2], y = row[3], width = row[4], height = row[5] }
+    for name, value in pairs(row[6] or {}) do
+      object[name] = value
+    end
+    object.static = not object.kinematic and row[1] ~= "pressed" or nil
+    put(row[1], object)
+  end
 end
 
 -- Fields of every nth box from one on: between two numbers, one of a list, or a value.
@@ -150,7 +146,6 @@ function everything.fill(world, insert)
     insert(world, group, object)
   end
   makeLevel(put)
-  makePlatforms(put)
   makeBoxes(put)
   world.objects.player =
     { x = 60, y = 300, width = 14, height = 22, friction = 0.3, mass = 1, nudge = 4 }
