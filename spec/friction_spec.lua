@@ -83,32 +83,23 @@ describe("friction: as by hand,", function()
   --  +------+
   -- ===========
   local ICE = on(0, { 0, -16, 0.5, 0, 1, width = 64 }, { 20, -32, 0.5, 60 })
-  play.row(
-    "a box slides on another on ice: they share the momentum, and slip 2.25 px",
-    LEVELS,
-    ICE,
-    {
-      { 1, "a.y == -16", "b.y == -32" },
-      "a.x ~ 28.875; b.x ~ 20 + 31.125; a.vx ~ 30; b.vx ~ 30",
-    }
-  )
+  play.row("a box slides on another on ice, and slips 2.25 px", LEVELS, ICE, {
+    { 1, "a.y == -16", "b.y == -32" },
+    "a.x ~ 28.875; b.x ~ 20 + 31.125; a.vx ~ 30; b.vx ~ 30",
+  })
 
   --   60 ->+--+       It is braked by the stack that is under more of it, and bears its weight:
   --      +--+--+      720 px/s². The other one is as high, but one crate, and smoother.
   --      |  +--+
   local LOW, HIGH = { 0, -16, 0.9 }, { 0, -32, 0.9 }
   local LONE, TOP = { -16, -32, 0.1, 0, 1, height = 32 }, { -4, -48, 0.9, 0, 1, name = "top" }
-  play.row(
-    "a box on two stacks is braked by the one under more of it",
-    LEVELS,
-    on(nil, LOW, HIGH, LONE, TOP),
-    {
-      { steps = 1 },
-      "d.vx = 60",
-      { 1, "a.x == 0", "b.x == 0", "c.x == -16" },
-      "d.x ~ -4 + 60 ^ 2 / 1440, 1e-9; d.vx == 0",
-    }
-  )
+  local STACKS = on(nil, LOW, HIGH, LONE, TOP)
+  play.row("a box on two stacks is braked by one", LEVELS, STACKS, {
+    { steps = 1 },
+    "d.vx = 60",
+    { 1, "a.x == 0", "b.x == 0", "c.x == -16" },
+    "d.x ~ -4 + 60 ^ 2 / 1440, 1e-9; d.vx == 0",
+  })
 
   --   300 ->+--+      Masses 1, 1 and 5: the highest one slips, the two below stop together, by
   --         +--+      5600 - 4000 * 0.5^0.5 for both.

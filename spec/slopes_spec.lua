@@ -4,6 +4,8 @@
 local effort = require("spec.support.effort")
 local newRandom = require("spec.support.random").new
 local physics = require("physics")
+local play = require("spec.support.play")
+local scene = require("spec.support.scene")
 
 local GRADIENTS = { { 1, 1 }, { 1, 2 }, { 1, 3 }, { 2, 1 }, { 3, 1 } }
 local OFFSETS = { 0, 0.1, 1 / 3, -1000.1, 100000.3, 1234567.8, 9000000.7 }
@@ -234,17 +236,19 @@ describe("slopes", function()
     end
   end)
 
+  -- The true normal of 1:2, up to the right.
+  local function isNormal(nx, ny)
+    assert.near(-1 / math.sqrt(5), nx or 0, 1e-12)
+    assert.near(-2 / math.sqrt(5), ny or 0, 1e-12)
+  end
+
   it("tell a ray where it meets the edge, and the true normal there", function()
     local world = physics.newWorld({ gravity = 800 })
     local slope = { x = 80, y = 336, width = 128, height = 64, static = true, slope = "right" }
     world:add("ground", slope)
     local object, x, y, nx, ny, fraction = world:raycast(144, 0, 144, 736)
-    assert.equal(slope, object)
-    assert.near(144, x, 1e-9)
-    assert.near(368, y, 1e-9)
-    assert.near(-1 / math.sqrt(5), nx, 1e-12)
-    assert.near(-2 / math.sqrt(5), ny, 1e-12)
-    assert.near(0.5, fraction, 1e-12)
+    assert.same({ slope, 144, 368, 0.5 }, { object, x, y, fraction })
+    isNormal(nx, ny)
     assert.same({ slope, 208, 380, 1, 0, 0.46 }, { world:raycast(300, 380, 100, 380) })
     assert.is_nil((world:raycast(90, 300, 150, 360)))
   end)
@@ -273,16 +277,34 @@ describe("slopes", function()
     return world, body, slope
   end
 
-  it("stop a sweep at the edge, with its normal", function()
+  it("stop a sweep at the edge, with its normal, and meet what is inside at once", function()
     local world, body, slope = newHill()
-    local object, x, y, nx, ny, fraction = world:sweep(body, 176, 0)
-    assert.equal(slope, object)
-    assert.same({ 64, 376, 0.25 }, { x, y, fraction })
-    assert.near(-1 / math.sqrt(5), nx, 1e-12)
-    assert.near(-2 / math.sqrt(5), ny, 1e-12)
+    -- Where it is, where it goes, and what it meets there: x, y, fraction.
+    for _, row in ipairs({
+      { 20, 376, 176, 0, 64, 376, 0.25 },
+      { 100, 300, 0, 100, 100, 358, 0.58 },
+      { 150, 372, -30, 0, 150, 372, 0 },
+    }) do
+      body.x, body.y = row[1], row[2]
+      local object, x, y, nx, ny, fraction = world:sweep(body, row[3], row[4])
+      assert.same({ slope, row[5], row[6], row[7] }, { object, x, y, fraction })
+      if fraction > 0 then
+        isNormal(nx, ny)
+      end
+    end
+  end)
+
+  it("let a sweep pass that begins inside, below or behind where they are one-way", function()
+    local world, body, slope = newHill()
+    slope.oneWay = "top"
+    world:refresh(slope)
+    world:remove(world.objects.ground[3])
+    for _, row in ipairs({ { 150, 372, -30, 0 }, { 120, 410, 0, -100 }, { 230, 350, -40, 0 } }) do
+      body.x, body.y = row[1], row[2]
+      assert.is_nil((world:sweep(body, row[3], row[4])))
+    end
     body.x, body.y = 100, 300
-    object, x, y = world:sweep(body, 0, 100)
-    assert.same({ slope, 100, 358 }, { object, x, y })
+    assert.equal(slope, (world:sweep(body, 0, 100)))
   end)
 
   it("are met at the edge, not at the foot, by what stands there to rounding", function()
@@ -292,72 +314,48 @@ describe("slopes", function()
       foot.static = true
       world:add("ground", foot)
       local body = world:add("players", { x = 0, y = 0, width = 16, height = 24 })
-      for _, dx in ipairs({ -1e-8, -1e-9, 0, 1e-9 }) do
-        for _, dy in ipairs({ -1e-8, 0, 1e-8 }) do
-          for _, way in ipairs({ 10, 0.1, 1e-3, 1e-5 }) do
-            body.x, body.y = o + 64 + dx, o + 376 + dy
-            local _, _, _, nx, ny = world:sweep(body, way, 0)
-            assert.near(-1 / math.sqrt(5), nx or 0, 1e-12)
-            assert.near(-2 / math.sqrt(5), ny or 0, 1e-12)
-          end
-        end
+      for n = 0, 35 do -- each of three by three places, and of four ways
+        body.x, body.y = o + 64 + (n % 3 - 1) * 1e-8, o + 376 + (math.floor(n / 3) % 3 - 1) * 1e-8
+        local way = ({ 10, 0.1, 1e-3, 1e-5 })[math.floor(n / 9) + 1]
+        local _, _, _, nx, ny = world:sweep(body, way, 0)
+        isNormal(nx, ny)
       end
     end
   end)
 
   it("lead a move along the edge, over the crest and to the wall", function()
     local world, body, slope = newHill()
-    local x, y, hits = world:move(body, 260, 376)
-    assert.same({ 260, 312, 1, "bottom" }, { x, y, #hits, hits[1].side })
-    assert.equal(slope, hits[1].other)
-    assert.near(-2 / math.sqrt(5), hits[1].ny, 1e-12)
-    body.x, body.y = 20, 376
-    x, y, hits = world:move(body, 400, 376)
-    assert.same({ 284, 312, 2, "right" }, { x, y, #hits, hits[2].side })
-    body.x, body.y = 20, 376
-    x, y = world:move(body, 260, 376, "touch")
-    assert.same({ 64, 376 }, { x, y })
-    body.x, body.y = 100, 300
-    x, y = world:move(body, 100, 400, "bounce")
-    assert.near(100 - 42 * 0.8, x, 1e-9)
-    assert.near(358 - 42 * 0.6, y, 1e-9)
-  end)
-
-  it("meet what is inside them at once, and let it pass where they are one-way", function()
-    local world, body, slope = newHill()
-    body.x, body.y = 150, 372
-    local object, x, y, nx, ny, fraction = world:sweep(body, -30, 0)
-    assert.same({ slope, 150, 372, 0, 0, 0 }, { object, x, y, nx, ny, fraction })
-    slope.oneWay = "top"
-    world:refresh(slope)
-    assert.is_nil((world:sweep(body, -30, 0)))
-    body.x, body.y = 100, 300
-    object, x, y = world:sweep(body, 0, 100)
-    assert.same({ slope, 100, 358 }, { object, x, y })
-    body.x, body.y = 120, 410 -- from below, and from its high side
-    assert.is_nil((world:sweep(body, 0, -100)))
-    body.x, body.y = 230, 350
-    world:remove(world.objects.ground[3])
-    assert.is_nil((world:sweep(body, -40, 0)))
+    local function move(fromX, fromY, toX, toY, response)
+      body.x, body.y = fromX, fromY
+      local x, y, hits = world:move(body, toX, toY, response)
+      local last = hits[#hits]
+      return { x, y, #hits, last and last.side }, last
+    end
+    local told, hit = move(20, 376, 260, 376)
+    assert.same({ 260, 312, 1, "bottom" }, told)
+    assert.equal(slope, hit.other)
+    isNormal(hit.nx, hit.ny)
+    assert.same({ 284, 312, 2, "right" }, (move(20, 376, 400, 376)))
+    assert.same({ 64, 376, 1, "bottom" }, (move(20, 376, 260, 376, "touch")))
+    told = move(100, 300, 100, 400, "bounce")
+    assert.near(100 - 42 * 0.8, told[1], 1e-9)
+    assert.near(358 - 42 * 0.6, told[2], 1e-9)
   end)
 
   it("do the same where gravity points to the right", function()
     local world, body = newHill()
     local turned, other = newHill(true)
     -- Where it is, and where it wants to go.
-    local rows = { { 20, 376, 196, 376 }, { 100, 300, 100, 400 }, { 20, 376, 400, 376 } }
-    for _, row in ipairs(rows) do
+    local WAYS = { { 20, 376, 196, 376 }, { 100, 300, 100, 400 }, { 20, 376, 400, 376 } }
+    for _, row in ipairs(WAYS) do
+      local dx, dy = row[3] - row[1], row[4] - row[2]
       for _, response in ipairs({ "slide", "touch", "bounce" }) do
         body.x, body.y, other.x, other.y = row[1], row[2], row[2], row[1]
-        local _, sweptX, sweptY, nx, ny, fraction =
-          world:sweep(body, row[3] - row[1], row[4] - row[2])
-        assert.same(
-          { sweptY, sweptX, ny, nx, fraction },
-          { select(2, turned:sweep(other, row[4] - row[2], row[3] - row[1])) }
-        )
-        local x, y, hits, count = world:move(body, row[3], row[4], response)
+        local _, x, y, nx, ny, fraction = world:sweep(body, dx, dy)
+        assert.same({ y, x, ny, nx, fraction }, { select(2, turned:sweep(other, dy, dx)) })
+        local toX, toY, hits, count = world:move(body, row[3], row[4], response)
         local y2, x2, hits2, count2 = turned:move(other, row[4], row[3], response)
-        assert.same({ x, y, count }, { x2, y2, count2 })
+        assert.same({ toX, toY, count }, { x2, y2, count2 })
         for n = 1, count do
           local hit, hit2 = hits[n], hits2[n]
           assert.same({ hit.nx, hit.ny, hit.x, hit.y }, { hit2.ny, hit2.nx, hit2.y, hit2.x })
@@ -366,20 +364,11 @@ describe("slopes", function()
     end
   end)
 
-  it("tell how fast something came that was put flush onto them", function()
-    for _, restitution in ipairs({ 0, 0.5, 1 }) do
-      local world, speed = physics.newWorld({ gravity = 40 }), nil
-      local slope = { x = 19, y = 16, width = 1, height = 3, static = true, slope = "right" }
-      slope.restitution = restitution
-      world:add("ground", slope)
-      local box = world:add("boxes", { x = 19, y = 15, width = 1, height = 1, vy = 20 })
-      function box.onBegin(_, _, _, its)
-        speed = its
-      end
-      world:update(0.05)
-      assert.equal(20, speed)
-    end
-  end)
+  play.row("tell how fast something came, restitution {e}", play.ONCE, function(v)
+    local fields = { slope = "right", restitution = v.e }
+    local slope = scene.maker("ground", { static = true })("slope", 19, 16, 1, 3, fields)
+    return { gravity = 40, slope, scene.maker("boxes", { vy = 20 })("box", 19, 15, 1, 1) }
+  end, { "listen box; run:step(0.05); heard.box.speed == 20" }, { "e", { 0 }, { 0.5 }, { 1 } })
 
   it("are named by explain and told by touching", function()
     local world, body, slope = newHill()
@@ -397,25 +386,15 @@ describe("slopes", function()
     assert.equal("bottom", world:touching(body, slope))
   end)
 
-  it("may change while the game runs, if they are kinematic", function()
-    local world = physics.newWorld({ gravity = 800 })
-    local ramp = { x = 0, y = 100, width = 400, height = 50, kinematic = true, slope = "right" }
-    world:add("ramps", ramp)
-    local body = world:add("players", { x = 150, y = 60, width = 10, height = 10 })
-    local function rest()
-      for _ = 1, 90 do
-        world:update(1 / 60)
-      end
-      return body.y
-    end
-    assert.near(120, rest(), 1e-6)
-    ramp.slope = "left"
-    assert.near(108.75, rest(), 1e-6)
-    ramp.slope = nil
-    assert.near(90, rest(), 1e-6)
-    ramp.slope = "right"
-    assert.near(120, rest(), 1e-6)
-    assert.equal(1, select(2, world:queryPoint(380, 140)))
-    assert.equal(0, select(2, world:queryPoint(20, 110)))
-  end)
+  local RAMP = scene.maker("ramps", { kinematic = true, slope = "right" })("ramp", 0, 100, 400, 50)
+  play.row("may change while the game runs, if they are kinematic", play.ONCE, {
+    RAMP,
+    scene.maker("players", {})("body", 150, 60, 10, 10),
+  }, {
+    { "run:play(1.5); body.y ~ 120; ramp.slope = 'left'" },
+    { "run:play(1.5); body.y ~ 108.75; ramp.slope = nil" },
+    { "run:play(1.5); body.y ~ 90; ramp.slope = 'right'" },
+    { "run:play(1.5); body.y ~ 120" },
+    "#world:queryPoint(380, 140) == 1; #world:queryPoint(20, 110) == 0",
+  })
 end)

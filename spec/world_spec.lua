@@ -200,15 +200,12 @@ describe("touching", function()
     { "box.active = nil", { steps = 2 }, "box.touching.bottom == floor" },
   })
 
-  row(
-    "of a box is there when it was of another kind for no step",
-    { FLOOR, box(), box({ name = "rider", y = 68 }) },
-    {
-      { steps = 3 },
-      { "rider.kinematic = true", "world:update(0)", "rider.kinematic = nil", { steps = 1 } },
-      "rider.touching.bottom == box",
-    }
-  )
+  local PAIR = { FLOOR, box(), box({ name = "rider", y = 68 }) }
+  row("is there when it was of another kind for no step", PAIR, {
+    { steps = 3 },
+    { "rider.kinematic = true", "world:update(0)", "rider.kinematic = nil", { steps = 1 } },
+    "rider.touching.bottom == box",
+  })
 
   local TWO = { solid("narrow", 0, 100, 6, 8), solid("wide", 6, 100, 40, 8), box() }
   row("is the neighbour with the widest common edge, the first of equals: {which}", TWO, {
@@ -278,27 +275,22 @@ describe("add, remove and refresh", function()
     "box.touching.bottom == floor",
   }, { "rest", { true }, { false } })
 
-  row(
-    "active: a kinematic {kind} that is switched off for {steps} steps is where it was put",
-    function(v)
-      local lift = scene.maker("lifts", { kinematic = true, sensor = v.kind == "sensor" or nil })
-      return {
-        gravity = 0,
-        lift("lift", 0, 0, 20, 20),
-        box({ x = 200, y = 0, width = 20, height = 20 }),
-      }
-    end,
-    {
-      { "listen lift", { steps = 1 } },
-      { "lift.active, lift.x = false, 400", { time = "steps / 60" } },
-      { "lift.active = true", { steps = 10 }, "box at 200, 0", "lift at 400, 0" },
-      "lift heard 0, 0",
-      "lift.x = 300", -- moves again
-      { steps = 1 },
-      { "lift.x = 190", { steps = 1 }, "heard.lift.begins == 1" },
-    },
-    { "kind, steps", { "lift", 10 }, { "sensor", 10 }, { "lift", 1 } }
-  )
+  row("active: a {kind} that is off for {steps} steps is where it was put", function(v)
+    local lift = scene.maker("lifts", { kinematic = true, sensor = v.kind == "sensor" or nil })
+    return {
+      gravity = 0,
+      lift("lift", 0, 0, 20, 20),
+      box({ x = 200, y = 0, width = 20, height = 20 }),
+    }
+  end, {
+    { "listen lift", { steps = 1 } },
+    { "lift.active, lift.x = false, 400", { time = "steps / 60" } },
+    { "lift.active = true", { steps = 10 }, "box at 200, 0", "lift at 400, 0" },
+    "lift heard 0, 0",
+    "lift.x = 300", -- moves again
+    { steps = 1 },
+    { "lift.x = 190", { steps = 1 }, "heard.lift.begins == 1" },
+  }, { "kind, steps", { "lift", 10 }, { "sensor", 10 }, { "lift", 1 } })
 
   -- A long update has several steps, over which the way of a lift is spread.
   row("refresh puts a lift somewhere else for good, also in the middle of an update", {

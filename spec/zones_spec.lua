@@ -118,15 +118,11 @@ describe("an area", function()
 
   local LAST = scene.thing("b", zone({ gravity = 20, ax = 6 })[2])({ name = "last" })
   local FIRST = scene.thing("a", zone({ gravity = 10, ax = 5 })[2])()
-  play.row(
-    "of the last zone in order is the gravity, the others add up",
-    ONCE,
-    { FIRST, LAST, INSIDE },
-    {
-      "run:step(0.02)",
-      "body.vy ~ 0.4, 1e-12; body.vx ~ 0.22, 1e-12",
-    }
-  )
+  local BOTH = { FIRST, LAST, INSIDE }
+  play.row("of the last one is the gravity, others add up", ONCE, BOTH, {
+    "run:step(0.02)",
+    "body.vy ~ 0.4, 1e-12; body.vx ~ 0.22, 1e-12",
+  })
 
   local LAKE = { gravity = 100, airFriction = 2 }
   play.row("goes on without a gap where zones are flush", ONCE, {
@@ -151,29 +147,23 @@ describe("an area", function()
   })
 
   local FLOOR = scene.maker("tiles", { static = true })("floor", 0, 400, 400, 20)
-  play.row(
-    "that is {kind} wakes what rests in it when it changes, comes and goes",
-    ONCE,
-    function(v)
-      local its = zone(
-        { gravity = 100 },
-        { static = v.kind == "static", [v.kind] = true, active = false }
-      )
-      return { its, FLOOR, body({ y = 380 }) }
-    end,
+  play.row("({kind}) wakes what rests in it", ONCE, function(v)
+    local its = zone(
+      { gravity = 100 },
+      { static = v.kind == "static", [v.kind] = true, active = false }
+    )
+    return { its, FLOOR, body({ y = 380 }) }
+  end, {
+    { "run:play(1)", "world.stats.resting >= 1" },
     {
-      { "run:play(1)", "world.stats.resting >= 1" },
-      {
-        "zone.active = true; world:refresh(zone.raw)",
-        1,
-        "body.y == 380; world.stats.resting >= 1",
-      },
-      { "zone.raw.area.gravity = -100; world:refresh(zone.raw)", 1 / 6, "body.y < 380" },
-      { "world:remove(zone.raw)", 1, "body.y == 380" },
-      { "zone.raw.area.ax = 100; world:add('zones', zone.raw)", 1 / 6, "body.vx > 0" },
+      "zone.active = true; world:refresh(zone.raw)",
+      1,
+      "body.y == 380; world.stats.resting >= 1",
     },
-    { "kind", { "static" }, { "kinematic" } }
-  )
+    { "zone.raw.area.gravity = -100; world:refresh(zone.raw)", 1 / 6, "body.y < 380" },
+    { "world:remove(zone.raw)", 1, "body.y == 380" },
+    { "zone.raw.area.ax = 100; world:add('zones', zone.raw)", 1 / 6, "body.vx > 0" },
+  }, { "kind", { "static" }, { "kinematic" } })
 
   it("is the same with and without rest, and in either broad phase", function()
     local hashes = {}

@@ -76,18 +76,12 @@ describe("mass and gravity: stacks", function()
   local function stayTen(run, it)
     stays(run, it, it.seconds)
   end
-  play.row(
-    "(3) of {count} boxes, {what}, stay as drawn for {seconds} s",
-    TURNED,
-    tower,
-    { stayTen },
-    {
-      "count, what, seconds, masses, levels",
-      { 10, "at every rate", 1, nil, EVERYWHERE },
-      { 20, "all alike", 10 },
-      { 10, "of very different mass", 10, MASSES },
-    }
-  )
+  play.row("(3) of {count}, {what}, stay for {seconds} s", TURNED, tower, { stayTen }, {
+    "count, what, seconds, masses, levels",
+    { 10, "at every rate", 1, nil, EVERYWHERE },
+    { 20, "all alike", 10 },
+    { 10, "of very different mass", 10, MASSES },
+  })
   play.row("(3) as a pyramid, {pitch} px from box to box, stay as drawn", TURNED, pyramid, {
     stayTen,
   }, { "pitch, seconds", { 16, 10 }, { 20, 10 }, { 17.3, 10 } })
@@ -103,29 +97,23 @@ describe("mass and gravity: stacks", function()
     end,
   }, { "count", { 20 } })
 
-  play.row(
-    "(3) of {count}, {what}, dropped with gaps of 8 px, settle within 3 s, flush",
-    EVERYWHERE,
-    tower,
-    {
-      function(run, it)
-        local deepest = overlap.checker(run.all)
-        for time in run:steps(4) do
-          local depth = deepest()
-          run:check(depth <= 1e-6, "boxes overlap by %.3g", depth)
-          if time > 3 then
-            flush(run, it, 1)
-          end
+  play.row("(3) of {count}, {what}, dropped, settle flush within 3 s", EVERYWHERE, tower, {
+    function(run, it)
+      local deepest = overlap.checker(run.all)
+      for time in run:steps(4) do
+        local depth = deepest()
+        run:check(depth <= 1e-6, "boxes overlap by %.3g", depth)
+        if time > 3 then
+          flush(run, it, 1)
         end
-      end,
-    },
-    {
-      "count, what, pitch, masses, levels",
-      { 10, "all alike", 24 },
-      { 20, "all alike", 24 },
-      { 10, "of very different mass", 24, MASSES, TURNED },
-    }
-  )
+      end
+    end,
+  }, {
+    "count, what, pitch, masses, levels",
+    { 10, "all alike", 24 },
+    { 20, "all alike", 24 },
+    { 10, "of very different mass", 24, MASSES, TURNED },
+  })
 
   -- box 1 leaves the floor and box 2; box 2 meets the floor; the others stay on each other
   play.row("(3) of {count} without their lowest box land one box lower", EVERYWHERE, tower, {

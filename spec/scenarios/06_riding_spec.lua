@@ -399,16 +399,12 @@ describe("surfaceSpeed: a belt", function()
     { 1, "rider at x + 85 * t, y - 40 * t", "rider still", "rider on platform" },
   })
 
-  belted(
-    "adds to the {own} px/s of what walks on it",
-    { belt({ x = -999, width = 2000 }), rider() },
-    {
-      SETTLE,
-      "x = rider.x",
-      { 1, keep = "rider.vx = own", "rider at x + (60 + own) * t, 376", "rider.vx ~ own" },
-    },
-    { "own", { 50 }, { -60 }, { 300 } }
-  )
+  local LONG = { belt({ x = -999, width = 2000 }), rider() }
+  belted("adds to the {own} px/s of what walks on it", LONG, {
+    SETTLE,
+    "x = rider.x",
+    { 1, keep = "rider.vx = own", "rider at x + (60 + own) * t, 376", "rider.vx ~ own" },
+  }, { "own", { 50 }, { -60 }, { 300 } })
 
   belted("gives what leaves it its speed", { belt({ width = 200 }), rider() }, {
     SETTLE,
@@ -417,15 +413,12 @@ describe("surfaceSpeed: a belt", function()
     { "rider.y > 376", "rider.vx ~ 60" },
   })
 
-  belted(
-    "presses against a wall without a rattle",
-    { belt(), rider(), tile("wall", 160, 300, 16, 100) },
-    {
-      { "listen rider", 1 },
-      { 1, "rider at 144, 376", "rider still", "rider touches bottom right" },
-      "rider heard 2, 0",
-    }
-  )
+  local AT_WALL = { belt(), rider(), tile("wall", 160, 300, 16, 100) }
+  belted("presses against a wall without a rattle", AT_WALL, {
+    { "listen rider", 1 },
+    { 1, "rider at 144, 376", "rider still", "rider touches bottom right" },
+    "rider heard 2, 0",
+  })
 
   local function two(v)
     local next_ = belt({ name = "next", x = 200, surfaceSpeed = v.speed })
@@ -438,17 +431,14 @@ describe("surfaceSpeed: a belt", function()
     { 0.5, "rider.x ~ x + speed * t", "rider still" },
   }, { "speed", { 120 }, { 20 } })
 
-  belted(
-    "that is switched round and off moves what stands on it so",
-    { belt(KINEMATIC), rider({ x = 200 }) },
-    {
-      0.5,
-      "platform.surfaceSpeed, x = -platform.surfaceSpeed, rider.x",
-      { 0.5, "rider.x ~ x - 60 * t", "rider still" },
-      "platform.surfaceSpeed, x = 0, rider.x",
-      { 0.5, "rider.x ~ x", "rider still" },
-    }
-  )
+  local SWITCHED = { belt(KINEMATIC), rider({ x = 200 }) }
+  belted("that is switched round and off moves so", SWITCHED, {
+    0.5,
+    "platform.surfaceSpeed, x = -platform.surfaceSpeed, rider.x",
+    { 0.5, "rider.x ~ x - 60 * t", "rider still" },
+    "platform.surfaceSpeed, x = 0, rider.x",
+    { 0.5, "rider.x ~ x", "rider still" },
+  })
 end)
 
 describe("kinematic: with others in the way:", function()

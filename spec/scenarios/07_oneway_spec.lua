@@ -87,17 +87,13 @@ describe("oneWay: walked through", function()
   })
 
   local LOW = tile({ x = -300, y = 104, width = 800 })
-  row(
-    "(7) on a floor keeps vx, to and fro",
-    EVERYWHERE,
-    { way(), LOW, body({ x = -40, y = 80 }) },
-    {
-      "body.vx = 100",
-      { 1.5, "body at -40 + 100 * t, 80", "body.vx == 100", "body touches bottom" },
-      "body.vx = -100",
-      { 1.5, "body at 110 - 100 * t, 80", "body.vx == -100", "body touches bottom" },
-    }
-  )
+  local ON_FLOOR = { way(), LOW, body({ x = -40, y = 80 }) }
+  row("(7) on a floor keeps vx, to and fro", EVERYWHERE, ON_FLOOR, {
+    "body.vx = 100",
+    { 1.5, "body at -40 + 100 * t, 80", "body.vx == 100", "body touches bottom" },
+    "body.vx = -100",
+    { 1.5, "body at 110 - 100 * t, 80", "body.vx == -100", "body touches bottom" },
+  })
 
   row("what begins inside it falls out of it", SOME, { way(), tile(), body({ y = 79 }) }, {
     { 0.5, "body at 50, 79 + 400 * t * t" },
@@ -222,15 +218,11 @@ describe("oneWay: beside a solid", function()
   --   +-+ ->  +---+
   --   +-+     |   |
   --   ========+---+
-  row(
-    "(7) still lets walk into it",
-    EVERYWHERE,
-    { way(), solid("solid", 200, 84, 16, 24), body({ y = 76 }) },
-    {
-      { 2, keep = "body.vx = 100", "body at min(184, 50 + 100 * t), 76" },
-      { "body.vx == 0", "body touches bottom right" },
-    }
-  )
+  local UPRIGHT = { way(), solid("solid", 200, 84, 16, 24), body({ y = 76 }) }
+  row("(7) still lets walk into it", EVERYWHERE, UPRIGHT, {
+    { 2, keep = "body.vx = 100", "body at min(184, 50 + 100 * t), 76" },
+    { "body.vx == 0", "body touches bottom right" },
+  })
 
   local LEVEL = {
     way({ width = 100 }),
@@ -345,23 +337,18 @@ describe("canCollide: of a one-way", function()
     { "body.vy = -sqrt(1600 * 240)", 2, "body on way", "asked == 'bottom'" },
   })
 
-  row(
-    "that says no, of the {which}, lets fall through",
-    SOME,
-    { way(), tile(), body({ y = 20 }) },
-    {
-      "listen body",
-      function(run, it)
-        it[it.which].canCollide = function(_, other)
-          return other == it.floor.raw
-        end
-        run.world:refresh(it.way.raw)
-      end,
-      { 1, "body at 50, min(276, 20 + 400 * t * t)" },
-      "body heard 1, 0",
-    },
-    { "which", { "body" }, { "way" } }
-  )
+  local FALLS = { way(), tile(), body({ y = 20 }) }
+  row("that says no, of the {which}, lets pass", SOME, FALLS, {
+    "listen body",
+    function(run, it)
+      it[it.which].canCollide = function(_, other)
+        return other == it.floor.raw
+      end
+      run.world:refresh(it.way.raw)
+    end,
+    { 1, "body at 50, min(276, 20 + 400 * t * t)" },
+    "body heard 1, 0",
+  }, { "which", { "body" }, { "way" } })
 end)
 
 describe("oneWay", function()

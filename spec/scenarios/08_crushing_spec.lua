@@ -85,18 +85,13 @@ describe("onCrush: inside something, with no way out,", function()
   local TILES =
     scene.tiles({ scene.maker("boxes", {})("box", 103, 84, 12, 16) }, 13, 0, 100, 16, 16, 16, 0)
   scene.tiles(TILES, 13, 0, 68, 16, 16, 16, 0)
-  row(
-    "tells by what it grows into and what is in its way out, once",
-    { rate = variants.RATES },
-    TILES,
-    {
-      { "log = watch(run, box)", 0.5, "log.count == 0; box.height = 24" },
-      { 0.5, "log.count == 1", "box at 103, 80", "box still" }, -- half of it in each
-      "log.axis == 'y'; min(log.a.y, log.b.y) ~ 68; max(log.a.y, log.b.y) ~ 100",
-      { "box.height = 16", 0.5, "box at 103, 84; box touches bottom top; box.height = 24" },
-      { 0.5, "log.count == 2", "box at 103, 80" },
-    }
-  )
+  row("tells by what it grows into, once", { rate = variants.RATES }, TILES, {
+    { "log = watch(run, box)", 0.5, "log.count == 0; box.height = 24" },
+    { 0.5, "log.count == 1", "box at 103, 80", "box still" }, -- half of it in each
+    "log.axis == 'y'; min(log.a.y, log.b.y) ~ 68; max(log.a.y, log.b.y) ~ 100",
+    { "box.height = 16", 0.5, "box at 103, 84; box touches bottom top; box.height = 24" },
+    { 0.5, "log.count == 2", "box at 103, 80" },
+  })
 
   local BLOCK = { scene.maker("boxes", {})("box", 70, 70, 12, 12) }
   for i = 0, 8 do
@@ -265,16 +260,12 @@ describe("onCrush: from above or below", function()
   end
 
   local HEAVY = scene.maker("boxes", { mass = 10000 })("heavy", 80, 0, 40, 16)
-  row(
-    "by a heavy one that falls on it: nothing, that is no wall",
-    SOME,
-    { FLOOR, box("box1", 92, 100), HEAVY },
-    {
-      "log = watch(run, box1)",
-      { 1, "box1 at 92, 100" },
-      "heavy at 80, 84; log.count == 0",
-    }
-  )
+  local UNDER = { FLOOR, box("box1", 92, 100), HEAVY }
+  row("by a heavy one: nothing, that is no wall", SOME, UNDER, {
+    "log = watch(run, box1)",
+    { 1, "box1 at 92, 100" },
+    "heavy at 80, 84; log.count == 0",
+  })
 
   local PRESS = { FLOOR, wall("press", 80, 62, 40, 8), box("box1", 92, 100), box("box2", 110, 100) }
   row("by a press: one that walks out in time is not, one that is held is", SOME, PRESS, {

@@ -54,7 +54,7 @@ describe("momentum", function()
   --   | 2 | 100 -> |1|
   --   +---+        +-+
   play.row(
-    "(12) is kept, {m} kg at {v} px/s into {n} kg at {w} px/s, restitution {e}",
+    "(12) is kept, {m} kg at {v} into {n} kg at {w}, restitution {e}",
     EVERYWHERE,
     function(v)
       local one = box("a", 0, 0, 16, 16, { vx = v.v, mass = v.m, restitution = v.e })

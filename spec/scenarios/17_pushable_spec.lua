@@ -89,33 +89,27 @@ describe("pushable = false", function()
     list[v.count + 2] = box("V", (16 + v.gap) * (v.count + 1), 0)
     return list
   end
-  row(
-    "{count} boxes, {gap} px apart, between two at {left} and {right} px/s, stop them #slow",
-    SOME,
-    between,
+  row("{count} boxes, {gap} px apart, stop {left} and {right} px/s #slow", SOME, between, {
+    "u, v = U.x, V.x",
     {
-      "u, v = U.x, V.x",
-      {
-        1,
-        keep = "U.vx, V.vx = left, right",
-        "P1.x - U.x >= 16 - 1e-6",
-        "P2.x - P1.x >= 16 - 1e-6",
-        "V.x - run.named['P' .. count].x >= 16 - 1e-6",
-      },
-      "V.x - U.x ~ 16 * (count + 1); (left == 0 and U.x or u) ~ u",
-      "(right == 0 and V.x or v) ~ v",
+      1,
+      keep = "U.vx, V.vx = left, right",
+      "P1.x - U.x >= 16 - 1e-6",
+      "P2.x - P1.x >= 16 - 1e-6",
+      "V.x - run.named['P' .. count].x >= 16 - 1e-6",
     },
-    {
-      "count, gap, left, right",
-      { 2, 0, 150, 0 },
-      { 2, 0, 0, -150 },
-      { 2, 1, 150, 0 },
-      { 3, 0.5, 60, 0 },
-      { 4, 5, 600, 0 },
-      { 2, 5, 100, -100 },
-      { 3, 0, 60, -60 },
-    }
-  )
+    "V.x - U.x ~ 16 * (count + 1); (left == 0 and U.x or u) ~ u",
+    "(right == 0 and V.x or v) ~ v",
+  }, {
+    "count, gap, left, right",
+    { 2, 0, 150, 0 },
+    { 2, 0, 0, -150 },
+    { 2, 1, 150, 0 },
+    { 3, 0.5, 60, 0 },
+    { 4, 5, 600, 0 },
+    { 2, 5, 100, -100 },
+    { 3, 0, 60, -60 },
+  })
 
   --     +-+
   --     |U|

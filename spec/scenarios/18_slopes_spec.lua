@@ -82,24 +82,20 @@ describe("slopes", function()
   }, walks)
 
   -- `m`: of the right edge: 44 px flat, 143.1 up, 116 flat, 90.5 down, flat
-  row(
-    "(P5) take as long as they are with constantSpeed",
-    EVERYWHERE,
-    onHill(20, { constantSpeed = true }),
+  local FAIR = onHill(20, { constantSpeed = true })
+  row("(P5) take as long as they are with constantSpeed", EVERYWHERE, FAIR, {
+    "up, down = sqrt(128 ^ 2 + 64 ^ 2), sqrt(64 ^ 2 * 2)",
     {
-      "up, down = sqrt(128 ^ 2 + 64 ^ 2), sqrt(64 ^ 2 * 2)",
-      {
-        4,
-        keep = "body.vx = 120; m = 120 * t",
-        "body.x ~ 20 + min(m, 44) + min(max(m - 44, 0), up) * 128 / up"
-          .. "+ min(max(m - 44 - up, 0), 116) + min(max(m - 160 - up, 0), down) * 64 / down"
-          .. "+ max(m - 160 - up - down, 0)",
-        "body.y ~ floorAt(body.x) - 24",
-        "body.vx == 120",
-        "body touches bottom",
-      },
-    }
-  )
+      4,
+      keep = "body.vx = 120; m = 120 * t",
+      "body.x ~ 20 + min(m, 44) + min(max(m - 44, 0), up) * 128 / up"
+        .. "+ min(max(m - 44 - up, 0), 116) + min(max(m - 160 - up, 0), down) * 64 / down"
+        .. "+ max(m - 160 - up - down, 0)",
+      "body.y ~ floorAt(body.x) - 24",
+      "body.vx == 120",
+      "body touches bottom",
+    },
+  })
 
   row("(P3) let a jump at the crest be as high as on the flat", EVERYWHERE, onHill(100), {
     { 2 / 3, keep = "body.vx = 120" }, -- to x = 180
@@ -111,15 +107,11 @@ describe("slopes", function()
     },
   })
 
-  row(
-    "(P4) catch what lands on them, at the speed of the way",
-    EVERYWHERE,
-    hill(body({ x = 120, y = 304 })),
-    {
-      { "listen body", 1, "body at 120, floorAt(120) - 24", "body still", "body touches bottom" },
-      { "body heard 1, 0", "heard.body.speed ~ sqrt(1600 * (floorAt(120) - 328))" },
-    }
-  )
+  local ABOVE = hill(body({ x = 120, y = 304 }))
+  row("(P4) catch what lands on them", EVERYWHERE, ABOVE, {
+    { "listen body", 1, "body at 120, floorAt(120) - 24", "body still", "body touches bottom" },
+    { "body heard 1, 0", "heard.body.speed ~ sqrt(1600 * (floorAt(120) - 328))" },
+  })
 
   row("(P4) let a jumper go uphill and downhill, way {way}", EVERYWHERE, onHill(120), {
     0.5,
@@ -240,19 +232,13 @@ describe("slopes", function()
     return list
   end
   -- 320 is the ceiling, 344 where the bottom is, 192 where the right edge is then
-  row(
-    "(P8) are walls where they press against a ceiling, {crates} crates pushed",
-    PUSH,
-    underCeiling,
-    {
-      { "first = run.named['crate' .. crates] or body", "log = run:listen(first)" },
-      { 3, keep = "body.vx = 120" },
-      "first at 176, 320, 3e-6", -- flush is flush to 1e-6 px in height, 2e-6 along x
-      { "first.vx == 0", "first.touching.right ~= false" },
-      { "body at 176 - 16 * crates, floorAt(176 - 16 * crates) - 24, 3e-6", "log.crushes == 0" },
-    },
-    { "crates", { 0 }, { 1 }, { 2 } }
-  )
+  row("(P8) are walls below a ceiling, {crates} crates pushed", PUSH, underCeiling, {
+    { "first = run.named['crate' .. crates] or body", "log = run:listen(first)" },
+    { 3, keep = "body.vx = 120" },
+    "first at 176, 320, 3e-6", -- flush is flush to 1e-6 px in height, 2e-6 along x
+    { "first.vx == 0", "first.touching.right ~= false" },
+    { "body at 176 - 16 * crates, floorAt(176 - 16 * crates) - 24, 3e-6", "log.crushes == 0" },
+  }, { "crates", { 0 }, { 1 }, { 2 } })
 
   local function hanging(name, x, ...)
     return {
@@ -367,20 +353,14 @@ describe("slopes that are one-way", function()
     end
     return list
   end
-  row(
-    "(P9) are a bridge that dropThrough leads through: from {x} at {vx} px/s",
-    EVERYWHERE,
-    bridge,
-    {
-      0.5,
-      "body touches bottom",
-      "body.vx = vx",
-      "world:dropThrough(body.raw) == true",
-      { 0.5, keep = "body.vx = vx" },
-      "body.y > 276",
-    },
-    { "x, vx", { 104, -200 }, { 107, 200 }, { 121, 0 }, { 135, 200 }, { 121, -200 } }
-  )
+  row("(P9) are a bridge for dropThrough: {x}, {vx} px/s", EVERYWHERE, bridge, {
+    0.5,
+    "body touches bottom",
+    "body.vx = vx",
+    "world:dropThrough(body.raw) == true",
+    { 0.5, keep = "body.vx = vx" },
+    "body.y > 276",
+  }, { "x, vx", { 104, -200 }, { 107, 200 }, { 121, 0 }, { 135, 200 }, { 121, -200 } })
 end)
 
 describe("slopes that move", function()
@@ -459,24 +439,18 @@ describe("slopes that move", function()
   --  wall |[ ]      ..../|
   --       |    ..../  <- |
   --  ______________________ 400
-  row(
-    "(P10) push nothing into a wall below a ceiling: gap {gap}, restitution {e}",
-    EVERYWHERE,
-    function(v)
-      local list = moving({ y = 376, height = 24, vx = -100 }, FLAT)
-      list[3], list[4] = solid("ceiling", -400, 332, 900, 40), solid("wall", 0, 372, 20, 28)
-      list[5] = body({ x = 20 + v.gap, y = 376, restitution = v.e })
-      return list
-    end,
-    { "listen body", { 2, "body.x > 20 - 1e-6" }, "heard.body.crushes > 0" },
-    {
-      "gap, e",
-      { 0, 0 },
-      { 0, 1 },
-      { 5, 1 },
-      { 5.3, 0 },
-    }
-  )
+  row("(P10) push nothing into a wall: gap {gap}, restitution {e}", EVERYWHERE, function(v)
+    local list = moving({ y = 376, height = 24, vx = -100 }, FLAT)
+    list[3], list[4] = solid("ceiling", -400, 332, 900, 40), solid("wall", 0, 372, 20, 28)
+    list[5] = body({ x = 20 + v.gap, y = 376, restitution = v.e })
+    return list
+  end, { "listen body", { 2, "body.x > 20 - 1e-6" }, "heard.body.crushes > 0" }, {
+    "gap, e",
+    { 0, 0 },
+    { 0, 1 },
+    { 5, 1 },
+    { 5.3, 0 },
+  })
 end)
 
 describe("slopes and restitution", function()
