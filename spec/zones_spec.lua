@@ -120,8 +120,7 @@ describe("an area", function()
   local FIRST = scene.thing("a", zone({ gravity = 10, ax = 5 })[2])()
   local BOTH = { FIRST, LAST, INSIDE }
   play.row("of the last one is the gravity, others add up", ONCE, BOTH, {
-    "run:step(0.02)",
-    "body.vy ~ 0.4, 1e-12; body.vx ~ 0.22, 1e-12",
+    { "run:step(0.02)", "body.vy ~ 0.4, 1e-12; body.vx ~ 0.22, 1e-12" },
   })
 
   local LAKE = { gravity = 100, airFriction = 2 }
@@ -141,8 +140,7 @@ describe("an area", function()
     body({ name = "lift", x = 40, y = 200, kinematic = true }),
     body({ name = "coin", x = 90, y = 200, sensor = true }),
   }, {
-    "run:step(0.02)",
-    "ghost.vx == 0; shy.vx == 0; lift.raw.vx == nil; coin.vx ~ 1.2, 1e-12",
+    { "run:step(0.02)", "ghost.vx == 0; shy.vx == 0; lift.raw.vx == nil; coin.vx ~ 1.2, 1e-12" },
     "zone.active = false; world:refresh(zone.raw); run:step(0.02); coin.vx ~ 1.2, 1e-12",
   })
 
@@ -155,11 +153,7 @@ describe("an area", function()
     return { its, FLOOR, body({ y = 380 }) }
   end, {
     { "run:play(1)", "world.stats.resting >= 1" },
-    {
-      "zone.active = true; world:refresh(zone.raw)",
-      1,
-      "body.y == 380; world.stats.resting >= 1",
-    },
+    { "zone.active = true; world:refresh(zone.raw)", 1, "body.y == 380; world.stats.resting >= 1" },
     { "zone.raw.area.gravity = -100; world:refresh(zone.raw)", 1 / 6, "body.y < 380" },
     { "world:remove(zone.raw)", 1, "body.y == 380" },
     { "zone.raw.area.ax = 100; world:add('zones', zone.raw)", 1 / 6, "body.vx > 0" },

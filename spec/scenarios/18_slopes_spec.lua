@@ -356,8 +356,7 @@ describe("slopes that are one-way", function()
   row("(P9) are a bridge for dropThrough: {x}, {vx} px/s", EVERYWHERE, bridge, {
     0.5,
     "body touches bottom",
-    "body.vx = vx",
-    "world:dropThrough(body.raw) == true",
+    { "body.vx = vx", "world:dropThrough(body.raw) == true" },
     { 0.5, keep = "body.vx = vx" },
     "body.y > 276",
   }, { "x, vx", { 104, -200 }, { 107, 200 }, { 121, 0 }, { 135, 200 }, { 121, -200 } })
