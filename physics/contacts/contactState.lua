@@ -168,8 +168,8 @@ local function isStill(b, i)
   return b.kind[i] == columns.STATIC or b.stillAt[i] == b.solveStamp
 end
 
--- Updates whether pair p is in contact now, and notes its events.
-local function update(b, p)
+--- Updates whether pair p is in contact now, and notes its events.
+function contactState.update(b, p)
   local i, j = b.pairA[p], b.pairB[p]
   local now
   if b.contact[p] == 0 and min(b.crowd[2 * i], b.crowd[2 * j]) > 0 then
@@ -202,20 +202,6 @@ local function update(b, p)
   end
   b.contact[p] = now
   b.news[i], b.news[j] = true, true
-end
-
---- Updates the pairs in `list[1..listCount]`, and lists those in contact in `touching`, from place
---- `count` + 1 on. Returns how many are in `touching` then.
-function contactState.updateAll(b, list, listCount, touching, count)
-  for n = 1, listCount do
-    local p = list[n]
-    update(b, p)
-    if b.contact[p] ~= 0 then
-      count = count + 1
-      touching[count] = p
-    end
-  end
-  return count
 end
 
 return contactState
