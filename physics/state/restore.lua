@@ -124,18 +124,6 @@ local function writeField(st, objects, row)
   end
 end
 
-local function writeFields(b, st, objects)
-  for _, row in format.rows(st) do
-    writeField(st, objects, row)
-  end
-  for n = st.count + 1, st.count + st.gone do
-    local object = objects[n]
-    if not (object.static or object.kinematic or type(object.touching) == "table") then
-      object.touching = read.touchingFor(b, object)
-    end
-  end
-end
-
 local function clear(list)
   for key in next, list, nil do
     list[key] = nil
@@ -337,7 +325,9 @@ function restore.world(world, st)
   local objects, sentence = match(world, st)
   forget(b)
   restoreSettings(world, st.settings)
-  writeFields(b, st, objects)
+  for _, row in format.rows(st) do
+    writeField(st, objects, row)
+  end
   place(world, st, objects)
   readKnown(b, st, objects)
   readAll(world, st)
