@@ -7,7 +7,7 @@
 local BUDGET = {
   { "physics.lua", 96 },
   { "physics/broadphase", 700 },
-  { "physics/contacts", 428 },
+  { "physics/contacts", 417 },
   { "physics/fields", 714 },
   { "physics/maps", 2411 },
   { "physics/memory", 860 },
@@ -17,7 +17,7 @@ local BUDGET = {
   { "physics/sleep", 90 },
   { "physics/solver", 4189 },
   { "physics/space", 381 },
-  { "physics/state", 947 },
+  { "physics/state", 933 },
   { "physics/world", 1535 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number

@@ -213,7 +213,10 @@ end
 
 local function restoreColumn(b, list, slots, entry)
   local column, width, usual = b[entry[1]], entry[2], entry[3]
-  local model, y = b[usual], width - 1
+  local model, y, hint = b[usual], width - 1, entry.hint
+  if hint then
+    b[hint] = b[hint] or #list > 0
+  end
   for n = 1, #slots do
     local k = width * slots[n]
     if column[k] ~= nil then -- else it is static, and has no place there
@@ -230,21 +233,11 @@ local function restoreColumn(b, list, slots, entry)
   end
 end
 
--- Notes the history of a world, as far as it still matters (see the skip hints in initial.lua).
-local function restoreHistory(b, memory)
-  b.hasCarriers = b.hasCarriers or #memory.carrier > 0 or #memory.carried > 0
-  b.hasCrushed = b.hasCrushed or #memory.wasCrushed > 0
-  b.hasInside = b.hasInside or #memory.inside > 0
-  b.hasCrowds = b.hasCrowds or #memory.crowd > 0
-  b.hasPacked = b.hasPacked or #memory.packed > 0
-end
-
 local function restoreMemory(b, st, slots)
-  restoreHistory(b, st.memory)
   for n = 1, #COLUMNS do
     restoreColumn(b, st.memory[COLUMNS[n][1]], slots, COLUMNS[n])
   end
-  b.movedCount, b.hasLost = 0, #st.memory.lost > 0
+  b.movedCount = 0
   for n = 1, #slots do
     local i = slots[n]
     b.fresh[i] = false
