@@ -1,6 +1,8 @@
 -- The field `hits`: an object collides with the groups that it lists, and with nothing else.
 
 local physics = require("physics")
+local play = require("spec.support.play")
+local scene = require("spec.support.scene")
 
 local DT = 1 / 60
 
@@ -53,20 +55,13 @@ describe("hits", function()
     assert.same({ "players" }, (shoot({ hits = hits }, { masks = { gems = { bullets = false } } })))
   end)
 
-  it("may be refused by the other object, too", function()
-    local world = newWorld()
-    local wall = world:add("walls", { x = 50, y = 0, width = 9, height = 9, static = true })
-    wall.hits = { "players" }
-    world:refresh(wall)
-    local crate = world:add("crates", { x = 20, y = 0, width = 9, height = 9, vx = 300 })
-    local player = world:add("players", { x = 20, y = 3, width = 3, height = 3, vx = 300 })
-    player.mask = { crates = false }
-    for _ = 1, 30 do
-      world:update(DT)
-    end
-    assert.near(170, crate.x, 1e-9)
-    assert.near(47, player.x, 1e-9)
-  end)
+  local maker = scene.maker
+  play.row("may be refused by the other object, too", play.ONCE, {
+    gravity = 0,
+    maker("walls", { static = true, hits = { "players" } })("wall", 50, 0, 9, 9),
+    maker("crates", { vx = 300 })("crate", 20, 0, 9, 9),
+    maker("players", { vx = 300, mask = { crates = false } })("player", 20, 3, 3, 3),
+  }, { 0.5, "crate.x ~ 170; player.x ~ 47" })
 
   it("holds for queries of an object's way, and is told by explain", function()
     local _, bullet, world = shoot({ hits = { "players" } })
@@ -80,26 +75,15 @@ describe("hits", function()
     assert.matches("can collide", world:explain(bullet, player))
   end)
 
-  it("may be changed at any time, by setting another list", function()
-    local world = newWorld()
-    local wall = world:add("walls", { x = 100, y = 0, width = 10, height = 10, static = true })
-    local ball = world:add("balls", { x = 0, y = 0, width = 10, height = 10, vx = 60, hits = {} })
-    for _ = 1, 60 do
-      world:update(DT)
-    end
-    ball.hits = { "walls" }
-    for _ = 1, 60 do
-      world:update(DT)
-    end
-    assert.equal(wall, ball.touching.right)
-    ball.hits = nil
-    world:update(DT)
-    assert.equal(wall, ball.touching.right)
-    ball.hits, ball.vx = {}, 60
-    world:update(DT)
-    assert.equal(91, ball.x)
-    assert.is_false(ball.touching.right)
-  end)
+  play.row("may be changed at any time, by setting another list", play.ONCE, {
+    gravity = 0,
+    maker("walls", { static = true })("wall", 100, 0, 10, 10),
+    maker("balls", { vx = 60, hits = {} })("ball", 0, 0, 10, 10),
+  }, {
+    { "run:play(1); ball.raw.hits = { 'walls' }", 1, "ball.touching.right == wall" },
+    { "ball.raw.hits = nil", 1 / 60, "ball.touching.right == wall" },
+    { "ball.raw.hits, ball.vx = {}, 60", 1 / 60, "ball.x == 91; ball.touching.right == false" },
+  })
 end)
 
 describe("hits, checked,", function()
@@ -134,22 +118,17 @@ describe("hits, checked,", function()
 
   it("finds a filter of a query that is one slip away from a group", function()
     world:update(DT)
-    for _, filter in ipairs({ "palyers", { "bullets", "palyers" } }) do
-      local ok, message = pcall(world.queryRect, world, 0, 0, 9, 9, filter)
+    local NO_GROUP = "filter: there is no group palyers, did you mean players%?"
+    for _, row in ipairs({
+      { "queryRect", "%(.*%): ", "palyers" },
+      { "queryRect", "%(.*%): ", { "bullets", "palyers" } },
+      { "explode", "%(.*%): walls: ", "bullets", "palyers" },
+    }) do
+      local ok, message = pcall(world[row[1]], world, 0, 0, 9, 9, row[3], row[4])
       assert.is_false(ok)
-      assert.matches(
-        "spec/filters_spec.lua:%d+: physics: world:queryRect%(.*%): filter: there is no group"
-          .. " palyers, did you mean players%?",
-        message
-      )
+      local text = "spec/filters_spec.lua:%d+: physics: world:" .. row[1] .. row[2] .. NO_GROUP
+      assert.matches(text, message)
     end
     assert.equal(1, select(2, world:queryRect(0, 0, 9, 9, { "bullets", "coins" })))
-    local ok, message = pcall(world.explode, world, 0, 0, 9, 9, "bullets", "palyers")
-    assert.is_false(ok)
-    assert.matches(
-      "spec/filters_spec.lua:%d+: physics: world:explode%(.*%): walls: filter: there is no group"
-        .. " palyers, did you mean players%?",
-      message
-    )
   end)
 end)

@@ -190,7 +190,7 @@ describe("x and vx: whatever happens,", function()
   end)
 
   it("nothing sinks, in more games #slow", function()
-    expectAllApart(212, 239)
+    expectAllApart(212, 219)
   end)
 
   it("two worlds do not disturb each other", function()

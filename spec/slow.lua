@@ -55,7 +55,7 @@ slow.differs = {
 
 --- The files with slow rows, the longest first, and what takes so long.
 slow.files = {
-  { "spec/scenarios/20_crowds_spec.lua", "a crowd of 300 around a player, for a minute" },
+  { "spec/scenarios/20_crowds_spec.lua", "a crowd of 300 around a player, for 20 s" },
   { "spec/scenarios/21_no_room_spec.lua", "machines that leave no room, for eight seconds" },
   { "spec/recovery_spec.lua", "an error at each place of an update" },
   {
@@ -63,7 +63,7 @@ slow.files = {
     "the scene with everything in it, with other histories and on every Lua",
   },
   { "spec/state_spec.lua", "a rollback of 8 steps, with each combination of settings" },
-  { "spec/properties_spec.lua", "28 seeds of games in which nothing may sink" },
+  { "spec/properties_spec.lua", "eight more seeds of games in which nothing may sink" },
   { "spec/friction_spec.lua", "stacks compared with steps of 1/1500 s" },
   { "spec/strength_spec.lua", "a player in a crowd of 100, for each setting" },
   { "spec/scenarios/13_piles_spec.lua", "1000 boxes without friction, for 20 s" },
@@ -73,7 +73,6 @@ slow.files = {
   { "spec/heaps_spec.lua", "100 balls, poured into a room at three frame rates" },
   { "spec/soak_spec.lua", "falls of 4600 steps" },
   { "spec/registry_spec.lua", "eight more seeds of random edits" },
-  { "spec/limits_spec.lua", "engines in steps of 1/1000 s" },
 }
 
 return slow
