@@ -44,7 +44,7 @@ local BRANCHING = {
   ["contacts.contactState"] = "*",
   ["contacts.events"] = "*",
   ["solver.impact"] = "*",
-  ["solver.rounds"] = "sortImpacts sense isSpent isTorn isDisturbed change meet happen run",
+  ["solver.rounds"] = "sortImpacts isSpent isTorn isDisturbed change meet happen run",
 }
 
 compiler.rows = { NEXT, BRANCHING }

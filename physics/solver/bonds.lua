@@ -17,12 +17,13 @@ local pool = require(root .. ".solver.pool")
 local bonds = {}
 
 local max = math.max
--- States of a bond:
---
--- - BOND: both move as one, if they slip at first, then from when they are equally fast.
--- - SLIP: the two slip, and friction pulls with its limit.
--- - STAND: the lower one stands; for the other it is ground.
-local BOND, SLIP, STAND = 1, 2, 3
+--- States of a bond:
+---
+--- - BOND: both move as one, if they slip at first, then from when they are equally fast.
+--- - SLIP: the two slip, and friction pulls with its limit.
+--- - STAND: the lower one stands; for the other it is ground.
+bonds.BOND, bonds.SLIP, bonds.STAND = 1, 2, 3
+local BOND, SLIP, STAND = bonds.BOND, bonds.SLIP, bonds.STAND
 
 --- Returns an empty list of bonds.
 function bonds.new()
@@ -38,11 +39,6 @@ function bonds.new()
     slipped = {}, -- px that the upper body slips before it sticks
     next = {}, -- next bond on the same lower body
   }
-end
-
---- Returns whether bond n holds, or held until an impact.
-function bonds.holds(list, n)
-  return list.state[n] == BOND
 end
 
 -- Lets bond n pull the upper body with an impulse of `tug`, and the lower body back.

@@ -118,11 +118,6 @@ function flow.body(b, k, v, tau, dt)
   return flow.run(b, list, 1, flow.drive(b, k, dt), v, tau, b.least[k], b.most[k])
 end
 
---- Returns the same with a single kink at 0, of `brake` px/s², and no limit.
-function flow.slide(b, v, a, brake, tau)
-  return flow.run(b, flow.newKink(b, 0.0, brake), 1, a, v, tau, -HUGE, HUGE)
-end
-
 --- Notes that friction or a bond acts on body k, so that its path must be computed anew.
 function flow.notePulled(b, k)
   b.pulledCount = b.pulledCount + 1

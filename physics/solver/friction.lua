@@ -101,16 +101,6 @@ local function findSupports(b, list, axis)
   end
 end
 
--- Returns the body that leans on the other in contact c, towards `sign`, and that other one; nil:
--- it does not, or leans on something else with all its load.
-local function leaning(b, list, c, sign)
-  local low, high = list.low[c], list.high[c]
-  local k, m = sign > 0 and low or high, sign > 0 and high or low
-  if list.bearing[c] == sign and b.bearer[k] == c then
-    return k, m
-  end
-end
-
 -- Adds the load of contact c: the impulse that was taken off `up` in this step, plus the load that
 -- stands on it. At most what its own acceleration made counts as weight; the rest is an impact.
 local function addLoad(b, list, c, up, low, sign, dt)
@@ -162,10 +152,14 @@ local function walk(b, list, held, dt, rubs)
     local isForward = (sign > 0) ~= rubs
     local first, last = isForward and 1 or list.count, isForward and list.count or 1
     for c = first, last, isForward and 1 or -1 do
-      local up, low = leaning(b, list, c, sign)
-      if up and rubs then
+      local up, low = list.low[c], list.high[c]
+      if sign < 0 then
+        up, low = list.high[c], list.low[c]
+      end
+      local isBorne = list.bearing[c] == sign and b.bearer[up] == c -- with all its load
+      if isBorne and rubs then
         addContact(b, list, held, c, up, low, dt)
-      elseif up then
+      elseif isBorne then
         addLoad(b, list, c, up, low, sign, dt)
       end
     end
@@ -224,22 +218,11 @@ function friction.begin(b)
   end
 end
 
--- Puts all bodies on an axis to where they are with friction, and then against what immovable
--- bodies hold. Notes of an earlier attempt are forgotten, since they may be wrong now.
-local function place(b, axis, dt)
-  local list, pressed = b.contacts[axis], b.pressed
-  for c = 1, list.count do
-    pressed[list.pair[c]] = 0
-  end
-  flow.reset(b, axis, dt)
-  flow.runAll(b, dt)
-  settle.hold(b, axis, dt)
-end
-
 --- Lets the contacts of an axis, which is settled, rub along the other one, and settles that axis.
 --- Returns false, and does nothing, if no contact rubs.
 function friction.run(b, axis, dt)
   local list, other, held = b.contacts[axis], 1 - axis, b.bonds[1 - axis]
+  local rubbed = b.contacts[other]
   findSupports(b, list, axis)
   walk(b, list, held, dt, false)
   held.count, held.hasSlips = 0, false
@@ -249,11 +232,16 @@ function friction.run(b, axis, dt)
     return false
   end
   for attempt = 1, ATTEMPTS do
-    place(b, other, dt)
+    for c = 1, rubbed.count do -- notes of an earlier attempt may be wrong now
+      b.pressed[rubbed.pair[c]] = 0
+    end
+    flow.reset(b, other, dt)
+    flow.runAll(b, dt)
+    settle.hold(b, other, dt)
     local isGlued = bonds.glue(b, held, dt)
     settle.finish(b, other, dt, isGlued, false)
     local mayChange = attempt < ATTEMPTS and (isGlued or b.isViolated or held.hasSlips)
-    if not (mayChange and bonds.check(b, b.contacts[other], held, attempt <= TEARS)) then
+    if not (mayChange and bonds.check(b, rubbed, held, attempt <= TEARS)) then
       break
     end
   end

@@ -119,7 +119,7 @@ local function rubBoth(b, kl, kh, mu, jolt, press, tau)
   local loss = mu * jolt * total
   local after = v > loss and v - loss or v < -loss and v + loss or 0.0
   local brake = tau > 0 and mu * press * total / tau or 0.0
-  local new, way = flow.slide(b, after, accel, brake, tau)
+  local new, way = flow.run(b, flow.newKink(b, 0.0, brake), 1, accel, after, tau, -HUGE, HUGE)
   local dv, d = (new - last) / total, (way - (v + last) * 0.5 * tau) / total
   path.add(b, kl, d * il, dv * il)
   path.add(b, kh, -d * ih, -dv * ih)
@@ -135,7 +135,7 @@ local drag
 -- speed. Friction has held them together until then.
 local function dragBond(b, list, n, other, tau, dt, depth)
   local up, low, press = list.up[n], list.low[n], list.limit[n] * tau / dt
-  if depth == 0 or not bonds.holds(list, n) or b.speed[up] == b.speed[low] then
+  if depth == 0 or list.state[n] ~= bonds.BOND or b.speed[up] == b.speed[low] then
     return
   elseif other == low and b.speed[low] == b.base[low] and b.grip[low] * tau >= press then
     b.base[up], b.grip[up] = b.speed[low], press / tau -- the ground holds the lower body
@@ -242,6 +242,16 @@ local function meet(b, i, j, axis, isDeep)
     a = a + lean * (b.accel[tj] - b.accel[ti])
   end
   return separation, b.to[kl] + separation - b.to[kh], v, a, lean
+end
+
+--- Notes the hit of a sensor that a body enters or passes through.
+function impact.sense(b, p, i, j, axis, t, dt)
+  local _, o, v, a = meet(b, i, j, axis, false)
+  local u = impact.approach(o, v, a, (1 - t) * dt)
+  if b.hasRound and touch.turns(b, i, j) then
+    u = touch.approach(b, i, j, t, dt)
+  end
+  impact.note(b, p, i, axis, u, t)
 end
 
 -- Lets two bodies that close on an axis bounce or go on flush, with the friction of that. `r`:

@@ -95,14 +95,6 @@ local function origin(b, k)
   return b.from[k] + b.blocks.shift[k] / b.blocks.mass[k]
 end
 
--- Returns the velocity at the end of the step of a block that starts at v, and its displacement,
--- px.
-local function fly(b, k, v, dt)
-  local blocks = b.blocks
-  local least, most = blocks.least[k], blocks.most[k]
-  return flow.run(b, blocks.kinks[k], blocks.mass[k], blocks.force[k], v, dt, least, most)
-end
-
 -- Computes the end of a block from the sums at its root k. A block that friction can hold in place
 -- does not move: what pushes it pushes anew in each step.
 local function finish(b, k, dt, isLate, place)
@@ -112,7 +104,8 @@ local function finish(b, k, dt, isLate, place)
     b.to[k], b.speed[k] = place, max(min(blocks.speed[k] / mass, most), least)
     return
   end
-  local v, way = fly(b, k, blocks.momentum[k] / mass, dt)
+  local onset = blocks.momentum[k] / mass
+  local v, way = flow.run(b, blocks.kinks[k], mass, blocks.force[k], onset, dt, least, most)
   way = v == blocks.stand[k] and v * dt or way
   b.to[k], b.speed[k] = origin(b, k) + way, v
 end

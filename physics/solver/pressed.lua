@@ -10,42 +10,25 @@
 -- crushed, crushLow and crushHigh.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local columns = require(root .. ".memory.columns")
 local impact = require(root .. ".solver.impact")
 
 local pressed = {}
 
-local EPSILON = columns.EPSILON
 local max = math.max
-
--- Notes the hits of new contacts that are flush, at sides that are pressed: all of them, if a body
--- comes onto several at once.
-local function noteHits(b, list)
-  local pressedHigh, pressedLow, give, start = b.pressedHigh, b.pressedLow, b.give, b.start
-  for c = 1, list.count do
-    local p, kl, kh = list.pair[c], list.low[c], list.high[c]
-    if b.hit[p] == 0 and b.contact[p] == 0 then
-      local over = b.to[kl] + list.separation[c] - b.to[kh]
-      local isBorne = (give[kl] > 0 and pressedHigh[kl]) or (give[kh] > 0 and pressedLow[kh])
-      if b.pressed[p] == 1 or (isBorne and over <= EPSILON and over >= -EPSILON) then
-        local low, axis = (kl - list.axis) * 0.5, list.axis
-        impact.note(b, p, low, axis, max(start[kl] - start[kh], 0.0), 0)
-      end
-    end
-  end
-end
 
 --- Notes the sides on which bodies lean on each other, the hits of contacts that begin so, and
 --- which bodies are squeezed along the axis, and between which two.
 function pressed.note(b, axis)
   local list, isPressed, hit, contact = b.contacts[axis], b.pressed, b.hit, b.contact
-  local pressedHigh, pressedLow, squeezed, hasNew = b.pressedHigh, b.pressedLow, b.squeezed, false
+  local pressedHigh, pressedLow, squeezed = b.pressedHigh, b.pressedLow, b.squeezed
   for c = 1, list.count do
     local p, kl, kh = list.pair[c], list.low[c], list.high[c]
     if isPressed[p] == 1 then
       pressedHigh[kl], pressedLow[kh] = true, true
-      hasNew = hasNew or (hit[p] == 0 and contact[p] == 0)
       b.resolved = b.resolved + (hit[p] == 0 and 1 or 0)
+      if contact[p] == 0 then
+        impact.note(b, p, (kl - axis) * 0.5, axis, max(b.start[kl] - b.start[kh], 0.0), 0)
+      end
       if squeezed[kl] ~= 0 then
         b.crushHigh[kl], b.crushed[kl], b.hasCrushed = (kh - axis) * 0.5, true, true
       end
@@ -53,9 +36,6 @@ function pressed.note(b, axis)
         b.crushLow[kh], b.crushed[kh], b.hasCrushed = (kl - axis) * 0.5, true, true
       end
     end
-  end
-  if hasNew then
-    noteHits(b, list)
   end
 end
 

@@ -75,19 +75,6 @@ local function sortImpacts(b)
   sort.by(order, impacts.count, moment, edge, impacts.first, impacts.second)
 end
 
--- Notes the hit of a sensor that a body enters or passes through.
-local function sense(b, p, i, j, axis, t, dt)
-  if b.hasRound and touch.turns(b, i, j) then
-    impact.note(b, p, i, axis, touch.approach(b, i, j, t, dt), t)
-    return
-  end
-  local kl, kh = 2 * i + axis, 2 * j + axis
-  local o = b.to[kl] + b.size[kl] - b.to[kh]
-  local v, a = b.speed[kl] - b.speed[kh], b.accel[kl] - b.accel[kh]
-  local u = impact.approach(o, v, a, (1 - t) * dt)
-  impact.note(b, p, i, axis, u, t)
-end
-
 -- Returns whether a body that overlaps others has used up its impacts for this step. Other dynamic
 -- bodies may move into it then; their impact is left to the next step.
 local function isSpent(b, i)
@@ -135,7 +122,7 @@ local function change(b, i, j, takesPart, mayBounce)
 end
 
 -- Returns whether the bodies of contact p, one of which has a new path, would end far inside each
--- other.
+-- other. (Without this, a piston that presses 250 boxes takes 18 rounds instead of 6.)
 local function isTorn(b, p)
   local kl, kh = b.contactLow[p], b.contactHigh[p]
   return b.touches[p] == contacts.CONTACT
@@ -200,7 +187,7 @@ local function happen(b, n, dt, isLast, isLate)
   then
     return
   elseif isSensed then
-    sense(b, p, i, j, axis, t, dt)
+    impact.sense(b, p, i, j, axis, t, dt)
     return
   elseif not meet(b, p, i, j, axis, t, dt, isLast, isLate, isDeep) then
     return
