@@ -1,6 +1,7 @@
 --- Lists, for each field of objects, the files of the core that name it, besides those that handle
 --- all fields alike (physics/fields) or read them (objects/readFields.lua). A field should be named
---- where it acts only. `make lint` compares the counts with this table. They only ever go down.
+--- where it acts only. The same for the files that write the path of a body. `make lint` compares
+--- the counts with this table. They only ever go down.
 ---
 ---   luajit scripts/field_files.lua          fails where a field is named by more files
 ---   luajit scripts/field_files.lua slope    shows which files name it
@@ -91,4 +92,24 @@ for _, row in ipairs(fields.objects) do
   end
 end
 print(sum .. " times a file names a field")
+
+-- Files that write a column: an assignment names it on its left side.
+for name, most in pairs({ to = 10, speed = 10, from = 6, accel = 8 }) do
+  local found, own, alias = {}, "b%." .. name .. "%[", "%f[%w_.]" .. name .. "%["
+  for _, file in ipairs(files) do
+    local isAlias, isWriter = file.code:find("b%." .. name .. "%f[^%w_%[]"), false
+    for left in file.code:gmatch("\n%s*([^\n=]-) =%s") do
+      local isHere = left:find(own) or isAlias and left:find(alias)
+      isWriter = isWriter or isHere and not left:find("^local ")
+    end
+    found[#found + 1] = isWriter and file.path or nil
+  end
+  if #found > most then
+    isMet = false
+    print(("%s is written by %d files, at most %d may:"):format(name, #found, most))
+    print("  " .. table.concat(found, "\n  "))
+  elseif name == arg[1] then
+    print(table.concat(found, "\n"))
+  end
+end
 os.exit(isMet and 0 or 1)
