@@ -324,8 +324,7 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
     b.isJammed = true
     return true, separation
   end
-  if lean ~= 0 and touch.isDeflected(b, i, j, r, isLate) then
-    touch.deflect(b, i, j, axis, lean, r, o, v, a, u, tau)
+  if lean ~= 0 and touch.deflect(b, i, j, axis, lean, r, isLate, o, v, a, u, tau) then
     return false, separation
   end
   local isElastic = b.restitution[i] > 0 or b.restitution[j] > 0

@@ -128,31 +128,24 @@ function touch.gradient(b, i, j)
   return isOn and slantOf(b, i, j) or 0
 end
 
--- The contact of box i and slope j where the step begins: see `touch.contact`.
-local function slopeContact(b, i, j)
-  local from = b.from
-  local q, isLow, gap, isEdge = nearestSide(b, i, j, from)
-  if not q or gap < -EPSILON or isEdge and isFloating(b, i) then
-    return nil -- what is inside, or floats, is left to the sweep
-  end
-  local kl, kh = 2 * (isLow and i or j) + q, 2 * (isLow and j or i) + q
-  return q, kl, kh, apart(b, i, j, q, isLow, from[2 * i + 1 - q], from[2 * j + 1 - q])
-end
-
 --- Returns how two that are not both boxes touch where the step begins: the axis, the low and the
 --- high index, px that these must be apart, and whether the normal is slanted. Nil, and whether
---- they overlap: they do not touch, or are left to the sweep.
+--- they overlap: they do not touch, or are left to the sweep, as a slope that a box is inside of,
+--- or floats at.
 function touch.contact(b, i, j)
+  local from, isSlanted, axis, isLow, gap, isEdge = b.from, false
   if isSloped(b, i, j) then
-    local box, its = order(b, i, j)
-    return slopeContact(b, box, its)
+    i, j = order(b, i, j)
+    axis, isLow, gap, isEdge = nearestSide(b, i, j, from)
+  else
+    axis, isLow, isSlanted = ball.touch(b, i, j)
   end
-  local axis, isLow, isSlanted = ball.touch(b, i, j)
-  if not axis then
-    return nil, isLow
+  if not axis or gap and (gap < -EPSILON or isEdge and isFloating(b, i)) then
+    return nil, not gap and isLow
   end
-  local kl, kh = 2 * (isLow and i or j) + axis, 2 * (isLow and j or i) + axis
-  return axis, kl, kh, isSlanted and b.from[kh] - b.from[kl] or b.size[kl], isSlanted
+  local t, kl, kh = 1 - axis, 2 * (isLow and i or j) + axis, 2 * (isLow and j or i) + axis
+  local separation = apart(b, i, j, axis, isLow, from[2 * i + t], from[2 * j + t])
+  return axis, kl, kh, isSlanted and from[kh] - from[kl] or separation, isSlanted
 end
 
 --- Returns the side of slot i at which two are flush at the end of the step, else 0; -1: they are
@@ -258,21 +251,17 @@ function touch.lean(b, i, j, axis)
   return apart(b, box, its, axis, isLow, x, place), lean
 end
 
---- Whether two that meet at a sloped edge bounce, or slide, along its normal: with restitution r,
---- or without gravity, unless others press them there.
-function touch.isDeflected(b, i, j, r, isLate)
-  local box = order(b, i, j)
-  return r > 0 or (isFloating(b, box) and b.impactsOf[box] <= DEFLECTED and not isLate)
-end
-
---- Deflects one of two that meet at a sloped edge, along the normal of that: at the end of the step
---- they overlap by o px along the axis, close at v px/s and accelerate towards each other by a;
---- they have met at u px/s, tau s before.
-function touch.deflect(b, i, j, axis, lean, r, o, v, a, u, tau)
+--- Deflects one of two that meet at a sloped edge, along the normal of that, if they bounce: with
+--- restitution r, or without gravity, unless others press them there. At the end of the step they
+--- overlap by o px along the axis, close at v px/s and accelerate towards each other by a; they
+--- have met at u px/s, tau s before. Returns whether they bounce.
+function touch.deflect(b, i, j, axis, lean, r, isLate, o, v, a, u, tau)
   local box, its = order(b, i, j)
   local way, change = o, max(v, 0.0)
   if r > 0 then
     way, change = o + r * u * tau - a * tau * tau * 0.5, v - a * tau + r * u
+  elseif isLate or not isFloating(b, box) or b.impactsOf[box] > DEFLECTED then
+    return false
   end
   local k, t, shape = 2 * box + axis, 2 * box + 1 - axis, b.shape[its]
   local share = -SOLID[axis][shape] / (1 + lean * lean)
@@ -281,6 +270,7 @@ function touch.deflect(b, i, j, axis, lean, r, o, v, a, u, tau)
     path.add(b, k, way * share, change * share)
     path.add(b, t, -way * share * lean, -change * share * lean)
   end
+  return true
 end
 
 --- Returns whether two are round, and part along their contact as they roll (see contacts).
