@@ -54,13 +54,12 @@ end
 -- How low the ground may be for slot i at x1, if it has come along the ground from (x, height):
 -- from edge to edge it drops by at most `most` px.
 local function reach(b, i, axis, turn, x, x1, height, most)
-  local pieces = b.pieceCount
+  local pieces, _, last = b.pieceCount, x, height
   if x ~= x1 then
-    local _, last = walk.follow(b, i, axis, turn, x, x1, height, false, true, most)
-    height = last
+    _, last = walk.follow(b, i, axis, turn, x, x1, height, false, true, most)
   end
   b.pieceCount = pieces
-  return height + most
+  return last + most
 end
 
 -- Whether slot j, which body k would be put onto, is held, and the two do not go apart.

@@ -107,10 +107,8 @@ end
 -- How far box i, at x across its axis, is beyond the crest of slope j, at `its`; < 0: before it.
 local function beyondCrest(b, i, j, x, its)
   local t = 1 - axisOf(b, i)
-  if SOLID[t][b.shape[j]] < 0 then
-    return its - x
-  end
-  return x + b.size[2 * i + t] - its - b.size[2 * j + t]
+  local before = SOLID[t][b.shape[j]] > 0 and b.size[2 * i + t] - b.size[2 * j + t]
+  return before and x + before - its or its - x
 end
 
 -- How much further along the axis of box i the edge of slope j is for each px across it.
@@ -171,10 +169,9 @@ local function narrow(b, i, j, side, low, high)
   local axis, shape = AXIS[side], b.shape[j]
   if axis ~= axisOf(b, i) or (side % 2 == 0) ~= (SOLID[axis][shape] > 0) then
     return low, high
-  elseif SOLID[1 - axis][shape] > 0 then
-    return high, high
   end
-  return low, low
+  local at = SOLID[1 - axis][shape] > 0 and high or low
+  return at, at
 end
 
 --- Returns where two touch at moment t, at `side` of slot i: the place on the axis of that side,
@@ -223,10 +220,7 @@ end
 
 --- Returns the axis that counts where two meet at a corner, or at the edge of a slope.
 function touch.axisOfPair(b, i, j)
-  if b.hasShapes and isSloped(b, i, j) then
-    return axisOf(b, (order(b, i, j)))
-  end
-  return b.downAxis
+  return isSloped(b, i, j) and axisOf(b, (order(b, i, j))) or b.downAxis
 end
 
 --- Returns how far apart two that meet on an axis must be at the end of the step, and how much
