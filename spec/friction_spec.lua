@@ -48,19 +48,14 @@ local function run(row, rate)
   return ways
 end
 
-local function near(what, expected, actual, off)
-  local difference = math.abs(expected - actual)
-  if difference > off or difference ~= difference then
-    error(("%s should be %.12g, is %.12g"):format(what, expected, actual))
-  end
-end
-
 -- On a floor at y = 0, both ways.
 local LEVELS = { shift = { 0 }, order = { "forward" }, push = { "both" }, turn = { 0, 2 } }
 LEVELS.rate, LEVELS.broadphase = { 30, 60, 144, 240 }, { "grid" }
 local FINE = { shift = { 0 }, order = { "forward" }, push = { "both" }, turn = { 0, 2 } }
 FINE.rate, FINE.broadphase = { 30, 60, 240, 1000 }, { "grid" }
 local BOTH = { shift = { 0 }, order = { "forward" }, turn = { 0, 2 }, rate = { 30, 60, 144 } }
+
+local THIRTY = { shift = { 0 }, order = { "forward" }, push = { "both" }, rate = { 30 } }
 
 local floors = scene.maker("floors", { static = true })
 
@@ -370,42 +365,38 @@ describe("friction: what is leaned on or pushed,", function()
   )
   play.row("stands on nothing", LEVELS, ALOFT, { 1, "a.vx ~ 30, 1e-9; b.vx ~ 30, 1e-9" })
 
-  for _, mass in ipairs({ 5, 100, 1000 }) do
-    it(("under a box of mass %d: goes no faster than what pushes"):format(mass), function()
-      local world, crates = physics.newWorld({ gravity = 1600 }), {}
-      addFloor(world)
-      for n, x in ipairs({ 0, 0, 20 }) do
-        local size = { width = 20, height = 20 }
-        local crate = put(x, n == 2 and -40 or -20, 1, 0, n == 2 and mass or 1, size)
-        crates[n] = world:add("crates", crate)
-      end
-      local player = world:add("players", put(-20, -24, nil, 0, 1000, { width = 20, height = 24 }))
-      for _ = 1, 120 do
-        player.vx = 200
-        world:update(1 / 60)
-        for _, crate in ipairs(crates) do
-          assert.is_true(math.abs(crate.vx) <= 200, "goes at " .. crate.vx)
-        end
-      end
-    end)
-  end
+  play.row("under a box of mass {mass}: goes no faster than what pushes", LEVELS, function(v)
+    local list = on(
+      nil,
+      { -20, -24, nil, 0, 1000, width = 20, height = 24 },
+      { 0, -20, 1, 0, 1, width = 20, height = 20 },
+      { 0, -40, 1, 0, v.mass, width = 20, height = 20 },
+      { 20, -20, 1, 0, 1, width = 20, height = 20 }
+    )
+    list.gravity = 1600
+    return list
+  end, {
+    {
+      2,
+      keep = "a.vx = 200",
+      "abs(b.vx) <= 200",
+      "abs(c.vx) <= 200",
+      "abs(d.vx) <= 200",
+    },
+  }, { "mass", { 5 }, { 1000 } })
 
-  it("stands on a belt: goes along with the lift, also if that touches the one on it", function()
-    local world = physics.newWorld({ gravity = 800 })
-    addFloor(world).surfaceSpeed = -20
-    local size = { width = 30, height = 20 }
-    local low = world:add("boxes", put(0, -20, 1, 0, 1, size))
-    local high = world:add("boxes", put(0, -40, 1, 0, 1, size))
-    local lift = { width = 20, height = 24, kinematic = true }
-    world:add("lifts", put(-37, -24, nil, 50, 1, lift))
-    for n = 1, 40 do
-      world:update(1 / 30)
-      if n > 10 then
-        near("vx", 50, low.vx, 1e-9)
-        near("x", low.x, high.x, 1e-9)
-      end
-    end
-  end)
+  local BELT = scene.maker("floors", { static = true, surfaceSpeed = -20 })
+  play.row(
+    "stands on a belt: goes along with the lift, also if that touches the one on it",
+    THIRTY,
+    {
+      BELT("floor", -9000, 0, 18000, 16),
+      scene.maker("boxes", { friction = 1 })("low", 0, -20, 30, 20),
+      scene.maker("boxes", { friction = 1 })("high", 0, -40, 30, 20),
+      scene.maker("lifts", { kinematic = true, vx = 50 })("lift", -37, -24, 20, 24),
+    },
+    { 1 / 3, { 1, "low.vx ~ 50", "high.x ~ low.x" } }
+  )
 
   -- Four on each other and their pusher, in small steps.
   local FAST = { shift = { 0 }, order = { "forward" }, push = { "both" }, rate = { 960 } }
@@ -428,94 +419,82 @@ end)
 --
 --     > [ ] <
 describe("friction: pressed from both sides goes nowhere:", function()
-  for name, row in pairs({
-    ["a player"] = { friction = 0.5, isWritten = true, speed = 60 },
-    ["a rough player between two"] = { friction = 1, isWritten = true, speed = 60, on = 0.5 },
-    ["a rough crate"] = { friction = 1, speed = 150 },
-    ["a heavy crate"] = { friction = 0.5, speed = 150, mass = 5 },
-    ["a crate with another on it"] = { friction = 0.5, speed = 150, isLoaded = true },
-    -- (One of them comes first, and moves it until the other one is seen in the same step.)
-    ["a crate that they reach from afar"] = { friction = 0.3, speed = 150, gap = 3, off = 0.01 },
-  }) do
-    it(name, function()
-      for _, rate in ipairs({ 30, 60, 144 }) do
-        local world, gap = physics.newWorld({ gravity = 800 }), row.gap or 0
-        addFloor(world)
-        local size, small = { width = 24, height = 24 }, { width = 20, height = 20 }
-        local box = world:add("boxes", put(0, -24, row.friction, 0, row.mass, size))
-        local left = world:add("boxes", put(-20 - gap, -20, row.on, 0, 1, small))
-        local right = world:add("boxes", put(24 + gap, -20, row.on, 0, 1, small))
-        if row.isLoaded then
-          world:add("boxes", put(4, -40, row.friction))
-        end
-        for step = 1, rate do
-          box.vx = row.isWritten and 0 or box.vx
-          left.vx, right.vx = row.speed, -row.speed
-          world:update(1 / rate)
-          near("x", 0, box.x, row.off or 1e-9)
-          near("vx", 0, box.vx, row.off and step <= rate / 6 and 0.3 or 1e-9)
-          if step > rate / 6 then
-            assert.same({ box.x - 20, box.x + 24 }, { left.x, right.x })
-            assert.equal(left, box.touching.left)
-            assert.equal(right, box.touching.right)
-          end
-        end
-      end
-    end)
+  local function pressed(v)
+    local gap = v.gap or 0
+    return on(
+      nil,
+      { 0, -24, v.friction, 0, v.mass, width = 24, height = 24 },
+      { -20 - gap, -20, v.on, 0, 1, width = 20, height = 20 },
+      { 24 + gap, -20, v.on, 0, 1, width = 20, height = 20 },
+      v.isLoaded and { 4, -40, v.friction } or nil
+    )
   end
+  -- (One of them comes first, and moves it until the other one is seen in the same step.)
+  local KEEP = "a.vx = isWritten and 0 or a.vx; b.vx, c.vx = speed, -speed"
+  play.row("{what}", BOTH, pressed, {
+    { 1 / 6, keep = KEEP, "a.x ~ 0, off or 1e-9", "a.vx ~ 0, off and 0.3 or 1e-9" },
+    {
+      5 / 6,
+      keep = KEEP,
+      "a.x ~ 0, off or 1e-9",
+      "a.vx ~ 0",
+      "b.x == a.x - 20",
+      "c.x == a.x + 24",
+      "a.touching.left == b",
+      "a.touching.right == c",
+    },
+  }, {
+    "what, friction, speed, isWritten, on, mass, isLoaded, gap, off",
+    { "a player", 0.5, 60, true },
+    { "a rough player between two", 1, 60, true, 0.5 },
+    { "a rough crate", 1, 150 },
+    { "a heavy crate", 0.5, 150, nil, nil, 5 },
+    { "a crate with another on it", 0.5, 150, nil, nil, nil, true },
+    { "a crate that they reach from afar", 0.3, 150, nil, nil, nil, nil, 3, 0.01 },
+  })
 end)
 
 describe("friction: of two floors", function()
   --      +--+ 100 ->      the second tile may be a one-way: such a contact is looked at in another
   --   ----|====           way than a plain one, and comes at its place in the order all the same
-  it("the first in order counts for what stands evenly on both, also by one-ways", function()
-    for _, y in ipairs({ 200, -1000 }) do
-      for oneWay = 0, 2 do
-        for n, left in ipairs({ 86 + 2 / 3, 100 - math.sqrt(0.1) * 800 / 60 }) do
-          local world, size = physics.newWorld({ gravity = 800 }), { width = 20, height = 20 }
-          for m = 1, 2 do
-            local tile = put(20 * m, y, m == n and 1 or 0.1, 0, 1, size)
-            tile.static, tile.oneWay = true, m == oneWay and "top" or nil
-            world:add("tiles", tile)
-          end
-          local box = world:add("boxes", put(30, y - 20, 1, 100, 1, size))
-          world:update(1 / 60)
-          near("vx", left, box.vx, 1e-6)
-          assert.equal(y - 20, box.y)
-        end
-      end
+  local tile = scene.maker("tiles", { static = true })
+  play.row("the first in order counts: {rough} is rough, {oneWay} one-way", play.ONCE, function(v)
+    local list = {}
+    for n = 1, 2 do
+      local fields =
+        { friction = n == v.rough and 1 or 0.1, oneWay = n == v.oneWay and "top" or nil }
+      list[n] = tile("tile" .. n, 20 * n, 200, 20, 20, fields)
     end
-  end)
+    list[3] = scene.maker("boxes", { friction = 1, vx = 100 })("box", 30, 180, 20, 20)
+    return list
+  end, { "run:step(1 / 60); box.vx ~ left, 1e-6; box.y == 180" }, {
+    "rough, oneWay, left",
+    { 1, 0, 86 + 2 / 3 },
+    { 1, 2, 86 + 2 / 3 },
+    { 2, 0, 100 - math.sqrt(0.1) * 800 / 60 },
+    { 2, 1, 100 - math.sqrt(0.1) * 800 / 60 },
+  })
 
   -- Which carries it, too. It comes to lie past where it is half on either floor, by the way that
   -- it slides from there, and up to a step.
-  for name, row in pairs({
-    ["a belt"] = { { surfaceSpeed = 60 }, {}, 0, 60 * 60 / 800, 60 },
-    ["the ice"] = { { friction = 0 }, { friction = 0.5 }, 100, 100 * 100 / 800, 100 },
-  }) do
-    it("the one under more of it counts: it comes off " .. name, function()
-      for order = 1, 2 do
-        for _, way in ipairs({ 1, -1 }) do
-          for _, rate in ipairs({ 30, 60, 144 }) do
-            local world = physics.newWorld({ gravity = 800 })
-            for n = 1, 2 do
-              local isNear = n == order
-              local floor = put(0, 0, nil, 0, 1, isNear and row[1] or row[2])
-              floor.static, floor.width = true, isNear and 600 or 500
-              floor.x = way > 0 and (isNear and -500 or 100) or (isNear and -100 or -600)
-              floor.surfaceSpeed = (floor.surfaceSpeed or 0) * way
-              world:add("floors", floor)
-            end
-            local box = world:add("boxes", put(way > 0 and 40 or -56, -16, 0.5, row[3] * way))
-            update(world, 5 * rate, 1 / rate)
-            local past = (way > 0 and box.x or -box.x - 16) - 92
-            assert.is_true(past >= row[4] - 1e-6 and past <= row[4] + row[5] / rate, past)
-            assert.equal(0, box.vx)
-          end
-        end
-      end
-    end)
-  end
+  play.row("the one under more of it counts: it comes off {what}", BOTH, function(v, r)
+    local one, far = { friction = v.friction }, { friction = v.friction and 0.5 }
+    one.surfaceSpeed = v.belt and (r.turn == 2 and -v.belt or v.belt)
+    local floor = scene.maker("floors", { static = true })
+    local first, second = floor("near", -500, 0, 600, 16, one), floor("far", 100, 0, 500, 16, far)
+    local box = scene.maker("boxes", { friction = 0.5, vx = v.vx })("box", 40, -16, 16, 16)
+    return { v.isFirst and first or second, v.isFirst and second or first, box }
+  end, {
+    5,
+    "box.x - 92 >= speed ^ 2 / 800 - 1e-6; box.x - 92 <= speed ^ 2 / 800 + speed / run.rate",
+    "box.vx == 0",
+  }, {
+    "what, speed, isFirst, belt, friction, vx",
+    { "a belt", 60, true, 60, nil, 0 },
+    { "a belt, the other one first", 60, false, 60, nil, 0 },
+    { "the ice", 100, true, nil, 0, 100 },
+    { "the ice, the other one first", 100, false, nil, 0, 100 },
+  })
 end)
 
 -- What comes of these cannot be worked out by hand any more: it is what very small steps lead to,
@@ -653,39 +632,29 @@ end)
 
 describe("friction: of a stack", function()
   -- The lowest box bears all four kg, as on a floor: 0.4 * 4 * 900 px/s² for a sixtieth.
-  it("on a slope is that of its whole weight, in every order of adding", function()
-    for order = 1, 2 do
-      local world = physics.newWorld({ gravity = 900 })
-      local hill = { x = 0, y = 100, width = 400, height = 200, static = true, slope = "right" }
-      world:add("ground", hill)
-      local size = { width = 14, height = 14 }
-      local low, high = put(266, 146, 0.4, 0, 1, size), put(266, 132, 0, 0, 3, size)
-      world:add("boxes", order == 1 and low or high)
-      world:add("boxes", order == 1 and high or low)
-      update(world, 60, 1 / 60)
-      low.vx, high.vx = 100, 100
-      world:update(1 / 60)
-      near("vx", 76, low.vx, 1e-9)
-      assert.equal(100, high.vx)
-    end
-  end)
+  local LOW = scene.maker("boxes", { friction = 0.4 })("low", 266, 146, 14, 14)
+  local HIGH = scene.maker("boxes", { mass = 3, friction = 0 })("high", 266, 132, 14, 14)
+  local HILL = scene.maker("ground", { static = true, slope = "right" })("hill", 0, 100, 400, 200)
+  local ORDERS = { shift = { 0 }, push = { "both" }, broadphase = { "grid" } }
+  play.row("on a slope is that of its whole weight", ORDERS, { gravity = 900, HILL, LOW, HIGH }, {
+    { "run:play(1); low.vx, high.vx = 100, 100", 1 / 60, "low.vx ~ 76, 1e-9; high.vx == 100" },
+  })
 
   --   +-+          a crate on a raft that nothing immovable bears: gravity presses it all the same
   --  =====  60 ->
   -- ~~~~~~~
-  it("acts on what floats, hovers or cannot be pushed", function()
-    for _, raft in ipairs({
-      { gravity = 0 },
-      { gravity = 0, pushable = false },
-      { ay = -800.8 }, -- its jet bears the crate, too
-    }) do
-      local world = physics.newWorld({ gravity = 800 })
-      raft.width = 200
-      raft = world:add("rafts", put(0, 100, 1, 0, 1000, raft))
-      local crate = world:add("crates", put(90, 84, 1))
-      update(world, 60, 1 / 60, { 60 }, { raft })
-      near("way", 60 - 60 ^ 2 / 1600, crate.x - 90, 0.1)
-      near("vx", raft.vx, crate.vx, 1e-9)
-    end
-  end)
+  play.row("acts on what floats, hovers or cannot be pushed: {what}", play.ONCE, function(v)
+    local fields =
+      { friction = 1, mass = 1000, gravity = v.gravity, pushable = v.pushable, ay = v.ay }
+    local raft = scene.maker("rafts", fields)("raft", 0, 100, 200, 16)
+    return { raft, scene.maker("crates", { friction = 1 })("crate", 90, 84, 16, 16) }
+  end, {
+    { 1, keep = "raft.vx = 60" },
+    "crate.x ~ 90 + 60 - 60 ^ 2 / 1600, 0.1; crate.vx ~ raft.vx, 1e-9",
+  }, {
+    "what, gravity, pushable, ay",
+    { "floats", 0 },
+    { "is held", 0, false },
+    { "has a jet, which bears the crate, too", nil, nil, -800.8 },
+  })
 end)

@@ -1,6 +1,5 @@
 --- Corner correction: a hit that misses by a few pixels slides around the corner.
 
-local physics = require("physics")
 local play = require("spec.support.play")
 local scene = require("spec.support.scene")
 local variants = require("spec.support.variants")
@@ -107,39 +106,28 @@ describe("nudge under the corner of a block", function()
 end)
 
 describe("nudge", function()
-  it("goes as far where two others overlap", function()
-    local world = physics.newWorld({ gravity = 0 })
-    local box =
-      world:add("boxes", { x = 260, y = 220, width = 20, height = 10, nudge = 10, vy = -300 })
-    world:add("walls", { x = 260, y = 200, width = 10, height = 20, static = true })
-    world:add("walls", { x = 0, y = 0, width = 16, height = 16, static = true })
-    world:add("others", { x = 4, y = 6, width = 16, height = 16, oneWay = "bottom" })
-    world:update(1 / 60)
-    assert.near(270, box.x, 1e-9)
-    assert.near(215, box.y, 1e-9)
-    assert.equal(-300, box.vy)
-  end)
+  local OVERLAP = { solid("wall", 260, 200, 10, 20), solid("tile", 0, 0, 16, 16) }
+  OVERLAP[3] = scene.maker("others", { oneWay = "bottom" })("other", 4, 6, 16, 16)
+  OVERLAP[4] = scene.maker("boxes", { nudge = 10, vy = -300 })("body", 260, 220, 20, 10)
+  OVERLAP.gravity = 0
+  row("goes as far where two others overlap", play.ONCE, OVERLAP, {
+    { steps = 1 },
+    "body at 270, 215, 1e-9; body.vy == -300",
+  })
 
   --   +----------+
   --   | o        |    0 .. 112, 0 .. 64: the ball comes by several times
   --   |    ##    |
   --   +----------+
-  it("leads around the same block again and again, in one long step as in many", function()
-    for _, steps in ipairs({ 1, 2, 15, 64 }) do
-      local dt = 0.25 / steps
-      local world = physics.newWorld({ gravity = 0, timestep = dt })
-      world:setBounds(0, 0, 112, 64)
-      world:add("blocks", { x = 48, y = 36, width = 12, height = 8, static = true })
-      local ball = world:add("balls", { x = 0, y = 8, width = 12, height = 12 })
-      ball.vx, ball.vy, ball.restitution, ball.nudge = 512, 1792, 1, 15
-      for _ = 1, steps do
-        world:update(dt)
-      end
-      assert.near(464 / 7, ball.x, 1e-6)
-      assert.near(46, ball.y, 1e-6)
-      assert.same({ 512, 1792 }, { ball.vx, ball.vy })
-    end
-  end)
+  row("leads around the same block again and again, in {steps} steps", play.ONCE, function(v)
+    local fields = { vx = 512, vy = 1792, restitution = 1, nudge = 15 }
+    local ball = scene.maker("balls", fields)("body", 0, 8, 12, 12)
+    return { gravity = 0, timestep = 0.25 / v.steps, solid("block", 48, 36, 12, 8), ball }
+  end, {
+    "world:setBounds(0, 0, 112, 64)",
+    "for _ = 1, steps do world:update(0.25 / steps) end",
+    "body at 464 / 7, 46; body.vx == 512; body.vy == 1792",
+  }, { "steps", { 1 }, { 2 }, { 15 }, { 64 } })
 end)
 
 --            |  |
