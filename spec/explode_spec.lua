@@ -1,67 +1,59 @@
 --- world:explode: what is pushed, how far, and what is in the way.
 
 local physics = require("physics")
+local play = require("spec.support.play")
 
 local function still()
   return physics.newWorld({ gravity = 0 })
 end
 
 local function crate(x, y, changes)
-  local object = { x = x, y = y, width = 20, height = 20 }
+  local object = { name = "it", x = x, y = y, width = 20, height = 20 }
   for name, value in pairs(changes or {}) do
     object[name] = value
   end
   return object
 end
 
-local function near(expected, value)
-  assert.is_true(math.abs(expected - value) < 1e-9, ("%g, not %g"):format(value, expected))
-end
-
 describe("world:explode", function()
   -- A crate of 20 px, an explosion at (0, 0) of 100 px and 600.
-  for _, row in ipairs({
+  play.row("pushes away: {what}", play.ONCE, function(v)
+    return { gravity = 0, { "crates", crate(v.x, v.y, v.fields) } }
+  end, {
+    "list, count = world:explode(0, 0, 100, 600); count == 1; list[1] == it.raw",
+    "it.vx ~ vx; it.vy ~ vy",
+  }, {
+    "what, x, y, fields, vx, vy",
     { "to the right", 30, -10, {}, 420, 0 },
     { "its mass counts", 30, -10, { mass = 2 }, 210, 0 },
     { "what it had is kept", 30, -10, { vx = -20, vy = 7 }, 400, 7 },
     { "around the centre", -5, -10, {}, 600, 0 },
     { "in the centre: up", -10, -10, {}, 0, -600 },
     { "nearly at the rim", 99, -10, {}, 6, 0 },
-    { "beyond the rim", 100, -10, {}, nil, nil },
-    { "beyond the rim, in its square", 80, 80, {}, nil, nil },
     -- The nearest corner is 50 px away, the middle at (40, 50) of 64 px.
     { "askew", 30, 40, {}, 300 * 40 / math.sqrt(4100), 300 * 50 / math.sqrt(4100) },
     -- A circle: its middle is 50 px away, its rim 40 px.
     { "a circle", 20, 30, { radius = 10, sensor = true }, 360 * 0.6, 360 * 0.8 },
-    { "what is inactive", 30, -10, { active = false }, nil, nil },
-    { "what is static", 30, -10, { static = true }, nil, nil },
-    { "what is kinematic", 30, -10, { kinematic = true }, nil, nil },
-  }) do
-    it("pushes away: " .. row[1], function()
-      local world = still()
-      local object = world:add("crates", crate(row[2], row[3], row[4]))
-      local vx, vy = object.vx, object.vy
-      local list, count = world:explode(0, 0, 100, 600)
-      assert.are.equal(row[5] and 1 or 0, count)
-      assert.are.equal(row[5] and object or nil, list[1])
-      if row[5] then
-        near(row[5], object.vx)
-        near(row[6], object.vy)
-      else
-        assert.are.same({ vx, vy }, { object.vx, object.vy })
-      end
-    end)
-  end
+  })
 
-  it("draws in with a negative impulse, and wakes what rests", function()
-    local world = still()
-    local object = world:add("crates", crate(30, -10))
-    world:update(1 / 60)
-    world:update(1 / 60)
-    world:explode(0, 0, 100, -100)
-    world:update(1 / 60)
-    assert.is_true(object.x < 30)
-  end)
+  play.row("leaves alone: {what}", play.ONCE, function(v)
+    return { gravity = 0, { "crates", crate(v.x, v.y, v.fields) } }
+  end, {
+    "list, count = world:explode(0, 0, 100, 600); count == 0; list[1] == nil",
+    "it.vx == 0; it.vy == 0",
+  }, {
+    "what, x, y, fields",
+    { "beyond the rim", 100, -10, {} },
+    { "beyond the rim, in its square", 80, 80, {} },
+    { "what is inactive", 30, -10, { active = false } },
+    { "what is static", 30, -10, { static = true } },
+    { "what is kinematic", 30, -10, { kinematic = true } },
+  })
+
+  play.row("draws in with a negative impulse, and wakes what rests", play.ONCE, {
+    gravity = 0,
+    { "crates", crate(30, -10) },
+  }, { { "run:play(1 / 30); world:explode(0, 0, 100, -100)", 1 / 60, "it.x < 30" } })
 
   it("pushes those that the filter names, and are in sight", function()
     local world = still()

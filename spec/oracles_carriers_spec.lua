@@ -76,10 +76,9 @@ describe("kinematic and surfaceSpeed: known by hand, a box", function()
   end)
 
   class("walks up and down a slope along its edge", EXACT, function(s)
-    local random = s.random
-    s:set({ gravity = random:between(300, 1200) })
-    local width, height = some(random, 200, 400, 20, 400)
-    local v, isFair = random:between(30, 300), random:chance(0.5)
+    s:set({ gravity = s.random:between(300, 1200) })
+    local width, height = some(s.random, 200, 400, 20, 400)
+    local v, isFair = s.random:between(30, 300), s.random:chance(0.5)
     s:floor()
     s.world:add(
       "slopes",
@@ -87,7 +86,7 @@ describe("kinematic and surfaceSpeed: known by hand, a box", function()
     )
     s.world:add("blocks", { x = width, y = -height, width = 4000, height = height, static = true })
     local b = s:stand({ x = 0, constantSpeed = isFair, maxSpeed = nil })
-    b.x = -b.width - random:between(5, 30)
+    b.x = -b.width - s.random:between(5, 30)
     local start, steep = b.x + b.width, height / width
     local uphill = isFair and v / sqrt(1 + steep * steep) or v
     b.vx = v

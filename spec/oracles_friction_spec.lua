@@ -11,8 +11,7 @@ describe("friction: known by hand, a box", function()
 
   class("slides to a stop", EXACT, function(s)
     local g, mu, v = s:draw(300, 1200, 0.05, 1.2, -400, 400)
-    local random = s.random
-    local own = random:between(0.05, 1.5)
+    local own = s.random:between(0.05, 1.5)
     s:floor({ friction = mu * mu / own })
     local b = s:stand({ x = 0, vx = v, friction = own })
     s:play(2, function(t)
@@ -36,9 +35,9 @@ describe("friction: known by hand, a box", function()
   end)
 
   class("starts in air, driven by less than 1 px/s²", EXACT, function(s)
-    local random = s.random
-    local mu, k, sign = random:between(0.05, 0.3), random:between(0.2, 1), random:pick({ 1, -1 })
-    local a = random:between(mu + 0.1, 0.95)
+    local mu, k, sign =
+      s.random:between(0.05, 0.3), s.random:between(0.2, 1), s.random:pick({ 1, -1 })
+    local a = s.random:between(mu + 0.1, 0.95)
     s:set({ gravity = 1 })
     s:floor()
     local b = s:stand({ x = 0, friction = mu, airFriction = k, ax = sign * a })
@@ -65,8 +64,7 @@ describe("friction: known by hand, a box", function()
 
   class("turns where its engine overcomes its slide", EXACT, function(s)
     local g, mu, v = s:draw(300, 1200, 0.05, 0.5, 50, 300)
-    local random = s.random
-    local a = mu * g * random:between(0.5, 3)
+    local a = mu * g * s.random:between(0.5, 3)
     s:floor()
     local b = s:stand({ x = 0, friction = mu, vx = v, ax = -a })
     local stop = v / (a + mu * g)
@@ -110,8 +108,7 @@ describe("friction: known by hand, a box", function()
 
   class("slides on a train, seen from the train", EXACT, function(s)
     local g, mu, v, u = s:draw(300, 1200, 0.05, 1, -300, 300, -300, 300)
-    local random = s.random
-    local w = random:between(-100, 100)
+    local w = s.random:between(-100, 100)
     local train = { x = -4000, y = 0, width = 8000, height = 20, kinematic = true, vx = u, vy = w }
     s.world:add("trains", train)
     local b = s:stand({ x = 0, friction = mu })
@@ -174,10 +171,9 @@ describe("friction: known by hand, a box", function()
 
   class("pushes a row with its engine, by the mass of all and their friction", EXACT, function(s)
     local g, a, limit = s:draw(300, 1200, 300, 2000, 60, 200)
-    local random = s.random
     s:floor()
-    local row, mass, rub = newTrain(s, random:integer(2, 6), function()
-      return random:chance(0.3) and 0 or random:between(0, 0.3)
+    local row, mass, rub = newTrain(s, s.random:integer(2, 6), function()
+      return s.random:chance(0.3) and 0 or s.random:between(0, 0.3)
     end, { ax = a, maxSpeedX = limit })
     local all = (row[1].mass * a - rub * g) / mass
     local start = {}
@@ -200,11 +196,10 @@ describe("friction: known by hand, a box", function()
   -- Where both stop in the same step.
   class("pushes the one before it that friction brakes more", MEETING, function(s)
     local g, v = s:draw(300, 1200, 50, 300)
-    local random = s.random
     s:floor()
-    local low = random:between(0, 0.3)
+    local low = s.random:between(0, 0.3)
     local a = s:stand({ x = 0, vx = v, friction = low })
-    local b = s:stand({ x = a.width, vx = v, friction = low + random:between(0.01, 0.5) })
+    local b = s:stand({ x = a.width, vx = v, friction = low + s.random:between(0.01, 0.5) })
     local all = (a.mass * a.friction + b.mass * b.friction) * g / (a.mass + b.mass)
     s:play(2, function(t)
       local x = braked(v, all, t)
@@ -215,10 +210,9 @@ describe("friction: known by hand, a box", function()
 
   class("comes apart from the one behind it that friction brakes more", EXACT, function(s)
     local g, v = s:draw(300, 1200, 50, 300)
-    local random = s.random
     s:floor()
-    local low = random:between(0.05, 0.3)
-    local a = s:stand({ x = 0, vx = v, friction = low + random:between(0.01, 0.5) })
+    local low = s.random:between(0.05, 0.3)
+    local a = s:stand({ x = 0, vx = v, friction = low + s.random:between(0.01, 0.5) })
     local b = s:stand({ x = a.width, vx = v, friction = low })
     s:play(2, function(t)
       s:near("x of a", braked(v, a.friction * g, t), a.x)
@@ -228,13 +222,12 @@ describe("friction: known by hand, a box", function()
 
   class("hits one that lies there, and both slide to a stop", MEETING, function(s)
     local g, r, muA, muB = s:draw(300, 1200, 0.3, 1, 0.05, 0.4, 0.05, 0.4)
-    local random = s.random
     s:floor()
-    local gap = random:between(5, 60)
-    local v = sqrt(2 * muA * g * gap) + random:between(40, 300)
+    local gap = s.random:between(5, 60)
+    local v = sqrt(2 * muA * g * gap) + s.random:between(40, 300)
     local a =
-      s:stand({ x = 0, vx = v, friction = muA, restitution = r, mass = random:between(0.2, 1) })
-    local b = s:stand({ x = a.width + gap, friction = muB, mass = random:between(2, 5) })
+      s:stand({ x = 0, vx = v, friction = muA, restitution = r, mass = s.random:between(0.2, 1) })
+    local b = s:stand({ x = a.width + gap, friction = muB, mass = s.random:between(2, 5) })
     local moment = (v - sqrt(v * v - 2 * muA * g * gap)) / (muA * g)
     local speed = v - muA * g * moment
     local j = (1 + r) * speed * a.mass * b.mass / (a.mass + b.mass)

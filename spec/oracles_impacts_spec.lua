@@ -42,25 +42,23 @@ describe("restitution: known by hand,", function()
     { "five that do not bounce", 5, false },
   }) do
     class("impacts of " .. row[1], MEETING, function(s)
-      local random = s.random
       s:set({ gravity = 0 })
-      local r = row[3] and (random:chance(0.3) and 1 or random:between(0.3, 1)) or 0
+      local r = row[3] and (s.random:chance(0.3) and 1 or s.random:between(0.3, 1)) or 0
       local bodies, line = newRow(s, row[2], r, 300, 60)
       compareRow(s, bodies, line, r, 1)
     end)
   end
 
   class("impacts of a box with a wall that moves", MEETING, function(s)
-    local random = s.random
     s:set({ gravity = 0 })
-    local r = random:between(0.2, 1)
-    local u = random:between(-100, 200)
+    local r = s.random:between(0.2, 1)
+    local u = s.random:between(-100, 200)
     s.world:add(
       "walls",
       { x = -500, y = -100, width = 500, height = 300, kinematic = true, vx = u }
     )
     local b =
-      s:box({ x = random:between(5, 60), y = 0, vx = random:between(-400, 0), restitution = r })
+      s:box({ x = s.random:between(5, 60), y = 0, vx = s.random:between(-400, 0), restitution = r })
     local line = { { x = -500, v = u, mass = huge, width = 500 } }
     line[2] = { x = b.x, v = b.vx, mass = b.mass, width = b.width }
     local before = 0
@@ -73,13 +71,12 @@ describe("restitution: known by hand,", function()
   end)
 
   class("impacts of two that fall at different gravity", MEETING, function(s)
-    local random = s.random
     s:set({ gravity = 0 })
-    local r = random:between(0.3, 1)
-    local gA, gB = some(random, -300, 300, -300, 300)
-    local a = s:box({ x = 0, y = 0, vy = random:between(0, 200), gravity = gA, restitution = r })
-    local gap = random:between(5, 80)
-    local b = s:box({ x = 3, y = a.height + gap, vy = random:between(-200, 0), gravity = gB })
+    local r = s.random:between(0.3, 1)
+    local gA, gB = some(s.random, -300, 300, -300, 300)
+    local a = s:box({ x = 0, y = 0, vy = s.random:between(0, 200), gravity = gA, restitution = r })
+    local gap = s.random:between(5, 80)
+    local b = s:box({ x = 3, y = a.height + gap, vy = s.random:between(-200, 0), gravity = gB })
     local vA, vB = a.vy, b.vy
     local moment = timeTo(gap, vA - vB, gA - gB) or huge
     local closing = sqrt(max((vA - vB) ^ 2 + 2 * (gA - gB) * gap, 0))
@@ -100,15 +97,14 @@ describe("restitution: known by hand,", function()
 
   -- The normal is that of a moment up to 2e-9 of a step later.
   class("impacts of two balls, along the line of their centres", 1e-5, function(s)
-    local random = s.random
-    local r, ra, rb = some(random, 0, 1, 6, 20, 6, 20)
-    local v, offset = random:between(100, 400), (ra + rb) * random:between(-0.9, 0.9)
+    local r, ra, rb = some(s.random, 0, 1, 6, 20, 6, 20)
+    local v, offset = s.random:between(100, 400), (ra + rb) * s.random:between(-0.9, 0.9)
     local function ball(x, y, radius, vx)
       local its = { x = x - radius, y = y - radius, radius = radius, vx = vx, restitution = r }
       its.width, its.height = 2 * radius, 2 * radius
       return s:box(its)
     end
-    local a, distance = ball(0, 0, ra, v), ra + rb + random:between(5, 60)
+    local a, distance = ball(0, 0, ra, v), ra + rb + s.random:between(5, 60)
     local b = ball(distance, offset, rb)
     local nx, ny = sqrt((ra + rb) ^ 2 - offset * offset) / (ra + rb), offset / (ra + rb)
     local moment = (distance - nx * (ra + rb)) / v
@@ -123,9 +119,8 @@ describe("restitution: known by hand,", function()
   end)
 
   class("bounces of a box or ball off a slope, along the normal", MEETING, function(s)
-    local random = s.random
     s:set({ gravity = 0 })
-    local width, height, radius = some(random, 150, 300, 60, 300, 5, 15)
+    local width, height, radius = some(s.random, 150, 300, 60, 300, 5, 15)
     s.world:add(
       "slopes",
       { x = 0, y = 0, width = width, height = height, static = true, slope = "right" }
@@ -133,10 +128,10 @@ describe("restitution: known by hand,", function()
     -- From (0, height) to (width, 0); the normal points up and to the left.
     local length = sqrt(width * width + height * height)
     local nx, ny = -height / length, -width / length
-    local r, v = some(random, 0, 1, 100, 300)
-    local x, y = width * random:between(0.4, 0.6), -60
+    local r, v = some(s.random, 0, 1, 100, 300)
+    local x, y = width * s.random:between(0.4, 0.6), -60
     local b = s:box({ x = x - radius, y = y - radius, width = 2 * radius, height = 2 * radius })
-    b.vy, b.restitution, b.radius = v, r, random:chance(0.5) and radius or nil
+    b.vy, b.restitution, b.radius = v, r, s.random:chance(0.5) and radius or nil
     -- A box meets it with its corner, a circle with its rim.
     local away = x * nx + (y - height) * ny - radius
     if not b.radius then

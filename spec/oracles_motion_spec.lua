@@ -13,12 +13,11 @@ describe("vx, vy, ax and gravity: known by hand, a body", function()
 
   class("flies on the parabola of its gravity and engine", EXACT, function(s)
     local gx, gy = s:draw(-500, 500, -900, 900)
-    local random = s.random
     s:set({ gravity = gy, gravityX = gx })
-    local own = random:chance(0.5) and random:between(-900, 900) or nil
-    local vx, vy, ax, ay = random:between(-400, 400), random:between(-400, 400), 0, 0
-    if random:chance(0.7) then
-      ax, ay = random:between(-300, 300), random:between(-300, 300)
+    local own = s.random:chance(0.5) and s.random:between(-900, 900) or nil
+    local vx, vy, ax, ay = s.random:between(-400, 400), s.random:between(-400, 400), 0, 0
+    if s.random:chance(0.7) then
+      ax, ay = s.random:between(-300, 300), s.random:between(-300, 300)
     end
     local b = s:box({ x = 0, y = 0, vx = vx, vy = vy, ax = ax, ay = ay, gravity = own })
     ax, ay = ax + gx, ay + (own or gy)
@@ -45,9 +44,8 @@ describe("vx, vy, ax and gravity: known by hand, a body", function()
 
   class("falls up to its limit", EXACT, function(s)
     local g, limit, v = s:draw(300, 1200, 100, 600, -90, 90)
-    local random = s.random
     local b = s:box({ x = 0, y = 0, vy = v })
-    b[random:pick({ "maxSpeedY", "maxFallSpeed", "maxSpeed" })] = limit
+    b[s.random:pick({ "maxSpeedY", "maxFallSpeed", "maxSpeed" })] = limit
     s:play(2, function(t)
       local y, speed = limited(v, g, limit, t)
       s:near("y", y, b.y)
@@ -57,8 +55,7 @@ describe("vx, vy, ax and gravity: known by hand, a body", function()
 
   class("falls through air up to its limit", EXACT, function(s)
     local g, k = s:draw(600, 1200, 0.2, 2)
-    local random = s.random
-    local limit = g / k * random:between(0.2, 0.8)
+    local limit = g / k * s.random:between(0.2, 0.8)
     local b = s:box({ x = 0, y = 0, airFriction = k, maxSpeedY = limit })
     local moment = -math.log(1 - limit * k / g) / k
     s:play(3, function(t)
@@ -71,10 +68,9 @@ describe("vx, vy, ax and gravity: known by hand, a body", function()
   -- In the step in which `maxSpeedX` is reached `drag` takes its part of the whole step.
   class("drives up to its limit against its drag", 0, function(s)
     local ax, drag, limit = s:draw(200, 600, 20, 150, 60, 300)
-    local random = s.random
     s:set({ gravity = 0 })
     s.tolerance = drag * s:longest() ^ 2 / 2 -- 0.08 px at 30 Hz, 0.001 at 240
-    local side = random:pick({ -1, 1 })
+    local side = s.random:pick({ -1, 1 })
     local b = s:box({ x = 0, y = 0, ax = side * ax, drag = drag, maxSpeedX = limit })
     s:play(2, function(t)
       local x, v = limited(0, ax - drag, limit, t)
@@ -98,10 +94,9 @@ describe("vx, vy, ax and gravity: known by hand, a body", function()
   end)
 
   class("gets an impulse by its mass", EXACT, function(s)
-    local random = s.random
     s:set({ gravity = 0 })
     local b = s:box({ x = 0, y = 0, vx = 10 })
-    local jx, jy = some(random, -300, 300, -300, 300)
+    local jx, jy = some(s.random, -300, 300, -300, 300)
     s.world:impulse(b, jx, jy)
     s:play(1, function(t)
       s:near("x", (10 + jx / b.mass) * t, b.x)
@@ -110,13 +105,12 @@ describe("vx, vy, ax and gravity: known by hand, a body", function()
   end)
 
   class("feels the wind and the gravity of the zone that it is in", EXACT, function(s)
-    local random = s.random
     s:set({ gravity = 500 })
-    local g, ax, ay = some(random, -400, 400, -300, 300, -300, 300)
+    local g, ax, ay = some(s.random, -400, 400, -300, 300, -300, 300)
     local zone = { x = -4000, y = -4000, width = 8000, height = 8000, static = true, sensor = true }
     zone.area = { gravity = g, ax = ax, ay = ay }
     s.world:add("zones", zone)
-    local vx, vy = some(random, -200, 200, -200, 200)
+    local vx, vy = some(s.random, -200, 200, -200, 200)
     local b = s:box({ x = 0, y = 0, vx = vx, vy = vy })
     s:play(2, function(t)
       s:near("x", vx * t + ax * t * t / 2, b.x)
@@ -145,12 +139,11 @@ describe("vx, vy, ax and gravity: known by hand, a body", function()
   end)
 
   class("bounces about in a room on both axes", MEETING, function(s)
-    local random = s.random
-    local r = random:chance(0.5) and 1 or random:between(0.5, 1)
+    local r = s.random:chance(0.5) and 1 or s.random:between(0.5, 1)
     s:set({ gravity = 0 })
     local b = s:box({ x = 0, y = 0, restitution = r })
-    b.vx, b.vy = random:between(100, 500), random:between(-500, -100)
-    local room, tall = some(random, 60, 200, 60, 200)
+    b.vx, b.vy = s.random:between(100, 500), s.random:between(-500, -100)
+    local room, tall = some(s.random, 60, 200, 60, 200)
     local function wall(x, y, width, height)
       s.world:add("walls", { x = x, y = y, width = width, height = height, static = true })
     end
@@ -159,7 +152,7 @@ describe("vx, vy, ax and gravity: known by hand, a body", function()
     wall(0, -10, room, 10)
     wall(0, tall, room, 10)
     b.x, b.y =
-      (room - b.width) * random:between(0.1, 0.9), (tall - b.height) * random:between(0.1, 0.9)
+      (room - b.width) * s.random:between(0.1, 0.9), (tall - b.height) * s.random:between(0.1, 0.9)
     local function line(x, v, width, length)
       return {
         { x = -10, v = 0, mass = huge, width = 10 },

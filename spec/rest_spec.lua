@@ -2,8 +2,8 @@
 --- without it, and every hash and every event must be the same.
 
 local physics = require("physics")
-
-local DT = 1 / 64
+local play = require("spec.support.play")
+local scene = require("spec.support.scene")
 
 -- A box of 16 px, with other fields.
 local function box(x, y, fields)
@@ -14,9 +14,9 @@ local function box(x, y, fields)
   return object
 end
 
--- Plays with `rest` and without: `play(world, step)`, where step(dt) updates the world. Fails
+-- Plays with `rest` and without: `plays(world, step)`, where step(dt) updates the world. Fails
 -- unless both have the same hash, and have told the same, after each of these.
-local function checkSame(settings, play)
+local function checkSame(settings, plays)
   local tracks = {}
   for n, rest in ipairs({ true, false }) do
     local world, track = physics.newWorld(settings), {}
@@ -26,7 +26,7 @@ local function checkSame(settings, play)
         track[#track + 1] = ("%s %g %g %s"):format(name, a.x, b.x, side)
       end
     end
-    play(world, function(dt)
+    plays(world, function(dt)
       world:update(dt or 1 / 60)
       track[#track + 1] = world:hash()
     end)
@@ -125,53 +125,34 @@ describe("rest: a resting heap", function()
 end)
 
 describe("rest: a crate behind a thin wall", function()
-  for _, speed in ipairs({ 100, 200, 300 }) do
-    it("rests while a box presses the wall at " .. speed .. " px/s", function()
-      local world = physics.newWorld({ gravity = 600 })
-      world:add("tiles", { x = 0, y = 600, width = 400, height = 20, static = true })
-      world:add("tiles", { x = 200, y = 0, width = 4, height = 600, static = true })
-      world:add("crates", { x = 206, y = 590, width = 10, height = 10 })
-      local player = world:add("players", { x = 170, y = 560, width = 20, height = 40 })
-      for step = 1, 60 do
-        player.vx = speed
-        world:update(1 / 60)
-        assert.is_true(step < 30 or world.stats.resting == 1, "step " .. step)
-      end
-      assert.equal(180, player.x)
-    end)
-  end
+  local solid = scene.maker("tiles", { static = true })
+  play.row("rests while a box presses the wall at {speed} px/s", play.ONCE, {
+    solid("floor", 0, 600, 400, 20),
+    solid("wall", 200, 0, 4, 600),
+    scene.maker("crates", {})("crate", 206, 590, 10, 10),
+    scene.maker("players", {})("player", 170, 560, 20, 40),
+  }, {
+    { steps = 30, keep = "player.vx = speed" },
+    { steps = 30, keep = "player.vx = speed", "world.stats.resting == 1" },
+    "player.x == 180",
+  }, { "speed", { 100 }, { 200 }, { 300 } })
 end)
 
 describe("rest: a box on a floor", function()
-  for _, rate in ipairs({ 30, 60, 144, 240, 1000, 2000 }) do
-    it("is skipped at " .. rate .. " Hz", function()
-      local world = physics.newWorld()
-      world:add("floors", { x = 0, y = 16, width = 64, height = 16, static = true })
-      world:add("boxes", { x = 0, y = 0, width = 16, height = 16 })
-      for _ = 1, 8 do
-        world:update(1 / rate)
-      end
-      assert.equal(1, world.stats.resting)
-    end)
-  end
+  local LEVELS = { rate = { 30, 60, 144, 240, 1000, 2000 }, shift = { 0 } }
+  play.row("is skipped at each rate", LEVELS, {
+    scene.maker("floors", { static = true })("floor", 0, 16, 64, 16),
+    scene.maker("boxes", {})("box", 0, 0, 16, 16),
+  }, { { steps = 8 }, "world.stats.resting == 1" })
 end)
 
 describe("static: one of a row that is pushed", function()
-  it("stops what pushes it once it is a wall", function()
-    local world = physics.newWorld()
-    local boxes = {}
-    for n = 1, 3 do
-      boxes[n] = world:add("boxes", { x = 60 + 10 * n, y = 150, width = 10, height = 10 })
-    end
-    boxes[1].ax = 500
-    world:update(DT)
-    boxes[2].static = true
-    world:refresh(boxes[2])
-    local x = boxes[1].x
-    for _ = 1, 10 do
-      world:update(DT)
-      assert.are.equal(x, boxes[1].x)
-      assert.are.equal(0, boxes[1].vx)
-    end
-  end)
+  local make = scene.maker("boxes", {})
+  local engine = scene.maker("boxes", { ax = 500 })("engine", 70, 150, 10, 10)
+  local ROW = { gravity = 0, engine, make("next", 80, 150, 10, 10), make("last", 90, 150, 10, 10) }
+  play.row("stops what pushes it once it is a wall", play.ONCE, ROW, {
+    { steps = 1 },
+    "next.static = true; world:refresh(next.raw); x = engine.x",
+    { steps = 10, "engine.x == x", "engine.vx == 0" },
+  })
 end)

@@ -2,6 +2,8 @@
 
 local effort = require("spec.support.effort")
 local physics = require("physics")
+local play = require("spec.support.play")
+local scene = require("spec.support.scene")
 
 local DT = 1 / 60
 
@@ -66,45 +68,26 @@ describe("strength", function()
     assert.near(60, other, 1e-9)
   end)
 
+  local strong = scene.maker("players", { strength = 1 })
   -- A ball above and to the left of another one, or of a box, at 45 degrees or so.
-  for _, isBox in ipairs({ true, false }) do
-    it(
-      "holds where " .. (isBox and "a ball and a box" or "two balls") .. " meet slanted",
-      function()
-        local world = physics.newWorld({ gravity = 0 })
-        local size = isBox and 20 or nil
-        local radius = not isBox and 10 or nil
-        local player = { x = 0, y = 0, width = size, height = size, radius = radius, strength = 1 }
-        world:add("players", player)
-        world:add("enemies", { x = 30, y = 29, radius = 10, vx = -60, vy = -58 })
-        for _ = 1, 60 do
-          world:update(DT)
-        end
-        assert.same({ 0, 0, 0, 0 }, { player.x, player.y, player.vx, player.vy })
-        -- It pushes a fifth of the mass of what it runs into.
-        local other = world:add("enemies", { x = 330, y = 14, radius = 10 })
-        player.x, player.y, player.vx = 300, 0, 100
-        for _ = 1, 60 do
-          world:update(DT)
-        end
-        local momentum = player.vx + 0.2 * other.vx
-        assert.near(100, momentum, 1e-6)
-        assert.is_true(other.vx > 40 and player.vx > 70)
-      end
-    )
-  end
+  play.row("holds where a ball meets a {what} slanted", play.ONCE, function(v)
+    local one = strong("player", 0, 0, 20, 20, { radius = v.radius })
+    local ball = scene.maker("enemies", { radius = 10, vx = -60, vy = -58 })("ball", 30, 29, 20, 20)
+    return { gravity = 0, one, ball }
+  end, {
+    { "run:play(1); player at 0, 0; player still" },
+    -- It pushes a fifth of the mass of what it runs into.
+    "other = world:add('enemies', { x = 330, y = 14, radius = 10 })",
+    { "player.x, player.y, player.vx = 300, 0, 100", 1, "player.vx + 0.2 * other.vx ~ 100, 1e-6" },
+    "other.vx > 40; player.vx > 70",
+  }, { "what, radius", { "box" }, { "ball", 10 } })
 
-  it("does not let it through walls, nor what it pushes", function()
-    local world = physics.newWorld({ gravity = 0 })
-    local player = world:add("players", { x = 0, y = 0, width = 10, height = 10, strength = 1 })
-    world:add("crates", { x = 20, y = 0, width = 10, height = 10 })
-    world:add("walls", { x = 50, y = 0, width = 10, height = 10, static = true })
-    for _ = 1, 60 do
-      player.vx = 300
-      world:update(DT)
-    end
-    assert.near(30, player.x, 1e-9)
-  end)
+  play.row("does not let it through walls, nor what it pushes", play.ONCE, {
+    gravity = 0,
+    strong("player", 0, 0, 10, 10),
+    scene.maker("crates", {})("crate", 20, 0, 10, 10),
+    scene.maker("walls", { static = true })("wall", 50, 0, 10, 10),
+  }, { { 1, keep = "player.vx = 300" }, "player.x ~ 30" })
 
   -- `count` enemies press to a player for some seconds, then it walks out for 2 s. Returns how far
   -- it was pushed about, and how far it got.
@@ -115,12 +98,8 @@ describe("strength", function()
       player[name] = value
     end
     for n = 1, count do
-      world:add("enemies", {
-        x = n * 97 % 780,
-        y = n * 61 % 580 * (n % 2) + (1 - n % 2) * (n * 41 % 580),
-        width = 16,
-        height = 16,
-      })
+      local y = n * (n % 2 == 1 and 61 or 41) % 580
+      world:add("enemies", { x = n * 97 % 780, y = y, width = 16, height = 16 })
     end
     local function step(vx)
       for _, enemy in ipairs(world.objects.enemies) do
