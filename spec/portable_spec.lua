@@ -1,6 +1,7 @@
 --- What does not stand in the library, though it is right in the Lua and the LÖVE that are here:
 --- three things that gopher-lua takes otherwise (spec/gopher/README.md), and what LÖVE 12 takes
---- away, also in the examples. Source: "Removed functions deprecated in LOVE 11", changes.txt.
+--- away, also in the examples (its changes.txt, "Removed functions deprecated in LOVE 11"). And paths of
+--- Windows.
 
 local files = require("spec.support.files")
 
@@ -96,5 +97,31 @@ describe("LÖVE 12", function()
       end
     end
     assert.is_true(count > 10)
+  end)
+end)
+
+describe("loadTiled: on Windows", function()
+  it("a checkout has LF, whatever git is told there #files", function()
+    assert.truthy(files.read(".gitattributes"):find("* text=auto eol=lf", 1, true))
+  end)
+
+  it("a path with a backslash is told why love.filesystem does not find it", function()
+    local before = rawget(_G, "love")
+    rawset(_G, "love", {
+      filesystem = {
+        getInfo = function(path)
+          return path == "levels/one.lua" and {} or nil
+        end,
+      },
+    })
+    local world = require("physics").newWorld()
+    local isFine, message = pcall(world.loadTiled, world, "levels\\one.lua")
+    local isFineToo, other = pcall(world.loadTiled, world, "levels/two.lua")
+    rawset(_G, "love", before)
+    assert.is_false(isFine or isFineToo)
+    local hint = 'cannot read "levels\\\\one.lua": there is no such file; '
+      .. "love.filesystem divides folders by / on every system"
+    assert.truthy(message:find(hint, 1, true), message)
+    assert.truthy(other:find('"levels/two.lua": there is no such file$'), other)
   end)
 end)
