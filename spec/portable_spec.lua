@@ -1,7 +1,7 @@
 --- What does not stand in the library, though it is right in the Lua and the LÖVE that are here:
 --- three things that gopher-lua takes otherwise (spec/gopher/README.md), and what LÖVE 12 takes
---- away, also in the examples (its changes.txt, "Removed functions deprecated in LOVE 11"). And paths of
---- Windows.
+--- away, also in the examples. Source: "Removed functions deprecated in LOVE 11", changes.txt. And
+--- the paths of Windows.
 
 local files = require("spec.support.files")
 
