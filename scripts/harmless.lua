@@ -68,12 +68,6 @@ return {
     "only -0 stays what it is",
   },
   {
-    "physics/memory/sort.lua",
-    "if count <= FEW then",
-    "if count > FEW then",
-    "both ways of sorting lead to one order",
-  },
-  {
     "physics/solver/bonds.lua",
     "impulse = impulse > 0 and limit or -limit",
     "impulse = impulse >= 0 and limit or -limit",

@@ -14,6 +14,7 @@ local layout = require(root .. ".memory.layout")
 local allot = {}
 
 local floor, max, min, remove = math.floor, math.max, math.min, table.remove
+---@type any, any, any
 local EVERY, BODY, PAIR = layout.EVERY, layout.BODY, layout.PAIR
 --- Ranks of the objects of one group: a rank is the place in its group behind a multiple of it.
 allot.GROUP_SPAN = 4294967296

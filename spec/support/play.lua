@@ -276,7 +276,7 @@ function play.row(title, levels, entries, given, rows, shared)
   end
 end
 
---- The same for rows whose lines know some other names, too.
+--- The same for rows with lines that know some other names, too.
 function play.with(shared)
   return function(title, levels, entries, given, rows)
     play.row(title, levels, entries, given, rows, shared)
