@@ -299,67 +299,50 @@ local function newMove(self)
   return { "move", self:anybody(), n:place(0, ROOM), n:place(0, ROOM), response }
 end
 
--- name, how often in 100 acts, what makes it
+local function newBounds(self)
+  local n = self.n
+  local size = n.random:between(0.5, 1.2) * ROOM * n.unit
+  return { "bounds", n:place(0, 2), n:place(0, 2), size, size }
+end
+
+local function newQuestion(self)
+  local n = self.n
+  local w, h = n.random:between(0.1, 8) * n.unit, n.random:between(0.1, 8) * n.unit
+  return { "ask", n:place(-1, ROOM), n:place(-1, ROOM), w, h }
+end
+
+-- How often in 92 acts; what makes it, or of those with an object, which of these, and with what.
 local ACTS = {
   { 45, newWrite },
   { 8, newAdd },
   { 5, newSetting },
-  {
-    6,
-    function(self)
-      return { self.n.random:pick({ "remove", "remove", "take" }), self:anybody() }
-    end,
-  },
-  {
-    3,
-    function(self)
-      return { "regroup", self:anybody(), self.n.random:pick(GROUPS) }
-    end,
-  },
-  {
-    3,
-    function(self)
-      return { "refresh", self:anybody() }
-    end,
-  },
-  {
-    5,
-    function(self)
-      return { "drop", self:anybody() }
-    end,
-  },
-  {
-    6,
-    function(self)
-      return { "impulse", self:anybody(), self.n:speed(), self.n:speed() }
-    end,
-  },
+  { 6, { "remove", "remove", "take" } },
+  { 3, { "regroup" }, "group" },
+  { 3, { "refresh" } },
+  { 5, { "drop" } },
+  { 6, { "impulse" }, "speed", "speed" },
   { 5, newMove },
-  {
-    1,
-    function(self)
-      local n = self.n
-      local size = n.random:between(0.5, 1.2) * ROOM * n.unit
-      return { "bounds", n:place(0, 2), n:place(0, 2), size, size }
-    end,
-  },
-  {
-    5,
-    function(self)
-      local n = self.n
-      local w, h = n.random:between(0.1, 8) * n.unit, n.random:between(0.1, 8) * n.unit
-      return { "ask", n:place(-1, ROOM), n:place(-1, ROOM), w, h }
-    end,
-  },
+  { 1, newBounds },
+  { 5, newQuestion },
 }
+
+WAYS.group = function(n)
+  return n.random:pick(GROUPS)
+end
 
 -- Something that a game may do between two updates or in a callback.
 local function newAct(self)
   local roll = self.n.random:integer(1, 92)
   for _, row in ipairs(ACTS) do
     roll = roll - row[1]
-    if roll <= 0 then
+    if roll <= 0 and type(row[2]) == "function" then
       return row[2](self)
+    elseif roll <= 0 then
+      local act = { #row[2] > 1 and self.n.random:pick(row[2]) or row[2][1], self:anybody() }
+      for i = 3, #row do
+        act[i] = make(self.n, { nil, nil, row[i] })
+      end
+      return act
     end
   end
 end
