@@ -27,7 +27,7 @@ local function act(f)
 end
 
 local function row(title, entries, given, rows)
-  play.row(title, ONCE, entries, given, rows, { note = note, DT = DT })
+  play.row(title, ONCE, entries, given, rows, { newWorld = physics.newWorld, DT = DT })
 end
 
 describe("onBegin, onStay, onEnd", function()
@@ -136,16 +136,11 @@ describe("onStay", function()
   row("is told at every step, also of one that rests: to the {owner}", { FLOOR, box({ y = 84 }) }, {
     1,
     "world.stats.resting == 1; stays = 0",
-    act(function(it)
-      local owner = it.owner == "world" and it.world or it[it.owner].raw
-      function owner.onStay()
-        it.stays = it.stays + 1
-      end
-      it.world:refresh(it.floor.raw) -- of a static object it is read once
-    end),
+    "function {owner}.onStay() stays = stays + 1 end",
+    "world:refresh(floor.raw)", -- of a static object it is read once
     { steps = 100 },
     "stays == 100",
-  }, { "owner", { "box" }, { "floor" }, { "world" } })
+  }, { "owner", { "box.raw" }, { "floor.raw" }, { "world" } })
 end)
 
 describe("onBegin and onEnd", function()
@@ -281,9 +276,7 @@ describe("onEnd is told exactly once", function()
     { "listen box", { steps = 2 } },
     { "box.active = false", { steps = 2 } },
     { "world:remove(box.raw)", "box.active = true" },
-    act(function(it)
-      physics.newWorld():add("boxes", it.box.raw)
-    end),
+    "newWorld():add('boxes', box.raw)",
     { steps = 2 },
     "box heard 1, 1",
   })
@@ -357,11 +350,7 @@ describe("onBegin", function()
     box({ restitution = 1 }),
   }, {
     { "begins = 0", 0.5 },
-    act(function(it)
-      function it.count()
-        it.begins = it.begins + 1
-      end
-    end),
+    "function count() begins = begins + 1 end",
     { "box.raw.onBegin = count", 2, "begins > 0" },
     { "box.raw.onBegin, begins = nil, 0", 2, "begins == 0" },
     { "floor.raw.onBegin = count", 2, "begins > 0" },
@@ -399,22 +388,13 @@ describe("onBegin", function()
     FLOOR,
     box({ y = 80 }),
   }, {
-    act(function(it)
-      function it.box.raw.onBegin(self)
-        self.vy = -400
-      end
-    end),
+    "function box.raw.onBegin(self) self.vy = -400 end",
     { "highest = 100", { 2, keep = "highest = min(highest, box.y)" }, "highest ~ 84 - 100, 0.2" },
   })
 
   row("may call update itself", { FLOOR, box({ y = 60 }) }, {
     "deep = 0",
-    act(function(it)
-      function it.box.raw.onBegin()
-        it.deep = it.deep + 1
-        it.world:update(DT)
-      end
-    end),
+    "function box.raw.onBegin() deep = deep + 1 world:update(DT) end",
     1,
     "deep == 1; box.y == 84",
   })
@@ -425,26 +405,16 @@ describe("canCollide", function()
 
   row("is asked with self, the other and the side of self; of the world with both", FALLS, {
     "asked = {}",
-    act(function(it)
-      for name, owner in pairs({ box = it.box.raw, floor = it.floor.raw, world = it.world }) do
-        function owner.canCollide(self, other, side)
-          it.asked[name] = ("%s %s %s"):format(self.name, other.name, side)
-          return true
-        end
-      end
-      it.world:refresh(it.floor.raw)
-    end),
+    "function ask(a, b, side) asked[#asked + 1] = a.name .. b.name .. side return true end",
+    "box.raw.canCollide, floor.raw.canCollide, world.canCollide = ask, ask, ask",
+    "world:refresh(floor.raw)",
     1,
-    "asked.box == 'box floor bottom'; asked.floor == 'floor box top'",
-    "asked.world == 'box floor bottom'; box.y == 84",
+    "asked[1] == 'boxfloorbottom'; asked[2] == 'floorboxtop'; asked[3] == 'boxfloorbottom'",
+    "box.y == 84",
   })
 
   row("says no with false and nothing else", FALLS, {
-    act(function(it)
-      function it.box.raw.canCollide()
-        return it.answer
-      end
-    end),
+    "function box.raw.canCollide() return answer end",
     { "answer = nil", 1, "box.y == 84" },
     { "answer = false", 0.5, "box.y > 100" },
   })
@@ -452,12 +422,7 @@ describe("canCollide", function()
   -- 10 px a step: it is inside the floor then
   row("lets pass for this step only", { FLOOR, box({ y = 75, vy = 600 }) }, {
     { "listen box", "passes = 1" },
-    act(function(it)
-      function it.box.raw.canCollide()
-        it.passes = it.passes - 1
-        return it.passes < 0
-      end
-    end),
+    "function box.raw.canCollide() passes = passes - 1 return passes < 0 end",
     { steps = 1, "box.y > 84.5", "box.touching.bottom == false", "box heard 0, 0" },
     { steps = 1, "box.y == 84" },
     { steps = 5 },
@@ -466,16 +431,11 @@ describe("canCollide", function()
 
   row("of the {owner} is asked by objects that rest, too: it may say something else today", FALLS, {
     "isOpen = false",
-    act(function(it)
-      local owner = it.owner == "box" and it.box.raw or it.world
-      function owner.canCollide()
-        return not it.isOpen
-      end
-    end),
+    "function {owner}.canCollide() return not isOpen end",
     3,
     "box.y == 84",
     { "isOpen = true", 0.5, "box.y > 100" },
-  }, { "owner", { "box" }, { "world" } })
+  }, { "owner", { "box.raw" }, { "world" } })
 
   row("is asked about sensors, too", {
     FLOOR,
@@ -483,11 +443,7 @@ describe("canCollide", function()
     box({ y = 40 }),
   }, {
     "listen sensor",
-    act(function(it)
-      function it.sensor.raw.canCollide()
-        return false
-      end
-    end),
+    "function sensor.raw.canCollide() return false end",
     1,
     "sensor heard 0, 0",
     { "sensor.raw.canCollide = nil", "world:refresh(sensor.raw)", "box.y, box.vy = 40, 0", 1 },
@@ -500,12 +456,7 @@ describe("canCollide", function()
     return { broadphase = v.broadphase, one, two, box({ x = 92, y = 84 }) }
   end, {
     { "listen one", "listen two", "asked = 0" },
-    act(function(it)
-      function it.box.raw.canCollide(_, tile)
-        it.asked = it.asked + 1
-        return tile.name ~= it.refused
-      end
-    end),
+    "function box.raw.canCollide(_, tile) asked = asked + 1 return tile.name ~= refused end",
     { steps = 30, "run:support(box).name == other", "box.y == 84" },
     { "asked == 60", "heard[refused].begins == 0", "heard[other].begins == 1" },
   }, {
@@ -520,12 +471,8 @@ describe("canCollide", function()
     box({ y = 84, vx = 60 }),
   }, {
     { "listen wall", "isWall = true" },
-    act(function(it)
-      function it.wall.raw.canCollide()
-        return it.isWall
-      end
-      it.world:refresh(it.wall.raw)
-    end),
+    "function wall.raw.canCollide() return isWall end",
+    "world:refresh(wall.raw)",
     { steps = 5 },
     "box.touching.right == wall",
     { "isWall = false", { steps = 1 }, "box.touching.right == false", "wall heard 1, 1" },
@@ -539,21 +486,11 @@ describe("onCrush", function()
     scene.maker("presses", { kinematic = true, vx = -60 })("right", 48, 0, 16, 64),
     box({ x = 20, y = 20 }),
   }, {
-    act(function(it)
-      lines = {}
-      local function told(object, a, b, axis)
-        assert.equal(
-          "left right",
-          a.name < b.name and a.name .. " " .. b.name or b.name .. " " .. a.name
-        )
-        note(object.name .. axis)
-      end
-      it.box.raw.onCrush, it.world.onCrush = told, told
-    end),
+    "told = ''",
+    "function tell(it, a, b, axis) told = told .. it.name .. min(a.x, b.x) .. axis end",
+    "box.raw.onCrush, world.onCrush = tell, tell",
     { steps = 40 },
-    act(function()
-      assert.same({ "boxx", "boxx" }, lines)
-    end),
+    "told == 'box0xbox0x'",
     "box.vx - box.vx == 0",
   })
 end)

@@ -299,12 +299,7 @@ describe("add, remove and refresh", function()
     solid("wall", 310.5, 0, 9, 9),
     box({ x = 300, y = 0, width = 10, height = 9, vx = 100 }),
   }, {
-    function(_, it)
-      function it.box.raw.onBegin()
-        it.lift.x = 500
-        it.world:refresh(it.lift.raw)
-      end
-    end,
+    "function box.raw.onBegin() lift.x = 500 world:refresh(lift.raw) end",
     { "world:update(0.001)", "lift.x = 30", "world:update(0.1)", "lift.x == 500" },
     { "world:update(0.1)", "lift.x == 500" },
   })

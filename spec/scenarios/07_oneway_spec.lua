@@ -340,12 +340,8 @@ describe("canCollide: of a one-way", function()
   local FALLS = { way(), tile(), body({ y = 20 }) }
   row("that says no, of the {which}, lets pass", SOME, FALLS, {
     "listen body",
-    function(run, it)
-      it[it.which].canCollide = function(_, other)
-        return other == it.floor.raw
-      end
-      run.world:refresh(it.way.raw)
-    end,
+    "function {which}.raw.canCollide(_, other) return other == floor.raw end",
+    "world:refresh(way.raw)",
     { 1, "body at 50, min(276, 20 + 400 * t * t)" },
     "body heard 1, 0",
   }, { "which", { "body" }, { "way" } })

@@ -14,7 +14,7 @@
 --- `{ time = "2 / speed", … }` is so long. In a line stand the views by their names, the values of
 --- the row (a text as it is, where it says `{name}`), what a line has set, `t` (seconds of this
 --- part), `dt`, `n` (steps of this part), `world`, `run`, `heard` (by name), and what `math` has.
---- A line outside of a part with a time may hold some, with `; ` between them.
+--- A line outside of a part with a time may hold some, with `; ` between them, or a function.
 --- Lines with an expectation: `it at x, y [, tolerance]`, `it.x ~ number [, tolerance]`,
 --- `it.x == value` (or <, >, <=, >=, ~=), `it on other`, `it still`, `it touches bottom right` (no
 --- other side), `it rides other, offset` (at rest, so far to its right), `it heard begins, ends`.
@@ -143,7 +143,7 @@ local function statement(line, env)
       run.heard[name] = run:listen(env[name])
     end
   end
-  return expectation(line, env) or compile(line, env)
+  return not line:find("^function ") and expectation(line, env) or compile(line, env)
 end
 
 local function checkAll(run, checks)
