@@ -8,15 +8,9 @@ local physics = require("physics")
 local function play(masses, gap, restitution, rate, look)
   local world, boxes = physics.newWorld({ gravity = 0 }), {}
   for n, mass in ipairs(masses) do
-    boxes[n] = world:add("boxes", {
-      x = (n - 1) * (20 + gap),
-      y = 0,
-      width = 20,
-      height = 20,
-      mass = mass,
-      vx = n == 1 and 400 or 0,
-      restitution = restitution,
-    })
+    local box = { x = (n - 1) * (20 + gap), y = 0, width = 20, height = 20, mass = mass }
+    box.vx, box.restitution = n == 1 and 400 or 0, restitution
+    boxes[n] = world:add("boxes", box)
   end
   for _ = 1, rate do
     world:update(1 / rate)

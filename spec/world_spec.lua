@@ -485,16 +485,10 @@ describe("newWorld: two worlds", function()
   it("know nothing of each other", function()
     local one, other = physics.newWorld({ gravity = 800 }), physics.newWorld({ gravity = 0 })
     one:add("tiles", newFloor())
-    local first = one:add("boxes", newBox(0, 0))
-    local second = other:add("boxes", newBox(0, 0))
-    for _ = 1, 60 do
-      one:update(DT)
-      other:update(DT)
-    end
-    assert.equal(84, first.y)
-    assert.equal(0, second.y)
-    assert.equal(2, one.stats.objects)
-    assert.equal(1, other.stats.objects)
+    local first, second = one:add("boxes", newBox(0, 0)), other:add("boxes", newBox(0, 0))
+    run(one)
+    run(other)
+    assert.same({ 84, 0, 2, 1 }, { first.y, second.y, one.stats.objects, other.stats.objects })
   end)
 
   it("may be stepped from each other's callbacks", function()
@@ -540,22 +534,17 @@ describe("load: the default world", function()
 
   it("is behind the functions and the fields of the module", function()
     physics.objects.tiles = { newFloor() }
-    local first = physics.add("boxes", newBox(0, 60))
-    local begins = 0
-    physics.onBegin = function()
+    local first, begins = physics.add("boxes", newBox(0, 60)), 0
+    function physics.onBegin()
       begins = begins + 1
     end
     for _ = 1, 60 do
       physics.update(DT)
     end
-    assert.equal(84, first.y)
-    assert.equal(1, begins)
-    assert.equal(2, physics.stats.objects)
-    physics.gravity = 0
-    first.y = 0
+    assert.same({ 84, 1, 2 }, { first.y, begins, physics.stats.objects })
+    physics.gravity, first.y = 0, 0
     physics.update(DT)
-    assert.equal(0, first.y)
-    assert.equal(0, physics.gravity)
+    assert.same({ 0, 0 }, { first.y, physics.gravity })
     assert.is_true(physics.remove(first))
   end)
 

@@ -7,7 +7,6 @@
 --        _________/                \_________ 400
 --       -400     80  208         308 372
 
-local physics = require("physics")
 local play = require("spec.support.play")
 local scene = require("spec.support.scene")
 local variants = require("spec.support.variants")
@@ -132,27 +131,17 @@ describe("slopes", function()
     "body at 130 + way * 12.5, floorAt(130 + way * 12.5) - 24; body still",
   }, BOTH_WAYS)
 
-  it("(P6) let slide what gets the pull along them, unless friction holds it", function()
-    for _, values in ipairs({ { 0, -320 }, { 0.2, -160 }, { 0.41, 0 } }) do
-      for _, rate in ipairs({ 30, 60, 144 }) do
-        local world = physics.newWorld({ gravity = 800 })
-        local ground = { x = 0, y = 0, width = 800, height = 400, static = true, slope = "right" }
-        world:add("ground", ground)
-        local box = { x = 600, y = 76, width = 16, height = 16, friction = values[1] }
-        world:add("boxes", box)
-        function world.onStep()
-          local _, gradient = world:ground(box)
-          gradient = gradient or 0
-          box.ax = gradient * world.gravity / (1 + gradient * gradient)
-        end
-        for _ = 0, rate do -- in the first step it is not known yet what it stands on
-          world:update(1 / rate)
-        end
-        assert.near(values[2], box.vx, 1e-9)
-        assert.near(76 + (600 - box.x) / 2, box.y, 1e-9)
-      end
-    end
-  end)
+  local PLAIN = { rate = { 30, 60, 144 }, shift = { 0 } }
+  row("(P6) let slide what gets the pull along them, unless friction {mu} holds", PLAIN, function(v)
+    local box = body({ x = 600, y = 76, width = 16, height = 16, friction = v.mu })
+    return { slope(0, 0, 800, 400, "right"), box }
+  end, {
+    "function pull(g) body.raw.ax = g * 800 / (1 + g * g) end",
+    "function world.onStep() pull(select(2, world:ground(body.raw)) or 0) end",
+    { steps = 1 }, -- in which it is not known yet what it stands on
+    1,
+    "body.vx ~ vx, 1e-9; body.y ~ 76 + (600 - body.x) / 2, 1e-9",
+  }, { "mu, vx", { 0, -320 }, { 0.2, -160 }, { 0.41, 0 } })
 
   local Y = floorAt(120)
   local STACK = hill(
@@ -178,33 +167,23 @@ describe("slopes", function()
   })
 
   --  a pusher before three crates, on the hill and on a flat floor
-  it("(P7) take no work from a row of crates that is pushed", function()
-    scene.each(PUSH, function(run)
-      for way = 1, -1, -2 do
-        local start = way > 0 and 60 or 330
-        local function push(list, isFlat)
-          for n = 0, 3 do
-            local x = start + way * n * 17
-            list[#list + 1] = crate("crate" .. n, x, (isFlat and 400 or floorAt(x)) - 24, 16, 24)
-            list[#list][2].mass = n == 0 and 3 or 1
-          end
-          local named = run:build(list)
-          local places = {}
-          run:play(1, run:keep(named.crate0, way * 90))
-          for n = 0, 3 do
-            places[n] = named["crate" .. n].x
-            local y = isFlat and 400 or floorAt(places[n])
-            run:near("y", named["crate" .. n].y, y - 24)
-          end
-          return places
-        end
-        local flat, up = push({ solid(nil, -800, 400, 2000, 40) }, true), push(hill(), false)
-        for n = 0, 3 do
-          run:near("x", up[n], flat[n])
-        end
+  local function pushed(v)
+    local list, start = hill(solid("low", -800, 2000, 2000, 40)), v.way > 0 and 60 or 330
+    for n = 0, 3 do
+      local x = start + v.way * n * 17
+      for _, its in ipairs({ { "up", floorAt(x) }, { "flat", 2000 } }) do
+        local one = crate(its[1] .. n, x, its[2] - 24, 16, 24)
+        one[2].mass = n == 0 and 3 or 1
+        list[#list + 1] = one
       end
-    end)
-  end)
+    end
+    return list
+  end
+  row("(P7) take no work from a row of crates that is pushed, way {way}", PUSH, pushed, {
+    { 1, keep = "up0.vx, flat0.vx = 90 * way, 90 * way" },
+    "up0 at flat0.x, floorAt(up0.x) - 24; up1 at flat1.x, floorAt(up1.x) - 24",
+    "up2 at flat2.x, floorAt(up2.x) - 24; up3 at flat3.x, floorAt(up3.x) - 24",
+  }, BOTH_WAYS)
 
   local function ridden(v)
     local x = v.way > 0 and 40 or 400
