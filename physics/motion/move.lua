@@ -1,15 +1,15 @@
 --- Move: computes the path of every body in this step from its free flight and its carrier, as if
 -- nothing were in the way.
 --
--- Reads from, velocity, written, speed, way, carrier; writes to, speed, accel, carried. From here
--- until objects/write.lua all velocities are absolute. The velocity of a carrier is added here and
--- taken off there.
+-- Reads from, velocity, written, carrier, flowPull, flowAir; writes to, speed, way, accel, carried.
+-- Air friction, drag and limits are in forces.lua. From here until objects/write.lua all velocities
+-- are absolute. The velocity of a carrier is added here and taken off there.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local carriers = require(root .. ".motion.carriers")
 local columns = require(root .. ".memory.columns")
 local drift = require(root .. ".motion.drift")
-local forces = require(root .. ".motion.forces")
+local forces = require(root .. ".memory.lazy")(root .. ".motion.forces")
 local path = require(root .. ".motion.path")
 local zones = require(root .. ".memory.lazy")(root .. ".motion.zones")
 
@@ -27,6 +27,26 @@ local function moveKinematic(b, k, dt)
   b.to[k] = (b.remaining > 1 and b.from[k] + b.way[k] or goal) + v * dt
   b.drift[k] = b.way[k] / dt
   b.speed[k], b.accel[k] = v + b.drift[k], 0
+end
+
+-- Computes the free flight of dynamic bodies: speed at the end, and way.
+local function findFlights(b, dt, first, last)
+  local list, kind, isFree, airFriction = b.awakeList, b.kind, b.isFree, b.flowAir
+  local velocity, pull, push, speed, way = b.velocity, b.flowPull, b.push, b.speed, b.way
+  for n = first, last do
+    local i = list[n]
+    local k, m = 2 * i, 2 * i + 1
+    if kind[i] == DYNAMIC and isFree[i] and airFriction[i] == 0 then
+      -- (The usual case: without a compiler a call would cost more than the work.)
+      local x, y = velocity[k], velocity[m]
+      local endX, endY = x + (pull[k] + push[k]) * dt, y + (pull[m] + push[m]) * dt
+      speed[k], speed[m] = endX, endY
+      way[k], way[m] = (x + endX) * 0.5 * dt, (y + endY) * 0.5 * dt
+    elseif kind[i] == DYNAMIC then
+      forces.flyAlong(b, k, pull[k] + push[k], airFriction[i], dt)
+      forces.flyAlong(b, m, pull[m] + push[m], airFriction[i], dt)
+    end
+  end
 end
 
 -- Computes where dynamic bodies would end, and how fast they would be then.
@@ -68,7 +88,10 @@ function move.run(b, dt)
   if b.hasZones then
     zones.run(b, dt, first, last)
   end
-  forces.run(b, dt, first, last)
+  findFlights(b, dt, first, last)
+  if b.hasHinders then
+    forces.hinder(b, dt, first, last)
+  end
   if b.hasCarriers then
     carry(b, dt, first, last)
   end

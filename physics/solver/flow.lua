@@ -11,7 +11,7 @@
 -- Writes the paths, ownSpeed and the kinks.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local forces = require(root .. ".motion.forces")
+local forces = require(root .. ".memory.lazy")(root .. ".motion.forces")
 
 local flow = {}
 
