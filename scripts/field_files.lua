@@ -13,12 +13,12 @@ local fields = require("physics.fields.fields")
 -- Files that may name a field; 2 if it is not here.
 local ALLOWED = {
   surfaceSpeed = 3,
-  airFriction = 3,
+  airFriction = 2,
   radius = 13,
   ax = 3,
   ay = 3,
   static = 21,
-  kinematic = 14,
+  kinematic = 13,
   active = 15,
   sensor = 23,
   area = 6,
@@ -36,7 +36,7 @@ local ALLOWED = {
   slope = 10,
   nudge = 4,
   snap = 3,
-  touching = 14,
+  touching = 13,
   onStay = 4,
   canCollide = 4,
 }

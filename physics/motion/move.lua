@@ -31,20 +31,20 @@ end
 
 -- Computes the free flight of dynamic bodies: speed at the end, and way.
 local function findFlights(b, dt, first, last)
-  local list, kind, isFree, airFriction = b.awakeList, b.kind, b.isFree, b.flowAir
+  local list, kind, isFree, air = b.awakeList, b.kind, b.isFree, b.flowAir
   local velocity, pull, push, speed, way = b.velocity, b.flowPull, b.push, b.speed, b.way
   for n = first, last do
     local i = list[n]
     local k, m = 2 * i, 2 * i + 1
-    if kind[i] == DYNAMIC and isFree[i] and airFriction[i] == 0 then
+    if kind[i] == DYNAMIC and isFree[i] and air[i] == 0 then
       -- (The usual case: without a compiler a call would cost more than the work.)
       local x, y = velocity[k], velocity[m]
       local endX, endY = x + (pull[k] + push[k]) * dt, y + (pull[m] + push[m]) * dt
       speed[k], speed[m] = endX, endY
       way[k], way[m] = (x + endX) * 0.5 * dt, (y + endY) * 0.5 * dt
     elseif kind[i] == DYNAMIC then
-      forces.flyAlong(b, k, pull[k] + push[k], airFriction[i], dt)
-      forces.flyAlong(b, m, pull[m] + push[m], airFriction[i], dt)
+      forces.flyAlong(b, k, pull[k] + push[k], air[i], dt)
+      forces.flyAlong(b, m, pull[m] + push[m], air[i], dt)
     end
   end
 end
