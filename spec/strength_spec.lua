@@ -4,69 +4,55 @@ local effort = require("spec.support.effort")
 local physics = require("physics")
 local play = require("spec.support.play")
 local scene = require("spec.support.scene")
+local variants = require("spec.support.variants")
 
 local DT = 1 / 60
 
--- Two boxes on a line along x (y if `isTurned`), `gap` px apart. Returns their velocities after a
--- second, and them.
-local function meet(one, other, gap, isTurned)
-  local world, objects = physics.newWorld({ gravity = 0 }), {}
-  local along, speed = isTurned and "y" or "x", isTurned and "vy" or "vx"
-  for n, fields in ipairs({ one, other }) do
-    local object = { x = 0, y = 0, width = 10, height = 10 }
-    object.mass, object.strength, object.restitution =
-      fields.mass, fields.strength, fields.restitution
-    object[along], object[speed] = n == 1 and 0 or 10 + gap, fields.v or 0
-    objects[n] = world:add("boxes", object)
-  end
-  for _ = 1, 60 do
-    world:update(DT)
-  end
-  return objects[1][speed], objects[2][speed], objects[1], objects[2]
+-- Without gravity, along each axis and both ways.
+local LEVELS = { turn = variants.TURNS, shift = { 0 }, push = { "both" } }
+
+-- Two boxes on a line, `gap` px apart.
+local function two(v)
+  local boxes = scene.thing("boxes", { y = 0, width = 10, height = 10, vx = 0 })
+  local one, other = boxes(v.one), boxes(v.other)
+  one[2].name, one[2].x, other[2].name, other[2].x = "one", 0, "other", 10 + v.gap
+  return { gravity = 0, one, other }
 end
 
 describe("strength", function()
+  local ONE = { strength = 1 }
+  local PUSHES = { vx = 60, strength = 1 }
   for _, gap in ipairs({ 0, 20 }) do
-    for _, row in ipairs({
-      { "stands, and is run into", { strength = 1 }, { v = -60 }, 0, 0 },
-      { "stands before ten times its mass", { strength = 1 }, { v = -60, mass = 10 }, 0, 0 },
-      { "pushes a fifth of what stands", { v = 60, strength = 1 }, {}, 50, 50 },
-      { "pushes a fifth of what comes towards it", { v = 60, strength = 1 }, { v = -90 }, 50, 50 },
-      { "pushes a fifth of five times its mass", { v = 60, strength = 1 }, { mass = 5 }, 30, 30 },
-      { "pushes what flees slowly", { v = 60, strength = 1 }, { v = 30 }, 55, 55 },
-      { "flees, and is caught up", { v = 90 }, { v = 60, strength = 1 }, 60, 60 },
-      { "is as strong", { v = 60, strength = 1 }, { v = -60, strength = 1 }, 0, 0 },
-      { "is weaker than 0", { v = -0.0, strength = 0 }, { v = -60, strength = -1 }, 0, 0 },
-    }) do
-      it(("of one that %s, %d px apart"):format(row[1], gap), function()
-        for _, isTurned in ipairs({ false, true }) do
-          local one, other = meet(row[2], row[3], gap, isTurned)
-          assert.near(row[4], one, 1e-9)
-          assert.near(row[5], other, 1e-9)
-          -- Mirrored.
-          local a, b = { v = -(row[3].v or 0) }, { v = -(row[2].v or 0) }
-          for _, name in ipairs({ "mass", "strength" }) do
-            a[name], b[name] = row[3][name], row[2][name]
-          end
-          one, other = meet(a, b, gap, isTurned)
-          assert.near(-row[5], one, 1e-9)
-          assert.near(-row[4], other, 1e-9)
-        end
-      end)
-    end
+    play.row("of one that {what}, {gap} px apart", LEVELS, two, {
+      1,
+      "one.vx ~ vx, 1e-9; other.vx ~ vx, 1e-9",
+    }, {
+      "gap, what, one, other, vx",
+      { gap, "stands, and is run into", ONE, { vx = -60 }, 0 },
+      { gap, "stands before ten times its mass", ONE, { vx = -60, mass = 10 }, 0 },
+      { gap, "pushes a fifth of what stands", PUSHES, {}, 50 },
+      { gap, "pushes a fifth of what comes towards it", PUSHES, { vx = -90 }, 50 },
+      { gap, "pushes a fifth of five times its mass", PUSHES, { mass = 5 }, 30 },
+      { gap, "pushes what flees slowly", PUSHES, { vx = 30 }, 55 },
+      { gap, "flees, and is caught up", { vx = 90 }, PUSHES, 60 },
+      { gap, "is as strong", PUSHES, { vx = -60, strength = 1 }, 0 },
+      { gap, "is weaker than 0", { strength = 0 }, { vx = -60, strength = -1 }, 0 },
+    })
   end
 
-  it("leaves no overlap when the two are put into each other: the weaker one leaves", function()
-    local _, _, one, other = meet({ strength = 1 }, {}, -4)
-    assert.equal(0, one.x)
-    assert.near(10, other.x, 1e-6)
-  end)
+  play.row(
+    "leaves no overlap when two are put into each other: the weaker one leaves",
+    LEVELS,
+    two,
+    {
+      { "run:play(1); one.x == 0; other.x ~ 10, 1e-6" },
+    },
+    { "gap, one, other", { -4, ONE, {} } }
+  )
 
-  it("lets the weaker one bounce", function()
-    local one, other = meet({ strength = 2 }, { v = -60, restitution = 1 }, 20)
-    assert.equal(0, one)
-    assert.near(60, other, 1e-9)
-  end)
+  play.row("lets the weaker one bounce", LEVELS, two, {
+    { "run:play(1); one.vx == 0; other.vx ~ 60, 1e-9" },
+  }, { "gap, one, other", { 20, { strength = 2 }, { vx = -60, restitution = 1 } } })
 
   local strong = scene.maker("players", { strength = 1 })
   -- A ball above and to the left of another one, or of a box, at 45 degrees or so.

@@ -227,7 +227,10 @@ local function newEnvironment(values)
   end
   return setmetatable(env, {
     __index = function(_, name)
-      return values[name] ~= nil and values[name] or env.views[name] or math[name] or _G[name]
+      if env.views[name] == nil and values[name] ~= nil then
+        return values[name]
+      end
+      return env.views[name] or math[name] or _G[name]
     end,
   })
 end
