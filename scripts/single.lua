@@ -69,7 +69,10 @@ local parts = {
 }
 for file in list("find physics.lua physics -name '*.lua' | LC_ALL=C sort") do
   local name = file:gsub("%.lua$", ""):gsub("/", ".")
-  local text = read(file):gsub("%s+$", "")
+  -- The names of modules are known here: no file has to find out where it lies.
+  local text = read(file):gsub("%s+$", ""):gsub('root %.%. "', '"physics')
+  local rootless = text:gsub("local root = [^\n]*\n", "", 1)
+  text = rootless:find("%f[%w]root%f[%W]") and text or rootless
   if not text:find("^%-%-%-@meta") then -- types for editors are not for running
     parts[#parts + 1] = MODULE:format(name, text)
   end
