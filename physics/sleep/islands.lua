@@ -86,18 +86,18 @@ end
 -- do anything in the next step. A kinematic one, which is an island by itself, belongs to those of
 -- its neighbours, too.
 local function gather(b, i, stamp)
-  local island, kind, awake, quiet, visited = b.island, b.kind, b.awake, b.quiet, b.visited
+  local island, kind, awake, quiet, mark = b.island, b.kind, b.awake, b.quiet, b.mark
   local head, other, nextHalf = b.head, b.other, b.next
   local count, n, calm = 1, 1, true
-  island[1], visited[i] = i, stamp
+  island[1], mark[i] = i, stamp
   while n <= count do
     local member = island[n]
     calm = calm and quiet[member]
     local half = kind[i] == DYNAMIC and head[member] or 0
     while half ~= 0 do
       local j = other[half]
-      if kind[j] == DYNAMIC and awake[j] and visited[j] ~= stamp then
-        count, visited[j] = count + 1, stamp
+      if kind[j] == DYNAMIC and awake[j] and mark[j] ~= stamp then
+        count, mark[j] = count + 1, stamp
         island[count] = j
       elseif kind[j] ~= DYNAMIC and awake[j] then
         calm = calm and quiet[j]
@@ -113,11 +113,11 @@ end
 --- others until they wake.
 function islands.settle(b, dt)
   b.stamp = b.stamp + 1
-  local stamp, list, quiet, visited = b.stamp, b.awakeList, b.quiet, b.visited
+  local stamp, list, quiet, mark = b.stamp, b.awakeList, b.quiet, b.mark
   for n = dt >= islands.SHORTEST and b.awakeCount or 0, 1, -1 do
     local i = list[n]
     -- Sleeping bodies are dropped from the list, which may bring others to this place.
-    if i and n <= b.awakeCount and quiet[i] and visited[i] ~= stamp then
+    if i and n <= b.awakeCount and quiet[i] and mark[i] ~= stamp then
       local count, calm = gather(b, i, stamp)
       for m = 1, calm and count or 0 do
         columns.stand(b, b.island[m])

@@ -4,7 +4,7 @@
 -- A body with the field `nudge` is moved sideways by at most that many px, if the place there is
 -- free. A hit on the side towards gravity is not corrected.
 --
--- Reads contacts, pressed; writes from, to, time, nudged, nudgedAt, news.
+-- Reads contacts, pressed; writes from, to, time, nudged, news.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
@@ -64,7 +64,7 @@ local function try(b, p, i, j, axis, iIsLow, t)
   end
   path.advance(b, i, t)
   path.shift(b, k, way)
-  b.nudgedAt[i], b.nudged[p] = b.solveStamp, b.nudged[p] + 1
+  b.nudged[p] = b.nudged[p] + 1
   pairFinder.stain(b, p)
   return true
 end

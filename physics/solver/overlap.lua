@@ -412,13 +412,14 @@ end
 function overlap.noteGrown(b)
   for n = 1, b.movedCount do
     local i = b.movedList[n]
-    local half = b.grown[i] and isThere(b, i) and b.head[i] or 0
+    local hasGrown = b.kind[i] == DYNAMIC and b.wasSize[2 * i] > 0
+    local half = hasGrown and isThere(b, i) and b.head[i] or 0
     while half ~= 0 do
       wedge(b, floor(half * 0.5 + 0.5), i, b.other[half])
       half = b.next[half]
     end
-    for k = 2 * i, b.grown[i] and 2 * i + 1 or 0 do
-      b.wasAt[k], b.wasSize[k], b.grown[i] = 0, 0, false
+    for k = 2 * i, hasGrown and 2 * i + 1 or 0 do
+      b.wasAt[k], b.wasSize[k] = 0, 0
     end
   end
 end
