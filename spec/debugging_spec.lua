@@ -305,15 +305,12 @@ describe("checked", function()
   it("goes the way of any other, and may be switched at any time", function()
     local world, _, box = newWorld()
     local plain = physics.newWorld()
-    plain:add("floors", { x = 0, y = 100, width = 200, height = 10, static = true })
-    local its = plain:add("boxes", { x = 20, y = 80, width = 10, height = 10 })
-    plain:update(DT)
+    plain:restore(world:save())
     for _ = 1, 30 do
       world:update(DT)
       plain:update(DT)
-      assert.same({ box.x, box.y, box.vy }, { its.x, its.y, its.vy })
+      assert.equal(plain:hash(), world:hash())
     end
-    assert.equal(plain:hash(), world:hash())
     box.widht = 1
     world.checked = false
     world:update(DT)
