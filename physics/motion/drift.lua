@@ -7,7 +7,7 @@
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local columns = require(root .. ".memory.columns")
-local softDrift = require(root .. ".memory.lazy")(root .. ".motion.softDrift")
+local softDrift = require(root .. ".motion.softDrift")
 
 local drift = {}
 

@@ -8,7 +8,7 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local carriers = require(root .. ".motion.carriers")
 local columns = require(root .. ".memory.columns")
-local drift = require(root .. ".motion.drift")
+local drift = require(root .. ".memory.lazy")(root .. ".motion.drift")
 local forces = require(root .. ".memory.lazy")(root .. ".motion.forces")
 local path = require(root .. ".motion.path")
 local zones = require(root .. ".memory.lazy")(root .. ".motion.zones")
