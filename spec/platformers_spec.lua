@@ -148,64 +148,23 @@ end)
 describe("onBegin: the place of a contact", function()
   local RIM = 28 + 4 * 8 / 13 -- px, x of where two circles touch, 5 and 8 px around 32 and 28
   local LOW = 25 - math.sqrt(25 - (32 - RIM) ^ 2)
-  local BALL = { 20, -60, 16, 16, radius = 8 }
+  local BALL, ROUND = { 20, -60, 16, 16, radius = 8 }, { 27, 20, 10, 10, radius = 5 }
+  local WALL, BOUNCY = { 100, 0, 16, 400 }, { 0, 0, 10, 10, 3000, 1000, restitution = 1 }
+  local GATE, FAST = { 100, 0, 4, 60, sensor = true }, { 0, 40, 10, 40, 9000 }
+  local DOWN, UP = { 0, 0, 64, 64, slope = "left" }, { 0, 0, 64, 64, slope = "right" }
+  local BOX = { 20, -60, 16, 16 }
   for title, row in pairs({
     -- gravity, what is met (static), what moves: x, y, width, height, vx, vy; the place
     ["its edge"] = { 800, { 0, 100, 50, 16 }, { 42, 60, 16, 24 }, "bottom", 42, 100, 50, 100 },
     ["above"] = { 0, { 0, 0, 200, 30 }, { 40, 50, 16, 24, 0, -300 }, "top", 40, 30, 56, 30 },
     ["at the right"] = { 0, { 80, 30, 10, 60 }, { 40, 50, 16, 24, 300 }, "right", 80, 50, 80, 74 },
     ["at the left"] = { 0, { 0, 30, 10, 60 }, { 40, 50, 16, 24, -300 }, "left", 10, 50, 10, 74 },
-    ["where they met, though they have parted since"] = {
-      0,
-      { 100, 0, 16, 400 },
-      { 0, 0, 10, 10, 3000, 1000, restitution = 1 },
-      "right",
-      100,
-      30,
-      100,
-      40,
-    },
-    ["where a sensor was entered"] = {
-      0,
-      { 100, 0, 4, 60, sensor = true },
-      { 0, 40, 10, 40, 9000 },
-      "right",
-      100,
-      40,
-      100,
-      60,
-    },
-    ["the corner that is on a slope"] = {
-      800,
-      { 0, 0, 64, 64, slope = "left" },
-      { 20, -60, 16, 16 },
-      "bottom",
-      20,
-      20,
-      20,
-      20,
-    },
-    ["the other corner on the other slope"] = {
-      800,
-      { 0, 0, 64, 64, slope = "right" },
-      { 20, -60, 16, 16 },
-      "bottom",
-      36,
-      28,
-      36,
-      28,
-    },
+    ["where they met, not where they are"] = { 0, WALL, BOUNCY, "right", 100, 30, 100, 40 },
+    ["where a sensor was entered"] = { 0, GATE, FAST, "right", 100, 40, 100, 60 },
+    ["the corner that is on a slope"] = { 800, DOWN, BOX, "bottom", 20, 20, 20, 20 },
+    ["the other corner on the other slope"] = { 800, UP, BOX, "bottom", 36, 28, 36, 28 },
     ["where a circle touches a box"] = { 800, { 0, 20, 64, 64 }, BALL, "bottom", 28, 20, 28, 20 },
-    ["where a circle touches a circle"] = {
-      800,
-      { 27, 20, 10, 10, radius = 5 },
-      BALL,
-      "bottom",
-      RIM,
-      LOW,
-      RIM,
-      LOW,
-    },
+    ["where a circle touches a circle"] = { 800, ROUND, BALL, "bottom", RIM, LOW, RIM, LOW },
   }) do
     it("is " .. title .. ", for both and for the world", function()
       local world, told, objects = physics.newWorld({ gravity = row[1] }), {}, {}

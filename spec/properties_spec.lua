@@ -222,18 +222,6 @@ describe("save and restore: a saved state", function()
       end
     end
   end)
-
-  it("is the same with either broad phase #slow", function()
-    for seed = 1, 2 do
-      local random = script.new(seed, WILD)
-      local a = script.play(random, { broadphase = "pairs" })
-      local b = script.play(random, { broadphase = "grid" })
-      while a:next() do
-        b:next()
-        assert(a.world:hash() == b.world:hash(), ("seed %d, step %d"):format(seed, a.step))
-      end
-    end
-  end)
 end)
 
 describe("width: numbers that are hardly numbers any more", function()

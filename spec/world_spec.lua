@@ -493,31 +493,25 @@ describe("newWorld: two worlds", function()
 
   it("may be stepped from each other's callbacks", function()
     local function make()
-      local world = physics.newWorld({ gravity = 800 })
+      local world = physics.newWorld({ gravity = 800, rest = false }) -- it is asked at every step
       world:add("tiles", newFloor())
       return world, world:add("boxes", newBox(0, 0, { restitution = 0.5 }))
     end
     local outer, outerBox = make()
     local inner, innerBox = make()
-    outerBox.onBegin = function()
+    local function step()
       inner:update(DT)
     end
     local calls = 0
-    inner.canCollide = function()
+    function inner.canCollide()
       calls = calls + 1
       return true
     end
-    for _ = 1, 120 do
-      outer:update(DT)
-    end
+    outerBox.onBegin = step
+    run(outer, 120)
     assert.is_true(innerBox.y > 0)
-    outer.canCollide = function()
-      inner:update(DT)
-    end
-    outer.rest = false -- so that it is asked at every step
-    for _ = 1, 200 do
-      outer:update(DT)
-    end
+    outer.canCollide = step
+    run(outer, 200)
     assert.equal(84, innerBox.y)
     assert.is_true(calls > 0)
   end)

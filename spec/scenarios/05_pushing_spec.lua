@@ -22,34 +22,28 @@ describe("vx and touching: pushing", function()
     end
     return list
   end
-  -- Fails unless P and the boxes stand flush at the wall, each still if `isStill`.
-  local function flush(run, it, isStill)
-    local last = it.wall
-    for i = it.count, 0, -1 do
-      local view = i == 0 and it.P or it["box" .. i]
-      run:at(view, 200 - 16 * (it.count - i + 1), 100)
+  -- Fails unless P and the boxes stand flush at the wall.
+  local function isFlush(run, count)
+    local last = run.named.wall
+    for i = count, 0, -1 do
+      local view = i == 0 and run.named.P or run.named["box" .. i]
+      run:at(view, 200 - 16 * (count - i + 1), 100)
       run:flush(view, last, "right")
-      if isStill then
-        run:still(view)
-      end
       last = view
     end
+    return true
+  end
+  local STILL = { "P still", "box1 still", "isFlush(run, count) == true", "P touches bottom right" }
+  local function ends(keep)
+    return { 1, keep = keep, STILL[1], STILL[2], STILL[3], STILL[4] }
   end
   play.row("(5) {count} against a wall ends flush", EVERYWHERE, toWall, {
     "log = run:listenToWorld()",
     { 4, keep = "P.vx = 100", "P.y ~ 100", "box1.y ~ 100" },
     "log.begins - log.ends == 2 * count + 2", -- floor, each other, wall
-    function(run, it)
-      for _ in run:steps(1, run:keep(it.P, 100)) do
-        flush(run, it, false)
-        run:still(it.P)
-        run:touches(it.P, "bottom", "right")
-      end
-      for _ in run:steps(1) do -- released
-        flush(run, it, true)
-      end
-    end,
-  }, { "count, levels", { 1 }, { 2, FEW }, { 3 }, { 5, FEW } })
+    ends("P.vx = 100"),
+    ends(), -- released
+  }, { "count, levels", { 1 }, { 2, FEW }, { 3 }, { 5, FEW } }, { isFlush = isFlush })
 
   --   +-+        +-+ -> <- +-+
   --   a row thrown together comes to rest without a gap

@@ -143,12 +143,8 @@ describe("a crowd", function()
       local random = newRandom(seed)
       for _ = 1, 40 do
         local size = random:between(10, 20)
-        local enemy = {
-          x = random:between(-30, 30) - size / 2,
-          y = random:between(-30, 30) - size / 2,
-          width = size,
-          height = size,
-        }
+        local x, y = random:between(-30, 30) - size / 2, random:between(-30, 30) - size / 2
+        local enemy = { x = x, y = y, width = size, height = size }
         crowd.world:add("enemies", enemy)
         crowd.objects[#crowd.objects + 1] = enemy
       end

@@ -300,17 +300,6 @@ function Run:listenToWorld()
   return log
 end
 
---- Returns a function for `steps` and `play` that writes the speeds of some views before each step.
----@param ... any view, vx, view, vx, …
-function Run.keep(_, ...)
-  local list = { ... }
-  return function()
-    for i = 1, #list, 2 do
-      list[i].vx = list[i + 1]
-    end
-  end
-end
-
 -- Checking ---------------------------------------------------------------------------------------
 
 local function stop(run, message, level)
