@@ -101,14 +101,15 @@ local function hasOthers(record, count, isGrown)
 end
 
 --- Returns the place from which on a group differs from what was read last; nil: it does not. (The
---- comparison is raw, since a game's objects may be "equal" by a metamethod.)
+--- comparison is raw, since a game's objects may be "equal" by a metamethod. What a group inherits
+--- is none of its objects, so it differs, too; and to index costs half of `rawget`.)
 function groups.firstChange(record)
   if record.direct then
     return nil
   end
   local source, list, keys, count = record.source, record.list, record.keys, record.count
   for n = 1, count do
-    if not rawequal(rawget(source, keys and keys[n] or n), list[n]) then
+    if not rawequal(source[keys and keys[n] or n], list[n]) then
       return n
     end
   end
