@@ -25,9 +25,7 @@ local snap = {}
 
 local DYNAMIC, EPSILON = columns.DYNAMIC, columns.EPSILON
 local axisOf = path.axisOf
-local max, min = math.max, math.min
--- Pieces of ground, and edges, that an object may run over in a step.
-local PIECES = 64
+local max = math.max
 
 -- Whether slot i may be lowered, or what it stands on: it has begun the step standing, and does
 -- not go up from there. (What is round rolls over edges.)
@@ -97,7 +95,7 @@ local function lower(b, i, most, dt)
   end
   local x0, here = b.origin[t] + b.carried[t] * dt, turn * b.to[k]
   local start, low = turn * (b.origin[k] + b.carried[k] * dt), here + most
-  local drop = max(here - start, 0.0) + most * min(PIECES, 1 + max(x - x0, x0 - x))
+  local drop = max(here - start, 0.0) + most * (1 + max(x - x0, x0 - x))
   ground.list(b, i, axis, turn, x0, x, start, drop)
   local j, height = ground.highest(b, i, axis, turn, x, here)
   if j ~= 0 and height > low + EPSILON then
