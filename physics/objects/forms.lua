@@ -56,15 +56,16 @@ function forms.listTable(map)
   return list
 end
 
---- Returns such a list as a table; in `map`, which is emptied, if that is given.
+--- Returns such a list as a table; in `map`, which is emptied, if that is given. (A key of a
+--- damaged state that cannot be one is `false`, which is refused.)
 function forms.makeTable(list, map)
   map = map or {}
   for key in next, map, nil do
     map[key] = nil
   end
   for at = 1, #list, 2 do
-    local value = list[at + 1]
-    map[list[at]] = type(value) == "table" and forms.makeTable(value) or value
+    local key, value = list[at], list[at + 1]
+    map[key == key and key or false] = type(value) == "table" and forms.makeTable(value) or value
   end
   return map
 end
