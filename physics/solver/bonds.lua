@@ -17,6 +17,8 @@ local pool = require(root .. ".solver.pool")
 local bonds = {}
 
 local max = math.max
+-- px by which the ways of two that move as one may differ.
+local ROUNDING = 1e-9
 --- States of a bond:
 ---
 --- - BOND: both move as one, if they slip at first, then from when they are equally fast.
@@ -108,8 +110,8 @@ local function markTowers(b, list)
   for n = 1, list.count do
     local up, low = list.up[n], list.low[n]
     if list.state[n] == BOND then
-      local isEven = b.speed[up] == b.speed[low]
-        and b.to[up] - b.from[up] == b.to[low] - b.from[low]
+      local apart = b.to[up] - b.from[up] - b.to[low] + b.from[low]
+      local isEven = b.speed[up] == b.speed[low] and max(apart, -apart) <= ROUNDING
       if list.isGlued[n] or not isEven then
         mark[up], mark[low], any = stamp, stamp, true
       end

@@ -79,19 +79,15 @@ local function weigh(b, i, j, kl, kh)
   return stayLow and 0 or wl, stayHigh and 0 or wh
 end
 
--- Returns whether body k, which moves at v now, is leaving the body that has held it in this step.
-local function leavesHolder(b, k, v)
-  return b.heldHigh[k] > 0 and v < b.speed[b.holderHigh[k]]
-    or b.heldLow[k] > 0 and v > b.speed[b.holderLow[k]]
-end
-
 -- Computes the rest of the path of body k after an impact from its own forces, its friction and its
 -- limits along this axis. `tau` is the time left, s.
 local function reflow(b, k, tau, dt)
   local isFree = b.grip[k] == 0 and b.least[k] == -HUGE and b.most[k] == HUGE
   local last = b.speed[k]
   local v = last - b.accel[k] * tau
-  if b.give[k] == 0 or (isFree and not leavesHolder(b, k, v)) then
+  local leavesHolder = b.heldHigh[k] > 0 and v < b.speed[b.holderHigh[k]]
+    or b.heldLow[k] > 0 and v > b.speed[b.holderLow[k]]
+  if b.give[k] == 0 or (isFree and not leavesHolder) then
     return
   end
   local new, way = flow.body(b, k, v, tau, dt)
