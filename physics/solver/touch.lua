@@ -234,12 +234,10 @@ function touch.lean(b, i, j, axis)
   local t, isLow = 1 - axis, i == box -- i is the low one of the impact
   local x, place = b.to[2 * box + t], b.to[2 * its + t]
   local isEdge = axis == axisOf(b, box) and SOLID[axis][b.shape[its]] == (isLow and 1 or -1)
-  if isEdge then
-    -- The crest is level, also for what has left it by the end of the step.
-    local before, at = b.from[2 * box + t], path.at(b, 2 * its + t, b.time[its], b.time[box])
-    if beyondCrest(b, box, its, before, at) > EPSILON then
-      isEdge, x, place = false, before, at
-    end
+  local before, at = b.from[2 * box + t], path.at(b, 2 * its + t, b.time[its], b.time[box])
+  -- The crest is level, also for what has left it by the end of the step.
+  if isEdge and beyondCrest(b, box, its, before, at) > EPSILON then
+    isEdge, x, place = false, before, at
   end
   local lean = isEdge and slantOf(b, box, its) or 0.0
   return apart(b, box, its, axis, isLow, x, place), lean
