@@ -264,10 +264,12 @@ end
 
 --- A map with this title must be read like that, through STI, too, unless `sti` is false.
 function tiled.row(title, map, expected, options, sti)
-  it(title, function()
-    assert.equal(expected, tiled.show(tiled.load(map, options)))
-    if sti ~= false then
-      assert.equal(expected, tiled.show(tiled.load(tiled.sti(map), options)))
+  -- busted gives its words to spec files, not to what they require
+  local row = rawget(_G, "it") or require("busted").it
+  row(title, function()
+    for _, each in ipairs({ map, sti ~= false and tiled.sti(map) or nil }) do
+      local found = tiled.show(tiled.load(each, options))
+      assert(found == expected, found)
     end
   end)
 end
