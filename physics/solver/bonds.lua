@@ -137,7 +137,8 @@ function bonds.glue(b, list, dt)
     local up, low = list.up[n], list.low[n]
     if list.state[n] == BOND and mark[up] == stamp and mark[low] == stamp then
       list.isGlued[n] = true
-      local isFree = b.heldLow[low] + b.heldHigh[low] == 0 -- else it is as fast as its holder
+      -- (Else both are as fast as the holder.)
+      local isFree = b.heldLow[low] + b.heldHigh[low] + b.heldLow[up] + b.heldHigh[up] == 0
       pool.glue(b, up, low, isFree and list.slipped[n] or 0.0, dt)
     end
   end

@@ -420,6 +420,22 @@ describe("surfaceSpeed: a belt", function()
     "rider heard 2, 0",
   })
 
+  --   +-+|
+  --   | ||       the upper one is held, and rubs on the lower one
+  --   +-+
+  --  (o=====o
+  local HELD = {
+    belt({ friction = 0.5 }),
+    rider({ friction = 0.8 }),
+    rider({ name = "top", y = 352, friction = 0.4 }),
+    tile("wall", 160, 300, 16, 76),
+  }
+  belted("never moves back what rubs on something held", HELD, {
+    1.5,
+    "x = rider.x",
+    { 1, "rider.x >= x - 0.001", "top at 144, 352", "top on rider" },
+  })
+
   local function two(v)
     local next_ = belt({ name = "next", x = 200, surfaceSpeed = v.speed })
     return { belt({ width = 200 }), next_, rider({ friction = 0.5 }) }
