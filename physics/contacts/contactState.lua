@@ -9,6 +9,7 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local rules = require(root .. ".solver.rules")
 local columns = require(root .. ".memory.columns")
+local crowd = require(root .. ".solver.crowd")
 local events = require(root .. ".contacts.events")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local shapes = require(root .. ".space.shapes")
@@ -172,7 +173,7 @@ end
 function contactState.update(b, p)
   local i, j = b.pairA[p], b.pairB[p]
   local now
-  if b.contact[p] == 0 and min(b.crowd[2 * i], b.crowd[2 * j]) > 0 then
+  if b.contact[p] == 0 and b.hasCrowds and crowd.isGhost(b, i, j) then
     -- Two in a crowd begin none: whether they still are a pair depends on when it has begun.
     return
   elseif b.sensor[i] or b.sensor[j] then

@@ -16,6 +16,8 @@ local layout = require(root .. ".memory.layout")
 local columns = {}
 
 columns.STATIC, columns.KINEMATIC, columns.DYNAMIC = 1, 2, 3
+--- Value of `packed` of a body that stays where it is, like a wall (see relax).
+columns.STUCK = 1000
 
 --- Returns the kind that an object's fields say. `kinematic` is read again in each step, `static`
 --- is not.

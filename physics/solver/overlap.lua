@@ -83,6 +83,23 @@ local function placeOn(b, i, axis, way)
   return x + (axis == 0 and way or 0), y + (axis == 1 and way or 0)
 end
 
+--- Returns how far slot i goes along an axis, towards `sign`, until it overlaps nothing; huge: a
+--- wall is before that, or it is more than `most` px.
+function overlap.wayToRoom(b, i, axis, sign, most)
+  local way, before = 0.0, -1
+  while way > before and way <= most do
+    local x, y = placeOn(b, i, axis, sign * way)
+    before = way
+    for n = 1, listBlockers(b, i, x, y, true) do
+      if b.kind[b.found[n]] ~= DYNAMIC then
+        return huge
+      end
+      way = max(way, wayOut(b, i, b.found[n], axis, sign))
+    end
+  end
+  return way <= most and way or huge
+end
+
 -- Moving ------------------------------------------------------------------------------------------
 
 -- Puts slot i at a place on an axis.
@@ -242,6 +259,7 @@ local function bury(b, i, j)
   local axis = height <= width and 1 or 0
   axis = b.wasCrushed[2 * i + 1 - axis] and 1 - axis or axis -- so that it is told once
   b.buried[i] = true
+  b.news[i] = true -- whether it finds a way out depends on walls that are not its neighbours
   if not (b.crushed[2 * i] or b.crushed[2 * i + 1]) then
     -- A ceiling is named before the next tile of the floor.
     local _ = crush(b, i, j, axis, true)

@@ -18,7 +18,6 @@ local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local bonds = require(root .. ".solver.bonds")
 local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
-local crowd = require(root .. ".solver.crowd")
 local drift = require(root .. ".memory.lazy")(root .. ".motion.drift")
 local flow = require(root .. ".solver.flow")
 local friction = require(root .. ".solver.friction")
@@ -60,9 +59,6 @@ end
 
 -- Resets the solver's columns of all awake bodies to free flight, before any contact acts.
 local function begin(b, dt)
-  if b.hasCrowds then
-    crowd.hold(b)
-  end
   local list, kind, buried, give = b.awakeList, b.kind, b.buried, b.give
   local freeSpeed, start, speed = b.freeSpeed, b.start, b.speed
   local from, origin, inverseMass, dirty = b.from, b.origin, b.inverseMass, b.dirty
@@ -74,6 +70,9 @@ local function begin(b, dt)
     for k = 2 * i, 2 * i + 1 do
       if buried[i] then
         path.finish(b, k, from[k], 0.0, 0.0)
+      elseif b.crowd[2 * i] > 0 and speed[k] * b.down[k] > 0 then -- a crowd does not fall
+        b.way[k] = 0.0
+        path.finish(b, k, from[k], b.carried[k], 0.0)
       end
       origin[k] = from[k]
       give[k] = kind[i] == DYNAMIC and not buried[i] and inverseMass[i] or 0
@@ -178,7 +177,7 @@ local function solve(b, dt)
   if b.awakenings ~= awakenings then
     return false
   end
-  if hasChanged or b.hasRound or b.hasPacked then
+  if hasChanged or b.hasRound then
     relax.run(b, dt, hasChanged)
   end
   if b.hasSnaps then
