@@ -30,7 +30,7 @@ local floor, max, min = math.floor, math.max, math.min
 local ATTEMPTS = 5
 -- heldLow and heldHigh of what is no wall, but stays where it is: what is between that and a wall
 -- is not squeezed into the wall.
-local FIRM = 1000
+local FAR = 1000
 
 -- Resets an axis: no movable body is held yet.
 local function release(b, axis)
@@ -42,7 +42,7 @@ local function release(b, axis)
     if give[k] > 0 then
       heldLow[k], heldHigh[k] = 0, 0
     else
-      heldLow[k] = b.kind[list[n]] == DYNAMIC and FIRM or 1
+      heldLow[k] = b.kind[list[n]] == DYNAMIC and FAR or 1
       heldHigh[k] = heldLow[k]
     end
   end
@@ -128,7 +128,7 @@ local function hold(b, list, slow, sign)
           if closing > 0 then
             pool.press(b, m, k, 1 / give[m], 1 / give[k], give[k] > 0 and speed[wall[k]], sign)
           end
-        elseif over > EPSILON and held[k] ~= FIRM and (held[m] == 0 or b.squeezed[m] * sign > 0) then
+        elseif over > EPSILON and held[k] ~= FAR and (held[m] == 0 or b.squeezed[m] * sign > 0) then
           squeeze(b, m, k, over, sign, opposite, held, wall)
           hasSqueezed = true
         end
