@@ -3,9 +3,9 @@
 --- Every change of them is a **Behaviour** entry of the changelog.
 return {
   everything = "87544872611561",
-  games5000001 = "581036140",
-  games5000004 = "1176073345",
-  games5000009 = "1897751869",
+  games5000001 = "543894669",
+  games5000004 = "426585605",
+  games5000009 = "1614414388",
   snap = "64356193480310",
   wild = "1391583773",
 }
