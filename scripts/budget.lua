@@ -6,7 +6,7 @@
 
 local BUDGET = {
   { "physics.lua", 96 },
-  { "physics/broadphase", 700 },
+  { "physics/broadphase", 696 },
   { "physics/contacts", 418 },
   { "physics/fields", 714 },
   { "physics/maps", 2411 },

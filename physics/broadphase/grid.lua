@@ -16,11 +16,17 @@
 local grid = {}
 grid.__index = grid
 
-local floor, huge, max, min = math.floor, math.huge, math.max, math.min
+local ceil, floor, huge, max, min = math.ceil, math.floor, math.huge, math.max, math.min
 
 local DEFAULT_CELL = 48
-local LEVELS = 48
+local LEVELS = 18
 local FIRST_BUCKETS = 64
+-- By a number of the smallest cells side by side: the level of the cells that are as wide as these,
+-- and how many times they are as wide as one.
+local LEVEL_OF, WIDTH_OF = { 0 }, { 1 }
+for n = 2, 64 do
+  LEVEL_OF[n], WIDTH_OF[n] = LEVEL_OF[ceil(n / 2)] + 1, WIDTH_OF[ceil(n / 2)] * 2
+end
 -- Cells further out than this share the outermost one, so that the arithmetic stays exact.
 local FAR = 4194304
 -- Rounding error of the place of a line, px.
@@ -69,8 +75,6 @@ function grid.new(b, cellSize, comparesAll)
     ranges = {},
     querySlots = { 0 },
     answers = {},
-    -- scratch of update
-    moved = {},
   }, grid)
   makeBuckets(self, FIRST_BUCKETS)
   for level = 0, LEVELS do
@@ -101,12 +105,17 @@ local function keyOf(cellX, cellY, level)
   return cellX * KEY_X + cellY * KEY_Y + level
 end
 
+-- Returns the level for boxes of a size, and the size of its cells. There is no loop in it: LuaJIT
+-- of 2022 has lost the bounds of the loops from which it was called.
 local function levelFor(self, size)
   local level, cell = 0, self.cell
-  while cell < size and level < LEVELS do
-    level, cell = level + 1, cell * 2
+  if size > 4096 * cell then
+    level, cell = 12, 4096 * cell
+  elseif size > 64 * cell then
+    level, cell = 6, 64 * cell
   end
-  return level, cell
+  local n = ceil(min(size / cell, 64))
+  return level + LEVEL_OF[n], cell * WIDTH_OF[n]
 end
 
 -- The lists are changed without branches (jit: 2): place 0 of each column, and bucket 0, take what
@@ -172,29 +181,16 @@ function grid:remove(i)
   self.count = self.count - 1
 end
 
--- Lists the objects in `list[1..count]` that belong in another cell than they are in. Returns how
--- many there are. Each is written behind the list, which gets longer by 0 or 1. (jit: 2)
-local function listMoved(self, list, count)
-  local moved, keys = self.moved, self.key
-  local n = 0 ---@type number
+--- Notes that the fat boxes of the objects in `list[1..count]` have changed.
+function grid:update(list, count)
+  local keys = self.key
   for m = 1, count do
     local i = list[m]
     local level, cellX, cellY = place(self, i)
-    local other = keyOf(cellX, cellY, level) - keys[i]
-    moved[n + 1] = i
-    n = n + min(max(other, -other), 1)
-  end
-  return n
-end
-
---- Notes that the fat boxes of the objects in `list[1..count]` have changed. Each is listed once.
-function grid:update(list, count)
-  local moved, n = self.moved, listMoved(self, list, count)
-  for m = 1, n do
-    unfile(self, moved[m])
-  end
-  for m = 1, n do
-    file(self, moved[m], place(self, moved[m]))
+    if keyOf(cellX, cellY, level) ~= keys[i] then
+      unfile(self, i)
+      file(self, i, level, cellX, cellY)
+    end
   end
 end
 
