@@ -15,7 +15,7 @@ local BUDGET = {
   { "physics/objects", 1330 },
   { "physics/queries", 843 },
   { "physics/sleep", 90 },
-  { "physics/solver", 4096 },
+  { "physics/solver", 4095 },
   { "physics/space", 381 },
   { "physics/state", 932 },
   { "physics/world", 1535 },

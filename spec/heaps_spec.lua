@@ -238,6 +238,18 @@ describe("a heap of balls", function()
     assert.are.same({ hashes[1], hashes[1], hashes[1], hashes[1] }, hashes)
   end)
 
+  it("goes on in the same way if it is restored among boxes", function()
+    local world = newHeap("mixed", 5)
+    for _ = 1, 24 do
+      run(world, 5 / 60)
+      local other = physics.newWorld()
+      other:restore(world:save())
+      run(other, 1 / 60)
+      run(world, 1 / 60)
+      assert.are.equal(world:hash(), other:hash())
+    end
+  end)
+
   -- A coin hangs where the balls fall, and a ghost falls among them.
   long("moves nothing that it may not push, and is not moved by it", function()
     local hashes = {}
