@@ -6,19 +6,19 @@
 
 local BUDGET = {
   { "physics.lua", 96 },
-  { "physics/broadphase", 696 },
+  { "physics/broadphase", 686 },
   { "physics/contacts", 418 },
   { "physics/fields", 714 },
   { "physics/maps", 2411 },
-  { "physics/memory", 853 },
+  { "physics/memory", 854 },
   { "physics/motion", 998 },
   { "physics/objects", 1330 },
   { "physics/queries", 843 },
   { "physics/sleep", 90 },
-  { "physics/solver", 4095 },
+  { "physics/solver", 4098 },
   { "physics/space", 381 },
   { "physics/state", 932 },
-  { "physics/world", 1535 },
+  { "physics/world", 1536 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number
 

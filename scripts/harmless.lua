@@ -9,9 +9,9 @@
 return {
   {
     "physics/broadphase/grid.lua",
-    "while cell < size and level < LEVELS do",
-    "while cell <= size and level < LEVELS do",
-    "a box as large as a cell goes one level up, and is found there",
+    "if size > 4096 * cell then",
+    "if size >= 4096 * cell then",
+    "a box as long as 4096 cells is on the same level either way",
   },
   {
     "physics/broadphase/grid.lua",

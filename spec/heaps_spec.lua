@@ -157,6 +157,28 @@ local function depthIn(world)
   return deepest
 end
 
+-- They were pushed off the floor by hundredths of a px, and came onto it anew, in each step.
+describe("touching and onBegin: balls that lie side by side", function()
+  for _, count in ipairs({ 10, 20 }) do
+    it(("touch their floor, and begin no contact anew: %d of them"):format(count), function()
+      local world, begins = physics.newWorld({ gravity = 600 }), 0
+      world:setBounds(0, 0, 400, 300)
+      for n = 1, count do
+        world:add("balls", { x = 3 + 17 * n, y = 20, radius = 5 + n % 4 * 2 })
+      end
+      run(world, 5)
+      world.onBegin = function()
+        begins = begins + 1
+      end
+      run(world, 1)
+      assert.is_true(begins <= 2)
+      for _, ball in ipairs(world.objects.balls) do
+        assert.equal(300 - ball.y - ball.height < 0.05, ball.touching.bottom ~= false)
+      end
+    end)
+  end
+end)
+
 describe("a heap of balls", function()
   for _, kind in ipairs({ "columns", "poured", "mixed" }) do
     it("comes to rest: " .. kind, function()

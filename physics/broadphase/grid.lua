@@ -23,6 +23,7 @@ local LEVELS = 18
 local FIRST_BUCKETS = 64
 -- By a number of the smallest cells side by side: the level of the cells that are as wide as these,
 -- and how many times they are as wide as one.
+---@type number[], number[]
 local LEVEL_OF, WIDTH_OF = { 0 }, { 1 }
 for n = 2, 64 do
   LEVEL_OF[n], WIDTH_OF[n] = LEVEL_OF[ceil(n / 2)] + 1, WIDTH_OF[ceil(n / 2)] * 2

@@ -70,30 +70,18 @@ local function markNeighbours(b, i)
   return stamp
 end
 
--- Keeps in b.linkOne and b.linkOther the found pairs that are no neighbours yet, each once: of two
--- strays, the earlier one counts. Returns how many there are.
+-- Lists in b.linkOne and b.linkOther the found pairs that can meet and are no neighbours yet, each
+-- once: of two strays, the earlier one counts. Returns how many there are.
 local function listNew(b, count)
-  local askers, found, mark, strayAt = b.askers, b.found, b.mark, b.strayAt
+  local askers, found, mark, strayAt, crowd = b.askers, b.found, b.mark, b.strayAt, b.crowd
   local ones, others, asker, stamp, at, n = b.linkOne, b.linkOther, 0, 0, 0, 0
   for m = 1, count do
     local i, j = askers[m], found[m]
     if i ~= asker then
       asker, stamp, at = i, markNeighbours(b, i), strayAt[i]
     end
-    if mark[j] ~= stamp and strayAt[j] > at then
-      n = n + 1
-      mark[j], ones[n], others[n] = stamp, i, j
-    end
-  end
-  return n
-end
-
--- Keeps the pairs of b.linkOne and b.linkOther that can meet at all. Returns how many there are.
-local function keepAllowed(b, count)
-  local ones, others, crowd, n = b.linkOne, b.linkOther, b.crowd, 0
-  for m = 1, count do
-    local i, j = ones[m], others[m]
-    if min(crowd[2 * i] or 0, crowd[2 * j] or 0) <= 0 and filter.allows(b, i, j) then
+    local isNew = mark[j] ~= stamp and strayAt[j] > at
+    if isNew and min(crowd[2 * i] or 0, crowd[2 * j] or 0) <= 0 and filter.allows(b, i, j) then
       n = n + 1
       ones[n], others[n] = i, j
     end
@@ -120,7 +108,7 @@ end
 -- meet at all. They are strays no more.
 local function linkNear(b, strays, count)
   local strayAt = b.strayAt
-  local n = keepAllowed(b, listNew(b, b.broadphase:overlaps(strays, count, b.askers, b.found)))
+  local n = listNew(b, b.broadphase:overlaps(strays, count, b.askers, b.found))
   for m = 1, count do
     strayAt[strays[m]] = huge
   end

@@ -33,6 +33,8 @@ end
 
 --- How far apart two edges may be and still count as touching, px.
 columns.EPSILON = 1e-6
+--- The same of a ball in a heap, which is pushed to and fro by less.
+columns.SLACK = 0.05
 --- Widths of common edges are rounded to 1 / WIDTHS px before they are compared: that two are equal
 --- does not depend on which of them is looked at first.
 columns.WIDTHS = 2 ^ 20

@@ -86,7 +86,7 @@ end
 --- Returns how far slot i goes along an axis, towards `sign`, until it overlaps nothing; huge: a
 --- wall is before that, or it is more than `most` px.
 function overlap.wayToRoom(b, i, axis, sign, most)
-  local way, before = 0.0, -1
+  local way, before = 0.0, -1.0
   while way > before and way <= most do
     local x, y = placeOn(b, i, axis, sign * way)
     before = way

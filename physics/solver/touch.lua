@@ -21,7 +21,8 @@ local touch = {}
 -- Of two of which one is round.
 touch.approach, touch.deepAxis, touch.separation = ball.approach, ball.deepAxis, ball.separation
 
-local AXIS, EPSILON, OPPOSITE = columns.AXIS, columns.EPSILON, columns.OPPOSITE
+local AXIS, OPPOSITE = columns.AXIS, columns.OPPOSITE
+local EPSILON, SLACK = columns.EPSILON, columns.SLACK
 local BOX, CIRCLE, SOLID = shapes.BOX, shapes.CIRCLE, shapes.SOLID
 local axisOf, depth, isSlope = path.axisOf, shapes.depth, shapes.isSlope
 local max, min = math.max, math.min
@@ -150,8 +151,10 @@ end
 --- inside each other. Nil: they are boxes.
 function touch.side(b, i, j)
   local q, isLow, gap, nx, ny
+  local slack, heap = EPSILON, b.relaxWork.inHeap
   if isRound(b, i, j) then
     gap, nx, ny = ball.gapIn(b, b.to, i, j)
+    slack = max(heap[i] or 0, heap[j] or 0) == b.solveStamp and SLACK or slack
     q, isLow = shapes.sideOf(nx, ny, false)
   elseif isSloped(b, i, j) then
     local box, its = order(b, i, j)
@@ -160,7 +163,7 @@ function touch.side(b, i, j)
   else
     return nil
   end
-  return gap < -EPSILON and -1 or (gap > EPSILON or not q) and 0 or 2 * q + (isLow and 2 or 1)
+  return gap < -EPSILON and -1 or (gap > slack or not q) and 0 or 2 * q + (isLow and 2 or 1)
 end
 
 -- The part of a common edge, from `low` to `high`, on which box i touches slope j with its side
