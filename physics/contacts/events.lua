@@ -193,11 +193,11 @@ local function endContacts(b, i, isOver)
     local p, j = (half + half % 2) / 2, b.other[half]
     if (b.contact[p] ~= 0 or b.wedged[p] ~= 0) and (not isOver or isOver(b, i, j)) then
       b.wedged[p] = 0
-      if b.hasPacked and b.contact[p] ~= 0 then
-        relax.loosen(b, i)
-        relax.loosen(b, j)
-      end
       if b.contact[p] ~= 0 then
+        if b.hasPacked then
+          relax.loosen(b, i)
+          relax.loosen(b, j)
+        end
         events.finish(b, p, b.contact[p])
         b.contact[p], b.contactCount = 0, b.contactCount - 1
       end

@@ -150,11 +150,10 @@ end
 --- Returns the side of slot i at which two are flush at the end of the step, else 0; -1: they are
 --- inside each other. Nil: they are boxes.
 function touch.side(b, i, j)
-  local q, isLow, gap, nx, ny
-  local slack, heap = EPSILON, b.relaxWork.inHeap
+  local slack, q, isLow, gap, nx, ny = EPSILON
   if isRound(b, i, j) then
     gap, nx, ny = ball.gapIn(b, b.to, i, j)
-    slack = max(heap[i] or 0, heap[j] or 0) == b.solveStamp and SLACK or slack
+    slack = (ball.isInHeap(b, i) or ball.isInHeap(b, j)) and SLACK or slack
     q, isLow = shapes.sideOf(nx, ny, false)
   elseif isSloped(b, i, j) then
     local box, its = order(b, i, j)
