@@ -8,7 +8,7 @@ local BUDGET = {
   { "physics.lua", 96 },
   { "physics/broadphase", 686 },
   { "physics/contacts", 418 },
-  { "physics/fields", 714 },
+  { "physics/fields", 643 },
   { "physics/maps", 2411 },
   { "physics/memory", 854 },
   { "physics/motion", 998 },
