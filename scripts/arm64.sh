@@ -6,7 +6,7 @@ set -uo pipefail
 . "$(dirname "$0")/checks.sh"
 
 # Each of these takes more than two minutes there.
-slow="bad_input fuzz properties recovery state
+slow="debugging_bad_input fuzz properties recovery state
 01_seams 03_stacks 05_pushing 06_riding 07_oneway 08_crushing 09_rest_and_bounce 10_free_motion
 12_momentum 13_piles 15_tight 16_nudge 17_pushable"
 # Not asked: how long something takes in an emulation; a process of its own, which would not be

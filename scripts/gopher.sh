@@ -10,7 +10,7 @@ if ! command -v go >/dev/null 2>&1; then
 fi
 
 # Without --all: of what may differ (spec/slow.lua) all but what takes eight seconds there, or minutes.
-slow="determinism bad_input recipes runtime"
+slow="determinism debugging_bad_input recipes fields_at_run_time"
 gopher=$PWD/build/gopher
 
 build() { (cd spec/gopher && go build -mod=readonly -buildvcs=false -o "$gopher" .); }

@@ -1,5 +1,5 @@
 --- A short example for each public function, by name: scripts/manual.lua puts them into
---- docs/api.md, and the specs run them there (spec/docs_spec.lua).
+--- docs/api.md, and the specs run them there (spec/project/docs_spec.lua).
 ---
 --- An example finds what spec/support/snippets.lua prepares: `physics`, a `world` with gravity 800,
 --- a `floor` at y 400 and a `player` of 24 x 32 px at x 40 that stands on it. What it prints must

@@ -11,8 +11,8 @@
 -- A result is one of these:
 --
 -- - noticed: by a spec that says what is right.
--- - by numbers: by the scene with everything in it and spec/determinism_spec.lua alone. They only
---   say that something has changed.
+-- - by numbers: by the scene with everything in it and determinism_spec.lua alone. They only say
+--   that something has changed.
 -- - harmless: not noticed, and listed in scripts/harmless.lua with the reason.
 -- - survived: not noticed, and not listed.
 -- - put off: not noticed in the time.
@@ -61,34 +61,34 @@ local FIRST = {
   hash = { "state" },
   obstacle = { "queries" },
   explain = { "queries" },
-  bounds = { "world" },
+  bounds = { "world", "queries_moves" },
   pairFinder = { "settings", "fields" },
   fields = { "settings" },
-  settings = { "fields", "world" },
+  settings = { "fields", "objects" },
   checked = { "debugging" },
-  read = { "fields", "world", "recovery" },
-  registry = { "world", "recovery" },
+  read = { "fields_at_run_time", "objects", "recovery" },
+  registry = { "objects", "objects_order", "recovery" },
   islands = { "rest" },
   compiler = { "interpreted" },
-  tutorial = { "pure", "shapes" },
-  ball = { "balls", "circles" },
-  shapes = { "shapes", "18_slopes", "circles" },
+  tutorial = { "world_tutorial", "shapes" },
+  ball = { "26_balls", "queries_circles" },
+  shapes = { "shapes", "18_slopes", "queries_circles" },
   lines = { "shapes", "queries" },
   slope = { "18_slopes", "slopes" },
   walk = { "18_slopes", "slopes" },
-  drift = { "soft" },
+  drift = { "filters_soft" },
   crowd = { "20_crowds" },
   pressed = { "08_crushing" },
   snap = { "24_snap" },
   nudge = { "16_nudge" },
-  flow = { "friction" },
-  bonds = { "friction" },
-  impact = { "impacts", "12_momentum", "09_rest_and_bounce" },
+  flow = { "contacts_friction" },
+  bonds = { "contacts_friction" },
+  impact = { "contacts", "12_momentum", "09_rest_and_bounce" },
   carriers = { "06_riding" },
-  forces = { "10_free_motion", "oracles" },
+  forces = { "10_free_motion", "motion_by_hand" },
   contactState = { "events" },
   write = { "events" },
-  array = { "tiles" },
+  array = { "maps_tiles" },
 }
 
 local function read(path)

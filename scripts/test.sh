@@ -69,11 +69,11 @@ of_interpreter() {
 # Each run below says which interpreter it wants; a run on another one has to be noticed.
 wrong_lua() { PHYSICS_LUA="LuaJIT -joff" busted --lua=luajit --helper=scripts/interpreter.lua; }
 check "specs on the wrong interpreter are refused" refuses wrong_lua
-wrong_plain_lua() { PHYSICS_LUA="Lua 5.3" lua5.4 scripts/plain_busted.lua spec/pure_spec.lua; }
+wrong_plain_lua() { PHYSICS_LUA="Lua 5.3" lua5.4 scripts/plain_busted.lua spec/world_tutorial_spec.lua; }
 check "specs on the wrong interpreter are refused without busted, too" refuses wrong_plain_lua
 
 busted_on_54() {
-  PHYSICS_LUA="Lua 5.4" busted --lua=lua5.4 --helper=scripts/interpreter.lua spec/pure_spec.lua
+  PHYSICS_LUA="Lua 5.4" busted --lua=lua5.4 --helper=scripts/interpreter.lua spec/world_tutorial_spec.lua
 }
 busted_on_luajit() {
   PHYSICS_LUA=LuaJIT busted --lua=luajit --helper=scripts/interpreter.lua \

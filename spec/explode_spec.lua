@@ -78,7 +78,7 @@ describe("world:explode", function()
     )
   end)
 
-  -- (Wrong numbers are in bad_input_spec.)
+  -- (Wrong numbers are in debugging_bad_input_spec.)
   it("is refused where something is wrong, and has changed nothing", function()
     local world = still()
     local one, other = world:add("crates", crate(30, -10)), world:add("crates", crate(30, -40))

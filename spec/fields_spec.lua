@@ -1,5 +1,5 @@
 --- The rows of fields, entries of areas and settings: well formed, and all that a new field needs.
---- What they accept is in bad_input_spec.lua.
+--- What they accept is in debugging_bad_input_spec.lua.
 
 local read = require("spec.support.files").read
 local fields = require("scripts.meanings")

@@ -1,5 +1,5 @@
 --- Questions: queryPoint, queryRect, querySegment, raycast, sweep, nearest, overlapping, touching,
---- explain. (Circles are in circles_spec, wrong arguments in bad_input_spec.)
+--- explain. (Circles are in queries_circles_spec, wrong arguments in debugging_bad_input_spec.)
 
 local box = require("spec.support.box")
 local effort = require("spec.support.effort")
@@ -639,7 +639,7 @@ describe("queryRect and the others", function()
     return last - first > 1e-9 or last - first < -1e-9 and false or nil
   end
 
-  -- (The others are compared in circles_spec.lua.)
+  -- (The others are compared in queries_circles_spec.lua.)
   long("finds what a line through all objects finds", function()
     for seed = 1, 10 do
       local random, world, all = newRandom(seed), still(), {}

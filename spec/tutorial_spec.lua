@@ -1,5 +1,5 @@
 --- The tutorial, followed line by line: global names, grouped tables, a loop. What its functions
---- find is in pure_spec.lua.
+--- find is in world_tutorial_spec.lua.
 -- luacheck: globals objects physics_load physics_update
 
 local fresh = require("spec.support.fresh")

@@ -9,17 +9,17 @@ local LEVELS = "there is a debug library, and error counts levels in another way
 local leftOut = {}
 
 leftOut.files = {
-  ["spec/bad_input_spec.lua"] = "calls by tail calls, with callers that gopher-lua does not know",
-  ["spec/bench_spec.lua"] = "about the benchmark",
-  ["spec/draw_spec.lua"] = "about LÖVE",
-  ["spec/fuzz_found_spec.lua"] = "the fuzzer itself does what gopher-lua does differently",
-  ["spec/fuzz_spec.lua"] = "the fuzzer itself swaps variables in one assignment",
-  ["spec/garbage_spec.lua"] = MEMORY,
-  ["spec/manual_spec.lua"] = "about the scripts that write the manual",
-  ["spec/mutations_spec.lua"] = "about the scripts that look at the specs",
-  ["spec/portable_spec.lua"] = "about files",
-  ["spec/rockspec_spec.lua"] = "about files",
-  ["spec/registry_spec.lua"] = "swaps in one assignment, and counts errors, which gopher-lua forgets",
+  ["spec/debugging_bad_input_spec.lua"] = "calls by tail calls, with callers that gopher-lua does not know",
+  ["spec/project/bench_spec.lua"] = "about the benchmark",
+  ["spec/debugging_draw_spec.lua"] = "about LÖVE",
+  ["spec/invariants/fuzz_found_spec.lua"] = "the fuzzer itself does what gopher-lua does differently",
+  ["spec/invariants/fuzz_spec.lua"] = "the fuzzer itself swaps variables in one assignment",
+  ["spec/invariants/garbage_spec.lua"] = MEMORY,
+  ["spec/project/manual_spec.lua"] = "about the scripts that write the manual",
+  ["spec/project/mutations_spec.lua"] = "about the scripts that look at the specs",
+  ["spec/project/portable_spec.lua"] = "about files",
+  ["spec/project/rockspec_spec.lua"] = "about files",
+  ["spec/objects_order_spec.lua"] = "swaps in one assignment, and counts errors, which gopher-lua forgets",
 }
 
 -- All specs with names that begin like this.

@@ -3,7 +3,7 @@
 // Serves build/site on the loopback address. Follows every link inside the site, opens every page and
 // listens for errors, searches, starts an example in its page, and plays in the playground: its
 // snippets must come to the same hash there as in LuaJIT (web/playground/native.lua) and in LÖVE
-// (web/playground/in_love). Of the programs of the pages, which spec/docs_spec.lua runs, each third is
+// (web/playground/in_love). Of the programs of the pages, which spec/project/docs_spec.lua runs, each third is
 // started there; with --all each. Pictures go to build/site-pictures/. The last line is "N passed, N failed".
 
 import { execFileSync } from "node:child_process";

@@ -1,7 +1,7 @@
 --- Wrong values, all of them: every field, setting and argument, and every kind of value. Whatever
 --- is given is taken, or it is refused: in the words that the rows of physics/fields/fields.lua
 --- make, blaming this file. A refused call has changed nothing: repair the value, and the game goes
---- on as if it never was. Words of other messages are in check_spec.lua.
+--- on as if it never was. Words of other messages are in debugging_errors_spec.lua.
 
 local effort = require("spec.support.effort")
 local fields = require("physics.fields.fields")
@@ -182,7 +182,7 @@ local function try(what, call, ...)
     return true, list
   end
   local text = list[2] == THROWN and THROWN
-    or tostring(list[2]):match("bad_input_spec%.lua:%d+: physics: (.*)$")
+    or tostring(list[2]):match("debugging_bad_input_spec%.lua:%d+: physics: (.*)$")
   assert(text, what .. ": " .. tostring(list[2]))
   return false, text
 end
@@ -435,8 +435,8 @@ local function newFunctions()
   }
 end
 
--- Not tried here: `draw` needs LÖVE (draw_spec.lua), `globals` takes nothing, and maps have specs
--- of their own.
+-- Not tried here: `draw` needs LÖVE (debugging_draw_spec.lua), `globals` takes nothing, and maps
+-- have specs of their own.
 local ELSEWHERE =
   { draw = true, globals = true, loadTiled = true, loadLDtk = true, addTiles = true }
 

@@ -336,7 +336,7 @@ describe("the setting soft", function()
       assert.is_false(ok)
       assert.equal(
         row[2],
-        message:match("spec/soft_spec.lua:%d+: physics: newWorld%(settings%): (.*)")
+        message:match("spec/filters_soft_spec.lua:%d+: physics: newWorld%(settings%): (.*)")
           or message:match("physics: (.*)")
       )
       local world = newWorld({})

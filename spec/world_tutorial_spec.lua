@@ -23,11 +23,11 @@ local function refuses(expected, call, ...)
     return nil
   end)
   assert.is_false(ok, "it was not refused: " .. expected)
-  assert.truthy(message:find("pure_spec.lua:", 1, true), message)
-  assert.equal("physics: " .. expected, (message:gsub("^.-pure_spec%.lua:%d+: ", "")))
+  assert.truthy(message:find("world_tutorial_spec.lua:", 1, true), message)
+  assert.equal("physics: " .. expected, (message:gsub("^.-world_tutorial_spec%.lua:%d+: ", "")))
 end
 
--- (Other wrong values are in bad_input_spec.)
+-- (Other wrong values are in debugging_bad_input_spec.)
 for _, name in ipairs({ "side", "checkCollision", "bump" }) do
   it(name .. " refuses a or b if it is no box", function()
     local fine = box(0, 0, 1, 1)

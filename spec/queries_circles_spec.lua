@@ -252,7 +252,7 @@ describe("radius: a sensor with one", function()
       object.x, object.y, object.sensor = 0, 0, true
       local ok, message = pcall(world.add, world, "coins", object)
       assert.is_false(ok)
-      assert.matches("circles_spec.lua", message)
+      assert.matches("queries_circles_spec.lua", message)
       assert.is_truthy(message:find("coins[1]." .. row[2], 1, true), message)
       assert.are.equal(width, object.width)
       assert.is_nil(world.objects.coins)

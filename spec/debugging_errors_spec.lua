@@ -1,6 +1,6 @@
---- Errors: their words, and the line they name; bad_input_spec.lua has the wrong values, and shows
---- that nothing has changed. What loads physics/fields/check.lua itself is tagged #files: there is
---- no such file when the library is one.
+--- Errors: their words, and the line they name; debugging_bad_input_spec.lua has the wrong values,
+--- and shows that nothing has changed. What loads physics/fields/check.lua itself is tagged #files:
+--- there is no such file when the library is one.
 
 local files = require("spec.support.files")
 local physics = require("physics")
@@ -13,8 +13,8 @@ local NAN, INF = 0 / 0, 1 / 0
 local function refuses(expected, call)
   local ok, message = pcall(call)
   assert.is_false(ok, "it was not refused: " .. expected)
-  assert.truthy(message:find("check_spec.lua:", 1, true), message)
-  assert.equal("physics: " .. expected, (message:gsub("^.-check_spec%.lua:%d+: ", "")))
+  assert.truthy(message:find("debugging_errors_spec.lua:", 1, true), message)
+  assert.equal("physics: " .. expected, (message:gsub("^.-debugging_errors_spec%.lua:%d+: ", "")))
 end
 
 --- A complete object with some fields changed.
@@ -50,10 +50,14 @@ describe("the line that an error names", function()
       world:update(-1)
       return nil
     end)
-    assert.truthy(message:find("check_spec.lua:" .. line + 2 .. ": physics: world:update", 1, true))
+    assert.truthy(
+      message:find("debugging_errors_spec.lua:" .. line + 2 .. ": physics: world:update", 1, true)
+    )
     line = debug.getinfo(1, "l").currentline + 1
     local _, other = pcall(world.update, world, -1)
-    assert.truthy(other:find("check_spec.lua:" .. line .. ": physics: world:update", 1, true))
+    assert.truthy(
+      other:find("debugging_errors_spec.lua:" .. line .. ": physics: world:update", 1, true)
+    )
     local resume = coroutine.wrap(function()
       return pcall(coroutine.wrap(world.update), world, -1)
     end)

@@ -268,7 +268,7 @@ describe("draw", function()
         physics.draw(row[1])
       end)
       assert.is_false(isDone)
-      assert.matches("draw_spec%.lua:%d+: physics: ", message)
+      assert.matches("debugging_draw_spec%.lua:%d+: physics: ", message)
       assert.truthy(message:find(row[2], 1, true), message)
     end)
   end

@@ -14,7 +14,8 @@ describe("the list of slow specs", function()
       assert.is_true(#row[2] > 0, row[1])
     end
     for _, path in ipairs(files.list("find spec -name '*_spec.lua'")) do
-      local isAboutTags = path == "spec/slow_spec.lua" or path == "spec/plain_busted_spec.lua"
+      local isAboutTags = path == "spec/project/slow_spec.lua"
+        or path == "spec/project/plain_busted_spec.lua"
       if not isAboutTags and read(path):find("#slow", 1, true) then
         found[path] = true
       end

@@ -249,7 +249,7 @@ describe("an area", function()
     }) do
       local ok, message = pcall(world.add, world, "zones", zone(row[1], row[3])[2])
       assert.is_false(ok)
-      assert.is_truthy(message:find("zones_spec.lua", 1, true), message)
+      assert.is_truthy(message:find("motion_zones_spec.lua", 1, true), message)
       assert.is_truthy(message:find(row[2], 1, true), message)
     end
     local its = world:add("zones", zone({ ax = 1 }, { static = false, kinematic = true })[2])

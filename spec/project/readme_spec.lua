@@ -1,5 +1,5 @@
 --- The README: the game in it runs, what it promises has a spec, and it stays short. That all
---- snippets run and all links lead somewhere is checked by spec/docs_spec.lua, for every page.
+--- snippets run and all links lead somewhere is checked by docs_spec.lua, for every page.
 
 local files = require("spec.support.files")
 local physics = require("physics")
