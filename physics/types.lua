@@ -204,16 +204,16 @@
 --- default none. Called before every step, of dt s: the place for controllers. What it writes
 --- counts in that step.
 ---@field onStep? fun(dt: number)
---- default none. As `onBegin` of an object, for all pairs; `a` is before `b` in the order of the
---- world.
+--- default none. As `onBegin` of an object. Of two, `a` is before `b` in the order of the world.
 ---@field onBegin? fun(a: physics.Object, b: physics.Object, side: physics.Side, speed: number, x1: number, y1: number, x2: number, y2: number)
---- default none. As `onStay` of an object.
+--- default none. As `onStay` of an object. Of two, `a` is before `b` in the order of the world.
 ---@field onStay? fun(a: physics.Object, b: physics.Object, side: physics.Side, dt: number)
---- default none. As `onEnd` of an object.
+--- default none. As `onEnd` of an object. Of two, `a` is before `b` in the order of the world.
 ---@field onEnd? fun(a: physics.Object, b: physics.Object, side: physics.Side)
---- default none. As `onCrush` of an object.
+--- default none. As `onCrush` of an object. Of two, `a` is before `b` in the order of the world.
 ---@field onCrush? fun(object: physics.Object, a: physics.Object, b: physics.Object, axis: "x"|"y")
---- default always. As `canCollide` of an object.
+--- default always. As `canCollide` of an object. Of two, `a` is before `b` in the order of the
+--- world.
 ---@field canCollide? fun(a: physics.Object, b: physics.Object, side: physics.Side): boolean?
 
 --- The settings as fields of a world. They may change between two updates.
@@ -266,16 +266,16 @@
 --- default none. Called before every step, of dt s: the place for controllers. What it writes
 --- counts in that step.
 ---@field onStep? fun(dt: number)
---- default none. As `onBegin` of an object, for all pairs; `a` is before `b` in the order of the
---- world.
+--- default none. As `onBegin` of an object. Of two, `a` is before `b` in the order of the world.
 ---@field onBegin? fun(a: physics.Object, b: physics.Object, side: physics.Side, speed: number, x1: number, y1: number, x2: number, y2: number)
---- default none. As `onStay` of an object.
+--- default none. As `onStay` of an object. Of two, `a` is before `b` in the order of the world.
 ---@field onStay? fun(a: physics.Object, b: physics.Object, side: physics.Side, dt: number)
---- default none. As `onEnd` of an object.
+--- default none. As `onEnd` of an object. Of two, `a` is before `b` in the order of the world.
 ---@field onEnd? fun(a: physics.Object, b: physics.Object, side: physics.Side)
---- default none. As `onCrush` of an object.
+--- default none. As `onCrush` of an object. Of two, `a` is before `b` in the order of the world.
 ---@field onCrush? fun(object: physics.Object, a: physics.Object, b: physics.Object, axis: "x"|"y")
---- default always. As `canCollide` of an object.
+--- default always. As `canCollide` of an object. Of two, `a` is before `b` in the order of the
+--- world.
 ---@field canCollide? fun(a: physics.Object, b: physics.Object, side: physics.Side): boolean?
 
 --- The default world, on which the functions of the module work.

@@ -7,17 +7,17 @@
 local BUDGET = {
   { "physics.lua", 96 },
   { "physics/broadphase", 686 },
-  { "physics/contacts", 418 },
-  { "physics/fields", 643 },
+  { "physics/contacts", 405 },
+  { "physics/fields", 646 },
   { "physics/maps", 2411 },
   { "physics/memory", 854 },
   { "physics/motion", 998 },
-  { "physics/objects", 1330 },
+  { "physics/objects", 1332 },
   { "physics/queries", 843 },
   { "physics/sleep", 90 },
   { "physics/solver", 4098 },
   { "physics/space", 381 },
-  { "physics/state", 932 },
+  { "physics/state", 935 },
   { "physics/world", 1536 },
 }
 local SLACK = 10 -- code lines by which a folder may be below its number

@@ -66,8 +66,8 @@ local NAMES = { [9.81 * 64] = "9.81 * 64", [1 / 30] = "1 / 30" }
 function typedFields.default(field)
   if field.required or field.written then
     return field.required and "required" or "written"
-  elseif field.absent then
-    return field.absent
+  elseif field.absent or field.default == nil then
+    return field.absent or "none"
   end
   local value = field.default
   if type(value) == "string" then

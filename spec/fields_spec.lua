@@ -15,20 +15,18 @@ for _, list in ipairs({ "objects", "area", "settings" }) do
       assert.matches("^[%u`].+%.$", row.meaning)
       assert.equal(type == "function", row.signature ~= nil)
       assert.equal(type == "string", row.values ~= nil)
-      -- It says what nil stands for.
-      assert.is_true(row.default ~= nil or row.absent ~= nil or row.required or row.written)
     end)
   end
 end
 
 -- A new field ------------------------------------------------------------------------------------
 
--- The example of CONTRIBUTING.md. By file: a line, and what is put in front of it.
-local ADDED = {
+-- The examples of CONTRIBUTING.md. By file: a line, and what is put in front of it.
+local LIFT = {
   ["physics/fields/fields.lua"] = {
     "  --- Replaces the world's downward gravity for this object",
-    "  --- An acceleration upwards, as of a balloon.\n"
-      .. '  { name = "lift", type = "number", unit = "px/s²", default = 0, min = 0 },\n',
+    "  --- An acceleration upwards, as of a balloon.\n  --- Unit: px/s²\n"
+      .. '  { name = "lift", type = "number", default = 0, min = 0, moves = true },\n',
   },
   ["physics/objects/readFields.lua"] = {
     "  if b.kind[i] ~= DYNAMIC then\n    gx, gy = 0, 0",
@@ -36,10 +34,24 @@ local ADDED = {
   },
 }
 
--- Calls f(physics) with a library that has the field `lift`.
-local function withLift(f)
+local ON_LAND = {
+  ["physics/fields/fields.lua"] = {
+    "  --- Called before a contact: `false` lets",
+    "  --- Called when it has come to stand on something.\n  --- Parameters: (self)\n"
+      .. '  { name = "onLand", type = "function", event = "alone" },\n',
+  },
+  ["physics/objects/write.lua"] = {
+    "      support[i], news[i] = now, true",
+    "      if now ~= 0 and support[i] == 0 then\n"
+      .. '        events.add(b, "onLand", i, i, false, 0)\n'
+      .. "      end\n",
+  },
+}
+
+-- Calls f(physics) with a library to which that is added.
+local function with(added, f)
   local lines, changed = io.lines, {}
-  for path, row in pairs(ADDED) do
+  for path, row in pairs(added) do
     local text = read(path)
     local at = assert(text:find(row[1], 1, true), path)
     changed[path] = text:sub(1, at - 1) .. row[2] .. text:sub(at)
@@ -79,7 +91,7 @@ end
 
 describe("a new field needs one row, and a line where it acts: it is", function()
   it("read, compared, and refused when it is wrong #files", function()
-    withLift(function(physics)
+    with(LIFT, function(physics)
       local world = physics.newWorld({ gravity = 300 })
       local balloon = world:add("balloons", newBalloon(300))
       local stone = world:add("balloons", newBalloon(nil))
@@ -105,7 +117,7 @@ describe("a new field needs one row, and a line where it acts: it is", function(
   end)
 
   it("saved, restored, hashed, and refused in a state #files", function()
-    withLift(function(physics)
+    with(LIFT, function(physics)
       local world = physics.newWorld({ gravity = 300 })
       local balloon = world:add("balloons", newBalloon(400))
       world:update(1 / 10)
@@ -124,7 +136,7 @@ describe("a new field needs one row, and a line where it acts: it is", function(
   end)
 
   it("in the manual, in the types, and known to `checked` #files", function()
-    withLift(function(physics)
+    with(LIFT, function(physics)
       local all = {}
       for _, page in pairs(require("scripts.manual").pages()) do
         all[#all + 1] = page
@@ -138,6 +150,70 @@ describe("a new field needs one row, and a line where it acts: it is", function(
       balloon.Lift = 3
       world:add("balloons", balloon)
       refuses("lift", world.update, world, 1 / 60)
+    end)
+  end)
+end)
+
+describe("a new event needs one row, and a place that notices it: it is", function()
+  -- A box falls on a floor, is lifted, and falls again.
+  local function play(physics, settings, onLand)
+    local world = physics.newWorld(settings)
+    world:add("floor", { x = 0, y = 10, width = 50, height = 10, static = true })
+    local box = world:add("boxes", { x = 0, y = -5, width = 10, height = 10, onLand = onLand })
+    for n = 1, 60 do
+      box.y = n == 30 and -5 or box.y
+      world:update(1 / 60)
+    end
+    return world
+  end
+
+  it("told to the object and to the world #files", function()
+    with(ON_LAND, function(physics)
+      local told = {}
+      local function tell(...)
+        told[#told + 1] = ("%d %d"):format(select("#", ...), (...).height)
+      end
+      play(physics, { onLand = tell, rest = false }, tell)
+      assert.same({ "1 10", "1 10", "1 10", "1 10" }, told)
+      play(physics, { onLand = tell, rest = true }, tell)
+      assert.equal(8, #told)
+      local twin = play(physics, { checked = true })
+      twin.objects.boxes[1].onland = tell
+      refuses("onLand", twin.update, twin, 1 / 60)
+      refuses("onLand must be a function, got 3", physics.newWorld, { onLand = 3 })
+    end)
+  end)
+
+  it("saved while it waits, and refused in a state #files", function()
+    with(ON_LAND, function(physics)
+      local world, state, told
+      local function save()
+        state = state or world and world:save()
+      end
+      world = play(physics, nil, save)
+      world.objects.boxes[1].y = -5
+      while not state do
+        world:update(1 / 60)
+      end
+      local twin = physics.newWorld()
+      twin:restore(state)
+      twin.onLand = function(box)
+        told = box
+      end
+      twin:update(0)
+      assert.equal(twin.objects.boxes[1], told)
+      state.events[5] = 1
+      refuses("a side of this kind of event, got 1", twin.restore, twin, state)
+    end)
+  end)
+
+  it("in the manual and in the types #files", function()
+    with(ON_LAND, function()
+      local pages = require("scripts.manual").pages()
+      local all = pages["docs/api/fields.md"] .. pages["docs/api/settings.md"]
+      assert.is_truthy(all:find("`onLand(self)` Called when it has come to stand", 1, true))
+      assert.is_truthy(all:find("`onLand(object)` As [`onLand`]", 1, true))
+      assert.is_truthy(require("scripts.types").text():find("onLand? fun(object: ", 1, true))
     end)
   end)
 end)

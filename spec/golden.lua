@@ -3,8 +3,8 @@
 --- Every change of them is a **Behaviour** entry of the changelog.
 return {
   everything = "87544872611561",
-  games5000001 = "543894669",
-  games5000004 = "495589277",
+  games5000001 = "577100062",
+  games5000004 = "88631378",
   games5000009 = "1546186774",
   snap = "64356193480310",
   wild = "1391583773",

@@ -1,4 +1,5 @@
 --- Events: collects from a step what has happened, and calls the callbacks of the game after it.
+--- The kind of an event is the name of its callback: a row of `fields` with `event`.
 --
 -- Events wait in a list of their own, as objects and not as slots, because callbacks may do
 -- anything, also remove objects. An error in a callback leaves the rest in the list for the next
@@ -7,7 +8,7 @@
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
 local check = require(root .. ".fields.check")
 local columns = require(root .. ".memory.columns")
-local filter = require(root .. ".broadphase.filter")
+local fields = require(root .. ".fields.fields")
 local relax = require(root .. ".memory.lazy")(root .. ".solver.relax")
 local touch = require(root .. ".memory.lazy")(root .. ".solver.touch")
 local sort = require(root .. ".memory.sort")
@@ -18,33 +19,25 @@ local EPSILON, SIDES, OPPOSITE = columns.EPSILON, columns.SIDES, columns.OPPOSIT
 local AT_LEFT, AT_TOP = columns.SIDE.left, columns.SIDE.top
 local max, min = math.max, math.min
 
--- Kinds, in the order in which the events of a pair are told.
-local END, BEGIN, STAY, LEFT, CRUSH = 1, 2, 3, 4, 5
-
 --- What an event holds besides its objects `a`, `b` and `c`: a list of each of these, by event.
 events.VALUES = {
-  "kind",
-  "side",
-  "speed", -- px/s; of STAY: s, the length of its step
+  "kind", -- the name of its callback
+  "side", -- of `a`; or the name of an axis, or false (see `event` in fields/fields)
+  "speed", -- px/s; of `onStay`: s, the length of its step
   "leant", -- 1: the contact begins because one leans on the other, without a hit
   "rankA",
   "rankB",
-  "x1", -- of BEGIN: the ends of the common edge
+  "x1", -- of `onBegin`: the ends of the common edge
   "y1",
   "x2",
   "y2",
 }
 
---- By kind: the callback that is called.
-events.CALLBACKS = {
-  [END] = "onEnd",
-  [BEGIN] = "onBegin",
-  [STAY] = "onStay",
-  [LEFT] = "onEnd",
-  [CRUSH] = "onCrush",
-}
-events.CRUSH = CRUSH
-local CALLBACKS = events.CALLBACKS
+-- By kind: what it tells.
+local TELLS = {}
+for _, row in ipairs(fields.events) do
+  TELLS[row.name] = row.event
+end
 
 --- Returns an empty list of events.
 function events.new()
@@ -55,7 +48,6 @@ function events.new()
     heardBy = 3, -- of the last one told, recipients called: its first object, its second, the world
     order = {},
     late = {},
-    kindAndNumber = {},
     a = {},
     b = {},
     c = {},
@@ -68,8 +60,7 @@ end
 
 -- Returns whether there is a callback for an event of slots i and j. Most games listen to few
 -- contacts, and an event without a callback need not be sorted.
-local function hasListener(b, kind, i, j)
-  local name = CALLBACKS[kind]
+local function hasListener(b, name, i, j)
   return b.world[name] or b.object[i][name] or b.object[j][name]
 end
 
@@ -79,7 +70,7 @@ local function note(b, kind, i, j, third, side, speed)
   local n = e.count + 1
   e.count = n
   e.order[n] = n
-  e.kind[n], e.kindAndNumber[n], e.leant[n] = kind, n, 0
+  e.kind[n], e.leant[n] = kind, 0
   e.rankA[n], e.rankB[n] = b.rank[i], b.rank[j]
   e.a[n], e.b[n], e.c[n] = b.object[i], b.object[j], third
   e.side[n], e.speed[n] = side, speed
@@ -104,9 +95,9 @@ local function locate(b, p, side)
   end
 end
 
--- Adds an event of the objects in slots i and j, if it has a callback. The first one in the order
--- of the world becomes `a`. `side` is that of slot i.
-local function add(b, kind, i, j, side, speed)
+--- Notes an event of the objects in slots i and j, if it has a callback. The first one in the order
+--- of the world becomes `a`. `side` is that of slot i. Of one object alone j is i, and no side.
+function events.add(b, kind, i, j, side, speed)
   if not hasListener(b, kind, i, j) then
     return
   end
@@ -115,6 +106,8 @@ local function add(b, kind, i, j, side, speed)
   end
   return note(b, kind, i, j, false, side, speed)
 end
+
+local add = events.add
 
 -- Returns whether a contact has an `onStay`, which is called in every step. Such objects cannot
 -- sleep.
@@ -127,10 +120,10 @@ local function isHeard(b, i, j)
 end
 
 -- Adds the beginning of a contact of pair p on `side` of its first object, with its place. `leant`:
--- see events.new.
+-- see events.VALUES.
 local function addBegin(b, p, side, speed, leant)
   local e, count = b.events, b.events.count
-  add(b, BEGIN, b.pairA[p], b.pairB[p], side, speed)
+  add(b, "onBegin", b.pairA[p], b.pairB[p], side, speed)
   if e.count > count then
     e.leant[e.count] = leant
     locate(b, p, side)
@@ -145,22 +138,17 @@ function events.begin(b, p, side, speed)
   addBegin(b, p, side, speed, b.hit[p] == 0 and 1 or 0)
 end
 
---- Notes that a contact has ended.
-function events.finish(b, p, side)
-  add(b, END, b.pairA[p], b.pairB[p], side, 0)
-end
-
 --- Notes that the objects of pair p touched and separated within the step.
 function events.bounce(b, p, side, speed)
   addBegin(b, p, side, speed, 0)
-  add(b, LEFT, b.pairA[p], b.pairB[p], side, 0)
+  add(b, "onEnd", b.pairA[p], b.pairB[p], side, 0)
 end
 
 --- Notes that a contact goes on, if there is an `onStay`.
 function events.stay(b, p, side)
   local i, j = b.pairA[p], b.pairB[p]
   if isHeard(b, i, j) then
-    add(b, STAY, i, j, side, b.dt)
+    add(b, "onStay", i, j, side, b.dt)
   end
 end
 
@@ -168,16 +156,16 @@ end
 function events.tellCrush(b, i)
   for axis = 0, 1 do
     local k = 2 * i + axis
-    if b.crushed[k] and not b.wasCrushed[k] and hasListener(b, CRUSH, i, i) then
-      note(b, CRUSH, i, b.crushLow[k], b.object[b.crushHigh[k]], axis == 0 and "x" or "y", 0)
+    if b.crushed[k] and not b.wasCrushed[k] and hasListener(b, "onCrush", i, i) then
+      note(b, "onCrush", i, b.crushLow[k], b.object[b.crushHigh[k]], axis == 0 and "x" or "y", 0)
     end
     b.wasCrushed[k] = b.crushed[k]
   end
 end
 
--- Returns whether two slots in contact do not touch any more where they are now. (A contact
--- with an object that has become a sensor goes on while the other one passes through it.)
-local function isApart(b, i, j)
+--- Returns whether two slots in contact do not touch any more where they are now. (A contact with
+--- an object that has become a sensor goes on while the other one passes through it.)
+function events.isApart(b, i, j)
   local position, size, k, m = b.position, b.size, 2 * i, 2 * j
   local x, y = position[m] - position[k], position[m + 1] - position[k + 1]
   local gapX, gapY = max(x - size[k], -x - size[m]), max(y - size[k + 1], -y - size[m + 1])
@@ -185,9 +173,10 @@ local function isApart(b, i, j)
   return max(gapX, gapY) > EPSILON or isCorner
 end
 
--- Ends the contacts of a slot with all, or those for which `isOver(b, i, j)`, because the game has
--- changed one of the two. It is no longer wedged into them, and there may be room now.
-local function endContacts(b, i, isOver)
+--- Ends the contacts of a slot with all, or those for which `isOver(b, i, j)`, because the game has
+--- changed one of the two. It is no longer wedged into them, and there may be room now. (It may
+--- touch them again in the same step.)
+function events.endContacts(b, i, isOver)
   local half = b.head[i]
   while half ~= 0 do
     local p, j = (half + half % 2) / 2, b.other[half]
@@ -198,28 +187,12 @@ local function endContacts(b, i, isOver)
           relax.loosen(b, i)
           relax.loosen(b, j)
         end
-        events.finish(b, p, b.contact[p])
+        add(b, "onEnd", b.pairA[p], b.pairB[p], b.contact[p], 0)
         b.contact[p], b.contactCount = 0, b.contactCount - 1
       end
     end
     half = b.next[half]
   end
-end
-
---- Ends all contacts of a slot that leaves the world.
-function events.endContacts(b, i)
-  endContacts(b, i)
-end
-
---- Ends the contacts of a slot with what it no longer touches, because the game has put it
---- elsewhere. (It may come back in the same step.)
-function events.endLeft(b, i)
-  endContacts(b, i, isApart)
-end
-
---- Ends the contacts of a slot with objects that it can no longer meet.
-function events.endForbidden(b, i)
-  endContacts(b, i, filter.reason)
 end
 
 -- Checks a callback. Callbacks are read when they are called, so a field may have changed since the
@@ -241,21 +214,29 @@ local function before(at)
   return at - max(at, -at, 1) * 2e-15
 end
 
+-- Returns whether an event is told to its second object, too.
+local function isOfTwo(tells)
+  return tells ~= "axis" and tells ~= "alone"
+end
+
 -- Calls the callback of one recipient of an event: 1 and 2 are the two objects, 3 is the world.
 -- Each object gets its own side, and the world that of the first object.
 local function tell(e, n, recipient, name, owner)
-  local callback = owner[name]
+  local callback, tells = owner[name], TELLS[name]
   local a, b, side = e.a[n], e.b[n], e.side[n]
   if not callback then
     return
-  elseif e.kind[n] == CRUSH then
+  elseif tells == "alone" then
+    callback(a)
+    return
+  elseif tells == "axis" then
     callback(a, b, e.c[n], side)
     return
   end
   if recipient == 2 then
     a, b, side = e.b[n], e.a[n], OPPOSITE[side]
   end
-  if e.kind[n] == BEGIN then
+  if tells == "place" then
     local x1, y1, x2, y2 = e.x1[n], e.y1[n], e.x2[n], e.y2[n]
     if side == AT_LEFT then
       x1, x2 = before(x1), before(x2)
@@ -263,21 +244,21 @@ local function tell(e, n, recipient, name, owner)
       y1, y2 = before(y1), before(y2)
     end
     callback(a, b, SIDES[side], e.speed[n], x1, y1, x2, y2)
-  elseif e.kind[n] == STAY then
+  elseif tells == "speed" then
     callback(a, b, SIDES[side], e.speed[n])
   else
     callback(a, b, SIDES[side])
   end
 end
 
--- Tells one event to the recipients that have not been called yet: its two objects (one, if it is
--- crushed) and the world. Callbacks may change the later ones, and forget all events.
+-- Tells one event to the recipients that have not been called yet: its objects and the world.
+-- Callbacks may change the later ones, and forget all events.
 local function tellAll(b, e, n)
-  local name = CALLBACKS[e.kind[n]]
+  local name = e.kind[n]
   while e.heardBy < 3 do
     local recipient = e.heardBy + 1
     local owner = recipient == 3 and b.world or recipient == 1 and e.a[n] or e.b[n]
-    local isMeant = recipient ~= 2 or e.kind[n] ~= CRUSH
+    local isMeant = recipient ~= 2 or isOfTwo(TELLS[name])
     if isMeant then
       checkCallback(b, owner, name)
     end
@@ -303,7 +284,7 @@ function events.sortLate(e)
   for n = 1, count do
     late[n] = order[sorted + n]
   end
-  sort.by(late, count, e.leant, e.rankA, e.rankB, e.kindAndNumber)
+  sort.by(late, count, e.leant, e.rankA, e.rankB)
   return count
 end
 

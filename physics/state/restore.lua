@@ -288,7 +288,7 @@ local function restoreEvents(b, st, objects)
   local e, list, n = b.events, st.events, 0
   for at = 1, #list, 3 + #VALUES do
     n = n + 1
-    e.order[n], e.kindAndNumber[n] = n, n
+    e.order[n] = n
     e.a[n], e.b[n] = objects[list[at]], objects[list[at + 1]]
     e.c[n] = objects[list[at + 2]] or false
     for m = 1, #VALUES do
