@@ -194,7 +194,7 @@ function contactState.update(b, p)
     return
   end
   if before ~= 0 then
-    events.add(b, "onEnd", i, j, before, 0)
+    events.finish(b, p, before)
     b.contactCount = b.contactCount - 1
   end
   if now ~= 0 then

@@ -138,10 +138,15 @@ function events.begin(b, p, side, speed)
   addBegin(b, p, side, speed, b.hit[p] == 0 and 1 or 0)
 end
 
+--- Notes that a contact of pair p has ended.
+function events.finish(b, p, side)
+  add(b, "onEnd", b.pairA[p], b.pairB[p], side, 0)
+end
+
 --- Notes that the objects of pair p touched and separated within the step.
 function events.bounce(b, p, side, speed)
   addBegin(b, p, side, speed, 0)
-  add(b, "onEnd", b.pairA[p], b.pairB[p], side, 0)
+  events.finish(b, p, side)
 end
 
 --- Notes that a contact goes on, if there is an `onStay`.
@@ -187,7 +192,7 @@ function events.endContacts(b, i, isOver)
           relax.loosen(b, i)
           relax.loosen(b, j)
         end
-        add(b, "onEnd", b.pairA[p], b.pairB[p], b.contact[p], 0)
+        events.finish(b, p, b.contact[p])
         b.contact[p], b.contactCount = 0, b.contactCount - 1
       end
     end
