@@ -219,11 +219,6 @@ local function before(at)
   return at - max(at, -at, 1) * 2e-15
 end
 
--- Returns whether an event is told to its second object, too.
-local function isOfTwo(tells)
-  return tells ~= "axis" and tells ~= "alone"
-end
-
 -- Calls the callback of one recipient of an event: 1 and 2 are the two objects, 3 is the world.
 -- Each object gets its own side, and the world that of the first object.
 local function tell(e, n, recipient, name, owner)
@@ -259,11 +254,11 @@ end
 -- Tells one event to the recipients that have not been called yet: its objects and the world.
 -- Callbacks may change the later ones, and forget all events.
 local function tellAll(b, e, n)
-  local name = e.kind[n]
+  local name, tells = e.kind[n], TELLS[e.kind[n]]
   while e.heardBy < 3 do
     local recipient = e.heardBy + 1
     local owner = recipient == 3 and b.world or recipient == 1 and e.a[n] or e.b[n]
-    local isMeant = recipient ~= 2 or isOfTwo(TELLS[name])
+    local isMeant = recipient ~= 2 or tells ~= "axis" and tells ~= "alone"
     if isMeant then
       checkCallback(b, owner, name)
     end
