@@ -1,3 +1,4 @@
+---@diagnostic disable
 --- physics.lua: boxes that move and bump, for LÖVE and every Lua.
 --
 -- The game's own tables are the objects. The library reads `x, y, width, height, vx, vy, …` from

@@ -95,8 +95,6 @@ local function addMarble(x, y)
   return world:add("marbles", {
     x = x - RADIUS,
     y = y - RADIUS,
-    width = 2 * RADIUS,
-    height = 2 * RADIUS,
     radius = RADIUS,
     restitution = 0.25,
     color = COLORS[random:random(#COLORS)],

@@ -20,11 +20,8 @@
 ---@field left physics.Object|false
 ---@field right physics.Object|false
 
---- Your own table that you give to `add` or put into a group.
----@class physics.NewObject: physics.Box
---- px, > 0, default none: a box. A circle in its square: `x, y` is the corner of the square,
---- `width` and `height` are 2 * radius. `add` writes both if they are nil.
----@field radius? number
+--- What an object may have beside its place and size.
+---@class physics.ObjectFields
 --- px/s, default 0. The velocity along x. For a rider it is relative to what carries it.
 ---@field vx? number
 --- px/s, default 0. The velocity along y, downwards. For a rider it is relative to what carries it.
@@ -121,9 +118,28 @@
 --- default always. Called before a contact: `false` lets the pair pass through each other for this
 --- step. It must not change the world.
 ---@field canCollide? fun(self: physics.Object, other: physics.Object, side: physics.Side): boolean?
+---@field [string|number] any
+
+--- Your own table that you give to `add` or put into a group: a box, or a circle in its square.
+---@alias physics.NewObject physics.NewBox|physics.NewCircle
+
+---@class physics.NewBox: physics.ObjectFields
+---@field x number px, the left edge
+---@field y number px, the top edge
+---@field width number px, > 0
+---@field height number px, > 0
+--- px, > 0. It is a circle: `width` and `height` are 2 * radius.
+---@field radius? number
+
+---@class physics.NewCircle: physics.ObjectFields
+---@field x number px, the left edge of its square
+---@field y number px, the top edge of its square
+---@field radius number px, > 0
+---@field width? number px, 2 * radius; `add` writes it
+---@field height? number px, 2 * radius; `add` writes it
 
 --- An object in a world. A dynamic one always has `vx`, `vy` and `touching`.
----@class physics.Object: physics.NewObject
+---@class physics.Object: physics.NewBox, physics.Box
 --- px/s, default 0. The velocity along x. For a rider it is relative to what carries it.
 ---@field vx number
 --- px/s, default 0. The velocity along y, downwards. For a rider it is relative to what carries it.
@@ -302,8 +318,9 @@ function default.update(dt) end
 ---
 --- Errors: the group is not a string or a number; the object is not a table; a field has a value
 --- that cannot be used; the object is already in the world. Nothing has changed then.
+---@overload fun(group: string|number, box: physics.NewBox): physics.Object
 ---@param group string|number name of the group
----@param object physics.NewObject your own table: x, y, width, height and any other fields
+---@param object physics.NewObject your table: x, y, width and height or radius, and other fields
 ---@return physics.Object object the same table
 function default.add(group, object) end
 

@@ -199,6 +199,9 @@ end
 local HIDDEN = {
   ["physics.World"] = true,
   ["physics.NewObject"] = true,
+  ["physics.NewBox"] = true,
+  ["physics.NewCircle"] = true,
+  ["physics.ObjectFields"] = true,
   ["physics.Object"] = true,
   ["physics.Settings"] = true,
   ["physics.WorldSettings"] = true,

@@ -81,16 +81,39 @@ local function addField(lines, field, isOptional)
   add(lines, ("---@field %s %s"):format(name, typedFields.type(field)))
 end
 
+-- A table of the game has a width and a height, or a radius.
+local NEW_OBJECTS = [[
+
+--- Your own table that you give to `add` or put into a group: a box, or a circle in its square.
+---@alias physics.NewObject physics.NewBox|physics.NewCircle
+
+---@class physics.NewBox: physics.ObjectFields
+---@field x number px, the left edge
+---@field y number px, the top edge
+---@field width number px, > 0
+---@field height number px, > 0
+--- px, > 0. It is a circle: `width` and `height` are 2 * radius.
+---@field radius? number
+
+---@class physics.NewCircle: physics.ObjectFields
+---@field x number px, the left edge of its square
+---@field y number px, the top edge of its square
+---@field radius number px, > 0
+---@field width? number px, 2 * radius; `add` writes it
+---@field height? number px, 2 * radius; `add` writes it
+
+--- An object in a world. A dynamic one always has `vx`, `vy` and `touching`.
+---@class physics.Object: physics.NewBox, physics.Box]]
+
 local function addObjects(lines)
-  add(lines, "", "--- Your own table that you give to `add` or put into a group.")
-  add(lines, "---@class physics.NewObject: physics.Box")
+  add(lines, "", "--- What an object may have beside its place and size.")
+  add(lines, "---@class physics.ObjectFields")
   for _, field in ipairs(fields.objects) do
-    if not field.required and not field.written then
+    if not field.required and not field.written and field.name ~= "radius" then
       addField(lines, field, true)
     end
   end
-  add(lines, "", "--- An object in a world. A dynamic one always has `vx`, `vy` and `touching`.")
-  add(lines, "---@class physics.Object: physics.NewObject")
+  add(lines, "---@field [string|number] any", NEW_OBJECTS)
   for _, field in ipairs(fields.objects) do
     if field.written or field.name == "vx" or field.name == "vy" then
       addField(lines, field, false)
@@ -123,7 +146,7 @@ local function addFunction(lines, entry)
     add(lines, line == "" and "---" or "--- " .. line)
   end
   for _, tag in ipairs(entry.tags) do
-    add(lines, "---" .. tag)
+    add(lines, "---" .. tag:gsub("fun%(self: physics.World, ", "fun("))
   end
   add(lines, ("function default.%s(%s) end"):format(entry.name, entry.arguments))
 end

@@ -1,24 +1,63 @@
 #!/usr/bin/env bash
 # The types of the library and of the examples (emmylua_check, .emmyrc.json), and whether they find
-# the mistakes that they are there for.
+# the mistakes that they are there for. First as an author has them: the folder, copied into `lib` of a
+# game, with the settings of a new installation, where the library's own files must be silent. LuaLS
+# looks at the same where `lua-language-server` is found.
 set -uo pipefail
 . "$(dirname "$0")/checks.sh"
 
-# What is checked is a copy: the checker does not know that `...` of a file is a string, which files
-# `root` leads to, nor that the speed `u` of an impact and the number of cells `looked` at, which begin
-# at 0, are no integers.
+check "emmylua_check starts" bash scripts/emmylua.sh --version
+
+game=$PWD/build/types-game
+rm -rf "$game" && mkdir -p "$game/lib"
+cp -r physics.lua physics "$game/lib"
+cat >"$game/main.lua" <<'LUA'
+local physics = require("lib.physics")
+local world = physics.newWorld({ gravity = 800 })
+local player = world:add("players", { x = 0, y = 0, width = 8, height = 8, coins = 0 })
+local ball = { x = 0, y = 0, radius = 8 }
+world:add("balls", ball)
+physics.add("balls", { x = 0, y = 0, radius = 8 })
+world:refresh(ball)
+world:update(1 / 60)
+print(player.coins, player.touching.bottom)
+LUA
+as_an_author() { bash scripts/emmylua.sh --warnings-as-errors "$game"; }
+in_luals() { lua-language-server --check="$game" --checklevel=Information --logpath=build/luals; }
+# finds_in CHECKER: adds a mistake to the game, which must be all that is found.
+finds_in() {
+  local found
+  cp "$game/main.lua" build/types-main.lua
+  echo 'world:updaet(1)' >>"$game/main.lua"
+  found=$("$1" 2>&1)
+  mv build/types-main.lua "$game/main.lua"
+  echo "$found"
+  [[ $found == *updaet* && $found != *lib/physics* ]]
+}
+check "a copied folder has no warnings of its own" as_an_author
+check "and a method that does not exist is found" finds_in as_an_author
+if command -v lua-language-server >/dev/null 2>&1; then
+  check "the same in LuaLS" in_luals
+  check "and it finds it, too" finds_in in_luals
+else
+  echo "There is no lua-language-server here: the folder was not looked at by LuaLS."
+fi
+
+# What follows checks the code itself, in a copy without the line that silences it. The checker does
+# not know that `...` of a file is a string, which files `root` leads to, nor that the speed `u` of an
+# impact and the number of cells `looked` at, which begin at 0, are no integers.
 copy=$PWD/build/types
 rm -rf "$copy" && mkdir -p "$copy"
 cp -r .emmyrc.json physics.lua physics examples "$copy"
 mkdir "$copy/bench" && cp bench/engines.lua "$copy/bench/" # for examples/compare
-find "$copy/physics" -name '*.lua' -exec sed -i -E \
+find "$copy/physics" "$copy/physics.lua" -name '*.lua' -exec sed -i -E \
+  -e '1{/^---@diagnostic disable$/d}' \
   -e 's/= \(\.\.\.\):match/= (... --[[@as string]]):match/' \
   -e 's/(lazy|require|require\(root \.\. "\.memory\.lazy"\))\(root \.\. "/require("physics/' \
   -e 's/^( +local (u|n, cell, looked) = 0(, self\.cell, 0)?)$/\1.0/' {} +
 
 emmylua() { bash scripts/emmylua.sh --warnings-as-errors "$copy"; }
 
-check "emmylua_check starts" bash scripts/emmylua.sh --version
 check "no warning in the library and the examples" emmylua
 
 # What a game writes, and the name of the warning that it must get, or "nothing". Each is a file of
@@ -80,8 +119,9 @@ hero.coins = hero.coins + 1'
 
 finds "a string as velocity" assign-type-mismatch 'player.vx = "fast"'
 finds "a side that does not exist" assign-type-mismatch 'player.oneWay = "up"'
-finds "an object without a height" missing-fields \
+finds "an object without a height" param-type-mismatch \
   'world:add("boxes", { x = 0, y = 0, width = 8 })'
+allows "a circle without a width" 'world:add("balls", { x = 0, y = 0, radius = 4 })'
 finds "a mass of the wrong type" assign-type-mismatch \
   'world:add("boxes", { x = 0, y = 0, width = 8, height = 8, mass = "1" })'
 finds "a setting of the wrong type" param-type-mismatch 'physics.load({ gravity = "9" })'

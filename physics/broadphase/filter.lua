@@ -1,3 +1,4 @@
+---@diagnostic disable
 --- Filter: decides from kinds, `active`, sensors, masks and `hits` which objects can meet at all.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")

@@ -1,3 +1,4 @@
+---@diagnostic disable
 --- Grid: finds in a hierarchical grid which fat boxes meet others, or a rectangle (for lines see
 -- gridLines.lua). It is a hash table of fixed arrays.
 --

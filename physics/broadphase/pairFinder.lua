@@ -1,3 +1,4 @@
+---@diagnostic disable
 --- Pair finder: computes from the paths of bodies all pairs that may meet, and which of them take
 --- part in a step.
 --

@@ -1,3 +1,4 @@
+---@diagnostic disable
 --- Contact state: computes from the places at the end of a step whether a pair is in contact, and
 -- on which side.
 --

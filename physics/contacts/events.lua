@@ -1,3 +1,4 @@
+---@diagnostic disable
 --- Events: collects from a step what has happened, and calls the callbacks of the game after it.
 --- The kind of an event is the name of its callback: a row of `fields` with `event`.
 --

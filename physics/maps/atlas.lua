@@ -1,3 +1,4 @@
+---@diagnostic disable
 --- A level of several maps, each in its place in the world of the editor. Adds maps and takes them
 --- out again, and lists what those that are there have made.
 

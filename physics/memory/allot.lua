@@ -1,3 +1,4 @@
+---@diagnostic disable
 --- Gives each body a slot, that is an index in the columns of a world, and makes the columns.
 --
 -- A static body that has never had a neighbour, as most of a level, has few columns: those of its

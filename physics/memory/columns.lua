@@ -1,3 +1,4 @@
+---@diagnostic disable
 --- The memory of a world: one array ("column") per property, one index ("slot") per object. What
 --- columns there are is in layout.lua.
 --

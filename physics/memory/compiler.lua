@@ -1,3 +1,4 @@
+---@diagnostic disable
 --- Gives LuaJIT's trace compiler room for the library, and says which functions it leaves alone.
 -- Where there is no compiler, or no debug library, nothing happens.
 --

@@ -1,3 +1,4 @@
+---@diagnostic disable
 --- Soft crowds: bodies of two groups that are soft to each other overlap, and drift apart.
 --
 -- softDrift.lua computes the velocity of that, the *drift* of a body. It is added to the path of

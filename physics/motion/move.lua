@@ -1,3 +1,4 @@
+---@diagnostic disable
 --- Move: computes the path of every body in this step from its free flight and its carrier, as if
 -- nothing were in the way.
 --

@@ -1,3 +1,4 @@
+---@diagnostic disable
 --- Computes how fast bodies of soft groups drift apart (see drift.lua). It is loaded when a world
 --- has such groups.
 --

@@ -1,3 +1,4 @@
+---@diagnostic disable
 --- Zones: sensors with an `area` act on the dynamic objects inside them: water, wind, low gravity,
 --- attractors.
 --

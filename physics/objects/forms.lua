@@ -1,3 +1,4 @@
+---@diagnostic disable
 --- What columns and states hold of a value of the game, where that is not the value itself. A form
 --- belongs to a type of rows (see fields/fields), so a field needs no code of its own here.
 

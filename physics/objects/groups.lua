@@ -1,3 +1,4 @@
+---@diagnostic disable
 --- Compares the game's groups with what was seen of them last: from which place on they differ, and
 --- which keys they have.
 --

@@ -1,3 +1,4 @@
+---@diagnostic disable
 --- Finds the objects near a place or a line, as the game's tables are now, not as the last step
 --- left them. It changes nothing: what the game writes and takes back before the next update has
 --- never happened.

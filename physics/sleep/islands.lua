@@ -1,3 +1,4 @@
+---@diagnostic disable
 --- Islands: computes from the last step which bodies may sleep. A sleeping body is not computed.
 --
 -- Objects with fat boxes that meet, directly or through others, form an island. If the last step

@@ -1,3 +1,4 @@
+---@diagnostic disable
 --- Bonds: computes which bodies friction holds together, and how the others slip, if both bodies of
 -- a contact give way.
 --

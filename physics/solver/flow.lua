@@ -1,3 +1,4 @@
+---@diagnostic disable
 --- Flow: computes the motion of a body or a block along an axis from a constant force, friction and
 -- speed limits.
 --

@@ -1,3 +1,4 @@
+---@diagnostic disable
 --- Coulomb friction: computes from the loads of the contacts of one axis how they brake their
 -- bodies along the other axis.
 --

@@ -1,3 +1,4 @@
+---@diagnostic disable
 --- Impacts: computes the paths of two bodies after they meet inside a step.
 --
 -- Both paths are advanced to the impact. The closing speed and the time left there are computed

@@ -1,3 +1,4 @@
+---@diagnostic disable
 --- Corner correction: computes from a hit that overlaps a corner by a few pixels the way around
 -- that corner.
 --

@@ -1,3 +1,4 @@
+---@diagnostic disable
 --- Overlap: computes from two or three bodies that overlap when the step begins the places where
 -- they do not. Positions only.
 --

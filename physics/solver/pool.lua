@@ -1,3 +1,4 @@
+---@diagnostic disable
 --- Blocks: computes from the contacts of an axis which free bodies move as one, and their common
 -- velocity.
 --

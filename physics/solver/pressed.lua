@@ -1,3 +1,4 @@
+---@diagnostic disable
 --- Pressed contacts: notes at the end of a step which sides of bodies are pressed, the hits of
 -- contacts in which two bodies begin to lean on each other, and which bodies are crushed: pressed
 -- between two that cannot give way, on one axis.

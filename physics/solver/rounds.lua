@@ -1,3 +1,4 @@
+---@diagnostic disable
 --- Rounds: sweeps changed paths, and lets the first impact of each body happen.
 --
 -- Impacts are resolved in the order of their times. A body takes part in one impact of a round:

@@ -1,3 +1,4 @@
+---@diagnostic disable
 --- Rules: decides whether two bodies pass through each other in a step, from the solid sides of
 -- one-way objects, `dropThrough`, and what the game says (`canCollide`).
 --

@@ -1,3 +1,4 @@
+---@diagnostic disable
 --- Settling: computes from the contacts of an axis where their bodies end, so that none overlap at
 -- the end of the step if there is room.
 --

@@ -1,3 +1,4 @@
+---@diagnostic disable
 --- Snap: an object that stood on something stays on the ground when that drops by a little.
 --
 -- It is the other half of nudge: that goes up stairs, this goes down. When all paths of the step

@@ -1,3 +1,4 @@
+---@diagnostic disable
 --- The solver: computes where each body ends a step, and how fast, from its path of free flight and
 -- from what it touches or meets.
 --

@@ -1,3 +1,4 @@
+---@diagnostic disable
 --- Touch: computes from the shapes of two bodies on which axis they touch, how far apart they must
 --- be there, and at which side and place. What asks here knows no shapes. Circles: see ball.
 --

@@ -1,3 +1,4 @@
+---@diagnostic disable
 --- Restores a world from a state (see format.lua).
 --
 -- The game's tables get their saved fields and places, and are read. Then the columns that outlive
