@@ -32,8 +32,8 @@ echo "rocks_trees = { { name = 'shelf', root = '$shelf' } }" >"$shelf/config.lua
 make_busted() { (cd "$shelf/busted" && luarocks --tree "$shelf" make busted-2.1.1-1.rockspec); }
 check "busted is there as a rock" make_busted
 luarocks_test() { LUAROCKS_CONFIG="$shelf/config.lua" luarocks test "$@"; }
-check "luarocks test plays the specs" luarocks_test "$rockspec" -- spec/objects_spec.lua
-check "of what is unreleased, too" luarocks_test -- spec/objects_spec.lua
+check "luarocks test plays the specs" luarocks_test "$rockspec" -- spec/world_spec.lua
+check "of what is unreleased, too" luarocks_test -- spec/world_spec.lua
 echo 'it("fails", function() assert.equal(1, 2) end)' >build/fails_spec.lua
 check "and fails when one fails" refuses luarocks_test -- build/fails_spec.lua
 

@@ -1,4 +1,5 @@
--- The field `strength`: the stronger object pushes weaker ones, and is not moved by them.
+--- The character of a game: how fast it falls (`maxFallSpeed`), and `strength`: the stronger
+--- pushes weaker ones, and is not moved by them. (`nudge`, `snap`: scenarios.)
 
 local effort = require("spec.support.effort")
 local physics = require("physics")
@@ -7,6 +8,33 @@ local scene = require("spec.support.scene")
 local variants = require("spec.support.variants")
 
 local DT = 1 / 60
+
+local man = scene.thing("men", { name = "man", x = 0, y = 0, width = 8, height = 8 })
+local lift = scene.maker("lifts", { kinematic = true })
+local RATES = { rate = { 20, 60, 144, 240 }, turn = variants.TURNS, shift = { 0 } }
+
+describe("maxFallSpeed", function()
+  -- Up and down for 0.75 s, until it falls at 200 px/s; then evenly.
+  local JUMPER = { man({ vy = -400, maxFallSpeed = 200 }) }
+  play.row("limits the fall and not the jump, exactly, at every rate", RATES, JUMPER, {
+    { 0.75, "man at 0, -400 * t + 400 * t * t, 1e-8", "man.vy ~ -400 + 800 * t, 1e-8" },
+    { 1, "man at 0, -75 + 200 * t, 1e-8", "man.vy ~ 200, 1e-8" },
+  })
+
+  play.row("cuts a fall that is faster already, and counts along gravity", RATES, {
+    man({ vy = 500, maxFallSpeed = 100 }),
+    man({ name = "up", x = 40, vy = -500, maxFallSpeed = 100 }),
+    man({ name = "across", x = 80, y = 80, vx = 500, maxFallSpeed = 100 }),
+  }, {
+    { steps = 1 },
+    "man.vy == 100; up.vy ~ -500 + 800 / run.rate; across.vx == 500",
+  })
+
+  local RIDES = { lift("lift", 0, 8, 80, 8, { vy = 300 }), man({ maxFallSpeed = 50 }) }
+  play.row("changes nothing of what stands, and rides on", RATES, RIDES, {
+    { 1, "man.y ~ lift.y - 8", "man.vy == 0" },
+  })
+end)
 
 -- Without gravity, along each axis and both ways.
 local LEVELS = { turn = variants.TURNS, shift = { 0 }, push = { "both" } }

@@ -1,4 +1,5 @@
---- The setting `checked`: what is found, in which words, and what is left alone.
+--- Debugging: what the setting `checked` finds, in which words, and what `explain` says. (Drawing
+--- and errors have files of their own.)
 
 local physics = require("physics")
 
@@ -26,6 +27,14 @@ local function refusesStep(world, expected, dt)
     assert.equal(expected, message:match("debugging_spec%.lua:%d+: physics: (.*)$") or message)
     assert.same({ x, y, vx, vy }, { box.x, box.y, box.vx, box.vy })
   end
+end
+
+local function sized(x, fields)
+  local object = { x = x, y = 0, width = 10, height = 10 }
+  for name, value in pairs(fields or {}) do
+    object[name] = value
+  end
+  return object
 end
 
 local NIL = {}
@@ -343,5 +352,51 @@ describe("checked", function()
     Crate.__index = Crate
     world:add("boxes", setmetatable({ x = 50, y = 0, width = 5, height = 5 }, Crate))
     world:update(DT)
+  end)
+end)
+
+describe("explain", function()
+  local NAMES = "objects.a[1] and objects.b[1] "
+  for _, row in ipairs({
+    { { x = 30 }, {}, "can collide: now they are 20 px apart on x." },
+    { { x = 4, y = 20 }, {}, "can collide: now they are 10 px apart on y." },
+    { { x = 30, y = 15 }, {}, "can collide: now they are 20 px apart on x and 5 px on y." },
+    { { x = 10 }, {}, "can collide: now they are flush at the right of objects.a[1]." },
+    { { x = 10, y = 10 }, {}, "can collide: now they are flush at a corner only" },
+    { { x = 9, y = 10 }, {}, "can collide: now they are flush at the bottom of objects.a[1]." },
+    { { x = 8 }, {}, "can collide: now they overlap by 2 x 10 px." },
+    { { active = false }, {}, "never collide: objects.b[1] is not active." },
+    {
+      {},
+      { mask = { b = false } },
+      'never collide: the mask of objects.a[1] refuses the group "b".',
+    },
+    { { static = true }, { kinematic = true }, "one is kinematic and the other static" },
+    { { static = true }, { static = true }, "never collide: both are static" },
+    { { sensor = true }, {}, "objects.b[1] is a sensor" },
+    { { oneWay = "top" }, {}, "objects.b[1] is solid only at its top" },
+    { { oneWay = true }, {}, "objects.b[1] is solid only at its top" },
+    { { canCollide = function() end }, {}, "canCollide of objects.b[1] may refuse" },
+  }) do
+    it("says: " .. row[3], function()
+      local world = physics.newWorld({ gravity = 0 })
+      local a = world:add("a", sized(0, row[2]))
+      local b = world:add("b", sized(row[1].x or 0, row[1]))
+      local sentence = world:explain(a, b)
+      assert.is_truthy(sentence:find(NAMES, 1, true), sentence)
+      assert.is_truthy(sentence:find(row[3], 1, true), sentence)
+    end)
+  end
+
+  it("says which object is not there, what the world's masks and its canCollide do", function()
+    local world = physics.newWorld({ gravity = 0, masks = { a = { b = false } } })
+    local a, b = world:add("a", sized(0)), world:add("b", sized(0))
+    local text = 'the world\'s masks let "a" pass through "b"'
+    assert.is_truthy(world:explain(b, a):find(text, 1, true))
+    assert.is_truthy(world:explain(a, a):find("same object", 1, true))
+    assert.is_truthy(world:explain(a, {}):find("b is not in the world", 1, true))
+    assert.is_truthy(world:explain({}, {}):find("neither is in the world", 1, true))
+    world.masks, world.canCollide = nil, function() end
+    assert.is_truthy(world:explain(a, b):find("canCollide of the world may refuse", 1, true))
   end)
 end)

@@ -4,6 +4,7 @@ local newBox = require("spec.support.box")
 local physics = require("physics")
 local play = require("spec.support.play")
 local scene = require("spec.support.scene")
+local variants = require("spec.support.variants")
 
 local DT = 1 / 60
 local ONCE = play.ONCE
@@ -292,58 +293,6 @@ describe("onEnd is told exactly once", function()
   })
 end)
 
-describe("sensor", function()
-  -- A sensor with fields, what is there with fields, begins and ends in 1 s.
-  row("sees {what}", function(v)
-    local sensor = solid("sensor", 100, 0, 16, 16, { sensor = true })
-    sensor = scene.thing("sensors", sensor[2])(v.fields)
-    return { gravity = 0, sensor, scene.thing("boxes", box({ x = v.x })[2])(v.more) }
-  end, {
-    "listen sensor",
-    { 1, "((box.raw.touching or {}).right or false) == false" },
-    { "sensor heard begins, ends", "box.x ~ x + box.vx" },
-  }, {
-    "what, fields, x, more, begins, ends",
-    { "nothing that is flush", {}, 84, { vx = 0 }, 0, 0 },
-    { "what is a little in it", {}, 84.01, { vx = 0 }, 1, 0 },
-    { "what passes, and stops nothing", {}, 0, { vx = 600 }, 1, 1 },
-    { "no static sensor", {}, 100, { sensor = true, static = true, vx = 0 }, 0, 0 },
-    { "a sensor that moves", {}, 0, { sensor = true, vx = 600 }, 1, 1 },
-    { "what is kinematic", {}, 0, { kinematic = true, vx = 600 }, 1, 1 },
-    {
-      "when it is kinematic",
-      { static = false, kinematic = true, vx = 600 },
-      200,
-      { vx = 0 },
-      1,
-      1,
-    },
-    { "when it is dynamic", { static = false, vx = 600 }, 200, { vx = 0 }, 1, 1 },
-    { "nothing that its mask refuses", { mask = { boxes = false } }, 0, { vx = 600 }, 0, 0 },
-    { "nothing with a mask against it", {}, 0, { vx = 600, mask = { sensors = false } }, 0, 0 },
-  })
-
-  row("reports what comes, stays and goes, with the sides", {
-    gravity = 0,
-    solid("sensor", 100, -50, 50, 200, { sensor = true }),
-    box({ vx = 600 }),
-  }, {
-    { "listen sensor", "listen box", 1, "sensor heard 1, 1", "box heard 1, 1" },
-    { "heard.sensor.sides.left == 1", "heard.box.sides.right == 1", "heard.sensor.stays == 5" },
-  })
-
-  row("is told what is in it when it appears", {
-    gravity = 0,
-    solid("sensor", 8, -10, 50, 50, { sensor = true, active = false }),
-    box(),
-  }, {
-    { "listen sensor", { steps = 10 } },
-    { "sensor.active = true", "world:refresh(sensor.raw)", { steps = 10 }, "sensor heard 1, 0" },
-    "heard.sensor.stays == 9",
-    { "sensor.active = false", "world:refresh(sensor.raw)", { steps = 1 }, "sensor heard 1, 1" },
-  })
-end)
-
 describe("onBegin", function()
   row("may be set and taken away at any time, of a static object, too", {
     FLOOR,
@@ -400,83 +349,90 @@ describe("onBegin", function()
   })
 end)
 
-describe("canCollide", function()
-  local FALLS = { FLOOR, box({ y = 60 }) }
+describe("onBegin: the place of a contact", function()
+  local RIM = 28 + 4 * 8 / 13 -- px, x of where two circles touch, 5 and 8 px around 32 and 28
+  local LOW = 25 - math.sqrt(25 - (32 - RIM) ^ 2)
+  local BALL, ROUND = { 20, -60, 16, 16, radius = 8 }, { 27, 20, 10, 10, radius = 5 }
+  local WALL, BOUNCY = { 100, 0, 16, 400 }, { 0, 0, 10, 10, 3000, 1000, restitution = 1 }
+  local GATE, FAST = { 100, 0, 4, 60, sensor = true }, { 0, 40, 10, 40, 9000 }
+  local DOWN, UP = { 0, 0, 64, 64, slope = "left" }, { 0, 0, 64, 64, slope = "right" }
+  local BOX = { 20, -60, 16, 16 }
+  for title, given in pairs({
+    -- gravity, what is met (static), what moves: x, y, width, height, vx, vy; the place
+    ["its edge"] = { 800, { 0, 100, 50, 16 }, { 42, 60, 16, 24 }, "bottom", 42, 100, 50, 100 },
+    ["above"] = { 0, { 0, 0, 200, 30 }, { 40, 50, 16, 24, 0, -300 }, "top", 40, 30, 56, 30 },
+    ["at the right"] = { 0, { 80, 30, 10, 60 }, { 40, 50, 16, 24, 300 }, "right", 80, 50, 80, 74 },
+    ["at the left"] = { 0, { 0, 30, 10, 60 }, { 40, 50, 16, 24, -300 }, "left", 10, 50, 10, 74 },
+    ["where they met, not where they are"] = { 0, WALL, BOUNCY, "right", 100, 30, 100, 40 },
+    ["where a sensor was entered"] = { 0, GATE, FAST, "right", 100, 40, 100, 60 },
+    ["the corner that is on a slope"] = { 800, DOWN, BOX, "bottom", 20, 20, 20, 20 },
+    ["the other corner on the other slope"] = { 800, UP, BOX, "bottom", 36, 28, 36, 28 },
+    ["where a circle touches a box"] = { 800, { 0, 20, 64, 64 }, BALL, "bottom", 28, 20, 28, 20 },
+    ["where a circle touches a circle"] = { 800, ROUND, BALL, "bottom", RIM, LOW, RIM, LOW },
+  }) do
+    it("is " .. title .. ", for both and for the world", function()
+      local world, told, objects = physics.newWorld({ gravity = given[1] }), {}, {}
+      for n = 1, 2 do
+        local its = given[4 - n]
+        objects[n] = { x = its[1], y = its[2], width = its[3], height = its[4] }
+        objects[n].vx, objects[n].vy = its[5], its[6]
+        for _, name in ipairs({ "radius", "slope", "sensor", "restitution" }) do
+          objects[n][name] = its[name]
+        end
+        objects[n].static = n == 2
+      end
+      for n, owner in ipairs({ objects[1], objects[2], world }) do
+        function owner.onBegin(...)
+          told[n] = told[n] or { ... }
+        end
+      end
+      world:add("men", objects[1])
+      world:add("tiles", objects[2])
+      for _ = 1, 60 do
+        world:update(DT)
+      end
+      assert.equal(given[4], told[1][3])
+      for n = 1, 3 do
+        for k = 5, 8 do
+          assert.near(given[k], told[n][k], 1e-6)
+        end
+        -- For a grid of cells it is in the other object, when it is a wall.
+        local x, y, other = (told[n][5] + told[n][7]) / 2, (told[n][6] + told[n][8]) / 2, told[n][2]
+        assert.is_true(given[1] > 0 or n == 2 or other.x <= x and x < other.x + other.width)
+        assert.is_true(given[1] > 0 or n == 2 or other.y <= y and y < other.y + other.height)
+      end
+    end)
+  end
+end)
 
-  row("is asked with self, the other and the side of self; of the world with both", FALLS, {
-    "asked = {}",
-    "function ask(a, b, side) asked[#asked + 1] = a.name .. b.name .. side return true end",
-    "box.raw.canCollide, floor.raw.canCollide, world.canCollide = ask, ask, ask",
-    "world:refresh(floor.raw)",
-    1,
-    "asked[1] == 'boxfloorbottom'; asked[2] == 'floorboxtop'; asked[3] == 'boxfloorbottom'",
-    "box.y == 84",
-  })
-
-  row("says no with false and nothing else", FALLS, {
-    "function box.raw.canCollide() return answer end",
-    { "answer = nil", 1, "box.y == 84" },
-    { "answer = false", 0.5, "box.y > 100" },
-  })
-
-  -- 10 px a step: it is inside the floor then
-  row("lets pass for this step only", { FLOOR, box({ y = 75, vy = 600 }) }, {
-    { "listen box", "passes = 1" },
-    "function box.raw.canCollide() passes = passes - 1 return passes < 0 end",
-    { steps = 1, "box.y > 84.5", "box.touching.bottom == false", "box heard 0, 0" },
-    { steps = 1, "box.y == 84" },
-    { steps = 5 },
-    "box heard 1, 0",
-  })
-
-  row("of the {owner} is asked by objects that rest, too: it may say something else today", FALLS, {
-    "isOpen = false",
-    "function {owner}.canCollide() return not isOpen end",
-    3,
-    "box.y == 84",
-    { "isOpen = true", 0.5, "box.y > 100" },
-  }, { "owner", { "box.raw" }, { "world" } })
-
-  row("is asked about sensors, too", {
-    FLOOR,
-    solid("sensor", -50, 70, 200, 4, { sensor = true }),
-    box({ y = 40 }),
-  }, {
-    "listen sensor",
-    "function sensor.raw.canCollide() return false end",
-    1,
-    "sensor heard 0, 0",
-    { "sensor.raw.canCollide = nil", "world:refresh(sensor.raw)", "box.y, box.vy = 40, 0", 1 },
-    "heard.sensor.begins == 1",
-  })
-
-  -- The box is held by one of the two, so that it does not run into the other.
-  row("touches none of two floors that is refused: {refused}, {broadphase}", function(v)
-    local one, two = solid("one", -200, 100, 300, 16), solid("two", 100, 100, 100, 16)
-    return { broadphase = v.broadphase, one, two, box({ x = 92, y = 84 }) }
-  end, {
-    { "listen one", "listen two", "asked = 0" },
-    "function box.raw.canCollide(_, tile) asked = asked + 1 return tile.name ~= refused end",
-    { steps = 30, "run:support(box).name == other", "box.y == 84" },
-    { "asked == 60", "heard[refused].begins == 0", "heard[other].begins == 1" },
-  }, {
-    "refused, other, broadphase",
-    { "one", "two", "grid" },
-    { "two", "one", "pairs" },
-  })
-
-  row("is asked in every step about a wall beside an object that does not press it", {
-    FLOOR,
-    solid("wall", 16, 0, 16, 100),
-    box({ y = 84, vx = 60 }),
-  }, {
-    { "listen wall", "isWall = true" },
-    "function wall.raw.canCollide() return isWall end",
-    "world:refresh(wall.raw)",
-    { steps = 5 },
-    "box.touching.right == wall",
-    { "isWall = false", { steps = 1 }, "box.touching.right == false", "wall heard 1, 1" },
-  })
+--   ####****
+--      ++
+--      ||  ^     1 px under one brick, 7 px under the other
+-- The one that came first in the game's list was told, and broke.
+describe("onBegin: of two bricks hit at the same moment", function()
+  local TURNED = { shift = { 0, 1 / 3, 100000.3 }, rate = { 60, 30, 144 }, turn = variants.TURNS }
+  TURNED.order = variants.ORDERS
+  for _, given in ipairs({ { 1, 7 }, { 7, 1 }, { 2, 14 }, { 9, 7 }, { 15.5, 0.5 } }) do
+    local left, right = given[1], given[2]
+    local title = "the one with the wider common edge is first: %g and %g px"
+    scene.it(title:format(left, right), TURNED, function(run)
+      local wide = left > right and "left" or "right"
+      local named = run:build({
+        gravity = 0,
+        solid("left", 0, 0, 100, 16),
+        solid("right", 100, 0, 100, 16),
+        scene.maker("bodies")("man", 100 - left, 40, left + right, 24, { vy = -300 }),
+      })
+      local told = {}
+      run.world.onBegin = function(a, b)
+        told[#told + 1] = a == named.man.raw and b or a
+      end
+      run:play(0.5)
+      run:check(told[1] == named[wide].raw, "the first that is told is not the %s one", wide)
+      local top = named.man.touching.top
+      run:check(top and top.raw == named[wide].raw, "touching.top is not the %s one", wide)
+    end)
+  end
 end)
 
 describe("onCrush", function()

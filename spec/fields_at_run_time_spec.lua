@@ -1,8 +1,10 @@
---- Fields that the game sets and takes back while the world runs, on an object that had none of
---- them: the next update must notice, as if it had been told by `refresh`.
+--- Fields that the game sets and takes back while the world runs, also of an object that had none
+--- of them: the next update must notice, as if it had been told by `refresh`.
 
 local fields = require("physics.fields.fields")
 local physics = require("physics")
+local play = require("spec.support.play")
+local scene = require("spec.support.scene")
 
 local DT = 1 / 60
 -- Before which update something happens. An object that is put elsewhere is read anew, so a field
@@ -87,7 +89,7 @@ local function playAt(times, set, takeBack)
   return table.concat(player.log, "\n")
 end
 
-local function play(set, takeBack)
+local function playTwice(set, takeBack)
   return playAt(TIMES[1], set, takeBack) .. playAt(TIMES[2], set, takeBack)
 end
 
@@ -96,7 +98,7 @@ local function nothing() end
 -- What happens when nothing is set; each spec is compared with it.
 local untouched
 local function playUntouched()
-  untouched = untouched or play(nothing, nothing)
+  untouched = untouched or playTwice(nothing, nothing)
   return untouched
 end
 
@@ -122,12 +124,12 @@ describe("a field of an object that had none", function()
 
   for name, value in pairs(VALUES) do
     it("is noticed when it is set, and when it is taken back: " .. name, function()
-      local set = play(write(name, value), nothing)
+      local set = playTwice(write(name, value), nothing)
       assert.are_not.equal(playUntouched(), set)
-      assert.equal(play(writeAndTell(name, value), nothing), set)
-      local takenBack = play(write(name, value), write(name, nil))
+      assert.equal(playTwice(writeAndTell(name, value), nothing), set)
+      local takenBack = playTwice(write(name, value), write(name, nil))
       assert.are_not.equal(set, takenBack)
-      assert.equal(play(writeAndTell(name, value), writeAndTell(name, nil)), takenBack)
+      assert.equal(playTwice(writeAndTell(name, value), writeAndTell(name, nil)), takenBack)
     end)
   end
 
@@ -154,4 +156,71 @@ describe("a field of an object that had none", function()
     player.world:update(DT)
     assert.is_true(count > told)
   end)
+end)
+
+local box = scene.thing("boxes", { name = "box", x = 0, y = 84, width = 16, height = 16 })
+local solid = scene.maker("tiles", { static = true })
+local FLOOR = solid("floor", -200, 100, 800, 16)
+local STANDS = { FLOOR, box() }
+
+local function row(title, entries, given, rows)
+  play.row(title, play.ONCE, entries, given, rows, {
+    DT = DT,
+    down = { boxes = { tiles = false } },
+    up = { tiles = { boxes = false } },
+    both = { tiles = true },
+  })
+end
+
+describe("fields and settings at run time:", function()
+  row("vx and vy become numbers", STANDS, {
+    { steps = 2 },
+    "box.raw.vx == 0; box.raw.vy == 0",
+    { "box.raw.vx, box.raw.vy = nil, nil", { steps = 1 }, "box.raw.vx == 0", "box.raw.vy == 0" },
+  })
+
+  -- Fields of a box that stands at y = 84 (`nil` takes away), for how many steps, where it is then.
+  row("{what}", STANDS, {
+    { steps = 5 },
+    "{first}",
+    { time = "steps / 60" },
+    "box.y ~ y, 1e-9",
+    "{second}",
+    { time = "steps2 / 60" },
+    "box.y ~ y2, 1e-9; box.touching.bottom == floor",
+  }, {
+    "what, first, steps, y, second, steps2, y2",
+    { "active, off and on", "box.active, box.y = false, 20", 30, 20, "box.active = nil", 60, 84 },
+    { "height and y", "box.height, box.y = 24, 76", 5, 76, "box.height = 8", 30, 92 },
+    { "width, x and y", "box.x, box.y, box.width = 300, -50, 32", 1, -50 + 1 / 9, "", 60, 84 },
+    { "height, into the floor: it leaves upwards", "", 5, 84, "box.height = 20", 5, 80 },
+    { "kinematic", "box.kinematic, box.vy = true, -60", 60, 24, "box.kinematic = nil", 60, 84 },
+    { "sensor", "box.sensor = true", 30, 184, "box.sensor, box.y, box.vy = false, 40, 0", 60, 84 },
+    { "gravity", "box.raw.gravity = -800", 30, -16, "box.gravity, box.drag = nil, 0", 90, 84 },
+    { "gravity = 0", "box.y, box.raw.gravity = 0, 0", 30, 0, "box.raw.gravity = 800", 60, 84 },
+    { "masks", "world.masks = down", 30, 184, "box.y, box.vy, world.masks = 0, 0, {}", 60, 84 },
+    { "masks, the other way", "world.masks = up", 30, 184, "box.y, world.masks = 0, nil", 60, 84 },
+    {
+      "mask, changed in place",
+      "box.raw.mask = both; world:update(DT); both.tiles = false",
+      30,
+      184,
+      "box.y, box.vy, both.tiles = 20, 0, nil",
+      60,
+      84,
+    },
+  })
+
+  -- Far away it has not been tested yet whether the two can meet.
+  row("mask of a static object is read once, {x} px away", function(v)
+    v.mask = { boxes = true }
+    local wall = solid("wall", v.x, 0, 10, 10, { mask = v.mask })
+    return { gravity = 0, wall, box({ y = 0, width = 10, height = 10, vx = 600 }) }
+  end, {
+    { steps = 1 },
+    { "mask.boxes = false", "world:explain(box.raw, wall.raw):find('mask', 1, true) == nil" },
+    1,
+    "box.x == x - 10",
+    { "world:refresh(wall.raw)", "box.vx = 600", { steps = 1 }, "box.x == x" },
+  }, { "x", { 26 }, { 300 } })
 end)

@@ -1,10 +1,19 @@
--- The field `hits`: an object collides with the groups that it lists, and with nothing else.
+--- What meets what: the field `hits`, sensors and `canCollide`. (Masks are in objects_spec and
+--- fields_at_run_time_spec, soft groups in filters_soft_spec, one-ways in scenarios/07.)
 
 local physics = require("physics")
 local play = require("spec.support.play")
 local scene = require("spec.support.scene")
 
 local DT = 1 / 60
+
+local box = scene.thing("boxes", { name = "box", x = 0, y = 0, width = 16, height = 16 })
+local solid = scene.maker("walls", { static = true })
+local FLOOR = solid("floor", -200, 100, 800, 16)
+
+local function row(title, entries, given, rows)
+  play.row(title, play.ONCE, entries, given, rows)
+end
 
 local function newWorld(settings)
   settings = settings or {}
@@ -34,14 +43,14 @@ local function shoot(fields, settings)
 end
 
 describe("hits", function()
-  for _, row in ipairs({
+  for _, given in ipairs({
     { "one group", { "players" }, { "players" } },
     { "two groups, in any order", { "gems", "walls" }, { "walls" } },
     { "a group that is not there", { "ghosts" }, {} },
     { "no group", {}, {} },
   }) do
-    it("lets an object collide with " .. row[1] .. " only", function()
-      assert.same(row[3], (shoot({ hits = row[2] })))
+    it("lets an object collide with " .. given[1] .. " only", function()
+      assert.same(given[3], (shoot({ hits = given[2] })))
     end)
   end
 
@@ -119,16 +128,147 @@ describe("hits, checked,", function()
   it("finds a filter of a query that is one slip away from a group", function()
     world:update(DT)
     local NO_GROUP = "filter: there is no group palyers, did you mean players%?"
-    for _, row in ipairs({
+    for _, given in ipairs({
       { "queryRect", "%(.*%): ", "palyers" },
       { "queryRect", "%(.*%): ", { "bullets", "palyers" } },
       { "explode", "%(.*%): walls: ", "bullets", "palyers" },
     }) do
-      local ok, message = pcall(world[row[1]], world, 0, 0, 9, 9, row[3], row[4])
+      local ok, message = pcall(world[given[1]], world, 0, 0, 9, 9, given[3], given[4])
       assert.is_false(ok)
-      local text = "spec/filters_spec.lua:%d+: physics: world:" .. row[1] .. row[2] .. NO_GROUP
+      local text = "spec/filters_spec.lua:%d+: physics: world:" .. given[1] .. given[2] .. NO_GROUP
       assert.matches(text, message)
     end
     assert.equal(1, select(2, world:queryRect(0, 0, 9, 9, { "bullets", "coins" })))
   end)
+end)
+
+describe("sensor", function()
+  -- A sensor with fields, what is there with fields, begins and ends in 1 s.
+  row("sees {what}", function(v)
+    local sensor = solid("sensor", 100, 0, 16, 16, { sensor = true })
+    sensor = scene.thing("sensors", sensor[2])(v.fields)
+    return { gravity = 0, sensor, scene.thing("boxes", box({ x = v.x })[2])(v.more) }
+  end, {
+    "listen sensor",
+    { 1, "((box.raw.touching or {}).right or false) == false" },
+    { "sensor heard begins, ends", "box.x ~ x + box.vx" },
+  }, {
+    "what, fields, x, more, begins, ends",
+    { "nothing that is flush", {}, 84, { vx = 0 }, 0, 0 },
+    { "what is a little in it", {}, 84.01, { vx = 0 }, 1, 0 },
+    { "what passes, and stops nothing", {}, 0, { vx = 600 }, 1, 1 },
+    { "no static sensor", {}, 100, { sensor = true, static = true, vx = 0 }, 0, 0 },
+    { "a sensor that moves", {}, 0, { sensor = true, vx = 600 }, 1, 1 },
+    { "what is kinematic", {}, 0, { kinematic = true, vx = 600 }, 1, 1 },
+    {
+      "when it is kinematic",
+      { static = false, kinematic = true, vx = 600 },
+      200,
+      { vx = 0 },
+      1,
+      1,
+    },
+    { "when it is dynamic", { static = false, vx = 600 }, 200, { vx = 0 }, 1, 1 },
+    { "nothing that its mask refuses", { mask = { boxes = false } }, 0, { vx = 600 }, 0, 0 },
+    { "nothing with a mask against it", {}, 0, { vx = 600, mask = { sensors = false } }, 0, 0 },
+  })
+
+  row("reports what comes, stays and goes, with the sides", {
+    gravity = 0,
+    solid("sensor", 100, -50, 50, 200, { sensor = true }),
+    box({ vx = 600 }),
+  }, {
+    { "listen sensor", "listen box", 1, "sensor heard 1, 1", "box heard 1, 1" },
+    { "heard.sensor.sides.left == 1", "heard.box.sides.right == 1", "heard.sensor.stays == 5" },
+  })
+
+  row("is told what is in it when it appears", {
+    gravity = 0,
+    solid("sensor", 8, -10, 50, 50, { sensor = true, active = false }),
+    box(),
+  }, {
+    { "listen sensor", { steps = 10 } },
+    { "sensor.active = true", "world:refresh(sensor.raw)", { steps = 10 }, "sensor heard 1, 0" },
+    "heard.sensor.stays == 9",
+    { "sensor.active = false", "world:refresh(sensor.raw)", { steps = 1 }, "sensor heard 1, 1" },
+  })
+end)
+
+describe("canCollide", function()
+  local FALLS = { FLOOR, box({ y = 60 }) }
+
+  row("is asked with self, the other and the side of self; of the world with both", FALLS, {
+    "asked = {}",
+    "function ask(a, b, side) asked[#asked + 1] = a.name .. b.name .. side return true end",
+    "box.raw.canCollide, floor.raw.canCollide, world.canCollide = ask, ask, ask",
+    "world:refresh(floor.raw)",
+    1,
+    "asked[1] == 'boxfloorbottom'; asked[2] == 'floorboxtop'; asked[3] == 'boxfloorbottom'",
+    "box.y == 84",
+  })
+
+  row("says no with false and nothing else", FALLS, {
+    "function box.raw.canCollide() return answer end",
+    { "answer = nil", 1, "box.y == 84" },
+    { "answer = false", 0.5, "box.y > 100" },
+  })
+
+  -- 10 px a step: it is inside the floor then
+  row("lets pass for this step only", { FLOOR, box({ y = 75, vy = 600 }) }, {
+    { "listen box", "passes = 1" },
+    "function box.raw.canCollide() passes = passes - 1 return passes < 0 end",
+    { steps = 1, "box.y > 84.5", "box.touching.bottom == false", "box heard 0, 0" },
+    { steps = 1, "box.y == 84" },
+    { steps = 5 },
+    "box heard 1, 0",
+  })
+
+  row("of the {owner} is asked by objects that rest, too: it may say something else today", FALLS, {
+    "isOpen = false",
+    "function {owner}.canCollide() return not isOpen end",
+    3,
+    "box.y == 84",
+    { "isOpen = true", 0.5, "box.y > 100" },
+  }, { "owner", { "box.raw" }, { "world" } })
+
+  row("is asked about sensors, too", {
+    FLOOR,
+    solid("sensor", -50, 70, 200, 4, { sensor = true }),
+    box({ y = 40 }),
+  }, {
+    "listen sensor",
+    "function sensor.raw.canCollide() return false end",
+    1,
+    "sensor heard 0, 0",
+    { "sensor.raw.canCollide = nil", "world:refresh(sensor.raw)", "box.y, box.vy = 40, 0", 1 },
+    "heard.sensor.begins == 1",
+  })
+
+  -- The box is held by one of the two, so that it does not run into the other.
+  row("touches none of two floors that is refused: {refused}, {broadphase}", function(v)
+    local one, two = solid("one", -200, 100, 300, 16), solid("two", 100, 100, 100, 16)
+    return { broadphase = v.broadphase, one, two, box({ x = 92, y = 84 }) }
+  end, {
+    { "listen one", "listen two", "asked = 0" },
+    "function box.raw.canCollide(_, tile) asked = asked + 1 return tile.name ~= refused end",
+    { steps = 30, "run:support(box).name == other", "box.y == 84" },
+    { "asked == 60", "heard[refused].begins == 0", "heard[other].begins == 1" },
+  }, {
+    "refused, other, broadphase",
+    { "one", "two", "grid" },
+    { "two", "one", "pairs" },
+  })
+
+  row("is asked in every step about a wall beside an object that does not press it", {
+    FLOOR,
+    solid("wall", 16, 0, 16, 100),
+    box({ y = 84, vx = 60 }),
+  }, {
+    { "listen wall", "isWall = true" },
+    "function wall.raw.canCollide() return isWall end",
+    "world:refresh(wall.raw)",
+    { steps = 5 },
+    "box.touching.right == wall",
+    { "isWall = false", { steps = 1 }, "box.touching.right == false", "wall heard 1, 1" },
+  })
 end)

@@ -1,4 +1,4 @@
---- world:move, world:impulse, world:setBounds.
+--- world:move, and what it, world:impulse and world:setBounds refuse.
 
 local effort = require("spec.support.effort")
 local physics = require("physics")
@@ -294,60 +294,6 @@ describe("world:move", function()
     { steps = 5, keep = "world:move(me.raw, me.x + 10, me.y)" },
     "me at 50, 84; me.vy == 0; me touches bottom",
   })
-end)
-
-describe("world:impulse", function()
-  it("changes the velocity by the impulse over the mass", function()
-    local world = still()
-    local me = world:add("me", box(0, 0, 10, 10, { mass = 4, vx = 1 }))
-    world:impulse(me, 8, -20)
-    assert.are.same({ 3, -5 }, { me.vx, me.vy })
-    world:update(0.02)
-    assert.are.near(0.06, me.x, 1e-12)
-  end)
-end)
-
-describe("world:setBounds", function()
-  local FAST = scene.maker("me", { vx = 5000, vy = -9000 })("me", 50, 50, 10, 10)
-  play.row("keeps everything inside, until it is taken away", play.ONCE, { FAST }, {
-    "world:setBounds(0, 0, 100, 80)",
-    { 1, "me.x >= 0", "me.x <= 90", "me.y >= 0", "me.y <= 70" },
-    "me at 90, 70; me.touching.bottom == world.objects.bounds.bottom",
-    { "world:setBounds(0, 0, 100, 90)", 1, "me.y == 80; world.stats.objects == 5" },
-    { "world:setBounds()", 1 / 60, "world.objects.bounds == nil; world.stats.objects == 1" },
-  })
-
-  --   +-------------+    x from -64 to 164
-  --   +--+-------+--+
-  --   |  |       |  |    0 .. 100, 0 .. 80
-  --   +--+-------+--+
-  --   +-------------+    y from -64 to 144
-  it("closes the corners, too", function()
-    local world = still()
-    world:setBounds(0, 0, 100, 80)
-    for _, row in ipairs({
-      { "top", -64, -64, 228, 64 },
-      { "bottom", -64, 80, 228, 64 },
-      { "left", -64, 0, 64, 80 },
-      { "right", 100, 0, 64, 80 },
-    }) do
-      local wall = world.objects.bounds[row[1]]
-      assert.same({ row[2], row[3], row[4], row[5] }, { wall.x, wall.y, wall.width, wall.height })
-      assert.is_true(wall.static)
-    end
-  end)
-
-  it("leaves the game's own objects in the group alone", function()
-    local world = still()
-    local own = world:add("bounds", box(0, 0, 1, 1))
-    world:setBounds(0, 0, 100, 80)
-    world:setBounds()
-    assert.are.same({ own }, world.objects.bounds)
-    world.objects.bounds.top = box(0, 0, 1, 1)
-    local ok, message = pcall(world.setBounds, world, 0, 0, 100, 80)
-    assert.is_false(ok)
-    assert.is_truthy(message:find("objects.bounds.top must be free for a wall", 1, true))
-  end)
 end)
 
 -- (Wrong numbers and tables are in debugging_bad_input_spec.)

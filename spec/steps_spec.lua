@@ -1,8 +1,11 @@
---- The setting `timestep`: the same trajectory whatever dt is, and a smooth picture all the same.
+--- Steps and time: `timestep`, `maxStep`, `onStep`, and what an update of no time does.
 
 local physics = require("physics")
 local everything = require("spec.support.everything")
+local newBox = require("spec.support.box")
 local newRandom = require("spec.support.random").new
+
+local DT = 1 / 60
 
 local STEP = 1 / 64 -- a power of two: sums of dt are exact, so both runs make the same steps
 local SECONDS = 2
@@ -23,6 +26,16 @@ local function trackOf(lengths)
     track[math.floor(time / 16)] = table.concat(places, " ")
   end
   return world:hash(), track
+end
+
+-- Makes `count` steps of 1 / rate s.
+local function update(world, count, rate, each)
+  for n = 1, count do
+    world:update(1 / (rate or 60))
+    if each then
+      each(n)
+    end
+  end
 end
 
 describe("timestep", function()
@@ -134,60 +147,194 @@ describe("timestep", function()
   end)
 end)
 
--- A step of 0.25 s: what moves at 40 px/s is 10 px further after it, and 20 px higher at -80.
-describe("world:interpolate", function()
-  local NOW = { 0.25 }
-  local HALF, LATER = { 0.25, 0.125 }, { 0.25, 0.125, 0.25 }
-  local STILL = { kinematic = true, vx = 0, vy = 0 }
-  -- what: fields; updates; fields that are written then; more updates; where it is drawn
-  for _, row in ipairs({
-    { "the last place after a step", {}, NOW, {}, {}, 0, 0 },
-    { "between the last and the present place", {}, HALF, {}, {}, 5, -10 },
-    { "at the next step again between", {}, LATER, {}, {}, 15, -30 },
-    { "that of what is kinematic, too", { kinematic = true }, HALF, {}, {}, 5, -10 },
-    { "x, y of what is static", { static = true }, HALF, {}, {}, 0, 0 },
-    { "x, y of what is new", {}, {}, {}, {}, 0, 0 },
-    { "x, y of what is not active", {}, NOW, { active = false }, { 0.25 }, 10, -20 },
-    { "where the game has put it", {}, HALF, { x = 300, y = 100 }, {}, 300, 100 },
-    { "from there on", {}, HALF, { x = 300, y = 100 }, { 0.25 }, 305, 90 },
-    { "on the way to where it was put, kinematic", STILL, HALF, { x = 16 }, { 0.25 }, 8, 0 },
-    { "at last there", STILL, HALF, { x = 16 }, { 0.25, 0.25 }, 16, 0 },
+describe("maxStep:", function()
+  for _, values in ipairs({
+    -- maxStep, dt; where a box is after each step at 1000 px/s
+    { 0.1, 0.15, { 75, 150 } },
+    { 0.1, 0.25, { 250 / 3, 500 / 3, 250 } },
+    { 1 / 30, 0.1, { 100 / 3, 200 / 3, 100 } },
+    { 1 / 30, 0.04, { 20, 40 } },
+    { 1 / 30, 1 / 30, { 100 / 3 } },
+    { 0.1, 60, { 250 / 3, 500 / 3, 250 } }, -- 0.25 s at most
   }) do
-    it("is " .. row[1], function()
-      local world = physics.newWorld({ gravity = 0, timestep = 0.25 })
-      local object = { x = 0, y = 0, width = 8, height = 8, vx = 40, vy = -80 }
-      for name, value in pairs(row[2]) do
-        object[name] = value
+    it(("%.3g s are equal steps of at most %.3g"):format(values[2], values[1]), function()
+      local split, places = physics.newWorld({ gravity = 0, maxStep = values[1] }), {}
+      local fast = split:add("boxes", newBox(0, 0, { vx = 1000 }))
+      split:add("zones", { x = -50, y = 0, width = 500, height = 8, static = true, sensor = true })
+      split.onBegin = function()
+        places[#places + 1] = fast.x
       end
-      world:add("boxes", object)
-      for _, dt in ipairs(row[3]) do
-        world:update(dt)
+      split.onStay = split.onBegin
+      split:update(values[2])
+      assert.equal(#values[3], #places)
+      for n, x in ipairs(values[3]) do
+        assert.near(x, places[n], 1e-9)
       end
-      for name, value in pairs(row[4]) do
-        object[name] = value
-      end
-      for _, dt in ipairs(row[5]) do
-        world:update(dt)
-      end
-      assert.same({ row[6], row[7] }, { world:interpolate(object) })
     end)
   end
+end)
 
-  it("is x, y of what is in no world", function()
-    local world = physics.newWorld({ timestep = 0.25 })
-    assert.same({ 3, 4 }, { world:interpolate({ x = 3, y = 4, width = 1, height = 1 }) })
+describe("world:update", function()
+  it("by 0 reads the tables and moves nothing", function()
+    local world = physics.newWorld({ gravity = 800 })
+    local first, late = world:add("boxes", newBox(0, 84, { vx = 50 })), newBox(40, 0)
+    table.insert(world.objects.boxes, late)
+    world:update(0)
+    assert.same({ 0, 0, 50 }, { first.x, late.y, first.vx })
+    late.width = -1
+    assert.has_error(function()
+      world:update(0)
+    end)
   end)
 
-  it("keeps a rider on its lift", function()
-    local world = physics.newWorld({ gravity = 640, timestep = 0.03125 })
-    local lift = { x = 0, y = 100, width = 40, height = 8, kinematic = true, vx = 70, vy = -50 }
-    world:add("lifts", lift)
-    local rider = world:add("boxes", { x = 10, y = 84, width = 16, height = 16 })
-    for i = 1, 60 do
-      world:update(0.01 + i % 3 * 0.004)
-      local _, liftY = world:interpolate(lift)
-      local _, riderY = world:interpolate(rider)
-      assert.is_true(math.abs(riderY + 16 - liftY) < 1e-9, ("frame %d"):format(i))
+  it("by less than 1e-10 s counts as none, so no object becomes infinitely fast", function()
+    for _, dt in ipairs({ 5e-324, 1e-100, 9.9e-11, 1e-10 }) do
+      local world = physics.newWorld({ gravity = 600 })
+      local lift = world:add("lifts", { x = 0, y = 16, width = 100, height = 8, kinematic = true })
+      local rider = world:add("boxes", { x = 0, y = 0, width = 16, height = 16 })
+      local flier = world:add("boxes", { x = 0, y = 90, width = 16, height = 16, drag = 9 })
+      flier.vx, flier.airFriction = 1e6, 1
+      world:update(DT)
+      local place, speed = flier.x, flier.vx
+      lift.x, lift.y = lift.x + 10, lift.y - 10
+      world:update(dt)
+      if dt < 1e-10 then
+        assert.are.same({ 0, 0, place, speed }, { rider.x, rider.y, flier.x, flier.vx })
+      end
+      assert.are.near(0, rider.vx, 1e-3)
+      world:update(DT)
+      assert.are.near(10, rider.x, 1e-3)
+      assert.are.same({ 10, 6, -10, 0 }, { lift.x, lift.y, rider.y, rider.vy })
+      assert.are.near(0, rider.vx, 1e-3)
     end
+  end)
+end)
+
+-- 10 hp a second cost 20 in two seconds at 60 Hz, 59 at 10 Hz and 8 with a timestep at 144 Hz.
+describe("onStay: tells how long a step is:", function()
+  for _, row in ipairs({ { 60 }, { 10 }, { 144, 60 }, { 60, 144 }, { 20, 90 } }) do
+    local rate, fixed = row[1], row[2]
+    it(("at %d Hz, timestep %s"):format(rate, fixed and "1 / " .. fixed or "none"), function()
+      local timestep = fixed and 1 / fixed
+      local world = physics.newWorld({ gravity = 800, timestep = timestep })
+      world:add("floors", { x = 0, y = 16, width = 16, height = 16, static = true })
+      local box = world:add("boxes", { x = 0, y = 0, width = 16, height = 16 })
+      local sums = { box = 0, world = 0 }
+      function box.onStay(_, _, _, time)
+        sums.box = sums.box + time
+      end
+      function world.onStay(_, _, _, time)
+        sums.world = sums.world + time
+      end
+      update(world, 2 * rate, rate)
+      -- The first step begins the contact; what is saved up is not played yet.
+      assert.near(2, sums.box, 2 * (timestep or 1 / 30) + 1e-9)
+      assert.equal(sums.box, sums.world)
+    end)
+  end
+end)
+
+-- A controller in front of `update` acted on what an earlier step had shown, or twice in none.
+describe("onStep:", function()
+  it("is called before every step, with its length", function()
+    for _, row in ipairs({
+      -- settings, updates a second, steps of three updates and their length
+      { {}, 60, 3, 1 / 60 },
+      { {}, 15, 6, 1 / 30 },
+      { { timestep = 1 / 64 }, 128, 1, 1 / 64 },
+      { { timestep = 1 / 64 }, 32, 6, 1 / 64 },
+      { {}, 1 / 0, 0 },
+    }) do
+      local world, count = physics.newWorld(row[1]), 0
+      function world.onStep(dt)
+        count = count + 1
+        assert.near(row[4], dt, 1e-15)
+      end
+      update(world, 3, row[2])
+      assert.equal(row[3], count)
+    end
+  end)
+
+  it("makes a controller that jumps once, at any phase", function()
+    for phase = 0, 19 do
+      local world = physics.newWorld({ gravity = 800, timestep = 1 / 60 })
+      world:add("floors", { x = 0, y = 100, width = 100, height = 16, static = true })
+      local man = world:add("men", { x = 0, y = 76, width = 16, height = 24 })
+      local isPressed, jumps = false, 0
+      function world.onStep()
+        if isPressed and man.touching.bottom then
+          man.vy, isPressed, jumps = -400, false, jumps + 1
+        end
+      end
+      world:update((1 + phase / 20) / 60)
+      for frame = 1, 288 do
+        isPressed = isPressed or frame == 100
+        world:update(1 / 144)
+        assert.is_true(jumps == (frame < 102 and jumps or 1) and jumps <= 1)
+      end
+      assert.equal(1, jumps)
+      assert.equal(76, man.y)
+    end
+  end)
+
+  it("drives a lift to its goal by (goal - y) / dt: what it writes counts in the step", function()
+    for _, rate in ipairs({ 144, 60, 25 }) do
+      local world = physics.newWorld({ timestep = 1 / 60 })
+      local lift = world:add("lifts", { x = 0, y = 0, width = 8, height = 8, kinematic = true })
+      function world.onStep(step)
+        lift.vy = (100 - lift.y) / step
+      end
+      update(world, 20, rate)
+      assert.near(100, lift.y, 1e-9)
+    end
+  end)
+
+  it("may add and remove, and an error in it leaves the step to the next update", function()
+    local world, steps = physics.newWorld({ timestep = 1 / 60, gravity = 0 }), 0
+    local box = world:add("boxes", { x = 0, y = 0, width = 8, height = 8, vx = 60 })
+    function world.onStep()
+      steps = steps + 1
+      if steps == 2 then
+        error("oops", 0)
+      elseif steps == 3 then
+        world:add("boxes", { x = 90, y = 0, width = 8, height = 8 })
+      elseif steps == 4 then
+        world:remove(box)
+      end
+    end
+    world:update(1 / 60)
+    local ok, message = pcall(world.update, world, 1 / 60)
+    assert.same({ false, "oops" }, { ok, message })
+    assert.near(1, box.x, 1e-9)
+    for objects = 2, 1, -1 do
+      world:update(1 / 60)
+      assert.near(2, box.x, 1e-9)
+      assert.equal(objects, world.stats.objects)
+    end
+  end)
+
+  it("cannot update, must be a function, and is the module's, too", function()
+    local world = physics.newWorld()
+    function world.onStep(dt)
+      world:update(dt)
+    end
+    local ok, message = pcall(world.update, world, 1 / 60)
+    assert.is_false(ok)
+    local _, text = message:match("^(.*steps_spec%.lua:%d+): (.*)$")
+    assert.equal("physics: world:update(dt) cannot be called from inside onStep", text)
+    world.onStep = 3
+    ok, message = pcall(world.update, world, 1 / 60)
+    assert.is_false(ok)
+    assert.truthy(message:find("onStep must be a function, got 3", 1, true), message)
+    world.onStep = nil
+    world:update(1 / 60)
+    physics.load()
+    local length
+    function physics.onStep(dt)
+      length = dt
+    end
+    physics.update(1 / 60)
+    assert.equal(1 / 60, length)
+    physics.load()
   end)
 end)

@@ -106,14 +106,6 @@ describe("physics/types.lua", function()
   it("is what scripts/types.lua writes", function()
     assertSame(types.text(), text)
   end)
-
-  it("has every field of objects and every setting", function()
-    for _, list in pairs({ fields.objects, fields.settings }) do
-      for _, field in ipairs(list) do
-        assert.truthy(text:find("\n---@field " .. field.name .. "%??%s"), field.name)
-      end
-    end
-  end)
 end)
 
 describe("the docstring", function()

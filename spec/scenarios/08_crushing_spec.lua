@@ -1,5 +1,6 @@
 --- Crushing: held between two that cannot give way.
 
+local physics = require("physics")
 local play = require("spec.support.play")
 local scene = require("spec.support.scene")
 local variants = require("spec.support.variants")
@@ -273,4 +274,30 @@ describe("onCrush: from above or below", function()
     { 1, keep = "box2.vx = 100" },
     "log.count == 1; log2.count == 0; box2 at 210, 100",
   })
+end)
+
+-- While the press moved the ball counted as one that may bounce, which nothing squeezes.
+it("onCrush: a ball is told once, also if the press stops or turns while it holds it", function()
+  for _, rate in ipairs({ 30, 60, 144 }) do
+    for _, after in ipairs({ 0, 60, -30 }) do
+      local world, told = physics.newWorld({ gravity = 800 }), 0
+      world:add("floors", { x = -50, y = 100, width = 200, height = 20, static = true })
+      local press = { x = -50, y = 20, width = 150, height = 20, kinematic = true, vy = 60 }
+      world:add("presses", press)
+      world:add("balls", {
+        x = 0,
+        y = 84,
+        radius = 8,
+        onCrush = function()
+          told = told + 1
+        end,
+      })
+      for step = 1, 2 * rate do
+        press.vy = press.y < 68 and step < 1.5 * rate and 60 or step < 1.5 * rate and 0 or after
+        world:update(1 / rate)
+        press.vy = press.y > 80 and 0 or press.vy
+      end
+      assert.same({ rate, after, 1 }, { rate, after, told })
+    end
+  end
 end)

@@ -6,6 +6,8 @@ local scene = require("spec.support.scene")
 local variants = require("spec.support.variants")
 
 local TURNED = { turn = variants.TURNS }
+local GROWN = { shift = { 0, 1 / 3, 100000.3 }, rate = { 60, 30, 144 }, turn = variants.TURNS }
+GROWN.order = variants.ORDERS
 local EVERYWHERE = variants.EVERYWHERE
 local row = play.with({ checker = overlap.checker })
 local tile, movable = scene.maker("tiles", { static = true }), scene.maker("boxes", {})
@@ -184,4 +186,93 @@ describe("x and y: a body between two walls that are too narrow", function()
   row("stays finite and comes to rest", EVERYWHERE, NARROW, {
     { 3, "abs(box.x - 38) <= 24", "abs(box.vx) <= 3000", "abs(box.vy) <= 3000" },
   })
+end)
+
+--   ########  a ceiling of 8 px
+--     +-+
+--     | |     24 px high
+--   ########
+-- What grew came out on top of the ceiling or below the floor, and nothing told so.
+describe("width and height: growing where there is no room", function()
+  --  +------+ |        both grow beyond the wall, from 50 to 110 px
+  --  +------+ |
+  scene.it("leaves a wall on the side where it stood, also where others grow", {
+    turn = { 0, 1 },
+    shift = { 0 },
+  }, function(run)
+    local size = run.turn == 0 and "width" or "height"
+    local description = { gravity = 0, tile("wall", 100, -500, 4, 1000) }
+    for n = 1, 3 do
+      description[n + 1] = movable("man" .. n, 50, 100 * n, 50, 40)
+    end
+    local named = run:build(description)
+    run:step(1 / 60)
+    for n = 1, 3 do
+      local man = named["man" .. n]
+      local x, y = man.x, man.y
+      man.raw[size] = 110
+      man.x, man.y = x, y
+    end
+    run:play(1 / 6)
+    for n = 1, 3 do
+      run:near("x", named["man" .. n].x, -10)
+    end
+  end)
+
+  -- Writes a box of the scene to an object, whatever the turn.
+  local function write(run, view, x, y, width, height)
+    local isTurned = run.turn % 2 == 1
+    view.raw.width, view.raw.height = isTurned and height or width, isTurned and width or height
+    view.x, view.y = x, y
+  end
+
+  for _, given in ipairs({
+    -- what, box that it grows into
+    { "upwards", 100, 260, 20, 40 },
+    { "downwards", 100, 280, 20, 40 },
+    { "both ways", 100, 270, 20, 40 },
+    { "a little", 100, 278, 20, 26 },
+    { "much", 100, 250, 20, 80 },
+    { "sideways", 90, 280, 40, 20 },
+  }) do
+    local name, x, y, width, height = given[1], given[2], given[3], given[4], given[5]
+    local isX = name == "sideways"
+    for _, thick in ipairs({ 1, 8, 16 }) do
+      local title = ("%s, it stays between two solids of %g px"):format(name, thick)
+      scene.it(title, GROWN, function(run)
+        local named = run:build({
+          tile("floor", 0, 300, 600, isX and 16 or thick),
+          isX and tile("left", 100 - thick, 100, thick, 200)
+            or tile("ceiling", 0, 276 - thick, 300, thick),
+          movable("man", isX and 102 or 100, 280, 20, 20),
+          isX and tile("right", 124, 100, thick, 200) or nil,
+        })
+        local log, man = run:listen(named.man), named.man
+        run:play(1 / 6)
+        write(run, man, x, y, width, height)
+        local low, high = isX and 100 or 276, isX and 124 or 300
+        for _ in run:steps(1) do
+          local middle = isX and man.x + man.width / 2 or man.y + man.height / 2
+          local text = "its middle is at %.9g, not between %.9g and %.9g"
+          run:check(middle >= low - 1e-6 and middle <= high + 1e-6, text, middle, low, high)
+        end
+        run:check(log.crushes > 0, "onCrush told nothing")
+      end)
+    end
+  end
+
+  scene.it("and shrinking again leaves it standing on the floor", GROWN, function(run)
+    local named = run:build({
+      tile("floor", 0, 300, 600, 16),
+      tile("ceiling", 0, 268, 600, 8),
+      movable("man", 100, 280, 20, 20),
+    })
+    run:play(1 / 6)
+    write(run, named.man, 100, 260, 20, 40)
+    run:play(0.5)
+    write(run, named.man, 100, named.man.y + 10, 20, 20)
+    run:play(1)
+    run:at(named.man, 100, 280)
+    run:still(named.man)
+  end)
 end)

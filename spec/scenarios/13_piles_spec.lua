@@ -1,9 +1,11 @@
 --- Many boxes dropped into a container come to rest and do not sink into each other.
 
 local effort = require("spec.support.effort")
+local motion = require("spec.support.motion")
 local newRandom = require("spec.support.random").new
 local overlap = require("spec.support.overlap")
 local scene = require("spec.support.scene")
+local variants = require("spec.support.variants")
 local unpack = rawget(table, "unpack") or rawget(_G, "unpack")
 
 local GRID = { shift = { 0 }, order = { "forward" }, broadphase = { "grid" }, push = { "both" } }
@@ -195,6 +197,126 @@ describe("x and y: a knot of boxes does not overlap:", function()
         local depth = deepest()
         run:check(depth <= 1e-6, "overlap of %.3g px", depth)
       end
+    end)
+  end
+end)
+
+-- Piles that are pressed ------------------------------------------------------------------------
+
+local solid = scene.maker("tiles", { static = true })
+local body = scene.maker("bodies")
+local UPRIGHT = { shift = { 0, 1 / 3, -1000.1 }, rate = { 60, 30, 144 }, order = variants.ORDERS }
+local TURNED = { shift = { 0, 1 / 3, 100000.3 }, rate = { 60, 30, 144 }, turn = variants.TURNS }
+TURNED.order = variants.ORDERS
+
+-- Plays some seconds; none of the steps may move anything farther than it may.
+local function watched(run, watch, seconds)
+  for _, dt in ipairs(scene.times(seconds, run.rate)) do
+    watch:before()
+    run:step(dt)
+    local problem = watch:after(dt)
+    run:check(not problem, "%s", problem)
+  end
+end
+
+-- Fails unless nothing moves by a bit for half a second.
+-- Nothing goes further than half a pixel in half a second: crates that are squeezed sideways part
+-- by 0.03 px in a step, less than a player sees, until the sum of their overlaps has stayed.
+local function expectRest(run)
+  local before = {}
+  for i, object in ipairs(run.all) do
+    before[i] = { object.x, object.y }
+  end
+  for _ in run:steps(0.5) do
+    for i, object in ipairs(run.all) do
+      local x, y = before[i][1], before[i][2]
+      local text = "an object at rest went from %.17g, %.17g to %.17g, %.17g"
+      local far = math.max(math.abs(object.x - x), math.abs(object.y - y))
+      run:check(far <= 0.5, text, x, y, object.x, object.y)
+    end
+  end
+end
+
+--   ################
+--          ##
+--          ##           16 at one spot
+--   ################
+-- They stayed one column, pressed into the ceiling for ever.
+describe("overlaps: a pile at one spot under a ceiling", function()
+  for _, row in ipairs({
+    -- boxes, their size, height of the corridor, y of the spot above its floor
+    { 16, 16, 64, 40 },
+    { 12, 20, 20, 20 },
+    { 24, 8, 30, 20 },
+    { 16, 16, 64, 16 },
+    { 16, 16, 64, 64 },
+    { 8, 16, 100, 50 },
+  }) do
+    local count, size, height, above = row[1], row[2], row[3], row[4]
+    local title = "is apart within a second: %d of %d px in a corridor of %d px, at %d px"
+    scene.it(title:format(count, size, height, above), TURNED, function(run)
+      local description = {
+        solid("floor", -600, 100, 1200, 16),
+        solid("ceiling", -600, 100 - height - 16, 1200, 16),
+      }
+      for i = 1, count do
+        description[2 + i] = body("box" .. i, 0, 100 - above, size, size)
+      end
+      local named = run:build(description)
+      watched(run, motion.new(run.world, run.all), 1)
+      overlap.expectApart(run)
+      local least, most = 0, 0
+      for i = 1, count do
+        local box = named["box" .. i]
+        least, most = math.min(least, box.x), math.max(most, box.x)
+        local isInside = box.y >= 100 - height - 0.01 and box.y <= 100 - size + 0.01
+        run:check(isInside, "box %d is at y = %.9g", i, box.y)
+      end
+      run:check(most - least >= size, "they are still one column")
+      run:play(1)
+      expectRest(run)
+    end)
+  end
+end)
+
+--   |->|####|
+--   |->|####|
+--   +-------+
+-- Hundreds of impacts in each step, for ever.
+describe("kinematic: a heap that it squeezes", function()
+  for _, row in ipairs({
+    -- crates, their sizes, what is left of 200 px, restitution, friction
+    { 20, "equal", 40, 0, 0.3 },
+    { 20, "different", 40, 0, 0.3 },
+    { 20, "different", 30, 0, 0 },
+    { 20, "different", 40, 0.5, 0.3 },
+    { 40, "different", 80, 0, 0.3 },
+    { 5, "different", 12, 0, 0.3 },
+  }) do
+    local count, sizes, left, restitution, friction = row[1], row[2], row[3], row[4], row[5]
+    local title = "of %d crates of %s sizes in %d px, restitution %g, friction %g, rests"
+    scene.it(title:format(count, sizes, left, restitution, friction), UPRIGHT, function(run)
+      local random, rows = newRandom(12), 5
+      local description = {
+        solid("floor", -300, 300, 600, 16),
+        solid("ceiling", -300, 204, 600, 16),
+        solid("wall", 200, 220, 16, 80),
+        scene.maker("pistons", { kinematic = true })("piston", -100, 220, 100, 80),
+      }
+      for i = 0, count - 1 do
+        local size = sizes == "equal" and 16 or random:between(10, 16)
+        local column = math.floor(i / rows)
+        local x, y = 4 + 17 * column, 300 - 16 * (i - rows * column) - size
+        local fields = { restitution = restitution, friction = friction }
+        description[5 + i] = body("crate" .. i, x, y, size, size, fields)
+      end
+      local named = run:build(description)
+      local watch = motion.new(run.world, run.all)
+      named.piston.vx = 200 - left
+      watched(run, watch, 1)
+      named.piston.vx = 0
+      watched(run, watch, count < 40 and restitution == 0 and 2 or 3)
+      expectRest(run)
     end)
   end
 end)

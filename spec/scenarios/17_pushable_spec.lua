@@ -1,5 +1,7 @@
 --- `pushable = false`: others cannot push it, walls still stop it.
 
+local newRandom = require("spec.support.random").new
+local overlap = require("spec.support.overlap")
 local play = require("spec.support.play")
 local scene = require("spec.support.scene")
 local variants = require("spec.support.variants")
@@ -180,4 +182,76 @@ describe("pushable = false", function()
     { 1, keep = "P.vx = 100" },
     "U.x ~ x",
   })
+end)
+
+--   +--------+
+--   |  boss  |
+--   |     +-+|
+--   |     |P||     P: a player in its foot
+--   ----------
+-- The boss was lifted onto the player's head, or not: the first of the two groups decided.
+describe("pushable = false: a boss and what is inside it", function()
+  local FEW = { shift = { 0, 1 / 3 }, order = { "forward", "backward" }, rate = { 60, 30 } }
+  local movable, player = scene.maker("bodies"), scene.maker("players")
+  local GROUND = solid("floor", -500, 300, 1500, 16)
+  local BOSS = movable("boss", 200, 236, 80, 64, { pushable = false, mass = 100 })
+
+  local function expectParted(run, players)
+    local description = { GROUND, BOSS }
+    for n, entry in ipairs(players) do
+      description[n + 2] = entry
+    end
+    local named = run:build(description)
+    for _ in run:steps(1) do
+      run:at(named.boss, 200, 236)
+    end
+    overlap.expectApart(run)
+    return named.player
+  end
+
+  scene.it("part, and the player alone moves, wherever in its foot it is", FEW, function(run)
+    for at = -13, 79 do
+      local it_ = expectParted(run, { player("player", 200 + at, 276, 14, 24) })
+      run:near("the player's y", it_.y, 276)
+      run:check(it_.x <= 186.01 or it_.x >= 279.99, "from %d it came to x = %.9g", at, it_.x)
+    end
+  end)
+
+  for _, given in ipairs({
+    -- x, y, width, height of the player; mass
+    { 230, 280, 20, 20, 1 },
+    { 230, 280, 20, 20, 1000 },
+    { 190, 292, 8, 8, 1 },
+    { 260, 200, 60, 100, 5 },
+    { 210, 226, 14, 24, 1 }, -- at its head: upwards
+    { 100, 260, 200, 40, 1 }, -- wider than the boss
+  }) do
+    local title = ("part, and a player of %g x %g px, mass %g, moves"):format(
+      given[3],
+      given[4],
+      given[5]
+    )
+    scene.it(title, FEW, function(run)
+      expectParted(
+        run,
+        { player("player", given[1], given[2], given[3], given[4], { mass = given[5] }) }
+      )
+    end)
+  end
+
+  scene.it("part, of ten that are all inside it, and each other", FEW, function(run)
+    local random, ten = newRandom(3), {}
+    for i = 1, 10 do
+      ten[i] = player(nil, random:between(200, 266), 276, 14, 24)
+    end
+    expectParted(run, ten)
+  end)
+
+  scene.it("part, if it is another boss", FEW, function(run)
+    local other = movable("other", 260, 236, 80, 64, { pushable = false, mass = 100 })
+    local named = run:build({ GROUND, BOSS, other })
+    run:play(1)
+    overlap.expectApart(run)
+    run:check(named.boss.x < named.other.x, "they have changed sides")
+  end)
 end)

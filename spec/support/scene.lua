@@ -445,7 +445,7 @@ end
 function scene.thing(group, defaults)
   return function(fields)
     local object = {}
-    for key, value in pairs(defaults) do
+    for key, value in pairs(defaults or {}) do
       object[key] = value
     end
     for key, value in pairs(fields or {}) do

@@ -88,4 +88,30 @@ function snippets.run(snippet, extra)
   return environment, said, printed
 end
 
+--- Starts a step of a page, docs/steps/`name`1.lua to 7. Returns its `love`, its locals `player`
+--- and `world`, and the keys that are held.
+function snippets.start(name, step)
+  local held = {}
+  local text = snippets.read("docs/steps/" .. name .. step .. ".lua")
+  local environment = snippets.newEnvironment({}, held)
+  rawset(_G, "love", environment.love)
+  text = text .. "\nreturn function() return player, world end"
+  local look = snippets.compile(text, "=step", environment)()
+  environment.love.load()
+  local player, world = look()
+  return environment.love, player, world, held
+end
+
+--- Fails unless a step plays: with the key "right" the player walks, or stays where it is.
+function snippets.checkStep(name, step, walks)
+  local game, player, _, held = snippets.start(name, step)
+  local x = player.x
+  held.right = true
+  for _ = 1, 60 do
+    game.update(1 / 60)
+    game.draw()
+  end
+  assert.equal(walks, player.x > x + 40)
+end
+
 return snippets

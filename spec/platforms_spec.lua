@@ -1,0 +1,275 @@
+--- Moving platforms and belts: `surfaceSpeed`, and what is put elsewhere together with what carries
+--- it. (Riding itself is scenarios/06_riding_spec.lua; trains are 22.)
+
+local physics = require("physics")
+local play = require("spec.support.play")
+local scene = require("spec.support.scene")
+local variants = require("spec.support.variants")
+
+local SETTLE = 1 / 6 -- s, a whole number of steps at each rate
+
+local solid = scene.maker("tiles", { static = true })
+local body = scene.maker("bodies")
+local carrier = scene.maker("carriers", { kinematic = true })
+local rider = scene.thing("players", { name = "rider", x = 120, y = 376, width = 16, height = 24 })
+
+local UPRIGHT = { shift = { 0, 1 / 3, -1000.1 }, rate = { 60, 30, 144 }, order = variants.ORDERS }
+
+-- Makes `count` steps of 1 / rate s.
+local function update(world, count, rate)
+  for _ = 1, count do
+    world:update(1 / rate)
+  end
+end
+
+--      +-+  ->
+--      | |
+--   (o=====o=====o)   60 px/s
+describe("surfaceSpeed: a belt", function()
+  --- It is along x, so a scene with one is not turned by a quarter.
+  local ALONG = { rate = variants.RATES, turn = { 0, 2 } }
+  local KINEMATIC = { static = false, kinematic = true }
+  local belt = scene.thing(
+    "platforms",
+    { name = "platform", x = 0, y = 400, width = 400, height = 8, static = true, surfaceSpeed = 60 }
+  )
+
+  --- A row with belts: their speeds point the other way where the scene is turned round.
+  local function belted(title, entries, given, rows)
+    play.row(title, ALONG, function(values, run)
+      local list = type(entries) == "function" and entries(values) or entries
+      local turned = {}
+      for i, entry in ipairs(list) do
+        local speed = entry[2].surfaceSpeed
+        local fields = { surfaceSpeed = speed and speed * (run.turn == 2 and -1 or 1) }
+        turned[i] = scene.thing(entry[1], entry[2])(fields)
+      end
+      return turned
+    end, given, rows)
+  end
+
+  local function pile(v)
+    return {
+      belt(v.fields),
+      rider({ friction = v.friction }),
+      rider({ name = "top", y = 352, friction = 0.5 }),
+    }
+  end
+  belted("that is {kind} moves a pile with friction {friction} at its speed", pile, {
+    "listen rider",
+    SETTLE,
+    "x, x2 = rider.x, top.x",
+    {
+      2,
+      "rider at x + 60 * t, 376",
+      "top at x2 + 60 * t, 352",
+      "rider still",
+      "top still",
+      "rider touches bottom top",
+    },
+    { "platform.x ~ 0", "rider heard 2, 0" },
+  }, {
+    "kind, fields, friction",
+    { "static", {}, 0 },
+    { "static", {}, 1 },
+    { "kinematic", KINEMATIC, 0.1 },
+  })
+
+  local function dropped(v)
+    return { belt(), rider({ y = 340, friction = v.friction }) }
+  end
+  belted("grips a box with friction {friction} that is dropped on it", dropped, {
+    0.5, -- lands after 0.3 s
+    "rider still",
+    "x = rider.x",
+    { 1, "rider at x + 60 * t, 376", "rider still" },
+  }, { "friction", { 0 }, { 0.1 }, { 1 } })
+
+  local MOVING = belt({ static = false, kinematic = true, vx = 25, vy = -40 })
+  belted("of a moving platform adds to its velocity", { MOVING, rider() }, {
+    SETTLE,
+    "x, y = rider.x, rider.y",
+    { 1, "rider at x + 85 * t, y - 40 * t", "rider still", "rider on platform" },
+  })
+
+  local LONG = { belt({ x = -999, width = 2000 }), rider() }
+  belted("adds to the {own} px/s of what walks on it", LONG, {
+    SETTLE,
+    "x = rider.x",
+    { 1, keep = "rider.vx = own", "rider at x + (60 + own) * t, 376", "rider.vx ~ own" },
+  }, { "own", { 50 }, { -60 }, { 300 } })
+
+  belted("gives what leaves it its speed", { belt({ width = 200 }), rider() }, {
+    SETTLE,
+    "x = rider.x",
+    { 2, "rider.x ~ x + 60 * t" },
+    { "rider.y > 376", "rider.vx ~ 60" },
+  })
+
+  local AT_WALL = { belt(), rider(), solid("wall", 160, 300, 16, 100) }
+  belted("presses against a wall without a rattle", AT_WALL, {
+    { "listen rider", 1 },
+    { 1, "rider at 144, 376", "rider still", "rider touches bottom right" },
+    "rider heard 2, 0",
+  })
+
+  --   +-+|
+  --   | ||       the upper one is held, and rubs on the lower one
+  --   +-+
+  --  (o=====o
+  local HELD = {
+    belt({ friction = 0.5 }),
+    rider({ friction = 0.8 }),
+    rider({ name = "top", y = 352, friction = 0.4 }),
+    solid("wall", 160, 300, 16, 76),
+  }
+  belted("never moves back what rubs on something held", HELD, {
+    1.5,
+    "x = rider.x",
+    { 1, "rider.x >= x - 0.001", "top at 144, 352", "top on rider" },
+  })
+
+  local function two(v)
+    local next_ = belt({ name = "next", x = 200, surfaceSpeed = v.speed })
+    return { belt({ width = 200 }), next_, rider({ friction = 0.5 }) }
+  end
+  belted("hands over to one at {speed} px/s, with friction", two, {
+    2.5,
+    "rider on next",
+    "x = rider.x",
+    { 0.5, "rider.x ~ x + speed * t", "rider still" },
+  }, { "speed", { 120 }, { 20 } })
+
+  local SWITCHED = { belt(KINEMATIC), rider({ x = 200 }) }
+  belted("that is switched round and off moves so", SWITCHED, {
+    0.5,
+    "platform.surfaceSpeed, x = -platform.surfaceSpeed, rider.x",
+    { 0.5, "rider.x ~ x - 60 * t", "rider still" },
+    "platform.surfaceSpeed, x = 0, rider.x",
+    { 0.5, "rider.x ~ x", "rider still" },
+  })
+end)
+
+--   | man |            | man |
+--   =======  v  ...    =======     both are written elsewhere in the same frame
+-- The man fell behind, and a contact ended that was never broken.
+describe("x and y: what is put elsewhere together with what carries it", function()
+  local STACK = { "car", "crate", "man" }
+
+  for _, speed in ipairs({ { 0, 240 }, { 0, -120 }, { 100, 0 }, { -60, 30 }, { 0, 0 } }) do
+    for _, way in ipairs({ { 0, -480 }, { 700, 0 }, { -2000.5, 333.25 }, { 3, 0 } }) do
+      local title = "goes on riding: a carrier of %g, %g px/s, by %g, %g px"
+      scene.it(title:format(speed[1], speed[2], way[1], way[2]), UPRIGHT, function(run)
+        local named = run:build({
+          carrier("car", 0, 400, 100, 16, { vx = speed[1], vy = speed[2] }),
+          body("crate", 20, 368, 32, 32),
+          body("man", 24, 344, 16, 24),
+        })
+        local log = run:listenToWorld()
+        run:play(SETTLE)
+        for _ = 1, 3 do
+          local offsets = { named.crate.x - named.car.x, named.man.x - named.crate.x }
+          for _, name in ipairs(STACK) do
+            named[name].x, named[name].y = named[name].x + way[1], named[name].y + way[2]
+          end
+          run.world:refresh(named.car.raw)
+          for _ in run:steps(0.5) do
+            for i, offset in ipairs(offsets) do
+              local low, high = named[STACK[i]], named[STACK[i + 1]]
+              run:near("the gap", low.y - high.y - high.height, 0)
+              run:near("the place on it", high.x - low.x, offset)
+              run:same("touching.bottom", run:support(high), low)
+            end
+          end
+        end
+        run:same("ends", log.ends, 0)
+        run:same("begins", log.begins, 2)
+      end)
+    end
+  end
+
+  scene.it("goes on when everything is moved, static objects too", UPRIGHT, function(run)
+    local named = run:build({
+      solid("floor", -500, 300, 1000, 16),
+      carrier("lift", 0, 250, 60, 16, { vy = -30 }),
+      body("crate", 100, 284, 16, 16),
+      body("top", 100, 268, 16, 16),
+      body("man", 20, 226, 16, 24),
+    })
+    local log = run:listenToWorld()
+    run:play(SETTLE)
+    local begins = log.begins
+    for _, object in ipairs(run.all) do
+      object.x, object.y = object.x - 5000, object.y + 2500
+      if object.static or object.kinematic then
+        run.world:refresh(object)
+      end
+    end
+    for _ in run:steps(0.5) do
+      run:near("the crate", named.crate.y, 2784)
+      run:near("the one on it", named.top.y, 2768)
+      run:near("the gap below the man", named.lift.y - named.man.y, 24)
+    end
+    run:same("begins", log.begins, begins)
+    run:same("ends", log.ends, 0)
+  end)
+
+  -- It fell beside the lift for two dozen updates.
+  for _, speed in ipairs({ { 0, 30 }, { 0, 60 }, { 0, 200 }, { 0, 400 }, { 40, 120 } }) do
+    for _, how in ipairs({ "written", "added" }) do
+      local title = "is taken along from the second update on by a lift at %d, %d px/s, if it is %s"
+      scene.it(title:format(speed[1], speed[2], how), UPRIGHT, function(run)
+        local named = run:build({
+          carrier("lift", 100, 0, 64, 8, { vx = speed[1], vy = speed[2] }),
+          how == "written" and body("man", -400, -500, 16, 24) or nil,
+        })
+        run:step(1 / run.rate)
+        local man, y = named.man, named.lift.y - 24
+        if man then
+          man.x, man.y, man.vy = named.lift.x + 20, y, 0
+        else
+          local fields = { x = named.lift.x + 20, y = y, width = 16, height = 24 }
+          man = run:add("bodies", fields)
+        end
+        run:step(1 / run.rate)
+        run:step(1 / run.rate)
+        local offset = man.x - named.lift.x
+        for _ in run:steps(1) do
+          run:near("the gap", named.lift.y - man.y - 24, 0)
+          run:near("the place on it", man.x - named.lift.x, offset)
+          run:same("touching.bottom", man.raw.touching.bottom, named.lift.raw)
+        end
+      end)
+    end
+  end
+end)
+
+--   ##+-+
+--   ##| |  800 <-     a belt that stands upright
+--   ##+-+
+-- Nothing moved.
+it("surfaceSpeed takes along what gravity presses onto it, from each side", function()
+  for _, row in ipairs({
+    -- gravityX, gravity, x, y of the body at a belt from 0 to 20, axis of the belt, across it
+    { 800, 0, -16, 0, "y", "x", "width" },
+    { -800, 0, 20, 0, "y", "x", "width" },
+    { 0, -800, 0, 20, "x", "y", "height" },
+    { 0, 800, 0, -16, "x", "y", "height" },
+  }) do
+    for _, speed in ipairs({ 60, -90 }) do
+      for _, rate in ipairs({ 30, 60, 144 }) do
+        local world = physics.newWorld({ gravityX = row[1], gravity = row[2] })
+        local belt = { x = -1000, y = -1000, width = 2000, height = 2000, static = true }
+        belt[row[6]], belt[row[7]], belt.surfaceSpeed = 0, 20, speed
+        local box = { x = row[3], y = row[4], width = 16, height = 16 }
+        world:add("belts", belt)
+        world:add("boxes", box)
+        update(world, 2, rate)
+        local along, across = box[row[5]], box[row[6]]
+        update(world, rate, rate)
+        assert.near(across, box[row[6]], 1e-9)
+        assert.near(math.abs(speed), math.abs(box[row[5]] - along), 1e-6)
+      end
+    end
+  end
+end)

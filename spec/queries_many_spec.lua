@@ -1,0 +1,321 @@
+--- Questions in worlds of many objects that come, go and are written: the answers are those of a
+--- plain loop over all of them, and nothing changes by asking.
+
+local box = require("spec.support.box")
+local effort = require("spec.support.effort")
+local garbage = require("spec.support.garbage")
+local newRandom = require("spec.support.random").new
+local physics = require("physics")
+local script = require("spec.support.script")
+
+local long = effort.isFirst and it or pending
+
+-- A box; its fields are kept by `box`.
+local function sized(x, y, width, height, fields)
+  local object = box(x, y, fields)
+  object.width, object.height = width, height
+  return object
+end
+
+local function tile(x, y, width, height)
+  return sized(x, y, width, height, { static = true })
+end
+
+local function still(settings)
+  local world = physics.newWorld(settings)
+  world.gravity = settings and settings.gravity or 0
+  return world
+end
+
+--- 1 and 2 stand side by side, 3 overlaps both, 4 stands alone.
+---
+---     +---+---+
+---     | 1 | 2 |   +---+
+---     |  +-+  |   | 4 |
+---     +--|3|--+   +---+
+---        +-+
+local function four(settings)
+  local world = still(settings)
+  world:add("a", sized(0, 0, 20, 20, { name = "1", static = true }))
+  world:add("a", sized(20, 0, 20, 20, { name = "2" }))
+  world:add("b", sized(15, 10, 10, 20, { name = "3", sensor = true }))
+  world:add("c", sized(60, 10, 20, 20, { name = "4", kinematic = true }))
+  return world
+end
+
+describe("queryPoint, raycast and nearest in a world of 600", function()
+  -- A world with many objects.
+  local function build()
+    local world = still()
+    for i = 1, 300 do
+      world:add("tiles", tile(20 * i, 1000, 16, 16))
+      world:add("boxes", sized(20 * i, 2000, 16, 16))
+    end
+    return world
+  end
+
+  -- Fails unless this object is what all find at x .. x + 10, y = 0 .. 10 (nil: nothing is).
+  local function expect(world, object, x)
+    local count = object and 1 or 0
+    assert.are.same({ object }, (world:queryPoint(x + 9.5, 5)))
+    assert.are.equal(count, select(2, world:queryRect(x + 1, 1, 8, 8)))
+    assert.are.equal(count, select(2, world:querySegment(x + 0.5, -50, x + 0.5, 50)))
+    assert.are.equal(object, (world:raycast(x + 9.5, -50, x + 9.5, 50)))
+    assert.are.equal(object, (world:raycast(x - 5, 9.5, x + 15, 9.5)))
+    assert.are.equal(object, (world:nearest(x + 5, 15, 6)))
+  end
+
+  for kind, fields in pairs({ dynamic = {}, kinematic = { kinematic = true } }) do
+    it("see what the game wrote, before and after an update: " .. kind, function()
+      local world = build()
+      local object = world:add("a", sized(0, 0, 10, 10, fields))
+      for step = 1, 4 do
+        local x = 100 * step
+        object.x = x
+        expect(world, object, x)
+        object.x = x + 3 -- a question was asked before
+        expect(world, object, x + 3)
+        assert.is_nil(world:queryPoint(x + 2, 5)[1])
+        object.width = 3
+        assert.is_nil(world:queryPoint(x + 12, 5)[1])
+        object.width, object.active = 10, false
+        expect(world, nil, x + 3)
+        object.active = true
+        if step > 2 then
+          world:update(1 / 60)
+        end
+      end
+    end)
+  end
+
+  it("see a static object where the library has read it", function()
+    local world = build()
+    local object = world:add("a", tile(0, 0, 10, 10))
+    object.x = 50 -- not read yet
+    expect(world, object, 50)
+    world:update(1 / 60)
+    object.x = 100
+    expect(world, object, 50)
+    world:refresh(object)
+    expect(world, nil, 50)
+    expect(world, object, 100)
+  end)
+
+  for _, isStatic in ipairs({ false, true }) do
+    local kind = isStatic and "static" or "dynamic"
+    -- As from a pool: it is the same table as before, in the same world.
+    it("see what was removed, put elsewhere and added again: " .. kind, function()
+      local world = build()
+      local object = world:add("a", sized(0, 0, 10, 10, { static = isStatic }))
+      world:update(1 / 60)
+      for x = 100, 300, 100 do
+        expect(world, object, x - 100)
+        world:remove(object)
+        object.x = x
+        world:add(x == 200 and "b" or "a", object)
+        for _ = 1, 2 do
+          expect(world, nil, x - 100)
+          expect(world, object, x)
+          world:update(1 / 60)
+        end
+      end
+      world:remove(object)
+      object.static, object.vx = not isStatic, 60
+      world:add("a", object)
+      world:update(1 / 60)
+      expect(world, object, isStatic and 301 or 300)
+    end)
+
+    it("see what came, went and was replaced: " .. kind, function()
+      local world = build()
+      local function new(x)
+        return sized(x, 0, 10, 10, { static = isStatic })
+      end
+      world:update(1 / 60)
+      local first, objects = world:add("a", new(0)), world.objects
+      expect(world, first, 0)
+      objects.a[2] = new(50)
+      expect(world, objects.a[2], 50)
+      world:remove(first)
+      expect(world, nil, 0)
+      objects.a[1] = new(100) -- takes the place
+      expect(world, nil, 50)
+      expect(world, objects.a[1], 100)
+      objects.a[1], objects.c = nil, { hero = new(150) }
+      expect(world, nil, 100)
+      expect(world, objects.c.hero, 150)
+      objects.c = nil
+      expect(world, nil, 150)
+      world:setBounds(300, 0, 50, 50)
+      assert.are.same({ objects.bounds.left }, (world:queryPoint(299, 5)))
+      world:setBounds(400, 0, 50, 50)
+      expect(world, nil, 290)
+    end)
+  end
+
+  it("refuse what an update would refuse", function()
+    local world = build()
+    local object = world:add("a", sized(0, 0, 10, 10))
+    world:queryPoint(5, 5)
+    for _, row in ipairs({
+      { "y", 0 / 0, "must be a number, got nan" },
+      { "x", 1e150, "must be a number in -1e+100..1e+100, got 1e+150" },
+      { "width", 1 / 0, "must be a finite number > 0, got inf" },
+      { "height", -1, "must be a number > 0, got -1" },
+      { "active", "yes", 'must be true or false, got "yes"' },
+    }) do
+      local field, before = row[1], object[row[1]]
+      object[field] = row[2]
+      local ok, message = pcall(world.queryPoint, world, 5, 5)
+      assert.is_false(ok)
+      local text = ("physics: objects.a[1].%s %s"):format(field, row[3])
+      assert.is_truthy(message:find(text, 1, true), message)
+      object[field] = before
+      expect(world, object, 0)
+    end
+  end)
+
+  it("find among 1001 what was refreshed, and say under checked what they miss", function()
+    local world = still()
+    for n = 1, 1001 do
+      world:add("boxes", sized(40 * n, 500, 10, 10))
+    end
+    world:update(1 / 60)
+    expect(world, nil, 0)
+    local object = world.objects.boxes[7]
+    object.x, object.y = 0, 0
+    expect(world, nil, 0)
+    world.checked = true
+    local ok, message = pcall(world.queryPoint, world, 5, 5)
+    assert.is_false(ok)
+    assert.matches("objects.boxes%[7%] was moved .* world:refresh%(object%)", message)
+    world:refresh(object)
+    expect(world, object, 0)
+    world:move(object, 90, 0)
+    expect(world, object, 90)
+  end)
+end)
+
+describe("queryRect and the others", function()
+  it("leaves no garbage", function()
+    local world, out = four(), {}
+    local object = world.objects.a[2]
+    local function ask()
+      world:queryRect(-10, -10, 100, 100, "a", out)
+      world:queryPoint(5, 5, nil, out)
+      world:querySegment(-10, 15, 100, 15, nil, out)
+      world:raycast(-10, 15, 100, 15)
+      world:nearest(50, 15, 100)
+      world:sweep(object, 100, 5)
+      world:overlapping(object, nil, out)
+      world:touching(object, world.objects.a[1])
+    end
+    assert.is_true(garbage.bytes(ask, 200, 100) <= 100)
+  end)
+
+  it("may be asked inside canCollide and inside events; only in these it may be moved", function()
+    local world = physics.newWorld({ gravity = 800 })
+    world:add("floor", tile(0, 100, 200, 20))
+    local object = world:add("a", sized(0, 50, 10, 10))
+    local answers, told = {}, nil
+    function object.canCollide(self)
+      answers[#answers + 1] = #world:queryPoint(self.x + 5, self.y + 5)
+      local ok, message = pcall(world.move, world, self, 0, 0)
+      assert(not ok and message:find("cannot be called from inside canCollide", 1, true), message)
+      return true
+    end
+    function object.onBegin(self, other)
+      told = world:touching(self, other)
+      world:move(self, self.x + 1, self.y)
+    end
+    for _ = 1, 60 do
+      world:update(1 / 60)
+    end
+    assert.are.same({ "bottom", 1, 1 }, { told, answers[1], object.x })
+  end)
+
+  long("changes no bit of what comes", function()
+    local options = { steps = 60, boxes = 24, writes = 0.5, specials = true }
+    for seed = 1, 3 do
+      for _, settings in ipairs({ {}, { broadphase = "pairs", rest = false } }) do
+        local track = script.track(script.new(seed, options), settings)
+        local player = script.play(script.new(seed, options), settings)
+        local random, out = newRandom(seed), {}
+        repeat
+          local world = player.world
+          for _ = 1, 3 do
+            local x, y = random:between(0, 400), random:between(0, 400)
+            world:queryRect(x, y, 50, 50, nil, out)
+            world:raycast(x, y, y, x)
+            local object = player.list[random:integer(1, player.count)]
+            if object then
+              -- What is written and taken back has never happened.
+              local oldX, active, mask = object.x, object.active, object.mask
+              object.x, object.active, object.mask = x, false, { boxes = false }
+              world:nearest(x, y, 100)
+              object.x, object.active, object.mask = oldX, active, mask
+              world:sweep(object, x, y)
+              world:overlapping(object, nil, out)
+            end
+          end
+          local more = player:next()
+          local text = more and script.difference(track, player)
+          if text then
+            error(("seed %d, %s"):format(seed, text))
+          end
+        until not more
+      end
+    end
+  end)
+
+  -- Whether a line from (x1, y1) by (dx, dy) passes through the inside of a box; nil: nearly.
+  local function passes(o, x1, y1, dx, dy)
+    local first, last = 0, 1
+    for _, row in ipairs({ { x1, dx, o.x, o.width }, { y1, dy, o.y, o.height } }) do
+      local from, way, low, high = row[1], row[2], row[3], row[3] + row[4]
+      if way == 0 then
+        way = 1e-300
+      end
+      local a, b = (low - from) / way, (high - from) / way
+      first, last = math.max(first, math.min(a, b)), math.min(last, math.max(a, b))
+    end
+    return last - first > 1e-9 or last - first < -1e-9 and false or nil
+  end
+
+  -- (The others are compared in queries_circles_spec.lua.)
+  long("finds what a line through all objects finds", function()
+    for seed = 1, 10 do
+      local random, world, all = newRandom(seed), still(), {}
+      local ox, oy = random:pick({ 0, 0, -1700 }), random:pick({ 0, 0, 1000 })
+      for i = 1, random:integer(5, 300) do
+        local size = random:pick({ 4, 16, 16, 64, 300 })
+        local x, y = ox + 8 * random:integer(-50, 50), oy + 8 * random:integer(-50, 50)
+        local fields = { i = i, static = random:chance(0.5) }
+        all[i] = world:add("b", sized(x, y, random:between(1, size), size, fields))
+      end
+      for round = 1, 12 do
+        local x1, y1 = ox + 4 * random:integer(-120, 120), oy + 4 * random:integer(-120, 120)
+        local x2, y2 = random:pick({ x1, ox + 4 * random:integer(-120, 120) }), oy
+        y2 = y2 + random:between(-500, 500)
+        -- A ray is what the segment finds first.
+        local line, n = world:querySegment(x1, y1, x2, y2)
+        assert.are.equal(line[1], (world:raycast(x1, y1, x2, y2)))
+        local isOn = {}
+        for i = 1, n do
+          assert.is_nil(isOn[line[i]])
+          isOn[line[i]] = true
+        end
+        for _, o in ipairs(all) do
+          local is = passes(o, x1, y1, x2 - x1, y2 - y1)
+          assert(is == nil or is == (isOn[o] or false), ("seed %d: %d"):format(seed, o.i))
+        end
+        local moved = all[random:integer(1, #all)]
+        moved.x = moved.x + (moved.static and 0 or random:pick({ 3, -5, 200 }))
+        if round % 5 == 0 then
+          world:update(1 / 60)
+        end
+        world:refresh(moved)
+      end
+    end
+  end)
+end)

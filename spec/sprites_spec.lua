@@ -1,0 +1,61 @@
+--- Sprites: where `world:interpolate` puts them, and the functions of docs/guide/sprites.md.
+
+local physics = require("physics")
+
+-- A step of 0.25 s: what moves at 40 px/s is 10 px further after it, and 20 px higher at -80.
+describe("world:interpolate", function()
+  local NOW = { 0.25 }
+  local HALF, LATER = { 0.25, 0.125 }, { 0.25, 0.125, 0.25 }
+  local STILL = { kinematic = true, vx = 0, vy = 0 }
+  -- what: fields; updates; fields that are written then; more updates; where it is drawn
+  for _, row in ipairs({
+    { "the last place after a step", {}, NOW, {}, {}, 0, 0 },
+    { "between the last and the present place", {}, HALF, {}, {}, 5, -10 },
+    { "at the next step again between", {}, LATER, {}, {}, 15, -30 },
+    { "that of what is kinematic, too", { kinematic = true }, HALF, {}, {}, 5, -10 },
+    { "x, y of what is static", { static = true }, HALF, {}, {}, 0, 0 },
+    { "x, y of what is new", {}, {}, {}, {}, 0, 0 },
+    { "x, y of what is not active", {}, NOW, { active = false }, { 0.25 }, 10, -20 },
+    { "where the game has put it", {}, HALF, { x = 300, y = 100 }, {}, 300, 100 },
+    { "from there on", {}, HALF, { x = 300, y = 100 }, { 0.25 }, 305, 90 },
+    { "on the way to where it was put, kinematic", STILL, HALF, { x = 16 }, { 0.25 }, 8, 0 },
+    { "at last there", STILL, HALF, { x = 16 }, { 0.25, 0.25 }, 16, 0 },
+  }) do
+    it("is " .. row[1], function()
+      local world = physics.newWorld({ gravity = 0, timestep = 0.25 })
+      local object = { x = 0, y = 0, width = 8, height = 8, vx = 40, vy = -80 }
+      for name, value in pairs(row[2]) do
+        object[name] = value
+      end
+      world:add("boxes", object)
+      for _, dt in ipairs(row[3]) do
+        world:update(dt)
+      end
+      for name, value in pairs(row[4]) do
+        object[name] = value
+      end
+      for _, dt in ipairs(row[5]) do
+        world:update(dt)
+      end
+      assert.same({ row[6], row[7] }, { world:interpolate(object) })
+    end)
+  end
+
+  it("is x, y of what is in no world", function()
+    local world = physics.newWorld({ timestep = 0.25 })
+    assert.same({ 3, 4 }, { world:interpolate({ x = 3, y = 4, width = 1, height = 1 }) })
+  end)
+
+  it("keeps a rider on its lift", function()
+    local world = physics.newWorld({ gravity = 640, timestep = 0.03125 })
+    local lift = { x = 0, y = 100, width = 40, height = 8, kinematic = true, vx = 70, vy = -50 }
+    world:add("lifts", lift)
+    local rider = world:add("boxes", { x = 10, y = 84, width = 16, height = 16 })
+    for i = 1, 60 do
+      world:update(0.01 + i % 3 * 0.004)
+      local _, liftY = world:interpolate(lift)
+      local _, riderY = world:interpolate(rider)
+      assert.is_true(math.abs(riderY + 16 - liftY) < 1e-9, ("frame %d"):format(i))
+    end
+  end)
+end)

@@ -1,0 +1,145 @@
+--- world:restore, given what is no state, or a damaged one: it is refused in these words, and
+--- nothing has changed.
+
+local effort = require("spec.support.effort")
+local physics = require("physics")
+local states = require("spec.support.states")
+
+effort.interpretQuickly(setup, teardown)
+
+local DT = 1 / 60
+local put, refused = states.put, states.refused
+
+-- Objects in the order of the state: the floor, four walls, two boxes, a ghost, the player, and one
+-- that no update has seen yet.
+local function newFull()
+  local world = physics.newWorld({ gravity = 600, masks = { boxes = { ghosts = false } } })
+  world.order = { "floor" }
+  world:add("floor", { x = 0, y = 100, width = 400, height = 20, static = true })
+  world:add("boxes", { x = 10, y = 80, width = 16, height = 16, mask = { ghosts = false } })
+  local box = world:add("boxes", { x = 60, y = 80, width = 16, height = 16 })
+  world.objects.player = { x = 100, y = 84, width = 16, height = 16 }
+  world.objects.ghosts = { odd = { x = 200, y = 84, width = 16, height = 16 } }
+  world:setBounds(0, 0, 400, 300)
+  world:update(DT)
+  box.onBegin = function()
+    error("no")
+  end
+  while pcall(world.update, world, DT) do
+  end
+  box.onBegin = nil
+  world:add("late", { x = 300, y = 84, width = 16, height = 16 })
+  return world
+end
+
+local NAN, INFINITE = 0 / 0, 1 / 0
+
+-- path, the value that is put there, what the message says
+local ROWS = {
+  { "version", 0, "state.version must be 6 (it was saved by another version" },
+  { "settings", 1, "state.settings must be a table, got 1" },
+  { "settings.push", "none", 'state.settings.push must be "both" or "first"' },
+  { "settings.gravity", nil, "state.settings.gravity must be a number, got nil" },
+  { "settings.masks", { "a", "b" }, "state.settings.masks.a must be a table { [group] = false }" },
+  { "settings.masks[1]", true, "state.settings.masks[1] must be a string or a number, got true" },
+  { "settings.masks[2]", { "b", 0 }, "state.settings.masks.boxes.b must be true or false, got 0" },
+  { "settings.order", "boxes", "state.settings.order must be" },
+  { "saved", -1e-8, "state.saved must be a number in 0..0.25" },
+  { "count", 9, "state.count must be 10, as many as the groups have, got 9" },
+  { "groups[1].count", 0, "state.count must be 9, as many as the groups have, got 10" },
+  { "count", 10.5, "state.count must be an integer in 0..2147483648, got 10.5" },
+  { "groups", nil, "state.groups must be a table, got nil" },
+  { "groups[2].count", 10, "#state.groups[2].keys must be 10, got 4" },
+  { "groups[2].name", "floor", 'state.groups[2].name must be a name that is there once, got "fl' },
+  { "groups[1].direct", nil, "state.groups[1].direct must be true or false, got nil" },
+  { "groups[3].direct", true, "state.groups[3].count must be 1, got 2" },
+  { "groups[2].keys[4]", nil, "#state.groups[2].keys must be 4, got 3" },
+  { "groups[2].keys[4]", "left", "state.groups[2].keys[4] must be a key that is there once" },
+  { "fields.x[11]", 0, "#state.fields.x must be 10, got 11" },
+  { "fields.x[1]", NAN, "objects.floor[1].x must be a number, got nan" },
+  { "fields.width[8]", false, "objects.ghosts.odd.width must be a number > 0, got false" },
+  { "fields.vy[10]", INFINITE, "objects.player.vy must be" },
+  { "fields", nil, "state.fields must be a table, got nil" },
+  { "fields.mass", { 1 }, "#state.fields.mass must be a multiple of 2, got 1" },
+  { "fields.mass", { 0, 1 }, "state.fields.mass[1] must be an integer in 1..10, got 0" },
+  { "fields.mass", { 2, 1, 2, 1 }, "state.fields.mass[3] must be > 2, got 2" },
+  { "settings.masks", { "a", { NAN, false } }, "state.settings.masks.a must have group names as" },
+  { "fields.mask", { 6, { "a" } }, "#state.fields.mask[2] must be a multiple of 2, got 1" },
+  { "memory", nil, "state.memory must be a table, got nil" },
+  { "memory.moved", { 7, true, 6, true }, "state.memory.moved[3] must be > 7, got 6" },
+  { "memory.lost", { 0, true }, "state.memory.lost[1] must be an integer in 1..10, got 0" },
+  { "memory.carrier", { 6, 11 }, "state.memory.carrier[2] must be an integer in 1..10, got 11" },
+  {
+    "memory.carried",
+    { 6, 1, "a" },
+    "state.memory.carried[3] must be a number in -1e+100..1e+100",
+  },
+  { "memory.wasCrushed", { 6, 1, true }, "state.memory.wasCrushed[2] must be true or false, got" },
+  { "touching[2]", 11, "state.touching[2] must be an integer in 0..10, got 11" },
+  { "contacts[25]", 1, "#state.contacts must be a multiple of 6, got 25" },
+  { "contacts[1]", 11, "state.contacts[1] must be an integer in 1..10, got 11" },
+  { "contacts[2]", 1, "state.contacts[2] must be > 1, got 1" },
+  { "contacts[3]", 5, "state.contacts[3] must be a contact of a pair, got 5" },
+  { "contacts[4]", true, "state.contacts[4] must be a wedged of a pair, got true" },
+  { "events[3]", 11, "state.events[3] must be an integer in 0..10, got 11" },
+  { "events[4]", 0, 'state.events[4] must be "onBegin", "onStay", "onEnd" or "onCrush", got 0' },
+  { "events[5]", "x", 'state.events[5] must be a side of this kind of event, got "x"' },
+  { "events[4]", "onCrush", "state.events[5] must be a side of this kind of event, got 3" },
+  { "events[6]", NAN, "state.events[6] must be a number in -1e+100..1e+100" },
+  { "heardBy", 4, "state.heardBy must be an integer in 0..3, got 4" },
+  { "sorted", 2, "state.sorted must be an integer in 0..1, got 2" },
+  { "gone", 1, "#state.fields.x must be 11, got 10" },
+  { "memory.support", { 6, 0 }, "state.memory.support[2] must be an integer in 1..10, got 0" },
+  { "events", { 1 }, "#state.events must be" },
+  { "events", {}, "state.heardBy must be 0, got 2" },
+}
+
+describe("world:restore, a damaged state", function()
+  for _, row in ipairs(ROWS) do
+    local path, value, text = row[1], row[2], row[3]
+    it("is refused: " .. path .. " = " .. tostring(value), function()
+      local world = newFull()
+      local state, hash = world:save(), world:hash()
+      put(state, path, value)
+      refused("physics: world:restore(state): " .. text, world, "restore", state)
+      assert.are.equal(hash, world:hash())
+    end)
+  end
+end)
+
+describe("world:restore, what is no state", function()
+  it("is refused", function()
+    local world = newFull()
+    local hash = world:hash()
+    for text, value in pairs({
+      ["state must be a table, got nil"] = false,
+      ['state must be a table, got "state"'] = "state",
+      ["state must be what world:save() returns, got table"] = {},
+    }) do
+      refused("physics: world:restore(state): " .. text, world, "restore", value or nil)
+      assert.are.equal(hash, world:hash())
+    end
+  end)
+end)
+
+describe("world:restore, a state at its limits", function()
+  for _, row in ipairs({
+    { "saved", -1e-10 },
+    { "saved", 0.25 },
+    { "heardBy", 1 },
+    { "heardBy", nil },
+    { "sorted", nil },
+    { "settings.order", nil },
+    { "contacts[19]", 2 },
+    { "memory.wasCrushed", { 6, true, false } },
+  }) do
+    it("is accepted: " .. row[1] .. " = " .. tostring(row[2]), function()
+      local world = newFull()
+      local state = world:save()
+      put(state, row[1], row[2])
+      world:restore(state)
+      world:update(DT)
+      assert.are.equal(10, world.stats.objects)
+    end)
+  end
+end)

@@ -1,0 +1,98 @@
+--- For specs of states: small worlds, a serializer as a game may have one, and what is refused.
+
+local physics = require("physics")
+
+local states = {}
+
+local DT = 1 / 60
+local unpackList = rawget(_G, "unpack") or rawget(table, "unpack")
+
+--- A serializer as a game may have one: text of numbers, strings, booleans and tables, no more.
+function states.write(value)
+  local kind = type(value)
+  if kind == "number" then
+    assert(value - value == 0, "nan or inf in a state")
+    return ("%.17g"):format(value)
+  elseif kind == "string" then
+    return ("%q"):format(value)
+  elseif kind == "boolean" then
+    return tostring(value)
+  end
+  assert(kind == "table" and getmetatable(value) == nil, "a " .. kind .. " in a state")
+  local parts, count = {}, 0
+  for _ in pairs(value) do
+    count = count + 1
+  end
+  if count == #value then
+    for i = 1, count do
+      parts[i] = states.write(value[i])
+    end
+  else
+    assert(#value == 0, "a list with holes, or with names, in a state")
+    for key, entry in pairs(value) do
+      assert(type(key) == "string", "a key that is no string in a state")
+      parts[#parts + 1] = ("[%q]=%s"):format(key, states.write(entry))
+    end
+  end
+  return "{" .. table.concat(parts, ",") .. "}"
+end
+
+function states.read(text)
+  return assert((loadstring or load)("return " .. text))() -- luacheck: ignore
+end
+
+--- A floor, a box on it, another one in the air.
+function states.smallWorld(settings)
+  local world = physics.newWorld(settings or { gravity = 600 })
+  world:add("floor", { x = 0, y = 100, width = 400, height = 20, static = true })
+  local box = world:add("boxes", { x = 10, y = 84, width = 16, height = 16 })
+  local other = world:add("boxes", { x = 60, y = 20, width = 16, height = 16 })
+  world:update(DT)
+  return world, box, other
+end
+
+function states.run(world, count)
+  for _ = 1, count do
+    world:update(DT)
+  end
+end
+
+--- Fails unless the call of a method is refused with this text, at this file.
+function states.refused(text, world, method, ...)
+  local given = { ... }
+  local ok, message = pcall(function()
+    world[method](world, unpackList(given))
+  end)
+  assert.is_false(ok, "it was not refused: " .. text)
+  assert.matches("states.lua:%d+: physics: ", message)
+  assert.is_truthy(message:find(text, 1, true), message)
+end
+
+function states.solid(x, y, width, height, more)
+  local object = { x = x, y = y, width = width, height = height, static = true }
+  for name, value in pairs(more or {}) do
+    object[name] = value
+  end
+  return object
+end
+
+function states.mover(x, y, width, height, more)
+  local object = states.solid(x, y, width, height, more)
+  object.static = nil
+  return object
+end
+
+--- Sets what a path like "groups[2].name" leads to.
+function states.put(state, path, value)
+  local keys = {}
+  for key in path:gmatch("[^%.%[%]]+") do
+    keys[#keys + 1] = tonumber(key) or key
+  end
+  local place = state
+  for n = 1, #keys - 1 do
+    place = assert(place[keys[n]] ~= nil and place[keys[n]], path)
+  end
+  place[keys[#keys]] = value
+end
+
+return states

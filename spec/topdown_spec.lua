@@ -1,0 +1,58 @@
+--- Top-down games: the game that docs/topdown.md builds in seven steps does what the page says.
+
+local snippets = require("spec.support.snippets")
+
+local function wait(game, steps, each)
+  for _ = 1, steps do
+    game.update(1 / 60)
+    if each then
+      each()
+    end
+  end
+end
+
+describe("the game of docs/topdown.md", function()
+  local loveBefore
+
+  before_each(function()
+    loveBefore = rawget(_G, "love")
+  end)
+
+  after_each(function()
+    rawset(_G, "love", loveBefore)
+  end)
+
+  for step = 1, 7 do
+    it("step " .. step .. " plays, and the page links it", function()
+      snippets.checkStep("topdown", step, true)
+      local link = "](steps/topdown" .. step .. ".lua)"
+      assert.truthy(snippets.read("docs/topdown.md"):find(link, 1, true))
+    end)
+  end
+
+  it("walks at its speed, shoots, goes through the door, takes gems", function()
+    local game, player, world, held = snippets.start("topdown", 7)
+    held.right, held.down = true, true
+    wait(game, 1)
+    assert.near(160, math.sqrt(player.vx * player.vx + player.vy * player.vy), 1e-9)
+    held.down = nil
+    wait(game, 1) -- it looks to the right
+    held.right = nil
+    for _, enemy in ipairs(world.objects.enemies) do
+      enemy.active = false
+    end
+    world.objects.crates[1].active = false
+    local enemy = world.objects.enemies[1]
+    enemy.active, enemy.x, enemy.y = true, player.x + 100, player.y
+    for _ = 1, 3 do
+      game.keypressed("space")
+      wait(game, 20)
+    end
+    assert.same({ 9, 0 }, { #world.objects.enemies, #world.objects.bullets })
+    wait(game, 120)
+    assert.equal(0, #world.objects.gems)
+    player.x, player.y, held.right = 260, 256, true -- the door is at 260
+    wait(game, 60)
+    assert.is_true(player.x > 324)
+  end)
+end)
