@@ -14,7 +14,7 @@ local crowd = require(root .. ".solver.crowd")
 local events = require(root .. ".contacts.events")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local shapes = require(root .. ".space.shapes")
-local touch = require(root .. ".memory.lazy")(root .. ".solver.touch")
+local touch = require(root .. ".solver.touch")
 local sort = require(root .. ".memory.sort")
 
 local contactState = {}

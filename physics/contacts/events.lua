@@ -11,7 +11,7 @@ local check = require(root .. ".fields.check")
 local columns = require(root .. ".memory.columns")
 local fields = require(root .. ".fields.fields")
 local relax = require(root .. ".memory.lazy")(root .. ".solver.relax")
-local touch = require(root .. ".memory.lazy")(root .. ".solver.touch")
+local touch = require(root .. ".solver.touch")
 local sort = require(root .. ".memory.sort")
 
 local events = {}

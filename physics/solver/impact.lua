@@ -18,7 +18,7 @@ local flow = require(root .. ".solver.flow")
 local friction = require(root .. ".solver.friction")
 local path = require(root .. ".motion.path")
 local pool = require(root .. ".solver.pool")
-local touch = require(root .. ".memory.lazy")(root .. ".solver.touch")
+local touch = require(root .. ".solver.touch")
 
 local impact = {}
 
@@ -37,13 +37,13 @@ function impact.note(b, p, low, axis, u, t)
   b.hitAt[p], b.hitLow[p], b.hitHigh[p] = touch.line(b, low, i == low and j or i, side, t)
 end
 
---- Returns the closing speed of two bodies at their impact, px/s, and the time left after it, s.
---- They follow from what would be at the end of the step, which is at most `left` s away:
----
---- - the overlap o, px;
---- - the closing speed v, px/s;
---- - the closing acceleration a, px/s².
-function impact.approach(o, v, a, left)
+-- Returns the closing speed of two bodies at their impact, px/s, and the time left after it, s.
+-- They follow from what would be at the end of the step, which is at most `left` s away:
+--
+-- - the overlap o, px;
+-- - the closing speed v, px/s;
+-- - the closing acceleration a, px/s².
+local function approach(o, v, a, left)
   local square = v * v - 2 * a * o
   local u = square > 0 and sqrt(square) or 0.0
   if v <= 0 and a >= 0 then
@@ -244,8 +244,8 @@ end
 --- Notes the hit of a sensor that a body enters or passes through.
 function impact.sense(b, p, i, j, axis, t, dt)
   local _, o, v, a = meet(b, i, j, axis, false)
-  local u = impact.approach(o, v, a, (1 - t) * dt)
-  if b.hasRound and touch.turns(b, i, j) then
+  local u = approach(o, v, a, (1 - t) * dt)
+  if b.hasRound and touch.isRound(b, i, j) then
     u = touch.approach(b, i, j, t, dt)
   end
   impact.note(b, p, i, axis, u, t)
@@ -298,9 +298,9 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
   path.advance(b, j, t)
   b.impactsOf[i], b.impactsOf[j] = b.impactsOf[i] + 1, b.impactsOf[j] + 1
   b.resolved = b.resolved + 1
-  if b.hasRound then
+  if b.hasRound and touch.isRound(b, i, j) then
     local r, tau = max(b.restitution[i], b.restitution[j]), min((1 - t) * dt, left)
-    local u, stays = touch.roll(b, i, j, axis, isDeep, tau, dt, isLate, r)
+    local u, stays = touch.impact(b, i, j, axis, isDeep, tau, dt, isLate, r)
     if u then
       impact.note(b, p, i, axis, u, t)
       return false, b.from[2 * j + axis] - b.from[2 * i + axis], stays
@@ -308,7 +308,7 @@ function impact.run(b, p, i, j, axis, t, dt, isLate, isDeep)
   end
   local kl, kh = 2 * i + axis, 2 * j + axis
   local separation, o, v, a, lean = meet(b, i, j, axis, isDeep)
-  local u, tau = impact.approach(o, v, a, left)
+  local u, tau = approach(o, v, a, left)
   if u > 0 or b.pressed[p] ~= 1 then -- else it is noted with the speed that it began with
     impact.note(b, p, i, axis, u, t)
   end

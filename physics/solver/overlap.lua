@@ -24,7 +24,7 @@ local pairFinder = require(root .. ".broadphase.pairFinder")
 local path = require(root .. ".motion.path")
 local rules = require(root .. ".solver.rules")
 local shapes = require(root .. ".space.shapes")
-local touch = require(root .. ".memory.lazy")(root .. ".solver.touch")
+local touch = require(root .. ".solver.touch")
 local sort = require(root .. ".memory.sort")
 
 local overlap = {}
@@ -294,7 +294,7 @@ end
 local function isOpen(b, p, i, j)
   local areSolid = not (b.sensor[i] or b.sensor[j] or b.oneWay[i] or b.oneWay[j])
   local canMove = b.kind[i] == DYNAMIC or b.kind[j] == DYNAMIC
-  local isRolling = b.hasRound and touch.isRolling(b, i, j)
+  local isRolling = b.hasRound and touch.isRound(b, i, j) and not touch.isLost(b, i, j)
   return areSolid and canMove and not isRolling and b.wedged[p] == 0
 end
 

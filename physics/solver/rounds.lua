@@ -10,7 +10,7 @@
 -- inRound.
 
 local root = (...):match("^(.*)%.[^.]+%.[^.]+$")
-local touch = require(root .. ".memory.lazy")(root .. ".solver.touch")
+local touch = require(root .. ".solver.touch")
 local columns = require(root .. ".memory.columns")
 local contacts = require(root .. ".solver.contacts")
 local impact = require(root .. ".solver.impact")
@@ -174,14 +174,14 @@ local function happen(b, n, dt, isLast, isLate)
   local p, t, axis = impacts.pair[n], impacts.time[n], impacts.axis[n]
   local i, j, isDeep = impacts.low[n], impacts.high[n], impacts.isDeep[n]
   local isSensed = b.sensor[i] or b.sensor[j]
-  local turns = b.hasRound and touch.turns(b, i, j)
+  local isRound = b.hasRound and touch.isRound(b, i, j)
   local areDynamic = b.kind[i] == DYNAMIC and b.kind[j] == DYNAMIC
-  if b.passing[p] or areDynamic and not turns and (isSpent(b, i) or isSpent(b, j)) then
+  if b.passing[p] or areDynamic and not isRound and (isSpent(b, i) or isSpent(b, j)) then
     return
   end
   local mayBounce = max(b.restitution[i], b.restitution[j]) > 0
   if isDisturbed(b, i, mayBounce) or isDisturbed(b, j, mayBounce) then
-    change(b, i, j, not isSensed and (mayBounce or turns), not isSensed and mayBounce)
+    change(b, i, j, not isSensed and (mayBounce or isRound), not isSensed and mayBounce)
     isLast = isLast and not isSensed
   elseif
     (isSensed and b.hit[p] ~= 0) or rules.passes(b, p, 2 * i + axis, 2 * j + axis, axis, isDeep)
@@ -194,8 +194,8 @@ local function happen(b, n, dt, isLast, isLate)
     return
   end
   if isLast then
-    path.stop(b, i, t, turns)
-    path.stop(b, j, t, turns)
+    path.stop(b, i, t, isRound)
+    path.stop(b, j, t, isRound)
   end
 end
 

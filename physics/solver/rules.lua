@@ -10,7 +10,7 @@ local pairFinder = require(root .. ".broadphase.pairFinder")
 local check = require(root .. ".fields.check")
 local columns = require(root .. ".memory.columns")
 local path = require(root .. ".motion.path")
-local touch = require(root .. ".memory.lazy")(root .. ".solver.touch")
+local touch = require(root .. ".solver.touch")
 
 local rules = {}
 

@@ -22,12 +22,12 @@ local contacts = require(root .. ".solver.contacts")
 local drift = require(root .. ".memory.lazy")(root .. ".motion.drift")
 local flow = require(root .. ".solver.flow")
 local friction = require(root .. ".solver.friction")
+local impact = require(root .. ".solver.impact")
 local move = require(root .. ".motion.move")
 local nudge = require(root .. ".memory.lazy")(root .. ".solver.nudge")
 local pairFinder = require(root .. ".broadphase.pairFinder")
 local path = require(root .. ".motion.path")
 local pool = require(root .. ".solver.pool")
-local pressed = require(root .. ".solver.pressed")
 local relax = require(root .. ".memory.lazy")(root .. ".solver.relax")
 local islands = require(root .. ".sleep.islands")
 local rounds = require(root .. ".solver.rounds")
@@ -41,9 +41,8 @@ local solver = {}
 local DYNAMIC = columns.DYNAMIC
 local max, min = math.max, math.min
 
---- Maximum number of rounds (sweep, impacts, settle) in a step.
-solver.ROUNDS = 18
-local ROUNDS = solver.ROUNDS
+-- Maximum number of rounds (sweep, impacts, settle) in a step.
+local ROUNDS = 18
 -- Number of last rounds in which nothing bounces, so that the remaining contacts settle.
 local LATE = 5
 -- Maximum number of restarts of a step because a path came near a sleeping body. After these, all
@@ -76,7 +75,7 @@ local function begin(b, dt)
         path.finish(b, k, from[k], b.carried[k], 0.0)
       end
       origin[k] = from[k]
-      give[k] = kind[i] == DYNAMIC and not buried[i] and inverseMass[i] or 0
+      give[k] = not buried[i] and inverseMass[i] or 0
       freeSpeed[k] = speed[k]
       if kind[i] == DYNAMIC then
         start[k] = max(min(b.velocity[k], b.fastest[k]), b.slowest[k]) + b.carried[k]
@@ -169,6 +168,33 @@ local function runRounds(b, dt, awakenings)
   return b.overlapCount > 0
 end
 
+-- Notes the sides on which bodies lean on each other along an axis at the end of a step, the hits of
+-- contacts that begin so, and which bodies are crushed: squeezed between two that cannot give way.
+--
+-- A crushed body stays where it overlaps its neighbours the least (see settle.lua), and is free
+-- again as soon as there is room. How it came there is remembered with the pair (`wedged`). So it
+-- leaves along the same axis and is never squeezed out sideways.
+local function notePressed(b, axis)
+  local list, pressed, hit, contact = b.contacts[axis], b.pressed, b.hit, b.contact
+  local pressedHigh, pressedLow, squeezed = b.pressedHigh, b.pressedLow, b.squeezed
+  for c = 1, list.count do
+    local p, kl, kh = list.pair[c], list.low[c], list.high[c]
+    if pressed[p] == 1 then
+      pressedHigh[kl], pressedLow[kh] = true, true
+      b.resolved = b.resolved + (hit[p] == 0 and 1 or 0)
+      if contact[p] == 0 then
+        impact.note(b, p, (kl - axis) * 0.5, axis, max(b.start[kl] - b.start[kh], 0.0), 0)
+      end
+      if squeezed[kl] ~= 0 then
+        b.crushHigh[kl], b.crushed[kl], b.hasCrushed = (kh - axis) * 0.5, true, true
+      end
+      if squeezed[kh] ~= 0 then
+        b.crushLow[kh], b.crushed[kh], b.hasCrushed = (kl - axis) * 0.5, true, true
+      end
+    end
+  end
+end
+
 -- Solves a step for all awake bodies. Returns false if bodies were woken on the way; the result is
 -- void then.
 local function solve(b, dt)
@@ -187,9 +213,8 @@ local function solve(b, dt)
   if b.awakenings ~= awakenings then
     return false
   end
-  for axis = 0, 1 do
-    pressed.note(b, axis)
-  end
+  notePressed(b, 0)
+  notePressed(b, 1)
   return true
 end
 
@@ -207,7 +232,7 @@ end
 
 --- Resolves all contacts and impacts of a step of dt s.
 function solver.run(b, dt)
-  b.resolved, b.step, b.mayRestart = 0, b.step + 1, true
+  b.resolved = 0
   for _ = 1, RESTARTS do
     if solve(b, dt) then
       return
@@ -216,7 +241,6 @@ function solver.run(b, dt)
   end
   -- With all bodies awake, no path can come near a sleeping one.
   islands.wakeAll(b)
-  b.mayRestart = false
   restart(b, dt)
   solve(b, dt)
 end

@@ -21,21 +21,15 @@ local touch = {}
 
 -- Of two of which one is round.
 touch.approach, touch.deepAxis, touch.separation = ball.approach, ball.deepAxis, ball.separation
+touch.impact, touch.isLost, touch.isRound = ball.impact, ball.isLost, ball.isRound
 
 local AXIS, OPPOSITE = columns.AXIS, columns.OPPOSITE
 local EPSILON, SLACK = columns.EPSILON, columns.SLACK
-local BOX, CIRCLE, SOLID = shapes.BOX, shapes.CIRCLE, shapes.SOLID
+local BOX, SOLID = shapes.BOX, shapes.SOLID
 local axisOf, depth, isSlope = path.axisOf, shapes.depth, shapes.isSlope
 local max, min = math.max, math.min
 -- Impacts of a body in a step until which it is deflected without gravity.
 local DEFLECTED = 3
-
---- Returns whether the normal of a contact of two turns as they move: one of them is round.
-function touch.turns(b, i, j)
-  return b.shape[i] == CIRCLE or b.shape[j] == CIRCLE
-end
-
-local isRound = touch.turns
 
 --- Returns whether two leave each other over their own faces: a box and a slope. (Two slopes, of
 --- which one is a sensor, are boxes.)
@@ -44,7 +38,7 @@ function touch.haveFaces(b, i, j)
   return one == BOX and isSlope(other) or other == BOX and isSlope(one)
 end
 
-local isSloped = touch.haveFaces
+local isRound, haveFaces = touch.isRound, touch.haveFaces
 
 --- Returns the box and the slope of a pair.
 function touch.order(b, i, j)
@@ -134,7 +128,7 @@ end
 --- or floats at.
 function touch.contact(b, i, j)
   local from, isSlanted, axis, isLow, gap, isEdge = b.from, false
-  if isSloped(b, i, j) then
+  if haveFaces(b, i, j) then
     i, j = order(b, i, j)
     axis, isLow, gap, isEdge = nearestSide(b, i, j, from)
   else
@@ -156,7 +150,7 @@ function touch.side(b, i, j)
     gap, nx, ny = ball.gapIn(b, b.to, i, j)
     slack = (ball.isInHeap(b, i) or ball.isInHeap(b, j)) and SLACK or slack
     q, isLow = shapes.sideOf(nx, ny, false)
-  elseif isSloped(b, i, j) then
+  elseif haveFaces(b, i, j) then
     local box, its = order(b, i, j)
     q, isLow, gap = nearestSide(b, box, its, b.to)
     isLow = isLow == (box == i)
@@ -180,7 +174,7 @@ end
 --- Returns where two touch at moment t, at `side` of slot i: the place on the axis of that side,
 --- and from where to where across it. Of a box and a slope the side of the box counts.
 function touch.line(b, i, j, side, t)
-  local axis, isOnSlope = AXIS[side], b.hasShapes and isSloped(b, i, j)
+  local axis, isOnSlope = AXIS[side], b.hasShapes and haveFaces(b, i, j)
   if b.hasShapes and isRound(b, i, j) then
     local x, y = ball.point(b, i, j, t)
     local across = axis == 0 and y or x
@@ -202,7 +196,7 @@ end
 function touch.depth(b, i, j, x, y)
   local from, size, k, m = b.from, b.size, 2 * i, 2 * j
   local ox, oy = from[m], from[m + 1]
-  if not (b.hasShapes and isSloped(b, i, j)) then
+  if not (b.hasShapes and haveFaces(b, i, j)) then
     return shapes.overlap(x, y, size[k], size[k + 1], ox, oy, size[m], size[m + 1])
   end
   local isBox = b.shape[i] == BOX
@@ -223,14 +217,14 @@ end
 
 --- Returns the axis that counts where two meet at a corner, or at the edge of a slope.
 function touch.axisOfPair(b, i, j)
-  return isSloped(b, i, j) and axisOf(b, (order(b, i, j))) or b.downAxis
+  return haveFaces(b, i, j) and axisOf(b, (order(b, i, j))) or b.downAxis
 end
 
 --- Returns how far apart two that meet on an axis must be at the end of the step, and how much
 --- faster they close for each px/s that the second goes across it, relative to the first. Nil and
 --- 0: as boxes.
 function touch.lean(b, i, j, axis)
-  if not isSloped(b, i, j) then
+  if not haveFaces(b, i, j) then
     return nil, 0.0
   end
   local box, its = order(b, i, j)
@@ -266,25 +260,6 @@ function touch.deflect(b, i, j, axis, lean, r, isLate, o, v, a, u, tau)
     path.add(b, t, -way * share * lean, -change * share * lean)
   end
   return true
-end
-
---- Returns whether two are round, and part along their contact as they roll (see contacts).
-function touch.isRolling(b, i, j)
-  return isRound(b, i, j) and not ball.isLost(b, i, j)
-end
-
---- Two that meet slanted, tau s before the end of the step, part along their normal, if one is
---- round. Returns their approach speed, and whether they stay together. Nil: they meet as boxes do.
-function touch.roll(b, i, j, axis, isDeep, tau, dt, isLate, r)
-  if not isRound(b, i, j) then
-    return nil
-  end
-  local nx, ny, isSlanted = ball.normal(b, i, j)
-  if isSlanted or isDeep and (nx ~= 0 or ny ~= 0) then
-    return ball.impact(b, i, j, axis, true, tau, dt, isLate, r)
-  end
-  ball.leave(b, i, j, dt, tau)
-  return nil
 end
 
 return touch
