@@ -24,10 +24,10 @@ local max = math.max
 -- those that remain. Otherwise a platform would hurry ahead, hit things, and then wait.
 local function moveKinematic(b, k, dt)
   local v, goal = b.velocity[k], b.written[k] + b.behind[k]
-  b.way[k] = (b.written[k] - b.from[k] + b.behind[k]) / max(b.remaining, 1)
+  b.way[k] = (b.written[k] - b.from[k] + b.behind[k]) / b.remaining
   b.to[k] = (b.remaining > 1 and b.from[k] + b.way[k] or goal) + v * dt
-  b.drift[k] = b.way[k] / dt
-  b.speed[k], b.accel[k] = v + b.drift[k], 0
+  b.writtenSpeed[k] = b.way[k] / dt
+  b.speed[k], b.accel[k] = v + b.writtenSpeed[k], 0
 end
 
 -- Computes the free flight of dynamic bodies: speed at the end, and way.
@@ -96,7 +96,7 @@ function move.run(b, dt)
   if b.hasCarriers then
     carry(b, dt, first, last)
   end
-  if b.drifts.driftedCount > 0 then
+  if b.driftedCount > 0 then
     drift.add(b, dt, first, last)
   end
   findEnds(b, dt, first, last)

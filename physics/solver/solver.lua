@@ -85,7 +85,7 @@ local function begin(b, dt)
       end
     end
   end
-  if b.drifts.driftedCount > 0 then
+  if b.driftedCount > 0 then
     drift.start(b, dt)
   end
 end

@@ -25,7 +25,7 @@ describe("a part of the library that the first step does not need", function()
     { "maps.array", "addTiles", "tiles", { "#" } },
     { "maps.ldtk", "loadLDtk", {} },
     { "maps.tiled", "loadTiled", {} },
-    { "motion.softDrift", "=", "soft", { boxes = { boxes = 100 } } },
+    { "motion.drift", "=", "soft", { boxes = { boxes = 100 } } },
     { "motion.zones", "add", "zones", ZONE },
     { "queries.move", "move", "box", 8, 8 },
     { "queries.query", "nearest", 0, 0, 10 },
