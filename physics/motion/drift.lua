@@ -47,6 +47,7 @@ local function newWork()
     row = {}, -- the row of its group in the setting, and the name of that
     name = {},
     most = {}, -- px/s: the largest of that row
+    plain = {}, -- its mass if it has no mask, `hits`, strength, and can be pushed; else false
     start = {}, -- of each strip: where it begins in `sorted`
     strip = {}, -- of each body
     sorted = {},
@@ -77,6 +78,8 @@ local function list(b, work)
       if b.active[i] and not b.sensor[i] then
         n = n + 1
         work.slot[n], work.row[n], work.name[n], work.most[n] = i, row, name, most
+        local isPlain = b.power[i] == 0 and b.kind[i] == DYNAMIC and b.pushable[i]
+        work.plain[n] = isPlain and not (b.mask[i] or b.only[i] or b.masks) and b.mass[i]
         for axis = 0, 1 do
           local half = size[2 * i + axis] * 0.5
           work.at[axis][n], work.half[axis][n] = from[2 * i + axis] + half, half
@@ -164,16 +167,22 @@ local function weigh(b, i, j)
 end
 
 -- Of those that overlap, keeps those that are soft to each other and not refused by a mask; returns
--- how many. Notes how fast they part, and the share of each.
+-- how many. Notes how fast they part, and the share of each. (Most are alike: asking all would make
+-- a step a twentieth longer.)
 local function keepSoft(b, work, count)
-  local slot, kept = work.slot, 0
+  local slot, plain, kept = work.slot, work.plain, 0
   for c = 1, count do
     local m, n = work.one[c], work.other[c]
     local i, j, speed = slot[m], slot[n], work.row[m][work.name[n]]
-    if speed and not (filter.refusal(b, i, j) or filter.refusal(b, j, i)) then
+    local areAlike = plain[m] and plain[m] == plain[n]
+    if speed and (areAlike or not (filter.refusal(b, i, j) or filter.refusal(b, j, i))) then
+      local shareOne, shareOther = 0.5, 0.5
+      if not areAlike then
+        shareOne, shareOther = weigh(b, i, j)
+      end
       kept = kept + 1
       work.one[kept], work.other[kept], work.partSpeed[kept] = m, n, speed
-      work.shareOne[kept], work.shareOther[kept] = weigh(b, i, j)
+      work.shareOne[kept], work.shareOther[kept] = shareOne, shareOther
     end
   end
   return kept
