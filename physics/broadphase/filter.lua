@@ -95,6 +95,11 @@ function filter.allows(b, i, j)
   return filter.reason(b, i, j) == nil
 end
 
+--- Returns whether each of two is solid on all its sides.
+function filter.areSolid(b, i, j)
+  return not (b.sensor[i] or b.sensor[j] or b.oneWay[i] or b.oneWay[j])
+end
+
 --- Returns whether an object that is not dynamic, or any one (`isAny`), can be in the way of
 --- another: it is solid for it on every side.
 function filter.blocks(b, i, j, isAny)

@@ -185,12 +185,12 @@ local function lookUp(b, strays, count)
   linkNear(b, strays, askMovers(b, strays, count))
 end
 
---- Looks up the neighbours of the bodies in `list[first..last]` with paths that leave their fat
---- boxes. A body that is listed twice is looked at once, one that has left the world not at all.
-function pairFinder.run(b, list, first, last)
+--- Looks up the neighbours of the bodies in `list[1..count]` with paths that leave their fat boxes.
+--- A body that is listed twice is looked at once, one that has left the world not at all.
+function pairFinder.run(b, list, count)
   local strays, strayAt, active, placed, n = b.strays, b.strayAt, b.active, b.placed, 0
   local from, to, size, fatLow, fatHigh = b.from, b.to, b.size, b.fatLow, b.fatHigh
-  for at = first, last do
+  for at = 1, count do
     local i = list[at]
     local k, m = 2 * i, 2 * i + 1
     local x, y, endX, endY = from[k], from[m], to[k], to[m]
@@ -266,7 +266,7 @@ function pairFinder.refilterAll(b)
       pairFinder.refilter(b, i)
     end
   end
-  pairFinder.run(b, b.movers, 1, b.moverCount)
+  pairFinder.run(b, b.movers, b.moverCount)
 end
 
 -- Active pairs ------------------------------------------------------------------------------------

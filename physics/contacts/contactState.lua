@@ -133,7 +133,7 @@ end
 -- Lists in `work.list` the pairs about which the game must still be asked, in the order of the
 -- world. Returns how many there are.
 local function listUnasked(b, work)
-  local list, first, second, count = work.list, work.first, work.second, 0
+  local list, first, second, count = work.list, b.firstRank, b.secondRank, 0
   for n = 1, b.liveCount do
     local p = b.live[n]
     local i, j = b.pairA[p], b.pairB[p]

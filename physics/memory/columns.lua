@@ -181,6 +181,14 @@ function columns.gap(b, place, i, j)
   return max(x - size[k], -x - size[m], y - size[k + 1], -y - size[m + 1])
 end
 
+--- Returns whether the middle of slot i comes before that of slot j on an axis, at the places in a
+--- column; of two at one place, whether it comes first in the order of the world.
+function columns.isLow(b, place, i, j, axis)
+  local k, m = 2 * i + axis, 2 * j + axis
+  local way = place[m] - place[k] + (b.size[m] - b.size[k]) * 0.5
+  return way > 0 or way == 0 and b.rank[i] < b.rank[j]
+end
+
 --- Result of `flushSide` for two bodies that overlap.
 columns.INSIDE = -1
 

@@ -20,13 +20,13 @@ local bonds = {}
 local max = math.max
 -- px by which the ways of two that move as one may differ.
 local ROUNDING = 1e-9
---- States of a bond:
----
---- - BOND: both move as one, if they slip at first, then from when they are equally fast.
---- - SLIP: the two slip, and friction pulls with its limit.
---- - STAND: the lower one stands; for the other it is ground.
-bonds.BOND, bonds.SLIP, bonds.STAND = 1, 2, 3
-local BOND, SLIP, STAND = bonds.BOND, bonds.SLIP, bonds.STAND
+-- States of a bond:
+--
+-- - BOND: both move as one, if they slip at first, then from when they are equally fast.
+-- - SLIP: the two slip, and friction pulls with its limit.
+-- - STAND: the lower one stands; for the other it is ground.
+local BOND, SLIP, STAND = 1, 2, 3
+bonds.BOND = BOND
 
 --- Returns an empty list of bonds.
 function bonds.new()

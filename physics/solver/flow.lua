@@ -129,16 +129,13 @@ end
 function flow.reset(b, axis, dt)
   local list, from, to, speed, free = b.awakeList, b.from, b.to, b.speed, b.freeSpeed
   local way, carried, accel, start = b.way, b.carried, b.accel, b.start
+  local onset, outset, ownSpeed, isPressed = b.onset, b.outset, b.ownSpeed, b.isPressed
   for n = 1, b.awakeCount do
     local k = 2 * list[n] + axis
     if b.give[k] > 0 then
       to[k], speed[k] = from[k] + way[k] + carried[k] * dt, free[k]
       accel[k] = (free[k] - start[k]) / dt
     end
-  end
-  local onset, outset, ownSpeed, isPressed = b.onset, b.outset, b.ownSpeed, b.isPressed
-  for n = 1, b.awakeCount do
-    local k = 2 * list[n] + axis
     outset[k], ownSpeed[k], isPressed[k] = onset[k], free[k], false
   end
 end

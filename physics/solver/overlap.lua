@@ -115,8 +115,8 @@ local function put(b, i, axis, place)
 end
 
 local function canGo(b, i, axis, way)
-  local isFree = b.kind[i] == DYNAMIC and not overlap.isInside(b, i, placeOn(b, i, axis, way))
-  return way == 0 or isFree
+  return way == 0
+    or b.kind[i] == DYNAMIC and not overlap.isInside(b, i, placeOn(b, i, axis, way))
 end
 
 -- Returns the share of the way that slot i goes of two, by mass; j goes the rest. If one of them
@@ -292,10 +292,9 @@ end
 
 -- Returns whether the bodies of pair p are parted here at all.
 local function isOpen(b, p, i, j)
-  local areSolid = not (b.sensor[i] or b.sensor[j] or b.oneWay[i] or b.oneWay[j])
   local canMove = b.kind[i] == DYNAMIC or b.kind[j] == DYNAMIC
   local isRolling = b.hasRound and touch.isRound(b, i, j) and not touch.isLost(b, i, j)
-  return areSolid and canMove and not isRolling and b.wedged[p] == 0
+  return filter.areSolid(b, i, j) and canMove and not isRolling and b.wedged[p] == 0
 end
 
 -- Adds pair p to the work of this round if its bodies overlap: those with something immovable
@@ -312,7 +311,7 @@ local function consider(b, p)
     work.stamp[p], work.count = work.round, work.count + 1
     work.pairs[work.count] = p
     work.depth[p] = -min(width, height) - (isFirm and FAR or 0)
-    work.first[p], work.second[p] = columns.ranks(b, i, j)
+    b.firstRank[p], b.secondRank[p] = columns.ranks(b, i, j)
   end
 end
 
@@ -378,12 +377,12 @@ function overlap.run(b)
     if work.count == 0 then
       return
     end
-    sort.by(work.pairs, work.count, work.depth, work.first, work.second)
+    sort.by(work.pairs, work.count, work.depth, b.firstRank, b.secondRank)
     for n = 1, work.count do
       part(b, work.pairs[n])
     end
     local movedCount = work.movedCount
-    pairFinder.run(b, work.moved, 1, movedCount)
+    pairFinder.run(b, work.moved, movedCount)
     work.round, work.count, work.movedCount = work.round + 1, 0, 0
     for n = 1, movedCount do
       considerAll(b, work.moved[n])
@@ -404,8 +403,7 @@ end
 
 -- Lets slot i, which has grown into the immovable slot j along one axis, leave it along that.
 local function wedge(b, p, i, j)
-  local isSolid = not (b.sensor[i] or b.sensor[j] or b.oneWay[i] or b.oneWay[j])
-  local canWedge = isSolid
+  local canWedge = filter.areSolid(b, i, j)
     and b.kind[j] ~= DYNAMIC
     and shapes.isBox(b.shape[j])
     and b.wedged[p] == 0

@@ -53,7 +53,7 @@ function rounds.findChanged(b)
     end
   end
   b.changedCount = count
-  pairFinder.run(b, changed, 1, count)
+  pairFinder.run(b, changed, count)
   contacts.noteNew(b)
 end
 

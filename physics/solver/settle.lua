@@ -112,7 +112,7 @@ local function hold(b, list, slow, sign)
   for c = first, last, sign do
     local k, m = near[c], far[c]
     local isHeld = held[k] > 0 and give[m] > 0
-    if isHeld and not (b.hasFirm and withstands(b, m, k, wall[k], sign)) then
+    if isHeld and not withstands(b, m, k, wall[k], sign) then
       local place = to[k] + sign * separation[c]
       local over, closing = (place - to[m]) * sign, (speed[k] - speed[m]) * sign
       local isMet = over > -EPSILON and (over > 0 or closing >= 0)

@@ -71,10 +71,10 @@ end
 
 -- Puts slot i onto slot j, at a height, unless the game lets it pass.
 local function put(b, i, j, k, turn, height)
-  local m, place, v, a, list = 2 * j + k % 2, b.to[k], b.speed[k], b.accel[k], b.snaps.list
+  local m, place, v, a = 2 * j + k % 2, b.to[k], b.speed[k], b.accel[k]
   path.finish(b, k, turn * height, b.speed[m], b.accel[m])
-  list[0] = i
-  pairFinder.run(b, list, 0, 0)
+  b.stack[1] = i
+  pairFinder.run(b, b.stack, 1)
   local p = columns.pairOf(b, i, j)
   if not p or rules.passes(b, p, turn > 0 and k or m, turn > 0 and m or k, k % 2, false) then
     path.finish(b, k, place, v, a)
@@ -83,7 +83,7 @@ local function put(b, i, j, k, turn, height)
   local pressed = turn > 0 and b.pressedHigh or b.pressedLow
   pressed[k] = true
   pool.lean(b, k, m, -turn)
-  b.lowered[i] = (b.to[k] - place) * turn
+  b.snaps.lowered[i] = (b.to[k] - place) * turn
 end
 
 -- Lowers slot i by at most `most` px at each edge.
@@ -113,8 +113,8 @@ end
 
 --- Lowers what has run off the ground that it stood on, and what stands on that, the lowest first.
 function snap.run(b, dt)
-  b.snaps = b.snaps or { list = {}, height = {} }
-  local lowered, list, height, count = b.lowered, b.snaps.list, b.snaps.height, 0
+  b.snaps = b.snaps or { list = {}, height = {}, lowered = {} } -- px in this step
+  local lowered, list, height, count = b.snaps.lowered, b.snaps.list, b.snaps.height, 0
   for n = 1, b.awakeCount do
     local i = b.awakeList[n]
     lowered[i] = 0
@@ -127,7 +127,7 @@ function snap.run(b, dt)
   sort.by(list, count, height, b.rank, b.rank)
   for n = 1, count do
     local i = list[n]
-    local most = max(b.snap[i], lowered[b.support[i]])
+    local most = max(b.snap[i], lowered[b.support[i]] or 0)
     if most > 0 then
       lower(b, i, most, dt)
     end

@@ -110,7 +110,7 @@ local function nudgeTouching(b, dt)
     if not nudge.run(b) then
       return
     end
-    pairFinder.run(b, b.awakeList, 1, b.awakeCount)
+    pairFinder.run(b, b.awakeList, b.awakeCount)
     friction.begin(b)
     flow.reset(b, 0, dt)
     flow.reset(b, 1, dt)

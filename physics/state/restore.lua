@@ -253,7 +253,7 @@ end
 
 local function restoreContacts(b, st, slots)
   local list = st.contacts
-  pairFinder.run(b, slots, 1, #slots)
+  pairFinder.run(b, slots, #slots)
   for at = 1, #list, 2 + #PAIRS do
     local one, other = list[at], list[at + 1]
     local p = columns.pairOf(b, slots[one], slots[other])
