@@ -115,8 +115,7 @@ local function put(b, i, axis, place)
 end
 
 local function canGo(b, i, axis, way)
-  return way == 0
-    or b.kind[i] == DYNAMIC and not overlap.isInside(b, i, placeOn(b, i, axis, way))
+  return way == 0 or b.kind[i] == DYNAMIC and not overlap.isInside(b, i, placeOn(b, i, axis, way))
 end
 
 -- Returns the share of the way that slot i goes of two, by mass; j goes the rest. If one of them
