@@ -237,8 +237,8 @@ local function advance(b, work, part, dt)
   end
 end
 
--- Lists those that drift, and wakes them. What stands on something drifts across gravity only: it is
--- not lifted off the ground.
+-- Lists those that drift, and wakes them. What stands on something drifts across gravity only: it
+-- is not lifted off the ground.
 local function listDrifted(b, work)
   local softSpeed, down = b.softSpeed, b.down
   for n = 1, work.count do

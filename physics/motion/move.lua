@@ -17,7 +17,6 @@ local zones = require(root .. ".memory.lazy")(root .. ".motion.zones")
 local move = {}
 
 local KINEMATIC, DYNAMIC = columns.KINEMATIC, columns.DYNAMIC
-local max = math.max
 
 -- Computes the path of a kinematic object on an axis. It moves to where the game has written it,
 -- and further by its own velocity. If the update has several steps, the written way is spread over

@@ -168,8 +168,9 @@ local function runRounds(b, dt, awakenings)
   return b.overlapCount > 0
 end
 
--- Notes the sides on which bodies lean on each other along an axis at the end of a step, the hits of
--- contacts that begin so, and which bodies are crushed: squeezed between two that cannot give way.
+-- Notes the sides on which bodies lean on each other along an axis at the end of a step, the hits
+-- of contacts that begin so, and which bodies are crushed: squeezed between two that cannot give
+-- way.
 --
 -- A crushed body stays where it overlaps its neighbours the least (see settle.lua), and is free
 -- again as soon as there is room. How it came there is remembered with the pair (`wedged`). So it
